@@ -1,0 +1,49 @@
+# Compiler and linker settings of every target of this project. Nothing here reaches an installed
+# package: the settings are directory wide or come through build-only interface targets.
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# Link against this target (as $<BUILD_INTERFACE:hmlfc_warnings>) to get the project's warnings.
+add_library(hmlfc_warnings INTERFACE)
+target_compile_options(hmlfc_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast
+  -Wnon-virtual-dtor -Woverloaded-virtual
+  $<$<BOOL:${HMLFC_WERROR}>:-Werror>)
+
+# No fused multiply-add unless asked for by name: floating point of the scenes and of the rate
+# decisions gives the same result on every instruction set.
+add_compile_options(-ffp-contract=off)
+
+if(HMLFC_SANITIZE)
+  add_compile_options(-fsanitize=${HMLFC_SANITIZE} -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${HMLFC_SANITIZE})
+endif()
+
+if(HMLFC_COVERAGE)
+  add_compile_options(--coverage -fprofile-update=atomic)
+  add_link_options(--coverage)
+  find_program(HMLFC_GCOVR gcovr)
+  if(HMLFC_GCOVR)
+    add_custom_target(coverage
+      COMMAND "${CMAKE_COMMAND}" -E make_directory "${PROJECT_BINARY_DIR}/coverage"
+      COMMAND "${HMLFC_GCOVR}" --root "${PROJECT_SOURCE_DIR}" --filter "${PROJECT_SOURCE_DIR}/model/"
+              --html-details "${PROJECT_BINARY_DIR}/coverage/index.html" --print-summary
+              "${PROJECT_BINARY_DIR}"
+      COMMENT "Coverage of the tests run so far: ${PROJECT_BINARY_DIR}/coverage/index.html"
+      USES_TERMINAL VERBATIM)
+  endif()
+endif()
+
+# The two tools below only make builds faster; each is used where it is installed.
+find_program(HMLFC_CCACHE ccache)
+if(HMLFC_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${HMLFC_CCACHE}")
+endif()
+
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=mold HMLFC_HAS_MOLD)
+if(HMLFC_HAS_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
