@@ -1,0 +1,95 @@
+// The shape of the tree and its numbering, derived from the header (STR-2 to STR-6, IDX-1 to
+// IDX-3).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <hmlfc/format.hpp>
+
+namespace hmlfc {
+
+/// A place in the grid of images of one level.
+struct ImagePos {
+  uint32_t row = 0;
+  uint32_t col = 0;
+  friend bool operator==(const ImagePos&, const ImagePos&) = default;
+};
+
+/// Size of one plane in samples, blocks and tiles (STR-2, STR-6).
+struct PlaneShape {
+  uint32_t width = 0;
+  uint32_t height = 0;
+  uint32_t blocks_x = 0;
+  uint32_t blocks_y = 0;
+  uint32_t tiles_x = 0;
+  uint32_t tiles_y = 0;
+  uint64_t first_tile = 0;  ///< number of the plane's first tile within an image (IDX-2)
+
+  uint64_t tiles() const { return uint64_t{tiles_x} * tiles_y; }
+  uint64_t samples() const { return uint64_t{width} * height; }
+};
+
+/// One level of the tree (STR-3, STR-4).
+struct LevelShape {
+  uint32_t rows = 0;
+  uint32_t cols = 0;
+  uint32_t ref_rows = 1;
+  uint32_t ref_cols = 1;
+  uint64_t first_image = 0;  ///< F_l of IDX-1
+
+  uint64_t images() const { return uint64_t{rows} * cols; }
+};
+
+/// Everything that follows from the header alone. Immutable.
+class Geometry {
+ public:
+  /// `header` has passed check_fields.
+  explicit Geometry(const StreamHeader& header);
+
+  int top() const { return static_cast<int>(levels_.size()) - 1; }
+  unsigned block_size() const { return block_size_; }
+  const LevelShape& level(int l) const { return levels_[static_cast<size_t>(l)]; }
+  const PlaneShape& plane(Plane p) const { return planes_[static_cast<size_t>(p)]; }
+
+  uint64_t image_count() const { return image_count_; }
+  uint64_t tiles_per_image() const { return tiles_per_image_; }
+  uint64_t tile_count() const { return image_count_ * tiles_per_image_; }
+  uint64_t group_count() const;
+  uint64_t root_entry_count() const;
+
+  /// The number of image `at` of level `l` (IDX-1).
+  uint64_t image_number(int l, ImagePos at) const;
+
+  /// The number of tile (tx, ty) of plane `p` of image number `image` (IDX-2).
+  uint64_t tile_number(uint64_t image, Plane p, uint32_t tx, uint32_t ty) const;
+
+  /// The ancestor at level `l` of image `at` of level `from`, from <= l (DEC-1).
+  ImagePos ancestor(ImagePos at, int from, int l) const;
+
+  /// The reference image of the group of image `at` of level `l` (STR-4).
+  ImagePos reference_of(int l, ImagePos at) const;
+
+  bool is_reference(int l, ImagePos at) const { return reference_of(l, at) == at; }
+
+  /// Key images are the reference images of the top level (STR-5).
+  bool is_key(int l, ImagePos at) const { return l == top() && is_reference(l, at); }
+
+  /// Number of key images.
+  uint64_t key_count() const;
+
+  /// The rank of key image `at` of the top level among all key images (KEY-1).
+  uint64_t key_number(ImagePos at) const;
+
+ private:
+  std::vector<LevelShape> levels_;
+  std::array<PlaneShape, kPlaneCount> planes_;
+  unsigned block_size_;
+  uint32_t cluster_rows_;
+  uint32_t cluster_cols_;
+  uint64_t image_count_ = 0;
+  uint64_t tiles_per_image_ = 0;
+};
+
+}  // namespace hmlfc

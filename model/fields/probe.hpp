@@ -1,0 +1,44 @@
+// Who watches a decoder at work: an optional trace sink and optional counters.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include <hmlfc/trace.hpp>
+
+namespace hmlfc {
+
+/// Passed down the decode path by value; both pointers may be null.
+struct Probe {
+  TraceSink* sink = nullptr;
+  AccessCounts* counts = nullptr;
+  BlockSite site{};
+
+  /// The same watchers for another block.
+  Probe at(const BlockSite& other) const { return {sink, counts, other}; }
+
+  void field(Section section, uint64_t bit, unsigned bits, std::string_view name,
+             std::string_view clause, int64_t value) const {
+    if (counts != nullptr) {
+      ++counts->fields;
+      counts->bits += bits;
+    }
+    if (sink != nullptr) sink->on_field({site, section, bit, bits, name, clause, value});
+  }
+
+  void stage(std::string_view name, std::string_view clause,
+             std::span<const int32_t> values) const {
+    if (sink != nullptr) sink->on_stage({site, name, clause, values});
+  }
+
+  void walk() const {
+    if (counts != nullptr) ++counts->walks;
+  }
+
+  void step() const {
+    if (counts != nullptr) ++counts->steps;
+  }
+};
+
+}  // namespace hmlfc

@@ -1,0 +1,28 @@
+// Where the bytes of a stream go.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace hmlfc {
+
+/// Bytes of the file by what they say; the parts of TILE are bits rounded down to bytes, the rest
+/// of the section counts as index. The sum is the file's size.
+struct SectionBytes {
+  uint64_t header = 0;
+  uint64_t index = 0;     ///< ROOT, GROUP, end tables, modes and masks
+  uint64_t motion = 0;    ///< sign_mode to vectors_y of all tiles
+  uint64_t residual = 0;  ///< level_base to the last block value of all tiles
+  uint64_t top = 0;       ///< key images
+  uint64_t other = 0;     ///< nothing in this version
+
+  uint64_t total() const { return header + index + motion + residual + top + other; }
+};
+
+/// What a stream holds.
+struct StreamStatistics {
+  SectionBytes sections;
+  std::array<uint64_t, 4> states{};  ///< blocks by BlockState, over all images but the key images
+};
+
+}  // namespace hmlfc

@@ -1,0 +1,63 @@
+// What a decoder can tell about one block: every field it reads and every stage's values.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include <hmlfc/error.hpp>
+#include <hmlfc/format.hpp>
+
+namespace hmlfc {
+
+/// One block of one image of the tree.
+struct BlockSite {
+  int level = 0;           ///< [0, tree_height]
+  uint32_t image_row = 0;  ///< in the level's grid of images
+  uint32_t image_col = 0;
+  Plane plane = Plane::kY;
+  uint32_t bx = 0;  ///< block column in the plane
+  uint32_t by = 0;  ///< block row in the plane
+
+  friend bool operator==(const BlockSite&, const BlockSite&) = default;
+};
+
+/// A field as it was read from the stream.
+struct FieldRecord {
+  BlockSite site;           ///< the block that was being read
+  Section section;          ///< the section that holds the field
+  uint64_t bit;             ///< address of its first bit from the start of the file (CNV-4)
+  unsigned bits;            ///< length, [0, 64]
+  std::string_view name;    ///< the specification's name
+  std::string_view clause;  ///< the clause that defines it
+  int64_t value;            ///< as the specification reads it: offset and sign applied
+};
+
+/// The values of one stage of a block, row by row: "parent", "reference", "prediction", "residual"
+/// or "sample".
+struct StageRecord {
+  BlockSite site;
+  std::string_view stage;
+  std::string_view clause;
+  std::span<const int32_t> values;  ///< block_size^2 values
+};
+
+/// Receives the records of one block in the order in which a decoder makes them. Reference blocks
+/// that are decoded on demand report their fields, with their own site, before the stage that needs
+/// them.
+class TraceSink {
+ public:
+  virtual ~TraceSink() = default;
+  virtual void on_field(const FieldRecord& record) = 0;
+  virtual void on_stage(const StageRecord& record) = 0;
+};
+
+/// What decoding cost; BND-1 and BND-2 bound each count.
+struct AccessCounts {
+  uint64_t walks = 0;   ///< entries of blocks looked up
+  uint64_t fields = 0;  ///< fields read
+  uint64_t bits = 0;    ///< bits of these fields
+  uint64_t steps = 0;   ///< serial additions over block headers
+};
+
+}  // namespace hmlfc

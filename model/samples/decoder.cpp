@@ -1,0 +1,139 @@
+#include <hmlfc/decoder.hpp>
+
+#include <algorithm>
+#include <new>
+
+#include "samples/decoder_state.hpp"
+#include "samples/golden_region.hpp"
+#include "samples/open_stream.hpp"
+#include "samples/region_decoder.hpp"
+#include "samples/rgb_picture.hpp"
+#include "values/rounding.hpp"
+
+namespace hmlfc {
+namespace {
+
+tl::unexpected<Error> bad_request() { return fail(ErrorCode::kBadRequest, Section::kHeader, 0); }
+
+bool has_view(const StreamHeader& header, ViewPos view, int stop_level) {
+  return view.row < header.rows && view.col < header.cols && stop_level >= 0 &&
+         stop_level <= header.tree_height;
+}
+
+bool contains(uint32_t width, uint32_t height, const Rect& rect) {
+  return rect.width > 0 && rect.height > 0 && rect.x < width && rect.y < height &&
+         rect.width <= width - rect.x && rect.height <= height - rect.y;
+}
+
+// The blocks that `rect` touches.
+BlockRect blocks_of(const Rect& rect, uint32_t block_size) {
+  return {rect.x / block_size, rect.y / block_size, ceil_div(rect.x + rect.width, block_size),
+          ceil_div(rect.y + rect.height, block_size)};
+}
+
+// The part `rect` of a region that begins with block (blocks.bx0, blocks.by0).
+SamplePlane crop(const SamplePlane& region, const BlockRect& blocks, const Rect& rect,
+                 uint32_t block_size) {
+  const uint32_t x = rect.x - blocks.bx0 * block_size;
+  const uint32_t y = rect.y - blocks.by0 * block_size;
+  SamplePlane samples(rect.width, rect.height);
+  for (uint32_t j = 0; j < rect.height; ++j) {
+    const auto row = region.row(y + j).subspan(x, rect.width);
+    std::copy(row.begin(), row.end(), samples.row(j).begin());
+  }
+  return samples;
+}
+
+}  // namespace
+
+Decoder::Decoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Decoder::Decoder(Decoder&&) noexcept = default;
+Decoder& Decoder::operator=(Decoder&&) noexcept = default;
+Decoder::~Decoder() = default;
+
+Result<Decoder> Decoder::open(std::span<const uint8_t> file, const OpenOptions& options) {
+  auto stream = open_stream(file, options);
+  if (!stream) return tl::unexpected(stream.error());
+  return Decoder(std::make_unique<State>(std::move(*stream)));
+}
+
+const StreamHeader& Decoder::header() const { return state_->stream.header; }
+
+PlaneSize Decoder::plane_size(Plane plane) const {
+  const PlaneShape& shape = state_->stream.geometry.plane(plane);
+  return {shape.width, shape.height};
+}
+
+Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block, int stop_level,
+                                                   TraceSink* sink, AccessCounts* counts,
+                                                   ReferenceMode mode) const {
+  const Geometry& geometry = state_->stream.geometry;
+  const PlaneShape& plane = geometry.plane(block.plane);
+  if (!has_view(header(), block.view, stop_level) || block.bx >= plane.blocks_x ||
+      block.by >= plane.blocks_y) {
+    return bad_request();
+  }
+  const ImagePos image = geometry.ancestor({block.view.row, block.view.col}, 0, stop_level);
+  const BlockSite site{stop_level, image.row, image.col, block.plane, block.bx, block.by};
+  const DecodeSources sources =
+      mode == ReferenceMode::kSparse ? state_->sparse() : state_->on_demand();
+  const auto values = hmlfc::decode_block(sources, site, Probe{sink, counts, site});
+  if (!values) return tl::unexpected(values.error());
+  return std::vector<int32_t>(values->span().begin(), values->span().end());
+}
+
+Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, const Rect& rect,
+                                                  int stop_level) const {
+  const Geometry& geometry = state_->stream.geometry;
+  const PlaneShape& shape = geometry.plane(plane);
+  if (!has_view(header(), view, stop_level) || !contains(shape.width, shape.height, rect)) {
+    return bad_request();
+  }
+  const BlockRect blocks = blocks_of(rect, geometry.block_size());
+  const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
+  try {
+    auto region = decode_region(state_->sparse(), stop_level, image, plane, blocks);
+    if (!region) {
+      // Which block fails, and whether one that was asked for does, is for the golden path to say.
+      region = decode_region_by_blocks(state_->on_demand(), stop_level, image, plane, blocks);
+    }
+    if (!region) return tl::unexpected(region.error());
+    return crop(*region, blocks, rect, geometry.block_size()).samples;
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, Section::kHeader, 0);
+  }
+}
+
+Result<std::vector<int16_t>> Decoder::decode_plane(ViewPos view, Plane plane,
+                                                   int stop_level) const {
+  const PlaneSize size = plane_size(plane);
+  return decode_rect(view, plane, {0, 0, size.width, size.height}, stop_level);
+}
+
+Result<RgbImage> Decoder::decode_rgb(ViewPos view, const Rect& rect, int stop_level) const {
+  if (!contains(header().width, header().height, rect)) return bad_request();
+  const bool halved = header().chroma_format == ChromaFormat::k420;
+  std::array<SamplePlane, kPlaneCount> planes;
+  for (const Plane plane : kPlanes) {
+    const Rect part = chroma_rect(rect, halved && plane != Plane::kY);
+    auto samples = decode_rect(view, plane, part, stop_level);
+    if (!samples) return tl::unexpected(samples.error());
+    SamplePlane& target = planes[static_cast<size_t>(plane)];
+    target.width = part.width;
+    target.height = part.height;
+    target.samples = std::move(*samples);
+  }
+  try {
+    return rgb_picture(planes, rect, halved, header().depth);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, Section::kHeader, 0);
+  }
+}
+
+Result<RgbImage> Decoder::decode_view(ViewPos view, int stop_level) const {
+  return decode_rgb(view, {0, 0, header().width, header().height}, stop_level);
+}
+
+size_t Decoder::reference_bytes() const { return state_->references.bytes(); }
+
+}  // namespace hmlfc

@@ -1,0 +1,133 @@
+#include "samples/tile_blocks.hpp"
+
+#include <bit>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "bits/bit_mask.hpp"
+#include "samples/block_walk.hpp"
+#include "values/bise.hpp"
+#include "values/bise_unpack.hpp"
+#include "values/reconstruct.hpp"
+
+namespace hmlfc {
+namespace {
+
+// A copy of a tile record with readable bytes behind it.
+class PaddedRecord {
+ public:
+  explicit PaddedRecord(std::span<const uint8_t> record)
+      : size_(record.size()), bytes_(record.size() + kBiseUnpackSlack) {
+    std::memcpy(bytes_.data(), record.data(), record.size());
+  }
+  const uint8_t* data() const { return bytes_.data(); }
+  BitString bits() const { return BitString(std::span(bytes_).first(size_)); }
+
+ private:
+  size_t size_;
+  std::vector<uint8_t> bytes_;
+};
+
+struct TileReader {
+  const PaddedRecord& record;
+  const TileHead& head;
+  const TileContext& context;
+  const SampleRange& range;
+  TileBlocks& blocks;
+
+  tl::unexpected<Error> failure(ErrorCode code) const { return fail(code, Section::kTile, 0); }
+
+  Result<void> read_vectors() const {
+    const TileVectors& vectors = head.vectors;
+    const auto count = static_cast<size_t>(std::popcount(head.motion_mask));
+    std::array<uint16_t, kBlocksInTile> x;
+    std::array<uint16_t, kBlocksInTile> y;
+    bise_unpack(record.data(), vectors.x_at, vectors.levels_x, count, x.data());
+    bise_unpack(record.data(), vectors.y_at, vectors.levels_y, count, y.data());
+    uint64_t left = head.motion_mask;
+    for (size_t m = 0; m < count; ++m, left &= left - 1) {
+      const auto k = static_cast<size_t>(std::countr_zero(left));
+      const int32_t dx = vectors.min_x + x[m];
+      const int32_t dy = vectors.min_y + y[m];
+      if (std::abs(dx) > context.window || std::abs(dy) > context.window) {
+        return failure(ErrorCode::kVectorRange);
+      }
+      blocks.dx[k] = static_cast<int8_t>(dx);
+      blocks.dy[k] = static_cast<int8_t>(dy);
+      const bool mixed = vectors.sign_mode == 2;
+      blocks.negative[k] =
+          mixed ? record.bits().field(vectors.signs_at + m, 1) != 0 : vectors.sign_mode == 1;
+    }
+    return {};
+  }
+
+  Result<void> read_residuals(uint64_t wanted) const {
+    const TileResiduals& residuals = head.residuals;
+    const BitString bits = record.bits();
+    const unsigned max_code = max_residual_level_code(context.depth);
+    uint64_t header_at = residuals.headers_at;
+    uint64_t values_at = residuals.values_at;
+    for (uint64_t left = head.residual_mask; left != 0; left &= left - 1) {
+      const auto k = static_cast<unsigned>(std::countr_zero(left));
+      const unsigned code = residuals.level_base + bits.field(header_at, residuals.level_bits);
+      if (code > max_code) return failure(ErrorCode::kBadLevels);
+      const Levels levels = levels_of_code(code);
+      const uint64_t size = bise_bits(levels, context.block_samples);
+      if (!bits.holds(values_at, size)) return failure(ErrorCode::kTileOverrun);
+      if (has_bit(wanted, k)) {
+        const uint32_t bias = bits.field(header_at + residuals.level_bits, residuals.bias_bits);
+        unpack_block(k, values_at, levels, sign_extend(bias, residuals.bias_bits));
+      }
+      header_at += residuals.level_bits + residuals.bias_bits;
+      values_at += size;
+    }
+    return {};
+  }
+
+  void unpack_block(unsigned k, uint64_t at, const Levels& levels, int32_t bias) const {
+    std::array<uint16_t, size_t{kMaxBlockSize} * kMaxBlockSize> values;
+    bise_unpack(record.data(), at, levels, context.block_samples, values.data());
+    int16_t* out = blocks.values.data() + size_t{k} * blocks.block_samples;
+    for (size_t i = 0; i < context.block_samples; ++i) {
+      out[i] = static_cast<int16_t>(residual_of_value(values[i], levels.count, bias, range));
+    }
+  }
+};
+
+}  // namespace
+
+Result<void> read_tile_blocks(const StreamView& stream, const BlockSite& site, uint64_t wanted,
+                              TileBlocks& blocks) {
+  const Geometry& geometry = stream.geometry;
+  blocks.motion_mask = 0;
+  blocks.residual_mask = 0;
+  blocks.block_samples = geometry.block_size() * geometry.block_size();
+
+  const uint64_t image = geometry.image_number(site.level, {site.image_row, site.image_col});
+  const uint64_t tile =
+      geometry.tile_number(image, site.plane, site.bx / kTileBlocks, site.by / kTileBlocks);
+  const auto extent = find_tile(stream, tile, Probe{});
+  if (!extent) return tl::unexpected(extent.error());
+  if (!*extent) return {};
+
+  const auto begin = static_cast<size_t>((*extent)->begin);
+  const auto size = static_cast<size_t>((*extent)->end - (*extent)->begin);
+  const PaddedRecord record(stream.bytes(Section::kTile).subspan(begin, size));
+  FieldCursor cursor(record.bits(), 0, Probe{});
+  const TileContext context = tile_context(stream, site);
+  const auto head = read_tile_head(cursor, context);
+  if (!head) return tl::unexpected(head.error());
+  blocks.motion_mask = head->motion_mask;
+  blocks.residual_mask = head->residual_mask;
+
+  const SampleRange range = sample_range(site.plane, stream.header.depth);
+  const TileReader reader{record, *head, context, range, blocks};
+  if (head->motion_mask != 0) {
+    if (auto ok = reader.read_vectors(); !ok) return ok;
+  }
+  if (head->residual_mask != 0) return reader.read_residuals(wanted);
+  return {};
+}
+
+}  // namespace hmlfc

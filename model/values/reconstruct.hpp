@@ -1,0 +1,32 @@
+// The arithmetic of one sample (TIL-10, DEC-3).
+#pragma once
+
+#include <cstdint>
+
+#include "values/rounding.hpp"
+#include "values/sample_range.hpp"
+
+namespace hmlfc {
+
+/// The residual that stands for BISE value `value` in [0, levels - 1] with `bias` (TIL-10); in
+/// [-bound, bound].
+///
+/// Example: value 0 of 40 levels with bias 3 is -17.
+constexpr int32_t residual_of_value(uint32_t value, uint32_t levels, int32_t bias,
+                                    const SampleRange& range) {
+  const int32_t centred = static_cast<int32_t>(value) - static_cast<int32_t>(levels >> 1);
+  return clamp(centred + bias, -range.bound, range.bound);
+}
+
+/// A(x, y) of DEC-3 with motion: `parent` in [lo, hi] or 0, `reference` in [-bound, bound].
+constexpr int32_t motion_prediction(int32_t parent, bool negative, int32_t reference,
+                                    const SampleRange& range) {
+  return clamp(negative ? parent - reference : parent + reference, range.lo, range.hi);
+}
+
+/// The sample of DEC-3: `prediction` in [lo, hi], `residual` in [-bound, bound].
+constexpr int32_t add_residual(int32_t prediction, int32_t residual, const SampleRange& range) {
+  return clamp(prediction + residual, range.lo, range.hi);
+}
+
+}  // namespace hmlfc
