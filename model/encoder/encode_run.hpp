@@ -1,0 +1,57 @@
+// What every run of the encoder shares: parameter checks, threads, progress.
+#pragma once
+
+#include <algorithm>
+#include <mutex>
+#include <new>
+
+#include <tbb/task_arena.h>
+
+#include <hmlfc/encoder.hpp>
+
+#include "encoder/encode_session.hpp"
+
+namespace hmlfc {
+
+/// Counts finished images and reports them, one thread at a time.
+class ProgressCounter {
+ public:
+  /// `progress` may be empty and must outlive the counter.
+  ProgressCounter(const Progress& progress, uint64_t total) : progress_(progress), total_(total) {}
+
+  void add() {
+    if (!progress_) return;
+    const std::scoped_lock lock(mutex_);
+    done_ = std::min(done_ + 1, total_);
+    progress_(done_, total_);
+  }
+
+ private:
+  const Progress& progress_;
+  uint64_t total_;
+  uint64_t done_ = 0;
+  std::mutex mutex_;
+};
+
+/// Runs `body` on `threads` threads (0: all cores); running out of memory becomes an error.
+template <class Body>
+tl::expected<EncodedStream, EncodeError> run_encoder(int threads, const Body& body) {
+  try {
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    return arena.execute(body);
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(
+        EncodeError{"out of memory: encode fewer or smaller views, or free some memory"});
+  }
+}
+
+/// header_for() with its error in words.
+inline tl::expected<StreamHeader, EncodeError> checked_header(const LightFieldShape& shape,
+                                                              const EncodeParams& params) {
+  auto header = header_for(shape, params);
+  if (header) return *header;
+  return tl::unexpected(
+      EncodeError{"an encoding parameter is outside its interval (see hmlfc encode --help)"});
+}
+
+}  // namespace hmlfc

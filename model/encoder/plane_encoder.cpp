@@ -1,0 +1,171 @@
+#include "encoder/plane_encoder.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "encoder/residual_coding.hpp"
+#include "encoder/tile_writer.hpp"
+#include "values/bise.hpp"
+#include "values/reconstruct.hpp"
+
+namespace hmlfc {
+namespace {
+
+uint32_t energy_of(const BlockValues& values) {
+  uint32_t sum = 0;
+  for (const int32_t value : values.span()) sum += static_cast<uint32_t>(std::abs(value));
+  return sum;
+}
+
+// Bits of a residual block before its tile's parameters are known: with a bias of six bits, or
+// none.
+uint64_t estimated_bits(const BlockValues& residual) {
+  constexpr unsigned kBiasBits = 6;
+  const auto [lo, hi] = std::minmax_element(residual.span().begin(), residual.span().end());
+  const ResidualInterval interval{*lo, *hi};
+  const auto bits_with = [&](unsigned bias_bits) {
+    const unsigned code = least_code(interval, bias_bits).level_code;
+    return bias_bits + bise_bits(levels_of_code(code), residual.size());
+  };
+  return std::min(bits_with(0), bits_with(kBiasBits));
+}
+
+class PlaneEncoder {
+ public:
+  explicit PlaneEncoder(const PlaneTask& task)
+      : task_(task),
+        shape_(task.geometry->plane(task.plane)),
+        size_(task.geometry->block_size()),
+        range_(sample_range(task.plane, task.depth)),
+        vector_bits_(2 * vector_widths(task.window).component_bits) {}
+
+  EncodedPlane run() {
+    result_.samples = SamplePlane(task_.original->width, task_.original->height);
+    result_.residuals = SamplePlane(task_.original->width, task_.original->height);
+    above_.resize(shape_.blocks_x);
+    for (uint32_t ty = 0; ty < shape_.tiles_y; ++ty) {
+      for (uint32_t tx = 0; tx < shape_.tiles_x; ++tx) encode_tile(tx, ty);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void encode_tile(uint32_t tx, uint32_t ty) {
+    TileContext context;
+    context.predictive = task_.reference != nullptr;
+    context.blocks_inside = blocks_inside(shape_, tx, ty);
+    context.window = task_.window;
+    context.depth = task_.depth;
+    context.block_samples = uint64_t{size_} * size_;
+
+    std::vector<BlockChoice> choices(kTileBlocks * kTileBlocks, BlockChoice(size_));
+    for (unsigned k = 0; k < choices.size(); ++k) {
+      const uint32_t bx = tx * kTileBlocks + block_column(k);
+      const uint32_t by = ty * kTileBlocks + block_row(k);
+      if (bx >= shape_.blocks_x || by >= shape_.blocks_y) continue;
+      choose(bx, by, choices[k]);
+      reconstruct(bx, by, choices[k]);
+    }
+    const std::vector<uint8_t> record = write_tile(choices, context);
+    PlaneCode& code = result_.code;
+    code.record_sizes.push_back(static_cast<uint32_t>(record.size()));
+    code.records.insert(code.records.end(), record.begin(), record.end());
+  }
+
+  int32_t parent(uint32_t x, uint32_t y) const {
+    return task_.parent == nullptr ? 0 : task_.parent->at(x, y);
+  }
+
+  // Calls body(i, x, y) for each value of a block with the nearest position inside the plane, so
+  // that values outside repeat those inside and cost nothing.
+  template <class Body>
+  void for_each_inside(uint32_t bx, uint32_t by, const Body& body) const {
+    for (unsigned j = 0; j < size_; ++j) {
+      for (unsigned i = 0; i < size_; ++i) {
+        const uint32_t x = std::min(bx * size_ + i, shape_.width - 1);
+        const uint32_t y = std::min(by * size_ + j, shape_.height - 1);
+        body(j * size_ + i, x, y);
+      }
+    }
+  }
+
+  // A(x, y) of DEC-3 with motion. Positions past the border have no meaning (STR-6) and take the
+  // reference of the nearest position inside.
+  int32_t predicted(uint32_t x, uint32_t y, const MotionMatch& motion) const {
+    const ptrdiff_t from_x = ptrdiff_t{std::min(x, shape_.width - 1)} + motion.dx;
+    const ptrdiff_t from_y = ptrdiff_t{std::min(y, shape_.height - 1)} + motion.dy;
+    const int32_t reference = *task_.reference->sample(from_x, from_y);
+    return motion_prediction(parent(x, y), motion.negative, reference, range_);
+  }
+
+  void choose(uint32_t bx, uint32_t by, BlockChoice& choice) {
+    BlockValues plain(size_);
+    for_each_inside(bx, by, [&](size_t i, uint32_t x, uint32_t y) {
+      plain[i] = task_.original->at(x, y) - parent(x, y);
+    });
+    if (dropped(energy_of(plain))) return;
+    choice.state = BlockState::kResidual;
+    choice.residual = plain;
+    if (task_.reference == nullptr) return;
+
+    choice.motion = search(bx, by, plain);
+    if (dropped(choice.motion.sad)) {
+      choice.state = BlockState::kMotion;
+      return;
+    }
+    BlockValues moved(size_);
+    for_each_inside(bx, by, [&](size_t i, uint32_t x, uint32_t y) {
+      moved[i] = task_.original->at(x, y) - predicted(x, y, choice.motion);
+    });
+    if (estimated_bits(moved) + vector_bits_ < estimated_bits(plain)) {
+      choice.state = BlockState::kMotionResidual;
+      choice.residual = moved;
+    }
+  }
+
+  bool dropped(uint32_t energy) const { return energy == 0 || energy < task_.threshold; }
+
+  MotionMatch search(uint32_t bx, uint32_t by, const BlockValues& plain) {
+    std::array<int16_t, size_t{kMaxBlockSize} * kMaxBlockSize> block;
+    for (size_t i = 0; i < plain.size(); ++i) block[i] = static_cast<int16_t>(plain[i]);
+    const std::array<MotionMatch, 2> hints{left_, above_[bx]};
+    const MotionMatch match =
+        search_motion(std::span(block).first(plain.size()), static_cast<int>(size_), bx * size_,
+                      by * size_, *task_.reference, task_.window, task_.both_signs, hints);
+    left_ = match;
+    above_[bx] = match;
+    return match;
+  }
+
+  void reconstruct(uint32_t bx, uint32_t by, const BlockChoice& choice) {
+    for (unsigned j = 0; j < size_; ++j) {
+      const uint32_t y = by * size_ + j;
+      for (unsigned i = 0; i < size_; ++i) {
+        const uint32_t x = bx * size_ + i;
+        int32_t sample = parent(x, y);
+        if (choice.has_motion()) sample = predicted(x, y, choice.motion);
+        if (choice.has_residual()) {
+          const int32_t residual = choice.residual.at(i, j);
+          sample = add_residual(sample, residual, range_);
+          result_.residuals.row(y)[x] = static_cast<int16_t>(residual);
+        }
+        result_.samples.row(y)[x] = static_cast<int16_t>(sample);
+      }
+    }
+  }
+
+  const PlaneTask& task_;
+  PlaneShape shape_;
+  unsigned size_;
+  SampleRange range_;
+  uint64_t vector_bits_;
+  MotionMatch left_;
+  std::vector<MotionMatch> above_;
+  EncodedPlane result_;
+};
+
+}  // namespace
+
+EncodedPlane encode_plane(const PlaneTask& task) { return PlaneEncoder(task).run(); }
+
+}  // namespace hmlfc

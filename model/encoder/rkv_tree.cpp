@@ -1,0 +1,73 @@
+#include "encoder/rkv_tree.hpp"
+
+#include <algorithm>
+
+#include <tbb/parallel_for.h>
+
+#include "values/rounding.hpp"
+
+namespace hmlfc {
+namespace {
+
+// Sums of the planes of a cluster's images.
+class ClusterMean {
+ public:
+  void add(const ImagePlanes& image) {
+    for (size_t p = 0; p < sums_.size(); ++p) {
+      std::vector<int32_t>& sum = sums_[p];
+      const std::vector<int16_t>& samples = image[p].samples;
+      sum.resize(samples.size());
+      for (size_t i = 0; i < samples.size(); ++i) sum[i] += samples[i];
+      shapes_[p] = {image[p].width, image[p].height};
+    }
+    ++count_;
+  }
+
+  ImagePlanes mean() const {
+    ImagePlanes planes;
+    for (size_t p = 0; p < sums_.size(); ++p) {
+      planes[p] = SamplePlane(shapes_[p].first, shapes_[p].second);
+      std::transform(sums_[p].begin(), sums_[p].end(), planes[p].samples.begin(), [&](int32_t sum) {
+        return static_cast<int16_t>(round_half_up_div(sum, count_));
+      });
+    }
+    return planes;
+  }
+
+ private:
+  std::array<std::vector<int32_t>, kPlaneCount> sums_;
+  std::array<std::pair<uint32_t, uint32_t>, kPlaneCount> shapes_;
+  int64_t count_ = 0;
+};
+
+}  // namespace
+
+RkvTree build_rkv_tree(const LightField& light_field, const Geometry& geometry,
+                       uint32_t cluster_rows, uint32_t cluster_cols) {
+  RkvTree tree;
+  for (int level = 1; level <= geometry.top(); ++level) {
+    const LevelShape& shape = geometry.level(level);
+    const LevelShape& below = geometry.level(level - 1);
+    tree.levels.emplace_back(static_cast<size_t>(shape.images()));
+    tbb::parallel_for(uint64_t{0}, shape.images(), [&](uint64_t i) {
+      const auto row = static_cast<uint32_t>(i / shape.cols);
+      const auto col = static_cast<uint32_t>(i % shape.cols);
+      ClusterMean mean;
+      for (uint32_t r = row * cluster_rows; r < std::min((row + 1) * cluster_rows, below.rows);
+           ++r) {
+        for (uint32_t c = col * cluster_cols; c < std::min((col + 1) * cluster_cols, below.cols);
+             ++c) {
+          if (level == 1) {
+            mean.add(view_planes(light_field, geometry, {r, c}));
+          } else {
+            mean.add(tree.at(geometry, level - 1, {r, c}));
+          }
+        }
+      }
+      tree.at(geometry, level, {row, col}) = mean.mean();
+    });
+  }
+  return tree;
+}
+
+}  // namespace hmlfc

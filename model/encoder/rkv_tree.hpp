@@ -1,0 +1,32 @@
+// The representative key views of all levels above the views (paper, section "RLFC").
+#pragma once
+
+#include <vector>
+
+#include <hmlfc/light_field.hpp>
+
+#include "encoder/view_planes.hpp"
+#include "fields/geometry.hpp"
+
+namespace hmlfc {
+
+/// Images of the levels above 0: images[l - 1][row * cols + col] of level l. They begin as the
+/// filtered originals; the encoder replaces each level by its reconstruction as it goes down.
+struct RkvTree {
+  std::vector<std::vector<ImagePlanes>> levels;
+
+  const ImagePlanes& at(const Geometry& geometry, int level, ImagePos pos) const {
+    return levels[static_cast<size_t>(level) - 1]
+                 [size_t{pos.row} * geometry.level(level).cols + pos.col];
+  }
+  ImagePlanes& at(const Geometry& geometry, int level, ImagePos pos) {
+    return levels[static_cast<size_t>(level) - 1]
+                 [size_t{pos.row} * geometry.level(level).cols + pos.col];
+  }
+};
+
+/// Filters each cluster to its mean, sample by sample, halves rounded up, level by level.
+RkvTree build_rkv_tree(const LightField& light_field, const Geometry& geometry,
+                       uint32_t cluster_rows, uint32_t cluster_cols);
+
+}  // namespace hmlfc

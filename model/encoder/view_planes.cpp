@@ -1,0 +1,90 @@
+#include "encoder/view_planes.hpp"
+
+#include <algorithm>
+
+#include "values/colour.hpp"
+#include "values/rounding.hpp"
+
+namespace hmlfc {
+namespace {
+
+// The mean of the 2 x 2 square that ends at the plane's border where it must.
+int16_t square_mean(const SamplePlane& full, uint32_t x, uint32_t y) {
+  const uint32_t x1 = std::min(x + 1, full.width - 1);
+  const uint32_t y1 = std::min(y + 1, full.height - 1);
+  const int64_t sum = int64_t{full.at(x, y)} + full.at(x1, y) + full.at(x, y1) + full.at(x1, y1);
+  return static_cast<int16_t>(round_half_up_div(sum, 4));
+}
+
+SamplePlane halved(const SamplePlane& full) {
+  SamplePlane half(ceil_div(full.width, 2u), ceil_div(full.height, 2u));
+  for (uint32_t y = 0; y < half.height; ++y) {
+    for (uint32_t x = 0; x < half.width; ++x) half.row(y)[x] = square_mean(full, 2 * x, 2 * y);
+  }
+  return half;
+}
+
+ImagePlanes full_planes(const LightField& light_field, ImagePos at) {
+  const LightFieldShape& shape = light_field.shape();
+  ImagePlanes planes;
+  for (SamplePlane& plane : planes) plane = SamplePlane(shape.width, shape.height);
+  std::vector<uint16_t> pixels(size_t{shape.width} * 3);
+  for (uint32_t y = 0; y < shape.height; ++y) {
+    light_field.read_row(at.row, at.col, y, pixels);
+    for (uint32_t x = 0; x < shape.width; ++x) {
+      const uint16_t* pixel = pixels.data() + size_t{x} * 3;
+      const YCoCg colour = forward_colour({pixel[0], pixel[1], pixel[2]});
+      planes[0].row(y)[x] = static_cast<int16_t>(colour.y);
+      planes[1].row(y)[x] = static_cast<int16_t>(colour.co);
+      planes[2].row(y)[x] = static_cast<int16_t>(colour.cg);
+    }
+  }
+  return planes;
+}
+
+// `plane` enlarged to whole blocks.
+SamplePlane in_whole_blocks(const SamplePlane& plane, const PlaneShape& shape,
+                            unsigned block_size) {
+  SamplePlane blocks(shape.blocks_x * block_size, shape.blocks_y * block_size);
+  for (uint32_t y = 0; y < plane.height; ++y) {
+    const auto row = plane.row(y);
+    std::copy(row.begin(), row.end(), blocks.row(y).begin());
+  }
+  extend_borders(blocks, plane.width, plane.height);
+  return blocks;
+}
+
+}  // namespace
+
+ImagePlanes view_planes(const LightField& light_field, const Geometry& geometry, ImagePos at) {
+  ImagePlanes planes = full_planes(light_field, at);
+  for (const Plane p : kPlanes) {
+    SamplePlane& plane = planes[static_cast<size_t>(p)];
+    const PlaneShape& shape = geometry.plane(p);
+    const bool is_halved = shape.width != plane.width || shape.height != plane.height;
+    plane = in_whole_blocks(is_halved ? halved(plane) : plane, shape, geometry.block_size());
+  }
+  return planes;
+}
+
+void extend_borders(SamplePlane& plane, uint32_t width, uint32_t height) {
+  for (uint32_t y = 0; y < height; ++y) {
+    const auto row = plane.row(y);
+    std::fill(row.begin() + width, row.end(), row[width - 1]);
+  }
+  for (uint32_t y = height; y < plane.height; ++y) {
+    const auto last = plane.row(height - 1);
+    std::copy(last.begin(), last.end(), plane.row(y).begin());
+  }
+}
+
+SamplePlane cropped(const SamplePlane& plane, uint32_t width, uint32_t height) {
+  SamplePlane part(width, height);
+  for (uint32_t y = 0; y < height; ++y) {
+    const auto row = plane.row(y).first(width);
+    std::copy(row.begin(), row.end(), part.row(y).begin());
+  }
+  return part;
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,93 @@
+// The bounds of BND-1 and BND-2, counted on cold random blocks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/encoder.hpp>
+
+#include "support/test_light_fields.hpp"
+
+namespace hmlfc {
+namespace {
+
+// BND-1: fields and serial additions of one walk.
+constexpr uint64_t kFieldsPerWalk = 182;
+constexpr uint64_t kStepsPerWalk = 63;
+
+// Decodes `blocks` random blocks, checks each against the bounds, and returns the most walks.
+uint64_t check_random_blocks(const test::RandomCase& made, uint32_t seed, int blocks) {
+  const LightField field = test::textured_light_field(made.shape, seed, made.noise);
+  const auto encoded = encode(field, made.params);
+  const auto decoder = Decoder::open(encoded->bytes);
+  const StreamHeader& header = decoder->header();
+  const auto max_walks = static_cast<uint64_t>(5 * header.tree_height + 1);
+  test::Random random(seed);
+  uint64_t most_walks = 0;
+  for (int block = 0; block < blocks; ++block) {
+    const Plane plane = kPlanes[random() % 3];
+    const PlaneSize size = decoder->plane_size(plane);
+    const BlockAddress address{{random() % header.rows, random() % header.cols},
+                               plane,
+                               random() % size.width / header.block_size(),
+                               random() % size.height / header.block_size()};
+    AccessCounts counts;
+    EXPECT_TRUE(decoder->decode_block(address, 0, nullptr, &counts).has_value());
+    EXPECT_LE(counts.walks, max_walks);
+    EXPECT_LE(counts.fields, counts.walks * kFieldsPerWalk);
+    EXPECT_LE(counts.steps, counts.walks * kStepsPerWalk);
+    most_walks = std::max(most_walks, counts.walks);
+  }
+  return most_walks;
+}
+
+TEST(BoundedAccess, RandomStreamsStayWithinTheStatedBounds) {
+  for (uint32_t seed = 0; seed < 60; ++seed) {
+    auto made = test::random_case(seed);
+    made.params.threshold_ref /= 8;
+    made.params.threshold_pred /= 8;
+    check_random_blocks(made, seed, 40);
+  }
+}
+
+// A tree of three levels in which most blocks are displaced comes near the bound of 16 walks.
+TEST(BoundedAccess, DisplacedBlocksComeNearTheBound) {
+  test::RandomCase made;
+  made.shape = {8, 8, 48, 48, 8};
+  made.noise = 2;
+  made.params.threshold_ref = 4;
+  made.params.threshold_pred = 24;
+  const uint64_t most_walks = check_random_blocks(made, 1, 1500);
+  EXPECT_GE(most_walks, 12u);
+}
+
+// The cost of a block does not grow with the grid or the picture.
+TEST(BoundedAccess, CostDoesNotGrowWithTheLightField) {
+  EncodeParams params;
+  params.threshold_ref = 0;
+  params.threshold_pred = 0;
+  params.tree_height = 1;
+  params.window = 4;
+  const auto worst_fields = [&](const LightFieldShape& shape) {
+    const LightField field = test::textured_light_field(shape, 4, 60);
+    const auto encoded = encode(field, params);
+    const auto decoder = Decoder::open(encoded->bytes);
+    uint64_t worst = 0;
+    for (uint32_t bx = 0; bx < 16; ++bx) {
+      for (uint32_t by = 0; by < 8; ++by) {
+        AccessCounts counts;
+        const auto block = decoder->decode_block({{1, 1}, Plane::kY, bx, by}, 0, nullptr, &counts);
+        EXPECT_TRUE(block.has_value());
+        worst = std::max(worst, counts.fields);
+      }
+    }
+    return worst;
+  };
+  const uint64_t small = worst_fields({2, 2, 64, 32, 8});
+  const uint64_t large = worst_fields({12, 12, 256, 128, 8});
+  EXPECT_LE(small, 6 * kFieldsPerWalk);
+  EXPECT_LE(large, 6 * kFieldsPerWalk);
+}
+
+}  // namespace
+}  // namespace hmlfc

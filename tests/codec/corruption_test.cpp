@@ -1,0 +1,156 @@
+// Damaged streams: a named error or the same picture, never a crash.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/encoder.hpp>
+
+#include "bits/crc32c.hpp"
+#include "bits/little_endian.hpp"
+#include "support/test_light_fields.hpp"
+
+namespace hmlfc {
+namespace {
+
+constexpr LightFieldShape kShape{3, 2, 13, 9, 8};
+
+std::vector<uint8_t> small_stream(Method method) {
+  EncodeParams params;
+  params.method = method;
+  params.tree_height = 1;
+  params.window = 3;
+  params.ref_rows = 2;
+  params.ref_cols = 2;
+  params.threshold_ref = 20;
+  params.threshold_pred = 30;
+  const auto encoded = encode(test::textured_light_field(kShape, 9, 5), params);
+  return encoded ? encoded->bytes : std::vector<uint8_t>{};
+}
+
+// All views by the fast path and some blocks by the golden path: the pictures or the error.
+Result<std::vector<RgbImage>> decode_everything(std::span<const uint8_t> file, bool check) {
+  OpenOptions options;
+  options.check_sections = check;
+  options.limits.max_plane_samples = 1u << 16;
+  const auto decoder = Decoder::open(file, options);
+  if (!decoder) return tl::unexpected(decoder.error());
+  const StreamHeader& header = decoder->header();
+  if (uint64_t{header.rows} * header.cols > 64) {
+    return fail(ErrorCode::kLimitExceeded, Section::kHeader, 16);
+  }
+  std::vector<RgbImage> views;
+  for (uint32_t row = 0; row < header.rows; ++row) {
+    for (uint32_t col = 0; col < header.cols; ++col) {
+      auto view = decoder->decode_view({row, col});
+      const auto golden = decoder->decode_block({{row, col}, Plane::kY, 1, 1});
+      if (!view) return tl::unexpected(view.error());
+      if (!golden) return tl::unexpected(golden.error());
+      views.push_back(std::move(*view));
+    }
+  }
+  return views;
+}
+
+bool same_pictures(const std::vector<RgbImage>& a, const std::vector<RgbImage>& b) {
+  if (a.size() != b.size()) return false;
+  for (size_t i = 0; i < a.size(); ++i) {
+    if (a[i].width != b[i].width || a[i].samples != b[i].samples) return false;
+  }
+  return true;
+}
+
+// The header's CRC made right again, so that what lies behind it is reached.
+void mend_header_crc(std::vector<uint8_t>& file) {
+  const size_t size = load_le<uint16_t>(file, 10);
+  if (size < 148 || size > file.size()) return;
+  const uint32_t crc = crc32c(std::span(file).first(size - 4));
+  for (size_t i = 0; i < 4; ++i) file[size - 4 + i] = static_cast<uint8_t>(crc >> (8 * i));
+}
+
+class Corruption : public ::testing::TestWithParam<Method> {};
+
+TEST_P(Corruption, EveryBitFlipIsFoundOrHarmless) {
+  const std::vector<uint8_t> good = small_stream(GetParam());
+  const auto expected = decode_everything(good, true);
+  ASSERT_TRUE(expected.has_value());
+  for (size_t bit = 0; bit < good.size() * 8; ++bit) {
+    std::vector<uint8_t> bad = good;
+    bad[bit / 8] = static_cast<uint8_t>(bad[bit / 8] ^ (1u << (bit % 8)));
+    const auto decoded = decode_everything(bad, true);
+    if (!decoded) continue;
+    EXPECT_TRUE(same_pictures(*decoded, *expected)) << "bit " << bit;
+  }
+}
+
+// Without the CRCs the structural checks stand alone: any picture or a named error will do.
+TEST_P(Corruption, EveryBitFlipBehindTheCrcIsSurvived) {
+  const std::vector<uint8_t> good = small_stream(GetParam());
+  std::set<ErrorCode> seen;
+  for (size_t bit = 0; bit < good.size() * 8; ++bit) {
+    std::vector<uint8_t> bad = good;
+    bad[bit / 8] = static_cast<uint8_t>(bad[bit / 8] ^ (1u << (bit % 8)));
+    mend_header_crc(bad);
+    const auto decoded = decode_everything(bad, false);
+    if (decoded) continue;
+    ASSERT_NE(error_name(decoded.error().code), "ok");
+    EXPECT_LE(decoded.error().offset, good.size()) << to_string(decoded.error());
+    seen.insert(decoded.error().code);
+  }
+  // The flips did reach every layer.
+  EXPECT_TRUE(seen.contains(ErrorCode::kBadMagic));
+  EXPECT_TRUE(seen.contains(ErrorCode::kBadHeaderField));
+  EXPECT_TRUE(seen.contains(ErrorCode::kBadTopCrc));
+  EXPECT_TRUE(seen.contains(ErrorCode::kBadGroupRecord));
+  EXPECT_TRUE(seen.contains(ErrorCode::kBadTileOffset));
+  EXPECT_TRUE(seen.contains(ErrorCode::kTileOverrun));
+}
+
+TEST_P(Corruption, EveryTruncationIsNamed) {
+  const std::vector<uint8_t> good = small_stream(GetParam());
+  for (size_t size = 0; size < good.size(); ++size) {
+    const auto decoded = decode_everything(std::span(good).first(size), true);
+    ASSERT_FALSE(decoded.has_value()) << size;
+    EXPECT_EQ(decoded.error().code, ErrorCode::kTruncated) << size;
+  }
+}
+
+TEST_P(Corruption, TrailingBytesAreNamed) {
+  std::vector<uint8_t> bytes = small_stream(GetParam());
+  bytes.push_back(0);
+  const auto decoded = decode_everything(bytes, true);
+  ASSERT_FALSE(decoded.has_value());
+  EXPECT_EQ(decoded.error().code, ErrorCode::kTrailingBytes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Corruption,
+                         ::testing::Values(Method::kHmlfc, Method::kRlfc, Method::kMc));
+
+// An error of the fast path is one that the golden path has somewhere in the view, and the other
+// way round.
+TEST(CorruptionPaths, FastFailsExactlyWhereSomeGoldenBlockFails) {
+  const std::vector<uint8_t> good = small_stream(Method::kHmlfc);
+  OpenOptions options;
+  options.check_sections = false;
+  const auto header = Decoder::open(good)->header();
+  const SectionEntry& tiles = header.sections[3];
+  for (uint64_t byte = tiles.offset; byte < tiles.offset + tiles.size; byte += 3) {
+    std::vector<uint8_t> bad = good;
+    bad[static_cast<size_t>(byte)] ^= 0xFF;
+    const auto decoder = Decoder::open(bad, options);
+    ASSERT_TRUE(decoder.has_value());
+    const ViewPos view{2, 1};
+    const auto fast = decoder->decode_plane(view, Plane::kY);
+    bool golden_failed = false;
+    const PlaneSize size = decoder->plane_size(Plane::kY);
+    for (uint32_t by = 0; by * 4 < size.height; ++by) {
+      for (uint32_t bx = 0; bx * 4 < size.width; ++bx) {
+        golden_failed |= !decoder->decode_block({view, Plane::kY, bx, by}).has_value();
+      }
+    }
+    EXPECT_EQ(!fast.has_value(), golden_failed) << "byte " << byte;
+  }
+}
+
+}  // namespace
+}  // namespace hmlfc

@@ -1,0 +1,42 @@
+// The same bytes for any number of threads.
+#include <gtest/gtest.h>
+
+#include <hmlfc/encoder.hpp>
+
+#include "support/test_light_fields.hpp"
+
+namespace hmlfc {
+namespace {
+
+TEST(Determinism, BytesDoNotDependOnThreads) {
+  const LightField field = test::textured_light_field({5, 7, 61, 43, 8}, 3, 12);
+  for (const Method method : {Method::kHmlfc, Method::kRlfc, Method::kMc}) {
+    EncodeParams params;
+    params.method = method;
+    params.threads = 1;
+    const auto one = encode(field, params);
+    ASSERT_TRUE(one.has_value());
+    for (const int threads : {2, 7}) {
+      params.threads = threads;
+      const auto many = encode(field, params);
+      ASSERT_TRUE(many.has_value());
+      EXPECT_EQ(one->bytes, many->bytes) << threads << " threads";
+    }
+  }
+}
+
+TEST(Determinism, TargetPsnrDoesNotDependOnThreads) {
+  const LightField field = test::textured_light_field({4, 4, 48, 32, 8}, 5, 30);
+  EncodeParams params;
+  params.chroma = ChromaFormat::k444;
+  params.threads = 1;
+  const auto one = encode_to_psnr(field, params, 30);
+  params.threads = 7;
+  const auto many = encode_to_psnr(field, params, 30);
+  ASSERT_TRUE(one.has_value() && many.has_value());
+  EXPECT_EQ(one->bytes, many->bytes);
+  EXPECT_EQ(one->params.threshold_pred, many->params.threshold_pred);
+}
+
+}  // namespace
+}  // namespace hmlfc

@@ -1,0 +1,195 @@
+// A decoder returns exactly what the encoder reconstructed, at every level, on every path.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+#include <mutex>
+#include <tuple>
+
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/encoder.hpp>
+
+#include "encoder/encode_session.hpp"
+#include "support/test_light_fields.hpp"
+
+namespace hmlfc {
+namespace {
+
+using ImageKey = std::tuple<int, uint32_t, uint32_t>;
+
+// A stream with the planes that its encoder reconstructed for every image.
+struct Encoding {
+  std::vector<uint8_t> bytes;
+  std::map<ImageKey, ImagePlanes> images;
+};
+
+Encoding encode_watched(const LightField& field, const EncodeParams& params) {
+  Encoding encoding;
+  const auto header = header_for(field.shape(), params);
+  EncodeSession session(field, *header, params);
+  std::mutex mutex;
+  EncodeObserver observer;
+  observer.reconstructed = [&](int level, ImagePos at, const ImagePlanes& planes) {
+    const std::scoped_lock lock(mutex);
+    encoding.images[{level, at.row, at.col}] = planes;
+  };
+  CodedImages coded = session.encode(params.threshold_ref, params.threshold_pred, true, observer);
+  encoding.bytes = session.stream(coded);
+  return encoding;
+}
+
+// Counts the samples of one plane of one image that differ from the encoder's.
+size_t differing(const Decoder& decoder, const Encoding& encoding, ViewPos view, int level,
+                 Plane plane) {
+  const StreamHeader& header = decoder.header();
+  uint32_t row = view.row;
+  uint32_t col = view.col;
+  for (int l = 0; l < level; ++l) {
+    row /= header.cluster_rows;
+    col /= header.cluster_cols;
+  }
+  const SamplePlane& expected = encoding.images.at({level, row, col})[static_cast<size_t>(plane)];
+  const auto decoded = decoder.decode_plane(view, plane, level);
+  if (!decoded) return ~size_t{0};
+  const PlaneSize size = decoder.plane_size(plane);
+  size_t count = 0;
+  for (uint32_t y = 0; y < size.height; ++y) {
+    for (uint32_t x = 0; x < size.width; ++x) {
+      count += (*decoded)[size_t{y} * size.width + x] != expected.at(x, y);
+    }
+  }
+  return count;
+}
+
+RC_GTEST_PROP(Reconstruction, DecoderEqualsEncoderAtEveryLevel, ()) {
+  const auto made = test::random_case(*rc::gen::arbitrary<uint32_t>());
+  const LightField field = test::textured_light_field(made.shape, 7, made.noise);
+  const Encoding encoding = encode_watched(field, made.params);
+  const auto decoder = Decoder::open(encoding.bytes);
+  RC_ASSERT(decoder.has_value());
+  const StreamHeader& header = decoder->header();
+  for (int level = 0; level <= header.tree_height; ++level) {
+    for (uint32_t row = 0; row < header.rows; ++row) {
+      for (uint32_t col = 0; col < header.cols; ++col) {
+        for (const Plane plane : kPlanes) {
+          RC_ASSERT(differing(*decoder, encoding, {row, col}, level, plane) == 0u);
+        }
+      }
+    }
+  }
+}
+
+// The golden path, with references on demand and sparse, against the fast path, on every block.
+RC_GTEST_PROP(Reconstruction, GoldenEqualsFastOnEveryBlock, ()) {
+  const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
+  auto made = test::random_case(seed);
+  made.shape.width = made.shape.width % 24 + 1;
+  made.shape.height = made.shape.height % 24 + 1;
+  const LightField field = test::textured_light_field(made.shape, seed, made.noise);
+  const auto encoded = encode(field, made.params);
+  RC_ASSERT(encoded.has_value());
+  const auto decoder = Decoder::open(encoded->bytes);
+  RC_ASSERT(decoder.has_value());
+  const StreamHeader& header = decoder->header();
+  const uint32_t size = header.block_size();
+  const ViewPos view{seed % header.rows, (seed >> 8) % header.cols};
+  for (int level = 0; level <= header.tree_height; ++level) {
+    for (const Plane plane : kPlanes) {
+      const PlaneSize shape = decoder->plane_size(plane);
+      const auto fast = decoder->decode_plane(view, plane, level);
+      RC_ASSERT(fast.has_value());
+      for (uint32_t by = 0; by * size < shape.height; ++by) {
+        for (uint32_t bx = 0; bx * size < shape.width; ++bx) {
+          const BlockAddress address{view, plane, bx, by};
+          const auto golden = decoder->decode_block(address, level);
+          const auto sparse =
+              decoder->decode_block(address, level, nullptr, nullptr, ReferenceMode::kSparse);
+          RC_ASSERT(golden.has_value());
+          RC_ASSERT(sparse.has_value());
+          for (uint32_t i = 0; i < size * size; ++i) {
+            const uint32_t x = bx * size + i % size;
+            const uint32_t y = by * size + i / size;
+            if (x >= shape.width || y >= shape.height) continue;
+            RC_ASSERT((*golden)[i] == (*fast)[size_t{y} * shape.width + x]);
+            RC_ASSERT((*sparse)[i] == (*golden)[i]);
+          }
+        }
+      }
+    }
+  }
+}
+
+// What decode_all delivers, and the error that encode() promises.
+RC_GTEST_PROP(Reconstruction, MeasuredErrorEqualsPromisedError, ()) {
+  const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
+  const auto made = test::random_case(seed);
+  const LightField field = test::textured_light_field(made.shape, seed, made.noise);
+  const auto encoded = encode(field, made.params);
+  RC_ASSERT(encoded.has_value());
+  const auto decoder = Decoder::open(encoded->bytes);
+  RC_ASSERT(decoder.has_value());
+  ErrorSums sums;
+  uint64_t views = 0;
+  std::mutex mutex;
+  const auto done = decoder->decode_all([&](ViewPos view, RgbImage&& image) {
+    const ErrorSums error = measure(field.view(view.row, view.col), image);
+    const std::scoped_lock lock(mutex);
+    sums.add(error);
+    ++views;
+  });
+  RC_ASSERT(done.has_value());
+  RC_ASSERT(views == uint64_t{made.shape.rows} * made.shape.cols);
+  RC_ASSERT(sums.rgb_squares == encoded->error.rgb_squares);
+  RC_ASSERT(sums.y_squares == encoded->error.y_squares);
+  RC_ASSERT(sums.max_abs == encoded->error.max_abs);
+}
+
+// Thresholds 0 and 4:4:4 lose nothing, whatever the content.
+RC_GTEST_PROP(Reconstruction, LosslessIsLossless, ()) {
+  const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
+  auto made = test::random_case(seed);
+  made.params.chroma = ChromaFormat::k444;
+  made.params.threshold_ref = 0;
+  made.params.threshold_pred = 0;
+  const LightField field = test::textured_light_field(made.shape, seed, made.noise);
+  const auto encoded = encode(field, made.params);
+  RC_ASSERT(encoded.has_value());
+  const auto decoder = Decoder::open(encoded->bytes);
+  RC_ASSERT(decoder.has_value());
+  for (uint32_t row = 0; row < made.shape.rows; ++row) {
+    for (uint32_t col = 0; col < made.shape.cols; ++col) {
+      const auto view = decoder->decode_view({row, col});
+      RC_ASSERT(view.has_value());
+      RC_ASSERT(view->samples == field.view(row, col).samples);
+    }
+  }
+}
+
+// A rectangle is the same part of the whole, in samples and in pixels.
+RC_GTEST_PROP(Reconstruction, RectangleIsACropOfTheView, ()) {
+  const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
+  const auto made = test::random_case(seed);
+  const LightField field = test::textured_light_field(made.shape, seed, made.noise);
+  const auto encoded = encode(field, made.params);
+  RC_ASSERT(encoded.has_value());
+  const auto decoder = Decoder::open(encoded->bytes);
+  RC_ASSERT(decoder.has_value());
+  const uint32_t x = *rc::gen::inRange(0u, made.shape.width);
+  const uint32_t y = *rc::gen::inRange(0u, made.shape.height);
+  const Rect rect{x, y, *rc::gen::inRange(1u, made.shape.width - x + 1),
+                  *rc::gen::inRange(1u, made.shape.height - y + 1)};
+  const ViewPos view{seed % made.shape.rows, seed % made.shape.cols};
+  const auto whole = decoder->decode_view(view);
+  const auto part = decoder->decode_rgb(view, rect);
+  RC_ASSERT(whole.has_value());
+  RC_ASSERT(part.has_value());
+  for (uint32_t j = 0; j < rect.height; ++j) {
+    for (uint32_t i = 0; i < rect.width * 3; ++i) {
+      const size_t at = (size_t{rect.y + j} * made.shape.width + rect.x) * 3 + i;
+      RC_ASSERT(part->samples[size_t{j} * rect.width * 3 + i] == whole->samples[at]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hmlfc
