@@ -1,0 +1,74 @@
+#include "io/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <string>
+#include <system_error>
+
+namespace hmlfc::io {
+
+namespace fs = std::filesystem;
+
+IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
+  if (!target.has_filename()) return file_error(target, "not a file name; give the output a name");
+  std::error_code failure;
+  const fs::file_status status = fs::status(target, failure);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    return file_error(target, "exists and is not a regular file; choose another output name");
+  }
+  fs::path resolved = target;
+  if (fs::exists(status) && fs::is_symlink(fs::symlink_status(target, failure))) {
+    resolved = fs::canonical(target, failure);
+    if (failure) return system_error(target, "cannot follow the link", failure.value());
+  }
+
+  fs::path partial = resolved;
+  partial += ".partial-" + std::to_string(::getpid());
+  // A file of this name can only be left over from a dead process that had the same number.
+  ::unlink(partial.c_str());
+  FileDescriptor file(::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.get() < 0) {
+    return system_error(target, "cannot write here (is the folder there and writable?)", errno);
+  }
+  return AtomicFile(std::move(resolved), std::move(partial), std::move(file));
+}
+
+AtomicFile::~AtomicFile() {
+  if (file_.get() >= 0) ::unlink(partial_.c_str());
+}
+
+IoResult<void> AtomicFile::write(std::span<const uint8_t> bytes) {
+  constexpr size_t kLargestWrite = size_t{1} << 30;  // Linux writes at most 2^31 - 4096 at once
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(file_.get(), bytes.data(), std::min(bytes.size(), kLargestWrite));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return system_error(target_, "cannot write; the file was left as it was", errno);
+    bytes = bytes.subspan(static_cast<size_t>(count));
+  }
+  return {};
+}
+
+IoResult<void> AtomicFile::commit() {
+  constexpr const char* kFailed = "cannot finish writing; the file was left as it was";
+  if (::fsync(file_.get()) != 0) return system_error(target_, kFailed, errno);
+  // A network file system may report a full disk only on close.
+  const int descriptor = file_.release();
+  if (::close(descriptor) != 0 || ::rename(partial_.c_str(), target_.c_str()) != 0) {
+    const int reason = errno;
+    ::unlink(partial_.c_str());
+    return system_error(target_, kFailed, reason);
+  }
+  return {};
+}
+
+IoResult<void> write_file(const fs::path& target, std::span<const uint8_t> bytes) {
+  return AtomicFile::create(target).and_then([bytes](AtomicFile file) {
+    return file.write(bytes).and_then([&file] { return file.commit(); });
+  });
+}
+
+}  // namespace hmlfc::io

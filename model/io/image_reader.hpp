@@ -1,0 +1,39 @@
+// What the readers of the single kinds of picture share.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include <hmlfc/image.hpp>
+
+#include "io/io_error.hpp"
+#include "io/read_image.hpp"
+
+namespace hmlfc::io {
+
+inline constexpr uint32_t kMaxSide = 65536;
+
+/// One picture file in memory on its way to an RgbImage.
+struct ImageSource {
+  const std::filesystem::path& path;  ///< for messages
+  std::span<const uint8_t> bytes;     ///< the whole file
+  const ImageLimits& limits;
+};
+
+/// An image of zeros of this size. Errors: a side outside [1, 65536], over the limit of samples,
+/// out of memory.
+IoResult<RgbImage> allocate_image(const ImageSource& source, uint64_t width, uint64_t height,
+                                  int depth);
+
+bool is_png(std::span<const uint8_t> bytes);
+bool is_jpeg(std::span<const uint8_t> bytes);
+bool is_pnm(std::span<const uint8_t> bytes);
+
+/// Each reader takes a source that its is_...() accepts; errors as for read_image().
+IoResult<RgbImage> read_png(const ImageSource& source);
+IoResult<RgbImage> read_jpeg(const ImageSource& source);
+IoResult<RgbImage> read_pnm(const ImageSource& source);
+
+}  // namespace hmlfc::io

@@ -1,0 +1,30 @@
+// The one error type of the library hmlfc_io: a sentence for a person.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace hmlfc::io {
+
+/// Why an operation on a file failed: "FILE: what is wrong; what to do".
+struct IoError {
+  std::string message;
+};
+
+template <class T>
+using IoResult = tl::expected<T, IoError>;
+
+/// The failure "FILE: what", ready to be returned as any IoResult.
+inline tl::unexpected<IoError> file_error(const std::filesystem::path& file,
+                                          std::string_view what) {
+  return tl::unexpected(IoError{file.string() + ": " + std::string(what)});
+}
+
+/// The failure "FILE: what: SYSTEM'S REASON"; `error_number` is a value of errno.
+tl::unexpected<IoError> system_error(const std::filesystem::path& file, std::string_view what,
+                                     int error_number);
+
+}  // namespace hmlfc::io

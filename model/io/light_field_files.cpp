@@ -1,0 +1,146 @@
+#include "io/light_field_files.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <tuple>
+#include <vector>
+
+#include "io/read_image.hpp"
+#include "io/view_name.hpp"
+#include "io/write_image.hpp"
+
+namespace hmlfc::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Of the errors of many threads, the one of the lowest index: the same in every run.
+class FirstError {
+ public:
+  /// True where the outcome of `index` can no longer matter.
+  bool makes_pointless(size_t index) {
+    const std::lock_guard lock(mutex_);
+    return error_ && index > index_;
+  }
+  void add(size_t index, const IoError& error) {
+    const std::lock_guard lock(mutex_);
+    if (error_ && index > index_) return;
+    index_ = index;
+    error_ = error;
+  }
+  const std::optional<IoError>& error() const { return error_; }
+
+ private:
+  std::mutex mutex_;
+  size_t index_ = 0;
+  std::optional<IoError> error_;
+};
+
+/// What all views must have in common.
+struct ViewShape {
+  uint32_t width;
+  uint32_t height;
+  int depth;
+
+  auto operator<=>(const ViewShape&) const = default;
+};
+
+std::string describe(const ViewShape& shape) {
+  return std::to_string(shape.width) + " x " + std::to_string(shape.height) + " pixels of " +
+         std::to_string(shape.depth) + " bits";
+}
+
+ViewShape shape_of(const RgbImage& image) { return {image.width, image.height, image.depth}; }
+
+/// Names the first view that is not like most of them, if there is one.
+std::optional<IoError> find_odd_view(const ViewList& views, const std::vector<ViewShape>& shapes) {
+  std::map<ViewShape, size_t> counts;
+  for (const ViewShape& shape : shapes) ++counts[shape];
+  if (counts.size() == 1) return std::nullopt;
+  const ViewShape usual =
+      std::ranges::max_element(counts, {}, &std::pair<const ViewShape, size_t>::second)->first;
+  const auto odd = std::ranges::find_if(shapes, [&](const ViewShape& s) { return s != usual; });
+  const auto index = static_cast<size_t>(odd - shapes.begin());
+  return IoError{views.files[index].string() + ": the view of row " +
+                 std::to_string(index / views.cols) + ", column " +
+                 std::to_string(index % views.cols) + " has " + describe(*odd) + ", expected " +
+                 describe(usual) + " like " + std::to_string(counts[usual]) + " other views"};
+}
+
+IoResult<LightField> allocate_field(const ViewList& views, const ViewShape& shape) {
+  try {
+    return LightField({views.rows, views.cols, shape.width, shape.height, shape.depth});
+  } catch (const std::bad_alloc&) {
+    return file_error(views.files.front(), "not enough memory for " +
+                                               std::to_string(views.files.size()) + " views of " +
+                                               describe(shape));
+  }
+}
+
+}  // namespace
+
+IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
+                                      const Progress& progress) {
+  const auto first = read_image(views.files.at(0));
+  if (!first) return tl::unexpected(first.error());
+  const ViewShape expected = shape_of(*first);
+  auto field = allocate_field(views, expected);
+  if (!field) return field;
+
+  std::vector<ViewShape> shapes(views.files.size(), expected);
+  FirstError first_error;
+  const auto load_view = [&](size_t index) {
+    if (first_error.makes_pointless(index)) return;
+    const auto row = static_cast<uint32_t>(index / views.cols);
+    const auto col = static_cast<uint32_t>(index % views.cols);
+    if (index == 0) return field->set_view(row, col, *first);
+    const auto image = read_image(views.files[index]);
+    if (!image) return first_error.add(index, image.error());
+    shapes[index] = shape_of(*image);
+    if (shapes[index] == expected) field->set_view(row, col, *image);
+  };
+  for_each_index(views.files.size(), threads, progress, load_view);
+
+  if (first_error.error()) return tl::unexpected(*first_error.error());
+  if (const auto odd = find_odd_view(views, shapes)) return tl::unexpected(*odd);
+  return field;
+}
+
+IoResult<void> save_views(const fs::path& folder, GridShape grid, const ViewProducer& produce,
+                          unsigned threads, const Progress& progress) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) return system_error(folder, "cannot make this folder", failure.value());
+
+  FirstError first_error;
+  const auto save_view = [&](size_t index) {
+    if (first_error.makes_pointless(index)) return;
+    const auto row = static_cast<uint32_t>(index / grid.cols);
+    const auto col = static_cast<uint32_t>(index % grid.cols);
+    const fs::path file = folder / view_file_name(row, col, grid.rows, grid.cols);
+    const auto saved =
+        produce(row, col).and_then([&](const RgbImage& image) { return write_png(file, image); });
+    if (!saved) first_error.add(index, saved.error());
+  };
+  for_each_index(size_t{grid.rows} * grid.cols, threads, progress, save_view);
+  if (first_error.error()) return tl::unexpected(*first_error.error());
+  return {};
+}
+
+IoResult<void> save_views(const fs::path& folder, const LightField& field, unsigned threads,
+                          const Progress& progress) {
+  const GridShape grid{field.shape().rows, field.shape().cols};
+  const auto produce = [&](uint32_t row, uint32_t col) -> IoResult<RgbImage> {
+    return field.view(row, col);
+  };
+  return save_views(folder, grid, produce, threads, progress);
+}
+
+}  // namespace hmlfc::io

@@ -1,0 +1,39 @@
+// Whole light fields from and to folders of views.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+
+#include <hmlfc/image.hpp>
+#include <hmlfc/light_field.hpp>
+
+#include "io/io_error.hpp"
+#include "io/parallel.hpp"
+#include "io/view_list.hpp"
+
+namespace hmlfc::io {
+
+/// Reads all views, each file once, on `threads` threads (0: all cores). The result has the size
+/// and depth of the views; beside it, the first view and one picture a thread are in memory.
+///
+/// Errors: a file that read_image() refuses (the first in row-major order is named), a view whose
+/// size or depth differs from most others (named with both), not enough memory.
+IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
+                                      const Progress& progress = {});
+
+/// The picture of view (row, col); called from several threads at once.
+using ViewProducer = std::function<IoResult<RgbImage>(uint32_t row, uint32_t col)>;
+
+/// Makes `folder` if it is missing and writes rows x cols views there as PNG files named by
+/// view_file_name(); each file appears complete or not at all, other files stay. Errors: cannot
+/// write, or what `produce` returned (the first in row-major order).
+IoResult<void> save_views(const std::filesystem::path& folder, GridShape grid,
+                          const ViewProducer& produce, unsigned threads,
+                          const Progress& progress = {});
+
+/// All views of `field`, as above.
+IoResult<void> save_views(const std::filesystem::path& folder, const LightField& field,
+                          unsigned threads, const Progress& progress = {});
+
+}  // namespace hmlfc::io

@@ -1,0 +1,25 @@
+// Pictures made to be looked at: all views at once, and what differs between two.
+#pragma once
+
+#include <cstdint>
+
+#include <hmlfc/image.hpp>
+#include <hmlfc/light_field.hpp>
+
+#include "io/io_error.hpp"
+
+namespace hmlfc::io {
+
+/// All views side by side in their order, each reduced by the smallest whole factor k >= 1 with
+/// which the sheet is at most `max_width` pixels wide (k = the greater side if none is enough),
+/// with two dark pixels between neighbours. A pixel is the mean of its k x k box, halves rounded
+/// up; boxes at the right and lower edge may be smaller. Depth as in `field`. Integer arithmetic
+/// only.
+RgbImage contact_sheet(const LightField& field, uint32_t max_width);
+
+/// 128 + gain * (a - b), clamped to [0, 255], per sample; depth 8. Deeper pictures are compared at
+/// their own depth d: 128 + floor(gain * (a - b) / 2^(d - 8)). Grey 128 is "equal"; gain in
+/// [1, 4096]. Errors: `a` and `b` differ in size or depth.
+IoResult<RgbImage> difference_picture(const RgbImage& a, const RgbImage& b, int32_t gain);
+
+}  // namespace hmlfc::io

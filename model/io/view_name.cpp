@@ -1,0 +1,84 @@
+#include "io/view_name.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace hmlfc::io {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A number of 1 to `max_digits` digits and nothing else.
+std::optional<uint32_t> parse_digits(std::string_view text, size_t max_digits) {
+  if (text.empty() || text.size() > max_digits || !std::ranges::all_of(text, is_digit)) {
+    return std::nullopt;
+  }
+  uint32_t value = 0;
+  for (const char c : text) value = value * 10 + static_cast<uint32_t>(c - '0');
+  return value;
+}
+
+/// [+-]digits[.digits], or one of the two digit strings absent.
+bool is_decimal(std::string_view text) {
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  const auto points = std::ranges::count(text, '.');
+  const auto digits = std::ranges::count_if(text, is_digit);
+  return points <= 1 && digits >= 1 && static_cast<size_t>(points + digits) == text.size();
+}
+
+std::vector<std::string_view> split_at_underscores(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (size_t end = text.find('_'); end != text.npos; end = text.find('_')) {
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+std::optional<GridPosition> parse_position(std::string_view row, std::string_view col) {
+  const auto row_number = parse_digits(row, 4);
+  const auto col_number = parse_digits(col, 4);
+  if (!row_number || !col_number || std::max(*row_number, *col_number) >= kMaxGridSide) {
+    return std::nullopt;
+  }
+  return GridPosition{*row_number, *col_number};
+}
+
+/// out_RR_CC_Y_X with an optional underscore behind.
+bool has_camera_position(const std::vector<std::string_view>& parts) {
+  const bool right_count = parts.size() == 5 || (parts.size() == 6 && parts[5].empty());
+  return right_count && parts[0] == "out" && is_decimal(parts[3]) && is_decimal(parts[4]);
+}
+
+std::string padded(uint32_t value, size_t digits) {
+  const std::string text = std::to_string(value);
+  return text.size() < digits ? std::string(digits - text.size(), '0') + text : text;
+}
+
+}  // namespace
+
+std::optional<GridPosition> parse_grid_name(std::string_view stem) {
+  const auto parts = split_at_underscores(stem);
+  if (has_camera_position(parts)) return parse_position(parts[1], parts[2]);
+  if (parts.size() < 2) return std::nullopt;
+  return parse_position(parts[parts.size() - 2], parts.back());
+}
+
+std::optional<uint32_t> parse_camera_name(std::string_view stem) {
+  constexpr std::string_view kPrefix = "input_Cam";
+  if (!stem.starts_with(kPrefix)) return std::nullopt;
+  return parse_digits(stem.substr(kPrefix.size()), 8);
+}
+
+std::string view_stem(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols) {
+  const size_t digits = std::max<size_t>(2, std::to_string(std::max(rows, cols) - 1).size());
+  return padded(row, digits) + "_" + padded(col, digits);
+}
+
+std::string view_file_name(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols) {
+  return view_stem(row, col, rows, cols) + ".png";
+}
+
+}  // namespace hmlfc::io

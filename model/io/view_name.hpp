@@ -1,0 +1,37 @@
+// What the name of a view's file says about its place on the grid.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace hmlfc::io {
+
+inline constexpr uint32_t kMaxGridSide = 4096;
+
+/// A place on the view grid.
+struct GridPosition {
+  uint32_t row = 0;  ///< [0, 4095]
+  uint32_t col = 0;  ///< [0, 4095]
+
+  friend bool operator==(const GridPosition&, const GridPosition&) = default;
+};
+
+/// Row and column from a name without its extension, in one of the forms
+///   RR_CC    NAME_RR_CC    out_RR_CC    out_RR_CC_Y_X    out_RR_CC_Y_X_
+/// RR and CC are 1 to 4 digits, NAME is any text, Y and X are decimals with an optional sign (the
+/// camera positions of the Stanford archive, ignored). Nothing for any other name.
+std::optional<GridPosition> parse_grid_name(std::string_view stem);
+
+/// NNN from "input_CamNNN" (HCI benchmark), 1 to 8 digits. Nothing for any other name.
+std::optional<uint32_t> parse_camera_name(std::string_view stem);
+
+/// "RR_CC" with the number of digits that the greater side of the grid needs, at least 2.
+/// view_stem(3, 4, 16, 16) = "03_04", view_stem(0, 100, 1, 101) = "000_100".
+std::string view_stem(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols);
+
+/// view_stem(...) + ".png"; list_views() reads a folder of such names back.
+std::string view_file_name(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols);
+
+}  // namespace hmlfc::io

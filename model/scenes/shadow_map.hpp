@@ -1,0 +1,36 @@
+// Soft shadows of a distant lamp, looked up in a picture of the scene as the lamp sees it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scenes/shape.hpp"
+#include "scenes/vec3.hpp"
+
+namespace hmlfc::scenes {
+
+class ShadowMap {
+ public:
+  /// `towards_lamp` is a unit vector; the map covers a square of half side `reach` around `centre`,
+  /// across the light, with `resolution`^2 texels. Points outside are lit.
+  ShadowMap(std::span<const Shape> world, Vec3 towards_lamp, Vec3 centre, double reach,
+            uint32_t resolution);
+
+  /// How much of the lamp a surface point sees, in [0, 1]; `normal` is the surface's unit normal on
+  /// the side of the lamp. The edge of a shadow is about three texels wide.
+  double lit(Vec3 point, Vec3 normal) const;
+
+ private:
+  void cast(const Shape& shape);
+  double texel_lit(int64_t x, int64_t y, double depth) const;
+
+  Frame frame_;  ///< z points away from the lamp
+  Vec3 corner_;  ///< world point of the map's origin, as near to the lamp as any shape
+  double texel_;
+  int64_t resolution_;
+  std::vector<float> depths_;  ///< distance from the corner's plane of what the lamp sees
+};
+
+}  // namespace hmlfc::scenes

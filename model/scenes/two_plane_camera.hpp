@@ -1,0 +1,64 @@
+// The cameras of a light field: on a plane, all looking the same way, sheared to one focal plane.
+#pragma once
+
+#include <span>
+
+#include "scenes/scene.hpp"
+#include "scenes/vec3.hpp"
+
+namespace hmlfc::scenes {
+
+/// A half-line of points origin + t * direction, t > 0.
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;
+
+  Vec3 at(double t) const { return origin + t * direction; }
+};
+
+/// Where the camera plane of a scene stands in its world.
+struct CameraRig {
+  Vec3 centre;         ///< the middle of the view grid
+  Vec3 right;          ///< unit vector along the pixels' x, and along the columns of views
+  Vec3 down;           ///< unit vector along the pixels' y, and along the rows of views
+  Vec3 forward;        ///< unit vector into the scene; right, down, forward are orthogonal
+  double focus;        ///< distance along `forward` of the plane that does not move
+  double depth_unit;   ///< world units in one unit of depth (see SceneParams)
+  double focal_sides;  ///< focal length, in longer sides of the picture
+};
+
+/// A rectangle of pixels in real coordinates.
+struct PixelBox {
+  double left;
+  double top;
+  double right;
+  double bottom;
+};
+
+/// The camera of one view. Pixel (i, j) covers [i, i + 1] x [j, j + 1].
+class TwoPlaneCamera {
+ public:
+  TwoPlaneCamera(const CameraRig& rig, const SceneParams& params, uint32_t row, uint32_t col);
+
+  /// The ray through a point of the picture. Its direction advances by 1 along the rig's `forward`,
+  /// so that t is the distance from the camera plane.
+  Ray ray(double x, double y) const;
+
+  /// The least box that holds the pictures of `points`, all of which must lie before the camera
+  /// plane.
+  PixelBox bounds(std::span<const Vec3> points) const;
+
+  /// Distance of a point from the camera plane.
+  double distance(Vec3 point) const { return dot(point - origin_, forward_); }
+
+ private:
+  Vec3 origin_;
+  Vec3 right_;
+  Vec3 down_;
+  Vec3 forward_;
+  double focal_;   ///< pixels
+  double axis_x_;  ///< where the direction `forward` meets the picture
+  double axis_y_;
+};
+
+}  // namespace hmlfc::scenes

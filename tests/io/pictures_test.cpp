@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "io/pictures.hpp"
+
+namespace hmlfc::io {
+namespace {
+
+/// Red is 1 + x, green 10 * (row * cols + col), blue y.
+LightField numbered_field(const LightFieldShape& shape) {
+  LightField field(shape);
+  std::vector<uint16_t> line;
+  for (uint32_t row = 0; row < shape.rows; ++row) {
+    for (uint32_t col = 0; col < shape.cols; ++col) {
+      for (uint32_t y = 0; y < shape.height; ++y) {
+        line.clear();
+        for (uint32_t x = 0; x < shape.width; ++x) {
+          line.push_back(static_cast<uint16_t>(1 + x));
+          line.push_back(static_cast<uint16_t>(10 * (row * shape.cols + col)));
+          line.push_back(static_cast<uint16_t>(y));
+        }
+        field.write_row(row, col, y, line);
+      }
+    }
+  }
+  return field;
+}
+
+std::vector<uint16_t> pixel(const RgbImage& image, size_t x, size_t y) {
+  const auto first = image.samples.begin() + static_cast<ptrdiff_t>((y * image.width + x) * 3);
+  return {first, first + 3};
+}
+
+using Pixel = std::vector<uint16_t>;
+
+TEST(ContactSheet, ShowsViewsInFullWhereTheyFit) {
+  const RgbImage sheet = contact_sheet(numbered_field({2, 3, 5, 4, 8}), 19);
+  ASSERT_EQ(sheet.width, 19u);   // 3 * 5 + 2 * 2
+  ASSERT_EQ(sheet.height, 10u);  // 2 * 4 + 2
+  ASSERT_EQ(sheet.samples.size(), 19u * 10 * 3);
+  EXPECT_EQ(pixel(sheet, 0, 0), (Pixel{1, 0, 0}));
+  EXPECT_EQ(pixel(sheet, 7 + 4, 3), (Pixel{5, 10, 3}));
+  EXPECT_EQ(pixel(sheet, 14, 6 + 2), (Pixel{1, 50, 2}));
+  const Pixel gap = pixel(sheet, 5, 0);
+  for (const auto& [x, y] : {std::pair{6, 0}, {12, 9}, {0, 4}, {18, 5}}) {
+    EXPECT_EQ(pixel(sheet, static_cast<size_t>(x), static_cast<size_t>(y)), gap);
+  }
+}
+
+TEST(ContactSheet, AveragesBoxesWithHalvesUp) {
+  const RgbImage sheet = contact_sheet(numbered_field({2, 3, 5, 4, 8}), 18);
+  ASSERT_EQ(sheet.width, 13u);  // boxes of 2 x 2: three columns a view, the last one narrow
+  ASSERT_EQ(sheet.height, 6u);
+  EXPECT_EQ(pixel(sheet, 0, 0), (Pixel{2, 0, 1}));           // red (1 + 2) / 2, blue (0 + 1) / 2
+  EXPECT_EQ(pixel(sheet, 2, 1), (Pixel{5, 0, 3}));           // red of the last column alone
+  EXPECT_EQ(pixel(sheet, 5 + 1, 4 + 1), (Pixel{4, 40, 3}));  // red (3 + 4) / 2
+}
+
+TEST(ContactSheet, StopsAtOnePixelAView) {
+  const RgbImage sheet = contact_sheet(numbered_field({2, 3, 5, 4, 10}), 1);
+  EXPECT_EQ(sheet.width, 7u);
+  EXPECT_EQ(sheet.height, 4u);
+  EXPECT_EQ(sheet.depth, 10);
+  EXPECT_EQ(pixel(sheet, 0, 0), (Pixel{3, 0, 2}));  // blue (0 + 1 + 2 + 3) / 4 = 1.5
+}
+
+TEST(DifferencePicture, IsGreyPlusGainTimesDifference) {
+  const RgbImage a{2, 1, 8, {10, 0, 255, 7, 7, 7}};
+  const RgbImage b{2, 1, 8, {8, 3, 0, 7, 250, 0}};
+  const auto picture = difference_picture(a, b, 4);
+  ASSERT_TRUE(picture.has_value());
+  EXPECT_EQ(picture->depth, 8);
+  EXPECT_EQ(picture->samples, (Pixel{136, 116, 255, 128, 0, 156}));
+}
+
+TEST(DifferencePicture, ScalesDeepSamplesDownwards) {
+  const RgbImage a{1, 1, 10, {10, 10, 10}};
+  const RgbImage b{1, 1, 10, {9, 11, 5}};
+  // 1 * 3 / 4 = 0.75 -> 0, -3 / 4 -> -1, 15 / 4 -> 3
+  EXPECT_EQ(difference_picture(a, b, 3)->samples, (Pixel{128, 127, 131}));
+}
+
+TEST(DifferencePicture, RefusesPicturesThatDoNotMatch) {
+  const RgbImage a{1, 1, 8, {0, 0, 0}};
+  EXPECT_FALSE(difference_picture(a, {1, 1, 9, {0, 0, 0}}, 1).has_value());
+  EXPECT_FALSE(difference_picture(a, {2, 1, 8, {0, 0, 0, 0, 0, 0}}, 1).has_value());
+  EXPECT_FALSE(difference_picture(a, {1, 2, 8, {0, 0, 0, 0, 0, 0}}, 1).has_value());
+}
+
+}  // namespace
+}  // namespace hmlfc::io

@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/view_name.hpp"
+
+namespace hmlfc::io {
+namespace {
+
+TEST(ViewName, ReadsRowAndColumnInEachForm) {
+  const std::vector<std::pair<std::string, GridPosition>> names = {
+      {"03_04", {3, 4}},
+      {"0_0", {0, 0}},
+      {"4095_007", {4095, 7}},
+      {"view_12_05", {12, 5}},
+      {"a_b_12_05", {12, 5}},
+      {"_1_2", {1, 2}},
+      {"img2_1_2", {1, 2}},
+      {"out_16_00", {16, 0}},
+      {"out_00_01_-382.679993_1095.175903", {0, 1}},
+      {"out_00_01_-382.679993_1095.175903_", {0, 1}},
+      {"out_05_06_12_34", {5, 6}},
+      {"out_05_06_+1._.5_", {5, 6}},
+      {"pic_05_06_12_34", {12, 34}},
+  };
+  for (const auto& [stem, position] : names) {
+    EXPECT_EQ(parse_grid_name(stem), position) << stem;
+  }
+}
+
+TEST(ViewName, RefusesOtherNames) {
+  for (const char* stem :
+       {"", "_", "12", "a_1", "1_", "1_2_", "1_2x", "x1_2", "1_-2", "1_4096", "4096_1", "00001_1",
+        "out_00_01_a_b", "out_00_01_1.2.3_4_", "1__2", "1 _2", "input_Cam012"}) {
+    EXPECT_FALSE(parse_grid_name(stem).has_value()) << stem;
+  }
+}
+
+TEST(ViewName, ReadsCameraNumbers) {
+  EXPECT_EQ(parse_camera_name("input_Cam000"), 0u);
+  EXPECT_EQ(parse_camera_name("input_Cam080"), 80u);
+  EXPECT_EQ(parse_camera_name("input_Cam12345678"), 12345678u);
+  for (const char* stem : {"input_Cam", "input_Camx", "input_Cam1_", "Cam001", "input_Cam123456789",
+                           "xinput_Cam001"}) {
+    EXPECT_FALSE(parse_camera_name(stem).has_value()) << stem;
+  }
+}
+
+TEST(ViewName, PadsToTheGridsDigits) {
+  EXPECT_EQ(view_file_name(3, 4, 16, 16), "03_04.png");
+  EXPECT_EQ(view_file_name(0, 0, 1, 1), "00_00.png");
+  EXPECT_EQ(view_file_name(99, 7, 100, 100), "99_07.png");
+  EXPECT_EQ(view_file_name(0, 100, 1, 101), "000_100.png");
+  EXPECT_EQ(view_file_name(4095, 0, 4096, 1), "4095_0000.png");
+}
+
+TEST(ViewName, ReadsItsOwnNamesBack) {
+  for (const uint32_t side : {1u, 10u, 11u, 100u, 101u, 4096u}) {
+    const std::filesystem::path name = view_file_name(side - 1, side / 2, side, side);
+    EXPECT_EQ(parse_grid_name(name.stem().string()), (GridPosition{side - 1, side / 2}));
+  }
+}
+
+}  // namespace
+}  // namespace hmlfc::io

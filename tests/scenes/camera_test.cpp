@@ -1,0 +1,93 @@
+// The two-plane geometry: what a grid step does to the picture of a point.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "scenes/two_plane_camera.hpp"
+
+namespace hmlfc::scenes {
+namespace {
+
+// Looks along +z with y downwards, so that world and picture run the same way.
+constexpr CameraRig kRig = {.centre = {0, 0, 0},
+                            .right = {1, 0, 0},
+                            .down = {0, 1, 0},
+                            .forward = {0, 0, 1},
+                            .focus = 10.0,
+                            .depth_unit = 5.0,
+                            .focal_sides = 1.5};
+
+SceneParams params_of(uint32_t rows, uint32_t cols) {
+  SceneParams params;
+  params.rows = rows;
+  params.cols = cols;
+  params.width = 400;
+  params.height = 300;
+  params.baseline_px = 3.0;
+  return params;
+}
+
+PixelBox project(const SceneParams& params, uint32_t row, uint32_t col, Vec3 point) {
+  return TwoPlaneCamera(kRig, params, row, col).bounds(std::array{point});
+}
+
+TEST(TwoPlaneCamera, TheMiddleViewSeesTheAxisInTheMiddle) {
+  const PixelBox box = project(params_of(3, 3), 1, 1, {0, 0, 7});
+  EXPECT_NEAR(box.left, 200.0, 1e-9);
+  EXPECT_NEAR(box.top, 150.0, 1e-9);
+  const PixelBox aside = project(params_of(3, 3), 1, 1, {1, 2, 6});
+  EXPECT_NEAR(aside.left, 200.0 + 1.5 * 400 / 6, 1e-9);
+  EXPECT_NEAR(aside.top, 150.0 + 1.5 * 400 * 2 / 6, 1e-9);
+}
+
+TEST(TwoPlaneCamera, PointsMoveByTheStatedDisparity) {
+  const SceneParams params = params_of(4, 6);
+  for (const double distance : {4.0, 5.0, 8.0, 10.0, 15.0, 100.0}) {
+    const Vec3 point{0.3, -0.2, distance};
+    const double depth = distance / 5.0;
+    const double disparity = 3.0 * (1.0 / depth - 1.0 / 2.0);
+    const PixelBox first = project(params, 0, 0, point);
+    for (uint32_t row = 0; row < 4; ++row) {
+      for (uint32_t col = 0; col < 6; ++col) {
+        const PixelBox box = project(params, row, col, point);
+        EXPECT_NEAR(box.left, first.left - disparity * col, 1e-9) << distance;
+        EXPECT_NEAR(box.top, first.top - disparity * row, 1e-9) << distance;
+      }
+    }
+  }
+}
+
+TEST(TwoPlaneCamera, NearPointsMoveAgainstTheGridAndFarOnesWithIt) {
+  const SceneParams params = params_of(2, 2);
+  EXPECT_LT(project(params, 0, 1, {0, 0, 5}).left, project(params, 0, 0, {0, 0, 5}).left);
+  EXPECT_LT(project(params, 1, 0, {0, 0, 5}).top, project(params, 0, 0, {0, 0, 5}).top);
+  EXPECT_GT(project(params, 0, 1, {0, 0, 20}).left, project(params, 0, 0, {0, 0, 20}).left);
+  EXPECT_GT(project(params, 1, 0, {0, 0, 20}).top, project(params, 0, 0, {0, 0, 20}).top);
+}
+
+TEST(TwoPlaneCamera, TheRayThroughAPointsPictureMeetsThePoint) {
+  const SceneParams params = params_of(5, 7);
+  const Vec3 point{-1.25, 0.75, 6.5};
+  for (uint32_t row = 0; row < 5; ++row) {
+    for (uint32_t col = 0; col < 7; ++col) {
+      const TwoPlaneCamera camera(kRig, params, row, col);
+      const PixelBox box = camera.bounds(std::array{point});
+      const Ray ray = camera.ray(box.left, box.top);
+      const Vec3 met = ray.at(camera.distance(point));
+      EXPECT_NEAR(length(met - point), 0.0, 1e-12);
+      EXPECT_NEAR(camera.distance(point), 6.5, 1e-12);
+    }
+  }
+}
+
+TEST(TwoPlaneCamera, BoundsHoldAllPoints) {
+  const TwoPlaneCamera camera(kRig, params_of(1, 1), 0, 0);
+  const PixelBox box = camera.bounds(std::array<Vec3, 3>{{{0, 0, 6}, {1, 0, 6}, {0, -1, 12}}});
+  EXPECT_NEAR(box.left, 200, 1e-9);
+  EXPECT_NEAR(box.right, 300, 1e-9);
+  EXPECT_NEAR(box.top, 100, 1e-9);
+  EXPECT_NEAR(box.bottom, 150, 1e-9);
+}
+
+}  // namespace
+}  // namespace hmlfc::scenes
