@@ -85,7 +85,7 @@ Result<BlockValues> read_reference(const DecodeSources& sources, const BlockEntr
   return gather_reference(reference, plane, size, x, y);
 }
 
-// One image's block on top of its parent's samples (DEC-3).
+// One image's block on top of its parent's samples (DEC-3, DEC-6), in the order of DEC-7.
 Result<BlockValues> decode_level(const DecodeSources& sources, const BlockValues& parent,
                                  const Probe& probe) {
   const SampleRange range = sample_range(probe.site.plane, sources.stream.header.depth);

@@ -1,5 +1,6 @@
 #include "samples/block_walk.hpp"
 
+#include "fields/tile_record.hpp"
 #include "values/bise.hpp"
 #include "values/reconstruct.hpp"
 
@@ -21,37 +22,15 @@ void read_residual(const FieldCursor& cursor, const BlockEntry& entry, const Sam
 
 }  // namespace
 
-TileContext tile_context(const StreamView& stream, const BlockSite& site) {
-  const uint32_t tx = site.bx / kTileBlocks;
-  const uint32_t ty = site.by / kTileBlocks;
-  TileContext context;
-  context.predictive = !stream.geometry.is_reference(site.level, {site.image_row, site.image_col});
-  context.blocks_inside = blocks_inside(stream.geometry.plane(site.plane), tx, ty);
-  context.window = stream.header.window;
-  context.depth = stream.header.depth;
-  context.block_samples = uint64_t{stream.header.block_size()} * stream.header.block_size();
-  return context;
-}
-
 Result<CodedBlock> walk_to_block(const StreamView& stream, const Probe& probe) {
   const BlockSite& site = probe.site;
-  const Geometry& geometry = stream.geometry;
-  CodedBlock block{{}, BlockValues(geometry.block_size())};
+  CodedBlock block{{}, BlockValues(stream.geometry.block_size())};
   probe.walk();
+  const auto record = find_record(stream, site, probe);
+  if (!record) return tl::unexpected(record.error());
+  if (!*record) return block;
 
-  const uint64_t image = geometry.image_number(site.level, {site.image_row, site.image_col});
-  const uint64_t tile =
-      geometry.tile_number(image, site.plane, site.bx / kTileBlocks, site.by / kTileBlocks);
-  const auto extent = find_tile(stream, tile, probe);
-  if (!extent) return tl::unexpected(extent.error());
-  if (!*extent) return block;
-
-  const auto begin = static_cast<size_t>((*extent)->begin);
-  const auto size = static_cast<size_t>((*extent)->end - (*extent)->begin);
-  const BitString record(stream.bytes(Section::kTile).subspan(begin, size));
-  const uint64_t file_bit = (stream.entry(Section::kTile).offset + begin) * 8;
-  FieldCursor cursor(record, file_bit, probe);
-
+  FieldCursor cursor((*record)->bits, (*record)->file_bit, probe);
   const TileContext context = tile_context(stream, site);
   const auto head = read_tile_head(cursor, context);
   if (!head) return tl::unexpected(head.error());

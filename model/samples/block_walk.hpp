@@ -4,7 +4,6 @@
 #include <hmlfc/error.hpp>
 
 #include "fields/block_entry.hpp"
-#include "fields/index.hpp"
 #include "fields/probe.hpp"
 #include "fields/stream_view.hpp"
 #include "samples/block_values.hpp"
@@ -16,9 +15,6 @@ struct CodedBlock {
   BlockEntry entry;
   BlockValues residual;  ///< all 0 without a residual; each in [-M, M]
 };
-
-/// What the place of a tile of `site`'s image says about its record.
-TileContext tile_context(const StreamView& stream, const BlockSite& site);
 
 /// Finds and reads the block at `probe.site`, which exists and is not in a key image: index, tile
 /// head, entry, values. Errors: those of find_tile, read_tile_head and read_block_entry.

@@ -1,6 +1,7 @@
 #include "samples/sparse_plane.hpp"
 
 #include "bits/bit_mask.hpp"
+#include "fields/tile_record.hpp"
 #include "samples/block_walk.hpp"
 #include "samples/tile_blocks.hpp"
 

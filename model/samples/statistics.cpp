@@ -4,8 +4,7 @@
 
 #include "fields/block_entry.hpp"
 #include "fields/header.hpp"
-#include "fields/index.hpp"
-#include "samples/block_walk.hpp"
+#include "fields/tile_record.hpp"
 #include "samples/decoder_state.hpp"
 #include "values/bise.hpp"
 
@@ -46,20 +45,13 @@ class StatisticsCollector {
 
   Result<void> add_tile(const BlockSite& site) {
     const TileContext context = tile_context(stream_, site);
-    const uint64_t image =
-        stream_.geometry.image_number(site.level, {site.image_row, site.image_col});
-    const uint64_t tile = stream_.geometry.tile_number(image, site.plane, site.bx / kTileBlocks,
-                                                       site.by / kTileBlocks);
-    const auto extent = find_tile(stream_, tile, Probe{});
-    if (!extent) return tl::unexpected(extent.error());
-    if (!*extent) {
+    const auto record = find_record(stream_, site, Probe{});
+    if (!record) return tl::unexpected(record.error());
+    if (!*record) {
       count(BlockState::kZero, context.blocks_inside);
       return {};
     }
-    const auto begin = static_cast<size_t>((*extent)->begin);
-    const auto size = static_cast<size_t>((*extent)->end - (*extent)->begin);
-    const BitString record(stream_.bytes(Section::kTile).subspan(begin, size));
-    FieldCursor cursor(record, (stream_.entry(Section::kTile).offset + begin) * 8, Probe{});
+    FieldCursor cursor((*record)->bits, (*record)->file_bit, Probe{});
     const auto head = read_tile_head(cursor, context);
     if (!head) return tl::unexpected(head.error());
     return add_record(cursor, *head, context);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bits/bit_mask.hpp"
-#include "samples/block_walk.hpp"
+#include "fields/tile_record.hpp"
 #include "values/bise.hpp"
 #include "values/bise_unpack.hpp"
 #include "values/reconstruct.hpp"
@@ -99,22 +99,14 @@ struct TileReader {
 
 Result<void> read_tile_blocks(const StreamView& stream, const BlockSite& site, uint64_t wanted,
                               TileBlocks& blocks) {
-  const Geometry& geometry = stream.geometry;
   blocks.motion_mask = 0;
   blocks.residual_mask = 0;
-  blocks.block_samples = geometry.block_size() * geometry.block_size();
-
-  const uint64_t image = geometry.image_number(site.level, {site.image_row, site.image_col});
-  const uint64_t tile =
-      geometry.tile_number(image, site.plane, site.bx / kTileBlocks, site.by / kTileBlocks);
-  const auto extent = find_tile(stream, tile, Probe{});
-  if (!extent) return tl::unexpected(extent.error());
-  if (!*extent) return {};
-
-  const auto begin = static_cast<size_t>((*extent)->begin);
-  const auto size = static_cast<size_t>((*extent)->end - (*extent)->begin);
-  const PaddedRecord record(stream.bytes(Section::kTile).subspan(begin, size));
-  FieldCursor cursor(record.bits(), 0, Probe{});
+  blocks.block_samples = stream.geometry.block_size() * stream.geometry.block_size();
+  const auto found = find_record(stream, site, Probe{});
+  if (!found) return tl::unexpected(found.error());
+  if (!*found) return {};
+  const PaddedRecord record((*found)->bits.bytes());
+  FieldCursor cursor(record.bits(), (*found)->file_bit, Probe{});
   const TileContext context = tile_context(stream, site);
   const auto head = read_tile_head(cursor, context);
   if (!head) return tl::unexpected(head.error());

@@ -107,8 +107,10 @@ void Cards::add_loose_cards(HashStream& random) {
   constexpr int kAcross = 4;
   constexpr int kDown = 4;
   for (int i = 0; i < kAcross * kDown; ++i) {
-    const double u = -0.78 + 1.56 * (i % kAcross) / (kAcross - 1) + random.uniform(-0.14, 0.14);
-    const double v = -0.74 + 1.50 * (i / kAcross) / (kDown - 1) + random.uniform(-0.12, 0.12);
+    const int across = i % kAcross;
+    const int up = i / kAcross;
+    const double u = -0.78 + 1.56 * across / (kAcross - 1) + random.uniform(-0.14, 0.14);
+    const double v = -0.74 + 1.50 * up / (kDown - 1) + random.uniform(-0.12, 0.12);
     CardFace face{Print::kFace, 1 + random.below(10), random.below(4),
                   from_rgb(kInks[random.below(2)]), random.next()};
     if (random.below(4) == 0) face.print = Print::kBack;

@@ -13,6 +13,7 @@ namespace hmlfc::scenes {
 /// and exact on every machine.
 inline uint16_t to_sample(double light, int depth) {
   const double greatest = (1 << depth) - 1;
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): never negative, and lround is slow
   return static_cast<uint16_t>(std::sqrt(std::clamp(light, 0.0, 1.0)) * greatest + 0.5);
 }
 

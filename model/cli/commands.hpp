@@ -1,0 +1,25 @@
+// The commands of hmlfc. Each function adds one command to the program's arguments; when it is
+// chosen, `task` receives what to run.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/failure.hpp"
+
+namespace hmlfc::cli {
+
+/// Runs a parsed command; failures are thrown as Failure.
+using Task = std::function<ExitCode()>;
+
+void add_synth(CLI::App& program, Task& task);
+void add_encode(CLI::App& program, Task& task);
+void add_decode(CLI::App& program, Task& task);
+void add_info(CLI::App& program, Task& task);
+void add_compare(CLI::App& program, Task& task);
+void add_inspect(CLI::App& program, Task& task);
+void add_bise(CLI::App& program, Task& task);
+void add_picture(CLI::App& program, Task& task);
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,60 @@
+#include "cli/output.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "cli/failure.hpp"
+#include "io/atomic_file.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+[[noreturn]] void throw_output_failure() {
+  throw Failure(ExitCode::kOutput,
+                "standard output: cannot write: " + std::generic_category().message(errno));
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) throw_output_failure();
+}
+
+void print_json(const Json& json) { print(json.dump(2) + "\n"); }
+
+void flush_output() {
+  if (std::fflush(stdout) != 0) throw_output_failure();
+}
+
+void note(const std::string& message) { std::fputs((message + "\n").c_str(), stderr); }
+
+Json psnr_json(double db) {
+  if (std::isinf(db)) return "inf";
+  return db;
+}
+
+std::string psnr_text(double db) { return std::isinf(db) ? "inf" : fmt::format("{:.2f} dB", db); }
+
+std::string grouped(uint64_t number) {
+  std::string digits = std::to_string(number);
+  for (size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ' ');
+  return digits;
+}
+
+void check_output_file(const std::filesystem::path& file) {
+  value_or_throw(io::AtomicFile::create(file), ExitCode::kUsage);
+}
+
+void make_output_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (!failure) return;
+  throw Failure(ExitCode::kUsage,
+                folder.string() + ": cannot make this folder: " + failure.message());
+}
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,36 @@
+// An .hmlfc file, open for decoding.
+#pragma once
+
+#include <filesystem>
+
+#include <hmlfc/decoder.hpp>
+
+#include "io/mapped_file.hpp"
+
+namespace hmlfc::cli {
+
+/// A mapped stream with its decoder. Every function throws a Failure that names the file.
+class StreamFile {
+ public:
+  /// Failures: the file cannot be read (kInput), or is no intact stream (kCorrupt).
+  explicit StreamFile(std::filesystem::path path);
+
+  const std::filesystem::path& path() const { return path_; }
+  const Decoder& decoder() const { return decoder_; }
+  const StreamHeader& header() const { return decoder_.header(); }
+  uint64_t size() const { return file_.bytes().size(); }
+
+  /// Usage failure unless `view` is in the grid.
+  void check_view(ViewPos view) const;
+
+  /// The stop level with which `levels` levels of the tree are used, counted from the top; usage
+  /// failure unless `levels` lies in [1, tree_height + 1].
+  int stop_level(int levels) const;
+
+ private:
+  std::filesystem::path path_;
+  io::MappedFile file_;
+  Decoder decoder_;
+};
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,100 @@
+// hmlfc synth: a synthetic light field as a folder of views.
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/view_source.hpp"
+#include "io/light_field_files.hpp"
+#include "io/view_name.hpp"
+#include "scenes/scene.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+using scenes::Scene;
+
+struct SynthOptions {
+  scenes::SceneParams scene;
+  std::optional<double> baseline;
+  int threads = 0;
+  std::filesystem::path folder;
+};
+
+CLI::Option* add_size(CLI::App& app, scenes::SceneParams& scene) {
+  const auto reader = [&scene](const std::string& text) -> std::optional<std::string> {
+    const auto size = parse_numbers<2>(text, 'x');
+    if (!size || (*size)[0] < 1 || (*size)[0] > 65536 || (*size)[1] < 1 || (*size)[1] > 65536) {
+      return "width x height in [1, 65536], as 512x384";
+    }
+    scene.width = (*size)[0];
+    scene.height = (*size)[1];
+    return std::nullopt;
+  };
+  return add_value(app, "--size", "WxH", "Pixels of a view, width x height", reader);
+}
+
+ExitCode run_synth(const SynthOptions& options) {
+  scenes::SceneParams params = options.scene;
+  params.baseline_px = options.baseline.value_or(params.baseline_px);
+  make_output_folder(options.folder);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto threads = static_cast<unsigned>(options.threads);
+
+  ProgressBar rendering("Rendering", "views");
+  const LightField field = scenes::render_scene(params, threads, rendering.callback());
+  rendering.clear();
+  ProgressBar writing("Writing", "views");
+  value_or_throw(io::save_views(options.folder, field, threads, writing.callback()),
+                 ExitCode::kOutput);
+  writing.clear();
+
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  print(fmt::format("{}: {}, {:.1f} s\n", options.folder.string(), describe(field.shape()),
+                    seconds.count()));
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_synth(CLI::App& program, Task& task) {
+  const auto options = std::make_shared<SynthOptions>();
+  scenes::SceneParams& scene = options->scene;
+  CLI::App* app = program.add_subcommand("synth", "Render a synthetic light field");
+  add_choice(*app, "--scene", scene.scene,
+             {{"cards", Scene::kCards},
+              {"knights", Scene::kKnights},
+              {"glass", Scene::kGlass},
+              {"flat", Scene::kFlat},
+              {"noise", Scene::kNoise}},
+             "What to render")
+      ->required();
+  add_rows_by_cols(*app, "--grid", scene.rows, scene.cols, io::kMaxGridSide,
+                   "Views as rows x columns")
+      ->required()
+      ->default_str("");
+  add_size(*app, scene)->required();
+  add_decimal(*app, "--baseline", "PX", options->baseline, 0, 64,
+              "Parallax between neighbouring views at depth 1, in pixels")
+      ->default_str(fmt::format("{}", scene.baseline_px));
+  add_integer(*app, "--seed", scene.seed, 0, ~uint64_t{0}, "Varies places, colours and textures");
+  add_integer(*app, "--depth", scene.depth, 8, 12, "Bits a sample");
+  add_threads(*app, options->threads);
+  add_output(*app, options->folder, "DIR", "Folder for the views, made if it is missing");
+  app->footer(
+      R"(Writes one PNG a view, named by row and column: 00_00.png, 00_01.png ... The same arguments give
+the same pictures on every machine.
+
+Example:
+  hmlfc synth --scene cards --grid 9x9 --size 512x384 -o views)");
+  app->callback([&task, options] { task = [options] { return run_synth(*options); }; });
+}
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,88 @@
+#include "cli/view_source.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/failure.hpp"
+#include "cli/stream_file.hpp"
+#include "io/read_image.hpp"
+
+namespace hmlfc::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class FolderSource final : public ViewSource {
+ public:
+  FolderSource(const fs::path& folder, std::optional<io::GridShape> grid)
+      : views_(value_or_throw(io::list_views(folder, grid), ExitCode::kInput)) {
+    const RgbImage first = read(0);
+    shape_ = {views_.rows, views_.cols, first.width, first.height, first.depth};
+  }
+
+  const LightFieldShape& shape() const override { return shape_; }
+
+  RgbImage view(ViewPos view) const override {
+    const size_t index = size_t{view.row} * views_.cols + view.col;
+    RgbImage image = read(index);
+    if (image.width == shape_.width && image.height == shape_.height &&
+        image.depth == shape_.depth) {
+      return image;
+    }
+    throw Failure(ExitCode::kInput,
+                  fmt::format("{}: {} x {} pixels of {} bits, but the first view, {}, has {} x {} "
+                              "of {}",
+                              views_.files[index].string(), image.width, image.height, image.depth,
+                              views_.files[0].string(), shape_.width, shape_.height, shape_.depth));
+  }
+
+ private:
+  RgbImage read(size_t index) const {
+    return value_or_throw(io::read_image(views_.files.at(index)), ExitCode::kInput);
+  }
+
+  io::ViewList views_;
+  LightFieldShape shape_;
+};
+
+class StreamSource final : public ViewSource {
+ public:
+  explicit StreamSource(const fs::path& file) : file_(file) {
+    const StreamHeader& header = file_.header();
+    shape_ = {header.rows, header.cols, header.width, header.height, header.depth};
+  }
+
+  const LightFieldShape& shape() const override { return shape_; }
+
+  RgbImage view(ViewPos view) const override {
+    return value_or_throw(file_.decoder().decode_view(view), file_.path());
+  }
+
+ private:
+  StreamFile file_;
+  LightFieldShape shape_;
+};
+
+}  // namespace
+
+std::unique_ptr<ViewSource> ViewSource::open(const fs::path& path,
+                                             std::optional<io::GridShape> grid) {
+  std::error_code failure;
+  if (fs::is_directory(path, failure)) return std::make_unique<FolderSource>(path, grid);
+  return std::make_unique<StreamSource>(path);
+}
+
+void ViewSource::check_view(ViewPos view) const {
+  if (view.row < shape().rows && view.col < shape().cols) return;
+  throw Failure(ExitCode::kUsage, fmt::format("--view {},{} is outside the grid of {} x {} views",
+                                              view.row, view.col, shape().rows, shape().cols));
+}
+
+std::string describe(const LightFieldShape& shape) {
+  return fmt::format("{} x {} views of {} x {} pixels, {} bits", shape.rows, shape.cols,
+                     shape.width, shape.height, shape.depth);
+}
+
+}  // namespace hmlfc::cli
