@@ -4,12 +4,12 @@
 #include <array>
 #include <atomic>
 #include <mutex>
-#include <new>
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "samples/decoder_state.hpp"
+#include "samples/memory_guard.hpp"
 #include "samples/region_decoder.hpp"
 #include "samples/rgb_picture.hpp"
 
@@ -147,12 +147,11 @@ Result<void> Decoder::decode_all(const ViewConsumer& consumer, int stop_level, i
     if (first.failed_before(i)) return;
     const ImagePos parent{static_cast<uint32_t>(i / shape.cols),
                           static_cast<uint32_t>(i % shape.cols)};
-    try {
-      if (family.run(parent_level, parent)) return;
-      first.add(i, first_view_error(*this, parent_level, parent, stop_level));
-    } catch (const std::bad_alloc&) {
-      first.add(i, {ErrorCode::kOutOfMemory, Section::kHeader, 0});
-    }
+    const auto done = guard_memory([&]() -> Result<void> {
+      if (family.run(parent_level, parent)) return {};
+      return tl::unexpected(first_view_error(*this, parent_level, parent, stop_level));
+    });
+    if (!done) first.add(i, done.error());
   });
   return first.result();
 }
@@ -168,7 +167,8 @@ Result<void> Decoder::load_references(int threads) const {
                            static_cast<uint32_t>(i % shape.cols)};
       if (!geometry.is_reference(level, image)) return;
       for (const Plane plane : kPlanes) {
-        const auto loaded = state_->references.plane(level, image, plane);
+        const auto loaded =
+            guard_memory([&] { return state_->references.plane(level, image, plane); });
         if (!loaded) first.add(geometry.image_number(level, image), loaded.error());
       }
     });

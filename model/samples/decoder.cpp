@@ -1,10 +1,10 @@
 #include <hmlfc/decoder.hpp>
 
 #include <algorithm>
-#include <new>
 
 #include "samples/decoder_state.hpp"
 #include "samples/golden_region.hpp"
+#include "samples/memory_guard.hpp"
 #include "samples/open_stream.hpp"
 #include "samples/region_decoder.hpp"
 #include "samples/rgb_picture.hpp"
@@ -52,9 +52,11 @@ Decoder& Decoder::operator=(Decoder&&) noexcept = default;
 Decoder::~Decoder() = default;
 
 Result<Decoder> Decoder::open(std::span<const uint8_t> file, const OpenOptions& options) {
-  auto stream = open_stream(file, options);
-  if (!stream) return tl::unexpected(stream.error());
-  return Decoder(std::make_unique<State>(std::move(*stream)));
+  return guard_memory([&]() -> Result<Decoder> {
+    auto stream = open_stream(file, options);
+    if (!stream) return tl::unexpected(stream.error());
+    return Decoder(std::make_unique<State>(std::move(*stream)));
+  });
 }
 
 const StreamHeader& Decoder::header() const { return state_->stream.header; }
@@ -77,9 +79,11 @@ Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block, in
   const BlockSite site{stop_level, image.row, image.col, block.plane, block.bx, block.by};
   const DecodeSources sources =
       mode == ReferenceMode::kSparse ? state_->sparse() : state_->on_demand();
-  const auto values = hmlfc::decode_block(sources, site, Probe{sink, counts, site});
-  if (!values) return tl::unexpected(values.error());
-  return std::vector<int32_t>(values->span().begin(), values->span().end());
+  return guard_memory([&]() -> Result<std::vector<int32_t>> {
+    const auto values = hmlfc::decode_block(sources, site, Probe{sink, counts, site});
+    if (!values) return tl::unexpected(values.error());
+    return std::vector<int32_t>(values->span().begin(), values->span().end());
+  });
 }
 
 Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, const Rect& rect,
@@ -91,7 +95,7 @@ Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, con
   }
   const BlockRect blocks = blocks_of(rect, geometry.block_size());
   const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
-  try {
+  return guard_memory([&]() -> Result<std::vector<int16_t>> {
     auto region = decode_region(state_->sparse(), stop_level, image, plane, blocks);
     if (!region) {
       // Which block fails, and whether one that was asked for does, is for the golden path to say.
@@ -99,9 +103,7 @@ Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, con
     }
     if (!region) return tl::unexpected(region.error());
     return crop(*region, blocks, rect, geometry.block_size()).samples;
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::kOutOfMemory, Section::kHeader, 0);
-  }
+  });
 }
 
 Result<std::vector<int16_t>> Decoder::decode_plane(ViewPos view, Plane plane,
@@ -123,11 +125,8 @@ Result<RgbImage> Decoder::decode_rgb(ViewPos view, const Rect& rect, int stop_le
     target.height = part.height;
     target.samples = std::move(*samples);
   }
-  try {
-    return rgb_picture(planes, rect, halved, header().depth);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::kOutOfMemory, Section::kHeader, 0);
-  }
+  return guard_memory(
+      [&]() -> Result<RgbImage> { return rgb_picture(planes, rect, halved, header().depth); });
 }
 
 Result<RgbImage> Decoder::decode_view(ViewPos view, int stop_level) const {

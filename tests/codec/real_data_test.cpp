@@ -1,6 +1,8 @@
 // The real light fields: encode, decode, and the recorded quality.
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <mutex>
 
 #include <hmlfc/decoder.hpp>
@@ -29,6 +31,13 @@ constexpr Record kRecords[] = {
     {"stanford-legoknights-17x17-256x256-jpeg", 17, 17, 34.983, 36.883, 1.8225},
 };
 
+// Largest resident size of this process so far, in bytes.
+uint64_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<uint64_t>(usage.ru_maxrss) * 1024;
+}
+
 class RealData : public ::testing::TestWithParam<Record> {};
 
 TEST_P(RealData, EncodesDecodesAndMatchesTheRecord) {
@@ -44,6 +53,10 @@ TEST_P(RealData, EncodesDecodesAndMatchesTheRecord) {
 
   const auto encoded = encode(*field, EncodeParams{});
   ASSERT_TRUE(encoded.has_value()) << encoded.error().message;
+  const LightFieldShape& shape = field->shape();
+  const uint64_t pixels = uint64_t{shape.rows} * shape.cols * shape.width * shape.height;
+  EXPECT_LE(peak_memory(), 3 * pixels * 3 + (uint64_t{256} << 20));
+
   const auto decoder = Decoder::open(encoded->bytes);
   ASSERT_TRUE(decoder.has_value()) << to_string(decoder.error());
   ErrorSums sums;
@@ -57,8 +70,6 @@ TEST_P(RealData, EncodesDecodesAndMatchesTheRecord) {
   EXPECT_EQ(sums.rgb_squares, encoded->error.rgb_squares);
   EXPECT_EQ(sums.y_squares, encoded->error.y_squares);
 
-  const LightFieldShape& shape = field->shape();
-  const uint64_t pixels = uint64_t{shape.rows} * shape.cols * shape.width * shape.height;
   const double bpp = 8.0 * static_cast<double>(encoded->bytes.size()) / static_cast<double>(pixels);
   EXPECT_NEAR(psnr(sums.rgb_squares, pixels * 3, shape.depth), record.psnr_rgb, 0.005);
   EXPECT_NEAR(psnr(sums.y_squares, pixels, shape.depth), record.psnr_y, 0.005);
