@@ -69,9 +69,9 @@ void add_fixed_fields(std::vector<Fault>& faults) {
 void add_level_fields(std::vector<Fault>& faults) {
   for (size_t level = 0; level <= kHeight; ++level) {
     const size_t at = 44 + 4 * level;
-    for (Fault fault : {field("ref_rows", at, 1, 0), field("ref_cols", at + 1, 1, 0),
-                        field("level reserved", at + 2, 1, 1),
-                        field("level reserved", at + 3, 1, 128)}) {
+    for (Fault fault :
+         {field("ref_rows", at, 1, 0), field("ref_cols", at + 1, 1, 0),
+          field("level reserved", at + 2, 1, 1), field("level reserved", at + 3, 1, 128)}) {
       fault.first = at;
       faults.push_back(fault);
     }
@@ -82,8 +82,7 @@ void add_sections(std::vector<Fault>& faults) {
   for (size_t i = 0; i < 4; ++i) {
     const size_t at = kSectionTable + 24 * i;
     const auto add = [&](const char* name, size_t offset, unsigned size, uint64_t value) {
-      faults.push_back(
-          {name, offset, size, value, ErrorCode::kBadSectionTable, at, at + 23});
+      faults.push_back({name, offset, size, value, ErrorCode::kBadSectionTable, at, at + 23});
     };
     add("section type", at, 4, 0);
     add("section type", at, 4, i + 2);
@@ -122,8 +121,8 @@ std::vector<Fault> all_faults() {
   add_level_fields(faults);
   faults.push_back(field("header_bytes of another height", 10, 2, kHeaderBytes + 4));
   add_sections(faults);
-  faults.push_back({"TILE past the file", kSectionTable + 3 * 24 + 16, 8, 4,
-                    ErrorCode::kTruncated, end, end});
+  faults.push_back(
+      {"TILE past the file", kSectionTable + 3 * 24 + 16, 8, 4, ErrorCode::kTruncated, end, end});
   faults.push_back({"TILE past 2^64", kSectionTable + 3 * 24 + 16, 8, ~uint64_t{0},
                     ErrorCode::kTruncated, end, end});
   faults.push_back({"bytes behind TILE", kSectionTable + 3 * 24 + 16, 8, 2,

@@ -34,9 +34,7 @@ StreamHeader draw_header() {
   return h;
 }
 
-Bytes draw_bytes() {
-  return *rc::gen::scale(0.2, rc::gen::arbitrary<Bytes>());
-}
+Bytes draw_bytes() { return *rc::gen::scale(0.2, rc::gen::arbitrary<Bytes>()); }
 
 RC_GTEST_PROP(Header, RoundTrip, ()) {
   const StreamHeader drawn = draw_header();
@@ -80,10 +78,10 @@ TEST(Header, BothEndsOfEveryIntervalAreValid) {
     unsigned size;
     uint64_t lo, hi;
   };
-  for (const Ends& field : {Ends{16, 2, 1, 4096}, Ends{18, 2, 1, 4096}, Ends{20, 4, 1, 65536},
-                            Ends{24, 4, 1, 65536}, Ends{28, 1, 8, 12}, Ends{29, 1, 0, 1},
-                            Ends{30, 1, 1, 3}, Ends{31, 1, 0, 127}, Ends{32, 1, 1, 255},
-                            Ends{33, 1, 1, 255}, Ends{44, 1, 1, 255}, Ends{45, 1, 1, 255}}) {
+  for (const Ends& field :
+       {Ends{16, 2, 1, 4096}, Ends{18, 2, 1, 4096}, Ends{20, 4, 1, 65536}, Ends{24, 4, 1, 65536},
+        Ends{28, 1, 8, 12}, Ends{29, 1, 0, 1}, Ends{30, 1, 1, 3}, Ends{31, 1, 0, 127},
+        Ends{32, 1, 1, 255}, Ends{33, 1, 1, 255}, Ends{44, 1, 1, 255}, Ends{45, 1, 1, 255}}) {
     for (const uint64_t value : {field.lo, field.hi}) {
       Bytes file = test::naive_file(test::some_header(1), {});
       test::patch(file, field.offset, field.size, value);

@@ -15,8 +15,8 @@ namespace {
 using test::Bytes;
 using test::NaiveBits;
 
-/// One group with three tiles in lanes 0, 5 and 6: an end table of 3 x 4 bits, records of 2, 3 and 4
-/// bytes. The fields may be changed before it is read.
+/// One group with three tiles in lanes 0, 5 and 6: an end table of 3 x 4 bits, records of 2, 3 and
+/// 4 bytes. The fields may be changed before it is read.
 struct OneGroup {
   uint64_t root_mask = 1;
   uint64_t root_first = 0;

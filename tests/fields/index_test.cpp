@@ -2,10 +2,11 @@
 #include "fields/index.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <random>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -24,29 +25,34 @@ using test::SectionBytes;
 constexpr uint64_t kGroups = 130;  // three root entries, the last one with two groups
 constexpr size_t kRoot = 1, kGroup = 2, kTile = 3;
 
-// 8320 views of one tile for each plane less, that is 64 * 130 tiles: 2773 views and a bit.
+// 47 x 59 views of three tiles: 8319 tiles, one less than 130 groups hold.
 StreamHeader many_tiles() {
   StreamHeader header;
   header.rows = 47;
-  header.cols = 59;  // 2773 views, 8319 tiles
+  header.cols = 59;
   header.levels = {{1, 1}};
   return header;
 }
 
-struct Stream {
-  Bytes file;
-  StreamView view;
+constexpr uint64_t kTiles = 8319;
+
+/// A file of these sections, opened.
+class Stream {
+ public:
+  explicit Stream(const SectionBytes& sections)
+      : file_(test::naive_file(many_tiles(), sections)),
+        header_(parse_header(file_).value()),
+        view_{file_, header_, Geometry(header_)} {}
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+
+  const StreamView& view() const { return view_; }
+
+ private:
+  Bytes file_;
+  StreamHeader header_;
+  StreamView view_;
 };
-
-Stream open(const Bytes& file) {
-  auto header = parse_header(file);
-  EXPECT_TRUE(header.has_value());
-  return {file, {{}, *header, Geometry(*header)}};
-}
-
-Stream open(const SectionBytes& sections) {
-  return open(test::naive_file(many_tiles(), sections));
-}
 
 /// What find_tile should say.
 struct Answer {
@@ -60,46 +66,54 @@ Answer refused(ErrorCode code, Section section, uint64_t offset) {
   return {code, section, offset, {}};
 }
 
-// Reads as the clauses say, counting each 1 bit one by one.
-Answer read_linearly(const SectionBytes& sections, uint64_t tile) {
-  const NaiveBits root(sections[kRoot]);
-  const NaiveBits group(sections[kGroup]);
-  const NaiveBits tiles(sections[kTile]);
-  const uint64_t g = tile / 64;
-  const uint64_t root_bit = g / 64 * 128;
-  if (!root[root_bit + g % 64]) return {};
-  const uint64_t records = sections[kGroup].size() / 16;
-  uint64_t record = root.field(root_bit + 64, 64);
-  for (uint64_t k = 0; k < g % 64 && record < records; ++k) record += root[root_bit + k] ? 1 : 0;
-  if (record >= records) return refused(ErrorCode::kBadRootEntry, Section::kRoot, g / 64 * 16);
+/// Reads as the clauses say, counting each 1 bit one by one.
+class LinearReader {
+ public:
+  explicit LinearReader(const SectionBytes& sections)
+      : root_(sections[kRoot]), group_(sections[kGroup]), tiles_(sections[kTile]) {}
 
-  const uint64_t record_bit = record * 128;
-  const uint64_t data = group.field(record_bit + 64, 48);
-  const auto width = static_cast<unsigned>(group.field(record_bit + 112, 8));
-  if (width < 1 || width > 32 || group.field(record_bit + 120, 8) != 0) {
-    return refused(ErrorCode::kBadGroupRecord, Section::kGroup, record * 16);
+  Answer read(uint64_t tile) const {
+    const uint64_t g = tile / 64;
+    const uint64_t root_bit = g / 64 * 128;
+    if (!root_[root_bit + g % 64]) return {};
+    const uint64_t records = group_.size() / 128;
+    uint64_t record = root_.field(root_bit + 64, 64);
+    for (uint64_t k = 0; k < g % 64 && record < records; ++k)
+      record += root_[root_bit + k] ? 1u : 0u;
+    if (record >= records) return refused(ErrorCode::kBadRootEntry, Section::kRoot, g / 64 * 16);
+    return read_group(record, tile % 64);
   }
-  if (!group[record_bit + tile % 64]) return {};
-  uint64_t before = 0, all = 0;
-  for (uint64_t k = 0; k < 64; ++k) {
-    all += group[record_bit + k] ? 1 : 0;
-    before += k < tile % 64 && group[record_bit + k] ? 1 : 0;
-  }
-  const uint64_t size = sections[kTile].size();
-  const uint64_t table_end = data + (all * width + 7) / 8;
-  if (table_end > size) return refused(ErrorCode::kBadGroupRecord, Section::kGroup, record * 16);
-  const auto end_of = [&](uint64_t j) { return tiles.field(data * 8 + j * width, width); };
-  const uint64_t begin = table_end + (before == 0 ? 0 : end_of(before - 1));
-  const uint64_t end = table_end + end_of(before);
-  if (end <= begin || end > size) {
-    return refused(ErrorCode::kBadTileOffset, Section::kTile, data);
-  }
-  return {ErrorCode::kOk, Section::kHeader, 0, TileExtent{begin, end}};
-}
 
-void expect_answer(const Stream& stream, uint64_t tile, const Answer& answer) {
-  StreamView view = stream.view;
-  view.file = stream.file;
+ private:
+  Answer read_group(uint64_t record, uint64_t lane) const {
+    const uint64_t at = record * 128;
+    const uint64_t data = group_.field(at + 64, 48);
+    const auto width = static_cast<unsigned>(group_.field(at + 112, 8));
+    const Answer bad_record = refused(ErrorCode::kBadGroupRecord, Section::kGroup, record * 16);
+    if (width < 1 || width > 32 || group_.field(at + 120, 8) != 0) return bad_record;
+    if (!group_[at + lane]) return {};
+    uint64_t before = 0;
+    uint64_t all = 0;
+    for (uint64_t k = 0; k < 64; ++k) {
+      if (k == lane) before = all;
+      all += group_[at + k] ? 1u : 0u;
+    }
+    const uint64_t size = tiles_.size() / 8;
+    const uint64_t records = data + (all * width + 7) / 8;
+    if (records > size) return bad_record;
+    const auto end_of = [&](uint64_t j) { return tiles_.field(data * 8 + j * width, width); };
+    const uint64_t begin = records + (before == 0 ? 0 : end_of(before - 1));
+    const uint64_t end = records + end_of(before);
+    if (end <= begin || end > size) return refused(ErrorCode::kBadTileOffset, Section::kTile, data);
+    return {ErrorCode::kOk, Section::kHeader, 0, TileExtent{begin, end}};
+  }
+
+  NaiveBits root_;
+  NaiveBits group_;
+  NaiveBits tiles_;
+};
+
+void expect_answer(const StreamView& view, uint64_t tile, const Answer& answer) {
   const auto found = find_tile(view, tile, Probe{});
   if (answer.code != ErrorCode::kOk) {
     ASSERT_FALSE(found.has_value()) << "tile " << tile << " " << error_name(answer.code);
@@ -116,9 +130,11 @@ void expect_answer(const Stream& stream, uint64_t tile, const Answer& answer) {
 }
 
 void compare_all(const SectionBytes& sections) {
-  const Stream stream = open(sections);
-  for (uint64_t tile = 0; tile < stream.view.geometry.tile_count(); ++tile) {
-    ASSERT_NO_FATAL_FAILURE(expect_answer(stream, tile, read_linearly(sections, tile)));
+  const Stream stream(sections);
+  const LinearReader linear(sections);
+  ASSERT_EQ(stream.view().geometry.tile_count(), kTiles);
+  for (uint64_t tile = 0; tile < kTiles; ++tile) {
+    ASSERT_NO_FATAL_FAILURE(expect_answer(stream.view(), tile, linear.read(tile)));
   }
 }
 
@@ -142,7 +158,10 @@ SectionBytes build(const std::vector<Group>& groups, size_t gap) {
       if (group.tile_mask == 0) continue;
       ++used;
       for (size_t i = 0; i < gap; ++i) tiles.put(0xEE, 8);
-      records.put(group.tile_mask, 64).put(tiles.size() / 8, 48).put(group.offset_bits, 8).put(0, 8);
+      records.put(group.tile_mask, 64)
+          .put(tiles.size() / 8, 48)
+          .put(group.offset_bits, 8)
+          .put(0, 8);
       for (const uint64_t end : group.ends) tiles.put(end, group.offset_bits);
       while (tiles.size() % 8 != 0) tiles.put(0, 1);
       for (uint64_t i = 0; i < group.ends.back(); ++i) tiles.put(i, 8);
@@ -183,10 +202,11 @@ TEST(Index, TheLinearReadingFindsWhatWasBuilt) {
   std::mt19937_64 random(2);
   const auto groups = draw_groups(random, 3);
   const SectionBytes sections = build(groups, 2);
+  const LinearReader linear(sections);
   for (uint64_t g = 0; g < kGroups; ++g) {
     size_t j = 0;
     for (uint64_t lane = 0; lane < 64; ++lane) {
-      const Answer answer = read_linearly(sections, 64 * g + lane);
+      const Answer answer = linear.read(64 * g + lane);
       ASSERT_EQ(answer.code, ErrorCode::kOk);
       const bool there = (groups[g].tile_mask >> lane) % 2 != 0;
       ASSERT_EQ(answer.extent.has_value(), there);
@@ -200,9 +220,9 @@ TEST(Index, TheLinearReadingFindsWhatWasBuilt) {
 }
 
 TEST(Index, EmptyIndexHasNoTiles) {
-  const Stream stream = open(SectionBytes{Bytes{}, Bytes(48), Bytes{}, Bytes{}});
+  const Stream stream(SectionBytes{Bytes{}, Bytes(48), Bytes{}, Bytes{}});
   for (const uint64_t tile : {0u, 63u, 64u, 4095u, 4096u, 8318u}) {
-    expect_answer(stream, tile, {});
+    expect_answer(stream.view(), tile, {});
   }
 }
 
@@ -233,19 +253,23 @@ TEST(Index, RandomSectionsGiveTheErrorOfTheLinearReading) {
 }
 
 TEST(Index, SectionSizesAreChecked) {
-  for (const auto& [root, group, ok] :
-       {std::tuple{48u, 0u, true}, {48u, 16u, true}, {48u, 160u, true}, {47u, 0u, false},
-        {32u, 0u, false}, {64u, 0u, false}, {0u, 0u, false}, {48u, 15u, false}, {48u, 17u, false}}) {
-    const Stream stream = open(SectionBytes{Bytes{}, Bytes(root), Bytes(group), Bytes(5)});
-    StreamView view = stream.view;
-    view.file = stream.file;
-    const auto checked = check_index_sizes(view);
+  for (const auto& [root, group, ok] : {std::tuple{48u, 0u, true},
+                                        {48u, 16u, true},
+                                        {48u, 160u, true},
+                                        {47u, 0u, false},
+                                        {32u, 0u, false},
+                                        {64u, 0u, false},
+                                        {0u, 0u, false},
+                                        {48u, 15u, false},
+                                        {48u, 17u, false}}) {
+    const Stream stream(SectionBytes{Bytes{}, Bytes(root), Bytes(group), Bytes(5)});
+    const auto checked = check_index_sizes(stream.view());
     ASSERT_EQ(checked.has_value(), ok) << root << " " << group;
     if (ok) continue;
     const Section section = root != 48 ? Section::kRoot : Section::kGroup;
     EXPECT_EQ(error_name(checked.error().code), "bad_section_size");
     EXPECT_EQ(checked.error().section, section);
-    EXPECT_EQ(checked.error().offset, view.entry(section).offset);
+    EXPECT_EQ(checked.error().offset, stream.view().entry(section).offset);
   }
 }
 

@@ -1,5 +1,5 @@
-// The order of blocks in a tile, masks of borders, widths that follow from the window (TIL-2, TIL-3,
-// TIL-6).
+// The order of blocks in a tile, masks of borders, widths that follow from the window (TIL-2,
+// TIL-3, TIL-6).
 #include "fields/tile_layout.hpp"
 
 #include <cstdint>

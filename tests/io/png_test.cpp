@@ -1,7 +1,6 @@
 // Every kind of PNG that is read, and the PNG that is written.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -51,6 +50,15 @@ TEST_F(PngTest, EverySampleOfDepth12SurvivesTheStretchTo16Bits) {
     image.samples.insert(image.samples.end(), 3, value);
   ASSERT_TRUE(write_png(folder_ / "a.png", image));
   EXPECT_EQ(read_image(folder_ / "a.png")->samples, image.samples);
+}
+
+TEST_F(PngTest, DeepSamplesFillThe16BitsOfTheFile) {
+  ASSERT_TRUE(write_png(folder_ / "a.png", {1, 1, 10, {0, 1023, 0x2AF}}));
+  const Bytes ten = test::stored_rows(test::get_file(folder_ / "a.png"));
+  EXPECT_EQ(ten, (Bytes{0x00, 0x00, 0xFF, 0xFF, 0xAB, 0xEA}));  // 10101011 11|101010
+  ASSERT_TRUE(write_png(folder_ / "a.png", {1, 1, 12, {1, 4095, 0x801}}));
+  const Bytes twelve = test::stored_rows(test::get_file(folder_ / "a.png"));
+  EXPECT_EQ(twelve, (Bytes{0x00, 0x10, 0xFF, 0xFF, 0x80, 0x18}));
 }
 
 TEST_F(PngTest, WritesTheSameBytesEachTime) {
@@ -147,7 +155,9 @@ TEST_F(PngTest, ReadsInterlacedPictures) {
       if (bits == 16) content.rows.push_back(0);
     }
     Samples expected = image.samples;
-    if (bits == 16) std::ranges::for_each(expected, [](uint16_t& s) { s = s << 4; });
+    if (bits == 16) {
+      for (uint16_t& sample : expected) sample = static_cast<uint16_t>(sample * 16);
+    }
     EXPECT_EQ(read(content).samples, expected) << bits;
   }
 }

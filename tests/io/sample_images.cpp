@@ -5,8 +5,10 @@
 #include <jpeglib.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
+#include <span>
 #include <stdexcept>
 
 namespace hmlfc::test {
@@ -68,6 +70,25 @@ Bytes make_png(const PngContent& content) {
   png_write_end(png, nullptr);
   png_destroy_write_struct(&png, &info);
   return bytes;
+}
+
+Bytes stored_rows(const Bytes& png_file) {
+  std::span<const uint8_t> rest = png_file;
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_set_read_fn(png, &rest, [](png_structp reader, png_bytep out, size_t count) {
+    auto& bytes = *static_cast<std::span<const uint8_t>*>(png_get_io_ptr(reader));
+    std::copy_n(bytes.begin(), count, out);
+    bytes = bytes.subspan(count);
+  });
+  png_read_info(png, info);
+  const size_t row_bytes = png_get_rowbytes(png, info);
+  Bytes rows(row_bytes * png_get_image_height(png, info));
+  for (size_t start = 0; start < rows.size(); start += row_bytes) {
+    png_read_row(png, rows.data() + start, nullptr);
+  }
+  png_destroy_read_struct(&png, &info, nullptr);
+  return rows;
 }
 
 Bytes make_jpeg(const JpegContent& content) {

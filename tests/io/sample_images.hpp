@@ -30,6 +30,9 @@ struct PngContent {
 /// The bytes of such a PNG file.
 Bytes make_png(const PngContent& content);
 
+/// The rows of a PNG file that is not interlaced, packed as they are stored.
+Bytes stored_rows(const Bytes& png_file);
+
 struct JpegContent {
   uint32_t width = 1;
   uint32_t height = 1;

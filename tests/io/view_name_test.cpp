@@ -34,7 +34,7 @@ TEST(ViewName, ReadsRowAndColumnInEachForm) {
 TEST(ViewName, RefusesOtherNames) {
   for (const char* stem :
        {"", "_", "12", "a_1", "1_", "1_2_", "1_2x", "x1_2", "1_-2", "1_4096", "4096_1", "00001_1",
-        "out_00_01_a_b", "out_00_01_1.2.3_4_", "1__2", "1 _2", "input_Cam012"}) {
+        "out_00_01_a_b", "out_00_01_1_2_x", "out_00_01_1.2.3_4_", "1__2", "1 _2", "input_Cam012"}) {
     EXPECT_FALSE(parse_grid_name(stem).has_value()) << stem;
   }
 }

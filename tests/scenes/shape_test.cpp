@@ -56,6 +56,17 @@ TEST(Shape, RaysEnterABox) {
   expect_near(shape.normal(shape.local({0.5, 2, 9})), {0, 1, 0});
 }
 
+TEST(Shape, NoShapeIsMetBehindOrFromWithin) {
+  for (const ShapeKind kind : {ShapeKind::kEllipsoid, ShapeKind::kBox, ShapeKind::kCylinder}) {
+    const Shape shape(kind, {0, 0, 10}, Frame{}, {1, 1, 1});
+    EXPECT_NE(shape.enter(along_z(0, 0)), kNever);
+    EXPECT_EQ(shape.enter({{0, 0, 20}, {0, 0, 1}}), kNever);
+    EXPECT_EQ(shape.enter({{0, 0, 10}, {0, 0, 1}}), kNever);
+  }
+  const Shape sheet(ShapeKind::kSheet, {0, 0, 10}, Frame{}, {1, 1, 0});
+  EXPECT_EQ(sheet.enter({{0, 0, 20}, {0, 0, 1}}), kNever);
+}
+
 TEST(Shape, ATurnedBoxShowsItsEdge) {
   const Shape shape(ShapeKind::kBox, {0, 0, 10}, turned(0, std::sqrt(2.0) - 1.0, 0), {1, 1, 1});
   EXPECT_NEAR(shape.enter(along_z(0, 0)), 10.0 - std::sqrt(2.0), 1e-9);  // turned by 45 degrees

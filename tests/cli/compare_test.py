@@ -1,0 +1,154 @@
+"""compare against numbers computed here."""
+
+import math
+import random
+import shutil
+from json import loads
+
+from pictures import Picture, write_ppm, ycocg
+from program import DIFFERENT, DONE, INPUT, CliTest, main
+
+KEYS = ["psnr_rgb", "psnr_y", "psnr_rgb_min", "max_abs_error", "identical", "first_difference"]
+
+
+def psnr(squares, count, peak):
+    return 10 * math.log10(peak * peak * count / squares) if squares else "inf"
+
+
+class Compare(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.random = random.Random(5)
+        cls.views = cls.make("a")
+
+    @classmethod
+    def make(cls, name, maximum=255, rows=2, cols=3, width=7, height=5):
+        folder = cls.folder / name
+        folder.mkdir()
+        views = {}
+        for row in range(rows):
+            for col in range(cols):
+                samples = [cls.random.randint(0, maximum) for _ in range(width * height * 3)]
+                views[row, col] = Picture(width, height, samples)
+                write_ppm(folder / f"{row:02}_{col:02}.ppm", views[row, col], maximum)
+        return views
+
+    def changed(self, name, view, changes, source="a", maximum=255):
+        """A copy of `source` with samples {index: value} of one view replaced."""
+        shutil.rmtree(self.folder / name, ignore_errors=True)
+        shutil.copytree(self.folder / source, self.folder / name)
+        picture = Picture(7, 5, list(self.views[view].samples))
+        for index, value in changes.items():
+            picture.samples[index] = value
+        write_ppm(self.folder / name / f"{view[0]:02}_{view[1]:02}.ppm", picture, maximum)
+        return picture
+
+    def compare(self, a, b, status):
+        result = self.run_hmlfc("compare", a, b, "--json")
+        self.assertEqual((result.returncode, result.stderr), (status, b""))
+        json = loads(result.stdout)
+        self.assertEqual(list(json), KEYS)
+        return json
+
+    def test_identical(self):
+        json = self.compare("a", "a", DONE)
+        self.assertEqual(json, dict(zip(KEYS, ["inf", "inf", "inf", 0, True, None])))
+        self.assertIn("Identical", self.hmlfc("compare", "a", "a"))
+
+    def test_all_different(self):
+        other = self.make("b")
+        rgb = {
+            view: sum((p - q) ** 2 for p, q in zip(a.samples, other[view].samples))
+            for view, a in self.views.items()
+        }
+        luma = sum(
+            (ycocg(a.pixel(x, y))[0] - ycocg(other[view].pixel(x, y))[0]) ** 2
+            for view, a in self.views.items()
+            for y in range(5)
+            for x in range(7)
+        )
+        json = self.compare("a", "b", DIFFERENT)
+        self.assertAlmostEqual(json["psnr_rgb"], psnr(sum(rgb.values()), 6 * 105, 255), places=9)
+        self.assertAlmostEqual(json["psnr_y"], psnr(luma, 6 * 35, 255), places=9)
+        self.assertAlmostEqual(json["psnr_rgb_min"], psnr(max(rgb.values()), 105, 255), places=9)
+        worst = max(rgb, key=lambda view: (rgb[view], -view[0], -view[1]))
+        text = self.run_hmlfc("compare", "a", "b").stdout.decode()
+        self.assertIn(f"view {worst[0]},{worst[1]}", text)
+
+    def test_first_difference(self):
+        for view in self.views:
+            for index in (0, 1, 2, 3, 20, 21, 104):
+                old = self.views[view].samples[index]
+                changes = {index: old ^ 1, 104: self.views[view].samples[104] ^ 128}
+                if index == 104:
+                    changes = {104: old ^ 128}
+                picture = self.changed("c", view, changes)
+                json = self.compare("a", "c", DIFFERENT)
+                expected = {
+                    "row": view[0],
+                    "col": view[1],
+                    "x": index // 3 % 7,
+                    "y": index // 21,
+                    "channel": "RGB"[index % 3],
+                    "a": old,
+                    "b": picture.samples[index],
+                }
+                self.assertEqual(json["first_difference"], expected)
+                self.assertEqual(list(json["first_difference"]), list(expected))
+                self.assertEqual(json["max_abs_error"], 128)
+                self.assertIs(json["identical"], False)
+
+    def test_difference_that_luma_does_not_see(self):
+        # YCoCg-R: red + 1 and blue - 1 at an even distance of red and blue leave Y as it was.
+        (self.folder / "p").mkdir()
+        (self.folder / "q").mkdir()
+        write_ppm(self.folder / "p" / "0_0.ppm", Picture(1, 1, [100, 50, 100]))
+        write_ppm(self.folder / "q" / "0_0.ppm", Picture(1, 1, [101, 50, 99]))
+        self.assertEqual(ycocg((100, 50, 100))[0], ycocg((101, 50, 99))[0])
+        json = self.compare("p", "q", DIFFERENT)
+        self.assertEqual(json["psnr_y"], "inf")
+        self.assertAlmostEqual(json["psnr_rgb"], psnr(2, 3, 255), places=9)
+
+    def test_deep(self):
+        views = self.make("deep", 4095)
+        shutil.copytree(self.folder / "deep", self.folder / "deeper")
+        picture = Picture(7, 5, [sample ^ 2048 for sample in views[1, 2].samples])
+        write_ppm(self.folder / "deeper" / "01_02.ppm", picture, 4095)
+        json = self.compare("deep", "deeper", DIFFERENT)
+        self.assertAlmostEqual(json["psnr_rgb"], psnr(2048**2 * 105, 6 * 105, 4095), places=9)
+        self.assertEqual(json["max_abs_error"], 2048)
+
+    def test_streams(self):
+        self.hmlfc("encode", "a", "-o", "a.hmlfc")
+        self.hmlfc("encode", "a", "-o", "lossless.hmlfc", "--lossless")
+        self.assertTrue(self.compare("a", "lossless.hmlfc", DONE)["identical"])
+        self.assertTrue(self.compare("a.hmlfc", "a.hmlfc", DONE)["identical"])
+        there = self.compare("a", "a.hmlfc", DIFFERENT)
+        back = self.compare("lossless.hmlfc", "a", DONE)
+        self.assertTrue(back["identical"])
+        self.assertEqual(there, self.compare("lossless.hmlfc", "a.hmlfc", DIFFERENT))
+
+    def test_other_shapes_are_refused(self):
+        self.make("rows", rows=3)
+        self.make("wide", width=8)
+        self.make("twelve", 4095)
+        for other, named in [
+            ("rows", "3 x 3 views of 7 x 5"),
+            ("wide", "2 x 3 views of 8 x 5"),
+            ("twelve", "12 bits"),
+        ]:
+            with self.subTest(other=other):
+                self.refused(INPUT, "compare", "a", other, says=["2 x 3 views of 7 x 5", named])
+
+    def test_a_view_of_another_size_is_named(self):
+        shutil.copytree(self.folder / "a", self.folder / "odd")
+        write_ppm(self.folder / "odd" / "01_01.ppm", Picture(2, 2, [0] * 12))
+        self.refused(INPUT, "compare", "a", "odd", says=["01_01.ppm", "2 x 2"])
+
+    def test_missing(self):
+        self.refused(INPUT, "compare", "a", "nowhere", says="nowhere")
+        self.refused(INPUT, "compare", "nowhere", "a", says="nowhere")
+
+
+if __name__ == "__main__":
+    main()

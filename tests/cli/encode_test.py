@@ -1,0 +1,188 @@
+"""encode: its JSON, its promise against the decoded pictures, parameters, inputs that it refuses."""
+
+import math
+import os
+import shutil
+
+from pictures import Picture, read_png, write_ppm, ycocg
+from program import INPUT, CliTest, main
+
+KEYS = [
+    "bytes", "bpp", "ratio", "rows", "cols", "width", "height", "profile", "method", "sections",
+    "seconds", "psnr_rgb", "psnr_y", "max_abs_error",
+]  # fmt: skip
+SECTIONS = ["header", "index", "motion", "residual", "top", "other"]
+
+
+def psnr(squares, count, peak=255):
+    return 10 * math.log10(peak * peak * count / squares) if squares else "inf"
+
+
+class Encode(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.hmlfc(*"synth --scene cards --grid 3x4 --size 44x28 -o views".split())
+
+    def encode(self, *options, views="views", file="a.hmlfc"):
+        return self.hmlfc_json("encode", views, "-o", file, *options)
+
+    def errors(self, a, b):
+        """Squares over RGB and over Y, the greatest difference, pixels."""
+        rgb = luma = greatest = pixels = 0
+        for name in sorted(os.listdir(self.folder / a)):
+            one, other = read_png(self.folder / a / name), read_png(self.folder / b / name)
+            for y in range(one.height):
+                for x in range(one.width):
+                    p, q = one.pixel(x, y), other.pixel(x, y)
+                    differences = [abs(i - j) for i, j in zip(p, q)]
+                    rgb += sum(d * d for d in differences)
+                    luma += (ycocg(p)[0] - ycocg(q)[0]) ** 2
+                    greatest = max(greatest, *differences)
+                    pixels += 1
+        return rgb, luma, greatest, pixels
+
+    def test_json(self):
+        json = self.encode()
+        size = (self.folder / "a.hmlfc").stat().st_size
+        self.assertEqual(list(json)[: len(KEYS)], KEYS)
+        self.assertEqual(list(json["sections"]), SECTIONS)
+        self.assertEqual(json["bytes"], size)
+        self.assertEqual(sum(json["sections"].values()), size)
+        pixels = 3 * 4 * 44 * 28
+        self.assertAlmostEqual(json["bpp"], 8 * size / pixels, places=12)
+        self.assertAlmostEqual(json["ratio"], 3 * pixels / size, places=12)
+        shape = [json[key] for key in ("rows", "cols", "width", "height")]
+        self.assertEqual(shape, [3, 4, 44, 28])
+        self.assertEqual((json["profile"], json["method"]), ("main", "hmlfc"))
+        self.assertGreater(json["seconds"], 0)
+        self.assertGreaterEqual(json["cpu_seconds"], 0)
+
+    def test_quality_is_that_of_the_decoded_pictures(self):
+        for chroma in ("420", "444"):
+            with self.subTest(chroma=chroma):
+                json = self.encode("--chroma", chroma)
+                shutil.rmtree(self.folder / "decoded", ignore_errors=True)
+                self.hmlfc("decode", "a.hmlfc", "-o", "decoded")
+                rgb, luma, greatest, pixels = self.errors("views", "decoded")
+                self.assertGreater(rgb, 0)
+                self.assertAlmostEqual(json["psnr_rgb"], psnr(rgb, 3 * pixels), places=9)
+                self.assertAlmostEqual(json["psnr_y"], psnr(luma, pixels), places=9)
+                self.assertEqual(json["max_abs_error"], greatest)
+
+    def test_lossless(self):
+        for method in ("hmlfc", "rlfc", "mc"):
+            with self.subTest(method=method):
+                json = self.encode("--lossless", "--method", method)
+                self.assertEqual((json["psnr_rgb"], json["psnr_y"]), ("inf", "inf"))
+                self.assertEqual(json["max_abs_error"], 0)
+                self.assertEqual((json["threshold_ref"], json["threshold_pred"]), (0, 0))
+                self.assertEqual(self.hmlfc_json("info", "a.hmlfc")["chroma"], "444")
+                self.hmlfc("compare", "views", "a.hmlfc")
+
+    def test_methods(self):
+        for method in ("hmlfc", "rlfc", "mc"):
+            with self.subTest(method=method):
+                json = self.encode("--method", method)
+                self.assertEqual(json["method"], method)
+                self.assertEqual(json["sections"]["motion"] > 0, method != "rlfc")
+
+    def test_parameters_reach_the_stream(self):
+        options = "--cluster 3x2 --height 1 --block 8 --window 5 --references 2x3 --chroma 444"
+        self.encode(*options.split(), "--threshold-ref", 11, "--threshold-pred", 222)
+        info = self.hmlfc_json("info", "a.hmlfc")
+        got = [info[key] for key in ("cluster", "tree_height", "block", "window", "chroma")]
+        self.assertEqual(got, [[3, 2], 1, 8, 5, "444"])
+        level = {"level": 0, "rows": 3, "cols": 4, "ref_rows": 2, "ref_cols": 3}
+        self.assertEqual(info["levels"][1], level)
+
+    def test_thresholds(self):
+        json = self.encode("--threshold-ref", 11, "--threshold-pred", 222)
+        self.assertEqual((json["threshold_ref"], json["threshold_pred"]), (11, 222))
+        fine = self.encode("--threshold-ref", 0, "--threshold-pred", 0)
+        coarse = self.encode("--threshold-ref", 1000, "--threshold-pred", 1000)
+        self.assertGreater(fine["psnr_rgb"], json["psnr_rgb"])
+        self.assertGreater(json["psnr_rgb"], coarse["psnr_rgb"])
+        self.assertLess(coarse["bytes"], json["bytes"])
+
+    def test_target_psnr(self):
+        json = self.encode("--target-psnr", "36.5", "--chroma", "444")
+        self.assertGreaterEqual(json["psnr_rgb"], 36.5)
+        self.assertLess(json["psnr_rgb"], 37.5)
+        self.assertGreater(json["threshold_pred"], 0)
+
+    def test_target_that_chroma_forbids_is_said(self):
+        result = self.run_hmlfc("encode", "views", "-o", "a.hmlfc", "--target-psnr", "90")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("--chroma 444", result.stderr.decode())
+
+    def test_text_names_what_counts(self):
+        text = self.hmlfc("encode", "views", "-o", "a.hmlfc")
+        for part in ("3 x 4 views of 44 x 28", "bpp", "dB", "residual", "hmlfc", "75"):
+            self.assertIn(part, text)
+
+    def test_same_bytes_for_any_number_of_threads(self):
+        files = []
+        for threads in (1, 2, 7, 0):
+            self.encode("--threads", threads, file=f"t{threads}.hmlfc")
+            files.append((self.folder / f"t{threads}.hmlfc").read_bytes())
+        self.assertEqual(len(set(files)), 1)
+
+    def test_names_that_need_the_grid(self):
+        folder = self.folder / "list"
+        folder.mkdir()
+        for i, name in enumerate(sorted(os.listdir(self.folder / "views"))):
+            shutil.copy(self.folder / "views" / name, folder / f"photo{i + 1}.png")
+        self.refused(INPUT, "encode", "list", "-o", "b.hmlfc", says="grid")
+        self.refused(INPUT, "encode", "list", "-o", "b.hmlfc", "--grid", "4x4", says="list")
+        self.assertFalse((self.folder / "b.hmlfc").exists())
+        self.encode("--grid", "3x4", views="list", file="b.hmlfc")
+        self.encode(file="a.hmlfc")
+        self.assertEqual(
+            (self.folder / "b.hmlfc").read_bytes(), (self.folder / "a.hmlfc").read_bytes()
+        )
+
+    def test_deep_samples(self):
+        folder = self.folder / "deep"
+        folder.mkdir()
+        for i in range(4):
+            samples = [(x * 173 + i * 31) % 4096 for x in range(12 * 10 * 3)]
+            write_ppm(folder / f"{i // 2}_{i % 2}.ppm", Picture(12, 10, samples), 4095)
+        self.encode("--lossless", views="deep", file="deep.hmlfc")
+        self.assertEqual(self.hmlfc_json("info", "deep.hmlfc")["depth"], 12)
+        self.hmlfc("compare", "deep", "deep.hmlfc")
+
+    def test_one_tiny_view(self):
+        (self.folder / "one").mkdir()
+        write_ppm(self.folder / "one" / "00_00.ppm", Picture(1, 1, [1, 2, 3]))
+        json = self.encode("--lossless", views="one", file="one.hmlfc")
+        self.assertEqual((json["rows"], json["cols"], json["width"]), (1, 1, 1))
+        self.hmlfc("compare", "one", "one.hmlfc")
+
+    def test_refused_inputs_are_named(self):
+        def copy(name):
+            shutil.copytree(self.folder / "views", self.folder / name)
+            return self.folder / name
+
+        (copy("missing") / "01_02.png").unlink()
+        folder = copy("double")
+        shutil.copy(folder / "01_02.png", folder / "1_2.png")
+        write_ppm(copy("odd") / "01_02.ppm", Picture(3, 2, [9] * 18))
+        (self.folder / "odd" / "01_02.png").unlink()
+        (copy("damaged") / "01_02.png").write_bytes(b"\x89PNG\r\n\x1a\nnot really")
+        (self.folder / "empty").mkdir()
+        for folder, named in [
+            ("missing", ["row 1", "column 2"]),
+            ("double", ["01_02.png", "1_2.png"]),
+            ("odd", ["01_02.ppm", "3 x 2"]),
+            ("damaged", ["01_02.png"]),
+            ("empty", ["empty"]),
+            ("nowhere", ["nowhere"]),
+            ("views/00_00.png", ["views/00_00.png"]),
+        ]:
+            with self.subTest(folder=folder):
+                self.refused(INPUT, "encode", folder, "-o", "c.hmlfc", says=named)
+                self.assertFalse((self.folder / "c.hmlfc").exists())
+
+
+if __name__ == "__main__":
+    main()

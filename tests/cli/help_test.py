@@ -1,0 +1,77 @@
+"""Each --help names every option, and its example works as it stands."""
+
+import os
+import re
+import shlex
+import shutil
+
+from program import CliTest, main
+
+COMMANDS = {
+    "": ["--help", "--version"],
+    "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--output"],
+    "encode": ["--grid", "--profile", "--method", "--cluster", "--height", "--block", "--window",
+               "--threshold-ref", "--threshold-pred", "--target-psnr", "--chroma", "--lossless",
+               "--references", "--threads", "--json", "--output"],
+    "decode": ["--view", "--rect", "--levels", "--threads", "--output"],
+    "info": ["--json"],
+    "compare": ["--json"],
+    "inspect": ["--view", "--plane", "--block", "--json"],
+    "bise": ["enc", "dec"],
+    "bise enc": ["LEVELS", "V"],
+    "bise dec": ["LEVELS", "COUNT", "HEX"],
+    "picture": ["view", "sheet", "difference"],
+    "picture view": ["--view", "--output"],
+    "picture sheet": ["--max-width", "--output"],
+    "picture difference": ["--view", "--gain", "--output"],
+}  # fmt: skip
+
+
+class Help(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.hmlfc(*"synth --scene cards --grid 9x9 --size 136x72 -o views".split())
+        cls.hmlfc("encode", "views", "-o", "chess.hmlfc")
+        (cls.folder / "lytro").mkdir()
+        for i, name in enumerate(sorted(os.listdir(cls.folder / "views"))):
+            shutil.copy(cls.folder / "views" / name, cls.folder / "lytro" / f"IMG{i}.png")
+
+    def help_of(self, command):
+        return self.hmlfc(*command.split(), "--help")
+
+    def test_options(self):
+        for command, options in COMMANDS.items():
+            with self.subTest(command=command):
+                text = self.help_of(command)
+                usage = re.search(r"^Usage: (.*)$", text, re.MULTILINE).group(1)
+                self.assertTrue(usage.startswith(f"hmlfc {command}".rstrip()), usage)
+                for option in options:
+                    self.assertRegex(text, rf"(?m)^  (-\w,)?{option}\b")
+                self.assertEqual(text, self.hmlfc(*command.split(), "-h"))
+                self.assertLessEqual(max(map(len, text.splitlines())), 104)
+
+    def test_all_commands_are_listed(self):
+        for command in COMMANDS:
+            if command and " " not in command:
+                self.assertRegex(self.help_of(""), rf"(?m)^  {command} ")
+
+    def test_exit_status(self):
+        for code in (0, 1, 2, 3, 4):
+            self.assertRegex(self.help_of(""), rf"(?m)^  {code} ")
+
+    def test_examples_work(self):
+        for command in COMMANDS:
+            text = self.help_of(command)
+            examples = re.findall(r"(?m)^  (hmlfc .*)$", text[text.index("Example") :])
+            self.assertTrue(examples, command)
+            for example in examples:
+                # The rendering in the example is as it stands, but for its size.
+                arguments = shlex.split(example.replace("512x384", "136x72"))
+                self.assertEqual(arguments[: 1 + len(command.split())], ["hmlfc", *command.split()])
+                with self.subTest(example=example):
+                    result = self.run_hmlfc(*arguments[1:])
+                    self.assertIn(result.returncode, (0, 1) if "compare" in example else (0,))
+
+
+if __name__ == "__main__":
+    main()

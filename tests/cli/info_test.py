@@ -1,0 +1,105 @@
+"""info: its JSON against the bytes of the file, read here by the specification, section 3."""
+
+import struct
+
+from program import CliTest, main
+
+KEYS = [
+    "bytes", "bpp", "ratio", "rows", "cols", "width", "height", "profile", "method", "sections",
+    "depth", "chroma", "block", "window", "cluster", "tree_height", "levels", "states",
+]  # fmt: skip
+SECTIONS = ["header", "index", "motion", "residual", "top", "other"]
+
+
+class Header:
+    """FIL-1 to FIL-3."""
+
+    def __init__(self, stream):
+        self.header_bytes = struct.unpack_from("<H", stream, 10)[0]
+        self.rows, self.cols, self.width, self.height = struct.unpack_from("<HHII", stream, 16)
+        self.depth, self.chroma, self.block_log2, self.window = stream[28:32]
+        self.cluster = list(stream[32:34])
+        self.tree_height = stream[34]
+        self.levels = [list(stream[44 + 4 * i :][:2]) for i in range(self.tree_height + 1)]
+        table = 44 + 4 * (self.tree_height + 1)
+        self.sections = [struct.unpack_from("<IIQQ", stream, table + 24 * i) for i in range(4)]
+
+
+class Info(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.hmlfc(*"synth --scene cards --grid 3x5 --size 44x28 -o views".split())
+        cls.hmlfc(*"encode views -o a.hmlfc --references 2x4 --cluster 1x2".split())
+        cls.stream = (cls.folder / "a.hmlfc").read_bytes()
+        cls.header = Header(cls.stream)
+        cls.info = cls.hmlfc_json("info", "a.hmlfc")
+
+    def test_keys(self):
+        self.assertEqual(list(self.info), KEYS)
+        self.assertEqual(list(self.info["sections"]), SECTIONS)
+
+    def test_header(self):
+        header, info = self.header, self.info
+        for key in ("rows", "cols", "width", "height", "depth", "window", "tree_height", "cluster"):
+            self.assertEqual(info[key], getattr(header, key), key)
+        self.assertEqual((header.rows, header.cols, header.width, header.height), (3, 5, 44, 28))
+        self.assertEqual(info["block"], 1 << header.block_log2)
+        self.assertEqual(info["chroma"], ["420", "444"][header.chroma])
+        self.assertEqual((info["profile"], info["method"]), ("main", "hmlfc"))
+
+    def test_levels(self):
+        header = self.header
+        rows, cols, expected = header.rows, header.cols, []
+        for level in range(header.tree_height + 1):
+            references = header.levels[header.tree_height - level]
+            shape = {"level": level, "rows": rows, "cols": cols}
+            expected.insert(0, {**shape, "ref_rows": references[0], "ref_cols": references[1]})
+            rows, cols = -(-rows // header.cluster[0]), -(-cols // header.cluster[1])
+        self.assertEqual(self.info["levels"], expected)
+        self.assertEqual(len(expected), 4)
+
+    def test_sizes(self):
+        info, size = self.info, len(self.stream)
+        sections = info["sections"]
+        self.assertEqual(info["bytes"], size)
+        self.assertEqual(sum(sections.values()), size)
+        self.assertEqual(sections["header"], self.header.header_bytes)
+        self.assertEqual(sections["top"], self.header.sections[0][3])
+        self.assertEqual(sections["other"], 0)
+        tile = self.header.sections[3][3]
+        self.assertLess(sections["motion"] + sections["residual"], tile)
+        self.assertAlmostEqual(info["bpp"], 8 * size / (15 * 44 * 28), places=12)
+        self.assertAlmostEqual(info["ratio"], 15 * 44 * 28 * 3 / size, places=12)
+
+    def test_states_count_all_blocks(self):
+        # Images but the key image times blocks of 4 x 4 of 44 x 28 and twice 22 x 14 samples.
+        images = sum(level["rows"] * level["cols"] for level in self.info["levels"])
+        keys = self.info["levels"][0]["rows"] * self.info["levels"][0]["cols"]
+        blocks = 11 * 7 + 2 * 6 * 4
+        self.assertEqual(sum(self.info["states"].values()), (images - keys) * blocks)
+        self.assertEqual(
+            list(self.info["states"]), ["zero", "motion", "motion_residual", "residual"]
+        )
+
+    def test_ratio_counts_the_bits_of_deep_samples(self):
+        options = "--scene noise --grid 2x2 --size 16x16 --depth 12"
+        self.hmlfc("synth", *options.split(), "-o", "deep")
+        self.hmlfc("encode", "deep", "-o", "deep.hmlfc")
+        info = self.hmlfc_json("info", "deep.hmlfc")
+        self.assertAlmostEqual(info["ratio"], 4 * 256 * 36 / 8 / info["bytes"], places=12)
+
+    def test_text(self):
+        text = self.hmlfc("info", "a.hmlfc")
+        self.assertIn("3 x 5 views of 44 x 28 pixels, 8 bits", text)
+        for part in ("bpp", "residual", "level 3", "zero", "2 x 4"):
+            self.assertIn(part, text)
+
+    def test_encode_says_the_same(self):
+        options = "--references 2x4 --cluster 1x2"
+        json = self.hmlfc_json("encode", "views", "-o", "b.hmlfc", *options.split())
+        for key in KEYS[:10]:
+            self.assertEqual(json[key], self.info[key], key)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,84 @@
+"""Pictures without the program under test: a reader of PNG, a writer of PPM, and colour."""
+
+import struct
+import zlib
+
+
+class Picture:
+    """samples[(y * width + x) * 3 + channel]."""
+
+    def __init__(self, width, height, samples):
+        self.width, self.height, self.samples = width, height, samples
+
+    def crop(self, x, y, width, height):
+        rows = []
+        for row in range(y, y + height):
+            begin = (row * self.width + x) * 3
+            rows += self.samples[begin : begin + width * 3]
+        return Picture(width, height, rows)
+
+    def pixel(self, x, y):
+        begin = (y * self.width + x) * 3
+        return self.samples[begin : begin + 3]
+
+    def __eq__(self, other):
+        return vars(self) == vars(other)
+
+    def __repr__(self):
+        return f"Picture({self.width}, {self.height}, ...)"
+
+
+def _paeth(a, b, c):
+    estimate = a + b - c
+    distances = abs(estimate - a), abs(estimate - b), abs(estimate - c)
+    return (a, b, c)[distances.index(min(distances))]
+
+
+def _unfilter(kind, line, above, step):
+    out = bytearray(line)
+    for i, byte in enumerate(line):
+        a = out[i - step] if i >= step else 0
+        b = above[i]
+        c = above[i - step] if i >= step else 0
+        out[i] = (byte + (0, a, b, (a + b) // 2, _paeth(a, b, c))[kind]) & 255
+    return out
+
+
+def read_png(path):
+    """An RGB PNG of 8 or 16 bits without interlacing; samples as stored."""
+    data = path.read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", path
+    at, packed = 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at : at + 8])
+        body = data[at + 8 : at + 8 + length]
+        if kind == b"IHDR":
+            width, height, bits, colour, _, _, interlace = struct.unpack(">IIBBBBB", body)
+            assert colour == 2 and interlace == 0 and bits in (8, 16), path
+        if kind == b"IDAT":
+            packed += body
+        at += length + 12
+    raw = zlib.decompress(packed)
+    step = 3 * bits // 8
+    stride = width * step
+    above, samples = bytes(stride), []
+    for y in range(height):
+        begin = y * (stride + 1)
+        above = _unfilter(raw[begin], raw[begin + 1 : begin + 1 + stride], above, step)
+        samples += above if bits == 8 else struct.unpack(f">{width * 3}H", bytes(above))
+    return Picture(width, height, list(samples))
+
+
+def write_ppm(path, picture, maximum=255):
+    code = "B" if maximum < 256 else "H"
+    body = struct.pack(f">{len(picture.samples)}{code}", *picture.samples)
+    path.write_bytes(b"P6 %d %d %d\n" % (picture.width, picture.height, maximum) + body)
+
+
+def ycocg(pixel):
+    """(Y, Co, Cg) of YCoCg-R, specification COL-1."""
+    red, green, blue = pixel
+    co = red - blue
+    t = blue + (co >> 1)
+    cg = green - t
+    return t + (cg >> 1), co, cg

@@ -1,0 +1,67 @@
+"""Runs the hmlfc program for the tests of its command line."""
+
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else None
+VERSION = sys.argv[2] if len(sys.argv) > 2 else None
+
+DONE, DIFFERENT, USAGE, INPUT, CORRUPT = range(5)
+INTERNAL, OUT_OF_MEMORY, OUTPUT = 70, 71, 74
+
+
+class CliTest(unittest.TestCase):
+    """A test with the working folder self.folder, new for each class."""
+
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix="hmlfc-cli-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.prepare()
+
+    @classmethod
+    def prepare(cls):
+        """Makes the files that the class's tests share."""
+
+    @classmethod
+    def run_hmlfc(cls, *arguments, **options):
+        command = [PROGRAM, *map(str, arguments)]
+        options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
+        return subprocess.run(command, cwd=cls.folder, timeout=240, check=False, **options)
+
+    @classmethod
+    def hmlfc(cls, *arguments):
+        """Standard output of a run that must succeed and say nothing else."""
+        result = cls.run_hmlfc(*arguments)
+        if result.returncode != DONE or result.stderr:
+            raise AssertionError(
+                f"hmlfc {' '.join(map(str, arguments))}: status {result.returncode}, "
+                f"{result.stderr.decode()}"
+            )
+        return result.stdout.decode()
+
+    @classmethod
+    def hmlfc_json(cls, *arguments):
+        return json.loads(cls.hmlfc(*arguments, "--json"))
+
+    def refused(self, status, *arguments, says=(), **options):
+        """A run that must end with `status`, print no result, and name each of `says`."""
+        result = self.run_hmlfc(*arguments, **options)
+        message = result.stderr.decode()
+        self.assertEqual(result.returncode, status, message)
+        self.assertFalse(result.stdout)
+        self.assertTrue(message.strip())
+        for text in [says] if isinstance(says, str) else says:
+            self.assertIn(text, message)
+        return message
+
+
+def main():
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,58 @@
+"""synth: folders that encode understands, the same for the same arguments."""
+
+import os
+
+from pictures import read_png
+from program import CliTest, main
+
+
+class Synth(CliTest):
+    def synth(self, folder, *options, scene="cards", grid="2x3", size="32x20"):
+        text = self.hmlfc(
+            "synth", "--scene", scene, "--grid", grid, "--size", size, "-o", folder, *options
+        )
+        return text, self.contents(folder)
+
+    def contents(self, folder):
+        names = sorted(os.listdir(self.folder / folder))
+        return {name: (self.folder / folder / name).read_bytes() for name in names}
+
+    def test_names_and_sizes(self):
+        for scene in ("cards", "knights", "glass", "flat", "noise"):
+            with self.subTest(scene=scene):
+                text, files = self.synth(scene, scene=scene)
+                names = [f"{row:02}_{col:02}.png" for row in range(2) for col in range(3)]
+                self.assertEqual(list(files), names)
+                for name in names:
+                    picture = read_png(self.folder / scene / name)
+                    self.assertEqual((picture.width, picture.height), (32, 20))
+                self.assertIn("2 x 3 views of 32 x 20 pixels, 8 bits", text)
+
+    def test_wide_grids_have_wide_names(self):
+        _, files = self.synth("wide", scene="flat", grid="1x101", size="4x4")
+        self.assertEqual(len(files), 101)
+        self.assertIn("000_100.png", files)
+
+    def test_options_matter_and_threads_do_not(self):
+        _, first = self.synth("first")
+        _, same = self.synth("same", "--seed", "1", "--threads", "3")
+        _, seeded = self.synth("seeded", "--seed", "2")
+        _, wider = self.synth("wider", "--baseline", "5.5")
+        self.assertEqual(first, same)
+        self.assertNotEqual(first, seeded)
+        self.assertNotEqual(first, wider)
+
+    def test_no_baseline_no_parallax(self):
+        _, files = self.synth("still", "--baseline", "0", scene="knights")
+        self.assertEqual(len(set(files.values())), 1)
+
+    def test_deep(self):
+        self.synth("deep", "--depth", "10")
+        samples = read_png(self.folder / "deep" / "00_00.png").samples
+        self.assertGreater(max(samples), 255)
+        # Ten bits fill sixteen: the low six repeat the high six.
+        self.assertTrue(all(sample & 63 == sample >> 10 for sample in samples))
+
+
+if __name__ == "__main__":
+    main()

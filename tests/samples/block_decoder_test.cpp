@@ -1,0 +1,102 @@
+// Every sample of small streams put together by hand, on all decoding paths (DEC-1 to DEC-6).
+#include <cstdint>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <hmlfc/decoder.hpp>
+
+#include "samples/naive_stream.hpp"
+
+namespace hmlfc {
+namespace {
+
+using test::Bytes;
+using test::NaiveImage;
+using test::NaiveSize;
+using test::NaiveStream;
+
+NaiveImage ancestor(const NaiveStream& stream, ViewPos view, int level) {
+  NaiveImage image{0, view.row, view.col};
+  while (image.level < level) image = stream.tree().parent(image);
+  return image;
+}
+
+void check_block(const NaiveStream& stream, const Decoder& decoder, const BlockAddress& at,
+                 int level) {
+  const uint32_t side = stream.header().block_size();
+  const NaiveSize size = stream.tree().plane_size(at.plane);
+  const NaiveImage image = ancestor(stream, at.view, level);
+  for (const ReferenceMode mode : {ReferenceMode::kOnDemand, ReferenceMode::kSparse}) {
+    const auto block = decoder.decode_block(at, level, nullptr, nullptr, mode);
+    ASSERT_TRUE(block.has_value()) << to_string(block.error());
+    ASSERT_EQ(block->size(), size_t{side} * side);
+    for (uint32_t j = 0; j < side && at.by * side + j < size.height; ++j) {
+      for (uint32_t i = 0; i < side && at.bx * side + i < size.width; ++i) {
+        ASSERT_EQ((*block)[j * side + i],
+                  stream.sample(image, at.plane, at.bx * side + i, at.by * side + j))
+            << "level " << level << ", block " << at.bx << ", " << at.by << ", sample " << i << ", "
+            << j;
+      }
+    }
+  }
+}
+
+void check_plane(const NaiveStream& stream, const Decoder& decoder, ViewPos view, Plane plane,
+                 int level) {
+  const NaiveSize size = stream.tree().plane_size(plane);
+  const NaiveImage image = ancestor(stream, view, level);
+  const auto samples = decoder.decode_plane(view, plane, level);
+  ASSERT_TRUE(samples.has_value()) << to_string(samples.error());
+  ASSERT_EQ(samples->size(), size_t{size.width} * size.height);
+  for (uint32_t y = 0; y < size.height; ++y) {
+    for (uint32_t x = 0; x < size.width; ++x) {
+      ASSERT_EQ((*samples)[size_t{y} * size.width + x], stream.sample(image, plane, x, y))
+          << plane_name(plane) << " at " << x << ", " << y << " of level " << level;
+    }
+  }
+}
+
+// One plane and some blocks of each view and level.
+void check_stream(std::mt19937& random, const NaiveStream& stream) {
+  const Bytes file = stream.file();
+  const auto decoder = Decoder::open(file);
+  ASSERT_TRUE(decoder.has_value()) << to_string(decoder.error());
+  const StreamHeader& header = stream.header();
+  for (uint32_t row = 0; row < header.rows; ++row) {
+    for (uint32_t col = 0; col < header.cols; ++col) {
+      const Plane plane = kPlanes[random() % 3];
+      const int level = test::draw(random, 0, header.tree_height);
+      ASSERT_NO_FATAL_FAILURE(check_plane(stream, *decoder, {row, col}, plane, level));
+      const NaiveSize blocks = stream.tree().plane_blocks(plane);
+      for (int i = 0; i < 12; ++i) {
+        const BlockAddress at{{row, col},
+                              plane,
+                              static_cast<uint32_t>(random() % blocks.width),
+                              static_cast<uint32_t>(random() % blocks.height)};
+        ASSERT_NO_FATAL_FAILURE(check_block(stream, *decoder, at, level));
+      }
+    }
+  }
+}
+
+TEST(BlockDecoder, RandomStreams) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 30; ++round) {
+    const StreamHeader header = test::draw_stream_header(random);
+    const NaiveStream stream(random, header, 1 + round % 4);
+    ASSERT_NO_FATAL_FAILURE(check_stream(random, stream)) << "round " << round;
+  }
+}
+
+// Without tiles, every view is its key image, or 0 in a predictive image of the top level (DEC-6).
+TEST(BlockDecoder, StreamsWithoutTiles) {
+  std::mt19937 random(2);
+  for (int round = 0; round < 5; ++round) {
+    const NaiveStream stream(random, test::draw_stream_header(random), 0);
+    ASSERT_NO_FATAL_FAILURE(check_stream(random, stream));
+  }
+}
+
+}  // namespace
+}  // namespace hmlfc

@@ -1,0 +1,213 @@
+#include "samples/naive_stream.hpp"
+
+#include <algorithm>
+
+#include "bits/naive_bits.hpp"
+#include "bits/naive_crc32c.hpp"
+#include "samples/jpeg2000.hpp"
+#include "values/naive_bise.hpp"
+
+namespace hmlfc::test {
+namespace {
+
+// STR-7.
+int64_t most_of(int depth) { return (int64_t{1} << depth) - 1; }
+int64_t least_of(Plane plane, int depth) { return plane == Plane::kY ? 0 : -most_of(depth); }
+
+int64_t between(int64_t lo, int64_t x, int64_t hi) { return std::max(lo, std::min(x, hi)); }
+
+void put_group(const std::vector<const Bytes*>& lanes, NaiveBits& groups, NaiveBits& tiles) {
+  std::vector<uint64_t> ends;
+  uint64_t mask = 0;
+  uint64_t end = 0;
+  for (size_t lane = 0; lane < lanes.size(); ++lane) {
+    if (lanes[lane] == nullptr) continue;
+    mask |= uint64_t{1} << lane;
+    end += lanes[lane]->size();
+    ends.push_back(end);
+  }
+  unsigned offset_bits = 1;
+  while ((end >> offset_bits) != 0) ++offset_bits;
+  groups.put(mask, 64).put(tiles.size() / 8, 48).put(offset_bits, 8).put(0, 8);
+  for (const uint64_t e : ends) tiles.put(e, offset_bits);
+  while (tiles.size() % 8 != 0) tiles.put(0, 1);
+  for (const Bytes* bytes : lanes) {
+    if (bytes != nullptr) tiles.put(NaiveBits(*bytes));
+  }
+}
+
+}  // namespace
+
+SectionBytes naive_index(const std::map<uint64_t, Bytes>& tiles, uint64_t count) {
+  NaiveBits root, groups, records;
+  for (uint64_t first = 0; first < count; first += 4096) {
+    const uint64_t first_record = groups.size() / 128;
+    uint64_t mask = 0;
+    for (uint64_t g = 0; g < 64; ++g) {
+      std::vector<const Bytes*> lanes(64);
+      bool any = false;
+      for (uint64_t lane = 0; lane < 64; ++lane) {
+        const auto found = tiles.find(first + 64 * g + lane);
+        if (found == tiles.end()) continue;
+        lanes[lane] = &found->second;
+        any = true;
+      }
+      if (!any) continue;
+      mask |= uint64_t{1} << g;
+      put_group(lanes, groups, records);
+    }
+    root.put(mask, 64).put(first_record, 64);
+  }
+  return {Bytes{}, root.bytes(), groups.bytes(), records.bytes()};
+}
+
+Bytes naive_top(const std::vector<std::pair<Bytes, uint32_t>>& codestreams) {
+  NaiveBits bits;
+  uint64_t offset = 16 * codestreams.size();
+  for (const auto& [bytes, crc] : codestreams) {
+    bits.put(offset, 64).put(bytes.size(), 32).put(crc, 32);
+    offset += bytes.size();
+  }
+  for (const auto& [bytes, crc] : codestreams) bits.put(NaiveBits(bytes));
+  return bits.bytes();
+}
+
+uint32_t naive_sample_crc(const SamplePlane& plane) {
+  NaiveBits bits;
+  for (uint32_t y = 0; y < plane.height; ++y) {
+    for (uint32_t x = 0; x < plane.width; ++x) bits.put_signed(plane.at(x, y), 16);
+  }
+  return naive_crc32c(bits.bytes());
+}
+
+NaiveStream::NaiveStream(std::mt19937& random, const StreamHeader& header, int density)
+    : header_(header), tree_(header) {
+  draw_keys(random);
+  draw_tiles(random, density);
+}
+
+void NaiveStream::draw_keys(std::mt19937& random) {
+  for (const NaiveImage& key : tree_.keys()) {
+    for (const Plane plane : kPlanes) {
+      const NaiveSize size = tree_.plane_size(plane);
+      SamplePlane samples(size.width, size.height);
+      const auto hi = static_cast<int>(most_of(header_.depth));
+      const auto lo = static_cast<int>(least_of(plane, header_.depth));
+      for (int16_t& sample : samples.samples) sample = static_cast<int16_t>(draw(random, lo, hi));
+      keys_[{key, plane}] = samples;
+    }
+  }
+}
+
+TileContext NaiveStream::context_of(const NaiveTile& tile) const {
+  TileContext context;
+  context.predictive = tree_.reference(tile.image) != tile.image;
+  context.window = header_.window;
+  context.depth = header_.depth;
+  context.block_samples = uint64_t{1} << (2 * header_.block_log2);
+  context.blocks_inside = 0;
+  const NaiveSize blocks = tree_.plane_blocks(tile.plane);
+  for (unsigned k = 0; k < 64; ++k) {
+    const bool inside =
+        8 * tile.tx + block_column(k) < blocks.width && 8 * tile.ty + block_row(k) < blocks.height;
+    context.blocks_inside |= uint64_t{inside} << k;
+  }
+  return context;
+}
+
+void NaiveStream::draw_tiles(std::mt19937& random, int density) {
+  for (const NaiveTile& tile : tree_.tiles()) {
+    const bool key =
+        tile.image.level == header_.tree_height && tree_.reference(tile.image) == tile.image;
+    if (key || draw(random, 1, 4) > density) continue;
+    tiles_[tile] = draw_tile(random, context_of(tile));
+  }
+}
+
+Bytes NaiveStream::file() const {
+  std::map<uint64_t, Bytes> records;
+  for (const auto& [tile, model] : tiles_) {
+    records[tree_.tile_number(tile)] = write_tile(model).bits.bytes();
+  }
+  SectionBytes sections = naive_index(records, tree_.tiles().size());
+  std::vector<std::pair<Bytes, uint32_t>> codestreams;
+  for (const NaiveImage& key : tree_.keys()) {
+    for (const Plane plane : kPlanes) {
+      const SamplePlane& samples = keys_.at({key, plane});
+      const bool chroma = plane != Plane::kY;
+      const SamplePrecision precision{header_.depth + (chroma ? 1 : 0), chroma};
+      codestreams.emplace_back(encode_jpeg2000(samples, precision).value(),
+                               naive_sample_crc(samples));
+    }
+  }
+  sections[0] = naive_top(codestreams);
+  return naive_file(header_, sections);
+}
+
+const BlockModel* NaiveStream::block_at(const NaiveImage& image, Plane plane, uint32_t x,
+                                        uint32_t y) const {
+  const uint32_t bx = x >> header_.block_log2;
+  const uint32_t by = y >> header_.block_log2;
+  const auto tile = tiles_.find({image, plane, bx / 8, by / 8});
+  if (tile == tiles_.end()) return nullptr;
+  return &tile->second.blocks[block_number(bx % 8, by % 8)];
+}
+
+int64_t NaiveStream::residual_at(const BlockModel* block, Plane plane, uint32_t x,
+                                 uint32_t y) const {
+  if (block == nullptr || !block->residual) return 0;
+  const uint32_t side = uint32_t{1} << header_.block_log2;
+  const int64_t value = block->values[(y % side) * side + x % side];
+  const int64_t levels = naive_level_counts()[block->level_code];
+  const int64_t bound = most_of(header_.depth) - least_of(plane, header_.depth);
+  return between(-bound, value - levels / 2 + block->bias, bound);
+}
+
+int64_t NaiveStream::reference(const NaiveImage& image, Plane plane, int64_t x, int64_t y) const {
+  const NaiveImage reference = tree_.reference(image);
+  const NaiveSize size = tree_.plane_size(plane);
+  const auto cx = static_cast<uint32_t>(between(0, x, int64_t{size.width} - 1));
+  const auto cy = static_cast<uint32_t>(between(0, y, int64_t{size.height} - 1));
+  if (image.level == header_.tree_height) return keys_.at({reference, plane}).at(cx, cy);
+  return residual_at(block_at(reference, plane, cx, cy), plane, cx, cy);
+}
+
+int64_t NaiveStream::sample(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const {
+  const bool top = image.level == header_.tree_height;
+  if (top && tree_.reference(image) == image) return keys_.at({image, plane}).at(x, y);
+  const int64_t lo = least_of(plane, header_.depth);
+  const int64_t hi = most_of(header_.depth);
+  const int64_t parent = top ? 0 : sample(tree_.parent(image), plane, x, y);
+  const BlockModel* block = block_at(image, plane, x, y);
+  if (block == nullptr) return parent;
+  int64_t value = parent;
+  if (block->motion) {
+    const int64_t ref = reference(image, plane, int64_t{x} + block->dx, int64_t{y} + block->dy);
+    value = between(lo, block->negative ? parent - ref : parent + ref, hi);
+  }
+  if (block->residual) value = between(lo, value + residual_at(block, plane, x, y), hi);
+  return value;
+}
+
+StreamHeader draw_stream_header(std::mt19937& random) {
+  const auto number = [&](int lo, int hi) { return static_cast<uint32_t>(draw(random, lo, hi)); };
+  StreamHeader header;
+  header.rows = number(1, 6);
+  header.cols = number(1, 6);
+  header.width = number(1, 75);
+  header.height = number(1, 75);
+  header.depth = draw(random, 8, 12);
+  header.chroma_format = draw(random, 0, 1) != 0 ? ChromaFormat::k444 : ChromaFormat::k420;
+  header.block_log2 = number(1, 3);
+  header.window = draw(random, 0, 1) != 0 ? draw(random, 0, 127) : draw(random, 0, 12);
+  header.tree_height = draw(random, 0, 3);
+  header.cluster_rows = number(1, 3);
+  header.cluster_cols = number(header.cluster_rows == 1 ? 2 : 1, 3);
+  for (int level = 0; level <= header.tree_height; ++level) {
+    header.levels.push_back(
+        {static_cast<uint8_t>(draw(random, 1, 4)), static_cast<uint8_t>(draw(random, 1, 4))});
+  }
+  return header;
+}
+
+}  // namespace hmlfc::test

@@ -1,0 +1,34 @@
+#!/usr/bin/env python3
+"""Checks the specification against the model and against itself; prints each violation.
+
+citations  every clause cited exists; every clause that a decoder follows is cited in its layers
+errors     annex A has the numbers, names and meanings of the model
+widths     the numbers of section 10 follow from its formulas, and no value leaves its interval
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+import citations
+import error_table
+import widths
+
+CHECKS = {"citations": citations, "errors": error_table, "widths": widths}
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("check", choices=CHECKS)
+    parser.add_argument("root", type=Path, help="the repository")
+    arguments = parser.parse_args()
+    found = list(CHECKS[arguments.check].violations(arguments.root.resolve()))
+    for violation in found:
+        print(violation)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,246 @@
+#!/usr/bin/env python3
+"""Plants one fault after another in a small clean tree: each check must name exactly that fault."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import citations
+import error_table
+import widths
+
+WIDTH_TABLE = """
+| quantity | clause | formula | Y | Co, Cg | bits at n = 8 | bits at n = 12 |
+|---|---|---|---|---|---|---|
+| sample, parent P | STR-7 | | [0, 2^n - 1] | [-(2^n - 1), 2^n - 1] | 9 | 13 |
+| residual bound M | STR-7 | hi - lo | 2^n - 1 | 2^(n+1) - 2 | 9 | 13 |
+| BISE value | TIL-8 | N - 1 | [0, 2^(n+2) - 1] | the same | 10 | 14 |
+| bias | TIL-8 | n + 2 bits | [-2^(n+1), 2^(n+1) - 1] | the same | 10 | 14 |
+| residual before its clamp | TIL-10 | | [-2^(n+2), 2^(n+2) - 2] | the same | 11 | 15 |
+| residual, SRV reference | TIL-10 | | [-(2^n - 1), 2^n - 1] | [-(2^(n+1) - 2), 2^(n+1) - 2] | 10 | 14 |
+| ref | DEC-4 | | [-(2^n - 1), 2^n - 1] | [-(2^(n+1) - 2), 2^(n+1) - 2] | 10 | 14 |
+| P + sign * ref | DEC-3 | | [-(2^n - 1), 2^(n+1) - 2] | [-3(2^n - 1), 3(2^n - 1)] | 11 | 15 |
+| A + residual | DEC-3 | | [-(2^n - 1), 2^(n+1) - 2] | [-3(2^n - 1), 3(2^n - 1)] | 11 | 15 |
+| vector component | TIL-7 | | [-127, 127] | the same | 8 | 8 |
+| t | COL-2 | | [-(2^(n-1) - 1), 3 * 2^(n-1) - 1] | | 10 | 14 |
+| G before its clamp | COL-2 | | [-(2^(n-1) - 1), 3 * 2^(n-1) - 1] | | 10 | 14 |
+| B before its clamp | COL-2 | | [-(2^n - 2), 2^(n+1) - 1] | | 10 | 14 |
+| R before its clamp | COL-2 | | [-(2^n - 2), 2^(n+1) - 1] | | 10 | 14 |
+| image number | IDX-1 | | [0, 2^25 + 2^13 - 1] | | 26 | 26 |
+| tile number | IDX-2 | | [0, 2^51 - 1] | | 51 | 51 |
+| bit position in a tile record | TIL-1 | 64 * (64 * (n + 2) + n + 8) + 4096 | | | 16 | 16 |
+"""
+
+CLAUSES = """
+A clause is written **[DEC-2]** and so on.
+
+**[STR-1]** A light field.
+
+**[DEC-1]** First.
+
+**[DEC-2]** Second, see DEC-1.
+
+**[DEC-3]** Third.
+"""
+
+ANNEX = """
+| number | name | meaning |
+|---|---|---|
+| 0 | ok | no error |
+| 1 | bad_magic | not a stream |
+| 2 | top_sample_range | a key sample outside its interval |
+"""
+
+HEADER = """
+enum class ErrorCode : uint8_t {
+  kOk = 0,
+  kBadMagic = 1,
+  kTopSampleRange = 2,
+};
+inline constexpr int kErrorCodeCount = 3;
+"""
+
+SOURCE = """
+constexpr std::array<ErrorText, kErrorCodeCount> kErrorTexts{{
+    {"ok", "no error"},
+    {"bad_magic", "not a stream"},
+    {"top_sample_range",
+     "a key sample "
+     "outside its interval"},
+}};
+"""
+
+SPECIFICATION = "docs/specification.md"
+CITING_TREE = {
+    SPECIFICATION: CLAUSES,
+    "model/samples/block.cpp": "// First (DEC-1).\n",
+    "model/samples/block.hpp": "// Both (DEC-2 to\n// DEC-3).\n",
+}
+ERROR_TREE = {
+    SPECIFICATION: f"## Annex A: errors\n{ANNEX}\n## Annex B\n",
+    error_table.HEADER: HEADER,
+    error_table.SOURCE: SOURCE,
+}
+WIDTH_TREE = {SPECIFICATION: f"## 9 Other\n\n| a |\n|---|\n\n## 10 Widths\n{WIDTH_TABLE}"}
+
+
+class SpecificationTest(unittest.TestCase):
+    clean_tree = {}
+
+    def found_in(self, check, tree):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in tree.items():
+                path = Path(folder) / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text)
+            return list(check.violations(Path(folder)))
+
+    def found(self, check, name, old, new):
+        """The violations of the clean tree after replacing `old` by `new` in one of its files; a
+        file that it does not have holds `old` before."""
+        text = self.clean_tree.get(name, old)
+        self.assertIn(old, text)
+        return self.found_in(check, {**self.clean_tree, name: text.replace(old, new, 1)})
+
+    def assert_found(self, check, name, old, new, *expected):
+        found = self.found(check, name, old, new)
+        self.assertEqual(len(found), len(expected), found)
+        for violation, words in zip(found, expected):
+            self.assertIn(words, violation)
+
+
+class CitationsTest(SpecificationTest):
+    clean_tree = CITING_TREE
+
+    def plant(self, name, old, new, *expected):
+        self.assert_found(citations, name, old, new, *expected)
+
+    def test_clean_tree(self):
+        self.plant(SPECIFICATION, "First", "First")
+
+    def test_citation_of_nothing(self):
+        block = "model/samples/block.cpp"
+        self.plant(block, "(DEC-1)", "(DEC-1, DEC-4)", "block.cpp: cites DEC-4")
+        self.plant(block, "(DEC-1)", "(DEC-1, DCE-2)", "block.cpp: cites DCE-2")
+        self.plant(block, "(DEC-1)", "(DEC-1 to DEC-4)", "block.cpp: cites DEC-4")
+        self.plant(block, "(DEC-1)", '(DEC-1) field("TIL-7")', "block.cpp: cites TIL-7")
+
+    def test_the_specification_and_the_guides_cite_as_well(self):
+        self.plant(SPECIFICATION, "see DEC-1", "see DEC-7", "specification.md: cites DEC-7")
+        self.plant("docs/guide.md", "x", "DEC-8", "docs/guide.md: cites DEC-8")
+        self.plant("model/cli/info.cpp", "x", "// IDX-1", "model/cli/info.cpp: cites IDX-1")
+        self.plant("model/cli/info.cpp", "x", "CRC-32C and UTF8 are no clauses")
+
+    def test_clause_that_nothing_follows(self):
+        block = "model/samples/block.cpp"
+        self.plant(block, "(DEC-1)", "", "DEC-1 is cited nowhere")
+        self.plant("model/samples/block.hpp", "\n// DEC-3", "", "DEC-3 is cited nowhere")
+        self.plant(SPECIFICATION, "Third.", "Third.\n\n**[DEC-5]** x", "DEC-5 is cited nowhere")
+
+    def test_the_encoder_does_not_count(self):
+        moved = {"model/encoder/block.cpp": "// DEC-1", "model/samples/block.cpp": ""}
+        found = self.found_in(citations, {**self.clean_tree, **moved})
+        self.assertEqual(len(found), 1, found)
+        self.assertIn("DEC-1 is cited nowhere", found[0])
+
+    def test_clause_defined_twice(self):
+        self.plant(SPECIFICATION, "**[DEC-3]**", "**[DEC-2]** x\n**[DEC-3]**", "2 times")
+
+    def test_exemption_of_nothing(self):
+        self.plant(SPECIFICATION, "**[STR-1]** A", "A", "exempts STR-1")
+
+
+class ErrorTableTest(SpecificationTest):
+    clean_tree = ERROR_TREE
+
+    def plant(self, name, old, new, *expected):
+        self.assert_found(error_table, name, old, new, *expected)
+
+    def test_clean_tree(self):
+        self.plant(SPECIFICATION, "Annex", "Annex")
+
+    def test_other_meaning(self):
+        self.plant(SPECIFICATION, "not a stream", "no stream", "error.cpp: error 1 is")
+        self.plant(error_table.SOURCE, "not a stream", "no stream", "error.cpp: error 1 is")
+
+    def test_other_name(self):
+        both = ("error.hpp: error 1", "error.cpp: error 1")
+        self.plant(SPECIFICATION, "| bad_magic", "| bad_majic", *both)
+        self.plant(error_table.SOURCE, '"bad_magic"', '"bad_majic"', both[1])
+        self.plant(error_table.HEADER, "kBadMagic", "kBadMajic", both[0])
+
+    def test_other_number(self):
+        self.plant(
+            error_table.HEADER,
+            "kBadMagic = 1,\n  kTopSampleRange = 2",
+            "kBadMagic = 2,\n  kTopSampleRange = 1",
+            "error 1 is top_sample_range",
+            "error 2 is bad_magic",
+        )
+
+    def test_missing_row(self):
+        row = "| 2 | top_sample_range | a key sample outside its interval |\n"
+        found = self.found(error_table, SPECIFICATION, row, "")
+        self.assertEqual(len(found), 3, found)
+        self.plant(error_table.HEADER, "Count = 3", "Count = 4", "kErrorCodeCount is 4")
+
+
+class WidthsTest(SpecificationTest):
+    clean_tree = WIDTH_TREE
+
+    def plant(self, old, new, row, words):
+        """Every violation is of `row`, and one says `words`."""
+        found = self.found(widths, SPECIFICATION, old, new)
+        self.assertTrue(found, new)
+        self.assertTrue(all(v.startswith(f"widths: {row}: ") for v in found), found)
+        self.assertTrue(any(words in v for v in found), found)
+
+    def test_clean_tree(self):
+        self.assert_found(widths, SPECIFICATION, "Widths", "Widths")
+
+    def test_wrong_bits(self):
+        value, at8, at12 = "BISE value", "bits at n = 8 should be", "bits at n = 12 should be"
+        self.plant("the same | 10 | 14", "the same | 11 | 14", value, at8)
+        self.plant("the same | 10 | 14", "the same | 10 | 13", value, at12)
+        self.plant("| 8 | 8 |", "| 7 | 8 |", "vector component", at8)
+        self.plant("| 26 | 26 |", "| 26 | 25 |", "image number", at12)
+        self.plant("4096 | | | 16", "4096 | | | 17", "bit position in a tile record", at8)
+
+    def test_every_interval_too_narrow_or_too_wide(self):
+        chroma = "[-(2^n - 1), 2^n - 1] | 9"
+        for row, old, faults in (
+            ("sample, parent P", f"[0, 2^n - 1] | {chroma}", [f"[0, 2^n - 2] | {chroma}"]),
+            ("sample, parent P", f"[0, 2^n - 1] | {chroma}", [f"[0, 2^n] | {chroma}"]),
+            ("sample, parent P", chroma, ["[-(2^n - 2), 2^n - 1] | 9", "[-2^n, 2^n - 1] | 9"]),
+            ("residual bound M", "| 2^(n+1) - 2 |", ["| 2^(n+1) - 3 |", "| 2^(n+1) - 1 |"]),
+            ("BISE value", "[0, 2^(n+2) - 1]", ["[0, 2^(n+2) - 2]", "[0, 2^(n+2)]"]),
+            ("bias", "[-2^(n+1), 2^(n+1) - 1]", ["[-2^(n+1) + 1, 2^(n+1) - 1]"]),
+            ("residual before its clamp", "2^(n+2) - 2]", ["2^(n+2) - 1]", "2^(n+2) - 3]"]),
+            ("residual, SRV reference", "2^(n+1) - 2] | 10", ["2^(n+1) - 1] | 10"]),
+            ("P + sign * ref", "[-3(2^n - 1), 3(2^n - 1)]", ["[-3(2^n - 1), 3(2^n - 1) - 1]"]),
+            ("P + sign * ref", "2^(n+1) - 2] | [-3", ["2^(n+1) - 1] | [-3", "2^(n+1) - 3] | [-3"]),
+            ("vector component", "[-127, 127]", ["[-128, 127]", "[-127, 126]"]),
+            ("t", "[-(2^(n-1) - 1), 3", ["[-2^(n-1), 3", "[-(2^(n-1) - 2), 3"]),
+            ("t", "3 * 2^(n-1) - 1]", ["3 * 2^(n-1) - 2]", "3 * 2^(n-1)]"]),
+            ("B before its clamp", "[-(2^n - 2),", ["[-(2^n - 1),", "[-(2^n - 3),"]),
+            ("B before its clamp", "2^(n+1) - 1] | | 10", ["2^(n+1) - 2] | | 10"]),
+        ):
+            for new in faults:
+                with self.subTest(row=row, fault=new):
+                    self.plant(old, new, row, "at n = 3 values reach")
+
+    def test_bounds_that_are_passed(self):
+        words = "at n = 3 values reach"
+        self.plant("2^25 + 2^13 - 1]", "2^25 + 2^13 - 2]", "image number", words)
+        self.plant("[0, 2^51 - 1]", "[0, 3 * 2^49 - 1]", "tile number", words)
+        self.plant("n + 8) + 4096", "n + 8) + 200", "bit position in a tile record", words)
+
+    def test_rows(self):
+        row = "| vector component | TIL-7 | | [-127, 127] | the same | 8 | 8 |\n"
+        other = row.replace("vector", "other")
+        self.assert_found(widths, SPECIFICATION, row, "", "vector component is missing")
+        self.assert_found(widths, SPECIFICATION, row, row + other, "other component is not in")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,109 @@
+"""The width table of section 10: its formulas give its numbers, and values reach but never leave
+its intervals."""
+
+import re
+from functools import cache
+
+from extremes import Tried, most_images, most_tiles
+from specification import read, table_after
+
+HEADING = "## 10"
+WIDTHS = {"bits at n = 8": 8, "bits at n = 12": 12}
+DEPTHS = [3, 4, 5, 8, 9, 10, 11, 12]
+
+REACHED = "reached"
+BOUND = "bound"  # the interval is wider than what occurs
+
+# Each row of the table: (least, greatest) of plane 0 = Y or 1 = Co, Cg at a depth.
+QUANTITIES = {
+    "sample, parent P": (REACHED, lambda tried, plane: tried.samples[plane]),
+    "residual bound M": (REACHED, lambda tried, plane: (0, tried.bounds[plane])),
+    "BISE value": (REACHED, lambda tried, plane: (0, max(tried.level_counts()) - 1)),
+    "bias": (REACHED, lambda tried, plane: tried.biases()),
+    "residual before its clamp": (REACHED, lambda tried, plane: tried.unclamped_residual()),
+    "residual, SRV reference": (REACHED, Tried.residual),
+    "ref": (REACHED, Tried.reference),
+    "P + sign * ref": (REACHED, Tried.phased),
+    "A + residual": (REACHED, Tried.corrected),
+    "vector component": (REACHED, lambda tried, plane: (-127, 127)),
+    "t": (REACHED, lambda tried, plane: tried.ends(tried.t_values())),
+    "G before its clamp": (REACHED, lambda tried, plane: tried.green()),
+    "B before its clamp": (REACHED, lambda tried, plane: tried.blue()),
+    "R before its clamp": (REACHED, lambda tried, plane: tried.red()),
+    "image number": (BOUND, lambda tried, plane: (0, most_images() - 1)),
+    "tile number": (BOUND, lambda tried, plane: (0, most_tiles() - 1)),
+    "bit position in a tile record": (BOUND, lambda tried, plane: (0, tried.longest_record())),
+}
+
+
+def evaluate(formula, n):
+    """The value of a formula such as 3(2^(n-1) - 1)."""
+    expression = re.sub(r"(?<=[\dn)])\s*(?=\()", "*", formula.replace("^", "**"))
+    return eval(expression, {"__builtins__": {}}, {"n": n})  # pylint: disable=eval-used
+
+
+def interval(cell, n):
+    """(lo, hi) of a cell: "[a, b]", or the greatest value alone."""
+    match = re.fullmatch(r"\[(.*), (.*)\]", cell)
+    if match:
+        return evaluate(match.group(1), n), evaluate(match.group(2), n)
+    return 0, evaluate(cell, n)
+
+
+def needed_bits(lo, hi):
+    """Bits of [lo, hi], in two's complement where lo is negative."""
+    if lo >= 0:
+        return hi.bit_length()
+    return 1 + max(hi.bit_length(), (-lo - 1).bit_length())
+
+
+def intervals(row, n):
+    """The row's intervals: of Y, and of Co and Cg where the table has them."""
+    cells = [row["Y"], row["Co, Cg"]]
+    if not cells[0]:
+        return [interval(row["formula"], n)]
+    if cells[1] == "the same":
+        cells[1] = cells[0]
+    return [interval(cell, n) for cell in cells if cell]
+
+
+def row_violations(row):
+    for column, n in WIDTHS.items():
+        found = intervals(row, n)
+        bits = max(needed_bits(lo, hi) for lo, hi in found)
+        if bits != int(row[column]):
+            yield f"{column} should be {bits}, not {row[column]}: the interval is {found}"
+    for n in DEPTHS:
+        found = list(reach_violations(row, n))
+        yield from found
+        if found:
+            return
+
+
+@cache
+def extremes(quantity, n, plane):
+    return QUANTITIES[quantity][1](Tried(n), plane)
+
+
+def reach_violations(row, n):
+    kind = QUANTITIES[row["quantity"]][0]
+    for plane, (lo, hi) in enumerate(intervals(row, n)):
+        least, most = extremes(row["quantity"], n, plane)
+        if least < lo or most > hi:
+            yield f"at n = {n} values reach [{least}, {most}], past [{lo}, {hi}]"
+        elif kind == REACHED and (least, most) != (lo, hi):
+            yield f"at n = {n} values reach [{least}, {most}] only, not [{lo}, {hi}]"
+
+
+def violations(root):
+    head, *rows = table_after(read(root), HEADING)
+    table = [dict(zip(head, row)) for row in rows]
+    for row in table:
+        if row["quantity"] not in QUANTITIES:
+            yield f"widths: {row['quantity']} is not in the table of tests/spec/widths.py"
+            continue
+        for violation in row_violations(row):
+            yield f"widths: {row['quantity']}: {violation}"
+    for quantity in QUANTITIES:
+        if quantity not in [row["quantity"] for row in table]:
+            yield f"widths: {quantity} is missing"
