@@ -105,9 +105,25 @@ Result<void> load_levels(std::span<const uint8_t> file, StreamHeader& header) {
     LevelEntry& level = header.levels[header.levels.size() - 1 - i];
     level.ref_rows = file[at];
     level.ref_cols = file[at + 1];
+    if (level.ref_rows == 0) return header_error(ErrorCode::kBadHeaderField, at);
+    if (level.ref_cols == 0) return header_error(ErrorCode::kBadHeaderField, at + 1);
     if (load_le<uint16_t>(file, at + 2) != 0) {
       return header_error(ErrorCode::kBadHeaderField, at + 2);
     }
+  }
+  return {};
+}
+
+// A size so large that the sum with its offset wraps is past the end as well.
+Result<void> check_section_ends(uint64_t file_size, const StreamHeader& header) {
+  for (const SectionEntry& entry : header.sections) {
+    if (entry.size > file_size || entry.offset > file_size - entry.size) {
+      return fail(ErrorCode::kTruncated, static_cast<Section>(entry.type), file_size);
+    }
+  }
+  const SectionEntry& last = header.sections.back();
+  if (last.offset + last.size != file_size) {
+    return fail(ErrorCode::kTrailingBytes, Section::kTile, last.offset + last.size);
   }
   return {};
 }
@@ -126,15 +142,9 @@ Result<void> load_sections(std::span<const uint8_t> file, StreamHeader& header) 
     if (entry.type != i + 1 || entry.offset != expected_offset) {
       return header_error(ErrorCode::kBadSectionTable, at);
     }
-    if (entry.size > file.size() || entry.offset > file.size() - entry.size) {
-      return fail(ErrorCode::kTruncated, static_cast<Section>(i + 1), file.size());
-    }
     expected_offset = entry.offset + entry.size;
   }
-  if (expected_offset != file.size()) {
-    return fail(ErrorCode::kTrailingBytes, Section::kTile, expected_offset);
-  }
-  return {};
+  return check_section_ends(file.size(), header);
 }
 
 }  // namespace

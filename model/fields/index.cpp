@@ -19,6 +19,12 @@ struct GroupRecord {
   unsigned offset_bits = 0;
 };
 
+// A record number as the stream gives it: first + rank, whose sum may lie past 2^64.
+struct GroupNumber {
+  uint64_t first = 0;
+  uint64_t rank = 0;
+};
+
 unsigned lane_of(uint64_t number) { return static_cast<unsigned>(number & 63u); }
 
 uint64_t bit_address(const StreamView& stream, Section section, uint64_t byte) {
@@ -26,7 +32,8 @@ uint64_t bit_address(const StreamView& stream, Section section, uint64_t byte) {
 }
 
 // The number of the record of `group`, or nothing where all its tiles are empty (IDX-4).
-std::optional<uint64_t> find_group(const StreamView& stream, uint64_t group, const Probe& probe) {
+std::optional<GroupNumber> find_group(const StreamView& stream, uint64_t group,
+                                      const Probe& probe) {
   const auto root = stream.bytes(Section::kRoot);
   const uint64_t at = (group >> kLaneBits) * kRootEntryBytes;
   const uint64_t mask = load_le<uint64_t>(root, static_cast<size_t>(at));
@@ -35,19 +42,20 @@ std::optional<uint64_t> find_group(const StreamView& stream, uint64_t group, con
   if (!has_bit(mask, lane_of(group))) return std::nullopt;
   const uint64_t first = load_le<uint64_t>(root, static_cast<size_t>(at) + 8);
   probe.field(Section::kRoot, address + 64, 64, "first", "IDX-4", static_cast<int64_t>(first));
-  return first + rank(mask, lane_of(group));
+  return GroupNumber{first, rank(mask, lane_of(group))};
 }
 
 // Record `number` of the GROUP section (IDX-5).
-Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, uint64_t number,
+Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNumber number,
                                const Probe& probe) {
   const auto groups = stream.bytes(Section::kGroup);
-  if (number >= groups.size() / kGroupRecordBytes) {
+  const uint64_t records = groups.size() / kGroupRecordBytes;
+  if (number.rank >= records || number.first >= records - number.rank) {
     return stream.error(ErrorCode::kBadRootEntry, Section::kRoot,
                         (group >> kLaneBits) * kRootEntryBytes);
   }
   GroupRecord record;
-  record.at = number * kGroupRecordBytes;
+  record.at = (number.first + number.rank) * kGroupRecordBytes;
   record.tile_mask = load_le<uint64_t>(groups, static_cast<size_t>(record.at));
   const uint64_t place = load_le<uint64_t>(groups, static_cast<size_t>(record.at) + 8);
   record.data = place & ((uint64_t{1} << kDataOffsetBits) - 1);

@@ -101,6 +101,7 @@ Result<TileHead> read_tile_head(FieldCursor& cursor, const TileContext& context)
   head.motion_mask = read_mask(cursor, motion_mode, context.blocks_inside);
   head.residual_mask = read_mask(cursor, residual_mode, context.blocks_inside);
   if (cursor.overrun()) return tile_error(ErrorCode::kTileOverrun, cursor);
+  // TIL-4
   if (((head.motion_mask | head.residual_mask) & ~context.blocks_inside) != 0) {
     return tile_error(ErrorCode::kMaskOutside, cursor);
   }

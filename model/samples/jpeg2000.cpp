@@ -6,7 +6,7 @@
 
 #include <openjpeg.h>
 
-#include "samples/codestream_shape.hpp"
+#include "samples/codestream_head.hpp"
 
 namespace hmlfc {
 namespace {
@@ -136,7 +136,7 @@ int resolutions(const SamplePlane& plane) {
 
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
                                            uint32_t height, SamplePrecision precision) {
-  if (!declares_one_tile(codestream, width, height)) return std::nullopt;
+  if (!has_key_image_head(codestream, width, height)) return std::nullopt;
   Source source{codestream};
   const Stream stream(opj_stream_create(OPJ_J2K_STREAM_CHUNK_SIZE, OPJ_TRUE));
   const Codec codec(opj_create_decompress(OPJ_CODEC_J2K));

@@ -41,6 +41,21 @@ uint32_t shadow_resolution(const SceneParams& params) {
   return std::clamp(2 * std::max(params.width, params.height), 256u, 2048u);
 }
 
+/// Where a sheet is in the middle view.
+struct SheetPlace {
+  double u;  ///< of its middle, in half pictures to the right of the picture's middle
+  double v;  ///< and upwards
+  double z;  ///< distance
+  double half_width;
+};
+
+/// Turned by random tangents of half angles in [-most, most] for each axis.
+Frame random_turn(HashStream& random, const std::array<double, 3>& most) {
+  std::array<double, 3> tangents{};
+  for (size_t i = 0; i < 3; ++i) tangents[i] = random.uniform(-most[i], most[i]);
+  return turned(tangents[0], tangents[1], tangents[2]);
+}
+
 class Cards : public TracedPainter {
  public:
   explicit Cards(const SceneParams& params);
@@ -52,8 +67,7 @@ class Cards : public TracedPainter {
   void add_panels(HashStream& random);
   void add_loose_cards(HashStream& random);
   void add_fan(HashStream& random);
-  void add_sheet(double u, double v, double z, const Frame& frame, double half_width,
-                 const CardFace& face);
+  void add_sheet(const SheetPlace& place, const Frame& frame, const CardFace& face);
   Vec3 cloth_light(const Ray& ray) const;
 
   double half_view_x_;  ///< half of the view's width at distance 1
@@ -75,11 +89,10 @@ Cards::Cards(const SceneParams& params) : TracedPainter(params, kRig) {
   shadows_.emplace(world(), towards_lamp(), Vec3{0, 0, 10}, 10.0, shadow_resolution(params));
 }
 
-/// A sheet whose middle is at (u, v) of the view, in half views, v upwards, at distance z.
-void Cards::add_sheet(double u, double v, double z, const Frame& frame, double half_width,
-                      const CardFace& face) {
-  const double half = half_width * scale_;
-  const Vec3 centre{u * half_view_x_ * z, v * half_view_y_ * z, z};
+void Cards::add_sheet(const SheetPlace& place, const Frame& frame, const CardFace& face) {
+  const double half = place.half_width * scale_;
+  const double z = place.z;
+  const Vec3 centre{place.u * half_view_x_ * z, place.v * half_view_y_ * z, z};
   Shape sheet(ShapeKind::kSheet, centre, frame, {half, half * kAspect, 0});
   sheet.corner_radius = 0.12 * half;
   sheet.material = static_cast<uint32_t>(faces_.size());
@@ -95,11 +108,11 @@ void Cards::add_panels(HashStream& random) {
   for (size_t i = 0; i < kPrints.size(); ++i) {
     const CardFace face{kPrints[i], 1, 0, from_rgb(kInks[random.below(kInks.size())]),
                         random.next()};
-    const Frame frame =
-        turned(random.uniform(-0.12, 0.12), random.uniform(-0.2, 0.2), random.uniform(-0.25, 0.25));
-    add_sheet(kPlaces[i][0] + random.uniform(-0.06, 0.06),
-              kPlaces[i][1] + random.uniform(-0.06, 0.06), random.uniform(10.8, 12.4), frame,
-              random.uniform(1.2, 1.45), face);
+    const Frame frame = random_turn(random, {0.12, 0.2, 0.25});
+    const SheetPlace place{kPlaces[i][0] + random.uniform(-0.06, 0.06),
+                           kPlaces[i][1] + random.uniform(-0.06, 0.06), random.uniform(10.8, 12.4),
+                           random.uniform(1.2, 1.45)};
+    add_sheet(place, frame, face);
   }
 }
 
@@ -114,9 +127,9 @@ void Cards::add_loose_cards(HashStream& random) {
     CardFace face{Print::kFace, 1 + random.below(10), random.below(4),
                   from_rgb(kInks[random.below(2)]), random.next()};
     if (random.below(4) == 0) face.print = Print::kBack;
-    const Frame frame =
-        turned(random.uniform(-0.18, 0.18), random.uniform(-0.22, 0.22), random.uniform(-0.5, 0.5));
-    add_sheet(u, v, random.uniform(6.6, 10.6), frame, random.uniform(0.50, 0.62), face);
+    const Frame frame = random_turn(random, {0.18, 0.22, 0.5});
+    const SheetPlace place{u, v, random.uniform(6.6, 10.6), random.uniform(0.50, 0.62)};
+    add_sheet(place, frame, face);
   }
 }
 
@@ -126,8 +139,9 @@ void Cards::add_fan(HashStream& random) {
   for (int i = 0; i < kCards; ++i) {
     const double turn = 0.16 * (i - 2);
     const CardFace face{Print::kFace, static_cast<uint32_t>(6 + i), suit, {}, 0};
-    add_sheet(-0.05 + 0.21 * (i - 2), -0.42 - 0.035 * (i - 2) * (i - 2), 5.6 - 0.16 * i,
-              turned(0.06, 0.0, -turn), 0.42, face);
+    const SheetPlace place{-0.05 + 0.21 * (i - 2), -0.42 - 0.035 * (i - 2) * (i - 2),
+                           5.6 - 0.16 * i, 0.42};
+    add_sheet(place, turned(0.06, 0.0, -turn), face);
   }
 }
 

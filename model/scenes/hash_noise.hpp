@@ -18,7 +18,8 @@ constexpr double unit_interval(uint64_t hash) {
   return static_cast<double>(hash >> 11) * (1.0 / 9007199254740992.0);
 }
 
-/// A stream of random numbers for one purpose, told apart by `key`.
+/// A stream of random numbers for one purpose, told apart by `key`. Never drawn from twice in the
+/// arguments of one call: compilers evaluate those in different orders. (Braces keep their order.)
 class HashStream {
  public:
   constexpr HashStream(uint64_t seed, uint64_t key) : state_(mix_bits(mix_bits(seed) ^ key)) {}

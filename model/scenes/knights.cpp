@@ -82,7 +82,9 @@ void Knights::add_army(HashStream& random) {
       const double spread = 1.5 + 0.1 * rank;
       const double x = (file - (kFiles - 1) / 2.0 + 0.5 * (rank % 2) - 0.25) * spread;
       const double z = -7.2 + 2.3 * rank;
-      add_knight(world(), x + random.uniform(-0.2, 0.2), z + random.uniform(-0.25, 0.25), look);
+      const double right = random.uniform(-0.2, 0.2);
+      const double back = random.uniform(-0.25, 0.25);
+      add_knight(world(), x + right, z + back, look);
     }
   }
 }

@@ -1,5 +1,6 @@
 // The same bytes for any number of threads.
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <hmlfc/encoder.hpp>
 
@@ -7,6 +8,9 @@
 
 namespace hmlfc {
 namespace {
+
+// Lets 7 threads be 7 on machines with fewer cores.
+const tbb::global_control kSevenThreads(tbb::global_control::max_allowed_parallelism, 7);
 
 TEST(Determinism, BytesDoNotDependOnThreads) {
   const LightField field = test::textured_light_field({5, 7, 61, 43, 8}, 3, 12);

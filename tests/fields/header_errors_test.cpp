@@ -118,8 +118,8 @@ std::vector<Fault> all_faults() {
     faults.push_back({"feature_flags", 12, 4, flags, ErrorCode::kBadFeature, 12, 15});
   }
   add_fixed_fields(faults);
-  add_level_fields(faults);
   faults.push_back(field("header_bytes of another height", 10, 2, kHeaderBytes + 4));
+  add_level_fields(faults);
   add_sections(faults);
   faults.push_back(
       {"TILE past the file", kSectionTable + 3 * 24 + 16, 8, 4, ErrorCode::kTruncated, end, end});

@@ -153,8 +153,8 @@ const BlockModel* NaiveStream::block_at(const NaiveImage& image, Plane plane, ui
   return &tile->second.blocks[block_number(bx % 8, by % 8)];
 }
 
-int64_t NaiveStream::residual_at(const BlockModel* block, Plane plane, uint32_t x,
-                                 uint32_t y) const {
+int64_t NaiveStream::residual(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const {
+  const BlockModel* block = block_at(image, plane, x, y);
   if (block == nullptr || !block->residual) return 0;
   const uint32_t side = uint32_t{1} << header_.block_log2;
   const int64_t value = block->values[(y % side) * side + x % side];
@@ -169,24 +169,36 @@ int64_t NaiveStream::reference(const NaiveImage& image, Plane plane, int64_t x, 
   const auto cx = static_cast<uint32_t>(between(0, x, int64_t{size.width} - 1));
   const auto cy = static_cast<uint32_t>(between(0, y, int64_t{size.height} - 1));
   if (image.level == header_.tree_height) return keys_.at({reference, plane}).at(cx, cy);
-  return residual_at(block_at(reference, plane, cx, cy), plane, cx, cy);
+  return residual(reference, plane, cx, cy);
+}
+
+int64_t NaiveStream::parent_sample(const NaiveImage& image, Plane plane, uint32_t x,
+                                   uint32_t y) const {
+  if (image.level == header_.tree_height) return 0;
+  return sample(tree_.parent(image), plane, x, y);
+}
+
+int64_t NaiveStream::displaced(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const {
+  const BlockModel* block = block_at(image, plane, x, y);
+  return reference(image, plane, int64_t{x} + block->dx, int64_t{y} + block->dy);
+}
+
+int64_t NaiveStream::prediction(const NaiveImage& image, Plane plane, uint32_t x,
+                                uint32_t y) const {
+  const int64_t parent = parent_sample(image, plane, x, y);
+  const BlockModel* block = block_at(image, plane, x, y);
+  if (block == nullptr || !block->motion) return parent;
+  const int64_t ref = displaced(image, plane, x, y);
+  return between(least_of(plane, header_.depth), block->negative ? parent - ref : parent + ref,
+                 most_of(header_.depth));
 }
 
 int64_t NaiveStream::sample(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const {
   const bool top = image.level == header_.tree_height;
   if (top && tree_.reference(image) == image) return keys_.at({image, plane}).at(x, y);
-  const int64_t lo = least_of(plane, header_.depth);
-  const int64_t hi = most_of(header_.depth);
-  const int64_t parent = top ? 0 : sample(tree_.parent(image), plane, x, y);
-  const BlockModel* block = block_at(image, plane, x, y);
-  if (block == nullptr) return parent;
-  int64_t value = parent;
-  if (block->motion) {
-    const int64_t ref = reference(image, plane, int64_t{x} + block->dx, int64_t{y} + block->dy);
-    value = between(lo, block->negative ? parent - ref : parent + ref, hi);
-  }
-  if (block->residual) value = between(lo, value + residual_at(block, plane, x, y), hi);
-  return value;
+  return between(least_of(plane, header_.depth),
+                 prediction(image, plane, x, y) + residual(image, plane, x, y),
+                 most_of(header_.depth));
 }
 
 StreamHeader draw_stream_header(std::mt19937& random) {

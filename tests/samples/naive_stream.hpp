@@ -42,7 +42,12 @@ class NaiveStream {
   /// ref(x, y) of DEC-4 and DEC-5 for image `image`; x and y may lie outside the plane.
   int64_t reference(const NaiveImage& image, Plane plane, int64_t x, int64_t y) const;
 
-  /// The sample of DEC-3 at (x, y) in the plane.
+  // The values of DEC-3 at (x, y) in the plane: the parent's sample P, ref at the displaced place,
+  // A, the residual (0 without one) and the result.
+  int64_t parent_sample(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const;
+  int64_t displaced(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const;
+  int64_t prediction(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const;
+  int64_t residual(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const;
   int64_t sample(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const;
 
  private:
@@ -54,8 +59,6 @@ class NaiveStream {
 
   /// The block that holds (x, y), or null in an empty tile.
   const BlockModel* block_at(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const;
-  int64_t residual_at(const BlockModel* block, Plane plane, uint32_t x, uint32_t y) const;
-
   StreamHeader header_;
   NaiveTree tree_;
   std::map<PlaneOfImage, SamplePlane> keys_;
