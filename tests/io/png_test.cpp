@@ -112,12 +112,12 @@ TEST_F(PngTest, LooksPalettesUpWithAndWithoutTransparency) {
 
 TEST_F(PngTest, TakesTheDepthOf16BitsFromSignificantBits) {
   struct Case {
-    std::optional<Bytes> significant;
+    Bytes significant;  // none if empty
     int depth;
     uint16_t sample;  // of the value 0xABCD
   };
   const std::vector<Case> cases = {
-      {std::nullopt, 12, 0xABC},      {Bytes{12, 12, 12}, 12, 0xABC},
+      {Bytes{}, 12, 0xABC},           {Bytes{12, 12, 12}, 12, 0xABC},
       {Bytes{11, 11, 11}, 11, 0x55E}, {Bytes{10, 10, 10}, 10, 0x2AF},
       {Bytes{9, 9, 9}, 9, 0x157},     {Bytes{8, 8, 8}, 8, 0xAB},
       {Bytes{5, 6, 5}, 8, 0xAB},      {Bytes{16, 16, 16}, 12, 0xABC},

@@ -56,9 +56,9 @@ Bytes make_png(const PngContent& content) {
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (content.colour_type == PNG_COLOR_TYPE_PALETTE) set_palette(png, info, content);
   png_write_info(png, info);
-  if (content.significant) {
+  if (!content.significant.empty()) {
     const png_byte name[] = "sBIT";  // written raw: libpng would refuse odd counts
-    png_write_chunk(png, name, content.significant->data(), content.significant->size());
+    png_write_chunk(png, name, content.significant.data(), content.significant.size());
   }
   const int passes = png_set_interlace_handling(png);
   const size_t row_bytes = content.rows.size() / content.height;

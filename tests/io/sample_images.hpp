@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <hmlfc/image.hpp>
@@ -24,7 +23,7 @@ struct PngContent {
   Bytes palette{};        ///< three bytes an entry
   Bytes palette_alpha{};  ///< tRNS of a palette, or empty
   bool interlaced = false;
-  std::optional<Bytes> significant{};  ///< content of sBIT
+  Bytes significant{};  ///< content of sBIT, or empty for none
 };
 
 /// The bytes of such a PNG file.
