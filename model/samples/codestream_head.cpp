@@ -13,6 +13,7 @@ enum Marker : uint32_t {
   kCom = 0xFF64,
   kSot = 0xFF90,
   kSod = 0xFF93,
+  kEoc = 0xFFD9,
 };
 
 // Offsets of fields from the marker of their segment.
@@ -25,12 +26,17 @@ constexpr size_t kSizTileOrigin = 30;  // two fields
 constexpr size_t kSizComponents = 38;
 constexpr size_t kCodStyle = 4;
 constexpr size_t kCodTransform = 13;
+constexpr size_t kSotTile = 4;
+constexpr size_t kSotTilePartBytes = 6;
+constexpr size_t kSotTilePart = 10;
+constexpr size_t kSotTileParts = 11;
 constexpr size_t kSotBytes = 12;
+constexpr size_t kMarkerBytes = 2;
 
 constexpr uint32_t kOwnPrecincts = 1;  // bit of the coding style
 constexpr uint32_t kReversible = 1;
 
-// Big-endian fields; those past the end read as 0, which no check below accepts.
+// Big-endian fields; those past the end read as 0, which no marker is.
 class Segments {
  public:
   explicit Segments(std::span<const uint8_t> bytes) : bytes_(bytes) {}
@@ -41,8 +47,9 @@ class Segments {
     for (size_t i = 0; i < count; ++i) value = (value << 8) | bytes_[at + i];
     return value;
   }
-  uint32_t marker(size_t at) const { return field(at, 2); }
-  size_t after(size_t at) const { return at + 2 + field(at + 2, 2); }
+  uint32_t marker(size_t at) const { return field(at, kMarkerBytes); }
+  size_t after(size_t at) const { return at + kMarkerBytes + field(at + kMarkerBytes, 2); }
+  size_t size() const { return bytes_.size(); }
 
  private:
   std::span<const uint8_t> bytes_;
@@ -62,6 +69,18 @@ bool is_reversible(const Segments& segments, size_t cod) {
          segments.field(cod + kCodTransform, 1) == kReversible;
 }
 
+// A tile-part of length 0 reaches to EOC, one that announces 0 tile-parts leaves their number open.
+// The EOC that ends the codestream must be where this one ends, lest a later tile-part, with a
+// header of its own, hide before it.
+bool is_only_tile_part(const Segments& segments, size_t sot) {
+  const size_t end = segments.size() - kMarkerBytes;
+  const uint32_t bytes = segments.field(sot + kSotTilePartBytes, 4);
+  return segments.after(sot) == sot + kSotBytes && segments.field(sot + kSotTile, 2) == 0 &&
+         (bytes == 0 || bytes == end - sot) && segments.field(sot + kSotTilePart, 1) == 0 &&
+         segments.field(sot + kSotTileParts, 1) <= 1 && segments.marker(sot + kSotBytes) == kSod &&
+         segments.marker(end) == kEoc;
+}
+
 }  // namespace
 
 bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uint32_t height) {
@@ -79,7 +98,7 @@ bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uin
       case kCom:
         break;
       case kSot:
-        return has_cod && segments.marker(at + kSotBytes) == kSod;
+        return has_cod && is_only_tile_part(segments, at);
       default:
         return false;
     }

@@ -5,7 +5,7 @@ import random
 import shutil
 from json import loads
 
-from pictures import Picture, write_ppm, ycocg
+from pictures import Picture, write_png, write_ppm, ycocg
 from program import DIFFERENT, DONE, INPUT, CliTest, main
 
 KEYS = ["psnr_rgb", "psnr_y", "psnr_rgb_min", "max_abs_error", "identical", "first_difference"]
@@ -109,6 +109,20 @@ class Compare(CliTest):
         self.assertEqual(json["psnr_y"], "inf")
         self.assertAlmostEqual(json["psnr_rgb"], psnr(2, 3, 255), places=9)
 
+    def test_the_first_view_counts_whichever_is_read_first(self):
+        # The first view, a PNG, takes longer to read than the others, which another core reads.
+        samples = [self.random.randint(0, 63) for _ in range(400 * 300 * 3)]
+        for name in ("slow", "slower"):
+            (self.folder / name).mkdir()
+            samples[777] += 1
+            write_png(self.folder / name / "0_0.png", Picture(400, 300, samples))
+            for col in range(1, 8):
+                write_ppm(self.folder / name / f"0_{col}.ppm", Picture(400, 300, samples))
+        for _ in range(5):
+            text = self.run_hmlfc("compare", "slow", "slower").stdout.decode()
+            self.assertRegex(text, r"worst .* view 0,0\n")
+            self.assertRegex(text, r"First difference +view 0,0 x 259 y 0 channel R: ")
+
     def test_deep(self):
         views = self.make("deep", 4095)
         shutil.copytree(self.folder / "deep", self.folder / "deeper")
@@ -144,6 +158,8 @@ class Compare(CliTest):
         shutil.copytree(self.folder / "a", self.folder / "odd")
         write_ppm(self.folder / "odd" / "01_01.ppm", Picture(2, 2, [0] * 12))
         self.refused(INPUT, "compare", "a", "odd", says=["01_01.ppm", "2 x 2"])
+        write_ppm(self.folder / "odd" / "01_01.ppm", Picture(7, 5, [0] * 105), 1023)
+        self.refused(INPUT, "compare", "a", "odd", says=["01_01.ppm", "10 bits"])
 
     def test_missing(self):
         self.refused(INPUT, "compare", "a", "nowhere", says="nowhere")

@@ -1,4 +1,4 @@
-"""Pictures without the program under test: a reader of PNG, a writer of PPM, and colour."""
+"""Pictures without the program under test: PNG, PPM and colour."""
 
 import struct
 import zlib
@@ -73,6 +73,19 @@ def write_ppm(path, picture, maximum=255):
     code = "B" if maximum < 256 else "H"
     body = struct.pack(f">{len(picture.samples)}{code}", *picture.samples)
     path.write_bytes(b"P6 %d %d %d\n" % (picture.width, picture.height, maximum) + body)
+
+
+def write_png(path, picture):
+    """8 bits, without filters."""
+    stride = picture.width * 3
+    lines = (picture.samples[at : at + stride] for at in range(0, len(picture.samples), stride))
+    packed = zlib.compress(b"".join(b"\0" + bytes(line) for line in lines))
+    header = struct.pack(">IIBBBBB", picture.width, picture.height, 8, 2, 0, 0, 0)
+    data = b"\x89PNG\r\n\x1a\n"
+    for kind, body in (b"IHDR", header), (b"IDAT", packed), (b"IEND", b""):
+        check = zlib.crc32(kind + body)
+        data += struct.pack(">I", len(body)) + kind + body + struct.pack(">I", check)
+    path.write_bytes(data)
 
 
 def ycocg(pixel):

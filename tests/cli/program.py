@@ -13,6 +13,7 @@ VERSION = sys.argv[2] if len(sys.argv) > 2 else None
 
 DONE, DIFFERENT, USAGE, INPUT, CORRUPT = range(5)
 INTERNAL, OUT_OF_MEMORY, OUTPUT = 70, 71, 74
+SKIPPED = 77
 
 
 class CliTest(unittest.TestCase):
@@ -64,4 +65,11 @@ class CliTest(unittest.TestCase):
 
 
 def main():
-    unittest.main(argv=sys.argv[:1])
+    """Runs the tests of the script. Exit: 0 all passed, 1 some failed or none ran, 77 none failed and
+    some were skipped; the reasons are printed."""
+    result = unittest.main(argv=sys.argv[:1], exit=False).result
+    for test, reason in result.skipped:
+        print(f"skipped: {test.id()}: {reason}")
+    if not result.wasSuccessful() or result.testsRun == 0:
+        sys.exit(1)
+    sys.exit(SKIPPED if result.skipped else 0)

@@ -261,6 +261,8 @@ TEST(Index, SectionSizesAreChecked) {
                                         {64u, 0u, false},
                                         {0u, 0u, false},
                                         {48u, 15u, false},
+                                        {48u, 8u, false},
+                                        {48u, 24u, false},
                                         {48u, 17u, false}}) {
     const Stream stream(SectionBytes{Bytes{}, Bytes(root), Bytes(group), Bytes(5)});
     const auto checked = check_index_sizes(stream.view());

@@ -16,14 +16,15 @@ namespace {
 using test::NaiveBits;
 
 struct Field {
+  std::string clause;
   std::string name;
   uint64_t bit;
   unsigned bits;
   int64_t value;
   friend bool operator==(const Field&, const Field&) = default;
   friend std::ostream& operator<<(std::ostream& out, const Field& field) {
-    return out << field.name << " = " << field.value << " in " << field.bits << " bits at "
-               << field.bit;
+    return out << field.clause << ' ' << field.name << " = " << field.value << " in " << field.bits
+               << " bits at " << field.bit;
   }
 };
 
@@ -31,8 +32,8 @@ class Recorder final : public TraceSink {
  public:
   void on_field(const FieldRecord& record) override {
     EXPECT_EQ(record.section, Section::kTile);
-    EXPECT_EQ(record.clause.substr(0, 4), "TIL-");
-    fields_.push_back({std::string(record.name), record.bit, record.bits, record.value});
+    fields_.push_back({std::string(record.clause), std::string(record.name), record.bit,
+                       record.bits, record.value});
   }
   void on_stage(const StageRecord&) override {}
   const std::vector<Field>& fields() const { return fields_; }
@@ -83,16 +84,16 @@ TEST(TileTrace, EveryFieldOfABlockWithAllOfThem) {
   EXPECT_EQ(entry->bias, 7);
   const uint64_t at = kFileBit;
   const std::vector<Field> expected{
-      {"motion_mode", at + 0, 2, 3},   {"residual_mode", at + 2, 2, 2},
-      {"quad_mask", at + 4, 16, 5},    {"quad_blocks", at + 20, 4, 8},
-      {"quad_blocks", at + 24, 4, 1},  {"mask", at + 28, 64, 9},
-      {"sign_mode", at + 92, 2, 2},    {"min_x", at + 94, 3, -2},
-      {"codes_x", at + 97, 3, 3},      {"min_y", at + 100, 3, 2},
-      {"codes_y", at + 103, 3, 1},     {"level_base", at + 114, 6, 1},
-      {"level_bits", at + 120, 3, 1},  {"bias_bits", at + 123, 4, 4},
-      {"sign", at + 106, 1, 1},        {"dx", at + 108, 2, 1},
-      {"dy", at + 112, 1, 3},          {"level_delta", at + 127, 1, 0},
-      {"level_delta", at + 132, 1, 1}, {"bias", at + 133, 4, 7}};
+      {"TIL-1", "motion_mode", at + 0, 2, 3},   {"TIL-1", "residual_mode", at + 2, 2, 2},
+      {"TIL-3", "quad_mask", at + 4, 16, 5},    {"TIL-3", "quad_blocks", at + 20, 4, 8},
+      {"TIL-3", "quad_blocks", at + 24, 4, 1},  {"TIL-3", "mask", at + 28, 64, 9},
+      {"TIL-6", "sign_mode", at + 92, 2, 2},    {"TIL-6", "min_x", at + 94, 3, -2},
+      {"TIL-6", "codes_x", at + 97, 3, 3},      {"TIL-6", "min_y", at + 100, 3, 2},
+      {"TIL-6", "codes_y", at + 103, 3, 1},     {"TIL-8", "level_base", at + 114, 6, 1},
+      {"TIL-8", "level_bits", at + 120, 3, 1},  {"TIL-8", "bias_bits", at + 123, 4, 4},
+      {"TIL-6", "sign", at + 106, 1, 1},        {"TIL-7", "dx", at + 108, 2, 1},
+      {"TIL-7", "dy", at + 112, 1, 3},          {"TIL-8", "level_delta", at + 127, 1, 0},
+      {"TIL-8", "level_delta", at + 132, 1, 1}, {"TIL-8", "bias", at + 133, 4, 7}};
   EXPECT_EQ(recorder.fields(), expected);
   EXPECT_EQ(entry->values_at, 137u + 4u) << "behind the four values of block 0";
 }

@@ -1,4 +1,6 @@
-// Every sample of small streams put together by hand, on all decoding paths (DEC-1 to DEC-6).
+// Every sample of small streams put together by hand, on all decoding paths (DEC-1 to DEC-6, COL-2,
+// COL-3).
+#include <algorithm>
 #include <cstdint>
 #include <random>
 
@@ -57,7 +59,56 @@ void check_plane(const NaiveStream& stream, const Decoder& decoder, ViewPos view
   }
 }
 
-// One plane and some blocks of each view and level.
+Rect draw_rect(std::mt19937& random, uint32_t width, uint32_t height) {
+  const auto below = [&](uint32_t end) { return static_cast<uint32_t>(random() % end); };
+  const uint32_t x = below(width);
+  const uint32_t y = below(height);
+  return {x, y, 1 + below(width - x), 1 + below(height - y)};
+}
+
+void check_rect(std::mt19937& random, const NaiveStream& stream, const Decoder& decoder,
+                ViewPos view, Plane plane, int level) {
+  const NaiveSize size = stream.tree().plane_size(plane);
+  const NaiveImage image = ancestor(stream, view, level);
+  const Rect rect = draw_rect(random, size.width, size.height);
+  const auto samples = decoder.decode_rect(view, plane, rect, level);
+  ASSERT_TRUE(samples.has_value()) << to_string(samples.error());
+  ASSERT_EQ(samples->size(), size_t{rect.width} * rect.height);
+  for (uint32_t i = 0; i < rect.width * rect.height; ++i) {
+    const uint32_t x = rect.x + i % rect.width;
+    const uint32_t y = rect.y + i / rect.width;
+    ASSERT_EQ((*samples)[i], stream.sample(image, plane, x, y)) << x << ", " << y;
+  }
+}
+
+int64_t clamped(int64_t value, int depth) {
+  return std::max<int64_t>(0, std::min<int64_t>(value, (1 << depth) - 1));
+}
+
+// COL-2 of one pixel, whose Co and Cg stand where COL-3 says.
+void check_rgb(std::mt19937& random, const NaiveStream& stream, const Decoder& decoder,
+               ViewPos view) {
+  const StreamHeader& header = stream.header();
+  const Rect rect = draw_rect(random, header.width, header.height);
+  const auto picture = decoder.decode_rgb(view, rect);
+  ASSERT_TRUE(picture.has_value()) << to_string(picture.error());
+  const uint32_t half = header.chroma_format == ChromaFormat::k420 ? 2 : 1;
+  for (uint32_t i = 0; i < rect.width * rect.height; ++i) {
+    const uint32_t x = rect.x + i % rect.width;
+    const uint32_t y = rect.y + i / rect.width;
+    const NaiveImage image{0, view.row, view.col};
+    const int64_t co = stream.sample(image, Plane::kCo, x / half, y / half);
+    const int64_t cg = stream.sample(image, Plane::kCg, x / half, y / half);
+    const int64_t t = stream.sample(image, Plane::kY, x, y) - (cg >> 1);
+    const int64_t b = t - (co >> 1);
+    const int64_t rgb[] = {b + co, cg + t, b};
+    for (size_t c = 0; c < 3; ++c) {
+      ASSERT_EQ(picture->samples[3 * i + c], clamped(rgb[c], header.depth)) << x << ", " << y;
+    }
+  }
+}
+
+// One plane, a rectangle, a picture and some blocks of each view.
 void check_stream(std::mt19937& random, const NaiveStream& stream) {
   const Bytes file = stream.file();
   const auto decoder = Decoder::open(file);
@@ -68,6 +119,8 @@ void check_stream(std::mt19937& random, const NaiveStream& stream) {
       const Plane plane = kPlanes[random() % 3];
       const int level = test::draw(random, 0, header.tree_height);
       ASSERT_NO_FATAL_FAILURE(check_plane(stream, *decoder, {row, col}, plane, level));
+      ASSERT_NO_FATAL_FAILURE(check_rect(random, stream, *decoder, {row, col}, plane, level));
+      ASSERT_NO_FATAL_FAILURE(check_rgb(random, stream, *decoder, {row, col}));
       const NaiveSize blocks = stream.tree().plane_blocks(plane);
       for (int i = 0; i < 12; ++i) {
         const BlockAddress at{{row, col},

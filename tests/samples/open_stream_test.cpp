@@ -78,7 +78,8 @@ TEST(OpenStream, SectionSizes) {
   sections = index;
   sections[1].push_back(0);
   starts_with(sections, "bad_section_size in ROOT");
-  sections[1].resize(sections[1].size() - 2);
+  sections = index;
+  sections[1].pop_back();
   starts_with(sections, "bad_section_size in ROOT");
   sections = index;
   sections[2] = Bytes(15);

@@ -151,7 +151,8 @@ void check_reader(std::mt19937& random, const NaiveStream& naive) {
       const bool far = i % 6 == 0;
       const int32_t x = test::draw(random, far ? -200 : -size, far ? w + 200 : w);
       const int32_t y = test::draw(random, far ? -200 : -size, far ? h + 200 : h);
-      std::array<int16_t, 64> read{};
+      std::array<int16_t, 64> read;
+      read.fill(-31000);
       const auto ok = reader->read(x, y, read.data());
       ASSERT_TRUE(ok.has_value()) << to_string(ok.error());
       for (int32_t j = 0; j < size * size; ++j) {
