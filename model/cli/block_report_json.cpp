@@ -53,10 +53,18 @@ Json level_json(const TracedLevel& level, const Geometry& geometry) {
                  : geometry.is_reference(level.site.level, at) ? "reference"
                                                                : "predictive";
   json["state"] = key ? Json(nullptr) : Json(state_name(level.state()));
-  json["fields"] = level.walks.empty() ? Json::array() : fields_json(level.walks.front());
+  if (const TracedWalk* motion = level.walk(TileKind::kMotion)) {
+    json["motion_fields"] = fields_json(*motion);
+  }
+  if (const TracedWalk* disparity = level.walk(TileKind::kDisparity)) {
+    json["disparity"] = {{"image", place_json(disparity->site)},
+                         {"fields", fields_json(*disparity)}};
+  }
+  const TracedWalk* own = level.own_walk();
+  json["fields"] = own == nullptr ? Json::array() : fields_json(*own);
   Json& references = json["reference_blocks"] = Json::array();
-  for (size_t i = 1; i < level.walks.size(); ++i) {
-    const TracedWalk& walk = level.walks[i];
+  for (const TracedWalk& walk : level.walks) {
+    if (!level.is_reference(walk)) continue;
     references.push_back({{"image", place_json(walk.site)},
                           {"block", {walk.site.bx, walk.site.by}},
                           {"fields", fields_json(walk)}});

@@ -13,6 +13,7 @@
 #include "fields/geometry.hpp"
 #include "values/levels.hpp"
 #include "values/sample_range.hpp"
+#include "values/steps.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -38,24 +39,55 @@ bool is_negative(const TracedWalk& walk) {
   return mode == 1 || last_value(walk, "sign").value_or(0) == 1;
 }
 
-// The arithmetic of DEC-3 and TIL-10 with this block's numbers.
-std::string formulas(const TracedLevel& level, const SampleRange& range) {
-  const TracedWalk& walk = level.walks.front();
-  std::string text;
-  if (level.stage("reference") != nullptr) {
-    text += fmt::format(
-        "  prediction = clamp(parent {} reference, {}, {}), reference at (x {}, y {})\n",
-        is_negative(walk) ? '-' : '+', range.lo, range.hi,
-        signed_term(last_value(walk, "dx").value_or(0)),
-        signed_term(last_value(walk, "dy").value_or(0)));
+// The sign of the palette entry that the block's index names (MOT-3); + in an empty tile.
+bool is_negative_entry(const TracedWalk& motion) {
+  const int64_t index = last_value(motion, "index").value_or(-1);
+  int64_t entry = -1;
+  for (const TracedField& field : motion.fields) {
+    if (field.name == "choice") ++entry;
+    if (field.name == "sign" && entry == index) return field.value != 0;
   }
-  if (level.stage("residual") != nullptr) {
-    const int64_t code =
-        last_value(walk, "level_base").value_or(0) + last_value(walk, "level_delta").value_or(0);
-    const uint32_t count = levels_of_code(static_cast<unsigned>(code)).count;
+  return false;
+}
+
+// DEC-3 with motion: `keyed` levels do not use the parent (EXT-5).
+std::string prediction_formula(const TracedLevel& level, bool keyed, const SampleRange& range) {
+  const TracedWalk* motion = level.walk(TileKind::kMotion);
+  const TracedWalk& own = *level.own_walk();
+  const bool negative = motion != nullptr ? is_negative_entry(*motion) : is_negative(own);
+  std::string text = fmt::format("  prediction = clamp({} {} reference, {}, {})",
+                                 keyed ? "0" : "parent", negative ? '-' : '+', range.lo, range.hi);
+  if (motion == nullptr) {
     text +=
-        fmt::format("  residual   = clamp(value - {} {}, {}, {})\n", count >> 1,
-                    signed_term(last_value(walk, "bias").value_or(0)), -range.bound, range.bound);
+        fmt::format(", reference at (x {}, y {})", signed_term(last_value(own, "dx").value_or(0)),
+                    signed_term(last_value(own, "dy").value_or(0)));
+  }
+  return text + "\n";
+}
+
+// TIL-10 or STP-3.
+std::string residual_formula(const TracedWalk& own, const SampleRange& range) {
+  const int64_t code =
+      last_value(own, "level_base").value_or(0) + last_value(own, "level_delta").value_or(0);
+  const uint32_t count = levels_of_code(static_cast<unsigned>(code)).count;
+  const std::string coded =
+      fmt::format("clamp(value - {} {}, {}, {})", count >> 1,
+                  signed_term(last_value(own, "bias").value_or(0)), -range.bound, range.bound);
+  const auto base = last_value(own, "step_base");
+  if (!base) return fmt::format("  residual   = {}\n", coded);
+  const int64_t step_code = *base + last_value(own, "step_delta").value_or(0);
+  return fmt::format("  residual   = clamp({} * {}, {}, {})\n",
+                     step_of_code(static_cast<unsigned>(step_code)), coded, -range.bound,
+                     range.bound);
+}
+
+// The arithmetic of DEC-3 and TIL-10 with this block's numbers.
+std::string formulas(const TracedLevel& level, bool keyed, const SampleRange& range) {
+  std::string text;
+  if (level.own_walk() == nullptr) return text;
+  if (level.stage("reference") != nullptr) text += prediction_formula(level, keyed, range);
+  if (level.stage("residual") != nullptr) {
+    text += residual_formula(*level.own_walk(), range);
     text +=
         fmt::format("  sample     = clamp(prediction + residual, {}, {})\n", range.lo, range.hi);
   }
@@ -72,7 +104,7 @@ std::vector<Square> squares_of(const TracedLevel& level) {
   std::vector<Square> squares;
   if (level.stage("residual") != nullptr) {
     Square raw{"value TIL-9", {}};
-    for (const TracedField& field : level.walks.front().fields) {
+    for (const TracedField& field : level.own_walk()->fields) {
       if (field.name == "value") raw.values.push_back(static_cast<int32_t>(field.value));
     }
     squares.push_back(std::move(raw));
@@ -146,22 +178,32 @@ std::string describe_image(const TracedLevel& level, const Geometry& geometry) {
                      state_name(level.state()));
 }
 
+std::string walk_title(const TracedLevel& level, const TracedWalk& walk) {
+  const BlockSite& site = walk.site;
+  if (level.is_reference(walk)) {
+    const bool residual = last_value(walk, "value").has_value();
+    return fmt::format("  Block {},{} of reference image {},{}: {}\n", site.bx, site.by,
+                       site.image_row, site.image_col,
+                       state_name(residual ? BlockState::kResidual : BlockState::kZero));
+  }
+  if (site.tile == TileKind::kDisparity) {
+    return fmt::format("  The {} of reference image {},{}\n", tile_kind_name(site.tile),
+                       site.image_row, site.image_col);
+  }
+  return fmt::format("  Its {}\n", tile_kind_name(site.tile));
+}
+
 std::string level_text(const TracedLevel& level, const Geometry& geometry,
                        const SampleRange& range) {
   std::string text =
       fmt::format("\nLevel {}, image {},{}, {}\n", level.site.level, level.site.image_row,
                   level.site.image_col, describe_image(level, geometry));
-  for (size_t i = 0; i < level.walks.size(); ++i) {
-    const TracedWalk& walk = level.walks[i];
-    if (i > 0) {
-      const bool residual = last_value(walk, "value").has_value();
-      text += fmt::format("  Block {},{} of reference image {},{}: {}\n", walk.site.bx,
-                          walk.site.by, walk.site.image_row, walk.site.image_col,
-                          state_name(residual ? BlockState::kResidual : BlockState::kZero));
-    }
-    text += field_table(field_rows(walk), i > 0 ? 4 : 2);
+  for (const TracedWalk& walk : level.walks) {
+    const bool own = walk.site == level.site;
+    if (!own || level.walks.front().site != level.site) text += walk_title(level, walk);
+    text += field_table(field_rows(walk), own ? 2 : 4);
   }
-  if (!level.walks.empty()) text += formulas(level, range);
+  text += formulas(level, geometry.level(level.site.level).keyed, range);
   const std::vector<Square> squares = squares_of(level);
   return text + square_table(squares, geometry.block_size(), cell_width(squares));
 }
@@ -188,11 +230,14 @@ std::string to_text(const BlockReport& report) {
     text += level_text(level, geometry, range);
   }
   const AccessCounts& counts = report.counts;
+  const bool motion_tiles = report.header.has(Feature::kMotionTiles);
+  const int tree_height = report.header.tree_height;
   text += fmt::format(
-      "\nCost: {} walks (at most {}, BND-2), {} fields of {} bits = {} bytes, {} serial steps (at "
+      "\nCost: {} walks (at most {}, {}), {} fields of {} bits = {} bytes, {} serial steps (at "
       "most 63 a walk, BND-1)\n",
-      counts.walks, 5 * report.header.tree_height + 1, counts.fields, counts.bits,
-      (counts.bits + 7) / 8, counts.steps);
+      counts.walks, motion_tiles ? 11 * tree_height + 3 : 5 * tree_height + 1,
+      motion_tiles ? "BND-3" : "BND-2", counts.fields, counts.bits, (counts.bits + 7) / 8,
+      counts.steps);
   return text;
 }
 

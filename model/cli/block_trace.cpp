@@ -4,6 +4,21 @@
 
 namespace hmlfc::cli {
 
+const TracedWalk* TracedLevel::own_walk() const {
+  const auto found = std::ranges::find(walks, site, &TracedWalk::site);
+  return found == walks.end() ? nullptr : &*found;
+}
+
+const TracedWalk* TracedLevel::walk(TileKind kind) const {
+  const auto found =
+      std::ranges::find(walks, kind, [](const TracedWalk& walk) { return walk.site.tile; });
+  return found == walks.end() ? nullptr : &*found;
+}
+
+bool TracedLevel::is_reference(const TracedWalk& walk) const {
+  return walk.site.tile == TileKind::kResidual && walk.site != site;
+}
+
 const TracedStage* TracedLevel::stage(std::string_view name) const {
   const auto found = std::ranges::find(stages, name, &TracedStage::name);
   return found == stages.end() ? nullptr : &*found;
@@ -18,7 +33,11 @@ BlockState TracedLevel::state() const {
 }
 
 TracedLevel& BlockTrace::level_of(const BlockSite& site) {
-  if (levels_.empty() || levels_.back().site.level != site.level) levels_.push_back({site, {}, {}});
+  if (levels_.empty() || levels_.back().site.level != site.level) {
+    BlockSite own = site;
+    own.tile = TileKind::kResidual;
+    levels_.push_back({own, {}, {}});
+  }
   return levels_.back();
 }
 

@@ -19,7 +19,7 @@ struct TracedField {
   int64_t value;
 };
 
-/// The fields read for one block of one image.
+/// The fields read for one block of one image from one tile.
 struct TracedWalk {
   BlockSite site;
   std::vector<TracedField> fields;
@@ -34,8 +34,19 @@ struct TracedStage {
 /// One step down the tree.
 struct TracedLevel {
   BlockSite site;
-  std::vector<TracedWalk> walks;  ///< the block itself, then the reference blocks it needed
+  /// The block itself, or its motion tile, its disparity and then itself (MOT-10); after that the
+  /// reference blocks it needed.
+  std::vector<TracedWalk> walks;
   std::vector<TracedStage> stages;
+
+  /// The walk to the block's own entry, or null.
+  const TracedWalk* own_walk() const;
+
+  /// The walk to the block's motion or its disparity, or null.
+  const TracedWalk* walk(TileKind kind) const;
+
+  /// Whether `walk` is one to a reference block.
+  bool is_reference(const TracedWalk& walk) const;
 
   /// The stage of this name, or null.
   const TracedStage* stage(std::string_view name) const;

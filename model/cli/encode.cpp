@@ -9,6 +9,7 @@
 #include <hmlfc/encoder.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/coding_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_bar.hpp"
@@ -27,10 +28,7 @@ struct EncodeOptions {
   std::filesystem::path input;
   std::filesystem::path output;
   std::optional<io::GridShape> grid;
-  Profile profile = Profile::kMain;
-  EncodeParams params;
-  std::optional<double> target_psnr;
-  bool lossless = false;
+  CodingOptions coding;
   bool json = false;
 };
 
@@ -45,22 +43,18 @@ struct EncodeOutcome {
 LightField load(const EncodeOptions& options) {
   ProgressBar progress("Reading", "views");
   const auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
-  return value_or_throw(io::load_light_field(views, static_cast<unsigned>(options.params.threads),
-                                             progress.callback()),
-                        ExitCode::kInput);
+  return value_or_throw(
+      io::load_light_field(views, static_cast<unsigned>(options.coding.params.threads),
+                           progress.callback()),
+      ExitCode::kInput);
 }
 
 EncodedStream encode_field(const LightField& field, const EncodeOptions& options) {
   ProgressBar progress("Encoding", "images");
-  EncodeParams params = options.params;
-  if (options.lossless) {
-    params.chroma = ChromaFormat::k444;
-    params.threshold_ref = 0;
-    params.threshold_pred = 0;
-  }
-  auto stream = options.target_psnr
-                    ? encode_to_psnr(field, params, *options.target_psnr, progress.callback())
-                    : encode(field, params, progress.callback());
+  const EncodeParams& params = options.coding.params;
+  const auto target = options.coding.target_psnr;
+  auto stream = target ? encode_to_psnr(field, params, *target, progress.callback())
+                       : encode(field, params, progress.callback());
   if (!stream)
     throw Failure(ExitCode::kInput, options.input.string() + ": " + stream.error().message);
   return std::move(*stream);
@@ -95,7 +89,7 @@ EncodeOutcome encode_and_measure(const EncodeOptions& options) {
   const StreamFile file(options.output);
   ProgressBar progress("Checking", "views");
   const ErrorSums measured =
-      measure_stream(file, field, options.params.threads, progress.callback());
+      measure_stream(file, field, options.coding.params.threads, progress.callback());
   check_promise(promised, measured, options.output.string());
   outcome.quality = quality_of(measured, field.shape());
   outcome.stream = report_on(file);
@@ -109,8 +103,13 @@ void print_outcome_json(const EncodeOutcome& outcome) {
   json["psnr_y"] = psnr_json(outcome.quality.psnr_y);
   json["max_abs_error"] = outcome.quality.max_abs_error;
   json["cpu_seconds"] = outcome.time.cpu_seconds;
-  json["threshold_ref"] = outcome.params.threshold_ref;
-  json["threshold_pred"] = outcome.params.threshold_pred;
+  if (outcome.params.profile == Profile::kMain) {
+    json["threshold_ref"] = outcome.params.threshold_ref;
+    json["threshold_pred"] = outcome.params.threshold_pred;
+  } else {
+    json["quality"] = outcome.params.quality;
+    json["preset"] = preset_name(outcome.params.preset);
+  }
   print_json(json);
 }
 
@@ -123,20 +122,29 @@ void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outco
   print(fmt::format("Quality       PSNR RGB {}, Y {}, largest error {}\n",
                     psnr_text(outcome.quality.psnr_rgb), psnr_text(outcome.quality.psnr_y),
                     outcome.quality.max_abs_error));
-  print(fmt::format("Thresholds    {} reference, {} predictive images\n",
-                    outcome.params.threshold_ref, outcome.params.threshold_pred));
+  if (outcome.params.profile == Profile::kMain) {
+    print(fmt::format("Thresholds    {} reference, {} predictive images\n",
+                      outcome.params.threshold_ref, outcome.params.threshold_pred));
+  } else if (!outcome.params.lossless) {
+    print(fmt::format("Coded at      quality {}, preset {}\n", outcome.params.quality,
+                      preset_name(outcome.params.preset)));
+  }
   print(fmt::format("Encoding      {:.2f} s, CPU {:.2f} s\n", outcome.time.wall_seconds,
                     outcome.time.cpu_seconds));
 }
 
 ExitCode run_encode(const EncodeOptions& options) {
-  const ThreadLimit limit(options.params.threads);
+  const ThreadLimit limit(options.coding.params.threads);
   check_output_file(options.output);
   const EncodeOutcome outcome = encode_and_measure(options);
-  if (options.target_psnr && outcome.quality.psnr_rgb < *options.target_psnr) {
-    note(fmt::format("Even thresholds of 0 give {} only, less than the {} dB asked for{}",
-                     psnr_text(outcome.quality.psnr_rgb), *options.target_psnr,
-                     options.params.chroma == ChromaFormat::k420
+  const auto target = options.coding.target_psnr;
+  if (target && outcome.quality.psnr_rgb < *target) {
+    const bool main = outcome.params.profile == Profile::kMain;
+    note(fmt::format("Even {} only, less than the {} dB asked for{}",
+                     fmt::format("{} {}", main ? "thresholds of 0 give" : "quality 100 gives",
+                                 psnr_text(outcome.quality.psnr_rgb)),
+                     *target,
+                     outcome.params.chroma == ChromaFormat::k420
                          ? ": halved chroma costs the rest; --chroma 444 keeps it"
                          : ""));
   }
@@ -148,54 +156,6 @@ ExitCode run_encode(const EncodeOptions& options) {
   return ExitCode::kDone;
 }
 
-// Refuses combinations that contradict each other.
-void check(const CLI::App& app, const EncodeOptions& options) {
-  const auto given = [&app](const char* name) { return app.get_option(name)->count() > 0; };
-  const auto refuse = [](const std::string& message) {
-    throw Failure(ExitCode::kUsage, "hmlfc encode: " + message);
-  };
-  const bool thresholds = given("--threshold-ref") || given("--threshold-pred");
-  if (options.target_psnr && thresholds) refuse("--target-psnr chooses the thresholds itself");
-  if (options.lossless && options.target_psnr)
-    refuse("--lossless and --target-psnr exclude each other");
-  if (options.lossless && thresholds) refuse("--lossless sets the thresholds to 0 itself");
-  if (options.lossless && given("--chroma") && options.params.chroma == ChromaFormat::k420) {
-    refuse("--lossless needs --chroma 444");
-  }
-  const Method method = options.params.method;
-  if (method == Method::kMc && given("--height") && options.params.tree_height != 0) {
-    refuse("--method mc has no tree: its height is 0");
-  }
-  if (method == Method::kRlfc && (given("--window") || given("--references"))) {
-    refuse("--method rlfc has no motion: --window and --references do not apply");
-  }
-}
-
-void add_coding_options(CLI::App& app, EncodeParams& params) {
-  add_choice(app, "--method", params.method,
-             {{"hmlfc", Method::kHmlfc}, {"rlfc", Method::kRlfc}, {"mc", Method::kMc}},
-             "Tree and motion, tree only, or motion only")
-      ->default_str("hmlfc");
-  add_rows_by_cols(app, "--cluster", params.cluster_rows, params.cluster_cols, 255,
-                   "Images that share a parent, rows x columns");
-  add_integer(app, "--height", params.tree_height, 0, 15, "Levels of the tree above the views");
-  add_choice(app, "--block", params.block_size, {{"2", 2u}, {"4", 4u}, {"8", 8u}},
-             "Samples along the side of a block")
-      ->default_str(std::to_string(params.block_size));
-  add_integer(app, "--window", params.window, 0, 127,
-              "Largest motion vector component, in samples");
-  add_rows_by_cols(app, "--references", params.ref_rows, params.ref_cols, 255,
-                   "Images that share a reference image, rows x columns");
-  add_integer(app, "--threshold-ref", params.threshold_ref, 0, 1u << 20,
-              "Blocks of less energy are dropped in reference images");
-  add_integer(app, "--threshold-pred", params.threshold_pred, 0, 1u << 20,
-              "The same in predictive images");
-  add_choice(app, "--chroma", params.chroma,
-             {{"420", ChromaFormat::k420}, {"444", ChromaFormat::k444}},
-             "Chroma at half width and height, or in full")
-      ->default_str("420");
-}
-
 }  // namespace
 
 void add_encode(CLI::App& program, Task& task) {
@@ -204,18 +164,15 @@ void add_encode(CLI::App& program, Task& task) {
   add_path(*app, "INPUT", options->input, "Folder of PNG, PPM, PGM or JPEG views");
   add_output(*app, options->output, "FILE", "The .hmlfc file to write");
   add_grid(*app, options->grid);
-  add_choice(*app, "--profile", options->profile, {{"main", Profile::kMain}},
-             "Profile of the stream")
-      ->default_str("main");
-  add_coding_options(*app, options->params);
-  add_decimal(*app, "--target-psnr", "DB", options->target_psnr, 1, 100,
-              "Find the thresholds that give this PSNR over RGB");
-  app->add_flag("--lossless", options->lossless, "Keep every RGB value: thresholds 0, chroma 444");
-  add_threads(*app, options->params.threads);
+  add_coding_options(*app, options->coding);
+  add_threads(*app, options->coding.params.threads);
   app->add_flag("--json", options->json, "Print JSON");
   app->footer(
-      R"(Energy is the sum of the absolute differences from the prediction. --height is lowered to what the
-grid needs.
+      R"(Profile main has the tools of the paper; --threshold-* belong to it: blocks whose energy, the sum of
+the absolute differences from the prediction, is below them are dropped. --quality sets both to
+75 * 2^((60 - Q) / 10) there. Profile extended chooses everything by rate and distortion; without
+--references it finds the groups, and without --chroma the format, by trial. Its tree has --height 0
+unless told otherwise: key views and motion. --preset trades its time for bits.
 
 Views are told by their names: RR_CC.png, out_RR_CC_Y_X_.png, input_CamNNN.png; any other names in
 sorted order, row by row, with --grid. The stream is the same bytes for any number of threads.
@@ -225,15 +182,17 @@ the decoded file. PSNR is that of the mean squared error over all views; "inf" (
 means that nothing differs.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
-motion, residual, top, other}, seconds, psnr_rgb, psnr_y, max_abs_error; then cpu_seconds,
-threshold_ref, threshold_pred. seconds is the time of encoding without reading, writing and checking.
+motion, residual, top, other}, seconds, psnr_rgb, psnr_y, max_abs_error; then cpu_seconds; then
+threshold_ref, threshold_pred in profile main, quality, preset in profile extended. seconds is the time
+of encoding without reading, writing and checking.
 
 Examples:
   hmlfc encode views -o chess.hmlfc --target-psnr 40
+  hmlfc encode views -o paper.hmlfc --profile main --method hmlfc --threshold-pred 50
   hmlfc encode lytro -o lytro.hmlfc --grid 9x9 --lossless)");
   app->callback([&task, app, options] {
     task = [app, options] {
-      check(*app, *options);
+      settle_coding_options(*app, options->coding);
       return run_encode(*options);
     };
   });

@@ -9,6 +9,7 @@
 
 #include "values/bise.hpp"
 #include "values/levels.hpp"
+#include "values/steps.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -25,6 +26,17 @@ std::string levels_meaning(int64_t code) {
                      levels.plain_bits == 1 ? "" : "s");
 }
 
+// MOT-5.
+std::string choice_meaning(int64_t choice) {
+  constexpr std::array<std::string_view, 12> kWords{
+      "no motion",  "own disparity", "left",       "right",       "above",          "below",
+      "above left", "above right",   "below left", "below right", "this disparity", "this vector"};
+  const auto at = static_cast<size_t>(choice);
+  return at < kWords.size() ? std::string(kWords[at]) : "reserved";
+}
+
+unsigned step_code(const TracedField& field) { return static_cast<unsigned>(field.value & 15); }
+
 // What a code stands for, or nothing.
 std::string meaning(const TracedField& field) {
   const auto one_of = [&field](std::array<std::string_view, 4> words) {
@@ -35,6 +47,11 @@ std::string meaning(const TracedField& field) {
   }
   if (field.name == "sign_mode") return one_of({"all +", "all -", "one bit a block", "reserved"});
   if (field.name == "codes_x" || field.name == "codes_y") return levels_meaning(field.value);
+  if (field.name == "disparity_code") return levels_meaning(field.value);
+  if (field.name == "motion_block") return fmt::format("{0} x {0} samples", 4 << field.value);
+  if (field.name == "palette_size") return fmt::format("less 1: {} entries", field.value + 1);
+  if (field.name == "choice") return choice_meaning(field.value);
+  if (field.name == "step_base") return fmt::format("step {}", step_of_code(step_code(field)));
   if (field.name == "sign") return field.value == 0 ? "+" : "-";
   if (field.name == "place") {
     const auto place = static_cast<uint64_t>(field.value);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -19,6 +20,11 @@ struct InfoOptions {
   bool json = false;
 };
 
+std::string tools_text(const StreamHeader& header) {
+  const auto tools = tools_of(header);
+  return tools.empty() ? "" : fmt::format("Tools         {}\n", fmt::join(tools, ", "));
+}
+
 std::string tree_text(const StreamHeader& header) {
   const Geometry geometry(header);
   std::string text = "Tree\n";
@@ -31,9 +37,10 @@ std::string tree_text(const StreamHeader& header) {
     } else {
       text += ", no motion";
     }
-    if (level == geometry.top())
-      text += fmt::format(", {} key image{}", geometry.key_count(),
-                          geometry.key_count() == 1 ? "" : "s");
+    if (shape.keyed) {
+      const uint64_t keys = uint64_t{shape.group_rows()} * shape.group_cols();
+      text += fmt::format(", {} key image{}", keys, keys == 1 ? "" : "s");
+    }
     text += "\n";
   }
   return text;
@@ -65,7 +72,8 @@ ExitCode run_info(const InfoOptions& options) {
   const LightFieldShape shape{header.rows, header.cols, header.width, header.height, header.depth};
   print(fmt::format("Light field   {}\nCoding        {}\n", describe(shape),
                     describe_coding(header)) +
-        size_text(report) + tree_text(header) + states_text(report.statistics));
+        tools_text(header) + size_text(report) + tree_text(header) +
+        states_text(report.statistics));
   return ExitCode::kDone;
 }
 
@@ -82,8 +90,8 @@ void add_info(CLI::App& program, Task& task) {
 residual are rounded down from bits, index is the rest.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
-motion, residual, top, other}; then depth, chroma, block, window, cluster, tree_height, levels (from
-the top), states (numbers of blocks).
+motion, residual, top, other}; then depth, chroma, block, window, cluster, tree_height, tools (feature
+flags), levels (from the top), states (numbers of blocks).
 
 Example:
   hmlfc info chess.hmlfc)");

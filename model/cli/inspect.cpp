@@ -90,7 +90,8 @@ demand, as by a decoder that keeps nothing.
 
 JSON keys: view, plane, block, levels[]{level, image, kind, state, fields[]{section, byte, bit, bits,
 name, clause, value}, reference_blocks[]{image, block, fields}, stages{}{clause, values}}, cost{walks,
-fields, bits, bytes, steps}.
+fields, bits, bytes, steps}. In streams with motion tiles a level may have motion_fields[] and
+disparity{image, fields[]} too.
 
 Example:
   hmlfc inspect chess.hmlfc --view 3,5 --plane Y --block 10,7)");

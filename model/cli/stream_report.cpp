@@ -65,7 +65,7 @@ Json report_json(const StreamReport& report) {
   json["cols"] = header.cols;
   json["width"] = header.width;
   json["height"] = header.height;
-  json["profile"] = "main";
+  json["profile"] = profile_name(header.profile);
   json["method"] = method_name(header);
   Json& sections = json["sections"];
   for (const auto& [name, bytes] : section_rows(report.statistics.sections)) sections[name] = bytes;
@@ -80,6 +80,7 @@ void add_structure(const StreamReport& report, Json& json) {
   json["window"] = header.window;
   json["cluster"] = {header.cluster_rows, header.cluster_cols};
   json["tree_height"] = header.tree_height;
+  json["tools"] = tools_of(header);
   json["levels"] = levels_json(header);
   const auto& states = report.statistics.states;
   json["states"] = {{"zero", states[0]},
@@ -88,10 +89,19 @@ void add_structure(const StreamReport& report, Json& json) {
                     {"residual", states[3]}};
 }
 
+std::vector<std::string> tools_of(const StreamHeader& header) {
+  std::vector<std::string> tools;
+  for (unsigned bit = 0; bit < kFeatureCount; ++bit) {
+    const auto feature = static_cast<Feature>(bit);
+    if (header.has(feature)) tools.emplace_back(feature_name(feature));
+  }
+  return tools;
+}
+
 std::string describe_coding(const StreamHeader& header) {
-  return fmt::format("{}, profile main, {}x{} blocks, window {}, clusters of {}x{}, {}",
-                     method_name(header), header.block_size(), header.block_size(), header.window,
-                     header.cluster_rows, header.cluster_cols,
+  return fmt::format("{}, profile {}, {}x{} blocks, window {}, clusters of {}x{}, {}",
+                     method_name(header), profile_name(header.profile), header.block_size(),
+                     header.block_size(), header.window, header.cluster_rows, header.cluster_cols,
                      header.chroma_format == ChromaFormat::k444 ? "4:4:4" : "4:2:0");
 }
 

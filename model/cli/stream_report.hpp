@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <hmlfc/format.hpp>
 #include <hmlfc/statistics.hpp>
@@ -33,8 +34,11 @@ StreamReport report_on(const StreamFile& file);
 Json report_json(const StreamReport& report);
 
 /// The parameters in the header, for info: depth, chroma, block, window, cluster, tree_height,
-/// levels and the states of the blocks.
+/// tools, levels and the states of the blocks.
 void add_structure(const StreamReport& report, Json& json);
+
+/// Names of the feature flags that are set.
+std::vector<std::string> tools_of(const StreamHeader& header);
 
 /// "hmlfc, profile main, 4x4 blocks, window 16, clusters of 2x2, 4:2:0".
 std::string describe_coding(const StreamHeader& header);

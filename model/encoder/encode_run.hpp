@@ -54,4 +54,20 @@ inline tl::expected<StreamHeader, EncodeError> checked_header(const LightFieldSh
       EncodeError{"an encoding parameter is outside its interval (see hmlfc encode --help)"});
 }
 
+/// Checks `params` before anything is done: a group that is left to the encoder counts as 1 x 1.
+inline tl::expected<void, EncodeError> check_params(const LightFieldShape& shape,
+                                                    const EncodeParams& params) {
+  EncodeParams settled = params;
+  if (params.profile == Profile::kExtended) {
+    settled.ref_rows = std::max(1u, params.ref_rows);
+    settled.ref_cols = std::max(1u, params.ref_cols);
+    if (!(params.quality >= 0 && params.quality <= 100)) {
+      return tl::unexpected(EncodeError{"the quality is outside [0, 100]"});
+    }
+  }
+  const auto header = checked_header(shape, settled);
+  if (!header) return tl::unexpected(header.error());
+  return {};
+}
+
 }  // namespace hmlfc

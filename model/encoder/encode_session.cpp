@@ -5,9 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
-#include "bits/crc32c.hpp"
-#include "bits/little_endian.hpp"
 #include "encoder/index_writer.hpp"
+#include "encoder/stream_assembly.hpp"
 #include "encoder/view_planes.hpp"
 #include "fields/header.hpp"
 #include "samples/jpeg2000.hpp"
@@ -31,6 +30,25 @@ int useful_height(const LightFieldShape& shape, const EncodeParams& params, int 
     ++height;
   }
   return height;
+}
+
+// Profile extended with all its tools; row_scale is chosen later.
+void use_extended_tools(const EncodeParams& params, StreamHeader& header) {
+  header.profile = Profile::kExtended;
+  const auto use = [&](Feature feature) { header.feature_flags |= feature_bit(feature); };
+  use(Feature::kResidualStep);
+  use(Feature::kBalancedGroups);
+  if (!params.lossless) use(Feature::kLossyKeys);
+  if (params.method == Method::kRlfc) return;
+  use(Feature::kMotionTiles);
+  use(Feature::kSubpelVectors);
+  use(Feature::kSharedDisparity);
+  use(Feature::kTwoReferences);
+  header.vector_precision = 3;
+  header.disparity_precision = 3;
+  header.motion_tile_log2 = 6;
+  header.disparity_grid_log2 = std::max(3u, header.block_log2);
+  header.row_scale = 16;
 }
 
 std::vector<ImagePos> key_positions(const Geometry& geometry) {
@@ -72,7 +90,10 @@ Result<StreamHeader> header_for(const LightFieldShape& shape, const EncodeParams
   const LevelEntry lone{};
   header.levels.assign(static_cast<size_t>(header.tree_height) + 1,
                        params.method == Method::kRlfc ? lone : motion);
-  if (params.method == Method::kHmlfc) header.levels.back() = lone;
+  // In profile main a tree's top level is all key images. At height 0 they would be all views.
+  const bool lone_top = params.profile == Profile::kMain || header.tree_height > 0;
+  if (params.method == Method::kHmlfc && lone_top) header.levels.back() = lone;
+  if (params.profile == Profile::kExtended) use_extended_tools(params, header);
   if (auto ok = check_fields(header); !ok) return tl::unexpected(ok.error());
   return header;
 }
@@ -107,18 +128,7 @@ std::vector<uint8_t> EncodeSession::write_top() const {
       crcs[entry] = sample_crc(inside);
     }
   });
-  std::vector<uint8_t> section;
-  uint64_t offset = codestreams.size() * kTopEntryBytes;
-  for (size_t i = 0; i < codestreams.size(); ++i) {
-    append_le(section, offset);
-    append_le(section, static_cast<uint32_t>(codestreams[i].size()));
-    append_le(section, crcs[i]);
-    offset += codestreams[i].size();
-  }
-  for (const auto& codestream : codestreams) {
-    section.insert(section.end(), codestream.begin(), codestream.end());
-  }
-  return section;
+  return hmlfc::top_section(codestreams, crcs);
 }
 
 CodedImages EncodeSession::encode(uint32_t threshold_ref, uint32_t threshold_pred, bool last,
@@ -164,18 +174,7 @@ std::vector<uint8_t> EncodeSession::stream(CodedImages& images) const {
   }
   index.finish();
 
-  StreamHeader header = header_;
-  const std::vector<uint8_t>* sections[] = {&top_, &index.root, &index.groups, &index.tiles};
-  uint64_t offset = header_size(header.tree_height);
-  for (size_t i = 0; i < header.sections.size(); ++i) {
-    const auto type = static_cast<uint32_t>(i + 1);
-    header.sections[i] = {type, crc32c(*sections[i]), offset, sections[i]->size()};
-    offset += sections[i]->size();
-  }
-  std::vector<uint8_t> bytes = write_header(header);
-  bytes.reserve(static_cast<size_t>(offset));
-  for (const auto* section : sections) bytes.insert(bytes.end(), section->begin(), section->end());
-  return bytes;
+  return assemble_stream(header_, top_, index);
 }
 
 }  // namespace hmlfc

@@ -7,6 +7,7 @@
 
 #include "encoder/encode_run.hpp"
 #include "encoder/encode_session.hpp"
+#include "encoder/quality_search.hpp"
 
 namespace hmlfc {
 namespace {
@@ -113,9 +114,15 @@ tl::expected<EncodedStream, EncodeError> encode_to_psnr(const LightField& light_
   if (!(target_db >= 1 && target_db <= 100)) {
     return tl::unexpected(EncodeError{"the target PSNR must lie in [1, 100] dB"});
   }
-  const auto header = checked_header(light_field.shape(), params);
-  if (!header) return tl::unexpected(header.error());
+  if (auto ok = check_params(light_field.shape(), params); !ok) {
+    return tl::unexpected(ok.error());
+  }
   return run_encoder(params.threads, [&]() -> tl::expected<EncodedStream, EncodeError> {
+    if (params.profile == Profile::kExtended) {
+      return search_quality(light_field, params, target_db, progress);
+    }
+    const auto header = checked_header(light_field.shape(), params);
+    if (!header) return tl::unexpected(header.error());
     return ThresholdSearch(light_field, *header, params, target_db, progress).run();
   });
 }

@@ -1,51 +1,17 @@
 #include "encoder/tile_writer.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <optional>
 
-#include "bits/bit_mask.hpp"
 #include "bits/bit_writer.hpp"
-#include "encoder/residual_coding.hpp"
+#include "encoder/mask_writer.hpp"
+#include "encoder/residual_writer.hpp"
 #include "values/bise.hpp"
 
 namespace hmlfc {
 namespace {
 
-enum MaskMode : uint32_t { kMaskNone = 0, kMaskAll = 1, kMaskRaw = 2, kMaskQuads = 3 };
 enum SignMode : uint32_t { kSignsPlus = 0, kSignsMinus = 1, kSignsMixed = 2 };
-
-uint32_t quad_blocks(uint64_t mask, unsigned q) {
-  return static_cast<uint32_t>((mask >> (kBlocksInQuad * q)) & 0xF);
-}
-
-uint32_t quad_mask(uint64_t mask) {
-  uint32_t quads = 0;
-  for (unsigned q = 0; q < kQuadsInTile; ++q) {
-    quads |= static_cast<uint32_t>(quad_blocks(mask, q) != 0) << q;
-  }
-  return quads;
-}
-
-// The mode that takes the fewest bits (TIL-3).
-uint32_t mask_mode(uint64_t mask, uint64_t inside) {
-  if (mask == 0) return kMaskNone;
-  if (mask == inside) return kMaskAll;
-  const auto quads = static_cast<unsigned>(std::popcount(quad_mask(mask)));
-  return kQuadsInTile + kBlocksInQuad * quads < 64 ? kMaskQuads : kMaskRaw;
-}
-
-void put_mask(BitWriter& writer, uint64_t mask, uint32_t mode) {
-  if (mode == kMaskRaw) {
-    writer.put(static_cast<uint32_t>(mask), 32);
-    writer.put(static_cast<uint32_t>(mask >> 32), 32);
-  } else if (mode == kMaskQuads) {
-    const uint32_t quads = quad_mask(mask);
-    writer.put(quads, kQuadsInTile);
-    for (unsigned q = 0; q < kQuadsInTile; ++q) {
-      if (has_bit(quads, q)) writer.put(quad_blocks(mask, q), kBlocksInQuad);
-    }
-  }
-}
 
 // One component of all vectors: bounds, then values (TIL-6).
 struct ComponentCode {
@@ -97,40 +63,13 @@ void put_vectors(BitWriter& writer, std::span<const BlockChoice> choices, int wi
   bise_put(writer, levels_of_code(coded_y.code), coded_y.values);
 }
 
-ResidualInterval interval_of(const BlockValues& residual) {
-  const auto values = residual.span();
-  const auto [lo, hi] = std::minmax_element(values.begin(), values.end());
-  return {*lo, *hi};
-}
-
-void put_values(BitWriter& writer, const BlockValues& residual, const BlockCode& code) {
-  const Levels levels = levels_of_code(code.level_code);
-  std::vector<uint32_t> values;
-  for (const int32_t value : residual.span()) {
-    const int32_t shifted = value - code.bias + static_cast<int32_t>(levels.count >> 1);
-    values.push_back(static_cast<uint32_t>(shifted));
-  }
-  bise_put(writer, levels, values);
-}
-
 void put_residuals(BitWriter& writer, std::span<const BlockChoice> choices,
                    const TileContext& context) {
   std::vector<const BlockValues*> residuals;
-  std::vector<ResidualInterval> intervals;
   for (const BlockChoice& choice : choices) {
-    if (!choice.has_residual()) continue;
-    residuals.push_back(&choice.residual);
-    intervals.push_back(interval_of(choice.residual));
+    if (choice.has_residual()) residuals.push_back(&choice.residual);
   }
-  const ResidualCoding coding = best_coding(intervals, context.block_samples, context.depth);
-  writer.put(coding.level_base, 6);
-  writer.put(coding.level_bits, 3);
-  writer.put(coding.bias_bits, 4);
-  for (const BlockCode& block : coding.blocks) {
-    writer.put(block.level_code - coding.level_base, coding.level_bits);
-    writer.put_signed(block.bias, coding.bias_bits);
-  }
-  for (size_t i = 0; i < residuals.size(); ++i) put_values(writer, *residuals[i], coding.blocks[i]);
+  put_residual_blocks(writer, residuals, context.depth, std::nullopt);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "bits/bit_mask.hpp"
 #include "values/bise.hpp"
+#include "values/steps.hpp"
 
 namespace hmlfc {
 namespace {
@@ -49,20 +50,33 @@ Result<void> read_vector(FieldCursor& cursor, const TileHead& head, const TileCo
   return {};
 }
 
+// The level code and the step code of the block header at the cursor (TIL-8, STP-1).
+Result<void> read_codes(FieldCursor& cursor, const TileResiduals& residuals,
+                        const TileContext& context, BlockEntry& entry) {
+  const uint64_t at = cursor.position();
+  const unsigned code = residuals.level_base + static_cast<unsigned>(cursor.take(
+                                                   "level_delta", "TIL-8", residuals.level_bits));
+  if (code > max_residual_level_code(context.depth)) {
+    return entry_error(ErrorCode::kBadLevels, cursor, at);
+  }
+  entry.levels = levels_of_code(code);
+  if (!context.steps) return {};
+  const unsigned step_code = residuals.step_base + static_cast<unsigned>(cursor.take(
+                                                       "step_delta", "STP-1", residuals.step_bits));
+  if (step_code > kMaxStepCode) return entry_error(ErrorCode::kBadLevels, cursor, at);
+  entry.step = step_of_code(step_code);
+  return {};
+}
+
 // Adds up the value sizes of the blocks before k, then reads the header of k (TIL-8, TIL-9).
 Result<void> read_residual_header(FieldCursor& cursor, const TileHead& head,
                                   const TileContext& context, unsigned k, BlockEntry& entry) {
   const TileResiduals& residuals = head.residuals;
   const unsigned m = rank(head.residual_mask, k);
-  const unsigned max_code = max_residual_level_code(context.depth);
   entry.values_at = residuals.values_at;
   cursor.seek(residuals.headers_at);
   for (unsigned header = 0;; ++header) {
-    const uint64_t at = cursor.position();
-    const unsigned code = residuals.level_base + static_cast<unsigned>(cursor.take(
-                                                     "level_delta", "TIL-8", residuals.level_bits));
-    if (code > max_code) return entry_error(ErrorCode::kBadLevels, cursor, at);
-    entry.levels = levels_of_code(code);
+    if (auto ok = read_codes(cursor, residuals, context, entry); !ok) return ok;
     if (header == m) break;
     cursor.skip(residuals.bias_bits);
     entry.values_at += bise_bits(entry.levels, context.block_samples);

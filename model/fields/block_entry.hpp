@@ -1,4 +1,4 @@
-// What a tile record says about one block (TIL-5, TIL-7 to TIL-9).
+// What a tile record says about one block (TIL-5, TIL-7 to TIL-9, STP-1).
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,7 @@ struct BlockEntry {
   int32_t dy = 0;
   Levels levels;           ///< of the block's values
   int32_t bias = 0;        ///< [-2^(depth + 1), 2^(depth + 1) - 1]
+  int32_t step = 1;        ///< [1, 256] (STP-2)
   uint64_t values_at = 0;  ///< first bit of the block's values in the record
 
   bool has_motion() const {

@@ -31,6 +31,18 @@ struct PlaneShape {
   uint64_t samples() const { return uint64_t{width} * height; }
 };
 
+/// One motion plane in samples and motion tiles (MOT-1).
+struct MotionPlaneShape {
+  uint32_t width = 0;
+  uint32_t height = 0;
+  uint32_t tiles_x = 0;
+  uint32_t tiles_y = 0;
+  uint64_t first_tile = 0;  ///< number of its first tile within an image (IDX-2)
+  bool halves = false;      ///< also serves planes of half its width and height (MOT-4)
+
+  uint64_t tiles() const { return uint64_t{tiles_x} * tiles_y; }
+};
+
 /// One level of the tree (STR-3, STR-4).
 struct LevelShape {
   uint32_t rows = 0;
@@ -38,6 +50,12 @@ struct LevelShape {
   uint32_t ref_rows = 1;
   uint32_t ref_cols = 1;
   uint64_t first_image = 0;  ///< F_l of IDX-1
+  bool keyed = false;        ///< its reference images are key images (EXT-4)
+  bool balanced = false;     ///< its groups are those of EXT-3
+  uint64_t first_key = 0;    ///< number of its first key image, in ascending image numbers (KEY-1)
+
+  uint32_t group_rows() const;
+  uint32_t group_cols() const;
 
   uint64_t images() const { return uint64_t{rows} * cols; }
 };
@@ -65,6 +83,15 @@ class Geometry {
   /// The number of tile (tx, ty) of plane `p` of image number `image` (IDX-2).
   uint64_t tile_number(uint64_t image, Plane p, uint32_t tx, uint32_t ty) const;
 
+  /// The motion planes: none, one or two (MOT-1).
+  const std::vector<MotionPlaneShape>& motion_planes() const { return motion_planes_; }
+
+  /// Index in motion_planes() of the one that serves plane `p`; there is one (MOT-1).
+  size_t motion_plane_of(Plane p) const { return p == Plane::kY ? 0 : motion_planes_.size() - 1; }
+
+  /// The number of motion tile (tx, ty) of motion plane `m` of image number `image` (IDX-2, MOT-1).
+  uint64_t motion_tile_number(uint64_t image, size_t m, uint32_t tx, uint32_t ty) const;
+
   /// The ancestor at level `l` of image `at` of level `from`, from <= l (DEC-1).
   ImagePos ancestor(ImagePos at, int from, int l) const;
 
@@ -73,23 +100,34 @@ class Geometry {
 
   bool is_reference(int l, ImagePos at) const { return reference_of(l, at) == at; }
 
-  /// Key images are the reference images of the top level (STR-5).
-  bool is_key(int l, ImagePos at) const { return l == top() && is_reference(l, at); }
+  /// Row and column of the reference group of image `at` of level `l` (STR-4, EXT-3).
+  ImagePos group_of(int l, ImagePos at) const;
+
+  /// The reference image of group `group` of level `l` (STR-4, EXT-3).
+  ImagePos reference_of_group(int l, ImagePos group) const;
+
+  /// Key images are the reference images of keyed levels (STR-5, EXT-4).
+  bool is_key(int l, ImagePos at) const { return level(l).keyed && is_reference(l, at); }
 
   /// Number of key images.
-  uint64_t key_count() const;
+  uint64_t key_count() const { return key_count_; }
 
-  /// The rank of key image `at` of the top level among all key images (KEY-1).
-  uint64_t key_number(ImagePos at) const;
+  /// The rank of key image `at` of keyed level `l` among all key images (KEY-1).
+  uint64_t key_number(int l, ImagePos at) const;
 
  private:
   std::vector<LevelShape> levels_;
   std::array<PlaneShape, kPlaneCount> planes_;
+  std::vector<MotionPlaneShape> motion_planes_;
   unsigned block_size_;
   uint32_t cluster_rows_;
   uint32_t cluster_cols_;
   uint64_t image_count_ = 0;
   uint64_t tiles_per_image_ = 0;
+  uint64_t key_count_ = 0;
+
+  void add_planes(const StreamHeader& header);
+  void add_levels(const StreamHeader& header);
 };
 
 }  // namespace hmlfc

@@ -5,6 +5,7 @@
 
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
+#include "fields/extended_fields.hpp"
 
 namespace hmlfc {
 namespace {
@@ -27,9 +28,9 @@ constexpr size_t kAtWindow = 31;
 constexpr size_t kAtClusterRows = 32;
 constexpr size_t kAtClusterCols = 33;
 constexpr size_t kAtTreeHeight = 34;
-constexpr size_t kAtReserved = 35;
+constexpr size_t kAtReserved = 35;  // in profile main; the fields of EXT-2 in profile extended
+constexpr size_t kAtReservedExtended = 40;
 constexpr size_t kAtLevels = 44;
-constexpr size_t kReservedBytes = kAtLevels - kAtReserved;
 constexpr size_t kLevelEntryBytes = 4;
 constexpr size_t kSectionEntryBytes = 24;
 constexpr size_t kCrcBytes = 4;
@@ -51,10 +52,14 @@ Result<void> check_envelope(std::span<const uint8_t> file) {
   if (load_le<uint32_t>(file, at_crc) != crc32c(file.first(at_crc))) {
     return header_error(ErrorCode::kBadHeaderCrc, at_crc);
   }
-  if (file[kAtProfile] != static_cast<uint8_t>(Profile::kMain)) {
+  if (file[kAtProfile] > static_cast<uint8_t>(Profile::kExtended)) {
     return header_error(ErrorCode::kBadProfile, kAtProfile);
   }
   return {};
+}
+
+size_t reserved_offset(Profile profile) {
+  return profile == Profile::kExtended ? kAtReservedExtended : kAtReserved;
 }
 
 StreamHeader load_fixed_fields(std::span<const uint8_t> file) {
@@ -72,6 +77,7 @@ StreamHeader load_fixed_fields(std::span<const uint8_t> file) {
   header.cluster_rows = file[kAtClusterRows];
   header.cluster_cols = file[kAtClusterCols];
   header.tree_height = file[kAtTreeHeight];
+  if (header.profile == Profile::kExtended) load_extended_fields(file, header);
   return header;
 }
 
@@ -82,7 +88,7 @@ bool outside(T value, T lo, T hi) {
 
 Result<void> check_fixed_fields(const StreamHeader& h) {
   const auto bad = [](size_t at) { return header_error(ErrorCode::kBadHeaderField, at); };
-  if (h.feature_flags != 0) return header_error(ErrorCode::kBadFeature, kAtFeatureFlags);
+  if (!has_valid_features(h)) return header_error(ErrorCode::kBadFeature, kAtFeatureFlags);
   if (outside(h.rows, 1u, kMaxGrid)) return bad(kAtRows);
   if (outside(h.cols, 1u, kMaxGrid)) return bad(kAtCols);
   if (outside(h.width, 1u, kMaxSide)) return bad(kAtWidth);
@@ -95,7 +101,7 @@ Result<void> check_fixed_fields(const StreamHeader& h) {
   if (outside(h.cluster_cols, 1u, 255u)) return bad(kAtClusterCols);
   if (outside(h.tree_height, 0, kMaxTreeHeight)) return bad(kAtTreeHeight);
   if (h.tree_height > 0 && h.cluster_rows * h.cluster_cols < 2) return bad(kAtTreeHeight);
-  return {};
+  return check_extended_fields(h);
 }
 
 Result<void> load_levels(std::span<const uint8_t> file, StreamHeader& header) {
@@ -107,9 +113,12 @@ Result<void> load_levels(std::span<const uint8_t> file, StreamHeader& header) {
     level.ref_cols = file[at + 1];
     if (level.ref_rows == 0) return header_error(ErrorCode::kBadHeaderField, at);
     if (level.ref_cols == 0) return header_error(ErrorCode::kBadHeaderField, at + 1);
-    if (load_le<uint16_t>(file, at + 2) != 0) {
+    level.key_references = file[at + 2];
+    const bool allowed = header.has(Feature::kLevelKeys) && i > 0;
+    if (level.key_references > (allowed ? 1 : 0)) {
       return header_error(ErrorCode::kBadHeaderField, at + 2);
     }
+    if (file[at + 3] != 0) return header_error(ErrorCode::kBadHeaderField, at + 3);
   }
   return {};
 }
@@ -153,7 +162,9 @@ Result<void> check_fields(const StreamHeader& header) {
   if (auto ok = check_fixed_fields(header); !ok) return ok;
   for (size_t i = 0; i < header.levels.size(); ++i) {
     const LevelEntry& level = header.levels[header.levels.size() - 1 - i];
-    if (level.ref_rows == 0 || level.ref_cols == 0) {
+    const bool key_allowed = header.has(Feature::kLevelKeys) && i > 0;
+    if (level.ref_rows == 0 || level.ref_cols == 0 ||
+        level.key_references > (key_allowed ? 1 : 0)) {
       return header_error(ErrorCode::kBadHeaderField, kAtLevels + i * kLevelEntryBytes);
     }
   }
@@ -164,9 +175,10 @@ Result<StreamHeader> parse_header(std::span<const uint8_t> file) {
   if (auto ok = check_envelope(file); !ok) return tl::unexpected(ok.error());
   StreamHeader header = load_fixed_fields(file);
   if (auto ok = check_fixed_fields(header); !ok) return tl::unexpected(ok.error());
-  const auto reserved = file.subspan(kAtReserved, kReservedBytes);
+  const size_t at_reserved = reserved_offset(header.profile);
+  const auto reserved = file.subspan(at_reserved, kAtLevels - at_reserved);
   if (std::any_of(reserved.begin(), reserved.end(), [](uint8_t byte) { return byte != 0; })) {
-    return header_error(ErrorCode::kBadHeaderField, kAtReserved);
+    return header_error(ErrorCode::kBadHeaderField, at_reserved);
   }
   if (load_le<uint16_t>(file, kAtHeaderBytes) != header_size(header.tree_height)) {
     return header_error(ErrorCode::kBadHeaderField, kAtHeaderBytes);
@@ -195,11 +207,13 @@ std::vector<uint8_t> write_header(const StreamHeader& header) {
   put8(header.cluster_rows);
   put8(header.cluster_cols);
   put8(header.tree_height);
-  bytes.insert(bytes.end(), kReservedBytes, 0);
+  if (header.profile == Profile::kExtended) append_extended_fields(header, bytes);
+  bytes.resize(kAtLevels, 0);
   for (auto level = header.levels.rbegin(); level != header.levels.rend(); ++level) {
     put8(level->ref_rows);
     put8(level->ref_cols);
-    append_le(bytes, uint16_t{0});
+    put8(level->key_references);
+    put8(0);
   }
   for (const SectionEntry& entry : header.sections) {
     append_le(bytes, entry.type);

@@ -85,8 +85,12 @@ Result<void> read_residuals(FieldCursor& cursor, const TileContext& context, uin
   if (residuals.bias_bits > static_cast<unsigned>(context.depth) + 2) {
     return tile_error(ErrorCode::kBadMode, cursor);
   }
+  if (context.steps) {
+    residuals.step_base = static_cast<unsigned>(cursor.take("step_base", "STP-1", 4));
+    residuals.step_bits = static_cast<unsigned>(cursor.take("step_bits", "STP-1", 2));
+  }
   residuals.headers_at = cursor.position();
-  cursor.skip(count * (residuals.level_bits + residuals.bias_bits));
+  cursor.skip(count * residuals.header_bits());
   residuals.values_at = cursor.position();
   if (cursor.overrun()) return tile_error(ErrorCode::kTileOverrun, cursor);
   return {};

@@ -1,4 +1,5 @@
-// The head of a tile record: everything before its block headers (TIL-1, TIL-3, TIL-6, TIL-8).
+// The head of a tile record: everything before its block headers (TIL-1, TIL-3, TIL-6, TIL-8,
+// STP-1).
 #pragma once
 
 #include <cstdint>
@@ -13,11 +14,14 @@ namespace hmlfc {
 
 /// What a tile's place in the tree says about its record.
 struct TileContext {
-  bool predictive = false;  ///< whether it belongs to a predictive image
+  /// Whether the record has motion fields: that of a predictive image, without motion tiles (TIL-1,
+  /// MOT-2).
+  bool predictive = false;
   uint64_t blocks_inside = ~uint64_t{0};
   int window = 0;               ///< [0, 127]
   int depth = 8;                ///< [8, 12]
   uint64_t block_samples = 16;  ///< B * B
+  bool steps = false;           ///< whether the record has step fields (STP-1)
 };
 
 /// Vectors of a tile, if motion_mask is not 0. Positions are bits from the start of the record.
@@ -37,8 +41,13 @@ struct TileResiduals {
   unsigned level_base = 0;  ///< [0, 63]
   unsigned level_bits = 0;  ///< [0, 6]
   unsigned bias_bits = 0;   ///< [0, depth + 2]
+  unsigned step_base = 0;   ///< [0, 15]
+  unsigned step_bits = 0;   ///< [0, 3]
   uint64_t headers_at = 0;
   uint64_t values_at = 0;
+
+  /// Bits of one block header (TIL-8, STP-1).
+  unsigned header_bits() const { return level_bits + step_bits + bias_bits; }
 };
 
 struct TileHead {

@@ -5,18 +5,13 @@
 
 #include "fields/probe.hpp"
 #include "samples/block_values.hpp"
-#include "samples/block_walk.hpp"
-#include "samples/key_images.hpp"
-#include "samples/sparse_plane.hpp"
+#include "samples/decode_sources.hpp"
 
 namespace hmlfc {
 
-/// Where a decoder finds what it does not read block by block.
-struct DecodeSources {
-  const StreamView& stream;
-  const KeyImages& keys;
-  const SparseReferences* references = nullptr;  ///< null: reference blocks are read on demand
-};
+/// The level at which decoding image `image` of level `level` begins: the lowest, from `level` up,
+/// at which the ancestor is a key image, or the top (DEC-1, EXT-5).
+int first_level(const Geometry& geometry, int level, ImagePos image);
 
 /// Decodes the block at `site`, in an image of level site.level, and its ancestors before it
 /// (DEC-1). The site exists. `probe` watches; its site is not used. Result: samples in [lo, hi].

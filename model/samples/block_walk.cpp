@@ -7,7 +7,7 @@
 namespace hmlfc {
 namespace {
 
-// The residual of TIL-10 from the block's BISE values (TIL-9).
+// The residual of TIL-10 and STP-3 from the block's BISE values (TIL-9).
 void read_residual(const FieldCursor& cursor, const BlockEntry& entry, const SampleRange& range,
                    BlockValues& residual) {
   const uint64_t count = residual.size();
@@ -16,7 +16,7 @@ void read_residual(const FieldCursor& cursor, const BlockEntry& entry, const Sam
     const uint32_t value = bise_value(cursor.record(), entry.values_at, entry.levels, count, i);
     cursor.probe().field(Section::kTile, cursor.file_bit(entry.values_at), bits, "value", "TIL-9",
                          value);
-    residual[i] = residual_of_value(value, entry.levels.count, entry.bias, range);
+    residual[i] = stepped_residual(value, entry.levels.count, entry.bias, entry.step, range);
   }
 }
 

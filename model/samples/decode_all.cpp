@@ -4,6 +4,8 @@
 #include <array>
 #include <atomic>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -56,30 +58,58 @@ class FamilyDecoder {
   // Views whose ancestor at level `parent_level` is `parent`; parent_level is stop_level + 1, or
   // stop_level at the top.
   Result<void> run(int parent_level, ImagePos parent) const {
-    const Geometry& geometry = sources_.stream.geometry;
-    ViewPlanes shared;
-    for (const Plane plane : kPlanes) {
-      auto region =
-          decode_region(sources_, parent_level, parent, plane, whole_plane(geometry.plane(plane)));
-      if (!region) return tl::unexpected(region.error());
-      shared[static_cast<size_t>(plane)] = std::move(*region);
+    if (parent_level == stop_level_) {
+      const auto own = decode_image(parent_level, parent);
+      if (!own) return tl::unexpected(own.error());
+      return deliver(*own, parent);
     }
-    if (parent_level == stop_level_) return deliver(shared, parent);
-    const StreamHeader& header = sources_.stream.header;
-    const LevelShape& level = geometry.level(stop_level_);
-    const uint32_t last_row = std::min((parent.row + 1) * header.cluster_rows, level.rows);
-    const uint32_t last_col = std::min((parent.col + 1) * header.cluster_cols, level.cols);
-    for (uint32_t row = parent.row * header.cluster_rows; row < last_row; ++row) {
-      for (uint32_t col = parent.col * header.cluster_cols; col < last_col; ++col) {
-        if (auto ok = decode_child(shared, {row, col}); !ok) return ok;
+    std::optional<ViewPlanes> shared;  // decoded for the first child that needs it
+    for (const ImagePos image : children_of(parent)) {
+      if (!sources_.stream.geometry.is_key(stop_level_, image) && !shared) {
+        auto planes = decode_image(parent_level, parent);
+        if (!planes) return tl::unexpected(planes.error());
+        shared = std::move(*planes);
       }
+      if (auto ok = decode_child(shared, image); !ok) return ok;
     }
     return {};
   }
 
  private:
-  Result<void> decode_child(const ViewPlanes& shared, ImagePos image) const {
-    ViewPlanes planes = shared;
+  // The images of level stop_level below `parent`.
+  std::vector<ImagePos> children_of(ImagePos parent) const {
+    const StreamHeader& header = sources_.stream.header;
+    const LevelShape& level = sources_.stream.geometry.level(stop_level_);
+    const uint32_t last_row = std::min((parent.row + 1) * header.cluster_rows, level.rows);
+    const uint32_t last_col = std::min((parent.col + 1) * header.cluster_cols, level.cols);
+    std::vector<ImagePos> children;
+    for (uint32_t row = parent.row * header.cluster_rows; row < last_row; ++row) {
+      for (uint32_t col = parent.col * header.cluster_cols; col < last_col; ++col) {
+        children.push_back({row, col});
+      }
+    }
+    return children;
+  }
+
+  Result<ViewPlanes> decode_image(int level, ImagePos image) const {
+    ViewPlanes planes;
+    for (const Plane plane : kPlanes) {
+      const BlockRect all = whole_plane(sources_.stream.geometry.plane(plane));
+      auto region = decode_region(sources_, level, image, plane, all);
+      if (!region) return tl::unexpected(region.error());
+      planes[static_cast<size_t>(plane)] = std::move(*region);
+    }
+    return planes;
+  }
+
+  // `parent` is there, unless `image` is a key image.
+  Result<void> decode_child(const std::optional<ViewPlanes>& parent, ImagePos image) const {
+    if (!parent) {
+      const auto key = decode_image(stop_level_, image);
+      if (!key) return tl::unexpected(key.error());
+      return deliver(*key, image);
+    }
+    ViewPlanes planes = *parent;
     for (const Plane plane : kPlanes) {
       const BlockRect all = whole_plane(sources_.stream.geometry.plane(plane));
       auto ok =
@@ -161,7 +191,7 @@ Result<void> Decoder::load_references(int threads) const {
   FirstError first;
   for (int level = geometry.top() - 1; level >= 0; --level) {
     const LevelShape& shape = geometry.level(level);
-    if (shape.ref_rows == 1 && shape.ref_cols == 1) continue;
+    if (shape.keyed || (shape.ref_rows == 1 && shape.ref_cols == 1)) continue;
     parallel_tasks(shape.images(), threads, [&](uint64_t i) {
       const ImagePos image{static_cast<uint32_t>(i / shape.cols),
                            static_cast<uint32_t>(i % shape.cols)};

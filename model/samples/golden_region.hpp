@@ -4,7 +4,7 @@
 #include <hmlfc/error.hpp>
 
 #include "samples/block_decoder.hpp"
-#include "samples/region_decoder.hpp"
+#include "samples/block_rect.hpp"
 #include "samples/sample_plane.hpp"
 
 namespace hmlfc {

@@ -1,6 +1,7 @@
 #include "samples/jpeg2000.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 
@@ -132,6 +133,43 @@ int resolutions(const SamplePlane& plane) {
   return count;
 }
 
+// `psnr`: of OpenJPEG's own estimate, with the peak 2^bits - 1; 0 means lossless.
+std::optional<std::vector<uint8_t>> encode_to_distortion(const SamplePlane& plane,
+                                                         SamplePrecision precision, float psnr) {
+  Sink sink;
+  const Stream stream(opj_stream_create(OPJ_J2K_STREAM_CHUNK_SIZE, OPJ_FALSE));
+  const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
+  const Image image = make_image(plane, precision);
+  if (!stream || !codec || !image) return std::nullopt;
+  opj_stream_set_user_data(stream.get(), &sink, nullptr);
+  opj_stream_set_write_function(stream.get(), write_sink);
+  opj_stream_set_skip_function(stream.get(), skip_sink);
+  opj_stream_set_seek_function(stream.get(), seek_sink);
+  silence(codec.get());
+
+  opj_cparameters_t parameters;
+  opj_set_default_encoder_parameters(&parameters);
+  parameters.numresolution = resolutions(plane);
+  parameters.irreversible = 0;
+  parameters.tcp_numlayers = 1;
+  parameters.tcp_rates[0] = 0;  // 0 means lossless
+  parameters.tcp_distoratio[0] = psnr;
+  if (psnr > 0) {
+    parameters.cp_fixed_quality = 1;
+  } else {
+    parameters.cp_disto_alloc = 1;
+  }
+  // The default comment names the library's version, which would make the bytes depend on it.
+  char no_comment[] = "";
+  parameters.cp_comment = no_comment;
+  if (!opj_setup_encoder(codec.get(), &parameters, image.get()) ||
+      !opj_start_compress(codec.get(), image.get(), stream.get()) ||
+      !opj_encode(codec.get(), stream.get()) || !opj_end_compress(codec.get(), stream.get())) {
+    return std::nullopt;
+  }
+  return std::move(sink.bytes);
+}
+
 }  // namespace
 
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
@@ -173,33 +211,15 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
 
 std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
                                                     SamplePrecision precision) {
-  Sink sink;
-  const Stream stream(opj_stream_create(OPJ_J2K_STREAM_CHUNK_SIZE, OPJ_FALSE));
-  const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
-  const Image image = make_image(plane, precision);
-  if (!stream || !codec || !image) return std::nullopt;
-  opj_stream_set_user_data(stream.get(), &sink, nullptr);
-  opj_stream_set_write_function(stream.get(), write_sink);
-  opj_stream_set_skip_function(stream.get(), skip_sink);
-  opj_stream_set_seek_function(stream.get(), seek_sink);
-  silence(codec.get());
+  return encode_to_distortion(plane, precision, 0);
+}
 
-  opj_cparameters_t parameters;
-  opj_set_default_encoder_parameters(&parameters);
-  parameters.numresolution = resolutions(plane);
-  parameters.irreversible = 0;
-  parameters.tcp_numlayers = 1;
-  parameters.tcp_rates[0] = 0;  // 0 means lossless
-  parameters.cp_disto_alloc = 1;
-  // The default comment names the library's version, which would make the bytes depend on it.
-  char no_comment[] = "";
-  parameters.cp_comment = no_comment;
-  if (!opj_setup_encoder(codec.get(), &parameters, image.get()) ||
-      !opj_start_compress(codec.get(), image.get(), stream.get()) ||
-      !opj_encode(codec.get(), stream.get()) || !opj_end_compress(codec.get(), stream.get())) {
-    return std::nullopt;
-  }
-  return std::move(sink.bytes);
+std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& plane,
+                                                          SamplePrecision precision,
+                                                          double mean_squared_error) {
+  const double peak = static_cast<double>((1 << precision.bits) - 1);
+  const double psnr = 10 * std::log10(peak * peak / mean_squared_error);
+  return encode_to_distortion(plane, precision, static_cast<float>(std::max(psnr, 1.0)));
 }
 
 }  // namespace hmlfc

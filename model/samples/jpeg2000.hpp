@@ -16,7 +16,8 @@ struct SamplePrecision {
   bool is_signed = false;
 };
 
-/// Decodes a codestream of one component that must have the shape `width` x `height` and
+/// Decodes a codestream, all of whose bytes are there but whose packets may leave out coding passes
+/// (EXT-6), of one component that must have the shape `width` x `height` and
 /// `precision`. Nothing where it cannot be decoded or differs in shape; the shape is checked before
 /// samples are allocated.
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
@@ -27,5 +28,11 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
 /// memory.
 std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
                                                     SamplePrecision precision);
+
+/// The same with coding passes cut off (EXT-6) where the mean squared error stays about
+/// `mean_squared_error` > 0.
+std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& plane,
+                                                          SamplePrecision precision,
+                                                          double mean_squared_error);
 
 }  // namespace hmlfc

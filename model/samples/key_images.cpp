@@ -5,6 +5,7 @@
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
 #include "samples/jpeg2000.hpp"
+#include "values/rounding.hpp"
 #include "values/sample_range.hpp"
 
 namespace hmlfc {
@@ -23,6 +24,13 @@ TopEntry load_entry(std::span<const uint8_t> top, uint64_t entry) {
 }
 
 uint64_t entry_count(const StreamView& stream) { return stream.geometry.key_count() * kPlaneCount; }
+
+// Loss can move samples out of their interval (EXT-6).
+void clamp_samples(SamplePlane& plane, const SampleRange& range) {
+  for (int16_t& sample : plane.samples) {
+    sample = static_cast<int16_t>(clamp(sample, range.lo, range.hi));
+  }
+}
 
 }  // namespace
 
@@ -57,9 +65,10 @@ Result<void> check_top_table(const StreamView& stream) {
   return {};
 }
 
-Result<std::shared_ptr<const SamplePlane>> KeyImages::plane(ImagePos at, Plane plane) const {
+Result<std::shared_ptr<const SamplePlane>> KeyImages::plane(int level, ImagePos at,
+                                                            Plane plane) const {
   const uint64_t entry =
-      stream_.geometry.key_number(at) * kPlaneCount + static_cast<uint64_t>(plane);
+      stream_.geometry.key_number(level, at) * kPlaneCount + static_cast<uint64_t>(plane);
   return planes_.get(entry, [&] { return decode(entry, plane); });
 }
 
@@ -72,10 +81,11 @@ Result<SamplePlane> KeyImages::decode(uint64_t entry, Plane plane) const {
   const SamplePrecision precision{stream_.header.depth + (chroma ? 1 : 0), chroma};
   auto samples = decode_jpeg2000(codestream, shape.width, shape.height, precision);
   if (!samples) return stream_.error(ErrorCode::kBadTopImage, Section::kTop, place.offset);
+  const SampleRange range = sample_range(plane, stream_.header.depth);
+  if (stream_.header.has(Feature::kLossyKeys)) clamp_samples(*samples, range);
   if (sample_crc(*samples) != place.sample_crc) {
     return stream_.error(ErrorCode::kBadTopCrc, Section::kTop, entry * kTopEntryBytes);
   }
-  const SampleRange range = sample_range(plane, stream_.header.depth);
   const auto [least, most] = std::minmax_element(samples->samples.begin(), samples->samples.end());
   if (*least < range.lo || *most > range.hi) {
     return stream_.error(ErrorCode::kTopSampleRange, Section::kTop, place.offset);

@@ -1,4 +1,4 @@
-// The key images of the TOP section (KEY-1 to KEY-3).
+// The key images of the TOP section (KEY-1 to KEY-3, EXT-6).
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,9 @@ class KeyImages {
  public:
   explicit KeyImages(const StreamView& stream) : stream_(stream) {}
 
-  /// Plane `plane` of key image `at` of the top level. Its table has passed check_top_table.
+  /// Plane `plane` of key image `at` of keyed level `level`. Its table has passed check_top_table.
   /// Errors: bad_top_image, bad_top_crc, top_sample_range.
-  Result<std::shared_ptr<const SamplePlane>> plane(ImagePos at, Plane plane) const;
+  Result<std::shared_ptr<const SamplePlane>> plane(int level, ImagePos at, Plane plane) const;
 
  private:
   Result<SamplePlane> decode(uint64_t entry, Plane plane) const;

@@ -1,6 +1,10 @@
 // Where motion finds its reference (DEC-4, DEC-5).
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 #include <hmlfc/error.hpp>
 
 #include "fields/geometry.hpp"
@@ -18,11 +22,37 @@ class ReferenceBlocks {
   virtual Result<BlockValues> block(uint32_t bx, uint32_t by) = 0;
 };
 
-/// The B x B values of ref(x + i, y + j), i and j in [0, B - 1], with the border rule (DEC-5). x
-/// and y may lie outside the plane. Asks for at most 2 x 2 blocks, row by row.
+/// A rectangle of reference values around a displaced block: B or B + 1 a side.
+class ReferenceWindow {
+ public:
+  ReferenceWindow(unsigned columns, unsigned rows) : columns_(columns), rows_(rows) {}
+
+  unsigned columns() const { return columns_; }
+  unsigned rows() const { return rows_; }
+
+  int32_t& at(unsigned x, unsigned y) { return values_[y * columns_ + x]; }
+  int32_t at(unsigned x, unsigned y) const { return values_[y * columns_ + x]; }
+
+ private:
+  unsigned columns_;
+  unsigned rows_;
+  std::array<int32_t, size_t{kMaxBlockSize + 1} * (kMaxBlockSize + 1)> values_{};
+};
+
+/// A rectangle of a plane, which may reach outside: columns x to x + columns - 1, rows likewise;
+/// not empty.
+struct ReferenceArea {
+  int32_t x = 0;
+  int32_t y = 0;
+  unsigned columns = 1;
+  unsigned rows = 1;
+};
+
+/// The values of ref in `area`, of at most B + 1 columns and rows, with the border rule (DEC-5).
+/// Asks for at most 2 x 2 blocks, row by row.
 ///
-/// Example: B = 4, x = -6, y = 5 in a wide plane: all columns read column 0, rows 5 to 8.
-Result<BlockValues> gather_reference(ReferenceBlocks& blocks, const PlaneShape& plane,
-                                     unsigned block_size, int32_t x, int32_t y);
+/// Example: B = 4, columns -6 to -3, rows 5 to 8 in a wide plane: all columns read column 0.
+Result<ReferenceWindow> gather_reference(ReferenceBlocks& blocks, const PlaneShape& plane,
+                                         unsigned block_size, const ReferenceArea& area);
 
 }  // namespace hmlfc

@@ -14,12 +14,11 @@ uint32_t inside(int32_t coordinate, uint32_t size) {
 }  // namespace
 
 Result<ReferenceReader> ReferenceReader::open(const DecodeSources& sources, int level,
-                                              ImagePos image, Plane plane) {
+                                              ImagePos reference, Plane plane) {
   const Geometry& geometry = sources.stream.geometry;
   ReferenceReader reader(geometry.plane(plane), geometry.block_size());
-  const ImagePos reference = geometry.reference_of(level, image);
-  if (level == geometry.top()) {
-    auto key = sources.keys.plane(reference, plane);
+  if (geometry.level(level).keyed) {
+    auto key = sources.keys.plane(level, reference, plane);
     if (!key) return tl::unexpected(key.error());
     reader.key_ = *key;
   } else {
@@ -30,25 +29,28 @@ Result<ReferenceReader> ReferenceReader::open(const DecodeSources& sources, int 
   return reader;
 }
 
-Result<void> ReferenceReader::read(int32_t x, int32_t y, int16_t* out) const {
-  if (!is_inside(x, y)) return read_clamped(x, y, out);
-  if (!key_) return read_sparse(static_cast<uint32_t>(x), static_cast<uint32_t>(y), out);
-  read_key(static_cast<uint32_t>(x), static_cast<uint32_t>(y), out);
-  return {};
+Result<ReferenceView> ReferenceReader::view(const ReferenceArea& area, int16_t* buffer) const {
+  const bool whole = is_inside(area);
+  if (whole && key_) {
+    const size_t first = static_cast<size_t>(area.y) * plane_.width + static_cast<size_t>(area.x);
+    return ReferenceView{key_->samples.data() + first, plane_.width};
+  }
+  const auto read = whole ? read_sparse(area, buffer) : read_clamped(area, buffer);
+  if (!read) return tl::unexpected(read.error());
+  return ReferenceView{buffer, area.columns};
 }
 
-bool ReferenceReader::is_inside(int32_t x, int32_t y) const {
-  const auto size = static_cast<int32_t>(block_size_);
-  return x >= 0 && y >= 0 && x + size <= static_cast<int32_t>(plane_.width) &&
-         y + size <= static_cast<int32_t>(plane_.height);
+bool ReferenceReader::is_inside(const ReferenceArea& area) const {
+  return area.x >= 0 && area.y >= 0 &&
+         area.x + static_cast<int32_t>(area.columns) <= static_cast<int32_t>(plane_.width) &&
+         area.y + static_cast<int32_t>(area.rows) <= static_cast<int32_t>(plane_.height);
 }
 
-Result<void> ReferenceReader::read_clamped(int32_t x, int32_t y, int16_t* out) const {
-  const auto size = static_cast<int32_t>(block_size_);
-  for (int32_t j = 0; j < size; ++j) {
-    const uint32_t row = inside(y + j, plane_.height);
-    for (int32_t i = 0; i < size; ++i) {
-      const auto value = sample(inside(x + i, plane_.width), row);
+Result<void> ReferenceReader::read_clamped(const ReferenceArea& area, int16_t* out) const {
+  for (unsigned j = 0; j < area.rows; ++j) {
+    const uint32_t row = inside(area.y + static_cast<int32_t>(j), plane_.height);
+    for (unsigned i = 0; i < area.columns; ++i) {
+      const auto value = sample(inside(area.x + static_cast<int32_t>(i), plane_.width), row);
       if (!value) return tl::unexpected(value.error());
       *out++ = *value;
     }
@@ -56,27 +58,23 @@ Result<void> ReferenceReader::read_clamped(int32_t x, int32_t y, int16_t* out) c
   return {};
 }
 
-void ReferenceReader::read_key(uint32_t x, uint32_t y, int16_t* out) const {
-  for (unsigned j = 0; j < block_size_; ++j) {
-    out = std::copy_n(key_->samples.data() + size_t{y + j} * plane_.width + x, block_size_, out);
-  }
-}
-
-// Copies the parts of up to 2 x 2 blocks, or zeros.
-Result<void> ReferenceReader::read_sparse(uint32_t x, uint32_t y, int16_t* out) const {
+// Copies the parts of the blocks that `area`, inside the plane, touches, or zeros.
+Result<void> ReferenceReader::read_sparse(const ReferenceArea& area, int16_t* out) const {
   const unsigned size = block_size_;
+  const auto x = static_cast<uint32_t>(area.x);
+  const auto y = static_cast<uint32_t>(area.y);
   uint32_t rows = 0;
-  for (uint32_t row = 0; row < size; row += rows) {
+  for (uint32_t row = 0; row < area.rows; row += rows) {
     const uint32_t in_y = (y + row) % size;
-    rows = std::min(size - row, size - in_y);
+    rows = std::min(area.rows - row, size - in_y);
     uint32_t cols = 0;
-    for (uint32_t col = 0; col < size; col += cols) {
+    for (uint32_t col = 0; col < area.columns; col += cols) {
       const uint32_t in_x = (x + col) % size;
-      cols = std::min(size - col, size - in_x);
+      cols = std::min(area.columns - col, size - in_x);
       const auto block = sparse_->find((x + col) / size, (y + row) / size);
       if (!block) return tl::unexpected(block.error());
       for (uint32_t j = 0; j < rows; ++j) {
-        int16_t* target = out + size_t{row + j} * size + col;
+        int16_t* target = out + size_t{row + j} * area.columns + col;
         if (*block == nullptr) {
           std::fill_n(target, cols, int16_t{0});
         } else {

@@ -7,31 +7,37 @@
 #include <hmlfc/error.hpp>
 
 #include "fields/geometry.hpp"
-#include "samples/block_decoder.hpp"
+#include "samples/decode_sources.hpp"
+#include "samples/reference_blocks.hpp"
 #include "samples/sample_plane.hpp"
 #include "samples/sparse_plane.hpp"
 
 namespace hmlfc {
 
-/// One plane of the reference image of one group: a key image or sparse residuals (DEC-4).
+/// Values in memory: row j begins at data + j * stride.
+struct ReferenceView {
+  const int16_t* data = nullptr;
+  size_t stride = 0;
+};
+
+/// One plane of one reference image: a key image or sparse residuals (DEC-4, EXT-5).
 class ReferenceReader {
  public:
-  /// The reference of image `image` of level `level`; `sources.references` must be set.
-  static Result<ReferenceReader> open(const DecodeSources& sources, int level, ImagePos image,
+  /// Reference image `reference` of level `level`; `sources.references` must be set.
+  static Result<ReferenceReader> open(const DecodeSources& sources, int level, ImagePos reference,
                                       Plane plane);
 
-  /// Writes ref(x + i, y + j) for i, j in [0, B - 1] to `out`, row by row, with the border rule
-  /// (DEC-5).
-  Result<void> read(int32_t x, int32_t y, int16_t* out) const;
+  /// The values of ref in `area` with the border rule (DEC-5): in the plane itself, or in `buffer`,
+  /// which has room for them all.
+  Result<ReferenceView> view(const ReferenceArea& area, int16_t* buffer) const;
 
  private:
   ReferenceReader(const PlaneShape& plane, unsigned block_size)
       : plane_(plane), block_size_(block_size) {}
 
-  bool is_inside(int32_t x, int32_t y) const;
-  Result<void> read_clamped(int32_t x, int32_t y, int16_t* out) const;
-  void read_key(uint32_t x, uint32_t y, int16_t* out) const;
-  Result<void> read_sparse(uint32_t x, uint32_t y, int16_t* out) const;
+  bool is_inside(const ReferenceArea& area) const;
+  Result<void> read_clamped(const ReferenceArea& area, int16_t* out) const;
+  Result<void> read_sparse(const ReferenceArea& area, int16_t* out) const;
   Result<int16_t> sample(uint32_t x, uint32_t y) const;
 
   PlaneShape plane_;

@@ -5,6 +5,8 @@
 
 #include "bits/bit_mask.hpp"
 #include "fields/tile_layout.hpp"
+#include "samples/block_decoder.hpp"
+#include "samples/motion_pass.hpp"
 #include "samples/reference_reader.hpp"
 #include "samples/tile_blocks.hpp"
 #include "values/reconstruct.hpp"
@@ -22,9 +24,16 @@ class LevelPass {
         rect_(rect),
         samples_(samples),
         block_size_(sources.stream.geometry.block_size()),
+        keyed_(sources.stream.geometry.level(level).keyed),
         range_(sample_range(plane, sources.stream.header.depth)) {}
 
   Result<void> run() {
+    const ImagePos image{site_.image_row, site_.image_col};
+    if (sources_.stream.header.has(Feature::kMotionTiles) &&
+        !sources_.stream.geometry.is_reference(site_.level, image)) {
+      auto ok = hmlfc::add_motion(sources_, site_.level, image, site_.plane, rect_, samples_);
+      if (!ok) return ok;
+    }
     auto blocks = std::make_unique<TileBlocks>();
     for (uint32_t ty = rect_.by0 / kTileBlocks; ty * kTileBlocks < rect_.by1; ++ty) {
       for (uint32_t tx = rect_.bx0 / kTileBlocks; tx * kTileBlocks < rect_.bx1; ++tx) {
@@ -71,22 +80,25 @@ class LevelPass {
 
   Result<void> add_motion(const TileBlocks& blocks, unsigned k) {
     if (!reference_) {
-      auto opened = ReferenceReader::open(sources_, site_.level, {site_.image_row, site_.image_col},
-                                          site_.plane);
+      const ImagePos reference =
+          sources_.stream.geometry.reference_of(site_.level, {site_.image_row, site_.image_col});
+      auto opened = ReferenceReader::open(sources_, site_.level, reference, site_.plane);
       if (!opened) return tl::unexpected(opened.error());
       reference_ = std::make_unique<ReferenceReader>(std::move(*opened));
     }
-    std::array<int16_t, size_t{kMaxBlockSize} * kMaxBlockSize> reference;
+    std::array<int16_t, size_t{kMaxBlockSize} * kMaxBlockSize> buffer;
     const auto size = static_cast<int32_t>(block_size_);
     const int32_t x = static_cast<int32_t>(site_.bx + block_column(k)) * size + blocks.dx[k];
     const int32_t y = static_cast<int32_t>(site_.by + block_row(k)) * size + blocks.dy[k];
-    const auto read = reference_->read(x, y, reference.data());
-    if (!read) return read;
+    const auto view = reference_->view({x, y, block_size_, block_size_}, buffer.data());
+    if (!view) return tl::unexpected(view.error());
     for (unsigned j = 0; j < block_size_; ++j) {
       int16_t* row = row_of(k, j);
+      const int16_t* reference = view->data + j * view->stride;
       for (unsigned i = 0; i < block_size_; ++i) {
+        const int32_t parent = keyed_ ? 0 : row[i];  // EXT-5
         row[i] = static_cast<int16_t>(
-            motion_prediction(row[i], blocks.negative[k], reference[j * block_size_ + i], range_));
+            motion_prediction(parent, blocks.negative[k], reference[i], range_));
       }
     }
     return {};
@@ -106,6 +118,7 @@ class LevelPass {
   BlockRect rect_;
   SamplePlane& samples_;
   unsigned block_size_;
+  bool keyed_;
   SampleRange range_;
   std::unique_ptr<ReferenceReader> reference_;
 };
@@ -131,7 +144,7 @@ Result<void> add_level(const DecodeSources& sources, int level, ImagePos image, 
   if (!geometry.is_key(level, image)) {
     return LevelPass(sources, level, image, plane, rect, samples).run();
   }
-  const auto key = sources.keys.plane(image, plane);
+  const auto key = sources.keys.plane(level, image, plane);
   if (!key) return tl::unexpected(key.error());
   copy_key(**key, rect, geometry.block_size(), samples);
   return {};
@@ -142,7 +155,7 @@ Result<SamplePlane> decode_region(const DecodeSources& sources, int level, Image
   const Geometry& geometry = sources.stream.geometry;
   const unsigned size = geometry.block_size();
   SamplePlane samples((rect.bx1 - rect.bx0) * size, (rect.by1 - rect.by0) * size);
-  for (int l = geometry.top(); l >= level; --l) {
+  for (int l = first_level(geometry, level, image); l >= level; --l) {
     const ImagePos at = geometry.ancestor(image, level, l);
     if (auto ok = add_level(sources, l, at, plane, rect, samples); !ok) {
       return tl::unexpected(ok.error());

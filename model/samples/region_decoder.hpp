@@ -1,32 +1,18 @@
 // The fast path: a rectangle of blocks of one plane, tile by tile, equal to decode_block on each.
 #pragma once
 
-#include <cstdint>
-
 #include <hmlfc/error.hpp>
 
 #include "fields/geometry.hpp"
-#include "samples/block_decoder.hpp"
+#include "samples/block_rect.hpp"
+#include "samples/decode_sources.hpp"
 #include "samples/sample_plane.hpp"
 
 namespace hmlfc {
 
-/// Blocks [bx0, bx1) x [by0, by1) of a plane, not empty.
-struct BlockRect {
-  uint32_t bx0 = 0;
-  uint32_t by0 = 0;
-  uint32_t bx1 = 0;
-  uint32_t by1 = 0;
-};
-
-/// All blocks of a plane.
-inline BlockRect whole_plane(const PlaneShape& plane) {
-  return {0, 0, plane.blocks_x, plane.blocks_y};
-}
-
 /// Adds image `image` of level `level` to `samples`, which hold the samples of its parent in `rect`
-/// (0 at the top level) and afterwards its own (DEC-2, DEC-3). Shape, sources and errors as for
-/// decode_region.
+/// (0 at the top level; any values for a key image) and afterwards its own (DEC-2, DEC-3). Shape,
+/// sources and errors as for decode_region.
 Result<void> add_level(const DecodeSources& sources, int level, ImagePos image, Plane plane,
                        const BlockRect& rect, SamplePlane& samples);
 

@@ -9,7 +9,7 @@
 namespace hmlfc {
 
 /// width x height samples, row-major. Samples of depth 12 and their residuals fit in 16 bits
-/// (specification, section 10).
+/// (specification, section 11).
 struct SamplePlane {
   uint32_t width = 0;
   uint32_t height = 0;

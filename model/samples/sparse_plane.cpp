@@ -84,9 +84,20 @@ Result<std::shared_ptr<const SparsePlane>> SparseReferences::plane(int level, Im
   });
 }
 
+Result<std::shared_ptr<const DisparityPlane>> SparseReferences::disparities(
+    int level, ImagePos image, size_t motion_plane) const {
+  const uint64_t key =
+      stream_.geometry.image_number(level, image) * stream_.geometry.motion_planes().size() +
+      motion_plane;
+  return disparities_.get(key, [&]() -> Result<DisparityPlane> {
+    return DisparityPlane::read(stream_, level, image, motion_plane);
+  });
+}
+
 size_t SparseReferences::bytes() const {
   size_t total = 0;
   planes_.for_each([&](const SparsePlane& plane) { total += plane.bytes(); });
+  disparities_.for_each([&](const DisparityPlane& plane) { total += plane.bytes(); });
   return total;
 }
 

@@ -10,12 +10,13 @@
 #include <hmlfc/trace.hpp>
 
 #include "fields/stream_view.hpp"
+#include "samples/disparity_plane.hpp"
 #include "samples/lazy_map.hpp"
 #include "samples/reference_blocks.hpp"
 
 namespace hmlfc {
 
-/// The residuals of one plane of one reference image (TIL-10). Immutable once built.
+/// The residuals of one plane of one reference image (TIL-10, STP-3). Immutable once built.
 class SparsePlane {
  public:
   /// Reads every block of plane `plane` of reference image `image` of level `level`. Never fails: a
@@ -48,20 +49,26 @@ class SparsePlane {
   std::vector<Error> errors_;
 };
 
-/// The sparse planes of all reference images that were needed so far. Thread-safe.
+/// The sparse planes and disparities of all reference images that were needed so far. Thread-safe.
 class SparseReferences {
  public:
   explicit SparseReferences(const StreamView& stream) : stream_(stream) {}
 
-  /// The plane of reference image `image` of level `level` below the top.
+  /// The plane of reference image `image` of level `level`, which is not keyed.
   Result<std::shared_ptr<const SparsePlane>> plane(int level, ImagePos image, Plane plane) const;
 
-  /// Bytes of all planes read so far.
+  /// The disparities of reference image `image` of level `level` in motion plane `motion_plane`;
+  /// the stream has shared_disparity.
+  Result<std::shared_ptr<const DisparityPlane>> disparities(int level, ImagePos image,
+                                                            size_t motion_plane) const;
+
+  /// Bytes of all that was read so far.
   size_t bytes() const;
 
  private:
   const StreamView& stream_;
   mutable LazyMap<SparsePlane> planes_;
+  mutable LazyMap<DisparityPlane> disparities_;
 };
 
 /// A sparse plane as a reference for the golden decoder.

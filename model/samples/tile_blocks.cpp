@@ -2,32 +2,17 @@
 
 #include <bit>
 #include <cstdlib>
-#include <cstring>
-#include <vector>
 
 #include "bits/bit_mask.hpp"
 #include "fields/tile_record.hpp"
+#include "samples/padded_record.hpp"
 #include "values/bise.hpp"
 #include "values/bise_unpack.hpp"
 #include "values/reconstruct.hpp"
+#include "values/steps.hpp"
 
 namespace hmlfc {
 namespace {
-
-// A copy of a tile record with readable bytes behind it.
-class PaddedRecord {
- public:
-  explicit PaddedRecord(std::span<const uint8_t> record)
-      : size_(record.size()), bytes_(record.size() + kBiseUnpackSlack) {
-    std::memcpy(bytes_.data(), record.data(), record.size());
-  }
-  const uint8_t* data() const { return bytes_.data(); }
-  BitString bits() const { return BitString(std::span(bytes_).first(size_)); }
-
- private:
-  size_t size_;
-  std::vector<uint8_t> bytes_;
-};
 
 struct TileReader {
   const PaddedRecord& record;
@@ -71,26 +56,31 @@ struct TileReader {
     for (uint64_t left = head.residual_mask; left != 0; left &= left - 1) {
       const auto k = static_cast<unsigned>(std::countr_zero(left));
       const unsigned code = residuals.level_base + bits.field(header_at, residuals.level_bits);
-      if (code > max_code) return failure(ErrorCode::kBadLevels);
+      const unsigned step_code =
+          residuals.step_base + bits.field(header_at + residuals.level_bits, residuals.step_bits);
+      if (code > max_code || step_code > kMaxStepCode) return failure(ErrorCode::kBadLevels);
       const Levels levels = levels_of_code(code);
       const uint64_t size = bise_bits(levels, context.block_samples);
       if (!bits.holds(values_at, size)) return failure(ErrorCode::kTileOverrun);
       if (has_bit(wanted, k)) {
-        const uint32_t bias = bits.field(header_at + residuals.level_bits, residuals.bias_bits);
-        unpack_block(k, values_at, levels, sign_extend(bias, residuals.bias_bits));
+        const uint32_t bias =
+            bits.field(header_at + residuals.level_bits + residuals.step_bits, residuals.bias_bits);
+        unpack_block(k, values_at, levels, sign_extend(bias, residuals.bias_bits),
+                     step_of_code(step_code));
       }
-      header_at += residuals.level_bits + residuals.bias_bits;
+      header_at += residuals.header_bits();
       values_at += size;
     }
     return {};
   }
 
-  void unpack_block(unsigned k, uint64_t at, const Levels& levels, int32_t bias) const {
+  void unpack_block(unsigned k, uint64_t at, const Levels& levels, int32_t bias,
+                    int32_t step) const {
     std::array<uint16_t, size_t{kMaxBlockSize} * kMaxBlockSize> values;
     bise_unpack(record.data(), at, levels, context.block_samples, values.data());
     int16_t* out = blocks.values.data() + size_t{k} * blocks.block_samples;
     for (size_t i = 0; i < context.block_samples; ++i) {
-      out[i] = static_cast<int16_t>(residual_of_value(values[i], levels.count, bias, range));
+      out[i] = static_cast<int16_t>(stepped_residual(values[i], levels.count, bias, step, range));
     }
   }
 };

@@ -1,4 +1,4 @@
-// The arithmetic of one sample (TIL-10, DEC-3).
+// The arithmetic of one sample (TIL-10, STP-3, DEC-3).
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,15 @@ constexpr int32_t residual_of_value(uint32_t value, uint32_t levels, int32_t bia
                                     const SampleRange& range) {
   const int32_t centred = static_cast<int32_t>(value) - static_cast<int32_t>(levels >> 1);
   return clamp(centred + bias, -range.bound, range.bound);
+}
+
+/// The residual of a block whose values stand for multiples of `step` in [1, 256] (STP-3); in
+/// [-bound, bound]. Step 1 gives residual_of_value.
+///
+/// Example: value 0 of 40 levels with bias 3 and step 4 is -68.
+constexpr int32_t stepped_residual(uint32_t value, uint32_t levels, int32_t bias, int32_t step,
+                                   const SampleRange& range) {
+  return clamp(step * residual_of_value(value, levels, bias, range), -range.bound, range.bound);
 }
 
 /// A(x, y) of DEC-3 with motion: `parent` in [lo, hi] or 0, `reference` in [-bound, bound].

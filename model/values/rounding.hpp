@@ -1,4 +1,4 @@
-// Every rounding, shift and clamp of the decoder, by name (CNV-1, CNV-2).
+// Every rounding, shift and clamp of the decoder, by name (CNV-1, CNV-2, MOT-8).
 #pragma once
 
 #include <concepts>
@@ -10,6 +10,13 @@ namespace hmlfc {
 ///
 /// Example: floor_shift(-3, 1) = -2.
 constexpr int32_t floor_shift(int32_t x, int k) { return x >> k; }
+
+/// rshift of MOT-8: x / 2^k rounded to the nearest integer, halves up; k in [0, 9], |x| < 2^30.
+///
+/// Example: round_shift(3, 1) = 2, round_shift(-3, 1) = -1.
+constexpr int32_t round_shift(int32_t x, unsigned k) {
+  return k == 0 ? x : (x + (int32_t{1} << (k - 1))) >> k;
+}
 
 /// Smallest integer not below x / y; y >= 1.
 ///

@@ -18,7 +18,7 @@ class Arguments(CliTest):
     @classmethod
     def prepare(cls):
         cls.hmlfc(*SYNTH)
-        cls.hmlfc("encode", "views", "-o", "a.hmlfc")
+        cls.hmlfc(*"encode views -o a.hmlfc --profile main".split())
 
     def test_version(self):
         self.assertEqual(self.hmlfc("--version"), f"hmlfc {VERSION}\n")
@@ -64,7 +64,9 @@ class Arguments(CliTest):
     def test_values_of_encode(self):
         for option, values in {
             "--grid": ["4", "0x2"],
-            "--profile": ["extended", "Main", ""],
+            "--profile": ["Main", ""],
+            "--preset": ["medium-fast", ""],
+            "--quality": ["-1", "100.5", "nan", "best"],
             "--method": ["hevc", ""],
             "--cluster": ["0x1", "256x1", "2"],
             "--height": ["-1", "16", "3.0"],
@@ -84,7 +86,7 @@ class Arguments(CliTest):
                     )
 
     def test_leading_zeros_are_decimal(self):
-        threshold = ["--threshold-pred", "010"]
+        threshold = ["--profile", "main", "--threshold-pred", "010"]
         json = self.hmlfc_json("encode", "views", "-o", "b.hmlfc", *threshold)
         self.assertEqual(json["threshold_pred"], 10)
 
@@ -96,6 +98,11 @@ class Arguments(CliTest):
             (["--lossless", "--chroma", "420"], "--chroma"),
             (["--target-psnr", "40", "--threshold-ref", "5"], "--target-psnr"),
             (["--target-psnr", "40", "--threshold-pred", "5"], "--target-psnr"),
+            (["--quality", "40", "--target-psnr", "5"], "--target-psnr"),
+            (["--quality", "40", "--lossless"], "--lossless"),
+            (["--profile", "main", "--quality", "40", "--threshold-ref", "5"], "--quality"),
+            (["--threshold-ref", "5"], "--profile main"),
+            (["--profile", "main", "--preset", "fast"], "--profile extended"),
             (["--method", "mc", "--height", "2"], "--method mc"),
             (["--method", "rlfc", "--window", "4"], "--method rlfc"),
             (["--method", "rlfc", "--references", "2x2"], "--method rlfc"),

@@ -12,7 +12,7 @@ class Decode(CliTest):
     @classmethod
     def prepare(cls):
         cls.hmlfc(*"synth --scene cards --grid 3x4 --size 45x27 -o views".split())
-        cls.hmlfc(*"encode views -o a.hmlfc --references 2x2".split())
+        cls.hmlfc(*"encode views -o a.hmlfc --profile main --references 2x2".split())
         cls.hmlfc("decode", "a.hmlfc", "-o", "all")
 
     def pictures(self, folder):

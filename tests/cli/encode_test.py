@@ -13,6 +13,8 @@ KEYS = [
 ]  # fmt: skip
 SECTIONS = ["header", "index", "motion", "residual", "top", "other"]
 
+CODINGS = [(profile, method) for profile in ("main", "extended") for method in ("hmlfc", "rlfc", "mc")]
+
 
 def psnr(squares, count, peak=255):
     return 10 * math.log10(peak * peak * count / squares) if squares else "inf"
@@ -42,7 +44,7 @@ class Encode(CliTest):
         return rgb, luma, greatest, pixels
 
     def test_json(self):
-        json = self.encode()
+        json = self.encode("--profile", "main")
         size = (self.folder / "a.hmlfc").stat().st_size
         self.assertEqual(list(json)[: len(KEYS)], KEYS)
         self.assertEqual(list(json["sections"]), SECTIONS)
@@ -70,25 +72,28 @@ class Encode(CliTest):
                 self.assertEqual(json["max_abs_error"], greatest)
 
     def test_lossless(self):
-        for method in ("hmlfc", "rlfc", "mc"):
-            with self.subTest(method=method):
-                json = self.encode("--lossless", "--method", method)
+        for profile, method in CODINGS:
+            with self.subTest(profile=profile, method=method):
+                json = self.encode("--lossless", "--profile", profile, "--method", method)
                 self.assertEqual((json["psnr_rgb"], json["psnr_y"]), ("inf", "inf"))
                 self.assertEqual(json["max_abs_error"], 0)
-                self.assertEqual((json["threshold_ref"], json["threshold_pred"]), (0, 0))
+                if profile == "main":
+                    self.assertEqual((json["threshold_ref"], json["threshold_pred"]), (0, 0))
                 self.assertEqual(self.hmlfc_json("info", "a.hmlfc")["chroma"], "444")
                 self.hmlfc("compare", "views", "a.hmlfc")
 
     def test_methods(self):
-        for method in ("hmlfc", "rlfc", "mc"):
-            with self.subTest(method=method):
-                json = self.encode("--method", method)
-                self.assertEqual(json["method"], method)
+        for profile, method in CODINGS:
+            with self.subTest(profile=profile, method=method):
+                json = self.encode("--profile", profile, "--method", method, "--height",
+                                   0 if method == "mc" else 2)  # fmt: skip
+                self.assertEqual((json["profile"], json["method"]), (profile, method))
                 self.assertEqual(json["sections"]["motion"] > 0, method != "rlfc")
 
     def test_parameters_reach_the_stream(self):
         options = "--cluster 3x2 --height 1 --block 8 --window 5 --references 2x3 --chroma 444"
-        self.encode(*options.split(), "--threshold-ref", 11, "--threshold-pred", 222)
+        main = ["--profile", "main", "--threshold-ref", 11, "--threshold-pred", 222]
+        self.encode(*options.split(), *main)
         info = self.hmlfc_json("info", "a.hmlfc")
         got = [info[key] for key in ("cluster", "tree_height", "block", "window", "chroma")]
         self.assertEqual(got, [[3, 2], 1, 8, 5, "444"])
@@ -96,29 +101,51 @@ class Encode(CliTest):
         self.assertEqual(info["levels"][1], level)
 
     def test_thresholds(self):
-        json = self.encode("--threshold-ref", 11, "--threshold-pred", 222)
+        main = ["--profile", "main"]
+        json = self.encode(*main, "--threshold-ref", 11, "--threshold-pred", 222)
         self.assertEqual((json["threshold_ref"], json["threshold_pred"]), (11, 222))
-        fine = self.encode("--threshold-ref", 0, "--threshold-pred", 0)
-        coarse = self.encode("--threshold-ref", 1000, "--threshold-pred", 1000)
+        fine = self.encode(*main, "--threshold-ref", 0, "--threshold-pred", 0)
+        coarse = self.encode(*main, "--threshold-ref", 1000, "--threshold-pred", 1000)
         self.assertGreater(fine["psnr_rgb"], json["psnr_rgb"])
         self.assertGreater(json["psnr_rgb"], coarse["psnr_rgb"])
         self.assertLess(coarse["bytes"], json["bytes"])
 
     def test_target_psnr(self):
-        json = self.encode("--target-psnr", "36.5", "--chroma", "444")
-        self.assertGreaterEqual(json["psnr_rgb"], 36.5)
-        self.assertLess(json["psnr_rgb"], 37.5)
-        self.assertGreater(json["threshold_pred"], 0)
+        for profile in ("main", "extended"):
+            with self.subTest(profile=profile):
+                target = ["--target-psnr", "36.5", "--chroma", "444"]
+                json = self.encode("--profile", profile, *target)
+                self.assertGreaterEqual(json["psnr_rgb"], 36.5)
+                self.assertLess(json["psnr_rgb"], 37.5)
+                key = "threshold_pred" if profile == "main" else "quality"
+                self.assertGreater(json[key], 0)
+
+    def test_quality(self):
+        for profile in ("main", "extended"):
+            results = [self.encode("--profile", profile, "--quality", q) for q in (20, 60, 90)]
+            for less, more in zip(results, results[1:]):
+                self.assertGreater(more["psnr_rgb"], less["psnr_rgb"], profile)
+                self.assertGreater(more["bytes"], less["bytes"], profile)
+        self.assertEqual([json["quality"] for json in results], [20, 60, 90])
+        usual = self.encode("--profile", "main", "--quality", 60)
+        self.assertEqual((usual["threshold_ref"], usual["threshold_pred"]), (75, 75))
+
+    def test_presets(self):
+        for preset in ("fast", "medium", "slow"):
+            json = self.encode("--preset", preset)
+            self.assertEqual(json["preset"], preset)
 
     def test_target_that_chroma_forbids_is_said(self):
-        result = self.run_hmlfc("encode", "views", "-o", "a.hmlfc", "--target-psnr", "90")
+        result = self.run_hmlfc("encode", "views", "-o", "a.hmlfc", "--target-psnr", "90",
+                                "--chroma", "420")  # fmt: skip
         self.assertEqual(result.returncode, 0)
         self.assertIn("--chroma 444", result.stderr.decode())
 
     def test_text_names_what_counts(self):
-        text = self.hmlfc("encode", "views", "-o", "a.hmlfc")
-        for part in ("3 x 4 views of 44 x 28", "bpp", "dB", "residual", "hmlfc", "75"):
-            self.assertIn(part, text)
+        for profile, last in (("main", "75"), ("extended", "quality 60")):
+            text = self.hmlfc("encode", "views", "-o", "a.hmlfc", "--profile", profile)
+            for part in ("3 x 4 views of 44 x 28", "bpp", "dB", "residual", "top", profile, last):
+                self.assertIn(part, text)
 
     def test_same_bytes_for_any_number_of_threads(self):
         files = []

@@ -6,7 +6,7 @@ from program import CliTest, main
 
 KEYS = [
     "bytes", "bpp", "ratio", "rows", "cols", "width", "height", "profile", "method", "sections",
-    "depth", "chroma", "block", "window", "cluster", "tree_height", "levels", "states",
+    "depth", "chroma", "block", "window", "cluster", "tree_height", "tools", "levels", "states",
 ]  # fmt: skip
 SECTIONS = ["header", "index", "motion", "residual", "top", "other"]
 
@@ -29,7 +29,7 @@ class Info(CliTest):
     @classmethod
     def prepare(cls):
         cls.hmlfc(*"synth --scene cards --grid 3x5 --size 44x28 -o views".split())
-        cls.hmlfc(*"encode views -o a.hmlfc --references 2x4 --cluster 1x2".split())
+        cls.hmlfc(*"encode views -o a.hmlfc --profile main --references 2x4 --cluster 1x2".split())
         cls.stream = (cls.folder / "a.hmlfc").read_bytes()
         cls.header = Header(cls.stream)
         cls.info = cls.hmlfc_json("info", "a.hmlfc")
@@ -94,8 +94,23 @@ class Info(CliTest):
         for part in ("bpp", "residual", "level 3", "zero", "2 x 4"):
             self.assertIn(part, text)
 
+    def test_extended(self):
+        self.hmlfc(*"encode views -o e.hmlfc --references 2x3 --chroma 420".split())
+        info = self.hmlfc_json("info", "e.hmlfc")
+        self.assertEqual(list(info), KEYS)
+        self.assertEqual((info["profile"], info["method"]), ("extended", "mc"))
+        flags = struct.unpack_from("<I", (self.folder / "e.hmlfc").read_bytes(), 12)[0]
+        self.assertEqual(len(info["tools"]), bin(flags).count("1"))
+        self.assertIn("shared_disparity", info["tools"])
+        self.assertEqual(self.info["tools"], [])
+        # 2 x 2 groups, each with a key image; the other views are coded in blocks of 4 x 4.
+        self.assertEqual(sum(info["states"].values()), (15 - 4) * (11 * 7 + 2 * 6 * 4))
+        text = self.hmlfc("info", "e.hmlfc")
+        for part in ("extended", "two_references", "4 key images"):
+            self.assertIn(part, text)
+
     def test_encode_says_the_same(self):
-        options = "--references 2x4 --cluster 1x2"
+        options = "--profile main --references 2x4 --cluster 1x2"
         json = self.hmlfc_json("encode", "views", "-o", "b.hmlfc", *options.split())
         for key in KEYS[:10]:
             self.assertEqual(json[key], self.info[key], key)

@@ -25,10 +25,10 @@ class Inspect(CliTest):
     def prepare(cls):
         cls.hmlfc(*"synth --scene cards --grid 4x4 --size 76x44 -o views".split())
         cls.hmlfc(
-            *f"encode views -o a.hmlfc --window {WINDOW} --references 2x3".split(),
+            *f"encode views -o a.hmlfc --profile main --window {WINDOW} --references 2x3".split(),
             *"--threshold-ref 60 --threshold-pred 60 --chroma 444".split(),
         )
-        cls.hmlfc(*"encode views -o exact.hmlfc --lossless --window 6".split())
+        cls.hmlfc(*"encode views -o exact.hmlfc --profile main --lossless --window 6".split())
         cls.stream = (cls.folder / "a.hmlfc").read_bytes()
         cls.bits = int.from_bytes(cls.stream, "little")
 

@@ -14,6 +14,8 @@ namespace {
 // BND-1: fields and serial additions of one walk.
 constexpr uint64_t kFieldsPerWalk = 182;
 constexpr uint64_t kStepsPerWalk = 63;
+// BND-3: two fields of the head and a step_delta for each block header more.
+constexpr uint64_t kFieldsPerExtendedWalk = kFieldsPerWalk + 2 + 64;
 
 // Decodes `blocks` random blocks, checks each against the bounds, and returns the most walks.
 uint64_t check_random_blocks(const test::RandomCase& made, uint32_t seed, int blocks) {
@@ -59,6 +61,37 @@ TEST(BoundedAccess, DisplacedBlocksComeNearTheBound) {
   made.params.threshold_pred = 24;
   const uint64_t most_walks = check_random_blocks(made, 1, 1500);
   EXPECT_GE(most_walks, 12u);
+}
+
+// BND-3: residual, motion tile, disparity and up to two references of 2 x 2 blocks at each level.
+TEST(BoundedAccess, ExtendedStreamsStayWithinTheStatedBounds) {
+  uint64_t most_walks = 0;
+  for (uint32_t seed = 0; seed < 60; ++seed) {
+    auto made = test::random_extended_case(seed);
+    made.params.quality = 100 - seed % 40;
+    const LightField field = test::textured_light_field(made.shape, seed, made.noise);
+    const auto encoded = encode(field, made.params);
+    ASSERT_TRUE(encoded.has_value());
+    const auto decoder = Decoder::open(encoded->bytes);
+    const StreamHeader& header = decoder->header();
+    const auto max_walks = static_cast<uint64_t>(11 * header.tree_height + 3);
+    test::Random random(seed);
+    for (int block = 0; block < 40; ++block) {
+      const Plane plane = kPlanes[random() % 3];
+      const PlaneSize size = decoder->plane_size(plane);
+      const BlockAddress address{{random() % header.rows, random() % header.cols},
+                                 plane,
+                                 random() % size.width / header.block_size(),
+                                 random() % size.height / header.block_size()};
+      AccessCounts counts;
+      ASSERT_TRUE(decoder->decode_block(address, 0, nullptr, &counts).has_value());
+      EXPECT_LE(counts.walks, max_walks);
+      EXPECT_LE(counts.fields, counts.walks * kFieldsPerExtendedWalk);
+      EXPECT_LE(counts.steps, counts.walks * kStepsPerWalk);
+      most_walks = std::max(most_walks, counts.walks);
+    }
+  }
+  EXPECT_GE(most_walks, 8u) << "blocks with two references were among them";
 }
 
 // The cost of a block does not grow with the grid or the picture.

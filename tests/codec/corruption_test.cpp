@@ -1,4 +1,4 @@
-// Damaged streams: a named error or the same picture, never a crash.
+// Damaged streams: a named error, never a crash.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -28,8 +28,8 @@ std::vector<uint8_t> small_stream(Method method) {
   return encoded ? encoded->bytes : std::vector<uint8_t>{};
 }
 
-// All views by the fast path and some blocks by the golden path: the pictures or the error.
-Result<std::vector<RgbImage>> decode_everything(std::span<const uint8_t> file, bool check) {
+// All views by the fast path and some blocks by the golden path.
+Result<void> decode_everything(std::span<const uint8_t> file, bool check) {
   OpenOptions options;
   options.check_sections = check;
   options.limits.max_plane_samples = 1u << 16;
@@ -39,25 +39,15 @@ Result<std::vector<RgbImage>> decode_everything(std::span<const uint8_t> file, b
   if (uint64_t{header.rows} * header.cols > 64) {
     return fail(ErrorCode::kLimitExceeded, Section::kHeader, 16);
   }
-  std::vector<RgbImage> views;
   for (uint32_t row = 0; row < header.rows; ++row) {
     for (uint32_t col = 0; col < header.cols; ++col) {
-      auto view = decoder->decode_view({row, col});
+      const auto view = decoder->decode_view({row, col});
       const auto golden = decoder->decode_block({{row, col}, Plane::kY, 1, 1});
       if (!view) return tl::unexpected(view.error());
       if (!golden) return tl::unexpected(golden.error());
-      views.push_back(std::move(*view));
     }
   }
-  return views;
-}
-
-bool same_pictures(const std::vector<RgbImage>& a, const std::vector<RgbImage>& b) {
-  if (a.size() != b.size()) return false;
-  for (size_t i = 0; i < a.size(); ++i) {
-    if (a[i].width != b[i].width || a[i].samples != b[i].samples) return false;
-  }
-  return true;
+  return {};
 }
 
 // The header's CRC made right again, so that what lies behind it is reached.
@@ -70,16 +60,14 @@ void mend_header_crc(std::vector<uint8_t>& file) {
 
 class Corruption : public ::testing::TestWithParam<Method> {};
 
-TEST_P(Corruption, EveryBitFlipIsFoundOrHarmless) {
+// Every byte of a file is under a CRC or compared with one.
+TEST_P(Corruption, EveryBitFlipIsFound) {
   const std::vector<uint8_t> good = small_stream(GetParam());
-  const auto expected = decode_everything(good, true);
-  ASSERT_TRUE(expected.has_value());
+  ASSERT_TRUE(decode_everything(good, true).has_value());
   for (size_t bit = 0; bit < good.size() * 8; ++bit) {
     std::vector<uint8_t> bad = good;
     bad[bit / 8] = static_cast<uint8_t>(bad[bit / 8] ^ (1u << (bit % 8)));
-    const auto decoded = decode_everything(bad, true);
-    if (!decoded) continue;
-    EXPECT_TRUE(same_pictures(*decoded, *expected)) << "bit " << bit;
+    EXPECT_FALSE(decode_everything(bad, true).has_value()) << "bit " << bit;
   }
 }
 
@@ -104,6 +92,7 @@ TEST_P(Corruption, EveryBitFlipBehindTheCrcIsSurvived) {
   EXPECT_TRUE(seen.contains(ErrorCode::kBadGroupRecord));
   EXPECT_TRUE(seen.contains(ErrorCode::kBadTileOffset));
   EXPECT_TRUE(seen.contains(ErrorCode::kTileOverrun));
+  EXPECT_TRUE(seen.contains(ErrorCode::kMaskOutside));
 }
 
 TEST_P(Corruption, EveryTruncationIsNamed) {

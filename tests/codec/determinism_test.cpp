@@ -14,9 +14,21 @@ const tbb::global_control kSevenThreads(tbb::global_control::max_allowed_paralle
 
 TEST(Determinism, BytesDoNotDependOnThreads) {
   const LightField field = test::textured_light_field({5, 7, 61, 43, 8}, 3, 12);
-  for (const Method method : {Method::kHmlfc, Method::kRlfc, Method::kMc}) {
+  struct Kind {
+    Method method;
+    Profile profile;
+    int tree_height;
+  };
+  for (const Kind& kind :
+       {Kind{Method::kHmlfc, Profile::kMain, 3}, Kind{Method::kRlfc, Profile::kMain, 3},
+        Kind{Method::kMc, Profile::kMain, 0}, Kind{Method::kHmlfc, Profile::kExtended, 0},
+        Kind{Method::kHmlfc, Profile::kExtended, 2}, Kind{Method::kRlfc, Profile::kExtended, 2}}) {
     EncodeParams params;
-    params.method = method;
+    params.method = kind.method;
+    params.profile = kind.profile;
+    params.tree_height = kind.tree_height;
+    params.ref_rows = params.ref_cols = kind.profile == Profile::kExtended ? 0 : 8;
+    params.automatic_chroma = kind.profile == Profile::kExtended;
     params.threads = 1;
     const auto one = encode(field, params);
     ASSERT_TRUE(one.has_value());

@@ -9,7 +9,9 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
+#include "encoder/coding_choice.hpp"
 #include "encoder/encode_session.hpp"
+#include "encoder/extended_session.hpp"
 #include "support/test_light_fields.hpp"
 
 namespace hmlfc {
@@ -25,14 +27,21 @@ struct Encoding {
 
 Encoding encode_watched(const LightField& field, const EncodeParams& params) {
   Encoding encoding;
-  const auto header = header_for(field.shape(), params);
-  EncodeSession session(field, *header, params);
   std::mutex mutex;
   EncodeObserver observer;
   observer.reconstructed = [&](int level, ImagePos at, const ImagePlanes& planes) {
     const std::scoped_lock lock(mutex);
     encoding.images[{level, at.row, at.col}] = planes;
   };
+  if (params.profile == Profile::kExtended) {
+    const EncodeParams settled = settle_coding(field, params);
+    const auto header = header_for(field.shape(), settled);
+    ExtendedStream stream = encode_extended(field, *header, settled, observer);
+    encoding.bytes = assemble_extended(stream);
+    return encoding;
+  }
+  const auto header = header_for(field.shape(), params);
+  EncodeSession session(field, *header, params);
   CodedImages coded = session.encode(params.threshold_ref, params.threshold_pred, true, observer);
   encoding.bytes = session.stream(coded);
   return encoding;
@@ -62,7 +71,7 @@ size_t differing(const Decoder& decoder, const Encoding& encoding, ViewPos view,
 }
 
 RC_GTEST_PROP(Reconstruction, DecoderEqualsEncoderAtEveryLevel, ()) {
-  const auto made = test::random_case(*rc::gen::arbitrary<uint32_t>());
+  const auto made = test::random_case_of_any_profile(*rc::gen::arbitrary<uint32_t>());
   const LightField field = test::textured_light_field(made.shape, 7, made.noise);
   const Encoding encoding = encode_watched(field, made.params);
   const auto decoder = Decoder::open(encoding.bytes);
@@ -82,7 +91,7 @@ RC_GTEST_PROP(Reconstruction, DecoderEqualsEncoderAtEveryLevel, ()) {
 // The golden path, with references on demand and sparse, against the fast path, on every block.
 RC_GTEST_PROP(Reconstruction, GoldenEqualsFastOnEveryBlock, ()) {
   const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
-  auto made = test::random_case(seed);
+  auto made = test::random_case_of_any_profile(seed);
   made.shape.width = made.shape.width % 24 + 1;
   made.shape.height = made.shape.height % 24 + 1;
   const LightField field = test::textured_light_field(made.shape, seed, made.noise);
@@ -122,7 +131,7 @@ RC_GTEST_PROP(Reconstruction, GoldenEqualsFastOnEveryBlock, ()) {
 // What decode_all delivers, and the error that encode() promises.
 RC_GTEST_PROP(Reconstruction, MeasuredErrorEqualsPromisedError, ()) {
   const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
-  const auto made = test::random_case(seed);
+  const auto made = test::random_case_of_any_profile(seed);
   const LightField field = test::textured_light_field(made.shape, seed, made.noise);
   const auto encoded = encode(field, made.params);
   RC_ASSERT(encoded.has_value());
@@ -144,13 +153,15 @@ RC_GTEST_PROP(Reconstruction, MeasuredErrorEqualsPromisedError, ()) {
   RC_ASSERT(sums.max_abs == encoded->error.max_abs);
 }
 
-// Thresholds 0 and 4:4:4 lose nothing, whatever the content.
+// Thresholds 0, or lossless, and 4:4:4 lose nothing, whatever the content.
 RC_GTEST_PROP(Reconstruction, LosslessIsLossless, ()) {
   const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
-  auto made = test::random_case(seed);
+  auto made = test::random_case_of_any_profile(seed);
   made.params.chroma = ChromaFormat::k444;
+  made.params.automatic_chroma = false;
   made.params.threshold_ref = 0;
   made.params.threshold_pred = 0;
+  made.params.lossless = true;
   const LightField field = test::textured_light_field(made.shape, seed, made.noise);
   const auto encoded = encode(field, made.params);
   RC_ASSERT(encoded.has_value());
@@ -165,10 +176,34 @@ RC_GTEST_PROP(Reconstruction, LosslessIsLossless, ()) {
   }
 }
 
+// More tiles with content than one root entry can lead to.
+TEST(Reconstruction, SeveralRootEntries) {
+  EncodeParams params;
+  params.method = Method::kRlfc;
+  params.block_size = 2;
+  params.chroma = ChromaFormat::k444;
+  params.threshold_ref = 0;
+  params.threshold_pred = 0;
+  const LightField field = test::textured_light_field({10, 10, 64, 48, 8}, 1, 8);
+  const auto encoded = encode(field, params);
+  ASSERT_TRUE(encoded.has_value());
+  const auto decoder = Decoder::open(encoded->bytes);
+  ASSERT_TRUE(decoder.has_value());
+  EXPECT_EQ(decoder->header().sections[1].size, 2 * 16u);
+  EXPECT_GT(decoder->header().sections[2].size, 64 * 16u);
+  for (uint32_t row = 0; row < 10; ++row) {
+    for (uint32_t col = 0; col < 10; ++col) {
+      const auto view = decoder->decode_view({row, col});
+      ASSERT_TRUE(view.has_value());
+      EXPECT_EQ(view->samples, field.view(row, col).samples) << row << "," << col;
+    }
+  }
+}
+
 // A rectangle is the same part of the whole, in samples and in pixels.
 RC_GTEST_PROP(Reconstruction, RectangleIsACropOfTheView, ()) {
   const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
-  const auto made = test::random_case(seed);
+  const auto made = test::random_case_of_any_profile(seed);
   const LightField field = test::textured_light_field(made.shape, seed, made.noise);
   const auto encoded = encode(field, made.params);
   RC_ASSERT(encoded.has_value());

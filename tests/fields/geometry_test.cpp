@@ -1,13 +1,16 @@
-// Geometry against a tree in which everything is listed (STR-2 to STR-6, IDX-1 to IDX-3, DEC-1).
+// Geometry against a tree in which everything is listed (STR-2 to STR-6, IDX-1 to IDX-3, DEC-1,
+// EXT-3, EXT-4, MOT-1, MOT-7).
 #include "fields/geometry.hpp"
 
 #include <cstdint>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "fields/naive_header.hpp"
 #include "fields/naive_tree.hpp"
+#include "fields/reference_set.hpp"
 
 namespace hmlfc {
 namespace {
@@ -30,6 +33,27 @@ StreamHeader draw_small_header() {
   h.cluster_cols = *rc::gen::inRange(h.cluster_rows == 1 ? 2u : 1u, 5u);
   for (int level = 0; level <= h.tree_height; ++level) {
     h.levels.push_back({*rc::gen::inRange<uint8_t>(1, 7), *rc::gen::inRange<uint8_t>(1, 7)});
+  }
+  return h;
+}
+
+// The same of profile extended: any flags that say something about geometry.
+StreamHeader draw_extended_header() {
+  StreamHeader h = draw_small_header();
+  h.profile = Profile::kExtended;
+  const auto flag = [&](Feature feature) {
+    if (*rc::gen::arbitrary<bool>()) h.feature_flags |= feature_bit(feature);
+  };
+  flag(Feature::kBalancedGroups);
+  flag(Feature::kLevelKeys);
+  flag(Feature::kMotionTiles);
+  if (h.has(Feature::kMotionTiles)) {
+    flag(Feature::kChromaMotion);
+    h.motion_tile_log2 = *rc::gen::inRange(5u, 8u);
+  }
+  for (int level = 0; level < h.tree_height; ++level) {
+    h.levels[static_cast<size_t>(level)].key_references =
+        h.has(Feature::kLevelKeys) ? *rc::gen::inRange<uint8_t>(0, 2) : 0;
   }
   return h;
 }
@@ -97,7 +121,110 @@ RC_GTEST_PROP(Geometry, ReferencesAndKeys, ()) {
   const auto keys = tree.keys();
   RC_ASSERT(geometry.key_count() == keys.size());
   for (uint64_t number = 0; number < keys.size(); ++number) {
-    RC_ASSERT(geometry.key_number(pos(keys[number])) == number);
+    RC_ASSERT(geometry.key_number(header.tree_height, pos(keys[number])) == number);
+  }
+}
+
+RC_GTEST_PROP(Geometry, ReferencesAndKeysOfProfileExtended, ()) {
+  const StreamHeader header = draw_extended_header();
+  const Geometry geometry(header);
+  const NaiveTree tree(header);
+  for (const NaiveImage& image : tree.images()) {
+    const NaiveImage reference = tree.reference(image);
+    RC_ASSERT(geometry.reference_of(image.level, pos(image)) == pos(reference));
+    RC_ASSERT(geometry.is_reference(image.level, pos(image)) == (reference == image));
+    RC_ASSERT(geometry.is_key(image.level, pos(image)) == tree.is_key(image));
+    const auto expected = tree.references(image);
+    const ReferenceImages found = reference_images(geometry, image.level, pos(image));
+    for (size_t k = 0; k < 4; ++k) RC_ASSERT(found[k] == pos(expected[k]));
+  }
+  const auto keys = tree.keys();
+  RC_ASSERT(geometry.key_count() == keys.size());
+  for (uint64_t number = 0; number < keys.size(); ++number) {
+    RC_ASSERT(geometry.key_number(keys[number].level, pos(keys[number])) == number);
+  }
+}
+
+// Motion tiles have their numbers behind those of plane Cg.
+RC_GTEST_PROP(Geometry, TileNumbersOfProfileExtended, ()) {
+  const StreamHeader header = draw_extended_header();
+  const Geometry geometry(header);
+  const NaiveTree tree(header);
+  RC_ASSERT(geometry.tile_count() == tree.tiles().size());
+  RC_ASSERT(geometry.motion_planes().size() == tree.planes().size() - 3);
+  for (uint64_t number = 0; number < tree.tiles().size(); ++number) {
+    const NaiveTile& tile = tree.tiles()[number];
+    const uint64_t image = geometry.image_number(tile.image.level, pos(tile.image));
+    const auto plane = static_cast<size_t>(tile.plane);
+    if (plane < 3) {
+      RC_ASSERT(geometry.tile_number(image, tile.plane, tile.tx, tile.ty) == number);
+    } else {
+      RC_ASSERT(geometry.motion_tile_number(image, plane - 3, tile.tx, tile.ty) == number);
+      const MotionPlaneShape& shape = geometry.motion_planes()[plane - 3];
+      const NaiveSize size = tree.plane_size(tile.plane);
+      RC_ASSERT(shape.width == size.width && shape.height == size.height);
+    }
+  }
+  if (!header.has(Feature::kMotionTiles)) return;
+  const bool own_chroma = header.has(Feature::kChromaMotion);
+  RC_ASSERT(geometry.motion_plane_of(Plane::kY) == 0);
+  RC_ASSERT(geometry.motion_plane_of(Plane::kCo) == (own_chroma ? 1u : 0u));
+  RC_ASSERT(geometry.motion_plane_of(Plane::kCg) == (own_chroma ? 1u : 0u));
+  RC_ASSERT(geometry.motion_planes()[0].halves ==
+            (!own_chroma && header.chroma_format == ChromaFormat::k420));
+}
+
+// Every number of rows up to 600 in groups of every size: the boundaries of EXT-3, found by
+// walking over the rows. No group is longer than STR-4 allows, none longer than another by 2.
+TEST(Geometry, BalancedGroupsOfEveryLength) {
+  StreamHeader header;
+  header.profile = Profile::kExtended;
+  header.feature_flags = feature_bit(Feature::kBalancedGroups);
+  for (uint32_t rows = 1; rows <= 600; rows += rows < 40 ? 1 : 23) {
+    header.rows = rows;
+    for (uint32_t length = 1; length <= 255; ++length) {
+      header.levels = {{static_cast<uint8_t>(length), 1}};
+      const Geometry geometry(header);
+      const uint32_t groups = (rows + length - 1) / length;
+      ASSERT_EQ(geometry.level(0).group_rows(), groups);
+      for (uint32_t group = 0; group < groups; ++group) {
+        const uint32_t begin = group * rows / groups;
+        const uint32_t end = (group + 1) * rows / groups;
+        ASSERT_LE(end - begin, length);
+        ASSERT_GE(end - begin, rows / groups);
+        ASSERT_LE(end - begin, rows / groups + 1);
+        for (uint32_t row = begin; row < end; ++row) {
+          ASSERT_EQ(geometry.group_of(0, {row, 0}).row, group) << row << " of " << rows;
+          ASSERT_EQ(geometry.reference_of(0, {row, 0}).row, begin + (end - begin - 1) / 2);
+        }
+      }
+    }
+  }
+}
+
+TEST(Geometry, ReferenceSetsByHand) {
+  StreamHeader header = test::some_header(0);  // 5 x 7 views
+  header.levels = {{2, 3}};
+  const Geometry geometry(header);
+  // Rows of groups 0-1, 2-3, 4 with references in 0, 2, 4; columns 0-2, 3-5, 6 with 1, 4, 6.
+  // View (3, 5): below and right of K0 = (2, 4); as far in both, so that K1 is beside.
+  EXPECT_EQ(reference_images(geometry, 0, {3, 5}),
+            (ReferenceImages{{{2, 4}, {2, 6}, {4, 4}, {4, 6}}}));
+  // View (3, 4): in the column of K0, whose other group is the next; K1 is below.
+  EXPECT_EQ(reference_images(geometry, 0, {3, 4}),
+            (ReferenceImages{{{2, 4}, {4, 4}, {2, 6}, {4, 6}}}));
+  // View (1, 0): the first row of groups, right of no group: the groups on the other side.
+  EXPECT_EQ(reference_images(geometry, 0, {1, 0}),
+            (ReferenceImages{{{0, 1}, {0, 4}, {2, 1}, {2, 4}}}));
+  // One row of groups alone.
+  header.levels = {{5, 3}};
+  EXPECT_EQ(reference_images(Geometry(header), 0, {0, 3}),
+            (ReferenceImages{{{2, 4}, {2, 4}, {2, 1}, {2, 1}}}));
+  const std::vector<std::vector<int>> sets{{0}, {0, 1}, {0, 2}, {1}, {2}, {1, 2}, {0, 3}, {3}};
+  for (unsigned set = 0; set < 8; ++set) {
+    const ReferenceSet found = references_of_set(set);
+    ASSERT_EQ(found.count, sets[set].size());
+    for (size_t i = 0; i < found.count; ++i) EXPECT_EQ(found.reference[i], sets[set][i]);
   }
 }
 

@@ -111,7 +111,7 @@ std::vector<Fault> all_faults() {
   }
   faults.push_back({"header_crc", kHeaderBytes - 4, 4, 0xDEADBEEF, ErrorCode::kBadHeaderCrc,
                     kHeaderBytes - 4, kHeaderBytes - 1, false});
-  for (const uint64_t profile : {1u, 255u}) {
+  for (const uint64_t profile : {2u, 255u}) {
     faults.push_back({"profile", 9, 1, profile, ErrorCode::kBadProfile, 9, 9});
   }
   for (const uint64_t flags : {uint64_t{1}, uint64_t{0x80000000}}) {

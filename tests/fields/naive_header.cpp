@@ -28,9 +28,11 @@ Bytes naive_header(const StreamHeader& h) {
   bits.put(static_cast<unsigned>(h.depth), 8).put(static_cast<uint64_t>(h.chroma_format), 8);
   bits.put(h.block_log2, 8).put(static_cast<unsigned>(h.window), 8);
   bits.put(h.cluster_rows, 8).put(h.cluster_cols, 8).put(levels - 1, 8);
-  for (int i = 0; i < 9; ++i) bits.put(0, 8);
+  bits.put(h.vector_precision, 8).put(h.disparity_precision, 8).put(h.motion_tile_log2, 8);
+  bits.put(h.disparity_grid_log2, 8).put_signed(h.row_scale, 8).put(0, 32);
   for (size_t level = levels; level-- > 0;) {
-    bits.put(h.levels[level].ref_rows, 8).put(h.levels[level].ref_cols, 8).put(0, 16);
+    bits.put(h.levels[level].ref_rows, 8).put(h.levels[level].ref_cols, 8);
+    bits.put(h.levels[level].key_references, 8).put(0, 8);
   }
   for (const SectionEntry& entry : h.sections) {
     bits.put(entry.type, 32).put(entry.crc, 32).put(entry.offset, 64).put(entry.size, 64);

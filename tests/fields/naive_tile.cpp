@@ -58,9 +58,11 @@ void put_vectors(NaiveBits& bits, const TileModel& tile) {
 
 void put_headers(NaiveBits& bits, const TileModel& tile) {
   bits.put(tile.level_base, 6).put(tile.level_bits, 3).put(tile.bias_bits, 4);
+  if (tile.context.steps) bits.put(tile.step_base, 4).put(tile.step_bits, 2);
   for (const BlockModel& block : tile.blocks) {
     if (!block.residual) continue;
     bits.put(block.level_code - tile.level_base, tile.level_bits);
+    if (tile.context.steps) bits.put(block.step_code - tile.step_base, tile.step_bits);
     bits.put_signed(block.bias, tile.bias_bits);
   }
 }
@@ -105,10 +107,19 @@ void draw_residuals(std::mt19937& random, TileModel& tile) {
   tile.bias_bits = static_cast<unsigned>(draw(random, 0, depth + 2));
   const int base = static_cast<int>(tile.level_base);
   const int reach = std::min(most_code, base + (1 << tile.level_bits) - 1);
+  if (tile.context.steps) {
+    tile.step_base = static_cast<unsigned>(draw(random, 0, 15));
+    tile.step_bits = static_cast<unsigned>(draw(random, 0, 3));
+  }
+  const int step_base = static_cast<int>(tile.step_base);
+  const int step_reach = std::min(15, step_base + (1 << tile.step_bits) - 1);
   const int half = tile.bias_bits == 0 ? 0 : 1 << (tile.bias_bits - 1);
   for (BlockModel& block : tile.blocks) {
     if (!block.residual) continue;
     block.level_code = static_cast<unsigned>(draw(random, base, reach));
+    if (tile.context.steps) {
+      block.step_code = static_cast<unsigned>(draw(random, step_base, step_reach));
+    }
     block.bias = draw(random, -half, std::max(half - 1, 0));
     const auto levels = static_cast<int>(level_counts()[block.level_code]);
     for (uint64_t i = 0; i < tile.context.block_samples; ++i) {
@@ -189,6 +200,7 @@ TileContext draw_context(std::mt19937& random) {
   context.window = draw(random, 0, 1) != 0 ? draw(random, 0, 127) : draw(random, 0, 3);
   context.depth = draw(random, 8, 12);
   context.block_samples = uint64_t{4} << (2 * draw(random, 0, 2));
+  context.steps = draw(random, 0, 1) != 0;
   return context;
 }
 

@@ -1,4 +1,4 @@
-// Tile records written field by field from the table of TIL-1.
+// Tile records written field by field from the table of TIL-1 and STP-1.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ struct BlockModel {
   bool residual = false;
   unsigned level_code = 0;
   int bias = 0;
-  std::vector<uint32_t> values;  ///< B * B
+  std::vector<uint32_t> values{};  ///< B * B
+  unsigned step_code = 0;          ///< STP-1
 };
 
 /// One tile. The fields need not lie in their intervals; they are written as they are.
@@ -36,6 +37,8 @@ struct TileModel {
   unsigned level_base = 0;
   unsigned level_bits = 0;
   unsigned bias_bits = 0;
+  unsigned step_base = 0;
+  unsigned step_bits = 0;
   std::array<BlockModel, 64> blocks;
 
   uint64_t motion_mask() const;

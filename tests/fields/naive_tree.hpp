@@ -1,7 +1,8 @@
 // The tree of a small light field spelled out: every image and tile listed, nothing computed that
-// can be counted (STR-2 to STR-6, IDX-1 to IDX-3).
+// can be counted (STR-2 to STR-6, IDX-1 to IDX-3, EXT-3, EXT-4, MOT-1, MOT-7).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -18,7 +19,11 @@ struct NaiveImage {
   friend auto operator<=>(const NaiveImage&, const NaiveImage&) = default;
 };
 
-/// One tile of one plane of an image.
+/// The motion planes (MOT-1), as planes of tiles.
+inline constexpr Plane kMotionOfY{3};
+inline constexpr Plane kMotionOfChroma{4};
+
+/// One tile of one plane of an image, or one motion tile of one motion plane.
 struct NaiveTile {
   NaiveImage image;
   Plane plane = Plane::kY;
@@ -52,10 +57,20 @@ class NaiveTree {
   NaiveImage parent(const NaiveImage& image) const;
   NaiveImage reference(const NaiveImage& image) const;
 
+  /// K0 to K3 of MOT-7.
+  std::array<NaiveImage, 4> references(const NaiveImage& image) const;
+
+  /// The planes that have tiles: Y, Co, Cg and the motion planes.
+  std::vector<Plane> planes() const;
+  bool is_key(const NaiveImage& image) const;
+
   /// The key images in ascending image numbers.
   std::vector<NaiveImage> keys() const;
 
  private:
+  /// The first places of all groups of a row or column of images, and the end.
+  std::vector<uint32_t> group_begins(uint32_t size, uint32_t length) const;
+
   StreamHeader header_;
   std::vector<NaiveSize> levels_;
   std::vector<NaiveImage> images_;

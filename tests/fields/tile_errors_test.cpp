@@ -1,4 +1,4 @@
-// Each error of a tile record (TIL-1, TIL-4, TIL-6 to TIL-9).
+// Each error of a tile record (TIL-1, TIL-4, TIL-6 to TIL-9, STP-1).
 #include <cstdint>
 #include <cstdlib>
 #include <random>
@@ -195,6 +195,51 @@ TEST(TileErrors, LevelCodeBeyondTheDepth) {
   for (unsigned k = 0; k < 64; ++k) EXPECT_EQ(outcome(bits, deeper, k), "ok") << k;
 }
 
+// Step fields are there with residual_step alone, after the checks of bias_bits (STP-1).
+TEST(TileErrors, StepFields) {
+  TileContext context = context_of(false);
+  context.steps = true;
+  for (unsigned base = 0; base < 16; ++base) {
+    for (unsigned step_bits = 0; step_bits < 4; ++step_bits) {
+      NaiveBits bits;
+      bits.put(1, 2).put(3, 6).put(0, 3).put(0, 4).put(base, 4).put(step_bits, 2);
+      for (unsigned block = 0; block < 64; ++block) {
+        bits.put(block % (1u << step_bits), step_bits);
+      }
+      for (int i = 0; i < 20; ++i) bits.put(0, 64 * 4 / 20 + 1);
+      bits.put(0, 64).put(0, 64).put(0, 64).put(0, 64);
+      bool spoilt = false;
+      for (unsigned k = 0; k < 64; ++k) {
+        spoilt = spoilt || base + k % (1u << step_bits) > 15;
+        ASSERT_EQ(outcome(bits, context, k), spoilt ? "bad_levels" : "ok")
+            << "base " << base << ", " << step_bits << " bits, block " << k;
+      }
+    }
+  }
+  const NaiveBits bad_bias = NaiveBits().put(1, 2).put(0, 6).put(0, 3).put(11, 4);
+  EXPECT_EQ(outcome(bad_bias, context, 0), "bad_mode") << "before the step fields that lack";
+}
+
+// Of one header's two codes the level code is checked first; both name the same error.
+TEST(TileErrors, StepCodeBeyondTheTable) {
+  TileModel tile;
+  tile.context = context_of(true);
+  tile.context.steps = true;
+  tile.residual_mode = 2;
+  tile.step_base = 14;
+  tile.step_bits = 2;
+  for (const size_t k : {5u, 6u, 20u, 33u, 63u}) {
+    tile.blocks[k].residual = true;
+    tile.blocks[k].step_code = k == 20 ? 16 : 14 + static_cast<unsigned>(k % 2);
+    tile.blocks[k].values.assign(4, 0);
+  }
+  const NaiveBits bits = test::write_tile(tile).bits;
+  for (unsigned k = 0; k < 64; ++k) {
+    const bool spoilt = tile.blocks[k].residual && k >= 20;
+    EXPECT_EQ(outcome(bits, tile.context, k), spoilt ? "bad_levels" : "ok") << k;
+  }
+}
+
 // Whatever the bits are, each block gives its entry or an error of this section.
 TEST(TileErrors, RandomBitsNeverDoMore) {
   std::mt19937 random(2);
@@ -212,6 +257,8 @@ TEST(TileErrors, RandomBitsNeverDoMore) {
       ASSERT_LE(std::abs(entry->dy), context.window);
       ASSERT_LE(entry->levels.count, 4u << context.depth);
       ASSERT_LE(std::abs(2 * entry->bias + 1), 4 << context.depth);
+      ASSERT_GE(entry->step, 1);
+      ASSERT_LE(entry->step, context.steps ? 256 : 1);
     }
   }
 }

@@ -1,4 +1,4 @@
-// Valid tile records read back as they were written (TIL-1 to TIL-10).
+// Valid tile records read back as they were written (TIL-1 to TIL-10, STP-1).
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -16,6 +16,9 @@ using test::BlockModel;
 using test::TileModel;
 using test::TileRecord;
 
+// STP-2.
+constexpr int32_t kSteps[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
+
 void check_head(const TileHead& head, const TileModel& tile, const TileRecord& record) {
   ASSERT_EQ(head.motion_mask, tile.motion_mask());
   ASSERT_EQ(head.residual_mask, tile.residual_mask());
@@ -32,6 +35,8 @@ void check_head(const TileHead& head, const TileModel& tile, const TileRecord& r
     ASSERT_EQ(head.residuals.level_base, tile.level_base);
     ASSERT_EQ(head.residuals.level_bits, tile.level_bits);
     ASSERT_EQ(head.residuals.bias_bits, tile.bias_bits);
+    ASSERT_EQ(head.residuals.step_base, tile.step_base);
+    ASSERT_EQ(head.residuals.step_bits, tile.step_bits);
     ASSERT_EQ(head.residuals.values_at, record.head_end);
   }
 }
@@ -55,6 +60,7 @@ void check_block(const BlockEntry& entry, const BlockModel& block, const BitStri
   if (block.residual) {
     ASSERT_EQ(entry.levels, levels_of_code(block.level_code));
     ASSERT_EQ(entry.bias, block.bias);
+    ASSERT_EQ(entry.step, kSteps[block.step_code]);
     for (size_t i = 0; i < block.values.size(); ++i) {
       ASSERT_EQ(bise_value(bits, entry.values_at, entry.levels, block.values.size(), i),
                 block.values[i]);

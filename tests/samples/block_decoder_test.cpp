@@ -142,6 +142,17 @@ TEST(BlockDecoder, RandomStreams) {
   }
 }
 
+// Every combination of flags that fit together, four streams each.
+TEST(BlockDecoder, RandomExtendedStreams) {
+  std::mt19937 random(3);
+  for (uint32_t flags = 0; flags < 512; ++flags) {
+    if ((flags & 2) == 0 && (flags & 60) != 0) continue;
+    const StreamHeader header = test::draw_extended_header(random, flags);
+    const NaiveStream stream(random, header, static_cast<int>(1 + flags % 4));
+    ASSERT_NO_FATAL_FAILURE(check_stream(random, stream)) << "flags " << flags;
+  }
+}
+
 // Without tiles, every view is its key image, or 0 in a predictive image of the top level (DEC-6).
 TEST(BlockDecoder, StreamsWithoutTiles) {
   std::mt19937 random(2);

@@ -59,6 +59,35 @@ void compare_view(const Decoder& decoder, ViewPos view, Plane plane, const Naive
   ASSERT_EQ(whole.error().offset, first->offset);
 }
 
+// Three flipped bits of groups and records.
+void damage(std::mt19937& random, Bytes& file, const StreamHeader& header) {
+  const SectionEntry& group = header.sections[2];
+  const SectionEntry& tile = header.sections[3];
+  const uint64_t end = tile.offset + tile.size;
+  for (int flips = 0; flips < 3 && group.offset < end; ++flips) {
+    const SectionEntry& section = random() % 8 == 0 ? group : tile;
+    if (section.size == 0) continue;
+    file[section.offset + random() % section.size] ^= static_cast<uint8_t>(1u << random() % 8);
+  }
+}
+
+void compare_views(std::mt19937& random, const NaiveStream& stream, int& failed, int& decoded) {
+  Bytes file = stream.file();
+  OpenOptions options;
+  options.check_sections = false;
+  const auto intact = Decoder::open(file, options);
+  ASSERT_TRUE(intact.has_value());
+  const StreamHeader header = intact->header();
+  damage(random, file, header);
+  const auto decoder = Decoder::open(file, options);
+  ASSERT_TRUE(decoder.has_value());
+  for (uint32_t view = 0; view < 9; view += 2) {
+    const Plane plane = kPlanes[random() % 3];
+    ASSERT_NO_FATAL_FAILURE(compare_view(*decoder, {view / 3, view % 3}, plane,
+                                         stream.tree().plane_blocks(plane), failed, decoded));
+  }
+}
+
 TEST(Damage, AllPathsAgree) {
   std::mt19937 random(1);
   int failed = 0;
@@ -67,30 +96,25 @@ TEST(Damage, AllPathsAgree) {
     StreamHeader header = test::draw_stream_header(random);
     header.rows = header.cols = 3;
     const NaiveStream stream(random, header, 4);
-    Bytes file = stream.file();
-    OpenOptions options;
-    options.check_sections = false;
-    auto intact = Decoder::open(file, options);
-    ASSERT_TRUE(intact.has_value());
-    const SectionEntry& group = intact->header().sections[2];
-    const SectionEntry& tile = intact->header().sections[3];
-    const uint64_t end = tile.offset + tile.size;
-    for (int flips = 0; flips < 3 && group.offset < end; ++flips) {
-      const SectionEntry& section = random() % 8 == 0 ? group : tile;
-      if (section.size == 0) continue;
-      file[section.offset + random() % section.size] ^= static_cast<uint8_t>(1u << random() % 8);
-    }
-    const auto decoder = Decoder::open(file, options);
-    ASSERT_TRUE(decoder.has_value());
-    for (uint32_t view = 0; view < 9; view += 2) {
-      const Plane plane = kPlanes[random() % 3];
-      ASSERT_NO_FATAL_FAILURE(compare_view(*decoder, {view / 3, view % 3}, plane,
-                                           stream.tree().plane_blocks(plane), failed, decoded))
-          << "round " << round;
-    }
+    ASSERT_NO_FATAL_FAILURE(compare_views(random, stream, failed, decoded)) << "round " << round;
   }
   EXPECT_GT(failed, 30) << "the damage is found";
   EXPECT_GT(decoded, 30) << "and does not spread";
+}
+
+TEST(Damage, AllPathsAgreeOnExtendedStreams) {
+  std::mt19937 random(2);
+  int failed = 0;
+  int decoded = 0;
+  for (int round = 0; round < 150; ++round) {
+    StreamHeader header = test::draw_extended_header(random, test::draw_flags(random) | 2);
+    if (header.motion_tile_log2 == 0) header.motion_tile_log2 = 5;
+    header.rows = header.cols = 3;
+    const NaiveStream stream(random, header, 4);
+    ASSERT_NO_FATAL_FAILURE(compare_views(random, stream, failed, decoded)) << "round " << round;
+  }
+  EXPECT_GT(failed, 60) << "the damage is found";
+  EXPECT_GT(decoded, 60) << "and does not spread";
 }
 
 }  // namespace

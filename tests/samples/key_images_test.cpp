@@ -95,7 +95,7 @@ std::vector<std::string> plane_outcomes(const Bytes& top) {
     const KeyImages keys(stream);
     for (size_t entry = 0; entry < 9; ++entry) {
       const ImagePos at{0, static_cast<uint32_t>(entry / 3 * 2)};
-      const auto plane = keys.plane(at, kPlanes[entry % 3]);
+      const auto plane = keys.plane(0, at, kPlanes[entry % 3]);
       names.emplace_back(plane ? "ok" : error_name(plane.error().code));
     }
   });
@@ -125,7 +125,7 @@ TEST(KeyImages, PlanesStandInAscendingImageNumbers) {
     const KeyImages keys(stream);
     for (size_t entry = 0; entry < 9; ++entry) {
       const ImagePos at{0, static_cast<uint32_t>(entry / 3 * 2)};
-      const auto plane = keys.plane(at, kPlanes[entry % 3]);
+      const auto plane = keys.plane(0, at, kPlanes[entry % 3]);
       ASSERT_TRUE(plane.has_value());
       EXPECT_EQ((*plane)->samples, top.planes[entry].samples) << entry;
     }

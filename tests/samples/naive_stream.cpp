@@ -6,6 +6,7 @@
 #include "bits/naive_crc32c.hpp"
 #include "samples/jpeg2000.hpp"
 #include "values/naive_bise.hpp"
+#include "values/naive_integers.hpp"
 
 namespace hmlfc::test {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 // STR-7.
 int64_t most_of(int depth) { return (int64_t{1} << depth) - 1; }
 int64_t least_of(Plane plane, int depth) { return plane == Plane::kY ? 0 : -most_of(depth); }
-
-int64_t between(int64_t lo, int64_t x, int64_t hi) { return std::max(lo, std::min(x, hi)); }
 
 void put_group(const std::vector<const Bytes*>& lanes, NaiveBits& groups, NaiveBits& tiles) {
   std::vector<uint64_t> ends;
@@ -84,6 +83,7 @@ NaiveStream::NaiveStream(std::mt19937& random, const StreamHeader& header, int d
     : header_(header), tree_(header) {
   draw_keys(random);
   draw_tiles(random, density);
+  draw_motion_tiles(random, density);
 }
 
 void NaiveStream::draw_keys(std::mt19937& random) {
@@ -101,7 +101,9 @@ void NaiveStream::draw_keys(std::mt19937& random) {
 
 TileContext NaiveStream::context_of(const NaiveTile& tile) const {
   TileContext context;
-  context.predictive = tree_.reference(tile.image) != tile.image;
+  context.predictive =
+      tree_.reference(tile.image) != tile.image && !header_.has(Feature::kMotionTiles);
+  context.steps = header_.has(Feature::kResidualStep);
   context.window = header_.window;
   context.depth = header_.depth;
   context.block_samples = uint64_t{1} << (2 * header_.block_log2);
@@ -117,18 +119,24 @@ TileContext NaiveStream::context_of(const NaiveTile& tile) const {
 
 void NaiveStream::draw_tiles(std::mt19937& random, int density) {
   for (const NaiveTile& tile : tree_.tiles()) {
-    const bool key =
-        tile.image.level == header_.tree_height && tree_.reference(tile.image) == tile.image;
-    if (key || draw(random, 1, 4) > density) continue;
+    if (tile.plane == kMotionOfY || tile.plane == kMotionOfChroma) continue;
+    if (tree_.is_key(tile.image) || draw(random, 1, 4) > density) continue;
     tiles_[tile] = draw_tile(random, context_of(tile));
   }
 }
 
 Bytes NaiveStream::file() const {
   std::map<uint64_t, Bytes> records;
+  for (const auto& [tile, model] : motion_) {
+    records[tree_.tile_number(tile)] = write_motion(model).bytes();
+  }
+  for (const auto& [tile, model] : disparities_) {
+    records[tree_.tile_number(tile)] = write_disparities(model).bytes();
+  }
   for (const auto& [tile, model] : tiles_) {
     records[tree_.tile_number(tile)] = write_tile(model).bits.bytes();
   }
+  for (const auto& [tile, bytes] : replaced_) records[tree_.tile_number(tile)] = bytes;
   SectionBytes sections = naive_index(records, tree_.tiles().size());
   std::vector<std::pair<Bytes, uint32_t>> codestreams;
   for (const NaiveImage& key : tree_.keys()) {
@@ -160,16 +168,17 @@ int64_t NaiveStream::residual(const NaiveImage& image, Plane plane, uint32_t x, 
   const int64_t value = block->values[(y % side) * side + x % side];
   const int64_t levels = naive_level_counts()[block->level_code];
   const int64_t bound = most_of(header_.depth) - least_of(plane, header_.depth);
-  return between(-bound, value - levels / 2 + block->bias, bound);
+  const int64_t steps[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
+  const int64_t coded = between(-bound, value - levels / 2 + block->bias, bound);
+  return between(-bound, steps[block->step_code] * coded, bound);
 }
 
-int64_t NaiveStream::reference(const NaiveImage& image, Plane plane, int64_t x, int64_t y) const {
-  const NaiveImage reference = tree_.reference(image);
+int64_t NaiveStream::reference(const NaiveImage& from, Plane plane, int64_t x, int64_t y) const {
   const NaiveSize size = tree_.plane_size(plane);
   const auto cx = static_cast<uint32_t>(between(0, x, int64_t{size.width} - 1));
   const auto cy = static_cast<uint32_t>(between(0, y, int64_t{size.height} - 1));
-  if (image.level == header_.tree_height) return keys_.at({reference, plane}).at(cx, cy);
-  return residual(reference, plane, cx, cy);
+  if (tree_.is_key(from)) return keys_.at({from, plane}).at(cx, cy);
+  return residual(from, plane, cx, cy);
 }
 
 int64_t NaiveStream::parent_sample(const NaiveImage& image, Plane plane, uint32_t x,
@@ -179,23 +188,28 @@ int64_t NaiveStream::parent_sample(const NaiveImage& image, Plane plane, uint32_
 }
 
 int64_t NaiveStream::displaced(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const {
-  const BlockModel* block = block_at(image, plane, x, y);
-  return reference(image, plane, int64_t{x} + block->dx, int64_t{y} + block->dy);
+  const auto [negative, references] = motion(image, plane, x, y);
+  if (!header_.has(Feature::kMotionTiles)) {
+    return reference(references[0].image, plane, x + references[0].vx, y + references[0].vy);
+  }
+  int64_t sum = 0;
+  for (const NaiveReference& from : references) sum += interpolated(from, plane, x, y);
+  return references.size() == 1 ? floor_of(sum + 32, 64) : floor_of(sum + 64, 128);
 }
 
 int64_t NaiveStream::prediction(const NaiveImage& image, Plane plane, uint32_t x,
                                 uint32_t y) const {
-  const int64_t parent = parent_sample(image, plane, x, y);
-  const BlockModel* block = block_at(image, plane, x, y);
-  if (block == nullptr || !block->motion) return parent;
+  const NaiveMotion how = motion(image, plane, x, y);
+  if (how.references.empty()) return parent_sample(image, plane, x, y);
+  const bool keyed = tree_.is_key(tree_.reference(image));
+  const int64_t base = keyed ? 0 : parent_sample(image, plane, x, y);
   const int64_t ref = displaced(image, plane, x, y);
-  return between(least_of(plane, header_.depth), block->negative ? parent - ref : parent + ref,
+  return between(least_of(plane, header_.depth), how.negative ? base - ref : base + ref,
                  most_of(header_.depth));
 }
 
 int64_t NaiveStream::sample(const NaiveImage& image, Plane plane, uint32_t x, uint32_t y) const {
-  const bool top = image.level == header_.tree_height;
-  if (top && tree_.reference(image) == image) return keys_.at({image, plane}).at(x, y);
+  if (tree_.is_key(image)) return keys_.at({image, plane}).at(x, y);
   return between(least_of(plane, header_.depth),
                  prediction(image, plane, x, y) + residual(image, plane, x, y),
                  most_of(header_.depth));

@@ -1,11 +1,11 @@
 // Reading a reference at any place: the definition in one line, the golden path and the fast one
 // (DEC-4, DEC-5).
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <random>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -61,14 +61,18 @@ PlaneShape shape_of(uint32_t width, uint32_t height, unsigned block_size) {
   return shape;
 }
 
-void check_gather(uint32_t width, uint32_t height, unsigned size, int32_t x, int32_t y) {
+// A window of size + more columns and rows: more is 1 between samples.
+void check_gather(uint32_t width, uint32_t height, unsigned size, int32_t x, int32_t y,
+                  unsigned more) {
   const PlaneShape shape = shape_of(width, height, size);
   PlaneOfNumbers blocks(shape, size);
-  const auto gathered = gather_reference(blocks, shape, size, x, y);
+  const auto gathered = gather_reference(blocks, shape, size, {x, y, size + more, size});
   ASSERT_TRUE(gathered.has_value());
+  ASSERT_EQ(gathered->columns(), size + more);
+  ASSERT_EQ(gathered->rows(), size);
   EXPECT_LE(blocks.asked(), 4u) << "at most 2 x 2 blocks";
   for (unsigned j = 0; j < size; ++j) {
-    for (unsigned i = 0; i < size; ++i) {
+    for (unsigned i = 0; i < size + more; ++i) {
       ASSERT_EQ(gathered->at(i, j), 100 * between(0, int64_t{y} + j, int64_t{height} - 1) +
                                         between(0, int64_t{x} + i, int64_t{width} - 1))
           << width << "x" << height << ", block of " << size << " at " << x << ", " << y;
@@ -81,7 +85,10 @@ TEST(GatherReference, EveryPlaceAroundSmallPlanes) {
     for (const uint32_t width : {1u, 2u, 5u, 8u, 19u}) {
       for (const uint32_t height : {1u, 3u, 8u, 12u}) {
         for (int32_t y = -20; y <= 32; ++y) {
-          for (int32_t x = -20; x <= 40; ++x) check_gather(width, height, size, x, y);
+          for (int32_t x = -20; x <= 40; ++x) {
+            check_gather(width, height, size, x, y, 0);
+            check_gather(width, height, size, x, y, 1);
+          }
         }
       }
     }
@@ -94,7 +101,7 @@ RC_GTEST_PROP(GatherReference, FarOutside, ()) {
   const unsigned size = 2u << *rc::gen::inRange(0, 3);
   const int32_t x = *rc::gen::inRange(-70000, 70000);
   const int32_t y = *rc::gen::inRange(-70000, 70000);
-  check_gather(width, height, size, x, y);
+  check_gather(width, height, size, x, y, *rc::gen::inRange(0u, 2u));
 }
 
 /// Fails for one block.
@@ -121,7 +128,7 @@ TEST(GatherReference, FailsIfAndOnlyIfABlockItReadsFails) {
           reads = reads || (between(0, x + i, 15) / 4 == 1 && between(0, y + j, 15) / 4 == 2);
         }
       }
-      const auto gathered = gather_reference(blocks, shape, 4, x, y);
+      const auto gathered = gather_reference(blocks, shape, 4, {x, y, 4, 4});
       ASSERT_EQ(gathered.has_value(), !reads) << x << ", " << y;
       if (reads) {
         EXPECT_EQ(gathered.error().offset, 99u);
@@ -142,7 +149,8 @@ void check_reader(std::mt19937& random, const NaiveStream& naive) {
   for (int round = 0; round < 12; ++round) {
     const test::NaiveImage image = images[random() % images.size()];
     const Plane plane = kPlanes[random() % 3];
-    const auto reader = ReferenceReader::open(sources, image.level, {image.row, image.col}, plane);
+    const test::NaiveImage from = naive.tree().reference(image);
+    const auto reader = ReferenceReader::open(sources, image.level, {from.row, from.col}, plane);
     ASSERT_TRUE(reader.has_value()) << to_string(reader.error());
     const auto size = static_cast<int32_t>(header.block_size());
     const auto w = static_cast<int32_t>(naive.tree().plane_size(plane).width);
@@ -151,14 +159,18 @@ void check_reader(std::mt19937& random, const NaiveStream& naive) {
       const bool far = i % 6 == 0;
       const int32_t x = test::draw(random, far ? -200 : -size, far ? w + 200 : w);
       const int32_t y = test::draw(random, far ? -200 : -size, far ? h + 200 : h);
-      std::array<int16_t, 64> read;
-      read.fill(-31000);
-      const auto ok = reader->read(x, y, read.data());
-      ASSERT_TRUE(ok.has_value()) << to_string(ok.error());
-      for (int32_t j = 0; j < size * size; ++j) {
-        ASSERT_EQ(read[static_cast<size_t>(j)],
-                  naive.reference(image, plane, x + j % size, y + j / size))
-            << "level " << image.level << " at " << x << ", " << y << ", value " << j;
+      const auto columns = static_cast<unsigned>(test::draw(random, 1, i % 3 == 0 ? 33 : size + 1));
+      const auto rows = static_cast<unsigned>(test::draw(random, 1, i % 3 == 0 ? 33 : size + 1));
+      std::vector<int16_t> buffer(size_t{columns} * rows, -31000);
+      const auto read = reader->view({x, y, columns, rows}, buffer.data());
+      ASSERT_TRUE(read.has_value()) << to_string(read.error());
+      for (unsigned j = 0; j < rows; ++j) {
+        for (unsigned k = 0; k < columns; ++k) {
+          ASSERT_EQ(read->data[j * read->stride + k],
+                    naive.reference(from, plane, x + int64_t{k}, y + int64_t{j}))
+              << "level " << image.level << " at " << x << ", " << y << ", value " << k << ", "
+              << j;
+        }
       }
     }
   }

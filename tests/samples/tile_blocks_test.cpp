@@ -30,14 +30,23 @@ StreamHeader draw_header(std::mt19937& random) {
   header.window = test::draw(random, 0, 127);
   header.tree_height = 1;
   header.levels = {{2, 2}, {1, 1}};
+  header.profile = Profile::kExtended;
+  header.feature_flags = random() % 4;
+  if (header.has(Feature::kMotionTiles)) header.motion_tile_log2 = 5;
   return header;
+}
+
+bool is_motion(const NaiveTile& tile) {
+  return tile.plane == test::kMotionOfY || tile.plane == test::kMotionOfChroma;
 }
 
 /// A record for `tile`: sound, or with one thing wrong.
 Bytes draw_record(std::mt19937& random, const StreamHeader& header, const NaiveTree& tree,
                   const NaiveTile& tile, bool sound) {
   TileContext context;
-  context.predictive = tree.reference(tile.image) != tile.image;
+  context.predictive =
+      tree.reference(tile.image) != tile.image && !header.has(Feature::kMotionTiles);
+  context.steps = header.has(Feature::kResidualStep);
   context.window = header.window;
   // Level codes and biases that a lower depth does not allow.
   context.depth = sound ? header.depth : 12;
@@ -103,14 +112,14 @@ int compare_tiles(std::mt19937& random, int rounds, bool sound, int& all) {
     const NaiveTree tree(drawn);
     std::map<uint64_t, Bytes> records;
     for (const NaiveTile& tile : tree.tiles()) {
-      if (tile.image.level > 0) continue;
+      if (tile.image.level > 0 || is_motion(tile)) continue;
       records[tree.tile_number(tile)] = draw_record(random, drawn, tree, tile, sound);
     }
     const Bytes file = test::naive_file(drawn, test::naive_index(records, tree.tiles().size()));
     const StreamHeader header = parse_header(file).value();
     const StreamView stream{file, header, Geometry(header)};
     for (const NaiveTile& tile : tree.tiles()) {
-      if (tile.image.level > 0) continue;
+      if (tile.image.level > 0 || is_motion(tile)) continue;
       ++all;
       reading += compare_tile(stream, tile) ? 1 : 0;
     }

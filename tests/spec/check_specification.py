@@ -3,7 +3,7 @@
 
 citations  every clause cited exists; every clause that a decoder follows is cited in its layers
 errors     annex A has the numbers, names and meanings of the model
-widths     the numbers of section 10 follow from its formulas, and no value leaves its interval
+widths     the numbers of section 11 follow from its formulas, and no value leaves its interval
 """
 
 import argparse

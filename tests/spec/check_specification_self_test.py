@@ -22,13 +22,22 @@ WIDTH_TABLE = """
 | P + sign * ref | DEC-3 | | [-(2^n - 1), 2^(n+1) - 2] | [-3(2^n - 1), 3(2^n - 1)] | 11 | 15 |
 | A + residual | DEC-3 | | [-(2^n - 1), 2^(n+1) - 2] | [-3(2^n - 1), 3(2^n - 1)] | 11 | 15 |
 | vector component | TIL-7 | | [-127, 127] | the same | 8 | 8 |
+| step * residual | STP-3 |  | [-256(2^n - 1), 256(2^n - 1)] | [-256(2^(n+1) - 2), 256(2^(n+1) - 2)] | 18 | 22 |
+| disparity | MOT-6 |  | [-4096, 4095] | the same | 13 | 13 |
+| explicit_x, explicit_y | MOT-3 |  | [-2048, 2047] | the same | 12 | 12 |
+| rk - r, ck - c | MOT-8 | groups of at most 255, reference images of the next group | [-382, 382] | the same | 10 | 10 |
+| d * row_scale * (rk - r) | MOT-8 | before rshift; its rounding stays within these bits | [-4096 * 127 * 382, 4096 * 127 * 382] | the same | 29 | 29 |
+| vx, vy | MOT-8 | V = window * 2^vector_precision | [-1016, 1016] | the same | 11 | 11 |
+| u | MOT-9 | vx * 2^(3 - vector_precision) | [-1016, 1016] | the same | 11 | 11 |
+| I | MOT-9 | 64 * ref | [-64(2^n - 1), 64(2^n - 1)] | [-64(2^(n+1) - 2), 64(2^(n+1) - 2)] | 16 | 20 |
+| I_first + I_second + 64 | MOT-9 | | [-128(2^n - 1) + 64, 128(2^n - 1) + 64] | [-128(2^(n+1) - 2) + 64, 128(2^(n+1) - 2) + 64] | 17 | 21 |
 | t | COL-2 | | [-(2^(n-1) - 1), 3 * 2^(n-1) - 1] | | 10 | 14 |
 | G before its clamp | COL-2 | | [-(2^(n-1) - 1), 3 * 2^(n-1) - 1] | | 10 | 14 |
 | B before its clamp | COL-2 | | [-(2^n - 2), 2^(n+1) - 1] | | 10 | 14 |
 | R before its clamp | COL-2 | | [-(2^n - 2), 2^(n+1) - 1] | | 10 | 14 |
 | image number | IDX-1 | | [0, 2^25 + 2^13 - 1] | | 26 | 26 |
 | tile number | IDX-2 | | [0, 2^51 - 1] | | 51 | 51 |
-| bit position in a tile record | TIL-1 | 64 * (64 * (n + 2) + n + 8) + 4096 | | | 16 | 16 |
+| bit position in a tile record | TIL-1 | 64 * (64 * (n + 2) + n + 11) + 4096 | | | 16 | 16 |
 """
 
 CLAUSES = """
@@ -81,7 +90,7 @@ ERROR_TREE = {
     error_table.HEADER: HEADER,
     error_table.SOURCE: SOURCE,
 }
-WIDTH_TREE = {SPECIFICATION: f"## 9 Other\n\n| a |\n|---|\n\n## 10 Widths\n{WIDTH_TABLE}"}
+WIDTH_TREE = {SPECIFICATION: f"## 10 Other\n\n| a |\n|---|\n\n## 11 Widths\n{WIDTH_TABLE}"}
 
 
 class SpecificationTest(unittest.TestCase):
@@ -220,6 +229,12 @@ class WidthsTest(SpecificationTest):
             ("P + sign * ref", "[-3(2^n - 1), 3(2^n - 1)]", ["[-3(2^n - 1), 3(2^n - 1) - 1]"]),
             ("P + sign * ref", "2^(n+1) - 2] | [-3", ["2^(n+1) - 1] | [-3", "2^(n+1) - 3] | [-3"]),
             ("vector component", "[-127, 127]", ["[-128, 127]", "[-127, 126]"]),
+            ("step * residual", "256(2^n - 1)] |", ["256(2^n - 1) - 1] |", "256(2^n - 1) + 1] |"]),
+            ("disparity", "[-4096, 4095]", ["[-4095, 4095]", "[-4096, 4096]"]),
+            ("rk - r, ck - c", "[-382, 382]", ["[-381, 382]", "[-382, 383]"]),
+            ("d * row_scale * (rk - r)", "127 * 382] |", ["127 * 381] |", "128 * 382] |"]),
+            ("I", "64(2^n - 1)] |", ["64(2^n - 1) - 1] |", "64(2^n - 1) + 1] |"]),
+            ("I_first + I_second + 64", "(2^n - 1) + 64] |", ["(2^n - 1) + 63] |"]),
             ("t", "[-(2^(n-1) - 1), 3", ["[-2^(n-1), 3", "[-(2^(n-1) - 2), 3"]),
             ("t", "3 * 2^(n-1) - 1]", ["3 * 2^(n-1) - 2]", "3 * 2^(n-1)]"]),
             ("B before its clamp", "[-(2^n - 2),", ["[-(2^n - 1),", "[-(2^n - 3),"]),
@@ -233,7 +248,7 @@ class WidthsTest(SpecificationTest):
         words = "at n = 3 values reach"
         self.plant("2^25 + 2^13 - 1]", "2^25 + 2^13 - 2]", "image number", words)
         self.plant("[0, 2^51 - 1]", "[0, 3 * 2^49 - 1]", "tile number", words)
-        self.plant("n + 8) + 4096", "n + 8) + 200", "bit position in a tile record", words)
+        self.plant("n + 11) + 4096", "n + 11) + 200", "bit position in a tile record", words)
 
     def test_rows(self):
         row = "| vector component | TIL-7 | | [-127, 127] | the same | 8 | 8 |\n"

@@ -1,13 +1,22 @@
-"""The width table of section 10: its formulas give its numbers, and values reach but never leave
+"""The width table of section 11: its formulas give its numbers, and values reach but never leave
 its intervals."""
 
 import re
 from functools import cache
 
-from extremes import Tried, most_images, most_tiles
+from extremes import (
+    DISPARITIES,
+    Tried,
+    eighths,
+    most_images,
+    most_tiles,
+    reference_offsets,
+    scaled_disparities,
+    vector_components,
+)
 from specification import read, table_after
 
-HEADING = "## 10"
+HEADING = "## 11"
 WIDTHS = {"bits at n = 8": 8, "bits at n = 12": 12}
 DEPTHS = [3, 4, 5, 8, 9, 10, 11, 12]
 
@@ -26,6 +35,15 @@ QUANTITIES = {
     "P + sign * ref": (REACHED, Tried.phased),
     "A + residual": (REACHED, Tried.corrected),
     "vector component": (REACHED, lambda tried, plane: (-127, 127)),
+    "step * residual": (REACHED, Tried.stepped),
+    "disparity": (REACHED, lambda tried, plane: DISPARITIES),
+    "explicit_x, explicit_y": (REACHED, lambda tried, plane: (-(2**11), 2**11 - 1)),
+    "rk - r, ck - c": (REACHED, lambda tried, plane: reference_offsets()),
+    "d * row_scale * (rk - r)": (REACHED, lambda tried, plane: scaled_disparities()),
+    "vx, vy": (REACHED, lambda tried, plane: vector_components()),
+    "u": (REACHED, lambda tried, plane: eighths()),
+    "I": (REACHED, Tried.interpolated),
+    "I_first + I_second + 64": (REACHED, Tried.two_interpolated),
     "t": (REACHED, lambda tried, plane: tried.ends(tried.t_values())),
     "G before its clamp": (REACHED, lambda tried, plane: tried.green()),
     "B before its clamp": (REACHED, lambda tried, plane: tried.blue()),

@@ -80,4 +80,26 @@ inline RandomCase random_case(uint32_t seed) {
   return made;
 }
 
+/// The same in profile extended: all methods, presets, qualities and group sizes.
+inline RandomCase random_extended_case(uint32_t seed) {
+  RandomCase made = random_case(seed);
+  Random random(~seed);
+  const auto pick = [&](uint32_t lo, uint32_t hi) { return lo + random() % (hi - lo + 1); };
+  EncodeParams& params = made.params;
+  params.profile = Profile::kExtended;
+  params.tree_height = pick(0, 1) == 0 ? 0 : static_cast<int>(pick(1, 3));
+  params.window = static_cast<int>(pick(0, 3) == 0 ? 0 : pick(1, 127));
+  params.quality = pick(0, 100);
+  params.preset = static_cast<Preset>(pick(0, 2));
+  params.lossless = pick(0, 5) == 0;
+  params.automatic_chroma = pick(0, 3) == 0;
+  if (pick(0, 3) == 0) params.ref_rows = params.ref_cols = 0;
+  return made;
+}
+
+/// A case of either profile.
+inline RandomCase random_case_of_any_profile(uint32_t seed) {
+  return seed % 2 == 0 ? random_case(seed / 2) : random_extended_case(seed / 2);
+}
+
 }  // namespace hmlfc::test

@@ -1,4 +1,4 @@
-// Every rounding helper against a formula of its own (CNV-1, CNV-2, CNV-5).
+// Every rounding helper against a formula of its own (CNV-1, CNV-2, CNV-5, MOT-8).
 #include "values/rounding.hpp"
 
 #include <algorithm>
@@ -36,6 +36,28 @@ TEST(FloorShift, ExtremesAndEveryShift) {
     }
   }
   EXPECT_EQ(floor_shift(-3, 1), -2);
+}
+
+// rshift of MOT-8: the nearest integer, halves up.
+TEST(RoundShift, EveryValueOfSeventeenBits) {
+  for (unsigned k = 0; k <= 9; ++k) {
+    for (int32_t x = -65536; x <= 65536; ++x) {
+      const double nearest = std::floor(static_cast<double>(x) / std::exp2(k) + 0.5);
+      ASSERT_EQ(round_shift(x, k), static_cast<int32_t>(nearest)) << x << ", " << k;
+    }
+  }
+}
+
+TEST(RoundShift, Extremes) {
+  for (unsigned k = 0; k <= 9; ++k) {
+    for (const int32_t x : {-(1 << 30) + 1, -(1 << 29), (1 << 29) - 1, (1 << 30) - 1}) {
+      const double nearest = std::floor(static_cast<double>(x) / std::exp2(k) + 0.5);
+      ASSERT_EQ(round_shift(x, k), static_cast<int32_t>(nearest)) << x << ", " << k;
+    }
+  }
+  EXPECT_EQ(round_shift(3, 1), 2);
+  EXPECT_EQ(round_shift(-3, 1), -1);
+  EXPECT_EQ(round_shift(-3, 0), -3);
 }
 
 // The smallest q with q * y >= x.

@@ -105,7 +105,8 @@ class Decoder {
   /// All views, on `threads` threads (0: all cores). Stops at the first error.
   Result<void> decode_all(const ViewConsumer& consumer, int stop_level = 0, int threads = 0) const;
 
-  /// Decodes the reference images of all levels below the top and keeps them, on `threads` threads.
+  /// Decodes the reference images of all levels that are not keyed and keeps them, on `threads`
+  /// threads.
   Result<void> load_references(int threads = 0) const;
 
   /// Bytes of decoded reference images held now.

@@ -21,20 +21,29 @@ enum class Method : uint8_t {
   kMc,     ///< motion of one sign from key views, without a tree (after Zhang and Li)
 };
 
+/// How long the encoder of profile extended may look.
+enum class Preset : uint8_t { kFast, kMedium, kSlow };
+
 /// How to encode. The intervals are those of the header (specification, section 3).
 struct EncodeParams {
+  Profile profile = Profile::kMain;
   Method method = Method::kHmlfc;
   uint32_t cluster_rows = 2;  ///< [1, 255]
   uint32_t cluster_cols = 2;  ///< [1, 255]
   int tree_height = 3;        ///< [0, 15]; lowered to what the grid needs; 0 for kMc
   unsigned block_size = 4;    ///< 2, 4 or 8
   int window = 16;            ///< [0, 127]
-  uint32_t ref_rows = 8;      ///< reference groups of every level with motion, [1, 255]
+  uint32_t ref_rows = 8;      ///< reference groups of every level with motion, [1, 255]; 0 in
+                              ///< profile extended: found by trial
   uint32_t ref_cols = 8;      ///< [1, 255]
   ChromaFormat chroma = ChromaFormat::k420;
-  uint32_t threshold_ref = 75;   ///< blocks of reference images below this energy are dropped
-  uint32_t threshold_pred = 75;  ///< the same for predictive images
-  int threads = 0;               ///< 0: all cores; never changes the result
+  bool automatic_chroma = false;    ///< of profile extended: choose the chroma format by its cost
+  uint32_t threshold_ref = 75;      ///< blocks of reference images below this energy are dropped
+  uint32_t threshold_pred = 75;     ///< the same for predictive images
+  double quality = 60;              ///< of profile extended, [0, 100]
+  Preset preset = Preset::kMedium;  ///< of profile extended
+  bool lossless = false;  ///< of profile extended: every sample is kept, needs 4:4:4 to keep RGB
+  int threads = 0;        ///< 0: all cores; never changes the result
 };
 
 /// An encoded stream with what the encoder knows about it.

@@ -11,7 +11,7 @@ namespace hmlfc {
 struct SectionBytes {
   uint64_t header = 0;
   uint64_t index = 0;     ///< ROOT, GROUP, end tables, modes and masks
-  uint64_t motion = 0;    ///< sign_mode to vectors_y of all tiles
+  uint64_t motion = 0;    ///< sign_mode to vectors_y of all tiles, and all fields of motion tiles
   uint64_t residual = 0;  ///< level_base to the last block value of all tiles
   uint64_t top = 0;       ///< key images
   uint64_t other = 0;     ///< nothing in this version

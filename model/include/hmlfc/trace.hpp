@@ -1,6 +1,7 @@
 // What a decoder can tell about one block: every field it reads and every stage's values.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -10,6 +11,19 @@
 
 namespace hmlfc {
 
+/// Which tile of an image is read for a block.
+enum class TileKind : uint8_t {
+  kResidual,   ///< the tile that holds the block (section 5)
+  kMotion,     ///< the motion tile that holds the block's motion (MOT-3)
+  kDisparity,  ///< the motion tile of a reference image that holds the block's disparity (MOT-6)
+};
+
+/// "residual tile", "motion tile" or "disparity tile".
+constexpr std::string_view tile_kind_name(TileKind kind) {
+  constexpr std::string_view kNames[] = {"residual tile", "motion tile", "disparity tile"};
+  return kNames[static_cast<size_t>(kind)];
+}
+
 /// One block of one image of the tree.
 struct BlockSite {
   int level = 0;           ///< [0, tree_height]
@@ -18,6 +32,7 @@ struct BlockSite {
   Plane plane = Plane::kY;
   uint32_t bx = 0;  ///< block column in the plane
   uint32_t by = 0;  ///< block row in the plane
+  TileKind tile = TileKind::kResidual;
 
   friend bool operator==(const BlockSite&, const BlockSite&) = default;
 };
@@ -33,8 +48,8 @@ struct FieldRecord {
   int64_t value;            ///< as the specification reads it: offset and sign applied
 };
 
-/// The values of one stage of a block, row by row: "parent", "reference", "prediction", "residual"
-/// or "sample".
+/// The values of one stage of a block, row by row: "parent", "reference" (ref of DEC-3 at the
+/// displaced place, or R of MOT-9), "prediction", "residual" or "sample".
 struct StageRecord {
   BlockSite site;
   std::string_view stage;
@@ -52,9 +67,9 @@ class TraceSink {
   virtual void on_stage(const StageRecord& record) = 0;
 };
 
-/// What decoding cost; BND-1 and BND-2 bound each count.
+/// What decoding cost; BND-1 to BND-3 bound each count.
 struct AccessCounts {
-  uint64_t walks = 0;   ///< entries of blocks looked up
+  uint64_t walks = 0;   ///< entries of blocks, motion blocks and disparities looked up
   uint64_t fields = 0;  ///< fields read
   uint64_t bits = 0;    ///< bits of these fields
   uint64_t steps = 0;   ///< serial additions over block headers

@@ -1,0 +1,33 @@
+// Writing the records of motion tiles (MOT-3, MOT-6).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "encoder/motion_code.hpp"
+
+namespace hmlfc {
+
+/// Which fields a palette entry has (MOT-3).
+struct PaletteFields {
+  bool reference_set = true;  ///< with two_references
+  bool sign = false;          ///< at levels that are not keyed
+};
+
+/// Bits of a palette entry with a choice below 10.
+constexpr unsigned palette_entry_bits(const PaletteFields& fields) {
+  return 4u + (fields.reference_set ? 3u : 0u) + (fields.sign ? 1u : 0u);
+}
+
+/// Bits of motion_block, palette_size and explicit_bits.
+inline constexpr unsigned kMotionHeadBits = 9;
+
+/// The record of a motion tile of a predictive image; empty for an empty tile.
+std::vector<uint8_t> write_motion_tile(const MotionTileCode& tile, const PaletteFields& fields);
+
+/// The record that holds `values`, in [-4096, 4095] and at most 1023 apart, row by row; empty where
+/// all are 0.
+std::vector<uint8_t> write_disparity_tile(std::span<const int16_t> values);
+
+}  // namespace hmlfc

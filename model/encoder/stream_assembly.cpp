@@ -1,0 +1,42 @@
+#include "encoder/stream_assembly.hpp"
+
+#include "bits/crc32c.hpp"
+#include "bits/little_endian.hpp"
+#include "fields/header.hpp"
+#include "samples/key_images.hpp"
+
+namespace hmlfc {
+
+std::vector<uint8_t> top_section(std::span<const std::vector<uint8_t>> codestreams,
+                                 std::span<const uint32_t> sample_crcs) {
+  std::vector<uint8_t> section;
+  uint64_t offset = codestreams.size() * kTopEntryBytes;
+  for (size_t i = 0; i < codestreams.size(); ++i) {
+    append_le(section, offset);
+    append_le(section, static_cast<uint32_t>(codestreams[i].size()));
+    append_le(section, sample_crcs[i]);
+    offset += codestreams[i].size();
+  }
+  for (const auto& codestream : codestreams) {
+    section.insert(section.end(), codestream.begin(), codestream.end());
+  }
+  return section;
+}
+
+std::vector<uint8_t> assemble_stream(const StreamHeader& header, const std::vector<uint8_t>& top,
+                                     const IndexWriter& index) {
+  StreamHeader complete = header;
+  const std::vector<uint8_t>* sections[] = {&top, &index.root, &index.groups, &index.tiles};
+  uint64_t offset = header_size(header.tree_height);
+  for (size_t i = 0; i < complete.sections.size(); ++i) {
+    const auto type = static_cast<uint32_t>(i + 1);
+    complete.sections[i] = {type, crc32c(*sections[i]), offset, sections[i]->size()};
+    offset += sections[i]->size();
+  }
+  std::vector<uint8_t> bytes = write_header(complete);
+  bytes.reserve(static_cast<size_t>(offset));
+  for (const auto* section : sections) bytes.insert(bytes.end(), section->begin(), section->end());
+  return bytes;
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,123 @@
+// Quality and target PSNR of profile extended, and what profile main must not change.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/encoder.hpp>
+
+#include "bits/crc32c.hpp"
+#include "support/test_light_fields.hpp"
+
+namespace hmlfc {
+namespace {
+
+const LightFieldShape kShape{5, 4, 96, 72, 8};
+
+EncodeParams extended() {
+  EncodeParams params;
+  params.profile = Profile::kExtended;
+  params.tree_height = 0;
+  params.window = 64;
+  params.ref_rows = params.ref_cols = 3;
+  params.chroma = ChromaFormat::k444;
+  return params;
+}
+
+double rgb_psnr(const EncodedStream& stream) {
+  const uint64_t samples = uint64_t{kShape.rows} * kShape.cols * kShape.width * kShape.height * 3;
+  return psnr(stream.error.rgb_squares, samples, kShape.depth);
+}
+
+TEST(Quality, MoreQualityIsMorePsnrAndMoreBytes) {
+  const LightField field = test::textured_light_field(kShape, 2, 12);
+  double last_psnr = 0;
+  size_t last_bytes = 0;
+  for (const double quality : {20.0, 40.0, 60.0, 80.0, 100.0}) {
+    EncodeParams params = extended();
+    params.quality = quality;
+    const auto encoded = encode(field, params);
+    ASSERT_TRUE(encoded.has_value());
+    EXPECT_GT(rgb_psnr(*encoded), last_psnr) << "quality " << quality;
+    EXPECT_GT(encoded->bytes.size(), last_bytes) << "quality " << quality;
+    last_psnr = rgb_psnr(*encoded);
+    last_bytes = encoded->bytes.size();
+  }
+}
+
+TEST(Quality, OutsideItsIntervalIsRefused) {
+  const LightField field = test::textured_light_field({1, 1, 8, 8, 8}, 1, 0);
+  for (const double quality : {-0.5, 100.5, std::numeric_limits<double>::quiet_NaN()}) {
+    EncodeParams params = extended();
+    params.quality = quality;
+    EXPECT_FALSE(encode(field, params).has_value()) << quality;
+  }
+}
+
+TEST(Quality, TargetPsnrIsReachedAndNotMuchMore) {
+  const LightField field = test::textured_light_field(kShape, 11, 12);
+  for (const double target : {30.0, 36.0, 42.0}) {
+    const auto encoded = encode_to_psnr(field, extended(), target);
+    ASSERT_TRUE(encoded.has_value());
+    EXPECT_GE(rgb_psnr(*encoded), target);
+    if (rgb_psnr(*encoded) < target + 0.03) continue;
+    // Not within the tolerance: then a quarter of quality less must miss the target.
+    EncodeParams coarser = encoded->params;
+    coarser.quality -= 0.25;
+    const auto missed = encode(field, coarser);
+    ASSERT_TRUE(missed.has_value());
+    EXPECT_LT(rgb_psnr(*missed), target);
+  }
+}
+
+TEST(Quality, OutOfReachGivesTheBestThereIs) {
+  const LightField field = test::textured_light_field(kShape, 1, 255);
+  EncodeParams params = extended();
+  params.chroma = ChromaFormat::k420;
+  const auto encoded = encode_to_psnr(field, params, 90);
+  ASSERT_TRUE(encoded.has_value());
+  EXPECT_EQ(encoded->params.quality, 100);
+  EXPECT_LT(rgb_psnr(*encoded), 90);
+}
+
+// Rows that run against their parallax are found: the stream says so and is as small.
+TEST(Quality, RowsMayRunAgainstTheirParallax) {
+  const LightField field = test::textured_light_field(kShape, 2, 0);
+  LightField flipped(kShape);
+  for (uint32_t row = 0; row < kShape.rows; ++row) {
+    for (uint32_t col = 0; col < kShape.cols; ++col) {
+      flipped.set_view(row, col, field.view(kShape.rows - 1 - row, col));
+    }
+  }
+  const auto straight = encode(field, extended());
+  const auto against = encode(flipped, extended());
+  ASSERT_TRUE(straight.has_value() && against.has_value());
+  const int one = Decoder::open(straight->bytes)->header().row_scale;
+  const int other = Decoder::open(against->bytes)->header().row_scale;
+  EXPECT_EQ(one, -other);
+  EXPECT_EQ(std::abs(one), 16);
+}
+
+// Recorded with the release that had profile main alone: its streams stay as they were.
+TEST(Quality, StreamsOfProfileMainAreUnchanged) {
+  struct Record {
+    Method method;
+    size_t bytes;
+    uint32_t crc;
+  };
+  const LightField field = test::textured_light_field(kShape, 3, 12);
+  for (const Record& record :
+       {Record{Method::kHmlfc, 238706, 0x8A5A771F}, Record{Method::kRlfc, 254258, 0xCFDC4A0B},
+        Record{Method::kMc, 152841, 0xBEC28768}}) {
+    EncodeParams params;
+    params.method = record.method;
+    const auto encoded = encode(field, params);
+    ASSERT_TRUE(encoded.has_value());
+    EXPECT_EQ(encoded->bytes.size(), record.bytes);
+    EXPECT_EQ(crc32c(encoded->bytes), record.crc);
+  }
+}
+
+}  // namespace
+}  // namespace hmlfc
