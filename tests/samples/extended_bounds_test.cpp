@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <hmlfc/decoder.hpp>
 
 #include "samples/naive_stream.hpp"
+#include "values/naive_integers.hpp"
 
 namespace hmlfc {
 namespace {
@@ -80,6 +82,39 @@ void count(const NaiveStream& stream, const WalkCounter::Walk& walk, LevelWalks&
   }
 }
 
+/// The coordinates of one axis that ref is asked for, less those of weight 0: `side` from `first`
+/// on, displaced by `eighths` of a sample, in a plane of `size` samples.
+std::set<uint32_t> blocks_touched(uint32_t first, uint32_t side, int64_t eighths, uint32_t size) {
+  const int64_t whole = test::floor_of(eighths, 8);
+  const int64_t count = side + (eighths % 8 != 0 ? 1 : 0);
+  std::set<uint32_t> blocks;
+  for (int64_t i = 0; i < count; ++i) {
+    const int64_t at = test::between(0, int64_t{first} + whole + i, int64_t{size} - 1);
+    blocks.insert(static_cast<uint32_t>(at) / side);
+  }
+  return blocks;
+}
+
+/// Walks to reference blocks that one level needs: every block that a sample of a weight stands in.
+uint64_t reference_walks(const NaiveStream& stream, const NaiveImage& image,
+                         const BlockAddress& at) {
+  const StreamHeader& header = stream.header();
+  const uint32_t side = header.block_size();
+  const NaiveSize size = stream.tree().plane_size(at.plane);
+  const bool halved = at.plane != Plane::kY && header.chroma_format == ChromaFormat::k420 &&
+                      !header.has(Feature::kChromaMotion);
+  const auto eighths = [&](int64_t component) {
+    const int64_t u = component * test::power_of_two(3 - header.vector_precision);
+    return halved ? test::rounded(u, 1) : u;
+  };
+  uint64_t walks = 0;
+  for (const auto& from : stream.motion(image, at.plane, at.bx * side, at.by * side).references) {
+    walks += blocks_touched(at.bx * side, side, eighths(from.vx), size.width).size() *
+             blocks_touched(at.by * side, side, eighths(from.vy), size.height).size();
+  }
+  return walks;
+}
+
 /// Checks one block; returns the most walks of one level that is not keyed.
 uint64_t check_block(const NaiveStream& stream, const Decoder& decoder, const BlockAddress& at) {
   WalkCounter counter;
@@ -99,6 +134,11 @@ uint64_t check_block(const NaiveStream& stream, const Decoder& decoder, const Bl
       continue;
     }
     EXPECT_LE(walks.references.size(), 2u);
+    NaiveImage own{0, at.view.row, at.view.col};
+    while (own.level < l) own = stream.tree().parent(own);
+    EXPECT_EQ(walks.all - walks.own - walks.motion - walks.disparity,
+              reference_walks(stream, own, at))
+        << "samples of weight 0 are not read";
     for (const auto& [image, blocks] : walks.references) {
       // Two references may be the same image.
       EXPECT_LE(blocks, walks.references.size() == 1 ? 8u : 4u);
