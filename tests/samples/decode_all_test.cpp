@@ -117,5 +117,24 @@ TEST(DecodeAll, ReferencesLoadedBeforeChangeNothing) {
   }
 }
 
+// Only levels that are not keyed have residuals to hold: the reference images of the others are key
+// images, which have none (EXT-4, EXT-5).
+TEST(DecodeAll, ReferencesOfKeyedLevelsAreNotLoaded) {
+  std::mt19937 random(4);
+  StreamHeader header = test::draw_extended_header(random, 2 + 128);
+  header.rows = header.cols = 4;
+  header.tree_height = 1;
+  header.cluster_rows = header.cluster_cols = 2;
+  header.levels = {{2, 2, 1}, {2, 2, 0}};
+  for (const uint8_t keyed : {uint8_t{1}, uint8_t{0}}) {
+    header.levels[0].key_references = keyed;
+    const NaiveStream stream(random, header, 4);
+    const Bytes file = stream.file();
+    const auto decoder = Decoder::open(file);
+    ASSERT_TRUE(decoder->load_references(1).has_value());
+    EXPECT_EQ(decoder->reference_bytes() == 0, keyed == 1) << decoder->reference_bytes();
+  }
+}
+
 }  // namespace
 }  // namespace hmlfc

@@ -164,5 +164,26 @@ TEST(ExtendedOrder, AncestorsAboveAKeyImageMayBeDamaged) {
   }
 }
 
+// Damaged disparities are named where a block shares one, and nowhere else (MOT-5, MOT-6).
+TEST(ExtendedOrder, OnlySharedDisparitiesAreRead) {
+  std::mt19937 random(4);
+  StreamHeader header = row_of_views(random, 0);
+  header.motion_tile_log2 = 6;
+  header.disparity_grid_log2 = 5;
+  NaiveStream stream = make_stream(random, header, true);
+  stream.replace_record({{0, 0, 1}, test::kMotionOfY, 0, 0}, bad_disparities());
+  for (unsigned choice = 0; choice <= 11; ++choice) {
+    NaiveBits motion;  // explicit_bits 1
+    motion.put(3, 2).put(0, 3).put(1, 4).put(0, 3).put(choice, 4);
+    if (choice >= 10) motion.put(1, 1);
+    if (choice == 11) motion.put(0, 1);
+    stream.replace_record({{0, 0, 2}, test::kMotionOfY, 0, 0}, motion.bytes());
+    const bool shared = choice >= 1 && choice <= 9;
+    for (const ReferenceMode mode : {ReferenceMode::kOnDemand, ReferenceMode::kSparse}) {
+      EXPECT_EQ(outcome(stream.file(), mode), shared ? "bad_levels" : "ok") << choice;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hmlfc

@@ -60,5 +60,20 @@ TEST(Statistics, DamagedMotionTiles) {
   EXPECT_EQ(error_name(found.error().code), "tile_overrun");
 }
 
+// Without shared_disparity the motion tiles of reference images are never read (MOT-6).
+TEST(Statistics, MotionTilesOfReferencesWithoutDisparities) {
+  std::mt19937 random(4);
+  StreamHeader header = test::draw_extended_header(random, 2);
+  header.rows = header.cols = 3;
+  header.tree_height = 0;
+  header.levels = {{3, 3}};
+  NaiveStream stream(random, header, 0);
+  stream.replace_record({{0, 1, 1}, test::kMotionOfY, 0, 0}, {0xFF});
+  const test::Bytes file = stream.file();
+  const auto found = Decoder::open(file)->statistics();
+  ASSERT_TRUE(found.has_value()) << to_string(found.error());
+  EXPECT_EQ(found->sections.motion, 0u);
+}
+
 }  // namespace
 }  // namespace hmlfc

@@ -142,5 +142,38 @@ TEST(TileBlocks, FailsIfAndOnlyIfABlockFails) {
   EXPECT_LT(reading, all - all / 10);
 }
 
+// A step code past the last one spoils the tile, whatever its base and its delta are (STP-1).
+TEST(TileBlocks, StepCodesUpToTheLast) {
+  StreamHeader drawn;
+  drawn.profile = Profile::kExtended;
+  drawn.feature_flags = feature_bit(Feature::kResidualStep);
+  drawn.rows = drawn.cols = 2;
+  drawn.width = drawn.height = 8;
+  drawn.tree_height = 1;
+  drawn.levels = {{2, 2}, {1, 1}};
+  const NaiveTree tree(drawn);
+  const NaiveTile place{{0, 0, 0}, Plane::kY, 0, 0};
+  for (unsigned base = 0; base < 16; ++base) {
+    for (unsigned delta = 0; delta < 4; ++delta) {
+      test::TileModel tile;
+      tile.context.steps = true;
+      tile.residual_mode = 2;
+      tile.step_base = base;
+      tile.step_bits = 2;
+      for (const size_t k : {1u, 3u}) {
+        tile.blocks[k].residual = true;
+        tile.blocks[k].step_code = base + (k == 3 ? delta : 0);
+        tile.blocks[k].values.assign(16, 0);
+      }
+      const std::map<uint64_t, Bytes> records{
+          {tree.tile_number(place), test::write_tile(tile).bits.bytes()}};
+      const Bytes file = test::naive_file(drawn, test::naive_index(records, tree.tiles().size()));
+      const StreamHeader header = parse_header(file).value();
+      const StreamView stream{file, header, Geometry(header)};
+      EXPECT_EQ(compare_tile(stream, place), base + delta <= 15) << base << " + " << delta;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hmlfc
