@@ -1,0 +1,132 @@
+"""What the rate-distortion bench writes: curves as CSV and PNG, bits at equal PSNR as a table."""
+
+import csv
+import math
+from dataclasses import astuple, fields
+
+from coders import Point
+
+COMPARED = ("extended", "main-hmlfc", "x265-intra", "x265-inter")
+RATIOS = (("x265-intra", "extended"), ("x265-inter", "extended"), ("main-hmlfc", "extended"))
+STYLES = {  # label, colour, line, marker
+    "extended": ("HMLFC extended", "#d62728", "-", "o"),
+    "main-hmlfc": ("HMLFC main hmlfc", "#ff7f0e", "-", "s"),
+    "main-rlfc": ("HMLFC main rlfc", "#e0a458", "--", "v"),
+    "main-mc": ("HMLFC main mc", "#8c564b", "--", "^"),
+    "x265-inter": ("x265 inter, serpentine", "#1f77b4", "-", "D"),
+    "x265-intra": ("x265 all-intra", "#17becf", "-", "P"),
+    "jpeg2000": ("JPEG 2000 per view", "#2ca02c", ":", "X"),
+    "jpeg": ("JPEG per view", "#7f7f7f", ":", "*"),
+}
+
+
+class CsvFile:
+    """The points as they come, so that a run that is stopped leaves those it made."""
+
+    def __init__(self, path):
+        self.file = open(path, "w", newline="", encoding="utf-8")
+        self.writer = csv.writer(self.file)
+        self.writer.writerow([field.name for field in fields(Point)])
+
+    def add(self, point):
+        name, codec, parameter, bpp, psnr, seconds = astuple(point)
+        self.writer.writerow([name, codec, parameter, f"{bpp:.6f}", f"{psnr:.4f}", f"{seconds:.2f}"])
+        self.file.flush()
+
+
+def bpp_at(points, psnr):
+    """Bits a pixel of a curve at a PSNR in dB: log(bpp) linear in PSNR between the two points
+    around it. None where the curve does not reach it: nothing is extrapolated."""
+    curve = sorted((point.psnr_rgb, point.bpp) for point in points)
+    for (low, low_bpp), (high, high_bpp) in zip(curve, curve[1:]):
+        if low <= psnr <= high and high > low and math.isfinite(high):
+            share = (psnr - low) / (high - low)
+            return math.exp((1 - share) * math.log(low_bpp) + share * math.log(high_bpp))
+    return None
+
+
+def equal_psnr(points, at):
+    """For each light field of at ({name: PSNR in dB}): the bpp of each codec and their ratios."""
+    rows = []
+    for name, psnr in at.items():
+        own = [point for point in points if point.light_field == name]
+        codecs = list(dict.fromkeys(point.codec for point in own))
+        bpp = {codec: bpp_at([p for p in own if p.codec == codec], psnr) for codec in codecs}
+        ratios = {
+            f"{codec}/{base}": bpp[codec] / bpp[base]
+            for codec, base in RATIOS
+            if bpp.get(codec) and bpp.get(base)
+        }
+        rows.append({"light_field": name, "psnr_rgb": psnr, "bpp": bpp, "ratios": ratios})
+    return rows
+
+
+def print_points(points):
+    line = "{:<14} {:<11} {:<28} {:>8} {:>9} {:>9}"
+    print(line.format("light field", "codec", "parameter", "bpp", "PSNR RGB", "CPU s"))
+    for point in points:
+        name, codec, parameter, bpp, psnr, seconds = astuple(point)
+        print(line.format(name, codec, parameter, f"{bpp:.4f}", f"{psnr:.2f}", f"{seconds:.1f}"))
+
+
+def print_equal_psnr(rows):
+    ratio_names = [f"{codec}/{base}" for codec, base in RATIOS]
+    line = "{:<14} {:>5} " + " {:>10}" * len(COMPARED) + "  {:>19}" * len(RATIOS)
+    print("\nBits a pixel at equal PSNR RGB, and how many times those of the extended profile they are")
+    print("(log bpp linear in PSNR between two measured points; - where a curve does not reach it)")
+    print(line.format("light field", "dB", *COMPARED, *ratio_names))
+    for row in rows:
+        bpp = [_number(row["bpp"].get(codec), "{:.4f}") for codec in COMPARED]
+        ratios = [_number(row["ratios"].get(name), "{:.2f}") for name in ratio_names]
+        print(line.format(row["light_field"], f"{row['psnr_rgb']:g}", *bpp, *ratios))
+
+
+def plot(points, light_fields, at, path):
+    """One panel a light field: bpp (logarithmic) against PSNR RGB. A dashed line: PSNR of `at`.
+
+    light_fields: {name: description}. Raises ImportError without matplotlib."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    pyplot.rcParams["font.size"] = 12
+    figure, panels = pyplot.subplots(1, len(light_fields), figsize=(14, 5.6), squeeze=False)
+    for panel, (name, description) in zip(panels[0], light_fields.items()):
+        _draw_curves(panel, [point for point in points if point.light_field == name])
+        panel.axhline(at[name], color="black", linewidth=0.8, linestyle=(0, (4, 4)))
+        panel.set_xscale("log")
+        _label_decades(panel)
+        panel.set_title(description, fontsize=13)
+        panel.set_xlabel("bits a pixel (logarithmic)")
+        panel.grid(True, which="both", color="#e4e4e4")
+    panels[0][0].set_ylabel("PSNR RGB, dB")
+    drawn = [codec for codec in STYLES if any(point.codec == codec for point in points)]
+    handles = [_legend_entry(pyplot, STYLES[codec]) for codec in drawn]
+    figure.legend(handles=handles, loc="lower center", ncol=4, fontsize=13, frameon=False)
+    figure.suptitle("Rate against quality, all views of each light field (upper left is better)")
+    figure.tight_layout(rect=(0, 0.12, 1, 0.99))
+    figure.savefig(path, dpi=100)
+    pyplot.close(figure)
+
+
+def _draw_curves(panel, points):
+    for codec, (_, colour, line, marker) in STYLES.items():
+        curve = sorted((p.bpp, p.psnr_rgb) for p in points if p.codec == codec)
+        finite = [(bpp, psnr) for bpp, psnr in curve if math.isfinite(psnr)]
+        if finite:
+            panel.plot(*zip(*finite), color=colour, linestyle=line, marker=marker, linewidth=2)
+
+
+def _label_decades(panel):
+    """0.01, 0.1, 1 in place of powers of ten."""
+    panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+
+
+def _legend_entry(pyplot, style):
+    label, colour, line, marker = style
+    return pyplot.Line2D([], [], color=colour, linestyle=line, marker=marker, linewidth=2, label=label)
+
+
+def _number(value, form):
+    return "-" if value is None else form.format(value)
