@@ -38,9 +38,10 @@ enum class ErrorCode : uint8_t {
   kLimitExceeded = 24,
   kBadRequest = 25,
   kOutOfMemory = 26,
+  kBusError = 27,
 };
 
-inline constexpr int kErrorCodeCount = 27;
+inline constexpr int kErrorCodeCount = 28;
 
 /// Where in the file an error was found. The values 1 to 4 are the section types of FIL-3.
 enum class Section : uint8_t { kHeader = 0, kTop = 1, kRoot = 2, kGroup = 3, kTile = 4 };

@@ -1,0 +1,159 @@
+`include "hmlfc_tables.svh"
+
+// Makes the samples of each block from its parent, references and residual (DEC-2, DEC-3, DEC-6, MOT-9), one block a clock.
+//
+// Takes blocks in order, and for each the windows it asked for. The result of one level is the parent of the next. Latency 5
+// clocks. `out_error` is the first error of the levels so far (DEC-7).
+module hmlfc_compose #(
+    parameter int BLOCK_LOG2 = 2,
+    parameter int MAX_DEPTH = 8,
+    localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
+    localparam int SIDE = (1 << BLOCK_LOG2) + 1,
+    localparam int VALUE_BITS = MAX_DEPTH + 2,
+    localparam int SAMPLE_BITS = MAX_DEPTH + 1,
+    localparam int WINDOW_BITS = SIDE * SIDE * VALUE_BITS,
+    localparam int PENDING_BITS = hmlfc_pkg::PENDING_BITS
+) (
+    input logic clk,
+    input logic rst_n,
+    input logic [3:0] depth,
+
+    input logic in_valid,
+    output logic in_ready,
+    input hmlfc_pkg::pending_t in_pending,
+    input logic [SAMPLES*VALUE_BITS-1:0] in_residual,
+
+    input logic a_valid,
+    output logic a_ready,
+    input logic [5:0] a_error,
+    input logic [WINDOW_BITS-1:0] a_window,
+    input logic b_valid,
+    output logic b_ready,
+    input logic [5:0] b_error,
+    input logic [WINDOW_BITS-1:0] b_window,
+
+    output logic out_valid,
+    input logic out_ready,
+    output hmlfc_pkg::pending_t out_pending,
+    output logic [5:0] out_error,
+    output logic [SAMPLES*SAMPLE_BITS-1:0] out_sample,
+    // Stages of the block, for traces.
+    output logic [SAMPLES*VALUE_BITS-1:0] out_residual,
+    output logic [SAMPLES*VALUE_BITS-1:0] out_reference,
+    output logic [SAMPLES*SAMPLE_BITS-1:0] out_prediction
+);
+
+  // Windows. Where both come through B, the first is kept until the second is there.
+  wire needs_first = in_pending.key || in_pending.motion;
+  wire both_from_b = in_pending.two && in_pending.first_from_b;
+  logic kept_valid;
+  logic [5:0] kept_error;
+  logic [WINDOW_BITS-1:0] kept_window;
+  wire keep = in_valid && both_from_b && !kept_valid && b_valid;
+  wire first_there = both_from_b ? kept_valid : !needs_first || (in_pending.first_from_b ? b_valid : a_valid);
+  wire second_there = !in_pending.two || b_valid;
+
+  logic advance;
+  wire complete = in_valid && first_there && second_there;
+  wire go = complete && advance;
+  assign in_ready = first_there && second_there && advance;
+  assign a_ready = go && needs_first && !in_pending.first_from_b;
+  assign b_ready = keep || (go && (in_pending.two || (needs_first && in_pending.first_from_b)));
+  always_ff @(posedge clk) begin
+    if (keep) begin
+      kept_error <= b_error;
+      kept_window <= b_window;
+    end
+    if (!rst_n || go) kept_valid <= 1'b0;
+    else if (keep) kept_valid <= 1'b1;
+  end
+  wire [WINDOW_BITS-1:0] first_window = both_from_b ? kept_window : in_pending.first_from_b ? b_window : a_window;
+  wire [5:0] first_error = both_from_b ? kept_error : in_pending.first_from_b ? b_error : a_error;
+  wire [5:0] error_0 = in_pending.job.error != 0 ? in_pending.job.error :
+      needs_first && first_error != 0 ? first_error :
+      in_pending.two ? b_error : 6'd0;
+
+  // Stages 1 to 4: interpolation; windows are taken over in stage 1.
+  logic [4:1] valid;
+  logic [4*PENDING_BITS-1:0] pendings;
+  logic [4*6-1:0] errors;
+  logic [4*SAMPLES*VALUE_BITS-1:0] residuals;
+  logic [WINDOW_BITS-1:0] window_a, window_b;
+  hmlfc_pkg::pending_t pending_1, pending_4;
+  assign pending_1 = pendings[0+:PENDING_BITS];
+  assign pending_4 = pendings[3*PENDING_BITS+:PENDING_BITS];
+  logic [SAMPLES*VALUE_BITS-1:0] reference_4;
+  hmlfc_interpolate #(
+      .BLOCK_LOG2(BLOCK_LOG2),
+      .SAMPLE_BITS(VALUE_BITS)
+  ) interpolate (
+      .clk,
+      .advance,
+      .window_a,
+      .window_b,
+      .fx_a(pending_1.fx_a),
+      .fy_a(pending_1.fy_a),
+      .fx_b(pending_1.fx_b),
+      .fy_b(pending_1.fy_b),
+      .two(pending_1.two),
+      .prediction(reference_4)
+  );
+
+  // Stage 5: the sum, on top of the level before.
+  logic [SAMPLES*SAMPLE_BITS-1:0] parent, prediction_4, sample_4;
+  logic [5:0] chain_error;
+  wire [5:0] own_error = errors[3*6+:6];
+  wire [5:0] error_4 = !pending_4.job.first && chain_error != 0 ? chain_error : own_error;
+  always_comb begin
+    parent = '0;
+    for (int i = 0; i < SAMPLES; i++) begin
+      if (pending_4.key) parent[i*SAMPLE_BITS+:SAMPLE_BITS] = reference_4[i*VALUE_BITS+:SAMPLE_BITS];
+      else if (!pending_4.job.first) parent[i*SAMPLE_BITS+:SAMPLE_BITS] = out_sample[i*SAMPLE_BITS+:SAMPLE_BITS];
+    end
+  end
+  hmlfc_reconstruct #(
+      .BLOCK_LOG2(BLOCK_LOG2),
+      .MAX_DEPTH(MAX_DEPTH)
+  ) reconstruct (
+      .parent,
+      .references(reference_4),
+      .residual(residuals[3*SAMPLES*VALUE_BITS+:SAMPLES*VALUE_BITS]),
+      .motion(pending_4.motion),
+      .negative(pending_4.negative),
+      .keyed(pending_4.base_zero),
+      .has_residual(pending_4.has_residual),
+      .chroma(pending_4.job.plane != 2'd0),
+      .depth,
+      .prediction(prediction_4),
+      .sample(sample_4)
+  );
+
+  logic last_valid;
+  assign advance = !last_valid || out_ready;
+  assign out_valid = last_valid;
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      valid <= {valid[3:1], go};
+      pendings <= {pendings[3*PENDING_BITS-1:0], in_pending};
+      errors <= {errors[3*6-1:0], error_0};
+      residuals <= {residuals[3*SAMPLES*VALUE_BITS-1:0], in_residual};
+      window_a <= first_window;
+      window_b <= b_window;
+      last_valid <= valid[4];
+      if (valid[4]) begin
+        out_pending <= pending_4;
+        out_sample <= sample_4;
+        out_error <= error_4;
+        chain_error <= error_4;
+        out_residual <= residuals[3*SAMPLES*VALUE_BITS+:SAMPLES*VALUE_BITS];
+        out_reference <= reference_4;
+        out_prediction <= prediction_4;
+      end
+    end
+    if (!rst_n) begin
+      valid <= '0;
+      last_valid <= 1'b0;
+    end
+  end
+
+endmodule

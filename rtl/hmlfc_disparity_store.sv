@@ -1,0 +1,214 @@
+// Motion tiles of reference images, which hold disparities: finds, loads and parses them, keeps the last
+// few, and gives each block its disparity.
+//
+// A block asks for the tile first (`ask`) and comes back later (`in_*`, with the place of its grid block in
+// the tile); the time between hides the walk through the index.
+module hmlfc_disparity_store #(
+    parameter int DATA_BITS = 128,
+    parameter int CONTEXTS = 4,
+    localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
+    localparam int TILE_BITS = hmlfc_pkg::TILE_BITS,
+    localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
+    localparam int CONTEXT_BITS = $clog2(CONTEXTS),
+    localparam int INFO_BITS = 16
+) (
+    input logic clk,
+    input logic rst_n,
+    input hmlfc_pkg::config_t stream,
+    input logic flush,
+
+    input logic ask,
+    input logic [TILE_BITS-1:0] ask_tile,
+    input logic [INFO_BITS-1:0] ask_info,  // {height, width} of the tile in samples
+    output logic granted,
+    output logic [CONTEXT_BITS-1:0] granted_context,
+
+    input logic in_valid,
+    output logic in_ready,
+    input hmlfc_pkg::flow_t in_flow,
+    input logic [4:0] in_x,
+    input logic [4:0] in_y,
+    output logic out_valid,
+    input logic out_ready,
+    output hmlfc_pkg::flow_t out_flow,
+
+    output logic request_valid,
+    input logic request_ready,
+    output logic [ADDRESS_BITS-1:0] request_address,
+    output logic [9:0] request_beats,
+    input logic data_valid,
+    input logic [DATA_BITS-1:0] data,
+    input logic data_last,
+    input logic data_error
+);
+
+  localparam int MAX_BITS = 18 + 10 * 1024 + DATA_BITS;  // of a record and its skew
+  localparam int BEAT_LOG2 = $clog2(DATA_BITS / 8);
+  localparam int RECORD_BEATS = 1 << $clog2((MAX_BITS + DATA_BITS - 1) / DATA_BITS);
+  localparam int CONTEXT_WORDS = RECORD_BEATS * DATA_BITS / 64;
+  localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS);
+  localparam int BANKS = 2;
+  localparam int WINDOW_BITS = BANKS * 64;
+
+  logic load_valid, load_ready, loaded_valid, loaded_keep, release_valid;
+  logic [CONTEXT_BITS-1:0] load_context, loaded_context, release_context;
+  logic [TILE_BITS-1:0] load_tile;
+  logic [INFO_BITS-1:0] load_info;
+  logic [CONTEXTS-1:0] ready;
+  hmlfc_tile_contexts #(
+      .CONTEXTS(CONTEXTS),
+      .INFO_BITS(INFO_BITS)
+  ) contexts (
+      .clk,
+      .rst_n,
+      .flush,
+      .ask,
+      .tile(ask_tile),
+      .info(ask_info),
+      .granted,
+      .context_number(granted_context),
+      .load_valid,
+      .load_ready,
+      .load_context,
+      .load_tile,
+      .load_info,
+      .loaded_valid,
+      .loaded_context,
+      .loaded_keep,
+      .ready,
+      .release_valid,
+      .release_context
+  );
+
+  logic write, parse_valid, parse_ready, parse_empty;
+  logic [CONTEXT_BITS+$clog2(RECORD_BEATS)-1:0] write_beat;
+  logic [DATA_BITS-1:0] write_data;
+  logic [CONTEXT_BITS-1:0] parse_context;
+  logic [INFO_BITS-1:0] parse_info;
+  logic [5:0] parse_error;
+  logic [BEAT_LOG2+2:0] parse_skew;
+  logic [POSITION_BITS-1:0] parse_bits;
+  hmlfc_tile_loader #(
+      .DATA_BITS(DATA_BITS),
+      .CONTEXTS(CONTEXTS),
+      .RECORD_BEATS(RECORD_BEATS),
+      .INFO_BITS(INFO_BITS)
+  ) loader (
+      .clk,
+      .rst_n,
+      .stream,
+      .flush,
+      .load_valid,
+      .load_ready,
+      .load_context,
+      .load_tile,
+      .load_info,
+      .write,
+      .write_beat,
+      .write_data,
+      .parse_valid,
+      .parse_ready,
+      .parse_context,
+      .parse_info,
+      .parse_error,
+      .parse_empty,
+      .parse_skew,
+      .parse_bits,
+      .request_valid,
+      .request_ready,
+      .request_address,
+      .request_beats,
+      .data_valid,
+      .data,
+      .data_last,
+      .data_error
+  );
+
+  // Read ports: 0 the parser's, 1 that of the blocks.
+  logic [1:0] read_enable;
+  logic [2*WORD_BITS-1:0] read_word;
+  logic [2*WINDOW_BITS-1:0] window;
+  hmlfc_record_ram #(
+      .DATA_BITS(DATA_BITS),
+      .BANKS(BANKS),
+      .WORDS(CONTEXTS * CONTEXT_WORDS),
+      .READS(2)
+  ) records (
+      .clk,
+      .write,
+      .write_beat,
+      .write_data,
+      .read_enable,
+      .read_word,
+      .window
+  );
+
+  logic [5:0] head_error;
+  logic [12:0] head_least;
+  logic [5:0] head_columns;
+  logic [5:0] head_level_code;
+  logic [13:0] head_total;
+  logic [POSITION_BITS-1:0] head_position;
+  hmlfc_disparity_parser #(
+      .CONTEXTS(CONTEXTS),
+      .CONTEXT_WORDS(CONTEXT_WORDS),
+      .WINDOW_BITS(WINDOW_BITS),
+      .SKEW_BITS(BEAT_LOG2 + 3)
+  ) parser (
+      .clk,
+      .rst_n,
+      .stream,
+      .parse_valid,
+      .parse_ready,
+      .parse_context,
+      .parse_info,
+      .parse_error,
+      .parse_empty,
+      .parse_skew,
+      .parse_bits,
+      .read_enable(read_enable[0]),
+      .read_word(read_word[WORD_BITS-1:0]),
+      .window(window[WINDOW_BITS-1:0]),
+      .head_error,
+      .head_least,
+      .head_columns,
+      .head_level_code,
+      .head_total,
+      .head_position,
+      .loaded_valid,
+      .loaded_context,
+      .loaded_keep
+  );
+
+  hmlfc_disparity_blocks #(
+      .CONTEXTS(CONTEXTS),
+      .CONTEXT_WORDS(CONTEXT_WORDS),
+      .WINDOW_BITS(WINDOW_BITS)
+  ) blocks (
+      .clk,
+      .rst_n,
+      .ready,
+      .release_valid,
+      .release_context,
+      .parsed_context(loaded_context),
+      .head_error,
+      .head_least,
+      .head_columns,
+      .head_level_code,
+      .head_total,
+      .head_position,
+      .head_write(loaded_valid),
+      .read_enable(read_enable[1]),
+      .read_word(read_word[2*WORD_BITS-1:WORD_BITS]),
+      .window(window[2*WINDOW_BITS-1:WINDOW_BITS]),
+      .in_valid,
+      .in_ready,
+      .in_flow,
+      .in_x,
+      .in_y,
+      .out_valid,
+      .out_ready,
+      .out_flow
+  );
+
+endmodule

@@ -1,0 +1,141 @@
+// Shares one AXI4 read master between CLIENTS.
+//
+// A client asks for `beats` whole beats from a beat-aligned address; the port splits them into INCR
+// bursts of at most 16 beats that do not cross 4 KiB. All bursts have ID 0, so data come back in
+// the order of the requests, and the port tells from a queue of bursts whose they are.
+//
+// Client side: `request_valid` and its fields hold until `request_ready`. Data: `data_valid` has one
+// bit a client; `data_last` marks the last beat of a request, `data_error` a beat with SLVERR or
+// DECERR. A client always takes its data: it asks only for what it has room for.
+// Clients of lower number go first; a client that asks without end would starve those above it,
+// which none does, as all of them wait for their data.
+module hmlfc_read_port #(
+    parameter int CLIENTS = 2,
+    parameter int DATA_BITS = 128,
+    parameter int ADDRESS_BITS = 40,
+    parameter int OUTSTANDING = 16
+) (
+    input logic clk,
+    input logic rst_n,
+
+    input logic [CLIENTS-1:0] request_valid,
+    output logic [CLIENTS-1:0] request_ready,
+    input logic [CLIENTS*ADDRESS_BITS-1:0] request_address,
+    input logic [CLIENTS*10-1:0] request_beats,  // [1, 1023]
+
+    output logic [CLIENTS-1:0] data_valid,
+    output logic [DATA_BITS-1:0] data,
+    output logic data_last,
+    output logic data_error,
+
+    output logic m_axi_arvalid,
+    input logic m_axi_arready,
+    output logic [ADDRESS_BITS-1:0] m_axi_araddr,
+    output logic [7:0] m_axi_arlen,
+    output logic [2:0] m_axi_arsize,
+    output logic [1:0] m_axi_arburst,
+    input logic m_axi_rvalid,
+    output logic m_axi_rready,
+    input logic [DATA_BITS-1:0] m_axi_rdata,
+    input logic [1:0] m_axi_rresp,
+    input logic m_axi_rlast
+);
+
+  localparam int BYTES = DATA_BITS / 8;
+  localparam int BEAT_LOG2 = $clog2(BYTES);
+  localparam int CLIENT_BITS = CLIENTS > 1 ? $clog2(CLIENTS) : 1;
+  localparam int PAGE_BEATS = 4096 / BYTES;
+
+  // The request that is being split.
+  logic busy;
+  logic [CLIENT_BITS-1:0] client;
+  logic [ADDRESS_BITS-1:0] address;
+  logic [9:0] beats;
+
+  // Beats of the next burst.
+  logic [9:0] to_page_end, burst;
+  always_comb begin
+    to_page_end = 10'(PAGE_BEATS) - 10'(address[11:BEAT_LOG2]);
+    burst = beats;
+    if (burst > 10'd16) burst = 10'd16;
+    if (burst > to_page_end) burst = to_page_end;
+  end
+
+  logic [CLIENT_BITS-1:0] chosen;
+  logic any;
+  always_comb begin
+    chosen = '0;
+    any = 1'b0;
+    for (int i = CLIENTS - 1; i >= 0; i--) begin
+      if (request_valid[i]) begin
+        chosen = CLIENT_BITS'(i);
+        any = 1'b1;
+      end
+    end
+  end
+
+  logic queue_ready, issue;
+  assign issue = busy && queue_ready && (!m_axi_arvalid || m_axi_arready);
+  wire finished = issue && burst == beats;
+  wire take = any && (!busy || finished);
+
+  always_comb begin
+    request_ready = '0;
+    if (take) request_ready[chosen] = 1'b1;
+  end
+
+  always_ff @(posedge clk) begin
+    if (take) begin
+      client <= chosen;
+      address <= request_address[chosen*ADDRESS_BITS+:ADDRESS_BITS];
+      beats <= request_beats[chosen*10+:10];
+    end else if (issue) begin
+      address <= address + (ADDRESS_BITS'(burst) << BEAT_LOG2);
+      beats <= beats - burst;
+    end
+    if (!rst_n) busy <= 1'b0;
+    else busy <= take || (busy && !finished);
+  end
+
+  always_ff @(posedge clk) begin
+    if (!rst_n) m_axi_arvalid <= 1'b0;
+    else if (issue) m_axi_arvalid <= 1'b1;
+    else if (m_axi_arready) m_axi_arvalid <= 1'b0;
+    if (issue) begin
+      m_axi_araddr <= address;
+      m_axi_arlen <= 8'(burst - 10'd1);
+    end
+  end
+  assign m_axi_arsize = 3'(BEAT_LOG2);
+  assign m_axi_arburst = 2'b01;
+
+  // Whose burst comes next, and whether it ends the request.
+  logic owner_valid, owner_ends;
+  logic [CLIENT_BITS-1:0] owner;
+  /* verilator lint_off PINCONNECTEMPTY */  // its count is not needed
+  hmlfc_fifo #(
+      .WIDTH(CLIENT_BITS + 1),
+      .DEPTH(OUTSTANDING)
+  ) bursts (
+      .clk,
+      .rst_n,
+      .in_valid(issue),
+      .in_ready(queue_ready),
+      .in_data({finished, client}),
+      .out_valid(owner_valid),
+      .out_ready(m_axi_rvalid && m_axi_rlast),
+      .out_data({owner_ends, owner}),
+      .count()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+
+  assign m_axi_rready = 1'b1;
+  always_ff @(posedge clk) begin
+    data_valid <= '0;
+    if (rst_n && m_axi_rvalid && owner_valid) data_valid[owner] <= 1'b1;
+    data <= m_axi_rdata;
+    data_last <= m_axi_rlast && owner_ends;
+    data_error <= m_axi_rresp[1];
+  end
+
+endmodule

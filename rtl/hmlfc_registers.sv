@@ -1,0 +1,194 @@
+// The register block of the decode unit: an AXI4-Lite subordinate of 32 bits (docs/hardware.md).
+//
+// BLOCK_LOG2, MAX_DEPTH, AXI_DATA_BITS   what PARAMETERS reports
+//
+// s_axil_*              all outputs are registered; one read and one write at a time, OKAY always;
+//                       wstrb is obeyed; address bits 1:0 do not matter
+// stream_*, reference_* the registers as written
+// load, clear, disable  one clock each for a 1 written to its bit of CONTROL; `clear` zeroes the
+//                       counters and the first error here too
+// ready, loading, idle, load_error   what STATUS reports
+// error_valid           an answer with the error `error` to the request `error_request` was given
+//                       in this clock: the first since `clear` is kept
+// block_done, in_flight, stalled, read_bytes, answered   what the counters add in this clock:
+//                       BLOCKS, CYCLES, STALLS, BYTES_READ ([0, 16] bytes), REQUESTS
+// An event in the clock of `clear` is not counted.
+module hmlfc_registers #(
+  parameter integer BLOCK_LOG2 = 2,
+  parameter integer MAX_DEPTH = 8,
+  parameter integer AXI_DATA_BITS = 128
+) (
+  input  logic        clk,
+  input  logic        rst_n,
+
+  input  logic [7:0]  s_axil_awaddr,
+  input  logic [7:0]  s_axil_araddr,
+  input  logic        s_axil_awvalid,
+  output logic        s_axil_awready,
+  input  logic [31:0] s_axil_wdata,
+  input  logic [3:0]  s_axil_wstrb,
+  input  logic        s_axil_wvalid,
+  output logic        s_axil_wready,
+  output logic [1:0]  s_axil_bresp,
+  output logic        s_axil_bvalid,
+  input  logic        s_axil_bready,
+  input  logic        s_axil_arvalid,
+  output logic        s_axil_arready,
+  output logic [31:0] s_axil_rdata,
+  output logic [1:0]  s_axil_rresp,
+  output logic        s_axil_rvalid,
+  input  logic        s_axil_rready,
+
+  output logic [63:0] stream_base,
+  output logic [63:0] stream_bytes,
+  output logic [63:0] reference_base,
+  output logic        load,
+  output logic        clear,
+  output logic        disable_unit,
+
+  input  logic        ready,
+  input  logic        loading,
+  input  logic        idle,
+  input  logic [5:0]  load_error,
+  input  logic        error_valid,
+  input  logic [5:0]  error,
+  input  logic [63:0] error_request,
+  input  logic        block_done,
+  input  logic        in_flight,
+  input  logic        stalled,
+  input  logic [4:0]  read_bytes,
+  input  logic        answered
+);
+  // Offsets by words of 32 bits.
+  localparam [5:0] AT_ID = 6'h00, AT_PARAMETERS = 6'h01, AT_CONTROL = 6'h02, AT_STATUS = 6'h03;
+  localparam [5:0] AT_STREAM_BASE = 6'h04, AT_STREAM_BYTES = 6'h06, AT_REFERENCE_BASE = 6'h08;
+  localparam [5:0] AT_ERROR = 6'h0c, AT_ERROR_ADDRESS = 6'h0e;
+  // Behind ERROR_ADDRESS stand the five counters, pairs as well.
+
+  // Write channel: address and data are taken one by one, and used when both are there.
+  logic        address_held, data_held, write;
+  logic [5:0]  write_word;
+  logic [31:0] write_data, write_mask;
+
+  assign s_axil_awready = !address_held;
+  assign s_axil_wready = !data_held;
+  assign s_axil_bresp = 2'b00;
+  assign write = address_held && data_held && !s_axil_bvalid;
+
+  always_ff @(posedge clk) begin
+    if (s_axil_awready) write_word <= s_axil_awaddr[7:2];
+    if (s_axil_wready) begin
+      write_data <= s_axil_wdata;
+      write_mask <= {{8{s_axil_wstrb[3]}}, {8{s_axil_wstrb[2]}},
+                     {8{s_axil_wstrb[1]}}, {8{s_axil_wstrb[0]}}};
+    end
+    if (!rst_n) begin
+      address_held <= 1'b0;
+      data_held <= 1'b0;
+      s_axil_bvalid <= 1'b0;
+    end else begin
+      if (s_axil_awvalid && s_axil_awready) address_held <= 1'b1;
+      if (s_axil_wvalid && s_axil_wready) data_held <= 1'b1;
+      if (s_axil_bready) s_axil_bvalid <= 1'b0;
+      if (write) begin
+        address_held <= 1'b0;
+        data_held <= 1'b0;
+        s_axil_bvalid <= 1'b1;
+      end
+    end
+  end
+
+  // Registers that are written.
+  logic [2:0] control;
+  assign control = write && write_word == AT_CONTROL ? write_data[2:0] & write_mask[2:0] : 3'd0;
+
+  // The six words at AT_STREAM_BASE and after: three pairs.
+  logic [191:0] settings;
+  assign stream_base = settings[63:0];
+  assign stream_bytes = settings[127:64];
+  assign reference_base = settings[191:128];
+
+  always_ff @(posedge clk) begin
+    load <= control[0] && rst_n;
+    clear <= control[1] && rst_n;
+    disable_unit <= control[2] && rst_n;
+    for (int k = 0; k < 6; k = k + 1) begin
+      if (!rst_n) settings[32*k +: 32] <= 32'd0;
+      else if (write && write_word == AT_STREAM_BASE + 6'(k)) begin
+        settings[32*k +: 32] <= (settings[32*k +: 32] & ~write_mask) | (write_data & write_mask);
+      end
+    end
+  end
+
+  // What the unit reports: pair 0 is the request of the first error, 1 to 5 the counters.
+  logic [5:0]   first_error;
+  logic         has_error;
+  logic [383:0] pairs;
+
+  always_ff @(posedge clk) begin
+    if (!rst_n || clear) begin
+      first_error <= 6'd0;
+      has_error <= 1'b0;
+      pairs <= 384'd0;
+    end else begin
+      if (error_valid && !has_error) begin
+        first_error <= error;
+        has_error <= 1'b1;
+        pairs[63:0] <= error_request;
+      end
+      pairs[64*1 +: 64] <= pairs[64*1 +: 64] + {63'd0, block_done};
+      pairs[64*2 +: 64] <= pairs[64*2 +: 64] + {63'd0, in_flight};
+      pairs[64*3 +: 64] <= pairs[64*3 +: 64] + {63'd0, stalled};
+      pairs[64*4 +: 64] <= pairs[64*4 +: 64] + {59'd0, read_bytes};
+      pairs[64*5 +: 64] <= pairs[64*5 +: 64] + {63'd0, answered};
+    end
+  end
+
+  // Read channel. A read of a pair's low word keeps its high word for the next read of that one.
+  logic         read;
+  logic [5:0]   read_word;
+  logic [31:0]  read_data;
+  logic [191:0] kept;
+  logic [5:0]   has_kept;
+
+  assign s_axil_arready = !s_axil_rvalid;
+  assign s_axil_rresp = 2'b00;
+  assign read = s_axil_arvalid && s_axil_arready;
+  assign read_word = s_axil_araddr[7:2];
+
+  always @* begin
+    case (read_word)
+      AT_ID: read_data = 32'h464c4d48;
+      AT_PARAMETERS: read_data = {16'd0, 8'(AXI_DATA_BITS / 8), 4'(MAX_DEPTH), 4'(BLOCK_LOG2)};
+      AT_STATUS: read_data = {18'd0, load_error, 5'd0, idle, loading, ready};
+      AT_STREAM_BASE: read_data = stream_base[31:0];
+      AT_STREAM_BASE + 6'd1: read_data = stream_base[63:32];
+      AT_STREAM_BYTES: read_data = stream_bytes[31:0];
+      AT_STREAM_BYTES + 6'd1: read_data = stream_bytes[63:32];
+      AT_REFERENCE_BASE: read_data = reference_base[31:0];
+      AT_REFERENCE_BASE + 6'd1: read_data = reference_base[63:32];
+      AT_ERROR: read_data = {26'd0, first_error};
+      default: read_data = 32'd0;
+    endcase
+    for (int k = 0; k < 6; k = k + 1) begin
+      if (read_word == AT_ERROR_ADDRESS + 6'(2 * k)) read_data = pairs[64*k +: 32];
+      if (read_word == AT_ERROR_ADDRESS + 6'(2 * k + 1)) begin
+        read_data = has_kept[k] ? kept[32*k +: 32] : pairs[64*k+32 +: 32];
+      end
+    end
+  end
+
+  always_ff @(posedge clk) begin
+    if (read) s_axil_rdata <= read_data;
+    for (int k = 0; k < 6; k = k + 1) begin
+      if (read && read_word == AT_ERROR_ADDRESS + 6'(2 * k)) begin
+        kept[32*k +: 32] <= pairs[64*k+32 +: 32];
+      end
+      if (!rst_n) has_kept[k] <= 1'b0;
+      else if (read && read_word == AT_ERROR_ADDRESS + 6'(2 * k)) has_kept[k] <= 1'b1;
+      else if (read && read_word == AT_ERROR_ADDRESS + 6'(2 * k + 1)) has_kept[k] <= 1'b0;
+    end
+    if (!rst_n) s_axil_rvalid <= 1'b0;
+    else s_axil_rvalid <= read || (s_axil_rvalid && !s_axil_rready);
+  end
+endmodule

@@ -1,0 +1,174 @@
+`include "hmlfc_tables.svh"
+
+// Turns requests into blocks of levels: one job for each plane and each level from where DEC-1 begins down to the stop level.
+//
+// Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
+// LOAD, becomes one job that carries the error. Views are worked out when they change: two are held, so that blocks of the
+// last view may still be under way. For RGB the chroma blocks are left out where the request before decoded them.
+module hmlfc_requests (
+    input logic clk,
+    input logic rst_n,
+    input hmlfc_pkg::config_t stream,
+    input logic enable,           // a LOAD has ended
+    input logic [5:0] load_error,
+    input logic flush,            // a LOAD begins, while no job is under way
+
+    input logic s_valid,
+    output logic s_ready,
+    input logic [63:0] s_data,
+    input logic s_last,
+
+    output logic view_start,
+    output logic [9:0] view_row,
+    output logic [9:0] view_col,
+    output logic view_slot,
+    input logic view_done,
+    input logic [hmlfc_pkg::LEVELS-1:0] view_keys,
+
+    output logic job_valid,
+    input logic job_ready,
+    output hmlfc_pkg::job_t job,
+
+    input logic finished_valid,  // a job has left the unit
+    input logic finished_slot
+);
+
+  localparam int LEVELS = hmlfc_pkg::LEVELS;
+
+  // The request that is turned into jobs.
+  logic busy, last;
+  logic [63:0] request;
+  wire [11:0] row = request[11:0];
+  wire [11:0] col = request[23:12];
+  wire [14:0] bx = request[38:24];
+  wire [14:0] by = request[53:39];
+  wire [1:0] plane = request[55:54];
+  wire [3:0] stop = request[59:56];
+  wire rgb = plane == 2'd3;
+
+  logic [14:0] blocks_x, blocks_y;
+  always_comb begin
+    blocks_x = 15'(stream.luma.blocks_x);
+    blocks_y = 15'(stream.luma.blocks_y);
+    if (plane == 2'd1 || plane == 2'd2) begin
+      blocks_x = 15'(stream.chroma.blocks_x);
+      blocks_y = 15'(stream.chroma.blocks_y);
+    end
+  end
+  wire there = row < 12'(stream.rows) && col < 12'(stream.cols) && bx < blocks_x && by < blocks_y &&
+      stop <= 4'(stream.tree_height) && request[63:60] == 0;
+  wire [5:0] error = load_error != 0 ? load_error : there ? 6'd0 : HMLFC_ERROR_BAD_REQUEST;
+
+  // Views that are held.
+  logic [1:0] held;
+  logic slot;  // of the latest
+  logic [2*10-1:0] held_rows, held_cols;
+  logic [2*LEVELS-1:0] held_keys;
+  logic [2*10-1:0] users;
+  logic [1:0] hits;
+  always_comb begin
+    for (int i = 0; i < 2; i++) begin
+      hits[i] = held[i] && held_rows[i*10+:10] == row[9:0] && held_cols[i*10+:10] == col[9:0];
+    end
+  end
+  wire hit = hits != 0;
+  wire hit_slot = hits[1];
+  wire [LEVELS-1:0] keys = held_keys[hit_slot*LEVELS+:LEVELS];
+  logic working;
+  assign view_start = busy && error == 0 && !hit && !working && users[!slot*10+:10] == 0;
+  assign view_row = row[9:0];
+  assign view_col = col[9:0];
+
+  // DEC-1, EXT-5: the first level, from the stop level up, whose image is a key image; else the top.
+  logic [2:0] first_level;
+  always_comb begin
+    first_level = stream.tree_height;
+    for (int i = LEVELS - 1; i >= 0; i--) if (keys[i] && 4'(i) >= stop) first_level = 3'(i);
+  end
+
+  // Chroma blocks that the answer holds already: those of the latest request for RGB.
+  localparam int BLOCK_BITS = hmlfc_pkg::BLOCK_BITS;
+  localparam int SITE_BITS = 2 * hmlfc_pkg::GRID_BITS + 2 * BLOCK_BITS + 4;
+  logic chroma_held;
+  logic [SITE_BITS-1:0] chroma_site;
+  wire [BLOCK_BITS-1:0] chroma_bx = stream.chroma_444 ? bx[12:0] : bx[13:1];
+  wire [BLOCK_BITS-1:0] chroma_by = stream.chroma_444 ? by[12:0] : by[13:1];
+  wire [SITE_BITS-1:0] site = {row[9:0], col[9:0], chroma_bx, chroma_by, stop};
+
+  // The job: plane and level run on while the request lasts.
+  logic [1:0] now_plane;
+  logic [2:0] now_level;
+  logic begun;  // now_level counts
+  wire [2:0] level = begun ? now_level : first_level;
+  wire ends_plane = error != 0 || 4'(level) == stop;
+  wire chroma_left_out = chroma_held && chroma_site == site;
+  wire ends_request = ends_plane && (error != 0 || !rgb || now_plane == 2'd2 || (now_plane == 2'd0 && chroma_left_out));
+
+  assign job_valid = busy && (error != 0 || hit);
+  always_comb begin
+    job = '0;
+    job.id = {hit_slot, level};
+    job.plane = now_plane;
+    job.bx = rgb && now_plane != 0 ? chroma_bx : bx[12:0];
+    job.by = rgb && now_plane != 0 ? chroma_by : by[12:0];
+    job.first = !begun;
+    job.last = ends_plane;
+    job.rgb = rgb;
+    job.answer = ends_request;
+    job.tlast = last;
+    job.error = error;
+    if (error != 0) begin
+      job.id = '0;
+      job.plane = '0;
+      job.first = 1'b1;
+    end
+  end
+  wire emit = job_valid && job_ready;
+  assign s_ready = enable && (!busy || (emit && ends_request));
+
+  always_ff @(posedge clk) begin
+    if (s_valid && s_ready) begin
+      request <= s_data;
+      last <= s_last;
+      now_plane <= s_data[55:54] == 2'd3 ? 2'd0 : s_data[55:54];
+      begun <= 1'b0;
+    end else if (emit) begin
+      now_level <= level - 3'd1;
+      begun <= !ends_plane;
+      if (ends_plane) now_plane <= now_plane + 2'd1;
+    end
+    if (emit && rgb && error == 0 && now_plane == 2'd1) begin
+      chroma_held <= 1'b1;
+      chroma_site <= site;
+    end
+    if (view_start) begin
+      working <= 1'b1;
+      slot <= !slot;
+      view_slot <= !slot;
+      held[!slot] <= 1'b0;
+      held_rows[!slot*10+:10] <= row[9:0];
+      held_cols[!slot*10+:10] <= col[9:0];
+    end
+    if (view_done) begin
+      working <= 1'b0;
+      held[slot] <= 1'b1;
+      held_keys[slot*LEVELS+:LEVELS] <= view_keys;
+    end
+    for (int i = 0; i < 2; i++) begin
+      users[i*10+:10] <= users[i*10+:10] + 10'(emit && job.id[3] == 1'(i)) - 10'(finished_valid && finished_slot == 1'(i));
+    end
+    if (!rst_n) begin
+      busy <= 1'b0;
+      working <= 1'b0;
+      slot <= 1'b0;
+      users <= '0;
+    end else begin
+      busy <= (s_valid && s_ready) || (busy && !(emit && ends_request));
+    end
+    if (!rst_n || flush) begin
+      held <= '0;
+      chroma_held <= 1'b0;
+    end
+  end
+
+endmodule

@@ -1,0 +1,215 @@
+`include "hmlfc_tables.svh"
+
+// Fetches strips of the reference area and unpacks them into lines of samples.
+//
+// A strip is asked for by `ask`, when `ask_ready`, with its address and the place that its lines are for. Its first beats are
+// read at once; how many more there are says its head, and the others are read when it has come. Strips leave in the order
+// in which they were asked for: `valid` with `place` and `lines` until `take`. A line is {error, samples}, the samples of one
+// block SAMPLE_BITS wide in two's complement, row by row; `error` is the number that an undecodable block carries, or bus_error.
+module hmlfc_strip_fill #(
+    parameter int BLOCK_LOG2 = 2,
+    parameter int SAMPLE_BITS = 10,
+    parameter int DATA_BITS = 128,
+    parameter int PLACE_BITS = 8,
+    parameter int SLOTS = 32,  // strips on their way, a power of two
+    localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
+    localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
+    localparam int LINES = 64 / SAMPLES,
+    localparam int LINE_BITS = 6 + SAMPLES * SAMPLE_BITS
+) (
+    input logic clk,
+    input logic rst_n,
+
+    input logic ask,
+    output logic ask_ready,
+    input logic [ADDRESS_BITS-1:0] ask_address,
+    input logic [PLACE_BITS-1:0] ask_place,
+
+    output logic valid,
+    output logic [PLACE_BITS-1:0] place,
+    output logic [LINES*LINE_BITS-1:0] lines,
+    input logic take,
+
+    output logic request_valid,
+    input logic request_ready,
+    output logic [ADDRESS_BITS-1:0] request_address,
+    output logic [9:0] request_beats,
+    input logic data_valid,
+    input logic [DATA_BITS-1:0] data,
+    input logic data_last,
+    input logic data_error
+);
+
+  localparam int HEAD_BITS = 20;  // width and base
+  localparam int RAW = 15;        // the width that stands for samples of 16 bits without base
+  localparam int MAX_BITS = HEAD_BITS + 64 * 16;
+  localparam int MAX_BEATS = (MAX_BITS + DATA_BITS - 1) / DATA_BITS;
+  localparam int FIRST_BYTES = 32;
+  localparam int FIRST_BEATS = FIRST_BYTES * 8 / DATA_BITS;
+  localparam int BEAT_BITS = $clog2(MAX_BEATS + 1);
+  localparam int SLOT_BITS = $clog2(SLOTS);
+
+  // Slots: a ring of strips on their way.
+  logic [SLOT_BITS:0] asked, taken;  // count strips; the low bits are the slot
+  wire [SLOT_BITS-1:0] ask_slot = asked[SLOT_BITS-1:0];
+  logic [SLOTS-1:0] complete, failed;
+  logic [SLOTS*PLACE_BITS-1:0] places;
+  logic [SLOTS*ADDRESS_BITS-1:0] addresses;
+  logic [SLOTS*BEAT_BITS-1:0] totals;
+  logic [DATA_BITS-1:0] memory[SLOTS*(1<<BEAT_BITS)];
+
+  // Reads to ask for: what is left of strips whose head has come, before the begins of others.
+  logic first_valid, first_ready, more_valid;
+  logic [SLOT_BITS-1:0] first_slot, more_slot, burst_slot;
+  logic more_push, burst_valid, burst_more;
+  wire request_more = more_valid;
+  wire [SLOT_BITS-1:0] request_slot = request_more ? more_slot : first_slot;
+  wire [BEAT_BITS-1:0] request_total = totals[32'(more_slot)*BEAT_BITS+:BEAT_BITS];
+  assign ask_ready = asked - taken != (SLOT_BITS + 1)'(SLOTS);
+  assign request_valid = more_valid || first_valid;
+  assign first_ready = request_ready && !request_more;
+  assign request_address = addresses[32'(request_slot)*ADDRESS_BITS+:ADDRESS_BITS] +
+      (request_more ? ADDRESS_BITS'(FIRST_BYTES) : ADDRESS_BITS'(0));
+  assign request_beats = request_more ? 10'(request_total) - 10'(FIRST_BEATS) : 10'(FIRST_BEATS);
+  /* verilator lint_off PINCONNECTEMPTY */  // each has room for all slots
+  hmlfc_fifo #(
+      .WIDTH(SLOT_BITS),
+      .DEPTH(SLOTS)
+  ) firsts (
+      .clk,
+      .rst_n,
+      .in_valid(ask),
+      .in_ready(),
+      .in_data(ask_slot),
+      .out_valid(first_valid),
+      .out_ready(first_ready),
+      .out_data(first_slot),
+      .count()
+  );
+  hmlfc_fifo #(
+      .WIDTH(SLOT_BITS),
+      .DEPTH(SLOTS)
+  ) mores (
+      .clk,
+      .rst_n,
+      .in_valid(more_push),
+      .in_ready(),
+      .in_data(burst_slot),
+      .out_valid(more_valid),
+      .out_ready(request_ready && request_more),
+      .out_data(more_slot),
+      .count()
+  );
+  // Whose data come next.
+  hmlfc_fifo #(
+      .WIDTH(SLOT_BITS + 1),
+      .DEPTH(2 * SLOTS)
+  ) bursts (
+      .clk,
+      .rst_n,
+      .in_valid(request_valid && request_ready),
+      .in_ready(),
+      .in_data({request_more, request_slot}),
+      .out_valid(burst_valid),
+      .out_ready(data_valid && data_last),
+      .out_data({burst_more, burst_slot}),
+      .count()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+
+  // Data. The head is in the first beat.
+  logic [BEAT_BITS-1:0] beat, total;
+  logic burst_failed;
+  wire [BEAT_BITS-1:0] at = beat + (burst_more ? BEAT_BITS'(FIRST_BEATS) : BEAT_BITS'(0));
+  wire [10:0] strip_bits = 11'(HEAD_BITS) + (data[3:0] == 4'(RAW) ? 11'd1024 : {1'b0, data[3:0], 6'd0});
+  wire [BEAT_BITS-1:0] head_total = BEAT_BITS'((strip_bits + 11'(DATA_BITS - 1)) / 11'(DATA_BITS));
+  wire [BEAT_BITS-1:0] now_total = beat == 0 ? head_total : total;
+  wire now_failed = data_error || (beat != 0 && burst_failed);
+  wire ends = data_valid && burst_valid && data_last;
+  assign more_push = ends && !burst_more && !now_failed && now_total > BEAT_BITS'(FIRST_BEATS);
+  always_ff @(posedge clk) begin
+    if (data_valid) begin
+      memory[{burst_slot, at}] <= data;
+      beat <= data_last ? '0 : beat + 1'b1;
+      total <= now_total;
+      burst_failed <= now_failed;
+    end
+    if (ask) begin
+      asked <= asked + 1'b1;
+      places[32'(ask_slot)*PLACE_BITS+:PLACE_BITS] <= ask_place;
+      addresses[32'(ask_slot)*ADDRESS_BITS+:ADDRESS_BITS] <= ask_address;
+      complete[ask_slot] <= 1'b0;
+      failed[ask_slot] <= 1'b0;
+    end
+    if (ends) begin
+      if (!burst_more) totals[32'(burst_slot)*BEAT_BITS+:BEAT_BITS] <= now_total;
+      complete[burst_slot] <= !more_push;
+      failed[burst_slot] <= now_failed;
+    end
+    if (!rst_n) begin
+      asked <= '0;
+      beat <= '0;
+    end
+  end
+
+  // Assembly of the oldest strip, one beat a clock, then the strip that is offered.
+  logic [MAX_BEATS*DATA_BITS-1:0] assembly, strip;
+  logic [BEAT_BITS-1:0] number;
+  logic assembled, assembly_failed, strip_failed;
+  logic [PLACE_BITS-1:0] assembly_place;
+  wire [SLOT_BITS-1:0] slot = taken[SLOT_BITS-1:0];
+  wire there = asked != taken && complete[slot];
+  wire [BEAT_BITS-1:0] slot_total = totals[32'(slot)*BEAT_BITS+:BEAT_BITS];
+  wire move = assembled && (!valid || take);
+  wire collects = there && (!assembled || move);
+  wire collected = collects && (failed[slot] || number + 1'b1 == slot_total);
+  always_ff @(posedge clk) begin
+    if (collects) begin
+      assembly[32'(number)*DATA_BITS+:DATA_BITS] <= memory[{slot, number}];
+      number <= collected ? '0 : number + 1'b1;
+    end
+    if (collected) begin
+      assembly_failed <= failed[slot];
+      assembly_place <= places[32'(slot)*PLACE_BITS+:PLACE_BITS];
+      taken <= taken + 1'b1;
+    end
+    if (move) begin
+      strip <= assembly;
+      strip_failed <= assembly_failed;
+      place <= assembly_place;
+    end
+    if (!rst_n) begin
+      number <= '0;
+      taken <= '0;
+      assembled <= 1'b0;
+      valid <= 1'b0;
+    end else begin
+      assembled <= collected || (assembled && !move);
+      valid <= move || (valid && !take);
+    end
+  end
+
+  // Samples: base + a field of `width` bits, or 16 bits of their own.
+  wire [3:0] width = strip[3:0];
+  wire signed [15:0] base = strip[19:4];
+  logic [64*16-1:0] samples;
+  always_comb begin
+    for (int s = 0; s < 64; s++) begin
+      logic [15:0] field;
+      field = '0;
+      for (int w = 1; w <= SAMPLE_BITS; w++) begin
+        if (32'(width) == w) field = 16'(strip[HEAD_BITS+w*s+:16]) & 16'((1 << w) - 1);
+      end
+      samples[16*s+:16] = width == 4'(RAW) ? strip[HEAD_BITS+16*s+:16] : 16'(base) + field;
+    end
+    for (int l = 0; l < LINES; l++) begin
+      for (int s = 0; s < SAMPLES; s++) begin
+        lines[l*LINE_BITS+s*SAMPLE_BITS+:SAMPLE_BITS] = samples[16*(l*SAMPLES+s)+:SAMPLE_BITS];
+      end
+      lines[l*LINE_BITS+SAMPLES*SAMPLE_BITS+:6] =
+          strip_failed ? HMLFC_ERROR_BUS_ERROR :
+          width == 4'(RAW) && samples[16*l*SAMPLES+5+:11] == 11'h400 ? {1'b0, samples[16*l*SAMPLES+:5]} : 6'd0;
+    end
+  end
+
+endmodule
