@@ -37,13 +37,13 @@ class Source:
     name: str
     folder: Path
     at: float = 38.0
-    chroma: str = "420"
+    chroma: str = "444"
 
 
 REAL = (
-    Source("chess", Path("stanford-chess-16x16-700x400"), 39.0),
-    Source("antinous", Path("hci-antinous-9x9-512x512"), 39.5),
-    Source("knights", Path("stanford-legoknights-17x17-256x256-jpeg"), 36.5, "444"),
+    Source("chess", Path("stanford-chess-16x16-700x400"), 39.0, "420"),
+    Source("antinous", Path("hci-antinous-9x9-512x512"), 39.5, "420"),
+    Source("knights", Path("stanford-legoknights-17x17-256x256-jpeg"), 36.5),
 )
 SCENES = {"cards": "444", "knights": "420", "glass": "420"}  # `hmlfc synth --scene`, chroma
 SCENE_SIZE = ("9x9", "512x384")

@@ -34,6 +34,7 @@ SOURCE_LISTS = {
     "model": "model/CMakeLists.txt",
     "tests": "tests/CMakeLists.txt",
     "bench": "bench/CMakeLists.txt",
+    "testbench": "testbench/CMakeLists.txt",
 }
 # A project of its own, with its own list.
 OWN_PROJECTS = ["tests/consumer/project"]

@@ -1,0 +1,51 @@
+// A stream as the decode unit opens it, with the golden model's parts that decode it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <hmlfc/error.hpp>
+
+#include "fields/stream_view.hpp"
+#include "pins.hpp"
+#include "samples/block_decoder.hpp"
+#include "samples/key_images.hpp"
+#include "samples/sparse_plane.hpp"
+
+namespace hmlfc::tb {
+
+/// The unit's own limits (FIL-7).
+inline constexpr uint32_t kMaxUnitSide = 16384;
+inline constexpr uint32_t kMaxUnitGrid = 1024;
+inline constexpr int kMaxUnitHeight = 7;
+
+/// An open stream. The file's bytes must outlive it. Not to be copied: its parts refer to each
+/// other.
+class GoldenStream {
+ public:
+  /// What LOAD checks, in its order: the header (FIL-4, EXT-1), the unit's limits, the sizes of
+  /// ROOT and GROUP. After these the TOP table, which is software's to check (KEY-1).
+  static Result<std::unique_ptr<GoldenStream>> open(std::span<const uint8_t> file,
+                                                    const UnitParameters& unit);
+
+  const StreamView& view() const { return view_; }
+  const Geometry& geometry() const { return view_.geometry; }
+  const StreamHeader& header() const { return view_.header; }
+  const KeyImages& keys() const { return keys_; }
+  const SparseReferences& references() const { return references_; }
+
+  /// Reads reference blocks on demand, or holds reference images once decoded.
+  DecodeSources on_demand() const { return {view_, keys_, nullptr}; }
+  DecodeSources sparse() const { return {view_, keys_, &references_}; }
+
+ private:
+  explicit GoldenStream(StreamView view)
+      : view_(std::move(view)), keys_(view_), references_(view_) {}
+
+  StreamView view_;
+  KeyImages keys_;
+  SparseReferences references_;
+};
+
+}  // namespace hmlfc::tb

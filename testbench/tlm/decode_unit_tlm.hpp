@@ -1,0 +1,64 @@
+// The decode unit as a TLM-2.0 model for virtual platforms: loosely timed, with the golden model
+// inside.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <tlm_utils/simple_initiator_socket.h>
+#include <tlm_utils/simple_target_socket.h>
+#include <systemc>
+#include <tlm>
+
+#include "oracle.hpp"
+#include "register_file.hpp"
+#include "tlm/latency.hpp"
+
+namespace hmlfc::tb {
+
+/// Bytes of a request: `tdata`, little-endian, then `tlast`.
+inline constexpr unsigned kRequestBytes = 9;
+
+/// Bytes of an answer of a unit with blocks of `block_size`: `tdata`, then `tuser`, then `tlast`.
+constexpr unsigned answer_bytes(unsigned block_size) { return 3 * block_size * block_size * 2 + 2; }
+
+/// Registers, requests and answers as in docs/hardware.md. At LOAD the whole stream is read through
+/// `memory` and checked; a failing access there gives bus_error. The reference area is not read:
+/// the golden model decodes the key images itself. BYTES_READ counts what LOAD read, CYCLES what
+/// the latency table says, STALLS is 0.
+///
+/// A request is answered before its b_transport returns; the delay is annotated on the answer.
+/// Before LOAD, and after DISABLE, it waits: call from a thread.
+class DecodeUnitTlm final : public sc_core::sc_module {
+ public:
+  tlm_utils::simple_target_socket<DecodeUnitTlm> registers;   ///< 4 bytes at offsets of the table
+  tlm_utils::simple_target_socket<DecodeUnitTlm> requests;    ///< writes of kRequestBytes
+  tlm_utils::simple_initiator_socket<DecodeUnitTlm> answers;  ///< writes of answer_bytes()
+  tlm_utils::simple_initiator_socket<DecodeUnitTlm> memory;   ///< reads of the stream
+
+  DecodeUnitTlm(const sc_core::sc_module_name& name, const UnitParameters& parameters,
+                const LatencyTable& latency = {},
+                const sc_core::sc_time& period = sc_core::sc_time(1, sc_core::SC_NS));
+
+  /// As rst_n does.
+  void reset();
+
+ private:
+  void access_registers(tlm::tlm_generic_payload& access, sc_core::sc_time& delay);
+  void take_request(tlm::tlm_generic_payload& write, sc_core::sc_time& delay);
+  void control(uint32_t bits, sc_core::sc_time& delay);
+  void load(sc_core::sc_time& delay);
+  bool read_stream(sc_core::sc_time& delay);
+  void answer(const ExpectedAnswer& expected, sc_core::sc_time& delay);
+
+  UnitParameters parameters_;
+  LatencyTable latency_;
+  sc_core::sc_time period_;
+  RegisterFile file_;
+  std::vector<uint8_t> stream_;
+  std::unique_ptr<GoldenStream> golden_;
+  std::unique_ptr<Oracle> oracle_;
+  sc_core::sc_event loaded_;
+};
+
+}  // namespace hmlfc::tb

@@ -1,0 +1,32 @@
+// How long the unit takes, for the loosely timed model.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "oracle.hpp"
+
+namespace hmlfc::tb {
+
+/// Clocks, as rtl-check measures them ("clocks each" of its report, and a single request).
+struct LatencyTable {
+  uint64_t load = 200;    ///< of a LOAD
+  uint64_t request = 40;  ///< of a request, besides its level blocks
+  /// Of a level block: zero, motion only, motion and residual, residual only, key image.
+  std::array<uint64_t, 5> level_block{1, 2, 3, 2, 2};
+};
+
+/// The clocks from a request to its answer.
+inline uint64_t clocks_of(const ExpectedAnswer& answer, const LatencyTable& table) {
+  uint64_t clocks = table.request;
+  for (const auto& plane : answer.planes) {
+    if (!plane) continue;
+    for (const LevelRecord& level : plane->levels) {
+      const size_t kind = level.key ? 4 : static_cast<size_t>(level.state());
+      clocks += table.level_block[kind];
+    }
+  }
+  return clocks;
+}
+
+}  // namespace hmlfc::tb

@@ -1,0 +1,104 @@
+// hmlfc_reconstruct against the model (DEC-3, EXT-5).
+#include <array>
+
+#include <Reconstruct2x8.h>
+#include <Reconstruct3x12.h>
+
+#include "rtl/ports.hpp"
+#include "values/reconstruct.hpp"
+
+namespace hmlfc::test {
+namespace {
+
+struct Flags {
+  bool motion, negative, keyed, has_residual, chroma;
+};
+
+Flags flags_of(unsigned bits) {
+  return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0};
+}
+
+SampleRange range_of(const Flags& flags, int depth) {
+  return sample_range(flags.chroma ? Plane::kCo : Plane::kY, depth);
+}
+
+template <class Dut, unsigned kBlockLog2, int kMaxDepth>
+class Bench {
+ public:
+  static constexpr unsigned kSamples = 1u << (2 * kBlockLog2);
+
+  void put(unsigned i, int32_t parent, int32_t reference, int32_t residual) {
+    inputs_[i] = {parent, reference, residual};
+    put_bits(dut_.parent, (kMaxDepth + 1) * i, kMaxDepth + 1, parent);
+    put_bits(dut_.references, (kMaxDepth + 2) * i, kMaxDepth + 2, reference);
+    put_bits(dut_.residual, (kMaxDepth + 2) * i, kMaxDepth + 2, residual);
+  }
+
+  void check(const Flags& flags, int depth) {
+    dut_.motion = flags.motion;
+    dut_.negative = flags.negative;
+    dut_.keyed = flags.keyed;
+    dut_.has_residual = flags.has_residual;
+    dut_.chroma = flags.chroma;
+    dut_.depth = static_cast<uint8_t>(depth);
+    dut_.eval();
+    const SampleRange range = range_of(flags, depth);
+    for (unsigned i = 0; i < kSamples; ++i) {
+      const auto& [parent, reference, residual] = inputs_[i];
+      const int32_t a = flags.motion ? motion_prediction(flags.keyed ? 0 : parent, flags.negative,
+                                                         reference, range)
+                                     : parent;
+      const int32_t s = flags.has_residual ? add_residual(a, residual, range) : a;
+      counts.compare(get_signed(dut_.prediction, (kMaxDepth + 1) * i, kMaxDepth + 1), a);
+      counts.compare(get_signed(dut_.sample, (kMaxDepth + 1) * i, kMaxDepth + 1), s);
+    }
+  }
+
+  Counts counts;
+
+ private:
+  Dut dut_;
+  std::array<std::array<int32_t, 3>, kSamples> inputs_{};
+};
+
+// Every parent with every reference, and every parent with every residual, in all states.
+TEST(Reconstruct, EveryPairAtDepth8) {
+  Bench<Reconstruct2x8, 2, 8> bench;
+  Random random(1);
+  for (unsigned bits = 0; bits < 32; ++bits) {
+    const Flags flags = flags_of(bits);
+    const SampleRange range = range_of(flags, 8);
+    unsigned lane = 0;
+    for (int32_t parent = range.lo; parent <= range.hi; ++parent) {
+      for (int32_t r = -range.bound; r <= range.bound; ++r) {
+        const int32_t other = random.in(-range.bound, range.bound);
+        bench.put(lane, parent, flags.motion ? r : other, flags.motion ? other : r);
+        lane = (lane + 1) % bench.kSamples;
+        if (lane == 0) bench.check(flags, 8);
+      }
+    }
+  }
+  expect_equal(bench.counts, 16 * 2 * (256 * 511 + 511 * 1021 - 32));
+}
+
+// Depths 8 to 12 of a unit for depth 12; random and at the ends of the ranges.
+TEST(Reconstruct, RandomAtEveryDepth) {
+  Bench<Reconstruct3x12, 3, 12> bench;
+  Random random(2);
+  for (int depth = 8; depth <= 12; ++depth) {
+    for (unsigned turn = 0; turn < 32 * 200; ++turn) {
+      const Flags flags = flags_of(turn % 32);
+      const SampleRange range = range_of(flags, depth);
+      for (unsigned i = 0; i < bench.kSamples; ++i) {
+        bench.put(i, random.often_extreme(range.lo, range.hi),
+                  random.often_extreme(-range.bound, range.bound),
+                  random.often_extreme(-range.bound, range.bound));
+      }
+      bench.check(flags, depth);
+    }
+  }
+  expect_equal(bench.counts, 5 * 32 * 200 * 64 * 2);
+}
+
+}  // namespace
+}  // namespace hmlfc::test
