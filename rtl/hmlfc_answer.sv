@@ -1,3 +1,5 @@
+`include "hmlfc_tables.svh"
+
 // Collects the planes of a request and answers it (COL-2, COL-3).
 //
 // Takes blocks of levels in order. The last of a plane is its result; with the last plane of a request the answer is made: lanes
@@ -20,6 +22,8 @@ module hmlfc_answer #(
     input hmlfc_pkg::job_t in_job,
     input logic [5:0] in_error,
     input logic [PLANE_BITS-1:0] in_sample,
+
+    output logic chroma_spoiled,  // the chroma that is kept met a bus error: it is not to be relied on
 
     output logic out_valid,
     input logic out_ready,
@@ -75,6 +79,7 @@ module hmlfc_answer #(
       .lanes(lanes_2)
   );
   assign in_ready = advance;
+  assign chroma_spoiled = in_valid && advance && in_job.rgb && in_job.last && !y_now && in_error == HMLFC_ERROR_BUS_ERROR;
   always_ff @(posedge clk) begin
     if (advance) begin
       if (in_valid && in_job.rgb && in_job.last) begin

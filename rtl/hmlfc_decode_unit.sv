@@ -264,7 +264,7 @@ module hmlfc_decode_unit #(
   logic [LEVELS-1:0] view_keys;
   logic [2:0] image_level;
   hmlfc_pkg::image_t view_image, ask_image, disparity_image, reference_image;
-  logic job_valid, job_ready;
+  logic job_valid, job_ready, chroma_spoiled;
   hmlfc_pkg::job_t job;
   hmlfc_requests requests (
       .clk,
@@ -286,6 +286,7 @@ module hmlfc_decode_unit #(
       .job_valid,
       .job_ready,
       .job,
+      .chroma_spoiled,
       .finished_valid(block_done),
       .finished_slot(done_pending.job.id[3])
   );
@@ -691,6 +692,7 @@ module hmlfc_decode_unit #(
       .in_job(done_pending.job),
       .in_error(done_error),
       .in_sample(done_sample),
+      .chroma_spoiled,
       .out_valid(m_response_tvalid),
       .out_ready(m_response_tready),
       .out_data(m_response_tdata),

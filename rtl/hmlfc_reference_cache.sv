@@ -352,6 +352,9 @@ module hmlfc_reference_cache #(
     if (!rst_n) read_valid <= '0;
   end
   assign out_valid = read_valid[8];
-  assign forget = read_valid[7] && read_advance && error_7 == HMLFC_ERROR_BUS_ERROR;
+  // A strip that a bus error spoiled is not kept, whichever error its block is answered with.
+  wire spoiled = error_left == HMLFC_ERROR_BUS_ERROR || (two_x_7 && error_right == HMLFC_ERROR_BUS_ERROR) ||
+      (two_y_7 && (error_below == HMLFC_ERROR_BUS_ERROR || (two_x_7 && error_corner == HMLFC_ERROR_BUS_ERROR)));
+  assign forget = read_valid[7] && read_advance && spoiled;
 
 endmodule

@@ -4,7 +4,8 @@
 //
 // Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
 // LOAD, becomes one job that carries the error. Views are worked out when they change: two are held, so that blocks of the
-// last view may still be under way. For RGB the chroma blocks are left out where the request before decoded them.
+// last view may still be under way. For RGB the chroma blocks are left out where the request for RGB before decoded them,
+// but not where they met a bus error.
 module hmlfc_requests (
     input logic clk,
     input logic rst_n,
@@ -29,6 +30,7 @@ module hmlfc_requests (
     input logic job_ready,
     output hmlfc_pkg::job_t job,
 
+    input logic chroma_spoiled,  // chroma that was decoded for RGB met a bus error
     input logic finished_valid,  // a job has left the unit
     input logic finished_slot
 );
@@ -165,10 +167,8 @@ module hmlfc_requests (
     end else begin
       busy <= (s_valid && s_ready) || (busy && !(emit && ends_request));
     end
-    if (!rst_n || flush) begin
-      held <= '0;
-      chroma_held <= 1'b0;
-    end
+    if (!rst_n || flush) held <= '0;
+    if (!rst_n || flush || chroma_spoiled) chroma_held <= 1'b0;
   end
 
 endmodule

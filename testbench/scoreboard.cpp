@@ -48,16 +48,18 @@ bool Scoreboard::holds_chroma(const ExpectedAnswer& expected) {
 void Scoreboard::add_records(const ExpectedAnswer& expected) {
   const uint64_t number = first_pending_ + pending_.size() - 1;
   const bool held = holds_chroma(expected);
+  const bool uncertain = held && chroma_uncertain_;
+  if (chroma_key(expected)) chroma_uncertain_ = bus_errors_;
   const bool failed = expected.answer.status != 0 || bus_errors_;
   for (size_t p = 0; p < kPlaneCount; ++p) {
     const auto& plane = expected.planes[p];
     if (!plane) continue;
     bool unknown = false;
     for (size_t l = 0; l < plane->levels.size(); ++l) {
-      if (held && p > 0) {
+      if (held && p > 0 && !uncertain) {
         ++counts_.records_skipped;
       } else {
-        records_.push_back({number, plane, l, failed, unknown});
+        records_.push_back({number, plane, l, failed || (uncertain && p > 0), unknown});
       }
       unknown |= plane->levels[l].error != 0;
     }

@@ -121,7 +121,9 @@ class Scoreboard final : public sc_core::sc_module {
   uint64_t first_pending_ = 0;           // number of pending_[0]
   ExpectedAnswer answered_;              // the request answered last, for hints
   std::optional<uint64_t> held_chroma_;  // chroma_key of the latest request for RGB
-  uint64_t last_record_ = 0;             // clock of the last trace record
+  bool chroma_uncertain_ =
+      false;                  // it may have met a bus error, and then the unit does not hold it
+  uint64_t last_record_ = 0;  // clock of the last trace record
   ScoreCounts counts_;
 };
 
