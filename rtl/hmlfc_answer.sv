@@ -3,7 +3,7 @@
 // Collects the planes of a request and answers it (COL-2, COL-3).
 //
 // Takes blocks of levels in order. The last of a plane is its result; with the last plane of a request the answer is made: lanes
-// of 16 bits, status and tlast. Chroma of requests for RGB is kept for the next, which may leave it out. Latency 3 clocks.
+// of 16 bits, status and tlast. Chroma of requests for RGB is kept for the next, which may leave it out. Latency 4 clocks.
 module hmlfc_answer #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
@@ -59,13 +59,12 @@ module hmlfc_answer #(
     end
   endfunction
 
-  // 1: planes at the pixels; 2: RGB; then the answer.
+  // 1: planes at the pixels; 2 and 3: RGB; then the answer.
   logic advance;
-  logic [2:1] valid, last;
-  logic rgb_1, rgb_2;
-  logic [5:0] status_1, status_2;
-  logic [PLANE_BITS-1:0] y_1, co_1, cg_1, y_2;
-  logic [ANSWER_BITS-1:0] lanes_2;
+  logic [3:1] valid, last, rgb;
+  logic [5:0] status_1, status_2, status_3;
+  logic [PLANE_BITS-1:0] y_1, co_1, cg_1, y_2, y_3;
+  logic [ANSWER_BITS-1:0] lanes_3;
   hmlfc_colour #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .MAX_DEPTH(MAX_DEPTH)
@@ -76,7 +75,7 @@ module hmlfc_answer #(
       .co(co_1),
       .cg(cg_1),
       .depth,
-      .lanes(lanes_2)
+      .lanes(lanes_3)
   );
   assign in_ready = advance;
   assign chroma_spoiled = in_valid && advance && in_job.rgb && in_job.last && !y_now && in_error == HMLFC_ERROR_BUS_ERROR;
@@ -89,16 +88,15 @@ module hmlfc_answer #(
           default: {held_y, error_y, corner} <= {in_sample, in_error, in_job.by[0], in_job.bx[0]};
         endcase
       end
-      valid <= {valid[1], in_valid && in_job.answer};
-      last <= {last[1], in_job.tlast};
-      rgb_1 <= in_job.rgb;
+      valid <= {valid[2:1], in_valid && in_job.answer};
+      last <= {last[2:1], in_job.tlast};
+      rgb <= {rgb[2:1], in_job.rgb};
       status_1 <= in_job.rgb ? rgb_error : in_error;
       y_1 <= in_job.rgb ? y : in_sample;
       co_1 <= at_pixels(held_co, at, chroma_444);
       cg_1 <= at_pixels(cg, at, chroma_444);
-      rgb_2 <= rgb_1;
-      status_2 <= status_1;
-      y_2 <= y_1;
+      {status_3, status_2} <= {status_2, status_1};
+      {y_3, y_2} <= {y_2, y_1};
     end
     if (!rst_n) valid <= '0;
   end
@@ -106,9 +104,9 @@ module hmlfc_answer #(
   logic [ANSWER_BITS-1:0] answer;
   always_comb begin
     answer = '0;
-    if (status_2 == 0) begin
-      if (rgb_2) answer = lanes_2;
-      else for (int i = 0; i < SAMPLES; i++) answer[i*16+:16] = 16'($signed(y_2[i*SAMPLE_BITS+:SAMPLE_BITS]));
+    if (status_3 == 0) begin
+      if (rgb[3]) answer = lanes_3;
+      else for (int i = 0; i < SAMPLES; i++) answer[i*16+:16] = 16'($signed(y_3[i*SAMPLE_BITS+:SAMPLE_BITS]));
     end
   end
   hmlfc_skid_buffer #(
@@ -116,14 +114,14 @@ module hmlfc_answer #(
   ) out (
       .clk,
       .rst_n,
-      .in_valid(valid[2]),
+      .in_valid(valid[3]),
       .in_ready(advance_out),
-      .in_data({last[2], status_2, answer}),
+      .in_data({last[3], status_3, answer}),
       .out_valid,
       .out_ready,
       .out_data({out_last, out_error, out_data})
   );
   logic advance_out;
-  assign advance = !valid[2] || advance_out;
+  assign advance = !valid[3] || advance_out;
 
 endmodule

@@ -8,8 +8,8 @@
 // window       the sequence from its first bit on; bits after its end do not matter (BISE-7)
 // values       value i, in [0, N - 1], at bits VALUE_BITS * i on
 //
-// Latency 2 clocks with advance, one sequence a clock: plain bits and digit bits are picked from
-// the window; digits are decoded and joined with them.
+// Latency 3 clocks with advance, one sequence a clock: the level code is decoded; plain bits and digit
+// bits are picked from the window; digits are decoded and joined with them.
 `include "hmlfc_tables.svh"
 
 module hmlfc_bise_unpack #(
@@ -34,32 +34,36 @@ module hmlfc_bise_unpack #(
 
   localparam integer W = VALUE_BITS;
 
-  // One bit for each kind of digit and number n of plain bits.
-  logic [1:0]          kind;
-  logic [3:0]          plain_bits;
-  logic [VALUE_BITS:0] is_plain, is_trit, is_quint;
+  // First stage. One bit for each kind of digit and number n of plain bits.
+  logic [1:0]             kind;
+  logic [3:0]             plain_bits;
+  logic [VALUE_BITS:0]    is_plain, is_trit, is_quint;
+  logic [WINDOW_BITS-1:0] sequence_bits;
 
   assign kind = hmlfc_digit_kind(level_code);
   assign plain_bits = hmlfc_plain_bits(level_code);
 
-  always @* begin
-    for (int n = 0; n <= VALUE_BITS; n = n + 1) begin
-      is_plain[n] = kind == HMLFC_DIGIT_NONE && plain_bits == n[3:0];
-      is_trit[n] = kind == HMLFC_DIGIT_TRIT && plain_bits == n[3:0];
-      is_quint[n] = kind == HMLFC_DIGIT_QUINT && plain_bits == n[3:0];
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      sequence_bits <= window;
+      for (int n = 0; n <= VALUE_BITS; n = n + 1) begin
+        is_plain[n] <= kind == HMLFC_DIGIT_NONE && plain_bits == n[3:0];
+        is_trit[n] <= kind == HMLFC_DIGIT_TRIT && plain_bits == n[3:0];
+        is_quint[n] <= kind == HMLFC_DIGIT_QUINT && plain_bits == n[3:0];
+      end
     end
   end
 
   // Zeros above, so that a slice of the greatest width at every start lies inside.
   logic [WINDOW_BITS+2*VALUE_BITS+7:0] padded;
-  assign padded = {{(2 * VALUE_BITS + 8) {1'b0}}, window};
+  assign padded = {{(2 * VALUE_BITS + 8) {1'b0}}, sequence_bits};
 
-  // First stage. Value i: its plain bits, and the three bits behind them, of which the first one,
+  // Second stage. Value i: its plain bits, and the three bits behind them, of which the first one,
   // two or three are of its group's T or Q.
   logic [COUNT*VALUE_BITS-1:0] plain_next, plain;
   logic [COUNT*3-1:0]          digits_next, digits;
-  logic                        quint_kind, trit_kind;
-  logic [3:0]                  shift;
+  logic [VALUE_BITS-2:0]       trit_at;   // one bit for each n, with trits
+  logic [VALUE_BITS-3:0]       quint_at;  // the same with quints
 
   genvar i;
   generate
@@ -102,13 +106,12 @@ module hmlfc_bise_unpack #(
     if (advance) begin
       plain <= plain_next;
       digits <= digits_next;
-      trit_kind <= kind == HMLFC_DIGIT_TRIT;
-      quint_kind <= kind == HMLFC_DIGIT_QUINT;
-      shift <= plain_bits;
+      trit_at <= is_trit[VALUE_BITS-2:0];
+      quint_at <= is_quint[VALUE_BITS-3:0];
     end
   end
 
-  // Second stage. Digit bits of values that the last group lacks are 0 (BISE-7).
+  // Third stage. Digit bits of values that the last group lacks are 0 (BISE-7).
   localparam integer PLACES =
       TRIT_GROUPS * TRITS > QUINT_GROUPS * QUINTS ? TRIT_GROUPS * TRITS : QUINT_GROUPS * QUINTS;
   logic [PLACES*3-1:0]              digits_padded;
@@ -136,11 +139,18 @@ module hmlfc_bise_unpack #(
                            .quints(quints[g*QUINTS*3 +: QUINTS*3]));
     end
     for (i = 0; i < COUNT; i = i + 1) begin : gen_join
-      logic [2:0] digit;
-      assign digit = ({1'b0, trits[i*2 +: 2]} & {3{trit_kind}})
-                   | (quints[i*3 +: 3] & {3{quint_kind}});
-      assign values_next[i*VALUE_BITS +: VALUE_BITS] =
-          plain[i*VALUE_BITS +: VALUE_BITS] | ({{(VALUE_BITS - 3) {1'b0}}, digit} << shift);
+      // The digit stands above the value's n plain bits.
+      logic [VALUE_BITS-1:0] above;
+      always @* begin
+        above = {VALUE_BITS{1'b0}};
+        for (int n = 0; n <= VALUE_BITS - 2; n = n + 1) begin
+          above[n +: 2] = above[n +: 2] | (trits[i*2 +: 2] & {2{trit_at[n]}});
+          if (n <= VALUE_BITS - 3) begin
+            above[n +: 3] = above[n +: 3] | (quints[i*3 +: 3] & {3{quint_at[n]}});
+          end
+        end
+      end
+      assign values_next[i*VALUE_BITS +: VALUE_BITS] = plain[i*VALUE_BITS +: VALUE_BITS] | above;
     end
   endgenerate
 

@@ -2,7 +2,7 @@
 
 // Makes the samples of each block from its parent, references and residual (DEC-2, DEC-3, DEC-6, MOT-9), one block a clock.
 //
-// Takes blocks in order, and for each the windows it asked for. The result of one level is the parent of the next. Latency 5
+// Takes blocks in order, and for each the windows it asked for. The result of one level is the parent of the next. Latency 7
 // clocks. `out_error` is the first error of the levels so far (DEC-7).
 module hmlfc_compose #(
     parameter int BLOCK_LOG2 = 2,
@@ -73,15 +73,18 @@ module hmlfc_compose #(
       needs_first && first_error != 0 ? first_error :
       in_pending.two ? b_error : 6'd0;
 
-  // Stages 1 to 4: interpolation; windows are taken over in stage 1.
-  logic [4:1] valid;
-  logic [4*PENDING_BITS-1:0] pendings;
-  logic [4*6-1:0] errors;
-  logic [4*SAMPLES*VALUE_BITS-1:0] residuals;
+  // Stages 1 to 4: interpolation; windows are taken over in stage 1. Stages 5 to 7: the sum, on top of the level before.
+  localparam int STAGES = 7;
+  logic [STAGES:1] valid;
+  logic [STAGES*PENDING_BITS-1:0] pendings;
+  logic [STAGES*6-1:0] errors;
+  logic [STAGES*SAMPLES*VALUE_BITS-1:0] residuals;
+  logic [3*SAMPLES*VALUE_BITS-1:0] references;  // of stages 5 to 7, for traces
   logic [WINDOW_BITS-1:0] window_a, window_b;
-  hmlfc_pkg::pending_t pending_1, pending_4;
+  hmlfc_pkg::pending_t pending_1, pending_4, pending_6;
   assign pending_1 = pendings[0+:PENDING_BITS];
   assign pending_4 = pendings[3*PENDING_BITS+:PENDING_BITS];
+  assign pending_6 = pendings[5*PENDING_BITS+:PENDING_BITS];
   logic [SAMPLES*VALUE_BITS-1:0] reference_4;
   hmlfc_interpolate #(
       .BLOCK_LOG2(BLOCK_LOG2),
@@ -98,24 +101,15 @@ module hmlfc_compose #(
       .two(pending_1.two),
       .prediction(reference_4)
   );
-
-  // Stage 5: the sum, on top of the level before.
-  logic [SAMPLES*SAMPLE_BITS-1:0] parent, prediction_4, sample_4;
-  logic [5:0] chain_error;
-  wire [5:0] own_error = errors[3*6+:6];
-  wire [5:0] error_4 = !pending_4.job.first && chain_error != 0 ? chain_error : own_error;
-  always_comb begin
-    parent = '0;
-    for (int i = 0; i < SAMPLES; i++) begin
-      if (pending_4.key) parent[i*SAMPLE_BITS+:SAMPLE_BITS] = reference_4[i*VALUE_BITS+:SAMPLE_BITS];
-      else if (!pending_4.job.first) parent[i*SAMPLE_BITS+:SAMPLE_BITS] = out_sample[i*SAMPLE_BITS+:SAMPLE_BITS];
-    end
-  end
   hmlfc_reconstruct #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .MAX_DEPTH(MAX_DEPTH)
   ) reconstruct (
-      .parent,
+      .clk,
+      .advance,
+      .valid(valid[4]),
+      .chained(!pending_4.job.first),
+      .key(pending_4.key),
       .references(reference_4),
       .residual(residuals[3*SAMPLES*VALUE_BITS+:SAMPLES*VALUE_BITS]),
       .motion(pending_4.motion),
@@ -124,36 +118,30 @@ module hmlfc_compose #(
       .has_residual(pending_4.has_residual),
       .chroma(pending_4.job.plane != 2'd0),
       .depth,
-      .prediction(prediction_4),
-      .sample(sample_4)
+      .prediction(out_prediction),
+      .sample(out_sample)
   );
 
-  logic last_valid;
-  assign advance = !last_valid || out_ready;
-  assign out_valid = last_valid;
+  logic [5:0] chain_error;
+  wire [5:0] error_6 = !pending_6.job.first && chain_error != 0 ? chain_error : errors[5*6+:6];
+  assign advance = !valid[STAGES] || out_ready;
   always_ff @(posedge clk) begin
     if (advance) begin
-      valid <= {valid[3:1], go};
-      pendings <= {pendings[3*PENDING_BITS-1:0], in_pending};
-      errors <= {errors[3*6-1:0], error_0};
-      residuals <= {residuals[3*SAMPLES*VALUE_BITS-1:0], in_residual};
+      valid <= {valid[STAGES-1:1], go};
+      pendings <= {pendings[(STAGES-1)*PENDING_BITS-1:0], in_pending};
+      errors <= {error_6, errors[5*6-1:0], error_0};
+      residuals <= {residuals[(STAGES-1)*SAMPLES*VALUE_BITS-1:0], in_residual};
+      references <= {references[2*SAMPLES*VALUE_BITS-1:0], reference_4};
       window_a <= first_window;
       window_b <= b_window;
-      last_valid <= valid[4];
-      if (valid[4]) begin
-        out_pending <= pending_4;
-        out_sample <= sample_4;
-        out_error <= error_4;
-        chain_error <= error_4;
-        out_residual <= residuals[3*SAMPLES*VALUE_BITS+:SAMPLES*VALUE_BITS];
-        out_reference <= reference_4;
-        out_prediction <= prediction_4;
-      end
+      if (valid[6]) chain_error <= error_6;
     end
-    if (!rst_n) begin
-      valid <= '0;
-      last_valid <= 1'b0;
-    end
+    if (!rst_n) valid <= '0;
   end
+  assign out_valid = valid[STAGES];
+  assign out_pending = pendings[(STAGES-1)*PENDING_BITS+:PENDING_BITS];
+  assign out_error = errors[(STAGES-1)*6+:6];
+  assign out_residual = residuals[(STAGES-1)*SAMPLES*VALUE_BITS+:SAMPLES*VALUE_BITS];
+  assign out_reference = references[2*SAMPLES*VALUE_BITS+:SAMPLES*VALUE_BITS];
 
 endmodule

@@ -11,7 +11,8 @@
 // prediction           R(x, y) at bits SAMPLE_BITS * (y * B + x) on
 //
 // Latency 3 clocks with advance, one block a clock: along rows, along columns, rounding.
-// 8 a + f (b - a) is (8 - f) a + f b with one multiplication. Nothing is rounded before the end.
+// (8 - f) a + f b is a + m0 + 2 m1 + 4 m2, where mk is b if bit k of f is set, else a: no multiplication,
+// and two additions one after the other. Nothing is rounded before the end.
 module hmlfc_interpolate #(
   parameter integer BLOCK_LOG2 = 2,
   parameter integer SAMPLE_BITS = 10
@@ -53,25 +54,28 @@ module hmlfc_interpolate #(
       for (x = 0; x < B; x = x + 1) begin : gen_column
         for (y = 0; y < SIDE; y = y + 1) begin : gen_along_row
           localparam integer AT = r * WINDOW + (y * SIDE + x) * SAMPLE_BITS;
-          logic [SAMPLE_BITS-1:0] left, right;
-          logic [ROW_BITS-1:0]    left_wide, right_wide;
+          logic [SAMPLE_BITS-1:0] left, right, m0, m1, m2;
+          logic [ROW_BITS-1:0]    low, high;
           assign left = windows[AT +: SAMPLE_BITS];
           assign right = windows[AT + SAMPLE_BITS +: SAMPLE_BITS];
-          assign left_wide = {{3{left[SAMPLE_BITS-1]}}, left};
-          assign right_wide = {{3{right[SAMPLE_BITS-1]}}, right};
-          assign rows_next[((r*SIDE+y)*B+x)*ROW_BITS +: ROW_BITS] =
-              {left, 3'd0} + {{(ROW_BITS - 3) {1'b0}}, fx[3*r +: 3]} * (right_wide - left_wide);
+          assign m0 = fx[3*r] ? right : left;
+          assign m1 = fx[3*r+1] ? right : left;
+          assign m2 = fx[3*r+2] ? right : left;
+          assign low = {{3{left[SAMPLE_BITS-1]}}, left} + {{3{m0[SAMPLE_BITS-1]}}, m0};
+          assign high = {{2{m1[SAMPLE_BITS-1]}}, m1, 1'b0} + {m2[SAMPLE_BITS-1], m2, 2'd0};
+          assign rows_next[((r*SIDE+y)*B+x)*ROW_BITS +: ROW_BITS] = low + high;
         end
         for (y = 0; y < B; y = y + 1) begin : gen_along_column
-          logic [ROW_BITS-1:0] upper, lower;
-          logic [SUM_BITS-1:0] upper_wide, lower_wide;
+          logic [ROW_BITS-1:0] upper, lower, m0, m1, m2;
+          logic [SUM_BITS-1:0] low, high;
           assign upper = rows[((r*SIDE+y)*B+x)*ROW_BITS +: ROW_BITS];
           assign lower = rows[((r*SIDE+y+1)*B+x)*ROW_BITS +: ROW_BITS];
-          assign upper_wide = {{3{upper[ROW_BITS-1]}}, upper};
-          assign lower_wide = {{3{lower[ROW_BITS-1]}}, lower};
-          assign sums_next[((r*B+y)*B+x)*SUM_BITS +: SUM_BITS] =
-              {upper, 3'd0}
-              + {{(SUM_BITS - 3) {1'b0}}, fy_rows[3*r +: 3]} * (lower_wide - upper_wide);
+          assign m0 = fy_rows[3*r] ? lower : upper;
+          assign m1 = fy_rows[3*r+1] ? lower : upper;
+          assign m2 = fy_rows[3*r+2] ? lower : upper;
+          assign low = {{3{upper[ROW_BITS-1]}}, upper} + {{3{m0[ROW_BITS-1]}}, m0};
+          assign high = {{2{m1[ROW_BITS-1]}}, m1, 1'b0} + {m2[ROW_BITS-1], m2, 2'd0};
+          assign sums_next[((r*B+y)*B+x)*SUM_BITS +: SUM_BITS] = low + high;
         end
       end
     end

@@ -3,7 +3,7 @@
 // Works out where a block's references are displaced to (MOT-7 to MOT-9) and asks the caches for their windows.
 //
 // K0 comes through cache A, K1 to K3 through cache B; both windows of reference set 5 come through B, the first one first.
-// A block of a key image asks A for its own samples. Blocks with an error ask for none. Latency 3 clocks.
+// A block of a key image asks A for its own samples. Blocks with an error ask for none. Latency 7 clocks.
 module hmlfc_reference_ask #(
     parameter int BLOCK_LOG2 = 2,
     parameter int RESIDUAL_BITS = 160,
@@ -69,13 +69,14 @@ module hmlfc_reference_ask #(
   wire [1:0] k_own = motion ? k_first : 2'd0;  // a key image's own samples are those of K0
 
   localparam int CARRY_BITS = hmlfc_pkg::JOB_BITS + 5 + 2 * ADDRESS_BITS + 1 + RESIDUAL_BITS;
+  localparam int STAGES = 7;
   logic advance;
-  logic [3:1] valid;
+  logic [STAGES:1] valid;
   logic [27:0] steps_a, steps_b;
   logic [12:0] disparity;
   logic explicit_mode, halve;
   logic [11:0] explicit_x, explicit_y;
-  logic [CARRY_BITS-1:0] carry_1, carry_2, carry_3;
+  logic [STAGES*CARRY_BITS-1:0] carries;
 
   always_ff @(posedge clk) begin
     if (advance) begin
@@ -86,29 +87,28 @@ module hmlfc_reference_ask #(
       explicit_x <= motion ? in_flow.motion.explicit_x : 12'd0;
       explicit_y <= motion ? in_flow.motion.explicit_y : 12'd0;
       halve <= chroma && !stream.chroma_444 && stream.features.motion_tiles && !stream.features.chroma_motion;
-      carry_1 <= {
+      carries <= {
+        carries[(STAGES-1)*CARRY_BITS-1:0],
         in_flow.job, key && in_flow.job.error == 0, motion && image.keyed, motion, motion && in_flow.motion.negative,
         motion && two, addresses[32'(k_own)*ADDRESS_BITS+:ADDRESS_BITS] + offset, addresses[32'(k_second)*ADDRESS_BITS+:ADDRESS_BITS] + offset,
         in_has_residual, in_residual
       };
-      carry_2 <= carry_1;
-      carry_3 <= carry_2;
-      valid <= {valid[2:1], in_valid};
+      valid <= {valid[STAGES-1:1], in_valid};
     end
     if (!rst_n) valid <= '0;
   end
   assign in_ready = advance;
   // Which cache the first reference takes goes with its number; K2 and K3 use the second section of B.
-  logic [3:1] first_from_b, section_a, section_b;
+  logic [STAGES:1] first_from_b, section_a, section_b;
   always_ff @(posedge clk) begin
     if (advance) begin
-      first_from_b <= {first_from_b[2:1], motion && k_first != 2'd0};
-      section_a <= {section_a[2:1], k_first[1]};
-      section_b <= {section_b[2:1], k_second[1]};
+      first_from_b <= {first_from_b[STAGES-1:1], motion && k_first != 2'd0};
+      section_a <= {section_a[STAGES-1:1], k_first[1]};
+      section_b <= {section_b[STAGES-1:1], k_second[1]};
     end
   end
 
-  // Stages 2 and 3: vectors.
+  // Stages 2 to 7: vectors.
   logic [8:0] ix_a, iy_a, ix_b, iy_b;
   logic [2:0] fx_a, fy_a, fx_b, fy_b;
   hmlfc_vector vector_a (
@@ -150,18 +150,19 @@ module hmlfc_reference_ask #(
 
   // What comes out: the block is given on when both caches have taken their windows.
   hmlfc_pkg::job_t job;
-  logic key_3, base_zero_3, motion_3, negative_3, two_3, has_residual_3;
+  logic key_7, base_zero_7, motion_7, negative_7, two_7, has_residual_7;
   logic [ADDRESS_BITS-1:0] address_a, address_b;
-  assign {job, key_3, base_zero_3, motion_3, negative_3, two_3, address_a, address_b, has_residual_3, out_residual} = carry_3;
+  assign {job, key_7, base_zero_7, motion_7, negative_7, two_7, address_a, address_b, has_residual_7, out_residual} =
+      carries[(STAGES-1)*CARRY_BITS+:CARRY_BITS];
   always_comb begin
     out_pending.job = job;
-    out_pending.key = key_3;
-    out_pending.base_zero = base_zero_3;
-    out_pending.motion = motion_3;
-    out_pending.negative = negative_3;
-    out_pending.two = two_3;
-    out_pending.first_from_b = first_from_b[3];
-    out_pending.has_residual = has_residual_3;
+    out_pending.key = key_7;
+    out_pending.base_zero = base_zero_7;
+    out_pending.motion = motion_7;
+    out_pending.negative = negative_7;
+    out_pending.two = two_7;
+    out_pending.first_from_b = first_from_b[STAGES];
+    out_pending.has_residual = has_residual_7;
     {out_pending.ix_a, out_pending.iy_a, out_pending.fx_a, out_pending.fy_a} = {ix_a, iy_a, fx_a, fy_a};
     {out_pending.ix_b, out_pending.iy_b, out_pending.fx_b, out_pending.fy_b} = {ix_b, iy_b, fx_b, fy_b};
   end
@@ -171,36 +172,36 @@ module hmlfc_reference_ask #(
   wire signed [16:0] x = $signed(17'(job.bx) << BLOCK_LOG2);
   wire signed [16:0] y = $signed(17'(job.by) << BLOCK_LOG2);
   wire [SLOT_BITS-1:0] window_a = {
-    section_a[3], address_a, job.plane, plane.strips_x, plane.width, plane.height,
+    section_a[STAGES], address_a, job.plane, plane.strips_x, plane.width, plane.height,
     x + 17'($signed(ix_a)), y + 17'($signed(iy_a)), fx_a != 0, fy_a != 0
   };
   wire [SLOT_BITS-1:0] window_b = {
-    section_b[3], address_b, job.plane, plane.strips_x, plane.width, plane.height,
+    section_b[STAGES], address_b, job.plane, plane.strips_x, plane.width, plane.height,
     x + 17'($signed(ix_b)), y + 17'($signed(iy_b)), fx_b != 0, fy_b != 0
   };
 
   // Windows to ask for: first and second; each is asked for once.
   logic first_taken, second_taken;
-  wire first_needed = key_3 || motion_3;
+  wire first_needed = key_7 || motion_7;
   wire first_done = !first_needed || first_taken;
-  wire second_done = !two_3 || second_taken;
-  assign a_valid = valid[3] && !first_done && !first_from_b[3];
+  wire second_done = !two_7 || second_taken;
+  assign a_valid = valid[STAGES] && !first_done && !first_from_b[STAGES];
   assign a_window = window_a;
-  assign b_valid = valid[3] && (first_from_b[3] && !first_done || !second_done);
-  assign b_window = first_from_b[3] && !first_done ? window_a : window_b;
+  assign b_valid = valid[STAGES] && (first_from_b[STAGES] && !first_done || !second_done);
+  assign b_window = first_from_b[STAGES] && !first_done ? window_a : window_b;
   wire a_takes = a_valid && a_ready;
   wire b_takes = b_valid && b_ready;
-  wire first_now = first_done || a_takes || (b_takes && first_from_b[3]);
-  wire second_now = second_done || (b_takes && !(first_from_b[3] && !first_done));
-  assign out_valid = valid[3] && first_now && second_now;
-  assign advance = !valid[3] || (out_valid && out_ready);
+  wire first_now = first_done || a_takes || (b_takes && first_from_b[STAGES]);
+  wire second_now = second_done || (b_takes && !(first_from_b[STAGES] && !first_done));
+  assign out_valid = valid[STAGES] && first_now && second_now;
+  assign advance = !valid[STAGES] || (out_valid && out_ready);
   always_ff @(posedge clk) begin
     if (!rst_n || advance) begin
       first_taken <= 1'b0;
       second_taken <= 1'b0;
-    end else if (valid[3]) begin
+    end else if (valid[STAGES]) begin
       if (first_needed) first_taken <= first_now;
-      if (two_3) second_taken <= second_now;
+      if (two_7) second_taken <= second_now;
     end
   end
 

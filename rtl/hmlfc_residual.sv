@@ -12,8 +12,11 @@
 // depth        [8, MAX_DEPTH]
 // residuals    in [-M, M], in two's complement
 //
-// Latency 2 clocks with advance, one block a clock: centred and clamped; multiplied by the step and
-// clamped. The step is 2^k or 3 * 2^k (STP-2): an addition and a shift.
+// Latency 4 clocks with advance, one block a clock: what all positions share; centred; once or three times; shifted and clamped.
+//
+// The step is m * 2^k with m = 1 or 3 (STP-2), and at least 1, so a number outside [-M, M] stays outside when it is multiplied:
+// of the clamps before and after the product, the second alone decides. And m * c * 2^k > M just if m * c > M >> k, so the
+// comparison does not wait for the shift.
 `include "hmlfc_tables.svh"
 
 module hmlfc_residual #(
@@ -32,59 +35,74 @@ module hmlfc_residual #(
 );
   localparam integer SAMPLES = 1 << (2 * BLOCK_LOG2);
   localparam integer VALUE_BITS = MAX_DEPTH + 2;
-  localparam integer SUM_BITS = MAX_DEPTH + 3;       // value - (N >> 1) + bias
-  localparam integer PRODUCT_BITS = MAX_DEPTH + 10;  // step * residual
+  localparam integer SUM_BITS = MAX_DEPTH + 3;   // value - (N >> 1) + bias
+  localparam integer ODD_BITS = MAX_DEPTH + 5;   // three times that
 
-  // M of STR-7.
-  logic [SUM_BITS-1:0] largest, bound_next;
-  assign largest = ~({SUM_BITS{1'b1}} << depth);
-  assign bound_next = chroma ? {largest[SUM_BITS-2:0], 1'b0} : largest;
-
-  // bias - (N >> 1), the same for all positions.
+  // First stage: bias - (N >> 1), the step, M of STR-7.
   // Not all bits are used: N >> 1 drops the low bit, a small MAX_DEPTH the high ones.
-  logic [14:0] level_count;
-  logic [SUM_BITS-1:0] offset;
+  logic [14:0]                   level_count;
+  logic [VALUE_BITS-1:0]         largest;
+  logic [SAMPLES*VALUE_BITS-1:0] values_1;
+  logic [SUM_BITS-1:0]           offset_1;
+  logic                          thrice_1;
+  logic [3:0]                    shift_1;  // k
+  logic [VALUE_BITS-1:0]         bound_1;  // M
+
   assign level_count = hmlfc_level_count(level_code);
-  assign offset = {bias[VALUE_BITS-1], bias} - {1'b0, level_count[VALUE_BITS:1]};
+  assign largest = ~({VALUE_BITS{1'b1}} << depth);
 
-  // Code 0: 1; odd k: 2^((k + 1) / 2); even k: 3 * 2^((k - 2) / 2). step_code[3:1] is floor(k / 2).
-  logic       thrice_next, thrice;
-  logic [3:0] shift_next, shift;
-  assign thrice_next = !step_code[0] && step_code != 4'd0;
-  assign shift_next = step_code == 4'd0 ? 4'd0
-                    : step_code[0] ? {1'b0, step_code[3:1]} + 4'd1 : {1'b0, step_code[3:1]} - 4'd1;
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      values_1 <= values;
+      offset_1 <= {bias[VALUE_BITS-1], bias} - {1'b0, level_count[VALUE_BITS:1]};
+      // Code 0: 1; odd c: 2^((c + 1) / 2); even c: 3 * 2^((c - 2) / 2). step_code[3:1] is floor(c / 2).
+      thrice_1 <= !step_code[0] && step_code != 4'd0;
+      shift_1 <= step_code == 4'd0 ? 4'd0
+               : step_code[0] ? {1'b0, step_code[3:1]} + 4'd1 : {1'b0, step_code[3:1]} - 4'd1;
+      bound_1 <= chroma ? {largest[VALUE_BITS-2:0], 1'b0} : largest;
+    end
+  end
 
-  logic [SUM_BITS-1:0]           bound;
-  logic [SAMPLES*VALUE_BITS-1:0] centred_next, centred, residuals_next;
+  // Second stage: centred. Third: once or three times. Fourth: shifted and clamped.
+  logic                  thrice_2;
+  logic [3:0]            shift_2, shift_3;
+  logic [VALUE_BITS-1:0] bound_2, bound_3, least_3;  // M, -M
+  logic [ODD_BITS-1:0]   limit_3, negative_limit_3;  // M >> k, -(M >> k)
+
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      thrice_2 <= thrice_1;
+      shift_2 <= shift_1;
+      shift_3 <= shift_2;
+      bound_2 <= bound_1;
+      bound_3 <= bound_2;
+      least_3 <= -bound_2;
+      limit_3 <= {{(ODD_BITS - VALUE_BITS) {1'b0}}, bound_2 >> shift_2};
+      negative_limit_3 <= -{{(ODD_BITS - VALUE_BITS) {1'b0}}, bound_2 >> shift_2};
+    end
+  end
 
   genvar i;
   generate
     for (i = 0; i < SAMPLES; i = i + 1) begin : gen_sample
-      logic [SUM_BITS-1:0] sum;
-      assign sum = {1'b0, values[i*VALUE_BITS +: VALUE_BITS]} + offset;
-      assign centred_next[i*VALUE_BITS +: VALUE_BITS] =
-          $signed(sum) > $signed(bound_next) ? bound_next[VALUE_BITS-1:0] :
-          $signed(sum) < -$signed(bound_next) ? -bound_next[VALUE_BITS-1:0] : sum[VALUE_BITS-1:0];
+      logic [SUM_BITS-1:0]   centred;
+      logic [ODD_BITS-1:0]   centred_wide, twice, odd;
+      logic [VALUE_BITS-1:0] product, nearest;
+      logic                  outside;
 
-      logic [VALUE_BITS-1:0]   c;
-      logic [PRODUCT_BITS-1:0] once, product, limit;
-      assign c = centred[i*VALUE_BITS +: VALUE_BITS];
-      assign once = {{8{c[VALUE_BITS-1]}}, c};
-      assign product = (thrice ? {once[PRODUCT_BITS-2:0], 1'b0} + once : once) << shift;
-      assign limit = {7'd0, bound};
-      assign residuals_next[i*VALUE_BITS +: VALUE_BITS] =
-          $signed(product) > $signed(limit) ? limit[VALUE_BITS-1:0] :
-          $signed(product) < -$signed(limit) ? -limit[VALUE_BITS-1:0] : product[VALUE_BITS-1:0];
+      assign centred_wide = {{2{centred[SUM_BITS-1]}}, centred};
+      assign twice = {centred[SUM_BITS-1], centred, 1'b0} & {ODD_BITS{thrice_2}};
+      assign product = odd[VALUE_BITS-1:0] << shift_3;  // the low bits, which serve within [-M, M]
+      assign nearest = odd[ODD_BITS-1] ? least_3 : bound_3;
+      assign outside = $signed(odd) > $signed(limit_3) || $signed(odd) < $signed(negative_limit_3);
+
+      always_ff @(posedge clk) begin
+        if (advance) begin
+          centred <= {1'b0, values_1[i*VALUE_BITS +: VALUE_BITS]} + offset_1;
+          odd <= centred_wide + twice;
+          residuals[i*VALUE_BITS +: VALUE_BITS] <= outside ? nearest : product;
+        end
+      end
     end
   endgenerate
-
-  always_ff @(posedge clk) begin
-    if (advance) begin
-      centred <= centred_next;
-      bound <= bound_next;
-      thrice <= thrice_next;
-      shift <= shift_next;
-      residuals <= residuals_next;
-    end
-  end
 endmodule

@@ -5,7 +5,7 @@
 //
 // Waits at its input until the block's tile is loaded, gives the tile back (`release_*`) when its bits
 // have been read, and leaves with the block's residuals, 0 in states without. An error of an earlier
-// stage stays; else the first of the block's entry is set (MOT-10). Latency 9 clocks.
+// stage stays; else the first of the block's entry is set (MOT-10). Latency 12 clocks.
 module hmlfc_residual_blocks #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
@@ -56,7 +56,7 @@ module hmlfc_residual_blocks #(
     output logic [SAMPLES*VALUE_BITS-1:0] out_residual
 );
 
-  localparam int STAGES = 9;
+  localparam int STAGES = 12;
   localparam int BITS = SAMPLES * VALUE_BITS;  // of a block's values, at most
 
   function automatic logic [5:0] rank(input logic [63:0] mask, input logic [5:0] number);
@@ -131,14 +131,14 @@ module hmlfc_residual_blocks #(
   assign release_valid = advance && valid[3] && flow_3.residual_asked;
   assign release_context = context_3;
 
-  // Stages 4 to 9: bits, values, residuals.
-  logic [5:0] shift_4, code_4, code_5, code_6, code_7;
-  logic [3:0] step_4, step_5, step_6, step_7;
-  logic [13:0] bias_4, bias_5, bias_6, bias_7;
+  // Stages 4 to 12: bits, values, residuals.
+  logic [5:0] shift_4, code_4, code_5, code_6, code_7, code_8;
+  logic [3:0] step_4, step_5, step_6, step_7, step_8;
+  logic [13:0] bias_4, bias_5, bias_6, bias_7, bias_8;
   logic [BITS-1:0] bits_5;
-  logic [SAMPLES*VALUE_BITS-1:0] values_7, residuals_9;
-  hmlfc_pkg::flow_t flow_7;
-  assign flow_7 = flows[6*FLOW_BITS+:FLOW_BITS];
+  logic [SAMPLES*VALUE_BITS-1:0] values_8, residuals_12;
+  hmlfc_pkg::flow_t flow_8;
+  assign flow_8 = flows[7*FLOW_BITS+:FLOW_BITS];
   hmlfc_bise_unpack #(
       .COUNT(SAMPLES),
       .VALUE_BITS(VALUE_BITS),
@@ -148,7 +148,7 @@ module hmlfc_residual_blocks #(
       .advance,
       .level_code(code_5),
       .window(bits_5),
-      .values(values_7)
+      .values(values_8)
   );
   hmlfc_residual #(
       .BLOCK_LOG2(BLOCK_LOG2),
@@ -156,13 +156,13 @@ module hmlfc_residual_blocks #(
   ) scale (
       .clk,
       .advance,
-      .values(values_7),
-      .level_code(code_7),
-      .bias(bias_7[VALUE_BITS-1:0]),
-      .step_code(step_7),
-      .chroma(flow_7.job.plane != 2'd0),
+      .values(values_8),
+      .level_code(code_8),
+      .bias(bias_8[VALUE_BITS-1:0]),
+      .step_code(step_8),
+      .chroma(flow_8.job.plane != 2'd0),
       .depth(stream.depth),
-      .residuals(residuals_9)
+      .residuals(residuals_12)
   );
 
   always_ff @(posedge clk) begin
@@ -191,6 +191,7 @@ module hmlfc_residual_blocks #(
       bits_5 <= BITS'(window >> shift_4);
       {code_6, step_6, bias_6} <= {code_5, step_5, bias_5};
       {code_7, step_7, bias_7} <= {code_6, step_6, bias_6};
+      {code_8, step_8, bias_8} <= {code_7, step_7, bias_7};
 
       has_residual <= {
         has_residual[STAGES-1:2], flow_1.residual_asked && residual_mask_1[number_1] && head_error_1 == 0
@@ -202,6 +203,6 @@ module hmlfc_residual_blocks #(
   assign out_valid = valid[STAGES];
   assign out_flow = flows[(STAGES-1)*FLOW_BITS+:FLOW_BITS];
   assign out_has_residual = has_residual[STAGES];
-  assign out_residual = residuals_9 & {SAMPLES * VALUE_BITS{has_residual[STAGES]}};
+  assign out_residual = residuals_12 & {SAMPLES * VALUE_BITS{has_residual[STAGES]}};
 
 endmodule

@@ -46,7 +46,7 @@ Counts unpack_all() {
   Dut dut;
   Random random(kCount + kValueBits);
   Counts counts;
-  Pipeline<Dut, std::vector<uint32_t>> pipeline(dut, 2, random);
+  Pipeline<Dut, std::vector<uint32_t>> pipeline(dut, 3, random);
   for (unsigned code = 0; code <= 3 * kValueBits - 3; ++code) {
     const Levels levels = levels_of_code(code);
     for (unsigned turn = 0; turn < 256; ++turn) {

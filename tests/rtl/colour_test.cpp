@@ -41,7 +41,7 @@ class Bench {
  private:
   Dut dut_;
   Random random_{6};
-  Pipeline<Dut, std::vector<Rgb>> pipeline_{dut_, 1, random_};
+  Pipeline<Dut, std::vector<Rgb>> pipeline_{dut_, 2, random_};
   std::vector<YCoCg> pixels_{kSamples};
 };
 

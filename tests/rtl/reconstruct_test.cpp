@@ -1,5 +1,7 @@
 // hmlfc_reconstruct against the model (DEC-3, EXT-5).
 #include <array>
+#include <deque>
+#include <utility>
 
 #include <Reconstruct2x8.h>
 #include <Reconstruct3x12.h>
@@ -9,6 +11,8 @@
 
 namespace hmlfc::test {
 namespace {
+
+constexpr unsigned kLatency = 3;
 
 struct Flags {
   bool motion, negative, keyed, has_residual, chroma;
@@ -29,36 +33,96 @@ class Bench {
 
   void put(unsigned i, int32_t parent, int32_t reference, int32_t residual) {
     inputs_[i] = {parent, reference, residual};
-    put_bits(dut_.parent, (kMaxDepth + 1) * i, kMaxDepth + 1, parent);
-    put_bits(dut_.references, (kMaxDepth + 2) * i, kMaxDepth + 2, reference);
-    put_bits(dut_.residual, (kMaxDepth + 2) * i, kMaxDepth + 2, residual);
   }
 
+  /// What was put, in two blocks: one of a key image, whose samples are the parents, and its child.
   void check(const Flags& flags, int depth) {
-    dut_.motion = flags.motion;
-    dut_.negative = flags.negative;
-    dut_.keyed = flags.keyed;
-    dut_.has_residual = flags.has_residual;
-    dut_.chroma = flags.chroma;
     dut_.depth = static_cast<uint8_t>(depth);
-    dut_.eval();
-    const SampleRange range = range_of(flags, depth);
+    dut_.chroma = flags.chroma;
+    Block key;
     for (unsigned i = 0; i < kSamples; ++i) {
-      const auto& [parent, reference, residual] = inputs_[i];
-      const int32_t a = flags.motion ? motion_prediction(flags.keyed ? 0 : parent, flags.negative,
-                                                         reference, range)
-                                     : parent;
-      const int32_t s = flags.has_residual ? add_residual(a, residual, range) : a;
-      counts.compare(get_signed(dut_.prediction, (kMaxDepth + 1) * i, kMaxDepth + 1), a);
-      counts.compare(get_signed(dut_.sample, (kMaxDepth + 1) * i, kMaxDepth + 1), s);
+      put_bits(dut_.references, (kMaxDepth + 2) * i, kMaxDepth + 2, inputs_[i].parent);
+      key.sample[i] = key.prediction[i] = inputs_[i].parent;
     }
+    send(key, {false, flags.negative, flags.keyed, false, flags.chroma}, true);
+    send(child(flags, depth), flags, false);
+  }
+
+  /// Blocks that are still inside come out.
+  void finish() {
+    while (!inside_.empty()) clock(true, false);
   }
 
   Counts counts;
 
  private:
+  struct Input {
+    int32_t parent, reference, residual;
+  };
+  struct Block {
+    std::array<int32_t, kSamples> prediction{}, sample{};
+  };
+
   Dut dut_;
-  std::array<std::array<int32_t, 3>, kSamples> inputs_{};
+  Random random_{10};
+  std::array<Input, kSamples> inputs_{};
+  /// Clock in which the oldest comes out, and the block.
+  std::deque<std::pair<uint64_t, Block>> inside_;
+  uint64_t clocks_ = 0;  ///< with advance
+  Block out_;            ///< what came out last
+  bool any_out_ = false;
+
+  Block child(const Flags& flags, int depth) {
+    const SampleRange range = range_of(flags, depth);
+    Block block;
+    for (unsigned i = 0; i < kSamples; ++i) {
+      const auto& [parent, reference, residual] = inputs_[i];
+      put_bits(dut_.references, (kMaxDepth + 2) * i, kMaxDepth + 2, reference);
+      put_bits(dut_.residual, (kMaxDepth + 2) * i, kMaxDepth + 2, residual);
+      const int32_t a = flags.motion ? motion_prediction(flags.keyed ? 0 : parent, flags.negative,
+                                                         reference, range)
+                                     : parent;
+      block.prediction[i] = a;
+      block.sample[i] = flags.has_residual ? add_residual(a, residual, range) : a;
+    }
+    return block;
+  }
+
+  // One clock in eight is without advance, one in eight without a block.
+  void send(const Block& block, const Flags& flags, bool key) {
+    dut_.key = key;
+    dut_.chained = !key;
+    dut_.motion = flags.motion;
+    dut_.negative = flags.negative;
+    dut_.keyed = flags.keyed;
+    dut_.has_residual = flags.has_residual;
+    while (random_.one_in(8)) clock(false, false);
+    while (random_.one_in(8)) clock(true, false);
+    inside_.emplace_back(clocks_ + kLatency, block);
+    clock(true, true);
+  }
+
+  void clock(bool advance, bool valid) {
+    dut_.advance = advance;
+    dut_.valid = valid;
+    tick(dut_);
+    if (advance) ++clocks_;
+    if (advance && !inside_.empty() && inside_.front().first == clocks_) {
+      out_ = inside_.front().second;
+      inside_.pop_front();
+      any_out_ = true;
+    }
+    if (any_out_) compare();
+  }
+
+  // Held until the next block comes out.
+  void compare() {
+    for (unsigned i = 0; i < kSamples; ++i) {
+      counts.compare(get_signed(dut_.prediction, (kMaxDepth + 1) * i, kMaxDepth + 1),
+                     out_.prediction[i]);
+      counts.compare(get_signed(dut_.sample, (kMaxDepth + 1) * i, kMaxDepth + 1), out_.sample[i]);
+    }
+  }
 };
 
 // Every parent with every reference, and every parent with every residual, in all states.
@@ -78,7 +142,8 @@ TEST(Reconstruct, EveryPairAtDepth8) {
       }
     }
   }
-  expect_equal(bench.counts, 16 * 2 * (256 * 511 + 511 * 1021 - 32));
+  bench.finish();
+  expect_equal(bench.counts, 2 * 16 * 2 * (256 * 511 + 511 * 1021 - 32));
 }
 
 // Depths 8 to 12 of a unit for depth 12; random and at the ends of the ranges.
@@ -97,7 +162,8 @@ TEST(Reconstruct, RandomAtEveryDepth) {
       bench.check(flags, depth);
     }
   }
-  expect_equal(bench.counts, 5 * 32 * 200 * 64 * 2);
+  bench.finish();
+  expect_equal(bench.counts, 2 * 5 * 32 * 200 * 64 * 2);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ class Bench {
  private:
   Dut dut_;
   Random random_{3};
-  Pipeline<Dut, std::vector<int32_t>> pipeline_{dut_, 2, random_};
+  Pipeline<Dut, std::vector<int32_t>> pipeline_{dut_, 4, random_};
 };
 
 // Every value of every level code with every step, for the ends of the bias and biases between.

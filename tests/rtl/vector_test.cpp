@@ -46,7 +46,7 @@ class Bench {
  private:
   Vector dut_;
   Random random_{9};
-  Pipeline<Vector, SubpelVector> pipeline_{dut_, 2, random_};
+  Pipeline<Vector, SubpelVector> pipeline_{dut_, 6, random_};
   VectorRules rules_;
   unsigned vector_precision_ = 0;
 
