@@ -44,22 +44,22 @@ module hmlfc_read_port #(
   localparam int BYTES = DATA_BITS / 8;
   localparam int BEAT_LOG2 = $clog2(BYTES);
   localparam int CLIENT_BITS = CLIENTS > 1 ? $clog2(CLIENTS) : 1;
-  localparam int PAGE_BEATS = 4096 / BYTES;
+  localparam int PAGE_BITS = 12 - BEAT_LOG2;  // of the number of a beat in its 4 KiB
 
-  // The request that is being split.
+  // The request that is being split: what is left of it, from beat `beat` of page `page` on.
   logic busy;
   logic [CLIENT_BITS-1:0] client;
-  logic [ADDRESS_BITS-1:0] address;
-  logic [9:0] beats;
+  logic [ADDRESS_BITS-13:0] page;
+  logic [PAGE_BITS-1:0] beat;
+  logic [9:0] left;  // beats less 1
 
-  // Beats of the next burst.
-  logic [9:0] to_page_end, burst;
-  always_comb begin
-    to_page_end = 10'(PAGE_BEATS) - 10'(address[11:BEAT_LOG2]);
-    burst = beats;
-    if (burst > 10'd16) burst = 10'd16;
-    if (burst > to_page_end) burst = to_page_end;
-  end
+  // The next burst, by its beats less 1: 16, or as many as the page or the request has left. The number of beats behind `beat` in its
+  // page is ~beat.
+  wire last_16 = &beat[PAGE_BITS-1:4];
+  wire [3:0] room = last_16 ? ~beat[3:0] : 4'd15;
+  wire [4:0] last = {1'b0, beat[3:0]} + {1'b0, left[3:0]};
+  wire ends = left[9:4] == 0 && !(last_16 && last[4]);
+  wire [3:0] burst = ends ? left[3:0] : room;
 
   logic [CLIENT_BITS-1:0] chosen;
   logic any;
@@ -76,8 +76,9 @@ module hmlfc_read_port #(
 
   logic queue_ready, issue;
   assign issue = busy && queue_ready && (!m_axi_arvalid || m_axi_arready);
-  wire finished = issue && burst == beats;
+  wire finished = issue && ends;
   wire take = any && (!busy || finished);
+  wire free = !busy || ends;  // the burst that is issued leaves nothing, if there is one
 
   always_comb begin
     request_ready = '0;
@@ -85,13 +86,16 @@ module hmlfc_read_port #(
   end
 
   always_ff @(posedge clk) begin
-    if (take) begin
-      client <= chosen;
-      address <= request_address[chosen*ADDRESS_BITS+:ADDRESS_BITS];
-      beats <= request_beats[chosen*10+:10];
-    end else if (issue) begin
-      address <= address + (ADDRESS_BITS'(burst) << BEAT_LOG2);
-      beats <= beats - burst;
+    if (!busy || issue) begin
+      if (free) begin
+        client <= chosen;
+        {page, beat} <= (ADDRESS_BITS - BEAT_LOG2)'(request_address[chosen*ADDRESS_BITS+:ADDRESS_BITS] >> BEAT_LOG2);
+        left <= request_beats[chosen*10+:10] - 10'd1;
+      end else begin
+        page <= page + (ADDRESS_BITS - 12)'(last_16);
+        beat <= beat + PAGE_BITS'(room) + 1'b1;
+        left <= left - 10'(room) - 10'd1;
+      end
     end
     if (!rst_n) busy <= 1'b0;
     else busy <= take || (busy && !finished);
@@ -102,8 +106,8 @@ module hmlfc_read_port #(
     else if (issue) m_axi_arvalid <= 1'b1;
     else if (m_axi_arready) m_axi_arvalid <= 1'b0;
     if (issue) begin
-      m_axi_araddr <= address;
-      m_axi_arlen <= 8'(burst - 10'd1);
+      m_axi_araddr <= {page, beat, BEAT_LOG2'(0)};
+      m_axi_arlen <= 8'(burst);
     end
   end
   assign m_axi_arsize = 3'(BEAT_LOG2);

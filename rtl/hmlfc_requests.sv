@@ -5,7 +5,8 @@
 // Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
 // LOAD, becomes one job that carries the error. Views are worked out when they change: two are held, so that blocks of the
 // last view may still be under way. For RGB the chroma blocks are left out where the request for RGB before decoded them,
-// but not where they met a bus error.
+// but not where they met a bus error. A request waits for a clock, in which it is checked and looked up, while jobs of the one before
+// leave.
 module hmlfc_requests (
     input logic clk,
     input logic rst_n,
@@ -37,29 +38,21 @@ module hmlfc_requests (
 
   localparam int LEVELS = hmlfc_pkg::LEVELS;
 
-  // The request that is turned into jobs.
-  logic busy, last;
-  logic [63:0] request;
-  wire [11:0] row = request[11:0];
-  wire [11:0] col = request[23:12];
-  wire [14:0] bx = request[38:24];
-  wire [14:0] by = request[53:39];
-  wire [1:0] plane = request[55:54];
-  wire [3:0] stop = request[59:56];
-  wire rgb = plane == 2'd3;
+  // The request that was taken: checked, and its view looked up.
+  logic next_valid, next_last;
+  logic [63:0] next;
+  wire [11:0] row = next[11:0];
+  wire [11:0] col = next[23:12];
+  wire [14:0] bx = next[38:24];
+  wire [14:0] by = next[53:39];
+  wire [1:0] plane = next[55:54];
+  wire [3:0] stop = next[59:56];
 
-  logic [14:0] blocks_x, blocks_y;
-  always_comb begin
-    blocks_x = 15'(stream.luma.blocks_x);
-    blocks_y = 15'(stream.luma.blocks_y);
-    if (plane == 2'd1 || plane == 2'd2) begin
-      blocks_x = 15'(stream.chroma.blocks_x);
-      blocks_y = 15'(stream.chroma.blocks_y);
-    end
-  end
-  wire there = row < 12'(stream.rows) && col < 12'(stream.cols) && bx < blocks_x && by < blocks_y &&
-      stop <= 4'(stream.tree_height) && request[63:60] == 0;
-  wire [5:0] error = load_error != 0 ? load_error : there ? 6'd0 : HMLFC_ERROR_BAD_REQUEST;
+  wire of_chroma = plane == 2'd1 || plane == 2'd2;
+  wire in_luma = bx < 15'(stream.luma.blocks_x) && by < 15'(stream.luma.blocks_y);
+  wire in_chroma = bx < 15'(stream.chroma.blocks_x) && by < 15'(stream.chroma.blocks_y);
+  wire there = row < 12'(stream.rows) && col < 12'(stream.cols) && (of_chroma ? in_chroma : in_luma) &&
+      stop <= 4'(stream.tree_height) && next[63:60] == 0;
 
   // Views that are held.
   logic [1:0] held;
@@ -73,20 +66,13 @@ module hmlfc_requests (
       hits[i] = held[i] && held_rows[i*10+:10] == row[9:0] && held_cols[i*10+:10] == col[9:0];
     end
   end
-  wire hit = hits != 0;
-  wire hit_slot = hits[1];
-  wire [LEVELS-1:0] keys = held_keys[hit_slot*LEVELS+:LEVELS];
-  logic working;
-  assign view_start = busy && error == 0 && !hit && !working && users[!slot*10+:10] == 0;
-  assign view_row = row[9:0];
-  assign view_col = col[9:0];
 
   // DEC-1, EXT-5: the first level, from the stop level up, whose image is a key image; else the top.
-  logic [2:0] first_level;
-  always_comb begin
-    first_level = stream.tree_height;
-    for (int i = LEVELS - 1; i >= 0; i--) if (keys[i] && 4'(i) >= stop) first_level = 3'(i);
-  end
+  function automatic logic [2:0] first_level_of(input logic [LEVELS-1:0] keys, input logic [3:0] stop_level,
+                                                input logic [2:0] top);
+    first_level_of = top;
+    for (int i = LEVELS - 1; i >= 0; i--) if (keys[i] && 4'(i) >= stop_level) first_level_of = 3'(i);
+  endfunction
 
   // Chroma blocks that the answer holds already: those of the latest request for RGB.
   localparam int BLOCK_BITS = hmlfc_pkg::BLOCK_BITS;
@@ -97,22 +83,30 @@ module hmlfc_requests (
   wire [BLOCK_BITS-1:0] chroma_by = stream.chroma_444 ? by[12:0] : by[13:1];
   wire [SITE_BITS-1:0] site = {row[9:0], col[9:0], chroma_bx, chroma_by, stop};
 
-  // The job: plane and level run on while the request lasts.
+  // The request that is turned into jobs: plane and level run on while it lasts.
+  logic busy, last, rgb, hit, hit_slot, chroma_left_out;
+  logic [5:0] error;
+  logic [3:0] now_stop;
+  logic [BLOCK_BITS-1:0] now_bx, now_by;
+  logic [SITE_BITS-1:0] now_site;
+  logic [2:0] first_level, level;
   logic [1:0] now_plane;
-  logic [2:0] now_level;
-  logic begun;  // now_level counts
-  wire [2:0] level = begun ? now_level : first_level;
-  wire ends_plane = error != 0 || 4'(level) == stop;
-  wire chroma_left_out = chroma_held && chroma_site == site;
+  logic begun;  // a job of the plane has left
+  wire ends_plane = error != 0 || 4'(level) == now_stop;
   wire ends_request = ends_plane && (error != 0 || !rgb || now_plane == 2'd2 || (now_plane == 2'd0 && chroma_left_out));
+
+  logic working;
+  assign view_start = busy && error == 0 && !hit && !working && users[!slot*10+:10] == 0;
+  assign view_row = now_site[SITE_BITS-1-:10];
+  assign view_col = now_site[SITE_BITS-11-:10];
 
   assign job_valid = busy && (error != 0 || hit);
   always_comb begin
     job = '0;
     job.id = {hit_slot, level};
     job.plane = now_plane;
-    job.bx = rgb && now_plane != 0 ? chroma_bx : bx[12:0];
-    job.by = rgb && now_plane != 0 ? chroma_by : by[12:0];
+    job.bx = rgb && now_plane != 0 ? now_site[BLOCK_BITS+4+:BLOCK_BITS] : now_bx;
+    job.by = rgb && now_plane != 0 ? now_site[4+:BLOCK_BITS] : now_by;
     job.first = !begun;
     job.last = ends_plane;
     job.rgb = rgb;
@@ -126,46 +120,71 @@ module hmlfc_requests (
     end
   end
   wire emit = job_valid && job_ready;
-  assign s_ready = enable && (!busy || (emit && ends_request));
+  wire pass = next_valid && (!busy || (emit && ends_request));  // the next request becomes the one that is turned into jobs
+  assign s_ready = enable && (!next_valid || pass);
+  wire [2:0] next_level = hits[1] ? first_level_of(held_keys[LEVELS+:LEVELS], stop, stream.tree_height)
+                                  : first_level_of(held_keys[0+:LEVELS], stop, stream.tree_height);
+  wire [2:0] view_level = first_level_of(view_keys, now_stop, stream.tree_height);
 
   always_ff @(posedge clk) begin
     if (s_valid && s_ready) begin
-      request <= s_data;
-      last <= s_last;
-      now_plane <= s_data[55:54] == 2'd3 ? 2'd0 : s_data[55:54];
+      next <= s_data;
+      next_last <= s_last;
+    end
+    if (pass) begin
+      last <= next_last;
+      rgb <= plane == 2'd3;
+      error <= load_error != 0 ? load_error : there ? 6'd0 : HMLFC_ERROR_BAD_REQUEST;
+      hit <= hits != 0;
+      hit_slot <= hits[1];
+      first_level <= next_level;
+      level <= next_level;
+      now_stop <= stop;
+      now_bx <= bx[12:0];
+      now_by <= by[12:0];
+      now_site <= site;
+      now_plane <= plane == 2'd3 ? 2'd0 : plane;
       begun <= 1'b0;
+      chroma_left_out <= chroma_held && chroma_site == site;
     end else if (emit) begin
-      now_level <= level - 3'd1;
+      level <= ends_plane ? first_level : level - 3'd1;
       begun <= !ends_plane;
       if (ends_plane) now_plane <= now_plane + 2'd1;
     end
+    if (chroma_spoiled) chroma_left_out <= 1'b0;
     if (emit && rgb && error == 0 && now_plane == 2'd1) begin
       chroma_held <= 1'b1;
-      chroma_site <= site;
+      chroma_site <= now_site;
     end
     if (view_start) begin
       working <= 1'b1;
       slot <= !slot;
       view_slot <= !slot;
       held[!slot] <= 1'b0;
-      held_rows[!slot*10+:10] <= row[9:0];
-      held_cols[!slot*10+:10] <= col[9:0];
+      held_rows[!slot*10+:10] <= view_row;
+      held_cols[!slot*10+:10] <= view_col;
     end
     if (view_done) begin
       working <= 1'b0;
       held[slot] <= 1'b1;
       held_keys[slot*LEVELS+:LEVELS] <= view_keys;
+      hit <= 1'b1;
+      hit_slot <= slot;
+      first_level <= view_level;
+      level <= view_level;
     end
     for (int i = 0; i < 2; i++) begin
       users[i*10+:10] <= users[i*10+:10] + 10'(emit && job.id[3] == 1'(i)) - 10'(finished_valid && finished_slot == 1'(i));
     end
     if (!rst_n) begin
+      next_valid <= 1'b0;
       busy <= 1'b0;
       working <= 1'b0;
       slot <= 1'b0;
       users <= '0;
     end else begin
-      busy <= (s_valid && s_ready) || (busy && !(emit && ends_request));
+      next_valid <= (s_valid && s_ready) || (next_valid && !pass);
+      busy <= pass || (busy && !(emit && ends_request));
     end
     if (!rst_n || flush) held <= '0;
     if (!rst_n || flush || chroma_spoiled) chroma_held <= 1'b0;
