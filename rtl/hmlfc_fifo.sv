@@ -7,6 +7,9 @@
 // offered on the next clock. in_ready is low with DEPTH words inside, also while one is taken.
 // count   words inside, [0, DEPTH]
 // rst_n   active low, taken synchronously: empties the queue
+//
+// The storage is read a clock ahead, from the place that will be in front, so that it maps to a memory with a registered
+// output; a word that is put there in the same clock is kept beside.
 module hmlfc_fifo #(
   parameter integer WIDTH = 8,
   parameter integer DEPTH = 4
@@ -25,21 +28,29 @@ module hmlfc_fifo #(
   localparam [INDEX_BITS:0] ONE = {{INDEX_BITS{1'b0}}, 1'b1};
 
   logic [WIDTH-1:0]    storage [0:DEPTH-1];
-  logic [INDEX_BITS:0] written, taken;  // words so far, modulo 2 * DEPTH
+  logic [WIDTH-1:0]    stored, latest;
+  logic [INDEX_BITS:0] written, taken, taken_next;  // words so far, modulo 2 * DEPTH
+  logic                put, take, is_latest;        // the front word is `latest`, else `stored`
 
   assign count = written - taken;
   assign in_ready = !count[INDEX_BITS];
   assign out_valid = written != taken;
-  assign out_data = storage[taken[INDEX_BITS-1:0]];
+  assign out_data = is_latest ? latest : stored;
+  assign put = in_valid && in_ready;
+  assign take = out_valid && out_ready;
+  assign taken_next = taken + {{INDEX_BITS{1'b0}}, take};
 
   always_ff @(posedge clk) begin
-    if (in_valid && in_ready) storage[written[INDEX_BITS-1:0]] <= in_data;
+    if (put) storage[written[INDEX_BITS-1:0]] <= in_data;
+    stored <= storage[taken_next[INDEX_BITS-1:0]];
+    if (put) latest <= in_data;
+    is_latest <= put && written == taken_next;
     if (!rst_n) begin
       written <= {(INDEX_BITS + 1) {1'b0}};
       taken <= {(INDEX_BITS + 1) {1'b0}};
     end else begin
-      if (in_valid && in_ready) written <= written + ONE;
-      if (out_valid && out_ready) taken <= taken + ONE;
+      if (put) written <= written + ONE;
+      taken <= taken_next;
     end
   end
 endmodule
