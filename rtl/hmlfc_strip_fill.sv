@@ -53,9 +53,9 @@ module hmlfc_strip_fill #(
   logic [SLOT_BITS:0] asked, taken;  // count strips; the low bits are the slot
   wire [SLOT_BITS-1:0] ask_slot = asked[SLOT_BITS-1:0];
   logic [SLOTS-1:0] complete, failed;
-  logic [SLOTS*PLACE_BITS-1:0] places;
-  logic [SLOTS*ADDRESS_BITS-1:0] addresses;
-  logic [SLOTS*BEAT_BITS-1:0] totals;
+  logic [PLACE_BITS-1:0] places[SLOTS];
+  logic [ADDRESS_BITS-1:0] addresses[SLOTS];
+  logic [BEAT_BITS-1:0] totals[SLOTS];
   logic [DATA_BITS-1:0] memory[SLOTS*(1<<BEAT_BITS)];
 
   // Reads to ask for: what is left of strips whose head has come, before the begins of others.
@@ -64,11 +64,11 @@ module hmlfc_strip_fill #(
   logic more_push, burst_valid, burst_more;
   wire request_more = more_valid;
   wire [SLOT_BITS-1:0] request_slot = request_more ? more_slot : first_slot;
-  wire [BEAT_BITS-1:0] request_total = totals[32'(more_slot)*BEAT_BITS+:BEAT_BITS];
+  wire [BEAT_BITS-1:0] request_total = totals[more_slot];
   assign ask_ready = asked - taken != (SLOT_BITS + 1)'(SLOTS);
   assign request_valid = more_valid || first_valid;
   assign first_ready = request_ready && !request_more;
-  assign request_address = addresses[32'(request_slot)*ADDRESS_BITS+:ADDRESS_BITS] +
+  assign request_address = addresses[request_slot] +
       (request_more ? ADDRESS_BITS'(FIRST_BYTES) : ADDRESS_BITS'(0));
   assign request_beats = request_more ? 10'(request_total) - 10'(FIRST_BEATS) : 10'(FIRST_BEATS);
   /* verilator lint_off PINCONNECTEMPTY */  // each has room for all slots
@@ -136,13 +136,13 @@ module hmlfc_strip_fill #(
     end
     if (ask) begin
       asked <= asked + 1'b1;
-      places[32'(ask_slot)*PLACE_BITS+:PLACE_BITS] <= ask_place;
-      addresses[32'(ask_slot)*ADDRESS_BITS+:ADDRESS_BITS] <= ask_address;
+      places[ask_slot] <= ask_place;
+      addresses[ask_slot] <= ask_address;
       complete[ask_slot] <= 1'b0;
       failed[ask_slot] <= 1'b0;
     end
     if (ends) begin
-      if (!burst_more) totals[32'(burst_slot)*BEAT_BITS+:BEAT_BITS] <= now_total;
+      if (!burst_more) totals[burst_slot] <= now_total;
       complete[burst_slot] <= !more_push;
       failed[burst_slot] <= now_failed;
     end
@@ -152,26 +152,32 @@ module hmlfc_strip_fill #(
     end
   end
 
-  // Assembly of the oldest strip, one beat a clock, then the strip that is offered.
+  // Assembly of the oldest strip, one beat a clock: a beat is read, then put into the strip; then the strip is offered.
   logic [MAX_BEATS*DATA_BITS-1:0] assembly, strip;
-  logic [BEAT_BITS-1:0] number;
-  logic assembled, assembly_failed, strip_failed;
-  logic [PLACE_BITS-1:0] assembly_place;
+  logic [DATA_BITS-1:0] word;
+  logic [BEAT_BITS-1:0] number, word_number;
+  logic word_valid, word_last, word_failed, assembled, assembly_failed, strip_failed;
+  logic [PLACE_BITS-1:0] word_place, assembly_place;
   wire [SLOT_BITS-1:0] slot = taken[SLOT_BITS-1:0];
   wire there = asked != taken && complete[slot];
-  wire [BEAT_BITS-1:0] slot_total = totals[32'(slot)*BEAT_BITS+:BEAT_BITS];
+  wire last = failed[slot] || number + 1'b1 == totals[slot];
   wire move = assembled && (!valid || take);
-  wire collects = there && (!assembled || move);
-  wire collected = collects && (failed[slot] || number + 1'b1 == slot_total);
+  wire put = word_valid && (!assembled || move);
+  wire read = there && (!word_valid || put);
   always_ff @(posedge clk) begin
-    if (collects) begin
-      assembly[32'(number)*DATA_BITS+:DATA_BITS] <= memory[{slot, number}];
-      number <= collected ? '0 : number + 1'b1;
+    if (read) begin
+      word <= memory[{slot, number}];
+      word_number <= number;
+      word_last <= last;
+      word_failed <= failed[slot];
+      word_place <= places[slot];
+      number <= last ? '0 : number + 1'b1;
+      if (last) taken <= taken + 1'b1;
     end
-    if (collected) begin
-      assembly_failed <= failed[slot];
-      assembly_place <= places[32'(slot)*PLACE_BITS+:PLACE_BITS];
-      taken <= taken + 1'b1;
+    if (put) begin
+      for (int n = 0; n < MAX_BEATS; n++) if (word_number == BEAT_BITS'(n)) assembly[n*DATA_BITS+:DATA_BITS] <= word;
+      assembly_failed <= word_failed;
+      assembly_place <= word_place;
     end
     if (move) begin
       strip <= assembly;
@@ -181,10 +187,12 @@ module hmlfc_strip_fill #(
     if (!rst_n) begin
       number <= '0;
       taken <= '0;
+      word_valid <= 1'b0;
       assembled <= 1'b0;
       valid <= 1'b0;
     end else begin
-      assembled <= collected || (assembled && !move);
+      word_valid <= read || (word_valid && !put);
+      assembled <= (put && word_last) || (assembled && !move);
       valid <= move || (valid && !take);
     end
   end
@@ -198,7 +206,7 @@ module hmlfc_strip_fill #(
       logic [15:0] field;
       field = '0;
       for (int w = 1; w <= SAMPLE_BITS; w++) begin
-        if (32'(width) == w) field = 16'(strip[HEAD_BITS+w*s+:16]) & 16'((1 << w) - 1);
+        field = field | (strip[HEAD_BITS+w*s+:16] & 16'((1 << w) - 1) & {16{width == 4'(w)}});
       end
       samples[16*s+:16] = width == 4'(RAW) ? strip[HEAD_BITS+16*s+:16] : 16'(base) + field;
     end
