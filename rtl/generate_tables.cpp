@@ -75,6 +75,19 @@ int64_t offset_of(const std::function<void(StreamHeader&)>& change, ptrdiff_t fr
   return differing.first - before.begin();
 }
 
+// The offset of the version, which no other value can be written to: the first byte whose change
+// makes the parser refuse the version.
+int64_t offset_of_version() {
+  std::vector<uint8_t> bytes = write_header(probe_header());
+  for (size_t at = 0; at < bytes.size(); ++at) {
+    bytes[at] ^= 0xFF;
+    const auto header = parse_header(bytes);
+    if (!header && header.error().code == ErrorCode::kBadVersion) return static_cast<int64_t>(at);
+    bytes[at] ^= 0xFF;
+  }
+  return -1;
+}
+
 void put_header_offsets() {
   put_heading("Offsets of the header's fields in bytes (FIL-1, EXT-2).");
   const auto put = [](const char* name, const std::function<void(StreamHeader&)>& change) {
@@ -82,6 +95,7 @@ void put_header_offsets() {
   };
   // A taller tree has a longer header too: that field is the first to differ, the height the next.
   const auto taller = [](StreamHeader& h) { ++h.tree_height; };
+  put_number("HEADER_VERSION", offset_of_version());
   put("PROFILE", [](StreamHeader& h) { h.profile = Profile::kMain; });
   put("FEATURE_FLAGS", [](StreamHeader& h) { h.feature_flags ^= 1; });
   put("ROWS", [](StreamHeader& h) { ++h.rows; });

@@ -14,8 +14,8 @@ module hmlfc_decode_unit #(
     parameter int MAX_DEPTH = 8,       // 8..12
     parameter int AXI_DATA_BITS = 128,  // 64, 128
     parameter int OUTSTANDING = 32,    // 4..64
-    parameter int TILE_CONTEXTS = 16,  // 2, 4, 8, 16, 32
-    parameter int CACHE_STRIPS = 512,  // 32..1024
+    parameter int TILE_CONTEXTS = 16,  // 2..32, a power of two
+    parameter int CACHE_STRIPS = 512,  // 64..1024, a power of two
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
     localparam int VALUE_BITS = MAX_DEPTH + 2,
@@ -159,7 +159,7 @@ module hmlfc_decode_unit #(
 
   // ---- Registers and LOAD.
   logic [63:0] stream_base, stream_bytes, reference_base, first_request;
-  logic load, clear, disable_unit, loading, enable, flush, idle;
+  logic load, disable_unit, loading, enable, flush, idle;
   logic [5:0] load_error;
   hmlfc_pkg::config_t stream;
   logic [LEVELS*LEVEL_BITS-1:0] levels;
@@ -194,7 +194,6 @@ module hmlfc_decode_unit #(
       .stream_bytes,
       .reference_base,
       .load,
-      .clear,
       .disable_unit,
       .ready(enable && load_error == 0),
       .loading,

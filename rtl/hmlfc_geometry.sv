@@ -52,7 +52,6 @@ module hmlfc_geometry #(
 
   localparam int MAX_SIDE = 16384;
   localparam int MAX_GRID = 1024;
-  localparam int STRIP_BYTES = 144;  // of a strip of the reference area
 
   // Planes (STR-2, STR-6, MOT-1).
   wire [14:0] chroma_width = chroma_444 ? width[14:0] : 15'((width + 17'd1) >> 1);
@@ -123,8 +122,8 @@ module hmlfc_geometry #(
     stream.group_records = group_size[ADDRESS_BITS-1:4];
     stream.tile_address = stream_base + tile_offset[ADDRESS_BITS-1:0];
     stream.tile_bytes = tile_size[ADDRESS_BITS-1:0];
-    stream.luma_bytes = 34'(luma_strips) * 34'(STRIP_BYTES);
-    stream.chroma_bytes = 34'(chroma_strips) * 34'(STRIP_BYTES);
+    stream.luma_bytes = 34'(luma_strips) * 34'(hmlfc_pkg::STRIP_BYTES);
+    stream.chroma_bytes = 34'(chroma_strips) * 34'(hmlfc_pkg::STRIP_BYTES);
     stream.reference_bytes = stream.luma_bytes + (stream.chroma_bytes << 1);
   end
 

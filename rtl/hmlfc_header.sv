@@ -54,7 +54,11 @@ module hmlfc_header #(
   localparam int FIXED = HMLFC_HEADER_LEVELS;  // bytes before the level entries
   localparam int LEVEL_BYTES = 64;
   localparam int SECTION_BYTES = 96;
-  localparam logic [63:0] MAGIC = 64'h0A0D_4346_4C4D_4889;  // FIL-1, byte 0 lowest
+  localparam int PRELUDE = HMLFC_HEADER_FEATURE_FLAGS;  // bytes that say how long the header is
+  localparam int RESERVED = HMLFC_HEADER_ROW_SCALE + 1;  // bytes from here to the level entries are 0
+  localparam logic [HMLFC_FEATURE_COUNT-1:0] NEEDS_MOTION_TILES = HMLFC_FEATURE_COUNT'(1) << HMLFC_FEATURE_SUBPEL_VECTORS |
+      HMLFC_FEATURE_COUNT'(1) << HMLFC_FEATURE_SHARED_DISPARITY | HMLFC_FEATURE_COUNT'(1) << HMLFC_FEATURE_TWO_REFERENCES |
+      HMLFC_FEATURE_COUNT'(1) << HMLFC_FEATURE_CHROMA_MOTION;
 
   // One byte into a CRC-32C (FIL-5).
   function automatic logic [31:0] crc32c(input logic [31:0] crc, input logic [7:0] byte_in);
@@ -104,12 +108,11 @@ module hmlfc_header #(
   logic [SECTION_BYTES*8-1:0] section_bytes;  // the last of them that came
   logic [31:0] crc, stored_crc;
   wire [7:0] next_byte = piece[7:0];
-  wire [15:0] header_bytes = fixed[10*8+:16];
+  wire [15:0] header_bytes = fixed[HMLFC_HEADER_BYTES*8+:16];
 
   wire [7:0] profile = fixed[HMLFC_HEADER_PROFILE*8+:8];
   wire [31:0] flags = fixed[HMLFC_HEADER_FEATURE_FLAGS*8+:32];
   wire extended = profile == 8'd1;
-  wire [8:0] needs_motion_tiles = 9'b000111100;
   wire motion_tiles = flags[HMLFC_FEATURE_MOTION_TILES];
   wire shared = flags[HMLFC_FEATURE_SHARED_DISPARITY];
   wire [7:0] window_field = fixed[HMLFC_HEADER_WINDOW*8+:8];
@@ -145,11 +148,11 @@ module hmlfc_header #(
       if (bad(flags[HMLFC_FEATURE_SUBPEL_VECTORS], vector_field, 8'd1, 8'd3)) bad_field = 1'b1;
       if (bad(shared, disparity_field, vector_field, 8'd5) || bad(motion_tiles, tile_field, 8'd5, 8'd7)) bad_field = 1'b1;
       if (bad(shared, grid_field, 8'd2, 8'd5) || bad(shared, row_scale, 8'd0, 8'd255) || row_scale == 8'h80) bad_field = 1'b1;
-    end else if (fixed[35*8+:40] != 0) bad_field = 1'b1;
-    if (fixed[40*8+:32] != 0) bad_field = 1'b1;
+    end else if (fixed[RESERVED*8-1:HMLFC_HEADER_VECTOR_PRECISION*8] != 0) bad_field = 1'b1;
+    if (fixed[FIXED*8-1:RESERVED*8] != 0) bad_field = 1'b1;
     if (header_bytes != 16'(HMLFC_HEADER_BYTES_OF_ONE_LEVEL) + (16'(height_field) << 2)) bad_field = 1'b1;
   end
-  wire bad_feature = extended ? flags[31:HMLFC_FEATURE_COUNT] != 0 || (!motion_tiles && (flags[8:0] & needs_motion_tiles) != 0) : flags != 0;
+  wire bad_feature = extended ? flags[31:HMLFC_FEATURE_COUNT] != 0 || (!motion_tiles && (flags[HMLFC_FEATURE_COUNT-1:0] & NEEDS_MOTION_TILES) != 0) : flags != 0;
 
   // Level entries and section entries, one a clock.
   logic [3:0] entry;
@@ -186,7 +189,7 @@ module hmlfc_header #(
   assign tile_offset = section_bytes[3*192+64+:64];
   assign tile_size = section_bytes[3*192+128+:64];
 
-  assign read_start = state == READ && read_idle && !read_done && !(at == 0 && stream_bytes < 64'd12);
+  assign read_start = state == READ && read_idle && !read_done && !(at == 0 && stream_bytes < 64'(PRELUDE));
 
   always_ff @(posedge clk) begin
     done <= 1'b0;
@@ -199,8 +202,8 @@ module hmlfc_header #(
         state <= READ;
       end
       READ: begin
-        // Twelve bytes are there (FIL-4); of the rest no more is read than the header says.
-        if (at == 0 && stream_bytes < 64'd12) begin
+        // The prelude is there (FIL-4); of the rest no more is read than the header says.
+        if (at == 0 && stream_bytes < 64'(PRELUDE)) begin
           error <= HMLFC_ERROR_TRUNCATED;
           state <= FINISH;
         end
@@ -215,17 +218,17 @@ module hmlfc_header #(
         at <= at + 16'd1;
         if (at < 16'(FIXED)) fixed[32'(at)*8+:8] <= next_byte;
         else if (at < 16'(FIXED + LEVEL_BYTES)) level_bytes[(32'(at)-FIXED)*8+:8] <= next_byte;
-        if (at < 16'd12 || at < header_bytes - 16'd4) begin
+        if (at < 16'(PRELUDE) || at < header_bytes - 16'd4) begin
           crc <= crc32c(crc, next_byte);
           section_bytes <= {next_byte, section_bytes[SECTION_BYTES*8-1:8]};
         end
         stored_crc <= {next_byte, stored_crc[31:8]};
         if (at[3:0] == 4'd15) state <= READ;
-        if (at == 16'd12) begin
-          if (fixed[63:0] != MAGIC) begin
+        if (at == 16'(PRELUDE)) begin
+          if (fixed[63:0] != HMLFC_MAGIC) begin
             error <= HMLFC_ERROR_BAD_MAGIC;
             state <= FINISH;
-          end else if (fixed[71:64] != 8'(HMLFC_VERSION)) begin
+          end else if (fixed[HMLFC_HEADER_VERSION*8+:8] != 8'(HMLFC_VERSION)) begin
             error <= HMLFC_ERROR_BAD_VERSION;
             state <= FINISH;
           end else if (header_bytes < 16'(HMLFC_HEADER_BYTES_OF_ONE_LEVEL) || 64'(header_bytes) > stream_bytes) begin
@@ -233,7 +236,7 @@ module hmlfc_header #(
             state <= FINISH;
           end
         end
-        if (at >= 16'd12 && at == header_bytes - 16'd1) state <= FIELDS;
+        if (at >= 16'(PRELUDE) && at == header_bytes - 16'd1) state <= FIELDS;
       end
       FIELDS: begin
         entry <= '0;

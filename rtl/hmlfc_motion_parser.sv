@@ -12,8 +12,7 @@ module hmlfc_motion_parser #(
     parameter int SKEW_BITS = 7,
     localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
     localparam int CONTEXT_BITS = $clog2(CONTEXTS),
-    localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS),
-    localparam int MOTION_BITS = hmlfc_pkg::MOTION_BITS
+    localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS)
 ) (
     input logic clk,
     input logic rst_n,

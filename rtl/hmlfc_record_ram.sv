@@ -41,11 +41,12 @@ module hmlfc_record_ram #(
       /* verilator lint_off CMPCONST */  // never for the last bank
       wire [ROW_BITS-1:0] row = word[WORD_BITS-1:BANK_BITS] + ROW_BITS'(word[BANK_BITS-1:0] > BANK_BITS'(b));
       /* verilator lint_on CMPCONST */
-      wire [WORD_BITS-1:0] written = {write_beat, {$clog2(BEAT_WORDS){1'b0}}} + WORD_BITS'(b % BEAT_WORDS);
+      localparam int LANE = b & (BEAT_WORDS - 1);  // of the bank's word in a beat
+      wire [WORD_BITS-1:0] written = {write_beat, {$clog2(BEAT_WORDS){1'b0}}} + WORD_BITS'(LANE);
       always_ff @(posedge clk) begin
         if (read_enable[r]) rows[b*64+:64] <= memory[row];
         if (write && written[BANK_BITS-1:0] == BANK_BITS'(b)) begin
-          memory[written[WORD_BITS-1:BANK_BITS]] <= write_data[(b%BEAT_WORDS)*64+:64];
+          memory[written[WORD_BITS-1:BANK_BITS]] <= write_data[LANE*64+:64];
         end
       end
     end

@@ -65,7 +65,7 @@ module hmlfc_reference_lookup #(
   localparam int ROW_BITS = AREA_BITS / 2 + 1;       // by row
   localparam int COL_BITS = AREA_BITS - ROW_BITS;    // and by column
   localparam int TAG_BITS = ADDRESS_BITS - 4;
-  localparam int STRIP_BEATS = 9;  // of 16 bytes, of a strip in the reference area
+  localparam int STRIP_BEATS = hmlfc_pkg::STRIP_BYTES / 16;  // of 16 bytes
 
   // ---- 1, 2: blocks of the window.
   logic [6:1] valid;

@@ -5,14 +5,13 @@
 // s_axil_*              all outputs are registered; one read and one write at a time, OKAY always;
 //                       wstrb is obeyed; address bits 1:0 do not matter
 // stream_*, reference_* the registers as written
-// load, clear, disable  one clock each for a 1 written to its bit of CONTROL; `clear` zeroes the
-//                       counters and the first error here too
+// load, disable_unit    one clock each for a 1 written to its bit of CONTROL
 // ready, loading, idle, load_error   what STATUS reports
 // error_valid           an answer with the error `error` to the request `error_request` was given
-//                       in this clock: the first since `clear` is kept
+//                       in this clock: the first since CLEAR is kept
 // block_done, in_flight, stalled, read_bytes, answered   what the counters add in this clock:
 //                       BLOCKS, CYCLES, STALLS, BYTES_READ ([0, 16] bytes), REQUESTS
-// An event in the clock of `clear` is not counted.
+// CLEAR zeroes the counters and the first error; an event in its clock is not counted.
 module hmlfc_registers #(
   parameter integer BLOCK_LOG2 = 2,
   parameter integer MAX_DEPTH = 8,
@@ -43,7 +42,6 @@ module hmlfc_registers #(
   output logic [63:0] stream_bytes,
   output logic [63:0] reference_base,
   output logic        load,
-  output logic        clear,
   output logic        disable_unit,
 
   input  logic        ready,
@@ -100,6 +98,7 @@ module hmlfc_registers #(
 
   // Registers that are written.
   logic [2:0] control;
+  logic clear;
   assign control = write && write_word == AT_CONTROL ? write_data[2:0] & write_mask[2:0] : 3'd0;
 
   // The six words at AT_STREAM_BASE and after: three pairs.

@@ -47,6 +47,7 @@ localparam integer HMLFC_FEATURE_BALANCED_GROUPS = 8;
 localparam integer HMLFC_FEATURE_COUNT = 9;
 
 // Offsets of the header's fields in bytes (FIL-1, EXT-2).
+localparam integer HMLFC_HEADER_VERSION = 8;
 localparam integer HMLFC_HEADER_PROFILE = 9;
 localparam integer HMLFC_HEADER_FEATURE_FLAGS = 12;
 localparam integer HMLFC_HEADER_ROWS = 16;

@@ -44,11 +44,6 @@ module hmlfc_tile_walk #(
   localparam int SLOT_BITS = $clog2(GROUPS);
   localparam int TAG_BITS = GROUP_BITS - SLOT_BITS;
 
-  function automatic logic [6:0] count_ones(input logic [63:0] bits);
-    count_ones = '0;
-    for (int i = 0; i < 64; i++) count_ones = count_ones + 7'(bits[i]);
-  endfunction
-
   // The 1 bits of a mask below bit `lane`: rank of CNV-6 is their number.
   function automatic logic [63:0] below(input logic [63:0] bits, input logic [5:0] lane);
     below = bits & ~(64'hFFFF_FFFF_FFFF_FFFF << lane);
@@ -117,12 +112,12 @@ module hmlfc_tile_walk #(
   );
 
   // IDX-4: the number of the group's record. `first` may be any 64-bit number.
-  wire [64:0] number = {1'b0, root_first} + 65'(count_ones(below(root_mask, group_lane)));
+  wire [64:0] number = {1'b0, root_first} + 65'($countones(below(root_mask, group_lane)));
   wire number_outside = number >= 65'(stream.group_records);
 
   // IDX-6: the end table and the two entries that bound the record.
-  wire [6:0] entries = count_ones(tile_mask);
-  wire [5:0] entry = 6'(count_ones(below(tile_mask, lane)));
+  wire [6:0] entries = 7'($countones(tile_mask));
+  wire [5:0] entry = 6'($countones(below(tile_mask, lane)));
   wire [13:0] table_bits = 14'(entries) * 14'(offset_bits);
   wire [10:0] table_bytes = 11'((table_bits + 14'd7) >> 3);
   wire table_outside = 49'(table_offset) + 49'(table_bytes) > 49'(stream.tile_bytes);
