@@ -42,69 +42,41 @@ module hmlfc_motion_store #(
 );
 
   localparam int MAX_BITS = 9 + 8 * 32 + 3 * 1024 + DATA_BITS;  // of a record and its skew
-  localparam int BEAT_LOG2 = $clog2(DATA_BITS / 8);
-  localparam int RECORD_BEATS = 1 << $clog2((MAX_BITS + DATA_BITS - 1) / DATA_BITS);
-  localparam int CONTEXT_WORDS = RECORD_BEATS * DATA_BITS / 64;
+  localparam int SKEW_BITS = $clog2(DATA_BITS);
+  localparam int CONTEXT_WORDS = 1 << $clog2((MAX_BITS + 63) / 64);
+  localparam int READS = 2;
   localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS);
   localparam int BANKS = 2;
   localparam int WINDOW_BITS = BANKS * 64;
 
-  logic load_valid, load_ready, loaded_valid, loaded_keep, release_valid;
-  logic [CONTEXT_BITS-1:0] load_context, loaded_context, release_context;
-  logic [TILE_BITS-1:0] load_tile;
-  logic [INFO_BITS-1:0] load_info;
-  logic [CONTEXTS-1:0] ready;
-  hmlfc_tile_contexts #(
-      .CONTEXTS(CONTEXTS),
-      .INFO_BITS(INFO_BITS)
-  ) contexts (
-      .clk,
-      .rst_n,
-      .flush,
-      .ask,
-      .tile(ask_tile),
-      .info(ask_info),
-      .granted,
-      .context_number(granted_context),
-      .load_valid,
-      .load_ready,
-      .load_context,
-      .load_tile,
-      .load_info,
-      .loaded_valid,
-      .loaded_context,
-      .loaded_keep,
-      .ready,
-      .release_valid,
-      .release_context
-  );
-
-  logic write, parse_valid, parse_ready, parse_empty;
-  logic [CONTEXT_BITS+$clog2(RECORD_BEATS)-1:0] write_beat;
-  logic [DATA_BITS-1:0] write_data;
-  logic [CONTEXT_BITS-1:0] parse_context;
+  // Read ports: 0 the parser's, 1 that of the blocks.
+  logic parse_valid, parse_ready, parse_empty, loaded_valid, loaded_keep, release_valid;
+  logic [CONTEXT_BITS-1:0] parse_context, loaded_context, release_context;
   logic [INFO_BITS-1:0] parse_info;
   logic [5:0] parse_error;
-  logic [BEAT_LOG2+2:0] parse_skew;
+  logic [SKEW_BITS-1:0] parse_skew;
   logic [POSITION_BITS-1:0] parse_bits;
-  hmlfc_tile_loader #(
+  logic [CONTEXTS-1:0] ready;
+  logic [READS-1:0] read_enable;
+  logic [READS*WORD_BITS-1:0] read_word;
+  logic [READS*WINDOW_BITS-1:0] window;
+  hmlfc_tile_fetch #(
       .DATA_BITS(DATA_BITS),
       .CONTEXTS(CONTEXTS),
-      .RECORD_BEATS(RECORD_BEATS),
+      .CONTEXT_WORDS(CONTEXT_WORDS),
+      .BANKS(BANKS),
+      .READS(READS),
       .INFO_BITS(INFO_BITS)
-  ) loader (
+  ) fetch (
       .clk,
       .rst_n,
       .stream,
       .flush,
-      .load_valid,
-      .load_ready,
-      .load_context,
-      .load_tile,
-      .load_info,
-      .write,
-      .write_beat,
-      .write_data,
+      .ask,
+      .ask_tile,
+      .ask_info,
+      .granted,
+      .granted_context,
       .parse_valid,
       .parse_ready,
       .parse_context,
@@ -113,6 +85,15 @@ module hmlfc_motion_store #(
       .parse_empty,
       .parse_skew,
       .parse_bits,
+      .loaded_valid,
+      .loaded_context,
+      .loaded_keep,
+      .ready,
+      .release_valid,
+      .release_context,
+      .read_enable,
+      .read_word,
+      .window,
       .request_valid,
       .request_ready,
       .request_address,
@@ -121,25 +102,6 @@ module hmlfc_motion_store #(
       .data,
       .data_last,
       .data_error
-  );
-
-  // Read ports: 0 the parser's, 1 that of the blocks.
-  logic [1:0] read_enable;
-  logic [2*WORD_BITS-1:0] read_word;
-  logic [2*WINDOW_BITS-1:0] window;
-  hmlfc_record_ram #(
-      .DATA_BITS(DATA_BITS),
-      .BANKS(BANKS),
-      .WORDS(CONTEXTS * CONTEXT_WORDS),
-      .READS(2)
-  ) records (
-      .clk,
-      .write,
-      .write_beat,
-      .write_data,
-      .read_enable,
-      .read_word,
-      .window
   );
 
   logic head_write;
@@ -158,7 +120,7 @@ module hmlfc_motion_store #(
       .CONTEXTS(CONTEXTS),
       .CONTEXT_WORDS(CONTEXT_WORDS),
       .WINDOW_BITS(WINDOW_BITS),
-      .SKEW_BITS(BEAT_LOG2 + 3)
+      .SKEW_BITS(SKEW_BITS)
   ) parser (
       .clk,
       .rst_n,

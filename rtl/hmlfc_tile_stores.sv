@@ -1,0 +1,238 @@
+// From a block of a level to what the stream says about it: motion, disparity, residual.
+//
+//   tile_ask -> [128] -> motion_store -> disparity_ask -> [64] -> disparity_store -> residual_store
+//      |                  ^ asked for        |                     ^ asked for by      ^ asked for
+//      +-- by tile_ask ---+                  +---- disparity_ask --+                   +-- by tile_ask
+//
+// Blocks keep their order; the queues hide the time in which tiles that are asked for come from memory. Clients of the read
+// master: 0 residual, 1 motion, 2 disparity.
+module hmlfc_tile_stores #(
+    parameter int BLOCK_LOG2 = 2,
+    parameter int MAX_DEPTH = 8,
+    parameter int DATA_BITS = 128,
+    parameter int TILE_CONTEXTS = 16,
+    localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
+    localparam int RESIDUAL_BITS = (MAX_DEPTH + 2) << (2 * BLOCK_LOG2)
+) (
+    input logic clk,
+    input logic rst_n,
+    input hmlfc_pkg::config_t stream,
+    input logic flush,
+
+    input logic in_valid,
+    output logic in_ready,
+    input hmlfc_pkg::job_t in_job,
+    input hmlfc_pkg::image_t in_image,  // of in_job.id
+
+    output logic [3:0] disparity_id,
+    input hmlfc_pkg::image_t disparity_image,  // of disparity_id
+
+    output logic out_valid,
+    input logic out_ready,
+    output hmlfc_pkg::flow_t out_flow,
+    output logic out_has_residual,
+    output logic [RESIDUAL_BITS-1:0] out_residual,
+
+    output logic [2:0] request_valid,
+    input logic [2:0] request_ready,
+    output logic [3*ADDRESS_BITS-1:0] request_address,
+    output logic [3*10-1:0] request_beats,
+    input logic [2:0] data_valid,
+    input logic [DATA_BITS-1:0] data,
+    input logic data_last,
+    input logic data_error
+);
+
+  localparam int FLOW_BITS = hmlfc_pkg::FLOW_BITS;
+  localparam int MOTION_CONTEXTS = 4;
+  localparam int DISPARITY_CONTEXTS = 4;
+
+  logic residual_ask, residual_granted, motion_ask, motion_granted, disparity_ask, disparity_granted;
+  logic [hmlfc_pkg::TILE_BITS-1:0] residual_tile, motion_tile, disparity_tile;
+  logic [8:0] residual_info;
+  logic [16:0] motion_info;
+  logic [15:0] disparity_info;
+  logic [$clog2(TILE_CONTEXTS)-1:0] residual_context;
+  logic [$clog2(MOTION_CONTEXTS)-1:0] motion_context;
+  logic [$clog2(DISPARITY_CONTEXTS)-1:0] disparity_context;
+  logic ask_valid, ask_ready, motion_in_valid, motion_in_ready, motion_valid, motion_ready;
+  hmlfc_pkg::flow_t ask_flow, motion_in_flow, motion_flow;
+  hmlfc_tile_ask #(
+      .BLOCK_LOG2(BLOCK_LOG2),
+      .RESIDUAL_CONTEXTS(TILE_CONTEXTS),
+      .MOTION_CONTEXTS(MOTION_CONTEXTS)
+  ) tile_ask (
+      .clk,
+      .rst_n,
+      .stream,
+      .image(in_image),
+      .in_valid,
+      .in_ready,
+      .in_job,
+      .residual_ask,
+      .residual_tile,
+      .residual_info,
+      .residual_granted,
+      .residual_context,
+      .motion_ask,
+      .motion_tile,
+      .motion_info,
+      .motion_granted,
+      .motion_context,
+      .out_valid(ask_valid),
+      .out_ready(ask_ready),
+      .out_flow(ask_flow)
+  );
+  /* verilator lint_off PINCONNECTEMPTY */
+  hmlfc_fifo #(
+      .WIDTH(FLOW_BITS),
+      .DEPTH(128)
+  ) before_motion (
+      .clk,
+      .rst_n,
+      .in_valid(ask_valid),
+      .in_ready(ask_ready),
+      .in_data(ask_flow),
+      .out_valid(motion_in_valid),
+      .out_ready(motion_in_ready),
+      .out_data(motion_in_flow),
+      .count()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+  hmlfc_motion_store #(
+      .BLOCK_LOG2(BLOCK_LOG2),
+      .DATA_BITS(DATA_BITS),
+      .CONTEXTS(MOTION_CONTEXTS)
+  ) motions (
+      .clk,
+      .rst_n,
+      .stream,
+      .flush,
+      .ask(motion_ask),
+      .ask_tile(motion_tile),
+      .ask_info(motion_info),
+      .granted(motion_granted),
+      .granted_context(motion_context),
+      .in_valid(motion_in_valid),
+      .in_ready(motion_in_ready),
+      .in_flow(motion_in_flow),
+      .out_valid(motion_valid),
+      .out_ready(motion_ready),
+      .out_flow(motion_flow),
+      .request_valid(request_valid[1]),
+      .request_ready(request_ready[1]),
+      .request_address(request_address[1*ADDRESS_BITS+:ADDRESS_BITS]),
+      .request_beats(request_beats[1*10+:10]),
+      .data_valid(data_valid[1]),
+      .data,
+      .data_last,
+      .data_error
+  );
+
+  logic shared_valid, shared_ready, disparity_in_valid, disparity_in_ready, disparity_valid, disparity_ready;
+  hmlfc_pkg::flow_t shared_flow, disparity_in_flow, disparity_flow;
+  logic [4:0] shared_x, shared_y, disparity_x, disparity_y;
+  assign disparity_id = motion_flow.job.id;
+  hmlfc_disparity_ask #(
+      .BLOCK_LOG2(BLOCK_LOG2),
+      .CONTEXTS(DISPARITY_CONTEXTS)
+  ) disparity_asking (
+      .clk,
+      .rst_n,
+      .stream,
+      .image(disparity_image),
+      .in_valid(motion_valid),
+      .in_ready(motion_ready),
+      .in_flow(motion_flow),
+      .ask(disparity_ask),
+      .ask_tile(disparity_tile),
+      .ask_info(disparity_info),
+      .granted(disparity_granted),
+      .granted_context(disparity_context),
+      .out_valid(shared_valid),
+      .out_ready(shared_ready),
+      .out_flow(shared_flow),
+      .out_x(shared_x),
+      .out_y(shared_y)
+  );
+  /* verilator lint_off PINCONNECTEMPTY */
+  hmlfc_fifo #(
+      .WIDTH(FLOW_BITS + 10),
+      .DEPTH(64)
+  ) before_disparity (
+      .clk,
+      .rst_n,
+      .in_valid(shared_valid),
+      .in_ready(shared_ready),
+      .in_data({shared_flow, shared_x, shared_y}),
+      .out_valid(disparity_in_valid),
+      .out_ready(disparity_in_ready),
+      .out_data({disparity_in_flow, disparity_x, disparity_y}),
+      .count()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+  hmlfc_disparity_store #(
+      .DATA_BITS(DATA_BITS),
+      .CONTEXTS(DISPARITY_CONTEXTS)
+  ) disparities (
+      .clk,
+      .rst_n,
+      .stream,
+      .flush,
+      .ask(disparity_ask),
+      .ask_tile(disparity_tile),
+      .ask_info(disparity_info),
+      .granted(disparity_granted),
+      .granted_context(disparity_context),
+      .in_valid(disparity_in_valid),
+      .in_ready(disparity_in_ready),
+      .in_flow(disparity_in_flow),
+      .in_x(disparity_x),
+      .in_y(disparity_y),
+      .out_valid(disparity_valid),
+      .out_ready(disparity_ready),
+      .out_flow(disparity_flow),
+      .request_valid(request_valid[2]),
+      .request_ready(request_ready[2]),
+      .request_address(request_address[2*ADDRESS_BITS+:ADDRESS_BITS]),
+      .request_beats(request_beats[2*10+:10]),
+      .data_valid(data_valid[2]),
+      .data,
+      .data_last,
+      .data_error
+  );
+
+  hmlfc_residual_store #(
+      .BLOCK_LOG2(BLOCK_LOG2),
+      .MAX_DEPTH(MAX_DEPTH),
+      .DATA_BITS(DATA_BITS),
+      .CONTEXTS(TILE_CONTEXTS)
+  ) residuals (
+      .clk,
+      .rst_n,
+      .stream,
+      .flush,
+      .ask(residual_ask),
+      .ask_tile(residual_tile),
+      .ask_info(residual_info),
+      .granted(residual_granted),
+      .granted_context(residual_context),
+      .in_valid(disparity_valid),
+      .in_ready(disparity_ready),
+      .in_flow(disparity_flow),
+      .out_valid,
+      .out_ready,
+      .out_flow,
+      .out_has_residual,
+      .out_residual,
+      .request_valid(request_valid[0]),
+      .request_ready(request_ready[0]),
+      .request_address(request_address[0*ADDRESS_BITS+:ADDRESS_BITS]),
+      .request_beats(request_beats[0*10+:10]),
+      .data_valid(data_valid[0]),
+      .data,
+      .data_last,
+      .data_error
+  );
+
+endmodule
