@@ -27,6 +27,7 @@ module hmlfc_fifo #(
   localparam integer INDEX_BITS = $clog2(DEPTH);
   localparam [INDEX_BITS:0] ONE = {{INDEX_BITS{1'b0}}, 1'b1};
 
+  (* no_rw_check *)  // what is read in the clock in which it is written is not used
   logic [WIDTH-1:0]    storage [0:DEPTH-1];
   logic [WIDTH-1:0]    stored, latest;
   logic [INDEX_BITS:0] written, taken, taken_next;  // words so far, modulo 2 * DEPTH

@@ -68,7 +68,7 @@ module hmlfc_reconstruct #(
     end
   end
 
-  // P: the sample before, or 0 from the clock on in which a block comes to the third stage that has none.
+  // P of the block that is in its third clock: the sample before, or 0 where it is not chained to it.
   logic                           begins;
   logic [SAMPLES*SAMPLE_BITS-1:0] parent, after;
   assign begins = valid_1 && !chained_1;

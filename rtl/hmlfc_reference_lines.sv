@@ -68,7 +68,8 @@ module hmlfc_reference_lines #(
     wire [PLACE_BITS-1:0] even = in_places[(2*r)*PLACE_BITS+:PLACE_BITS];
     wire [PLACE_BITS-1:0] odd = in_places[(2*r+1)*PLACE_BITS+:PLACE_BITS];
     for (genvar c = 0; c < COLUMNS; c++) begin : g_column
-      logic [LINE_BITS-1:0] memory[1<<LINE_PLACE_BITS];
+      // No line of a window is read in the clock in which it is written.
+      (* no_rw_check *) logic [LINE_BITS-1:0] memory[1<<LINE_PLACE_BITS];
       logic [LINE_PLACE_BITS-1:0] write_at, read_at;
       logic write_here;
       // The right block is in the next strip where its column is less than the left one's.

@@ -170,7 +170,7 @@ module hmlfc_reference_lookup #(
   logic [PLACE_BITS-1:0] ask_in_bank;
   logic [TAG_BITS-1:0] ask_tag;
   for (genvar b = 0; b < 4; b++) begin : g_tags
-    logic [TAG_BITS-1:0] tags[PLACES];
+    (* no_rw_check *) logic [TAG_BITS-1:0] tags[PLACES];
     logic [TAG_BITS-1:0] tag;
     wire [PLACE_BITS-1:0] place = places_6[b*PLACE_BITS+:PLACE_BITS];
     wire [TAG_BITS-1:0] own = wanted[b*TAG_BITS+:TAG_BITS];

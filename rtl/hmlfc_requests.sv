@@ -5,8 +5,8 @@
 // Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
 // LOAD, becomes one job that carries the error. Views are worked out when they change: two are held, so that blocks of the
 // last view may still be under way. For RGB the chroma blocks are left out where the request for RGB before decoded them,
-// but not where they met a bus error. A request waits for a clock, in which it is checked and looked up, while jobs of the one before
-// leave.
+// but not where they met a bus error. Up to two requests wait; the first of them is checked and looked up while jobs of the one
+// before leave.
 module hmlfc_requests (
     input logic clk,
     input logic rst_n,
@@ -38,9 +38,26 @@ module hmlfc_requests (
 
   localparam int LEVELS = hmlfc_pkg::LEVELS;
 
-  // The request that was taken: checked, and its view looked up.
-  logic next_valid, next_last;
+  // The next request: checked, and its view looked up. It passes when jobs of the one before are done.
+  logic next_valid, next_last, next_ready, waiting_ready;
   logic [63:0] next;
+  /* verilator lint_off PINCONNECTEMPTY */  // its count is not needed
+  hmlfc_fifo #(
+      .WIDTH(65),
+      .DEPTH(2)
+  ) waiting (
+      .clk,
+      .rst_n,
+      .in_valid(s_valid && enable),
+      .in_ready(waiting_ready),
+      .in_data({s_last, s_data}),
+      .out_valid(next_valid),
+      .out_ready(next_ready),
+      .out_data({next_last, next}),
+      .count()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+  assign s_ready = enable && waiting_ready;
   wire [11:0] row = next[11:0];
   wire [11:0] col = next[23:12];
   wire [14:0] bx = next[38:24];
@@ -120,17 +137,13 @@ module hmlfc_requests (
     end
   end
   wire emit = job_valid && job_ready;
-  wire pass = next_valid && (!busy || (emit && ends_request));  // the next request becomes the one that is turned into jobs
-  assign s_ready = enable && (!next_valid || pass);
+  assign next_ready = !busy || (emit && ends_request);
+  wire pass = next_valid && next_ready;
   wire [2:0] next_level = hits[1] ? first_level_of(held_keys[LEVELS+:LEVELS], stop, stream.tree_height)
                                   : first_level_of(held_keys[0+:LEVELS], stop, stream.tree_height);
   wire [2:0] view_level = first_level_of(view_keys, now_stop, stream.tree_height);
 
   always_ff @(posedge clk) begin
-    if (s_valid && s_ready) begin
-      next <= s_data;
-      next_last <= s_last;
-    end
     if (pass) begin
       last <= next_last;
       rgb <= plane == 2'd3;
@@ -177,14 +190,12 @@ module hmlfc_requests (
       users[i*10+:10] <= users[i*10+:10] + 10'(emit && job.id[3] == 1'(i)) - 10'(finished_valid && finished_slot == 1'(i));
     end
     if (!rst_n) begin
-      next_valid <= 1'b0;
       busy <= 1'b0;
       working <= 1'b0;
       slot <= 1'b0;
       users <= '0;
     end else begin
-      next_valid <= (s_valid && s_ready) || (next_valid && !pass);
-      busy <= pass || (busy && !(emit && ends_request));
+      busy <= next_valid || !next_ready;
     end
     if (!rst_n || flush) held <= '0;
     if (!rst_n || flush || chroma_spoiled) chroma_held <= 1'b0;

@@ -56,6 +56,7 @@ module hmlfc_strip_fill #(
   logic [PLACE_BITS-1:0] places[SLOTS];
   logic [ADDRESS_BITS-1:0] addresses[SLOTS];
   logic [BEAT_BITS-1:0] totals[SLOTS];
+  (* no_rw_check *)  // strips are read when they are complete
   logic [DATA_BITS-1:0] memory[SLOTS*(1<<BEAT_BITS)];
 
   // Reads to ask for: what is left of strips whose head has come, before the begins of others.
