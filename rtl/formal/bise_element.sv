@@ -1,0 +1,44 @@
+`include "specification.svh"
+
+// One value of a sequence is the value that the group's bits stand for, at each level code with VALUE_BITS = 10 (depth 8) and each
+// slot, for all windows and all numbers of bits that are left; bits past the end count as 0.
+//
+// Clauses: BISE-1, BISE-2, BISE-4 to BISE-9
+// Engine: sat 1
+// Complete: combinational; one instance for each level code and slot.
+// Fault: hmlfc_bise_element.sv / 3'd2: digits_before = 3'd4 / 3'd2: digits_before = 3'd5
+// Fault: hmlfc_bise_element.sv / present[3*k+4] / present[3*k+5]
+module prove_bise_element (input logic [63:0] window, input logic [6:0] bits_left);
+  wire [63:0] present = window & ~({64{1'b1}} << bits_left);
+  generate
+    for (genvar code = 0; code <= 27; code = code + 1) begin : each
+      localparam [14:0] LEVELS = spec_levels(code);
+      localparam [2:0] DIGIT = spec_digit(LEVELS);
+      localparam integer n = spec_plain(LEVELS);
+      localparam integer IN_GROUP = DIGIT == 3 ? 5 : DIGIT == 5 ? 3 : 1;
+
+      // BISE-5, BISE-6: the first bit of m_0 to m_4, T and Q.
+      localparam [39:0] M = DIGIT == 3 ? {8'(4 * n + 7), 8'(3 * n + 5), 8'(2 * n + 4), 8'(n + 2), 8'd0}
+                                       : {16'd0, 8'(2 * n + 5), 8'(n + 3), 8'd0};
+      wire [95:0] s = {32'd0, present};
+      wire [7:0]  T = {s[5*n+7], s[4*n+6], s[4*n+5], s[3*n+4], s[2*n+3], s[2*n+2], s[n+1], s[n]};
+      wire [6:0]  Q = {s[3*n+6], s[3*n+5], s[2*n+4], s[2*n+3], s[n+2], s[n+1], s[n]};
+      wire [9:0]  trits = spec_trits(T);
+      wire [8:0]  quints = spec_quints(Q);
+
+      for (genvar slot = 0; slot < IN_GROUP; slot = slot + 1) begin : at
+        wire [2:0]   d = DIGIT == 3 ? {1'b0, trits[2*slot +: 2]} : DIGIT == 5 ? quints[3*slot +: 3] : 3'd0;
+        wire [9:0]   m = s[M[8*slot +: 8] +: 10] & 10'((1 << n) - 1);
+        logic [9:0]  value;
+        hmlfc_bise_element #(.VALUE_BITS(10)) dut (
+          .window(window), .bits_left(bits_left), .level_code(6'(code)), .slot(3'(slot)), .value(value));
+        always @* begin
+          if (bits_left <= 64) begin
+            assert ({22'd0, value} == (d << n) + {22'd0, m});
+            assert ({5'd0, value} < LEVELS);
+          end
+        end
+      end
+    end
+  endgenerate
+endmodule

@@ -1,0 +1,127 @@
+// The read master with two clients and a memory that answers at any pace:
+//   - a burst has at most 16 beats, does not cross 4 KiB, and does not change while it waits;
+//   - the bursts are the accepted requests' beats, each once, in the order in which they were accepted;
+//   - each request gets exactly its beats: they go to the client that asked, the last of them marked.
+// DATA_BITS = 64, ADDRESS_BITS = 14, OUTSTANDING = 4; requests of up to 1023 beats.
+//
+// Clauses: Read master (docs/hardware.md)
+// Engine: sat 10
+// Fault: hmlfc_read_port.sv / room = last_16 ? ~beat[3:0] : 4'd15 / room = 4'd15
+// Fault: hmlfc_read_port.sv / !(last_16 && last[4]) / !last_16
+module prove_read_port (
+  input logic clk, input logic [1:0] request_valid, input logic [27:0] request_address, input logic [19:0] request_beats,
+  input logic arready, input logic rvalid, input logic [63:0] rdata
+);
+  localparam integer A = 14;
+  logic         started = 1'b0;
+  logic [1:0]   request_ready, data_valid;
+  logic [63:0]  data;
+  logic         data_last, data_error, arvalid, rready;
+  logic [A-1:0] araddr;
+  logic [7:0]   arlen;
+  logic [2:0]   arsize;
+  logic [1:0]   arburst;
+  logic         rlast;
+  hmlfc_read_port #(.CLIENTS(2), .DATA_BITS(64), .ADDRESS_BITS(A), .OUTSTANDING(4)) dut (
+    .clk(clk), .rst_n(started), .request_valid(request_valid), .request_ready(request_ready), .request_address(request_address),
+    .request_beats(request_beats), .data_valid(data_valid), .data(data), .data_last(data_last), .data_error(data_error),
+    .m_axi_arvalid(arvalid), .m_axi_arready(arready), .m_axi_araddr(araddr), .m_axi_arlen(arlen), .m_axi_arsize(arsize),
+    .m_axi_arburst(arburst), .m_axi_rvalid(rvalid), .m_axi_rready(rready), .m_axi_rdata(rdata), .m_axi_rresp(2'b00),
+    .m_axi_rlast(rlast));
+  always @(posedge clk) started <= 1'b1;
+
+  // The requests that were accepted and whose beats are not all asked for: at most two, the older first.
+  wire take_0 = request_valid[0] && request_ready[0];
+  wire take_1 = request_valid[1] && request_ready[1];
+  wire take = take_0 || take_1;
+  wire [A-1:0] take_address = take_0 ? request_address[0 +: A] : request_address[A +: A];
+  wire [9:0]   take_beats = take_0 ? request_beats[9:0] : request_beats[19:10];
+  logic [1:0]   asking;
+  logic [A-1:0] address_0, address_1;
+  logic [9:0]   beats_0, beats_1;
+  logic         owner_0, owner_1;
+  wire        ar = arvalid && arready;
+  wire [9:0]  ar_beats = {2'd0, arlen} + 10'd1;
+  wire        ar_ends = beats_0 == ar_beats;
+  wire [1:0]  left = asking - {1'b0, ar && ar_ends};
+  always @(posedge clk) begin
+    if (!started) asking <= 2'd0;
+    else begin
+      asking <= left + {1'b0, take};
+      if (ar && ar_ends) {address_0, beats_0, owner_0} <= {address_1, beats_1, owner_1};
+      else if (ar) {address_0, beats_0} <= {address_0 + {ar_beats, 3'd0}, beats_0 - ar_beats};
+      if (take && left == 0) {address_0, beats_0, owner_0} <= {take_address, take_beats, take_1};
+      if (take && left != 0) {address_1, beats_1, owner_1} <= {take_address, take_beats, take_1};
+    end
+  end
+
+  // The memory: bursts that it took, their beats still to come, owner and whether the request ends with them.
+  logic [2:0]  bursts;
+  logic [47:0] queue;  // eight of {ends, owner, arlen[3:0]}, the oldest low
+  wire [5:0]  front = queue[5:0];
+  logic [3:0]  beat;
+  wire        ends_burst = rvalid && rlast;
+  wire [2:0]  bursts_left = bursts - {2'd0, ends_burst};
+  wire [47:0] queue_left = ends_burst ? queue >> 6 : queue;
+  assign rlast = beat == front[3:0];
+  always @(posedge clk) begin
+    if (!started) {bursts, beat} <= 7'd0;
+    else begin
+      bursts <= bursts_left + {2'd0, ar};
+      queue <= (queue_left & ~(48'h3f << (6 * bursts_left))) | (48'({ar_ends, owner_0, arlen[3:0]}) << (6 * bursts_left));
+      if (rvalid) beat <= rlast ? 4'd0 : beat + 4'd1;
+    end
+  end
+
+  // What the clients get: a clock after each beat, the beat.
+  logic        due, due_owner, due_last;
+  logic [63:0] due_data;
+  always @(posedge clk) begin
+    due <= started && rvalid;
+    {due_owner, due_last, due_data} <= {front[4], rlast && front[5], rdata};
+  end
+
+  logic         waiting;
+  logic [A+7:0] waiting_burst;
+  logic [1:0]   waiting_request;
+  logic [27:0]  waiting_address;
+  logic [19:0]  waiting_beats;
+  always @(posedge clk) begin
+    waiting <= started && arvalid && !arready;
+    waiting_burst <= {araddr, arlen};
+    waiting_request <= started ? request_valid & ~request_ready : 2'd0;
+    {waiting_address, waiting_beats} <= {request_address, request_beats};
+  end
+
+  always @* begin
+    // The contract of clients and memory.
+    if (!started) assume (request_valid == 0);
+    assume (request_beats[9:0] != 0 && request_beats[19:10] != 0);
+    assume (request_address[2:0] == 0 && request_address[A +: 3] == 0);
+    if (rvalid) assume (started && bursts != 0);
+    if (started && waiting_request[0])
+      assume (request_valid[0] && request_address[0 +: A] == waiting_address[0 +: A] && request_beats[9:0] == waiting_beats[9:0]);
+    if (started && waiting_request[1])
+      assume (request_valid[1] && request_address[A +: A] == waiting_address[A +: A] && request_beats[19:10] == waiting_beats[19:10]);
+
+    if (started) begin
+      assert (request_ready != 2'b11 && (request_ready & ~request_valid) == 0);
+      assert (rready);
+      assert (asking != 3);
+      if (arvalid) begin
+        assert (arlen <= 15 && arburst == 1 && arsize == 3);
+        assert ({4'd0, araddr[11:3]} + {5'd0, arlen} <= 511);
+        assert (asking != 0 && araddr == address_0 && ar_beats <= beats_0);
+      end
+    end
+  end
+  logic second = 1'b0;
+  always @(posedge clk) begin
+    second <= started;
+    if (second) begin
+      if (waiting) assert (arvalid && {araddr, arlen} == waiting_burst);
+      assert (data_valid == (due ? (due_owner ? 2'b10 : 2'b01) : 2'b00));
+      if (due) assert (data == due_data && data_last == due_last && !data_error);
+    end
+  end
+endmodule
