@@ -1,0 +1,219 @@
+// hmlfc_tile_walk against find_tile of the model, on intact and damaged streams, with bus errors.
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <hmlfc/encoder.hpp>
+#include <hmlfc/light_field.hpp>
+
+#include <TileWalk.h>
+
+#include "fields/geometry.hpp"
+#include "fields/header.hpp"
+#include "fields/index.hpp"
+#include "rtl/ports.hpp"
+
+namespace hmlfc::test {
+namespace {
+
+constexpr uint64_t kBase = 0x12340;  // of the stream, a multiple of 16
+constexpr size_t kBeat = 16;
+constexpr uint8_t kBusError = 27;  // annex A
+
+/// A stream of a small light field by `seed`: both profiles, tiles with and without records.
+std::vector<uint8_t> some_stream(uint32_t seed) {
+  Random random(seed);
+  const auto any = [&](int32_t lo, int32_t hi) { return static_cast<uint32_t>(random.in(lo, hi)); };
+  const LightFieldShape shape{any(1, 5), any(1, 5), any(20, 90), any(20, 60), 8};
+  LightField field(shape);
+  std::vector<uint16_t> row(size_t{shape.width} * 3);
+  for (uint32_t r = 0; r < shape.rows; ++r) {
+    for (uint32_t c = 0; c < shape.cols; ++c) {
+      for (uint32_t y = 0; y < shape.height; ++y) {
+        const int32_t noise = y < 32 ? 60 : 0;
+        for (uint16_t& value : row) value = static_cast<uint16_t>(100 + random.in(0, noise));
+        field.write_row(r, c, y, row);
+      }
+    }
+  }
+  EncodeParams params;
+  params.profile = seed % 2 == 0 ? Profile::kMain : Profile::kExtended;
+  params.tree_height = random.in(0, 3);
+  params.ref_rows = params.ref_cols = 2;
+  params.threads = 1;
+  return encode(field, params)->bytes;
+}
+
+/// Memory behind the read port: beats come one by one, with gaps, and some are spoiled on demand.
+class ReadPort {
+ public:
+  ReadPort(const std::vector<uint8_t>& file, Random& random) : file_(file), random_(random) {}
+
+  bool spoil = false;     ///< one beat in six is an error and carries anything
+  bool spoiled = false;   ///< one was given
+  uint64_t requests = 0;  ///< since the last walk began
+
+  void drive(TileWalk& dut) {
+    dut.request_ready = beats_ == 0 && random_.one_in(2);
+    dut.data_valid = beats_ != 0 && random_.one_in(2);
+    if (!dut.data_valid) return;
+    dut.data_last = beats_ == 1;
+    dut.data_error = spoil && random_.one_in(6);
+    spoiled |= dut.data_error != 0;
+    for (size_t i = 0; i < kBeat; ++i) {
+      const uint64_t at = address_ + i - kBase;
+      const uint32_t byte = at < file_.size() ? file_[static_cast<size_t>(at)] : 0;
+      const auto anything = static_cast<uint32_t>(random_.in(0, 255));
+      put_bits(dut.data, 8 * i, 8, dut.data_error ? anything : byte);
+    }
+    address_ += kBeat;
+    --beats_;
+  }
+
+  void watch(const TileWalk& dut) {
+    if (!dut.request_valid || !dut.request_ready) return;
+    EXPECT_EQ(dut.request_address % kBeat, 0u);
+    address_ = dut.request_address;
+    beats_ = dut.request_beats;
+    ++requests;
+  }
+
+ private:
+  const std::vector<uint8_t>& file_;
+  Random& random_;
+  uint64_t address_ = 0;
+  uint64_t beats_ = 0;
+};
+
+/// Sets the fields of config_t that the walk reads; they are its lowest bits.
+void set_stream(TileWalk& dut, const StreamHeader& header) {
+  const auto put40 = [&](size_t at, uint64_t value, unsigned width) {
+    put_bits(dut.stream, at, 20, static_cast<int64_t>(value & 0xFFFFF));
+    put_bits(dut.stream, at + 20, width - 20, static_cast<int64_t>(value >> 20));
+  };
+  const auto& sections = header.sections;  // TOP, ROOT, GROUP, TILE
+  put40(0, sections[3].size, 40);
+  put40(40, kBase + sections[3].offset, 40);
+  put40(80, sections[2].size / kGroupRecordBytes, 36);
+  put40(116, kBase + sections[2].offset, 40);
+  put40(156, kBase + sections[1].offset, 40);
+}
+
+struct Walked {
+  uint8_t error;
+  bool empty;
+  uint64_t address, bytes;
+};
+
+Walked walk(TileWalk& dut, ReadPort& port, uint64_t tile) {
+  port.spoiled = false;
+  port.requests = 0;
+  dut.start = 1;
+  dut.tile = tile;
+  for (int clocks = 0; clocks < 2000; ++clocks) {
+    port.drive(dut);
+    dut.eval();
+    port.watch(dut);
+    tick(dut);
+    dut.start = 0;
+    if (dut.done) return {dut.error, dut.empty != 0, dut.record_address, dut.record_bytes};
+  }
+  ADD_FAILURE() << "tile " << tile << ": no end";
+  return {};
+}
+
+void flush(TileWalk& dut) {
+  dut.flush = 1;
+  tick(dut);
+  dut.flush = 0;
+}
+
+void expect_found(const Walked& got, const Result<std::optional<TileExtent>>& found,
+                  uint64_t tile_section, Counts& counts) {
+  counts.compare(got.error, found ? 0 : static_cast<int64_t>(found.error().code));
+  if (!found || got.error != 0) return;
+  counts.compare(got.empty, !found->has_value());
+  if (!found->has_value() || got.empty) return;
+  counts.compare(static_cast<int64_t>(got.address),
+                 static_cast<int64_t>(kBase + tile_section + (*found)->begin));
+  counts.compare(static_cast<int64_t>(got.bytes),
+                 static_cast<int64_t>((*found)->end - (*found)->begin));
+}
+
+/// Random tiles of one stream, near each other or far.
+void run_stream(uint32_t seed, bool damaged, bool spoil, Counts& counts) {
+  std::vector<uint8_t> file = some_stream(seed);
+  const StreamHeader header = parse_header(file).value();
+  Random random(seed);
+  for (uint64_t i = header.sections[1].offset; damaged && i < file.size(); ++i) {
+    if (random.one_in(60))
+      file[static_cast<size_t>(i)] ^= static_cast<uint8_t>(1 << random.in(0, 7));
+  }
+  const StreamView view{file, header, Geometry(header)};
+  TileWalk dut;
+  dut.rst_n = 0;
+  tick(dut);
+  dut.rst_n = 1;
+  set_stream(dut, header);
+  ReadPort port(file, random);
+  const auto tiles = static_cast<int32_t>(view.geometry.tile_count());
+  int32_t tile = 0;
+  for (int turn = 0; turn < 300; ++turn) {
+    tile = random.one_in(3) ? random.in(0, tiles - 1) : (tile + random.in(0, 3)) % tiles;
+    if (random.one_in(100)) flush(dut);
+    port.spoil = spoil && random.one_in(2);
+    const Walked got = walk(dut, port, static_cast<uint64_t>(tile));
+    if (port.spoiled) {
+      counts.compare(got.error, kBusError);
+    } else {
+      expect_found(got, find_tile(view, static_cast<uint64_t>(tile), Probe{}),
+                   header.sections[3].offset, counts);
+    }
+  }
+}
+
+TEST(TileWalk, FindsWhatTheModelFinds) {
+  Counts counts;
+  for (uint32_t seed = 0; seed < 20; ++seed) run_stream(seed, false, false, counts);
+  expect_equal(counts, 12'000);
+}
+
+TEST(TileWalk, RefusesWhatTheModelRefuses) {
+  Counts counts;
+  for (uint32_t seed = 0; seed < 20; ++seed) run_stream(seed, true, false, counts);
+  expect_equal(counts, 8'000);
+}
+
+// What a bus error brought is not kept: later walks are right.
+TEST(TileWalk, KeepsNothingOfABusError) {
+  Counts counts;
+  for (uint32_t seed = 0; seed < 20; ++seed) run_stream(seed, seed % 2 == 1, true, counts);
+  expect_equal(counts, 8'000);
+}
+
+// A tile of a group that was seen before costs one read.
+TEST(TileWalk, KeepsTheGroupsItHasSeen) {
+  const std::vector<uint8_t> file = some_stream(4);
+  const StreamHeader header = parse_header(file).value();
+  const StreamView view{file, header, Geometry(header)};
+  Random random(1);
+  TileWalk dut;
+  dut.rst_n = 0;
+  tick(dut);
+  dut.rst_n = 1;
+  set_stream(dut, header);
+  ReadPort port(file, random);
+  uint64_t there = 0;
+  while (!find_tile(view, there, Probe{}).value()) ++there;
+  walk(dut, port, there);
+  EXPECT_EQ(port.requests, 3u) << "root entry, group record, end table";
+  walk(dut, port, there);
+  EXPECT_EQ(port.requests, 1u);
+  flush(dut);
+  walk(dut, port, there);
+  EXPECT_EQ(port.requests, 3u);
+}
+
+}  // namespace
+}  // namespace hmlfc::test
