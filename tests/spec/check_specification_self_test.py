@@ -80,8 +80,10 @@ constexpr std::array<ErrorText, kErrorCodeCount> kErrorTexts{{
 """
 
 SPECIFICATION = "docs/specification.md"
+RENDERING = "docs/rendering.md"
 CITING_TREE = {
     SPECIFICATION: CLAUSES,
+    RENDERING: "**[RAY-1]** A ray.\n",
     "model/samples/block.cpp": "// First (DEC-1).\n",
     "model/samples/block.hpp": "// Both (DEC-2 to\n// DEC-3).\n",
 }
@@ -136,6 +138,7 @@ class CitationsTest(SpecificationTest):
 
     def test_the_specification_and_the_guides_cite_as_well(self):
         self.plant(SPECIFICATION, "see DEC-1", "see DEC-7", "specification.md: cites DEC-7")
+        self.plant(RENDERING, "A ray", "See RAY-2", "rendering.md: cites RAY-2")
         self.plant("docs/guide.md", "x", "DEC-8", "docs/guide.md: cites DEC-8")
         self.plant("model/cli/info.cpp", "x", "// IDX-1", "model/cli/info.cpp: cites IDX-1")
         self.plant("model/cli/info.cpp", "x", "CRC-32C and UTF8 are no clauses")
@@ -154,6 +157,8 @@ class CitationsTest(SpecificationTest):
 
     def test_clause_defined_twice(self):
         self.plant(SPECIFICATION, "**[DEC-3]**", "**[DEC-2]** x\n**[DEC-3]**", "2 times")
+        both = ("specification.md: DEC-2 is defined 2 times", "rendering.md: DEC-2 is defined")
+        self.plant(RENDERING, "**[RAY-1]**", "**[DEC-2]** x\n**[RAY-1]**", *both)
 
     def test_exemption_of_nothing(self):
         self.plant(SPECIFICATION, "**[STR-1]** A", "A", "exempts STR-1")

@@ -1,6 +1,6 @@
 """Clauses in the sources: each one cited exists, each one that a decoder follows is cited."""
 
-from specification import SPECIFICATION, cited_clauses, defined_clauses, read
+from specification import RENDERING, SPECIFICATION, cited_clauses, defined_clauses, read
 
 SUFFIXES = {".cpp", ".hpp", ".py", ".md"}
 
@@ -9,6 +9,9 @@ CITING = ["model", "docs", "README.md"]
 
 # The layers of the decoder and its API.
 DECODER = ["model/bits", "model/values", "model/fields", "model/samples", "model/include"]
+
+# The normative documents, each with the code that follows its clauses.
+FOLLOWERS = {SPECIFICATION: DECODER, RENDERING: []}
 
 # Clauses that no line of a decoder can follow, with the reason.
 EXEMPT = {
@@ -26,18 +29,21 @@ def files_below(root, places):
 
 
 def violations(root):
-    defined = defined_clauses(read(root))
-    for clause in sorted(set(defined)):
-        if defined.count(clause) > 1:
-            yield f"{SPECIFICATION}: {clause} is defined {defined.count(clause)} times"
+    clauses = {document: defined_clauses(read(root, document)) for document in FOLLOWERS}
+    defined = [clause for found in clauses.values() for clause in found]
+    for document, found in clauses.items():
+        for clause in sorted(set(found)):
+            if defined.count(clause) > 1:
+                yield f"{document}: {clause} is defined {defined.count(clause)} times"
     for path in files_below(root, CITING):
         for clause in sorted(cited_clauses(path.read_text()) - set(defined)):
             yield f"{path.relative_to(root)}: cites {clause}, which the specification does not have"
-    followed = set()
-    for path in files_below(root, DECODER):
-        followed |= cited_clauses(path.read_text())
-    for clause in defined:
-        if clause not in followed and clause not in EXEMPT:
-            yield f"{SPECIFICATION}: {clause} is cited nowhere in the decoder"
+    for document, places in FOLLOWERS.items():
+        followed = set()
+        for path in files_below(root, places):
+            followed |= cited_clauses(path.read_text())
+        for clause in clauses[document]:
+            if places and clause not in followed and clause not in EXEMPT:
+                yield f"{document}: {clause} is cited nowhere in the code that follows it"
     for clause in sorted(set(EXEMPT) - set(defined)):
         yield f"tests/spec/citations.py: exempts {clause}, which the specification does not have"

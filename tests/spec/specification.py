@@ -1,17 +1,18 @@
-"""Reading docs/specification.md: its clauses and tables."""
+"""Reading the normative documents: their clauses and tables."""
 
 import re
 from pathlib import Path
 
 SPECIFICATION = Path("docs/specification.md")
+RENDERING = Path("docs/rendering.md")
 
 DEFINITION = re.compile(r"^\*\*\[([A-Z]+-\d+)\]\*\*", re.MULTILINE)
 CLAUSE = re.compile(r"\b[A-Z]{3,4}-\d+\b")
 CLAUSE_RANGE = re.compile(r"\b([A-Z]{3,4})-(\d+) to \1-(\d+)\b")
 
 
-def read(root):
-    return (root / SPECIFICATION).read_text()
+def read(root, document=SPECIFICATION):
+    return (root / document).read_text()
 
 
 def defined_clauses(text):
