@@ -23,10 +23,11 @@ ALLOWED = {
     "values": {"bits", "values"},
     "fields": {"bits", "values", "fields"},
     "samples": {"bits", "values", "fields", "samples"},
+    "render": {"bits", "values", "fields", "samples", "render"},
     "encoder": {"bits", "values", "fields", "samples", "encoder"},
     "io": {"io"},
     "scenes": {"scenes", "io"},
-    "cli": {"bits", "values", "fields", "samples", "encoder", "io", "scenes", "cli"},
+    "cli": {"bits", "values", "fields", "samples", "encoder", "render", "io", "scenes", "cli"},
 }
 
 # Folders with .cpp files and the one list that names them all, relative to the list's folder.

@@ -52,6 +52,7 @@ class LayersTest(unittest.TestCase):
             *(("values", layer) for layer in ("bits", "values")),
             *(("fields", layer) for layer in ("bits", "values", "fields")),
             *(("samples", layer) for layer in ("bits", "values", "fields", "samples")),
+            *(("render", layer) for layer in ("bits", "values", "fields", "samples", "render")),
             *(("encoder", layer) for layer in ("bits", "values", "fields", "samples", "encoder")),
             ("io", "io"),
             ("scenes", "io"),

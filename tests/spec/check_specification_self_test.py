@@ -86,6 +86,7 @@ CITING_TREE = {
     RENDERING: "**[RAY-1]** A ray.\n",
     "model/samples/block.cpp": "// First (DEC-1).\n",
     "model/samples/block.hpp": "// Both (DEC-2 to\n// DEC-3).\n",
+    "model/render/ray.hpp": "// One (RAY-1).\n",
 }
 ERROR_TREE = {
     SPECIFICATION: f"## Annex A: errors\n{ANNEX}\n## Annex B\n",
@@ -147,6 +148,7 @@ class CitationsTest(SpecificationTest):
         block = "model/samples/block.cpp"
         self.plant(block, "(DEC-1)", "", "DEC-1 is cited nowhere")
         self.plant("model/samples/block.hpp", "\n// DEC-3", "", "DEC-3 is cited nowhere")
+        self.plant("model/render/ray.hpp", "(RAY-1)", "", "rendering.md: RAY-1 is cited nowhere")
         self.plant(SPECIFICATION, "Third.", "Third.\n\n**[DEC-5]** x", "DEC-5 is cited nowhere")
 
     def test_the_encoder_does_not_count(self):
@@ -158,7 +160,8 @@ class CitationsTest(SpecificationTest):
     def test_clause_defined_twice(self):
         self.plant(SPECIFICATION, "**[DEC-3]**", "**[DEC-2]** x\n**[DEC-3]**", "2 times")
         both = ("specification.md: DEC-2 is defined 2 times", "rendering.md: DEC-2 is defined")
-        self.plant(RENDERING, "**[RAY-1]**", "**[DEC-2]** x\n**[RAY-1]**", *both)
+        nowhere = "rendering.md: DEC-2 is cited nowhere"
+        self.plant(RENDERING, "**[RAY-1]**", "**[DEC-2]** x\n**[RAY-1]**", *both, nowhere)
 
     def test_exemption_of_nothing(self):
         self.plant(SPECIFICATION, "**[STR-1]** A", "A", "exempts STR-1")

@@ -1,0 +1,106 @@
+// One pixel's ray in integers (docs/rendering.md, section 3).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <hmlfc/camera.hpp>
+
+#include "values/rounding.hpp"
+
+namespace hmlfc {
+
+/// Slopes in units of 2^-28, in [-2^30, 2^30 - 1] (RAY-2).
+struct Slopes {
+  int32_t x = 0;
+  int32_t y = 0;
+};
+
+/// Where a ray that is inside meets the light field (RAY-3, RAY-4).
+struct Ray {
+  int32_t u = 0;   ///< [0, (cols - 1) * 2^16], units of 2^-16 steps
+  int32_t v = 0;   ///< [0, (rows - 1) * 2^16]
+  int32_t xb = 0;  ///< units of 2^-12 pixels
+  int32_t yb = 0;
+};
+
+/// Half a step of views in the units of RAY-3, half a pixel in those of RAY-4.
+inline constexpr int32_t kHalfStep = 1 << 15;
+inline constexpr int32_t kHalfPixel = 1 << 11;
+
+/// One component of a direction (RAY-1): a, b in [-4095, 4095].
+constexpr int32_t direction(int32_t n0_hi, int32_t n0_lo, int32_t na_hi, int32_t na_lo,
+                            int32_t nb_hi, int32_t nb_lo, int32_t a, int32_t b) {
+  return n0_hi + a * na_hi + b * nb_hi + floor_shift(n0_lo + a * na_lo + b * nb_lo, 12);
+}
+
+/// The direction of pixel (i, j) (RAY-1).
+constexpr IntVector direction(const FrameRecord& f, int32_t i, int32_t j) {
+  const int32_t a = 2 * i + 1 - f.frame_width;
+  const int32_t b = 2 * j + 1 - f.frame_height;
+  return {direction(f.n0_hi.x, f.n0_lo.x, f.na_hi.x, f.na_lo.x, f.nb_hi.x, f.nb_lo.x, a, b),
+          direction(f.n0_hi.y, f.n0_lo.y, f.na_hi.y, f.na_lo.y, f.nb_hi.y, f.nb_lo.y, a, b),
+          direction(f.n0_hi.z, f.n0_lo.z, f.na_hi.z, f.na_lo.z, f.nb_hi.z, f.nb_lo.z, a, b)};
+}
+
+/// floor((x * y) / 2^k), the product in 64 bits.
+constexpr int32_t multiply_shift(int32_t x, int32_t y, int k) {
+  return static_cast<int32_t>((int64_t{x} * y) >> k);
+}
+
+/// r of RAY-2: the reciprocal of n.z in [2^26, 3 * 2^28 + 2].
+constexpr int32_t reciprocal(int32_t nz) {
+  return static_cast<int32_t>(((uint64_t{1} << 57) - 1) / static_cast<uint64_t>(nz));
+}
+
+/// RAY-2; nothing for a pixel that is outside.
+constexpr std::optional<Slopes> slopes(const IntVector& n) {
+  const int32_t x = n.x < 0 ? -n.x : n.x;
+  const int32_t y = n.y < 0 ? -n.y : n.y;
+  if (n.z < (1 << 26) || (x >> 2) >= n.z || (y >> 2) >= n.z) return std::nullopt;
+  const int32_t r = reciprocal(n.z);
+  return Slopes{multiply_shift(n.x, r, 29), multiply_shift(n.y, r, 29)};
+}
+
+/// The place on one axis of the grid of `views` views (RAY-3); nothing outside it.
+constexpr std::optional<int32_t> place_among_views(int32_t place, int32_t views) {
+  const int32_t last = (views - 1) << 16;
+  if (views > 1 && (place < -kHalfStep || place > last + kHalfStep)) return std::nullopt;
+  return clamp(place, 0, last);
+}
+
+/// Whether a coordinate lies in a picture of `size` pixels along its axis (RAY-5).
+constexpr bool is_in_picture(int32_t x, int32_t size) {
+  return x >= -kHalfPixel && x <= (size << 12) - kHalfPixel - 1;
+}
+
+/// The nearest view on one axis (RAY-5).
+constexpr int32_t nearest_view(int32_t place) { return (place + kHalfStep) >> 16; }
+
+/// x(c) of RAY-4.
+constexpr int32_t x_in_view(const FrameRecord& f, int32_t xb, int32_t col) {
+  return xb + f.dx * (col - f.c0);
+}
+
+/// y(r) of RAY-4.
+constexpr int32_t y_in_view(const FrameRecord& f, int32_t yb, int32_t row) {
+  return yb + f.dy * (row - f.r0);
+}
+
+/// The ray of pixel (i, j); nothing if the pixel is outside (RAY-6).
+constexpr std::optional<Ray> trace(const FrameRecord& f, int32_t i, int32_t j) {
+  const auto slope = slopes(direction(f, i, j));
+  if (!slope) return std::nullopt;
+  const auto u = place_among_views(f.u0 - multiply_shift(f.zu, slope->x, 28), f.cols);
+  const auto v = place_among_views(f.v0 - multiply_shift(f.zv, slope->y, 28), f.rows);
+  if (!u || !v) return std::nullopt;
+  const Ray ray{*u, *v, f.x0 + multiply_shift(f.gain, slope->x, 28),
+                f.y0 + multiply_shift(f.gain, slope->y, 28)};
+  if (!is_in_picture(x_in_view(f, ray.xb, nearest_view(ray.u)), f.width) ||
+      !is_in_picture(y_in_view(f, ray.yb, nearest_view(ray.v)), f.height)) {
+    return std::nullopt;
+  }
+  return ray;
+}
+
+}  // namespace hmlfc
