@@ -1,6 +1,6 @@
 #include "samples/rgb_picture.hpp"
 
-#include "values/colour.hpp"
+#include "samples/colour_row.hpp"
 
 namespace hmlfc {
 
@@ -18,18 +18,18 @@ RgbImage rgb_picture(const std::array<SamplePlane, kPlaneCount>& planes, const R
   image.samples.resize(size_t{rect.width} * rect.height * 3);
   const Rect chroma = chroma_rect(rect, halved);
   const unsigned shift = halved ? 1 : 0;
-  uint16_t* out = image.samples.data();
+  // A first pixel at an odd x has the second half of its sample of chroma.
+  const bool odd = halved && rect.x % 2 != 0;
   for (uint32_t y = 0; y < rect.height; ++y) {
     const auto luma = planes[0].row(y);
-    const auto co = planes[1].row(((rect.y + y) >> shift) - chroma.y);
-    const auto cg = planes[2].row(((rect.y + y) >> shift) - chroma.y);
-    for (uint32_t x = 0; x < rect.width; ++x) {
-      const uint32_t c = ((rect.x + x) >> shift) - chroma.x;
-      const Rgb pixel = inverse_colour({luma[x], co[c], cg[c]}, depth);
-      *out++ = static_cast<uint16_t>(pixel.r);
-      *out++ = static_cast<uint16_t>(pixel.g);
-      *out++ = static_cast<uint16_t>(pixel.b);
-    }
+    const uint32_t row = ((rect.y + y) >> shift) - chroma.y;
+    const int16_t* co = planes[1].row(row).data();
+    const int16_t* cg = planes[2].row(row).data();
+    uint16_t* out = image.samples.data() + size_t{y} * rect.width * 3;
+    if (odd) write_rgb({luma.data(), co, cg, 1, true, depth}, out);
+    const uint32_t first = odd ? 1 : 0;
+    write_rgb({luma.data() + first, co + first, cg + first, rect.width - first, halved, depth},
+              out + 3 * first);
   }
   return image;
 }

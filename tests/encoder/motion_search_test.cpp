@@ -8,11 +8,11 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 #include <rapidcheck/gtest.h>
 
 #include "encoder/motion_search.hpp"
 #include "encoder/motion_search_case.hpp"
+#include "support/instruction_sets.hpp"
 
 namespace hmlfc {
 namespace {
@@ -30,14 +30,10 @@ constexpr Plane kPlanes[] = {{1, 1}, {3, 2}, {2, 40}, {50, 5}, {61, 47}};
 class MotionSearch : public testing::TestWithParam<int64_t> {
  protected:
   void SetUp() override {
-    hwy::SetSupportedTargetsForTest(GetParam());
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    ASSERT_STREQ(motion_search_instruction_set(), hwy::TargetName(GetParam()));
+    ASSERT_EQ(motion_search_instruction_set(), instruction_set_name(GetParam()));
   }
-  void TearDown() override {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().DeInit();
-  }
+
+  const ChosenInstructionSet chosen_{GetParam()};
 
   /// Compares at the four corners, the four borders and inside, for one window and all else.
   void compare_everywhere(int window) {
@@ -232,14 +228,8 @@ TEST_P(MotionSearch, HintsOutsideTheWindowAreNoCandidates) {
   }
 }
 
-std::vector<int64_t> instruction_sets() { return hwy::SupportedAndGeneratedTargets(); }
-
-std::string instruction_set_name(const testing::TestParamInfo<int64_t>& target) {
-  return hwy::TargetName(target.param);
-}
-
 INSTANTIATE_TEST_SUITE_P(On, MotionSearch, testing::ValuesIn(instruction_sets()),
-                         instruction_set_name);
+                         [](const auto& target) { return instruction_set_name(target.param); });
 
 RC_GTEST_PROP(MotionSearchProperty, EqualsTheDefinition, (uint32_t seed)) {
   Random random(seed);

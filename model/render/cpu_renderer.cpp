@@ -1,0 +1,153 @@
+// The fast renderer: plan, decode what is missing, sample.
+#include <hmlfc/renderer.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "render/frame_planner.hpp"
+#include "render/frame_sampler.hpp"
+#include "render/page_loader.hpp"
+#include "render/shown_image.hpp"
+#include "samples/memory_guard.hpp"
+
+namespace hmlfc {
+namespace {
+
+// Seconds since the last call, or since it was made.
+class Laps {
+ public:
+  double next() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> lap = now - begin_;
+    begin_ = now;
+    return lap.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+class CpuRenderer final : public FrameRenderer {
+ public:
+  CpuRenderer(const Decoder& decoder, const RenderOptions& options)
+      : decoder_(decoder),
+        cache_(decoder.header(), options.cache_bytes),
+        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+
+  Result<void> render(const FrameRecord& record, int stop_level, Frame& frame) override {
+    if (!fits(record, decoder_.header(), stop_level)) {
+      return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
+    }
+    return guard_memory(
+        [&] { return arena_.execute([&] { return render_here(record, stop_level, frame); }); });
+  }
+
+ private:
+  Result<void> render_here(const FrameRecord& record, int stop_level, Frame& frame) {
+    Laps laps;
+    cache_.begin_frame();
+    frame.counts = {};
+    frame.counts.samples_interpolated = plan_frame(record, stop_level, decoder_.header(), cache_);
+    count_blocks(frame.counts);
+    frame.seconds.plan = laps.next();
+    if (auto ok = load(stop_level); !ok) {
+      cache_.end_frame();
+      return ok;
+    }
+    frame.seconds.decode = laps.next();
+    sample_frame(record, stop_level, decoder_.header(), cache_, frame.image);
+    cache_.end_frame();
+    frame.seconds.sample = laps.next();
+    return {};
+  }
+
+  // Needed blocks, and those of them that are held.
+  void count_blocks(FrameCounts& counts) {
+    for (CachedView* view : cache_.used()) {
+      view->derive_chroma();
+      counts.blocks_needed += view->needed.count() + 2 * view->needed_chroma.count();
+      counts.blocks_decoded += view->needed.count_without(view->held) +
+                               2 * view->needed_chroma.count_without(view->held_chroma);
+    }
+    counts.blocks_reused = counts.blocks_needed - counts.blocks_decoded;
+  }
+
+  struct Missing {
+    CachedView* view;
+    uint32_t page;
+  };
+
+  std::vector<Missing> missing_pages() {
+    std::vector<Missing> missing;
+    for (CachedView* view : cache_.used()) {
+      for (uint32_t page = 0; page < cache_.shape().pages; ++page) {
+        if (view->misses_in_page(page)) missing.push_back({view, page});
+      }
+    }
+    return missing;
+  }
+
+  Result<void> load(int stop_level) {
+    cache_.make_room();
+    const std::vector<Missing> missing = missing_pages();
+    // Pages are made by one thread: their views' tables of rows are not shared then.
+    for (const Missing& at : missing) at.view->page(at.page);
+    std::atomic<bool> failed = false;
+    tbb::parallel_for(size_t{0}, missing.size(), [&](size_t i) {
+      const Missing& at = missing[i];
+      const auto ok = guard_memory(
+          [&] { return load_page(decoder_, cache_.shape(), stop_level, *at.view, at.page); });
+      if (!ok) failed = true;
+    });
+    if (!failed) return {};
+    return tl::unexpected(first_error(stop_level));
+  }
+
+  // The error of the first needed block that does not decode (NED-2).
+  Error first_error(int stop_level) {
+    for (CachedView* view : cache_.used()) {
+      for (const Plane plane : kPlanes) {
+        const bool luma = plane == Plane::kY;
+        const BlockBits& needed = luma ? view->needed : view->needed_chroma;
+        const BlockBits& held = luma ? view->held : view->held_chroma;
+        const auto error = first_error_in(view->place(), plane, needed, held, stop_level);
+        if (error) return *error;
+      }
+    }
+    return {ErrorCode::kOutOfMemory, Section::kHeader, 0};
+  }
+
+  std::optional<Error> first_error_in(ViewPos view, Plane plane, const BlockBits& needed,
+                                      const BlockBits& held, int stop_level) const {
+    std::optional<Error> error;
+    const uint32_t rows =
+        plane == Plane::kY ? cache_.shape().blocks_y : cache_.shape().chroma_blocks_y;
+    for (uint32_t by = 0; by < rows && !error; ++by) {
+      needed.for_each_run_without(held, by, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t bx = begin; bx < end && !error; ++bx) {
+          const auto block = decoder_.decode_block({view, plane, bx, by}, stop_level);
+          if (!block) error = block.error();
+        }
+      });
+    }
+    return error;
+  }
+
+  const Decoder& decoder_;
+  ViewCache cache_;
+  tbb::task_arena arena_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameRenderer> make_cpu_renderer(const Decoder& decoder,
+                                                 const RenderOptions& options) {
+  return std::make_unique<CpuRenderer>(decoder, options);
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,73 @@
+#include "render/frame_sampler.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "render/row_kernels.hpp"
+#include "render/view_lookup.hpp"
+
+namespace hmlfc {
+namespace {
+
+constexpr int32_t kTaskRows = 16;
+
+// What one task needs to sample rows.
+class RowSampler {
+ public:
+  RowSampler(const FrameRecord& record, int stop_level, const StreamHeader& header,
+             ViewCache& cache)
+      : record_(record),
+        two_bytes_(cache.shape().sample_bytes == 2),
+        interpolated_(record.filter == static_cast<int32_t>(Filter::kQuadrilinear)),
+        views_(cache, header, stop_level),
+        rays_(static_cast<size_t>(record.frame_width)),
+        taps_(static_cast<size_t>(record.frame_width)),
+        sums_(static_cast<size_t>(record.frame_width) * 4) {}
+
+  void sample(int32_t j, uint16_t* out) {
+    trace_row(record_, j, rays_);
+    std::fill(sums_.begin(), sums_.end(), 0u);  // RAY-6
+    for_each_run(record_, rays_, [&](const RayRun& run) {
+      find_taps(record_, rays_, run, taps_);
+      find_weights(record_, rays_, run, taps_);
+      for (int32_t row = 0; row < taps_.rows.views; ++row) {
+        for (int32_t col = 0; col < taps_.cols.views; ++col) {
+          const CachedView& view = views_.at(run.first_row + row, run.first_col + col);
+          add_view({view.rows(), two_bytes_}, run, taps_, interpolated_, col, row, sums_.data());
+        }
+      }
+    });
+    round_row(sums_.data(), record_.frame_width, out);
+  }
+
+ private:
+  const FrameRecord& record_;
+  bool two_bytes_;
+  bool interpolated_;
+  ViewLookup views_;
+  RowRays rays_;
+  RunTaps taps_;
+  std::vector<uint32_t> sums_;
+};
+
+}  // namespace
+
+void sample_frame(const FrameRecord& record, int stop_level, const StreamHeader& header,
+                  ViewCache& cache, RgbImage& image) {
+  image.width = static_cast<uint32_t>(record.frame_width);
+  image.height = static_cast<uint32_t>(record.frame_height);
+  image.depth = header.depth;
+  image.samples.resize(size_t{image.width} * image.height * 3);
+  const tbb::blocked_range<int32_t> rows(0, record.frame_height, kTaskRows);
+  tbb::parallel_for(rows, [&](const tbb::blocked_range<int32_t>& part) {
+    RowSampler sampler(record, stop_level, header, cache);
+    for (int32_t j = part.begin(); j < part.end(); ++j) {
+      sampler.sample(j, image.samples.data() + static_cast<size_t>(j) * image.width * 3);
+    }
+  });
+}
+
+}  // namespace hmlfc

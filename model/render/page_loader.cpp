@@ -1,0 +1,149 @@
+#include "render/page_loader.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "samples/block_rect.hpp"
+#include "samples/colour_row.hpp"
+
+namespace hmlfc {
+namespace {
+
+// Rectangles that cover exactly the blocks of rows [first, last) that are needed and not held:
+// runs of a row, with the same run in the rows below it.
+std::vector<BlockRect> missing_rects(const BlockBits& needed, const BlockBits& held, uint32_t first,
+                                     uint32_t last) {
+  std::vector<BlockRect> rects;
+  size_t open = 0;  // rects[open...] reach down to the row before
+  for (uint32_t by = first; by < last; ++by) {
+    std::vector<BlockRect> row;
+    needed.for_each_run_without(held, by, [&](uint32_t begin, uint32_t end) {
+      row.push_back({begin, by, end, by + 1});
+    });
+    const size_t end_open = rects.size();
+    size_t next_open = end_open;
+    for (const BlockRect& run : row) {
+      const auto above = std::find_if(
+          rects.begin() + static_cast<ptrdiff_t>(open),
+          rects.begin() + static_cast<ptrdiff_t>(end_open), [&](const BlockRect& rect) {
+            return rect.bx0 == run.bx0 && rect.bx1 == run.bx1 && rect.by1 == by;
+          });
+      if (above != rects.begin() + static_cast<ptrdiff_t>(end_open)) {
+        above->by1 = by + 1;
+        next_open = std::min(next_open, static_cast<size_t>(above - rects.begin()));
+      } else {
+        rects.push_back(run);
+      }
+    }
+    open = next_open;
+  }
+  return rects;
+}
+
+class PageLoader {
+ public:
+  PageLoader(const Decoder& decoder, const ViewShape& shape, int stop_level, CachedView& view,
+             uint32_t page)
+      : decoder_(decoder),
+        shape_(shape),
+        stop_level_(stop_level),
+        view_(view),
+        number_(page),
+        page_(view.page(page)) {}
+
+  Result<void> run() {
+    const auto chroma = missing_rects(
+        view_.needed_chroma, view_.held_chroma, number_ * shape_.page_chroma_block_rows(),
+        std::min((number_ + 1) * shape_.page_chroma_block_rows(), shape_.chroma_blocks_y));
+    for (const BlockRect& rect : chroma) {
+      if (auto ok = load_chroma(rect); !ok) return ok;
+    }
+    const auto luma =
+        missing_rects(view_.needed, view_.held, number_ * shape_.page_block_rows(),
+                      std::min((number_ + 1) * shape_.page_block_rows(), shape_.blocks_y));
+    for (const BlockRect& rect : luma) {
+      if (auto ok = load_luma(rect); !ok) return ok;
+    }
+    for (const BlockRect& rect : chroma) hold(rect, view_.held_chroma);
+    for (const BlockRect& rect : luma) hold(rect, view_.held);
+    return {};
+  }
+
+ private:
+  // The samples of `blocks` that lie in a plane of this size.
+  Rect samples_of(const BlockRect& blocks, uint32_t width, uint32_t height) const {
+    const unsigned log2 = shape_.block_log2;
+    const uint32_t x = blocks.bx0 << log2;
+    const uint32_t y = blocks.by0 << log2;
+    return {x, y, std::min(blocks.bx1 << log2, width) - x,
+            std::min(blocks.by1 << log2, height) - y};
+  }
+
+  Result<void> load_chroma(const BlockRect& blocks) {
+    const Rect rect = samples_of(blocks, shape_.chroma_width, shape_.chroma_height);
+    const uint32_t top = number_ * shape_.page_chroma_rows();
+    for (const Plane plane : {Plane::kCo, Plane::kCg}) {
+      const auto samples = decoder_.decode_rect(view_.place(), plane, rect, stop_level_);
+      if (!samples) return tl::unexpected(samples.error());
+      int16_t* out = page_.chroma[plane == Plane::kCo ? 0 : 1].data() +
+                     size_t{rect.y - top} * shape_.chroma_width + rect.x;
+      for (uint32_t j = 0; j < rect.height; ++j) {
+        std::copy_n(samples->data() + size_t{j} * rect.width, rect.width,
+                    out + size_t{j} * shape_.chroma_width);
+      }
+    }
+    return {};
+  }
+
+  Result<void> load_luma(const BlockRect& blocks) {
+    const Rect rect = samples_of(blocks, shape_.width, shape_.height);
+    const auto samples = decoder_.decode_rect(view_.place(), Plane::kY, rect, stop_level_);
+    if (!samples) return tl::unexpected(samples.error());
+    for (uint32_t j = 0; j < rect.height; ++j) {
+      write_pixels(rect, rect.y + j, samples->data() + size_t{j} * rect.width);
+    }
+    return {};
+  }
+
+  // Row `y` of the view, from the samples of Y of its pixels in `rect`.
+  void write_pixels(const Rect& rect, uint32_t y, const int16_t* luma) {
+    const unsigned shift = shape_.chroma_shift;
+    const uint32_t in_page = y - number_ * kPageRows;
+    const size_t chroma = size_t{in_page >> shift} * shape_.chroma_width + (rect.x >> shift);
+    const ColourRow row{luma,
+                        page_.chroma[0].data() + chroma,
+                        page_.chroma[1].data() + chroma,
+                        rect.width,
+                        shift != 0,
+                        shape_.depth};
+    uint8_t* out = page_.pixels.data() + in_page * shape_.row_bytes() +
+                   size_t{rect.x} * kPixelSamples * shape_.sample_bytes;
+    if (shape_.sample_bytes == 1) {
+      write_rgbx(row, out);
+    } else {
+      write_rgbx(row, reinterpret_cast<uint16_t*>(out));
+    }
+  }
+
+  static void hold(const BlockRect& rect, BlockBits& held) {
+    for (uint32_t by = rect.by0; by < rect.by1; ++by) {
+      for (uint32_t bx = rect.bx0; bx < rect.bx1; ++bx) held.set(bx, by);
+    }
+  }
+
+  const Decoder& decoder_;
+  const ViewShape& shape_;
+  int stop_level_;
+  CachedView& view_;
+  uint32_t number_;
+  ViewPage& page_;
+};
+
+}  // namespace
+
+Result<void> load_page(const Decoder& decoder, const ViewShape& shape, int stop_level,
+                       CachedView& view, uint32_t page) {
+  return PageLoader(decoder, shape, stop_level, view, page).run();
+}
+
+}  // namespace hmlfc

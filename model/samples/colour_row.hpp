@@ -1,0 +1,31 @@
+// Rows of samples to pixels (COL-2, COL-3), with vectors of the instruction set chosen at run time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hmlfc {
+
+/// The samples of a row of pixels, in their ranges (STR-7).
+struct ColourRow {
+  const int16_t* y = nullptr;
+  const int16_t* co = nullptr;  ///< of the first pixel, whose x is even where chroma is halved
+  const int16_t* cg = nullptr;
+  size_t pixels = 0;
+  bool halved = false;  ///< two pixels share a sample of Co and Cg
+  int depth = 8;        ///< [8, 12]
+};
+
+/// R, G and B of each pixel.
+void write_rgb(const ColourRow& row, uint16_t* out);
+
+/// R, G, B and 0 of each pixel; at depth 8.
+void write_rgbx(const ColourRow& row, uint8_t* out);
+
+/// R, G, B and 0 of each pixel.
+void write_rgbx(const ColourRow& row, uint16_t* out);
+
+/// The name of the instruction set chosen, such as "AVX2".
+const char* colour_instruction_set();
+
+}  // namespace hmlfc
