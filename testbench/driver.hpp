@@ -1,16 +1,10 @@
 // Offers requests and takes answers.
 #pragma once
 
-#include <functional>
-#include <optional>
-
 #include "conditions.hpp"
 #include "wires.hpp"
 
 namespace hmlfc::tb {
-
-/// Gives the next request, or nothing when there is none left.
-using RequestSource = std::function<std::optional<Request>()>;
 
 /// Master of s_request_* and slave of m_response_*: holds a request until it is taken.
 class Driver final : public EdgeModule {

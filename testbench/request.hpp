@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include <hmlfc/error.hpp>
@@ -52,6 +54,9 @@ struct Request {
 
   friend bool operator==(const Request&, const Request&) = default;
 };
+
+/// Gives the next request, or nothing when there is none left.
+using RequestSource = std::function<std::optional<Request>()>;
 
 /// "Y", "Co", "Cg" or "RGB".
 inline std::string plane_text(unsigned plane) {

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "fields/tile_layout.hpp"
+#include "random.hpp"
 #include "values/rounding.hpp"
 
 namespace hmlfc::tb {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "conditions.hpp"
-#include "driver.hpp"
 #include "fields/geometry.hpp"
+#include "request.hpp"
 
 namespace hmlfc::tb {
 

@@ -1,36 +1,14 @@
 #include "suite.hpp"
 
-#include "bits/crc32c.hpp"
 #include "failure_folder.hpp"
-#include "fields/header.hpp"
 #include "sequences.hpp"
-#include "support/test_light_fields.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
 constexpr uint64_t kRequests = 400;
 constexpr unsigned kBadPermille = 50;
-constexpr size_t kCrcBytes = 4;
 constexpr size_t kHistory = 128;
-
-// Changes bytes of [begin, end) of `bytes`, about one in `spacing`, at least one.
-void change_bytes(std::vector<uint8_t>& bytes, uint64_t begin, uint64_t end, uint64_t spacing,
-                  Random& random) {
-  if (begin >= end) return;
-  const uint64_t count = 1 + (end - begin) / spacing;
-  for (uint64_t i = 0; i < count; ++i) {
-    bytes[static_cast<size_t>(begin + random.below(end - begin))] ^=
-        static_cast<uint8_t>(1u << random.below(8));
-  }
-}
-
-void repair_header_crc(std::vector<uint8_t>& bytes, size_t header_bytes) {
-  const uint32_t crc = crc32c(std::span(bytes).first(header_bytes - kCrcBytes));
-  for (size_t i = 0; i < kCrcBytes; ++i) {
-    bytes[header_bytes - kCrcBytes + i] = static_cast<uint8_t>(crc >> (8 * i));
-  }
-}
 
 // The steps of one case.
 class CaseRun {
@@ -122,51 +100,6 @@ class CaseRun {
 };
 
 }  // namespace
-
-std::vector<uint8_t> suite_stream(uint32_t seed, unsigned block_size) {
-  auto made = test::random_case_of_any_profile(seed);
-  made.params.block_size = block_size;
-  made.params.threads = 1;
-  return encode(test::textured_light_field(made.shape, seed, made.noise), made.params)->bytes;
-}
-
-Damage suite_damage(uint32_t seed) {
-  constexpr std::array kDamages{Damage::kNone,      Damage::kIndexAndTiles, Damage::kNone,
-                                Damage::kKeyImages, Damage::kNone,          Damage::kHeaderField,
-                                Damage::kNone,      Damage::kIndexAndTiles, Damage::kNone,
-                                Damage::kCut,       Damage::kNone,          Damage::kHeaderByte};
-  // Seeds alternate between the profiles; so do the damages of each profile.
-  return kDamages[(seed / 2 + seed % 2) % kDamages.size()];
-}
-
-void spoil(std::vector<uint8_t>& stream, Damage damage, uint64_t seed) {
-  Random random(seed);
-  const auto header = parse_header(stream);
-  if (!header) return;
-  const size_t header_bytes = header_size(header->tree_height);
-  const auto& top = header->sections[0];
-  switch (damage) {
-    case Damage::kNone:
-      return;
-    case Damage::kIndexAndTiles:
-      change_bytes(stream, top.offset + top.size, stream.size(), 300, random);
-      return;
-    case Damage::kKeyImages: {
-      const uint64_t table = Geometry(*header).key_count() * kPlaneCount * kTopEntryBytes;
-      change_bytes(stream, top.offset + table, top.offset + top.size, 3000, random);
-      return;
-    }
-    case Damage::kHeaderField:
-      change_bytes(stream, 12, header_bytes - kCrcBytes, 1000, random);
-      repair_header_crc(stream, header_bytes);
-      return;
-    case Damage::kHeaderByte:
-      change_bytes(stream, 0, header_bytes, 1000, random);
-      return;
-    case Damage::kCut:
-      stream.resize(random.below(stream.size()));
-  }
-}
 
 SuiteResult run_case(Bench& bench, const UnitMaker& maker, StreamImage& image, uint64_t seed) {
   bench.attach(maker.make(maker.parameters));

@@ -5,23 +5,11 @@
 #include <vector>
 
 #include "bench.hpp"
+#include "random_stream.hpp"
 #include "stream_image.hpp"
 #include "units.hpp"
 
 namespace hmlfc::tb {
-
-/// How a stream is spoiled before it is loaded.
-enum class Damage : uint8_t { kNone, kIndexAndTiles, kKeyImages, kHeaderField, kHeaderByte, kCut };
-
-/// Spoils `stream`, which is intact, by `seed`. With kHeaderField the header's CRC is right again.
-void spoil(std::vector<uint8_t>& stream, Damage damage, uint64_t seed);
-
-/// The stream of case `seed`: of a random light field of either profile, with blocks of
-/// `block_size`. Intact.
-std::vector<uint8_t> suite_stream(uint32_t seed, unsigned block_size);
-
-/// How the stream of case `seed` is spoiled: half of them are not.
-Damage suite_damage(uint32_t seed);
 
 /// What one case found.
 struct SuiteResult {
