@@ -1,11 +1,13 @@
 // Writes hmlfc_tables.svh to standard output: the numbers that the decode unit shares with the
-// golden model, taken from the model. A test compares the file in the repository with it.
+// golden model, taken from the model; with the argument `glsl` hmlfc_tables.glsl, those that the
+// shaders share with it. A test compares the files in the repository with these.
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <hmlfc/error.hpp>
@@ -14,6 +16,7 @@
 #include "fields/disparity_tile.hpp"
 #include "fields/header.hpp"
 #include "fields/motion_tile.hpp"
+#include "shader_tables.hpp"
 #include "values/bise_digits.hpp"
 #include "values/levels.hpp"
 #include "values/steps.hpp"
@@ -227,4 +230,10 @@ void put_all() {
 }  // namespace
 }  // namespace hmlfc
 
-int main() { hmlfc::put_all(); }
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "glsl") {
+    hmlfc::put_shader_tables();
+  } else {
+    hmlfc::put_all();
+  }
+}

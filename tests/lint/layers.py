@@ -36,6 +36,7 @@ SOURCE_LISTS = {
     "tests": "tests/CMakeLists.txt",
     "bench": "bench/CMakeLists.txt",
     "testbench": "testbench/CMakeLists.txt",
+    "gpu_ref": "gpu_ref/CMakeLists.txt",
 }
 # A project of its own, with its own list.
 OWN_PROJECTS = ["tests/consumer/project"]

@@ -4,7 +4,7 @@
 # Compares TABLES, the file in the repository, with what GENERATOR prints; TARGET writes it anew. With
 # FAULT the last digit of that text is changed in a copy of TABLES, and the comparison must find it.
 file(MAKE_DIRECTORY "${WORK}")
-execute_process(COMMAND "${GENERATOR}" ${ARGUMENT} OUTPUT_FILE "${WORK}/expected.svh" RESULT_VARIABLE status)
+execute_process(COMMAND "${GENERATOR}" ${ARGUMENT} OUTPUT_FILE "${WORK}/expected" RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "${GENERATOR} failed: ${status}")
 endif()
@@ -18,7 +18,7 @@ if(FAULT)
   set(content "${changed}")
 endif()
 
-file(READ "${WORK}/expected.svh" expected)
+file(READ "${WORK}/expected" expected)
 if(content STREQUAL expected)
   set(differs FALSE)
 else()

@@ -2,10 +2,10 @@
 
 from specification import RENDERING, SPECIFICATION, cited_clauses, defined_clauses, read
 
-SUFFIXES = {".cpp", ".hpp", ".py", ".md"}
+SUFFIXES = {".cpp", ".hpp", ".py", ".md", ".glsl", ".comp"}
 
 # Where clauses are cited.
-CITING = ["model", "docs", "README.md"]
+CITING = ["model", "gpu_ref", "docs", "README.md"]
 
 # The layers of the decoder and its API.
 DECODER = ["model/bits", "model/values", "model/fields", "model/samples", "model/include"]

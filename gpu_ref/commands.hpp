@@ -1,0 +1,43 @@
+// One submission: kernels and copies in order, with the time of each stage.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "buffer.hpp"
+#include "device_state.hpp"
+#include "gpu_decoder.hpp"
+
+namespace hmlfc::gpu {
+
+/// Greatest number of invocations of one dispatch.
+inline constexpr uint64_t kMaxInvocations = uint64_t{1} << 31;
+
+/// Records commands and runs them once. What a command writes is seen by all commands after it.
+class Commands {
+ public:
+  explicit Commands(Device::State& device);
+
+  /// `invocations` invocations, in [0, kMaxInvocations], as stage `name` of the times.
+  void dispatch(const std::string& name, Kernel kernel, const Variant& variant,
+                const Arguments& arguments, uint64_t invocations);
+
+  /// Bytes [from_offset, from_offset + bytes) to `to`; nothing for 0 bytes.
+  void copy(const Buffer& from, uint64_t from_offset, const Buffer& to, uint64_t to_offset,
+            uint64_t bytes);
+
+  /// Submits everything, waits, and returns the time of each stage; none without timestamps.
+  std::vector<StageTime> run();
+
+ private:
+  void barrier();
+  void write_time(uint32_t query);
+
+  Device::State* device_;
+  vk::raii::CommandBuffer buffer_;
+  vk::raii::QueryPool queries_;
+  std::vector<std::string> stages_;  // stage k has queries 2k and 2k + 1
+};
+
+}  // namespace hmlfc::gpu

@@ -1,0 +1,60 @@
+// A Vulkan device that the decoder runs on.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "failure.hpp"
+
+namespace hmlfc::gpu {
+
+/// A device of this machine.
+struct DeviceInfo {
+  std::string name;          ///< as the driver gives it
+  std::string kind;          ///< "GPU", "CPU" or "other"
+  std::string missing;       ///< what it lacks for the decoder, or empty
+  uint64_t max_binding = 0;  ///< bytes of its largest storage buffer binding
+};
+
+struct DeviceOptions {
+  /// The number of a device of list_devices() or a part of its name, in any case. Empty: the first
+  /// GPU that can run the decoder, else the first other device that can.
+  std::string device;
+  /// Runs under the Khronos validation layer, which must be installed.
+  bool validation = false;
+  /// Largest buffer in bytes for stream and reference area; 0: the device's own limit. Else a power
+  /// of two, at least 64.
+  uint64_t chunk_bytes = 0;
+  /// For tests: every buffer ends at a page that nobody may touch, so that an access past its end
+  /// ends the process. Of devices on the host, with VK_EXT_external_memory_host.
+  bool guard_pages = false;
+};
+
+/// All devices of this machine, in the driver's order. Fails where there is no Vulkan.
+Outcome<std::vector<DeviceInfo>> list_devices();
+
+/// An open device. Not to be used by two threads at once.
+class Device {
+ public:
+  static Outcome<Device> open(const DeviceOptions& options = {});
+
+  Device(Device&&) noexcept;
+  Device& operator=(Device&&) noexcept;
+  ~Device();
+
+  const DeviceInfo& info() const;
+
+  /// What the validation layer has said so far, one message an entry; empty without validation.
+  const std::vector<std::string>& validation_messages() const;
+
+  struct State;
+  State& state() { return *state_; }
+
+ private:
+  explicit Device(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hmlfc::gpu

@@ -1,0 +1,54 @@
+// What an open device holds.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "device.hpp"
+#include "kernels.hpp"
+#include "vulkan.hpp"
+
+namespace hmlfc::gpu {
+
+/// Thrown inside this folder with the message of a Failure; caught at its public functions.
+class MachineError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Device::State {
+  vk::raii::Context context;
+  std::vector<std::string> messages;
+  std::optional<vk::raii::Instance> instance;
+  std::optional<vk::raii::DebugUtilsMessengerEXT> messenger;
+  std::optional<vk::raii::PhysicalDevice> physical;
+  std::optional<vk::raii::Device> device;
+  std::optional<vk::raii::Queue> queue;
+  std::optional<vk::raii::CommandPool> pool;
+  std::optional<Kernels> kernels;
+  DeviceInfo info;
+  uint64_t chunk_bytes = 0;       ///< largest buffer of stream and reference area
+  uint64_t max_buffer_bytes = 0;  ///< largest buffer of anything else
+  uint32_t max_groups = 65535;    ///< workgroups in one dimension
+  double timestamp_seconds = 0;   ///< of one tick; 0: no timestamps
+  bool guard_pages = false;       ///< DeviceOptions::guard_pages
+};
+
+/// Runs `body() -> T` and turns what it throws into a Failure.
+template <class Body>
+auto guard_device(const Body& body) -> Outcome<decltype(body())> {
+  try {
+    return body();
+  } catch (const MachineError& error) {
+    return tl::unexpected(Failure{error.what()});
+  } catch (const vk::OutOfDeviceMemoryError&) {
+    return tl::unexpected(Failure{"the device has too little memory for this stream"});
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(Failure{"out of memory"});
+  } catch (const std::exception& error) {
+    return tl::unexpected(Failure{std::string("Vulkan: ") + error.what()});
+  }
+}
+
+}  // namespace hmlfc::gpu

@@ -1,0 +1,37 @@
+// A stream on the device: its bytes, its shape and its reference area.
+#pragma once
+
+#include <cstdint>
+
+#include "arguments.hpp"
+#include "chunked_words.hpp"
+#include "fields/stream_view.hpp"
+#include "kernels.hpp"
+
+namespace hmlfc::gpu {
+
+/// ROOT, GROUP and TILE as they are, TOP as decoded samples.
+class DeviceStream {
+ public:
+  /// Uploads `stream` and its key images. Other reference images are not there yet: the kernel
+  /// residuals writes them. Throws MachineError.
+  DeviceStream(Device::State& device, const StreamView& stream);
+
+  /// The part of the arguments that does not change: shape, stream, references, damage.
+  Arguments arguments() const;
+
+  /// Stream or reference area need a table of chunks.
+  bool chunked() const { return words_.chunked() || references_.chunked(); }
+
+  uint64_t reference_bytes() const { return references_.bytes(); }
+
+ private:
+  void upload_keys(Device::State& device, const StreamView& stream);
+
+  ChunkedWords words_;
+  ChunkedWords references_;
+  Buffer shape_;
+  Buffer damage_;
+};
+
+}  // namespace hmlfc::gpu

@@ -1,0 +1,193 @@
+#include "gpu_decoder.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "batch_buffers.hpp"
+#include "block_stages.hpp"
+#include "commands.hpp"
+#include "device_stream.hpp"
+
+namespace hmlfc::gpu {
+namespace {
+
+constexpr uint64_t kSubmissionBytes = uint64_t{512} << 20;
+constexpr uint64_t kMaxBlocks = uint64_t{1} << 24;
+constexpr uint64_t kLeastBlocks = 3;  // a block in RGB
+
+enum class Want : uint8_t { kSamples, kPixels, kStages };
+
+// Statuses of `words`, one a word, to `out`.
+void append_statuses(std::span<const uint32_t> words, std::vector<uint8_t>& out) {
+  std::ranges::transform(words, std::back_inserter(out),
+                         [](uint32_t word) { return static_cast<uint8_t>(word); });
+}
+
+}  // namespace
+
+struct GpuDecoder::State {
+  State(Device::State& d, const StreamView& view)
+      : device(d),
+        stream(d, view),
+        chroma_format(view.header.chroma_format),
+        sizes{static_cast<uint32_t>(view.header.tree_height) + 1,
+              view.header.block_size() * view.header.block_size() / 2} {
+    decode_references(view.geometry);
+  }
+
+  // Most requests of a submission that leaves stages or not.
+  uint64_t limit(bool trace) const {
+    const uint64_t bytes = kRequestBytes + sizes.entry_bytes() + 8 + 4 * sizes.sample_bytes() +
+                           (trace ? 2 * sizes.stage_bytes() : 0);
+    const uint64_t budget = std::min(kSubmissionBytes, device.max_buffer_bytes);
+    const uint64_t invocations = kMaxInvocations / std::max(sizes.sample_words, sizes.levels);
+    return std::max(kLeastBlocks, std::min({budget / bytes, invocations, most_blocks}));
+  }
+
+  // Residuals of all reference images into the reference area (DEC-4).
+  void decode_references(const Geometry& geometry) {
+    const Variant variant{stream.chunked(), true, false};
+    for (const Batch& batch : reference_batches(geometry, limit(false))) {
+      const Arguments arguments = buffers.prepare(device, batch, sizes, false, stream.arguments());
+      Commands commands(device);
+      commands.dispatch("expand", Kernel::kExpand, variant, arguments, batch.requests);
+      commands.dispatch("walk", Kernel::kWalk, variant, arguments, batch.requests);
+      commands.dispatch("residuals", Kernel::kResiduals, variant, arguments,
+                        batch.requests * sizes.sample_words);
+      commands.run();
+    }
+  }
+
+  // One submission. `collect(commands)` adds the copies to the readback buffer.
+  template <class Collect>
+  void submit(const Batch& batch, Want want, const Collect& collect) {
+    const Variant variant{stream.chunked(), false, want == Want::kStages};
+    const Arguments arguments =
+        buffers.prepare(device, batch, sizes, variant.stages, stream.arguments());
+    Commands commands(device);
+    // The debug variant alone has a variant of its own for its last kernel.
+    const Variant plain{variant.chunked, false, false};
+    commands.dispatch("expand", Kernel::kExpand, plain, arguments, batch.requests);
+    commands.dispatch("walk", Kernel::kWalk, plain, arguments, batch.requests * sizes.levels);
+    commands.dispatch("samples", Kernel::kSamples, variant, arguments,
+                      batch.requests * sizes.sample_words);
+    if (want == Want::kPixels) {
+      commands.dispatch("colour", Kernel::kColour, plain, arguments,
+                        batch.pixels * sizes.sample_words);
+    }
+    collect(commands);
+    add_times(commands.run());
+  }
+
+  void add_times(const std::vector<StageTime>& added) {
+    for (const StageTime& time : added) {
+      const auto found = std::ranges::find(times, time.stage, &StageTime::stage);
+      if (found == times.end()) {
+        times.push_back(time);
+      } else {
+        found->seconds += time.seconds;
+      }
+    }
+  }
+
+  // Runs `batch` and appends its statuses and samples, of blocks or of pixels.
+  template <class Result>
+  void decode(const Batch& batch, Want want, Result& result) {
+    const bool rgb = want == Want::kPixels;
+    const uint64_t count = rgb ? batch.pixels : batch.requests;
+    const uint64_t status_bytes = 4 * count;
+    const uint64_t sample_bytes = count * sizes.sample_bytes() * (rgb ? 3 : 1);
+    Buffer& readback = buffers.readback.reserve(device, status_bytes + sample_bytes);
+    submit(batch, want, [&](Commands& commands) {
+      const auto& statuses = rgb ? buffers.pixel_statuses : buffers.statuses;
+      const auto& samples = rgb ? buffers.pixels : buffers.samples;
+      commands.copy(statuses.get(), 0, readback, 0, status_bytes);
+      commands.copy(samples.get(), 0, readback, status_bytes, sample_bytes);
+    });
+    append_statuses(readback.records<const uint32_t>().first(static_cast<size_t>(count)),
+                    result.statuses);
+    const auto from = readback.bytes().subspan(static_cast<size_t>(status_bytes),
+                                               static_cast<size_t>(sample_bytes));
+    const size_t before = result.samples.size();
+    result.samples.resize(before + from.size() / sizeof(int16_t));
+    std::memcpy(result.samples.data() + before, from.data(), from.size());
+  }
+
+  // Runs `batch` by the debug variant and appends what it tells of each block.
+  void trace(const Batch& batch, std::vector<BlockStages>& result) {
+    const uint64_t status_bytes = 4 * batch.requests;
+    const uint64_t entry_bytes = batch.requests * sizes.entry_bytes();
+    const uint64_t stage_bytes = batch.requests * sizes.stage_bytes();
+    Buffer& readback = buffers.readback.reserve(device, status_bytes + entry_bytes + stage_bytes);
+    submit(batch, Want::kStages, [&](Commands& commands) {
+      commands.copy(buffers.statuses.get(), 0, readback, 0, status_bytes);
+      commands.copy(buffers.entries.get(), 0, readback, status_bytes, entry_bytes);
+      commands.copy(buffers.stages.get(), 0, readback, status_bytes + entry_bytes, stage_bytes);
+    });
+    const auto words = readback.records<const uint32_t>();
+    const auto requests = static_cast<size_t>(batch.requests);
+    for (size_t q = 0; q < requests; ++q) {
+      const size_t entries = requests + q * sizes.levels * kEntryWords;
+      const size_t stages = requests + requests * sizes.levels * kEntryWords +
+                            q * static_cast<size_t>(sizes.stage_bytes()) / 4;
+      result.push_back(
+          block_stages(words[q], words.subspan(entries), words.subspan(stages), sizes));
+    }
+  }
+
+  Device::State& device;
+  DeviceStream stream;
+  ChromaFormat chroma_format;
+  BlockSizes sizes;
+  uint64_t most_blocks = kMaxBlocks;
+  BatchBuffers buffers;
+  std::vector<StageTime> times;
+};
+
+GpuDecoder::GpuDecoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GpuDecoder::GpuDecoder(GpuDecoder&&) noexcept = default;
+GpuDecoder& GpuDecoder::operator=(GpuDecoder&&) noexcept = default;
+GpuDecoder::~GpuDecoder() = default;
+
+Outcome<GpuDecoder> GpuDecoder::open(Device& device, const StreamView& stream) {
+  return guard_device([&] { return GpuDecoder(std::make_unique<State>(device.state(), stream)); });
+}
+
+Outcome<Blocks> GpuDecoder::decode(std::span<const BlockArea> areas) {
+  return guard_device([&] {
+    state_->times.clear();
+    Blocks blocks;
+    for (const Batch& batch : batches_of(areas, state_->limit(false))) {
+      state_->decode(batch, Want::kSamples, blocks);
+    }
+    return blocks;
+  });
+}
+
+Outcome<PixelBlocks> GpuDecoder::decode_rgb(std::span<const PixelArea> areas) {
+  return guard_device([&] {
+    state_->times.clear();
+    PixelBlocks blocks;
+    for (const Batch& batch : batches_of(areas, state_->chroma_format, state_->limit(false))) {
+      state_->decode(batch, Want::kPixels, blocks);
+    }
+    return blocks;
+  });
+}
+
+Outcome<std::vector<BlockStages>> GpuDecoder::trace(std::span<const BlockArea> areas) {
+  return guard_device([&] {
+    state_->times.clear();
+    std::vector<BlockStages> blocks;
+    for (const Batch& batch : batches_of(areas, state_->limit(true))) state_->trace(batch, blocks);
+    return blocks;
+  });
+}
+
+const std::vector<StageTime>& GpuDecoder::stage_times() const { return state_->times; }
+
+uint64_t GpuDecoder::reference_bytes() const { return state_->stream.reference_bytes(); }
+
+void GpuDecoder::limit_submissions(uint64_t blocks) { state_->most_blocks = blocks; }
+
+}  // namespace hmlfc::gpu

@@ -1,0 +1,119 @@
+// The decoder on a Vulkan device: areas of blocks in, samples or pixels out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <hmlfc/decoder.hpp>
+
+#include "device.hpp"
+#include "failure.hpp"
+#include "fields/stream_view.hpp"
+#include "values/interpolation.hpp"
+
+namespace hmlfc::gpu {
+
+/// A rectangle of blocks of one plane of one view; one block is 1 x 1. A block that the stream does
+/// not have gets bad_request.
+struct BlockArea {
+  ViewPos view;
+  Plane plane = Plane::kY;
+  uint32_t bx = 0;  ///< first block, [0, 2^31 - 1]
+  uint32_t by = 0;
+  uint32_t columns = 1;  ///< [1, 2^31]
+  uint32_t rows = 1;
+  int stop_level = 0;  ///< level s of DEC-1
+};
+
+/// A rectangle of blocks of plane Y, wanted as pixels in RGB.
+struct PixelArea {
+  ViewPos view;
+  uint32_t bx = 0;
+  uint32_t by = 0;
+  uint32_t columns = 1;
+  uint32_t rows = 1;
+  int stop_level = 0;
+};
+
+/// Decoded blocks, area by area, in each row by row.
+struct Blocks {
+  std::vector<uint8_t> statuses;  ///< errors of annex A, 0 for none; one a block
+  std::vector<int16_t> samples;   ///< B * B a block, all 0 with an error
+};
+
+/// Decoded pixels: three lanes of B * B a block, R, G and B.
+struct PixelBlocks {
+  std::vector<uint8_t> statuses;
+  std::vector<int16_t> samples;
+};
+
+/// What the debug variant says about one level of one block. Without an error and not `key`,
+/// `prediction` is there; `residual` and `reference` are where the flags say so.
+struct LevelStages {
+  int level = 0;
+  bool key = false;         ///< a block of a key image: only `sample`
+  unsigned references = 0;  ///< 0 without motion, 1 or 2
+  bool negative = false;
+  std::array<SubpelVector, 2> vectors{};
+  bool has_residual = false;
+  uint8_t status = 0;
+  std::vector<int16_t> residual;  ///< B * B values
+  std::vector<int16_t> reference;
+  std::vector<int16_t> prediction;
+  std::vector<int16_t> sample;
+};
+
+/// One block from the first level that is decoded down to its stop level, or to the first with an
+/// error.
+struct BlockStages {
+  uint8_t status = 0;
+  std::vector<LevelStages> levels;
+};
+
+/// Time on the device of one stage of the last call, all submissions together.
+struct StageTime {
+  std::string stage;  ///< "expand", "walk", "samples" or "colour"
+  double seconds = 0;
+};
+
+/// Decodes one stream. The device must outlive it.
+class GpuDecoder {
+ public:
+  /// Uploads the stream, decodes its key images on the host and its other reference images on the
+  /// device. Blocks of key images that do not decode have the error of their image. The bytes
+  /// behind `stream` are not needed afterwards.
+  static Outcome<GpuDecoder> open(Device& device, const StreamView& stream);
+
+  GpuDecoder(GpuDecoder&&) noexcept;
+  GpuDecoder& operator=(GpuDecoder&&) noexcept;
+  ~GpuDecoder();
+
+  /// Decodes all blocks of `areas`: one submission, or several where they do not fit in one.
+  Outcome<Blocks> decode(std::span<const BlockArea> areas);
+
+  /// The same to pixels. The status is that of Y, Co or Cg, in this order.
+  Outcome<PixelBlocks> decode_rgb(std::span<const PixelArea> areas);
+
+  /// The same with every stage, by the debug variant of the kernels.
+  Outcome<std::vector<BlockStages>> trace(std::span<const BlockArea> areas);
+
+  /// Of the last call; empty where the device has no timestamps.
+  const std::vector<StageTime>& stage_times() const;
+
+  /// Bytes of the reference area.
+  uint64_t reference_bytes() const;
+
+  /// Most blocks of one submission; for tests. [1, 2^24]
+  void limit_submissions(uint64_t blocks);
+
+ private:
+  struct State;
+  explicit GpuDecoder(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hmlfc::gpu

@@ -1,0 +1,25 @@
+// Memory of the host between pages that nobody may touch.
+#pragma once
+
+#include <cstddef>
+
+namespace hmlfc::gpu {
+
+/// Zeroed pages with an inaccessible page before and after them. Throws std::bad_alloc.
+class GuardedPages {
+ public:
+  /// At least `bytes` bytes, rounded up to whole pages.
+  explicit GuardedPages(size_t bytes);
+  GuardedPages(GuardedPages&& other) noexcept;
+  GuardedPages& operator=(GuardedPages&&) = delete;
+  ~GuardedPages();
+
+  void* data() const;
+  size_t size() const { return size_; }
+
+ private:
+  size_t size_;
+  void* mapping_;  // with both guards; null after a move
+};
+
+}  // namespace hmlfc::gpu

@@ -1,0 +1,51 @@
+// Stands for the decoder in builds without the Vulkan headers or the shader compiler.
+#include "device.hpp"
+#include "gpu_decoder.hpp"
+
+namespace hmlfc::gpu {
+namespace {
+
+tl::unexpected<Failure> missing() {
+  return tl::unexpected(
+      Failure{"this build has no GPU decoder: the Vulkan headers or glslc were missing (Debian: "
+              "libvulkan-dev glslc)"});
+}
+
+}  // namespace
+
+struct Device::State {
+  DeviceInfo info;
+  std::vector<std::string> messages;
+};
+
+Outcome<std::vector<DeviceInfo>> list_devices() { return missing(); }
+
+Device::Device(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Device::Device(Device&&) noexcept = default;
+Device& Device::operator=(Device&&) noexcept = default;
+Device::~Device() = default;
+
+Outcome<Device> Device::open(const DeviceOptions&) { return missing(); }
+const DeviceInfo& Device::info() const { return state_->info; }
+const std::vector<std::string>& Device::validation_messages() const { return state_->messages; }
+
+struct GpuDecoder::State {
+  std::vector<StageTime> times;
+};
+
+GpuDecoder::GpuDecoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GpuDecoder::GpuDecoder(GpuDecoder&&) noexcept = default;
+GpuDecoder& GpuDecoder::operator=(GpuDecoder&&) noexcept = default;
+GpuDecoder::~GpuDecoder() = default;
+
+Outcome<GpuDecoder> GpuDecoder::open(Device&, const StreamView&) { return missing(); }
+Outcome<Blocks> GpuDecoder::decode(std::span<const BlockArea>) { return missing(); }
+Outcome<PixelBlocks> GpuDecoder::decode_rgb(std::span<const PixelArea>) { return missing(); }
+Outcome<std::vector<BlockStages>> GpuDecoder::trace(std::span<const BlockArea>) {
+  return missing();
+}
+const std::vector<StageTime>& GpuDecoder::stage_times() const { return state_->times; }
+uint64_t GpuDecoder::reference_bytes() const { return 0; }
+void GpuDecoder::limit_submissions(uint64_t) {}
+
+}  // namespace hmlfc::gpu

@@ -1,0 +1,79 @@
+// What the stream says about one block of one image, and how walk.comp hands it to the kernels
+// that make samples.
+
+const uint kKindNone = 0u;   // above the first level that is decoded (DEC-1, EXT-5)
+const uint kKindKey = 1u;    // a block of a key image (DEC-2)
+const uint kKindCoded = 2u;  // any other block (DEC-3)
+
+/// A displaced reference image: the place of its plane in the reference area, whole samples ix and
+/// iy, and fx and fy eighths in [0, 7] (MOT-9).
+struct Reference {
+  uint base;
+  int ix, iy, fx, fy;
+};
+
+struct BlockEntry {
+  uint status;     // an error of annex A, or ok
+  uint kind;
+  uint count;      // references in use: 0 without motion, 1 or 2
+  bool negative;   // sign -
+  bool residual;   // the block has values
+  uint level_code;
+  uint step_code;
+  int bias;
+  uint values_word, values_bit;  // where the block's values begin in the stream
+  Reference references[2];       // of a key image, its plane is that of the first
+};
+
+const uint ENTRY_WORDS = 8u;
+
+BlockEntry empty_entry(uint kind) {
+  const Reference none = Reference(0u, 0, 0, 0, 0);
+  return BlockEntry(ERROR_OK, kind, 0u, false, false, 0u, 0u, 0, 0u, 0u,
+                    Reference[2](none, none));
+}
+
+uint vector_word(Reference reference) {
+  return (uint(reference.ix) & 0x3FFu) | (uint(reference.iy) & 0x3FFu) << 10 |
+         uint(reference.fx) << 20 | uint(reference.fy) << 24;
+}
+
+Reference reference_of_words(uint base, uint vector) {
+  return Reference(base, bitfieldExtract(int(vector), 0, 10), bitfieldExtract(int(vector), 10, 10),
+                   int((vector >> 20) & 7u), int((vector >> 24) & 7u));
+}
+
+void write_entry(uint number, BlockEntry entry) {
+  const uint at = number * ENTRY_WORDS;
+  arguments.entries.word[at] = entry.status | entry.kind << 8 | entry.count << 10 |
+                               uint(entry.negative) << 12 | uint(entry.residual) << 13 |
+                               entry.level_code << 16 | entry.step_code << 24;
+  arguments.entries.word[at + 1u] = entry.values_word;
+  arguments.entries.word[at + 2u] = entry.values_bit | (uint(entry.bias) & 0xFFFFu) << 16;
+  for (uint i = 0u; i < 2u; ++i) {
+    arguments.entries.word[at + 3u + 2u * i] = entry.references[i].base;
+    arguments.entries.word[at + 4u + 2u * i] = vector_word(entry.references[i]);
+  }
+}
+
+BlockEntry read_entry(uint number) {
+  const uint at = number * ENTRY_WORDS;
+  const uint head = arguments.entries.word[at];
+  const uint place = arguments.entries.word[at + 2u];
+  BlockEntry entry;
+  entry.status = head & 0xFFu;
+  entry.kind = (head >> 8) & 3u;
+  entry.count = (head >> 10) & 3u;
+  entry.negative = ((head >> 12) & 1u) != 0u;
+  entry.residual = ((head >> 13) & 1u) != 0u;
+  entry.level_code = (head >> 16) & 0xFFu;
+  entry.step_code = head >> 24;
+  entry.values_word = arguments.entries.word[at + 1u];
+  entry.values_bit = place & 31u;
+  entry.bias = int(place) >> 16;
+  for (uint i = 0u; i < 2u; ++i) {
+    entry.references[i] = reference_of_words(arguments.entries.word[at + 3u + 2u * i],
+                                             arguments.entries.word[at + 4u + 2u * i]);
+  }
+  return entry;
+}

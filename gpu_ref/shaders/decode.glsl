@@ -1,0 +1,8 @@
+// Everything the decoding kernels share, in order.
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+
+#include "hmlfc_tables.glsl"
+
+#include "integers.glsl"
+#include "arguments.glsl"

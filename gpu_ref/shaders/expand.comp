@@ -1,0 +1,42 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// Areas of blocks to requests, one invocation a request.
+#include "decode.glsl"
+#include "requests.glsl"
+
+/// The area that holds request `number`: the last that begins at it or before it.
+Area area_of(uint number) {
+  uint low = 0u;
+  uint high = arguments.area_count;
+  while (high - low > 1u) {
+    const uint middle = (low + high) >> 1;
+    if (arguments.areas.area[middle].first_request <= number) low = middle; else high = middle;
+  }
+  return arguments.areas.area[low];
+}
+
+/// Whether the stream has the block.
+bool exists(Area area, uvec2 block) {
+  StreamShape shape = arguments.shape;
+  if (area.level > shape.top || area.plane > 2u) return false;
+  const LevelShape level = shape.levels[area.exact != 0u ? area.level : 0u];
+  const PlaneShape plane = shape.planes[area.plane];
+  return area.row < level.rows && area.col < level.cols && block.x < plane.blocks_x &&
+         block.y < plane.blocks_y;
+}
+
+void main() {
+  const uint number = invocation();
+  if (number >= arguments.request_count) return;
+  const Area area = area_of(number);
+  const uint at = number - area.first_request;
+  const uvec2 block = uvec2(area.bx + at % area.columns, area.by + at / area.columns);
+  Request request = Request(0u, 0u, 0u);
+  if (exists(area, block)) {
+    const uvec2 image = ancestor(uvec2(area.row, area.col), area.exact != 0u ? 0u : area.level);
+    request.image = image.x | image.y << 16;
+    request.block = block.x | block.y << 16;
+    request.site = area.plane | area.level << 8 | 1u << 16;
+  }
+  arguments.requests.request[number] = request;
+}

@@ -1,0 +1,62 @@
+// The reference area: planes of key images, and residuals of the other reference images that motion
+// refers to (DEC-2, DEC-4). Two samples a word, rows of whole words. Every sample of a block that
+// did not decode is its error: the number less 2^15, below any sample.
+
+const int kErrorSample = -32768;
+
+uint reference_word(uint at) {
+  if (!kChunked) return OutWords(arguments.references).word[at];
+  const uint log2 = arguments.shape.reference_chunk_log2;
+  return OutChunks(arguments.references).chunk[at >> log2].word[at & low_bits(log2)];
+}
+
+void write_reference_word(uint at, uint value) {
+  if (kChunked) {
+    const uint log2 = arguments.shape.reference_chunk_log2;
+    OutChunks(arguments.references).chunk[at >> log2].word[at & low_bits(log2)] = value;
+  } else {
+    OutWords(arguments.references).word[at] = value;
+  }
+}
+
+/// Samples 2k and 2k + 1 as one word.
+uint sample_pair(ivec2 samples) {
+  return (uint(samples.x) & 0xFFFFu) | uint(samples.y) << 16;
+}
+
+/// Sample (x, y) of the plane at `base`; inside the plane.
+int reference_sample(uint base, PlaneShape plane, int x, int y) {
+  const uint word = reference_word(base + uint(y) * plane.row_words + (uint(x) >> 1));
+  return bitfieldExtract(int(word), 16 * (x & 1), 16);
+}
+
+/// ref(x, y) of DEC-4 with the border rule of DEC-5.
+int ref(uint base, PlaneShape plane, int x, int y) {
+  return reference_sample(base, plane, clamp(x, 0, int(plane.width) - 1),
+                          clamp(y, 0, int(plane.height) - 1));
+}
+
+/// The error of a sample of the area, or ok.
+uint error_of_sample(int value) {
+  return value < kErrorSample / 2 ? uint(value - kErrorSample) : ERROR_OK;
+}
+
+/// The first error of the blocks that the displaced block (bx, by) touches, row by row, or ok
+/// (DEC-7). Columns and rows of weight 0 are not touched (MOT-9).
+uint touched_error(Reference reference, PlaneShape plane, uint bx, uint by) {
+  const uint log2 = arguments.shape.block_log2;
+  const ivec2 reach = ivec2((1 << log2) - 1) + ivec2(reference.fx != 0, reference.fy != 0);
+  const ivec2 place = (ivec2(bx, by) << log2) + ivec2(reference.ix, reference.iy);
+  const ivec2 last = ivec2(plane.width, plane.height) - 1;
+  const ivec2 first_sample = clamp(place, ivec2(0), last);
+  const ivec2 last_sample = clamp(place + reach, ivec2(0), last);
+  for (int ty = first_sample.y >> log2; ty <= last_sample.y >> log2; ++ty) {
+    for (int tx = first_sample.x >> log2; tx <= last_sample.x >> log2; ++tx) {
+      const ivec2 touched = max(first_sample, ivec2(tx, ty) << log2);
+      const uint error =
+          error_of_sample(reference_sample(reference.base, plane, touched.x, touched.y));
+      if (error != ERROR_OK) return error;
+    }
+  }
+  return ERROR_OK;
+}

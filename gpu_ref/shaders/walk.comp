@@ -1,0 +1,82 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// What the stream says about every block of every level of every request: one invocation for a
+// request and a level. No walk waits for another (BND-1).
+#include "decode.glsl"
+#include "requests.glsl"
+#include "u64.glsl"
+#include "stream_words.glsl"
+#include "bise.glsl"
+#include "record.glsl"
+#include "index_walk.glsl"
+#include "cursor.glsl"
+#include "block_entry.glsl"
+#include "tile_head.glsl"
+#include "residual_walk.glsl"
+#include "groups.glsl"
+#include "motion_walk.glsl"
+#include "reference_samples.glsl"
+
+/// Whether image `at` of a level is a key image (EXT-4).
+bool is_key(LevelShape level, uvec2 at) {
+  return level.keyed != 0u && reference_of_group(level, group_of_image(level, at)) == at;
+}
+
+/// The block of a key image: the place of its plane, and its error (DEC-2).
+BlockEntry key_entry(LevelShape level, PlaneShape plane, uvec2 at, uvec2 block) {
+  BlockEntry entry = empty_entry(kKindKey);
+  const uint base = reference_base(level, plane, group_of_image(level, at));
+  entry.references[0].base = base;
+  const uvec2 first = block << arguments.shape.block_log2;
+  entry.status = error_of_sample(reference_sample(base, plane, int(first.x), int(first.y)));
+  return entry;
+}
+
+/// The block of any other image: motion, then residual, then the reference blocks (DEC-7, MOT-10).
+BlockEntry coded_entry(LevelShape level, PlaneShape plane, uvec2 at, uvec2 block) {
+  BlockEntry entry = empty_entry(kKindCoded);
+  const uint image = level.first_image + at.x * level.cols + at.y;
+  const uvec2 group = group_of_image(level, at);
+  const bool motion_tiles = has_feature(FEATURE_MOTION_TILES);
+  const bool predictive = !kReferencePass && reference_of_group(level, group) != at;
+  if (motion_tiles && predictive) {
+    entry.status = walk_to_motion(level, plane, at, block.x, block.y, entry);
+    if (entry.status != ERROR_OK) return entry;
+  }
+  entry.references[0].base =
+      entry.count == 0u ? reference_base(level, plane, group) : entry.references[0].base;
+  entry.status =
+      walk_to_residual(image, plane, block.x, block.y, predictive && !motion_tiles, entry);
+  if (arguments.damage.word[0] == 0u || kReferencePass) return entry;
+  for (uint i = 0u; i < entry.count && entry.status == ERROR_OK; ++i) {
+    entry.status = touched_error(entry.references[i], plane, block.x, block.y);
+  }
+  return entry;
+}
+
+/// The entry of level `l` of a request. Levels that are not decoded for it have kind none.
+BlockEntry entry_of_level(Request request, uint l) {
+  const uint stop = level_of(request);
+  if (l < stop) return empty_entry(kKindNone);
+  uvec2 at = image_of(request);
+  for (uint k = stop; k < l; ++k) {
+    if (is_key(arguments.shape.levels[k], at)) return empty_entry(kKindNone);  // EXT-5
+    at = ancestor(at, 1u);
+  }
+  const LevelShape level = arguments.shape.levels[l];
+  const PlaneShape plane = arguments.shape.planes[plane_of(request)];
+  const uvec2 block = block_of(request);
+  if (is_key(level, at)) return key_entry(level, plane, at, block);
+  return coded_entry(level, plane, at, block);
+}
+
+void main() {
+  const uint number = invocation();
+  const uint entries = entries_of_request();
+  const uint q = number / entries;
+  if (q >= arguments.request_count) return;
+  const Request request = arguments.requests.request[q];
+  if (!is_valid(request)) return;
+  const uint l = kReferencePass ? level_of(request) : number - q * entries;
+  write_entry(number, entry_of_level(request, l));
+}

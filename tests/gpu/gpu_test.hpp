@@ -1,0 +1,47 @@
+// What the tests of the GPU decoder share.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "gpu_decoder.hpp"
+#include "stream_check.hpp"
+
+namespace hmlfc::gpu {
+
+/// A test that needs a device; skipped with the reason where there is none. HMLFC_GPU_DEVICE names
+/// one, as --device does.
+class GpuTest : public testing::Test {
+ protected:
+  void SetUp() override;
+
+  /// Opens a device; a failure of the test where there is none with these options.
+  static std::optional<Device> open(DeviceOptions options);
+
+  /// The device that most tests share.
+  static Device& device();
+};
+
+/// How much of a stream to compare.
+struct CheckPlan {
+  uint64_t requests = 400;  ///< of all kinds, beside those at the borders
+  uint64_t seed = 0;
+  bool borders = true;
+  bool stages = true;
+  uint64_t blocks_at_once = uint64_t{1} << 24;  ///< most blocks of a submission
+};
+
+/// Compares the stream `device_bytes` on `device` with the model's decoding of `model_bytes`, the
+/// same stream but for planted faults. A stream that does not open in the model is not compared:
+/// nothing, as for a failure of the test.
+std::optional<CheckResult> check_bytes(Device& device, std::span<const uint8_t> device_bytes,
+                                       std::span<const uint8_t> model_bytes, const CheckPlan& plan);
+
+/// The same for one stream; fails the test at a difference. The counts of what was compared.
+CheckCounts expect_equal(Device& device, std::span<const uint8_t> bytes, const CheckPlan& plan);
+
+}  // namespace hmlfc::gpu

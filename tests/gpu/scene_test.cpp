@@ -1,0 +1,61 @@
+// Every synthetic scene in both profiles: every block of every view, in RGB, at all stages.
+#include <hmlfc/encoder.hpp>
+
+#include "gpu/gpu_test.hpp"
+#include "samples/open_stream.hpp"
+#include "scenes/scene.hpp"
+#include "sequences.hpp"
+
+namespace hmlfc::gpu {
+namespace {
+
+class GpuScenes : public GpuTest, public testing::WithParamInterface<scenes::Scene> {};
+
+void check_every_block(Device& device, const std::vector<uint8_t>& bytes) {
+  const auto view = open_stream(bytes, {});
+  ASSERT_TRUE(view);
+  const auto stream = tb::GoldenStream::open(bytes, {view->header.block_log2, 12, 16, 16});
+  ASSERT_TRUE(stream);
+  auto decoder = GpuDecoder::open(device, *view);
+  ASSERT_TRUE(decoder) << decoder.error().message;
+  tb::ScanPlan plan;
+  plan.views = 100;
+  const auto source = tb::scan_requests((*stream)->geometry(), (*stream)->header(), plan);
+  const auto result = check_stream(*decoder, **stream, source, {});
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_FALSE(result->mismatch) << to_string(*result->mismatch);
+  EXPECT_EQ(result->counts.compared, uint64_t{view->header.rows} * view->header.cols *
+                                         view->geometry.plane(Plane::kY).blocks_x *
+                                         view->geometry.plane(Plane::kY).blocks_y);
+  EXPECT_EQ(result->counts.failed(), 0u);
+}
+
+TEST_P(GpuScenes, AreEqualInBothProfiles) {
+  scenes::SceneParams params;
+  params.scene = GetParam();
+  params.rows = 5;
+  params.cols = 4;
+  params.width = 101;
+  params.height = 67;
+  params.depth = 10;
+  const LightField field = scenes::render_scene(params, 1);
+  for (const Profile profile : {Profile::kMain, Profile::kExtended}) {
+    for (const ChromaFormat chroma : {ChromaFormat::k420, ChromaFormat::k444}) {
+      EncodeParams coding;
+      coding.profile = profile;
+      coding.chroma = chroma;
+      coding.tree_height = chroma == ChromaFormat::k420 ? 2 : 1;
+      const auto encoded = encode(field, coding);
+      ASSERT_TRUE(encoded) << encoded.error().message;
+      check_every_block(device(), encoded->bytes);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GpuScenes,
+                         testing::Values(scenes::Scene::kCards, scenes::Scene::kKnights,
+                                         scenes::Scene::kGlass, scenes::Scene::kFlat,
+                                         scenes::Scene::kNoise));
+
+}  // namespace
+}  // namespace hmlfc::gpu
