@@ -7,8 +7,10 @@
 #include <CLI/CLI.hpp>
 
 #include "bits/crc32c.hpp"
+#include "gpu_answers.hpp"
 #include "io/mapped_file.hpp"
 #include "sequences.hpp"
+#include "stream_check.hpp"
 #include "stream_image.hpp"
 #include "tlm/tlm_platform.hpp"
 #include "units.hpp"
@@ -18,13 +20,17 @@ namespace {
 
 constexpr int kExitDifferent = 1;
 constexpr int kExitUsage = 2;
+constexpr size_t kNameWidth = 28;  // of the table's first column
 
 /// One row of the table.
 struct Row {
   std::string name;
-  std::vector<Answer> answers;
+  std::vector<Answer> answers = {};
   double seconds = 0;
-  std::string missing;  ///< why there is nothing to compare
+  std::string missing = {};   ///< why there is nothing to compare
+  bool broken = false;        ///< it should have had something
+  uint64_t levels = 0;        ///< blocks of a level whose stages were compared with the model's
+  std::string in_stage = {};  ///< the first stage that differs, with its place
 };
 
 // Everything the implementations share.
@@ -38,7 +44,7 @@ double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Row timed(const std::string& name, const std::function<std::vector<Answer>()>& run) {
   const double begin = now();
-  Row row{name, run(), 0, {}};
+  Row row{.name = name, .answers = run()};
   row.seconds = now() - begin;
   return row;
 }
@@ -95,17 +101,60 @@ std::vector<Answer> run_tlm(TlmPlatform& platform, const Subject& subject) {
   return answers;
 }
 
-std::vector<Answer> run_rtl(Bench& bench, const UnitMaker& maker, const Subject& subject) {
-  std::vector<Answer> answers;
+// One run in a fresh unit; the finding that ended it, if any.
+std::string run_unit(Bench& bench, const UnitMaker& maker, const Subject& subject, bool stages,
+                     Row& row) {
+  row.answers.clear();
   bench.attach(maker.make(maker.parameters));
-  bench.compare_answers_only();
-  bench.scoreboard().log_answers(&answers);
+  if (!stages) bench.compare_answers_only();
+  bench.scoreboard().log_answers(&row.answers);
   subject.image.load_into(bench);
   if (!bench.findings().first()) {
     bench.run(listed_requests(subject.requests), subject.image.oracle(), Conditions{}, 0);
   }
   bench.scoreboard().log_answers(nullptr);
-  return answers;
+  row.levels = bench.scoreboard().counts().records_compared;
+  const auto finding = bench.findings().first();
+  return finding ? to_string(*finding) : std::string();
+}
+
+// A run that compares stages ends at the first difference; then another shows all answers.
+Row run_rtl(Bench& bench, const UnitMaker& maker, const Subject& subject) {
+  Row row{.name = "RTL, Verilated"};
+  const double begin = now();
+  row.in_stage = run_unit(bench, maker, subject, true, row);
+  if (!row.in_stage.empty()) run_unit(bench, maker, subject, false, row);
+  row.seconds = now() - begin;
+  return row;
+}
+
+// The GPU decoder on the device that `name` chooses; the reason where it cannot run.
+Row run_gpu(const std::string& name, const Subject& subject) {
+  gpu::DeviceOptions options;
+  options.device = name;
+  auto device = gpu::Device::open(options);
+  if (!device) return {.name = "GPU", .missing = "skipped: " + device.error().message};
+  Row row{.name = "GPU, " + device->info().name.substr(0, kNameWidth - 5)};
+  row.broken = true;
+  const GoldenStream& stream = *subject.image.golden();
+  auto decoder = gpu::GpuDecoder::open(*device, stream.view());
+  if (!decoder) {
+    row.missing = "failed: " + decoder.error().message;
+    return row;
+  }
+  const double begin = now();
+  auto answers = gpu::gpu_answers(*decoder, stream.geometry().block_size(), subject.requests);
+  row.seconds = now() - begin;
+  const auto stages = gpu::check_stream(*decoder, stream, listed_requests(subject.requests), {});
+  if (!answers || !stages) {
+    row.missing = "failed: " + (answers ? stages.error() : answers.error()).message;
+    return row;
+  }
+  row.broken = false;
+  row.answers = std::move(*answers);
+  row.levels = stages->counts.levels;
+  if (stages->mismatch) row.in_stage = to_string(*stages->mismatch);
+  return row;
 }
 
 // Samples outside the plane have no meaning (STR-6): made 0.
@@ -128,26 +177,32 @@ bool same(const Answer& a, const Answer& b) {
   return a.status == b.status && a.last == b.last && a.samples == b.samples;
 }
 
-// Prints one row; whether it equals the first.
+// Prints one row; whether it equals the first, at all stages that were compared.
 bool print_row(const Row& row, const Row& first, const Subject& subject) {
   if (!row.missing.empty()) {
-    fmt::print("{:<28} {}\n", row.name, row.missing);
-    return true;
+    fmt::print("{:<{}} {}\n", row.name, kNameWidth, row.missing);
+    return !row.broken;
   }
   uint64_t different = 0;
-  std::string where;
+  std::string where = row.in_stage;
   uint32_t crc = 0;
   for (size_t i = 0; i < row.answers.size() && i < subject.requests.size(); ++i) {
     const auto* bytes = reinterpret_cast<const uint8_t*>(row.answers[i].samples.data());
     crc = crc32c({bytes, sizeof(row.answers[i].samples)}, crc);
     crc = crc32c({&row.answers[i].status, 1}, crc);
     if (same(row.answers[i], first.answers[i])) continue;
-    if (different++ == 0) where = to_string(subject.requests[i]);
+    if (different++ == 0 && where.empty()) where = to_string(subject.requests[i]);
   }
   const bool complete = row.answers.size() == subject.requests.size();
-  fmt::print("{:<28} {:>8} {:>10} {:>10.3f} {:08X} {}\n", row.name, row.answers.size(), different,
+  fmt::print("{:<{}} {:>8} {:>10} {:>8} {:>10.3f} {:08X} {}\n", row.name, kNameWidth,
+             row.answers.size(), different, row.levels == 0 ? "-" : std::to_string(row.levels),
              row.seconds, crc, complete ? where : where + " incomplete");
-  return different == 0 && complete;
+  return different == 0 && complete && row.in_stage.empty();
+}
+
+void print_head() {
+  fmt::print("{:<{}} {:>8} {:>10} {:>8} {:>10} {:>8} first difference\n", "implementation",
+             kNameWidth, "blocks", "different", "stages", "seconds", "crc");
 }
 
 int run(int argc, char** argv) {
@@ -158,6 +213,8 @@ int run(int argc, char** argv) {
   app.add_option("file", path, "The stream")->required();
   app.add_option("--blocks", blocks, "How many requests of all kinds")->capture_default_str();
   app.add_option("--seed", seed, "Of the requests")->capture_default_str();
+  std::string device;
+  app.add_option("--device", device, "Number or part of the name of a Vulkan device");
   CLI11_PARSE(app, argc, argv);
   const auto file = io::MappedFile::open(path);
   if (!file) {
@@ -195,12 +252,12 @@ int run(int argc, char** argv) {
   const auto makers = rtl_units();
   const UnitMaker* maker = unit_for(makers, header->header().block_log2, header->header().depth);
   if (maker != nullptr) {
-    rows.push_back(timed("RTL, Verilated", [&] { return run_rtl(bench, *maker, subject); }));
+    rows.push_back(run_rtl(bench, *maker, subject));
   } else {
-    rows.push_back({"RTL, Verilated", {}, 0, "skipped: not in this build"});
+    rows.push_back({.name = "RTL, Verilated", .missing = "skipped: not in this build"});
   }
-  fmt::print("{:<28} {:>8} {:>10} {:>10} {:>8} first difference\n", "implementation", "blocks",
-             "different", "seconds", "crc");
+  rows.push_back(run_gpu(device, subject));
+  print_head();
   bool equal = true;
   for (Row& row : rows) {
     mask(row, subject);
