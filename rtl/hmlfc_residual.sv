@@ -67,7 +67,7 @@ module hmlfc_residual #(
   logic                  thrice_2;
   logic [3:0]            shift_2, shift_3;
   logic [VALUE_BITS-1:0] bound_2, bound_3, least_3;  // M, -M
-  logic [ODD_BITS-1:0]   limit_3, negative_limit_3;  // M >> k, -(M >> k)
+  logic [ODD_BITS-1:0]   limit_3;           // M >> k
 
   always_ff @(posedge clk) begin
     if (advance) begin
@@ -78,7 +78,6 @@ module hmlfc_residual #(
       bound_3 <= bound_2;
       least_3 <= -bound_2;
       limit_3 <= {{(ODD_BITS - VALUE_BITS) {1'b0}}, bound_2 >> shift_2};
-      negative_limit_3 <= -{{(ODD_BITS - VALUE_BITS) {1'b0}}, bound_2 >> shift_2};
     end
   end
 
@@ -88,13 +87,16 @@ module hmlfc_residual #(
       logic [SUM_BITS-1:0]   centred;
       logic [ODD_BITS-1:0]   centred_wide, twice, odd;
       logic [VALUE_BITS-1:0] product, nearest;
+      logic [ODD_BITS:0]     below_limit, above_limit;  // (M >> k) - odd, odd + (M >> k)
       logic                  outside;
 
       assign centred_wide = {{2{centred[SUM_BITS-1]}}, centred};
       assign twice = {centred[SUM_BITS-1], centred, 1'b0} & {ODD_BITS{thrice_2}};
       assign product = odd[VALUE_BITS-1:0] << shift_3;  // the low bits, which serve within [-M, M]
       assign nearest = odd[ODD_BITS-1] ? least_3 : bound_3;
-      assign outside = $signed(odd) > $signed(limit_3) || $signed(odd) < $signed(negative_limit_3);
+      assign below_limit = {1'b0, limit_3} - {odd[ODD_BITS-1], odd};
+      assign above_limit = {1'b0, limit_3} + {odd[ODD_BITS-1], odd};
+      assign outside = below_limit[ODD_BITS] || above_limit[ODD_BITS];
 
       always_ff @(posedge clk) begin
         if (advance) begin

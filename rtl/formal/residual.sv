@@ -9,7 +9,7 @@
 // Complete: no register has an initial value and the latency is 4.
 // Fault: hmlfc_residual.sv / ODD_BITS = MAX_DEPTH + 5 / ODD_BITS = MAX_DEPTH + 4
 // Fault: hmlfc_residual.sv / thrice_2 <= thrice_1 / thrice_2 <= 1'b0
-// Fault: hmlfc_residual.sv / {(ODD_BITS - VALUE_BITS) {1'b0}}, bound_2 >> shift_2}; / {(ODD_BITS - VALUE_BITS) {1'b0}}, bound_2};
+// Fault: hmlfc_residual.sv / bound_2 >> shift_2 / bound_2
 module prove_residual (
   input logic clk, input logic [55:0] values, input logic [5:0] level_code, input logic [13:0] bias, input logic [3:0] step_code,
   input logic chroma, input logic [3:0] depth
