@@ -181,12 +181,30 @@ void Bench::expect_counter(const char* name, uint64_t expected, uint64_t actual)
                  cycle()});
 }
 
+void Bench::check_settings() {
+  const UnitParameters unit = unit_->parameters();
+  expect_counter("ID", reg::kIdValue, read(reg::kId));
+  expect_counter("PARAMETERS", reg::parameters(unit.block_log2, unit.max_depth, unit.beat_bytes),
+                 read(reg::kParameters));
+  expect_counter("STREAM_BASE", image_.stream_base, read_pair(reg::kStreamBase));
+  expect_counter("STREAM_BYTES", image_.stream.size(), read_pair(reg::kStreamBytes));
+  expect_counter("REFERENCE_BASE", image_.reference_base, read_pair(reg::kReferenceBase));
+}
+
+void Bench::disable() {
+  write(reg::kControl, reg::kDisable);
+  expect_counter("STATUS after DISABLE", 0, read(reg::kStatus) & (reg::kReady | reg::kLoading));
+}
+
 void Bench::check_counters() {
   const ScoreCounts& counts = scoreboard_.counts();
   expect_counter("REQUESTS", counts.received, read_pair(reg::kRequests));
   expect_counter("STALLS", stream_counts().answer_stalls, read_pair(reg::kStalls));
   expect_counter("BYTES_READ", read_monitor_.beats() * unit_->parameters().beat_bytes,
                  read_pair(reg::kBytesRead));
+  expect_counter("CYCLES", stream_counts().busy, read_pair(reg::kCycles));
+  expect_counter("ERROR", counts.first_error, read(reg::kError));
+  expect_counter("ERROR_ADDRESS", counts.first_error_request, read_pair(reg::kErrorAddress));
   if (traced_) expect_counter("BLOCKS", counts.records, read_pair(reg::kBlocks));
   expect_counter("STATUS idle", reg::kIdle, read(reg::kStatus) & reg::kIdle);
 }

@@ -60,7 +60,15 @@ class Bench {
   void run(RequestSource source, Oracle& oracle, const Conditions& conditions, uint64_t seed,
            uint64_t stop_after = 0);
 
-  /// Compares the unit's counters with what the bench saw since CLEAR and begin_counting().
+  /// Compares ID and PARAMETERS with what the unit was built for, and the registers of the stream
+  /// with what load() wrote.
+  void check_settings();
+
+  /// Writes DISABLE; requests wait from then on until the next LOAD.
+  void disable();
+
+  /// Compares the unit's counters and its first error with what the bench saw since CLEAR and
+  /// begin_counting().
   void check_counters();
 
   /// Writes CLEAR and begins to count anew.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 #include "values/sample_range.hpp"
 
 namespace hmlfc::tb {
@@ -43,6 +45,7 @@ constexpr std::array<std::string_view, kPointCount> kNames{
     "answers wait",
     "requests have gaps",
     "reset with requests in flight",
+    "DISABLE, then a second LOAD",
     "LOAD fails",
     "status bad_request",
     "status bus_error",
@@ -162,6 +165,12 @@ std::string Coverage::report() const {
     text += std::string(kNames[i]) + ": " + std::to_string(hits_[i]) + "\n";
   }
   return text;
+}
+
+std::string Coverage::to_json() const {
+  nlohmann::ordered_json json;
+  for (size_t i = 0; i < kPointCount; ++i) json[std::string(kNames[i])] = hits_[i];
+  return json.dump(2) + "\n";
 }
 
 }  // namespace hmlfc::tb

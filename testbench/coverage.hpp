@@ -47,6 +47,7 @@ enum class Point : uint8_t {
   kBackpressure,
   kRequestGap,
   kResetInFlight,
+  kDisabled,
   kLoadFailed,
   kStatusBadRequest,
   kStatusBusError,
@@ -79,6 +80,9 @@ class Coverage {
 
   /// One line a point: its name and how often it was met.
   std::string report() const;
+
+  /// The same as a JSON object.
+  std::string to_json() const;
 
  private:
   void on_level(const LevelRecord& level, const GoldenStream& stream);

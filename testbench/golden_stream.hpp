@@ -29,6 +29,12 @@ class GoldenStream {
   static Result<std::unique_ptr<GoldenStream>> open(std::span<const uint8_t> file,
                                                     const UnitParameters& unit);
 
+  /// Whether an error of open() is one of the TOP table, which LOAD does not look at.
+  static bool is_of_top_table(const Error& error) {
+    return error.section == Section::kTop &&
+           (error.code == ErrorCode::kBadTopEntry || error.code == ErrorCode::kBadSectionSize);
+  }
+
   const StreamView& view() const { return view_; }
   const Geometry& geometry() const { return view_.geometry; }
   const StreamHeader& header() const { return view_.header; }

@@ -46,7 +46,8 @@ Damage suite_damage(uint32_t seed) {
   constexpr std::array kDamages{Damage::kNone,      Damage::kIndexAndTiles, Damage::kNone,
                                 Damage::kKeyImages, Damage::kNone,          Damage::kHeaderField,
                                 Damage::kNone,      Damage::kIndexAndTiles, Damage::kNone,
-                                Damage::kCut,       Damage::kNone,          Damage::kHeaderByte};
+                                Damage::kCut,       Damage::kNone,          Damage::kHeaderByte,
+                                Damage::kNone,      Damage::kTiles};
   // Seeds alternate between the profiles; so do the damages of each profile.
   return kDamages[(seed / 2 + seed % 2) % kDamages.size()];
 }
@@ -62,6 +63,9 @@ void spoil(std::vector<uint8_t>& stream, Damage damage, uint64_t seed) {
       return;
     case Damage::kIndexAndTiles:
       change_bytes(stream, top.offset + top.size, stream.size(), 300, random);
+      return;
+    case Damage::kTiles:
+      change_bytes(stream, header->sections[3].offset, stream.size(), 30, random);
       return;
     case Damage::kKeyImages: {
       const uint64_t table = Geometry(*header).key_count() * kPlaneCount * kTopEntryBytes;

@@ -7,7 +7,15 @@
 namespace hmlfc::tb {
 
 /// How a stream is spoiled before it is loaded.
-enum class Damage : uint8_t { kNone, kIndexAndTiles, kKeyImages, kHeaderField, kHeaderByte, kCut };
+enum class Damage : uint8_t {
+  kNone,
+  kIndexAndTiles,
+  kTiles,  ///< the TILE section alone, and more of it
+  kKeyImages,
+  kHeaderField,
+  kHeaderByte,
+  kCut
+};
 
 /// Spoils `stream`, which is intact, by `seed`. With kHeaderField the header's CRC is right again.
 void spoil(std::vector<uint8_t>& stream, Damage damage, uint64_t seed);

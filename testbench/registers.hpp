@@ -20,7 +20,7 @@ inline constexpr uint32_t kStalls = 0x50;
 inline constexpr uint32_t kBytesRead = 0x58;
 inline constexpr uint32_t kRequests = 0x60;
 
-inline constexpr uint32_t kIdValue = 0x484d4c46;  ///< "HMLF"
+inline constexpr uint32_t kIdValue = 0x464c4d48;  ///< "HMLF" in memory
 
 // Bits of CONTROL and STATUS.
 inline constexpr uint32_t kLoad = 1;

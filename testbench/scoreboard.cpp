@@ -140,6 +140,10 @@ void Scoreboard::on_answer(const Answer& answer, uint64_t cycle) {
   }
   const ExpectedAnswer expected = std::move(pending_.front());
   pending_.pop_front();
+  if (answer.status != 0 && counts_.first_error == 0) {
+    counts_.first_error = answer.status;
+    counts_.first_error_request = expected.request.word();
+  }
   compare_answer(expected, answer, cycle);
   if (traced_) close_records(expected, cycle);
   ++first_pending_;

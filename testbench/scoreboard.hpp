@@ -25,10 +25,12 @@ struct ScoreCounts {
   uint64_t unchecked = 0;  ///< answers that could not be: bus_error where the memory gave errors
   uint64_t dropped = 0;    ///< requests in flight at a reset, which are not answered
   uint64_t records = 0;    ///< trace records = records_compared + records_unchecked
-  uint64_t records_compared = 0;   ///< trace records that were compared
-  uint64_t records_unchecked = 0;  ///< of levels below one with an error, or of refusals
-  uint64_t records_skipped = 0;    ///< not expected: chroma that the unit still holds
-  uint64_t records_missing = 0;    ///< expected, but not made, because of an error or wrongly
+  uint64_t records_compared = 0;     ///< trace records that were compared
+  uint64_t records_unchecked = 0;    ///< of levels below one with an error, or of refusals
+  uint64_t records_skipped = 0;      ///< not expected: chroma that the unit still holds
+  uint64_t records_missing = 0;      ///< expected, but not made, because of an error or wrongly
+  uint64_t first_error = 0;          ///< status of the first answer with one
+  uint64_t first_error_request = 0;  ///< the word of its request
   std::array<uint64_t, kBlockKinds> kind_records{};  ///< trace records by kind of block
   std::array<uint64_t, kBlockKinds> kind_clocks{};   ///< clocks up to each from the one before
 };

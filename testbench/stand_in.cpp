@@ -126,7 +126,10 @@ void StandIn::take_registers(const UnitInputs& in) {
 }
 
 void StandIn::control(uint32_t bits) {
-  if ((bits & reg::kDisable) != 0) oracle_.reset();
+  if ((bits & reg::kDisable) != 0) {
+    oracle_.reset();
+    registers_.ready = false;
+  }
   if ((bits & reg::kLoad) != 0) begin_load();
 }
 
@@ -143,9 +146,11 @@ void StandIn::begin_load() {
 
 void StandIn::end_load() {
   auto opened = GoldenStream::open(stream_, parameters_);
+  // The TOP table is software's to check (KEY-1): the unit takes a stream with a bad one.
+  const bool taken = opened || GoldenStream::is_of_top_table(opened.error());
   registers_.loading = false;
-  registers_.ready = opened.has_value();
-  registers_.load_error = opened ? 0 : static_cast<uint8_t>(opened.error().code);
+  registers_.ready = taken;
+  registers_.load_error = taken ? 0 : static_cast<uint8_t>(opened.error().code);
   if (opened) {
     golden_ = std::move(*opened);
     oracle_ = std::make_unique<Oracle>(*golden_);

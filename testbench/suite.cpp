@@ -1,6 +1,8 @@
 #include "suite.hpp"
 
 #include "failure_folder.hpp"
+#include "fields/header.hpp"
+#include "random_stream.hpp"
 #include "sequences.hpp"
 
 namespace hmlfc::tb {
@@ -9,6 +11,8 @@ namespace {
 constexpr uint64_t kRequests = 400;
 constexpr unsigned kBadPermille = 50;
 constexpr size_t kHistory = 128;
+constexpr uint64_t kDisabledClocks = 200;
+constexpr unsigned kWrongHeaders = 24;
 
 // The steps of one case.
 class CaseRun {
@@ -17,8 +21,9 @@ class CaseRun {
       : bench_(bench), image_(image), random_(seed) {}
 
   void run() {
-    const bool steps_passed = load() && directed() && mixed(0) && reset_in_flight() && load() &&
-                              mixed(0) && faulty_memory() && mixed(0) && counters();
+    const bool steps_passed = load() && !image_.left_to_software() && directed() && mixed(0) &&
+                              wrong_headers() && mixed(0) && reset_in_flight() && load() &&
+                              mixed(0) && faulty_memory() && mixed(0) && disabled() && counters();
     static_cast<void>(steps_passed);
     total_ += bench_.scoreboard().counts();
   }
@@ -36,6 +41,7 @@ class CaseRun {
     image_.load_into(bench_);
     total_ += bench_.scoreboard().counts();
     bench_.begin_counting();
+    bench_.check_settings();
     return good();
   }
 
@@ -84,6 +90,40 @@ class CaseRun {
     mixed(0);
     bench_.memory().set_faults({});
     bench_.scoreboard().allow_bus_errors(false);
+    return good();
+  }
+
+  // LOADs of the same stream with a wrong header: each is refused as the model refuses it.
+  bool wrong_headers() {
+    const auto stream = image_.memory().stream;
+    if (!parse_header(stream)) return good();
+    for (unsigned i = 0; i < kWrongHeaders && good(); ++i) {
+      std::vector<uint8_t> bytes(stream.begin(), stream.end());
+      const Damage damage = random_.chance(800)   ? Damage::kHeaderField
+                            : random_.chance(500) ? Damage::kHeaderByte
+                                                  : Damage::kCut;
+      spoil(bytes, damage, random_.next());
+      StreamImage(bytes, bench_.unit().parameters()).load_into(bench_);
+    }
+    return good() && load();
+  }
+
+  // From DISABLE on requests wait; the next LOAD lets the one that waits in.
+  bool disabled() {
+    if (image_.golden() == nullptr) return good();
+    bench_.disable();
+    const uint64_t sent = bench_.scoreboard().counts().sent;
+    const RequestSource source =
+        recorded_.record(mixed_requests(image_.golden()->geometry(), image_.golden()->header(),
+                                        kRequests / 4, random_.next(), kBadPermille));
+    const uint64_t seed = random_.next();
+    bench_.run(source, image_.oracle(), {}, seed, kDisabledClocks);
+    if (bench_.scoreboard().counts().sent != sent) {
+      bench_.findings().add({"protocol: request taken after DISABLE", {}, {}, {}, bench_.cycle()});
+    }
+    bench_.coverage().hit(Point::kDisabled);
+    image_.load_into(bench_);
+    if (good()) bench_.run(source, image_.oracle(), {}, seed);
     return good();
   }
 

@@ -1,17 +1,52 @@
 // The unit as Verilator made it, behind the pins of the bench.
 #pragma once
 
+#include <array>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
 #include <type_traits>
 
 #include <verilated.h>
+#include <verilated_cov.h>
+#if VM_TRACE
 #include <verilated_fst_c.h>
+#endif
 
 #include "pins.hpp"
 
 namespace hmlfc::tb {
+
+#if VM_TRACE
+/// The wave of a unit, from open() on.
+class Wave {
+ public:
+  template <class Model>
+  void open(Model& model, const std::string& path) {
+    file_ = std::make_unique<VerilatedFstC>();
+    model.trace(file_.get(), 99);
+    file_->open(path.c_str());
+  }
+  void dump(uint64_t time) {
+    if (file_) file_->dump(time);
+  }
+  void close() {
+    if (file_) file_->close();
+  }
+
+ private:
+  std::unique_ptr<VerilatedFstC> file_;
+};
+#else
+/// The Verilated unit has no waves.
+struct Wave {
+  template <class Model>
+  void open(Model&, const std::string&) {}
+  void dump(uint64_t) {}
+  void close() {}
+};
+#endif
 
 /// A port of any width, as words of 32 bits.
 template <class Port>
@@ -39,13 +74,27 @@ inline void unpack_samples(const uint32_t* words, unsigned bits, size_t count, i
   }
 }
 
+/// Adds what the unit of `context` has covered as a file to the folder that the environment
+/// variable HMLFC_RTL_COVERAGE_DIR names; nothing without it.
+inline void write_coverage(VerilatedContext& context) {
+  static int files = 0;
+  const char* folder = std::getenv("HMLFC_RTL_COVERAGE_DIR");
+  if (folder == nullptr) return;
+  const std::string path = std::string(folder) + "/" + std::to_string(files++) + ".dat";
+  context.coveragep()->write(path.c_str());
+}
+
 /// `Model` is Verilator's class of the top module for `parameters`; the FST wave is on request.
 template <class Model>
 class VerilatedUnit final : public DecodeUnit {
  public:
-  explicit VerilatedUnit(const UnitParameters& parameters) : parameters_(parameters) {
+  /// `plusarg` is what $value$plusargs sees.
+  explicit VerilatedUnit(const UnitParameters& parameters, const std::string& plusarg = {})
+      : parameters_(parameters) {
     context_ = std::make_unique<VerilatedContext>();
-    context_->traceEverOn(true);
+    std::array<const char*, 2> arguments{"unit", plusarg.c_str()};
+    context_->commandArgs(static_cast<int>(arguments.size()), arguments.data());
+    context_->traceEverOn(VM_TRACE);
     model_ = std::make_unique<Model>(context_.get(), "hmlfc_decode_unit");
     set_inputs(UnitInputs{});
     model_->clk = 0;
@@ -53,8 +102,9 @@ class VerilatedUnit final : public DecodeUnit {
   }
 
   ~VerilatedUnit() override {
-    if (wave_) wave_->close();
+    wave_.close();
     model_->final();
+    if constexpr (VM_COVERAGE) write_coverage(*context_);
   }
 
   void clock(const UnitInputs&, const UnitInputs& after, UnitOutputs& outputs) override {
@@ -71,15 +121,11 @@ class VerilatedUnit final : public DecodeUnit {
   bool has_trace() const override { return true; }
   UnitParameters parameters() const override { return parameters_; }
 
-  void open_wave(const std::string& path) override {
-    wave_ = std::make_unique<VerilatedFstC>();
-    model_->trace(wave_.get(), 99);
-    wave_->open(path.c_str());
-  }
+  void open_wave(const std::string& path) override { wave_.open(*model_, path); }
 
  private:
   void dump() {
-    if (wave_) wave_->dump(static_cast<uint64_t>(time_));
+    wave_.dump(time_);
     time_ += 5;
   }
 
@@ -166,7 +212,7 @@ class VerilatedUnit final : public DecodeUnit {
   UnitParameters parameters_;
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<Model> model_;
-  std::unique_ptr<VerilatedFstC> wave_;
+  Wave wave_;
   uint64_t time_ = 0;
 };
 

@@ -12,6 +12,17 @@ endif()
 # A library needs a source of its own.
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp" "")
 
+# With coverage the code is large, and compiles slowly: no waves then.
+option(HMLFC_RTL_COVERAGE "Count lines, branches and toggles of the decode unit" OFF)
+set(instruments TRACE_FST)
+set(optimise -O3)
+set(optimise_slow -O1)
+if(HMLFC_RTL_COVERAGE)
+  set(instruments COVERAGE)
+  set(optimise -O1)
+  set(optimise_slow -O0)
+endif()
+
 set(HMLFC_RTL_INCLUDES "")
 set(HMLFC_RTL_MAKERS "")
 set(HMLFC_RTL_LIBRARIES "")
@@ -30,9 +41,9 @@ foreach(unit IN LISTS HMLFC_RTL_UNITS)
     TOP_MODULE hmlfc_decode_unit
     PREFIX ${prefix}
     INCLUDE_DIRS "${PROJECT_SOURCE_DIR}/rtl"
-    TRACE_FST
-    OPT_FAST -O3
-    OPT_SLOW -O1
+    ${instruments}
+    OPT_FAST ${optimise}
+    OPT_SLOW ${optimise_slow}
     OPT_GLOBAL -O2
     VERILATOR_ARGS -GBLOCK_LOG2=${block_log2} -GMAX_DEPTH=${max_depth}
       -GAXI_DATA_BITS=${data_bits} -GOUTSTANDING=${outstanding}
@@ -46,4 +57,6 @@ endforeach()
 
 configure_file(rtl_units.cpp.in rtl_units.cpp @ONLY)
 add_library(hmlfc_rtl STATIC "${CMAKE_CURRENT_BINARY_DIR}/rtl_units.cpp")
+target_compile_definitions(hmlfc_rtl PRIVATE
+  VM_COVERAGE=$<BOOL:${HMLFC_RTL_COVERAGE}> VM_TRACE=$<NOT:$<BOOL:${HMLFC_RTL_COVERAGE}>>)
 target_link_libraries(hmlfc_rtl PUBLIC hmlfc_bench ${HMLFC_RTL_LIBRARIES} ZLIB::ZLIB)

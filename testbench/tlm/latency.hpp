@@ -5,15 +5,16 @@
 #include <cstdint>
 
 #include "oracle.hpp"
+#include "tlm/latency_table.hpp"
 
 namespace hmlfc::tb {
 
-/// Clocks, as rtl-check measures them ("clocks each" of its report, and a single request).
+/// Clocks, by default as rtl-clocks measures them on the unit.
 struct LatencyTable {
-  uint64_t load = 200;    ///< of a LOAD
-  uint64_t request = 40;  ///< of a request, besides its level blocks
+  uint64_t load = kLoadClocks;        ///< of a LOAD
+  uint64_t request = kRequestClocks;  ///< of a request, besides its level blocks
   /// Of a level block: zero, motion only, motion and residual, residual only, key image.
-  std::array<uint64_t, 5> level_block{1, 2, 3, 2, 2};
+  std::array<uint64_t, 5> level_block = kLevelBlockClocks;
 };
 
 /// The clocks from a request to its answer.
