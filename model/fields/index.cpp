@@ -36,6 +36,7 @@ std::optional<GroupNumber> find_group(const StreamView& stream, uint64_t group,
                                       const Probe& probe) {
   const auto root = stream.bytes(Section::kRoot);
   const uint64_t at = (group >> kLaneBits) * kRootEntryBytes;
+  stream.note_read(Section::kRoot, at, kRootEntryBytes);
   const uint64_t mask = load_le<uint64_t>(root, static_cast<size_t>(at));
   const uint64_t address = bit_address(stream, Section::kRoot, at);
   probe.field(Section::kRoot, address, 64, "mask", "IDX-4", static_cast<int64_t>(mask));
@@ -56,6 +57,7 @@ Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNu
   }
   GroupRecord record;
   record.at = (number.first + number.rank) * kGroupRecordBytes;
+  stream.note_read(Section::kGroup, record.at, kGroupRecordBytes);
   record.tile_mask = load_le<uint64_t>(groups, static_cast<size_t>(record.at));
   const uint64_t place = load_le<uint64_t>(groups, static_cast<size_t>(record.at) + 8);
   record.data = place & ((uint64_t{1} << kDataOffsetBits) - 1);
@@ -86,6 +88,8 @@ Result<TileExtent> load_extent(const StreamView& stream, const GroupRecord& grou
   const auto end_of = [&](unsigned entry) {
     const uint64_t at = uint64_t{entry} * group.offset_bits;
     const uint32_t end = table.field(at, group.offset_bits);
+    stream.note_read(Section::kTile, group.data + at / 8,
+                     ceil_div(at % 8 + group.offset_bits, uint64_t{8}));
     probe.field(Section::kTile, address + at, group.offset_bits, "end", "IDX-6", end);
     return end;
   };
@@ -96,6 +100,7 @@ Result<TileExtent> load_extent(const StreamView& stream, const GroupRecord& grou
   if (end <= begin || end > tiles.size()) {
     return stream.error(ErrorCode::kBadTileOffset, Section::kTile, group.data);
   }
+  stream.note_read(Section::kTile, begin, end - begin);
   return TileExtent{begin, end};
 }
 

@@ -199,7 +199,12 @@ Result<void> Decoder::load_references(int threads) const {
       for (const Plane plane : kPlanes) {
         const auto loaded =
             guard_memory([&] { return state_->references.plane(level, image, plane); });
-        if (!loaded) first.add(geometry.image_number(level, image), loaded.error());
+        const auto read = guard_memory([&]() -> Result<void> {
+          if (!loaded) return tl::unexpected(loaded.error());
+          (*loaded)->read_all();
+          return {};
+        });
+        if (!read) first.add(geometry.image_number(level, image), read.error());
       }
     });
   }

@@ -76,6 +76,8 @@ Result<SamplePlane> KeyImages::decode(uint64_t entry, Plane plane) const {
   const auto top = stream_.bytes(Section::kTop);
   const TopEntry place = load_entry(top, entry);
   const auto codestream = top.subspan(static_cast<size_t>(place.offset), place.size);
+  stream_.note_read(Section::kTop, entry * kTopEntryBytes, kTopEntryBytes);
+  stream_.note_read(Section::kTop, place.offset, place.size);
   const PlaneShape& shape = stream_.geometry.plane(plane);
   const bool chroma = plane != Plane::kY;
   const SamplePrecision precision{stream_.header.depth + (chroma ? 1 : 0), chroma};

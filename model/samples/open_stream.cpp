@@ -26,7 +26,7 @@ Result<StreamView> open_stream(std::span<const uint8_t> file, const OpenOptions&
   if (samples > options.limits.max_plane_samples) {
     return fail(ErrorCode::kLimitExceeded, Section::kHeader, 20);
   }
-  StreamView stream{file, *header, Geometry(*header)};
+  StreamView stream{file, *header, Geometry(*header), options.reads};
   if (auto ok = check_index_sizes(stream); !ok) return tl::unexpected(ok.error());
   if (auto ok = check_top_table(stream); !ok) return tl::unexpected(ok.error());
   if (options.check_sections) {

@@ -2,8 +2,10 @@
 // values.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include <hmlfc/error.hpp>
@@ -16,16 +18,19 @@
 
 namespace hmlfc {
 
-/// The residuals of one plane of one reference image (TIL-10, STP-3). Immutable once built.
+/// The residuals of one plane of one reference image (TIL-10, STP-3). Each tile is read when one of
+/// its blocks is first asked for. Thread-safe.
 class SparsePlane {
  public:
-  /// Reads every block of plane `plane` of reference image `image` of level `level`. Never fails: a
-  /// block that does not decode keeps its error and returns it when it is asked for, as reading it
-  /// on demand would.
-  static SparsePlane read(const StreamView& stream, int level, ImagePos image, Plane plane);
+  /// Plane `plane` of reference image `image` of level `level`; `stream` must outlive it.
+  static SparsePlane open(const StreamView& stream, int level, ImagePos image, Plane plane);
 
-  /// The block's B * B residuals, or null where all are 0; the block's error where it has one.
+  /// The block's B * B residuals, or null where all are 0. A block that does not decode has its
+  /// error, as reading it on demand would.
   Result<const int16_t*> find(uint32_t bx, uint32_t by) const;
+
+  /// Reads every tile that was not read yet.
+  void read_all() const;
 
   unsigned block_size() const { return block_size_; }
 
@@ -34,19 +39,29 @@ class SparsePlane {
 
  private:
   struct Tile {
-    uint64_t coded = 0;        // blocks with values, by block number
-    uint64_t failed = 0;       // blocks with an error
-    uint32_t first_block = 0;  // index of its first block in values_, in blocks
-    uint32_t first_error = 0;
+    uint64_t coded = 0;   // blocks with values, by block number
+    uint64_t failed = 0;  // blocks with an error
+    std::vector<int16_t> values;
+    std::vector<Error> errors;
   };
 
-  void read_tile(const StreamView& stream, const BlockSite& site);
+  struct State {
+    explicit State(size_t count) : tiles(count), ready(count) {}
 
+    std::mutex mutex;  // of whoever reads a tile
+    std::vector<Tile> tiles;
+    std::vector<std::atomic<bool>> ready;  // by tile
+  };
+
+  const Tile& tile_at(size_t number) const;
+  void read_tile(const BlockSite& site, Tile& tile) const;
+  void read_blocks(const BlockSite& site, Tile& tile) const;
+
+  const StreamView* stream_ = nullptr;
+  BlockSite site_;  // with the block 0, 0
   unsigned block_size_ = 4;
   uint32_t tiles_x_ = 0;
-  std::vector<Tile> tiles_;
-  std::vector<int16_t> values_;
-  std::vector<Error> errors_;
+  std::unique_ptr<State> state_;
 };
 
 /// The sparse planes and disparities of all reference images that were needed so far. Thread-safe.

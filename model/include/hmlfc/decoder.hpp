@@ -21,11 +21,22 @@ struct DecoderLimits {
   uint64_t max_plane_samples = uint64_t{1} << 30;  ///< width * height of a view
 };
 
+/// Told which bytes of the file a decoder reads for a request: of the index, of tile records and of
+/// key images; opening the stream is not counted. Called by several threads at once.
+class ReadSink {
+ public:
+  virtual ~ReadSink() = default;
+
+  /// `bytes` bytes from `offset` on, from the start of the file.
+  virtual void on_read(uint64_t offset, uint64_t bytes) = 0;
+};
+
 struct OpenOptions {
   /// Check the CRC of every section (FIL-6), which reads the whole file. Without it a damaged
   /// section is found only where a structural check fails.
   bool check_sections = true;
   DecoderLimits limits{};
+  ReadSink* reads = nullptr;  ///< must outlive the decoder
 };
 
 /// A place in the grid of views.
