@@ -1,8 +1,29 @@
 #include "cli/arguments.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "io/view_name.hpp"
 
 namespace hmlfc::cli {
+
+std::optional<std::vector<double>> parse_decimals(std::string_view text, size_t least,
+                                                  size_t most) {
+  std::vector<double> numbers;
+  while (true) {
+    const size_t comma = std::min(text.find(','), text.size());
+    double number = 0;
+    const auto [last, error] = std::from_chars(text.data(), text.data() + comma, number);
+    if (error != std::errc{} || last != text.data() + comma || !std::isfinite(number)) {
+      return std::nullopt;
+    }
+    numbers.push_back(number);
+    if (comma == text.size()) break;
+    text.remove_prefix(comma + 1);
+  }
+  if (numbers.size() < least || numbers.size() > most) return std::nullopt;
+  return numbers;
+}
 
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& type_name,
                        const std::string& description, Reader reader) {

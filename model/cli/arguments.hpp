@@ -48,6 +48,10 @@ std::optional<std::array<uint32_t, N>> parse_numbers(std::string_view text, char
   return numbers;
 }
 
+/// From `least` to `most` decimal numbers with commas between them: "7.5,3,-2". NaN and infinities
+/// are none.
+std::optional<std::vector<double>> parse_decimals(std::string_view text, size_t least, size_t most);
+
 /// Stores what `text` says, or returns the complaint: what was expected.
 using Reader = std::function<std::optional<std::string>(const std::string& text)>;
 

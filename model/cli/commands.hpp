@@ -20,6 +20,7 @@ void add_info(CLI::App& program, Task& task);
 void add_compare(CLI::App& program, Task& task);
 void add_inspect(CLI::App& program, Task& task);
 void add_bise(CLI::App& program, Task& task);
+void add_render(CLI::App& program, Task& task);
 void add_picture(CLI::App& program, Task& task);
 
 }  // namespace hmlfc::cli

@@ -50,6 +50,7 @@ void add_commands(CLI::App& program, Task& task) {
   add_compare(program, task);
   add_inspect(program, task);
   add_bise(program, task);
+  add_render(program, task);
   add_picture(program, task);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
 }

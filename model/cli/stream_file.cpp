@@ -8,10 +8,10 @@
 
 namespace hmlfc::cli {
 
-StreamFile::StreamFile(std::filesystem::path path)
+StreamFile::StreamFile(std::filesystem::path path, const OpenOptions& options)
     : path_(std::move(path)),
       file_(value_or_throw(io::MappedFile::open(path_), ExitCode::kInput)),
-      decoder_(value_or_throw(Decoder::open(file_.bytes()), path_)) {}
+      decoder_(value_or_throw(Decoder::open(file_.bytes(), options), path_)) {}
 
 void StreamFile::check_view(ViewPos view) const {
   if (view.row < header().rows && view.col < header().cols) return;

@@ -13,7 +13,7 @@ namespace hmlfc::cli {
 class StreamFile {
  public:
   /// Failures: the file cannot be read (kInput), or is no intact stream (kCorrupt).
-  explicit StreamFile(std::filesystem::path path);
+  explicit StreamFile(std::filesystem::path path, const OpenOptions& options = {});
 
   const std::filesystem::path& path() const { return path_; }
   const Decoder& decoder() const { return decoder_; }

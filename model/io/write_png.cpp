@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/atomic_file.hpp"
+#include "io/encode_png.hpp"
 #include "io/write_image.hpp"
 
 namespace hmlfc::io {
@@ -81,7 +82,7 @@ bool encode(png_structp png, png_infop info, const RgbImage& image, uint8_t* row
 
 }  // namespace
 
-IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image) {
+std::vector<uint8_t> encode_png(const RgbImage& image) {
   PngOutput output;
   std::vector<uint8_t> row(size_t{image.width} * 3 * (image.depth == 8 ? 1 : 2));
   png_structp png =
@@ -93,8 +94,14 @@ IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& imag
     done = encode(png, info, image, row.data());
   }
   png_destroy_write_struct(&png, &info);
-  if (!done) return file_error(path, "not enough memory to write a PNG picture");
-  return write_file(path, output.bytes);
+  if (!done) output.bytes.clear();
+  return std::move(output.bytes);
+}
+
+IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image) {
+  const std::vector<uint8_t> bytes = encode_png(image);
+  if (bytes.empty()) return file_error(path, "not enough memory to write a PNG picture");
+  return write_file(path, bytes);
 }
 
 }  // namespace hmlfc::io

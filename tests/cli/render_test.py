@@ -1,0 +1,159 @@
+"""render: frames, paths, what they took, and what is refused."""
+
+import json
+import os
+import struct
+import zlib
+
+from pictures import read_png
+from program import CORRUPT, INPUT, USAGE, CliTest, main
+
+
+def chunks_of(data):
+    """(type, data) of each chunk of a PNG file; its checksums are right."""
+    at = 8
+    while at < len(data):
+        (size,) = struct.unpack_from(">I", data, at)
+        kind, body = data[at + 4 : at + 8], data[at + 8 : at + 8 + size]
+        (crc,) = struct.unpack_from(">I", data, at + 8 + size)
+        assert crc == zlib.crc32(kind + body)
+        yield kind.decode(), body
+        at += size + 12
+
+
+class Render(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.hmlfc(*"synth --scene cards --grid 4x5 --size 60x44 -o views".split())
+        cls.hmlfc(*"encode views -o a.hmlfc --profile main --height 2".split())
+        cls.hmlfc("decode", "a.hmlfc", "-o", "all")
+        cls.hmlfc("decode", "a.hmlfc", "-o", "coarse", "--levels", 2)
+
+    def picture(self, *path):
+        return read_png(self.folder.joinpath(*path))
+
+    def render(self, *arguments):
+        return self.hmlfc_json("render", "a.hmlfc", *arguments)
+
+    def test_at_a_view_it_is_the_view(self):
+        for filter_name in ("nearest", "bilinear", "quadrilinear"):
+            arguments = ["--camera", "3,2", "--focus", "inf", "--filter", filter_name]
+            self.render(*arguments, "-o", "one.png")
+            self.assertEqual(self.picture("one.png"), self.picture("all", "02_03.png"))
+            self.render(*arguments, "--levels", 2, "-o", "one.png")
+            self.assertEqual(self.picture("one.png"), self.picture("coarse", "02_03.png"))
+
+    def test_orbit(self):
+        arguments = "--path orbit --frames 6 --size 50x40".split()
+        report = self.render(*arguments, "-o", "orbit", "--preview", "orbit.png")
+        self.assertEqual(sorted(os.listdir(self.folder / "orbit")),
+                         [f"frame_{k:04}.png" for k in range(6)])  # fmt: skip
+        self.assertEqual((report["width"], report["height"]), (50, 40))
+        self.assertEqual(len(report["frames"]), 6)
+        for k, frame in enumerate(report["frames"]):
+            self.assertEqual(
+                frame["blocks_needed"], frame["blocks_decoded"] + frame["blocks_reused"]
+            )
+            self.assertGreater(frame["samples_interpolated"], 0)
+            self.assertEqual(frame["bytes_touched"] % 64, 0)
+            self.assertEqual(frame["blocks_decoded"] > 0, frame["bytes_touched"] > 0)
+            self.assertEqual(frame["file"], f"orbit/frame_{k:04}.png")
+        first = report["frames"][0]
+        self.assertEqual(first["blocks_needed"], first["blocks_decoded"])
+        self.assertLess(first["bytes_touched"], os.path.getsize(self.folder / "a.hmlfc"))
+        self.check_preview(6)
+        # Neither threads nor the cache change a byte.
+        for more in (["--threads", 1], ["--cache", 0], ["--threads", 3]):
+            self.render(*arguments, "-o", "again", *more)
+            for k in range(6):
+                name = f"frame_{k:04}.png"
+                self.assertEqual(
+                    (self.folder / "again" / name).read_bytes(),
+                    (self.folder / "orbit" / name).read_bytes(),
+                )
+
+    def check_preview(self, frames):
+        chunks = list(chunks_of((self.folder / "orbit.png").read_bytes()))
+        kinds = [kind for kind, _ in chunks]
+        self.assertEqual(kinds[0], "IHDR")
+        self.assertEqual(kinds[-1], "IEND")
+        self.assertEqual(kinds.count("fcTL"), frames)
+        self.assertEqual(dict(chunks)["acTL"], struct.pack(">II", frames, 0))
+        numbers = [struct.unpack(">I", body[:4])[0] for kind, body in chunks
+                   if kind in ("fcTL", "fdAT")]  # fmt: skip
+        self.assertEqual(numbers, list(range(len(numbers))))
+        # What reads PNG alone sees the first frame.
+        self.assertEqual(self.picture("orbit.png"), self.picture("orbit", "frame_0000.png"))
+
+    def test_line_and_file(self):
+        self.render(*"--path line --frames 3 -o line".split())
+        cameras = [{"position": [4 * k / 2, 1.5, 0]} for k in range(3)]
+        (self.folder / "path.json").write_text(json.dumps(cameras))
+        report = self.render(*"--path path.json -o file".split())
+        self.assertEqual([f["camera"]["position"] for f in report["frames"]],
+                         [c["position"] for c in cameras])  # fmt: skip
+        for k in range(3):
+            name = f"frame_{k:04}.png"
+            self.assertEqual(self.picture("line", name), self.picture("file", name))
+
+    def test_quality_vs_time(self):
+        rows = self.render(*"--quality-vs-time --path orbit --frames 2 --size 30x30".split())
+        self.assertEqual(len(rows), 3 * 3 * 2)
+        settings = {(row["filter"], row["levels"], row["cache"]): row for row in rows}
+        best = settings["quadrilinear", 3, True]["psnr_rgb"]
+        self.assertGreater(best, 45)
+        self.assertEqual(best, max(row["psnr_rgb"] for row in rows))
+        self.assertGreater(best, settings["nearest", 3, True]["psnr_rgb"])
+        self.assertGreater(best, settings["quadrilinear", 1, True]["psnr_rgb"])
+
+    def test_cameras_that_see_nothing_are_black(self):
+        for camera in (["--camera", "2,1,-3", "--look-at", "2,1,-4"], ["--camera", "40,40"]):
+            self.render(*camera, "-o", "black.png")
+            self.assertEqual(set(self.picture("black.png").samples), {0})
+
+    def test_bad_cameras(self):
+        for arguments, says in [
+            (["--fov", "0"], "--fov"),
+            (["--fov", "nan"], "--fov"),
+            (["--camera", "nan,1"], "--camera"),
+            (["--camera", "1"], "--camera"),
+            (["--camera", "1,1,1,1"], "--camera"),
+            (["--camera", "1e9,1"], "position's column"),
+            (["--camera", "1,1,0", "--look-at", "1,1,0"], "camera's place"),
+            (["--camera", "1,1,0", "--look-at", "1,9,0"], "straight above or below"),
+            (["--focus", "300"], "--focus"),
+            (["--focal", "0"], "focal"),
+            (["--size", "0x9"], "--size"),
+            (["--size", "4097x9"], "--size"),
+            (["--aperture", "4"], "--aperture"),
+            (["--levels", "4"], "--levels 4 is outside [1, 3]"),
+            (["--backend", "gpu"], "no Vulkan decoder"),
+            (["--device", "x"], "--device needs"),
+            (["--frames", "0"], "--frames"),
+            (["--path", "orbit"], "name a folder"),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, "render", "a.hmlfc", "-o", "x.png", *arguments, says=says)
+                self.assertFalse((self.folder / "x.png").exists())
+        self.refused(USAGE, "render", "a.hmlfc", says="-o is missing")
+
+    def test_bad_inputs(self):
+        for text, says in [
+            ("{", "not a JSON array"), ("[]", "not a JSON array"), ("[1]", "frame 0: not an object"),
+            ('[{}, {"position": [1, 2]}]', "frame 1: position"),
+            ('[{"speed": 1}]', "unknown key speed"), ('[{"fov": "x"}]', "fov is not a number"),
+        ]:  # fmt: skip
+            (self.folder / "bad.json").write_text(text)
+            arguments = ["--path", "bad.json", "-o", "bad"]
+            self.refused(INPUT, "render", "a.hmlfc", *arguments, says=says)
+        self.refused(INPUT, "render", "a.hmlfc", "--path", "none.json", "-o", "bad")
+        self.refused(INPUT, "render", "none.hmlfc", "-o", "bad")
+        damaged = bytearray((self.folder / "a.hmlfc").read_bytes())
+        damaged[len(damaged) // 2 :] = b"\xff" * (len(damaged) - len(damaged) // 2)
+        (self.folder / "damaged.hmlfc").write_bytes(damaged)
+        self.refused(CORRUPT, "render", "damaged.hmlfc", "-o", "bad.png", says="damaged.hmlfc")
+        self.assertFalse((self.folder / "bad.png").exists())
+
+
+if __name__ == "__main__":
+    main()
