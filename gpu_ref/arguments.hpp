@@ -24,8 +24,9 @@ struct Arguments {
   uint32_t request_count = 0;
   uint32_t colour_area_count = 0;
   uint32_t pixel_count = 0;
+  uint64_t frame = 0;
 };
-static_assert(sizeof(Arguments) == 120, "every Vulkan device takes 128 bytes of push constants");
+static_assert(sizeof(Arguments) == 128, "every Vulkan device takes 128 bytes of push constants");
 
 /// Area of arguments.glsl.
 struct AreaRecord {

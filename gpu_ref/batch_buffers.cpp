@@ -2,8 +2,13 @@
 
 #include <algorithm>
 
+#include "commands.hpp"
+
 namespace hmlfc::gpu {
 namespace {
+
+constexpr uint64_t kSubmissionBytes = uint64_t{512} << 20;
+constexpr uint64_t kMaxRequests = uint64_t{1} << 24;
 
 template <class Record>
 uint64_t write_records(Device::State& device, GrowingBuffer& buffer,
@@ -14,6 +19,20 @@ uint64_t write_records(Device::State& device, GrowingBuffer& buffer,
 }
 
 }  // namespace
+
+BlockSizes block_sizes(const StreamHeader& header) {
+  return {static_cast<uint32_t>(header.tree_height) + 1,
+          header.block_size() * header.block_size() / 2};
+}
+
+uint64_t most_requests(const Device::State& device, const BlockSizes& sizes, bool trace) {
+  // A status and the samples twice, on the device and on the host; three lanes of pixels.
+  const uint64_t bytes = kRequestBytes + sizes.entry_bytes() + 8 + 4 * sizes.sample_bytes() +
+                         (trace ? 2 * sizes.stage_bytes() : 0);
+  const uint64_t budget = std::min(kSubmissionBytes, device.max_buffer_bytes);
+  const uint64_t invocations = kMaxInvocations / std::max(sizes.sample_words, sizes.levels);
+  return std::min({budget / bytes, invocations, kMaxRequests});
+}
 
 Arguments BatchBuffers::prepare(Device::State& device, const Batch& batch, const BlockSizes& sizes,
                                 bool trace, Arguments arguments) {

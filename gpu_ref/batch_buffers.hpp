@@ -39,6 +39,12 @@ struct BlockSizes {
   uint64_t stage_bytes() const { return levels * kStageCount * sample_bytes(); }
 };
 
+/// The sizes of a stream with this header.
+BlockSizes block_sizes(const StreamHeader& header);
+
+/// Most requests of one submission, with stages or not.
+uint64_t most_requests(const Device::State& device, const BlockSizes& sizes, bool trace);
+
 /// What one submission reads and writes besides the stream.
 struct BatchBuffers {
   GrowingBuffer areas{Memory::kUpload};

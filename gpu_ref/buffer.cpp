@@ -40,6 +40,7 @@ vk::BufferCreateInfo buffer_info(uint64_t size,
   return vk::BufferCreateInfo({}, size,
                               vk::BufferUsageFlagBits::eStorageBuffer |
                                   vk::BufferUsageFlagBits::eShaderDeviceAddress |
+                                  vk::BufferUsageFlagBits::eIndirectBuffer |
                                   vk::BufferUsageFlagBits::eTransferSrc |
                                   vk::BufferUsageFlagBits::eTransferDst)
       .setPNext(external);

@@ -23,6 +23,13 @@ class Commands {
   void dispatch(const std::string& name, Kernel kernel, const Variant& variant,
                 const Arguments& arguments, uint64_t invocations);
 
+  /// As many workgroups as three words of `groups` at byte `offset` say.
+  void dispatch_counted(const std::string& name, Kernel kernel, const Variant& variant,
+                        const Arguments& arguments, const Buffer& groups, uint64_t offset);
+
+  /// Sets the words of bytes [offset, offset + bytes) to `word`; multiples of 4.
+  void fill(const Buffer& buffer, uint64_t offset, uint64_t bytes, uint32_t word);
+
   /// Bytes [from_offset, from_offset + bytes) to `to`; nothing for 0 bytes.
   void copy(const Buffer& from, uint64_t from_offset, const Buffer& to, uint64_t to_offset,
             uint64_t bytes);
@@ -31,6 +38,9 @@ class Commands {
   std::vector<StageTime> run();
 
  private:
+  template <class Dispatch>
+  void stage(const std::string& name, Kernel kernel, const Variant& variant,
+             const Arguments& arguments, const Dispatch& dispatch);
   void barrier();
   void write_time(uint32_t query);
 

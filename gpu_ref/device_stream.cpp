@@ -4,6 +4,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "batch_buffers.hpp"
+#include "commands.hpp"
 #include "samples/key_images.hpp"
 #include "stream_shape.hpp"
 #include "values/rounding.hpp"
@@ -85,6 +87,7 @@ DeviceStream::DeviceStream(Device::State& device, const StreamView& stream)
       stream_shape(stream, words_.chunk_log2(), references_.chunk_log2());
   damage_.records<uint32_t>()[0] = 0;
   upload_keys(device, stream);
+  decode_references(device, stream);
 }
 
 Arguments DeviceStream::arguments() const {
@@ -111,6 +114,23 @@ void DeviceStream::upload_keys(Device::State& device, const StreamView& stream) 
       if (packed[i].damaged) damage_.records<uint32_t>()[0] = 1;
       references_.upload(device, 4 * planes[begin + i].word, packed[i].bytes);
     }
+  }
+}
+
+// Residuals of the reference images at levels that are not keyed (DEC-4).
+void DeviceStream::decode_references(Device::State& device, const StreamView& stream) {
+  const Variant variant{.chunked = chunked(), .reference_pass = true};
+  const BlockSizes sizes = block_sizes(stream.header);
+  BatchBuffers buffers;
+  const uint64_t limit = std::max<uint64_t>(1, most_requests(device, sizes, false));
+  for (const Batch& batch : reference_batches(stream.geometry, limit)) {
+    const Arguments all = buffers.prepare(device, batch, sizes, false, arguments());
+    Commands commands(device);
+    commands.dispatch("expand", Kernel::kExpand, variant, all, batch.requests);
+    commands.dispatch("walk", Kernel::kWalk, variant, all, batch.requests);
+    commands.dispatch("residuals", Kernel::kResiduals, variant, all,
+                      batch.requests * sizes.sample_words);
+    commands.run();
   }
 }
 

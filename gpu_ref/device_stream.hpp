@@ -13,8 +13,8 @@ namespace hmlfc::gpu {
 /// ROOT, GROUP and TILE as they are, TOP as decoded samples.
 class DeviceStream {
  public:
-  /// Uploads `stream` and its key images. Other reference images are not there yet: the kernel
-  /// residuals writes them. Throws MachineError.
+  /// Uploads `stream`, decodes its key images on the host and its other reference images on the
+  /// device. Throws MachineError.
   DeviceStream(Device::State& device, const StreamView& stream);
 
   /// The part of the arguments that does not change: shape, stream, references, damage.
@@ -27,6 +27,7 @@ class DeviceStream {
 
  private:
   void upload_keys(Device::State& device, const StreamView& stream);
+  void decode_references(Device::State& device, const StreamView& stream);
 
   ChunkedWords words_;
   ChunkedWords references_;

@@ -11,8 +11,6 @@
 namespace hmlfc::gpu {
 namespace {
 
-constexpr uint64_t kSubmissionBytes = uint64_t{512} << 20;
-constexpr uint64_t kMaxBlocks = uint64_t{1} << 24;
 constexpr uint64_t kLeastBlocks = 3;  // a block in RGB
 
 enum class Want : uint8_t { kSamples, kPixels, kStages };
@@ -30,43 +28,22 @@ struct GpuDecoder::State {
       : device(d),
         stream(d, view),
         chroma_format(view.header.chroma_format),
-        sizes{static_cast<uint32_t>(view.header.tree_height) + 1,
-              view.header.block_size() * view.header.block_size() / 2} {
-    decode_references(view.geometry);
-  }
+        sizes(block_sizes(view.header)) {}
 
   // Most requests of a submission that leaves stages or not.
   uint64_t limit(bool trace) const {
-    const uint64_t bytes = kRequestBytes + sizes.entry_bytes() + 8 + 4 * sizes.sample_bytes() +
-                           (trace ? 2 * sizes.stage_bytes() : 0);
-    const uint64_t budget = std::min(kSubmissionBytes, device.max_buffer_bytes);
-    const uint64_t invocations = kMaxInvocations / std::max(sizes.sample_words, sizes.levels);
-    return std::max(kLeastBlocks, std::min({budget / bytes, invocations, most_blocks}));
-  }
-
-  // Residuals of all reference images into the reference area (DEC-4).
-  void decode_references(const Geometry& geometry) {
-    const Variant variant{stream.chunked(), true, false};
-    for (const Batch& batch : reference_batches(geometry, limit(false))) {
-      const Arguments arguments = buffers.prepare(device, batch, sizes, false, stream.arguments());
-      Commands commands(device);
-      commands.dispatch("expand", Kernel::kExpand, variant, arguments, batch.requests);
-      commands.dispatch("walk", Kernel::kWalk, variant, arguments, batch.requests);
-      commands.dispatch("residuals", Kernel::kResiduals, variant, arguments,
-                        batch.requests * sizes.sample_words);
-      commands.run();
-    }
+    return std::max(kLeastBlocks, std::min(most_requests(device, sizes, trace), most_blocks));
   }
 
   // One submission. `collect(commands)` adds the copies to the readback buffer.
   template <class Collect>
   void submit(const Batch& batch, Want want, const Collect& collect) {
-    const Variant variant{stream.chunked(), false, want == Want::kStages};
+    const Variant variant{.chunked = stream.chunked(), .stages = want == Want::kStages};
     const Arguments arguments =
         buffers.prepare(device, batch, sizes, variant.stages, stream.arguments());
     Commands commands(device);
     // The debug variant alone has a variant of its own for its last kernel.
-    const Variant plain{variant.chunked, false, false};
+    const Variant plain{.chunked = variant.chunked};
     commands.dispatch("expand", Kernel::kExpand, plain, arguments, batch.requests);
     commands.dispatch("walk", Kernel::kWalk, plain, arguments, batch.requests * sizes.levels);
     commands.dispatch("samples", Kernel::kSamples, variant, arguments,
@@ -139,7 +116,7 @@ struct GpuDecoder::State {
   DeviceStream stream;
   ChromaFormat chroma_format;
   BlockSizes sizes;
-  uint64_t most_blocks = kMaxBlocks;
+  uint64_t most_blocks = ~uint64_t{0};
   BatchBuffers buffers;
   std::vector<StageTime> times;
 };

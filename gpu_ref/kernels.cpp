@@ -24,6 +24,21 @@ constexpr uint32_t kSamplesCode[] =
 constexpr uint32_t kColourCode[] =
 #include "shaders/colour.inc"
     ;
+constexpr uint32_t kMarkCode[] =
+#include "shaders/mark.inc"
+    ;
+constexpr uint32_t kCompactCode[] =
+#include "shaders/compact.inc"
+    ;
+constexpr uint32_t kPlanCode[] =
+#include "shaders/plan.inc"
+    ;
+constexpr uint32_t kErrorsCode[] =
+#include "shaders/errors.inc"
+    ;
+constexpr uint32_t kRenderCode[] =
+#include "shaders/render.inc"
+    ;
 
 std::span<const uint32_t> code_of(Kernel kernel) {
   switch (kernel) {
@@ -37,6 +52,16 @@ std::span<const uint32_t> code_of(Kernel kernel) {
       return kSamplesCode;
     case Kernel::kColour:
       return kColourCode;
+    case Kernel::kMark:
+      return kMarkCode;
+    case Kernel::kCompact:
+      return kCompactCode;
+    case Kernel::kPlan:
+      return kPlanCode;
+    case Kernel::kErrors:
+      return kErrorsCode;
+    case Kernel::kRender:
+      return kRenderCode;
   }
   return {};
 }
@@ -50,8 +75,9 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
                                  std::span<const uint32_t> code, const Variant& variant) {
   const vk::raii::ShaderModule shader(
       device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
-  const std::array<vk::Bool32, 3> values{variant.chunked, variant.reference_pass, variant.stages};
-  std::array<vk::SpecializationMapEntry, 3> entries;
+  const std::array<vk::Bool32, 4> values{variant.chunked, variant.reference_pass, variant.stages,
+                                         variant.counted};
+  std::array<vk::SpecializationMapEntry, 4> entries;
   for (uint32_t i = 0; i < entries.size(); ++i) {
     entries[i] =
         vk::SpecializationMapEntry(i, i * uint32_t{sizeof(vk::Bool32)}, sizeof(vk::Bool32));

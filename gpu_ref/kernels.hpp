@@ -9,13 +9,25 @@
 
 namespace hmlfc::gpu {
 
-enum class Kernel : uint8_t { kExpand, kWalk, kResiduals, kSamples, kColour };
+enum class Kernel : uint8_t {
+  kExpand,
+  kWalk,
+  kResiduals,
+  kSamples,
+  kColour,
+  kMark,
+  kCompact,
+  kPlan,
+  kErrors,
+  kRender
+};
 
 /// The specialisation constants of the kernels, in the order of their numbers.
 struct Variant {
   bool chunked = false;         ///< kChunked of arguments.glsl
   bool reference_pass = false;  ///< kReferencePass of requests.glsl
   bool stages = false;          ///< kStages of samples.comp
+  bool counted = false;         ///< kCounted of frame_arguments.glsl
 
   friend auto operator<=>(const Variant&, const Variant&) = default;
 };

@@ -1,6 +1,7 @@
 // Stands for the decoder in builds without the Vulkan headers or the shader compiler.
 #include "device.hpp"
 #include "gpu_decoder.hpp"
+#include "gpu_renderer.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -47,5 +48,18 @@ Outcome<std::vector<BlockStages>> GpuDecoder::trace(std::span<const BlockArea>) 
 const std::vector<StageTime>& GpuDecoder::stage_times() const { return state_->times; }
 uint64_t GpuDecoder::reference_bytes() const { return 0; }
 void GpuDecoder::limit_submissions(uint64_t) {}
+
+struct GpuRenderer::State {
+  std::vector<StageTime> times;
+};
+
+GpuRenderer::GpuRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GpuRenderer::GpuRenderer(GpuRenderer&&) noexcept = default;
+GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
+GpuRenderer::~GpuRenderer() = default;
+
+Outcome<GpuRenderer> GpuRenderer::open(Device&, const StreamView&) { return missing(); }
+Outcome<GpuFrame> GpuRenderer::render(const FrameRecord&, int) { return missing(); }
+const std::vector<StageTime>& GpuRenderer::stage_times() const { return state_->times; }
 
 }  // namespace hmlfc::gpu

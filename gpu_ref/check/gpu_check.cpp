@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/progress_bar.hpp"
+#include "frame_check.hpp"
 #include "gpu_answers.hpp"
 #include "io/mapped_file.hpp"
 #include "oracle.hpp"
@@ -34,6 +35,7 @@ struct Options {
   bool json = false;
   bool answers_only = false;
   bool speed = false;
+  uint64_t frames = 0;
 };
 
 int usage_error(const std::string& message) {
@@ -61,6 +63,8 @@ void add_options(CLI::App& app, Options& o) {
                  "Print the stages of one block instead: ROW COL PLANE BX BY [STOP]")
       ->expected(5, 6);
   app.add_flag("--speed", o.speed, "Decode --views whole views and say how long it takes instead");
+  app.add_option("--frames", o.frames,
+                 "Render so many novel views instead, from the first column to the last");
   app.add_option("--device", o.device.device, "Number or part of the name of a Vulkan device");
   app.add_flag("--list-devices", o.list, "List the Vulkan devices");
   app.add_option("--chunk-bytes", o.device.chunk_bytes,
@@ -194,6 +198,17 @@ int show_speed(const Options& o, const StreamView& view, const Device& device,
   return 0;
 }
 
+int show_frames(const Options& o, std::span<const uint8_t> file, const StreamView& view,
+                Device& device) {
+  auto renderer = GpuRenderer::open(device, view);
+  if (!renderer) return usage_error(renderer.error().message);
+  const auto report = check_frames(*renderer, file, view, o.frames, !o.speed);
+  if (!report) return usage_error(report.error().message);
+  fmt::print("{}: {}", device.info().name, to_text(*report));
+  if (!o.speed) fmt::print("{}\n", report->mismatch ? "FAILED" : "equal to the golden renderer");
+  return report->mismatch ? kExitDifferent : 0;
+}
+
 int run_on_stream(const Options& o) {
   const auto file = io::MappedFile::open(o.file);
   if (!file) return usage_error(file.error().message);
@@ -205,6 +220,7 @@ int run_on_stream(const Options& o) {
   if (!stream) return usage_error(o.file + ": " + to_string(stream.error()));
   auto device = Device::open(o.device);
   if (!device) return usage_error(device.error().message);
+  if (o.frames != 0) return show_frames(o, file->bytes(), *view, *device);
   auto decoder = GpuDecoder::open(*device, *view);
   if (!decoder) return usage_error(decoder.error().message);
   if (o.speed) return show_speed(o, *view, *device, *decoder);

@@ -68,6 +68,7 @@ layout(push_constant, std430) uniform Arguments {
   uint request_count;
   uint colour_area_count;
   uint pixel_count;      // blocks in RGB
+  uvec2 frame;           // of the rendering kernels (frame.glsl)
 } arguments;
 
 /// The stream or the reference area is in more than one buffer.

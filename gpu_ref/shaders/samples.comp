@@ -4,6 +4,8 @@
 // level down to its stop level. Neighbouring invocations write neighbouring words.
 #include "decode.glsl"
 #include "requests.glsl"
+#include "frame.glsl"
+#include "frame_arguments.glsl"
 #include "stream_words.glsl"
 #include "bise.glsl"
 #include "block_entry.glsl"
@@ -87,7 +89,7 @@ void main() {
   const uint words_log2 = 2u * arguments.shape.block_log2 - 1u;
   const uint number = invocation();
   const uint q = number >> words_log2;
-  if (q >= arguments.request_count) return;
+  if (q >= request_count()) return;
   const uint word = number & low_bits(words_log2);
   const Request request = arguments.requests.request[q];
   uint status = ERROR_BAD_REQUEST;

@@ -4,6 +4,8 @@
 // request and a level. No walk waits for another (BND-1).
 #include "decode.glsl"
 #include "requests.glsl"
+#include "frame.glsl"
+#include "frame_arguments.glsl"
 #include "u64.glsl"
 #include "stream_words.glsl"
 #include "bise.glsl"
@@ -74,7 +76,7 @@ void main() {
   const uint number = invocation();
   const uint entries = entries_of_request();
   const uint q = number / entries;
-  if (q >= arguments.request_count) return;
+  if (q >= request_count()) return;
   const Request request = arguments.requests.request[q];
   if (!is_valid(request)) return;
   const uint l = kReferencePass ? level_of(request) : number - q * entries;

@@ -1,0 +1,53 @@
+// Blocks that a frame needs, as bits: image by image of the level shown, row by row, in each the
+// blocks of planes Y, Co and Cg, row by row (the order of NED-2).
+
+uint blocks_of_plane(uint p) {
+  return arguments.shape.planes[p].blocks_x * arguments.shape.planes[p].blocks_y;
+}
+
+/// The bit of block (bx, by) of plane p of image (row, column).
+uint bit_of_block(uvec2 image, uint p, uvec2 block) {
+  const uint luma = blocks_of_plane(0u);
+  const uint chroma = blocks_of_plane(1u);
+  const uint number = image.x * arguments.shape.levels[frame().stop_level].cols + image.y;
+  const uint before = p == 0u ? 0u : luma + (p - 1u) * chroma;
+  return number * (luma + 2u * chroma) + before + block.y * arguments.shape.planes[p].blocks_x +
+         block.x;
+}
+
+/// The request of a bit: the inverse of bit_of_block.
+Request request_of_bit(uint bit) {
+  const uint luma = blocks_of_plane(0u);
+  const uint chroma = blocks_of_plane(1u);
+  const uint number = bit / (luma + 2u * chroma);
+  uint at = bit - number * (luma + 2u * chroma);
+  uint p = 0u;
+  if (at >= luma) {
+    p = at < luma + chroma ? 1u : 2u;
+    at -= luma + (p - 1u) * chroma;
+  }
+  const uint cols = arguments.shape.levels[frame().stop_level].cols;
+  const uint blocks_x = arguments.shape.planes[p].blocks_x;
+  return Request(number / cols | (number % cols) << 16, at % blocks_x | (at / blocks_x) << 16,
+                 p | frame().stop_level << 8 | 1u << 16);
+}
+
+/// The request that decodes the block of a bit that is set.
+uint slot_of_bit(uint bit) {
+  const uint word = frame().needed.word[bit >> 5];
+  return frame().first_slots.word[bit >> 5] + uint(bitCount(word & low_bits(bit & 31u)));
+}
+
+/// The image shown in the place of a view, and where sample (x, y) of plane p lies in it.
+struct SamplePlace {
+  uvec2 block;
+  uint at;  // position in the block
+};
+
+SamplePlace place_of_sample(uint p, uint x, uint y) {
+  const uint shift = p == 0u ? 0u : arguments.shape.chroma_halved;
+  const uint log2 = arguments.shape.block_log2;
+  const uvec2 sample_at = uvec2(x, y) >> shift;  // COL-3
+  const uvec2 in_block = sample_at & low_bits(log2);
+  return SamplePlace(sample_at >> log2, (in_block.y << log2) + in_block.x);
+}
