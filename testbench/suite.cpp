@@ -23,7 +23,8 @@ class CaseRun {
   void run() {
     const bool steps_passed = load() && !image_.left_to_software() && directed() && mixed(0) &&
                               wrong_headers() && mixed(0) && reset_in_flight() && load() &&
-                              mixed(0) && faulty_memory() && mixed(0) && disabled() && counters();
+                              mixed(0) && faulty_memory() && mixed(0) && faulty_section() &&
+                              mixed(0) && disabled() && counters();
     static_cast<void>(steps_passed);
     total_ += bench_.scoreboard().counts();
   }
@@ -84,13 +85,28 @@ class CaseRun {
     const uint64_t base = bench_.image().stream_base;
     const uint64_t end = bench_.image().reference_base + bench_.image().reference_area.size();
     const uint64_t begin = base + random_.below(end - base);
-    bench_.memory().set_faults(
-        {{begin, begin + 16 + random_.below(4096), static_cast<uint8_t>(random_.within(2, 3))}});
+    faults({begin, begin + 16 + random_.below(4096), static_cast<uint8_t>(random_.within(2, 3))});
+    return good();
+  }
+
+  // The same on one section of the index or the records, whole, right after LOAD: the unit holds
+  // nothing of it yet, and may keep nothing of what comes with an error.
+  bool faulty_section() {
+    if (image_.golden() == nullptr) return good();
+    if (!load()) return false;
+    const auto& section = image_.golden()->header().sections[random_.within(1, 3)];
+    const uint64_t begin = bench_.image().stream_base + section.offset;
+    faults({begin, begin + section.size, static_cast<uint8_t>(random_.within(2, 3))});
+    return good();
+  }
+
+  // Random requests while `range` is faulty.
+  void faults(FaultyRange range) {
+    bench_.memory().set_faults({range});
     bench_.scoreboard().allow_bus_errors(true);
     mixed(0);
     bench_.memory().set_faults({});
     bench_.scoreboard().allow_bus_errors(false);
-    return good();
   }
 
   // LOADs of the same stream with a wrong header: each is refused as the model refuses it.
