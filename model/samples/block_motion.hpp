@@ -15,6 +15,7 @@ namespace hmlfc {
 struct ReferenceMotion {
   ImagePos image;
   SubpelVector vector;
+  friend bool operator==(const ReferenceMotion&, const ReferenceMotion&) = default;
 };
 
 /// The motion of a block: no reference without motion, else one or two.
@@ -22,6 +23,7 @@ struct BlockMotion {
   unsigned count = 0;
   bool negative = false;  ///< sign -
   std::array<ReferenceMotion, 2> references{};
+  friend bool operator==(const BlockMotion&, const BlockMotion&) = default;
 };
 
 /// Palette entries of one plane of one predictive image to motion (MOT-7 to MOT-9).

@@ -44,6 +44,30 @@ SamplePlane crop(const SamplePlane& region, const BlockRect& blocks, const Rect&
   return samples;
 }
 
+// Whether `region` is `rect` already, or, where more to the right and below does not matter, begins
+// with it.
+bool is_cropped(const SamplePlane& region, const BlockRect& blocks, const Rect& rect,
+                uint32_t block_size, bool exactly) {
+  return rect.x == blocks.bx0 * block_size && rect.y == blocks.by0 * block_size &&
+         (!exactly || (region.width == rect.width && region.height == rect.height));
+}
+
+// The samples of `rect`, which lies in the plane, of image `image` of level `level`: a plane of its
+// size, or, unless `exactly`, one whose rows go on and which has more of them.
+Result<SamplePlane> decode_samples(const DecodeSources& sparse, const DecodeSources& on_demand,
+                                   const BlockSite& image, const Rect& rect, bool exactly) {
+  const uint32_t block_size = sparse.stream.geometry.block_size();
+  const BlockRect blocks = blocks_of(rect, block_size);
+  const ImagePos at{image.image_row, image.image_col};
+  auto region = decode_region(sparse, image.level, at, image.plane, blocks);
+  if (!region) {
+    // Which block fails, and whether one that was asked for does, is for the golden path to say.
+    region = decode_region_by_blocks(on_demand, image.level, at, image.plane, blocks);
+  }
+  if (!region || is_cropped(*region, blocks, rect, block_size, exactly)) return region;
+  return crop(*region, blocks, rect, block_size);
+}
+
 }  // namespace
 
 Decoder::Decoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -93,16 +117,12 @@ Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, con
   if (!has_view(header(), view, stop_level) || !contains(shape.width, shape.height, rect)) {
     return bad_request();
   }
-  const BlockRect blocks = blocks_of(rect, geometry.block_size());
   const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
   return guard_memory([&]() -> Result<std::vector<int16_t>> {
-    auto region = decode_region(state_->sparse(), stop_level, image, plane, blocks);
-    if (!region) {
-      // Which block fails, and whether one that was asked for does, is for the golden path to say.
-      region = decode_region_by_blocks(state_->on_demand(), stop_level, image, plane, blocks);
-    }
-    if (!region) return tl::unexpected(region.error());
-    return crop(*region, blocks, rect, geometry.block_size()).samples;
+    auto samples = decode_samples(state_->sparse(), state_->on_demand(),
+                                  {stop_level, image.row, image.col, plane}, rect, true);
+    if (!samples) return tl::unexpected(samples.error());
+    return std::move(samples->samples);
   });
 }
 
@@ -113,20 +133,22 @@ Result<std::vector<int16_t>> Decoder::decode_plane(ViewPos view, Plane plane,
 }
 
 Result<RgbImage> Decoder::decode_rgb(ViewPos view, const Rect& rect, int stop_level) const {
-  if (!contains(header().width, header().height, rect)) return bad_request();
-  const bool halved = header().chroma_format == ChromaFormat::k420;
-  std::array<SamplePlane, kPlaneCount> planes;
-  for (const Plane plane : kPlanes) {
-    const Rect part = chroma_rect(rect, halved && plane != Plane::kY);
-    auto samples = decode_rect(view, plane, part, stop_level);
-    if (!samples) return tl::unexpected(samples.error());
-    SamplePlane& target = planes[static_cast<size_t>(plane)];
-    target.width = part.width;
-    target.height = part.height;
-    target.samples = std::move(*samples);
+  if (!has_view(header(), view, stop_level) || !contains(header().width, header().height, rect)) {
+    return bad_request();
   }
-  return guard_memory(
-      [&]() -> Result<RgbImage> { return rgb_picture(planes, rect, halved, header().depth); });
+  const bool halved = header().chroma_format == ChromaFormat::k420;
+  const ImagePos image = state_->stream.geometry.ancestor({view.row, view.col}, 0, stop_level);
+  return guard_memory([&]() -> Result<RgbImage> {
+    std::array<SamplePlane, kPlaneCount> planes;
+    for (const Plane plane : kPlanes) {
+      auto samples = decode_samples(state_->sparse(), state_->on_demand(),
+                                    {stop_level, image.row, image.col, plane},
+                                    chroma_rect(rect, halved && plane != Plane::kY), false);
+      if (!samples) return tl::unexpected(samples.error());
+      planes[static_cast<size_t>(plane)] = std::move(*samples);
+    }
+    return rgb_picture(planes, rect, halved, header().depth);
+  });
 }
 
 Result<RgbImage> Decoder::decode_view(ViewPos view, int stop_level) const {

@@ -1,10 +1,19 @@
+// Plain loops over fixed numbers of columns, which the compiler turns to vectors of each
+// instruction set that they are compiled for; one is chosen at run time.
 #include "samples/interpolate.hpp"
 
 #include <cstring>
 #include <limits>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "samples/interpolate.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
 namespace hmlfc {
-namespace {
+namespace HWY_NAMESPACE {
 
 // One reference from a column on; samples of weight 0 stand for any that are there.
 struct Taps {
@@ -78,12 +87,16 @@ void put_columns(const std::array<DisplacedReference, 2>& references, unsigned c
   put_two<Sum, kLanes>(first, Taps(references[1], x), target, x);
 }
 
-// All columns, eight, four and one at a time.
+// All columns, sixteen, eight, four and one at a time.
 template <class Sum>
 void interpolate(const std::array<DisplacedReference, 2>& references, unsigned count,
                  const PredictionTarget& target) {
   unsigned x = 0;
-  for (; x + 8 <= target.columns; x += 8) put_columns<Sum, 8>(references, count, target, x);
+  for (; x + 16 <= target.columns; x += 16) put_columns<Sum, 16>(references, count, target, x);
+  if (x + 8 <= target.columns) {
+    put_columns<Sum, 8>(references, count, target, x);
+    x += 8;
+  }
   if (x + 4 <= target.columns) {
     put_columns<Sum, 4>(references, count, target, x);
     x += 4;
@@ -92,8 +105,8 @@ void interpolate(const std::array<DisplacedReference, 2>& references, unsigned c
 }
 
 // R of whole vectors: the reference itself, or the mean of two, halves up.
-void average(const std::array<DisplacedReference, 2>& references, unsigned count,
-             const PredictionTarget& target) {
+inline void average(const std::array<DisplacedReference, 2>& references, unsigned count,
+                    const PredictionTarget& target) {
   for (unsigned y = 0; y < target.rows; ++y) {
     int16_t* out = target.data + y * target.stride;
     const int16_t* first = references[0].view.data + y * references[0].view.stride;
@@ -108,14 +121,12 @@ void average(const std::array<DisplacedReference, 2>& references, unsigned count
   }
 }
 
-bool is_whole(const DisplacedReference& reference) {
+inline bool is_whole(const DisplacedReference& reference) {
   return reference.fx == 0 && reference.fy == 0;
 }
 
-}  // namespace
-
-void interpolate_rect(const std::array<DisplacedReference, 2>& references, unsigned count,
-                      int32_t bound, const PredictionTarget& target) {
+void interpolate_rect_here(const std::array<DisplacedReference, 2>& references, unsigned count,
+                           int32_t bound, const PredictionTarget& target) {
   if (is_whole(references[0]) && (count == 1 || is_whole(references[1]))) {
     return average(references, count, target);
   }
@@ -127,4 +138,21 @@ void interpolate_rect(const std::array<DisplacedReference, 2>& references, unsig
   }
 }
 
+}  // namespace HWY_NAMESPACE
 }  // namespace hmlfc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace hmlfc {
+
+HWY_EXPORT(interpolate_rect_here);
+
+void interpolate_rect(const std::array<DisplacedReference, 2>& references, unsigned count,
+                      int32_t bound, const PredictionTarget& target) {
+  HWY_DYNAMIC_DISPATCH(interpolate_rect_here)(references, count, bound, target);
+}
+
+}  // namespace hmlfc
+
+#endif  // HWY_ONCE

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 #include "samples/block_motion.hpp"
 #include "samples/interpolate.hpp"
@@ -88,25 +89,34 @@ class MotionPass {
   }
 
   // The part of a motion block whose blocks take their disparities from the grid: neighbours with
-  // the same one are predicted together.
+  // the same motion are predicted together.
   Result<void> add_shared(const PaletteEntry& entry, const Area& part) {
     const uint32_t unit = unit_side(sources_.stream.header.disparity_grid_log2);
     for (uint32_t y = part.y0 / unit * unit; y < part.y1; y += unit) {
       Area run = common({part.x0, y, part.x0, y + unit}, {part.x0, part.y0, part.x1, part.y1});
-      int32_t disparity = 0;
+      BlockMotion motion;
       for (uint32_t x = part.x0 / unit * unit; x < part.x1; x += unit) {
-        const auto next = disparity_at(entry, x << shift_, y << shift_);
-        if (!next) return tl::unexpected(next.error());
-        if (*next != disparity && run.x1 > run.x0) {
-          if (auto ok = add_unit(resolver_.resolve(entry, disparity), run); !ok) return ok;
+        const auto disparity = disparity_at(entry, x << shift_, y << shift_);
+        if (!disparity) return tl::unexpected(disparity.error());
+        const BlockMotion& next = shared_motion(entry, *disparity);
+        if (run.x1 > run.x0 && next != motion) {
+          if (auto ok = add_unit(motion, run); !ok) return ok;
           run.x0 = run.x1;
         }
-        disparity = *next;
+        motion = next;
         run.x1 = std::min(x + unit, part.x1);
       }
-      if (auto ok = add_unit(resolver_.resolve(entry, disparity), run); !ok) return ok;
+      if (auto ok = add_unit(motion, run); !ok) return ok;
     }
     return {};
+  }
+
+  // resolve() of an entry that shares a disparity, remembered for the disparities last met.
+  const BlockMotion& shared_motion(const PaletteEntry& entry, int32_t disparity) {
+    ResolvedMotion& slot = resolved_[static_cast<uint32_t>(disparity) % resolved_.size()];
+    const auto key = std::tuple(disparity, entry.reference_set, entry.negative);
+    if (!slot.known || slot.key != key) slot = {true, key, resolver_.resolve(entry, disparity)};
+    return slot.motion;
   }
 
   Result<int32_t> disparity_at(const PaletteEntry& entry, uint32_t x, uint32_t y) {
@@ -185,6 +195,12 @@ class MotionPass {
     return failure(ErrorCode::kBadMode);
   }
 
+  struct ResolvedMotion {
+    bool known = false;
+    std::tuple<int32_t, unsigned, bool> key;
+    BlockMotion motion;
+  };
+
   const DecodeSources& sources_;
   const Geometry& geometry_;
   int level_;
@@ -199,6 +215,7 @@ class MotionPass {
   unsigned shift_ = 0;  // 1: the motion plane has twice the width and height
   std::array<std::optional<ReferenceReader>, 4> readers_;  // of K0 to K3
   std::shared_ptr<const DisparityPlane> disparities_;
+  std::array<ResolvedMotion, 64> resolved_;
 };
 
 }  // namespace
