@@ -64,5 +64,27 @@ TEST_F(GpuBounds, AreKeptByARandomIndex) {
   EXPECT_GT(total.failed(), 1000u);
 }
 
+// A stream of empty tiles whose ROOT says that no group is empty: record numbers 0 to 63 of a GROUP
+// section without records.
+TEST_F(GpuBounds, AreKeptByGroupsOfAnEmptySection) {
+  auto device = open(guarded(0));
+  ASSERT_TRUE(device);
+  std::mt19937 random(9);
+  StreamHeader header = test::draw_stream_header(random);
+  header.rows = header.cols = 6;
+  header.width = header.height = 64;
+  header.block_log2 = 1;
+  header.tree_height = 0;
+  header.levels.assign(1, {3, 3, 0});
+  auto bytes = test::NaiveStream(random, header, 0).file();
+  const auto parsed = parse_header(bytes);
+  ASSERT_TRUE(parsed);
+  ASSERT_EQ(parsed->sections[2].size, 0u);
+  const uint64_t root = parsed->sections[1].offset;
+  for (uint64_t i = 0; i < 8; ++i) bytes[static_cast<size_t>(root + i)] = 0xFF;  // the mask
+  const CheckCounts counts = expect_equal(*device, bytes, {});
+  EXPECT_GT(counts.statuses[static_cast<size_t>(ErrorCode::kBadRootEntry)], 100u);
+}
+
 }  // namespace
 }  // namespace hmlfc::gpu
