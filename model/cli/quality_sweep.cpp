@@ -34,7 +34,7 @@ std::vector<SweepPoint> sweep_quality(const StreamFile& file, std::vector<Camera
       for (const bool cached : {false, true}) {
         BackendChoice setting = choice;
         if (!cached) setting.options.cache_bytes = 0;
-        const auto renderer = make_renderer(setting, file.decoder());
+        const auto renderer = make_renderer(setting, file);
         SweepPoint point{filter, levels, cached, 0, 0};
         double squares = 0;
         Frame frame;

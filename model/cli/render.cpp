@@ -51,8 +51,9 @@ Json camera_json(const Camera& camera) {
   return json;
 }
 
+// On a device the whole stream lies in its memory, and nobody counts what it reads.
 Json frame_json(const std::string& name, const Camera& camera, const Frame& frame,
-                uint64_t bytes_touched) {
+                std::optional<uint64_t> bytes_touched) {
   Json json;
   json["file"] = name;
   json["camera"] = camera_json(camera);
@@ -63,8 +64,10 @@ Json frame_json(const std::string& name, const Camera& camera, const Frame& fram
   json["blocks_needed"] = frame.counts.blocks_needed;
   json["blocks_decoded"] = frame.counts.blocks_decoded;
   json["blocks_reused"] = frame.counts.blocks_reused;
-  json["bytes_touched"] = bytes_touched;
-  json["samples_interpolated"] = frame.counts.samples_interpolated;
+  if (bytes_touched) {
+    json["bytes_touched"] = *bytes_touched;
+    json["samples_interpolated"] = frame.counts.samples_interpolated;
+  }
   return json;
 }
 
@@ -92,7 +95,7 @@ class RenderRun {
       make_output_folder(arguments_.output);
     }
     if (!arguments_.preview.empty()) check_output_file(arguments_.preview);
-    const auto renderer = make_renderer(arguments_.backend, file_.decoder());
+    const auto renderer = make_renderer(arguments_.backend, file_);
     ProgressBar progress("Rendering", "frames");
     for (size_t k = 0; k < cameras_.size(); ++k) {
       render_one(*renderer, k, one_file ? arguments_.output : arguments_.output / frame_name(k));
@@ -163,7 +166,9 @@ class RenderRun {
     }
     seconds_ += frame_.seconds.total();
     frames_.push_back(frame_json(name.string(), with_defaults(cameras_[k], file_.header()), frame_,
-                                 touched_.bytes()));
+                                 arguments_.backend.backend == Backend::kCpu
+                                     ? std::optional(touched_.bytes())
+                                     : std::nullopt));
   }
 
   void report() const {
@@ -236,7 +241,8 @@ void add_render(CLI::App& program, Task& task) {
   app->footer(
       R"(Places are counted in columns and rows of views; Z is the distance beyond the plane of the views, in
 columns. Frames are the same bytes on every machine (docs/rendering.md). Of the stream only those
-parts are read that the frames need.
+parts are read that the frames need; with --backend gpu it is put into the device's memory, and
+bytes_touched and samples_interpolated are left out of the JSON.
 
 Example:
   hmlfc render chess.hmlfc --path orbit --frames 4 --size 96x96 -o orbit --json)");

@@ -6,6 +6,8 @@
 
 #include <hmlfc/renderer.hpp>
 
+#include "cli/stream_file.hpp"
+
 namespace hmlfc::cli {
 
 enum class Backend : uint8_t { kCpu, kGpu };
@@ -17,8 +19,9 @@ struct BackendChoice {
   RenderOptions options;
 };
 
-/// The renderer that `choice` asks for; `decoder` must outlive it. Usage failure for what this
-/// build does not have.
-std::unique_ptr<FrameRenderer> make_renderer(const BackendChoice& choice, const Decoder& decoder);
+/// The renderer that `choice` asks for; `file` must outlive it. Usage failure for a device that is
+/// not there, or that does not hold the stream. On a device every frame decodes what it needs, and
+/// FrameCounts::samples_interpolated is not counted.
+std::unique_ptr<FrameRenderer> make_renderer(const BackendChoice& choice, const StreamFile& file);
 
 }  // namespace hmlfc::cli

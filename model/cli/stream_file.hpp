@@ -1,7 +1,9 @@
 // An .hmlfc file, open for decoding.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 
 #include <hmlfc/decoder.hpp>
 
@@ -18,6 +20,7 @@ class StreamFile {
   const std::filesystem::path& path() const { return path_; }
   const Decoder& decoder() const { return decoder_; }
   const StreamHeader& header() const { return decoder_.header(); }
+  std::span<const uint8_t> bytes() const { return file_.bytes(); }
   uint64_t size() const { return file_.bytes().size(); }
 
   /// Usage failure unless `view` is in the grid.

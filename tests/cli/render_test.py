@@ -6,7 +6,7 @@ import struct
 import zlib
 
 from pictures import read_png
-from program import CORRUPT, INPUT, USAGE, CliTest, main
+from program import CORRUPT, DONE, INPUT, USAGE, CliTest, main
 
 
 def chunks_of(data):
@@ -106,6 +106,25 @@ class Render(CliTest):
         self.assertGreater(best, settings["nearest", 3, True]["psnr_rgb"])
         self.assertGreater(best, settings["quadrilinear", 1, True]["psnr_rgb"])
 
+    def test_gpu_draws_the_same_frames(self):
+        """Where there is no device the command says so, and names what is missing."""
+        arguments = ["render", "a.hmlfc", *"--path orbit --frames 2 --size 40x30 --json".split()]
+        ran = self.run_hmlfc(*arguments, "--backend", "gpu", "-o", "gpu")
+        if ran.returncode == USAGE:
+            self.assertIn(b"--backend gpu: ", ran.stderr)
+            self.skipTest(ran.stderr.decode().strip())
+        self.assertEqual(ran.returncode, DONE, ran.stderr)
+        report = json.loads(ran.stdout)
+        self.assertEqual(report["backend"], "gpu")
+        self.render(*"--path orbit --frames 2 --size 40x30 -o cpu".split())
+        for frame in report["frames"]:
+            self.assertEqual(frame["blocks_needed"], frame["blocks_decoded"])
+            self.assertNotIn("bytes_touched", frame)
+        for k in range(2):
+            name = f"frame_{k:04}.png"
+            self.assertEqual((self.folder / "gpu" / name).read_bytes(),
+                             (self.folder / "cpu" / name).read_bytes())  # fmt: skip
+
     def test_cameras_that_see_nothing_are_black(self):
         for camera in (["--camera", "2,1,-3", "--look-at", "2,1,-4"], ["--camera", "40,40"]):
             self.render(*camera, "-o", "black.png")
@@ -127,7 +146,7 @@ class Render(CliTest):
             (["--size", "4097x9"], "--size"),
             (["--aperture", "4"], "--aperture"),
             (["--levels", "4"], "--levels 4 is outside [1, 3]"),
-            (["--backend", "gpu"], "no Vulkan decoder"),
+            (["--backend", "gpu", "--device", "none such"], "--backend gpu: "),
             (["--device", "x"], "--device needs"),
             (["--frames", "0"], "--frames"),
             (["--path", "orbit"], "name a folder"),

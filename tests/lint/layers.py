@@ -27,7 +27,11 @@ ALLOWED = {
     "encoder": {"bits", "values", "fields", "samples", "encoder"},
     "io": {"io"},
     "scenes": {"scenes", "io"},
-    "cli": {"bits", "values", "fields", "samples", "encoder", "render", "io", "scenes", "cli"},
+    "cli": {
+        *("bits", "values", "fields", "samples", "encoder", "render", "io", "scenes", "cli"),
+        "gpu_ref",
+    },
+    "gpu_ref": set(),  # beside model/: renders on a device, for cli
 }
 
 # Folders with .cpp files and the one list that names them all, relative to the list's folder.
