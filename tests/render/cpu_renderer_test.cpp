@@ -77,6 +77,29 @@ TEST(CpuRenderer, ColdFramesEqualTheGoldenRenderer) {
   EXPECT_GT(samples, 100000u);
 }
 
+// Frames of one row, turned: no other row needs the blocks that this one does.
+TEST(CpuRenderer, RowsNeedTheBlocksOfTheGoldenRenderer) {
+  for (uint32_t seed = 200; seed < 230; ++seed) {
+    const test::OpenedStream stream(test::random_stream(seed));
+    const Decoder& decoder = *stream.decoder;
+    test::Random random(seed);
+    for (int n = 0; n < 40; ++n) {
+      Camera camera = test::random_camera(random, decoder.header());
+      camera.frame_height = 1;
+      camera.frame_width = 64;
+      camera.filter = Filter::kQuadrilinear;
+      camera.aperture = 0;
+      const auto part = [&] { return static_cast<double>(random() % 4001) / 1000 - 2; };
+      camera.look_at = WorldPoint{camera.position->u + part(), camera.position->v + part(),
+                                  camera.position->z + 2};
+      const auto record = frame_record(camera, decoder.header());
+      ASSERT_TRUE(record.has_value()) << record.error().message;
+      expect_same(Golden(decoder, *record, 0), *make_cpu_renderer(decoder), *record, 0,
+                  "seed " + std::to_string(seed) + ", frame " + std::to_string(n));
+    }
+  }
+}
+
 // Warm, with budgets from nothing to all: what the cache holds never changes a frame.
 TEST(CpuRenderer, SequencesOfFramesEqualTheGoldenRenderer) {
   for (uint32_t seed = 100; seed < 130; ++seed) {
