@@ -65,7 +65,7 @@ hmlfc_plant_fault(record_of_the_next_tile hmlfc_tile_walk.sv
 
 # What is kept, and what moves.
 hmlfc_plant_fault(root_entry_of_a_bus_error_kept hmlfc_tile_walk.sv
-  "!read_error" "1'b1" "" 0)
+  "!read_error" "1'b1" "stage: error" 0)
 hmlfc_plant_fault(stale_cache_tag hmlfc_reference_lookup.sv
   "tag == own" "1'b1" "stage: sample" 0)
 hmlfc_plant_fault(dropped_beat hmlfc_read_port.sv

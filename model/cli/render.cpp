@@ -227,7 +227,8 @@ void add_render(CLI::App& program, Task& task) {
   add_choice(*app, "--backend", options->backend.backend,
              {{"cpu", Backend::kCpu}, {"gpu", Backend::kGpu}}, "Where frames are drawn")
       ->default_str("cpu");
-  app->add_option("--device", options->backend.device, "Part of the name of the device, for gpu")
+  app->add_option("--device", options->backend.device,
+                  "Number of the device or part of its name, for gpu")
       ->type_name("NAME");
   add_integer(*app, "--cache", options->cache_mib, 0, 1u << 20,
               "MiB of decoded pixels kept between frames");

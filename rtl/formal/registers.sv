@@ -14,7 +14,7 @@ module prove_registers (
   input logic [10:0] status, input logic [5:0] error, input logic [63:0] error_request, input logic [3:0] events,
   input logic error_valid, input logic [4:0] read_bytes
 );
-  logic awready, wready, bvalid, arready, rvalid, load, clear, disable_unit;
+  logic awready, wready, bvalid, arready, rvalid, load, disable_unit;
   logic [1:0] bresp, rresp;
   logic [31:0] rdata;
   logic [63:0] stream_base, stream_bytes, reference_base;
@@ -23,7 +23,7 @@ module prove_registers (
     .s_axil_wdata(wdata), .s_axil_wstrb(wstrb), .s_axil_wvalid(wvalid), .s_axil_wready(wready), .s_axil_bresp(bresp),
     .s_axil_bvalid(bvalid), .s_axil_bready(bready), .s_axil_arvalid(arvalid), .s_axil_arready(arready), .s_axil_rdata(rdata),
     .s_axil_rresp(rresp), .s_axil_rvalid(rvalid), .s_axil_rready(rready), .stream_base(stream_base), .stream_bytes(stream_bytes),
-    .reference_base(reference_base), .load(load), .clear(clear), .disable_unit(disable_unit), .ready(status[0]),
+    .reference_base(reference_base), .load(load), .disable_unit(disable_unit), .ready(status[0]),
     .loading(status[1]), .idle(status[2]), .load_error(status[8:3]), .error_valid(error_valid), .error(error),
     .error_request(error_request), .block_done(events[0]), .in_flight(events[1]), .stalled(events[2]), .read_bytes(read_bytes),
     .answered(events[3]));
