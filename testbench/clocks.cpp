@@ -200,9 +200,9 @@ std::string to_header(const ClockTable& table) {
   return fmt::format(
       "// Made by rtl_clocks --header from what the unit takes: build the target rtl_latencies.\n"
       "#pragma once\n\n#include <array>\n#include <cstdint>\n\nnamespace hmlfc::tb {{\n\n"
-      "inline constexpr uint64_t kLoadClocks = {};     ///< of a LOAD\n"
-      "inline constexpr uint64_t kRequestClocks = {};  ///< of a request, besides its level "
-      "blocks\n"
+      "/// Of a LOAD.\ninline constexpr uint64_t kLoadClocks = {};\n"
+      "/// Of a request, besides its level blocks.\n"
+      "inline constexpr uint64_t kRequestClocks = {};\n"
       "/// Of a level block: zero, motion only, motion and residual, residual only, key image.\n"
       "inline constexpr std::array<uint64_t, 5> kLevelBlockClocks{{{}}};\n\n"
       "}}  // namespace hmlfc::tb\n",
