@@ -31,7 +31,7 @@ CELLS = {
 SYNTH = {
     "ice40": "synth_ice40 -top {top}",
     "ecp5": "synth_ecp5 -top {top}",
-    "xc7": "synth_xilinx -family xc7 -flatten -noiopad -top {top}",
+    "xc7": "synth_xilinx -family xc7 {flatten} -noiopad -top {top}",
     "osu035": "synth -flatten -top {top}; dfflibmap -liberty {lib}; abc -liberty {lib}; opt_clean",
 }
 
@@ -67,7 +67,9 @@ def run(command: list[str]) -> str:
 
 def size(target: str, spec: str) -> list[str]:
     commands, top = read(spec)
-    synth = SYNTH[target].format(top=top, lib=LIBERTY)
+    # The whole unit is mapped module by module: flattened it takes hours.
+    flatten = "" if spec.startswith("decode_unit") else "-flatten"
+    synth = SYNTH[target].format(top=top, lib=LIBERTY, flatten=flatten)
     if target == "osu035":
         text = run(["yosys", "-p", f"{commands}{synth}; stat -liberty {LIBERTY}"])
         cells = re.findall(r"Number of cells: +(\d+)", text)
