@@ -67,7 +67,7 @@ def run(command: list[str]) -> str:
 
 def size(target: str, spec: str) -> list[str]:
     commands, top = read(spec)
-    # The whole unit is mapped module by module: flattened it takes hours.
+    # The whole unit is mapped module by module: flattened it did not end within 25 minutes.
     flatten = "" if spec.startswith("decode_unit") else "-flatten"
     synth = SYNTH[target].format(top=top, lib=LIBERTY, flatten=flatten)
     if target == "osu035":
