@@ -10,6 +10,7 @@
 #include "failure_folder.hpp"
 #include "fields/header.hpp"
 #include "io/mapped_file.hpp"
+#include "plan_options.hpp"
 #include "sequences.hpp"
 #include "stand_in.hpp"
 #include "stream_image.hpp"
@@ -44,20 +45,7 @@ int usage_error(const std::string& message) {
 
 void add_options(CLI::App& app, Options& o) {
   app.add_option("file", o.file, "The stream")->required();
-  app.add_option("--views", o.views, "How many views, drawn by the seed, or all")
-      ->capture_default_str();
-  app.add_option("--seed", o.plan.seed, "Of everything that is random")->capture_default_str();
-  app.add_option("--order", o.order, "scan or random")
-      ->check(CLI::IsMember({"scan", "random"}))
-      ->capture_default_str();
-  app.add_option("--plane", o.plan.plane, "0 Y, 1 Co, 2 Cg, 3 RGB")
-      ->check(CLI::Range(0, 3))
-      ->capture_default_str();
-  app.add_option("--stop-level", o.plan.stop_level, "0 for views")->capture_default_str();
-  app.add_option("--fraction", o.plan.fraction, "Part of the blocks, drawn by the seed")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  app.add_option("--mixed", o.mixed, "So many requests of all kinds instead of views");
+  add_plan_options(app, o.views, o.order, o.plan, o.mixed);
   app.add_option("--latency", o.conditions.latency, "Clocks from address to data")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();

@@ -11,6 +11,7 @@
 #include "gpu_answers.hpp"
 #include "io/mapped_file.hpp"
 #include "oracle.hpp"
+#include "plan_options.hpp"
 #include "samples/open_stream.hpp"
 #include "sequences.hpp"
 #include "speed.hpp"
@@ -45,20 +46,7 @@ int usage_error(const std::string& message) {
 
 void add_options(CLI::App& app, Options& o) {
   app.add_option("file", o.file, "The stream");
-  app.add_option("--views", o.views, "How many views, drawn by the seed, or all")
-      ->capture_default_str();
-  app.add_option("--seed", o.plan.seed, "Of everything that is random")->capture_default_str();
-  app.add_option("--order", o.order, "scan or random")
-      ->check(CLI::IsMember({"scan", "random"}))
-      ->capture_default_str();
-  app.add_option("--plane", o.plan.plane, "0 Y, 1 Co, 2 Cg, 3 RGB")
-      ->check(CLI::Range(0, 3))
-      ->capture_default_str();
-  app.add_option("--stop-level", o.plan.stop_level, "0 for views")->capture_default_str();
-  app.add_option("--fraction", o.plan.fraction, "Part of the blocks, drawn by the seed")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  app.add_option("--mixed", o.mixed, "So many requests of all kinds instead of views");
+  tb::add_plan_options(app, o.views, o.order, o.plan, o.mixed);
   app.add_option("--block", o.block,
                  "Print the stages of one block instead: ROW COL PLANE BX BY [STOP]")
       ->expected(5, 6);
