@@ -61,6 +61,17 @@ constexpr std::array<std::string_view, kPointCount> kNames{
 
 constexpr unsigned kLongLatency = 100;
 
+// The errors of annex A that the unit names itself; bad_request and bus_error have points of the
+// table. The others are for software, which reads sections whole and key images.
+constexpr std::array kNamedByUnit{
+    ErrorCode::kTruncated,      ErrorCode::kBadMagic,        ErrorCode::kBadVersion,
+    ErrorCode::kBadHeaderCrc,   ErrorCode::kBadProfile,      ErrorCode::kBadFeature,
+    ErrorCode::kBadHeaderField, ErrorCode::kBadSectionTable, ErrorCode::kTrailingBytes,
+    ErrorCode::kBadSectionSize, ErrorCode::kBadRootEntry,    ErrorCode::kBadGroupRecord,
+    ErrorCode::kBadTileOffset,  ErrorCode::kTileOverrun,     ErrorCode::kMaskOutside,
+    ErrorCode::kBadMode,        ErrorCode::kBadLevels,       ErrorCode::kVectorRange,
+    ErrorCode::kLimitExceeded};
+
 }  // namespace
 
 void Coverage::on_expected(const ExpectedAnswer& expected, const GoldenStream* stream) {
@@ -121,6 +132,7 @@ void Coverage::on_vector(const LevelRecord& level, const SubpelVector& vector,
 
 void Coverage::on_answer(const ExpectedAnswer& expected, const Answer& answer) {
   if (answer.status == 0) return;
+  on_error(answer.status);
   if (answer.status == kBusError) {
     hit(Point::kStatusBusError);
   } else if (!expected.planes[0]) {
@@ -151,25 +163,36 @@ void Coverage::on_stream(const StreamHeader& header) {
   if (header.depth > 8) hit(Point::kDepthAboveEight);
 }
 
+void Coverage::on_error(uint8_t error) {
+  if (error < kErrorCodeCount) ++errors_[error];
+}
+
+std::vector<Coverage::NamedCount> Coverage::all() const {
+  std::vector<NamedCount> all;
+  for (size_t i = 0; i < kPointCount; ++i) all.push_back({std::string(kNames[i]), hits_[i]});
+  for (const ErrorCode code : kNamedByUnit) {
+    all.push_back({"error " + std::string(error_name(code)), errors_[static_cast<size_t>(code)]});
+  }
+  return all;
+}
+
 std::vector<std::string> Coverage::missed() const {
   std::vector<std::string> names;
-  for (size_t i = 0; i < kPointCount; ++i) {
-    if (hits_[i] == 0) names.emplace_back(kNames[i]);
+  for (const auto& [name, hits] : all()) {
+    if (hits == 0) names.push_back(name);
   }
   return names;
 }
 
 std::string Coverage::report() const {
   std::string text;
-  for (size_t i = 0; i < kPointCount; ++i) {
-    text += std::string(kNames[i]) + ": " + std::to_string(hits_[i]) + "\n";
-  }
+  for (const auto& [name, hits] : all()) text += name + ": " + std::to_string(hits) + "\n";
   return text;
 }
 
 std::string Coverage::to_json() const {
   nlohmann::ordered_json json;
-  for (size_t i = 0; i < kPointCount; ++i) json[std::string(kNames[i])] = hits_[i];
+  for (const auto& [name, hits] : all()) json[name] = hits;
   return json.dump(2) + "\n";
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <hmlfc/error.hpp>
+
 #include "conditions.hpp"
 #include "oracle.hpp"
 
@@ -64,7 +66,8 @@ enum class Point : uint8_t {
 
 inline constexpr size_t kPointCount = static_cast<size_t>(Point::kCount);
 
-/// Counts how often each point was met.
+/// Counts how often each point was met. Besides those of the table, each error that the unit may
+/// name is a point.
 class Coverage {
  public:
   void hit(Point point) { ++hits_[static_cast<size_t>(point)]; }
@@ -74,6 +77,9 @@ class Coverage {
   void on_answer(const ExpectedAnswer& expected, const Answer& answer);
   void on_conditions(const Conditions& conditions);
   void on_stream(const StreamHeader& header);
+
+  /// The unit named `error`, a status of STATUS or of an answer, and rightly.
+  void on_error(uint8_t error);
 
   /// Names of the points that were not met.
   std::vector<std::string> missed() const;
@@ -88,7 +94,14 @@ class Coverage {
   void on_level(const LevelRecord& level, const GoldenStream& stream);
   void on_vector(const LevelRecord& level, const SubpelVector& vector, const GoldenStream& stream);
 
+  struct NamedCount {
+    std::string name;
+    uint64_t hits;
+  };
+  std::vector<NamedCount> all() const;
+
   std::array<uint64_t, kPointCount> hits_{};
+  std::array<uint64_t, kErrorCodeCount> errors_{};
   Request previous_;
   bool has_previous_ = false;
 };

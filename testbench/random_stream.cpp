@@ -6,6 +6,7 @@
 #include "bits/crc32c.hpp"
 #include "fields/geometry.hpp"
 #include "fields/header.hpp"
+#include "index_damage.hpp"
 #include "random.hpp"
 #include "samples/key_images.hpp"
 #include "support/test_light_fields.hpp"
@@ -14,6 +15,9 @@ namespace hmlfc::tb {
 namespace {
 
 constexpr size_t kCrcBytes = 4;
+constexpr size_t kVersionByte = 8;  // FIL-1
+constexpr size_t kProfileByte = 9;
+constexpr uint32_t kOneViewSeeds = 14;  // and the next, of 16
 
 // Changes bytes of [begin, end) of `bytes`, about one in `spacing`, at least one.
 void change_bytes(std::vector<uint8_t>& bytes, uint64_t begin, uint64_t end, uint64_t spacing,
@@ -37,17 +41,20 @@ void repair_header_crc(std::vector<uint8_t>& bytes, size_t header_bytes) {
 
 std::vector<uint8_t> suite_stream(uint32_t seed, unsigned block_size) {
   auto made = test::random_case_of_any_profile(seed);
+  if (seed % 16 >= kOneViewSeeds) made.shape.rows = made.shape.cols = 1;
   made.params.block_size = block_size;
   made.params.threads = 1;
   return encode(test::textured_light_field(made.shape, seed, made.noise), made.params)->bytes;
 }
 
 Damage suite_damage(uint32_t seed) {
-  constexpr std::array kDamages{Damage::kNone,      Damage::kIndexAndTiles, Damage::kNone,
-                                Damage::kKeyImages, Damage::kNone,          Damage::kHeaderField,
-                                Damage::kNone,      Damage::kIndexAndTiles, Damage::kNone,
-                                Damage::kCut,       Damage::kNone,          Damage::kHeaderByte,
-                                Damage::kNone,      Damage::kTiles};
+  constexpr std::array kDamages{
+      Damage::kNone, Damage::kIndexAndTiles, Damage::kNone, Damage::kKeyImages,
+      Damage::kNone, Damage::kHeaderField,   Damage::kNone, Damage::kRootEntries,
+      Damage::kNone, Damage::kRecordHeads,   Damage::kNone, Damage::kCut,
+      Damage::kNone, Damage::kHeaderByte,    Damage::kNone, Damage::kTiles,
+      Damage::kNone, Damage::kGroupRecords,  Damage::kNone, Damage::kEndTables,
+      Damage::kNone, Damage::kRecordHeads};
   // Seeds alternate between the profiles; so do the damages of each profile.
   return kDamages[(seed / 2 + seed % 2) % kDamages.size()];
 }
@@ -67,6 +74,20 @@ void spoil(std::vector<uint8_t>& stream, Damage damage, uint64_t seed) {
     case Damage::kTiles:
       change_bytes(stream, header->sections[3].offset, stream.size(), 30, random);
       return;
+    case Damage::kRootEntries:
+      return spoil_root_entries(stream, *header, random);
+    case Damage::kGroupRecords:
+      return spoil_group_records(stream, *header, random);
+    case Damage::kEndTables:
+      return spoil_end_tables(stream, *header, random);
+    case Damage::kRecordHeads:
+      return spoil_record_heads(stream, *header, random);
+    case Damage::kVersion:
+      stream[kVersionByte] ^= static_cast<uint8_t>(random.within(1, 255));
+      return;
+    case Damage::kProfile:
+      stream[kProfileByte] = static_cast<uint8_t>(random.within(2, 255));
+      return repair_header_crc(stream, header_bytes);
     case Damage::kKeyImages: {
       const uint64_t table = Geometry(*header).key_count() * kPlaneCount * kTopEntryBytes;
       change_bytes(stream, top.offset + table, top.offset + top.size, 3000, random);

@@ -10,18 +10,25 @@ namespace hmlfc::tb {
 enum class Damage : uint8_t {
   kNone,
   kIndexAndTiles,
-  kTiles,  ///< the TILE section alone, and more of it
+  kTiles,        ///< the TILE section alone, and more of it
+  kRootEntries,  ///< these four by index_damage.hpp
+  kGroupRecords,
+  kEndTables,
+  kRecordHeads,
   kKeyImages,
+  kVersion,
+  kProfile,
   kHeaderField,
   kHeaderByte,
   kCut
 };
 
-/// Spoils `stream`, which is intact, by `seed`. With kHeaderField the header's CRC is right again.
+/// Spoils `stream`, which is intact, by `seed`. With kProfile and kHeaderField the header's CRC is
+/// right again.
 void spoil(std::vector<uint8_t>& stream, Damage damage, uint64_t seed);
 
 /// The stream of case `seed`: of a random light field of either profile, with blocks of
-/// `block_size`. Intact.
+/// `block_size`; two seeds in 16, one of each profile, have a light field of one view. Intact.
 std::vector<uint8_t> suite_stream(uint32_t seed, unsigned block_size);
 
 /// How the stream of case `seed` is spoiled: half of them are not.

@@ -29,7 +29,10 @@ void StreamImage::load_into(Bench& bench) const {
   if (!status) return;
   const bool ready = (*status & reg::kReady) != 0;
   const unsigned expected = left_to_software_ ? 0 : load_error_;
-  if (reg::load_error(*status) == expected && ready == (expected == 0)) return;
+  if (reg::load_error(*status) == expected && ready == (expected == 0)) {
+    bench.coverage().on_error(static_cast<uint8_t>(expected));
+    return;
+  }
   bench.findings().add({"registers: error of LOAD",
                         {},
                         {},

@@ -115,7 +115,9 @@ class CaseRun {
     if (!parse_header(stream)) return good();
     for (unsigned i = 0; i < kWrongHeaders && good(); ++i) {
       std::vector<uint8_t> bytes(stream.begin(), stream.end());
-      const Damage damage = random_.chance(800)   ? Damage::kHeaderField
+      const Damage damage = i == 0                ? Damage::kVersion
+                            : i == 1              ? Damage::kProfile
+                            : random_.chance(800) ? Damage::kHeaderField
                             : random_.chance(500) ? Damage::kHeaderByte
                                                   : Damage::kCut;
       spoil(bytes, damage, random_.next());

@@ -14,7 +14,7 @@ namespace {
 
 TEST(Suite, PassesOnTheStandInAndCoversEveryPoint) {
   Bench& bench = test_bench();
-  for (uint32_t seed = 0; seed < 48; ++seed) {
+  for (uint32_t seed = 0; seed < 88; ++seed) {
     auto bytes = seed == 0 ? main_stream(1, 1) : suite_stream(seed, 2u << seed % 3);
     const UnitMaker maker{"stand-in",
                           {bytes[30], 12, seed % 5 == 0 ? 8u : 16u, 16},  // block_log2
