@@ -115,7 +115,6 @@ module hmlfc_disparity_parser #(
         state <= FINISH;
       end
       FINISH: state <= IDLE;
-      default: state <= IDLE;
     endcase
     if (!rst_n) state <= IDLE;
   end

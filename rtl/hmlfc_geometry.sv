@@ -244,11 +244,10 @@ module hmlfc_geometry #(
         if (root_size != 64'(root_bytes) || group_size[3:0] != 0) error <= HMLFC_ERROR_BAD_SECTION_SIZE;
         state <= FINISH;
       end
-      FINISH: begin
+      default: begin  // FINISH
         done <= 1'b1;
         state <= IDLE;
       end
-      default: state <= IDLE;
     endcase
     if (!rst_n) begin
       state <= IDLE;

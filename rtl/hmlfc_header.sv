@@ -279,11 +279,10 @@ module hmlfc_header #(
           state <= FINISH;
         end
       end
-      FINISH: begin
+      default: begin  // FINISH
         done <= 1'b1;
         state <= IDLE;
       end
-      default: state <= IDLE;
     endcase
     if (!rst_n) begin
       state <= IDLE;

@@ -188,8 +188,7 @@ module hmlfc_motion_parser #(
         if (position + P'(total) > bits) error <= HMLFC_ERROR_TILE_OVERRUN;
         state <= FINISH;
       end
-      FINISH: state <= IDLE;
-      default: state <= IDLE;
+      default: state <= IDLE;  // FINISH
     endcase
     if (!rst_n) state <= IDLE;
   end

@@ -28,9 +28,7 @@ module hmlfc_reference_window #(
 );
 
   function automatic logic [14:0] clamped(input logic signed [16:0] at, input logic [14:0] size);
-    if (at < 0) clamped = '0;
-    else if (at[15:0] >= {1'b0, size}) clamped = size - 15'd1;
-    else clamped = at[14:0];
+    clamped = at < 0 ? '0 : at[15:0] >= {1'b0, size} ? size - 15'd1 : at[14:0];
   endfunction
 
   // 1: coordinates. The last one touched is that before it where its weight is 0.

@@ -278,8 +278,7 @@ module hmlfc_residual_parser #(
         else if (headers_last) state <= DRAIN;
       end
       DRAIN: if (!headers_pending) state <= FINISH;
-      FINISH: state <= IDLE;
-      default: state <= IDLE;
+      default: state <= IDLE;  // FINISH
     endcase
     if (!rst_n) state <= IDLE;
   end

@@ -139,8 +139,7 @@ module hmlfc_tile_loader #(
         if (data_error) parse_error <= 6'(HMLFC_ERROR_BUS_ERROR);
         if (data_last) state <= PARSE;
       end
-      PARSE: if (parse_ready) state <= IDLE;
-      default: state <= IDLE;
+      default: if (parse_ready) state <= IDLE;  // PARSE
     endcase
     if (!rst_n) state <= IDLE;
   end

@@ -239,7 +239,6 @@ module hmlfc_tile_walk #(
         done <= 1'b1;
         state <= IDLE;
       end
-      default: state <= IDLE;
     endcase
     if (!rst_n) begin
       state <= IDLE;
