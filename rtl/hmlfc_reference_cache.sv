@@ -11,7 +11,7 @@ module hmlfc_reference_cache #(
     parameter int BLOCK_LOG2 = 2,
     parameter int SAMPLE_BITS = 10,
     parameter int DATA_BITS = 128,
-    parameter int STRIPS = 512,  // kept; a power of two, at least 64
+    parameter int STRIPS = 512,  // kept; a power of two, at least 64 * SECTIONS
     parameter int SECTIONS = 1,  // 1, 2
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int BLOCK_BITS = hmlfc_pkg::BLOCK_BITS,

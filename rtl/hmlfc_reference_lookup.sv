@@ -4,7 +4,7 @@
 // that they miss have been asked for, one a clock (`ask`). From then on the strips count as kept. Latency 6 clocks.
 //
 // BLOCK_LOG2   [1, 3], B = 2^BLOCK_LOG2
-// STRIPS       kept; a power of two, at least 64
+// STRIPS       kept; a power of two, at least 64 * SECTIONS
 // SECTIONS     1, 2
 //
 // Tags lie in four banks by the parity of a strip's row and column, so that the at most 2 x 2 strips of a window are looked up in one

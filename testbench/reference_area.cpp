@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "samples/plane_block.hpp"
-#include "values/rounding.hpp"
 
 namespace hmlfc::tb {
 namespace {
@@ -98,11 +97,6 @@ class AreaBuilder {
 };
 
 }  // namespace
-
-uint32_t strips_in_row(uint32_t width, unsigned block_size) {
-  const uint32_t blocks = ceil_div(width, uint32_t{block_size});
-  return ceil_div(blocks, uint32_t{kStripSamples / (block_size * block_size)});
-}
 
 AreaLayout area_layout(const Geometry& geometry) {
   AreaLayout layout;

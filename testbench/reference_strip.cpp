@@ -3,6 +3,7 @@
 
 #include "bits/bit_string.hpp"
 #include "reference_area.hpp"
+#include "values/rounding.hpp"
 
 namespace hmlfc::tb {
 namespace {
@@ -24,6 +25,11 @@ void put(std::span<uint8_t> bytes, size_t at, unsigned bits, uint32_t value) {
 bool is_poison(int32_t sample) { return sample < poison_of(ErrorCode::kOk) + 32; }
 
 }  // namespace
+
+uint32_t strips_in_row(uint32_t width, unsigned block_size) {
+  const uint32_t blocks = ceil_div(width, uint32_t{block_size});
+  return ceil_div(blocks, uint32_t{kStripSamples / (block_size * block_size)});
+}
 
 std::array<uint8_t, kStripBytes> pack_strip(const StripSamples& samples) {
   const auto [least, most] = std::minmax_element(samples.begin(), samples.end());

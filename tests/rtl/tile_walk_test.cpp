@@ -13,13 +13,10 @@
 #include "fields/header.hpp"
 #include "fields/index.hpp"
 #include "rtl/ports.hpp"
+#include "rtl/read_port.hpp"
 
 namespace hmlfc::test {
 namespace {
-
-constexpr uint64_t kBase = 0x12340;  // of the stream, a multiple of 16
-constexpr size_t kBeat = 16;
-constexpr uint8_t kBusError = 27;  // annex A
 
 /// A stream of a small light field by `seed`: both profiles, tiles with and without records.
 std::vector<uint8_t> some_stream(uint32_t seed) {
@@ -45,47 +42,6 @@ std::vector<uint8_t> some_stream(uint32_t seed) {
   return encode(field, params)->bytes;
 }
 
-/// Memory behind the read port: beats come one by one, with gaps, and some are spoiled on demand.
-class ReadPort {
- public:
-  ReadPort(const std::vector<uint8_t>& file, Random& random) : file_(file), random_(random) {}
-
-  bool spoil = false;     ///< one beat in six is an error and carries anything
-  bool spoiled = false;   ///< one was given
-  uint64_t requests = 0;  ///< since the last walk began
-
-  void drive(TileWalk& dut) {
-    dut.request_ready = beats_ == 0 && random_.one_in(2);
-    dut.data_valid = beats_ != 0 && random_.one_in(2);
-    if (!dut.data_valid) return;
-    dut.data_last = beats_ == 1;
-    dut.data_error = spoil && random_.one_in(6);
-    spoiled |= dut.data_error != 0;
-    for (size_t i = 0; i < kBeat; ++i) {
-      const uint64_t at = address_ + i - kBase;
-      const uint32_t byte = at < file_.size() ? file_[static_cast<size_t>(at)] : 0;
-      const auto anything = static_cast<uint32_t>(random_.in(0, 255));
-      put_bits(dut.data, 8 * i, 8, dut.data_error ? anything : byte);
-    }
-    address_ += kBeat;
-    --beats_;
-  }
-
-  void watch(const TileWalk& dut) {
-    if (!dut.request_valid || !dut.request_ready) return;
-    EXPECT_EQ(dut.request_address % kBeat, 0u);
-    address_ = dut.request_address;
-    beats_ = dut.request_beats;
-    ++requests;
-  }
-
- private:
-  const std::vector<uint8_t>& file_;
-  Random& random_;
-  uint64_t address_ = 0;
-  uint64_t beats_ = 0;
-};
-
 /// Sets the fields of config_t that the walk reads; they are its lowest bits.
 void set_stream(TileWalk& dut, const StreamHeader& header) {
   const auto put40 = [&](size_t at, uint64_t value, unsigned width) {
@@ -94,10 +50,10 @@ void set_stream(TileWalk& dut, const StreamHeader& header) {
   };
   const auto& sections = header.sections;  // TOP, ROOT, GROUP, TILE
   put40(0, sections[3].size, 40);
-  put40(40, kBase + sections[3].offset, 40);
+  put40(40, ReadPort::kBase + sections[3].offset, 40);
   put40(80, sections[2].size / kGroupRecordBytes, 36);
-  put40(116, kBase + sections[2].offset, 40);
-  put40(156, kBase + sections[1].offset, 40);
+  put40(116, ReadPort::kBase + sections[2].offset, 40);
+  put40(156, ReadPort::kBase + sections[1].offset, 40);
 }
 
 struct Walked {
@@ -136,7 +92,7 @@ void expect_found(const Walked& got, const Result<std::optional<TileExtent>>& fo
   counts.compare(got.empty, !found->has_value());
   if (!found->has_value() || got.empty) return;
   counts.compare(static_cast<int64_t>(got.address),
-                 static_cast<int64_t>(kBase + tile_section + (*found)->begin));
+                 static_cast<int64_t>(ReadPort::kBase + tile_section + (*found)->begin));
   counts.compare(static_cast<int64_t>(got.bytes),
                  static_cast<int64_t>((*found)->end - (*found)->begin));
 }
@@ -165,7 +121,7 @@ void run_stream(uint32_t seed, bool damaged, bool spoil, Counts& counts) {
     port.spoil = spoil && random.one_in(2);
     const Walked got = walk(dut, port, static_cast<uint64_t>(tile));
     if (port.spoiled) {
-      counts.compare(got.error, kBusError);
+      counts.compare(got.error, ReadPort::kBusError);
     } else {
       expect_found(got, find_tile(view, static_cast<uint64_t>(tile), Probe{}),
                    header.sections[3].offset, counts);

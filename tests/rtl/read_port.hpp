@@ -1,0 +1,63 @@
+// The memory that a Verilated module reads from.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rtl/ports.hpp"
+
+namespace hmlfc::test {
+
+/// Memory behind the read port of one client, 16 bytes a beat: beats come one by one, with gaps,
+/// and some are spoiled on demand. It holds one file, at kBase, and zeros elsewhere.
+class ReadPort {
+ public:
+  static constexpr uint64_t kBase = 0x12340;  ///< a multiple of 16
+  static constexpr uint8_t kBusError = 27;    ///< annex A
+
+  ReadPort(const std::vector<uint8_t>& file, Random& random) : file_(file), random_(random) {}
+
+  bool spoil = false;     ///< one beat in six is an error and carries anything
+  bool spoiled = false;   ///< one was given
+  uint64_t requests = 0;  ///< since the last walk began
+
+  /// Sets the inputs of `dut` for the next clock.
+  template <class Dut>
+  void drive(Dut& dut) {
+    dut.request_ready = beats_ == 0 && random_.one_in(2);
+    dut.data_valid = beats_ != 0 && random_.one_in(2);
+    if (!dut.data_valid) return;
+    dut.data_last = beats_ == 1;
+    dut.data_error = spoil && random_.one_in(6);
+    spoiled |= dut.data_error != 0;
+    for (size_t i = 0; i < kBeat; ++i) {
+      const uint64_t at = address_ + i - kBase;
+      const uint32_t byte = at < file_.size() ? file_[static_cast<size_t>(at)] : 0;
+      const auto anything = static_cast<uint32_t>(random_.in(0, 255));
+      put_bits(dut.data, 8 * i, 8, dut.data_error ? anything : byte);
+    }
+    address_ += kBeat;
+    --beats_;
+  }
+
+  /// Takes the request that passes at the next clock, after eval.
+  template <class Dut>
+  void watch(const Dut& dut) {
+    if (!dut.request_valid || !dut.request_ready) return;
+    EXPECT_EQ(dut.request_address % kBeat, 0u);
+    address_ = dut.request_address;
+    beats_ = dut.request_beats;
+    ++requests;
+  }
+
+ private:
+  static constexpr size_t kBeat = 16;
+
+  const std::vector<uint8_t>& file_;
+  Random& random_;
+  uint64_t address_ = 0;
+  uint64_t beats_ = 0;
+};
+
+}  // namespace hmlfc::test
