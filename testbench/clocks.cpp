@@ -54,6 +54,7 @@ EncodeParams extended_params(double quality) {
 std::vector<Case> cases() {
   const EncodeParams dense = main_params(2, 0, Method::kRlfc);
   const EncodeParams both = main_params(0, 0, Method::kMc);
+  const EncodeParams motion = main_params(0, 200, Method::kMc);
   EncodeParams lossless = extended_params(100);
   lossless.lossless = true;
   return {
@@ -63,6 +64,7 @@ std::vector<Case> cases() {
       {"the same, chroma", "main without motion, noise", 3, 1, 0, false, 255, dense},
       {"the same, level 1", "main without motion, noise", 3, 0, 1, false, 255, dense},
       {"motion and residual, explicit vector", "MC, noise", 2, 0, 0, false, 64, both},
+      {"motion only, explicit vector", "MC, threshold 200", 1, 0, 0, false, 0, motion},
       {"motion only, shared disparity", "extended, quality 30", 1, 0, 0, false, 0,
        extended_params(30)},
       {"the same, chroma", "extended, quality 30", 1, 1, 0, false, 0, extended_params(30)},
