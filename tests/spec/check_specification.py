@@ -4,6 +4,7 @@
 citations  every clause cited exists; every clause that a decoder follows is cited in its layers
 errors     annex A has the numbers, names and meanings of the model
 widths     the numbers of section 11 follow from its formulas, and no value leaves its interval
+frame_widths  the same of section 6 of docs/rendering.md
 """
 
 import argparse
@@ -12,9 +13,15 @@ from pathlib import Path
 
 import citations
 import error_table
+import frame_widths
 import widths
 
-CHECKS = {"citations": citations, "errors": error_table, "widths": widths}
+CHECKS = {
+    "citations": citations,
+    "errors": error_table,
+    "widths": widths,
+    "frame_widths": frame_widths,
+}
 
 
 def main():

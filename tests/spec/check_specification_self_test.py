@@ -7,6 +7,7 @@ from pathlib import Path
 
 import citations
 import error_table
+import frame_widths
 import widths
 
 WIDTH_TABLE = """
@@ -38,6 +39,42 @@ WIDTH_TABLE = """
 | image number | IDX-1 | | [0, 2^25 + 2^13 - 1] | | 26 | 26 |
 | tile number | IDX-2 | | [0, 2^51 - 1] | | 51 | 51 |
 | bit position in a tile record | TIL-1 | 64 * (64 * (n + 2) + n + 11) + 4096 | | | 16 | 16 |
+"""
+
+FRAMES = """
+**[CAM-3]** *Inputs.*
+
+| input | interval | meaning |
+|---|---|---|
+| frame_width, frame_height | [1, 4096] | pixels |
+| position: pu, pv, pz | pu, pv in [-4096, 8192], pz in [-4096, 4096], abs(pz / row_pitch) <= 4096 | |
+| tan_half | [2^-10, 2] | |
+| aperture | 0, 1, 2, 3 | |
+
+**[REC-3]** abs(gain) <= 2^28; abs(x0) <= 2^28 and abs(y0) <= 2^28; abs(dx) * (cols - 1) <= 2^29.
+
+## 6 Widths
+
+| quantity | clause | why | interval | bits |
+|---|---|---|---|---|
+| a, b | RAY-1 | | [-4095, 4095] | 13 |
+| na_lo * a + nb_lo * b + n0_lo | RAY-1 | | [-33538050, 33542145] | 26 |
+| n | RAY-1 | | [-805306370, 805306370] | 31 |
+| r | RAY-2 | | [2^27, 2^31 - 1] | 31 |
+| n * r | RAY-2 | | [-(2^59 - 1), 2^59 - 1] | 60 |
+| sx, sy | RAY-2 | | [-2^30, 2^30 - 1] | 31 |
+| u0, v0 | REC-2 | | [-2^28, 2^29] | 31 |
+| zu, zv | REC-2 | | [-2^28, 2^28] | 30 |
+| zu * sx, gain * sx | RAY-3 | | [-2^58, 2^58] | 60 |
+| U, V before their clamp | RAY-3 | | [-2^28 - 2^30, 2^29 + 2^30] | 32 |
+| xb, yb | RAY-4 | | [-2^28 - 2^30, 2^28 + 2^30] | 32 |
+| x(c), y(r) | RAY-4 | | [-2^28 - 2^30 - 2^29, 2^28 + 2^30 + 2^29] | 32 |
+| x, y after their clamp | SMP-2 | | [0, 65535 * 2^12] | 28 |
+| wr, wc | SMP-1 | | [0, 256] | 9 |
+| weight of a view | SMP-1 | | [0, 65536] | 17 |
+| sum of four taps | SMP-2 | | [2^11, 2^16 * (2^n - 1) + 2^11] | 28 (n = 12) |
+| q | SMP-2 | | [0, 16 * (2^n - 1)] | 16 (n = 12) |
+| sum over views | SMP-3 | | [2^19, 2^20 * (2^n - 1) + 2^19] | 32 unsigned (n = 12) |
 """
 
 CLAUSES = """
@@ -94,6 +131,9 @@ ERROR_TREE = {
     error_table.SOURCE: SOURCE,
 }
 WIDTH_TREE = {SPECIFICATION: f"## 10 Other\n\n| a |\n|---|\n\n## 11 Widths\n{WIDTH_TABLE}"}
+
+
+FRAME_WIDTH_TREE = {RENDERING: FRAMES}
 
 
 class SpecificationTest(unittest.TestCase):
@@ -263,6 +303,57 @@ class WidthsTest(SpecificationTest):
         other = row.replace("vector", "other")
         self.assert_found(widths, SPECIFICATION, row, "", "vector component is missing")
         self.assert_found(widths, SPECIFICATION, row, row + other, "other component is not in")
+
+
+class FrameWidthsTest(SpecificationTest):
+    clean_tree = FRAME_WIDTH_TREE
+
+    def plant(self, old, new, *expected):
+        self.assert_found(frame_widths, RENDERING, old, new, *expected)
+
+    def test_clean_tree(self):
+        self.plant("Widths", "Widths")
+
+    def test_wrong_bits(self):
+        for row in FRAMES[FRAMES.index("| a, b") :].splitlines():
+            quantity, bits = row.split(" | ")[0], row.rsplit("| ", 1)[1]
+            number = int(bits.split()[0])
+            for wrong in (number - 1, number + 1):
+                with self.subTest(row=row, bits=wrong):
+                    new = row.replace(f"| {bits}", f"| {bits.replace(str(number), str(wrong), 1)}")
+                    self.plant(row, new, f"{quantity[2:]}: bits should be {number}")
+        both = "bits name a depth where"
+        self.plant("| 16 (n = 12) |", "| 16 |", both)
+        self.plant("| 17 |", "| 17 (n = 12) |", both)
+
+    def test_intervals(self):
+        for old, new, words in (
+            ("[-4095, 4095]", "[-4095, 4094]", "a, b: at n = 12 values reach"),
+            ("[-4095, 4095]", "[-4096, 4095]", "a, b: at n = 12 values reach"),
+            ("[-805306370, 805306370]", "[-805306370, 805000000]", "n: at n = 12 values reach"),
+            ("[2^27, 2^31 - 1]", "[2^27, 2^31 - 2]", "r: at n = 12 values reach"),
+            ("[2^27, 2^31 - 1]", "[2^28, 2^31 - 1]", "r: at n = 12 values reach"),
+            ("[-(2^59 - 1), 2^59 - 1]", "[-(2^59 - 1), 2^59 - 2^31]", "n * r: at n = 12"),
+            ("[-2^30, 2^30 - 1]", "[-2^30, 2^30 - 4]", "sx, sy: at n = 12 values reach"),
+            ("[-2^28, 2^29] | 31", "[-2^28, 2^29 - 1] | 30", "u0, v0: at n = 12 values reach"),
+            ("[0, 256]", "[0, 257]", "wr, wc: at n = 12 values reach"),
+            ("[0, 16 * (2^n - 1)]", "[0, 16 * (2^n - 1) - 1]", "q: at n = 3 values reach"),
+            ("[2^19, ", "[2^18, ", "sum over views: at n = 3 values reach"),
+        ):
+            with self.subTest(new=new):
+                self.plant(old, new, words)
+        wide = "[-(2^59 - 1), 2^59 - 1] | 60"
+        self.plant(wide, "[-2^59, 2^59] | 61", "needs 60 bits only")
+
+    def test_limits_come_from_their_clauses(self):
+        self.plant("| [1, 4096] |", "| [1, 2048] |", "a, b", "na_lo")
+        self.plant("pz in [-4096, 4096]", "pz in [-4096, 2048]", "zu, zv", "U, V")
+        self.plant("abs(x0) <= 2^28", "abs(x0) <= 2^27", "xb, yb", "x(c), y(r)")
+
+    def test_rows(self):
+        row = "| wr, wc | SMP-1 | | [0, 256] | 9 |\n"
+        self.plant(row, "", "wr, wc is missing")
+        self.plant(row, row + row.replace("wr, wc", "other"), "other is not in the table")
 
 
 if __name__ == "__main__":
