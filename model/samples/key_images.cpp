@@ -79,6 +79,7 @@ Result<SamplePlane> KeyImages::decode(uint64_t entry, Plane plane) const {
   stream_.note_read(Section::kTop, entry * kTopEntryBytes, kTopEntryBytes);
   stream_.note_read(Section::kTop, place.offset, place.size);
   const PlaneShape& shape = stream_.geometry.plane(plane);
+  if (stream_.reads != nullptr) stream_.reads->on_key_plane(shape.samples());
   const bool chroma = plane != Plane::kY;
   const SamplePrecision precision{stream_.header.depth + (chroma ? 1 : 0), chroma};
   auto samples = decode_jpeg2000(codestream, shape.width, shape.height, precision);

@@ -26,6 +26,9 @@ uint64_t TouchedBytes::bytes() const {
   return lines * kLineBytes;
 }
 
-void TouchedBytes::reset() { std::fill(lines_.begin(), lines_.end(), uint64_t{0}); }
+void TouchedBytes::reset() {
+  std::fill(lines_.begin(), lines_.end(), uint64_t{0});
+  key_samples_ = 0;
+}
 
 }  // namespace hmlfc

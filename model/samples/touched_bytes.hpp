@@ -1,6 +1,7 @@
 // How much of a stream is read.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -9,7 +10,7 @@
 namespace hmlfc {
 
 /// The bytes that were read since the last call of reset(), each counted once, in whole lines of
-/// kLineBytes as memory fetches them.
+/// kLineBytes as memory fetches them, and the samples of key images that were decoded.
 class TouchedBytes final : public ReadSink {
  public:
   static constexpr uint64_t kLineBytes = 64;
@@ -18,12 +19,15 @@ class TouchedBytes final : public ReadSink {
   explicit TouchedBytes(uint64_t file_bytes);
 
   void on_read(uint64_t offset, uint64_t bytes) override;
+  void on_key_plane(uint64_t samples) override { key_samples_ += samples; }
 
   uint64_t bytes() const;
+  uint64_t key_samples() const { return key_samples_; }
   void reset();
 
  private:
   std::vector<uint64_t> lines_;  // one bit a line
+  std::atomic<uint64_t> key_samples_ = 0;
 };
 
 }  // namespace hmlfc

@@ -9,53 +9,74 @@
 namespace hmlfc {
 namespace {
 
-// Counts the bytes read behind `begin` alone: key images, which OpenJPEG reads whole, lie before.
-class TouchedBehind final : public ReadSink {
+// Counts what is read of the TOP section and what behind it, where it ends.
+class Touched final : public ReadSink {
  public:
-  TouchedBehind(uint64_t file_bytes, uint64_t begin) : touched_(file_bytes), begin_(begin) {}
+  Touched(uint64_t file_bytes, uint64_t top_end)
+      : top_(file_bytes), rest_(file_bytes), top_end_(top_end) {}
   void on_read(uint64_t offset, uint64_t bytes) override {
-    if (offset >= begin_) touched_.on_read(offset, bytes);
+    (offset < top_end_ ? top_ : rest_).on_read(offset, bytes);
   }
-  uint64_t bytes() const { return touched_.bytes(); }
+  void on_key_plane(uint64_t samples) override { top_.on_key_plane(samples); }
+  const TouchedBytes& top() const { return top_; }
+  const TouchedBytes& rest() const { return rest_; }
 
  private:
-  TouchedBytes touched_;
-  uint64_t begin_;
+  TouchedBytes top_;
+  TouchedBytes rest_;
+  uint64_t top_end_;
 };
 
 struct Cost {
   uint64_t file = 0;
-  uint64_t touched = 0;
+  uint64_t top = 0;   // bytes of the TOP section
+  uint64_t rest = 0;  // of the other sections
+  uint64_t key_samples = 0;
+  uint64_t view_samples = 0;  // of one plane of Y
   FrameCounts counts;
 };
 
-// A cold frame of 32 x 24 pixels of the middle of the views, between four views in the middle.
-Cost cost_of(const LightFieldShape& shape, EncodeParams params) {
-  const LightField field = test::textured_light_field(shape, 4, 40);
-  const std::vector<uint8_t> file = encode(field, params)->bytes;
-  const uint64_t begin = Decoder::open(file)->header().sections[1].offset;
-  TouchedBehind touched(file.size(), begin);
-  OpenOptions options;
-  options.check_sections = false;
-  options.reads = &touched;
-  const auto decoder = Decoder::open(file, options);
+uint64_t top_end(const std::vector<uint8_t>& file) {
+  return Decoder::open(file)->header().sections[1].offset;
+}
+
+// A frame of 32 x 24 pixels of the middle of the views, between four views in the middle.
+FrameRecord middle_record(const StreamHeader& header) {
   Camera camera;
   camera.frame_width = 32;
   camera.frame_height = 24;
   camera.focal = 64;
   camera.tan_half = 0.25;
-  camera.position = WorldPoint{shape.cols / 2 - 0.5, shape.rows / 2 - 0.5, 0};
-  Frame frame;
-  EXPECT_TRUE(make_cpu_renderer(*decoder)
-                  ->render(*frame_record(camera, decoder->header()), 0, frame)
-                  .has_value());
-  return {file.size(), touched.bytes(), frame.counts};
+  camera.position = WorldPoint{header.cols / 2 - 0.5, header.rows / 2 - 0.5, 0};
+  return *frame_record(camera, header);
 }
 
+// What that frame costs, cold.
+Cost cost_of(const LightFieldShape& shape, EncodeParams params) {
+  const LightField field = test::textured_light_field(shape, 4, 40);
+  const std::vector<uint8_t> file = encode(field, params)->bytes;
+  Touched touched(file.size(), top_end(file));
+  OpenOptions options;
+  options.check_sections = false;
+  options.reads = &touched;
+  const auto decoder = Decoder::open(file, options);
+  Frame frame;
+  EXPECT_TRUE(
+      make_cpu_renderer(*decoder)->render(middle_record(decoder->header()), 0, frame).has_value());
+  return {file.size(),
+          touched.top().bytes(),
+          touched.rest().bytes(),
+          touched.top().key_samples(),
+          uint64_t{shape.width} * shape.height,
+          frame.counts};
+}
+
+// All but key images, which are read whole (KEY-3).
 void expect_flat(const Cost& small, const Cost& large) {
   EXPECT_GT(large.file, 3 * small.file);
-  EXPECT_GT(small.touched, 0u);
-  EXPECT_LT(large.touched, small.touched * 3 / 2) << small.touched;
+  EXPECT_GT(small.rest, 0u);
+  EXPECT_LT(large.rest, small.rest * 3 / 2) << small.rest;
+  EXPECT_GT(small.key_samples, 0u);
   EXPECT_LE(large.counts.blocks_needed, small.counts.blocks_needed * 5 / 4);
   EXPECT_EQ(large.counts.blocks_decoded, large.counts.blocks_needed);
   EXPECT_EQ(large.counts.samples_interpolated, small.counts.samples_interpolated);
@@ -79,13 +100,47 @@ std::vector<EncodeParams> profiles() {
 // The four views lie in one cluster of either grid, the pixels in the middle of four tiles.
 TEST(Skipping, BytesStayFlatAsTheGridGrows) {
   for (const EncodeParams& params : profiles()) {
-    expect_flat(cost_of({6, 6, 64, 48, 8}, params), cost_of({14, 14, 64, 48, 8}, params));
+    const Cost small = cost_of({6, 6, 64, 48, 8}, params);
+    const Cost large = cost_of({14, 14, 64, 48, 8}, params);
+    expect_flat(small, large);
+    EXPECT_LE(large.key_samples, small.key_samples);
+    EXPECT_LT(large.top, small.top * 3 / 2) << small.top;
   }
 }
 
-TEST(Skipping, BytesStayFlatAsPicturesGrow) {
+// The frame needs the same planes of key images, of which each grows with the picture.
+TEST(Skipping, BytesStayFlatAsPicturesGrowButForKeyImages) {
   for (const EncodeParams& params : profiles()) {
-    expect_flat(cost_of({6, 6, 128, 128, 8}, params), cost_of({6, 6, 256, 256, 8}, params));
+    const Cost small = cost_of({6, 6, 128, 128, 8}, params);
+    const Cost large = cost_of({6, 6, 256, 256, 8}, params);
+    expect_flat(small, large);
+    EXPECT_EQ(large.key_samples / large.view_samples, small.key_samples / small.view_samples);
+    EXPECT_GT(large.top, 2 * small.top);
+  }
+}
+
+// KEY-3: only the CRC of all samples is wrong, so that no part of the image looks damaged; and no
+// frame of any part of it is drawn.
+TEST(Skipping, AKeyImageHasOneErrorForAllOfItsSamples) {
+  const LightField field = test::textured_light_field({2, 2, 256, 256, 8}, 4, 10);
+  EncodeParams params = profiles()[1];
+  params.lossless = true;
+  std::vector<uint8_t> file = encode(field, params)->bytes;
+  const uint64_t top = Decoder::open(file)->header().sections[0].offset;
+  file[static_cast<size_t>(top) + 12] ^= 1;  // sample_crc of the first plane
+  OpenOptions options;
+  options.check_sections = false;
+  const test::OpenedStream stream(std::move(file), options);
+  Camera camera;
+  camera.frame_width = camera.frame_height = 2;
+  camera.tan_half = 0.01;
+  const FrameRecord record = *frame_record(camera, stream.decoder->header());
+  for (const auto& renderer :
+       {make_golden_renderer(*stream.decoder), make_cpu_renderer(*stream.decoder)}) {
+    Frame frame;
+    const auto done = renderer->render(record, 0, frame);
+    ASSERT_FALSE(done.has_value());
+    EXPECT_EQ(done.error().code, ErrorCode::kBadTopCrc);
   }
 }
 

@@ -23,9 +23,14 @@ TEST(TouchedBytes, CountsEachLineOnce) {
     for (uint64_t at = offset; at < offset + bytes; ++at) lines.insert(at / 64);
     ASSERT_EQ(touched.bytes(), lines.size() * 64);
   }
+  EXPECT_EQ(touched.key_samples(), 0u);
+  touched.on_key_plane(12);
+  touched.on_key_plane(30);
+  EXPECT_EQ(touched.key_samples(), 42u);
   touched.on_read(kFile - 1, 1);
   touched.reset();
   EXPECT_EQ(touched.bytes(), 0u);
+  EXPECT_EQ(touched.key_samples(), 0u);
 }
 
 }  // namespace

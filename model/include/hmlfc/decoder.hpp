@@ -21,14 +21,18 @@ struct DecoderLimits {
   uint64_t max_plane_samples = uint64_t{1} << 30;  ///< width * height of a view
 };
 
-/// Told which bytes of the file a decoder reads for a request: of the index, of tile records and of
-/// key images; opening the stream is not counted. Called by several threads at once.
+/// Told what a decoder reads for a request; opening the stream is not counted. Called by several
+/// threads at once.
 class ReadSink {
  public:
   virtual ~ReadSink() = default;
 
-  /// `bytes` bytes from `offset` on, from the start of the file.
+  /// `bytes` bytes from `offset` on, from the start of the file: of the index, of tile records and
+  /// of key images.
   virtual void on_read(uint64_t offset, uint64_t bytes) = 0;
+
+  /// A plane of a key image, which is decoded whole (KEY-3) and kept, of `samples` samples.
+  virtual void on_key_plane(uint64_t samples) { static_cast<void>(samples); }
 };
 
 struct OpenOptions {

@@ -1,0 +1,214 @@
+// What decoding only an area of a key image would save, and which damage it would not notice.
+//
+// Usage: ./run bench key_areas FILE.hmlfc
+// Each plane of each key image of the stream is decoded whole, as the decoder does, and by areas
+// with opj_set_decode_area: squares of 64, 128 and 256 samples, one in each corner and one in the
+// middle. CPU times are those of one thread, the least of many runs for the whole and for the mean
+// of the five areas. An area must equal that part of the whole. Then bytes of the codestream are
+// changed, one at a time: "damaged" counts those with which the whole does not decode, or to other
+// samples, which are errors of every block that reads the plane (KEY-2, KEY-3), "unnoticed" those
+// of them with which the area of 64 in the first corner decodes to the samples of the intact image.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <fmt/format.h>
+#include <openjpeg.h>
+
+#include "bits/little_endian.hpp"
+#include "io/mapped_file.hpp"
+#include "render/timing.hpp"
+#include "samples/jpeg2000.hpp"
+#include "samples/key_images.hpp"
+#include "samples/open_stream.hpp"
+
+namespace {
+
+using namespace hmlfc;
+
+constexpr size_t kChanges = 100;
+
+struct Source {
+  std::span<const uint8_t> bytes;
+  size_t at = 0;
+};
+
+OPJ_SIZE_T read_source(void* buffer, OPJ_SIZE_T count, void* user) {
+  auto& source = *static_cast<Source*>(user);
+  const size_t there = std::min<size_t>(count, source.bytes.size() - source.at);
+  if (there == 0) return static_cast<OPJ_SIZE_T>(-1);
+  std::memcpy(buffer, source.bytes.data() + source.at, there);
+  source.at += there;
+  return there;
+}
+
+OPJ_OFF_T skip_source(OPJ_OFF_T count, void* user) {
+  auto& source = *static_cast<Source*>(user);
+  if (count < 0 || static_cast<size_t>(count) > source.bytes.size() - source.at) return -1;
+  source.at += static_cast<size_t>(count);
+  return count;
+}
+
+using Stream = std::unique_ptr<opj_stream_t, decltype(&opj_stream_destroy)>;
+using Codec = std::unique_ptr<opj_codec_t, decltype(&opj_destroy_codec)>;
+using Image = std::unique_ptr<opj_image_t, decltype(&opj_image_destroy)>;
+
+// The samples of `area` of a codestream that `decode_jpeg2000` has taken.
+std::optional<SamplePlane> decode_area(std::span<const uint8_t> codestream, const Rect& area) {
+  Source source{codestream};
+  const Stream stream(opj_stream_default_create(OPJ_TRUE), &opj_stream_destroy);
+  opj_stream_set_user_data(stream.get(), &source, nullptr);
+  opj_stream_set_user_data_length(stream.get(), codestream.size());
+  opj_stream_set_read_function(stream.get(), read_source);
+  opj_stream_set_skip_function(stream.get(), skip_source);
+  const Codec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
+  opj_dparameters_t parameters;
+  opj_set_default_decoder_parameters(&parameters);
+  opj_image_t* raw = nullptr;
+  const bool begun = opj_setup_decoder(codec.get(), &parameters) &&
+                     opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) &&
+                     opj_read_header(stream.get(), codec.get(), &raw);
+  const Image image(raw, &opj_image_destroy);
+  const auto end = [](uint32_t from, uint32_t length) {
+    return static_cast<OPJ_INT32>(from + length);
+  };
+  if (!begun ||
+      !opj_set_decode_area(codec.get(), raw, end(area.x, 0), end(area.y, 0),
+                           end(area.x, area.width), end(area.y, area.height)) ||
+      !opj_decode(codec.get(), stream.get(), raw) || raw->comps[0].data == nullptr) {
+    return std::nullopt;
+  }
+  SamplePlane plane(area.width, area.height);
+  std::transform(raw->comps[0].data, raw->comps[0].data + plane.samples.size(),
+                 plane.samples.begin(), [](OPJ_INT32 x) { return static_cast<int16_t>(x); });
+  return plane;
+}
+
+SamplePlane crop(const SamplePlane& whole, const Rect& area) {
+  SamplePlane part(area.width, area.height);
+  for (uint32_t y = 0; y < area.height; ++y) {
+    std::copy_n(whole.row(area.y + y).begin() + area.x, area.width,
+                part.samples.begin() + static_cast<ptrdiff_t>(size_t{y} * area.width));
+  }
+  return part;
+}
+
+// Squares in the corners and in the middle, as far as they fit.
+std::array<Rect, 5> areas_of(const SamplePlane& plane, uint32_t side) {
+  const uint32_t w = std::min(side, plane.width);
+  const uint32_t h = std::min(side, plane.height);
+  const uint32_t x = plane.width - w;
+  const uint32_t y = plane.height - h;
+  return {{{0, 0, w, h}, {x, 0, w, h}, {0, y, w, h}, {x, y, w, h}, {x / 2, y / 2, w, h}}};
+}
+
+struct KeyPlane {
+  std::span<const uint8_t> codestream;
+  SamplePrecision precision;
+  SamplePlane whole;
+};
+
+std::optional<SamplePlane> decode_whole(const KeyPlane& key, std::span<const uint8_t> codestream) {
+  return decode_jpeg2000(codestream, key.whole.width, key.whole.height, key.precision);
+}
+
+struct Damage {
+  size_t damaged = 0;
+  size_t unnoticed = 0;
+};
+
+Damage damage(const KeyPlane& key) {
+  const Rect corner = areas_of(key.whole, 64)[0];
+  const SamplePlane intact = crop(key.whole, corner);
+  std::vector<uint8_t> bytes(key.codestream.begin(), key.codestream.end());
+  Damage found;
+  for (size_t change = 0; change < kChanges; ++change) {
+    const size_t at = (2 * change + 1) * bytes.size() / (2 * kChanges);
+    bytes[at] ^= 0x10;
+    const auto whole = decode_whole(key, bytes);
+    if (!whole || whole->samples != key.whole.samples) {
+      ++found.damaged;
+      const auto part = decode_area(bytes, corner);
+      if (part && part->samples == intact.samples) ++found.unnoticed;
+    }
+    bytes[at] ^= 0x10;
+  }
+  return found;
+}
+
+int report(size_t entry, const KeyPlane& key) {
+  const double whole = bench::cpu_seconds_of([&] { (void)decode_whole(key, key.codestream); });
+  fmt::print("| {} | {} | {} x {} | {} | {:.1f} |", entry / kPlaneCount,
+             std::array{"Y", "Co", "Cg"}[entry % kPlaneCount], key.whole.width, key.whole.height,
+             key.codestream.size(), whole * 1e3);
+  for (const uint32_t side : {64u, 128u, 256u}) {
+    const auto areas = areas_of(key.whole, side);
+    for (const Rect& area : areas) {
+      const auto part = decode_area(key.codestream, area);
+      if (part && part->samples == crop(key.whole, area).samples) continue;
+      fmt::print(stderr, "the area of {} at ({}, {}) differs from the whole\n", side, area.x,
+                 area.y);
+      return 1;
+    }
+    const double five = bench::cpu_seconds_of([&] {
+      for (const Rect& area : areas) (void)decode_area(key.codestream, area);
+    });
+    fmt::print(" {:.1f} |", five / 5 * 1e3);
+  }
+  const Damage found = damage(key);
+  fmt::print(" {} | {} |\n", found.damaged, found.unnoticed);
+  std::fflush(stdout);
+  return 0;
+}
+
+int report_stream(std::span<const uint8_t> file) {
+  const auto stream = open_stream(file, {});
+  if (!stream) {
+    fmt::print(stderr, "{}\n", to_string(stream.error()));
+    return 1;
+  }
+  fmt::print(
+      "CPU time of one thread in ms; {} changed bytes a plane\n\n"
+      "| key image | plane | samples | bytes | whole | 64 | 128 | 256 | damaged | unnoticed |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n",
+      kChanges);
+  const auto top = stream->bytes(Section::kTop);
+  for (size_t entry = 0; entry < stream->geometry.key_count() * kPlaneCount; ++entry) {
+    const auto offset = load_le<uint64_t>(top, kTopEntryBytes * entry);
+    const auto size = load_le<uint32_t>(top, kTopEntryBytes * entry + 8);
+    const Plane plane = kPlanes[entry % kPlaneCount];
+    const PlaneShape& shape = stream->geometry.plane(plane);
+    const bool chroma = plane != Plane::kY;
+    KeyPlane key{top.subspan(static_cast<size_t>(offset), size),
+                 {stream->header.depth + (chroma ? 1 : 0), chroma},
+                 SamplePlane(shape.width, shape.height)};
+    auto whole = decode_whole(key, key.codestream);
+    if (!whole) {
+      fmt::print(stderr, "key image {} does not decode\n", entry / kPlaneCount);
+      return 1;
+    }
+    key.whole = std::move(*whole);
+    if (report(entry, key) != 0) return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    fmt::print(stderr, "Usage: ./run bench key_areas FILE.hmlfc\n");
+    return 2;
+  }
+  const auto file = io::MappedFile::open(argv[1]);
+  if (!file) {
+    fmt::print(stderr, "{}\n", file.error().message);
+    return 1;
+  }
+  return report_stream(file->bytes());
+}
