@@ -32,6 +32,7 @@ struct RenderArguments {
   BackendChoice backend;
   uint32_t cache_mib = 256;
   int threads = 0;
+  bool progressive = false;
   bool sweep = false;
   bool json = false;
 };
@@ -51,12 +52,18 @@ Json camera_json(const Camera& camera) {
   return json;
 }
 
-// On a device the whole stream lies in its memory, and nobody counts what it reads.
-Json frame_json(const std::string& name, const Camera& camera, const Frame& frame,
-                std::optional<uint64_t> bytes_touched) {
+// The picture of a frame's pass that uses `levels` levels of the tree, beside that of the frame.
+std::filesystem::path pass_name(std::filesystem::path frame, int levels) {
+  return frame.replace_filename(fmt::format("{}_levels_{}.png", frame.stem().string(), levels));
+}
+
+// What one pass took. On a device the whole stream lies in its memory, and nobody counts what it
+// reads: `touched` is null.
+Json pass_json(const std::string& name, int levels, const Frame& frame,
+               const TouchedBytes* touched) {
   Json json;
   json["file"] = name;
-  json["camera"] = camera_json(camera);
+  json["levels"] = levels;
   json["seconds"] = frame.seconds.total();
   json["stages"] = {{"plan", frame.seconds.plan},
                     {"decode", frame.seconds.decode},
@@ -64,8 +71,9 @@ Json frame_json(const std::string& name, const Camera& camera, const Frame& fram
   json["blocks_needed"] = frame.counts.blocks_needed;
   json["blocks_decoded"] = frame.counts.blocks_decoded;
   json["blocks_reused"] = frame.counts.blocks_reused;
-  if (bytes_touched) {
-    json["bytes_touched"] = *bytes_touched;
+  if (touched != nullptr) {
+    json["bytes_touched"] = touched->bytes();
+    json["key_samples_decoded"] = touched->key_samples();
     json["samples_interpolated"] = frame.counts.samples_interpolated;
   }
   return json;
@@ -142,7 +150,7 @@ class RenderRun {
     return error ? 0 : size;  // opening it says why
   }
 
-  // Only what frames need is read: no checksum of whole sections, no whole key image.
+  // Only what frames need is read: no checksum of whole sections.
   OpenOptions open_options() {
     OpenOptions options;
     options.check_sections = false;
@@ -157,18 +165,33 @@ class RenderRun {
     throw Failure(ExitCode::kUsage, frame + record.error().message);
   }
 
-  void render_one(FrameRenderer& renderer, size_t k, const std::filesystem::path& name) {
+  int levels_of(int stop_level) const { return file_.header().tree_height + 1 - stop_level; }
+
+  // Renders frame k down to `stop_level` and writes it.
+  Json render_pass(FrameRenderer& renderer, size_t k, int stop_level,
+                   const std::filesystem::path& name) {
     touched_.reset();
-    value_or_throw(renderer.render(record_of(k), stop_level_, frame_), file_.path());
+    value_or_throw(renderer.render(record_of(k), stop_level, frame_), file_.path());
     value_or_throw(io::write_png(name, frame_.image), ExitCode::kOutput);
+    seconds_ += frame_.seconds.total();
+    const bool counted = arguments_.backend.backend == Backend::kCpu;
+    return pass_json(name.string(), levels_of(stop_level), frame_, counted ? &touched_ : nullptr);
+  }
+
+  void render_one(FrameRenderer& renderer, size_t k, const std::filesystem::path& name) {
+    Json coarse = Json::array();
+    const int first = arguments_.progressive ? file_.header().tree_height : stop_level_;
+    for (int stop_level = first; stop_level > stop_level_; --stop_level) {
+      coarse.push_back(
+          render_pass(renderer, k, stop_level, pass_name(name, levels_of(stop_level))));
+    }
+    Json frame = render_pass(renderer, k, stop_level_, name);
+    frame["camera"] = camera_json(with_defaults(cameras_[k], file_.header()));
+    if (arguments_.progressive) frame["coarse"] = std::move(coarse);
+    frames_.push_back(std::move(frame));
     if (!arguments_.preview.empty() && preview_.size() < kPreviewFrames) {
       preview_.push_back(frame_.image);
     }
-    seconds_ += frame_.seconds.total();
-    frames_.push_back(frame_json(name.string(), with_defaults(cameras_[k], file_.header()), frame_,
-                                 arguments_.backend.backend == Backend::kCpu
-                                     ? std::optional(touched_.bytes())
-                                     : std::nullopt));
   }
 
   void report() const {
@@ -184,7 +207,7 @@ class RenderRun {
     json["width"] = frame_.image.width;
     json["height"] = frame_.image.height;
     json["filter"] = filter_name(arguments_.cameras.camera.filter);
-    json["levels"] = file_.header().tree_height + 1 - stop_level_;
+    json["levels"] = levels_of(stop_level_);
     json["backend"] = arguments_.backend.backend == Backend::kCpu ? "cpu" : "gpu";
     json["seconds"] = seconds_;
     json["frames_per_second"] = count / seconds_;
@@ -207,6 +230,7 @@ ExitCode run_render(RenderArguments& arguments) {
   const ThreadLimit limit(arguments.threads);
   arguments.backend.options.cache_bytes = size_t{arguments.cache_mib} << 20;
   arguments.backend.options.threads = arguments.threads;
+  arguments.backend.options.progressive = arguments.progressive;
   if (!arguments.sweep && arguments.output.empty()) {
     throw Failure(ExitCode::kUsage, "-o is missing: name a folder, or a .png file for one frame");
   }
@@ -235,15 +259,21 @@ void add_render(CLI::App& program, Task& task) {
   add_path(*app, "--preview", options->preview, "Also all frames as one animated PNG")
       ->required(false)
       ->type_name("FILE.png");
+  CLI::Option* progressive =
+      app->add_flag("--progressive", options->progressive,
+                    "First write each frame with 1, 2, ... levels of the tree");
   app->add_flag("--quality-vs-time", options->sweep,
-                "Print time and error of each filter, level and cache instead");
+                "Print time and error of each filter, level and cache instead")
+      ->excludes(progressive);
   add_threads(*app, options->threads);
   app->add_flag("--json", options->json, "Print what each frame took as JSON");
   app->footer(
       R"(Places are counted in columns and rows of views; Z is the distance beyond the plane of the views, in
 columns. Frames are the same bytes on every machine (docs/rendering.md). Of the stream only those
 parts are read that the frames need; with --backend gpu it is put into the device's memory, and
-bytes_touched and samples_interpolated are left out of the JSON.
+bytes_touched, key_samples_decoded and samples_interpolated are left out of the JSON. Coarse frames
+of --progressive are named after the frame and its levels: frame_0000_levels_1.png. Each is decoded
+from the one before.
 
 Example:
   hmlfc render chess.hmlfc --path orbit --frames 4 --size 96x96 -o orbit --json)");

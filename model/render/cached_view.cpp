@@ -6,13 +6,14 @@
 
 namespace hmlfc {
 
-ViewShape::ViewShape(const StreamHeader& header)
+ViewShape::ViewShape(const StreamHeader& header, bool with_luma)
     : width(header.width),
       height(header.height),
       depth(header.depth),
       block_log2(header.block_log2),
       chroma_shift(header.chroma_format == ChromaFormat::k420 ? 1 : 0),
-      sample_bytes(header.depth > 8 ? 2 : 1) {
+      sample_bytes(header.depth > 8 ? 2 : 1),
+      keeps_luma(with_luma) {
   const uint32_t side = header.block_size();
   blocks_x = ceil_div(width, side);
   blocks_y = ceil_div(height, side);
@@ -24,12 +25,16 @@ ViewShape::ViewShape(const StreamHeader& header)
 }
 
 ViewPage::ViewPage(const ViewShape& shape) : pixels(shape.row_bytes() * kPageRows) {
-  for (auto& plane : chroma) plane.resize(size_t{shape.chroma_width} * shape.page_chroma_rows());
+  if (shape.keeps_luma) plane(Plane::kY).resize(size_t{shape.width} * kPageRows);
+  for (const Plane p : {Plane::kCo, Plane::kCg}) {
+    plane(p).resize(size_t{shape.chroma_width} * shape.page_chroma_rows());
+  }
 }
 
 size_t ViewPage::bytes(const ViewShape& shape) {
-  return shape.row_bytes() * kPageRows +
-         2 * sizeof(int16_t) * shape.chroma_width * shape.page_chroma_rows();
+  const size_t luma = shape.keeps_luma ? size_t{shape.width} * kPageRows : 0;
+  const size_t chroma = size_t{2} * shape.chroma_width * shape.page_chroma_rows();
+  return shape.row_bytes() * kPageRows + sizeof(int16_t) * (luma + chroma);
 }
 
 CachedView::CachedView(ViewPos place, const ViewShape& shape)

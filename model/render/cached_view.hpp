@@ -22,7 +22,7 @@ inline constexpr uint32_t kPageRows = 64;
 
 /// Sizes of the views of a light field, in pixels and blocks.
 struct ViewShape {
-  explicit ViewShape(const StreamHeader& header);
+  ViewShape(const StreamHeader& header, bool with_luma);
 
   uint32_t width = 0;
   uint32_t height = 0;
@@ -37,6 +37,7 @@ struct ViewShape {
   uint32_t chroma_blocks_y = 0;
   uint32_t pages = 0;
   size_t sample_bytes = 1;
+  bool keeps_luma = false;  ///< pages hold the samples of Y beside the pixels made of them
 
   /// Bytes of a row of pixels; one more than the width, which readers of pairs may load.
   size_t row_bytes() const { return (size_t{width} + 1) * kPixelSamples * sample_bytes; }
@@ -47,12 +48,15 @@ struct ViewShape {
 };
 
 /// kPageRows rows of one view: its pixels, and its samples of Co and Cg, of which further blocks of
-/// Y may need some.
+/// Y may need some, and of Y where the shape keeps them.
 struct ViewPage {
   explicit ViewPage(const ViewShape& shape);
 
   std::vector<uint8_t> pixels;
-  std::array<std::vector<int16_t>, 2> chroma;
+  std::array<std::vector<int16_t>, kPlaneCount> planes;  ///< samples by Plane
+
+  std::vector<int16_t>& plane(Plane p) { return planes[static_cast<size_t>(p)]; }
+  const std::vector<int16_t>& plane(Plane p) const { return planes[static_cast<size_t>(p)]; }
 
   /// Bytes that a page of this shape holds.
   static size_t bytes(const ViewShape& shape);
@@ -76,6 +80,7 @@ class CachedView {
 
   /// Page `page`, made where it is not there.
   ViewPage& page(uint32_t page);
+  const ViewPage& page(uint32_t page) const { return *pages_[page]; }  ///< it is there
   bool has_page(uint32_t page) const { return pages_[page] != nullptr; }
   bool has_pages() const;
 

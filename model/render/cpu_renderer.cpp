@@ -36,7 +36,8 @@ class CpuRenderer final : public FrameRenderer {
  public:
   CpuRenderer(const Decoder& decoder, const RenderOptions& options)
       : decoder_(decoder),
-        cache_(decoder.header(), options.cache_bytes),
+        progressive_(options.progressive),
+        cache_(decoder.header(), options.cache_bytes, options.progressive),
         arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
 
   Result<void> render(const FrameRecord& record, int stop_level, Frame& frame) override {
@@ -82,6 +83,13 @@ class CpuRenderer final : public FrameRenderer {
     uint32_t page;
   };
 
+  // The parent of a view of level `stop_level`, if it is held and keeps what is decoded from it.
+  const CachedView* coarser(const CachedView& view, int stop_level) const {
+    if (!progressive_ || stop_level == decoder_.header().tree_height) return nullptr;
+    const int level = stop_level + 1;
+    return cache_.find(first_view_of(decoder_.header(), view.place(), level), level);
+  }
+
   std::vector<Missing> missing_pages() {
     std::vector<Missing> missing;
     for (CachedView* view : cache_.used()) {
@@ -100,8 +108,10 @@ class CpuRenderer final : public FrameRenderer {
     std::atomic<bool> failed = false;
     tbb::parallel_for(size_t{0}, missing.size(), [&](size_t i) {
       const Missing& at = missing[i];
-      const auto ok = guard_memory(
-          [&] { return load_page(decoder_, cache_.shape(), stop_level, *at.view, at.page); });
+      const auto ok = guard_memory([&] {
+        return load_page(decoder_, cache_.shape(), stop_level, coarser(*at.view, stop_level),
+                         *at.view, at.page);
+      });
       if (!ok) failed = true;
     });
     if (!failed) return {};
@@ -139,6 +149,7 @@ class CpuRenderer final : public FrameRenderer {
   }
 
   const Decoder& decoder_;
+  bool progressive_;
   ViewCache cache_;
   tbb::task_arena arena_;
 };

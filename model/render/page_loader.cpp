@@ -9,6 +9,15 @@
 namespace hmlfc {
 namespace {
 
+bool has_all(const BlockBits& held, const BlockRect& rect) {
+  for (uint32_t by = rect.by0; by < rect.by1; ++by) {
+    for (uint32_t bx = rect.bx0; bx < rect.bx1; ++bx) {
+      if (!held.has(bx, by)) return false;
+    }
+  }
+  return true;
+}
+
 // Rectangles that cover exactly the blocks of rows [first, last) that are needed and not held:
 // runs of a row, with the same run in the rows below it.
 std::vector<BlockRect> missing_rects(const BlockBits& needed, const BlockBits& held, uint32_t first,
@@ -42,11 +51,12 @@ std::vector<BlockRect> missing_rects(const BlockBits& needed, const BlockBits& h
 
 class PageLoader {
  public:
-  PageLoader(const Decoder& decoder, const ViewShape& shape, int stop_level, CachedView& view,
-             uint32_t page)
+  PageLoader(const Decoder& decoder, const ViewShape& shape, int stop_level,
+             const CachedView* coarser, CachedView& view, uint32_t page)
       : decoder_(decoder),
         shape_(shape),
         stop_level_(stop_level),
+        coarser_(coarser),
         view_(view),
         number_(page),
         page_(view.page(page)) {}
@@ -79,26 +89,51 @@ class PageLoader {
             std::min(blocks.by1 << log2, height) - y};
   }
 
+  // Where a page keeps row j of `rect` of a plane.
+  size_t kept_at(Plane plane, const Rect& rect, uint32_t j) const {
+    const bool luma = plane == Plane::kY;
+    const uint32_t top = number_ * (luma ? kPageRows : shape_.page_chroma_rows());
+    return size_t{rect.y - top + j} * (luma ? shape_.width : shape_.chroma_width) + rect.x;
+  }
+
+  // The samples of `blocks`, which cover `rect`: from those of the coarser level where it holds all
+  // of them, else from the top.
+  Result<std::vector<int16_t>> decode(Plane plane, const BlockRect& blocks, const Rect& rect) {
+    const bool luma = plane == Plane::kY;
+    if (coarser_ != nullptr && has_all(luma ? coarser_->held : coarser_->held_chroma, blocks)) {
+      const std::vector<int16_t>& parent = coarser_->page(number_).plane(plane);
+      std::vector<int16_t> samples(size_t{rect.width} * rect.height);
+      for (uint32_t j = 0; j < rect.height; ++j) {
+        std::copy_n(parent.data() + kept_at(plane, rect, j), rect.width,
+                    samples.data() + size_t{j} * rect.width);
+      }
+      if (decoder_.refine_rect(view_.place(), plane, rect, stop_level_, samples)) return samples;
+    }
+    return decoder_.decode_rect(view_.place(), plane, rect, stop_level_);
+  }
+
+  void keep(Plane plane, const Rect& rect, const std::vector<int16_t>& samples) {
+    for (uint32_t j = 0; j < rect.height; ++j) {
+      std::copy_n(samples.data() + size_t{j} * rect.width, rect.width,
+                  page_.plane(plane).data() + kept_at(plane, rect, j));
+    }
+  }
+
   Result<void> load_chroma(const BlockRect& blocks) {
     const Rect rect = samples_of(blocks, shape_.chroma_width, shape_.chroma_height);
-    const uint32_t top = number_ * shape_.page_chroma_rows();
     for (const Plane plane : {Plane::kCo, Plane::kCg}) {
-      const auto samples = decoder_.decode_rect(view_.place(), plane, rect, stop_level_);
+      const auto samples = decode(plane, blocks, rect);
       if (!samples) return tl::unexpected(samples.error());
-      int16_t* out = page_.chroma[plane == Plane::kCo ? 0 : 1].data() +
-                     size_t{rect.y - top} * shape_.chroma_width + rect.x;
-      for (uint32_t j = 0; j < rect.height; ++j) {
-        std::copy_n(samples->data() + size_t{j} * rect.width, rect.width,
-                    out + size_t{j} * shape_.chroma_width);
-      }
+      keep(plane, rect, *samples);
     }
     return {};
   }
 
   Result<void> load_luma(const BlockRect& blocks) {
     const Rect rect = samples_of(blocks, shape_.width, shape_.height);
-    const auto samples = decoder_.decode_rect(view_.place(), Plane::kY, rect, stop_level_);
+    const auto samples = decode(Plane::kY, blocks, rect);
     if (!samples) return tl::unexpected(samples.error());
+    if (shape_.keeps_luma) keep(Plane::kY, rect, *samples);
     for (uint32_t j = 0; j < rect.height; ++j) {
       write_pixels(rect, rect.y + j, samples->data() + size_t{j} * rect.width);
     }
@@ -111,8 +146,8 @@ class PageLoader {
     const uint32_t in_page = y - number_ * kPageRows;
     const size_t chroma = size_t{in_page >> shift} * shape_.chroma_width + (rect.x >> shift);
     const ColourRow row{luma,
-                        page_.chroma[0].data() + chroma,
-                        page_.chroma[1].data() + chroma,
+                        page_.plane(Plane::kCo).data() + chroma,
+                        page_.plane(Plane::kCg).data() + chroma,
                         rect.width,
                         shift != 0,
                         shape_.depth};
@@ -134,6 +169,7 @@ class PageLoader {
   const Decoder& decoder_;
   const ViewShape& shape_;
   int stop_level_;
+  const CachedView* coarser_;
   CachedView& view_;
   uint32_t number_;
   ViewPage& page_;
@@ -142,8 +178,8 @@ class PageLoader {
 }  // namespace
 
 Result<void> load_page(const Decoder& decoder, const ViewShape& shape, int stop_level,
-                       CachedView& view, uint32_t page) {
-  return PageLoader(decoder, shape, stop_level, view, page).run();
+                       const CachedView* coarser, CachedView& view, uint32_t page) {
+  return PageLoader(decoder, shape, stop_level, coarser, view, page).run();
 }
 
 }  // namespace hmlfc

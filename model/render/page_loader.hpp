@@ -8,9 +8,11 @@
 namespace hmlfc {
 
 /// Decodes the missing blocks of page `page` of `view`, whose needed blocks are set, and turns them
-/// to pixels. Several threads may load different pages of a view. Errors: one of the blocks does
-/// not decode; nothing of the page is then counted as held that was not before.
+/// to pixels. Where `coarser` is not null it is the view's parent, of stop level + 1, with samples
+/// of Y: blocks that it holds are decoded from there. Several threads may load different pages of a
+/// view. Errors: one of the blocks does not decode; nothing of the page is then counted as held
+/// that was not before.
 Result<void> load_page(const Decoder& decoder, const ViewShape& shape, int stop_level,
-                       CachedView& view, uint32_t page);
+                       const CachedView* coarser, CachedView& view, uint32_t page);
 
 }  // namespace hmlfc

@@ -9,7 +9,7 @@ namespace hmlfc {
 void ViewCache::begin_frame() { ++frame_; }
 
 CachedView& ViewCache::use(ViewPos place, int stop_level) {
-  const uint64_t key = (static_cast<uint64_t>(stop_level) << 32 | place.row) << 16 | place.col;
+  const uint64_t key = key_of(place, stop_level);
   {
     const std::shared_lock lock(mutex_);
     const auto found = views_.find(key);
@@ -23,6 +23,11 @@ CachedView& ViewCache::use(ViewPos place, int stop_level) {
     view->frame = frame_;
   }
   return *view;
+}
+
+const CachedView* ViewCache::find(ViewPos place, int stop_level) const {
+  const auto found = views_.find(key_of(place, stop_level));
+  return found == views_.end() ? nullptr : found->second.get();
 }
 
 std::vector<CachedView*> ViewCache::used() {

@@ -16,7 +16,8 @@ namespace hmlfc {
 /// longest go first when the budget is full; those of the current frame stay.
 class ViewCache {
  public:
-  ViewCache(const StreamHeader& header, size_t budget) : shape_(header), budget_(budget) {}
+  ViewCache(const StreamHeader& header, size_t budget, bool keeps_luma)
+      : shape_(header, keeps_luma), budget_(budget) {}
 
   const ViewShape& shape() const { return shape_; }
 
@@ -26,6 +27,9 @@ class ViewCache {
   /// The view at `place`, which is made where it is not there; the frame uses it. May be called by
   /// several threads at once.
   CachedView& use(ViewPos place, int stop_level);
+
+  /// The view at `place` if there is one; not while another thread calls use().
+  const CachedView* find(ViewPos place, int stop_level) const;
 
   /// The views that the frame uses, by stop level and place.
   std::vector<CachedView*> used();
@@ -46,6 +50,10 @@ class ViewCache {
     CachedView* view;
     uint32_t page;
   };
+
+  static uint64_t key_of(ViewPos place, int stop_level) {
+    return (static_cast<uint64_t>(stop_level) << 32 | place.row) << 16 | place.col;
+  }
 
   void drop_oldest(size_t wanted_bytes, bool also_of_this_frame);
 

@@ -44,6 +44,15 @@ SamplePlane crop(const SamplePlane& region, const BlockRect& blocks, const Rect&
   return samples;
 }
 
+// Whether `rect` begins at a corner of a block and ends at one or at the plane's border.
+bool has_whole_blocks(const PlaneShape& shape, const Rect& rect, uint32_t block_size) {
+  const auto ends = [&](uint32_t end, uint32_t border) {
+    return end % block_size == 0 || end == border;
+  };
+  return rect.x % block_size == 0 && rect.y % block_size == 0 &&
+         ends(rect.x + rect.width, shape.width) && ends(rect.y + rect.height, shape.height);
+}
+
 // Whether `region` is `rect` already, or, where more to the right and below does not matter, begins
 // with it.
 bool is_cropped(const SamplePlane& region, const BlockRect& blocks, const Rect& rect,
@@ -123,6 +132,34 @@ Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, con
                                   {stop_level, image.row, image.col, plane}, rect, true);
     if (!samples) return tl::unexpected(samples.error());
     return std::move(samples->samples);
+  });
+}
+
+Result<void> Decoder::refine_rect(ViewPos view, Plane plane, const Rect& rect, int stop_level,
+                                  std::span<int16_t> samples) const {
+  const Geometry& geometry = state_->stream.geometry;
+  const PlaneShape& shape = geometry.plane(plane);
+  const uint32_t block_size = geometry.block_size();
+  if (!has_view(header(), view, stop_level + 1) || stop_level < 0 ||
+      !contains(shape.width, shape.height, rect) || !has_whole_blocks(shape, rect, block_size) ||
+      samples.size() != size_t{rect.width} * rect.height) {
+    return bad_request();
+  }
+  const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
+  return guard_memory([&]() -> Result<void> {
+    const BlockRect blocks = blocks_of(rect, block_size);
+    SamplePlane region((blocks.bx1 - blocks.bx0) * block_size,
+                       (blocks.by1 - blocks.by0) * block_size);
+    for (uint32_t j = 0; j < rect.height; ++j) {
+      std::copy_n(samples.begin() + size_t{j} * rect.width, rect.width, region.row(j).begin());
+    }
+    if (auto ok = add_level(state_->sparse(), stop_level, image, plane, blocks, region); !ok) {
+      return ok;
+    }
+    for (uint32_t j = 0; j < rect.height; ++j) {
+      std::copy_n(region.row(j).begin(), rect.width, samples.begin() + size_t{j} * rect.width);
+    }
+    return {};
   });
 }
 

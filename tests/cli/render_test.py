@@ -72,6 +72,45 @@ class Render(CliTest):
                     (self.folder / "orbit" / name).read_bytes(),
                 )
 
+    def test_progressive(self):
+        arguments = "--path line --frames 2 --size 50x40".split()
+        report = self.render(*arguments, "--progressive", "-o", "progressive")
+        names = ["{}_levels_1.png", "{}_levels_2.png", "{}.png"]
+        for levels, name in enumerate(names, 1):
+            self.render(*arguments, "--levels", levels, "-o", "apart")
+            for k in range(2):
+                frame = f"frame_{k:04}"
+                self.assertEqual(
+                    (self.folder / "progressive" / name.format(frame)).read_bytes(),
+                    (self.folder / "apart" / f"{frame}.png").read_bytes(),
+                )
+        self.assertEqual(len(os.listdir(self.folder / "progressive")), 6)
+        seconds = 0
+        for k, frame in enumerate(report["frames"]):
+            passes = [*frame["coarse"], frame]
+            self.assertEqual([p["levels"] for p in passes], [1, 2, 3])
+            self.assertEqual([p["file"] for p in passes],
+                             [f"progressive/{n.format(f'frame_{k:04}')}" for n in names])  # fmt: skip
+            self.assertTrue(all("camera" not in p for p in frame["coarse"]))
+            seconds += sum(p["seconds"] for p in passes)
+        self.assertAlmostEqual(report["seconds"], seconds)
+        # Key images and coarser levels are read in the passes before.
+        first = report["frames"][0]
+        cold = self.render(*arguments, "-o", "cold")["frames"][0]
+        self.assertLess(first["bytes_touched"], cold["bytes_touched"])
+        decoded = [p["key_samples_decoded"] for p in [*first["coarse"], first]]
+        self.assertEqual(decoded, [cold["key_samples_decoded"], 0, 0])
+        self.assertGreater(decoded[0], 0)
+
+    def test_progressive_down_to_a_level(self):
+        report = self.render(*"--progressive --levels 2 -o down.png".split())
+        self.render("--levels", 1, "-o", "one.png")
+        self.assertEqual(self.picture("down_levels_1.png"), self.picture("one.png"))
+        self.assertFalse((self.folder / "down_levels_2.png").exists())
+        self.assertEqual([p["levels"] for p in report["frames"][0]["coarse"]], [1])
+        self.refused(USAGE, "render", "a.hmlfc", "--progressive", "--quality-vs-time",
+                     says="--progressive")  # fmt: skip
+
     def check_preview(self, frames):
         chunks = list(chunks_of((self.folder / "orbit.png").read_bytes()))
         kinds = [kind for kind, _ in chunks]
@@ -120,6 +159,7 @@ class Render(CliTest):
         for frame in report["frames"]:
             self.assertEqual(frame["blocks_needed"], frame["blocks_decoded"])
             self.assertNotIn("bytes_touched", frame)
+            self.assertNotIn("key_samples_decoded", frame)
         for k in range(2):
             name = f"frame_{k:04}.png"
             self.assertEqual((self.folder / "gpu" / name).read_bytes(),

@@ -119,6 +119,36 @@ TEST(CpuRenderer, SequencesOfFramesEqualTheGoldenRenderer) {
   }
 }
 
+// Frames from coarse to fine, each decoded from the one before, on intact streams and damaged ones.
+TEST(CpuRenderer, ProgressiveFramesEqualTheGoldenRenderer) {
+  int failed = 0;
+  for (uint32_t seed = 300; seed < 380; ++seed) {
+    test::Random random(seed);
+    std::vector<uint8_t> bytes = test::random_stream(seed);
+    if (seed % 4 == 3) test::damage(random, bytes);
+    OpenOptions unchecked;
+    unchecked.check_sections = false;
+    const test::OpenedStream stream(std::move(bytes), unchecked);
+    if (!stream.decoder) continue;
+    const Decoder& decoder = *stream.decoder;
+    RenderOptions options;
+    options.progressive = true;
+    options.cache_bytes = std::array<size_t, 3>{size_t{1} << 30, 60000, 0}[seed % 3];
+    const auto fast = make_cpu_renderer(decoder, options);
+    for (int n = 0; n < 3; ++n) {
+      const auto record =
+          frame_record(test::random_camera(random, decoder.header()), decoder.header());
+      for (int level = decoder.header().tree_height; level >= 0; --level) {
+        const Golden golden(decoder, *record, level);
+        expect_same(golden, *fast, *record, level,
+                    "seed " + std::to_string(seed) + ", level " + std::to_string(level));
+        if (!golden.done) ++failed;
+      }
+    }
+  }
+  EXPECT_GT(failed, 20);
+}
+
 // Large frames and views: rows of several vectors, pages and threads.
 TEST(CpuRenderer, LargeFramesEqualTheGoldenRenderer) {
   EncodeParams params;
@@ -157,12 +187,7 @@ TEST(CpuRendererErrors, DamagedStreamsEqualTheGoldenRenderer) {
   for (uint32_t seed = 0; seed < 120; ++seed) {
     test::Random random(seed);
     std::vector<uint8_t> bytes = test::random_stream(seed % 40);
-    const size_t header = bytes[10] + 256u * bytes[11];
-    if (bytes.size() <= header) continue;
-    for (int n = 0; n < 3; ++n) {
-      bytes[header + random() % (bytes.size() - header)] ^=
-          static_cast<uint8_t>(1 + random() % 255);
-    }
+    test::damage(random, bytes);
     OpenOptions options;
     options.check_sections = false;
     const test::OpenedStream stream(bytes, options);

@@ -31,6 +31,15 @@ inline std::vector<uint8_t> random_stream(uint32_t seed) {
   return encode(textured_light_field(made.shape, seed, made.noise), made.params)->bytes;
 }
 
+/// Changes three bytes behind the header of a stream.
+inline void damage(Random& random, std::vector<uint8_t>& stream) {
+  const size_t header = stream[10] + 256u * stream[11];
+  for (int n = 0; n < 3 && header < stream.size(); ++n) {
+    stream[header + random() % (stream.size() - header)] ^=
+        static_cast<uint8_t>(1 + random() % 255);
+  }
+}
+
 /// A camera that sees something of a light field of this header, most of the time: near and far,
 /// straight and turned, sharp and wide.
 inline Camera random_camera(Random& random, const StreamHeader& header) {

@@ -20,6 +20,10 @@ class Touched final : public ReadSink {
   void on_key_plane(uint64_t samples) override { top_.on_key_plane(samples); }
   const TouchedBytes& top() const { return top_; }
   const TouchedBytes& rest() const { return rest_; }
+  void reset() {
+    top_.reset();
+    rest_.reset();
+  }
 
  private:
   TouchedBytes top_;
@@ -142,6 +146,44 @@ TEST(Skipping, AKeyImageHasOneErrorForAllOfItsSamples) {
     ASSERT_FALSE(done.has_value());
     EXPECT_EQ(done.error().code, ErrorCode::kBadTopCrc);
   }
+}
+
+// Each pass of a progressive frame reads its own level; key images and coarser levels are there.
+TEST(Skipping, FinerFramesReadTheirOwnLevelAlone) {
+  const EncodeParams params = profiles()[0];
+  const LightField field = test::textured_light_field({8, 8, 96, 64, 8}, 4, 40);
+  const std::vector<uint8_t> file = encode(field, params)->bytes;
+  Touched touched(file.size(), top_end(file));
+  OpenOptions options;
+  options.check_sections = false;
+  options.reads = &touched;
+  // The bytes that frames of these levels touch behind TOP, one after another.
+  const auto bytes_of = [&](std::vector<int> levels, bool progressive) {
+    const auto decoder = Decoder::open(file, options);
+    RenderOptions render;
+    render.progressive = progressive;
+    const auto renderer = make_cpu_renderer(*decoder, render);
+    std::vector<uint64_t> bytes;
+    for (const int level : levels) {
+      touched.reset();
+      Frame frame;
+      EXPECT_TRUE(renderer->render(middle_record(decoder->header()), level, frame).has_value());
+      EXPECT_EQ(touched.top().key_samples() > 0, bytes.empty()) << level;
+      bytes.push_back(touched.rest().bytes());
+    }
+    return bytes;
+  };
+  const auto cold = bytes_of({0}, true);
+  const auto apart = bytes_of({2, 1, 0}, false);
+  const auto refined = bytes_of({2, 1, 0}, true);
+  ASSERT_EQ(params.tree_height, 2);
+  EXPECT_EQ(refined[0], apart[0]);
+  EXPECT_EQ(refined[0], 0u) << "key images alone";
+  EXPECT_EQ(refined[1], apart[1]);
+  EXPECT_LT(refined[2], apart[2]);
+  EXPECT_GE(refined[1] + refined[2], cold[0]);
+  // Lines that hold parts of both levels are counted in both.
+  EXPECT_LT(refined[1] + refined[2], cold[0] * 5 / 4) << cold[0];
 }
 
 // A frame at a view's place needs that view alone: all its blocks, each once.

@@ -81,6 +81,31 @@ void check_rect(std::mt19937& random, const NaiveStream& stream, const Decoder& 
   }
 }
 
+// One level after another from the top: each rectangle of whole blocks from that of the level
+// above.
+void check_refined(std::mt19937& random, const NaiveStream& stream, const Decoder& decoder,
+                   ViewPos view, Plane plane) {
+  const NaiveSize size = stream.tree().plane_size(plane);
+  const uint32_t side = stream.header().block_size();
+  Rect rect = draw_rect(random, size.width, size.height);
+  const uint32_t right = std::min((rect.x + rect.width + side - 1) / side * side, size.width);
+  const uint32_t bottom = std::min((rect.y + rect.height + side - 1) / side * side, size.height);
+  rect.x -= rect.x % side;
+  rect.y -= rect.y % side;
+  rect.width = right - rect.x;
+  rect.height = bottom - rect.y;
+  const int top = stream.header().tree_height;
+  auto samples = decoder.decode_rect(view, plane, rect, top);
+  ASSERT_TRUE(samples.has_value()) << to_string(samples.error());
+  for (int level = top - 1; level >= 0; --level) {
+    const auto refined = decoder.refine_rect(view, plane, rect, level, *samples);
+    ASSERT_TRUE(refined.has_value()) << to_string(refined.error());
+    const auto whole = decoder.decode_rect(view, plane, rect, level);
+    ASSERT_TRUE(whole.has_value()) << to_string(whole.error());
+    ASSERT_EQ(*samples, *whole) << plane_name(plane) << " of level " << level;
+  }
+}
+
 int64_t clamped(int64_t value, int depth) {
   return std::max<int64_t>(0, std::min<int64_t>(value, (1 << depth) - 1));
 }
@@ -121,6 +146,7 @@ void check_stream(std::mt19937& random, const NaiveStream& stream) {
       ASSERT_NO_FATAL_FAILURE(check_plane(stream, *decoder, {row, col}, plane, level));
       ASSERT_NO_FATAL_FAILURE(check_rect(random, stream, *decoder, {row, col}, plane, level));
       ASSERT_NO_FATAL_FAILURE(check_rgb(random, stream, *decoder, {row, col}));
+      ASSERT_NO_FATAL_FAILURE(check_refined(random, stream, *decoder, {row, col}, plane));
       const NaiveSize blocks = stream.tree().plane_blocks(plane);
       for (int i = 0; i < 12; ++i) {
         const BlockAddress at{{row, col},
@@ -151,6 +177,36 @@ TEST(BlockDecoder, RandomExtendedStreams) {
     const NaiveStream stream(random, header, static_cast<int>(1 + flags % 4));
     ASSERT_NO_FATAL_FAILURE(check_stream(random, stream)) << "flags " << flags;
   }
+}
+
+TEST(BlockDecoder, RefusesToRefineWhatIsNotWholeBlocksOfALevel) {
+  StreamHeader header;
+  header.rows = header.cols = 2;
+  header.width = 18;
+  header.height = 13;
+  header.tree_height = 1;
+  header.levels = {{1, 1}, {1, 1}};
+  std::mt19937 random(4);
+  const NaiveStream stream(random, header, 1);
+  const Bytes file = stream.file();
+  const auto decoder = Decoder::open(file);
+  ASSERT_TRUE(decoder.has_value()) << to_string(decoder.error());
+  ASSERT_EQ(header.block_size(), 4u);
+  const auto outcome = [&](const Rect& rect, int level, ViewPos view, size_t more = 0) {
+    std::vector<int16_t> samples(size_t{rect.width} * rect.height + more);
+    const auto done = decoder->refine_rect(view, Plane::kY, rect, level, samples);
+    return done ? ErrorCode::kOk : done.error().code;
+  };
+  EXPECT_EQ(outcome({4, 8, 14, 5}, 0, {1, 1}), ErrorCode::kOk);
+  EXPECT_EQ(outcome({4, 8, 8, 4}, 0, {1, 1}), ErrorCode::kOk);
+  for (const Rect& rect : {Rect{5, 8, 3, 4}, Rect{4, 9, 4, 3}, Rect{4, 8, 3, 4}, Rect{4, 8, 4, 3},
+                           Rect{4, 8, 16, 4}, Rect{4, 8, 4, 8}, Rect{4, 8, 0, 4}}) {
+    EXPECT_EQ(outcome(rect, 0, {0, 0}), ErrorCode::kBadRequest) << rect.x << ", " << rect.y;
+  }
+  EXPECT_EQ(outcome({4, 8, 4, 4}, 1, {0, 0}), ErrorCode::kBadRequest);
+  EXPECT_EQ(outcome({4, 8, 4, 4}, -1, {0, 0}), ErrorCode::kBadRequest);
+  EXPECT_EQ(outcome({4, 8, 4, 4}, 0, {0, 2}), ErrorCode::kBadRequest);
+  EXPECT_EQ(outcome({4, 8, 4, 4}, 0, {0, 0}, 1), ErrorCode::kBadRequest);
 }
 
 // Without tiles, every view is its key image, or 0 in a predictive image of the top level (DEC-6).

@@ -108,6 +108,14 @@ class Decoder {
   Result<std::vector<int16_t>> decode_rect(ViewPos view, Plane plane, const Rect& rect,
                                            int stop_level = 0) const;
 
+  /// Turns `samples`, those of `rect` at level `stop_level` + 1 as decode_rect gives them, into
+  /// those at level `stop_level` by decoding this level alone (DEC-3). `rect` begins at a block's
+  /// corner and ends at one or at the plane's border; `stop_level` lies in [0, tree_height - 1].
+  /// After an error, which need not be that of decode_rect, the samples have no meaning:
+  /// decode_rect says what they are, or why there are none.
+  Result<void> refine_rect(ViewPos view, Plane plane, const Rect& rect, int stop_level,
+                           std::span<int16_t> samples) const;
+
   /// A whole plane of a view.
   Result<std::vector<int16_t>> decode_plane(ViewPos view, Plane plane, int stop_level = 0) const;
 

@@ -52,6 +52,9 @@ class FrameRenderer {
 struct RenderOptions {
   size_t cache_bytes = size_t{256} << 20;  ///< of decoded pixels kept between frames
   int threads = 0;                         ///< 0: all cores
+  /// Frames are asked for from coarse to fine: what is decoded of a stop level is kept so that the
+  /// one below it is decoded from there.
+  bool progressive = false;
 };
 
 /// The fast renderer on the CPU. `decoder` must outlive it.
