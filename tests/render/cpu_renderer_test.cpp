@@ -119,7 +119,8 @@ TEST(CpuRenderer, SequencesOfFramesEqualTheGoldenRenderer) {
   }
 }
 
-// Frames from coarse to fine, each decoded from the one before, on intact streams and damaged ones.
+// Frames from coarse to fine, each decoded from the one before, on intact streams and damaged ones;
+// now and then before another camera, so that not all of the coarser level is there.
 TEST(CpuRenderer, ProgressiveFramesEqualTheGoldenRenderer) {
   int failed = 0;
   for (uint32_t seed = 300; seed < 380; ++seed) {
@@ -135,10 +136,11 @@ TEST(CpuRenderer, ProgressiveFramesEqualTheGoldenRenderer) {
     options.progressive = true;
     options.cache_bytes = std::array<size_t, 3>{size_t{1} << 30, 60000, 0}[seed % 3];
     const auto fast = make_cpu_renderer(decoder, options);
-    for (int n = 0; n < 3; ++n) {
-      const auto record =
-          frame_record(test::random_camera(random, decoder.header()), decoder.header());
+    for (int n = 0; n < 4; ++n) {
+      Camera camera = test::random_camera(random, decoder.header());
       for (int level = decoder.header().tree_height; level >= 0; --level) {
+        if (n % 2 == 1) camera = test::random_camera(random, decoder.header());
+        const auto record = frame_record(camera, decoder.header());
         const Golden golden(decoder, *record, level);
         expect_same(golden, *fast, *record, level,
                     "seed " + std::to_string(seed) + ", level " + std::to_string(level));
