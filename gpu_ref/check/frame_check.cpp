@@ -12,10 +12,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Frame `i` of `frames`.
-Camera camera_of(const StreamHeader& header, uint64_t i, uint64_t frames) {
+// The camera of frame `i` of `frames`.
+Camera moved(Camera camera, const StreamHeader& header, uint64_t i, uint64_t frames) {
   const double part = frames <= 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(frames - 1);
-  Camera camera;
   camera.position = WorldPoint{part * (header.cols - 1), 0.5 * (header.rows - 1), 0};
   return camera;
 }
@@ -54,7 +53,8 @@ std::optional<std::string> difference(const Result<void>& golden, const Frame& e
 }  // namespace
 
 Outcome<FrameReport> check_frames(GpuRenderer& renderer, std::span<const uint8_t> file,
-                                  const StreamView& stream, uint64_t frames, bool compare) {
+                                  const StreamView& stream, const Camera& camera, uint64_t frames,
+                                  bool compare) {
   OpenOptions options;
   options.check_sections = false;
   const auto decoder = Decoder::open(file, options);
@@ -63,7 +63,7 @@ Outcome<FrameReport> check_frames(GpuRenderer& renderer, std::span<const uint8_t
   FrameReport report;
   for (uint64_t i = 0; i <= frames; ++i) {
     const uint64_t number = i == 0 ? 0 : i - 1;
-    const auto record = frame_record(camera_of(stream.header, number, frames), stream.header);
+    const auto record = frame_record(moved(camera, stream.header, number, frames), stream.header);
     if (!record) return tl::unexpected(Failure{record.error().message});
     const auto begin = Clock::now();
     const auto frame = renderer.render(*record, 0);
@@ -71,6 +71,8 @@ Outcome<FrameReport> check_frames(GpuRenderer& renderer, std::span<const uint8_t
     if (i == 0) continue;  // makes pipelines and buffers
     report.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
     ++report.frames;
+    report.width = static_cast<uint32_t>(record->frame_width);
+    report.height = static_cast<uint32_t>(record->frame_height);
     report.blocks += frame->blocks_needed;
     add_stages(renderer.stage_times(), report.stages);
     if (!compare) continue;
@@ -86,7 +88,8 @@ Outcome<FrameReport> check_frames(GpuRenderer& renderer, std::span<const uint8_t
 
 std::string to_text(const FrameReport& report) {
   const auto frames = static_cast<double>(std::max<uint64_t>(report.frames, 1));
-  std::string text = fmt::format("{} frames, {} blocks decoded\n", report.frames, report.blocks);
+  std::string text = fmt::format("{} frames of {} x {} pixels, {} blocks decoded\n", report.frames,
+                                 report.width, report.height, report.blocks);
   double device = 0;
   for (const StageTime& stage : report.stages) {
     text +=
@@ -94,7 +97,8 @@ std::string to_text(const FrameReport& report) {
     device += stage.seconds;
   }
   if (!report.stages.empty()) {
-    text += fmt::format("  {:<10} {:10.3f} ms a frame\n", "device", 1000 * device / frames);
+    text += fmt::format("  {:<10} {:10.3f} ms a frame, {:.1f} frames a second\n", "device",
+                        1000 * device / frames, frames / device);
   }
   text += fmt::format("  {:<10} {:10.3f} ms a frame\n", "call", 1000 * report.seconds / frames);
   if (report.mismatch) text += "MISMATCH: " + *report.mismatch + "\n";

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/arguments.hpp"
 #include "cli/progress_bar.hpp"
 #include "frame_check.hpp"
 #include "gpu_answers.hpp"
@@ -37,6 +38,8 @@ struct Options {
   bool answers_only = false;
   bool speed = false;
   uint64_t frames = 0;
+  std::string size;
+  Camera camera;
 };
 
 int usage_error(const std::string& message) {
@@ -53,6 +56,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_flag("--speed", o.speed, "Decode --views whole views and say how long it takes instead");
   app.add_option("--frames", o.frames,
                  "Render so many novel views instead, from the first column to the last");
+  app.add_option("--size", o.size, "Pixels of a frame, WxH (default: those of a view)");
   app.add_option("--device", o.device.device, "Number or part of the name of a Vulkan device");
   app.add_flag("--list-devices", o.list, "List the Vulkan devices");
   app.add_option("--chunk-bytes", o.device.chunk_bytes,
@@ -190,7 +194,7 @@ int show_frames(const Options& o, std::span<const uint8_t> file, const StreamVie
                 Device& device) {
   auto renderer = GpuRenderer::open(device, view);
   if (!renderer) return usage_error(renderer.error().message);
-  const auto report = check_frames(*renderer, file, view, o.frames, !o.speed);
+  const auto report = check_frames(*renderer, file, view, o.camera, o.frames, !o.speed);
   if (!report) return usage_error(report.error().message);
   fmt::print("{}: {}", device.info().name, to_text(*report));
   if (!o.speed) fmt::print("{}\n", report->mismatch ? "FAILED" : "equal to the golden renderer");
@@ -233,6 +237,12 @@ int run(int argc, char** argv) {
     o.plan.views = ~uint64_t{0};
   } else if (!CLI::detail::lexical_cast(o.views, o.plan.views) || o.plan.views == 0) {
     return usage_error("--views is a number or all");
+  }
+  if (!o.size.empty()) {
+    const auto size = cli::parse_numbers<2>(o.size, 'x');
+    if (!size) return usage_error("--size is WxH, such as 512x512");
+    o.camera.frame_width = (*size)[0];
+    o.camera.frame_height = (*size)[1];
   }
   return run_on_stream(o);
 }
