@@ -32,9 +32,7 @@ def read_residual(stream, head, plane, block):
         levels = bise.levels_of(level_code)
         lengths.append(bise.sequence_bits(side * side, levels))
     bias = Cursor(head.record, bias_at).take_signed(head.bias_bits)
-    headers_bits = head.level_bits + head.step_bits + head.bias_bits
-    values_begin = head.block_headers + headers_bits * bin(head.residual_mask).count("1")
-    values = bise.read(head.record, values_begin + sum(lengths[:m]), side * side, levels)
+    values = bise.read(head.record, head.block_values + sum(lengths[:m]), side * side, levels)
     lo, hi = geometry.interval(plane)
     bound = hi - lo
     scaled = [

@@ -8,7 +8,7 @@ from tile_mask import blocks_in_plane, read_mask
 
 
 class TileHead:
-    """The fields by name, and the positions at which signs, vectors and block headers begin."""
+    """The fields by name, and the positions at which signs, vectors, block headers and block values begin."""
 
     def __init__(self, stream, record, has_motion, plane, tile):
         """Reads the record of `tile` = (column, row); has_motion: motion_mode is present."""
@@ -26,6 +26,9 @@ class TileHead:
         if self.residual_mask:
             self._read_residual_widths(cursor, header)
         self.block_headers = cursor.position
+        width = self.level_bits + self.step_bits + self.bias_bits if self.residual_mask else 0
+        self.block_values = self.block_headers + width * popcount(self.residual_mask)
+        require(self.block_values <= record.length, "tile_overrun")
 
     def _read_vector_ranges(self, cursor, window):
         count = popcount(self.motion_mask)
