@@ -2,7 +2,7 @@
 """Decodes an .hmlfc file slowly, by docs/specification.md alone.
 
     decode.py FILE -o FOLDER [--ppm]           all views into FOLDER/views.raw, and as RR_CC.ppm
-    decode.py FILE --trace R,C,PLANE,BX,BY     the stages of one block, one level a line, as JSON
+    decode.py FILE --trace R,C,PLANE,BX,BY     the stages of one block, one JSON record a line
 
 Exit status: 0 done; 2 wrong arguments; 3 FILE cannot be read; 4 the stream is not valid: the error's
 name in annex A is on standard error.
@@ -18,9 +18,7 @@ from light_field import decode_view
 from opening import Stream
 from picture_files import ppm_bytes, raw_bytes
 from stream_error import StreamError
-from trace import trace_block
-
-PLANES = {"Y": 0, "Co": 1, "Cg": 2}
+from trace import PLANE_NAMES, trace_block
 
 
 def parse_arguments(arguments):
@@ -36,8 +34,8 @@ def parse_arguments(arguments):
     if parsed.trace is not None:
         try:
             row, col, plane, block_x, block_y = parsed.trace.split(",")
-            parsed.trace = int(row), int(col), PLANES[plane], int(block_x), int(block_y)
-        except (KeyError, ValueError):
+            parsed.trace = int(row), int(col), PLANE_NAMES.index(plane), int(block_x), int(block_y)
+        except ValueError:
             parser.error("--trace takes R,C,PLANE,BX,BY")
     return parsed
 

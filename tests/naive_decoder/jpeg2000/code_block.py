@@ -51,7 +51,9 @@ class CodeBlockDecoder:
         self.kind, self.style = kind, style
         self.width, self.height = block.width, block.height
         self.magnitude = [[0] * block.width for _ in range(block.height)]
-        self.sign = [[0] * block.width for _ in range(block.height)]  # 1, -1; 0: not significant
+        self.nothing = [0] * (block.width + 2)
+        # 1, -1, or 0 where not significant; coefficient (x, y) is sign[y + 1][x + 1], with a border of 0.
+        self.sign = [list(self.nothing) for _ in range(block.height + 2)]
         self.lowest = [[0] * block.width for _ in range(block.height)]  # b of EXT-6
         self.refined = set()
         self.visited = set()
@@ -72,6 +74,10 @@ class CodeBlockDecoder:
                     self.contexts = fresh_contexts()
                 number += 1
 
+    def signs(self):
+        """Rows of signs, without the border."""
+        return [row[1:-1] for row in self.sign[1:-1]]
+
     def _is_raw(self, number):
         return self.style & BYPASS and number >= FIRST_BYPASS_PASS and number % 3 != 0
 
@@ -82,18 +88,19 @@ class CodeBlockDecoder:
                 for y in range(top, min(top + STRIPE, self.height)):
                     yield x, y
 
-    def _neighbour(self, x, y, right, down):
-        """The sign of a neighbour, 0 where it is not significant, outside, or not to be seen (CAUSAL)."""
-        if self.style & CAUSAL and down == 1 and y % STRIPE == STRIPE - 1:
-            return 0
-        x, y = x + right, y + down
-        return self.sign[y][x] if 0 <= x < self.width and 0 <= y < self.height else 0
+    def _rows_around(self, x, y):
+        """Signs of the three coefficients above, beside and below; 0: not significant, outside, or not seen (CAUSAL)."""
+        unseen = self.style & CAUSAL and y % STRIPE == STRIPE - 1
+        rows = self.sign[y], self.sign[y + 1], self.nothing if unseen else self.sign[y + 2]
+        return [row[x : x + 3] for row in rows]
 
     def _significant_neighbours(self, x, y):
         """How many are significant: beside, above and below, diagonal."""
-        def count(*steps):
-            return sum(1 for step in steps if self._neighbour(x, y, *step))
-        return (count((-1, 0), (1, 0)), count((0, -1), (0, 1)), count((-1, -1), (1, -1), (-1, 1), (1, 1)))
+        above, beside, below = self._rows_around(x, y)
+        across = (beside[0] != 0) + (beside[2] != 0)
+        down = (above[1] != 0) + (below[1] != 0)
+        diagonal = (above[0] != 0) + (above[2] != 0) + (below[0] != 0) + (below[2] != 0)
+        return across, down, diagonal
 
     def _decide(self, context):
         return self.raw.bit() if self.raw else self.mq.decode(self.contexts, context)
@@ -102,18 +109,18 @@ class CodeBlockDecoder:
         if self.raw:
             negative = self.raw.bit()
         else:
-            across = self._neighbour(x, y, -1, 0) + self._neighbour(x, y, 1, 0)
-            down = self._neighbour(x, y, 0, -1) + self._neighbour(x, y, 0, 1)
+            above, beside, below = self._rows_around(x, y)
+            across, down = beside[0] + beside[2], above[1] + below[1]
             context, flip = sign_context(max(-1, min(1, across)), max(-1, min(1, down)))
             negative = self.mq.decode(self.contexts, context) ^ flip
-        self.sign[y][x] = -1 if negative else 1
+        self.sign[y + 1][x + 1] = -1 if negative else 1
         self.magnitude[y][x] = 2**self.plane
 
     def _significance_pass(self):
         self.visited = set()
         for x, y in self._places():
             neighbours = self._significant_neighbours(x, y)
-            if self.sign[y][x] == 0 and sum(neighbours) > 0:
+            if self.sign[y + 1][x + 1] == 0 and sum(neighbours) > 0:
                 self._code_significance(x, y, neighbours)
                 self.visited.add((x, y))
 
@@ -124,7 +131,7 @@ class CodeBlockDecoder:
 
     def _refinement_pass(self):
         for x, y in self._places():
-            if self.sign[y][x] == 0 or (x, y) in self.visited:
+            if self.sign[y + 1][x + 1] == 0 or (x, y) in self.visited:
                 continue
             context = FIRST_MAGNITUDE + 2
             if (x, y) not in self.refined:
@@ -154,11 +161,11 @@ class CodeBlockDecoder:
             self._become_significant(x, rows[run])
             rows = rows[run + 1 :]
         for y in rows:
-            if self.sign[y][x] == 0 and (x, y) not in self.visited:
+            if self.sign[y + 1][x + 1] == 0 and (x, y) not in self.visited:
                 self._code_significance(x, y, self._significant_neighbours(x, y))
 
     def _is_quiet(self, x, y):
-        quiet = self.sign[y][x] == 0 and (x, y) not in self.visited
+        quiet = self.sign[y + 1][x + 1] == 0 and (x, y) not in self.visited
         return quiet and sum(self._significant_neighbours(x, y)) == 0
 
 
@@ -173,5 +180,5 @@ def decode_code_block(block, band, style):
             sign * (magnitude + 2**lowest // 2) if sign else 0
             for sign, magnitude, lowest in zip(*rows)
         ]
-        for rows in zip(decoder.sign, decoder.magnitude, decoder.lowest)
+        for rows in zip(decoder.signs(), decoder.magnitude, decoder.lowest)
     ]

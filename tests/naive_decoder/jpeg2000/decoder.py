@@ -7,8 +7,6 @@ from .packets import read_packets
 from .subbands import resolutions
 from .wavelet import join
 
-GREATEST_PRECINCT = 32768  # a wider or higher tile has more than one precinct of the greatest size
-
 __all__ = ["CodestreamError", "decode"]
 
 
@@ -26,11 +24,10 @@ def decode(data, width, height, depth, signed):
     codestream = Codestream(data)
     shape = codestream.width, codestream.height, codestream.depth, codestream.signed
     demand(shape == (width, height, depth, signed), "another shape")
-    demand(max(width, height) <= GREATEST_PRECINCT, "more than one precinct")
     levels = resolutions(codestream)
     read_packets(codestream, levels)
-    image = band_rows(levels[0][0], codestream.block_style)
-    for bands in levels[1:]:
-        image = join(image, *(band_rows(band, codestream.block_style) for band in bands))
+    image = band_rows(levels[0].bands[0], codestream.block_style)
+    for resolution in levels[1:]:
+        image = join(image, *(band_rows(band, codestream.block_style) for band in resolution.bands))
     shift = 0 if signed else 2 ** (depth - 1)
     return [[sample + shift for sample in row] for row in image]

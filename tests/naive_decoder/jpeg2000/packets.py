@@ -2,7 +2,7 @@
 
 from .codestream_error import demand
 
-LAYER_FIRST = 0  # progression LRCP; with one precinct each, the others all go by resolution first
+PROGRESSIONS = ("LRCP", "RLCP", "RPCL", "PCRL", "CPRL")
 BYPASS, TERMINATE_ALL = 1, 4  # code-block styles
 FIRST_BYPASS_PASS = 10
 
@@ -78,19 +78,19 @@ def split_passes(block, new_passes, style):
         yield block.segments[-1], taken
 
 
-def read_block_header(header, band, number, layer, style):
+def read_block_header(header, part, number, layer, style):
     """Lengths [(segment, bytes)] that a packet adds to a code-block."""
-    block = band.blocks[number]
-    x, y = number % band.cols, number // band.cols
+    block = part.blocks[number]
+    x, y = number % part.cols, number // part.cols
     if block.included:
         if header.bit() == 0:
             return []
     else:
-        if not band.inclusion.at_most(x, y, layer, header.bit):
+        if not part.inclusion.at_most(x, y, layer, header.bit):
             return []
         block.included = True
-        block.missing_planes = band.zero_planes.value(x, y, header.bit)
-        demand(block.missing_planes <= band.planes, "more missing bit-planes than there are")
+        block.missing_planes = part.zero_planes.value(x, y, header.bit)
+        demand(block.missing_planes <= part.planes, "more missing bit-planes than there are")
     passes = number_of_passes(header)
     while header.bit():
         block.length_bits += 1
@@ -100,17 +100,17 @@ def read_block_header(header, band, number, layer, style):
     ]
 
 
-def read_packet(codestream, position, bands, layer):
-    """Reads one packet; returns where it ends."""
+def read_packet(codestream, position, parts, layer):
+    """Reads one packet, of a precinct with these parts of subbands; returns where it ends."""
     data = codestream.packets
     if codestream.has_sop and data[position : position + 2] == b"\xff\x91":
         position += 6
     header = HeaderBits(data, position)
     lengths = []
     if header.bit():
-        for band in bands:
-            for number in range(len(band.blocks)):
-                lengths += read_block_header(header, band, number, layer, codestream.block_style)
+        for part in parts:
+            for number in range(len(part.blocks)):
+                lengths += read_block_header(header, part, number, layer, codestream.block_style)
     position = header.end()
     if codestream.has_eph:
         demand(data[position : position + 2] == b"\xff\x92", "EPH is missing")
@@ -122,13 +122,36 @@ def read_packet(codestream, position, bands, layer):
     return position
 
 
+def packet_order(codestream, resolutions):
+    """(layer, resolution, precinct) of all packets (T.800 B.12).
+
+    The place of a precinct is that of its upper left corner on the grid of samples.
+    """
+    packets = [
+        (layer, level, *precinct)
+        for level, resolution in enumerate(resolutions)
+        for precinct in resolution.precincts
+        for layer in range(codestream.layers)
+    ]
+
+    def place(level, row, col):
+        return row << codestream.decompositions - level, col << codestream.decompositions - level
+
+    def key(packet):
+        layer, level, *precinct = packet
+        return {
+            "LRCP": (layer, level, *precinct),
+            "RLCP": (level, layer, *precinct),
+            "RPCL": (level, *precinct, layer),
+            "PCRL": (*place(level, *precinct), level, layer),
+            "CPRL": (*place(level, *precinct), level, layer),
+        }[PROGRESSIONS[codestream.progression]]
+
+    return sorted(packets, key=key)
+
+
 def read_packets(codestream, resolutions):
     """Reads all packets into the code-blocks of the resolutions' subbands."""
-    layers = range(codestream.layers)
-    if codestream.progression == LAYER_FIRST:
-        order = [(layer, bands) for layer in layers for bands in resolutions]
-    else:
-        order = [(layer, bands) for bands in resolutions for layer in layers]
     position = 0
-    for layer, bands in order:
-        position = read_packet(codestream, position, bands, layer)
+    for layer, level, row, col in packet_order(codestream, resolutions):
+        position = read_packet(codestream, position, resolutions[level].precincts[row, col], layer)

@@ -6,7 +6,7 @@ from block import BlockDecoder
 from light_field import decode_view
 from opening import Stream
 from stream_error import StreamError
-from trace import trace_block
+from trace import PLANE_NAMES, trace_block
 
 
 def attempt(action, *arguments):
@@ -31,16 +31,16 @@ def random_blocks(stream, count, seed):
         yield rng.randrange(header.rows), rng.randrange(header.cols), plane, rng.randrange(cols), rng.randrange(rows)
 
 
-def cropped(records, geometry, plane, block_x, block_y):
-    """Stages without the values outside the plane, which have no meaning (STR-6)."""
+def cropped(records, geometry):
+    """Records of trace_block without the values outside the plane, which have no meaning (STR-6)."""
     if isinstance(records, str):
         return records
+    plane, (block_x, block_y) = PLANE_NAMES.index(records[0]["plane"]), records[0]["block"]
+    side = geometry.block
     width, height = geometry.plane_size(plane)
-    cols, rows = width - block_x * geometry.block, height - block_y * geometry.block
-    return [
-        {**record, "stages": {name: [line[:cols] for line in lines[:rows]] for name, lines in record["stages"].items()}}
-        for record in records
-    ]
+    cols, rows = min(side, width - block_x * side), min(side, height - block_y * side)
+    inside = [side * y + x for y in range(rows) for x in range(cols)]
+    return records[:1] + [{**record, "values": [record["values"][i] for i in inside]} for record in records[1:]]
 
 
 class Answers:
@@ -55,7 +55,7 @@ class Answers:
         self.views = golden.views(stream.header)
         self.error = next((views for views in self.views.values() if isinstance(views, str)), "ok")
         for place in random_blocks(stream, blocks, seed):
-            self.blocks[place] = cropped(golden.stages(*place), stream.geometry, *place[2:])
+            self.blocks[place] = cropped(golden.stages(*place), stream.geometry)
 
     def differences(self):
         """What the naive decoder says differently: an empty list if nothing."""
@@ -65,7 +65,7 @@ class Answers:
         decoder = BlockDecoder(stream)
         found = []
         for place, expected in self.blocks.items():
-            actual = cropped(attempt(trace_block, decoder, *place), stream.geometry, *place[2:])
+            actual = cropped(attempt(trace_block, decoder, *place), stream.geometry)
             if actual != expected:
                 found.append(f"block {place}: naive {actual}, program {expected}")
         for place, expected in self.views.items():

@@ -5,8 +5,7 @@ import re
 
 from pictures import read_png
 from program import CORRUPT, DONE
-
-PLANE_NAMES = ("Y", "Co", "Cg")
+from trace import PLANE_NAMES
 
 
 def outcome(result):
@@ -59,7 +58,12 @@ class Golden:
         )
         if outcome(result) != "ok":
             return outcome(result)
-        records = json.loads(result.stdout)["levels"]
-        for record in records:
-            record["stages"] = {name: stage["values"] for name, stage in record["stages"].items()}
-        return [{key: r[key] for key in ("level", "image", "kind", "state", "stages")} for r in records]
+        place = {"plane": PLANE_NAMES[plane], "block": [block_x, block_y]}
+        records = [{"record": "block", "view": [row, col], **place}]
+        for level in json.loads(result.stdout)["levels"]:
+            image = [level["image"]["row"], level["image"]["col"]]
+            head = {"record": "stage", "level": level["level"], "image": image, **place}
+            for name, stage in level["stages"].items():
+                values = [value for line in stage["values"] for value in line]
+                records.append({**head, "stage": name, "clause": stage["clause"], "values": values})
+        return records

@@ -1,0 +1,40 @@
+"""The naive decoder on every vector of the conformance suite, and a test of this check."""
+
+import paths
+import json
+import unittest
+from concurrent.futures import ProcessPoolExecutor
+
+from program import main
+from vector_check import check_vector
+
+FOLDER = paths.DECODER.parents[1] / "vectors"
+
+
+def load_vectors():
+    """The vectors of the manifest, the largest first."""
+    vectors = json.loads((FOLDER / "manifest.json").read_text())["vectors"]
+    return sorted(vectors, key=lambda vector: -vector["input"]["bytes"])
+
+
+@unittest.skipUnless((FOLDER / "manifest.json").exists(), "there is no vectors/manifest.json")
+class VectorsTest(unittest.TestCase):
+    def test_every_vector_is_decoded_as_the_manifest_says(self):
+        vectors = load_vectors()
+        self.assertGreater(len(vectors), 0)
+        with ProcessPoolExecutor() as workers:
+            for vector, wrong in zip(vectors, workers.map(check_vector, [FOLDER] * len(vectors), vectors)):
+                with self.subTest(vector=vector["id"]):
+                    self.assertEqual(wrong, [])
+
+    def test_a_wrong_manifest_is_found(self):
+        decoded = [vector for vector in load_vectors() if vector["expect"]["outcome"] == "ok"]
+        vector = decoded[-1]
+        vector["output"]["sha256"] = vector["input"]["sha256"]
+        self.assertEqual(check_vector(FOLDER, vector), ["the samples differ"])
+        vector["expect"] = {"outcome": "reject", "error": "bad_magic", "offset": 0, "operation": "open"}
+        self.assertEqual(check_vector(FOLDER, vector), ["it opens"])
+
+
+if __name__ == "__main__":
+    main()
