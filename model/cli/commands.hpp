@@ -22,5 +22,6 @@ void add_inspect(CLI::App& program, Task& task);
 void add_bise(CLI::App& program, Task& task);
 void add_render(CLI::App& program, Task& task);
 void add_picture(CLI::App& program, Task& task);
+void add_vectors(CLI::App& program, Task& task);
 
 }  // namespace hmlfc::cli

@@ -52,6 +52,7 @@ void add_commands(CLI::App& program, Task& task) {
   add_bise(program, task);
   add_render(program, task);
   add_picture(program, task);
+  add_vectors(program, task);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
 }
 

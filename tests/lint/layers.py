@@ -27,9 +27,10 @@ ALLOWED = {
     "encoder": {"bits", "values", "fields", "samples", "encoder"},
     "io": {"io"},
     "scenes": {"scenes", "io"},
+    "vectors": {"bits", "values", "fields", "samples", "encoder", "io", "scenes", "vectors"},
     "cli": {
         *("bits", "values", "fields", "samples", "encoder", "render", "io", "scenes", "cli"),
-        "gpu_ref",
+        *("gpu_ref", "vectors"),
     },
     "gpu_ref": set(),  # beside model/: renders on a device, for cli
 }

@@ -8,6 +8,8 @@ RENDERING = Path("docs/rendering.md")
 
 DEFINITION = re.compile(r"^\*\*\[([A-Z]+-\d+)\]\*\*", re.MULTILINE)
 CLAUSE = re.compile(r"\b[A-Z]{3,4}-\d+\b")
+# Names of other standards that look like clauses.
+NOT_CLAUSES = {"SHA-256"}
 CLAUSE_RANGE = re.compile(r"\b([A-Z]{3,4})-(\d+) to \1-(\d+)\b")
 
 
@@ -24,7 +26,7 @@ def cited_clauses(text):
     """The clauses that a text names, those within "STR-2 to STR-6" included."""
     # A comment may break between "STR-2 to" and "STR-6".
     text = re.sub(r"\s*\n\s*(?://+|\*|#)?\s*", " ", text)
-    cited = set(CLAUSE.findall(text))
+    cited = set(CLAUSE.findall(text)) - NOT_CLAUSES
     for family, first, last in CLAUSE_RANGE.findall(text):
         cited.update(f"{family}-{number}" for number in range(int(first), int(last) + 1))
     return cited

@@ -1,0 +1,36 @@
+// The whole suite from its recipes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/io_error.hpp"
+#include "io/parallel.hpp"
+#include "vectors/manifest.hpp"
+#include "vectors/recipe.hpp"
+
+namespace hmlfc::vectors {
+
+/// The version of the suite (vectors/CHANGES.md).
+inline constexpr const char* kVectorsVersion = "1.0.0";
+
+/// Files of a suite by their name in its folder.
+using SuiteFiles = std::map<std::string, std::vector<uint8_t>>;
+
+/// One vector with its files. Throws TextError where the golden model contradicts the recipe.
+Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& files);
+
+/// Makes all vectors of `recipes` in memory, manifest.json included, on `threads` threads (0: all
+/// cores). Same bytes for any number of threads and on every machine. Errors: of the recipes, or a
+/// recipe whose expectation the golden model contradicts.
+io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& recipes, unsigned threads,
+                                        const io::Progress& progress = {});
+
+/// Writes `files` into `folder` and removes files of vectors that are no longer there: of each
+/// folder named as a group, whatever is not in `files`. Errors: cannot write.
+io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::path& folder);
+
+}  // namespace hmlfc::vectors

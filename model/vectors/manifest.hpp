@@ -1,0 +1,101 @@
+// The manifest of a conformance suite: which vectors there are and what a decoder must do with
+// each (vectors/README.md).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/error.hpp>
+#include <hmlfc/format.hpp>
+
+#include "io/io_error.hpp"
+
+namespace hmlfc::vectors {
+
+/// What a decoder must do with a vector.
+enum class Outcome : uint8_t {
+  kOk,          ///< decode it to the expected samples
+  kReject,      ///< report the error: when opening it, or for the blocks named
+  kAcceptable,  ///< decode it to the expected samples, or report the error when opening it
+};
+
+/// When a rejected stream shows its defect.
+enum class Operation : uint8_t { kOpen, kBlock };
+
+/// A file of the suite; `file` is relative to the suite's folder.
+struct SuiteFile {
+  std::string file;
+  uint64_t bytes = 0;  ///< in the manifest for inputs alone
+  std::string sha256;  ///< 64 lower-case hexadecimal digits
+};
+
+struct Expectation {
+  Outcome outcome = Outcome::kOk;
+  ErrorCode error = ErrorCode::kOk;  ///< kOk where the outcome is kOk
+  uint64_t offset = 0;               ///< byte from the start of the file where the error lies
+  Operation operation = Operation::kOpen;
+  std::vector<BlockAddress> blocks;  ///< with kBlock: blocks that must fail with the error
+};
+
+/// The decoded views (vectors/README.md, raw form).
+struct ViewSum {
+  std::string sha256;
+  uint32_t rows = 0;
+  uint32_t cols = 0;
+  uint32_t width = 0;
+  uint32_t height = 0;
+  int depth = 8;
+  ChromaFormat chroma = ChromaFormat::k420;
+};
+
+/// Traces of chosen blocks in both forms.
+struct TraceFiles {
+  SuiteFile lines;  ///< JSON lines
+  SuiteFile hex;    ///< for $readmemh
+};
+
+struct Vector {
+  std::string id;  ///< group/name
+  std::string group;
+  Profile profile = Profile::kMain;
+  int level = 0;  ///< LVL-1
+  std::vector<std::string> clauses;
+  std::vector<std::string> flags;
+  std::string comment;
+  SuiteFile input;
+  Expectation expect;
+  std::optional<ViewSum> output;    ///< where all views decode
+  std::optional<SuiteFile> blocks;  ///< where the stream can be opened
+  std::optional<TraceFiles> trace;
+};
+
+struct Manifest {
+  std::string vectors_version;
+  int stream_version = 1;
+  std::string generator;
+  uint64_t seed = 1;
+  std::vector<Vector> vectors;  ///< by id
+};
+
+/// "ok", "reject" or "acceptable".
+std::string_view outcome_name(Outcome outcome);
+
+/// "open" or "block".
+std::string_view operation_name(Operation operation);
+
+/// The error of annex A with this name, or nothing.
+std::optional<ErrorCode> error_from_name(std::string_view name);
+
+/// manifest.json of the suite in `folder`. Errors: missing, not JSON, or not a manifest, with the
+/// place.
+io::IoResult<Manifest> read_manifest(const std::filesystem::path& folder);
+
+/// The text of manifest.json.
+std::string manifest_text(const Manifest& manifest);
+
+}  // namespace hmlfc::vectors
