@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "bits/bit_mask.hpp"
-#include "bits/bit_writer.hpp"
 #include "encoder/mask_writer.hpp"
 #include "encoder/residual_writer.hpp"
 #include "fields/tile_layout.hpp"
@@ -204,14 +203,15 @@ ResidualTile choose_residuals(std::span<const BlockValues> differences, const Ti
 
 std::vector<uint8_t> write_residual_tile(const ResidualTile& tile, const TileContext& context) {
   if (tile.mask == 0) return {};
-  BitWriter writer;
-  const uint32_t mode = mask_mode(tile.mask, context.blocks_inside);
-  writer.put(mode, 2);
-  put_mask(writer, tile.mask, mode);
   std::vector<const BlockValues*> blocks;
   for (const BlockValues& block : tile.blocks) blocks.push_back(&block);
-  put_residual_blocks(writer, blocks, context.depth, tile.step_code);
-  return writer.take();
+  TileFields fields;
+  fields.residual_mode = mask_mode(tile.mask, context.blocks_inside);
+  fields.residual_mask = tile.mask;
+  fields.residuals = residual_fields(blocks, context.depth, tile.step_code);
+  TileContext with_steps = context;
+  with_steps.steps = true;
+  return write_tile_fields(fields, with_steps);
 }
 
 }  // namespace hmlfc

@@ -1,8 +1,8 @@
 #include "values/bise.hpp"
 
 #include <algorithm>
-#include <array>
 
+#include "values/bise_codes.hpp"
 #include "values/bise_group.hpp"
 
 namespace hmlfc {
@@ -31,27 +31,6 @@ uint32_t digit_of(const BitString& bits, uint64_t group, uint64_t end, const Lev
   return quints_of_code(group_code(bits, group, end, levels.plain_bits, kQuintLayout))[member];
 }
 
-// Writes one group of up to layout.size() values whose digits have the code `code`; only the digit
-// bits of values that are there are written, which is where BISE-3 ends the sequence.
-void put_group(BitWriter& writer, unsigned plain_bits, std::span<const uint32_t> values,
-               std::span<const DigitBits> layout, uint32_t code, uint64_t end) {
-  const uint32_t plain_mask = (1u << plain_bits) - 1u;
-  for (size_t j = 0; j < values.size(); ++j) {
-    writer.put(values[j] & plain_mask, plain_bits);
-    const unsigned there =
-        static_cast<unsigned>(std::min<uint64_t>(layout[j].count, end - writer.size()));
-    writer.put(bits_of(code, layout[j].first + 7u, layout[j].first) & ((1u << there) - 1u), there);
-  }
-}
-
-template <size_t kMembers>
-std::array<uint8_t, kMembers> digits_of(std::span<const uint32_t> values, unsigned plain_bits) {
-  std::array<uint8_t, kMembers> digits{};
-  for (size_t j = 0; j < values.size(); ++j)
-    digits[j] = static_cast<uint8_t>(values[j] >> plain_bits);
-  return digits;
-}
-
 }  // namespace
 
 uint32_t bise_value(const BitString& bits, uint64_t start, const Levels& levels, uint64_t count,
@@ -72,24 +51,7 @@ uint32_t bise_value(const BitString& bits, uint64_t start, const Levels& levels,
 }
 
 void bise_put(BitWriter& writer, const Levels& levels, std::span<const uint32_t> values) {
-  const unsigned n = levels.plain_bits;
-  if (levels.digit == Digit::kNone) {
-    for (const uint32_t value : values) writer.put(value, n);
-    return;
-  }
-  const uint64_t end = writer.size() + bise_bits(levels, values.size());
-  const bool trit = levels.digit == Digit::kTrit;
-  const size_t members = trit ? kTritsInGroup : kQuintsInGroup;
-  for (size_t at = 0; at < values.size(); at += members) {
-    const auto group = values.subspan(at, std::min(members, values.size() - at));
-    if (trit) {
-      const uint32_t code = canonical_trit_code(digits_of<kTritsInGroup>(group, n));
-      put_group(writer, n, group, kTritLayout, code, end);
-    } else {
-      const uint32_t code = canonical_quint_code(digits_of<kQuintsInGroup>(group, n));
-      put_group(writer, n, group, kQuintLayout, code, end);
-    }
-  }
+  bise_put_codes(writer, levels, values, canonical_codes(levels, values));
 }
 
 }  // namespace hmlfc
