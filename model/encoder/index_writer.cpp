@@ -9,6 +9,11 @@
 
 namespace hmlfc {
 
+IndexWriter::IndexWriter(const IndexLayout& layout)
+    : groups(layout.spare_records * kGroupRecordBytes),
+      layout_(layout),
+      first_record_(layout.spare_records) {}
+
 void IndexWriter::add(std::span<const uint8_t> record) {
   const uint64_t lane = next_tile_ & 63u;
   if (!record.empty()) {
@@ -26,8 +31,11 @@ void IndexWriter::finish() {
 }
 
 void IndexWriter::flush_group() {
-  if (tile_mask_ != 0) {
-    const auto end_bits = static_cast<unsigned>(std::bit_width(ends_.back()));
+  if (tile_mask_ != 0 || layout_.records_of_empty) {
+    const uint64_t last = ends_.empty() ? 0 : ends_.back();
+    const auto end_bits =
+        std::max(layout_.least_offset_bits, static_cast<unsigned>(std::bit_width(last)));
+    tiles.insert(tiles.end(), layout_.spare_bytes, 0xA5);
     append_le(groups, tile_mask_);
     append_le(groups, uint64_t{tiles.size()} | (uint64_t{end_bits} << kDataOffsetBits));
     BitWriter table;

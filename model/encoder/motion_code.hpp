@@ -24,6 +24,7 @@ inline constexpr uint8_t kChoiceOwn = 1;
 inline constexpr uint8_t kFirstNeighbour = 2;
 inline constexpr uint8_t kLastNeighbour = 9;
 inline constexpr uint8_t kChoiceDisparity = 10;
+inline constexpr uint8_t kChoiceVector = 11;
 inline constexpr size_t kMaxPalette = 8;
 
 /// What a motion tile of a predictive image says; the default where `empty`.

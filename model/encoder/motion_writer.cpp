@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "bits/bit_writer.hpp"
-#include "values/bise.hpp"
+#include "values/levels.hpp"
 
 namespace hmlfc {
 namespace {
@@ -28,37 +28,49 @@ void put_symbol(BitWriter& writer, const MotionSymbol& symbol, const PaletteFiel
   if (fields.reference_set) writer.put(symbol.reference_set, 3);
   writer.put(symbol.choice, 4);
   if (fields.sign) writer.put(symbol.negative ? 1 : 0, 1);
-  if (symbol.choice >= kChoiceDisparity) writer.put_signed(symbol.explicit_x, bits);
-  if (symbol.choice > kChoiceDisparity) writer.put_signed(symbol.explicit_y, bits);
+  const bool vector = symbol.choice == kChoiceVector;
+  if (vector || symbol.choice == kChoiceDisparity) writer.put_signed(symbol.explicit_x, bits);
+  if (vector) writer.put_signed(symbol.explicit_y, bits);
 }
 
 }  // namespace
 
+std::vector<uint8_t> write_motion_fields(const MotionTileFields& tile,
+                                         const PaletteFields& fields) {
+  BitWriter writer;
+  writer.put(tile.block_log2 - 2, 2);
+  writer.put(static_cast<uint32_t>(tile.palette.size() - 1), 3);
+  writer.put(tile.explicit_bits, 4);
+  for (const MotionSymbol& symbol : tile.palette) {
+    put_symbol(writer, symbol, fields, tile.explicit_bits);
+  }
+  put_sequence(writer, tile.indices);
+  return writer.take();
+}
+
 std::vector<uint8_t> write_motion_tile(const MotionTileCode& tile, const PaletteFields& fields) {
   if (tile.empty) return {};
+  MotionTileFields record{tile.block_log2, explicit_bits(tile.palette), tile.palette, {}};
+  record.indices.level_code = level_code_for(static_cast<uint32_t>(tile.palette.size()));
+  record.indices.values.assign(tile.indices.begin(), tile.indices.end());
+  return write_motion_fields(record, fields);
+}
+
+std::vector<uint8_t> write_disparity_fields(int32_t min_disparity, const SequenceFields& values) {
   BitWriter writer;
-  const auto size = static_cast<uint32_t>(tile.palette.size());
-  const unsigned bits = explicit_bits(tile.palette);
-  writer.put(tile.block_log2 - 2, 2);
-  writer.put(size - 1, 3);
-  writer.put(bits, 4);
-  for (const MotionSymbol& symbol : tile.palette) put_symbol(writer, symbol, fields, bits);
-  const std::vector<uint32_t> indices(tile.indices.begin(), tile.indices.end());
-  bise_put(writer, levels_of_code(level_code_for(size)), indices);
+  writer.put_signed(min_disparity, 13);
+  writer.put(values.level_code, 5);
+  put_sequence(writer, values);
   return writer.take();
 }
 
 std::vector<uint8_t> write_disparity_tile(std::span<const int16_t> values) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   if (*least == 0 && *most == 0) return {};
-  BitWriter writer;
-  const unsigned code = level_code_for(static_cast<uint32_t>(*most - *least) + 1);
-  writer.put_signed(*least, 13);
-  writer.put(code, 5);
-  std::vector<uint32_t> above;
-  for (const int16_t value : values) above.push_back(static_cast<uint32_t>(value - *least));
-  bise_put(writer, levels_of_code(code), above);
-  return writer.take();
+  SequenceFields above;
+  above.level_code = level_code_for(static_cast<uint32_t>(*most - *least) + 1);
+  for (const int16_t value : values) above.values.push_back(static_cast<uint32_t>(value - *least));
+  return write_disparity_fields(*least, above);
 }
 
 }  // namespace hmlfc

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "encoder/motion_code.hpp"
+#include "encoder/tile_fields.hpp"
 
 namespace hmlfc {
 
@@ -23,8 +24,22 @@ constexpr unsigned palette_entry_bits(const PaletteFields& fields) {
 /// Bits of motion_block, palette_size and explicit_bits.
 inline constexpr unsigned kMotionHeadBits = 9;
 
+/// A record of a motion tile of a predictive image (MOT-3).
+struct MotionTileFields {
+  unsigned block_log2 = 2;     ///< log2 of m, [2, 5]
+  unsigned explicit_bits = 0;  ///< [0, 15]
+  std::vector<MotionSymbol> palette;
+  SequenceFields indices;
+};
+
+/// The bytes of the record.
+std::vector<uint8_t> write_motion_fields(const MotionTileFields& tile, const PaletteFields& fields);
+
 /// The record of a motion tile of a predictive image; empty for an empty tile.
 std::vector<uint8_t> write_motion_tile(const MotionTileCode& tile, const PaletteFields& fields);
+
+/// A record of disparities (MOT-6): `values` above min_disparity.
+std::vector<uint8_t> write_disparity_fields(int32_t min_disparity, const SequenceFields& values);
 
 /// The record that holds `values`, in [-4096, 4095] and at most 1023 apart, row by row; empty where
 /// all are 0.

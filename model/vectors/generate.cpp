@@ -12,23 +12,25 @@ namespace {
 
 constexpr uint64_t kSeed = 1;
 
-// The first failure by the order of ids, whichever thread meets one first.
-class FirstError {
+// The failures of all vectors, by id, whichever thread meets one first.
+class Failures {
  public:
   void add(const std::string& id, const std::string& message) {
     const std::lock_guard lock(mutex_);
-    if (id_.empty() || id < id_) {
-      id_ = id;
-      message_ = message;
-    }
+    messages_[id] = message;
   }
-  bool any() const { return !id_.empty(); }
-  const std::string& message() const { return message_; }
+  bool any() const { return !messages_.empty(); }
+
+  /// One line each.
+  std::string text() const {
+    std::string lines;
+    for (const auto& [id, message] : messages_) lines += (lines.empty() ? "" : "\n") + message;
+    return lines;
+  }
 
  private:
   std::mutex mutex_;
-  std::string id_;
-  std::string message_;
+  std::map<std::string, std::string> messages_;
 };
 
 }  // namespace
@@ -46,15 +48,15 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
   Manifest manifest{kVectorsVersion, kVersion, "hmlfc vectors generate", kSeed, {}};
   manifest.vectors.resize(ids.size());
   std::vector<SuiteFiles> parts(ids.size());
-  FirstError first;
+  Failures failures;
   io::for_each_index(ids.size(), threads, progress, [&](size_t i) {
     try {
       manifest.vectors[i] = make_vector(recipes, ids[i], parts[i]);
     } catch (const std::exception& error) {
-      first.add(ids[i], error.what());
+      failures.add(ids[i], error.what());
     }
   });
-  if (first.any()) return tl::unexpected(io::IoError{first.message()});
+  if (failures.any()) return tl::unexpected(io::IoError{failures.text()});
   SuiteFiles files;
   for (SuiteFiles& part : parts) files.merge(part);
   const std::string text = manifest_text(manifest);

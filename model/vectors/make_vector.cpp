@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "bits/little_endian.hpp"
 #include "fields/conformance_level.hpp"
+#include "fields/header.hpp"
+#include "samples/key_images.hpp"
 #include "vectors/expected.hpp"
 #include "vectors/generate.hpp"
 #include "vectors/header_recipe.hpp"
@@ -24,6 +27,26 @@ SuiteFile add_file(SuiteFiles& files, const std::string& name, std::vector<uint8
 ViewSum view_sum(const StreamHeader& header, const std::vector<uint8_t>& raw) {
   return {sha256(raw),   header.rows,  header.cols,         header.width,
           header.height, header.depth, header.chroma_format};
+}
+
+// Where the codestream with the number that the recipe states begins in the TOP section.
+uint64_t codestream_offset(const SectionEntry& top, const Json& json, const MadeStream& made) {
+  const uint64_t at = top.offset + json["codestream"].get<uint64_t>() * kTopEntryBytes;
+  return load_le<uint64_t>(made.bytes, static_cast<size_t>(at));
+}
+
+// The byte that a recipe states as the place of the error.
+uint64_t offset_of(const Json& json, const MadeStream& made) {
+  if (!json.is_object()) return json.is_null() ? 0 : json.get<uint64_t>();
+  if (json.contains("end")) {
+    return made.bytes.size() - json["end"].get<uint64_t>();
+  }
+  for (const SectionEntry& entry : made.header.sections) {
+    if (json.at("section") != section_name(static_cast<Section>(entry.type))) continue;
+    if (json.contains("codestream")) return entry.offset + codestream_offset(entry, json, made);
+    return entry.offset + json.value("plus", uint64_t{0});
+  }
+  throw TextError(json["section"].dump() + " is no section");
 }
 
 [[noreturn]] void contradict(const std::string& id, const Expectation& expect,
@@ -66,26 +89,29 @@ void add_expected(const Recipe& recipe, const Decoder& decoder, SuiteFiles& file
 Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& files) {
   const Recipe& recipe = recipes.at(id);
   const MadeStream made = make_stream(recipes, id);
+  // An edit may leave a header that can be read: then that one says what the stream is.
+  const StreamHeader header = parse_header(made.bytes).value_or(made.header);
   Vector vector;
   vector.id = id;
   vector.group = recipe.group;
-  vector.profile = made.header.profile;
-  vector.level = least_level(made.header);
+  vector.profile = header.profile;
+  vector.level = least_level(header);
   vector.clauses = recipe.clauses;
-  vector.flags = header_flags(made.header);
+  vector.flags = header_flags(header);
   vector.flags.insert(vector.flags.end(), recipe.flags.begin(), recipe.flags.end());
   vector.comment = recipe.comment;
   vector.expect = recipe.expect;
+  vector.expect.offset = offset_of(recipe.offset, made);
 
   const bool opens =
       recipe.expect.outcome == Outcome::kOk || recipe.expect.operation == Operation::kBlock;
   const auto decoder = Decoder::open(made.bytes);
   if (opens && !decoder) throw TextError(id + ": " + to_string(decoder.error()));
   if (!opens) {
-    if (decoder) contradict(id, recipe.expect, "an open stream");
-    check_error(id, recipe.expect, decoder.error());
+    if (decoder) contradict(id, vector.expect, "an open stream");
+    check_error(id, vector.expect, decoder.error());
   } else {
-    check_blocks(id, recipe.expect, *decoder);
+    check_blocks(id, vector.expect, *decoder);
     add_expected(recipe, *decoder, files, vector);
   }
   if (recipe.expect.outcome == Outcome::kAcceptable) {

@@ -15,7 +15,6 @@ Expectation expectation_of(const Json& json) {
   const auto error = error_from_name(name);
   if (!error) throw TextError("\"" + name + "\" is no error of annex A");
   expect.error = *error;
-  expect.offset = json.at("offset");
   for (const Json& block : json.value("blocks", Json::array())) {
     expect.blocks.push_back(block_of(block));
   }
@@ -53,7 +52,10 @@ Recipe recipe_of(const Json& json, const std::string& group, const Json& default
   for (const Json& block : json.value("trace", Json::array())) {
     recipe.trace.push_back(block_of(block));
   }
-  if (json.contains("expect")) recipe.expect = expectation_of(json["expect"]);
+  if (json.contains("expect")) {
+    recipe.expect = expectation_of(json["expect"]);
+    recipe.offset = json["expect"].at("offset");
+  }
   return recipe;
 }
 

@@ -24,7 +24,8 @@ struct Recipe {
   uint64_t seed = 1;
   Json stream;                      ///< how the bytes are made (stream_recipe.hpp)
   std::vector<BlockAddress> trace;  ///< blocks to be traced
-  Expectation expect;               ///< stated by hand, from the specification
+  Expectation expect;               ///< stated by hand, from the specification; its offset is
+  Json offset;                      ///< how: vectors/README.md, expectations
 };
 
 /// Recipes by id.

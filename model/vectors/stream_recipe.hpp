@@ -18,7 +18,10 @@ struct MadeStream {
 };
 
 /// The stream of recipe `id`, whose "stream" has "kind"
-///   "encode"  what the encoder makes of a scene (encode_recipe.hpp).
+///   "encode"  what the encoder makes of a scene (encode_recipe.hpp),
+///   "fields"  every field by a rule (field_stream.hpp),
+///   "random"  a random stream within "limits" (random_stream.hpp),
+///   "edit"    the stream of recipe "base" with "edits" (stream_edit.hpp).
 /// Throws TextError, with the id.
 MadeStream make_stream(const Recipes& recipes, const std::string& id);
 

@@ -1,0 +1,114 @@
+#include "vectors/field_rules.hpp"
+
+#include <array>
+#include <bit>
+#include <set>
+#include <string_view>
+
+namespace hmlfc::vectors {
+namespace {
+
+constexpr std::array<std::string_view, 8> kMasks{"none",    "all",   "half",  "few",
+                                                 "checker", "quads", "first", "last"};
+
+const std::set<std::string>& known_fields() {
+  static const std::set<std::string> names{"key",
+                                           "key_chroma",
+                                           "density",
+                                           "motion_mask",
+                                           "motion_mode",
+                                           "sign_mode",
+                                           "sign",
+                                           "min_x",
+                                           "codes_x",
+                                           "dx",
+                                           "min_y",
+                                           "codes_y",
+                                           "dy",
+                                           "residual_mask",
+                                           "residual_mode",
+                                           "level_base",
+                                           "level_bits",
+                                           "level_code",
+                                           "bias_bits",
+                                           "bias",
+                                           "value",
+                                           "group_code",
+                                           "step_base",
+                                           "step_bits",
+                                           "step_code",
+                                           "motion_density",
+                                           "motion_block",
+                                           "palette_size",
+                                           "explicit_bits",
+                                           "reference_set",
+                                           "choice",
+                                           "explicit_x",
+                                           "explicit_y",
+                                           "index",
+                                           "min_disparity",
+                                           "disparity_code",
+                                           "disparity",
+                                           "disparity_density"};
+  return names;
+}
+
+// A mask's word, or words in turn, as the choice of its number.
+Json mask_numbers(const Json& json) {
+  if (json.is_object()) {
+    Json numbers = Json::array();
+    for (const Json& word : json.at("of")) numbers.push_back(mask_numbers(word));
+    return {{"of", numbers}};
+  }
+  for (size_t i = 0; i < kMasks.size(); ++i) {
+    if (json == kMasks[i]) return i;
+  }
+  if (json == "random") return json;
+  throw TextError(json.dump() + " is no mask");
+}
+
+uint64_t random_word(Random& random) { return random.next(); }
+
+}  // namespace
+
+FieldRules::FieldRules(const Json& json) {
+  for (const auto& [name, rule] : json.items()) {
+    if (!known_fields().contains(name)) throw TextError("\"" + name + "\" is no field of a stream");
+    choices_[name] = Choice::from(name.ends_with("_mask") ? mask_numbers(rule) : rule);
+  }
+}
+
+int64_t FieldRules::pick(const std::string& field, int64_t lo, int64_t hi, Random& random) {
+  return choices_[field].pick(lo, hi, random);
+}
+
+bool FieldRules::present(const std::string& density, Random& random) {
+  if (!has(density)) return random.below(100) < 85;
+  const int64_t percent = pick(density, 0, 100, random);
+  return static_cast<int64_t>(random.below(100)) < percent;
+}
+
+uint64_t FieldRules::pick_mask(const std::string& mask, uint64_t inside, Random& random) {
+  constexpr uint64_t kChecker = 0x6996966996696996;
+  constexpr uint64_t kQuads = 0x0f0ff0f00f0ff0f0;
+  switch (pick(mask, 0, kMasks.size() - 1, random)) {
+    case 0:
+      return 0;
+    case 1:
+      return inside;
+    case 2:
+      return random_word(random) & inside;
+    case 3:
+      return random_word(random) & random_word(random) & random_word(random) & inside;
+    case 4:
+      return kChecker & inside;
+    case 5:
+      return kQuads & inside;
+    case 6:
+      return inside & (~inside + 1);
+    default:
+      return std::bit_floor(inside);
+  }
+}
+
+}  // namespace hmlfc::vectors

@@ -1,0 +1,27 @@
+// Damaging a stream in one named place (vectors/README.md, edits).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "vectors/json.hpp"
+
+namespace hmlfc::vectors {
+
+/// Applies one edit to `bytes`. `json` is one of
+///   {"header": FIELD, "value": n}         a field of FIL-1, EXT-2, or a level entry at "level"
+///   {"section": NAME, "entry": FIELD, "value": n}   type, crc, offset or size of a section entry;
+///                                         "add": n instead of "value" changes it by n, here and
+///                                         wherever a field is named
+///   {"field": FIELD, "block": B, "value": n}        a field that is read for block B, at level
+///                                         "level" (0), its occurrence "nth" (0)
+///   {"bytes": NAME, "at": n, "value": [...]}        bytes of a section
+///   {"resize": NAME, "by": n}             zero bytes added at a section's end, or bytes cut off
+///   {"cut": n}                            the file's length; below 0, from the end
+///   {"append": [...]}                     bytes behind the file
+/// Afterwards the CRCs of sections and header are right again; with "mend": "header" that of the
+/// header alone, with "mend": false none. A field that is stored with an offset (min_x) takes the
+/// stored value. Throws TextError.
+void edit_stream(std::vector<uint8_t>& bytes, const Json& json);
+
+}  // namespace hmlfc::vectors
