@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/vectors_suite.hpp"
 #include "vectors/generate.hpp"
 
 namespace hmlfc::cli {
@@ -19,14 +20,6 @@ struct GenerateOptions {
   std::optional<std::filesystem::path> output;
   int threads = 0;
 };
-
-void add_suite(CLI::App& app, std::filesystem::path& suite) {
-  const auto reader = [&suite](const std::string& text) -> std::optional<std::string> {
-    suite = text;
-    return std::nullopt;
-  };
-  add_value(app, "--suite", "DIR", "Folder of the suite", reader)->default_str(suite.string());
-}
 
 ExitCode run_generate(const GenerateOptions& options) {
   ProgressBar progress("Generating", "vectors");
@@ -70,6 +63,11 @@ void add_vectors(CLI::App& program, Task& task) {
   CLI::App* app = program.add_subcommand("vectors", "Make and examine the conformance suite");
   app->require_subcommand(1);
   add_generate(*app, task);
+  add_vectors_list(*app, task);
+  add_vectors_explain(*app, task);
+  add_vectors_show(*app, task);
+  add_vectors_inspect(*app, task);
+  add_vectors_lint(*app, task);
 }
 
 }  // namespace hmlfc::cli

@@ -16,8 +16,7 @@
 
 namespace hmlfc {
 
-/// What this decoder accepts (FIL-7); a stream beyond it is refused with limit_exceeded. The default
-/// takes level 2 and more (LVL-2).
+/// What this decoder accepts (FIL-7); a stream beyond it is refused with limit_exceeded.
 struct DecoderLimits {
   uint64_t max_plane_samples = uint64_t{1} << 30;  ///< width * height of a view
 };

@@ -1,0 +1,145 @@
+// The manifest as text and back, sums of files, choices of recipes, levels of streams.
+#include "vectors/manifest.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fields/conformance_level.hpp"
+#include "io/atomic_file.hpp"
+#include "io/temp_folder.hpp"
+#include "vectors/choice.hpp"
+#include "vectors/sha256.hpp"
+
+namespace hmlfc::vectors {
+namespace {
+
+std::vector<uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+
+Manifest sample_manifest() {
+  Manifest manifest{"1.2.3", 1, "hmlfc vectors generate", 7, {}};
+  Vector ok;
+  ok.id = "syntax/one";
+  ok.group = "syntax";
+  ok.level = 2;
+  ok.clauses = {"BISE-3"};
+  ok.flags = {"depth8"};
+  ok.comment = "hunts";
+  ok.input = {"syntax/one.hmlfc", 99, std::string(64, 'a')};
+  ok.output = ViewSum{std::string(64, 'b'), 1, 2, 3, 4, 12, ChromaFormat::k444};
+  ok.blocks = SuiteFile{"syntax/one.blocks", 0, std::string(64, 'c')};
+  ok.trace = TraceFiles{{"syntax/one.trace.jsonl", 0, std::string(64, 'd')},
+                        {"syntax/one.trace.hex", 0, std::string(64, 'e')}};
+  Vector bad = ok;
+  bad.id = "error/two";
+  bad.profile = Profile::kExtended;
+  bad.expect = {Outcome::kReject,
+                ErrorCode::kBadLevels,
+                1234,
+                Operation::kBlock,
+                {{{1, 2}, Plane::kCg, 3, 4}}};
+  bad.output.reset();
+  bad.trace.reset();
+  manifest.vectors = {bad, ok};
+  return manifest;
+}
+
+TEST(Manifest, ReadsWhatItWrites) {
+  const test::TempFolder folder;
+  const std::string text = manifest_text(sample_manifest());
+  ASSERT_TRUE(io::write_file(folder.path() / "manifest.json", bytes_of(text)));
+  const auto read = read_manifest(folder.path());
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(manifest_text(*read), text);
+  const Vector& bad = read->vectors[0];
+  EXPECT_EQ(bad.expect.error, ErrorCode::kBadLevels);
+  EXPECT_EQ(bad.expect.offset, 1234u);
+  EXPECT_EQ(bad.expect.blocks.at(0).plane, Plane::kCg);
+  EXPECT_EQ(bad.expect.blocks.at(0).by, 4u);
+  EXPECT_EQ(read->vectors[1].output->chroma, ChromaFormat::k444);
+}
+
+TEST(Manifest, SaysWhatIsWrong) {
+  const test::TempFolder folder;
+  const std::string good = manifest_text(sample_manifest());
+  const auto message = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    EXPECT_TRUE(io::write_file(folder.path() / "manifest.json", bytes_of(text)));
+    const auto read = read_manifest(folder.path());
+    return read ? std::string() : read.error().message;
+  };
+  EXPECT_NE(read_manifest(folder.path() / "none").error().message.find("none"), std::string::npos);
+  EXPECT_NE(message("bad_levels", "bad_thing").find("error/two"), std::string::npos);
+  EXPECT_NE(message("\"count\": 2", "\"count\": 3").find("count"), std::string::npos);
+  EXPECT_NE(message("\"outcome\": \"ok\"", "\"outcome\": \"fine\"").find("outcome"),
+            std::string::npos);
+  EXPECT_NE(message("{", "").find("manifest.json"), std::string::npos);
+}
+
+// FIPS 180-4, examples of SHA-256: one block and no message.
+TEST(Sha256, PublishedValues) {
+  EXPECT_EQ(sha256(bytes_of("abc")),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256({}), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST(Choice, TakesItsTermsInTurn) {
+  Random random(1);
+  Choice choice = Choice::from(Json::parse(R"({"of": ["min", 3, "max", "ramp"]})"));
+  std::vector<int64_t> picked;
+  for (int i = 0; i < 12; ++i) picked.push_back(choice.pick(-2, 8, random));
+  EXPECT_EQ(picked, (std::vector<int64_t>{-2, 3, 8, -2, -2, 3, 8, -1, -2, 3, 8, 0}));
+}
+
+TEST(Choice, StaysInItsInterval) {
+  Random random(5);
+  Choice whole;
+  Choice part = Choice::from(Json::parse("[-1, 1]"));
+  std::vector<bool> met(5);
+  for (int i = 0; i < 500; ++i) {
+    const int64_t value = whole.pick(-2, 2, random);
+    ASSERT_TRUE(value >= -2 && value <= 2);
+    met[static_cast<size_t>(value + 2)] = true;
+    const int64_t narrow = part.pick(-100, 100, random);
+    ASSERT_TRUE(narrow >= -1 && narrow <= 1);
+  }
+  EXPECT_EQ(met, std::vector<bool>(5, true));
+}
+
+TEST(Choice, RefusesOtherWords) {
+  for (const char* text : {R"("some")", "[1]", "1.5", R"({"of": []})", "null"}) {
+    EXPECT_THROW(Choice::from(Json::parse(text)), std::exception) << text;
+  }
+}
+
+// The table of LVL-1, one field at a time at its limit and one above it.
+TEST(ConformanceLevel, EachLimitOfTheTable) {
+  StreamHeader least;
+  const auto level_with = [&](auto change) {
+    StreamHeader header = least;
+    header.window = 0;
+    change(header);
+    return least_level(header);
+  };
+  EXPECT_EQ(level_with([](StreamHeader&) {}), 0);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.rows = 16; }), 0);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.rows = 17; }), 1);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.cols = 65; }), 2);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.cols = 257; }), 3);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.width = 257; }), 1);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.height = 2049; }), 2);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.height = 8193; }), 3);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.width = 128, h.height = 128; }), 0);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.width = 128, h.height = 129; }), 1);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.width = 2048, h.height = 1025; }), 2);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.width = 8192, h.height = 4097; }), 3);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.depth = 9; }), 1);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.depth = 11; }), 2);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.window = 32; }), 1);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.window = 64; }), 2);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.tree_height = 4; }), 1);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.tree_height = 7; }), 2);
+  EXPECT_EQ(level_with([](StreamHeader& h) { h.tree_height = 9; }), 3);
+}
+
+}  // namespace
+}  // namespace hmlfc::vectors

@@ -1,0 +1,286 @@
+#!/usr/bin/env python3
+"""Plants faults in copies of the suite: each check must find each."""
+
+import copy
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import clauses
+import regenerate
+import schema
+
+PROGRAM, ROOT = (Path(argument).resolve() for argument in sys.argv[1:3])
+SUITE = ROOT / "vectors"
+FIRST = "real/cards-main"
+
+
+def copy_part(target):
+    """Copies the vectors of group real and one of group error: enough to plant faults in."""
+    manifest = json.loads((SUITE / "manifest.json").read_text())
+    kept = [v for v in manifest["vectors"] if v["group"] == "real" or v["id"] == "error/version-0"]
+    manifest.update(vectors=kept, count=len(kept))
+    shutil.copytree(SUITE / "real", target / "real")
+    (target / "error").mkdir()
+    shutil.copy(SUITE / "error/version-0.hmlfc", target / "error")
+    shutil.copytree(SUITE / "recipes", target / "recipes")
+    (target / "manifest.json").write_text(json.dumps(manifest))
+
+
+class CopiedSuite(unittest.TestCase):
+    """A copy of a part of the suite for each test, in self.suite, and another in self.kept."""
+
+    def setUp(self):
+        folder = tempfile.mkdtemp(prefix="hmlfc-vectors-")
+        self.addCleanup(shutil.rmtree, folder)
+        self.suite, self.kept = Path(folder) / "vectors", Path(folder) / "kept"
+        copy_part(self.suite)
+        shutil.copytree(self.suite, self.kept)
+
+    def flip(self, name, at=-1):
+        path = self.suite / name
+        data = bytearray(path.read_bytes())
+        data[at] ^= 1
+        path.write_bytes(data)
+
+
+class Regenerate(CopiedSuite):
+    def found(self):
+        return list(regenerate.differences(self.suite, self.kept))
+
+    def test_the_same(self):
+        self.assertEqual(self.found(), [])
+
+    def test_one_bit(self):
+        self.flip(f"{FIRST}.hmlfc")
+        self.assertEqual(self.found(), [f"{FIRST}.hmlfc: other bytes than generated"])
+
+    def test_missing(self):
+        (self.suite / f"{FIRST}.blocks").unlink()
+        self.assertEqual(self.found(), [f"{FIRST}.blocks: in the suite, but not generated"])
+
+    def test_more(self):
+        (self.suite / "real/new.hmlfc").write_bytes(b"")
+        self.assertEqual(self.found(), ["real/new.hmlfc: generated, but not in the suite"])
+
+    def test_manifest(self):
+        self.flip("manifest.json", 30)
+        self.assertEqual(self.found(), ["manifest.json: other bytes than generated"])
+
+
+@unittest.skipIf(schema.jsonschema is None, "python3-jsonschema is missing")
+class Schema(unittest.TestCase):
+    def setUp(self):
+        manifest, self.schema = schema.load(SUITE)
+        self.manifest = copy.deepcopy(manifest)
+        self.vector = self.manifest["vectors"][0]
+
+    def found(self):
+        return list(schema.complaints(self.manifest, self.schema))
+
+    def test_as_it_is(self):
+        self.assertEqual(self.found(), [])
+
+    def test_each_required_field(self):
+        for name in ("id", "group", "profile", "level", "clauses", "flags", "comment", "input", "expect"):
+            with self.subTest(name):
+                kept = self.vector.pop(name)
+                self.assertNotEqual(self.found(), [])
+                self.vector[name] = kept
+
+    def test_wrong_values(self):
+        for name, value in (("group", "other"), ("level", 4), ("profile", "high"), ("comment", ""), ("more", 1)):
+            with self.subTest(name):
+                kept = self.vector.get(name)
+                self.vector[name] = value
+                self.assertNotEqual(self.found(), [])
+                self.vector[name] = kept
+                if kept is None:
+                    del self.vector[name]
+
+    def test_reject_without_error(self):
+        self.vector["expect"] = {"outcome": "reject"}
+        self.assertNotEqual(self.found(), [])
+
+    def test_short_sum(self):
+        self.vector["input"]["sha256"] = "0" * 63
+        self.assertNotEqual(self.found(), [])
+
+
+class Clauses(unittest.TestCase):
+    def setUp(self):
+        self.text = (ROOT / "docs/specification.md").read_text()
+        self.manifest = json.loads((SUITE / "manifest.json").read_text())
+
+    def test_as_it_is(self):
+        self.assertEqual(list(clauses.complaints(self.text, self.manifest)), [])
+
+    def test_clause_without_vector(self):
+        for vector in self.manifest["vectors"]:
+            vector["clauses"] = [clause for clause in vector["clauses"] if clause != "STP-2"]
+        self.assertEqual(
+            list(clauses.complaints(self.text, self.manifest)), ["STP-2: no vector exercises it"]
+        )
+
+    def test_new_clause(self):
+        text = self.text + "\n**[NEW-1]** A new rule.\n"
+        self.assertEqual(
+            list(clauses.complaints(text, self.manifest)), ["NEW-1: no vector exercises it"]
+        )
+
+    def test_unknown_clause(self):
+        self.manifest["vectors"][0]["clauses"].append("NEW-1")
+        (found,) = clauses.complaints(self.text, self.manifest)
+        self.assertIn("cites NEW-1", found)
+
+
+class Lint(CopiedSuite):
+    def lint(self):
+        command = [PROGRAM, "vectors", "lint", "--suite", self.suite]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        return result.returncode, result.stdout
+
+    def assert_found(self, text):
+        status, output = self.lint()
+        self.assertEqual(status, 1, output)
+        self.assertIn(text, output)
+
+    def change_manifest(self, change):
+        path = self.suite / "manifest.json"
+        manifest = json.loads(path.read_text())
+        change(manifest["vectors"])
+        manifest["count"] = len(manifest["vectors"])
+        path.write_text(json.dumps(manifest))
+
+    def test_as_it_is(self):
+        self.assertEqual(self.lint()[0], 0)
+
+    def test_changed_files(self):
+        for name in (f"{FIRST}.hmlfc", f"{FIRST}.blocks", f"{FIRST}.trace.jsonl", f"{FIRST}.trace.hex"):
+            with self.subTest(name):
+                self.flip(name, 40)
+                self.assert_found("the SHA-256 differs")
+                self.flip(name, 40)
+
+    def test_missing_file(self):
+        (self.suite / f"{FIRST}.hmlfc").unlink()
+        self.assert_found(FIRST)
+
+    def test_stray_file(self):
+        (self.suite / "real/stray.hmlfc").write_bytes(b"x")
+        self.assert_found("real/stray.hmlfc: no vector names this file")
+
+    def test_hex_without_end(self):
+        path = self.suite / f"{FIRST}.trace.hex"
+        path.write_text("".join(path.read_text().splitlines(keepends=True)[:-1]))
+        self.assert_found("count or end marker is wrong")
+
+    def test_wrong_level(self):
+        self.change_manifest(lambda vectors: vectors[-1].update(level=3))
+        self.assert_found("is of another level")
+
+    def test_wrong_order(self):
+        self.change_manifest(lambda vectors: vectors.reverse())
+        self.assert_found("ids are not sorted")
+
+    def test_wrong_shape(self):
+        def change(vectors):
+            next(v for v in vectors if v["id"] == FIRST)["output"]["width"] += 1
+
+        self.change_manifest(change)
+        self.assert_found("output has another shape")
+
+    def test_wrong_error(self):
+        def change(vectors):
+            next(v for v in vectors if v["id"] == "error/version-0")["expect"]["error"] = "bad_magic"
+
+        self.change_manifest(change)
+        self.assert_found("for another reason")
+
+
+class Recipes(CopiedSuite):
+    """The generator must not take an expectation that the golden model contradicts."""
+
+    def generate(self, recipe, name="one"):
+        shutil.rmtree(self.suite / "recipes")
+        (self.suite / "recipes").mkdir()
+        base = {
+            "name": "base",
+            "clauses": ["FIL-1"],
+            "comment": "a base",
+            "stream": {"kind": "fields", "header": {"rows": 1, "cols": 2, "levels": [[1, 2]]}},
+        }
+        recipe = {"name": name, "clauses": ["FIL-1"], "comment": "planted", **recipe}
+        recipes = {"group": "error", "vectors": [base, recipe]}
+        (self.suite / "recipes/planted.json").write_text(json.dumps(recipes))
+        before = (self.suite / "manifest.json").read_bytes()
+        command = [PROGRAM, "vectors", "generate", "--suite", self.suite]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        if result.returncode:
+            self.assertEqual((self.suite / "manifest.json").read_bytes(), before)
+        return result
+
+    def assert_refused(self, recipe, text, **arguments):
+        result = self.generate(recipe, **arguments)
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn(text, result.stderr)
+
+    @staticmethod
+    def edit(edit, error, offset, **more):
+        return {
+            "stream": {"kind": "edit", "base": "error/base", "edits": [edit]},
+            "expect": {"error": error, "offset": offset, **more},
+        }
+
+    VERSION = {"header": "version", "value": 2}
+
+    def test_right(self):
+        result = self.generate(self.edit(self.VERSION, "bad_version", 8))
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_wrong_error(self):
+        self.assert_refused(self.edit(self.VERSION, "bad_magic", 8), "the golden model answers bad_version")
+
+    def test_wrong_offset(self):
+        self.assert_refused(self.edit(self.VERSION, "bad_version", 9), "at byte 9")
+
+    def test_no_error(self):
+        edit = {"header": "version", "value": 1}
+        self.assert_refused(self.edit(edit, "bad_version", 8), "an open stream")
+
+    def test_block_that_decodes(self):
+        block = {"view": [0, 0], "plane": "Y", "block": [0, 0]}
+        recipe = self.edit({"header": "version", "value": 1}, "bad_mode", 8, blocks=[block])
+        self.assert_refused(recipe, "the golden model answers samples")
+
+    def test_unstated_error(self):
+        recipe = self.edit(self.VERSION, "bad_version", 8)
+        del recipe["expect"]
+        self.assert_refused(recipe, "bad_version")
+
+    def test_unknown_names(self):
+        for stream, text in (
+            ({"kind": "other"}, "is no kind of stream"),
+            ({"kind": "fields", "header": {"wide": 3}}, "is no field of a header"),
+            ({"kind": "fields", "header": {}, "fields": {"wide": 3}}, "is no field of a stream"),
+            ({"kind": "edit", "base": "error/none", "edits": []}, "there is no recipe"),
+            ({"kind": "edit", "base": "error/one", "edits": []}, "never end"),
+            ({"kind": "edit", "base": "error/base", "edits": [{"x": 1}]}, "is no edit"),
+            ({"kind": "fields", "header": {"depth": 13}}, "bad_header_field"),
+        ):
+            with self.subTest(text):
+                self.assert_refused({"stream": stream}, text)
+
+    def test_unknown_key(self):
+        self.assert_refused({"stream": {}, "comments": "x"}, "a recipe has no")
+
+    def test_second_of_one_name(self):
+        self.assert_refused({"stream": {}}, "a second error/base", name="base")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
