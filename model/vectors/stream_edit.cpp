@@ -7,6 +7,7 @@
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
 #include "fields/header.hpp"
+#include "samples/key_images.hpp"
 #include "vectors/block_recorder.hpp"
 #include "vectors/recipe.hpp"
 
@@ -72,6 +73,7 @@ class Editor {
     if (json.contains("section")) return edit_entry(json);
     if (json.contains("field")) return edit_field(json);
     if (json.contains("bytes")) return edit_bytes(json);
+    if (json.contains("marker")) return edit_marker(json);
     if (json.contains("resize")) return resize(json);
     if (json.contains("cut")) return cut(json.at("cut"));
     if (json.contains("append")) return append(json.at("append"));
@@ -175,6 +177,17 @@ class Editor {
     const uint64_t at = load(entry + 8, 8) + json.at("at").get<uint64_t>();
     size_t i = 0;
     for (const Json& value : json.at("value")) bytes_.at(static_cast<size_t>(at) + i++) = value;
+  }
+
+  // KEY-1 and KEY-2: from the first marker of this number in a codestream.
+  void edit_marker(const Json& json) {
+    const auto marker = json["marker"].get<uint64_t>();
+    const uint64_t top = load(entry_of("TOP") + 8, 8);
+    const uint64_t table = top + json.at("codestream").get<uint64_t>() * kTopEntryBytes;
+    auto at = static_cast<size_t>(top + load(static_cast<size_t>(table), 8));
+    while (bytes_.at(at) * uint64_t{256} + bytes_.at(at + 1) != marker) ++at;
+    at += json.at("at").get<size_t>();
+    for (const Json& value : json.at("value")) bytes_.at(at++) = value;
   }
 
   void resize(const Json& json) {

@@ -16,6 +16,8 @@ namespace hmlfc::vectors {
 ///   {"field": FIELD, "block": B, "value": n}        a field that is read for block B, at level
 ///                                         "level" (0), its occurrence "nth" (0)
 ///   {"bytes": NAME, "at": n, "value": [...]}        bytes of a section
+///   {"marker": m, "codestream": n, "at": k, "value": [...]}   bytes of a codestream of TOP, k bytes
+///                                         behind the first byte of its first marker m (65424: SOT)
 ///   {"resize": NAME, "by": n}             zero bytes added at a section's end, or bytes cut off
 ///   {"cut": n}                            the file's length; below 0, from the end
 ///   {"append": [...]}                     bytes behind the file

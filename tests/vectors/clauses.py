@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Names each clause of the specification that no vector exercises, and each vector that cites none."""
+"""Names each clause of the specification and each error of annex A that no vector exercises, and each
+citation of what is no clause."""
 
 import argparse
 import json
@@ -7,7 +8,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "spec"))
-from specification import defined_clauses, read  # noqa: E402  (the folder is known only now)
+from specification import defined_clauses, read, table_after  # noqa: E402  (the folder is known only now)
 
 # Clauses that state nothing a decoder could get wrong by themselves, with the reason.
 EXEMPT = {
@@ -18,8 +19,30 @@ EXEMPT = {
 }
 
 
+# Errors that no stream has by itself, with the reason.
+ERRORS_WITHOUT_STREAM = {
+    "ok": "every vector that decodes",
+    "limit_exceeded": "depends on a decoder's own limits; vectors are chosen by level (LVL-2)",
+    "bad_request": "what a caller asks for, not a stream",
+    "out_of_memory": "the decoder's machine, not a stream",
+    "bus_error": "the decoder's memory, not a stream",
+}
+
+
+def missing_errors(text, manifest):
+    """One line for each error of annex A that no vector expects."""
+    expected = {vector["expect"].get("error") for vector in manifest["vectors"]}
+    names = [row[1] for row in table_after(text, "## Annex A: errors")[1:]]
+    for name in names:
+        if name not in expected and name not in ERRORS_WITHOUT_STREAM:
+            yield f"{name}: no vector expects this error"
+    for name in sorted(set(ERRORS_WITHOUT_STREAM) - set(names)):
+        yield f"{name}: exempt, but annex A does not have it"
+
+
 def complaints(text, manifest):
-    """One line for each clause without a vector and each citation of what is no clause."""
+    """One line for each clause or error without a vector and each citation of what is no clause."""
+    yield from missing_errors(text, manifest)
     defined = defined_clauses(text)
     cited = {clause for vector in manifest["vectors"] for clause in vector["clauses"]}
     for clause in defined:

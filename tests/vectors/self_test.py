@@ -126,6 +126,18 @@ class Clauses(unittest.TestCase):
             list(clauses.complaints(self.text, self.manifest)), ["STP-2: no vector exercises it"]
         )
 
+    def test_error_without_vector(self):
+        for vector in self.manifest["vectors"]:
+            if vector["expect"].get("error") == "mask_outside":
+                vector["expect"]["error"] = "bad_mode"
+        found = list(clauses.complaints(self.text, self.manifest))
+        self.assertEqual(found, ["mask_outside: no vector expects this error"])
+
+    def test_new_error(self):
+        text = self.text.replace("| 27 | bus_error |", "| 28 | new_error | x |\n| 27 | bus_error |")
+        found = list(clauses.complaints(text, self.manifest))
+        self.assertEqual(found, ["new_error: no vector expects this error"])
+
     def test_new_clause(self):
         text = self.text + "\n**[NEW-1]** A new rule.\n"
         self.assertEqual(
