@@ -44,7 +44,7 @@ class BlockDecoder:
         """
         geometry = self.stream.geometry
         image, side = images[-1], geometry.block
-        stages = SimpleNamespace(image=image, state=None, parent=None, reference=None, prediction=None, residual=None)
+        stages = SimpleNamespace(image=image, parent=None, reference=None, prediction=None, residual=None)
         if geometry.is_key(image):
             stages.sample = self._key_block(image, plane, block_x, block_y)
             return stages
@@ -52,7 +52,7 @@ class BlockDecoder:
         if len(images) > 1:
             stages.parent = self.decode_image_block(images[:-1], plane, block_x, block_y).sample
         entry = self.entry(image, plane, block_x, block_y)
-        stages.state, stages.residual = entry.state, entry.residual
+        stages.residual = entry.residual
         lo, hi = geometry.interval(plane)
         stages.prediction = stages.parent
         if entry.parts:
@@ -80,9 +80,10 @@ class BlockDecoder:
         return padded + [[0] * side for _ in range(side - len(padded))]
 
     def _entry(self, image, plane, block_x, block_y):
-        """State, sign, residual and parts of a block that is not one of a key image (TIL-5, MOT-5).
+        """Sign, residual and parts of a block that is not one of a key image (TIL-5, MOT-5).
 
-        parts: (reference image, vector in eighths of a sample) of each reference, none without motion.
+        parts: (reference image, vector in eighths of a sample) of each reference, none without motion;
+        residual is None without one.
         """
         stream, geometry = self.stream, self.stream.geometry
         predictive = geometry.reference_of(image) != image
@@ -99,12 +100,6 @@ class BlockDecoder:
                 entry.parts = [(geometry.reference_of(image), tuple(8 * component for component in vector))]
             if head.residual_mask >> block & 1:
                 entry.residual = read_residual(stream, head, plane, block)
-        entry.state = {
-            (False, False): "zero",
-            (True, False): "motion only",
-            (True, True): "motion and residual",
-            (False, True): "residual only",
-        }[bool(entry.parts), entry.residual is not None]
         return entry
 
     def _tiled_motion(self, image, plane, block_x, block_y):

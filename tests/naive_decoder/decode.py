@@ -23,9 +23,10 @@ from trace import PLANE_NAMES, trace_block
 
 def parse_arguments(arguments):
     """The command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    raw = argparse.RawDescriptionHelpFormatter
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=raw)
     parser.add_argument("file", type=pathlib.Path)
-    parser.add_argument("-o", "--output", type=pathlib.Path, help="folder for the views, made if it is missing")
+    parser.add_argument("-o", "--output", type=pathlib.Path, help="folder for the views")
     parser.add_argument("--ppm", action="store_true", help="write each view as a PPM file, too")
     parser.add_argument("--trace", metavar="R,C,PLANE,BX,BY", help="PLANE is Y, Co or Cg")
     parsed = parser.parse_args(arguments)

@@ -8,7 +8,10 @@ def eighths(component, vector_precision, halved):
 
 
 def interpolate(ref, x, y, ux, uy):
-    """I(x, y): 64 times ref at (x, y) moved by (ux, uy) eighths. ref(x, y) is called where weights are not 0."""
+    """I(x, y): 64 times ref at (x, y) moved by (ux, uy) eighths.
+
+    ref(x, y) is called only where its weight is not 0.
+    """
     ix, iy = ux >> 3, uy >> 3
     fx, fy = ux - 8 * ix, uy - 8 * iy
     total = 0

@@ -54,10 +54,9 @@ def motion_of(stream, image, motion_plane, x, y):
         return default_motion(stream, image[0])
     cursor = Cursor(record)
     side = 4 * 2 ** cursor.take(2)
-    require(side >= geometry.block, "bad_mode")
     palette_size = cursor.take(3) + 1
     explicit_bits = cursor.take(4)
-    require(explicit_bits <= 12, "bad_mode")
+    require(side >= geometry.block and explicit_bits <= 12, "bad_mode")
     keyed = geometry.is_keyed(image[0])
     palette = [read_entry(cursor, header, keyed, explicit_bits) for _ in range(palette_size)]
     width, height = geometry.plane_size(motion_plane)

@@ -89,7 +89,10 @@ class CodeBlockDecoder:
                     yield x, y
 
     def _rows_around(self, x, y):
-        """Signs of the three coefficients above, beside and below; 0: not significant, outside, or not seen (CAUSAL)."""
+        """Signs of the three coefficients above, beside and below.
+
+        0: not significant, outside the code-block, or not to be seen (CAUSAL).
+        """
         unseen = self.style & CAUSAL and y % STRIPE == STRIPE - 1
         rows = self.sign[y], self.sign[y + 1], self.nothing if unseen else self.sign[y + 2]
         return [row[x : x + 3] for row in rows]

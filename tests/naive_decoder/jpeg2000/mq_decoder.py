@@ -1,6 +1,7 @@
 """The arithmetic decoder (T.800 annex C), and bits without it (D.6)."""
 
-# Qe, next state after the more and after the less probable symbol, whether the latter switches sense (table C.2).
+# Qe, next state after the more and after the less probable symbol, whether the latter switches the
+# sense of the more probable one (table C.2).
 STATES = [
     (0x5601, 1, 1, 1), (0x3401, 2, 6, 0), (0x1801, 3, 9, 0), (0x0AC1, 4, 12, 0),
     (0x0521, 5, 29, 0), (0x0221, 38, 33, 0), (0x5601, 7, 6, 1), (0x5401, 8, 14, 0),

@@ -19,7 +19,8 @@ class CommandTest(CliTest):
 
     def decode(self, *arguments):
         command = [sys.executable, "-B", paths.DECODER / "decode.py", *arguments]
-        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False, timeout=60)
+        options = {"capture_output": True, "text": True, "check": False, "timeout": 60}
+        return subprocess.run(command, cwd=self.folder, **options)
 
     def test_raw_views_follow_each_other_row_by_row(self):
         self.assertEqual(self.decode("good.hmlfc", "-o", "out", "--ppm").returncode, DONE)

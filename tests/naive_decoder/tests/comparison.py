@@ -28,7 +28,8 @@ def random_blocks(stream, count, seed):
     for _ in range(count):
         plane = rng.randrange(3)
         cols, rows = stream.geometry.blocks(plane)
-        yield rng.randrange(header.rows), rng.randrange(header.cols), plane, rng.randrange(cols), rng.randrange(rows)
+        view = rng.randrange(header.rows), rng.randrange(header.cols)
+        yield *view, plane, rng.randrange(cols), rng.randrange(rows)
 
 
 def cropped(records, geometry):
@@ -40,7 +41,8 @@ def cropped(records, geometry):
     width, height = geometry.plane_size(plane)
     cols, rows = min(side, width - block_x * side), min(side, height - block_y * side)
     inside = [side * y + x for y in range(rows) for x in range(cols)]
-    return records[:1] + [{**record, "values": [record["values"][i] for i in inside]} for record in records[1:]]
+    stages = [{**record, "values": [record["values"][i] for i in inside]} for record in records[1:]]
+    return records[:1] + stages
 
 
 class Answers:

@@ -1,4 +1,4 @@
-"""Faults that a decoder may have, to be planted into the naive one: (name, object, attribute, replacement)."""
+"""Faults that a decoder may have, to be planted into the naive one."""
 
 import bise
 import block
@@ -13,7 +13,8 @@ from integers import clamp
 from jpeg2000 import code_block, decoder as jpeg2000_decoder, wavelet
 
 RIGHT_TRITS, RIGHT_QUINTS, RIGHT_JOIN = bise.trits, bise.quints, wavelet.join
-RIGHT_REF, RIGHT_VECTOR, RIGHT_SIGN_CONTEXT = block.BlockDecoder._ref, block.read_vector, code_block.sign_context
+RIGHT_REF, RIGHT_VECTOR = block.BlockDecoder._ref, block.read_vector
+RIGHT_SIGN_CONTEXT = code_block.sign_context
 
 
 def low_trit(T):
@@ -39,7 +40,8 @@ def ref_without_border(blocks, image, plane, x, y):
 
 def ref_border_off_by_one(blocks, image, plane, x, y):
     """The last row is never read (DEC-5)."""
-    return RIGHT_REF(blocks, image, plane, x, min(y, max(0, blocks.stream.geometry.plane_size(plane)[1] - 2)))
+    last = max(0, blocks.stream.geometry.plane_size(plane)[1] - 2)
+    return RIGHT_REF(blocks, image, plane, x, min(y, last))
 
 
 def vector_without_sign(*arguments):
@@ -54,8 +56,8 @@ def truncated_prediction(interpolated):
 
 def late_reference(groups, group):
     """n >> 1 in place of (n - 1) >> 1 (STR-4)."""
-    end = groups.first(group + 1) if groups.balanced else min(groups.first(group) + groups.size, groups.images)
-    return groups.first(group) + (end - groups.first(group) >> 1)
+    members = [image for image in range(groups.images) if groups.group_of(image) == group]
+    return members[len(members) >> 1]
 
 
 def colour_towards_zero(y, co, cg, depth):
@@ -75,6 +77,9 @@ def join_without_detail(ll, hl, lh, hh):
     return RIGHT_JOIN(ll, [[0] * len(row) for row in hl], lh, hh)
 
 
+SWAPPED_SETS = [(0,), (0, 2), (0, 1), (2,), (1,), (1, 2), (0, 3), (3,)]
+
+# Name, object, attribute, faulty replacement.
 FAULTS = [
     ("low trit", bise, "trits", low_trit),
     ("reversed quints", bise, "quints", reversed_quints),
@@ -85,7 +90,7 @@ FAULTS = [
     ("block numbers row by row", block, "block_number", lambda i, j: 8 * j + i),
     ("prediction without rounding", block, "predict", truncated_prediction),
     ("vectors without rounding", references, "rshift", lambda x, k: x >> k),
-    ("K1 and K2 swapped", references, "REFERENCE_SETS", [(0,), (0, 2), (0, 1), (2,), (1,), (1, 2), (0, 3), (3,)]),
+    ("K1 and K2 swapped", references, "REFERENCE_SETS", SWAPPED_SETS),
     ("vectors of chroma not halved", block, "eighths", lambda v, precision, _: v * 2 ** (3 - precision)),
     ("odd steps", residual, "step_of", lambda code: 2 ** (code // 2)),
     ("unsigned fields", Cursor, "take_signed", Cursor.take),

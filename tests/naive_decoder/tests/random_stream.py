@@ -71,7 +71,8 @@ def top_section(rng, geometry, donor):
     chosen = [rng.choice(planes[p]) for _ in keys for p in range(3)]
     offset, table = 16 * len(chosen), b""
     for codestream, crc in chosen:
-        table += offset.to_bytes(8, "little") + len(codestream).to_bytes(4, "little") + crc.to_bytes(4, "little")
+        table += offset.to_bytes(8, "little") + len(codestream).to_bytes(4, "little")
+        table += crc.to_bytes(4, "little")
         offset += len(codestream)
     return table + b"".join(codestream for codestream, _ in chosen)
 

@@ -8,7 +8,8 @@ from random_stream import random_stream
 # Scene, grid, size, depth, and the options of hmlfc encode.
 ENCODED = [
     ("cards", "4x4", "24x20", 8, "--profile main --height 1 --window 7"),
-    ("knights", "3x5", "13x18", 9, "--profile main --height 3 --cluster 1x2 --references 2x2 --block 2 --chroma 444"),
+    ("knights", "3x5", "13x18", 9,
+     "--profile main --height 3 --cluster 1x2 --references 2x2 --block 2 --chroma 444"),
     ("glass", "5x2", "17x9", 12, "--profile main --method mc --references 3x3 --window 127 --quality 80"),
     ("noise", "2x3", "9x7", 10, "--profile main --method rlfc --height 1 --block 8"),
     ("cards", "1x1", "11x5", 8, "--lossless"),

@@ -43,7 +43,8 @@ def check_failing_blocks(decoder, expect):
     """The blocks named must fail with the error named."""
     wrong = []
     for block in expect.get("blocks", []):
-        place = (block["view_row"], block["view_col"], PLANE_NAMES.index(block["plane"]), block["block_x"], block["block_y"])
+        plane = PLANE_NAMES.index(block["plane"])
+        place = block["view_row"], block["view_col"], plane, block["block_x"], block["block_y"]
         outcome = attempt(decoder.decode, *place)
         if outcome != expect["error"]:
             wrong.append(f"block {place} gives {outcome if isinstance(outcome, str) else 'samples'}")
