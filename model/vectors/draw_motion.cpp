@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <string>
 
 #include "encoder/motion_writer.hpp"
 #include "values/disparity.hpp"
@@ -24,8 +25,15 @@ MotionSymbol draw_symbol(FieldRules& rules, const MotionContext& context, unsign
   symbol.negative = !context.keyed && rules.pick("sign", 0, 1, random) != 0;
   const int64_t half = explicit_bits == 0 ? 0 : int64_t{1} << (explicit_bits - 1);
   const int64_t most = std::max<int64_t>(half - 1, 0);
-  symbol.explicit_x = static_cast<int16_t>(rules.pick("explicit_x", -half, most, random));
-  symbol.explicit_y = static_cast<int16_t>(rules.pick("explicit_y", -half, most, random));
+  const auto component = [&](const char* field) {
+    const int64_t value = rules.pick(field, -half, most, random);
+    if (value < -half || value > most) {
+      throw TextError(std::string("a rule gives ") + field + " more bits than explicit_bits");
+    }
+    return static_cast<int16_t>(value);
+  };
+  symbol.explicit_x = component("explicit_x");
+  symbol.explicit_y = component("explicit_y");
   return symbol;
 }
 
@@ -63,6 +71,7 @@ std::vector<uint8_t> draw_motion_record(FieldRules& rules, const MotionContext& 
   tile.indices.level_code = level_code_for(entries);
   for (uint32_t i = 0; i < blocks; ++i) {
     const auto at = rules.pick_unsigned("index", 0, usable.size() - 1, random);
+    if (at >= usable.size()) throw TextError("a rule gives an index behind the usable entries");
     tile.indices.values.push_back(usable[at]);
   }
   if (rules.has("group_code")) {
@@ -87,6 +96,7 @@ std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityCon
     values.values.push_back(
         rules.pick_unsigned("disparity", 0, static_cast<uint64_t>(most), random));
   }
+  require_representable(values);
   if (rules.has("group_code")) {
     values.codes = least_codes(levels_of_code(values.level_code), values.values);
   }

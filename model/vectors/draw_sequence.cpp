@@ -1,10 +1,12 @@
 #include "vectors/draw_sequence.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "values/bise.hpp"
 #include "values/bise_codes.hpp"
 #include "values/bise_digits.hpp"
+#include "vectors/json.hpp"
 
 namespace hmlfc::vectors {
 
@@ -20,6 +22,15 @@ std::vector<uint32_t> least_codes(const Levels& levels, std::span<const uint32_t
     code = least;
   }
   return codes;
+}
+
+void require_representable(const SequenceFields& sequence) {
+  const uint32_t levels = levels_of_code(sequence.level_code).count;
+  for (const uint32_t value : sequence.values) {
+    if (value < levels) continue;
+    throw TextError("a rule gives value " + std::to_string(static_cast<int32_t>(value)) +
+                    " of a sequence of " + std::to_string(levels) + " levels");
+  }
 }
 
 size_t code_count(const Levels& levels, size_t count) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "encoder/tile_fields.hpp"
 #include "values/levels.hpp"
 
 namespace hmlfc::vectors {
@@ -12,6 +13,9 @@ namespace hmlfc::vectors {
 /// The least code of each group that stands for the same digits as the canonical one: another one
 /// where BISE-10 has several. None without digits.
 std::vector<uint32_t> least_codes(const Levels& levels, std::span<const uint32_t> values);
+
+/// Throws TextError where a value is not below the number of levels.
+void require_representable(const SequenceFields& sequence);
 
 /// Groups of a sequence of `count` values; 0 without digits.
 size_t code_count(const Levels& levels, size_t count);

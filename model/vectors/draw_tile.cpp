@@ -40,6 +40,7 @@ SequenceFields draw_component(FieldRules& rules, const ComponentNames& names, in
     const int64_t component = rules.pick(names.component, least, most, random);
     sequence.values.push_back(static_cast<uint32_t>(component - least));
   }
+  require_representable(sequence);
   if (rules.has("group_code")) {
     sequence.codes = least_codes(levels_of_code(sequence.level_code), sequence.values);
   }
@@ -67,12 +68,26 @@ SequenceFields draw_values(FieldRules& rules, unsigned level_code, uint64_t coun
   for (uint64_t i = 0; i < count; ++i) {
     sequence.values.push_back(rules.pick_unsigned("value", 0, levels.count - 1, random));
   }
+  require_representable(sequence);
   if (!rules.has("group_code")) return sequence;
   for (size_t g = 0; g < code_count(levels, count); ++g) {
     const uint32_t codes = 1u << code_bits(levels, count, g);
     sequence.codes.push_back(rules.pick_unsigned("group_code", 0, codes - 1, random));
   }
   return sequence;
+}
+
+// Throws TextError unless the block's header can be written in the bits that the tile gives it.
+void require_representable(const ResidualFields& fields, const ResidualBlockFields& block) {
+  const unsigned level_delta = block.values.level_code - fields.level_base;
+  const unsigned step_delta = block.step_code - fields.step_base;
+  const int32_t half = fields.bias_bits == 0 ? 0 : 1 << (fields.bias_bits - 1);
+  const bool bias_fits = block.bias >= -half && block.bias <= std::max(half - 1, 0);
+  if ((level_delta >> fields.level_bits) == 0 && (step_delta >> fields.step_bits) == 0 &&
+      bias_fits) {
+    return;
+  }
+  throw TextError("rules give a block a level_code, step_code or bias that its tile cannot say");
 }
 
 ResidualFields draw_residuals(FieldRules& rules, const TileContext& context, size_t count,
@@ -101,6 +116,7 @@ ResidualFields draw_residuals(FieldRules& rules, const TileContext& context, siz
     block.bias =
         static_cast<int32_t>(rules.pick("bias", -half, std::max<int64_t>(half - 1, 0), random));
     block.values = draw_values(rules, code, context.block_samples, random);
+    require_representable(fields, block);
     fields.blocks.push_back(std::move(block));
   }
   return fields;
