@@ -9,18 +9,24 @@
 namespace hmlfc::vectors {
 
 /// Applies one edit to `bytes`. `json` is one of
-///   {"header": FIELD, "value": n}         a field of FIL-1, EXT-2, or a level entry at "level"
-///   {"section": NAME, "entry": FIELD, "value": n}   type, crc, offset or size of a section entry;
-///                                         "add": n instead of "value" changes it by n, here and
-///                                         wherever a field is named
-///   {"field": FIELD, "block": B, "value": n}        a field that is read for block B, at level
-///                                         "level" (0), its occurrence "nth" (0)
-///   {"bytes": NAME, "at": n, "value": [...]}        bytes of a section
-///   {"marker": m, "codestream": n, "at": k, "value": [...]}   bytes of a codestream of TOP, k bytes
-///                                         behind the first byte of its first marker m (65424: SOT)
-///   {"resize": NAME, "by": n}             zero bytes added at a section's end, or bytes cut off
-///   {"cut": n}                            the file's length; below 0, from the end
-///   {"append": [...]}                     bytes behind the file
+///   {"header": FIELD, "value": n}
+///       a field of FIL-1 or EXT-2, or of the level entry at "level"
+///   {"section": NAME, "entry": FIELD, "value": n}
+///       type, crc, offset or size of a section entry
+///   {"field": FIELD, "block": B, "value": n}
+///       a field that is read for block B, at level "level" (0), its occurrence "nth" (0)
+///   {"bytes": NAME, "at": n, "value": [...]}
+///       bytes of a section
+///   {"marker": m, "codestream": n, "at": k, "value": [...]}
+///       bytes of a codestream of TOP, k bytes behind the first byte of its first marker m
+///       (65424: SOT)
+///   {"resize": NAME, "by": n}
+///       zero bytes added at a section's end, or bytes cut off
+///   {"cut": n}
+///       the file's length; below 0, from the end
+///   {"append": [...]}
+///       bytes behind the file
+/// Where a field is named, "add": n in the place of "value" changes it by n.
 /// Afterwards the CRCs of sections and header are right again; with "mend": "header" that of the
 /// header alone, with "mend": false none. A field that is stored with an offset (min_x) takes the
 /// stored value. Throws TextError.

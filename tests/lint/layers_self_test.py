@@ -57,6 +57,10 @@ class LayersTest(unittest.TestCase):
             ("io", "io"),
             ("scenes", "io"),
             ("scenes", "scenes"),
+            *(
+                ("vectors", layer)
+                for layer in ("bits", "values", "fields", "samples", "encoder", "io", "scenes", "vectors")
+            ),
         }
         layers = [layer for layer in ALLOWED if layer != "include"]
         for layer in layers:
