@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "encoder/mask_writer.hpp"
+#include "values/bise_codes.hpp"
 #include "values/steps.hpp"
 #include "vectors/draw_sequence.hpp"
 
@@ -71,8 +72,10 @@ SequenceFields draw_values(FieldRules& rules, unsigned level_code, uint64_t coun
   require_representable(sequence);
   if (!rules.has("group_code")) return sequence;
   for (size_t g = 0; g < code_count(levels, count); ++g) {
-    const uint32_t codes = 1u << code_bits(levels, count, g);
-    sequence.codes.push_back(rules.pick_unsigned("group_code", 0, codes - 1, random));
+    const unsigned bits = code_bits(levels, count, g);
+    const bool cut = bits < code_bits(levels, group_size(levels), 0);
+    const char* field = cut && rules.has("tail_code") ? "tail_code" : "group_code";
+    sequence.codes.push_back(rules.pick_unsigned(field, 0, (1u << bits) - 1, random));
   }
   return sequence;
 }
