@@ -23,5 +23,8 @@ void add_bise(CLI::App& program, Task& task);
 void add_render(CLI::App& program, Task& task);
 void add_picture(CLI::App& program, Task& task);
 void add_vectors(CLI::App& program, Task& task);
+void add_conform(CLI::App& program, Task& task);
+void add_decode_with(CLI::App& program, Task& task);
+void add_minimise(CLI::App& program, Task& task);
 
 }  // namespace hmlfc::cli

@@ -18,9 +18,11 @@ enum class ExitCode : int {
   kUsage = 2,         ///< wrong arguments, or an output that cannot be made at the named place
   kInput = 3,         ///< an input is missing, unreadable or not acceptable
   kCorrupt = 4,       ///< a stream broke a rule of the specification
+  kIncomplete = 5,    ///< nothing failed, but not all that is required was tested
   kInternal = 70,     ///< a defect of this program
   kOutOfMemory = 71,  ///< not enough memory
   kOutput = 74,       ///< writing failed: full disk, closed pipe
+  kCannotRun = 77,    ///< a decoder under test cannot run on this machine
 };
 
 /// Thrown by a command; main prints the message and exits with the code.

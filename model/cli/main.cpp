@@ -27,7 +27,9 @@ Exit status:
   2   wrong arguments, or an output that cannot be made at the named place
   3   an input is missing, unreadable or not acceptable
   4   a stream is corrupt; the message has the specification's name of the error and its place
+  5   a decoder failed nothing, but not all that is required of it was tested
   70  a defect of this program; 71 not enough memory; 74 writing failed (full disk, closed pipe)
+  77  a decoder under test cannot run on this machine
 
 Example:
   hmlfc synth --scene cards --grid 9x9 --size 512x384 -o views
@@ -53,6 +55,9 @@ void add_commands(CLI::App& program, Task& task) {
   add_render(program, task);
   add_picture(program, task);
   add_vectors(program, task);
+  add_conform(program, task);
+  add_decode_with(program, task);
+  add_minimise(program, task);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
 }
 

@@ -10,7 +10,7 @@ install(TARGETS hmlfc EXPORT hmlfc-targets
   INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY include/hmlfc
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
-  FILES_MATCHING PATTERN "*.hpp")
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 install(EXPORT hmlfc-targets NAMESPACE hmlfc:: DESTINATION "${package_dir}")
 
 if(TARGET hmlfc_cli)

@@ -28,9 +28,11 @@ ALLOWED = {
     "io": {"io"},
     "scenes": {"scenes", "io"},
     "vectors": {"bits", "values", "fields", "samples", "encoder", "io", "scenes", "vectors"},
+    "conform": {"bits", "values", "fields", "samples", "encoder", "io", "vectors", "conform"},
+    "dut": set(),  # decoders behind public headers
     "cli": {
         *("bits", "values", "fields", "samples", "encoder", "render", "io", "scenes", "cli"),
-        *("gpu_ref", "vectors"),
+        *("gpu_ref", "vectors", "conform"),
     },
     "gpu_ref": set(),  # beside model/: renders on a device, for cli
 }

@@ -1,0 +1,116 @@
+// hmlfc decode-with: views of a stream by a decoder in a shared library (hmlfc_dut.h).
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "conform/dut_library.hpp"
+#include "conform/output_views.hpp"
+#include "conform/stage_trace.hpp"
+#include "io/atomic_file.hpp"
+#include "io/mapped_file.hpp"
+#include "vectors/picture_bytes.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+struct DecodeWithOptions {
+  std::filesystem::path library;
+  std::filesystem::path file;
+  std::filesystem::path folder;
+  std::optional<std::array<uint32_t, 5>> trace;  ///< view row, col, plane, block x, y
+  bool by_block = false;
+};
+
+// What the library says is the stream's fault.
+template <class T>
+T library_value(conform::DutResult<T> result, const std::filesystem::path& file) {
+  if (!result) {
+    if (result.error().cannot_run) {
+      throw Failure(ExitCode::kCannotRun, result.error().where + ": the decoder cannot run here");
+    }
+    throw Failure(ExitCode::kCorrupt, fmt::format("{}: {}: {}", file.string(), result.error().where,
+                                                  result.error().name));
+  }
+  if constexpr (!std::is_void_v<T>) return std::move(*result);
+}
+
+void print_stage(void*, const hmlfc_dut_stage* stage) { print(conform::stage_line(*stage) + "\n"); }
+
+ExitCode trace(const conform::LibraryDecoder& decoder, const DecodeWithOptions& options) {
+  const auto& [row, col, plane, block_x, block_y] = *options.trace;
+  const BlockAddress block{{row, col}, static_cast<Plane>(plane), block_x, block_y};
+  library_value(decoder.trace(block, print_stage, nullptr), options.file);
+  return ExitCode::kDone;
+}
+
+ExitCode run_decode_with(const DecodeWithOptions& options) {
+  const auto functions =
+      value_or_throw(conform::load_dut_library(options.library), ExitCode::kInput);
+  const auto file = value_or_throw(io::MappedFile::open(options.file), ExitCode::kInput);
+  const auto decoder =
+      library_value(conform::LibraryDecoder::open(functions, file.bytes()), options.file);
+  if (options.trace) return trace(decoder, options);
+  if (options.folder.empty()) throw Failure(ExitCode::kUsage, "--output is required");
+  make_output_folder(options.folder);
+  const auto path = options.folder / conform::kRawViewsName;
+  auto raw = value_or_throw(io::AtomicFile::create(path), ExitCode::kOutput);
+  const hmlfc_dut_geometry& geometry = decoder.geometry();
+  for (uint32_t row = 0; row < geometry.rows; ++row) {
+    for (uint32_t col = 0; col < geometry.cols; ++col) {
+      const auto image = library_value(options.by_block ? decoder.decode_view_by_block({row, col})
+                                                        : decoder.decode_view({row, col}),
+                                       options.file);
+      value_or_throw(raw.write(vectors::picture_bytes(image)), ExitCode::kOutput);
+    }
+  }
+  value_or_throw(raw.commit(), ExitCode::kOutput);
+  print(fmt::format("{}: {} views of {} x {} pixels by {}\n", path.string(),
+                    geometry.rows * geometry.cols, geometry.width, geometry.height,
+                    functions.name()));
+  return ExitCode::kDone;
+}
+
+void add_trace(CLI::App& app, std::optional<std::array<uint32_t, 5>>& target) {
+  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
+    target = parse_numbers<5>(text, ',');
+    if (!target || (*target)[2] >= kPlaneCount) {
+      return "row,column,plane,x,y with plane 0, 1 or 2, as 3,5,0,12,7";
+    }
+    return std::nullopt;
+  };
+  add_value(app, "--trace", "R,C,P,X,Y",
+            "Print the stages of one block as JSON lines instead: view row and column, plane "
+            "(0 Y, 1 Co, 2 Cg), block column and row",
+            reader);
+}
+
+}  // namespace
+
+void add_decode_with(CLI::App& program, Task& task) {
+  const auto options = std::make_shared<DecodeWithOptions>();
+  CLI::App* app = program.add_subcommand(
+      "decode-with", "Decode a stream by a decoder in a shared library (hmlfc_dut.h)");
+  add_path(*app, "LIBRARY", options->library, "A library with the functions of hmlfc_dut.h");
+  add_path(*app, "FILE", options->file, "An .hmlfc file");
+  add_output(*app, options->folder, "DIR", "Folder for views.raw, made if it is missing")
+      ->required(false);
+  app->add_flag("--by-block", options->by_block, "Ask the library for blocks instead of views");
+  add_trace(*app, options->trace);
+  app->footer(
+      R"(Writes the file views.raw: all views row by row, each row by row, R, G, B; samples of one byte at 8
+bits, of two bytes, little-endian, above. `hmlfc conform` runs libraries in this way.
+
+Example:
+  hmlfc decode-with libhmlfc_dut_model.so chess.hmlfc -o decoded)");
+  app->callback([&task, options] { task = [options] { return run_decode_with(*options); }; });
+}
+
+}  // namespace hmlfc::cli

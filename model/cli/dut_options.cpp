@@ -1,0 +1,46 @@
+#include "cli/dut_options.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/arguments.hpp"
+#include "cli/failure.hpp"
+#include "conform/runner.hpp"
+
+namespace hmlfc::cli {
+
+void DutOptions::add_to(CLI::App& app, bool several) {
+  CLI::Option* option =
+      app.add_option("--dut", names,
+                     several ? "A decoder: command line, *.so or *.json; may be repeated"
+                             : "A decoder: command line, *.so or *.json");
+  option->type_name("DUT")->allow_extra_args(false);
+  if (!several) option->expected(1);
+  add_integer(app, "--timeout", timeout_seconds, 1, 86400,
+              "Seconds after which the decoder is killed");
+  add_integer(app, "--memory", memory_mib, 0, 1u << 24,
+              "MiB of address space that the decoder may take; 0: no limit");
+}
+
+conform::ProcessLimits DutOptions::limits() const {
+  return {static_cast<double>(timeout_seconds), uint64_t{memory_mib} << 20};
+}
+
+std::vector<conform::Dut> DutOptions::read() const {
+  if (names.empty()) throw Failure(ExitCode::kUsage, "--dut is required");
+  std::error_code ignored;
+  const conform::DutPlaces places{std::filesystem::read_symlink("/proc/self/exe", ignored)};
+  std::vector<conform::Dut> duts;
+  for (const std::string& name : names) {
+    duts.push_back(value_or_throw(conform::read_dut(name, places), ExitCode::kUsage));
+    const auto same_folder = [&](const conform::Dut& other) {
+      return conform::folder_name(other.name) == conform::folder_name(duts.back().name);
+    };
+    if (std::ranges::count_if(duts, same_folder) > 1) {
+      throw Failure(ExitCode::kUsage, "two decoders have the name " + duts.back().name);
+    }
+  }
+  return duts;
+}
+
+}  // namespace hmlfc::cli

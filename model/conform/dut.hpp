@@ -1,0 +1,72 @@
+// A decoder under test (DUT): how it is run and what it claims to decode.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <hmlfc/format.hpp>
+
+#include "conform/command_template.hpp"
+#include "io/io_error.hpp"
+
+namespace hmlfc::conform {
+
+/// A vector that the decoder is known to fail, and why that is accepted for now.
+struct Waiver {
+  std::string vector;  ///< its id
+  std::string reason;
+};
+
+/// The decoder's own limits (FIL-7): the greatest values of the header's fields that it takes.
+struct DutLimits {
+  uint32_t rows = 4096;
+  uint32_t cols = 4096;
+  uint32_t width = 65536;
+  uint32_t height = 65536;
+  int depth = 12;
+  int tree_height = 15;
+  std::vector<unsigned> block_log2 = {1, 2, 3};
+};
+
+/// What is asked of a decoder, and what it claims.
+struct Dut {
+  std::string name;
+  /// Decodes the stream {input} into the folder {output}, which exists and is empty.
+  std::vector<std::string> command;
+  /// Prints the stages of one block as JSON lines; empty where the decoder cannot. Places: {input},
+  /// {view_row}, {view_col}, {plane} (0, 1, 2), {block_x}, {block_y}.
+  std::vector<std::string> trace;
+  Profile profile = Profile::kExtended;  ///< extended includes main (LVL-2)
+  int level = 3;                         ///< the conformance level that it claims (LVL-1), [0, 3]
+  DutLimits limits;
+  bool error_names = false;  ///< a refusal names the error of annex A on standard error
+  std::vector<Waiver> waivers;
+
+  /// The waiver of vector `id`, or null.
+  const Waiver* waiver(const std::string& id) const;
+};
+
+/// Where the programs are that a DUT file may name: {hmlfc} is the program that runs, {bin} its
+/// folder, {dut} the folder of the DUT file.
+struct DutPlaces {
+  std::filesystem::path hmlfc;
+};
+
+/// The decoder that `text` names:
+/// - a file *.json: a declaration (docs/conformance.md has its keys);
+/// - a file *.so: a library with the interface of hmlfc_dut.h;
+/// - else a command line with {input} and {output}.
+///
+/// Errors: a file that cannot be read, a key that is unknown or has a wrong value, a command
+/// without {input} or {output}.
+io::IoResult<Dut> read_dut(const std::string& text, const DutPlaces& places);
+
+/// Why a stream is none of those that `dut` claims to decode; nothing where it is. `header` is null
+/// where the stream's header cannot be read.
+std::optional<std::string> beyond_claims(const Dut& dut, Profile profile, int level,
+                                         const StreamHeader* header);
+
+}  // namespace hmlfc::conform

@@ -1,0 +1,71 @@
+#include "conform/output_views.hpp"
+
+#include <fmt/format.h>
+
+#include "io/mapped_file.hpp"
+#include "io/read_image.hpp"
+#include "io/view_list.hpp"
+
+namespace hmlfc::conform {
+namespace {
+
+size_t sample_bytes(int depth) { return depth > 8 ? 2 : 1; }
+
+io::IoResult<std::vector<RgbImage>> read_raw(const std::filesystem::path& path,
+                                             const LightFieldShape& shape) {
+  const auto file = io::MappedFile::open(path);
+  if (!file) return tl::unexpected(file.error());
+  const size_t count = size_t{shape.width} * shape.height * 3;
+  const size_t views = size_t{shape.rows} * shape.cols;
+  const auto bytes = file->bytes();
+  const uint64_t expected = uint64_t{views} * count * sample_bytes(shape.depth);
+  if (bytes.size() != expected) {
+    return io::file_error(path, fmt::format("has {} bytes instead of {}", bytes.size(), expected));
+  }
+  std::vector<RgbImage> images(views, RgbImage{shape.width, shape.height, shape.depth, {}});
+  const uint8_t* at = bytes.data();
+  for (RgbImage& image : images) {
+    image.samples.resize(count);
+    for (uint16_t& sample : image.samples) {
+      sample = *at++;
+      if (shape.depth > 8) sample = static_cast<uint16_t>(sample | *at++ << 8);
+      if (sample >> shape.depth != 0) {
+        return io::file_error(path, fmt::format("the sample that ends at byte {} is {}, more than "
+                                                "{} bits",
+                                                at - bytes.data(), sample, shape.depth));
+      }
+    }
+  }
+  return images;
+}
+
+}  // namespace
+
+io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::path& folder,
+                                                      const LightFieldShape& shape) {
+  const auto raw = folder / kRawViewsName;
+  std::error_code ignored;
+  if (std::filesystem::exists(raw, ignored)) return read_raw(raw, shape);
+  const auto list = io::list_views(folder);
+  if (!list) return tl::unexpected(list.error());
+  if (list->rows != shape.rows || list->cols != shape.cols) {
+    return io::file_error(folder, fmt::format("has {} x {} views instead of {} x {}", list->rows,
+                                              list->cols, shape.rows, shape.cols));
+  }
+  std::vector<RgbImage> images;
+  for (const auto& path : list->files) {
+    auto image = io::read_image(path);
+    if (!image) return tl::unexpected(image.error());
+    if (image->width != shape.width || image->height != shape.height ||
+        image->depth != shape.depth) {
+      return io::file_error(
+          path, fmt::format("is a picture of {} x {} pixels of {} bits instead of {} x {} of {}",
+                            image->width, image->height, image->depth, shape.width, shape.height,
+                            shape.depth));
+    }
+    images.push_back(std::move(*image));
+  }
+  return images;
+}
+
+}  // namespace hmlfc::conform

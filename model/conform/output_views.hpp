@@ -1,0 +1,26 @@
+// What a decoder under test wrote.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include <hmlfc/image.hpp>
+#include <hmlfc/light_field.hpp>
+
+#include "io/io_error.hpp"
+
+namespace hmlfc::conform {
+
+/// The file of the raw form (vectors/README.md): all views row by row; of each view its pixels row
+/// by row, R, G, B; samples of one byte at depth 8, of two bytes, little-endian, above.
+inline constexpr const char* kRawViewsName = "views.raw";
+
+/// All views of `folder`, row by row, of which each has the size and depth of `shape`: from
+/// views.raw where it is there, else from PNG or PPM files named as `hmlfc decode` names them.
+/// Errors: a view is missing, double, unreadable, or has another size or depth; a sample of
+/// views.raw is out of range.
+io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::path& folder,
+                                                      const LightFieldShape& shape);
+
+}  // namespace hmlfc::conform

@@ -1,0 +1,154 @@
+#include "conform/report_json.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+namespace hmlfc::conform {
+namespace {
+
+Json to_json(const Difference& d) {
+  Json planes = Json::array();
+  for (const Plane plane : d.planes) planes.push_back(plane_name(plane));
+  return {{"view_row", d.view.row},
+          {"view_col", d.view.col},
+          {"block_x", d.block_x},
+          {"block_y", d.block_y},
+          {"x", d.x},
+          {"y", d.y},
+          {"channel", std::string(1, d.channel)},
+          {"expected", d.expected},
+          {"actual", d.actual},
+          {"planes", planes},
+          {"wrong_blocks", d.wrong_blocks},
+          {"blocks", d.blocks},
+          {"wrong_views", d.wrong_views}};
+}
+
+Difference difference_from(const Json& json) {
+  Difference d;
+  d.view = {json.at("view_row"), json.at("view_col")};
+  d.block_x = json.at("block_x");
+  d.block_y = json.at("block_y");
+  d.x = json.at("x");
+  d.y = json.at("y");
+  d.channel = json.at("channel").get<std::string>().at(0);
+  d.expected = json.at("expected");
+  d.actual = json.at("actual");
+  for (const auto& name : json.at("planes").get<std::vector<std::string>>()) {
+    const auto plane = std::ranges::find(kPlanes, name, plane_name);
+    if (plane != kPlanes.end()) d.planes.push_back(*plane);
+  }
+  d.wrong_blocks = json.at("wrong_blocks");
+  d.blocks = json.at("blocks");
+  d.wrong_views = json.at("wrong_views");
+  return d;
+}
+
+void set_text(Json& json, const char* key, const std::string& text) {
+  if (!text.empty()) json[key] = text;
+}
+
+Json to_json(const SystemInfo& system) {
+  return {{"program", system.program}, {"date", system.date},
+          {"host", system.host},       {"processor", system.processor},
+          {"threads", system.threads}, {"memory_mib", system.memory_mib}};
+}
+
+SystemInfo system_from(const Json& json) {
+  return {json.at("program"),   json.at("date"),    json.at("host"),
+          json.at("processor"), json.at("threads"), json.at("memory_mib")};
+}
+
+Json to_json(const Run& run) {
+  Json json;
+  json["dut"] = run.dut;
+  json["command"] = run.command;
+  json["profile"] = run.profile;
+  json["level"] = run.level;
+  json["verdict"] = verdict_text(run);
+  const Tally counts = tally(run);
+  Json& counted = json["counts"];
+  for (size_t i = 0; i < kStatusCount; ++i) {
+    counted[std::string(status_name(static_cast<Status>(i)))] = counts.count[i];
+  }
+  counted["waived"] = counts.waived;
+  Json& results = json["results"] = Json::array();
+  for (const VectorResult& result : run.results) results.push_back(conform::to_json(result));
+  return json;
+}
+
+Run run_from(const Json& json) {
+  Run run{json.at("dut"), json.at("command"), json.at("profile"), json.at("level"), {}};
+  for (const Json& entry : json.at("results")) {
+    auto result = result_from_json(entry);
+    if (!result) throw Json::other_error::create(501, "not a result", nullptr);
+    run.results.push_back(std::move(*result));
+  }
+  return run;
+}
+
+}  // namespace
+
+Json to_json(const VectorResult& result) {
+  Json json;
+  json["id"] = result.id;
+  json["status"] = status_name(result.status);
+  set_text(json, "reason", result.reason);
+  if (result.difference) json["difference"] = to_json(*result.difference);
+  set_text(json, "stage", result.stage);
+  set_text(json, "messages", result.messages);
+  json["seconds"] = result.seconds;
+  set_text(json, "pictures", result.pictures);
+  set_text(json, "waiver", result.waiver);
+  json["clauses"] = result.clauses;
+  set_text(json, "comment", result.comment);
+  return json;
+}
+
+std::optional<VectorResult> result_from_json(const Json& json) {
+  try {
+    VectorResult result;
+    result.id = json.at("id");
+    const auto status = status_from_name(json.at("status").get<std::string>());
+    if (!status) return std::nullopt;
+    result.status = *status;
+    result.reason = json.value("reason", "");
+    if (json.contains("difference")) result.difference = difference_from(json.at("difference"));
+    result.stage = json.value("stage", "");
+    result.messages = json.value("messages", "");
+    result.seconds = json.at("seconds");
+    result.pictures = json.value("pictures", "");
+    result.waiver = json.value("waiver", "");
+    result.clauses = json.at("clauses").get<std::vector<std::string>>();
+    result.comment = json.value("comment", "");
+    return result;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+Json to_json(const Report& report) {
+  Json json;
+  json["vectors_version"] = report.vectors_version;
+  json["manifest_sha256"] = report.manifest_sha256;
+  json["system"] = to_json(report.system);
+  Json& runs = json["runs"] = Json::array();
+  for (const Run& run : report.runs) runs.push_back(to_json(run));
+  return json;
+}
+
+io::IoResult<Report> read_report(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) return io::file_error(file, "cannot be read");
+  try {
+    const Json json = Json::parse(stream);
+    Report report{
+        json.at("vectors_version"), json.at("manifest_sha256"), system_from(json.at("system")), {}};
+    for (const Json& run : json.at("runs")) report.runs.push_back(run_from(run));
+    return report;
+  } catch (const Json::exception& error) {
+    return io::file_error(file, std::string("is no report of hmlfc conform: ") + error.what());
+  }
+}
+
+}  // namespace hmlfc::conform

@@ -1,0 +1,99 @@
+// Results of conformance vectors, and what they amount to.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "conform/difference.hpp"
+
+namespace hmlfc::conform {
+
+/// What came of one vector.
+enum class Status : uint8_t {
+  kPass,          ///< exactly what the manifest says
+  kFail,          ///< something else
+  kError,         ///< the decoder could not be started, crashed, or the suite is damaged
+  kTimeout,       ///< the decoder did not end within its time
+  kNotSupported,  ///< beyond what the decoder claims; not required of it
+  kSkipped,       ///< required, but not run
+};
+inline constexpr size_t kStatusCount = 6;
+
+/// "pass", "fail", "error", "timeout", "not_supported" or "skipped".
+std::string_view status_name(Status status);
+
+/// The status with this name, or nothing.
+std::optional<Status> status_from_name(std::string_view name);
+
+/// One vector on one decoder.
+struct VectorResult {
+  std::string id;
+  Status status = Status::kSkipped;
+  std::string reason;  ///< one sentence; empty for a pass
+  std::optional<Difference> difference;
+  std::string stage;     ///< the first wrong stage where the decoder gives traces, or empty
+  std::string messages;  ///< the end of what the decoder said; not kept of a pass
+  double seconds = 0;
+  std::string pictures;  ///< folder of the failure's pictures relative to the report, or empty
+  std::string waiver;    ///< why a failure is accepted, or empty
+  std::vector<std::string> clauses;
+  std::string comment;  ///< the mistake that the vector hunts
+
+  bool bad() const {
+    return status == Status::kFail || status == Status::kError || status == Status::kTimeout;
+  }
+  bool waived() const { return bad() && !waiver.empty(); }
+};
+
+/// One decoder on the suite: a result for each vector of the manifest, in its order.
+struct Run {
+  std::string dut;
+  std::vector<std::string> command;
+  std::string profile;  ///< that the decoder claims
+  int level = 0;
+  std::vector<VectorResult> results;
+};
+
+/// Where and when.
+struct SystemInfo {
+  std::string program;    ///< name and version
+  std::string date;       ///< UTC, ISO 8601
+  std::string host;       ///< operating system and machine
+  std::string processor;  ///< its model
+  unsigned threads = 0;   ///< of the processor
+  uint64_t memory_mib = 0;
+};
+
+/// Several decoders on one suite.
+struct Report {
+  std::string vectors_version;
+  std::string manifest_sha256;
+  SystemInfo system;
+  std::vector<Run> runs;
+};
+
+/// How many vectors have each status; waived failures are counted apart.
+struct Tally {
+  uint64_t count[kStatusCount] = {};
+  uint64_t waived = 0;
+
+  uint64_t of(Status status) const { return count[static_cast<size_t>(status)]; }
+  uint64_t bad() const { return of(Status::kFail) + of(Status::kError) + of(Status::kTimeout); }
+};
+Tally tally(const Run& run);
+
+/// What a run says about a decoder.
+enum class Verdict : uint8_t {
+  kConforms,    ///< every required vector passes, but for waived ones
+  kIncomplete,  ///< nothing failed, but required vectors were skipped, or there was none
+  kFails,       ///< a required vector failed
+};
+Verdict verdict(const Run& run);
+
+/// "conforms", "conforms, with waivers", "incomplete" or "fails".
+std::string verdict_text(const Run& run);
+
+}  // namespace hmlfc::conform
