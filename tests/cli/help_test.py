@@ -4,8 +4,11 @@ import os
 import re
 import shlex
 import shutil
+from pathlib import Path
 
-from program import CliTest, main
+from program import PROGRAM, CliTest, main
+
+ROOT = Path(__file__).resolve().parents[2]
 
 COMMANDS = {
     "": ["--help", "--version"],
@@ -27,6 +30,10 @@ COMMANDS = {
     "picture view": ["--view", "--output"],
     "picture sheet": ["--max-width", "--output"],
     "picture difference": ["--view", "--gain", "--output"],
+    "conform": ["--suite", "--dut", "--timeout", "--memory", "--filter", "--jobs", "--shard", "--merge",
+                "--resume", "--keep", "--json", "--output"],
+    "decode-with": ["LIBRARY", "FILE", "--by-block", "--trace", "--output"],
+    "minimise": ["--dut", "--timeout", "--memory", "--trials", "--output"],
 }  # fmt: skip
 
 
@@ -35,6 +42,8 @@ class Help(CliTest):
     def prepare(cls):
         cls.hmlfc(*"synth --scene cards --grid 9x9 --size 136x72 -o views".split())
         cls.hmlfc("encode", "views", "-o", "chess.hmlfc")
+        (cls.folder / "vectors").symlink_to(ROOT / "vectors")
+        (cls.folder / "libhmlfc_dut_model.so").symlink_to(PROGRAM.parent / "libhmlfc_dut_model.so")
         (cls.folder / "lytro").mkdir()
         for i, name in enumerate(sorted(os.listdir(cls.folder / "views"))):
             shutil.copy(cls.folder / "views" / name, cls.folder / "lytro" / f"IMG{i}.png")
@@ -59,7 +68,7 @@ class Help(CliTest):
                 self.assertRegex(self.help_of(""), rf"(?m)^  {command} ")
 
     def test_exit_status(self):
-        for code in (0, 1, 2, 3, 4):
+        for code in (0, 1, 2, 3, 4, 5, 77):
             self.assertRegex(self.help_of(""), rf"(?m)^  {code} ")
 
     def test_examples_work(self):

@@ -1,0 +1,222 @@
+#!/usr/bin/env python3
+"""A decoder with one planted fault, which `hmlfc conform` must catch (self_test.py).
+
+    faulty_decoder.py FAULT FILE -o FOLDER
+
+FAULT is a name of ARITHMETIC, planted in the naive decoder (tests/naive_decoder), or of PROCESS, a
+right decoder that behaves wrongly as a program. `none` is without a fault.
+"""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "naive_decoder"))
+
+import bise  # noqa: E402
+import block  # noqa: E402
+import colour  # noqa: E402
+import decode  # noqa: E402
+import light_field  # noqa: E402
+import residual  # noqa: E402
+
+
+def wrong_rounding():
+    """MOT-9 with halves rounded downwards."""
+
+    def predict(interpolated):
+        if len(interpolated) == 1:
+            return (interpolated[0] + 31) >> 6
+        return (interpolated[0] + interpolated[1] + 63) >> 7
+
+    block.predict = predict
+
+
+def trit_digits_swapped():
+    """BISE-8 with the last two trits of a group exchanged."""
+    right = bise.trits
+    bise.trits = lambda T: (lambda t: [*t[:3], t[4], t[3]])(right(T))
+
+
+def quint_digits_swapped():
+    """BISE-9 with the last two quints of a group exchanged."""
+    right = bise.quints
+    bise.quints = lambda Q: (lambda q: [q[0], q[2], q[1]])(right(Q))
+
+
+def border_off_by_one():
+    """DEC-4 that clamps one column too early."""
+    right = block.BlockDecoder._ref
+
+    def ref(self, image, plane, x, y):
+        width = self.stream.geometry.plane_size(plane)[0]
+        return right(self, image, plane, min(x, max(width - 2, 0)), y)
+
+    block.BlockDecoder._ref = ref
+
+
+def sign_ignored():
+    """DEC-3 without the sign of the motion."""
+    right = block.BlockDecoder._entry
+
+    def entry(self, image, plane, block_x, block_y):
+        found = right(self, image, plane, block_x, block_y)
+        found.sign = 1
+        return found
+
+    block.BlockDecoder._entry = entry
+
+
+def bias_ignored():
+    """TIL-10 without the bias: the middle of the levels is always 0."""
+    right = residual.Cursor.take_signed
+    residual.Cursor.take_signed = lambda self, bits: right(self, bits) * 0
+
+
+def step_doubled():
+    """STP-2 with steps of powers of two alone."""
+    right = residual.step_of
+    residual.step_of = lambda code: right(code) if code % 2 or code == 0 else 2 ** (code // 2)
+
+
+def chroma_shifted():
+    """COL-3 with chroma taken from the sample to the right."""
+    right = light_field.decode_plane
+
+    def decode_plane(decoder, row, col, plane, level=0):
+        rows = right(decoder, row, col, plane, level)
+        return rows if plane == 0 else [[*samples[1:], samples[-1]] for samples in rows]
+
+    light_field.decode_plane = decode_plane
+
+
+def colour_without_clamp():
+    """COL-2 whose samples wrap around instead of being clamped."""
+    light_field.to_rgb = lambda y, co, cg, depth: tuple(
+        sample % 2**depth for sample in colour.to_rgb(y, co, cg, depth + 8)
+    )
+
+
+def eight_bit_samples():
+    """Samples cut to 8 bits in streams of more."""
+    right = colour.to_rgb
+    light_field.to_rgb = lambda y, co, cg, depth: tuple(s % 256 for s in right(y, co, cg, depth))
+
+
+ARITHMETIC = {
+    fault.__name__: fault
+    for fault in (
+        wrong_rounding,
+        trit_digits_swapped,
+        quint_digits_swapped,
+        border_off_by_one,
+        sign_ignored,
+        bias_ignored,
+        step_doubled,
+        chroma_shifted,
+        colour_without_clamp,
+        eight_bit_samples,
+    )
+}
+
+
+def golden(file, folder):
+    """Decodes by the program that the environment names; its exit status."""
+    command = [os.environ["HMLFC"], "decode", file, "-o", folder]
+    return subprocess.run(command, stdout=subprocess.DEVNULL, check=False).returncode
+
+
+def last_view(folder):
+    return sorted(pathlib.Path(folder).iterdir())[-1]
+
+
+def missing_output(file, folder):
+    status = golden(file, folder)
+    last_view(folder).unlink()
+    return status
+
+
+def no_output(file, folder):
+    return 0
+
+
+def truncated_picture(file, folder):
+    status = golden(file, folder)
+    view = last_view(folder)
+    view.write_bytes(view.read_bytes()[:-40])
+    return status
+
+
+def short_raw(file, folder):
+    (pathlib.Path(folder) / "views.raw").write_bytes(b"\0" * 17)
+    return 0
+
+
+def wrong_exit_code(file, folder):
+    golden(file, folder)
+    return 1
+
+
+def crash(file, folder):
+    golden(file, folder)
+    os.kill(os.getpid(), signal.SIGSEGV)
+
+
+def hang(file, folder):
+    golden(file, folder)
+    time.sleep(1000)
+
+
+def hanging_child(file, folder):
+    """Ends, but leaves behind a child that holds its output open."""
+    subprocess.Popen(["sleep", "1000"])
+    return golden(file, folder)
+
+
+def endless_messages(file, folder):
+    while True:
+        sys.stderr.write("still decoding\n" * 1000)
+
+
+def memory_hog(file, folder):
+    hoard = bytearray(1 << 40)
+    return len(hoard) * 0
+
+
+def accepts_everything(file, folder):
+    golden(file, folder)
+    return 0
+
+
+PROCESS = {
+    fault.__name__: fault
+    for fault in (
+        missing_output,
+        no_output,
+        truncated_picture,
+        short_raw,
+        wrong_exit_code,
+        crash,
+        hang,
+        hanging_child,
+        endless_messages,
+        memory_hog,
+        accepts_everything,
+    )
+}
+
+
+def main():
+    name, file, _, folder = sys.argv[1:]
+    if name in PROCESS:
+        return PROCESS[name](file, folder)
+    if name != "none":
+        ARITHMETIC[name]()
+    return decode.main([file, "-o", folder])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

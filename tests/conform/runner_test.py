@@ -1,0 +1,217 @@
+"""`hmlfc conform`: which vectors run, what their results amount to, and how runs are put together."""
+
+import json
+import shutil
+import unittest
+from pathlib import Path
+
+from conform_case import INCOMPLETE, PROGRAM, ROOT, SUITE, ConformTest, faulty, main, manifest
+from program import DONE, INPUT, USAGE
+
+GOLDEN = "{hmlfc} decode {input} -o {output}"
+MODEL_LIBRARY = PROGRAM.parent / "libhmlfc_dut_model.so"
+
+
+class Runner(ConformTest):
+    def declaration(self, name, **keys):
+        """A DUT file of the golden model."""
+        path = self.folder / f"{name}.json"
+        path.write_text(json.dumps({"name": name, "command": GOLDEN, "error_names": True, **keys}))
+        return path
+
+    def statuses(self, report):
+        return {name: result["status"] for name, result in self.results(report).items()}
+
+    def test_golden_model_conforms(self):
+        for dut in ("model", "model-library"):
+            with self.subTest(dut=dut):
+                status, report = self.conform(SUITE / "duts" / f"{dut}.json", output=dut)
+                self.assertEqual(set(self.statuses(report).values()), {"pass"})
+                self.assertEqual(status, DONE)
+                self.assertEqual(report["runs"][0]["verdict"], "conforms")
+
+    def test_every_vector_has_a_result(self):
+        _, report = self.conform(GOLDEN, "--filter", "no such vector")
+        self.assertEqual(list(self.results(report)), [v["id"] for v in manifest()["vectors"]])
+
+    def test_skipped_is_no_pass(self):
+        status, report = self.conform(GOLDEN, "--filter", "no such vector")
+        self.assertEqual(status, INCOMPLETE)
+        self.assertEqual(set(self.statuses(report).values()), {"skipped"})
+        self.assertEqual(report["runs"][0]["counts"]["pass"], 0)
+        self.assertEqual(report["runs"][0]["verdict"], "incomplete")
+
+    def test_decoder_that_cannot_run_here_is_skipped(self):
+        status, report = self.conform("sh -c 'echo no device >&2; exit 77' {input} {output}")
+        self.assertEqual(status, INCOMPLETE)
+        self.assertEqual(set(self.statuses(report).values()), {"skipped"})
+        for result in self.results(report).values():
+            self.assertIn("no device", result["reason"])
+
+    def test_filter_by_id_clause_and_flag(self):
+        vectors = manifest()["vectors"]
+        for pattern, chosen in (
+            ("real/*", [v["id"] for v in vectors if v["id"].startswith("real/")]),
+            ("KEY-2", [v["id"] for v in vectors if "KEY-2" in v["clauses"]]),
+            ("depth10", [v["id"] for v in vectors if "depth10" in v["flags"]]),
+        ):
+            with self.subTest(pattern=pattern):
+                self.assertTrue(chosen)
+                _, report = self.conform(GOLDEN, "--filter", pattern)
+                ran = [name for name, status in self.statuses(report).items() if status != "skipped"]
+                self.assertEqual(ran, chosen)
+
+    def test_claims_choose_vectors(self):
+        dut = self.declaration("narrow", profile="main", level=0, limits={"width": 40, "block_log2": [2]})
+        status, report = self.conform(dut)
+        for vector in manifest()["vectors"]:
+            beyond = vector["profile"] == "extended" or vector["level"] > 0
+            with self.subTest(vector=vector["id"]):
+                result = self.results(report)[vector["id"]]
+                if beyond:
+                    self.assertEqual(result["status"], "not_supported")
+                else:
+                    self.assertIn(result["status"], ("pass", "not_supported"))
+        self.assertEqual(status, DONE)
+
+    def test_waiver(self):
+        failing = {"command": faulty("no_output"), "error_names": False}
+        reason = "the writer of pictures is not done"
+        ids = [v["id"] for v in manifest()["vectors"] if v["expect"]["outcome"] == "ok"]
+        waivers = [{"vector": name, "reason": reason} for name in ids]
+        dut = self.declaration("waived", **{**failing, "waivers": waivers})
+        _, report = self.conform(dut)
+        for name in ids:
+            self.assertEqual(self.results(report)[name]["status"], "fail")
+            self.assertEqual(self.results(report)[name]["waiver"], reason)
+        self.assertEqual(report["runs"][0]["counts"]["waived"], len(ids))
+        dut = self.declaration("partly", **{**failing, "waivers": waivers[1:]})
+        status, _ = self.conform(dut)
+        self.assertEqual(status, 1)
+
+    def test_shards_merge(self):
+        for shard in ("1/2", "2/2"):
+            status, report = self.conform(GOLDEN, "--shard", shard, output=f"part{shard[0]}")
+            self.assertEqual(status, INCOMPLETE)
+            self.assertIn("skipped", self.statuses(report).values())
+        result = self.run_hmlfc("conform", "--merge", "part1", "part2", "-o", "merged", "--json")
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        self.assertEqual(set(self.statuses(json.loads(result.stdout)).values()), {"pass"})
+        one = self.run_hmlfc("conform", "--merge", "part1", "-o", "merged1")
+        self.assertEqual(one.returncode, INCOMPLETE)
+
+    def test_merge_sets_decoders_beside_each_other(self):
+        self.conform(self.declaration("first"), output="one")
+        self.conform(self.declaration("second"), output="two")
+        result = self.run_hmlfc("conform", "--merge", "one", "two", "-o", "both", "--json")
+        runs = json.loads(result.stdout)["runs"]
+        self.assertEqual([run["dut"] for run in runs], ["first", "second"])
+
+    def test_resume(self):
+        log = self.folder / "resumed" / "again" / "results.jsonl"
+        self.conform(self.declaration("again"), output="resumed")
+        lines = log.read_text().splitlines()
+        # The last result is cut, as by an interruption; of the one before it the time is changed.
+        kept = json.loads(lines[-2])
+        kept["seconds"] = 1234.5
+        log.write_text("\n".join([*lines[:-2], json.dumps(kept), lines[-1][:20]]))
+        status, report = self.conform(self.declaration("again"), "--resume", output="resumed")
+        self.assertEqual(status, DONE)
+        results = self.results(report)
+        self.assertEqual(results[kept["id"]]["seconds"], 1234.5)
+        self.assertLess(results[json.loads(lines[-1])["id"]]["seconds"], 1000)
+
+    def test_resume_refuses_another_decoder(self):
+        self.conform(self.declaration("changed"), output="changed")
+        dut = self.declaration("changed", command=GOLDEN + " --threads 1")
+        self.refused(
+            74, "conform", "--suite", SUITE, "--dut", dut, "-o", "changed", "--resume",
+            says="another suite or decoder",
+        )  # fmt: skip
+
+    def test_damaged_suite(self):
+        suite = self.folder / "damaged"
+        shutil.copytree(SUITE, suite)
+        first = manifest()["vectors"][0]
+        path = suite / first["input"]["file"]
+        path.write_bytes(path.read_bytes()[:-1])
+        command = ["conform", "--suite", suite, "--dut", GOLDEN, "-o", "report", "--json"]
+        result = self.run_hmlfc(*command)
+        self.assertEqual(result.returncode, 1)
+        found = self.results(json.loads(result.stdout))[first["id"]]
+        self.assertEqual(found["status"], "error")
+        self.assertIn("SHA-256", found["reason"])
+
+    def test_first_wrong_stage(self):
+        """A decoder with a wrong view whose trace is right, and one whose trace is wrong, too."""
+        trace = f"{PROGRAM} decode-with {MODEL_LIBRARY} {{input}} --trace {{view_row}},{{view_col}},{{plane}},{{block_x}},{{block_y}}"
+        broken = Path(self.folder / "trace.py")
+        broken.write_text(
+            "import subprocess, sys, json\n"
+            "for line in subprocess.run(sys.argv[1:], stdout=subprocess.PIPE).stdout.splitlines():\n"
+            "    record = json.loads(line)\n"
+            "    if record['stage'] == 'residual': record['values'][0] += 1\n"
+            "    print(json.dumps(record))\n"
+        )
+        for name, command, says in (
+            ("right", trace, "all stages of plane"),
+            ("wrong", f"python3 {broken} {trace}", "stage residual ("),
+        ):
+            with self.subTest(trace=name):
+                dut = self.declaration(
+                    f"traced-{name}", command=faulty("chroma_shifted"), trace=command, error_names=False
+                )
+                _, report = self.conform(dut, "--filter", "real/cards-main")
+                self.assertIn(says, self.results(report)["real/cards-main"]["stage"])
+
+    def test_wrong_arguments(self):
+        suite = ("conform", "--suite", SUITE, "-o", "report")
+        self.refused(USAGE, *suite, says="--dut")
+        self.refused(USAGE, *suite, "--dut", "decoder {input}", says="{output}")
+        self.refused(USAGE, *suite, "--dut", "'decoder {input} {output}", says="quote")
+        self.refused(USAGE, *suite, "--dut", "missing.so", says="no such library")
+        self.refused(USAGE, *suite, "--dut", "missing.json", says="missing.json")
+        self.refused(USAGE, *suite, "--dut", GOLDEN, "--shard", "3/2", says="I/N")
+        self.refused(INPUT, "conform", "--suite", "nowhere", "--dut", GOLDEN, "-o", "report")
+        for keys, says in (
+            ({"levle": 1}, "levle"),
+            ({"level": 4}, "[0, 3]"),
+            ({"profile": "high"}, "high"),
+            ({"limits": {"depth": 16}}, "[8, 12]"),
+            ({"waivers": [{"vector": "real/x", "reason": ""}]}, "no reason"),
+            ({"library": "x.so"}, "exactly one"),
+        ):
+            with self.subTest(keys=keys):
+                self.refused(USAGE, *suite, "--dut", self.declaration("bad", **keys), says=says)
+
+    def test_library_that_is_none(self):
+        path = self.folder / "empty.so"
+        path.write_bytes(b"no library")
+        _, report = self.conform(path, output="empty")
+        for result in self.results(report).values():
+            self.assertIn(result["status"], ("fail", "error"))
+
+    @unittest.skipUnless((PROGRAM.parents[1] / "testbench" / "rtl_decode").exists(), "no Verilated unit")
+    def test_rtl(self):
+        self.check_implementation("rtl")
+
+    @unittest.skipUnless((PROGRAM.parents[1] / "gpu_ref" / "libhmlfc_dut_gpu.so").exists(), "no GPU decoder")
+    def test_gpu(self):
+        self.check_implementation("gpu")
+
+    @unittest.skipUnless((ROOT / "tests" / "naive_decoder" / "decode.py").exists(), "no naive decoder")
+    def test_naive(self):
+        self.check_implementation("naive")
+
+    def check_implementation(self, name):
+        status, report = self.conform(SUITE / "duts" / f"{name}.json", "--timeout", "600", output=name)
+        for vector, result in self.results(report).items():
+            with self.subTest(vector=vector):
+                if result["status"] == "skipped":
+                    self.skipTest(result["reason"])
+                self.assertIn(result["status"], ("pass", "not_supported"), result)
+        self.assertEqual(status, DONE)
+
+
+if __name__ == "__main__":
+    main()
