@@ -49,12 +49,12 @@ std::vector<uint8_t> suite_stream(uint32_t seed, unsigned block_size) {
 
 Damage suite_damage(uint32_t seed) {
   constexpr std::array kDamages{
-      Damage::kNone, Damage::kIndexAndTiles, Damage::kNone, Damage::kKeyImages,
-      Damage::kNone, Damage::kHeaderField,   Damage::kNone, Damage::kRootEntries,
-      Damage::kNone, Damage::kRecordHeads,   Damage::kNone, Damage::kCut,
-      Damage::kNone, Damage::kHeaderByte,    Damage::kNone, Damage::kTiles,
-      Damage::kNone, Damage::kGroupRecords,  Damage::kNone, Damage::kEndTables,
-      Damage::kNone, Damage::kRecordHeads};
+      Damage::kNone, Damage::kRecordHeads, Damage::kNone, Damage::kEndTables,
+      Damage::kNone, Damage::kRootEntries, Damage::kNone, Damage::kGroupRecords,
+      Damage::kNone, Damage::kRecordHeads, Damage::kNone, Damage::kIndexAndTiles,
+      Damage::kNone, Damage::kKeyImages,   Damage::kNone, Damage::kTiles,
+      Damage::kNone, Damage::kHeaderField, Damage::kNone, Damage::kCut,
+      Damage::kNone, Damage::kHeaderByte};
   // Seeds alternate between the profiles; so do the damages of each profile.
   return kDamages[(seed / 2 + seed % 2) % kDamages.size()];
 }
