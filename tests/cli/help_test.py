@@ -34,6 +34,7 @@ COMMANDS = {
                 "--resume", "--keep", "--json", "--output"],
     "decode-with": ["LIBRARY", "FILE", "--by-block", "--trace", "--output"],
     "minimise": ["--dut", "--timeout", "--memory", "--trials", "--output"],
+    "fuzz-dut": ["--dut", "--timeout", "--memory", "--minutes", "--count", "--seed", "--failures", "--output"],
 }  # fmt: skip
 
 

@@ -26,11 +26,33 @@ def faulty(name):
     return f"{sys.executable} -B {FAULTY} {name} {{input}} -o {{output}}"
 
 
+# Vectors of the small suite: both profiles, two depths, a refusal when opening and one of a block.
+SMALL = (
+    "error/magic",
+    "error/sign-mode-3",
+    "real/cards-main",
+    "real/glass-depth10",
+    "real/knights-extended",
+)
+
+
 class ConformTest(CliTest):
-    def conform(self, dut, *arguments, output="report"):
-        """Exit status and report of a run."""
-        command = ["conform", "--suite", SUITE, "--dut", dut, "-o", output, "--json", *arguments]
-        result = self.run_hmlfc(*command)
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.small = cls.folder / "small"
+        cls.small.mkdir()
+        for group in ("error", "real"):
+            (cls.small / group).symlink_to(SUITE / group)
+        cls.manifest = manifest()
+        cls.manifest["vectors"] = [v for v in cls.manifest["vectors"] if v["id"] in SMALL]
+        cls.manifest["count"] = len(SMALL)
+        (cls.small / "manifest.json").write_text(json.dumps(cls.manifest))
+
+    def conform(self, dut, *arguments, suite=None, output="report"):
+        """Exit status and report of a run on the small suite, or on another."""
+        command = ["conform", "--suite", suite or self.small, "--dut", dut, "-o", output, "--json"]
+        result = self.run_hmlfc(*command, *arguments)
         self.assertEqual(result.stderr.decode(), "")
         return result.returncode, json.loads(result.stdout)
 

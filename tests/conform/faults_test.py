@@ -1,20 +1,26 @@
 """The self-test of the conformance suite: decoders that must fail, and the vector that catches each."""
 
-from conform_case import ConformTest, faulty, main
+import json
+
+from conform_case import SUITE, ConformTest, faulty, main
 from faulty_decoder import ARITHMETIC, PROCESS
 
 # Each planted fault of the arithmetic, and a vector that must catch it.
 HUNTED_BY = {
-    "wrong_rounding": "real/knights-extended",
-    "trit_digits_swapped": "real/cards-main",
-    "quint_digits_swapped": "real/cards-main",
-    "border_off_by_one": "real/cards-main",
-    "sign_ignored": "real/cards-main",
-    "bias_ignored": "real/knights-extended",
-    "step_doubled": "real/knights-extended",
-    "chroma_shifted": "real/cards-main",
-    "colour_without_clamp": "real/cards-main",
-    "eight_bit_samples": "real/glass-depth10",
+    "wrong_rounding": "syntax/subpel-3",
+    "disparity_rounded_down": "syntax/disparity-precision-0-5",
+    "trit_digits_swapped": "syntax/bise-levels-3",
+    "lowest_trit_code": "syntax/bise-every-trit-code",
+    "quint_digits_swapped": "syntax/bise-levels-5",
+    "neighbours_exchanged": "syntax/references-1",
+    "border_off_by_one": "boundary/vector-border-one",
+    "sign_ignored": "syntax/signs-minus",
+    "stale_cache": "syntax/many-tiles",
+    "bias_ignored": "syntax/headers-bias-bits-5",
+    "step_doubled": "syntax/steps-all",
+    "chroma_shifted": "syntax/blocks-4-420",
+    "colour_without_clamp": "boundary/colour-clamps-depth8",
+    "eight_bit_samples": "syntax/depth-9",
 }
 
 # Each planted fault of the process, and what must come of it on any vector that decodes.
@@ -34,7 +40,9 @@ PROCESS_RESULTS = {
 
 class Faults(ConformTest):
     def run_on(self, fault, vector, *arguments):
-        status, report = self.conform(faulty(fault), "--filter", vector, *arguments, output=fault)
+        status, report = self.conform(
+            faulty(fault), "--filter", vector, *arguments, suite=SUITE, output=fault
+        )
         result = self.results(report)[vector]
         self.assertEqual(status, 1 if result["status"] not in ("pass", "skipped") else 5)
         return result
@@ -53,6 +61,9 @@ class Faults(ConformTest):
             with self.subTest(fault=fault):
                 result = self.run_on(fault, vector)
                 self.assertEqual(result["status"], "fail", result)
+                if "difference" not in result:  # the fault led it to refuse the stream
+                    self.assertIn("refused a valid stream", result["reason"])
+                    continue
                 difference = result["difference"]
                 self.assertGreater(difference["wrong_blocks"], 0)
                 self.assertNotEqual(difference["expected"], difference["actual"])
@@ -66,9 +77,27 @@ class Faults(ConformTest):
     def test_process(self):
         for fault, (status, reason) in PROCESS_RESULTS.items():
             with self.subTest(fault=fault):
-                result = self.run_on(fault, "real/cards-main", "--timeout", "5", "--memory", "4096")
+                seconds = "5" if status == "timeout" else "60"
+                limits = ("--timeout", seconds, "--memory", "4096")
+                result = self.run_on(fault, "real/cards-main", *limits)
                 self.assertEqual(result["status"], status, result)
                 self.assertIn(reason, result.get("reason", ""))
+
+    def test_accepting_what_must_be_refused(self):
+        for vector in ("error/magic", "error/sign-mode-3", "error/trailing-byte"):
+            with self.subTest(vector=vector):
+                result = self.run_on("accepts_everything", vector)
+                self.assertEqual(result["status"], "fail")
+                self.assertIn("must be refused with", result["reason"])
+
+    def test_refusing_with_another_error(self):
+        dut = self.folder / "other_error.json"
+        command = "sh -c 'echo bad_mode_x bad_levels >&2; exit 4' {input} {output}"
+        dut.write_text(json.dumps({"name": "other", "command": command, "error_names": True}))
+        _, report = self.conform(dut, "--filter", "error/*")
+        result = self.results(report)["error/sign-mode-3"]
+        self.assertEqual(result["status"], "fail")
+        self.assertIn("another error than bad_mode: bad_mode_x bad_levels", result["reason"])
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ import block  # noqa: E402
 import colour  # noqa: E402
 import decode  # noqa: E402
 import light_field  # noqa: E402
+import references  # noqa: E402
 import residual  # noqa: E402
 
 
@@ -35,10 +36,28 @@ def wrong_rounding():
     block.predict = predict
 
 
+def disparity_rounded_down():
+    """MOT-8 without the half."""
+    references.rshift = lambda x, k: x >> k
+
+
+def neighbours_exchanged():
+    """MOT-7 with K1 and K2 in the order of the grid, whichever is nearer."""
+    right = references.candidates
+    references.candidates = lambda geometry, image: (lambda k: [k[0], *sorted(k[1:3]), k[3]])(right(geometry, image))
+
+
 def trit_digits_swapped():
     """BISE-8 with the last two trits of a group exchanged."""
     right = bise.trits
     bise.trits = lambda T: (lambda t: [*t[:3], t[4], t[3]])(right(T))
+
+
+def lowest_trit_code():
+    """BISE-10 with a table of canonical codes alone: others give zeros."""
+    right = bise.trits
+    greatest = {tuple(right(T)): T for T in range(256)}
+    bise.trits = lambda T: right(T) if greatest[tuple(right(T))] == T else [0] * 5
 
 
 def quint_digits_swapped():
@@ -68,6 +87,13 @@ def sign_ignored():
         return found
 
     block.BlockDecoder._entry = entry
+
+
+def stale_cache():
+    """A cache of tile records whose tag is the lane (IDX-3) without the group."""
+    right = block.find_record
+    kept = {}
+    block.find_record = lambda stream, tile: kept.setdefault(tile % 64, right(stream, tile))
 
 
 def bias_ignored():
@@ -110,10 +136,14 @@ ARITHMETIC = {
     fault.__name__: fault
     for fault in (
         wrong_rounding,
+        disparity_rounded_down,
         trit_digits_swapped,
+        lowest_trit_code,
         quint_digits_swapped,
+        neighbours_exchanged,
         border_off_by_one,
         sign_ignored,
+        stale_cache,
         bias_ignored,
         step_doubled,
         chroma_shifted,

@@ -1,7 +1,9 @@
-"""`hmlfc minimise`."""
+"""`hmlfc minimise` and `hmlfc fuzz-dut`."""
 
-from conform_case import SUITE, ConformTest, faulty, main
-from program import INPUT
+import json
+
+from conform_case import PROGRAM, SUITE, ConformTest, faulty, main
+from program import DONE, INPUT
 
 CARDS = SUITE / "real" / "cards-main.hmlfc"
 
@@ -21,7 +23,7 @@ class Minimise(ConformTest):
 
     def test_failure_stays(self):
         """A fault of the chroma position needs pixels that differ, and no more."""
-        self.hmlfc("minimise", CARDS, "--dut", faulty("chroma_shifted"), "--trials", "60", "-o", "chroma.hmlfc")
+        self.hmlfc("minimise", CARDS, "--dut", faulty("chroma_shifted"), "--trials", "15", "-o", "chroma.hmlfc")
         self.assertLess((self.folder / "chroma.hmlfc").stat().st_size, CARDS.stat().st_size // 2)
         self.hmlfc("decode", "chroma.hmlfc", "-o", "chroma")
 
@@ -35,6 +37,25 @@ class Minimise(ConformTest):
         right = "{hmlfc} decode {input} -o {output}"
         self.refused(INPUT, "minimise", CARDS, "--dut", right, "-o", "x.hmlfc", says="does not fail")
         self.assertFalse((self.folder / "x.hmlfc").exists())
+
+
+class Fuzz(ConformTest):
+    def test_golden_model(self):
+        right = f"{PROGRAM} decode {{input}} -o {{output}}"
+        text = self.hmlfc("fuzz-dut", "--dut", right, "--count", "5", "--seed", "11", "-o", "clean")
+        self.assertIn("seeds 11 to 15: 5 streams, 0 failures", text)
+
+    def test_finding(self):
+        result = self.run_hmlfc(
+            "fuzz-dut", "--dut", faulty("wrong_exit_code"), "--count", "1", "--seed", "3", "-o", "found"
+        )
+        self.assertEqual(result.returncode, 1, result.stderr)
+        found = self.folder / "found"
+        stream, small = found / "seed-3.hmlfc", found / "seed-3.min.hmlfc"
+        self.assertLess(small.stat().st_size, stream.stat().st_size)
+        self.hmlfc("decode", small, "-o", "found-views")
+        recipe = json.loads((found / "seed-3.json").read_text())
+        self.assertEqual(recipe["vectors"][0]["stream"]["kind"], "random")
 
 
 if __name__ == "__main__":

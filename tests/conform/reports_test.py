@@ -3,7 +3,7 @@
 import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
 
-from conform_case import SUITE, ConformTest, faulty, main, manifest
+from conform_case import ConformTest, faulty, main
 
 MARKED = "not <done> & \"quoted\""
 
@@ -36,15 +36,16 @@ class Page(HTMLParser):
 
 class Reports(ConformTest):
     @classmethod
-    def prepare(cls):
-        suite = ["conform", "--suite", SUITE, "--filter", "real/cards-main"]
+    def setUpClass(cls):
+        super().setUpClass()
+        suite = ["conform", "--suite", cls.small, "--filter", "real/cards-main"]
         cls.text = cls.run_hmlfc(*suite, "--dut", faulty("chroma_shifted"), "-o", "failing").stdout.decode()
         message = f"sh -c 'echo \"{MARKED.replace(chr(34), '')}\" >&2; exit 3' {{input}} {{output}}"
         cls.run_hmlfc(*suite, "--dut", message, "-o", "refusing")
 
     def test_junit_counts(self):
         suite = ElementTree.parse(self.folder / "failing" / "junit.xml").getroot().find("testsuite")
-        vectors = manifest()["vectors"]
+        vectors = self.manifest["vectors"]
         self.assertEqual(int(suite.get("tests")), len(vectors))
         self.assertEqual(int(suite.get("failures")), 1)
         self.assertEqual(int(suite.get("skipped")), len(vectors) - 1)

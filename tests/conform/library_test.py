@@ -1,0 +1,109 @@
+"""hmlfc_dut.h: the header is C99, and libraries that are wrong in one way are caught without harm."""
+
+import shutil
+import subprocess
+
+from conform_case import ROOT, ConformTest, main
+
+INCLUDE = ROOT / "model" / "include"
+COMPILER = shutil.which("cc") or shutil.which("gcc")
+STRICT = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-I", str(INCLUDE)]
+
+# A decoder of one view of 8 x 8 grey pixels for whatever it is given.
+LIBRARY = r"""
+#include <hmlfc/hmlfc_dut.h>
+#include <stdlib.h>
+
+struct hmlfc_dut { int nothing; };
+static struct hmlfc_dut the_stream;
+
+uint32_t hmlfc_dut_abi(void) { return ABI; }
+const char *hmlfc_dut_name(void) { return "grey"; }
+int hmlfc_dut_open(const uint8_t *bytes, size_t size, hmlfc_dut **dut) {
+  (void)bytes;
+  *dut = &the_stream;
+  return size == 0 ? 1 : OPEN_STATUS;
+}
+int hmlfc_dut_get_geometry(const hmlfc_dut *dut, hmlfc_dut_geometry *geometry) {
+  (void)dut;
+  geometry->rows = geometry->cols = 1;
+  geometry->width = geometry->height = WIDTH;
+  geometry->depth = 8;
+  geometry->chroma_format = 1;
+  geometry->block_log2 = 2;
+  geometry->tree_height = 0;
+  return 0;
+}
+int hmlfc_dut_decode_view(hmlfc_dut *dut, uint32_t row, uint32_t col, uint16_t *rgb) {
+  (void)dut; (void)row; (void)col;
+  BODY
+  for (int i = 0; i < 8 * 8 * 3; ++i) rgb[i] = 128;
+  return 0;
+}
+#ifndef WITHOUT_BLOCKS
+int hmlfc_dut_decode_block(hmlfc_dut *dut, uint32_t row, uint32_t col, uint32_t plane,
+                           uint32_t block_x, uint32_t block_y, uint32_t stop_level,
+                           int32_t *samples) {
+  (void)dut; (void)row; (void)col; (void)block_x; (void)block_y; (void)stop_level;
+  for (int i = 0; i < 16; ++i) samples[i] = plane == 0 ? 128 : 0;
+  return 0;
+}
+#endif
+void hmlfc_dut_close(hmlfc_dut *dut) { (void)dut; }
+"""
+
+DEFAULTS = {"ABI": "HMLFC_DUT_ABI", "OPEN_STATUS": "0", "WIDTH": "8", "BODY": ";"}
+
+
+class Library(ConformTest):
+    def setUp(self):
+        if COMPILER is None:
+            self.skipTest("no C compiler")
+
+    def library(self, name, **settings):
+        source = self.folder / f"{name}.c"
+        source.write_text(LIBRARY)
+        target = self.folder / f"lib{name}.so"
+        macros = [f"-D{key}={value}" for key, value in {**DEFAULTS, **settings}.items()]
+        command = [COMPILER, *STRICT, *macros, "-shared", "-fPIC", "-o", target, source]
+        subprocess.run(command, check=True)
+        return target
+
+    def test_headers_are_c99(self):
+        for header in ("hmlfc_dut.h", "hmlfc_dpi.h"):
+            source = self.folder / "one.c"
+            source.write_text(f"#include <hmlfc/{header}>\nint main(void) {{ return 0; }}\n")
+            subprocess.run([COMPILER, *STRICT, "-fsyntax-only", source], check=True)
+
+    def test_views_and_blocks(self):
+        library = self.library("grey")
+        (self.folder / "any").write_bytes(b"any")
+        self.hmlfc("decode-with", library, "any", "-o", "views")
+        self.hmlfc("decode-with", library, "any", "-o", "blocks", "--by-block")
+        for folder in ("views", "blocks"):
+            self.assertEqual((self.folder / folder / "views.raw").read_bytes(), bytes([128] * 192))
+
+    def test_wrong_libraries(self):
+        cases = (
+            ("other_abi", {"ABI": "7"}, "fail", "version 7 of hmlfc_dut.h"),
+            ("no_blocks", {"WITHOUT_BLOCKS": ""}, "fail", "no function hmlfc_dut_decode_block"),
+            ("wide", {"WIDTH": "70000"}, "fail", "outside its interval"),
+            ("refuses", {"OPEN_STATUS": "22"}, "fail", "bad_levels"),
+            ("unknown_status", {"OPEN_STATUS": "99"}, "fail", "status 99"),
+            ("absent", {"OPEN_STATUS": "HMLFC_DUT_CANNOT_RUN"}, "skipped", "cannot run here"),
+            ("crashes", {"BODY": "abort();"}, "error", "signal 6"),
+            ("hangs", {"BODY": "for(;;){}"}, "timeout", "no end within"),
+            ("grey", {}, "fail", "wrong output"),
+        )
+        for name, settings, status, reason in cases:
+            with self.subTest(library=name):
+                _, report = self.conform(
+                    self.library(name, **settings), "--filter", "real/cards-main", "--timeout", "3", output=name
+                )
+                result = self.results(report)["real/cards-main"]
+                self.assertEqual(result["status"], status, result)
+                self.assertIn(reason, result["reason"])
+
+
+if __name__ == "__main__":
+    main()
