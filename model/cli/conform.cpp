@@ -162,9 +162,8 @@ void add_conform(CLI::App& program, Task& task) {
       ->type_name("DIR")
       ->default_str("vectors");
   options->dut.add_to(*app, true);
-  app->add_option(
-         "--filter", options->filters,
-         "Only vectors of whose id, clauses or flags one fits; with * and ?; may be repeated")
+  app->add_option("--filter", options->filters,
+                  "Only vectors whose id, a clause or a flag fits, with * and ?")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
   add_integer(*app, "-j,--jobs", options->jobs, 1, 1024, "Vectors at the same time");

@@ -86,9 +86,7 @@ void add_trace(CLI::App& app, std::optional<std::array<uint32_t, 5>>& target) {
     }
     return std::nullopt;
   };
-  add_value(app, "--trace", "R,C,P,X,Y",
-            "Print the stages of one block as JSON lines instead: view row and column, plane "
-            "(0 Y, 1 Co, 2 Cg), block column and row",
+  add_value(app, "--trace", "R,C,P,X,Y", "Print the stages of one block as JSON lines instead",
             reader);
 }
 
@@ -106,7 +104,8 @@ void add_decode_with(CLI::App& program, Task& task) {
   add_trace(*app, options->trace);
   app->footer(
       R"(Writes the file views.raw: all views row by row, each row by row, R, G, B; samples of one byte at 8
-bits, of two bytes, little-endian, above. `hmlfc conform` runs libraries in this way.
+bits, of two bytes, little-endian, above. `hmlfc conform` runs libraries in this way. --trace takes view
+row and column, plane (0 Y, 1 Co, 2 Cg), block column and row.
 
 Example:
   hmlfc decode-with libhmlfc_dut_model.so chess.hmlfc -o decoded)");

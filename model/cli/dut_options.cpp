@@ -19,7 +19,7 @@ void DutOptions::add_to(CLI::App& app, bool several) {
   add_integer(app, "--timeout", timeout_seconds, 1, 86400,
               "Seconds after which the decoder is killed");
   add_integer(app, "--memory", memory_mib, 0, 1u << 24,
-              "MiB of address space that the decoder may take; 0: no limit");
+              "MiB of address space for the decoder; 0: no limit");
 }
 
 conform::ProcessLimits DutOptions::limits() const {

@@ -153,13 +153,13 @@ void add_fuzz_dut(CLI::App& program, Task& task) {
   options->dut.add_to(*app, false);
   add_integer(*app, "--minutes", options->minutes, 1, 1u << 20, "How long");
   add_integer(*app, "--count", options->count, 0, UINT32_MAX,
-              "So many streams instead, whatever time they take; 0: by --minutes");
+              "So many streams, however long they take; 0: by --minutes");
   add_integer(*app, "--seed", options->seed, 0, UINT64_MAX, "The first seed; they go on from it");
   add_integer(*app, "--failures", options->failures, 1, 1u << 20, "Stop after so many failures");
   add_output(*app, options->folder, "DIR", "Folder for what fails, made if it is missing");
   app->footer(
       R"(Each stream is compared with the golden model. Of one that fails the folder gets the stream, a smaller
-one that fails in the same way (*.min.hmlfc, see `hmlfc minimise`), and the recipe with which it becomes a
+one that fails in the same way (*.min.hmlfc, see `hmlfc minimise`), and the recipe that makes it a
 vector. The streams depend on seed and declared limits alone.
 
 Exit status 1: a stream failed.
