@@ -49,15 +49,28 @@ const UnitMaker& maker_for(const std::vector<UnitMaker>& makers, std::span<const
   return maker != nullptr ? *maker : makers.front();
 }
 
-std::vector<Request> view_requests(const Geometry& geometry, uint32_t row, uint32_t col) {
-  const PlaneShape& luma = geometry.plane(Plane::kY);
+// All blocks of `plane`, or of plane Y for kRgb, of a view, row by row.
+std::vector<Request> view_requests(const Geometry& geometry, ViewPos view, unsigned plane) {
+  const PlaneShape& shape = geometry.plane(plane == kRgb ? Plane::kY : static_cast<Plane>(plane));
   std::vector<Request> requests;
-  for (uint32_t by = 0; by < luma.blocks_y; ++by) {
-    for (uint32_t bx = 0; bx < luma.blocks_x; ++bx) {
-      requests.push_back({.row = row, .col = col, .bx = bx, .by = by, .plane = kRgb});
+  for (uint32_t by = 0; by < shape.blocks_y; ++by) {
+    for (uint32_t bx = 0; bx < shape.blocks_x; ++bx) {
+      requests.push_back({.row = view.row, .col = view.col, .bx = bx, .by = by, .plane = plane});
     }
   }
   return requests;
+}
+
+// Refuses a view in which a block failed with `status`. Requests for RGB go through all planes
+// block by block; the error of a view is that of the planes in turn (DEC-7).
+[[noreturn]] void refuse_view(UnitHost& unit, const Geometry& geometry, ViewPos view,
+                              unsigned status) {
+  for (unsigned plane = 0; plane < kRgb; ++plane) {
+    for (const Answer& answer : unit.answers(view_requests(geometry, view, plane))) {
+      if (answer.status != 0) refuse(answer.status);
+    }
+  }
+  refuse(status);
 }
 
 // Three lanes of B x B samples become pixels; those outside the view have no meaning.
@@ -78,12 +91,13 @@ void decode(UnitHost& unit, const GoldenStream& stream, const std::filesystem::p
   auto raw = io::AtomicFile::create(folder / conform::kRawViewsName);
   if (!raw) throw Stop{kExitOutput, raw.error().message};
   for (uint32_t view = 0; view < header.rows * header.cols; ++view) {
-    const auto requests = view_requests(stream.geometry(), view / header.cols, view % header.cols);
+    const ViewPos at{view / header.cols, view % header.cols};
+    const auto requests = view_requests(stream.geometry(), at, kRgb);
     const auto answers = unit.answers(requests);
     RgbImage image{header.width, header.height, header.depth, {}};
     image.samples.resize(size_t{image.width} * image.height * 3);
     for (size_t i = 0; i < requests.size(); ++i) {
-      if (answers[i].status != 0) refuse(answers[i].status);
+      if (answers[i].status != 0) refuse_view(unit, stream.geometry(), at, answers[i].status);
       place(requests[i], answers[i], header.block_size(), image);
     }
     if (const auto done = raw->write(vectors::picture_bytes(image)); !done) {

@@ -45,6 +45,20 @@ BlockArea one_block(uint32_t row, uint32_t col, uint32_t plane, uint32_t block_x
   return area;
 }
 
+// The error of a view in which a block failed with `status`: that of the planes in turn (DEC-7).
+// Pixels have those of all planes block by block.
+int error_of_view(hmlfc_dut& dut, hmlfc::ViewPos view, int status) {
+  for (const hmlfc::Plane plane : hmlfc::kPlanes) {
+    const hmlfc::PlaneShape& shape = dut.stream.geometry.plane(plane);
+    const BlockArea area{view, plane, 0, 0, shape.blocks_x, shape.blocks_y, 0};
+    const auto blocks = dut.decoder->decode(std::span(&area, 1));
+    if (!blocks) return machine_failure(blocks.error());
+    const auto bad = std::ranges::find_if(blocks->statuses, [](uint8_t s) { return s != 0; });
+    if (bad != blocks->statuses.end()) return *bad;
+  }
+  return status;
+}
+
 int decode_view(hmlfc_dut& dut, uint32_t row, uint32_t col, uint16_t* rgb) {
   const hmlfc::StreamHeader& header = dut.stream.header;
   const hmlfc::PlaneShape& luma = dut.stream.geometry.plane(hmlfc::Plane::kY);
@@ -52,7 +66,7 @@ int decode_view(hmlfc_dut& dut, uint32_t row, uint32_t col, uint16_t* rgb) {
   const auto pixels = dut.decoder->decode_rgb(std::span(&area, 1));
   if (!pixels) return machine_failure(pixels.error());
   const auto bad = std::ranges::find_if(pixels->statuses, [](uint8_t s) { return s != 0; });
-  if (bad != pixels->statuses.end()) return *bad;
+  if (bad != pixels->statuses.end()) return error_of_view(dut, {row, col}, *bad);
   const uint32_t b = header.block_size();
   for (uint32_t y = 0; y < header.height; ++y) {
     for (uint32_t x = 0; x < header.width; ++x) {
