@@ -139,7 +139,7 @@ bool has_extension(const vk::raii::PhysicalDevice& physical, const std::string& 
   });
 }
 
-void make_device(Device::State& state) {
+void make_device(Device::State& state, const KernelCode& kernels) {
   std::vector<const char*> extensions;
   if (state.guard_pages) {
     extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
@@ -156,7 +156,7 @@ void make_device(Device::State& state) {
                        vk::DeviceCreateInfo({}, queue, {}, extensions, {}, &addresses));
   state.queue.emplace(*state.device, family, 0);
   state.pool.emplace(*state.device, vk::CommandPoolCreateInfo({}, family));
-  state.kernels.emplace(*state.device);
+  state.kernels.emplace(*state.device, kernels);
   const auto limits = state.physical->getProperties().limits;
   state.max_groups = limits.maxComputeWorkGroupCount[0];
   const auto family_properties = state.physical->getQueueFamilyProperties()[family];
@@ -199,7 +199,7 @@ std::unique_ptr<Device::State> open_state(const DeviceOptions& options) {
   state->physical.emplace(std::move(devices[chosen]));
   state->info = list[chosen];
   state->guard_pages = options.guard_pages;
-  make_device(*state);
+  make_device(*state, options.kernels);
   set_limits(*state, options.chunk_bytes);
   return state;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ struct DeviceInfo {
   uint64_t max_binding = 0;  ///< bytes of its largest storage buffer binding
 };
 
+/// Kernels as SPIR-V, by the names of their files in shaders/ without .comp.
+using KernelCode = std::map<std::string, std::vector<uint32_t>>;
+
 struct DeviceOptions {
   /// The number of a device of list_devices() or a part of its name, in any case. Empty: the first
   /// GPU that can run the decoder, else the first other device that can.
@@ -30,6 +34,8 @@ struct DeviceOptions {
   /// For tests: every buffer ends at a page that nobody may touch, so that an access past its end
   /// ends the process. Of devices on the host, with VK_EXT_external_memory_host.
   bool guard_pages = false;
+  /// For tests: kernels that run in place of the library's own. Nothing checks the code.
+  KernelCode kernels;
 };
 
 /// All devices of this machine, in the driver's order. Fails where there is no Vulkan.

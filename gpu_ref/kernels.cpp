@@ -1,9 +1,12 @@
 #include "kernels.hpp"
 
+#include <algorithm>
 #include <array>
-#include <span>
+#include <string_view>
+#include <utility>
 
 #include "arguments.hpp"
+#include "device_state.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -40,31 +43,17 @@ constexpr uint32_t kRenderCode[] =
 #include "shaders/render.inc"
     ;
 
-std::span<const uint32_t> code_of(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::kExpand:
-      return kExpandCode;
-    case Kernel::kWalk:
-      return kWalkCode;
-    case Kernel::kResiduals:
-      return kResidualsCode;
-    case Kernel::kSamples:
-      return kSamplesCode;
-    case Kernel::kColour:
-      return kColourCode;
-    case Kernel::kMark:
-      return kMarkCode;
-    case Kernel::kCompact:
-      return kCompactCode;
-    case Kernel::kPlan:
-      return kPlanCode;
-    case Kernel::kErrors:
-      return kErrorsCode;
-    case Kernel::kRender:
-      return kRenderCode;
-  }
-  return {};
-}
+struct BuiltKernel {
+  std::string_view name;  // of its file in shaders/
+  std::span<const uint32_t> code;
+};
+
+// In the order of Kernel.
+constexpr BuiltKernel kBuilt[] = {{"expand", kExpandCode},       {"walk", kWalkCode},
+                                  {"residuals", kResidualsCode}, {"samples", kSamplesCode},
+                                  {"colour", kColourCode},       {"mark", kMarkCode},
+                                  {"compact", kCompactCode},     {"plan", kPlanCode},
+                                  {"errors", kErrorsCode},       {"render", kRenderCode}};
 
 vk::raii::PipelineLayout make_layout(const vk::raii::Device& device) {
   const vk::PushConstantRange range(vk::ShaderStageFlagBits::eCompute, 0, sizeof(Arguments));
@@ -91,7 +80,20 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
 
 }  // namespace
 
-Kernels::Kernels(const vk::raii::Device& device) : device_(&device), layout_(make_layout(device)) {}
+Kernels::Kernels(const vk::raii::Device& device, KernelCode replaced)
+    : device_(&device), layout_(make_layout(device)), replaced_(std::move(replaced)) {
+  for (const auto& [name, code] : replaced_) {
+    if (std::ranges::find(kBuilt, name, &BuiltKernel::name) == std::end(kBuilt)) {
+      throw MachineError("no kernel is named \"" + name + "\"");
+    }
+  }
+}
+
+std::span<const uint32_t> Kernels::code_of(Kernel kernel) const {
+  const BuiltKernel& built = kBuilt[static_cast<size_t>(kernel)];
+  const auto found = replaced_.find(std::string(built.name));
+  return found == replaced_.end() ? built.code : std::span<const uint32_t>(found->second);
+}
 
 vk::Pipeline Kernels::pipeline(Kernel kernel, const Variant& variant) {
   const auto key = std::pair{kernel, variant};

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <tuple>
 
+#include "device.hpp"
 #include "vulkan.hpp"
 
 namespace hmlfc::gpu {
@@ -37,14 +39,18 @@ inline constexpr uint32_t kGroupSize = 64;
 
 class Kernels {
  public:
-  explicit Kernels(const vk::raii::Device& device);
+  /// `replaced`: DeviceOptions::kernels. Throws MachineError where a name is no kernel's.
+  Kernels(const vk::raii::Device& device, KernelCode replaced);
 
   vk::PipelineLayout layout() const { return *layout_; }
   vk::Pipeline pipeline(Kernel kernel, const Variant& variant);
 
  private:
+  std::span<const uint32_t> code_of(Kernel kernel) const;
+
   const vk::raii::Device* device_;
   vk::raii::PipelineLayout layout_;
+  KernelCode replaced_;
   std::map<std::pair<Kernel, Variant>, vk::raii::Pipeline> pipelines_;
 };
 
