@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""Plants mutants whose end is known, and checks that the campaign says so.
+
+Exit: 0 good, 1 not (each wrong answer is printed), 77 no shader compiler or no device.
+"""
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+import campaign
+import report
+import tools
+from mutants import Mutant, mutants_of
+
+ONE_VECTOR = ["syntax/depth-8"]
+SOURCE = """#version 450
+// 1 + 1
+const uint kOne = 1u;
+struct Pair { uint low[2]; };
+uint f(uint a, int b) {
+  if (a < 3u) return a >> 2;
+  uint c = a + kOne;
+  c = min(c, 5u);
+  return c;  /* 2 - 2 */
+}
+"""
+CHANGES = {
+    ("constant", "1u", "2u"), ("constant", "1u", "0u"), ("constant", "3u", "4u"),
+    ("constant", "3u", "2u"), ("constant", "5u", "6u"), ("constant", "5u", "4u"),
+    ("comparison", "<", "<="), ("shift", "2", "3"), ("shift", "2", "1"),
+    ("operator", ">>", "<<"), ("operator", "+", "-"), ("min_max", "min", "max"),
+    ("condition", "(a < 3u)", "(!(a < 3u))"), ("statement", "c = min(c, 5u)", ""),
+    ("statement", "return a >> 2", ""),
+}  # fmt: skip
+
+
+def planted(shaders, file, old, new):
+    """The mutant of `file` with `new` instead of the first `old`."""
+    source = (shaders / file).read_text()
+    begin = source.index(old)
+    return Mutant("operator", file, source.count("\n", 0, begin) + 1, begin, old, new)
+
+
+def cases(shaders):
+    """(mutant, what the campaign must say of it, when only ONE_VECTOR is decoded)."""
+    status = "if (status == ERROR_OK) status = arguments.statuses.word[sources.cg];"
+    yield planted(shaders, "colour.comp", status, ""), "survived"
+    yield planted(shaders, "colour.comp", "16u * (at & 1u)", "16u * (at & 0u)"), "killed"
+    yield planted(shaders, "colour.comp", "return;", ";"), "crash"
+    yield planted(shaders, "colour.comp", "word == 0u", "word = 0u"), "not_compiled"
+    yield planted(shaders, "colour.comp", "0xFFFFu", "65535u"), "equivalent"
+    yield planted(shaders, "samples.comp", "place.number * 4u", "place.number * 5u"), "equivalent"
+
+
+def endless(work):
+    """A program without an end. On lavapipe loops of a shader have one, after 65536 rounds."""
+    program = work / "endless"
+    program.write_text("#!/bin/sh\nwhile :; do :; done\n")
+    program.chmod(0o755)
+    return program
+
+
+def complaints(root, program, work):
+    """One line for each wrong answer."""
+    found = {(m.kind, m.old, m.new) for m in mutants_of("source", SOURCE)}
+    for change in sorted(CHANGES ^ found):
+        yield f"{change}: {'missed' if change in CHANGES else 'no such place'}"
+    decoder = tools.Decoder(program, root / "vectors", ONE_VECTOR)
+    judge = campaign.Campaign(root, decoder, work, chunks=False)
+    results = []
+    for mutant, expected in cases(judge.shaders):
+        verdict = judge.judge(mutant)
+        results.append((mutant, verdict))
+        if verdict.result != expected:
+            yield f"{mutant.name()}: {verdict.result} ({verdict.detail}) instead of {expected}"
+    hung = tools.Decoder(endless(work), root / "vectors", [])
+    hung.cpu_limit = 1
+    if hung.run({}).result != "timeout":
+        yield "a decoder without an end is no timeout"
+    if report.exit_status(results) != 1 or report.exit_status(results[1:]) != 0:
+        yield "a survivor does not decide the exit status"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=Path, help="decode_vectors")
+    args = parser.parse_args()
+    root = Path(__file__).resolve().parents[3]
+    with tempfile.TemporaryDirectory() as work:
+        tools.prepare_device(work)
+        try:
+            wrong = list(complaints(root, args.program, Path(work)))
+        except tools.Unusable as reason:
+            print(reason, file=sys.stderr)
+            return tools.SKIPPED
+    for line in wrong:
+        print(line)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
