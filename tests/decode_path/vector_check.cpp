@@ -1,0 +1,219 @@
+#include "vector_check.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+#include "io/mapped_file.hpp"
+#include "vectors/expected.hpp"
+#include "vectors/json.hpp"
+#include "vectors/picture_bytes.hpp"
+#include "vectors/sha256.hpp"
+#include "vectors/trace_files.hpp"
+
+namespace hmlfc::vectors {
+namespace {
+
+// Blocks of one vector that are decoded one by one, at most.
+constexpr uint64_t kMaxBlocks = 6000;
+
+class Mismatch : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+void demand(bool condition, const std::string& what) {
+  if (!condition) throw Mismatch(what);
+}
+
+std::string sum_of(const std::string& text) {
+  return sha256({reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+}
+
+bool is_expected(const Expectation& expect, const Error& error) {
+  return error.code == expect.error && error.offset == expect.offset;
+}
+
+// The blocks that the trace in `file` was made of.
+std::vector<BlockAddress> traced_blocks(const std::filesystem::path& file) {
+  std::vector<BlockAddress> blocks;
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    const Json json = Json::parse(line);
+    if (json.at("record") != "block") continue;
+    const auto plane = std::find_if(kPlanes.begin(), kPlanes.end(),
+                                    [&](Plane p) { return plane_name(p) == json.at("plane"); });
+    blocks.push_back({{json["view"][0], json["view"][1]},
+                      plane == kPlanes.end() ? Plane::kY : *plane,
+                      json["block"][0],
+                      json["block"][1]});
+  }
+  return blocks;
+}
+
+// One stream that opens.
+class StreamCheck {
+ public:
+  StreamCheck(const std::filesystem::path& folder, const Vector& vector, const Decoder& decoder)
+      : folder_(folder), vector_(vector), decoder_(decoder), header_(decoder.header()) {}
+
+  void run() {
+    check_expected_blocks();
+    check_views();
+    if (vector_.trace) check_trace(*vector_.trace);
+    check_requests();
+    if (!vector_.output) return;
+    check_all_at_once();
+    demand(decoder_.load_references(1).has_value(), "reference images do not load");
+    demand(decoder_.statistics().has_value(), "statistics fail");
+    for (const Plane plane : kPlanes) check_plane(plane);
+  }
+
+ private:
+  void check_expected_blocks() {
+    for (const BlockAddress& block : vector_.expect.blocks) {
+      const auto samples = decoder_.decode_block(block);
+      demand(!samples.has_value(), "a block decodes that must not");
+      demand(is_expected(vector_.expect, samples.error()), to_string(samples.error()));
+    }
+  }
+
+  void check_views() {
+    const ExpectedViews views = expected_views(decoder_);
+    demand(vector_.blocks && sum_of(views.blocks) == vector_.blocks->sha256, "blocks differ");
+    demand(views.raw.has_value() == vector_.output.has_value(), "views decode, or do not");
+    if (!vector_.output) return;
+    const ViewSum& output = *vector_.output;
+    demand(sha256(*views.raw) == output.sha256, "views differ");
+    demand(header_.rows == output.rows && header_.cols == output.cols &&
+               header_.width == output.width && header_.height == output.height &&
+               header_.depth == output.depth && header_.chroma_format == output.chroma,
+           "the shape differs");
+    raw_ = *views.raw;
+  }
+
+  void check_trace(const TraceFiles& files) {
+    const TraceText text = trace_text(decoder_, traced_blocks(folder_ / files.lines.file));
+    demand(sum_of(text.lines) == files.lines.sha256, "the trace differs");
+    demand(sum_of(text.hex) == files.hex.sha256, "the hexadecimal trace differs");
+  }
+
+  // What no stream has is refused.
+  void check_requests() {
+    const auto refused = [](const auto& result) {
+      return !result && result.error().code == ErrorCode::kBadRequest;
+    };
+    const PlaneSize size = decoder_.plane_size(Plane::kY);
+    const int beyond = header_.tree_height + 1;
+    std::vector<int16_t> none;
+    demand(refused(decoder_.decode_block({{header_.rows, 0}, Plane::kY, 0, 0})) &&
+               refused(decoder_.decode_block({{0, header_.cols}, Plane::kY, 0, 0})) &&
+               refused(decoder_.decode_block({{}, Plane::kY, size.width, 0})) &&
+               refused(decoder_.decode_block({{}, Plane::kY, 0, size.height})) &&
+               refused(decoder_.decode_block({}, beyond)) &&
+               refused(decoder_.decode_rect({}, Plane::kY, {0, 0, size.width + 1, 1})) &&
+               refused(decoder_.decode_rgb({}, {0, 0, 1, size.height + 1})) &&
+               refused(decoder_.decode_all([](ViewPos, RgbImage&&) {}, beyond)) &&
+               refused(decoder_.refine_rect({}, Plane::kY, {0, 0, 1, 1}, beyond, none)),
+           "a request for what is not there is answered");
+  }
+
+  void check_all_at_once() {
+    const size_t bytes = raw_.size() / (size_t{header_.rows} * header_.cols);
+    std::vector<uint8_t> all(raw_.size());
+    const auto put = [&](ViewPos view, RgbImage&& image) {
+      const std::vector<uint8_t> picture = picture_bytes(image);
+      std::copy(picture.begin(), picture.end(),
+                all.begin() + static_cast<std::ptrdiff_t>(
+                                  (size_t{view.row} * header_.cols + view.col) * bytes));
+    };
+    demand(decoder_.decode_all(put, 0, 1).has_value(), "decode_all fails");
+    demand(all == raw_, "decode_all gives other views");
+  }
+
+  void check_plane(Plane plane) {
+    const PlaneSize size = decoder_.plane_size(plane);
+    for (uint32_t row = 0; row < header_.rows; ++row) {
+      for (uint32_t col = 0; col < header_.cols; ++col) {
+        std::vector<int16_t> above;
+        for (int level = header_.tree_height; level >= 0; --level) {
+          above = check_level({row, col}, plane, size, level, std::move(above));
+        }
+      }
+    }
+  }
+
+  // The samples of a plane at one stop level; `above` are those of the next.
+  std::vector<int16_t> check_level(ViewPos view, Plane plane, PlaneSize size, int level,
+                                   std::vector<int16_t> above) {
+    const auto samples = decoder_.decode_plane(view, plane, level);
+    demand(samples.has_value(), "a plane does not decode");
+    if (!above.empty()) {
+      const Rect whole{0, 0, size.width, size.height};
+      demand(
+          decoder_.refine_rect(view, plane, whole, level, above).has_value() && above == *samples,
+          "a level put on the one above it differs");
+    }
+    const uint32_t side = header_.block_size();
+    for (uint32_t y = 0; y < size.height; y += side) {
+      for (uint32_t x = 0; x < size.width; x += side) {
+        if (blocks_++ >= kMaxBlocks) return *samples;
+        const BlockAddress block{view, plane, x / side, y / side};
+        check_block(block, level, size, *samples, ReferenceMode::kOnDemand);
+        check_block(block, level, size, *samples, ReferenceMode::kSparse);
+      }
+    }
+    return *samples;
+  }
+
+  void check_block(const BlockAddress& block, int level, PlaneSize size,
+                   const std::vector<int16_t>& plane, ReferenceMode mode) {
+    const auto samples = decoder_.decode_block(block, level, nullptr, nullptr, mode);
+    demand(samples.has_value(), "a single block does not decode");
+    const uint32_t side = header_.block_size();
+    const uint32_t width = std::min(side, size.width - block.bx * side);
+    const uint32_t height = std::min(side, size.height - block.by * side);
+    for (uint32_t y = 0; y < height; ++y) {
+      const auto golden = samples->begin() + size_t{y} * side;
+      const auto row =
+          plane.begin() + static_cast<std::ptrdiff_t>((size_t{block.by} * side + y) * size.width +
+                                                      size_t{block.bx} * side);
+      demand(std::equal(golden, golden + width, row), "a single block differs from its plane");
+    }
+  }
+
+  const std::filesystem::path& folder_;
+  const Vector& vector_;
+  const Decoder& decoder_;
+  const StreamHeader& header_;
+  std::vector<uint8_t> raw_;
+  uint64_t blocks_ = 0;
+};
+
+void check(const std::filesystem::path& folder, const Vector& vector) {
+  const auto file = io::MappedFile::open(folder / vector.input.file);
+  demand(file.has_value(), "the file cannot be read");
+  const Expectation& expect = vector.expect;
+  const bool opens = expect.outcome == Outcome::kOk || expect.operation == Operation::kBlock;
+  const auto decoder = Decoder::open(file->bytes());
+  demand(decoder.has_value() == opens, opens ? "does not open" : "opens");
+  if (opens) return StreamCheck(folder, vector, *decoder).run();
+  demand(is_expected(expect, decoder.error()), to_string(decoder.error()));
+  const auto lenient = Decoder::open(file->bytes(), {.check_sections = false});
+  if (expect.outcome == Outcome::kAcceptable && lenient)
+    StreamCheck(folder, vector, *lenient).run();
+}
+
+}  // namespace
+
+std::string check_vector(const std::filesystem::path& folder, const Vector& vector) {
+  try {
+    check(folder, vector);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace hmlfc::vectors

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+"""Runs the libFuzzer targets, one after another, from the seeds that the vectors give.
+
+Inputs that reach something new are kept in build/fuzz/corpus/TARGET, findings in
+out/fuzz/TARGET. The vectors are the corpus that is checked in; a finding becomes
+tests/fuzz/findings/TARGET/NAME.input, which the tests replay, or a vector.
+"""
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+TARGETS = [
+    *("open", "block", "header", "index"),
+    *("tile_record", "motion_record", "disparity_record", "codestream", "bise"),
+]
+MAX_BYTES = 32768  # of an input; all but one of the vectors are smaller
+UNIT_SECONDS = 20  # for one input; more is a finding
+MEMORY_MB = 2048
+FAULT_SECONDS = 300
+
+
+@dataclass
+class Outcome:
+    """What one run of a target came to."""
+
+    executions: int
+    seconds: int
+    edges: int
+    found: bool
+
+
+def parse(log, status):
+    """The Outcome that libFuzzer's log and exit status tell."""
+
+    def last(pattern):
+        numbers = re.findall(pattern, log)
+        return int(numbers[-1]) if numbers else 0
+
+    executions = last(r"stat::number_of_executed_units: (\d+)") or last(r"^#(\d+)\s")
+    done = re.search(r"Done (\d+) runs in (\d+) second", log)
+    if done:
+        executions = int(done[1])
+    return Outcome(executions, int(done[2]) if done else 0, last(r"cov: (\d+)"), status != 0)
+
+
+def run_target(program, corpus, findings, seconds, seed, show=False):
+    """Runs `program` for `seconds` and returns its Outcome and log."""
+    findings.mkdir(parents=True, exist_ok=True)
+    command = [
+        *(str(program), str(corpus), f"-max_total_time={seconds}", f"-seed={seed}"),
+        *(f"-max_len={MAX_BYTES}", f"-timeout={UNIT_SECONDS}", f"-rss_limit_mb={MEMORY_MB}"),
+        *("-print_final_stats=1", f"-artifact_prefix={findings}/"),
+    ]
+    # A stream may ask for more memory than there is: the decoder says so (limit_exceeded).
+    environment = dict(os.environ, ASAN_OPTIONS="allocator_may_return_null=0")
+    result = subprocess.run(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment, check=False
+    )
+    log = result.stdout.decode(errors="replace")
+    if show and result.returncode != 0:
+        print(log[-4000:], file=sys.stderr)
+    return parse(log, result.returncode)
+
+
+def write_seeds(build, target, suite, corpus):
+    replay = build / f"tests/fuzz/replay_{target}"
+    findings = Path(__file__).parent / "findings" / target
+    paths = [str(suite)] + ([str(findings)] if findings.is_dir() else [])
+    subprocess.run([str(replay), "--write", str(corpus), *paths], check=True, stdout=subprocess.DEVNULL)
+
+
+def fuzz(arguments, root):
+    targets = TARGETS if arguments.target == "all" else [arguments.target]
+    seconds = max(1, round(60 * arguments.minutes / len(targets)))
+    failed = 0
+    print(f"{'target':<18}{'executions':>12}{'seconds':>9}{'edges':>8}  findings")
+    for target in targets:
+        corpus = arguments.build / "corpus" / target
+        write_seeds(arguments.build, target, root / "vectors", corpus)
+        findings = root / "out/fuzz" / target
+        program = arguments.build / f"tests/fuzz/fuzz_{target}"
+        outcome = run_target(program, corpus, findings, seconds, arguments.seed, show=True)
+        failed += outcome.found
+        where = str(findings.relative_to(root)) if outcome.found else "none"
+        print(
+            f"{target:<18}{outcome.executions:>12}{outcome.seconds:>9}{outcome.edges:>8}  {where}",
+            flush=True,
+        )
+    print(f"again: ./run fuzz {arguments.target} --minutes {arguments.minutes:g} --seed {arguments.seed}")
+    return 1 if failed else 0
+
+
+def self_test(arguments, root):
+    """Each target must find the fault that is planted for it."""
+    missed = 0
+    for target in TARGETS if arguments.target == "all" else [arguments.target]:
+        corpus = arguments.build / "corpus-faults" / target
+        write_seeds(arguments.build, target, root / "vectors", corpus)
+        program = arguments.build / f"tests/fuzz/fault_{target}"
+        findings = arguments.build / "found-faults" / target
+        outcome = run_target(program, corpus, findings, FAULT_SECONDS, arguments.seed)
+        missed += not outcome.found
+        word = "found" if outcome.found else "MISSED"
+        print(f"{target:<18}{outcome.executions:>12} executions  {word}", flush=True)
+    return 1 if missed else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="./run fuzz", description=__doc__.splitlines()[0])
+    parser.add_argument("target", choices=[*TARGETS, "all"])
+    parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--minutes", type=float, default=10, help="for all targets together")
+    parser.add_argument("--seed", type=int, default=1, help="of libFuzzer; 0: another each time")
+    parser.add_argument("--self-test", action="store_true", help="find the planted faults instead")
+    arguments = parser.parse_args()
+    root = Path(__file__).resolve().parents[2]
+    return (self_test if arguments.self_test else fuzz)(arguments, root)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,41 @@
+// The header, and what is derived from it alone.
+#include "fields/header.hpp"
+
+#include <algorithm>
+
+#include "fields/conformance_level.hpp"
+#include "fields/geometry.hpp"
+#include "stream_parts.hpp"
+#include "target.hpp"
+
+namespace hmlfc::fuzz {
+
+void run(std::span<const uint8_t> input) {
+  const auto header = parse_header(input);
+  if (!header) {
+    demand(header.error().offset <= input.size(), "an error past the end of the file");
+    return;
+  }
+  demand(check_fields(*header).has_value(), "a header that was read has bad fields");
+  const std::vector<uint8_t> written = write_header(*header);
+  demand(
+      written.size() <= input.size() && std::equal(written.begin(), written.end(), input.begin()),
+      "a header that was read is written otherwise");
+  demand(least_level(*header) >= 0, "a conformance level below 0");
+  const Geometry geometry(*header);
+  const LevelShape& level = geometry.level(geometry.top());
+  const ImagePos last{level.rows - 1, level.cols - 1};
+  demand(geometry.image_number(geometry.top(), last) < geometry.image_count(), "IDX-1");
+  const ImagePos corner{header->rows - 1, header->cols - 1};
+  demand(geometry.ancestor(corner, 0, geometry.top()) == last, "DEC-1");
+  demand(geometry.group_count() <= geometry.tile_count(), "IDX-3");
+}
+
+std::vector<Bytes> seeds(std::span<const uint8_t> stream) {
+  auto parts = split(stream);
+  if (!parts) return {{stream.begin(), stream.end()}};
+  parts->sections = {};
+  return {join(*parts)};
+}
+
+}  // namespace hmlfc::fuzz

@@ -1,0 +1,59 @@
+// libFuzzer's mutations of streams. Most bytes of a stream are under a CRC, and the sizes of its
+// sections stand in the header: a part is changed, then the header is made to fit, so that changes
+// reach what lies behind it. One change in eight leaves the header as it is.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "stream_parts.hpp"
+
+extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size);
+extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max_size,
+                                          unsigned seed);
+
+namespace {
+
+constexpr size_t kMaxGrowth = 64;
+constexpr unsigned kPartCount = 5;  // the header's fields and four sections
+constexpr size_t kEnvelope = 12;    // magic to header_bytes
+
+// The header's fields behind the envelope keep their number, but for level entries.
+void mutate_head(std::vector<uint8_t>& head, unsigned seed) {
+  if ((seed & 1) != 0) {
+    constexpr size_t kLevelEntry = 4;
+    constexpr size_t kLeast = 48;
+    if ((seed & 2) != 0 && head.size() < kLeast + 15 * kLevelEntry) {
+      head.insert(head.end(), head.end() - kLevelEntry, head.end());
+    } else if (head.size() > kLeast) {
+      head.resize(head.size() - kLevelEntry);
+    }
+    head[34] = static_cast<uint8_t>((head.size() - kLeast) / kLevelEntry);  // tree_height
+    return;
+  }
+  LLVMFuzzerMutate(head.data() + kEnvelope, head.size() - kEnvelope, head.size() - kEnvelope);
+}
+
+void mutate_section(std::vector<uint8_t>& section, bool grow) {
+  const size_t size = section.size();
+  section.resize(std::max<size_t>(size + (grow ? kMaxGrowth : 0), 1));
+  section.resize(LLVMFuzzerMutate(section.data(), size, section.size()));
+}
+
+}  // namespace
+
+extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max_size,
+                                          unsigned seed) {
+  auto parts = hmlfc::fuzz::split({data, size});
+  const unsigned choice = seed >> 8;
+  if (!parts || choice % 8 == 0) return LLVMFuzzerMutate(data, size, max_size);
+  const unsigned part = (choice / 8) % kPartCount;
+  if (part == 0) {
+    mutate_head(parts->head, choice / 64);
+  } else {
+    mutate_section(parts->sections[part - 1], (choice / 64) % 4 == 0);
+  }
+  const std::vector<uint8_t> file = hmlfc::fuzz::join(*parts);
+  if (file.size() > max_size) return LLVMFuzzerMutate(data, size, max_size);
+  std::copy(file.begin(), file.end(), data);
+  return file.size();
+}

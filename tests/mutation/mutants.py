@@ -1,0 +1,85 @@
+"""Small changes to a C++ source, each of which a test should notice."""
+
+import random
+import re
+from dataclasses import dataclass
+
+# clang-format puts a space on both sides of binary operators and none beside those of templates,
+# pointers and references.
+OPERATORS = {
+    **{"<": ["<=", ">"], "<=": ["<", ">="], ">": [">=", "<"], ">=": [">", "<="]},
+    **{"==": ["!="], "!=": ["=="], "&&": ["||"], "||": ["&&"]},
+    **{"+": ["-"], "-": ["+"], "*": ["+"], "/": ["*"], "%": ["/"]},
+    **{"<<": [">>"], ">>": ["<<"], "&": ["|"], "|": ["&"], "^": ["|"]},
+    **{"+=": ["-="], "-=": ["+="], "*=": ["+="], "|=": ["&="], "&=": ["|="], "<<=": [">>="]},
+    **{">>=": ["<<="]},
+}
+WORDS = {"true": ["false"], "false": ["true"], "continue": ["break"], "min": ["max"], "max": ["min"]}
+
+TOKEN = re.compile(
+    r"""(?P<skip>//.*|"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*')
+      | (?<=[ ])(?P<operator>[-+*/%&|^<>=!]=?|<<=?|>>=?|&&|\|\|)(?=[ ]|$)
+      | (?P<not>!)(?=[A-Za-z_(*])
+      | (?P<number>\b(?:0[xX][0-9a-fA-F]+|[0-9]+))(?=[uU]?\b)
+      | (?P<word>\b[A-Za-z_][A-Za-z_0-9]*)""",
+    re.VERBOSE,
+)
+# Lines where a change means nothing or cannot compile.
+NO_CODE = re.compile(r"\s*(#|//|static_assert|assert\(|template|using |namespace )")
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """`old` at `column` of `line` of `file` becomes `new`."""
+
+    file: str
+    line: int
+    column: int
+    old: str
+    new: str
+
+    def apply(self, text):
+        lines = text.splitlines(keepends=True)
+        row = lines[self.line - 1]
+        assert row[self.column :].startswith(self.old)
+        lines[self.line - 1] = row[: self.column] + self.new + row[self.column + len(self.old) :]
+        return "".join(lines)
+
+    def __str__(self):
+        return f"{self.file}:{self.line}:{self.column + 1}: {self.old} -> {self.new or 'nothing'}"
+
+
+def changes_of_number(text):
+    value = int(text, 0)
+    return [str(value + 1)] + ([str(value - 1)] if value > 0 else [])
+
+
+def changes_of(match):
+    """What the token of `match` can become."""
+    kind, token = match.lastgroup, match.group()
+    if kind == "operator":
+        return OPERATORS.get(token, [])
+    if kind == "not":
+        return [""]
+    if kind == "number":
+        return changes_of_number(token)
+    return WORDS.get(token, []) if kind == "word" else []
+
+
+def mutants_of(file, text, skipped=frozenset()):
+    """Every mutant of `text`, in order; none in the lines `skipped`."""
+    found = []
+    for number, row in enumerate(text.splitlines(), 1):
+        if number in skipped or NO_CODE.match(row):
+            continue
+        for match in TOKEN.finditer(row):
+            for new in changes_of(match):
+                found.append(Mutant(file, number, match.start(), match.group(), new))
+    return found
+
+
+def choose(mutants, count, seed):
+    """`count` of `mutants`, the same for the same seed; a larger count adds to a smaller one."""
+    shuffled = list(mutants)
+    random.Random(seed).shuffle(shuffled)
+    return shuffled[:count]

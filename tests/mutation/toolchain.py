@@ -1,0 +1,131 @@
+"""Compiles one changed source of the decode path and links vector_check with it."""
+
+import json
+import resource
+import shlex
+import shutil
+import subprocess
+from pathlib import Path
+
+MEMORY_BYTES = 8 << 30
+
+
+def limit(seconds):
+    def set_limits():
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+    return set_limits
+
+
+class Toolchain:
+    """The commands of a configured and built folder; changed files lie in `scratch`."""
+
+    def __init__(self, build, model, scratch):
+        self.build, self.model, self.scratch = build, model, scratch
+        self.commands = {}
+        for entry in json.loads((build / "compile_commands.json").read_text()):
+            path = Path(entry["file"]).resolve()
+            if path.is_relative_to(model):
+                # A source that two targets compile: the library comes first.
+                self.commands.setdefault(path.relative_to(model).as_posix(), entry)
+        self.users = self._users()
+        self.link_command = self._link_command()
+
+    def _ninja(self, *arguments):
+        command = ["ninja", "-C", str(self.build), "-t", *arguments]
+        return subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True).stdout
+
+    def _users(self):
+        """Header to the sources that include it."""
+        sources = {
+            self._object(entry): name
+            for name, entry in self.commands.items()
+            if name.split("/")[0] in ("bits", "values", "fields", "samples")
+        }
+        users, source = {}, None
+        for line in self._ninja("deps").splitlines():
+            if line and not line.startswith((" ", "ninja:")):
+                source = sources.get(line.split(":")[0])
+            elif source and line.strip():
+                path = (self.build / line.strip()).resolve()
+                if path.is_relative_to(self.model):
+                    users.setdefault(path.relative_to(self.model).as_posix(), set()).add(source)
+        return users
+
+    @staticmethod
+    def _object(entry):
+        words = shlex.split(entry["command"])
+        return words[words.index("-o") + 1]
+
+    def _link_command(self):
+        lines = [
+            line
+            for line in self._ninja("commands", "vector_check").splitlines()
+            if "-o tests/decode_path/vector_check" in line
+        ]
+        return [word for word in shlex.split(lines[-1]) if word not in (":", "&&")]
+
+    def sources_of(self, file):
+        """What must be compiled where `file` changes."""
+        return [file] if file.endswith(".cpp") else sorted(self.users.get(file, ()))
+
+    def make(self, file, text, folder):
+        """vector_check with `text` in place of `file`, made in `folder`; None where it does not
+        compile."""
+        shutil.rmtree(folder, ignore_errors=True)
+        changed = folder / "changed" / file
+        changed.parent.mkdir(parents=True)
+        changed.write_text(text)
+        objects = []
+        for number, source in enumerate(self.sources_of(file)):
+            target = folder / f"{number}.o"
+            if not self._compile(source, changed if source == file else None, target, folder):
+                return None
+            objects.append(str(target))
+        program = folder / "vector_check"
+        words = list(self.link_command)
+        words[words.index("-o") + 1] = str(program)
+        # First on the line: of an inline function that stands in several objects the first is taken.
+        words[1:1] = objects
+        linked = subprocess.run(words, cwd=self.build, capture_output=True, check=False)
+        return program if linked.returncode == 0 else None
+
+    def _compile(self, source, changed, target, folder):
+        entry = self.commands[source]
+        words = shlex.split(entry["command"])
+        words[words.index("-o") + 1] = str(target)
+        if changed:
+            words[words.index("-c") + 1] = str(changed)
+        for option in ("-MF", "-MT"):
+            if option in words:
+                del words[words.index(option) : words.index(option) + 2]
+        words = [word for word in words if word not in ("-MD", "-Werror")]
+        # Headers include each other by their place below model/, so that a changed one is found
+        # before the other.
+        words[1:1] = ["-w", f"-I{folder / 'changed'}"]
+        compiled = subprocess.run(words, cwd=entry["directory"], capture_output=True, check=False)
+        return compiled.returncode == 0
+
+    @staticmethod
+    def run(program, suite, first, seconds):
+        """What vector_check says of the suite: "survived", "timeout", or the vector that fails."""
+        command = [str(program), str(suite), "--stop"]
+        for name in first:
+            command += ["--first", name]
+        try:
+            result = subprocess.run(
+                command,
+                **{"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "check": False},
+                **{"preexec_fn": limit(seconds), "timeout": 60 * seconds, "text": True},
+            )
+        except subprocess.TimeoutExpired:
+            return "timeout"
+        if result.returncode == 0:
+            return "survived"
+        if result.returncode in (-24, -9):  # SIGXCPU, SIGKILL
+            return "timeout"
+        if result.returncode < 0:
+            return f"signal {-result.returncode}"
+        return result.stdout.split(":")[0] or "error"
