@@ -10,7 +10,7 @@ namespace hmlfc::vectors {
 
 /// What is wrong with `vector` of the suite in `folder`, or an empty text. Compared with the
 /// manifest: the outcome, the error and its place, all views, the checksums of all blocks, traces.
-/// Compared with each other, for streams that decode: single blocks with reference images on demand
+/// Compared with each other: single blocks with reference images on demand
 /// and kept, whole planes and levels put on one another, at every stop level; single views and all
 /// of them at once.
 std::string check_vector(const std::filesystem::path& folder, const Vector& vector);

@@ -17,6 +17,8 @@ CLEAN_TREE = {
     "model/samples/b.cpp": '#include "bits/a.hpp"\n',
     "tests/CMakeLists.txt": "hmlfc_add_tests(bits SOURCES bits/a_test.cpp)\n",
     "tests/bits/a_test.cpp": '#include "bits/a.hpp"\n',
+    "tests/fuzz/CMakeLists.txt": "hmlfc_add_fuzz(open.cpp\n)\n",
+    "tests/fuzz/open.cpp": '#include "bits/a.hpp"\n',
     "tests/consumer/project/main.cpp": "int main() {}\n",
 }
 
@@ -44,6 +46,12 @@ class LayersTest(unittest.TestCase):
         self.assert_found(
             {"model/bits/a.hpp": '#pragma once\n\n  #  include "samples/b.hpp"\n'},
             'model/bits/a.hpp:3: bits may not include samples ("samples/b.hpp")',
+        )
+
+    def test_inner_list(self):
+        self.assert_found(
+            {"tests/fuzz/CMakeLists.txt": "", "tests/CMakeLists.txt": "bits/a_test.cpp fuzz/open.cpp"},
+            "tests/fuzz/open.cpp:1: not listed in tests/fuzz/CMakeLists.txt",
         )
 
     def test_every_pair_of_layers(self):

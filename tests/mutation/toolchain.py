@@ -28,8 +28,9 @@ class Toolchain:
         for entry in json.loads((build / "compile_commands.json").read_text()):
             path = Path(entry["file"]).resolve()
             if path.is_relative_to(model):
-                # A source that two targets compile: the library comes first.
-                self.commands.setdefault(path.relative_to(model).as_posix(), entry)
+                # Of the targets that have this source, one is built.
+                if (build / self._object(entry)).exists():
+                    self.commands[path.relative_to(model).as_posix()] = entry
         self.users = self._users()
         self.link_command = self._link_command()
 
