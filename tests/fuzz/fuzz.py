@@ -7,8 +7,8 @@ tests/fuzz/findings/TARGET/NAME.input, which the tests replay, or a vector.
 """
 
 import argparse
-import os
 import re
+import resource
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -29,27 +29,29 @@ class Outcome:
     """What one run of a target came to."""
 
     executions: int
-    seconds: int
+    cpu_seconds: float
     edges: int
     found: bool
 
 
-def parse(log, status):
+def parse(log, status, cpu_seconds):
     """The Outcome that libFuzzer's log and exit status tell."""
 
     def last(pattern):
         numbers = re.findall(pattern, log)
         return int(numbers[-1]) if numbers else 0
 
-    executions = last(r"stat::number_of_executed_units: (\d+)") or last(r"^#(\d+)\s")
-    done = re.search(r"Done (\d+) runs in (\d+) second", log)
-    if done:
-        executions = int(done[1])
-    return Outcome(executions, int(done[2]) if done else 0, last(r"cov: (\d+)"), status != 0)
+    executions = last(r"stat::number_of_executed_units: (\d+)") or last(r"#(\d+)\t")
+    return Outcome(executions, cpu_seconds, last(r"cov: (\d+)"), status != 0)
+
+
+def cpu_seconds_of_children():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def run_target(program, corpus, findings, seconds, seed, show=False):
-    """Runs `program` for `seconds` and returns its Outcome and log."""
+    """Runs `program` for `seconds` of wall clock and returns its Outcome."""
     findings.mkdir(parents=True, exist_ok=True)
     command = [
         *(str(program), str(corpus), f"-max_total_time={seconds}", f"-seed={seed}"),
@@ -58,27 +60,29 @@ def run_target(program, corpus, findings, seconds, seed, show=False):
     ]
     # A stream may ask for more memory than there is: the decoder says so (limit_exceeded).
     environment = dict(os.environ, ASAN_OPTIONS="allocator_may_return_null=0")
+    before = cpu_seconds_of_children()
     result = subprocess.run(
         command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment, check=False
     )
     log = result.stdout.decode(errors="replace")
     if show and result.returncode != 0:
         print(log[-4000:], file=sys.stderr)
-    return parse(log, result.returncode)
+    return parse(log, result.returncode, cpu_seconds_of_children() - before)
 
 
 def write_seeds(build, target, suite, corpus):
     replay = build / f"tests/fuzz/replay_{target}"
     findings = Path(__file__).parent / "findings" / target
     paths = [str(suite)] + ([str(findings)] if findings.is_dir() else [])
-    subprocess.run([str(replay), "--write", str(corpus), *paths], check=True, stdout=subprocess.DEVNULL)
+    command = [str(replay), "--write", str(corpus), *paths]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
 
 
 def fuzz(arguments, root):
     targets = TARGETS if arguments.target == "all" else [arguments.target]
     seconds = max(1, round(60 * arguments.minutes / len(targets)))
     failed = 0
-    print(f"{'target':<18}{'executions':>12}{'seconds':>9}{'edges':>8}  findings")
+    print(f"{'target':<18}{'executions':>12}{'CPU s':>9}{'edges':>8}  findings")
     for target in targets:
         corpus = arguments.build / "corpus" / target
         write_seeds(arguments.build, target, root / "vectors", corpus)
@@ -88,10 +92,11 @@ def fuzz(arguments, root):
         failed += outcome.found
         where = str(findings.relative_to(root)) if outcome.found else "none"
         print(
-            f"{target:<18}{outcome.executions:>12}{outcome.seconds:>9}{outcome.edges:>8}  {where}",
+            f"{target:<18}{outcome.executions:>12}{outcome.cpu_seconds:>9.1f}{outcome.edges:>8}  {where}",
             flush=True,
         )
-    print(f"again: ./run fuzz {arguments.target} --minutes {arguments.minutes:g} --seed {arguments.seed}")
+    again = f"{arguments.target} --minutes {arguments.minutes:g} --seed {arguments.seed}"
+    print(f"again: ./run fuzz {again}")
     return 1 if failed else 0
 
 

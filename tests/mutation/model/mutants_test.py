@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""Which mutants a source has."""
+
+import unittest
+
+from mutants import Mutant, choose, mutants_of
+
+SOURCE = """\
+// a + b
+int f(const std::vector<int>& a, int* b) {  // 1 < 2
+  if (a < b && !c) return x - 1u;
+  return "a + b" == 0x1F ? std::min<int>(a, b) : y;
+}
+"""
+
+
+def changes(text, **options):
+    return [(m.line, m.old, m.new) for m in mutants_of("f.cpp", text, **options)]
+
+
+class MutantsTest(unittest.TestCase):
+    def test_operators_and_numbers(self):
+        self.assertEqual(
+            changes(SOURCE),
+            [
+                *((3, "<", "<="), (3, "<", ">"), (3, "&&", "||"), (3, "!", "")),
+                *((3, "-", "+"), (3, "1", "2"), (3, "1", "0")),
+                *((4, "==", "!="), (4, "0x1F", "32"), (4, "0x1F", "30"), (4, "min", "max")),
+            ],
+        )
+
+    def test_skipped_lines(self):
+        self.assertEqual({line for line, _, _ in changes(SOURCE, skipped={3})}, {4})
+
+    def test_no_code(self):
+        self.assertEqual(changes('#include "a"\nstatic_assert(a < 1);\nassert(a < 1);\n'), [])
+
+    def test_applied(self):
+        mutant = Mutant("f.cpp", 3, 8, "<", ">=")
+        self.assertIn("if (a >= b && !c)", mutant.apply(SOURCE))
+        self.assertEqual(mutant.apply(SOURCE).count("\n"), SOURCE.count("\n"))
+
+    def test_choice(self):
+        mutants = mutants_of("f.cpp", SOURCE)
+        self.assertEqual(choose(mutants, 3, 5), choose(mutants, 6, 5)[:3])
+        self.assertNotEqual(choose(mutants, 11, 5), choose(mutants, 11, 6))
+        self.assertEqual(set(choose(mutants, 99, 1)), set(mutants))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""Changes the golden model in one place after another and sees whether the vectors notice.
+
+A mutant is one changed operator, comparison or constant of the decode path. It is killed where
+vector_check, linked with it, reports a vector, ends by a signal, or takes longer than the CPU time
+allowed. Survivors that cannot be told from the model stand in equivalents.json with the reason.
+Exit status 1: a mutant survives that is not listed there.
+"""
+
+import argparse
+import json
+import sys
+import tempfile
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from threading import Lock
+
+FOLDER = Path(__file__).resolve().parent
+ROOT = FOLDER.parents[2]
+sys.path.insert(0, str(ROOT / "tests/decode_path"))
+
+from mutants import Mutant, choose, mutants_of  # noqa: E402
+from scope import decode_path_files, not_decoding  # noqa: E402
+from toolchain import Toolchain  # noqa: E402
+
+MODEL = ROOT / "model"
+CPU_SECONDS = 20
+KEPT_KILLERS = 12
+
+
+def all_mutants():
+    skipped = not_decoding(MODEL)
+    return [
+        mutant
+        for file in decode_path_files(MODEL)
+        for mutant in mutants_of(file, (MODEL / file).read_text(), skipped.get(file, frozenset()))
+    ]
+
+
+def reason_of(mutant, equivalents):
+    """Why `mutant` cannot be told from the model, or None."""
+    text = (MODEL / mutant.file).read_text().splitlines()[mutant.line - 1].strip()
+    for entry in equivalents:
+        same = (entry["file"], entry["line"]) == (mutant.file, text)
+        if same and entry["change"] == f"{mutant.old} -> {mutant.new}":
+            return entry["reason"]
+    return None
+
+
+class Session:
+    """Runs mutants; the vectors that killed the last ones come first."""
+
+    def __init__(self, build, scratch, total):
+        self.tools = Toolchain(build, MODEL, scratch)
+        self.scratch, self.total = scratch, total
+        self.killers, self.lock = [], Lock()
+        self.results = []
+        self.equivalents = json.loads((FOLDER / "equivalents.json").read_text())
+
+    def try_mutant(self, number, mutant):
+        text = (MODEL / mutant.file).read_text()
+        self.note(mutant, self.outcome(mutant.file, mutant.apply(text), str(number)))
+
+    def outcome(self, file, text, name):
+        folder = self.scratch / name
+        program = self.tools.make(file, text, folder)
+        if program is None:
+            return "not compiled"
+        outcome = self.tools.run(program, ROOT / "vectors", list(self.killers), CPU_SECONDS)
+        program.unlink()
+        return outcome
+
+    def note(self, mutant, outcome):
+        with self.lock:
+            if "/" in outcome:
+                self.killers = [outcome, *(k for k in self.killers if k != outcome)][:KEPT_KILLERS]
+            if outcome == "survived" and reason_of(mutant, self.equivalents):
+                outcome = "equivalent"
+            self.results.append((mutant, outcome))
+            done = f"{len(self.results)}/{self.total}"
+            print(f"{done} {mutant}: {outcome}", file=sys.stderr, flush=True)
+
+
+def report(results):
+    """Prints the table by file and the survivors; returns how many there are."""
+    kinds = ("killed", "timeout", "equivalent", "survived", "not compiled")
+    by_file = {}
+    for mutant, outcome in results:
+        kind = outcome if outcome in kinds else "killed"
+        by_file.setdefault(mutant.file, Counter())[kind] += 1
+    print("| file | " + " | ".join(kinds) + " |")
+    print("|---|" + "---|" * len(kinds))
+    total = sum(by_file.values(), Counter())
+    for name, counts in [*sorted(by_file.items()), ("all", total)]:
+        print(f"| {name} | " + " | ".join(str(counts[kind]) for kind in kinds) + " |")
+    for mutant, outcome in results:
+        if outcome == "survived":
+            line = (MODEL / mutant.file).read_text().splitlines()[mutant.line - 1].strip()
+            print(f"survived: {mutant}    {line}")
+    return total["survived"]
+
+
+def self_test(session):
+    """Four changes whose outcomes are known."""
+    sample = (MODEL / "values/reconstruct.hpp").read_text()
+    bise = (MODEL / "values/bise.cpp").read_text()
+    body = bise.index("{", bise.index("uint32_t bise_value(")) + 1
+    endless = bise[:body] + " for (volatile int x = 0;; x = x) {}" + bise[body:]
+    difference = sample.replace("prediction + residual", "prediction - residual")
+    assert difference != sample
+    cases = [
+        ("no change", "values/bise.cpp", bise, lambda outcome: outcome == "survived"),
+        ("a header", "values/reconstruct.hpp", difference, lambda outcome: "/" in outcome),
+        ("no C++", "values/bise.cpp", bise + "}", lambda outcome: outcome == "not compiled"),
+        ("no end", "values/bise.cpp", endless, lambda outcome: outcome == "timeout"),
+    ]
+    failed = 0
+    for name, file, text, expected in cases:
+        outcome = session.outcome(file, text, "self-test")
+        failed += not expected(outcome)
+        print(f"{name}: {outcome}{'' if expected(outcome) else '   WRONG'}", flush=True)
+    return 1 if failed else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="./run mutate", description=__doc__.splitlines()[0])
+    parser.add_argument("what", choices=["model"])
+    parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--count", type=int, default=500)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--file", help="mutants of this file alone, relative to model/")
+    parser.add_argument("--list", action="store_true", help="print the mutants and stop")
+    parser.add_argument("--self-test", action="store_true", help="changes of known outcome instead")
+    arguments = parser.parse_args()
+    mutants = [m for m in all_mutants() if arguments.file in (None, m.file)]
+    chosen = choose(mutants, arguments.count, arguments.seed)
+    if arguments.list:
+        print(*chosen, sep="\n")
+        return 0
+    with tempfile.TemporaryDirectory(prefix="hmlfc-mutants-") as scratch:
+        session = Session(arguments.build.resolve(), Path(scratch), len(chosen))
+        if arguments.self_test:
+            return self_test(session)
+        with ThreadPoolExecutor(arguments.jobs) as pool:
+            list(pool.map(lambda job: session.try_mutant(*job), enumerate(chosen)))
+    results = sorted(session.results, key=lambda r: (r[0].file, r[0].line, r[0].column))
+    survived = report(results)
+    again = f"./run mutate model --count {arguments.count} --seed {arguments.seed}"
+    print(f"{len(results)} of {len(mutants)} mutants; again: {again}")
+    return 1 if survived else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
