@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Lines and branches of the decode path that the vectors reach, by file.
 
-Runs vector_check on the suite and reads its counters with gcovr. Functions of shared files that are
-not part of decoding stand in ../decode_path/not_decoding.json with the reason; lines that no vector reaches stand
-in unreached.json with the reason. Exit status 1: a line is unreached and not explained, an
+Runs vector_check on the suite and reads its counters with gcovr. What is no part of decoding stands
+in ../decode_path/not_decoding.json with the reason; lines that no vector reaches stand in
+unreached.json, branches in untaken.json, with the reason. Exit status 1: a line is unreached and not explained, an
 explanation fits no unreached line, or a vector fails.
 """
 

@@ -1,4 +1,4 @@
-"""What belongs to the decode path: the files of four layers, without what not_decoding.json names."""
+"""What belongs to the decode path: four layers, without what not_decoding.json names."""
 
 import json
 from pathlib import Path

@@ -91,10 +91,8 @@ def fuzz(arguments, root):
         outcome = run_target(program, corpus, findings, seconds, arguments.seed, show=True)
         failed += outcome.found
         where = str(findings.relative_to(root)) if outcome.found else "none"
-        print(
-            f"{target:<18}{outcome.executions:>12}{outcome.cpu_seconds:>9.1f}{outcome.edges:>8}  {where}",
-            flush=True,
-        )
+        row = f"{target:<18}{outcome.executions:>12}{outcome.cpu_seconds:>9.1f}{outcome.edges:>8}"
+        print(f"{row}  {where}", flush=True)
     again = f"{arguments.target} --minutes {arguments.minutes:g} --seed {arguments.seed}"
     print(f"again: ./run fuzz {again}")
     return 1 if failed else 0

@@ -88,7 +88,7 @@ class Toolchain:
         program = folder / "vector_check"
         words = list(self.link_command)
         words[words.index("-o") + 1] = str(program)
-        # First on the line: of an inline function that stands in several objects the first is taken.
+        # First on the line: of an inline function in several objects the first is taken.
         words[1:1] = objects
         linked = subprocess.run(words, cwd=self.build, capture_output=True, check=False)
         return program if linked.returncode == 0 else None

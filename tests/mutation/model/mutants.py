@@ -14,7 +14,10 @@ OPERATORS = {
     **{"+=": ["-="], "-=": ["+="], "*=": ["+="], "|=": ["&="], "&=": ["|="], "<<=": [">>="]},
     **{">>=": ["<<="]},
 }
-WORDS = {"true": ["false"], "false": ["true"], "continue": ["break"], "min": ["max"], "max": ["min"]}
+WORDS = {
+    **{"true": ["false"], "false": ["true"], "continue": ["break"]},
+    **{"min": ["max"], "max": ["min"]},
+}
 
 TOKEN = re.compile(
     r"""(?P<skip>//.*|"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*')
