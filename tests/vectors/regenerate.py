@@ -9,6 +9,7 @@ from pathlib import Path
 
 # What is written by hand and not generated.
 BY_HAND = {"README.md", "CHANGES.md", "manifest.schema.json"}
+BY_HAND_FOLDERS = ("recipes/", "duts/")
 
 
 def files_of(folder):
@@ -16,7 +17,7 @@ def files_of(folder):
     return {
         name: path
         for path in sorted(folder.rglob("*"))
-        if path.is_file() and not (name := path.relative_to(folder).as_posix()).startswith("recipes/")
+        if path.is_file() and not (name := path.relative_to(folder).as_posix()).startswith(BY_HAND_FOLDERS)
         and name not in BY_HAND
     }
 
