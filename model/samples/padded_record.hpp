@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -14,9 +13,10 @@ namespace hmlfc {
 /// A copy of a record with kBiseUnpackSlack readable bytes behind it.
 class PaddedRecord {
  public:
-  explicit PaddedRecord(std::span<const uint8_t> record)
-      : size_(record.size()), bytes_(record.size() + kBiseUnpackSlack) {
-    std::memcpy(bytes_.data(), record.data(), record.size());
+  explicit PaddedRecord(std::span<const uint8_t> record) : size_(record.size()) {
+    bytes_.reserve(size_ + kBiseUnpackSlack);
+    bytes_.assign(record.begin(), record.end());
+    bytes_.resize(size_ + kBiseUnpackSlack);
   }
   const uint8_t* data() const { return bytes_.data(); }
   BitString bits() const { return BitString(std::span(bytes_).first(size_)); }
