@@ -9,7 +9,6 @@ namespace hmlfc::tb {
 namespace {
 
 constexpr uint64_t kStreamBase = 0x10000;
-constexpr uint64_t kHangClocks = 1'000'000;  // without any answer
 constexpr size_t kMaxBursts = 64;
 
 uint64_t align(uint64_t address, uint64_t to) { return (address + to - 1) / to * to; }
@@ -32,6 +31,7 @@ void UnitHost::clock() {
   read_channel(next_);
   unit_->clock(in_, next_, out_);
   in_ = next_;
+  ++clocks_;
   if (out_.trace_valid && on_record) on_record(out_.trace);
 }
 
@@ -68,7 +68,7 @@ void UnitHost::write(uint32_t address, uint32_t value) {
   next_.w_data = value;
   next_.w_strb = 15;
   for (uint64_t clocks = 0; next_.aw_valid || next_.w_valid || next_.b_ready; ++clocks) {
-    if (clocks == kHangClocks) throw UnitHangs("the unit does not take a register write");
+    if (clocks == patience_) throw UnitHangs("the unit does not take a register write");
     clock();
     // What is shown and taken now passes at the next edge.
     if (in_.aw_valid && out_.aw_ready) next_.aw_valid = false;
@@ -83,7 +83,7 @@ uint32_t UnitHost::read(uint32_t address) {
   next_.lite_ar_addr = address;
   uint32_t value = 0;
   for (uint64_t clocks = 0; next_.lite_ar_valid || next_.lite_r_ready; ++clocks) {
-    if (clocks == kHangClocks) throw UnitHangs("the unit does not answer a register read");
+    if (clocks == patience_) throw UnitHangs("the unit does not answer a register read");
     clock();
     if (in_.lite_ar_valid && out_.lite_ar_ready) next_.lite_ar_valid = false;
     if (in_.lite_r_ready && out_.lite_r_valid) {
@@ -104,7 +104,7 @@ uint8_t UnitHost::load() {
   write_pair(reg::kStreamBytes, stream_.size());
   write_pair(reg::kReferenceBase, area_base_);
   write(reg::kControl, reg::kLoad);
-  for (uint64_t reads = 0; reads < kHangClocks; ++reads) {
+  for (uint64_t reads = 0; reads < patience_; ++reads) {
     const uint32_t status = read(reg::kStatus);
     if ((status & reg::kLoading) != 0) continue;
     if ((status & reg::kReady) != 0) return 0;
@@ -118,7 +118,7 @@ std::vector<Answer> UnitHost::answers(std::span<const Request> requests) {
   size_t sent = 0;
   next_.response_ready = true;
   for (uint64_t idle = 0; answers.size() < requests.size(); ++idle) {
-    if (idle == kHangClocks) throw UnitHangs("a request is not answered");
+    if (idle == patience_) throw UnitHangs("a request is not answered");
     next_.request_valid = sent < requests.size();
     if (next_.request_valid) {
       next_.request_data = requests[sent].word();

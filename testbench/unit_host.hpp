@@ -34,6 +34,12 @@ class UnitHost {
   /// The answers to `requests`, in their order. Throws UnitHangs.
   std::vector<Answer> answers(std::span<const Request> requests);
 
+  /// After how many clocks without an answer, or reads of STATUS in load(), the unit hangs.
+  void set_patience(uint64_t clocks) { patience_ = clocks; }
+
+  /// Clocks since the host was made.
+  uint64_t clocks() const { return clocks_; }
+
   /// Called with every trace record.
   std::function<void(const LevelRecord&)> on_record;
 
@@ -57,6 +63,8 @@ class UnitHost {
   UnitInputs next_;
   UnitOutputs out_;
   std::deque<Burst> bursts_;
+  uint64_t patience_ = 1'000'000;
+  uint64_t clocks_ = 0;
 };
 
 }  // namespace hmlfc::tb

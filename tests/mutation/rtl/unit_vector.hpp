@@ -1,0 +1,61 @@
+// A conformance vector for a decode unit: what the unit is asked, and what the suite's files say
+// that it must answer.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/mapped_file.hpp"
+#include "stream_image.hpp"
+#include "vectors/manifest.hpp"
+
+namespace hmlfc::tb {
+
+/// What the suite says of a unit.
+struct Verdict {
+  bool hangs = false;
+  std::string difference;  ///< from what is expected; empty for none
+
+  bool pass() const { return difference.empty(); }
+};
+
+/// One vector with its stream and its reference area.
+class UnitVector {
+ public:
+  /// Reads the files of `vector` of the suite in `folder`. Throws std::runtime_error naming the
+  /// file that is missing or damaged.
+  UnitVector(const std::filesystem::path& folder, const vectors::Vector& vector,
+             const UnitParameters& unit);
+
+  const std::string& id() const { return vector_.id; }
+
+  /// Whether a unit of these parameters is to be tested with it: streams of its block size, and
+  /// those without a sound header, which every unit must refuse.
+  static bool is_for(const UnitParameters& unit, std::span<const uint8_t> stream);
+
+  /// LOADs the stream and asks for all pixels of all views, view by view until one is wrong.
+  /// Expected are the error of the manifest, or each block's CRC-32C in the blocks file; blocks
+  /// without one must fail, those that the manifest names with its error.
+  /// A unit that does nothing for `patience` clocks hangs. `clocks` is how long it took.
+  Verdict try_on(std::unique_ptr<DecodeUnit> unit, uint64_t patience, uint64_t& clocks) const;
+
+ private:
+  using BlockSums = std::vector<std::optional<uint32_t>>;  ///< of a view; none: fails
+
+  void read_blocks(const std::filesystem::path& file);
+  std::string wrong_error(unsigned error) const;
+  bool is_named(const Request& request) const;
+  std::string wrong_block(const Request& request, const Answer& answer,
+                          const BlockSums& sums) const;
+
+  vectors::Vector vector_;
+  io::MappedFile file_;
+  StreamImage image_;
+  unsigned software_error_ = 0;  ///< of what the unit leaves to software (FIL-6, KEY-1)
+  std::vector<BlockSums> views_;
+};
+
+}  // namespace hmlfc::tb
