@@ -124,8 +124,9 @@ def self_test(session):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="./run mutate", description=__doc__.splitlines()[0])
-    parser.add_argument("what", choices=["model"])
+    parser = argparse.ArgumentParser(
+        prog="./run mutate model", description=__doc__.splitlines()[0]
+    )
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--count", type=int, default=500)
     parser.add_argument("--seed", type=int, default=1)
