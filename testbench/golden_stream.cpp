@@ -4,7 +4,6 @@
 #include "fields/index.hpp"
 
 namespace hmlfc::tb {
-namespace {
 
 bool exceeds_limits(const StreamHeader& header, const UnitParameters& unit) {
   return header.block_log2 != unit.block_log2 || header.depth > static_cast<int>(unit.max_depth) ||
@@ -12,8 +11,6 @@ bool exceeds_limits(const StreamHeader& header, const UnitParameters& unit) {
          header.rows > kMaxUnitGrid || header.cols > kMaxUnitGrid ||
          header.tree_height > kMaxUnitHeight;
 }
-
-}  // namespace
 
 Result<std::unique_ptr<GoldenStream>> GoldenStream::open(std::span<const uint8_t> file,
                                                          const UnitParameters& unit) {

@@ -24,23 +24,28 @@ def shares(count: int) -> list[int]:
     return [count // variants + (index < count % variants) for index in range(variants)]
 
 
-def plant_script(folder: pathlib.Path, count: int, seed: int) -> str:
-    """The script that lists and plants the mutants of all variants."""
-    script = []
+def plant_script(folder: pathlib.Path, variant: int, share: int, first: int, seed: int) -> str:
+    """The script that lists and plants the mutants of a variant, the first with number `first`."""
+    traced = units.VARIANTS[variant].traced
+    # Logic that reaches no other output than those of the trace shows in no picture.
+    checks = "".join(f"select -assert-count 1 top/o:{output}\n" for output in traced)
+    seen = "top/x:* " + " ".join(f"top/o:{output} %d" for output in traced) + " %ci* top/c:* %i"
+    # Outputs get wires of their own, and words are split where a bit is mutated: else Verilator would see loops, and be slow.
+    return (units.read_commands(variant) + checks + f"write_rtlil {folder}/{variant}.il\n"
+            f"mutate -list {share} -seed {seed} -ctrl mutsel {SELECT_BITS} {first} -o {folder}/{variant}.list {seen}\n"
+            f"script {folder}/{variant}.list\niopadmap -bits -outpad copied A:Y\ntechmap -map {folder}/copied.v\n"
+            f"splitnets -driver\nrename top hmlfc_mutated_{variant}\nwrite_verilog -noattr {folder}/mutated_{variant}.v\n")
+
+
+def plant(folder: pathlib.Path, count: int, seed: int) -> None:
+    """Plants all mutants. Each variant has a Yosys of its own, whose names of cells, and so its mutants, do not depend on the others."""
+    (folder / "copied.v").write_text("module copied (input A, output Y);\n  assign Y = A;\nendmodule\n", encoding="utf-8")
     first = 1
     for variant, share in enumerate(shares(count)):
-        traced = units.VARIANTS[variant][2]
-        script.append(units.read_commands(variant))
-        # Logic that reaches no other output than those of the trace shows in no picture.
-        for output in traced:
-            script.append(f"select -assert-count 1 top/o:{output}\n")
-        seen = "top/x:* " + " ".join(f"top/o:{output} %d" for output in traced) + " %ci* top/c:* %i"
-        script.append(f"write_rtlil {folder}/{variant}.il\n")  # names of cells depend on all that was read before
-        script.append(f"mutate -list {share} -seed {seed} -ctrl mutsel {SELECT_BITS} {first} -o {folder}/{variant}.list {seen}\n"
-                      f"script {folder}/{variant}.list\nrename top hmlfc_mutated_{variant}\n"
-                      f"write_verilog -noattr {folder}/mutated_{variant}.v\n")
+        script = folder / f"{variant}.ys"
+        script.write_text(plant_script(folder, variant, share, first, seed), encoding="utf-8")
+        units.yosys(script)
         first += share
-    return "".join(script)
 
 
 def chooser(module: str) -> str:
@@ -50,9 +55,9 @@ def chooser(module: str) -> str:
     if head is None:
         raise RuntimeError(f"hmlfc_{module}.sv: no list of ports that ends with ');' on a line of its own")
     body = []
-    for variant, (name, parameters, _) in enumerate(units.VARIANTS):
-        if name == module:
-            condition = " && ".join(f"{key} == {value}" for key, value in parameters.items()) or "1"
+    for variant, unit in enumerate(units.VARIANTS):
+        if unit.module == module:
+            condition = " && ".join(f"{key} == {value}" for key, value in unit.parameters.items()) or "1"
             body.append(f"if ({condition}) begin : gen_{variant}\n"
                         f"    hmlfc_mutated_{variant} mutated (.*);\n  end")
     # Verilator 5.006 does not take a variable of a package as what a port is connected to.
@@ -63,10 +68,10 @@ def chooser(module: str) -> str:
 def mutants(folder: pathlib.Path) -> list[dict]:
     """All mutants in the order of their numbers."""
     found = []
-    for variant, (module, parameters, _) in enumerate(units.VARIANTS):
+    for variant, unit in enumerate(units.VARIANTS):
         for line in (folder / f"{variant}.list").read_text(encoding="utf-8").splitlines():
             number = int(re.search(r"-ctrl mutsel \d+ (\d+)", line).group(1))
-            found.append({"number": number, "module": module, "variant": variant, "parameters": parameters,
+            found.append({"number": number, "module": unit.module, "variant": variant, "parameters": unit.parameters,
                           "mode": re.search(r"-mode (\S+)", line).group(1),
                           "place": re.findall(r"-src (\S+)", line), "command": re.sub(r"-ctrl mutsel \d+ \d+ ", "", line)})
     return found
@@ -81,10 +86,8 @@ def main(arguments: list[str]) -> int:
         print(f"plant.py: the count of mutants is from {len(units.VARIANTS)} to {(1 << SELECT_BITS) - 1}", file=sys.stderr)
         return 2
     folder.mkdir(parents=True, exist_ok=True)
-    script = folder / "plant.ys"
-    script.write_text(plant_script(folder, count, seed), encoding="utf-8")
-    units.yosys(script)
-    for module in {name for name, _, _ in units.VARIANTS}:
+    plant(folder, count, seed)
+    for module in {unit.module for unit in units.VARIANTS}:
         (folder / f"hmlfc_{module}.sv").write_text(chooser(module), encoding="utf-8")
     (folder / "hmlfc_mutant_pkg.sv").write_text(f"package hmlfc_mutant_pkg;\n  logic [{SELECT_BITS - 1}:0] mutant;\nendpackage\n",
                                                 encoding="utf-8")

@@ -21,6 +21,7 @@ constexpr int kExitFailed = 1;
 // Without an answer. The unit itself needs some thousand clocks for LOAD and a thousand for a
 // block.
 constexpr uint64_t kPatience = 20'000;
+constexpr double kKept = 0.8;  // of what a vector has found, from one mutant to the next
 // Streams that are refused take little time but find nothing in the datapath: as if they were large.
 constexpr uint64_t kPixelsOfRefused = 100'000;
 
@@ -28,6 +29,7 @@ struct Options {
   std::filesystem::path suite;
   std::vector<std::string> filters;
   std::vector<unsigned> mutants;
+  uint64_t clocks = UINT64_MAX;  // for a mutant: after these no other vector is begun
 };
 
 // A vector of the suite; its stream is decoded and the unit without a mutant is tried on it when
@@ -42,17 +44,20 @@ class Candidate {
     }
   }
 
-  // What it has found, by the time that it is likely to take.
-  double worth() const {
-    return static_cast<double>(1 + kills_) / static_cast<double>(1000 + pixels_);
-  }
+  // What it has found, of late above all, by the time that it is likely to take. Mutants of a
+  // module come one after the other, and what finds one often finds the next.
+  double worth() const { return (1 + found_) / static_cast<double>(1000 + pixels_); }
+
+  void forget() { found_ *= kKept; }
 
   // A mutant is only found where the unit without a mutant passes: else throws.
   Verdict try_on(unsigned mutant, uint64_t& clocks) {
     if (!vector_) vector_ = std::make_unique<UnitVector>(suite_, entry_, kMutatedUnit);
     const Verdict verdict = vector_->try_on(make_mutated_unit(mutant), kPatience, clocks);
     if (verdict.pass()) return verdict;
-    if (++kills_ == 1) check_unit();
+    found_ += 1;
+    if (!checked_) check_unit();
+    checked_ = true;
     return verdict;
   }
 
@@ -71,7 +76,8 @@ class Candidate {
   vectors::Vector entry_;
   std::unique_ptr<UnitVector> vector_;
   uint64_t pixels_ = kPixelsOfRefused;
-  uint64_t kills_ = 0;
+  double found_ = 0;      // mutants, less what it has forgotten
+  bool checked_ = false;  // that the unit without a mutant passes
 };
 
 std::vector<Candidate> candidates(const Options& options) {
@@ -90,11 +96,14 @@ std::vector<Candidate> candidates(const Options& options) {
   return found;
 }
 
-// The vectors that find most in the least time come first.
-nlohmann::ordered_json result_of(unsigned mutant, std::vector<Candidate>& suite) {
+// The vectors that find most in the least time come first; after `limit` clocks no other is begun.
+nlohmann::ordered_json result_of(unsigned mutant, std::vector<Candidate>& suite,
+                                 uint64_t limit) {
+  std::ranges::for_each(suite, &Candidate::forget);
   std::ranges::stable_sort(suite, std::greater{}, &Candidate::worth);
   uint64_t clocks = 0;
   for (Candidate& candidate : suite) {
+    if (clocks >= limit) return {{"number", mutant}, {"result", "missed"}, {"clocks", clocks}};
     uint64_t taken = 0;
     const Verdict verdict = candidate.try_on(mutant, taken);
     clocks += taken;
@@ -117,11 +126,13 @@ int main_of(int argc, char** argv) {
       ->delimiter(',')
       ->required();
   app.add_option("--vectors", options.filters, "Only these vectors")->delimiter(',');
+  app.add_option("--clocks", options.clocks,
+                 "After so many clocks no other vector is tried: \"missed\", not \"survived\"");
   CLI11_PARSE(app, argc, argv);
   try {
     std::vector<Candidate> suite = candidates(options);
     for (const unsigned mutant : options.mutants) {
-      fmt::print("{}\n", result_of(mutant, suite).dump());
+      fmt::print("{}\n", result_of(mutant, suite, options.clocks).dump());
       std::fflush(stdout);
     }
     return 0;

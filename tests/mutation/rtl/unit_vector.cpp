@@ -9,6 +9,7 @@
 
 #include "bits/crc32c.hpp"
 #include "fields/header.hpp"
+#include "golden_stream.hpp"
 #include "unit_host.hpp"
 #include "vectors/picture_bytes.hpp"
 
@@ -83,8 +84,7 @@ void UnitVector::read_blocks(const std::filesystem::path& file) {
 
 bool UnitVector::is_for(const UnitParameters& unit, std::span<const uint8_t> stream) {
   const auto header = parse_header(stream);
-  return !header || (header->block_log2 == unit.block_log2 &&
-                     header->depth <= static_cast<int>(unit.max_depth));
+  return !header || !exceeds_limits(*header, unit);
 }
 
 // What is wrong with an error of the whole stream, 0 for none.

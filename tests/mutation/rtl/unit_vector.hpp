@@ -32,7 +32,7 @@ class UnitVector {
 
   const std::string& id() const { return vector_.id; }
 
-  /// Whether a unit of these parameters is to be tested with it: streams of its block size, and
+  /// Whether a unit of these parameters is to be tested with it: streams within its limits, and
   /// those without a sound header, which every unit must refuse.
   static bool is_for(const UnitParameters& unit, std::span<const uint8_t> stream);
 

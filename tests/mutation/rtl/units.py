@@ -1,5 +1,6 @@
 """The modules of the datapath that are mutated, as the mutated unit has them."""
 
+import dataclasses
 import pathlib
 import subprocess
 
@@ -8,54 +9,87 @@ RTL = pathlib.Path(__file__).resolve().parents[3] / "rtl"
 # Of the unit: the values that CMakeLists.txt gives to Verilator as well. Blocks of 4 x 4 are those of most vectors.
 UNIT = {"BLOCK_LOG2": 2, "MAX_DEPTH": 12, "AXI_DATA_BITS": 64, "OUTSTANDING": 4, "TILE_CONTEXTS": 2, "CACHE_STRIPS": 64}
 
-# Module, parameters of one of its instances in that unit, outputs that only the trace port shows. A module that has
-# instances of several kinds is there once for each, with mutants of its own.
+
+@dataclasses.dataclass(frozen=True)
+class Variant:
+    """A module with the parameters of one of its instances in that unit."""
+
+    module: str
+    parameters: dict[str, int]
+    traced: tuple[str, ...] = ()  # outputs that only the trace port shows
+    # What the module's comment says of its inputs, as Verilog that makes a legal value of any: for a port an expression of the
+    # ports; legal_NAME is a port's legal value.
+    legal: dict[str, str] = dataclasses.field(default_factory=dict)
+
+
+def at_most(port: str, bound: int) -> dict[str, str]:
+    return {port: f"{port} > {bound} ? {bound} : {port}"}
+
+
+def between(port: str, least: int, largest: int) -> dict[str, str]:
+    return {port: f"{port} < {least} ? {least} : {port} > {largest} ? {largest} : {port}"}
+
+
+SLOT = {"slot": "hmlfc_digit_kind(legal_level_code) == HMLFC_DIGIT_TRIT ? (slot > 4 ? 4 : slot) : "
+                "hmlfc_digit_kind(legal_level_code) == HMLFC_DIGIT_QUINT ? (slot > 2 ? 2 : slot) : 0"}
+
+
+def element(value_bits: int, largest_code: int) -> Variant:
+    return Variant("bise_element", {"VALUE_BITS": value_bits}, legal=at_most("bits_left", 64) | at_most("level_code", largest_code) | SLOT)
+
+
+BLOCK = {"BLOCK_LOG2": 2}
+SAMPLES = {"BLOCK_LOG2": 2, "MAX_DEPTH": 12}
+DEPTH = between("depth", 8, 12)
+
+# A module that has instances of several kinds is there once for each, with mutants of its own.
 VARIANTS = [
-    ("bise_unpack", {"COUNT": 16, "VALUE_BITS": 14, "WINDOW_BITS": 224}, []),
-    ("bise_element", {"VALUE_BITS": 10}, []),
-    ("bise_element", {"VALUE_BITS": 4}, []),
-    ("bise_place", {}, []),
-    ("bise_bits", {}, []),
-    ("trits", {}, []),
-    ("quints", {}, []),
-    ("residual", {"BLOCK_LOG2": 2, "MAX_DEPTH": 12}, []),
-    ("vector", {}, []),
-    ("vector_axis", {"COEFFICIENT_BITS": 12}, []),
-    ("vector_axis", {"COEFFICIENT_BITS": 18}, []),
-    ("interpolate", {"BLOCK_LOG2": 2, "SAMPLE_BITS": 14}, []),
-    ("reconstruct", {"BLOCK_LOG2": 2, "MAX_DEPTH": 12}, ["prediction"]),
-    ("colour", {"BLOCK_LOG2": 2, "MAX_DEPTH": 12}, []),
-    ("compose", {"BLOCK_LOG2": 2, "MAX_DEPTH": 12}, ["out_residual", "out_reference", "out_prediction"]),
-    ("answer", {"BLOCK_LOG2": 2, "MAX_DEPTH": 12}, []),
-    ("reference_window", {"BLOCK_LOG2": 2}, []),
-    ("tile_mask", {}, []),
-    ("tile_headers", {"BLOCK_LOG2": 2, "SKEW_BITS": 6}, []),
-    ("tile_vectors", {"WORD_BITS": 10, "PLACE_BITS": 15, "WINDOW_BITS": 512}, []),
-    ("vector_bounds", {}, []),
-    ("motion_place", {"BLOCK_LOG2": 2}, []),
-    ("motion_blocks", {"BLOCK_LOG2": 2, "CONTEXTS": 4, "CONTEXT_WORDS": 64, "WINDOW_BITS": 128}, []),
-    ("disparity_place", {"BLOCK_LOG2": 2}, []),
-    ("disparity_blocks", {"CONTEXTS": 4, "CONTEXT_WORDS": 256, "WINDOW_BITS": 128}, []),
-    ("bise_element", {"VALUE_BITS": 8}, []),
+    Variant("bise_unpack", {"COUNT": 16, "VALUE_BITS": 14, "WINDOW_BITS": 224}, legal=at_most("level_code", 39)),
+    element(10, 27),
+    element(4, 5),  # the choice among at most 8 entries of a palette
+    Variant("bise_place", {}, legal=at_most("level_code", 39)),
+    Variant("bise_bits", {}, legal=at_most("count", 1024) | at_most("level_code", 39)),
+    Variant("trits", {}),
+    Variant("quints", {}),
+    Variant("residual", SAMPLES, legal=DEPTH | {"level_code": "level_code > 3 * legal_depth + 3 ? 3 * legal_depth + 3 : level_code"}),
+    Variant("vector", {}),
+    Variant("vector_axis", {"COEFFICIENT_BITS": 12}, legal=at_most("shift", 9)),
+    Variant("vector_axis", {"COEFFICIENT_BITS": 18}, legal=at_most("shift", 9)),
+    Variant("interpolate", {"BLOCK_LOG2": 2, "SAMPLE_BITS": 14}),
+    Variant("reconstruct", SAMPLES, ("prediction",), legal=DEPTH),
+    Variant("colour", SAMPLES, legal=DEPTH),
+    Variant("compose", SAMPLES, ("out_residual", "out_reference", "out_prediction"), legal=DEPTH),
+    Variant("answer", SAMPLES, legal=DEPTH),
+    Variant("reference_window", BLOCK),
+    Variant("tile_mask", {}, legal=between("columns", 1, 8) | between("rows", 1, 8)),
+    Variant("tile_headers", {"BLOCK_LOG2": 2, "SKEW_BITS": 6}, legal=DEPTH | between("count", 1, 64)),
+    Variant("tile_vectors", {"WORD_BITS": 10, "PLACE_BITS": 15, "WINDOW_BITS": 512}, legal=between("count", 1, 64)),
+    Variant("vector_bounds", {}),
+    Variant("motion_place", BLOCK),
+    Variant("motion_blocks", {"BLOCK_LOG2": 2, "CONTEXTS": 4, "CONTEXT_WORDS": 64, "WINDOW_BITS": 128}),
+    Variant("disparity_place", BLOCK),
+    Variant("disparity_blocks", {"CONTEXTS": 4, "CONTEXT_WORDS": 256, "WINDOW_BITS": 128}),
+    element(8, 21),
 ]
 
 
 def inner_modules(variant: int) -> list[str]:
     """The files of the modules that a variant has in it."""
-    name = f"hmlfc_{VARIANTS[variant][0]}"
+    name = f"hmlfc_{VARIANTS[variant].module}"
     text = (RTL / f"{name}.sv").read_text(encoding="utf-8")
     return [path.name for path in sorted(RTL.glob("hmlfc_*.sv")) if path.stem not in (name, "hmlfc_pkg") and f"  {path.stem} " in text]
 
 
 def read_commands(variant: int) -> str:
     """The commands of Yosys that read a variant as module `top`; the modules in it stay closed."""
-    module, parameters, _ = VARIANTS[variant]
-    name = f"hmlfc_{module}"
+    name = f"hmlfc_{VARIANTS[variant].module}"
     commands = ["design -reset", "read_verilog -sv hmlfc_pkg.sv"]
     commands += [f"read_verilog -sv -lib {file}" for file in inner_modules(variant)]
     commands += [f"read_verilog -sv {name}.sv"]
-    commands += [f"chparam -set {key} {value} {name}" for key, value in parameters.items()]
-    commands += [f"hierarchy -top {name}", "proc", "opt_expr", "opt_clean", f"rename {name} top"]
+    commands += [f"chparam -set {key} {value} {name}" for key, value in VARIANTS[variant].parameters.items()]
+    # Without wreduce most mutants would be of the upper bits that 32-bit integers of the source bring.
+    commands += [f"hierarchy -top {name}", "proc", "opt_expr -full", "opt_merge", "wreduce", "opt_expr -full", "opt_clean",
+                 f"rename {name} top"]
     return "\n".join(commands) + "\n"
 
 

@@ -30,7 +30,7 @@ def main(arguments: list[str]) -> int:
                "-Wno-lint", "-Wno-UNOPTFLAT", "--x-assign", "fast", "--x-initial", "fast", "--noassert", "-O3"]
     command += [f"-G{key}={value}" for key, value in units.UNIT.items()]
     subprocess.run(command + sources(mutants), check=True)
-    make = ["make", "-C", str(folder), "-f", "MutatedUnit.mk", f"CXX={compiler}", "OPT_FAST=-O1", "OPT_SLOW=-O0", "OPT_GLOBAL=-O1",
+    make = ["make", "-C", str(folder), "-f", "MutatedUnit.mk", f"CXX={compiler}", "OPT_FAST=-O2", "OPT_SLOW=-O0", "OPT_GLOBAL=-O1",
             "MutatedUnit__ALL.a"]
     subprocess.run(make, check=True)
     return 0
