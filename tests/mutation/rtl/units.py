@@ -20,6 +20,8 @@ class Variant:
     # What the module's comment says of its inputs, as Verilog that makes a legal value of any: for a port an expression of the
     # ports; legal_NAME is a port's legal value.
     legal: dict[str, str] = dataclasses.field(default_factory=dict)
+    # Clocks with advance from inputs to outputs of a pipeline without feedback.
+    latency: int | None = None
 
 
 def at_most(port: str, bound: int) -> dict[str, str]:
@@ -44,23 +46,23 @@ DEPTH = between("depth", 8, 12)
 
 # A module that has instances of several kinds is there once for each, with mutants of its own.
 VARIANTS = [
-    Variant("bise_unpack", {"COUNT": 16, "VALUE_BITS": 14, "WINDOW_BITS": 224}, legal=at_most("level_code", 39)),
+    Variant("bise_unpack", {"COUNT": 16, "VALUE_BITS": 14, "WINDOW_BITS": 224}, legal=at_most("level_code", 39), latency=3),
     element(10, 27),
     element(4, 5),  # the choice among at most 8 entries of a palette
     Variant("bise_place", {}, legal=at_most("level_code", 39)),
     Variant("bise_bits", {}, legal=at_most("count", 1024) | at_most("level_code", 39)),
     Variant("trits", {}),
     Variant("quints", {}),
-    Variant("residual", SAMPLES, legal=DEPTH | {"level_code": "level_code > 3 * legal_depth + 3 ? 3 * legal_depth + 3 : level_code"}),
-    Variant("vector", {}),
-    Variant("vector_axis", {"COEFFICIENT_BITS": 12}, legal=at_most("shift", 9)),
-    Variant("vector_axis", {"COEFFICIENT_BITS": 18}, legal=at_most("shift", 9)),
-    Variant("interpolate", {"BLOCK_LOG2": 2, "SAMPLE_BITS": 14}),
+    Variant("residual", SAMPLES, legal=DEPTH | {"level_code": "level_code > 3 * legal_depth + 3 ? 3 * legal_depth + 3 : level_code"}, latency=4),
+    Variant("vector", {}, latency=6),
+    Variant("vector_axis", {"COEFFICIENT_BITS": 12}, legal=at_most("shift", 9), latency=5),
+    Variant("vector_axis", {"COEFFICIENT_BITS": 18}, legal=at_most("shift", 9), latency=5),
+    Variant("interpolate", {"BLOCK_LOG2": 2, "SAMPLE_BITS": 14}, latency=3),
     Variant("reconstruct", SAMPLES, ("prediction",), legal=DEPTH),
-    Variant("colour", SAMPLES, legal=DEPTH),
+    Variant("colour", SAMPLES, legal=DEPTH, latency=2),
     Variant("compose", SAMPLES, ("out_residual", "out_reference", "out_prediction"), legal=DEPTH),
     Variant("answer", SAMPLES, legal=DEPTH),
-    Variant("reference_window", BLOCK),
+    Variant("reference_window", BLOCK, latency=2),
     Variant("tile_mask", {}, legal=between("columns", 1, 8) | between("rows", 1, 8)),
     Variant("tile_headers", {"BLOCK_LOG2": 2, "SKEW_BITS": 6}, legal=DEPTH | between("count", 1, 64)),
     Variant("tile_vectors", {"WORD_BITS": 10, "PLACE_BITS": 15, "WINDOW_BITS": 512}, legal=between("count", 1, 64)),
