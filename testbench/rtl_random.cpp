@@ -1,5 +1,5 @@
-// rtl-random: the regression. Random streams of both profiles, intact and damaged, with random
-// sequences and conditions, all by seed.
+// rtl-random: the regression. Random streams of both profiles, intact and damaged, or the
+// conformance vectors, with random sequences and conditions, all by seed.
 #include <unistd.h>
 
 #include <chrono>
@@ -11,8 +11,11 @@
 #include <CLI/CLI.hpp>
 
 #include "failure_folder.hpp"
+#include "fields/header.hpp"
+#include "io/mapped_file.hpp"
 #include "stand_in.hpp"
 #include "suite.hpp"
+#include "vectors/manifest.hpp"
 
 namespace hmlfc::tb {
 namespace {
@@ -27,11 +30,21 @@ struct Options {
   std::string unit = "rtl";
   std::string output = "out";
   bool coverage = false;
+  bool all_points = false;
   std::string points;
+  std::string suite;
+};
+
+// A stream for the units that are to decode it.
+struct Case {
+  uint32_t seed = 0;
+  std::string name;
+  std::vector<uint8_t> bytes;
 };
 
 std::string replay_command(const Options& o, uint32_t seed, uint32_t count) {
   std::string text = fmt::format("./run rtl-random --seed {} --count {}", seed, count);
+  if (!o.suite.empty()) text += " --suite " + o.suite;
   if (o.unit != "rtl") text += " --unit " + o.unit;
   return text;
 }
@@ -43,25 +56,54 @@ std::vector<UnitMaker> makers_of(const Options& o) {
           {"stand-in", {3, 12, 16, 16}, &StandIn::make}};
 }
 
-// One seed on one unit; whether all was equal.
-bool run_seed(Bench& bench, const UnitMaker& maker, const Options& o, uint32_t seed,
-              ScoreCounts& total) {
-  auto bytes = suite_stream(seed, maker.parameters.block_size());
-  spoil(bytes, suite_damage(seed), seed);
-  StreamImage image(bytes, maker.parameters);
-  const SuiteResult result = run_case(bench, maker, image, seed);
+// One stream on one unit; whether all was equal.
+bool run_stream(Bench& bench, const UnitMaker& maker, const Options& o, const Case& one,
+                ScoreCounts& total) {
+  StreamImage image(one.bytes, maker.parameters);
+  const SuiteResult result = run_case(bench, maker, image, one.seed);
   total += result.counts;
   if (!result.mismatch) return true;
-  const std::string replay = replay_command(o, seed, 1);
-  const std::string id = fmt::format("random-{}-block-{}", seed, maker.parameters.block_size());
+  const std::string replay = replay_command(o, one.seed, 1);
+  const std::string id = fmt::format("random-{}-block-{}", one.seed, maker.parameters.block_size());
   const auto folder =
       keep_failure(bench, maker, image, {*result.mismatch, result.history, replay, id}, o.output);
   std::ofstream(folder / "stream.hmlfc", std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  fmt::print("MISMATCH: seed {}, block size {}: {}\nkept in {}\nreplay: {}\n", seed,
+      .write(reinterpret_cast<const char*>(one.bytes.data()),
+             static_cast<std::streamsize>(one.bytes.size()));
+  fmt::print("MISMATCH: {}, block size {}: {}\nkept in {}\nreplay: {}\n", one.name,
              maker.parameters.block_size(), to_string(*result.mismatch), folder.string(), replay);
   return false;
+}
+
+// A random stream of each unit's block size.
+bool run_seed(Bench& bench, const std::vector<UnitMaker>& makers, const Options& o, uint32_t seed,
+              ScoreCounts& total) {
+  bool equal = true;
+  for (const UnitMaker& maker : makers) {
+    Case one{seed, fmt::format("seed {}", seed), suite_stream(seed, maker.parameters.block_size())};
+    spoil(one.bytes, suite_damage(seed), seed);
+    equal = run_stream(bench, maker, o, one, total) && equal;
+  }
+  return equal;
+}
+
+std::vector<vectors::Vector> vectors_of(const Options& o) {
+  if (o.suite.empty()) return {};
+  auto manifest = vectors::read_manifest(o.suite);
+  if (!manifest) throw std::runtime_error(manifest.error().message);
+  return std::move(manifest->vectors);
+}
+
+// A vector on the unit for its block size; without a sound header on the first.
+bool run_vector(Bench& bench, const std::vector<UnitMaker>& makers, const Options& o,
+                const vectors::Vector& vector, uint32_t seed, ScoreCounts& total) {
+  const auto file = io::MappedFile::open(std::filesystem::path(o.suite) / vector.input.file);
+  if (!file) throw std::runtime_error(file.error().message);
+  const auto header = parse_header(file->bytes());
+  const UnitMaker* maker =
+      header ? unit_for(makers, header->block_log2, header->depth) : &makers.front();
+  const Case one{seed, vector.id, {file->bytes().begin(), file->bytes().end()}};
+  return maker == nullptr || run_stream(bench, *maker, o, one, total);
 }
 
 void print_replay(const Options& o, uint32_t count) {
@@ -109,13 +151,22 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--output", o.output, "Folder that failure/ID/ is put into")
       ->capture_default_str();
+  app.add_option("--suite", o.suite,
+                 "Not random streams but the vectors of this folder; a seed is a vector's number");
   app.add_flag("--coverage", o.coverage, "Print the functional coverage");
+  app.add_flag("--all-points", o.all_points, "Fail where a functional point is not met");
   app.add_option("--points", o.points, "Write the functional coverage to this file, as JSON");
   CLI11_PARSE(app, argc, argv);
   const auto makers = makers_of(o);
   if (makers.empty()) {
     fmt::print(stderr, "rtl-random: this build has no Verilated unit (Verilator is missing)\n");
     return kExitUsage;
+  }
+  const std::vector<vectors::Vector> suite = vectors_of(o);
+  if (!o.suite.empty()) {
+    if (o.seed >= suite.size()) throw std::runtime_error(o.suite + " has no vector of that number");
+    o.minutes = 0;
+    o.count = std::min(o.count, static_cast<uint32_t>(suite.size()) - o.seed);
   }
   if (o.minutes == 0) print_replay(o, o.count);
   Bench bench;
@@ -124,25 +175,37 @@ int run(int argc, char** argv) {
   Progress progress(o);
   uint32_t seed = o.seed;
   for (; progress.goes_on(seed) && failed == 0; ++seed) {
-    for (const UnitMaker& maker : makers) failed += !run_seed(bench, maker, o, seed, total);
+    failed += suite.empty() ? !run_seed(bench, makers, o, seed, total)
+                            : !run_vector(bench, makers, o, suite[seed], seed, total);
   }
   progress.clear();
   const bool agree = total.sent == total.received + total.dropped &&
                      total.received == total.compared + total.unchecked;
-  fmt::print("{} streams on {} units each, seeds {} to {}\n", seed - o.seed, makers.size(), o.seed,
-             seed - 1);
+  fmt::print("{} streams on {}, seeds {} to {}\n", seed - o.seed,
+             suite.empty() ? fmt::format("{} units each", makers.size()) : "the unit for each",
+             o.seed, seed - 1);
   fmt::print("{} sent, {} received, {} compared, {} unchecked, {} dropped, {} stage records\n",
              total.sent, total.received, total.compared, total.unchecked, total.dropped,
              total.records);
   if (o.coverage) fmt::print("{}", bench.coverage().report());
   if (!o.points.empty()) std::ofstream(o.points) << bench.coverage().to_json();
   fmt::print("{}\n", failed == 0 && agree ? "equal to the model" : "FAILED");
+  const std::vector<std::string> missed = bench.coverage().missed();
+  if (o.all_points && !missed.empty()) fmt::print("not met: {}\n", fmt::join(missed, ", "));
   std::fflush(stdout);
   print_replay(o, seed - o.seed);
-  return failed == 0 && agree ? 0 : kExitDifferent;
+  const bool met = !o.all_points || missed.empty();
+  return failed == 0 && agree && met ? 0 : kExitDifferent;
 }
 
 }  // namespace
 }  // namespace hmlfc::tb
 
-int sc_main(int argc, char** argv) { return hmlfc::tb::run(argc, argv); }
+int sc_main(int argc, char** argv) {
+  try {
+    return hmlfc::tb::run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rtl-random: {}\n", error.what());
+    return hmlfc::tb::kExitUsage;
+  }
+}

@@ -151,13 +151,15 @@ Result<void> Decoder::refine_rect(ViewPos view, Plane plane, const Rect& rect, i
     SamplePlane region((blocks.bx1 - blocks.bx0) * block_size,
                        (blocks.by1 - blocks.by0) * block_size);
     for (uint32_t j = 0; j < rect.height; ++j) {
-      std::copy_n(samples.begin() + size_t{j} * rect.width, rect.width, region.row(j).begin());
+      const auto row = samples.subspan(size_t{j} * rect.width, rect.width);
+      std::ranges::copy(row, region.row(j).begin());
     }
     if (auto ok = add_level(state_->sparse(), stop_level, image, plane, blocks, region); !ok) {
       return ok;
     }
     for (uint32_t j = 0; j < rect.height; ++j) {
-      std::copy_n(region.row(j).begin(), rect.width, samples.begin() + size_t{j} * rect.width);
+      const auto row = samples.subspan(size_t{j} * rect.width, rect.width);
+      std::copy_n(region.row(j).begin(), rect.width, row.begin());
     }
     return {};
   });

@@ -9,20 +9,29 @@ that is not that of its blocks file, an error of the stream that is not the mani
 compared with their module by Yosys (equiv_induct, sat); those that do differ must be in survivors.json, each with the reason.
 
 --module NAME   only mutants of hmlfc_NAME        --sample N   only N of them, spread evenly
+--log FILE      keeps results as they come; a run with the same file and program goes on
+--record        writes recorded.json: which vector found a mutant, which is tried first from then on, and what was proved equivalent
 --json          the results as JSON
 """
 
 import argparse
+import collections
+import concurrent.futures
+import hashlib
+import itertools
 import json
 import pathlib
-import re
 import subprocess
 import sys
+import threading
 
 import prove
+import units
 
 HERE = pathlib.Path(__file__).resolve().parent
+RECORDED = HERE / "recorded.json"
 FOUND = ("killed", "hangs")
+FIRST_CLOCKS = 300_000
 
 
 def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[dict]:
@@ -33,29 +42,104 @@ def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[
     return [rest[index * len(rest) // sample] for index in range(sample)]
 
 
-def run_vectors(program: str, suite: str, mutants: list[dict], jobs: int, vectors: str | None) -> dict[int, dict]:
-    """What rtl_mutants says of each mutant, by number. Raises RuntimeError where it fails."""
-    extra = ["--vectors", vectors] if vectors else []
-    shards = [mutants[job::jobs] for job in range(jobs) if mutants[job::jobs]]
-    running = [subprocess.Popen([program, suite, *extra, "--mutants", ",".join(str(mutant["number"]) for mutant in shard)],
-                                stdout=subprocess.PIPE, text=True) for shard in shards]
-    results = {}
-    for process in running:
-        for line in process.stdout:
-            result = json.loads(line)
-            results[result["number"]] = result
+class Log:
+    """Results by step and number of a mutant, each kept in a file as soon as it is known, so that a long run goes on where it ended."""
+
+    def __init__(self, path: pathlib.Path | None, total: int):
+        self.path, self.total, self.lock = path, total, threading.Lock()
+        self.known = {}
+        if path and path.exists():
+            for line in path.read_text(encoding="utf-8").splitlines():
+                entry = json.loads(line)
+                self.known[entry["step"], entry["number"]] = entry
+
+    def add(self, step: str, result: dict) -> None:
+        with self.lock:
+            self.known[step, result["number"]] = result
+            if self.path:
+                with self.path.open("a", encoding="utf-8") as file:
+                    file.write(json.dumps({"step": step, **result}) + "\n")
             if sys.stderr.isatty():
-                print(f"\r\033[Kmutants: {len(results)} of {len(mutants)}", end="", file=sys.stderr, flush=True)
-    if sys.stderr.isatty():
-        print("\r\033[K", end="", file=sys.stderr)
-    if any([process.wait() != 0 for process in running]) or len(results) != len(mutants):
+                done = sum(known == step for known, _ in self.known)
+                print(f"\r\033[K{step}: {done} of {self.total}", end="", file=sys.stderr, flush=True)
+
+    def of(self, step: str, mutant: dict) -> dict | None:
+        return self.known.get((step, mutant["number"]))
+
+
+class Record:
+    """recorded.json: what the whole run came to when it was last written. It serves only the very mutants that it is of."""
+
+    def __init__(self, listed: bytes):
+        recorded = json.loads(RECORDED.read_text(encoding="utf-8")) if RECORDED.exists() else {}
+        serves = recorded.get("mutants_sha256") == hashlib.sha256(listed).hexdigest()
+        self.vectors = {number: vector for vector, numbers in recorded["found"].items() for number in numbers} if serves else {}
+        self.equivalent = set(recorded["equivalent"]) if serves else set()
+
+    @staticmethod
+    def write(listed: bytes, results: dict[int, dict]) -> None:
+        found = collections.defaultdict(list)
+        for number, result in sorted(results.items()):
+            if result["result"] in FOUND:
+                found[result["vector"]].append(number)
+        equivalent = sorted(number for number, result in results.items() if result.get("proof") == prove.EQUIVALENT)
+        rows = ",\n".join(f"  {json.dumps(vector)}: {numbers}" for vector, numbers in sorted(found.items()))
+        RECORDED.write_text(f'{{"mutants_sha256": "{hashlib.sha256(listed).hexdigest()}",\n "equivalent": {equivalent},\n'
+                            f' "found": {{\n{rows}}}}}\n', encoding="utf-8")
+
+
+def run_variant(program: list[str], mutants: list[dict], record: Record, note) -> None:
+    """Has rtl_mutants run mutants of one variant, and gives each result to `note`. Raises RuntimeError where it fails."""
+    names = [f"{mutant['number']}:{record.vectors.get(mutant['number'], '')}" for mutant in mutants]
+    command = [*program, "--clauses", ",".join(units.VARIANTS[mutants[0]["variant"]].clauses), "--mutants", ",".join(names)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        for line in process.stdout:
+            note(json.loads(line))
+    if process.returncode != 0:
         raise RuntimeError("rtl_mutants has failed")
+
+
+def run_vectors(program: list[str], step: str, mutants: list[dict], record: Record, jobs: int, log: Log) -> None:
+    """Logs what rtl_mutants says of each mutant. Raises RuntimeError where it fails."""
+    left = [mutant for mutant in mutants if not log.of(step, mutant)]
+    groups = [list(group) for _, group in itertools.groupby(left, lambda mutant: mutant["variant"])]
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        list(pool.map(lambda group: run_variant(program, group, record, lambda result: log.add(step, result)), groups))
+
+
+def run_proofs(mutants: list[dict], folder: pathlib.Path, seconds: float, jobs: int, log: Log) -> None:
+    """Logs for each mutant whether it differs from its module."""
+    def settle(mutant: dict) -> None:
+        log.add("proofs", {"number": mutant["number"], "proof": prove.prove(mutant, folder, seconds)})
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        list(pool.map(settle, [mutant for mutant in mutants if not log.of("proofs", mutant)]))
+
+
+def campaign(program: list[str], mutants: list[dict], options: argparse.Namespace, record: Record, log: Log) -> dict[int, dict]:
+    """The result of each mutant by number, with a `proof` for those that no vector finds.
+
+    Most are found by the first vectors. What is not found by then is proved equivalent, if it can be, before all vectors are tried."""
+    run_vectors([*program, "--clocks", str(FIRST_CLOCKS)], "first vectors", mutants, record, options.jobs, log)
+    missed = [mutant for mutant in mutants if log.of("first vectors", mutant)["result"] not in FOUND]
+    if options.trust_record:
+        for mutant in missed:
+            if mutant["number"] in record.equivalent and not log.of("proofs", mutant):
+                log.add("proofs", {"number": mutant["number"], "proof": prove.EQUIVALENT})
+    run_proofs(missed, pathlib.Path(options.mutants).resolve().parent, options.seconds, options.jobs, log)
+    rest = [mutant for mutant in missed if log.of("proofs", mutant)["proof"] != prove.EQUIVALENT]
+    run_vectors(program, "all vectors", rest, record, options.jobs, log)
+    results = {}
+    for mutant in mutants:
+        final = log.of("all vectors", mutant) or log.of("first vectors", mutant)
+        proof = {} if final["result"] in FOUND else {"proof": log.of("proofs", mutant)["proof"]}
+        results[mutant["number"]] = {**final, **proof}
     return results
 
 
 def identity(mutant: dict) -> tuple[str, str, str]:
-    """What a mutant is known by: numbers that Yosys gives to cells by and by are left out."""
-    return mutant["module"], json.dumps(mutant["parameters"]), re.sub(r"\$\d+ ", " ", mutant["command"])
+    """What a mutant is known by, whatever its number is."""
+    return mutant["module"], json.dumps(mutant["parameters"]), mutant["command"]
 
 
 def reasons() -> dict[tuple[str, str, str], str]:
@@ -64,16 +148,13 @@ def reasons() -> dict[tuple[str, str, str], str]:
     return {identity(entry): entry["reason"] for entry in listed}
 
 
-def settle(mutants: list[dict], results: dict[int, dict], folder: pathlib.Path, seconds: float) -> None:
-    """Gives each survivor its `proof`, and its `reason` where one is listed."""
+def explain(mutants: list[dict], results: dict[int, dict]) -> None:
+    """Gives survivors that are not equivalent their `reason`, where one is listed."""
     known = reasons()
     for mutant in mutants:
         result = results[mutant["number"]]
-        if result["result"] in FOUND:
-            continue
-        result["proof"] = prove.prove(mutant, folder, seconds)
         reason = known.get(identity(mutant))
-        if reason and result["proof"] != prove.EQUIVALENT:
+        if reason and result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT:
             result["reason"] = reason
 
 
@@ -108,15 +189,24 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seconds", type=float, default=120, help="for a proof")
     parser.add_argument("--vectors", help="only these vectors, with commas between them")
+    parser.add_argument("--log", type=pathlib.Path, help="keeps results as they come; a run with the same file goes on")
+    parser.add_argument("--record", action="store_true", help="write recorded.json")
+    parser.add_argument("--trust-record", action="store_true", help="equivalent is what recorded.json says to be; no proof of these")
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args(arguments)
-    listed = json.loads(pathlib.Path(options.mutants).read_text(encoding="utf-8"))
+    text = pathlib.Path(options.mutants).read_bytes()
+    listed = json.loads(text)
     mutants = chosen(listed["mutants"], options.module, options.sample)
     if not mutants:
         print(f"mutate.py: no mutant of module {options.module}", file=sys.stderr)
         return 2
-    results = run_vectors(options.program, options.suite, mutants, options.jobs, options.vectors)
-    settle(mutants, results, pathlib.Path(options.mutants).resolve().parent, options.seconds)
+    program = [options.program, options.suite] + (["--vectors", options.vectors] if options.vectors else [])
+    results = campaign(program, mutants, options, Record(text), Log(options.log, len(mutants)))
+    if options.record:
+        Record.write(text, results)
+    explain(mutants, results)
+    if sys.stderr.isatty():
+        print("\r\033[K", end="", file=sys.stderr)
     if options.json:
         rows = [{**mutant, **results[mutant["number"]]} for mutant in mutants]
         print(json.dumps({"seed": listed["seed"], "mutants": rows}, indent=1))

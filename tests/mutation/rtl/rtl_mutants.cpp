@@ -21,14 +21,17 @@ constexpr int kExitFailed = 1;
 // Without an answer. The unit itself needs some thousand clocks for LOAD and a thousand for a
 // block.
 constexpr uint64_t kPatience = 20'000;
+constexpr double kAimed = 10;  // mutants that a vector is expected to find
 constexpr double kKept = 0.8;  // of what a vector has found, from one mutant to the next
-// Streams that are refused take little time but find nothing in the datapath: as if they were large.
+// Streams that are refused take little time but find nothing in the datapath: as if they were
+// large.
 constexpr uint64_t kPixelsOfRefused = 100'000;
 
 struct Options {
   std::filesystem::path suite;
   std::vector<std::string> filters;
-  std::vector<unsigned> mutants;
+  std::vector<std::string> clauses;
+  std::vector<std::string> mutants;
   uint64_t clocks = UINT64_MAX;  // for a mutant: after these no other vector is begun
 };
 
@@ -36,8 +39,11 @@ struct Options {
 // that is needed first.
 class Candidate {
  public:
-  Candidate(std::filesystem::path suite, const vectors::Vector& vector)
-      : suite_(std::move(suite)), entry_(vector) {
+  Candidate(const Options& options, const vectors::Vector& vector)
+      : suite_(options.suite), entry_(vector) {
+    aimed_ = std::ranges::any_of(vector.clauses, [&](const std::string& clause) {
+      return std::ranges::find(options.clauses, clause) != options.clauses.end();
+    });
     if (vector.output) {
       pixels_ = uint64_t{vector.output->rows} * vector.output->cols * vector.output->width *
                 vector.output->height;
@@ -46,7 +52,9 @@ class Candidate {
 
   // What it has found, of late above all, by the time that it is likely to take. Mutants of a
   // module come one after the other, and what finds one often finds the next.
-  double worth() const { return (1 + found_) / static_cast<double>(1000 + pixels_); }
+  double worth() const {
+    return (1 + found_ + (aimed_ ? kAimed : 0)) / static_cast<double>(1000 + pixels_);
+  }
 
   void forget() { found_ *= kKept; }
 
@@ -76,6 +84,7 @@ class Candidate {
   vectors::Vector entry_;
   std::unique_ptr<UnitVector> vector_;
   uint64_t pixels_ = kPixelsOfRefused;
+  bool aimed_ = false;    // at a clause that is asked for
   double found_ = 0;      // mutants, less what it has forgotten
   bool checked_ = false;  // that the unit without a mutant passes
 };
@@ -90,17 +99,22 @@ std::vector<Candidate> candidates(const Options& options) {
     if (!chosen) continue;
     const auto file = io::MappedFile::open(options.suite / vector.input.file);
     if (!file) throw std::runtime_error(file.error().message);
-    if (UnitVector::is_for(kMutatedUnit, file->bytes())) found.emplace_back(options.suite, vector);
+    if (UnitVector::is_for(kMutatedUnit, file->bytes())) found.emplace_back(options, vector);
   }
   if (found.empty()) throw std::runtime_error("no vector of the suite is for this unit");
   return found;
 }
 
-// The vectors that find most in the least time come first; after `limit` clocks no other is begun.
-nlohmann::ordered_json result_of(unsigned mutant, std::vector<Candidate>& suite,
+// `text` is NUMBER or NUMBER:VECTOR. That vector first, then the vectors that find most in the
+// least time; after `limit` clocks no other is begun.
+nlohmann::ordered_json result_of(const std::string& text, std::vector<Candidate>& suite,
                                  uint64_t limit) {
+  const size_t colon = text.find(':');
+  const auto mutant = static_cast<unsigned>(std::stoul(text.substr(0, colon)));
+  const std::string first = colon == std::string::npos ? "" : text.substr(colon + 1);
   std::ranges::for_each(suite, &Candidate::forget);
   std::ranges::stable_sort(suite, std::greater{}, &Candidate::worth);
+  std::ranges::stable_partition(suite, [&](const Candidate& one) { return one.id() == first; });
   uint64_t clocks = 0;
   for (Candidate& candidate : suite) {
     if (clocks >= limit) return {{"number", mutant}, {"result", "missed"}, {"clocks", clocks}};
@@ -122,16 +136,18 @@ int main_of(int argc, char** argv) {
       "Runs the conformance vectors on mutants of the decode unit; a JSON object a line for each"};
   Options options;
   app.add_option("SUITE", options.suite, "The folder of manifest.json")->required();
-  app.add_option("--mutants", options.mutants, "Numbers of mutants, as in mutants.json")
+  app.add_option("--mutants", options.mutants,
+                 "Numbers of mutants, as in mutants.json; with :VECTOR behind it that one first")
       ->delimiter(',')
       ->required();
   app.add_option("--vectors", options.filters, "Only these vectors")->delimiter(',');
+  app.add_option("--clauses", options.clauses, "Vectors of these come first")->delimiter(',');
   app.add_option("--clocks", options.clocks,
                  "After so many clocks no other vector is tried: \"missed\", not \"survived\"");
   CLI11_PARSE(app, argc, argv);
   try {
     std::vector<Candidate> suite = candidates(options);
-    for (const unsigned mutant : options.mutants) {
+    for (const std::string& mutant : options.mutants) {
       fmt::print("{}\n", result_of(mutant, suite, options.clocks).dump());
       std::fflush(stdout);
     }
