@@ -88,23 +88,28 @@ class Record:
                             f' "found": {{\n{rows}}}}}\n', encoding="utf-8")
 
 
-def run_variant(program: list[str], mutants: list[dict], record: Record, note) -> None:
-    """Has rtl_mutants run mutants of one variant, and gives each result to `note`. Raises RuntimeError where it fails."""
-    names = [f"{mutant['number']}:{record.vectors.get(mutant['number'], '')}" for mutant in mutants]
-    command = [*program, "--clauses", ",".join(units.VARIANTS[mutants[0]["variant"]].clauses), "--mutants", ",".join(names)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+def run_groups(program: list[str], groups: list[list[dict]], record: Record, note) -> None:
+    """Has rtl_mutants try groups of mutants, and gives the result of each mutant to `note`. Raises RuntimeError where it fails."""
+    names = []
+    for group in groups:
+        vector = record.vectors.get(group[0]["number"], "") if len(group) == 1 else ""
+        names.append("+".join(f"{mutant['number']}/{mutant['variant']}" for mutant in group) + f":{vector}")
+    clauses = sorted({clause for group in groups for mutant in group for clause in units.VARIANTS[mutant["variant"]].clauses})
+    with subprocess.Popen([*program, "--clauses", ",".join(clauses), "--mutants", ",".join(names)], stdout=subprocess.PIPE, text=True) as process:
         for line in process.stdout:
             note(json.loads(line))
     if process.returncode != 0:
         raise RuntimeError("rtl_mutants has failed")
 
 
-def run_vectors(program: list[str], step: str, mutants: list[dict], record: Record, jobs: int, log: Log) -> None:
-    """Logs what rtl_mutants says of each mutant. Raises RuntimeError where it fails."""
-    left = [mutant for mutant in mutants if not log.of(step, mutant)]
-    groups = [list(group) for _, group in itertools.groupby(left, lambda mutant: mutant["variant"])]
+def run_vectors(program: list[str], step: str, shards: list[list[list[dict]]], record: Record, jobs: int, log: Log) -> None:
+    """Logs what rtl_mutants says of each mutant of shards of groups. Raises RuntimeError where it fails."""
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        list(pool.map(lambda group: run_variant(program, group, record, lambda result: log.add(step, result)), groups))
+        list(pool.map(lambda groups: run_groups(program, groups, record, lambda result: log.add(step, result)), shards))
+
+
+def by_variant(mutants: list[dict]) -> list[list[dict]]:
+    return [list(group) for _, group in itertools.groupby(mutants, lambda mutant: mutant["variant"])]
 
 
 def run_proofs(mutants: list[dict], folder: pathlib.Path, seconds: float, jobs: int, log: Log) -> None:
@@ -119,16 +124,21 @@ def run_proofs(mutants: list[dict], folder: pathlib.Path, seconds: float, jobs: 
 def campaign(program: list[str], mutants: list[dict], options: argparse.Namespace, record: Record, log: Log) -> dict[int, dict]:
     """The result of each mutant by number, with a `proof` for those that no vector finds.
 
-    Most are found by the first vectors. What is not found by then is proved equivalent, if it can be, before all vectors are tried."""
-    run_vectors([*program, "--clocks", str(FIRST_CLOCKS)], "first vectors", mutants, record, options.jobs, log)
+    Most are found by the first vectors. What is not found by then is proved equivalent, if it can be, before all vectors are tried on
+    the others, several of which are switched on at once."""
+    left = [mutant for mutant in mutants if not log.of("first vectors", mutant)]
+    shards = [[[mutant] for mutant in variant] for variant in by_variant(left)]
+    run_vectors([*program, "--clocks", str(FIRST_CLOCKS)], "first vectors", shards, record, options.jobs, log)
     missed = [mutant for mutant in mutants if log.of("first vectors", mutant)["result"] not in FOUND]
     if options.trust_record:
         for mutant in missed:
             if mutant["number"] in record.equivalent and not log.of("proofs", mutant):
                 log.add("proofs", {"number": mutant["number"], "proof": prove.EQUIVALENT})
     run_proofs(missed, pathlib.Path(options.mutants).resolve().parent, options.seconds, options.jobs, log)
-    rest = [mutant for mutant in missed if log.of("proofs", mutant)["proof"] != prove.EQUIVALENT]
-    run_vectors(program, "all vectors", rest, record, options.jobs, log)
+    rest = [mutant for mutant in missed if log.of("proofs", mutant)["proof"] != prove.EQUIVALENT and not log.of("all vectors", mutant)]
+    # One of each variant together: what no vector finds together takes the time of one.
+    groups = [[mutant for mutant in group if mutant] for group in itertools.zip_longest(*by_variant(rest))]
+    run_vectors(program, "all vectors", [[group] for group in groups], record, options.jobs, log)
     results = {}
     for mutant in mutants:
         final = log.of("all vectors", mutant) or log.of("first vectors", mutant)

@@ -58,11 +58,11 @@ def chooser(module: str) -> str:
     for variant, unit in enumerate(units.VARIANTS):
         if unit.module == module:
             condition = " && ".join(f"{key} == {value}" for key, value in unit.parameters.items()) or "1"
+            # Verilator 5.006 does not take a variable of a package as what a port is connected to.
             body.append(f"if ({condition}) begin : gen_{variant}\n"
+                        f"    wire [{SELECT_BITS - 1}:0] mutsel = hmlfc_mutant_pkg::mutants[{SELECT_BITS * variant} +: {SELECT_BITS}];\n"
                         f"    hmlfc_mutated_{variant} mutated (.*);\n  end")
-    # Verilator 5.006 does not take a variable of a package as what a port is connected to.
-    select = f"  wire [{SELECT_BITS - 1}:0] mutsel = hmlfc_mutant_pkg::mutant;\n  "
-    return head.group() + select + " else ".join(body) + f' else $error("units.py lacks these parameters of {module}");\nendmodule\n'
+    return head.group() + "  " + " else ".join(body) + f' else $error("units.py lacks these parameters of {module}");\nendmodule\n'
 
 
 def mutants(folder: pathlib.Path) -> list[dict]:
@@ -89,10 +89,11 @@ def main(arguments: list[str]) -> int:
     plant(folder, count, seed)
     for module in {unit.module for unit in units.VARIANTS}:
         (folder / f"hmlfc_{module}.sv").write_text(chooser(module), encoding="utf-8")
-    (folder / "hmlfc_mutant_pkg.sv").write_text(f"package hmlfc_mutant_pkg;\n  logic [{SELECT_BITS - 1}:0] mutant;\nendpackage\n",
+    bits = SELECT_BITS * len(units.VARIANTS)
+    (folder / "hmlfc_mutant_pkg.sv").write_text(f"package hmlfc_mutant_pkg;\n  logic [{bits - 1}:0] mutants;\nendpackage\n",
                                                 encoding="utf-8")
     unit = (units.RTL / "hmlfc_decode_unit.sv").read_text(encoding="utf-8")
-    plusarg = "  initial if ($value$plusargs(\"mutant=%d\", hmlfc_mutant_pkg::mutant) == 0) hmlfc_mutant_pkg::mutant = 0;\n"
+    plusarg = "  initial if ($value$plusargs(\"mutants=%h\", hmlfc_mutant_pkg::mutants) == 0) hmlfc_mutant_pkg::mutants = 0;\n"
     (folder / "hmlfc_decode_unit.sv").write_text(unit.replace("\nendmodule", "\n" + plusarg + "endmodule"), encoding="utf-8")
     listed = {"seed": seed, "mutants": mutants(folder)}
     (folder / "mutants.json").write_text(json.dumps(listed, indent=1) + "\n", encoding="utf-8")

@@ -4,7 +4,10 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -58,10 +61,11 @@ class Candidate {
 
   void forget() { found_ *= kKept; }
 
-  // A mutant is only found where the unit without a mutant passes: else throws.
-  Verdict try_on(unsigned mutant, uint64_t& clocks) {
+  // With `mutants` switched on. A mutant is only found where the unit without a mutant passes: else
+  // throws.
+  Verdict try_on(std::span<const Mutant> mutants, uint64_t& clocks) {
     if (!vector_) vector_ = std::make_unique<UnitVector>(suite_, entry_, kMutatedUnit);
-    const Verdict verdict = vector_->try_on(make_mutated_unit(mutant), kPatience, clocks);
+    const Verdict verdict = vector_->try_on(make_mutated_unit(mutants), kPatience, clocks);
     if (verdict.pass()) return verdict;
     found_ += 1;
     if (!checked_) check_unit();
@@ -74,7 +78,7 @@ class Candidate {
  private:
   void check_unit() const {
     uint64_t clocks = 0;
-    const Verdict verdict = vector_->try_on(make_mutated_unit(0), kPatience, clocks);
+    const Verdict verdict = vector_->try_on(make_mutated_unit({}), kPatience, clocks);
     if (verdict.pass()) return;
     throw std::runtime_error(
         fmt::format("the unit without a mutant fails {}: {}", entry_.id, verdict.difference));
@@ -105,31 +109,90 @@ std::vector<Candidate> candidates(const Options& options) {
   return found;
 }
 
-// `text` is NUMBER or NUMBER:VECTOR. That vector first, then the vectors that find most in the
-// least time; after `limit` clocks no other is begun.
-nlohmann::ordered_json result_of(const std::string& text, std::vector<Candidate>& suite,
-                                 uint64_t limit) {
+// NUMBER/VARIANT, several of them with + between them; then perhaps :VECTOR.
+struct Group {
+  std::vector<Mutant> mutants;
+  std::string first;  // the vector to be tried first
+};
+
+Group parse_group(const std::string& text) {
+  Group group;
   const size_t colon = text.find(':');
-  const auto mutant = static_cast<unsigned>(std::stoul(text.substr(0, colon)));
-  const std::string first = colon == std::string::npos ? "" : text.substr(colon + 1);
-  std::ranges::for_each(suite, &Candidate::forget);
-  std::ranges::stable_sort(suite, std::greater{}, &Candidate::worth);
-  std::ranges::stable_partition(suite, [&](const Candidate& one) { return one.id() == first; });
-  uint64_t clocks = 0;
-  for (Candidate& candidate : suite) {
-    if (clocks >= limit) return {{"number", mutant}, {"result", "missed"}, {"clocks", clocks}};
-    uint64_t taken = 0;
-    const Verdict verdict = candidate.try_on(mutant, taken);
-    clocks += taken;
-    if (verdict.pass()) continue;
-    return {{"number", mutant},
-            {"result", verdict.hangs ? "hangs" : "killed"},
-            {"vector", candidate.id()},
-            {"difference", verdict.difference},
-            {"clocks", clocks}};
+  if (colon != std::string::npos) group.first = text.substr(colon + 1);
+  std::istringstream words(text.substr(0, colon));
+  for (std::string word; std::getline(words, word, '+');) {
+    const size_t slash = word.find('/');
+    if (slash == std::string::npos) throw std::runtime_error(word + " is not NUMBER/VARIANT");
+    group.mutants.push_back({static_cast<unsigned>(std::stoul(word.substr(0, slash))),
+                             static_cast<unsigned>(std::stoul(word.substr(slash + 1)))});
   }
-  return {{"number", mutant}, {"result", "survived"}, {"clocks", clocks}};
+  return group;
 }
+
+void print(const nlohmann::ordered_json& result) {
+  fmt::print("{}\n", result.dump());
+  std::fflush(stdout);
+}
+
+// Tries a group on the vectors, and each of its mutants alone where the group is found: vector
+// `first`, then those that find most in the least time; after `limit` clocks no other is begun.
+// What is left at the end, no vector finds: alone, or together with others that none finds.
+class Trial {
+ public:
+  Trial(Group group, std::vector<Candidate>& suite, uint64_t limit)
+      : group_(std::move(group)), suite_(suite), limit_(limit) {}
+
+  void run() {
+    std::ranges::for_each(suite_, &Candidate::forget);
+    std::ranges::stable_sort(suite_, std::greater{}, &Candidate::worth);
+    std::ranges::stable_partition(suite_,
+                                  [&](const Candidate& one) { return one.id() == group_.first; });
+    for (Candidate& candidate : suite_) {
+      if (group_.mutants.empty() || clocks_ >= limit_) break;
+      try_on(candidate);
+    }
+    const char* result = clocks_ >= limit_ ? "missed" : "survived";
+    for (const Mutant& mutant : group_.mutants) {
+      print({{"number", mutant.number}, {"result", result}, {"clocks", clocks_}});
+    }
+  }
+
+ private:
+  Verdict tried(Candidate& candidate, std::span<const Mutant> mutants) {
+    uint64_t taken = 0;
+    const Verdict verdict = candidate.try_on(mutants, taken);
+    clocks_ += taken;
+    return verdict;
+  }
+
+  void try_on(Candidate& candidate) {
+    const Verdict verdict = tried(candidate, group_.mutants);
+    if (verdict.pass()) return;
+    const size_t before = group_.mutants.size();
+    const bool alone = before == 1;
+    std::erase_if(group_.mutants, [&](const Mutant& mutant) {
+      const Verdict own = alone ? verdict : tried(candidate, std::span(&mutant, 1));
+      if (own.pass()) return false;
+      print({{"number", mutant.number},
+             {"result", own.hangs ? "hangs" : "killed"},
+             {"vector", candidate.id()},
+             {"difference", own.difference},
+             {"clocks", clocks_}});
+      return true;
+    });
+    // The vector finds only several together: what it takes to find them is not known by the group.
+    if (group_.mutants.size() == before) {
+      for (const Mutant& mutant : std::exchange(group_.mutants, {})) {
+        Trial({{mutant}, group_.first}, suite_, limit_).run();
+      }
+    }
+  }
+
+  Group group_;
+  std::vector<Candidate>& suite_;
+  uint64_t limit_;
+  uint64_t clocks_ = 0;
+};
 
 int main_of(int argc, char** argv) {
   CLI::App app{
@@ -137,7 +200,8 @@ int main_of(int argc, char** argv) {
   Options options;
   app.add_option("SUITE", options.suite, "The folder of manifest.json")->required();
   app.add_option("--mutants", options.mutants,
-                 "Numbers of mutants, as in mutants.json; with :VECTOR behind it that one first")
+                 "NUMBER/VARIANT as in mutants.json; with + between them several of different "
+                 "variants, tried together; with :VECTOR behind it that vector comes first")
       ->delimiter(',')
       ->required();
   app.add_option("--vectors", options.filters, "Only these vectors")->delimiter(',');
@@ -147,9 +211,8 @@ int main_of(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     std::vector<Candidate> suite = candidates(options);
-    for (const std::string& mutant : options.mutants) {
-      fmt::print("{}\n", result_of(mutant, suite, options.clocks).dump());
-      std::fflush(stdout);
+    for (const std::string& text : options.mutants) {
+      Trial(parse_group(text), suite, options.clocks).run();
     }
     return 0;
   } catch (const std::exception& error) {
