@@ -12,9 +12,6 @@ from specification import defined_clauses, read, table_after  # noqa: E402  (the
 
 # Clauses that state nothing a decoder could get wrong by themselves, with the reason.
 EXEMPT = {
-    "CNV-1": "notation of shifts and divisions; the clauses that use it have vectors",
-    "CNV-3": "notation of integers; every stream uses it",
-    "CNV-6": "notation of ranks; IDX-4 and TIL-7 use it",
     "COL-1": "the forward transform, for encoders",
 }
 
