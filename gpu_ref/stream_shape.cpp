@@ -12,6 +12,7 @@ constexpr uint64_t kMaxWords = uint64_t{1} << 32;
 
 uint32_t row_words(const PlaneShape& plane) { return ceil_div(plane.width, 2u); }
 
+// Streams beyond the limit are refused (FIL-7).
 uint32_t checked_words(uint64_t bytes, const char* what) {
   if (bytes / 4 >= kMaxWords) {
     throw MachineError(std::string("limit_exceeded: ") + what + " takes 16 GiB or more");

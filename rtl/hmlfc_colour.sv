@@ -10,7 +10,7 @@
 //              16 * (c * B * B + i) on
 //
 // Latency 2 clocks with advance, one block a clock: t; R, G and B, each one addition away from t.
-// R = B + Co = t - (Co >> 1) + Co is t + (Co >> 1) + 1 with an odd Co, else without the 1.
+// R = B + Co = t - (Co >> 1) + Co is t + (Co >> 1) + 1 with an odd Co, else without the 1. Shifts are floors (CNV-1).
 module hmlfc_colour #(
   parameter integer BLOCK_LOG2 = 2,
   parameter integer MAX_DEPTH = 8

@@ -3,7 +3,7 @@
 // Makes the samples of each block from its parent, references and residual (DEC-2, DEC-3, DEC-6, MOT-9), one block a clock.
 //
 // Takes blocks in order, and for each the windows it asked for. The result of one level is the parent of the next. Latency 7
-// clocks. `out_error` is the first error of the levels so far (DEC-7).
+// clocks. `out_error` is the first error of the levels so far (CNV-7, DEC-7).
 module hmlfc_compose #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,

@@ -3,7 +3,7 @@
 // Derives the geometry of the stream from its header: planes, tiles, levels, addresses.
 //
 // `start` when the header's fields hold; `done` tells for one clock that `error`, `stream` and `levels` hold, which then keep.
-// Errors: limit_exceeded for streams beyond this unit's limits, then bad_section_size (IDX-4, IDX-5).
+// Errors: limit_exceeded (FIL-7) for streams beyond this unit's limits, then bad_section_size (IDX-4, IDX-5).
 // Level l is at levels[l * $bits(level_t) +: ...].
 module hmlfc_geometry #(
     parameter int BLOCK_LOG2 = 2,

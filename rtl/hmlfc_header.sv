@@ -3,7 +3,7 @@
 // Reads and checks the header of a stream (FIL-1 to FIL-4, EXT-1, EXT-2, EXT-4).
 //
 // `start` begins; `done` tells for one clock that `error` (annex A, 0 for none) and the fields hold, which then keep. The checks
-// are made in the order of FIL-4. Bytes come 16 at a time and are looked at one a clock.
+// are made in the order of FIL-4. Bytes come 16 at a time and are looked at one a clock; fields are little-endian (CNV-3).
 module hmlfc_header #(
     parameter int DATA_BITS = 128,
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS

@@ -1,6 +1,6 @@
 `include "hmlfc_tables.svh"
 
-// LOAD: reads the header and derives the geometry, when no request is under way.
+// LOAD: reads the header and derives the geometry, when no request is under way. Sections are left unchecked (FIL-6).
 //
 // `load` begins (it may come at any time), `disable_unit` ends the readiness. `enable` tells that requests may be taken: a LOAD has
 // ended, with `error` or 0. `flush` tells for one clock that what is known of the last stream is to be forgotten.

@@ -1,4 +1,4 @@
-// From what the stream says about a block to the samples it is made of: asks both caches for the windows of its references,
+// From what the stream says about a block to the samples it is made of: asks both caches for the windows of its references (DEC-4),
 // and keeps the block in line until they come.
 //
 //   reference_ask -+-> [8] -> cache A (K0) ----------> a_*

@@ -15,7 +15,7 @@
 // Latency 4 clocks with advance, one block a clock: what all positions share; centred; once or three times; shifted and clamped.
 //
 // The step is m * 2^k with m = 1 or 3 (STP-2), and at least 1, so a number outside [-M, M] stays outside when it is multiplied:
-// of the clamps before and after the product, the second alone decides. And m * c * 2^k > M just if m * c > M >> k, so the
+// of the clamps (CNV-2) before and after the product, the second alone decides. And m * c * 2^k > M just if m * c > M >> k, so the
 // comparison does not wait for the shift.
 `include "hmlfc_tables.svh"
 

@@ -82,7 +82,7 @@ module hmlfc_residual_parser #(
   logic [P-1:0] bits, position;
   logic [5:0] error;
 
-  // The 64 bits at `position` are in `field` when `fresh`.
+  // The 64 bits at `position` are in `field` when `fresh` (CNV-4).
   logic fresh;
   logic [5:0] shift;
   wire [P-1:0] address = position + P'(skew);

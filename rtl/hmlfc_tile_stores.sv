@@ -1,4 +1,4 @@
-// From a block of a level to what the stream says about it: motion, disparity, residual.
+// From a block of a level to what the stream says about it: motion, disparity, residual; a walk for each at most (BND-2, BND-3).
 //
 //   tile_ask -> [128] -> motion_store -> disparity_ask -> [64] -> disparity_store -> residual_store
 //      |                  ^ asked for        |                     ^ asked for by      ^ asked for

@@ -1,6 +1,6 @@
 `include "hmlfc_tables.svh"
 
-// Walks the index from a tile's number to its record (IDX-3 to IDX-7).
+// Walks the index from a tile's number to its record (IDX-3 to IDX-7): three dependent reads at most (BND-1).
 //
 // `start` with `tile` begins a walk when `idle`. `done` tells for one clock that the result holds:
 // `error` is the number of an error of annex A; without one, `empty` says that the tile has no record,

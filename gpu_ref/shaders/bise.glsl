@@ -26,7 +26,7 @@ uint bise_bits(Levels levels, uint count) {
   return bits;
 }
 
-/// Trit i in [0, 4] of code T (BISE-8).
+/// Trit i in [0, 4] of code T (BISE-8). Every code is valid (BISE-10).
 uint trit_of_code(uint T, uint i) {
   uint C, t4, t3;
   if (((T >> 2) & 7u) == 7u) {
@@ -57,7 +57,7 @@ uint trit_of_code(uint T, uint i) {
   return i < 2u ? (i == 0u ? t0 : t1) : i == 2u ? t2 : i == 3u ? t3 : t4;
 }
 
-/// Quint i in [0, 2] of code Q (BISE-9).
+/// Quint i in [0, 2] of code Q (BISE-9). Every code is valid (BISE-10).
 uint quint_of_code(uint Q, uint i) {
   uint q2, q1, q0;
   const uint low = Q & 1u;

@@ -2,7 +2,7 @@
 // structs have the same members in the same order.
 
 struct LevelShape {
-  uint rows, cols;              // images of the level (STR-3)
+  uint rows, cols;              // images of the level; views at level 0 (STR-1, STR-3)
   uint ref_rows, ref_cols;      // images of a reference group (STR-4)
   uint group_rows, group_cols;  // groups of the level
   uint first_image;             // F_l of IDX-1

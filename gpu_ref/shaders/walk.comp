@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // What the stream says about every block of every level of every request: one invocation for a
-// request and a level. No walk waits for another (BND-1).
+// request and a level. No walk waits for another (BND-1). Reference images lie decoded in the reference
+// area, so that a level takes one walk, with motion tiles two more (BND-2, BND-3).
 #include "decode.glsl"
 #include "requests.glsl"
 #include "frame.glsl"

@@ -95,7 +95,7 @@ void Geometry::add_planes(const StreamHeader& header) {
 
 void Geometry::add_levels(const StreamHeader& header) {
   LevelShape shape;
-  shape.rows = header.rows;
+  shape.rows = header.rows;  // the views of level 0 (STR-1)
   shape.cols = header.cols;
   shape.balanced = header.has(Feature::kBalancedGroups);
   for (const LevelEntry& entry : header.levels) {

@@ -48,7 +48,7 @@ def bits(word, high, low):
 
 
 def trits(T):
-    """The five trits of T, t0 first (BISE-8)."""
+    """The five trits of T, t0 first (BISE-8); every T is valid (BISE-10)."""
     if bits(T, 4, 2) == 7:
         C, t4, t3 = bits(T, 7, 5) * 4 + bits(T, 1, 0), 2, 2
     elif bits(T, 6, 5) == 3:
@@ -65,7 +65,7 @@ def trits(T):
 
 
 def quints(Q):
-    """The three quints of Q, q0 first (BISE-9)."""
+    """The three quints of Q, q0 first (BISE-9); every Q is valid (BISE-10)."""
     if bits(Q, 2, 1) == 3 and bits(Q, 6, 5) == 0:
         without_q0 = 1 - bit(Q, 0)
         return [4, 4, bit(Q, 0) * 4 + bit(Q, 4) * without_q0 * 2 + bit(Q, 3) * without_q0]

@@ -26,7 +26,7 @@ class BlockDecoder:
         self.decode_image_block = cache(self._decode_image_block)
 
     def decode(self, row, col, plane, block_x, block_y, level=0):
-        """The stages of the block of view (row, col) at each level from the first down to `level` (DEC-1)."""
+        """The stages of the block of view (row, col) at each level from the first down to `level` (DEC-1, EXT-5)."""
         geometry = self.stream.geometry
         first = level
         while first < geometry.top and not geometry.is_key(geometry.ancestor(first, row, col)):
@@ -38,7 +38,7 @@ class BlockDecoder:
         ]
 
     def _decode_image_block(self, images, plane, block_x, block_y):
-        """The block of the last of `images`, whose parent is the one before; none: P is 0 (DEC-3).
+        """The block of the last of `images`, whose parent is the one before; none: P is 0 (DEC-3, DEC-6).
 
         Stages that the block does not have are None.
         """
@@ -59,7 +59,7 @@ class BlockDecoder:
             stages.reference = self._reference(entry.parts, plane, block_x, block_y)
             base = stages.parent
             if self.stream.header.level_keys and geometry.is_keyed(image[0]):
-                base = [[0] * side for _ in range(side)]
+                base = [[0] * side for _ in range(side)]  # EXT-5
             stages.prediction = [
                 [clamp(p + entry.sign * r, lo, hi) for p, r in zip(*rows)]
                 for rows in zip(base, stages.reference)

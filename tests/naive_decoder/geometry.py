@@ -16,7 +16,7 @@ class Geometry:
         self.header = header
         self.top = header.tree_height
         self.block = 2**header.block_log2
-        self.grids = [(header.rows, header.cols)]
+        self.grids = [(header.rows, header.cols)]  # the views (STR-1), then the levels above them (STR-3)
         for _ in range(header.tree_height):
             rows, cols = self.grids[-1]
             self.grids.append((ceil_div(rows, header.cluster_rows), ceil_div(cols, header.cluster_cols)))

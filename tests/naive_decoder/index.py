@@ -1,4 +1,4 @@
-"""From a tile number to the tile's record (IDX-3 to IDX-6)."""
+"""From a tile number to the tile's record (IDX-3 to IDX-7)."""
 
 from bit_string import BitString
 from header import number
@@ -7,7 +7,7 @@ from stream_error import require
 
 
 def find_record(stream, tile):
-    """The record of tile number `tile` as a bit string, or None for an empty tile."""
+    """The record of tile number `tile` as a bit string, or None for an empty tile: its blocks are zero (IDX-7)."""
     group, lane = divmod(tile, 64)
     entry = 16 * (group // 64)
     mask, first = number(stream.root, entry, 8), number(stream.root, entry + 8, 8)

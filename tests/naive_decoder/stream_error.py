@@ -10,6 +10,6 @@ class StreamError(Exception):
 
 
 def require(condition, name):
-    """Raises the error `name` unless the condition holds."""
+    """Raises the error `name` unless the condition holds; the first check that fails ends all (CNV-7)."""
     if not condition:
         raise StreamError(name)

@@ -80,8 +80,6 @@ FRAMES = """
 CLAUSES = """
 A clause is written **[DEC-2]** and so on.
 
-**[STR-1]** A light field.
-
 **[DEC-1]** First.
 
 **[DEC-2]** Second, see DEC-1.
@@ -202,9 +200,6 @@ class CitationsTest(SpecificationTest):
         both = ("specification.md: DEC-2 is defined 2 times", "rendering.md: DEC-2 is defined")
         nowhere = "rendering.md: DEC-2 is cited nowhere"
         self.plant(RENDERING, "**[RAY-1]**", "**[DEC-2]** x\n**[RAY-1]**", *both, nowhere)
-
-    def test_exemption_of_nothing(self):
-        self.plant(SPECIFICATION, "**[STR-1]** A", "A", "exempts STR-1")
 
 
 class ErrorTableTest(SpecificationTest):

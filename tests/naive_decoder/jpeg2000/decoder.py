@@ -1,4 +1,4 @@
-"""From a codestream to samples."""
+"""From a codestream to samples (KEY-2)."""
 
 from .code_block import decode_code_block
 from .codestream_error import CodestreamError, demand

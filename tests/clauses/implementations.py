@@ -1,0 +1,79 @@
+"""The four implementations: where each of them cites clauses, and which vectors it takes."""
+
+import json
+import re
+import subprocess
+import tempfile
+from pathlib import Path
+
+from specification import cited_clauses
+
+# Of each implementation, named as its declaration in vectors/duts: the folders that decode, and what is
+# below them that does not.
+FOLDERS = {
+    "model": (
+        ["model/bits", "model/values", "model/fields", "model/samples", "model/include"],
+        [],
+    ),
+    "naive": (["tests/naive_decoder"], ["tests/naive_decoder/tests"]),
+    "rtl": (["rtl"], ["rtl/formal", "rtl/synth", "rtl/generate_tables.cpp"]),
+    "gpu": (["gpu_ref"], ["gpu_ref/check", "gpu_ref/dut"]),
+}
+SUFFIXES = {".cpp", ".hpp", ".h", ".py", ".sv", ".svh", ".glsl", ".comp"}
+
+
+def citations(root, name):
+    """{clause: files that cite it}; first the file that names it most often, of several the one that
+    cites the fewest clauses."""
+    folders, left_out = FOLDERS[name]
+    left_out = left_out + (not_decoding(root) if name == "model" else [])
+    ranked = {}
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*")):
+            skip = any(path.is_relative_to(root / part) for part in left_out)
+            if path.suffix not in SUFFIXES or skip:
+                continue
+            text, file = citing_text(path), path.relative_to(root).as_posix()
+            cited = cited_clauses(text)
+            for clause in cited:
+                times = len(re.findall(rf"\b{clause}\b", text))
+                ranked.setdefault(clause, []).append((-times, len(cited), file))
+    return {clause: [file for _, _, file in sorted(rank)] for clause, rank in ranked.items()}
+
+
+def not_decoding(root):
+    """Files in the model's folders that are no part of decoding."""
+    entries = json.loads((root / "tests/decode_path/not_decoding.json").read_text())
+    return [f"model/{entry['file']}" for entry in entries if "begins" not in entry]
+
+
+def citing_text(path):
+    """What may cite: of Verilog the comments alone, where a range such as [BITS-1:0] is no clause."""
+    text = path.read_text()
+    return "\n".join(re.findall(r"//.*", text)) if path.suffix in {".sv", ".svh"} else text
+
+
+def claimed_vectors(program, root):
+    """{implementation: ids of the vectors that its declaration does not exclude}, as the runner selects them."""
+    with tempfile.TemporaryDirectory(prefix="hmlfc-clauses-") as folder:
+        command = [program, "conform", "--suite", root / "vectors", "--filter", "none", "--json", "-o", folder]
+        for name in FOLDERS:
+            command += ["--dut", root / f"vectors/duts/{name}.json"]
+        result = subprocess.run(command, stdout=subprocess.PIPE, check=False)
+    return vectors_with_status(json.loads(result.stdout), "skipped")
+
+
+def passed_vectors(reports):
+    """The same of the vectors that passed, by reports of conformance runs (report.json)."""
+    passed = {}
+    for report in reports:
+        passed.update(vectors_with_status(json.loads(Path(report).read_text()), "pass"))
+    return passed
+
+
+def vectors_with_status(report, status):
+    """{decoder: ids with this status} of one report."""
+    return {
+        run["dut"]: {result["id"] for result in run["results"] if result["status"] == status}
+        for run in report["runs"]
+    }
