@@ -4,10 +4,11 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "io/mapped_file.hpp"
+#include "mismatch.hpp"
+#include "request_check.hpp"
 #include "vectors/expected.hpp"
 #include "vectors/json.hpp"
 #include "vectors/picture_bytes.hpp"
@@ -19,15 +20,6 @@ namespace {
 
 // Blocks of one vector that are decoded one by one, at most.
 constexpr uint64_t kMaxBlocks = 1500;
-
-class Mismatch : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-void demand(bool condition, const std::string& what) {
-  if (!condition) throw Mismatch(what);
-}
 
 std::string sum_of(const std::string& text) {
   return sha256({reinterpret_cast<const uint8_t*>(text.data()), text.size()});
@@ -64,7 +56,7 @@ class StreamCheck {
     check_expected_blocks();
     check_views();
     if (vector_.trace) check_trace(*vector_.trace);
-    check_requests();
+    check_requests(decoder_);
     for (int level = 0; level <= header_.tree_height; ++level) check_all_at_once(level);
     run_planes();
   }
@@ -100,26 +92,6 @@ class StreamCheck {
     const TraceText text = trace_text(decoder_, traced_blocks(folder_ / files.lines.file));
     demand(sum_of(text.lines) == files.lines.sha256, "the trace differs");
     demand(sum_of(text.hex) == files.hex.sha256, "the hexadecimal trace differs");
-  }
-
-  // What no stream has is refused.
-  void check_requests() {
-    const auto refused = [](const auto& result) {
-      return !result && result.error().code == ErrorCode::kBadRequest;
-    };
-    const PlaneSize size = decoder_.plane_size(Plane::kY);
-    const int beyond = header_.tree_height + 1;
-    std::vector<int16_t> none;
-    demand(refused(decoder_.decode_block({{header_.rows, 0}, Plane::kY, 0, 0})) &&
-               refused(decoder_.decode_block({{0, header_.cols}, Plane::kY, 0, 0})) &&
-               refused(decoder_.decode_block({{}, Plane::kY, size.width, 0})) &&
-               refused(decoder_.decode_block({{}, Plane::kY, 0, size.height})) &&
-               refused(decoder_.decode_block({}, beyond)) &&
-               refused(decoder_.decode_rect({}, Plane::kY, {0, 0, size.width + 1, 1})) &&
-               refused(decoder_.decode_rgb({}, {0, 0, 1, size.height + 1})) &&
-               refused(decoder_.decode_all([](ViewPos, RgbImage&&) {}, beyond)) &&
-               refused(decoder_.refine_rect({}, Plane::kY, {0, 0, 1, 1}, beyond, none)),
-           "a request for what is not there is answered");
   }
 
   // Views that are decoded together are those that are decoded one by one, or one fails.

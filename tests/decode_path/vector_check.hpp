@@ -12,7 +12,7 @@ namespace hmlfc::vectors {
 /// manifest: the outcome, the error and its place, all views, the checksums of all blocks, traces.
 /// Compared with each other: single blocks with reference images on demand
 /// and kept, whole planes and levels put on one another, at every stop level; single views and all
-/// of them at once.
+/// of them at once; parts of views. Requests for what a stream does not have must be refused.
 std::string check_vector(const std::filesystem::path& folder, const Vector& vector);
 
 }  // namespace hmlfc::vectors
