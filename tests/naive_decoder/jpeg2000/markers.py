@@ -46,7 +46,8 @@ class Codestream:
         demand(self.width is None and len(segment) == 39, "SIZ is not that of one component")
         sizes = [int.from_bytes(segment[2 + 4 * i : 6 + 4 * i], "big") for i in range(8)]
         self.width, self.height = sizes[:2]
-        demand(sizes[2:] == [0, 0, self.width, self.height, 0, 0], "not one tile at the origin")
+        demand(sizes[2:4] == sizes[6:] == [0, 0], "not at the origin")
+        demand(sizes[4] >= self.width and sizes[5] >= self.height, "not one tile")
         demand(segment[34:36] == b"\0\1", "not one component")
         depth, step_x, step_y = segment[36:]
         self.signed, self.depth = depth >= 128, depth % 128 + 1
