@@ -3,8 +3,8 @@
 
 Runs vector_check on the suite and reads its counters with gcovr. What is no part of decoding stands
 in ../decode_path/not_decoding.json with the reason; lines that no vector reaches stand in
-unreached.json, branches in untaken.json, with the reason. Exit status 1: a line is unreached and not explained, an
-explanation fits no unreached line, or a vector fails.
+unreached.json, lines with a branch that none takes in untaken.json, by reasons. Exit status 1: a line or
+branch is not explained, an explanation fits none, or a vector fails.
 """
 
 import argparse
@@ -57,7 +57,7 @@ def summarise(files, skipped):
         )
         lines_missed += [(name, l["line_number"]) for l in lines if l["count"] == 0]
         branches_missed += [
-            (name, l["line_number"], sum(b["count"] == 0 for b in l["branches"]))
+            (name, l["line_number"])
             for l in lines
             if l["count"] > 0 and any(b["count"] == 0 for b in l["branches"])
         ]
@@ -84,17 +84,23 @@ def text_of(model, name, number):
 
 
 def explain(model, missed, file):
-    """Splits the places of `missed` into explained and not; entries that fit none come third."""
-    entries = json.loads((FOLDER / file).read_text())
-    used, explained, open_places = set(), [], []
-    for place in missed:
-        text = text_of(model, place[0], place[1])
-        fits = [
-            i for i, e in enumerate(entries) if e["file"] == place[0] and e["line"] == text
-        ]
-        used.update(fits)
-        (explained if fits else open_places).append((*place, text))
-    return explained, open_places, [e for i, e in enumerate(entries) if i not in used]
+    """Splits the places of `missed`, (file, line number), into explained and not; explanations that fit
+    none come third, as (file, text of the line)."""
+    reasons = {
+        (name, line): group["reason"]
+        for group in json.loads((FOLDER / file).read_text())
+        for name, lines in group["lines"].items()
+        for line in lines
+    }
+    explained, open_places = [], []
+    for name, number in missed:
+        text = text_of(model, name, number)
+        if (name, text) in reasons:
+            explained.append((name, number, text, reasons[name, text]))
+        else:
+            open_places.append((name, number, text))
+    used = {(name, text) for name, _, text, _ in explained}
+    return explained, open_places, [key for key in reasons if key not in used]
 
 
 def main():
@@ -115,17 +121,21 @@ def main():
     rows, lines, branches = summarise(measure(arguments.build, root), not_decoding(root / "model"))
     print_table(rows)
     model = root / "model"
-    _, unexplained, stale = explain(model, lines, "unreached.json")
-    _, open_branches, stale_branches = explain(model, branches, "untaken.json")
-    for name, number, text in unexplained:
-        print(f"unreached: model/{name}:{number}: {text}")
-    for entry in stale + stale_branches:
-        print(f"explained, but reached or gone: model/{entry['file']}: {entry['line']}")
-    if arguments.missed:
-        for name, number, count, text in open_branches:
-            print(f"untaken: model/{name}:{number}: {count}: {text}")
-    print(f"{len(unexplained)} lines and {len(open_branches)} lines with branches not explained")
-    return 1 if decoded.returncode or unexplained or stale else 0
+    found = {
+        "unreached": explain(model, lines, "unreached.json"),
+        "untaken": explain(model, branches, "untaken.json"),
+    }
+    for kind, (explained, open_places, stale) in found.items():
+        for name, number, text in open_places:
+            print(f"{kind}, not explained: model/{name}:{number}: {text}")
+        for name, text in stale:
+            print(f"{kind}: explained, but reached or gone: model/{name}: {text}")
+        if arguments.missed:
+            for name, number, text, reason in explained:
+                print(f"{kind}: model/{name}:{number}: {text}: {reason}")
+        print(f"{kind}: {len(explained)} lines explained, {len(open_places)} not")
+    wrong = any(open_places or stale for _, open_places, stale in found.values())
+    return 1 if decoded.returncode or wrong else 0
 
 
 if __name__ == "__main__":

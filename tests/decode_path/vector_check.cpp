@@ -69,9 +69,11 @@ class StreamCheck {
  private:
   void check_expected_blocks() {
     for (const BlockAddress& block : vector_.expect.blocks) {
-      const auto samples = decoder_.decode_block(block);
-      demand(!samples.has_value(), "a block decodes that must not");
-      demand(is_expected(vector_.expect, samples.error()), to_string(samples.error()));
+      for (const ReferenceMode mode : {ReferenceMode::kOnDemand, ReferenceMode::kSparse}) {
+        const auto samples = decoder_.decode_block(block, 0, nullptr, nullptr, mode);
+        demand(!samples.has_value(), "a block decodes that must not");
+        demand(is_expected(vector_.expect, samples.error()), to_string(samples.error()));
+      }
     }
   }
 
