@@ -28,14 +28,15 @@ def parse_arguments(arguments):
     parser.add_argument("file", type=pathlib.Path)
     parser.add_argument("-o", "--output", type=pathlib.Path, help="folder for the views")
     parser.add_argument("--ppm", action="store_true", help="write each view as a PPM file, too")
-    parser.add_argument("--trace", metavar="R,C,PLANE,BX,BY", help="PLANE is Y, Co or Cg")
+    parser.add_argument("--trace", metavar="R,C,PLANE,BX,BY", help="PLANE is Y, Co or Cg, or its number")
     parsed = parser.parse_args(arguments)
     if (parsed.output is None) == (parsed.trace is None):
         parser.error("either --output or --trace is needed")
     if parsed.trace is not None:
         try:
             row, col, plane, block_x, block_y = parsed.trace.split(",")
-            parsed.trace = int(row), int(col), PLANE_NAMES.index(plane), int(block_x), int(block_y)
+            number = [*PLANE_NAMES, "0", "1", "2"].index(plane) % len(PLANE_NAMES)
+            parsed.trace = int(row), int(col), number, int(block_x), int(block_y)
         except ValueError:
             parser.error("--trace takes R,C,PLANE,BX,BY")
     return parsed

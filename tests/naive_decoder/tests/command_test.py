@@ -38,6 +38,7 @@ class CommandTest(CliTest):
         block, *stages = map(json.loads, result.stdout.splitlines())
         self.assertEqual(block, {"record": "block", "view": [0, 1], "plane": "Co", "block": [1, 0]})
         self.assertEqual((stages[-1]["stage"], len(stages[-1]["values"])), ("sample", 16))
+        self.assertEqual(self.decode("good.hmlfc", "--trace", "0,1,1,1,0").stdout, result.stdout)
 
     def test_an_invalid_stream_is_named_and_leaves_no_folder(self):
         result = self.decode("bad.hmlfc", "-o", "none")
@@ -48,7 +49,8 @@ class CommandTest(CliTest):
 
     def test_wrong_arguments_and_missing_files(self):
         self.assertEqual(self.decode("good.hmlfc").returncode, USAGE)
-        self.assertEqual(self.decode("good.hmlfc", "--trace", "0,0,X,0,0").returncode, USAGE)
+        for plane in ("X", "3", "12", ""):
+            self.assertEqual(self.decode("good.hmlfc", "--trace", f"0,0,{plane},0,0").returncode, USAGE)
         self.assertEqual(self.decode("missing.hmlfc", "-o", "none").returncode, INPUT)
 
 
