@@ -53,7 +53,7 @@ ExitCode trace(const conform::LibraryDecoder& decoder, const DecodeWithOptions& 
 
 ExitCode run_decode_with(const DecodeWithOptions& options) {
   const auto functions =
-      value_or_throw(conform::load_dut_library(options.library), ExitCode::kInput);
+      value_or_throw(conform::load_dut_library(options.library), ExitCode::kNoDecoder);
   const auto file = value_or_throw(io::MappedFile::open(options.file), ExitCode::kInput);
   const auto decoder =
       library_value(conform::LibraryDecoder::open(functions, file.bytes()), options.file);

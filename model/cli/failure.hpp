@@ -23,6 +23,7 @@ enum class ExitCode : int {
   kOutOfMemory = 71,  ///< not enough memory
   kOutput = 74,       ///< writing failed: full disk, closed pipe
   kCannotRun = 77,    ///< a decoder under test cannot run on this machine
+  kNoDecoder = 126,   ///< a library cannot be loaded or is no decoder; a shell's "not executable"
 };
 
 /// Thrown by a command; main prints the message and exits with the code.

@@ -50,7 +50,7 @@ bool judge_process(const ProcessOutcome& outcome, VectorResult& result) {
     set(result, Status::kTimeout, to_string(outcome));
   } else if (outcome.end != ProcessEnd::kExit || outcome.value == kNotExecutable ||
              outcome.value == kNotFound) {
-    set(result, Status::kError, to_string(outcome));
+    set(result, Status::kError, to_string(outcome) + last_words(outcome.messages));
   } else if (outcome.value == kExitSkipped) {
     set(result, Status::kSkipped, "the decoder cannot run here" + last_words(outcome.messages));
   } else {

@@ -85,8 +85,8 @@ class Library(ConformTest):
 
     def test_wrong_libraries(self):
         cases = (
-            ("other_abi", {"ABI": "7"}, "fail", "version 7 of hmlfc_dut.h"),
-            ("no_blocks", {"WITHOUT_BLOCKS": ""}, "fail", "no function hmlfc_dut_decode_block"),
+            ("other_abi", {"ABI": "7"}, "error", "version 7 of hmlfc_dut.h"),
+            ("no_blocks", {"WITHOUT_BLOCKS": ""}, "error", "no function hmlfc_dut_decode_block"),
             ("wide", {"WIDTH": "70000"}, "fail", "outside its interval"),
             ("refuses", {"OPEN_STATUS": "22"}, "fail", "bad_levels"),
             ("unknown_status", {"OPEN_STATUS": "99"}, "fail", "status 99"),
@@ -103,6 +103,17 @@ class Library(ConformTest):
                 result = self.results(report)["real/cards-main"]
                 self.assertEqual(result["status"], status, result)
                 self.assertIn(reason, result["reason"])
+
+    def test_library_that_cannot_be_loaded(self):
+        """An error for every vector, those that must be refused as well, with the file's name."""
+        library = self.folder / "libtext.so"
+        library.write_text("no library")
+        chosen = ("real/cards-main", "error/magic")
+        _, report = self.conform(library, *(word for name in chosen for word in ("--filter", name)))
+        for name in chosen:
+            result = self.results(report)[name]
+            self.assertEqual(result["status"], "error", result)
+            self.assertIn("libtext.so: cannot be loaded", result["reason"])
 
 
 if __name__ == "__main__":
