@@ -13,38 +13,21 @@ Its chroma is 4:4:4 unless told otherwise: at the same PSNR over RGB that took f
 import argparse
 import dataclasses
 import json
-import os
 import sys
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
 try:
     import coders
     import report
     from light_field import BenchError, load
     from process import run
+    from sources import REAL, ROOT, Source, real_sources
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy and python3-pil")
 
-ROOT = Path(__file__).resolve().parents[2]
-
-
-@dataclass
-class Source:
-    """A light field before it is read. at: PSNR in dB to compare at; chroma: of profile main."""
-
-    name: str
-    folder: Path
-    at: float = 38.0
-    chroma: str = "444"
-
-
-REAL = (
-    Source("chess", Path("stanford-chess-16x16-700x400"), 39.0, "420"),
-    Source("antinous", Path("hci-antinous-9x9-512x512"), 39.5, "420"),
-    Source("knights", Path("stanford-legoknights-17x17-256x256-jpeg"), 36.5),
-)
 SCENES = {"cards": "444", "knights": "420", "glass": "420"}  # `hmlfc synth --scene`, chroma
 SCENE_SIZE = ("9x9", "512x384")
 QUICK_SCENE_SIZE = ("5x5", "256x192")
@@ -144,7 +127,7 @@ def find_sources(bench):
     if options.light_field:
         found = [named_source(text) for text in options.light_field]
     else:
-        found = list(real_sources(bench)) or list(scene_sources(bench))
+        found = list(real_sources(bench.skip)) or list(scene_sources(bench))
         if options.quick:
             found = found[-1:]
     apply_psnr(found, options.at)
@@ -158,15 +141,6 @@ def named_source(text):
         raise BenchError(f"--light-field {text}: not NAME=FOLDER with a folder that exists")
     known = next((source for source in REAL if source.name == name), Source(name, Path()))
     return dataclasses.replace(known, folder=Path(folder))
-
-
-def real_sources(bench):
-    data = Path(os.environ.get("HMLFC_DATA_DIR") or ROOT.parent / "shared" / "data")
-    for source in REAL:
-        if (data / source.folder).is_dir():
-            yield dataclasses.replace(source, folder=data / source.folder)
-        else:
-            bench.skip(source.name, f"no folder {source.folder} (HMLFC_DATA_DIR names where it is)")
 
 
 def scene_sources(bench):

@@ -5,6 +5,7 @@ import math
 from dataclasses import astuple, fields
 
 from coders import Point
+from rates import bpp_at
 
 COMPARED = ("extended", "main-hmlfc", "x265-intra", "x265-inter")
 RATIOS = (("x265-intra", "extended"), ("x265-inter", "extended"), ("main-hmlfc", "extended"))
@@ -34,24 +35,13 @@ class CsvFile:
         self.file.flush()
 
 
-def bpp_at(points, psnr):
-    """Bits a pixel of a curve at a PSNR in dB: log(bpp) linear in PSNR between the two points
-    around it. None where the curve does not reach it: nothing is extrapolated."""
-    curve = sorted((point.psnr_rgb, point.bpp) for point in points)
-    for (low, low_bpp), (high, high_bpp) in zip(curve, curve[1:]):
-        if low <= psnr <= high and high > low and math.isfinite(high):
-            share = (psnr - low) / (high - low)
-            return math.exp((1 - share) * math.log(low_bpp) + share * math.log(high_bpp))
-    return None
-
-
 def equal_psnr(points, at):
     """For each light field of at ({name: PSNR in dB}): the bpp of each codec and their ratios."""
     rows = []
     for name, psnr in at.items():
         own = [point for point in points if point.light_field == name]
         codecs = list(dict.fromkeys(point.codec for point in own))
-        bpp = {codec: bpp_at([p for p in own if p.codec == codec], psnr) for codec in codecs}
+        bpp = {codec: bpp_at(_curve(own, codec), psnr) for codec in codecs}
         ratios = {
             f"{codec}/{base}": bpp[codec] / bpp[base]
             for codec, base in RATIOS
@@ -59,6 +49,10 @@ def equal_psnr(points, at):
         }
         rows.append({"light_field": name, "psnr_rgb": psnr, "bpp": bpp, "ratios": ratios})
     return rows
+
+
+def _curve(points, codec):
+    return [(point.psnr_rgb, point.bpp) for point in points if point.codec == codec]
 
 
 def print_points(points):

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -21,6 +20,7 @@
 
 #include "io/light_field_files.hpp"
 #include "io/mapped_file.hpp"
+#include "render/orbit.hpp"
 #include "render/peers.hpp"
 #include "render/timing.hpp"
 
@@ -29,17 +29,6 @@ namespace {
 using namespace hmlfc;
 
 constexpr int kFrames = 60;
-
-// A camera of the orbit that the README names: a circle of three eighths of the grid.
-Camera orbit_camera(const StreamHeader& header, int frame) {
-  const double angle = 2 * std::numbers::pi * frame / kFrames;
-  Camera camera;
-  camera.frame_width = 512;
-  camera.frame_height = 512;
-  camera.position = WorldPoint{(header.cols - 1) * (0.5 + 0.375 * std::cos(angle)),
-                               (header.rows - 1) * (0.5 + 0.375 * std::sin(angle)), 0};
-  return camera;
-}
 
 struct Setting {
   std::string name;
@@ -50,7 +39,7 @@ struct Setting {
 };
 
 FrameRecord record_of(const Setting& setting, const StreamHeader& header, int frame) {
-  Camera camera = orbit_camera(header, frame);
+  Camera camera = bench::orbit_camera(header, frame, kFrames, 512);
   camera.filter = setting.filter;
   camera.aperture = setting.aperture;
   if (setting.turned) {

@@ -70,10 +70,7 @@ def squared_error(view, decoded):
 
 def load(name, folder):
     """Reads all views of a folder that the names of its files put on a grid."""
-    files = [path for path in Path(folder).iterdir() if path.suffix.lower() in SUFFIXES]
-    if not files:
-        raise BenchError(f"{folder} holds no PNG, PPM or JPEG views")
-    rows, cols, ordered = _place(folder, sorted(files))
+    rows, cols, ordered = view_files(folder)
     first = read_view(ordered[0])
     views = np.empty((len(ordered), *first.shape), np.uint8)
     for index, path in enumerate(ordered):
@@ -95,8 +92,11 @@ def read_view(path):
         raise BenchError(f"{path}: {error}") from error
 
 
-def _place(folder, files):
+def view_files(folder):
     """(rows, cols, files in row-major order), as `hmlfc encode` places them by their names."""
+    files = sorted(path for path in Path(folder).iterdir() if path.suffix.lower() in SUFFIXES)
+    if not files:
+        raise BenchError(f"{folder} holds no PNG, PPM or JPEG views")
     cameras = [CAMERA_NAME.fullmatch(path.stem) for path in files]
     if all(cameras):
         side = math.isqrt(len(files))

@@ -1,0 +1,72 @@
+"""How a light field is encoded in one point of the accuracy report."""
+
+from dataclasses import asdict, dataclass, fields
+
+
+@dataclass(frozen=True)
+class Coding:
+    """Options of `hmlfc encode`. None: what the program takes where nothing is asked for.
+
+    threshold: both thresholds of profile main; quality, preset: of profile extended.
+    """
+
+    profile: str
+    method: str = "hmlfc"
+    block: int = 4
+    window: int = 16
+    height: int = 3
+    cluster: str = "2x2"
+    references: str | None = "8x8"
+    chroma: str | None = None
+    threshold: int | None = None
+    quality: float | None = None
+    preset: str | None = None
+    lossless: bool = False
+
+    def options(self):
+        """Arguments of `hmlfc encode`."""
+        options = []
+        for name, value in asdict(self).items():
+            if name == "threshold" and value is not None:
+                options += ["--threshold-ref", value, "--threshold-pred", value]
+            elif name == "lossless":
+                options += ["--lossless"] if value else []
+            elif value is not None:
+                options += [f"--{name}", value]
+        return [str(option) for option in options]
+
+    def label(self):
+        """In a few words, for tables and messages."""
+        if self.lossless:
+            return "lossless"
+        kind = self.method if self.profile == "main" else f"extended {self.preset}"
+        aim = f"t{self.threshold}" if self.profile == "main" else f"q{self.quality:g}"
+        shape = f"b{self.block} w{self.window} h{self.height} c{self.cluster}"
+        references = f" r{self.references}" if self.references else ""
+        return f"{kind} {aim} {shape}{references}"
+
+
+FIELDS = tuple(field.name for field in fields(Coding))
+
+
+def main(chroma, **changes):
+    """Profile main as in the paper's studies: blocks of 4, window 16, height 3, thresholds 75."""
+    return Coding(**{"profile": "main", "chroma": chroma, "threshold": 75, **changes})
+
+
+def extended(**changes):
+    """Profile extended as `hmlfc encode` has it, at quality 60."""
+    standard = {
+        "profile": "extended",
+        "window": 64,
+        "height": 0,
+        "references": None,
+        "quality": 60,
+        "preset": "medium",
+    }
+    return Coding(**{**standard, **changes})
+
+
+def lossless():
+    """Keeps every RGB value: the uncompressed light field for the renderers."""
+    return extended(preset="fast", quality=None, lossless=True)

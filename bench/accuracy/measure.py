@@ -1,0 +1,100 @@
+"""One point of the accuracy report: a light field encoded and decoded, or frames drawn of it."""
+
+import json
+
+import studies
+from light_field import BenchError
+from process import run, run_measured
+from similarity import Similarity
+
+DECODE_RUNS = 3
+FRAMES = {False: (24, 256), True: (4, 64)}  # quick: number, pixels along a side
+
+
+class Measure:
+    """Measures one light field with the programs hmlfc and bench_accuracy in the folder `work`."""
+
+    def __init__(self, programs, work, scene):
+        self.hmlfc, self.bench = programs
+        self.work, self.scene = work, scene
+        self._similarity = None
+        self._source = None
+
+    def coding(self, coding):
+        """Encodes and decodes: a dict of what docs/accuracy.md explains."""
+        stream = self.work / "stream.hmlfc"
+        report, encoding = self._encode(coding, stream)
+        said, decoding = run_measured([self.bench, "decode", stream, DECODE_RUNS])
+        decoded = json.loads(said)
+        point = {
+            "bytes": report["bytes"],
+            "bpp": report["bpp"],
+            "psnr_rgb": report["psnr_rgb"],
+            "psnr_y": report["psnr_y"],
+            "ssim_y": self._ssim(stream),
+            "max_abs_error": report["max_abs_error"],
+            "sections": report["sections"],
+            "encode_cpu_seconds": report["cpu_seconds"],
+            "encode_process_cpu_seconds": encoding.cpu_seconds,
+            "encode_peak_bytes": encoding.peak_bytes,
+            "decode_cpu_seconds": decoded["cpu_seconds"],
+            "decode_peak_bytes": decoding.peak_bytes,
+            "reference_bytes": decoded["reference_bytes"],
+        }
+        stream.unlink()
+        return point
+
+    def levels(self, coding):
+        """Levels of the tree of the stream that `frames` draws from."""
+        said, _ = run([self.hmlfc, "info", self._frame_stream(coding), "--json"])
+        return json.loads(said)["tree_height"] + 1
+
+    def frames(self, coding, settings, quick):
+        """Draws frames with each setting: {setting: a dict}; one that cannot be drawn here has
+        `skipped`, the reason."""
+        number, side = FRAMES[quick]
+        command = [self.bench, "frames", self._frame_stream(coding), self._lossless()]
+        said, _ = run([*command, number, side, *settings])
+        return {row.pop("setting"): row for row in json.loads(said)}
+
+    def close(self):
+        """Removes the files that frames were drawn from."""
+        for path in self.work.glob("*.hmlfc"):
+            path.unlink()
+
+    def _encode(self, coding, stream):
+        command = [self.hmlfc, "encode", self.scene.folder, "-o", stream, "--json"]
+        said, cost = run_measured([*command, *coding.options()])
+        report = json.loads(said)
+        if (report["rows"], report["cols"]) != (self.scene.rows, self.scene.cols):
+            raise BenchError(f"hmlfc sees {report['rows']}x{report['cols']} views")
+        return report, cost
+
+    def _ssim(self, stream):
+        if self._similarity is None:
+            self._similarity = Similarity(self.scene.folder)
+        folder = self.work / "decoded"
+
+        def decode(row, col):
+            run([self.hmlfc, "decode", stream, "-o", folder, "--view", f"{row},{col}"])
+            return folder / f"{row:02d}_{col:02d}.png"
+
+        value = self._similarity.mean(decode)
+        for path in folder.iterdir():
+            path.unlink()
+        return value
+
+    def _frame_stream(self, coding):
+        stream = self.work / f"frames-{coding.profile}.hmlfc"
+        if not stream.exists():
+            self._encode(coding, stream)
+        return stream
+
+    def _lossless(self):
+        """A stream that decodes to the source."""
+        stream = self.work / "lossless.hmlfc"
+        if not stream.exists():
+            report, _ = self._encode(studies.coding.lossless(), stream)
+            if report["max_abs_error"] != 0:
+                raise BenchError(f"{self.scene.name}: --lossless has lost something")
+        return stream

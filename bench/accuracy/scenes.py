@@ -1,0 +1,66 @@
+"""The light fields that the accuracy report measures."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from light_field import read_view, view_files
+from process import run
+from sources import real_sources
+from store import digest
+
+SCENES = {"cards": "444", "knights": "420", "glass": "420", "flat": "420", "noise": "420"}
+SCENE_SIZE = ("9x9", "256x192")
+QUICK_SCENES = ("cards", "noise")
+QUICK_SIZE = ("5x5", "96x64")
+SYNTHETIC_AT = 36.0  # dB, to compare methods at
+
+
+@dataclass
+class Scene:
+    """A folder of views. identity: digest of what they are; at: PSNR in dB to compare methods at;
+    chroma: of profile main."""
+
+    name: str
+    folder: Path
+    identity: str
+    at: float
+    chroma: str
+    rows: int
+    cols: int
+    width: int
+    height: int
+
+    @property
+    def pixels(self):
+        """Pixels of all views."""
+        return self.rows * self.cols * self.width * self.height
+
+    def describe(self):
+        return f"{self.name}, {self.rows}x{self.cols} views of {self.width}x{self.height}"
+
+
+def find_scenes(hmlfc, work, quick, names, skip):
+    """The light fields of a run: photographs and rendered ones that are there, then the built-in
+    scenes, rendered into the folder `work`. --quick: two small scenes. names: those to take, or
+    empty for all; skip(name, why) is told of those that are not there."""
+    if not quick:
+        wanted = lambda name, why: not names or name in names and skip(name, why)  # noqa: E731
+        for source in real_sources(wanted if names else skip):
+            if not names or source.name in names:
+                yield _scene(source.name, source.folder, source.at, source.chroma)
+    grid, size = QUICK_SIZE if quick else SCENE_SIZE
+    for scene in QUICK_SCENES if quick else SCENES:
+        name = f"synth-{scene}"
+        if names and name not in names:
+            continue
+        folder = work / name
+        command = [hmlfc, "synth", "--scene", scene, "--grid", grid, "--size", size, "-o", folder]
+        run(command)
+        yield _scene(name, folder, SYNTHETIC_AT, SCENES[scene])
+
+
+def _scene(name, folder, at, chroma):
+    rows, cols, files = view_files(folder)
+    height, width = read_view(files[0]).shape[:2]
+    identity = digest([[path.name, path.stat().st_size] for path in files])
+    return Scene(name, folder, identity, at, chroma, rows, cols, width, height)

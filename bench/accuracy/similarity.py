@@ -1,0 +1,46 @@
+"""Structural similarity of decoded views."""
+
+import numpy as np
+from skimage.metrics import structural_similarity
+
+from light_field import read_view, view_files
+
+# That of Wang, Bovik, Sheikh and Simoncelli: weights of a Gaussian of 1.5 pixels.
+PARAMETERS = {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False}
+PEAK = 255
+
+
+def chosen_views(rows, cols):
+    """Places of the corners, the middles of the borders and the middle of a grid."""
+    return [
+        (row, col)
+        for row in sorted({0, (rows - 1) // 2, rows - 1})
+        for col in sorted({0, (cols - 1) // 2, cols - 1})
+    ]
+
+
+def luma(view):
+    """Y of YCoCg-R, as float64."""
+    red, green, blue = (view[:, :, k].astype(np.int32) for k in range(3))
+    difference = red - blue
+    base = blue + (difference >> 1)
+    return (base + ((green - base) >> 1)).astype(np.float64)
+
+
+class Similarity:
+    """Compares decoded views with those of a folder."""
+
+    def __init__(self, folder):
+        self.rows, cols, files = view_files(folder)
+        self.views = {
+            (row, col): luma(read_view(files[row * cols + col]))
+            for row, col in chosen_views(self.rows, cols)
+        }
+
+    def mean(self, decode):
+        """Mean SSIM of the chosen views' luma. decode(row, col): the file of a decoded view."""
+        values = [
+            structural_similarity(view, luma(read_view(decode(*at))), data_range=PEAK, **PARAMETERS)
+            for at, view in self.views.items()
+        ]
+        return float(np.mean(values))

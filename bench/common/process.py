@@ -1,0 +1,43 @@
+"""Runs programs as child processes and takes what they cost."""
+
+import json
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from light_field import BenchError
+
+LAUNCHER = Path(__file__).with_name("launch.py")
+
+
+@dataclass
+class Cost:
+    """cpu_seconds: user and system time of all threads; peak_bytes: largest resident memory."""
+
+    cpu_seconds: float
+    peak_bytes: int
+
+
+def run(command):
+    """Runs a command to its end. Returns (its stdout, CPU seconds it took on all threads)."""
+    said, cost = run_measured(command)
+    return said, cost.cpu_seconds
+
+
+def run_measured(command):
+    """Runs a command to its end. Returns (its stdout, its Cost)."""
+    command = [str(part) for part in command]
+    reading, writing = os.pipe()
+    with open(reading, encoding="utf-8") as report:
+        launcher = [sys.executable, "-S", "-E", str(LAUNCHER), str(writing)]
+        done = subprocess.run(
+            [*launcher, *command], capture_output=True, text=True, check=False, pass_fds=[writing]
+        )
+        os.close(writing)
+        cost = report.read()
+    if done.returncode != 0 or not cost:
+        lines = done.stderr.strip().splitlines() or [f"exit status {done.returncode}"]
+        raise BenchError(f"{' '.join(command)}: {lines[-1]}")
+    return done.stdout, Cost(**json.loads(cost))
