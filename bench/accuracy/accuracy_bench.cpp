@@ -1,17 +1,19 @@
 // What the accuracy report measures inside a process (bench/accuracy/__main__.py runs it).
 //
-// Usage: bench_accuracy decode FILE.hmlfc RUNS
+// Usage: bench_accuracy decode FILE.hmlfc RUNS FOLDER ROW,COL...
 //          decodes all views, RUNS times; prints as JSON cpu_seconds, the least of a decoding over
-//          all threads, and reference_bytes, the decoded sparse reference images.
+//          all threads, and reference_bytes, the decoded sparse reference images. Then writes these
+//          views to FOLDER as RR_CC.png.
 //        bench_accuracy frames FILE.hmlfc SOURCE.hmlfc FRAMES SIDE FILTER:LEVELS:CACHE:BACKEND...
 //          draws FRAMES square frames of an orbit with each setting, and prints what they took and
 //          their errors as JSON (frame_sweep.hpp). SOURCE decodes to the uncompressed light field;
 //          CACHE is MiB of decoded pixels, BACKEND cpu, golden or gpu.
 #include <algorithm>
+#include <cinttypes>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -21,6 +23,7 @@
 
 #include "accuracy/frame_sweep.hpp"
 #include "io/mapped_file.hpp"
+#include "io/write_image.hpp"
 #include "render/timing.hpp"
 
 namespace {
@@ -34,9 +37,23 @@ int refuse(const std::string& message, int status = 1) {
   return status;
 }
 
+std::string write_view(const Decoder& decoder, const std::string& folder, const std::string& text) {
+  ViewPos at;
+  if (std::sscanf(text.c_str(), "%" SCNu32 ",%" SCNu32, &at.row, &at.col) != 2) {
+    return text + ": not ROW,COL";
+  }
+  const auto view = decoder.decode_view(at);
+  if (!view) return text + ": " + to_string(view.error());
+  const auto written =
+      io::write_png(fmt::format("{}/{:02}_{:02}.png", folder, at.row, at.col), *view);
+  return written ? "" : written.error().message;
+}
+
 // A decoder of its own for each run, so that nothing is decoded already.
-int decode_all(const char* path, int runs) {
-  const auto file = io::MappedFile::open(path);
+int decode_all(const std::vector<std::string>& arguments) {
+  const int runs = std::atoi(arguments[2].c_str());
+  if (runs < 1) return refuse("RUNS is not a number from 1 on", kUsage);
+  const auto file = io::MappedFile::open(arguments[1]);
   if (!file) return refuse(file.error().message);
   double least = std::numeric_limits<double>::infinity();
   size_t reference_bytes = 0;
@@ -48,6 +65,10 @@ int decode_all(const char* path, int runs) {
     if (!done) return refuse(to_string(done.error()));
     least = std::min(least, clock.cpu_seconds());
     reference_bytes = decoder->reference_bytes();
+    for (size_t k = 4; run == runs - 1 && k < arguments.size(); ++k) {
+      const std::string failure = write_view(*decoder, arguments[3], arguments[k]);
+      if (!failure.empty()) return refuse(failure);
+    }
   }
   const nlohmann::ordered_json json{{"cpu_seconds", least}, {"reference_bytes", reference_bytes}};
   fmt::print("{}\n", json.dump());
@@ -76,13 +97,14 @@ int draw_frames(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() == 3 && arguments[0] == "decode") {
-    const int runs = std::atoi(argv[3]);
-    if (runs >= 1) return decode_all(argv[2], runs);
-  } else if (arguments.size() >= 6 && arguments[0] == "frames") {
+  if (arguments.size() >= 4 && arguments[0] == "decode") {
+    return decode_all(arguments);
+  }
+  if (arguments.size() >= 6 && arguments[0] == "frames") {
     return draw_frames(arguments);
   }
   return refuse(
-      "usage: decode FILE RUNS, or frames FILE SOURCE FRAMES SIDE FILTER:LEVELS:CACHE:BACKEND...",
+      "usage: decode FILE RUNS FOLDER ROW,COL..., or "
+      "frames FILE SOURCE FRAMES SIDE FILTER:LEVELS:CACHE:BACKEND...",
       kUsage);
 }

@@ -13,9 +13,9 @@ class Coding:
     profile: str
     method: str = "hmlfc"
     block: int = 4
-    window: int = 16
-    height: int = 3
-    cluster: str = "2x2"
+    window: int | None = 16
+    height: int | None = 3
+    cluster: str | None = "2x2"
     references: str | None = "8x8"
     chroma: str | None = None
     threshold: int | None = None
@@ -41,17 +41,26 @@ class Coding:
             return "lossless"
         kind = self.method if self.profile == "main" else f"extended {self.preset}"
         aim = f"t{self.threshold}" if self.profile == "main" else f"q{self.quality:g}"
-        shape = f"b{self.block} w{self.window} h{self.height} c{self.cluster}"
-        references = f" r{self.references}" if self.references else ""
-        return f"{kind} {aim} {shape}{references}"
+        letters = ("block", "window", "height", "cluster", "references")
+        shape = [f"{name[0]}{getattr(self, name)}" for name in letters if getattr(self, name) is not None]
+        return " ".join([kind, aim, *shape])
 
 
 FIELDS = tuple(field.name for field in fields(Coding))
 
 
-def main(chroma, **changes):
+# What a method does not have.
+WITHOUT = {
+    "hmlfc": {},
+    "rlfc": {"window": None, "references": None},
+    "mc": {"height": None, "cluster": None},
+}
+
+
+def main(chroma, method="hmlfc", **changes):
     """Profile main as in the paper's studies: blocks of 4, window 16, height 3, thresholds 75."""
-    return Coding(**{"profile": "main", "chroma": chroma, "threshold": 75, **changes})
+    standard = {"profile": "main", "chroma": chroma, "threshold": 75, **WITHOUT[method]}
+    return Coding(**{**standard, "method": method, **changes})
 
 
 def extended(**changes):

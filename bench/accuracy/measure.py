@@ -8,7 +8,7 @@ from process import run, run_measured
 from similarity import Similarity
 
 DECODE_RUNS = 3
-FRAMES = {False: (24, 256), True: (4, 64)}  # quick: number, pixels along a side
+FRAMES = {False: (24, 256), True: (12, 64)}  # quick: number, pixels along a side
 
 
 class Measure:
@@ -18,22 +18,28 @@ class Measure:
         self.hmlfc, self.bench = programs
         self.work, self.scene = work, scene
         self._similarity = None
-        self._source = None
 
     def coding(self, coding):
         """Encodes and decodes: a dict of what docs/accuracy.md explains."""
         stream = self.work / "stream.hmlfc"
         report, encoding = self._encode(coding, stream)
-        said, decoding = run_measured([self.bench, "decode", stream, DECODE_RUNS])
+        if self._similarity is None:
+            self._similarity = Similarity(self.scene.folder)
+        views = [f"{row},{col}" for row, col in self._similarity.views]
+        folder = self.work / "decoded"
+        folder.mkdir(exist_ok=True)
+        command = [self.bench, "decode", stream, DECODE_RUNS, folder, *views]
+        said, decoding = run_measured(command)
         decoded = json.loads(said)
         point = {
             "bytes": report["bytes"],
             "bpp": report["bpp"],
             "psnr_rgb": report["psnr_rgb"],
             "psnr_y": report["psnr_y"],
-            "ssim_y": self._ssim(stream),
+            "ssim_y": self._similarity.mean(folder),
             "max_abs_error": report["max_abs_error"],
             "sections": report["sections"],
+            "states": self._info(stream)["states"],
             "encode_cpu_seconds": report["cpu_seconds"],
             "encode_process_cpu_seconds": encoding.cpu_seconds,
             "encode_peak_bytes": encoding.peak_bytes,
@@ -46,8 +52,7 @@ class Measure:
 
     def levels(self, coding):
         """Levels of the tree of the stream that `frames` draws from."""
-        said, _ = run([self.hmlfc, "info", self._frame_stream(coding), "--json"])
-        return json.loads(said)["tree_height"] + 1
+        return self._info(self._frame_stream(coding))["tree_height"] + 1
 
     def frames(self, coding, settings, quick):
         """Draws frames with each setting: {setting: a dict}; one that cannot be drawn here has
@@ -70,19 +75,8 @@ class Measure:
             raise BenchError(f"hmlfc sees {report['rows']}x{report['cols']} views")
         return report, cost
 
-    def _ssim(self, stream):
-        if self._similarity is None:
-            self._similarity = Similarity(self.scene.folder)
-        folder = self.work / "decoded"
-
-        def decode(row, col):
-            run([self.hmlfc, "decode", stream, "-o", folder, "--view", f"{row},{col}"])
-            return folder / f"{row:02d}_{col:02d}.png"
-
-        value = self._similarity.mean(decode)
-        for path in folder.iterdir():
-            path.unlink()
-        return value
+    def _info(self, stream):
+        return json.loads(run([self.hmlfc, "info", stream, "--json"])[0])
 
     def _frame_stream(self, coding):
         stream = self.work / f"frames-{coding.profile}.hmlfc"

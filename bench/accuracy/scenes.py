@@ -8,7 +8,7 @@ from process import run
 from sources import real_sources
 from store import digest
 
-SCENES = {"cards": "444", "knights": "420", "glass": "420", "flat": "420", "noise": "420"}
+SCENES = {"cards": "444", "knights": "420", "glass": "420", "flat": "420", "noise": "444"}
 SCENE_SIZE = ("9x9", "256x192")
 QUICK_SCENES = ("cards", "noise")
 QUICK_SIZE = ("5x5", "96x64")
@@ -43,15 +43,18 @@ def find_scenes(hmlfc, work, quick, names, skip):
     """The light fields of a run: photographs and rendered ones that are there, then the built-in
     scenes, rendered into the folder `work`. --quick: two small scenes. names: those to take, or
     empty for all; skip(name, why) is told of those that are not there."""
+
+    def wanted(name):
+        return not names or name in names
+
     if not quick:
-        wanted = lambda name, why: not names or name in names and skip(name, why)  # noqa: E731
-        for source in real_sources(wanted if names else skip):
-            if not names or source.name in names:
+        for source in real_sources(lambda name, why: wanted(name) and skip(name, why)):
+            if wanted(source.name):
                 yield _scene(source.name, source.folder, source.at, source.chroma)
     grid, size = QUICK_SIZE if quick else SCENE_SIZE
     for scene in QUICK_SCENES if quick else SCENES:
         name = f"synth-{scene}"
-        if names and name not in names:
+        if not wanted(name):
             continue
         folder = work / name
         command = [hmlfc, "synth", "--scene", scene, "--grid", grid, "--size", size, "-o", folder]

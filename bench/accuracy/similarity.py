@@ -31,16 +31,21 @@ class Similarity:
     """Compares decoded views with those of a folder."""
 
     def __init__(self, folder):
-        self.rows, cols, files = view_files(folder)
+        rows, cols, files = view_files(folder)
         self.views = {
             (row, col): luma(read_view(files[row * cols + col]))
-            for row, col in chosen_views(self.rows, cols)
+            for row, col in chosen_views(rows, cols)
         }
 
-    def mean(self, decode):
-        """Mean SSIM of the chosen views' luma. decode(row, col): the file of a decoded view."""
+    def mean(self, folder):
+        """Mean SSIM of the luma of the chosen views, decoded in a folder as RR_CC.png."""
         values = [
-            structural_similarity(view, luma(read_view(decode(*at))), data_range=PEAK, **PARAMETERS)
-            for at, view in self.views.items()
+            structural_similarity(
+                view,
+                luma(read_view(folder / f"{row:02d}_{col:02d}.png")),
+                data_range=PEAK,
+                **PARAMETERS,
+            )
+            for (row, col), view in self.views.items()
         ]
         return float(np.mean(values))

@@ -9,11 +9,11 @@ def digest(*parts):
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
 
-def program_digest(*programs):
-    """SHA-256 of the bytes of programs, shortened."""
+def file_digest(*files):
+    """SHA-256 of the bytes of files, shortened."""
     whole = hashlib.sha256()
-    for program in programs:
-        whole.update(program.read_bytes())
+    for file in files:
+        whole.update(file.read_bytes())
     return whole.hexdigest()[:16]
 
 

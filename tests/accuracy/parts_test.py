@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""The parts of the accuracy bench that measure nothing: fronts, comparison, store, files, tables."""
+
+import math
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import bench
+
+import coding
+import fronts
+from comparison import compare
+from document import with_tables
+from light_field import BenchError
+from process import run_measured
+from results import Point, Results, read_json, write_csv, write_json
+from store import Store
+from tables import Tables
+
+SCENE = {"rows": 2, "cols": 2, "width": 8, "height": 8, "chroma": "444", "at": 36.0}
+SECTIONS = {"header": 10, "index": 10, "motion": 20, "residual": 50, "top": 10, "other": 0}
+
+
+def encoding(threshold=75, calibration=0.1, **changes):
+    values = {
+        "bytes": 100, "bpp": 3.125, "psnr_rgb": 36.5, "psnr_y": 38.0, "ssim_y": 0.95,
+        "max_abs_error": 9, "sections": SECTIONS, "encode_cpu_seconds": 2.0,
+        "encode_process_cpu_seconds": 3.0, "encode_peak_bytes": 1 << 24, "decode_cpu_seconds": 0.5,
+        "decode_peak_bytes": 1 << 23, "reference_bytes": 4096, **changes,
+    }
+    made = coding.main("444", threshold=threshold)
+    return Point("scene", made, None, "program", calibration, values)
+
+
+def results(*points):
+    return Results("machine", {"scene": SCENE}, points)
+
+
+class FrontsTest(unittest.TestCase):
+    def test_points_that_others_beat_are_off_the_front(self):
+        costs = [(1, 5), (2, 4), (2, 5), (3, 3), (3, 4), (1, 5)]
+        self.assertEqual(fronts.on_front(costs), [True, True, False, True, False, True])
+
+
+class ComparisonTest(unittest.TestCase):
+    def changes(self, old, new):
+        found, compared = compare(results(old), results(new))
+        self.assertEqual(compared, 1)
+        return {change.value: change.worse for change in found}
+
+    def test_the_same_is_no_change(self):
+        self.assertEqual(self.changes(encoding(), encoding()), {})
+
+    def test_one_byte_more_is_worse(self):
+        self.assertEqual(self.changes(encoding(), encoding(bytes=101)), {"bytes": True})
+
+    def test_less_error_is_better(self):
+        new = encoding(psnr_rgb=36.51, max_abs_error=8)
+        self.assertEqual(self.changes(encoding(), new), {"psnr_rgb": False, "max_abs_error": False})
+
+    def test_time_within_noise_is_no_change(self):
+        self.assertEqual(self.changes(encoding(), encoding(encode_cpu_seconds=2.4)), {})
+
+    def test_time_beyond_noise_is_worse(self):
+        new = encoding(encode_cpu_seconds=3.0)
+        self.assertEqual(self.changes(encoding(), new), {"encode_cpu_seconds": True})
+
+    def test_times_of_a_slower_machine_are_no_change(self):
+        new = encoding(calibration=0.2, encode_cpu_seconds=4.0, decode_cpu_seconds=1.0)
+        self.assertEqual(self.changes(encoding(), new), {})
+
+    def test_a_point_that_was_not_recorded_is_not_compared(self):
+        self.assertEqual(compare(results(encoding(50)), results(encoding(75))), ([], 0))
+
+    def test_lossless_points_compare(self):
+        self.assertEqual(self.changes(encoding(psnr_rgb="inf"), encoding(psnr_rgb="inf")), {})
+
+
+class StoreTest(unittest.TestCase):
+    def test_a_line_that_was_cut_is_dropped_and_the_file_goes_on(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "measured.jsonl"
+            Store(path).add("a", {"value": 1})
+            Store(path).add("b", {"value": 2})
+            path.write_bytes(path.read_bytes()[:-5])
+            store = Store(path)
+            self.assertEqual(store.get("a"), {"value": 1})
+            self.assertIsNone(store.get("b"))
+            store.add("c", {"value": 3})
+            self.assertEqual(Store(path).points, {"a": {"value": 1}, "c": {"value": 3}})
+
+
+class FilesTest(unittest.TestCase):
+    def test_results_come_back_as_they_were(self):
+        frame = encoding()
+        frame.frame, frame.values = "nearest:4:256:cpu", {"mse": {"total": 2.5}}
+        lossless = Point("scene", coding.lossless(), None, "p", 0.1, encoding(psnr_rgb="inf").values)
+        whole = results(encoding(), lossless, frame)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "points.json"
+            write_json(whole, path)
+            back = read_json(path)
+            self.assertEqual(back.points, whole.points)
+            self.assertEqual(back.scenes, whole.scenes)
+            write_csv(results(encoding(), lossless), Path(folder) / "points.csv")
+            rows = (Path(folder) / "points.csv").read_text().splitlines()
+            self.assertEqual(len(rows), 3)
+            self.assertIn("sections.index", rows[0])
+
+    def test_no_file_is_an_empty_run(self):
+        self.assertEqual(read_json(Path("nowhere.json")).points, {})
+
+
+class TablesTest(unittest.TestCase):
+    def test_an_error_of_one_step_is_48_db(self):
+        frame = encoding()
+        frame.frame = "quadrilinear:4:256:cpu"
+        frame.values = {
+            "cpu_ms": {"median": 1.0, "p95": 2.0}, "blocks_needed": 10, "blocks_decoded": 5,
+            "mse": {"total": 1.0, "stream": 1.0, "filter": 0.0, "fixed": 0.25},
+            "largest_fixed": 0.5, "bound_fixed": 3.2,
+        }
+        row = Tables(results(frame), quick=False).make("renderer")[-1]
+        self.assertIn("| 48.13 | 48.13 | inf | 54.15 | 0.50 (3.20) |", row)
+
+    def test_rows_are_interpolated_at_one_psnr(self):
+        low = encoding(150, psnr_rgb=34.0, bpp=1.0)
+        high = encoding(50, psnr_rgb=38.0, bpp=4.0)
+        row = Tables(results(low, high), quick=False).make("methods")[2]
+        self.assertEqual(row, "| scene | 36 | 2.000 | - | - | - | - |")
+
+    def test_document_without_a_place_is_refused(self):
+        with self.assertRaises(BenchError):
+            with_tables("no tables", lambda name: [name], ["run"])
+
+
+class ProcessTest(unittest.TestCase):
+    def test_peak_memory_is_the_childs_own(self):
+        held = bytearray(200 << 20)
+        said, cost = run_measured([sys.executable, "-S", "-c", "print(len(bytearray(60 << 20)))"])
+        self.assertEqual(int(said), 60 << 20)
+        self.assertGreater(cost.peak_bytes, 60 << 20)
+        self.assertLess(cost.peak_bytes, 150 << 20)
+        self.assertGreater(cost.cpu_seconds, 0)
+        self.assertTrue(math.isfinite(cost.cpu_seconds))
+        del held
+
+    def test_a_program_that_fails_says_why(self):
+        with self.assertRaisesRegex(BenchError, "no room"):
+            run_measured(["sh", "-c", "echo no room >&2; exit 3"])
+        with self.assertRaisesRegex(BenchError, "does not start"):
+            run_measured(["a-program-that-is-not-there"])
+
+
+if __name__ == "__main__":
+    bench.main()
