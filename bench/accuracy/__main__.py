@@ -43,7 +43,9 @@ DOCUMENT = ROOT / "docs" / "accuracy.md"
 
 
 def say(text):
-    print(text, file=sys.stderr, flush=True)
+    """A message, in place of the progress on a terminal."""
+    clear = "\r\033[K" if sys.stderr.isatty() else ""
+    print(f"{clear}{text}", file=sys.stderr, flush=True)
 
 
 class Run:
@@ -215,7 +217,7 @@ def print_tables(run, changes, compared):
         print(f"\n{name}\n")
         print("\n".join(tables.make(name)))
     print(f"\n{run.measured} points measured, {run.reused} taken from {run.store.path}, "
-          f"{cpu_seconds() / 60:.1f} CPU minutes")
+          f"{cpu_seconds():.0f} CPU s")
     print(f"compared with {compared} points of {run.options.recorded}:")
     for change in changes:
         print(f"  {change.text()}")

@@ -111,7 +111,7 @@ class Tables:
                 continue
             rows.append((scene, "bpp", *(bpp(p.number("bpp")) for p in points)))
             rows.append((scene, "PSNR RGB", *(db(p.number("psnr_rgb")) for p in points)))
-            dropped = [f"{_dropped(p):.0f} %" for p in points]
+            dropped = [f"{_dropped(p):.1f} %" for p in points]
             rows.append((scene, "without residual", *dropped))
             seconds = [f"{p.number('encode_cpu_seconds'):.2f}" for p in points]
             rows.append((scene, "encode CPU s", *seconds))
@@ -142,6 +142,19 @@ class Tables:
         rows.append(("paper's", "40 to 41", "", "", "", *ranges))
         head = ("light field", "dB", "hmlfc bpp", "rlfc bpp", "mc bpp")
         return table((*head, "rlfc / hmlfc", "mc / hmlfc"), rows)
+
+    def sections(self):
+        """Where the bits of the methods go at the paper's threshold."""
+        rows = []
+        names = ("index", "motion", "residual", "top")
+        for scene, facts in self.results.scenes.items():
+            pixels = facts["rows"] * facts["cols"] * facts["width"] * facts["height"]
+            own = self._studies(scene)
+            for point in self._points(scene, [own.main(method=m) for m in studies.CURVES]):
+                bits = [bpp(8 * point.number(f"sections.{name}") / pixels) for name in names]
+                rows.append((scene, point.coding.method, db(point.number("psnr_rgb")), *bits))
+        head = ("light field", "method", "PSNR RGB")
+        return table((*head, *(f"{name}, bpp" for name in names)), rows)
 
     def _bpp_of(self, scene, method, psnr):
         points = self._points(scene, self._studies(scene).curve(method))
@@ -186,4 +199,4 @@ class Tables:
         )
 
 
-NAMES = ("run", *studies.NAMES)
+NAMES = ("run", *studies.NAMES, "sections")
