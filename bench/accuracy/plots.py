@@ -234,8 +234,9 @@ def _finish(figure, panels, scenes, label):
             panel.ticklabel_format(axis="y", useOffset=False)
             panel.grid(True, which="both", color="#e4e4e4")
             panel.set_axisbelow(True)
-    legend = 0.5 / figure.get_figheight()
-    figure.tight_layout(rect=(0, legend, 1, 1))
     handles, labels = panels[0][0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=8, frameon=False)
+    columns = 2 * min(COLUMNS, len(scenes))
+    lines = -(-len(labels) // columns)
+    figure.tight_layout(rect=(0, (0.3 + 0.25 * lines) / figure.get_figheight(), 1, 1))
+    figure.legend(handles, labels, loc="lower center", ncol=columns, frameon=False)
     return figure
