@@ -44,6 +44,7 @@ SOURCE_LISTS = {
     "tests": "tests/CMakeLists.txt",
     "tests/decode_path": "tests/decode_path/CMakeLists.txt",
     "tests/fuzz": "tests/fuzz/CMakeLists.txt",
+    "tests/mutation/rtl": "tests/mutation/rtl/CMakeLists.txt",
     "bench": "bench/CMakeLists.txt",
     "testbench": "testbench/CMakeLists.txt",
     "gpu_ref": "gpu_ref/CMakeLists.txt",

@@ -1,0 +1,119 @@
+# Commands of ./run that show how much the tests are worth: clauses, coverage, mutants, fuzzing, soak.
+# Read by ./run, whose functions and variables they use.
+
+run_clauses() {
+  install_packages build
+  build hmlfc_cli
+  exec python3 -B "$root/tests/clauses/clause_table.py" --program "$build/model/hmlfc" "$@"
+}
+
+run_coverage() {
+  install_packages build coverage
+  build_decode_path vector-coverage vector_check
+  exec "$(debian_python)" -B "$root/tests/coverage/report.py" --build "$build" "$@"
+}
+
+run_fuzz() {
+  install_packages build fuzz
+  local programs=tests/fuzz/all
+  if [[ " $* " == *" --self-test "* ]]; then programs=fuzz_faults; fi
+  build_decode_path fuzz tests/fuzz/all "$programs"
+  exec "$(debian_python)" -B "$root/tests/fuzz/fuzz.py" --build "$build" "$@"
+}
+
+# The units of this build count what they execute.
+run_rtl_coverage() {
+  install_packages build test
+  preset=rtl-coverage build=$root/build/rtl-coverage log=$root/build/rtl-coverage.log
+  build rtl_random
+  exec "$(debian_python)" "$root/testbench/rtl_coverage.py" \
+    "$build/testbench/rtl_random" "$@"
+}
+
+# run_mutate WHAT [ARG...]: changes WHAT one place at a time; the conformance vectors must notice.
+run_mutate() {
+  local what=${1:-}
+  if (($# > 0)); then shift; fi
+  case $what in
+    model) mutate_model "$@" ;;
+    shaders) mutate_shaders "$@" ;;
+    rtl) mutate_rtl "$@" ;;
+    *)
+      say "mutate: model, shaders or rtl"
+      exit 2
+      ;;
+  esac
+}
+
+mutate_model() {
+  install_packages build
+  build_decode_path mutation vector_check
+  exec "$(debian_python)" -B "$root/tests/mutation/model/mutate.py" --build "$build" "$@"
+}
+
+mutate_shaders() {
+  install_packages build test
+  build decode_vectors
+  exec "$(debian_python)" -B "$root/tests/mutation/shaders/campaign.py" \
+    --program "$build/tests/decode_vectors" "$@"
+}
+
+# mutate_rtl [--count N] [--seed S] [ARG...]: other mutants than those of the tests get a build of
+# their own.
+mutate_rtl() {
+  local count='' seed='' rest=()
+  while (($# > 0)); do
+    case $1 in
+      --count) count=${2:?"--count takes a number"} && shift 2 ;;
+      --seed) seed=${2:?"--seed takes a number"} && shift 2 ;;
+      *) rest+=("$1") && shift ;;
+    esac
+  done
+  install_packages build test
+  if [[ -n $count$seed ]]; then
+    preset=rtl-mutants build=$root/build/rtl-mutants log=$root/build/rtl-mutants.log
+    export HMLFC_RTL_MUTANTS=${count:-1092} HMLFC_RTL_MUTANT_SEED=${seed:-1}
+    rm -f "$build/settings"  # so that CMake sees them
+  fi
+  build rtl_mutants
+  exec "$(debian_python)" -B "$root/tests/mutation/rtl/mutate.py" \
+    "$build/mutation_rtl/rtl_mutants" "$build/mutation_rtl/mutants/mutants.json" "$root/vectors" \
+    --jobs "$(nproc)" "${rest[@]}"
+}
+
+# run_soak --minutes N [--seed S]: the tests with label soak, then random streams, intact and damaged,
+# on every Verilated unit. Without a seed it is the time of day, so that each soak is another.
+run_soak() {
+  local minutes='' seed=$((EPOCHSECONDS % 1000000000)) status=0
+  while (($# > 0)); do
+    case $1 in
+      --minutes) minutes=${2:?"--minutes takes a number"} ;;
+      --seed) seed=${2:?"--seed takes a number"} ;;
+      *)
+        say "soak: unknown argument $1; it takes --minutes N and --seed S"
+        exit 2
+        ;;
+    esac
+    shift 2
+  done
+  if [[ ! $minutes =~ ^[1-9][0-9]*$ || ! $seed =~ ^[0-9]+$ ]]; then
+    say "soak: --minutes takes a number from 1 on, --seed a number"
+    exit 2
+  fi
+  install_packages build test
+  build all
+  local begin=$SECONDS left
+  say "Tests with label soak, for $minutes minutes at most"
+  timeout --signal=INT $((60 * minutes)) \
+    ctest --test-dir "$build" -L soak --output-on-failure -j "$(nproc)" >&2 || status=$?
+  if ((status == 124)); then
+    say "the time is over before all of them have run"
+    exit 1
+  fi
+  if ((status != 0)); then exit 1; fi
+  left=$((60 * minutes - (SECONDS - begin)))
+  if ((left <= 0)); then return; fi
+  say "Random streams on the decode unit from seed $seed on"
+  exec "$build/testbench/rtl_random" --seed "$seed" \
+    --minutes "$((left / 60)).$((left % 60 / 6))"
+}
