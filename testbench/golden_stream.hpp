@@ -20,7 +20,8 @@ inline constexpr uint32_t kMaxUnitSide = 16384;
 inline constexpr uint32_t kMaxUnitGrid = 1024;
 inline constexpr int kMaxUnitHeight = 7;
 
-/// Whether a unit of these parameters refuses every stream with this header: limit_exceeded (FIL-7).
+/// Whether a unit of these parameters refuses every stream with this header: limit_exceeded
+/// (FIL-7).
 bool exceeds_limits(const StreamHeader& header, const UnitParameters& unit);
 
 /// An open stream. The file's bytes must outlive it. Not to be copied: its parts refer to each
