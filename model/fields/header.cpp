@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
@@ -141,6 +142,7 @@ Result<void> load_sections(std::span<const uint8_t> file, StreamHeader& header) 
   const size_t size = header_size(header.tree_height);
   const size_t table = size - kCrcBytes - header.sections.size() * kSectionEntryBytes;
   uint64_t expected_offset = size;
+  bool ends = true;  // the section before ends below 2^64; past it no other begins (CNV-1)
   for (size_t i = 0; i < header.sections.size(); ++i) {
     const size_t at = table + i * kSectionEntryBytes;
     SectionEntry& entry = header.sections[i];
@@ -148,10 +150,11 @@ Result<void> load_sections(std::span<const uint8_t> file, StreamHeader& header) 
     entry.crc = load_le<uint32_t>(file, at + 4);
     entry.offset = load_le<uint64_t>(file, at + 8);
     entry.size = load_le<uint64_t>(file, at + 16);
-    if (entry.type != i + 1 || entry.offset != expected_offset) {
+    if (entry.type != i + 1 || !ends || entry.offset != expected_offset) {
       return header_error(ErrorCode::kBadSectionTable, at);
     }
-    expected_offset = entry.offset + entry.size;
+    ends = entry.size <= std::numeric_limits<uint64_t>::max() - entry.offset;
+    expected_offset = ends ? entry.offset + entry.size : 0;
   }
   return check_section_ends(file.size(), header);
 }

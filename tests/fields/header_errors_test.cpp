@@ -193,6 +193,19 @@ TEST(HeaderErrors, SectionTableIsCheckedBeforeTheEndOfTheFile) {
   }
 }
 
+// Integers are exact (CNV-1): no section begins where the sum wraps to.
+TEST(HeaderErrors, ASectionDoesNotBeginAtASumModuloTwoToThe64) {
+  Bytes file = good_file();
+  const uint64_t size = uint64_t{0} - 100;
+  test::patch(file, kSectionTable + 16, 8, size);
+  test::patch(file, kSectionTable + 24 + 8, 8, kHeaderBytes - 100);
+  test::seal(file);
+  const auto parsed = parse_header(file);
+  ASSERT_FALSE(parsed.has_value());
+  EXPECT_EQ(error_name(parsed.error().code), "bad_section_table");
+  EXPECT_EQ(parsed.error().offset, kSectionTable + 24);
+}
+
 TEST(HeaderErrors, EveryTruncation) {
   const Bytes file = good_file();
   for (size_t length = 0; length < file.size(); ++length) {
