@@ -5,6 +5,7 @@
 
 #include "bits/bit_mask.hpp"
 #include "values/bise.hpp"
+#include "values/narrow.hpp"
 #include "values/steps.hpp"
 
 namespace hmlfc {
@@ -47,6 +48,8 @@ Result<void> read_vector(FieldCursor& cursor, const TileHead& head, const TileCo
   if (std::abs(entry.dx) > context.window || std::abs(entry.dy) > context.window) {
     return entry_error(ErrorCode::kVectorRange, cursor, vectors.x_at);
   }
+  watch("vector component", entry.dx);
+  watch("vector component", entry.dy);
   return {};
 }
 
@@ -83,9 +86,11 @@ Result<void> read_residual_header(FieldCursor& cursor, const TileHead& head,
     cursor.probe().step();
   }
   entry.bias = cursor.take_signed("bias", "TIL-8", residuals.bias_bits);
-  if (!cursor.record().holds(entry.values_at, bise_bits(entry.levels, context.block_samples))) {
+  const uint64_t size = bise_bits(entry.levels, context.block_samples);
+  if (!cursor.record().holds(entry.values_at, size)) {
     return entry_error(ErrorCode::kTileOverrun, cursor, entry.values_at);
   }
+  watch("bit position in a tile record", narrow<int64_t>(entry.values_at + size), context.depth);
   return {};
 }
 

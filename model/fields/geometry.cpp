@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "values/narrow.hpp"
 #include "values/rounding.hpp"
 
 namespace hmlfc {
@@ -120,12 +121,17 @@ uint64_t Geometry::group_count() const { return ceil_div(tile_count(), kLanes); 
 uint64_t Geometry::root_entry_count() const { return ceil_div(group_count(), kLanes); }
 
 uint64_t Geometry::image_number(int l, ImagePos at) const {
-  return level(l).first_image + uint64_t{at.row} * level(l).cols + at.col;
+  const uint64_t image = level(l).first_image + uint64_t{at.row} * level(l).cols + at.col;
+  watch("image number", narrow<int64_t>(image));
+  return image;
 }
 
 uint64_t Geometry::tile_number(uint64_t image, Plane p, uint32_t tx, uint32_t ty) const {
   const PlaneShape& shape = plane(p);
-  return image * tiles_per_image_ + shape.first_tile + uint64_t{ty} * shape.tiles_x + tx;
+  const uint64_t tile =
+      image * tiles_per_image_ + shape.first_tile + uint64_t{ty} * shape.tiles_x + tx;
+  watch("tile number", narrow<int64_t>(tile));
+  return tile;
 }
 
 ImagePos Geometry::ancestor(ImagePos at, int from, int l) const {
@@ -135,7 +141,10 @@ ImagePos Geometry::ancestor(ImagePos at, int from, int l) const {
 
 uint64_t Geometry::motion_tile_number(uint64_t image, size_t m, uint32_t tx, uint32_t ty) const {
   const MotionPlaneShape& shape = motion_planes_[m];
-  return image * tiles_per_image_ + shape.first_tile + uint64_t{ty} * shape.tiles_x + tx;
+  const uint64_t tile =
+      image * tiles_per_image_ + shape.first_tile + uint64_t{ty} * shape.tiles_x + tx;
+  watch("tile number", narrow<int64_t>(tile));
+  return tile;
 }
 
 ImagePos Geometry::group_of(int l, ImagePos at) const {

@@ -4,6 +4,7 @@
 
 #include "bits/bit_mask.hpp"
 #include "values/bise.hpp"
+#include "values/narrow.hpp"
 
 namespace hmlfc {
 namespace {
@@ -100,6 +101,7 @@ Result<void> read_residuals(FieldCursor& cursor, const TileContext& context, uin
 
 Result<TileHead> read_tile_head(FieldCursor& cursor, const TileContext& context) {
   TileHead head;
+  watch("bit position in a tile record", narrow<int64_t>(cursor.position()), context.depth);
   const int32_t motion_mode = context.predictive ? cursor.take("motion_mode", "TIL-1", 2) : 0;
   const int32_t residual_mode = cursor.take("residual_mode", "TIL-1", 2);
   head.motion_mask = read_mask(cursor, motion_mode, context.blocks_inside);

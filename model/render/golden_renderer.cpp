@@ -8,6 +8,7 @@
 #include "render/shown_image.hpp"
 #include "samples/memory_guard.hpp"
 #include "values/colour.hpp"
+#include "values/narrow.hpp"
 
 namespace hmlfc {
 namespace {
@@ -148,7 +149,7 @@ class GoldenRenderer final : public FrameRenderer {
         });
       }
       for (const uint32_t sum : {r, g, b}) {
-        image.samples.push_back(static_cast<uint16_t>(frame_sample(sum)));  // 0 outside (RAY-6)
+        image.samples.push_back(narrow<uint16_t>(frame_sample(sum)));  // 0 outside (RAY-6)
       }
     });
   }

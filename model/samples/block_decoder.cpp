@@ -5,6 +5,7 @@
 #include "samples/motion_walk.hpp"
 #include "samples/plane_block.hpp"
 #include "values/reconstruct.hpp"
+#include "values/watch.hpp"
 
 namespace hmlfc {
 namespace {
@@ -86,6 +87,7 @@ Result<BlockValues> decode_level(const DecodeSources& sources, const BlockValues
       sample[i] = add_residual((*prediction)[i], residual[i], range);
     }
   }
+  for (const int32_t value : sample.span()) watch("sample, parent P", value, range);
   probe.stage("sample", "DEC-3", sample.span());
   return sample;
 }

@@ -4,6 +4,7 @@
 
 #include "samples/padded_record.hpp"
 #include "values/disparity.hpp"
+#include "values/narrow.hpp"
 #include "values/rounding.hpp"
 
 namespace hmlfc {
@@ -62,7 +63,7 @@ void DisparityPlane::fill_tile(const MotionTilePlace& place) const {
     for (uint32_t gx = 0; gx < context.columns; ++gx) {
       const size_t i = size_t{gy} * context.columns + gx;
       const bool damaged = disparities.empty() || disparities[i] > kMaxDisparity;
-      out[gx] = damaged ? kDamaged : static_cast<int16_t>(disparities[i]);
+      out[gx] = damaged ? kDamaged : narrow<int16_t>(disparities[i]);
     }
   }
 }

@@ -1,5 +1,7 @@
 #include "samples/golden_region.hpp"
 
+#include "values/narrow.hpp"
+
 namespace hmlfc {
 
 Result<SamplePlane> decode_region_by_blocks(const DecodeSources& sources, int level, ImagePos image,
@@ -14,7 +16,7 @@ Result<SamplePlane> decode_region_by_blocks(const DecodeSources& sources, int le
       for (unsigned j = 0; j < size; ++j) {
         const auto row = samples.row((by - rect.by0) * size + j);
         for (unsigned i = 0; i < size; ++i) {
-          row[(bx - rect.bx0) * size + i] = static_cast<int16_t>(block->at(i, j));
+          row[(bx - rect.bx0) * size + i] = narrow<int16_t>(block->at(i, j));
         }
       }
     }

@@ -8,6 +8,7 @@
 #include <openjpeg.h>
 
 #include "samples/codestream_head.hpp"
+#include "values/narrow.hpp"
 
 namespace hmlfc {
 namespace {
@@ -205,7 +206,7 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
   if (comp.data == nullptr || comp.w != width || comp.h != height) return std::nullopt;
   SamplePlane plane(width, height);
   std::transform(comp.data, comp.data + plane.samples.size(), plane.samples.begin(),
-                 [](OPJ_INT32 sample) { return static_cast<int16_t>(sample); });
+                 [](OPJ_INT32 sample) { return narrow<int16_t>(sample); });
   return plane;
 }
 

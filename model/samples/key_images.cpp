@@ -5,6 +5,7 @@
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
 #include "samples/jpeg2000.hpp"
+#include "values/narrow.hpp"
 #include "values/rounding.hpp"
 #include "values/sample_range.hpp"
 
@@ -28,7 +29,7 @@ uint64_t entry_count(const StreamView& stream) { return stream.geometry.key_coun
 // Loss can move samples out of their interval (EXT-6).
 void clamp_samples(SamplePlane& plane, const SampleRange& range) {
   for (int16_t& sample : plane.samples) {
-    sample = static_cast<int16_t>(clamp(sample, range.lo, range.hi));
+    sample = narrow<int16_t>(clamp(sample, range.lo, range.hi));
   }
 }
 

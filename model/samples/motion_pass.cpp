@@ -10,6 +10,7 @@
 #include "samples/interpolate.hpp"
 #include "samples/motion_field.hpp"
 #include "samples/reference_reader.hpp"
+#include "values/narrow.hpp"
 #include "values/reconstruct.hpp"
 
 namespace hmlfc {
@@ -177,7 +178,7 @@ class MotionPass {
     for (unsigned y = 0; y < out.rows; ++y, from += out.columns) {
       int16_t* row = out.data + y * out.stride;
       for (unsigned x = 0; x < out.columns; ++x) {
-        row[x] = static_cast<int16_t>(motion_prediction(row[x], motion.negative, from[x], range_));
+        row[x] = narrow<int16_t>(motion_prediction(row[x], motion.negative, from[x], range_));
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "samples/block_walk.hpp"
 #include "samples/plane_block.hpp"
 #include "samples/reference_blocks.hpp"
+#include "values/watch.hpp"
 
 namespace hmlfc {
 namespace {
@@ -68,6 +69,11 @@ Result<ReferenceWindow> read_window(const DecodeSources& sources, ImagePos image
   return gather_reference(reference, plane, size, area);
 }
 
+// The range of the plane at `probe.site`.
+SampleRange range_of(const DecodeSources& sources, const Probe& probe) {
+  return sample_range(probe.site.plane, sources.stream.header.depth);
+}
+
 // I of MOT-9 over the block at `probe.site`. Columns and rows of weight 0 are not read.
 Result<BlockValues> interpolate(const DecodeSources& sources, const ReferenceMotion& motion,
                                 const Probe& probe) {
@@ -81,12 +87,15 @@ Result<BlockValues> interpolate(const DecodeSources& sources, const ReferenceMot
   const auto window = read_window(sources, motion.image, area, probe);
   if (!window) return tl::unexpected(window.error());
   const TapWeights weights = tap_weights(vector.fx, vector.fy);
+  const SampleRange range = range_of(sources, probe);
   BlockValues sums(size);
   for (unsigned y = 0; y < size; ++y) {
     for (unsigned x = 0; x < size; ++x) {
       sums.at(x, y) =
           weighted_sum(weights, {window->at(x, y), window->at(x + right, y),
                                  window->at(x, y + below), window->at(x + right, y + below)});
+      watch("ref", window->at(x, y), range);
+      watch("I", sums.at(x, y), range);
     }
   }
   return sums;
@@ -103,9 +112,11 @@ Result<BlockValues> read_motion_reference(const DecodeSources& sources, const Bl
     for (size_t i = 0; i < reference.size(); ++i) reference[i] = one_reference_value((*first)[i]);
     return reference;
   }
+  const SampleRange range = range_of(sources, probe);
   const auto second = interpolate(sources, motion.references[1], probe);
   if (!second) return second;
   for (size_t i = 0; i < reference.size(); ++i) {
+    watch("I_first + I_second + 64", two_reference_sum((*first)[i], (*second)[i]), range);
     reference[i] = two_reference_value((*first)[i], (*second)[i]);
   }
   return reference;

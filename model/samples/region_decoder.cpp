@@ -9,6 +9,7 @@
 #include "samples/motion_pass.hpp"
 #include "samples/reference_reader.hpp"
 #include "samples/tile_blocks.hpp"
+#include "values/narrow.hpp"
 #include "values/reconstruct.hpp"
 
 namespace hmlfc {
@@ -97,8 +98,8 @@ class LevelPass {
       const int16_t* reference = view->data + j * view->stride;
       for (unsigned i = 0; i < block_size_; ++i) {
         const int32_t parent = keyed_ ? 0 : row[i];  // EXT-5
-        row[i] = static_cast<int16_t>(
-            motion_prediction(parent, blocks.negative[k], reference[i], range_));
+        row[i] =
+            narrow<int16_t>(motion_prediction(parent, blocks.negative[k], reference[i], range_));
       }
     }
     return {};
@@ -108,7 +109,7 @@ class LevelPass {
     for (unsigned j = 0; j < block_size_; ++j) {
       int16_t* row = row_of(k, j);
       for (unsigned i = 0; i < block_size_; ++i) {
-        row[i] = static_cast<int16_t>(add_residual(row[i], *residual++, range_));
+        row[i] = narrow<int16_t>(add_residual(row[i], *residual++, range_));
       }
     }
   }

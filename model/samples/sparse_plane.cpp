@@ -6,6 +6,7 @@
 #include "fields/tile_record.hpp"
 #include "samples/block_walk.hpp"
 #include "samples/tile_blocks.hpp"
+#include "values/narrow.hpp"
 
 namespace hmlfc {
 
@@ -63,7 +64,7 @@ void SparsePlane::read_blocks(const BlockSite& site, Tile& tile) const {
     } else if (coded->entry.has_residual()) {
       tile.coded |= uint64_t{1} << k;
       for (const int32_t value : coded->residual.span()) {
-        tile.values.push_back(static_cast<int16_t>(value));
+        tile.values.push_back(narrow<int16_t>(value));
       }
     }
   }

@@ -8,6 +8,7 @@
 #include "samples/padded_record.hpp"
 #include "values/bise.hpp"
 #include "values/bise_unpack.hpp"
+#include "values/narrow.hpp"
 #include "values/reconstruct.hpp"
 #include "values/steps.hpp"
 
@@ -38,8 +39,8 @@ struct TileReader {
       if (std::abs(dx) > context.window || std::abs(dy) > context.window) {
         return failure(ErrorCode::kVectorRange);
       }
-      blocks.dx[k] = static_cast<int8_t>(dx);
-      blocks.dy[k] = static_cast<int8_t>(dy);
+      blocks.dx[k] = narrow<int8_t>(dx);
+      blocks.dy[k] = narrow<int8_t>(dy);
       const bool mixed = vectors.sign_mode == 2;
       blocks.negative[k] =
           mixed ? record.bits().field(vectors.signs_at + m, 1) != 0 : vectors.sign_mode == 1;
@@ -80,7 +81,7 @@ struct TileReader {
     bise_unpack(record.data(), at, levels, context.block_samples, values.data());
     int16_t* out = blocks.values.data() + size_t{k} * blocks.block_samples;
     for (size_t i = 0; i < context.block_samples; ++i) {
-      out[i] = static_cast<int16_t>(stepped_residual(values[i], levels.count, bias, step, range));
+      out[i] = narrow<int16_t>(stepped_residual(values[i], levels.count, bias, step, range));
     }
   }
 };

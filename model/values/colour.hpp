@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "values/rounding.hpp"
+#include "values/watch.hpp"
 
 namespace hmlfc {
 
@@ -33,6 +34,10 @@ constexpr Rgb inverse_colour(YCoCg p, int depth) {
   const int32_t g = p.cg + t;
   const int32_t b = t - floor_shift(p.co, 1);
   const int32_t r = b + p.co;
+  watch("t", t, depth);
+  watch("G before its clamp", g, depth);
+  watch("B before its clamp", b, depth);
+  watch("R before its clamp", r, depth);
   return {clamp(r, 0, hi), clamp(g, 0, hi), clamp(b, 0, hi)};
 }
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 
 #include "values/disparity.hpp"
+#include "values/rounding.hpp"
+#include "values/watch.hpp"
 
 namespace hmlfc {
 
@@ -25,6 +27,7 @@ struct SubpelVector {
 constexpr SubpelVector subpel_vector(MotionVector v, unsigned vector_precision, bool halved) {
   const auto eighths = [&](int32_t component) {
     const int32_t u = component * (1 << (3 - vector_precision));
+    watch("u", u);
     return halved ? round_shift(u, 1) : u;
   };
   const int32_t ux = eighths(v.x);
@@ -53,9 +56,12 @@ constexpr int32_t weighted_sum(const TapWeights& weights, const std::array<int32
 /// R of MOT-9 with one reference.
 constexpr int32_t one_reference_value(int32_t sum) { return round_shift(sum, 6); }
 
+/// I_first + I_second + 64 of MOT-9.
+constexpr int32_t two_reference_sum(int32_t first, int32_t second) { return first + second + 64; }
+
 /// R of MOT-9 with two references.
 constexpr int32_t two_reference_value(int32_t first, int32_t second) {
-  return round_shift(first + second, 7);
+  return floor_shift(two_reference_sum(first, second), 7);
 }
 
 }  // namespace hmlfc

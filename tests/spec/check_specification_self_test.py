@@ -8,6 +8,7 @@ from pathlib import Path
 import citations
 import error_table
 import frame_widths
+import width_probes
 import widths
 
 WIDTH_TABLE = """
@@ -36,9 +37,9 @@ WIDTH_TABLE = """
 | G before its clamp | COL-2 | | [-(2^(n-1) - 1), 3 * 2^(n-1) - 1] | | 10 | 14 |
 | B before its clamp | COL-2 | | [-(2^n - 2), 2^(n+1) - 1] | | 10 | 14 |
 | R before its clamp | COL-2 | | [-(2^n - 2), 2^(n+1) - 1] | | 10 | 14 |
-| image number | IDX-1 | | [0, 2^25 + 2^13 - 1] | | 26 | 26 |
-| tile number | IDX-2 | | [0, 2^51 - 1] | | 51 | 51 |
-| bit position in a tile record | TIL-1 | 64 * (64 * (n + 2) + n + 11) + 4096 | | | 16 | 16 |
+| image number | IDX-1 | | [0, 4096 * 8194 - 1] | | 26 | 26 |
+| tile number | IDX-2 | | [0, 4096 * 8194 * 58720256 - 1] | | 51 | 51 |
+| bit position in a tile record | TIL-1 | 64 * (64 * (n + 2) + n + 11) + 1299 | | | 16 | 16 |
 """
 
 FRAMES = """
@@ -132,6 +133,11 @@ WIDTH_TREE = {SPECIFICATION: f"## 10 Other\n\n| a |\n|---|\n\n## 11 Widths\n{WID
 
 
 FRAME_WIDTH_TREE = {RENDERING: FRAMES}
+PROBE_TREE = {
+    SPECIFICATION: "## 11 Widths\n\n| quantity | clause |\n|---|---|\n| sum | A |\n| d, e | B |\n",
+    "model/values/sum.hpp": '  watch("sum", sum, range);\n',
+    "model/fields/entry.cpp": '  watch(\n      "d, e", d);\n',
+}
 
 
 class SpecificationTest(unittest.TestCase):
@@ -256,7 +262,7 @@ class WidthsTest(SpecificationTest):
         self.plant("the same | 10 | 14", "the same | 10 | 13", value, at12)
         self.plant("| 8 | 8 |", "| 7 | 8 |", "vector component", at8)
         self.plant("| 26 | 26 |", "| 26 | 25 |", "image number", at12)
-        self.plant("4096 | | | 16", "4096 | | | 17", "bit position in a tile record", at8)
+        self.plant("1299 | | | 16", "1299 | | | 17", "bit position in a tile record", at8)
 
     def test_every_interval_too_narrow_or_too_wide(self):
         chroma = "[-(2^n - 1), 2^n - 1] | 9"
@@ -289,15 +295,32 @@ class WidthsTest(SpecificationTest):
 
     def test_bounds_that_are_passed(self):
         words = "at n = 3 values reach"
-        self.plant("2^25 + 2^13 - 1]", "2^25 + 2^13 - 2]", "image number", words)
-        self.plant("[0, 2^51 - 1]", "[0, 3 * 2^49 - 1]", "tile number", words)
-        self.plant("n + 11) + 4096", "n + 11) + 200", "bit position in a tile record", words)
+        self.plant("4096 * 8194 - 1]", "4096 * 8194 - 2]", "image number", words)
+        self.plant("58720256 - 1]", "58720256 - 2]", "tile number", words)
+        self.plant("n + 11) + 1299", "n + 11) + 1298", "bit position in a tile record", words)
 
     def test_rows(self):
         row = "| vector component | TIL-7 | | [-127, 127] | the same | 8 | 8 |\n"
         other = row.replace("vector", "other")
         self.assert_found(widths, SPECIFICATION, row, "", "vector component is missing")
         self.assert_found(widths, SPECIFICATION, row, row + other, "other component is not in")
+
+
+class WidthProbesTest(SpecificationTest):
+    clean_tree = PROBE_TREE
+
+    def plant(self, name, old, new, *expected):
+        self.assert_found(width_probes, name, old, new, *expected)
+
+    def test_clean_tree(self):
+        self.plant(SPECIFICATION, "Widths", "Widths")
+
+    def test_row_without_a_probe_and_probe_without_a_row(self):
+        missing = "nothing in the model watches sum"
+        other = "model/values/sum.hpp watches sums, which is no row"
+        self.plant("model/values/sum.hpp", '"sum"', '"sums"', missing, other)
+        self.plant("model/values/sum.hpp", "watch", "match", missing)
+        self.plant(SPECIFICATION, "| d, e | B |\n", "", "entry.cpp watches d, e, which is no row")
 
 
 class FrameWidthsTest(SpecificationTest):

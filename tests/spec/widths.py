@@ -48,9 +48,9 @@ QUANTITIES = {
     "G before its clamp": (REACHED, lambda tried, plane: tried.green()),
     "B before its clamp": (REACHED, lambda tried, plane: tried.blue()),
     "R before its clamp": (REACHED, lambda tried, plane: tried.red()),
-    "image number": (BOUND, lambda tried, plane: (0, most_images() - 1)),
-    "tile number": (BOUND, lambda tried, plane: (0, most_tiles() - 1)),
-    "bit position in a tile record": (BOUND, lambda tried, plane: (0, tried.longest_record())),
+    "image number": (REACHED, lambda tried, plane: (0, most_images() - 1)),
+    "tile number": (REACHED, lambda tried, plane: (0, most_tiles() - 1)),
+    "bit position in a tile record": (REACHED, lambda tried, plane: (0, tried.longest_record())),
 }
 
 
