@@ -1,5 +1,5 @@
-# Commands of ./run that show how much the tests are worth: clauses, coverage, mutants, fuzzing, soak.
-# Read by ./run, whose functions and variables they use.
+# Commands of ./run that show how much the tests are worth: clauses, coverage, mutants, fuzzing, stress,
+# soak. Read by ./run, whose functions and variables they use.
 
 run_clauses() {
   install_packages build
@@ -19,6 +19,15 @@ run_fuzz() {
   if [[ " $* " == *" --self-test "* ]]; then programs=fuzz_faults; fi
   build_decode_path fuzz tests/fuzz/all "$programs"
   exec "$(debian_python)" -B "$root/tests/fuzz/fuzz.py" --build "$build" "$@"
+}
+
+# Scenes are made and encoded by the optimised program.
+run_stress() {
+  install_packages build fuzz
+  build hmlfc_cli
+  local hmlfc=$build/model/hmlfc
+  build_decode_path stress stress_streams stress_cameras
+  exec "$(debian_python)" -B "$root/tests/stress/stress.py" --build "$build" --hmlfc "$hmlfc" "$@"
 }
 
 # The units of this build count what they execute.

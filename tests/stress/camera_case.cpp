@@ -1,0 +1,240 @@
+#include "camera_case.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/renderer.hpp>
+
+#include "render/ray.hpp"
+#include "render/real_renderer.hpp"
+#include "vectors/random.hpp"
+#include "vectors/random_stream.hpp"
+#include "width_record.hpp"
+
+namespace hmlfc::stress {
+namespace {
+
+using vectors::Random;
+
+constexpr uint64_t kCamerasOfAStream = 40;
+constexpr uint32_t kFrameSide = 6;  // frames are at most this wide and high
+
+// Light fields small enough for thousands of frames.
+std::vector<uint8_t> stream_bytes(uint64_t seed) {
+  vectors::Limits limits;
+  limits.view_side = 12;
+  return vectors::random_stream(seed, limits);
+}
+
+class CameraDraw {
+ public:
+  CameraDraw(Random& random, const StreamHeader& header) : random_(random), header_(header) {}
+
+  Camera draw() {
+    camera_.filter = static_cast<Filter>(random_.below(8) == 0 ? random_.below(2) : 2);
+    camera_.aperture = static_cast<int>(random_.below(4));
+    camera_.frame_width = random_.within(1, kFrameSide);
+    camera_.frame_height = random_.within(1, kFrameSide);
+    draw_lens();
+    draw_place();
+    if (random_.below(8) == 0) spoil();
+    return camera_;
+  }
+
+ private:
+  double unit() { return static_cast<double>(random_.below(1u << 30)) / (1u << 30); }
+  double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
+  bool one_in(unsigned n) { return random_.below(n) == 0; }
+
+  // Any power of 2 in [2^lo, 2^hi], with either sign.
+  double any_size(int lo, int hi) { return (one_in(2) ? 1 : -1) * std::exp2(between(lo, hi)); }
+
+  void draw_lens() {
+    if (one_in(2)) camera_.focal = std::exp2(between(0, 16));
+    if (one_in(2)) camera_.shear = any_size(-8, 8);
+    if (one_in(2)) camera_.focus = any_size(-8, 8);
+    if (one_in(4)) camera_.focus = camera_.shear;  // focus at infinity
+    if (one_in(4)) camera_.row_pitch = (one_in(2) ? 1 : -1) * between(1.0 / 16, 127.0 / 16);
+    if (one_in(2)) camera_.tan_half = std::exp2(between(-10, 1));
+    if (one_in(8)) camera_.tan_half = one_in(2) ? 0x1p-10 : 2.0;
+  }
+
+  void draw_place() {
+    WorldPoint position{between(-0.6, header_.cols - 0.4), between(-0.6, header_.rows - 0.4), 0};
+    if (one_in(4)) position.u = std::floor(position.u);
+    if (one_in(4)) position.v = std::floor(position.v);
+    if (one_in(2)) position.z = any_size(-20, 12);
+    if (one_in(16)) position.u = between(-4096, 8192);
+    if (one_in(16)) position.v = between(-4096, 8192);
+    camera_.position = position;
+    if (one_in(2)) return;
+    // Through the middle of the grid, so that cameras far away see something; at times grazing.
+    WorldPoint at{between(0, header_.cols - 1), between(0, header_.rows - 1), 0};
+    if (position.z >= 0) at = {2 * position.u - at.u, 2 * position.v - at.v, position.z + 1};
+    if (one_in(4)) at = {position.u + any_size(-22, 12), position.v + any_size(-22, 12), at.z};
+    camera_.look_at = at;
+  }
+
+  void spoil() {
+    static constexpr double kBad[] = {std::numeric_limits<double>::quiet_NaN(),
+                                      std::numeric_limits<double>::infinity(),
+                                      -std::numeric_limits<double>::infinity(),
+                                      std::numeric_limits<double>::max(),
+                                      -std::numeric_limits<double>::max(),
+                                      std::numeric_limits<double>::denorm_min(),
+                                      0.0,
+                                      -0.0,
+                                      0x1p53};
+    const double bad = kBad[random_.below(std::size(kBad))];
+    switch (random_.below(13)) {
+      case 0:
+        camera_.focal = bad;
+        break;
+      case 1:
+        camera_.shear = bad;
+        break;
+      case 2:
+        camera_.row_pitch = bad;
+        break;
+      case 3:
+        camera_.position->u = bad;
+        break;
+      case 4:
+        camera_.position->v = bad;
+        break;
+      case 5:
+        camera_.position->z = bad;
+        break;
+      case 6:
+        camera_.look_at = {bad, 0, 1};
+        break;
+      case 7:
+        camera_.look_at = {0, bad, 1};
+        break;
+      case 8:
+        camera_.look_at = {0, 0, bad};
+        break;
+      case 9:
+        camera_.tan_half = bad;
+        break;
+      case 10:
+        camera_.focus = bad;
+        break;
+      case 11:
+        camera_.look_at = camera_.position;
+        break;
+      default:
+        camera_.frame_width = one_in(2) ? 0 : 4097;
+    }
+  }
+
+  Random& random_;
+  const StreamHeader& header_;
+  Camera camera_;
+};
+
+// A light field with its decoder; the one used last is kept.
+struct OpenStream {
+  uint64_t seed = 0;
+  std::vector<uint8_t> bytes;
+  std::optional<Decoder> decoder;
+};
+
+const Decoder& decoder_of(uint64_t seed) {
+  static OpenStream open;
+  if (!open.decoder || open.seed != seed) {
+    open.decoder.reset();
+    open.seed = seed;
+    open.bytes = stream_bytes(seed);
+    open.decoder.emplace(Decoder::open(open.bytes).value());
+  }
+  return *open.decoder;
+}
+
+std::string wrong_record(const FrameRecord& record, const StreamHeader& header) {
+  const auto within = [](int64_t x, int64_t most) { return x >= -most && x <= most; };
+  const int64_t cols = header.cols;
+  const int64_t rows = header.rows;
+  const bool good = within(record.gain, 1 << 28) && within(record.x0, 1 << 28) &&
+                    within(record.y0, 1 << 28) && within(record.dx * (cols - 1), 1 << 29) &&
+                    within(record.dy * (rows - 1), 1 << 29);
+  return good ? "" : "a frame record beyond the limits of REC-3";
+}
+
+// ERR-1.
+void compare(const CameraCase& made, const FrameRecord& record, const RgbImage& frame,
+             const RealFrame& real, double scale, CameraOutcome& outcome) {
+  const double bound = scale * fixed_point_bound(made.camera, decoder_of(made.stream).header());
+  for (size_t i = 0; i < real.samples.size(); ++i) {
+    const auto pixel = static_cast<int32_t>(i / 3);
+    const bool inside =
+        trace(record, pixel % record.frame_width, pixel / record.frame_width).has_value();
+    if (!inside || real.inside[i / 3] == 0) continue;
+    const double error = std::abs(frame.samples[i] - real.samples[i]);
+    ++outcome.samples_compared;
+    outcome.worst_part = std::max(outcome.worst_part, error / bound);
+    if (error <= bound || !outcome.failure.empty()) continue;
+    outcome.failure = "sample " + std::to_string(i) + " is " + std::to_string(frame.samples[i]) +
+                      ", in double precision " + std::to_string(real.samples[i]) +
+                      ", further than the bound of " + std::to_string(bound);
+  }
+}
+
+}  // namespace
+
+CameraCase camera_case(uint64_t seed, uint64_t number) {
+  CameraCase made;
+  made.stream = seed * 1'000'000 + number / kCamerasOfAStream;
+  Random random(made.stream * kCamerasOfAStream + number % kCamerasOfAStream);
+  made.camera = CameraDraw(random, decoder_of(made.stream).header()).draw();
+  return made;
+}
+
+CameraOutcome try_camera(const CameraCase& made, double scale) {
+  const Decoder& decoder = decoder_of(made.stream);
+  CameraOutcome outcome;
+  const auto record = frame_record(made.camera, decoder.header());
+  if (!record) {
+    outcome.refused = record.error().message;
+    return outcome;
+  }
+  outcome.failure = wrong_record(*record, decoder.header());
+  Frame frame;
+  const auto drawn = make_golden_renderer(decoder)->render(*record, 0, frame);
+  if (!drawn) outcome.failure = "no frame: " + to_string(drawn.error());
+  if (!drawn || made.camera.filter != Filter::kQuadrilinear) return outcome;
+  const auto real = render_real(decoder, made.camera, 0);
+  if (!real) {
+    outcome.failure = "no frame in double precision: " + to_string(real.error());
+    return outcome;
+  }
+  compare(made, *record, frame.image, *real, scale, outcome);
+  if (const auto violation = take_violation()) outcome.failure = *violation;
+  return outcome;
+}
+
+vectors::Json describe(const CameraCase& made) {
+  const Camera& c = made.camera;
+  const auto point = [](const std::optional<WorldPoint>& p) {
+    return p ? vectors::Json{p->u, p->v, p->z} : vectors::Json();
+  };
+  const auto number = [](const std::optional<double>& x) {
+    return x ? vectors::Json(*x) : vectors::Json();
+  };
+  return {{"random_stream", made.stream},
+          {"frame", {*c.frame_width, *c.frame_height}},
+          {"focal", number(c.focal)},
+          {"shear", c.shear},
+          {"row_pitch", number(c.row_pitch)},
+          {"position", point(c.position)},
+          {"look_at", point(c.look_at)},
+          {"tan_half", number(c.tan_half)},
+          {"focus", c.focus},
+          {"aperture", c.aperture},
+          {"filter", filter_name(c.filter)}};
+}
+
+}  // namespace hmlfc::stress

@@ -1,0 +1,81 @@
+"""What the quantities of the width table reached, put together from several runs."""
+
+
+class Reached:
+    """Rows as stress_streams reports them, by quantity, depth and plane."""
+
+    def __init__(self):
+        self.rows = {}
+
+    def add(self, rows):
+        for row in rows:
+            key = (row["quantity"], row["depth"], row["plane"])
+            known = self.rows.setdefault(key, {**row, "reached": None, "by": None})
+            if "reached" not in row:
+                continue
+            if known["reached"] is None:
+                known["reached"], known["by"] = list(row["reached"]), list(row["by"])
+                continue
+            for end, beyond in ((0, int.__lt__), (1, int.__gt__)):
+                if beyond(row["reached"][end], known["reached"][end]):
+                    known["reached"][end] = row["reached"][end]
+                    known["by"][end] = row["by"][end]
+
+    def gaps(self):
+        """The rows whose proved interval is not reached at both ends."""
+        return [row for row in self.rows.values() if not is_reached(row)]
+
+    def table(self):
+        """Lines of a Markdown table: a line for each quantity and plane, at its greatest depth."""
+        yield "| quantity | clause | plane | n | proved | reached | by |"
+        yield "|---|---|---|---|---|---|---|"
+        for key in sorted_keys(self.rows):
+            rows = [row for k, row in self.rows.items() if (k[0], k[2]) == key]
+            yield table_line(rows)
+
+
+def is_reached(row):
+    if row["reached"] is None:
+        return False
+    one_value = row["proved"][0] == row["proved"][1]
+    return row["reached"][1] == row["proved"][1] and (
+        one_value or row["reached"][0] == row["proved"][0]
+    )
+
+
+def sorted_keys(rows):
+    """(quantity, plane) in the order of the table."""
+    return list(dict.fromkeys((quantity, plane) for quantity, _, plane in rows))
+
+
+def shown(interval):
+    if interval is None:
+        return "-"
+    lo, hi = interval
+    return str(hi) if lo == hi else f"[{lo}, {hi}]"
+
+
+def table_line(rows):
+    """One line for the depths of one quantity and plane: the deepest, unless another has a gap."""
+    open_rows = [row for row in rows if not is_reached(row)]
+    row = (open_rows or rows)[-1]
+    depths = [r["depth"] for r in rows]
+    if row["depth"] is None:
+        depth = ""
+    elif open_rows and len(open_rows) < len(rows):
+        depth = f"{row['depth']} (reached at {', '.join(map(str, depths_reached(rows)))})"
+    else:
+        depth = f"{row['depth']} of {depths[0]} to {depths[-1]}"
+    reached = "the same" if is_reached(row) else shown(row["reached"])
+    by = " / ".join(dict.fromkeys(short(name) for name in row["by"] or []))
+    cells = [row["quantity"], row["clause"], row["plane"] or "", depth]
+    return "| " + " | ".join([*cells, shown(row["proved"]), reached, by]) + " |"
+
+
+def depths_reached(rows):
+    return [row["depth"] for row in rows if is_reached(row)]
+
+
+def short(name):
+    """A stream's name without the recipe of one that a search made."""
+    return name.split(" {")[0]

@@ -1,0 +1,205 @@
+#!/usr/bin/env python3
+"""Numerical stress: runs the decode path, built with checked integers, until the time is over.
+
+Streams: every vector of the suite, the extreme streams found so far (tests/stress/extremes.json), odd
+ones (odd.json), small synthetic scenes, then by turns a search for more extreme streams, random valid streams, and
+random and extreme cameras. Prints what each quantity of the specification's width table reached
+beside its proved interval. Findings are kept in out/stress with the stream.
+Exit status: 0 nothing wrong, 1 a finding.
+"""
+
+import argparse
+import json
+import shutil
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+from reached import Reached
+
+FOLDER = Path(__file__).resolve().parent
+ROOT = FOLDER.parents[1]
+SCENES = ["cards", "flat", "glass", "knights", "noise"]
+ENCODINGS = [
+    ["--profile", "main", "--chroma", "444", "--quality", "70"],
+    ["--profile", "extended", "--quality", "50", "--preset", "fast"],
+    ["--profile", "extended", "--lossless", "--chroma", "444", "--preset", "fast"],
+]
+TURN_SECONDS = 60  # shorter where the whole run is short
+
+
+class Run:
+    """All programs of one run, and what they came to."""
+
+    def __init__(self, build, folder, plant):
+        self.programs = build / "tests/stress"
+        self.folder = folder
+        self.plant = plant
+        self.reached = Reached()
+        self.findings = []
+        self.counts = {"streams": 0, "blocks": 0, "cameras": 0, "frames": 0}
+        self.cameras = {"samples_compared": 0, "worst_part_of_bound": 0.0, "worst": None}
+        folder.mkdir(parents=True, exist_ok=True)
+
+    def streams(self, name, *arguments):
+        command = [self.programs / "stress_streams", "--folder", self.folder]
+        if self.plant:
+            command += ["--plant", self.plant]
+        report = self.call(name, [*command, *arguments])
+        if report is None:
+            return
+        self.reached.add(report["rows"])
+        self.counts["streams"] += report["streams"]
+        self.counts["blocks"] += report["blocks"]
+        for finding in report["findings"]:
+            self.keep(finding["stream"], finding["what"], Path(finding["stored"]))
+
+    def camera_turn(self, seed, seconds, count):
+        arguments = ["--seed", seed, "--seconds", seconds, "--count", count]
+        report = self.call("cameras", [self.programs / "stress_cameras", *arguments])
+        if report is None:
+            return
+        self.counts["cameras"] += report["cameras"]
+        self.counts["frames"] += report["frames"]
+        self.cameras["samples_compared"] += report["samples_compared"]
+        if report["worst_part_of_bound"] > self.cameras["worst_part_of_bound"]:
+            self.cameras["worst_part_of_bound"] = report["worst_part_of_bound"]
+            self.cameras["worst"] = report["worst"]
+        for finding in report["findings"]:
+            self.findings.append({"stream": json.dumps(finding["camera"]), "what": finding["what"]})
+
+    def call(self, name, command):
+        """The program's report; None, and a finding, where it ended without one."""
+        process = subprocess.Popen(
+            [str(part) for part in command],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        errors = []
+        reader = threading.Thread(target=follow, args=(name, process.stderr, errors))
+        reader.start()
+        output = process.stdout.read()
+        reader.join()
+        status = process.wait()
+        clear_line()
+        if status in (0, 1) and output:
+            return json.loads(output)
+        if status == 2:
+            raise SystemExit("".join(errors[-5:]))
+        current = self.folder / "current.txt"
+        stream = current.read_text().strip() if current.exists() else name
+        what = next((line for line in errors if "runtime error" in line), f"exit status {status}")
+        self.keep(stream, what.strip(), self.folder / "current.hmlfc")
+        return None
+
+    def keep(self, stream, what, stored):
+        """Keeps a finding's stream under a name of its own."""
+        kept = self.folder / f"finding-{len(self.findings):03}.hmlfc"
+        if stored.exists() and stored != kept:
+            shutil.copy(stored, kept)
+        self.findings.append({"stream": stream, "what": what, "stored": str(kept)})
+
+
+def follow(name, lines, errors):
+    for line in lines:
+        errors.append(line)
+        if sys.stderr.isatty():
+            sys.stderr.write(f"\r\033[K{name}: {line.rstrip()}"[:120])
+            sys.stderr.flush()
+
+
+def clear_line():
+    if sys.stderr.isatty():
+        sys.stderr.write("\r\033[K")
+
+
+def scene_streams(hmlfc, folder):
+    """Small light fields of every scene, encoded in both profiles and without loss."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for scene in SCENES:
+        views = folder / scene
+        size = ["--grid", "3x5", "--size", "37x29"]
+        subprocess.run(
+            [hmlfc, "synth", "--scene", scene, *size, "-o", views], check=True, capture_output=True
+        )
+        for number, options in enumerate(ENCODINGS):
+            stream = folder / f"{scene}-{number}.hmlfc"
+            subprocess.run(
+                [hmlfc, "encode", views, "-o", stream, *options], check=True, capture_output=True
+            )
+    return folder
+
+
+def run_all(run, arguments):
+    begin = time.monotonic()
+
+    def left():
+        return arguments.minutes * 60 - (time.monotonic() - begin)
+
+    extremes = FOLDER / "extremes.json"
+    run.streams("extremes", "recipes", extremes, FOLDER / "odd.json")
+    run.streams("largest tree", "geometry")
+    run.streams("vectors", "files", ROOT / "vectors")
+    if arguments.hmlfc:
+        run.streams("scenes", "files", scene_streams(arguments.hmlfc, run.folder / "scenes"))
+    turn = 0
+    turn_seconds = min(TURN_SECONDS, max(1, left() / 3))
+    while left() > 1:
+        seed = arguments.seed + turn
+        limit = ["--seconds", min(turn_seconds, left())]
+        if turn % 3 == 0:
+            found = run.folder / f"found-{seed}.json"
+            search = ["search", "--seed", seed, "--from", extremes, "--found", found]
+            run.streams("search", *search, *limit)
+        elif turn % 3 == 1:
+            run.streams("random streams", "random", "--seed", seed * 1_000_000, *limit)
+        else:
+            run.camera_turn(seed, limit[1], 10**9)
+        turn += 1
+    return time.monotonic() - begin
+
+
+def print_report(run, seconds):
+    for line in run.reached.table():
+        print(line)
+    gaps = run.reached.gaps()
+    counts = run.counts
+    print(f"\n{counts['streams']} streams, {counts['blocks']} blocks, {seconds:.0f} s")
+    print(f"{len(gaps)} intervals not reached at both ends")
+    if run.cameras["samples_compared"]:
+        print(
+            f"{counts['cameras']} cameras, {counts['frames']} frames; against double precision: "
+            f"{run.cameras['samples_compared']} samples, at most "
+            f"{run.cameras['worst_part_of_bound']:.3f} of the bound of ERR-1"
+        )
+    print(f"{len(run.findings)} findings")
+    for finding in run.findings:
+        print(f"  {finding['what']}\n    {finding['stream']}\n    {finding.get('stored', '')}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", type=Path, required=True, help="the build of preset stress")
+    parser.add_argument("--minutes", type=float, required=True)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--hmlfc", type=Path, help="the program that makes scenes and encodes them")
+    parser.add_argument("--out", type=Path, default=ROOT / "out/stress")
+    parser.add_argument("--plant", help="a fault to find: lossy, overflow, or a quantity")
+    parser.add_argument("--json", action="store_true")
+    arguments = parser.parse_args()
+    run = Run(arguments.build, arguments.out, arguments.plant)
+    seconds = run_all(run, arguments)
+    if arguments.json:
+        rows = list(run.reached.rows.values())
+        report = {**run.counts, "seconds": round(seconds, 1), "cameras_against_double": run.cameras}
+        print(json.dumps({**report, "findings": run.findings, "rows": rows}, indent=1))
+    else:
+        print_report(run, seconds)
+    return 1 if run.findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

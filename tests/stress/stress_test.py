@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Short numerical stress, and planted faults that it must find: stress_test.py PROGRAMS-FOLDER."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from reached import Reached
+
+FOLDER = Path(__file__).resolve().parent
+EXTREMES = FOLDER / "extremes.json"
+PROGRAMS = None
+
+
+class Streams(unittest.TestCase):
+    def run_program(self, *arguments, program="stress_streams", status=0):
+        with tempfile.TemporaryDirectory() as folder:
+            command = [PROGRAMS / program]
+            if program == "stress_streams":
+                command += ["--folder", folder]
+            result = subprocess.run([*command, *arguments], capture_output=True, text=True)
+            stored = {path.name: path.stat().st_size for path in Path(folder).iterdir()}
+        self.assertEqual(result.returncode, status, result.stdout[-2000:] + result.stderr[-2000:])
+        return json.loads(result.stdout), stored
+
+
+class ExtremesTest(Streams):
+    def test_intervals_are_reached_at_both_ends_and_not_left(self):
+        reached = Reached()
+        for command in (["recipes", EXTREMES], ["geometry"]):
+            report, _ = self.run_program(*command)
+            self.assertEqual(report["findings"], [])
+            reached.add(report["rows"])
+        self.assertEqual([row["quantity"] for row in reached.gaps()], [])
+
+    def test_odd_streams_stay_within(self):
+        report, _ = self.run_program("recipes", FOLDER / "odd.json")
+        self.assertEqual(report["streams"], len(json.loads((FOLDER / "odd.json").read_text())))
+        self.assertEqual(report["findings"], [])
+
+    def test_random_streams_stay_within(self):
+        report, _ = self.run_program("random", "--seed", "1", "--count", "40")
+        self.assertEqual(report["streams"], 40)
+        self.assertGreater(report["blocks"], 1000)
+
+    def test_a_search_comes_closer(self):
+        with tempfile.TemporaryDirectory() as folder:
+            found = Path(folder) / "found.json"
+            limit = ["--seed", "1", "--count", "300", "--found", str(found)]
+            report, _ = self.run_program("search", *limit)
+            self.assertGreater(len(json.loads(found.read_text())), 3)
+        self.assertEqual(report["streams"], 300)
+
+
+class PlantedFaultTest(Streams):
+    def found(self, plant):
+        report, stored = self.run_program("--plant", plant, "recipes", EXTREMES, status=1)
+        finding = report["findings"][0]
+        self.assertGreater(stored[Path(finding["stored"]).name], 100)
+        return finding["what"]
+
+    def test_an_interval_that_is_too_narrow_is_reported(self):
+        for quantity in ("P + sign * ref", "I_first + I_second + 64", "u", "R before its clamp"):
+            what = self.found(quantity)
+            self.assertTrue(what.startswith(quantity + " is "), what)
+            self.assertRegex(what, r"at model/(values|samples)/\w+\.[ch]pp:\d+; (view \d+,\d+|all views)")
+
+    def test_a_lost_value_is_reported(self):
+        self.assertIn("a conversion loses its value", self.found("lossy"))
+
+    def test_a_quantity_that_is_none_is_refused(self):
+        command = [PROGRAMS / "stress_streams", "--plant", "nothing", "geometry"]
+        self.assertEqual(subprocess.run(command, capture_output=True).returncode, 2)
+
+
+class CamerasTest(Streams):
+    def test_cameras_give_frames_within_the_bound_or_errors(self):
+        report, _ = self.run_program("--count", "2000", program="stress_cameras")
+        self.assertEqual(report["findings"], [])
+        self.assertGreater(report["frames"], 1000)
+        self.assertGreater(report["samples_compared"], 5000)
+        self.assertLess(report["worst_part_of_bound"], 1)
+        for name in ("position", "look_at", "focal", "tan_half", "frame_width"):
+            self.assertIn(name, report["refused"])
+
+    def test_a_bound_that_is_too_small_is_reported(self):
+        arguments = ["--count", "400", "--scale-bound", "0.05"]
+        report, _ = self.run_program(*arguments, program="stress_cameras", status=1)
+        self.assertIn("further than the bound", report["findings"][0]["what"])
+
+
+if __name__ == "__main__":
+    PROGRAMS = Path(sys.argv.pop(1)).resolve()
+    unittest.main()

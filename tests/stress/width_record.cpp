@@ -1,0 +1,125 @@
+#include "width_record.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <string_view>
+#include <utility>
+
+namespace hmlfc {
+namespace stress {
+namespace {
+
+// One place of the table, filled by several threads.
+struct Slot {
+  std::atomic<int64_t> least{INT64_MAX};
+  std::atomic<int64_t> greatest{INT64_MIN};
+};
+
+struct Record {
+  std::array<std::array<std::array<Slot, 2>, kDepths>, kRows> slots;
+  std::array<std::atomic<bool>, kRows> narrow{};
+  std::mutex lock;
+  std::optional<std::string> violation;
+
+  void report(std::string text) {
+    const std::lock_guard guard(lock);
+    if (!violation) violation = std::move(text);
+  }
+};
+
+Record& record() {
+  static Record instance;
+  return instance;
+}
+
+void lower(std::atomic<int64_t>& least, int64_t value) {
+  int64_t now = least.load(std::memory_order_relaxed);
+  while (value < now && !least.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
+  }
+}
+
+void raise(std::atomic<int64_t>& greatest, int64_t value) {
+  int64_t now = greatest.load(std::memory_order_relaxed);
+  while (value > now && !greatest.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
+  }
+}
+
+// "model/values/reconstruct.hpp:34": the path within the project.
+std::string line_of(const std::source_location& where) {
+  const std::string_view file = where.file_name();
+  const size_t at = file.rfind("model/");
+  return std::string(at == std::string_view::npos ? file : file.substr(at)) + ":" +
+         std::to_string(where.line());
+}
+
+}  // namespace
+
+void Reached::add(const Reached& other) {
+  least = std::min(least, other.least);
+  greatest = std::max(greatest, other.greatest);
+}
+
+std::vector<Place> places() {
+  std::vector<Place> all;
+  for (size_t row = 0; row < kRows; ++row) {
+    for (size_t depth = 0; depth < (kWidthRows[row].by_depth ? kDepths : 1); ++depth) {
+      for (size_t plane = 0; plane < (kWidthRows[row].by_plane ? 2u : 1u); ++plane) {
+        all.push_back({row, depth, plane});
+      }
+    }
+  }
+  return all;
+}
+
+WidthInterval limits_of(const Place& place) {
+  return kWidthRows[place.row].limits[place.depth][place.plane];
+}
+
+bool plant_narrow(const std::string& quantity) {
+  for (size_t row = 0; row < kRows; ++row) {
+    if (kWidthRows[row].quantity != quantity) continue;
+    record().narrow[row] = true;
+    return true;
+  }
+  return false;
+}
+
+Ranges take_ranges() {
+  Ranges ranges;
+  for (const Place& place : places()) {
+    Slot& slot = record().slots[place.row][place.depth][place.plane];
+    ranges.at(place) = {slot.least.exchange(INT64_MAX), slot.greatest.exchange(INT64_MIN)};
+  }
+  return ranges;
+}
+
+std::optional<std::string> take_violation() {
+  const std::lock_guard guard(record().lock);
+  return std::exchange(record().violation, std::nullopt);
+}
+
+}  // namespace stress
+
+void note_value(const WatchedValue& watched) {
+  using namespace stress;
+  const WidthRow& row = kWidthRows[watched.row];
+  const size_t depth = row.by_depth ? static_cast<size_t>(watched.depth - kLeastDepth) : 0;
+  const size_t plane = row.by_plane && watched.chroma ? 1 : 0;
+  Slot& slot = record().slots[watched.row][depth][plane];
+  lower(slot.least, watched.value);
+  raise(slot.greatest, watched.value);
+  const int64_t margin = record().narrow[watched.row].load(std::memory_order_relaxed) ? 1 : 0;
+  const WidthInterval limits = row.limits[depth][plane];
+  if (watched.value >= limits.lo + margin && watched.value <= limits.hi - margin) return;
+  record().report(std::string(row.quantity) + " is " + std::to_string(watched.value) +
+                  ", outside [" + std::to_string(limits.lo + margin) + ", " +
+                  std::to_string(limits.hi - margin) + "] at depth " +
+                  std::to_string(watched.depth) + ", at " + line_of(watched.where));
+}
+
+void note_lossy(const std::source_location& where) {
+  stress::record().report("a conversion loses its value at " + stress::line_of(where));
+}
+
+}  // namespace hmlfc
