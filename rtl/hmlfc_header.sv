@@ -162,7 +162,7 @@ module hmlfc_header #(
   wire [191:0] section = section_bytes[32'(entry[1:0])*192+:192];
   wire [63:0] section_offset = section[127:64];
   wire [63:0] section_size = section[191:128];
-  logic [63:0] expected_offset;
+  logic [64:0] expected_offset;
 
   assign features = flags[8:0];
   assign rows = rows_field[12:0];
@@ -240,7 +240,7 @@ module hmlfc_header #(
       end
       FIELDS: begin
         entry <= '0;
-        expected_offset <= 64'(header_bytes);
+        expected_offset <= 65'(header_bytes);
         state <= LEVELS;
         if (stored_crc != ~crc) error <= HMLFC_ERROR_BAD_HEADER_CRC;
         else if (profile > 8'd1) error <= HMLFC_ERROR_BAD_PROFILE;
@@ -260,8 +260,8 @@ module hmlfc_header #(
       end
       TABLE: begin
         entry <= entry + 4'd1;
-        expected_offset <= section_offset + section_size;
-        if (section[31:0] != 32'(entry) + 32'd1 || section_offset != expected_offset) begin
+        expected_offset <= {1'b0, section_offset} + {1'b0, section_size};
+        if (section[31:0] != 32'(entry) + 32'd1 || {1'b0, section_offset} != expected_offset) begin
           error <= HMLFC_ERROR_BAD_SECTION_TABLE;
           state <= FINISH;
         end else if (entry == 4'd3) begin
