@@ -27,6 +27,8 @@ TOKEN = re.compile(
       | (?P<word>\b[A-Za-z_][A-Za-z_0-9]*)""",
     re.VERBOSE,
 )
+# In a report: "survived: MUTANT    LINE"; in what a run says of its progress: "1/9 MUTANT: survived".
+SURVIVOR = re.compile(r"^survived: (\S+: \S+ -> \S+)|^\d+/\d+ (\S+: \S+ -> \S+): survived$", re.M)
 # Lines where a change means nothing or cannot compile.
 NO_CODE = re.compile(r"\s*(#|//|static_assert|assert\(|template|using |namespace )")
 
@@ -86,3 +88,14 @@ def choose(mutants, count, seed):
     shuffled = list(mutants)
     random.Random(seed).shuffle(shuffled)
     return shuffled[:count]
+
+
+def survivors_in(report, mutants):
+    """Those of `mutants` that the text `report` of a former run names as survivors, in its order.
+    ValueError: one of them is no mutant of the source as it is now."""
+    known = {str(mutant): mutant for mutant in mutants}
+    names = [match[1] or match[2] for match in SURVIVOR.finditer(report)]
+    for name in names:
+        if name not in known:
+            raise ValueError(f"{name}: no mutant of the source as it is now")
+    return [known[name] for name in dict.fromkeys(names)]

@@ -3,7 +3,7 @@
 
 import unittest
 
-from mutants import Mutant, choose, mutants_of
+from mutants import Mutant, choose, mutants_of, survivors_in
 
 SOURCE = """\
 // a + b
@@ -45,6 +45,21 @@ class MutantsTest(unittest.TestCase):
         self.assertEqual(choose(mutants, 3, 5), choose(mutants, 6, 5)[:3])
         self.assertNotEqual(choose(mutants, 11, 5), choose(mutants, 11, 6))
         self.assertEqual(set(choose(mutants, 99, 1)), set(mutants))
+
+    def test_survivors_of_a_report(self):
+        mutants = mutants_of("f.cpp", SOURCE)
+        report = """\
+1/3 f.cpp:3:16: ! -> nothing: survived
+2/3 f.cpp:3:9: < -> <=: syntax/levels
+survived: f.cpp:3:31: 1 -> 2    if (a < b && !c) return x - 1u;
+survived: f.cpp:3:16: ! -> nothing    if (a < b && !c) return x - 1u;
+"""
+        self.assertEqual(
+            [str(mutant) for mutant in survivors_in(report, mutants)],
+            ["f.cpp:3:16: ! -> nothing", "f.cpp:3:31: 1 -> 2"],
+        )
+        with self.assertRaisesRegex(ValueError, "f.cpp:9:9"):
+            survivors_in("survived: f.cpp:9:9: < -> >    x\n", mutants)
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[2]
 sys.path.insert(0, str(ROOT / "tests/decode_path"))
 
-from mutants import Mutant, choose, mutants_of  # noqa: E402
+from mutants import choose, mutants_of, survivors_in  # noqa: E402
 from scope import decode_path_files, not_decoding  # noqa: E402
 from toolchain import Toolchain  # noqa: E402
 
@@ -68,10 +68,10 @@ class Session:
         program = self.tools.make(file, text, folder)
         if program is None:
             return "not compiled"
+        if self.tools.same_objects(file, folder):
+            return "same code"
         outcome = self.tools.run(program, ROOT / "vectors", list(self.killers), CPU_SECONDS)
         program.unlink()
-        if outcome == "survived" and self.tools.same_objects(file, text, folder):
-            return "same code"
         return outcome
 
     def note(self, mutant, outcome):
@@ -137,11 +137,22 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--file", help="mutants of this file alone, relative to model/")
+    parser.add_argument(
+        "--again", type=Path, metavar="REPORT", help="the survivors that REPORT, a former run, names"
+    )
     parser.add_argument("--list", action="store_true", help="print the mutants and stop")
     parser.add_argument("--self-test", action="store_true", help="changes of known outcome instead")
     arguments = parser.parse_args()
     mutants = [m for m in all_mutants() if arguments.file in (None, m.file)]
-    chosen = choose(mutants, arguments.count, arguments.seed)
+    if arguments.again:
+        try:
+            chosen = survivors_in(arguments.again.read_text(), mutants)
+        except (OSError, ValueError) as error:
+            parser.error(f"--again: {error}")
+        again = f"--again {arguments.again}"
+    else:
+        chosen = choose(mutants, arguments.count, arguments.seed)
+        again = f"--count {arguments.count} --seed {arguments.seed}"
     if arguments.list:
         print(*chosen, sep="\n")
         return 0
@@ -153,8 +164,7 @@ def main():
             list(pool.map(lambda job: session.try_mutant(*job), enumerate(chosen)))
     results = sorted(session.results, key=lambda r: (r[0].file, r[0].line, r[0].column))
     survived = report(results)
-    again = f"./run mutate model --count {arguments.count} --seed {arguments.seed}"
-    print(f"{len(results)} of {len(mutants)} mutants; again: {again}")
+    print(f"{len(results)} of {len(mutants)} mutants; again: ./run mutate model {again}")
     return 1 if survived else 0
 
 
