@@ -50,8 +50,11 @@ class Mutant:
         lines[self.line - 1] = row[: self.column] + self.new + row[self.column + len(self.old) :]
         return "".join(lines)
 
+    def change(self):
+        return f"{self.old} -> {self.new or 'nothing'}"
+
     def __str__(self):
-        return f"{self.file}:{self.line}:{self.column + 1}: {self.old} -> {self.new or 'nothing'}"
+        return f"{self.file}:{self.line}:{self.column + 1}: {self.change()}"
 
 
 def changes_of_number(text):
@@ -99,3 +102,26 @@ def survivors_in(report, mutants):
         if name not in known:
             raise ValueError(f"{name}: no mutant of the source as it is now")
     return [known[name] for name in dict.fromkeys(names)]
+
+
+def reasons_of(entries, mutants, line_of):
+    """Mutant to the reason for which no input can tell it: of `entries`, each of which names one of
+    `mutants` by "file", the text of its "line" and its "change"; where several have these, "nth"
+    says which, from 0 on. `line_of(mutant)`: the text of its line.
+    ValueError: an entry names no mutant, or not which, or one that another names."""
+    found = {}
+    named = {}
+    for mutant in mutants:
+        key = (mutant.file, line_of(mutant), mutant.change())
+        named.setdefault(key, []).append(mutant)
+    for entry in entries:
+        key = (entry["file"], entry["line"], entry["change"])
+        fitting = named.get(key, [])
+        if "nth" in entry:
+            fitting = fitting[entry["nth"] :][:1]
+        if len(fitting) != 1:
+            raise ValueError(f"{' '.join(key)!r} fits {len(fitting)} mutants; one is needed")
+        if fitting[0] in found:
+            raise ValueError(f"{fitting[0]}: two reasons")
+        found[fitting[0]] = entry["reason"]
+    return found

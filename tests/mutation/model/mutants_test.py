@@ -3,7 +3,8 @@
 
 import unittest
 
-from mutants import Mutant, choose, mutants_of, survivors_in
+import mutate
+from mutants import Mutant, choose, mutants_of, reasons_of, survivors_in
 
 SOURCE = """\
 // a + b
@@ -60,6 +61,43 @@ survived: f.cpp:3:16: ! -> nothing    if (a < b && !c) return x - 1u;
         )
         with self.assertRaisesRegex(ValueError, "f.cpp:9:9"):
             survivors_in("survived: f.cpp:9:9: < -> >    x\n", mutants)
+
+    def reasons(self, *entries):
+        text = "  a = b < c && d < e;\n  a = 1;\n  b = 1;\n  a = 1;\n"
+        lines = [line.strip() for line in text.splitlines()]
+        mutants = mutants_of("f.cpp", text)
+        keys = ("line", "change", "reason", "nth")
+        named = [{"file": "f.cpp", **dict(zip(keys, entry))} for entry in entries]
+        found = reasons_of(named, mutants, lambda mutant: lines[mutant.line - 1])
+        return {str(mutant): reason for mutant, reason in found.items()}
+
+    def test_reasons(self):
+        self.assertEqual(
+            self.reasons(
+                ("b = 1;", "1 -> 2", "x"),
+                ("a = 1;", "1 -> 2", "y", 1),
+                ("a = b < c && d < e;", "< -> >", "z", 1),
+            ),
+            {
+                **{"f.cpp:3:7: 1 -> 2": "x", "f.cpp:4:7: 1 -> 2": "y"},
+                **{"f.cpp:1:18: < -> >": "z"},
+            },
+        )
+
+    def test_reasons_that_fit_no_mutant(self):
+        for entry in [
+            ("b = 2;", "2 -> 3", "the line has changed"),
+            ("b = 1;", "1 -> 7", "no such change"),
+            ("a = 1;", "1 -> 2", "of two"),
+            ("a = 1;", "1 -> 2", "the third of two", 2),
+        ]:
+            with self.assertRaises(ValueError, msg=entry[2]):
+                self.reasons(entry)
+        with self.assertRaisesRegex(ValueError, "two reasons"):
+            self.reasons(("b = 1;", "1 -> 2", "x"), ("b = 1;", "1 -> 2", "y"))
+
+    def test_reasons_of_the_model(self):
+        self.assertTrue(all(mutate.equivalents().values()))
 
 
 if __name__ == "__main__":

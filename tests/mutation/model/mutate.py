@@ -21,7 +21,7 @@ FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[2]
 sys.path.insert(0, str(ROOT / "tests/decode_path"))
 
-from mutants import choose, mutants_of, survivors_in  # noqa: E402
+from mutants import choose, mutants_of, reasons_of, survivors_in  # noqa: E402
 from scope import decode_path_files, not_decoding  # noqa: E402
 from toolchain import Toolchain  # noqa: E402
 
@@ -39,14 +39,15 @@ def all_mutants():
     ]
 
 
-def reason_of(mutant, equivalents):
-    """Why `mutant` cannot be told from the model, or None."""
-    text = (MODEL / mutant.file).read_text().splitlines()[mutant.line - 1].strip()
-    for entry in equivalents:
-        same = (entry["file"], entry["line"]) == (mutant.file, text)
-        if same and entry["change"] == f"{mutant.old} -> {mutant.new}":
-            return entry["reason"]
-    return None
+def line_of(mutant):
+    return (MODEL / mutant.file).read_text().splitlines()[mutant.line - 1].strip()
+
+
+def equivalents():
+    """Mutant to the reason in equivalents.json."""
+    entries = json.loads((FOLDER / "equivalents.json").read_text())
+    files = {entry["file"] for entry in entries}
+    return reasons_of(entries, [m for m in all_mutants() if m.file in files], line_of)
 
 
 class Session:
@@ -57,7 +58,7 @@ class Session:
         self.scratch, self.total = scratch, total
         self.killers, self.lock = [], Lock()
         self.results = []
-        self.equivalents = json.loads((FOLDER / "equivalents.json").read_text())
+        self.equivalents = equivalents()
 
     def try_mutant(self, number, mutant):
         text = (MODEL / mutant.file).read_text()
@@ -78,7 +79,7 @@ class Session:
         with self.lock:
             if "/" in outcome:
                 self.killers = [outcome, *(k for k in self.killers if k != outcome)][:KEPT_KILLERS]
-            if outcome == "survived" and reason_of(mutant, self.equivalents):
+            if outcome == "survived" and mutant in self.equivalents:
                 outcome = "equivalent"
             self.results.append((mutant, outcome))
             done = f"{len(self.results)}/{self.total}"
@@ -99,8 +100,7 @@ def report(results):
         print(f"| {name} | " + " | ".join(str(counts[kind]) for kind in kinds) + " |")
     for mutant, outcome in results:
         if outcome == "survived":
-            line = (MODEL / mutant.file).read_text().splitlines()[mutant.line - 1].strip()
-            print(f"survived: {mutant}    {line}")
+            print(f"survived: {mutant}    {line_of(mutant)}")
     return total["survived"]
 
 
