@@ -177,7 +177,9 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
                                            uint32_t height, SamplePrecision precision) {
   if (!has_key_image_head(codestream, width, height)) return std::nullopt;
   Source source{codestream};
-  const Stream stream(opj_stream_create(OPJ_J2K_STREAM_CHUNK_SIZE, OPJ_TRUE));
+  // With a buffer for the whole codestream OpenJPEG reads it at once, and seeks before it reads
+  // again.
+  const Stream stream(opj_stream_create(codestream.size(), OPJ_TRUE));
   const Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
   if (!stream || !codec) return std::nullopt;
   opj_stream_set_user_data(stream.get(), &source, nullptr);
