@@ -1,17 +1,18 @@
 #include "request_check.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "mismatch.hpp"
+#include "part_of.hpp"
 
 namespace hmlfc::vectors {
 namespace {
 
 template <class Answer>
 void demand_refused(const Answer& answer, const char* what) {
-  demand(!answer && answer.error().code == ErrorCode::kBadRequest, what);
+  demand(!answer && answer.error().code == ErrorCode::kBadRequest && answer.error().offset == 0,
+         what);
 }
 
 void check_blocks(const Decoder& decoder) {
@@ -53,7 +54,7 @@ void check_parts(const Decoder& decoder, const Rect& whole) {
   }
 }
 
-// A refinement takes whole blocks, and as many samples as they have.
+// A refinement takes whole blocks, as many samples as they have, and a level above it.
 void check_refinements(const Decoder& decoder, const Rect& whole) {
   const auto check = [&](const Rect& rect, size_t samples) {
     std::vector<int16_t> above(samples);
@@ -61,6 +62,9 @@ void check_refinements(const Decoder& decoder, const Rect& whole) {
   };
   const size_t count = size_t{whole.width} * whole.height;
   check(whole, count + 1);
+  std::vector<int16_t> top(count);
+  demand_refused(decoder.refine_rect({}, Plane::kY, whole, decoder.header().tree_height, top),
+                 "the top level is put on another");
   if (whole.width < 2 || whole.height < 2) return;
   check({1, 0, whole.width - 1, whole.height}, count - whole.height);
   check({0, 1, whole.width, whole.height - 1}, count - whole.width);
@@ -68,20 +72,23 @@ void check_refinements(const Decoder& decoder, const Rect& whole) {
   check({0, 0, whole.width, 1}, whole.width);
 }
 
-// What begins with the second row and column of a view is that part of it.
-void check_inner_part(const Decoder& decoder, const Rect& whole) {
+// What begins with the second row and column of a view, and within a plane's blocks, is that part.
+void check_inner_parts(const Decoder& decoder, const Rect& whole) {
+  for (const Plane plane : kPlanes) {
+    const auto [width, height] = decoder.plane_size(plane);
+    const Rect inner{width / 3, height / 3, (width + 1) / 2, (height + 1) / 2};
+    const auto samples = decoder.decode_plane({}, plane);
+    const auto part = decoder.decode_rect({}, plane, inner);
+    demand(!samples || (part && *part == part_of(*samples, width, inner)),
+           "a part of a plane differs");
+  }
   const auto view = decoder.decode_view({});
   if (!view || whole.width < 2 || whole.height < 2) return;
   const Rect inner{1, 1, whole.width - 1, whole.height - 1};
   const auto part = decoder.decode_rgb({}, inner);
-  demand(part.has_value(), "a part of a view does not decode");
-  const size_t row = size_t{whole.width} * 3;
-  const size_t part_row = size_t{inner.width} * 3;
-  for (size_t y = 0; y < inner.height; ++y) {
-    const uint16_t* own = part->samples.data() + y * part_row;
-    demand(std::equal(own, own + part_row, view->samples.data() + (y + 1) * row + 3),
-           "a part of a view differs");
-  }
+  const Rect values{3, 1, inner.width * 3, inner.height};
+  demand(part && part->samples == part_of(view->samples, size_t{whole.width} * 3, values),
+         "a part of a view differs");
 }
 
 }  // namespace
@@ -92,7 +99,7 @@ void check_requests(const Decoder& decoder) {
   check_blocks(decoder);
   check_parts(decoder, whole);
   check_refinements(decoder, whole);
-  check_inner_part(decoder, whole);
+  check_inner_parts(decoder, whole);
 }
 
 }  // namespace hmlfc::vectors
