@@ -10,7 +10,8 @@ compared with their module by Yosys (equiv_induct, sat); those that do differ mu
 
 --module NAME   only mutants of hmlfc_NAME        --sample N   only N of them, spread evenly
 --log FILE      keeps results as they come; a run with the same file and program goes on
---record        writes recorded.json: which vector found a mutant, which is tried first from then on, and what was proved equivalent
+--record        writes recorded.json: which vector found a mutant; it is tried first from then on
+--found         only mutants that were found then
 --json          the results as JSON
 """
 
@@ -74,7 +75,6 @@ class Record:
         recorded = json.loads(RECORDED.read_text(encoding="utf-8")) if RECORDED.exists() else {}
         serves = recorded.get("mutants_sha256") == hashlib.sha256(listed).hexdigest()
         self.vectors = {number: vector for vector, numbers in recorded["found"].items() for number in numbers} if serves else {}
-        self.equivalent = set(recorded["equivalent"]) if serves else set()
 
     @staticmethod
     def write(listed: bytes, results: dict[int, dict]) -> None:
@@ -82,9 +82,8 @@ class Record:
         for number, result in sorted(results.items()):
             if result["result"] in FOUND:
                 found[result["vector"]].append(number)
-        equivalent = sorted(number for number, result in results.items() if result.get("proof") == prove.EQUIVALENT)
         rows = ",\n".join(f"  {json.dumps(vector)}: {numbers}" for vector, numbers in sorted(found.items()))
-        RECORDED.write_text(f'{{"mutants_sha256": "{hashlib.sha256(listed).hexdigest()}",\n "equivalent": {equivalent},\n'
+        RECORDED.write_text(f'{{"mutants_sha256": "{hashlib.sha256(listed).hexdigest()}",\n'
                             f' "found": {{\n{rows}}}}}\n', encoding="utf-8")
 
 
@@ -130,10 +129,6 @@ def campaign(program: list[str], mutants: list[dict], options: argparse.Namespac
     shards = [[[mutant] for mutant in variant] for variant in by_variant(left)]
     run_vectors([*program, "--clocks", str(FIRST_CLOCKS)], "first vectors", shards, record, options.jobs, log)
     missed = [mutant for mutant in mutants if log.of("first vectors", mutant)["result"] not in FOUND]
-    if options.trust_record:
-        for mutant in missed:
-            if mutant["number"] in record.equivalent and not log.of("proofs", mutant):
-                log.add("proofs", {"number": mutant["number"], "proof": prove.EQUIVALENT})
     run_proofs(missed, pathlib.Path(options.mutants).resolve().parent, options.seconds, options.jobs, log)
     rest = [mutant for mutant in missed if log.of("proofs", mutant)["proof"] != prove.EQUIVALENT and not log.of("all vectors", mutant)]
     # One of each variant together: what no vector finds together takes the time of one.
@@ -200,18 +195,21 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--seconds", type=float, default=120, help="for a proof")
     parser.add_argument("--vectors", help="only these vectors, with commas between them")
     parser.add_argument("--log", type=pathlib.Path, help="keeps results as they come; a run with the same file goes on")
+    parser.add_argument("--found", action="store_true", help="only mutants that a vector found when recorded.json was written")
     parser.add_argument("--record", action="store_true", help="write recorded.json")
-    parser.add_argument("--trust-record", action="store_true", help="equivalent is what recorded.json says to be; no proof of these")
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args(arguments)
     text = pathlib.Path(options.mutants).read_bytes()
     listed = json.loads(text)
-    mutants = chosen(listed["mutants"], options.module, options.sample)
+    record = Record(text)
+    known = [mutant for mutant in listed["mutants"] if mutant["number"] in record.vectors] if options.found else listed["mutants"]
+    mutants = chosen(known, options.module, options.sample)
     if not mutants:
-        print(f"mutate.py: no mutant of module {options.module}", file=sys.stderr)
+        why = "; recorded.json is of other mutants, of another Yosys or RTL: --record makes it anew" if options.found else ""
+        print(f"mutate.py: no such mutant{why}", file=sys.stderr)
         return 2
     program = [options.program, options.suite] + (["--vectors", options.vectors] if options.vectors else [])
-    results = campaign(program, mutants, options, Record(text), Log(options.log, len(mutants)))
+    results = campaign(program, mutants, options, record, Log(options.log, len(mutants)))
     if options.record:
         Record.write(text, results)
     explain(mutants, results)
