@@ -188,7 +188,8 @@ class Runner(ConformTest):
         path.write_bytes(b"no library")
         _, report = self.conform(path, output="empty")
         for result in self.results(report).values():
-            self.assertEqual(result["status"], "fail", result)
+            self.assertEqual(result["status"], "error", result)
+            self.assertIn("empty.so", result["reason"])
 
 
 if __name__ == "__main__":
