@@ -1,8 +1,8 @@
 """Small changes to a C++ source, each of which a test should notice."""
 
-import random
+import hashlib
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 # clang-format puts a space on both sides of binary operators and none beside those of templates,
 # pointers and references.
@@ -30,7 +30,7 @@ TOKEN = re.compile(
 # In a report: "survived: MUTANT    LINE"; in what a run says of its progress: "1/9 MUTANT: survived".
 SURVIVOR = re.compile(r"^survived: (\S+: \S+ -> \S+)|^\d+/\d+ (\S+: \S+ -> \S+): survived$", re.M)
 # Lines where a change means nothing or cannot compile.
-NO_CODE = re.compile(r"\s*(#|//|static_assert|assert\(|template|using |namespace )")
+NO_CODE = re.compile(r"\s*(#|//|static_assert|assert\(|watch\(|template|using |namespace )")
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,7 @@ class Mutant:
     column: int
     old: str
     new: str
+    text: str = field(default="", compare=False)  # of the line
 
     def apply(self, text):
         lines = text.splitlines(keepends=True)
@@ -82,15 +83,19 @@ def mutants_of(file, text, skipped=frozenset()):
             continue
         for match in TOKEN.finditer(row):
             for new in changes_of(match):
-                found.append(Mutant(file, number, match.start(), match.group(), new))
+                found.append(Mutant(file, number, match.start(), match.group(), new, row.strip()))
     return found
 
 
 def choose(mutants, count, seed):
-    """`count` of `mutants`, the same for the same seed; a larger count adds to a smaller one."""
-    shuffled = list(mutants)
-    random.Random(seed).shuffle(shuffled)
-    return shuffled[:count]
+    """`count` of `mutants`, the same for the same seed; a larger count adds to a smaller one. A
+    change of the source leaves the order of mutants in other lines as it is."""
+
+    def place(mutant):
+        key = f"{seed} {mutant.file} {mutant.text} {mutant.change()}"
+        return hashlib.sha256(key.encode()).digest()
+
+    return sorted(mutants, key=place)[:count]
 
 
 def survivors_in(report, mutants):
