@@ -27,6 +27,7 @@ try:
     from document import with_tables
     from light_field import BenchError
     from measure import FRAMES, Measure
+    from process import machine
     from results import Point, Results, read_json, write_csv, write_json
     from scenes import find_scenes
     from sources import ROOT
@@ -154,15 +155,6 @@ def facts(scene):
     """What the results keep of a light field."""
     names = ("rows", "cols", "width", "height", "chroma", "at")
     return {name: getattr(scene, name) for name in names}
-
-
-def machine():
-    """The processor and the number of its cores that this process may use."""
-    model = "unknown processor"
-    for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-        if line.startswith("model name"):
-            model = line.split(":", 1)[1].strip()
-    return f"{model}, {len(os.sched_getaffinity(0))} cores"
 
 
 def cpu_seconds():

@@ -41,3 +41,12 @@ def run_measured(command):
         lines = done.stderr.strip().splitlines() or [f"exit status {done.returncode}"]
         raise BenchError(f"{' '.join(command)}: {lines[-1]}")
     return done.stdout, Cost(**json.loads(cost))
+
+
+def machine():
+    """The processor and the number of its cores that this process may use."""
+    model = "unknown processor"
+    for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+        if line.startswith("model name"):
+            model = line.split(":", 1)[1].strip()
+    return f"{model}, {len(os.sched_getaffinity(0))} cores"
