@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Numerical stress: runs the decode path, built with checked integers, until the time is over.
 
-Streams: every vector of the suite, the extreme streams found so far (tests/stress/extremes.json), odd
-ones (odd.json), small synthetic scenes, then by turns a search for more extreme streams, random valid streams, and
-random and extreme cameras. Prints what each quantity of the specification's width table reached
-beside its proved interval. Findings are kept in out/stress with the stream.
+Streams: every vector of the suite, small synthetic scenes, then by turns a search for more extreme
+streams than the suite's, random valid streams, and random and extreme cameras. Prints what each
+quantity of the specification's width table reached beside its proved interval. Findings are kept in
+out/stress with the stream.
 Exit status: 0 nothing wrong, 1 a finding.
 """
 
@@ -21,6 +21,8 @@ from reached import Reached
 
 FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[1]
+VECTORS = ROOT / "vectors"
+WIDTHS = VECTORS / "recipes/boundary-widths.json"
 SCENES = ["cards", "flat", "glass", "knights", "noise"]
 ENCODINGS = [
     ["--profile", "main", "--chroma", "444", "--quality", "70"],
@@ -139,10 +141,8 @@ def run_all(run, arguments):
     def left():
         return arguments.minutes * 60 - (time.monotonic() - begin)
 
-    extremes = FOLDER / "extremes.json"
-    run.streams("extremes", "recipes", extremes, FOLDER / "odd.json")
+    run.streams("vectors", "files", VECTORS)
     run.streams("largest tree", "geometry")
-    run.streams("vectors", "files", ROOT / "vectors")
     if arguments.hmlfc:
         run.streams("scenes", "files", scene_streams(arguments.hmlfc, run.folder / "scenes"))
     turn = 0
@@ -152,7 +152,7 @@ def run_all(run, arguments):
         limit = ["--seconds", min(turn_seconds, left())]
         if turn % 3 == 0:
             found = run.folder / f"found-{seed}.json"
-            search = ["search", "--seed", seed, "--from", extremes, "--found", found]
+            search = ["search", "--seed", seed, "--from", WIDTHS, "--found", found]
             run.streams("search", *search, *limit)
         elif turn % 3 == 1:
             run.streams("random streams", "random", "--seed", seed * 1_000_000, *limit)

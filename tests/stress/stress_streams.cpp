@@ -36,9 +36,8 @@ std::vector<uint8_t> read_file(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-// The files with this extension in or below `paths`, sorted.
-std::vector<fs::path> files_below(const std::vector<fs::path>& paths,
-                                  const std::string& extension) {
+// The streams in or below `paths`, sorted.
+std::vector<fs::path> streams_below(const std::vector<fs::path>& paths) {
   std::vector<fs::path> files;
   for (const fs::path& path : paths) {
     if (!fs::is_directory(path)) {
@@ -46,7 +45,7 @@ std::vector<fs::path> files_below(const std::vector<fs::path>& paths,
       continue;
     }
     for (const auto& entry : fs::recursive_directory_iterator(path)) {
-      if (entry.path().extension() == extension) files.push_back(entry.path());
+      if (entry.path().extension() == ".hmlfc") files.push_back(entry.path());
     }
   }
   std::sort(files.begin(), files.end());
@@ -54,26 +53,35 @@ std::vector<fs::path> files_below(const std::vector<fs::path>& paths,
 }
 
 void run_files(Session& session, const Arguments& arguments) {
-  for (const fs::path& file : files_below(arguments.paths, ".hmlfc")) {
+  for (const fs::path& file : streams_below(arguments.paths)) {
     session.run(file.filename().string(), read_file(file));
   }
 }
 
-std::vector<Json> recipes_below(const std::vector<fs::path>& paths) {
+// What recipe files of the suite make field by field, as search() takes it.
+std::vector<Json> recipes_of(const std::vector<fs::path>& files) {
   std::vector<Json> recipes;
-  for (const fs::path& file : files_below(paths, ".json")) {
-    for (const Json& recipe : vectors::read_json(file)) recipes.push_back(recipe);
+  for (const fs::path& file : files) {
+    const Json suite = vectors::read_json(file);
+    for (const Json& vector : suite.at("vectors")) {
+      Json recipe = vector.at("stream");
+      recipe["seed"] = vector.at("seed");
+      recipes.push_back(std::move(recipe));
+    }
   }
   return recipes;
 }
 
-void run_recipes(Session& session, const Arguments& arguments) {
-  for (const fs::path& file : files_below(arguments.paths, ".json")) {
-    size_t number = 0;
-    for (const Json& recipe : vectors::read_json(file)) {
-      session.run(file.filename().string() + " " + std::to_string(number++), stream_of(recipe));
-    }
+// The same, as vectors of a recipe file that want a name, clauses and a comment.
+void write_recipes(const fs::path& file, const std::vector<Json>& recipes) {
+  Json vectors = Json::array();
+  for (Json stream : recipes) {
+    const Json seed = stream.value("seed", Json(1));
+    stream.erase("seed");
+    vectors.push_back({{"seed", seed}, {"stream", std::move(stream)}});
   }
+  std::ofstream(file) << Json{{"stream", {{"kind", "fields"}}}, {"vectors", vectors}}.dump(1)
+                      << '\n';
 }
 
 void run_random(Session& session, const Arguments& arguments) {
@@ -88,15 +96,8 @@ void run_random(Session& session, const Arguments& arguments) {
 
 void run_search(Session& session, const Arguments& arguments) {
   const Archive archive = search(session, arguments.seed, arguments.seconds, arguments.count,
-                                 recipes_below(arguments.paths));
-  if (arguments.found.empty()) return;
-  std::ofstream out(arguments.found);
-  out << "[\n";
-  const std::vector<Json> recipes = archive.cover();
-  for (size_t i = 0; i < recipes.size(); ++i) {
-    out << recipes[i].dump() << (i + 1 < recipes.size() ? ",\n" : "\n");
-  }
-  out << "]\n";
+                                 recipes_of(arguments.paths));
+  if (!arguments.found.empty()) write_recipes(arguments.found, archive.cover());
 }
 
 // A fault for the tests to find.
@@ -130,13 +131,12 @@ int run(int argc, char** argv) {
   };
   auto* files = app.add_subcommand("files", "streams in files, or in all files below folders");
   files->add_option("PATH", arguments.paths)->required()->check(CLI::ExistingPath);
-  auto* recipes = app.add_subcommand("recipes", "streams of recipes");
-  recipes->add_option("PATH", arguments.paths)->required()->check(CLI::ExistingPath);
   auto* random = app.add_subcommand("random", "random valid streams");
   limit(random);
   auto* climb = app.add_subcommand("search", "search for streams that reach the intervals' ends");
   limit(climb);
-  climb->add_option("--from", arguments.paths, "recipes to begin with")->check(CLI::ExistingPath);
+  climb->add_option("--from", arguments.paths, "recipe files of the suite to begin with")
+      ->check(CLI::ExistingFile);
   climb->add_option("--found", arguments.found, "where the recipes that came closest are written");
   auto* geometry = app.add_subcommand("geometry", "numbers of the largest trees, without streams");
   try {
@@ -147,7 +147,6 @@ int run(int argc, char** argv) {
   }
   Session session(arguments.folder, arguments.blocks);
   if (files->parsed()) run_files(session, arguments);
-  if (recipes->parsed()) run_recipes(session, arguments);
   if (random->parsed()) run_random(session, arguments);
   if (climb->parsed()) run_search(session, arguments);
   if (geometry->parsed()) session.add("the largest tree, without a stream", geometry_extremes());

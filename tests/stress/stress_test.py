@@ -11,7 +11,8 @@ from pathlib import Path
 from reached import Reached
 
 FOLDER = Path(__file__).resolve().parent
-EXTREMES = FOLDER / "extremes.json"
+VECTORS = FOLDER.parents[1] / "vectors"
+WIDTHS = sorted(VECTORS.glob("boundary/widths-*.hmlfc"))
 PROGRAMS = None
 
 
@@ -30,15 +31,17 @@ class Streams(unittest.TestCase):
 class ExtremesTest(Streams):
     def test_intervals_are_reached_at_both_ends_and_not_left(self):
         reached = Reached()
-        for command in (["recipes", EXTREMES], ["geometry"]):
+        for command in (["files", *WIDTHS], ["geometry"]):
             report, _ = self.run_program(*command)
             self.assertEqual(report["findings"], [])
             reached.add(report["rows"])
         self.assertEqual([row["quantity"] for row in reached.gaps()], [])
 
     def test_odd_streams_stay_within(self):
-        report, _ = self.run_program("recipes", FOLDER / "odd.json")
-        self.assertEqual(report["streams"], len(json.loads((FOLDER / "odd.json").read_text())))
+        odd = sorted(VECTORS.glob("stress/odd-*.hmlfc"))
+        self.assertGreater(len(odd), 10)
+        report, _ = self.run_program("files", *odd)
+        self.assertEqual(report["streams"], len(odd))
         self.assertEqual(report["findings"], [])
 
     def test_random_streams_stay_within(self):
@@ -51,13 +54,13 @@ class ExtremesTest(Streams):
             found = Path(folder) / "found.json"
             limit = ["--seed", "1", "--count", "300", "--found", str(found)]
             report, _ = self.run_program("search", *limit)
-            self.assertGreater(len(json.loads(found.read_text())), 3)
+            self.assertGreater(len(json.loads(found.read_text())["vectors"]), 3)
         self.assertEqual(report["streams"], 300)
 
 
 class PlantedFaultTest(Streams):
     def found(self, plant):
-        report, stored = self.run_program("--plant", plant, "recipes", EXTREMES, status=1)
+        report, stored = self.run_program("--plant", plant, "files", *WIDTHS, status=1)
         finding = report["findings"][0]
         self.assertGreater(stored[Path(finding["stored"]).name], 100)
         return finding["what"]

@@ -5,8 +5,9 @@ usage: ./run mutate rtl [--count N] [--seed S] [--module NAME] [--sample N] [--j
 
 Yosys `mutate` makes N mutants (1092) of the modules of the datapath: a bit of a cell's port inverted, stuck, or changed where another bit
 is set. Each is switched on in a Verilated unit, on which the vectors for blocks of 4 x 4 run until one finds it: a block's checksum or error
-that is not that of its blocks file, an error of the stream that is not the manifest's, or no answer. Mutants that all vectors miss are
-compared with their module by Yosys (equiv_induct, sat); those that do differ must be in survivors.json, each with the reason.
+that is not that of its blocks file, an error of the stream that is not the manifest's, or no answer. What the first vectors miss goes
+through all of them, many mutants at once; what these miss is compared with its module by Yosys (equiv_induct, sat), and must be in
+survivors.json, with the reason, unless it is equivalent.
 
 --module NAME   only mutants of hmlfc_NAME        --sample N   only N of them, spread evenly
 --log FILE      keeps results as they come; a run with the same file and program goes on
@@ -123,17 +124,18 @@ def run_proofs(mutants: list[dict], folder: pathlib.Path, seconds: float, jobs: 
 def campaign(program: list[str], mutants: list[dict], options: argparse.Namespace, record: Record, log: Log) -> dict[int, dict]:
     """The result of each mutant by number, with a `proof` for those that no vector finds.
 
-    Most are found by the first vectors. What is not found by then is proved equivalent, if it can be, before all vectors are tried on
-    the others, several of which are switched on at once."""
+    Most are found by the first vectors. All vectors are tried on the others, several of which are switched on at once; what is left then
+    is proved equivalent, if it can be."""
     left = [mutant for mutant in mutants if not log.of("first vectors", mutant)]
     shards = [[[mutant] for mutant in variant] for variant in by_variant(left)]
     run_vectors([*program, "--clocks", str(FIRST_CLOCKS)], "first vectors", shards, record, options.jobs, log)
     missed = [mutant for mutant in mutants if log.of("first vectors", mutant)["result"] not in FOUND]
-    run_proofs(missed, pathlib.Path(options.mutants).resolve().parent, options.seconds, options.jobs, log)
-    rest = [mutant for mutant in missed if log.of("proofs", mutant)["proof"] != prove.EQUIVALENT and not log.of("all vectors", mutant)]
+    rest = [mutant for mutant in missed if not log.of("all vectors", mutant)]
     # One of each variant together: what no vector finds together takes the time of one.
     groups = [[mutant for mutant in group if mutant] for group in itertools.zip_longest(*by_variant(rest))]
     run_vectors(program, "all vectors", [[group] for group in groups], record, options.jobs, log)
+    survivors = [mutant for mutant in missed if log.of("all vectors", mutant)["result"] not in FOUND]
+    run_proofs(survivors, pathlib.Path(options.mutants).resolve().parent, options.seconds, options.jobs, log)
     results = {}
     for mutant in mutants:
         final = log.of("all vectors", mutant) or log.of("first vectors", mutant)
