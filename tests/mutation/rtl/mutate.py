@@ -5,9 +5,9 @@ usage: ./run mutate rtl [--count N] [--seed S] [--module NAME] [--sample N] [--j
 
 Yosys `mutate` makes N mutants (1092) of the modules of the datapath: a bit of a cell's port inverted, stuck, or changed where another bit
 is set. Each is switched on in a Verilated unit, on which the vectors for blocks of 4 x 4 run until one finds it: a block's checksum or error
-that is not that of its blocks file, an error of the stream that is not the manifest's, or no answer. What the first vectors miss goes
-through all of them, many mutants at once; what these miss is compared with its module by Yosys (equiv_induct, sat), and must be in
-survivors.json, with the reason, unless it is equivalent.
+that is not that of its blocks file, an error of the stream that is not the manifest's, or no answer. What the first vectors miss is
+compared with its module by Yosys and ABC; what is not equivalent goes through all vectors, and what these miss must be in
+survivors.json, each with the reason.
 
 --module NAME   only mutants of hmlfc_NAME        --sample N   only N of them, spread evenly
 --log FILE      keeps results as they come; a run with the same file and program goes on
@@ -112,7 +112,7 @@ def by_variant(mutants: list[dict]) -> list[list[dict]]:
     return [list(group) for _, group in itertools.groupby(mutants, lambda mutant: mutant["variant"])]
 
 
-def run_proofs(mutants: list[dict], folder: pathlib.Path, seconds: float, jobs: int, log: Log) -> None:
+def run_proofs(mutants: list[dict], folder: pathlib.Path, seconds: int, jobs: int, log: Log) -> None:
     """Logs for each mutant whether it differs from its module."""
     def settle(mutant: dict) -> None:
         log.add("proofs", {"number": mutant["number"], "proof": prove.prove(mutant, folder, seconds)})
@@ -124,18 +124,17 @@ def run_proofs(mutants: list[dict], folder: pathlib.Path, seconds: float, jobs: 
 def campaign(program: list[str], mutants: list[dict], options: argparse.Namespace, record: Record, log: Log) -> dict[int, dict]:
     """The result of each mutant by number, with a `proof` for those that no vector finds.
 
-    Most are found by the first vectors. All vectors are tried on the others, several of which are switched on at once; what is left then
-    is proved equivalent, if it can be."""
+    Most are found by the first vectors. What is not found by then is proved equivalent, if it can be, before all vectors are tried on
+    the others, several of which are switched on at once."""
     left = [mutant for mutant in mutants if not log.of("first vectors", mutant)]
     shards = [[[mutant] for mutant in variant] for variant in by_variant(left)]
     run_vectors([*program, "--clocks", str(FIRST_CLOCKS)], "first vectors", shards, record, options.jobs, log)
     missed = [mutant for mutant in mutants if log.of("first vectors", mutant)["result"] not in FOUND]
-    rest = [mutant for mutant in missed if not log.of("all vectors", mutant)]
+    run_proofs(missed, pathlib.Path(options.mutants).resolve().parent, options.seconds, options.jobs, log)
+    rest = [mutant for mutant in missed if log.of("proofs", mutant)["proof"] != prove.EQUIVALENT and not log.of("all vectors", mutant)]
     # One of each variant together: what no vector finds together takes the time of one.
     groups = [[mutant for mutant in group if mutant] for group in itertools.zip_longest(*by_variant(rest))]
     run_vectors(program, "all vectors", [[group] for group in groups], record, options.jobs, log)
-    survivors = [mutant for mutant in missed if log.of("all vectors", mutant)["result"] not in FOUND]
-    run_proofs(survivors, pathlib.Path(options.mutants).resolve().parent, options.seconds, options.jobs, log)
     results = {}
     for mutant in mutants:
         final = log.of("all vectors", mutant) or log.of("first vectors", mutant)
@@ -194,7 +193,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--module")
     parser.add_argument("--sample", type=int)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--seconds", type=float, default=120, help="for a proof")
+    parser.add_argument("--seconds", type=int, default=60, help="for each of the two searches of a proof")
     parser.add_argument("--vectors", help="only these vectors, with commas between them")
     parser.add_argument("--log", type=pathlib.Path, help="keeps results as they come; a run with the same file goes on")
     parser.add_argument("--found", action="store_true", help="only mutants that a vector found when recorded.json was written")

@@ -7,13 +7,12 @@ import tempfile
 
 import units
 
-EQUIVALENT = "equivalent"  # proved for all legal inputs, by induction over all clocks: from a state that both share, outputs stay the same
-DIFFERS = "differs"        # legal inputs are found for which the module's outputs differ
+EQUIVALENT = "equivalent"  # proved: for legal inputs the outputs are the same, over all clocks
+DIFFERS = "differs"        # legal inputs are found for which the outputs differ
 UNPROVED = "unproved"      # neither, within the time
 
-MODEL = "SAT proof finished - model found: FAIL!"
-NO_MODEL = "SAT proof finished - no model found: SUCCESS!"
-DEPTH = 8  # clocks from reset in which a difference is looked for: more than a pipeline of the datapath is long
+STATUS = {"1": EQUIVALENT, "0": DIFFERS, "-1": UNPROVED}  # as ABC numbers them
+CLOCKS = 40  # from reset in which a difference is looked for where there is state
 
 
 def ports(variant: int, folder: pathlib.Path) -> list[tuple[str, str, str]]:
@@ -23,11 +22,19 @@ def ports(variant: int, folder: pathlib.Path) -> list[tuple[str, str, str]]:
     return [port for port in found if port[2] != "mutsel"]
 
 
-def legal_inputs(variant: int, folder: pathlib.Path) -> str:
+def flows(mutant: dict) -> bool:
+    """Whether outputs of module and mutant depend on the last `latency` inputs alone, and a clock without advance only holds both:
+    then clocks with advance alone are a proof. A mutant where the pipeline holds may differ by the hold."""
+    return units.VARIANTS[mutant["variant"]].latency is not None and "$procmux$" not in mutant["command"]
+
+
+def legal_inputs(mutant: dict, folder: pathlib.Path) -> str:
     """A module with the ports of a variant that gives it only what its comment allows: `legal` of units.py."""
+    variant = mutant["variant"]
     unit = units.VARIANTS[variant]
+    legal = unit.legal | ({"advance": "1'b1"} if flows(mutant) else {})
     listed = [port for port in ports(variant, folder) if port[2] not in unit.traced]
-    values = "".join(f"  wire {width}legal_{name} = {unit.legal.get(name, name)};\n" for direction, width, name in listed
+    values = "".join(f"  wire {width}legal_{name} = {legal.get(name, name)};\n" for direction, width, name in listed
                      if direction == "input")
     connections = ", ".join(f".{name}({'legal_' if direction == 'input' else ''}{name})" for direction, _, name in listed)
     heads = ", ".join(f"{direction} {width}{name}" for direction, width, name in listed)
@@ -38,7 +45,7 @@ def both(mutant: dict, folder: pathlib.Path, scratch: pathlib.Path) -> str:
     """The module as `gold` and the mutant as `gate`, with all that is in them, for legal inputs; outputs of the trace alone are left
     out. `folder` is that of plant.py."""
     variant = mutant["variant"]
-    (scratch / "outside.v").write_text(legal_inputs(variant, folder), encoding="utf-8")
+    (scratch / "outside.v").write_text(legal_inputs(mutant, folder), encoding="utf-8")
     inner = "".join(f"read_verilog -sv -overwrite {file}\n" for file in units.inner_modules(variant))
     text = []
     for copy in ("gold", "gate"):
@@ -49,42 +56,35 @@ def both(mutant: dict, folder: pathlib.Path, scratch: pathlib.Path) -> str:
     return "".join(text) + "design -reset\ndesign -copy-from gold gold\ndesign -copy-from gate gate\n"
 
 
-def says(script: str, scratch: pathlib.Path, seconds: float) -> str:
-    """What Yosys says to a script; empty where it takes too long."""
-    path = scratch / "prove.ys"
-    path.write_text(script, encoding="utf-8")
-    try:
-        return units.yosys(path, seconds, quiet=False)
-    except subprocess.TimeoutExpired:
-        return ""
+def write_miter(mutant: dict, folder: pathlib.Path, scratch: pathlib.Path) -> pathlib.Path:
+    """Both as an and-inverter graph whose one output is 1 where outputs differ. Bits that the source leaves undefined, and registers
+    at the begin, are 0 in both."""
+    script, miter = scratch / "prove.ys", scratch / "miter.aig"
+    # What both have alike is one in the miter.
+    script.write_text(both(mutant, folder, scratch) + "setundef -undriven -zero gold gate\nmiter -equiv -flatten gold gate both\n"
+                      "hierarchy -top both\nopt_expr\nopt_merge -share_all\nopt_clean\nasync2sync\ndffunmap\ntechmap\nopt_expr\n"
+                      f"opt_merge -share_all\nopt_clean\ndffunmap\nsetundef -undriven -zero\naigmap\nwrite_aiger -zinit {miter}\n",
+                      encoding="utf-8")
+    units.yosys(script)
+    return miter
 
 
-def flows(mutant: dict) -> bool:
-    """Whether outputs of module and mutant depend on the last `latency` inputs alone, and a clock without advance only holds both:
-    then clocks with advance alone are a proof. A mutant where the pipeline holds may differ by the hold."""
-    return units.VARIANTS[mutant["variant"]].latency is not None and "$procmux$" not in mutant["command"]
+def decided(miter: pathlib.Path, steps: str) -> str:
+    """What ABC says of the miter after `steps`. Raises RuntimeError where it says nothing."""
+    done = subprocess.run(["yosys-abc", "-c", f"read_aiger {miter}; {steps}; print_status"], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, check=False)
+    found = re.search(r"^Status = *(-?[01]) ", done.stdout, re.M)
+    if not found:
+        raise RuntimeError(f"yosys-abc: {done.stdout[-2000:]}")
+    return STATUS[found.group(1)]
 
 
-def prove(mutant: dict, folder: pathlib.Path, seconds: float) -> str:
-    """One of the three results for a mutant of mutants.json in `folder`."""
+def prove(mutant: dict, folder: pathlib.Path, seconds: int) -> str:
+    """One of the three results for a mutant of mutants.json in `folder`; each of two searches takes `seconds` at most."""
     with tempfile.TemporaryDirectory(prefix="hmlfc-mutant-") as name:
-        scratch = pathlib.Path(name)
-        # What both have alike is one in the miter.
-        pair = both(mutant, folder, scratch)
-        miter = pair + "miter -equiv -flatten gold gate both\nhierarchy -top both\nopt_expr\nopt_merge -share_all\nopt_clean\n"
+        miter = write_miter(mutant, folder, pathlib.Path(name))
         if flows(mutant):
             latency = units.VARIANTS[mutant["variant"]].latency
-            flow = says(miter + f"sat -set in_advance 1 -prove trigger 0 -seq {latency + 1} -prove-skip {latency} both\n", scratch, seconds)
-            if NO_MODEL in flow:
-                return EQUIVALENT
-            if MODEL in flow:
-                return DIFFERS
-        equal = says(pair + "equiv_make gold gate both\nhierarchy -top both\nequiv_struct\nequiv_simple -undef\nequiv_induct -undef\n"
-                     "equiv_status\n", scratch, seconds)
-        if "Equivalence successfully proven!" in equal:
-            return EQUIVALENT
-        apart = says(miter + f"sat -prove trigger 0 -set-init-zero -seq {DEPTH} both\n", scratch, seconds)
-    if MODEL in apart:
-        return DIFFERS
-    # Without state a search through one clock is the whole proof.
-    return EQUIVALENT if "$dff" not in apart and NO_MODEL in apart else UNPROVED
+            return decided(miter, f"frames -F {latency + 1}; cone -O {latency}; iprove")
+        # Equal registers of both become one; what is left is searched from reset, then proved by invariants.
+        return decided(miter, f"scorr; bmc3 -F {CLOCKS} -T {seconds}; pdr -T {seconds}")
