@@ -10,6 +10,10 @@ namespace {
 
 constexpr uint64_t kStreamBase = 0x10000;
 constexpr size_t kMaxBursts = 64;
+// Clocks in 1000 that are paused, and for how many clocks it is so.
+constexpr unsigned kPause = 250;
+constexpr unsigned kLongPause = 937;
+constexpr uint64_t kTurn = 512;
 
 uint64_t align(uint64_t address, uint64_t to) { return (address + to - 1) / to * to; }
 
@@ -35,13 +39,15 @@ void UnitHost::clock() {
   if (out_.trace_valid && on_record) on_record(out_.trace);
 }
 
-// The memory: takes every burst, answers one beat a clock.
+bool UnitHost::pause(unsigned permille) { return pauses_ && pauses_->chance(permille); }
+
+// The memory: takes every burst, answers one beat a clock, but for its pauses.
 void UnitHost::read_channel(UnitInputs& next) {
   if (!in_.rst_n) return;
   if (out_.ar_valid && in_.ar_ready) bursts_.push_back({out_.ar_addr, out_.ar_len + 1u});
-  next.ar_ready = bursts_.size() < kMaxBursts;
+  next.ar_ready = bursts_.size() < kMaxBursts && !pause(kPause);
   if (in_.r_valid && !out_.r_ready) return;
-  next.r_valid = !bursts_.empty();
+  next.r_valid = !bursts_.empty() && !pause(kPause);
   if (!next.r_valid) return;
   Burst& burst = bursts_.front();
   next.r_data = beat_at(burst.address);
@@ -116,9 +122,10 @@ uint8_t UnitHost::load() {
 std::vector<Answer> UnitHost::answers(std::span<const Request> requests) {
   std::vector<Answer> answers;
   size_t sent = 0;
-  next_.response_ready = true;
   for (uint64_t idle = 0; answers.size() < requests.size(); ++idle) {
     if (idle == patience_) throw UnitHangs("a request is not answered");
+    const bool slow = (clocks_ / kTurn) % 2 == 1;
+    next_.response_ready = !pause(slow ? kLongPause : kPause);
     next_.request_valid = sent < requests.size();
     if (next_.request_valid) {
       next_.request_data = requests[sent].word();

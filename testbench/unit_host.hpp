@@ -6,11 +6,13 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "pins.hpp"
+#include "random.hpp"
 
 namespace hmlfc::tb {
 
@@ -37,6 +39,11 @@ class UnitHost {
   /// After how many clocks without an answer, or reads of STATUS in load(), the unit hangs.
   void set_patience(uint64_t clocks) { patience_ = clocks; }
 
+  /// From now on the memory pauses in one of four clocks, with addresses and with data, and answers
+  /// are taken by turns in three of four clocks and, until the unit's pipelines are full, in one of
+  /// sixteen. Which clocks, `seed` says.
+  void set_pauses(uint64_t seed) { pauses_.emplace(seed); }
+
   /// Clocks since the host was made.
   uint64_t clocks() const { return clocks_; }
 
@@ -50,6 +57,7 @@ class UnitHost {
   };
 
   void clock();
+  bool pause(unsigned permille);
   void read_channel(UnitInputs& next);
   Beat beat_at(uint64_t address) const;
   void write(uint32_t address, uint32_t value);
@@ -63,6 +71,7 @@ class UnitHost {
   UnitInputs next_;
   UnitOutputs out_;
   std::deque<Burst> bursts_;
+  std::optional<Random> pauses_;
   uint64_t patience_ = 1'000'000;
   uint64_t clocks_ = 0;
 };

@@ -10,7 +10,6 @@
 #include "bits/crc32c.hpp"
 #include "fields/header.hpp"
 #include "golden_stream.hpp"
-#include "unit_host.hpp"
 #include "vectors/picture_bytes.hpp"
 
 namespace hmlfc::tb {
@@ -30,6 +29,41 @@ std::vector<Request> view_requests(const PlaneShape& luma, ViewPos view) {
     }
   }
   return requests;
+}
+
+std::vector<Request> plane_requests(const Geometry& geometry, ViewPos view) {
+  std::vector<Request> requests;
+  for (const Plane plane : kPlanes) {
+    const PlaneShape& shape = geometry.plane(plane);
+    for (uint32_t by = 0; by < shape.blocks_y; ++by) {
+      for (uint32_t bx = 0; bx < shape.blocks_x; ++bx) {
+        requests.push_back({.row = view.row,
+                            .col = view.col,
+                            .bx = bx,
+                            .by = by,
+                            .plane = static_cast<unsigned>(plane)});
+      }
+    }
+  }
+  return requests;
+}
+
+std::string place_of(const Request& request) {
+  return fmt::format("view {},{} block {},{}: ", request.row, request.col, request.bx, request.by);
+}
+
+// Whether samples are the same that lie in the plane; the others have no meaning (DEC-2).
+bool equal_inside(const Request& request, const PlaneShape& shape, uint32_t b,
+                  std::span<const int32_t> samples, const Answer& answer) {
+  const uint32_t width = std::min(b, shape.width - request.bx * b);
+  const uint32_t height = std::min(b, shape.height - request.by * b);
+  for (uint32_t y = 0; y < height; ++y) {
+    const auto row = samples.subspan(size_t{y} * b, width);
+    if (!std::ranges::equal(row, std::span(answer.samples).subspan(size_t{y} * b, width))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 // The block's pixels that lie in the view.
@@ -55,7 +89,9 @@ RgbImage pixels(const Request& request, const Answer& answer, const StreamHeader
 UnitVector::UnitVector(const std::filesystem::path& folder, const vectors::Vector& vector,
                        const UnitParameters& unit)
     : vector_(vector), file_(map(folder / vector.input.file)), image_(file_.bytes(), unit) {
-  if (const auto opened = Decoder::open(file_.bytes()); !opened) {
+  if (auto opened = Decoder::open(file_.bytes()); opened) {
+    if (vector.expect.outcome == vectors::Outcome::kOk) decoder_.emplace(std::move(*opened));
+  } else {
     software_error_ = static_cast<unsigned>(opened.error().code);
   }
   if (vector.blocks && image_.golden() != nullptr) read_blocks(folder / vector.blocks->file);
@@ -115,8 +151,7 @@ std::string UnitVector::wrong_block(const Request& request, const Answer& answer
   const StreamHeader& header = image_.golden()->header();
   const PlaneShape& luma = image_.golden()->geometry().plane(Plane::kY);
   const auto& sum = sums[size_t{request.by} * luma.blocks_x + request.bx];
-  const std::string place =
-      fmt::format("view {},{} block {},{}: ", request.row, request.col, request.bx, request.by);
+  const std::string place = place_of(request);
   const auto expected = static_cast<unsigned>(vector_.expect.error);
   const bool right = sum ? answer.status == 0
                          : answer.status != 0 && (!is_named(request) || answer.status == expected);
@@ -126,11 +161,29 @@ std::string UnitVector::wrong_block(const Request& request, const Answer& answer
   return actual == *sum ? "" : place + "wrong samples";
 }
 
+std::string UnitVector::wrong_plane(UnitHost& host, ViewPos view) const {
+  const auto requests = plane_requests(image_.golden()->geometry(), view);
+  const auto answers = host.answers(requests);
+  for (size_t i = 0; i < requests.size(); ++i) {
+    const Request& request = requests[i];
+    const auto plane = static_cast<Plane>(request.plane);
+    const auto samples = decoder_->decode_block({view, plane, request.bx, request.by}, 0);
+    if (!samples) throw std::runtime_error(vector_.id + ": " + to_string(samples.error()));
+    const PlaneShape& shape = image_.golden()->geometry().plane(plane);
+    const bool same =
+        answers[i].status == 0 &&
+        equal_inside(request, shape, image_.golden()->header().block_size(), *samples, answers[i]);
+    if (!same) return place_of(request) + fmt::format("wrong in plane {}", request.plane);
+  }
+  return {};
+}
+
 Verdict UnitVector::try_on(std::unique_ptr<DecodeUnit> unit, uint64_t patience,
                            uint64_t& clocks) const {
   Verdict verdict;
   UnitHost host(std::move(unit), file_.bytes(), image_.area().bytes);
   host.set_patience(patience);
+  host.set_pauses(1);
   try {
     unsigned error = host.load();
     if (error == 0) error = software_error_;
@@ -143,6 +196,9 @@ Verdict UnitVector::try_on(std::unique_ptr<DecodeUnit> unit, uint64_t patience,
       const auto answers = host.answers(requests);
       for (size_t i = 0; i < requests.size() && verdict.pass(); ++i) {
         verdict.difference = wrong_block(requests[i], answers[i], views_[view]);
+      }
+      if (decoder_ && view + 1 == views && verdict.pass()) {
+        verdict.difference = wrong_plane(host, at);
       }
     }
   } catch (const UnitHangs& hang) {

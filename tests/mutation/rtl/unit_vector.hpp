@@ -8,8 +8,11 @@
 #include <string>
 #include <vector>
 
+#include <hmlfc/decoder.hpp>
+
 #include "io/mapped_file.hpp"
 #include "stream_image.hpp"
+#include "unit_host.hpp"
 #include "vectors/manifest.hpp"
 
 namespace hmlfc::tb {
@@ -36,10 +39,12 @@ class UnitVector {
   /// those without a sound header, which every unit must refuse.
   static bool is_for(const UnitParameters& unit, std::span<const uint8_t> stream);
 
-  /// LOADs the stream and asks for all pixels of all views, view by view until one is wrong.
-  /// Expected are the error of the manifest, or each block's CRC-32C in the blocks file; blocks
-  /// without one must fail, those that the manifest names with its error.
-  /// A unit that does nothing for `patience` clocks hangs. `clocks` is how long it took.
+  /// LOADs the stream and asks for all pixels of all views, view by view until one is wrong. Memory
+  /// and whoever takes the answers pause at times, so that the unit must hold what it has.
+  /// Of the last view all planes are asked for too, where every block decodes; their samples are to
+  /// be the golden model's. Expected otherwise are the error of the manifest, or each block's
+  /// CRC-32C in the blocks file; blocks without one must fail, those that the manifest names with
+  /// its error. A unit that does nothing for `patience` clocks hangs. `clocks` is how long it took.
   Verdict try_on(std::unique_ptr<DecodeUnit> unit, uint64_t patience, uint64_t& clocks) const;
 
  private:
@@ -50,11 +55,13 @@ class UnitVector {
   bool is_named(const Request& request) const;
   std::string wrong_block(const Request& request, const Answer& answer,
                           const BlockSums& sums) const;
+  std::string wrong_plane(UnitHost& host, ViewPos view) const;
 
   vectors::Vector vector_;
   io::MappedFile file_;
   StreamImage image_;
-  unsigned software_error_ = 0;  ///< of what the unit leaves to software (FIL-6, KEY-1)
+  std::optional<Decoder> decoder_;  ///< where every block decodes
+  unsigned software_error_ = 0;     ///< of what the unit leaves to software (FIL-6, KEY-1)
   std::vector<BlockSums> views_;
 };
 
