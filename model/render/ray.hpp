@@ -10,7 +10,7 @@
 
 namespace hmlfc {
 
-/// Slopes in units of 2^-28, in [-2^30, 2^30 - 1] (RAY-2).
+/// Slopes in units of 2^-28, in [-(2^30 - 1), 2^30 - 2] (RAY-2).
 struct Slopes {
   int32_t x = 0;
   int32_t y = 0;
@@ -48,7 +48,7 @@ constexpr int32_t multiply_shift(int32_t x, int32_t y, int k) {
   return static_cast<int32_t>((int64_t{x} * y) >> k);
 }
 
-/// r of RAY-2: the reciprocal of n.z in [2^26, 3 * 2^28 + 2].
+/// r of RAY-2: the reciprocal of n.z in [2^26, 805131608].
 constexpr int32_t reciprocal(int32_t nz) {
   return static_cast<int32_t>(((uint64_t{1} << 57) - 1) / static_cast<uint64_t>(nz));
 }

@@ -148,7 +148,7 @@ TEST(FrameRecord, RaysStayWithinTheirWidths) {
       const int32_t i = corner % 2 == 0 ? 0 : record->frame_width - 1;
       const int32_t j = corner / 2 % 2 == 0 ? 0 : record->frame_height - 1;
       const IntVector d = direction(*record, i, j);
-      for (const int32_t part : {d.x, d.y, d.z}) ASSERT_LE(std::abs(part), 805306370);
+      for (const int32_t part : {d.x, d.y, d.z}) ASSERT_LE(std::abs(part), 805131609);
       const auto slope = slopes(d);
       if (!slope) continue;
       ASSERT_LT(std::abs(int64_t{slope->x}), (int64_t{1} << 30) + 1);

@@ -1,6 +1,6 @@
-"""The width table of docs/rendering.md: its intervals give its bits, and the values that the
-clauses allow reach but never leave them. Inputs and limits are read from CAM-3 and REC-3, nothing
-from the width table itself."""
+"""The width table of docs/rendering.md: its intervals give its bits, and are those of the values
+that the clauses allow, of n * r those that a proof allows. Inputs and limits are read from CAM-3
+and REC-3, nothing from the width table itself."""
 
 import math
 import re
@@ -8,7 +8,7 @@ from functools import cache
 from itertools import product
 
 from specification import RENDERING, read, table_after
-from widths import BOUND, DEPTHS, REACHED, evaluate, interval, needed_bits
+from widths import DEPTHS, evaluate, interval, needed_bits
 
 HEADING = "## 6"
 DEEPEST = 12
@@ -61,7 +61,15 @@ class Frame:
         return sums(products(pixel, low), products(pixel, low), low)
 
     def component(self):
-        return components(self.side[1], self.tan_half[1])
+        """n: the bound, and what cameras all around reach in the corners of a frame. Of forward,
+        right and down one component each is a vector of length 1, so that n is no longer than
+        (1, a * t, b * t); it is a sum of 1 + a + b numbers that fix() rounds by half of 2^-40."""
+        side, slope = self.side[1], self.tan_half[1]
+        corner = side - 1
+        longest = 2**28 * math.sqrt(1 + 2 * (slope * corner / side) ** 2)
+        rounding = (1 + 2 * corner) / 2 / 2**12
+        bound = (math.floor(-longest - rounding), math.floor(longest + rounding))
+        return ends([*bound, *components(side, slope)])
 
     def forward_part(self):
         """n.z of pixels that are not outside (RAY-2)."""
@@ -71,27 +79,25 @@ class Frame:
         return ends((2**57 - 1) // nz for nz in self.forward_part())
 
     def aside(self):
-        """n * r where RAY-2 lets n through."""
-        most = self.component()[1]
-        least, deepest = self.forward_part()
-        for nz in (least, 2**27, most // 4, deepest):
-            n = min(4 * nz - 1, most)
-            yield from (sign * n * ((2**57 - 1) // nz) for sign in (-1, 1))
-
-    SLOPE = (-(2**30), 2**30 - 1)  # what RAY-2 bounds; slopes() checks it
+        """n * r where RAY-2 lets n through. With abs(n) <= 4 * n.z - 1 and n.z * r <= 2^57 - 1 it
+        is at most 4 * (2^57 - 1) - r; r is least at the largest n.z whose 4 * n.z - 1 is an n. At
+        larger n.z, n is 4 * n.z - 2 at most, and falls behind further."""
+        longest = max(map(abs, self.component()))
+        bound = 4 * (2**57 - 1) - (2**57 - 1) // ((longest + 1) // 4)
+        return -bound, bound
 
     def slopes(self):
-        return shifted(ends(self.aside()), 29)
+        return shifted(self.aside(), 29)
 
     def scaled_slope(self):
         """zu * sx and gain * sx."""
-        return ends([*products(self.zu, self.SLOPE), *products(self.gain, self.SLOPE)])
+        return ends([*products(self.zu, self.slopes()), *products(self.gain, self.slopes())])
 
     def place(self):
-        return sums(self.u0, negated(shifted(products(self.zu, self.SLOPE), 28)))
+        return sums(self.u0, negated(shifted(products(self.zu, self.slopes()), 28)))
 
     def picture(self):
-        return sums(self.origin, shifted(products(self.gain, self.SLOPE), 28))
+        return sums(self.origin, shifted(products(self.gain, self.slopes()), 28))
 
     def picture_of_view(self):
         return sums(self.picture(), self.parallax)
@@ -179,24 +185,24 @@ def limit(text, quantity):
 
 # Each row of the table: (least, greatest) at a depth.
 QUANTITIES = {
-    "a, b": (REACHED, lambda frame, n: frame.pixel()),
-    "na_lo * a + nb_lo * b + n0_lo": (REACHED, lambda frame, n: frame.low_part()),
-    "n": (BOUND, lambda frame, n: frame.component()),
-    "r": (BOUND, lambda frame, n: frame.reciprocals()),
-    "n * r": (BOUND, lambda frame, n: ends(frame.aside())),
-    "sx, sy": (BOUND, lambda frame, n: frame.slopes()),
-    "u0, v0": (REACHED, lambda frame, n: frame.u0),
-    "zu, zv": (REACHED, lambda frame, n: frame.zu),
-    "zu * sx, gain * sx": (REACHED, lambda frame, n: frame.scaled_slope()),
-    "U, V before their clamp": (REACHED, lambda frame, n: frame.place()),
-    "xb, yb": (REACHED, lambda frame, n: frame.picture()),
-    "x(c), y(r)": (REACHED, lambda frame, n: frame.picture_of_view()),
-    "x, y after their clamp": (REACHED, lambda frame, n: frame.clamped()),
-    "wr, wc": (REACHED, lambda frame, n: frame.weights()),
-    "weight of a view": (REACHED, lambda frame, n: products(frame.weights(), frame.weights())),
-    "sum of four taps": (REACHED, lambda frame, n: frame.taps(n)),
-    "q": (REACHED, lambda frame, n: frame.view_colour(n)),
-    "sum over views": (REACHED, lambda frame, n: frame.sum_of_views(n)),
+    "a, b": lambda frame, n: frame.pixel(),
+    "na_lo * a + nb_lo * b + n0_lo": lambda frame, n: frame.low_part(),
+    "n": lambda frame, n: frame.component(),
+    "r": lambda frame, n: frame.reciprocals(),
+    "n * r": lambda frame, n: frame.aside(),
+    "sx, sy": lambda frame, n: frame.slopes(),
+    "u0, v0": lambda frame, n: frame.u0,
+    "zu, zv": lambda frame, n: frame.zu,
+    "zu * sx, gain * sx": lambda frame, n: frame.scaled_slope(),
+    "U, V before their clamp": lambda frame, n: frame.place(),
+    "xb, yb": lambda frame, n: frame.picture(),
+    "x(c), y(r)": lambda frame, n: frame.picture_of_view(),
+    "x, y after their clamp": lambda frame, n: frame.clamped(),
+    "wr, wc": lambda frame, n: frame.weights(),
+    "weight of a view": lambda frame, n: products(frame.weights(), frame.weights()),
+    "sum of four taps": lambda frame, n: frame.taps(n),
+    "q": lambda frame, n: frame.view_colour(n),
+    "sum over views": lambda frame, n: frame.sum_of_views(n),
 }
 
 
@@ -210,18 +216,11 @@ def bits_violations(row):
 
 
 def reach_violations(row, frame):
-    kind, extremes = QUANTITIES[row["quantity"]]
     for n in DEPTHS if "n" in row["interval"] else [DEEPEST]:
-        lo, hi = interval(row["interval"], n)
-        least, most = extremes(frame, n)
-        if least < lo or most > hi:
-            yield f"at n = {n} values reach [{least}, {most}], past [{lo}, {hi}]"
-            return
-        if kind == REACHED and (least, most) != (lo, hi):
-            yield f"at n = {n} values reach [{least}, {most}] only, not [{lo}, {hi}]"
-            return
-        if needed_bits(least, most) < needed_bits(lo, hi):
-            yield f"[{least}, {most}] needs {needed_bits(least, most)} bits only"
+        proved = interval(row["interval"], n)
+        reached = QUANTITIES[row["quantity"]](frame, n)
+        if proved != reached:
+            yield f"at n = {n} values reach {list(reached)}, not {list(proved)}"
             return
 
 

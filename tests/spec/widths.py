@@ -20,37 +20,34 @@ HEADING = "## 11"
 WIDTHS = {"bits at n = 8": 8, "bits at n = 12": 12}
 DEPTHS = [3, 4, 5, 8, 9, 10, 11, 12]
 
-REACHED = "reached"
-BOUND = "bound"  # the interval is wider than what occurs
-
 # Each row of the table: (least, greatest) of plane 0 = Y or 1 = Co, Cg at a depth.
 QUANTITIES = {
-    "sample, parent P": (REACHED, lambda tried, plane: tried.samples[plane]),
-    "residual bound M": (REACHED, lambda tried, plane: (0, tried.bounds[plane])),
-    "BISE value": (REACHED, lambda tried, plane: (0, max(tried.level_counts()) - 1)),
-    "bias": (REACHED, lambda tried, plane: tried.biases()),
-    "residual before its clamp": (REACHED, lambda tried, plane: tried.unclamped_residual()),
-    "residual, SRV reference": (REACHED, Tried.residual),
-    "ref": (REACHED, Tried.reference),
-    "P + sign * ref": (REACHED, Tried.phased),
-    "A + residual": (REACHED, Tried.corrected),
-    "vector component": (REACHED, lambda tried, plane: (-127, 127)),
-    "step * residual": (REACHED, Tried.stepped),
-    "disparity": (REACHED, lambda tried, plane: DISPARITIES),
-    "explicit_x, explicit_y": (REACHED, lambda tried, plane: (-(2**11), 2**11 - 1)),
-    "rk - r, ck - c": (REACHED, lambda tried, plane: reference_offsets()),
-    "d * row_scale * (rk - r)": (REACHED, lambda tried, plane: scaled_disparities()),
-    "vx, vy": (REACHED, lambda tried, plane: vector_components()),
-    "u": (REACHED, lambda tried, plane: eighths()),
-    "I": (REACHED, Tried.interpolated),
-    "I_first + I_second + 64": (REACHED, Tried.two_interpolated),
-    "t": (REACHED, lambda tried, plane: tried.ends(tried.t_values())),
-    "G before its clamp": (REACHED, lambda tried, plane: tried.green()),
-    "B before its clamp": (REACHED, lambda tried, plane: tried.blue()),
-    "R before its clamp": (REACHED, lambda tried, plane: tried.red()),
-    "image number": (REACHED, lambda tried, plane: (0, most_images() - 1)),
-    "tile number": (REACHED, lambda tried, plane: (0, most_tiles() - 1)),
-    "bit position in a tile record": (REACHED, lambda tried, plane: (0, tried.longest_record())),
+    "sample, parent P": lambda tried, plane: tried.samples[plane],
+    "residual bound M": lambda tried, plane: (0, tried.bounds[plane]),
+    "BISE value": lambda tried, plane: (0, max(tried.level_counts()) - 1),
+    "bias": lambda tried, plane: tried.biases(),
+    "residual before its clamp": lambda tried, plane: tried.unclamped_residual(),
+    "residual, SRV reference": Tried.residual,
+    "ref": Tried.reference,
+    "P + sign * ref": Tried.phased,
+    "A + residual": Tried.corrected,
+    "vector component": lambda tried, plane: (-127, 127),
+    "step * residual": Tried.stepped,
+    "disparity": lambda tried, plane: DISPARITIES,
+    "explicit_x, explicit_y": lambda tried, plane: (-(2**11), 2**11 - 1),
+    "rk - r, ck - c": lambda tried, plane: reference_offsets(),
+    "d * row_scale * (rk - r)": lambda tried, plane: scaled_disparities(),
+    "vx, vy": lambda tried, plane: vector_components(),
+    "u": lambda tried, plane: eighths(),
+    "I": Tried.interpolated,
+    "I_first + I_second + 64": Tried.two_interpolated,
+    "t": lambda tried, plane: tried.ends(tried.t_values()),
+    "G before its clamp": lambda tried, plane: tried.green(),
+    "B before its clamp": lambda tried, plane: tried.blue(),
+    "R before its clamp": lambda tried, plane: tried.red(),
+    "image number": lambda tried, plane: (0, most_images() - 1),
+    "tile number": lambda tried, plane: (0, most_tiles() - 1),
+    "bit position in a tile record": lambda tried, plane: (0, tried.longest_record()),
 }
 
 
@@ -100,16 +97,15 @@ def row_violations(row):
 
 @cache
 def extremes(quantity, n, plane):
-    return QUANTITIES[quantity][1](Tried(n), plane)
+    return QUANTITIES[quantity](Tried(n), plane)
 
 
 def reach_violations(row, n):
-    kind = QUANTITIES[row["quantity"]][0]
     for plane, (lo, hi) in enumerate(intervals(row, n)):
         least, most = extremes(row["quantity"], n, plane)
         if least < lo or most > hi:
             yield f"at n = {n} values reach [{least}, {most}], past [{lo}, {hi}]"
-        elif kind == REACHED and (least, most) != (lo, hi):
+        elif (least, most) != (lo, hi):
             yield f"at n = {n} values reach [{least}, {most}] only, not [{lo}, {hi}]"
 
 
