@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "values/watch.hpp"
+
 namespace hmlfc {
 namespace {
 
@@ -200,6 +202,10 @@ tl::expected<FrameRecord, CameraError> frame_record(const Camera& camera,
   record.v0 = fix32(full.position->v, 16);
   record.zu = fix32(full.position->z, 16);
   record.zv = fix32(full.position->z / row_pitch, 16);
+  watch("u0, v0", record.u0);
+  watch("u0, v0", record.v0);
+  watch("zu, zv", record.zu);
+  watch("zu, zv", record.zv);
   record.c0 = nearest_view(full.position->u, record.cols);
   record.r0 = nearest_view(full.position->v, record.rows);
   if (auto ok = set_pictures(full, row_pitch, record); !ok) return tl::unexpected(ok.error());

@@ -40,8 +40,10 @@ class Blocks {
   Rgb pixel(ViewPos view, int32_t x, int32_t y) const {
     return inverse_colour({sample(view, Plane::kY, x, y), sample(view, Plane::kCo, x, y),
                            sample(view, Plane::kCg, x, y)},
-                          decoder_.header().depth);
+                          depth());
   }
+
+  int depth() const { return decoder_.header().depth; }
 
  private:
   int32_t sample(ViewPos view, Plane plane, int32_t x, int32_t y) const {
@@ -67,9 +69,10 @@ Rgb view_colour(const Blocks& blocks, const ViewTaps& taps) {
   const Rgb p10 = at(taps.x.last(), taps.y.first);
   const Rgb p01 = at(taps.x.first, taps.y.last());
   const Rgb p11 = at(taps.x.last(), taps.y.last());
-  return {interpolate_pixels(taps.x, taps.y, p00.r, p10.r, p01.r, p11.r),
-          interpolate_pixels(taps.x, taps.y, p00.g, p10.g, p01.g, p11.g),
-          interpolate_pixels(taps.x, taps.y, p00.b, p10.b, p01.b, p11.b)};
+  const int depth = blocks.depth();
+  return {interpolate_pixels(taps.x, taps.y, p00.r, p10.r, p01.r, p11.r, depth),
+          interpolate_pixels(taps.x, taps.y, p00.g, p10.g, p01.g, p11.g, depth),
+          interpolate_pixels(taps.x, taps.y, p00.b, p10.b, p01.b, p11.b, depth)};
 }
 
 class GoldenRenderer final : public FrameRenderer {
@@ -149,7 +152,8 @@ class GoldenRenderer final : public FrameRenderer {
         });
       }
       for (const uint32_t sum : {r, g, b}) {
-        image.samples.push_back(narrow<uint16_t>(frame_sample(sum)));  // 0 outside (RAY-6)
+        // 0 outside (RAY-6)
+        image.samples.push_back(narrow<uint16_t>(frame_sample(sum, image.depth)));
       }
     });
   }

@@ -9,6 +9,7 @@
 #include "render/pixel_taps.hpp"
 #include "render/ray.hpp"
 #include "render/view_weights.hpp"
+#include "values/watch.hpp"
 
 namespace hmlfc {
 
@@ -29,10 +30,9 @@ void for_each_view_taps(const FrameRecord& record, const Ray& ray, const Visit& 
     const AxisTaps y = axis_taps(record, y_in_view(record, ray.yb, row), record.height);
     for (int32_t col = cols.first(); col <= cols.last(); ++col) {
       const AxisTaps x = axis_taps(record, x_in_view(record, ray.xb, col), record.width);
-      visit(ViewTaps{{static_cast<uint32_t>(row), static_cast<uint32_t>(col)},
-                     static_cast<uint32_t>(rows.weight(row) * cols.weight(col)),
-                     x,
-                     y});
+      const auto weight = static_cast<uint32_t>(rows.weight(row) * cols.weight(col));
+      watch("weight of a view", weight);
+      visit(ViewTaps{{static_cast<uint32_t>(row), static_cast<uint32_t>(col)}, weight, x, y});
     }
   }
 }

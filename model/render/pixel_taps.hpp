@@ -7,6 +7,7 @@
 
 #include "render/ray.hpp"
 #include "values/rounding.hpp"
+#include "values/watch.hpp"
 
 namespace hmlfc {
 
@@ -26,6 +27,7 @@ struct AxisTaps {
 /// pixels pixel 4.
 constexpr AxisTaps axis_taps(const FrameRecord& record, int32_t x, int32_t size) {
   const int32_t inside = clamp(x, 0, (size - 1) << 12);
+  watch("x, y after their clamp", inside);
   if (record.filter != static_cast<int32_t>(Filter::kQuadrilinear)) {
     return {(inside + kHalfPixel) >> 12, 0};
   }
@@ -33,17 +35,24 @@ constexpr AxisTaps axis_taps(const FrameRecord& record, int32_t x, int32_t size)
   return {rounded >> 8, rounded & 255};
 }
 
-/// q of SMP-2 for the samples of four pixels in [0, 4095]; those of weight 0 do not matter.
+/// q of SMP-2 for the samples of four pixels in [0, 2^depth - 1], depth in [8, 12]; those of weight
+/// 0 do not matter.
 constexpr int32_t interpolate_pixels(const AxisTaps& x, const AxisTaps& y, int32_t p00, int32_t p10,
-                                     int32_t p01, int32_t p11) {
+                                     int32_t p01, int32_t p11, int depth) {
   const int32_t above = (256 - x.fraction) * p00 + x.fraction * p10;
   const int32_t below = (256 - x.fraction) * p01 + x.fraction * p11;
-  return ((256 - y.fraction) * above + y.fraction * below + (1 << 11)) >> 12;
+  const int32_t sum = (256 - y.fraction) * above + y.fraction * below + (1 << 11);
+  watch("sum of four taps", sum, depth);
+  const int32_t q = sum >> 12;
+  watch("q", q, depth);
+  return q;
 }
 
-/// A frame's sample from the sum of weight * q over all views (SMP-3): [0, 4095].
-constexpr int32_t frame_sample(uint32_t sum) {
-  return static_cast<int32_t>((sum + (1u << 19)) >> 20);
+/// A frame's sample from the sum of weight * q over all views (SMP-3): [0, 2^depth - 1].
+constexpr int32_t frame_sample(uint32_t sum, int depth) {
+  const uint32_t rounded = sum + (1u << 19);
+  watch("sum over views", rounded, depth);
+  return static_cast<int32_t>(rounded >> 20);
 }
 
 }  // namespace hmlfc

@@ -7,6 +7,7 @@
 #include <hmlfc/camera.hpp>
 
 #include "values/rounding.hpp"
+#include "values/watch.hpp"
 
 namespace hmlfc {
 
@@ -31,26 +32,46 @@ inline constexpr int32_t kHalfPixel = 1 << 11;
 /// One component of a direction (RAY-1): a, b in [-4095, 4095].
 constexpr int32_t direction(int32_t n0_hi, int32_t n0_lo, int32_t na_hi, int32_t na_lo,
                             int32_t nb_hi, int32_t nb_lo, int32_t a, int32_t b) {
-  return n0_hi + a * na_hi + b * nb_hi + floor_shift(n0_lo + a * na_lo + b * nb_lo, 12);
+  const int32_t low = n0_lo + a * na_lo + b * nb_lo;
+  watch("na_lo * a + nb_lo * b + n0_lo", low);
+  const int32_t n = n0_hi + a * na_hi + b * nb_hi + floor_shift(low, 12);
+  watch("n", n);
+  return n;
 }
 
 /// The direction of pixel (i, j) (RAY-1).
 constexpr IntVector direction(const FrameRecord& f, int32_t i, int32_t j) {
   const int32_t a = 2 * i + 1 - f.frame_width;
   const int32_t b = 2 * j + 1 - f.frame_height;
+  watch("a, b", a);
+  watch("a, b", b);
   return {direction(f.n0_hi.x, f.n0_lo.x, f.na_hi.x, f.na_lo.x, f.nb_hi.x, f.nb_lo.x, a, b),
           direction(f.n0_hi.y, f.n0_lo.y, f.na_hi.y, f.na_lo.y, f.nb_hi.y, f.nb_lo.y, a, b),
           direction(f.n0_hi.z, f.n0_lo.z, f.na_hi.z, f.na_lo.z, f.nb_hi.z, f.nb_lo.z, a, b)};
 }
 
-/// floor((x * y) / 2^k), the product in 64 bits.
-constexpr int32_t multiply_shift(int32_t x, int32_t y, int k) {
-  return static_cast<int32_t>((int64_t{x} * y) >> k);
-}
-
 /// r of RAY-2: the reciprocal of n.z in [2^26, 805131608].
 constexpr int32_t reciprocal(int32_t nz) {
-  return static_cast<int32_t>(((uint64_t{1} << 57) - 1) / static_cast<uint64_t>(nz));
+  const auto r = static_cast<int32_t>(((uint64_t{1} << 57) - 1) / static_cast<uint64_t>(nz));
+  watch("r", r);
+  return r;
+}
+
+/// sx or sy of RAY-2: the slope of a component n with abs(n) < 4 * n.z, r = reciprocal(n.z).
+constexpr int32_t slope_of(int32_t n, int32_t r) {
+  const int64_t product = int64_t{n} * r;
+  watch("n * r", product);
+  const auto s = static_cast<int32_t>(product >> 29);
+  watch("sx, sy", s);
+  return s;
+}
+
+/// How far a ray of `slope` comes aside (RAY-3, RAY-4): zu, zv or gain in [-2^28, 2^28] times the
+/// slope.
+constexpr int32_t shift_along(int32_t factor, int32_t slope) {
+  const int64_t product = int64_t{factor} * slope;
+  watch("zu * sx, gain * sx", product);
+  return static_cast<int32_t>(product >> 28);
 }
 
 /// RAY-2; nothing for a pixel that is outside.
@@ -59,11 +80,12 @@ constexpr std::optional<Slopes> slopes(const IntVector& n) {
   const int32_t y = n.y < 0 ? -n.y : n.y;
   if (n.z < (1 << 26) || (x >> 2) >= n.z || (y >> 2) >= n.z) return std::nullopt;
   const int32_t r = reciprocal(n.z);
-  return Slopes{multiply_shift(n.x, r, 29), multiply_shift(n.y, r, 29)};
+  return Slopes{slope_of(n.x, r), slope_of(n.y, r)};
 }
 
 /// The place on one axis of the grid of `views` views (RAY-3); nothing outside it.
 constexpr std::optional<int32_t> place_among_views(int32_t place, int32_t views) {
+  watch("U, V before their clamp", place);
   const int32_t last = (views - 1) << 16;
   if (views > 1 && (place < -kHalfStep || place > last + kHalfStep)) return std::nullopt;
   return clamp(place, 0, last);
@@ -79,23 +101,28 @@ constexpr int32_t nearest_view(int32_t place) { return (place + kHalfStep) >> 16
 
 /// x(c) of RAY-4.
 constexpr int32_t x_in_view(const FrameRecord& f, int32_t xb, int32_t col) {
-  return xb + f.dx * (col - f.c0);
+  const int32_t x = xb + f.dx * (col - f.c0);
+  watch("x(c), y(r)", x);
+  return x;
 }
 
 /// y(r) of RAY-4.
 constexpr int32_t y_in_view(const FrameRecord& f, int32_t yb, int32_t row) {
-  return yb + f.dy * (row - f.r0);
+  const int32_t y = yb + f.dy * (row - f.r0);
+  watch("x(c), y(r)", y);
+  return y;
 }
 
 /// The ray of pixel (i, j); nothing if the pixel is outside (RAY-6).
 constexpr std::optional<Ray> trace(const FrameRecord& f, int32_t i, int32_t j) {
   const auto slope = slopes(direction(f, i, j));
   if (!slope) return std::nullopt;
-  const auto u = place_among_views(f.u0 - multiply_shift(f.zu, slope->x, 28), f.cols);
-  const auto v = place_among_views(f.v0 - multiply_shift(f.zv, slope->y, 28), f.rows);
+  const auto u = place_among_views(f.u0 - shift_along(f.zu, slope->x), f.cols);
+  const auto v = place_among_views(f.v0 - shift_along(f.zv, slope->y), f.rows);
   if (!u || !v) return std::nullopt;
-  const Ray ray{*u, *v, f.x0 + multiply_shift(f.gain, slope->x, 28),
-                f.y0 + multiply_shift(f.gain, slope->y, 28)};
+  const Ray ray{*u, *v, f.x0 + shift_along(f.gain, slope->x), f.y0 + shift_along(f.gain, slope->y)};
+  watch("xb, yb", ray.xb);
+  watch("xb, yb", ray.yb);
   if (!is_in_picture(x_in_view(f, ray.xb, nearest_view(ray.u)), f.width) ||
       !is_in_picture(y_in_view(f, ray.yb, nearest_view(ray.v)), f.height)) {
     return std::nullopt;

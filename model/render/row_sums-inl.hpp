@@ -45,13 +45,15 @@ template <int kSampleBytes>
 void add_interpolated(const uint8_t* const* rows, const RayRun& run, const TapArrays& taps,
                       uint32_t* sums) {
   using Sample = std::conditional_t<kSampleBytes == 1, uint8_t, uint16_t>;
+  constexpr int kMostDepth = kSampleBytes == 1 ? 8 : 12;
   for (int32_t i = run.begin; i < run.end; ++i) {
     const AxisTaps x{taps.x[i], taps.fx[i]};
     const AxisTaps y{taps.y[i], taps.fy[i]};
     const auto* above = reinterpret_cast<const Sample*>(rows[y.first]) + 4 * x.first;
     const auto* below = reinterpret_cast<const Sample*>(rows[y.last()]) + 4 * x.first;
     for (int32_t k = 0; k < 3; ++k) {
-      const int32_t q = interpolate_pixels(x, y, above[k], above[k + 4], below[k], below[k + 4]);
+      const int32_t q =
+          interpolate_pixels(x, y, above[k], above[k + 4], below[k], below[k + 4], kMostDepth);
       sums[4 * i + k] += taps.weight(i) * static_cast<uint32_t>(q);
     }
   }

@@ -7,6 +7,7 @@
 
 #include "render/ray.hpp"
 #include "values/rounding.hpp"
+#include "values/watch.hpp"
 
 namespace hmlfc {
 
@@ -24,7 +25,9 @@ struct AxisWeights {
   /// The weight of view first + i, i in [0, count - 1]: [1, 256].
   constexpr int32_t weight(int32_t i) const {
     const int32_t distance = ((first + i) << log2) - place;
-    return support - (distance < 0 ? -distance : distance);
+    const int32_t weight = support - (distance < 0 ? -distance : distance);
+    watch("wr, wc", weight);
+    return weight;
   }
 };
 

@@ -1,5 +1,6 @@
-// What the quantities of the width table (specification, section 11) reach, for builds that watch
-// them (HMLFC_WATCH_WIDTHS, ./run stress). In all other builds nothing here leaves any code.
+// What the quantities of the width tables (specification, section 11; docs/rendering.md, section 6)
+// reach, for builds that watch them (HMLFC_WATCH_WIDTHS, ./run stress). In all other builds nothing
+// here leaves any code.
 #pragma once
 
 #include <bit>
@@ -12,7 +13,7 @@
 #include "values/sample_range.hpp"
 
 #ifdef HMLFC_WATCH_WIDTHS
-#include <width_rows.hpp>  // the width table, generated from the specification
+#include <width_rows.hpp>  // the width tables, generated from both documents
 #endif
 
 namespace hmlfc {
@@ -23,7 +24,7 @@ inline constexpr bool kWidthsWatched = true;
 inline constexpr bool kWidthsWatched = false;
 #endif
 
-/// A row of the width table by its quantity. Where widths are watched, a name that is no row's does
+/// A row of a width table by its quantity. Where widths are watched, a name that is no row's does
 /// not compile; elsewhere tests/spec/width_probes.py finds it.
 class Width {
  public:

@@ -5,7 +5,7 @@ citations  every clause cited exists; every clause that a decoder follows is cit
 errors     annex A has the numbers, names and meanings of the model
 widths     the numbers of section 11 follow from its formulas, and no value leaves its interval
 frame_widths  the same of section 6 of docs/rendering.md
-width_probes  the model watches every row of section 11, and nothing else (./run stress)
+width_probes  the model watches every row of both tables, and nothing else (./run stress)
 """
 
 import argparse

@@ -135,8 +135,10 @@ WIDTH_TREE = {SPECIFICATION: f"## 10 Other\n\n| a |\n|---|\n\n## 11 Widths\n{WID
 FRAME_WIDTH_TREE = {RENDERING: FRAMES}
 PROBE_TREE = {
     SPECIFICATION: "## 11 Widths\n\n| quantity | clause |\n|---|---|\n| sum | A |\n| d, e | B |\n",
+    RENDERING: "## 6 Widths\n\n| quantity | clause |\n|---|---|\n| U * s | C |\n",
     "model/values/sum.hpp": '  watch("sum", sum, range);\n',
     "model/fields/entry.cpp": '  watch(\n      "d, e", d);\n',
+    "model/render/ray.hpp": '  watch("U * s", product);\n',
 }
 
 
@@ -316,11 +318,20 @@ class WidthProbesTest(SpecificationTest):
         self.plant(SPECIFICATION, "Widths", "Widths")
 
     def test_row_without_a_probe_and_probe_without_a_row(self):
-        missing = "nothing in the model watches sum"
-        other = "model/values/sum.hpp watches sums, which is no row"
+        missing = "nothing in model/values, fields, samples watches sum"
+        other = "model/values/sum.hpp watches sums, which is no row of docs/specification.md"
         self.plant("model/values/sum.hpp", '"sum"', '"sums"', missing, other)
         self.plant("model/values/sum.hpp", "watch", "match", missing)
         self.plant(SPECIFICATION, "| d, e | B |\n", "", "entry.cpp watches d, e, which is no row")
+
+    def test_the_same_of_the_renderers(self):
+        ray = "model/render/ray.hpp"
+        missing = "nothing in model/render watches U * s"
+        other = "ray.hpp watches U, which is no row of docs/rendering.md"
+        self.plant(ray, '"U * s"', '"U"', missing, other)
+        self.plant(ray, "watch", "match", missing)
+        self.plant(ray, '"U * s"', '"sum"', missing, "ray.hpp watches sum, which is no row")
+        self.plant(RENDERING, "| U * s |", "| V |", "watches V", "watches U * s, which is no row")
 
 
 class FrameWidthsTest(SpecificationTest):

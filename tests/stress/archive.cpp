@@ -10,7 +10,7 @@ int64_t Target::distance(const Reached& reached) const {
 
 std::vector<Target> targets() {
   std::vector<Target> all;
-  for (const Place& place : places()) {
+  for (const Place& place : places(WidthTable::kStreams)) {
     if (!kWidthRows[place.row].one_value) all.push_back({place, false});
     all.push_back({place, true});
   }

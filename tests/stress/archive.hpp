@@ -1,4 +1,5 @@
-// The best streams of a search: for each end of each interval the one that came closest.
+// The best streams of a search: for each end of each interval of the specification's width table
+// the one that came closest.
 #pragma once
 
 #include <cstdint>

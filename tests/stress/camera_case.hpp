@@ -21,6 +21,10 @@ struct CameraCase {
 /// infinity; one in eight has an input that is not finite or outside its interval (CAM-3).
 CameraCase camera_case(uint64_t seed, uint64_t number);
 
+/// A camera at the place of the first view of random_stream(stream), which it takes as it is
+/// (SMP-4).
+CameraCase view_case(uint64_t stream);
+
 /// What a camera came to.
 struct CameraOutcome {
   std::string refused;  ///< why there is no frame: the error of frame_record; empty if there is one

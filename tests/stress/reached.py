@@ -1,8 +1,8 @@
-"""What the quantities of the width table reached, put together from several runs."""
+"""What the quantities of the width tables reached, put together from several runs."""
 
 
 class Reached:
-    """Rows as stress_streams reports them, by quantity, depth and plane."""
+    """Rows as the programs report them, by quantity, depth and plane."""
 
     def __init__(self):
         self.rows = {}

@@ -29,19 +29,14 @@ Ranges Session::run(const std::string& name, std::span<const uint8_t> file) {
     write_file(stored, file);
     findings_.push_back({name, outcome.failure, stored});
   }
-  add(name, outcome.ranges);
+  widths_.add(name, outcome.ranges);
   show_progress();
   return outcome.ranges;
 }
 
 void Session::add(const std::string& name, const Ranges& ranges) {
-  for (const Place& place : places()) {
-    const Reached& reached = ranges.at(place);
-    Record& record = records_[place.row][place.depth][place.plane];
-    if (reached.least < record.reached.least) record.least_by = name;
-    if (reached.greatest > record.reached.greatest) record.greatest_by = name;
-    record.reached.add(reached);
-  }
+  widths_.add(name, ranges);
+  if (const auto violation = take_violation()) findings_.push_back({name, *violation, {}});
 }
 
 // One line a while, which the driver shows.
@@ -60,23 +55,8 @@ vectors::Json Session::report() const {
     findings.push_back(
         {{"stream", finding.stream}, {"what", finding.what}, {"stored", finding.stored.string()}});
   }
-  Json rows = Json::array();
-  for (const Place& place : places()) {
-    const Record& record = records_[place.row][place.depth][place.plane];
-    const WidthRow& row = kWidthRows[place.row];
-    const WidthInterval limits = limits_of(place);
-    Json json{{"quantity", row.quantity},
-              {"clause", row.clause},
-              {"depth", row.by_depth ? Json(place.depth + kLeastDepth) : Json()},
-              {"plane", row.by_plane ? Json(place.plane == 0 ? "Y" : "Co, Cg") : Json()},
-              {"proved", {row.one_value ? limits.hi : limits.lo, limits.hi}}};
-    if (record.reached.any()) {
-      json["reached"] = {record.reached.least, record.reached.greatest};
-      json["by"] = {record.least_by, record.greatest_by};
-    }
-    rows.push_back(std::move(json));
-  }
-  return {{"streams", streams_}, {"blocks", blocks_}, {"findings", findings}, {"rows", rows}};
+  return {
+      {"streams", streams_}, {"blocks", blocks_}, {"findings", findings}, {"rows", widths_.rows()}};
 }
 
 }  // namespace hmlfc::stress

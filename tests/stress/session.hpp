@@ -1,7 +1,6 @@
 // A run of the stress program: streams in, what they reached and what was wrong out.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -10,7 +9,7 @@
 #include <vector>
 
 #include "vectors/json.hpp"
-#include "width_record.hpp"
+#include "width_report.hpp"
 
 namespace hmlfc::stress {
 
@@ -18,7 +17,7 @@ namespace hmlfc::stress {
 struct Finding {
   std::string stream;            ///< its name
   std::string what;              ///< and where
-  std::filesystem::path stored;  ///< where its bytes are
+  std::filesystem::path stored;  ///< where its bytes are; empty where there are none
 };
 
 /// Exercises streams one after another. Before each, its bytes are stored in `folder` as
@@ -32,21 +31,14 @@ class Session {
   /// What the stream reached. A finding is kept.
   Ranges run(const std::string& name, std::span<const uint8_t> file);
 
-  /// Takes in what `name` reached, where that is no stream to decode.
+  /// Takes in what `name` reached, where that is no stream to decode. A value that left its
+  /// interval is a finding without stored bytes.
   void add(const std::string& name, const Ranges& ranges);
-
-  const std::vector<Finding>& findings() const { return findings_; }
 
   /// Counts, findings, and for each place of the table what was reached and by which stream.
   vectors::Json report() const;
 
  private:
-  struct Record {
-    Reached reached;
-    std::string least_by;
-    std::string greatest_by;
-  };
-
   void show_progress();
 
   std::filesystem::path folder_;
@@ -54,7 +46,7 @@ class Session {
   uint64_t streams_ = 0;
   uint64_t blocks_ = 0;
   std::vector<Finding> findings_;
-  std::array<std::array<std::array<Record, 2>, kDepths>, kRows> records_;
+  WidthReport widths_{WidthTable::kStreams};
   std::chrono::steady_clock::time_point shown_{};
 };
 

@@ -3,8 +3,8 @@
 
 Streams: every vector of the suite, small synthetic scenes, then by turns a search for more extreme
 streams than the suite's, random valid streams, and random and extreme cameras. Prints what each
-quantity of the specification's width table reached beside its proved interval. Findings are kept in
-out/stress with the stream.
+quantity of the width tables, of the specification and of docs/rendering.md, reached beside its
+proved interval. Findings are kept in out/stress with the stream.
 Exit status: 0 nothing wrong, 1 a finding.
 """
 
@@ -46,10 +46,7 @@ class Run:
         folder.mkdir(parents=True, exist_ok=True)
 
     def streams(self, name, *arguments):
-        command = [self.programs / "stress_streams", "--folder", self.folder]
-        if self.plant:
-            command += ["--plant", self.plant]
-        report = self.call(name, [*command, *arguments])
+        report = self.call(name, "stress_streams", "--folder", self.folder, *arguments)
         if report is None:
             return
         self.reached.add(report["rows"])
@@ -60,9 +57,10 @@ class Run:
 
     def camera_turn(self, seed, seconds, count):
         arguments = ["--seed", seed, "--seconds", seconds, "--count", count]
-        report = self.call("cameras", [self.programs / "stress_cameras", *arguments])
+        report = self.call("cameras", "stress_cameras", *arguments)
         if report is None:
             return
+        self.reached.add(report["rows"])
         self.counts["cameras"] += report["cameras"]
         self.counts["frames"] += report["frames"]
         self.cameras["samples_compared"] += report["samples_compared"]
@@ -72,8 +70,10 @@ class Run:
         for finding in report["findings"]:
             self.findings.append({"stream": json.dumps(finding["camera"]), "what": finding["what"]})
 
-    def call(self, name, command):
+    def call(self, name, program, *arguments):
         """The program's report; None, and a finding, where it ended without one."""
+        plant = ["--plant", self.plant] if self.plant else []
+        command = [self.programs / program, *plant, *arguments]
         process = subprocess.Popen(
             [str(part) for part in command],
             stdout=subprocess.PIPE,
@@ -98,11 +98,14 @@ class Run:
         return None
 
     def keep(self, stream, what, stored):
-        """Keeps a finding's stream under a name of its own."""
-        kept = self.folder / f"finding-{len(self.findings):03}.hmlfc"
-        if stored.exists() and stored != kept:
-            shutil.copy(stored, kept)
-        self.findings.append({"stream": stream, "what": what, "stored": str(kept)})
+        """Keeps a finding's stream, if it has one, under a name of its own."""
+        finding = {"stream": stream, "what": what}
+        if stored.is_file():
+            kept = self.folder / f"finding-{len(self.findings):03}.hmlfc"
+            if stored != kept:
+                shutil.copy(stored, kept)
+            finding["stored"] = str(kept)
+        self.findings.append(finding)
 
 
 def follow(name, lines, errors):

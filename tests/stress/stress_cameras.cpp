@@ -1,23 +1,32 @@
-// stress_cameras [--seed S] [--count N] [--seconds T]: random and extreme cameras before small
-// light fields; prints what they came to as JSON. Each camera gives a frame or a clear error; where
-// it gives one, the frame in fixed point stays within the bound of ERR-1 (docs/rendering.md) of the
-// frame in double precision. Exit status: 0 nothing wrong, 1 a finding, 2 wrong arguments.
-#include <algorithm>
+// stress_cameras [--seed S] [--count N] [--seconds T]: frames at the ends of what the clauses
+// allow, then random and extreme cameras before small light fields; prints what they came to as
+// JSON. Each camera gives a frame or a clear error; where it gives one, the frame in fixed point
+// stays within the bound of ERR-1 (docs/rendering.md) of the frame in double precision. No quantity
+// of section 6 leaves its interval. Exit status: 0 nothing wrong, 1 a finding, 2 wrong arguments.
 #include <chrono>
-#include <cmath>
 #include <iostream>
-#include <limits>
 #include <map>
 
 #include <CLI/CLI.hpp>
 
 #include "camera_case.hpp"
-#include "vectors/json.hpp"
+#include "frame_extremes.hpp"
+#include "program.hpp"
+#include "width_report.hpp"
 
 namespace hmlfc::stress {
 namespace {
 
 using vectors::Json;
+
+constexpr uint64_t kWholeViews = 40;  // of random streams: samples at both ends, at all depths
+
+struct Arguments {
+  uint64_t seed = 1;
+  uint64_t count = 10000;
+  double seconds = 1e9;
+  double scale = 1;
+};
 
 struct Totals {
   uint64_t cameras = 0;
@@ -27,6 +36,7 @@ struct Totals {
   Json worst;
   std::map<std::string, uint64_t> refused;  // by the input named
   Json findings = Json::array();
+  WidthReport widths{WidthTable::kFrames};
 };
 
 // The first word of an error says which input it is about.
@@ -34,7 +44,16 @@ std::string input_of(const std::string& message) {
   return message.substr(0, message.find_first_of(" '"));
 }
 
-void add(Totals& totals, const CameraCase& made, const CameraOutcome& outcome) {
+// What was watched since the last call; `camera` is named where a value left its interval.
+void add_widths(Totals& totals, const std::string& name, const Json& camera) {
+  totals.widths.add(name, take_ranges());
+  if (const auto violation = take_violation()) {
+    totals.findings.push_back({{"camera", camera}, {"what", *violation}});
+  }
+}
+
+void add_camera(Totals& totals, const std::string& name, const CameraCase& made, double scale) {
+  const CameraOutcome outcome = try_camera(made, scale);
   ++totals.cameras;
   if (!outcome.refused.empty()) ++totals.refused[input_of(outcome.refused)];
   totals.frames += outcome.refused.empty() ? 1u : 0u;
@@ -46,54 +65,48 @@ void add(Totals& totals, const CameraCase& made, const CameraOutcome& outcome) {
   if (!outcome.failure.empty()) {
     totals.findings.push_back({{"camera", describe(made)}, {"what", outcome.failure}});
   }
+  add_widths(totals, name, describe(made));
 }
 
-int run(int argc, char** argv) {
-  uint64_t seed = 1;
-  uint64_t count = 10000;
-  double seconds = 1e9;
-  double scale = 1;
-  CLI::App app("Random and extreme cameras before small light fields.");
-  app.add_option("--seed", seed);
-  app.add_option("--count", count, "cameras at most");
-  app.add_option("--seconds", seconds);
-  app.add_option("--scale-bound", scale, "a fault to find: the bound is multiplied by this")
-      ->check(CLI::Range(0.0, 1.0));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+Json run(const Arguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   Totals totals;
-  for (uint64_t n = 0; n < count; ++n) {
+  run_frame_extremes([&](const std::string& name) { add_widths(totals, name, name); });
+  for (uint64_t n = 0; n < kWholeViews; ++n) {
+    add_camera(totals, "view of random stream " + std::to_string(n), view_case(n), arguments.scale);
+  }
+  for (uint64_t n = 0; n < arguments.count; ++n) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    if (elapsed.count() >= seconds) break;
-    const CameraCase made = camera_case(seed, n);
-    add(totals, made, try_camera(made, scale));
+    if (elapsed.count() >= arguments.seconds) break;
+    const std::string name =
+        "camera " + std::to_string(n) + " of seed " + std::to_string(arguments.seed);
+    add_camera(totals, name, camera_case(arguments.seed, n), arguments.scale);
     if (n % 200 == 0) {
       std::cerr << n << " cameras, " << totals.findings.size() << " findings" << std::endl;
     }
   }
-  const Json report{{"cameras", totals.cameras},
-                    {"frames", totals.frames},
-                    {"refused", totals.refused},
-                    {"samples_compared", totals.samples_compared},
-                    {"worst_part_of_bound", totals.worst_part},
-                    {"worst", totals.worst},
-                    {"findings", totals.findings}};
-  std::cout << report.dump(1) << '\n';
-  return totals.findings.empty() ? 0 : 1;
+  return {{"cameras", totals.cameras},
+          {"frames", totals.frames},
+          {"refused", totals.refused},
+          {"samples_compared", totals.samples_compared},
+          {"worst_part_of_bound", totals.worst_part},
+          {"worst", totals.worst},
+          {"findings", totals.findings},
+          {"rows", totals.widths.rows()}};
 }
 
 }  // namespace
 }  // namespace hmlfc::stress
 
 int main(int argc, char** argv) {
-  try {
-    return hmlfc::stress::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "stress_cameras: " << error.what() << '\n';
-    return 2;
-  }
+  hmlfc::stress::Arguments arguments;
+  CLI::App app("Frames at the ends of what the clauses allow; random and extreme cameras.",
+               "stress_cameras");
+  app.add_option("--seed", arguments.seed);
+  app.add_option("--count", arguments.count, "random cameras at most");
+  app.add_option("--seconds", arguments.seconds);
+  app.add_option("--scale-bound", arguments.scale,
+                 "a fault to find: the bound of ERR-1 is multiplied by this")
+      ->check(CLI::Range(0.0, 1.0));
+  return hmlfc::stress::run_program(app, argc, argv, [&] { return hmlfc::stress::run(arguments); });
 }

@@ -5,14 +5,13 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <iterator>
 
 #include <CLI/CLI.hpp>
 
 #include "geometry_extremes.hpp"
+#include "program.hpp"
 #include "search.hpp"
-#include "values/narrow.hpp"
 #include "vectors/random_stream.hpp"
 
 namespace hmlfc::stress {
@@ -100,29 +99,10 @@ void run_search(Session& session, const Arguments& arguments) {
   if (!arguments.found.empty()) write_recipes(arguments.found, archive.cover());
 }
 
-// A fault for the tests to find.
-void plant(const std::string& what) {
-  if (what.empty()) return;
-  if (what == "lossy") {
-    volatile int beyond = 40000;
-    static_cast<void>(narrow<int16_t>(static_cast<int>(beyond)));
-  } else if (what == "overflow") {
-    volatile int32_t most = INT32_MAX;
-    const int32_t one_more = most + 1;  // ends a build that checks for it
-    std::cerr << one_more << '\n';
-  } else if (!plant_narrow(what)) {
-    throw CLI::ValidationError("--plant", what + " is no quantity of the width table");
-  }
-}
-
-int run(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Decodes streams with every quantity of the width table watched.");
+void add_commands(CLI::App& app, Arguments& arguments) {
   app.add_option("--folder", arguments.folder, "where streams are stored")
       ->check(CLI::ExistingDirectory);
   app.add_option("--blocks", arguments.blocks, "blocks decoded one by one of a stream, at most");
-  app.add_option("--plant", arguments.plant,
-                 "a fault to find: lossy, overflow, or the quantity whose interval is narrowed");
   app.require_subcommand(1);
   const auto limit = [&](CLI::App* command) {
     command->add_option("--seed", arguments.seed);
@@ -131,37 +111,35 @@ int run(int argc, char** argv) {
   };
   auto* files = app.add_subcommand("files", "streams in files, or in all files below folders");
   files->add_option("PATH", arguments.paths)->required()->check(CLI::ExistingPath);
-  auto* random = app.add_subcommand("random", "random valid streams");
-  limit(random);
+  limit(app.add_subcommand("random", "random valid streams"));
   auto* climb = app.add_subcommand("search", "search for streams that reach the intervals' ends");
   limit(climb);
   climb->add_option("--from", arguments.paths, "recipe files of the suite to begin with")
       ->check(CLI::ExistingFile);
   climb->add_option("--found", arguments.found, "where the recipes that came closest are written");
-  auto* geometry = app.add_subcommand("geometry", "numbers of the largest trees, without streams");
-  try {
-    app.parse(argc, argv);
-    plant(arguments.plant);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  app.add_subcommand("geometry", "numbers of the largest trees, without streams");
+}
+
+Json run_command(const std::string& command, const Arguments& arguments) {
   Session session(arguments.folder, arguments.blocks);
-  if (files->parsed()) run_files(session, arguments);
-  if (random->parsed()) run_random(session, arguments);
-  if (climb->parsed()) run_search(session, arguments);
-  if (geometry->parsed()) session.add("the largest tree, without a stream", geometry_extremes());
-  std::cout << session.report().dump(1) << '\n';
-  return session.findings().empty() ? 0 : 1;
+  if (command == "files") run_files(session, arguments);
+  if (command == "random") run_random(session, arguments);
+  if (command == "search") run_search(session, arguments);
+  if (command == "geometry") {
+    session.add("the largest tree, without a stream", geometry_extremes());
+  }
+  return session.report();
 }
 
 }  // namespace
 }  // namespace hmlfc::stress
 
 int main(int argc, char** argv) {
-  try {
-    return hmlfc::stress::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "stress_streams: " << error.what() << '\n';
-    return 2;
-  }
+  using namespace hmlfc::stress;
+  Arguments arguments;
+  CLI::App app("Decodes streams with every quantity of the width table watched.", "stress_streams");
+  add_commands(app, arguments);
+  return run_program(app, argc, argv, [&] {
+    return run_command(app.get_subcommands().front()->get_name(), arguments);
+  });
 }

@@ -71,15 +71,40 @@ class PlantedFaultTest(Streams):
             self.assertTrue(what.startswith(quantity + " is "), what)
             self.assertRegex(what, r"at model/(values|samples)/\w+\.[ch]pp:\d+; (view \d+,\d+|all views)")
 
+    def test_numbers_of_the_largest_tree_are_checked_too(self):
+        report, _ = self.run_program("--plant", "tile number", "geometry", status=1)
+        self.assertTrue(report["findings"][0]["what"].startswith("tile number is 0, outside [1,"))
+
     def test_a_lost_value_is_reported(self):
         self.assertIn("a conversion loses its value", self.found("lossy"))
 
     def test_a_quantity_that_is_none_is_refused(self):
-        command = [PROGRAMS / "stress_streams", "--plant", "nothing", "geometry"]
-        self.assertEqual(subprocess.run(command, capture_output=True).returncode, 2)
+        for command in (["stress_streams", "geometry"], ["stress_cameras", "--count", "0"]):
+            planted = [PROGRAMS / command[0], "--plant", "nothing", *command[1:]]
+            self.assertEqual(subprocess.run(planted, capture_output=True).returncode, 2)
 
 
 class CamerasTest(Streams):
+    def test_intervals_of_frames_are_reached_but_where_no_frame_can(self):
+        report, _ = self.run_program("--count", "0", program="stress_cameras")
+        self.assertEqual(report["findings"], [])
+        reached = Reached()
+        reached.add(report["rows"])
+        gaps = {row["quantity"]: row for row in reached.gaps()}
+        self.assertEqual(list(gaps), ["n * r", "wr, wc", "weight of a view"])
+        for least, proved in zip(gaps["n * r"]["reached"], gaps["n * r"]["proved"]):
+            self.assertLess(abs(proved - least), 715983262)  # one n more would be beyond
+        self.assertEqual(gaps["wr, wc"]["reached"], [1, 256])
+        self.assertEqual(gaps["weight of a view"]["reached"], [1, 65536])
+
+    def test_an_interval_of_frames_that_is_too_narrow_is_reported(self):
+        for quantity in ("n", "zu, zv", "x(c), y(r)", "wr, wc", "sum over views"):
+            arguments = ["--count", "0", "--plant", quantity]
+            report, _ = self.run_program(*arguments, program="stress_cameras", status=1)
+            what = report["findings"][0]["what"]
+            self.assertTrue(what.startswith(quantity + " is "), what)
+            self.assertRegex(what, r", outside \[.*\].*, at model/render/\w+\.[ch]pp:\d+$")
+
     def test_cameras_give_frames_within_the_bound_or_errors(self):
         report, _ = self.run_program("--count", "2000", program="stress_cameras")
         self.assertEqual(report["findings"], [])

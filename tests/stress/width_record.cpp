@@ -60,9 +60,10 @@ void Reached::add(const Reached& other) {
   greatest = std::max(greatest, other.greatest);
 }
 
-std::vector<Place> places() {
+std::vector<Place> places(WidthTable table) {
   std::vector<Place> all;
   for (size_t row = 0; row < kRows; ++row) {
+    if (kWidthRows[row].table != table) continue;
     for (size_t depth = 0; depth < (kWidthRows[row].by_depth ? kDepths : 1); ++depth) {
       for (size_t plane = 0; plane < (kWidthRows[row].by_plane ? 2u : 1u); ++plane) {
         all.push_back({row, depth, plane});
@@ -87,9 +88,11 @@ bool plant_narrow(const std::string& quantity) {
 
 Ranges take_ranges() {
   Ranges ranges;
-  for (const Place& place : places()) {
-    Slot& slot = record().slots[place.row][place.depth][place.plane];
-    ranges.at(place) = {slot.least.exchange(INT64_MAX), slot.greatest.exchange(INT64_MIN)};
+  for (const WidthTable table : {WidthTable::kStreams, WidthTable::kFrames}) {
+    for (const Place& place : places(table)) {
+      Slot& slot = record().slots[place.row][place.depth][place.plane];
+      ranges.at(place) = {slot.least.exchange(INT64_MAX), slot.greatest.exchange(INT64_MIN)};
+    }
   }
   return ranges;
 }
@@ -114,8 +117,9 @@ void note_value(const WatchedValue& watched) {
   if (watched.value >= limits.lo + margin && watched.value <= limits.hi - margin) return;
   record().report(std::string(row.quantity) + " is " + std::to_string(watched.value) +
                   ", outside [" + std::to_string(limits.lo + margin) + ", " +
-                  std::to_string(limits.hi - margin) + "] at depth " +
-                  std::to_string(watched.depth) + ", at " + line_of(watched.where));
+                  std::to_string(limits.hi - margin) + "]" +
+                  (row.by_depth ? " at depth " + std::to_string(watched.depth) : "") + ", at " +
+                  line_of(watched.where));
 }
 
 void note_lossy(const std::source_location& where) {

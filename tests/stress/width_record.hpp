@@ -1,4 +1,4 @@
-// What watched quantities reached (values/watch.hpp), against the width table.
+// What watched quantities reached (values/watch.hpp), against the width tables.
 #pragma once
 
 #include <array>
@@ -41,8 +41,8 @@ struct Ranges {
   const Reached& at(const Place& place) const { return rows[place.row][place.depth][place.plane]; }
 };
 
-/// The places of all rows that the table tells apart.
-std::vector<Place> places();
+/// The places of all rows of a table that it tells apart.
+std::vector<Place> places(WidthTable table);
 
 /// The table's interval.
 WidthInterval limits_of(const Place& place);
