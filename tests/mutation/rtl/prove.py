@@ -46,12 +46,12 @@ def both(mutant: dict, folder: pathlib.Path, scratch: pathlib.Path) -> str:
     out. `folder` is that of plant.py."""
     variant = mutant["variant"]
     (scratch / "outside.v").write_text(legal_inputs(mutant, folder), encoding="utf-8")
-    inner = "".join(f"read_verilog -sv -overwrite {file}\n" for file in units.inner_modules(variant))
+    inner = "".join(f"read_verilog -sv -overwrite {file}\n" for file in units.all_inner_modules(variant))
     text = []
     for copy in ("gold", "gate"):
         planted = mutant["command"] + "\n" if copy == "gate" else ""
         text.append(f"design -reset\nread_rtlil {folder}/{variant}.il\n{planted}read_verilog -sv hmlfc_pkg.sv\n{inner}"
-                    f"read_verilog -sv {scratch}/outside.v\nhierarchy -top outside -libdir {units.RTL}\nproc\nflatten\n"
+                    f"read_verilog -sv {scratch}/outside.v\nhierarchy -check -top outside\nproc\nflatten\n"
                     f"memory_map\nopt_clean\nrename outside {copy}\ndesign -stash {copy}\n")
     return "".join(text) + "design -reset\ndesign -copy-from gold gold\ndesign -copy-from gate gate\n"
 
@@ -61,7 +61,7 @@ def write_miter(mutant: dict, folder: pathlib.Path, scratch: pathlib.Path) -> pa
     at the begin, are 0 in both."""
     script, miter = scratch / "prove.ys", scratch / "miter.aig"
     # What both have alike is one in the miter.
-    script.write_text(both(mutant, folder, scratch) + "setundef -undriven -zero gold gate\nmiter -equiv -flatten gold gate both\n"
+    script.write_text(both(mutant, folder, scratch) + "setundef -undriven -init -zero gold gate\nmiter -equiv -flatten gold gate both\n"
                       "hierarchy -top both\nopt_expr\nopt_merge -share_all\nopt_clean\nasync2sync\ndffunmap\ntechmap\nopt_expr\n"
                       f"opt_merge -share_all\nopt_clean\ndffunmap\nsetundef -undriven -zero\naigmap\nwrite_aiger -zinit {miter}\n",
                       encoding="utf-8")
@@ -69,10 +69,13 @@ def write_miter(mutant: dict, folder: pathlib.Path, scratch: pathlib.Path) -> pa
     return miter
 
 
-def decided(miter: pathlib.Path, steps: str) -> str:
-    """What ABC says of the miter after `steps`. Raises RuntimeError where it says nothing."""
-    done = subprocess.run(["yosys-abc", "-c", f"read_aiger {miter}; {steps}; print_status"], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, check=False)
+def decided(miter: pathlib.Path, steps: str, seconds: int) -> str:
+    """What ABC says of the miter after `steps`; UNPROVED where it says nothing for that time. Raises RuntimeError where it fails."""
+    try:
+        done = subprocess.run(["yosys-abc", "-c", f"read_aiger {miter}; {steps}; print_status"], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, timeout=seconds, check=False)
+    except subprocess.TimeoutExpired:
+        return UNPROVED
     found = re.search(r"^Status = *(-?[01]) ", done.stdout, re.M)
     if not found:
         raise RuntimeError(f"yosys-abc: {done.stdout[-2000:]}")
@@ -80,11 +83,11 @@ def decided(miter: pathlib.Path, steps: str) -> str:
 
 
 def prove(mutant: dict, folder: pathlib.Path, seconds: int) -> str:
-    """One of the three results for a mutant of mutants.json in `folder`; each of two searches takes `seconds` at most."""
+    """One of the three results for a mutant of mutants.json in `folder`; the search takes `seconds` at most."""
     with tempfile.TemporaryDirectory(prefix="hmlfc-mutant-") as name:
         miter = write_miter(mutant, folder, pathlib.Path(name))
         if flows(mutant):
             latency = units.VARIANTS[mutant["variant"]].latency
-            return decided(miter, f"frames -F {latency + 1}; cone -O {latency}; iprove")
+            return decided(miter, f"frames -F {latency + 1}; cone -O {latency}; iprove", seconds)
         # Equal registers of both become one; what is left is searched from reset, then proved by invariants.
-        return decided(miter, f"scorr; bmc3 -F {CLOCKS} -T {seconds}; pdr -T {seconds}")
+        return decided(miter, f"scorr; bmc3 -F {CLOCKS} -T {seconds // 2}; pdr", seconds)

@@ -77,8 +77,22 @@ VARIANTS = [
 
 
 def inner_modules(variant: int) -> list[str]:
-    """The files of the modules that a variant has in it."""
-    name = f"hmlfc_{VARIANTS[variant].module}"
+    """The files of the modules that a variant has in it, directly."""
+    return modules_in(f"hmlfc_{VARIANTS[variant].module}")
+
+
+def all_inner_modules(variant: int) -> list[str]:
+    """The files of all modules below a variant."""
+    found, left = set(), inner_modules(variant)
+    while left:
+        file = left.pop()
+        if file not in found:
+            found.add(file)
+            left += modules_in(file.removesuffix(".sv"))
+    return sorted(found)
+
+
+def modules_in(name: str) -> list[str]:
     text = (RTL / f"{name}.sv").read_text(encoding="utf-8")
     return [path.name for path in sorted(RTL.glob("hmlfc_*.sv")) if path.stem not in (name, "hmlfc_pkg") and f"  {path.stem} " in text]
 
