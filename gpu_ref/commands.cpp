@@ -97,12 +97,13 @@ void Commands::barrier() {
   using Stage = vk::PipelineStageFlagBits;
   using Access = vk::AccessFlagBits;
   const vk::MemoryBarrier memory(Access::eShaderWrite | Access::eTransferWrite | Access::eHostWrite,
-                                 Access::eShaderRead | Access::eShaderWrite |
-                                     Access::eTransferRead | Access::eTransferWrite |
-                                     Access::eHostRead);
-  buffer_.pipelineBarrier(Stage::eComputeShader | Stage::eTransfer | Stage::eHost,
-                          Stage::eComputeShader | Stage::eTransfer | Stage::eHost, {}, memory, {},
-                          {});
+                                 Access::eIndirectCommandRead | Access::eShaderRead |
+                                     Access::eShaderWrite | Access::eTransferRead |
+                                     Access::eTransferWrite | Access::eHostRead);
+  buffer_.pipelineBarrier(
+      Stage::eComputeShader | Stage::eTransfer | Stage::eHost,
+      Stage::eDrawIndirect | Stage::eComputeShader | Stage::eTransfer | Stage::eHost, {}, memory,
+      {}, {});
 }
 
 void Commands::write_time(uint32_t query) {
