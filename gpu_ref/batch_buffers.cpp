@@ -7,7 +7,6 @@
 namespace hmlfc::gpu {
 namespace {
 
-constexpr uint64_t kSubmissionBytes = uint64_t{512} << 20;
 constexpr uint64_t kMaxRequests = uint64_t{1} << 24;
 
 template <class Record>
@@ -34,14 +33,20 @@ uint64_t most_requests(const Device::State& device, const BlockSizes& sizes, boo
   return std::min({budget / bytes, invocations, kMaxRequests});
 }
 
+Arguments BatchBuffers::prepare_requests(Device::State& device, uint64_t count,
+                                         const BlockSizes& sizes, Arguments arguments) {
+  arguments.request_count = static_cast<uint32_t>(count);
+  arguments.requests = requests.reserve(device, count * kRequestBytes).address();
+  arguments.entries = entries.reserve(device, count * sizes.entry_bytes()).address();
+  arguments.statuses = statuses.reserve(device, count * 4).address();
+  return arguments;
+}
+
 Arguments BatchBuffers::prepare(Device::State& device, const Batch& batch, const BlockSizes& sizes,
                                 bool trace, Arguments arguments) {
+  arguments = prepare_requests(device, batch.requests, sizes, arguments);
   arguments.areas = write_records(device, areas, batch.areas);
   arguments.area_count = static_cast<uint32_t>(batch.areas.size());
-  arguments.request_count = static_cast<uint32_t>(batch.requests);
-  arguments.requests = requests.reserve(device, batch.requests * kRequestBytes).address();
-  arguments.entries = entries.reserve(device, batch.requests * sizes.entry_bytes()).address();
-  arguments.statuses = statuses.reserve(device, batch.requests * 4).address();
   arguments.samples = samples.reserve(device, batch.requests * sizes.sample_bytes()).address();
   if (trace) {
     arguments.stages = stages.reserve(device, batch.requests * sizes.stage_bytes()).address();

@@ -29,6 +29,9 @@ class GrowingBuffer {
   std::optional<Buffer> buffer_;
 };
 
+/// Device memory that a submission may take beside the stream.
+inline constexpr uint64_t kSubmissionBytes = uint64_t{512} << 20;
+
 /// Sizes that follow from the stream.
 struct BlockSizes {
   uint32_t levels = 1;        ///< entries of a request
@@ -57,6 +60,10 @@ struct BatchBuffers {
   GrowingBuffer pixels{Memory::kDevice};
   GrowingBuffer pixel_statuses{Memory::kDevice};
   GrowingBuffer readback{Memory::kReadback};
+
+  /// Makes room for `count` requests and what walks leave of them; `arguments` with that.
+  Arguments prepare_requests(Device::State& device, uint64_t count, const BlockSizes& sizes,
+                             Arguments arguments);
 
   /// Writes the areas of `batch`, makes room for its results, and returns `arguments` completed.
   Arguments prepare(Device::State& device, const Batch& batch, const BlockSizes& sizes, bool trace,

@@ -9,24 +9,37 @@ namespace hmlfc::gpu {
 
 struct FrameShape {
   uint64_t needed = 0;
-  uint64_t first_slots = 0;
+  uint64_t held = 0;
+  uint64_t pages = 0;
+  uint64_t slots = 0;
   uint64_t counters = 0;
   uint64_t pixels = 0;
+  uint64_t pool = 0;
+  uint32_t pool_chunk_log2 = 0;
+  uint32_t pool_pages = 0;
+  uint32_t kept_pages = 0;
   uint32_t stop_level = 0;
   uint32_t capacity = 0;
   uint32_t needed_words = 0;
   FrameRecord record;
 };
 
-/// Words of the counters.
+/// Words of the counters that the host uses.
 enum FrameCounter : uint32_t {
   kCountNeeded = 0,
-  kCountFirstError = 1,
-  kCountStatus = 2,
-  kCountWalk = 3,
-  kCountSamples = 6,
-  kCountErrors = 9,
-  kFrameCounters = 12,
+  kCountMode = 4,
+  kCountDecoded = 5,
+  kCountPages = 6,
+  kCountFirstError = 9,
+  kCountStatus = 10,
+  kCountWalk = 11,
+  kCountSamples = 14,
+  kCountErrors = 17,
+  kFrameCounters = 20,  ///< those before are of one frame
+  kCountUsedPages = 20,
+  kAllCounters = 21,
 };
+
+inline constexpr uint32_t kModeNoRoom = 0;  ///< of kCountMode
 
 }  // namespace hmlfc::gpu

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 
 #include "batch_buffers.hpp"
+#include "block_pool.hpp"
 #include "commands.hpp"
 #include "device_stream.hpp"
 #include "frame_shape.hpp"
@@ -15,6 +17,8 @@ namespace {
 
 constexpr uint64_t kFirstCapacity = uint64_t{1} << 14;  // blocks
 constexpr uint32_t kNoError = ~0u;
+constexpr uint64_t kBitsOfWord = 32;
+constexpr uint64_t kPixelsAtOnce = 2;  // of render.comp
 
 // Blocks of all planes of one image.
 uint64_t blocks_of_image(const Geometry& geometry) {
@@ -29,12 +33,13 @@ uint64_t blocks_of_image(const Geometry& geometry) {
 }  // namespace
 
 struct GpuRenderer::State {
-  State(Device::State& d, const StreamView& view)
+  State(Device::State& d, const StreamView& view, uint64_t cache_bytes)
       : device(d),
         stream(d, view),
         header(view.header),
         geometry(view.geometry),
-        sizes(block_sizes(view.header)) {
+        sizes(block_sizes(view.header)),
+        pool(sizes, words_of_level(0), cache_bytes) {
     if (blocks_of_image(geometry) * geometry.level(0).images() >= kNoError) {
       throw MachineError("limit_exceeded: frames need fewer than 2^32 - 1 blocks in all views");
     }
@@ -46,72 +51,96 @@ struct GpuRenderer::State {
       frame.status = ErrorCode::kBadRequest;
       return frame;
     }
-    submit(record, stop_level, frame);
-    if (frame.blocks_needed > capacity) {
-      capacity = frame.blocks_needed;
-      submit(record, stop_level, frame);
+    if (!submit(record, stop_level, frame) && !submit(record, stop_level, frame)) {
+      throw MachineError("the device counts other blocks for the same frame");
     }
     return frame;
   }
 
+  // Words of one bit for each block of a level.
+  uint64_t words_of_level(int level) const {
+    return ceil_div(geometry.level(level).images() * blocks_of_image(geometry), kBitsOfWord);
+  }
+
   // The arguments of a submission with room for `capacity` requests.
-  Arguments prepare(const FrameRecord& record, int stop_level, uint64_t needed_words) {
-    if (capacity > most_requests(device, sizes, false)) {
-      throw MachineError("the frame needs " + std::to_string(capacity) +
-                         " blocks, more than the device has room for in one submission");
-    }
-    Batch batch;
-    batch.requests = capacity;
-    batch.areas.emplace_back();
-    Arguments arguments = buffers.prepare(device, batch, sizes, false, stream.arguments());
-    const uint64_t pixels = uint64_t{image_pixels(record)};
-    Buffer& shape = shapes.reserve(device, sizeof(FrameShape));
-    shape.records<FrameShape>()[0] = {
-        needed.reserve(device, 4 * needed_words).address(),
-        first_slots.reserve(device, 4 * needed_words).address(),
-        counters.reserve(device, 4 * kFrameCounters).address(),
-        drawn.reserve(device, 12 * ceil_div(pixels, uint64_t{2})).address(),
-        static_cast<uint32_t>(stop_level),
-        static_cast<uint32_t>(capacity),
-        static_cast<uint32_t>(needed_words),
-        record};
-    arguments.frame = shape.address();
+  Arguments prepare(const FrameRecord& record, int stop_level) {
+    Arguments arguments = buffers.prepare_requests(device, capacity, sizes, stream.arguments());
+    Buffer& buffer = shapes.reserve(device, sizeof(FrameShape));
+    FrameShape& shape = buffer.records<FrameShape>()[0];
+    shape.needed = needed.reserve(device, 4 * words_of_level(0)).address();
+    shape.slots = slots.reserve(device, 4 * capacity).address();
+    shape.counters = counters.reserve(device, 4 * kAllCounters).address();
+    shape.pixels =
+        drawn.reserve(device, 12 * ceil_div(image_pixels(record), kPixelsAtOnce)).address();
+    shape.stop_level = static_cast<uint32_t>(stop_level);
+    shape.capacity = static_cast<uint32_t>(capacity);
+    shape.needed_words = static_cast<uint32_t>(words_of_level(stop_level));
+    shape.record = record;
+    pool.describe(shape);
+    arguments.frame = buffer.address();
     return arguments;
   }
 
-  // Marks, decodes and draws; without room it only counts the blocks.
-  void submit(const FrameRecord& record, int stop_level, GpuFrame& frame) {
-    const uint64_t images = geometry.level(stop_level).images();
-    const uint64_t needed_words = ceil_div(images * blocks_of_image(geometry), uint64_t{32});
-    const Arguments arguments = prepare(record, stop_level, needed_words);
-    const uint64_t pixels = image_pixels(record);
-    const Variant variant{.chunked = stream.chunked(), .counted = true};
-    Commands commands(device);
-    commands.fill(needed.get(), 0, 4 * needed_words, 0);
-    commands.fill(counters.get(), 0, 4 * kFrameCounters, 0);
-    commands.fill(counters.get(), 4 * kCountFirstError, 4, kNoError);
-    commands.dispatch("mark", Kernel::kMark, variant, arguments, pixels);
-    commands.dispatch("compact", Kernel::kCompact, variant, arguments, needed_words);
-    commands.dispatch("plan", Kernel::kPlan, variant, arguments, 1);
-    commands.dispatch_counted("walk", Kernel::kWalk, variant, arguments, counters.get(),
-                              4 * kCountWalk);
-    commands.dispatch_counted("samples", Kernel::kSamples, variant, arguments, counters.get(),
-                              4 * kCountSamples);
-    commands.dispatch_counted("errors", Kernel::kErrors, variant, arguments, counters.get(),
-                              4 * kCountErrors);
-    commands.dispatch("render", Kernel::kRender, variant, arguments, ceil_div(pixels, uint64_t{2}));
-    const uint64_t counter_bytes = 4 * kFrameCounters;
-    Buffer& readback = buffers.readback.reserve(device, counter_bytes + 6 * pixels);
-    commands.copy(counters.get(), 0, readback, 0, counter_bytes);
-    commands.copy(drawn.get(), 0, readback, counter_bytes, 6 * pixels);
-    times = commands.run();
-    ++frame.submissions;
-    collect(record, readback, frame);
+  // Room for `requests` requests and `pages` pages of the pool.
+  void make_room(uint64_t requests, uint64_t pages) {
+    if (requests > most_requests(device, sizes, false)) {
+      throw MachineError("the frame needs " + std::to_string(requests) +
+                         " blocks, more than the device has room for in one submission");
+    }
+    pool.reserve(device, pages);
+    capacity = std::max(capacity, requests);
   }
 
-  void collect(const FrameRecord& record, const Buffer& readback, GpuFrame& frame) const {
+  // Marks, decodes and draws; without room for that it only makes some, and returns false.
+  bool submit(const FrameRecord& record, int stop_level, GpuFrame& frame) {
+    pool.reserve(device, 0);
+    const Arguments arguments = prepare(record, stop_level);
+    Commands commands(device);
+    pool.begin_frame(stop_level, commands, counters.get());
+    record_kernels(record, stop_level, arguments, commands);
+    const uint64_t counter_bytes = 4 * kFrameCounters;
+    const uint64_t pixel_bytes = 6 * image_pixels(record);
+    Buffer& readback = buffers.readback.reserve(device, counter_bytes + pixel_bytes);
+    commands.copy(counters.get(), 0, readback, 0, counter_bytes);
+    commands.copy(drawn.get(), 0, readback, counter_bytes, pixel_bytes);
+    times = commands.run();
+    ++frame.submissions;
     const auto words = readback.records<const uint32_t>();
+    if (words[kCountFirstError] == kNoError) pool.end_frame(stop_level);
+    if (words[kCountMode] == kModeNoRoom) {
+      make_room(words[kCountDecoded], words[kCountPages]);
+      return false;
+    }
+    collect(record, words, frame);
+    return true;
+  }
+
+  void record_kernels(const FrameRecord& record, int stop_level, const Arguments& arguments,
+                      Commands& commands) const {
+    const uint64_t words = words_of_level(stop_level);
+    const uint64_t pixels = image_pixels(record);
+    const Variant variant{
+        .chunked = stream.chunked(), .counted = true, .pool_chunked = pool.chunked()};
+    const Buffer& groups = counters.get();
+    commands.fill(needed.get(), 0, 4 * words, 0);
+    commands.fill(groups, 0, 4 * kFrameCounters, 0);
+    commands.fill(groups, 4 * kCountFirstError, 4, kNoError);
+    commands.dispatch("mark", Kernel::kMark, variant, arguments, pixels);
+    commands.dispatch("count", Kernel::kCount, variant, arguments, words);
+    commands.dispatch("plan", Kernel::kPlan, variant, arguments, 1);
+    commands.dispatch("compact", Kernel::kCompact, variant, arguments, words);
+    commands.dispatch_counted("walk", Kernel::kWalk, variant, arguments, groups, 4 * kCountWalk);
+    commands.dispatch_counted("samples", Kernel::kSamples, variant, arguments, groups,
+                              4 * kCountSamples);
+    commands.dispatch_counted("errors", Kernel::kErrors, variant, arguments, groups,
+                              4 * kCountErrors);
+    commands.dispatch("render", Kernel::kRender, variant, arguments,
+                      ceil_div(pixels, kPixelsAtOnce));
+  }
+
+  void collect(const FrameRecord& record, std::span<const uint32_t> words, GpuFrame& frame) const {
     frame.blocks_needed = words[kCountNeeded];
+    frame.blocks_decoded = words[kCountDecoded];
     if (words[kCountFirstError] != kNoError) {
       frame.status = static_cast<ErrorCode>(words[kCountStatus]);
       return;
@@ -134,11 +163,12 @@ struct GpuRenderer::State {
   StreamHeader header;
   Geometry geometry;
   BlockSizes sizes;
+  BlockPool pool;
   uint64_t capacity = kFirstCapacity;
   BatchBuffers buffers;
   GrowingBuffer shapes{Memory::kUpload};
   GrowingBuffer needed{Memory::kDevice};
-  GrowingBuffer first_slots{Memory::kDevice};
+  GrowingBuffer slots{Memory::kDevice};
   GrowingBuffer counters{Memory::kDevice};
   GrowingBuffer drawn{Memory::kDevice};
   std::vector<StageTime> times;
@@ -149,13 +179,17 @@ GpuRenderer::GpuRenderer(GpuRenderer&&) noexcept = default;
 GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
 GpuRenderer::~GpuRenderer() = default;
 
-Outcome<GpuRenderer> GpuRenderer::open(Device& device, const StreamView& stream) {
-  return guard_device([&] { return GpuRenderer(std::make_unique<State>(device.state(), stream)); });
+Outcome<GpuRenderer> GpuRenderer::open(Device& device, const StreamView& stream,
+                                       uint64_t cache_bytes) {
+  return guard_device(
+      [&] { return GpuRenderer(std::make_unique<State>(device.state(), stream, cache_bytes)); });
 }
 
 Outcome<GpuFrame> GpuRenderer::render(const FrameRecord& record, int stop_level) {
   return guard_device([&] { return state_->render(record, stop_level); });
 }
+
+void GpuRenderer::forget() { state_->pool.forget(); }
 
 const std::vector<StageTime>& GpuRenderer::stage_times() const { return state_->times; }
 

@@ -22,25 +22,32 @@ struct GpuFrame {
   /// The error of NED-2, or bad_request where record or stop level do not fit the light field; then
   /// there is no image.
   ErrorCode status = ErrorCode::kOk;
-  RgbImage image;              ///< frame_width x frame_height, of the light field's depth
-  uint64_t blocks_needed = 0;  ///< NED-1; all of them were decoded, each once
-  unsigned submissions = 0;    ///< 1, or 2 where the frame needed more blocks than any before
+  RgbImage image;               ///< frame_width x frame_height, of the light field's depth
+  uint64_t blocks_needed = 0;   ///< NED-1
+  uint64_t blocks_decoded = 0;  ///< of them, each once; the others are held of frames before
+  unsigned submissions = 0;     ///< 1, or 2 where the frame took more room than any before
 };
 
 /// Renders frames of one stream, one at a time. The device must outlive it.
 class GpuRenderer {
  public:
-  /// Uploads the stream as GpuDecoder::open does.
-  static Outcome<GpuRenderer> open(Device& device, const StreamView& stream);
+  /// Uploads the stream as GpuDecoder::open does. Between frames the device keeps up to
+  /// `cache_bytes` bytes of decoded samples, in pages of 32 blocks; 0 keeps nothing. No frame
+  /// depends on it.
+  static Outcome<GpuRenderer> open(Device& device, const StreamView& stream, uint64_t cache_bytes);
 
   GpuRenderer(GpuRenderer&&) noexcept;
   GpuRenderer& operator=(GpuRenderer&&) noexcept;
   ~GpuRenderer();
 
   /// Renders the frame of `record`, made by frame_record for this light field, from views decoded
-  /// down to `stop_level` (DEC-1): the device marks the blocks that the frame needs, decodes them
-  /// and no others, and draws, in one submission.
+  /// down to `stop_level` (DEC-1): the device marks the blocks that the frame needs, decodes those
+  /// of them that it does not hold and no others, and draws, in one submission. After a frame with
+  /// an error, and before one of another stop level, nothing is held.
   Outcome<GpuFrame> render(const FrameRecord& record, int stop_level);
+
+  /// Nothing is held any more: the next frame decodes all that it needs.
+  void forget();
 
   /// Of the last submission; empty where the device has no timestamps.
   const std::vector<StageTime>& stage_times() const;

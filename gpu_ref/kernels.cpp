@@ -30,11 +30,14 @@ constexpr uint32_t kColourCode[] =
 constexpr uint32_t kMarkCode[] =
 #include "shaders/mark.inc"
     ;
-constexpr uint32_t kCompactCode[] =
-#include "shaders/compact.inc"
+constexpr uint32_t kCountCode[] =
+#include "shaders/count.inc"
     ;
 constexpr uint32_t kPlanCode[] =
 #include "shaders/plan.inc"
+    ;
+constexpr uint32_t kCompactCode[] =
+#include "shaders/compact.inc"
     ;
 constexpr uint32_t kErrorsCode[] =
 #include "shaders/errors.inc"
@@ -49,11 +52,11 @@ struct BuiltKernel {
 };
 
 // In the order of Kernel.
-constexpr BuiltKernel kBuilt[] = {{"expand", kExpandCode},       {"walk", kWalkCode},
-                                  {"residuals", kResidualsCode}, {"samples", kSamplesCode},
-                                  {"colour", kColourCode},       {"mark", kMarkCode},
-                                  {"compact", kCompactCode},     {"plan", kPlanCode},
-                                  {"errors", kErrorsCode},       {"render", kRenderCode}};
+constexpr BuiltKernel kBuilt[] = {
+    {"expand", kExpandCode},   {"walk", kWalkCode},     {"residuals", kResidualsCode},
+    {"samples", kSamplesCode}, {"colour", kColourCode}, {"mark", kMarkCode},
+    {"count", kCountCode},     {"plan", kPlanCode},     {"compact", kCompactCode},
+    {"errors", kErrorsCode},   {"render", kRenderCode}};
 
 vk::raii::PipelineLayout make_layout(const vk::raii::Device& device) {
   const vk::PushConstantRange range(vk::ShaderStageFlagBits::eCompute, 0, sizeof(Arguments));
@@ -64,9 +67,9 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
                                  std::span<const uint32_t> code, const Variant& variant) {
   const vk::raii::ShaderModule shader(
       device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
-  const std::array<vk::Bool32, 4> values{variant.chunked, variant.reference_pass, variant.stages,
-                                         variant.counted};
-  std::array<vk::SpecializationMapEntry, 4> entries;
+  const std::array<vk::Bool32, 5> values{variant.chunked, variant.reference_pass, variant.stages,
+                                         variant.counted, variant.pool_chunked};
+  std::array<vk::SpecializationMapEntry, 5> entries;
   for (uint32_t i = 0; i < entries.size(); ++i) {
     entries[i] =
         vk::SpecializationMapEntry(i, i * uint32_t{sizeof(vk::Bool32)}, sizeof(vk::Bool32));

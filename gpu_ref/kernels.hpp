@@ -18,8 +18,9 @@ enum class Kernel : uint8_t {
   kSamples,
   kColour,
   kMark,
-  kCompact,
+  kCount,
   kPlan,
+  kCompact,
   kErrors,
   kRender
 };
@@ -30,6 +31,7 @@ struct Variant {
   bool reference_pass = false;  ///< kReferencePass of requests.glsl
   bool stages = false;          ///< kStages of samples.comp
   bool counted = false;         ///< kCounted of frame_arguments.glsl
+  bool pool_chunked = false;    ///< kPoolChunked of frame_arguments.glsl
 
   friend auto operator<=>(const Variant&, const Variant&) = default;
 };

@@ -58,8 +58,9 @@ GpuRenderer::GpuRenderer(GpuRenderer&&) noexcept = default;
 GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
 GpuRenderer::~GpuRenderer() = default;
 
-Outcome<GpuRenderer> GpuRenderer::open(Device&, const StreamView&) { return missing(); }
+Outcome<GpuRenderer> GpuRenderer::open(Device&, const StreamView&, uint64_t) { return missing(); }
 Outcome<GpuFrame> GpuRenderer::render(const FrameRecord&, int) { return missing(); }
+void GpuRenderer::forget() {}
 const std::vector<StageTime>& GpuRenderer::stage_times() const { return state_->times; }
 
 }  // namespace hmlfc::gpu

@@ -27,13 +27,13 @@ struct GpuState {
   std::optional<gpu::GpuRenderer> renderer;
 };
 
-tl::expected<DrawFrame, std::string> open_gpu(std::span<const uint8_t> file) {
+tl::expected<DrawFrame, std::string> open_gpu(std::span<const uint8_t> file, size_t cache_bytes) {
   auto device = gpu::Device::open();
   if (!device) return tl::unexpected(device.error().message);
   const auto stream = open_stream(file, {});
   if (!stream) return tl::unexpected(to_string(stream.error()));
   const auto state = std::make_shared<GpuState>(std::move(*device));
-  auto renderer = gpu::GpuRenderer::open(state->device, *stream);
+  auto renderer = gpu::GpuRenderer::open(state->device, *stream, cache_bytes);
   if (!renderer) return tl::unexpected(renderer.error().message);
   state->renderer = std::move(*renderer);
   return [state](const FrameRecord& record, int stop_level,
@@ -44,7 +44,8 @@ tl::expected<DrawFrame, std::string> open_gpu(std::span<const uint8_t> file) {
       return tl::unexpected(std::string(error_name(drawn->status)));
     }
     frame.image = std::move(drawn->image);
-    frame.counts = {drawn->blocks_needed, drawn->blocks_needed, 0, 0};
+    frame.counts = {drawn->blocks_needed, drawn->blocks_decoded,
+                    drawn->blocks_needed - drawn->blocks_decoded, 0};
     return {};
   };
 }
@@ -54,16 +55,17 @@ tl::expected<DrawFrame, std::string> open_gpu(std::span<const uint8_t> file) {
 tl::expected<DrawFrame, std::string> open_backend(const FrameSetting& setting,
                                                   std::span<const uint8_t> file,
                                                   const Decoder& decoder) {
+  const size_t cache_bytes = setting.cache_mib << 20;
   switch (setting.backend) {
     case Backend::kGpu:
-      return open_gpu(file);
+      return open_gpu(file, cache_bytes);
     case Backend::kGolden:
       return draw_with(make_golden_renderer(decoder));
     case Backend::kCpu:
       break;
   }
   RenderOptions options;
-  options.cache_bytes = setting.cache_mib << 20;
+  options.cache_bytes = cache_bytes;
   return draw_with(make_cpu_renderer(decoder, options));
 }
 

@@ -17,7 +17,7 @@ struct FrameSetting {
   std::string text;  ///< as it was given
   Filter filter = Filter::kQuadrilinear;
   int levels = 1;          ///< of the tree, from the top, [1, tree_height + 1]
-  size_t cache_mib = 256;  ///< kept between frames by backend cpu, [0, 2^20]
+  size_t cache_mib = 256;  ///< kept between frames by backends cpu and gpu, [0, 2^20]
   Backend backend = Backend::kCpu;
 };
 

@@ -50,58 +50,92 @@ std::optional<std::string> difference(const Result<void>& golden, const Frame& e
                      *found.first, *found.second);
 }
 
+// Renders a frame of `path` and counts what it took.
+Outcome<GpuFrame> add_frame(GpuRenderer& renderer, const FrameRecord& record, FramePath& path) {
+  const auto begin = Clock::now();
+  auto frame = renderer.render(record, 0);
+  if (!frame) return frame;
+  path.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+  ++path.frames;
+  path.width = static_cast<uint32_t>(record.frame_width);
+  path.height = static_cast<uint32_t>(record.frame_height);
+  path.needed += frame->blocks_needed;
+  path.decoded += frame->blocks_decoded;
+  add_stages(renderer.stage_times(), path.stages);
+  return frame;
+}
+
+Outcome<std::vector<FrameRecord>> records_of_path(const Camera& camera, const StreamHeader& header,
+                                                  uint64_t frames) {
+  std::vector<FrameRecord> records;
+  for (uint64_t i = 0; i < frames; ++i) {
+    const auto record = frame_record(moved(camera, header, i, frames), header);
+    if (!record) return tl::unexpected(Failure{record.error().message});
+    records.push_back(*record);
+  }
+  return records;
+}
+
 }  // namespace
 
-Outcome<FrameReport> check_frames(GpuRenderer& renderer, std::span<const uint8_t> file,
-                                  const StreamView& stream, const Camera& camera, uint64_t frames,
-                                  bool compare) {
+Outcome<FramePath> check_frames(GpuRenderer& renderer, std::span<const uint8_t> file,
+                                const StreamView& stream, const Camera& camera, uint64_t frames) {
   OpenOptions options;
   options.check_sections = false;
   const auto decoder = Decoder::open(file, options);
   if (!decoder) return tl::unexpected(Failure{to_string(decoder.error())});
   const auto golden = make_golden_renderer(*decoder);
-  FrameReport report;
-  for (uint64_t i = 0; i <= frames; ++i) {
-    const uint64_t number = i == 0 ? 0 : i - 1;
-    const auto record = frame_record(moved(camera, stream.header, number, frames), stream.header);
-    if (!record) return tl::unexpected(Failure{record.error().message});
-    const auto begin = Clock::now();
-    const auto frame = renderer.render(*record, 0);
+  const auto records = records_of_path(camera, stream.header, frames);
+  if (!records) return tl::unexpected(records.error());
+  FramePath path;
+  for (const FrameRecord& record : *records) {
+    const auto frame = add_frame(renderer, record, path);
     if (!frame) return tl::unexpected(frame.error());
-    if (i == 0) continue;  // makes pipelines and buffers
-    report.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
-    ++report.frames;
-    report.width = static_cast<uint32_t>(record->frame_width);
-    report.height = static_cast<uint32_t>(record->frame_height);
-    report.blocks += frame->blocks_needed;
-    add_stages(renderer.stage_times(), report.stages);
-    if (!compare) continue;
     Frame expected;
-    const auto drawn = golden->render(*record, 0, expected);
+    const auto drawn = golden->render(record, 0, expected);
     if (const auto found = difference(drawn, expected, *frame)) {
-      report.mismatch = fmt::format("frame {} of {}: {}", number, frames, *found);
+      path.mismatch = fmt::format("frame {} of {}: {}", path.frames - 1, frames, *found);
       break;
     }
   }
-  return report;
+  return path;
 }
 
-std::string to_text(const FrameReport& report) {
-  const auto frames = static_cast<double>(std::max<uint64_t>(report.frames, 1));
-  std::string text = fmt::format("{} frames of {} x {} pixels, {} blocks decoded\n", report.frames,
-                                 report.width, report.height, report.blocks);
+Outcome<FrameSpeed> measure_frames(GpuRenderer& renderer, const StreamView& stream,
+                                   const Camera& camera, uint64_t frames) {
+  const auto records = records_of_path(camera, stream.header, frames);
+  if (!records) return tl::unexpected(records.error());
+  FramePath unused;
+  if (const auto first = add_frame(renderer, records->front(), unused); !first) {
+    return tl::unexpected(first.error());
+  }
+  renderer.forget();
+  FrameSpeed speed;
+  for (FramePath* path : {&speed.cold, &speed.warm}) {
+    for (const FrameRecord& record : *records) {
+      const auto frame = add_frame(renderer, record, *path);
+      if (!frame) return tl::unexpected(frame.error());
+    }
+  }
+  return speed;
+}
+
+std::string to_text(const FramePath& path) {
+  const auto frames = static_cast<double>(std::max<uint64_t>(path.frames, 1));
+  std::string text = fmt::format("{} frames of {} x {} pixels, {} blocks needed, {} decoded\n",
+                                 path.frames, path.width, path.height, path.needed, path.decoded);
   double device = 0;
-  for (const StageTime& stage : report.stages) {
+  for (const StageTime& stage : path.stages) {
     text +=
         fmt::format("  {:<10} {:10.3f} ms a frame\n", stage.stage, 1000 * stage.seconds / frames);
     device += stage.seconds;
   }
-  if (!report.stages.empty()) {
+  if (!path.stages.empty()) {
     text += fmt::format("  {:<10} {:10.3f} ms a frame, {:.1f} frames a second\n", "device",
                         1000 * device / frames, frames / device);
   }
-  text += fmt::format("  {:<10} {:10.3f} ms a frame\n", "call", 1000 * report.seconds / frames);
-  if (report.mismatch) text += "MISMATCH: " + *report.mismatch + "\n";
+  text += fmt::format("  {:<10} {:10.3f} ms a frame\n", "call", 1000 * path.seconds / frames);
+  if (path.mismatch) text += "MISMATCH: " + *path.mismatch + "\n";
   return text;
 }
 

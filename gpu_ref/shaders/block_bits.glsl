@@ -32,11 +32,8 @@ Request request_of_bit(uint bit) {
                  p | frame().stop_level << 8 | 1u << 16);
 }
 
-/// The request that decodes the block of a bit that is set.
-uint slot_of_bit(uint bit) {
-  const uint word = frame().needed.word[bit >> 5];
-  return frame().first_slots.word[bit >> 5] + uint(bitCount(word & low_bits(bit & 31u)));
-}
+/// The slot of the block of a bit, if it is held.
+uint slot_of_bit(uint bit) { return frame().pages.word[bit >> 5] << 5 | (bit & 31u); }
 
 /// The image shown in the place of a view, and where sample (x, y) of plane p lies in it.
 struct SamplePlace {

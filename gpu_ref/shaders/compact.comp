@@ -1,6 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// From bits to requests: one invocation a word of bits.
+// From bits to requests and their slots in the pool: one invocation a word of bits. Requests and
+// pages are given away in any order; nothing else depends on it.
 #include "decode.glsl"
 #include "requests.glsl"
 #include "frame.glsl"
@@ -9,14 +10,19 @@
 
 void main() {
   const uint at = invocation();
-  if (at >= frame().needed_words) return;
-  uint bits = frame().needed.word[at];
-  if (bits == 0u) return;
-  uint slot = atomicAdd(frame().counters.word[kCountNeeded], uint(bitCount(bits)));
-  frame().first_slots.word[at] = slot;
-  for (; bits != 0u; bits &= bits - 1u) {
-    const uint bit = 32u * at + uint(findLSB(bits));
-    if (slot < frame().capacity) arguments.requests.request[slot] = request_of_bit(bit);
-    ++slot;
+  const uint mode = frame().counters.word[kCountMode];
+  if (at >= frame().needed_words || mode == kModeNoRoom) return;
+  const uint needed = frame().needed.word[at];
+  const uint held = mode == kModeFlush ? 0u : frame().held.word[at];
+  frame().held.word[at] = held | needed;
+  uint missing = needed & ~held;
+  if (missing == 0u) return;
+  if (held == 0u) frame().pages.word[at] = atomicAdd(frame().counters.word[kCountNextPage], 1u);
+  uint q = atomicAdd(frame().counters.word[kCountRequests], uint(bitCount(missing)));
+  for (; missing != 0u; missing &= missing - 1u) {
+    const uint bit = 32u * at + uint(findLSB(missing));
+    arguments.requests.request[q] = request_of_bit(bit);
+    frame().slots.word[q] = slot_of_bit(bit);
+    ++q;
   }
 }

@@ -15,20 +15,40 @@ struct FrameRecord {
 };
 
 layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Frame {
-  OutWords needed;       // one bit a block (block_bits.glsl)
-  OutWords first_slots;  // by word of `needed`: the request of its lowest bit
-  OutWords counters;     // kCount...
-  OutWords pixels;       // three samples of 16 bits a pixel, row by row
+  OutWords needed;     // one bit a block (block_bits.glsl)
+  OutWords held;       // as many: the blocks whose samples are in the pool
+  OutWords pages;      // by word of bits: the page of the pool for its 32 blocks; if one is held
+  OutWords slots;      // by request: the slot of the pool for its samples
+  OutWords counters;   // kCount...
+  OutWords pixels;     // three samples of 16 bits a pixel, row by row
+  uvec2 pool;          // pages of 32 slots, of a block each: OutWords, or OutChunks with kPoolChunked
+  uint pool_chunk_log2;
+  uint pool_pages;     // that there is room for
+  uint kept_pages;     // that frames may leave to the next one
   uint stop_level;
-  uint capacity;         // requests that there is room for
+  uint capacity;       // requests that there is room for
   uint needed_words;
   FrameRecord record;
 };
 
 // Words of the counters. Each kernel's dispatch is three of them.
-const uint kCountNeeded = 0u;      // blocks that the frame needs
-const uint kCountFirstError = 1u;  // the least bit of a block with an error, or all ones
-const uint kCountStatus = 2u;      // that block's error
-const uint kCountWalk = 3u;
-const uint kCountSamples = 6u;
-const uint kCountErrors = 9u;
+const uint kCountNeeded = 0u;        // blocks that the frame needs
+const uint kCountNeededPages = 1u;   // words of bits with such a block
+const uint kCountMissing = 2u;       // needed blocks that are not held
+const uint kCountMissingPages = 3u;  // words with such a block of which no block is held
+const uint kCountMode = 4u;          // kMode...
+const uint kCountDecoded = 5u;       // blocks that the frame decodes, or would with room
+const uint kCountPages = 6u;         // pages in use after it, likewise
+const uint kCountRequests = 7u;      // requests written so far
+const uint kCountNextPage = 8u;      // the next page to be given away
+const uint kCountFirstError = 9u;    // the least bit of a block with an error, or all ones
+const uint kCountStatus = 10u;       // that block's error
+const uint kCountWalk = 11u;
+const uint kCountSamples = 14u;
+const uint kCountErrors = 17u;
+const uint kCountUsedPages = 20u;    // of the frames before: the only one that is kept
+
+// What a frame does (plan.comp).
+const uint kModeNoRoom = 0u;  // nothing: the host makes room
+const uint kModeAdd = 1u;     // decodes the needed blocks that are not held
+const uint kModeFlush = 2u;   // forgets what is held and decodes all needed blocks

@@ -1,10 +1,45 @@
-// The frame of a rendering kernel, behind the arguments of the decoding kernels.
+// The frame of a rendering kernel, behind the arguments of the decoding kernels, and the pool of its
+// blocks.
 
 Frame frame() { return Frame(arguments.frame); }
 
-/// The requests of this dispatch: the host says how many, or with kCounted compact.comp did.
+/// The requests of this dispatch: the host says how many, or with kCounted plan.comp does.
 layout(constant_id = 3) const bool kCounted = false;
 
+/// The pool is in more than one buffer.
+layout(constant_id = 4) const bool kPoolChunked = false;
+
 uint request_count() {
-  return kCounted ? frame().counters.word[kCountNeeded] : arguments.request_count;
+  return kCounted ? frame().counters.word[kCountDecoded] : arguments.request_count;
+}
+
+/// Word `word` of the samples in a slot of the pool, as a word of the whole pool.
+uint word_of_slot(uint slot, uint word) {
+  return (slot << (2u * arguments.shape.block_log2 - 1u)) + word;
+}
+
+uint pool_word(uint at) {
+  if (!kPoolChunked) return OutWords(frame().pool).word[at];
+  const uint log2 = frame().pool_chunk_log2;
+  return OutChunks(frame().pool).chunk[at >> log2].word[at & low_bits(log2)];
+}
+
+void write_pool_word(uint at, uint value) {
+  if (kPoolChunked) {
+    const uint log2 = frame().pool_chunk_log2;
+    OutChunks(frame().pool).chunk[at >> log2].word[at & low_bits(log2)] = value;
+  } else {
+    OutWords(frame().pool).word[at] = value;
+  }
+}
+
+/// Word `word` of the samples of request q with status `status`. In the pool a block with an error
+/// has that in their place: no frame is drawn from it.
+void write_samples(uint q, uint word, uint samples, uint status) {
+  if (kCounted) {
+    write_pool_word(word_of_slot(frame().slots.word[q], word),
+                    status == ERROR_OK ? samples : status);
+  } else {
+    arguments.samples.word[word_of_slot(q, word)] = samples;
+  }
 }

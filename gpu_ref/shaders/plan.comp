@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// The sizes of the dispatches that decode what compact.comp has counted: one invocation. Where there
-// is no room for it nothing is decoded, and the host makes room.
+// What a frame decodes, from what count.comp has counted, and the sizes of the dispatches that do it:
+// one invocation.
 #include "decode.glsl"
 #include "requests.glsl"
 #include "frame.glsl"
@@ -20,8 +20,20 @@ void write_dispatch(uint at, uint invocations) {
 
 void main() {
   if (invocation() != 0u) return;
-  const uint needed = frame().counters.word[kCountNeeded];
-  const uint count = needed <= frame().capacity ? needed : 0u;
+  const uint used = frame().counters.word[kCountUsedPages];
+  const uint kept = frame().kept_pages;
+  const bool flush = used > kept || frame().counters.word[kCountMissingPages] > kept - used;
+  const uint decoded = frame().counters.word[flush ? kCountNeeded : kCountMissing];
+  const uint first_page = flush ? 0u : used;
+  const uint pages =
+      first_page + frame().counters.word[flush ? kCountNeededPages : kCountMissingPages];
+  const bool room = decoded <= frame().capacity && pages <= frame().pool_pages;
+  frame().counters.word[kCountDecoded] = decoded;
+  frame().counters.word[kCountPages] = pages;
+  frame().counters.word[kCountNextPage] = first_page;
+  frame().counters.word[kCountMode] = !room ? kModeNoRoom : flush ? kModeFlush : kModeAdd;
+  if (room) frame().counters.word[kCountUsedPages] = pages;
+  const uint count = room ? decoded : 0u;
   write_dispatch(kCountWalk, count * (arguments.shape.top + 1u));
   write_dispatch(kCountSamples, count << (2u * arguments.shape.block_log2 - 1u));
   write_dispatch(kCountErrors, count);

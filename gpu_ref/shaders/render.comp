@@ -13,9 +13,8 @@
 /// Sample (x, y) of plane p of the picture in the place of `image`.
 int decoded_sample(uvec2 image, uint p, int x, int y) {
   const SamplePlace place = place_of_sample(p, uint(x), uint(y));
-  const uint q = slot_of_bit(bit_of_block(image, p, place.block));
-  const uint words_log2 = 2u * arguments.shape.block_log2 - 1u;
-  const uint word = arguments.samples.word[(q << words_log2) + (place.at >> 1)];
+  const uint slot = slot_of_bit(bit_of_block(image, p, place.block));
+  const uint word = pool_word(word_of_slot(slot, place.at >> 1));
   return bitfieldExtract(int(word), int(16u * (place.at & 1u)), 16);
 }
 
@@ -70,11 +69,12 @@ void main() {
   const FrameRecord f = frame().record;
   const uint number = invocation();
   if (2u * number >= uint(f.frame_width) * uint(f.frame_height)) return;
-  if (frame().counters.word[kCountNeeded] > frame().capacity) return;
+  if (frame().counters.word[kCountMode] == kModeNoRoom) return;
   const uint first_error = frame().counters.word[kCountFirstError];
   if (first_error != 0xFFFFFFFFu) {  // no frame is returned
     if (number == 0u) {
-      frame().counters.word[kCountStatus] = arguments.statuses.word[slot_of_bit(first_error)];
+      const uint status = pool_word(word_of_slot(slot_of_bit(first_error), 0u));
+      frame().counters.word[kCountStatus] = status;
     }
     return;
   }

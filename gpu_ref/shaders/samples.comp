@@ -95,6 +95,6 @@ void main() {
   uint status = ERROR_BAD_REQUEST;
   ivec2 samples = ivec2(0);
   if (is_valid(request)) samples = decode(request, q, 2u * word, status);
-  arguments.samples.word[number] = sample_pair(samples);
+  write_samples(q, word, sample_pair(samples), status);
   if (word == 0u) arguments.statuses.word[q] = status;
 }

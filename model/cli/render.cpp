@@ -255,7 +255,7 @@ void add_render(CLI::App& program, Task& task) {
                   "Number of the device or part of its name, for gpu")
       ->type_name("NAME");
   add_integer(*app, "--cache", options->cache_mib, 0, 1u << 20,
-              "MiB of decoded pixels kept between frames");
+              "MiB of decoded blocks kept between frames");
   add_path(*app, "--preview", options->preview, "Also all frames as one animated PNG")
       ->required(false)
       ->type_name("FILE.png");

@@ -27,9 +27,10 @@ StreamView view_of(const StreamFile& file) {
 // A device as a renderer like the one on the CPU.
 class GpuBackend final : public FrameRenderer {
  public:
-  GpuBackend(gpu::Device device, const StreamFile& file)
+  GpuBackend(gpu::Device device, const StreamFile& file, const RenderOptions& options)
       : device_(std::move(device)),
-        renderer_(device_value(gpu::GpuRenderer::open(device_, view_of(file)))) {}
+        renderer_(device_value(
+            gpu::GpuRenderer::open(device_, view_of(file), uint64_t{options.cache_bytes}))) {}
 
   Result<void> render(const FrameRecord& record, int stop_level, Frame& frame) override {
     using Clock = std::chrono::steady_clock;
@@ -37,7 +38,8 @@ class GpuBackend final : public FrameRenderer {
     gpu::GpuFrame drawn = device_value(renderer_.render(record, stop_level));
     if (drawn.status != ErrorCode::kOk) return fail(drawn.status, Section::kTile, 0);
     frame.image = std::move(drawn.image);
-    frame.counts = {drawn.blocks_needed, drawn.blocks_needed, 0, 0};
+    frame.counts = {drawn.blocks_needed, drawn.blocks_decoded,
+                    drawn.blocks_needed - drawn.blocks_decoded, 0};
     frame.seconds = {};
     frame.seconds.sample = std::chrono::duration<double>(Clock::now() - begin).count();
     return {};
@@ -54,7 +56,8 @@ std::unique_ptr<FrameRenderer> make_renderer(const BackendChoice& choice, const 
   if (choice.backend == Backend::kGpu) {
     gpu::DeviceOptions options;
     options.device = choice.device;
-    return std::make_unique<GpuBackend>(device_value(gpu::Device::open(options)), file);
+    return std::make_unique<GpuBackend>(device_value(gpu::Device::open(options)), file,
+                                        choice.options);
   }
   if (!choice.device.empty()) throw Failure(ExitCode::kUsage, "--device needs --backend gpu");
   return make_cpu_renderer(file.decoder(), choice.options);

@@ -147,7 +147,7 @@ class Render(CliTest):
 
     def test_gpu_draws_the_same_frames(self):
         """Where there is no device the command says so, and names what is missing."""
-        arguments = ["render", "a.hmlfc", *"--path orbit --frames 2 --size 40x30 --json".split()]
+        arguments = ["render", "a.hmlfc", *"--path line --frames 6 --size 40x30 --json".split()]
         ran = self.run_hmlfc(*arguments, "--backend", "gpu", "-o", "gpu")
         if ran.returncode == USAGE:
             self.assertIn(b"--backend gpu: ", ran.stderr)
@@ -155,15 +155,28 @@ class Render(CliTest):
         self.assertEqual(ran.returncode, DONE, ran.stderr)
         report = json.loads(ran.stdout)
         self.assertEqual(report["backend"], "gpu")
-        self.render(*"--path orbit --frames 2 --size 40x30 -o cpu".split())
+        self.render(*"--path line --frames 6 --size 40x30 -o cpu".split())
+        self.assertEqual(report["frames"][0]["blocks_reused"], 0)
+        self.assertGreater(report["frames"][1]["blocks_reused"], 0)
         for frame in report["frames"]:
-            self.assertEqual(frame["blocks_needed"], frame["blocks_decoded"])
+            self.assertEqual(frame["blocks_needed"],
+                             frame["blocks_decoded"] + frame["blocks_reused"])  # fmt: skip
             self.assertNotIn("bytes_touched", frame)
             self.assertNotIn("key_samples_decoded", frame)
-        for k in range(2):
+        for k in range(6):
             name = f"frame_{k:04}.png"
             self.assertEqual((self.folder / "gpu" / name).read_bytes(),
                              (self.folder / "cpu" / name).read_bytes())  # fmt: skip
+
+    def test_gpu_without_a_cache_reuses_nothing(self):
+        arguments = ["render", "a.hmlfc", *"--path line --frames 3 --size 40x30 --json".split()]
+        ran = self.run_hmlfc(*arguments, *"--backend gpu --cache 0 -o gpu".split())
+        if ran.returncode == USAGE:
+            self.skipTest(ran.stderr.decode().strip())
+        self.assertEqual(ran.returncode, DONE, ran.stderr)
+        for frame in json.loads(ran.stdout)["frames"]:
+            self.assertEqual(frame["blocks_decoded"], frame["blocks_needed"])
+            self.assertEqual(frame["blocks_reused"], 0)
 
     def test_cameras_that_see_nothing_are_black(self):
         for camera in (["--camera", "2,1,-3", "--look-at", "2,1,-4"], ["--camera", "40,40"]):

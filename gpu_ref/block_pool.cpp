@@ -1,0 +1,53 @@
+#include "block_pool.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace hmlfc::gpu {
+namespace {
+
+constexpr uint64_t kSlots = 32;                     // of a page
+constexpr uint64_t kFirstPages = 512;               // made room for at once
+constexpr uint64_t kMostWords = uint64_t{1} << 32;  // that shaders can number
+
+}  // namespace
+
+BlockPool::BlockPool(const BlockSizes& sizes, uint64_t words, uint64_t budget)
+    : words_(words),
+      page_words_(kSlots * sizes.sample_words),
+      kept_pages_(std::min({words, budget / (4 * page_words_), kMostWords / page_words_})) {}
+
+void BlockPool::reserve(Device::State& device, uint64_t pages) {
+  const uint64_t most = std::max(kept_pages_, kSubmissionBytes / (4 * page_words_));
+  if (pages > most) {
+    throw MachineError("the frame's blocks take " + std::to_string(pages) + " pages of " +
+                       std::to_string(4 * page_words_) + " bytes on the device, more than the " +
+                       std::to_string(most) + " that there is room for");
+  }
+  held_.reserve(device, 4 * words_);
+  page_numbers_.reserve(device, 4 * words_);
+  if (samples_ && pages <= pages_) return;
+  samples_.reset();
+  forget();
+  pages_ = std::max({pages, kept_pages_, std::min(words_, kFirstPages)});
+  samples_.emplace(device, pages_ * page_words_);
+}
+
+void BlockPool::describe(FrameShape& shape) const {
+  shape.held = held_.get().address();
+  shape.pages = page_numbers_.get().address();
+  shape.pool = samples_->address(chunked());
+  shape.pool_chunk_log2 = samples_->chunk_log2();
+  shape.pool_pages = static_cast<uint32_t>(pages_);
+  shape.kept_pages = static_cast<uint32_t>(kept_pages_);
+}
+
+void BlockPool::begin_frame(int stop_level, Commands& commands, const Buffer& counters) {
+  if (held_level_ != stop_level) {
+    commands.fill(held_.get(), 0, 4 * words_, 0);
+    commands.fill(counters, 4 * kCountUsedPages, 4, 0);
+  }
+  forget();
+}
+
+}  // namespace hmlfc::gpu

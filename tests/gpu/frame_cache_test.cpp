@@ -1,0 +1,211 @@
+// Frames that reuse blocks of the frames before: the golden renderer's bytes and errors, and the
+// blocks that the rule of docs/gpu.md says, with budgets from nothing to everything.
+#include <array>
+#include <iterator>
+
+#include "gpu/gpu_test.hpp"
+#include "gpu/render_pair.hpp"
+#include "random_stream.hpp"
+
+namespace hmlfc::gpu {
+namespace {
+
+// plan.comp with a fault each, as SPIR-V (tests/CMakeLists.txt).
+constexpr uint32_t kNeverFlushes[] =
+#include "faults/never_flushes.inc"
+    ;
+constexpr uint32_t kPagesFromZero[] =
+#include "faults/pages_from_zero.inc"
+    ;
+
+constexpr uint64_t kPlenty = uint64_t{1} << 24;  // bytes; more than a small stream has
+
+class GpuFrameCache : public GpuTest {};
+
+/// A camera that moves on a little, stays or goes elsewhere.
+class Walk {
+ public:
+  Walk(uint32_t seed, const StreamHeader& header) : random_(seed), header_(header) { jump(); }
+
+  FrameRecord next() {
+    const uint32_t step = random_() % 8;
+    if (step == 0) jump();
+    if (step >= 2) {
+      camera_.position->u += 0.3 * between();
+      camera_.position->v += 0.3 * between();
+    }
+    return *frame_record(camera_, header_);
+  }
+
+ private:
+  double between() { return random_() / 2147483648.0 - 1; }
+
+  void jump() {
+    camera_ = test::random_camera(random_, header_);
+    camera_.look_at.reset();
+    camera_.frame_width = 40;
+    camera_.frame_height = 30;
+  }
+
+  test::Random random_;
+  const StreamHeader& header_;
+  Camera camera_;
+};
+
+/// A walk of `frames` frames, now and then down to another level; the first difference, or nothing.
+std::string walk(RenderPair& pair, uint32_t seed, int frames, FrameTally& tally) {
+  Walk walk(seed, pair.header());
+  test::Random random(~seed);
+  int stop_level = 0;
+  for (int i = 0; i < frames; ++i) {
+    const auto levels = static_cast<uint32_t>(pair.header().tree_height) + 1;
+    if (random() % 5 == 0) stop_level = static_cast<int>(random() % levels);
+    const std::string found = pair.difference(walk.next(), stop_level, tally);
+    if (!found.empty()) return "frame " + std::to_string(i) + ": " + found;
+  }
+  return {};
+}
+
+/// Walks before the streams of `seeds` with a cache of `bytes` bytes.
+FrameTally walk_all(Device& device, uint64_t cache_bytes, uint32_t first, uint32_t last,
+                    bool damaged) {
+  FrameTally tally;
+  for (uint32_t seed = first; seed < last; ++seed) {
+    auto bytes = test::random_stream(seed);
+    if (damaged) tb::spoil(bytes, tb::Damage::kIndexAndTiles, seed);
+    RenderPair pair(device, std::move(bytes), cache_bytes);
+    if (pair.closed()) continue;
+    EXPECT_EQ(walk(pair, seed, 10, tally), "") << "seed " << seed << ", cache " << cache_bytes;
+    if (testing::Test::HasFailure()) break;
+  }
+  return tally;
+}
+
+TEST_F(GpuFrameCache, NeverChangesAFrameWhateverItsBudget) {
+  const FrameTally nothing = walk_all(device(), 0, 0, 10, false);
+  EXPECT_EQ(nothing.decoded, nothing.needed);
+  const FrameTally little = walk_all(device(), 4096, 0, 10, false);
+  const FrameTally more = walk_all(device(), 16384, 0, 10, false);
+  const FrameTally plenty = walk_all(device(), kPlenty, 0, 10, false);
+  EXPECT_EQ(plenty.needed, nothing.needed);
+  EXPECT_LT(little.decoded, nothing.decoded);
+  EXPECT_LT(more.decoded, little.decoded);
+  EXPECT_LT(plenty.decoded, more.decoded);
+  EXPECT_LT(plenty.decoded, plenty.needed / 2);
+  EXPECT_GT(plenty.lit, 40u);
+}
+
+TEST_F(GpuFrameCache, NeverHoldsABlockWithAnError) {
+  const FrameTally tally = walk_all(device(), kPlenty, 200, 240, true);
+  EXPECT_GT(tally.failed, 50u);
+  EXPECT_GT(tally.lit, 50u);
+  EXPECT_LT(tally.decoded, tally.needed);
+}
+
+TEST_F(GpuFrameCache, KeepsItsBoundsInSmallChunks) {
+  for (const uint64_t chunk_bytes : {0u, 1024u}) {
+    DeviceOptions options;
+    options.guard_pages = true;
+    options.chunk_bytes = chunk_bytes;
+    auto device = open(options);
+    ASSERT_TRUE(device);
+    for (const uint64_t cache_bytes : {uint64_t{0}, uint64_t{16384}, kPlenty}) {
+      EXPECT_GT(walk_all(*device, cache_bytes, 300, 304, false).lit, 10u);
+      EXPECT_GT(walk_all(*device, cache_bytes, 300, 304, true).frames, 10u);
+    }
+  }
+}
+
+class GpuFrameCacheOfOneStream : public GpuFrameCache {
+ protected:
+  /// 2 x 2 views of 300 x 200 pixels in blocks of 2 x 2: more blocks in a frame than there is room
+  /// for at first.
+  static std::vector<uint8_t> bytes() {
+    EncodeParams params;
+    params.block_size = 2;
+    params.tree_height = 1;
+    params.threads = 1;
+    return encode(test::textured_light_field({2, 2, 300, 200, 8}, 1, 4), params)->bytes;
+  }
+
+  /// Between the four views, which all have weight.
+  static FrameRecord record(const StreamHeader& header) {
+    Camera camera;
+    camera.position = WorldPoint{0.5, 0.5, 0};
+    return *frame_record(camera, header);
+  }
+};
+
+TEST_F(GpuFrameCacheOfOneStream, ARepeatedFrameDecodesNothing) {
+  RenderPair pair(device(), bytes(), kPlenty);
+  ASSERT_FALSE(pair.closed());
+  const FrameRecord frame = record(pair.header());
+  FrameTally tally;
+  pair.compare(frame, 0, tally);
+  const uint64_t needed = pair.last().blocks_needed;
+  EXPECT_GT(needed, 16384u);
+  EXPECT_EQ(pair.last().blocks_decoded, needed);
+  EXPECT_EQ(pair.last().submissions, 2u);
+  pair.compare(frame, 0, tally);
+  EXPECT_EQ(pair.last().blocks_decoded, 0u);
+  EXPECT_EQ(pair.last().submissions, 1u);
+  pair.forget();
+  pair.compare(frame, 0, tally);
+  EXPECT_EQ(pair.last().blocks_decoded, needed);
+  EXPECT_EQ(pair.last().submissions, 1u) << "the room is kept";
+}
+
+TEST_F(GpuFrameCacheOfOneStream, AnotherStopLevelBeginsAnew) {
+  RenderPair pair(device(), bytes(), kPlenty);
+  ASSERT_FALSE(pair.closed());
+  const FrameRecord frame = record(pair.header());
+  FrameTally tally;
+  for (const int stop_level : {0, 1, 0}) {
+    pair.compare(frame, stop_level, tally);
+    EXPECT_EQ(pair.last().blocks_decoded, pair.last().blocks_needed);
+  }
+  pair.compare(frame, 0, tally);
+  EXPECT_EQ(pair.last().blocks_decoded, 0u);
+}
+
+// A budget of as many bytes as the frame's blocks take, or one less.
+TEST_F(GpuFrameCacheOfOneStream, AFrameAboveTheBudgetLeavesNothing) {
+  const uint64_t blocks = uint64_t{4} * (150 * 100 + 2 * 75 * 50);
+  const uint64_t frame_bytes = (blocks + 31) / 32 * 32 * 4 * sizeof(int16_t);
+  for (const uint64_t missing : {0u, 1u}) {
+    RenderPair pair(device(), bytes(), frame_bytes - missing);
+    ASSERT_FALSE(pair.closed());
+    const FrameRecord frame = record(pair.header());
+    FrameTally tally;
+    pair.compare(frame, 0, tally);
+    pair.compare(frame, 0, tally);
+    EXPECT_EQ(pair.last().blocks_needed, blocks);
+    EXPECT_EQ(pair.last().blocks_decoded, missing * blocks);
+    EXPECT_EQ(tally.repeated, 1u) << "the room is kept";
+  }
+}
+
+/// The first difference of a walk on a device with a kernel of its own.
+std::string difference_with(std::span<const uint32_t> plan, uint64_t cache_bytes) {
+  DeviceOptions options;
+  options.kernels["plan"] = {plan.begin(), plan.end()};
+  auto device = Device::open(options);
+  if (!device) return device.error().message;
+  FrameTally tally;
+  for (uint32_t seed = 0; seed < 6; ++seed) {
+    RenderPair pair(*device, test::random_stream(seed), cache_bytes);
+    const std::string found = walk(pair, seed, 10, tally);
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
+TEST_F(GpuFrameCache, ChecksFindPlantedFaults) {
+  const std::string more = difference_with(kNeverFlushes, 8192);
+  EXPECT_NE(more.find("blocks decoded: expected "), std::string::npos) << more;
+  const std::string others = difference_with(kPagesFromZero, kPlenty);
+  EXPECT_NE(others.find(": sample "), std::string::npos) << others;
+}
+
+}  // namespace
+}  // namespace hmlfc::gpu
