@@ -52,6 +52,7 @@ std::string RenderPair::difference(const FrameRecord& record, int stop_level, Fr
   if (!actual) return actual.error().message;
   last_ = std::move(*actual);
   ++tally.frames;
+  if (stop_level > 0) ++tally.coarse;
   if (last_.submissions > 1) ++tally.repeated;
   const ErrorCode status = golden ? ErrorCode::kOk : golden.error().code;
   if (last_.status != status) {
