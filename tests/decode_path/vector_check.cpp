@@ -105,7 +105,8 @@ class StreamCheck {
   void check_all_at_once(int level) {
     std::map<std::pair<uint32_t, uint32_t>, RgbImage> views;
     const auto put = [&](ViewPos view, RgbImage&& image) {
-      views[{view.row, view.col}] = std::move(image);
+      const bool first = views.emplace(std::pair(view.row, view.col), std::move(image)).second;
+      demand(first, "decode_all gives a view twice");
     };
     const auto decoded = decoder_.decode_all(put, level, 1);
     bool all = true;
