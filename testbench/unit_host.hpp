@@ -40,8 +40,8 @@ class UnitHost {
   void set_patience(uint64_t clocks) { patience_ = clocks; }
 
   /// From now on the memory pauses in one of four clocks, with addresses and with data, and answers
-  /// are taken by turns in three of four clocks and, until the unit's pipelines are full, in one of
-  /// sixteen. Which clocks, `seed` says.
+  /// are taken in three of four clocks and, every other turn of 512 clocks, in one of sixteen, so
+  /// that the unit's pipelines fill. Which clocks, `seed` says.
   void set_pauses(uint64_t seed) { pauses_.emplace(seed); }
 
   /// Clocks since the host was made.

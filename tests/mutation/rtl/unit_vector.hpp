@@ -55,13 +55,13 @@ class UnitVector {
   bool is_named(const Request& request) const;
   std::string wrong_block(const Request& request, const Answer& answer,
                           const BlockSums& sums) const;
-  std::string wrong_plane(UnitHost& host, ViewPos view) const;
+  std::string wrong_plane(UnitHost& host, ViewPos view, Plane plane) const;
+  std::string wrong_last_view(UnitHost& host) const;
 
   vectors::Vector vector_;
   io::MappedFile file_;
   StreamImage image_;
-  std::optional<Decoder> decoder_;  ///< where every block decodes
-  unsigned software_error_ = 0;     ///< of what the unit leaves to software (FIL-6, KEY-1)
+  unsigned software_error_ = 0;  ///< of what the unit leaves to software (FIL-6, KEY-1)
   std::vector<BlockSums> views_;
 };
 
