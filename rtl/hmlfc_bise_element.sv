@@ -3,8 +3,8 @@
 // VALUE_BITS   [4, 10]; the level count is at most 2^VALUE_BITS
 //
 // window       the sequence from the group's first bit on (hmlfc_bise_place)
-// bits_left    bits from there to the sequence's end, [0, 64], 64 if there are more; bits beyond
-//              read as 0 (BISE-7)
+// bits_left    bits from there to the sequence's end, 64 if there are more; at least those of the
+//              slots up to this (BISE-3); bits beyond read as 0 (BISE-7)
 // level_code   [0, 3 * VALUE_BITS - 3]
 // slot         place in the group: [0, 4] with trits, [0, 2] with quints, 0 without digits
 // value        [0, N - 1]

@@ -1,4 +1,4 @@
-// The place (X, Y) of a block in its motion plane (MOT-4), in samples.
+// The place (X, Y) of block (bx, by) in its motion plane (MOT-4), in samples; bx, by in [0, 2^14 / B - 1].
 module hmlfc_motion_place #(
     parameter int BLOCK_LOG2 = 2
 ) (

@@ -3,7 +3,7 @@
 // The fields of TIL-6 that begin in `field`: how the vectors of a residual tile are coded.
 //
 // search_window  w of the header
-// position, bits  of the field in its record, and the record's length
+// position, bits  of the field in its record, [4, 164] (TIL-1 to TIL-3), and the record's length
 // error  the first of annex A in the order of the fields, 0 for none; with an error the rest has no meaning
 // min_x, min_y  least components, [-w, w]
 // next   position behind the fields

@@ -24,6 +24,15 @@ std::vector<uint32_t> least_codes(const Levels& levels, std::span<const uint32_t
   return codes;
 }
 
+void draw_tail_code(FieldRules& rules, SequenceFields& sequence, Random& random) {
+  const Levels levels = levels_of_code(sequence.level_code);
+  const size_t groups = code_count(levels, sequence.values.size());
+  if (!rules.has("tail_code") || sequence.values.size() % group_size(levels) == 0) return;
+  if (sequence.codes.empty()) sequence.codes = canonical_codes(levels, sequence.values);
+  const unsigned bits = code_bits(levels, sequence.values.size(), groups - 1);
+  sequence.codes.back() = rules.pick_unsigned("tail_code", 0, (1u << bits) - 1, random);
+}
+
 void require_representable(const SequenceFields& sequence) {
   const uint32_t levels = levels_of_code(sequence.level_code).count;
   for (const uint32_t value : sequence.values) {

@@ -7,12 +7,17 @@
 
 #include "encoder/tile_fields.hpp"
 #include "values/levels.hpp"
+#include "vectors/field_rules.hpp"
 
 namespace hmlfc::vectors {
 
 /// The least code of each group that stands for the same digits as the canonical one: another one
 /// where BISE-10 has several. None without digits.
 std::vector<uint32_t> least_codes(const Levels& levels, std::span<const uint32_t> values);
+
+/// By rule "tail_code" sets the code of the last group where it is cut; does nothing without the
+/// rule, or a group.
+void draw_tail_code(FieldRules& rules, SequenceFields& sequence, Random& random);
 
 /// Throws TextError where a value is not below the number of levels.
 void require_representable(const SequenceFields& sequence);

@@ -13,14 +13,14 @@ constexpr std::array<std::string_view, 8> kMasks{"none",    "all",   "half",  "f
 
 const std::set<std::string>& known_fields() {
   static const std::set<std::string> names{
-      "key",           "key_chroma",     "density",      "motion_mask",      "motion_mode",
-      "sign_mode",     "sign",           "min_x",        "codes_x",          "dx",
-      "min_y",         "codes_y",        "dy",           "residual_mask",    "residual_mode",
-      "level_base",    "level_bits",     "level_code",   "bias_bits",        "bias",
-      "value",         "group_code",     "tail_code",    "step_base",        "step_bits",
-      "step_code",     "motion_density", "motion_block", "palette_size",     "explicit_bits",
-      "reference_set", "choice",         "explicit_x",   "explicit_y",       "index",
-      "min_disparity", "disparity_code", "disparity",    "disparity_density"};
+      "key",           "key_chroma",     "density",      "motion_mask",       "motion_mode",
+      "sign_mode",     "sign",           "min_x",        "codes_x",           "dx",
+      "min_y",         "codes_y",        "dy",           "residual_mask",     "residual_mode",
+      "level_base",    "level_bits",     "level_code",   "bias_bits",         "bias",
+      "value",         "group_code",     "tail_code",    "step_base",         "step_bits",
+      "step_code",     "motion_density", "motion_block", "palette_size",      "explicit_bits",
+      "reference_set", "choice",         "explicit_x",   "explicit_y",        "index",
+      "min_disparity", "disparity_code", "disparity",    "disparity_density", "behind"};
   return names;
 }
 

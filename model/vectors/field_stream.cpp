@@ -13,6 +13,7 @@
 #include "vectors/draw_motion.hpp"
 #include "vectors/draw_tile.hpp"
 #include "vectors/header_recipe.hpp"
+#include "vectors/ones_behind.hpp"
 
 namespace hmlfc::vectors {
 namespace {
@@ -70,7 +71,9 @@ class FieldStream {
   void add_tile(FieldRules& rules, const BlockSite& site) {
     const TileContext context = tile_context(stream_, site);
     const auto tile = draw_tile(rules, context, random_);
-    index_.add(tile ? write_tile_fields(*tile, context) : std::vector<uint8_t>{});
+    auto record = tile ? write_tile_fields(*tile, context) : std::vector<uint8_t>{};
+    put_ones_behind(rules, 8 * record.size(), record, random_);
+    index_.add(std::move(record));
   }
 
   void add_motion_tile(FieldRules& rules, const MotionTilePlace& place, bool reference) {

@@ -2,7 +2,7 @@
 """Changes the golden model in one place after another and sees whether the vectors notice.
 
 A mutant is one changed operator, comparison or constant of the decode path. It is killed where
-vector_check, linked with it, reports a vector, ends by a signal, as the build makes it do where an
+vector_check, linked with it, reports a vector, ends by a signal, as build and heap make it do where an
 index or a shift is out of range, or takes longer than the CPU time allowed. Of those that survive,
 some compile to the same code; others that cannot be told from the model stand in equivalents.json
 with the reason.

@@ -18,7 +18,7 @@ class Variant:
     parameters: dict[str, int]
     clauses: tuple[str, ...]  # that it follows
     traced: tuple[str, ...] = ()  # outputs that only the trace port shows
-    # What the module's comment says of its inputs, as Verilog that makes a legal value of any: for a port an expression of the
+    # What the module's comment says of its inputs, or the unit around it (records begin with a byte of a beat of 64 bits), as Verilog that makes a legal value of any: for a port an expression of the
     # ports; legal_NAME is a port's legal value.
     legal: dict[str, str] = dataclasses.field(default_factory=dict)
     # Clocks with advance from inputs to outputs of a pipeline without feedback.
@@ -37,8 +37,15 @@ SLOT = {"slot": "hmlfc_digit_kind(legal_level_code) == HMLFC_DIGIT_TRIT ? (slot 
                 "hmlfc_digit_kind(legal_level_code) == HMLFC_DIGIT_QUINT ? (slot > 2 ? 2 : slot) : 0"}
 
 
+# The bits of a group up to the last that the value in the slot has a share of.
+HELD = ("((legal_slot + 1) * hmlfc_plain_bits(legal_level_code) + "
+        "(hmlfc_digit_kind(legal_level_code) == HMLFC_DIGIT_TRIT ? (8 * (legal_slot + 1) + 4) / 5 : "
+        "hmlfc_digit_kind(legal_level_code) == HMLFC_DIGIT_QUINT ? (7 * (legal_slot + 1) + 2) / 3 : 0))")
+
+
 def element(value_bits: int, largest_code: int, *clauses: str) -> Variant:
-    return Variant("bise_element", {"VALUE_BITS": value_bits}, clauses, legal=at_most("bits_left", 64) | at_most("level_code", largest_code) | SLOT)
+    legal = {"bits_left": f"bits_left < {HELD} ? {HELD} : bits_left > 64 ? 64 : bits_left"}
+    return Variant("bise_element", {"VALUE_BITS": value_bits}, clauses, legal=legal | at_most("level_code", largest_code) | SLOT)
 
 
 BLOCK = {"BLOCK_LOG2": 2}
@@ -50,8 +57,9 @@ VARIANTS = [
     Variant("bise_unpack", {"COUNT": 16, "VALUE_BITS": 14, "WINDOW_BITS": 224}, ("BISE-4", "BISE-7", "BISE-8", "BISE-9", "BISE-11", "TIL-10"), legal=at_most("level_code", 39), latency=3),
     element(10, 27, "MOT-6"),
     element(4, 5, "MOT-3", "MOT-5"),  # the choice among at most 8 entries of a palette
-    Variant("bise_place", {}, ("BISE-11", "TIL-7", "MOT-3", "MOT-6"), legal=at_most("level_code", 39)),
-    Variant("bise_bits", {}, ("BISE-3", "TIL-6"), legal=at_most("count", 1024) | at_most("level_code", 39)),
+    # Vectors, disparities and indices: the levels of residuals, up to code 39, do not come to these two.
+    Variant("bise_place", {}, ("BISE-11", "TIL-7", "MOT-3", "MOT-6"), legal=at_most("level_code", 27)),
+    Variant("bise_bits", {}, ("BISE-3", "TIL-6"), legal=at_most("count", 1024) | at_most("level_code", 27)),
     Variant("trits", {}, ("BISE-8",)),
     Variant("quints", {}, ("BISE-9",)),
     Variant("residual", SAMPLES, ("TIL-10", "STP-3"), legal=DEPTH | {"level_code": "level_code > 3 * legal_depth + 3 ? 3 * legal_depth + 3 : level_code"}, latency=4),
@@ -65,13 +73,13 @@ VARIANTS = [
     Variant("answer", SAMPLES, ("COL-2", "COL-3"), legal=DEPTH),
     Variant("reference_window", BLOCK, ("DEC-5", "MOT-9"), latency=2),
     Variant("tile_mask", {}, ("TIL-2", "TIL-3"), legal=between("columns", 1, 8) | between("rows", 1, 8)),
-    Variant("tile_headers", {"BLOCK_LOG2": 2, "SKEW_BITS": 6}, ("TIL-8", "STP-1"), legal=DEPTH | between("count", 1, 64)),
-    Variant("tile_vectors", {"WORD_BITS": 10, "PLACE_BITS": 15, "WINDOW_BITS": 512}, ("TIL-6", "TIL-7"), legal=between("count", 1, 64)),
-    Variant("vector_bounds", {}, ("TIL-6",)),
-    Variant("motion_place", BLOCK, ("MOT-4",)),
-    Variant("motion_blocks", {"BLOCK_LOG2": 2, "CONTEXTS": 4, "CONTEXT_WORDS": 64, "WINDOW_BITS": 128}, ("MOT-3", "MOT-4")),
+    Variant("tile_headers", {"BLOCK_LOG2": 2, "SKEW_BITS": 6}, ("TIL-8", "STP-1"), legal=DEPTH | between("count", 1, 64) | {"skew": "skew & 'h38"}),
+    Variant("tile_vectors", {"WORD_BITS": 10, "PLACE_BITS": 15, "WINDOW_BITS": 512}, ("TIL-6", "TIL-7"), legal=between("count", 1, 64) | at_most("position", 256) | {"skew": "skew & 'h38"}),
+    Variant("vector_bounds", {}, ("TIL-6",), legal=between("position", 4, 164)),
+    Variant("motion_place", BLOCK, ("MOT-4",), legal=at_most("bx", 4095) | at_most("by", 4095)),
+    Variant("motion_blocks", {"BLOCK_LOG2": 2, "CONTEXTS": 4, "CONTEXT_WORDS": 64, "WINDOW_BITS": 128}, ("MOT-3", "MOT-4"), legal=at_most("head_position", 328)),
     Variant("disparity_place", BLOCK, ("MOT-5", "MOT-6")),
-    Variant("disparity_blocks", {"CONTEXTS": 4, "CONTEXT_WORDS": 256, "WINDOW_BITS": 128}, ("MOT-6",)),
+    Variant("disparity_blocks", {"CONTEXTS": 4, "CONTEXT_WORDS": 256, "WINDOW_BITS": 128}, ("MOT-6",), legal=at_most("head_position", 81)),
     element(8, 21, "TIL-6", "TIL-7"),
 ]
 
