@@ -18,7 +18,7 @@ TARGETS = [
     *("open", "block", "header", "index"),
     *("tile_record", "motion_record", "disparity_record", "codestream", "bise"),
 ]
-MAX_BYTES = 32768  # of an input; all but one of the vectors are smaller
+MAX_BYTES = 32768  # of an input; all but a few of the vectors are smaller
 UNIT_SECONDS = 20  # for one input; more is a finding
 MEMORY_MB = 2048
 FAULT_SECONDS = 300
