@@ -18,8 +18,8 @@ class Variant:
     parameters: dict[str, int]
     clauses: tuple[str, ...]  # that it follows
     traced: tuple[str, ...] = ()  # outputs that only the trace port shows
-    # What the module's comment says of its inputs, or the unit around it (records begin with a byte of a beat of 64 bits), as Verilog that makes a legal value of any: for a port an expression of the
-    # ports; legal_NAME is a port's legal value.
+    # What the module's comment says of its inputs, or the unit around it (records begin with a byte of a beat of 64 bits), as Verilog
+    # that makes a legal value of any: for a port an expression of the ports; legal_NAME is a port's legal value.
     legal: dict[str, str] = dataclasses.field(default_factory=dict)
     # Clocks with advance from inputs to outputs of a pipeline without feedback.
     latency: int | None = None
