@@ -22,10 +22,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 try:
     import plots
     import studies
+    from bench_error import BenchError
     from calibration import Calibration
     from comparison import compare
-    from document import with_tables
-    from light_field import BenchError
+    from document_tables import with_tables
     from measure import FRAMES, Measure
     from process import machine
     from results import Point, Results, read_json, write_csv, write_json

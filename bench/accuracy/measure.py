@@ -3,7 +3,7 @@
 import json
 
 import studies
-from light_field import BenchError
+from bench_error import BenchError
 from process import run, run_measured
 from similarity import Similarity
 

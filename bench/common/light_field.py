@@ -8,16 +8,14 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, UnidentifiedImageError
 
+from bench_error import BenchError
+
 SUFFIXES = {".png", ".ppm", ".jpg", ".jpeg"}
 GRID_NAMES = (
     re.compile(r"out_(\d{1,4})_(\d{1,4})_[-+\d.]+_[-+\d.]+_?"),
     re.compile(r"(?:.*_)?(\d{1,4})_(\d{1,4})"),
 )
 CAMERA_NAME = re.compile(r"input_Cam(\d{1,8})")
-
-
-class BenchError(Exception):
-    """Something the caller can put right; the text says what."""
 
 
 @dataclass

@@ -7,7 +7,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from light_field import BenchError
+from bench_error import BenchError
 
 LAUNCHER = Path(__file__).with_name("launch.py")
 

@@ -22,7 +22,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 try:
     import coders
     import report
-    from light_field import BenchError, load
+    from bench_error import BenchError
+    from light_field import load
     from process import run
     from sources import REAL, ROOT, Source, real_sources
 except ImportError as error:

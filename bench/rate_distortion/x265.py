@@ -10,7 +10,8 @@ import shutil
 import numpy as np
 
 import colour
-from light_field import BenchError, squared_error
+from bench_error import BenchError
+from light_field import squared_error
 from process import run
 
 PROGRAM = "x265"

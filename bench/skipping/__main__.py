@@ -20,8 +20,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 try:
     import plots
     import tables
-    from document import with_tables
-    from light_field import BenchError
+    from bench_error import BenchError
+    from document_tables import with_tables
     from measure import PROFILES, SCENES, Measure
     from process import machine
     from sources import ROOT

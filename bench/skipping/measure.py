@@ -3,7 +3,7 @@
 import json
 
 import sparse
-from light_field import BenchError
+from bench_error import BenchError
 from process import run
 from ranges import bytes_of, merged, union, without
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "bits/bit_writer.hpp"
 #include "values/levels.hpp"
 
 namespace hmlfc {
@@ -35,9 +34,8 @@ void put_symbol(BitWriter& writer, const MotionSymbol& symbol, const PaletteFiel
 
 }  // namespace
 
-std::vector<uint8_t> write_motion_fields(const MotionTileFields& tile,
-                                         const PaletteFields& fields) {
-  BitWriter writer;
+void put_motion_fields(BitWriter& writer, const MotionTileFields& tile,
+                       const PaletteFields& fields) {
   writer.put(tile.block_log2 - 2, 2);
   writer.put(static_cast<uint32_t>(tile.palette.size() - 1), 3);
   writer.put(tile.explicit_bits, 4);
@@ -45,7 +43,6 @@ std::vector<uint8_t> write_motion_fields(const MotionTileFields& tile,
     put_symbol(writer, symbol, fields, tile.explicit_bits);
   }
   put_sequence(writer, tile.indices);
-  return writer.take();
 }
 
 std::vector<uint8_t> write_motion_tile(const MotionTileCode& tile, const PaletteFields& fields) {
@@ -53,15 +50,15 @@ std::vector<uint8_t> write_motion_tile(const MotionTileCode& tile, const Palette
   MotionTileFields record{tile.block_log2, explicit_bits(tile.palette), tile.palette, {}};
   record.indices.level_code = level_code_for(static_cast<uint32_t>(tile.palette.size()));
   record.indices.values.assign(tile.indices.begin(), tile.indices.end());
-  return write_motion_fields(record, fields);
+  BitWriter writer;
+  put_motion_fields(writer, record, fields);
+  return writer.take();
 }
 
-std::vector<uint8_t> write_disparity_fields(int32_t min_disparity, const SequenceFields& values) {
-  BitWriter writer;
+void put_disparity_fields(BitWriter& writer, int32_t min_disparity, const SequenceFields& values) {
   writer.put_signed(min_disparity, 13);
   writer.put(values.level_code, 5);
   put_sequence(writer, values);
-  return writer.take();
 }
 
 std::vector<uint8_t> write_disparity_tile(std::span<const int16_t> values) {
@@ -70,7 +67,9 @@ std::vector<uint8_t> write_disparity_tile(std::span<const int16_t> values) {
   SequenceFields above;
   above.level_code = level_code_for(static_cast<uint32_t>(*most - *least) + 1);
   for (const int16_t value : values) above.values.push_back(static_cast<uint32_t>(value - *least));
-  return write_disparity_fields(*least, above);
+  BitWriter writer;
+  put_disparity_fields(writer, *least, above);
+  return writer.take();
 }
 
 }  // namespace hmlfc

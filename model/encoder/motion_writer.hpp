@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "bits/bit_writer.hpp"
 #include "encoder/motion_code.hpp"
 #include "encoder/tile_fields.hpp"
 
@@ -32,14 +33,16 @@ struct MotionTileFields {
   SequenceFields indices;
 };
 
-/// The bytes of the record.
-std::vector<uint8_t> write_motion_fields(const MotionTileFields& tile, const PaletteFields& fields);
+/// Appends all fields of the record.
+void put_motion_fields(BitWriter& writer, const MotionTileFields& tile,
+                       const PaletteFields& fields);
 
 /// The record of a motion tile of a predictive image; empty for an empty tile.
 std::vector<uint8_t> write_motion_tile(const MotionTileCode& tile, const PaletteFields& fields);
 
-/// A record of disparities (MOT-6): `values` above min_disparity.
-std::vector<uint8_t> write_disparity_fields(int32_t min_disparity, const SequenceFields& values);
+/// Appends all fields of a record of disparities (MOT-6): `values` above min_disparity, in
+/// [-4096, 4095].
+void put_disparity_fields(BitWriter& writer, int32_t min_disparity, const SequenceFields& values);
 
 /// The record that holds `values`, in [-4096, 4095] and at most 1023 apart, row by row; empty where
 /// all are 0.

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "encoder/motion_writer.hpp"
-#include "values/bise.hpp"
 #include "values/disparity.hpp"
+#include "values/levels.hpp"
 #include "values/rounding.hpp"
 #include "vectors/draw_sequence.hpp"
 #include "vectors/ones_behind.hpp"
@@ -16,23 +16,6 @@ namespace {
 
 constexpr int64_t kMaxMotionBlock = 3;
 constexpr int64_t kReservedChoices = 15;
-constexpr uint64_t kMotionHeadBits = 9;      // before the palette (MOT-3)
-constexpr uint64_t kDisparityHeadBits = 18;  // before the disparities (MOT-6)
-
-uint64_t sequence_bits(const SequenceFields& sequence) {
-  return bise_bits(levels_of_code(sequence.level_code), sequence.values.size());
-}
-
-// Bits of all fields of the record (MOT-3).
-uint64_t motion_bits(const MotionTileFields& tile, const MotionContext& context) {
-  uint64_t bits = kMotionHeadBits + sequence_bits(tile.indices);
-  for (const MotionSymbol& symbol : tile.palette) {
-    bits += 4u + (context.two_references ? 3 : 0) + (context.keyed ? 0 : 1);
-    if (symbol.choice == kChoiceDisparity) bits += tile.explicit_bits;
-    if (symbol.choice == kChoiceVector) bits += 2u * tile.explicit_bits;
-  }
-  return bits;
-}
 
 MotionSymbol draw_symbol(FieldRules& rules, const MotionContext& context, unsigned explicit_bits,
                          Random& random) {
@@ -97,9 +80,9 @@ std::vector<uint8_t> draw_motion_record(FieldRules& rules, const MotionContext& 
     tile.indices.codes = least_codes(levels_of_code(tile.indices.level_code), tile.indices.values);
   }
   draw_tail_code(rules, tile.indices, random);
-  auto record = write_motion_fields(tile, {context.two_references, !context.keyed});
-  put_ones_behind(rules, motion_bits(tile, context), record, random);
-  return record;
+  BitWriter writer;
+  put_motion_fields(writer, tile, {context.two_references, !context.keyed});
+  return with_ones_behind(rules, writer, random);
 }
 
 std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityContext& context,
@@ -123,9 +106,9 @@ std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityCon
     values.codes = least_codes(levels_of_code(values.level_code), values.values);
   }
   draw_tail_code(rules, values, random);
-  auto record = write_disparity_fields(static_cast<int32_t>(least), values);
-  put_ones_behind(rules, kDisparityHeadBits + sequence_bits(values), record, random);
-  return record;
+  BitWriter writer;
+  put_disparity_fields(writer, static_cast<int32_t>(least), values);
+  return with_ones_behind(rules, writer, random);
 }
 
 }  // namespace hmlfc::vectors

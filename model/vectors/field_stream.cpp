@@ -72,7 +72,7 @@ class FieldStream {
     const TileContext context = tile_context(stream_, site);
     const auto tile = draw_tile(rules, context, random_);
     auto record = tile ? write_tile_fields(*tile, context) : std::vector<uint8_t>{};
-    put_ones_behind(rules, 8 * record.size(), record, random_);
+    append_ones(rules, record, random_);
     index_.add(std::move(record));
   }
 

@@ -4,14 +4,17 @@
 #include <cstdint>
 #include <vector>
 
+#include "bits/bit_writer.hpp"
 #include "vectors/field_rules.hpp"
 
 namespace hmlfc::vectors {
 
-/// By rule "behind" sets the bits behind the first `bits` of `record` to 1 and appends that many
-/// bytes of ones, [0, 3]; without the rule, or a record, does nothing.
-/// bits  [8 * record.size() - 7, 8 * record.size()]; 0 for no record
-void put_ones_behind(FieldRules& rules, uint64_t bits, std::vector<uint8_t>& record,
-                     Random& random);
+/// By rule "behind" appends that many bytes of ones, [0, 3], to `record`; without the rule, or a
+/// record, does nothing.
+void append_ones(FieldRules& rules, std::vector<uint8_t>& record, Random& random);
+
+/// The record of the fields written, and, with rule "behind", ones in the rest of its last byte and
+/// as append_ones. The writer is empty afterwards.
+std::vector<uint8_t> with_ones_behind(FieldRules& rules, BitWriter& writer, Random& random);
 
 }  // namespace hmlfc::vectors

@@ -11,9 +11,9 @@ import bench
 
 import coding
 import fronts
+from bench_error import BenchError
 from comparison import compare
-from document import with_tables
-from light_field import BenchError
+from document_tables import with_tables
 from process import run_measured
 from results import Point, Results, read_json, write_csv, write_json
 from store import Store

@@ -8,7 +8,7 @@ import bench
 
 import ranges
 import sparse
-from light_field import BenchError
+from bench_error import BenchError
 from measure import check, traced
 
 spec = importlib.util.spec_from_file_location("skipping", bench.SKIPPING / "__main__.py")

@@ -112,6 +112,9 @@ def self_test(session):
     header = (MODEL / "values/bise.hpp").read_text() + "// nothing more\n"
     body = bise.index("{", bise.index("uint32_t bise_value(")) + 1
     endless = bise[:body] + " for (volatile int x = 0;; x = x) {}" + bise[body:]
+    behind = (
+        bise[:body] + " char* volatile block = new char[16]; block[16] = 1; delete[] block;" + bise[body:]
+    )
     difference = sample.replace("prediction + residual", "prediction - residual")
     assert difference != sample
     cases = [
@@ -120,6 +123,7 @@ def self_test(session):
         ("a header", "values/reconstruct.hpp", difference, lambda outcome: "/" in outcome),
         ("no C++", "values/bise.cpp", bise + "}", lambda outcome: outcome == "not compiled"),
         ("no end", "values/bise.cpp", endless, lambda outcome: outcome == "timeout"),
+        ("behind a block", "values/bise.cpp", behind, lambda outcome: outcome == "signal 6"),
     ]
     failed = 0
     for name, file, text, expected in cases:

@@ -2,7 +2,7 @@
 
 import re
 
-from light_field import BenchError
+from bench_error import BenchError
 
 PLACE = re.compile(r"(<!-- table (\w+) -->\n)(.*?)(<!-- end of table -->)", re.DOTALL)
 

@@ -1,0 +1,5 @@
+"""The error that a benchmark ends with."""
+
+
+class BenchError(Exception):
+    """Something the caller can put right; the text says what."""
