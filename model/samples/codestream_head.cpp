@@ -88,6 +88,7 @@ bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uin
   constexpr size_t kAtSiz = 2;
   if (segments.marker(0) != kSoc || !is_one_tile(segments, kAtSiz, width, height)) return false;
   bool has_cod = false;
+  bool has_qcd = false;
   for (size_t at = segments.after(kAtSiz);; at = segments.after(at)) {
     switch (segments.marker(at)) {
       case kCod:
@@ -95,10 +96,13 @@ bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uin
         has_cod = true;
         break;
       case kQcd:
+        if (has_qcd) return false;
+        has_qcd = true;
+        break;
       case kCom:
         break;
       case kSot:
-        return has_cod && is_only_tile_part(segments, at);
+        return has_cod && has_qcd && is_only_tile_part(segments, at);
       default:
         return false;
     }

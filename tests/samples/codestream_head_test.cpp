@@ -178,6 +178,8 @@ TEST(CodestreamHead, TheReversibleTransformAlone) {
   expect_refused(codestream({siz(12), cod(0), qcd(), tile_part(0, 1)}), 12, "9/7");
   expect_refused(codestream({siz(12), qcd(), tile_part(0, 1)}), 12, "without COD");
   expect_refused(codestream({siz(12), cod(), cod(), qcd(), tile_part(0, 1)}), 12, "two COD");
+  expect_refused(codestream({siz(12), cod(), qcd(), qcd(), tile_part(0, 1)}), 12, "two QCD");
+  expect_refused(codestream({siz(12), cod(), tile_part(0, 1)}), 12, "no QCD");
   expect_refused(codestream({siz(12), cod(), qcd(), tile_part(0, 1, cod(0))}), 12,
                  "COD of the tile-part");
 }

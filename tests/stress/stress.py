@@ -10,6 +10,7 @@ Exit status: 0 nothing wrong, 1 a finding.
 
 import argparse
 import json
+import resource
 import shutil
 import subprocess
 import sys
@@ -165,12 +166,19 @@ def run_all(run, arguments):
     return time.monotonic() - begin
 
 
+def cpu_seconds():
+    """Of the programs that have run."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def print_report(run, seconds):
     for line in run.reached.table():
         print(line)
     gaps = run.reached.gaps()
     counts = run.counts
-    print(f"\n{counts['streams']} streams, {counts['blocks']} blocks, {seconds:.0f} s")
+    print(f"\n{counts['streams']} streams, {counts['blocks']} blocks")
+    print(f"{seconds:.0f} s, {cpu_seconds():.0f} CPU s")
     print(f"{len(gaps)} intervals not reached at both ends")
     if run.cameras["samples_compared"]:
         print(
@@ -197,7 +205,9 @@ def main():
     seconds = run_all(run, arguments)
     if arguments.json:
         rows = list(run.reached.rows.values())
-        report = {**run.counts, "seconds": round(seconds, 1), "cameras_against_double": run.cameras}
+        made = {"minutes": arguments.minutes, "seed": arguments.seed}
+        times = {"seconds": round(seconds, 1), "cpu_seconds": round(cpu_seconds(), 1)}
+        report = {**made, **times, **run.counts, "cameras_against_double": run.cameras}
         print(json.dumps({**report, "findings": run.findings, "rows": rows}, indent=1))
     else:
         print_report(run, seconds)

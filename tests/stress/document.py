@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Tables of docs/stress.md from the recorded run, tests/stress/recorded.json.
+
+usage: document.py --check | --update
+
+recorded.json is what `./run stress --minutes N --seed S --json` printed.
+Exit status 1: with --check, the document has other tables.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+from reached import Reached
+
+FOLDER = Path(__file__).resolve().parent
+ROOT = FOLDER.parents[1]
+sys.path.insert(0, str(ROOT / "bench/common"))
+
+from document_tables import with_tables  # noqa: E402  (found only now)
+
+DOCUMENT = ROOT / "docs/stress.md"
+FRAME_CLAUSES = ("RAY", "REC", "SMP")  # of docs/rendering.md
+
+
+def run_table(report):
+    """What the run was, and what it came to."""
+    camera = report["cameras_against_double"]
+    gaps = Reached()
+    gaps.add(report["rows"])
+    cells = {
+        "CPU minutes": f"{report['cpu_seconds'] / 60:.1f}",
+        "streams": spaced(report["streams"]),
+        "blocks decoded one by one": spaced(report["blocks"]),
+        "cameras": spaced(report["cameras"]),
+        "frames of these": spaced(report["frames"]),
+        "samples compared with double precision": spaced(camera["samples_compared"]),
+        "largest error, in parts of the bound of ERR-1": f"{camera['worst_part_of_bound']:.3f}",
+        "intervals not reached at both ends": str(len(gaps.gaps())),
+        "findings": str(len(report["findings"])),
+    }
+    yield f"| `./run stress --minutes {report['minutes']:g} --seed {report['seed']}` | |"
+    yield "|---|---|"
+    for name, value in cells.items():
+        yield f"| {name} | {value} |"
+
+
+def spaced(number):
+    """12 345 from 10000 on."""
+    return f"{number:,}".replace(",", " ") if number >= 10_000 else str(number)
+
+
+def is_of_frames(row):
+    return row["clause"].split("-")[0] in FRAME_CLAUSES
+
+
+def reached_table(rows):
+    reached = Reached()
+    reached.add(rows)
+    return reached.table()
+
+
+def tables(report):
+    """Name to the lines of each table."""
+    rows = report["rows"]
+    return {
+        "run": list(run_table(report)),
+        "streams": list(reached_table([row for row in rows if not is_of_frames(row)])),
+        "frames": list(reached_table([row for row in rows if is_of_frames(row)])),
+    }
+
+
+def main():
+    if sys.argv[1:] not in (["--check"], ["--update"]):
+        sys.exit(__doc__)
+    made = tables(json.loads((FOLDER / "recorded.json").read_text(encoding="utf-8")))
+    text = DOCUMENT.read_text(encoding="utf-8")
+    changed = with_tables(text, made.get, list(made))
+    if sys.argv[1] == "--update":
+        DOCUMENT.write_text(changed, encoding="utf-8")
+    elif changed != text:
+        print(f"{DOCUMENT} has other tables: {__file__} --update", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
