@@ -151,6 +151,13 @@ void change_features(Json& header, Random& random) {
   header["features"] = features;
 }
 
+// The rules of a recipe by their name; a recipe may have none.
+Json& rules_of(Json& recipe, const char* name) {
+  Json& rules = recipe[name];
+  if (rules.is_null()) rules = Json::object();
+  return rules;
+}
+
 // Keeps a stream small: what it takes to decode grows with the samples of all views.
 void bound_size(Json& header) {
   const auto number = [&](const char* name) { return header.value(name, 1u); };
@@ -189,7 +196,7 @@ Json mutated(Json recipe, Random& random) {
         recipe["seed"] = random.below(1u << 30);
         break;
       default:
-        change_rule(recipe[random.below(2) == 0 ? "fields" : "reference"], random);
+        change_rule(rules_of(recipe, random.below(2) == 0 ? "fields" : "reference"), random);
     }
   }
   bound_size(recipe["header"]);
