@@ -193,7 +193,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--module")
     parser.add_argument("--sample", type=int)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--seconds", type=int, default=60, help="for the search of a proof")
+    parser.add_argument("--seconds", type=int, default=60, help="of CPU time for each search of a proof")
     parser.add_argument("--vectors", help="only these vectors, with commas between them")
     parser.add_argument("--log", type=pathlib.Path, help="keeps results as they come; a run with the same file goes on")
     parser.add_argument("--found", action="store_true", help="only mutants that a vector found when recorded.json was written")

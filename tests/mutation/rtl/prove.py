@@ -2,6 +2,8 @@
 
 import pathlib
 import re
+import resource
+import signal
 import subprocess
 import tempfile
 
@@ -9,7 +11,7 @@ import units
 
 EQUIVALENT = "equivalent"  # proved: for legal inputs the outputs are the same, over all clocks
 DIFFERS = "differs"        # legal inputs are found for which the outputs differ
-UNPROVED = "unproved"      # neither, within the time
+UNPROVED = "unproved"      # neither, within the CPU time
 
 STATUS = {"1": EQUIVALENT, "0": DIFFERS, "-1": UNPROVED}  # as ABC numbers them
 CLOCKS = 40  # from reset in which a difference is looked for where there is state
@@ -70,11 +72,14 @@ def write_miter(mutant: dict, folder: pathlib.Path, scratch: pathlib.Path) -> pa
 
 
 def decided(miter: pathlib.Path, steps: str, seconds: int) -> str:
-    """What ABC says of the miter after `steps`; UNPROVED where it says nothing for that time. Raises RuntimeError where it fails."""
-    try:
-        done = subprocess.run(["yosys-abc", "-c", f"read_aiger {miter}; {steps}; print_status"], stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, timeout=seconds, check=False)
-    except subprocess.TimeoutExpired:
+    """What ABC says of the miter after `steps`; UNPROVED where it says nothing in that CPU time. Raises RuntimeError where it fails."""
+    def limit() -> None:
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+    done = subprocess.run(["yosys-abc", "-c", f"read_aiger {miter}; {steps}; print_status"], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, preexec_fn=limit, check=False)
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
         return UNPROVED
     found = re.search(r"^Status = *(-?[01]) ", done.stdout, re.M)
     if not found:
@@ -83,11 +88,12 @@ def decided(miter: pathlib.Path, steps: str, seconds: int) -> str:
 
 
 def prove(mutant: dict, folder: pathlib.Path, seconds: int) -> str:
-    """One of the three results for a mutant of mutants.json in `folder`; the search takes `seconds` at most."""
+    """One of the three results for a mutant of mutants.json in `folder`; each search takes `seconds` of CPU time at most."""
     with tempfile.TemporaryDirectory(prefix="hmlfc-mutant-") as name:
         miter = write_miter(mutant, folder, pathlib.Path(name))
         if flows(mutant):
             latency = units.VARIANTS[mutant["variant"]].latency
             return decided(miter, f"frames -F {latency + 1}; cone -O {latency}; iprove", seconds)
         # Equal registers of both become one; what is left is searched from reset, then proved by invariants.
-        return decided(miter, f"scorr; bmc3 -F {CLOCKS} -T {seconds // 2}; pdr", seconds)
+        found = decided(miter, f"scorr; bmc3 -F {CLOCKS}", seconds)
+        return decided(miter, "scorr; pdr", seconds) if found == UNPROVED else found
