@@ -21,6 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
 try:
     import plots
+    import prediction
     import studies
     from bench_error import BenchError
     from calibration import Calibration
@@ -75,7 +76,8 @@ class Run:
         if not scenes:
             raise BenchError("none of the light fields asked for is there")
         plans = [(scene, *self.plan(scene)) for scene in scenes]
-        self.total = sum(len(codings) + len(streams) for _, codings, streams in plans)
+        predicting = "prediction" in options.studies
+        self.total = sum(len(codings) + len(streams) + predicting for _, codings, streams in plans)
         for scene, codings, streams in plans:
             self.results.scenes[scene.name] = facts(scene)
             measure = Measure(self.programs, self.work, scene)
@@ -83,6 +85,8 @@ class Run:
                 self.encode(measure, coding)
             for coding in streams:
                 self.draw(measure, coding)
+            if predicting:
+                self.predict(scene)
             measure.close()
 
     def key(self, kind, scene, coding, *more):
@@ -120,6 +124,16 @@ class Run:
         sweep = [FRAMES[quick], studies.FILTERS, studies.CACHES, studies.WHOLE_CACHE]
         what = f"{scene.name}: frames of {coding.label()}"
         self.once(self.key("frames", scene, coding, sweep), what, frames, take)
+
+    def predict(self, scene):
+        def take(entry):
+            self.results.scenes[scene.name]["prediction"] = entry["values"]
+
+        what = f"{scene.name}: predictions"
+        self.once(
+            digest("prediction", file_digest(Path(prediction.__file__)), scene.identity),
+            *(what, lambda: prediction.measure(scene.folder), take),
+        )
 
     def once(self, key, what, measure, take):
         """Takes what is stored of a point, or else measures it. A point that fails does not keep

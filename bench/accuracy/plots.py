@@ -29,7 +29,7 @@ def draw(results, quick, folder, prefix=""):
     """Writes PREFIXSTUDY.png for every study that has points."""
     folder.mkdir(parents=True, exist_ok=True)
     drawn = Plots(results, quick)
-    for name in studies.NAMES:
+    for name in studies.DRAWN:
         figure = getattr(drawn, name)()
         if figure is not None:
             figure.savefig(folder / f"{prefix}{name}.png", dpi=100)

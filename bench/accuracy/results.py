@@ -39,7 +39,8 @@ class Point:
 class Results:
     """Points by identity, and the light fields that they are of.
 
-    scenes: {name: {rows, cols, width, height, chroma, at}}; machine: what they were measured on.
+    scenes: {name: {rows, cols, width, height, chroma, at, prediction}}, the last as prediction.py
+    measures it, if it did; machine: what they were measured on.
     """
 
     def __init__(self, machine, scenes=None, points=()):
@@ -74,7 +75,8 @@ class Results:
     def merge(self, other):
         """Takes the points of another run in place of the own ones of the same identity."""
         self.machine = other.machine
-        self.scenes.update(other.scenes)
+        for name, facts in other.scenes.items():
+            self.scenes.setdefault(name, {}).update(facts)
         self.points.update(other.points)
 
 

@@ -85,7 +85,8 @@ class Studies:
 
 
 ENCODING = ("encoder", "block_size", "window", "threshold", "methods", "reference_memory")
-NAMES = (*ENCODING, "renderer")
+DRAWN = (*ENCODING, "renderer")  # those with a picture
+NAMES = (*DRAWN, "prediction")
 
 
 def codings(names, chroma, quick):

@@ -35,6 +35,13 @@ def _dropped(point):
     return 100 * without / sum(states.values())
 
 
+def _states(point):
+    """Shares of the blocks of all levels, in per cent."""
+    states = point.values["states"]
+    names = ("zero", "motion", "motion_residual", "residual")
+    return ", ".join(f"{100 * states[name] / sum(states.values()):.1f}" for name in names)
+
+
 class Tables:
     """All tables of the results of a full or a quick run; one of a study without points has no
     rows."""
@@ -143,8 +150,18 @@ class Tables:
         head = ("light field", "dB", "hmlfc bpp", "rlfc bpp", "mc bpp")
         return table((*head, "rlfc / hmlfc", "mc / hmlfc"), rows)
 
+    def prediction(self):
+        """What a view is predicted from, without anything coded of it."""
+        rows = []
+        names = ("mean_2", "mean_4", "mean_8", "vectors")
+        for scene, facts in self.results.scenes.items():
+            if found := facts.get("prediction"):
+                rows.append((scene, *(db(found[name]) if name in found else "-" for name in names)))
+        means = [f"mean of {side}, dB" for side in ("2x2", "4x4", "8x8")]
+        return table(("light field", *means, "a view with vectors, dB"), rows)
+
     def sections(self):
-        """Where the bits of the methods go at the paper's threshold."""
+        """Where the bits of the methods go at the paper's threshold, and what blocks have."""
         rows = []
         names = ("index", "motion", "residual", "top")
         for scene, facts in self.results.scenes.items():
@@ -152,9 +169,10 @@ class Tables:
             own = self._studies(scene)
             for point in self._points(scene, [own.main(method=m) for m in studies.CURVES]):
                 bits = [bpp(8 * point.number(f"sections.{name}") / pixels) for name in names]
-                rows.append((scene, point.coding.method, db(point.number("psnr_rgb")), *bits))
-        head = ("light field", "method", "PSNR RGB")
-        return table((*head, *(f"{name}, bpp" for name in names)), rows)
+                cells = (scene, point.coding.method, db(point.number("psnr_rgb")), *bits)
+                rows.append((*cells, _states(point)))
+        head = ("light field", "method", "PSNR RGB", *(f"{name}, bpp" for name in names))
+        return table((*head, "blocks with nothing, motion, both, residual, %"), rows)
 
     def _bpp_of(self, scene, method, psnr):
         points = self._points(scene, self._studies(scene).curve(method))

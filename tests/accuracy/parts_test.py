@@ -8,9 +8,12 @@ import unittest
 from pathlib import Path
 
 import bench
+import numpy as np
+from PIL import Image
 
 import coding
 import fronts
+import prediction
 from bench_error import BenchError
 from comparison import compare
 from document_tables import with_tables
@@ -134,6 +137,32 @@ class TablesTest(unittest.TestCase):
     def test_document_without_a_place_is_refused(self):
         with self.assertRaises(BenchError):
             with_tables("no tables", lambda name: [name], ["run"])
+
+
+class PredictionTest(unittest.TestCase):
+    def error(self, x_from):
+        """Of a picture against itself with one block taken from another place."""
+        picture = np.random.default_rng(7).integers(0, 256, (64, 64)).astype(np.float64)
+        moved = picture.copy()
+        moved[32:36, 32:36] = picture[25:29, x_from : x_from + 4]
+        return prediction.compensated_error(picture, moved)
+
+    def test_a_block_is_found_within_the_window_alone(self):
+        self.assertEqual(self.error(x_from=32 - prediction.WINDOW), 0)
+        self.assertGreater(self.error(x_from=32 - prediction.WINDOW - 1), 0)
+
+    def test_means_of_a_grid_whose_rows_differ(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for row in range(4):
+                for col in range(4):
+                    picture = np.full((8, 8, 3), 100 + 10 * row, np.uint8)
+                    Image.fromarray(picture).save(Path(folder) / f"{row:02d}_{col:02d}.png")
+            measured = prediction.measure(folder)
+        # Means of two rows are 5 away from each; those of four, 15, 5, 5 and 15: of the views
+        # measured, three are in row 0, two in row 1 and three in row 3.
+        self.assertAlmostEqual(measured["mean_2"], 10 * math.log10(255**2 / 25))
+        mean_4 = (6 * 15**2 + 2 * 5**2) / 8
+        self.assertAlmostEqual(measured["mean_4"], 10 * math.log10(255**2 / mean_4))
 
 
 class ProcessTest(unittest.TestCase):

@@ -52,6 +52,11 @@ class QuickTest(unittest.TestCase):
         for scene in self.studies:
             self.assertTrue(self.points.of_scene(scene, frames=True))
 
+    def test_predictions_are_measured(self):
+        for facts in self.points.scenes.values():
+            self.assertEqual(list(facts["prediction"]), ["mean_2", "mean_4", "vectors"])
+            self.assertGreater(facts["prediction"]["mean_2"], facts["prediction"]["mean_4"])
+
     def test_sections_add_up_to_the_file(self):
         for point in self.points.points.values():
             if point.frame is None:
@@ -142,7 +147,7 @@ class QuickTest(unittest.TestCase):
         return [p for scene in self.studies for p in self.points.of_scene(scene, frames=True)]
 
     def test_files_are_there(self):
-        for name in ("points.csv", "points.json", *(f"{study}.png" for study in studies.NAMES)):
+        for name in ("points.csv", "points.json", *(f"{study}.png" for study in studies.DRAWN)):
             self.assertGreater((self.folder / "out" / name).stat().st_size, 1000, name)
 
     def test_second_run_measures_nothing_and_finds_nothing(self):

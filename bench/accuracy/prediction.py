@@ -1,0 +1,62 @@
+"""What a view can be predicted from before anything of it is coded: the mean of its cluster, as by the
+tree, or another view, as by motion."""
+
+import math
+
+import numpy as np
+
+from light_field import read_view, view_files
+from similarity import PEAK, chosen_views, luma
+
+LARGEST = 8  # views along a side of the largest cluster: a tree of height 3 of clusters of 2x2
+BLOCK = 4  # pixels along a side
+WINDOW = 16  # largest component of a vector, in pixels
+
+
+def sides(rows, cols):
+    """Views along the sides of the clusters that fit into a grid: 2, 4, 8."""
+    return [side for side in (2, 4, 8) if side <= min(rows, cols, LARGEST)]
+
+
+def measure(folder):
+    """PSNR of luma in dB of predictions of the views at the corners and the middles of the borders of
+    the first and largest cluster of a folder's grid.
+
+    mean_N: each by the mean of its cluster of NxN; vectors: each by the view in the middle, with the
+    best vector of whole pixels for each block."""
+    rows, cols, files = view_files(folder)
+    clusters = sides(rows, cols)
+    largest = clusters[-1]
+    views = np.array([
+        [luma(read_view(files[row * cols + col])) for col in range(largest)] for row in range(largest)
+    ])
+    middle = ((largest - 1) // 2, (largest - 1) // 2)
+    targets = [place for place in chosen_views(largest, largest) if place != middle]
+    errors = {f"mean_{side}": [_of_mean(views, place, side) for place in targets] for side in clusters}
+    errors["vectors"] = [compensated_error(views[middle], views[place]) for place in targets]
+    return {name: _psnr(np.mean(values)) for name, values in errors.items()}
+
+
+def _of_mean(views, place, side):
+    row, col = (at // side * side for at in place)
+    mean = views[row : row + side, col : col + side].mean(axis=(0, 1))
+    return np.mean((views[place] - mean) ** 2)
+
+
+def compensated_error(reference, view):
+    """Mean squared error of a view, each whole block of it by the best place in the reference, which
+    its border continues."""
+    height, width = (size // BLOCK * BLOCK for size in view.shape)
+    view = view[:height, :width]
+    around = np.pad(reference, WINDOW, mode="edge")
+    best = np.full((height // BLOCK, width // BLOCK), np.inf)
+    for y in range(2 * WINDOW + 1):
+        for x in range(2 * WINDOW + 1):
+            squares = (around[y : y + height, x : x + width] - view) ** 2
+            blocks = squares.reshape(height // BLOCK, BLOCK, width // BLOCK, BLOCK).sum(axis=(1, 3))
+            np.minimum(best, blocks, out=best)
+    return best.sum() / (height * width)
+
+
+def _psnr(mse):
+    return math.inf if mse == 0 else 10 * math.log10(PEAK**2 / mse)
