@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Tables of docs/stress.md from the recorded run, tests/stress/recorded.json.
+"""Tables of docs/stress.md from recorded runs, tests/stress/recorded.json.
 
 usage: document.py --check | --update
 
-recorded.json is what `./run stress --minutes N --seed S --json` printed.
+recorded.json is a list of what `./run stress --minutes N --seed S --json` printed.
 Exit status 1: with --check, the document has other tables.
 """
 
@@ -23,12 +23,12 @@ DOCUMENT = ROOT / "docs/stress.md"
 FRAME_CLAUSES = ("RAY", "REC", "SMP")  # of docs/rendering.md
 
 
-def run_table(report):
-    """What the run was, and what it came to."""
+def cells_of(report):
+    """Name to text of what a run came to."""
     camera = report["cameras_against_double"]
     gaps = Reached()
     gaps.add(report["rows"])
-    cells = {
+    return {
         "CPU minutes": f"{report['cpu_seconds'] / 60:.1f}",
         "streams": spaced(report["streams"]),
         "blocks decoded one by one": spaced(report["blocks"]),
@@ -39,10 +39,16 @@ def run_table(report):
         "intervals not reached at both ends": str(len(gaps.gaps())),
         "findings": str(len(report["findings"])),
     }
-    yield f"| `./run stress --minutes {report['minutes']:g} --seed {report['seed']}` | |"
-    yield "|---|---|"
-    for name, value in cells.items():
-        yield f"| {name} | {value} |"
+
+
+def runs_table(reports):
+    """What the runs were, and what each came to."""
+    commands = [f"`./run stress --minutes {r['minutes']:g} --seed {r['seed']}`" for r in reports]
+    yield "| | " + " | ".join(commands) + " |"
+    yield "|---|" + "---|" * len(reports)
+    columns = [cells_of(report) for report in reports]
+    for name in columns[0]:
+        yield f"| {name} | " + " | ".join(cells[name] for cells in columns) + " |"
 
 
 def spaced(number):
@@ -60,11 +66,11 @@ def reached_table(rows):
     return reached.table()
 
 
-def tables(report):
+def tables(reports):
     """Name to the lines of each table."""
-    rows = report["rows"]
+    rows = [row for report in reports for row in report["rows"]]
     return {
-        "run": list(run_table(report)),
+        "runs": list(runs_table(reports)),
         "streams": list(reached_table([row for row in rows if not is_of_frames(row)])),
         "frames": list(reached_table([row for row in rows if is_of_frames(row)])),
     }
