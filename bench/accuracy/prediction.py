@@ -1,21 +1,15 @@
 """What a view can be predicted from before anything of it is coded: the mean of its cluster, as by the
 tree, or another view, as by motion."""
 
-import math
-
 import numpy as np
 
 from light_field import read_view, view_files
-from similarity import PEAK, chosen_views, luma
+from similarity import chosen_views, luma
+from tables import psnr_of_mse
 
-LARGEST = 8  # views along a side of the largest cluster: a tree of height 3 of clusters of 2x2
+SIDES = (2, 4, 8)  # views along a side of a cluster: a tree of height 3 of clusters of 2x2
 BLOCK = 4  # pixels along a side
 WINDOW = 16  # largest component of a vector, in pixels
-
-
-def sides(rows, cols):
-    """Views along the sides of the clusters that fit into a grid: 2, 4, 8."""
-    return [side for side in (2, 4, 8) if side <= min(rows, cols, LARGEST)]
 
 
 def measure(folder):
@@ -25,7 +19,7 @@ def measure(folder):
     mean_N: each by the mean of its cluster of NxN; vectors: each by the view in the middle, with the
     best vector of whole pixels for each block."""
     rows, cols, files = view_files(folder)
-    clusters = sides(rows, cols)
+    clusters = [side for side in SIDES if side <= min(rows, cols)]
     largest = clusters[-1]
     views = np.array([
         [luma(read_view(files[row * cols + col])) for col in range(largest)] for row in range(largest)
@@ -34,7 +28,7 @@ def measure(folder):
     targets = [place for place in chosen_views(largest, largest) if place != middle]
     errors = {f"mean_{side}": [_of_mean(views, place, side) for place in targets] for side in clusters}
     errors["vectors"] = [compensated_error(views[middle], views[place]) for place in targets]
-    return {name: _psnr(np.mean(values)) for name, values in errors.items()}
+    return {name: psnr_of_mse(np.mean(values)) for name, values in errors.items()}
 
 
 def _of_mean(views, place, side):
@@ -56,7 +50,3 @@ def compensated_error(reference, view):
             blocks = squares.reshape(height // BLOCK, BLOCK, width // BLOCK, BLOCK).sum(axis=(1, 3))
             np.minimum(best, blocks, out=best)
     return best.sum() / (height * width)
-
-
-def _psnr(mse):
-    return math.inf if mse == 0 else 10 * math.log10(PEAK**2 / mse)

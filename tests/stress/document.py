@@ -17,7 +17,7 @@ FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[1]
 sys.path.insert(0, str(ROOT / "bench/common"))
 
-from document_tables import with_tables  # noqa: E402  (found only now)
+from document_tables import check_or_update  # noqa: E402  (found only now)
 
 DOCUMENT = ROOT / "docs/stress.md"
 FRAME_CLAUSES = ("RAY", "REC", "SMP")  # of docs/rendering.md
@@ -77,17 +77,8 @@ def tables(reports):
 
 
 def main():
-    if sys.argv[1:] not in (["--check"], ["--update"]):
-        sys.exit(__doc__)
     made = tables(json.loads((FOLDER / "recorded.json").read_text(encoding="utf-8")))
-    text = DOCUMENT.read_text(encoding="utf-8")
-    changed = with_tables(text, made.get, list(made))
-    if sys.argv[1] == "--update":
-        DOCUMENT.write_text(changed, encoding="utf-8")
-    elif changed != text:
-        print(f"{DOCUMENT} has other tables: {__file__} --update", file=sys.stderr)
-        return 1
-    return 0
+    return check_or_update(__doc__, DOCUMENT, made.get, list(made))
 
 
 if __name__ == "__main__":

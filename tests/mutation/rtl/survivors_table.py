@@ -14,7 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "bench/common"))
 
-from document_tables import with_tables  # noqa: E402  (found only now)
+from document_tables import check_or_update  # noqa: E402  (found only now)
 
 DOCUMENT = ROOT / "docs/verification.md"
 COMMAND = re.compile(
@@ -50,17 +50,8 @@ def table(survivors):
 
 
 def main():
-    if sys.argv[1:] not in (["--check"], ["--update"]):
-        sys.exit(__doc__)
     survivors = json.loads(Path(__file__).with_name("survivors.json").read_text(encoding="utf-8"))
-    text = DOCUMENT.read_text(encoding="utf-8")
-    made = with_tables(text, lambda name: table(survivors), ["rtl_survivors"])
-    if sys.argv[1] == "--update":
-        DOCUMENT.write_text(made, encoding="utf-8")
-    elif made != text:
-        print(f"{DOCUMENT} has another table of survivors: {__file__} --update", file=sys.stderr)
-        return 1
-    return 0
+    return check_or_update(__doc__, DOCUMENT, lambda name: table(survivors), ["rtl_survivors"])
 
 
 if __name__ == "__main__":
