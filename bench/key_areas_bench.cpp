@@ -24,7 +24,7 @@
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "decoder/open_stream.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "render/timing.hpp"
 
 namespace {

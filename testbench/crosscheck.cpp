@@ -8,7 +8,7 @@
 
 #include "bits/crc32c.hpp"
 #include "gpu_answers.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "sequences.hpp"
 #include "stream_check.hpp"
 #include "stream_image.hpp"

@@ -8,7 +8,7 @@
 
 #include "check_report.hpp"
 #include "failure_folder.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "plan_options.hpp"
 #include "sequences.hpp"
 #include "stand_in.hpp"

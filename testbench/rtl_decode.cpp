@@ -9,13 +9,12 @@
 
 #include "conform/output_views.hpp"
 #include "conform/stage_trace.hpp"
-#include "io/atomic_file.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "stream_image.hpp"
 #include "syntax/header.hpp"
 #include "unit_host.hpp"
 #include "units.hpp"
-#include "vectors/picture_bytes.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -11,7 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "failure_folder.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "stand_in.hpp"
 #include "suite.hpp"
 #include "syntax/header.hpp"

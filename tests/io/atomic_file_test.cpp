@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "io/atomic_file.hpp"
+#include "io/files.hpp"
 #include "io/temp_folder.hpp"
 
 namespace hmlfc::io {

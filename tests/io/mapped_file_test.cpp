@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "io/temp_folder.hpp"
 
 namespace hmlfc::io {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/natural_order.hpp"
+#include "io/view_name.hpp"
 
 namespace hmlfc::io {
 namespace {

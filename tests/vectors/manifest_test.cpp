@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "io/atomic_file.hpp"
+#include "io/files.hpp"
 #include "io/temp_folder.hpp"
 #include "syntax/conformance_level.hpp"
-#include "vectors/choice.hpp"
-#include "vectors/sha256.hpp"
+#include "vectors/digest.hpp"
+#include "vectors/field_rules.hpp"
 
 namespace hmlfc::vectors {
 namespace {

@@ -4,8 +4,9 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "cli/failure.hpp"
+#include "cli/output.hpp"
 #include "syntax/geometry.hpp"
 
 namespace hmlfc::cli {

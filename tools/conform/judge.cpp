@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "conform/failure_pictures.hpp"
+#include "conform/difference.hpp"
 #include "conform/output_views.hpp"
 #include "conform/stage_trace.hpp"
-#include "vectors/picture_bytes.hpp"
-#include "vectors/sha256.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::conform {
 namespace {

@@ -1,4 +1,4 @@
-#include "conform/report_json.hpp"
+#include "conform/report.hpp"
 
 #include <algorithm>
 #include <fstream>

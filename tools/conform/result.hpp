@@ -1,13 +1,18 @@
-// Results of conformance vectors, and what they amount to.
+// Results of conformance vectors, what they amount to, and their log.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "conform/difference.hpp"
+#include "conform/dut.hpp"
+#include "io/files.hpp"
+#include "io/io_error.hpp"
 
 namespace hmlfc::conform {
 
@@ -95,5 +100,30 @@ Verdict verdict(const Run& run);
 
 /// "conforms", "conforms, with waivers", "incomplete" or "fails".
 std::string verdict_text(const Run& run);
+
+/// The file results.jsonl of a decoder's folder: a first line that says of which suite and decoder,
+/// then a line for each result. A line that an interruption cut is passed over.
+class ResultLog {
+ public:
+  /// Makes `folder` where it is missing. With `resume` the results of the file that is there are
+  /// kept, but for skipped ones; else it begins anew. Errors: cannot write; with `resume`, results
+  /// of another suite or decoder.
+  static io::IoResult<ResultLog> open(const std::filesystem::path& folder,
+                                      const std::string& manifest_sha256, const Dut& dut,
+                                      bool resume);
+
+  /// The result of an earlier run, or null.
+  const VectorResult* earlier(const std::string& id) const;
+
+  /// Errors: cannot write.
+  io::IoResult<void> append(const VectorResult& result);
+
+ private:
+  ResultLog() = default;
+
+  std::filesystem::path path_;
+  io::FileDescriptor file_;
+  std::map<std::string, VectorResult> earlier_;
+};
 
 }  // namespace hmlfc::conform

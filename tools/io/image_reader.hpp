@@ -8,8 +8,8 @@
 
 #include <hmlfc/image.hpp>
 
+#include "io/image_files.hpp"
 #include "io/io_error.hpp"
-#include "io/read_image.hpp"
 
 namespace hmlfc::io {
 
@@ -20,6 +20,7 @@ struct ImageSource {
   const std::filesystem::path& path;  ///< for messages
   std::span<const uint8_t> bytes;     ///< the whole file
   const ImageLimits& limits;
+  ImageLosses& losses;
 };
 
 /// An image of zeros of this size. Errors: a side outside [1, 65536], over the limit of samples,

@@ -8,6 +8,7 @@
 #include <hmlfc/image.hpp>
 #include <hmlfc/light_field.hpp>
 
+#include "io/image_files.hpp"
 #include "io/io_error.hpp"
 #include "io/parallel.hpp"
 #include "io/view_list.hpp"
@@ -20,7 +21,7 @@ namespace hmlfc::io {
 /// Errors: a file that read_image() refuses (the first in row-major order is named), a view whose
 /// size or depth differs from most others (named with both), not enough memory.
 IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {}, ImageLosses* losses = nullptr);
 
 /// The picture of view (row, col); called from several threads at once.
 using ViewProducer = std::function<IoResult<RgbImage>(uint32_t row, uint32_t col)>;

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
 
-#include "io/natural_order.hpp"
 #include "io/view_name.hpp"
 #include "io/view_placement.hpp"
 
@@ -51,7 +52,7 @@ IoResult<std::vector<fs::path>> find_pictures(const fs::path& folder) {
   return files;
 }
 
-/// The pictures sorted by what their names say.
+/// The image files classified by their names.
 struct Classified {
   std::vector<PlacedView> views;        ///< the index still to be set from `positions`
   std::vector<GridPosition> positions;  ///< of each of `views`
@@ -98,6 +99,24 @@ tl::unexpected<IoError> outside(const fs::path& folder, const fs::path& file, ui
                                 " columns that was asked for (both count from 0)");
 }
 
+// Numbers rows and columns anew, from 0 and without gaps, where that gives a grid of the size asked
+// for: the views are a subset, such as every second column, of a larger grid.
+void take_subset(GridShape asked, std::vector<GridPosition>& positions) {
+  std::set<uint32_t> rows;
+  std::set<uint32_t> cols;
+  for (const GridPosition& position : positions) {
+    rows.insert(position.row);
+    cols.insert(position.col);
+  }
+  if (rows.size() != asked.rows || cols.size() != asked.cols) return;
+  const auto number = [](const std::set<uint32_t>& used, uint32_t value) {
+    return static_cast<uint32_t>(std::distance(used.begin(), used.find(value)));
+  };
+  for (GridPosition& position : positions) {
+    position = {number(rows, position.row), number(cols, position.col)};
+  }
+}
+
 IoResult<ViewList> list_by_grid_name(const fs::path& folder, std::optional<GridShape> asked,
                                      Classified pictures) {
   if (!pictures.strangers.empty()) return extra_files(folder, pictures, "by row and column");
@@ -106,7 +125,10 @@ IoResult<ViewList> list_by_grid_name(const fs::path& folder, std::optional<GridS
     grid.rows = std::max(grid.rows, position.row + 1);
     grid.cols = std::max(grid.cols, position.col + 1);
   }
-  if (asked) grid = *asked;
+  if (asked) {
+    take_subset(*asked, pictures.positions);
+    grid = *asked;
+  }
   for (size_t i = 0; i < pictures.views.size(); ++i) {
     const GridPosition position = pictures.positions[i];
     if (position.row >= grid.rows || position.col >= grid.cols) {
@@ -136,6 +158,14 @@ IoResult<ViewList> list_by_camera_name(const fs::path& folder, std::optional<Gri
                                     ", which is no square grid; give --grid ROWSxCOLS");
     }
     asked = GridShape{*side, *side};
+  }
+  const uint64_t wanted = uint64_t{asked->rows} * asked->cols;
+  const auto beyond = [&](const PlacedView& view) { return view.index >= wanted; };
+  if (pictures.views.size() == wanted && std::ranges::any_of(pictures.views, beyond)) {
+    std::ranges::stable_sort(pictures.views, {}, &PlacedView::index);
+    std::vector<fs::path> files;
+    for (PlacedView& view : pictures.views) files.push_back(std::move(view.file));
+    return place_in_order(folder, *asked, std::move(files));
   }
   for (const PlacedView& view : pictures.views) {
     const uint64_t row = view.index / asked->cols;

@@ -1,12 +1,17 @@
-// What the name of a view's file says about its place on the grid.
+// What the names of view files say about their places on the grid.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace hmlfc::io {
+
+/// Compares text byte by byte and each run of decimal digits, of any length, as one number.
+/// Equal for names that differ only in leading zeros: natural_order("a7", "a007") == 0.
+std::strong_ordering natural_order(std::string_view a, std::string_view b);
 
 inline constexpr uint32_t kMaxGridSide = 4096;
 

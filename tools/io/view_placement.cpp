@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "io/natural_order.hpp"
 #include "io/view_name.hpp"
 
 namespace hmlfc::io {

@@ -1,4 +1,4 @@
-#include "vectors/draw_motion.hpp"
+#include "vectors/draw.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,8 +8,6 @@
 #include "arithmetic/levels.hpp"
 #include "arithmetic/rounding.hpp"
 #include "syntax/motion_writer.hpp"
-#include "vectors/draw_sequence.hpp"
-#include "vectors/ones_behind.hpp"
 
 namespace hmlfc::vectors {
 namespace {

@@ -10,10 +10,8 @@
 #include "encoder/stream_assembly.hpp"
 #include "syntax/stream_view.hpp"
 #include "syntax/tile_record.hpp"
-#include "vectors/draw_motion.hpp"
-#include "vectors/draw_tile.hpp"
-#include "vectors/header_recipe.hpp"
-#include "vectors/ones_behind.hpp"
+#include "vectors/draw.hpp"
+#include "vectors/stream_recipe.hpp"
 
 namespace hmlfc::vectors {
 namespace {

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <set>
 
-#include "io/atomic_file.hpp"
+#include "io/files.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc::vectors {

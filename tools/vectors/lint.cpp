@@ -1,4 +1,4 @@
-#include "vectors/lint.hpp"
+#include "vectors/examine.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "syntax/conformance_level.hpp"
 #include "syntax/header.hpp"
-#include "vectors/sha256.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::vectors {
 namespace {

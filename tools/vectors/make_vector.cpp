@@ -6,12 +6,10 @@
 #include "decoder/key_images.hpp"
 #include "syntax/conformance_level.hpp"
 #include "syntax/header.hpp"
+#include "vectors/digest.hpp"
 #include "vectors/expected.hpp"
 #include "vectors/generate.hpp"
-#include "vectors/header_recipe.hpp"
-#include "vectors/sha256.hpp"
 #include "vectors/stream_recipe.hpp"
-#include "vectors/trace_files.hpp"
 
 namespace hmlfc::vectors {
 namespace {

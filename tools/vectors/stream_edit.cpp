@@ -8,7 +8,7 @@
 #include "bits/little_endian.hpp"
 #include "decoder/key_images.hpp"
 #include "syntax/header.hpp"
-#include "vectors/block_recorder.hpp"
+#include "vectors/expected.hpp"
 #include "vectors/recipe.hpp"
 
 namespace hmlfc::vectors {

@@ -45,6 +45,15 @@ Result<CodedSite> read_site(const StreamView& stream, const Probe& probe) {
   return CodedSite{motion, *block};
 }
 
+void report_vectors(const StreamView& stream, const BlockMotion& motion, const Probe& probe) {
+  const char* clause = stream.header.has(Feature::kMotionTiles) ? "MOT-8" : "TIL-7";
+  for (unsigned i = 0; i < motion.count; ++i) {
+    const auto& [image, vector] = motion.references[i];
+    probe.vector(image.row, image.col, 8 * vector.ix + vector.fx, 8 * vector.iy + vector.fy,
+                 clause);
+  }
+}
+
 // A of DEC-3, with what it is made of.
 Result<BlockValues> predict(const DecodeSources& sources, const BlockValues& parent,
                             const BlockMotion& motion, const Probe& probe) {
@@ -75,6 +84,7 @@ Result<BlockValues> decode_level(const DecodeSources& sources, const BlockValues
   const SampleRange range = sample_range(probe.site.plane, header.depth);
   const auto coded = read_site(sources.stream, probe);
   if (!coded) return tl::unexpected(coded.error());
+  report_vectors(sources.stream, coded->motion, probe);
   const auto prediction = predict(sources, parent, coded->motion, probe);
   if (!prediction) return prediction;
 

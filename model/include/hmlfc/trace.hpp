@@ -57,6 +57,16 @@ struct StageRecord {
   std::span<const int32_t> values;  ///< block_size^2 values
 };
 
+/// A motion vector of a block.
+struct VectorRecord {
+  BlockSite site;
+  uint32_t image_row = 0;  ///< of the reference image
+  uint32_t image_col = 0;
+  int32_t x = 0;  ///< in eighths of a sample of the block's plane
+  int32_t y = 0;
+  std::string_view clause;  ///< "MOT-8" or "TIL-7"
+};
+
 /// Receives the records of one block in the order in which a decoder makes them. Reference blocks
 /// that are decoded on demand report their fields, with their own site, before the stage that needs
 /// them.
@@ -65,6 +75,8 @@ class TraceSink {
   virtual ~TraceSink() = default;
   virtual void on_field(const FieldRecord& record) = 0;
   virtual void on_stage(const StageRecord& record) = 0;
+  /// Each vector, before the stage "parent" of its level.
+  virtual void on_vector(const VectorRecord& record) { static_cast<void>(record); }
 };
 
 /// What decoding cost; BND-1 to BND-3 bound each count.

@@ -10,7 +10,7 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "stream_image.hpp"
 #include "unit_host.hpp"
 #include "vectors/manifest.hpp"
