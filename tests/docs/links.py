@@ -27,5 +27,6 @@ def dead(root, name):
         elif anchor and file.suffix == ".md" and anchor not in anchors(file.read_text(encoding="utf-8")):
             yield f"{name}: no heading {target}"
     for path in PATH.findall(text):
-        if not (root / path).exists():
+        # A name in capitals stands for others; a program has no suffix, its source has one.
+        if not re.search(r"[A-Z]{2}", path.rpartition("/")[2]) and not any(root.glob(path + "*")):
             yield f"{name}: no file {path}"
