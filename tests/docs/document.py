@@ -13,7 +13,7 @@ import re
 from dataclasses import dataclass, field
 
 COMMAND = re.compile(r"(?:\./run|hmlfc|cmake|ctest|g\+\+)(?: |$)")
-FENCE = re.compile(r"^\s*```(.*)$")
+FENCE = re.compile(r"^( *)```(.*)$")
 SPAN = re.compile(r"`(\./run [^`]+)`")
 LIMIT = re.compile(r'\b(from|to)="([^"]*)"')
 COMMENT = re.compile(r"\s+#.*$")
@@ -25,11 +25,12 @@ class DocumentError(Exception):
 
 @dataclass
 class Quote:
-    """Quoted output: its place in the lines of the document, [first, end), and its limits."""
+    """Quoted output: its place in the lines of the document, [first, end), its limits and indent."""
 
     first: int
     end: int
     limits: dict
+    indent: str
 
 
 @dataclass
@@ -64,11 +65,11 @@ def _markdown_commands(lines, name):
             number += 1
             continue
         end = _end_of_block(lines, number, name)
-        language = fence[1].split(" ")[0]
+        language = fence[2].split(" ")[0]
         if language == "text":
             if last is None:
                 raise DocumentError(f"{name}:{number + 1}: output without a command before it")
-            last.quotes.append(Quote(number + 1, end, dict(LIMIT.findall(fence[1]))))
+            last.quotes.append(Quote(number + 1, end, dict(LIMIT.findall(fence[2])), fence[1]))
         elif language in ("", "sh"):
             for command in _block_commands(lines, number + 1, end, name):
                 yield command

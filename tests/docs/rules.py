@@ -23,17 +23,26 @@ def rules(*rows):
 
 
 WORDS = rules(
-    (r"--size (192x144|256x192|320x240|512x512)", "--size 96x64", "the smallest that has every block named"),
-    (r"--rect 64,32,128,96", "--rect 16,8,64,48", "inside the small views"),
+    (r"--size (192x144|256x192|320x240|512x512)", "--size 64x48", "the smallest with the blocks that are named"),
+    (r"--rect 64,32,128,96", "--rect 8,8,32,24", "inside the small views"),
     (r"--frames \d+", "--frames 2", "frames are alike"),
-    (r"--minutes (\d+|N)", "--minutes 0.01", "one second"),
+    (r"(fuzz-dut .*)--minutes 60", r"\1--count 2", "minutes are its smallest unit"),
+    (r"(minimise .*)--dut '[^']*'", r"""\1--dut 'sh -c "exit 1" {input} {output}' --trials 20""",
+     "the decoder in the sandbox does not fail"),
 )
 
 COMMANDS = rules(
     (r"\./run (demo|soak .*)", NAMED_ONLY, "runs for minutes"),
     (r"\./run test", NAMED_ONLY, "runs this test"),
     (r"\./run test (.*)", r"ctest --test-dir $BUILD -N --no-tests=error \1", "lists the tests"),
-    (r"\./run (bench \w+|stress)( .*)?", r"./run \1 --help", "measures for minutes"),
+    (r"\./run compare .*", r"\g<0>; test $? = 1", "the views differ"),
+    (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)", r"\1 conform --filter 'syntax/base-*' \2; test $? = 5",
+     "the whole suite takes a minute"),
+    (r"\./run conform .*faulty_decoder.*", r"\g<0>; test $? = 1", "it fails"),
+    (r"\./run conform --merge .*", r"\g<0>; test $? = 5", "the shards have a part of the suite"),
+    (r"\./run bench (methods)", r"./run bench \1 30 FOLDER", "a small light field"),
+    (r"\./run (bench (?:accuracy|rate_distortion|skipping)|stress|fuzz)( .*)?", r"./run \1 --help",
+     "measures for minutes, or needs a build of its own"),
 )
 
 

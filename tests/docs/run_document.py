@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Runs the commands of a document in their order, and compares the outputs that it quotes.
 
-usage: run_document.py ROOT BUILD FOLDER DOCUMENT [--update]
+usage: run_document.py ROOT BUILD HMLFC FOLDER DOCUMENT [--update]
 
-ROOT is the repository, BUILD a build of everything, FOLDER a scratch folder, DOCUMENT a path below ROOT.
+ROOT is the repository, BUILD a build of everything, HMLFC the program hmlfc of it, FOLDER a scratch folder, DOCUMENT a path below ROOT.
 --update writes the outputs into the document instead.
 Exit status: 0 all is true, 1 a command fails or an output differs, 77 no device for the GPU decoder.
 """
@@ -27,7 +27,7 @@ CLOSED = ("docs/walkthrough.md",)
 def compare(lines, command, output, name):
     """A complaint for each quote of `command` that is not in its output."""
     for quote in command.quotes:
-        quoted = [line.rstrip() for line in lines[quote.first:quote.end]]
+        quoted = [line.rstrip().removeprefix(quote.indent) for line in lines[quote.first:quote.end]]
         expected = document.excerpt(output, quote.limits)
         if expected is None:
             yield f"{name}:{quote.first}: the output has no lines from and to {quote.limits}"
@@ -46,7 +46,7 @@ def update(lines, command, output):
         if made is None:
             raise document.DocumentError(f"the output of {command.text} has no lines from and to {quote.limits}")
         first, end = quote.first + grown, quote.end + grown
-        lines[first:end] = made
+        lines[first:end] = [(quote.indent + line).rstrip() for line in made]
         grown += len(made) - (end - first)
     return grown
 
@@ -101,13 +101,14 @@ def check(root, sandbox, name, updating=False):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name in ("root", "build", "folder"):
+    for name in ("root", "build", "hmlfc", "folder"):
         parser.add_argument(name, type=Path)
     parser.add_argument("document")
     parser.add_argument("--update", action="store_true")
     options = parser.parse_args()
-    root, build, folder = (path.resolve() for path in (options.root, options.build, options.folder))
-    complaints, skipped = check(root, Sandbox(folder, root, build), options.document, options.update)
+    root = options.root.resolve()
+    sandbox = Sandbox(options.folder.resolve(), root, options.build.resolve(), options.hmlfc.resolve())
+    complaints, skipped = check(root, sandbox, options.document, options.update)
     print("\n".join(complaints + [f"skipped, {NO_DEVICE}: {text}" for text in skipped]))
     return 1 if complaints else SKIPPED if skipped else 0
 

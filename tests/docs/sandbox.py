@@ -1,7 +1,7 @@
 """A folder in which the commands of a document run, on the programs of a build that has everything.
 
 It has a small light field FOLDER with streams of it (FILE, FILE.hmlfc and my.hmlfc of profile extended,
-main.hmlfc of profile main), a decoder ./mydec with its declaration mydec.json, links to the folders of
+main.hmlfc and bad.hmlfc of profile main), a decoder ./mydec with its declaration mydec.json, links to the folders of
 the repository that commands name, and a ./run that builds and installs nothing.
 """
 
@@ -20,30 +20,27 @@ build() {{ :; }}
 build_decode_path() {{ :; }}
 main "$@"
 """
-HMLFC = """#!/usr/bin/env bash
-exec "{folder}/run" "$@"
-"""
 MYDEC = """#!/usr/bin/env bash
 exec hmlfc decode "$1" -o "$3"
 """
 DECLARATION = '{ "name": "mydec", "command": "{dut}/mydec {input} -o {output}" }\n'
 FIXTURE = (
-    "hmlfc synth --scene knights --grid 9x9 --size 96x64 -o FOLDER",
+    "hmlfc synth --scene knights --grid 9x9 --size 64x48 -o FOLDER",
     "hmlfc encode FOLDER -o my.hmlfc --preset fast",
     "hmlfc encode FOLDER -o main.hmlfc --profile main",
-    "cp my.hmlfc FILE && cp my.hmlfc FILE.hmlfc",
+    "cp my.hmlfc FILE && cp my.hmlfc FILE.hmlfc && cp main.hmlfc bad.hmlfc",
 )
 
 
 class Sandbox:
-    def __init__(self, folder, root, build):
+    def __init__(self, folder, root, build, program):
         self.folder = folder
         shutil.rmtree(folder, ignore_errors=True)
         (folder / "bin").mkdir(parents=True)
         for name in LINKS:
             (folder / name).symlink_to(root / name)
         self._script("run", RUN.format(root=root, build=build))
-        self._script("bin/hmlfc", HMLFC.format(folder=folder))
+        (folder / "bin" / "hmlfc").symlink_to(program)
         self._script("mydec", MYDEC)
         (folder / "mydec.json").write_text(DECLARATION, encoding="utf-8")
         self.environment = dict(os.environ, PATH=f"{folder}/bin:{os.environ['PATH']}", BUILD=str(build))
