@@ -4,7 +4,7 @@
 run_demo() {
   install_packages build
   build hmlfc_cli
-  local hmlfc=$build/model/hmlfc out=$root/out/demo
+  local hmlfc=$build/tools/hmlfc out=$root/out/demo
   rm -rf "$out"
   mkdir -p "$out"
 
