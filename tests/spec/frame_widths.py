@@ -7,8 +7,8 @@ import re
 from functools import cache
 from itertools import product
 
-from specification import RENDERING, read, table_after
-from widths import DEPTHS, evaluate, interval, needed_bits
+from specification import RENDERING, read, rows_after, table_after
+from widths import DEPTHS, evaluate, interval, needed_bits, table_violations
 
 HEADING = "## 6"
 DEEPEST = 12
@@ -226,15 +226,9 @@ def reach_violations(row, frame):
 
 def violations(root):
     text = read(root, RENDERING)
-    head, *rows = table_after(text, HEADING)
-    table = [dict(zip(head, row)) for row in rows]
     frame = Frame(text)
-    for row in table:
-        if row["quantity"] not in QUANTITIES:
-            yield f"frame widths: {row['quantity']} is not in the table of tests/spec/frame_widths.py"
-            continue
-        for violation in [*bits_violations(row), *reach_violations(row, frame)]:
-            yield f"frame widths: {row['quantity']}: {violation}"
-    for quantity in QUANTITIES:
-        if quantity not in [row["quantity"] for row in table]:
-            yield f"frame widths: {quantity} is missing"
+
+    def of_row(row):
+        return [*bits_violations(row), *reach_violations(row, frame)]
+
+    yield from table_violations("frame widths", rows_after(text, HEADING), QUANTITIES, of_row)

@@ -5,10 +5,11 @@ such row is traced. The header: its fields and flags are those that the naive de
 import json
 import re
 import sys
+from functools import cache
 from pathlib import Path
 
 from extremes import bise_bits
-from specification import read, table_after
+from specification import read, rows_after
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "naive_decoder"))
 
@@ -16,7 +17,6 @@ from bise import least_code, levels_of  # noqa: E402  (its folder is known only 
 from header import read_header  # noqa: E402
 from integers import least_bits  # noqa: E402
 
-VECTORS = "vectors/manifest.json"
 END_TABLE = "**[IDX-6]**"
 # Where a field stands: its section or kind of tile; and what each of their tables follows.
 TABLES = {
@@ -35,18 +35,13 @@ FUNCTIONS = {
 }
 
 
-def rows(text, heading):
-    head, *cells = table_after(text, heading)
-    return [dict(zip(head, row)) for row in cells]
-
-
 def record_rows(text):
     """{(place, name of a field as traced): row}; fields that are records have tables of their own."""
     return {
         (place, re.sub(r".*\((.*)\)", r"\1", row["field"])): row
         for place, headings in TABLES.items()
         for heading in headings
-        for row in rows(text, heading)
+        for row in rows_after(text, heading)
         if "*" not in re.sub(r"B \* B", "", row["bits"])
     }
 
@@ -68,12 +63,9 @@ def is_allowed(flag, values):
     return flag == "all" or values[flag.removeprefix("no ")] != flag.startswith("no ")
 
 
-def trace_violations(table, trace, values, traced):
+def trace_violations(table, fields, values, traced):
     """One violation for each field of a trace that its table does not have like this."""
-    for line in trace.splitlines():
-        field = json.loads(line)
-        if field["record"] != "field":
-            continue
+    for field in fields:
         place = field["section"] if field["section"] in TABLES else field["tile"]
         name = field["name"]
         traced.add((place, name))
@@ -89,7 +81,7 @@ def trace_violations(table, trace, values, traced):
 
 
 def header_violations(text, data, header):
-    for row in rows(text, HEADER_TABLES[0]):
+    for row in rows_after(text, HEADER_TABLES[0]):
         kind = re.fullmatch(r"([ui])(\d+)", row["type"])
         if kind and hasattr(header, row["field"]):
             at, size = int(row["offset"]), int(kind.group(2)) // 8
@@ -97,7 +89,7 @@ def header_violations(text, data, header):
             if value != getattr(header, row["field"]):
                 yield f"header: {row['field']} is {getattr(header, row['field'])}, not {value}"
     flags = int.from_bytes(data[12:16], "little")
-    for row in rows(text, "**[EXT-1]**"):
+    for row in rows_after(text, "**[EXT-1]**"):
         if getattr(header, row["flag"]) != bool(flags >> int(row["bit"]) & 1):
             yield f"header: {row['flag']} is not bit {row['bit']}"
 
@@ -106,25 +98,34 @@ def gap_violations(text):
     """Fields with offsets follow each other without gaps."""
     for heading in HEADER_TABLES:
         end = 0
-        for row in rows(text, heading):
+        for row in rows_after(text, heading):
             if row["offset"].isdigit() and int(row["offset"]) != end:
                 yield f"{heading}: {row['field']} is not at offset {end}"
             size = re.match(r"[ui](\d+)$|(\d+) bytes$", row["type"])
             end += (int(size.group(1) or 0) // 8 or int(size.group(2))) if size else 0
 
 
+@cache
+def traced_vectors(root):
+    """(stream, its header, its trace) of each vector that has a trace."""
+    folder = root / "vectors"
+    found = []
+    for vector in json.loads((folder / "manifest.json").read_text())["vectors"]:
+        if "trace" in vector:
+            data = (folder / vector["input"]["file"]).read_bytes()
+            lines = (folder / vector["trace"]["file"]).read_text().splitlines()
+            fields = [f for f in map(json.loads, lines) if f["record"] == "field"]
+            found.append((data, read_header(data), fields))
+    return found
+
+
 def found_in(text, root):
     """The violations of the specification `text`."""
     traced, found = set(), list(gap_violations(text))
     table = record_rows(text)
-    for vector in json.loads((root / VECTORS).read_text())["vectors"]:
-        if "trace" not in vector:
-            continue
-        data = (root / "vectors" / vector["input"]["file"]).read_bytes()
-        trace = (root / "vectors" / vector["trace"]["file"]).read_text()
-        header = read_header(data)
+    for data, header, fields in traced_vectors(root):
         found += header_violations(text, data, header)
-        found += trace_violations(table, trace, header_values(header), traced)
+        found += trace_violations(table, fields, header_values(header), traced)
     found += [f"{place}: nothing reads {name}" for place, name in set(table) - traced]
     return [f"records: {violation}" for violation in sorted(set(found))]
 

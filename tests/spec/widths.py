@@ -1,5 +1,5 @@
-"""The width table of section 11: its formulas give its numbers, and values reach but never leave
-its intervals."""
+"""The width table of section 11: its formulas give its numbers, and values reach the ends of its
+intervals but never leave them."""
 
 import re
 from functools import cache
@@ -14,7 +14,7 @@ from extremes import (
     scaled_disparities,
     vector_components,
 )
-from specification import read, table_after
+from specification import read, rows_after
 
 HEADING = "## 11"
 WIDTHS = {"bits at n = 8": 8, "bits at n = 12": 12}
@@ -109,15 +109,17 @@ def reach_violations(row, n):
             yield f"at n = {n} values reach [{least}, {most}] only, not [{lo}, {hi}]"
 
 
+def table_violations(name, rows, known, of_row):
+    """Those of each row by of_row(row); a table without a quantity of `known`, or with another, is at fault."""
+    for row in rows:
+        if row["quantity"] not in known:
+            yield f"{name}: {row['quantity']} is not in the quantities of tests/spec"
+        else:
+            yield from (f"{name}: {row['quantity']}: {violation}" for violation in of_row(row))
+    for quantity in known.keys() - {row["quantity"] for row in rows}:
+        yield f"{name}: {quantity} is missing"
+
+
 def violations(root):
-    head, *rows = table_after(read(root), HEADING)
-    table = [dict(zip(head, row)) for row in rows]
-    for row in table:
-        if row["quantity"] not in QUANTITIES:
-            yield f"widths: {row['quantity']} is not in the table of tests/spec/widths.py"
-            continue
-        for violation in row_violations(row):
-            yield f"widths: {row['quantity']}: {violation}"
-    for quantity in QUANTITIES:
-        if quantity not in [row["quantity"] for row in table]:
-            yield f"widths: {quantity} is missing"
+    rows = rows_after(read(root), HEADING)
+    yield from table_violations("widths", rows, QUANTITIES, row_violations)
