@@ -17,7 +17,7 @@ WORDS = 30000  # README.md and docs/*.md, without the specification
 
 def unused(found):
     """A complaint for each rule that no command of `found` uses."""
-    used = {rule for command in found for rule in rules.substitute(command.text)[1]}
+    used = {rule for command in found for rule in rules.substitute(command.text)[2]}
     return [f"rules.py: no document needs {rule.pattern.pattern}"
             for rule in [*rules.WORDS, *rules.COMMANDS] if rule not in used]
 
