@@ -12,6 +12,7 @@ from pathlib import Path
 
 import check_rules
 import document
+import label_costs
 import links
 import rules
 import run_document
@@ -121,6 +122,16 @@ class StaticTest(unittest.TestCase):
             for text, count in ((good, 0), ("[b](no.md)", 1), ("[b](b.md#no)", 1), ("`model/no.cpp`", 1)):
                 (root / "a.md").write_text(text, encoding="utf-8")
                 self.assertEqual(len(list(links.dead(root, "a.md"))), count, text)
+
+    def test_costs_of_labels(self):
+        table = "| a, b | proves | |\n| c | more | 7 |\n"
+        self.assertEqual(label_costs.missing(table, ["a", "d", "c"]), ["d"])
+        seconds, labels = {"x": 1.5, "y": 2.0, "z": 9.0}, {"x": ["a", "b"], "y": ["a"], "z": ["d"]}
+        self.assertEqual(label_costs.updated(table, seconds, labels), "| a, b | proves | 4 |\n| c | more | |\n")
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "junit.xml"
+            path.write_text('<testsuite><testcase name="x" time="1.5"/></testsuite>', encoding="utf-8")
+            self.assertEqual(label_costs.times(path), {"x": 1.5})
 
     def test_long_readme_is_found(self):
         with tempfile.TemporaryDirectory() as folder:
