@@ -10,11 +10,11 @@
 
 #include <hmlfc/encoder.hpp>
 
+#include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/coding_options.hpp"
 #include "cli/comparison.hpp"
 #include "cli/stream_report.hpp"
-#include "cli/threads.hpp"
 #include "cli/view_source.hpp"
 #include "io/files.hpp"
 #include "io/light_field_files.hpp"

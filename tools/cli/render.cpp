@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/camera_options.hpp"
 #include "cli/render_backend.hpp"
 #include "cli/stream_file.hpp"
-#include "cli/threads.hpp"
 #include "decoder/touched_bytes.hpp"
 #include "io/image_files.hpp"
 #include "render/ray.hpp"

@@ -1,11 +1,9 @@
-// Threads of a command: how many, and work on every view of a grid.
+// Work on every view of a grid, on several threads.
 #pragma once
 
 #include <cstddef>
 #include <mutex>
 #include <optional>
-
-#include <tbb/global_control.h>
 
 #include <hmlfc/decoder.hpp>
 
@@ -15,21 +13,7 @@
 
 namespace hmlfc::cli {
 
-/// While it lives, the process works on `threads` threads, more than there are cores too; 0 leaves
-/// the choice to the system.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(int threads) {
-    if (threads > 0) {
-      limit_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
-    }
-  }
-
- private:
-  std::optional<tbb::global_control> limit_;
-};
-
-/// Of the failures of many threads, the one of the lowest index: the same in every run.
+/// The failure with the lowest index among many threads: the same in every run.
 class FirstFailure {
  public:
   /// Calls `body` unless a failure of a lower index makes it pointless; keeps what it throws.
