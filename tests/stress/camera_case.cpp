@@ -10,8 +10,8 @@
 
 #include "render/ray.hpp"
 #include "render/real_renderer.hpp"
+#include "vectors/field_stream.hpp"
 #include "vectors/random.hpp"
-#include "vectors/random_stream.hpp"
 
 namespace hmlfc::stress {
 namespace {

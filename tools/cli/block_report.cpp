@@ -11,7 +11,7 @@ namespace hmlfc::cli {
 
 namespace {
 
-Json field_json(const FieldRecord& field, const StreamHeader& header) {
+Json field_json(const TracedWalk& walk, const FieldRecord& field, const StreamHeader& header) {
   Json json;
   json["section"] = section_name(field.section);
   json["byte"] = field.bit >> 3;
@@ -24,14 +24,14 @@ Json field_json(const FieldRecord& field, const StreamHeader& header) {
   } else {
     json["value"] = field.value;
   }
-  const std::string unit = unit_of(field, header);
+  const std::string unit = unit_of(walk, field, header);
   if (!unit.empty()) json["unit"] = unit;
   return json;
 }
 
 Json fields_json(const TracedWalk& walk, const StreamHeader& header) {
   Json fields = Json::array();
-  for (const FieldRecord& field : walk.fields) fields.push_back(field_json(field, header));
+  for (const FieldRecord& field : walk.fields) fields.push_back(field_json(walk, field, header));
   return fields;
 }
 

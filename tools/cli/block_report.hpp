@@ -76,8 +76,9 @@ struct BlockReport {
   AccessCounts counts;
 };
 
-/// The unit of a field's value, such as "samples" or "1/4 sample"; empty where it is a pure number.
-std::string unit_of(const FieldRecord& field, const StreamHeader& header);
+/// The unit of the value of `field`, one of `walk`, such as "samples" or "1/4 sample"; empty for a
+/// pure number.
+std::string unit_of(const TracedWalk& walk, const FieldRecord& field, const StreamHeader& header);
 
 /// The fields of `walk` as a table for people, each line after `indent` spaces: masks in
 /// hexadecimal, codes with their meaning, the values of a residual block as one row.

@@ -1,4 +1,4 @@
-// hmlfc compare: how two light fields differ.
+// hmlfc compare: the differences of two light fields.
 #include <filesystem>
 #include <optional>
 #include <string>

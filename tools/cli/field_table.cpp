@@ -15,6 +15,7 @@ namespace hmlfc::cli {
 namespace {
 
 constexpr size_t kValueColumns = 52;
+constexpr int64_t kChoiceDisparity = 10;  // MOT-5: explicit_x is a disparity
 
 // One line of the table: a field, or several in a row with the same name.
 struct FieldRow {
@@ -45,15 +46,10 @@ std::string choice_meaning(int64_t choice) {
   return at < kWords.size() ? std::string(kWords[at]) : "reserved";
 }
 
-// "samples" or "1/4 sample".
-std::string sample_unit(unsigned precision) {
-  return precision == 0 ? "samples" : fmt::format("1/{} sample", 1u << precision);
-}
-
 unsigned step_code(const FieldRecord& field) { return static_cast<unsigned>(field.value & 15); }
 
 // What a code stands for, or nothing.
-std::string meaning(const FieldRecord& field, const StreamHeader& header) {
+std::string meaning(const TracedWalk& walk, const FieldRecord& field, const StreamHeader& header) {
   const auto one_of = [&field](std::array<std::string_view, 4> words) {
     return std::string(words[static_cast<size_t>(field.value & 3)]);
   };
@@ -72,7 +68,7 @@ std::string meaning(const FieldRecord& field, const StreamHeader& header) {
     const auto place = static_cast<uint64_t>(field.value);
     return fmt::format("data {:#x}, offset_bits {}", place & 0xFFFFFFFFFFFFu, (place >> 48) & 0xFF);
   }
-  return unit_of(field, header);
+  return unit_of(walk, field, header);
 }
 
 std::string value_text(const FieldRecord& field) {
@@ -97,7 +93,8 @@ int64_t level_code(const TracedWalk& walk) {
   return base < 0 ? -1 : base + delta;
 }
 
-FieldRow row_of(std::span<const FieldRecord> fields, int64_t code, const StreamHeader& header) {
+FieldRow row_of(const TracedWalk& walk, std::span<const FieldRecord> fields, int64_t code,
+                const StreamHeader& header) {
   const FieldRecord& first = fields.front();
   FieldRow row;
   row.section = section_name(first.section);
@@ -116,7 +113,8 @@ FieldRow row_of(std::span<const FieldRecord> fields, int64_t code, const StreamH
     if (!row.value.empty()) row.value += ' ';
     row.value += value_text(field);
   }
-  std::string note = first.name == "level_delta" ? levels_meaning(code) : meaning(first, header);
+  std::string note =
+      first.name == "level_delta" ? levels_meaning(code) : meaning(walk, first, header);
   if (first.name == "level_delta" && fields.size() > 1) note = "this block: " + note;
   if (!note.empty()) row.value += "  (" + note + ")";
   return row;
@@ -147,7 +145,7 @@ std::vector<FieldRow> field_rows(const TracedWalk& walk, const StreamHeader& hea
            fields[end].name == fields[begin].name) {
       ++end;
     }
-    rows.push_back(row_of(fields.subspan(begin, end - begin), code, header));
+    rows.push_back(row_of(walk, fields.subspan(begin, end - begin), code, header));
     begin = end;
   }
   return rows;
@@ -155,15 +153,22 @@ std::vector<FieldRow> field_rows(const TracedWalk& walk, const StreamHeader& hea
 
 }  // namespace
 
-std::string unit_of(const FieldRecord& field, const StreamHeader& header) {
+std::string unit_of(const TracedWalk& walk, const FieldRecord& field, const StreamHeader& header) {
   const std::string_view name = field.name;
   if (name == "min_x" || name == "min_y" || name == "dx" || name == "dy") return "samples";
-  if (name == "explicit_x" || name == "explicit_y") return sample_unit(header.vector_precision);
-  if (name == "min_disparity" || name == "disparity") {
-    return sample_unit(header.disparity_precision) + (header.disparity_precision == 0 ? "" : "s") +
-           " per column";
+  bool disparity = name == "min_disparity" || name == "disparity";
+  if (name == "explicit_x") {
+    for (const FieldRecord* at = &field; at >= walk.fields.data(); --at) {
+      if (at->name != "choice") continue;
+      disparity = at->value == kChoiceDisparity;
+      break;
+    }
+  } else if (name != "explicit_y" && !disparity) {
+    return "";
   }
-  return "";
+  const unsigned precision = disparity ? header.disparity_precision : header.vector_precision;
+  const std::string unit = precision == 0 ? "samples" : fmt::format("1/{} sample", 1u << precision);
+  return disparity ? unit + " per column" : unit;
 }
 
 std::string field_table(const TracedWalk& walk, const StreamHeader& header, size_t indent) {

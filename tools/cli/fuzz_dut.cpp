@@ -14,9 +14,8 @@
 #include "conform/runner.hpp"
 #include "io/files.hpp"
 #include "syntax/conformance_level.hpp"
-#include "syntax/header.hpp"
 #include "terminal/progress_bar.hpp"
-#include "vectors/random_stream.hpp"
+#include "vectors/field_stream.hpp"
 
 namespace hmlfc::cli {
 
@@ -30,11 +29,11 @@ struct MinimiseOptions {
 };
 
 std::string shape(std::span<const uint8_t> stream) {
-  const auto header = parse_header(stream);
-  if (!header) return {};
+  const auto decoder = Decoder::open(stream);
+  if (!decoder) return {};
+  const StreamHeader& header = decoder->header();
   return fmt::format("{} bytes, {} x {} views of {} x {} pixels, {} levels", stream.size(),
-                     header->rows, header->cols, header->width, header->height,
-                     header->tree_height + 1);
+                     header.rows, header.cols, header.width, header.height, header.tree_height + 1);
 }
 
 ExitCode run_minimise(const MinimiseOptions& options) {

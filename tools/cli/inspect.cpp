@@ -1,4 +1,4 @@
-// hmlfc inspect: how one block is decoded, field by field and stage by stage.
+// hmlfc inspect: shows how one block is decoded, field by field and stage by stage.
 #include <array>
 #include <filesystem>
 #include <optional>

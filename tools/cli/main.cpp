@@ -1,4 +1,4 @@
-// hmlfc: encode, decode and examine light fields.
+// hmlfc: encodes, decodes, renders and examines light fields.
 #include <csignal>
 #include <cstdio>
 #include <exception>

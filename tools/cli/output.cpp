@@ -68,14 +68,14 @@ void check_output_file(const std::filesystem::path& file) {
   value_or_throw(io::AtomicFile::create(file), ExitCode::kUsage);
 }
 
-bool is_png_name(const std::filesystem::path& file) {
+std::string lower_case_extension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".png";
+  return extension;
 }
 
 void check_picture_file(const std::filesystem::path& file) {
-  if (!is_png_name(file)) {
+  if (lower_case_extension(file) != ".png") {
     throw Failure(ExitCode::kUsage, file.string() + ": pictures are PNG files; name it *.png");
   }
   check_output_file(file);
@@ -86,7 +86,7 @@ void make_output_folder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, failure);
   if (!failure) return;
   throw Failure(ExitCode::kUsage,
-                folder.string() + ": cannot make this folder: " + failure.message());
+                folder.string() + ": cannot create this folder: " + failure.message());
 }
 
 }  // namespace hmlfc::cli

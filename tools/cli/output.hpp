@@ -19,11 +19,11 @@ namespace hmlfc::cli {
 enum class ExitCode : int {
   kDone = 0,
   kDifferent = 1,     ///< a comparison found a difference, or a target was missed
-  kUsage = 2,         ///< wrong arguments, or an output that cannot be made at the named place
-  kInput = 3,         ///< an input is missing, unreadable or not acceptable
+  kUsage = 2,         ///< wrong arguments, or an output that cannot be created there
+  kInput = 3,         ///< an input is missing, unreadable or unsuitable
   kCorrupt = 4,       ///< a stream broke a rule of the specification
   kIncomplete = 5,    ///< no failures, but required tests were skipped
-  kInternal = 70,     ///< a defect of this program
+  kInternal = 70,     ///< a bug in this program
   kOutOfMemory = 71,  ///< not enough memory
   kOutput = 74,       ///< writing failed: full disk, closed pipe
   kCannotRun = 77,    ///< a decoder under test cannot run on this machine
@@ -82,8 +82,8 @@ std::string psnr_text(double db);
 /// "1 234 567": thousands separated by spaces.
 std::string grouped(uint64_t number);
 
-/// Whether `file` has the extension .png, in any case.
-bool is_png_name(const std::filesystem::path& file);
+/// ".png" of "a/B.PNG".
+std::string lower_case_extension(const std::filesystem::path& file);
 
 /// Throws a usage failure unless a file can be written at `file`; leaves nothing there.
 void check_output_file(const std::filesystem::path& file);

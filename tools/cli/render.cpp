@@ -1,7 +1,10 @@
 // hmlfc render: novel views of a light field.
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -72,6 +75,14 @@ Json pass_json(const std::string& name, int levels, const Frame& frame,
     json["samples_interpolated"] = frame.counts.samples_interpolated;
   }
   return json;
+}
+
+// Whether the name is that of a file which frames are not written as.
+bool is_other_format(const std::filesystem::path& output) {
+  constexpr std::array<std::string_view, 18> kOthers = {
+      ".apng", ".avi", ".bmp", ".exr", ".gif", ".hmlfc", ".jpeg", ".jpg",  ".json",
+      ".mkv",  ".mov", ".mp4", ".pgm", ".pnm", ".ppm",   ".tif",  ".tiff", ".webp"};
+  return std::ranges::find(kOthers, lower_case_extension(output)) != kOthers.end();
 }
 
 // The share of pixels that see nothing of the light field (RAY-6); these are black.
@@ -159,15 +170,14 @@ class RenderRun {
   // Makes the folder, or checks that the one PNG file can be written; returns whether it is a file.
   bool prepare_output() const {
     const std::filesystem::path& output = arguments_.output;
-    const bool one_file = is_png_name(output);
+    const bool one_file = lower_case_extension(output) == ".png";
     if (one_file && cameras_.size() != 1) {
       throw Failure(ExitCode::kUsage,
                     "-o names one PNG file, but there are several frames: name a folder");
     }
-    if (!one_file && output.has_extension() && !std::filesystem::is_directory(output)) {
+    if (is_other_format(output)) {
       throw Failure(ExitCode::kUsage,
-                    fmt::format("{}: frames are PNG files; name a *.png file, or a folder: {}/",
-                                output.string(), output.string()));
+                    output.string() + ": frames are PNG files; name a *.png file or a folder");
     }
     if (one_file) {
       check_output_file(output);

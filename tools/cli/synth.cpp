@@ -1,4 +1,4 @@
-// hmlfc synth: a synthetic light field as a folder of views.
+// hmlfc synth: renders a synthetic light field to a folder of views.
 #include <chrono>
 #include <filesystem>
 #include <memory>

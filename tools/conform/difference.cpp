@@ -180,7 +180,7 @@ io::IoResult<void> write_failure_pictures(const std::filesystem::path& folder,
                                           const RgbImage& heat) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return io::system_error(folder, "cannot be made", error.value());
+  if (error) return io::system_error(folder, "cannot be created", error.value());
   const auto difference = io::difference_picture(actual, expected, kGain);
   if (!difference) return tl::unexpected(difference.error());
   const RgbImage* pictures[] = {nullptr, nullptr, &*difference, &heat};

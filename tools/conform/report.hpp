@@ -25,7 +25,7 @@ std::string html_text(const Report& report, const std::filesystem::path& folder)
 /// Writes report.json, junit.xml and report.html into `folder`.
 io::IoResult<void> write_report(const Report& report, const std::filesystem::path& folder);
 
-/// What runs on this machine; `program` is name and version of this one.
+/// This system; `program` is name and version of this program.
 SystemInfo this_system(const std::string& program);
 
 /// A report of `folder` to be merged with others.
@@ -44,10 +44,10 @@ io::IoResult<Report> merge(const std::vector<ReportPart>& parts,
 /// JSON with its keys in the order in which they were set.
 using Json = nlohmann::ordered_json;
 
-/// One result; absent keys have their default.
+/// One result, without keys that have their default.
 Json to_json(const VectorResult& result);
 
-/// Nothing where `json` is no result.
+/// Nothing if `json` is not a result.
 std::optional<VectorResult> result_from_json(const Json& json);
 
 /// The whole report with counts and verdicts; docs/conformance.md has its keys.
@@ -56,8 +56,8 @@ Json to_json(const Report& report);
 /// Reads a file of to_json(report). Errors: not readable, not such a file.
 io::IoResult<Report> read_report(const std::filesystem::path& file);
 
-/// `text` with the characters that XML gives a meaning escaped; characters that XML 1.0 cannot hold
-/// and bytes above 7F that are no UTF-8 become '?'.
+/// `text` with the characters that XML gives a meaning escaped; characters that XML 1.0 does not
+/// allow and bytes that are not UTF-8 become '?'.
 std::string escaped(std::string_view text);
 
 /// data:image/png;base64,...

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// JSON's serialiser checks UTF-8; what is none becomes U+FFFD there.
+// The JSON serialiser replaces invalid UTF-8 by U+FFFD.
 std::string valid_utf8(std::string_view text) {
   using Json = nlohmann::json;
   const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -88,7 +88,7 @@ io::IoResult<void> write_text(const fs::path& file, const std::string& text) {
   return io::write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
-// Skipped says less than any result; of results the worse one counts.
+// Any result outweighs skipped; the worse of two results counts.
 int weight(Status status) {
   switch (status) {
     case Status::kSkipped:

@@ -73,7 +73,7 @@ io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,
                                         bool resume) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return io::system_error(folder, "cannot be made", error.value());
+  if (error) return io::system_error(folder, "cannot be created", error.value());
   ResultLog log;
   log.path_ = folder / "results.jsonl";
   const Json head = {
@@ -87,7 +87,7 @@ io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,
       if (Json::parse(line, nullptr, false) != head) {
         return io::file_error(log.path_,
                               "has results of another suite or decoder; leave out --resume to "
-                              "begin anew");
+                              "start again");
       }
     }
     while (std::getline(stream, line)) {

@@ -16,7 +16,7 @@
 
 namespace hmlfc::conform {
 
-/// What came of one vector.
+/// The outcome of one vector.
 enum class Status : uint8_t {
   kPass,          ///< exactly what the manifest says
   kFail,          ///< something else
@@ -62,7 +62,7 @@ struct Run {
   std::vector<VectorResult> results;
 };
 
-/// Where and when.
+/// The system and time of a run.
 struct SystemInfo {
   std::string program;    ///< name and version
   std::string date;       ///< UTC, ISO 8601
@@ -90,10 +90,10 @@ struct Tally {
 };
 Tally tally(const Run& run);
 
-/// What a run says about a decoder.
+/// The verdict of a run about a decoder.
 enum class Verdict : uint8_t {
   kConforms,    ///< every required vector passes, but for waived ones
-  kIncomplete,  ///< nothing failed, but required vectors were skipped, or there was none
+  kIncomplete,  ///< no failures, but required vectors were skipped, or there were none
   kFails,       ///< a required vector failed
 };
 Verdict verdict(const Run& run);
@@ -102,12 +102,12 @@ Verdict verdict(const Run& run);
 std::string verdict_text(const Run& run);
 
 /// The file results.jsonl of a decoder's folder: a first line that says of which suite and decoder,
-/// then a line for each result. A line that an interruption cut is passed over.
+/// then a line for each result. Incomplete lines are ignored.
 class ResultLog {
  public:
   /// Makes `folder` where it is missing. With `resume` the results of the file that is there are
-  /// kept, but for skipped ones; else it begins anew. Errors: cannot write; with `resume`, results
-  /// of another suite or decoder.
+  /// kept, but for skipped ones; else the file starts empty. Errors: cannot write; with `resume`,
+  /// results of another suite or decoder.
   static io::IoResult<ResultLog> open(const std::filesystem::path& folder,
                                       const std::string& manifest_sha256, const Dut& dut,
                                       bool resume);

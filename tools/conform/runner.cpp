@@ -106,7 +106,7 @@ class SuiteRun {
     if (!result.reason.empty()) return;
     WorkFolder work(folder_ / "work" / vector.id);
     if (work.error()) {
-      return fail_in_suite(result, fmt::format("{}: cannot be made: {}", work.path().string(),
+      return fail_in_suite(result, fmt::format("{}: cannot be created: {}", work.path().string(),
                                                work.error().message()));
     }
     const fs::path pictures = fs::path("failures") / vector.id;

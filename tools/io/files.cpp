@@ -31,7 +31,7 @@ IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
 
   fs::path partial = resolved;
   partial += ".partial-" + std::to_string(::getpid());
-  // A file of this name can only be left over from a dead process that had the same number.
+  // Such a file can only be left over from a dead process with the same number.
   ::unlink(partial.c_str());
   FileDescriptor file(::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.get() < 0) {

@@ -13,7 +13,7 @@
 
 namespace hmlfc::io {
 
-/// Closes its descriptor when it goes; empty (-1) after a move or release().
+/// Closes its descriptor on destruction; empty (-1) after a move or release().
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -34,17 +34,17 @@ class FileDescriptor {
   int descriptor_ = -1;
 };
 
-/// Writes beside the target, into NAME.partial-<process id>, and renames on commit(). Until then,
-/// and after any failure, the target is what it was before; without a commit() the partial file is
-/// removed. One writer per target within a process.
+/// Writes to NAME.partial-<process id> next to the target and renames it on commit(). Until then,
+/// and after any failure, the target is unchanged; without a commit() the partial file is removed.
+/// One writer per target within a process.
 ///
 ///   auto file = AtomicFile::create("a.hmlfc");
 ///   if (file && file->write(header) && file->write(body)) return file->commit();
 class AtomicFile {
  public:
-  /// Errors: the folder does not exist or cannot be written, or the target exists and is no regular
-  /// file (a device or a folder is never replaced). A symbolic link's target is replaced, not the
-  /// link.
+  /// Errors: the folder does not exist or cannot be written, or the target exists and is not a
+  /// regular file (a device or a folder is never replaced). A symbolic link's target is replaced,
+  /// not the link.
   static IoResult<AtomicFile> create(const std::filesystem::path& target);
 
   AtomicFile(AtomicFile&&) noexcept = default;
@@ -54,7 +54,7 @@ class AtomicFile {
   /// Appends all of `bytes`. Errors: full disk, size limit, device error.
   IoResult<void> write(std::span<const uint8_t> bytes);
 
-  /// Flushes to the device and renames; the object is then finished. Errors as write().
+  /// Flushes to the device and renames; nothing may be written afterwards. Errors as write().
   IoResult<void> commit();
 
  private:
@@ -69,11 +69,11 @@ class AtomicFile {
 /// The whole file at once: create, write, commit.
 IoResult<void> write_file(const std::filesystem::path& target, std::span<const uint8_t> bytes);
 
-/// Read-only view of a whole regular file for as long as the object lives. The file must not be
-/// shortened meanwhile (the system then ends the process); files replaced by rename are safe.
+/// Read-only view of a whole regular file for the lifetime of the object. The file must not be
+/// truncated meanwhile (the system would kill the process); replacing it by rename is safe.
 class MappedFile {
  public:
-  /// Errors: the file does not exist, cannot be read, or is no regular file.
+  /// Errors: the file does not exist, cannot be read, or is not a regular file.
   static IoResult<MappedFile> open(const std::filesystem::path& path);
 
   MappedFile(MappedFile&& other) noexcept;

@@ -51,17 +51,16 @@ IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimi
 /// Errors: cannot write.
 IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image);
 
-/// Writes a binary PPM (P6) of maxval 2^depth - 1, two big-endian bytes a sample above depth 8.
+/// Writes a binary PPM (P6) of maxval 2^depth - 1, two big-endian bytes per sample above depth 8.
 /// Errors: cannot write.
 IoResult<void> write_ppm(const std::filesystem::path& path, const RgbImage& image);
 
-/// Writes an animated PNG (APNG) that repeats `frames`, at least one, all of one size and depth,
-/// `rate` a second, in [1, 1000]. Programs that know PNG alone show the first. Errors: cannot
-/// write.
+/// Writes an animated PNG (APNG) that loops over `frames`, at least one, all of one size and depth,
+/// with `rate` frames per second, in [1, 1000]. PNG readers show the first. Errors: cannot write.
 IoResult<void> write_apng(const std::filesystem::path& path, std::span<const RgbImage> frames,
                           unsigned rate);
 
-/// The bytes of write_png's file; none where memory runs out.
+/// The bytes that write_png writes; empty if memory runs out.
 std::vector<uint8_t> encode_png(const RgbImage& image);
 
 }  // namespace hmlfc::io

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of the errors of many threads, the one of the lowest index: the same in every run.
+/// The error with the lowest index among many threads: the same in every run.
 class FirstError {
  public:
   /// True where the outcome of `index` can no longer matter.
@@ -58,7 +58,7 @@ std::string describe(const ViewShape& shape) {
 
 ViewShape shape_of(const RgbImage& image) { return {image.width, image.height, image.depth}; }
 
-/// Names the first view that is not like most of them, if there is one.
+/// Names the first view whose shape differs from most others, if there is one.
 std::optional<IoError> find_odd_view(const ViewList& views, const std::vector<ViewShape>& shapes) {
   std::map<ViewShape, size_t> counts;
   for (const ViewShape& shape : shapes) ++counts[shape];
@@ -124,7 +124,7 @@ IoResult<void> save_views(const fs::path& folder, GridShape grid, const ViewProd
                           unsigned threads, const Progress& progress) {
   std::error_code failure;
   fs::create_directories(folder, failure);
-  if (failure) return system_error(folder, "cannot make this folder", failure.value());
+  if (failure) return system_error(folder, "cannot create this folder", failure.value());
 
   FirstError first_error;
   const auto save_view = [&](size_t index) {

@@ -16,7 +16,7 @@
 namespace hmlfc::io {
 
 /// Reads all views, each file once, on `threads` threads (0: all cores). The result has the size
-/// and depth of the views; beside it, the first view and one picture a thread are in memory.
+/// and depth of the views; the first view and one image per thread are in memory besides.
 ///
 /// Errors: a file that read_image() refuses (the first in row-major order is named), a view whose
 /// size or depth differs from most others (named with both), not enough memory.
@@ -33,7 +33,7 @@ IoResult<void> save_views(const std::filesystem::path& folder, GridShape grid,
                           const ViewProducer& produce, unsigned threads,
                           const Progress& progress = {});
 
-/// All views of `field`, as above.
+/// Writes all views of `field`, as above.
 IoResult<void> save_views(const std::filesystem::path& folder, const LightField& field,
                           unsigned threads, const Progress& progress = {});
 

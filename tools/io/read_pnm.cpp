@@ -71,7 +71,7 @@ class PnmCursor {
   }
 
   std::span<const uint8_t> bytes_;
-  size_t position_ = 2;  // behind the magic
+  size_t position_ = 2;  // after the magic number
 };
 
 IoResult<PnmHeader> read_header(const ImageSource& source, PnmCursor& cursor) {

@@ -10,7 +10,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Takes the run of digits at the front of `text` away and returns it without leading zeros.
+/// Removes the digits at the front of `text` and returns them without leading zeros.
 std::string_view take_number(std::string_view& text) {
   const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
   std::string_view digits = text.substr(0, static_cast<size_t>(end - text.begin()));
@@ -18,8 +18,6 @@ std::string_view take_number(std::string_view& text) {
   digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
   return digits;
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A number of 1 to `max_digits` digits and nothing else.
 std::optional<uint32_t> parse_digits(std::string_view text, size_t max_digits) {
@@ -58,7 +56,7 @@ std::optional<GridPosition> parse_position(std::string_view row, std::string_vie
   return GridPosition{*row_number, *col_number};
 }
 
-/// out_RR_CC_Y_X with an optional underscore behind.
+/// out_RR_CC_Y_X with an optional trailing underscore.
 bool has_camera_position(const std::vector<std::string_view>& parts) {
   const bool right_count = parts.size() == 5 || (parts.size() == 6 && parts[5].empty());
   return right_count && parts[0] == "out" && is_decimal(parts[3]) && is_decimal(parts[4]);

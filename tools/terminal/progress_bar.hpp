@@ -1,4 +1,4 @@
-// How far a long piece of work is, for a person at a terminal.
+// Progress of long work, for people at a terminal.
 #pragma once
 
 #include <chrono>
@@ -12,8 +12,8 @@ namespace hmlfc::terminal {
 ///
 ///   Encoding  [##########..............]  42 %  36/85 images  3.1/s  0:16 left
 ///
-/// Shown only where standard error is a terminal and the work takes more than a second; wiped when
-/// the object goes, or with clear(). Where work starts again (done falls), the line counts tries.
+/// Shown only if standard error is a terminal and the work takes more than a second; erased by
+/// clear() or the destructor. If work starts again (done falls), the line counts the tries.
 class ProgressBar {
  public:
   /// `unit` is the plural noun of the pieces.
@@ -28,7 +28,7 @@ class ProgressBar {
   /// update() as the function that the libraries take; the bar must outlive it.
   std::function<void(uint64_t, uint64_t)> callback();
 
-  /// Wipes the line.
+  /// Erases the line.
   void clear();
 
  private:

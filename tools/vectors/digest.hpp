@@ -10,8 +10,7 @@
 
 namespace hmlfc::vectors {
 
-/// The SHA-256 of `bytes` in 64 lower-case hexadecimal digits. Throws std::bad_alloc where the
-/// library has no memory.
+/// The SHA-256 of `bytes` in 64 lower-case hexadecimal digits. Throws std::bad_alloc.
 std::string sha256(std::span<const uint8_t> bytes);
 
 /// The samples of `image`, row by row, R, G and B of a pixel together: one byte each at depth 8,

@@ -45,12 +45,12 @@ std::vector<uint8_t> draw_motion_record(FieldRules& rules, const MotionContext& 
 std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityContext& context,
                                            Random& random);
 
-/// By rule "behind" appends that many bytes of ones, [0, 3], to `record`; without the rule, or a
-/// record, does nothing.
-void append_ones(FieldRules& rules, std::vector<uint8_t>& record, Random& random);
+/// By rule "behind" appends [0, 3] bytes of ones to `record`; does nothing without the rule or a
+/// record.
+void append_trailing_ones(FieldRules& rules, std::vector<uint8_t>& record, Random& random);
 
-/// The record of the fields written, and, with rule "behind", ones in the rest of its last byte and
-/// as append_ones. The writer is empty afterwards.
-std::vector<uint8_t> with_ones_behind(FieldRules& rules, BitWriter& writer, Random& random);
+/// The record of the fields written; with rule "behind", followed by ones to the end of its last
+/// byte and as by append_trailing_ones. Empties the writer.
+std::vector<uint8_t> with_trailing_ones(FieldRules& rules, BitWriter& writer, Random& random);
 
 }  // namespace hmlfc::vectors

@@ -80,7 +80,7 @@ std::vector<uint8_t> draw_motion_record(FieldRules& rules, const MotionContext& 
   draw_tail_code(rules, tile.indices, random);
   BitWriter writer;
   put_motion_fields(writer, tile, {context.two_references, !context.keyed});
-  return with_ones_behind(rules, writer, random);
+  return with_trailing_ones(rules, writer, random);
 }
 
 std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityContext& context,
@@ -106,7 +106,7 @@ std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityCon
   draw_tail_code(rules, values, random);
   BitWriter writer;
   put_disparity_fields(writer, static_cast<int32_t>(least), values);
-  return with_ones_behind(rules, writer, random);
+  return with_trailing_ones(rules, writer, random);
 }
 
 }  // namespace hmlfc::vectors

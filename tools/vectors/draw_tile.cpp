@@ -15,7 +15,7 @@ namespace hmlfc::vectors {
 
 namespace {
 
-constexpr uint64_t kMostBytes = 3;
+constexpr uint64_t kMaxTrailingBytes = 3;
 
 constexpr int64_t kMaxLevelBits = 6;
 constexpr int64_t kMaxStepBits = 3;
@@ -176,16 +176,16 @@ unsigned code_bits(const Levels& levels, size_t count, size_t group) {
   return static_cast<unsigned>(bise_bits(levels, members) - levels.plain_bits * members);
 }
 
-void append_ones(FieldRules& rules, std::vector<uint8_t>& record, Random& random) {
+void append_trailing_ones(FieldRules& rules, std::vector<uint8_t>& record, Random& random) {
   if (record.empty() || !rules.has("behind")) return;
-  record.resize(record.size() + rules.pick_unsigned("behind", 0, kMostBytes, random), 0xFF);
+  record.resize(record.size() + rules.pick_unsigned("behind", 0, kMaxTrailingBytes, random), 0xFF);
 }
 
-std::vector<uint8_t> with_ones_behind(FieldRules& rules, BitWriter& writer, Random& random) {
+std::vector<uint8_t> with_trailing_ones(FieldRules& rules, BitWriter& writer, Random& random) {
   const auto rest = static_cast<unsigned>((8 - writer.size() % 8) % 8);
   if (rules.has("behind")) writer.put((1u << rest) - 1, rest);
   std::vector<uint8_t> record = writer.take();
-  append_ones(rules, record, random);
+  append_trailing_ones(rules, record, random);
   return record;
 }
 

@@ -12,8 +12,8 @@
 namespace hmlfc::vectors {
 
 /// One line for each field of `file`, in the order of addresses: byte and bit, the bytes that hold
-/// it, name, value and clause. Bytes that no field stands in (codestreams, block values) are shown
-/// as such. Of a damaged stream: as far as it can be read, and the error.
+/// it, name, value and clause. Bytes outside of fields (codestreams, block values) are marked.
+/// A damaged stream is shown as far as it can be read, with the error.
 std::string annotated_dump(std::span<const uint8_t> file);
 
 /// What is wrong with the suite in `folder`, whose manifest is `manifest`, one line each: files

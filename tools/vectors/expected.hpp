@@ -33,7 +33,7 @@ struct RecordedStage {
 /// A FieldRecord; its names live as long as the program.
 using RecordedField = FieldRecord;
 
-/// Keeps fields and stages in the order in which they are reported.
+/// Collects fields and stages in the order in which they are reported.
 class BlockRecorder final : public TraceSink {
  public:
   void on_field(const FieldRecord& record) override { records.emplace_back(record); }

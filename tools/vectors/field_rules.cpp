@@ -36,7 +36,7 @@ Json mask_numbers(const Json& json) {
     if (json == kMasks[i]) return i;
   }
   if (json == "random") return json;
-  throw TextError(json.dump() + " is no mask");
+  throw TextError(json.dump() + " is not a mask");
 }
 
 uint64_t random_word(Random& random) { return random.next(); }
@@ -51,7 +51,7 @@ Choice::Term Choice::term_from(const Json& json) {
   if (json == "max") return {Kind::kMax};
   if (json == "ramp") return {Kind::kRamp};
   throw TextError(json.dump() +
-                  " is no choice: a number, [lo, hi], \"random\", \"min\", \"max\", " +
+                  " is not a choice: a number, [lo, hi], \"random\", \"min\", \"max\", " +
                   "\"ramp\" or {\"of\": [...]}");
 }
 
@@ -93,7 +93,8 @@ int64_t Choice::pick(int64_t lo, int64_t hi, Random& random) {
 
 FieldRules::FieldRules(const Json& json) {
   for (const auto& [name, rule] : json.items()) {
-    if (!known_fields().contains(name)) throw TextError("\"" + name + "\" is no field of a stream");
+    if (!known_fields().contains(name))
+      throw TextError("\"" + name + "\" is not a field of a stream");
     choices_[name] = Choice::from(name.ends_with("_mask") ? mask_numbers(rule) : rule);
   }
 }

@@ -1,4 +1,4 @@
-// From a recipe to the header and the bytes of a stream.
+// From a recipe to the bytes of a stream.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,6 @@
 
 namespace hmlfc::vectors {
 
-/// The header whose fields `json` names as FIL-1 and EXT-2 do; "features" lists flags by name,
-/// "levels" reference groups [ref_rows, ref_cols] or [ref_rows, ref_cols, key_references] from
-/// level 0 on, the last of them for all levels above. What it does not name: one view of 16 x 16
-/// pixels, depth 8, 4:2:0, blocks of 4, window 16, no tree, no groups. Throws TextError where the
-/// fields break FIL-1 or EXT-2.
-StreamHeader header_from(const Json& json);
-
-/// What the header says, as flags of a vector: "extended", "depth10", "predictive" ...
-std::vector<std::string> header_flags(const StreamHeader& header);
-
 /// A stream with the header that it was made with, before any edit.
 struct MadeStream {
   std::vector<uint8_t> bytes;
@@ -29,9 +19,9 @@ struct MadeStream {
 };
 
 /// The stream of recipe `id`, whose "stream" has "kind"
-///   "encode"  what the encoder makes of a scene (encode_recipe.hpp),
+///   "encode"  what the encoder makes of a scene (see below),
 ///   "fields"  every field by a rule (field_stream.hpp),
-///   "random"  a random stream within "limits" (random_stream.hpp),
+///   "random"  a random stream within "limits" (field_stream.hpp),
 ///   "edit"    the stream of recipe "base" with "edits" (stream_edit.hpp).
 /// Throws TextError, with the id.
 MadeStream make_stream(const Recipes& recipes, const std::string& id);

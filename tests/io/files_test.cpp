@@ -1,10 +1,11 @@
-// Output files appear complete or not at all.
+// Output files appear complete or not at all; input files are mapped.
 #include <gtest/gtest.h>
 
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -119,6 +120,37 @@ TEST(AtomicFile, NamesAFolderThatIsNotThere) {
   ASSERT_FALSE(result.has_value());
   EXPECT_NE(result.error().message.find("absent/a.bin"), std::string::npos);
   EXPECT_FALSE(write_file("", to_bytes("x")).has_value());
+}
+
+TEST(MappedFile, ShowsAllBytes) {
+  const test::TempFolder folder;
+  test::Bytes content(100000);
+  for (size_t i = 0; i < content.size(); ++i) content[i] = static_cast<uint8_t>(i * 7);
+  test::put_file(folder / "a", content);
+  auto file = MappedFile::open(folder / "a");
+  ASSERT_TRUE(file.has_value()) << file.error().message;
+  EXPECT_TRUE(std::ranges::equal(file->bytes(), content));
+  const MappedFile moved = std::move(*file);
+  EXPECT_TRUE(std::ranges::equal(moved.bytes(), content));
+  EXPECT_TRUE(file->bytes().empty());
+}
+
+TEST(MappedFile, AnEmptyFileIsAnEmptySpan) {
+  const test::TempFolder folder;
+  test::put_file(folder / "a", std::string());
+  const auto file = MappedFile::open(folder / "a");
+  ASSERT_TRUE(file.has_value());
+  EXPECT_TRUE(file->bytes().empty());
+}
+
+TEST(MappedFile, RefusesWhatIsNoRegularFile) {
+  const test::TempFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const auto& path : {folder.path(), folder / "pipe", folder / "absent"}) {
+    const auto file = MappedFile::open(path);
+    ASSERT_FALSE(file.has_value()) << path;
+    EXPECT_NE(file.error().message.find(path.string()), std::string::npos);
+  }
 }
 
 }  // namespace
