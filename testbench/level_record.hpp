@@ -10,7 +10,7 @@
 #include <hmlfc/format.hpp>
 #include <hmlfc/trace.hpp>
 
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 #include "request.hpp"
 
 namespace hmlfc::tb {

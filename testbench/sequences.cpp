@@ -5,7 +5,7 @@
 
 #include "arithmetic/rounding.hpp"
 #include "random.hpp"
-#include "syntax/tile_layout.hpp"
+#include "syntax/tile_masks.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -8,7 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "encoder/motion_choice.hpp"
@@ -16,7 +16,7 @@
 #include "encoder/stepped_plane.hpp"
 #include "encoder/view_error.hpp"
 #include "encoder/view_planes.hpp"
-#include "syntax/reference_set.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 namespace {

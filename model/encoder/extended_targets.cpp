@@ -6,7 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "arithmetic/steps.hpp"
+#include "arithmetic/reconstruct.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "encoder/view_planes.hpp"
 

@@ -1,4 +1,4 @@
-// The file header (FIL-1 to FIL-5).
+// The file header (FIL-1 to FIL-5, EXT-1, EXT-2).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,6 @@
 #include <hmlfc/format.hpp>
 
 namespace hmlfc {
-
 inline constexpr uint8_t kVersion = 1;
 inline constexpr uint32_t kMaxGrid = 4096;
 inline constexpr uint32_t kMaxSide = 65536;

@@ -10,10 +10,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "decoder/colour_row.hpp"
 #include "decoder/decoder_state.hpp"
 #include "decoder/fast/region_decoder.hpp"
 #include "decoder/memory_guard.hpp"
-#include "decoder/rgb_picture.hpp"
 
 namespace hmlfc {
 namespace {
@@ -52,7 +52,7 @@ using ViewPlanes = std::array<SamplePlane, kPlaneCount>;
 // Decodes all views below one image, so that what they share is decoded once.
 class FamilyDecoder {
  public:
-  FamilyDecoder(const DecodeSources& sources, int stop_level, const ViewConsumer& consumer)
+  FamilyDecoder(const FastSources& sources, int stop_level, const ViewConsumer& consumer)
       : sources_(sources), stop_level_(stop_level), consumer_(consumer) {}
 
   // Views whose ancestor at level `parent_level` is `parent`; parent_level is stop_level + 1, or
@@ -141,7 +141,7 @@ class FamilyDecoder {
     return {};
   }
 
-  const DecodeSources& sources_;
+  const FastSources& sources_;
   int stop_level_;
   const ViewConsumer& consumer_;
 };
@@ -170,7 +170,7 @@ Result<void> Decoder::decode_all(const ViewConsumer& consumer, int stop_level, i
   }
   const int parent_level = std::min(stop_level + 1, geometry.top());
   const LevelShape& shape = geometry.level(parent_level);
-  const DecodeSources sources = state_->sparse();
+  const FastSources sources = state_->fast();
   const FamilyDecoder family(sources, stop_level, consumer);
   FirstError first;
   parallel_tasks(shape.images(), threads, [&](uint64_t i) {
