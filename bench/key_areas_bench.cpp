@@ -21,11 +21,11 @@
 #include <openjpeg.h>
 
 #include "bits/little_endian.hpp"
+#include "decoder/jpeg2000.hpp"
+#include "decoder/key_images.hpp"
+#include "decoder/open_stream.hpp"
 #include "io/mapped_file.hpp"
 #include "render/timing.hpp"
-#include "samples/jpeg2000.hpp"
-#include "samples/key_images.hpp"
-#include "samples/open_stream.hpp"
 
 namespace {
 

@@ -22,10 +22,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "arithmetic/colour.hpp"
 #include "encoder/motion_search.hpp"
 #include "io/read_image.hpp"
 #include "scenes/scene.hpp"
-#include "values/colour.hpp"
 
 namespace {
 

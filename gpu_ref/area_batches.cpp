@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "arithmetic/rounding.hpp"
 #include "stream_shape.hpp"
-#include "values/rounding.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "fields/stream_view.hpp"
 #include "gpu_decoder.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
 

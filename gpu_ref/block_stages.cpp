@@ -2,7 +2,7 @@
 
 #include <hmlfc/error.hpp>
 
-#include "values/rounding.hpp"
+#include "arithmetic/rounding.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "values/rounding.hpp"
+#include "arithmetic/rounding.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <tbb/parallel_for.h>
 
+#include "arithmetic/rounding.hpp"
 #include "batch_buffers.hpp"
 #include "commands.hpp"
-#include "samples/key_images.hpp"
+#include "decoder/key_images.hpp"
 #include "stream_shape.hpp"
-#include "values/rounding.hpp"
 
 namespace hmlfc::gpu {
 namespace {

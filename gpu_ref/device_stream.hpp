@@ -5,8 +5,8 @@
 
 #include "arguments.hpp"
 #include "chunked_words.hpp"
-#include "fields/stream_view.hpp"
 #include "kernels.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
 

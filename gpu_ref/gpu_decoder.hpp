@@ -10,10 +10,10 @@
 
 #include <hmlfc/decoder.hpp>
 
+#include "arithmetic/interpolation.hpp"
 #include "device.hpp"
 #include "failure.hpp"
-#include "fields/stream_view.hpp"
-#include "values/interpolation.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
 

@@ -4,13 +4,13 @@
 #include <cstring>
 #include <span>
 
+#include "arithmetic/rounding.hpp"
 #include "batch_buffers.hpp"
 #include "block_pool.hpp"
 #include "commands.hpp"
 #include "device_stream.hpp"
 #include "frame_shape.hpp"
 #include "render/shown_image.hpp"
-#include "values/rounding.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "device.hpp"
 #include "failure.hpp"
-#include "fields/stream_view.hpp"
 #include "gpu_decoder.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
 

@@ -7,7 +7,7 @@
 #include <new>
 #include <utility>
 
-#include "values/rounding.hpp"
+#include "arithmetic/rounding.hpp"
 
 namespace hmlfc::gpu {
 namespace {

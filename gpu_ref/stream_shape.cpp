@@ -1,9 +1,9 @@
 #include "stream_shape.hpp"
 
+#include "arithmetic/rounding.hpp"
+#include "arithmetic/sample_range.hpp"
 #include "device_state.hpp"
-#include "fields/tile_layout.hpp"
-#include "values/rounding.hpp"
-#include "values/sample_range.hpp"
+#include "syntax/tile_layout.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "fields/stream_view.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
 

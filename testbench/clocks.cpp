@@ -10,7 +10,7 @@
 
 #include "sequences.hpp"
 #include "stream_image.hpp"
-#include "support/test_light_fields.hpp"
+#include "scenes/test_light_fields.hpp"
 
 namespace hmlfc::tb {
 namespace {

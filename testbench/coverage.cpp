@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "values/sample_range.hpp"
+#include "arithmetic/sample_range.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -1,7 +1,7 @@
 #include "golden_stream.hpp"
 
-#include "fields/header.hpp"
-#include "fields/index.hpp"
+#include "syntax/header.hpp"
+#include "syntax/index.hpp"
 
 namespace hmlfc::tb {
 

@@ -7,11 +7,11 @@
 
 #include <hmlfc/error.hpp>
 
-#include "fields/stream_view.hpp"
+#include "decoder/fast/sparse_plane.hpp"
+#include "decoder/golden/block_decoder.hpp"
+#include "decoder/key_images.hpp"
 #include "pins.hpp"
-#include "samples/block_decoder.hpp"
-#include "samples/key_images.hpp"
-#include "samples/sparse_plane.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::tb {
 

@@ -5,7 +5,7 @@
 
 #include "bits/bit_string.hpp"
 #include "bits/little_endian.hpp"
-#include "fields/index.hpp"
+#include "syntax/index.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "fields/header.hpp"
 #include "random.hpp"
+#include "syntax/header.hpp"
 
 namespace hmlfc::tb {
 

@@ -10,8 +10,8 @@
 #include <hmlfc/format.hpp>
 #include <hmlfc/trace.hpp>
 
+#include "arithmetic/interpolation.hpp"
 #include "request.hpp"
-#include "values/interpolation.hpp"
 
 namespace hmlfc::tb {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "samples/block_walk.hpp"
-#include "samples/motion_walk.hpp"
-#include "values/colour.hpp"
+#include "arithmetic/colour.hpp"
+#include "decoder/golden/block_walk.hpp"
+#include "decoder/golden/motion_walk.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -4,12 +4,12 @@
 #include <span>
 
 #include "bits/crc32c.hpp"
-#include "fields/geometry.hpp"
-#include "fields/header.hpp"
+#include "decoder/key_images.hpp"
 #include "index_damage.hpp"
 #include "random.hpp"
-#include "samples/key_images.hpp"
-#include "support/test_light_fields.hpp"
+#include "scenes/test_light_fields.hpp"
+#include "syntax/geometry.hpp"
+#include "syntax/header.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "samples/plane_block.hpp"
+#include "decoder/plane_block.hpp"
 
 namespace hmlfc::tb {
 namespace {

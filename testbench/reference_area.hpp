@@ -9,9 +9,9 @@
 
 #include <hmlfc/error.hpp>
 
-#include "fields/stream_view.hpp"
-#include "samples/key_images.hpp"
-#include "samples/sparse_plane.hpp"
+#include "decoder/fast/sparse_plane.hpp"
+#include "decoder/key_images.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::tb {
 

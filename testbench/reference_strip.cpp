@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "arithmetic/rounding.hpp"
 #include "bits/bit_string.hpp"
 #include "reference_area.hpp"
-#include "values/rounding.hpp"
 
 namespace hmlfc::tb {
 namespace {

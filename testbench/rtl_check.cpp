@@ -8,12 +8,12 @@
 
 #include "check_report.hpp"
 #include "failure_folder.hpp"
-#include "fields/header.hpp"
 #include "io/mapped_file.hpp"
 #include "plan_options.hpp"
 #include "sequences.hpp"
 #include "stand_in.hpp"
 #include "stream_image.hpp"
+#include "syntax/header.hpp"
 #include "units.hpp"
 
 namespace hmlfc::tb {

@@ -9,10 +9,10 @@
 
 #include "conform/output_views.hpp"
 #include "conform/stage_trace.hpp"
-#include "fields/header.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mapped_file.hpp"
 #include "stream_image.hpp"
+#include "syntax/header.hpp"
 #include "unit_host.hpp"
 #include "units.hpp"
 #include "vectors/picture_bytes.hpp"

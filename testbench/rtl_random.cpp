@@ -11,10 +11,10 @@
 #include <CLI/CLI.hpp>
 
 #include "failure_folder.hpp"
-#include "fields/header.hpp"
 #include "io/mapped_file.hpp"
 #include "stand_in.hpp"
 #include "suite.hpp"
+#include "syntax/header.hpp"
 #include "vectors/manifest.hpp"
 
 namespace hmlfc::tb {

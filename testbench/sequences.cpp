@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "fields/tile_layout.hpp"
+#include "arithmetic/rounding.hpp"
 #include "random.hpp"
-#include "values/rounding.hpp"
+#include "syntax/tile_layout.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "conditions.hpp"
-#include "fields/geometry.hpp"
 #include "request.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc::tb {
 

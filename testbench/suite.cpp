@@ -1,9 +1,9 @@
 #include "suite.hpp"
 
 #include "failure_folder.hpp"
-#include "fields/header.hpp"
 #include "random_stream.hpp"
 #include "sequences.hpp"
+#include "syntax/header.hpp"
 
 namespace hmlfc::tb {
 namespace {

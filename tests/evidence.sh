@@ -4,7 +4,7 @@
 run_clauses() {
   install_packages build
   build hmlfc_cli
-  exec python3 -B "$root/tests/clauses/clause_table.py" --program "$build/model/hmlfc" "$@"
+  exec python3 -B "$root/tests/clauses/clause_table.py" --program "$build/tools/hmlfc" "$@"
 }
 
 run_coverage() {
@@ -25,7 +25,7 @@ run_fuzz() {
 run_stress() {
   install_packages build fuzz
   build hmlfc_cli
-  local hmlfc=$build/model/hmlfc
+  local hmlfc=$build/tools/hmlfc
   build_decode_path stress stress_streams stress_cameras
   exec "$(debian_python)" -B "$root/tests/stress/stress.py" --build "$build" --hmlfc "$hmlfc" "$@"
 }

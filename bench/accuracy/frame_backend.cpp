@@ -3,9 +3,9 @@
 #include <memory>
 #include <utility>
 
+#include "decoder/open_stream.hpp"
 #include "gpu_ref/device.hpp"
 #include "gpu_ref/gpu_renderer.hpp"
-#include "samples/open_stream.hpp"
 
 namespace hmlfc::bench {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "decoder/open_stream.hpp"
 #include "gpu_decoder.hpp"
-#include "samples/open_stream.hpp"
 
 using hmlfc::gpu::BlockArea;
 using hmlfc::gpu::Device;

@@ -5,8 +5,8 @@
 
 #include <hmlfc/format.hpp>
 
+#include "decoder/block_values.hpp"
 #include "encoder/motion_search.hpp"
-#include "samples/block_values.hpp"
 
 namespace hmlfc {
 

@@ -5,12 +5,12 @@
 #include <limits>
 #include <vector>
 
+#include "arithmetic/rounding.hpp"
 #include "encoder/encode_session.hpp"
 #include "encoder/extended_session.hpp"
 #include "encoder/extended_targets.hpp"
 #include "encoder/view_error.hpp"
 #include "encoder/view_planes.hpp"
-#include "values/rounding.hpp"
 
 namespace hmlfc {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "encoder/view_planes.hpp"
-#include "fields/geometry.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include "arithmetic/bise.hpp"
+#include "arithmetic/rounding.hpp"
 #include "encoder/subpel_prediction.hpp"
-#include "values/bise.hpp"
-#include "values/rounding.hpp"
 
 namespace hmlfc {
 namespace {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "encoder/motion_code.hpp"
+#include "arithmetic/disparity.hpp"
 #include "encoder/padded_plane.hpp"
 #include "encoder/rate_distortion.hpp"
-#include "fields/geometry.hpp"
-#include "values/disparity.hpp"
+#include "syntax/geometry.hpp"
+#include "syntax/motion_code.hpp"
 
 namespace hmlfc {
 

@@ -5,13 +5,13 @@
 
 #include <tbb/parallel_for.h>
 
-#include "encoder/index_writer.hpp"
+#include "arithmetic/rounding.hpp"
+#include "decoder/jpeg2000.hpp"
+#include "decoder/key_images.hpp"
 #include "encoder/stream_assembly.hpp"
 #include "encoder/view_planes.hpp"
-#include "fields/header.hpp"
-#include "samples/jpeg2000.hpp"
-#include "samples/key_images.hpp"
-#include "values/rounding.hpp"
+#include "syntax/header.hpp"
+#include "syntax/index_writer.hpp"
 
 namespace hmlfc {
 namespace {

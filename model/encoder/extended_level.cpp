@@ -7,16 +7,16 @@
 
 #include <tbb/parallel_for.h>
 
+#include "arithmetic/rounding.hpp"
+#include "arithmetic/sample_range.hpp"
+#include "decoder/jpeg2000.hpp"
+#include "decoder/key_images.hpp"
 #include "encoder/motion_choice.hpp"
 #include "encoder/predicted_plane.hpp"
 #include "encoder/stepped_plane.hpp"
 #include "encoder/view_error.hpp"
 #include "encoder/view_planes.hpp"
-#include "fields/reference_set.hpp"
-#include "samples/jpeg2000.hpp"
-#include "samples/key_images.hpp"
-#include "values/rounding.hpp"
-#include "values/sample_range.hpp"
+#include "syntax/reference_set.hpp"
 
 namespace hmlfc {
 namespace {

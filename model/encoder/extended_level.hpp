@@ -12,7 +12,7 @@
 #include "encoder/level_encoder.hpp"
 #include "encoder/residual_choice.hpp"
 #include "encoder/rkv_tree.hpp"
-#include "fields/geometry.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 

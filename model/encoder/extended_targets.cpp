@@ -6,9 +6,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include "arithmetic/steps.hpp"
+#include "decoder/jpeg2000.hpp"
 #include "encoder/view_planes.hpp"
-#include "samples/jpeg2000.hpp"
-#include "values/steps.hpp"
 
 namespace hmlfc {
 namespace {

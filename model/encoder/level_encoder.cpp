@@ -7,9 +7,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include "arithmetic/rounding.hpp"
 #include "encoder/view_error.hpp"
 #include "encoder/view_planes.hpp"
-#include "values/rounding.hpp"
 
 namespace hmlfc {
 namespace {

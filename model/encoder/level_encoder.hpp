@@ -11,7 +11,7 @@
 
 #include "encoder/plane_encoder.hpp"
 #include "encoder/rkv_tree.hpp"
-#include "fields/geometry.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 

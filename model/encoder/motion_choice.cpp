@@ -5,8 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
-#include "values/bise.hpp"
-#include "values/rounding.hpp"
+#include "arithmetic/bise.hpp"
+#include "arithmetic/rounding.hpp"
 
 namespace hmlfc {
 namespace {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "encoder/motion_code.hpp"
-#include "encoder/motion_writer.hpp"
 #include "encoder/rate_distortion.hpp"
 #include "encoder/subpel_prediction.hpp"
-#include "fields/geometry.hpp"
+#include "syntax/geometry.hpp"
+#include "syntax/motion_code.hpp"
+#include "syntax/motion_writer.hpp"
 
 namespace hmlfc {
 

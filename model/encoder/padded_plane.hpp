@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "samples/sample_plane.hpp"
+#include "decoder/sample_plane.hpp"
 
 namespace hmlfc {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "arithmetic/bise.hpp"
+#include "arithmetic/reconstruct.hpp"
 #include "encoder/residual_coding.hpp"
 #include "encoder/tile_writer.hpp"
-#include "values/bise.hpp"
-#include "values/reconstruct.hpp"
 
 namespace hmlfc {
 namespace {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "decoder/sample_plane.hpp"
 #include "encoder/block_choice.hpp"
 #include "encoder/reference_plane.hpp"
-#include "fields/geometry.hpp"
-#include "fields/tile_head.hpp"
-#include "samples/sample_plane.hpp"
+#include "syntax/geometry.hpp"
+#include "syntax/tile_head.hpp"
 
 namespace hmlfc {
 

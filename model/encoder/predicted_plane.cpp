@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "samples/block_values.hpp"
-#include "values/reconstruct.hpp"
-#include "values/rounding.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "arithmetic/rounding.hpp"
+#include "decoder/block_values.hpp"
 
 namespace hmlfc {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "encoder/motion_code.hpp"
+#include "arithmetic/disparity.hpp"
 #include "encoder/subpel_prediction.hpp"
-#include "fields/geometry.hpp"
-#include "values/disparity.hpp"
+#include "syntax/geometry.hpp"
+#include "syntax/motion_code.hpp"
 
 namespace hmlfc {
 

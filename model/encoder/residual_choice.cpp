@@ -7,12 +7,12 @@
 #include <tuple>
 #include <utility>
 
+#include "arithmetic/bise.hpp"
+#include "arithmetic/steps.hpp"
 #include "bits/bit_mask.hpp"
-#include "encoder/mask_writer.hpp"
 #include "encoder/residual_writer.hpp"
-#include "fields/tile_layout.hpp"
-#include "values/bise.hpp"
-#include "values/steps.hpp"
+#include "syntax/mask_writer.hpp"
+#include "syntax/tile_layout.hpp"
 
 namespace hmlfc {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "decoder/block_values.hpp"
 #include "encoder/rate_distortion.hpp"
-#include "fields/tile_head.hpp"
-#include "samples/block_values.hpp"
+#include "syntax/tile_head.hpp"
 
 namespace hmlfc {
 

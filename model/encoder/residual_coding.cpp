@@ -4,9 +4,9 @@
 #include <bit>
 #include <optional>
 
-#include "values/bise.hpp"
-#include "values/levels.hpp"
-#include "values/rounding.hpp"
+#include "arithmetic/bise.hpp"
+#include "arithmetic/levels.hpp"
+#include "arithmetic/rounding.hpp"
 
 namespace hmlfc {
 namespace {

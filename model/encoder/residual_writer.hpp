@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "encoder/tile_fields.hpp"
-#include "samples/block_values.hpp"
+#include "decoder/block_values.hpp"
+#include "syntax/tile_fields.hpp"
 
 namespace hmlfc {
 

@@ -4,7 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "values/rounding.hpp"
+#include "arithmetic/rounding.hpp"
 
 namespace hmlfc {
 namespace {

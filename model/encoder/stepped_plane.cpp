@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "arithmetic/reconstruct.hpp"
+#include "arithmetic/steps.hpp"
 #include "bits/bit_mask.hpp"
-#include "fields/tile_layout.hpp"
-#include "values/reconstruct.hpp"
-#include "values/steps.hpp"
+#include "syntax/tile_layout.hpp"
 
 namespace hmlfc {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "encoder/plane_encoder.hpp"
 #include "encoder/residual_choice.hpp"
-#include "fields/geometry.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 

@@ -2,8 +2,8 @@
 
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
-#include "fields/header.hpp"
-#include "samples/key_images.hpp"
+#include "decoder/key_images.hpp"
+#include "syntax/header.hpp"
 
 namespace hmlfc {
 

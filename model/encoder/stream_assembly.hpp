@@ -7,7 +7,7 @@
 
 #include <hmlfc/format.hpp>
 
-#include "encoder/index_writer.hpp"
+#include "syntax/index_writer.hpp"
 
 namespace hmlfc {
 

@@ -7,9 +7,9 @@
 
 #include <hmlfc/format.hpp>
 
+#include "arithmetic/interpolation.hpp"
 #include "encoder/padded_plane.hpp"
-#include "fields/reference_set.hpp"
-#include "values/interpolation.hpp"
+#include "syntax/reference_set.hpp"
 
 namespace hmlfc {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "encoder/mask_writer.hpp"
 #include "encoder/residual_writer.hpp"
-#include "encoder/tile_fields.hpp"
+#include "syntax/mask_writer.hpp"
+#include "syntax/tile_fields.hpp"
 
 namespace hmlfc {
 namespace {

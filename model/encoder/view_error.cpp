@@ -1,6 +1,6 @@
 #include "encoder/view_error.hpp"
 
-#include "samples/rgb_picture.hpp"
+#include "decoder/rgb_picture.hpp"
 
 namespace hmlfc {
 

@@ -5,7 +5,7 @@
 #include <hmlfc/light_field.hpp>
 
 #include "encoder/view_planes.hpp"
-#include "fields/geometry.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "values/colour.hpp"
-#include "values/rounding.hpp"
+#include "arithmetic/colour.hpp"
+#include "arithmetic/rounding.hpp"
 
 namespace hmlfc {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <hmlfc/light_field.hpp>
 
-#include "fields/geometry.hpp"
-#include "samples/sample_plane.hpp"
+#include "decoder/sample_plane.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "values/rounding.hpp"
+#include "arithmetic/rounding.hpp"
 
 namespace hmlfc {
 

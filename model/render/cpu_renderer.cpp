@@ -9,11 +9,11 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "decoder/memory_guard.hpp"
 #include "render/frame_planner.hpp"
 #include "render/frame_sampler.hpp"
 #include "render/page_loader.hpp"
 #include "render/shown_image.hpp"
-#include "samples/memory_guard.hpp"
 
 namespace hmlfc {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "values/watch.hpp"
+#include "arithmetic/watch.hpp"
 
 namespace hmlfc {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <map>
 
+#include "arithmetic/colour.hpp"
+#include "arithmetic/narrow.hpp"
+#include "decoder/memory_guard.hpp"
 #include "render/block_set.hpp"
 #include "render/pixel_reads.hpp"
 #include "render/shown_image.hpp"
-#include "samples/memory_guard.hpp"
-#include "values/colour.hpp"
-#include "values/narrow.hpp"
 
 namespace hmlfc {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "samples/block_rect.hpp"
-#include "samples/colour_row.hpp"
+#include "decoder/block_rect.hpp"
+#include "decoder/colour_row.hpp"
 
 namespace hmlfc {
 namespace {

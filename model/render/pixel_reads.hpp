@@ -6,10 +6,10 @@
 #include <hmlfc/camera.hpp>
 #include <hmlfc/decoder.hpp>
 
+#include "arithmetic/watch.hpp"
 #include "render/pixel_taps.hpp"
 #include "render/ray.hpp"
 #include "render/view_weights.hpp"
-#include "values/watch.hpp"
 
 namespace hmlfc {
 

@@ -6,8 +6,8 @@
 
 #include <hmlfc/camera.hpp>
 
-#include "values/rounding.hpp"
-#include "values/watch.hpp"
+#include "arithmetic/rounding.hpp"
+#include "arithmetic/watch.hpp"
 
 namespace hmlfc {
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "decoder/memory_guard.hpp"
 #include "render/shown_image.hpp"
-#include "samples/memory_guard.hpp"
 
 namespace hmlfc {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <hmlfc/camera.hpp>
 
+#include "arithmetic/rounding.hpp"
+#include "arithmetic/watch.hpp"
 #include "render/ray.hpp"
-#include "values/rounding.hpp"
-#include "values/watch.hpp"
 
 namespace hmlfc {
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <span>
 
+#include "arithmetic/rounding.hpp"
 #include "bits/bit_string.hpp"
+#include "decoder/golden/block_walk.hpp"
 #include "golden_stream.hpp"
-#include "samples/block_walk.hpp"
 #include "suite.hpp"
 #include "test_bench.hpp"
-#include "values/rounding.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -6,7 +6,7 @@
 #include <hmlfc/encoder.hpp>
 
 #include "bench.hpp"
-#include "support/test_light_fields.hpp"
+#include "scenes/test_light_fields.hpp"
 
 namespace hmlfc::tb {
 

@@ -12,7 +12,7 @@ from specification import cited_clauses
 # below them that does not.
 FOLDERS = {
     "model": (
-        ["model/bits", "model/values", "model/fields", "model/samples", "model/include"],
+        ["model/bits", "model/arithmetic", "model/syntax", "model/decoder", "model/include"],
         [],
     ),
     "naive": (["tests/naive_decoder"], ["tests/naive_decoder/tests"]),

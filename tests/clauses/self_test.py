@@ -19,7 +19,7 @@ from specification import RENDERING, SPECIFICATION  # noqa: E402
 TREE = {
     SPECIFICATION: "**[DEC-1]** First.\n\n**[COL-1]** Second.\n",
     RENDERING: "**[RAY-1]** A ray.\n",
-    "model/samples/block.cpp": "// DEC-1, COL-1\n",
+    "model/decoder/block.cpp": "// DEC-1, COL-1\n",
     "model/include/hmlfc/decoder.hpp": "/// DEC-1, and DEC-1 again\n",
     "tests/decode_path/not_decoding.json": "[]",
     "tests/naive_decoder/block.py": '"""DEC-1."""\n',
@@ -74,7 +74,7 @@ class Complaints(ClauseTest):
                 self.write(name, TREE[name])
         self.write("model/include/hmlfc/decoder.hpp", "")
         self.assert_found()
-        self.write("model/samples/block.cpp", "// COL-1")
+        self.write("model/decoder/block.cpp", "// COL-1")
         self.assert_found("DEC-1, model: no file cites it")
 
     def test_what_is_no_part_of_the_decoder_does_not_count(self):

@@ -8,7 +8,7 @@
 
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
-#include "support/test_light_fields.hpp"
+#include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {
 namespace {

@@ -8,7 +8,7 @@
 #include <hmlfc/encoder.hpp>
 
 #include "bits/little_endian.hpp"
-#include "support/test_light_fields.hpp"
+#include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {
 namespace {

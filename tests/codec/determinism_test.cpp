@@ -4,7 +4,7 @@
 
 #include <hmlfc/encoder.hpp>
 
-#include "support/test_light_fields.hpp"
+#include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {
 namespace {

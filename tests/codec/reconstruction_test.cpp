@@ -12,7 +12,7 @@
 #include "encoder/coding_choice.hpp"
 #include "encoder/encode_session.hpp"
 #include "encoder/extended_session.hpp"
-#include "support/test_light_fields.hpp"
+#include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {
 namespace {

@@ -9,7 +9,7 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
-#include "support/test_light_fields.hpp"
+#include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {
 namespace {

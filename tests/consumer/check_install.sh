@@ -38,7 +38,7 @@ for header in "$prefix"/include/hmlfc/*.hpp; do
     "$compiler" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -x c++ - "${flags[@]}"
 done
 
-if [[ -e $build_dir/model/hmlfc ]]; then
+if [[ -e $build_dir/tools/hmlfc ]]; then
   echo "--- binary"
   "$prefix/bin/hmlfc" --help
 fi

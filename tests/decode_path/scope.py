@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
-LAYERS = ("bits", "values", "fields", "samples")
+LAYERS = ("bits", "arithmetic", "syntax", "decoder")
 
 
 def function_lines(text, begins):
@@ -43,6 +43,6 @@ def decode_path_files(model):
     return [
         path.relative_to(model).as_posix()
         for layer in LAYERS
-        for path in sorted((model / layer).iterdir())
+        for path in sorted((model / layer).rglob("*.?pp"))
         if skipped.get(path.relative_to(model).as_posix(), ()) is not None
     ]

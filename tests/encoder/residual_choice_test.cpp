@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "arithmetic/bise.hpp"
+#include "arithmetic/steps.hpp"
 #include "bits/bit_mask.hpp"
-#include "fields/tile_layout.hpp"
-#include "values/bise.hpp"
-#include "values/steps.hpp"
+#include "syntax/tile_layout.hpp"
 
 namespace hmlfc {
 namespace {

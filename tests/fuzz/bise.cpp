@@ -1,11 +1,11 @@
 // Bounded integer sequences at any place, by both ways of reading them (BISE-3 to BISE-11).
-#include "values/bise.hpp"
+#include "arithmetic/bise.hpp"
 
 #include <algorithm>
 
-#include "samples/padded_record.hpp"
+#include "decoder/fast/bise_unpack.hpp"
+#include "decoder/fast/padded_record.hpp"
 #include "target.hpp"
-#include "values/bise_unpack.hpp"
 
 namespace hmlfc::fuzz {
 namespace {

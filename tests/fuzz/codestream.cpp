@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "bits/little_endian.hpp"
-#include "samples/codestream_head.hpp"
-#include "samples/jpeg2000.hpp"
-#include "samples/key_images.hpp"
+#include "decoder/codestream_head.hpp"
+#include "decoder/jpeg2000.hpp"
+#include "decoder/key_images.hpp"
 #include "target.hpp"
 #include "tile_places.hpp"
 

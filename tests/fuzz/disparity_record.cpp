@@ -1,9 +1,9 @@
 // The disparities of a reference image's motion tile (MOT-6).
-#include "fields/disparity_tile.hpp"
+#include "syntax/disparity_tile.hpp"
 
+#include "arithmetic/disparity.hpp"
 #include "target.hpp"
 #include "tile_places.hpp"
-#include "values/disparity.hpp"
 
 namespace hmlfc::fuzz {
 

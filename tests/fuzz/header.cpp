@@ -1,11 +1,11 @@
 // The header, and what is derived from it alone.
-#include "fields/header.hpp"
+#include "syntax/header.hpp"
 
 #include <algorithm>
 
-#include "fields/conformance_level.hpp"
-#include "fields/geometry.hpp"
 #include "stream_parts.hpp"
+#include "syntax/conformance_level.hpp"
+#include "syntax/geometry.hpp"
 #include "target.hpp"
 
 namespace hmlfc::fuzz {

@@ -1,8 +1,8 @@
 // The walk through the index to the record of a tile (IDX-4 to IDX-7).
-#include "fields/index.hpp"
+#include "syntax/index.hpp"
 
-#include "fields/header.hpp"
 #include "stream_parts.hpp"
+#include "syntax/header.hpp"
 #include "target.hpp"
 
 namespace hmlfc::fuzz {

@@ -4,7 +4,7 @@
 
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
-#include "fields/header.hpp"
+#include "syntax/header.hpp"
 
 namespace hmlfc::fuzz {
 namespace {

@@ -1,6 +1,6 @@
 #include "tile_places.hpp"
 
-#include "samples/open_stream.hpp"
+#include "decoder/open_stream.hpp"
 
 namespace hmlfc::fuzz {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "fields/stream_view.hpp"
-#include "fields/tile_record.hpp"
+#include "syntax/stream_view.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc::fuzz {
 

@@ -1,18 +1,18 @@
 // The record of a tile: its head, and header and values of each of its blocks (TIL-1 to TIL-10).
-#include "fields/tile_record.hpp"
+#include "syntax/tile_record.hpp"
 
 #include <array>
 #include <bit>
 
-#include "fields/block_entry.hpp"
-#include "fields/tile_layout.hpp"
-#include "samples/padded_record.hpp"
+#include "arithmetic/bise.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "arithmetic/sample_range.hpp"
+#include "decoder/fast/bise_unpack.hpp"
+#include "decoder/fast/padded_record.hpp"
+#include "syntax/block_entry.hpp"
+#include "syntax/tile_layout.hpp"
 #include "target.hpp"
 #include "tile_places.hpp"
-#include "values/bise.hpp"
-#include "values/bise_unpack.hpp"
-#include "values/reconstruct.hpp"
-#include "values/sample_range.hpp"
 
 namespace hmlfc::fuzz {
 namespace {

@@ -2,10 +2,10 @@
 // feature for robust access is on, and the streams are damaged in every way.
 #include <random>
 
-#include "fields/header.hpp"
+#include "decoder/naive_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "random_stream.hpp"
-#include "samples/naive_stream.hpp"
+#include "syntax/header.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <hmlfc/camera.hpp>
 
-#include "fields/stream_view.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
 

@@ -3,10 +3,10 @@
 
 #include <hmlfc/decoder.hpp>
 
+#include "decoder/key_images.hpp"
+#include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "random_stream.hpp"
-#include "samples/key_images.hpp"
-#include "samples/open_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {

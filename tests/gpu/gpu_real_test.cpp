@@ -3,9 +3,9 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
+#include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "io/light_field_files.hpp"
-#include "samples/open_stream.hpp"
 #include "sequences.hpp"
 #include "support/data_dir.hpp"
 

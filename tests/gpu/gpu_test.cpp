@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "samples/open_stream.hpp"
+#include "decoder/open_stream.hpp"
 #include "sequences.hpp"
 
 namespace hmlfc::gpu {

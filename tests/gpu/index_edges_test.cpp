@@ -2,9 +2,9 @@
 // names what the model names.
 #include <bit>
 
-#include "fields/header.hpp"
 #include "gpu/gpu_test.hpp"
 #include "random_stream.hpp"
+#include "syntax/header.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -3,11 +3,11 @@
 #include <random>
 
 #include "bits/naive_bits.hpp"
-#include "fields/header.hpp"
+#include "decoder/naive_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "random.hpp"
 #include "random_stream.hpp"
-#include "samples/naive_stream.hpp"
+#include "syntax/header.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "samples/open_stream.hpp"
+#include "decoder/open_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -1,8 +1,8 @@
 // Every synthetic scene in both profiles: every block of every view, in RGB, at all stages.
 #include <hmlfc/encoder.hpp>
 
+#include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
-#include "samples/open_stream.hpp"
 #include "scenes/scene.hpp"
 #include "sequences.hpp"
 

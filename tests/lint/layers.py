@@ -15,32 +15,45 @@ from sources import cpp_files, source_files
 
 MAX_LINES = 400
 
-# What the files of model/<layer>/ may include, besides <hmlfc/...> and libraries. Public headers
-# (model/include/) include no layer.
+SYNTAX = {"model/bits", "model/arithmetic", "model/syntax"}
+DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast"}
+CODEC = {*DECODER, "model/render", "model/encoder"}
+TOOLS = {f"tools/{name}" for name in ("io", "scenes", "vectors", "conform", "cli")}
+APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
+
+# What the files of a folder may include with quotes, besides the folder itself; <hmlfc/...> and
+# libraries are free to all. A file belongs to the longest folder that holds it.
 ALLOWED = {
-    "include": set(),
-    "bits": {"bits"},
-    "values": {"bits", "values"},
-    "fields": {"bits", "values", "fields"},
-    "samples": {"bits", "values", "fields", "samples"},
-    "render": {"bits", "values", "fields", "samples", "render"},
-    "encoder": {"bits", "values", "fields", "samples", "encoder"},
-    "io": {"io"},
-    "scenes": {"scenes", "io"},
-    "vectors": {"bits", "values", "fields", "samples", "encoder", "io", "scenes", "vectors"},
-    "conform": {"bits", "values", "fields", "samples", "encoder", "io", "vectors", "conform"},
-    "dut": set(),  # decoders behind public headers
-    "cli": {
-        *("bits", "values", "fields", "samples", "encoder", "render", "io", "scenes", "cli"),
-        *("gpu_ref", "vectors", "conform"),
-    },
-    "gpu_ref": set(),  # beside model/: renders on a device, for cli
+    "model/include": set(),
+    "model/bits": set(),
+    "model/arithmetic": {"model/bits"},
+    "model/syntax": {"model/bits", "model/arithmetic"},
+    "model/decoder": DECODER,
+    "model/decoder/golden": DECODER - {"model/decoder/fast"},
+    "model/decoder/fast": DECODER,
+    "model/render": DECODER,
+    "model/encoder": DECODER,
+    "gpu_ref": CODEC - {"model/encoder"},
+    "tools/io": set(),
+    "tools/scenes": {"tools/io"},
+    "tools/vectors": {*CODEC, "tools/io", "tools/scenes"} - {"model/render"},
+    "tools/conform": {*CODEC, "tools/io", "tools/vectors"} - {"model/render"},
+    "tools/dut": set(),
+    "tools/tables": SYNTAX,
+    "tools/cli": APPLICATIONS,
+    "testbench": APPLICATIONS,
+    "tests": {*APPLICATIONS, "testbench"},
+    "bench": APPLICATIONS,
+    "examples": set(),
 }
+# Where a quoted name is looked up, after the folder of the file and its topmost folder.
+ROOTS = ("model", "tools", "gpu_ref", "testbench", ".")
 
 # Folders with .cpp files and the one list that names them all, relative to the list's folder; a
 # folder below another has a list of its own.
 SOURCE_LISTS = {
     "model": "model/CMakeLists.txt",
+    "tools": "tools/CMakeLists.txt",
     "tests": "tests/CMakeLists.txt",
     "tests/decode_path": "tests/decode_path/CMakeLists.txt",
     "tests/fuzz": "tests/fuzz/CMakeLists.txt",
@@ -56,24 +69,53 @@ OWN_PROJECTS = ["tests/consumer/project"]
 QUOTED_INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
 
 
+def folder_of(name):
+    """The folder of ALLOWED that holds file `name`, or None."""
+    parts = name.split("/")[:-1]
+    for length in range(len(parts), 0, -1):
+        if "/".join(parts[:length]) in ALLOWED:
+            return "/".join(parts[:length])
+    return None
+
+
+def included_file(root, path, name):
+    """The file that `#include "name"` in `path` means, relative to root; None: no source file."""
+    top = root / path.relative_to(root).parts[0]
+    for base in (path.parent, top, *(root / folder for folder in ROOTS)):
+        found = (base / name).resolve()
+        if found.is_file() and found.is_relative_to(root):
+            return found.relative_to(root).as_posix()
+    return None
+
+
 def layer_violations(root):
-    for path in cpp_files(root / "model"):
-        layer = path.relative_to(root / "model").parts[0]
-        if layer not in ALLOWED:
-            yield path, 1, f"model/{layer} is not a layer of the table in tests/lint/layers.py"
+    for path in cpp_files(root):
+        name = path.relative_to(root).as_posix()
+        folder = folder_of(name)
+        if folder is None:
+            if name.split("/")[0] in ("model", "tools"):
+                yield path, 1, f"{Path(name).parent} is not a folder of the table in tests/lint/layers.py"
             continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
             match = QUOTED_INCLUDE.match(line)
-            if not match:
-                continue
-            target = match.group(1).split("/")[0]
-            if "/" not in match.group(1) or target not in ALLOWED or target == "include":
-                yield path, number, (
-                    f'"{match.group(1)}" does not name a layer: '
-                    "write <...> for public headers and libraries"
-                )
-            elif target not in ALLOWED[layer]:
-                yield path, number, f'{layer} may not include {target} ("{match.group(1)}")'
+            if match:
+                reason = include_violation(root, path, folder, match.group(1))
+                if reason:
+                    yield path, number, reason
+
+
+def include_violation(root, path, folder, name):
+    """Why a file of `folder` may not include "name", or None."""
+    target = included_file(root, path, name)
+    if target is None:  # generated, or missing
+        known = folder.split("/")[0] in ("model", "tools")
+        return f'"{name}" is no file: write <...> for public headers and libraries' if known else None
+    layer = folder_of(target)
+    if layer == "model/include" and folder != layer:
+        return f'"{name}" is a public header: write <...>'
+    if layer not in {folder, *ALLOWED[folder]}:
+        return f'{folder} may not include {layer} ("{name}")'
+    return None
 
 
 def length_violations(root):

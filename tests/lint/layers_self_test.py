@@ -10,11 +10,12 @@ from layers import ALLOWED, MAX_LINES, violations
 CLEAN_TREE = {
     "run": "echo\n",
     "build/release/model/generated.cpp": '#include "cli/x.hpp"\n',
-    "model/CMakeLists.txt": "add_library(hmlfc\n  bits/a.cpp\n  samples/b.cpp)\n",
+    "model/CMakeLists.txt": "add_library(hmlfc\n  bits/a.cpp\n  decoder/b.cpp)\n",
     "model/include/hmlfc/public.hpp": "#include <cstdint>\n",
     "model/bits/a.hpp": "#pragma once\n",
     "model/bits/a.cpp": '#include "bits/a.hpp"\n\n#include <hmlfc/public.hpp>\n',
-    "model/samples/b.cpp": '#include "bits/a.hpp"\n',
+    "model/decoder/b.cpp": '#include "bits/a.hpp"\n',
+    "model/decoder/b.hpp": "#pragma once\n",
     "tests/CMakeLists.txt": "hmlfc_add_tests(bits SOURCES bits/a_test.cpp)\n",
     "tests/bits/a_test.cpp": '#include "bits/a.hpp"\n',
     "tests/fuzz/CMakeLists.txt": "hmlfc_add_fuzz(open.cpp\n)\n",
@@ -44,8 +45,8 @@ class LayersTest(unittest.TestCase):
 
     def test_upward_include(self):
         self.assert_found(
-            {"model/bits/a.hpp": '#pragma once\n\n  #  include "samples/b.hpp"\n'},
-            'model/bits/a.hpp:3: bits may not include samples ("samples/b.hpp")',
+            {"model/bits/a.hpp": '#pragma once\n\n  #  include "decoder/b.hpp"\n'},
+            'model/bits/a.hpp:3: model/bits may not include model/decoder ("decoder/b.hpp")',
         )
 
     def test_inner_list(self):
@@ -54,44 +55,59 @@ class LayersTest(unittest.TestCase):
             "tests/fuzz/open.cpp:1: not listed in tests/fuzz/CMakeLists.txt",
         )
 
-    def test_every_pair_of_layers(self):
-        codec = ("bits", "values", "fields", "samples", "encoder")
-        below = {
-            ("bits", "bits"),
-            *(("values", layer) for layer in ("bits", "values")),
-            *(("fields", layer) for layer in ("bits", "values", "fields")),
-            *(("samples", layer) for layer in ("bits", "values", "fields", "samples")),
-            *(("render", layer) for layer in ("bits", "values", "fields", "samples", "render")),
-            *(("encoder", layer) for layer in codec),
-            ("io", "io"),
-            ("scenes", "io"),
-            ("scenes", "scenes"),
-            *(("vectors", layer) for layer in (*codec, "io", "scenes", "vectors")),
-            *(("conform", layer) for layer in (*codec, "io", "vectors", "conform")),
-        }
-        layers = [layer for layer in ALLOWED if layer != "include"]
-        for layer in layers:
-            for target in layers:
-                found = self.found_with({f"model/{layer}/x.hpp": f'#include "{target}/y.hpp"\n'})
-                allowed = (layer == "cli" and target != "dut") or (layer, target) in below
-                self.assertEqual(len(found), 0 if allowed else 1, (layer, target, found))
+    def test_every_pair_of_folders(self):
+        """Each folder may include what the table says, and the table has no arrow upwards."""
+        rank = list(ALLOWED)
+        decoder = {"model/decoder", "model/decoder/golden", "model/decoder/fast"}
+        targets = {f"{target}/y.hpp": "" for target in ALLOWED}
+        includes = "".join(f'#include "{target}"\n' for target in targets)
+        found = self.found_with({**targets, **{f"{folder}/x.hpp": includes for folder in ALLOWED}})
+        for folder in ALLOWED:
+            for line, target in enumerate(ALLOWED, 1):
+                refused = any(v.startswith(f"{folder}/x.hpp:{line}: ") for v in found)
+                allowed = folder == target or target in ALLOWED[folder]
+                self.assertEqual(refused, not allowed, (folder, target))
+                if allowed and {folder, target} - decoder:
+                    self.assertLessEqual(rank.index(target), rank.index(folder), (folder, target))
+
+    def test_golden_path_leans_on_nothing_fast(self):
+        self.assert_found(
+            {
+                "model/decoder/golden/x.hpp": '#include "decoder/fast/y.hpp"\n',
+                "model/decoder/fast/y.hpp": "",
+            },
+            "model/decoder/golden/x.hpp:1: model/decoder/golden may not include model/decoder/fast",
+        )
 
     def test_public_header_includes_a_layer(self):
         self.assert_found(
             {"model/include/hmlfc/public.hpp": '#include "bits/a.hpp"\n'},
-            "model/include/hmlfc/public.hpp:1: include may not include bits",
+            "model/include/hmlfc/public.hpp:1: model/include may not include model/bits",
         )
 
-    def test_include_that_names_no_layer(self):
-        for name in ("a.hpp", "../samples/b.hpp", "hmlfc/public.hpp", "include/hmlfc/public.hpp"):
-            self.assert_found(
-                {"model/bits/a.hpp": f'#include "{name}"\n'},
-                f'model/bits/a.hpp:1: "{name}" does not name a layer',
-            )
-
-    def test_unknown_layer(self):
+    def test_include_by_another_name(self):
         self.assert_found(
-            {"model/misc/x.hpp": "\n"}, "model/misc/x.hpp:1: model/misc is not a layer"
+            {"model/bits/a.hpp": '#include "hmlfc/nothing.hpp"\n'},
+            'model/bits/a.hpp:1: "hmlfc/nothing.hpp" is no file',
+        )
+        self.assert_found(
+            {"model/bits/a.hpp": '#include "include/hmlfc/public.hpp"\n'},
+            'model/bits/a.hpp:1: "include/hmlfc/public.hpp" is a public header',
+        )
+        self.assert_found(
+            {"model/bits/a.hpp": '#include "../decoder/b.hpp"\n'},
+            "model/bits/a.hpp:1: model/bits may not include model/decoder",
+        )
+
+    def test_arrows_between_folders(self):
+        self.assert_found(
+            {"gpu_ref/x.hpp": '#include "../testbench/y.hpp"\n', "testbench/y.hpp": ""},
+            "gpu_ref/x.hpp:1: gpu_ref may not include testbench",
+        )
+
+    def test_unknown_folder(self):
+        self.assert_found(
+            {"model/misc/x.hpp": "\n"}, "model/misc/x.hpp:1: model/misc is not a folder of the table"
         )
 
     def test_long_file(self):

@@ -3,8 +3,8 @@
 
 #include <hmlfc/renderer.hpp>
 
+#include "decoder/touched_bytes.hpp"
 #include "render/render_cases.hpp"
-#include "samples/touched_bytes.hpp"
 
 namespace hmlfc {
 namespace {

@@ -5,9 +5,9 @@
 #include <BiseElement10.h>
 #include <BisePlace.h>
 
+#include "arithmetic/bise.hpp"
+#include "arithmetic/bise_digits.hpp"
 #include "rtl/ports.hpp"
-#include "values/bise.hpp"
-#include "values/bise_digits.hpp"
 
 namespace hmlfc::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <BiseUnpack4x10.h>
 #include <BiseUnpack64x10.h>
 
+#include "arithmetic/bise.hpp"
+#include "arithmetic/bise_digits.hpp"
 #include "rtl/ports.hpp"
-#include "values/bise.hpp"
-#include "values/bise_digits.hpp"
 
 namespace hmlfc::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <Colour1x8.h>
 #include <Colour2x12.h>
 
+#include "arithmetic/colour.hpp"
+#include "arithmetic/sample_range.hpp"
 #include "rtl/ports.hpp"
-#include "values/colour.hpp"
-#include "values/sample_range.hpp"
 
 namespace hmlfc::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <Header.h>
 #include <HeaderBroken.h>
 
-#include "fields/header.hpp"
-#include "fields/naive_header.hpp"
 #include "rtl/ports.hpp"
 #include "rtl/read_port.hpp"
+#include "syntax/header.hpp"
+#include "syntax/naive_header.hpp"
 
 namespace hmlfc::test {
 namespace {

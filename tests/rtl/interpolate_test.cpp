@@ -6,8 +6,8 @@
 #include <Interpolate2x10Broken.h>
 #include <Interpolate3x14.h>
 
+#include "arithmetic/interpolation.hpp"
 #include "rtl/ports.hpp"
-#include "values/interpolation.hpp"
 
 namespace hmlfc::test {
 namespace {

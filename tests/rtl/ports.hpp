@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <verilated.h>
 
-#include "values/rounding.hpp"
+#include "arithmetic/rounding.hpp"
 
 namespace hmlfc::test {
 

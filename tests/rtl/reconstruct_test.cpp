@@ -6,8 +6,8 @@
 #include <Reconstruct2x8.h>
 #include <Reconstruct3x12.h>
 
+#include "arithmetic/reconstruct.hpp"
 #include "rtl/ports.hpp"
-#include "values/reconstruct.hpp"
 
 namespace hmlfc::test {
 namespace {

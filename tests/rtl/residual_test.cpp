@@ -4,10 +4,10 @@
 #include <Residual1x12.h>
 #include <Residual2x8.h>
 
+#include "arithmetic/levels.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "arithmetic/steps.hpp"
 #include "rtl/ports.hpp"
-#include "values/levels.hpp"
-#include "values/reconstruct.hpp"
-#include "values/steps.hpp"
 
 namespace hmlfc::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <TileMask.h>
 
-#include "fields/tile_layout.hpp"
 #include "rtl/ports.hpp"
+#include "syntax/tile_layout.hpp"
 
 namespace hmlfc::test {
 namespace {

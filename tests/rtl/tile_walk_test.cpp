@@ -9,11 +9,11 @@
 
 #include <TileWalk.h>
 
-#include "fields/geometry.hpp"
-#include "fields/header.hpp"
-#include "fields/index.hpp"
 #include "rtl/ports.hpp"
 #include "rtl/read_port.hpp"
+#include "syntax/geometry.hpp"
+#include "syntax/header.hpp"
+#include "syntax/index.hpp"
 
 namespace hmlfc::test {
 namespace {

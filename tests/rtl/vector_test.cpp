@@ -3,9 +3,9 @@
 
 #include <Vector.h>
 
+#include "arithmetic/disparity.hpp"
+#include "arithmetic/interpolation.hpp"
 #include "rtl/ports.hpp"
-#include "values/disparity.hpp"
-#include "values/interpolation.hpp"
 
 namespace hmlfc::test {
 namespace {

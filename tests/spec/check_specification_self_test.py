@@ -120,8 +120,8 @@ RENDERING = "docs/rendering.md"
 CITING_TREE = {
     SPECIFICATION: CLAUSES,
     RENDERING: "**[RAY-1]** A ray.\n",
-    "model/samples/block.cpp": "// First (DEC-1).\n",
-    "model/samples/block.hpp": "// Both (DEC-2 to\n// DEC-3).\n",
+    "model/decoder/block.cpp": "// First (DEC-1).\n",
+    "model/decoder/block.hpp": "// Both (DEC-2 to\n// DEC-3).\n",
     "model/render/ray.hpp": "// One (RAY-1).\n",
 }
 ERROR_TREE = {
@@ -136,8 +136,8 @@ FRAME_WIDTH_TREE = {RENDERING: FRAMES}
 PROBE_TREE = {
     SPECIFICATION: "## 11 Widths\n\n| quantity | clause |\n|---|---|\n| sum | A |\n| d, e | B |\n",
     RENDERING: "## 6 Widths\n\n| quantity | clause |\n|---|---|\n| U * s | C |\n",
-    "model/values/sum.hpp": '  watch("sum", sum, range);\n',
-    "model/fields/entry.cpp": '  watch(\n      "d, e", d);\n',
+    "model/arithmetic/sum.hpp": '  watch("sum", sum, range);\n',
+    "model/syntax/entry.cpp": '  watch(\n      "d, e", d);\n',
     "model/render/ray.hpp": '  watch("U * s", product);\n',
 }
 
@@ -177,7 +177,7 @@ class CitationsTest(SpecificationTest):
         self.plant(SPECIFICATION, "First", "First")
 
     def test_citation_of_nothing(self):
-        block = "model/samples/block.cpp"
+        block = "model/decoder/block.cpp"
         self.plant(block, "(DEC-1)", "(DEC-1, DEC-4)", "block.cpp: cites DEC-4")
         self.plant(block, "(DEC-1)", "(DEC-1, DCE-2)", "block.cpp: cites DCE-2")
         self.plant(block, "(DEC-1)", "(DEC-1 to DEC-4)", "block.cpp: cites DEC-4")
@@ -187,18 +187,18 @@ class CitationsTest(SpecificationTest):
         self.plant(SPECIFICATION, "see DEC-1", "see DEC-7", "specification.md: cites DEC-7")
         self.plant(RENDERING, "A ray", "See RAY-2", "rendering.md: cites RAY-2")
         self.plant("docs/guide.md", "x", "DEC-8", "docs/guide.md: cites DEC-8")
-        self.plant("model/cli/info.cpp", "x", "// IDX-1", "model/cli/info.cpp: cites IDX-1")
-        self.plant("model/cli/info.cpp", "x", "CRC-32C and UTF8 are no clauses")
+        self.plant("tools/cli/info.cpp", "x", "// IDX-1", "tools/cli/info.cpp: cites IDX-1")
+        self.plant("tools/cli/info.cpp", "x", "CRC-32C and UTF8 are no clauses")
 
     def test_clause_that_nothing_follows(self):
-        block = "model/samples/block.cpp"
+        block = "model/decoder/block.cpp"
         self.plant(block, "(DEC-1)", "", "DEC-1 is cited nowhere")
-        self.plant("model/samples/block.hpp", "\n// DEC-3", "", "DEC-3 is cited nowhere")
+        self.plant("model/decoder/block.hpp", "\n// DEC-3", "", "DEC-3 is cited nowhere")
         self.plant("model/render/ray.hpp", "(RAY-1)", "", "rendering.md: RAY-1 is cited nowhere")
         self.plant(SPECIFICATION, "Third.", "Third.\n\n**[DEC-5]** x", "DEC-5 is cited nowhere")
 
     def test_the_encoder_does_not_count(self):
-        moved = {"model/encoder/block.cpp": "// DEC-1", "model/samples/block.cpp": ""}
+        moved = {"model/encoder/block.cpp": "// DEC-1", "model/decoder/block.cpp": ""}
         found = self.found_in(citations, {**self.clean_tree, **moved})
         self.assertEqual(len(found), 1, found)
         self.assertIn("DEC-1 is cited nowhere", found[0])
@@ -318,10 +318,10 @@ class WidthProbesTest(SpecificationTest):
         self.plant(SPECIFICATION, "Widths", "Widths")
 
     def test_row_without_a_probe_and_probe_without_a_row(self):
-        missing = "nothing in model/values, fields, samples watches sum"
-        other = "model/values/sum.hpp watches sums, which is no row of docs/specification.md"
-        self.plant("model/values/sum.hpp", '"sum"', '"sums"', missing, other)
-        self.plant("model/values/sum.hpp", "watch", "match", missing)
+        missing = "nothing in model/arithmetic, fields, samples watches sum"
+        other = "model/arithmetic/sum.hpp watches sums, which is no row of docs/specification.md"
+        self.plant("model/arithmetic/sum.hpp", '"sum"', '"sums"', missing, other)
+        self.plant("model/arithmetic/sum.hpp", "watch", "match", missing)
         self.plant(SPECIFICATION, "| d, e | B |\n", "", "entry.cpp watches d, e, which is no row")
 
     def test_the_same_of_the_renderers(self):

@@ -8,7 +8,7 @@ SUFFIXES = {".cpp", ".hpp", ".py", ".md", ".glsl", ".comp"}
 CITING = ["model", "gpu_ref", "docs", "README.md"]
 
 # The layers of the decoder and its API.
-DECODER = ["model/bits", "model/values", "model/fields", "model/samples", "model/include"]
+DECODER = ["model/bits", "model/arithmetic", "model/syntax", "model/decoder", "model/include"]
 
 # The normative documents, each with the code that follows its clauses.
 FOLLOWERS = {SPECIFICATION: DECODER, RENDERING: ["model/render", "model/include"]}

@@ -1,6 +1,6 @@
 #include "geometry_extremes.hpp"
 
-#include "fields/geometry.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc::stress {
 namespace {

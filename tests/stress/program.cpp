@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "values/narrow.hpp"
+#include "arithmetic/narrow.hpp"
 #include "width_record.hpp"
 
 namespace hmlfc::stress {

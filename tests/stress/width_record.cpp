@@ -45,7 +45,7 @@ void raise(std::atomic<int64_t>& greatest, int64_t value) {
   }
 }
 
-// "model/values/reconstruct.hpp:34": the path within the project.
+// "model/arithmetic/reconstruct.hpp:34": the path within the project.
 std::string line_of(const std::source_location& where) {
   const std::string_view file = where.file_name();
   const size_t at = file.rfind("model/");

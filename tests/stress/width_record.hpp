@@ -1,4 +1,4 @@
-// What watched quantities reached (values/watch.hpp), against the width tables.
+// What watched quantities reached (arithmetic/watch.hpp), against the width tables.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "values/watch.hpp"
+#include "arithmetic/watch.hpp"
 
 namespace hmlfc::stress {
 

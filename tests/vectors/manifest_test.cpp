@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "fields/conformance_level.hpp"
 #include "io/atomic_file.hpp"
 #include "io/temp_folder.hpp"
+#include "syntax/conformance_level.hpp"
 #include "vectors/choice.hpp"
 #include "vectors/sha256.hpp"
 

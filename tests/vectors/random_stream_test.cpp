@@ -5,7 +5,7 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "fields/header.hpp"
+#include "syntax/header.hpp"
 
 namespace hmlfc::vectors {
 namespace {

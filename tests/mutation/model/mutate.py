@@ -107,9 +107,9 @@ def report(results):
 
 def self_test(session):
     """Changes whose outcomes are known."""
-    sample = (MODEL / "values/reconstruct.hpp").read_text()
-    bise = (MODEL / "values/bise.cpp").read_text()
-    header = (MODEL / "values/bise.hpp").read_text() + "// nothing more\n"
+    sample = (MODEL / "arithmetic/reconstruct.hpp").read_text()
+    bise = (MODEL / "arithmetic/bise.cpp").read_text()
+    header = (MODEL / "arithmetic/bise.hpp").read_text() + "// nothing more\n"
     body = bise.index("{", bise.index("uint32_t bise_value(")) + 1
     endless = bise[:body] + " for (volatile int x = 0;; x = x) {}" + bise[body:]
     behind = (
@@ -118,12 +118,12 @@ def self_test(session):
     difference = sample.replace("prediction + residual", "prediction - residual")
     assert difference != sample
     cases = [
-        ("no change", "values/bise.cpp", bise, lambda outcome: outcome == "same code"),
-        ("a comment", "values/bise.hpp", header, lambda outcome: outcome == "same code"),
-        ("a header", "values/reconstruct.hpp", difference, lambda outcome: "/" in outcome),
-        ("no C++", "values/bise.cpp", bise + "}", lambda outcome: outcome == "not compiled"),
-        ("no end", "values/bise.cpp", endless, lambda outcome: outcome == "timeout"),
-        ("behind a block", "values/bise.cpp", behind, lambda outcome: outcome == "signal 6"),
+        ("no change", "arithmetic/bise.cpp", bise, lambda outcome: outcome == "same code"),
+        ("a comment", "arithmetic/bise.hpp", header, lambda outcome: outcome == "same code"),
+        ("a header", "arithmetic/reconstruct.hpp", difference, lambda outcome: "/" in outcome),
+        ("no C++", "arithmetic/bise.cpp", bise + "}", lambda outcome: outcome == "not compiled"),
+        ("no end", "arithmetic/bise.cpp", endless, lambda outcome: outcome == "timeout"),
+        ("behind a block", "arithmetic/bise.cpp", behind, lambda outcome: outcome == "signal 6"),
     ]
     failed = 0
     for name, file, text, expected in cases:

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "bits/crc32c.hpp"
-#include "fields/header.hpp"
 #include "golden_stream.hpp"
 #include "level_record.hpp"
 #include "oracle.hpp"
+#include "syntax/header.hpp"
 #include "vectors/picture_bytes.hpp"
 
 namespace hmlfc::tb {

@@ -18,9 +18,9 @@
 #include <fmt/format.h>
 
 #include "bits/crc32c.hpp"
+#include "decoder/open_stream.hpp"
 #include "gpu_decoder.hpp"
 #include "io/mapped_file.hpp"
-#include "samples/open_stream.hpp"
 #include "vectors/manifest.hpp"
 #include "vectors/picture_bytes.hpp"
 #include "vectors/sha256.hpp"

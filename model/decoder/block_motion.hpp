@@ -1,0 +1,50 @@
+// How a block is predicted from reference images, whichever fields say so.
+#pragma once
+
+#include <array>
+
+#include "arithmetic/interpolation.hpp"
+#include "syntax/geometry.hpp"
+#include "syntax/motion_tile.hpp"
+#include "syntax/reference_set.hpp"
+#include "syntax/stream_view.hpp"
+
+namespace hmlfc {
+
+/// A displaced reference image.
+struct ReferenceMotion {
+  ImagePos image;
+  SubpelVector vector;
+  friend bool operator==(const ReferenceMotion&, const ReferenceMotion&) = default;
+};
+
+/// The motion of a block: no reference without motion, else one or two.
+struct BlockMotion {
+  unsigned count = 0;
+  bool negative = false;  ///< sign -
+  std::array<ReferenceMotion, 2> references{};
+  friend bool operator==(const BlockMotion&, const BlockMotion&) = default;
+};
+
+/// Palette entries of one plane of one predictive image to motion (MOT-7 to MOT-9).
+class MotionResolver {
+ public:
+  /// Of a stream with motion tiles.
+  MotionResolver(const StreamView& stream, int level, ImagePos image, Plane plane);
+
+  /// The motion of blocks with `entry`, which palette_entry returned. `disparity` in [-4096, 4095]
+  /// counts where the entry shares one.
+  BlockMotion resolve(const PaletteEntry& entry, int32_t disparity) const;
+
+  /// K0 to K3 of the image.
+  const ReferenceImages& images() const { return images_; }
+
+ private:
+  ImagePos image_;
+  ReferenceImages images_;
+  VectorRules rules_;
+  unsigned vector_precision_;
+  bool halved_;
+};
+
+}  // namespace hmlfc

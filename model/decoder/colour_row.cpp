@@ -1,0 +1,150 @@
+#include "decoder/colour_row.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "decoder/colour_row.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+
+#include <hwy/highway.h>
+
+#include "arithmetic/colour.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hmlfc {
+namespace HWY_NAMESPACE {
+
+// Ways to store pixels: the type of a sample, and the samples of a pixel.
+template <class T, size_t kCount>
+struct Layout {
+  using Sample = T;
+  static constexpr size_t kSamples = kCount;
+};
+
+template <class Store>
+void write_pixel(const ColourRow& row, size_t x, typename Store::Sample* out) {
+  const size_t c = row.halved ? x / 2 : x;
+  const Rgb pixel = inverse_colour({row.y[x], row.co[c], row.cg[c]}, row.depth);
+  out += x * Store::kSamples;
+  out[0] = static_cast<typename Store::Sample>(pixel.r);
+  out[1] = static_cast<typename Store::Sample>(pixel.g);
+  out[2] = static_cast<typename Store::Sample>(pixel.b);
+  if (Store::kSamples == 4) out[Store::kSamples - 1] = 0;
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+using StoreRgb = Layout<uint16_t, 3>;
+using StoreRgbx16 = Layout<uint16_t, 4>;
+using StoreRgbx8 = Layout<uint8_t, 4>;
+
+template <class Store>
+void write_row(const ColourRow& row, typename Store::Sample* out) {
+  for (size_t x = 0; x < row.pixels; ++x) write_pixel<Store>(row, x, out);
+}
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Eight pixels at once: every value of COL-2 fits in 16 bits (specification, section 11).
+using Lanes = hn::FixedTag<int16_t, 8>;
+using Vector = hn::Vec<Lanes>;
+constexpr size_t kLanes = 8;
+
+struct Pixels {
+  Vector r, g, b;
+};
+
+// COL-2.
+inline Pixels inverse_colour_lanes(Vector y, Vector co, Vector cg, Vector peak) {
+  const Vector zero = hn::Zero(Lanes());
+  const auto clamped = [&](Vector v) { return hn::Min(hn::Max(v, zero), peak); };
+  const Vector t = hn::Sub(y, hn::ShiftRight<1>(cg));
+  const Vector b = hn::Sub(t, hn::ShiftRight<1>(co));
+  return {clamped(hn::Add(b, co)), clamped(hn::Add(cg, t)), clamped(b)};
+}
+
+struct StoreRgb : Layout<uint16_t, 3> {
+  static void store(const Pixels& p, Sample* out) {
+    const hn::RebindToUnsigned<Lanes> words;
+    hn::StoreInterleaved3(hn::BitCast(words, p.r), hn::BitCast(words, p.g), hn::BitCast(words, p.b),
+                          words, out);
+  }
+};
+
+struct StoreRgbx16 : Layout<uint16_t, 4> {
+  static void store(const Pixels& p, Sample* out) {
+    const hn::RebindToUnsigned<Lanes> words;
+    hn::StoreInterleaved4(hn::BitCast(words, p.r), hn::BitCast(words, p.g), hn::BitCast(words, p.b),
+                          hn::Zero(words), words, out);
+  }
+};
+
+struct StoreRgbx8 : Layout<uint8_t, 4> {
+  static void store(const Pixels& p, Sample* out) {
+    const hn::FixedTag<uint8_t, 8> bytes;
+    hn::StoreInterleaved4(hn::DemoteTo(bytes, p.r), hn::DemoteTo(bytes, p.g),
+                          hn::DemoteTo(bytes, p.b), hn::Zero(bytes), bytes, out);
+  }
+};
+
+template <class Store>
+void write_row(const ColourRow& row, typename Store::Sample* out) {
+  const Lanes lanes;
+  const Vector peak = hn::Set(lanes, static_cast<int16_t>((1 << row.depth) - 1));
+  const auto store = [&](size_t x, Vector co, Vector cg) {
+    const Vector y = hn::LoadU(lanes, row.y + x);
+    Store::store(inverse_colour_lanes(y, co, cg, peak), out + x * Store::kSamples);
+  };
+  size_t x = 0;
+  if (row.halved) {
+    for (; x + 2 * kLanes <= row.pixels; x += 2 * kLanes) {
+      const Vector co = hn::LoadU(lanes, row.co + x / 2);
+      const Vector cg = hn::LoadU(lanes, row.cg + x / 2);
+      store(x, hn::InterleaveLower(lanes, co, co), hn::InterleaveLower(lanes, cg, cg));
+      store(x + kLanes, hn::InterleaveUpper(lanes, co, co), hn::InterleaveUpper(lanes, cg, cg));
+    }
+  } else {
+    for (; x + kLanes <= row.pixels; x += kLanes) {
+      store(x, hn::LoadU(lanes, row.co + x), hn::LoadU(lanes, row.cg + x));
+    }
+  }
+  for (; x < row.pixels; ++x) write_pixel<Store>(row, x, out);
+}
+
+#endif  // HWY_TARGET == HWY_SCALAR
+
+void write_rgb_here(const ColourRow& row, uint16_t* out) { write_row<StoreRgb>(row, out); }
+void write_rgbx8_here(const ColourRow& row, uint8_t* out) { write_row<StoreRgbx8>(row, out); }
+void write_rgbx16_here(const ColourRow& row, uint16_t* out) { write_row<StoreRgbx16>(row, out); }
+const char* colour_set_here() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hmlfc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace hmlfc {
+
+HWY_EXPORT(write_rgb_here);
+HWY_EXPORT(write_rgbx8_here);
+HWY_EXPORT(write_rgbx16_here);
+HWY_EXPORT(colour_set_here);
+
+void write_rgb(const ColourRow& row, uint16_t* out) {
+  HWY_DYNAMIC_DISPATCH(write_rgb_here)(row, out);
+}
+
+void write_rgbx(const ColourRow& row, uint8_t* out) {
+  HWY_DYNAMIC_DISPATCH(write_rgbx8_here)(row, out);
+}
+
+void write_rgbx(const ColourRow& row, uint16_t* out) {
+  HWY_DYNAMIC_DISPATCH(write_rgbx16_here)(row, out);
+}
+
+const char* colour_instruction_set() { return HWY_DYNAMIC_DISPATCH(colour_set_here)(); }
+
+}  // namespace hmlfc
+
+#endif  // HWY_ONCE

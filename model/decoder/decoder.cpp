@@ -1,0 +1,199 @@
+#include <hmlfc/decoder.hpp>
+
+#include <algorithm>
+
+#include "arithmetic/rounding.hpp"
+#include "decoder/decoder_state.hpp"
+#include "decoder/fast/region_decoder.hpp"
+#include "decoder/golden/golden_region.hpp"
+#include "decoder/memory_guard.hpp"
+#include "decoder/open_stream.hpp"
+#include "decoder/rgb_picture.hpp"
+
+namespace hmlfc {
+namespace {
+
+tl::unexpected<Error> bad_request() { return fail(ErrorCode::kBadRequest, Section::kHeader, 0); }
+
+bool has_view(const StreamHeader& header, ViewPos view, int stop_level) {
+  return view.row < header.rows && view.col < header.cols && stop_level >= 0 &&
+         stop_level <= header.tree_height;
+}
+
+bool contains(uint32_t width, uint32_t height, const Rect& rect) {
+  return rect.width > 0 && rect.height > 0 && rect.x < width && rect.y < height &&
+         rect.width <= width - rect.x && rect.height <= height - rect.y;
+}
+
+// The blocks that `rect` touches.
+BlockRect blocks_of(const Rect& rect, uint32_t block_size) {
+  return {rect.x / block_size, rect.y / block_size, ceil_div(rect.x + rect.width, block_size),
+          ceil_div(rect.y + rect.height, block_size)};
+}
+
+// The part `rect` of a region that begins with block (blocks.bx0, blocks.by0).
+SamplePlane crop(const SamplePlane& region, const BlockRect& blocks, const Rect& rect,
+                 uint32_t block_size) {
+  const uint32_t x = rect.x - blocks.bx0 * block_size;
+  const uint32_t y = rect.y - blocks.by0 * block_size;
+  SamplePlane samples(rect.width, rect.height);
+  for (uint32_t j = 0; j < rect.height; ++j) {
+    const auto row = region.row(y + j).subspan(x, rect.width);
+    std::copy(row.begin(), row.end(), samples.row(j).begin());
+  }
+  return samples;
+}
+
+// Whether `rect` begins at a corner of a block and ends at one or at the plane's border.
+bool has_whole_blocks(const PlaneShape& shape, const Rect& rect, uint32_t block_size) {
+  const auto ends = [&](uint32_t end, uint32_t border) {
+    return end % block_size == 0 || end == border;
+  };
+  return rect.x % block_size == 0 && rect.y % block_size == 0 &&
+         ends(rect.x + rect.width, shape.width) && ends(rect.y + rect.height, shape.height);
+}
+
+// Whether `region` is `rect` already, or, where more to the right and below does not matter, begins
+// with it.
+bool is_cropped(const SamplePlane& region, const BlockRect& blocks, const Rect& rect,
+                uint32_t block_size, bool exactly) {
+  return rect.x == blocks.bx0 * block_size && rect.y == blocks.by0 * block_size &&
+         (!exactly || (region.width == rect.width && region.height == rect.height));
+}
+
+// The samples of `rect`, which lies in the plane, of image `image` of level `level`: a plane of its
+// size, or, unless `exactly`, one whose rows go on and which has more of them.
+Result<SamplePlane> decode_samples(const DecodeSources& sparse, const DecodeSources& on_demand,
+                                   const BlockSite& image, const Rect& rect, bool exactly) {
+  const uint32_t block_size = sparse.stream.geometry.block_size();
+  const BlockRect blocks = blocks_of(rect, block_size);
+  const ImagePos at{image.image_row, image.image_col};
+  auto region = decode_region(sparse, image.level, at, image.plane, blocks);
+  if (!region) {
+    // Which block fails, and whether one that was asked for does, is for the golden path to say.
+    region = decode_region_by_blocks(on_demand, image.level, at, image.plane, blocks);
+  }
+  if (!region || is_cropped(*region, blocks, rect, block_size, exactly)) return region;
+  return crop(*region, blocks, rect, block_size);
+}
+
+}  // namespace
+
+Decoder::Decoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Decoder::Decoder(Decoder&&) noexcept = default;
+Decoder& Decoder::operator=(Decoder&&) noexcept = default;
+Decoder::~Decoder() = default;
+
+Result<Decoder> Decoder::open(std::span<const uint8_t> file, const OpenOptions& options) {
+  return guard_memory([&]() -> Result<Decoder> {
+    auto stream = open_stream(file, options);
+    if (!stream) return tl::unexpected(stream.error());
+    return Decoder(std::make_unique<State>(std::move(*stream)));
+  });
+}
+
+const StreamHeader& Decoder::header() const { return state_->stream.header; }
+
+PlaneSize Decoder::plane_size(Plane plane) const {
+  const PlaneShape& shape = state_->stream.geometry.plane(plane);
+  return {shape.width, shape.height};
+}
+
+Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block, int stop_level,
+                                                   TraceSink* sink, AccessCounts* counts,
+                                                   ReferenceMode mode) const {
+  const Geometry& geometry = state_->stream.geometry;
+  const PlaneShape& plane = geometry.plane(block.plane);
+  if (!has_view(header(), block.view, stop_level) || block.bx >= plane.blocks_x ||
+      block.by >= plane.blocks_y) {
+    return bad_request();
+  }
+  const ImagePos image = geometry.ancestor({block.view.row, block.view.col}, 0, stop_level);
+  const BlockSite site{stop_level, image.row, image.col, block.plane, block.bx, block.by};
+  const DecodeSources sources =
+      mode == ReferenceMode::kSparse ? state_->sparse() : state_->on_demand();
+  return guard_memory([&]() -> Result<std::vector<int32_t>> {
+    const auto values = hmlfc::decode_block(sources, site, Probe{sink, counts, site});
+    if (!values) return tl::unexpected(values.error());
+    return std::vector<int32_t>(values->span().begin(), values->span().end());
+  });
+}
+
+Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, const Rect& rect,
+                                                  int stop_level) const {
+  const Geometry& geometry = state_->stream.geometry;
+  const PlaneShape& shape = geometry.plane(plane);
+  if (!has_view(header(), view, stop_level) || !contains(shape.width, shape.height, rect)) {
+    return bad_request();
+  }
+  const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
+  return guard_memory([&]() -> Result<std::vector<int16_t>> {
+    auto samples = decode_samples(state_->sparse(), state_->on_demand(),
+                                  {stop_level, image.row, image.col, plane}, rect, true);
+    if (!samples) return tl::unexpected(samples.error());
+    return std::move(samples->samples);
+  });
+}
+
+Result<void> Decoder::refine_rect(ViewPos view, Plane plane, const Rect& rect, int stop_level,
+                                  std::span<int16_t> samples) const {
+  const Geometry& geometry = state_->stream.geometry;
+  const PlaneShape& shape = geometry.plane(plane);
+  const uint32_t block_size = geometry.block_size();
+  if (!has_view(header(), view, stop_level + 1) || stop_level < 0 ||
+      !contains(shape.width, shape.height, rect) || !has_whole_blocks(shape, rect, block_size) ||
+      samples.size() != size_t{rect.width} * rect.height) {
+    return bad_request();
+  }
+  const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
+  return guard_memory([&]() -> Result<void> {
+    const BlockRect blocks = blocks_of(rect, block_size);
+    SamplePlane region((blocks.bx1 - blocks.bx0) * block_size,
+                       (blocks.by1 - blocks.by0) * block_size);
+    for (uint32_t j = 0; j < rect.height; ++j) {
+      const auto row = samples.subspan(size_t{j} * rect.width, rect.width);
+      std::ranges::copy(row, region.row(j).begin());
+    }
+    if (auto ok = add_level(state_->sparse(), stop_level, image, plane, blocks, region); !ok) {
+      return ok;
+    }
+    for (uint32_t j = 0; j < rect.height; ++j) {
+      const auto row = samples.subspan(size_t{j} * rect.width, rect.width);
+      std::copy_n(region.row(j).begin(), rect.width, row.begin());
+    }
+    return {};
+  });
+}
+
+Result<std::vector<int16_t>> Decoder::decode_plane(ViewPos view, Plane plane,
+                                                   int stop_level) const {
+  const PlaneSize size = plane_size(plane);
+  return decode_rect(view, plane, {0, 0, size.width, size.height}, stop_level);
+}
+
+Result<RgbImage> Decoder::decode_rgb(ViewPos view, const Rect& rect, int stop_level) const {
+  if (!has_view(header(), view, stop_level) || !contains(header().width, header().height, rect)) {
+    return bad_request();
+  }
+  const bool halved = header().chroma_format == ChromaFormat::k420;
+  const ImagePos image = state_->stream.geometry.ancestor({view.row, view.col}, 0, stop_level);
+  return guard_memory([&]() -> Result<RgbImage> {
+    std::array<SamplePlane, kPlaneCount> planes;
+    for (const Plane plane : kPlanes) {
+      auto samples = decode_samples(state_->sparse(), state_->on_demand(),
+                                    {stop_level, image.row, image.col, plane},
+                                    chroma_rect(rect, halved && plane != Plane::kY), false);
+      if (!samples) return tl::unexpected(samples.error());
+      planes[static_cast<size_t>(plane)] = std::move(*samples);
+    }
+    return rgb_picture(planes, rect, halved, header().depth);
+  });
+}
+
+Result<RgbImage> Decoder::decode_view(ViewPos view, int stop_level) const {
+  return decode_rgb(view, {0, 0, header().width, header().height}, stop_level);
+}
+
+size_t Decoder::reference_bytes() const { return state_->references.bytes(); }
+
+}  // namespace hmlfc

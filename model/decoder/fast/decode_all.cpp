@@ -1,0 +1,214 @@
+// Decoder::decode_all and load_references: work over all images, on all cores.
+#include <hmlfc/decoder.hpp>
+
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "decoder/decoder_state.hpp"
+#include "decoder/fast/region_decoder.hpp"
+#include "decoder/memory_guard.hpp"
+#include "decoder/rgb_picture.hpp"
+
+namespace hmlfc {
+namespace {
+
+// Keeps the error of the lowest-numbered task that fails, whatever the order in which threads run:
+// a task is left out only when one before it has failed.
+class FirstError {
+ public:
+  void add(uint64_t task, const Error& error) {
+    const std::scoped_lock lock(mutex_);
+    if (task >= task_) return;
+    task_ = task;
+    error_ = error;
+  }
+  bool failed_before(uint64_t task) const { return task_ < task; }
+  Result<void> result() const {
+    if (task_ != kNone) return tl::unexpected(error_);
+    return {};
+  }
+
+ private:
+  static constexpr uint64_t kNone = ~uint64_t{0};
+  std::mutex mutex_;
+  std::atomic<uint64_t> task_ = kNone;
+  Error error_;
+};
+
+template <class Body>
+void parallel_tasks(uint64_t count, int threads, const Body& body) {
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  arena.execute([&] { tbb::parallel_for(uint64_t{0}, count, body); });
+}
+
+using ViewPlanes = std::array<SamplePlane, kPlaneCount>;
+
+// Decodes all views below one image, so that what they share is decoded once.
+class FamilyDecoder {
+ public:
+  FamilyDecoder(const DecodeSources& sources, int stop_level, const ViewConsumer& consumer)
+      : sources_(sources), stop_level_(stop_level), consumer_(consumer) {}
+
+  // Views whose ancestor at level `parent_level` is `parent`; parent_level is stop_level + 1, or
+  // stop_level at the top.
+  Result<void> run(int parent_level, ImagePos parent) const {
+    if (parent_level == stop_level_) {
+      const auto own = decode_image(parent_level, parent);
+      if (!own) return tl::unexpected(own.error());
+      return deliver(*own, parent);
+    }
+    std::optional<ViewPlanes> shared;  // decoded for the first child that needs it
+    for (const ImagePos image : children_of(parent)) {
+      if (!sources_.stream.geometry.is_key(stop_level_, image) && !shared) {
+        auto planes = decode_image(parent_level, parent);
+        if (!planes) return tl::unexpected(planes.error());
+        shared = std::move(*planes);
+      }
+      if (auto ok = decode_child(shared, image); !ok) return ok;
+    }
+    return {};
+  }
+
+ private:
+  // The images of level stop_level below `parent`.
+  std::vector<ImagePos> children_of(ImagePos parent) const {
+    const StreamHeader& header = sources_.stream.header;
+    const LevelShape& level = sources_.stream.geometry.level(stop_level_);
+    const uint32_t last_row = std::min((parent.row + 1) * header.cluster_rows, level.rows);
+    const uint32_t last_col = std::min((parent.col + 1) * header.cluster_cols, level.cols);
+    std::vector<ImagePos> children;
+    for (uint32_t row = parent.row * header.cluster_rows; row < last_row; ++row) {
+      for (uint32_t col = parent.col * header.cluster_cols; col < last_col; ++col) {
+        children.push_back({row, col});
+      }
+    }
+    return children;
+  }
+
+  Result<ViewPlanes> decode_image(int level, ImagePos image) const {
+    ViewPlanes planes;
+    for (const Plane plane : kPlanes) {
+      const BlockRect all = whole_plane(sources_.stream.geometry.plane(plane));
+      auto region = decode_region(sources_, level, image, plane, all);
+      if (!region) return tl::unexpected(region.error());
+      planes[static_cast<size_t>(plane)] = std::move(*region);
+    }
+    return planes;
+  }
+
+  // `parent` is there, unless `image` is a key image.
+  Result<void> decode_child(const std::optional<ViewPlanes>& parent, ImagePos image) const {
+    if (!parent) {
+      const auto key = decode_image(stop_level_, image);
+      if (!key) return tl::unexpected(key.error());
+      return deliver(*key, image);
+    }
+    ViewPlanes planes = *parent;
+    for (const Plane plane : kPlanes) {
+      const BlockRect all = whole_plane(sources_.stream.geometry.plane(plane));
+      auto ok =
+          add_level(sources_, stop_level_, image, plane, all, planes[static_cast<size_t>(plane)]);
+      if (!ok) return ok;
+    }
+    return deliver(planes, image);
+  }
+
+  // Hands the picture to every view that shows it.
+  Result<void> deliver(const ViewPlanes& planes, ImagePos image) const {
+    const StreamHeader& header = sources_.stream.header;
+    const bool halved = header.chroma_format == ChromaFormat::k420;
+    const Rect all{0, 0, header.width, header.height};
+    uint64_t rows = 1;
+    uint64_t cols = 1;
+    for (int l = 0; l < stop_level_; ++l) {
+      rows *= header.cluster_rows;
+      cols *= header.cluster_cols;
+    }
+    for (uint64_t row = image.row * rows;
+         row < std::min<uint64_t>((image.row + 1) * rows, header.rows); ++row) {
+      for (uint64_t col = image.col * cols;
+           col < std::min<uint64_t>((image.col + 1) * cols, header.cols); ++col) {
+        consumer_({static_cast<uint32_t>(row), static_cast<uint32_t>(col)},
+                  rgb_picture(planes, all, halved, header.depth));
+      }
+    }
+    return {};
+  }
+
+  const DecodeSources& sources_;
+  int stop_level_;
+  const ViewConsumer& consumer_;
+};
+
+// The error of the first view below `parent` that does not decode, as decode_view names it. There
+// is one: the fast path fails on a whole plane only where some block of it does.
+Error first_view_error(const Decoder& decoder, int parent_level, ImagePos parent, int stop_level) {
+  const StreamHeader& header = decoder.header();
+  const Geometry geometry(header);
+  for (uint32_t row = 0; row < header.rows; ++row) {
+    for (uint32_t col = 0; col < header.cols; ++col) {
+      if (geometry.ancestor({row, col}, 0, parent_level) != parent) continue;
+      const auto view = decoder.decode_view({row, col}, stop_level);
+      if (!view) return view.error();
+    }
+  }
+  return {ErrorCode::kOutOfMemory, Section::kHeader, 0};
+}
+
+}  // namespace
+
+Result<void> Decoder::decode_all(const ViewConsumer& consumer, int stop_level, int threads) const {
+  const Geometry& geometry = state_->stream.geometry;
+  if (stop_level < 0 || stop_level > geometry.top()) {
+    return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
+  }
+  const int parent_level = std::min(stop_level + 1, geometry.top());
+  const LevelShape& shape = geometry.level(parent_level);
+  const DecodeSources sources = state_->sparse();
+  const FamilyDecoder family(sources, stop_level, consumer);
+  FirstError first;
+  parallel_tasks(shape.images(), threads, [&](uint64_t i) {
+    if (first.failed_before(i)) return;
+    const ImagePos parent{static_cast<uint32_t>(i / shape.cols),
+                          static_cast<uint32_t>(i % shape.cols)};
+    const auto done = guard_memory([&]() -> Result<void> {
+      if (family.run(parent_level, parent)) return {};
+      return tl::unexpected(first_view_error(*this, parent_level, parent, stop_level));
+    });
+    if (!done) first.add(i, done.error());
+  });
+  return first.result();
+}
+
+Result<void> Decoder::load_references(int threads) const {
+  const Geometry& geometry = state_->stream.geometry;
+  FirstError first;
+  for (int level = geometry.top() - 1; level >= 0; --level) {
+    const LevelShape& shape = geometry.level(level);
+    if (shape.keyed || (shape.ref_rows == 1 && shape.ref_cols == 1)) continue;
+    parallel_tasks(shape.images(), threads, [&](uint64_t i) {
+      const ImagePos image{static_cast<uint32_t>(i / shape.cols),
+                           static_cast<uint32_t>(i % shape.cols)};
+      if (!geometry.is_reference(level, image)) return;
+      for (const Plane plane : kPlanes) {
+        const auto loaded =
+            guard_memory([&] { return state_->references.plane(level, image, plane); });
+        const auto read = guard_memory([&]() -> Result<void> {
+          if (!loaded) return tl::unexpected(loaded.error());
+          (*loaded)->read_all();
+          return {};
+        });
+        if (!read) first.add(geometry.image_number(level, image), read.error());
+      }
+    });
+  }
+  return first.result();
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,158 @@
+// Plain loops over fixed numbers of columns, which the compiler turns to vectors of each
+// instruction set that they are compiled for; one is chosen at run time.
+#include "decoder/fast/interpolate.hpp"
+
+#include <cstring>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "decoder/fast/interpolate.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hmlfc {
+namespace HWY_NAMESPACE {
+
+// One reference from a column on; samples of weight 0 stand for any that are there.
+struct Taps {
+  Taps(const DisplacedReference& reference, unsigned x)
+      : row(reference.view.data + x),
+        stride(reference.view.stride),
+        right(reference.fx == 0 ? 0 : 1),
+        below(reference.fy == 0 ? 0 : reference.view.stride),
+        fx(static_cast<int16_t>(reference.fx)),
+        fy(static_cast<int16_t>(reference.fy)) {}
+
+  const int16_t* row;
+  size_t stride;
+  size_t right;  // to the samples of weight fx
+  size_t below;  // to the samples of weight fy
+  int16_t fx;
+  int16_t fy;
+};
+
+// I of MOT-9 in kLanes columns of one row. Sum holds each: partial sums, too, lie in 64 * bound.
+template <class Sum, unsigned kLanes>
+inline void sum_row(const Taps& taps, const int16_t* row, Sum (&sums)[kLanes]) {
+  int16_t s00[kLanes], s10[kLanes], s01[kLanes], s11[kLanes];
+  std::memcpy(s00, row, sizeof(s00));
+  std::memcpy(s10, row + taps.right, sizeof(s10));
+  std::memcpy(s01, row + taps.below, sizeof(s01));
+  std::memcpy(s11, row + taps.below + taps.right, sizeof(s11));
+  const auto fx = taps.fx;
+  const auto fy = taps.fy;
+  const auto w00 = static_cast<int16_t>((8 - fx) * (8 - fy));
+  const auto w10 = static_cast<int16_t>(fx * (8 - fy));
+  const auto w01 = static_cast<int16_t>((8 - fx) * fy);
+  const auto w11 = static_cast<int16_t>(fx * fy);
+  for (unsigned i = 0; i < kLanes; ++i) {
+    sums[i] = static_cast<Sum>(s00[i] * w00 + s10[i] * w10 + s01[i] * w01 + s11[i] * w11);
+  }
+}
+
+template <class Sum, unsigned kLanes>
+void put_one(const Taps& first, const PredictionTarget& target, unsigned x) {
+  for (unsigned y = 0; y < target.rows; ++y) {
+    Sum sums[kLanes];
+    sum_row(first, first.row + y * first.stride, sums);
+    int16_t values[kLanes];
+    for (unsigned i = 0; i < kLanes; ++i) {
+      values[i] = static_cast<int16_t>(static_cast<Sum>(sums[i] + 32) >> 6);
+    }
+    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
+  }
+}
+
+template <class Sum, unsigned kLanes>
+void put_two(const Taps& first, const Taps& second, const PredictionTarget& target, unsigned x) {
+  for (unsigned y = 0; y < target.rows; ++y) {
+    Sum a[kLanes], b[kLanes];
+    sum_row(first, first.row + y * first.stride, a);
+    sum_row(second, second.row + y * second.stride, b);
+    int16_t values[kLanes];
+    for (unsigned i = 0; i < kLanes; ++i) {
+      values[i] = static_cast<int16_t>(static_cast<Sum>(a[i] + b[i] + 64) >> 7);
+    }
+    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
+  }
+}
+
+template <class Sum, unsigned kLanes>
+void put_columns(const std::array<DisplacedReference, 2>& references, unsigned count,
+                 const PredictionTarget& target, unsigned x) {
+  const Taps first(references[0], x);
+  if (count == 1) return put_one<Sum, kLanes>(first, target, x);
+  put_two<Sum, kLanes>(first, Taps(references[1], x), target, x);
+}
+
+// All columns, sixteen, eight, four and one at a time.
+template <class Sum>
+void interpolate(const std::array<DisplacedReference, 2>& references, unsigned count,
+                 const PredictionTarget& target) {
+  unsigned x = 0;
+  for (; x + 16 <= target.columns; x += 16) put_columns<Sum, 16>(references, count, target, x);
+  if (x + 8 <= target.columns) {
+    put_columns<Sum, 8>(references, count, target, x);
+    x += 8;
+  }
+  if (x + 4 <= target.columns) {
+    put_columns<Sum, 4>(references, count, target, x);
+    x += 4;
+  }
+  for (; x < target.columns; ++x) put_columns<Sum, 1>(references, count, target, x);
+}
+
+// R of whole vectors: the reference itself, or the mean of two, halves up.
+inline void average(const std::array<DisplacedReference, 2>& references, unsigned count,
+                    const PredictionTarget& target) {
+  for (unsigned y = 0; y < target.rows; ++y) {
+    int16_t* out = target.data + y * target.stride;
+    const int16_t* first = references[0].view.data + y * references[0].view.stride;
+    if (count == 1) {
+      std::memcpy(out, first, target.columns * sizeof(int16_t));
+      continue;
+    }
+    const int16_t* second = references[1].view.data + y * references[1].view.stride;
+    for (unsigned x = 0; x < target.columns; ++x) {
+      out[x] = static_cast<int16_t>((first[x] + second[x] + 1) >> 1);
+    }
+  }
+}
+
+inline bool is_whole(const DisplacedReference& reference) {
+  return reference.fx == 0 && reference.fy == 0;
+}
+
+void interpolate_rect_here(const std::array<DisplacedReference, 2>& references, unsigned count,
+                           int32_t bound, const PredictionTarget& target) {
+  if (is_whole(references[0]) && (count == 1 || is_whole(references[1]))) {
+    return average(references, count, target);
+  }
+  const auto most = static_cast<int32_t>(count) * (64 * bound + 32);
+  if (most <= std::numeric_limits<int16_t>::max()) {
+    interpolate<int16_t>(references, count, target);
+  } else {
+    interpolate<int32_t>(references, count, target);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hmlfc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace hmlfc {
+
+HWY_EXPORT(interpolate_rect_here);
+
+void interpolate_rect(const std::array<DisplacedReference, 2>& references, unsigned count,
+                      int32_t bound, const PredictionTarget& target) {
+  HWY_DYNAMIC_DISPATCH(interpolate_rect_here)(references, count, bound, target);
+}
+
+}  // namespace hmlfc
+
+#endif  // HWY_ONCE

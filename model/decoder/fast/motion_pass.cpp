@@ -1,0 +1,229 @@
+#include "decoder/fast/motion_pass.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <tuple>
+
+#include "arithmetic/narrow.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "decoder/block_motion.hpp"
+#include "decoder/fast/interpolate.hpp"
+#include "decoder/fast/motion_field.hpp"
+#include "decoder/fast/reference_reader.hpp"
+
+namespace hmlfc {
+namespace {
+
+// Samples predicted at once: a rectangle of at most this side.
+constexpr uint32_t kPieceSide = 32;
+
+// Samples [x0, x1) x [y0, y1) of a plane.
+struct Area {
+  uint32_t x0, y0, x1, y1;
+};
+
+Area common(const Area& a, const Area& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+class MotionPass {
+ public:
+  MotionPass(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+             const BlockRect& rect, SamplePlane& samples)
+      : sources_(sources),
+        geometry_(sources.stream.geometry),
+        level_(level),
+        image_(image),
+        plane_(plane),
+        samples_(samples),
+        resolver_(sources.stream, level, image, plane),
+        range_(sample_range(plane, sources.stream.header.depth)),
+        keyed_(geometry_.level(level).keyed) {
+    const uint32_t size = geometry_.block_size();
+    area_ = {rect.bx0 * size, rect.by0 * size, rect.bx1 * size, rect.by1 * size};
+    motion_plane_ = geometry_.motion_plane_of(plane);
+    shift_ = plane != Plane::kY && geometry_.motion_planes()[motion_plane_].halves ? 1 : 0;
+  }
+
+  Result<void> run() {
+    const uint32_t side = (1u << sources_.stream.header.motion_tile_log2) >> shift_;
+    const auto field = std::make_unique<MotionField>();
+    for (uint32_t ty = area_.y0 / side; ty * side < area_.y1; ++ty) {
+      for (uint32_t tx = area_.x0 / side; tx * side < area_.x1; ++tx) {
+        const MotionTilePlace place{level_, image_, motion_plane_, tx, ty};
+        if (auto ok = read_motion_field(sources_.stream, place, *field); !ok) return ok;
+        const Area tile{tx * side, ty * side, (tx + 1) * side, (ty + 1) * side};
+        if (auto ok = add_tile(*field, tile); !ok) return ok;
+      }
+    }
+    return {};
+  }
+
+ private:
+  tl::unexpected<Error> failure(ErrorCode code) const { return fail(code, Section::kTile, 0); }
+
+  // Side of the squares whose blocks all have their places in one square of 2^log2 samples of the
+  // motion plane: that square, or one block where that is larger.
+  uint32_t unit_side(unsigned log2) const {
+    return std::max<uint32_t>(geometry_.block_size(), (1u << log2) >> shift_);
+  }
+
+  Result<void> add_tile(const MotionField& field, const Area& tile) {
+    const Area wanted = common(tile, area_);
+    const uint32_t unit = unit_side(field.head.block_log2);
+    for (uint32_t y = wanted.y0 / unit * unit; y < wanted.y1; y += unit) {
+      for (uint32_t x = wanted.x0 / unit * unit; x < wanted.x1; x += unit) {
+        const uint32_t mx = ((x - tile.x0) << shift_) >> field.head.block_log2;
+        const uint32_t my = ((y - tile.y0) << shift_) >> field.head.block_log2;
+        const PaletteEntry* entry = field.entry(mx, my);
+        if (entry == nullptr) return failure(ErrorCode::kBadMode);
+        if (!entry->has_motion()) continue;
+        const Area part = common({x, y, x + unit, y + unit}, wanted);
+        const auto added = entry->shares_disparity() ? add_shared(*entry, part)
+                                                     : add_unit(resolver_.resolve(*entry, 0), part);
+        if (!added) return added;
+      }
+    }
+    return {};
+  }
+
+  // The part of a motion block whose blocks take their disparities from the grid: neighbours with
+  // the same motion are predicted together.
+  Result<void> add_shared(const PaletteEntry& entry, const Area& part) {
+    const uint32_t unit = unit_side(sources_.stream.header.disparity_grid_log2);
+    for (uint32_t y = part.y0 / unit * unit; y < part.y1; y += unit) {
+      Area run = common({part.x0, y, part.x0, y + unit}, {part.x0, part.y0, part.x1, part.y1});
+      BlockMotion motion;
+      for (uint32_t x = part.x0 / unit * unit; x < part.x1; x += unit) {
+        const auto disparity = disparity_at(entry, x << shift_, y << shift_);
+        if (!disparity) return tl::unexpected(disparity.error());
+        const BlockMotion& next = shared_motion(entry, *disparity);
+        if (run.x1 > run.x0 && next != motion) {
+          if (auto ok = add_unit(motion, run); !ok) return ok;
+          run.x0 = run.x1;
+        }
+        motion = next;
+        run.x1 = std::min(x + unit, part.x1);
+      }
+      if (auto ok = add_unit(motion, run); !ok) return ok;
+    }
+    return {};
+  }
+
+  // resolve() of an entry that shares a disparity, remembered for the disparities last met.
+  const BlockMotion& shared_motion(const PaletteEntry& entry, int32_t disparity) {
+    ResolvedMotion& slot = resolved_[static_cast<uint32_t>(disparity) % resolved_.size()];
+    const auto key = std::tuple(disparity, entry.reference_set, entry.negative);
+    if (!slot.known || slot.key != key) slot = {true, key, resolver_.resolve(entry, disparity)};
+    return slot.motion;
+  }
+
+  Result<int32_t> disparity_at(const PaletteEntry& entry, uint32_t x, uint32_t y) {
+    if (!disparities_) {
+      auto read = sources_.references->disparities(level_, resolver_.images()[0], motion_plane_);
+      if (!read) return tl::unexpected(read.error());
+      disparities_ = *read;
+    }
+    const auto found = disparities_->find(grid_block(x, y, entry.choice,
+                                                     sources_.stream.header.disparity_grid_log2,
+                                                     geometry_.motion_planes()[motion_plane_]));
+    if (!found) return failure(ErrorCode::kVectorRange);
+    return *found;
+  }
+
+  Result<void> add_unit(const BlockMotion& motion, const Area& unit) {
+    for (uint32_t y = unit.y0; y < unit.y1; y += kPieceSide) {
+      for (uint32_t x = unit.x0; x < unit.x1; x += kPieceSide) {
+        const Area piece = common({x, y, x + kPieceSide, y + kPieceSide}, unit);
+        if (auto ok = add_piece(motion, piece); !ok) return ok;
+      }
+    }
+    return {};
+  }
+
+  Result<void> add_piece(const BlockMotion& motion, const Area& piece) {
+    constexpr size_t kBuffer = size_t{kPieceSide + 1} * (kPieceSide + 1);
+    std::array<std::array<int16_t, kBuffer>, 2> buffers;
+    std::array<DisplacedReference, 2> references;
+    const unsigned columns = piece.x1 - piece.x0;
+    const unsigned rows = piece.y1 - piece.y0;
+    for (unsigned i = 0; i < motion.count; ++i) {
+      const SubpelVector& vector = motion.references[i].vector;
+      const ReferenceArea area{static_cast<int32_t>(piece.x0) + vector.ix,
+                               static_cast<int32_t>(piece.y0) + vector.iy,
+                               columns + (vector.fx == 0 ? 0 : 1), rows + (vector.fy == 0 ? 0 : 1)};
+      const auto reader = reader_of(motion.references[i].image);
+      if (!reader) return tl::unexpected(reader.error());
+      const auto view = (*reader)->view(area, buffers[i].data());
+      if (!view) return tl::unexpected(view.error());
+      references[i] = {*view, vector.fx, vector.fy};
+    }
+    int16_t* out = samples_.samples.data() + size_t{piece.y0 - area_.y0} * samples_.width +
+                   (piece.x0 - area_.x0);
+    put_piece(references, motion, {out, samples_.width, columns, rows});
+    return {};
+  }
+
+  // At a keyed level A is R: it is a mean of samples in [lo, hi], which the clamp leaves alone, and
+  // its sign is + (EXT-5, MOT-3).
+  void put_piece(const std::array<DisplacedReference, 2>& references, const BlockMotion& motion,
+                 const PredictionTarget& out) const {
+    if (keyed_) return interpolate_rect(references, motion.count, range_.hi, out);
+    std::array<int16_t, size_t{kPieceSide} * kPieceSide> reference;
+    interpolate_rect(references, motion.count, range_.bound,
+                     {reference.data(), out.columns, out.columns, out.rows});
+    const int16_t* from = reference.data();
+    for (unsigned y = 0; y < out.rows; ++y, from += out.columns) {
+      int16_t* row = out.data + y * out.stride;
+      for (unsigned x = 0; x < out.columns; ++x) {
+        row[x] = narrow<int16_t>(motion_prediction(row[x], motion.negative, from[x], range_));
+      }
+    }
+  }
+
+  Result<const ReferenceReader*> reader_of(ImagePos image) {
+    for (size_t i = 0; i < readers_.size(); ++i) {
+      if (resolver_.images()[i] != image) continue;
+      if (!readers_[i]) {
+        auto opened = ReferenceReader::open(sources_, level_, image, plane_);
+        if (!opened) return tl::unexpected(opened.error());
+        readers_[i].emplace(std::move(*opened));
+      }
+      return &*readers_[i];
+    }
+    return failure(ErrorCode::kBadMode);
+  }
+
+  struct ResolvedMotion {
+    bool known = false;
+    std::tuple<int32_t, unsigned, bool> key;
+    BlockMotion motion;
+  };
+
+  const DecodeSources& sources_;
+  const Geometry& geometry_;
+  int level_;
+  ImagePos image_;
+  Plane plane_;
+  SamplePlane& samples_;
+  MotionResolver resolver_;
+  SampleRange range_;
+  bool keyed_;
+  Area area_{};
+  size_t motion_plane_ = 0;
+  unsigned shift_ = 0;  // 1: the motion plane has twice the width and height
+  std::array<std::optional<ReferenceReader>, 4> readers_;  // of K0 to K3
+  std::shared_ptr<const DisparityPlane> disparities_;
+  std::array<ResolvedMotion, 64> resolved_;
+};
+
+}  // namespace
+
+Result<void> add_motion(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+                        const BlockRect& rect, SamplePlane& samples) {
+  return MotionPass(sources, level, image, plane, rect, samples).run();
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,168 @@
+#include "decoder/fast/region_decoder.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "arithmetic/narrow.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "bits/bit_mask.hpp"
+#include "decoder/fast/motion_pass.hpp"
+#include "decoder/fast/reference_reader.hpp"
+#include "decoder/fast/tile_blocks.hpp"
+#include "decoder/golden/block_decoder.hpp"
+#include "syntax/tile_layout.hpp"
+
+namespace hmlfc {
+namespace {
+
+// Adds one level to the samples of a region, in place: they come in as the parent's.
+class LevelPass {
+ public:
+  LevelPass(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+            const BlockRect& rect, SamplePlane& samples)
+      : sources_(sources),
+        site_{level, image.row, image.col, plane, 0, 0},
+        rect_(rect),
+        samples_(samples),
+        block_size_(sources.stream.geometry.block_size()),
+        keyed_(sources.stream.geometry.level(level).keyed),
+        range_(sample_range(plane, sources.stream.header.depth)) {}
+
+  Result<void> run() {
+    const ImagePos image{site_.image_row, site_.image_col};
+    if (sources_.stream.header.has(Feature::kMotionTiles) &&
+        !sources_.stream.geometry.is_reference(site_.level, image)) {
+      auto ok = hmlfc::add_motion(sources_, site_.level, image, site_.plane, rect_, samples_);
+      if (!ok) return ok;
+    }
+    auto blocks = std::make_unique<TileBlocks>();
+    for (uint32_t ty = rect_.by0 / kTileBlocks; ty * kTileBlocks < rect_.by1; ++ty) {
+      for (uint32_t tx = rect_.bx0 / kTileBlocks; tx * kTileBlocks < rect_.bx1; ++tx) {
+        site_.bx = tx * kTileBlocks;
+        site_.by = ty * kTileBlocks;
+        const uint64_t wanted = wanted_blocks();
+        if (auto ok = read_tile_blocks(sources_.stream, site_, wanted, *blocks); !ok) return ok;
+        if (auto ok = add_tile(*blocks, wanted); !ok) return ok;
+      }
+    }
+    return {};
+  }
+
+ private:
+  uint64_t wanted_blocks() const {
+    uint64_t mask = 0;
+    for (unsigned k = 0; k < kBlocksInTile; ++k) {
+      const uint32_t bx = site_.bx + block_column(k);
+      const uint32_t by = site_.by + block_row(k);
+      const bool wanted = bx >= rect_.bx0 && bx < rect_.bx1 && by >= rect_.by0 && by < rect_.by1;
+      mask |= uint64_t{wanted} << k;
+    }
+    return mask;
+  }
+
+  Result<void> add_tile(const TileBlocks& blocks, uint64_t wanted) {
+    uint64_t left = (blocks.motion_mask | blocks.residual_mask) & wanted;
+    for (; left != 0; left &= left - 1) {
+      const auto k = static_cast<unsigned>(std::countr_zero(left));
+      if (has_bit(blocks.motion_mask, k)) {
+        if (auto ok = add_motion(blocks, k); !ok) return ok;
+      }
+      if (has_bit(blocks.residual_mask, k)) add_residuals(blocks.residual(k), k);
+    }
+    return {};
+  }
+
+  // First sample of row j of block k in the region.
+  int16_t* row_of(unsigned k, unsigned j) {
+    const uint32_t x = (site_.bx + block_column(k) - rect_.bx0) * block_size_;
+    const uint32_t y = (site_.by + block_row(k) - rect_.by0) * block_size_ + j;
+    return samples_.samples.data() + size_t{y} * samples_.width + x;
+  }
+
+  Result<void> add_motion(const TileBlocks& blocks, unsigned k) {
+    if (!reference_) {
+      const ImagePos reference =
+          sources_.stream.geometry.reference_of(site_.level, {site_.image_row, site_.image_col});
+      auto opened = ReferenceReader::open(sources_, site_.level, reference, site_.plane);
+      if (!opened) return tl::unexpected(opened.error());
+      reference_ = std::make_unique<ReferenceReader>(std::move(*opened));
+    }
+    std::array<int16_t, size_t{kMaxBlockSize} * kMaxBlockSize> buffer;
+    const auto size = static_cast<int32_t>(block_size_);
+    const int32_t x = static_cast<int32_t>(site_.bx + block_column(k)) * size + blocks.dx[k];
+    const int32_t y = static_cast<int32_t>(site_.by + block_row(k)) * size + blocks.dy[k];
+    const auto view = reference_->view({x, y, block_size_, block_size_}, buffer.data());
+    if (!view) return tl::unexpected(view.error());
+    for (unsigned j = 0; j < block_size_; ++j) {
+      int16_t* row = row_of(k, j);
+      const int16_t* reference = view->data + j * view->stride;
+      for (unsigned i = 0; i < block_size_; ++i) {
+        const int32_t parent = keyed_ ? 0 : row[i];  // EXT-5
+        row[i] =
+            narrow<int16_t>(motion_prediction(parent, blocks.negative[k], reference[i], range_));
+      }
+    }
+    return {};
+  }
+
+  void add_residuals(const int16_t* residual, unsigned k) {
+    for (unsigned j = 0; j < block_size_; ++j) {
+      int16_t* row = row_of(k, j);
+      for (unsigned i = 0; i < block_size_; ++i) {
+        row[i] = narrow<int16_t>(add_residual(row[i], *residual++, range_));
+      }
+    }
+  }
+
+  const DecodeSources& sources_;
+  BlockSite site_;
+  BlockRect rect_;
+  SamplePlane& samples_;
+  unsigned block_size_;
+  bool keyed_;
+  SampleRange range_;
+  std::unique_ptr<ReferenceReader> reference_;
+};
+
+// The part of a key image in `rect`; samples outside the plane are 0.
+void copy_key(const SamplePlane& key, const BlockRect& rect, unsigned block_size,
+              SamplePlane& samples) {
+  const uint32_t x0 = rect.bx0 * block_size;
+  const uint32_t y0 = rect.by0 * block_size;
+  const uint32_t columns = std::min(samples.width, key.width - x0);
+  const uint32_t rows = std::min(samples.height, key.height - y0);
+  for (uint32_t y = 0; y < rows; ++y) {
+    const auto source = key.row(y0 + y).subspan(x0, columns);
+    std::copy(source.begin(), source.end(), samples.row(y).begin());
+  }
+}
+
+}  // namespace
+
+Result<void> add_level(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+                       const BlockRect& rect, SamplePlane& samples) {
+  const Geometry& geometry = sources.stream.geometry;
+  if (!geometry.is_key(level, image)) {
+    return LevelPass(sources, level, image, plane, rect, samples).run();
+  }
+  const auto key = sources.keys.plane(level, image, plane);
+  if (!key) return tl::unexpected(key.error());
+  copy_key(**key, rect, geometry.block_size(), samples);
+  return {};
+}
+
+Result<SamplePlane> decode_region(const DecodeSources& sources, int level, ImagePos image,
+                                  Plane plane, const BlockRect& rect) {
+  const Geometry& geometry = sources.stream.geometry;
+  const unsigned size = geometry.block_size();
+  SamplePlane samples((rect.bx1 - rect.bx0) * size, (rect.by1 - rect.by0) * size);
+  for (int l = first_level(geometry, level, image); l >= level; --l) {
+    const ImagePos at = geometry.ancestor(image, level, l);
+    if (auto ok = add_level(sources, l, at, plane, rect, samples); !ok) {
+      return tl::unexpected(ok.error());
+    }
+  }
+  return samples;
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,99 @@
+// Decoded reference images below the top level, stored sparsely: blocks without a residual take no
+// values.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include <hmlfc/error.hpp>
+#include <hmlfc/trace.hpp>
+
+#include "decoder/fast/disparity_plane.hpp"
+#include "decoder/lazy_map.hpp"
+#include "decoder/reference_blocks.hpp"
+#include "syntax/stream_view.hpp"
+
+namespace hmlfc {
+
+/// The residuals of one plane of one reference image (TIL-10, STP-3). Each tile is read when one of
+/// its blocks is first asked for. Thread-safe.
+class SparsePlane {
+ public:
+  /// Plane `plane` of reference image `image` of level `level`; `stream` must outlive it.
+  static SparsePlane open(const StreamView& stream, int level, ImagePos image, Plane plane);
+
+  /// The block's B * B residuals, or null where all are 0. A block that does not decode has its
+  /// error, as reading it on demand would.
+  Result<const int16_t*> find(uint32_t bx, uint32_t by) const;
+
+  /// Reads every tile that was not read yet.
+  void read_all() const;
+
+  unsigned block_size() const { return block_size_; }
+
+  /// Bytes held.
+  size_t bytes() const;
+
+ private:
+  struct Tile {
+    uint64_t coded = 0;   // blocks with values, by block number
+    uint64_t failed = 0;  // blocks with an error
+    std::vector<int16_t> values;
+    std::vector<Error> errors;
+  };
+
+  struct State {
+    explicit State(size_t count) : tiles(count), ready(count) {}
+
+    std::mutex mutex;  // of whoever reads a tile
+    std::vector<Tile> tiles;
+    std::vector<std::atomic<bool>> ready;  // by tile
+  };
+
+  const Tile& tile_at(size_t number) const;
+  void read_tile(const BlockSite& site, Tile& tile) const;
+  void read_blocks(const BlockSite& site, Tile& tile) const;
+
+  const StreamView* stream_ = nullptr;
+  BlockSite site_;  // with the block 0, 0
+  unsigned block_size_ = 4;
+  uint32_t tiles_x_ = 0;
+  std::unique_ptr<State> state_;
+};
+
+/// The sparse planes and disparities of all reference images that were needed so far. Thread-safe.
+class SparseReferences {
+ public:
+  explicit SparseReferences(const StreamView& stream) : stream_(stream) {}
+
+  /// The plane of reference image `image` of level `level`, which is not keyed.
+  Result<std::shared_ptr<const SparsePlane>> plane(int level, ImagePos image, Plane plane) const;
+
+  /// The disparities of reference image `image` of level `level` in motion plane `motion_plane`;
+  /// the stream has shared_disparity.
+  Result<std::shared_ptr<const DisparityPlane>> disparities(int level, ImagePos image,
+                                                            size_t motion_plane) const;
+
+  /// Bytes of all that was read so far.
+  size_t bytes() const;
+
+ private:
+  const StreamView& stream_;
+  mutable LazyMap<SparsePlane> planes_;
+  mutable LazyMap<DisparityPlane> disparities_;
+};
+
+/// A sparse plane as a reference for the golden decoder.
+class SparseReference final : public ReferenceBlocks {
+ public:
+  explicit SparseReference(const SparsePlane& plane) : plane_(plane) {}
+  Result<BlockValues> block(uint32_t bx, uint32_t by) override;
+
+ private:
+  const SparsePlane& plane_;
+};
+
+}  // namespace hmlfc

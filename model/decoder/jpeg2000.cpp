@@ -1,0 +1,228 @@
+#include "decoder/jpeg2000.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include <openjpeg.h>
+
+#include "arithmetic/narrow.hpp"
+#include "decoder/codestream_head.hpp"
+
+namespace hmlfc {
+namespace {
+
+struct CodecDeleter {
+  void operator()(opj_codec_t* codec) const { opj_destroy_codec(codec); }
+};
+struct StreamDeleter {
+  void operator()(opj_stream_t* stream) const { opj_stream_destroy(stream); }
+};
+struct ImageDeleter {
+  void operator()(opj_image_t* image) const { opj_image_destroy(image); }
+};
+using Codec = std::unique_ptr<opj_codec_t, CodecDeleter>;
+using Stream = std::unique_ptr<opj_stream_t, StreamDeleter>;
+using Image = std::unique_ptr<opj_image_t, ImageDeleter>;
+
+constexpr auto kEnd = static_cast<OPJ_SIZE_T>(-1);
+
+// An OpenJPEG stream that reads from memory.
+struct Source {
+  std::span<const uint8_t> bytes;
+  size_t at = 0;
+};
+
+OPJ_SIZE_T read_source(void* buffer, OPJ_SIZE_T count, void* user) {
+  auto& source = *static_cast<Source*>(user);
+  const size_t there = std::min<size_t>(count, source.bytes.size() - source.at);
+  if (there == 0) return kEnd;
+  std::memcpy(buffer, source.bytes.data() + source.at, there);
+  source.at += there;
+  return there;
+}
+
+OPJ_OFF_T skip_source(OPJ_OFF_T count, void* user) {
+  auto& source = *static_cast<Source*>(user);
+  if (count < 0 || static_cast<size_t>(count) > source.bytes.size() - source.at) return -1;
+  source.at += static_cast<size_t>(count);
+  return count;
+}
+
+OPJ_BOOL seek_source(OPJ_OFF_T position, void* user) {
+  auto& source = *static_cast<Source*>(user);
+  if (position < 0 || static_cast<size_t>(position) > source.bytes.size()) return OPJ_FALSE;
+  source.at = static_cast<size_t>(position);
+  return OPJ_TRUE;
+}
+
+// An OpenJPEG stream that writes to a growing buffer.
+struct Sink {
+  std::vector<uint8_t> bytes;
+  size_t at = 0;
+
+  void reserve_to(size_t end) {
+    if (bytes.size() < end) bytes.resize(end);
+  }
+};
+
+OPJ_SIZE_T write_sink(void* buffer, OPJ_SIZE_T count, void* user) {
+  auto& sink = *static_cast<Sink*>(user);
+  sink.reserve_to(sink.at + count);
+  std::memcpy(sink.bytes.data() + sink.at, buffer, count);
+  sink.at += count;
+  return count;
+}
+
+OPJ_OFF_T skip_sink(OPJ_OFF_T count, void* user) {
+  auto& sink = *static_cast<Sink*>(user);
+  if (count < 0) return -1;
+  sink.at += static_cast<size_t>(count);
+  sink.reserve_to(sink.at);
+  return count;
+}
+
+OPJ_BOOL seek_sink(OPJ_OFF_T position, void* user) {
+  auto& sink = *static_cast<Sink*>(user);
+  if (position < 0) return OPJ_FALSE;
+  sink.at = static_cast<size_t>(position);
+  sink.reserve_to(sink.at);
+  return OPJ_TRUE;
+}
+
+// OpenJPEG prints nothing by itself but wants handlers; failures reach the caller as return values.
+void ignore_message(const char*, void*) {}
+
+void silence(opj_codec_t* codec) {
+  opj_set_info_handler(codec, ignore_message, nullptr);
+  opj_set_warning_handler(codec, ignore_message, nullptr);
+  opj_set_error_handler(codec, ignore_message, nullptr);
+}
+
+bool has_shape(const opj_image_t& image, uint32_t width, uint32_t height,
+               SamplePrecision precision) {
+  if (image.numcomps != 1 || image.x0 != 0 || image.y0 != 0) return false;
+  const opj_image_comp_t& comp = image.comps[0];
+  return image.x1 == width && image.y1 == height && comp.dx == 1 && comp.dy == 1 &&
+         comp.prec == static_cast<OPJ_UINT32>(precision.bits) &&
+         (comp.sgnd != 0) == precision.is_signed;
+}
+
+Image make_image(const SamplePlane& plane, SamplePrecision precision) {
+  opj_image_cmptparm_t comp{};
+  comp.dx = 1;
+  comp.dy = 1;
+  comp.w = plane.width;
+  comp.h = plane.height;
+  comp.prec = static_cast<OPJ_UINT32>(precision.bits);
+  comp.sgnd = precision.is_signed ? 1 : 0;
+  Image image(opj_image_create(1, &comp, OPJ_CLRSPC_GRAY));
+  if (!image) return image;
+  image->x1 = plane.width;
+  image->y1 = plane.height;
+  std::copy(plane.samples.begin(), plane.samples.end(), image->comps[0].data);
+  return image;
+}
+
+// As many resolutions as the smaller side has halvings, six at most.
+int resolutions(const SamplePlane& plane) {
+  int count = 1;
+  for (uint32_t side = std::min(plane.width, plane.height); side > 1 && count < 6; side /= 2) {
+    ++count;
+  }
+  return count;
+}
+
+// `psnr`: of OpenJPEG's own estimate, with the peak 2^bits - 1; 0 means lossless.
+std::optional<std::vector<uint8_t>> encode_to_distortion(const SamplePlane& plane,
+                                                         SamplePrecision precision, float psnr) {
+  Sink sink;
+  const Stream stream(opj_stream_create(OPJ_J2K_STREAM_CHUNK_SIZE, OPJ_FALSE));
+  const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
+  const Image image = make_image(plane, precision);
+  if (!stream || !codec || !image) return std::nullopt;
+  opj_stream_set_user_data(stream.get(), &sink, nullptr);
+  opj_stream_set_write_function(stream.get(), write_sink);
+  opj_stream_set_skip_function(stream.get(), skip_sink);
+  opj_stream_set_seek_function(stream.get(), seek_sink);
+  silence(codec.get());
+
+  opj_cparameters_t parameters;
+  opj_set_default_encoder_parameters(&parameters);
+  parameters.numresolution = resolutions(plane);
+  parameters.irreversible = 0;
+  parameters.tcp_numlayers = 1;
+  parameters.tcp_rates[0] = 0;  // 0 means lossless
+  parameters.tcp_distoratio[0] = psnr;
+  if (psnr > 0) {
+    parameters.cp_fixed_quality = 1;
+  } else {
+    parameters.cp_disto_alloc = 1;
+  }
+  // The default comment names the library's version, which would make the bytes depend on it.
+  char no_comment[] = "";
+  parameters.cp_comment = no_comment;
+  if (!opj_setup_encoder(codec.get(), &parameters, image.get()) ||
+      !opj_start_compress(codec.get(), image.get(), stream.get()) ||
+      !opj_encode(codec.get(), stream.get()) || !opj_end_compress(codec.get(), stream.get())) {
+    return std::nullopt;
+  }
+  return std::move(sink.bytes);
+}
+
+}  // namespace
+
+std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
+                                           uint32_t height, SamplePrecision precision) {
+  if (!has_key_image_head(codestream, width, height)) return std::nullopt;
+  Source source{codestream};
+  // With a buffer for the whole codestream OpenJPEG reads it at once, and seeks before it reads
+  // again.
+  const Stream stream(opj_stream_create(codestream.size(), OPJ_TRUE));
+  const Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
+  if (!stream || !codec) return std::nullopt;
+  opj_stream_set_user_data(stream.get(), &source, nullptr);
+  opj_stream_set_user_data_length(stream.get(), codestream.size());
+  opj_stream_set_read_function(stream.get(), read_source);
+  opj_stream_set_skip_function(stream.get(), skip_source);
+  opj_stream_set_seek_function(stream.get(), seek_source);
+  silence(codec.get());
+
+  opj_dparameters_t parameters;
+  opj_set_default_decoder_parameters(&parameters);
+  opj_image_t* raw = nullptr;
+  if (!opj_setup_decoder(codec.get(), &parameters) ||
+      !opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) ||
+      !opj_read_header(stream.get(), codec.get(), &raw)) {
+    opj_image_destroy(raw);
+    return std::nullopt;
+  }
+  const Image image(raw);
+  if (!has_shape(*image, width, height, precision)) return std::nullopt;
+  if (!opj_decode(codec.get(), stream.get(), image.get()) ||
+      !opj_end_decompress(codec.get(), stream.get())) {
+    return std::nullopt;
+  }
+  const opj_image_comp_t& comp = image->comps[0];
+  if (comp.data == nullptr || comp.w != width || comp.h != height) return std::nullopt;
+  SamplePlane plane(width, height);
+  std::transform(comp.data, comp.data + plane.samples.size(), plane.samples.begin(),
+                 [](OPJ_INT32 sample) { return narrow<int16_t>(sample); });
+  return plane;
+}
+
+std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
+                                                    SamplePrecision precision) {
+  return encode_to_distortion(plane, precision, 0);
+}
+
+std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& plane,
+                                                          SamplePrecision precision,
+                                                          double mean_squared_error) {
+  const double peak = static_cast<double>((1 << precision.bits) - 1);
+  const double psnr = 10 * std::log10(peak * peak / mean_squared_error);
+  return encode_to_distortion(plane, precision, static_cast<float>(std::max(psnr, 1.0)));
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,100 @@
+#include "decoder/key_images.hpp"
+
+#include <algorithm>
+
+#include "arithmetic/narrow.hpp"
+#include "arithmetic/rounding.hpp"
+#include "arithmetic/sample_range.hpp"
+#include "bits/crc32c.hpp"
+#include "bits/little_endian.hpp"
+#include "decoder/jpeg2000.hpp"
+
+namespace hmlfc {
+namespace {
+
+struct TopEntry {
+  uint64_t offset;
+  uint32_t size;
+  uint32_t sample_crc;
+};
+
+TopEntry load_entry(std::span<const uint8_t> top, uint64_t entry) {
+  const auto at = static_cast<size_t>(entry * kTopEntryBytes);
+  return {load_le<uint64_t>(top, at), load_le<uint32_t>(top, at + 8),
+          load_le<uint32_t>(top, at + 12)};
+}
+
+uint64_t entry_count(const StreamView& stream) { return stream.geometry.key_count() * kPlaneCount; }
+
+// Loss can move samples out of their interval (EXT-6).
+void clamp_samples(SamplePlane& plane, const SampleRange& range) {
+  for (int16_t& sample : plane.samples) {
+    sample = narrow<int16_t>(clamp(sample, range.lo, range.hi));
+  }
+}
+
+}  // namespace
+
+uint32_t sample_crc(const SamplePlane& plane) {
+  uint32_t crc = 0;
+  std::vector<uint8_t> bytes;
+  for (uint32_t y = 0; y < plane.height; ++y) {
+    bytes.clear();
+    for (const int16_t sample : plane.row(y)) append_le(bytes, static_cast<uint16_t>(sample));
+    crc = crc32c(bytes, crc);
+  }
+  return crc;
+}
+
+Result<void> check_top_table(const StreamView& stream) {
+  const auto top = stream.bytes(Section::kTop);
+  const uint64_t entries = entry_count(stream);
+  if (entries > top.size() / kTopEntryBytes) {
+    return stream.error(ErrorCode::kBadSectionSize, Section::kTop, 0);
+  }
+  uint64_t expected_offset = entries * kTopEntryBytes;
+  for (uint64_t i = 0; i < entries; ++i) {
+    const TopEntry entry = load_entry(top, i);
+    if (entry.offset != expected_offset || entry.size > top.size() - expected_offset) {
+      return stream.error(ErrorCode::kBadTopEntry, Section::kTop, i * kTopEntryBytes);
+    }
+    expected_offset += entry.size;
+  }
+  if (expected_offset != top.size()) {
+    return stream.error(ErrorCode::kBadSectionSize, Section::kTop, expected_offset);
+  }
+  return {};
+}
+
+Result<std::shared_ptr<const SamplePlane>> KeyImages::plane(int level, ImagePos at,
+                                                            Plane plane) const {
+  const uint64_t entry =
+      stream_.geometry.key_number(level, at) * kPlaneCount + static_cast<uint64_t>(plane);
+  return planes_.get(entry, [&] { return decode(entry, plane); });
+}
+
+Result<SamplePlane> KeyImages::decode(uint64_t entry, Plane plane) const {
+  const auto top = stream_.bytes(Section::kTop);
+  const TopEntry place = load_entry(top, entry);
+  const auto codestream = top.subspan(static_cast<size_t>(place.offset), place.size);
+  stream_.note_read(Section::kTop, entry * kTopEntryBytes, kTopEntryBytes);
+  stream_.note_read(Section::kTop, place.offset, place.size);
+  const PlaneShape& shape = stream_.geometry.plane(plane);
+  if (stream_.reads != nullptr) stream_.reads->on_key_plane(shape.samples());
+  const bool chroma = plane != Plane::kY;
+  const SamplePrecision precision{stream_.header.depth + (chroma ? 1 : 0), chroma};
+  auto samples = decode_jpeg2000(codestream, shape.width, shape.height, precision);
+  if (!samples) return stream_.error(ErrorCode::kBadTopImage, Section::kTop, place.offset);
+  const SampleRange range = sample_range(plane, stream_.header.depth);
+  if (stream_.header.has(Feature::kLossyKeys)) clamp_samples(*samples, range);
+  if (sample_crc(*samples) != place.sample_crc) {
+    return stream_.error(ErrorCode::kBadTopCrc, Section::kTop, entry * kTopEntryBytes);
+  }
+  const auto [least, most] = std::minmax_element(samples->samples.begin(), samples->samples.end());
+  if (*least < range.lo || *most > range.hi) {
+    return stream_.error(ErrorCode::kTopSampleRange, Section::kTop, place.offset);
+  }
+  return std::move(*samples);
+}
+
+}  // namespace hmlfc

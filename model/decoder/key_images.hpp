@@ -1,0 +1,41 @@
+// The key images of the TOP section (KEY-1 to KEY-3, EXT-6).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include <hmlfc/error.hpp>
+
+#include "decoder/lazy_map.hpp"
+#include "decoder/sample_plane.hpp"
+#include "syntax/stream_view.hpp"
+
+namespace hmlfc {
+
+/// Bytes of one entry of the TOP table (KEY-1).
+inline constexpr uint64_t kTopEntryBytes = 16;
+
+/// CRC-32C of samples as KEY-3 writes them.
+uint32_t sample_crc(const SamplePlane& plane);
+
+/// Checks the whole TOP table (KEY-1): bad_section_size, bad_top_entry.
+Result<void> check_top_table(const StreamView& stream);
+
+/// Decodes planes of key images on first use and keeps them. Each is decoded whole, however little
+/// of it is read: its errors are those of all of its samples (KEY-3). Thread-safe.
+class KeyImages {
+ public:
+  explicit KeyImages(const StreamView& stream) : stream_(stream) {}
+
+  /// Plane `plane` of key image `at` of keyed level `level`. Its table has passed check_top_table.
+  /// Errors: bad_top_image, bad_top_crc, top_sample_range.
+  Result<std::shared_ptr<const SamplePlane>> plane(int level, ImagePos at, Plane plane) const;
+
+ private:
+  Result<SamplePlane> decode(uint64_t entry, Plane plane) const;
+
+  const StreamView& stream_;
+  mutable LazyMap<SamplePlane> planes_;
+};
+
+}  // namespace hmlfc

@@ -1,0 +1,16 @@
+// Every check that is made when a stream is opened (FIL-4, FIL-6, IDX-4, IDX-5, KEY-1).
+#pragma once
+
+#include <span>
+
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/error.hpp>
+
+#include "syntax/stream_view.hpp"
+
+namespace hmlfc {
+
+/// The stream in `file`, checked.
+Result<StreamView> open_stream(std::span<const uint8_t> file, const OpenOptions& options);
+
+}  // namespace hmlfc

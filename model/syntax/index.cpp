@@ -1,0 +1,133 @@
+#include "syntax/index.hpp"
+
+#include <bit>
+
+#include "arithmetic/rounding.hpp"
+#include "bits/bit_mask.hpp"
+#include "bits/bit_string.hpp"
+#include "bits/little_endian.hpp"
+
+namespace hmlfc {
+namespace {
+
+constexpr unsigned kLaneBits = 6;  // 64 lanes a mask
+
+struct GroupRecord {
+  uint64_t at = 0;  // byte in the GROUP section
+  uint64_t tile_mask = 0;
+  uint64_t data = 0;
+  unsigned offset_bits = 0;
+};
+
+// A record number as the stream gives it: first + rank, whose sum may lie past 2^64.
+struct GroupNumber {
+  uint64_t first = 0;
+  uint64_t rank = 0;
+};
+
+unsigned lane_of(uint64_t number) { return static_cast<unsigned>(number & 63u); }
+
+uint64_t bit_address(const StreamView& stream, Section section, uint64_t byte) {
+  return (stream.entry(section).offset + byte) * 8;
+}
+
+// The number of the record of `group`, or nothing where all its tiles are empty (IDX-4).
+std::optional<GroupNumber> find_group(const StreamView& stream, uint64_t group,
+                                      const Probe& probe) {
+  const auto root = stream.bytes(Section::kRoot);
+  const uint64_t at = (group >> kLaneBits) * kRootEntryBytes;
+  stream.note_read(Section::kRoot, at, kRootEntryBytes);
+  const uint64_t mask = load_le<uint64_t>(root, static_cast<size_t>(at));
+  const uint64_t address = bit_address(stream, Section::kRoot, at);
+  probe.field(Section::kRoot, address, 64, "mask", "IDX-4", static_cast<int64_t>(mask));
+  if (!has_bit(mask, lane_of(group))) return std::nullopt;
+  const uint64_t first = load_le<uint64_t>(root, static_cast<size_t>(at) + 8);
+  probe.field(Section::kRoot, address + 64, 64, "first", "IDX-4", static_cast<int64_t>(first));
+  return GroupNumber{first, rank(mask, lane_of(group))};
+}
+
+// Record `number` of the GROUP section (IDX-5).
+Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNumber number,
+                               const Probe& probe) {
+  const auto groups = stream.bytes(Section::kGroup);
+  const uint64_t records = groups.size() / kGroupRecordBytes;
+  if (number.rank >= records || number.first >= records - number.rank) {
+    return stream.error(ErrorCode::kBadRootEntry, Section::kRoot,
+                        (group >> kLaneBits) * kRootEntryBytes);
+  }
+  GroupRecord record;
+  record.at = (number.first + number.rank) * kGroupRecordBytes;
+  stream.note_read(Section::kGroup, record.at, kGroupRecordBytes);
+  record.tile_mask = load_le<uint64_t>(groups, static_cast<size_t>(record.at));
+  const uint64_t place = load_le<uint64_t>(groups, static_cast<size_t>(record.at) + 8);
+  record.data = place & ((uint64_t{1} << kDataOffsetBits) - 1);
+  record.offset_bits = static_cast<unsigned>((place >> kDataOffsetBits) & 0xFF);
+
+  const uint64_t address = bit_address(stream, Section::kGroup, record.at);
+  probe.field(Section::kGroup, address, 64, "tile_mask", "IDX-5",
+              static_cast<int64_t>(record.tile_mask));
+  probe.field(Section::kGroup, address + 64, 64, "place", "IDX-5", static_cast<int64_t>(place));
+  if (record.offset_bits < 1 || record.offset_bits > kMaxEndBits || (place >> 56) != 0) {
+    return stream.error(ErrorCode::kBadGroupRecord, Section::kGroup, record.at);
+  }
+  return record;
+}
+
+// Reads the ends of the record before and of this one from the end table (IDX-6).
+Result<TileExtent> load_extent(const StreamView& stream, const GroupRecord& group, unsigned lane,
+                               const Probe& probe) {
+  const auto tiles = stream.bytes(Section::kTile);
+  const uint64_t entries = static_cast<uint64_t>(std::popcount(group.tile_mask));
+  const uint64_t table_bytes = ceil_div(entries * group.offset_bits, uint64_t{8});
+  if (group.data > tiles.size() || table_bytes > tiles.size() - group.data) {
+    return stream.error(ErrorCode::kBadGroupRecord, Section::kGroup, group.at);
+  }
+  const BitString table(
+      tiles.subspan(static_cast<size_t>(group.data), static_cast<size_t>(table_bytes)));
+  const uint64_t address = bit_address(stream, Section::kTile, group.data);
+  const auto end_of = [&](unsigned entry) {
+    const uint64_t at = uint64_t{entry} * group.offset_bits;
+    const uint32_t end = table.field(at, group.offset_bits);
+    stream.note_read(Section::kTile, group.data + at / 8,
+                     ceil_div(at % 8 + group.offset_bits, uint64_t{8}));
+    probe.field(Section::kTile, address + at, group.offset_bits, "end", "IDX-6", end);
+    return end;
+  };
+  const unsigned entry = rank(group.tile_mask, lane);
+  const uint64_t records = group.data + table_bytes;
+  const uint64_t begin = records + (entry == 0 ? 0 : end_of(entry - 1));
+  const uint64_t end = records + end_of(entry);
+  if (end <= begin || end > tiles.size()) {
+    return stream.error(ErrorCode::kBadTileOffset, Section::kTile, group.data);
+  }
+  stream.note_read(Section::kTile, begin, end - begin);
+  return TileExtent{begin, end};
+}
+
+}  // namespace
+
+Result<void> check_index_sizes(const StreamView& stream) {
+  const uint64_t root_bytes = stream.geometry.root_entry_count() * kRootEntryBytes;
+  if (stream.entry(Section::kRoot).size != root_bytes) {
+    return stream.error(ErrorCode::kBadSectionSize, Section::kRoot, 0);
+  }
+  if (stream.entry(Section::kGroup).size % kGroupRecordBytes != 0) {
+    return stream.error(ErrorCode::kBadSectionSize, Section::kGroup, 0);
+  }
+  return {};
+}
+
+Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t tile,
+                                            const Probe& probe) {
+  const uint64_t group = tile >> kLaneBits;
+  const auto number = find_group(stream, group, probe);
+  if (!number) return std::nullopt;
+  const auto record = load_group(stream, group, *number, probe);
+  if (!record) return tl::unexpected(record.error());
+  if (!has_bit(record->tile_mask, lane_of(tile))) return std::nullopt;
+  const auto extent = load_extent(stream, *record, lane_of(tile), probe);
+  if (!extent) return tl::unexpected(extent.error());
+  return *extent;
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,43 @@
+// A stream whose header has been checked: its bytes, header and geometry.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/error.hpp>
+#include <hmlfc/format.hpp>
+
+#include "syntax/geometry.hpp"
+
+namespace hmlfc {
+
+/// Borrowed bytes of a whole file with what its header says. Immutable.
+struct StreamView {
+  std::span<const uint8_t> file;
+  StreamHeader header;
+  Geometry geometry;
+  ReadSink* reads = nullptr;
+
+  const SectionEntry& entry(Section section) const {
+    return header.sections[static_cast<size_t>(section) - 1];
+  }
+
+  /// The bytes of TOP, ROOT, GROUP or TILE.
+  std::span<const uint8_t> bytes(Section section) const {
+    const SectionEntry& e = entry(section);
+    return file.subspan(static_cast<size_t>(e.offset), static_cast<size_t>(e.size));
+  }
+
+  /// Tells who wants to know that bytes of `section` are read.
+  void note_read(Section section, uint64_t offset, uint64_t bytes) const {
+    if (reads != nullptr) reads->on_read(entry(section).offset + offset, bytes);
+  }
+
+  /// An error at byte `offset` of `section`.
+  tl::unexpected<Error> error(ErrorCode code, Section section, uint64_t offset) const {
+    return fail(code, section, entry(section).offset + offset);
+  }
+};
+
+}  // namespace hmlfc

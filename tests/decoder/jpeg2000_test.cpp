@@ -1,0 +1,129 @@
+// JPEG 2000 codestreams: lossless for every precision and size in use, refused when damaged
+// (KEY-2).
+#include "decoder/jpeg2000.hpp"
+
+#include <cstdint>
+#include <random>
+#include <span>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace hmlfc {
+namespace {
+
+using Bytes = std::vector<uint8_t>;
+
+// Noise with both ends of the range, which no prediction makes small.
+SamplePlane draw_plane(std::mt19937& random, uint32_t width, uint32_t height,
+                       SamplePrecision precision) {
+  const int32_t count = 1 << precision.bits;
+  const int32_t least = precision.is_signed ? -count / 2 : 0;
+  SamplePlane plane(width, height);
+  for (int16_t& sample : plane.samples) {
+    const bool end = random() % 8 == 0;
+    const int32_t value = end ? (random() % 2 != 0 ? 0 : count - 1)
+                              : static_cast<int32_t>(random() % static_cast<uint32_t>(count));
+    sample = static_cast<int16_t>(least + value);
+  }
+  return plane;
+}
+
+void check_round_trip(const SamplePlane& plane, SamplePrecision precision) {
+  const auto codestream = encode_jpeg2000(plane, precision);
+  ASSERT_TRUE(codestream.has_value());
+  const auto decoded = decode_jpeg2000(*codestream, plane.width, plane.height, precision);
+  ASSERT_TRUE(decoded.has_value()) << plane.width << "x" << plane.height;
+  ASSERT_EQ(decoded->width, plane.width);
+  ASSERT_EQ(decoded->height, plane.height);
+  ASSERT_EQ(decoded->samples, plane.samples) << plane.width << "x" << plane.height;
+}
+
+TEST(Jpeg2000, LosslessForEveryPrecision) {
+  std::mt19937 random(1);
+  for (int bits = 8; bits <= 13; ++bits) {
+    for (const bool is_signed : {false, true}) {
+      const SamplePrecision precision{bits, is_signed};
+      for (const uint32_t height : {1u, 2u, 3u, 17u}) {
+        for (const uint32_t width : {1u, 2u, 5u, 16u, 33u}) {
+          ASSERT_NO_FATAL_FAILURE(
+              check_round_trip(draw_plane(random, width, height, precision), precision))
+              << bits << (is_signed ? " bits signed" : " bits");
+        }
+      }
+    }
+  }
+}
+
+TEST(Jpeg2000, LosslessForEverySize) {
+  std::mt19937 random(2);
+  for (uint32_t height = 1; height <= 17; ++height) {
+    for (uint32_t width = 1; width <= 33; ++width) {
+      const SamplePrecision precision{9, true};
+      ASSERT_NO_FATAL_FAILURE(
+          check_round_trip(draw_plane(random, width, height, precision), precision));
+    }
+  }
+  const SamplePrecision deep{12, false};
+  ASSERT_NO_FATAL_FAILURE(check_round_trip(draw_plane(random, 1, 1500, deep), deep));
+  ASSERT_NO_FATAL_FAILURE(check_round_trip(draw_plane(random, 700, 130, deep), deep));
+}
+
+TEST(Jpeg2000, AnotherShapeIsRefused) {
+  std::mt19937 random(3);
+  const SamplePrecision precision{9, true};
+  const Bytes codestream = encode_jpeg2000(draw_plane(random, 12, 7, precision), precision).value();
+  EXPECT_TRUE(decode_jpeg2000(codestream, 12, 7, precision));
+  EXPECT_FALSE(decode_jpeg2000(codestream, 7, 12, precision));
+  EXPECT_FALSE(decode_jpeg2000(codestream, 13, 7, precision));
+  EXPECT_FALSE(decode_jpeg2000(codestream, 12, 6, precision));
+  EXPECT_FALSE(decode_jpeg2000(codestream, 12, 7, {9, false}));
+  EXPECT_FALSE(decode_jpeg2000(codestream, 12, 7, {8, true}));
+  EXPECT_FALSE(decode_jpeg2000(codestream, 12, 7, {10, true}));
+}
+
+TEST(Jpeg2000, NothingAndNonsenseAreRefused) {
+  EXPECT_FALSE(decode_jpeg2000({}, 4, 4, {8, false}));
+  EXPECT_FALSE(decode_jpeg2000(Bytes{0xFF}, 4, 4, {8, false}));
+  EXPECT_FALSE(decode_jpeg2000(Bytes{0xFF, 0x4F, 0xFF, 0x51}, 4, 4, {8, false}));
+  std::mt19937 random(4);
+  for (int round = 0; round < 200; ++round) {
+    Bytes bytes(random() % 300);
+    for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random());
+    EXPECT_FALSE(decode_jpeg2000(bytes, 4, 4, {8, false}));
+  }
+}
+
+TEST(Jpeg2000, EveryTruncationIsRefused) {
+  std::mt19937 random(5);
+  const SamplePrecision precision{8, false};
+  const Bytes codestream = encode_jpeg2000(draw_plane(random, 20, 9, precision), precision).value();
+  for (size_t length = 0; length < codestream.size(); ++length) {
+    const auto part = std::span(codestream).first(length);
+    EXPECT_FALSE(decode_jpeg2000(part, 20, 9, precision)) << length << " of " << codestream.size();
+  }
+}
+
+// A damaged byte either goes unnoticed by JPEG 2000, which the sample CRC is for, or is refused.
+TEST(Jpeg2000, DamageGivesNothingOrAPlaneOfTheRightShape) {
+  std::mt19937 random(6);
+  const SamplePrecision precision{8, false};
+  const Bytes intact = encode_jpeg2000(draw_plane(random, 33, 17, precision), precision).value();
+  int refused = 0;
+  for (size_t at = 0; at < intact.size(); ++at) {
+    for (const unsigned flip : {0x01u, 0x10u, 0x80u, 0xFFu}) {
+      Bytes damaged = intact;
+      damaged[at] = static_cast<uint8_t>(damaged[at] ^ flip);
+      const auto plane = decode_jpeg2000(damaged, 33, 17, precision);
+      if (!plane) {
+        ++refused;
+      } else {
+        ASSERT_EQ(plane->samples.size(), 33u * 17u);
+      }
+    }
+  }
+  EXPECT_GT(refused, 0);
+}
+
+}  // namespace
+}  // namespace hmlfc

@@ -1,0 +1,222 @@
+// The TOP section: its table and every error of a key image (KEY-1 to KEY-3).
+#include "decoder/key_images.hpp"
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "decoder/jpeg2000.hpp"
+#include "decoder/naive_stream.hpp"
+#include "syntax/header.hpp"
+
+namespace hmlfc {
+namespace {
+
+using test::Bytes;
+
+constexpr uint32_t kWidth = 11;
+constexpr uint32_t kHeight = 6;
+
+// Three key images in a row of five: groups of two columns.
+StreamHeader three_keys() {
+  StreamHeader header;
+  header.rows = 1;
+  header.cols = 5;
+  header.width = kWidth;
+  header.height = kHeight;
+  header.chroma_format = ChromaFormat::k444;
+  header.levels = {{1, 2}};
+  return header;
+}
+
+SamplePrecision precision_of(size_t entry) {
+  return entry % 3 == 0 ? SamplePrecision{8, false} : SamplePrecision{9, true};
+}
+
+/// The key samples, codestreams and CRCs of a stream, to be damaged one by one.
+struct TopSection {
+  std::vector<SamplePlane> planes;
+  std::vector<std::pair<Bytes, uint32_t>> codestreams;
+
+  TopSection() {
+    std::mt19937 random(1);
+    for (size_t entry = 0; entry < 9; ++entry) {
+      SamplePlane plane(kWidth, kHeight);
+      for (int16_t& sample : plane.samples) {
+        sample = static_cast<int16_t>(test::draw(random, entry % 3 == 0 ? 0 : -255, 255));
+      }
+      planes.push_back(plane);
+      codestreams.emplace_back(encode_jpeg2000(plane, precision_of(entry)).value(),
+                               test::naive_sample_crc(plane));
+    }
+  }
+
+  /// Puts another plane in the place of `entry`, with its own CRC.
+  void replace(size_t entry, const SamplePlane& plane, SamplePrecision precision) {
+    codestreams[entry] = {encode_jpeg2000(plane, precision).value(), test::naive_sample_crc(plane)};
+  }
+
+  Bytes bytes() const { return test::naive_top(codestreams); }
+};
+
+/// Opens a stream with this TOP section and calls `use(stream)`.
+template <class Use>
+void with_top(const Bytes& top, const Use& use) {
+  const StreamHeader drawn = three_keys();
+  const test::NaiveTree tree(drawn);
+  auto sections = test::naive_index({}, tree.tiles().size());
+  sections[0] = top;
+  const Bytes file = test::naive_file(drawn, sections);
+  const auto header = parse_header(file);
+  ASSERT_TRUE(header.has_value());
+  use(StreamView{file, *header, Geometry(*header)});
+}
+
+std::string table_outcome(const Bytes& top) {
+  std::string name = "ok";
+  with_top(top, [&](const StreamView& stream) {
+    const auto checked = check_top_table(stream);
+    if (checked) return;
+    name = error_name(checked.error().code);
+    EXPECT_EQ(checked.error().section, Section::kTop);
+  });
+  return name;
+}
+
+/// What decoding each of the nine planes gives.
+std::vector<std::string> plane_outcomes(const Bytes& top) {
+  std::vector<std::string> names;
+  with_top(top, [&](const StreamView& stream) {
+    ASSERT_TRUE(check_top_table(stream).has_value());
+    const KeyImages keys(stream);
+    for (size_t entry = 0; entry < 9; ++entry) {
+      const ImagePos at{0, static_cast<uint32_t>(entry / 3 * 2)};
+      const auto plane = keys.plane(0, at, kPlanes[entry % 3]);
+      names.emplace_back(plane ? "ok" : error_name(plane.error().code));
+    }
+  });
+  return names;
+}
+
+std::vector<std::string> all_ok_but(size_t entry, const std::string& name) {
+  std::vector<std::string> names(9, "ok");
+  names[entry] = name;
+  return names;
+}
+
+TEST(KeyImages, SampleCrc) {
+  const TopSection top;
+  for (const SamplePlane& plane : top.planes) {
+    EXPECT_EQ(sample_crc(plane), test::naive_sample_crc(plane));
+  }
+  SamplePlane one(1, 1);
+  one.samples[0] = -2;
+  EXPECT_EQ(sample_crc(one), test::naive_sample_crc(one)) << "bytes FE FF";
+}
+
+TEST(KeyImages, PlanesStandInAscendingImageNumbers) {
+  const TopSection top;
+  with_top(top.bytes(), [&](const StreamView& stream) {
+    ASSERT_TRUE(check_top_table(stream).has_value());
+    const KeyImages keys(stream);
+    for (size_t entry = 0; entry < 9; ++entry) {
+      const ImagePos at{0, static_cast<uint32_t>(entry / 3 * 2)};
+      const auto plane = keys.plane(0, at, kPlanes[entry % 3]);
+      ASSERT_TRUE(plane.has_value());
+      EXPECT_EQ((*plane)->samples, top.planes[entry].samples) << entry;
+    }
+  });
+}
+
+TEST(KeyImages, TableMustFit) {
+  for (size_t length = 0; length < 9 * 16; ++length) {
+    Bytes top = TopSection().bytes();
+    top.resize(length);
+    EXPECT_EQ(table_outcome(top), "bad_section_size") << length;
+  }
+}
+
+TEST(KeyImages, EntriesMustFollowEachOther) {
+  const Bytes intact = TopSection().bytes();
+  EXPECT_EQ(table_outcome(intact), "ok");
+  for (size_t entry = 0; entry < 9; ++entry) {
+    for (const int change : {-1, 1}) {
+      Bytes top = intact;
+      top[16 * entry] = static_cast<uint8_t>(top[16 * entry] + change);
+      EXPECT_EQ(table_outcome(top), "bad_top_entry") << "offset of entry " << entry;
+    }
+    Bytes top = intact;
+    top[16 * entry + 7] = 0x80;
+    EXPECT_EQ(table_outcome(top), "bad_top_entry") << "offset of entry " << entry;
+    top = intact;
+    top[16 * entry + 11] = 0xFF;
+    EXPECT_EQ(table_outcome(top), "bad_top_entry") << "size of entry " << entry;
+  }
+}
+
+// The last entry has no successor: too long is an entry past the section, too short leaves a rest.
+TEST(KeyImages, LastEntryMustEndTheSection) {
+  const Bytes intact = TopSection().bytes();
+  Bytes top = intact;
+  top[16 * 8 + 8] = static_cast<uint8_t>(top[16 * 8 + 8] + 1);
+  EXPECT_EQ(table_outcome(top), "bad_top_entry");
+  top = intact;
+  top[16 * 8 + 8] = static_cast<uint8_t>(top[16 * 8 + 8] - 1);
+  EXPECT_EQ(table_outcome(top), "bad_section_size");
+  top = intact;
+  top.push_back(0);
+  EXPECT_EQ(table_outcome(top), "bad_section_size");
+  top = intact;
+  top.pop_back();
+  EXPECT_EQ(table_outcome(top), "bad_top_entry");
+}
+
+TEST(KeyImages, BadTopImage) {
+  for (size_t entry = 0; entry < 9; ++entry) {
+    TopSection top;
+    top.codestreams[entry].first = Bytes(40, 0x11);
+    EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_image"));
+    top.codestreams[entry].first.clear();
+    EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_image"));
+    top.replace(entry, SamplePlane(kWidth + 1, kHeight), precision_of(entry));
+    EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_image"));
+    top.replace(entry, SamplePlane(kWidth, kHeight), precision_of(entry % 3 == 0 ? 1 : 0));
+    EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_image"));
+  }
+}
+
+TEST(KeyImages, BadTopCrc) {
+  for (size_t entry = 0; entry < 9; ++entry) {
+    for (const uint32_t bit : {0u, 31u}) {
+      TopSection top;
+      top.codestreams[entry].second ^= uint32_t{1} << bit;
+      EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_crc"));
+    }
+  }
+}
+
+// Nine signed bits hold -256, which no colour has; the CRC is checked first.
+TEST(KeyImages, TopSampleRange) {
+  for (size_t entry = 0; entry < 9; ++entry) {
+    TopSection top;
+    SamplePlane plane = top.planes[entry];
+    const bool chroma = entry % 3 != 0;
+    plane.samples[7] = chroma ? -255 : 0;
+    plane.samples[8] = 255;
+    top.replace(entry, plane, precision_of(entry));
+    EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "ok"));
+    if (!chroma) continue;
+    plane.samples[7] = -256;
+    top.replace(entry, plane, precision_of(entry));
+    EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "top_sample_range"));
+    top.codestreams[entry].second ^= 1;
+    EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_crc"));
+  }
+}
+
+}  // namespace
+}  // namespace hmlfc

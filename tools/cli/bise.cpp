@@ -1,0 +1,144 @@
+// hmlfc bise: bounded integer sequences by hand.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "arithmetic/bise.hpp"
+#include "arithmetic/levels.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+constexpr uint32_t kMaxCount = 1u << 20;
+
+struct BiseOptions {
+  Levels levels;
+  uint32_t count = 0;
+  std::vector<std::string> values;
+  std::string hex;
+};
+
+Failure usage(const std::string& message) { return Failure(ExitCode::kUsage, message); }
+
+std::string allowed_levels() {
+  std::string list;
+  for (unsigned code = 0; code <= kMaxLevelCode; ++code) {
+    list += fmt::format("{}{}", code == 0 ? "" : " ", levels_of_code(code).count);
+  }
+  return list;
+}
+
+CLI::Option* add_levels_of_bise(CLI::App& app, Levels& target) {
+  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
+    const auto count = parse_integer<uint32_t>(text);
+    for (unsigned code = 0; count && code <= kMaxLevelCode; ++code) {
+      if (levels_of_code(code).count != *count) continue;
+      target = levels_of_code(code);
+      return std::nullopt;
+    }
+    return "a number of levels; allowed are " + allowed_levels();
+  };
+  return add_value(app, "LEVELS", "", "Number of levels, 2^n, 3 * 2^n or 5 * 2^n", reader)
+      ->required();
+}
+
+std::string hex_of(const std::vector<uint8_t>& bytes) {
+  std::string hex;
+  for (const uint8_t byte : bytes) hex += fmt::format("{:02x}", byte);
+  return hex;
+}
+
+std::vector<uint8_t> bytes_of(const std::string& hex) {
+  std::vector<uint8_t> bytes;
+  for (size_t at = 0; at + 2 <= hex.size(); at += 2) {
+    uint8_t byte = 0;
+    const char* begin = hex.data() + at;
+    const auto [last, error] = std::from_chars(begin, begin + 2, byte, 16);
+    if (error != std::errc{} || last != begin + 2) throw usage("'" + hex + "' is not hexadecimal");
+    bytes.push_back(byte);
+  }
+  if (hex.size() % 2 != 0) throw usage("'" + hex + "' is not a whole number of bytes");
+  return bytes;
+}
+
+ExitCode run_encode(const BiseOptions& options) {
+  std::vector<uint32_t> values;
+  for (const std::string& text : options.values) {
+    const auto value = parse_integer<uint32_t>(text);
+    if (!value || *value >= options.levels.count) {
+      throw usage(fmt::format("'{}' is not a value in [0, {}]", text, options.levels.count - 1));
+    }
+    values.push_back(*value);
+  }
+  BitWriter writer;
+  bise_put(writer, options.levels, values);
+  print(fmt::format("{} {}\n", writer.size(), hex_of(writer.bytes())));
+  return ExitCode::kDone;
+}
+
+ExitCode run_decode(const BiseOptions& options) {
+  const std::vector<uint8_t> bytes = bytes_of(options.hex);
+  const uint64_t bits = bise_bits(options.levels, options.count);
+  const uint64_t needed = (bits + 7) / 8;
+  if (bytes.size() != needed) {
+    throw usage(fmt::format("{} values of {} levels take {} bits, which is {} bytes; HEX has {}",
+                            options.count, options.levels.count, bits, needed, bytes.size()));
+  }
+  const BitString string(bytes);
+  std::string text;
+  for (uint32_t i = 0; i < options.count; ++i) {
+    if (i > 0) text += ' ';
+    text += std::to_string(bise_value(string, 0, options.levels, options.count, i));
+  }
+  print(text + "\n");
+  return ExitCode::kDone;
+}
+
+void add_enc(CLI::App& bise, Task& task) {
+  const auto options = std::make_shared<BiseOptions>();
+  CLI::App* app = bise.add_subcommand("enc", "Print the bits of values");
+  add_levels_of_bise(*app, options->levels);
+  app->add_option("V", options->values, "Values in [0, LEVELS - 1]")->required()->type_name("");
+  app->footer(
+      R"(Prints BITS HEX: the number of bits, then the bytes; bit k of the sequence is bit k & 7 of byte k >> 3.
+
+Example:
+  hmlfc bise enc 12 0 11 5 7 3)");
+  app->callback([&task, options] { task = [options] { return run_encode(*options); }; });
+}
+
+void add_dec(CLI::App& bise, Task& task) {
+  const auto options = std::make_shared<BiseOptions>();
+  CLI::App* app = bise.add_subcommand("dec", "Print the values of bits");
+  add_levels_of_bise(*app, options->levels);
+  add_integer(*app, "COUNT", options->count, 1, kMaxCount, "Number of values")
+      ->required()
+      ->type_name("")
+      ->default_str("");
+  app->add_option("HEX", options->hex, "The bytes that bise enc printed")->type_name("");
+  app->footer(
+      R"(Prints the values, with spaces between them.
+
+Example:
+  hmlfc bise dec 12 5 ec5b03)");
+  app->callback([&task, options] { task = [options] { return run_decode(*options); }; });
+}
+
+}  // namespace
+
+void add_bise(CLI::App& program, Task& task) {
+  CLI::App* app = program.add_subcommand("bise", "Encode or decode a bounded integer sequence");
+  app->require_subcommand(1);
+  app->footer("Example:\n  hmlfc bise enc 12 0 11 5 7 3");
+  add_enc(*app, task);
+  add_dec(*app, task);
+}
+
+}  // namespace hmlfc::cli

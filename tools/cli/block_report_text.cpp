@@ -1,0 +1,244 @@
+#include "cli/block_report_text.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "arithmetic/levels.hpp"
+#include "arithmetic/sample_range.hpp"
+#include "arithmetic/steps.hpp"
+#include "cli/field_table.hpp"
+#include "cli/stream_report.hpp"
+#include "syntax/geometry.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+constexpr size_t kLineColumns = 112;
+constexpr size_t kGap = 2;
+
+std::optional<int64_t> last_value(const TracedWalk& walk, std::string_view name) {
+  std::optional<int64_t> value;
+  for (const TracedField& field : walk.fields) {
+    if (field.name == name) value = field.value;
+  }
+  return value;
+}
+
+// "+ 3" or "- 3".
+std::string signed_term(int64_t value) {
+  return value < 0 ? fmt::format("- {}", -value) : fmt::format("+ {}", value);
+}
+
+bool is_negative(const TracedWalk& walk) {
+  const auto mode = last_value(walk, "sign_mode");
+  return mode == 1 || last_value(walk, "sign").value_or(0) == 1;
+}
+
+// The sign of the palette entry that the block's index names (MOT-3); + in an empty tile.
+bool is_negative_entry(const TracedWalk& motion) {
+  const int64_t index = last_value(motion, "index").value_or(-1);
+  int64_t entry = -1;
+  for (const TracedField& field : motion.fields) {
+    if (field.name == "choice") ++entry;
+    if (field.name == "sign" && entry == index) return field.value != 0;
+  }
+  return false;
+}
+
+// DEC-3 with motion: `keyed` levels do not use the parent (EXT-5).
+std::string prediction_formula(const TracedLevel& level, bool keyed, const SampleRange& range) {
+  const TracedWalk* motion = level.walk(TileKind::kMotion);
+  const TracedWalk& own = *level.own_walk();
+  const bool negative = motion != nullptr ? is_negative_entry(*motion) : is_negative(own);
+  std::string text = fmt::format("  prediction = clamp({} {} reference, {}, {})",
+                                 keyed ? "0" : "parent", negative ? '-' : '+', range.lo, range.hi);
+  if (motion == nullptr) {
+    text +=
+        fmt::format(", reference at (x {}, y {})", signed_term(last_value(own, "dx").value_or(0)),
+                    signed_term(last_value(own, "dy").value_or(0)));
+  }
+  return text + "\n";
+}
+
+// TIL-10 or STP-3.
+std::string residual_formula(const TracedWalk& own, const SampleRange& range) {
+  const int64_t code =
+      last_value(own, "level_base").value_or(0) + last_value(own, "level_delta").value_or(0);
+  const uint32_t count = levels_of_code(static_cast<unsigned>(code)).count;
+  const std::string coded =
+      fmt::format("clamp(value - {} {}, {}, {})", count >> 1,
+                  signed_term(last_value(own, "bias").value_or(0)), -range.bound, range.bound);
+  const auto base = last_value(own, "step_base");
+  if (!base) return fmt::format("  residual   = {}\n", coded);
+  const int64_t step_code = *base + last_value(own, "step_delta").value_or(0);
+  return fmt::format("  residual   = clamp({} * {}, {}, {})\n",
+                     step_of_code(static_cast<unsigned>(step_code)), coded, -range.bound,
+                     range.bound);
+}
+
+// The arithmetic of DEC-3 and TIL-10 with this block's numbers.
+std::string formulas(const TracedLevel& level, bool keyed, const SampleRange& range) {
+  std::string text;
+  if (level.own_walk() == nullptr) return text;
+  if (level.stage("reference") != nullptr) text += prediction_formula(level, keyed, range);
+  if (level.stage("residual") != nullptr) {
+    text += residual_formula(*level.own_walk(), range);
+    text +=
+        fmt::format("  sample     = clamp(prediction + residual, {}, {})\n", range.lo, range.hi);
+  }
+  return text;
+}
+
+// A titled square of numbers.
+struct Square {
+  std::string title;
+  std::vector<int32_t> values;
+};
+
+std::vector<Square> squares_of(const TracedLevel& level) {
+  std::vector<Square> squares;
+  if (level.stage("residual") != nullptr) {
+    Square raw{"value TIL-9", {}};
+    for (const TracedField& field : level.own_walk()->fields) {
+      if (field.name == "value") raw.values.push_back(static_cast<int32_t>(field.value));
+    }
+    squares.push_back(std::move(raw));
+  }
+  for (const TracedStage& stage : level.stages) {
+    squares.push_back({stage.name + " " + stage.clause, stage.values});
+  }
+  return squares;
+}
+
+size_t cell_width(const std::vector<Square>& squares) {
+  size_t width = 0;
+  for (const Square& square : squares) {
+    for (const int32_t value : square.values) {
+      width = std::max(width, std::to_string(value).size() + 1);
+    }
+  }
+  return width;
+}
+
+// Columns that a square takes with the gap behind it.
+size_t width_of(const Square& square, size_t side, size_t cell) {
+  return std::max(side * cell, square.title.size() + 1) + kGap;
+}
+
+// `squares` side by side.
+std::string square_line(std::span<const Square> squares, size_t side, size_t cell) {
+  std::vector<std::string> lines(side + 1);
+  for (const Square& square : squares) {
+    const size_t width = width_of(square, side, cell);
+    lines[0] += fmt::format("{:<{}}", " " + square.title, width);
+    for (size_t y = 0; y < side; ++y) {
+      std::string row;
+      for (size_t x = 0; x < side; ++x) {
+        row += fmt::format("{:>{}}", square.values[y * side + x], cell);
+      }
+      lines[y + 1] += fmt::format("{:<{}}", row, width);
+    }
+  }
+  std::string text;
+  for (std::string& line : lines) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += "  " + line + "\n";
+  }
+  return text;
+}
+
+// As many squares side by side as a line holds, at least one.
+std::string square_table(std::span<const Square> squares, size_t side, size_t cell) {
+  std::string text;
+  while (!squares.empty()) {
+    size_t count = 0;
+    size_t columns = 0;
+    while (count < squares.size()) {
+      columns += width_of(squares[count], side, cell);
+      if (count > 0 && columns > kLineColumns) break;
+      ++count;
+    }
+    text += square_line(squares.first(count), side, cell);
+    squares = squares.subspan(count);
+  }
+  return text;
+}
+
+std::string describe_image(const TracedLevel& level, const Geometry& geometry) {
+  const ImagePos at{level.site.image_row, level.site.image_col};
+  if (geometry.is_key(level.site.level, at)) return "key image";
+  const ImagePos reference = geometry.reference_of(level.site.level, at);
+  if (reference == at) return fmt::format("reference image: {}", state_name(level.state()));
+  return fmt::format("predictive image of reference {},{}: {}", reference.row, reference.col,
+                     state_name(level.state()));
+}
+
+std::string walk_title(const TracedLevel& level, const TracedWalk& walk) {
+  const BlockSite& site = walk.site;
+  if (level.is_reference(walk)) {
+    const bool residual = last_value(walk, "value").has_value();
+    return fmt::format("  Block {},{} of reference image {},{}: {}\n", site.bx, site.by,
+                       site.image_row, site.image_col,
+                       state_name(residual ? BlockState::kResidual : BlockState::kZero));
+  }
+  if (site.tile == TileKind::kDisparity) {
+    return fmt::format("  The {} of reference image {},{}\n", tile_kind_name(site.tile),
+                       site.image_row, site.image_col);
+  }
+  return fmt::format("  Its {}\n", tile_kind_name(site.tile));
+}
+
+std::string level_text(const TracedLevel& level, const Geometry& geometry,
+                       const SampleRange& range) {
+  std::string text =
+      fmt::format("\nLevel {}, image {},{}, {}\n", level.site.level, level.site.image_row,
+                  level.site.image_col, describe_image(level, geometry));
+  for (const TracedWalk& walk : level.walks) {
+    const bool own = walk.site == level.site;
+    if (!own || level.walks.front().site != level.site) text += walk_title(level, walk);
+    text += field_table(field_rows(walk), own ? 2 : 4);
+  }
+  text += formulas(level, geometry.level(level.site.level).keyed, range);
+  const std::vector<Square> squares = squares_of(level);
+  return text + square_table(squares, geometry.block_size(), cell_width(squares));
+}
+
+std::string heading(const BlockReport& report, const Geometry& geometry) {
+  const BlockAddress& block = report.block;
+  const unsigned size = geometry.block_size();
+  const PlaneShape& plane = geometry.plane(block.plane);
+  const uint32_t x = block.bx * size;
+  const uint32_t y = block.by * size;
+  return fmt::format("Block {},{} of plane {} of view {},{}: samples x {}..{}, y {}..{}\n{}: {}\n",
+                     block.bx, block.by, plane_name(block.plane), block.view.row, block.view.col, x,
+                     std::min(x + size, plane.width) - 1, y, std::min(y + size, plane.height) - 1,
+                     report.file, describe_coding(report.header));
+}
+
+}  // namespace
+
+std::string to_text(const BlockReport& report) {
+  const Geometry geometry(report.header);
+  const SampleRange range = sample_range(report.block.plane, report.header.depth);
+  std::string text = heading(report, geometry);
+  for (const TracedLevel& level : report.trace.levels()) {
+    text += level_text(level, geometry, range);
+  }
+  const AccessCounts& counts = report.counts;
+  const bool motion_tiles = report.header.has(Feature::kMotionTiles);
+  const int tree_height = report.header.tree_height;
+  text += fmt::format(
+      "\nCost: {} walks (at most {}, {}), {} fields of {} bits = {} bytes, {} serial steps (at "
+      "most 63 a walk, BND-1)\n",
+      counts.walks, motion_tiles ? 11 * tree_height + 3 : 5 * tree_height + 1,
+      motion_tiles ? "BND-3" : "BND-2", counts.fields, counts.bits, (counts.bits + 7) / 8,
+      counts.steps);
+  return text;
+}
+
+}  // namespace hmlfc::cli

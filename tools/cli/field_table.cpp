@@ -1,0 +1,158 @@
+#include "cli/field_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "arithmetic/bise.hpp"
+#include "arithmetic/levels.hpp"
+#include "arithmetic/steps.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+constexpr size_t kValueColumns = 52;
+
+std::string levels_meaning(int64_t code) {
+  if (code < 0 || code > int64_t{kMaxLevelCode}) return "";
+  const Levels levels = levels_of_code(static_cast<unsigned>(code));
+  const char* digit = levels.digit == Digit::kTrit    ? "a trit and "
+                      : levels.digit == Digit::kQuint ? "a quint and "
+                                                      : "";
+  return fmt::format("{} levels: {}{} bit{}", levels.count, digit, levels.plain_bits,
+                     levels.plain_bits == 1 ? "" : "s");
+}
+
+// MOT-5.
+std::string choice_meaning(int64_t choice) {
+  constexpr std::array<std::string_view, 12> kWords{
+      "no motion",  "own disparity", "left",       "right",       "above",          "below",
+      "above left", "above right",   "below left", "below right", "this disparity", "this vector"};
+  const auto at = static_cast<size_t>(choice);
+  return at < kWords.size() ? std::string(kWords[at]) : "reserved";
+}
+
+unsigned step_code(const TracedField& field) { return static_cast<unsigned>(field.value & 15); }
+
+// What a code stands for, or nothing.
+std::string meaning(const TracedField& field) {
+  const auto one_of = [&field](std::array<std::string_view, 4> words) {
+    return std::string(words[static_cast<size_t>(field.value & 3)]);
+  };
+  if (field.name == "motion_mode" || field.name == "residual_mode") {
+    return one_of({"no block", "all blocks", "mask of 64", "mask by quads"});
+  }
+  if (field.name == "sign_mode") return one_of({"all +", "all -", "one bit a block", "reserved"});
+  if (field.name == "codes_x" || field.name == "codes_y") return levels_meaning(field.value);
+  if (field.name == "disparity_code") return levels_meaning(field.value);
+  if (field.name == "motion_block") return fmt::format("{0} x {0} samples", 4 << field.value);
+  if (field.name == "palette_size") return fmt::format("less 1: {} entries", field.value + 1);
+  if (field.name == "choice") return choice_meaning(field.value);
+  if (field.name == "step_base") return fmt::format("step {}", step_of_code(step_code(field)));
+  if (field.name == "sign") return field.value == 0 ? "+" : "-";
+  if (field.name == "place") {
+    const auto place = static_cast<uint64_t>(field.value);
+    return fmt::format("data {:#x}, offset_bits {}", place & 0xFFFFFFFFFFFFu, (place >> 48) & 0xFF);
+  }
+  return "";
+}
+
+std::string value_text(const TracedField& field) {
+  const bool mask = field.name.find("mask") != std::string::npos || field.name == "place";
+  if (!mask) return std::to_string(field.value);
+  return fmt::format("0x{:0{}x}", static_cast<uint64_t>(field.value), (field.bits + 3) / 4);
+}
+
+// Fields of which a decoder reads many in a row.
+bool is_repeated(const TracedField& field) {
+  return field.name == "quad_blocks" || field.name == "level_delta" || field.name == "value";
+}
+
+// The level code of the block whose header ends `walk`, or -1.
+int64_t level_code(const TracedWalk& walk) {
+  int64_t base = -1;
+  int64_t delta = 0;
+  for (const TracedField& field : walk.fields) {
+    if (field.name == "level_base") base = field.value;
+    if (field.name == "level_delta") delta = field.value;
+  }
+  return base < 0 ? -1 : base + delta;
+}
+
+FieldRow row_of(std::span<const TracedField> fields, int64_t code) {
+  const TracedField& first = fields.front();
+  FieldRow row;
+  row.section = section_name(first.section);
+  row.address = fmt::format("0x{:06x}.{}", first.bit >> 3, first.bit & 7);
+  row.bits = std::to_string(first.bits);
+  row.name = first.name;
+  row.clause = first.clause;
+  if (first.name == "value") {
+    const auto levels = levels_of_code(static_cast<unsigned>(std::max<int64_t>(code, 0)));
+    row.bits = std::to_string(bise_bits(levels, fields.size()));
+    row.value = fmt::format("{} values of {} levels, below", fields.size(), levels.count);
+    return row;
+  }
+  if (fields.size() > 1) row.bits = fmt::format("{} x {}", fields.size(), first.bits);
+  for (const TracedField& field : fields) {
+    if (!row.value.empty()) row.value += ' ';
+    row.value += value_text(field);
+  }
+  std::string note = first.name == "level_delta" ? levels_meaning(code) : meaning(first);
+  if (first.name == "level_delta" && fields.size() > 1) note = "this block: " + note;
+  if (!note.empty()) row.value += "  (" + note + ")";
+  return row;
+}
+
+// `text` in lines of at most kValueColumns, broken at spaces.
+std::vector<std::string> broken(const std::string& text) {
+  std::vector<std::string> lines;
+  size_t at = 0;
+  while (text.size() - at > kValueColumns) {
+    const size_t space = text.rfind(' ', at + kValueColumns);
+    if (space == std::string::npos || space <= at) break;
+    lines.push_back(text.substr(at, space - at));
+    at = space + 1;
+  }
+  lines.push_back(text.substr(at));
+  return lines;
+}
+
+}  // namespace
+
+std::vector<FieldRow> field_rows(const TracedWalk& walk) {
+  const int64_t code = level_code(walk);
+  const std::span<const TracedField> fields(walk.fields);
+  std::vector<FieldRow> rows;
+  for (size_t begin = 0; begin < fields.size();) {
+    size_t end = begin + 1;
+    while (end < fields.size() && is_repeated(fields[begin]) &&
+           fields[end].name == fields[begin].name) {
+      ++end;
+    }
+    rows.push_back(row_of(fields.subspan(begin, end - begin), code));
+    begin = end;
+  }
+  return rows;
+}
+
+std::string field_table(const std::vector<FieldRow>& rows, size_t indent) {
+  const std::string margin(indent, ' ');
+  constexpr const char* kLine = "{}{:<7} {:<12} {:>7}  {:<13} {:<6}  {}\n";
+  std::string text = fmt::format(fmt::runtime(kLine), margin, "section", "byte.bit", "bits",
+                                 "field", "clause", "value");
+  for (const FieldRow& row : rows) {
+    const auto lines = broken(row.value);
+    text += fmt::format(fmt::runtime(kLine), margin, row.section, row.address, row.bits, row.name,
+                        row.clause, lines[0]);
+    for (size_t i = 1; i < lines.size(); ++i) {
+      text += fmt::format(fmt::runtime(kLine), margin, "", "", "", "", "", lines[i]);
+    }
+  }
+  return text;
+}
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,119 @@
+#include "cli/stream_report.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/failure.hpp"
+#include "syntax/geometry.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+using SectionRow = std::pair<const char*, uint64_t>;
+
+std::array<SectionRow, 6> section_rows(const SectionBytes& sections) {
+  return {SectionRow{"header", sections.header}, SectionRow{"index", sections.index},
+          SectionRow{"motion", sections.motion}, SectionRow{"residual", sections.residual},
+          SectionRow{"top", sections.top},       SectionRow{"other", sections.other}};
+}
+
+const char* chroma_name(ChromaFormat format) {
+  return format == ChromaFormat::k444 ? "444" : "420";
+}
+
+double pixels(const StreamHeader& header) {
+  return static_cast<double>(header.rows) * header.cols * header.width * header.height;
+}
+
+Json levels_json(const StreamHeader& header) {
+  const Geometry geometry(header);
+  Json levels = Json::array();
+  for (int level = geometry.top(); level >= 0; --level) {
+    const LevelShape& shape = geometry.level(level);
+    Json entry;
+    entry["level"] = level;
+    entry["rows"] = shape.rows;
+    entry["cols"] = shape.cols;
+    entry["ref_rows"] = shape.ref_rows;
+    entry["ref_cols"] = shape.ref_cols;
+    levels.push_back(std::move(entry));
+  }
+  return levels;
+}
+
+}  // namespace
+
+double StreamReport::bits_per_pixel() const {
+  return 8 * static_cast<double>(bytes) / pixels(header);
+}
+
+double StreamReport::ratio() const { return 3 * header.depth / bits_per_pixel(); }
+
+StreamReport report_on(const StreamFile& file) {
+  return {file.size(), file.header(), value_or_throw(file.decoder().statistics(), file.path())};
+}
+
+Json report_json(const StreamReport& report) {
+  const StreamHeader& header = report.header;
+  Json json;
+  json["bytes"] = report.bytes;
+  json["bpp"] = report.bits_per_pixel();
+  json["ratio"] = report.ratio();
+  json["rows"] = header.rows;
+  json["cols"] = header.cols;
+  json["width"] = header.width;
+  json["height"] = header.height;
+  json["profile"] = profile_name(header.profile);
+  json["method"] = method_name(header);
+  Json& sections = json["sections"];
+  for (const auto& [name, bytes] : section_rows(report.statistics.sections)) sections[name] = bytes;
+  return json;
+}
+
+void add_structure(const StreamReport& report, Json& json) {
+  const StreamHeader& header = report.header;
+  json["depth"] = header.depth;
+  json["chroma"] = chroma_name(header.chroma_format);
+  json["block"] = header.block_size();
+  json["window"] = header.window;
+  json["cluster"] = {header.cluster_rows, header.cluster_cols};
+  json["tree_height"] = header.tree_height;
+  json["tools"] = tools_of(header);
+  json["levels"] = levels_json(header);
+  const auto& states = report.statistics.states;
+  json["states"] = {{"zero", states[0]},
+                    {"motion", states[1]},
+                    {"motion_residual", states[2]},
+                    {"residual", states[3]}};
+}
+
+std::vector<std::string> tools_of(const StreamHeader& header) {
+  std::vector<std::string> tools;
+  for (unsigned bit = 0; bit < kFeatureCount; ++bit) {
+    const auto feature = static_cast<Feature>(bit);
+    if (header.has(feature)) tools.emplace_back(feature_name(feature));
+  }
+  return tools;
+}
+
+std::string describe_coding(const StreamHeader& header) {
+  return fmt::format("{}, profile {}, {}x{} blocks, window {}, clusters of {}x{}, {}",
+                     method_name(header), profile_name(header.profile), header.block_size(),
+                     header.block_size(), header.window, header.cluster_rows, header.cluster_cols,
+                     header.chroma_format == ChromaFormat::k444 ? "4:4:4" : "4:2:0");
+}
+
+std::string size_text(const StreamReport& report) {
+  std::string text = fmt::format("Size          {} bytes, {:.4f} bpp, 1 : {:.1f}\n",
+                                 grouped(report.bytes), report.bits_per_pixel(), report.ratio());
+  for (const auto& [name, bytes] : section_rows(report.statistics.sections)) {
+    if (bytes == 0) continue;
+    text += fmt::format("  {:<10} {:>14} bytes {:5.1f} %\n", name, grouped(bytes),
+                        100 * static_cast<double>(bytes) / static_cast<double>(report.bytes));
+  }
+  return text;
+}
+
+}  // namespace hmlfc::cli

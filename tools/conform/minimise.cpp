@@ -1,0 +1,116 @@
+#include "conform/minimise.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "conform/reductions.hpp"
+#include "conform/stream_parts.hpp"
+#include "decoder/open_stream.hpp"
+
+namespace hmlfc::conform {
+namespace {
+
+bool decodes(std::span<const uint8_t> stream) {
+  const auto decoder = Decoder::open(stream);
+  return decoder && decoder->decode_all([](ViewPos, RgbImage&&) {}, 0, 1);
+}
+
+// One search, from a failing stream down.
+class Search {
+ public:
+  Search(StreamParts parts, std::vector<uint8_t> stream, const StillFails& still_fails,
+         unsigned max_trials)
+      : parts_(std::move(parts)), still_fails_(still_fails), max_trials_(max_trials) {
+    result_.stream = std::move(stream);
+  }
+
+  Minimised run() {
+    unsigned before = 0;
+    do {
+      before = result_.steps;
+      while (cut_top()) {
+      }
+      shrink(&StreamHeader::rows, 1);
+      shrink(&StreamHeader::cols, 1);
+      shrink(&StreamHeader::width, parts_.header.block_size());
+      shrink(&StreamHeader::height, parts_.header.block_size());
+      drop_tiles();
+    } while (result_.steps != before && result_.trials < max_trials_);
+    return std::move(result_);
+  }
+
+ private:
+  // Keeps `smaller` if it is a valid stream that still fails.
+  bool keep_if_failing(const std::optional<StreamParts>& smaller) {
+    if (!smaller || result_.trials >= max_trials_) return false;
+    auto stream = put_together(*smaller);
+    if (!stream || !decodes(*stream)) return false;
+    ++result_.trials;
+    if (!still_fails_(*stream)) return false;
+    // Parts that the new header has no place for are gone.
+    const auto view = open_stream(*stream, {});
+    auto parts = view ? take_apart(*view) : std::nullopt;
+    if (!parts) return false;
+    parts_ = std::move(*parts);
+    result_.stream = std::move(*stream);
+    ++result_.steps;
+    return true;
+  }
+
+  bool cut_top() {
+    if (parts_.header.tree_height == 0) return false;
+    const auto decoder = Decoder::open(result_.stream);
+    return decoder && keep_if_failing(without_top_level(parts_, *decoder));
+  }
+
+  // Makes one side of the grid or of the views smaller: to the least value first, then by ever
+  // smaller steps, in multiples of `unit`.
+  void shrink(uint32_t StreamHeader::*side, uint32_t unit) {
+    for (uint32_t step = parts_.header.*side / unit * unit; step >= unit;) {
+      const uint32_t now = parts_.header.*side;
+      const uint32_t target = now > step ? (now - step + unit - 1) / unit * unit : unit;
+      if (target < now && keep_if_failing(with(side, target))) continue;
+      step = step / 2 / unit * unit;
+    }
+  }
+
+  std::optional<StreamParts> with(uint32_t StreamHeader::*side, uint32_t value) const {
+    StreamHeader header = parts_.header;
+    header.*side = value;
+    if (header.rows != parts_.header.rows || header.cols != parts_.header.cols) {
+      const auto decoder = Decoder::open(result_.stream);
+      if (!decoder) return std::nullopt;
+      return with_grid(parts_, header.rows, header.cols, *decoder);
+    }
+    return with_size(parts_, header.width, header.height);
+  }
+
+  // Halves, quarters ... down to single tiles.
+  void drop_tiles() {
+    for (size_t chunk = parts_.tiles.size(); chunk >= 1; chunk /= 2) {
+      for (size_t begin = 0; begin < parts_.tiles.size();) {
+        if (!keep_if_failing(without_tiles(parts_, begin, begin + chunk))) begin += chunk;
+      }
+    }
+  }
+
+  StreamParts parts_;
+  const StillFails& still_fails_;
+  unsigned max_trials_;
+  Minimised result_;
+};
+
+}  // namespace
+
+io::IoResult<Minimised> minimise(std::span<const uint8_t> stream, const StillFails& still_fails,
+                                 unsigned max_trials) {
+  const auto view = open_stream(stream, {});
+  if (!view || !decodes(stream)) {
+    return tl::unexpected(io::IoError{"the golden model does not decode the stream"});
+  }
+  auto parts = take_apart(*view);
+  if (!parts) return tl::unexpected(io::IoError{"the stream has too many tiles to be taken apart"});
+  return Search(std::move(*parts), {stream.begin(), stream.end()}, still_fails, max_trials).run();
+}
+
+}  // namespace hmlfc::conform

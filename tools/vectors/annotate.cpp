@@ -1,0 +1,215 @@
+#include "vectors/annotate.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <hmlfc/decoder.hpp>
+
+#include "bits/little_endian.hpp"
+#include "decoder/key_images.hpp"
+#include "syntax/geometry.hpp"
+#include "syntax/header.hpp"
+#include "vectors/block_recorder.hpp"
+
+namespace hmlfc::vectors {
+namespace {
+
+constexpr size_t kBytesShown = 12;
+
+struct Note {
+  uint64_t bits = 0;
+  std::string text;
+  std::string clause;
+};
+
+// A field of FIL-1 at a fixed place.
+struct FixedField {
+  std::string_view name;
+  size_t offset;
+  size_t bytes;
+};
+
+constexpr FixedField kFixedFields[] = {
+    {"magic", 0, 8},
+    {"version", 8, 1},
+    {"profile", 9, 1},
+    {"header_bytes", 10, 2},
+    {"feature_flags", 12, 4},
+    {"rows", 16, 2},
+    {"cols", 18, 2},
+    {"width", 20, 4},
+    {"height", 24, 4},
+    {"depth", 28, 1},
+    {"chroma_format", 29, 1},
+    {"block_log2", 30, 1},
+    {"window", 31, 1},
+    {"cluster_rows", 32, 1},
+    {"cluster_cols", 33, 1},
+    {"tree_height", 34, 1},
+    {"vector_precision", 35, 1},
+    {"disparity_precision", 36, 1},
+    {"motion_tile_log2", 37, 1},
+    {"disparity_grid_log2", 38, 1},
+    {"row_scale", 39, 1},
+    {"reserved", 40, 4},
+};
+constexpr size_t kAtProfile = 9;
+constexpr size_t kFirstExtended = 35;
+constexpr size_t kReservedBytes = 9;  // of profile main, from kFirstExtended on
+
+class Dump {
+ public:
+  explicit Dump(std::span<const uint8_t> file) : file_(file) {}
+
+  std::string run() {
+    note_fixed_fields();
+    const auto header = parse_header(file_);
+    if (!header) return text() + to_string(header.error()) + "\n";
+    note_header(*header);
+    const auto decoder = Decoder::open(file_, {.check_sections = false});
+    if (!decoder) return text() + to_string(decoder.error()) + "\n";
+    note_keys(*header);
+    note_blocks(*decoder);
+    return text() + errors_;
+  }
+
+ private:
+  uint64_t load(uint64_t at, size_t bytes) const {
+    uint64_t value = 0;
+    for (size_t i = 0; i < bytes; ++i)
+      value |= uint64_t{file_[static_cast<size_t>(at) + i]} << (8 * i);
+    return value;
+  }
+
+  void add(uint64_t bit, uint64_t bits, std::string note, std::string clause) {
+    notes_.emplace(bit, Note{bits, std::move(note), std::move(clause)});
+  }
+
+  void add_bytes(uint64_t at, size_t bytes, const std::string& name, const std::string& clause) {
+    if (at + bytes > file_.size()) return;
+    add(at * 8, bytes * 8, fmt::format("{} = {}", name, load(at, bytes)), clause);
+  }
+
+  void note_fixed_fields() {
+    const bool main = file_.size() > kAtProfile && file_[kAtProfile] == 0;
+    for (const FixedField& field : kFixedFields) {
+      if (field.offset < kFirstExtended) {
+        add_bytes(field.offset, field.bytes, std::string(field.name), "FIL-1");
+      } else if (!main) {
+        add_bytes(field.offset, field.bytes, std::string(field.name), "EXT-2");
+      }
+    }
+    if (main) add(kFirstExtended * 8, kReservedBytes * 8, "reserved", "FIL-1");
+  }
+
+  void note_header(const StreamHeader& header) {
+    uint64_t at = 44;
+    for (size_t level = header.levels.size(); level-- > 0; at += 4) {
+      add_bytes(at, 1, fmt::format("level {} ref_rows", level), "FIL-2");
+      add_bytes(at + 1, 1, fmt::format("level {} ref_cols", level), "FIL-2");
+      add_bytes(at + 2, 1, fmt::format("level {} key_references", level), "EXT-4");
+      add_bytes(at + 3, 1, "reserved", "FIL-2");
+    }
+    for (const SectionEntry& entry : header.sections) {
+      const std::string name(section_name(static_cast<Section>(entry.type)));
+      add_bytes(at, 4, name + " type", "FIL-3");
+      add_bytes(at + 4, 4, name + " crc", "FIL-3");
+      add_bytes(at + 8, 8, name + " offset", "FIL-3");
+      add_bytes(at + 16, 8, name + " size", "FIL-3");
+      at += 24;
+    }
+    add_bytes(at, 4, "header_crc", "FIL-5");
+  }
+
+  void note_keys(const StreamHeader& header) {
+    const uint64_t top = header.sections[0].offset;
+    const uint64_t entries = Geometry(header).key_count() * kPlaneCount;
+    for (uint64_t i = 0; i < entries; ++i) {
+      const uint64_t at = top + i * kTopEntryBytes;
+      const std::string name = fmt::format("key image {} {}", i / kPlaneCount,
+                                           plane_name(static_cast<Plane>(i % kPlaneCount)));
+      add_bytes(at, 8, name + " offset", "KEY-1");
+      add_bytes(at + 8, 4, name + " size", "KEY-1");
+      add_bytes(at + 12, 4, name + " sample_crc", "KEY-3");
+      add((top + load(at, 8)) * 8, load(at + 8, 4) * 8, name + ": codestream", "KEY-2");
+    }
+  }
+
+  void note_blocks(const Decoder& decoder) {
+    const StreamHeader& header = decoder.header();
+    const uint32_t side = header.block_size();
+    for (uint32_t row = 0; row < header.rows; ++row) {
+      for (uint32_t col = 0; col < header.cols; ++col) {
+        for (const Plane plane : kPlanes) {
+          const PlaneSize size = decoder.plane_size(plane);
+          for (uint32_t by = 0; by * side < size.height; ++by) {
+            for (uint32_t bx = 0; bx * side < size.width; ++bx) {
+              note_block(decoder, {{row, col}, plane, bx, by});
+            }
+          }
+        }
+      }
+    }
+  }
+
+  void note_block(const Decoder& decoder, const BlockAddress& block) {
+    BlockRecorder recorder;
+    const auto samples = decoder.decode_block(block, 0, &recorder);
+    for (const auto& record : recorder.records) {
+      if (const auto* field = std::get_if<RecordedField>(&record)) note_field(*field);
+    }
+    if (samples) return;
+    errors_ += fmt::format("view {},{} {} block {},{}: {}\n", block.view.row, block.view.col,
+                           plane_name(block.plane), block.bx, block.by, to_string(samples.error()));
+  }
+
+  void note_field(const RecordedField& field) {
+    const std::string value = field.bits == 64
+                                  ? fmt::format("{:#018x}", static_cast<uint64_t>(field.value))
+                                  : std::to_string(field.value);
+    add(field.bit, field.bits, fmt::format("{} = {}", field.name, value),
+        std::string(field.clause));
+  }
+
+  // Bytes [begin, end), at most kBytesShown of them.
+  std::string hex(uint64_t begin, uint64_t end) const {
+    std::string shown;
+    for (uint64_t at = begin; at < std::min(end, begin + kBytesShown); ++at) {
+      shown += fmt::format("{:02x} ", file_[static_cast<size_t>(at)]);
+    }
+    return end - begin > kBytesShown ? shown + ".." : shown;
+  }
+
+  void append_line(std::string& out, uint64_t bit, uint64_t bits, const std::string& note,
+                   const std::string& clause) const {
+    const uint64_t end = std::min<uint64_t>((bit + bits + 7) / 8, file_.size());
+    out += fmt::format("{:08x}.{} {:4} bits  {:38} {:7} {}\n", bit / 8, bit % 8, bits,
+                       hex(bit / 8, std::max(end, bit / 8)), clause, note);
+  }
+
+  std::string text() const {
+    std::string out;
+    uint64_t done = 0;
+    for (const auto& [bit, note] : notes_) {
+      if (bit > done) append_line(out, done, bit - done, "(no field: values, padding, unread)", "");
+      append_line(out, bit, note.bits, note.text, note.clause);
+      done = std::max(done, bit + note.bits);
+    }
+    const uint64_t end = uint64_t{file_.size()} * 8;
+    if (end > done) append_line(out, done, end - done, "(no field: values, padding, unread)", "");
+    return out;
+  }
+
+  std::span<const uint8_t> file_;
+  std::map<uint64_t, Note> notes_;
+  std::string errors_;
+};
+
+}  // namespace
+
+std::string annotated_dump(std::span<const uint8_t> file) { return Dump(file).run(); }
+
+}  // namespace hmlfc::vectors

@@ -1,0 +1,234 @@
+#include "vectors/stream_edit.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "bits/crc32c.hpp"
+#include "bits/little_endian.hpp"
+#include "decoder/key_images.hpp"
+#include "syntax/header.hpp"
+#include "vectors/block_recorder.hpp"
+#include "vectors/recipe.hpp"
+
+namespace hmlfc::vectors {
+namespace {
+
+// A field as bytes of the file.
+struct ByteField {
+  size_t offset;
+  size_t size;
+};
+
+// The table of FIL-1 and that of EXT-2.
+const std::map<std::string, ByteField>& header_fields() {
+  static const std::map<std::string, ByteField> fields{
+      {"magic", {0, 8}},
+      {"version", {8, 1}},
+      {"profile", {9, 1}},
+      {"header_bytes", {10, 2}},
+      {"feature_flags", {12, 4}},
+      {"rows", {16, 2}},
+      {"cols", {18, 2}},
+      {"width", {20, 4}},
+      {"height", {24, 4}},
+      {"depth", {28, 1}},
+      {"chroma_format", {29, 1}},
+      {"block_log2", {30, 1}},
+      {"window", {31, 1}},
+      {"cluster_rows", {32, 1}},
+      {"cluster_cols", {33, 1}},
+      {"tree_height", {34, 1}},
+      {"vector_precision", {35, 1}},
+      {"disparity_precision", {36, 1}},
+      {"motion_tile_log2", {37, 1}},
+      {"disparity_grid_log2", {38, 1}},
+      {"row_scale", {39, 1}},
+      {"reserved", {40, 4}},
+  };
+  return fields;
+}
+
+// Of FIL-2 and FIL-3, from the start of an entry.
+const std::map<std::string, ByteField>& entry_fields() {
+  static const std::map<std::string, ByteField> fields{
+      {"ref_rows", {0, 1}},       {"ref_cols", {1, 1}}, {"key_references", {2, 1}},
+      {"level_reserved", {3, 1}}, {"type", {0, 4}},     {"crc", {4, 4}},
+      {"offset", {8, 8}},         {"size", {16, 8}}};
+  return fields;
+}
+
+constexpr size_t kAtHeaderBytes = 10;
+constexpr size_t kAtLevels = 44;
+constexpr size_t kLevelBytes = 4;
+constexpr size_t kSectionBytes = 24;
+constexpr size_t kTableAndCrc = 4 * kSectionBytes + 4;
+
+class Editor {
+ public:
+  explicit Editor(std::vector<uint8_t>& bytes) : bytes_(bytes) {}
+
+  void apply(const Json& json) {
+    if (json.contains("header")) return edit_header(json);
+    if (json.contains("section")) return edit_entry(json);
+    if (json.contains("field")) return edit_field(json);
+    if (json.contains("bytes")) return edit_bytes(json);
+    if (json.contains("marker")) return edit_marker(json);
+    if (json.contains("resize")) return resize(json);
+    if (json.contains("cut")) return cut(json.at("cut"));
+    if (json.contains("append")) return append(json.at("append"));
+    throw TextError(json.dump() + " is no edit");
+  }
+
+  // CRCs of the sections that lie in the file, then that of the header.
+  void mend(bool sections) {
+    if (bytes_.size() < kAtHeaderBytes + 2) return;
+    const size_t header_bytes = load(kAtHeaderBytes, 2);
+    if (header_bytes < kTableAndCrc || header_bytes > bytes_.size()) return;
+    for (size_t section = 0; sections && section < 4; ++section) {
+      const size_t entry = header_bytes - kTableAndCrc + section * kSectionBytes;
+      const uint64_t offset = load(entry + 8, 8);
+      const uint64_t size = load(entry + 16, 8);
+      if (offset > bytes_.size() || size > bytes_.size() - offset) continue;
+      store(entry + 4, 4,
+            crc32c(
+                std::span(bytes_).subspan(static_cast<size_t>(offset), static_cast<size_t>(size))));
+    }
+    store(header_bytes - 4, 4, crc32c(std::span(bytes_).first(header_bytes - 4)));
+  }
+
+ private:
+  uint64_t load(size_t at, size_t size) const {
+    uint64_t value = 0;
+    for (size_t i = 0; i < size; ++i) value |= uint64_t{bytes_.at(at + i)} << (8 * i);
+    return value;
+  }
+
+  void store(size_t at, size_t size, uint64_t value) {
+    for (size_t i = 0; i < size; ++i) bytes_.at(at + i) = static_cast<uint8_t>(value >> (8 * i));
+  }
+
+  // The byte of section entry `name` in the header.
+  size_t entry_of(const Json& name) const {
+    for (size_t i = 0; i < 4; ++i) {
+      if (name == section_name(static_cast<Section>(i + 1))) {
+        return load(kAtHeaderBytes, 2) - kTableAndCrc + i * kSectionBytes;
+      }
+    }
+    throw TextError(name.dump() + " is no section");
+  }
+
+  void set(size_t at, size_t size, const Json& json) {
+    const uint64_t value = json.contains("add")
+                               ? load(at, size) + static_cast<uint64_t>(json["add"].get<int64_t>())
+                               : static_cast<uint64_t>(json.at("value").get<int64_t>());
+    store(at, size, value);
+  }
+
+  void edit_header(const Json& json) {
+    const auto name = json["header"].get<std::string>();
+    if (json.contains("level")) {
+      const size_t tree_height = load(header_fields().at("tree_height").offset, 1);
+      const ByteField field = entry_fields().at(name);
+      const size_t entry = tree_height - json["level"].get<size_t>();
+      return set(kAtLevels + kLevelBytes * entry + field.offset, field.size, json);
+    }
+    const ByteField field = header_fields().at(name);
+    set(field.offset, field.size, json);
+  }
+
+  void edit_entry(const Json& json) {
+    const ByteField field = entry_fields().at(json.at("entry"));
+    set(entry_of(json["section"]) + field.offset, field.size, json);
+  }
+
+  void edit_field(const Json& json) {
+    const auto decoder = Decoder::open(bytes_);
+    if (!decoder) throw TextError("edit: " + to_string(decoder.error()));
+    BlockRecorder recorder;
+    const BlockAddress block = block_of(json.at("block"));
+    static_cast<void>(decoder->decode_block(block, 0, &recorder));
+    auto left = json.value("nth", 0);
+    for (const auto& record : recorder.records) {
+      const auto* field = std::get_if<RecordedField>(&record);
+      if (field == nullptr || json["field"] != field->name) continue;
+      if (field->site.level != json.value("level", 0) || left-- > 0) continue;
+      return set_field(*field, json);
+    }
+    throw TextError("edit: no field " + json["field"].dump() + " is read for this block");
+  }
+
+  void set_field(const RecordedField& field, const Json& json) {
+    const int64_t value = json.contains("add") ? field.value + json["add"].get<int64_t>()
+                                               : json.at("value").get<int64_t>();
+    for (unsigned i = 0; i < field.bits; ++i) {
+      set_bit(field.bit + i, ((static_cast<uint64_t>(value) >> i) & 1u) != 0);
+    }
+  }
+
+  void set_bit(uint64_t bit, bool one) {
+    uint8_t& byte = bytes_.at(static_cast<size_t>(bit >> 3));
+    const auto mask = static_cast<uint8_t>(1u << (bit & 7));
+    byte = static_cast<uint8_t>(one ? byte | mask : byte & ~mask);
+  }
+
+  void edit_bytes(const Json& json) {
+    const size_t entry = entry_of(json["bytes"]);
+    const uint64_t at = load(entry + 8, 8) + json.at("at").get<uint64_t>();
+    size_t i = 0;
+    for (const Json& value : json.at("value")) bytes_.at(static_cast<size_t>(at) + i++) = value;
+  }
+
+  // KEY-1 and KEY-2: from the first marker of this number in a codestream.
+  void edit_marker(const Json& json) {
+    const auto marker = json["marker"].get<uint64_t>();
+    const uint64_t top = load(entry_of("TOP") + 8, 8);
+    const uint64_t table = top + json.at("codestream").get<uint64_t>() * kTopEntryBytes;
+    auto at = static_cast<size_t>(top + load(static_cast<size_t>(table), 8));
+    while (bytes_.at(at) * uint64_t{256} + bytes_.at(at + 1) != marker) ++at;
+    at += json.at("at").get<size_t>();
+    for (const Json& value : json.at("value")) bytes_.at(at++) = value;
+  }
+
+  void resize(const Json& json) {
+    const size_t entry = entry_of(json["resize"]);
+    const auto by = json.at("by").get<int64_t>();
+    const auto end = static_cast<int64_t>(load(entry + 8, 8) + load(entry + 16, 8));
+    if (by > 0) {
+      bytes_.insert(bytes_.begin() + end, static_cast<size_t>(by), 0);
+    } else {
+      bytes_.erase(bytes_.begin() + end + by, bytes_.begin() + end);
+    }
+    store(entry + 16, 8, load(entry + 16, 8) + static_cast<uint64_t>(by));
+    const size_t table_end = load(kAtHeaderBytes, 2) - 4;
+    for (size_t next = entry + kSectionBytes; next < table_end; next += kSectionBytes) {
+      store(next + 8, 8, load(next + 8, 8) + static_cast<uint64_t>(by));
+    }
+  }
+
+  void cut(int64_t length) {
+    const int64_t kept = length < 0 ? static_cast<int64_t>(bytes_.size()) + length : length;
+    bytes_.resize(static_cast<size_t>(kept));
+  }
+
+  void append(const Json& values) {
+    for (const Json& value : values) bytes_.push_back(value);
+  }
+
+  std::vector<uint8_t>& bytes_;
+};
+
+}  // namespace
+
+void edit_stream(std::vector<uint8_t>& bytes, const Json& json) {
+  Editor editor(bytes);
+  try {
+    editor.apply(json);
+  } catch (const std::out_of_range&) {
+    throw TextError(json.dump() + " names a place that is not there");
+  }
+  const Json mend = json.value("mend", Json(true));
+  if (mend != false) editor.mend(mend != "header");
+}
+
+}  // namespace hmlfc::vectors
