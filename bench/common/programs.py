@@ -4,7 +4,7 @@ from bench_error import BenchError
 from sources import ROOT
 
 BUILT = ROOT / "build" / "release"
-HMLFC = BUILT / "model" / "hmlfc"
+HMLFC = BUILT / "tools" / "hmlfc"
 
 
 def built(name):

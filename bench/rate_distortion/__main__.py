@@ -25,6 +25,7 @@ try:
     from bench_error import BenchError
     from light_field import load
     from process import run
+    from programs import HMLFC, require
     from sources import REAL, ROOT, Source, real_sources
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy and python3-pil")
@@ -189,7 +190,7 @@ def parse_arguments():
     add("--json", action="store_true", help="print JSON in place of the tables")
     add("-o", "--output", type=Path, default=ROOT / "out" / "rate_distortion", metavar="FOLDER",
         help="default out/rate_distortion")
-    add("--hmlfc", type=Path, default=ROOT / "build" / "release" / "model" / "hmlfc",
+    add("--hmlfc", type=Path, default=HMLFC,
         help="the program (default: that of ./run)")
     return parser.parse_args()
 
@@ -197,8 +198,7 @@ def parse_arguments():
 def main():
     options = parse_arguments()
     try:
-        if not options.hmlfc.is_file():
-            raise BenchError(f"no program {options.hmlfc}: ./run bench rate_distortion builds it")
+        require("rate_distortion", options.hmlfc)
         options.output.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=options.output) as work:
             bench = Bench(options, Path(work))

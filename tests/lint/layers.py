@@ -58,6 +58,7 @@ SOURCE_LISTS = {
     "tests/decode_path": "tests/decode_path/CMakeLists.txt",
     "tests/fuzz": "tests/fuzz/CMakeLists.txt",
     "tests/mutation/rtl": "tests/mutation/rtl/CMakeLists.txt",
+    "tests/mutation/shaders": "tests/mutation/shaders/CMakeLists.txt",
     "tests/stress": "tests/stress/CMakeLists.txt",
     "bench": "bench/CMakeLists.txt",
     "testbench": "testbench/CMakeLists.txt",
