@@ -81,7 +81,7 @@ class Complaints(ClauseTest):
         for column, name, other in (
             ("naive", "tests/naive_decoder/block.py", "tests/naive_decoder/tests/block_test.py"),
             ("rtl", "rtl/hmlfc_unit.sv", "rtl/formal/unit.sv"),
-            ("gpu", "gpu_ref/shaders/block.glsl", "gpu_ref/check/block.cpp"),
+            ("gpu", "gpu_ref/shaders/block.glsl", "gpu_ref/dut/block.cpp"),
         ):
             with self.subTest(column):
                 self.write(name, "")
