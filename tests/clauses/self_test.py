@@ -88,7 +88,7 @@ class Complaints(ClauseTest):
                 self.write(other, "// DEC-1")
                 self.assert_found(f"DEC-1, {column}: no file cites it")
                 self.write(name, TREE[name])
-        self.write("tests/decode_path/not_decoding.json", '[{"file": "samples/block.cpp", "reason": "x"}]')
+        self.write("tests/decode_path/not_decoding.json", '[{"file": "decoder/block.cpp", "reason": "x"}]')
         self.assert_found("COL-1, model: no file cites it")
 
     def test_new_clause(self):
