@@ -40,10 +40,6 @@ double percentile(std::vector<double> values, double share) {
   return values[std::max<size_t>(rank, 1) - 1];
 }
 
-Json times_json(const std::vector<double>& seconds) {
-  return {{"median", percentile(seconds, 0.5) * 1e3}, {"p95", percentile(seconds, 0.95) * 1e3}};
-}
-
 class Sweep {
  public:
   Sweep(const FrameSweep& sweep, const OpenFile& stream, const OpenFile& source)
@@ -93,7 +89,7 @@ class Sweep {
       row["skipped"] = render.error();
       return row;
     }
-    std::vector<double> cpu, wall;
+    std::vector<double> seconds;
     std::vector<RgbImage> images;
     FrameCounts counts;
     for (int k = 0; k < sweep_.frames; ++k) {
@@ -104,15 +100,14 @@ class Sweep {
       Frame frame;
       const Clock clock;
       const auto drawn = (*render)(*record, stop_level, frame);
-      wall.push_back(clock.wall_seconds());
-      cpu.push_back(clock.cpu_seconds());
+      seconds.push_back(clock.cpu_seconds());
       if (!drawn) return Failure(drawn.error());
       counts.blocks_needed += frame.counts.blocks_needed;
       counts.blocks_decoded += frame.counts.blocks_decoded;
       images.push_back(std::move(frame.image));
     }
-    row["cpu_ms"] = times_json(cpu);
-    row["wall_ms"] = times_json(wall);
+    row["cpu_ms.median"] = percentile(seconds, 0.5) * 1e3;
+    row["cpu_ms.p95"] = percentile(seconds, 0.95) * 1e3;
     row["blocks_needed"] = counts.blocks_needed / static_cast<uint64_t>(sweep_.frames);
     row["blocks_decoded"] = counts.blocks_decoded / static_cast<uint64_t>(sweep_.frames);
     if (!keep(kind_of(setting), std::move(images))) {
@@ -147,10 +142,10 @@ class Sweep {
   void add_errors(const FrameSetting& setting, Json& row) const {
     const FrameErrors& errors = errors_.at(kind_of(setting));
     const auto frames = static_cast<double>(sweep_.frames);
-    row["mse"] = {{"total", errors.total / frames},
-                  {"stream", errors.stream / frames},
-                  {"filter", errors.filter / frames},
-                  {"fixed", errors.fixed / frames}};
+    row["mse.total"] = errors.total / frames;
+    row["mse.stream"] = errors.stream / frames;
+    row["mse.filter"] = errors.filter / frames;
+    row["mse.fixed"] = errors.fixed / frames;
     row["largest_fixed"] = errors.largest_fixed;
     if (setting.filter == Filter::kQuadrilinear) {
       row["bound_fixed"] = fixed_point_bound(camera(0), header_);
