@@ -10,6 +10,7 @@
 
 #include <tl/expected.hpp>
 
+#include <hmlfc/export.hpp>
 #include <hmlfc/format.hpp>
 
 namespace hmlfc {
@@ -54,7 +55,7 @@ struct Camera {
 
 /// `camera` with every input set: CAM-3's last column for a light field of this header. A camera at
 /// a view's place with nothing else set takes the view itself (SMP-4).
-Camera with_defaults(const Camera& camera, const StreamHeader& header);
+HMLFC_EXPORT Camera with_defaults(const Camera& camera, const StreamHeader& header);
 
 /// A vector of integers.
 struct IntVector {
@@ -103,7 +104,7 @@ struct CameraError {
 /// The record of `camera` before a light field of this header (CAM-3, CAM-4, REC-1 to REC-3): the
 /// same integers on every machine. Errors: an input outside its interval, a camera that looks along
 /// the columns of views, or one too far away.
-tl::expected<FrameRecord, CameraError> frame_record(const Camera& camera,
-                                                    const StreamHeader& header);
+HMLFC_EXPORT tl::expected<FrameRecord, CameraError> frame_record(const Camera& camera,
+                                                                 const StreamHeader& header);
 
 }  // namespace hmlfc

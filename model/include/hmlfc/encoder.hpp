@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include <hmlfc/export.hpp>
 #include <hmlfc/format.hpp>
 #include <hmlfc/light_field.hpp>
 #include <hmlfc/measure.hpp>
@@ -63,16 +64,16 @@ using Progress = std::function<void(uint64_t done, uint64_t total)>;
 
 /// Encodes `light_field`. The result is the same bytes for any number of threads and any
 /// instruction set. Errors: a parameter outside its interval, out of memory.
-tl::expected<EncodedStream, EncodeError> encode(const LightField& light_field,
-                                                const EncodeParams& params,
-                                                const Progress& progress = {});
+HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode(const LightField& light_field,
+                                                             const EncodeParams& params,
+                                                             const Progress& progress = {});
 
 /// Encodes with the largest thresholds (both equal) whose PSNR over RGB is at least `target_db`, in
 /// [1, 100]. If even thresholds of 0 do not reach it, because of subsampled chroma, the
 /// result is that of thresholds 0.
-tl::expected<EncodedStream, EncodeError> encode_to_psnr(const LightField& light_field,
-                                                        const EncodeParams& params,
-                                                        double target_db,
-                                                        const Progress& progress = {});
+HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode_to_psnr(const LightField& light_field,
+                                                                     const EncodeParams& params,
+                                                                     double target_db,
+                                                                     const Progress& progress = {});
 
 }  // namespace hmlfc

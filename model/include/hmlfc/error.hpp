@@ -7,6 +7,8 @@
 
 #include <tl/expected.hpp>
 
+#include <hmlfc/export.hpp>
+
 namespace hmlfc {
 
 /// One value for each normative rejection; the numbers are those of annex A.
@@ -54,16 +56,16 @@ struct Error {
 };
 
 /// The name of annex A, such as "bad_magic".
-std::string_view error_name(ErrorCode code);
+HMLFC_EXPORT std::string_view error_name(ErrorCode code);
 
 /// The meaning of annex A, one line without full stop.
-std::string_view error_meaning(ErrorCode code);
+HMLFC_EXPORT std::string_view error_meaning(ErrorCode code);
 
 /// "header", "TOP", "ROOT", "GROUP" or "TILE".
-std::string_view section_name(Section section);
+HMLFC_EXPORT std::string_view section_name(Section section);
 
 /// For people: "bad_levels in TILE at byte 1234: a level code beyond ...".
-std::string to_string(const Error& error);
+HMLFC_EXPORT std::string to_string(const Error& error);
 
 template <class T>
 using Result = tl::expected<T, Error>;

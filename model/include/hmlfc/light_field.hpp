@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <hmlfc/export.hpp>
 #include <hmlfc/image.hpp>
 
 namespace hmlfc {
@@ -25,7 +26,7 @@ struct LightFieldShape {
 /// depth 8 costs exactly rows * cols * width * height * 3 bytes.
 ///
 /// Different views may be written by different threads at the same time; the same view may not.
-class LightField {
+class HMLFC_EXPORT LightField {
  public:
   LightField() = default;
 

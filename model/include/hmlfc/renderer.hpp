@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <hmlfc/camera.hpp>
 #include <hmlfc/decoder.hpp>
+#include <hmlfc/export.hpp>
 #include <hmlfc/image.hpp>
 
 namespace hmlfc {
@@ -38,7 +40,7 @@ struct Frame {
 };
 
 /// Renders frames of one light field. One frame at a time.
-class FrameRenderer {
+class HMLFC_EXPORT FrameRenderer {
  public:
   virtual ~FrameRenderer() = default;
 
@@ -58,11 +60,33 @@ struct RenderOptions {
 };
 
 /// The fast renderer on the CPU. `decoder` must outlive it.
-std::unique_ptr<FrameRenderer> make_cpu_renderer(const Decoder& decoder,
-                                                 const RenderOptions& options = {});
+HMLFC_EXPORT std::unique_ptr<FrameRenderer> make_cpu_renderer(const Decoder& decoder,
+                                                              const RenderOptions& options = {});
 
 /// The golden renderer: docs/rendering.md line by line, pixel by pixel, block by block, with
 /// Decoder::decode_block, on one thread. `decoder` must outlive it.
-std::unique_ptr<FrameRenderer> make_golden_renderer(const Decoder& decoder);
+HMLFC_EXPORT std::unique_ptr<FrameRenderer> make_golden_renderer(const Decoder& decoder);
+
+/// A frame without rounding: the real frame of docs/rendering.md, section 7, in double precision,
+/// which the fixed point is measured against.
+struct RealFrame {
+  uint32_t width = 0;           ///< [1, 4096] pixels
+  uint32_t height = 0;          ///< [1, 4096] pixels
+  std::vector<uint8_t> inside;  ///< 1 for each pixel that is inside (RAY-5), row by row, else 0
+  std::vector<double> samples;  ///< R, G, B of each pixel in [0, 2^depth - 1]; 0 outside
+};
+
+/// The real frame of `camera`, which frame_record accepts for this light field, from views decoded
+/// whole down to `stop_level`. Errors: those of Decoder::decode_view.
+HMLFC_EXPORT Result<RealFrame> render_real(const Decoder& decoder, const Camera& camera,
+                                           int stop_level = 0);
+
+/// The bound of ERR-1 on |frame - real frame| for filter quadrilinear at pixels that are inside in
+/// both, in samples of the light field's depth.
+HMLFC_EXPORT double fixed_point_bound(const Camera& camera, const StreamHeader& header);
+
+/// The mean squared difference of the samples of `frame` from those of `real`, a frame of the same
+/// size, over all pixels.
+HMLFC_EXPORT double mean_squared_error(const RgbImage& frame, const RealFrame& real);
 
 }  // namespace hmlfc

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <hmlfc/error.hpp>
+#include <hmlfc/export.hpp>
 #include <hmlfc/format.hpp>
 
 namespace hmlfc {
@@ -60,7 +61,7 @@ struct StageRecord {
 /// Receives the records of one block in the order in which a decoder makes them. Reference blocks
 /// that are decoded on demand report their fields, with their own site, before the stage that needs
 /// them.
-class TraceSink {
+class HMLFC_EXPORT TraceSink {
  public:
   virtual ~TraceSink() = default;
   virtual void on_field(const FieldRecord& record) = 0;
