@@ -28,7 +28,7 @@ struct OpenOptions {
   /// Check the CRC of every section (FIL-6), which reads the whole file. Without it a damaged
   /// section is found only where a structural check fails.
   bool check_sections = true;
-  DecoderLimits limits{};
+  DecoderLimits limits{};     ///< of what this decoder accepts
   ReadSink* reads = nullptr;  ///< receives what requests read; must outlive the decoder
 };
 
@@ -40,10 +40,10 @@ enum class ReferenceMode : uint8_t {
 
 /// How to decode one block.
 struct BlockOptions {
-  int stop_level = 0;              ///< [0, tree_height]
-  TraceSink* trace = nullptr;      ///< receives every field and stage
-  AccessCounts* counts = nullptr;  ///< what decoding cost is added to it
-  ReferenceMode references = ReferenceMode::kOnDemand;
+  int stop_level = 0;                                   ///< [0, tree_height]
+  TraceSink* trace = nullptr;                           ///< receives every field and stage
+  AccessCounts* counts = nullptr;                       ///< the cost of the block is added to it
+  ReferenceMode references = ReferenceMode::kOnDemand;  ///< never changes the result
 };
 
 /// How to decode all views.
@@ -66,7 +66,9 @@ class HMLFC_EXPORT Decoder {
   /// those of FIL-4 to FIL-7, IDX-4, IDX-5 and KEY-1.
   static Result<Decoder> open(std::span<const uint8_t> file, const OpenOptions& options = {});
 
+  /// The decoder moved from may only be assigned to or destroyed.
   Decoder(Decoder&&) noexcept;
+  /// The decoder moved from may only be assigned to or destroyed.
   Decoder& operator=(Decoder&&) noexcept;
   ~Decoder();
 

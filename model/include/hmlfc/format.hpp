@@ -11,8 +11,8 @@ namespace hmlfc {
 
 inline constexpr uint32_t kMaxGrid = 4096;   ///< of rows and of cols (FIL-1)
 inline constexpr uint32_t kMaxSide = 65536;  ///< of width and of height, pixels
-inline constexpr int kMaxTreeHeight = 15;
-inline constexpr int kMaxWindow = 127;
+inline constexpr int kMaxTreeHeight = 15;    ///< of tree_height
+inline constexpr int kMaxWindow = 127;       ///< of window, samples
 
 /// The planes of YCoCg-R that a view is coded in (COL-1).
 enum class Plane : uint8_t { kY = 0, kCo = 1, kCg = 2 };
@@ -28,27 +28,27 @@ struct ViewPos {
 
 /// One block of one view.
 struct BlockAddress {
-  ViewPos view;
-  Plane plane = Plane::kY;
-  uint32_t bx = 0;  ///< block column, [0, ceil(plane width / B) - 1]
-  uint32_t by = 0;  ///< block row, [0, ceil(plane height / B) - 1]
+  ViewPos view;             ///< the view
+  Plane plane = Plane::kY;  ///< a plane of it
+  uint32_t bx = 0;          ///< block column, [0, ceil(plane width / B) - 1]
+  uint32_t by = 0;          ///< block row, [0, ceil(plane height / B) - 1]
 };
 
 /// A rectangle in samples of a plane, or in pixels of a view. Its sides are at least 1.
 struct Rect {
-  uint32_t x = 0;
-  uint32_t y = 0;
-  uint32_t width = 0;
-  uint32_t height = 0;
+  uint32_t x = 0;       ///< left column
+  uint32_t y = 0;       ///< top row
+  uint32_t width = 0;   ///< columns
+  uint32_t height = 0;  ///< rows
 };
 
 /// Size of a plane in samples.
 struct PlaneSize {
-  uint32_t width = 0;
-  uint32_t height = 0;
+  uint32_t width = 0;   ///< [1, 65536]
+  uint32_t height = 0;  ///< [1, 65536]
 };
 
-/// The sets of tools that a stream may use (specification, sections 9 and 10).
+/// The sets of tools that a stream may use (EXT-1).
 enum class Profile : uint8_t { kMain = 0, kExtended = 1 };
 
 /// The tools of profile extended: bits of feature_flags (EXT-1).
@@ -124,16 +124,16 @@ struct SectionEntry {
 
 /// The header's fields under the names of their table (FIL-1).
 struct StreamHeader {
-  Profile profile = Profile::kMain;
-  uint32_t feature_flags = 0;  ///< sum of feature_bit
-  uint32_t rows = 1;           ///< of views, [1, 4096]
-  uint32_t cols = 1;           ///< of views, [1, 4096]
-  uint32_t width = 1;          ///< of a view in pixels, [1, 65536]
-  uint32_t height = 1;         ///< [1, 65536]
-  int depth = 8;               ///< bits a sample, [8, 12]
-  ChromaFormat chroma_format = ChromaFormat::k420;
-  unsigned block_log2 = 2;                 ///< [1, 3]
-  int window = 16;                         ///< [0, 127] samples
+  Profile profile = Profile::kMain;                 ///< the set of tools
+  uint32_t feature_flags = 0;                       ///< sum of feature_bit
+  uint32_t rows = 1;                                ///< of views, [1, 4096]
+  uint32_t cols = 1;                                ///< of views, [1, 4096]
+  uint32_t width = 1;                               ///< of a view in pixels, [1, 65536]
+  uint32_t height = 1;                              ///< [1, 65536]
+  int depth = 8;                                    ///< bits a sample, [8, 12]
+  ChromaFormat chroma_format = ChromaFormat::k420;  ///< size of Co and Cg
+  unsigned block_log2 = 2;                          ///< [1, 3]
+  int window = 16;                                  ///< [0, 127] samples
   uint32_t cluster_rows = 2;               ///< images of a level under one parent, [1, 255]
   uint32_t cluster_cols = 2;               ///< [1, 255]
   int tree_height = 0;                     ///< [0, 15]
@@ -141,7 +141,7 @@ struct StreamHeader {
   unsigned disparity_precision = 0;        ///< [vector_precision, 5]
   unsigned motion_tile_log2 = 0;           ///< [5, 7], or 0 without motion tiles
   unsigned disparity_grid_log2 = 0;        ///< [2, 5], or 0 without disparities
-  int row_scale = 0;                       ///< [-127, 127], sixteenths
+  int row_scale = 0;                       ///< distance of rows in 1/16 columns, [-127, 127]
   std::vector<LevelEntry> levels;          ///< index = level, [0, tree_height]
   std::array<SectionEntry, 4> sections{};  ///< TOP, ROOT, GROUP, TILE
 

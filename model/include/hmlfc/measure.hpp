@@ -11,9 +11,10 @@ namespace hmlfc {
 /// Squared and largest differences, in samples of RGB and of Y, the luma of YCoCg-R of that RGB.
 struct HMLFC_EXPORT ErrorSums {
   uint64_t rgb_squares = 0;  ///< over all pixels and channels
-  uint64_t y_squares = 0;
-  uint32_t max_abs = 0;  ///< largest |difference| of an RGB sample
+  uint64_t y_squares = 0;    ///< over all pixels
+  uint32_t max_abs = 0;      ///< largest |difference| of an RGB sample
 
+  /// Adds the sums of `other`, of further pixels.
   void add(const ErrorSums& other);
 };
 

@@ -47,7 +47,7 @@ constexpr std::string_view image_kind_name(ImageKind kind) {
 
 /// An image and the one that it refers to, in the grid of its level.
 struct ImageInfo {
-  ImageKind kind = ImageKind::kPredictive;
+  ImageKind kind = ImageKind::kPredictive;  ///< how it is predicted
   uint32_t ref_row =
       0;  ///< the reference image of its reference group (STR-4); its own place where
   uint32_t ref_col = 0;  ///< it is the reference image
@@ -62,9 +62,9 @@ struct ConformanceLimits {
   uint32_t grid_side;    ///< rows and cols, each
   uint32_t view_side;    ///< width and height, each
   uint64_t view_pixels;  ///< width * height
-  int depth;
-  int window;
-  int tree_height;
+  int depth;             ///< bits a sample
+  int window;            ///< samples
+  int tree_height;       ///< levels above the views
 };
 
 /// The table of LVL-1; index = conformance level.
