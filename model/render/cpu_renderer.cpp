@@ -141,7 +141,8 @@ class CpuRenderer final : public FrameRenderer {
     for (uint32_t by = 0; by < rows && !error; ++by) {
       needed.for_each_run_without(held, by, [&](uint32_t begin, uint32_t end) {
         for (uint32_t bx = begin; bx < end && !error; ++bx) {
-          const auto block = decoder_.decode_block({view, plane, bx, by}, stop_level);
+          const auto block =
+              decoder_.decode_block({view, plane, bx, by}, {.stop_level = stop_level});
           if (!block) error = block.error();
         }
       });

@@ -160,7 +160,9 @@ Error first_view_error(const Decoder& decoder, int parent_level, ImagePos parent
 
 }  // namespace
 
-Result<void> Decoder::decode_all(const ViewConsumer& consumer, int stop_level, int threads) const {
+Result<void> Decoder::decode_all(const ViewConsumer& consumer,
+                                 const DecodeAllOptions& options) const {
+  const int stop_level = options.stop_level;
   const Geometry& geometry = state_->stream.geometry;
   if (stop_level < 0 || stop_level > geometry.top()) {
     return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
@@ -170,7 +172,7 @@ Result<void> Decoder::decode_all(const ViewConsumer& consumer, int stop_level, i
   const DecodeSources sources = state_->sparse();
   const FamilyDecoder family(sources, stop_level, consumer);
   FirstError first;
-  parallel_tasks(shape.images(), threads, [&](size_t i) {
+  parallel_tasks(shape.images(), options.threads, [&](size_t i) {
     if (first.failed_before(i)) return;
     const ImagePos parent{static_cast<uint32_t>(i / shape.cols),
                           static_cast<uint32_t>(i % shape.cols)};
