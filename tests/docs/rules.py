@@ -51,7 +51,7 @@ WORDS = rules(
 COMMANDS = rules(
     (r"\./run (demo|soak.*)", NAMED_ONLY, "runs for minutes"),
     (r"\./run test( --require-all)?", NAMED_ONLY, "runs this test"),
-    (r"(?:\./run test|ctest --test-dir \S+) (.*)", r"ctest --test-dir $BUILD -N --no-tests=error \1", "lists the tests"),
+    (r"(?:\./run test|ctest --test-dir \S+) (.*)", r"ctest --test-dir $BUILD -N \1 | grep 'Total Tests: [1-9]'", "lists the tests"),
     (r"cmake (?:--preset |--build build/)(\w+)", r"""cmake --list-presets | grep -F '"\1"'""", "a build takes minutes"),
     (r"(\./run (?:bench (?:accuracy|rate_distortion|skipping)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),
@@ -64,7 +64,7 @@ COMMANDS = rules(
     (r"\./run conform .*faulty_decoder.*", r"\g<0>; test $? = 1", "it fails"),
     (r"\./run conform --merge .*", r"\g<0>; test $? = 5", "the shards have a part of the suite"),
     (r"\./run bench methods", r"\g<0> 30 FOLDER", "a small light field"),
-    (r"\./run bench render", r"\g<0> FILE FOLDER", "a small light field"),
+    (r"\./run bench render", "(./run bench || true) 2>&1 | grep -w render", "measures for minutes; the list of benchmarks has it"),
     (r"\./run bench motion_search", r"\g<0> --benchmark_list_tests", "measures for minutes"),
 )
 

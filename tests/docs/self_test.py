@@ -18,7 +18,7 @@ import rules
 import run_document
 from sandbox import Sandbox
 
-ROOT, HMLFC = (Path(argument).resolve() for argument in sys.argv[1:3])
+ROOT, HMLFC = (Path(argument).absolute() for argument in sys.argv[1:3])
 INFO = "./run info vectors/real/cards-main.hmlfc"
 GOOD = f"""# Page 12
 
