@@ -34,18 +34,12 @@ WORDS = rules(
     (r"--rect 64,32,128,96", "--rect 8,8,32,24", "inside the small views"),
     (r"--frames \d+", "--frames 2", "frames are alike"),
     (r"--views (8|12|all)\b", "--views 1", "views are alike"),
-    (r"--blocks 4000", "--blocks 40", "blocks are alike"),
     (r"(rtl-random .*)--count \d+", r"\1--count 1", "streams are alike"),
-    (r"--latency N", "--latency 30", "a latency"),
     (r"(fuzz-dut .*)--(minutes 60|count 100000)", r"\1--count 2", "minutes are its smallest unit"),
     (r"(minimise .*)--dut '[^']*'", r"""\1--dut 'sh -c "exit 1" {input} {output}' --trials 20""",
      "the decoder in the sandbox does not fail"),
-    (r"synthesis size TARGET .*", "synthesis size ice40 vector", "a small module"),
-    (r"synthesis size ice40$", "synthesis size ice40 vector", "a small module"),
-    (r"synthesis speed .*", "synthesis size ice40 vector", "place and route takes minutes and packages of its own"),
     (r"vectors (\w+) ID", r"vectors \1 syntax/base-palettes", "a vector"),
     (r"\$\{\{ matrix\.preset \}\}", "asan", "one of the three"),
-    (r"conform\.NAME", "conform.model", "one of the four"),
 )
 
 COMMANDS = rules(
@@ -57,7 +51,6 @@ COMMANDS = rules(
      "measures for minutes, or needs a build of its own"),
     (r"(\./run clauses) .*", HELP, "writes into the repository, or needs reports"),
     (r"(\./run vectors generate)", HELP, "takes a minute, and writes into the repository"),
-    (r"(\./run [\w-]+) .*(?:\[|\bN\b|\bROW\b).*", HELP, "a synopsis"),
     (r"\./run compare .*", r"\g<0>; test $? = 1", "the views differ"),
     (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)",
      r"\1 conform --filter 'syntax/base-*' \2; test $? = 5", "the whole suite takes a minute"),
