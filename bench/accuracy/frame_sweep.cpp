@@ -84,9 +84,9 @@ class Sweep {
     Json row{{"setting", setting.text}};
     // A decoder of its own: key images are decoded again.
     const auto decoder = Decoder::open(stream_.file.bytes());
-    const auto render = open_backend(setting, stream_.file.bytes(), *decoder);
-    if (!render) {
-      row["skipped"] = render.error();
+    const auto renderer = open_backend(setting, *decoder);
+    if (!renderer) {
+      row["skipped"] = renderer.error();
       return row;
     }
     std::vector<double> seconds;
@@ -99,9 +99,9 @@ class Sweep {
       if (!record) return Failure(record.error().message);
       Frame frame;
       const Clock clock;
-      const auto drawn = (*render)(*record, stop_level, frame);
+      const auto drawn = (*renderer)->render(*record, stop_level, frame);
       seconds.push_back(clock.cpu_seconds());
-      if (!drawn) return Failure(drawn.error());
+      if (!drawn) return Failure(to_string(drawn.error()));
       counts.blocks_needed += frame.counts.blocks_needed;
       counts.blocks_decoded += frame.counts.blocks_decoded;
       images.push_back(std::move(frame.image));
