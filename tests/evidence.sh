@@ -62,7 +62,7 @@ mutate_model() {
 
 mutate_shaders() {
   install_packages build test
-  build decode_vectors
+  soak=ON build decode_vectors
   exec "$(debian_python)" -B "$root/tests/mutation/shaders/campaign.py" \
     --program "$build/tests/decode_vectors" "$@"
 }
@@ -84,7 +84,7 @@ mutate_rtl() {
     export HMLFC_RTL_MUTANTS=${count:-1092} HMLFC_RTL_MUTANT_SEED=${seed:-1}
     rm -f "$build/settings"  # so that CMake sees them
   fi
-  build rtl_mutants
+  soak=ON build rtl_mutants
   exec "$(debian_python)" -B "$root/tests/mutation/rtl/mutate.py" \
     "$build/mutation_rtl/rtl_mutants" "$build/mutation_rtl/mutants/mutants.json" "$root/vectors" \
     --jobs "$(nproc)" "${rest[@]}"
@@ -110,7 +110,7 @@ run_soak() {
     exit 2
   fi
   install_packages build test
-  build all
+  soak=ON build all
   local begin=$SECONDS left
   say "Tests with label soak, for $minutes minutes at most"
   timeout --signal=INT $((60 * minutes)) \

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Prints the size and speed of modules of rtl/ as a table in Markdown.
 
-usage: ./run synth size TARGET [MODULE...]    TARGET: ice40, ecp5, xc7, osu035
-       ./run synth speed [MODULE...]          Fmax by nextpnr-ice40 on an hx8k in the package ct256
+usage: ./run synthesis size TARGET [MODULE...]    TARGET: ice40, ecp5, xc7, osu035
+       ./run synthesis speed [MODULE...]          Fmax by nextpnr-ice40 on an hx8k in the package ct256
 
 MODULE is a name without "hmlfc_", with parameters as in interpolate,BLOCK_LOG2=1, and outputs that are left open as in
 reconstruct,-prediction; without one, those of the data path.

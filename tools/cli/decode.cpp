@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/for_each_view.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stream_file.hpp"
-#include "cli/thread_limit.hpp"
 #include "io/view_name.hpp"
 #include "io/write_image.hpp"
 

@@ -1,0 +1,64 @@
+"""A folder in which the commands of a document run, on the programs of a build that has everything.
+
+It has a small light field FOLDER with streams of it (FILE, FILE.hmlfc and my.hmlfc of profile extended,
+main.hmlfc and bad.hmlfc of profile main), a decoder ./mydec with its declaration mydec.json, links to the folders of
+the repository that commands name, and a ./run that builds and installs nothing.
+"""
+
+import os
+import shutil
+import subprocess
+
+LINKS = ("docs", "vectors", "tests", "CMakeLists.txt", "CMakePresets.json")
+TIMEOUT = 60  # seconds a command
+
+RUN = """#!/usr/bin/env bash
+source "{root}/run"
+build={build}
+install_packages() {{ :; }}
+build() {{ :; }}
+build_decode_path() {{ :; }}
+main "$@"
+"""
+MYDEC = """#!/usr/bin/env bash
+exec hmlfc decode "$1" -o "$3"
+"""
+DECLARATION = '{ "name": "mydec", "command": "{dut}/mydec {input} -o {output}" }\n'
+FIXTURE = (
+    "hmlfc synth --scene knights --grid 9x9 --size 64x48 -o FOLDER",
+    "hmlfc encode FOLDER -o my.hmlfc --preset fast",
+    "hmlfc encode FOLDER -o main.hmlfc --profile main",
+    "cp my.hmlfc FILE && cp my.hmlfc FILE.hmlfc && cp main.hmlfc bad.hmlfc",
+)
+
+
+class Sandbox:
+    def __init__(self, folder, root, build, program):
+        self.folder = folder
+        shutil.rmtree(folder, ignore_errors=True)
+        (folder / "bin").mkdir(parents=True)
+        for name in LINKS:
+            (folder / name).symlink_to(root / name)
+        self._script("run", RUN.format(root=root, build=build))
+        (folder / "bin" / "hmlfc").symlink_to(program)
+        self._script("mydec", MYDEC)
+        (folder / "mydec.json").write_text(DECLARATION, encoding="utf-8")
+        self.environment = dict(os.environ, PATH=f"{folder}/bin:{os.environ['PATH']}", BUILD=str(build))
+        for command in FIXTURE:
+            result = self.run(command)
+            if result.returncode:
+                raise RuntimeError(f"{command}: {result.stdout}{result.stderr}")
+
+    def _script(self, name, text):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        path.chmod(0o755)
+
+    def run(self, command):
+        """The finished process; status 124 where it takes longer than TIMEOUT."""
+        try:
+            return subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=self.folder,
+                                  env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
+                                  text=True, timeout=TIMEOUT, check=False)
+        except subprocess.TimeoutExpired:
+            return subprocess.CompletedProcess(command, 124, "", f"takes longer than {TIMEOUT} s\n")
