@@ -6,7 +6,7 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "read_file.hpp"
+#include "mapped_file.hpp"
 
 namespace {
 
@@ -35,8 +35,8 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "usage: decode_block FILE ROW COL BX BY\n");
     return 2;
   }
-  const std::vector<uint8_t> file = read_file(arguments[1]);
-  const auto decoder = hmlfc::Decoder::open(file);
+  const MappedFile file(arguments[1]);  // outlives the decoder
+  const auto decoder = hmlfc::Decoder::open(file.bytes());
   if (!decoder) {
     std::fprintf(stderr, "%s\n", to_string(decoder.error()).c_str());
     return 1;

@@ -7,7 +7,7 @@
 
 #include <hmlfc/renderer.hpp>
 
-#include "read_file.hpp"
+#include "mapped_file.hpp"
 
 namespace {
 
@@ -28,9 +28,9 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "usage: render_frame FILE U V FRAME.ppm\n");
     return 2;
   }
-  const std::vector<uint8_t> file = read_file(arguments[1]);
+  const MappedFile file(arguments[1]);  // outlives the decoder
   // A frame reads a small part of the stream: the checksums of whole sections are left out.
-  const auto decoder = hmlfc::Decoder::open(file, {.check_sections = false});
+  const auto decoder = hmlfc::Decoder::open(file.bytes(), {.check_sections = false});
   if (!decoder) {
     std::fprintf(stderr, "%s\n", to_string(decoder.error()).c_str());
     return 1;
