@@ -1,12 +1,12 @@
-#include "stream_check.hpp"
+#include "gpu/stream_check.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include <tbb/parallel_for.h>
 
-#include "gpu_answers.hpp"
-#include "oracle.hpp"
+#include "gpu/gpu_answers.hpp"
+#include "oracle/oracle.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "golden_stream.hpp"
 #include "gpu_decoder.hpp"
-#include "request.hpp"
+#include "oracle/golden_stream.hpp"
+#include "oracle/request.hpp"
 
 namespace hmlfc::gpu {
 

@@ -10,9 +10,9 @@
 #include <systemc>
 #include <tlm>
 
-#include "oracle.hpp"
-#include "register_file.hpp"
+#include "oracle/oracle.hpp"
 #include "tlm/latency.hpp"
+#include "unit/register_file.hpp"
 
 namespace hmlfc::tb {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "oracle.hpp"
+#include "oracle/oracle.hpp"
 #include "tlm/latency_table.hpp"
 
 namespace hmlfc::tb {

@@ -4,7 +4,7 @@
 
 #include "decoder/naive_stream.hpp"
 #include "gpu/gpu_test.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc::gpu {

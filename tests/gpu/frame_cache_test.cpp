@@ -5,7 +5,7 @@
 
 #include "gpu/gpu_test.hpp"
 #include "gpu/render_pair.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {

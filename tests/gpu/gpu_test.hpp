@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/stream_check.hpp"
 #include "gpu_decoder.hpp"
-#include "stream_check.hpp"
 
 namespace hmlfc::gpu {
 

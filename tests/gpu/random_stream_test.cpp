@@ -5,8 +5,8 @@
 #include "bits/naive_bits.hpp"
 #include "decoder/naive_stream.hpp"
 #include "gpu/gpu_test.hpp"
-#include "random.hpp"
-#include "random_stream.hpp"
+#include "stimulus/conditions.hpp"
+#include "stimulus/random_stream.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc::gpu {

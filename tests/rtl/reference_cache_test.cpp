@@ -10,7 +10,7 @@
 #include <ReferenceCache.h>
 #include <ReferenceCacheBroken.h>
 
-#include "reference_area.hpp"
+#include "oracle/reference_area.hpp"
 #include "rtl/ports.hpp"
 #include "rtl/read_port.hpp"
 
