@@ -80,14 +80,14 @@ class Complaints(ClauseTest):
         for column, name, other in (
             ("naive", "tests/naive_decoder/block.py", "tests/naive_decoder/tests/block_test.py"),
             ("rtl", "rtl/hmlfc_unit.sv", "rtl/formal/unit.sv"),
-            ("gpu", "gpu_ref/shaders/block.glsl", "gpu_ref/check/block.cpp"),
+            ("gpu", "gpu_ref/shaders/block.glsl", "gpu_ref/dut/block.cpp"),
         ):
             with self.subTest(column):
                 self.write(name, "")
                 self.write(other, "// DEC-1")
                 self.assert_found(f"DEC-1, {column}: no file cites it")
                 self.write(name, TREE[name])
-        self.write("tests/decode_path/not_decoding.json", '[{"file": "samples/block.cpp", "reason": "x"}]')
+        self.write("tests/decode_path/not_decoding.json", '[{"file": "decoder/block.cpp", "reason": "x"}]')
         self.assert_found("COL-1, model: no file cites it")
 
     def test_new_clause(self):
