@@ -48,7 +48,7 @@ class Oracle {
  public:
   /// Of a stream that LOAD accepted. `mode`: how the golden model reads reference blocks, with the
   /// same result.
-  explicit Oracle(const GoldenStream& stream, ReferenceMode mode = ReferenceMode::kSparse)
+  explicit Oracle(const GoldenStream& stream, ReferenceMode mode = ReferenceMode::kOnDemand)
       : stream_(&stream), mode_(mode) {}
 
   /// Of a unit whose LOAD ended with `load_error`, not 0: every request is answered with it.
@@ -73,7 +73,7 @@ class Oracle {
   void fill_rgb(ExpectedAnswer& expected) const;
 
   const GoldenStream* stream_ = nullptr;
-  ReferenceMode mode_ = ReferenceMode::kSparse;
+  ReferenceMode mode_ = ReferenceMode::kOnDemand;
   uint8_t load_error_ = 0;
   std::array<CacheLine, 1024> cache_;
 };

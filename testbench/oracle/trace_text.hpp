@@ -6,6 +6,7 @@
 #include <string>
 
 #include "oracle/golden_stream.hpp"
+#include "oracle/level_record.hpp"
 
 namespace hmlfc::tb {
 

@@ -75,6 +75,11 @@ std::filesystem::path keep_failure(Bench& bench, const UnitMaker& maker, StreamI
   std::fprintf(message.get(), "%s\nrepeating %s: %s\nwhole run: %s\n",
                to_string(failure.mismatch).c_str(), which.c_str(),
                again ? to_string(*again).c_str() : "no difference", failure.replay.c_str());
+  if (!std::filesystem::exists(folder / "wave.fst")) {
+    std::fprintf(message.get(),
+                 "no wave: blocks of 4 x 4 in the Verilated unit have one after\n"
+                 "cmake --preset release -DHMLFC_RTL_WAVES=ON\n");
+  }
   return folder;
 }
 

@@ -36,7 +36,8 @@ class RecordedSource {
 };
 
 /// Repeats the failing block alone in a fresh unit of `maker`, or, if it does not fail alone, with
-/// its history, and writes into `root`/failure/`id`: message.txt, model.txt, unit.txt and wave.fst.
+/// its history, and writes into `root`/failure/`id`: message.txt, model.txt, unit.txt, and wave.fst
+/// from units that have waves.
 /// `bench` is left with that unit. Returns the folder.
 std::filesystem::path keep_failure(Bench& bench, const UnitMaker& maker, StreamImage& image,
                                    const Failure& failure, const std::filesystem::path& root);

@@ -84,8 +84,11 @@ class DecodeUnit {
 
   virtual UnitParameters parameters() const = 0;
 
-  /// Writes a wave of everything from now on to `path`; units without waves ignore it.
-  virtual void open_wave(const std::string& path) { static_cast<void>(path); }
+  /// Writes a wave of everything from now on to `path`; false where the unit has no waves.
+  virtual bool open_wave(const std::string& path) {
+    static_cast<void>(path);
+    return false;
+  }
 };
 
 }  // namespace hmlfc::tb

@@ -106,18 +106,10 @@ foreach(source IN LISTS HMLFC_RTL_SOURCES)
 endforeach()
 
 # Small blocks, little memory: quick to compile, and tiles and strips give way often.
-add_library(hmlfc_FaultyUnit STATIC "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
-verilate(hmlfc_FaultyUnit
+hmlfc_verilate_unit(hmlfc_FaultyUnit FaultyUnit 1:12:64:4
   SOURCES ${sources}
-  TOP_MODULE hmlfc_decode_unit
-  PREFIX FaultyUnit
-  INCLUDE_DIRS "${folder}" "${PROJECT_SOURCE_DIR}/rtl"
-  OPT_FAST -O2
-  OPT_SLOW -O1
-  OPT_GLOBAL -O2
-  VERILATOR_ARGS -GBLOCK_LOG2=1 -GMAX_DEPTH=12 -GAXI_DATA_BITS=64 -GOUTSTANDING=4
-    -GTILE_CONTEXTS=2 -GCACHE_STRIPS=64 -Wno-lint --x-assign fast --x-initial fast --noassert)
-configure_file(rtl_faults.cpp.in rtl_faults.cpp @ONLY)
+  ARGUMENTS "-I${folder}" -GTILE_CONTEXTS=2 -GCACHE_STRIPS=64 -Wno-lint)
+configure_file(unit/rtl_faults.cpp.in rtl_faults.cpp @ONLY)
 add_library(hmlfc_rtl_faults STATIC "${CMAKE_CURRENT_BINARY_DIR}/rtl_faults.cpp")
 target_compile_definitions(hmlfc_rtl_faults PRIVATE VM_COVERAGE=0 VM_TRACE=0)
 target_link_libraries(hmlfc_rtl_faults PUBLIC hmlfc_bench hmlfc_FaultyUnit)

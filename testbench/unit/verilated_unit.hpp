@@ -19,14 +19,18 @@
 namespace hmlfc::tb {
 
 #if VM_TRACE
-/// The wave of a unit, from open() on.
+/// The wave of a unit, from open() on; a unit that was not Verilated for waves has none.
 class Wave {
  public:
   template <class Model>
-  void open(Model& model, const std::string& path) {
-    file_ = std::make_unique<VerilatedFstC>();
-    model.trace(file_.get(), 99);
-    file_->open(path.c_str());
+  bool open(Model& model, const std::string& path) {
+    if constexpr (requires(VerilatedFstC* file) { model.trace(file, 99); }) {
+      file_ = std::make_unique<VerilatedFstC>();
+      model.trace(file_.get(), 99);
+      file_->open(path.c_str());
+      return true;
+    }
+    return false;
   }
   void dump(uint64_t time) {
     if (file_) file_->dump(time);
@@ -39,10 +43,12 @@ class Wave {
   std::unique_ptr<VerilatedFstC> file_;
 };
 #else
-/// The Verilated unit has no waves.
+/// No unit of this build has waves.
 struct Wave {
   template <class Model>
-  void open(Model&, const std::string&) {}
+  bool open(Model&, const std::string&) {
+    return false;
+  }
   void dump(uint64_t) {}
   void close() {}
 };
@@ -84,7 +90,7 @@ inline void write_coverage(VerilatedContext& context) {
   context.coveragep()->write(path.c_str());
 }
 
-/// `Model` is Verilator's class of the top module for `parameters`; the FST wave is on request.
+/// `Model` is Verilator's class of the top module for `parameters`; open_wave() starts an FST wave.
 template <class Model>
 class VerilatedUnit final : public DecodeUnit {
  public:
@@ -121,7 +127,7 @@ class VerilatedUnit final : public DecodeUnit {
   bool has_trace() const override { return true; }
   UnitParameters parameters() const override { return parameters_; }
 
-  void open_wave(const std::string& path) override { wave_.open(*model_, path); }
+  bool open_wave(const std::string& path) override { return wave_.open(*model_, path); }
 
  private:
   void dump() {
