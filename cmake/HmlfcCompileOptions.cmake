@@ -15,6 +15,10 @@ target_compile_options(hmlfc_warnings INTERFACE
 # decisions gives the same result on every instruction set.
 add_compile_options(-ffp-contract=off)
 
+if(HMLFC_PLAIN_THREADS)
+  add_compile_definitions(HMLFC_PLAIN_THREADS)
+endif()
+
 if(HMLFC_SANITIZE)
   add_compile_options(-fsanitize=${HMLFC_SANITIZE} -fno-sanitize-recover=all
                       -fno-omit-frame-pointer)

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "arithmetic/rounding.hpp"
 #include "batch_buffers.hpp"
+#include "bits/parallel.hpp"
 #include "commands.hpp"
 #include "decoder/key_images.hpp"
 #include "stream_shape.hpp"
@@ -105,7 +104,7 @@ void DeviceStream::upload_keys(Device::State& device, const StreamView& stream) 
     const size_t count = std::min(kPlanesAtOnce, planes.size() - begin);
     const KeyImages keys(stream);
     std::vector<PackedPlane> packed(count);
-    tbb::parallel_for(size_t{0}, count, [&](size_t i) {
+    parallel_for(count, [&](size_t i) {
       const KeyPlane& key = planes[begin + i];
       packed[i] =
           pack(keys.plane(key.level, key.image, key.plane), stream.geometry.plane(key.plane));

@@ -99,9 +99,9 @@ PlaneSize Decoder::plane_size(Plane plane) const {
   return {shape.width, shape.height};
 }
 
-Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block, int stop_level,
-                                                   TraceSink* sink, AccessCounts* counts,
-                                                   ReferenceMode mode) const {
+Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block,
+                                                   const BlockOptions& options) const {
+  const int stop_level = options.stop_level;
   const Geometry& geometry = state_->stream.geometry;
   const PlaneShape& plane = geometry.plane(block.plane);
   if (!has_view(header(), block.view, stop_level) || block.bx >= plane.blocks_x ||
@@ -111,9 +111,10 @@ Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block, in
   const ImagePos image = geometry.ancestor({block.view.row, block.view.col}, 0, stop_level);
   const BlockSite site{stop_level, image.row, image.col, block.plane, block.bx, block.by};
   const DecodeSources sources =
-      mode == ReferenceMode::kSparse ? state_->sparse() : state_->on_demand();
+      options.references == ReferenceMode::kSparse ? state_->sparse() : state_->on_demand();
   return guard_memory([&]() -> Result<std::vector<int32_t>> {
-    const auto values = hmlfc::decode_block(sources, site, Probe{sink, counts, site});
+    const auto values =
+        hmlfc::decode_block(sources, site, Probe{options.trace, options.counts, site});
     if (!values) return tl::unexpected(values.error());
     return std::vector<int32_t>(values->span().begin(), values->span().end());
   });
@@ -193,6 +194,8 @@ Result<RgbImage> Decoder::decode_rgb(ViewPos view, const Rect& rect, int stop_le
 Result<RgbImage> Decoder::decode_view(ViewPos view, int stop_level) const {
   return decode_rgb(view, {0, 0, header().width, header().height}, stop_level);
 }
+
+const StreamView& DecoderAccess::stream(const Decoder& decoder) { return decoder.state_->stream; }
 
 size_t Decoder::reference_bytes() const { return state_->references.bytes(); }
 

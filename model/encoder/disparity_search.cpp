@@ -4,10 +4,9 @@
 #include <array>
 #include <limits>
 
-#include <tbb/parallel_for.h>
-
 #include "arithmetic/bise.hpp"
 #include "arithmetic/rounding.hpp"
+#include "bits/parallel.hpp"
 #include "encoder/subpel_prediction.hpp"
 
 namespace hmlfc {
@@ -169,9 +168,9 @@ CoarseResult coarse_disparities(const DisparitySearch& search, int32_t limit) {
   const uint32_t blocks_y = ceil_div(search.height, 1u << search.grid_log2);
   std::vector<std::vector<int64_t>> counts(blocks_y, std::vector<int64_t>(candidates));
   std::vector<int64_t> errors(blocks_y);
-  tbb::parallel_for(uint32_t{0}, blocks_y, [&](uint32_t by) {
+  parallel_for(blocks_y, [&](size_t by) {
     RowCosts costs(search, all, step);
-    costs.run(by);
+    costs.run(static_cast<uint32_t>(by));
     for (uint32_t bx = 0; bx < costs.blocks_x(); ++bx) {
       size_t best = 0;
       for (size_t k = 1; k < candidates; ++k) {
@@ -203,8 +202,8 @@ DisparityGrid search_disparities(const DisparitySearch& search, const DisparityR
   grid.blocks_y = ceil_div(search.height, 1u << search.grid_log2);
   grid.values.resize(size_t{grid.blocks_x} * grid.blocks_y);
   const uint32_t tiles_y = ceil_div(search.height, 1u << search.tile_log2);
-  tbb::parallel_for(uint32_t{0}, tiles_y,
-                    [&](uint32_t ty) { search_tile_row(search, range, ty, grid); });
+  parallel_for(tiles_y,
+               [&](size_t ty) { search_tile_row(search, range, static_cast<uint32_t>(ty), grid); });
   return grid;
 }
 

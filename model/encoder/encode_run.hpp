@@ -5,10 +5,9 @@
 #include <mutex>
 #include <new>
 
-#include <tbb/task_arena.h>
-
 #include <hmlfc/encoder.hpp>
 
+#include "bits/parallel.hpp"
 #include "encoder/encode_session.hpp"
 
 namespace hmlfc {
@@ -37,8 +36,9 @@ class ProgressCounter {
 template <class Body>
 tl::expected<EncodedStream, EncodeError> run_encoder(int threads, const Body& body) {
   try {
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    return arena.execute(body);
+    tl::expected<EncodedStream, EncodeError> encoded;
+    run_on_threads(threads, [&] { encoded = body(); });
+    return encoded;
   } catch (const std::bad_alloc&) {
     return tl::unexpected(
         EncodeError{"out of memory: encode fewer or smaller views, or free some memory"});

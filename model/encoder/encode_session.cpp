@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <new>
 
-#include <tbb/parallel_for.h>
-
 #include "arithmetic/rounding.hpp"
+#include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "encoder/stream_assembly.hpp"
@@ -112,7 +111,7 @@ std::vector<uint8_t> EncodeSession::write_top() const {
   const std::vector<ImagePos> keys = key_positions(geometry_);
   std::vector<std::vector<uint8_t>> codestreams(keys.size() * kPlaneCount);
   std::vector<uint32_t> crcs(codestreams.size());
-  tbb::parallel_for(size_t{0}, keys.size(), [&](size_t k) {
+  parallel_for(keys.size(), [&](size_t k) {
     const ImagePlanes planes = geometry_.top() == 0
                                    ? view_planes(light_field_, geometry_, keys[k])
                                    : originals_.at(geometry_, geometry_.top(), keys[k]);

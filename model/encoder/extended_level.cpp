@@ -5,10 +5,9 @@
 #include <mutex>
 #include <new>
 
-#include <tbb/parallel_for.h>
-
 #include "arithmetic/rounding.hpp"
 #include "arithmetic/sample_range.hpp"
+#include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "encoder/motion_choice.hpp"
@@ -47,13 +46,11 @@ class LevelEncoder {
   }
 
   void run() {
-    tbb::parallel_for(size_t{0}, references_.size(),
-                      [&](size_t i) { encode_reference(references_[i]); });
+    parallel_for(references_.size(), [&](size_t i) { encode_reference(references_[i]); });
     if (motion_ && !predictive_.empty()) {
       for (const ImagePos at : references_) find_disparities(at);
     }
-    tbb::parallel_for(size_t{0}, predictive_.size(),
-                      [&](size_t i) { encode_predictive(predictive_[i]); });
+    parallel_for(predictive_.size(), [&](size_t i) { encode_predictive(predictive_[i]); });
   }
 
  private:

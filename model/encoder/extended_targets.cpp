@@ -4,9 +4,8 @@
 #include <limits>
 #include <new>
 
-#include <tbb/parallel_for.h>
-
 #include "arithmetic/steps.hpp"
+#include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "encoder/view_planes.hpp"
 
@@ -96,7 +95,7 @@ void choose_key_errors(const LightField& light_field, const StreamHeader& header
   const ImagePlanes planes = view_planes(light_field, geometry, middle);
   const double images_a_key =
       static_cast<double>(level.images()) / static_cast<double>(geometry.key_count());
-  tbb::parallel_for(size_t{0}, planes.size(), [&](size_t p) {
+  parallel_for(planes.size(), [&](size_t p) {
     const PlaneShape& shape = geometry.plane(kPlanes[p]);
     const SamplePlane inside = cropped(planes[p], shape.width, shape.height);
     targets[p].key_error = KeyTrial(inside, {header.depth + (p > 0 ? 1 : 0), p > 0},

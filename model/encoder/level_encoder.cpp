@@ -5,9 +5,8 @@
 #include <mutex>
 #include <optional>
 
-#include <tbb/parallel_for.h>
-
 #include "arithmetic/rounding.hpp"
+#include "bits/parallel.hpp"
 #include "encoder/view_error.hpp"
 #include "encoder/view_planes.hpp"
 
@@ -32,8 +31,7 @@ class GroupEncoder {
       }
     }
     encode_reference(reference, !predictive.empty());
-    tbb::parallel_for(size_t{0}, predictive.size(),
-                      [&](size_t i) { encode_predictive(predictive[i]); });
+    parallel_for(predictive.size(), [&](size_t i) { encode_predictive(predictive[i]); });
   }
 
  private:
@@ -68,7 +66,7 @@ class GroupEncoder {
 
   void encode_reference(ImagePos at, bool is_needed) {
     ImagePlanes planes = original(at);
-    tbb::parallel_for(size_t{0}, planes.size(), [&](size_t p) {
+    parallel_for(planes.size(), [&](size_t p) {
       const Plane plane = kPlanes[p];
       if (geometry_.is_key(task_.level, at)) {
         if (is_needed) references_[p].emplace(reference_plane(planes[p], plane));
@@ -86,7 +84,7 @@ class GroupEncoder {
 
   void encode_predictive(ImagePos at) {
     ImagePlanes planes = original(at);
-    tbb::parallel_for(size_t{0}, planes.size(), [&](size_t p) {
+    parallel_for(planes.size(), [&](size_t p) {
       PlaneTask task = plane_task(at, kPlanes[p], planes);
       task.threshold = task_.params->threshold_pred;
       task.reference = &*references_[p];
@@ -130,7 +128,7 @@ void encode_level(const LevelTask& task) {
   const uint32_t group_rows = ceil_div(shape.rows, shape.ref_rows);
   const uint32_t group_cols = ceil_div(shape.cols, shape.ref_cols);
   std::mutex error_mutex;
-  tbb::parallel_for(uint64_t{0}, uint64_t{group_rows} * group_cols, [&](uint64_t i) {
+  parallel_for(size_t{group_rows} * group_cols, [&](size_t i) {
     const ImagePos first{static_cast<uint32_t>(i / group_cols) * shape.ref_rows,
                          static_cast<uint32_t>(i % group_cols) * shape.ref_cols};
     GroupEncoder(task, first, error_mutex).run();

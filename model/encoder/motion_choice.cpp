@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include <tbb/parallel_for.h>
-
 #include "arithmetic/bise.hpp"
 #include "arithmetic/rounding.hpp"
+#include "bits/parallel.hpp"
 
 namespace hmlfc {
 namespace {
@@ -302,10 +301,10 @@ class TileChoice {
 std::vector<MotionTileCode> choose_motion(const MotionTask& task) {
   const std::vector<MotionSymbol> symbols = symbols_of(task);
   std::vector<MotionTileCode> tiles(static_cast<size_t>(task.shape.tiles()));
-  tbb::parallel_for(uint32_t{0}, task.shape.tiles_y, [&](uint32_t ty) {
+  parallel_for(task.shape.tiles_y, [&](size_t ty) {
     TileChoice choice(task, symbols);
     for (uint32_t tx = 0; tx < task.shape.tiles_x; ++tx) {
-      tiles[size_t{ty} * task.shape.tiles_x + tx] = choice.run(tx, ty);
+      tiles[ty * task.shape.tiles_x + tx] = choice.run(tx, static_cast<uint32_t>(ty));
     }
   });
   return tiles;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "arithmetic/rounding.hpp"
+#include "bits/parallel.hpp"
 
 namespace hmlfc {
 namespace {
@@ -49,7 +48,7 @@ RkvTree build_rkv_tree(const LightField& light_field, const Geometry& geometry,
     const LevelShape& shape = geometry.level(level);
     const LevelShape& below = geometry.level(level - 1);
     tree.levels.emplace_back(static_cast<size_t>(shape.images()));
-    tbb::parallel_for(uint64_t{0}, shape.images(), [&](uint64_t i) {
+    parallel_for(static_cast<size_t>(shape.images()), [&](size_t i) {
       const auto row = static_cast<uint32_t>(i / shape.cols);
       const auto col = static_cast<uint32_t>(i % shape.cols);
       ClusterMean mean;

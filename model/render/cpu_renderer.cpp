@@ -6,9 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
+#include "bits/parallel.hpp"
 #include "decoder/memory_guard.hpp"
 #include "render/frame_planner.hpp"
 #include "render/frame_sampler.hpp"
@@ -38,14 +36,17 @@ class CpuRenderer final : public FrameRenderer {
       : decoder_(decoder),
         progressive_(options.progressive),
         cache_(decoder.header(), options.cache_bytes, options.progressive),
-        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+        threads_(options.threads) {}
 
   Result<void> render(const FrameRecord& record, int stop_level, Frame& frame) override {
     if (!fits(record, decoder_.header(), stop_level)) {
       return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
     }
-    return guard_memory(
-        [&] { return arena_.execute([&] { return render_here(record, stop_level, frame); }); });
+    return guard_memory([&] {
+      Result<void> rendered;
+      run_on_threads(threads_, [&] { rendered = render_here(record, stop_level, frame); });
+      return rendered;
+    });
   }
 
  private:
@@ -106,7 +107,7 @@ class CpuRenderer final : public FrameRenderer {
     // Pages are made by one thread: their views' tables of rows are not shared then.
     for (const Missing& at : missing) at.view->page(at.page);
     std::atomic<bool> failed = false;
-    tbb::parallel_for(size_t{0}, missing.size(), [&](size_t i) {
+    parallel_for(missing.size(), [&](size_t i) {
       const Missing& at = missing[i];
       const auto ok = guard_memory([&] {
         return load_page(decoder_, cache_.shape(), stop_level, coarser(*at.view, stop_level),
@@ -140,7 +141,8 @@ class CpuRenderer final : public FrameRenderer {
     for (uint32_t by = 0; by < rows && !error; ++by) {
       needed.for_each_run_without(held, by, [&](uint32_t begin, uint32_t end) {
         for (uint32_t bx = begin; bx < end && !error; ++bx) {
-          const auto block = decoder_.decode_block({view, plane, bx, by}, stop_level);
+          const auto block =
+              decoder_.decode_block({view, plane, bx, by}, {.stop_level = stop_level});
           if (!block) error = block.error();
         }
       });
@@ -151,7 +153,7 @@ class CpuRenderer final : public FrameRenderer {
   const Decoder& decoder_;
   bool progressive_;
   ViewCache cache_;
-  tbb::task_arena arena_;
+  int threads_;
 };
 
 }  // namespace

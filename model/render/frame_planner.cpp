@@ -5,9 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "bits/parallel.hpp"
 #include "render/row_kernels.hpp"
 #include "render/view_lookup.hpp"
 
@@ -15,7 +13,7 @@ namespace hmlfc {
 namespace {
 
 // Rows that one task plans: those of a block or more, so that tasks seldom set the same bits.
-constexpr int32_t kTaskRows = 16;
+constexpr size_t kTaskRows = 16;
 
 // Where along a run the blocks that one column, or row, of views reads change.
 struct BlockSteps {
@@ -135,11 +133,11 @@ class RowPlanner {
 uint64_t plan_frame(const FrameRecord& record, int stop_level, const StreamHeader& header,
                     ViewCache& cache) {
   std::atomic<uint64_t> reads = 0;
-  const tbb::blocked_range<int32_t> rows(0, record.frame_height, kTaskRows);
-  tbb::parallel_for(rows, [&](const tbb::blocked_range<int32_t>& part) {
+  const auto rows = static_cast<size_t>(record.frame_height);
+  parallel_for_parts(rows, kTaskRows, [&](size_t begin, size_t end) {
     RowPlanner planner(record, stop_level, header, cache);
     uint64_t part_reads = 0;
-    for (int32_t j = part.begin(); j < part.end(); ++j) part_reads += planner.plan(j);
+    for (size_t j = begin; j < end; ++j) part_reads += planner.plan(static_cast<int32_t>(j));
     reads += part_reads;
   });
   return reads * 3;

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "bits/parallel.hpp"
 #include "render/row_kernels.hpp"
 #include "render/view_lookup.hpp"
 
 namespace hmlfc {
 namespace {
 
-constexpr int32_t kTaskRows = 16;
+constexpr size_t kTaskRows = 16;
 
 // What one task needs to sample rows.
 class RowSampler {
@@ -61,11 +59,11 @@ void sample_frame(const FrameRecord& record, int stop_level, const StreamHeader&
   image.height = static_cast<uint32_t>(record.frame_height);
   image.depth = header.depth;
   image.samples.resize(size_t{image.width} * image.height * 3);
-  const tbb::blocked_range<int32_t> rows(0, record.frame_height, kTaskRows);
-  tbb::parallel_for(rows, [&](const tbb::blocked_range<int32_t>& part) {
+  const auto rows = static_cast<size_t>(record.frame_height);
+  parallel_for_parts(rows, kTaskRows, [&](size_t begin, size_t end) {
     RowSampler sampler(record, stop_level, header, cache);
-    for (int32_t j = part.begin(); j < part.end(); ++j) {
-      sampler.sample(j, image.samples.data() + static_cast<size_t>(j) * image.width * 3);
+    for (size_t j = begin; j < end; ++j) {
+      sampler.sample(static_cast<int32_t>(j), image.samples.data() + j * image.width * 3);
     }
   });
 }

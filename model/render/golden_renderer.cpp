@@ -29,7 +29,7 @@ class Blocks {
   // Decodes `needed` in its order (NED-2).
   Result<void> decode(const BlockSet& needed) {
     for (const BlockAddress& block : needed) {
-      auto samples = decoder_.decode_block(block, stop_level_);
+      auto samples = decoder_.decode_block(block, {.stop_level = stop_level_});
       if (!samples) return tl::unexpected(samples.error());
       blocks_.emplace(block, std::move(*samples));
     }

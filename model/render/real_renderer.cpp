@@ -1,4 +1,5 @@
-#include "render/real_renderer.hpp"
+// The real frame of docs/rendering.md, section 7.
+#include <hmlfc/renderer.hpp>
 
 #include <algorithm>
 #include <cmath>

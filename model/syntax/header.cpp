@@ -228,12 +228,4 @@ std::vector<uint8_t> write_header(const StreamHeader& header) {
   return bytes;
 }
 
-std::string_view method_name(const StreamHeader& header) {
-  const bool motion = std::any_of(header.levels.begin(), header.levels.end(), [](LevelEntry level) {
-    return level.ref_rows > 1 || level.ref_cols > 1;
-  });
-  if (header.tree_height == 0) return motion ? "mc" : "intra";
-  return motion ? "hmlfc" : "rlfc";
-}
-
 }  // namespace hmlfc

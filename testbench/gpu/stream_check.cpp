@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <tbb/parallel_for.h>
-
+#include "bits/parallel.hpp"
 #include "gpu/gpu_answers.hpp"
 #include "oracle/oracle.hpp"
 
@@ -28,7 +27,7 @@ std::vector<tb::ExpectedAnswer> expected_answers(const tb::GoldenStream& stream,
                                                  std::span<const tb::Request> requests) {
   std::vector<tb::ExpectedAnswer> expected(requests.size());
   const size_t tasks = (requests.size() + kRequestsPerTask - 1) / kRequestsPerTask;
-  tbb::parallel_for(size_t{0}, tasks, [&](size_t task) {
+  parallel_for(tasks, [&](size_t task) {
     tb::Oracle oracle(stream);
     const size_t end = std::min(requests.size(), (task + 1) * kRequestsPerTask);
     for (size_t i = task * kRequestsPerTask; i < end; ++i) {

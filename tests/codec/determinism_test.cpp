@@ -1,16 +1,16 @@
 // The same bytes for any number of threads.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <hmlfc/encoder.hpp>
 
+#include "bits/parallel.hpp"
 #include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {
 namespace {
 
 // Lets 7 threads be 7 on machines with fewer cores.
-const tbb::global_control kSevenThreads(tbb::global_control::max_allowed_parallelism, 7);
+const ThreadLimit kSevenThreads(7);
 
 TEST(Determinism, BytesDoNotDependOnThreads) {
   const LightField field = test::textured_light_field({5, 7, 61, 43, 8}, 3, 12);

@@ -36,7 +36,7 @@ ALLOWED = {
     "model/render": DECODER,
     "model/encoder": DECODER,
     "gpu_ref": CODEC - {"model/encoder"},
-    "tools/io": set(),
+    "tools/io": {"model/bits"},
     "tools/scenes": {"tools/io"},
     "tools/vectors": {*CODEC, "tools/io", "tools/scenes"} - {"model/render"},
     "tools/conform": {*CODEC, "tools/io", "tools/vectors"} - {"model/render"},

@@ -6,7 +6,6 @@
 #include <hmlfc/renderer.hpp>
 
 #include "render/pixel_reads.hpp"
-#include "render/real_renderer.hpp"
 #include "render/render_cases.hpp"
 
 namespace hmlfc {

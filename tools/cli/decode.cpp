@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/for_each_view.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stream_file.hpp"
-#include "cli/thread_limit.hpp"
 #include "io/view_name.hpp"
 #include "io/write_image.hpp"
 
@@ -69,7 +69,7 @@ void decode_everything(const StreamFile& file, const ViewWriter& writer, int sto
     const std::scoped_lock lock(mutex);
     progress(++done, count);
   };
-  value_or_throw(file.decoder().decode_all(write_view, stop_level, threads), file.path());
+  value_or_throw(file.decoder().decode_all(write_view, {stop_level, threads}), file.path());
   first.rethrow();
 }
 

@@ -8,6 +8,7 @@
 
 #include <hmlfc/encoder.hpp>
 
+#include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/coding_options.hpp"
 #include "cli/commands.hpp"
@@ -16,7 +17,6 @@
 #include "cli/quality.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/stream_report.hpp"
-#include "cli/thread_limit.hpp"
 #include "cli/view_source.hpp"
 #include "io/atomic_file.hpp"
 #include "io/light_field_files.hpp"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/camera_options.hpp"
 #include "cli/commands.hpp"
@@ -15,8 +16,6 @@
 #include "cli/quality_sweep.hpp"
 #include "cli/render_backend.hpp"
 #include "cli/stream_file.hpp"
-#include "cli/thread_limit.hpp"
-#include "decoder/touched_bytes.hpp"
 #include "io/write_animation.hpp"
 #include "io/write_image.hpp"
 

@@ -3,13 +3,12 @@
 
 #include <array>
 #include <atomic>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <vector>
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
+#include "bits/parallel.hpp"
 #include "decoder/decoder_state.hpp"
 #include "decoder/fast/region_decoder.hpp"
 #include "decoder/memory_guard.hpp"
@@ -41,10 +40,8 @@ class FirstError {
   Error error_;
 };
 
-template <class Body>
-void parallel_tasks(uint64_t count, int threads, const Body& body) {
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_for(uint64_t{0}, count, body); });
+void parallel_tasks(uint64_t count, int threads, const std::function<void(size_t)>& body) {
+  run_on_threads(threads, [&] { parallel_for(static_cast<size_t>(count), body); });
 }
 
 using ViewPlanes = std::array<SamplePlane, kPlaneCount>;
@@ -163,7 +160,9 @@ Error first_view_error(const Decoder& decoder, int parent_level, ImagePos parent
 
 }  // namespace
 
-Result<void> Decoder::decode_all(const ViewConsumer& consumer, int stop_level, int threads) const {
+Result<void> Decoder::decode_all(const ViewConsumer& consumer,
+                                 const DecodeAllOptions& options) const {
+  const int stop_level = options.stop_level;
   const Geometry& geometry = state_->stream.geometry;
   if (stop_level < 0 || stop_level > geometry.top()) {
     return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
@@ -173,7 +172,7 @@ Result<void> Decoder::decode_all(const ViewConsumer& consumer, int stop_level, i
   const DecodeSources sources = state_->sparse();
   const FamilyDecoder family(sources, stop_level, consumer);
   FirstError first;
-  parallel_tasks(shape.images(), threads, [&](uint64_t i) {
+  parallel_tasks(shape.images(), options.threads, [&](size_t i) {
     if (first.failed_before(i)) return;
     const ImagePos parent{static_cast<uint32_t>(i / shape.cols),
                           static_cast<uint32_t>(i % shape.cols)};
@@ -192,7 +191,7 @@ Result<void> Decoder::load_references(int threads) const {
   for (int level = geometry.top() - 1; level >= 0; --level) {
     const LevelShape& shape = geometry.level(level);
     if (shape.keyed || (shape.ref_rows == 1 && shape.ref_cols == 1)) continue;
-    parallel_tasks(shape.images(), threads, [&](uint64_t i) {
+    parallel_tasks(shape.images(), threads, [&](size_t i) {
       const ImagePos image{static_cast<uint32_t>(i / shape.cols),
                            static_cast<uint32_t>(i % shape.cols)};
       if (!geometry.is_reference(level, image)) return;
