@@ -10,8 +10,8 @@
 #include "decoder/fast/sparse_plane.hpp"
 #include "decoder/golden/block_decoder.hpp"
 #include "decoder/key_images.hpp"
-#include "syntax/stream_view.hpp"
 #include "oracle/request.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::tb {
 

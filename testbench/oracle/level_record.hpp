@@ -1,5 +1,4 @@
-// What happens to one block of one image of the tree: the unit's trace record and what the golden
-// model expects of it.
+// One block of one image of the tree: the unit's trace record and the golden model's expectation.
 #pragma once
 
 #include <array>

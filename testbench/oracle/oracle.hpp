@@ -1,4 +1,4 @@
-// What the golden model says about a request: the answer and every stage on the way.
+// The golden model's result for a request: the answer and every stage that leads to it.
 #pragma once
 
 #include <array>
@@ -32,9 +32,9 @@ struct ExpectedAnswer {
   unsigned inside_y = 0;
 };
 
-/// What tells the chroma blocks of a request for RGB from others: its view, stop level and chroma
-/// block. The unit leaves them out where those of the latest request for RGB were the same. Nothing
-/// for other requests and for refused ones.
+/// Identifies the chroma blocks of a request for RGB: view, stop level and chroma block. The unit
+/// omits them where those of the latest request for RGB were the same. Null for other requests and
+/// for refused ones.
 inline std::optional<uint64_t> chroma_key(const ExpectedAnswer& expected) {
   if (expected.request.plane != kRgb || !expected.planes[1]) return std::nullopt;
   Request chroma = expected.request;
@@ -46,8 +46,8 @@ inline std::optional<uint64_t> chroma_key(const ExpectedAnswer& expected) {
 /// Evaluates each block once; chroma that several RGB requests share is kept for a while.
 class Oracle {
  public:
-  /// Of a stream that LOAD accepted. `mode`: how the golden model reads reference blocks, with the
-  /// same result.
+  /// Of a stream that LOAD accepted. `mode`: where reference blocks come from: the golden path, or
+  /// the fast path's planes, with the same result.
   explicit Oracle(const GoldenStream& stream, ReferenceMode mode = ReferenceMode::kOnDemand)
       : stream_(&stream), mode_(mode) {}
 

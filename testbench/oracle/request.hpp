@@ -25,16 +25,16 @@ struct UnitParameters {
   unsigned block_log2 = 2;
   unsigned max_depth = 8;
   unsigned beat_bytes = 16;
-  unsigned outstanding = 16;  ///< most bursts in flight
+  unsigned outstanding = 16;  ///< maximum of bursts in flight
 
   unsigned block_size() const { return 1u << block_log2; }
   friend bool operator==(const UnitParameters&, const UnitParameters&) = default;
 };
 
-/// The status of a block that needs a beat the memory did not give.
+/// The status of a block that needs a beat which the memory failed to deliver.
 inline constexpr auto kBusError = static_cast<uint8_t>(ErrorCode::kBusError);
 
-/// The name of status `status` in [0, 63]; "unknown" for numbers that stand for no error.
+/// The name of status `status` in [0, 63]; "unknown" for numbers that name no error.
 inline std::string status_name(unsigned status) {
   if (status >= static_cast<unsigned>(kErrorCodeCount)) return "unknown";
   return std::string(error_name(static_cast<ErrorCode>(status)));

@@ -57,7 +57,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--unit", o.unit, "rtl or stand-in")
       ->check(CLI::IsMember({"rtl", "stand-in"}))
       ->capture_default_str();
-  app.add_option("--output", o.output, "Folder that failure/ID/ is put into")
+  app.add_option("--output", o.output, "Folder in which failure/ID/ is created")
       ->capture_default_str();
   app.add_flag("--answers-only", o.answers_only, "Do not compare the stages of the trace port");
   app.add_flag("--coverage", o.coverage, "Print the functional coverage");

@@ -81,7 +81,7 @@ bool run_seed(Bench& bench, const std::vector<UnitMaker>& makers, const Options&
   bool equal = true;
   for (const UnitMaker& maker : makers) {
     Case one{seed, fmt::format("seed {}", seed), suite_stream(seed, maker.parameters.block_size())};
-    spoil(one.bytes, suite_damage(seed), seed);
+    corrupt(one.bytes, suite_damage(seed), seed);
     equal = run_stream(bench, maker, o, one, total) && equal;
   }
   return equal;
@@ -142,17 +142,18 @@ class Progress {
 int run(int argc, char** argv) {
   CLI::App app{"Checks the decode unit on random streams"};
   Options o;
-  app.add_option("--seed", o.seed, "Of the first stream")->capture_default_str();
-  app.add_option("--count", o.count, "How many seeds from there")->capture_default_str();
-  app.add_option("--minutes", o.minutes, "Go on for so long instead of --count seeds")
+  app.add_option("--seed", o.seed, "Seed of the first stream")->capture_default_str();
+  app.add_option("--count", o.count, "Number of seeds")->capture_default_str();
+  app.add_option("--minutes", o.minutes, "Run for this time in place of --count seeds")
       ->check(CLI::Range(0.0, 100000.0));
   app.add_option("--unit", o.unit, "rtl or stand-in")
       ->check(CLI::IsMember({"rtl", "stand-in"}))
       ->capture_default_str();
-  app.add_option("--output", o.output, "Folder that failure/ID/ is put into")
+  app.add_option("--output", o.output, "Folder in which failure/ID/ is created")
       ->capture_default_str();
-  app.add_option("--suite", o.suite,
-                 "Not random streams but the vectors of this folder; a seed is a vector's number");
+  app.add_option(
+      "--suite", o.suite,
+      "Run the vectors of this folder in place of random streams; a seed is a vector's number");
   app.add_flag("--coverage", o.coverage, "Print the functional coverage");
   app.add_flag("--all-points", o.all_points, "Fail where a functional point is not met");
   app.add_option("--points", o.points, "Write the functional coverage to this file, as JSON");

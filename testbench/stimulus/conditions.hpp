@@ -10,7 +10,7 @@ using vectors::Random;
 /// How the bench treats the unit. Probabilities are in permille for each clock.
 struct Conditions {
   unsigned latency = 20;        ///< clocks from an address to its first beat, [0, 200]
-  unsigned latency_jitter = 0;  ///< up to so many more, drawn for each burst
+  unsigned latency_jitter = 0;  ///< at most so many more, drawn for each burst
   unsigned stall = 0;           ///< no beat of read data
   unsigned address_stall = 0;   ///< no read address taken
   unsigned backpressure = 0;    ///< no answer taken

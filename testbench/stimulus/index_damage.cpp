@@ -22,7 +22,7 @@ std::span<uint8_t> section_of(std::span<uint8_t> stream, const StreamHeader& hea
   return stream.subspan(static_cast<size_t>(section.offset), static_cast<size_t>(section.size));
 }
 
-// Whether entry `i` of `count` is spoiled: entry `always`, and `permille` of the others.
+// Whether entry `i` of `count` is corrupted: entry `always`, and `permille` of the others.
 bool drawn(uint64_t i, uint64_t always, unsigned permille, Random& random) {
   return random.chance(permille) || i == always;
 }
@@ -37,7 +37,7 @@ void set_field(std::span<uint8_t> bytes, uint64_t position, unsigned count, uint
   }
 }
 
-void spoil_place(std::span<uint8_t> place, Random& random) {
+void corrupt_place(std::span<uint8_t> place, Random& random) {
   switch (random.below(4)) {
     case 0:
       place[kOffsetBitsByte] = 0;
@@ -78,7 +78,7 @@ void for_each_table(std::span<uint8_t> stream, const StreamHeader& header, Visit
 
 }  // namespace
 
-void spoil_root_entries(std::span<uint8_t> stream, const StreamHeader& header, Random& random) {
+void corrupt_root_entries(std::span<uint8_t> stream, const StreamHeader& header, Random& random) {
   const auto section = section_of(stream, header, 1);
   const uint64_t count = section.size() / kRootEntryBytes;
   const uint64_t always = random.below(count);
@@ -89,7 +89,7 @@ void spoil_root_entries(std::span<uint8_t> stream, const StreamHeader& header, R
   }
 }
 
-void spoil_group_records(std::span<uint8_t> stream, const StreamHeader& header, Random& random) {
+void corrupt_group_records(std::span<uint8_t> stream, const StreamHeader& header, Random& random) {
   const auto section = section_of(stream, header, kGroupSection);
   const uint64_t count = section.size() / kGroupRecordBytes;
   if (count == 0) return;
@@ -97,11 +97,11 @@ void spoil_group_records(std::span<uint8_t> stream, const StreamHeader& header, 
   for (uint64_t i = 0; i < count; ++i) {
     if (!drawn(i, always, 500, random)) continue;
     const auto at = static_cast<size_t>(i * kGroupRecordBytes);
-    spoil_place(section.subspan(at + kPlaceByte, 8), random);
+    corrupt_place(section.subspan(at + kPlaceByte, 8), random);
   }
 }
 
-void spoil_end_tables(std::span<uint8_t> stream, const StreamHeader& header, Random& random) {
+void corrupt_end_tables(std::span<uint8_t> stream, const StreamHeader& header, Random& random) {
   for_each_table(stream, header, [&](const EndTable& table) {
     const uint64_t always = random.below(table.count);
     uint64_t begin = 0;
@@ -114,7 +114,7 @@ void spoil_end_tables(std::span<uint8_t> stream, const StreamHeader& header, Ran
   });
 }
 
-void spoil_record_heads(std::span<uint8_t> stream, const StreamHeader& header, Random& random) {
+void corrupt_record_heads(std::span<uint8_t> stream, const StreamHeader& header, Random& random) {
   for_each_table(stream, header, [&](const EndTable& table) {
     uint64_t begin = 0;
     for (unsigned j = 0; j < table.count; ++j) {

@@ -6,8 +6,8 @@
 #include "bits/crc32c.hpp"
 #include "decoder/key_images.hpp"
 #include "scenes/test_light_fields.hpp"
-#include "stimulus/index_damage.hpp"
 #include "stimulus/conditions.hpp"
+#include "stimulus/index_damage.hpp"
 #include "syntax/geometry.hpp"
 #include "syntax/header.hpp"
 
@@ -59,7 +59,7 @@ Damage suite_damage(uint32_t seed) {
   return kDamages[(seed / 2 + seed % 2) % kDamages.size()];
 }
 
-void spoil(std::vector<uint8_t>& stream, Damage damage, uint64_t seed) {
+void corrupt(std::vector<uint8_t>& stream, Damage damage, uint64_t seed) {
   Random random(seed);
   const auto header = parse_header(stream);
   if (!header) return;
@@ -75,13 +75,13 @@ void spoil(std::vector<uint8_t>& stream, Damage damage, uint64_t seed) {
       change_bytes(stream, header->sections[3].offset, stream.size(), 30, random);
       return;
     case Damage::kRootEntries:
-      return spoil_root_entries(stream, *header, random);
+      return corrupt_root_entries(stream, *header, random);
     case Damage::kGroupRecords:
-      return spoil_group_records(stream, *header, random);
+      return corrupt_group_records(stream, *header, random);
     case Damage::kEndTables:
-      return spoil_end_tables(stream, *header, random);
+      return corrupt_end_tables(stream, *header, random);
     case Damage::kRecordHeads:
-      return spoil_record_heads(stream, *header, random);
+      return corrupt_record_heads(stream, *header, random);
     case Damage::kVersion:
       stream[kVersionByte] ^= static_cast<uint8_t>(random.within(1, 255));
       return;

@@ -6,7 +6,7 @@
 
 namespace hmlfc::tb {
 
-/// How a stream is spoiled before it is loaded.
+/// What is corrupted in a stream before it is loaded.
 enum class Damage : uint8_t {
   kNone,
   kIndexAndTiles,
@@ -23,15 +23,15 @@ enum class Damage : uint8_t {
   kCut
 };
 
-/// Spoils `stream`, which is intact, by `seed`. With kProfile and kHeaderField the header's CRC is
-/// right again.
-void spoil(std::vector<uint8_t>& stream, Damage damage, uint64_t seed);
+/// Corrupts `stream`, which is intact, by `seed`. With kProfile and kHeaderField the header's CRC
+/// is right again.
+void corrupt(std::vector<uint8_t>& stream, Damage damage, uint64_t seed);
 
 /// The stream of case `seed`: of a random light field of either profile, with blocks of
 /// `block_size`; two seeds in 16, one of each profile, have a light field of one view. Intact.
 std::vector<uint8_t> suite_stream(uint32_t seed, unsigned block_size);
 
-/// How the stream of case `seed` is spoiled: half of them are not.
+/// How the stream of case `seed` is corrupted: half of them are not.
 Damage suite_damage(uint32_t seed);
 
 }  // namespace hmlfc::tb

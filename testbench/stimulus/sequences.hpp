@@ -32,10 +32,10 @@ class ScanOrder {
 
 /// Which blocks of a stream to ask for.
 struct ScanPlan {
-  uint64_t views = 1;     ///< so many views, drawn by the seed; all where there are no more
+  uint64_t views = 1;     ///< number of views, drawn by the seed; at most all
   unsigned plane = kRgb;  ///< [0, 3]
   unsigned stop_level = 0;
-  double fraction = 1;        ///< so large a part of the blocks, drawn by the seed; (0, 1]
+  double fraction = 1;        ///< share of the blocks, drawn by the seed; (0, 1]
   bool random_order = false;  ///< each request draws a view and a block
   uint64_t seed = 0;
 };

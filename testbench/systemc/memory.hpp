@@ -23,7 +23,7 @@ struct FaultyRange {
   uint8_t response = 2;
 };
 
-/// What the memory has given.
+/// Counts of the memory.
 struct MemoryCounts {
   uint64_t bursts = 0;
   uint64_t beats = 0;

@@ -1,4 +1,4 @@
-// The first thing that went wrong in a run.
+// The first failure of a run.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace hmlfc::tb {
 
-/// One finding. What has no request (a broken protocol rule) names none.
+/// One finding. A broken protocol rule names no request.
 struct Mismatch {
-  std::string rule;  ///< what was broken, such as "answer: sample" or "protocol: burst over 4 KiB"
+  std::string rule;  ///< the broken rule, such as "answer: sample" or "protocol: burst over 4 KiB"
   std::optional<Request> request;
   std::string place;   ///< the level block, where a stage differs
   std::string detail;  ///< stage, field, expected and actual
   uint64_t cycle = 0;
 };
 
-/// One line with everything a report needs.
+/// One line for a report.
 inline std::string to_string(const Mismatch& mismatch) {
   std::string text = mismatch.rule;
   if (mismatch.request) text += ": " + to_string(*mismatch.request);

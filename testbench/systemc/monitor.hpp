@@ -1,4 +1,4 @@
-// Watches the pins: tells the scoreboard what passes, and checks the rules of the channels.
+// Watches the pins: notifies the scoreboard of each transfer and checks the channel rules.
 #pragma once
 
 #include "systemc/mismatch.hpp"
@@ -7,7 +7,7 @@
 
 namespace hmlfc::tb {
 
-/// What passed on the stream channels.
+/// Counts of the stream channels.
 struct StreamCounts {
   uint64_t answer_stalls = 0;  ///< clocks in which an answer waited for ready
   uint64_t busy = 0;           ///< clocks with a request in flight
@@ -40,7 +40,7 @@ class StreamMonitor final : public EdgeModule {
 };
 
 /// Watches m_axi_*: bursts of full beats, INCR, at most 16, inside 4 KiB, aligned, ID 0, stable
-/// while they wait, and never more on their way than the unit was built for.
+/// while they wait, and at most UnitParameters::outstanding in flight.
 class ReadMonitor final : public EdgeModule {
  public:
   ReadMonitor(const sc_core::sc_module_name& name, Wires& wires, Findings& findings)

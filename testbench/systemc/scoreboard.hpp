@@ -1,4 +1,4 @@
-// Compares what the unit says with what the golden model says, stage by stage and at the end.
+// Compares the unit's results with the golden model's, stage by stage and answer by answer.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace hmlfc::tb {
 /// Blocks by state, key images last.
 inline constexpr size_t kBlockKinds = 5;
 
-/// What passed through a scoreboard. At the end of a run sent = received + dropped, and received =
+/// Counts of a scoreboard. At the end of a run sent = received + dropped, and received =
 /// compared + unchecked.
 struct ScoreCounts {
   uint64_t sent = 0;       ///< requests the unit took

@@ -108,7 +108,7 @@ class CaseRun {
     bench_.memory().set_faults({});
     bench_.scoreboard().allow_bus_errors(false);
     // Whether the unit still holds chroma is known after one request for RGB. Were others for the
-    // same block behind it, its records could not be told from theirs.
+    // same block behind it, its records could not be distinguished from theirs.
     if (good()) send(listed_requests({{0, 0, 0, 0, kRgb, 0, true}}), 0);
   }
 
@@ -123,7 +123,7 @@ class CaseRun {
                             : random_.chance(800) ? Damage::kHeaderField
                             : random_.chance(500) ? Damage::kHeaderByte
                                                   : Damage::kCut;
-      spoil(bytes, damage, random_.next());
+      corrupt(bytes, damage, random_.next());
       StreamImage(bytes, bench_.unit().parameters()).load_into(bench_);
     }
     return good() && load();

@@ -20,7 +20,7 @@ struct Wires {
   sc_core::sc_event edge;
 };
 
-/// A module that does something at every edge.
+/// A module that acts at every edge.
 class EdgeModule : public sc_core::sc_module {
  public:
   EdgeModule(const sc_core::sc_module_name& name, Wires& wires)

@@ -1,4 +1,4 @@
-// How long the unit takes, for the loosely timed model.
+// Latencies of the unit, for the loosely timed model.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The decode unit at the level of its pins, whatever stands behind them.
+// The decode unit at its pins, independent of the implementation behind them.
 #pragma once
 
 #include <array>
@@ -75,8 +75,8 @@ class DecodeUnit {
  public:
   virtual ~DecodeUnit() = default;
 
-  /// One rising edge, at which the unit sees `at_edge`; then `after` are its inputs, and `outputs`
-  /// become what it shows with them.
+  /// One rising edge, at which the unit samples `at_edge`; then its inputs become `after`, and
+  /// `outputs` the values that follow from them.
   virtual void clock(const UnitInputs& at_edge, const UnitInputs& after, UnitOutputs& outputs) = 0;
 
   /// Whether it has the trace port.

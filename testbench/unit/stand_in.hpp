@@ -1,5 +1,5 @@
-// A behavioural unit at the pins, with the golden model inside and faults to plant: what the bench
-// itself is tested with.
+// A behavioural unit at the pins, with the model inside and faults to plant, on which the bench
+// itself is tested.
 #pragma once
 
 #include <deque>
@@ -12,7 +12,7 @@
 
 namespace hmlfc::tb {
 
-/// What a stand-in does wrong, once, at the first chance from its answer number 20 on.
+/// What a stand-in does wrong, once, at the first opportunity from answer 20 on.
 enum class Fault : uint8_t {
   kNone,
   kSample,         ///< one sample of the answer
@@ -34,8 +34,9 @@ inline constexpr Fault kFaults[] = {Fault::kSample,  Fault::kStage,         Faul
                                     Fault::kStatus,  Fault::kLast,          Fault::kUnstable,
                                     Fault::kBurst,   Fault::kRecordMissing, Fault::kCounter};
 
-/// Reads the whole stream over the read master at LOAD, then a beat for each request; answers what
-/// the golden model says. The reference area is not read.
+/// Reads the whole stream over the read master at LOAD, then a beat for each request; answers with
+/// the model's decoder and its fast references, so that the bench compares these with the golden
+/// ones. The reference area is not read.
 class StandIn final : public DecodeUnit {
  public:
   explicit StandIn(const UnitParameters& parameters, Fault fault = Fault::kNone);

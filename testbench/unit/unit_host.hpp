@@ -1,5 +1,5 @@
-// The least that a decode unit needs around it: software's registers, a memory without faults, a
-// queue of requests. No SystemC, no checks: what the unit says is what comes out.
+// The minimum around a decode unit: software's register accesses, a memory without faults, a queue
+// of requests. No SystemC and no checks: the unit's answers come out unchanged.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace hmlfc::tb {
 
-/// Thrown where the unit does nothing for too long.
+/// Thrown when the unit makes no progress for too long.
 class UnitHangs : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -24,7 +24,7 @@ class Wave {
  public:
   template <class Model>
   bool open(Model& model, const std::string& path) {
-    if constexpr (requires(VerilatedFstC* file) { model.trace(file, 99); }) {
+    if constexpr (requires(VerilatedFstC * file) { model.trace(file, 99); }) {
       file_ = std::make_unique<VerilatedFstC>();
       model.trace(file_.get(), 99);
       file_->open(path.c_str());

@@ -135,7 +135,7 @@ class CacheRun {
       ++sent;
     }
     EXPECT_TRUE(expected_.empty()) << "windows that never came";
-    // A strip that a bus error spoiled is forgotten at the clock after its window.
+    // A strip that a bus error corrupted is forgotten at the clock after its window.
     for (int i = 0; i < 4; ++i) tick(dut_);
   }
 

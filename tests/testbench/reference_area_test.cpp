@@ -125,7 +125,7 @@ TEST(ReferenceArea, PoisonsWhatDoesNotDecode) {
   Counts counts;
   for (uint32_t seed = 0; seed < 24; ++seed) {
     auto bytes = random_stream(seed);
-    spoil(bytes, seed % 3 == 0 ? Damage::kKeyImages : Damage::kIndexAndTiles, seed);
+    corrupt(bytes, seed % 3 == 0 ? Damage::kKeyImages : Damage::kIndexAndTiles, seed);
     check_stream(bytes, counts);
   }
   EXPECT_GT(counts.poisoned, 1000u);

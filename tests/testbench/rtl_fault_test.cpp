@@ -26,7 +26,7 @@ std::optional<Mismatch> run_with(unsigned fault, uint32_t& seed, uint32_t seeds)
   const UnitMaker maker{"faulty", kFaultyUnit, &make_unit};
   for (const uint32_t end = seed + seeds; seed < end; ++seed) {
     auto bytes = suite_stream(seed, maker.parameters.block_size());
-    spoil(bytes, suite_damage(seed), seed);
+    corrupt(bytes, suite_damage(seed), seed);
     StreamImage image(bytes, maker.parameters);
     const SuiteResult result = run_case(test_bench(), maker, image, seed);
     if (result.mismatch) return result.mismatch;

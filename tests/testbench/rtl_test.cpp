@@ -14,7 +14,7 @@ class Rtl : public testing::TestWithParam<uint32_t> {};
 
 void expect_equal(const UnitMaker& maker, uint32_t seed) {
   auto bytes = suite_stream(seed, maker.parameters.block_size());
-  spoil(bytes, suite_damage(seed), seed);
+  corrupt(bytes, suite_damage(seed), seed);
   StreamImage image(bytes, maker.parameters);
   const SuiteResult result = run_case(test_bench(), maker, image, seed);
   ASSERT_FALSE(result.mismatch) << "replay: ./run rtl-random --seed " << seed << ": B "

@@ -19,7 +19,7 @@ TEST(Suite, PassesOnTheStandInAndCoversEveryPoint) {
     const UnitMaker maker{"stand-in",
                           {bytes[30], 12, seed % 5 == 0 ? 8u : 16u, 16},  // block_log2
                           &StandIn::make};
-    spoil(bytes, suite_damage(seed), seed);
+    corrupt(bytes, suite_damage(seed), seed);
     StreamImage image(bytes, maker.parameters);
     const SuiteResult result = run_case(bench, maker, image, seed);
     ASSERT_FALSE(result.mismatch) << "seed " << seed << ": " << to_string(*result.mismatch);

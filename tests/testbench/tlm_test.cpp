@@ -40,7 +40,7 @@ TEST(TlmModel, AnswersAsTheGoldenModel) {
 TEST(TlmModel, RefusesWhatLoadMustRefuse) {
   for (uint32_t seed = 0; seed < 8; ++seed) {
     auto bytes = random_stream(seed, 4);
-    spoil(bytes, seed % 2 == 0 ? Damage::kHeaderField : Damage::kCut, seed);
+    corrupt(bytes, seed % 2 == 0 ? Damage::kHeaderField : Damage::kCut, seed);
     run(bytes, seed);
   }
   run(random_stream(3, 8), 3);  // blocks of another size
@@ -49,7 +49,7 @@ TEST(TlmModel, RefusesWhatLoadMustRefuse) {
 TEST(TlmModel, ReportsDamage) {
   for (uint32_t seed = 0; seed < 8; ++seed) {
     auto bytes = random_stream(seed, 4);
-    spoil(bytes, Damage::kIndexAndTiles, seed);
+    corrupt(bytes, Damage::kIndexAndTiles, seed);
     run(bytes, seed);
   }
 }
