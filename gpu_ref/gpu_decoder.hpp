@@ -10,7 +10,7 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 #include "device.hpp"
 #include "failure.hpp"
 #include "syntax/stream_view.hpp"

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "arithmetic/colour.hpp"
-#include "arithmetic/narrow.hpp"
+#include "arithmetic/widths.hpp"
 #include "decoder/memory_guard.hpp"
 #include "render/block_set.hpp"
 #include "render/pixel_reads.hpp"

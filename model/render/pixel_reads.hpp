@@ -6,7 +6,7 @@
 #include <hmlfc/camera.hpp>
 #include <hmlfc/decoder.hpp>
 
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 #include "render/pixel_taps.hpp"
 #include "render/ray.hpp"
 #include "render/view_weights.hpp"

@@ -6,7 +6,7 @@
 #include <hmlfc/camera.hpp>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 #include "render/ray.hpp"
 
 namespace hmlfc {

@@ -9,7 +9,7 @@
 #include <hmlfc/format.hpp>
 #include <hmlfc/trace.hpp>
 
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 #include "oracle/request.hpp"
 
 namespace hmlfc::tb {

@@ -4,7 +4,6 @@
 
 #include "arithmetic/colour.hpp"
 #include "decoder/golden/block_walk.hpp"
-#include "decoder/golden/motion_walk.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "decoder/plane_block.hpp"
+#include "decoder/sample_plane.hpp"
 
 namespace hmlfc::tb {
 namespace {
@@ -17,25 +17,24 @@ class PlaneSource {
  public:
   PlaneSource(const StreamView& stream, const KeyImages& keys, const SparseReferences& references,
               const AreaPlane& plane)
-      : block_size_(stream.geometry.block_size()) {
+      : block_size_(stream.geometry.block_size()), references_(references), plane_(plane) {
     if (stream.geometry.level(plane.level).keyed) {
       key_ = keys.plane(plane.level, plane.image, plane.plane);
-    } else {
-      sparse_ = references.plane(plane.level, plane.image, plane.plane);
     }
   }
 
   Result<BlockValues> block(uint32_t bx, uint32_t by) const {
     if (!key_) return tl::unexpected(key_.error());
     if (*key_) return block_of_plane(**key_, block_size_, bx, by);
-    if (!sparse_) return tl::unexpected(sparse_.error());
-    return SparseReference(**sparse_).block(bx, by);
+    return references_.block(
+        {plane_.level, plane_.image.row, plane_.image.col, plane_.plane, bx, by});
   }
 
  private:
   unsigned block_size_;
+  const SparseReferences& references_;
+  const AreaPlane& plane_;
   Result<std::shared_ptr<const SamplePlane>> key_{nullptr};
-  Result<std::shared_ptr<const SparsePlane>> sparse_{nullptr};
 };
 
 class AreaBuilder {

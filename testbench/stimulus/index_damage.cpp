@@ -43,7 +43,7 @@ void corrupt_place(std::span<uint8_t> place, Random& random) {
       place[kOffsetBitsByte] = 0;
       return;
     case 1:
-      place[kOffsetBitsByte] = static_cast<uint8_t>(random.within(kMaxEndBits + 1, 255));
+      place[kOffsetBitsByte] = static_cast<uint8_t>(random.within(kMaxOffsetBits + 1, 255));
       return;
     case 2:
       place[kUpperByte] = static_cast<uint8_t>(random.within(1, 255));

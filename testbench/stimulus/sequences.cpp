@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "arithmetic/rounding.hpp"
-#include "syntax/tile_layout.hpp"
+#include "syntax/tile_masks.hpp"
 
 namespace hmlfc::tb {
 namespace {

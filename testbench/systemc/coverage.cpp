@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc::tb {
 namespace {

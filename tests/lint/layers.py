@@ -2,6 +2,7 @@
 """Checks the shape of the source tree and prints each violation as file:line: reason.
 
 Layers: a file includes only its own layer, the layers below it and public headers.
+Golden: what the golden path includes, through whatever headers, holds nothing of the fast path.
 Length: no source file is longer than MAX_LINES.
 Lists:  each .cpp file stands in its folder's list of sources, so that none is left unbuilt.
 """
@@ -55,6 +56,8 @@ ALLOWED = {
     "bench": APPLICATIONS,
     "examples": set(),
 }
+# Folder to one that its files do not reach through any chain of includes.
+UNREACHABLE = {"model/decoder/golden": "model/decoder/fast"}
 # Where a quoted name is looked up, after the folder of the file and its topmost folder.
 ROOTS = ("model", "tools", "gpu_ref", "testbench", ".")
 
@@ -131,6 +134,43 @@ def include_violation(root, path, folder, name):
     return None
 
 
+def includes_of(root, name):
+    """The files of the repository that file `name` includes with quotes, by line."""
+    path = root / name
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        match = QUOTED_INCLUDE.match(line)
+        target = match and included_file(root, path, match.group(1))
+        if target:
+            yield number, target
+
+
+def reach_violations(root):
+    """Chains of two includes or more from a folder of UNREACHABLE; layer_violations has the others."""
+    for path in cpp_files(root):
+        folder = folder_of(path.relative_to(root).as_posix())
+        forbidden = UNREACHABLE.get(folder)
+        if forbidden is None:
+            continue
+        for number, first in includes_of(root, path.relative_to(root).as_posix()):
+            chain = chain_to(root, first, forbidden)
+            if len(chain) > 1:
+                yield path, number, f"{folder} reaches {forbidden}: {' -> '.join(chain)}"
+
+
+def chain_to(root, first, folder):
+    """The shortest chain of includes from file `first` to a file of `folder`; empty if there is none."""
+    chains = [[first]]
+    known = {first}
+    for chain in chains:  # grows
+        if folder_of(chain[-1]) == folder:
+            return chain
+        for _, target in includes_of(root, chain[-1]):
+            if target not in known:
+                known.add(target)
+                chains.append([*chain, target])
+    return []
+
+
 def length_violations(root):
     for path in source_files(root):
         lines = path.read_text().count("\n")
@@ -156,7 +196,8 @@ def list_violations(root):
 
 def violations(root):
     """All violations below root, as 'file:line: reason' with the file relative to root."""
-    found = [*layer_violations(root), *length_violations(root), *list_violations(root)]
+    checks = (layer_violations, reach_violations, length_violations, list_violations)
+    found = [violation for check in checks for violation in check(root)]
     return [f"{path.relative_to(root)}:{line}: {reason}" for path, line, reason in found]
 
 

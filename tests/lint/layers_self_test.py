@@ -79,6 +79,20 @@ class LayersTest(unittest.TestCase):
             "model/decoder/golden/x.hpp:1: model/decoder/golden may not include model/decoder/fast",
         )
 
+    def test_golden_path_reaches_nothing_fast(self):
+        chain = {
+            "model/decoder/golden/x.hpp": '#include "decoder/b.hpp"\n#include "bits/a.hpp"\n',
+            "model/decoder/b.hpp": '#include "decoder/c.hpp"\n',
+            "model/decoder/c.hpp": '#include "decoder/b.hpp"\n#include "decoder/fast/y.hpp"\n',
+            "model/decoder/fast/y.hpp": '#include "decoder/golden/x.hpp"\n',
+        }
+        self.assert_found(
+            chain,
+            "model/decoder/golden/x.hpp:1: model/decoder/golden reaches model/decoder/fast: "
+            "model/decoder/b.hpp -> model/decoder/c.hpp -> model/decoder/fast/y.hpp",
+        )
+        self.assert_found({**chain, "model/decoder/c.hpp": '#include "decoder/b.hpp"\n'})
+
     def test_public_header_includes_a_layer(self):
         self.assert_found(
             {"model/include/hmlfc/public.hpp": '#include "bits/a.hpp"\n'},

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc::stress {
 

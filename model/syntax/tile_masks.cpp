@@ -1,9 +1,8 @@
-#include "syntax/mask_writer.hpp"
+#include "syntax/tile_masks.hpp"
 
 #include <bit>
 
-#include "bits/bit_mask.hpp"
-#include "syntax/tile_layout.hpp"
+#include "bits/bit_string.hpp"
 
 namespace hmlfc {
 namespace {
@@ -20,6 +19,17 @@ uint32_t quad_mask(uint64_t mask) {
   return quads;
 }
 
+uint64_t read_quad_mask(FieldCursor& cursor) {
+  const uint32_t quads = cursor.take("quad_mask", "TIL-3", kQuadsInTile);
+  uint64_t mask = 0;
+  for (unsigned q = 0; q < kQuadsInTile; ++q) {
+    if (!has_bit(quads, q)) continue;
+    const uint64_t blocks = cursor.take("quad_blocks", "TIL-3", kBlocksInQuad);
+    mask |= blocks << (kBlocksInQuad * q);
+  }
+  return mask;
+}
+
 }  // namespace
 
 uint32_t mask_mode(uint64_t mask, uint64_t inside) {
@@ -33,6 +43,19 @@ unsigned mask_bits(uint64_t mask, uint32_t mode) {
   if (mode == kMaskRaw) return 64;
   if (mode != kMaskQuads) return 0;
   return kQuadsInTile + kBlocksInQuad * static_cast<unsigned>(std::popcount(quad_mask(mask)));
+}
+
+uint64_t read_mask(FieldCursor& cursor, uint32_t mode, uint64_t inside) {
+  switch (mode) {
+    case kMaskAll:
+      return inside;
+    case kMaskRaw:
+      return cursor.take64("mask", "TIL-3");
+    case kMaskQuads:
+      return read_quad_mask(cursor);
+    default:
+      return 0;
+  }
 }
 
 void put_mask(BitWriter& writer, uint64_t mask, uint32_t mode) {

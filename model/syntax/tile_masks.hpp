@@ -1,12 +1,11 @@
-// Order and masks of the blocks of a tile (TIL-2, TIL-3), and widths that follow from the window
-// (TIL-6).
+// Order and masks of the blocks of a tile (TIL-2 to TIL-4).
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 
-#include "arithmetic/levels.hpp"
+#include "bits/bit_string.hpp"
+#include "syntax/field_cursor.hpp"
 #include "syntax/geometry.hpp"
 
 namespace hmlfc {
@@ -36,21 +35,19 @@ constexpr uint64_t blocks_inside(const PlaneShape& plane, uint32_t tx, uint32_t 
   return mask;
 }
 
-/// Widths of the fields of a tile's vectors (TIL-6).
-struct VectorWidths {
-  unsigned component_bits;  ///< v
-  unsigned max_code;        ///< K
-  unsigned code_bits;       ///< c
-};
+/// How a tile record says a mask (TIL-3).
+enum MaskMode : uint32_t { kMaskNone = 0, kMaskAll = 1, kMaskRaw = 2, kMaskQuads = 3 };
 
-/// The widths for `window` in [0, 127].
-///
-/// Example: window 16 gives {6, 13, 4}: 33 values, level code 13 with 40 levels.
-constexpr VectorWidths vector_widths(int window) {
-  const uint32_t values = 2 * static_cast<uint32_t>(window) + 1;
-  const unsigned max_code = level_code_for(values);
-  return {static_cast<unsigned>(std::bit_width(values - 1)), max_code,
-          static_cast<unsigned>(std::bit_width(max_code))};
-}
+/// The mode in which `mask` takes the fewest bits; `inside`: the blocks of the tile in the plane.
+uint32_t mask_mode(uint64_t mask, uint64_t inside);
+
+/// Reads the mask that `mode` in [0, 3] announces (TIL-3).
+uint64_t read_mask(FieldCursor& cursor, uint32_t mode, uint64_t inside);
+
+/// Bits of `mask` in `mode`.
+unsigned mask_bits(uint64_t mask, uint32_t mode);
+
+/// Appends `mask` in `mode`.
+void put_mask(BitWriter& writer, uint64_t mask, uint32_t mode);
 
 }  // namespace hmlfc
