@@ -1,9 +1,12 @@
 // A stream as the decode unit opens it, with the golden model's parts that decode it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
+#include <unordered_map>
 
 #include <hmlfc/error.hpp>
 
@@ -24,6 +27,24 @@ inline constexpr int kMaxUnitHeight = 7;
 /// (FIL-7).
 bool exceeds_limits(const StreamHeader& header, const UnitParameters& unit);
 
+/// Reference blocks as the golden path reads them, the latest of them kept. Thread-safe.
+class GoldenReferences final : public HeldReferences {
+ public:
+  /// `stream` must outlive it.
+  explicit GoldenReferences(const StreamView& stream) : stream_(stream) {}
+
+  Result<BlockValues> block(const BlockSite& site) const override;
+
+ private:
+  struct Shard {
+    std::mutex mutex;
+    std::unordered_map<uint64_t, Result<BlockValues>> blocks;  // by site
+  };
+
+  const StreamView& stream_;
+  mutable std::array<Shard, 16> shards_;
+};
+
 /// An open stream. The file's bytes must outlive it. Not to be copied: its parts refer to each
 /// other.
 class GoldenStream {
@@ -43,19 +64,19 @@ class GoldenStream {
   const Geometry& geometry() const { return view_.geometry; }
   const StreamHeader& header() const { return view_.header; }
   const KeyImages& keys() const { return keys_; }
-  const SparseReferences& references() const { return references_; }
 
-  /// Reads reference blocks on demand, or holds reference images once decoded.
-  DecodeSources on_demand() const { return {view_, keys_, nullptr}; }
-  DecodeSources sparse() const { return {view_, keys_, &references_}; }
+  /// The residuals of reference blocks by each path.
+  const GoldenReferences& golden_references() const { return golden_; }
+  const SparseReferences& fast_references() const { return fast_; }
 
  private:
   explicit GoldenStream(StreamView view)
-      : view_(std::move(view)), keys_(view_), references_(view_) {}
+      : view_(std::move(view)), keys_(view_), golden_(view_), fast_(view_) {}
 
   StreamView view_;
   KeyImages keys_;
-  SparseReferences references_;
+  GoldenReferences golden_;
+  SparseReferences fast_;
 };
 
 }  // namespace hmlfc::tb

@@ -128,8 +128,7 @@ Oracle::PlanePointer Oracle::decode(const BlockSite& site) const {
     level.key = geometry.is_key(l, image);
   }
   StageCollector collector(plane->levels);
-  const DecodeSources sources =
-      mode_ == ReferenceMode::kSparse ? stream_->sparse() : stream_->on_demand();
+  const DecodeSources sources{stream_->view(), stream_->keys(), held_};
   const auto block = decode_block(sources, site, Probe{&collector, nullptr, site});
   if (!block) {
     plane->status = static_cast<uint8_t>(block.error().code);

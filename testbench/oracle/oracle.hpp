@@ -46,10 +46,12 @@ inline std::optional<uint64_t> chroma_key(const ExpectedAnswer& expected) {
 /// Evaluates each block once; chroma that several RGB requests share is kept for a while.
 class Oracle {
  public:
-  /// Of a stream that LOAD accepted. `mode`: where reference blocks come from: the golden path, or
-  /// the fast path's planes, with the same result.
-  explicit Oracle(const GoldenStream& stream, ReferenceMode mode = ReferenceMode::kOnDemand)
-      : stream_(&stream), mode_(mode) {}
+  /// Of a stream that LOAD accepted.
+  explicit Oracle(const GoldenStream& stream) : Oracle(stream, &stream.golden_references()) {}
+
+  /// The same with reference blocks from `held`, which must give the same result; null: the golden
+  /// path reads each when it is needed.
+  Oracle(const GoldenStream& stream, const HeldReferences* held) : stream_(&stream), held_(held) {}
 
   /// Of a unit whose LOAD ended with `load_error`, not 0: every request is answered with it.
   explicit Oracle(uint8_t load_error) : load_error_(load_error) {}
@@ -73,7 +75,7 @@ class Oracle {
   void fill_rgb(ExpectedAnswer& expected) const;
 
   const GoldenStream* stream_ = nullptr;
-  ReferenceMode mode_ = ReferenceMode::kOnDemand;
+  const HeldReferences* held_ = nullptr;
   uint8_t load_error_ = 0;
   std::array<CacheLine, 1024> cache_;
 };

@@ -15,7 +15,7 @@ bool is_read(const LevelShape& level) {
 // The blocks of one plane of one reference image, or the error of each.
 class PlaneSource {
  public:
-  PlaneSource(const StreamView& stream, const KeyImages& keys, const SparseReferences& references,
+  PlaneSource(const StreamView& stream, const KeyImages& keys, const HeldReferences& references,
               const AreaPlane& plane)
       : block_size_(stream.geometry.block_size()), references_(references), plane_(plane) {
     if (stream.geometry.level(plane.level).keyed) {
@@ -32,14 +32,14 @@ class PlaneSource {
 
  private:
   unsigned block_size_;
-  const SparseReferences& references_;
+  const HeldReferences& references_;
   const AreaPlane& plane_;
   Result<std::shared_ptr<const SamplePlane>> key_{nullptr};
 };
 
 class AreaBuilder {
  public:
-  AreaBuilder(const StreamView& stream, const KeyImages& keys, const SparseReferences& references)
+  AreaBuilder(const StreamView& stream, const KeyImages& keys, const HeldReferences& references)
       : stream_(stream), keys_(keys), references_(references) {}
 
   ReferenceArea build() {
@@ -91,7 +91,7 @@ class AreaBuilder {
 
   const StreamView& stream_;
   const KeyImages& keys_;
-  const SparseReferences& references_;
+  const HeldReferences& references_;
   ReferenceArea area_;
 };
 
@@ -118,7 +118,7 @@ AreaLayout area_layout(const Geometry& geometry) {
 }
 
 ReferenceArea build_reference_area(const StreamView& stream, const KeyImages& keys,
-                                   const SparseReferences& references) {
+                                   const HeldReferences& references) {
   return AreaBuilder(stream, keys, references).build();
 }
 

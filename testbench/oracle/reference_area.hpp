@@ -9,7 +9,7 @@
 
 #include <hmlfc/error.hpp>
 
-#include "decoder/fast/sparse_plane.hpp"
+#include "decoder/golden/block_decoder.hpp"
 #include "decoder/key_images.hpp"
 #include "syntax/stream_view.hpp"
 
@@ -66,6 +66,6 @@ struct ReferenceArea {
 /// The area of `stream`; blocks that do not decode are poisoned. Samples of planes that no block
 /// refers to (levels that are not keyed and have groups of 1 x 1) are left 0.
 ReferenceArea build_reference_area(const StreamView& stream, const KeyImages& keys,
-                                   const SparseReferences& references);
+                                   const HeldReferences& references);
 
 }  // namespace hmlfc::tb

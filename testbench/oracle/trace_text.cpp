@@ -51,7 +51,8 @@ void write_model_trace(std::FILE* out, const GoldenStream& stream, const Request
     if (!plane) continue;
     const BlockSite& site = plane->levels.back().site;
     TextSink sink(out);
-    const auto block = decode_block(stream.on_demand(), site, Probe{&sink, nullptr, site});
+    const DecodeSources sources{stream.view(), stream.keys()};
+    const auto block = decode_block(sources, site, Probe{&sink, nullptr, site});
     if (!block) std::fprintf(out, "%s\n", to_string(block.error()).c_str());
   }
   write_answer(out, expected.answer, stream.geometry().block_size());

@@ -49,8 +49,8 @@ Row timed(const std::string& name, const std::function<std::vector<Answer>()>& r
   return row;
 }
 
-std::vector<Answer> run_model(const Subject& subject, ReferenceMode mode) {
-  Oracle oracle(*subject.image.golden(), mode);
+std::vector<Answer> run_model(const Subject& subject, const HeldReferences* held) {
+  Oracle oracle(*subject.image.golden(), held);
   std::vector<Answer> answers;
   for (const Request& request : subject.requests) {
     answers.push_back(oracle.evaluate(request).answer);
@@ -243,10 +243,10 @@ int run(int argc, char** argv) {
   Bench bench;
   TlmPlatform platform("platform", any);
   std::vector<Row> rows;
-  rows.push_back(
-      timed("model, block by block", [&] { return run_model(subject, ReferenceMode::kOnDemand); }));
-  rows.push_back(
-      timed("model, references held", [&] { return run_model(subject, ReferenceMode::kSparse); }));
+  rows.push_back(timed("model, block by block", [&] { return run_model(subject, nullptr); }));
+  rows.push_back(timed("model, references held", [&] {
+    return run_model(subject, &subject.image.golden()->fast_references());
+  }));
   rows.push_back(timed("model, rectangles", [&] { return run_rectangles(subject); }));
   rows.push_back(timed("TLM", [&] { return run_tlm(platform, subject); }));
   const auto makers = rtl_units();

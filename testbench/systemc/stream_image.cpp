@@ -7,7 +7,8 @@ StreamImage::StreamImage(std::span<const uint8_t> bytes, const UnitParameters& u
   auto opened = GoldenStream::open(bytes, unit);
   if (opened) {
     golden_ = std::move(*opened);
-    area_ = build_reference_area(golden_->view(), golden_->keys(), golden_->references());
+    // Fast references, as software would use; the oracle has golden ones.
+    area_ = build_reference_area(golden_->view(), golden_->keys(), golden_->fast_references());
     oracle_ = std::make_unique<Oracle>(*golden_);
   } else {
     load_error_ = static_cast<uint8_t>(opened.error().code);

@@ -153,7 +153,7 @@ void StandIn::end_load() {
   registers_.load_error = taken ? 0 : static_cast<uint8_t>(opened.error().code);
   if (opened) {
     golden_ = std::move(*opened);
-    oracle_ = std::make_unique<Oracle>(*golden_, ReferenceMode::kSparse);
+    oracle_ = std::make_unique<Oracle>(*golden_, &golden_->fast_references());
   } else {
     oracle_ = std::make_unique<Oracle>(registers_.load_error);
   }

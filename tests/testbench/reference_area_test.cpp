@@ -110,7 +110,7 @@ void check_stream(const std::vector<uint8_t>& bytes, Counts& counts) {
   ASSERT_TRUE(stream.has_value());
   const GoldenStream& golden = **stream;
   const ReferenceArea area =
-      build_reference_area(golden.view(), golden.keys(), golden.references());
+      build_reference_area(golden.view(), golden.keys(), golden.fast_references());
   AreaCheck(golden, area, counts).check();
 }
 
