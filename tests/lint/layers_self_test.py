@@ -116,8 +116,12 @@ class LayersTest(unittest.TestCase):
 
     def test_arrows_between_folders(self):
         self.assert_found(
-            {"gpu_ref/x.hpp": '#include "../testbench/y.hpp"\n', "testbench/y.hpp": ""},
-            "gpu_ref/x.hpp:1: gpu_ref may not include testbench",
+            {"gpu_ref/x.hpp": '#include "../testbench/oracle/y.hpp"\n', "testbench/oracle/y.hpp": ""},
+            "gpu_ref/x.hpp:1: gpu_ref may not include testbench/oracle",
+        )
+        self.assert_found(
+            {"testbench/oracle/x.hpp": '#include "unit/y.hpp"\n', "testbench/unit/y.hpp": ""},
+            "testbench/oracle/x.hpp:1: testbench/oracle may not include testbench/unit",
         )
 
     def test_unknown_folder(self):
