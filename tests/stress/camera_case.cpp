@@ -9,7 +9,6 @@
 #include <hmlfc/renderer.hpp>
 
 #include "render/ray.hpp"
-#include "render/real_renderer.hpp"
 #include "vectors/field_stream.hpp"
 #include "vectors/random.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <hmlfc/measure.hpp>
 
-#include "cli/for_each_view.hpp"
 #include "cli/output.hpp"
+#include "cli/threads.hpp"
 
 namespace hmlfc::cli {
 
@@ -91,7 +91,7 @@ ErrorSums measure_stream(const StreamFile& file, const LightField& original, int
     sums.add(error);
     if (progress) progress(++done, count);
   };
-  value_or_throw(file.decoder().decode_all(add_view, 0, threads), file.path());
+  value_or_throw(file.decoder().decode_all(add_view, {.threads = threads}), file.path());
   return sums;
 }
 

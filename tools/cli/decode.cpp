@@ -8,8 +8,8 @@
 
 #include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
-#include "cli/for_each_view.hpp"
 #include "cli/stream_file.hpp"
+#include "cli/threads.hpp"
 #include "cli/view_source.hpp"
 #include "io/image_files.hpp"
 #include "io/view_name.hpp"
@@ -56,7 +56,7 @@ void decode_everything(const StreamFile& file, const ViewWriter& writer, int sto
     const std::scoped_lock lock(mutex);
     progress(++done, count);
   };
-  value_or_throw(file.decoder().decode_all(write_view, stop_level, threads), file.path());
+  value_or_throw(file.decoder().decode_all(write_view, {stop_level, threads}), file.path());
   first.rethrow();
 }
 

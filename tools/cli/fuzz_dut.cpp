@@ -8,12 +8,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "cli/arguments.hpp"
 #include "cli/dut_options.hpp"
 #include "conform/minimise.hpp"
 #include "conform/runner.hpp"
 #include "io/files.hpp"
-#include "syntax/conformance_level.hpp"
 #include "terminal/progress_bar.hpp"
 #include "vectors/field_stream.hpp"
 
@@ -80,7 +81,7 @@ struct FuzzOptions {
 vectors::Limits stream_limits(const conform::Dut& dut) {
   vectors::Limits limits;
   const conform::DutLimits& own = dut.limits;
-  const LevelLimits& level = kLevelLimits[static_cast<size_t>(dut.level)];
+  const ConformanceLimits& level = kConformanceLimits[static_cast<size_t>(dut.level)];
   limits.grid_side = std::min({limits.grid_side, level.grid_side, own.rows, own.cols});
   limits.view_side = std::min({limits.view_side, level.view_side, own.width, own.height});
   limits.depth = std::min({limits.depth, level.depth, own.depth});

@@ -15,7 +15,6 @@
 #include "cli/camera_options.hpp"
 #include "cli/render_backend.hpp"
 #include "cli/stream_file.hpp"
-#include "decoder/touched_bytes.hpp"
 #include "io/image_files.hpp"
 #include "render/ray.hpp"
 #include "terminal/progress_bar.hpp"

@@ -7,13 +7,13 @@
 #include <optional>
 
 #include <fmt/format.h>
+
 #include <fnmatch.h>
+#include <hmlfc/stream_info.hpp>
 
 #include "conform/judge.hpp"
 #include "conform/result.hpp"
 #include "io/files.hpp"
-#include "syntax/conformance_level.hpp"
-#include "syntax/header.hpp"
 #include "vectors/digest.hpp"
 
 namespace hmlfc::conform {
@@ -213,7 +213,7 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
     return result;
   }
   const auto header = header_of(stream);
-  if (header && beyond_claims(dut, header->profile, least_level(*header), &*header)) {
+  if (header && beyond_claims(dut, header->profile, conformance_level(*header), &*header)) {
     result.status = Status::kNotSupported;
     return result;
   }
@@ -223,7 +223,7 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
   if (!golden) {
     decoded = tl::unexpected(golden.error());
   } else {
-    decoded = golden->decode_all([](ViewPos, RgbImage&&) {}, 0, 1);
+    decoded = golden->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1});
   }
   if (!decoded) {
     expect.outcome = vectors::Outcome::kReject;

@@ -6,11 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "arithmetic/levels.hpp"
+#include "arithmetic/bise.hpp"
 #include "bits/bit_writer.hpp"
-#include "syntax/disparity_tile.hpp"
 #include "syntax/motion_tile.hpp"
-#include "syntax/tile_fields.hpp"
+#include "syntax/tile_record.hpp"
 #include "vectors/field_rules.hpp"
 
 namespace hmlfc::vectors {
