@@ -6,7 +6,7 @@
 #include <hmlfc/measure.hpp>
 
 #include "cli/output.hpp"
-#include "cli/threads.hpp"
+#include "cli/for_each_view.hpp"
 
 namespace hmlfc::cli {
 

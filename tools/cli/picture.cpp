@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
-#include "cli/threads.hpp"
+#include "cli/for_each_view.hpp"
 #include "cli/view_source.hpp"
 #include "io/image_files.hpp"
 #include "io/pictures.hpp"

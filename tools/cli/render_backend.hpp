@@ -23,8 +23,8 @@ struct BackendChoice {
 };
 
 /// The renderer that `choice` asks for; `file` must outlive it. Usage failure if the device is not
-/// there or cannot hold the stream; gpu::make_gpu_renderer says what a device
-/// ignores.
+/// there or cannot hold the stream; gpu::make_gpu_renderer says what
+/// a device ignores.
 std::unique_ptr<FrameRenderer> make_renderer(const BackendChoice& choice, const StreamFile& file);
 
 /// One setting, over all frames of a path, compared with real frames (docs/rendering.md, section 7)

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "arithmetic/bise.hpp"
-#include "bits/bit_writer.hpp"
+#include "bits/bit_string.hpp"
 #include "syntax/motion_tile.hpp"
 #include "syntax/tile_record.hpp"
 #include "vectors/field_rules.hpp"
