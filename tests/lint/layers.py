@@ -21,6 +21,8 @@ DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast
 CODEC = {*DECODER, "model/render", "model/encoder"}
 TOOLS = {f"tools/{name}" for name in ("io", "scenes", "vectors", "conform", "cli")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
+CHECKS = {*DECODER, "tools/io", "testbench/oracle", "testbench/stimulus"}
+TESTBENCH = {f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu")}
 
 # What the files of a folder may include with quotes, besides the folder itself; <hmlfc/...> and
 # libraries are free to all. A file belongs to the longest folder that holds it.
@@ -42,8 +44,15 @@ ALLOWED = {
     "tools/dut": set(),
     "tools/tables": SYNTAX,
     "tools/cli": APPLICATIONS,
-    "testbench": APPLICATIONS,
-    "tests": {*APPLICATIONS, "testbench"},
+    "testbench/oracle": DECODER,
+    "testbench/stimulus": {*DECODER, "testbench/oracle", "tools/scenes", "tools/vectors"},
+    "testbench/unit": CHECKS,
+    "testbench/systemc": {*CHECKS, "tools/scenes", "testbench/unit"},
+    "testbench/tlm": {*CHECKS, "testbench/unit", "testbench/systemc"},
+    "testbench/gpu": {*CHECKS, "model/render", "gpu_ref"},
+    "testbench/dpi": set(),
+    "testbench/programs": {*APPLICATIONS, *TESTBENCH},
+    "tests": {*APPLICATIONS, *TESTBENCH},
     "bench": APPLICATIONS,
     "examples": set(),
 }
@@ -60,16 +69,17 @@ SOURCE_LISTS = {
     "tests": "tests/CMakeLists.txt",
     "tests/decode_path": "tests/decode_path/CMakeLists.txt",
     "tests/fuzz": "tests/fuzz/CMakeLists.txt",
+    "tests/gpu": "tests/gpu/CMakeLists.txt",
     "tests/mutation/rtl": "tests/mutation/rtl/CMakeLists.txt",
     "tests/mutation/shaders": "tests/mutation/shaders/CMakeLists.txt",
+    "tests/rtl": "tests/rtl/CMakeLists.txt",
     "tests/stress": "tests/stress/CMakeLists.txt",
+    "tests/testbench": "tests/testbench/CMakeLists.txt",
     "bench": "bench/CMakeLists.txt",
     "testbench": "testbench/CMakeLists.txt",
     "gpu_ref": "gpu_ref/CMakeLists.txt",
+    "examples": "examples/CMakeLists.txt",
 }
-# A project of its own, with its own list.
-OWN_PROJECTS = ["tests/consumer/project"]
-
 QUOTED_INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
 
 
@@ -97,7 +107,7 @@ def layer_violations(root):
         name = path.relative_to(root).as_posix()
         folder = folder_of(name)
         if folder is None:
-            if name.split("/")[0] in ("model", "tools"):
+            if name.split("/")[0] in ("model", "tools", "testbench"):
                 yield path, 1, f"{Path(name).parent} is not a folder of the table in tests/lint/layers.py"
             continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
@@ -177,8 +187,7 @@ def list_violations(root):
             if any(path.is_relative_to(root / other) for other in inner):
                 continue
             name = path.relative_to(root / folder).as_posix()
-            own = any(path.is_relative_to(root / project) for project in OWN_PROJECTS)
-            if path.suffix == ".cpp" and name not in listed and not own:
+            if path.suffix == ".cpp" and name not in listed:
                 yield path, 1, f"not listed in {list_name}"
 
 

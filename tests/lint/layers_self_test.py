@@ -20,7 +20,8 @@ CLEAN_TREE = {
     "tests/bits/a_test.cpp": '#include "bits/a.hpp"\n',
     "tests/fuzz/CMakeLists.txt": "hmlfc_add_fuzz(open.cpp\n)\n",
     "tests/fuzz/open.cpp": '#include "bits/a.hpp"\n',
-    "tests/consumer/project/main.cpp": "int main() {}\n",
+    "examples/CMakeLists.txt": "add_executable(example example.cpp)\n",
+    "examples/example.cpp": '#include <hmlfc/public.hpp>\n',
 }
 
 
@@ -115,8 +116,12 @@ class LayersTest(unittest.TestCase):
 
     def test_arrows_between_folders(self):
         self.assert_found(
-            {"gpu_ref/x.hpp": '#include "../testbench/y.hpp"\n', "testbench/y.hpp": ""},
-            "gpu_ref/x.hpp:1: gpu_ref may not include testbench",
+            {"gpu_ref/x.hpp": '#include "../testbench/oracle/y.hpp"\n', "testbench/oracle/y.hpp": ""},
+            "gpu_ref/x.hpp:1: gpu_ref may not include testbench/oracle",
+        )
+        self.assert_found(
+            {"testbench/oracle/x.hpp": '#include "unit/y.hpp"\n', "testbench/unit/y.hpp": ""},
+            "testbench/oracle/x.hpp:1: testbench/oracle may not include testbench/unit",
         )
 
     def test_unknown_folder(self):
