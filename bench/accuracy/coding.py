@@ -35,6 +35,10 @@ class Coding:
                 options += [f"--{name}", value]
         return [str(option) for option in options]
 
+    def changes(self):
+        """The fields that are not the class's defaults, by name."""
+        return {f.name: getattr(self, f.name) for f in fields(self) if getattr(self, f.name) != f.default}
+
     def label(self):
         """In a few words, for tables and messages."""
         if self.lossless:
@@ -44,9 +48,6 @@ class Coding:
         letters = ("block", "window", "height", "cluster", "references")
         shape = [f"{name[0]}{getattr(self, name)}" for name in letters if getattr(self, name) is not None]
         return " ".join([kind, aim, *shape])
-
-
-FIELDS = tuple(field.name for field in fields(Coding))
 
 
 # What a method does not have.

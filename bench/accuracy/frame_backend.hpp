@@ -1,8 +1,7 @@
-// The renderers of this project behind one function.
+// The renderer of a setting of the accuracy report.
 #pragma once
 
-#include <functional>
-#include <span>
+#include <memory>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -14,14 +13,9 @@
 
 namespace hmlfc::bench {
 
-/// Draws the frame of a record down to a stop level, or says why not.
-using DrawFrame =
-    std::function<tl::expected<void, std::string>(const FrameRecord&, int stop_level, Frame&)>;
-
-/// The renderer of a setting for the stream `file`, which `decoder` has opened; both must outlive
-/// it. Errors: backend gpu without a device.
-tl::expected<DrawFrame, std::string> open_backend(const FrameSetting& setting,
-                                                  std::span<const uint8_t> file,
-                                                  const Decoder& decoder);
+/// The renderer of `setting` for the stream of `decoder`, which must outlive it. Errors: backend
+/// gpu without a device.
+tl::expected<std::unique_ptr<FrameRenderer>, std::string> open_backend(const FrameSetting& setting,
+                                                                       const Decoder& decoder);
 
 }  // namespace hmlfc::bench

@@ -7,8 +7,7 @@
 #include <hmlfc/camera.hpp>
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/image.hpp>
-
-#include "render/real_renderer.hpp"
+#include <hmlfc/renderer.hpp>
 
 namespace hmlfc::bench {
 

@@ -40,10 +40,6 @@ double percentile(std::vector<double> values, double share) {
   return values[std::max<size_t>(rank, 1) - 1];
 }
 
-Json times_json(const std::vector<double>& seconds) {
-  return {{"median", percentile(seconds, 0.5) * 1e3}, {"p95", percentile(seconds, 0.95) * 1e3}};
-}
-
 class Sweep {
  public:
   Sweep(const FrameSweep& sweep, const OpenFile& stream, const OpenFile& source)
@@ -88,12 +84,12 @@ class Sweep {
     Json row{{"setting", setting.text}};
     // A decoder of its own: key images are decoded again.
     const auto decoder = Decoder::open(stream_.file.bytes());
-    const auto render = open_backend(setting, stream_.file.bytes(), *decoder);
-    if (!render) {
-      row["skipped"] = render.error();
+    const auto renderer = open_backend(setting, *decoder);
+    if (!renderer) {
+      row["skipped"] = renderer.error();
       return row;
     }
-    std::vector<double> cpu, wall;
+    std::vector<double> seconds;
     std::vector<RgbImage> images;
     FrameCounts counts;
     for (int k = 0; k < sweep_.frames; ++k) {
@@ -103,16 +99,15 @@ class Sweep {
       if (!record) return Failure(record.error().message);
       Frame frame;
       const Clock clock;
-      const auto drawn = (*render)(*record, stop_level, frame);
-      wall.push_back(clock.wall_seconds());
-      cpu.push_back(clock.cpu_seconds());
-      if (!drawn) return Failure(drawn.error());
+      const auto drawn = (*renderer)->render(*record, stop_level, frame);
+      seconds.push_back(clock.cpu_seconds());
+      if (!drawn) return Failure(to_string(drawn.error()));
       counts.blocks_needed += frame.counts.blocks_needed;
       counts.blocks_decoded += frame.counts.blocks_decoded;
       images.push_back(std::move(frame.image));
     }
-    row["cpu_ms"] = times_json(cpu);
-    row["wall_ms"] = times_json(wall);
+    row["cpu_ms.median"] = percentile(seconds, 0.5) * 1e3;
+    row["cpu_ms.p95"] = percentile(seconds, 0.95) * 1e3;
     row["blocks_needed"] = counts.blocks_needed / static_cast<uint64_t>(sweep_.frames);
     row["blocks_decoded"] = counts.blocks_decoded / static_cast<uint64_t>(sweep_.frames);
     if (!keep(kind_of(setting), std::move(images))) {
@@ -147,10 +142,10 @@ class Sweep {
   void add_errors(const FrameSetting& setting, Json& row) const {
     const FrameErrors& errors = errors_.at(kind_of(setting));
     const auto frames = static_cast<double>(sweep_.frames);
-    row["mse"] = {{"total", errors.total / frames},
-                  {"stream", errors.stream / frames},
-                  {"filter", errors.filter / frames},
-                  {"fixed", errors.fixed / frames}};
+    row["mse.total"] = errors.total / frames;
+    row["mse.stream"] = errors.stream / frames;
+    row["mse.filter"] = errors.filter / frames;
+    row["mse.fixed"] = errors.fixed / frames;
     row["largest_fixed"] = errors.largest_fixed;
     if (setting.filter == Filter::kQuadrilinear) {
       row["bound_fixed"] = fixed_point_bound(camera(0), header_);

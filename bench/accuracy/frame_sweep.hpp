@@ -21,9 +21,9 @@ struct FrameSweep {
   std::vector<FrameSetting> settings;
 };
 
-/// For each setting an object: setting; cpu_ms and wall_ms, each {median, p95} of a frame;
-/// blocks_needed and blocks_decoded of a frame, on average; mse {total, stream, filter, fixed},
-/// largest_fixed (FrameErrors) and, for filter quadrilinear, bound_fixed (ERR-1). A backend without
+/// For each setting an object: setting; cpu_ms.median and cpu_ms.p95 of a frame; blocks_needed and
+/// blocks_decoded of a frame, on average; mse.total, .stream, .filter, .fixed and largest_fixed
+/// (FrameErrors) and, for filter quadrilinear, bound_fixed (ERR-1). A backend without
 /// a device: setting and skipped, the reason. Errors, as text: files that do not open or decode, a
 /// level that the stream does not have, settings of one filter and level whose frames differ.
 tl::expected<nlohmann::ordered_json, std::string> sweep_frames(const FrameSweep& sweep);

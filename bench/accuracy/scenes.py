@@ -31,14 +31,6 @@ class Scene:
     width: int
     height: int
 
-    @property
-    def pixels(self):
-        """Pixels of all views."""
-        return self.rows * self.cols * self.width * self.height
-
-    def describe(self):
-        return f"{self.name}, {self.rows}x{self.cols} views of {self.width}x{self.height}"
-
 
 def find_scenes(hmlfc, work, quick, names, skip):
     """The light fields of a run: photographs and rendered ones that are there, then the built-in

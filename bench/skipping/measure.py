@@ -55,7 +55,7 @@ class Measure:
                 rows.append({
                     "scene": scene, "profile": profile, "path": path, "client": client,
                     "file_bytes": facts["bytes"], "blocks": self.blocks(stream, facts),
-                    "frames": list(traced(found, client)),
+                    "frames": columns(list(traced(found, client))),
                 })
         return rows
 
@@ -156,6 +156,11 @@ def traced(frames, client):
         frame["fetched"] = [bytes_of(found) for found in asked]
         held = union(held, ranges)
         yield frame
+
+
+def columns(rows):
+    """From a list of objects to an object of lists."""
+    return {key: [row[key] for row in rows] for key in rows[0]}
 
 
 def _request(runs, key_end):

@@ -23,7 +23,7 @@
 #include <hmlfc/renderer.hpp>
 
 #include "io/mapped_file.hpp"
-#include "render/frame_planner.hpp"
+#include "render/frame_stages.hpp"
 #include "render/orbit.hpp"
 #include "render/timing.hpp"
 #include "render/view_cache.hpp"
@@ -123,7 +123,7 @@ Result<NeededBlocks> needed_blocks(const Decoder& decoder, const FrameRecord& re
           if (!needed.has(bx, by)) continue;
           const BlockAddress block{view->place(), plane, bx, by};
           EntryStages stages(block);
-          if (const auto ok = decoder.decode_block(block, 0, &stages); !ok) {
+          if (const auto ok = decoder.decode_block(block, {.trace = &stages}); !ok) {
             return tl::unexpected(ok.error());
           }
           ++counts.all;
@@ -231,7 +231,7 @@ int decode_block(const std::vector<std::string>& arguments) {
                               header.width / 2 / header.block_size(),
                               header.height / 2 / header.block_size()};
     const bench::Clock block_clock;
-    const auto samples = decoder->decode_block(middle, 0, nullptr, &counts);
+    const auto samples = decoder->decode_block(middle, {.counts = &counts});
     decoding = std::min(decoding, block_clock.cpu_seconds());
     if (!samples) return refuse(to_string(samples.error()));
   }

@@ -1,6 +1,6 @@
 // The GPU decoder behind hmlfc_dut.h. The device is the one that HMLFC_GPU_DEVICE names, else the
 // first that can run it.
-#include <hmlfc/hmlfc_dut.h>
+#include <hmlfc/dut.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -31,8 +31,6 @@ int machine_failure(const hmlfc::gpu::Failure& failure) {
   std::fprintf(stderr, "%s\n", failure.message.c_str());
   return HMLFC_DUT_CANNOT_RUN;
 }
-
-int status_of(const hmlfc::Error& error) { return static_cast<int>(error.code); }
 
 BlockArea one_block(uint32_t row, uint32_t col, uint32_t plane, uint32_t block_x, uint32_t block_y,
                     uint32_t stop_level) {
@@ -125,7 +123,7 @@ const char* hmlfc_dut_name() { return "hmlfc GPU decoder"; }
 int hmlfc_dut_open(const uint8_t* bytes, size_t size, hmlfc_dut** dut) {
   *dut = nullptr;
   auto stream = hmlfc::open_stream({bytes, size}, {});
-  if (!stream) return status_of(stream.error());
+  if (!stream) return hmlfc::dut_status(stream.error());
   hmlfc::gpu::DeviceOptions options;
   if (const char* name = std::getenv("HMLFC_GPU_DEVICE")) options.device = name;
   auto device = Device::open(options);
@@ -140,15 +138,7 @@ int hmlfc_dut_open(const uint8_t* bytes, size_t size, hmlfc_dut** dut) {
 }
 
 int hmlfc_dut_get_geometry(const hmlfc_dut* dut, hmlfc_dut_geometry* geometry) {
-  const hmlfc::StreamHeader& header = dut->stream.header;
-  *geometry = {header.rows,
-               header.cols,
-               header.width,
-               header.height,
-               static_cast<uint32_t>(header.depth),
-               static_cast<uint32_t>(header.chroma_format),
-               header.block_log2,
-               static_cast<uint32_t>(header.tree_height)};
+  *geometry = hmlfc::dut_geometry(dut->stream.header);
   return 0;
 }
 
@@ -178,9 +168,6 @@ int hmlfc_dut_trace_block(hmlfc_dut* dut, uint32_t row, uint32_t col, uint32_t p
   return blocks->front().status;
 }
 
-const char* hmlfc_dut_error_name(int status) {
-  const bool known = status >= 0 && status < hmlfc::kErrorCodeCount;
-  return known ? hmlfc::error_name(static_cast<hmlfc::ErrorCode>(status)).data() : nullptr;
-}
+const char* hmlfc_dut_error_name(int status) { return hmlfc::dut_error_name(status); }
 
 void hmlfc_dut_close(hmlfc_dut* dut) { delete dut; }

@@ -1,4 +1,4 @@
-#include "decoder/touched_bytes.hpp"
+#include <hmlfc/read_sink.hpp>
 
 #include <algorithm>
 #include <atomic>

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 #include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "encoder/stream_assembly.hpp"
-#include "syntax/index_writer.hpp"
+#include "syntax/index.hpp"
 
 namespace hmlfc {
 namespace {

@@ -9,7 +9,7 @@
 #include "encoder/plane_targets.hpp"
 #include "encoder/predicted_plane.hpp"
 #include "encoder/residual_plane.hpp"
-#include "syntax/reference_set.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 namespace {

@@ -18,7 +18,7 @@ using Samples = std::array<int32_t, kMaxCellSamples>;
 // Squared errors of one grid block ("cell") under every symbol.
 class CellErrors {
  public:
-  CellErrors(const MotionTask& task, const std::vector<MotionSymbol>& symbols)
+  CellErrors(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
       : task_(task),
         sources_(task.sources),
         symbols_(symbols),
@@ -33,7 +33,7 @@ class CellErrors {
     load_target();
     known_.clear();
     for (size_t s = 0; s < symbols_.size(); ++s) {
-      const MotionSymbol& symbol = symbols_[s];
+      const PaletteEntry& symbol = symbols_[s];
       if (symbol.choice == kChoiceNone) {
         errors[s] = squares(nullptr, false);
         continue;
@@ -92,7 +92,7 @@ class CellErrors {
 
   const MotionTask& task_;
   const MotionSources& sources_;
-  const std::vector<MotionSymbol>& symbols_;
+  const std::vector<PaletteEntry>& symbols_;
   unsigned sets_;  // reference sets there are
   int32_t size_;
   Area area_;
@@ -110,7 +110,7 @@ struct BlockErrors {
 // The cheapest palette of one tile with blocks of one size, built one symbol at a time.
 class PaletteDecision {
  public:
-  PaletteDecision(const BlockErrors& blocks, const std::vector<MotionSymbol>& symbols,
+  PaletteDecision(const BlockErrors& blocks, const std::vector<PaletteEntry>& symbols,
                   const PaletteFields& fields, Lambda lambda)
       : blocks_(blocks),
         symbols_(symbols),
@@ -122,7 +122,7 @@ class PaletteDecision {
   void run() {
     // One more symbol may pay only together with the next one, as level counts grow in steps: the
     // search goes on while symbols reduce the error.
-    while (palette_.size() < std::min(kMaxPalette, symbols_.size())) {
+    while (palette_.size() < std::min(kMaxPaletteEntries, symbols_.size())) {
       if (!add_best()) break;
       const int64_t cost = cost_now();
       if (cost < best_cost_) {
@@ -180,7 +180,7 @@ class PaletteDecision {
   }
 
   const BlockErrors& blocks_;
-  const std::vector<MotionSymbol>& symbols_;
+  const std::vector<PaletteEntry>& symbols_;
   unsigned entry_bits_;
   Lambda lambda_;
   size_t count_;
@@ -192,7 +192,7 @@ class PaletteDecision {
 
 class TileDecision {
  public:
-  TileDecision(const MotionTask& task, const std::vector<MotionSymbol>& symbols)
+  TileDecision(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
       : header_(task.sources.header),
         lambda_(task.lambda),
         fields_{task.sources.two_references(), !task.sources.keyed},
@@ -257,7 +257,7 @@ class TileDecision {
   Lambda lambda_;
   PaletteFields fields_;
   const DisparityGrid& grid_;
-  const std::vector<MotionSymbol>& symbols_;
+  const std::vector<PaletteEntry>& symbols_;
   CellErrors cell_errors_;
   BlockErrors cells_;
 };
@@ -266,7 +266,7 @@ class TileDecision {
 
 std::vector<MotionTileCode> decide_motion(const MotionTask& task) {
   const MotionPlaneShape& shape = task.sources.geometry.motion_planes()[0];
-  const std::vector<MotionSymbol> symbols = candidate_symbols(task.sources, task.choices);
+  const std::vector<PaletteEntry> symbols = candidate_symbols(task.sources, task.choices);
   std::vector<MotionTileCode> tiles(static_cast<size_t>(shape.tiles()));
   parallel_for(shape.tiles_y, [&](size_t ty) {
     TileDecision decision(task, symbols);

@@ -6,7 +6,7 @@
 
 #include "encoder/rate_distortion.hpp"
 #include "encoder/subpel_prediction.hpp"
-#include "syntax/motion_writer.hpp"
+#include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
 

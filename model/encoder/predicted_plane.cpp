@@ -4,7 +4,7 @@
 
 #include "arithmetic/reconstruct.hpp"
 #include "arithmetic/rounding.hpp"
-#include "decoder/block_values.hpp"
+#include "decoder/sample_plane.hpp"
 
 namespace hmlfc {
 namespace {
@@ -37,7 +37,7 @@ class PlanePredictor {
 
  private:
   // The palette entry of the block at place (x, y) of the motion plane (MOT-4).
-  const MotionSymbol& symbol_at(uint32_t x, uint32_t y) const {
+  const PaletteEntry& symbol_at(uint32_t x, uint32_t y) const {
     const unsigned tile_log2 = sources_.header.motion_tile_log2;
     const uint32_t tx = x >> tile_log2;
     const uint32_t ty = y >> tile_log2;
@@ -51,7 +51,7 @@ class PlanePredictor {
     return tile.palette[tile.indices[index]];
   }
 
-  int32_t disparity_at(uint32_t x, uint32_t y, const MotionSymbol& symbol) const {
+  int32_t disparity_at(uint32_t x, uint32_t y, const PaletteEntry& symbol) const {
     if (symbol.choice == kChoiceDisparity) return symbol.explicit_x;
     const unsigned grid_log2 = sources_.header.disparity_grid_log2;
     return sources_.disparity(x >> grid_log2, y >> grid_log2, symbol.choice);
@@ -62,7 +62,7 @@ class PlanePredictor {
     const uint32_t scale = halved_ ? 2 : 1;
     const uint32_t x = bx * size * scale;
     const uint32_t y = by * size * scale;
-    const MotionSymbol& symbol = symbol_at(x, y);
+    const PaletteEntry& symbol = symbol_at(x, y);
     Samples reference{};
     if (symbol.choice != kChoiceNone) {
       const Area area{static_cast<int32_t>(bx * size), static_cast<int32_t>(by * size), size_,
@@ -84,7 +84,7 @@ class PlanePredictor {
     }
   }
 
-  void read_references(const MotionSymbol& symbol, int32_t d, const Area& area,
+  void read_references(const PaletteEntry& symbol, int32_t d, const Area& area,
                        Samples& out) const {
     const ReferenceSet refs = references_of_set(symbol.reference_set);
     Samples parts[2];
@@ -100,7 +100,7 @@ class PlanePredictor {
   const SamplePlane* parent_;
   const ReferencePlanes& references_;
   std::span<const MotionTileCode> tiles_;
-  MotionSymbol default_symbol_;
+  PaletteEntry default_symbol_;
   const PlaneShape& shape_;
   const MotionPlaneShape& motion_;
   bool halved_;

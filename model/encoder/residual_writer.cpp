@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/levels.hpp"
 #include "arithmetic/rounding.hpp"
 
 namespace hmlfc {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "decoder/block_values.hpp"
-#include "syntax/tile_fields.hpp"
+#include "decoder/sample_plane.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 

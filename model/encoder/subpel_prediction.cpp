@@ -23,14 +23,14 @@ std::vector<uint8_t> reference_sets(const MotionSources& sources) {
 
 }  // namespace
 
-std::vector<MotionSymbol> candidate_symbols(const MotionSources& sources, unsigned choices) {
-  std::vector<MotionSymbol> symbols{sources.default_symbol()};
+std::vector<PaletteEntry> candidate_symbols(const MotionSources& sources, unsigned choices) {
+  std::vector<PaletteEntry> symbols{sources.default_symbol()};
   for (unsigned choice = 1; choice <= choices; ++choice) {
     for (const uint8_t set : reference_sets(sources)) {
-      const MotionSymbol plus{set, static_cast<uint8_t>(choice)};
+      const PaletteEntry plus{set, static_cast<uint8_t>(choice)};
       if (plus != symbols.front()) symbols.push_back(plus);
       if (sources.keyed) continue;
-      MotionSymbol minus = plus;
+      PaletteEntry minus = plus;
       minus.negative = true;
       symbols.push_back(minus);
     }

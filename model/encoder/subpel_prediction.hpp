@@ -7,12 +7,10 @@
 
 #include <hmlfc/format.hpp>
 
-#include "arithmetic/disparity.hpp"
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 #include "encoder/padded_plane.hpp"
 #include "syntax/geometry.hpp"
-#include "syntax/motion_code.hpp"
-#include "syntax/reference_set.hpp"
+#include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
 
@@ -40,7 +38,7 @@ struct MotionSources {
   bool two_references() const { return header.has(Feature::kTwoReferences); }
 
   /// The palette entry of empty motion tiles (MOT-4).
-  MotionSymbol default_symbol() const {
+  PaletteEntry default_symbol() const {
     if (!keyed) return {};
     return {static_cast<uint8_t>(two_references() ? 1 : 0), kChoiceOwn};
   }
@@ -65,7 +63,7 @@ struct MotionSources {
 
 /// The palette entries worth trying, with the choices up to `choices` in [1, 9]; the first is
 /// default_symbol().
-std::vector<MotionSymbol> candidate_symbols(const MotionSources& sources, unsigned choices);
+std::vector<PaletteEntry> candidate_symbols(const MotionSources& sources, unsigned choices);
 
 /// A rectangle of a plane; it may reach past the plane's right and lower border by less than a
 /// motion block.

@@ -7,9 +7,9 @@
 
 #include <hmlfc/format.hpp>
 
-#include "decoder/block_values.hpp"
+#include "decoder/sample_plane.hpp"
 #include "encoder/motion_search.hpp"
-#include "syntax/tile_head.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 

@@ -4,7 +4,7 @@
 
 #include "arithmetic/colour.hpp"
 #include "arithmetic/rounding.hpp"
-#include "decoder/rgb_picture.hpp"
+#include "decoder/colour_row.hpp"
 
 namespace hmlfc {
 namespace {

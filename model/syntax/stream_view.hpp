@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include <hmlfc/decoder.hpp>
 #include <hmlfc/error.hpp>
 #include <hmlfc/format.hpp>
+#include <hmlfc/read_sink.hpp>
 
 #include "syntax/geometry.hpp"
 
@@ -29,7 +29,7 @@ struct StreamView {
     return file.subspan(static_cast<size_t>(e.offset), static_cast<size_t>(e.size));
   }
 
-  /// Tells who wants to know that bytes of `section` are read.
+  /// Notifies the read sink, if any, that `bytes` bytes from `offset` of `section` are read.
   void note_read(Section section, uint64_t offset, uint64_t bytes) const {
     if (reads != nullptr) reads->on_read(entry(section).offset + offset, bytes);
   }

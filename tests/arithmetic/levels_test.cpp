@@ -1,5 +1,5 @@
 // Level codes against the sorted list of level counts (BISE-1, BISE-2, TIL-8).
-#include "arithmetic/levels.hpp"
+#include "arithmetic/bise.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -54,7 +54,7 @@ TEST(Levels, LeastCodeForEveryCount) {
   }
 }
 
-// TIL-8: 27 + 3 (depth - 8). Section 10: a BISE value is at most 4 * 2^n - 1.
+// TIL-8: 27 + 3 (depth - 8). Section 11: a BISE value is at most 4 * 2^n - 1.
 TEST(Levels, GreatestResidualCodeOfEachDepth) {
   for (int depth = 8; depth <= 12; ++depth) {
     const unsigned code = max_residual_level_code(depth);

@@ -16,8 +16,8 @@ FOLDERS = {
         [],
     ),
     "naive": (["tests/naive_decoder"], ["tests/naive_decoder/tests"]),
-    "rtl": (["rtl"], ["rtl/formal", "rtl/synth", "rtl/generate_tables.cpp"]),
-    "gpu": (["gpu_ref"], ["gpu_ref/check", "gpu_ref/dut"]),
+    "rtl": (["rtl"], ["rtl/formal", "rtl/synth"]),
+    "gpu": (["gpu_ref"], ["gpu_ref/dut"]),
 }
 SUFFIXES = {".cpp", ".hpp", ".h", ".py", ".sv", ".svh", ".glsl", ".comp"}
 

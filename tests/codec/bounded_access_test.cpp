@@ -34,7 +34,7 @@ uint64_t check_random_blocks(const test::RandomCase& made, uint32_t seed, int bl
                                random() % size.width / header.block_size(),
                                random() % size.height / header.block_size()};
     AccessCounts counts;
-    EXPECT_TRUE(decoder->decode_block(address, 0, nullptr, &counts).has_value());
+    EXPECT_TRUE(decoder->decode_block(address, {.counts = &counts}).has_value());
     EXPECT_LE(counts.walks, max_walks);
     EXPECT_LE(counts.fields, counts.walks * kFieldsPerWalk);
     EXPECT_LE(counts.steps, counts.walks * kStepsPerWalk);
@@ -84,7 +84,7 @@ TEST(BoundedAccess, ExtendedStreamsStayWithinTheStatedBounds) {
                                  random() % size.width / header.block_size(),
                                  random() % size.height / header.block_size()};
       AccessCounts counts;
-      ASSERT_TRUE(decoder->decode_block(address, 0, nullptr, &counts).has_value());
+      ASSERT_TRUE(decoder->decode_block(address, {.counts = &counts}).has_value());
       EXPECT_LE(counts.walks, max_walks);
       EXPECT_LE(counts.fields, counts.walks * kFieldsPerExtendedWalk);
       EXPECT_LE(counts.steps, counts.walks * kStepsPerWalk);
@@ -110,7 +110,7 @@ TEST(BoundedAccess, CostDoesNotGrowWithTheLightField) {
     for (uint32_t bx = 0; bx < 16; ++bx) {
       for (uint32_t by = 0; by < 8; ++by) {
         AccessCounts counts;
-        const auto block = decoder->decode_block({{1, 1}, Plane::kY, bx, by}, 0, nullptr, &counts);
+        const auto block = decoder->decode_block({{1, 1}, Plane::kY, bx, by}, {.counts = &counts});
         EXPECT_TRUE(block.has_value());
         worst = std::max(worst, counts.fields);
       }

@@ -102,9 +102,9 @@ RC_GTEST_PROP(Reconstruction, GoldenEqualsFastOnEveryBlock, ()) {
       for (uint32_t by = 0; by * size < shape.height; ++by) {
         for (uint32_t bx = 0; bx * size < shape.width; ++bx) {
           const BlockAddress address{view, plane, bx, by};
-          const auto golden = decoder->decode_block(address, level);
-          const auto sparse =
-              decoder->decode_block(address, level, nullptr, nullptr, ReferenceMode::kSparse);
+          const auto golden = decoder->decode_block(address, {.stop_level = level});
+          const auto sparse = decoder->decode_block(
+              address, {.stop_level = level, .references = ReferenceMode::kSparse});
           RC_ASSERT(golden.has_value());
           RC_ASSERT(sparse.has_value());
           for (uint32_t i = 0; i < size * size; ++i) {

@@ -96,7 +96,7 @@ TEST(Stages, EachFollowsFromThoseBefore) {
                                  plane,
                                  random() % size.width / header.block_size(),
                                  random() % size.height / header.block_size()};
-      ASSERT_TRUE(decoder->decode_block(address, 0, &check).has_value());
+      ASSERT_TRUE(decoder->decode_block(address, {.trace = &check}).has_value());
     }
   }
   // The streams did contain what the rules are about.

@@ -19,7 +19,8 @@ void check_blocks(const Decoder& decoder) {
   const StreamHeader& header = decoder.header();
   const PlaneSize size = decoder.plane_size(Plane::kY);
   const auto check = [&](const BlockAddress& block, int level) {
-    demand_refused(decoder.decode_block(block, level), "a block that is not there decodes");
+    demand_refused(decoder.decode_block(block, {.stop_level = level}),
+                   "a block that is not there decodes");
   };
   check({{header.rows, 0}, Plane::kY, 0, 0}, 0);
   check({{0, header.cols}, Plane::kY, 0, 0}, 0);
@@ -49,7 +50,7 @@ void check_parts(const Decoder& decoder, const Rect& whole) {
   check_missing_part(decoder, {0, header.cols}, whole, 0);
   for (const int level : {-1, header.tree_height + 1}) {
     check_missing_part(decoder, {}, whole, level);
-    demand_refused(decoder.decode_all([](ViewPos, RgbImage&&) {}, level, 1),
+    demand_refused(decoder.decode_all([](ViewPos, RgbImage&&) {}, {level, 1}),
                    "a level that is not there decodes");
   }
 }

@@ -75,7 +75,7 @@ class StreamCheck {
   void check_expected_blocks() {
     for (const BlockAddress& block : vector_.expect.blocks) {
       for (const ReferenceMode mode : {ReferenceMode::kOnDemand, ReferenceMode::kSparse}) {
-        const auto samples = decoder_.decode_block(block, 0, nullptr, nullptr, mode);
+        const auto samples = decoder_.decode_block(block, {.references = mode});
         demand(!samples.has_value(), "a block decodes that must not");
         demand(is_expected(vector_.expect, samples.error()), to_string(samples.error()));
       }
@@ -108,7 +108,7 @@ class StreamCheck {
       const bool first = views.emplace(std::pair(view.row, view.col), std::move(image)).second;
       demand(first, "decode_all gives a view twice");
     };
-    const auto decoded = decoder_.decode_all(put, level, 1);
+    const auto decoded = decoder_.decode_all(put, {.stop_level = level, .threads = 1});
     bool all = true;
     bool named = false;
     for (uint32_t row = 0; row < header_.rows; ++row) {
@@ -171,7 +171,8 @@ class StreamCheck {
   void check_block(const BlockAddress& block, int level, PlaneSize size,
                    const std::vector<int16_t>& plane, ReferenceMode mode) {
     AccessCounts counts;
-    const auto samples = decoder_.decode_block(block, level, nullptr, &counts, mode);
+    const auto samples =
+        decoder_.decode_block(block, {.stop_level = level, .counts = &counts, .references = mode});
     demand(samples.has_value(), "a single block does not decode");
     const uint32_t side = header_.block_size();
     const uint32_t width = std::min(side, size.width - block.bx * side);

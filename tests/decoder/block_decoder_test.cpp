@@ -30,7 +30,7 @@ void check_block(const NaiveStream& stream, const Decoder& decoder, const BlockA
   const NaiveSize size = stream.tree().plane_size(at.plane);
   const NaiveImage image = ancestor(stream, at.view, level);
   for (const ReferenceMode mode : {ReferenceMode::kOnDemand, ReferenceMode::kSparse}) {
-    const auto block = decoder.decode_block(at, level, nullptr, nullptr, mode);
+    const auto block = decoder.decode_block(at, {.stop_level = level, .references = mode});
     ASSERT_TRUE(block.has_value()) << to_string(block.error());
     ASSERT_EQ(block->size(), size_t{side} * side);
     for (uint32_t j = 0; j < side && at.by * side + j < size.height; ++j) {

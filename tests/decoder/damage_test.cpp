@@ -37,7 +37,7 @@ std::optional<Error> compare_blocks(const Decoder& decoder, ViewPos view, Plane 
     for (uint32_t bx = 0; bx < blocks.width; ++bx) {
       const BlockAddress at{view, plane, bx, by};
       const auto golden = decoder.decode_block(at);
-      const auto kept = decoder.decode_block(at, 0, nullptr, nullptr, ReferenceMode::kSparse);
+      const auto kept = decoder.decode_block(at, {.references = ReferenceMode::kSparse});
       expect_same(golden, kept);
       if (!golden && !first) first = golden.error();
     }

@@ -30,7 +30,7 @@ Result<Views> decode_all(const Decoder& decoder, int stop_level, int threads) {
         EXPECT_FALSE(views.contains({view.row, view.col})) << "delivered twice";
         views[{view.row, view.col}] = std::move(image);
       },
-      stop_level, threads);
+      {stop_level, threads});
   if (!done) return tl::unexpected(done.error());
   return views;
 }

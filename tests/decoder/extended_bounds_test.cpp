@@ -119,7 +119,7 @@ uint64_t reference_walks(const NaiveStream& stream, const NaiveImage& image,
 uint64_t check_block(const NaiveStream& stream, const Decoder& decoder, const BlockAddress& at) {
   WalkCounter counter;
   AccessCounts counts;
-  EXPECT_TRUE(decoder.decode_block(at, 0, &counter, &counts).has_value());
+  EXPECT_TRUE(decoder.decode_block(at, {.trace = &counter, .counts = &counts}).has_value());
   EXPECT_EQ(counts.walks, counter.walks().size());
   std::map<int, LevelWalks> levels;
   for (const auto& walk : counter.walks()) count(stream, walk, levels[walk.site.level]);
@@ -216,8 +216,8 @@ TEST(ExtendedBounds, NothingAboveAKeyImageIsRead) {
   const auto decoder = Decoder::open(file);
   for (uint32_t view = 0; view < 16; ++view) {
     WalkCounter counter;
-    ASSERT_TRUE(
-        decoder->decode_block({{view / 4, view % 4}, Plane::kY, 0, 0}, 0, &counter).has_value());
+    ASSERT_TRUE(decoder->decode_block({{view / 4, view % 4}, Plane::kY, 0, 0}, {.trace = &counter})
+                    .has_value());
     ASSERT_FALSE(counter.walks().empty());
     for (const auto& walk : counter.walks()) EXPECT_EQ(walk.site.level, 0);
   }

@@ -57,7 +57,7 @@ std::string outcome(const Bytes& file, ReferenceMode mode) {
   options.check_sections = false;
   const auto decoder = Decoder::open(file, options);
   const BlockAddress at{{0, 2}, Plane::kY, 0, 0};
-  const auto block = decoder->decode_block(at, 0, nullptr, nullptr, mode);
+  const auto block = decoder->decode_block(at, {.references = mode});
   const auto plane = decoder->decode_plane({0, 2}, Plane::kY);
   EXPECT_EQ(block.has_value(), plane.has_value());
   if (block) return "ok";

@@ -1,5 +1,5 @@
 // Whole streams put together by hand, and what every sample of them is by the formulas of
-// sections 8 and 10.
+// section 8.
 #pragma once
 
 #include <array>

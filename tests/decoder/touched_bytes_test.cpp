@@ -1,9 +1,10 @@
 // The count of bytes read, against a plain set of lines.
-#include "decoder/touched_bytes.hpp"
 
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include <hmlfc/read_sink.hpp>
 
 #include "scenes/test_light_fields.hpp"
 

@@ -130,7 +130,7 @@ void check_stream(std::mt19937& random, const NaiveStream& stream, Told& told) {
     const BlockAddress at{
         {below(header.rows), below(header.cols)}, plane, below(blocks.width), below(blocks.height)};
     Checker checker(stream, bits);
-    ASSERT_TRUE(decoder->decode_block(at, 0, &checker).has_value());
+    ASSERT_TRUE(decoder->decode_block(at, {.trace = &checker}).has_value());
     ASSERT_FALSE(testing::Test::HasFailure());
     told.fields += checker.fields();
     told.stages += checker.stages();

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every rule of rules.py serves a command of a document, and README.md keeps its length.
+"""Every rule of rules.py serves a command of a document, links lead somewhere, and documents keep their length.
 
 usage: check_rules.py ROOT DOCUMENT...
 """
@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import document
+import links
 import rules
 
 README_LINES = 130
@@ -16,7 +17,7 @@ WORDS = 30000  # README.md and docs/*.md, without the specification
 
 def unused(found):
     """A complaint for each rule that no command of `found` uses."""
-    used = {rule for command in found for rule in rules.substitute(command.text)[1]}
+    used = {rule for command in found for rule in rules.substitute(command.text)[2]}
     return [f"rules.py: no document needs {rule.pattern.pattern}"
             for rule in [*rules.WORDS, *rules.COMMANDS] if rule not in used]
 
@@ -40,6 +41,8 @@ def main():
         lines = (root / name).read_text(encoding="utf-8").splitlines()
         found += document.commands(lines, name)
     complaints = [*unused(found), *sizes(root)]
+    for name in names:
+        complaints += links.dead(root, name)
     print("\n".join(complaints))
     return 1 if complaints else 0
 

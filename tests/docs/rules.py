@@ -1,14 +1,20 @@
 """What is run in place of a command of a document. A command that no rule matches runs as it stands.
 
 Each rule is (pattern, replacement, reason). WORDS are replaced wherever they are found in a command; then
-the first pattern of COMMANDS that matches all of it decides. The pattern NAMED_ONLY as replacement:
-the command does not run, ./run --help has to name it. A rule that no document needs is an error.
+the first pattern of COMMANDS that matches all of it decides. Two replacements are special:
+
+NAMED_ONLY  the command does not run: the usage of ./run has to name it
+HELP        the pattern's first group runs with --help, whose text has to have every --option of the command
+
+A rule that no document needs is an error.
 """
 
 import re
 from dataclasses import dataclass
 
 NAMED_ONLY = object()
+HELP = object()
+OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 
 
 @dataclass(frozen=True)
@@ -24,36 +30,50 @@ def rules(*rows):
 
 WORDS = rules(
     (r"--size (192x144|256x192|320x240|512x512)", "--size 64x48", "the smallest with the blocks that are named"),
+    (r"--grid (1x101|17x17)", "--grid 9x9", "as many views as the sandbox has"),
     (r"--rect 64,32,128,96", "--rect 8,8,32,24", "inside the small views"),
     (r"--frames \d+", "--frames 2", "frames are alike"),
-    (r"(fuzz-dut .*)--minutes 60", r"\1--count 2", "minutes are its smallest unit"),
+    (r"--views (8|12|all)\b", "--views 1", "views are alike"),
+    (r"(rtl-random .*)--count \d+", r"\1--count 1", "streams are alike"),
+    (r"(fuzz-dut .*)--(minutes 60|count 100000)", r"\1--count 2", "minutes are its smallest unit"),
     (r"(minimise .*)--dut '[^']*'", r"""\1--dut 'sh -c "exit 1" {input} {output}' --trials 20""",
      "the decoder in the sandbox does not fail"),
+    (r"vectors (\w+) ID", r"vectors \1 syntax/base-palettes", "a vector"),
+    (r"\$\{\{ matrix\.preset \}\}", "asan", "one of the three"),
 )
 
 COMMANDS = rules(
-    (r"\./run (demo|soak .*)", NAMED_ONLY, "runs for minutes"),
-    (r"\./run test", NAMED_ONLY, "runs this test"),
-    (r"\./run test (.*)", r"ctest --test-dir $BUILD -N --no-tests=error \1", "lists the tests"),
+    (r"\./run (demo|soak.*)", NAMED_ONLY, "runs for minutes"),
+    (r"\./run test( --require-all)?", NAMED_ONLY, "runs this test"),
+    (r"(?:\./run test|ctest --test-dir \S+) (.*)", r"ctest --test-dir $BUILD -N \1 | grep 'Total Tests: [1-9]'", "lists the tests"),
+    (r"cmake (?:--preset |--build build/)(\w+)", r"""cmake --list-presets | grep -F '"\1"'""", "a build takes minutes"),
+    (r"cmake --install build/release --prefix \S+", "cmake --install $BUILD --prefix installed", "into the sandbox"),
+    (r"(\./run (?:bench (?:accuracy|rate_distortion|skipping)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
+     "measures for minutes, or needs a build of its own"),
+    (r"(\./run clauses) .*", HELP, "writes into the repository, or needs reports"),
+    (r"(\./run vectors generate)", HELP, "takes a minute, and writes into the repository"),
     (r"\./run compare .*", r"\g<0>; test $? = 1", "the views differ"),
-    (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)", r"\1 conform --filter 'syntax/base-*' \2; test $? = 5",
-     "the whole suite takes a minute"),
+    (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)",
+     r"\1 conform --filter 'syntax/base-*' \2; test $? = 5", "the whole suite takes a minute"),
     (r"\./run conform .*faulty_decoder.*", r"\g<0>; test $? = 1", "it fails"),
     (r"\./run conform --merge .*", r"\g<0>; test $? = 5", "the shards have a part of the suite"),
-    (r"\./run bench (methods)", r"./run bench \1 30 FOLDER", "a small light field"),
-    (r"\./run (bench (?:accuracy|rate_distortion|skipping)|stress|fuzz)( .*)?", r"./run \1 --help",
-     "measures for minutes, or needs a build of its own"),
+    (r"\./run bench methods", r"\g<0> 30 FOLDER", "a small light field"),
+    (r"\./run bench render", "(./run bench || true) 2>&1 | grep -w render", "measures for minutes; the list of benchmarks has it"),
+    (r"\./run bench motion_search", r"\g<0> --benchmark_list_tests", "measures for minutes"),
 )
 
 
 def substitute(command, words=WORDS, table=COMMANDS):
-    """(what to run or NAMED_ONLY, the rules used)."""
+    """(what to run, or NAMED_ONLY; the options that its output has to have; the rules used)."""
     used = [rule for rule in words if rule.pattern.search(command)]
     for rule in used:
         command = rule.pattern.sub(rule.replacement, command)
     for rule in table:
         match = rule.pattern.fullmatch(command)
         if match:
+            used.append(rule)
+            if rule.replacement is HELP:
+                return f"{match[1]} --help", OPTION.findall(command), used
             made = rule.replacement
-            return (made if made is NAMED_ONLY else match.expand(made)), [*used, rule]
-    return command, used
+            return (made if made is NAMED_ONLY else match.expand(made)), [], used
+    return command, [], used

@@ -72,7 +72,7 @@ def check(root, sandbox, name, updating=False):
     lines = path.read_text(encoding="utf-8").splitlines()
     complaints, skipped, outputs, grown = [], [], [], 0
     for command in document.commands(lines, name):
-        made, _ = rules.substitute(command.text)
+        made, options, _ = rules.substitute(command.text)
         if made is rules.NAMED_ONLY:
             made = f"./run | grep -qF -- '{' '.join(command.text.split()[:2])} '"
         result = sandbox.run(made)
@@ -84,6 +84,9 @@ def check(root, sandbox, name, updating=False):
             said = (result.stdout + result.stderr)[-2000:]
             complaints.append(f"{name}:{command.line}: exit status {result.returncode}: {shown}\n{said}")
             continue
+        for option in options:
+            if option not in rules.OPTION.findall(result.stdout):
+                complaints.append(f"{name}:{command.line}: {made} has no {option}: {command.text}")
         output = [line.rstrip() for line in result.stdout.splitlines()]
         outputs += [command.text, result.stdout]
         if updating:
@@ -107,7 +110,7 @@ def main():
     parser.add_argument("--update", action="store_true")
     options = parser.parse_args()
     root = options.root.resolve()
-    sandbox = Sandbox(options.folder.resolve(), root, options.build.resolve(), options.hmlfc.resolve())
+    sandbox = Sandbox(options.folder.resolve(), root, options.build.resolve(), options.hmlfc.absolute())
     complaints, skipped = check(root, sandbox, options.document, options.update)
     print("\n".join(complaints + [f"skipped, {NO_DEVICE}: {text}" for text in skipped]))
     return 1 if complaints else SKIPPED if skipped else 0

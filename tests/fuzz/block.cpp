@@ -52,9 +52,10 @@ void decode_some_block(const Decoder& decoder, size_t file_size, Choice& choice)
   block.by = choice.below((size.height + side - 1) / side);
   const int levels = header.tree_height + 1;
   const int level = choice.below(2) == 0 ? 0 : static_cast<int>(choice.below(uint32_t(levels)));
-  const auto golden = decoder.decode_block(block, level);
+  const auto golden = decoder.decode_block(block, {.stop_level = level});
   if (!golden) demand(golden.error().offset <= file_size, "an error past the end of the file");
-  const auto sparse = decoder.decode_block(block, level, nullptr, nullptr, ReferenceMode::kSparse);
+  const auto sparse =
+      decoder.decode_block(block, {.stop_level = level, .references = ReferenceMode::kSparse});
   if (golden && sparse) demand(*golden == *sparse, "reference images that are kept differ");
   check_rect(decoder, block, level, golden);
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "stream_parts.hpp"
-#include "syntax/conformance_level.hpp"
 #include "syntax/geometry.hpp"
 #include "target.hpp"
 
@@ -21,14 +20,14 @@ void run(std::span<const uint8_t> input) {
   demand(
       written.size() <= input.size() && std::equal(written.begin(), written.end(), input.begin()),
       "a header that was read is written otherwise");
-  demand(least_level(*header) >= 0, "a conformance level below 0");
+  demand(conformance_level(*header) >= 0, "a conformance level below 0");
   const Geometry geometry(*header);
   const LevelShape& level = geometry.level(geometry.top());
   const ImagePos last{level.rows - 1, level.cols - 1};
   demand(geometry.image_number(geometry.top(), last) < geometry.image_count(), "IDX-1");
   const ImagePos corner{header->rows - 1, header->cols - 1};
   demand(geometry.ancestor(corner, 0, geometry.top()) == last, "DEC-1");
-  demand(geometry.group_count() <= geometry.tile_count(), "IDX-3");
+  demand(geometry.tile_group_count() <= geometry.tile_count(), "IDX-3");
 }
 
 std::vector<Bytes> seeds(std::span<const uint8_t> stream) {

@@ -6,7 +6,7 @@
 #include "decoder/key_images.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -46,7 +46,7 @@ uint64_t bit_of(const std::vector<uint8_t>& bytes, std::string_view name) {
   const unsigned b = decoder->header().block_size();
   for (uint32_t by = 0; by * b < size.height; ++by) {
     for (uint32_t bx = 0; bx * b < size.width; ++bx) {
-      static_cast<void>(decoder->decode_block({{0, 0}, Plane::kY, bx, by}, 0, &sink));
+      static_cast<void>(decoder->decode_block({{0, 0}, Plane::kY, bx, by}, {.trace = &sink}));
     }
   }
   return sink.bit;

@@ -5,9 +5,8 @@
 
 #include <hmlfc/renderer.hpp>
 
-#include "render/pixel_reads.hpp"
-#include "render/real_renderer.hpp"
 #include "render/render_cases.hpp"
+#include "render/taps.hpp"
 
 namespace hmlfc {
 namespace {

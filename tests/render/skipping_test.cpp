@@ -3,7 +3,6 @@
 
 #include <hmlfc/renderer.hpp>
 
-#include "decoder/touched_bytes.hpp"
 #include "render/render_cases.hpp"
 
 namespace hmlfc {

@@ -1,13 +1,13 @@
-"""Clauses in the sources: each one cited exists, each one that a decoder follows is cited."""
+"""Clauses in the sources: each one that is cited exists; each one that a decoder follows is cited."""
 
 from specification import RENDERING, SPECIFICATION, cited_clauses, defined_clauses, read
 
 SUFFIXES = {".cpp", ".hpp", ".py", ".md", ".glsl", ".comp"}
 
 # Where clauses are cited.
-CITING = ["model", "gpu_ref", "docs", "README.md"]
+CITING = ["model", "tools", "gpu_ref", "testbench", "docs", "README.md"]
 
-# The layers of the decoder and its API.
+# The decoder and its API.
 DECODER = ["model/bits", "model/arithmetic", "model/syntax", "model/decoder", "model/include"]
 
 # The normative documents, each with the code that follows its clauses.

@@ -1,124 +1,126 @@
-"""What the quantities of section 11 can be, found by trying: all inputs where they are few, else
-the ends of each input's interval. Nothing is read from the specification's width table."""
+"""What the quantities of section 11 can be: arithmetic of intervals where inputs are independent of
+each other, else all inputs are tried. Nothing is read from the specification's width table."""
 
 from functools import cache
 from itertools import product
 
-# From this depth on, inputs take the values at both ends of their intervals alone. Every formula
-# is monotone in each input, which the depths below show.
-MANY = 6
+DISPARITIES = (-(2**12), 2**12 - 1)
+SIGNS = (-1, 1)
 
 
-class Tried:
-    """The extremes at one depth; Y first, then Co and Cg."""
+def ends(values):
+    values = list(values)
+    return min(values), max(values)
 
-    def __init__(self, n):
-        self.n = n
-        top = 2**n - 1
-        colours = [self.forward(*rgb) for rgb in product(self.span(0, top), repeat=3)]
-        self.samples = [self.ends(c[0] for c in colours), self.ends(c[2] for c in colours)]
-        assert self.samples[1] == self.ends(c[1] for c in colours)
-        self.bounds = [hi - lo for lo, hi in self.samples]
 
-    def span(self, lo, hi):
-        """The values of [lo, hi] to try."""
-        if self.n < MANY or hi - lo < 4:
-            return range(lo, hi + 1)
-        return [lo, lo + 1, hi - 1, hi]
+def union(*intervals):
+    return ends(end for interval in intervals for end in interval)
 
-    @staticmethod
-    def ends(values):
-        values = list(values)
-        return min(values), max(values)
 
-    @staticmethod
-    def forward(r, g, b):
-        """COL-1."""
-        co = r - b
-        t = b + (co >> 1)
-        cg = g - t
-        return t + (cg >> 1), co, cg
+def sums(*intervals):
+    return sum(lo for lo, _ in intervals), sum(hi for _, hi in intervals)
 
-    def level_counts(self):
-        """BISE-1 as far as TIL-8 allows: 2^k, 3 * 2^k and 5 * 2^k up to 4 * 2^n."""
-        counts = [base << k for base in (1, 3, 5) for k in range(self.n + 3)]
-        return [count for count in counts if count <= 4 * 2**self.n]
 
-    def biases(self):
-        """n + 2 bits of two's complement."""
-        return -(2 ** (self.n + 1)), 2 ** (self.n + 1) - 1
+def products(a, b):
+    return ends(x * y for x, y in product(a, b))
 
-    def unclamped_residual(self):
-        return self.ends(
-            value - (count >> 1) + bias
-            for count in self.level_counts()
-            for value in self.span(0, count - 1)
-            for bias in self.span(*self.biases())
-        )
 
-    def residual(self, plane):
-        lo, hi = self.unclamped_residual()
-        bound = self.bounds[plane]
-        return max(lo, -bound), min(hi, bound)
+def shifted(interval, k):
+    return interval[0] >> k, interval[1] >> k
 
-    def reference(self, plane):
-        return self.ends([*self.residual(plane), *self.samples[plane]])
 
-    def stepped(self, plane):
-        """STP-3 before its outer clamp: steps are 2^k and 3 * 2^k up to 256."""
-        steps = [base << k for base in (1, 3) for k in range(9) if base << k <= 256]
-        return self.ends(s * r for s in steps for r in self.span(*self.residual(plane)))
+def negated(interval):
+    return -interval[1], -interval[0]
 
-    def interpolated(self, plane):
-        """I of MOT-9 at all fractions; monotone in each of the four samples."""
-        values = self.reference(plane)
-        return self.ends(
-            (8 - fy) * ((8 - fx) * a + fx * b) + fy * ((8 - fx) * c + fx * d)
-            for fx, fy in product(range(8), repeat=2)
-            for a, b, c, d in product(values, repeat=4)
-        )
 
-    def two_interpolated(self, plane):
-        ends = self.interpolated(plane)
-        return self.ends(first + second + 64 for first, second in product(ends, repeat=2))
+@cache
+def quantities(n, plane):
+    """{row of the table: (least, greatest)} at depth n, of plane 0 = Y or 1 = Co, Cg."""
+    luma, chroma = sample_ranges(n)
+    samples = (luma, chroma)[plane]
+    bound = samples[1] - samples[0]
+    counts = level_counts(n)
+    biases = (-(2 ** (n + 1)), 2 ** (n + 1) - 1)
+    unclamped = sums(union(*((-(c >> 1), c - 1 - (c >> 1)) for c in counts)), biases)
+    residual = max(unclamped[0], -bound), min(unclamped[1], bound)
+    reference = union(residual, samples)
+    sums_of_taps = interpolated_sums(reference, 8, range(8))
+    t = sums(luma, negated(shifted(chroma, 1)))
+    upper_half = ends(c - (c >> 1) for c in range(chroma[0], chroma[1] + 1))
+    most_vector = max(window << precision for window in range(128) for precision in range(4))
+    return {
+        "sample, parent P": samples,
+        "residual bound M": (0, bound),
+        "BISE value": (0, max(counts) - 1),
+        "bias": biases,
+        "residual before its clamp": unclamped,
+        "residual, SRV reference": residual,
+        "ref": reference,
+        # At the top P is 0 and ref a key sample.
+        "P + sign * ref": union(sums(samples, products(SIGNS, residual)), products(SIGNS, samples)),
+        "A + residual": sums(samples, residual),
+        "vector component": (-127, 127),
+        "step * residual": products((1, 256), residual),
+        "disparity": DISPARITIES,
+        "explicit_x, explicit_y": (-(2**11), 2**11 - 1),
+        "rk - r, ck - c": reference_offsets(),
+        "d * row_scale * (rk - r)": scaled_disparities(),
+        "vx, vy": (-most_vector, most_vector),
+        "u": eighths(),
+        "I": sums_of_taps,
+        "I_first + I_second + 64": sums(sums_of_taps, sums_of_taps, (64, 64)),
+        "t": t,
+        "G before its clamp": sums(luma, upper_half),
+        "B before its clamp": sums(t, negated(shifted(chroma, 1))),
+        "R before its clamp": sums(t, upper_half),
+        "image number": (0, most_images() - 1),
+        "tile number": (0, most_tiles() - 1),
+        "bit position in a tile record": (0, longest_record(n)),
+    }
 
-    def phased(self, plane):
-        """P + sign * ref: below the top with residuals, at the top with P = 0 and key samples."""
-        below = product(self.span(*self.samples[plane]), self.span(*self.residual(plane)))
-        sums = [p + sign * ref for p, ref in below for sign in (1, -1)]
-        return self.ends([*sums, *self.samples[plane], *(-x for x in self.samples[plane])])
 
-    def corrected(self, plane):
-        pairs = product(self.span(*self.samples[plane]), self.span(*self.residual(plane)))
-        return self.ends(a + residual for a, residual in pairs)
+def sample_ranges(n):
+    """Those of Y and of Co and Cg (COL-1): all colours at small depths, else those of extreme parts."""
+    top = 2**n - 1
+    parts = range(top + 1) if n < 6 else [0, 1, top - 1, top]
+    y, co, cg = map(ends, zip(*(forward(*rgb) for rgb in product(parts, repeat=3))))
+    assert co == cg
+    return y, co
 
-    def t_values(self):
-        y, chroma = self.span(*self.samples[0]), self.span(*self.samples[1])
-        return [a - (cg >> 1) for a, cg in product(y, chroma)]
 
-    def green(self):
-        y, chroma = self.span(*self.samples[0]), self.span(*self.samples[1])
-        return self.ends(cg + a - (cg >> 1) for a, cg in product(y, chroma))
+def forward(r, g, b):
+    """COL-1."""
+    co = r - b
+    t = b + (co >> 1)
+    cg = g - t
+    return t + (cg >> 1), co, cg
 
-    def blue(self):
-        chroma = self.span(*self.samples[1])
-        return self.ends(t - (co >> 1) for t, co in product(set(self.t_values()), chroma))
 
-    def red(self):
-        chroma = self.span(*self.samples[1])
-        return self.ends(t - (co >> 1) + co for t, co in product(set(self.t_values()), chroma))
+def level_counts(n):
+    """BISE-1 as far as TIL-8 allows: 2^k, 3 * 2^k and 5 * 2^k up to 4 * 2^n."""
+    return [c for c in (b << k for b in (1, 3, 5) for k in range(n + 3)) if c <= 4 * 2**n]
 
-    def longest_record(self):
-        """Bits of the longest tile record (TIL-1, STP-1): every field at its longest, 8 x 8 blocks."""
 
-        def bise(counts, values):
-            return max(bise_bits(count, values) for count in counts)
+def interpolated_sums(values, one, fractions):
+    """Sums of four samples with weights of `fractions` of `one` (MOT-9); monotone in each sample."""
+    return ends(
+        (one - fy) * ((one - fx) * a + fx * b) + fy * ((one - fx) * c + fx * d)
+        for fx, fy in product(fractions, repeat=2)
+        for a, b, c, d in product(values, repeat=4)
+    )
 
-        masks = 2 * (16 + 16 * 4)
-        vector_counts = [c for c in Tried(12).level_counts() if c <= 256]  # K of window 127
-        vectors = 2 + 2 * (8 + 5) + 64 + 2 * bise(vector_counts, 64)
-        headers = 6 + 3 + 4 + 4 + 2 + 64 * (6 + 3 + self.n + 2)
-        return 2 + 2 + masks + vectors + headers + 64 * bise(self.level_counts(), 64)
+
+def longest_record(n):
+    """Bits of the longest tile record (TIL-1, STP-1): every field at its longest, 8 x 8 blocks."""
+
+    def bise(counts):
+        return max(bise_bits(count, 64) for count in counts)
+
+    masks = 2 * (16 + 16 * 4)
+    vector_counts = [c for c in level_counts(12) if c <= 256]  # K of window 127
+    vectors = 2 + 2 * (8 + 5) + 64 + 2 * bise(vector_counts)
+    headers = 6 + 3 + 4 + 4 + 2 + 64 * (6 + 3 + n + 2)
+    return 2 + 2 + masks + vectors + headers + 64 * bise(level_counts(n))
 
 
 def bise_bits(count, values):
@@ -155,9 +157,6 @@ def most_tiles():
     return most_images() * (3 * (65536 // 16) ** 2 + 2 * (65536 // 32) ** 2)
 
 
-DISPARITIES = (-(2**12), 2**12 - 1)
-
-
 @cache
 def reference_offsets():
     """rk - r for K0 and K1 of MOT-7, over rows of images and lengths of groups (STR-4, EXT-3)."""
@@ -186,24 +185,10 @@ def line_offsets(begins):
             yield references[following] - place
 
 
-@cache
 def scaled_disparities():
-    ends = [
-        d * scale * offset
-        for d in DISPARITIES
-        for scale in (-127, 127)
-        for offset in reference_offsets()
-    ]
-    rounded = [x + 2**8 for x in ends]
-    assert all(-(2**28) <= x < 2**28 for x in [*ends, *rounded])
-    return min(ends), max(ends)
-
-
-@cache
-def vector_components():
-    """MOT-8: vectors clamped to V, for every window and precision."""
-    most = max(window << precision for window in range(128) for precision in range(4))
-    return -most, most
+    found = products(products(DISPARITIES, (-127, 127)), reference_offsets())
+    assert all(-(2**28) <= x < 2**28 for x in sums(found, (0, 2**8)))  # rounded as well
+    return found
 
 
 @cache

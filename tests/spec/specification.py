@@ -9,7 +9,7 @@ RENDERING = Path("docs/rendering.md")
 DEFINITION = re.compile(r"^\*\*\[([A-Z]+-\d+)\]\*\*", re.MULTILINE)
 CLAUSE = re.compile(r"\b[A-Z]{3,4}-\d+\b")
 # Names of other standards that look like clauses.
-NOT_CLAUSES = {"SHA-256", "UTF-8"}
+NOT_CLAUSES = {"SHA-256", "TLM-2", "UTF-8"}
 CLAUSE_RANGE = re.compile(r"\b([A-Z]{3,4})-(\d+) to \1-(\d+)\b")
 
 
@@ -33,7 +33,7 @@ def cited_clauses(text):
 
 
 def table_after(text, heading):
-    """The rows of the first table behind a heading, each a list of cells; the head row is first."""
+    """The rows of the first table after a heading, each a list of cells; the head row is first."""
     rows = []
     for line in text[text.index(heading) :].splitlines():
         if line.startswith("|"):
@@ -41,3 +41,9 @@ def table_after(text, heading):
         elif rows:
             break
     return [rows[0], *rows[2:]]
+
+
+def rows_after(text, heading):
+    """The rows of the same table without its head, each as {column: cell}."""
+    head, *rows = table_after(text, heading)
+    return [dict(zip(head, row)) for row in rows]

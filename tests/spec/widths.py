@@ -1,54 +1,14 @@
-"""The width table of section 11: its formulas give its numbers, and values reach but never leave
-its intervals."""
+"""The width table of section 11: its formulas give its numbers, and values reach the ends of its
+intervals but never leave them."""
 
 import re
-from functools import cache
 
-from extremes import (
-    DISPARITIES,
-    Tried,
-    eighths,
-    most_images,
-    most_tiles,
-    reference_offsets,
-    scaled_disparities,
-    vector_components,
-)
-from specification import read, table_after
+from extremes import quantities
+from specification import read, rows_after
 
 HEADING = "## 11"
 WIDTHS = {"bits at n = 8": 8, "bits at n = 12": 12}
 DEPTHS = [3, 4, 5, 8, 9, 10, 11, 12]
-
-# Each row of the table: (least, greatest) of plane 0 = Y or 1 = Co, Cg at a depth.
-QUANTITIES = {
-    "sample, parent P": lambda tried, plane: tried.samples[plane],
-    "residual bound M": lambda tried, plane: (0, tried.bounds[plane]),
-    "BISE value": lambda tried, plane: (0, max(tried.level_counts()) - 1),
-    "bias": lambda tried, plane: tried.biases(),
-    "residual before its clamp": lambda tried, plane: tried.unclamped_residual(),
-    "residual, SRV reference": Tried.residual,
-    "ref": Tried.reference,
-    "P + sign * ref": Tried.phased,
-    "A + residual": Tried.corrected,
-    "vector component": lambda tried, plane: (-127, 127),
-    "step * residual": Tried.stepped,
-    "disparity": lambda tried, plane: DISPARITIES,
-    "explicit_x, explicit_y": lambda tried, plane: (-(2**11), 2**11 - 1),
-    "rk - r, ck - c": lambda tried, plane: reference_offsets(),
-    "d * row_scale * (rk - r)": lambda tried, plane: scaled_disparities(),
-    "vx, vy": lambda tried, plane: vector_components(),
-    "u": lambda tried, plane: eighths(),
-    "I": Tried.interpolated,
-    "I_first + I_second + 64": Tried.two_interpolated,
-    "t": lambda tried, plane: tried.ends(tried.t_values()),
-    "G before its clamp": lambda tried, plane: tried.green(),
-    "B before its clamp": lambda tried, plane: tried.blue(),
-    "R before its clamp": lambda tried, plane: tried.red(),
-    "image number": lambda tried, plane: (0, most_images() - 1),
-    "tile number": lambda tried, plane: (0, most_tiles() - 1),
-    "bit position in a tile record": lambda tried, plane: (0, tried.longest_record()),
-}
 
 
 def evaluate(formula, n):
@@ -95,29 +55,26 @@ def row_violations(row):
             return
 
 
-@cache
-def extremes(quantity, n, plane):
-    return QUANTITIES[quantity](Tried(n), plane)
-
-
 def reach_violations(row, n):
     for plane, (lo, hi) in enumerate(intervals(row, n)):
-        least, most = extremes(row["quantity"], n, plane)
+        least, most = quantities(n, plane)[row["quantity"]]
         if least < lo or most > hi:
             yield f"at n = {n} values reach [{least}, {most}], past [{lo}, {hi}]"
         elif (least, most) != (lo, hi):
             yield f"at n = {n} values reach [{least}, {most}] only, not [{lo}, {hi}]"
 
 
+def table_violations(name, rows, known, of_row):
+    """Those of each row by of_row(row); a table without a quantity of `known`, or with another, is at fault."""
+    for row in rows:
+        if row["quantity"] not in known:
+            yield f"{name}: {row['quantity']} is not in the quantities of tests/spec"
+        else:
+            yield from (f"{name}: {row['quantity']}: {violation}" for violation in of_row(row))
+    for quantity in known.keys() - {row["quantity"] for row in rows}:
+        yield f"{name}: {quantity} is missing"
+
+
 def violations(root):
-    head, *rows = table_after(read(root), HEADING)
-    table = [dict(zip(head, row)) for row in rows]
-    for row in table:
-        if row["quantity"] not in QUANTITIES:
-            yield f"widths: {row['quantity']} is not in the table of tests/spec/widths.py"
-            continue
-        for violation in row_violations(row):
-            yield f"widths: {row['quantity']}: {violation}"
-    for quantity in QUANTITIES:
-        if quantity not in [row["quantity"] for row in table]:
-            yield f"widths: {quantity} is missing"
+    rows = rows_after(read(root), HEADING)
+    yield from table_violations("widths", rows, quantities(12, 0), row_violations)

@@ -9,7 +9,6 @@
 #include <hmlfc/renderer.hpp>
 
 #include "render/ray.hpp"
-#include "render/real_renderer.hpp"
 #include "vectors/random.hpp"
 #include "vectors/random_stream.hpp"
 

@@ -69,10 +69,10 @@ class Exercise {
         outcome_.blocks % 4 == 0;  // each fourth block at one stop level after another
     const int level =
         above ? static_cast<int>(outcome_.blocks / 4 % static_cast<uint64_t>(levels)) : 0;
-    const auto samples = decoder_.decode_block(address, level);
+    const auto samples = decoder_.decode_block(address, {.stop_level = level});
     ++outcome_.blocks;
     const auto kept =
-        decoder_.decode_block(address, level, nullptr, nullptr, ReferenceMode::kSparse);
+        decoder_.decode_block(address, {.stop_level = level, .references = ReferenceMode::kSparse});
     note(address, level, samples.has_value() == kept.has_value() && (!samples || *samples == *kept),
          "reference images on demand and kept give different blocks");
     if (samples) compare_with_plane(address, level, *samples);
@@ -105,7 +105,7 @@ class Exercise {
   void decode_views() {
     const auto ignore = [](ViewPos, RgbImage&&) {};
     for (int level = 0; level <= header_.tree_height; ++level) {
-      static_cast<void>(decoder_.decode_all(ignore, level, 1));
+      static_cast<void>(decoder_.decode_all(ignore, {.stop_level = level, .threads = 1}));
       if (const auto violation = take_violation()) {
         outcome_.failure = *violation + "; all views, level " + std::to_string(level);
         return;

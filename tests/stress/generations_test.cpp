@@ -36,7 +36,7 @@ LightField decoded(const std::vector<uint8_t>& bytes) {
   const auto put = [&](ViewPos view, RgbImage&& image) {
     field.set_view(view.row, view.col, image);
   };
-  EXPECT_TRUE(decoder->decode_all(put, 0, 1).has_value());
+  EXPECT_TRUE(decoder->decode_all(put, {.threads = 1}).has_value());
   return field;
 }
 

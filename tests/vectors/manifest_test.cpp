@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "io/atomic_file.hpp"
 #include "io/temp_folder.hpp"
-#include "syntax/conformance_level.hpp"
 #include "vectors/choice.hpp"
 #include "vectors/sha256.hpp"
 
@@ -118,7 +119,7 @@ TEST(ConformanceLevel, EachLimitOfTheTable) {
     StreamHeader header = least;
     header.window = 0;
     change(header);
-    return least_level(header);
+    return conformance_level(header);
   };
   EXPECT_EQ(level_with([](StreamHeader&) {}), 0);
   EXPECT_EQ(level_with([](StreamHeader& h) { h.rows = 16; }), 0);

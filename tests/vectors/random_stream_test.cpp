@@ -19,7 +19,7 @@ TEST(RandomStream, EveryViewDecodes) {
     const auto bytes = random_stream(seed, kSmall);
     const auto decoder = Decoder::open(bytes);
     ASSERT_TRUE(decoder) << to_string(decoder.error());
-    const auto done = decoder->decode_all([](ViewPos, RgbImage&&) {}, 0, 1);
+    const auto done = decoder->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1});
     ASSERT_TRUE(done) << to_string(done.error());
   }
 }

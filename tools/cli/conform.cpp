@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <hmlfc/version.hpp>
+
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/dut_options.hpp"

@@ -69,7 +69,7 @@ void decode_everything(const StreamFile& file, const ViewWriter& writer, int sto
     const std::scoped_lock lock(mutex);
     progress(++done, count);
   };
-  value_or_throw(file.decoder().decode_all(write_view, stop_level, threads), file.path());
+  value_or_throw(file.decoder().decode_all(write_view, {stop_level, threads}), file.path());
   first.rethrow();
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/dut_options.hpp"
@@ -15,7 +17,6 @@
 #include "conform/minimise.hpp"
 #include "conform/runner.hpp"
 #include "io/atomic_file.hpp"
-#include "syntax/conformance_level.hpp"
 #include "vectors/random_stream.hpp"
 
 namespace hmlfc::cli {
@@ -36,7 +37,7 @@ struct FuzzOptions {
 vectors::Limits stream_limits(const conform::Dut& dut) {
   vectors::Limits limits;
   const conform::DutLimits& own = dut.limits;
-  const LevelLimits& level = kLevelLimits[static_cast<size_t>(dut.level)];
+  const ConformanceLimits& level = kConformanceLimits[static_cast<size_t>(dut.level)];
   limits.grid_side = std::min({limits.grid_side, level.grid_side, own.rows, own.cols});
   limits.view_side = std::min({limits.view_side, level.view_side, own.width, own.height});
   limits.depth = std::min({limits.depth, level.depth, own.depth});

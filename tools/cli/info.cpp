@@ -6,11 +6,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/stream_report.hpp"
 #include "cli/view_source.hpp"
-#include "syntax/geometry.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -26,10 +27,9 @@ std::string tools_text(const StreamHeader& header) {
 }
 
 std::string tree_text(const StreamHeader& header) {
-  const Geometry geometry(header);
   std::string text = "Tree\n";
-  for (int level = geometry.top(); level >= 0; --level) {
-    const LevelShape& shape = geometry.level(level);
+  for (int level = header.tree_height; level >= 0; --level) {
+    const LevelInfo shape = level_info(header, level);
     text += fmt::format("  level {:<2} {:>5} x {:<5} images", level, shape.rows, shape.cols);
     const bool motion = shape.ref_rows > 1 || shape.ref_cols > 1;
     if (motion) {
@@ -37,9 +37,8 @@ std::string tree_text(const StreamHeader& header) {
     } else {
       text += ", no motion";
     }
-    if (shape.keyed) {
-      const uint64_t keys = uint64_t{shape.group_rows()} * shape.group_cols();
-      text += fmt::format(", {} key image{}", keys, keys == 1 ? "" : "s");
+    if (shape.key_images > 0) {
+      text += fmt::format(", {} key image{}", shape.key_images, shape.key_images == 1 ? "" : "s");
     }
     text += "\n";
   }

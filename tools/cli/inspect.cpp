@@ -47,9 +47,10 @@ ExitCode run_inspect(const InspectOptions& options) {
   report.file = options.file.string();
   report.header = file.header();
   report.block = {*options.view, options.plane, options.block[0], options.block[1]};
-  value_or_throw(
-      file.decoder().decode_block(report.block, stop_level, &report.trace, &report.counts),
-      options.file);
+  value_or_throw(file.decoder().decode_block(
+                     report.block,
+                     {.stop_level = stop_level, .trace = &report.trace, .counts = &report.counts}),
+                 options.file);
   if (options.json) {
     print_json(to_json(report));
   } else {

@@ -9,10 +9,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <hmlfc/version.hpp>
+
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/help_formatter.hpp"
 #include "cli/output.hpp"
+#include "gpu_ref/frame_renderer.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -114,6 +117,9 @@ ExitCode guarded_run(int count, char** arguments) {
   } catch (const Failure& failure) {
     note(failure.what());
     return failure.code();
+  } catch (const gpu::DeviceError& error) {
+    note(std::string("--backend gpu: ") + error.what());
+    return ExitCode::kUsage;
   } catch (const std::bad_alloc&) {
     note("Not enough memory");
     return ExitCode::kOutOfMemory;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/dut_options.hpp"
@@ -13,7 +15,6 @@
 #include "conform/runner.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mapped_file.hpp"
-#include "syntax/header.hpp"
 
 namespace hmlfc::cli {
 namespace {

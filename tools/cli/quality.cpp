@@ -24,7 +24,7 @@ ErrorSums measure_stream(const StreamFile& file, const LightField& original, int
     sums.add(error);
     if (progress) progress(++done, count);
   };
-  value_or_throw(file.decoder().decode_all(add_view, 0, threads), file.path());
+  value_or_throw(file.decoder().decode_all(add_view, {.threads = threads}), file.path());
   return sums;
 }
 

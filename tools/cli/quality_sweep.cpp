@@ -3,8 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include <hmlfc/renderer.hpp>
+
 #include "cli/failure.hpp"
-#include "render/real_renderer.hpp"
 
 namespace hmlfc::cli {
 namespace {

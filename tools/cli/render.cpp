@@ -16,7 +16,6 @@
 #include "cli/quality_sweep.hpp"
 #include "cli/render_backend.hpp"
 #include "cli/stream_file.hpp"
-#include "decoder/touched_bytes.hpp"
 #include "io/write_animation.hpp"
 #include "io/write_image.hpp"
 

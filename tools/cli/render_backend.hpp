@@ -20,8 +20,7 @@ struct BackendChoice {
 };
 
 /// The renderer that `choice` asks for; `file` must outlive it. Usage failure for a device that is
-/// not there, or that does not hold the stream. Of the options a device takes cache_bytes alone, as
-/// GpuRenderer::open does, and FrameCounts::samples_interpolated is not counted.
+/// not there, or that does not hold the stream; gpu::make_gpu_renderer says what a device ignores.
 std::unique_ptr<FrameRenderer> make_renderer(const BackendChoice& choice, const StreamFile& file);
 
 }  // namespace hmlfc::cli

@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "cli/failure.hpp"
-#include "syntax/geometry.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -28,10 +29,9 @@ double pixels(const StreamHeader& header) {
 }
 
 Json levels_json(const StreamHeader& header) {
-  const Geometry geometry(header);
   Json levels = Json::array();
-  for (int level = geometry.top(); level >= 0; --level) {
-    const LevelShape& shape = geometry.level(level);
+  for (int level = header.tree_height; level >= 0; --level) {
+    const LevelInfo shape = level_info(header, level);
     Json entry;
     entry["level"] = level;
     entry["rows"] = shape.rows;

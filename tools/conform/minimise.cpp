@@ -12,7 +12,7 @@ namespace {
 
 bool decodes(std::span<const uint8_t> stream) {
   const auto decoder = Decoder::open(stream);
-  return decoder && decoder->decode_all([](ViewPos, RgbImage&&) {}, 0, 1);
+  return decoder && decoder->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1});
 }
 
 // One search, from a failing stream down.

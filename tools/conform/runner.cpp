@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "conform/judge.hpp"
 #include "conform/result_log.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mapped_file.hpp"
-#include "syntax/conformance_level.hpp"
-#include "syntax/header.hpp"
 #include "vectors/sha256.hpp"
 
 namespace hmlfc::conform {
@@ -186,7 +186,7 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
     return result;
   }
   const auto header = header_of(stream);
-  if (header && beyond_claims(dut, header->profile, least_level(*header), &*header)) {
+  if (header && beyond_claims(dut, header->profile, conformance_level(*header), &*header)) {
     result.status = Status::kNotSupported;
     return result;
   }
@@ -196,7 +196,7 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
   if (!golden) {
     decoded = tl::unexpected(golden.error());
   } else {
-    decoded = golden->decode_all([](ViewPos, RgbImage&&) {}, 0, 1);
+    decoded = golden->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1});
   }
   if (!decoded) {
     expect.outcome = vectors::Outcome::kReject;

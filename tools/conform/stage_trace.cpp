@@ -74,7 +74,7 @@ std::vector<std::pair<Stage, std::string>> golden_stages(const Decoder& decoder,
                                                          const BlockAddress& block) {
   StageSink sink;
   // An error ends the trace; what came before it is of use.
-  (void)decoder.decode_block(block, 0, &sink);
+  (void)decoder.decode_block(block, {.trace = &sink});
   return std::move(sink.stages);
 }
 

@@ -1,5 +1,4 @@
-#include <hmlfc/hmlfc_dpi.h>
-#include <hmlfc/decoder.hpp>
+#include "dut/hmlfc_dpi.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,6 +8,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <hmlfc/decoder.hpp>
 
 namespace {
 
@@ -78,8 +79,8 @@ int hmlfc_dpi_field(void* stream, const char* name) {
 
 int hmlfc_dpi_block(void* stream, int row, int col, int plane, int block_x, int block_y,
                     int stop_level, int* samples) {
-  const auto block =
-      decoder_of(stream).decode_block(address(row, col, plane, block_x, block_y), stop_level);
+  const auto block = decoder_of(stream).decode_block(address(row, col, plane, block_x, block_y),
+                                                     {.stop_level = stop_level});
   if (!block) return static_cast<int>(block.error().code);
   std::ranges::copy(*block, samples);
   return 0;
@@ -88,8 +89,8 @@ int hmlfc_dpi_block(void* stream, int row, int col, int plane, int block_x, int 
 int hmlfc_dpi_stage(void* stream, int row, int col, int plane, int block_x, int block_y, int level,
                     const char* stage, int* values) {
   StageFinder finder(level, stage);
-  const auto block =
-      decoder_of(stream).decode_block(address(row, col, plane, block_x, block_y), 0, &finder);
+  const auto block = decoder_of(stream).decode_block(address(row, col, plane, block_x, block_y),
+                                                     {.trace = &finder});
   if (!block) return -static_cast<int>(block.error().code);
   std::ranges::copy(finder.values, values);
   return static_cast<int>(finder.values.size());

@@ -1,6 +1,6 @@
 // The golden model behind hmlfc_dut.h: an example of a library that `hmlfc conform` tests.
-#include <hmlfc/hmlfc_dut.h>
 #include <hmlfc/decoder.hpp>
+#include <hmlfc/dut.hpp>
 
 #include <algorithm>
 #include <new>
@@ -12,8 +12,6 @@ struct hmlfc_dut {
 };
 
 namespace {
-
-int status_of(const hmlfc::Error& error) { return static_cast<int>(error.code); }
 
 hmlfc::BlockAddress address(uint32_t row, uint32_t col, uint32_t plane, uint32_t block_x,
                             uint32_t block_y) {
@@ -51,27 +49,19 @@ const char* hmlfc_dut_name() { return "hmlfc golden model"; }
 int hmlfc_dut_open(const uint8_t* bytes, size_t size, hmlfc_dut** dut) {
   *dut = nullptr;
   auto decoder = hmlfc::Decoder::open({bytes, size});
-  if (!decoder) return status_of(decoder.error());
+  if (!decoder) return hmlfc::dut_status(decoder.error());
   *dut = new (std::nothrow) hmlfc_dut{std::move(*decoder)};
   return *dut != nullptr ? 0 : static_cast<int>(hmlfc::ErrorCode::kOutOfMemory);
 }
 
 int hmlfc_dut_get_geometry(const hmlfc_dut* dut, hmlfc_dut_geometry* geometry) {
-  const hmlfc::StreamHeader& header = dut->decoder.header();
-  *geometry = {header.rows,
-               header.cols,
-               header.width,
-               header.height,
-               static_cast<uint32_t>(header.depth),
-               static_cast<uint32_t>(header.chroma_format),
-               header.block_log2,
-               static_cast<uint32_t>(header.tree_height)};
+  *geometry = hmlfc::dut_geometry(dut->decoder.header());
   return 0;
 }
 
 int hmlfc_dut_decode_view(hmlfc_dut* dut, uint32_t row, uint32_t col, uint16_t* rgb) {
   const auto image = dut->decoder.decode_view({row, col});
-  if (!image) return status_of(image.error());
+  if (!image) return hmlfc::dut_status(image.error());
   std::ranges::copy(image->samples, rgb);
   return 0;
 }
@@ -80,8 +70,8 @@ int hmlfc_dut_decode_block(hmlfc_dut* dut, uint32_t row, uint32_t col, uint32_t 
                            uint32_t block_x, uint32_t block_y, uint32_t stop_level,
                            int32_t* samples) {
   const auto block = dut->decoder.decode_block(address(row, col, plane, block_x, block_y),
-                                               static_cast<int>(stop_level));
-  if (!block) return status_of(block.error());
+                                               {.stop_level = static_cast<int>(stop_level)});
+  if (!block) return hmlfc::dut_status(block.error());
   std::ranges::copy(*block, samples);
   return 0;
 }
@@ -91,13 +81,10 @@ int hmlfc_dut_trace_block(hmlfc_dut* dut, uint32_t row, uint32_t col, uint32_t p
                           void* context) {
   Stages stages(sink, context);
   const auto block =
-      dut->decoder.decode_block(address(row, col, plane, block_x, block_y), 0, &stages);
-  return block ? 0 : status_of(block.error());
+      dut->decoder.decode_block(address(row, col, plane, block_x, block_y), {.trace = &stages});
+  return block ? 0 : hmlfc::dut_status(block.error());
 }
 
-const char* hmlfc_dut_error_name(int status) {
-  const bool known = status >= 0 && status < hmlfc::kErrorCodeCount;
-  return known ? hmlfc::error_name(static_cast<hmlfc::ErrorCode>(status)).data() : nullptr;
-}
+const char* hmlfc_dut_error_name(int status) { return hmlfc::dut_error_name(status); }
 
 void hmlfc_dut_close(hmlfc_dut* dut) { delete dut; }

@@ -157,7 +157,7 @@ class Dump {
 
   void note_block(const Decoder& decoder, const BlockAddress& block) {
     BlockRecorder recorder;
-    const auto samples = decoder.decode_block(block, 0, &recorder);
+    const auto samples = decoder.decode_block(block, {.trace = &recorder});
     for (const auto& record : recorder.records) {
       if (const auto* field = std::get_if<RecordedField>(&record)) note_field(*field);
     }

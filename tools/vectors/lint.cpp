@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "io/mapped_file.hpp"
-#include "syntax/conformance_level.hpp"
-#include "syntax/header.hpp"
 #include "vectors/sha256.hpp"
 
 namespace hmlfc::vectors {
@@ -96,7 +96,7 @@ class VectorLint {
     if (!header) return;
     header_ = *header;
     if (header->profile != vector_.profile) complain("is of the other profile");
-    if (least_level(*header) != vector_.level) complain("is of another level");
+    if (conformance_level(*header) != vector_.level) complain("is of another level");
     if (vector_.output) check_output(*header, *vector_.output);
   }
 

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "bits/little_endian.hpp"
 #include "decoder/key_images.hpp"
-#include "syntax/conformance_level.hpp"
 #include "syntax/header.hpp"
 #include "vectors/expected.hpp"
 #include "vectors/generate.hpp"
@@ -95,7 +96,7 @@ Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& fi
   vector.id = id;
   vector.group = recipe.group;
   vector.profile = header.profile;
-  vector.level = least_level(header);
+  vector.level = conformance_level(header);
   vector.clauses = recipe.clauses;
   vector.flags = header_flags(header);
   vector.flags.insert(vector.flags.end(), recipe.flags.begin(), recipe.flags.end());

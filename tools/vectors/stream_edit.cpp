@@ -147,7 +147,7 @@ class Editor {
     if (!decoder) throw TextError("edit: " + to_string(decoder.error()));
     BlockRecorder recorder;
     const BlockAddress block = block_of(json.at("block"));
-    static_cast<void>(decoder->decode_block(block, 0, &recorder));
+    static_cast<void>(decoder->decode_block(block, {.trace = &recorder}));
     auto left = json.value("nth", 0);
     for (const auto& record : recorder.records) {
       const auto* field = std::get_if<RecordedField>(&record);

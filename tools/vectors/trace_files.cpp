@@ -132,7 +132,7 @@ TraceText trace_text(const Decoder& decoder, std::span<const BlockAddress> block
   TraceWriter writer;
   for (const BlockAddress& block : blocks) {
     BlockRecorder recorder;
-    if (!decoder.decode_block(block, 0, &recorder)) {
+    if (!decoder.decode_block(block, {.trace = &recorder})) {
       throw TextError("a block to be traced does not decode");
     }
     writer.begin(block);

@@ -1,4 +1,4 @@
-// A virtual camera before a light field, and the integer record that renderers take
+// A virtual camera in front of a light field, and the integer record that renderers take
 // (docs/rendering.md, sections 1 and 2).
 #pragma once
 
@@ -10,19 +10,20 @@
 
 #include <tl/expected.hpp>
 
+#include <hmlfc/export.hpp>
 #include <hmlfc/format.hpp>
 
 namespace hmlfc {
 
-/// How the pixels of views make a pixel of a frame (SMP-1, SMP-2).
+/// Which pixels of which views a pixel of a frame is the weighted mean of (SMP-1, SMP-2).
 enum class Filter : uint8_t {
   kNearest = 0,       ///< the nearest pixel of the nearest view
   kBilinear = 1,      ///< the nearest pixels of the views around the ray
   kQuadrilinear = 2,  ///< four pixels of each of the views around the ray
 };
 
-inline constexpr int kMaxAperture = 3;
-inline constexpr int kMaxFrameSide = 4096;
+inline constexpr int kMaxAperture = 3;      ///< of Camera::aperture
+inline constexpr int kMaxFrameSide = 4096;  ///< of frame_width and frame_height, pixels
 
 /// "nearest", "bilinear" or "quadrilinear".
 constexpr std::string_view filter_name(Filter filter) {
@@ -30,80 +31,86 @@ constexpr std::string_view filter_name(Filter filter) {
   return kNames[static_cast<size_t>(filter)];
 }
 
-/// A point in columns, rows and, beyond the view plane, columns of views (CAM-1).
+/// A point in the units of CAM-1.
 struct WorldPoint {
-  double u = 0;
-  double v = 0;
-  double z = 0;
+  double u = 0;  ///< column of views
+  double v = 0;  ///< row of views
+  double z = 0;  ///< distance beyond the view plane (< 0: behind it), in columns of views
 };
 
-/// The inputs of CAM-3; its table has the intervals, and what stands for those not given.
+/// The inputs of CAM-3. with_defaults fills in those not set.
 struct Camera {
-  std::optional<uint32_t> frame_width;
-  std::optional<uint32_t> frame_height;
-  std::optional<double> focal;
-  double shear = 0;
-  std::optional<double> row_pitch;
-  std::optional<WorldPoint> position;
-  std::optional<WorldPoint> look_at;
-  std::optional<double> tan_half;
-  double focus = 0;
-  int aperture = 0;
-  Filter filter = Filter::kQuadrilinear;
+  std::optional<uint32_t> frame_width;   ///< pixels, [1, 4096]; else that of a view
+  std::optional<uint32_t> frame_height;  ///< pixels, [1, 4096]; else that of a view
+  std::optional<double> focal;      ///< of the views, pixels, [1, 65536]; else max(width, height)
+  double shear = 0;                 ///< disparity at infinity, pixels a column, [-256, 256]
+  std::optional<double> row_pitch;  ///< distance of two rows in columns, +-[1/16, 127/16]; else
+                                    ///< row_scale / 16 of the header if that is not 0, else 1
+  std::optional<WorldPoint> position;  ///< u, v in [-4096, 8192], z and z / row_pitch in
+                                       ///< [-4096, 4096]; else the middle of the grid, z = 0
+  std::optional<WorldPoint> look_at;   ///< each in [-2^20, 2^20]; else straight ahead
+  std::optional<double> tan_half;      ///< of half the field of view along the longer side,
+                                       ///< [2^-10, 2]; else the largest frame that a view fills
+  double focus = 0;                    ///< disparity of the focal plane, [-256, 256]
+  int aperture = 0;  ///< log2 of the steps of views over which a weight falls to 0, [0, 3]
+  Filter filter = Filter::kQuadrilinear;  ///< of the frame's pixels
 };
 
-/// `camera` with every input set: CAM-3's last column for a light field of this header. A camera at
-/// a view's place with nothing else set takes the view itself (SMP-4).
-Camera with_defaults(const Camera& camera, const StreamHeader& header);
+/// `camera` with every input set, for a light field of this header: inputs not given take the last
+/// column of CAM-3. A camera at a view's place with nothing else set takes the view itself (SMP-4).
+HMLFC_EXPORT Camera with_defaults(const Camera& camera, const StreamHeader& header);
 
 /// A vector of integers.
 struct IntVector {
-  int32_t x = 0;
-  int32_t y = 0;
-  int32_t z = 0;
+  int32_t x = 0;  ///< along the columns of views
+  int32_t y = 0;  ///< along the rows of views
+  int32_t z = 0;  ///< into the scene
 
   friend bool operator==(const IntVector&, const IntVector&) = default;
 };
 
-/// Everything that a frame's pixels depend on but the light field's samples (REC-2): the fields of
-/// its table in their order, without gaps.
+/// All that a frame's pixels depend on besides the light field's samples (REC-2): the fields of its
+/// table in their order, without gaps. A direction n is n_hi * 2^-28 + n_lo * 2^-40.
 struct FrameRecord {
-  int32_t frame_width = 1;
-  int32_t frame_height = 1;
-  int32_t filter = 0;
-  int32_t aperture = 0;
-  IntVector n0_hi, n0_lo;
-  IntVector na_hi, na_lo;
-  IntVector nb_hi, nb_lo;
-  int32_t u0 = 0;
-  int32_t v0 = 0;
-  int32_t zu = 0;
-  int32_t zv = 0;
-  int32_t x0 = 0;
-  int32_t y0 = 0;
-  int32_t gain = 0;
-  int32_t dx = 0;
-  int32_t dy = 0;
-  int32_t c0 = 0;
-  int32_t r0 = 0;
-  int32_t cols = 1;
-  int32_t rows = 1;
-  int32_t width = 1;
-  int32_t height = 1;
+  int32_t frame_width = 1;   ///< pixels, [1, 4096]
+  int32_t frame_height = 1;  ///< pixels, [1, 4096]
+  int32_t filter = 0;        ///< a Filter
+  int32_t aperture = 0;      ///< [0, 3]
+  IntVector n0_hi;           ///< direction of the frame's centre
+  IntVector n0_lo;           ///< [0, 4095] each
+  IntVector na_hi;           ///< its change for half a pixel to the right
+  IntVector na_lo;           ///< [0, 4095] each
+  IntVector nb_hi;           ///< its change for half a pixel down
+  IntVector nb_lo;           ///< [0, 4095] each
+  int32_t u0 = 0;            ///< position of the camera, 2^-16 steps of views
+  int32_t v0 = 0;            ///< the same for rows
+  int32_t zu = 0;            ///< its distance beyond the view plane, 2^-16 columns
+  int32_t zv = 0;            ///< the same in rows
+  int32_t x0 = 0;            ///< where the ray straight ahead meets view (r0, c0), 2^-12 pixels
+  int32_t y0 = 0;            ///< the same for y
+  int32_t gain = 0;          ///< 2^-12 pixels for a slope of 1
+  int32_t dx = 0;            ///< 2^-12 pixels for each column of views
+  int32_t dy = 0;            ///< 2^-12 pixels for each row of views
+  int32_t c0 = 0;            ///< the column nearest to the camera
+  int32_t r0 = 0;            ///< the row nearest to the camera
+  int32_t cols = 1;          ///< of views
+  int32_t rows = 1;          ///< of views
+  int32_t width = 1;         ///< of a view, pixels
+  int32_t height = 1;        ///< of a view, pixels
 
   friend bool operator==(const FrameRecord&, const FrameRecord&) = default;
 };
 static_assert(sizeof(FrameRecord) == 148);
 
-/// Why a camera takes no frame: the input and its interval, for people.
+/// Why a camera takes no frame.
 struct CameraError {
-  std::string message;
+  std::string message;  ///< one line for people: the input and its interval
 };
 
-/// The record of `camera` before a light field of this header (CAM-3, CAM-4, REC-1 to REC-3): the
-/// same integers on every machine. Errors: an input outside its interval, a camera that looks along
-/// the columns of views, or one too far away.
-tl::expected<FrameRecord, CameraError> frame_record(const Camera& camera,
-                                                    const StreamHeader& header);
+/// The record of `camera` in front of a light field of this header (CAM-3, CAM-4, REC-1 to REC-3):
+/// the same integers on every machine. Errors: an input outside its interval, a camera that looks
+/// along the columns of views, or one too far away.
+HMLFC_EXPORT tl::expected<FrameRecord, CameraError> frame_record(const Camera& camera,
+                                                                 const StreamHeader& header);
 
 }  // namespace hmlfc

@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include <hmlfc/export.hpp>
 #include <hmlfc/format.hpp>
 #include <hmlfc/light_field.hpp>
 #include <hmlfc/measure.hpp>
@@ -34,42 +35,45 @@ struct MainParams {
 
 /// Parameters of profile extended alone.
 struct ExtendedParams {
-  double quality = 60;  ///< [0, 100]; higher is better and larger
-  Preset preset = Preset::kMedium;
+  double quality = 60;              ///< [0, 100]; higher is better and larger
+  Preset preset = Preset::kMedium;  ///< how long to search
 };
 
 /// How to encode. The intervals are those of the header (specification, section 3). What is left
-/// open takes the profile's own value.
+/// open takes a value that depends on the profile.
 struct EncodeParams {
-  Profile profile = Profile::kExtended;
-  Method method = Method::kHmlfc;
-  uint32_t cluster_rows = 2;       ///< [1, 255]
-  uint32_t cluster_cols = 2;       ///< [1, 255]
-  std::optional<int> tree_height;  ///< [0, 15], lowered to what the grid needs, 0 for kMc; open: 3,
-                                   ///< in profile extended with motion 0
-  unsigned block_size = 4;         ///< 2, 4 or 8
-  std::optional<int> window;       ///< [0, 127]; open: 16, in profile extended 64
-  uint32_t ref_rows = 0;           ///< reference groups of every level with motion, [1, 255]; 0
-  uint32_t ref_cols = 0;           ///< leaves them open: 8 x 8, in profile extended found by trial
-  std::optional<ChromaFormat> chroma;  ///< open: 4:2:0, in profile extended chosen by its cost;
-                                       ///< 4:4:4 if lossless
-  bool lossless = false;  ///< keeps every sample, and every RGB value with 4:4:4; thresholds and
-                          ///< quality have no meaning
-  int threads = 0;        ///< 0: all cores; never changes the result
-  MainParams main;
-  ExtendedParams extended;
+  Profile profile = Profile::kExtended;  ///< the set of tools
+  Method method = Method::kHmlfc;        ///< the codec
+  uint32_t cluster_rows = 2;             ///< [1, 255]
+  uint32_t cluster_cols = 2;             ///< [1, 255]
+  /// [0, 15], lowered to what the grid needs; 0 for kMc. Open: main and kRlfc 3, extended 0.
+  std::optional<int> tree_height = {};
+  unsigned block_size = 4;  ///< 2, 4 or 8
+  /// [0, 127]. Open: main 16, extended 64.
+  std::optional<int> window = {};
+  /// Reference groups of every level with motion: [1, 255], or open with 0: main 8, extended found
+  /// by trial.
+  uint32_t ref_rows = 0;
+  uint32_t ref_cols = 0;  ///< likewise
+  /// Size of Co and Cg. Open: main 4:2:0, extended chosen by its cost, lossless 4:4:4.
+  std::optional<ChromaFormat> chroma = {};
+  /// Keeps every sample, and with 4:4:4 every RGB value. Thresholds and quality have no meaning.
+  bool lossless = false;
+  int threads = 0;               ///< 0: all cores; never changes the result
+  MainParams main = {};          ///< used in profile main
+  ExtendedParams extended = {};  ///< used in profile extended
 };
 
 /// An encoded stream with what the encoder knows about it.
 struct EncodedStream {
-  std::vector<uint8_t> bytes;
-  ErrorSums error;      ///< of the encoder's own reconstruction, which a decoder's equals
-  EncodeParams params;  ///< those used: nothing is open
+  std::vector<uint8_t> bytes;  ///< the whole file
+  ErrorSums error;             ///< of the encoder's own reconstruction, which a decoder's equals
+  EncodeParams params;         ///< those used: nothing is open
 };
 
 /// Why nothing was encoded, for people.
 struct EncodeError {
-  std::string message;
+  std::string message;  ///< one line
 };
 
 /// Called with the number of finished images `done` in [0, total], from one thread at a time.
@@ -77,17 +81,17 @@ using Progress = std::function<void(uint64_t done, uint64_t total)>;
 
 /// Encodes `light_field`. The result is the same bytes for any number of threads and any
 /// instruction set. Errors: a parameter outside its interval, out of memory.
-tl::expected<EncodedStream, EncodeError> encode(const LightField& light_field,
-                                                const EncodeParams& params,
-                                                const Progress& progress = {});
+HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode(const LightField& light_field,
+                                                             const EncodeParams& params,
+                                                             const Progress& progress = {});
 
 /// Encodes with the lowest quality, in quarters (in profile main: with the largest thresholds, both
 /// equal), whose PSNR over RGB is at least `target_db`, in [1, 100]. If even quality 100
 /// (thresholds of 0) does not reach it, because of subsampled chroma, that is the result. The
 /// quality or threshold_pred of `params` is tried first. params.lossless is ignored.
-tl::expected<EncodedStream, EncodeError> encode_to_psnr(const LightField& light_field,
-                                                        const EncodeParams& params,
-                                                        double target_db,
-                                                        const Progress& progress = {});
+HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode_to_psnr(const LightField& light_field,
+                                                                     const EncodeParams& params,
+                                                                     double target_db,
+                                                                     const Progress& progress = {});
 
 }  // namespace hmlfc

@@ -7,6 +7,8 @@
 
 #include <tl/expected.hpp>
 
+#include <hmlfc/export.hpp>
+
 namespace hmlfc {
 
 /// One value for each normative rejection; the numbers are those of annex A.
@@ -48,23 +50,24 @@ enum class Section : uint8_t { kHeader = 0, kTop = 1, kRoot = 2, kGroup = 3, kTi
 
 /// What went wrong and where.
 struct Error {
-  ErrorCode code = ErrorCode::kOk;
-  Section section = Section::kHeader;
-  uint64_t offset = 0;  ///< byte offset from the start of the file
+  ErrorCode code = ErrorCode::kOk;     ///< the rejection
+  Section section = Section::kHeader;  ///< where it was found
+  uint64_t offset = 0;                 ///< byte offset from the start of the file
 };
 
 /// The name of annex A, such as "bad_magic".
-std::string_view error_name(ErrorCode code);
+HMLFC_EXPORT std::string_view error_name(ErrorCode code);
 
 /// The meaning of annex A, one line without full stop.
-std::string_view error_meaning(ErrorCode code);
+HMLFC_EXPORT std::string_view error_meaning(ErrorCode code);
 
 /// "header", "TOP", "ROOT", "GROUP" or "TILE".
-std::string_view section_name(Section section);
+HMLFC_EXPORT std::string_view section_name(Section section);
 
-/// For people: "bad_levels in TILE at byte 1234: a level code beyond ...".
-std::string to_string(const Error& error);
+/// One line for people: "bad_levels in TILE at byte 1234: a level code beyond ...".
+HMLFC_EXPORT std::string to_string(const Error& error);
 
+/// A value, or the error in place of it.
 template <class T>
 using Result = tl::expected<T, Error>;
 

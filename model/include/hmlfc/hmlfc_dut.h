@@ -19,88 +19,88 @@
 #define HMLFC_DUT_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* The version of this interface. It changes only when an older library would be misread. */
+/** The version of this interface. It changes only when an older library would be misread. */
 #define HMLFC_DUT_ABI 1
 
-/* Instead of a status, from hmlfc_dut_open: the decoder cannot run on this machine (no device, no
+/** Instead of a status, from hmlfc_dut_open: the decoder cannot run on this machine (no device, no
  * licence). The vector is then skipped, which is no pass. */
 #define HMLFC_DUT_CANNOT_RUN (-1)
 
-/* Samples of the largest block: 8 x 8. */
+/** Samples of the largest block: 8 x 8. */
 #define HMLFC_DUT_BLOCK_SAMPLES 64
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* An open stream; only the library knows what is in it. */
+/** An open stream; only the library knows what is in it. */
 typedef struct hmlfc_dut hmlfc_dut;
 
-/* Header fields (FIL-1) under the specification's names. */
+/** Header fields (FIL-1) under the specification's names. */
 typedef struct hmlfc_dut_geometry {
-  uint32_t rows;          /* view rows, [1, 4096] */
-  uint32_t cols;          /* view columns, [1, 4096] */
-  uint32_t width;         /* pixels, [1, 65536] */
-  uint32_t height;        /* pixels, [1, 65536] */
-  uint32_t depth;         /* bits a sample, [8, 12] */
-  uint32_t chroma_format; /* 0: 4:2:0, 1: 4:4:4 */
-  uint32_t block_log2;    /* [1, 3] */
-  uint32_t tree_height;   /* [0, 15] */
+  uint32_t rows;          /**< view rows, [1, 4096] */
+  uint32_t cols;          /**< view columns, [1, 4096] */
+  uint32_t width;         /**< pixels, [1, 65536] */
+  uint32_t height;        /**< pixels, [1, 65536] */
+  uint32_t depth;         /**< bits a sample, [8, 12] */
+  uint32_t chroma_format; /**< 0: 4:2:0, 1: 4:4:4 */
+  uint32_t block_log2;    /**< [1, 3] */
+  uint32_t tree_height;   /**< [0, 15] */
 } hmlfc_dut_geometry;
 
-/* One block of one image of the tree, and the values of one stage of it (row by row, B * B of
+/** One block of one image of the tree, and the values of one stage of it (row by row, B * B of
  * them). `stage` is "parent", "reference", "prediction", "residual" or "sample", as `hmlfc inspect`
  * names them. */
 typedef struct hmlfc_dut_stage {
-  const char* stage;
-  uint32_t level;     /* [0, tree_height] */
-  uint32_t image_row; /* in the level's grid of images */
-  uint32_t image_col;
-  uint32_t plane; /* 0 Y, 1 Co, 2 Cg */
-  uint32_t block_x;
-  uint32_t block_y;
-  uint32_t count; /* of values, B * B */
-  const int32_t* values;
+  const char* stage;     /**< its name */
+  uint32_t level;        /**< [0, tree_height] */
+  uint32_t image_row;    /**< in the level's grid of images */
+  uint32_t image_col;    /**< in the level's grid of images */
+  uint32_t plane;        /**< 0 Y, 1 Co, 2 Cg */
+  uint32_t block_x;      /**< column of blocks */
+  uint32_t block_y;      /**< row of blocks */
+  uint32_t count;        /**< of values, B * B */
+  const int32_t* values; /**< row by row */
 } hmlfc_dut_stage;
 
-/* Told each stage; `context` is what the caller of hmlfc_dut_trace_block gave. */
+/** Receives each stage; `context` is what the caller of hmlfc_dut_trace_block gave. */
 typedef void (*hmlfc_dut_stage_sink)(void* context, const hmlfc_dut_stage* stage);
 
-/* Returns HMLFC_DUT_ABI as the library was compiled with. */
+/** Returns HMLFC_DUT_ABI as the library was compiled with. */
 HMLFC_DUT_EXPORT uint32_t hmlfc_dut_abi(void);
 
-/* The decoder's name and version, for reports; a string that lives as long as the library. */
+/** The decoder's name and version, for reports; a string that lives as long as the library. */
 HMLFC_DUT_EXPORT const char* hmlfc_dut_name(void);
 
-/* Opens the stream of `size` bytes at `bytes`, which live until hmlfc_dut_close. On success *dut is
- * the stream, on failure null. */
+/** Opens the stream of `size` bytes at `bytes`, which live until hmlfc_dut_close. On success *dut
+ * is the stream, on failure null. */
 HMLFC_DUT_EXPORT int hmlfc_dut_open(const uint8_t* bytes, size_t size, hmlfc_dut** dut);
 
-/* Fills in *geometry. Returns 0. */
+/** Fills in *geometry. Returns 0. */
 HMLFC_DUT_EXPORT int hmlfc_dut_get_geometry(const hmlfc_dut* dut, hmlfc_dut_geometry* geometry);
 
-/* Decodes view (row, col) to height rows of width pixels R, G, B, row by row, in
+/** Decodes view (row, col) to height rows of width pixels R, G, B, row by row, in
  * [0, 2^depth - 1] each. */
 HMLFC_DUT_EXPORT int hmlfc_dut_decode_view(hmlfc_dut* dut, uint32_t row, uint32_t col,
                                            uint16_t* rgb);
 
-/* Decodes one block of a plane (0 Y, 1 Co, 2 Cg) of view (row, col) at stop level s of DEC-1:
+/** Decodes one block of a plane (0 Y, 1 Co, 2 Cg) of view (row, col) at stop level s of DEC-1:
  * B * B samples row by row; those outside the plane have no meaning. */
 HMLFC_DUT_EXPORT int hmlfc_dut_decode_block(hmlfc_dut* dut, uint32_t row, uint32_t col,
                                             uint32_t plane, uint32_t block_x, uint32_t block_y,
                                             uint32_t stop_level, int32_t* samples);
 
-/* Optional: decodes one block at stop level 0 and reports its stages from the top level down, in
+/** Optional: decodes one block at stop level 0 and reports its stages from the top level down, in
  * the order in which they are made. With it, reports name the first wrong stage. */
 HMLFC_DUT_EXPORT int hmlfc_dut_trace_block(hmlfc_dut* dut, uint32_t row, uint32_t col,
                                            uint32_t plane, uint32_t block_x, uint32_t block_y,
                                            hmlfc_dut_stage_sink sink, void* context);
 
-/* Optional: the name of annex A for a status, such as "bad_levels"; the numbers of annex A are used
- * without it. */
+/** Optional: the name of annex A for a status, such as "bad_levels"; the numbers of annex A are
+ * used without it. */
 HMLFC_DUT_EXPORT const char* hmlfc_dut_error_name(int status);
 
-/* Ends the use of `dut`; null is allowed. */
+/** Ends the use of `dut`; null is allowed. */
 HMLFC_DUT_EXPORT void hmlfc_dut_close(hmlfc_dut* dut);
 
 #ifdef __cplusplus

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <hmlfc/export.hpp>
 #include <hmlfc/image.hpp>
 
 namespace hmlfc {
@@ -24,8 +25,8 @@ struct LightFieldShape {
 /// RGB views on a grid. Samples take one byte each at depth 8 and two above, so a light field of
 /// depth 8 costs exactly rows * cols * width * height * 3 bytes.
 ///
-/// Different views may be written by different threads at the same time; the same view may not.
-class LightField {
+/// Threads may write different views at the same time, not the same one.
+class HMLFC_EXPORT LightField {
  public:
   LightField() = default;
 
@@ -33,6 +34,7 @@ class LightField {
   /// fits in memory (throws std::bad_alloc otherwise).
   explicit LightField(const LightFieldShape& shape);
 
+  /// As constructed; all sizes are 0 by default.
   const LightFieldShape& shape() const { return shape_; }
 
   /// Bytes of one row of one view: width * 3 * (1 or 2).

@@ -1,68 +1,94 @@
-// Novel views of a light field (docs/rendering.md): frames in, from the blocks that they need.
+// Novel views of a light field (docs/rendering.md), from the blocks that they need.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <hmlfc/camera.hpp>
 #include <hmlfc/decoder.hpp>
+#include <hmlfc/export.hpp>
 #include <hmlfc/image.hpp>
 
 namespace hmlfc {
 
-/// What one frame took. Blocks are those of NED-1.
+/// The work of one frame. Blocks are those of NED-1.
 struct FrameCounts {
   uint64_t blocks_needed = 0;         ///< decoded + reused
   uint64_t blocks_decoded = 0;        ///< for this frame
-  uint64_t blocks_reused = 0;         ///< of frames before, from the cache
-  uint64_t samples_interpolated = 0;  ///< of R, G and B of views, read with a weight above 0
+  uint64_t blocks_reused = 0;         ///< from the cache
+  uint64_t samples_interpolated = 0;  ///< samples R, G and B of views with a weight above 0
 
   friend bool operator==(const FrameCounts&, const FrameCounts&) = default;
 };
 
 /// Wall-clock time of the stages of one frame.
 struct FrameSeconds {
-  double plan = 0;    ///< which blocks are needed
-  double decode = 0;  ///< the missing ones, to RGB
+  double plan = 0;    ///< finding the blocks that are needed
+  double decode = 0;  ///< of the missing ones, to RGB
   double sample = 0;  ///< rays, weights and sums
 
+  /// All stages.
   double total() const { return plan + decode + sample; }
 };
 
 /// A rendered frame.
 struct Frame {
-  RgbImage image;  ///< frame_width x frame_height, of the light field's depth
-  FrameCounts counts;
-  FrameSeconds seconds;
+  RgbImage image;        ///< frame_width x frame_height, of the light field's depth
+  FrameCounts counts;    ///< what the renderer did for it
+  FrameSeconds seconds;  ///< how long that took
 };
 
-/// Renders frames of one light field. One frame at a time.
-class FrameRenderer {
+/// Renders frames of one light field, one frame at a time.
+class HMLFC_EXPORT FrameRenderer {
  public:
   virtual ~FrameRenderer() = default;
 
   /// Renders the frame of `record`, made by frame_record for this light field, from views decoded
-  /// down to `stop_level` (DEC-1), into `frame`, whose memory is used again. Errors: those of
-  /// NED-2; bad_request where record or stop_level do not fit the light field; out_of_memory.
+  /// down to `stop_level` (DEC-1), into `frame`, whose memory is reused. Every renderer returns the
+  /// same pixels. Errors: those of NED-2; bad_request where record or stop_level do not fit the
+  /// light field; out_of_memory.
   virtual Result<void> render(const FrameRecord& record, int stop_level, Frame& frame) = 0;
 };
 
-/// How the renderer on the CPU works; nothing here changes a frame.
+/// How a renderer works; nothing here changes a frame.
 struct RenderOptions {
-  size_t cache_bytes = size_t{256} << 20;  ///< of decoded pixels kept between frames
+  size_t cache_bytes = size_t{256} << 20;  ///< decoded pixels kept between frames; 0: none
   int threads = 0;                         ///< 0: all cores
-  /// Frames are asked for from coarse to fine: what is decoded of a stop level is kept so that the
-  /// one below it is decoded from there.
+  /// For callers that render each frame at stop levels from coarse to fine: keeps what was decoded
+  /// of a stop level, so that the next one starts from there.
   bool progressive = false;
 };
 
 /// The fast renderer on the CPU. `decoder` must outlive it.
-std::unique_ptr<FrameRenderer> make_cpu_renderer(const Decoder& decoder,
-                                                 const RenderOptions& options = {});
+HMLFC_EXPORT std::unique_ptr<FrameRenderer> make_cpu_renderer(const Decoder& decoder,
+                                                              const RenderOptions& options = {});
 
-/// The golden renderer: docs/rendering.md line by line, pixel by pixel, block by block, with
+/// The golden renderer: docs/rendering.md as it reads, pixel by pixel, block by block, with
 /// Decoder::decode_block, on one thread. `decoder` must outlive it.
-std::unique_ptr<FrameRenderer> make_golden_renderer(const Decoder& decoder);
+HMLFC_EXPORT std::unique_ptr<FrameRenderer> make_golden_renderer(const Decoder& decoder);
+
+/// A frame without rounding: the real frame of docs/rendering.md, section 7, in double precision,
+/// which the fixed point is measured against.
+struct RealFrame {
+  uint32_t width = 0;           ///< [1, 4096] pixels
+  uint32_t height = 0;          ///< [1, 4096] pixels
+  std::vector<uint8_t> inside;  ///< 1 for each pixel that is inside (RAY-5), row by row, else 0
+  std::vector<double> samples;  ///< R, G, B of each pixel in [0, 2^depth - 1]; 0 outside
+};
+
+/// The real frame of `camera`, which frame_record accepts for this light field, from views decoded
+/// whole down to `stop_level`. Errors: those of Decoder::decode_view, out_of_memory.
+HMLFC_EXPORT Result<RealFrame> render_real(const Decoder& decoder, const Camera& camera,
+                                           int stop_level = 0);
+
+/// The bound of ERR-1 on |frame - real frame| for filter quadrilinear at pixels that are inside in
+/// both, in samples of the light field's depth.
+HMLFC_EXPORT double fixed_point_bound(const Camera& camera, const StreamHeader& header);
+
+/// The mean squared difference of the samples of `frame` from those of `real`, a frame of the same
+/// size, over all pixels.
+HMLFC_EXPORT double mean_squared_error(const RgbImage& frame, const RealFrame& real);
 
 }  // namespace hmlfc

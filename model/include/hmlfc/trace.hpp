@@ -1,4 +1,4 @@
-// What a decoder can tell about one block: every field it reads and every stage's values.
+// The trace of one block: every field that the decoder reads and the values of every stage.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <hmlfc/error.hpp>
+#include <hmlfc/export.hpp>
 #include <hmlfc/format.hpp>
 
 namespace hmlfc {
@@ -26,13 +27,13 @@ constexpr std::string_view tile_kind_name(TileKind kind) {
 
 /// One block of one image of the tree.
 struct BlockSite {
-  int level = 0;           ///< [0, tree_height]
-  uint32_t image_row = 0;  ///< in the level's grid of images
-  uint32_t image_col = 0;
-  Plane plane = Plane::kY;
-  uint32_t bx = 0;  ///< block column in the plane
-  uint32_t by = 0;  ///< block row in the plane
-  TileKind tile = TileKind::kResidual;
+  int level = 0;                        ///< [0, tree_height]
+  uint32_t image_row = 0;               ///< in the level's grid of images
+  uint32_t image_col = 0;               ///< in the level's grid of images
+  Plane plane = Plane::kY;              ///< a plane of the image
+  uint32_t bx = 0;                      ///< block column in the plane
+  uint32_t by = 0;                      ///< block row in the plane
+  TileKind tile = TileKind::kResidual;  ///< the tile that is read
 
   friend bool operator==(const BlockSite&, const BlockSite&) = default;
 };
@@ -51,23 +52,26 @@ struct FieldRecord {
 /// The values of one stage of a block, row by row: "parent", "reference" (ref of DEC-3 at the
 /// displaced place, or R of MOT-9), "prediction", "residual" or "sample".
 struct StageRecord {
-  BlockSite site;
-  std::string_view stage;
-  std::string_view clause;
+  BlockSite site;                   ///< the block
+  std::string_view stage;           ///< its name
+  std::string_view clause;          ///< the clause that defines it
   std::span<const int32_t> values;  ///< block_size^2 values
 };
 
-/// Receives the records of one block in the order in which a decoder makes them. Reference blocks
-/// that are decoded on demand report their fields, with their own site, before the stage that needs
-/// them.
-class TraceSink {
+/// Receives the records of one block in the order of decoding. Reference blocks that are decoded on
+/// demand report their fields, with their own site, before the stage that needs them.
+class HMLFC_EXPORT TraceSink {
  public:
   virtual ~TraceSink() = default;
+
+  /// A field was read. The record lives until the call returns.
   virtual void on_field(const FieldRecord& record) = 0;
+
+  /// A stage is complete. The record and its values live until the call returns.
   virtual void on_stage(const StageRecord& record) = 0;
 };
 
-/// What decoding cost; BND-1 to BND-3 bound each count.
+/// The cost of decoding; BND-1 to BND-3 bound each count.
 struct AccessCounts {
   uint64_t walks = 0;   ///< entries of blocks, motion blocks and disparities looked up
   uint64_t fields = 0;  ///< fields read

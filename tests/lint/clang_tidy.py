@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""Runs clang-tidy with the repository's .clang-tidy; any finding is a failure.
+
+clang_tidy.py BUILD ROOT FOLDER...: every file of the build below ROOT/FOLDER.
+clang_tidy.py BUILD ROOT --self-test: a file with a known fault must be refused, and named.
+
+Exit: 0 clean, 1 findings, 77 no run-clang-tidy-16 (older clang does not read libstdc++ 12 as C++20).
+"""
+
+import argparse
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+RUN = "run-clang-tidy-16"
+SKIPPED = 77
+
+
+def commands(build):
+    """The compile commands of the build without g++'s precompiled headers, which clang cannot read."""
+    entries = json.loads((build / "compile_commands.json").read_text())
+    for entry in entries:
+        entry["command"] = re.sub(r"-Winvalid-pch -include \S+", "", entry["command"])
+    return entries
+
+
+def tidy(root, entries, files):
+    """Status and output of clang-tidy over the files that match one of the expressions."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "compile_commands.json").write_text(json.dumps(entries))
+        command = [RUN, "-quiet", "-p", folder, "-config-file", root / ".clang-tidy"]
+        jobs = len(os.sched_getaffinity(0))
+        return subprocess.run([*command, "-j", str(jobs), *files], capture_output=True, text=True)
+
+
+def check(build, root, folders):
+    entries = commands(build)
+    below = [f"^{re.escape(str(root / folder))}/" for folder in folders]
+    for expression in below:
+        if not any(re.search(expression, entry["file"]) for entry in entries):
+            sys.exit(f"the build has no file that matches {expression}")
+    result = tidy(root, entries, below)
+    findings = [line for line in result.stdout.splitlines() if re.search(r": (warning|error): ", line)]
+    print("\n".join(findings) or (result.stderr if result.returncode else "clean"))
+    return 1 if findings or result.returncode else 0
+
+
+def self_test(root):
+    with tempfile.TemporaryDirectory() as folder:
+        planted = Path(folder) / "planted.cpp"
+        planted.write_text("int Shout() { return 0; }\nint* nothing() { return 0; }\n")
+        command = f"clang++ -std=c++20 -c {planted}"
+        entry = {"directory": folder, "file": str(planted), "command": command}
+        result = tidy(root, [entry], [str(planted)])
+    print(result.stdout)
+    named = ("planted.cpp:1:5", "planted.cpp:2:25")
+    return 0 if result.returncode and all(place in result.stdout for place in named) else 1
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("build", type=Path)
+    parser.add_argument("root", type=Path)
+    parser.add_argument("folders", nargs="*")
+    parser.add_argument("--self-test", action="store_true")
+    arguments = parser.parse_args()
+    if not shutil.which(RUN):
+        print(f"{RUN} is not installed (Debian: clang-tidy-16)")
+        return SKIPPED
+    root = arguments.root.resolve()
+    if arguments.self_test:
+        return self_test(root)
+    return check(arguments.build, root, arguments.folders)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
