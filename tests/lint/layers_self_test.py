@@ -20,7 +20,8 @@ CLEAN_TREE = {
     "tests/bits/a_test.cpp": '#include "bits/a.hpp"\n',
     "tests/fuzz/CMakeLists.txt": "hmlfc_add_fuzz(open.cpp\n)\n",
     "tests/fuzz/open.cpp": '#include "bits/a.hpp"\n',
-    "tests/consumer/project/main.cpp": "int main() {}\n",
+    "examples/CMakeLists.txt": "add_executable(example example.cpp)\n",
+    "examples/example.cpp": '#include <hmlfc/public.hpp>\n',
 }
 
 
