@@ -157,7 +157,7 @@ BlockSizes block_sizes(const StreamHeader& header) {
           header.block_size() * header.block_size() / 2};
 }
 
-uint64_t most_requests(const Device::State& device, const BlockSizes& sizes, bool trace) {
+uint64_t max_requests(const Device::State& device, const BlockSizes& sizes, bool trace) {
   // A status and the samples twice, on the device and on the host; three lanes of pixels.
   const uint64_t bytes = kRequestBytes + sizes.entry_bytes() + 8 + 4 * sizes.sample_bytes() +
                          (trace ? 2 * sizes.stage_bytes() : 0);

@@ -73,7 +73,7 @@ struct BlockSizes {
 BlockSizes block_sizes(const StreamHeader& header);
 
 /// Most requests of one submission, with stages or not.
-uint64_t most_requests(const Device::State& device, const BlockSizes& sizes, bool trace);
+uint64_t max_requests(const Device::State& device, const BlockSizes& sizes, bool trace);
 
 /// What one submission reads and writes besides the stream.
 struct BatchBuffers {

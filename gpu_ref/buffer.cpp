@@ -21,7 +21,7 @@ size_t page_size() { return static_cast<size_t>(sysconf(_SC_PAGESIZE)); }
 
 using Property = vk::MemoryPropertyFlagBits;
 
-// The wanted properties of memory types, the best first; the last is what must be.
+// The wanted properties of memory types, the best first; the last is required.
 std::array<vk::MemoryPropertyFlags, 2> wanted_properties(Memory memory) {
   const vk::MemoryPropertyFlags host = Property::eHostVisible | Property::eHostCoherent;
   switch (memory) {

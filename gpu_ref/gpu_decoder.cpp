@@ -13,7 +13,7 @@
 namespace hmlfc::gpu {
 namespace {
 
-constexpr uint64_t kLeastBlocks = 3;  // a block in RGB
+constexpr uint64_t kMinBlocks = 3;  // a block in RGB
 
 enum class Want : uint8_t { kSamples, kPixels, kStages };
 
@@ -98,7 +98,7 @@ struct GpuDecoder::State {
 
   // Most requests of a submission that leaves stages or not.
   uint64_t limit(bool trace) const {
-    return std::max(kLeastBlocks, std::min(most_requests(device, sizes, trace), most_blocks));
+    return std::max(kMinBlocks, std::min(max_requests(device, sizes, trace), max_blocks));
   }
 
   // One submission. `collect(commands)` adds the copies to the readback buffer.
@@ -182,7 +182,7 @@ struct GpuDecoder::State {
   DeviceStream stream;
   ChromaFormat chroma_format;
   BlockSizes sizes;
-  uint64_t most_blocks = ~uint64_t{0};
+  uint64_t max_blocks = ~uint64_t{0};
   BatchBuffers buffers;
   std::vector<StageTime> times;
 };
@@ -231,6 +231,6 @@ const std::vector<StageTime>& GpuDecoder::stage_times() const { return state_->t
 
 uint64_t GpuDecoder::reference_bytes() const { return state_->stream.reference_bytes(); }
 
-void GpuDecoder::limit_submissions(uint64_t blocks) { state_->most_blocks = blocks; }
+void GpuDecoder::limit_submissions(uint64_t blocks) { state_->max_blocks = blocks; }
 
 }  // namespace hmlfc::gpu
