@@ -132,11 +132,11 @@ void print_outcome_json(const EncodeOutcome& outcome) {
   json["max_abs_error"] = outcome.quality.max_abs_error;
   json["cpu_seconds"] = outcome.time.cpu_seconds;
   if (outcome.params.profile == Profile::kMain) {
-    json["threshold_ref"] = outcome.params.threshold_ref;
-    json["threshold_pred"] = outcome.params.threshold_pred;
+    json["threshold_ref"] = outcome.params.main.threshold_ref;
+    json["threshold_pred"] = outcome.params.main.threshold_pred;
   } else {
-    json["quality"] = outcome.params.quality;
-    json["preset"] = preset_name(outcome.params.preset);
+    json["quality"] = outcome.params.extended.quality;
+    json["preset"] = preset_name(outcome.params.extended.preset);
   }
   print_json(json);
 }
@@ -151,10 +151,10 @@ void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outco
                     outcome.quality.max_abs_error));
   if (outcome.params.profile == Profile::kMain) {
     print(fmt::format("Thresholds    {} reference, {} predictive images\n",
-                      outcome.params.threshold_ref, outcome.params.threshold_pred));
+                      outcome.params.main.threshold_ref, outcome.params.main.threshold_pred));
   } else if (!outcome.params.lossless) {
-    print(fmt::format("Coded at      quality {}, preset {}\n", outcome.params.quality,
-                      preset_name(outcome.params.preset)));
+    print(fmt::format("Coded at      quality {}, preset {}\n", outcome.params.extended.quality,
+                      preset_name(outcome.params.extended.preset)));
   }
   print(fmt::format("Encoding      {:.2f} s, CPU {:.2f} s\n", outcome.time.wall_seconds,
                     outcome.time.cpu_seconds));
@@ -165,11 +165,12 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
   const auto target = options.coding.target_psnr;
   if (!target || outcome.quality.psnr_rgb >= *target) return true;
   const bool main = outcome.params.profile == Profile::kMain;
-  note(fmt::format(
-      "--target-psnr {} was not reached: even {} {} only{}", *target,
-      main ? "thresholds of 0 give" : "quality 100 gives", psnr_text(outcome.quality.psnr_rgb),
-      outcome.params.chroma == ChromaFormat::k420 ? "; half-size chroma limits it, try --chroma 444"
-                                                  : "; --lossless keeps every value"));
+  note(fmt::format("--target-psnr {} was not reached: even {} {} only{}", *target,
+                   main ? "thresholds of 0 give" : "quality 100 gives",
+                   psnr_text(outcome.quality.psnr_rgb),
+                   outcome.stream.header.chroma_format == ChromaFormat::k420
+                       ? "; half-size chroma limits it, try --chroma 444"
+                       : "; --lossless keeps every value"));
   return false;
 }
 

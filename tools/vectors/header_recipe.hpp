@@ -3,8 +3,8 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,19 +18,41 @@ namespace hmlfc::vectors {
 template <class Target>
 using Setters = std::map<std::string, std::function<void(Target&, const Json&)>>;
 
-/// Sets a number.
+/// T, or what an optional T holds.
+template <class T>
+struct Plain {
+  using Type = T;
+};
+template <class T>
+struct Plain<std::optional<T>> {
+  using Type = T;
+};
+
+/// Sets a number, or a number in a part of the target.
 template <class Target, class T>
 auto number(T Target::*member) {
-  return [member](Target& target, const Json& json) { target.*member = json.get<T>(); };
+  return [member](Target& target, const Json& json) {
+    target.*member = json.get<typename Plain<T>::Type>();
+  };
+}
+template <class Target, class Part, class T>
+auto number(Part Target::*part, T Part::*member) {
+  return [part, member](Target& target, const Json& json) { target.*part.*member = json.get<T>(); };
+}
+
+/// The value of the word `json`, one of `words`.
+template <class T>
+T value_of_word(const Json& json, const std::map<std::string, T>& words) {
+  const auto found = words.find(json.get<std::string>());
+  if (found == words.end()) throw TextError(json.dump() + " is not one of the allowed words");
+  return found->second;
 }
 
 /// Sets one of `words`.
 template <class Target, class T>
-auto word(T Target::*member, std::type_identity_t<std::map<std::string, T>> words) {
+auto word(T Target::*member, std::map<std::string, typename Plain<T>::Type> words) {
   return [member, words = std::move(words)](Target& target, const Json& json) {
-    const auto found = words.find(json.get<std::string>());
-    if (found == words.end()) throw TextError(json.dump() + " is not one of the allowed words");
-    target.*member = found->second;
+    target.*member = value_of_word(json, words);
   };
 }
 

@@ -23,8 +23,10 @@ const Setters<EncodeParams>& encode_setters() {
       {"method", word(&EncodeParams::method,
                       {{"hmlfc", Method::kHmlfc}, {"rlfc", Method::kRlfc}, {"mc", Method::kMc}})},
       {"preset",
-       word(&EncodeParams::preset,
-            {{"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}})},
+       [](EncodeParams& params, const Json& json) {
+         params.extended.preset = value_of_word<Preset>(
+             json, {{"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}});
+       }},
       {"chroma", word(&EncodeParams::chroma, chroma_formats())},
       {"cluster_rows", number(&EncodeParams::cluster_rows)},
       {"cluster_cols", number(&EncodeParams::cluster_cols)},
@@ -33,12 +35,23 @@ const Setters<EncodeParams>& encode_setters() {
       {"window", number(&EncodeParams::window)},
       {"ref_rows", number(&EncodeParams::ref_rows)},
       {"ref_cols", number(&EncodeParams::ref_cols)},
-      {"threshold_ref", number(&EncodeParams::threshold_ref)},
-      {"threshold_pred", number(&EncodeParams::threshold_pred)},
-      {"quality", number(&EncodeParams::quality)},
+      {"threshold_ref", number(&EncodeParams::main, &MainParams::threshold_ref)},
+      {"threshold_pred", number(&EncodeParams::main, &MainParams::threshold_pred)},
+      {"quality", number(&EncodeParams::extended, &ExtendedParams::quality)},
       {"lossless", number(&EncodeParams::lossless)},
   };
   return all;
+}
+
+// What recipes leave out: fixed, whatever the defaults of the encoder become.
+EncodeParams recipe_defaults() {
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  params.tree_height = 3;
+  params.window = 16;
+  params.ref_rows = params.ref_cols = 8;
+  params.chroma = ChromaFormat::k420;
+  return params;
 }
 
 LightField scene_from(const Json& json, uint64_t seed) {
@@ -94,7 +107,7 @@ MadeStream make(const Recipes& recipes, const std::string& id, int depth) {
 }  // namespace
 
 std::vector<uint8_t> encoded_stream(const Json& json, uint64_t seed) {
-  EncodeParams params;
+  EncodeParams params = recipe_defaults();
   set_all(params, json.at("encode"), encode_setters(), "an option of encode");
   auto encoded = encode(scene_from(json.at("scene"), seed), params);
   if (!encoded) throw TextError("encode: " + encoded.error().message);
