@@ -193,8 +193,7 @@ class Inspect(CliTest):
             return None, 0, set()
         fields = level.get("disparity", {"fields": []})["fields"]
         units = {field["unit"] for field in fields if "unit" in field}
-        names = ("min_disparity", "disparity")
-        return choice, sum(f["value"] for f in fields if f["name"] in names), units
+        return choice, sum(f["value"] for f in fields if f["name"] == "disparity"), units
 
     def test_last_samples_are_the_pixels(self):
         for i, plane in enumerate(("Y", "Co", "Cg")):
