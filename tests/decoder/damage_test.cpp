@@ -74,8 +74,7 @@ void damage(std::mt19937& random, Bytes& file, const StreamHeader& header) {
 
 void compare_views(std::mt19937& random, const NaiveStream& stream, int& failed, int& decoded) {
   Bytes file = stream.file();
-  OpenOptions options;
-  options.check_sections = false;
+  const OpenOptions options{.check_sections = false};
   const auto intact = Decoder::open(file, options);
   ASSERT_TRUE(intact.has_value());
   const StreamHeader header = intact->header();
