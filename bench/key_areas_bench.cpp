@@ -23,7 +23,7 @@
 #include "decoder/key_images.hpp"
 #include "decoder/open_stream.hpp"
 #include "decoder/openjpeg.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "render/timing.hpp"
 
 namespace {

@@ -24,7 +24,7 @@
 
 #include "arithmetic/colour.hpp"
 #include "encoder/motion_search.hpp"
-#include "io/read_image.hpp"
+#include "io/image_files.hpp"
 #include "scenes/scene.hpp"
 
 namespace {

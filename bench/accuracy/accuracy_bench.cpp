@@ -22,8 +22,8 @@
 #include <hmlfc/decoder.hpp>
 
 #include "accuracy/frame_sweep.hpp"
-#include "io/mapped_file.hpp"
-#include "io/write_image.hpp"
+#include "io/files.hpp"
+#include "io/image_files.hpp"
 #include "render/timing.hpp"
 
 namespace {

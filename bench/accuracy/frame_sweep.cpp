@@ -10,7 +10,7 @@
 
 #include "accuracy/frame_backend.hpp"
 #include "accuracy/frame_errors.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "render/orbit.hpp"
 #include "render/timing.hpp"
 

@@ -18,8 +18,8 @@
 #include <hmlfc/encoder.hpp>
 #include <hmlfc/renderer.hpp>
 
+#include "io/files.hpp"
 #include "io/light_field_files.hpp"
-#include "io/mapped_file.hpp"
 #include "render/orbit.hpp"
 #include "render/peers.hpp"
 #include "render/timing.hpp"

@@ -22,7 +22,7 @@
 
 #include <hmlfc/renderer.hpp>
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "render/frame_stages.hpp"
 #include "render/orbit.hpp"
 #include "render/timing.hpp"

@@ -12,7 +12,7 @@
 #include "geometry_extremes.hpp"
 #include "program.hpp"
 #include "search.hpp"
-#include "vectors/random_stream.hpp"
+#include "vectors/field_stream.hpp"
 
 namespace hmlfc::stress {
 namespace {
