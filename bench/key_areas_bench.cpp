@@ -3,27 +3,26 @@
 // Usage: ./run bench key_areas FILE.hmlfc
 // Each plane of each key image of the stream is decoded whole, as the decoder does, and by areas
 // with opj_set_decode_area: squares of 64, 128 and 256 samples, one in each corner and one in the
-// middle. CPU times are those of one thread, the least of many runs for the whole and for the mean
-// of the five areas. An area must equal that part of the whole. Then bytes of the codestream are
-// changed, one at a time: "damaged" counts those with which the whole does not decode, or to other
-// samples, which are errors of every block that reads the plane (KEY-2, KEY-3), "unnoticed" those
-// of them with which the area of 64 in the first corner decodes to the samples of the intact image.
+// middle. CPU times are those of one thread, the minimum of many runs for the whole and for the
+// mean of the five areas. An area must equal that part of the whole. Then bytes of the codestream
+// are changed, one at a time: "damaged" counts those with which the whole does not decode, or to
+// other samples, which are errors of every block that reads the plane (KEY-2, KEY-3), "unnoticed"
+// those of them with which the area of 64 in the first corner decodes to the samples of the intact
+// image.
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstring>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include <fmt/format.h>
-#include <openjpeg.h>
 
 #include "bits/little_endian.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "decoder/open_stream.hpp"
+#include "decoder/openjpeg.hpp"
 #include "io/mapped_file.hpp"
 #include "render/timing.hpp"
 
@@ -33,47 +32,18 @@ using namespace hmlfc;
 
 constexpr size_t kChanges = 100;
 
-struct Source {
-  std::span<const uint8_t> bytes;
-  size_t at = 0;
-};
-
-OPJ_SIZE_T read_source(void* buffer, OPJ_SIZE_T count, void* user) {
-  auto& source = *static_cast<Source*>(user);
-  const size_t there = std::min<size_t>(count, source.bytes.size() - source.at);
-  if (there == 0) return static_cast<OPJ_SIZE_T>(-1);
-  std::memcpy(buffer, source.bytes.data() + source.at, there);
-  source.at += there;
-  return there;
-}
-
-OPJ_OFF_T skip_source(OPJ_OFF_T count, void* user) {
-  auto& source = *static_cast<Source*>(user);
-  if (count < 0 || static_cast<size_t>(count) > source.bytes.size() - source.at) return -1;
-  source.at += static_cast<size_t>(count);
-  return count;
-}
-
-using Stream = std::unique_ptr<opj_stream_t, decltype(&opj_stream_destroy)>;
-using Codec = std::unique_ptr<opj_codec_t, decltype(&opj_destroy_codec)>;
-using Image = std::unique_ptr<opj_image_t, decltype(&opj_image_destroy)>;
-
 // The samples of `area` of a codestream that `decode_jpeg2000` has taken.
 std::optional<SamplePlane> decode_area(std::span<const uint8_t> codestream, const Rect& area) {
-  Source source{codestream};
-  const Stream stream(opj_stream_default_create(OPJ_TRUE), &opj_stream_destroy);
-  opj_stream_set_user_data(stream.get(), &source, nullptr);
-  opj_stream_set_user_data_length(stream.get(), codestream.size());
-  opj_stream_set_read_function(stream.get(), read_source);
-  opj_stream_set_skip_function(stream.get(), skip_source);
-  const Codec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
+  openjpeg::Source source{codestream};
+  const openjpeg::Stream stream = openjpeg::open_source(source);
+  const openjpeg::Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);
   opj_image_t* raw = nullptr;
   const bool begun = opj_setup_decoder(codec.get(), &parameters) &&
                      opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) &&
                      opj_read_header(stream.get(), codec.get(), &raw);
-  const Image image(raw, &opj_image_destroy);
+  const openjpeg::Image image(raw);
   const auto end = [](uint32_t from, uint32_t length) {
     return static_cast<OPJ_INT32>(from + length);
   };

@@ -13,9 +13,9 @@ namespace {
 constexpr int32_t kMostDisparity = 12;
 constexpr unsigned kProbeGridLog2 = 4;
 
-class Probe {
+class GridProbe {
  public:
-  Probe(const LightField& light_field, const StreamHeader& header)
+  GridProbe(const LightField& light_field, const StreamHeader& header)
       : light_field_(light_field), header_(header), geometry_(header) {
     const LevelShape& level = geometry_.level(0);
     reference_ = geometry_.reference_of(0, {level.rows / 2, level.cols / 2});
@@ -68,7 +68,7 @@ class Probe {
 }  // namespace
 
 FieldDisparity probe_disparities(const LightField& light_field, const StreamHeader& header) {
-  const Probe probe(light_field, header);
+  const GridProbe probe(light_field, header);
   const CoarseResult down = probe.search(16);
   FieldDisparity found{down.range, 16};
   if (header.rows == 1) return found;
