@@ -48,7 +48,6 @@ COMMANDS = rules(
     (r"(?:\./run test|ctest --test-dir \S+) (.*)", r"ctest --test-dir $BUILD -N \1 | grep 'Total Tests: [1-9]'", "lists the tests"),
     (r"cmake (?:--preset |--build build/)(\w+)", r"""cmake --list-presets | grep -F '"\1"'""", "a build takes minutes"),
     (r"cmake --install build/release --prefix \S+", "cmake --install $BUILD --prefix installed", "into the sandbox"),
-    (r"cmake --install build/\w+ --prefix \S+", "test -f $BUILD/cmake_install.cmake", "test install.consumer installs it"),
     (r"(\./run (?:bench (?:accuracy|rate_distortion|skipping)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),
     (r"(\./run clauses) .*", HELP, "writes into the repository, or needs reports"),
