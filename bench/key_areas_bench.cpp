@@ -11,21 +11,21 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstring>
-#include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
-#include <openjpeg.h>
 
 #include "bits/little_endian.hpp"
+#include "common/openjpeg_memory.hpp"
+#include "common/program.hpp"
+#include "common/timing.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "decoder/open_stream.hpp"
 #include "io/mapped_file.hpp"
-#include "render/timing.hpp"
 
 namespace {
 
@@ -33,47 +33,18 @@ using namespace hmlfc;
 
 constexpr size_t kChanges = 100;
 
-struct Source {
-  std::span<const uint8_t> bytes;
-  size_t at = 0;
-};
-
-OPJ_SIZE_T read_source(void* buffer, OPJ_SIZE_T count, void* user) {
-  auto& source = *static_cast<Source*>(user);
-  const size_t there = std::min<size_t>(count, source.bytes.size() - source.at);
-  if (there == 0) return static_cast<OPJ_SIZE_T>(-1);
-  std::memcpy(buffer, source.bytes.data() + source.at, there);
-  source.at += there;
-  return there;
-}
-
-OPJ_OFF_T skip_source(OPJ_OFF_T count, void* user) {
-  auto& source = *static_cast<Source*>(user);
-  if (count < 0 || static_cast<size_t>(count) > source.bytes.size() - source.at) return -1;
-  source.at += static_cast<size_t>(count);
-  return count;
-}
-
-using Stream = std::unique_ptr<opj_stream_t, decltype(&opj_stream_destroy)>;
-using Codec = std::unique_ptr<opj_codec_t, decltype(&opj_destroy_codec)>;
-using Image = std::unique_ptr<opj_image_t, decltype(&opj_image_destroy)>;
-
 // The samples of `area` of a codestream that `decode_jpeg2000` has taken.
 std::optional<SamplePlane> decode_area(std::span<const uint8_t> codestream, const Rect& area) {
-  Source source{codestream};
-  const Stream stream(opj_stream_default_create(OPJ_TRUE), &opj_stream_destroy);
-  opj_stream_set_user_data(stream.get(), &source, nullptr);
-  opj_stream_set_user_data_length(stream.get(), codestream.size());
-  opj_stream_set_read_function(stream.get(), read_source);
-  opj_stream_set_skip_function(stream.get(), skip_source);
-  const Codec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
+  bench::OpjMemory memory{{codestream.begin(), codestream.end()}};
+  const bench::OpjStream stream = bench::opj_stream_on(memory, true);
+  const bench::OpjCodec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);
   opj_image_t* raw = nullptr;
   const bool begun = opj_setup_decoder(codec.get(), &parameters) &&
                      opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) &&
                      opj_read_header(stream.get(), codec.get(), &raw);
-  const Image image(raw, &opj_image_destroy);
+  const bench::OpjImage image(raw, &opj_image_destroy);
   const auto end = [](uint32_t from, uint32_t length) {
     return static_cast<OPJ_INT32>(from + length);
   };
@@ -141,7 +112,7 @@ Damage damage(const KeyPlane& key) {
   return found;
 }
 
-int report(size_t entry, const KeyPlane& key) {
+void report(size_t entry, const KeyPlane& key) {
   const double whole = bench::cpu_seconds_of([&] { (void)decode_whole(key, key.codestream); });
   fmt::print("| {} | {} | {} x {} | {} | {:.1f} |", entry / kPlaneCount,
              std::array{"Y", "Co", "Cg"}[entry % kPlaneCount], key.whole.width, key.whole.height,
@@ -151,9 +122,8 @@ int report(size_t entry, const KeyPlane& key) {
     for (const Rect& area : areas) {
       const auto part = decode_area(key.codestream, area);
       if (part && part->samples == crop(key.whole, area).samples) continue;
-      fmt::print(stderr, "the area of {} at ({}, {}) differs from the whole\n", side, area.x,
-                 area.y);
-      return 1;
+      throw std::runtime_error(
+          fmt::format("the area of {} at ({}, {}) differs from the whole", side, area.x, area.y));
     }
     const double five = bench::cpu_seconds_of([&] {
       for (const Rect& area : areas) (void)decode_area(key.codestream, area);
@@ -163,37 +133,33 @@ int report(size_t entry, const KeyPlane& key) {
   const Damage found = damage(key);
   fmt::print(" {} | {} |\n", found.damaged, found.unnoticed);
   std::fflush(stdout);
-  return 0;
 }
 
-int report_stream(std::span<const uint8_t> file) {
-  const auto stream = open_stream(file, {});
-  if (!stream) {
-    fmt::print(stderr, "{}\n", to_string(stream.error()));
-    return 1;
+int run(const std::vector<std::string>& arguments) {
+  if (arguments.size() != 1) {
+    throw std::invalid_argument("usage: ./run bench key_areas FILE.hmlfc");
   }
+  const auto file = bench::value_of(io::MappedFile::open(arguments[0]));
+  const auto stream = bench::value_of(open_stream(file.bytes(), {}));
   fmt::print(
       "CPU time of one thread in ms; {} changed bytes a plane\n\n"
       "| key image | plane | samples | bytes | whole | 64 | 128 | 256 | damaged | unnoticed |\n"
       "|---|---|---|---|---|---|---|---|---|---|\n",
       kChanges);
-  const auto top = stream->bytes(Section::kTop);
-  for (size_t entry = 0; entry < stream->geometry.key_count() * kPlaneCount; ++entry) {
+  const auto top = stream.bytes(Section::kTop);
+  for (size_t entry = 0; entry < stream.geometry.key_count() * kPlaneCount; ++entry) {
     const auto offset = load_le<uint64_t>(top, kTopEntryBytes * entry);
     const auto size = load_le<uint32_t>(top, kTopEntryBytes * entry + 8);
     const Plane plane = kPlanes[entry % kPlaneCount];
-    const PlaneShape& shape = stream->geometry.plane(plane);
+    const PlaneShape& shape = stream.geometry.plane(plane);
     const bool chroma = plane != Plane::kY;
     KeyPlane key{top.subspan(static_cast<size_t>(offset), size),
-                 {stream->header.depth + (chroma ? 1 : 0), chroma},
+                 {stream.header.depth + (chroma ? 1 : 0), chroma},
                  SamplePlane(shape.width, shape.height)};
     auto whole = decode_whole(key, key.codestream);
-    if (!whole) {
-      fmt::print(stderr, "key image {} does not decode\n", entry / kPlaneCount);
-      return 1;
-    }
+    if (!whole) throw std::runtime_error("a key image does not decode");
     key.whole = std::move(*whole);
-    if (report(entry, key) != 0) return 1;
+    report(entry, key);
   }
   return 0;
 }
@@ -201,14 +167,5 @@ int report_stream(std::span<const uint8_t> file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "Usage: ./run bench key_areas FILE.hmlfc\n");
-    return 2;
-  }
-  const auto file = io::MappedFile::open(argv[1]);
-  if (!file) {
-    fmt::print(stderr, "{}\n", file.error().message);
-    return 1;
-  }
-  return report_stream(file->bytes());
+  return bench::run_program("bench_key_areas", [&] { return run({argv + 1, argv + argc}); });
 }
