@@ -25,7 +25,7 @@
 #include "common/program.hpp"
 #include "common/timing.hpp"
 #include "io/mapped_file.hpp"
-#include "render/frame_planner.hpp"
+#include "render/frame_stages.hpp"
 #include "render/view_cache.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "io/light_field_files.hpp"
-#include "sequences.hpp"
+#include "stimulus/sequences.hpp"
 #include "support/data_dir.hpp"
 
 namespace hmlfc::gpu {

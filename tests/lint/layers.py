@@ -2,6 +2,7 @@
 """Checks the shape of the source tree and prints each violation as file:line: reason.
 
 Layers: a file includes only its own layer, the layers below it and public headers.
+Golden: what the golden path includes, through whatever headers, holds nothing of the fast path.
 Length: no source file is longer than MAX_LINES.
 Lists:  each .cpp file stands in its folder's list of sources, so that none is left unbuilt.
 """
@@ -20,6 +21,8 @@ DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast
 CODEC = {*DECODER, "model/render", "model/encoder"}
 TOOLS = {f"tools/{name}" for name in ("io", "scenes", "vectors", "conform", "cli")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
+CHECKS = {*DECODER, "tools/io", "testbench/oracle", "testbench/stimulus"}
+TESTBENCH = {f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu")}
 
 # What the files of a folder may include with quotes, besides the folder itself; <hmlfc/...> and
 # libraries are free to all. A file belongs to the longest folder that holds it.
@@ -41,11 +44,20 @@ ALLOWED = {
     "tools/dut": set(),
     "tools/tables": SYNTAX,
     "tools/cli": APPLICATIONS,
-    "testbench": APPLICATIONS,
-    "tests": {*APPLICATIONS, "testbench"},
+    "testbench/oracle": DECODER,
+    "testbench/stimulus": {*DECODER, "testbench/oracle", "tools/scenes", "tools/vectors"},
+    "testbench/unit": CHECKS,
+    "testbench/systemc": {*CHECKS, "tools/scenes", "testbench/unit"},
+    "testbench/tlm": {*CHECKS, "testbench/unit", "testbench/systemc"},
+    "testbench/gpu": {*CHECKS, "model/render", "gpu_ref"},
+    "testbench/dpi": set(),
+    "testbench/programs": {*APPLICATIONS, *TESTBENCH},
+    "tests": {*APPLICATIONS, *TESTBENCH},
     "bench": APPLICATIONS,
     "examples": set(),
 }
+# Folder to one that its files do not reach through any chain of includes.
+UNREACHABLE = {"model/decoder/golden": "model/decoder/fast"}
 # Where a quoted name is looked up, after the folder of the file and its topmost folder.
 ROOTS = ("model", "tools", "gpu_ref", "testbench", ".")
 
@@ -57,16 +69,17 @@ SOURCE_LISTS = {
     "tests": "tests/CMakeLists.txt",
     "tests/decode_path": "tests/decode_path/CMakeLists.txt",
     "tests/fuzz": "tests/fuzz/CMakeLists.txt",
+    "tests/gpu": "tests/gpu/CMakeLists.txt",
     "tests/mutation/rtl": "tests/mutation/rtl/CMakeLists.txt",
     "tests/mutation/shaders": "tests/mutation/shaders/CMakeLists.txt",
+    "tests/rtl": "tests/rtl/CMakeLists.txt",
     "tests/stress": "tests/stress/CMakeLists.txt",
+    "tests/testbench": "tests/testbench/CMakeLists.txt",
     "bench": "bench/CMakeLists.txt",
     "testbench": "testbench/CMakeLists.txt",
     "gpu_ref": "gpu_ref/CMakeLists.txt",
+    "examples": "examples/CMakeLists.txt",
 }
-# A project of its own, with its own list.
-OWN_PROJECTS = ["tests/consumer/project"]
-
 QUOTED_INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
 
 
@@ -94,7 +107,7 @@ def layer_violations(root):
         name = path.relative_to(root).as_posix()
         folder = folder_of(name)
         if folder is None:
-            if name.split("/")[0] in ("model", "tools"):
+            if name.split("/")[0] in ("model", "tools", "testbench"):
                 yield path, 1, f"{Path(name).parent} is not a folder of the table in tests/lint/layers.py"
             continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
@@ -119,6 +132,43 @@ def include_violation(root, path, folder, name):
     return None
 
 
+def includes_of(root, name):
+    """The files of the repository that file `name` includes with quotes, by line."""
+    path = root / name
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        match = QUOTED_INCLUDE.match(line)
+        target = match and included_file(root, path, match.group(1))
+        if target:
+            yield number, target
+
+
+def reach_violations(root):
+    """Chains of two includes or more from a folder of UNREACHABLE; layer_violations has the others."""
+    for path in cpp_files(root):
+        folder = folder_of(path.relative_to(root).as_posix())
+        forbidden = UNREACHABLE.get(folder)
+        if forbidden is None:
+            continue
+        for number, first in includes_of(root, path.relative_to(root).as_posix()):
+            chain = chain_to(root, first, forbidden)
+            if len(chain) > 1:
+                yield path, number, f"{folder} reaches {forbidden}: {' -> '.join(chain)}"
+
+
+def chain_to(root, first, folder):
+    """The shortest chain of includes from file `first` to a file of `folder`; empty if there is none."""
+    chains = [[first]]
+    known = {first}
+    for chain in chains:  # grows
+        if folder_of(chain[-1]) == folder:
+            return chain
+        for _, target in includes_of(root, chain[-1]):
+            if target not in known:
+                known.add(target)
+                chains.append([*chain, target])
+    return []
+
+
 def length_violations(root):
     for path in source_files(root):
         lines = path.read_text().count("\n")
@@ -137,14 +187,14 @@ def list_violations(root):
             if any(path.is_relative_to(root / other) for other in inner):
                 continue
             name = path.relative_to(root / folder).as_posix()
-            own = any(path.is_relative_to(root / project) for project in OWN_PROJECTS)
-            if path.suffix == ".cpp" and name not in listed and not own:
+            if path.suffix == ".cpp" and name not in listed:
                 yield path, 1, f"not listed in {list_name}"
 
 
 def violations(root):
     """All violations below root, as 'file:line: reason' with the file relative to root."""
-    found = [*layer_violations(root), *length_violations(root), *list_violations(root)]
+    checks = (layer_violations, reach_violations, length_violations, list_violations)
+    found = [violation for check in checks for violation in check(root)]
     return [f"{path.relative_to(root)}:{line}: {reason}" for path, line, reason in found]
 
 

@@ -20,7 +20,8 @@ CLEAN_TREE = {
     "tests/bits/a_test.cpp": '#include "bits/a.hpp"\n',
     "tests/fuzz/CMakeLists.txt": "hmlfc_add_fuzz(open.cpp\n)\n",
     "tests/fuzz/open.cpp": '#include "bits/a.hpp"\n',
-    "tests/consumer/project/main.cpp": "int main() {}\n",
+    "examples/CMakeLists.txt": "add_executable(example example.cpp)\n",
+    "examples/example.cpp": '#include <hmlfc/public.hpp>\n',
 }
 
 
@@ -79,6 +80,20 @@ class LayersTest(unittest.TestCase):
             "model/decoder/golden/x.hpp:1: model/decoder/golden may not include model/decoder/fast",
         )
 
+    def test_golden_path_reaches_nothing_fast(self):
+        chain = {
+            "model/decoder/golden/x.hpp": '#include "decoder/b.hpp"\n#include "bits/a.hpp"\n',
+            "model/decoder/b.hpp": '#include "decoder/c.hpp"\n',
+            "model/decoder/c.hpp": '#include "decoder/b.hpp"\n#include "decoder/fast/y.hpp"\n',
+            "model/decoder/fast/y.hpp": '#include "decoder/golden/x.hpp"\n',
+        }
+        self.assert_found(
+            chain,
+            "model/decoder/golden/x.hpp:1: model/decoder/golden reaches model/decoder/fast: "
+            "model/decoder/b.hpp -> model/decoder/c.hpp -> model/decoder/fast/y.hpp",
+        )
+        self.assert_found({**chain, "model/decoder/c.hpp": '#include "decoder/b.hpp"\n'})
+
     def test_public_header_includes_a_layer(self):
         self.assert_found(
             {"model/include/hmlfc/public.hpp": '#include "bits/a.hpp"\n'},
@@ -101,8 +116,12 @@ class LayersTest(unittest.TestCase):
 
     def test_arrows_between_folders(self):
         self.assert_found(
-            {"gpu_ref/x.hpp": '#include "../testbench/y.hpp"\n', "testbench/y.hpp": ""},
-            "gpu_ref/x.hpp:1: gpu_ref may not include testbench",
+            {"gpu_ref/x.hpp": '#include "../testbench/oracle/y.hpp"\n', "testbench/oracle/y.hpp": ""},
+            "gpu_ref/x.hpp:1: gpu_ref may not include testbench/oracle",
+        )
+        self.assert_found(
+            {"testbench/oracle/x.hpp": '#include "unit/y.hpp"\n', "testbench/unit/y.hpp": ""},
+            "testbench/oracle/x.hpp:1: testbench/oracle may not include testbench/unit",
         )
 
     def test_unknown_folder(self):

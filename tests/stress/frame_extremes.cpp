@@ -5,7 +5,7 @@
 
 #include <hmlfc/camera.hpp>
 
-#include "render/pixel_reads.hpp"
+#include "render/taps.hpp"
 
 namespace hmlfc::stress {
 namespace {
