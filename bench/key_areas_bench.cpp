@@ -14,17 +14,19 @@
 #include <cstdio>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "bits/little_endian.hpp"
+#include "common/openjpeg_memory.hpp"
+#include "common/program.hpp"
+#include "common/timing.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "decoder/open_stream.hpp"
-#include "decoder/openjpeg.hpp"
 #include "io/files.hpp"
-#include "render/timing.hpp"
 
 namespace {
 
@@ -34,16 +36,16 @@ constexpr size_t kChanges = 100;
 
 // The samples of `area` of a codestream that `decode_jpeg2000` has taken.
 std::optional<SamplePlane> decode_area(std::span<const uint8_t> codestream, const Rect& area) {
-  openjpeg::Source source{codestream};
-  const openjpeg::Stream stream = openjpeg::open_source(source);
-  const openjpeg::Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
+  bench::OpjMemory memory{{codestream.begin(), codestream.end()}};
+  const bench::OpjStream stream = bench::opj_stream_on(memory, true);
+  const bench::OpjCodec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);
   opj_image_t* raw = nullptr;
   const bool begun = opj_setup_decoder(codec.get(), &parameters) &&
                      opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) &&
                      opj_read_header(stream.get(), codec.get(), &raw);
-  const openjpeg::Image image(raw);
+  const bench::OpjImage image(raw, &opj_image_destroy);
   const auto end = [](uint32_t from, uint32_t length) {
     return static_cast<OPJ_INT32>(from + length);
   };
@@ -111,7 +113,7 @@ Damage damage(const KeyPlane& key) {
   return found;
 }
 
-int report(size_t entry, const KeyPlane& key) {
+void report(size_t entry, const KeyPlane& key) {
   const double whole = bench::cpu_seconds_of([&] { (void)decode_whole(key, key.codestream); });
   fmt::print("| {} | {} | {} x {} | {} | {:.1f} |", entry / kPlaneCount,
              std::array{"Y", "Co", "Cg"}[entry % kPlaneCount], key.whole.width, key.whole.height,
@@ -121,9 +123,8 @@ int report(size_t entry, const KeyPlane& key) {
     for (const Rect& area : areas) {
       const auto part = decode_area(key.codestream, area);
       if (part && part->samples == crop(key.whole, area).samples) continue;
-      fmt::print(stderr, "the area of {} at ({}, {}) differs from the whole\n", side, area.x,
-                 area.y);
-      return 1;
+      throw std::runtime_error(
+          fmt::format("the area of {} at ({}, {}) differs from the whole", side, area.x, area.y));
     }
     const double five = bench::cpu_seconds_of([&] {
       for (const Rect& area : areas) (void)decode_area(key.codestream, area);
@@ -133,37 +134,33 @@ int report(size_t entry, const KeyPlane& key) {
   const Damage found = damage(key);
   fmt::print(" {} | {} |\n", found.damaged, found.unnoticed);
   std::fflush(stdout);
-  return 0;
 }
 
-int report_stream(std::span<const uint8_t> file) {
-  const auto stream = open_stream(file, {});
-  if (!stream) {
-    fmt::print(stderr, "{}\n", to_string(stream.error()));
-    return 1;
+int run(const std::vector<std::string>& arguments) {
+  if (arguments.size() != 1) {
+    throw std::invalid_argument("usage: ./run bench key_areas FILE.hmlfc");
   }
+  const auto file = bench::value_of(io::MappedFile::open(arguments[0]));
+  const auto stream = bench::value_of(open_stream(file.bytes(), {}));
   fmt::print(
       "CPU time of one thread in ms; {} changed bytes a plane\n\n"
       "| key image | plane | samples | bytes | whole | 64 | 128 | 256 | damaged | unnoticed |\n"
       "|---|---|---|---|---|---|---|---|---|---|\n",
       kChanges);
-  const auto top = stream->bytes(Section::kTop);
-  for (size_t entry = 0; entry < stream->geometry.key_count() * kPlaneCount; ++entry) {
+  const auto top = stream.bytes(Section::kTop);
+  for (size_t entry = 0; entry < stream.geometry.key_count() * kPlaneCount; ++entry) {
     const auto offset = load_le<uint64_t>(top, kTopEntryBytes * entry);
     const auto size = load_le<uint32_t>(top, kTopEntryBytes * entry + 8);
     const Plane plane = kPlanes[entry % kPlaneCount];
-    const PlaneShape& shape = stream->geometry.plane(plane);
+    const PlaneShape& shape = stream.geometry.plane(plane);
     const bool chroma = plane != Plane::kY;
     KeyPlane key{top.subspan(static_cast<size_t>(offset), size),
-                 {stream->header.depth + (chroma ? 1 : 0), chroma},
+                 {stream.header.depth + (chroma ? 1 : 0), chroma},
                  SamplePlane(shape.width, shape.height)};
     auto whole = decode_whole(key, key.codestream);
-    if (!whole) {
-      fmt::print(stderr, "key image {} does not decode\n", entry / kPlaneCount);
-      return 1;
-    }
+    if (!whole) throw std::runtime_error("a key image does not decode");
     key.whole = std::move(*whole);
-    if (report(entry, key) != 0) return 1;
+    report(entry, key);
   }
   return 0;
 }
@@ -171,14 +168,5 @@ int report_stream(std::span<const uint8_t> file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "Usage: ./run bench key_areas FILE.hmlfc\n");
-    return 2;
-  }
-  const auto file = io::MappedFile::open(argv[1]);
-  if (!file) {
-    fmt::print(stderr, "{}\n", file.error().message);
-    return 1;
-  }
-  return report_stream(file->bytes());
+  return bench::run_program("bench_key_areas", [&] { return run({argv + 1, argv + argc}); });
 }
