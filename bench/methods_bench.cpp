@@ -1,13 +1,11 @@
 // The table of the README: HMLFC, RLFC and MC on real light fields at one PSNR.
 //
 // Usage: ./run bench methods [PSNR] [FOLDER...]
-// PSNR: target over RGB in dB, default 40. FOLDER: folders of views; default: the light fields of
-// HMLFC_DATA_DIR (../shared/data where it is not set). CPU times are those of the whole process
-// over all threads.
+// PSNR: target over RGB in dB, default 40. FOLDER: folders of views; default: three light fields of
+// HMLFC_DATA_DIR, or of ../shared/data if that is not set. CPU times are those of all threads.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,26 +16,19 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
+#include "common/data_folder.hpp"
 #include "io/light_field_files.hpp"
+#include "render/timing.hpp"
 
 namespace {
 
 using namespace hmlfc;
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-std::vector<std::filesystem::path> default_folders() {
-  const char* data = std::getenv("HMLFC_DATA_DIR");
-  const std::filesystem::path base = data != nullptr ? data : HMLFC_DEFAULT_DATA_DIR;
-  return {base / "stanford-chess-16x16-700x400", base / "hci-antinous-9x9-512x512",
-          base / "stanford-legoknights-17x17-256x256-jpeg"};
-}
-
 const char* name_of(Method method) {
   return method == Method::kHmlfc ? "hmlfc" : method == Method::kRlfc ? "rlfc" : "mc";
 }
 
-// The smaller of the two streams, with halved and with full chroma, that reach the target.
+// The parameters, with halved or full chroma, of the smallest stream that reaches the target.
 std::optional<EncodeParams> best_params(const LightField& field, Method method, double target_db) {
   const LightFieldShape& shape = field.shape();
   const uint64_t samples = uint64_t{shape.rows} * shape.cols * shape.width * shape.height * 3;
@@ -56,19 +47,19 @@ std::optional<EncodeParams> best_params(const LightField& field, Method method, 
   return best;
 }
 
-// One row: the parameters for the target, then one encoding and one decoding by the clock.
+// Prints a row: finds the parameters for the target, then times one encoding and one decoding.
 bool print_row(const std::string& name, const LightField& field, Method method, double target_db) {
   const auto found = best_params(field, method, target_db);
   if (!found) {
     fmt::print(stderr, "{} {}: {} dB is out of reach\n", name, name_of(method), target_db);
     return false;
   }
-  const double start = cpu_seconds();
+  const bench::Clock clock;
   const auto encoded = encode(field, *found);
-  const double encoded_at = cpu_seconds();
+  const double encoded_at = clock.cpu_seconds();
   const auto decoder = Decoder::open(encoded->bytes);
   if (!decoder || !decoder->decode_all([](ViewPos, RgbImage&&) {})) return false;
-  const double decoded_at = cpu_seconds();
+  const double decoded_at = clock.cpu_seconds();
 
   const LightFieldShape& shape = field.shape();
   const uint64_t views = uint64_t{shape.rows} * shape.cols;
@@ -79,8 +70,8 @@ bool print_row(const std::string& name, const LightField& field, Method method, 
       name, name_of(method), found->chroma == ChromaFormat::k420 ? "4:2:0" : "4:4:4",
       found->threshold_pred, bpp, 3 * shape.depth / bpp,
       psnr(encoded->error.rgb_squares, pixels * 3, shape.depth),
-      psnr(encoded->error.y_squares, pixels, shape.depth), encoded_at - start,
-      decoded_at - encoded_at, static_cast<double>(decoder->reference_bytes()) / 1024);
+      psnr(encoded->error.y_squares, pixels, shape.depth), encoded_at, decoded_at - encoded_at,
+      static_cast<double>(decoder->reference_bytes()) / 1024);
   std::fflush(stdout);
   return true;
 }
@@ -90,21 +81,18 @@ bool print_row(const std::string& name, const LightField& field, Method method, 
 int main(int argc, char** argv) {
   const double target_db = argc > 1 ? std::atof(argv[1]) : 40;
   std::vector<std::filesystem::path> folders(argv + std::min(argc, 2), argv + argc);
-  if (folders.empty()) folders = default_folders();
+  if (folders.empty()) {
+    folders = {data_folder("stanford-chess-16x16-700x400"), data_folder("hci-antinous-9x9-512x512"),
+               data_folder("stanford-legoknights-17x17-256x256-jpeg")};
+  }
   fmt::print(
-      "| light field | method | chroma | threshold | bpp | ratio | PSNR RGB | PSNR Y | encode CPU "
-      "s | "
-      "decode CPU s "
-      "| references KiB |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| light field | method | chroma | threshold | bpp | ratio | PSNR RGB | PSNR Y "
+      "| encode CPU s | decode CPU s | references KiB "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   int failures = 0;
   for (const auto& folder : folders) {
     const auto views = io::list_views(folder);
-    if (!views) {
-      fmt::print(stderr, "skipped: {}\n", views.error().message);
-      ++failures;
-      continue;
-    }
-    const auto field = io::load_light_field(*views, 0);
+    const auto field = views ? io::load_light_field(*views, 0) : tl::unexpected(views.error());
     if (!field) {
       fmt::print(stderr, "skipped: {}\n", field.error().message);
       ++failures;

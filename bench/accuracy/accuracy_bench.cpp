@@ -1,12 +1,12 @@
 // What the accuracy report measures inside a process (bench/accuracy/__main__.py runs it).
 //
 // Usage: bench_accuracy decode FILE.hmlfc RUNS FOLDER ROW,COL...
-//          decodes all views, RUNS times; prints as JSON cpu_seconds, the least of a decoding over
-//          all threads, and reference_bytes, the decoded sparse reference images. Then writes these
-//          views to FOLDER as RR_CC.png.
+//          decodes all views RUNS times; prints as JSON cpu_seconds, the shortest of these runs
+//          over all threads, and reference_bytes, the size of the decoded reference images. Then
+//          writes the views ROW,COL to FOLDER as RR_CC.png.
 //        bench_accuracy frames FILE.hmlfc SOURCE.hmlfc FRAMES SIDE FILTER:LEVELS:CACHE:BACKEND...
-//          draws FRAMES square frames of an orbit with each setting, and prints what they took and
-//          their errors as JSON (frame_sweep.hpp). SOURCE decodes to the uncompressed light field;
+//          draws FRAMES square frames of an orbit with each setting, and prints their times and
+//          errors as JSON (frame_sweep.hpp). SOURCE decodes to the uncompressed light field;
 //          CACHE is MiB of decoded pixels, BACKEND cpu, golden or gpu.
 #include <algorithm>
 #include <cinttypes>
@@ -49,7 +49,7 @@ std::string write_view(const Decoder& decoder, const std::string& folder, const 
   return written ? "" : written.error().message;
 }
 
-// A decoder of its own for each run, so that nothing is decoded already.
+// Each run has a new decoder, which has decoded nothing.
 int decode_all(const std::vector<std::string>& arguments) {
   const int runs = std::atoi(arguments[2].c_str());
   if (runs < 1) return refuse("RUNS is not a number from 1 on", kUsage);

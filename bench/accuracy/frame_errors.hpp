@@ -1,4 +1,4 @@
-// The error of a frame, separated into its causes.
+// The error of a frame, split by cause.
 #pragma once
 
 #include <map>
@@ -23,15 +23,15 @@ struct FrameErrors {
   void add(const FrameErrors& other);
 };
 
-/// The errors of frames that one camera takes. Real frames are drawn when needed, and kept.
+/// The errors of frames of one camera. Real frames are drawn when needed, and kept.
 class FrameComparison {
  public:
   /// `source` decodes to the uncompressed light field. Both decoders must outlive this.
   FrameComparison(const Decoder& stream, const Decoder& source, const Camera& camera)
       : stream_(stream), source_(source), camera_(camera) {}
 
-  /// Of `image`, drawn from the stream with `filter` down to `stop_level`. Errors: those of
-  /// decoding.
+  /// The errors of `image`, drawn from the stream with `filter` down to `stop_level`. Fails if
+  /// decoding does.
   Result<FrameErrors> errors(const RgbImage& image, Filter filter, int stop_level);
 
  private:

@@ -1,5 +1,6 @@
 #include "accuracy/frame_setting.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <vector>
@@ -7,16 +8,8 @@
 namespace hmlfc::bench {
 namespace {
 
-template <class Value>
-struct Named {
-  std::string_view name;
-  Value value;
-};
-
-constexpr std::array kBackends = {Named<Backend>{"cpu", Backend::kCpu},
-                                  Named<Backend>{"golden", Backend::kGolden},
-                                  Named<Backend>{"gpu", Backend::kGpu}};
 constexpr std::array kFilters = {Filter::kNearest, Filter::kBilinear, Filter::kQuadrilinear};
+constexpr std::array<std::string_view, 3> kBackends = {"cpu", "golden", "gpu"};  // as in Backend
 
 std::vector<std::string_view> split(std::string_view text) {
   std::vector<std::string_view> parts;
@@ -29,10 +22,9 @@ std::vector<std::string_view> split(std::string_view text) {
 }
 
 template <class Integer>
-bool read(std::string_view text, Integer least, Integer most, Integer& value) {
+bool read(std::string_view text, Integer min, Integer max, Integer& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && value >= least &&
-         value <= most;
+  return error == std::errc{} && end == text.data() + text.size() && value >= min && value <= max;
 }
 
 }  // namespace
@@ -42,21 +34,13 @@ std::optional<FrameSetting> parse_frame_setting(std::string_view text) {
   if (parts.size() != 4) return std::nullopt;
   FrameSetting setting;
   setting.text = text;
-  bool known_filter = false;
-  for (const Filter filter : kFilters) {
-    if (filter_name(filter) != parts[0]) continue;
-    setting.filter = filter;
-    known_filter = true;
-  }
-  bool known_backend = false;
-  for (const auto& [name, backend] : kBackends) {
-    if (name != parts[3]) continue;
-    setting.backend = backend;
-    known_backend = true;
-  }
+  const auto filter = std::ranges::find(kFilters, parts[0], filter_name);
+  const auto backend = std::ranges::find(kBackends, parts[3]);
   const bool numbers = read(parts[1], 1, 16, setting.levels) &&
                        read(parts[2], size_t{0}, size_t{1} << 20, setting.cache_mib);
-  if (!known_filter || !known_backend || !numbers) return std::nullopt;
+  if (filter == kFilters.end() || backend == kBackends.end() || !numbers) return std::nullopt;
+  setting.filter = *filter;
+  setting.backend = static_cast<Backend>(backend - kBackends.begin());
   return setting;
 }
 

@@ -1,4 +1,4 @@
-// How frames are drawn in the accuracy report.
+// A setting of the renderers in the accuracy report.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@ enum class Backend { kCpu, kGolden, kGpu };
 
 /// One point of the renderer's sweep.
 struct FrameSetting {
-  std::string text;  ///< as it was given
+  std::string text;  ///< as given
   Filter filter = Filter::kQuadrilinear;
   int levels = 1;          ///< of the tree, from the top, [1, tree_height + 1]
   size_t cache_mib = 256;  ///< kept between frames by backends cpu and gpu, [0, 2^20]
   Backend backend = Backend::kCpu;
 };
 
-/// The setting of FILTER:LEVELS:CACHE:BACKEND, such as "bilinear:4:256:cpu"; nothing where the text
-/// is not of this form.
+/// Parses FILTER:LEVELS:CACHE:BACKEND, such as "bilinear:4:256:cpu". Nothing if the text does not
+/// have this form.
 std::optional<FrameSetting> parse_frame_setting(std::string_view text);
 
 }  // namespace hmlfc::bench

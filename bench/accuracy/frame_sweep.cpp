@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "accuracy/frame_backend.hpp"
 #include "accuracy/frame_errors.hpp"
+#include "gpu_ref/frame_renderer.hpp"
 #include "io/mapped_file.hpp"
 #include "render/orbit.hpp"
 #include "render/timing.hpp"
@@ -33,7 +34,22 @@ tl::expected<OpenFile, std::string> open(const std::filesystem::path& path) {
   return OpenFile{std::move(*file), std::move(*decoder)};
 }
 
-// The least value that `share` of the values do not exceed.
+// The renderer of `setting` for the stream of `decoder`, which must outlive it. Errors: backend gpu
+// without a device.
+tl::expected<std::unique_ptr<FrameRenderer>, std::string> open_backend(const FrameSetting& setting,
+                                                                       const Decoder& decoder) {
+  RenderOptions options;
+  options.cache_bytes = setting.cache_mib << 20;
+  if (setting.backend == Backend::kCpu) return make_cpu_renderer(decoder, options);
+  if (setting.backend == Backend::kGolden) return make_golden_renderer(decoder);
+  auto device = gpu::Device::open();
+  if (!device) return Failure(device.error().message);
+  auto renderer = gpu::make_gpu_renderer(std::move(*device), decoder, options);
+  if (!renderer) return Failure(renderer.error().message);
+  return std::move(*renderer);
+}
+
+// The smallest value that `share` of the values do not exceed.
 double percentile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
   const auto rank = static_cast<size_t>(std::ceil(share * static_cast<double>(values.size())));
@@ -61,10 +77,10 @@ class Sweep {
   }
 
  private:
-  using Kind = std::pair<Filter, int>;  // filter and stop level, all that pixels depend on
+  using Kind = std::pair<Filter, int>;  // filter and stop level: all that pixels depend on
 
-  // Closer than where the pixels of a frame and of a view coincide, so that pixels are
-  // interpolated; every pixel is inside.
+  // A little closer than where pixels of frame and view coincide, so that pixels are interpolated;
+  // every pixel is inside.
   Camera camera(int frame) const {
     const Camera orbit = orbit_camera(header_, frame, sweep_.frames, sweep_.side);
     Camera camera = with_defaults(orbit, header_);
@@ -76,13 +92,12 @@ class Sweep {
     return {setting.filter, header_.tree_height + 1 - setting.levels};
   }
 
-  // Times all frames of a setting. The first setting of a kind leaves its pictures, which those of
-  // the others must equal.
+  // Times all frames of a setting. Settings of the same kind must give the same pictures.
   tl::expected<Json, std::string> draw(const FrameSetting& setting) {
     const auto [filter, stop_level] = kind_of(setting);
     if (stop_level < 0) return Failure("the stream has fewer levels");
     Json row{{"setting", setting.text}};
-    // A decoder of its own: key images are decoded again.
+    // A new decoder, which has not decoded any key image.
     const auto decoder = Decoder::open(stream_.file.bytes());
     const auto renderer = open_backend(setting, *decoder);
     if (!renderer) {
@@ -125,7 +140,7 @@ class Sweep {
     return true;
   }
 
-  // Camera by camera, so that the real frames of one camera alone are held.
+  // Camera by camera, so that only the real frames of one camera are in memory.
   tl::expected<void, std::string> compare() {
     for (int k = 0; k < sweep_.frames; ++k) {
       FrameComparison comparison(stream_.decoder, source_.decoder, camera(k));

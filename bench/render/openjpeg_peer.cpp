@@ -14,7 +14,7 @@
 namespace hmlfc::bench {
 namespace {
 
-// Bytes that OpenJPEG writes to or reads from.
+// Bytes that OpenJPEG reads or writes.
 struct Memory {
   std::vector<uint8_t> bytes;
   size_t at = 0;
@@ -123,8 +123,8 @@ std::optional<RgbImage> decode(const std::vector<uint8_t>& bytes) {
 }  // namespace
 
 std::optional<Peer> openjpeg_peer(const RgbImage& image, double target) {
-  double low = 2;     // ratios: of this one the PSNR suffices
-  double high = 200;  // of this one it does not
+  double low = 2;     // a ratio that reaches the target
+  double high = 200;  // a ratio that does not
   for (int step = 0; step < 10; ++step) {
     const double ratio = std::sqrt(low * high);
     const auto bytes = encode(image, ratio);

@@ -1,14 +1,13 @@
-// Time a frame of novel-view rendering, and the time of decoding one view beside other codecs.
+// Time of a frame of novel-view rendering, and of decoding one view beside other codecs.
 //
 // Usage: ./run bench render [FILE.hmlfc [FOLDER]]
-// FILE: a stream; default: Chess of HMLFC_DATA_DIR (../shared/data where that is not set), encoded
-// in profile extended at quality 64. FOLDER: the views it was made from. CPU times are those of the
-// process over all threads, of single views the least of many runs; frames/s are what the cores
-// yield that other work leaves.
+// FILE: a stream; default: Chess of HMLFC_DATA_DIR, or of ../shared/data if that is not set,
+// encoded in profile extended at quality 64. FOLDER: the views it was made from. CPU times are
+// those of all threads, of single views the shortest of many runs; frames/s depend on what else the
+// machine runs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +17,7 @@
 #include <hmlfc/encoder.hpp>
 #include <hmlfc/renderer.hpp>
 
+#include "common/data_folder.hpp"
 #include "io/light_field_files.hpp"
 #include "io/mapped_file.hpp"
 #include "render/orbit.hpp"
@@ -49,7 +49,7 @@ FrameRecord record_of(const Setting& setting, const StreamHeader& header, int fr
   return *frame_record(camera, header);
 }
 
-// One turn of the orbit; a row of the table.
+// Draws one turn of the orbit and prints a row of the table.
 bool print_turn(const Setting& setting, const char* state, const Decoder& decoder,
                 FrameRenderer& renderer) {
   FrameSeconds seconds;
@@ -77,8 +77,7 @@ bool print_turn(const Setting& setting, const char* state, const Decoder& decode
 bool print_frames(std::span<const uint8_t> file) {
   fmt::print(
       "| 512x512, orbit of {} frames | cache | frames/s | CPU ms a frame | plan | decode | sample "
-      "| "
-      "blocks needed | decoded |\n|---|---|---|---|---|---|---|---|---|\n",
+      "| blocks needed | decoded |\n|---|---|---|---|---|---|---|---|---|\n",
       kFrames);
   const Setting settings[] = {{"quadrilinear"},
                               {"quadrilinear, nothing kept", Filter::kQuadrilinear, 0, false, 0},
@@ -87,7 +86,7 @@ bool print_frames(std::span<const uint8_t> file) {
                               {"bilinear", Filter::kBilinear},
                               {"nearest", Filter::kNearest}};
   for (const Setting& setting : settings) {
-    // A decoder of its own: key images are decoded again.
+    // A new decoder, which has not decoded any key image.
     const auto decoder = Decoder::open(file, {false, {}, nullptr});
     if (!decoder) return false;
     RenderOptions options;
@@ -134,12 +133,6 @@ bool print_view(std::span<const uint8_t> file, const LightField& field) {
   return true;
 }
 
-std::filesystem::path default_folder() {
-  const char* data = std::getenv("HMLFC_DATA_DIR");
-  const std::filesystem::path base = data != nullptr ? data : HMLFC_DEFAULT_DATA_DIR;
-  return base / "stanford-chess-16x16-700x400";
-}
-
 std::vector<uint8_t> encoded_chess(const LightField& field) {
   EncodeParams params;
   params.profile = Profile::kExtended;
@@ -155,7 +148,8 @@ std::vector<uint8_t> encoded_chess(const LightField& field) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto views = io::list_views(argc > 2 ? argv[2] : default_folder());
+  const auto views = io::list_views(argc > 2 ? std::filesystem::path(argv[2])
+                                             : data_folder("stanford-chess-16x16-700x400"));
   const auto field = views ? io::load_light_field(*views, 0) : tl::unexpected(views.error());
   if (!field) {
     fmt::print(stderr, "skipped: {}\n", field.error().message);

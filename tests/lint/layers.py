@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Checks the shape of the source tree and prints each violation as file:line: reason.
 
-Layers: a file includes only its own layer, the layers below it and public headers.
+Layers: a file includes only its own folder, the folders that ALLOWED names for it and public headers.
+Cycles: ALLOWED names only folders above in the table, so that there is no cycle.
 Length: no source file is longer than MAX_LINES.
-Lists:  each .cpp file stands in its folder's list of sources, so that none is left unbuilt.
+Lists:  each .cpp file is in the list of sources of its folder, so that none is left unbuilt.
 """
 
 import argparse
@@ -21,8 +22,8 @@ CODEC = {*DECODER, "model/render", "model/encoder"}
 TOOLS = {f"tools/{name}" for name in ("io", "scenes", "vectors", "conform", "cli")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
 
-# What the files of a folder may include with quotes, besides the folder itself; <hmlfc/...> and
-# libraries are free to all. A file belongs to the longest folder that holds it.
+# What the files of a folder may include with quotes, besides the folder itself, in the order of the
+# layers; all may include <hmlfc/...> and libraries. A file belongs to the longest folder that holds it.
 ALLOWED = {
     "model/include": set(),
     "model/bits": set(),
@@ -42,15 +43,17 @@ ALLOWED = {
     "tools/tables": SYNTAX,
     "tools/cli": APPLICATIONS,
     "testbench": APPLICATIONS,
-    "tests": {*APPLICATIONS, "testbench"},
     "bench": APPLICATIONS,
+    "tests": {*APPLICATIONS, "testbench", "bench"},
     "examples": set(),
 }
+# The decoder's shared files and its two paths include each other; tests keep golden off fast.
+ONE_LAYER = {"model/decoder", "model/decoder/golden", "model/decoder/fast"}
 # Where a quoted name is looked up, after the folder of the file and its topmost folder.
-ROOTS = ("model", "tools", "gpu_ref", "testbench", ".")
+ROOTS = ("model", "tools", "gpu_ref", "testbench", "bench", ".")
 
-# Folders with .cpp files and the one list that names them all, relative to the list's folder; a
-# folder below another has a list of its own.
+# Folders with .cpp files and the list that names them all, relative to the folder; a folder below
+# another has its own list.
 SOURCE_LISTS = {
     "model": "model/CMakeLists.txt",
     "tools": "tools/CMakeLists.txt",
@@ -64,7 +67,7 @@ SOURCE_LISTS = {
     "testbench": "testbench/CMakeLists.txt",
     "gpu_ref": "gpu_ref/CMakeLists.txt",
 }
-# A project of its own, with its own list.
+# A separate project with its own list.
 OWN_PROJECTS = ["tests/consumer/project"]
 
 QUOTED_INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
@@ -119,6 +122,14 @@ def include_violation(root, path, folder, name):
     return None
 
 
+def cycle_violations(root):
+    rank = {folder: number for number, folder in enumerate(ALLOWED)}
+    for folder, targets in ALLOWED.items():
+        for target in sorted(targets):
+            if rank[target] > rank[folder] and not {folder, target} <= ONE_LAYER:
+                yield root / "tests/lint/layers.py", 1, f"ALLOWED: {folder} names {target}, which is not above it"
+
+
 def length_violations(root):
     for path in source_files(root):
         lines = path.read_text().count("\n")
@@ -144,7 +155,8 @@ def list_violations(root):
 
 def violations(root):
     """All violations below root, as 'file:line: reason' with the file relative to root."""
-    found = [*layer_violations(root), *length_violations(root), *list_violations(root)]
+    checks = (layer_violations, cycle_violations, length_violations, list_violations)
+    found = [violation for check in checks for violation in check(root)]
     return [f"{path.relative_to(root)}:{line}: {reason}" for path, line, reason in found]
 
 
