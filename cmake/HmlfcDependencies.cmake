@@ -86,6 +86,8 @@ endif()
 if(HMLFC_TESTS OR HMLFC_STRESS)
   hmlfc_require(Python3 COMPONENT Interpreter DEBIAN python3 PURPOSE "lint tests, width table")
 endif()
+find_program(HMLFC_DOXYGEN doxygen)
+hmlfc_tool(doxygen "${HMLFC_DOXYGEN}" "found" "reference of the public API")
 hmlfc_tool(ccache "${HMLFC_CCACHE}" "found" "faster rebuilds")
 hmlfc_tool(mold "${HMLFC_HAS_MOLD}" "found" "faster links")
 

@@ -90,7 +90,7 @@ struct GpuDecoder::State {
     std::memcpy(result.samples.data() + before, from.data(), from.size());
   }
 
-  // Runs `batch` by the debug variant and appends what it tells of each block.
+  // Runs `batch` in the debug variant and appends the record of each block.
   void trace(const Batch& batch, std::vector<BlockStages>& result) {
     const uint64_t status_bytes = 4 * batch.requests;
     const uint64_t entry_bytes = batch.requests * sizes.entry_bytes();

@@ -35,7 +35,7 @@ run_rtl_coverage() {
   install_packages build test
   preset=rtl-coverage build=$root/build/rtl-coverage log=$root/build/rtl-coverage.log
   build rtl_random
-  exec "$(debian_python)" "$root/testbench/rtl_coverage.py" \
+  exec "$(debian_python)" "$root/testbench/programs/rtl_coverage.py" \
     "$build/testbench/rtl_random" "$@"
 }
 
@@ -64,7 +64,7 @@ mutate_shaders() {
   install_packages build test
   soak=ON build decode_vectors
   exec "$(debian_python)" -B "$root/tests/mutation/shaders/campaign.py" \
-    --program "$build/tests/decode_vectors" "$@"
+    --program "$build/tests/mutation/shaders/decode_vectors" "$@"
 }
 
 # mutate_rtl [--count N] [--seed S] [ARG...]: other mutants than those of the tests get a build of
@@ -86,7 +86,7 @@ mutate_rtl() {
   fi
   soak=ON build rtl_mutants
   exec "$(debian_python)" -B "$root/tests/mutation/rtl/mutate.py" \
-    "$build/mutation_rtl/rtl_mutants" "$build/mutation_rtl/mutants/mutants.json" "$root/vectors" \
+    "$build/tests/mutation/rtl/rtl_mutants" "$build/tests/mutation/rtl/mutants/mutants.json" "$root/vectors" \
     --jobs "$(nproc)" "${rest[@]}"
 }
 

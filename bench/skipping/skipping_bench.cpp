@@ -23,7 +23,7 @@
 #include <hmlfc/renderer.hpp>
 
 #include "io/mapped_file.hpp"
-#include "render/frame_planner.hpp"
+#include "render/frame_stages.hpp"
 #include "render/orbit.hpp"
 #include "render/timing.hpp"
 #include "render/view_cache.hpp"

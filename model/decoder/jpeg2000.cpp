@@ -7,8 +7,8 @@
 
 #include <openjpeg.h>
 
-#include "arithmetic/narrow.hpp"
-#include "decoder/codestream_head.hpp"
+#include "arithmetic/widths.hpp"
+#include "decoder/jpeg2000.hpp"
 
 namespace hmlfc {
 namespace {

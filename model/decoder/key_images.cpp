@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "arithmetic/narrow.hpp"
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
 #include "decoder/jpeg2000.hpp"

@@ -5,7 +5,7 @@
 
 #include <hmlfc/format.hpp>
 
-#include "decoder/block_values.hpp"
+#include "decoder/sample_plane.hpp"
 #include "encoder/motion_search.hpp"
 
 namespace hmlfc {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "arithmetic/disparity.hpp"
+#include "arithmetic/motion.hpp"
 #include "encoder/padded_plane.hpp"
 #include "encoder/rate_distortion.hpp"
 #include "syntax/geometry.hpp"
-#include "syntax/motion_code.hpp"
+#include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
 

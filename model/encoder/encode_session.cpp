@@ -10,7 +10,7 @@
 #include "encoder/stream_assembly.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/header.hpp"
-#include "syntax/index_writer.hpp"
+#include "syntax/index.hpp"
 
 namespace hmlfc {
 namespace {

@@ -6,7 +6,7 @@
 #include <new>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 #include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
@@ -15,7 +15,7 @@
 #include "encoder/stepped_plane.hpp"
 #include "encoder/view_error.hpp"
 #include "encoder/view_planes.hpp"
-#include "syntax/reference_set.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <new>
 
-#include "arithmetic/steps.hpp"
+#include "arithmetic/reconstruct.hpp"
 #include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "encoder/view_planes.hpp"

@@ -16,7 +16,7 @@ constexpr unsigned kMostMotionLog2 = 5;
 using Samples = std::array<int32_t, kMaxCellSamples>;
 
 // All symbols that are tried; the first is that of an empty tile.
-std::vector<MotionSymbol> symbols_of(const MotionTask& task) {
+std::vector<PaletteEntry> symbols_of(const MotionTask& task) {
   std::vector<uint8_t> sets{0};
   if (task.two_references) {
     // Sets whose second reference is another image than those before it.
@@ -34,14 +34,14 @@ std::vector<MotionSymbol> symbols_of(const MotionTask& task) {
     }
   }
   const auto fallback = static_cast<uint8_t>(task.two_references ? 1 : 0);
-  std::vector<MotionSymbol> symbols;
-  symbols.push_back(task.keyed ? MotionSymbol{fallback, kChoiceOwn} : MotionSymbol{});
+  std::vector<PaletteEntry> symbols;
+  symbols.push_back(task.keyed ? PaletteEntry{fallback, kChoiceOwn} : PaletteEntry{});
   for (unsigned choice = 1; choice <= task.choices; ++choice) {
     for (const uint8_t set : sets) {
-      const MotionSymbol plus{set, static_cast<uint8_t>(choice)};
+      const PaletteEntry plus{set, static_cast<uint8_t>(choice)};
       if (plus != symbols.front()) symbols.push_back(plus);
       if (task.keyed) continue;
-      MotionSymbol minus = plus;
+      PaletteEntry minus = plus;
       minus.negative = true;
       symbols.push_back(minus);
     }
@@ -52,7 +52,7 @@ std::vector<MotionSymbol> symbols_of(const MotionTask& task) {
 // Squared errors of one grid block ("cell") under every symbol.
 class CellErrors {
  public:
-  CellErrors(const MotionTask& task, const std::vector<MotionSymbol>& symbols)
+  CellErrors(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
       : task_(task), symbols_(symbols), size_(1 << task.grid_log2) {}
 
   // `errors` has one entry a symbol.
@@ -63,7 +63,7 @@ class CellErrors {
     load_target();
     known_.clear();
     for (size_t s = 0; s < symbols_.size(); ++s) {
-      const MotionSymbol& symbol = symbols_[s];
+      const PaletteEntry& symbol = symbols_[s];
       if (symbol.choice == kChoiceNone) {
         errors[s] = squares(nullptr, false);
         continue;
@@ -136,7 +136,7 @@ class CellErrors {
   }
 
   const MotionTask& task_;
-  const std::vector<MotionSymbol>& symbols_;
+  const std::vector<PaletteEntry>& symbols_;
   int32_t size_;
   Area area_;
   Samples target_;
@@ -153,7 +153,7 @@ struct BlockErrors {
 // The cheapest palette of one tile with blocks of one size, built one symbol at a time.
 class PaletteChoice {
  public:
-  PaletteChoice(const BlockErrors& blocks, const std::vector<MotionSymbol>& symbols,
+  PaletteChoice(const BlockErrors& blocks, const std::vector<PaletteEntry>& symbols,
                 const PaletteFields& fields, Lambda lambda)
       : blocks_(blocks),
         symbols_(symbols),
@@ -165,7 +165,7 @@ class PaletteChoice {
   void run() {
     // A symbol more may pay only together with the next: palettes that fill a level count are
     // compared, whatever lies between.
-    while (palette_.size() < std::min(kMaxPalette, symbols_.size())) {
+    while (palette_.size() < std::min(kMaxPaletteEntries, symbols_.size())) {
       if (!add_best()) break;
       const int64_t cost = cost_now();
       if (cost < best_cost_) {
@@ -223,7 +223,7 @@ class PaletteChoice {
   }
 
   const BlockErrors& blocks_;
-  const std::vector<MotionSymbol>& symbols_;
+  const std::vector<PaletteEntry>& symbols_;
   unsigned entry_bits_;
   Lambda lambda_;
   size_t count_;
@@ -235,7 +235,7 @@ class PaletteChoice {
 
 class TileChoice {
  public:
-  TileChoice(const MotionTask& task, const std::vector<MotionSymbol>& symbols)
+  TileChoice(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
       : task_(task), symbols_(symbols), cell_errors_(task, symbols) {}
 
   MotionTileCode run(uint32_t tx, uint32_t ty) {
@@ -291,7 +291,7 @@ class TileChoice {
   }
 
   const MotionTask& task_;
-  const std::vector<MotionSymbol>& symbols_;
+  const std::vector<PaletteEntry>& symbols_;
   CellErrors cell_errors_;
   BlockErrors cells_;
 };
@@ -299,7 +299,7 @@ class TileChoice {
 }  // namespace
 
 std::vector<MotionTileCode> choose_motion(const MotionTask& task) {
-  const std::vector<MotionSymbol> symbols = symbols_of(task);
+  const std::vector<PaletteEntry> symbols = symbols_of(task);
   std::vector<MotionTileCode> tiles(static_cast<size_t>(task.shape.tiles()));
   parallel_for(task.shape.tiles_y, [&](size_t ty) {
     TileChoice choice(task, symbols);

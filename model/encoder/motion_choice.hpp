@@ -7,8 +7,7 @@
 #include "encoder/rate_distortion.hpp"
 #include "encoder/subpel_prediction.hpp"
 #include "syntax/geometry.hpp"
-#include "syntax/motion_code.hpp"
-#include "syntax/motion_writer.hpp"
+#include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
 

@@ -8,7 +8,7 @@
 #include "encoder/block_choice.hpp"
 #include "encoder/reference_plane.hpp"
 #include "syntax/geometry.hpp"
-#include "syntax/tile_head.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 

@@ -4,7 +4,7 @@
 
 #include "arithmetic/reconstruct.hpp"
 #include "arithmetic/rounding.hpp"
-#include "decoder/block_values.hpp"
+#include "decoder/sample_plane.hpp"
 
 namespace hmlfc {
 namespace {
@@ -32,7 +32,7 @@ class PlanePredictor {
 
  private:
   // The palette entry of the block at place (x, y) of the motion plane (MOT-4).
-  const MotionSymbol& symbol_at(uint32_t x, uint32_t y) const {
+  const PaletteEntry& symbol_at(uint32_t x, uint32_t y) const {
     const uint32_t tx = x >> task_.tile_log2;
     const uint32_t ty = y >> task_.tile_log2;
     const MotionTileCode& tile = task_.tiles[size_t{ty} * motion_.tiles_x + tx];
@@ -45,7 +45,7 @@ class PlanePredictor {
     return tile.palette[tile.indices[index]];
   }
 
-  int32_t disparity_at(uint32_t x, uint32_t y, const MotionSymbol& symbol) const {
+  int32_t disparity_at(uint32_t x, uint32_t y, const PaletteEntry& symbol) const {
     if (symbol.choice == kChoiceDisparity) return symbol.explicit_x;
     const auto& move = kChoiceMoves[symbol.choice];
     const DisparityGrid& grid = *task_.grid;
@@ -61,7 +61,7 @@ class PlanePredictor {
     const uint32_t scale = halved_ ? 2 : 1;
     const uint32_t x = bx * size * scale;
     const uint32_t y = by * size * scale;
-    const MotionSymbol& symbol = symbol_at(x, y);
+    const PaletteEntry& symbol = symbol_at(x, y);
     Samples reference{};
     if (symbol.choice != kChoiceNone) {
       const Area area{static_cast<int32_t>(bx * size), static_cast<int32_t>(by * size), size_,
@@ -84,7 +84,7 @@ class PlanePredictor {
     }
   }
 
-  void read_references(const MotionSymbol& symbol, int32_t d, const Area& area,
+  void read_references(const PaletteEntry& symbol, int32_t d, const Area& area,
                        Samples& out) const {
     const ReferenceSet refs = references_of_set(symbol.reference_set);
     Samples parts[2];

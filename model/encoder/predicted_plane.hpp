@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "arithmetic/disparity.hpp"
+#include "arithmetic/motion.hpp"
 #include "encoder/subpel_prediction.hpp"
 #include "syntax/geometry.hpp"
-#include "syntax/motion_code.hpp"
+#include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
 
@@ -25,7 +25,7 @@ struct PredictionTask {
   unsigned vector_precision = 0;
   unsigned tile_log2 = 6;
   unsigned grid_log2 = 3;
-  MotionSymbol default_symbol;            ///< of empty motion tiles (MOT-4)
+  PaletteEntry default_symbol;            ///< of empty motion tiles (MOT-4)
   std::span<const MotionTileCode> tiles;  ///< of the motion plane that serves `plane`
 };
 

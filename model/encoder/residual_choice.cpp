@@ -8,11 +8,10 @@
 #include <utility>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/steps.hpp"
-#include "bits/bit_mask.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "bits/bit_string.hpp"
 #include "encoder/residual_writer.hpp"
-#include "syntax/mask_writer.hpp"
-#include "syntax/tile_layout.hpp"
+#include "syntax/tile_masks.hpp"
 
 namespace hmlfc {
 namespace {

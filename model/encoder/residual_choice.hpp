@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "decoder/block_values.hpp"
+#include "decoder/sample_plane.hpp"
 #include "encoder/rate_distortion.hpp"
-#include "syntax/tile_head.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/levels.hpp"
 #include "arithmetic/rounding.hpp"
 
 namespace hmlfc {

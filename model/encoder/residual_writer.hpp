@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "decoder/block_values.hpp"
-#include "syntax/tile_fields.hpp"
+#include "decoder/sample_plane.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 

@@ -3,9 +3,8 @@
 #include <vector>
 
 #include "arithmetic/reconstruct.hpp"
-#include "arithmetic/steps.hpp"
-#include "bits/bit_mask.hpp"
-#include "syntax/tile_layout.hpp"
+#include "bits/bit_string.hpp"
+#include "syntax/tile_masks.hpp"
 
 namespace hmlfc {
 namespace {

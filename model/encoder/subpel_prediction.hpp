@@ -7,9 +7,9 @@
 
 #include <hmlfc/format.hpp>
 
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 #include "encoder/padded_plane.hpp"
-#include "syntax/reference_set.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 

@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "encoder/residual_writer.hpp"
-#include "syntax/mask_writer.hpp"
-#include "syntax/tile_fields.hpp"
+#include "syntax/tile_masks.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 namespace {
-
-enum SignMode : uint32_t { kSignsPlus = 0, kSignsMinus = 1, kSignsMixed = 2 };
 
 // One component of all vectors above the least of them (TIL-6).
 SequenceFields component_fields(const std::vector<int32_t>& components, int32_t& least) {

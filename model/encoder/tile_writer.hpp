@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "encoder/block_choice.hpp"
-#include "syntax/tile_head.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 

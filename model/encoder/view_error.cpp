@@ -1,6 +1,6 @@
 #include "encoder/view_error.hpp"
 
-#include "decoder/rgb_picture.hpp"
+#include "decoder/colour_row.hpp"
 
 namespace hmlfc {
 

@@ -8,15 +8,13 @@
 
 #include "bits/parallel.hpp"
 #include "decoder/memory_guard.hpp"
-#include "render/frame_planner.hpp"
-#include "render/frame_sampler.hpp"
-#include "render/page_loader.hpp"
+#include "render/frame_stages.hpp"
 #include "render/shown_image.hpp"
 
 namespace hmlfc {
 namespace {
 
-// Seconds since the last call, or since it was made.
+// Seconds since the last call or since construction.
 class Laps {
  public:
   double next() {
@@ -68,7 +66,7 @@ class CpuRenderer final : public FrameRenderer {
     return {};
   }
 
-  // Needed blocks, and those of them that are held.
+  // Counts the needed blocks and how many of them are held.
   void count_blocks(FrameCounts& counts) {
     for (CachedView* view : cache_.used()) {
       view->derive_chroma();
@@ -84,7 +82,8 @@ class CpuRenderer final : public FrameRenderer {
     uint32_t page;
   };
 
-  // The parent of a view of level `stop_level`, if it is held and keeps what is decoded from it.
+  // The cached parent of a view of level `stop_level`; null without one, or where its pages keep no
+  // samples to decode from.
   const CachedView* coarser(const CachedView& view, int stop_level) const {
     if (!progressive_ || stop_level == decoder_.header().tree_height) return nullptr;
     const int level = stop_level + 1;
@@ -104,7 +103,7 @@ class CpuRenderer final : public FrameRenderer {
   Result<void> load(int stop_level) {
     cache_.make_room();
     const std::vector<Missing> missing = missing_pages();
-    // Pages are made by one thread: their views' tables of rows are not shared then.
+    // One thread creates the pages: the pages of a view share its table of rows.
     for (const Missing& at : missing) at.view->page(at.page);
     std::atomic<bool> failed = false;
     parallel_for(missing.size(), [&](size_t i) {

@@ -1,4 +1,4 @@
-#include "render/frame_planner.hpp"
+#include "render/frame_stages.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -7,15 +7,14 @@
 
 #include "bits/parallel.hpp"
 #include "render/row_kernels.hpp"
-#include "render/view_lookup.hpp"
 
 namespace hmlfc {
 namespace {
 
-// Rows that one task plans: those of a block or more, so that tasks seldom set the same bits.
+// Rows of a task: at least those of a block, so that tasks rarely set the same bits.
 constexpr size_t kTaskRows = 16;
 
-// Where along a run the blocks that one column, or row, of views reads change.
+// The pixels of a run at which the blocks change that it reads in one column, or row, of views.
 struct BlockSteps {
   std::vector<int32_t> at;  // pixels of the run, the first always
   const int32_t* first = nullptr;
@@ -36,7 +35,7 @@ struct BlockSteps {
   }
 };
 
-// A row of blocks that is gathered before it is added to a view's.
+// A row of blocks, gathered before it is added to those of a view.
 class BlockRow {
  public:
   explicit BlockRow(uint32_t columns) : words_((columns + 63) / 64) {}
@@ -52,11 +51,11 @@ class BlockRow {
   std::vector<uint64_t> words_;
 };
 
-// Adds the blocks of one view that a run reads to `needed`: for each stretch of the run within one
-// row of blocks, or two, those of the columns `x` in it. `row` is empty before and after.
+// Adds to `needed` the blocks of one view that a run reads: for each part of the run within one row
+// of blocks, or two, those of the columns `x`. `row` is empty before and after.
 void mark(const BlockSteps& x, const BlockSteps& y, int32_t run_end, BlockRow& row,
           BlockBits& needed) {
-  size_t next = 0;  // of x.at, the first at or behind the stretch
+  size_t next = 0;  // of x.at, the first in or after the part
   for (size_t k = 0; k < y.at.size(); ++k) {
     const int32_t begin = y.at[k];
     const int32_t end = k + 1 < y.at.size() ? y.at[k + 1] : run_end;
@@ -81,7 +80,7 @@ void mark(const BlockSteps& x, const BlockSteps& y, int32_t run_end, BlockRow& r
   }
 }
 
-// What one task needs to plan rows.
+// Plans rows for one task.
 class RowPlanner {
  public:
   RowPlanner(const FrameRecord& record, int stop_level, const StreamHeader& header,
@@ -93,7 +92,7 @@ class RowPlanner {
         taps_(static_cast<size_t>(record.frame_width)),
         row_(cache.shape().blocks_x) {}
 
-  // Returns the pixels of views that row `j` reads.
+  // Returns the number of pixels of views that row `j` reads.
   uint64_t plan(int32_t j) {
     uint64_t reads = 0;
     trace_row(record_, j, rays_);

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 namespace {
 
 using Checked = tl::expected<void, CameraError>;
 
-constexpr double kLeastLength = 0x1p-20;  // CAM-4
-constexpr int32_t kMaxReach = 1 << 28;    // REC-3, in 2^-12 pixels
+constexpr double kMinLength = 0x1p-20;  // CAM-4
+constexpr int32_t kMaxReach = 1 << 28;  // REC-3, in 2^-12 pixels
 constexpr int64_t kMaxShift = 1 << 29;
 
 struct Vector {
@@ -84,10 +84,10 @@ tl::expected<Pose, CameraError> pose_of(const Camera& camera, double row_pitch) 
   const WorldPoint& to = *camera.look_at;
   const Vector g{to.u - from.u, row_pitch * to.v - row_pitch * from.v, to.z - from.z};
   const double length = std::sqrt((g.x * g.x + g.y * g.y) + g.z * g.z);
-  if (!(length >= kLeastLength)) return bad("look_at is the camera's place: give another point");
+  if (!(length >= kMinLength)) return bad("look_at is the camera's place: give another point");
   const Vector forward{g.x / length, g.y / length, g.z / length};
   const double h = std::sqrt(forward.x * forward.x + forward.z * forward.z);
-  if (!(h >= kLeastLength)) {
+  if (!(h >= kMinLength)) {
     return bad("look_at is straight above or below the camera: move it aside");
   }
   const Vector right{forward.z / h, 0, -forward.x / h};
@@ -150,7 +150,7 @@ Checked set_pictures(const Camera& camera, double row_pitch, FrameRecord& record
   }
   if (std::abs(dx) * (record.cols - 1) > kMaxShift ||
       std::abs(dy) * (record.rows - 1) > kMaxShift) {
-    return bad("focus is too large for as many views");
+    return bad("focus is too large for this many views");
   }
   record.x0 = static_cast<int32_t>(x0);
   record.y0 = static_cast<int32_t>(y0);

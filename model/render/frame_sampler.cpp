@@ -1,18 +1,17 @@
-#include "render/frame_sampler.hpp"
+#include "render/frame_stages.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "bits/parallel.hpp"
 #include "render/row_kernels.hpp"
-#include "render/view_lookup.hpp"
 
 namespace hmlfc {
 namespace {
 
 constexpr size_t kTaskRows = 16;
 
-// What one task needs to sample rows.
+// Samples rows for one task.
 class RowSampler {
  public:
   RowSampler(const FrameRecord& record, int stop_level, const StreamHeader& header,

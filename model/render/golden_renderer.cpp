@@ -1,17 +1,28 @@
-// The golden renderer: what docs/rendering.md says, in its order.
+// The golden renderer: docs/rendering.md as it reads.
 #include <hmlfc/renderer.hpp>
 
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "arithmetic/colour.hpp"
-#include "arithmetic/narrow.hpp"
+#include "arithmetic/widths.hpp"
 #include "decoder/memory_guard.hpp"
-#include "render/block_set.hpp"
-#include "render/pixel_reads.hpp"
 #include "render/shown_image.hpp"
+#include "render/taps.hpp"
 
 namespace hmlfc {
 namespace {
+
+// The order of NED-2: views row by row, planes, blocks row by row.
+struct BlockOrder {
+  bool operator()(const BlockAddress& a, const BlockAddress& b) const {
+    return std::tie(a.view.row, a.view.col, a.plane, a.by, a.bx) <
+           std::tie(b.view.row, b.view.col, b.plane, b.by, b.bx);
+  }
+};
+
+using BlockSet = std::set<BlockAddress, BlockOrder>;
 
 // The block of `plane` that holds the sample of pixel (x, y) of a view (COL-3, STR-6).
 BlockAddress block_of(const StreamHeader& header, ViewPos view, Plane plane, uint32_t x,
@@ -21,7 +32,7 @@ BlockAddress block_of(const StreamHeader& header, ViewPos view, Plane plane, uin
   return {view, plane, x >> shift, y >> shift};
 }
 
-// Views by their blocks.
+// The decoded blocks of a frame, read as pixels of views.
 class Blocks {
  public:
   Blocks(const Decoder& decoder, int stop_level) : decoder_(decoder), stop_level_(stop_level) {}

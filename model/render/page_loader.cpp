@@ -1,10 +1,10 @@
-#include "render/page_loader.hpp"
+#include "render/frame_stages.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "decoder/block_rect.hpp"
 #include "decoder/colour_row.hpp"
+#include "decoder/sample_plane.hpp"
 
 namespace hmlfc {
 namespace {
@@ -18,12 +18,12 @@ bool has_all(const BlockBits& held, const BlockRect& rect) {
   return true;
 }
 
-// Rectangles that cover exactly the blocks of rows [first, last) that are needed and not held:
-// runs of a row, with the same run in the rows below it.
+// Rectangles that cover exactly the blocks of rows [first, last) that are needed and not held: runs
+// of a row joined with the same runs in the rows below.
 std::vector<BlockRect> missing_rects(const BlockBits& needed, const BlockBits& held, uint32_t first,
                                      uint32_t last) {
   std::vector<BlockRect> rects;
-  size_t open = 0;  // rects[open...] reach down to the row before
+  size_t open = 0;  // rects[open...] end at the row above
   for (uint32_t by = first; by < last; ++by) {
     std::vector<BlockRect> row;
     needed.for_each_run_without(held, by, [&](uint32_t begin, uint32_t end) {
@@ -89,22 +89,22 @@ class PageLoader {
             std::min(blocks.by1 << log2, height) - y};
   }
 
-  // Where a page keeps row j of `rect` of a plane.
-  size_t kept_at(Plane plane, const Rect& rect, uint32_t j) const {
+  // Offset of row j of `rect` in a plane of the page.
+  size_t offset_in_page(Plane plane, const Rect& rect, uint32_t j) const {
     const bool luma = plane == Plane::kY;
     const uint32_t top = number_ * (luma ? kPageRows : shape_.page_chroma_rows());
     return size_t{rect.y - top + j} * (luma ? shape_.width : shape_.chroma_width) + rect.x;
   }
 
-  // The samples of `blocks`, which cover `rect`: from those of the coarser level where it holds all
-  // of them, else from the top.
+  // The samples of `blocks`, which cover `rect`: refined from the coarser level where it holds all
+  // of them, else decoded from the top.
   Result<std::vector<int16_t>> decode(Plane plane, const BlockRect& blocks, const Rect& rect) {
     const bool luma = plane == Plane::kY;
     if (coarser_ != nullptr && has_all(luma ? coarser_->held : coarser_->held_chroma, blocks)) {
       const std::vector<int16_t>& parent = coarser_->page(number_).plane(plane);
       std::vector<int16_t> samples(size_t{rect.width} * rect.height);
       for (uint32_t j = 0; j < rect.height; ++j) {
-        std::copy_n(parent.data() + kept_at(plane, rect, j), rect.width,
+        std::copy_n(parent.data() + offset_in_page(plane, rect, j), rect.width,
                     samples.data() + size_t{j} * rect.width);
       }
       if (decoder_.refine_rect(view_.place(), plane, rect, stop_level_, samples)) return samples;
@@ -115,7 +115,7 @@ class PageLoader {
   void keep(Plane plane, const Rect& rect, const std::vector<int16_t>& samples) {
     for (uint32_t j = 0; j < rect.height; ++j) {
       std::copy_n(samples.data() + size_t{j} * rect.width, rect.width,
-                  page_.plane(plane).data() + kept_at(plane, rect, j));
+                  page_.plane(plane).data() + offset_in_page(plane, rect, j));
     }
   }
 
@@ -140,7 +140,7 @@ class PageLoader {
     return {};
   }
 
-  // Row `y` of the view, from the samples of Y of its pixels in `rect`.
+  // Writes the pixels of row `y` of the view in `rect`, whose samples of Y are `luma`.
   void write_pixels(const Rect& rect, uint32_t y, const int16_t* luma) {
     const unsigned shift = shape_.chroma_shift;
     const uint32_t in_page = y - number_ * kPageRows;

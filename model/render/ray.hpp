@@ -7,7 +7,7 @@
 #include <hmlfc/camera.hpp>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 
@@ -66,7 +66,7 @@ constexpr int32_t slope_of(int32_t n, int32_t r) {
   return s;
 }
 
-/// How far a ray of `slope` comes aside (RAY-3, RAY-4): zu, zv or gain in [-2^28, 2^28] times the
+/// The lateral shift of a ray of `slope` (RAY-3, RAY-4): zu, zv or gain in [-2^28, 2^28] times the
 /// slope.
 constexpr int32_t shift_along(int32_t factor, int32_t slope) {
   const int64_t product = int64_t{factor} * slope;

@@ -191,9 +191,9 @@ double fixed_point_bound(const Camera& camera, const StreamHeader& header) {
   const double pitch = *full.row_pitch;
   const double kappa = full.shear - full.focus;
   const double ds = 0x1p-22;
-  const double most_views = std::max(header.rows, header.cols) - 1.0;
+  const double max_distance = std::max(header.rows, header.cols) - 1.0;
   const double place = 7 * 0x1p-17 + std::abs(p.z) * std::max(1.0, std::abs(1 / pitch)) * ds;
-  const double ex = (7 + most_views) * 0x1p-13 + std::abs(*full.focal - kappa * p.z) * ds;
+  const double ex = (7 + max_distance) * 0x1p-13 + std::abs(*full.focal - kappa * p.z) * ds;
   const double eu = std::ldexp(1.0, full.aperture - 9) + place;
   const double peak = (1 << header.depth) - 1;
   return 0.5 + 1.0 / 32 + peak * (2 * eu + 2 * (0x1p-9 + ex));

@@ -73,7 +73,7 @@ class RowTracer {
     auto outside = hn::Lt(nz, set(1 << 26));
     outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(nx)), nz)));
     outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(ny)), nz)));
-    nz = hn::IfThenElse(outside, set(1 << 28), nz);  // any that divides
+    nz = hn::IfThenElse(outside, set(1 << 28), nz);  // any valid divisor
     const IntVec r = reciprocals(nz);
     place(begin, multiply_shift_lanes<29>(nx, r), multiply_shift_lanes<29>(ny, r), outside, rays);
   }

@@ -12,14 +12,14 @@
 
 #include <hwy/highway.h>
 
-#include "render/pixel_taps.hpp"
 #include "render/row_kernels.hpp"
+#include "render/taps.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hmlfc {
 namespace HWY_NAMESPACE {
 
-/// The arrays of a run that one view's pixels are found by.
+/// The taps and weights of a run in one view.
 struct TapArrays {
   TapArrays(const RunTaps& taps, int32_t col, int32_t row)
       : x(taps.cols.first[col].data()),
@@ -45,7 +45,7 @@ template <int kSampleBytes>
 void add_interpolated(const uint8_t* const* rows, const RayRun& run, const TapArrays& taps,
                       uint32_t* sums) {
   using Sample = std::conditional_t<kSampleBytes == 1, uint8_t, uint16_t>;
-  constexpr int kMostDepth = kSampleBytes == 1 ? 8 : 12;
+  constexpr int kMaxDepth = kSampleBytes == 1 ? 8 : 12;
   for (int32_t i = run.begin; i < run.end; ++i) {
     const AxisTaps x{taps.x[i], taps.fx[i]};
     const AxisTaps y{taps.y[i], taps.fy[i]};
@@ -53,7 +53,7 @@ void add_interpolated(const uint8_t* const* rows, const RayRun& run, const TapAr
     const auto* below = reinterpret_cast<const Sample*>(rows[y.last()]) + 4 * x.first;
     for (int32_t k = 0; k < 3; ++k) {
       const int32_t q =
-          interpolate_pixels(x, y, above[k], above[k + 4], below[k], below[k + 4], kMostDepth);
+          interpolate_pixels(x, y, above[k], above[k + 4], below[k], below[k + 4], kMaxDepth);
       sums[4 * i + k] += taps.weight(i) * static_cast<uint32_t>(q);
     }
   }

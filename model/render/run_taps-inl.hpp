@@ -1,5 +1,5 @@
-// Taps and weights of a run in plain loops, which the compiler turns to vectors of the instruction
-// set that this is compiled for. Included once for each by row_kernels.cpp.
+// Taps and weights of a run in plain loops, which the compiler vectorises. Included once for each
+// instruction set by row_kernels.cpp.
 
 #if defined(HMLFC_RENDER_RUN_TAPS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HMLFC_RENDER_RUN_TAPS_INL

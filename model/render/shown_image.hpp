@@ -1,4 +1,4 @@
-// What a frame request must fit, and which views show the same image.
+// Whether a frame request fits a light field, and which views show the same image.
 #pragma once
 
 #include <algorithm>

@@ -4,7 +4,105 @@
 #include <mutex>
 #include <tuple>
 
+#include "arithmetic/rounding.hpp"
+
 namespace hmlfc {
+
+ViewShape::ViewShape(const StreamHeader& header, bool with_luma)
+    : width(header.width),
+      height(header.height),
+      depth(header.depth),
+      block_log2(header.block_log2),
+      chroma_shift(header.chroma_format == ChromaFormat::k420 ? 1 : 0),
+      sample_bytes(header.depth > 8 ? 2 : 1),
+      keeps_luma(with_luma) {
+  const uint32_t side = header.block_size();
+  blocks_x = ceil_div(width, side);
+  blocks_y = ceil_div(height, side);
+  chroma_width = (width + chroma_shift) >> chroma_shift;
+  chroma_height = (height + chroma_shift) >> chroma_shift;
+  chroma_blocks_x = ceil_div(chroma_width, side);
+  chroma_blocks_y = ceil_div(chroma_height, side);
+  pages = ceil_div(height, kPageRows);
+}
+
+ViewPage::ViewPage(const ViewShape& shape) : pixels(shape.row_bytes() * kPageRows) {
+  if (shape.keeps_luma) plane(Plane::kY).resize(size_t{shape.width} * kPageRows);
+  for (const Plane p : {Plane::kCo, Plane::kCg}) {
+    plane(p).resize(size_t{shape.chroma_width} * shape.page_chroma_rows());
+  }
+}
+
+size_t ViewPage::bytes(const ViewShape& shape) {
+  const size_t luma = shape.keeps_luma ? size_t{shape.width} * kPageRows : 0;
+  const size_t chroma = size_t{2} * shape.chroma_width * shape.page_chroma_rows();
+  return shape.row_bytes() * kPageRows + sizeof(int16_t) * (luma + chroma);
+}
+
+CachedView::CachedView(ViewPos place, const ViewShape& shape)
+    : needed(shape.blocks_x, shape.blocks_y),
+      held(shape.blocks_x, shape.blocks_y),
+      needed_chroma(shape.chroma_blocks_x, shape.chroma_blocks_y),
+      held_chroma(shape.chroma_blocks_x, shape.chroma_blocks_y),
+      page_frame(shape.pages),
+      place_(place),
+      shape_(shape),
+      pages_(shape.pages),
+      rows_(shape.height) {}
+
+void CachedView::derive_chroma() {
+  needed_chroma.clear();
+  const BlockBits none(shape_.blocks_x, shape_.blocks_y);
+  for (uint32_t by = 0; by < shape_.blocks_y; ++by) {
+    needed.for_each_run_without(none, by, [&](uint32_t begin, uint32_t end) {
+      const unsigned shift = shape_.chroma_shift;
+      for (uint32_t bx = begin >> shift; bx <= (end - 1) >> shift; ++bx) {
+        needed_chroma.set(bx, by >> shift);
+      }
+    });
+  }
+}
+
+ViewPage& CachedView::page(uint32_t page) {
+  if (!pages_[page]) {
+    pages_[page] = std::make_unique<ViewPage>(shape_);
+    const uint32_t end = std::min((page + 1) * kPageRows, shape_.height);
+    for (uint32_t y = page * kPageRows; y < end; ++y) {
+      rows_[y] = pages_[page]->pixels.data() + (y - page * kPageRows) * shape_.row_bytes();
+    }
+  }
+  return *pages_[page];
+}
+
+bool CachedView::has_pages() const {
+  return std::any_of(pages_.begin(), pages_.end(),
+                     [](const auto& page) { return page != nullptr; });
+}
+
+void CachedView::drop_page(uint32_t page) {
+  pages_[page].reset();
+  const uint32_t end = std::min((page + 1) * kPageRows, shape_.height);
+  std::fill(rows_.begin() + page * kPageRows, rows_.begin() + end, nullptr);
+  const auto drop_rows = [page](BlockBits& bits, uint32_t page_rows, uint32_t rows) {
+    bits.clear_rows(page * page_rows, std::min((page + 1) * page_rows, rows));
+  };
+  drop_rows(held, shape_.page_block_rows(), shape_.blocks_y);
+  drop_rows(held_chroma, shape_.page_chroma_block_rows(), shape_.chroma_blocks_y);
+}
+
+bool CachedView::needs_page(uint32_t page) const {
+  const uint32_t first = page * shape_.page_block_rows();
+  const uint32_t last = std::min(first + shape_.page_block_rows(), shape_.blocks_y);
+  return needed.any_in_rows(first, last);
+}
+
+bool CachedView::misses_in_page(uint32_t page) const {
+  const uint32_t rows = shape_.page_block_rows();
+  const uint32_t chroma_rows = shape_.page_chroma_block_rows();
+  return needed.any_without(held, page * rows, std::min((page + 1) * rows, shape_.blocks_y)) ||
+         needed_chroma.any_without(held_chroma, page * chroma_rows,
+                                   std::min((page + 1) * chroma_rows, shape_.chroma_blocks_y));
+}
 
 void ViewCache::begin_frame() { ++frame_; }
 

@@ -1,5 +1,5 @@
-// The decode unit as a TLM-2.0 model for virtual platforms: loosely timed, with the golden model
-// inside.
+// The decode unit as a TLM-2.0 model for virtual platforms: loosely timed, with the model's
+// decoder and its fast references inside.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@
 #include <systemc>
 #include <tlm>
 
-#include "oracle.hpp"
-#include "register_file.hpp"
+#include "oracle/oracle.hpp"
 #include "tlm/latency.hpp"
+#include "unit/register_file.hpp"
 
 namespace hmlfc::tb {
 
@@ -24,7 +24,7 @@ constexpr unsigned answer_bytes(unsigned block_size) { return 3 * block_size * b
 
 /// Registers, requests and answers as in docs/hardware.md. At LOAD the whole stream is read through
 /// `memory` and checked; a failing access there gives bus_error. The reference area is not read:
-/// the golden model decodes the key images itself. BYTES_READ counts what LOAD read, CYCLES what
+/// the model decodes the reference images itself. BYTES_READ counts what LOAD read, CYCLES what
 /// the latency table says, STALLS is 0.
 ///
 /// A request is answered before its b_transport returns; the delay is annotated on the answer.
@@ -40,7 +40,7 @@ class DecodeUnitTlm final : public sc_core::sc_module {
                 const LatencyTable& latency = {},
                 const sc_core::sc_time& period = sc_core::sc_time(1, sc_core::SC_NS));
 
-  /// As rst_n does.
+  /// Resets, as rst_n does.
   void reset();
 
  private:

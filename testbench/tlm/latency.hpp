@@ -1,10 +1,10 @@
-// How long the unit takes, for the loosely timed model.
+// Latencies of the unit, for the loosely timed model.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "oracle.hpp"
+#include "oracle/oracle.hpp"
 #include "tlm/latency_table.hpp"
 
 namespace hmlfc::tb {

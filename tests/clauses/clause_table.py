@@ -96,7 +96,7 @@ def main():
         print(complaint, file=sys.stderr)
     status = 1 if complaints else 0
     if arguments.check or arguments.update:
-        tables = [("Table", [INTRODUCTION, "", *markdown(cells)])]
+        tables = [("The table", [INTRODUCTION, "", *markdown(cells)])]
         text = result_file.result_text("Clauses, vectors and implementations", "./run clauses --update", tables)
         return max(status, result_file.settle(arguments.results / "clauses.md", text, arguments.update))
     if arguments.json:

@@ -1,6 +1,6 @@
 // The fast reader of disparities against one read for each grid block, on sound and on damaged
 // records (MOT-6).
-#include "decoder/fast/disparity_plane.hpp"
+#include "decoder/fast/motion_field.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,6 +12,7 @@
 
 #include "decoder/naive_stream.hpp"
 #include "syntax/header.hpp"
+#include "syntax/index.hpp"
 
 namespace hmlfc {
 namespace {

@@ -110,7 +110,7 @@ def main():
     parser.add_argument("--update", action="store_true")
     options = parser.parse_args()
     root = options.root.resolve()
-    sandbox = Sandbox(options.folder.resolve(), root, options.build.resolve(), options.hmlfc.resolve())
+    sandbox = Sandbox(options.folder.resolve(), root, options.build.resolve(), options.hmlfc.absolute())
     complaints, skipped = check(root, sandbox, options.document, options.update)
     print("\n".join(complaints + [f"skipped, {NO_DEVICE}: {text}" for text in skipped]))
     return 1 if complaints else SKIPPED if skipped else 0

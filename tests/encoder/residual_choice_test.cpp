@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/steps.hpp"
-#include "bits/bit_mask.hpp"
-#include "syntax/tile_layout.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "bits/bit_string.hpp"
+#include "syntax/tile_masks.hpp"
 
 namespace hmlfc {
 namespace {

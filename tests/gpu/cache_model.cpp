@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "render/pixel_reads.hpp"
+#include "render/taps.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -7,7 +7,7 @@
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "io/light_field_files.hpp"
-#include "sequences.hpp"
+#include "stimulus/sequences.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -4,7 +4,7 @@
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "scenes/scene.hpp"
-#include "sequences.hpp"
+#include "stimulus/sequences.hpp"
 
 namespace hmlfc::gpu {
 namespace {

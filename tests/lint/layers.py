@@ -2,7 +2,9 @@
 """Checks the shape of the source tree and prints each violation as file:line: reason.
 
 Layers: a file includes only its own folder, the folders that ALLOWED names for it and public headers.
-Cycles: ALLOWED names only folders above in the table, so that there is no cycle.
+Golden: nothing that the golden path includes, directly or not, belongs to the fast path.
+Cycles: ALLOWED names only folders above in the table, so that there is no cycle; no CMake file names
+        a folder on top of its own.
 Length: no source file is longer than MAX_LINES.
 Lists:  each .cpp file is in the list of sources of its folder, so that none is left unbuilt.
 """
@@ -21,6 +23,8 @@ DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast
 CODEC = {*DECODER, "model/render", "model/encoder"}
 TOOLS = {f"tools/{name}" for name in ("io", "scenes", "vectors", "conform", "cli")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
+CHECKS = {*DECODER, "tools/io", "testbench/oracle", "testbench/stimulus"}
+TESTBENCH = {f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu")}
 
 # What the files of a folder may include with quotes, besides the folder itself, in the order of the
 # layers; all may include <hmlfc/...> and libraries. A file belongs to the longest folder that holds it.
@@ -42,13 +46,22 @@ ALLOWED = {
     "tools/dut": set(),
     "tools/tables": SYNTAX,
     "tools/cli": APPLICATIONS,
-    "testbench": APPLICATIONS,
+    "testbench/oracle": DECODER,
+    "testbench/stimulus": {*DECODER, "testbench/oracle", "tools/scenes", "tools/vectors"},
+    "testbench/unit": CHECKS,
+    "testbench/systemc": {*CHECKS, "tools/scenes", "testbench/unit"},
+    "testbench/tlm": {*CHECKS, "testbench/unit", "testbench/systemc"},
+    "testbench/gpu": {*CHECKS, "model/render", "gpu_ref"},
+    "testbench/dpi": set(),
+    "testbench/programs": {*APPLICATIONS, *TESTBENCH},
     "bench": APPLICATIONS,
-    "tests": {*APPLICATIONS, "testbench", "bench"},
+    "tests": {*APPLICATIONS, *TESTBENCH, "bench"},
     "examples": set(),
 }
-# The decoder's shared files and its two paths include each other; tests keep golden off fast.
+# The shared files of the decoder and its two paths include each other.
 ONE_LAYER = {"model/decoder", "model/decoder/golden", "model/decoder/fast"}
+# Folder to one that its files must not reach through any chain of includes.
+UNREACHABLE = {"model/decoder/golden": "model/decoder/fast"}
 # Where a quoted name is looked up, after the folder of the file and its topmost folder.
 ROOTS = ("model", "tools", "gpu_ref", "testbench", "bench", ".")
 
@@ -60,16 +73,18 @@ SOURCE_LISTS = {
     "tests": "tests/CMakeLists.txt",
     "tests/decode_path": "tests/decode_path/CMakeLists.txt",
     "tests/fuzz": "tests/fuzz/CMakeLists.txt",
+    "tests/gpu": "tests/gpu/CMakeLists.txt",
     "tests/mutation/rtl": "tests/mutation/rtl/CMakeLists.txt",
     "tests/mutation/shaders": "tests/mutation/shaders/CMakeLists.txt",
+    "tests/rtl": "tests/rtl/CMakeLists.txt",
     "tests/stress": "tests/stress/CMakeLists.txt",
+    "tests/testbench": "tests/testbench/CMakeLists.txt",
     "bench": "bench/CMakeLists.txt",
     "testbench": "testbench/CMakeLists.txt",
     "gpu_ref": "gpu_ref/CMakeLists.txt",
+    "examples": "examples/CMakeLists.txt",
 }
-# A separate project with its own list.
-OWN_PROJECTS = ["tests/consumer/project"]
-
+PROJECT_FOLDER = re.compile(r"\$\{PROJECT_SOURCE_DIR\}/(\w+)")
 QUOTED_INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
 
 
@@ -97,7 +112,7 @@ def layer_violations(root):
         name = path.relative_to(root).as_posix()
         folder = folder_of(name)
         if folder is None:
-            if name.split("/")[0] in ("model", "tools"):
+            if name.split("/")[0] in ("model", "tools", "testbench"):
                 yield path, 1, f"{Path(name).parent} is not a folder of the table in tests/lint/layers.py"
             continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
@@ -128,6 +143,52 @@ def cycle_violations(root):
         for target in sorted(targets):
             if rank[target] > rank[folder] and not {folder, target} <= ONE_LAYER:
                 yield root / "tests/lint/layers.py", 1, f"ALLOWED: {folder} names {target}, which is not above it"
+    tops = list(dict.fromkeys(folder.split("/")[0] for folder in ALLOWED))
+    for path in source_files(root):
+        top = path.relative_to(root).parts[0]
+        if path.suffix not in (".txt", ".cmake") or top not in tops:
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            for named in PROJECT_FOLDER.findall(line):
+                if named in tops and tops.index(named) > tops.index(top):
+                    yield path, number, f"{top} may not use {named}"
+
+
+def includes_of(root, name):
+    """The files of the repository that file `name` includes with quotes, by line."""
+    path = root / name
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        match = QUOTED_INCLUDE.match(line)
+        target = match and included_file(root, path, match.group(1))
+        if target:
+            yield number, target
+
+
+def reach_violations(root):
+    """Chains of two includes or more from a folder of UNREACHABLE; layer_violations has the others."""
+    for path in cpp_files(root):
+        folder = folder_of(path.relative_to(root).as_posix())
+        forbidden = UNREACHABLE.get(folder)
+        if forbidden is None:
+            continue
+        for number, first in includes_of(root, path.relative_to(root).as_posix()):
+            chain = chain_to(root, first, forbidden)
+            if len(chain) > 1:
+                yield path, number, f"{folder} reaches {forbidden}: {' -> '.join(chain)}"
+
+
+def chain_to(root, first, folder):
+    """The shortest chain of includes from file `first` to a file of `folder`; empty if there is none."""
+    chains = [[first]]
+    known = {first}
+    for chain in chains:  # grows
+        if folder_of(chain[-1]) == folder:
+            return chain
+        for _, target in includes_of(root, chain[-1]):
+            if target not in known:
+                known.add(target)
+                chains.append([*chain, target])
+    return []
 
 
 def length_violations(root):
@@ -148,14 +209,13 @@ def list_violations(root):
             if any(path.is_relative_to(root / other) for other in inner):
                 continue
             name = path.relative_to(root / folder).as_posix()
-            own = any(path.is_relative_to(root / project) for project in OWN_PROJECTS)
-            if path.suffix == ".cpp" and name not in listed and not own:
+            if path.suffix == ".cpp" and name not in listed:
                 yield path, 1, f"not listed in {list_name}"
 
 
 def violations(root):
     """All violations below root, as 'file:line: reason' with the file relative to root."""
-    checks = (layer_violations, cycle_violations, length_violations, list_violations)
+    checks = (layer_violations, reach_violations, cycle_violations, length_violations, list_violations)
     found = [violation for check in checks for violation in check(root)]
     return [f"{path.relative_to(root)}:{line}: {reason}" for path, line, reason in found]
 

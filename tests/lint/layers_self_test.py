@@ -21,7 +21,8 @@ CLEAN_TREE = {
     "tests/bits/a_test.cpp": '#include "bits/a.hpp"\n',
     "tests/fuzz/CMakeLists.txt": "hmlfc_add_fuzz(open.cpp\n)\n",
     "tests/fuzz/open.cpp": '#include "bits/a.hpp"\n',
-    "tests/consumer/project/main.cpp": "int main() {}\n",
+    "examples/CMakeLists.txt": "add_executable(example example.cpp)\n",
+    "examples/example.cpp": '#include <hmlfc/public.hpp>\n',
 }
 
 
@@ -72,6 +73,15 @@ class LayersTest(unittest.TestCase):
             with patch.dict(ALLOWED, {folder: {target}}):
                 self.assert_found({}, f"tests/lint/layers.py:1: ALLOWED: {folder} names {target}")
 
+    def test_cmake_names_a_folder_on_top(self):
+        path = '"${PROJECT_SOURCE_DIR}/%s/x.cpp"\n'
+        self.assert_found({"tools/CMakeLists.txt": path % "model", "tests/x.cmake": path % "bench"})
+        self.assert_found(
+            {"tools/CMakeLists.txt": "\n" + path % "tests", "gpu_ref/x.cmake": path % "tools"},
+            "gpu_ref/x.cmake:1: gpu_ref may not use tools",
+            "tools/CMakeLists.txt:2: tools may not use tests",
+        )
+
     def test_golden_path_leans_on_nothing_fast(self):
         self.assert_found(
             {
@@ -80,6 +90,20 @@ class LayersTest(unittest.TestCase):
             },
             "model/decoder/golden/x.hpp:1: model/decoder/golden may not include model/decoder/fast",
         )
+
+    def test_golden_path_reaches_nothing_fast(self):
+        chain = {
+            "model/decoder/golden/x.hpp": '#include "decoder/b.hpp"\n#include "bits/a.hpp"\n',
+            "model/decoder/b.hpp": '#include "decoder/c.hpp"\n',
+            "model/decoder/c.hpp": '#include "decoder/b.hpp"\n#include "decoder/fast/y.hpp"\n',
+            "model/decoder/fast/y.hpp": '#include "decoder/golden/x.hpp"\n',
+        }
+        self.assert_found(
+            chain,
+            "model/decoder/golden/x.hpp:1: model/decoder/golden reaches model/decoder/fast: "
+            "model/decoder/b.hpp -> model/decoder/c.hpp -> model/decoder/fast/y.hpp",
+        )
+        self.assert_found({**chain, "model/decoder/c.hpp": '#include "decoder/b.hpp"\n'})
 
     def test_public_header_includes_a_layer(self):
         self.assert_found(
@@ -103,8 +127,12 @@ class LayersTest(unittest.TestCase):
 
     def test_arrows_between_folders(self):
         self.assert_found(
-            {"gpu_ref/x.hpp": '#include "../testbench/y.hpp"\n', "testbench/y.hpp": ""},
-            "gpu_ref/x.hpp:1: gpu_ref may not include testbench",
+            {"gpu_ref/x.hpp": '#include "../testbench/oracle/y.hpp"\n', "testbench/oracle/y.hpp": ""},
+            "gpu_ref/x.hpp:1: gpu_ref may not include testbench/oracle",
+        )
+        self.assert_found(
+            {"testbench/oracle/x.hpp": '#include "unit/y.hpp"\n', "testbench/unit/y.hpp": ""},
+            "testbench/oracle/x.hpp:1: testbench/oracle may not include testbench/unit",
         )
 
     def test_unknown_folder(self):

@@ -8,7 +8,7 @@
 
 #include "render/ray.hpp"
 #include "render/render_cases.hpp"
-#include "render/view_weights.hpp"
+#include "render/taps.hpp"
 
 namespace hmlfc {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <hmlfc/renderer.hpp>
 
-#include "render/pixel_reads.hpp"
 #include "render/render_cases.hpp"
+#include "render/taps.hpp"
 
 namespace hmlfc {
 namespace {

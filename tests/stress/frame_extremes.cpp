@@ -4,7 +4,7 @@
 #include <hmlfc/camera.hpp>
 
 #include "camera_case.hpp"
-#include "render/pixel_reads.hpp"
+#include "render/taps.hpp"
 
 namespace hmlfc::stress {
 namespace {

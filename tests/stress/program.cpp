@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "arithmetic/narrow.hpp"
+#include "arithmetic/widths.hpp"
 #include "width_record.hpp"
 
 namespace hmlfc::stress {

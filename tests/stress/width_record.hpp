@@ -1,4 +1,4 @@
-// What watched quantities reached (arithmetic/watch.hpp), against the width tables.
+// What watched quantities reached (arithmetic/widths.hpp), against the width tables.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 #include "vectors/json.hpp"
 
 namespace hmlfc::stress {

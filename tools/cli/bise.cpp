@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/levels.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"

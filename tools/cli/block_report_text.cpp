@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "arithmetic/levels.hpp"
-#include "arithmetic/sample_range.hpp"
-#include "arithmetic/steps.hpp"
+#include "arithmetic/bise.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "arithmetic/widths.hpp"
 #include "cli/field_table.hpp"
 #include "cli/stream_report.hpp"
 #include "syntax/geometry.hpp"

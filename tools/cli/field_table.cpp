@@ -8,8 +8,7 @@
 #include <fmt/format.h>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/levels.hpp"
-#include "arithmetic/steps.hpp"
+#include "arithmetic/reconstruct.hpp"
 
 namespace hmlfc::cli {
 namespace {

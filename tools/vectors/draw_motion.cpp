@@ -4,10 +4,10 @@
 #include <bit>
 #include <string>
 
-#include "arithmetic/disparity.hpp"
-#include "arithmetic/levels.hpp"
+#include "arithmetic/bise.hpp"
+#include "arithmetic/motion.hpp"
 #include "arithmetic/rounding.hpp"
-#include "syntax/motion_writer.hpp"
+#include "syntax/motion_tile.hpp"
 #include "vectors/draw_sequence.hpp"
 #include "vectors/ones_behind.hpp"
 
@@ -17,9 +17,9 @@ namespace {
 constexpr int64_t kMaxMotionBlock = 3;
 constexpr int64_t kReservedChoices = 15;
 
-MotionSymbol draw_symbol(FieldRules& rules, const MotionContext& context, unsigned explicit_bits,
+PaletteEntry draw_symbol(FieldRules& rules, const MotionContext& context, unsigned explicit_bits,
                          Random& random) {
-  MotionSymbol symbol;
+  PaletteEntry symbol;
   if (context.two_references) {
     symbol.reference_set = static_cast<uint8_t>(rules.pick("reference_set", 0, 7, random));
   }
@@ -40,7 +40,7 @@ MotionSymbol draw_symbol(FieldRules& rules, const MotionContext& context, unsign
 }
 
 // The palette's entries that blocks may use (MOT-3).
-std::vector<uint32_t> usable_entries(const std::vector<MotionSymbol>& palette,
+std::vector<uint32_t> usable_entries(const std::vector<PaletteEntry>& palette,
                                      const MotionContext& context) {
   std::vector<uint32_t> usable;
   for (size_t i = 0; i < palette.size(); ++i) {

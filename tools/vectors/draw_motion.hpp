@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "syntax/disparity_tile.hpp"
+#include "syntax/motion_tile.hpp"
 #include "syntax/motion_tile.hpp"
 #include "vectors/field_rules.hpp"
 

@@ -4,8 +4,6 @@
 #include <string>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/bise_codes.hpp"
-#include "arithmetic/bise_digits.hpp"
 #include "vectors/json.hpp"
 
 namespace hmlfc::vectors {
@@ -27,7 +25,7 @@ std::vector<uint32_t> least_codes(const Levels& levels, std::span<const uint32_t
 void draw_tail_code(FieldRules& rules, SequenceFields& sequence, Random& random) {
   const Levels levels = levels_of_code(sequence.level_code);
   const size_t groups = code_count(levels, sequence.values.size());
-  if (!rules.has("tail_code") || sequence.values.size() % group_size(levels) == 0) return;
+  if (!rules.has("tail_code") || sequence.values.size() % digit_group_size(levels) == 0) return;
   if (sequence.codes.empty()) sequence.codes = canonical_codes(levels, sequence.values);
   const unsigned bits = code_bits(levels, sequence.values.size(), groups - 1);
   sequence.codes.back() = rules.pick_unsigned("tail_code", 0, (1u << bits) - 1, random);
@@ -44,12 +42,12 @@ void require_representable(const SequenceFields& sequence) {
 
 size_t code_count(const Levels& levels, size_t count) {
   if (levels.digit == Digit::kNone) return 0;
-  const size_t members = group_size(levels);
+  const size_t members = digit_group_size(levels);
   return (count + members - 1) / members;
 }
 
 unsigned code_bits(const Levels& levels, size_t count, size_t group) {
-  const size_t members = std::min(group_size(levels), count - group * group_size(levels));
+  const size_t members = std::min(digit_group_size(levels), count - group * digit_group_size(levels));
   return static_cast<unsigned>(bise_bits(levels, members) - levels.plain_bits * members);
 }
 

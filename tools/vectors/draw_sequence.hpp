@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "arithmetic/levels.hpp"
-#include "syntax/tile_fields.hpp"
+#include "arithmetic/bise.hpp"
+#include "syntax/tile_record.hpp"
 #include "vectors/field_rules.hpp"
 
 namespace hmlfc::vectors {

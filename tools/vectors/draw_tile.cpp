@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 
-#include "arithmetic/bise_codes.hpp"
-#include "arithmetic/steps.hpp"
-#include "syntax/mask_writer.hpp"
+#include "arithmetic/bise.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "syntax/tile_masks.hpp"
 #include "vectors/draw_sequence.hpp"
 
 namespace hmlfc::vectors {
@@ -73,7 +73,7 @@ SequenceFields draw_values(FieldRules& rules, unsigned level_code, uint64_t coun
   if (!rules.has("group_code")) return sequence;
   for (size_t g = 0; g < code_count(levels, count); ++g) {
     const unsigned bits = code_bits(levels, count, g);
-    const bool cut = bits < code_bits(levels, group_size(levels), 0);
+    const bool cut = bits < code_bits(levels, digit_group_size(levels), 0);
     const char* field = cut && rules.has("tail_code") ? "tail_code" : "group_code";
     sequence.codes.push_back(rules.pick_unsigned(field, 0, (1u << bits) - 1, random));
   }

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "syntax/tile_fields.hpp"
+#include "syntax/tile_record.hpp"
 #include "vectors/field_rules.hpp"
 
 namespace hmlfc::vectors {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "encoder/stream_assembly.hpp"

@@ -6,7 +6,7 @@
 
 #include <hmlfc/format.hpp>
 
-#include "syntax/index_writer.hpp"
+#include "syntax/index.hpp"
 #include "vectors/field_rules.hpp"
 
 namespace hmlfc::vectors {

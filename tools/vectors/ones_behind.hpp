@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bits/bit_writer.hpp"
+#include "bits/bit_string.hpp"
 #include "vectors/field_rules.hpp"
 
 namespace hmlfc::vectors {

@@ -1,4 +1,4 @@
-#include "decoder/fast/motion_pass.hpp"
+#include "decoder/fast/region_decoder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <optional>
 #include <tuple>
 
-#include "arithmetic/narrow.hpp"
 #include "arithmetic/reconstruct.hpp"
+#include "arithmetic/widths.hpp"
 #include "decoder/block_motion.hpp"
 #include "decoder/fast/interpolate.hpp"
 #include "decoder/fast/motion_field.hpp"
@@ -30,7 +30,7 @@ Area common(const Area& a, const Area& b) {
 
 class MotionPass {
  public:
-  MotionPass(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+  MotionPass(const FastSources& sources, int level, ImagePos image, Plane plane,
              const BlockRect& rect, SamplePlane& samples)
       : sources_(sources),
         geometry_(sources.stream.geometry),
@@ -122,7 +122,7 @@ class MotionPass {
 
   Result<int32_t> disparity_at(const PaletteEntry& entry, uint32_t x, uint32_t y) {
     if (!disparities_) {
-      auto read = sources_.references->disparities(level_, resolver_.images()[0], motion_plane_);
+      auto read = sources_.references.disparities(level_, resolver_.images()[0], motion_plane_);
       if (!read) return tl::unexpected(read.error());
       disparities_ = *read;
     }
@@ -202,7 +202,7 @@ class MotionPass {
     BlockMotion motion;
   };
 
-  const DecodeSources& sources_;
+  const FastSources& sources_;
   const Geometry& geometry_;
   int level_;
   ImagePos image_;
@@ -221,7 +221,7 @@ class MotionPass {
 
 }  // namespace
 
-Result<void> add_motion(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+Result<void> add_motion(const FastSources& sources, int level, ImagePos image, Plane plane,
                         const BlockRect& rect, SamplePlane& samples) {
   return MotionPass(sources, level, image, plane, rect, samples).run();
 }

@@ -1,11 +1,13 @@
 #include "decoder/fast/sparse_plane.hpp"
 
+#include <algorithm>
 #include <bit>
 
-#include "arithmetic/narrow.hpp"
-#include "bits/bit_mask.hpp"
+#include "arithmetic/widths.hpp"
+#include "bits/bit_string.hpp"
 #include "decoder/fast/tile_blocks.hpp"
 #include "decoder/golden/block_walk.hpp"
+#include "syntax/index.hpp"
 #include "syntax/tile_record.hpp"
 
 namespace hmlfc {
@@ -110,21 +112,21 @@ Result<std::shared_ptr<const DisparityPlane>> SparseReferences::disparities(
   });
 }
 
+Result<BlockValues> SparseReferences::block(const BlockSite& site) const {
+  const auto held = plane(site.level, {site.image_row, site.image_col}, site.plane);
+  if (!held) return tl::unexpected(held.error());
+  const auto found = (*held)->find(site.bx, site.by);
+  if (!found) return tl::unexpected(found.error());
+  BlockValues values((*held)->block_size());
+  if (*found != nullptr) std::copy_n(*found, values.size(), &values[0]);
+  return values;
+}
+
 size_t SparseReferences::bytes() const {
   size_t total = 0;
   planes_.for_each([&](const SparsePlane& plane) { total += plane.bytes(); });
   disparities_.for_each([&](const DisparityPlane& plane) { total += plane.bytes(); });
   return total;
-}
-
-Result<BlockValues> SparseReference::block(uint32_t bx, uint32_t by) {
-  const auto found = plane_.find(bx, by);
-  if (!found) return tl::unexpected(found.error());
-  BlockValues values(plane_.block_size());
-  if (*found != nullptr) {
-    for (size_t i = 0; i < values.size(); ++i) values[i] = (*found)[i];
-  }
-  return values;
 }
 
 }  // namespace hmlfc

@@ -11,9 +11,10 @@
 #include <hmlfc/error.hpp>
 #include <hmlfc/trace.hpp>
 
-#include "decoder/fast/disparity_plane.hpp"
+#include "decoder/fast/motion_field.hpp"
+#include "decoder/golden/block_decoder.hpp"
+#include "decoder/key_images.hpp"
 #include "decoder/lazy_map.hpp"
-#include "decoder/reference_blocks.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc {
@@ -65,7 +66,7 @@ class SparsePlane {
 };
 
 /// The sparse planes and disparities of all reference images that were needed so far. Thread-safe.
-class SparseReferences {
+class SparseReferences final : public HeldReferences {
  public:
   explicit SparseReferences(const StreamView& stream) : stream_(stream) {}
 
@@ -77,6 +78,8 @@ class SparseReferences {
   Result<std::shared_ptr<const DisparityPlane>> disparities(int level, ImagePos image,
                                                             size_t motion_plane) const;
 
+  Result<BlockValues> block(const BlockSite& site) const override;
+
   /// Bytes of all that was read so far.
   size_t bytes() const;
 
@@ -86,14 +89,11 @@ class SparseReferences {
   mutable LazyMap<DisparityPlane> disparities_;
 };
 
-/// A sparse plane as a reference for the golden decoder.
-class SparseReference final : public ReferenceBlocks {
- public:
-  explicit SparseReference(const SparsePlane& plane) : plane_(plane) {}
-  Result<BlockValues> block(uint32_t bx, uint32_t by) override;
-
- private:
-  const SparsePlane& plane_;
+/// What the fast path decodes from.
+struct FastSources {
+  const StreamView& stream;
+  const KeyImages& keys;
+  const SparseReferences& references;
 };
 
 }  // namespace hmlfc

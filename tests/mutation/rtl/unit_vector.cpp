@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "bits/crc32c.hpp"
-#include "golden_stream.hpp"
-#include "level_record.hpp"
-#include "oracle.hpp"
+#include "oracle/golden_stream.hpp"
+#include "oracle/level_record.hpp"
+#include "oracle/oracle.hpp"
 #include "syntax/header.hpp"
 #include "vectors/picture_bytes.hpp"
 

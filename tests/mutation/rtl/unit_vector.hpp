@@ -11,8 +11,8 @@
 #include <hmlfc/decoder.hpp>
 
 #include "io/mapped_file.hpp"
-#include "stream_image.hpp"
-#include "unit_host.hpp"
+#include "systemc/stream_image.hpp"
+#include "unit/unit_host.hpp"
 #include "vectors/manifest.hpp"
 
 namespace hmlfc::tb {

@@ -1,0 +1,33 @@
+// The stages of a frame on the CPU: plan which blocks it needs, decode the missing ones page by
+// page, sample. Plan and sample use all threads of the caller's run_on_threads().
+#pragma once
+
+#include <cstdint>
+
+#include <hmlfc/camera.hpp>
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/image.hpp>
+
+#include "render/view_cache.hpp"
+
+namespace hmlfc {
+
+/// Sets `needed` of every view of the cache that the frame uses (NED-1); `cache` has begun a frame.
+/// Returns the samples that the frame reads, three a pixel (FrameCounts::samples_interpolated).
+uint64_t plan_frame(const FrameRecord& record, int stop_level, const StreamHeader& header,
+                    ViewCache& cache);
+
+/// Decodes the missing blocks of page `page` of `view`, whose needed blocks are set, and converts
+/// them to pixels. Where `coarser` is not null it is the view's parent, of stop level + 1, with
+/// samples of Y: blocks that it holds are decoded from there. Several threads may load different
+/// pages of a view. Errors: a block does not decode; the page then holds no more blocks than
+/// before.
+Result<void> load_page(const Decoder& decoder, const ViewShape& shape, int stop_level,
+                       const CachedView* coarser, CachedView& view, uint32_t page);
+
+/// Fills `image` with the frame (sections 3 and 4 of docs/rendering.md); `cache` holds every block
+/// that the frame needs.
+void sample_frame(const FrameRecord& record, int stop_level, const StreamHeader& header,
+                  ViewCache& cache, RgbImage& image);
+
+}  // namespace hmlfc

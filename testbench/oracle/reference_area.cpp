@@ -1,0 +1,125 @@
+#include "oracle/reference_area.hpp"
+
+#include <algorithm>
+
+#include "decoder/sample_plane.hpp"
+
+namespace hmlfc::tb {
+namespace {
+
+// Whether blocks of level `l` read reference images: otherwise nothing in them is ever decoded.
+bool is_read(const LevelShape& level) {
+  return level.keyed || level.group_rows() != level.rows || level.group_cols() != level.cols;
+}
+
+// The blocks of one plane of one reference image, or the error of each.
+class PlaneSource {
+ public:
+  PlaneSource(const StreamView& stream, const KeyImages& keys, const HeldReferences& references,
+              const AreaPlane& plane)
+      : block_size_(stream.geometry.block_size()), references_(references), plane_(plane) {
+    if (stream.geometry.level(plane.level).keyed) {
+      key_ = keys.plane(plane.level, plane.image, plane.plane);
+    }
+  }
+
+  Result<BlockValues> block(uint32_t bx, uint32_t by) const {
+    if (!key_) return tl::unexpected(key_.error());
+    if (*key_) return block_of_plane(**key_, block_size_, bx, by);
+    return references_.block(
+        {plane_.level, plane_.image.row, plane_.image.col, plane_.plane, bx, by});
+  }
+
+ private:
+  unsigned block_size_;
+  const HeldReferences& references_;
+  const AreaPlane& plane_;
+  Result<std::shared_ptr<const SamplePlane>> key_{nullptr};
+};
+
+class AreaBuilder {
+ public:
+  AreaBuilder(const StreamView& stream, const KeyImages& keys, const HeldReferences& references)
+      : stream_(stream), keys_(keys), references_(references) {}
+
+  ReferenceArea build() {
+    area_.layout = area_layout(stream_.geometry);
+    area_.bytes.assign(static_cast<size_t>(area_.layout.size), 0);
+    for (const AreaPlane& plane : area_.layout.planes) {
+      if (is_read(stream_.geometry.level(plane.level))) fill_plane(plane);
+    }
+    return std::move(area_);
+  }
+
+ private:
+  void fill_plane(const AreaPlane& plane) {
+    const PlaneSource source(stream_, keys_, references_, plane);
+    const PlaneShape& shape = stream_.geometry.plane(plane.plane);
+    const uint32_t strips = strips_in_row(shape.width, stream_.geometry.block_size());
+    uint64_t at = plane.offset;
+    for (uint32_t by = 0; by < shape.blocks_y; ++by) {
+      for (uint32_t s = 0; s < strips; ++s, at += kStripBytes) {
+        const auto place = pack_strip(strip_samples(source, shape, s, by));
+        std::copy(place.begin(), place.end(), area_.bytes.begin() + static_cast<ptrdiff_t>(at));
+      }
+    }
+  }
+
+  // Strip `s` of row `by`; what is past the plane's last block repeats its first sample.
+  StripSamples strip_samples(const PlaneSource& source, const PlaneShape& shape, uint32_t s,
+                             uint32_t by) {
+    const unsigned in_block = stream_.geometry.block_size() * stream_.geometry.block_size();
+    const uint32_t blocks = kStripSamples / in_block;
+    StripSamples samples{};
+    for (uint32_t b = 0; b < blocks; ++b) {
+      const uint32_t bx = s * blocks + b;
+      int32_t* const to = samples.data() + size_t{b} * in_block;
+      if (bx >= shape.blocks_x) {
+        std::fill_n(to, in_block, samples[0]);
+        continue;
+      }
+      const auto block = source.block(bx, by);
+      if (block) {
+        std::copy(block->span().begin(), block->span().end(), to);
+      } else {
+        ++area_.poisoned_blocks;
+        std::fill_n(to, in_block, poison_of(block.error().code));
+      }
+    }
+    return samples;
+  }
+
+  const StreamView& stream_;
+  const KeyImages& keys_;
+  const HeldReferences& references_;
+  ReferenceArea area_;
+};
+
+}  // namespace
+
+AreaLayout area_layout(const Geometry& geometry) {
+  AreaLayout layout;
+  for (int l = geometry.top(); l >= 0; --l) {
+    const LevelShape& level = geometry.level(l);
+    for (uint32_t row = 0; row < level.group_rows(); ++row) {
+      for (uint32_t col = 0; col < level.group_cols(); ++col) {
+        const ImagePos image = geometry.reference_of_group(l, {row, col});
+        for (const Plane p : kPlanes) {
+          const PlaneShape& shape = geometry.plane(p);
+          const uint64_t strips =
+              uint64_t{strips_in_row(shape.width, geometry.block_size())} * shape.blocks_y;
+          layout.planes.push_back({l, image, p, layout.size, strips * kStripBytes});
+          layout.size += strips * kStripBytes;
+        }
+      }
+    }
+  }
+  return layout;
+}
+
+ReferenceArea build_reference_area(const StreamView& stream, const KeyImages& keys,
+                                   const HeldReferences& references) {
+  return AreaBuilder(stream, keys, references).build();
+}
+
+}  // namespace hmlfc::tb

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""check_install.py CMAKE BUILD_DIR COMPILER LIBDIR: installs the build, moves it, and does with it what its users do.
+
+The examples are built with the static and with the shared library, by find_package and by pkg-config, and run; what
+they print and draw is compared with the installed binary.
+"""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+import exports
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "examples"
+VECTORS = ROOT / "vectors"
+STREAM = VECTORS / "real" / "knights-extended.hmlfc"
+
+
+def run(*command, code=0, **options):
+    """Runs a command; returns what it prints. Its exit status must be `code`."""
+    done = subprocess.run([str(word) for word in command], text=True, capture_output=True, **options)
+    assert done.returncode == code, f"{command}: exit status {done.returncode}\n{done.stdout}{done.stderr}"
+    return done.stdout
+
+
+class Installation:
+    def __init__(self, cmake, build, compiler, libdir):
+        self.cmake, self.compiler = cmake, compiler
+        self.work = Path(build) / "consumer"
+        shutil.rmtree(self.work, ignore_errors=True)
+        first = self.work / "prefix"
+        run(cmake, "--install", build, "--prefix", first)
+        self.prefix = self.work / "moved"
+        first.rename(self.prefix)
+        self.lib = self.prefix / libdir
+        for file in (*self.lib.glob("cmake/**/*.cmake"), *self.lib.glob("pkgconfig/*")):
+            assert str(first) not in file.read_text(), f"{file} names the folder it was installed to"
+        self.headers = sorted((self.prefix / "include" / "hmlfc").iterdir())
+        os.environ["PKG_CONFIG_PATH"] = str(self.lib / "pkgconfig")
+
+    def check_headers(self):
+        """Each compiles by itself and needs no header that is not installed."""
+        flags = run("pkg-config", "--cflags", "hmlfc").split()
+        for header in self.headers:
+            quoted = re.findall(r'#\s*include\s*"[^"]*"', header.read_text())
+            assert not quoted, f"{header.name} includes {quoted}"
+            source = f"#include <hmlfc/{header.name}>\n"
+            strict = ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c++", "-"]
+            run(self.compiler, *flags, *strict, input=source)
+
+    def check_exports(self):
+        found = exports.check(self.lib / "libhmlfc.so", [file for file in self.headers if file.suffix == ".hpp"])
+        assert not found, "\n".join(found)
+
+    def build_examples(self, name, *options):
+        """The examples, by find_package."""
+        folder = self.work / name
+        options = ["-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_COMPILER={self.compiler}", *options]
+        run(self.cmake, "-G", "Ninja", "-S", EXAMPLES, "-B", folder, f"-DCMAKE_PREFIX_PATH={self.prefix}", *options)
+        run(self.cmake, "--build", folder)
+        return folder
+
+    def pkg_config_program(self, name, *library, static=()):
+        """Example decode_block by pkg-config."""
+        flags = run("pkg-config", *static, "--cflags", "--libs", "hmlfc").split()
+        if library:
+            flags = [flag for flag in flags if flag != "-lhmlfc"]
+        program = self.work / name
+        search = [f"-L{self.lib}", f"-Wl,-rpath,{self.lib}"]
+        run(self.compiler, "-std=c++20", EXAMPLES / "decode_block.cpp", "-o", program, *search, *library, *flags)
+        return program
+
+    def hmlfc(self, *arguments, code=0):
+        return run(self.prefix / "bin" / "hmlfc", *arguments, code=code)
+
+
+def check_block(installation, program):
+    """Its samples are the last stage of `hmlfc inspect`, its cost the same."""
+    shown = run(program, STREAM, 1, 2, 3, 4).splitlines()
+    text = installation.hmlfc("inspect", STREAM, "--view", "1,2", "--plane", "Y", "--block", "3,4", "--json")
+    report = json.loads(text)
+    rows = report["levels"][-1]["stages"]["sample"]["values"]
+    assert shown[-2] == "samples: " + " ".join(str(value) for row in rows for value in row), shown[-2]
+    assert shown[-1] == "cost: {fields} fields, {bits} bits".format(**report["cost"]), shown[-1]
+    assert sum("byte" in line for line in shown) == report["cost"]["fields"]
+    run(program, STREAM, 999, 2, 3, 4, code=1)
+
+
+def check_frame(installation, folder):
+    """Its picture is that of `hmlfc render`."""
+    run(folder / "render_frame", STREAM, "1.25", "0.5", folder / "frame.ppm")
+    installation.hmlfc("render", STREAM, "--camera", "1.25,0.5", "-o", folder / "frame.png")
+    ours, theirs = (np.asarray(Image.open(folder / name)) for name in ("frame.ppm", "frame.png"))
+    assert ours.shape == theirs.shape and ours.max() > 0 and (ours == theirs).all()
+    assert (ours[:, :, 0] != ours[:, :, 2]).any(), "a grey frame would not show swapped channels"
+    run(folder / "render_frame", STREAM, "9999", "0", folder / "none.ppm", code=1)
+
+
+def check_wrapper(installation, folder):
+    """It passes vectors that must decode and such that must be refused; with a fault it fails them."""
+    library = folder / "libwrap_decoder.so"
+    vectors = ["--suite", VECTORS, "--filter", "real/cards-main", "--filter", "error/cut-*"]
+    installation.hmlfc("conform", "--dut", library, *vectors, "-o", folder / "report")
+    counts = json.loads((folder / "report" / "report.json").read_text())
+    statuses = [result["status"] for result in counts["results"]]
+    assert len(statuses) >= 2 and set(statuses) == {"pass"}, statuses
+
+    source = folder / "faulty.c"
+    text = (EXAMPLES / "wrap_decoder.c").read_text()
+    faulty = text.replace("i % 3 * pixels", "(i + 1) % 3 * pixels")
+    assert faulty != text
+    source.write_text(faulty)
+    flags = run("pkg-config", "--cflags", "--libs", "hmlfc").split()
+    parts = [source, EXAMPLES / "other_decoder.cpp"]
+    options = ["-std=c++20", "-fpermissive", "-w", "-shared", "-fPIC", f"-I{EXAMPLES}", f"-Wl,-rpath,{installation.lib}"]
+    run(installation.compiler, *options, "-o", folder / "libfaulty.so", *parts, *flags)
+    installation.hmlfc("conform", "--dut", folder / "libfaulty.so", *vectors, "-o", folder / "faulty", code=1)
+
+
+def main():
+    installation = Installation(*sys.argv[1:])
+    installation.check_headers()
+    installation.check_exports()
+    for name, options in {"static": (), "shared": ("-DBUILD_SHARED_LIBS=ON",)}.items():
+        folder = installation.build_examples(name, *options)
+        needed = run("readelf", "-d", folder / "decode_block")
+        assert ("libhmlfc.so" in needed) == (name == "shared"), f"{name}: {needed}"
+        check_block(installation, folder / "decode_block")
+    check_frame(installation, folder)
+    check_wrapper(installation, folder)
+    check_block(installation, installation.pkg_config_program("pkg_shared"))
+    archive = ["-Wl,--whole-archive", installation.lib / "libhmlfc.a", "-Wl,--no-whole-archive"]
+    check_block(installation, installation.pkg_config_program("pkg_static", *archive, static=["--static"]))
+
+
+if __name__ == "__main__":
+    main()
