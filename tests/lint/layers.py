@@ -6,7 +6,7 @@ Golden: nothing that the golden path includes, directly or not, belongs to the f
 Cycles: ALLOWED names only folders above in the table, so that there is no cycle; no CMake file names
         a folder on top of its own.
 Length: no source file is longer than MAX_LINES.
-Lists:  each .cpp file is in the list of sources of its folder, so that none is left unbuilt.
+Lists:  the nearest CMakeLists.txt above a .cpp file names it, so that none is left unbuilt.
 """
 
 import argparse
@@ -65,25 +65,6 @@ UNREACHABLE = {"model/decoder/golden": "model/decoder/fast"}
 # Where a quoted name is looked up, after the folder of the file and its topmost folder.
 ROOTS = ("model", "tools", "gpu_ref", "testbench", "bench", ".")
 
-# Folders with .cpp files and the list that names them all, relative to the folder; a folder below
-# another has its own list.
-SOURCE_LISTS = {
-    "model": "model/CMakeLists.txt",
-    "tools": "tools/CMakeLists.txt",
-    "tests": "tests/CMakeLists.txt",
-    "tests/decode_path": "tests/decode_path/CMakeLists.txt",
-    "tests/fuzz": "tests/fuzz/CMakeLists.txt",
-    "tests/gpu": "tests/gpu/CMakeLists.txt",
-    "tests/mutation/rtl": "tests/mutation/rtl/CMakeLists.txt",
-    "tests/mutation/shaders": "tests/mutation/shaders/CMakeLists.txt",
-    "tests/rtl": "tests/rtl/CMakeLists.txt",
-    "tests/stress": "tests/stress/CMakeLists.txt",
-    "tests/testbench": "tests/testbench/CMakeLists.txt",
-    "bench": "bench/CMakeLists.txt",
-    "testbench": "testbench/CMakeLists.txt",
-    "gpu_ref": "gpu_ref/CMakeLists.txt",
-    "examples": "examples/CMakeLists.txt",
-}
 PROJECT_FOLDER = re.compile(r"\$\{PROJECT_SOURCE_DIR\}/(\w+)")
 QUOTED_INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
 
@@ -199,18 +180,12 @@ def length_violations(root):
 
 
 def list_violations(root):
-    for folder, list_name in SOURCE_LISTS.items():
-        if not (root / folder).is_dir():
-            continue
-        list_path = root / list_name
-        listed = set(re.split(r"[\s()]+", list_path.read_text())) if list_path.exists() else set()
-        inner = [other for other in SOURCE_LISTS if other.startswith(folder + "/")]
-        for path in cpp_files(root / folder):
-            if any(path.is_relative_to(root / other) for other in inner):
-                continue
-            name = path.relative_to(root / folder).as_posix()
-            if path.suffix == ".cpp" and name not in listed:
-                yield path, 1, f"not listed in {list_name}"
+    for path in cpp_files(root):
+        lists = [folder / "CMakeLists.txt" for folder in path.parents if folder.is_relative_to(root)]
+        nearest = next((file for file in lists if file.is_file()), lists[-1])
+        listed = re.split(r"[\s()]+", nearest.read_text()) if nearest.is_file() else []
+        if path.suffix == ".cpp" and path.relative_to(nearest.parent).as_posix() not in listed:
+            yield path, 1, f"not listed in {nearest.relative_to(root)}"
 
 
 def violations(root):

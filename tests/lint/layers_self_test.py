@@ -147,10 +147,10 @@ class LayersTest(unittest.TestCase):
 
     def test_unlisted_source(self):
         self.assert_found(
-            {"model/bits/c.cpp": "\n", "tests/bits/c_test.cpp": "\n", "bench/d.cpp": "\n"},
+            {"bench/d.cpp": "\n", "model/bits/c.cpp": "\n", "tests/bits/c_test.cpp": "\n"},
+            "bench/d.cpp:1: not listed in CMakeLists.txt",
             "model/bits/c.cpp:1: not listed in model/CMakeLists.txt",
             "tests/bits/c_test.cpp:1: not listed in tests/CMakeLists.txt",
-            "bench/d.cpp:1: not listed in bench/CMakeLists.txt",
         )
 
 
