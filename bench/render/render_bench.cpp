@@ -135,12 +135,7 @@ bool print_view(std::span<const uint8_t> file, const LightField& field) {
 
 std::vector<uint8_t> encoded_chess(const LightField& field) {
   EncodeParams params;
-  params.profile = Profile::kExtended;
-  params.ref_rows = params.ref_cols = 0;
-  params.automatic_chroma = true;
-  params.tree_height = 0;
-  params.window = 64;
-  params.quality = 64;
+  params.extended.quality = 64;
   auto stream = encode(field, params);
   return stream ? std::move(stream->bytes) : std::vector<uint8_t>{};
 }
