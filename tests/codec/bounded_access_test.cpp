@@ -56,6 +56,7 @@ TEST(BoundedAccess, RandomStreamsStayWithinTheStatedBounds) {
 // A tree of three levels in which most blocks are displaced comes near the bound of 16 walks.
 TEST(BoundedAccess, DisplacedBlocksComeNearTheBound) {
   test::RandomCase made;
+  made.params.profile = Profile::kMain;
   made.shape = {8, 8, 48, 48, 8};
   made.noise = 2;
   made.params.main.threshold_ref = 4;
