@@ -119,8 +119,8 @@ def check_wrapper(installation, folder):
     assert faulty != text
     source.write_text(faulty)
     flags = run("pkg-config", "--cflags", "--libs", "hmlfc").split()
-    parts = [source, EXAMPLES / "other_decoder.cpp"]
-    options = ["-std=c++20", "-fpermissive", "-w", "-shared", "-fPIC", f"-I{EXAMPLES}", f"-Wl,-rpath,{installation.lib}"]
+    parts = ["-x", "c", source, "-x", "none", EXAMPLES / "other_decoder.cpp"]
+    options = ["-std=c++20", "-w", "-shared", "-fPIC", f"-I{EXAMPLES}", f"-Wl,-rpath,{installation.lib}"]
     run(installation.compiler, *options, "-o", folder / "libfaulty.so", *parts, *flags)
     installation.hmlfc("conform", "--dut", folder / "libfaulty.so", *vectors, "-o", folder / "faulty", code=1)
 
