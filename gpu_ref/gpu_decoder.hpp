@@ -10,7 +10,7 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 #include "device.hpp"
 #include "failure.hpp"
 #include "syntax/stream_view.hpp"
@@ -51,8 +51,8 @@ struct PixelBlocks {
   std::vector<int16_t> samples;
 };
 
-/// What the debug variant says about one level of one block. Without an error and not `key`,
-/// `prediction` is there; `residual` and `reference` are where the flags say so.
+/// What the debug variant reports of one level of one block. Without an error and not `key`,
+/// `prediction` is present; `residual` and `reference` are present where the flags say so.
 struct LevelStages {
   int level = 0;
   bool key = false;         ///< a block of a key image: only `sample`

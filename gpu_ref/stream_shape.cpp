@@ -1,9 +1,9 @@
 #include "stream_shape.hpp"
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 #include "device_state.hpp"
-#include "syntax/tile_layout.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -1,7 +1,7 @@
 // Reads 16 bytes from any byte address: a client of hmlfc_read_port.
 //
-// `start` with an address begins a read (when `idle`); `done` tells for one clock that `bytes`, byte i
-// at bits 8i+7:8i, and `error` (a bus error) hold; they keep until the next start.
+// `start` with an address begins a read (when `idle`); `done` is high for one clock when `bytes`, byte i
+// at bits 8i+7:8i, and `error` (a bus error) are valid; they hold until the next start.
 module hmlfc_aligned_read #(
     parameter int DATA_BITS = 128,
     parameter int ADDRESS_BITS = 40

@@ -1,12 +1,12 @@
-// One value of a sequence, read from its group (BISE-4 to BISE-9).
+// One value of a sequence, read from its digit group (BISE-4 to BISE-9).
 //
 // VALUE_BITS   [4, 10]; the level count is at most 2^VALUE_BITS
 //
-// window       the sequence from the group's first bit on (hmlfc_bise_place)
+// window       the sequence from the digit group's first bit on (hmlfc_bise_place)
 // bits_left    bits from there to the sequence's end, 64 if there are more; at least those of the
 //              slots up to this (BISE-3); bits beyond read as 0 (BISE-7)
 // level_code   [0, 3 * VALUE_BITS - 3]
-// slot         place in the group: [0, 4] with trits, [0, 2] with quints, 0 without digits
+// slot         place in the digit group: [0, 4] with trits, [0, 2] with quints, 0 without digits
 // value        [0, N - 1]
 // Combinational.
 `include "hmlfc_tables.svh"
@@ -55,7 +55,7 @@ module hmlfc_bise_element #(
   assign above = {VALUE_BITS{1'b1}} << n;
   assign plain = VALUE_BITS'(present >> start) & ~above;
 
-  // The group's code, T or Q, from its places for each n.
+  // The digit group's code, T or Q, from its places for each n.
   logic [7:0] t;
   logic [6:0] q;
   always @* begin

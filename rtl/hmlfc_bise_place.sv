@@ -1,9 +1,9 @@
-// Where value `index` of a sequence lies (BISE-11): its group's first bit, its place in the group.
+// Where value `index` of a sequence lies (BISE-11): its digit group's first bit, its place in that group.
 //
 // index        [0, 1023]
 // level_code   [0, 39]
-// group_bit    first bit of the group, counted from the sequence's first bit; [0, 14322]
-// slot         place in the group: [0, 4] with trits, [0, 2] with quints, 0 without digits
+// group_bit    first bit of the digit group, counted from the sequence's first bit; [0, 14322]
+// slot         place in the digit group: [0, 4] with trits, [0, 2] with quints, 0 without digits
 // Combinational.
 `include "hmlfc_tables.svh"
 

@@ -28,7 +28,7 @@ module hmlfc_bise_unpack #(
   localparam integer TRIT_GROUPS = (COUNT + TRITS - 1) / TRITS;
   localparam integer QUINT_GROUPS = (COUNT + QUINTS - 1) / QUINTS;
 
-  // Digit bits before value j of a group, at bits 4 * j on (BISE-5, BISE-6).
+  // Digit bits before value j of a digit group, at bits 4 * j on (BISE-5, BISE-6).
   localparam [31:0] TRIT_BITS_BEFORE = 32'h75420;
   localparam [31:0] QUINT_BITS_BEFORE = 32'h530;
 

@@ -2,7 +2,7 @@
 
 // Makes the samples of each block from its parent, references and residual (DEC-2, DEC-3, DEC-6, MOT-9), one block a clock.
 //
-// Takes blocks in order, and for each the windows it asked for. The result of one level is the parent of the next. Latency 7
+// Takes blocks in order, and for each the windows it requested. The result of one level is the parent of the next. Latency 7
 // clocks. `out_error` is the first error of the levels so far (CNV-7, DEC-7).
 module hmlfc_compose #(
     parameter int BLOCK_LOG2 = 2,
@@ -43,7 +43,7 @@ module hmlfc_compose #(
     output logic [SAMPLES*SAMPLE_BITS-1:0] out_prediction
 );
 
-  // Windows. Where both come through B, the first is kept until the second is there.
+  // Windows. Where both come through B, the first is kept until the second arrives.
   wire needs_first = in_pending.key || in_pending.motion;
   wire both_from_b = in_pending.two && in_pending.first_from_b;
   logic kept_valid;

@@ -1,7 +1,7 @@
-// What software sees: the registers, and LOAD, which finds out about the stream.
+// Software's interface: the registers, and LOAD, which reads and checks the stream's header.
 //
-// `enable` tells that requests may be taken: a LOAD has ended, with `load_error` or 0. `flush` tells for one clock that what is known of
-// the last stream is to be forgotten. What the counters count is told as it happens: blocks of a level, answers with
+// `enable`: requests may be accepted, as a LOAD has ended, with `load_error` or 0. `flush` is high for one clock when all
+// state of the last stream must be discarded. Inputs for the counters: blocks of a level, answers with
 // their error and request, clocks in which an answer waits, beats of the read master.
 module hmlfc_control #(
     parameter int BLOCK_LOG2 = 2,
@@ -32,7 +32,7 @@ module hmlfc_control #(
     output logic [31:0] s_axil_rdata,
     output logic [1:0] s_axil_rresp,
 
-    input logic idle,  // no request is under way
+    input logic idle,  // no request is in flight
     output logic enable,
     output logic [5:0] load_error,
     output logic flush,

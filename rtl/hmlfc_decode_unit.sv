@@ -4,9 +4,9 @@
 //
 //   requests, view -> tiles: motion, disparity, residual -> references: windows of samples -> compose -> answers
 //
-// Everything is in order: a block never overtakes another. What takes long is asked for as early as its place is known, and
-// queues in `tiles` and `references` let blocks wait in line while memory answers. Each stage stands still when the one after it
-// does. `control` has the registers and LOAD, and tells all stages about the stream.
+// Everything is in order: a block never overtakes another. Slow reads start as soon as their address is known, and
+// queues in `tiles` and `references` let blocks wait in line while memory answers. Each stage stalls when the next one
+// does. `control` has the registers and LOAD, and gives all stages the geometry of the stream.
 module hmlfc_decode_unit #(
     parameter int BLOCK_LOG2 = 2,      // 1..3
     parameter int MAX_DEPTH = 8,       // 8..12
@@ -65,7 +65,7 @@ module hmlfc_decode_unit #(
     output logic [31:0] s_axil_rdata,
     output logic [1:0] s_axil_rresp,
 
-    // What each block of a level was made of, in the order of decoding; for simulation, and left open in a chip.
+    // Trace of each block of a level, in decoding order; for simulation, unconnected in a chip.
     output logic trace_valid,
     output logic [3:0] trace_level,
     output logic [1:0] trace_plane,
@@ -113,7 +113,7 @@ module hmlfc_decode_unit #(
   localparam int LEVEL_BITS = hmlfc_pkg::LEVEL_BITS;
   localparam int RESIDUAL_BITS = SAMPLES * VALUE_BITS;
   localparam int WINDOW_BITS = ((1 << BLOCK_LOG2) + 1) * ((1 << BLOCK_LOG2) + 1) * VALUE_BITS;
-  localparam int REQUESTS = 512;  // under way at once, at most
+  localparam int REQUESTS = 512;  // in flight at once, at most
 
   // ---- The read master and its clients.
   logic [CLIENTS-1:0] request_valid, request_ready, data_valid;
@@ -205,7 +205,7 @@ module hmlfc_decode_unit #(
       .data_error
   );
 
-  // ---- Requests, as long as they are under way.
+  // ---- Requests in flight.
   logic requests_ready, requests_valid, list_ready;
   /* verilator lint_off PINCONNECTEMPTY */
   hmlfc_fifo #(
@@ -272,7 +272,7 @@ module hmlfc_decode_unit #(
       .write_image(view_image)
   );
 
-  // ---- What the stream says about the block.
+  // ---- The block's records.
   logic [3:0] disparity_id;
   logic flow_valid, flow_ready, has_residual;
   hmlfc_pkg::flow_t flow;
@@ -308,7 +308,7 @@ module hmlfc_decode_unit #(
       .data_error
   );
 
-  // ---- What it is predicted from.
+  // ---- The block's references.
   logic pending_valid, pending_ready;
   hmlfc_pkg::pending_t pending;
   logic [RESIDUAL_BITS-1:0] pending_residual;

@@ -1,7 +1,7 @@
 // Unsigned division, one bit of the quotient a clock.
 //
-// `start` takes dividend and divisor (at least 1) when `idle`; `done` tells WIDTH clocks later for one clock that
-// `quotient`, the floor, holds; it keeps until the next start.
+// `start` takes dividend and divisor (at least 1) when `idle`; `done` is high for one clock, WIDTH clocks later, when
+// `quotient`, the floor, is valid; it holds until the next start.
 module hmlfc_divide #(
     parameter int WIDTH = 22
 ) (

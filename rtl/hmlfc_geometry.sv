@@ -2,7 +2,7 @@
 
 // Derives the geometry of the stream from its header: planes, tiles, levels, addresses.
 //
-// `start` when the header's fields hold; `done` tells for one clock that `error`, `stream` and `levels` hold, which then keep.
+// `start` when the header's fields are valid; `done` is high for one clock when `error`, `stream` and `levels` are valid, which then hold.
 // Errors: limit_exceeded (FIL-7) for streams beyond this unit's limits, then bad_section_size (IDX-4, IDX-5).
 // Level l is at levels[l * $bits(level_t) +: ...].
 module hmlfc_geometry #(

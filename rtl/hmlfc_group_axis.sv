@@ -1,8 +1,8 @@
 // Reference groups of one row or column of a level's images (STR-3, STR-4, EXT-3, MOT-7).
 //
-// `start` takes a place among `count` images, in groups of `size`; about 140 clocks later `done` tells for one clock that
-// the results hold: the group and its reference image's place, the neighbouring group of MOT-7 on the side of `at` and its
-// reference image's place, and the place of the parent in the next level. They keep until the next start.
+// `start` takes a place among `count` images, in groups of `size`; about 140 clocks later `done` is high for one clock when
+// the results are valid: the group and its reference image's place, the neighbouring group of MOT-7 on the side of `at` and its
+// reference image's place, and the place of the parent in the next level. They hold until the next start.
 module hmlfc_group_axis (
     input logic clk,
     input logic rst_n,

@@ -2,7 +2,7 @@
 
 // Reads and checks the header of a stream (FIL-1 to FIL-4, EXT-1, EXT-2, EXT-4).
 //
-// `start` begins; `done` tells for one clock that `error` (annex A, 0 for none) and the fields hold, which then keep. The checks
+// `start` begins; `done` is high for one clock when `error` (annex A, 0 for none) and the fields are valid, which then hold. The checks
 // are made in the order of FIL-4. Bytes come 16 at a time and are looked at one a clock; fields are little-endian (CNV-3).
 module hmlfc_header #(
     parameter int DATA_BITS = 128,
@@ -202,7 +202,7 @@ module hmlfc_header #(
         state <= READ;
       end
       READ: begin
-        // The prelude is there (FIL-4); of the rest no more is read than the header says.
+        // The prelude is complete (FIL-4); the rest is read as far as the header gives.
         if (at == 0 && stream_bytes < 64'(PRELUDE)) begin
           error <= HMLFC_ERROR_TRUNCATED;
           state <= FINISH;

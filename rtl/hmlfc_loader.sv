@@ -1,9 +1,9 @@
 `include "hmlfc_tables.svh"
 
-// LOAD: reads the header and derives the geometry, when no request is under way. Sections are left unchecked (FIL-6).
+// LOAD: reads the header and derives the geometry, when no request is in flight. Sections are left unchecked (FIL-6).
 //
-// `load` begins (it may come at any time), `disable_unit` ends the readiness. `enable` tells that requests may be taken: a LOAD has
-// ended, with `error` or 0. `flush` tells for one clock that what is known of the last stream is to be forgotten.
+// `load` begins (it may come at any time), `disable_unit` ends readiness. `enable`: requests may be accepted: a LOAD has
+// ended, with `error` or 0. `flush` is high for one clock when what is known of the last stream is to be forgotten.
 module hmlfc_loader #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
@@ -16,7 +16,7 @@ module hmlfc_loader #(
     input logic rst_n,
     input logic load,
     input logic disable_unit,
-    input logic idle,  // no request is under way
+    input logic idle,  // no request is in flight
     output logic loading,
     output logic enable,
     output logic flush,

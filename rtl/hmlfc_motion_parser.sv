@@ -92,7 +92,7 @@ module hmlfc_motion_parser #(
       .bits(total)
   );
 
-  // Fields of a palette entry, each a shift after the one before; explicit_x and explicit_y are signed (CNV-5).
+  // Fields of a palette entry, each one shift after the previous one; explicit_x and explicit_y are signed (CNV-5).
   wire two = stream.features.two_references;
   wire shared = stream.features.shared_disparity;
   wire [28:0] from_choice = two ? field[31:3] : field[28:0];

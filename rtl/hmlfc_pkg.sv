@@ -94,7 +94,7 @@ package hmlfc_pkg;
     logic [ADDRESS_BITS-1:0] reference_address;  // of its first reference image
   } level_t;
 
-  // One image of the tree that is asked for, and its references K0 to K3 (MOT-7).
+  // One requested image of the tree, and its references K0 to K3 (MOT-7).
   typedef struct packed {
     logic [GRID_BITS-1:0] row;
     logic [GRID_BITS-1:0] col;
@@ -140,7 +140,7 @@ package hmlfc_pkg;
     logic signed [11:0] explicit_y;
   } motion_t;
 
-  // A block on its way through the tile stores.
+  // A block in flight through the tile stores.
   typedef struct packed {
     job_t job;
     logic residual_asked;             // it has a context in the store of residual tiles

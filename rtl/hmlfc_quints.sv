@@ -1,4 +1,4 @@
-// The three quints of a group's code Q (BISE-9). Every code is valid (BISE-10).
+// The three quints of a digit group's code Q (BISE-9). Every code is valid (BISE-10).
 //
 // code      Q, [0, 127]
 // quints    quint j, in [0, 4], at bits 3 * j on

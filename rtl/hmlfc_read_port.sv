@@ -2,7 +2,7 @@
 //
 // A client asks for `beats` whole beats from a beat-aligned address; the port splits them into INCR
 // bursts of at most 16 beats that do not cross 4 KiB. All bursts have ID 0, so data come back in
-// the order of the requests, and the port tells from a queue of bursts whose they are.
+// the order of the requests, and a queue of bursts gives the client of each.
 //
 // Client side: `request_valid` and its fields hold until `request_ready`. Data: `data_valid` has one
 // bit a client; `data_last` marks the last beat of a request, `data_error` a beat with SLVERR or

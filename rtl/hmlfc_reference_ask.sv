@@ -180,7 +180,7 @@ module hmlfc_reference_ask #(
     x + 17'($signed(ix_b)), y + 17'($signed(iy_b)), fx_b != 0, fy_b != 0
   };
 
-  // Windows to ask for: first and second; each is asked for once.
+  // Windows to request: first and second, each once.
   logic first_taken, second_taken;
   wire first_needed = key_7 || motion_7;
   wire first_done = !first_needed || first_taken;

@@ -1,9 +1,9 @@
 // Fetches the samples of one reference of each block, through a cache of strips.
 //
 // Takes windows in order (`in_*`) and gives their samples in the same order, one window a clock while the
-// cache hits. Tags are looked up when a window enters, and what misses is asked for at once; the window
+// cache hits. Tags are looked up when a window enters, and misses are requested at once; the window
 // then waits in a queue until its strips have come. So the latency of the memory is hidden as
-// long as the queue is not full. Strips are filled in the order in which they were asked for, and a fill
+// long as the queue is not full. Strips are filled in the order in which they were requested, and a fill
 // waits for the windows in front that still read the lines it replaces.
 //
 // hmlfc_reference_lookup has the tags, hmlfc_strip_fill fetches strips, hmlfc_reference_lines has their samples.
@@ -53,7 +53,7 @@ module hmlfc_reference_cache #(
   localparam int PLACE_BITS = $clog2(STRIPS / 4);
   localparam int LINES_BITS = (64 >> (2 * BLOCK_LOG2)) * 6 + 64 * SAMPLE_BITS;  // of a strip
 
-  // ---- Lookup: a window is ready to wait when its misses have been asked for.
+  // ---- Lookup: a window is ready to wait when its misses have been requested.
   logic forget, ask, ask_ready, found_valid, found_ready, found_two_x, found_two_y;
   logic [ADDRESS_BITS-1:0] ask_address;
   logic [PLACE_BITS+1:0] ask_place;

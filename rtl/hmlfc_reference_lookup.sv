@@ -1,7 +1,7 @@
 // Finds which strips a window of reference samples needs and asks for those that are not kept.
 //
 // Windows enter in order (`in_*`) and leave in the same order (`out_*`), one a clock where nothing is missing, when all strips
-// that they miss have been asked for, one a clock (`ask`). From then on the strips count as kept. Latency 6 clocks.
+// that they miss have been requested, one a clock (`ask`). From then on the strips count as kept. Latency 6 clocks.
 //
 // BLOCK_LOG2   [1, 3], B = 2^BLOCK_LOG2
 // STRIPS       kept; a power of two, at least 64 * SECTIONS
@@ -12,7 +12,7 @@
 // the half of the cache. `forget` forgets all strips; so does `flush`.
 //
 // out_places   of the four strips in their banks {row parity, column parity}; those that the window does not need do not matter
-// out_missed   strips that were asked for, [0, 4]
+// out_missed   strips that were requested, [0, 4]
 // ask_place    {bank, place in it}
 module hmlfc_reference_lookup #(
     parameter int BLOCK_LOG2 = 2,
@@ -162,7 +162,7 @@ module hmlfc_reference_lookup #(
     if (!rst_n) valid <= '0;
   end
 
-  // ---- 6: tags, read when a window comes to its lookup. It stays there until all its misses have been asked for, so no tag is
+  // ---- 6: tags, read when a window comes to its lookup. It stays there until all its misses have been requested, so no tag is
   // written in a clock in which others are read.
   logic [4*PLACES-1:0] kept;
   logic [3:0] missing, asked;

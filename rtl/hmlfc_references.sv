@@ -1,5 +1,5 @@
-// From what the stream says about a block to the samples it is made of: asks both caches for the windows of its references (DEC-4),
-// and keeps the block in line until they come.
+// Fetches the samples that predict a block: requests the windows of its references from both caches (DEC-4)
+// and queues the block until they arrive.
 //
 //   reference_ask -+-> [8] -> cache A (K0) ----------> a_*
 //                  +-> [8] -> cache B (K1, K2, K3) --> b_*

@@ -63,7 +63,7 @@ module hmlfc_registers #(
   localparam [5:0] AT_ERROR = 6'h0c, AT_ERROR_ADDRESS = 6'h0e;
   // Behind ERROR_ADDRESS stand the five counters, pairs as well.
 
-  // Write channel: address and data are taken one by one, and used when both are there.
+  // Write channel: address and data are accepted one by one, and used when both have arrived.
   logic        address_held, data_held, write;
   logic [5:0]  write_word;
   logic [31:0] write_data, write_mask;

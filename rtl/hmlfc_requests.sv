@@ -4,7 +4,7 @@
 //
 // Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
 // LOAD, becomes one job that carries the error. Views are worked out when they change: two are held, so that blocks of the
-// last view may still be under way. For RGB the chroma blocks are left out where the request for RGB before decoded them,
+// last view may still be in flight. For RGB the chroma blocks are omitted where the previous request for RGB decoded them,
 // but not where they met a bus error. Up to two requests wait; the first of them is checked and looked up while jobs of the one
 // before leave.
 module hmlfc_requests (
@@ -13,7 +13,7 @@ module hmlfc_requests (
     input hmlfc_pkg::config_t stream,
     input logic enable,           // a LOAD has ended
     input logic [5:0] load_error,
-    input logic flush,            // a LOAD begins, while no job is under way
+    input logic flush,            // a LOAD begins, while no job is in flight
 
     input logic s_valid,
     output logic s_ready,
@@ -38,7 +38,7 @@ module hmlfc_requests (
 
   localparam int LEVELS = hmlfc_pkg::LEVELS;
 
-  // The next request: checked, and its view looked up. It passes when jobs of the one before are done.
+  // The next request: checked, and its view looked up. It passes when the jobs of the previous one are done.
   logic next_valid, next_last, next_ready, waiting_ready;
   logic [63:0] next;
   /* verilator lint_off PINCONNECTEMPTY */  // its count is not needed

@@ -6,7 +6,7 @@
 //   head      masks of the blocks with motion and with a residual, or an error of the whole tile;
 //   vectors   for the m-th block with motion: sign and vector (TIL-7), or vector_range;
 //   entries   for the m-th block with a residual: its header and where its values begin, or an error.
-// `loaded_valid` tells when all are written. Two clocks a field, then one for each vector and each entry.
+// `loaded_valid` is high when all are written. Two clocks a field, then one for each vector and each entry.
 module hmlfc_residual_parser #(
     parameter int BLOCK_LOG2 = 2,
     parameter int CONTEXTS = 8,

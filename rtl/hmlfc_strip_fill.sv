@@ -2,16 +2,16 @@
 
 // Fetches strips of the reference area and unpacks them into lines of samples.
 //
-// A strip is asked for by `ask`, when `ask_ready`, with its address and the place that its lines are for. Its first beats are
+// A strip is requested by `ask`, when `ask_ready`, with its address and the place that its lines are for. Its first beats are
 // read at once; how many more there are says its head, and the others are read when it has come. Strips leave in the order
-// in which they were asked for: `valid` with `place` and `lines` until `take`. A line is {error, samples}, the samples of one
+// in which they were requested: `valid` with `place` and `lines` until `take`. A line is {error, samples}, the samples of one
 // block SAMPLE_BITS wide in two's complement, row by row; `error` is the number that an undecodable block carries, or bus_error.
 module hmlfc_strip_fill #(
     parameter int BLOCK_LOG2 = 2,
     parameter int SAMPLE_BITS = 10,
     parameter int DATA_BITS = 128,
     parameter int PLACE_BITS = 8,
-    parameter int SLOTS = 32,  // strips on their way, a power of two
+    parameter int SLOTS = 32,  // strips in flight, a power of two
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
     localparam int LINES = 64 / SAMPLES,
@@ -49,7 +49,7 @@ module hmlfc_strip_fill #(
   localparam int BEAT_BITS = $clog2(MAX_BEATS + 1);
   localparam int SLOT_BITS = $clog2(SLOTS);
 
-  // Slots: a ring of strips on their way.
+  // Slots: a ring of strips in flight.
   logic [SLOT_BITS:0] asked, taken;  // count strips; the low bits are the slot
   wire [SLOT_BITS-1:0] ask_slot = asked[SLOT_BITS-1:0];
   logic [SLOTS-1:0] complete, failed;

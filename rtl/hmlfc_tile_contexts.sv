@@ -1,9 +1,9 @@
-// Which tiles are kept, and who still needs them.
+// Which tiles are kept, and how many blocks still need each.
 //
 // A block that needs a tile asks for it in order (`ask`, `tile`, `info`) and gets the number of the
 // context that holds it, or that it is being loaded into (`granted` with `context`, in the same clock).
 // A tile that no context holds is put on the list of loads. `ready` has a bit for each context that
-// is loaded. `release_valid` tells that one of those that asked is done with its context; a context is
+// is loaded. `release_valid`: one block that asked is done with its context; a context is
 // taken for another tile when all of them are.
 //
 // A context loaded without `loaded_keep` serves those that asked already, and is loaded anew for the

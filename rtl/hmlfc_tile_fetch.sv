@@ -1,9 +1,9 @@
-// What every store of tiles has: the contexts that keep tiles, the loader that brings their records,
+// The common part of all tile stores: the contexts that keep tiles, the loader that brings their records,
 // and the memory the records lie in.
 //
 // A block asks for its tile first (`ask`) and is decoded later, with others in between; the time between
 // hides the walk through the index. The store's parser takes a record (`parse_*`), reads it through
-// `read_*`, and gives `loaded_*`; then `ready` has the context's bit until the tile gives way to another.
+// `read_*`, and gives `loaded_*`; then `ready` has the context's bit until another tile replaces it.
 // Each block that asked gives its context back (`release_*`).
 module hmlfc_tile_fetch #(
     parameter int DATA_BITS = 128,

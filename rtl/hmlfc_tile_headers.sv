@@ -3,7 +3,7 @@
 // Lists the blocks with a residual of a tile: their headers and where their values begin (TIL-8, STP-1), one a clock.
 //
 // `start` takes the fields that all headers share from `field`; they take `shared_bits`, and `shared_error` is the first error
-// in them. While `active`, `field` is to hold header after header, each `header_bits` behind the one before. An entry is
+// in them. While `active`, `field` is to hold header after header, each `header_bits` after the previous one. An entry is
 // written 2 clocks later. `overrun`, in the first clock of `active`: the headers do not fit the record, and none is listed. `last`: the
 // last header is at hand; `pending`: one is still to be written in the next clock.
 module hmlfc_tile_headers #(
@@ -57,7 +57,7 @@ module hmlfc_tile_headers #(
     else if (5'(field[12:9]) > 5'(depth) + 5'd2) shared_error = HMLFC_ERROR_BAD_MODE;
   end
 
-  // A header is asked for in this clock, at hand in the next, written in the one after.
+  // A header is requested in this clock, at hand in the next, written in the one after.
   logic [6:0] number;
   wire [P-1:0] headers_end = position + P'(count) * P'(header_bits);
   logic at_hand, error;

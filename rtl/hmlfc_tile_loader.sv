@@ -2,7 +2,7 @@
 
 // Brings tile records into a record memory: walks the index and fetches the record.
 //
-// Takes loads in order; each ends with one `parse_*` beat: the context, the error of the walk or a
+// Accepts loads in order; each ends with one `parse_*` beat: the context, the error of the walk or a
 // bus error, `empty`, and where the record lies: bit `parse_skew` of the context's part of the memory is
 // bit 0 of the record, which has `parse_bits` bits (2^18 - 1 stands for that or more). Of a record longer
 // than a context's part only what fits is fetched: no field lies beyond (section 11).

@@ -1,10 +1,10 @@
-// From a block of a level to what the stream says about it: motion, disparity, residual; a walk for each at most (BND-2, BND-3).
+// From a block of a level to its records: motion, disparity, residual; at most one index walk for each (BND-2, BND-3).
 //
 //   tile_ask -> [128] -> motion_store -> disparity_ask -> [64] -> disparity_store -> residual_store
 //      |                  ^ asked for        |                     ^ asked for by      ^ asked for
 //      +-- by tile_ask ---+                  +---- disparity_ask --+                   +-- by tile_ask
 //
-// Blocks keep their order; the queues hide the time in which tiles that are asked for come from memory. Clients of the read
+// Blocks keep their order; the queues hide the time in which requested tiles come from memory. Clients of the read
 // master: 0 residual, 1 motion, 2 disparity.
 module hmlfc_tile_stores #(
     parameter int BLOCK_LOG2 = 2,

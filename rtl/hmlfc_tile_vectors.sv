@@ -1,7 +1,7 @@
 // Lists the vectors of a residual tile (TIL-7), one a clock.
 //
 // `start` takes the place of the components; the bounds and signs keep from then on. While `active` it asks for vector
-// after vector, and writes each 4 clocks later; `last` tells that the last is written in this clock. The horizontal components are
+// after vector, and writes each 4 clocks later; `last`: the last is written in this clock. The horizontal components are
 // read through read port 0, the vertical ones through port 1.
 module hmlfc_tile_vectors #(
     parameter int WORD_BITS = 8,     // of word addresses of the record memory
@@ -54,7 +54,7 @@ module hmlfc_tile_vectors #(
   assign next = y_position + POSITION_BITS'(bits_y);
 
   logic [PLACE_BITS-1:0] x_place, y_place;
-  logic [6:0] number;  // of the vector that is asked for
+  logic [6:0] number;  // of the vector that is requested
   logic [7:0] value_x, value_y;
   hmlfc_element_reader #(
       .WORD_BITS(WORD_BITS),

@@ -2,7 +2,7 @@
 
 // Walks the index from a tile's number to its record (IDX-3 to IDX-7): three dependent reads at most (BND-1).
 //
-// `start` with `tile` begins a walk when `idle`. `done` tells for one clock that the result holds:
+// `start` with `tile` begins a walk when `idle`. `done` is high for one clock when the result holds:
 // `error` is the number of an error of annex A; without one, `empty` says that the tile has no record,
 // else the record's `record_bytes` bytes begin at byte address `record_address`. The result keeps until
 // the next start.
@@ -66,7 +66,7 @@ module hmlfc_tile_walk #(
   wire [5:0] group_lane = group[5:0];
   wire [SLOT_BITS-1:0] slot = group[SLOT_BITS-1:0];
 
-  // The root entry of groups 64 * root_tag to 64 * root_tag + 63.
+  // The root entry of tile groups 64 * root_tag to 64 * root_tag + 63.
   logic root_valid;
   logic [GROUP_BITS-7:0] root_tag;
   logic [63:0] root_mask, root_first;

@@ -1,4 +1,4 @@
-// The five trits of a group's code T (BISE-8). Every code is valid (BISE-10).
+// The five trits of a digit group's code T (BISE-8). Every code is valid (BISE-10).
 //
 // code      T, [0, 255]
 // trits     trit j, in [0, 2], at bits 2 * j on

@@ -39,7 +39,7 @@ module hmlfc_vector_bounds #(
     for (int i = 0; i < 6; i++) if (max_code[i]) code_bits = 4'(i + 1);
   end
 
-  // Each field is a shift behind the one before.
+  // Each field is one shift after the previous one.
   wire [7:0] component_mask = ~(8'hFF << component_bits);
   wire [5:0] code_mask = ~(6'h3F << code_bits);
   wire [4:0] bound_bits = 5'(component_bits) + 5'(code_bits);

@@ -1,8 +1,8 @@
 // Works out the images of a view: its ancestors at all levels, their reference images, where their tiles and samples are
 // (DEC-1, STR-1, STR-3, STR-4, EXT-3, EXT-4, MOT-7, IDX-1).
 //
-// `start` takes a view that is there; for each level from 0 to tree_height `write` gives the entry of the table of images of level
-// `write_level`, about 150 clocks each; `done` tells for one clock that all are written and `keys` holds: bit l tells that the image of
+// `start` takes an existing view; for each level from 0 to tree_height `write` gives the entry of the table of images of level
+// `write_level`, about 150 clocks each; `done` is high for one clock when all are written and `keys` holds: bit l: the image of
 // level l is a key image (STR-5).
 module hmlfc_view #(
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,

@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, fields
 
 @dataclass(frozen=True)
 class Coding:
-    """Options of `hmlfc encode`. None: what the program takes where nothing is asked for.
+    """Options of `hmlfc encode`. None: the default of the program.
 
     threshold: both thresholds of profile main; quality, preset: of profile extended.
     """
@@ -35,8 +35,12 @@ class Coding:
                 options += [f"--{name}", value]
         return [str(option) for option in options]
 
+    def changes(self):
+        """The fields that are not the class's defaults, by name."""
+        return {f.name: getattr(self, f.name) for f in fields(self) if getattr(self, f.name) != f.default}
+
     def label(self):
-        """In a few words, for tables and messages."""
+        """A short name for tables and messages."""
         if self.lossless:
             return "lossless"
         kind = self.method if self.profile == "main" else f"extended {self.preset}"
@@ -46,10 +50,7 @@ class Coding:
         return " ".join([kind, aim, *shape])
 
 
-FIELDS = tuple(field.name for field in fields(Coding))
-
-
-# What a method does not have.
+# Options that a method does not have.
 WITHOUT = {
     "hmlfc": {},
     "rlfc": {"window": None, "references": None},
@@ -77,5 +78,5 @@ def extended(**changes):
 
 
 def lossless():
-    """Keeps every RGB value: the uncompressed light field for the renderers."""
+    """Keeps every RGB value; stands for the uncompressed light field."""
     return extended(preset="fast", quality=None, lossless=True)

@@ -1,4 +1,4 @@
-"""What is better and what is worse than in the recorded run."""
+"""Differences between a run and the recorded one."""
 
 from dataclasses import dataclass
 from statistics import median
@@ -55,8 +55,7 @@ def compare(recorded, current):
         if identity in recorded.points
     ]
     noise = TIME_NOISE * _spread(old for old, _ in pairs) * _spread(new for _, new in pairs)
-    changes = [change for old, new in pairs for change in _changes(old, new, noise)]
-    return changes, len(pairs)
+    return [change for old, new in pairs for change in _changes(old, new, noise)], len(pairs)
 
 
 def _spread(points):
@@ -66,29 +65,15 @@ def _spread(points):
 
 
 def _changes(old, new, time_noise):
-    for value, better in EXACT.items():
-        a, b = _number(old, value), _number(new, value)
-        if a is None or b is None or a == b or abs(b - a) <= EXACT_TOLERANCE * abs(a):
-            continue
-        yield Change(new.label(), value, a, b, b / a if a else float("inf"), (b - a) * better < 0)
-    for value in MEMORY:
-        a, b = _number(old, value), _number(new, value)
-        if a is not None and b is not None:
-            yield from _beyond(new, value, a, b, b / a, MEMORY_NOISE)
-    for value, least in TIMES.items():
-        a, b = _number(old, value), _number(new, value)
-        if a is not None and b is not None and max(a, b) >= least:
-            ratio = (b / new.calibration_seconds) / (a / old.calibration_seconds)
-            yield from _beyond(new, value, a, b, ratio, time_noise)
-
-
-def _beyond(point, value, old, new, ratio, noise):
-    if ratio > noise or ratio < 1 / noise:
-        yield Change(point.label(), value, old, new, ratio, ratio > 1)
-
-
-def _number(point, value):
-    try:
-        return point.number(value)
-    except KeyError:
-        return None
+    faster = old.calibration_seconds / new.calibration_seconds
+    for value in sorted(old.values.keys() & new.values.keys()):
+        a, b = old.number(value), new.number(value)
+        ratio = b / a if a else float("inf")
+        if value in EXACT and a != b and abs(b - a) > EXACT_TOLERANCE * abs(a):
+            yield Change(new.label(), value, a, b, ratio, (b - a) * EXACT[value] < 0)
+        elif value in MEMORY and not 1 / MEMORY_NOISE <= ratio <= MEMORY_NOISE:
+            yield Change(new.label(), value, a, b, ratio, ratio > 1)
+        elif value in TIMES and max(a, b) >= TIMES[value]:
+            ratio *= faster
+            if not 1 / time_noise <= ratio <= time_noise:
+                yield Change(new.label(), value, a, b, ratio, ratio > 1)

@@ -22,7 +22,7 @@ class Measure:
     def coding(self, coding):
         """Encodes and decodes: a dict of what docs/accuracy.md explains."""
         stream = self.work / "stream.hmlfc"
-        report, encoding = self._encode(coding, stream)
+        report, peak_bytes = self._encode(coding, stream)
         if self._similarity is None:
             self._similarity = Similarity(self.scene.folder)
         views = [f"{row},{col}" for row, col in self._similarity.views]
@@ -32,17 +32,12 @@ class Measure:
         said, decoding = run_measured(command)
         decoded = json.loads(said)
         point = {
-            "bytes": report["bytes"],
-            "bpp": report["bpp"],
-            "psnr_rgb": report["psnr_rgb"],
-            "psnr_y": report["psnr_y"],
+            **{name: report[name] for name in ("bytes", "bpp", "psnr_rgb", "psnr_y", "max_abs_error")},
             "ssim_y": self._similarity.mean(folder),
-            "max_abs_error": report["max_abs_error"],
-            "sections": report["sections"],
-            "states": self._info(stream)["states"],
+            **grouped("sections", report["sections"]),
+            **grouped("states", self._info(stream)["states"]),
             "encode_cpu_seconds": report["cpu_seconds"],
-            "encode_process_cpu_seconds": encoding.cpu_seconds,
-            "encode_peak_bytes": encoding.peak_bytes,
+            "encode_peak_bytes": peak_bytes,
             "decode_cpu_seconds": decoded["cpu_seconds"],
             "decode_peak_bytes": decoding.peak_bytes,
             "reference_bytes": decoded["reference_bytes"],
@@ -73,7 +68,7 @@ class Measure:
         report = json.loads(said)
         if (report["rows"], report["cols"]) != (self.scene.rows, self.scene.cols):
             raise BenchError(f"hmlfc sees {report['rows']}x{report['cols']} views")
-        return report, cost
+        return report, cost.peak_bytes
 
     def _info(self, stream):
         return json.loads(run([self.hmlfc, "info", stream, "--json"])[0])
@@ -92,3 +87,7 @@ class Measure:
             if report["max_abs_error"] != 0:
                 raise BenchError(f"{self.scene.name}: --lossless has lost something")
         return stream
+
+
+def grouped(group, values):
+    return {f"{group}.{name}": value for name, value in values.items()}

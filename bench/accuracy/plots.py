@@ -44,47 +44,41 @@ class Plots:
 
     def encoder(self):
         """Above bits against PSNR, below CPU time of encoding; points on the fronts have a ring."""
-        scenes = self._scenes(lambda name: bool(self.results.of_scene(name)))
-        if not scenes:
-            return None
-        figure, panels = _panels(2, scenes)
-        for column, scene in enumerate(scenes):
+        kinds = {}
+
+        def panel_of(panels, scene):
             points = [p for p in self.results.of_scene(scene) if _psnr(p) < math.inf]
             marks = self.results.fronts(scene)
             for row, name in enumerate(("bpp", "encode_cpu_seconds")):
-                panel = panels[row][column]
                 front = [p for p in points if marks[p.identity][row]]
-                panel.scatter([p.number(name) for p in front], list(map(_psnr, front)), s=90,
-                              facecolors="none", edgecolors="black", linewidths=0.8)
-                for kind, group in _by(points, _kind):
-                    panel.scatter([p.number(name) for p in group], list(map(_psnr, group)), s=22,
-                                  color=COLOURS[kind])
-                _logarithmic(panel)
-            panels[1][column].set_xlabel("CPU s of encoding")
-            panels[0][column].set_xlabel("bits a pixel")
-        for kind in dict.fromkeys(_kind(p) for scene in scenes for p in self.results.of_scene(scene)):
-            profile = "main" if kind in studies.CURVES else "extended"
-            panels[0][0].scatter([], [], color=COLOURS[kind], label=f"{profile} {kind}")
-        return _finish(figure, panels, scenes, "PSNR RGB, dB")
+                _scatter(panels[row], front, name, s=90, facecolors="none", edgecolors="black",
+                         linewidths=0.8)
+                for kind in dict.fromkeys(map(_kind, points)):
+                    own = [p for p in points if _kind(p) == kind]
+                    _scatter(panels[row], own, name, s=22, color=COLOURS[kind])
+                    profile = "main" if kind in studies.CURVES else "extended"
+                    kinds[f"{profile} {kind}"] = {"color": COLOURS[kind]}
+
+        labels = ("bits a pixel", "CPU s of encoding")
+        return self._figure(self.results.of_scene, panel_of, labels, "PSNR RGB, dB", kinds)
 
     def block_size(self):
         return self._curves(lambda own: {"hmlfc": own.block_size()}, "block")
 
     def window(self):
         """Bits and PSNR against the window, as in the paper's figure."""
-        scenes = self._scenes(lambda name: self._points(name, self._studies(name).window()))
-        if not scenes:
+        curves = {scene: self.results.found(scene, self._studies(scene).window())
+                  for scene in self.results.scenes}
+        if not any(curves.values()):
             return None
         figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.5))
-        for scene in scenes:
-            points = self._points(scene, self._studies(scene).window())
-            windows = [p.coding.window for p in points]
-            panels[0].plot(windows, [_bpp(p) / _bpp(points[0]) for p in points], "o-", label=scene)
-            panels[1].plot(windows, [_psnr(p) - _psnr(points[0]) for p in points], "o-")
+        for scene, points in curves.items():
+            if points:
+                windows = [p.coding.window for p in points]
+                panels[0].plot(windows, [_bpp(p) / _bpp(points[0]) for p in points], "o-", label=scene)
+                panels[1].plot(windows, [_psnr(p) - _psnr(points[0]) for p in points], "o-")
         for panel, label in zip(panels, ("bits, window 1 = 1", "PSNR RGB over window 1, dB")):
-            panel.set_xscale("log", base=2)
-            panel.xaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
-            panel.set_xlabel("window")
+            _logarithmic(panel, "window", base=2)
             panel.set_ylabel(label)
             panel.grid(True, color="#e4e4e4")
         panels[0].legend(fontsize=8)
@@ -99,75 +93,71 @@ class Plots:
 
     def reference_memory(self):
         """Bits against memory, from few reference images to many and from low trees to high."""
-        scenes = self._scenes(lambda name: self._points(name, self._studies(name).reference_memory()))
-        if not scenes:
-            return None
-        figure, panels = _panels(1, scenes)
-        for panel, scene in zip(panels[0], scenes):
+
+        def panel_of(panels, scene):
             own = self._studies(scene)
             for kind, codings, field in (("hmlfc", own.by_references(), "references"),
                                          ("mc", own.by_height(), "height")):
-                points = self._points(scene, codings)
+                points = self.results.found(scene, codings)
                 memory = [max(p.number("reference_bytes") / 1024, 1) for p in points]
-                panel.plot(memory, list(map(_bpp, points)), "o-", color=COLOURS[kind],
-                           label=f"by {field}")
-                for point, place in zip(points, memory):
-                    _annotate(panel, getattr(point.coding, field), (place, _bpp(point)))
-            _logarithmic(panel)
-            panel.set_xlabel("KiB of decoded reference images")
-        return _finish(figure, panels, scenes, "bits a pixel")
+                _line(panels[0], points, memory, list(map(_bpp, points)), kind, f"by {field}", field)
+
+        wanted = self._measured(lambda own: own.reference_memory())
+        labels = ["KiB of decoded reference images"]
+        return self._figure(wanted, panel_of, labels, "bits a pixel")
 
     def renderer(self):
         """CPU time of a frame against its error."""
-        scenes = self._scenes(lambda name: bool(self.results.of_scene(name, frames=True)))
-        if not scenes:
-            return None
-        figure, panels = _panels(1, scenes)
-        for panel, scene in zip(panels[0], scenes):
-            for point in self.results.of_scene(scene, frames=True):
+
+        def frames(scene):
+            return self.results.of_scene(scene, frames=True)
+
+        def panel_of(panels, scene):
+            for point in frames(scene):
                 kind, _, _, backend = point.frame.split(":")
                 filled = COLOURS[kind] if point.coding.profile == "extended" else "none"
-                panel.scatter(point.number("cpu_ms.median"),
-                              psnr_of_mse(point.number("mse.total")), marker=BACKENDS[backend],
-                              facecolors=filled, edgecolors=COLOURS[kind])
-            _logarithmic(panel)
-            panel.set_xlabel("CPU ms a frame, median")
-        for kind in studies.FILTERS:
-            panels[0][0].scatter([], [], color=COLOURS[kind], label=kind)
-        for backend, marker in BACKENDS.items():
-            panels[0][0].scatter([], [], color="black", marker=marker, label=backend)
-        panels[0][0].scatter([], [], facecolors="none", edgecolors="black", label="profile main")
-        return _finish(figure, panels, scenes, "PSNR RGB, dB")
+                panels[0].scatter(point.number("cpu_ms.median"), psnr_of_mse(point.number("mse.total")),
+                                  marker=BACKENDS[backend], facecolors=filled, edgecolors=COLOURS[kind])
+
+        legend = {kind: {"color": COLOURS[kind]} for kind in studies.FILTERS}
+        legend |= {name: {"color": "black", "marker": marker} for name, marker in BACKENDS.items()}
+        legend["profile main"] = {"facecolors": "none", "edgecolors": "black"}
+        return self._figure(frames, panel_of, ["CPU ms a frame, median"], "PSNR RGB, dB", legend)
 
     def _curves(self, curves, annotated=None):
         """Bits against PSNR, a panel for each light field, a line for each curve. annotated: the
         field of the coding that is written at each point."""
-        scenes = self._scenes(
-            lambda name: any(self._points(name, c) for c in curves(self._studies(name)).values())
-        )
+
+        def panel_of(panels, scene):
+            for kind, codings in curves(self._studies(scene)).items():
+                points = [p for p in self.results.found(scene, codings) if _psnr(p) < math.inf]
+                x, y = list(map(_bpp, points)), list(map(_psnr, points))
+                _line(panels[0], points, x, y, kind, kind, annotated)
+
+        wanted = self._measured(lambda own: [c for codings in curves(own).values() for c in codings])
+        return self._figure(wanted, panel_of, ["bits a pixel"], "PSNR RGB, dB")
+
+    def _figure(self, wanted, panel_of, xlabels, ylabel, legend=None):
+        """A figure with a row of panels for each of `xlabels` and a column for each light field that
+        is wanted; panel_of(panels of a column, light field) draws. legend: {label: style}."""
+        scenes = list(filter(wanted, self.results.scenes))
         if not scenes:
             return None
-        figure, panels = _panels(1, scenes)
-        for panel, scene in zip(panels[0], scenes):
-            for kind, codings in curves(self._studies(scene)).items():
-                points = [p for p in self._points(scene, codings) if _psnr(p) < math.inf]
-                panel.plot(list(map(_bpp, points)), list(map(_psnr, points)), "o-",
-                           color=COLOURS[kind], label=kind)
-                for point in points if annotated else ():
-                    place = (_bpp(point), _psnr(point))
-                    _annotate(panel, getattr(point.coding, annotated), place)
-            _logarithmic(panel)
-            panel.set_xlabel("bits a pixel")
-        return _finish(figure, panels, scenes, "PSNR RGB, dB")
+        figure, rows = _panels(len(xlabels), scenes)
+        for column, scene in enumerate(scenes):
+            rows[0][column].set_title(scene)
+            panel_of([row[column] for row in rows], scene)
+            for row, label in zip(rows, xlabels):
+                _logarithmic(row[column], label)
+        for label, style in (legend or {}).items():
+            rows[0][0].scatter([], [], label=label, **style)
+        return _finish(figure, rows, ylabel)
 
     def _studies(self, scene):
         return studies.Studies(self.results.scenes[scene]["chroma"], self.quick)
 
-    def _points(self, scene, codings):
-        return [p for p in (self.results.get(scene, coding) for coding in codings) if p]
-
-    def _scenes(self, wanted):
-        return [name for name in self.results.scenes if wanted(name)]
+    def _measured(self, codings):
+        return lambda scene: self.results.found(scene, codings(self._studies(scene)))
 
 
 def _bpp(point):
@@ -182,23 +172,26 @@ def _kind(point):
     return point.coding.preset or point.coding.method
 
 
-def _by(points, kind):
-    """Pairs (kind, its points), in the order of COLOURS."""
-    return [(k, [p for p in points if kind(p) == k]) for k in COLOURS if any(kind(p) == k for p in points)]
+def _scatter(panel, points, name, **style):
+    panel.scatter([p.number(name) for p in points], list(map(_psnr, points)), **style)
 
 
-def _annotate(panel, text, place):
-    panel.annotate(
-        str(text), place, textcoords="offset points", xytext=(4, -9), fontsize=7
-    )
+def _line(panel, points, x, y, kind, label, annotated):
+    """annotated: the field of the coding that is written at each point, or None."""
+    panel.plot(x, y, "o-", color=COLOURS[kind], label=label)
+    for point, *place in zip(points, x, y) if annotated else ():
+        panel.annotate(str(getattr(point.coding, annotated)), place, textcoords="offset points",
+                       xytext=(4, -9), fontsize=7)
 
 
-def _logarithmic(panel):
+def _logarithmic(panel, label, base=10):
     """A logarithmic axis with plain numbers."""
-    panel.set_xscale("log")
+    panel.set_xscale("log", base=base)
     panel.xaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
-    panel.xaxis.set_minor_formatter(ticker.LogFormatter(minor_thresholds=(1, 0.3)))
-    panel.tick_params(axis="x", which="minor", labelsize=7)
+    if base == 10:
+        panel.xaxis.set_minor_formatter(ticker.LogFormatter(minor_thresholds=(1, 0.3)))
+        panel.tick_params(axis="x", which="minor", labelsize=7)
+    panel.set_xlabel(label)
 
 
 def _panels(rows, scenes):
@@ -206,27 +199,18 @@ def _panels(rows, scenes):
     its rows below each other."""
     columns = min(COLUMNS, len(scenes))
     groups = -(-len(scenes) // columns)
-    figure, grid = pyplot.subplots(
-        groups * rows,
-        columns,
-        figsize=(3.6 * columns + 1, 3.6 * rows * groups + 0.8),
-        squeeze=False,
-    )
+    size = (3.6 * columns + 1, 3.6 * rows * groups + 0.8)
+    figure, grid = pyplot.subplots(groups * rows, columns, figsize=size, squeeze=False)
     places = [divmod(k, columns) for k in range(groups * columns)]
-    for row in range(rows):
-        for group, column in places[len(scenes) :]:
-            grid[group * rows + row][column].set_visible(False)
-    panels = [
-        [grid[group * rows + row][column] for group, column in places[: len(scenes)]]
-        for row in range(rows)
-    ]
-    return figure, panels
+    panels = [[grid[group * rows + row][column] for group, column in places] for row in range(rows)]
+    for row in panels:
+        for panel in row[len(scenes) :]:
+            panel.set_visible(False)
+    return figure, [row[: len(scenes)] for row in panels]
 
 
-def _finish(figure, panels, scenes, label):
-    """Titles, grids and one legend below."""
-    for panel, scene in zip(panels[0], scenes):
-        panel.set_title(scene)
+def _finish(figure, panels, label):
+    """Grids and one legend below."""
     for row in panels:
         for number, panel in enumerate(row):
             if number % COLUMNS == 0:
@@ -235,7 +219,7 @@ def _finish(figure, panels, scenes, label):
             panel.grid(True, which="both", color="#e4e4e4")
             panel.set_axisbelow(True)
     handles, labels = panels[0][0].get_legend_handles_labels()
-    columns = 2 * min(COLUMNS, len(scenes))
+    columns = 2 * min(COLUMNS, len(panels[0]))
     lines = -(-len(labels) // columns)
     figure.tight_layout(rect=(0, (0.3 + 0.25 * lines) / figure.get_figheight(), 1, 1))
     figure.legend(handles, labels, loc="lower center", ncol=columns, frameon=False)

@@ -5,19 +5,17 @@ import json
 import math
 from dataclasses import asdict, dataclass
 
-import fronts
-from coding import FIELDS, Coding
+from coding import Coding
 
 
 @dataclass
 class Point:
     """What was measured. frame: the setting that frames of the stream were drawn with, or None for
-    the encoding and decoding of the stream itself. values: by name, numbers or groups of them."""
+    the encoding and decoding of the stream itself. values: numbers by name."""
 
     scene: str
     coding: Coding
     frame: str | None
-    program: str
     calibration_seconds: float
     values: dict
 
@@ -26,11 +24,7 @@ class Point:
         return self.scene, self.coding, self.frame
 
     def number(self, name):
-        """A value by its name; that of a group after a point, as in sections.index."""
-        value = self.values
-        for part in name.split("."):
-            value = value[part]
-        return float(value)
+        return float(self.values[name])
 
     def label(self):
         return f"{self.scene}: {self.coding.label()}" + (f", {self.frame}" if self.frame else "")
@@ -54,6 +48,10 @@ class Results:
         """A point or None."""
         return self.points.get((scene, coding, frame))
 
+    def found(self, scene, codings):
+        """The points of these codings that were measured."""
+        return [point for point in (self.get(scene, coding) for coding in codings) if point]
+
     def of_scene(self, scene, frames=False):
         """The points of encoding of a light field, or those of drawing frames of it."""
         return [
@@ -62,22 +60,33 @@ class Results:
             if point.scene == scene and (point.frame is not None) == frames
         ]
 
+    def pixels(self, scene):
+        """Pixels of all views of a light field."""
+        return math.prod(self.scenes[scene][name] for name in ("rows", "cols", "width", "height"))
+
     def fronts(self, scene):
         """{identity: (whether it is on the front of bits and error, whether on that of bits, error
         and CPU time of encoding)} of the points of a light field."""
         points = self.of_scene(scene)
-        rate = fronts.on_front([(p.number("bpp"), -p.number("psnr_rgb")) for p in points])
-        time = fronts.on_front(
-            [(p.number("bpp"), -p.number("psnr_rgb"), p.number("encode_cpu_seconds")) for p in points]
-        )
-        return {point.identity: marks for point, *marks in zip(points, rate, time)}
+        costs = [(p.number("bpp"), -p.number("psnr_rgb"), p.number("encode_cpu_seconds")) for p in points]
+        marks = zip(on_front([cost[:2] for cost in costs]), on_front(costs))
+        return dict(zip((point.identity for point in points), marks))
 
     def merge(self, other):
-        """Takes the points of another run in place of the own ones of the same identity."""
+        """Takes the points of another run, which replace own points of the same identity."""
         self.machine = other.machine
         for name, facts in other.scenes.items():
             self.scenes.setdefault(name, {}).update(facts)
         self.points.update(other.points)
+
+
+def on_front(costs):
+    """For each tuple of costs (less is better): whether no other is at least as good in all of them
+    and better in one."""
+    return [
+        not any(other != own and all(x <= y for x, y in zip(other, own)) for other in costs)
+        for own in costs
+    ]
 
 
 def write_json(results, path):
@@ -97,8 +106,7 @@ def read_json(path):
 
 
 def write_csv(results, path):
-    """One point a row; groups of values have columns of their own. `front`: bits and error, then
-    with CPU time of encoding."""
+    """One point a row. `front`: bits and error, then with CPU time of encoding."""
     marks = {}
     for scene in results.scenes:
         marks.update(results.fronts(scene))
@@ -107,8 +115,7 @@ def write_csv(results, path):
         row = {"scene": point.scene, **asdict(point.coding), "frame": point.frame or ""}
         if point.frame is None:
             row["front_rate"], row["front_time"] = map(int, marks[point.identity])
-        row.update(_flat(point.values))
-        rows.append({**row, "calibration_seconds": point.calibration_seconds})
+        rows.append({**row, **point.values, "calibration_seconds": point.calibration_seconds})
     names = list(dict.fromkeys(name for row in rows for name in row))
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, names, restval="")
@@ -116,40 +123,20 @@ def write_csv(results, path):
         writer.writerows(rows)
 
 
-def _flat(values, prefix=""):
-    flat = {}
-    for name, value in values.items():
-        if isinstance(value, dict):
-            flat.update(_flat(value, f"{prefix}{name}."))
-        else:
-            flat[prefix + name] = value
-    return flat
-
-
 def _as_json(point):
-    coding = {name: value for name, value in asdict(point.coding).items() if value is not None}
-    return {
-        "scene": point.scene,
-        "coding": coding,
-        **({"frame": point.frame} if point.frame else {}),
-        "program": point.program,
-        "calibration_seconds": _rounded(point.calibration_seconds),
-        **_rounded(point.values),
-    }
+    values = {"calibration_seconds": point.calibration_seconds, **point.values}
+    frame = {"frame": point.frame} if point.frame else {}
+    return {"scene": point.scene, "coding": point.coding.changes(), **frame,
+            **{name: _rounded(value) for name, value in values.items()}}
 
 
 def _rounded(value):
-    """Numbers of at most seven digits, in groups too."""
-    if isinstance(value, dict):
-        return {name: _rounded(part) for name, part in value.items()}
-    if isinstance(value, float) and math.isfinite(value):
-        return float(f"{value:.7g}")
-    return value
+    """Numbers of at most seven digits."""
+    finite = isinstance(value, float) and math.isfinite(value)
+    return float(f"{value:.7g}") if finite else value
 
 
 def _from_json(entry):
-    entry = dict(entry)
-    coding = Coding(**{name: entry["coding"].get(name) for name in FIELDS})
-    del entry["coding"]
-    head = [entry.pop(name, None) for name in ("scene", "frame", "program", "calibration_seconds")]
+    coding = Coding(**entry.pop("coding"))
+    head = [entry.pop(name, None) for name in ("scene", "frame", "calibration_seconds")]
     return Point(head[0], coding, *head[1:], values=entry)

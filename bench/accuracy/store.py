@@ -1,7 +1,8 @@
-"""Measured points on disk, so that a run that was stopped goes on where it was."""
+"""Measured points on disk, so that an interrupted run resumes."""
 
 import hashlib
 import json
+import os
 
 
 def digest(*parts):
@@ -11,14 +12,11 @@ def digest(*parts):
 
 def file_digest(*files):
     """SHA-256 of the bytes of files, shortened."""
-    whole = hashlib.sha256()
-    for file in files:
-        whole.update(file.read_bytes())
-    return whole.hexdigest()[:16]
+    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:16]
 
 
 class Store:
-    """Points by key, one a line of a file that only grows.
+    """Points by key in a file, which is replaced whole after each.
 
     A point's key covers the program, the light field and all parameters: the same key is the same
     measurement.
@@ -26,22 +24,13 @@ class Store:
 
     def __init__(self, path):
         self.path = path
-        self.points = {}
-        whole = 0  # bytes of whole lines: a stopped run may have left a part of one
-        if path.exists():
-            for line in path.read_bytes().splitlines(keepends=True):
-                if not line.endswith(b"\n"):
-                    break
-                entry = json.loads(line)
-                self.points[entry["key"]] = entry["point"]
-                whole += len(line)
-            with open(path, "r+b") as file:
-                file.truncate(whole)
+        self.points = json.loads(path.read_bytes()) if path.exists() else {}
 
     def get(self, key):
         return self.points.get(key)
 
     def add(self, key, point):
         self.points[key] = point
-        with open(self.path, "a", encoding="utf-8") as file:
-            file.write(json.dumps({"key": key, "point": point}) + "\n")
+        written = self.path.with_suffix(".part")
+        written.write_text(json.dumps(self.points), encoding="utf-8")
+        os.replace(written, self.path)

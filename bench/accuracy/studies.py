@@ -79,6 +79,11 @@ class Studies:
         points += [coding.extended(height=1, cluster="3x3")]
         return points
 
+    def compared(self):
+        """One point of each preset and of each method."""
+        presets = [coding.extended(preset=preset) for preset in self.values("PRESETS")]
+        return [*presets, *(self.main(method=method) for method in CURVES)]
+
     def renderer(self):
         """The streams that frames are drawn from."""
         return [self.main(), coding.extended()]

@@ -1,19 +1,17 @@
-"""The tables of docs/accuracy.md, made from the points of a run."""
+"""The tables of docs/results/accuracy.md, made from the points of a run."""
 
 import math
 
 import paper
 import studies
 from rates import bpp_at
+from result_file import table
 
 PEAK = 255  # of 8-bit samples
 MIB = 1 << 20
-
-
-def table(head, rows):
-    """Markdown lines. head: the names of the columns."""
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows]
+SECTIONS = ("index", "motion", "residual", "top")
+STATES = ("zero", "motion", "motion_residual", "residual")
+PREDICTIONS = ("mean_2", "mean_4", "mean_8", "vectors")
 
 
 def db(value):
@@ -28,18 +26,18 @@ def psnr_of_mse(mse):
     return math.inf if mse <= 0 else 10 * math.log10(PEAK**2 / mse)
 
 
-def _dropped(point):
-    """Share of blocks without a residual, in per cent."""
-    states = point.values["states"]
-    without = states["zero"] + states["motion"]
-    return 100 * without / sum(states.values())
+def rate(point):
+    return f"{bpp(point.number('bpp'))} at {db(point.number('psnr_rgb'))}"
 
 
-def _states(point):
-    """Shares of the blocks of all levels, in per cent."""
-    states = point.values["states"]
-    names = ("zero", "motion", "motion_residual", "residual")
-    return ", ".join(f"{100 * states[name] / sum(states.values()):.1f}" for name in names)
+def states(point):
+    """Shares of the blocks of all levels by state, in per cent."""
+    counts = [point.number(f"states.{name}") for name in STATES]
+    return [100 * count / sum(counts) for count in counts]
+
+
+def listed(form, values):
+    return ", ".join(form.format(value) for value in values)
 
 
 class Tables:
@@ -50,37 +48,40 @@ class Tables:
         self.results, self.quick = results, quick
 
     def make(self, name):
-        """The lines of a table: `run` or a study of studies.NAMES."""
+        """The lines of a table of TITLES."""
         return getattr(self, name)()
 
-    def _studies(self, scene):
-        return studies.Studies(self.results.scenes[scene]["chroma"], self.quick)
+    def all(self):
+        """Pairs (what a table shows, its lines)."""
+        return [(title, self.make(name)) for name, title in TITLES.items()]
 
-    def _points(self, scene, codings):
-        """The points of these codings that were measured."""
-        found = (self.results.get(scene, coding) for coding in codings)
-        return [point for point in found if point]
+    def _own(self):
+        """Pairs (light field, its studies)."""
+        for name, facts in self.results.scenes.items():
+            yield name, studies.Studies(facts["chroma"], self.quick)
+
+    def _values(self, name):
+        return studies.Studies("", self.quick).values(name)
+
+    def _complete(self, scene, codings):
+        """The points of these codings where all were measured, or none."""
+        found = self.results.found(scene, codings)
+        return found if len(found) == len(codings) else []
 
     def run(self):
         rows = []
         for name, scene in self.results.scenes.items():
-            grid = f"{scene['rows']}x{scene['cols']}"
-            size = f"{scene['width']}x{scene['height']}"
-            frames = len(self.results.of_scene(name, frames=True))
-            count = len(self.results.of_scene(name))
-            rows.append((name, grid, size, scene["chroma"], f"{scene['at']:g}", count, frames))
+            counts = [len(self.results.of_scene(name, frames)) for frames in (False, True)]
+            views, size = (f"{scene[a]}x{scene[b]}" for a, b in (("rows", "cols"), ("width", "height")))
+            rows.append((name, views, size, scene["chroma"], f"{scene['at']:g}", *counts))
         head = ("light field", "views", "pixels", "chroma of main", "dB to compare at")
         lines = table((*head, "encodings", "settings of frames"), rows)
         return [*lines, "", f"Processor: {self.results.machine}."]
 
     def encoder(self):
-        """The points on the front of bits and error."""
         rows = []
-        for scene in self.results.scenes:
-            marks = self.results.fronts(scene)
-            points = [p for p in self.results.of_scene(scene) if marks[p.identity][0]]
-            first = {p.number("bytes"): p for p in reversed(points)}  # of equal streams
-            for _, point in sorted(first.items()):
+        for scene, own in self._own():
+            for point in self.results.found(scene, own.compared()):
                 rows.append((scene, point.coding.label(), *self._measures(point)))
         head = ("light field", "coding", "bpp", "PSNR RGB", "PSNR Y", "SSIM Y", "largest error")
         times = ("encode CPU s", "decode CPU s", "encode MiB", "decode MiB")
@@ -88,133 +89,140 @@ class Tables:
 
     def _measures(self, point):
         n = point.number
-        shares = [100 * n(f"sections.{s}") / n("bytes") for s in ("index", "motion", "residual", "top")]
         return (
             *(bpp(n("bpp")), db(n("psnr_rgb")), db(n("psnr_y")), f"{n('ssim_y'):.4f}"),
             *(f"{n('max_abs_error'):.0f}", f"{n('encode_cpu_seconds'):.2f}"),
             f"{n('decode_cpu_seconds'):.3f}",
             *(f"{n(name) / MIB:.0f}" for name in ("encode_peak_bytes", "decode_peak_bytes")),
-            ", ".join(f"{share:.0f}" for share in shares),
+            listed("{:.0f}", (100 * n(f"sections.{name}") / n("bytes") for name in SECTIONS)),
         )
 
     def block_size(self):
         rows = []
-        for scene in self.results.scenes:
-            points = self._points(scene, self._studies(scene).block_size())
-            if len(points) == len(studies.BLOCKS):
-                cells = [f"{bpp(p.number('bpp'))} at {db(p.number('psnr_rgb'))}" for p in points]
-                rows.append((scene, *cells))
+        for scene, own in self._own():
+            if points := self._complete(scene, own.block_size()):
+                rows.append((scene, *map(rate, points)))
         for name, figures in paper.BLOCK_SIZE.items():
-            cells = [f"{bits:g} at {psnr:g}" for psnr, bits in figures.values()]
-            rows.append((f"{name} (paper)", *cells))
+            rows.append((f"{name} (paper)", *(f"{bits:g} at {psnr:g}" for psnr, bits in figures.values())))
         return table(("light field", *(f"block {b}: bpp at dB" for b in studies.BLOCKS)), rows)
 
     def window(self):
         rows = []
-        windows = studies.QUICK["WINDOWS"] if self.quick else studies.WINDOWS
-        for scene in self.results.scenes:
-            points = self._points(scene, self._studies(scene).window())
-            if len(points) != len(windows):
-                continue
-            rows.append((scene, "bpp", *(bpp(p.number("bpp")) for p in points)))
-            rows.append((scene, "PSNR RGB", *(db(p.number("psnr_rgb")) for p in points)))
-            dropped = [f"{_dropped(p):.1f} %" for p in points]
-            rows.append((scene, "without residual", *dropped))
-            seconds = [f"{p.number('encode_cpu_seconds'):.2f}" for p in points]
-            rows.append((scene, "encode CPU s", *seconds))
-        return table(("light field", "", *(f"window {w}" for w in windows)), rows)
+        for scene, own in self._own():
+            if points := self._complete(scene, own.window()):
+                rows.append((scene, "bpp at dB", *map(rate, points)))
+                dropped = [f"{sum(states(p)[:2]):.1f} %" for p in points]
+                rows.append((scene, "blocks without residual", *dropped))
+                seconds = [f"{p.number('encode_cpu_seconds'):.2f}" for p in points]
+                rows.append((scene, "encode CPU s", *seconds))
+        return table(("light field", "", *(f"window {w}" for w in self._values("WINDOWS"))), rows)
 
     def threshold(self):
         rows = []
-        thresholds = studies.QUICK["THRESHOLDS"] if self.quick else studies.THRESHOLDS
-        for scene in self.results.scenes:
-            for method in ("hmlfc", "rlfc"):
-                points = self._points(scene, self._studies(scene).curve(method))
-                if len(points) != len(thresholds):
-                    continue
-                cells = [f"{bpp(p.number('bpp'))} at {db(p.number('psnr_rgb'))}" for p in points]
-                rows.append((scene, method, *cells))
-        return table(("light field", "method", *(f"threshold {t}" for t in thresholds)), rows)
+        for scene, own in self._own():
+            for method in studies.CURVES:
+                if points := self._complete(scene, own.curve(method)):
+                    rows.append((scene, method, *map(rate, points)))
+        thresholds = [f"threshold {t}: bpp at dB" for t in self._values("THRESHOLDS")]
+        return table(("light field", "method", *thresholds), rows)
 
     def methods(self):
         rows = []
-        for scene, facts in self.results.scenes.items():
-            bits = [self._bpp_of(scene, method, facts["at"]) for method in studies.CURVES]
-            if not any(bits):
-                continue
-            times = [b / bits[0] if b and bits[0] else None for b in bits[1:]]
-            cells = ["-" if ratio is None else f"{ratio:.2f}" for ratio in times]
-            rows.append((scene, f"{facts['at']:g}", *map(bpp, bits), *cells))
+        for scene, own in self._own():
+            at = self.results.scenes[scene]["at"]
+            curves = [own.preset("medium"), *map(own.curve, studies.CURVES)]
+            bits = [self._bpp_at(scene, curve, at) for curve in curves]
+            if any(bits):
+                times = [f"{b / bits[1]:.2f}" if b and bits[1] else "-" for b in bits[2:]]
+                rows.append((scene, f"{at:g}", *map(bpp, bits), *times))
         ranges = [f"{low} to {high}" for low, high in paper.TIMES_OF_HMLFC.values()]
-        rows.append(("paper's", "40 to 41", "", "", "", *ranges))
-        head = ("light field", "dB", "hmlfc bpp", "rlfc bpp", "mc bpp")
+        rows.append(("paper's", "40 to 41", "", "", "", "", *ranges))
+        head = ("light field", "dB", "extended bpp", "hmlfc bpp", "rlfc bpp", "mc bpp")
         return table((*head, "rlfc / hmlfc", "mc / hmlfc"), rows)
 
+    def _bpp_at(self, scene, codings, psnr):
+        points = self.results.found(scene, codings)
+        return bpp_at([(p.number("psnr_rgb"), p.number("bpp")) for p in points], psnr)
+
     def prediction(self):
-        """What a view is predicted from, without anything coded of it."""
         rows = []
-        names = ("mean_2", "mean_4", "mean_8", "vectors")
         for scene, facts in self.results.scenes.items():
             if found := facts.get("prediction"):
-                rows.append((scene, *(db(found[name]) if name in found else "-" for name in names)))
+                rows.append((scene, *(db(found[n]) if n in found else "-" for n in PREDICTIONS)))
         means = [f"mean of {side}, dB" for side in ("2x2", "4x4", "8x8")]
         return table(("light field", *means, "a view with vectors, dB"), rows)
 
     def sections(self):
-        """Where the bits of the methods go at the paper's threshold, and what blocks have."""
         rows = []
-        names = ("index", "motion", "residual", "top")
-        for scene, facts in self.results.scenes.items():
-            pixels = facts["rows"] * facts["cols"] * facts["width"] * facts["height"]
-            own = self._studies(scene)
-            for point in self._points(scene, [own.main(method=m) for m in studies.CURVES]):
-                bits = [bpp(8 * point.number(f"sections.{name}") / pixels) for name in names]
+        for scene, own in self._own():
+            pixels = self.results.pixels(scene)
+            for point in self.results.found(scene, [own.main(method=m) for m in studies.CURVES]):
+                bits = [bpp(8 * point.number(f"sections.{name}") / pixels) for name in SECTIONS]
                 cells = (scene, point.coding.method, db(point.number("psnr_rgb")), *bits)
-                rows.append((*cells, _states(point)))
-        head = ("light field", "method", "PSNR RGB", *(f"{name}, bpp" for name in names))
+                rows.append((*cells, listed("{:.1f}", states(point))))
+        head = ("light field", "method", "PSNR RGB", *(f"{name}, bpp" for name in SECTIONS))
         return table((*head, "blocks with nothing, motion, both, residual, %"), rows)
-
-    def _bpp_of(self, scene, method, psnr):
-        points = self._points(scene, self._studies(scene).curve(method))
-        return bpp_at([(p.number("psnr_rgb"), p.number("bpp")) for p in points], psnr)
 
     def reference_memory(self):
         rows = []
-        for scene, facts in self.results.scenes.items():
-            pixels = facts["rows"] * facts["cols"] * facts["width"] * facts["height"]
-            own = self._studies(scene)
-            for point in self._points(scene, dict.fromkeys(own.reference_memory())):
-                kib = point.number("reference_bytes") / 1024
-                share = 100 * 1024 * kib / (3 * pixels)
+        for scene, own in self._own():
+            for point in self.results.found(scene, dict.fromkeys(own.reference_memory())):
+                held = point.number("reference_bytes")
+                share = 100 * held / (3 * self.results.pixels(scene))
                 shape = (point.coding.height, point.coding.references)
-                quality = (bpp(point.number("bpp")), db(point.number("psnr_rgb")))
-                rows.append((scene, *shape, f"{kib:.0f}", f"{share:.2f} %", *quality))
-        head = ("light field", "height", "references", "KiB", "of the views", "bpp", "PSNR RGB")
-        return table(head, rows)
+                rows.append((scene, *shape, f"{held / 1024:.0f}", f"{share:.2f} %", rate(point)))
+        return table(("light field", "height", "references", "KiB", "of the views", "bpp at dB"), rows)
 
     def renderer(self):
         rows = []
         for scene in self.results.scenes:
-            for point in self.results.of_scene(scene, frames=True):
-                rows.append((scene, point.coding.profile, *self._frame_row(point)))
-        causes = ("all", "stream", "filter", "fixed point")
-        head = ("light field", "profile", "filter", "levels", "cache MiB", "backend")
-        times = ("CPU ms, median", "95 %", "blocks needed", "decoded")
-        errors = [f"dB: {cause}" for cause in causes]
-        return table((*head, *times, *errors, "largest of fixed point (bound)"), rows)
+            points = self.results.of_scene(scene, frames=True)
+            for coding in dict.fromkeys(point.coding for point in points):
+                own = {tuple(p.frame.split(":")): p for p in points if p.coding == coding}
+                rows.append((scene, coding.profile, *self._frame_cells(own)))
+        head = ("light field", "profile", "CPU ms: 256 MiB", "95th percentile", "no cache", "golden", "gpu")
+        blocks = ("blocks needed", "decoded with 1 MiB", "with 256 MiB")
+        filters = ", ".join(studies.FILTERS)
+        errors = (f"dB: {filters}", "by levels", "stream", "filter", "fixed point", "largest (bound)")
+        return table((*head, *blocks, *errors), rows)
 
-    def _frame_row(self, point):
-        n = point.number
-        errors = [db(psnr_of_mse(n(f"mse.{cause}"))) for cause in ("total", "stream", "filter", "fixed")]
-        bound = point.values.get("bound_fixed")
-        largest = f"{n('largest_fixed'):.2f}" + (f" ({bound:.2f})" if bound else "")
-        return (
-            *point.frame.split(":"),
-            *(f"{n('cpu_ms.median'):.2f}", f"{n('cpu_ms.p95'):.2f}"),
-            *(f"{n('blocks_needed'):.0f}", f"{n('blocks_decoded'):.0f}"),
-            *errors,
-            largest,
-        )
+    def _frame_cells(self, own):
+        """own: points by (filter, levels, cache, backend)."""
+        whole, levels = str(studies.WHOLE_CACHE), max(int(setting[1]) for setting in own)
+
+        def values(name, form, *settings):
+            found = (own.get((s[0], str(s[1]), *s[2:])) for s in settings)
+            return ", ".join(form(point.number(name)) if point else "-" for point in found)
+
+        def error(mse):
+            return db(psnr_of_mse(mse))
+
+        best, filters = "quadrilinear", [(name, levels, whole, "cpu") for name in studies.FILTERS]
+        yield values("cpu_ms.median", "{:.2f}".format, filters[-1])
+        yield values("cpu_ms.p95", "{:.2f}".format, filters[-1])
+        for backend in ("cpu", "golden", "gpu"):
+            yield values("cpu_ms.median", "{:.2f}".format, (best, levels, "0", backend))
+        for cache in ("0", "1", whole):
+            yield values("blocks_decoded", "{:.0f}".format, (best, levels, cache, "cpu"))
+        yield values("mse.total", error, *filters)
+        steps = [(best, k, whole, "cpu") for k in range(1, levels + 1)]
+        yield values("mse.total", error, *steps)
+        yield values("mse.stream", error, filters[-1])
+        yield values("mse.filter", error, *filters[:2])
+        yield values("mse.fixed", error, filters[-1])
+        bound = values("bound_fixed", "{:.2f}".format, filters[-1])
+        yield f"{values('largest_fixed', '{:.2f}'.format, filters[-1])} ({bound})"
 
 
-NAMES = ("run", *studies.NAMES, "sections")
+TITLES = {
+    "run": "Light fields",
+    "encoder": "Presets at quality 60, methods of profile main at thresholds 75",
+    "methods": "Bits a pixel at equal PSNR, log(bpp) linear in PSNR between the points",
+    "block_size": "Block size: thresholds 75, window 16, height 3",
+    "window": "Window: blocks of 4, height 3, thresholds 75",
+    "threshold": "Thresholds: blocks of 4, height 3, window 16",
+    "sections": "Sections of the file and states of blocks at thresholds 75",
+    "prediction": "What a view is predicted from before anything of it is coded: PSNR of luma",
+    "reference_memory": "Memory of decoded reference images, thresholds 75",
+    "renderer": "Frames: CPU time of filter quadrilinear, PSNR by filter, level and cause",
+}

@@ -25,6 +25,7 @@ try:
     from bench_error import BenchError
     from light_field import load
     from process import run
+    from programs import HMLFC, require
     from sources import REAL, ROOT, Source, real_sources
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy and python3-pil")
@@ -64,10 +65,6 @@ class Bench:
         self.skipped.append({"what": what, "why": why})
         say(f"skipped: {what}: {why}")
 
-    def fail(self, what, why):
-        self.failed.append({"what": what, "why": why})
-        say(f"FAILED: {what}: {why}")
-
     def measure(self, source):
         """All curves of one light field."""
         light_field = load(source.name, source.folder)
@@ -76,27 +73,29 @@ class Bench:
             f"{source.name}: {light_field.rows}x{light_field.cols} views, "
             f"{light_field.width}x{light_field.height}"
         )
-        tools = coders.Tools(
-            self.options.hmlfc, self.work, source.chroma, self.options.x265_chroma
-        )
-        for method in self.options.methods:
-            try:
-                codec = coders.make(method, light_field, tools)
-            except BenchError as error:
-                self.skip(f"{source.name} {method}", str(error))
-                continue
-            self.curve(codec)
-            codec.close()
+        with tempfile.TemporaryDirectory(dir=self.work) as folder:
+            for method in self.options.methods:
+                try:
+                    encode = coders.make(
+                        method, light_field, source.chroma, self.options, Path(folder)
+                    )
+                except BenchError as error:
+                    self.skip(f"{source.name} {method}", str(error))
+                else:
+                    self.curve(light_field, method, encode)
 
-    def curve(self, codec):
-        """All points of one curve. A point that fails does not keep the others from being made."""
-        for value in PARAMETERS[codec.name][self.options.quick]:
-            what = f"{codec.light_field.name} {codec.name}"
+    def curve(self, light_field, method, encode):
+        """All points of one curve; a point that fails is reported, and the others are still made."""
+        for value in PARAMETERS[method][self.options.quick]:
+            what = f"{light_field.name} {method}"
             try:
-                point = codec.encode(value)
+                parameter, size, psnr, seconds = encode(value)
             except BenchError as error:
-                self.fail(f"{what} {value:g}", str(error))
+                self.failed.append({"what": f"{what} {value:g}", "why": str(error)})
+                say(f"FAILED: {what} {value:g}: {error}")
                 continue
+            bpp = light_field.bpp(size)
+            point = report.Point(light_field.name, method, parameter, bpp, psnr, seconds)
             self.points.append(point)
             self.csv.add(point)
             result = f"{point.bpp:.4f} bpp, {point.psnr_rgb:.2f} dB, {point.seconds:.1f} CPU s"
@@ -123,7 +122,7 @@ class Bench:
 
 
 def find_sources(bench):
-    """The light fields asked for, or the real ones that are there, or else the built-in scenes."""
+    """The requested light fields, or the real ones that exist, or else the built-in scenes."""
     options = bench.options
     if options.light_field:
         found = [named_source(text) for text in options.light_field]
@@ -189,7 +188,7 @@ def parse_arguments():
     add("--json", action="store_true", help="print JSON in place of the tables")
     add("-o", "--output", type=Path, default=ROOT / "out" / "rate_distortion", metavar="FOLDER",
         help="default out/rate_distortion")
-    add("--hmlfc", type=Path, default=ROOT / "build" / "release" / "model" / "hmlfc",
+    add("--hmlfc", type=Path, default=HMLFC,
         help="the program (default: that of ./run)")
     return parser.parse_args()
 
@@ -197,8 +196,7 @@ def parse_arguments():
 def main():
     options = parse_arguments()
     try:
-        if not options.hmlfc.is_file():
-            raise BenchError(f"no program {options.hmlfc}: ./run bench rate_distortion builds it")
+        require("rate_distortion", options.hmlfc)
         options.output.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=options.output) as work:
             bench = Bench(options, Path(work))

@@ -2,9 +2,8 @@
 
 import csv
 import math
-from dataclasses import astuple, fields
+from dataclasses import astuple, dataclass, fields
 
-from coders import Point
 from rates import bpp_at
 
 COMPARED = ("extended", "main-hmlfc", "x265-intra", "x265-inter")
@@ -21,8 +20,20 @@ STYLES = {  # label, colour, line, marker
 }
 
 
+@dataclass
+class Point:
+    """One point of a curve. seconds: CPU time of encoding on all threads."""
+
+    light_field: str
+    codec: str
+    parameter: str
+    bpp: float
+    psnr_rgb: float
+    seconds: float
+
+
 class CsvFile:
-    """The points as they come, so that a run that is stopped leaves those it made."""
+    """Written point by point, so that an interrupted run keeps its points."""
 
     def __init__(self, path):
         self.file = open(path, "w", newline="", encoding="utf-8")
@@ -30,8 +41,8 @@ class CsvFile:
         self.writer.writerow([field.name for field in fields(Point)])
 
     def add(self, point):
-        name, codec, parameter, bpp, psnr, seconds = astuple(point)
-        self.writer.writerow([name, codec, parameter, f"{bpp:.6f}", f"{psnr:.4f}", f"{seconds:.2f}"])
+        *names, bpp, psnr, seconds = astuple(point)
+        self.writer.writerow([*names, f"{bpp:.6f}", f"{psnr:.4f}", f"{seconds:.2f}"])
         self.file.flush()
 
 
@@ -39,9 +50,11 @@ def equal_psnr(points, at):
     """For each light field of at ({name: PSNR in dB}): the bpp of each codec and their ratios."""
     rows = []
     for name, psnr in at.items():
-        own = [point for point in points if point.light_field == name]
-        codecs = list(dict.fromkeys(point.codec for point in own))
-        bpp = {codec: bpp_at(_curve(own, codec), psnr) for codec in codecs}
+        curves = {}
+        for point in points:
+            if point.light_field == name:
+                curves.setdefault(point.codec, []).append((point.psnr_rgb, point.bpp))
+        bpp = {codec: bpp_at(curve, psnr) for codec, curve in curves.items()}
         ratios = {
             f"{codec}/{base}": bpp[codec] / bpp[base]
             for codec, base in RATIOS
@@ -51,28 +64,28 @@ def equal_psnr(points, at):
     return rows
 
 
-def _curve(points, codec):
-    return [(point.psnr_rgb, point.bpp) for point in points if point.codec == codec]
-
-
 def print_points(points):
     line = "{:<14} {:<11} {:<28} {:>8} {:>9} {:>9}"
     print(line.format("light field", "codec", "parameter", "bpp", "PSNR RGB", "CPU s"))
     for point in points:
-        name, codec, parameter, bpp, psnr, seconds = astuple(point)
-        print(line.format(name, codec, parameter, f"{bpp:.4f}", f"{psnr:.2f}", f"{seconds:.1f}"))
+        *names, bpp, psnr, seconds = astuple(point)
+        print(line.format(*names, f"{bpp:.4f}", f"{psnr:.2f}", f"{seconds:.1f}"))
 
 
 def print_equal_psnr(rows):
-    ratio_names = [f"{codec}/{base}" for codec, base in RATIOS]
+    names = [f"{codec}/{base}" for codec, base in RATIOS]
     line = "{:<14} {:>5} " + " {:>10}" * len(COMPARED) + "  {:>19}" * len(RATIOS)
     print("\nBits a pixel at equal PSNR RGB, and how many times those of the extended profile they are")
     print("(log bpp linear in PSNR between two measured points; - where a curve does not reach it)")
-    print(line.format("light field", "dB", *COMPARED, *ratio_names))
+    print(line.format("light field", "dB", *COMPARED, *names))
     for row in rows:
         bpp = [_number(row["bpp"].get(codec), "{:.4f}") for codec in COMPARED]
-        ratios = [_number(row["ratios"].get(name), "{:.2f}") for name in ratio_names]
+        ratios = [_number(row["ratios"].get(name), "{:.2f}") for name in names]
         print(line.format(row["light_field"], f"{row['psnr_rgb']:g}", *bpp, *ratios))
+
+
+def _number(value, form):
+    return "-" if value is None else form.format(value)
 
 
 def plot(points, light_fields, at, path):
@@ -86,17 +99,17 @@ def plot(points, light_fields, at, path):
 
     pyplot.rcParams["font.size"] = 12
     figure, panels = pyplot.subplots(1, len(light_fields), figsize=(14, 5.6), squeeze=False)
+    lines = {}
     for panel, (name, description) in zip(panels[0], light_fields.items()):
-        _draw_curves(panel, [point for point in points if point.light_field == name])
+        lines |= _draw_curves(panel, [point for point in points if point.light_field == name])
         panel.axhline(at[name], color="black", linewidth=0.8, linestyle=(0, (4, 4)))
         panel.set_xscale("log")
-        _label_decades(panel)
+        panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
         panel.set_title(description, fontsize=13)
         panel.set_xlabel("bits a pixel (logarithmic)")
         panel.grid(True, which="both", color="#e4e4e4")
     panels[0][0].set_ylabel("PSNR RGB, dB")
-    drawn = [codec for codec in STYLES if any(point.codec == codec for point in points)]
-    handles = [_legend_entry(pyplot, STYLES[codec]) for codec in drawn]
+    handles = [lines[codec] for codec in STYLES if codec in lines]
     figure.legend(handles=handles, loc="lower center", ncol=4, fontsize=13, frameon=False)
     figure.suptitle("Rate against quality, all views of each light field (upper left is better)")
     figure.tight_layout(rect=(0, 0.12, 1, 0.99))
@@ -105,22 +118,12 @@ def plot(points, light_fields, at, path):
 
 
 def _draw_curves(panel, points):
-    for codec, (_, colour, line, marker) in STYLES.items():
+    """{codec: its line}"""
+    drawn = {}
+    for codec, (label, colour, line, marker) in STYLES.items():
         curve = sorted((p.bpp, p.psnr_rgb) for p in points if p.codec == codec)
         finite = [(bpp, psnr) for bpp, psnr in curve if math.isfinite(psnr)]
         if finite:
-            panel.plot(*zip(*finite), color=colour, linestyle=line, marker=marker, linewidth=2)
-
-
-def _label_decades(panel):
-    """0.01, 0.1, 1 in place of powers of ten."""
-    panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
-
-
-def _legend_entry(pyplot, style):
-    label, colour, line, marker = style
-    return pyplot.Line2D([], [], color=colour, linestyle=line, marker=marker, linewidth=2, label=label)
-
-
-def _number(value, form):
-    return "-" if value is None else form.format(value)
+            drawn[codec], = panel.plot(*zip(*finite), color=colour, linestyle=line, marker=marker,
+                                       linewidth=2, label=label)
+    return drawn

@@ -25,7 +25,7 @@ ENLARGERS = {
 
 
 class X265:
-    """Encodes one light field; the video is made once and kept in `folder`, which is the caller's.
+    """Encodes one light field; the video is made once and kept in `folder`.
 
     chroma: "420" or "444".
     """
@@ -50,10 +50,6 @@ class X265:
         self.stream.unlink()
         self.reconstruction.unlink()
         return size, error, seconds, f"{self.chroma} {enlarger}"
-
-    def close(self):
-        """Removes the video."""
-        self.video.unlink(missing_ok=True)
 
     def _write_video(self):
         with open(self.video, "wb") as video:

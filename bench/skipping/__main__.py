@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Skipping: what frames and single requests need of a light field, and what is not computed.
+"""What frames and single requests need of a light field, and what is not computed.
 
 docs/skipping.md says what is measured; docs/scale.md uses the byte ranges. Prints tables, writes
-results.json and pictures, and compares all counts with the recorded run; CPU times are printed, not
-compared.
+results.json and pictures, and compares all counts with the recorded run, but not CPU times.
 
 Exit status: 0 done, 1 a count differs from the recorded run, 2 something cannot be measured, or a
 cold renderer decoded other blocks than are needed, or the exhaustive search gave another stream.
@@ -19,22 +18,19 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 
 try:
     import plots
-    import tables
+    import result_file
     from bench_error import BenchError
-    from document_tables import with_tables
     from measure import PROFILES, SCENES, Measure
     from process import machine
+    from programs import HMLFC, built, require
     from sources import ROOT
+    from tables import tables
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy, python3-pil and python3-matplotlib")
 
 RECORDED = Path(__file__).resolve().with_name("recorded.json")
-BUILT = ROOT / "build" / "release"
-PROGRAMS = (
-    BUILT / "model" / "hmlfc",
-    BUILT / "bench" / "bench_skipping",
-    BUILT / "bench" / "bench_skipping_exhaustive",
-)
+PROGRAMS = (HMLFC, built("bench_skipping"), built("bench_skipping_exhaustive"))
+GROUPS = ("paths", "costs", "effort")
 
 
 def say(text):
@@ -42,11 +38,9 @@ def say(text):
 
 
 def measure(programs, work, quick):
-    for program in programs:
-        if not program.is_file():
-            raise BenchError(f"no program {program}: ./run bench skipping builds it")
+    require("skipping", *programs)
     measuring = Measure(programs, work, quick)
-    results = {"machine": machine(), "quick": quick, "paths": []}
+    results = {"machine": machine(), "paths": []}
     for scene in ("cards", "flat") if quick else SCENES:
         for profile in PROFILES:
             say(f"frames of {scene}, profile {profile}")
@@ -85,22 +79,19 @@ def read(path):
 
 
 def write(results, path):
-    """JSON, a frame or a request a line."""
-    lines = ["{"]
-    for key in ("machine", "quick"):
-        lines.append(f'"{key}": {json.dumps(results[key])},')
-    groups = ("paths", "costs", "effort")
-    for key in groups:
-        rows = ",\n".join(json.dumps(row) for row in results[key])
-        lines += [f'"{key}": [', rows, "]" + ("," if key != groups[-1] else "")]
-    path.write_text("\n".join([*lines, "}", ""]), encoding="utf-8")
+    """JSON, a path or a request a line."""
+    lines = [f'"machine": {json.dumps(results["machine"])}']
+    lines += [f'"{key}": [\n' + ",\n".join(map(json.dumps, results[key])) + "\n]" for key in GROUPS]
+    path.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
 
 
-def documents(results, folder):
-    """(Path, its text, its text with the tables of `results`) of each document."""
-    for name, places in tables.DOCUMENTS.items():
-        text = (folder / name).read_text(encoding="utf-8")
-        yield folder / name, text, with_tables(text, lambda table: tables.make(table, results), places)
+def settle(options):
+    """Writes the recorded run's tables and pictures, or checks the tables. Returns the exit status."""
+    results = read(options.recorded)
+    text = result_file.result_text("Skipping", "./run bench skipping --update", tables(results))
+    if options.update:
+        plots.draw(results, options.results.parent / "images", "skipping_")
+    return result_file.settle(options.results / "skipping.md", text, options.update)
 
 
 def parse_arguments():
@@ -110,16 +101,12 @@ def parse_arguments():
     add = parser.add_argument
     add("--quick", action="store_true", help="two scenes, fewer frames; compared with nothing")
     add("--record", action="store_true", help="make this the recorded run, in place of comparing")
-    add("--write-document", action="store_true",
-        help="measure nothing: put the recorded run's tables and pictures into the documents")
-    add("--check-document", action="store_true",
-        help="measure nothing: exit status 1 where the documents' tables are not the recorded run's")
     add("--json", action="store_true", help="print the results as JSON")
     add("-o", "--output", type=Path, default=ROOT / "out" / "skipping", metavar="FOLDER",
         help="default out/skipping")
     add("--recorded", type=Path, default=RECORDED, metavar="FILE",
         help="default bench/skipping/recorded.json")
-    add("--documents", type=Path, default=ROOT / "docs", metavar="FOLDER", help="default docs")
+    result_file.add_arguments(parser)
     add("--programs", type=Path, nargs=3, default=PROGRAMS, metavar="PROGRAM",
         help="hmlfc, bench_skipping and bench_skipping_exhaustive (default: those of ./run)")
     return parser.parse_args()
@@ -134,8 +121,8 @@ def run_bench(options):
     if options.json:
         print(json.dumps(results, indent=2))
     else:
-        for name in dict.fromkeys(n for names in tables.DOCUMENTS.values() for n in names):
-            print("\n".join(["", name, "", *tables.make(name, results)]))
+        for title, lines in tables(results):
+            print("\n".join(["", title, "", *lines]))
     if options.record:
         write(results, options.recorded)
     if options.record or options.quick:
@@ -149,19 +136,7 @@ def run_bench(options):
 def main():
     options = parse_arguments()
     try:
-        if not options.check_document and not options.write_document:
-            return run_bench(options)
-        results = read(options.recorded)
-        stale = [entry for entry in documents(results, options.documents) if entry[1] != entry[2]]
-        if options.check_document:
-            for path, _, _ in stale:
-                say(f"the tables of {path} are not those of {options.recorded}: "
-                    "./run bench skipping --write-document puts them there")
-            return 1 if stale else 0
-        for path, _, text in stale:
-            path.write_text(text, encoding="utf-8")
-        plots.draw(results, options.documents / "images", "skipping_")
-        return 0
+        return settle(options) if options.check or options.update else run_bench(options)
     except BenchError as error:
         say(f"skipping: {error}")
         return 2

@@ -27,13 +27,12 @@ def _frames(results):
     for path in warm:
         panel = panels[scenes.index(path["scene"])][paths.index(path["path"])]
         for key, colour in COLOURS.items():
-            panel.plot([frame[key] for frame in path["frames"]], "-" if key != "needed" else ":",
-                       color=colour, label=key)
+            panel.plot(path["frames"][key], "-" if key != "needed" else ":", color=colour, label=key)
         panel.set_title(f"{path['scene']}, {path['path']}", fontsize=9)
         panel.set_ylabel("blocks")
         panel.set_ylim(bottom=0)
         other = panel.twinx()
-        other.plot([frame["bytes"] / 1024 for frame in path["frames"]], "--", color="#7f7f7f",
+        other.plot([read / 1024 for read in path["frames"]["bytes"]], "--", color="#7f7f7f",
                    label="KiB touched")
         other.set_ylim(bottom=0)
     panels[0][0].legend(fontsize=7)

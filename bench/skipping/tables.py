@@ -1,43 +1,35 @@
-"""The tables of docs/skipping.md and docs/scale.md."""
+"""The tables of docs/results/skipping.md."""
 
 from measure import GAPS
+from result_file import table
 
-DOCUMENTS = {
-    "skipping.md": ("run", "frames", "cost", "effort"),
-    "scale.md": ("requests", "latency"),
-}
-GIB = 1 << 30
 ROUNDS = {"cold": 8, "warm": 4}  # dependent reads of a frame in profile main (docs/scale.md)
 LINKS = ((1, 1000), (20, 100), (80, 20))  # round trip in ms, megabits a second
 GAP = 1  # index into GAPS of the table of latencies
+PATH = ("scene", "profile", "path", "client")
 
 
-def make(name, results):
-    """Lines of one table."""
-    return TABLES[name](results)
-
-
-def table(head, rows):
-    lines = [head, ["---"] * len(head), *rows]
-    return ["| " + " | ".join(map(str, line)) + " |" if line[0] != "---" else "|" + "---|" * len(line)
-            for line in lines]
+def tables(results):
+    """Pairs (what a table shows, its lines)."""
+    return [(title, make(results)) for title, make in TITLES.items()]
 
 
 def mean(path, key):
     """Mean over the frames of a path."""
-    return sum(frame[key] for frame in path["frames"]) / len(path["frames"])
+    return sum(path["frames"][key]) / len(path["frames"][key])
+
+
+def mean_of(path, key, gap):
+    """The same of what is listed by gap."""
+    return sum(counts[gap] for counts in path["frames"][key]) / len(path["frames"][key])
 
 
 def _run(results):
     paths = results["paths"]
-    shape = "cold = needed in every frame"
-    return table(
-        ("scenes", "profiles", "paths", "frames", "cold frames", "processor"),
-        [(", ".join(dict.fromkeys(p["scene"] for p in paths)),
-          ", ".join(dict.fromkeys(p["profile"] for p in paths)),
-          ", ".join(dict.fromkeys(p["path"] for p in paths)),
-          sum(len(p["frames"]) for p in paths), shape, results["machine"])],
-    )
+    listed = [", ".join(dict.fromkeys(p[key] for p in paths)) for key in ("scene", "profile", "path")]
+    frames = sum(len(path["frames"]["needed"]) for path in paths)
+    return table(("scenes", "profiles", "paths", "frames", "processor"),
+                 [(*listed, frames, results["machine"])])
 
 
 def _frames(results):
@@ -45,7 +37,7 @@ def _frames(results):
     for path in results["paths"]:
         needed = mean(path, "needed")
         rows.append((
-            *(path[key] for key in ("scene", "profile", "path", "client")),
+            *(path[key] for key in PATH),
             path["blocks"], f"{path['blocks'] - needed:.0f}", f"{needed:.0f}",
             *(f"{mean(path, key):.0f}" for key in ("decoded", "reused", "zero", "bytes")),
             f"{100 * mean(path, 'bytes') / path['file_bytes']:.1f}",
@@ -61,59 +53,59 @@ def _cost(results):
         block, view = cost["block"], cost["view"]
         rows.append((
             cost["by"], cost["at"], cost["file_bytes"],
-            block["bytes"], block["key_bytes"], block["walks"], block["fields"],
+            *(block[key] for key in ("bytes", "key_bytes", "walks", "fields")),
             f"{1e6 * block['cpu_seconds']:.0f}", f"{1e6 * block['open_cpu_seconds']:.1f}",
-            view["bytes"], view["key_bytes"], view["decoded"], f"{1e6 * view['cpu_seconds']:.0f}",
+            *(view[key] for key in ("bytes", "key_bytes", "decoded")),
+            f"{1e6 * view['cpu_seconds']:.0f}",
         ))
-    block = ("bytes", "key bytes", "walks", "fields", "CPU us", "open us")
-    view = ("bytes", "key bytes", "blocks", "CPU us")
-    head = ("by", "at", "file bytes", *(f"block: {n}" for n in block), *(f"view: {n}" for n in view))
-    return table(head, rows)
+    block = [f"block: {name}" for name in ("bytes", "key bytes", "walks", "fields", "CPU us", "open us")]
+    view = [f"view: {name}" for name in ("bytes", "key bytes", "blocks", "CPU us")]
+    return table(("by", "at", "file bytes", *block, *view), rows)
 
 
 def _effort(results):
+    noise = {row["window"]: row for row in results["effort"] if row["scene"] == "noise"}
     rows = []
     for row in results["effort"]:
-        noise = _of(results, "noise", row["window"])
-        own, other = (1e9 * r["cpu_seconds"] / r["pixels"] for r in (row, noise))
-        exhaustive = 1e9 * row["exhaustive_cpu_seconds"] / row["pixels"]
-        rows.append((row["scene"], row["window"], row["bytes"], f"{own:.1f}", f"{exhaustive:.1f}",
-                     "yes", f"{other / own:.1f}"))
+        other = noise[row["window"]]
+        own, slow, of_noise = (
+            1e9 * seconds / pixels
+            for seconds, pixels in ((row["cpu_seconds"], row["pixels"]),
+                                    (row["exhaustive_cpu_seconds"], row["pixels"]),
+                                    (other["cpu_seconds"], other["pixels"]))
+        )
+        rows.append((row["scene"], row["window"], row["bytes"], f"{own:.1f}", f"{slow:.1f}",
+                     f"{of_noise / own:.1f}"))
     head = ("scene", "window", "bytes", "CPU ns a pixel", "with the exhaustive search")
-    return table((*head, "same stream", "times faster than noise"), rows)
-
-
-def _of(results, scene, window):
-    return next(r for r in results["effort"] if (r["scene"], r["window"]) == (scene, window))
+    return table((*head, "times faster than noise"), rows)
 
 
 def _requests(results):
     rows = []
     for path in results["paths"]:
-        cells = []
-        for k in range(len(GAPS)):
-            requests, fetched = (sum(f[key][k] for f in path["frames"]) / len(path["frames"])
-                                 for key in ("requests", "fetched"))
-            cells.append(f"{requests:.1f}, {fetched:.0f}")
-        row = (*(path[key] for key in ("scene", "profile", "path", "client")), path["file_bytes"])
-        rows.append((*row, *cells))
-    head = ("scene", "profile", "path", "client", "file bytes")
-    return table((*head, *(f"requests, bytes; gap {gap}" for gap in GAPS)), rows)
+        cells = [f"{mean_of(path, 'requests', gap):.1f}, {mean_of(path, 'fetched', gap):.0f}"
+                 for gap in range(len(GAPS))]
+        rows.append((*(path[key] for key in PATH), path["file_bytes"], *cells))
+    return table((*PATH, "file bytes", *(f"requests, bytes; gap {gap}" for gap in GAPS)), rows)
 
 
 def _latency(results):
     rows = []
     for path in results["paths"]:
-        if path["profile"] != "main" or path["path"] != "orbit":
-            continue
-        fetched = sum(f["fetched"][GAP] for f in path["frames"]) / len(path["frames"])
-        rounds = ROUNDS[path["client"]]
-        times = [rounds * rtt + fetched * 8 / (1e3 * rate) for rtt, rate in LINKS]
-        rows.append((path["scene"], path["client"], rounds, f"{fetched:.0f}",
-                     *(f"{ms:.1f}" for ms in times)))
+        if (path["profile"], path["path"]) == ("main", "orbit"):
+            fetched, rounds = mean_of(path, "fetched", GAP), ROUNDS[path["client"]]
+            times = [rounds * rtt + fetched * 8 / (1e3 * rate) for rtt, rate in LINKS]
+            rows.append((path["scene"], path["client"], rounds, f"{fetched:.0f}",
+                         *(f"{ms:.1f}" for ms in times)))
     links = (f"{rtt} ms, {rate} Mbit/s: ms" for rtt, rate in LINKS)
     return table(("scene", "client", "rounds", "bytes", *links), rows)
 
 
-TABLES = {"run": _run, "frames": _frames, "cost": _cost, "effort": _effort,
-          "requests": _requests, "latency": _latency}
+TITLES = {
+    "The recorded run": _run,
+    "Frames, mean of a path": _frames,
+    "Cost of one request": _cost,
+    "The encoder's search": _effort,
+    "Range requests of a frame, mean of a path": _requests,
+    f"Latency of a frame, profile main, path orbit, gap {GAPS[GAP]}": _latency,
+}

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 

@@ -1,13 +1,24 @@
-// The arithmetic of one sample (TIL-10, STP-3, DEC-3).
+// The arithmetic of one sample (TIL-10, STP-2, STP-3, DEC-3).
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/sample_range.hpp"
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
+/// Greatest step code (STP-1).
+inline constexpr unsigned kMaxStepCode = 15;
+
+/// The step of `code` in [0, kMaxStepCode]; in [1, 256] (STP-2).
+///
+/// Example: codes 0 to 6 give 1, 2, 3, 4, 6, 8, 12.
+constexpr int32_t step_of_code(unsigned code) {
+  assert(code <= kMaxStepCode);
+  if (code == 0) return 1;
+  return code % 2 == 1 ? 1 << ((code + 1) / 2) : 3 << ((code - 2) / 2);
+}
 
 /// The residual that stands for BISE value `value` in [0, levels - 1] with `bias` (TIL-10); in
 /// [-bound, bound].

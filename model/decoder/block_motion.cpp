@@ -27,7 +27,7 @@ BlockMotion MotionResolver::resolve(const PaletteEntry& entry, int32_t disparity
   motion.negative = entry.negative;
   for (unsigned i = 0; i < set.count; ++i) {
     const ImagePos reference = images_[set.reference[i]];
-    const MotionVector vector = entry.is(MotionChoice::kExplicitVector)
+    const MotionVector vector = entry.choice == kChoiceVector
                                     ? explicit_vector(entry.explicit_x, entry.explicit_y, rules_)
                                     : disparity_vector(d, offset(image_.row, reference.row),
                                                        offset(image_.col, reference.col), rules_);

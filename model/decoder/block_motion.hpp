@@ -3,10 +3,9 @@
 
 #include <array>
 
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 #include "syntax/geometry.hpp"
 #include "syntax/motion_tile.hpp"
-#include "syntax/reference_set.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc {
@@ -16,6 +15,15 @@ struct ReferenceMotion {
   ImagePos image;
   SubpelVector vector;
   friend bool operator==(const ReferenceMotion&, const ReferenceMotion&) = default;
+};
+
+/// A rectangle of a reference plane, which may reach outside: columns x to x + columns - 1, rows
+/// likewise; not empty.
+struct ReferenceArea {
+  int32_t x = 0;
+  int32_t y = 0;
+  unsigned columns = 1;
+  unsigned rows = 1;
 };
 
 /// The motion of a block: no reference without motion, else one or two.
@@ -32,7 +40,7 @@ class MotionResolver {
   /// Of a stream with motion tiles.
   MotionResolver(const StreamView& stream, int level, ImagePos image, Plane plane);
 
-  /// The motion of blocks with `entry`, which palette_entry returned. `disparity` in [-4096, 4095]
+  /// The motion of blocks with `entry`, which they may use. `disparity` in [-4096, 4095]
   /// counts where the entry shares one.
   BlockMotion resolve(const PaletteEntry& entry, int32_t disparity) const;
 

@@ -1,4 +1,4 @@
-#include "decoder/codestream_head.hpp"
+#include "decoder/jpeg2000.hpp"
 
 #include <cstddef>
 

@@ -1,8 +1,14 @@
-// Rows of samples to pixels (COL-2, COL-3), with vectors of the instruction set chosen at run time.
+// Samples to pixels (COL-2, COL-3), with vectors of the instruction set chosen at run time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/image.hpp>
+
+#include "decoder/sample_plane.hpp"
 
 namespace hmlfc {
 
@@ -27,5 +33,14 @@ void write_rgbx(const ColourRow& row, uint16_t* out);
 
 /// The name of the instruction set chosen, such as "AVX2".
 const char* colour_instruction_set();
+
+/// The samples of Co and Cg that the pixels of `rect` take (COL-3); `rect` itself where they are
+/// not `halved`.
+Rect chroma_rect(const Rect& rect, bool halved);
+
+/// The pixels of `rect`: planes[0] holds its samples of Y, planes[1] and planes[2] those of
+/// chroma_rect(rect, halved). Planes may be larger than that; rows beyond are not used.
+RgbImage rgb_picture(const std::array<SamplePlane, kPlaneCount>& planes, const Rect& rect,
+                     bool halved, int depth);
 
 }  // namespace hmlfc

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "arithmetic/rounding.hpp"
+#include "decoder/colour_row.hpp"
 #include "decoder/decoder_state.hpp"
 #include "decoder/fast/region_decoder.hpp"
-#include "decoder/golden/golden_region.hpp"
+#include "decoder/golden/block_decoder.hpp"
 #include "decoder/memory_guard.hpp"
 #include "decoder/open_stream.hpp"
-#include "decoder/rgb_picture.hpp"
 
 namespace hmlfc {
 namespace {
@@ -63,15 +63,15 @@ bool is_cropped(const SamplePlane& region, const BlockRect& blocks, const Rect& 
 
 // The samples of `rect`, which lies in the plane, of image `image` of level `level`: a plane of its
 // size, or, unless `exactly`, one whose rows go on and which has more of them.
-Result<SamplePlane> decode_samples(const DecodeSources& sparse, const DecodeSources& on_demand,
+Result<SamplePlane> decode_samples(const FastSources& fast, const DecodeSources& golden,
                                    const BlockSite& image, const Rect& rect, bool exactly) {
-  const uint32_t block_size = sparse.stream.geometry.block_size();
+  const uint32_t block_size = fast.stream.geometry.block_size();
   const BlockRect blocks = blocks_of(rect, block_size);
   const ImagePos at{image.image_row, image.image_col};
-  auto region = decode_region(sparse, image.level, at, image.plane, blocks);
+  auto region = decode_region(fast, image.level, at, image.plane, blocks);
   if (!region) {
     // Which block fails, and whether one that was asked for does, is for the golden path to say.
-    region = decode_region_by_blocks(on_demand, image.level, at, image.plane, blocks);
+    region = decode_region_by_blocks(golden, image.level, at, image.plane, blocks);
   }
   if (!region || is_cropped(*region, blocks, rect, block_size, exactly)) return region;
   return crop(*region, blocks, rect, block_size);
@@ -111,7 +111,7 @@ Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block,
   const ImagePos image = geometry.ancestor({block.view.row, block.view.col}, 0, stop_level);
   const BlockSite site{stop_level, image.row, image.col, block.plane, block.bx, block.by};
   const DecodeSources sources =
-      options.references == ReferenceMode::kSparse ? state_->sparse() : state_->on_demand();
+      options.references == ReferenceMode::kSparse ? state_->golden_held() : state_->golden();
   return guard_memory([&]() -> Result<std::vector<int32_t>> {
     const auto values =
         hmlfc::decode_block(sources, site, Probe{options.trace, options.counts, site});
@@ -129,7 +129,7 @@ Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, con
   }
   const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
   return guard_memory([&]() -> Result<std::vector<int16_t>> {
-    auto samples = decode_samples(state_->sparse(), state_->on_demand(),
+    auto samples = decode_samples(state_->fast(), state_->golden(),
                                   {stop_level, image.row, image.col, plane}, rect, true);
     if (!samples) return tl::unexpected(samples.error());
     return std::move(samples->samples);
@@ -155,7 +155,7 @@ Result<void> Decoder::refine_rect(ViewPos view, Plane plane, const Rect& rect, i
       const auto row = samples.subspan(size_t{j} * rect.width, rect.width);
       std::ranges::copy(row, region.row(j).begin());
     }
-    if (auto ok = add_level(state_->sparse(), stop_level, image, plane, blocks, region); !ok) {
+    if (auto ok = add_level(state_->fast(), stop_level, image, plane, blocks, region); !ok) {
       return ok;
     }
     for (uint32_t j = 0; j < rect.height; ++j) {
@@ -181,7 +181,7 @@ Result<RgbImage> Decoder::decode_rgb(ViewPos view, const Rect& rect, int stop_le
   return guard_memory([&]() -> Result<RgbImage> {
     std::array<SamplePlane, kPlaneCount> planes;
     for (const Plane plane : kPlanes) {
-      auto samples = decode_samples(state_->sparse(), state_->on_demand(),
+      auto samples = decode_samples(state_->fast(), state_->golden(),
                                     {stop_level, image.row, image.col, plane},
                                     chroma_rect(rect, halved && plane != Plane::kY), false);
       if (!samples) return tl::unexpected(samples.error());

@@ -19,10 +19,11 @@ struct Decoder::State {
   KeyImages keys;
   SparseReferences references;
 
-  /// Sources that read reference blocks on demand.
-  DecodeSources on_demand() const { return {stream, keys, nullptr}; }
-  /// Sources that keep decoded reference images.
-  DecodeSources sparse() const { return {stream, keys, &references}; }
+  /// For the golden path, which reads reference blocks by itself.
+  DecodeSources golden() const { return {stream, keys}; }
+  /// For the golden path with the reference blocks that the fast path holds.
+  DecodeSources golden_held() const { return {stream, keys, &references}; }
+  FastSources fast() const { return {stream, keys, references}; }
 };
 
 }  // namespace hmlfc

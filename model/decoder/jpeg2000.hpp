@@ -9,7 +9,6 @@
 #include "decoder/sample_plane.hpp"
 
 namespace hmlfc {
-
 /// Precision of a plane's samples: `bits` in [1, 16], two's complement if `is_signed`.
 struct SamplePrecision {
   int bits = 8;
@@ -34,5 +33,12 @@ std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
 std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& plane,
                                                           SamplePrecision precision,
                                                           double mean_squared_error);
+
+/// Whether `codestream` has the head that KEY-2 asks for: one component and one tile of exactly
+/// `width` x `height` samples at the origin, the reversible 5/3 transform, precincts of the
+/// greatest size, no marker segments but SIZ, COD, QCD and COM, and one tile-part, without segments
+/// of its own, that ends at the EOC marker that ends the codestream (ISO/IEC 15444-1, annex A).
+/// What a decoder needs for such a codestream is in proportion to its samples.
+bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uint32_t height);
 
 }  // namespace hmlfc

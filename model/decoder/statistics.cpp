@@ -6,11 +6,11 @@
 #include "arithmetic/bise.hpp"
 #include "decoder/decoder_state.hpp"
 #include "decoder/fast/motion_field.hpp"
-#include "decoder/golden/motion_walk.hpp"
-#include "syntax/block_entry.hpp"
-#include "syntax/disparity_tile.hpp"
+#include "decoder/golden/block_walk.hpp"
 #include "syntax/header.hpp"
-#include "syntax/tile_layout.hpp"
+#include "syntax/index.hpp"
+#include "syntax/motion_tile.hpp"
+#include "syntax/tile_masks.hpp"
 #include "syntax/tile_record.hpp"
 
 namespace hmlfc {

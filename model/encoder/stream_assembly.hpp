@@ -7,7 +7,7 @@
 
 #include <hmlfc/format.hpp>
 
-#include "syntax/index_writer.hpp"
+#include "syntax/index.hpp"
 
 namespace hmlfc {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 namespace {

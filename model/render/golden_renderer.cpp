@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "arithmetic/colour.hpp"
-#include "arithmetic/narrow.hpp"
+#include "arithmetic/widths.hpp"
 #include "decoder/memory_guard.hpp"
 #include "render/shown_image.hpp"
 #include "render/taps.hpp"

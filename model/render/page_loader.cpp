@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "decoder/block_rect.hpp"
 #include "decoder/colour_row.hpp"
+#include "decoder/sample_plane.hpp"
 
 namespace hmlfc {
 namespace {

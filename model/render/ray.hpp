@@ -7,7 +7,7 @@
 #include <hmlfc/camera.hpp>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 

@@ -7,7 +7,7 @@
 #include <hmlfc/format.hpp>
 
 #include "arithmetic/rounding.hpp"
-#include "arithmetic/watch.hpp"
+#include "arithmetic/widths.hpp"
 #include "render/ray.hpp"
 
 namespace hmlfc {

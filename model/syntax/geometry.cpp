@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "arithmetic/narrow.hpp"
 #include "arithmetic/rounding.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 namespace {
@@ -116,9 +116,9 @@ void Geometry::add_levels(const StreamHeader& header) {
   }
 }
 
-uint64_t Geometry::group_count() const { return ceil_div(tile_count(), kLanes); }
+uint64_t Geometry::tile_group_count() const { return ceil_div(tile_count(), kLanes); }
 
-uint64_t Geometry::root_entry_count() const { return ceil_div(group_count(), kLanes); }
+uint64_t Geometry::root_entry_count() const { return ceil_div(tile_group_count(), kLanes); }
 
 uint64_t Geometry::image_number(int l, ImagePos at) const {
   const uint64_t image = level(l).first_image + uint64_t{at.row} * level(l).cols + at.col;
@@ -163,6 +163,33 @@ ImagePos Geometry::reference_of(int l, ImagePos at) const {
 uint64_t Geometry::key_number(int l, ImagePos at) const {
   const ImagePos group = group_of(l, at);
   return level(l).first_key + uint64_t{group.row} * level(l).group_cols() + group.col;
+}
+
+namespace {
+
+// i' of MOT-7: the group next to `group` of `groups` on the side of place `at`, the reference image
+// of the group being at `reference`.
+uint32_t next_group(uint32_t group, uint32_t groups, uint32_t at, uint32_t reference) {
+  if (groups == 1) return group;
+  const bool up = at >= reference ? group + 1 < groups : group == 0;
+  return up ? group + 1 : group - 1;
+}
+
+uint32_t distance(uint32_t a, uint32_t b) { return a > b ? a - b : b - a; }
+
+}  // namespace
+
+ReferenceImages reference_images(const Geometry& geometry, int l, ImagePos at) {
+  const LevelShape& level = geometry.level(l);
+  const ImagePos group = geometry.group_of(l, at);
+  const ImagePos own = geometry.reference_of_group(l, group);
+  const uint32_t row = next_group(group.row, level.group_rows(), at.row, own.row);
+  const uint32_t col = next_group(group.col, level.group_cols(), at.col, own.col);
+  const ImagePos beside = geometry.reference_of_group(l, {group.row, col});
+  const ImagePos above = geometry.reference_of_group(l, {row, group.col});
+  const bool beside_first = distance(at.col, own.col) >= distance(at.row, own.row);
+  return {own, beside_first ? beside : above, beside_first ? above : beside,
+          geometry.reference_of_group(l, {row, col})};
 }
 
 }  // namespace hmlfc

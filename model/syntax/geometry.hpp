@@ -1,5 +1,5 @@
 // The shape of the tree and its numbering, derived from the header (STR-2 to STR-6, IDX-1 to
-// IDX-3).
+// IDX-3, EXT-3, EXT-4, MOT-1, MOT-7).
 #pragma once
 
 #include <array>
@@ -9,7 +9,6 @@
 #include <hmlfc/format.hpp>
 
 namespace hmlfc {
-
 /// A place in the grid of images of one level.
 struct ImagePos {
   uint32_t row = 0;
@@ -60,6 +59,17 @@ struct LevelShape {
   uint64_t images() const { return uint64_t{rows} * cols; }
 };
 
+/// A motion tile of one image (MOT-1).
+struct MotionTilePlace {
+  int level = 0;
+  ImagePos image;
+  size_t motion_plane = 0;  ///< index in Geometry::motion_planes()
+  uint32_t tx = 0;
+  uint32_t ty = 0;
+
+  friend bool operator==(const MotionTilePlace&, const MotionTilePlace&) = default;
+};
+
 /// Everything that follows from the header alone. Immutable.
 class Geometry {
  public:
@@ -74,7 +84,7 @@ class Geometry {
   uint64_t image_count() const { return image_count_; }
   uint64_t tiles_per_image() const { return tiles_per_image_; }
   uint64_t tile_count() const { return image_count_ * tiles_per_image_; }
-  uint64_t group_count() const;
+  uint64_t tile_group_count() const;
   uint64_t root_entry_count() const;
 
   /// The number of image `at` of level `l` (IDX-1).
@@ -129,5 +139,30 @@ class Geometry {
   void add_planes(const StreamHeader& header);
   void add_levels(const StreamHeader& header);
 };
+
+/// K0, K1, K2 and K3 of MOT-7; they need not differ.
+using ReferenceImages = std::array<ImagePos, 4>;
+
+/// The reference images of image `at` of level `l`.
+ReferenceImages reference_images(const Geometry& geometry, int l, ImagePos at);
+
+/// What a value of reference_set stands for: one or two of K0 to K3.
+struct ReferenceSet {
+  unsigned count;                    ///< 1 or 2
+  std::array<uint8_t, 2> reference;  ///< the second has no meaning with count 1
+};
+
+/// The references of `reference_set` in [0, 7].
+constexpr ReferenceSet references_of_set(unsigned reference_set) {
+  constexpr std::array<ReferenceSet, 8> kSets{{{1, {0, 0}},
+                                               {2, {0, 1}},
+                                               {2, {0, 2}},
+                                               {1, {1, 1}},
+                                               {1, {2, 2}},
+                                               {2, {1, 2}},
+                                               {2, {0, 3}},
+                                               {1, {3, 3}}}};
+  return kSets[reference_set];
+}
 
 }  // namespace hmlfc

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
-#include "syntax/extended_fields.hpp"
 
 namespace hmlfc {
 namespace {
@@ -18,26 +18,55 @@ constexpr size_t kAtVersion = 8;
 constexpr size_t kAtProfile = 9;
 constexpr size_t kAtHeaderBytes = 10;
 constexpr size_t kAtFeatureFlags = 12;
-constexpr size_t kAtRows = 16;
-constexpr size_t kAtCols = 18;
-constexpr size_t kAtWidth = 20;
-constexpr size_t kAtHeight = 24;
-constexpr size_t kAtDepth = 28;
-constexpr size_t kAtChromaFormat = 29;
-constexpr size_t kAtBlockLog2 = 30;
-constexpr size_t kAtWindow = 31;
-constexpr size_t kAtClusterRows = 32;
-constexpr size_t kAtClusterCols = 33;
-constexpr size_t kAtTreeHeight = 34;
-constexpr size_t kAtReserved = 35;  // in profile main; the fields of EXT-2 in profile extended
+constexpr size_t kAtFields = 16;  // rows and the fields after it: each_field
+constexpr size_t kAtReserved = 35;
 constexpr size_t kAtReservedExtended = 40;
 constexpr size_t kAtLevels = 44;
 constexpr size_t kLevelEntryBytes = 4;
 constexpr size_t kSectionEntryBytes = 24;
 constexpr size_t kCrcBytes = 4;
 
+// Flags that need motion tiles (EXT-1).
+constexpr uint32_t kNeedMotionTiles =
+    feature_bit(Feature::kSubpelVectors) | feature_bit(Feature::kSharedDisparity) |
+    feature_bit(Feature::kTwoReferences) | feature_bit(Feature::kChromaMotion);
+
 tl::unexpected<Error> header_error(ErrorCode code, size_t offset) {
   return fail(code, Section::kHeader, offset);
+}
+
+tl::unexpected<Error> bad_field(size_t offset) {
+  return header_error(ErrorCode::kBadHeaderField, offset);
+}
+
+// Calls visit(field, bytes, lo, hi) for the fields from rows to tree_height (FIL-1), in their order
+// and without gaps, then for those of EXT-2. Intervals may depend on fields before.
+template <class Header, class Visit>
+void each_field(Header& h, const Visit& visit) {
+  visit(h.rows, 2, 1, kMaxGrid);
+  visit(h.cols, 2, 1, kMaxGrid);
+  visit(h.width, 4, 1, kMaxSide);
+  visit(h.height, 4, 1, kMaxSide);
+  visit(h.depth, 1, 8, 12);
+  visit(h.chroma_format, 1, 0, 1);
+  visit(h.block_log2, 1, 1, 3);
+  visit(h.window, 1, 0, kMaxWindow);
+  visit(h.cluster_rows, 1, 1, 255);
+  visit(h.cluster_cols, 1, 1, 255);
+  visit(h.tree_height, 1, 0, h.cluster_rows * h.cluster_cols < 2 ? 0 : kMaxTreeHeight);
+}
+
+// A field whose flag is not set is 0.
+template <class Header, class Visit>
+void each_extended_field(Header& h, const Visit& visit) {
+  const auto field = [&](auto& value, Feature flag, int64_t lo, int64_t hi) {
+    visit(value, 1, h.has(flag) ? lo : 0, h.has(flag) ? hi : 0);
+  };
+  field(h.vector_precision, Feature::kSubpelVectors, 1, 3);
+  field(h.disparity_precision, Feature::kSharedDisparity, h.vector_precision, 5);
+  field(h.motion_tile_log2, Feature::kMotionTiles, 5, 7);
+  field(h.disparity_grid_log2, Feature::kSharedDisparity, 2, 5);
+  field(h.row_scale, Feature::kSharedDisparity, -127, 127);
 }
 
 Result<void> check_envelope(std::span<const uint8_t> file) {
@@ -59,67 +88,66 @@ Result<void> check_envelope(std::span<const uint8_t> file) {
   return {};
 }
 
-size_t reserved_offset(Profile profile) {
-  return profile == Profile::kExtended ? kAtReservedExtended : kAtReserved;
-}
-
 StreamHeader load_fixed_fields(std::span<const uint8_t> file) {
   StreamHeader header;
   header.profile = static_cast<Profile>(file[kAtProfile]);
   header.feature_flags = load_le<uint32_t>(file, kAtFeatureFlags);
-  header.rows = load_le<uint16_t>(file, kAtRows);
-  header.cols = load_le<uint16_t>(file, kAtCols);
-  header.width = load_le<uint32_t>(file, kAtWidth);
-  header.height = load_le<uint32_t>(file, kAtHeight);
-  header.depth = file[kAtDepth];
-  header.chroma_format = static_cast<ChromaFormat>(file[kAtChromaFormat]);
-  header.block_log2 = file[kAtBlockLog2];
-  header.window = file[kAtWindow];
-  header.cluster_rows = file[kAtClusterRows];
-  header.cluster_cols = file[kAtClusterCols];
-  header.tree_height = file[kAtTreeHeight];
-  if (header.profile == Profile::kExtended) load_extended_fields(file, header);
+  size_t at = kAtFields;
+  const auto load = [&]<class T>(T& field, size_t bytes, int64_t lo, int64_t) {
+    uint32_t value = 0;
+    for (size_t i = 0; i < bytes; ++i) value |= uint32_t{file[at++]} << (8 * i);
+    field = static_cast<T>(lo < 0 ? int64_t{static_cast<int8_t>(value)} : int64_t{value});
+  };
+  each_field(header, load);
+  if (header.profile == Profile::kExtended) each_extended_field(header, load);
   return header;
 }
 
-template <class T>
-bool outside(T value, T lo, T hi) {
-  return value < lo || value > hi;
+bool has_valid_features(const StreamHeader& header) {
+  if (header.profile == Profile::kMain) return header.feature_flags == 0;
+  if ((header.feature_flags >> kFeatureCount) != 0) return false;
+  return header.has(Feature::kMotionTiles) || (header.feature_flags & kNeedMotionTiles) == 0;
 }
 
-Result<void> check_fixed_fields(const StreamHeader& h) {
-  const auto bad = [](size_t at) { return header_error(ErrorCode::kBadHeaderField, at); };
-  if (!has_valid_features(h)) return header_error(ErrorCode::kBadFeature, kAtFeatureFlags);
-  if (outside(h.rows, 1u, kMaxGrid)) return bad(kAtRows);
-  if (outside(h.cols, 1u, kMaxGrid)) return bad(kAtCols);
-  if (outside(h.width, 1u, kMaxSide)) return bad(kAtWidth);
-  if (outside(h.height, 1u, kMaxSide)) return bad(kAtHeight);
-  if (outside(h.depth, 8, 12)) return bad(kAtDepth);
-  if (h.chroma_format > ChromaFormat::k444) return bad(kAtChromaFormat);
-  if (outside(h.block_log2, 1u, 3u)) return bad(kAtBlockLog2);
-  if (outside(h.window, 0, kMaxWindow)) return bad(kAtWindow);
-  if (outside(h.cluster_rows, 1u, 255u)) return bad(kAtClusterRows);
-  if (outside(h.cluster_cols, 1u, 255u)) return bad(kAtClusterCols);
-  if (outside(h.tree_height, 0, kMaxTreeHeight)) return bad(kAtTreeHeight);
-  if (h.tree_height > 0 && h.cluster_rows * h.cluster_cols < 2) return bad(kAtTreeHeight);
-  return check_extended_fields(h);
+Result<void> check_fixed_fields(const StreamHeader& header) {
+  if (!has_valid_features(header)) return header_error(ErrorCode::kBadFeature, kAtFeatureFlags);
+  size_t at = kAtFields;
+  std::optional<size_t> bad;
+  const auto check = [&](auto field, size_t bytes, int64_t lo, int64_t hi) {
+    const auto value = static_cast<int64_t>(field);
+    if (!bad && (value < lo || value > hi)) bad = at;
+    at += bytes;
+  };
+  each_field(header, check);
+  each_extended_field(header, check);
+  if (bad) return bad_field(*bad);
+  return {};
+}
+
+// Offset of the entry of `level`: the top level's comes first.
+size_t level_offset(const StreamHeader& header, size_t level) {
+  return kAtLevels + (header.levels.size() - 1 - level) * kLevelEntryBytes;
+}
+
+Result<void> check_level(const StreamHeader& header, size_t level) {
+  const LevelEntry& entry = header.levels[level];
+  const size_t at = level_offset(header, level);
+  if (entry.ref_rows == 0) return bad_field(at);
+  if (entry.ref_cols == 0) return bad_field(at + 1);
+  const bool top = level + 1 == header.levels.size();
+  if (entry.key_references > (header.has(Feature::kLevelKeys) && !top ? 1 : 0)) {
+    return bad_field(at + 2);
+  }
+  return {};
 }
 
 Result<void> load_levels(std::span<const uint8_t> file, StreamHeader& header) {
   header.levels.resize(static_cast<size_t>(header.tree_height) + 1);
-  for (size_t i = 0; i < header.levels.size(); ++i) {
-    const size_t at = kAtLevels + i * kLevelEntryBytes;
-    LevelEntry& level = header.levels[header.levels.size() - 1 - i];
-    level.ref_rows = file[at];
-    level.ref_cols = file[at + 1];
-    if (level.ref_rows == 0) return header_error(ErrorCode::kBadHeaderField, at);
-    if (level.ref_cols == 0) return header_error(ErrorCode::kBadHeaderField, at + 1);
-    level.key_references = file[at + 2];
-    const bool allowed = header.has(Feature::kLevelKeys) && i > 0;
-    if (level.key_references > (allowed ? 1 : 0)) {
-      return header_error(ErrorCode::kBadHeaderField, at + 2);
-    }
-    if (file[at + 3] != 0) return header_error(ErrorCode::kBadHeaderField, at + 3);
+  for (size_t level = header.levels.size(); level-- > 0;) {
+    const size_t at = level_offset(header, level);
+    header.levels[level] = {file[at], file[at + 1], file[at + 2]};
+    if (auto ok = check_level(header, level); !ok) return ok;
+    if (file[at + 3] != 0) return bad_field(at + 3);
   }
   return {};
 }
@@ -163,13 +191,8 @@ Result<void> load_sections(std::span<const uint8_t> file, StreamHeader& header) 
 
 Result<void> check_fields(const StreamHeader& header) {
   if (auto ok = check_fixed_fields(header); !ok) return ok;
-  for (size_t i = 0; i < header.levels.size(); ++i) {
-    const LevelEntry& level = header.levels[header.levels.size() - 1 - i];
-    const bool key_allowed = header.has(Feature::kLevelKeys) && i > 0;
-    if (level.ref_rows == 0 || level.ref_cols == 0 ||
-        level.key_references > (key_allowed ? 1 : 0)) {
-      return header_error(ErrorCode::kBadHeaderField, kAtLevels + i * kLevelEntryBytes);
-    }
+  for (size_t level = header.levels.size(); level-- > 0;) {
+    if (auto ok = check_level(header, level); !ok) return ok;
   }
   return {};
 }
@@ -178,45 +201,35 @@ Result<StreamHeader> parse_header(std::span<const uint8_t> file) {
   if (auto ok = check_envelope(file); !ok) return tl::unexpected(ok.error());
   StreamHeader header = load_fixed_fields(file);
   if (auto ok = check_fixed_fields(header); !ok) return tl::unexpected(ok.error());
-  const size_t at_reserved = reserved_offset(header.profile);
+  const size_t at_reserved =
+      header.profile == Profile::kExtended ? kAtReservedExtended : kAtReserved;
   const auto reserved = file.subspan(at_reserved, kAtLevels - at_reserved);
-  if (std::any_of(reserved.begin(), reserved.end(), [](uint8_t byte) { return byte != 0; })) {
-    return header_error(ErrorCode::kBadHeaderField, at_reserved);
+  if (std::ranges::any_of(reserved, [](uint8_t byte) { return byte != 0; })) {
+    return bad_field(at_reserved);
   }
   if (load_le<uint16_t>(file, kAtHeaderBytes) != header_size(header.tree_height)) {
-    return header_error(ErrorCode::kBadHeaderField, kAtHeaderBytes);
+    return bad_field(kAtHeaderBytes);
   }
   if (auto ok = load_levels(file, header); !ok) return tl::unexpected(ok.error());
-  if (auto ok = check_fields(header); !ok) return tl::unexpected(ok.error());
   if (auto ok = load_sections(file, header); !ok) return tl::unexpected(ok.error());
   return header;
 }
 
 std::vector<uint8_t> write_header(const StreamHeader& header) {
   std::vector<uint8_t> bytes(kMagic.begin(), kMagic.end());
-  const auto put8 = [&](auto value) { bytes.push_back(static_cast<uint8_t>(value)); };
-  put8(kVersion);
-  put8(header.profile);
+  append_le(bytes, kVersion);
+  append_le(bytes, static_cast<uint8_t>(header.profile));
   append_le(bytes, static_cast<uint16_t>(header_size(header.tree_height)));
   append_le(bytes, header.feature_flags);
-  append_le(bytes, static_cast<uint16_t>(header.rows));
-  append_le(bytes, static_cast<uint16_t>(header.cols));
-  append_le(bytes, header.width);
-  append_le(bytes, header.height);
-  put8(header.depth);
-  put8(header.chroma_format);
-  put8(header.block_log2);
-  put8(header.window);
-  put8(header.cluster_rows);
-  put8(header.cluster_cols);
-  put8(header.tree_height);
-  if (header.profile == Profile::kExtended) append_extended_fields(header, bytes);
+  const auto put = [&](auto field, size_t count, int64_t, int64_t) {
+    const auto value = static_cast<uint32_t>(field);
+    for (size_t i = 0; i < count; ++i) bytes.push_back(static_cast<uint8_t>(value >> (8 * i)));
+  };
+  each_field(header, put);
+  if (header.profile == Profile::kExtended) each_extended_field(header, put);
   bytes.resize(kAtLevels, 0);
   for (auto level = header.levels.rbegin(); level != header.levels.rend(); ++level) {
-    put8(level->ref_rows);
-    put8(level->ref_cols);
-    put8(level->key_references);
-    put8(0);
+    bytes.insert(bytes.end(), {level->ref_rows, level->ref_cols, level->key_references, 0});
   }
   for (const SectionEntry& entry : header.sections) {
     append_le(bytes, entry.type);

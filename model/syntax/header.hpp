@@ -1,4 +1,4 @@
-// The file header (FIL-1 to FIL-5); parse_header is public.
+// The file header (FIL-1 to FIL-5, EXT-1, EXT-2); parse_header is public.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,6 @@
 #include <hmlfc/stream_info.hpp>
 
 namespace hmlfc {
-
 inline constexpr uint8_t kVersion = 1;
 
 /// Bytes of a header with tree_height in [0, 15] (FIL-1).

@@ -1,17 +1,16 @@
 #include "syntax/index.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include "arithmetic/rounding.hpp"
-#include "bits/bit_mask.hpp"
 #include "bits/bit_string.hpp"
 #include "bits/little_endian.hpp"
 
 namespace hmlfc {
 namespace {
 
-constexpr unsigned kLaneBits = 6;  // 64 lanes a mask
-
+// The record of a tile group (IDX-5).
 struct GroupRecord {
   uint64_t at = 0;  // byte in the GROUP section
   uint64_t tile_mask = 0;
@@ -25,17 +24,18 @@ struct GroupNumber {
   uint64_t rank = 0;
 };
 
-unsigned lane_of(uint64_t number) { return static_cast<unsigned>(number & 63u); }
+// Bit of a tile in its group's mask, or of a tile group in its root entry's.
+unsigned lane_of(uint64_t number) { return static_cast<unsigned>(number % kGroupTiles); }
 
 uint64_t bit_address(const StreamView& stream, Section section, uint64_t byte) {
   return (stream.entry(section).offset + byte) * 8;
 }
 
-// The number of the record of `group`, or nothing where all its tiles are empty (IDX-4).
+// The record number of tile group `group`; nothing where all its tiles are empty (IDX-4).
 std::optional<GroupNumber> find_group(const StreamView& stream, uint64_t group,
                                       const Probe& probe) {
   const auto root = stream.bytes(Section::kRoot);
-  const uint64_t at = (group >> kLaneBits) * kRootEntryBytes;
+  const uint64_t at = group / kGroupTiles * kRootEntryBytes;
   stream.note_read(Section::kRoot, at, kRootEntryBytes);
   const uint64_t mask = load_le<uint64_t>(root, static_cast<size_t>(at));
   const uint64_t address = bit_address(stream, Section::kRoot, at);
@@ -53,7 +53,7 @@ Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNu
   const uint64_t records = groups.size() / kGroupRecordBytes;
   if (number.rank >= records || number.first >= records - number.rank) {
     return stream.error(ErrorCode::kBadRootEntry, Section::kRoot,
-                        (group >> kLaneBits) * kRootEntryBytes);
+                        group / kGroupTiles * kRootEntryBytes);
   }
   GroupRecord record;
   record.at = (number.first + number.rank) * kGroupRecordBytes;
@@ -67,7 +67,7 @@ Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNu
   probe.field(Section::kGroup, address, 64, "tile_mask", "IDX-5",
               static_cast<int64_t>(record.tile_mask));
   probe.field(Section::kGroup, address + 64, 64, "place", "IDX-5", static_cast<int64_t>(place));
-  if (record.offset_bits < 1 || record.offset_bits > kMaxEndBits || (place >> 56) != 0) {
+  if (record.offset_bits < 1 || record.offset_bits > kMaxOffsetBits || (place >> 56) != 0) {
     return stream.error(ErrorCode::kBadGroupRecord, Section::kGroup, record.at);
   }
   return record;
@@ -119,7 +119,7 @@ Result<void> check_index_sizes(const StreamView& stream) {
 
 Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t tile,
                                             const Probe& probe) {
-  const uint64_t group = tile >> kLaneBits;
+  const uint64_t group = tile / kGroupTiles;
   const auto number = find_group(stream, group, probe);
   if (!number) return std::nullopt;
   const auto record = load_group(stream, group, *number, probe);
@@ -128,6 +128,85 @@ Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t t
   const auto extent = load_extent(stream, *record, lane_of(tile), probe);
   if (!extent) return tl::unexpected(extent.error());
   return *extent;
+}
+
+// The record of tile number `tile` (IDX-2).
+static Result<std::optional<TileRecord>> load_record(const StreamView& stream, uint64_t tile,
+                                                     const Probe& probe) {
+  const auto extent = find_tile(stream, tile, probe);
+  if (!extent) return tl::unexpected(extent.error());
+  if (!*extent) return std::nullopt;
+  const auto begin = static_cast<size_t>((*extent)->begin);
+  const auto size = static_cast<size_t>((*extent)->end - (*extent)->begin);
+  return TileRecord{BitString(stream.bytes(Section::kTile).subspan(begin, size)),
+                    bit_address(stream, Section::kTile, (*extent)->begin)};
+}
+
+Result<std::optional<TileRecord>> find_record(const StreamView& stream, const BlockSite& site,
+                                              const Probe& probe) {
+  const Geometry& geometry = stream.geometry;
+  const uint64_t image = geometry.image_number(site.level, {site.image_row, site.image_col});
+  const uint64_t tile =
+      geometry.tile_number(image, site.plane, site.bx / kTileBlocks, site.by / kTileBlocks);
+  return load_record(stream, tile, probe);
+}
+
+Result<std::optional<TileRecord>> find_motion_record(const StreamView& stream,
+                                                     const MotionTilePlace& place,
+                                                     const Probe& probe) {
+  const Geometry& geometry = stream.geometry;
+  const uint64_t image = geometry.image_number(place.level, place.image);
+  return load_record(
+      stream, geometry.motion_tile_number(image, place.motion_plane, place.tx, place.ty), probe);
+}
+
+IndexWriter::IndexWriter(const IndexLayout& layout)
+    : groups(layout.spare_records * kGroupRecordBytes),
+      layout_(layout),
+      first_record_(layout.spare_records) {}
+
+void IndexWriter::add(std::span<const uint8_t> record) {
+  const unsigned lane = lane_of(next_tile_);
+  if (!record.empty()) {
+    tile_mask_ |= uint64_t{1} << lane;
+    records_.insert(records_.end(), record.begin(), record.end());
+    ends_.push_back(records_.size());
+  }
+  ++next_tile_;
+  if (lane == kGroupTiles - 1) flush_group();
+}
+
+void IndexWriter::finish() {
+  if (lane_of(next_tile_) != 0) flush_group();
+  if (lane_of(groups_done_) != 0) flush_root_entry();
+}
+
+void IndexWriter::flush_group() {
+  if (tile_mask_ != 0 || layout_.records_of_empty) {
+    const uint64_t last = ends_.empty() ? 0 : ends_.back();
+    const auto offset_bits =
+        std::max(layout_.least_offset_bits, static_cast<unsigned>(std::bit_width(last)));
+    tiles.insert(tiles.end(), layout_.spare_bytes, 0xA5);
+    append_le(groups, tile_mask_);
+    append_le(groups, uint64_t{tiles.size()} | (uint64_t{offset_bits} << kDataOffsetBits));
+    BitWriter table;
+    for (const uint64_t end : ends_) table.put(static_cast<uint32_t>(end), offset_bits);
+    tiles.insert(tiles.end(), table.bytes().begin(), table.bytes().end());
+    tiles.insert(tiles.end(), records_.begin(), records_.end());
+    group_mask_ |= uint64_t{1} << lane_of(groups_done_);
+  }
+  tile_mask_ = 0;
+  ends_.clear();
+  records_.clear();
+  ++groups_done_;
+  if (lane_of(groups_done_) == 0) flush_root_entry();
+}
+
+void IndexWriter::flush_root_entry() {
+  append_le(root, group_mask_);
+  append_le(root, first_record_);
+  first_record_ = groups.size() / kGroupRecordBytes;
+  group_mask_ = 0;
 }
 
 }  // namespace hmlfc

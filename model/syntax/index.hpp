@@ -1,20 +1,29 @@
-// The index: from a tile number to the place of its record (IDX-4 to IDX-7).
+// The index: from a tile number to its record (IDX-2 to IDX-7).
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <hmlfc/error.hpp>
+#include <hmlfc/trace.hpp>
 
+#include "bits/bit_string.hpp"
 #include "syntax/probe.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc {
 
+/// Tiles of a tile group, and tile groups of a root entry (IDX-3, IDX-4).
+inline constexpr uint64_t kGroupTiles = 64;
 inline constexpr uint64_t kRootEntryBytes = 16;
 inline constexpr uint64_t kGroupRecordBytes = 16;
 inline constexpr unsigned kDataOffsetBits = 48;
-inline constexpr unsigned kMaxEndBits = 32;
+inline constexpr unsigned kMaxOffsetBits = 32;
+
+/// Checks the sizes of ROOT and GROUP (IDX-4, IDX-5): bad_section_size.
+Result<void> check_index_sizes(const StreamView& stream);
 
 /// Bytes [begin, end) of the TILE section; begin < end <= size of the section.
 struct TileExtent {
@@ -22,13 +31,66 @@ struct TileExtent {
   uint64_t end = 0;
 };
 
-/// Checks the sizes of ROOT and GROUP (IDX-4, IDX-5): bad_section_size.
-Result<void> check_index_sizes(const StreamView& stream);
-
-/// Finds the record of tile `tile` in [0, tile_count() - 1]; nothing where the tile is empty
+/// The place of the record of tile `tile` in [0, tile_count() - 1]; nothing where the tile is empty
 /// (IDX-7). Four dependent reads at most. Errors: bad_root_entry, bad_group_record,
 /// bad_tile_offset.
 Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t tile,
                                             const Probe& probe);
+
+/// The record of one tile.
+struct TileRecord {
+  BitString bits;
+  uint64_t file_bit = 0;  ///< address of its first bit from the start of the file
+};
+
+/// The record of the tile that holds block `site`, which exists and is not in a key image; nothing
+/// where the tile is empty (IDX-7). Errors: those of find_tile.
+Result<std::optional<TileRecord>> find_record(const StreamView& stream, const BlockSite& site,
+                                              const Probe& probe);
+
+/// The record of motion tile `place`, which exists; nothing where it is empty. Errors: those of
+/// find_tile.
+Result<std::optional<TileRecord>> find_motion_record(const StreamView& stream,
+                                                     const MotionTilePlace& place,
+                                                     const Probe& probe);
+
+/// What IDX-4 to IDX-6 leave open; the default takes the fewest bytes.
+struct IndexLayout {
+  unsigned least_offset_bits = 1;  ///< [1, 32]
+  unsigned spare_records = 0;      ///< group records before the first in use
+  unsigned spare_bytes = 0;        ///< bytes of TILE before the data of each group
+  bool records_of_empty = false;   ///< empty tile groups have a record, of mask 0
+};
+
+/// Collects the tile records of a stream in the order of their tile numbers.
+class IndexWriter {
+ public:
+  explicit IndexWriter(const IndexLayout& layout = {});
+
+  /// Appends tile number 0, 1, 2, ...; an empty record stands for an empty tile.
+  void add(std::span<const uint8_t> record);
+
+  /// Ends the last tile group. Afterwards the sections are complete.
+  void finish();
+
+  std::vector<uint8_t> root;
+  std::vector<uint8_t> groups;
+  std::vector<uint8_t> tiles;
+
+ private:
+  void flush_group();
+  void flush_root_entry();
+
+  IndexLayout layout_;
+  uint64_t next_tile_ = 0;
+  uint64_t groups_done_ = 0;
+
+  uint64_t tile_mask_ = 0;
+  std::vector<uint64_t> ends_;
+  std::vector<uint8_t> records_;
+
+  uint64_t group_mask_ = 0;
+  uint64_t first_record_ = 0;
+};
 
 }  // namespace hmlfc

@@ -1,42 +1,75 @@
 #include "syntax/motion_tile.hpp"
 
-#include "arithmetic/bise.hpp"
+#include <algorithm>
+#include <bit>
+
+#include "arithmetic/motion.hpp"
 #include "arithmetic/rounding.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 namespace {
 
-constexpr unsigned kLeastBlockLog2 = 2;
+constexpr unsigned kMinBlockLog2 = 2;
+constexpr unsigned kMinDisparityBits = 13;
+constexpr unsigned kDisparityCodeBits = 5;
 
-tl::unexpected<Error> motion_error(ErrorCode code, const FieldCursor& cursor) {
-  return fail(code, Section::kTile, cursor.file_byte(cursor.position()));
+// The samples of motion tile `place` that lie in the plane.
+struct MotionTileSize {
+  uint32_t width = 0;   // [1, S]
+  uint32_t height = 0;  // [1, S]
+};
+
+MotionTileSize size_in_plane(const StreamView& stream, const MotionTilePlace& place) {
+  const MotionPlaneShape& plane = stream.geometry.motion_planes()[place.motion_plane];
+  const uint32_t side = 1u << stream.header.motion_tile_log2;
+  return {std::min(side, plane.width - place.tx * side),
+          std::min(side, plane.height - place.ty * side)};
 }
 
 PaletteEntry read_palette_entry(FieldCursor& cursor, const MotionContext& context,
                                 unsigned explicit_bits) {
   PaletteEntry entry;
   if (context.two_references) {
-    entry.reference_set = static_cast<unsigned>(cursor.take("reference_set", "MOT-3", 3));
+    entry.reference_set = narrow<uint8_t>(cursor.take("reference_set", "MOT-3", 3));
   }
-  entry.choice = static_cast<unsigned>(cursor.take("choice", "MOT-3", 4));
+  entry.choice = narrow<uint8_t>(cursor.take("choice", "MOT-3", 4));
   if (!context.keyed) entry.negative = cursor.take("sign", "MOT-3", 1) != 0;
-  const bool vector = entry.is(MotionChoice::kExplicitVector);
-  if (vector || entry.is(MotionChoice::kExplicitDisparity)) {
-    entry.explicit_x = cursor.take_signed("explicit_x", "MOT-3", explicit_bits);
+  const bool vector = entry.choice == kChoiceVector;
+  if (vector || entry.choice == kChoiceDisparity) {
+    entry.explicit_x = narrow<int16_t>(cursor.take_signed("explicit_x", "MOT-3", explicit_bits));
   }
   if (vector) {
-    entry.explicit_y = cursor.take_signed("explicit_y", "MOT-3", explicit_bits);
+    entry.explicit_y = narrow<int16_t>(cursor.take_signed("explicit_y", "MOT-3", explicit_bits));
   }
   return entry;
+}
+
+void put_palette_entry(BitWriter& writer, const PaletteEntry& entry, const PaletteFields& fields,
+                       unsigned explicit_bits) {
+  if (fields.reference_set) writer.put(entry.reference_set, 3);
+  writer.put(entry.choice, 4);
+  if (fields.sign) writer.put(entry.negative ? 1 : 0, 1);
+  const bool vector = entry.choice == kChoiceVector;
+  if (vector || entry.choice == kChoiceDisparity) {
+    writer.put_signed(entry.explicit_x, explicit_bits);
+  }
+  if (vector) writer.put_signed(entry.explicit_y, explicit_bits);
+}
+
+unsigned signed_bits(int32_t value) {
+  if (value == 0) return 0;
+  const auto magnitude = static_cast<uint32_t>(value < 0 ? -value - 1 : value);
+  return static_cast<unsigned>(std::bit_width(magnitude)) + 1;
 }
 
 }  // namespace
 
 MotionContext motion_context(const StreamView& stream, const MotionTilePlace& place) {
-  const MotionTileArea area = motion_tile_area(stream, place);
+  const MotionTileSize size = size_in_plane(stream, place);
   const StreamHeader& header = stream.header;
-  return {area.width,
-          area.height,
+  return {size.width,
+          size.height,
           header.motion_tile_log2,
           header.block_size(),
           header.has(Feature::kTwoReferences),
@@ -46,13 +79,12 @@ MotionContext motion_context(const StreamView& stream, const MotionTilePlace& pl
 
 Result<MotionHead> read_motion_head(FieldCursor& cursor, const MotionContext& context) {
   MotionHead head;
-  head.block_log2 =
-      kLeastBlockLog2 + static_cast<unsigned>(cursor.take("motion_block", "MOT-3", 2));
-  head.entries = static_cast<unsigned>(cursor.take("palette_size", "MOT-3", 3)) + 1;
-  const auto explicit_bits = static_cast<unsigned>(cursor.take("explicit_bits", "MOT-3", 4));
-  if (cursor.overrun()) return motion_error(ErrorCode::kTileOverrun, cursor);
+  head.block_log2 = kMinBlockLog2 + cursor.take("motion_block", "MOT-3", 2);
+  head.entries = cursor.take("palette_size", "MOT-3", 3) + 1;
+  const uint32_t explicit_bits = cursor.take("explicit_bits", "MOT-3", 4);
+  if (cursor.overrun()) return cursor.error(ErrorCode::kTileOverrun);
   if (explicit_bits > kMaxExplicitBits || (1u << head.block_log2) < context.block_size) {
-    return motion_error(ErrorCode::kBadMode, cursor);
+    return cursor.error(ErrorCode::kBadMode);
   }
   for (unsigned e = 0; e < head.entries; ++e) {
     head.palette[e] = read_palette_entry(cursor, context, explicit_bits);
@@ -62,7 +94,7 @@ Result<MotionHead> read_motion_head(FieldCursor& cursor, const MotionContext& co
   head.levels = levels_of_code(level_code_for(head.entries));
   head.indices_at = cursor.position();
   cursor.skip(bise_bits(head.levels, head.blocks()));
-  if (cursor.overrun()) return motion_error(ErrorCode::kTileOverrun, cursor);
+  if (cursor.overrun()) return cursor.error(ErrorCode::kTileOverrun);
   return head;
 }
 
@@ -71,36 +103,106 @@ MotionHead empty_motion_head(const MotionContext& context) {
   head.block_log2 = context.tile_log2;
   PaletteEntry& entry = head.palette[0];
   entry.reference_set = context.two_references ? 1 : 0;
-  if (context.keyed) {
-    entry.choice = static_cast<unsigned>(context.disparities ? MotionChoice::kOwnDisparity
-                                                             : MotionChoice::kExplicitVector);
-  }
+  if (context.keyed) entry.choice = context.disparities ? kChoiceOwn : kChoiceVector;
   return head;
 }
 
 bool is_usable(const PaletteEntry& entry, const MotionContext& context) {
-  if (entry.choice > static_cast<unsigned>(MotionChoice::kExplicitVector)) return false;
-  const bool derived = entry.shares_disparity() || entry.is(MotionChoice::kExplicitDisparity);
+  if (entry.choice > kChoiceVector) return false;
+  const bool derived = entry.shares_disparity() || entry.choice == kChoiceDisparity;
   return context.disparities || !derived;
-}
-
-Result<PaletteEntry> palette_entry(const FieldCursor& cursor, const MotionHead& head,
-                                   const MotionContext& context, uint32_t index) {
-  if (index >= head.entries || !is_usable(head.palette[index], context)) {
-    return motion_error(ErrorCode::kBadMode, cursor);
-  }
-  return head.palette[index];
 }
 
 Result<PaletteEntry> read_motion_entry(const FieldCursor& cursor, const MotionHead& head,
                                        const MotionContext& context, uint32_t x, uint32_t y) {
   const uint64_t block = uint64_t{y >> head.block_log2} * head.columns + (x >> head.block_log2);
-  const uint32_t index =
-      bise_value(cursor.record(), head.indices_at, head.levels, head.blocks(), block);
-  const auto bits = static_cast<unsigned>(bise_bits(head.levels, 1));
-  cursor.probe().field(Section::kTile, cursor.file_bit(head.indices_at), bits, "index", "MOT-3",
-                       index);
-  return palette_entry(cursor, head, context, index);
+  const auto index = static_cast<uint32_t>(
+      cursor.value("index", "MOT-3", head.indices_at, head.levels, head.blocks(), block));
+  if (index >= head.entries || !is_usable(head.palette[index], context)) {
+    return cursor.error(ErrorCode::kBadMode);
+  }
+  return head.palette[index];
+}
+
+void put_motion_fields(BitWriter& writer, const MotionTileFields& tile,
+                       const PaletteFields& fields) {
+  writer.put(tile.block_log2 - kMinBlockLog2, 2);
+  writer.put(static_cast<uint32_t>(tile.palette.size() - 1), 3);
+  writer.put(tile.explicit_bits, 4);
+  for (const PaletteEntry& entry : tile.palette) {
+    put_palette_entry(writer, entry, fields, tile.explicit_bits);
+  }
+  put_sequence(writer, tile.indices);
+}
+
+std::vector<uint8_t> write_motion_tile(const MotionTileCode& tile, const PaletteFields& fields) {
+  if (tile.empty) return {};
+  MotionTileFields record{tile.block_log2, 0, tile.palette, {}};
+  for (const PaletteEntry& entry : tile.palette) {
+    record.explicit_bits = std::max(
+        {record.explicit_bits, signed_bits(entry.explicit_x), signed_bits(entry.explicit_y)});
+  }
+  record.indices.level_code = level_code_for(static_cast<uint32_t>(tile.palette.size()));
+  record.indices.values.assign(tile.indices.begin(), tile.indices.end());
+  BitWriter writer;
+  put_motion_fields(writer, record, fields);
+  return writer.take();
+}
+
+DisparityContext disparity_context(const StreamView& stream, const MotionTilePlace& place) {
+  const MotionTileSize size = size_in_plane(stream, place);
+  const uint32_t side = 1u << stream.header.disparity_grid_log2;
+  return {ceil_div(size.width, side), ceil_div(size.height, side)};
+}
+
+Result<DisparityHead> read_disparity_head(FieldCursor& cursor, const DisparityContext& context) {
+  DisparityHead head;
+  head.min_disparity = cursor.take_signed("min_disparity", "MOT-6", kMinDisparityBits);
+  const uint32_t code = cursor.take("disparity_code", "MOT-6", kDisparityCodeBits);
+  if (cursor.overrun()) return cursor.error(ErrorCode::kTileOverrun);
+  if (code > kMaxDisparityCode) return cursor.error(ErrorCode::kBadLevels);
+  head.levels = levels_of_code(code);
+  head.values_at = cursor.position();
+  cursor.skip(bise_bits(head.levels, context.blocks()));
+  if (cursor.overrun()) return cursor.error(ErrorCode::kTileOverrun);
+  return head;
+}
+
+Result<int32_t> read_disparity(const FieldCursor& cursor, const DisparityHead& head,
+                               const DisparityContext& context, uint32_t gx, uint32_t gy) {
+  const uint64_t block = uint64_t{gy} * context.columns + gx;
+  const int32_t disparity = cursor.value("disparity", "MOT-6", head.values_at, head.levels,
+                                         context.blocks(), block, head.min_disparity);
+  if (disparity > kMaxDisparity) return cursor.error(ErrorCode::kVectorRange);
+  return disparity;
+}
+
+GridBlock grid_block(uint32_t x, uint32_t y, unsigned choice, unsigned grid_log2,
+                     const MotionPlaneShape& plane) {
+  const auto moved = [&](uint32_t sample, int32_t steps, uint32_t size) {
+    const auto last = static_cast<int32_t>((size - 1) >> grid_log2);
+    const auto own = static_cast<int32_t>(sample >> grid_log2);
+    return static_cast<uint32_t>(clamp(own + steps, 0, last));
+  };
+  const auto [dx, dy] = kChoiceMoves[choice];
+  return {moved(x, dx, plane.width), moved(y, dy, plane.height)};
+}
+
+void put_disparity_fields(BitWriter& writer, int32_t min_disparity, const SequenceFields& values) {
+  writer.put_signed(min_disparity, kMinDisparityBits);
+  writer.put(values.level_code, kDisparityCodeBits);
+  put_sequence(writer, values);
+}
+
+std::vector<uint8_t> write_disparity_tile(std::span<const int16_t> values) {
+  const auto [min, max] = std::ranges::minmax(values);
+  if (min == 0 && max == 0) return {};
+  SequenceFields above;
+  above.level_code = level_code_for(static_cast<uint32_t>(max - min) + 1);
+  for (const int16_t value : values) above.values.push_back(static_cast<uint32_t>(value - min));
+  BitWriter writer;
+  put_disparity_fields(writer, min, above);
+  return writer.take();
 }
 
 }  // namespace hmlfc

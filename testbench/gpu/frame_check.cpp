@@ -1,4 +1,4 @@
-#include "frame_check.hpp"
+#include "gpu/frame_check.hpp"
 
 #include <algorithm>
 #include <chrono>

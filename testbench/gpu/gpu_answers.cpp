@@ -1,4 +1,4 @@
-#include "gpu_answers.hpp"
+#include "gpu/gpu_answers.hpp"
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "gpu_decoder.hpp"
-#include "level_record.hpp"
-#include "request.hpp"
+#include "oracle/level_record.hpp"
+#include "oracle/request.hpp"
 
 namespace hmlfc::gpu {
 

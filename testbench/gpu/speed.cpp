@@ -1,4 +1,4 @@
-#include "speed.hpp"
+#include "gpu/speed.hpp"
 
 #include <chrono>
 

@@ -1,11 +1,11 @@
-#include "stream_check.hpp"
+#include "gpu/stream_check.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "bits/parallel.hpp"
-#include "gpu_answers.hpp"
-#include "oracle.hpp"
+#include "gpu/gpu_answers.hpp"
+#include "oracle/oracle.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "golden_stream.hpp"
 #include "gpu_decoder.hpp"
-#include "request.hpp"
+#include "oracle/golden_stream.hpp"
+#include "oracle/request.hpp"
 
 namespace hmlfc::gpu {
 
@@ -22,7 +22,7 @@ struct Mismatch {
 /// One line: the request, the place and the difference.
 std::string to_string(const Mismatch& mismatch);
 
-/// What was compared.
+/// Counts of what was compared.
 struct CheckCounts {
   uint64_t sent = 0;                                 ///< requests
   uint64_t compared = 0;                             ///< answers

@@ -72,8 +72,8 @@ void DecodeUnitTlm::load(sc_core::sc_time& delay) {
     if (opened) golden_ = std::move(*opened);
   }
   file_.ready = golden_ != nullptr;
-  oracle_ =
-      golden_ ? std::make_unique<Oracle>(*golden_) : std::make_unique<Oracle>(file_.load_error);
+  oracle_ = golden_ ? std::make_unique<Oracle>(*golden_, &golden_->fast_references())
+                    : std::make_unique<Oracle>(file_.load_error);
   delay += static_cast<double>(latency_.load) * period_;
   loaded_.notify(delay);
 }

@@ -1,20 +1,43 @@
-// The decode unit as a TLM-2.0 model for virtual platforms: loosely timed, with the golden model
-// inside.
+// The decode unit as a TLM-2.0 model for virtual platforms: loosely timed, with the model's
+// decoder and its fast references inside.
 #pragma once
-
-#include <memory>
-#include <vector>
 
 #include <tlm_utils/simple_initiator_socket.h>
 #include <tlm_utils/simple_target_socket.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
 #include <systemc>
 #include <tlm>
+#include <vector>
 
-#include "oracle.hpp"
-#include "register_file.hpp"
-#include "tlm/latency.hpp"
+#include "oracle/oracle.hpp"
+#include "tlm/latency_table.hpp"
+#include "unit/register_file.hpp"
 
 namespace hmlfc::tb {
+
+/// Clocks, by default as rtl-clocks measures them on the unit.
+struct LatencyTable {
+  uint64_t load = kLoadClocks;        ///< of a LOAD
+  uint64_t request = kRequestClocks;  ///< of a request, besides its level blocks
+  /// Of a level block: zero, motion only, motion and residual, residual only, key image.
+  std::array<uint64_t, 5> level_block = kLevelBlockClocks;
+};
+
+/// The clocks from a request to its answer.
+inline uint64_t clocks_of(const ExpectedAnswer& answer, const LatencyTable& table) {
+  uint64_t clocks = table.request;
+  for (const auto& plane : answer.planes) {
+    if (!plane) continue;
+    for (const LevelRecord& level : plane->levels) {
+      const size_t kind = level.key ? 4 : static_cast<size_t>(level.state());
+      clocks += table.level_block[kind];
+    }
+  }
+  return clocks;
+}
 
 /// Bytes of a request: `tdata`, little-endian, then `tlast`.
 inline constexpr unsigned kRequestBytes = 9;
@@ -24,7 +47,7 @@ constexpr unsigned answer_bytes(unsigned block_size) { return 3 * block_size * b
 
 /// Registers, requests and answers as in docs/hardware.md. At LOAD the whole stream is read through
 /// `memory` and checked; a failing access there gives bus_error. The reference area is not read:
-/// the golden model decodes the key images itself. BYTES_READ counts what LOAD read, CYCLES what
+/// the model decodes the reference images itself. BYTES_READ counts what LOAD read, CYCLES what
 /// the latency table says, STALLS is 0.
 ///
 /// A request is answered before its b_transport returns; the delay is annotated on the answer.
@@ -40,7 +63,7 @@ class DecodeUnitTlm final : public sc_core::sc_module {
                 const LatencyTable& latency = {},
                 const sc_core::sc_time& period = sc_core::sc_time(1, sc_core::SC_NS));
 
-  /// As rst_n does.
+  /// Resets, as rst_n does.
   void reset();
 
  private:

@@ -1,7 +1,7 @@
 // A small platform around the TLM model: memory, software and a consumer, for tests and crosscheck.
 #pragma once
 
-#include "bench.hpp"
+#include "systemc/bench.hpp"
 #include "tlm/decode_unit_tlm.hpp"
 
 namespace hmlfc::tb {

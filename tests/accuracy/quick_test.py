@@ -18,6 +18,10 @@ HMLFC, PROGRAM = map(Path, sys.argv[1:3])
 NOISE_SLACK = 1.01  # of the bytes that a larger window may take where nothing repeats
 
 
+def errors(point):
+    return {name: value for name, value in point.values.items() if name.startswith("mse.")}
+
+
 class QuickTest(unittest.TestCase):
     """One run measures, all tests look at it."""
 
@@ -60,14 +64,13 @@ class QuickTest(unittest.TestCase):
     def test_sections_add_up_to_the_file(self):
         for point in self.points.points.values():
             if point.frame is None:
-                self.assertEqual(sum(point.values["sections"].values()), point.values["bytes"])
+                sections = [v for name, v in point.values.items() if name.startswith("sections.")]
+                self.assertEqual(sum(sections), point.values["bytes"])
 
     def test_measures_are_possible(self):
         for point in self.points.points.values():
             if point.frame is None:
                 self.assertGreater(point.number("encode_cpu_seconds"), 0)
-                self.assertGreater(point.number("encode_process_cpu_seconds"),
-                                   point.number("encode_cpu_seconds"))
                 self.assertGreater(point.number("decode_cpu_seconds"), 0)
                 self.assertGreater(point.number("decode_peak_bytes"), point.number("bytes"))
                 self.assertLessEqual(point.number("ssim_y"), 1)
@@ -137,10 +140,10 @@ class QuickTest(unittest.TestCase):
                 at = [by[f"quadrilinear:{k}:256:cpu"] for k in range(1, levels + 1)]
                 self.assert_falls(at, "mse.total", 1e-9)
                 none, whole = (by[f"quadrilinear:{levels}:{mib}:cpu"] for mib in (0, 256))
-                self.assertEqual(none.values["mse"], whole.values["mse"])
+                self.assertEqual(errors(none), errors(whole))
                 self.assertGreater(none.number("blocks_decoded"), whole.number("blocks_decoded"))
                 golden = by[f"quadrilinear:{levels}:0:golden"]
-                self.assertEqual(golden.values["mse"], whole.values["mse"])
+                self.assertEqual(errors(golden), errors(whole))
                 self.assertEqual(golden.number("blocks_needed"), whole.number("blocks_needed"))
 
     def frames(self):

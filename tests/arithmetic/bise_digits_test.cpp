@@ -1,5 +1,5 @@
 // All trit and quint codes (BISE-8, BISE-9, BISE-10).
-#include "arithmetic/bise_digits.hpp"
+#include "arithmetic/bise.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "arithmetic/bise_digits.hpp"
+#include "arithmetic/bise.hpp"
 #include "arithmetic/naive_bise.hpp"
 #include "bits/naive_bits.hpp"
 
@@ -68,8 +68,8 @@ TEST(Bise, SizesSpelledOut) {
 TEST(Bise, EveryLevelCountTimesEveryValue) {
   for (unsigned code = 0; code <= kMaxLevelCode; ++code) {
     const Levels levels = levels_of_code(code);
-    const size_t members = levels.digit == Digit::kTrit    ? kTritsInGroup
-                           : levels.digit == Digit::kQuint ? kQuintsInGroup
+    const size_t members = levels.digit == Digit::kTrit    ? kTritsPerGroup
+                           : levels.digit == Digit::kQuint ? kQuintsPerGroup
                                                            : 1;
     for (size_t place = 0; place < members; ++place) {
       Values values(place, levels.count - 1);
@@ -99,7 +99,7 @@ TEST(Bise, EveryTailLengthOfEveryLevelCount) {
 TEST(Bise, EveryDigitTupleOfEveryTail) {
   for (const unsigned code : {2u, 4u}) {
     const Levels levels = levels_of_code(code);
-    const size_t members = code == 2 ? kTritsInGroup : kQuintsInGroup;
+    const size_t members = code == 2 ? kTritsPerGroup : kQuintsPerGroup;
     size_t tuples = 1;
     for (size_t count = 1; count <= members; ++count) {
       tuples *= levels.count;

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 namespace {

@@ -1,5 +1,5 @@
 // Vectors from disparities against rational arithmetic (MOT-8).
-#include "arithmetic/disparity.hpp"
+#include "arithmetic/motion.hpp"
 
 #include <cstdint>
 #include <random>

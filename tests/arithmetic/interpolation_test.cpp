@@ -1,5 +1,5 @@
 // Displacements in eighths and the values there against rational arithmetic (MOT-9).
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "arithmetic/naive_integers.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 namespace {

@@ -1,5 +1,5 @@
 // Level codes against the sorted list of level counts (BISE-1, BISE-2, TIL-8).
-#include "arithmetic/levels.hpp"
+#include "arithmetic/bise.hpp"
 
 #include <cstdint>
 #include <vector>

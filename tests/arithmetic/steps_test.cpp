@@ -1,5 +1,5 @@
 // Steps and residuals of steps (STP-2, STP-3).
-#include "arithmetic/steps.hpp"
+#include "arithmetic/reconstruct.hpp"
 
 #include <cstdint>
 #include <vector>

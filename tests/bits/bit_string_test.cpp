@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "bits/bit_writer.hpp"
+#include "bits/bit_string.hpp"
 #include "bits/naive_bits.hpp"
 
 namespace hmlfc {

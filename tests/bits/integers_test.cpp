@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "bits/bit_mask.hpp"
+#include "bits/bit_string.hpp"
 #include "bits/little_endian.hpp"
 #include "bits/naive_bits.hpp"
 

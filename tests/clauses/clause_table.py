@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""The clauses of the specification by vectors and implementations, as the table of docs/verification.md.
+"""The clauses of the specification by vectors and implementations, as docs/results/clauses.md.
 
 A cell is filled where a file of the implementation cites the clause and it takes a vector of it: one
 that its declaration in vectors/duts does not exclude, or, with --report, one that it passed. The
 reasons of empty cells stand in tests/clauses/reasons.json. Exit status 1: a cell is empty without a
-reason, a reason fits no cell, a clause is unknown, or, with --check, the table in the document is
-another.
+reason, a reason fits no cell, a clause is unknown, or, with --check, the written table is another.
 """
 
 import argparse
@@ -15,31 +14,30 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests/spec"))
+sys.path[:0] = [str(ROOT / "tests/spec"), str(ROOT / "bench/common")]
 
-from clause_cells import COLUMNS, VECTORS, ClauseCells  # noqa: E402  (its modules are found only now)
+import result_file  # noqa: E402  (its modules are found only now)
+from clause_cells import COLUMNS, VECTORS, ClauseCells  # noqa: E402
 from implementations import FOLDERS, claimed_vectors, passed_vectors  # noqa: E402
 
-DOCUMENT = ROOT / "docs/verification.md"
-BEGIN, END = "<!-- ./run clauses --update -->\n", "<!-- end of clauses -->\n"
+INTRODUCTION = """Every clause of the [specification](../specification.md): how many vectors exercise it
+(`hmlfc vectors list --clause` names them), the most specific of them, and in each implementation the file
+that cites it most. A number in brackets says how many of the vectors the implementation takes where it does
+not take all. A letter stands for the reason why a cell is empty."""
 HEADS = {"model": "model", "naive": "naive", "rtl": "RTL", "gpu": "GPU"}
 
 
 def markdown(cells):
-    """The table, and below it the reasons by the letters that stand in its cells."""
-    reasons = [entry["reason"] for entry in cells.reasons]
+    """The lines of the table, and below it the reasons by the letters that stand in its cells."""
+    reasons = list(dict.fromkeys(entry["reason"] for entry in cells.reasons))
     letter = dict(zip(reasons, string.ascii_lowercase, strict=False))
-    lines = [
-        f"| clause | vectors | for example | {' | '.join(HEADS.values())} |",
-        f"|---|---|---|{'---|' * len(HEADS)}",
+    rows = [
+        (clause, *vector_cells(cells, clause, letter),
+         *(implementation_cell(cells, name, clause, letter) for name in FOLDERS))
+        for clause in cells.clauses
     ]
-    for clause in cells.clauses:
-        row = [clause, *vector_cells(cells, clause, letter)]
-        row += [implementation_cell(cells, name, clause, letter) for name in FOLDERS]
-        lines.append(f"| {' | '.join(row)} |")
-    lines.append("")
-    lines += [f"- *{letter[reason]}*: {reason}." for reason in reasons]
-    return "".join(f"{line}\n" for line in lines)
+    lines = result_file.table(("clause", "vectors", "for example", *HEADS.values()), rows)
+    return [*lines, "", *(f"- *{letter[reason]}*: {reason}." for reason in reasons)]
 
 
 def vector_cells(cells, clause, letter):
@@ -77,42 +75,35 @@ def as_json(cells):
     ]
 
 
-def with_table(text, table):
-    """The document `text` with another table between its two marks."""
-    before, _, rest = text.partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not end:
-        sys.exit(f"{DOCUMENT}: the lines {BEGIN.strip()} and {END.strip()} are missing")
-    return f"{before}{BEGIN}{table}{END}{after}"
-
-
-def main():
+def parse_arguments():
     parser = argparse.ArgumentParser(
         prog="./run clauses", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--program", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--json", action="store_true", help="for programs, with all vectors and files")
     parser.add_argument("--report", nargs="+", metavar="FILE", help="report.json of hmlfc conform: what passed counts")
-    parser.add_argument("--update", action="store_true", help="write the table into docs/verification.md")
-    parser.add_argument("--check", action="store_true", help="print no table, but compare it with the document")
-    arguments = parser.parse_args()
+    result_file.add_arguments(parser)
+    return parser.parse_args()
+
+
+def main():
+    arguments = parse_arguments()
     manifest = json.loads((ROOT / "vectors/manifest.json").read_text())
     taken = passed_vectors(arguments.report) if arguments.report else claimed_vectors(arguments.program, ROOT)
     cells = ClauseCells(ROOT, manifest, taken)
     complaints = list(cells.complaints())
-    table = markdown(cells)
-    document = with_table(DOCUMENT.read_text(), table)
-    if arguments.check and document != DOCUMENT.read_text():
-        complaints.append("docs/verification.md has another table: run ./run clauses --update")
-    if arguments.update:
-        DOCUMENT.write_text(document)
-    if arguments.json:
-        print(json.dumps({"clauses": as_json(cells), "complaints": complaints}, indent=2))
-    elif not arguments.check:
-        print(table)
     for complaint in complaints:
         print(complaint, file=sys.stderr)
-    return 1 if complaints else 0
+    status = 1 if complaints else 0
+    if arguments.check or arguments.update:
+        tables = [("The table", [INTRODUCTION, "", *markdown(cells)])]
+        text = result_file.result_text("Clauses, vectors and implementations", "./run clauses --update", tables)
+        return max(status, result_file.settle(arguments.results / "clauses.md", text, arguments.update))
+    if arguments.json:
+        print(json.dumps({"clauses": as_json(cells), "complaints": complaints}, indent=2))
+    else:
+        print("\n".join(markdown(cells)))
+    return status
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ FOLDERS = {
         [],
     ),
     "naive": (["tests/naive_decoder"], ["tests/naive_decoder/tests"]),
-    "rtl": (["rtl"], ["rtl/formal", "rtl/synth", "rtl/generate_tables.cpp"]),
+    "rtl": (["rtl"], ["rtl/formal", "rtl/synth"]),
     "gpu": (["gpu_ref"], ["gpu_ref/dut"]),
 }
 SUFFIXES = {".cpp", ".hpp", ".h", ".py", ".sv", ".svh", ".glsl", ".comp"}

@@ -1,5 +1,5 @@
 // What a codestream may declare: OpenJPEG allocates by it, so it is checked before (KEY-2).
-#include "decoder/codestream_head.hpp"
+#include "decoder/jpeg2000.hpp"
 
 #include <algorithm>
 #include <cstdint>

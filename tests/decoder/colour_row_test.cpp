@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "arithmetic/colour.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 #include "decoder/colour_row.hpp"
-#include "support/instruction_sets.hpp"
 #include "scenes/test_light_fields.hpp"
+#include "support/instruction_sets.hpp"
 
 namespace hmlfc {
 namespace {

@@ -1,6 +1,6 @@
 // The fast reader of disparities against one read for each grid block, on sound and on damaged
 // records (MOT-6).
-#include "decoder/fast/disparity_plane.hpp"
+#include "decoder/fast/motion_field.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,6 +12,7 @@
 
 #include "decoder/naive_stream.hpp"
 #include "syntax/header.hpp"
+#include "syntax/index.hpp"
 
 namespace hmlfc {
 namespace {
@@ -87,7 +88,7 @@ TEST(DisparityPlane, EqualsOneReadForEachGridBlock) {
     const StreamView stream{file, header, Geometry(header)};
     for (size_t m = 0; m < stream.geometry.motion_planes().size(); ++m) {
       const MotionPlaneShape& shape = stream.geometry.motion_planes()[m];
-      const DisparityPlane plane = DisparityPlane::open(stream, 0, {0, 0}, m);
+      const DisparityPlane plane(stream, 0, {0, 0}, m);
       const uint32_t grid = 1u << header.disparity_grid_log2;
       for (uint32_t gy = 0; gy * grid < shape.height; ++gy) {
         for (uint32_t gx = 0; gx * grid < shape.width; ++gx) {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 
 namespace hmlfc {
 namespace {

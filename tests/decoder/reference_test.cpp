@@ -11,8 +11,8 @@
 #include <rapidcheck/gtest.h>
 
 #include "decoder/fast/reference_reader.hpp"
+#include "decoder/golden/block_decoder.hpp"
 #include "decoder/naive_stream.hpp"
-#include "decoder/reference_blocks.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc {
@@ -23,12 +23,12 @@ using test::NaiveStream;
 int64_t between(int64_t lo, int64_t x, int64_t hi) { return std::max(lo, std::min(x, hi)); }
 
 /// A plane whose sample (x, y) is 100 * y + x, and poison outside.
-class PlaneOfNumbers final : public ReferenceBlocks {
+class PlaneOfNumbers {
  public:
   PlaneOfNumbers(const PlaneShape& shape, unsigned block_size)
       : shape_(shape), block_size_(block_size) {}
 
-  Result<BlockValues> block(uint32_t bx, uint32_t by) override {
+  Result<BlockValues> block(uint32_t bx, uint32_t by) {
     EXPECT_LT(bx, shape_.blocks_x);
     EXPECT_LT(by, shape_.blocks_y);
     const std::pair<uint32_t, uint32_t> place{by, bx};
@@ -68,7 +68,8 @@ void check_gather(uint32_t width, uint32_t height, unsigned size, int32_t x, int
                   unsigned more) {
   const PlaneShape shape = shape_of(width, height, size);
   PlaneOfNumbers blocks(shape, size);
-  const auto gathered = gather_reference(blocks, shape, size, {x, y, size + more, size});
+  const auto read_block = [&](uint32_t bx, uint32_t by) { return blocks.block(bx, by); };
+  const auto gathered = gather_reference(read_block, shape, size, {x, y, size + more, size});
   ASSERT_TRUE(gathered.has_value());
   ASSERT_EQ(gathered->columns(), size + more);
   ASSERT_EQ(gathered->rows(), size);
@@ -106,21 +107,11 @@ RC_GTEST_PROP(GatherReference, FarOutside, ()) {
   check_gather(width, height, size, x, y, *rc::gen::inRange(0u, 2u));
 }
 
-/// Fails for one block.
-class OneDamagedBlock final : public ReferenceBlocks {
- public:
-  explicit OneDamagedBlock(unsigned block_size) : block_size_(block_size) {}
-  Result<BlockValues> block(uint32_t bx, uint32_t by) override {
-    if (bx == 1 && by == 2) return fail(ErrorCode::kTileOverrun, Section::kTile, 99);
-    return BlockValues(block_size_);
-  }
-
- private:
-  unsigned block_size_;
-};
-
 TEST(GatherReference, FailsIfAndOnlyIfABlockItReadsFails) {
-  OneDamagedBlock blocks(4);
+  const auto blocks = [](uint32_t bx, uint32_t by) -> Result<BlockValues> {
+    if (bx == 1 && by == 2) return fail(ErrorCode::kTileOverrun, Section::kTile, 99);
+    return BlockValues(4);
+  };
   const PlaneShape shape = shape_of(16, 16, 4);
   for (int32_t y = -8; y <= 24; ++y) {
     for (int32_t x = -8; x <= 24; ++x) {
@@ -146,7 +137,7 @@ void check_reader(std::mt19937& random, const NaiveStream& naive) {
   const StreamView stream{file, header, Geometry(header)};
   const KeyImages keys(stream);
   const SparseReferences references(stream);
-  const DecodeSources sources{stream, keys, &references};
+  const FastSources sources{stream, keys, references};
   const auto& images = naive.tree().images();
   for (int round = 0; round < 12; ++round) {
     const test::NaiveImage image = images[random() % images.size()];

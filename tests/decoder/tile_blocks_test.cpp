@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bits/bit_mask.hpp"
+#include "bits/bit_string.hpp"
 #include "decoder/golden/block_walk.hpp"
 #include "decoder/naive_stream.hpp"
 #include "syntax/header.hpp"

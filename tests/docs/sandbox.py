@@ -1,8 +1,8 @@
 """A folder in which the commands of a document run, on the programs of a build that has everything.
 
-It has a small light field FOLDER with streams of it (FILE, FILE.hmlfc and my.hmlfc of profile extended,
-main.hmlfc and bad.hmlfc of profile main), a decoder ./mydec with its declaration mydec.json, links to the folders of
-the repository that commands name, and a ./run that builds and installs nothing.
+It has a small light field FOLDER, streams of the suite (FILE, FILE.hmlfc and my.hmlfc of profile
+extended, bad.hmlfc of profile main), a decoder ./mydec with its declaration mydec.json, links to the
+folders of the repository that commands name, and a ./run that builds and installs nothing.
 """
 
 import os
@@ -10,7 +10,8 @@ import shutil
 import subprocess
 
 LINKS = ("docs", "vectors", "tests", "CMakeLists.txt", "CMakePresets.json")
-TIMEOUT = 60  # seconds a command
+CPU_LIMIT = 15  # seconds of CPU time of a program
+TIMEOUT = 300  # seconds of a command, on a busy machine
 
 RUN = """#!/usr/bin/env bash
 source "{root}/run"
@@ -25,10 +26,9 @@ exec hmlfc decode "$1" -o "$3"
 """
 DECLARATION = '{ "name": "mydec", "command": "{dut}/mydec {input} -o {output}" }\n'
 FIXTURE = (
-    "hmlfc synth --scene knights --grid 9x9 --size 64x48 -o FOLDER",
-    "hmlfc encode FOLDER -o my.hmlfc --preset fast",
-    "hmlfc encode FOLDER -o main.hmlfc --profile main",
-    "cp my.hmlfc FILE && cp my.hmlfc FILE.hmlfc && cp main.hmlfc bad.hmlfc",
+    "hmlfc synth --scene knights --grid 4x4 --size 64x48 -o FOLDER",
+    "cp vectors/real/knights-extended.hmlfc FILE",
+    "cp FILE FILE.hmlfc && cp FILE my.hmlfc && cp vectors/real/cards-main.hmlfc bad.hmlfc",
 )
 
 
@@ -55,9 +55,9 @@ class Sandbox:
         path.chmod(0o755)
 
     def run(self, command):
-        """The finished process; status 124 where it takes longer than TIMEOUT."""
+        """The finished process; status 124 where it takes longer than TIMEOUT, 137 than CPU_LIMIT."""
         try:
-            return subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=self.folder,
+            return subprocess.run(["bash", "-o", "pipefail", "-c", f"ulimit -t {CPU_LIMIT}; {command}"], cwd=self.folder,
                                   env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
                                   text=True, timeout=TIMEOUT, check=False)
         except subprocess.TimeoutExpired:

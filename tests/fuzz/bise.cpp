@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "decoder/fast/bise_unpack.hpp"
-#include "decoder/fast/padded_record.hpp"
 #include "target.hpp"
 
 namespace hmlfc::fuzz {

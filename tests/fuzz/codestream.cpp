@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "bits/little_endian.hpp"
-#include "decoder/codestream_head.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "target.hpp"

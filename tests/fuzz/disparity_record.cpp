@@ -1,7 +1,8 @@
 // The disparities of a reference image's motion tile (MOT-6).
-#include "syntax/disparity_tile.hpp"
+#include "syntax/index.hpp"
+#include "syntax/motion_tile.hpp"
 
-#include "arithmetic/disparity.hpp"
+#include "arithmetic/motion.hpp"
 #include "target.hpp"
 #include "tile_places.hpp"
 
@@ -20,7 +21,8 @@ void run(std::span<const uint8_t> input) {
     for (uint32_t gx = 0; gx < context.columns; ++gx) {
       const auto disparity = read_disparity(cursor, *head, context, gx, gy);
       if (disparity) {
-        demand(*disparity >= head->least && *disparity <= kMaxDisparity, "a disparity outside");
+        demand(*disparity >= head->min_disparity && *disparity <= kMaxDisparity,
+               "a disparity outside");
       }
     }
   }

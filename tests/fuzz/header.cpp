@@ -27,7 +27,7 @@ void run(std::span<const uint8_t> input) {
   demand(geometry.image_number(geometry.top(), last) < geometry.image_count(), "IDX-1");
   const ImagePos corner{header->rows - 1, header->cols - 1};
   demand(geometry.ancestor(corner, 0, geometry.top()) == last, "DEC-1");
-  demand(geometry.group_count() <= geometry.tile_count(), "IDX-3");
+  demand(geometry.tile_group_count() <= geometry.tile_count(), "IDX-3");
 }
 
 std::vector<Bytes> seeds(std::span<const uint8_t> stream) {

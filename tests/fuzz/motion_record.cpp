@@ -1,4 +1,5 @@
 // The record of a motion tile: its palette and the entry of every motion block (MOT-3, MOT-4).
+#include "syntax/index.hpp"
 #include "syntax/motion_tile.hpp"
 #include "target.hpp"
 #include "tile_places.hpp"

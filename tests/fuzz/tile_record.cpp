@@ -1,16 +1,13 @@
 // The record of a tile: its head, and header and values of each of its blocks (TIL-1 to TIL-10).
-#include "syntax/tile_record.hpp"
-
 #include <array>
 #include <bit>
 
 #include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 #include "decoder/fast/bise_unpack.hpp"
-#include "decoder/fast/padded_record.hpp"
-#include "syntax/block_entry.hpp"
-#include "syntax/tile_layout.hpp"
+#include "syntax/index.hpp"
+#include "syntax/tile_record.hpp"
 #include "target.hpp"
 #include "tile_places.hpp"
 

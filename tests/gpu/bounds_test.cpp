@@ -4,7 +4,7 @@
 
 #include "decoder/naive_stream.hpp"
 #include "gpu/gpu_test.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc::gpu {
@@ -23,7 +23,7 @@ void check_damaged_streams(Device& device, uint32_t begin, uint32_t end) {
   CheckCounts total;
   for (uint32_t seed = begin; seed < end; ++seed) {
     auto bytes = tb::suite_stream(seed, 2u << seed % 3);
-    tb::spoil(bytes, tb::Damage::kIndexAndTiles, seed);
+    tb::corrupt(bytes, tb::Damage::kIndexAndTiles, seed);
     total += expect_equal(device, bytes, {.requests = 200, .seed = seed});
     ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed;
   }

@@ -1,8 +1,8 @@
-// Choosing a device, and what the validation layer says.
+// Choosing a device, and the validation layer's messages.
 #include <algorithm>
 
 #include "gpu/gpu_test.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -56,7 +56,7 @@ TEST_F(GpuDevice, IsUsedAsTheValidationLayerWants) {
   ASSERT_TRUE(device) << device.error().message;
   for (uint32_t seed = 0; seed < 12; ++seed) {
     auto bytes = tb::suite_stream(seed, 2u << seed % 3);
-    if (seed % 2 == 1) tb::spoil(bytes, tb::Damage::kIndexAndTiles, seed);
+    if (seed % 2 == 1) tb::corrupt(bytes, tb::Damage::kIndexAndTiles, seed);
     expect_equal(*device, bytes, {.seed = seed});
   }
   for (const std::string& message : device->validation_messages()) ADD_FAILURE() << message;

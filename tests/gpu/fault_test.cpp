@@ -6,7 +6,7 @@
 #include "decoder/key_images.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -1,11 +1,11 @@
 // Frames that reuse blocks of the frames before: the golden renderer's bytes and errors, and the
-// blocks that the rule of docs/gpu.md says, with budgets from nothing to everything.
+// blocks that the rule of docs/gpu.md predicts, with budgets from nothing to everything.
 #include <array>
 #include <iterator>
 
 #include "gpu/gpu_test.hpp"
 #include "gpu/render_pair.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -72,7 +72,7 @@ FrameTally walk_all(Device& device, uint64_t cache_bytes, uint32_t first, uint32
   FrameTally tally;
   for (uint32_t seed = first; seed < last; ++seed) {
     auto bytes = test::random_stream(seed);
-    if (damaged) tb::spoil(bytes, tb::Damage::kIndexAndTiles, seed);
+    if (damaged) tb::corrupt(bytes, tb::Damage::kIndexAndTiles, seed);
     RenderPair pair(device, std::move(bytes), cache_bytes);
     if (pair.closed()) continue;
     EXPECT_EQ(walk(pair, seed, 10, tally), "") << "seed " << seed << ", cache " << cache_bytes;
@@ -123,6 +123,7 @@ class GpuFrameCacheOfOneStream : public GpuFrameCache {
   /// for at first.
   static std::vector<uint8_t> bytes() {
     EncodeParams params;
+    params.profile = Profile::kMain;
     params.block_size = 2;
     params.tree_height = 1;
     params.threads = 1;

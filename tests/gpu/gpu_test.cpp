@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "decoder/open_stream.hpp"
-#include "sequences.hpp"
+#include "stimulus/sequences.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -1,4 +1,4 @@
-// What the tests of the GPU decoder share.
+// Fixtures of the GPU decoder's tests.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/stream_check.hpp"
 #include "gpu_decoder.hpp"
-#include "stream_check.hpp"
 
 namespace hmlfc::gpu {
 
@@ -26,13 +26,13 @@ class GpuTest : public testing::Test {
   static Device& device();
 };
 
-/// How much of a stream to compare.
+/// Which requests of a stream to compare.
 struct CheckPlan {
   uint64_t requests = 400;  ///< of all kinds, beside those at the borders
   uint64_t seed = 0;
   bool borders = true;
   bool stages = true;
-  uint64_t blocks_at_once = uint64_t{1} << 24;  ///< most blocks of a submission
+  uint64_t blocks_at_once = uint64_t{1} << 24;  ///< maximum of blocks in a submission
 };
 
 /// Compares the stream `device_bytes` on `device` with the model's decoding of `model_bytes`, the

@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "gpu/gpu_test.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc::gpu {

@@ -1,7 +1,7 @@
 // Streams and requests cut into parts: the result does not depend on the cuts.
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {

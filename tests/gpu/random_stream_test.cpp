@@ -5,8 +5,8 @@
 #include "bits/naive_bits.hpp"
 #include "decoder/naive_stream.hpp"
 #include "gpu/gpu_test.hpp"
-#include "random.hpp"
-#include "random_stream.hpp"
+#include "stimulus/conditions.hpp"
+#include "stimulus/random_stream.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc::gpu {
@@ -30,7 +30,7 @@ TEST_F(GpuStreams, WithDamageHaveTheErrorsOfTheModel) {
   for (uint32_t seed = 0; seed < 60; ++seed) {
     auto bytes = tb::suite_stream(seed, 2u << seed % 3);
     const auto damage = seed % 4 == 0 ? tb::Damage::kKeyImages : tb::Damage::kIndexAndTiles;
-    tb::spoil(bytes, damage, seed);
+    tb::corrupt(bytes, damage, seed);
     total += expect_equal(device(), bytes, {.seed = seed});
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
@@ -75,8 +75,8 @@ TEST_F(GpuStreams, OfRandomRecordsHaveTheErrorsOfTheModel) {
     const StreamHeader header = round % 4 == 3 ? test::draw_stream_header(random)
                                                : test::draw_extended_header(random, flags);
     auto bytes = with_random_records(random, header);
-    if (round % 3 == 0) tb::spoil(bytes, tb::Damage::kIndexAndTiles, round);
-    if (round % 5 == 0) tb::spoil(bytes, tb::Damage::kKeyImages, round);
+    if (round % 3 == 0) tb::corrupt(bytes, tb::Damage::kIndexAndTiles, round);
+    if (round % 5 == 0) tb::corrupt(bytes, tb::Damage::kKeyImages, round);
     total += expect_equal(device(), bytes, {.seed = round});
     ASSERT_FALSE(HasFailure()) << "round " << round;
   }

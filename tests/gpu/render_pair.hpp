@@ -15,7 +15,7 @@
 
 namespace hmlfc::gpu {
 
-/// What was compared.
+/// Counts of what was compared.
 struct FrameTally {
   uint64_t frames = 0;
   uint64_t failed = 0;    ///< with an error, equal in both

@@ -4,7 +4,7 @@
 
 #include "gpu/gpu_test.hpp"
 #include "gpu/render_pair.hpp"
-#include "random_stream.hpp"
+#include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -46,7 +46,7 @@ TEST_F(GpuRendering, NamesTheErrorOfTheFirstNeededBlock) {
   FrameTally tally;
   for (uint32_t seed = 0; seed < 60; ++seed) {
     auto bytes = test::random_stream(seed);
-    tb::spoil(bytes, seed % 4 == 0 ? tb::Damage::kKeyImages : tb::Damage::kIndexAndTiles, seed);
+    tb::corrupt(bytes, seed % 4 == 0 ? tb::Damage::kKeyImages : tb::Damage::kIndexAndTiles, seed);
     compare_frames(device(), std::move(bytes), seed, 6, tally);
     ASSERT_FALSE(HasFailure());
   }
@@ -64,7 +64,7 @@ TEST_F(GpuRendering, KeepsItsBoundsInSmallChunks) {
     FrameTally tally;
     for (uint32_t seed = 100; seed < 112; ++seed) {
       auto bytes = test::random_stream(seed);
-      if (seed % 2 == 0) tb::spoil(bytes, tb::Damage::kIndexAndTiles, seed);
+      if (seed % 2 == 0) tb::corrupt(bytes, tb::Damage::kIndexAndTiles, seed);
       compare_frames(*device, std::move(bytes), seed, 4, tally);
       ASSERT_FALSE(HasFailure());
     }
@@ -91,6 +91,7 @@ TEST_F(GpuRendering, UsesVulkanAsTheValidationLayerWants) {
 TEST_F(GpuRendering, MakesRoomForALargeFrame) {
   LightFieldShape shape{2, 2, 300, 200, 8};
   EncodeParams params;
+  params.profile = Profile::kMain;
   params.block_size = 2;
   params.threads = 1;
   RenderPair pair(device(), encode(test::textured_light_field(shape, 1, 4), params)->bytes, 0);

@@ -6,7 +6,6 @@
 #include <BisePlace.h>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/bise_digits.hpp"
 #include "rtl/ports.hpp"
 
 namespace hmlfc::test {
@@ -15,9 +14,9 @@ namespace {
 unsigned values_in_group(const Levels& levels) {
   switch (levels.digit) {
     case Digit::kTrit:
-      return kTritsInGroup;
+      return kTritsPerGroup;
     case Digit::kQuint:
-      return kQuintsInGroup;
+      return kQuintsPerGroup;
     default:
       return 1;
   }

@@ -9,7 +9,6 @@
 #include <BiseUnpack64x10.h>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/bise_digits.hpp"
 #include "rtl/ports.hpp"
 
 namespace hmlfc::test {

@@ -5,7 +5,7 @@
 #include <Colour2x12.h>
 
 #include "arithmetic/colour.hpp"
-#include "arithmetic/sample_range.hpp"
+#include "arithmetic/widths.hpp"
 #include "rtl/ports.hpp"
 
 namespace hmlfc::test {

@@ -6,7 +6,7 @@
 #include <Interpolate2x10Broken.h>
 #include <Interpolate3x14.h>
 
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 #include "rtl/ports.hpp"
 
 namespace hmlfc::test {

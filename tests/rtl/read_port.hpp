@@ -10,7 +10,7 @@
 namespace hmlfc::test {
 
 /// Memory behind the read port of one client, 16 bytes a beat: beats come one by one, with gaps,
-/// and some are spoiled on demand. It holds one file, at kBase, and zeros elsewhere.
+/// and some are corrupted on demand. It holds one file, at kBase, and zeros elsewhere.
 class ReadPort {
  public:
   static constexpr uint64_t kBase = 0x12340;  ///< a multiple of 16
@@ -19,7 +19,7 @@ class ReadPort {
   ReadPort(const std::vector<uint8_t>& file, Random& random) : file_(file), random_(random) {}
 
   bool spoil = false;     ///< one beat in six is an error and carries anything
-  bool spoiled = false;   ///< one was given
+  bool corrupted = false;   ///< one was given
   uint64_t requests = 0;  ///< since the last walk began
 
   /// Sets the inputs of `dut` for the next clock.
@@ -30,7 +30,7 @@ class ReadPort {
     if (!dut.data_valid) return;
     dut.data_last = beats_ == 1;
     dut.data_error = spoil && random_.one_in(6);
-    spoiled |= dut.data_error != 0;
+    corrupted |= dut.data_error != 0;
     for (size_t i = 0; i < kBeat; ++i) {
       const uint64_t at = address_ + i - kBase;
       const uint32_t byte = at < file_.size() ? file_[static_cast<size_t>(at)] : 0;

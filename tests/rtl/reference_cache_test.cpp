@@ -10,7 +10,7 @@
 #include <ReferenceCache.h>
 #include <ReferenceCacheBroken.h>
 
-#include "reference_area.hpp"
+#include "oracle/reference_area.hpp"
 #include "rtl/ports.hpp"
 #include "rtl/read_port.hpp"
 
@@ -135,7 +135,7 @@ class CacheRun {
       ++sent;
     }
     EXPECT_TRUE(expected_.empty()) << "windows that never came";
-    // A strip that a bus error spoiled is forgotten at the clock after its window.
+    // A strip that a bus error corrupted is forgotten at the clock after its window.
     for (int i = 0; i < 4; ++i) tick(dut_);
   }
 

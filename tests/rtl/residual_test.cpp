@@ -4,9 +4,8 @@
 #include <Residual1x12.h>
 #include <Residual2x8.h>
 
-#include "arithmetic/levels.hpp"
+#include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"
-#include "arithmetic/steps.hpp"
 #include "rtl/ports.hpp"
 
 namespace hmlfc::test {

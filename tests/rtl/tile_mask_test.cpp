@@ -4,7 +4,7 @@
 #include <TileMask.h>
 
 #include "rtl/ports.hpp"
-#include "syntax/tile_layout.hpp"
+#include "syntax/tile_masks.hpp"
 
 namespace hmlfc::test {
 namespace {

@@ -3,8 +3,7 @@
 
 #include <Vector.h>
 
-#include "arithmetic/disparity.hpp"
-#include "arithmetic/interpolation.hpp"
+#include "arithmetic/motion.hpp"
 #include "rtl/ports.hpp"
 
 namespace hmlfc::test {

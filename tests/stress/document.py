@@ -1,54 +1,53 @@
 #!/usr/bin/env python3
-"""Tables of docs/stress.md from recorded runs, tests/stress/recorded.json.
+"""Writes and checks docs/results/stress.md, the tables of long runs of ./run stress.
 
-usage: document.py --check | --update
+usage: document.py --record REPORT... | --update | --check
 
-recorded.json is a list of what `./run stress --minutes N --seed S --json` printed.
-Exit status 1: with --check, the document has other tables.
+--record: copies reports of `./run stress --minutes N --seed S --json` into tests/stress/recorded.json.
+Exit status 1: with --check, the written tables differ.
 """
 
+import argparse
 import json
 import sys
 from pathlib import Path
 
 from reached import Reached
 
-FOLDER = Path(__file__).resolve().parent
-ROOT = FOLDER.parents[1]
-sys.path.insert(0, str(ROOT / "bench/common"))
+import result_file  # found by the path that reached adds
 
-from document_tables import check_or_update  # noqa: E402  (found only now)
-
-DOCUMENT = ROOT / "docs/stress.md"
+RECORDED = Path(__file__).resolve().with_name("recorded.json")
 FRAME_CLAUSES = ("RAY", "REC", "SMP")  # of docs/rendering.md
 
 
-def cells_of(report):
-    """Name to text of what a run came to."""
-    camera = report["cameras_against_double"]
-    gaps = Reached()
-    gaps.add(report["rows"])
-    return {
-        "CPU minutes": f"{report['cpu_seconds'] / 60:.1f}",
-        "streams": spaced(report["streams"]),
-        "blocks decoded one by one": spaced(report["blocks"]),
-        "cameras": spaced(report["cameras"]),
-        "frames of these": spaced(report["frames"]),
-        "samples compared with double precision": spaced(camera["samples_compared"]),
-        "largest error, in parts of the bound of ERR-1": f"{camera['worst_part_of_bound']:.3f}",
-        "intervals not reached at both ends": str(len(gaps.gaps())),
-        "findings": str(len(report["findings"])),
-    }
+def merged(reports):
+    """The content of recorded.json: the runs, and what they reached together."""
+    reached = Reached()
+    runs = []
+    for report in reports:
+        own = Reached()
+        own.add(report["rows"])
+        reached.add(report["rows"])
+        camera = report["cameras_against_double"]
+        runs.append({
+            "command": f"./run stress --minutes {report['minutes']:g} --seed {report['seed']}",
+            "CPU minutes": round(report["cpu_seconds"] / 60, 1),
+            "streams": report["streams"],
+            "blocks decoded one by one": report["blocks"],
+            "cameras": report["cameras"],
+            "frames of these": report["frames"],
+            "samples compared with double precision": camera["samples_compared"],
+            "largest error, in parts of the bound of ERR-1": round(camera["worst_part_of_bound"], 3),
+            "intervals not reached at both ends": len(own.gaps()),
+            "findings": len(report["findings"]),
+        })
+    return {"runs": runs, "rows": list(reached.rows.values())}
 
 
-def runs_table(reports):
-    """What the runs were, and what each came to."""
-    commands = [f"`./run stress --minutes {r['minutes']:g} --seed {r['seed']}`" for r in reports]
-    yield "| | " + " | ".join(commands) + " |"
-    yield "|---|" + "---|" * len(reports)
-    columns = [cells_of(report) for report in reports]
-    for name in columns[0]:
-        yield f"| {name} | " + " | ".join(cells[name] for cells in columns) + " |"
+def write(recorded):
+    """Writes recorded.json, one run or row a line."""
+    groups = (f'"{key}": [\n' + ",\n".join(map(json.dumps, rows)) + "\n]" for key, rows in recorded.items())
+    RECORDED.write_text("{" + ",\n".join(groups) + "}\n", encoding="utf-8")
 
 
 def spaced(number):
@@ -56,29 +55,36 @@ def spaced(number):
     return f"{number:,}".replace(",", " ") if number >= 10_000 else str(number)
 
 
-def is_of_frames(row):
-    return row["clause"].split("-")[0] in FRAME_CLAUSES
+def runs_table(runs):
+    """A column for each run."""
+    columns = [list(run.values()) for run in runs]
+    rows = [(name, *map(spaced, values)) for name, *values in zip(list(runs[0])[1:], *(c[1:] for c in columns))]
+    return result_file.table(("", *(f"`{column[0]}`" for column in columns)), rows)
 
 
-def reached_table(rows):
+def reached_table(rows, of_frames):
     reached = Reached()
-    reached.add(rows)
+    reached.add([row for row in rows if (row["clause"].split("-")[0] in FRAME_CLAUSES) == of_frames])
     return reached.table()
 
 
-def tables(reports):
-    """Name to the lines of each table."""
-    rows = [row for report in reports for row in report["rows"]]
-    return {
-        "runs": list(runs_table(reports)),
-        "streams": list(reached_table([row for row in rows if not is_of_frames(row)])),
-        "frames": list(reached_table([row for row in rows if is_of_frames(row)])),
-    }
-
-
 def main():
-    made = tables(json.loads((FOLDER / "recorded.json").read_text(encoding="utf-8")))
-    return check_or_update(__doc__, DOCUMENT, made.get, list(made))
+    parser = argparse.ArgumentParser(
+        description=__doc__, usage=argparse.SUPPRESS, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--record", nargs="+", type=Path, default=[], metavar="REPORT")
+    result_file.add_arguments(parser)
+    options = parser.parse_args()
+    if options.record:
+        write(merged([json.loads(path.read_text(encoding="utf-8")) for path in options.record]))
+    recorded = json.loads(RECORDED.read_text(encoding="utf-8"))
+    tables = [
+        ("Runs", runs_table(recorded["runs"])),
+        ("Quantities of streams: proved and reached", reached_table(recorded["rows"], of_frames=False)),
+        ("Quantities of frames: proved and reached", reached_table(recorded["rows"], of_frames=True)),
+    ]
+    text = result_file.result_text("Numerical stress", "tests/stress/document.py --update", tables)
+    return result_file.settle(options.results / "stress.md", text, options.update or options.record)
 
 
 if __name__ == "__main__":

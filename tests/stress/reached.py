@@ -1,8 +1,15 @@
-"""What the quantities of the width tables reached, put together from several runs."""
+"""What the quantities of the width tables reached, merged from several runs."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "common"))
+
+from result_file import table  # noqa: E402
 
 
 class Reached:
-    """Rows as the programs report them, by quantity, depth and plane."""
+    """Rows as the programs report them, keyed by quantity, depth and plane."""
 
     def __init__(self):
         self.rows = {}
@@ -26,12 +33,12 @@ class Reached:
         return [row for row in self.rows.values() if not is_reached(row)]
 
     def table(self):
-        """Lines of a Markdown table: a line for each quantity and plane, at its greatest depth."""
-        yield "| quantity | clause | plane | n | proved | reached | by |"
-        yield "|---|---|---|---|---|---|---|"
-        for key in sorted_keys(self.rows):
-            rows = [row for k, row in self.rows.items() if (k[0], k[2]) == key]
-            yield table_line(rows)
+        """A Markdown table: a row for each quantity and plane, at its largest depth."""
+        rows = [
+            table_row([row for row in self.rows.values() if (row["quantity"], row["plane"]) == key])
+            for key in dict.fromkeys((quantity, plane) for quantity, _, plane in self.rows)
+        ]
+        return table(("quantity", "clause", "plane", "n", "proved", "reached", "by"), rows)
 
 
 def is_reached(row):
@@ -43,11 +50,6 @@ def is_reached(row):
     )
 
 
-def sorted_keys(rows):
-    """(quantity, plane) in the order of the table."""
-    return list(dict.fromkeys((quantity, plane) for quantity, _, plane in rows))
-
-
 def shown(interval):
     if interval is None:
         return "-"
@@ -55,27 +57,24 @@ def shown(interval):
     return str(hi) if lo == hi else f"[{lo}, {hi}]"
 
 
-def table_line(rows):
-    """One line for the depths of one quantity and plane: the deepest, unless another has a gap."""
+def table_row(rows):
+    """The cells for all depths of one quantity and plane: the largest, unless another has a gap."""
     open_rows = [row for row in rows if not is_reached(row)]
     row = (open_rows or rows)[-1]
     depths = [r["depth"] for r in rows]
     if row["depth"] is None:
         depth = ""
     elif open_rows and len(open_rows) < len(rows):
-        depth = f"{row['depth']} (reached at {', '.join(map(str, depths_reached(rows)))})"
+        at = ", ".join(str(r["depth"]) for r in rows if is_reached(r))
+        depth = f"{row['depth']} (reached at {at})"
     else:
         depth = f"{row['depth']} of {depths[0]} to {depths[-1]}"
     reached = "the same" if is_reached(row) else shown(row["reached"])
     by = " / ".join(dict.fromkeys(short(name) for name in row["by"] or []))
     cells = [row["quantity"], row["clause"], row["plane"] or "", depth]
-    return "| " + " | ".join([*cells, shown(row["proved"]), reached, by]) + " |"
-
-
-def depths_reached(rows):
-    return [row["depth"] for row in rows if is_reached(row)]
+    return [*cells, shown(row["proved"]), reached, by]
 
 
 def short(name):
-    """A stream's name without the recipe of one that a search made."""
+    """The name of a stream, without its recipe if a search made it."""
     return name.split(" {")[0]

@@ -1,6 +1,6 @@
 // Records of disparities: read back as they were written, every truncation, each error; and which
 // grid block a block looks up (MOT-5, MOT-6).
-#include "syntax/disparity_tile.hpp"
+#include "syntax/motion_tile.hpp"
 
 #include <cstdint>
 #include <random>

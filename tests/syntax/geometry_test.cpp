@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "syntax/geometry.hpp"
 #include "syntax/naive_header.hpp"
 #include "syntax/naive_tree.hpp"
-#include "syntax/reference_set.hpp"
 
 namespace hmlfc {
 namespace {
@@ -103,7 +103,7 @@ RC_GTEST_PROP(Geometry, TileNumbersCountAllTiles, ()) {
     const uint64_t image = geometry.image_number(tile.image.level, pos(tile.image));
     RC_ASSERT(geometry.tile_number(image, tile.plane, tile.tx, tile.ty) == number);
   }
-  RC_ASSERT(geometry.group_count() == (count - 1) / 64 + 1);
+  RC_ASSERT(geometry.tile_group_count() == (count - 1) / 64 + 1);
   RC_ASSERT(geometry.root_entry_count() == (count - 1) / 4096 + 1);
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bits/naive_bits.hpp"
-#include "syntax/tile_head.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc::test {
 

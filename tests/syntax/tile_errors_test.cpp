@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "bits/naive_bits.hpp"
-#include "syntax/block_entry.hpp"
 #include "syntax/naive_tile.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 namespace {

@@ -1,6 +1,6 @@
 // The order of blocks in a tile, masks of borders, widths that follow from the window (TIL-2,
 // TIL-3, TIL-6).
-#include "syntax/tile_layout.hpp"
+#include "syntax/tile_record.hpp"
 
 #include <cstdint>
 #include <vector>

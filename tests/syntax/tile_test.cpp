@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "arithmetic/bise.hpp"
-#include "syntax/block_entry.hpp"
 #include "syntax/naive_tile.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 namespace {

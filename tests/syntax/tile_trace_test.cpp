@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "bits/naive_bits.hpp"
-#include "syntax/block_entry.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 namespace {

@@ -13,13 +13,11 @@
 #include <hmlfc/error.hpp>
 #include <hmlfc/format.hpp>
 
-#include "arithmetic/bise_digits.hpp"
-#include "arithmetic/levels.hpp"
-#include "arithmetic/steps.hpp"
-#include "tables/shader_tables.hpp"
-#include "syntax/disparity_tile.hpp"
+#include "arithmetic/bise.hpp"
+#include "arithmetic/reconstruct.hpp"
 #include "syntax/header.hpp"
 #include "syntax/motion_tile.hpp"
+#include "tables/shader_tables.hpp"
 
 namespace hmlfc {
 namespace {
@@ -204,8 +202,8 @@ void put_levels() {
             [](unsigned code) { return uint32_t{levels_or_one(code).plain_bits}; });
   put_table("The level count N of a level code, [1, 16384] (BISE-1).", "level_count", "level_code",
             6, 15, [](unsigned code) { return levels_or_one(code).count; });
-  put_number("TRITS_IN_GROUP", kTritsInGroup);
-  put_number("QUINTS_IN_GROUP", kQuintsInGroup);
+  put_number("TRITS_IN_GROUP", kTritsPerGroup);
+  put_number("QUINTS_IN_GROUP", kQuintsPerGroup);
   put_number("TRIT_GROUP_BITS", kTritGroupBits);
   put_number("QUINT_GROUP_BITS", kQuintGroupBits);
   put_table("The step of a step code, [1, 256] (STP-2).", "step", "step_code", 4, 9,

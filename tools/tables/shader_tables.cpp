@@ -10,11 +10,9 @@
 #include <hmlfc/error.hpp>
 #include <hmlfc/format.hpp>
 
-#include "arithmetic/bise_digits.hpp"
-#include "arithmetic/disparity.hpp"
-#include "arithmetic/levels.hpp"
-#include "arithmetic/steps.hpp"
-#include "syntax/disparity_tile.hpp"
+#include "arithmetic/bise.hpp"
+#include "arithmetic/motion.hpp"
+#include "arithmetic/reconstruct.hpp"
 #include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
@@ -56,8 +54,8 @@ void put_digits() {
   put_number("DIGIT_NONE", static_cast<uint32_t>(Digit::kNone));
   put_number("DIGIT_TRIT", static_cast<uint32_t>(Digit::kTrit));
   put_number("DIGIT_QUINT", static_cast<uint32_t>(Digit::kQuint));
-  put_number("TRITS_IN_GROUP", kTritsInGroup);
-  put_number("QUINTS_IN_GROUP", kQuintsInGroup);
+  put_number("TRITS_IN_GROUP", kTritsPerGroup);
+  put_number("QUINTS_IN_GROUP", kQuintsPerGroup);
   put_number("TRIT_GROUP_BITS", kTritGroupBits);
   put_number("QUINT_GROUP_BITS", kQuintGroupBits);
 }

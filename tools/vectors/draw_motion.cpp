@@ -1,15 +1,13 @@
-#include "vectors/draw_motion.hpp"
+#include "vectors/draw.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <string>
 
-#include "arithmetic/disparity.hpp"
-#include "arithmetic/levels.hpp"
+#include "arithmetic/bise.hpp"
+#include "arithmetic/motion.hpp"
 #include "arithmetic/rounding.hpp"
-#include "syntax/motion_writer.hpp"
-#include "vectors/draw_sequence.hpp"
-#include "vectors/ones_behind.hpp"
+#include "syntax/motion_tile.hpp"
 
 namespace hmlfc::vectors {
 namespace {
@@ -17,9 +15,9 @@ namespace {
 constexpr int64_t kMaxMotionBlock = 3;
 constexpr int64_t kReservedChoices = 15;
 
-MotionSymbol draw_symbol(FieldRules& rules, const MotionContext& context, unsigned explicit_bits,
+PaletteEntry draw_symbol(FieldRules& rules, const MotionContext& context, unsigned explicit_bits,
                          Random& random) {
-  MotionSymbol symbol;
+  PaletteEntry symbol;
   if (context.two_references) {
     symbol.reference_set = static_cast<uint8_t>(rules.pick("reference_set", 0, 7, random));
   }
@@ -40,7 +38,7 @@ MotionSymbol draw_symbol(FieldRules& rules, const MotionContext& context, unsign
 }
 
 // The palette's entries that blocks may use (MOT-3).
-std::vector<uint32_t> usable_entries(const std::vector<MotionSymbol>& palette,
+std::vector<uint32_t> usable_entries(const std::vector<PaletteEntry>& palette,
                                      const MotionContext& context) {
   std::vector<uint32_t> usable;
   for (size_t i = 0; i < palette.size(); ++i) {
@@ -82,7 +80,7 @@ std::vector<uint8_t> draw_motion_record(FieldRules& rules, const MotionContext& 
   draw_tail_code(rules, tile.indices, random);
   BitWriter writer;
   put_motion_fields(writer, tile, {context.two_references, !context.keyed});
-  return with_ones_behind(rules, writer, random);
+  return with_trailing_ones(rules, writer, random);
 }
 
 std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityContext& context,
@@ -108,7 +106,7 @@ std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityCon
   draw_tail_code(rules, values, random);
   BitWriter writer;
   put_disparity_fields(writer, static_cast<int32_t>(least), values);
-  return with_ones_behind(rules, writer, random);
+  return with_trailing_ones(rules, writer, random);
 }
 
 }  // namespace hmlfc::vectors

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/bise_group.hpp"
 
 namespace hmlfc {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "bits/parallel.hpp"
+#include "decoder/colour_row.hpp"
 #include "decoder/decoder_state.hpp"
 #include "decoder/fast/region_decoder.hpp"
 #include "decoder/memory_guard.hpp"
-#include "decoder/rgb_picture.hpp"
 
 namespace hmlfc {
 namespace {
@@ -49,7 +49,7 @@ using ViewPlanes = std::array<SamplePlane, kPlaneCount>;
 // Decodes all views below one image, so that what they share is decoded once.
 class FamilyDecoder {
  public:
-  FamilyDecoder(const DecodeSources& sources, int stop_level, const ViewConsumer& consumer)
+  FamilyDecoder(const FastSources& sources, int stop_level, const ViewConsumer& consumer)
       : sources_(sources), stop_level_(stop_level), consumer_(consumer) {}
 
   // Views whose ancestor at level `parent_level` is `parent`; parent_level is stop_level + 1, or
@@ -138,7 +138,7 @@ class FamilyDecoder {
     return {};
   }
 
-  const DecodeSources& sources_;
+  const FastSources& sources_;
   int stop_level_;
   const ViewConsumer& consumer_;
 };
@@ -169,7 +169,7 @@ Result<void> Decoder::decode_all(const ViewConsumer& consumer,
   }
   const int parent_level = std::min(stop_level + 1, geometry.top());
   const LevelShape& shape = geometry.level(parent_level);
-  const DecodeSources sources = state_->sparse();
+  const FastSources sources = state_->fast();
   const FamilyDecoder family(sources, stop_level, consumer);
   FirstError first;
   parallel_tasks(shape.images(), options.threads, [&](size_t i) {
@@ -195,16 +195,11 @@ Result<void> Decoder::load_references(int threads) const {
       const ImagePos image{static_cast<uint32_t>(i / shape.cols),
                            static_cast<uint32_t>(i % shape.cols)};
       if (!geometry.is_reference(level, image)) return;
-      for (const Plane plane : kPlanes) {
-        const auto loaded =
-            guard_memory([&] { return state_->references.plane(level, image, plane); });
-        const auto read = guard_memory([&]() -> Result<void> {
-          if (!loaded) return tl::unexpected(loaded.error());
-          (*loaded)->read_all();
-          return {};
-        });
-        if (!read) first.add(geometry.image_number(level, image), read.error());
-      }
+      const auto read = guard_memory([&]() -> Result<void> {
+        for (const Plane plane : kPlanes) state_->references.plane(level, image, plane)->read_all();
+        return {};
+      });
+      if (!read) first.add(geometry.image_number(level, image), read.error());
     });
   }
   return first.result();

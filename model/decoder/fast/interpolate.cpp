@@ -5,6 +5,8 @@
 #include <cstring>
 #include <limits>
 
+#include "arithmetic/motion.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "decoder/fast/interpolate.cpp"
 #include <hwy/foreach_target.h>  // before highway.h
@@ -22,15 +24,13 @@ struct Taps {
         stride(reference.view.stride),
         right(reference.fx == 0 ? 0 : 1),
         below(reference.fy == 0 ? 0 : reference.view.stride),
-        fx(static_cast<int16_t>(reference.fx)),
-        fy(static_cast<int16_t>(reference.fy)) {}
+        weights(tap_weights<int16_t>(reference.fx, reference.fy)) {}
 
   const int16_t* row;
   size_t stride;
   size_t right;  // to the samples of weight fx
   size_t below;  // to the samples of weight fy
-  int16_t fx;
-  int16_t fy;
+  std::array<int16_t, 4> weights;
 };
 
 // I of MOT-9 in kLanes columns of one row. Sum holds each: partial sums, too, lie in 64 * bound.
@@ -41,41 +41,9 @@ inline void sum_row(const Taps& taps, const int16_t* row, Sum (&sums)[kLanes]) {
   std::memcpy(s10, row + taps.right, sizeof(s10));
   std::memcpy(s01, row + taps.below, sizeof(s01));
   std::memcpy(s11, row + taps.below + taps.right, sizeof(s11));
-  const auto fx = taps.fx;
-  const auto fy = taps.fy;
-  const auto w00 = static_cast<int16_t>((8 - fx) * (8 - fy));
-  const auto w10 = static_cast<int16_t>(fx * (8 - fy));
-  const auto w01 = static_cast<int16_t>((8 - fx) * fy);
-  const auto w11 = static_cast<int16_t>(fx * fy);
+  const auto [w00, w10, w01, w11] = taps.weights;
   for (unsigned i = 0; i < kLanes; ++i) {
     sums[i] = static_cast<Sum>(s00[i] * w00 + s10[i] * w10 + s01[i] * w01 + s11[i] * w11);
-  }
-}
-
-template <class Sum, unsigned kLanes>
-void put_one(const Taps& first, const PredictionTarget& target, unsigned x) {
-  for (unsigned y = 0; y < target.rows; ++y) {
-    Sum sums[kLanes];
-    sum_row(first, first.row + y * first.stride, sums);
-    int16_t values[kLanes];
-    for (unsigned i = 0; i < kLanes; ++i) {
-      values[i] = static_cast<int16_t>(static_cast<Sum>(sums[i] + 32) >> 6);
-    }
-    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
-  }
-}
-
-template <class Sum, unsigned kLanes>
-void put_two(const Taps& first, const Taps& second, const PredictionTarget& target, unsigned x) {
-  for (unsigned y = 0; y < target.rows; ++y) {
-    Sum a[kLanes], b[kLanes];
-    sum_row(first, first.row + y * first.stride, a);
-    sum_row(second, second.row + y * second.stride, b);
-    int16_t values[kLanes];
-    for (unsigned i = 0; i < kLanes; ++i) {
-      values[i] = static_cast<int16_t>(static_cast<Sum>(a[i] + b[i] + 64) >> 7);
-    }
-    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
   }
 }
 
@@ -83,8 +51,23 @@ template <class Sum, unsigned kLanes>
 void put_columns(const std::array<DisplacedReference, 2>& references, unsigned count,
                  const PredictionTarget& target, unsigned x) {
   const Taps first(references[0], x);
-  if (count == 1) return put_one<Sum, kLanes>(first, target, x);
-  put_two<Sum, kLanes>(first, Taps(references[1], x), target, x);
+  const Taps second(references[count - 1], x);
+  for (unsigned y = 0; y < target.rows; ++y) {
+    Sum a[kLanes], b[kLanes];
+    int16_t values[kLanes];
+    sum_row(first, first.row + y * first.stride, a);
+    if (count == 1) {
+      for (unsigned i = 0; i < kLanes; ++i) {
+        values[i] = static_cast<int16_t>(one_reference_value(a[i]));
+      }
+    } else {
+      sum_row(second, second.row + y * second.stride, b);
+      for (unsigned i = 0; i < kLanes; ++i) {
+        values[i] = static_cast<int16_t>(two_reference_value(a[i], b[i]));
+      }
+    }
+    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
+  }
 }
 
 // All columns, sixteen, eight, four and one at a time.

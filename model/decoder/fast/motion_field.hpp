@@ -1,12 +1,15 @@
-// The fast path's reader of motion tiles: all motion blocks of a tile at once, equal to
-// read_motion_entry on each.
+// Motion tiles and disparities, all values of a tile at once, equal to read_motion_entry and
+// read_disparity on each.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include <hmlfc/error.hpp>
 
+#include "decoder/lazy_map.hpp"
 #include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
@@ -31,5 +34,39 @@ struct MotionField {
 /// read_motion_head.
 Result<void> read_motion_field(const StreamView& stream, const MotionTilePlace& place,
                                MotionField& field);
+
+/// The disparities that one motion plane of one reference image holds (MOT-6). Each motion tile is
+/// read when one of its disparities is first asked for. Thread-safe.
+class DisparityPlane {
+ public:
+  /// Those of `motion_plane` of reference image `image` of level `level`; `stream` must outlive it.
+  DisparityPlane(const StreamView& stream, int level, ImagePos image, size_t motion_plane);
+
+  /// The disparity of a grid block of the plane; nothing where it cannot be read.
+  std::optional<int32_t> find(const GridBlock& block) const {
+    const uint32_t tx = block.gx >> tile_log2_;
+    const uint32_t ty = block.gy >> tile_log2_;
+    read_.fill_once(size_t{ty} * tiles_x_ + tx, [&] { fill_tile(tx, ty); });
+    const int16_t value = values_[size_t{block.gy} * columns_ + block.gx];
+    if (value == kDamaged) return std::nullopt;
+    return value;
+  }
+
+  /// Bytes held.
+  size_t bytes() const { return values_.capacity() * sizeof(int16_t); }
+
+ private:
+  static constexpr int16_t kDamaged = INT16_MIN;  // no disparity is as small
+
+  void fill_tile(uint32_t tx, uint32_t ty) const;
+
+  const StreamView& stream_;
+  MotionTilePlace place_;  // with the tile 0, 0
+  uint32_t columns_;
+  uint32_t tiles_x_;
+  unsigned tile_log2_;                   // grid blocks along a motion tile
+  mutable std::vector<int16_t> values_;  // of the plane, row by row
+  mutable FilledParts read_;             // by motion tile
+};
 
 }  // namespace hmlfc

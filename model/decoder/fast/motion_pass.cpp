@@ -1,4 +1,4 @@
-#include "decoder/fast/motion_pass.hpp"
+#include "decoder/fast/region_decoder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <optional>
 #include <tuple>
 
-#include "arithmetic/narrow.hpp"
 #include "arithmetic/reconstruct.hpp"
+#include "arithmetic/widths.hpp"
 #include "decoder/block_motion.hpp"
 #include "decoder/fast/interpolate.hpp"
 #include "decoder/fast/motion_field.hpp"
@@ -30,7 +30,7 @@ Area common(const Area& a, const Area& b) {
 
 class MotionPass {
  public:
-  MotionPass(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+  MotionPass(const FastSources& sources, int level, ImagePos image, Plane plane,
              const BlockRect& rect, SamplePlane& samples)
       : sources_(sources),
         geometry_(sources.stream.geometry),
@@ -122,9 +122,7 @@ class MotionPass {
 
   Result<int32_t> disparity_at(const PaletteEntry& entry, uint32_t x, uint32_t y) {
     if (!disparities_) {
-      auto read = sources_.references->disparities(level_, resolver_.images()[0], motion_plane_);
-      if (!read) return tl::unexpected(read.error());
-      disparities_ = *read;
+      disparities_ = sources_.references.disparities(level_, resolver_.images()[0], motion_plane_);
     }
     const auto found = disparities_->find(grid_block(x, y, entry.choice,
                                                      sources_.stream.header.disparity_grid_log2,
@@ -202,7 +200,7 @@ class MotionPass {
     BlockMotion motion;
   };
 
-  const DecodeSources& sources_;
+  const FastSources& sources_;
   const Geometry& geometry_;
   int level_;
   ImagePos image_;
@@ -221,7 +219,7 @@ class MotionPass {
 
 }  // namespace
 
-Result<void> add_motion(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+Result<void> add_motion(const FastSources& sources, int level, ImagePos image, Plane plane,
                         const BlockRect& rect, SamplePlane& samples) {
   return MotionPass(sources, level, image, plane, rect, samples).run();
 }

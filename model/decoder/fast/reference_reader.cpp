@@ -13,7 +13,7 @@ uint32_t inside(int32_t coordinate, uint32_t size) {
 
 }  // namespace
 
-Result<ReferenceReader> ReferenceReader::open(const DecodeSources& sources, int level,
+Result<ReferenceReader> ReferenceReader::open(const FastSources& sources, int level,
                                               ImagePos reference, Plane plane) {
   const Geometry& geometry = sources.stream.geometry;
   ReferenceReader reader(geometry.plane(plane), geometry.block_size());
@@ -22,9 +22,7 @@ Result<ReferenceReader> ReferenceReader::open(const DecodeSources& sources, int 
     if (!key) return tl::unexpected(key.error());
     reader.key_ = *key;
   } else {
-    auto sparse = sources.references->plane(level, reference, plane);
-    if (!sparse) return tl::unexpected(sparse.error());
-    reader.sparse_ = *sparse;
+    reader.sparse_ = sources.references.plane(level, reference, plane);
   }
   return reader;
 }

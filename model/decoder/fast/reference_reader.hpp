@@ -6,9 +6,8 @@
 
 #include <hmlfc/error.hpp>
 
-#include "decoder/decode_sources.hpp"
+#include "decoder/block_motion.hpp"
 #include "decoder/fast/sparse_plane.hpp"
-#include "decoder/reference_blocks.hpp"
 #include "decoder/sample_plane.hpp"
 #include "syntax/geometry.hpp"
 
@@ -23,8 +22,8 @@ struct ReferenceView {
 /// One plane of one reference image: a key image or sparse residuals (DEC-4, EXT-5).
 class ReferenceReader {
  public:
-  /// Reference image `reference` of level `level`; `sources.references` must be set.
-  static Result<ReferenceReader> open(const DecodeSources& sources, int level, ImagePos reference,
+  /// Reference image `reference` of level `level`.
+  static Result<ReferenceReader> open(const FastSources& sources, int level, ImagePos reference,
                                       Plane plane);
 
   /// The values of ref in `area` with the border rule (DEC-5): in the plane itself, or in `buffer`,

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <memory>
 
-#include "arithmetic/narrow.hpp"
 #include "arithmetic/reconstruct.hpp"
-#include "bits/bit_mask.hpp"
-#include "decoder/fast/motion_pass.hpp"
+#include "arithmetic/widths.hpp"
+#include "bits/bit_string.hpp"
 #include "decoder/fast/reference_reader.hpp"
+#include "decoder/fast/region_decoder.hpp"
 #include "decoder/fast/tile_blocks.hpp"
 #include "decoder/golden/block_decoder.hpp"
-#include "syntax/tile_layout.hpp"
+#include "syntax/tile_masks.hpp"
 
 namespace hmlfc {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 // Adds one level to the samples of a region, in place: they come in as the parent's.
 class LevelPass {
  public:
-  LevelPass(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+  LevelPass(const FastSources& sources, int level, ImagePos image, Plane plane,
             const BlockRect& rect, SamplePlane& samples)
       : sources_(sources),
         site_{level, image.row, image.col, plane, 0, 0},
@@ -114,7 +114,7 @@ class LevelPass {
     }
   }
 
-  const DecodeSources& sources_;
+  const FastSources& sources_;
   BlockSite site_;
   BlockRect rect_;
   SamplePlane& samples_;
@@ -139,7 +139,7 @@ void copy_key(const SamplePlane& key, const BlockRect& rect, unsigned block_size
 
 }  // namespace
 
-Result<void> add_level(const DecodeSources& sources, int level, ImagePos image, Plane plane,
+Result<void> add_level(const FastSources& sources, int level, ImagePos image, Plane plane,
                        const BlockRect& rect, SamplePlane& samples) {
   const Geometry& geometry = sources.stream.geometry;
   if (!geometry.is_key(level, image)) {
@@ -151,7 +151,7 @@ Result<void> add_level(const DecodeSources& sources, int level, ImagePos image, 
   return {};
 }
 
-Result<SamplePlane> decode_region(const DecodeSources& sources, int level, ImagePos image,
+Result<SamplePlane> decode_region(const FastSources& sources, int level, ImagePos image,
                                   Plane plane, const BlockRect& rect) {
   const Geometry& geometry = sources.stream.geometry;
   const unsigned size = geometry.block_size();

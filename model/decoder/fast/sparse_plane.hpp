@@ -2,18 +2,17 @@
 // values.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include <hmlfc/error.hpp>
 #include <hmlfc/trace.hpp>
 
-#include "decoder/fast/disparity_plane.hpp"
+#include "decoder/fast/motion_field.hpp"
+#include "decoder/golden/block_decoder.hpp"
+#include "decoder/key_images.hpp"
 #include "decoder/lazy_map.hpp"
-#include "decoder/reference_blocks.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc {
@@ -23,7 +22,7 @@ namespace hmlfc {
 class SparsePlane {
  public:
   /// Plane `plane` of reference image `image` of level `level`; `stream` must outlive it.
-  static SparsePlane open(const StreamView& stream, int level, ImagePos image, Plane plane);
+  SparsePlane(const StreamView& stream, int level, ImagePos image, Plane plane);
 
   /// The block's B * B residuals, or null where all are 0. A block that does not decode has its
   /// error, as reading it on demand would.
@@ -45,37 +44,32 @@ class SparsePlane {
     std::vector<Error> errors;
   };
 
-  struct State {
-    explicit State(size_t count) : tiles(count), ready(count) {}
-
-    std::mutex mutex;  // of whoever reads a tile
-    std::vector<Tile> tiles;
-    std::vector<std::atomic<bool>> ready;  // by tile
-  };
-
   const Tile& tile_at(size_t number) const;
   void read_tile(const BlockSite& site, Tile& tile) const;
   void read_blocks(const BlockSite& site, Tile& tile) const;
 
-  const StreamView* stream_ = nullptr;
+  const StreamView& stream_;
   BlockSite site_;  // with the block 0, 0
-  unsigned block_size_ = 4;
-  uint32_t tiles_x_ = 0;
-  std::unique_ptr<State> state_;
+  unsigned block_size_;
+  uint32_t tiles_x_;
+  mutable std::vector<Tile> tiles_;
+  mutable FilledParts read_;  // by tile
 };
 
 /// The sparse planes and disparities of all reference images that were needed so far. Thread-safe.
-class SparseReferences {
+class SparseReferences final : public HeldReferences {
  public:
   explicit SparseReferences(const StreamView& stream) : stream_(stream) {}
 
   /// The plane of reference image `image` of level `level`, which is not keyed.
-  Result<std::shared_ptr<const SparsePlane>> plane(int level, ImagePos image, Plane plane) const;
+  std::shared_ptr<const SparsePlane> plane(int level, ImagePos image, Plane plane) const;
 
   /// The disparities of reference image `image` of level `level` in motion plane `motion_plane`;
   /// the stream has shared_disparity.
-  Result<std::shared_ptr<const DisparityPlane>> disparities(int level, ImagePos image,
-                                                            size_t motion_plane) const;
+  std::shared_ptr<const DisparityPlane> disparities(int level, ImagePos image,
+                                                    size_t motion_plane) const;
+
+  Result<BlockValues> block(const BlockSite& site) const override;
 
   /// Bytes of all that was read so far.
   size_t bytes() const;
@@ -86,14 +80,11 @@ class SparseReferences {
   mutable LazyMap<DisparityPlane> disparities_;
 };
 
-/// A sparse plane as a reference for the golden decoder.
-class SparseReference final : public ReferenceBlocks {
- public:
-  explicit SparseReference(const SparsePlane& plane) : plane_(plane) {}
-  Result<BlockValues> block(uint32_t bx, uint32_t by) override;
-
- private:
-  const SparsePlane& plane_;
+/// What the fast path decodes from.
+struct FastSources {
+  const StreamView& stream;
+  const KeyImages& keys;
+  const SparseReferences& references;
 };
 
 }  // namespace hmlfc

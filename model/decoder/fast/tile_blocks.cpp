@@ -4,12 +4,11 @@
 #include <cstdlib>
 
 #include "arithmetic/bise.hpp"
-#include "arithmetic/narrow.hpp"
 #include "arithmetic/reconstruct.hpp"
-#include "arithmetic/steps.hpp"
-#include "bits/bit_mask.hpp"
+#include "arithmetic/widths.hpp"
+#include "bits/bit_string.hpp"
 #include "decoder/fast/bise_unpack.hpp"
-#include "decoder/fast/padded_record.hpp"
+#include "syntax/index.hpp"
 #include "syntax/tile_record.hpp"
 
 namespace hmlfc {
@@ -41,9 +40,9 @@ struct TileReader {
       }
       blocks.dx[k] = narrow<int8_t>(dx);
       blocks.dy[k] = narrow<int8_t>(dy);
-      const bool mixed = vectors.sign_mode == 2;
-      blocks.negative[k] =
-          mixed ? record.bits().field(vectors.signs_at + m, 1) != 0 : vectors.sign_mode == 1;
+      const bool mixed = vectors.sign_mode == kSignsMixed;
+      blocks.negative[k] = mixed ? record.bits().field(vectors.signs_at + m, 1) != 0
+                                 : vectors.sign_mode == kSignsMinus;
     }
     return {};
   }

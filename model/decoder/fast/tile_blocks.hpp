@@ -6,7 +6,7 @@
 
 #include <hmlfc/error.hpp>
 
-#include "decoder/block_values.hpp"
+#include "decoder/sample_plane.hpp"
 #include "syntax/probe.hpp"
 #include "syntax/stream_view.hpp"
 

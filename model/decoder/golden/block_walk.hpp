@@ -1,12 +1,16 @@
-// One walk (BND-1): from a block's place to its entry and residual.
+// Walks: from a block's place to what the stream says about it (BND-1, BND-3).
 #pragma once
+
+#include <cstddef>
+#include <cstdint>
 
 #include <hmlfc/error.hpp>
 
-#include "decoder/block_values.hpp"
-#include "syntax/block_entry.hpp"
+#include "decoder/block_motion.hpp"
+#include "decoder/sample_plane.hpp"
 #include "syntax/probe.hpp"
 #include "syntax/stream_view.hpp"
+#include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 
@@ -19,5 +23,20 @@ struct CodedBlock {
 /// Finds and reads the block at `probe.site`, which exists and is not in a key image: index, tile
 /// head, entry, values. Errors: those of find_tile, read_tile_head and read_block_entry.
 Result<CodedBlock> walk_to_block(const StreamView& stream, const Probe& probe);
+
+/// A sample of a motion plane.
+struct MotionPlace {
+  size_t motion_plane = 0;  ///< index in Geometry::motion_planes()
+  uint32_t x = 0;
+  uint32_t y = 0;
+};
+
+/// (X, Y) of MOT-4 for block `site` of a stream with motion tiles.
+MotionPlace motion_place(const StreamView& stream, const BlockSite& site);
+
+/// Finds and reads the motion of the block at `probe.site`, which exists in a predictive image of a
+/// stream with motion tiles: its motion tile, then its disparity (MOT-10). Errors: those of
+/// find_tile, read_motion_head, read_motion_entry, read_disparity_head and read_disparity.
+Result<BlockMotion> walk_to_motion(const StreamView& stream, const Probe& probe);
 
 }  // namespace hmlfc

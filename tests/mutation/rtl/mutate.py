@@ -79,13 +79,14 @@ class Record:
 
     @staticmethod
     def write(listed: bytes, results: dict[int, dict]) -> None:
+        """`results`: of all mutants that are listed."""
         found = collections.defaultdict(list)
         for number, result in sorted(results.items()):
             if result["result"] in FOUND:
                 found[result["vector"]].append(number)
         rows = ",\n".join(f"  {json.dumps(vector)}: {numbers}" for vector, numbers in sorted(found.items()))
         RECORDED.write_text(f'{{"mutants_sha256": "{hashlib.sha256(listed).hexdigest()}",\n'
-                            f' "found": {{\n{rows}}}}}\n', encoding="utf-8")
+                            f' "mutants": {len(results)},\n "found": {{\n{rows}}}}}\n', encoding="utf-8")
 
 
 def run_groups(program: list[str], groups: list[list[dict]], record: Record, note) -> None:

@@ -5,7 +5,7 @@
 #include <MutatedUnit.h>
 #include <fmt/format.h>
 
-#include "verilated_unit.hpp"
+#include "unit/verilated_unit.hpp"
 
 namespace hmlfc::tb {
 

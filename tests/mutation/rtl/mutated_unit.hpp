@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "pins.hpp"
+#include "unit/pins.hpp"
 
 namespace hmlfc::tb {
 

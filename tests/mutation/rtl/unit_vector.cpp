@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "bits/crc32c.hpp"
-#include "golden_stream.hpp"
-#include "level_record.hpp"
-#include "oracle.hpp"
+#include "oracle/golden_stream.hpp"
+#include "oracle/level_record.hpp"
+#include "oracle/oracle.hpp"
 #include "syntax/header.hpp"
-#include "vectors/picture_bytes.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -10,9 +10,9 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "io/mapped_file.hpp"
-#include "stream_image.hpp"
-#include "unit_host.hpp"
+#include "io/files.hpp"
+#include "systemc/stream_image.hpp"
+#include "unit/unit_host.hpp"
 #include "vectors/manifest.hpp"
 
 namespace hmlfc::tb {

@@ -1,8 +1,0 @@
-// Stands for the Verilated units where there are none.
-#include "units.hpp"
-
-namespace hmlfc::tb {
-
-std::vector<UnitMaker> rtl_units() { return {}; }
-
-}  // namespace hmlfc::tb

@@ -1,0 +1,264 @@
+// gpu-check: every block of a stream, or a part of them, through the GPU decoder and the golden
+// model.
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "decoder/open_stream.hpp"
+#include "gpu/frame_check.hpp"
+#include "gpu/gpu_answers.hpp"
+#include "gpu/speed.hpp"
+#include "gpu/stream_check.hpp"
+#include "io/files.hpp"
+#include "oracle/oracle.hpp"
+#include "oracle/trace_text.hpp"
+#include "programs/plan_options.hpp"
+#include "stimulus/sequences.hpp"
+#include "terminal/numbers.hpp"
+#include "terminal/progress_bar.hpp"
+
+namespace hmlfc::gpu {
+namespace {
+
+constexpr int kExitDifferent = 1;
+constexpr int kExitUsage = 2;
+
+struct Options {
+  std::string file;
+  std::string views = "1";
+  std::string order = "scan";
+  std::vector<uint32_t> block;
+  tb::ScanPlan plan;
+  uint64_t mixed = 0;
+  DeviceOptions device;
+  bool list = false;
+  bool json = false;
+  bool answers_only = false;
+  bool speed = false;
+  uint64_t frames = 0;
+  uint32_t cache_mib = 256;
+  std::string size;
+  Camera camera;
+};
+
+int usage_error(const std::string& message) {
+  fmt::print(stderr, "gpu-check: {}\n", message);
+  return kExitUsage;
+}
+
+void add_options(CLI::App& app, Options& o) {
+  app.add_option("file", o.file, "The stream");
+  tb::add_plan_options(app, o.views, o.order, o.plan, o.mixed);
+  app.add_option("--block", o.block,
+                 "Print the stages of one block instead: ROW COL PLANE BX BY [STOP]")
+      ->expected(5, 6);
+  app.add_flag("--speed", o.speed, "Decode --views whole views and say how long it takes instead");
+  app.add_option("--frames", o.frames,
+                 "Render so many novel views instead, from the first column to the last");
+  app.add_option("--size", o.size, "Pixels of a frame, WxH (default: those of a view)");
+  app.add_option("--cache", o.cache_mib, "MiB of decoded blocks kept between frames")
+      ->check(CLI::Range(0u, 1u << 20))
+      ->capture_default_str();
+  app.add_option("--device", o.device.device, "Number or part of the name of a Vulkan device");
+  app.add_flag("--list-devices", o.list, "List the Vulkan devices");
+  app.add_option("--chunk-bytes", o.device.chunk_bytes,
+                 "Largest buffer of stream and reference area, a power of two");
+  app.add_flag("--validation", o.device.validation, "Run under the Vulkan validation layer");
+  app.add_flag("--answers-only", o.answers_only, "Do not compare the stages");
+  app.add_flag("--json", o.json, "Print JSON");
+}
+
+std::string replay_command(const Options& o) {
+  std::string text = fmt::format("./run gpu-check {} --seed {}", o.file, o.plan.seed);
+  if (o.mixed != 0) text += fmt::format(" --mixed {}", o.mixed);
+  if (o.mixed == 0) text += fmt::format(" --views {} --order {}", o.views, o.order);
+  if (o.plan.plane != tb::kRgb) text += fmt::format(" --plane {}", o.plan.plane);
+  if (o.plan.stop_level != 0) text += fmt::format(" --stop-level {}", o.plan.stop_level);
+  if (o.plan.fraction < 1) text += fmt::format(" --fraction {}", o.plan.fraction);
+  if (!o.device.device.empty()) text += fmt::format(" --device \"{}\"", o.device.device);
+  if (o.device.chunk_bytes != 0) text += fmt::format(" --chunk-bytes {}", o.device.chunk_bytes);
+  if (o.answers_only) text += " --answers-only";
+  return text;
+}
+
+int list() {
+  const auto devices = list_devices();
+  if (!devices) return usage_error(devices.error().message);
+  for (size_t i = 0; i < devices->size(); ++i) {
+    const DeviceInfo& info = (*devices)[i];
+    fmt::print("{}: {} ({}), bindings of {} MiB{}\n", i, info.name, info.kind,
+               info.max_binding >> 20,
+               info.missing.empty() ? "" : ", cannot run the decoder: no " + info.missing);
+  }
+  return 0;
+}
+
+// The requests of the run; with `total` their number where it is known.
+tb::RequestSource requests_of(const Options& o, const tb::GoldenStream& stream, uint64_t& total) {
+  const Geometry& geometry = stream.geometry();
+  const StreamHeader& header = stream.header();
+  total = o.mixed;
+  if (o.mixed != 0) return tb::mixed_requests(geometry, header, o.mixed, o.plan.seed, 30);
+  const Plane plane = o.plan.plane == tb::kRgb ? Plane::kY : static_cast<Plane>(o.plan.plane);
+  const PlaneShape& shape = geometry.plane(plane);
+  const uint64_t views = std::min(o.plan.views, uint64_t{header.rows} * header.cols);
+  const auto blocks = static_cast<double>(views * shape.blocks_x * shape.blocks_y);
+  total = static_cast<uint64_t>(blocks * o.plan.fraction);
+  return tb::scan_requests(geometry, header, o.plan);
+}
+
+// Prints the model's and the device's stages of one block; whether both are equal.
+int show_block(const Options& o, const tb::GoldenStream& stream, GpuDecoder& decoder) {
+  tb::Request request{o.block[0], o.block[1], o.block[3], o.block[4], o.block[2]};
+  if (o.block.size() == 6) request.stop_level = o.block[5];
+  if (request.plane > 2) return usage_error("--block takes plane 0, 1 or 2");
+  const auto traces = gpu_traces(decoder, std::span(&request, 1));
+  if (!traces) return usage_error(traces.error().message);
+  const auto expected = tb::Oracle(stream).evaluate(request);
+  const unsigned size = stream.geometry().block_size();
+  fmt::print("model: {}\n", tb::status_name(expected.answer.status));
+  std::fflush(stdout);
+  if (expected.planes[0]) {
+    for (const tb::LevelRecord& record : expected.planes[0]->levels) {
+      tb::write_record(stdout, record, size);
+      if (record.error != 0) break;
+    }
+  }
+  const GpuTrace& trace = traces->front();
+  fmt::print("device: {}\n", tb::status_name(trace.status));
+  std::fflush(stdout);
+  for (size_t i = 0; i < trace.levels.size(); ++i) {
+    tb::LevelRecord record = trace.levels[i];
+    if (expected.planes[0]) record.site = expected.planes[0]->levels[i].site;
+    tb::write_record(stdout, record, size);
+  }
+  return expected.answer.status == trace.status ? 0 : kExitDifferent;
+}
+
+void print_text(const Device& device, const CheckResult& result) {
+  const CheckCounts& c = result.counts;
+  fmt::print(
+      "{}: {} sent, {} compared, {} of them with an equal error\n"
+      "stages: {} blocks of a level compared\n",
+      device.info().name, c.sent, c.compared, c.failed(), c.levels);
+  for (const std::string& message : device.validation_messages()) {
+    fmt::print("validation: {}\n", message);
+  }
+  if (result.mismatch) fmt::print("MISMATCH: {}\n", to_string(*result.mismatch));
+}
+
+void print_json(const Options& o, const Device& device, const CheckResult& result, bool passed) {
+  nlohmann::ordered_json json{{"file", o.file},
+                              {"device", device.info().name},
+                              {"seed", o.plan.seed},
+                              {"replay", replay_command(o)},
+                              {"passed", passed},
+                              {"sent", result.counts.sent},
+                              {"compared", result.counts.compared},
+                              {"failed", result.counts.failed()},
+                              {"levels_compared", result.counts.levels},
+                              {"validation_messages", device.validation_messages()}};
+  if (result.mismatch) json["mismatch"] = to_string(*result.mismatch);
+  fmt::print("{}\n", json.dump(2));
+}
+
+int check(const Options& o, const tb::GoldenStream& stream, Device& device, GpuDecoder& decoder) {
+  uint64_t total = 0;
+  const tb::RequestSource source = requests_of(o, stream, total);
+  terminal::ProgressBar bar("Checking", "blocks");
+  CheckOptions options;
+  options.stages = !o.answers_only;
+  options.progress = [&](uint64_t done) { bar.update(std::min(done, total), total); };
+  const auto result = check_stream(decoder, stream, source, options);
+  bar.clear();
+  if (!result) return usage_error(result.error().message);
+  const bool passed = !result->mismatch && result->counts.compared == result->counts.sent &&
+                      result->counts.compared != 0 && device.validation_messages().empty();
+  if (o.json) {
+    print_json(o, device, *result, passed);
+  } else {
+    print_text(device, *result);
+    fmt::print("{}\n", passed ? "equal to the model" : "FAILED");
+  }
+  return passed ? 0 : kExitDifferent;
+}
+
+int show_speed(const Options& o, const StreamView& view, const Device& device,
+               GpuDecoder& decoder) {
+  const uint64_t grid = uint64_t{view.header.rows} * view.header.cols;
+  const auto report = measure_speed(decoder, device, view, std::min(o.plan.views, grid));
+  if (!report) return usage_error(report.error().message);
+  fmt::print("{}", o.json ? to_json(*report) : to_text(*report));
+  return 0;
+}
+
+int show_frames(const Options& o, std::span<const uint8_t> file, const StreamView& view,
+                Device& device) {
+  auto renderer = GpuRenderer::open(device, view, uint64_t{o.cache_mib} << 20);
+  if (!renderer) return usage_error(renderer.error().message);
+  if (o.speed) {
+    const auto speed = measure_frames(*renderer, view, o.camera, o.frames);
+    if (!speed) return usage_error(speed.error().message);
+    fmt::print("{}\ncold: {}warm: {}", device.info().name, to_text(speed->cold),
+               to_text(speed->warm));
+    return 0;
+  }
+  const auto path = check_frames(*renderer, file, view, o.camera, o.frames);
+  if (!path) return usage_error(path.error().message);
+  fmt::print("{}: {}", device.info().name, to_text(*path));
+  fmt::print("{}\n", path->mismatch ? "FAILED" : "equal to the golden renderer");
+  return path->mismatch ? kExitDifferent : 0;
+}
+
+int run_on_stream(const Options& o) {
+  const auto file = io::MappedFile::open(o.file);
+  if (!file) return usage_error(file.error().message);
+  OpenOptions open_options;
+  open_options.check_sections = false;  // damaged streams are checked too
+  const auto view = open_stream(file->bytes(), open_options);
+  if (!view) return usage_error(o.file + ": " + to_string(view.error()));
+  const auto stream = tb::GoldenStream::open(file->bytes(), {view->header.block_log2, 12, 16, 16});
+  if (!stream) return usage_error(o.file + ": " + to_string(stream.error()));
+  auto device = Device::open(o.device);
+  if (!device) return usage_error(device.error().message);
+  if (o.frames != 0) return show_frames(o, file->bytes(), *view, *device);
+  auto decoder = GpuDecoder::open(*device, *view);
+  if (!decoder) return usage_error(decoder.error().message);
+  if (o.speed) return show_speed(o, *view, *device, *decoder);
+  if (!o.block.empty()) return show_block(o, **stream, *decoder);
+  const std::string head = fmt::format("seed {}, replay: {}\n", o.plan.seed, replay_command(o));
+  fmt::print(stderr, "{}", head);
+  const int status = check(o, **stream, *device, *decoder);
+  std::fflush(stdout);
+  fmt::print(stderr, "{}", head);
+  return status;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Checks the GPU decoder's blocks of a stream against the golden model"};
+  Options o;
+  add_options(app, o);
+  CLI11_PARSE(app, argc, argv);
+  if (o.list) return list();
+  if (o.file.empty()) return usage_error("which stream? See --help");
+  o.plan.random_order = o.order == "random";
+  if (o.views == "all") {
+    o.plan.views = ~uint64_t{0};
+  } else if (!CLI::detail::lexical_cast(o.views, o.plan.views) || o.plan.views == 0) {
+    return usage_error("--views is a number or all");
+  }
+  if (!o.size.empty()) {
+    const auto size = terminal::parse_numbers<2>(o.size, 'x');
+    if (!size) return usage_error("--size is WxH, such as 512x512");
+    o.camera.frame_width = (*size)[0];
+    o.camera.frame_height = (*size)[1];
+  }
+  return run_on_stream(o);
+}
+
+}  // namespace
+}  // namespace hmlfc::gpu
+
+int main(int argc, char** argv) { return hmlfc::gpu::run(argc, argv); }

@@ -1,0 +1,212 @@
+// rtl-random: the regression. Random streams of both profiles, intact and damaged, or the
+// conformance vectors, with random sequences and conditions, all by seed.
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "io/files.hpp"
+#include "syntax/header.hpp"
+#include "systemc/failure_folder.hpp"
+#include "systemc/suite.hpp"
+#include "unit/stand_in.hpp"
+#include "vectors/manifest.hpp"
+
+namespace hmlfc::tb {
+namespace {
+
+constexpr int kExitDifferent = 1;
+constexpr int kExitUsage = 2;
+
+struct Options {
+  uint32_t seed = 0;
+  uint32_t count = 1;
+  double minutes = 0;
+  std::string unit = "rtl";
+  std::string output = "out";
+  bool coverage = false;
+  bool all_points = false;
+  std::string points;
+  std::string suite;
+};
+
+// A stream for the units that are to decode it.
+struct Case {
+  uint32_t seed = 0;
+  std::string name;
+  std::vector<uint8_t> bytes;
+};
+
+std::string replay_command(const Options& o, uint32_t seed, uint32_t count) {
+  std::string text = fmt::format("./run rtl-random --seed {} --count {}", seed, count);
+  if (!o.suite.empty()) text += " --suite " + o.suite;
+  if (o.unit != "rtl") text += " --unit " + o.unit;
+  return text;
+}
+
+std::vector<UnitMaker> makers_of(const Options& o) {
+  if (o.unit == "rtl") return rtl_units();
+  return {{"stand-in", {2, 12, 16, 16}, &StandIn::make},
+          {"stand-in", {1, 12, 8, 16}, &StandIn::make},
+          {"stand-in", {3, 12, 16, 16}, &StandIn::make}};
+}
+
+// One stream on one unit; whether all was equal.
+bool run_stream(Bench& bench, const UnitMaker& maker, const Options& o, const Case& one,
+                ScoreCounts& total) {
+  StreamImage image(one.bytes, maker.parameters);
+  const SuiteResult result = run_case(bench, maker, image, one.seed);
+  total += result.counts;
+  if (!result.mismatch) return true;
+  const std::string replay = replay_command(o, one.seed, 1);
+  const std::string id = fmt::format("random-{}-block-{}", one.seed, maker.parameters.block_size());
+  const auto folder =
+      keep_failure(bench, maker, image, {*result.mismatch, result.history, replay, id}, o.output);
+  std::ofstream(folder / "stream.hmlfc", std::ios::binary)
+      .write(reinterpret_cast<const char*>(one.bytes.data()),
+             static_cast<std::streamsize>(one.bytes.size()));
+  fmt::print("MISMATCH: {}, block size {}: {}\nkept in {}\nreplay: {}\n", one.name,
+             maker.parameters.block_size(), to_string(*result.mismatch), folder.string(), replay);
+  return false;
+}
+
+// A random stream of each unit's block size.
+bool run_seed(Bench& bench, const std::vector<UnitMaker>& makers, const Options& o, uint32_t seed,
+              ScoreCounts& total) {
+  bool equal = true;
+  for (const UnitMaker& maker : makers) {
+    Case one{seed, fmt::format("seed {}", seed), suite_stream(seed, maker.parameters.block_size())};
+    corrupt(one.bytes, suite_damage(seed), seed);
+    equal = run_stream(bench, maker, o, one, total) && equal;
+  }
+  return equal;
+}
+
+std::vector<vectors::Vector> vectors_of(const Options& o) {
+  if (o.suite.empty()) return {};
+  auto manifest = vectors::read_manifest(o.suite);
+  if (!manifest) throw std::runtime_error(manifest.error().message);
+  return std::move(manifest->vectors);
+}
+
+// A vector on the unit for its block size; without a sound header on the first.
+bool run_vector(Bench& bench, const std::vector<UnitMaker>& makers, const Options& o,
+                const vectors::Vector& vector, uint32_t seed, ScoreCounts& total) {
+  const auto file = io::MappedFile::open(std::filesystem::path(o.suite) / vector.input.file);
+  if (!file) throw std::runtime_error(file.error().message);
+  const auto header = parse_header(file->bytes());
+  const UnitMaker* maker =
+      header ? unit_for(makers, header->block_log2, header->depth) : &makers.front();
+  const Case one{seed, vector.id, {file->bytes().begin(), file->bytes().end()}};
+  return maker == nullptr || run_stream(bench, *maker, o, one, total);
+}
+
+void print_replay(const Options& o, uint32_t count) {
+  fmt::print(stderr, "seed {}, replay: {}\n", o.seed, replay_command(o, o.seed, count));
+}
+
+// When to stop; a terminal sees how far it is.
+class Progress {
+ public:
+  explicit Progress(const Options& o) : options_(o) {}
+
+  // Whether `seed` is still to be run; a seed that has begun is run to its end.
+  bool goes_on(uint32_t seed) const {
+    const uint32_t done = seed - options_.seed;
+    const bool more = options_.minutes == 0 ? done < options_.count : minutes() < options_.minutes;
+    if (more && terminal_) fmt::print(stderr, "\rseed {}, {:.1f} minutes", seed, minutes());
+    return more;
+  }
+
+  void clear() const {
+    if (terminal_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  double minutes() const {
+    return std::chrono::duration<double, std::ratio<60>>(Clock::now() - begin_).count();
+  }
+
+  const Options& options_;
+  Clock::time_point begin_ = Clock::now();
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+int run(int argc, char** argv) {
+  CLI::App app{"Checks the decode unit on random streams"};
+  Options o;
+  app.add_option("--seed", o.seed, "Seed of the first stream")->capture_default_str();
+  app.add_option("--count", o.count, "Number of seeds")->capture_default_str();
+  app.add_option("--minutes", o.minutes, "Run for this time in place of --count seeds")
+      ->check(CLI::Range(0.0, 100000.0));
+  app.add_option("--unit", o.unit, "rtl or stand-in")
+      ->check(CLI::IsMember({"rtl", "stand-in"}))
+      ->capture_default_str();
+  app.add_option("--output", o.output, "Folder in which failure/ID/ is created")
+      ->capture_default_str();
+  app.add_option(
+      "--suite", o.suite,
+      "Run the vectors of this folder in place of random streams; a seed is a vector's number");
+  app.add_flag("--coverage", o.coverage, "Print the functional coverage");
+  app.add_flag("--all-points", o.all_points, "Fail where a functional point is not met");
+  app.add_option("--points", o.points, "Write the functional coverage to this file, as JSON");
+  CLI11_PARSE(app, argc, argv);
+  const auto makers = makers_of(o);
+  if (makers.empty()) {
+    fmt::print(stderr, "rtl-random: this build has no Verilated unit (Verilator is missing)\n");
+    return kExitUsage;
+  }
+  const std::vector<vectors::Vector> suite = vectors_of(o);
+  if (!o.suite.empty()) {
+    if (o.seed >= suite.size()) throw std::runtime_error(o.suite + " has no vector of that number");
+    o.minutes = 0;
+    o.count = std::min(o.count, static_cast<uint32_t>(suite.size()) - o.seed);
+  }
+  if (o.minutes == 0) print_replay(o, o.count);
+  Bench bench;
+  ScoreCounts total;
+  uint32_t failed = 0;
+  Progress progress(o);
+  uint32_t seed = o.seed;
+  for (; progress.goes_on(seed) && failed == 0; ++seed) {
+    failed += suite.empty() ? !run_seed(bench, makers, o, seed, total)
+                            : !run_vector(bench, makers, o, suite[seed], seed, total);
+  }
+  progress.clear();
+  const bool agree = total.sent == total.received + total.dropped &&
+                     total.received == total.compared + total.unchecked;
+  fmt::print("{} streams on {}, seeds {} to {}\n", seed - o.seed,
+             suite.empty() ? fmt::format("{} units each", makers.size()) : "the unit for each",
+             o.seed, seed - 1);
+  fmt::print("{} sent, {} received, {} compared, {} unchecked, {} dropped, {} stage records\n",
+             total.sent, total.received, total.compared, total.unchecked, total.dropped,
+             total.records);
+  if (o.coverage) fmt::print("{}", bench.coverage().report());
+  if (!o.points.empty()) std::ofstream(o.points) << bench.coverage().to_json();
+  fmt::print("{}\n", failed == 0 && agree ? "equal to the model" : "FAILED");
+  const std::vector<std::string> missed = bench.coverage().missed();
+  if (o.all_points && !missed.empty()) fmt::print("not met: {}\n", fmt::join(missed, ", "));
+  std::fflush(stdout);
+  print_replay(o, seed - o.seed);
+  const bool met = !o.all_points || missed.empty();
+  return failed == 0 && agree && met ? 0 : kExitDifferent;
+}
+
+}  // namespace
+}  // namespace hmlfc::tb
+
+int sc_main(int argc, char** argv) {
+  try {
+    return hmlfc::tb::run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rtl-random: {}\n", error.what());
+    return hmlfc::tb::kExitUsage;
+  }
+}

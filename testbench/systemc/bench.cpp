@@ -1,0 +1,212 @@
+#include "systemc/bench.hpp"
+
+#include <ctime>
+
+namespace hmlfc::tb {
+namespace {
+
+constexpr uint64_t kChunk = 64;            // clocks between looks at whether a run is over
+constexpr uint64_t kHangClocks = 100'000;  // without a request, a record, a beat or an answer
+constexpr uint64_t kLoadClocks = 1'000'000;
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+uint64_t align(uint64_t address, uint64_t to) { return (address + to - 1) / to * to; }
+
+}  // namespace
+
+Bench::Clock::Clock(const sc_core::sc_module_name& name, Wires& wires,
+                    std::unique_ptr<DecodeUnit>& unit)
+    : sc_core::sc_module(name), wires_(wires), unit_(unit), period_(1, sc_core::SC_NS) {
+  SC_HAS_PROCESS(Clock);
+  SC_METHOD(tick);
+  SC_METHOD(settle);
+  sensitive << settled_;
+  dont_initialize();
+}
+
+void Bench::Clock::tick() {
+  wires_.edge.notify();
+  settled_.notify(sc_core::SC_ZERO_TIME);
+  next_trigger(period_);
+}
+
+void Bench::Clock::settle() {
+  ++wires_.cycle;
+  if (!unit_) return;
+  unit_->clock(wires_.in, wires_.next, wires_.out);
+  wires_.in = wires_.next;
+  if (listener) listener(wires_.out);
+}
+
+Bench::Bench()
+    : clock_("clock", wires_, unit_),
+      scoreboard_("scoreboard", findings_, coverage_),
+      monitor_("stream_monitor", wires_, scoreboard_, findings_),
+      read_monitor_("read_monitor", wires_, findings_),
+      driver_("driver", wires_),
+      memory_("memory", wires_),
+      registers_("registers", wires_, findings_) {}
+
+void Bench::attach(std::unique_ptr<DecodeUnit> unit) {
+  unit_ = std::move(unit);
+  wires_.in = wires_.next = {};
+  wires_.out = {};
+  memory_.set_beat_bytes(unit_->parameters().beat_bytes);
+  read_monitor_.set_unit(unit_->parameters());
+  traced_ = unit_->has_trace();
+  scoreboard_.expect_trace(traced_);
+  scoreboard_.clear();
+  findings_.clear();
+  reset();
+}
+
+void Bench::compare_answers_only() {
+  traced_ = false;
+  scoreboard_.expect_trace(false);
+}
+
+void Bench::set_image(const MemoryImage& image) {
+  image_ = image;
+  if (image_.reference_base == 0) {
+    image_.reference_base = align(image_.stream_base + image_.stream.size(), 4096);
+  }
+  memory_.set_regions(
+      {{image_.stream_base, image_.stream}, {image_.reference_base, image_.reference_area}});
+}
+
+void Bench::run_clocks(uint64_t clocks) {
+  sc_core::sc_start(static_cast<double>(clocks), sc_core::SC_NS);
+}
+
+void Bench::reset(unsigned clocks) {
+  driver_.stop();
+  wires_.next.rst_n = false;
+  run_clocks(clocks);
+  scoreboard_.on_reset();
+  wires_.next.rst_n = true;
+  run_clocks(1);
+}
+
+void Bench::write(uint32_t address, uint32_t value) {
+  registers_.start_write(address, value);
+  for (uint64_t i = 0; !registers_.done() && i < kHangClocks; ++i) run_clocks(1);
+  if (!registers_.done()) {
+    findings_.add({"registers: no response to a write", {}, std::to_string(address), {}, cycle()});
+  }
+}
+
+uint32_t Bench::read(uint32_t address) {
+  registers_.start_read(address);
+  for (uint64_t i = 0; !registers_.done() && i < kHangClocks; ++i) run_clocks(1);
+  if (registers_.done()) return registers_.value();
+  findings_.add({"registers: no response to a read", {}, std::to_string(address), {}, cycle()});
+  return 0;
+}
+
+uint64_t Bench::read_pair(uint32_t address) {
+  const uint64_t low = read(address);
+  return low | uint64_t{read(address + 4)} << 32;
+}
+
+std::optional<uint32_t> Bench::load() {
+  const auto write_pair = [&](uint32_t address, uint64_t value) {
+    write(address, static_cast<uint32_t>(value));
+    write(address + 4, static_cast<uint32_t>(value >> 32));
+  };
+  write_pair(reg::kStreamBase, image_.stream_base);
+  write_pair(reg::kStreamBytes, image_.stream.size());
+  write_pair(reg::kReferenceBase, image_.reference_base);
+  scoreboard_.forget_chroma();
+  write(reg::kControl, reg::kLoad);
+  const uint64_t begin = cycle();
+  while (cycle() - begin < kLoadClocks) {
+    const uint32_t status = read(reg::kStatus);
+    if (findings_.first()) return std::nullopt;
+    if ((status & reg::kLoading) == 0) return status;
+  }
+  findings_.add({"registers: LOAD does not end", {}, {}, {}, cycle()});
+  return std::nullopt;
+}
+
+void Bench::run(RequestSource source, Oracle& oracle, const Conditions& conditions, uint64_t seed,
+                uint64_t stop_after) {
+  scoreboard_.set_oracle(&oracle, unit_->parameters().block_size());
+  coverage_.on_conditions(conditions);
+  if (oracle.stream() != nullptr) coverage_.on_stream(oracle.stream()->header());
+  memory_.start(conditions, seed ^ 1);
+  registers_.set_seed(seed ^ 2);
+  driver_.start(std::move(source), conditions, seed);
+  const double begin = cpu_seconds();
+  const uint64_t begin_clock = cycle();
+  uint64_t moved = 0;
+  uint64_t moved_at = cycle();
+  while (!findings_.first()) {
+    run_clocks(kChunk);
+    if (stop_after != 0 && cycle() - begin_clock >= stop_after) break;
+    if (driver_.done() && scoreboard_.in_flight() == 0) break;
+    const ScoreCounts& counts = scoreboard_.counts();
+    const uint64_t moves = counts.sent + counts.received + counts.records + read_monitor_.beats();
+    if (moves != moved) moved_at = cycle();
+    moved = moves;
+    if (cycle() - moved_at > kHangClocks) break;
+  }
+  if (stop_after == 0 && !findings_.first()) {
+    run_clocks(kChunk);  // an answer too many shows up now
+    scoreboard_.finish(cycle());
+    if (!driver_.done() && !findings_.first()) {
+      findings_.add({"requests: the unit takes no more", {}, {}, {}, cycle()});
+    }
+  }
+  statistics_.seconds += cpu_seconds() - begin;
+  statistics_.clocks = stream_counts().last_answer - stream_counts().first_request;
+  statistics_.bytes_read = read_monitor_.beats() * unit_->parameters().beat_bytes;
+}
+
+void Bench::begin_counting() {
+  write(reg::kControl, reg::kClear);
+  scoreboard_.clear();
+  monitor_.clear_counts();
+  read_monitor_.clear_counts();
+  memory_.clear_counts();
+  statistics_ = {};
+}
+
+void Bench::expect_counter(const char* name, uint64_t expected, uint64_t actual) {
+  if (expected == actual) return;
+  findings_.add({std::string("registers: ") + name,
+                 {},
+                 {},
+                 "expected " + std::to_string(expected) + ", actual " + std::to_string(actual),
+                 cycle()});
+}
+
+void Bench::check_settings() {
+  const UnitParameters unit = unit_->parameters();
+  expect_counter("ID", reg::kIdValue, read(reg::kId));
+  expect_counter("PARAMETERS", reg::parameters(unit.block_log2, unit.max_depth, unit.beat_bytes),
+                 read(reg::kParameters));
+  expect_counter("STREAM_BASE", image_.stream_base, read_pair(reg::kStreamBase));
+  expect_counter("STREAM_BYTES", image_.stream.size(), read_pair(reg::kStreamBytes));
+  expect_counter("REFERENCE_BASE", image_.reference_base, read_pair(reg::kReferenceBase));
+}
+
+void Bench::disable() {
+  write(reg::kControl, reg::kDisable);
+  expect_counter("STATUS after DISABLE", 0, read(reg::kStatus) & (reg::kReady | reg::kLoading));
+}
+
+void Bench::check_counters() {
+  const ScoreCounts& counts = scoreboard_.counts();
+  expect_counter("REQUESTS", counts.received, read_pair(reg::kRequests));
+  expect_counter("STALLS", stream_counts().answer_stalls, read_pair(reg::kStalls));
+  expect_counter("BYTES_READ", read_monitor_.beats() * unit_->parameters().beat_bytes,
+                 read_pair(reg::kBytesRead));
+  expect_counter("CYCLES", stream_counts().busy, read_pair(reg::kCycles));
+  expect_counter("ERROR", counts.first_error, read(reg::kError));
+  expect_counter("ERROR_ADDRESS", counts.first_error_request, read_pair(reg::kErrorAddress));
+  if (traced_) expect_counter("BLOCKS", counts.records, read_pair(reg::kBlocks));
+  expect_counter("STATUS idle", reg::kIdle, read(reg::kStatus) & reg::kIdle);
+}
+
+}  // namespace hmlfc::tb

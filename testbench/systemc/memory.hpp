@@ -1,0 +1,72 @@
+// The memory behind the unit's read master.
+#pragma once
+
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "stimulus/conditions.hpp"
+#include "systemc/wires.hpp"
+
+namespace hmlfc::tb {
+
+/// Bytes at an address.
+struct MemoryRegion {
+  uint64_t base = 0;
+  std::span<const uint8_t> bytes;
+};
+
+/// Addresses [begin, end) whose beats come with `response` (2 SLVERR, 3 DECERR) and random data.
+struct FaultyRange {
+  uint64_t begin = 0;
+  uint64_t end = 0;
+  uint8_t response = 2;
+};
+
+/// Counts of the memory.
+struct MemoryCounts {
+  uint64_t bursts = 0;
+  uint64_t beats = 0;
+  uint64_t error_beats = 0;    ///< of faulty ranges
+  uint64_t outside_beats = 0;  ///< wholly outside all regions: DECERR
+};
+
+/// AXI read slave: answers bursts in their order. Bytes up to 31 beyond the end of a region are
+/// random; what lies further outside gives DECERR.
+class Memory final : public EdgeModule {
+ public:
+  Memory(const sc_core::sc_module_name& name, Wires& wires) : EdgeModule(name, wires) {}
+
+  void set_beat_bytes(unsigned bytes) { beat_bytes_ = bytes; }
+  void set_regions(std::vector<MemoryRegion> regions) { regions_ = std::move(regions); }
+  void set_faults(std::vector<FaultyRange> faults) { faults_ = std::move(faults); }
+
+  void start(const Conditions& conditions, uint64_t seed);
+
+  const MemoryCounts& counts() const { return counts_; }
+  void clear_counts() { counts_ = {}; }
+
+ protected:
+  void edge() override;
+
+ private:
+  struct Burst {
+    uint64_t address;     // of the next beat
+    unsigned beats_left;  // [1, 256]
+    uint64_t ready_at;    // first clock at which a beat may be shown
+  };
+
+  void take_address();
+  void show_beat();
+  void fill(Beat& beat, uint64_t address);
+
+  std::vector<MemoryRegion> regions_;
+  std::vector<FaultyRange> faults_;
+  unsigned beat_bytes_ = 16;
+  Conditions conditions_;
+  Random random_{0};
+  std::deque<Burst> bursts_;
+  MemoryCounts counts_;
+};
+
+}  // namespace hmlfc::tb

@@ -1,0 +1,262 @@
+#include "systemc/scoreboard.hpp"
+
+#include <algorithm>
+
+namespace hmlfc::tb {
+namespace {
+
+std::string expected_actual(const std::string& field, int64_t expected, int64_t actual) {
+  return field + ": expected " + std::to_string(expected) + ", actual " + std::to_string(actual);
+}
+
+std::string status_text(unsigned status) {
+  return status_name(status) + " (" + std::to_string(status) + ")";
+}
+
+size_t kind_of(const LevelRecord& record) {
+  return record.key ? kBlockKinds - 1 : static_cast<size_t>(record.state());
+}
+
+}  // namespace
+
+void Scoreboard::set_oracle(Oracle* oracle, unsigned block_size) {
+  oracle_ = oracle;
+  block_size_ = block_size;
+}
+
+void Scoreboard::on_request(const Request& request, uint64_t cycle) {
+  ++counts_.sent;
+  if (oracle_ == nullptr) {
+    findings_.add({"protocol: request taken before LOAD", request, {}, {}, cycle});
+    return;
+  }
+  if (pending_.empty() && records_.empty()) last_record_ = cycle;
+  pending_.push_back(oracle_->evaluate(request));
+  coverage_.on_expected(pending_.back(), oracle_->stream());
+  if (traced_) add_records(pending_.back());
+}
+
+// Whether the unit leaves out the chroma of `expected`: that of the latest request for RGB.
+bool Scoreboard::holds_chroma(const ExpectedAnswer& expected) {
+  const auto key = chroma_key(expected);
+  if (!key) return false;
+  const bool held = held_chroma_ == key;
+  held_chroma_ = key;
+  return held;
+}
+
+void Scoreboard::add_records(const ExpectedAnswer& expected) {
+  const uint64_t number = first_pending_ + pending_.size() - 1;
+  const bool held = holds_chroma(expected);
+  const bool uncertain = held && chroma_uncertain_;
+  if (chroma_key(expected)) chroma_uncertain_ = bus_errors_;
+  const bool failed = expected.answer.status != 0 || bus_errors_;
+  for (size_t p = 0; p < kPlaneCount; ++p) {
+    const auto& plane = expected.planes[p];
+    if (!plane) continue;
+    bool unknown = false;
+    for (size_t l = 0; l < plane->levels.size(); ++l) {
+      if (held && p > 0 && !uncertain) {
+        ++counts_.records_skipped;
+      } else {
+        records_.push_back({number, plane, l, failed || (uncertain && p > 0), unknown});
+      }
+      unknown |= plane->levels[l].error != 0;
+    }
+  }
+}
+
+void Scoreboard::on_record(const LevelRecord& record, uint64_t cycle) {
+  if (!traced_) return;
+  ++counts_.records;
+  if (is_refusal(record)) {
+    ++counts_.records_unchecked;
+    return;
+  }
+  const size_t kind = kind_of(record);
+  ++counts_.kind_records[kind];
+  counts_.kind_clocks[kind] += cycle - last_record_;
+  last_record_ = cycle;
+  while (!records_.empty() && !(records_.front().expected().site == record.site)) {
+    if (!records_.front().failed) {
+      report(comes_later(record.site) ? "trace: record missing" : "trace: order",
+             request_of(records_.front().request), to_string(records_.front().expected().site),
+             "actual " + to_string(record.site), cycle);
+      return;
+    }
+    ++counts_.records_missing;
+    records_.pop_front();
+  }
+  if (records_.empty()) {
+    report("trace: record of no request", nullptr, to_string(record.site), {}, cycle);
+    return;
+  }
+  const PendingRecord pending = std::move(records_.front());
+  records_.pop_front();
+  compare_record(pending, record, cycle);
+}
+
+// Whether a record says that a request was refused: its site has no meaning then.
+bool Scoreboard::is_refusal(const LevelRecord& record) const {
+  return record.error != 0 && std::ranges::any_of(pending_, [&](const ExpectedAnswer& expected) {
+           return !expected.planes[0] && expected.answer.status == record.error;
+         });
+}
+
+// Whether the request whose record is due has one of `site` still to come.
+bool Scoreboard::comes_later(const BlockSite& site) const {
+  return std::ranges::any_of(records_, [&](const PendingRecord& record) {
+    return record.request == records_.front().request && record.expected().site == site;
+  });
+}
+
+void Scoreboard::compare_record(const PendingRecord& pending, const LevelRecord& record,
+                                uint64_t cycle) {
+  const bool bus_error = bus_errors_ && record.error == kBusError;
+  if (pending.unknown || bus_error || oracle_->stream() == nullptr) {
+    ++counts_.records_unchecked;
+    return;
+  }
+  ++counts_.records_compared;
+  const LevelRecord& expected = pending.expected();
+  const PlaneShape& shape = oracle_->stream()->geometry().plane(expected.site.plane);
+  const auto inside = [&](uint32_t size, uint32_t block) {
+    return std::min(block_size_, size - block * block_size_);
+  };
+  const auto difference =
+      first_difference(expected, record, block_size_, inside(shape.width, expected.site.bx),
+                       inside(shape.height, expected.site.by));
+  if (!difference) return;
+  report("stage: " + difference->stage, request_of(pending.request), to_string(expected.site),
+         expected_actual(difference->field, difference->expected, difference->actual), cycle);
+}
+
+void Scoreboard::on_answer(const Answer& answer, uint64_t cycle) {
+  ++counts_.received;
+  if (log_ != nullptr) log_->push_back(answer);
+  if (pending_.empty()) {
+    report("answer: to no request", nullptr, {}, "status " + status_name(answer.status), cycle);
+    return;
+  }
+  const ExpectedAnswer expected = std::move(pending_.front());
+  pending_.pop_front();
+  if (answer.status != 0 && counts_.first_error == 0) {
+    counts_.first_error = answer.status;
+    counts_.first_error_request = expected.request.word();
+  }
+  compare_answer(expected, answer, cycle);
+  if (traced_) close_records(expected, cycle);
+  ++first_pending_;
+}
+
+// Level blocks of an answered request must have been reported before it.
+void Scoreboard::close_records(const ExpectedAnswer& expected, uint64_t cycle) {
+  while (!records_.empty() && records_.front().request == first_pending_) {
+    const PendingRecord& record = records_.front();
+    if (!record.failed) {
+      report("trace: record missing", &expected, to_string(record.expected().site), {}, cycle);
+    }
+    ++counts_.records_missing;
+    records_.pop_front();
+  }
+}
+
+// What is wrong with an answer, and under which rule; nothing if it is right.
+std::optional<std::string> Scoreboard::compare_values(const ExpectedAnswer& expected,
+                                                      const Answer& answer,
+                                                      std::string& rule) const {
+  const bool bus_error = bus_errors_ && answer.status == kBusError;
+  if (answer.status != expected.answer.status && !bus_error) {
+    rule = "answer: status";
+    return "expected " + status_text(expected.answer.status) + ", actual " +
+           status_text(answer.status);
+  }
+  if (answer.last != expected.answer.last) {
+    rule = "answer: tlast";
+    return expected_actual("tlast", expected.answer.last, answer.last);
+  }
+  // With an error, and in lanes that are not used, everything is 0; nothing lies outside then.
+  const size_t lane = size_t{block_size_} * block_size_;
+  const StageValues zero{};
+  for (size_t c = 0; c < kLanes; ++c) {
+    const bool used = answer.status == 0 && (c == 0 || expected.request.plane == kRgb);
+    const int16_t* values = used ? expected.answer.samples.data() + c * lane : zero.data();
+    const auto difference = first_difference(values, answer.samples.data() + c * lane, "sample",
+                                             block_size_, used ? expected.inside_x : block_size_,
+                                             used ? expected.inside_y : block_size_);
+    if (!difference) continue;
+    rule = "answer: sample";
+    return "lane " + std::to_string(c) + " " +
+           expected_actual(difference->field, difference->expected, difference->actual);
+  }
+  return std::nullopt;
+}
+
+// Whether a wrong answer is right for a neighbour in the order of the requests.
+std::string Scoreboard::order_hint(const Answer& answer) const {
+  std::string rule;
+  if (!pending_.empty() && !compare_values(pending_.front(), answer, rule)) {
+    return "; it is the answer to the next request";
+  }
+  if (counts_.received > 1 && !compare_values(answered_, answer, rule)) {
+    return "; it is the answer to the request before";
+  }
+  return {};
+}
+
+void Scoreboard::compare_answer(const ExpectedAnswer& expected, const Answer& answer,
+                                uint64_t cycle) {
+  coverage_.on_answer(expected, answer);
+  ++(bus_errors_ && answer.status == kBusError ? counts_.unchecked : counts_.compared);
+  std::string rule;
+  const auto difference = compare_values(expected, answer, rule);
+  if (difference) {
+    const std::string hint = order_hint(answer);
+    report(hint.empty() ? rule : "answer: order", &expected, {}, *difference + hint, cycle);
+  }
+  answered_ = expected;
+}
+
+void Scoreboard::on_reset() {
+  counts_.dropped += pending_.size();
+  first_pending_ += pending_.size();
+  pending_.clear();
+  records_.clear();
+  oracle_ = nullptr;
+  forget_chroma();
+}
+
+void Scoreboard::finish(uint64_t cycle) {
+  if (!pending_.empty()) {
+    report("answer: missing", &pending_.front(), {},
+           std::to_string(pending_.size()) + " requests are not answered", cycle);
+  }
+  for (const PendingRecord& record : records_) {
+    if (!pending_.empty()) break;
+    if (!record.failed) {
+      report("trace: record missing", nullptr, to_string(record.expected().site), {}, cycle);
+    }
+  }
+}
+
+void Scoreboard::clear() {
+  pending_.clear();
+  records_.clear();
+  first_pending_ = 0;
+  last_record_ = 0;
+  counts_ = {};
+}
+
+const ExpectedAnswer* Scoreboard::request_of(uint64_t number) const {
+  const uint64_t index = number - first_pending_;
+  return index < pending_.size() ? &pending_[static_cast<size_t>(index)] : nullptr;
+}
+
+void Scoreboard::report(const std::string& rule, const ExpectedAnswer* expected,
+                        const std::string& place, const std::string& detail, uint64_t cycle) {
+  Mismatch mismatch{rule, {}, place, detail, cycle};
+  if (expected != nullptr) mismatch.request = expected->request;
+  findings_.add(std::move(mismatch));
+}
+
+}  // namespace hmlfc::tb

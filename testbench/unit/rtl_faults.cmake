@@ -1,0 +1,115 @@
+# hmlfc_rtl_faults: one Verilated unit of a copy of the RTL in which faults wait to be switched on,
+# each by its number in the plusarg +fault=N, and the table of them (rtl_faults.hpp). The product's
+# RTL has no code for faults.
+
+# hmlfc_plant_fault(NAME FILE OLD NEW RULE SEED): fault NAME is the expression NEW in the place of
+# OLD, which the file has once. RULE is how the finding of the bench must begin, SEED the stream of
+# the regression that is tried first.
+set(HMLFC_FAULT_COUNT 0)
+set(HMLFC_FAULT_ROWS "")
+set(HMLFC_FAULT_FILES "")
+function(hmlfc_plant_fault name module old new rule seed)
+  hmlfc_faulty_text("${module}" text)
+  string(FIND "${text}" "${old}" first)
+  string(FIND "${text}" "${old}" last REVERSE)
+  if(first EQUAL -1 OR NOT first EQUAL last)
+    message(FATAL_ERROR "fault ${name}: ${module} must have '${old}' once; adapt rtl_faults.cmake")
+  endif()
+  math(EXPR number "${HMLFC_FAULT_COUNT} + 1")
+  string(REPLACE "${old}" "(hmlfc_fault_pkg::fault == ${number} ? ${new} : ${old})" text "${text}")
+  set_property(GLOBAL PROPERTY HMLFC_FAULTY_${module} "${text}")
+  list(APPEND HMLFC_FAULT_FILES "${module}")
+  list(REMOVE_DUPLICATES HMLFC_FAULT_FILES)
+  set(HMLFC_FAULT_FILES "${HMLFC_FAULT_FILES}" PARENT_SCOPE)
+  set(HMLFC_FAULT_COUNT ${number} PARENT_SCOPE)
+  set(HMLFC_FAULT_ROWS
+    "${HMLFC_FAULT_ROWS}    {${number}, \"${name}\", \"${module}\", \"${rule}\", ${seed}},\n"
+    PARENT_SCOPE)
+endfunction()
+
+# hmlfc_faulty_text(FILE VARIABLE): the text of FILE with the faults planted so far.
+function(hmlfc_faulty_text module variable)
+  get_property(text GLOBAL PROPERTY HMLFC_FAULTY_${module})
+  if(NOT text)
+    file(READ "${PROJECT_SOURCE_DIR}/rtl/${module}" text)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+      "${PROJECT_SOURCE_DIR}/rtl/${module}")
+  endif()
+  set(${variable} "${text}" PARENT_SCOPE)
+endfunction()
+
+# Values and tables.
+hmlfc_plant_fault(wrong_table_entry hmlfc_tables.svh
+  "HMLFC_PLAIN_BITS_TABLE[4 * level_code +: 4]" "HMLFC_PLAIN_BITS_TABLE[4 * (level_code == 6'd7 ? 6'd6 : level_code) +: 4]"
+  "stage: " 3)
+hmlfc_plant_fault(centre_of_levels_off_by_one hmlfc_residual.sv
+  "{1'b0, level_count[VALUE_BITS:1]}" "{1'b0, level_count[VALUE_BITS:1]} + 1'b1" "stage: residual" 0)
+hmlfc_plant_fault(rounding_off_by_one hmlfc_interpolate.sv
+  "TOTAL_BITS'(64)" "TOTAL_BITS'(63)" "stage: reference" 3)
+hmlfc_plant_fault(sign_ignored hmlfc_reconstruct.sv
+  "motion && negative" "1'b0" "stage: prediction" 6)
+hmlfc_plant_fault(sum_not_clamped hmlfc_reconstruct.sv
+  "over_least[SUM_BITS-1]" "1'b0" "stage: sample" 1)
+
+# Places in the stream and in references.
+hmlfc_plant_fault(border_off_by_one hmlfc_reference_window.sv
+  "size - 15'd1" "size - 15'd1 - 15'(size > 15'd2)" "stage: " 0)
+hmlfc_plant_fault(quad_of_mask_skipped hmlfc_tile_mask.sv
+  "quads[q]" "quads[q] && q != 5" "stage: " 0)
+hmlfc_plant_fault(motion_block_of_wrong_row hmlfc_motion_blocks.sv
+  "10'(row_0) * 10'(columns_0)" "10'(row_0) * 10'(columns_0 + 6'd1)" "stage: " 3)
+hmlfc_plant_fault(disparity_left_of_border hmlfc_disparity_place.sv
+  "left && own_x != 0" "left && own_x > 1" "stage: " 13)
+hmlfc_plant_fault(record_of_the_next_tile hmlfc_tile_walk.sv
+  "entry == 0 ? 6'd0 : entry - 6'd1" "entry" "stage: " 0)
+
+# What is kept, and what moves.
+hmlfc_plant_fault(root_entry_of_a_bus_error_kept hmlfc_tile_walk.sv
+  "!read_error" "1'b1" "stage: error" 0)
+hmlfc_plant_fault(stale_cache_tag hmlfc_reference_lookup.sv
+  "tag == own" "1'b1" "stage: sample" 0)
+hmlfc_plant_fault(dropped_beat hmlfc_read_port.sv
+  "rst_n && m_axi_rvalid && owner_valid"
+  "rst_n && m_axi_rvalid && owner_valid && m_axi_araddr[11:4] != 8'h5A" "answer: missing" 0)
+hmlfc_plant_fault(wrong_tlast hmlfc_answer.sv
+  "in_job.tlast" "in_job.last" "answer: tlast" 0)
+hmlfc_plant_fault(chroma_corner hmlfc_answer.sv
+  "32'(part[1])" "32'(part[0])" "answer: sample" 0)
+hmlfc_plant_fault(counter_stands_still hmlfc_registers.sv
+  "{63'd0, answered}" "64'd0" "registers: REQUESTS" 0)
+
+# The number of the fault comes from the plusarg.
+hmlfc_faulty_text(hmlfc_decode_unit.sv text)
+string(REPLACE "\nendmodule" "
+  initial if ($value$plusargs(\"fault=%d\", hmlfc_fault_pkg::fault) == 0) hmlfc_fault_pkg::fault = 0;
+\nendmodule" text "${text}")
+set_property(GLOBAL PROPERTY HMLFC_FAULTY_hmlfc_decode_unit.sv "${text}")
+set_property(GLOBAL PROPERTY HMLFC_FAULTY_hmlfc_fault_pkg.sv
+  "package hmlfc_fault_pkg;\n  int fault;\nendpackage\n")
+list(APPEND HMLFC_FAULT_FILES hmlfc_decode_unit.sv hmlfc_fault_pkg.sv)
+
+# Copies of what has faults, written where they change; the rest is the product's.
+set(folder "${CMAKE_CURRENT_BINARY_DIR}/faults")
+set(sources "${folder}/hmlfc_fault_pkg.sv" "${HMLFC_RTL_PACKAGE}")
+foreach(file IN LISTS HMLFC_FAULT_FILES)
+  hmlfc_faulty_text("${file}" text)
+  file(CONFIGURE OUTPUT "${folder}/${file}" CONTENT "${text}" @ONLY)
+endforeach()
+foreach(source IN LISTS HMLFC_RTL_SOURCES)
+  get_filename_component(file "${source}" NAME)
+  if(file IN_LIST HMLFC_FAULT_FILES)
+    set(source "${folder}/${file}")
+  endif()
+  if(NOT source STREQUAL HMLFC_RTL_PACKAGE AND NOT file MATCHES "vlt$")
+    list(APPEND sources "${source}")
+  endif()
+endforeach()
+
+# Small blocks, little memory: quick to compile, and tiles and strips give way often.
+hmlfc_verilate_unit(hmlfc_FaultyUnit FaultyUnit 1:12:64:4
+  SOURCES ${sources}
+  ARGUMENTS "-I${folder}" -GTILE_CONTEXTS=2 -GCACHE_STRIPS=64 -Wno-lint)
+configure_file(unit/rtl_faults.cpp.in rtl_faults.cpp @ONLY)
+add_library(hmlfc_rtl_faults STATIC "${CMAKE_CURRENT_BINARY_DIR}/rtl_faults.cpp")
+target_compile_definitions(hmlfc_rtl_faults PRIVATE VM_COVERAGE=0 VM_TRACE=0)
+target_link_libraries(hmlfc_rtl_faults PUBLIC hmlfc_bench hmlfc_FaultyUnit)

@@ -1,0 +1,94 @@
+# hmlfc_rtl: the decode unit, Verilated once for each entry of HMLFC_RTL_UNITS, and rtl_units().
+# Without Verilator testbench/CMakeLists.txt makes an empty one.
+
+# The first unit that fits a stream decodes it. The tests need one for each block size; ./run soak
+# adds MAX_DEPTH = 8, for which the tests have the modules of the datapath.
+set(units "2:12:128:32" "1:12:64:4" "3:12:128:64")
+if(HMLFC_SOAK)
+  list(APPEND units "2:8:64:16")
+endif()
+set(HMLFC_RTL_UNITS "" CACHE STRING
+  "BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING of each Verilated unit; empty: those of the tests")
+if(HMLFC_RTL_UNITS)
+  set(units ${HMLFC_RTL_UNITS})
+endif()
+
+# Waves double the time that a unit takes to compile, so that only the first has them.
+option(HMLFC_RTL_WAVES "The first Verilated unit writes waves of failures" ${HMLFC_SOAK})
+option(HMLFC_RTL_COVERAGE "Count lines, branches and toggles of the decode unit; excludes waves" OFF)
+
+# The package first, the other files by name.
+set(HMLFC_RTL_PACKAGE "${PROJECT_SOURCE_DIR}/rtl/hmlfc_pkg.sv")
+file(GLOB HMLFC_RTL_SOURCES CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/rtl/*.sv")
+list(REMOVE_ITEM HMLFC_RTL_SOURCES "${HMLFC_RTL_PACKAGE}")
+list(PREPEND HMLFC_RTL_SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" "${HMLFC_RTL_PACKAGE}")
+
+# A library needs a source of its own.
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp" "")
+
+# hmlfc_verilate_unit(TARGET PREFIX BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING
+#                     SOURCES file... [INSTRUMENT TRACE_FST or COVERAGE] [ARGUMENTS argument...])
+# The static library TARGET with Verilator's class PREFIX of the unit.
+function(hmlfc_verilate_unit target prefix unit)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "INSTRUMENT" "SOURCES;ARGUMENTS")
+  string(REPLACE ":" ";" values "${unit}")
+  set(parameters "")
+  foreach(name value IN ZIP_LISTS HMLFC_UNIT_PARAMETERS values)
+    list(APPEND parameters -G${name}=${value})
+  endforeach()
+  add_library(${target} STATIC "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
+  verilate(${target}
+    SOURCES ${arg_SOURCES}
+    TOP_MODULE hmlfc_decode_unit
+    PREFIX ${prefix}
+    INCLUDE_DIRS "${PROJECT_SOURCE_DIR}/rtl"
+    ${arg_INSTRUMENT}
+    OPT_FAST ${HMLFC_VERILATED_OPTIMISATION}
+    OPT_SLOW -O0
+    OPT_GLOBAL -O2
+    VERILATOR_ARGS ${parameters} ${arg_ARGUMENTS}
+      --x-assign fast --x-initial fast --noassert)
+endfunction()
+set(HMLFC_UNIT_PARAMETERS BLOCK_LOG2 MAX_DEPTH AXI_DATA_BITS OUTSTANDING)
+set(HMLFC_VERILATED_OPTIMISATION -O1)  # -O3 compiles three times as long and runs 10 % faster
+
+add_library(hmlfc_verilated INTERFACE)
+set(HMLFC_RTL_INCLUDES "")
+set(HMLFC_RTL_MAKERS "")
+set(instrument "")
+if(HMLFC_RTL_COVERAGE)
+  set(instrument COVERAGE)
+elseif(HMLFC_RTL_WAVES)
+  find_package(ZLIB REQUIRED)
+  set(instrument TRACE_FST)
+  target_link_libraries(hmlfc_verilated INTERFACE ZLIB::ZLIB)
+endif()
+foreach(unit IN LISTS units)
+  string(REPLACE ":" "_" prefix "Unit_${unit}")
+  hmlfc_verilate_unit(hmlfc_${prefix} ${prefix} ${unit}
+    SOURCES ${HMLFC_RTL_SOURCES} INSTRUMENT ${instrument} ARGUMENTS -Wall)
+  target_link_libraries(hmlfc_verilated INTERFACE hmlfc_${prefix})
+  string(REGEX MATCH "^(.+):(.+):(.+):(.+)$" parts "${unit}")
+  math(EXPR beat_bytes "${CMAKE_MATCH_3} / 8")
+  string(APPEND HMLFC_RTL_INCLUDES "#include \"${prefix}.h\"\n")
+  string(APPEND HMLFC_RTL_MAKERS
+    "      {\"rtl\", {${CMAKE_MATCH_1}, ${CMAKE_MATCH_2}, ${beat_bytes}, ${CMAKE_MATCH_4}},\n"
+    "       &make_unit<${prefix}>},\n")
+  if(instrument STREQUAL TRACE_FST)
+    set(instrument "")
+  endif()
+endforeach()
+
+configure_file(unit/rtl_units.cpp.in rtl_units.cpp @ONLY)
+add_library(hmlfc_rtl STATIC "${CMAKE_CURRENT_BINARY_DIR}/rtl_units.cpp")
+set(waves OFF)
+if(HMLFC_RTL_WAVES AND NOT HMLFC_RTL_COVERAGE)
+  set(waves ON)
+endif()
+target_compile_definitions(hmlfc_rtl PRIVATE
+  VM_COVERAGE=$<BOOL:${HMLFC_RTL_COVERAGE}> VM_TRACE=$<BOOL:${waves}>)
+target_link_libraries(hmlfc_rtl PUBLIC hmlfc_bench hmlfc_verilated)
+
+if(HMLFC_SOAK AND NOT HMLFC_RTL_COVERAGE)
+  include(unit/rtl_faults.cmake)
+endif()
