@@ -1,16 +1,16 @@
-#include "encoder/disparity_probe.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 
+#include "encoder/disparity_search.hpp"
+#include "encoder/subpel_prediction.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 
 namespace hmlfc {
 namespace {
 
-// The largest disparity that is looked for, in samples a view.
-constexpr int32_t kMostDisparity = 12;
+// The largest disparity that is looked for, in samples per view.
+constexpr int32_t kMaxDisparityPerView = 12;
 constexpr unsigned kProbeGridLog2 = 4;
 
 class DisparityProbe {
@@ -29,18 +29,12 @@ class DisparityProbe {
                                 header_.window + 10);
     StreamHeader header = header_;
     header.row_scale = row_scale;
-    DisparitySearch search;
+    DisparitySearch search = disparity_search(header);
     search.reference = &reference;
     search.targets = targets_;
     for (size_t i = 0; i < planes_.size(); ++i) search.targets[i].plane = &planes_[i];
-    search.width = header_.width;
-    search.height = header_.height;
-    search.rules = vector_rules(header);
-    search.vector_precision = header_.vector_precision;
-    search.disparity_precision = header_.disparity_precision;
     search.grid_log2 = kProbeGridLog2;
-    search.tile_log2 = header_.motion_tile_log2;
-    const int32_t limit = std::min(kMostDisparity, std::max(1, header_.window / farthest_));
+    const int32_t limit = std::min(kMaxDisparityPerView, std::max(1, header_.window / farthest_));
     return coarse_disparities(search, limit << header_.disparity_precision);
   }
 
@@ -49,8 +43,8 @@ class DisparityProbe {
 
   void add_member(ImagePos at) {
     if (at == reference_ || geometry_.reference_of(0, at) != reference_) return;
-    const auto rows = static_cast<int32_t>(reference_.row) - static_cast<int32_t>(at.row);
-    const auto cols = static_cast<int32_t>(reference_.col) - static_cast<int32_t>(at.col);
+    const int32_t rows = row_offset(reference_, at);
+    const int32_t cols = col_offset(reference_, at);
     farthest_ = std::max({farthest_, std::abs(rows), std::abs(cols)});
     targets_.push_back({nullptr, rows, cols});
     planes_.push_back(luma(at));

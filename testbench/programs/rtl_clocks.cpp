@@ -59,9 +59,10 @@ struct Case {
 
 EncodeParams main_params(int tree_height, uint32_t threshold, Method method = Method::kHmlfc) {
   EncodeParams params;
+  params.profile = Profile::kMain;
   params.tree_height = tree_height;
   params.ref_rows = params.ref_cols = 2;
-  params.threshold_ref = params.threshold_pred = threshold;
+  params.main.threshold_ref = params.main.threshold_pred = threshold;
   params.method = method;
   params.threads = 1;
   return params;
@@ -69,10 +70,10 @@ EncodeParams main_params(int tree_height, uint32_t threshold, Method method = Me
 
 EncodeParams extended_params(double quality) {
   EncodeParams params;
-  params.profile = Profile::kExtended;
-  params.tree_height = 0;
+  params.window = 16;
+  params.chroma = ChromaFormat::k420;
   params.ref_rows = params.ref_cols = 4;
-  params.quality = quality;
+  params.extended.quality = quality;
   params.threads = 1;
   return params;
 }
