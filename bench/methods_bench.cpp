@@ -1,4 +1,4 @@
-// The table of the README: HMLFC, RLFC and MC on real light fields at one PSNR.
+// The table of docs/results/methods.md: HMLFC, RLFC and MC on real light fields at one PSNR.
 //
 // Usage: ./run bench methods [PSNR] [FOLDER...]
 // PSNR: target over RGB in dB, default 40. FOLDER: folders of views; default: the light fields of

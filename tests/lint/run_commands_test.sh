@@ -35,10 +35,10 @@ expect 0 '/build/testbench/gpu_check FILE' gpu-check FILE
 expect 0 '/build/testbench/rtl_check FILE' rtl-check FILE
 expect 0 '/build/bench/bench_methods 40' bench methods 40
 expect 0 "*python3 $root/bench/accuracy --quick" bench accuracy --quick
-expect 2 $'Usage: ./run bench NAME *\n  accuracy  *\n  skipping  *' bench
-expect 2 $'No benchmark nosuch. Usage: ./run bench NAME *\n  methods  *' bench nosuch
-expect 2 'No benchmark bench. *' bench bench
-expect 2 'No benchmark .*. *' bench '.*'
+expect 0 $'Usage: ./run bench NAME *\n  accuracy  *\n  skipping  *' bench
+expect 2 $'No benchmark nosuch; there are\n*\n  methods  *' bench nosuch
+expect 2 'No benchmark bench; *' bench bench
+expect 2 'No benchmark .*; *' bench '.*'
 
 # Every command of the usage is one of main's, and the other way round.
 named=$(usage | sed -n 's/^\(Usage:\|      \) \.\/run \([a-z][a-z-]*\) .*/\2/p' | sort -u)
