@@ -1,0 +1,38 @@
+// Which blocks of a tile get a residual, with which step and how many levels (STP, TIL-8).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "decoder/sample_plane.hpp"
+#include "encoder/rate_distortion.hpp"
+#include "syntax/tile_record.hpp"
+
+namespace hmlfc {
+
+/// How the residuals of one tile are decided.
+struct ResidualRules {
+  Lambda lambda;
+  unsigned step_code = 0;     ///< about the best step
+  unsigned steps_around = 1;  ///< further codes tried on each side
+  bool lossless = false;      ///< every difference is kept: step 1, no clipping
+};
+
+/// The residuals of a tile before their step.
+struct ResidualTile {
+  uint64_t mask = 0;
+  unsigned step_code = 0;
+  std::vector<BlockValues> blocks;  ///< of the blocks of the mask, ascending
+};
+
+/// Decides for the differences (original less prediction) of the blocks of a tile, by block number;
+/// those outside context.blocks_inside are ignored.
+ResidualTile decide_residuals(std::span<const BlockValues> differences, const TileContext& context,
+                              const ResidualRules& rules);
+
+/// The tile's record in a stream with motion_tiles and residual_step (MOT-2, STP-1); empty without
+/// residuals.
+std::vector<uint8_t> write_residual_tile(const ResidualTile& tile, const TileContext& context);
+
+}  // namespace hmlfc

@@ -1,0 +1,105 @@
+#include "encoder/residual_plane.hpp"
+
+#include <vector>
+
+#include "arithmetic/reconstruct.hpp"
+#include "bits/bit_string.hpp"
+#include "syntax/tile_masks.hpp"
+
+namespace hmlfc {
+namespace {
+
+constexpr unsigned kBlocks = kTileBlocks * kTileBlocks;
+
+class ResidualEncoder {
+ public:
+  ResidualEncoder(const Geometry& geometry, Plane plane, int depth, const SamplePlane& original,
+                  const SamplePlane& prediction, bool is_reference, const ResidualRules& rules)
+      : shape_(geometry.plane(plane)),
+        size_(geometry.block_size()),
+        range_(sample_range(plane, depth)),
+        original_(original),
+        prediction_(prediction),
+        rules_(rules) {
+    context_.depth = depth;
+    context_.block_samples = uint64_t{size_} * size_;
+    encoded_.samples = prediction;
+    if (is_reference) encoded_.residuals = SamplePlane(prediction.width, prediction.height);
+  }
+
+  ResidualPlane run() {
+    for (uint32_t ty = 0; ty < shape_.tiles_y; ++ty) {
+      for (uint32_t tx = 0; tx < shape_.tiles_x; ++tx) encode_tile(tx, ty);
+    }
+    return std::move(encoded_);
+  }
+
+ private:
+  void encode_tile(uint32_t tx, uint32_t ty) {
+    context_.blocks_inside = blocks_inside(shape_, tx, ty);
+    std::vector<BlockValues> differences(kBlocks, BlockValues(size_));
+    for (unsigned k = 0; k < kBlocks; ++k) {
+      if (has_bit(context_.blocks_inside, k)) differences[k] = difference(tx, ty, k);
+    }
+    const ResidualTile tile = decide_residuals(differences, context_, rules_);
+    encoded_.code.append(write_residual_tile(tile, context_));
+    size_t m = 0;
+    for (unsigned k = 0; k < kBlocks; ++k) {
+      if (has_bit(tile.mask, k)) add(tx, ty, k, tile.blocks[m++], step_of_code(tile.step_code));
+    }
+  }
+
+  uint32_t left(uint32_t tx, unsigned k) const {
+    return (tx * kTileBlocks + block_column(k)) * size_;
+  }
+  uint32_t top(uint32_t ty, unsigned k) const { return (ty * kTileBlocks + block_row(k)) * size_; }
+
+  // 0 outside the plane, where values have no meaning.
+  BlockValues difference(uint32_t tx, uint32_t ty, unsigned k) const {
+    BlockValues block(size_);
+    for (unsigned j = 0; j < size_; ++j) {
+      const uint32_t y = top(ty, k) + j;
+      for (unsigned i = 0; i < size_; ++i) {
+        const uint32_t x = left(tx, k) + i;
+        if (x < shape_.width && y < shape_.height) {
+          block.at(i, j) = original_.at(x, y) - prediction_.at(x, y);
+        }
+      }
+    }
+    return block;
+  }
+
+  void add(uint32_t tx, uint32_t ty, unsigned k, const BlockValues& values, int32_t step) {
+    for (unsigned j = 0; j < size_; ++j) {
+      const uint32_t y = top(ty, k) + j;
+      for (unsigned i = 0; i < size_; ++i) {
+        const uint32_t x = left(tx, k) + i;
+        const int32_t residual = clamp(values.at(i, j) * step, -range_.bound, range_.bound);
+        const int32_t sample = add_residual(prediction_.at(x, y), residual, range_);
+        encoded_.samples.row(y)[x] = static_cast<int16_t>(sample);
+        if (encoded_.residuals.width > 0) {
+          encoded_.residuals.row(y)[x] = static_cast<int16_t>(residual);
+        }
+      }
+    }
+  }
+
+  const PlaneShape& shape_;
+  unsigned size_;
+  SampleRange range_;
+  const SamplePlane& original_;
+  const SamplePlane& prediction_;
+  const ResidualRules& rules_;
+  TileContext context_;
+  ResidualPlane encoded_;
+};
+
+}  // namespace
+
+ResidualPlane encode_residuals(const Geometry& geometry, Plane plane, int depth,
+                               const SamplePlane& original, const SamplePlane& prediction,
+                               bool is_reference, const ResidualRules& rules) {
+  return ResidualEncoder(geometry, plane, depth, original, prediction, is_reference, rules).run();
+}
+
+}  // namespace hmlfc

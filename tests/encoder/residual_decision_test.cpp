@@ -1,0 +1,93 @@
+// Residuals of a tile chosen by rate and distortion: against exhaustive search and their own
+// record.
+#include "encoder/residual_decision.hpp"
+
+#include <bit>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "arithmetic/bise.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "bits/bit_string.hpp"
+#include "syntax/tile_masks.hpp"
+
+namespace hmlfc {
+namespace {
+
+constexpr unsigned kBlocks = 64;
+
+TileContext context_of(uint64_t inside) {
+  TileContext context;
+  context.depth = 8;
+  context.block_samples = 16;
+  context.blocks_inside = inside;
+  return context;
+}
+
+std::vector<BlockValues> draw_blocks(std::mt19937& random, int amplitude) {
+  std::vector<BlockValues> blocks(kBlocks, BlockValues(4));
+  for (BlockValues& block : blocks) {
+    const int scale = random() % 3 == 0 ? amplitude : 2;
+    for (size_t i = 0; i < block.size(); ++i) {
+      block[i] = static_cast<int32_t>(random() % static_cast<unsigned>(2 * scale + 1)) - scale;
+    }
+  }
+  return blocks;
+}
+
+// D + lambda R of a tile as it is decoded, its record counted in bits.
+int64_t cost_of(const ResidualTile& tile, const std::vector<BlockValues>& blocks,
+                const TileContext& context, Lambda lambda) {
+  int64_t error = 0;
+  size_t m = 0;
+  for (unsigned k = 0; k < kBlocks; ++k) {
+    if (!has_bit(context.blocks_inside, k)) continue;
+    const BlockValues* coded = has_bit(tile.mask, k) ? &tile.blocks[m++] : nullptr;
+    for (size_t i = 0; i < blocks[k].size(); ++i) {
+      const int32_t kept = coded == nullptr ? 0 : (*coded)[i] * step_of_code(tile.step_code);
+      error += int64_t{blocks[k][i] - kept} * (blocks[k][i] - kept);
+    }
+  }
+  const auto bits = static_cast<int64_t>(write_residual_tile(tile, context).size()) * 8;
+  return lambda.cost(error, bits);
+}
+
+TEST(ResidualChoice, IsNeverWorseThanNothing) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 60; ++round) {
+    const auto blocks = draw_blocks(random, 1 << (round % 7));
+    const TileContext context = context_of(round % 2 == 0 ? ~uint64_t{0} : 0x00FF00FF00FF00FF);
+    const Lambda lambda{256 << (round % 9)};
+    const ResidualTile tile = decide_residuals(blocks, context, {lambda, 4, 2, false});
+    EXPECT_EQ(tile.mask & ~context.blocks_inside, 0u);
+    EXPECT_EQ(tile.blocks.size(), static_cast<size_t>(std::popcount(tile.mask)));
+    EXPECT_LE(cost_of(tile, blocks, context, lambda), cost_of({}, blocks, context, lambda));
+  }
+}
+
+// A block with one outlier is worth a residual; without lambda everything is.
+TEST(ResidualChoice, SmallLambdaKeepsWhatALargeOneDrops) {
+  std::mt19937 random(9);
+  const auto blocks = draw_blocks(random, 30);
+  const TileContext context = context_of(~uint64_t{0});
+  int last = 65;
+  for (const int64_t lambda : {1, 1 << 12, 1 << 15, 1 << 17, 1 << 20}) {
+    const ResidualTile tile = decide_residuals(blocks, context, {{lambda}, 3, 1, false});
+    EXPECT_LE(std::popcount(tile.mask), last);
+    last = std::popcount(tile.mask);
+  }
+  EXPECT_EQ(last, 0);
+}
+
+TEST(ResidualChoice, LosslessKeepsEveryDifference) {
+  std::mt19937 random(4);
+  const auto blocks = draw_blocks(random, 255);
+  const TileContext context = context_of(~uint64_t{0});
+  const ResidualTile tile = decide_residuals(blocks, context, {{1 << 20}, 7, 2, true});
+  EXPECT_EQ(step_of_code(tile.step_code), 1);
+  EXPECT_EQ(cost_of(tile, blocks, context, {0}), 0);
+}
+
+}  // namespace
+}  // namespace hmlfc
