@@ -3,11 +3,12 @@
 // Usage: ./run bench key_areas FILE.hmlfc
 // Each plane of each key image of the stream is decoded whole, as the decoder does, and by areas
 // with opj_set_decode_area: squares of 64, 128 and 256 samples, one in each corner and one in the
-// middle. CPU times are those of one thread, the least of many runs for the whole and for the mean
-// of the five areas. An area must equal that part of the whole. Then bytes of the codestream are
-// changed, one at a time: "damaged" counts those with which the whole does not decode, or to other
-// samples, which are errors of every block that reads the plane (KEY-2, KEY-3), "unnoticed" those
-// of them with which the area of 64 in the first corner decodes to the samples of the intact image.
+// middle. CPU times are those of one thread, the minimum of many runs for the whole and for the
+// mean of the five areas. An area must equal that part of the whole. Then bytes of the codestream
+// are changed, one at a time: "damaged" counts those with which the whole does not decode, or to
+// other samples, which are errors of every block that reads the plane (KEY-2, KEY-3), "unnoticed"
+// those of them with which the area of 64 in the first corner decodes to the samples of the intact
+// image.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -19,12 +20,12 @@
 #include <fmt/format.h>
 
 #include "bits/little_endian.hpp"
-#include "common/openjpeg_memory.hpp"
 #include "common/program.hpp"
 #include "common/timing.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "decoder/open_stream.hpp"
+#include "decoder/openjpeg.hpp"
 #include "io/mapped_file.hpp"
 
 namespace {
@@ -35,16 +36,16 @@ constexpr size_t kChanges = 100;
 
 // The samples of `area` of a codestream that `decode_jpeg2000` has taken.
 std::optional<SamplePlane> decode_area(std::span<const uint8_t> codestream, const Rect& area) {
-  bench::OpjMemory memory{{codestream.begin(), codestream.end()}};
-  const bench::OpjStream stream = bench::opj_stream_on(memory, true);
-  const bench::OpjCodec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
+  openjpeg::Source source{codestream};
+  const openjpeg::Stream stream = openjpeg::open_source(source);
+  const openjpeg::Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);
   opj_image_t* raw = nullptr;
   const bool begun = opj_setup_decoder(codec.get(), &parameters) &&
                      opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) &&
                      opj_read_header(stream.get(), codec.get(), &raw);
-  const bench::OpjImage image(raw, &opj_image_destroy);
+  const openjpeg::Image image(raw);
   const auto end = [](uint32_t from, uint32_t length) {
     return static_cast<OPJ_INT32>(from + length);
   };

@@ -42,6 +42,7 @@ std::optional<EncodeParams> best_params(const LightField& field, Method method, 
   size_t best_size = 0;
   for (const ChromaFormat chroma : {ChromaFormat::k420, ChromaFormat::k444}) {
     EncodeParams params;
+    params.profile = Profile::kMain;
     params.method = method;
     params.chroma = chroma;
     const auto found = encode_to_psnr(field, params, target_db);
@@ -72,7 +73,7 @@ void print_row(const std::string& name, const LightField& field, Method method, 
   fmt::print(
       "| {} | {} | {} | {} | {:.3f} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.2f} | {:.0f} |\n",
       name, name_of(method), found->chroma == ChromaFormat::k420 ? "4:2:0" : "4:4:4",
-      found->threshold_pred, bpp, 3 * shape.depth / bpp,
+      found->main.threshold_pred, bpp, 3 * shape.depth / bpp,
       psnr(encoded.error.rgb_squares, pixels * 3, shape.depth),
       psnr(encoded.error.y_squares, pixels, shape.depth), encode_seconds, decode_seconds,
       static_cast<double>(decoder.reference_bytes()) / 1024);

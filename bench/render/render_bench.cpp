@@ -130,12 +130,7 @@ void print_view(std::span<const uint8_t> file, const LightField& field) {
 
 std::vector<uint8_t> encoded_chess(const LightField& field) {
   EncodeParams params;
-  params.profile = Profile::kExtended;
-  params.ref_rows = params.ref_cols = 0;
-  params.automatic_chroma = true;
-  params.tree_height = 0;
-  params.window = 64;
-  params.quality = 64;
+  params.extended.quality = 64;
   return value_of(encode(field, params)).bytes;
 }
 

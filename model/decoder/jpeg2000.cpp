@@ -3,59 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
-
-#include <openjpeg.h>
 
 #include "arithmetic/widths.hpp"
 #include "decoder/jpeg2000.hpp"
+#include "decoder/openjpeg.hpp"
 
 namespace hmlfc {
 namespace {
 
-struct CodecDeleter {
-  void operator()(opj_codec_t* codec) const { opj_destroy_codec(codec); }
-};
-struct StreamDeleter {
-  void operator()(opj_stream_t* stream) const { opj_stream_destroy(stream); }
-};
-struct ImageDeleter {
-  void operator()(opj_image_t* image) const { opj_image_destroy(image); }
-};
-using Codec = std::unique_ptr<opj_codec_t, CodecDeleter>;
-using Stream = std::unique_ptr<opj_stream_t, StreamDeleter>;
-using Image = std::unique_ptr<opj_image_t, ImageDeleter>;
-
-constexpr auto kEnd = static_cast<OPJ_SIZE_T>(-1);
-
-// An OpenJPEG stream that reads from memory.
-struct Source {
-  std::span<const uint8_t> bytes;
-  size_t at = 0;
-};
-
-OPJ_SIZE_T read_source(void* buffer, OPJ_SIZE_T count, void* user) {
-  auto& source = *static_cast<Source*>(user);
-  const size_t there = std::min<size_t>(count, source.bytes.size() - source.at);
-  if (there == 0) return kEnd;
-  std::memcpy(buffer, source.bytes.data() + source.at, there);
-  source.at += there;
-  return there;
-}
-
-OPJ_OFF_T skip_source(OPJ_OFF_T count, void* user) {
-  auto& source = *static_cast<Source*>(user);
-  if (count < 0 || static_cast<size_t>(count) > source.bytes.size() - source.at) return -1;
-  source.at += static_cast<size_t>(count);
-  return count;
-}
-
-OPJ_BOOL seek_source(OPJ_OFF_T position, void* user) {
-  auto& source = *static_cast<Source*>(user);
-  if (position < 0 || static_cast<size_t>(position) > source.bytes.size()) return OPJ_FALSE;
-  source.at = static_cast<size_t>(position);
-  return OPJ_TRUE;
-}
+using namespace openjpeg;
 
 // An OpenJPEG stream that writes to a growing buffer.
 struct Sink {
@@ -89,15 +45,6 @@ OPJ_BOOL seek_sink(OPJ_OFF_T position, void* user) {
   sink.at = static_cast<size_t>(position);
   sink.reserve_to(sink.at);
   return OPJ_TRUE;
-}
-
-// OpenJPEG prints nothing by itself but wants handlers; failures reach the caller as return values.
-void ignore_message(const char*, void*) {}
-
-void silence(opj_codec_t* codec) {
-  opj_set_info_handler(codec, ignore_message, nullptr);
-  opj_set_warning_handler(codec, ignore_message, nullptr);
-  opj_set_error_handler(codec, ignore_message, nullptr);
 }
 
 bool has_shape(const opj_image_t& image, uint32_t width, uint32_t height,
@@ -177,16 +124,9 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
                                            uint32_t height, SamplePrecision precision) {
   if (!has_key_image_head(codestream, width, height)) return std::nullopt;
   Source source{codestream};
-  // With a buffer for the whole codestream OpenJPEG reads it at once, and seeks before it reads
-  // again.
-  const Stream stream(opj_stream_create(codestream.size(), OPJ_TRUE));
+  const Stream stream = open_source(source);
   const Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
   if (!stream || !codec) return std::nullopt;
-  opj_stream_set_user_data(stream.get(), &source, nullptr);
-  opj_stream_set_user_data_length(stream.get(), codestream.size());
-  opj_stream_set_read_function(stream.get(), read_source);
-  opj_stream_set_skip_function(stream.get(), skip_source);
-  opj_stream_set_seek_function(stream.get(), seek_source);
   silence(codec.get());
 
   opj_dparameters_t parameters;

@@ -69,7 +69,11 @@ Result<std::shared_ptr<const SamplePlane>> KeyImages::plane(int level, ImagePos 
                                                             Plane plane) const {
   const uint64_t entry =
       stream_.geometry.key_number(level, at) * kPlaneCount + static_cast<uint64_t>(plane);
-  return planes_.get(entry, [&] { return decode(entry, plane); });
+  return planes_.get(entry, [&]() -> Result<std::shared_ptr<const SamplePlane>> {
+    auto decoded = decode(entry, plane);
+    if (!decoded) return tl::unexpected(decoded.error());
+    return std::make_shared<const SamplePlane>(std::move(*decoded));
+  });
 }
 
 Result<SamplePlane> KeyImages::decode(uint64_t entry, Plane plane) const {

@@ -1,10 +1,13 @@
 // Values that are made once, on first use, by whichever thread needs them first.
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <vector>
 
 #include <hmlfc/error.hpp>
 
@@ -15,16 +18,18 @@ namespace hmlfc {
 template <class Value>
 class LazyMap {
  public:
-  /// The value of `key`, made by `make() -> Result<Value>` where it is not there yet. Threads that
-  /// want the same key wait for the one that makes it; others do not.
+  using Pointer = std::shared_ptr<const Value>;
+
+  /// The value of `key`, made by `make() -> Result<Pointer>` where it is not there yet. Threads
+  /// that want the same key wait for the one that makes it; others do not.
   template <class Make>
-  Result<std::shared_ptr<const Value>> get(uint64_t key, const Make& make) {
+  Result<Pointer> get(uint64_t key, const Make& make) {
     const std::shared_ptr<Slot> slot = slot_of(key);
     const std::scoped_lock lock(slot->mutex);
     if (!slot->value) {
-      Result<Value> made = make();
-      if (!made) return tl::unexpected(made.error());
-      slot->value = std::make_shared<const Value>(std::move(*made));
+      Result<Pointer> made = make();
+      if (!made) return made;
+      slot->value = *made;
     }
     return slot->value;
   }
@@ -42,7 +47,7 @@ class LazyMap {
  private:
   struct Slot {
     std::mutex mutex;
-    std::shared_ptr<const Value> value;
+    Pointer value;
   };
 
   std::shared_ptr<Slot> slot_of(uint64_t key) {
@@ -54,6 +59,29 @@ class LazyMap {
 
   std::mutex mutex_;
   std::unordered_map<uint64_t, std::shared_ptr<Slot>> slots_;
+};
+
+/// Which of `count` parts of something have been filled. Thread-safe.
+class FilledParts {
+ public:
+  explicit FilledParts(size_t count) : filled_(count) {}
+
+  /// Calls `fill()` if `part` has not been filled; afterwards it has.
+  template <class Fill>
+  void fill_once(size_t part, const Fill& fill) {
+    if (filled_[part].load(std::memory_order_acquire)) return;
+    const std::scoped_lock lock(mutex_);
+    if (filled_[part].load(std::memory_order_relaxed)) return;
+    fill();
+    filled_[part].store(true, std::memory_order_release);
+  }
+
+  /// Held while a part is filled.
+  std::mutex& mutex() { return mutex_; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::atomic<bool>> filled_;
 };
 
 }  // namespace hmlfc

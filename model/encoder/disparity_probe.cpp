@@ -1,21 +1,21 @@
-#include "encoder/disparity_probe.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 
+#include "encoder/disparity_search.hpp"
+#include "encoder/subpel_prediction.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 
 namespace hmlfc {
 namespace {
 
-// The largest disparity that is looked for, in samples a view.
-constexpr int32_t kMostDisparity = 12;
+// The largest disparity that is looked for, in samples per view.
+constexpr int32_t kMaxDisparityPerView = 12;
 constexpr unsigned kProbeGridLog2 = 4;
 
-class Probe {
+class DisparityProbe {
  public:
-  Probe(const LightField& light_field, const StreamHeader& header)
+  DisparityProbe(const LightField& light_field, const StreamHeader& header)
       : light_field_(light_field), header_(header), geometry_(header) {
     const LevelShape& level = geometry_.level(0);
     reference_ = geometry_.reference_of(0, {level.rows / 2, level.cols / 2});
@@ -29,18 +29,12 @@ class Probe {
                                 header_.window + 10);
     StreamHeader header = header_;
     header.row_scale = row_scale;
-    DisparitySearch search;
+    DisparitySearch search = disparity_search(header);
     search.reference = &reference;
     search.targets = targets_;
     for (size_t i = 0; i < planes_.size(); ++i) search.targets[i].plane = &planes_[i];
-    search.width = header_.width;
-    search.height = header_.height;
-    search.rules = vector_rules(header);
-    search.vector_precision = header_.vector_precision;
-    search.disparity_precision = header_.disparity_precision;
     search.grid_log2 = kProbeGridLog2;
-    search.tile_log2 = header_.motion_tile_log2;
-    const int32_t limit = std::min(kMostDisparity, std::max(1, header_.window / farthest_));
+    const int32_t limit = std::min(kMaxDisparityPerView, std::max(1, header_.window / farthest_));
     return coarse_disparities(search, limit << header_.disparity_precision);
   }
 
@@ -49,8 +43,8 @@ class Probe {
 
   void add_member(ImagePos at) {
     if (at == reference_ || geometry_.reference_of(0, at) != reference_) return;
-    const auto rows = static_cast<int32_t>(reference_.row) - static_cast<int32_t>(at.row);
-    const auto cols = static_cast<int32_t>(reference_.col) - static_cast<int32_t>(at.col);
+    const int32_t rows = row_offset(reference_, at);
+    const int32_t cols = col_offset(reference_, at);
     farthest_ = std::max({farthest_, std::abs(rows), std::abs(cols)});
     targets_.push_back({nullptr, rows, cols});
     planes_.push_back(luma(at));
@@ -68,7 +62,7 @@ class Probe {
 }  // namespace
 
 FieldDisparity probe_disparities(const LightField& light_field, const StreamHeader& header) {
-  const Probe probe(light_field, header);
+  const DisparityProbe probe(light_field, header);
   const CoarseResult down = probe.search(16);
   FieldDisparity found{down.range, 16};
   if (header.rows == 1) return found;

@@ -12,7 +12,7 @@
 namespace hmlfc {
 namespace {
 
-// Blocks whose match lies outside the range are fewer than one in this many.
+// At each end of the range, at most one block in this many has its match outside.
 constexpr int64_t kRareBlocks = 400;
 
 // Squared errors [d - lo][column] of one row of grid blocks.
@@ -194,6 +194,18 @@ CoarseResult coarse_disparities(const DisparitySearch& search, int32_t limit) {
   result.range = {-limit + (static_cast<int32_t>(lo) - 1) * step,
                   -limit + (static_cast<int32_t>(hi) + 1) * step};
   return result;
+}
+
+DisparitySearch disparity_search(const StreamHeader& header) {
+  DisparitySearch search;
+  search.width = header.width;
+  search.height = header.height;
+  search.rules = vector_rules(header);
+  search.vector_precision = header.vector_precision;
+  search.disparity_precision = header.disparity_precision;
+  search.grid_log2 = header.disparity_grid_log2;
+  search.tile_log2 = header.motion_tile_log2;
+  return search;
 }
 
 DisparityGrid search_disparities(const DisparitySearch& search, const DisparityRange& range) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <hmlfc/light_field.hpp>
+
 #include "arithmetic/motion.hpp"
 #include "encoder/padded_plane.hpp"
 #include "encoder/rate_distortion.hpp"
@@ -12,14 +14,14 @@
 
 namespace hmlfc {
 
-/// An image to be predicted, and where it stands from the reference.
+/// An image to be predicted, and its place relative to the reference.
 struct SearchTarget {
   const SamplePlane* plane = nullptr;  ///< of plane Y, at least width x height samples
   int32_t row_offset = 0;              ///< row of the reference less row of the image
   int32_t col_offset = 0;
 };
 
-/// What a search needs.
+/// A search on all images of a reference group.
 struct DisparitySearch {
   const PaddedPlane* reference = nullptr;
   std::vector<SearchTarget> targets;
@@ -39,6 +41,9 @@ struct DisparityRange {
   int32_t hi = 0;
 };
 
+/// A search in plane Y by the rules of `header`: all but reference, targets and lambda.
+DisparitySearch disparity_search(const StreamHeader& header);
+
 /// The range in which nearly all blocks find their best match, by a coarse search within [-limit,
 /// limit]; and the squared error that is left, to compare rules.
 struct CoarseResult {
@@ -47,8 +52,18 @@ struct CoarseResult {
 };
 CoarseResult coarse_disparities(const DisparitySearch& search, int32_t limit);
 
-/// One disparity for each grid block: the cheapest in D + lambda R, tile by tile, as the levels of
-/// a tile bound what its blocks can say.
+/// One disparity for each grid block: the cheapest in D + lambda R, tile by tile, as the level
+/// count of a tile bounds the disparities of its blocks.
 DisparityGrid search_disparities(const DisparitySearch& search, const DisparityRange& range);
+
+/// How far the views of a light field move against each other.
+struct FieldDisparity {
+  DisparityRange range;  ///< in units of the header's disparity_precision
+  int row_scale = 16;    ///< 16, or -16 where rows run against their parallax
+};
+
+/// Looks in the group of views in the middle of the grid, up to 12 samples per view. `header` has
+/// shared_disparity.
+FieldDisparity probe_disparities(const LightField& light_field, const StreamHeader& header);
 
 }  // namespace hmlfc

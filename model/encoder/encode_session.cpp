@@ -1,179 +1,203 @@
 #include "encoder/encode_session.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <new>
+#include <utility>
 
 #include "arithmetic/rounding.hpp"
+#include "arithmetic/widths.hpp"
 #include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "encoder/stream_assembly.hpp"
-#include "encoder/view_planes.hpp"
-#include "syntax/header.hpp"
 #include "syntax/index.hpp"
 
 namespace hmlfc {
 namespace {
 
-// Levels above 0 until one image is left, `wanted` at most.
-int useful_height(const LightFieldShape& shape, const EncodeParams& params, int wanted) {
-  uint32_t rows = shape.rows;
-  uint32_t cols = shape.cols;
-  int height = 0;
-  while (height < wanted && rows * cols > 1) {
-    const uint32_t next_rows = ceil_div(rows, params.cluster_rows);
-    const uint32_t next_cols = ceil_div(cols, params.cluster_cols);
-    if (next_rows == rows && next_cols == cols) break;
-    rows = next_rows;
-    cols = next_cols;
-    ++height;
+// Codes plane `plane` of a key image, in place of `samples`, into `codestream`, unless it is there
+// from before (KEY-2, EXT-6).
+void code_key_plane(SamplePlane& samples, SamplePrecision precision, SampleRange range,
+                    double error, std::vector<uint8_t>& codestream) {
+  if (!codestream.empty()) return;
+  auto coded = error > 0 ? encode_jpeg2000_lossy(samples, precision, error)
+                         : encode_jpeg2000(samples, precision);
+  if (!coded) throw std::bad_alloc();
+  codestream = std::move(*coded);
+  if (error == 0) return;
+  auto decoded = decode_jpeg2000(codestream, samples.width, samples.height, precision);
+  if (!decoded) throw std::bad_alloc();
+  samples = std::move(*decoded);
+  for (int16_t& sample : samples.samples) {
+    sample = static_cast<int16_t>(clamp(sample, range.lo, range.hi));
   }
-  return height;
 }
 
-// Profile extended with all its tools; row_scale is chosen later.
-void use_extended_tools(const EncodeParams& params, StreamHeader& header) {
-  header.profile = Profile::kExtended;
-  const auto use = [&](Feature feature) { header.feature_flags |= feature_bit(feature); };
-  use(Feature::kResidualStep);
-  use(Feature::kBalancedGroups);
-  if (!params.lossless) use(Feature::kLossyKeys);
-  if (params.method == Method::kRlfc) return;
-  use(Feature::kMotionTiles);
-  use(Feature::kSubpelVectors);
-  use(Feature::kSharedDisparity);
-  use(Feature::kTwoReferences);
-  header.vector_precision = 3;
-  header.disparity_precision = 3;
-  header.motion_tile_log2 = 6;
-  header.disparity_grid_log2 = std::max(3u, header.block_log2);
-  header.row_scale = 16;
-}
+// Everything that the levels of one encoding share.
+struct Walk {
+  const LightField& light_field;
+  const StreamHeader& header;
+  const Geometry& geometry;
+  const DecisionStrategy& strategy;
+  const EncodeObserver& observer;
+  RkvTree& tree;
+  CodedImages& coded;
+  std::mutex error_mutex;
+};
 
-std::vector<ImagePos> key_positions(const Geometry& geometry) {
-  const LevelShape& top = geometry.level(geometry.top());
-  std::vector<ImagePos> positions;
-  for (uint32_t row = 0; row < top.rows; ++row) {
-    for (uint32_t col = 0; col < top.cols; ++col) {
-      if (geometry.is_key(geometry.top(), {row, col})) positions.push_back({row, col});
+// Codes one level. Above level 0 the tree's images of the level become the reconstructed ones.
+class LevelWalk {
+ public:
+  LevelWalk(Walk& walk, int level)
+      : walk_(walk),
+        geometry_(walk.geometry),
+        images_(walk.light_field, walk.header, walk.geometry, walk.tree, level),
+        decisions_(walk.strategy.begin_level(images_)) {}
+
+  void run() {
+    const auto& references = images_.references();
+    const auto& predictive = images_.predictive();
+    parallel_for(references.size(), [&](size_t i) { encode_reference(references[i]); });
+    if (predictive.empty()) return;
+    for (const ImagePos at : references) code(at)[kMotionPlane] = decisions_->decide_group(at);
+    parallel_for(predictive.size(), [&](size_t i) {
+      const ImagePos at = predictive[i];
+      finish(at, decisions_->encode_predictive(at, images_.original(at)));
+    });
+  }
+
+ private:
+  ImageCode& code(ImagePos at) const {
+    return walk_.coded.codes[static_cast<size_t>(geometry_.image_number(images_.level(), at))];
+  }
+
+  void encode_reference(ImagePos at) {
+    if (!geometry_.is_key(images_.level(), at)) {
+      finish(at, decisions_->encode_reference(at, images_.original(at)));
+      return;
     }
+    EncodedImage key;
+    key.samples = images_.original(at);
+    parallel_for(kPlaneCount, [&](size_t p) { encode_key(at, kPlanes[p], key.samples[p]); });
+    decisions_->take_key(at, key.samples);
+    finish(at, std::move(key));
   }
-  return positions;
+
+  // Codes one plane of a key image; `samples` become what a decoder makes of it, in whole blocks.
+  void encode_key(ImagePos at, Plane plane, SamplePlane& samples) {
+    const PlaneShape& shape = geometry_.plane(plane);
+    const int depth = walk_.header.depth;
+    const bool chroma = plane != Plane::kY;
+    const uint64_t key = geometry_.key_number(images_.level(), at);
+    const size_t entry = static_cast<size_t>(key) * kPlaneCount + static_cast<size_t>(plane);
+    SamplePlane inside = cropped(samples, shape.width, shape.height);
+    code_key_plane(inside, {depth + (chroma ? 1 : 0), chroma}, sample_range(plane, depth),
+                   walk_.strategy.key_error(plane), walk_.coded.keys.codestreams[entry]);
+    walk_.coded.keys.crcs[entry] = sample_crc(inside);
+    samples = in_whole_blocks(inside, shape, geometry_.block_size());
+  }
+
+  void finish(ImagePos at, EncodedImage image) {
+    const int level = images_.level();
+    code(at) = std::move(image.code);
+    if (walk_.observer.reconstructed) walk_.observer.reconstructed(level, at, image.samples);
+    if (level > 0) {
+      walk_.tree.at(geometry_, level, at) = std::move(image.samples);
+    } else {
+      const ErrorSums error =
+          view_error(walk_.light_field, at, image.samples, walk_.header.chroma_format);
+      const std::scoped_lock lock(walk_.error_mutex);
+      walk_.coded.error.add(error);
+    }
+    if (walk_.observer.image_done) walk_.observer.image_done();
+  }
+
+  Walk& walk_;
+  const Geometry& geometry_;
+  LevelImages images_;
+  std::unique_ptr<LevelDecisions> decisions_;
+};
+
+// Appends the tile records of one plane to the index.
+void add_records(IndexWriter& index, PlaneCode& code, uint64_t tiles) {
+  code.record_sizes.resize(static_cast<size_t>(tiles), 0);
+  size_t at = 0;
+  for (const uint32_t size : code.record_sizes) {
+    index.add(std::span(code.records).subspan(at, size));
+    at += size;
+  }
+  code = {};
 }
 
 }  // namespace
 
-Result<StreamHeader> header_for(const LightFieldShape& shape, const EncodeParams& params) {
-  const auto bad = [] { return fail(ErrorCode::kBadHeaderField, Section::kHeader, 0); };
-  if (params.cluster_rows == 0 || params.cluster_cols == 0 || params.ref_rows == 0 ||
-      params.ref_cols == 0 || params.ref_rows > 255 || params.ref_cols > 255) {
-    return bad();
-  }
-  if (params.block_size != 2 && params.block_size != 4 && params.block_size != 8) return bad();
-  StreamHeader header;
-  header.rows = shape.rows;
-  header.cols = shape.cols;
-  header.width = shape.width;
-  header.height = shape.height;
-  header.depth = shape.depth;
-  header.chroma_format = params.chroma;
-  header.block_log2 = params.block_size == 2 ? 1 : params.block_size == 4 ? 2 : 3;
-  header.window = params.method == Method::kRlfc ? 0 : params.window;
-  header.cluster_rows = params.cluster_rows;
-  header.cluster_cols = params.cluster_cols;
-  header.tree_height = params.method == Method::kMc || params.tree_height < 0
-                           ? 0
-                           : useful_height(shape, params, params.tree_height);
-  const LevelEntry motion{static_cast<uint8_t>(params.ref_rows),
-                          static_cast<uint8_t>(params.ref_cols)};
-  const LevelEntry lone{};
-  header.levels.assign(static_cast<size_t>(header.tree_height) + 1,
-                       params.method == Method::kRlfc ? lone : motion);
-  // In profile main a tree's top level is all key images. At height 0 they would be all views.
-  const bool lone_top = params.profile == Profile::kMain || header.tree_height > 0;
-  if (params.method == Method::kHmlfc && lone_top) header.levels.back() = lone;
-  if (params.profile == Profile::kExtended) use_extended_tools(params, header);
-  if (auto ok = check_fields(header); !ok) return tl::unexpected(ok.error());
-  return header;
-}
-
-EncodeSession::EncodeSession(const LightField& light_field, const StreamHeader& header,
-                             const EncodeParams& params)
-    : light_field_(light_field),
-      header_(header),
-      params_(params),
-      geometry_(header),
-      originals_(build_rkv_tree(light_field, geometry_, header.cluster_rows, header.cluster_cols)),
-      top_(write_top()) {}
-
-// Table and codestreams of the key images (KEY-1 to KEY-3).
-std::vector<uint8_t> EncodeSession::write_top() const {
-  const std::vector<ImagePos> keys = key_positions(geometry_);
-  std::vector<std::vector<uint8_t>> codestreams(keys.size() * kPlaneCount);
-  std::vector<uint32_t> crcs(codestreams.size());
-  parallel_for(keys.size(), [&](size_t k) {
-    const ImagePlanes planes = geometry_.top() == 0
-                                   ? view_planes(light_field_, geometry_, keys[k])
-                                   : originals_.at(geometry_, geometry_.top(), keys[k]);
-    for (const Plane plane : kPlanes) {
-      const PlaneShape& shape = geometry_.plane(plane);
-      const SamplePlane inside =
-          cropped(planes[static_cast<size_t>(plane)], shape.width, shape.height);
-      const bool chroma = plane != Plane::kY;
-      auto coded = encode_jpeg2000(inside, {header_.depth + (chroma ? 1 : 0), chroma});
-      if (!coded) throw std::bad_alloc();
-      const size_t entry = k * kPlaneCount + static_cast<size_t>(plane);
-      codestreams[entry] = std::move(*coded);
-      crcs[entry] = sample_crc(inside);
+LevelImages::LevelImages(const LightField& light_field, const StreamHeader& header,
+                         const Geometry& geometry, const RkvTree& tree, int level)
+    : light_field_(light_field), header_(header), geometry_(geometry), tree_(tree), level_(level) {
+  for (uint32_t r = 0; r < shape().rows; ++r) {
+    for (uint32_t c = 0; c < shape().cols; ++c) {
+      (geometry.is_reference(level, {r, c}) ? references_ : predictive_).push_back({r, c});
     }
-  });
-  return hmlfc::top_section(codestreams, crcs);
+  }
 }
 
-CodedImages EncodeSession::encode(uint32_t threshold_ref, uint32_t threshold_pred, bool last,
+ImagePlanes LevelImages::original(ImagePos at) const {
+  if (level_ == 0) return view_planes(light_field_, geometry_, at);
+  return tree_.at(geometry_, level_, at);
+}
+
+const SamplePlane* LevelImages::parent(ImagePos at, Plane plane) const {
+  if (level_ == geometry_.top()) return nullptr;
+  const ImagePos above = geometry_.ancestor(at, level_, level_ + 1);
+  return &tree_.at(geometry_, level_ + 1, above)[static_cast<size_t>(plane)];
+}
+
+EncodeSession::EncodeSession(const LightField& light_field, const StreamHeader& header)
+    : light_field_(light_field), header_(header), geometry_(header) {
+  if (header.has(Feature::kSharedDisparity)) {
+    const FieldDisparity found = probe_disparities(light_field, header);
+    header_.row_scale = found.row_scale;
+    disparities_ = found.range;
+  }
+  originals_ = build_rkv_tree(light_field, geometry_, header.cluster_rows, header.cluster_cols);
+  lossless_keys_.codestreams.resize(static_cast<size_t>(geometry_.key_count()) * kPlaneCount);
+  lossless_keys_.crcs.resize(lossless_keys_.codestreams.size());
+}
+
+CodedImages EncodeSession::encode(const EncodeParams& params, bool last,
                                   const EncodeObserver& observer) {
-  CodedImages images;
-  images.codes.resize(static_cast<size_t>(geometry_.image_count()));
+  const auto strategy = params.profile == Profile::kMain
+                            ? main_decisions(params)
+                            : extended_decisions(light_field_, header_, params, disparities_);
+  CodedImages coded;
+  coded.codes.resize(static_cast<size_t>(geometry_.image_count()));
+  coded.keys = lossless_keys_;
   RkvTree tree = last ? std::move(originals_) : originals_;
-  EncodeParams params = params_;
-  params.threshold_ref = threshold_ref;
-  params.threshold_pred = threshold_pred;
-  LevelTask task;
-  task.light_field = &light_field_;
-  task.geometry = &geometry_;
-  task.params = &params;
-  task.window = header_.window;
-  task.tree = &tree;
-  task.codes = &images.codes;
-  task.error = &images.error;
-  task.observer = &observer;
+  Walk walk{light_field_, header_, geometry_, *strategy, observer, tree, coded, {}};
   for (int level = geometry_.top(); level >= 0; --level) {
-    task.level = level;
-    encode_level(task);
+    LevelWalk(walk, level).run();
     // The level above has served as parent for the last time.
     if (level < geometry_.top()) tree.levels[static_cast<size_t>(level)].clear();
   }
-  return images;
+  const bool lossless = std::all_of(kPlanes.begin(), kPlanes.end(),
+                                    [&](Plane plane) { return strategy->key_error(plane) == 0; });
+  if (lossless && !last) lossless_keys_ = coded.keys;
+  return coded;
 }
 
 std::vector<uint8_t> EncodeSession::stream(CodedImages& images) const {
   IndexWriter index;
   for (ImageCode& image : images.codes) {
     for (const Plane plane : kPlanes) {
-      PlaneCode& code = image[static_cast<size_t>(plane)];
-      // A key image has no records: all its tiles are empty.
-      code.record_sizes.resize(static_cast<size_t>(geometry_.plane(plane).tiles()), 0);
-      size_t at = 0;
-      for (const uint32_t size : code.record_sizes) {
-        index.add(std::span(code.records).subspan(at, size));
-        at += size;
-      }
-      code = {};
+      add_records(index, image[static_cast<size_t>(plane)], geometry_.plane(plane).tiles());
+    }
+    if (!geometry_.motion_planes().empty()) {
+      add_records(index, image[kMotionPlane], geometry_.motion_planes()[0].tiles());
     }
   }
   index.finish();
-
-  return assemble_stream(header_, top_, index);
+  return assemble_stream(header_, top_section(images.keys.codestreams, images.keys.crcs), index);
 }
 
 }  // namespace hmlfc

@@ -1,54 +1,60 @@
-// One light field being encoded, possibly several times with different thresholds.
+// One light field being encoded, possibly several times with different thresholds or qualities.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <hmlfc/encoder.hpp>
-#include <hmlfc/error.hpp>
 
-#include "encoder/level_encoder.hpp"
-#include "encoder/rkv_tree.hpp"
-#include "syntax/geometry.hpp"
+#include "encoder/decisions.hpp"
 
 namespace hmlfc {
 
-/// The header that `params` ask for, without its sections; bad_header_field where one is outside
-/// its interval.
-Result<StreamHeader> header_for(const LightFieldShape& shape, const EncodeParams& params);
-
-/// All blocks of a light field, coded.
-struct CodedImages {
-  std::vector<ImageCode> codes;  ///< by image number
-  ErrorSums error;               ///< of all views
+/// Who watches an encoder at work; both may be empty. Called by several threads at once.
+struct EncodeObserver {
+  std::function<void()> image_done;
+  /// What a decoder will make of image `at` of level `level`, key images too.
+  std::function<void(int level, ImagePos at, const ImagePlanes&)> reconstructed;
 };
 
-/// What does not depend on the thresholds: tree of originals and key images.
+/// The planes of the key images in the order of KEY-1: codestreams and CRCs of their samples.
+struct CodedKeys {
+  std::vector<std::vector<uint8_t>> codestreams;
+  std::vector<uint32_t> crcs;
+};
+
+/// All images of a light field, coded.
+struct CodedImages {
+  std::vector<ImageCode> codes;  ///< by image number
+  CodedKeys keys;
+  ErrorSums error;  ///< of all views
+};
+
+/// The pipeline of both profiles: views to planes, planes to the tree of originals, levels from the
+/// top down, key images, stream. What does not depend on thresholds and quality is made once.
 class EncodeSession {
  public:
-  /// `light_field` must outlive the session; `header` comes from header_for.
-  EncodeSession(const LightField& light_field, const StreamHeader& header,
-                const EncodeParams& params);
+  /// `light_field` must outlive the session. `header` comes from header_for(); its row_scale is
+  /// decided here.
+  EncodeSession(const LightField& light_field, const StreamHeader& header);
 
   const Geometry& geometry() const { return geometry_; }
-  const std::vector<uint8_t>& top_section() const { return top_; }
 
-  /// Encodes all levels with these thresholds. `last`: the tree of originals may be used up.
-  CodedImages encode(uint32_t threshold_ref, uint32_t threshold_pred, bool last,
-                     const EncodeObserver& observer);
+  /// Codes all images with `params`, from which the header was made except for thresholds and
+  /// quality. `last`: the originals may be used up.
+  CodedImages encode(const EncodeParams& params, bool last, const EncodeObserver& observer);
 
   /// The whole stream; uses up `images`.
   std::vector<uint8_t> stream(CodedImages& images) const;
 
  private:
-  std::vector<uint8_t> write_top() const;
-
   const LightField& light_field_;
   StreamHeader header_;
-  EncodeParams params_;
+  DisparityRange disparities_;
   Geometry geometry_;
   RkvTree originals_;
-  std::vector<uint8_t> top_;
+  CodedKeys lossless_keys_;  // once coded, they serve every encoding
 };
 
 }  // namespace hmlfc

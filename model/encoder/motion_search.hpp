@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "encoder/reference_plane.hpp"
+#include "encoder/padded_plane.hpp"
 
 namespace hmlfc {
 

@@ -1,20 +1,57 @@
 #include "encoder/padded_plane.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <cstdlib>
 
 namespace hmlfc {
+namespace {
 
-PaddedPlane::PaddedPlane(const SamplePlane& plane, uint32_t width, uint32_t height, int pad)
-    : pad_(pad), stride_(ptrdiff_t{width} + 2 * pad_) {
-  const ptrdiff_t rows = ptrdiff_t{height} + 2 * pad_;
+// The padding of a plane to search in, whose rows are a multiple of 32 samples apart.
+Padding search_padding(uint32_t width, int window) {
+  const int right = window + ReferencePlane::kMaxBlock + ReferencePlane::kReadAhead;
+  const auto rest = static_cast<int>((int64_t{width} + window + right) % 32);
+  return {window, right + (32 - rest) % 32, window + ReferencePlane::kMaxBlock};
+}
+
+}  // namespace
+
+PaddedPlane::PaddedPlane(std::span<const int16_t> samples, size_t row_stride, uint32_t width,
+                         uint32_t height, const Padding& padding)
+    : before_(padding.before), stride_(ptrdiff_t{width} + padding.before + padding.right) {
+  const ptrdiff_t rows = ptrdiff_t{height} + padding.before + padding.below;
   samples_.resize(static_cast<size_t>(stride_ * rows));
   for (ptrdiff_t row = 0; row < rows; ++row) {
-    const ptrdiff_t y = std::clamp<ptrdiff_t>(row - pad_, 0, ptrdiff_t{height} - 1);
-    const auto in = plane.row(static_cast<uint32_t>(y)).first(width);
+    const ptrdiff_t y = std::clamp<ptrdiff_t>(row - before_, 0, ptrdiff_t{height} - 1);
+    const auto in = samples.subspan(static_cast<size_t>(y) * row_stride, width);
     int16_t* out = samples_.data() + row * stride_;
-    std::fill_n(out, pad_, in.front());
-    std::copy(in.begin(), in.end(), out + pad_);
-    std::fill(out + pad_ + width, out + stride_, in.back());
+    std::fill_n(out, before_, in.front());
+    std::copy(in.begin(), in.end(), out + before_);
+    std::fill(out + before_ + width, out + stride_, in.back());
+  }
+}
+
+ReferencePlane::ReferencePlane(std::span<const int16_t> samples, uint32_t width, uint32_t height,
+                               int max_window)
+    : width_(width),
+      height_(height),
+      max_window_(max_window),
+      samples_(samples, width, width, height, search_padding(width, max_window)),
+      square_sums_(samples_.size()) {
+  assert(width >= 1 && height >= 1 && samples.size() == size_t{width} * height);
+  assert(max_window >= 0 && max_window <= kMaxWindow);
+  assert(std::all_of(samples.begin(), samples.end(),
+                     [](int sample) { return std::abs(sample) <= kMaxAbs; }));
+  // The last row and the last column have no square; no valid candidate reads them and they stay 0.
+  const ptrdiff_t stride = samples_.stride();
+  const ptrdiff_t rows = static_cast<ptrdiff_t>(samples_.size()) / stride;
+  for (ptrdiff_t row = 0; row + 1 < rows; ++row) {
+    const int16_t* upper = samples_.data() + row * stride;
+    const int16_t* lower = upper + stride;
+    int16_t* out = square_sums_.data() + row * stride;
+    for (ptrdiff_t col = 0; col + 1 < stride; ++col) {
+      out[col] = static_cast<int16_t>(upper[col] + upper[col + 1] + lower[col] + lower[col + 1]);
+    }
   }
 }
 

@@ -13,13 +13,18 @@ using Samples = std::array<int32_t, size_t{kMaxBlockSize} * kMaxBlockSize>;
 
 class PlanePredictor {
  public:
-  explicit PlanePredictor(const PredictionTask& task)
-      : task_(task),
-        shape_(task.geometry->plane(task.plane)),
-        motion_(task.geometry->motion_planes()[task.geometry->motion_plane_of(task.plane)]),
-        halved_(task.plane != Plane::kY && motion_.halves),
-        size_(static_cast<int32_t>(task.geometry->block_size())),
-        range_(sample_range(task.plane, task.depth)) {}
+  PlanePredictor(const MotionSources& sources, Plane plane, const SamplePlane* parent,
+                 const ReferencePlanes& references, std::span<const MotionTileCode> tiles)
+      : sources_(sources),
+        parent_(parent),
+        references_(references),
+        tiles_(tiles),
+        default_symbol_(sources.default_symbol()),
+        shape_(sources.geometry.plane(plane)),
+        motion_(sources.geometry.motion_planes()[sources.geometry.motion_plane_of(plane)]),
+        halved_(plane != Plane::kY && motion_.halves),
+        size_(static_cast<int32_t>(sources.geometry.block_size())),
+        range_(sample_range(plane, sources.header.depth)) {}
 
   SamplePlane run() const {
     const auto size = static_cast<uint32_t>(size_);
@@ -33,12 +38,13 @@ class PlanePredictor {
  private:
   // The palette entry of the block at place (x, y) of the motion plane (MOT-4).
   const PaletteEntry& symbol_at(uint32_t x, uint32_t y) const {
-    const uint32_t tx = x >> task_.tile_log2;
-    const uint32_t ty = y >> task_.tile_log2;
-    const MotionTileCode& tile = task_.tiles[size_t{ty} * motion_.tiles_x + tx];
-    if (tile.empty) return task_.default_symbol;
-    const uint32_t mask = (1u << task_.tile_log2) - 1;
-    const uint32_t inside = std::min(mask + 1, motion_.width - (tx << task_.tile_log2));
+    const unsigned tile_log2 = sources_.header.motion_tile_log2;
+    const uint32_t tx = x >> tile_log2;
+    const uint32_t ty = y >> tile_log2;
+    const MotionTileCode& tile = tiles_[size_t{ty} * motion_.tiles_x + tx];
+    if (tile.empty) return default_symbol_;
+    const uint32_t mask = (1u << tile_log2) - 1;
+    const uint32_t inside = std::min(mask + 1, motion_.width - (tx << tile_log2));
     const uint32_t columns = ceil_div(inside, 1u << tile.block_log2);
     const uint32_t index =
         ((y & mask) >> tile.block_log2) * columns + ((x & mask) >> tile.block_log2);
@@ -47,13 +53,8 @@ class PlanePredictor {
 
   int32_t disparity_at(uint32_t x, uint32_t y, const PaletteEntry& symbol) const {
     if (symbol.choice == kChoiceDisparity) return symbol.explicit_x;
-    const auto& move = kChoiceMoves[symbol.choice];
-    const DisparityGrid& grid = *task_.grid;
-    const int32_t gx = clamp(static_cast<int32_t>(x >> task_.grid_log2) + move[0], 0,
-                             static_cast<int32_t>(grid.blocks_x) - 1);
-    const int32_t gy = clamp(static_cast<int32_t>(y >> task_.grid_log2) + move[1], 0,
-                             static_cast<int32_t>(grid.blocks_y) - 1);
-    return grid.at(static_cast<uint32_t>(gx), static_cast<uint32_t>(gy));
+    const unsigned grid_log2 = sources_.header.disparity_grid_log2;
+    return sources_.disparity(x >> grid_log2, y >> grid_log2, symbol.choice);
   }
 
   void predict(uint32_t bx, uint32_t by, SamplePlane& plane) const {
@@ -72,9 +73,8 @@ class PlanePredictor {
       const auto out = plane.row(by * size + j);
       for (uint32_t i = 0; i < size; ++i) {
         const uint32_t column = bx * size + i;
-        const int32_t parent =
-            task_.parent == nullptr ? 0 : task_.parent->at(column, by * size + j);
-        const int32_t base = task_.keyed && symbol.choice != kChoiceNone ? 0 : parent;
+        const int32_t parent = parent_ == nullptr ? 0 : parent_->at(column, by * size + j);
+        const int32_t base = sources_.keyed && symbol.choice != kChoiceNone ? 0 : parent;
         const int32_t value =
             symbol.choice == kChoiceNone
                 ? base
@@ -88,21 +88,19 @@ class PlanePredictor {
                        Samples& out) const {
     const ReferenceSet refs = references_of_set(symbol.reference_set);
     Samples parts[2];
-    for (size_t k = 0; k < refs.count; ++k) fetch(refs.reference[k], d, area, parts[k]);
+    for (size_t i = 0; i < refs.count; ++i) {
+      const size_t k = refs.reference[i];
+      interpolate(*references_[k], area, sources_.vector(k, d, halved_), parts[i].data());
+    }
     combine(parts[0].data(), refs.count == 2 ? parts[1].data() : nullptr, area.samples(),
             out.data());
   }
 
-  void fetch(size_t k, int32_t d, const Area& area, Samples& out) const {
-    const ImagePos place = task_.places[k];
-    const MotionVector v = disparity_vector(
-        d, static_cast<int32_t>(place.row) - static_cast<int32_t>(task_.at.row),
-        static_cast<int32_t>(place.col) - static_cast<int32_t>(task_.at.col), task_.rules);
-    interpolate(*task_.references[k], area, subpel_vector(v, task_.vector_precision, halved_),
-                out.data());
-  }
-
-  const PredictionTask& task_;
+  const MotionSources& sources_;
+  const SamplePlane* parent_;
+  const ReferencePlanes& references_;
+  std::span<const MotionTileCode> tiles_;
+  PaletteEntry default_symbol_;
   const PlaneShape& shape_;
   const MotionPlaneShape& motion_;
   bool halved_;
@@ -112,6 +110,10 @@ class PlanePredictor {
 
 }  // namespace
 
-SamplePlane predict_plane(const PredictionTask& task) { return PlanePredictor(task).run(); }
+SamplePlane predict_plane(const MotionSources& sources, Plane plane, const SamplePlane* parent,
+                          const ReferencePlanes& references,
+                          std::span<const MotionTileCode> tiles) {
+  return PlanePredictor(sources, plane, parent, references, tiles).run();
+}
 
 }  // namespace hmlfc

@@ -3,33 +3,13 @@
 
 #include <span>
 
-#include "arithmetic/motion.hpp"
 #include "encoder/subpel_prediction.hpp"
-#include "syntax/geometry.hpp"
-#include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
 
-/// What the prediction of one plane needs.
-struct PredictionTask {
-  const Geometry* geometry = nullptr;
-  Plane plane = Plane::kY;
-  int depth = 8;
-  const SamplePlane* parent = nullptr;  ///< whole blocks; null where it is 0
-  bool keyed = true;
-  ReferencePlanes references{};
-  ReferenceImages places{};
-  ImagePos at;
-  const DisparityGrid* grid = nullptr;
-  VectorRules rules;
-  unsigned vector_precision = 0;
-  unsigned tile_log2 = 6;
-  unsigned grid_log2 = 3;
-  PaletteEntry default_symbol;            ///< of empty motion tiles (MOT-4)
-  std::span<const MotionTileCode> tiles;  ///< of the motion plane that serves `plane`
-};
-
-/// A(x, y) of DEC-3 for every block of the plane, in whole blocks.
-SamplePlane predict_plane(const PredictionTask& task);
+/// A(x, y) of DEC-3 for every block of `plane`, in whole blocks. `parent`: whole blocks, null where
+/// it is 0; `references`: of `plane`; `tiles`: of the motion plane.
+SamplePlane predict_plane(const MotionSources& sources, Plane plane, const SamplePlane* parent,
+                          const ReferencePlanes& references, std::span<const MotionTileCode> tiles);
 
 }  // namespace hmlfc

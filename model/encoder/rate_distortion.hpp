@@ -1,11 +1,12 @@
-// What a bit is worth: the trade of squared error against bits, in integers.
+// The trade of squared error against bits, in integers.
 #pragma once
 
 #include <cstdint>
 
 namespace hmlfc {
 
-/// The squared error that saves one bit, in 256ths: integers, so that every machine decides alike.
+/// The squared error that one bit is worth, in 256ths: integers, so that every machine decides
+/// alike.
 struct Lambda {
   int64_t scaled = 0;  ///< [0, 2^40]
 
@@ -15,7 +16,7 @@ struct Lambda {
   }
 };
 
-/// What a tile that is not empty takes in the index and by its whole bytes, about.
+/// About what a tile that is not empty takes in the index and by padding to whole bytes.
 inline constexpr int64_t kTileOverheadBits = 15;
 
 }  // namespace hmlfc

@@ -1,13 +1,30 @@
-// Level parameters, block headers and values that code the residual blocks of a tile (TIL-8, TIL-9,
-// STP-1).
+// How the residual blocks of a tile are written: parameters of the tile, then level code, bias and
+// values of each block (TIL-8, TIL-9, STP-1).
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "decoder/sample_plane.hpp"
 #include "syntax/tile_record.hpp"
 
 namespace hmlfc {
+
+/// Smallest and largest residual of one block; lo <= hi, both in [-M, M].
+struct ResidualInterval {
+  int32_t lo = 0;
+  int32_t hi = 0;
+};
+
+/// Level code and bias with which every value of an interval can be written.
+struct BlockCode {
+  unsigned level_code = 0;
+  int32_t bias = 0;
+};
+
+/// The code of least size for `interval` whose bias fits in `bias_bits` bits in [0, 14]; of the
+/// biases that do, the one nearest to 0. 0 bits allow bias 0 alone.
+BlockCode least_code(const ResidualInterval& interval, unsigned bias_bits);
 
 /// The fields of least size for `blocks`: at least one, residuals before the step, each in [-M, M].
 /// `step_code` in [0, 15]: of all blocks; 0 in a stream without steps.

@@ -25,7 +25,7 @@ struct RkvTree {
   }
 };
 
-/// Filters each cluster to its mean, sample by sample, halves rounded up, level by level.
+/// Reduces each cluster to its mean, sample by sample, halves rounded up, level by level.
 RkvTree build_rkv_tree(const LightField& light_field, const Geometry& geometry,
                        uint32_t cluster_rows, uint32_t cluster_cols);
 

@@ -1,6 +1,42 @@
 #include "encoder/subpel_prediction.hpp"
 
+#include <algorithm>
+
 namespace hmlfc {
+namespace {
+
+// The reference sets worth trying: those without an image that also has a lower number.
+std::vector<uint8_t> reference_sets(const MotionSources& sources) {
+  if (!sources.two_references()) return {0};
+  const auto repeated = [&](size_t k) {
+    const auto end = sources.places.begin() + static_cast<ptrdiff_t>(k);
+    return std::find(sources.places.begin(), end, sources.places[k]) != end;
+  };
+  std::vector<uint8_t> sets;
+  for (uint8_t set = 0; set < 8; ++set) {
+    const ReferenceSet refs = references_of_set(set);
+    if (repeated(refs.reference[0]) || (refs.count == 2 && repeated(refs.reference[1]))) continue;
+    sets.push_back(set);
+  }
+  return sets;
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> candidate_symbols(const MotionSources& sources, unsigned choices) {
+  std::vector<PaletteEntry> symbols{sources.default_symbol()};
+  for (unsigned choice = 1; choice <= choices; ++choice) {
+    for (const uint8_t set : reference_sets(sources)) {
+      const PaletteEntry plus{set, static_cast<uint8_t>(choice)};
+      if (plus != symbols.front()) symbols.push_back(plus);
+      if (sources.keyed) continue;
+      PaletteEntry minus = plus;
+      minus.negative = true;
+      symbols.push_back(minus);
+    }
+  }
+  return symbols;
+}
 
 void interpolate(const PaddedPlane& reference, const Area& area, const SubpelVector& vector,
                  int32_t* out) {

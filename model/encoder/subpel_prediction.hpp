@@ -3,18 +3,67 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <vector>
 
 #include <hmlfc/format.hpp>
 
 #include "arithmetic/motion.hpp"
 #include "encoder/padded_plane.hpp"
 #include "syntax/geometry.hpp"
+#include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
 
 /// K0 to K3 of one image (MOT-7) in one plane.
 using ReferencePlanes = std::array<const PaddedPlane*, 4>;
+
+/// Rows (columns) from image `from` to image `to`.
+constexpr int32_t row_offset(ImagePos to, ImagePos from) {
+  return static_cast<int32_t>(to.row) - static_cast<int32_t>(from.row);
+}
+constexpr int32_t col_offset(ImagePos to, ImagePos from) {
+  return static_cast<int32_t>(to.col) - static_cast<int32_t>(from.col);
+}
+
+/// What motion of one predictive image refers to, in all its planes.
+struct MotionSources {
+  const StreamHeader& header;
+  const Geometry& geometry;
+  VectorRules rules;
+  ImagePos at;
+  bool keyed;              ///< of the image's level
+  ReferenceImages places;  ///< K0 to K3 (MOT-7)
+  const DisparityGrid& grid;
+
+  bool two_references() const { return header.has(Feature::kTwoReferences); }
+
+  /// The palette entry of empty motion tiles (MOT-4).
+  PaletteEntry default_symbol() const {
+    if (!keyed) return {};
+    return {static_cast<uint8_t>(two_references() ? 1 : 0), kChoiceOwn};
+  }
+
+  /// The disparity of `choice` in [1, 9] at grid block (gx, gy) (MOT-5).
+  int32_t disparity(uint32_t gx, uint32_t gy, unsigned choice) const {
+    const auto& move = kChoiceMoves[choice];
+    const int32_t x =
+        clamp(static_cast<int32_t>(gx) + move[0], 0, static_cast<int32_t>(grid.blocks_x) - 1);
+    const int32_t y =
+        clamp(static_cast<int32_t>(gy) + move[1], 0, static_cast<int32_t>(grid.blocks_y) - 1);
+    return grid.at(static_cast<uint32_t>(x), static_cast<uint32_t>(y));
+  }
+
+  /// Where disparity `d` leads in reference image Kk; in a plane of half size if `halved` (MOT-8).
+  SubpelVector vector(size_t k, int32_t d, bool halved) const {
+    const MotionVector full =
+        disparity_vector(d, row_offset(places[k], at), col_offset(places[k], at), rules);
+    return subpel_vector(full, header.vector_precision, halved);
+  }
+};
+
+/// The palette entries worth trying, with the choices up to `choices` in [1, 9]; the first is
+/// default_symbol().
+std::vector<PaletteEntry> candidate_symbols(const MotionSources& sources, unsigned choices);
 
 /// A rectangle of a plane; it may reach past the plane's right and lower border by less than a
 /// motion block.

@@ -27,15 +27,15 @@ uint32_t sign_mode(const std::vector<bool>& negative) {
   return minus == std::ssize(negative) ? kSignsMinus : kSignsMixed;
 }
 
-VectorFields vector_fields(std::span<const BlockChoice> choices) {
+VectorFields vector_fields(std::span<const BlockDecision> decisions) {
   VectorFields fields;
   std::vector<int32_t> x;
   std::vector<int32_t> y;
-  for (const BlockChoice& choice : choices) {
-    if (!choice.has_motion()) continue;
-    x.push_back(choice.motion.dx);
-    y.push_back(choice.motion.dy);
-    fields.negative.push_back(choice.motion.negative);
+  for (const BlockDecision& decision : decisions) {
+    if (!decision.has_motion()) continue;
+    x.push_back(decision.motion.dx);
+    y.push_back(decision.motion.dy);
+    fields.negative.push_back(decision.motion.negative);
   }
   fields.sign_mode = sign_mode(fields.negative);
   fields.x = component_fields(x, fields.min_x);
@@ -43,27 +43,28 @@ VectorFields vector_fields(std::span<const BlockChoice> choices) {
   return fields;
 }
 
-ResidualFields residuals_of(std::span<const BlockChoice> choices, int depth) {
+ResidualFields residuals_of(std::span<const BlockDecision> decisions, int depth) {
   std::vector<const BlockValues*> residuals;
-  for (const BlockChoice& choice : choices) {
-    if (choice.has_residual()) residuals.push_back(&choice.residual);
+  for (const BlockDecision& decision : decisions) {
+    if (decision.has_residual()) residuals.push_back(&decision.residual);
   }
   return residual_fields(residuals, depth, 0);
 }
 
 }  // namespace
 
-std::vector<uint8_t> write_tile(std::span<const BlockChoice> choices, const TileContext& context) {
+std::vector<uint8_t> write_tile(std::span<const BlockDecision> decisions,
+                                const TileContext& context) {
   TileFields tile;
-  for (size_t k = 0; k < choices.size(); ++k) {
-    tile.motion_mask |= uint64_t{choices[k].has_motion()} << k;
-    tile.residual_mask |= uint64_t{choices[k].has_residual()} << k;
+  for (size_t k = 0; k < decisions.size(); ++k) {
+    tile.motion_mask |= uint64_t{decisions[k].has_motion()} << k;
+    tile.residual_mask |= uint64_t{decisions[k].has_residual()} << k;
   }
   if ((tile.motion_mask | tile.residual_mask) == 0) return {};
   tile.motion_mode = mask_mode(tile.motion_mask, context.blocks_inside);
   tile.residual_mode = mask_mode(tile.residual_mask, context.blocks_inside);
-  if (tile.motion_mask != 0) tile.vectors = vector_fields(choices);
-  if (tile.residual_mask != 0) tile.residuals = residuals_of(choices, context.depth);
+  if (tile.motion_mask != 0) tile.vectors = vector_fields(decisions);
+  if (tile.residual_mask != 0) tile.residuals = residuals_of(decisions, context.depth);
   return write_tile_fields(tile, context);
 }
 

@@ -1,17 +1,37 @@
-// Writing tile records (TIL-1 to TIL-10).
+// What profile main decides for a block, and the tile records that say it (TIL-1 to TIL-10).
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "encoder/block_choice.hpp"
+#include <hmlfc/format.hpp>
+
+#include "decoder/sample_plane.hpp"
+#include "encoder/motion_search.hpp"
 #include "syntax/tile_record.hpp"
 
 namespace hmlfc {
 
-/// The record of a tile. `choices` has one entry for each block number; those outside the plane are
-/// in state zero. Empty where all blocks are zero (IDX-7).
-std::vector<uint8_t> write_tile(std::span<const BlockChoice> choices, const TileContext& context);
+/// What is decided for one block.
+struct BlockDecision {
+  BlockState state = BlockState::kZero;
+  MotionMatch motion{};  ///< with motion
+  BlockValues residual;  ///< with a residual: exact differences, each in [-M, M]
+
+  explicit BlockDecision(unsigned block_size) : residual(block_size) {}
+
+  bool has_motion() const {
+    return state == BlockState::kMotion || state == BlockState::kMotionResidual;
+  }
+  bool has_residual() const {
+    return state == BlockState::kResidual || state == BlockState::kMotionResidual;
+  }
+};
+
+/// The record of a tile. `decisions` has one entry for each block number; those outside the plane
+/// are in state zero. Empty where all blocks are zero (IDX-7).
+std::vector<uint8_t> write_tile(std::span<const BlockDecision> decisions,
+                                const TileContext& context);
 
 }  // namespace hmlfc

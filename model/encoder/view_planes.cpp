@@ -4,6 +4,7 @@
 
 #include "arithmetic/colour.hpp"
 #include "arithmetic/rounding.hpp"
+#include "decoder/colour_row.hpp"
 
 namespace hmlfc {
 namespace {
@@ -42,16 +43,16 @@ ImagePlanes full_planes(const LightField& light_field, ImagePos at) {
   return planes;
 }
 
-// `plane` enlarged to whole blocks.
-SamplePlane in_whole_blocks(const SamplePlane& plane, const PlaneShape& shape,
-                            unsigned block_size) {
-  SamplePlane blocks(shape.blocks_x * block_size, shape.blocks_y * block_size);
-  for (uint32_t y = 0; y < plane.height; ++y) {
+// Repeats the nearest sample inside width x height over the rest of `plane`.
+void extend_borders(SamplePlane& plane, uint32_t width, uint32_t height) {
+  for (uint32_t y = 0; y < height; ++y) {
     const auto row = plane.row(y);
-    std::copy(row.begin(), row.end(), blocks.row(y).begin());
+    std::fill(row.begin() + width, row.end(), row[width - 1]);
   }
-  extend_borders(blocks, plane.width, plane.height);
-  return blocks;
+  for (uint32_t y = height; y < plane.height; ++y) {
+    const auto last = plane.row(height - 1);
+    std::copy(last.begin(), last.end(), plane.row(y).begin());
+  }
 }
 
 }  // namespace
@@ -67,15 +68,15 @@ ImagePlanes view_planes(const LightField& light_field, const Geometry& geometry,
   return planes;
 }
 
-void extend_borders(SamplePlane& plane, uint32_t width, uint32_t height) {
-  for (uint32_t y = 0; y < height; ++y) {
+SamplePlane in_whole_blocks(const SamplePlane& plane, const PlaneShape& shape,
+                            unsigned block_size) {
+  SamplePlane blocks(shape.blocks_x * block_size, shape.blocks_y * block_size);
+  for (uint32_t y = 0; y < plane.height; ++y) {
     const auto row = plane.row(y);
-    std::fill(row.begin() + width, row.end(), row[width - 1]);
+    std::copy(row.begin(), row.end(), blocks.row(y).begin());
   }
-  for (uint32_t y = height; y < plane.height; ++y) {
-    const auto last = plane.row(height - 1);
-    std::copy(last.begin(), last.end(), plane.row(y).begin());
-  }
+  extend_borders(blocks, plane.width, plane.height);
+  return blocks;
 }
 
 SamplePlane cropped(const SamplePlane& plane, uint32_t width, uint32_t height) {
@@ -85,6 +86,14 @@ SamplePlane cropped(const SamplePlane& plane, uint32_t width, uint32_t height) {
     std::copy(row.begin(), row.end(), part.row(y).begin());
   }
   return part;
+}
+
+ErrorSums view_error(const LightField& original, ImagePos at, const ImagePlanes& planes,
+                     ChromaFormat chroma) {
+  const LightFieldShape& shape = original.shape();
+  const Rect all{0, 0, shape.width, shape.height};
+  const RgbImage decoded = rgb_picture(planes, all, chroma == ChromaFormat::k420, shape.depth);
+  return measure(original.view(at.row, at.col), decoded);
 }
 
 }  // namespace hmlfc

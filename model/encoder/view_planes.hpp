@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <hmlfc/light_field.hpp>
+#include <hmlfc/measure.hpp>
 
 #include "decoder/sample_plane.hpp"
 #include "syntax/geometry.hpp"
@@ -19,10 +20,15 @@ using ImagePlanes = std::array<SamplePlane, kPlaneCount>;
 /// halves rounded up.
 ImagePlanes view_planes(const LightField& light_field, const Geometry& geometry, ImagePos at);
 
-/// Repeats the nearest sample inside width x height over the rest of `plane`.
-void extend_borders(SamplePlane& plane, uint32_t width, uint32_t height);
+/// `plane`, of the size of `shape`, enlarged to whole blocks: the nearest sample inside is
+/// repeated.
+SamplePlane in_whole_blocks(const SamplePlane& plane, const PlaneShape& shape, unsigned block_size);
 
 /// The width x height samples at the top left of `plane`.
 SamplePlane cropped(const SamplePlane& plane, uint32_t width, uint32_t height);
+
+/// The error of view `at` of `original` decoded to `planes`, in RGB as a decoder returns it.
+ErrorSums view_error(const LightField& original, ImagePos at, const ImagePlanes& planes,
+                     ChromaFormat chroma);
 
 }  // namespace hmlfc

@@ -46,8 +46,8 @@ uint64_t check_random_blocks(const test::RandomCase& made, uint32_t seed, int bl
 TEST(BoundedAccess, RandomStreamsStayWithinTheStatedBounds) {
   for (uint32_t seed = 0; seed < 60; ++seed) {
     auto made = test::random_case(seed);
-    made.params.threshold_ref /= 8;
-    made.params.threshold_pred /= 8;
+    made.params.main.threshold_ref /= 8;
+    made.params.main.threshold_pred /= 8;
     check_random_blocks(made, seed, 40);
   }
 }
@@ -57,8 +57,8 @@ TEST(BoundedAccess, DisplacedBlocksComeNearTheBound) {
   test::RandomCase made;
   made.shape = {8, 8, 48, 48, 8};
   made.noise = 2;
-  made.params.threshold_ref = 4;
-  made.params.threshold_pred = 24;
+  made.params.main.threshold_ref = 4;
+  made.params.main.threshold_pred = 24;
   const uint64_t most_walks = check_random_blocks(made, 1, 1500);
   EXPECT_GE(most_walks, 12u);
 }
@@ -68,7 +68,7 @@ TEST(BoundedAccess, ExtendedStreamsStayWithinTheStatedBounds) {
   uint64_t most_walks = 0;
   for (uint32_t seed = 0; seed < 60; ++seed) {
     auto made = test::random_extended_case(seed);
-    made.params.quality = 100 - seed % 40;
+    made.params.extended.quality = 100 - seed % 40;
     const LightField field = test::textured_light_field(made.shape, seed, made.noise);
     const auto encoded = encode(field, made.params);
     ASSERT_TRUE(encoded.has_value());
@@ -97,8 +97,9 @@ TEST(BoundedAccess, ExtendedStreamsStayWithinTheStatedBounds) {
 // The cost of a block does not grow with the grid or the picture.
 TEST(BoundedAccess, CostDoesNotGrowWithTheLightField) {
   EncodeParams params;
-  params.threshold_ref = 0;
-  params.threshold_pred = 0;
+  params.profile = Profile::kMain;
+  params.main.threshold_ref = 0;
+  params.main.threshold_pred = 0;
   params.tree_height = 1;
   params.window = 4;
   const auto worst_fields = [&](const LightFieldShape& shape) {

@@ -17,13 +17,14 @@ constexpr LightFieldShape kShape{3, 2, 13, 9, 8};
 
 std::vector<uint8_t> small_stream(Method method) {
   EncodeParams params;
+  params.profile = Profile::kMain;
   params.method = method;
   params.tree_height = 1;
   params.window = 3;
   params.ref_rows = 2;
   params.ref_cols = 2;
-  params.threshold_ref = 20;
-  params.threshold_pred = 30;
+  params.main.threshold_ref = 20;
+  params.main.threshold_pred = 30;
   const auto encoded = encode(test::textured_light_field(kShape, 9, 5), params);
   return encoded ? encoded->bytes : std::vector<uint8_t>{};
 }

@@ -39,9 +39,10 @@ LightField two_grey_views() {
 
 std::vector<uint8_t> stream_of_one_record(uint32_t threshold) {
   EncodeParams params;
+  params.profile = Profile::kMain;
   params.method = Method::kMc;
   params.window = 3;
-  params.threshold_pred = threshold;
+  params.main.threshold_pred = threshold;
   return encode(two_grey_views(), params)->bytes;
 }
 

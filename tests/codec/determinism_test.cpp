@@ -27,8 +27,6 @@ TEST(Determinism, BytesDoNotDependOnThreads) {
     params.method = kind.method;
     params.profile = kind.profile;
     params.tree_height = kind.tree_height;
-    params.ref_rows = params.ref_cols = kind.profile == Profile::kExtended ? 0 : 8;
-    params.automatic_chroma = kind.profile == Profile::kExtended;
     params.threads = 1;
     const auto one = encode(field, params);
     ASSERT_TRUE(one.has_value());
@@ -44,6 +42,7 @@ TEST(Determinism, BytesDoNotDependOnThreads) {
 TEST(Determinism, TargetPsnrDoesNotDependOnThreads) {
   const LightField field = test::textured_light_field({4, 4, 48, 32, 8}, 5, 30);
   EncodeParams params;
+  params.profile = Profile::kMain;
   params.chroma = ChromaFormat::k444;
   params.threads = 1;
   const auto one = encode_to_psnr(field, params, 30);
@@ -51,7 +50,7 @@ TEST(Determinism, TargetPsnrDoesNotDependOnThreads) {
   const auto many = encode_to_psnr(field, params, 30);
   ASSERT_TRUE(one.has_value() && many.has_value());
   EXPECT_EQ(one->bytes, many->bytes);
-  EXPECT_EQ(one->params.threshold_pred, many->params.threshold_pred);
+  EXPECT_EQ(one->params.main.threshold_pred, many->params.main.threshold_pred);
 }
 
 }  // namespace

@@ -17,9 +17,6 @@ const LightFieldShape kShape{5, 4, 96, 72, 8};
 
 EncodeParams extended() {
   EncodeParams params;
-  params.profile = Profile::kExtended;
-  params.tree_height = 0;
-  params.window = 64;
   params.ref_rows = params.ref_cols = 3;
   params.chroma = ChromaFormat::k444;
   return params;
@@ -36,7 +33,7 @@ TEST(Quality, MoreQualityIsMorePsnrAndMoreBytes) {
   size_t last_bytes = 0;
   for (const double quality : {20.0, 40.0, 60.0, 80.0, 100.0}) {
     EncodeParams params = extended();
-    params.quality = quality;
+    params.extended.quality = quality;
     const auto encoded = encode(field, params);
     ASSERT_TRUE(encoded.has_value());
     EXPECT_GT(rgb_psnr(*encoded), last_psnr) << "quality " << quality;
@@ -50,7 +47,7 @@ TEST(Quality, OutsideItsIntervalIsRefused) {
   const LightField field = test::textured_light_field({1, 1, 8, 8, 8}, 1, 0);
   for (const double quality : {-0.5, 100.5, std::numeric_limits<double>::quiet_NaN()}) {
     EncodeParams params = extended();
-    params.quality = quality;
+    params.extended.quality = quality;
     EXPECT_FALSE(encode(field, params).has_value()) << quality;
   }
 }
@@ -77,7 +74,7 @@ TEST(Quality, OutOfReachGivesTheBestThereIs) {
   params.chroma = ChromaFormat::k420;
   const auto encoded = encode_to_psnr(field, params, 90);
   ASSERT_TRUE(encoded.has_value());
-  EXPECT_EQ(encoded->params.quality, 100);
+  EXPECT_EQ(encoded->params.extended.quality, 100);
   EXPECT_LT(rgb_psnr(*encoded), 90);
 }
 
@@ -111,6 +108,7 @@ TEST(Quality, StreamsOfProfileMainAreUnchanged) {
        {Record{Method::kHmlfc, 238706, 0x8A5A771F}, Record{Method::kRlfc, 254258, 0xCFDC4A0B},
         Record{Method::kMc, 152841, 0xBEC28768}}) {
     EncodeParams params;
+    params.profile = Profile::kMain;
     params.method = record.method;
     const auto encoded = encode(field, params);
     ASSERT_TRUE(encoded.has_value());

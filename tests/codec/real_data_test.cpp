@@ -51,7 +51,7 @@ TEST_P(RealData, EncodesDecodesAndMatchesTheRecord) {
   const auto field = io::load_light_field(*views, 0);
   ASSERT_TRUE(field.has_value()) << field.error().message;
 
-  const auto encoded = encode(*field, EncodeParams{});
+  const auto encoded = encode(*field, {.profile = Profile::kMain});
   ASSERT_TRUE(encoded.has_value()) << encoded.error().message;
   const LightFieldShape& shape = field->shape();
   const uint64_t pixels = uint64_t{shape.rows} * shape.cols * shape.width * shape.height;

@@ -9,9 +9,8 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
-#include "encoder/coding_choice.hpp"
+#include "encoder/coding_params.hpp"
 #include "encoder/encode_session.hpp"
-#include "encoder/extended_session.hpp"
 #include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {
@@ -33,16 +32,9 @@ Encoding encode_watched(const LightField& field, const EncodeParams& params) {
     const std::scoped_lock lock(mutex);
     encoding.images[{level, at.row, at.col}] = planes;
   };
-  if (params.profile == Profile::kExtended) {
-    const EncodeParams settled = settle_coding(field, params);
-    const auto header = header_for(field.shape(), settled);
-    ExtendedStream stream = encode_extended(field, *header, settled, observer);
-    encoding.bytes = assemble_extended(stream);
-    return encoding;
-  }
-  const auto header = header_for(field.shape(), params);
-  EncodeSession session(field, *header, params);
-  CodedImages coded = session.encode(params.threshold_ref, params.threshold_pred, true, observer);
+  const EncodeParams settled = settle_coding(field, with_defaults(params));
+  EncodeSession session(field, *header_for(field.shape(), settled));
+  CodedImages coded = session.encode(settled, true, observer);
   encoding.bytes = session.stream(coded);
   return encoding;
 }
@@ -158,9 +150,8 @@ RC_GTEST_PROP(Reconstruction, LosslessIsLossless, ()) {
   const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
   auto made = test::random_case_of_any_profile(seed);
   made.params.chroma = ChromaFormat::k444;
-  made.params.automatic_chroma = false;
-  made.params.threshold_ref = 0;
-  made.params.threshold_pred = 0;
+  made.params.main.threshold_ref = 0;
+  made.params.main.threshold_pred = 0;
   made.params.lossless = true;
   const LightField field = test::textured_light_field(made.shape, seed, made.noise);
   const auto encoded = encode(field, made.params);
@@ -179,11 +170,12 @@ RC_GTEST_PROP(Reconstruction, LosslessIsLossless, ()) {
 // More tiles with content than one root entry can lead to.
 TEST(Reconstruction, SeveralRootEntries) {
   EncodeParams params;
+  params.profile = Profile::kMain;
   params.method = Method::kRlfc;
   params.block_size = 2;
   params.chroma = ChromaFormat::k444;
-  params.threshold_ref = 0;
-  params.threshold_pred = 0;
+  params.main.threshold_ref = 0;
+  params.main.threshold_pred = 0;
   const LightField field = test::textured_light_field({10, 10, 64, 48, 8}, 1, 8);
   const auto encoded = encode(field, params);
   ASSERT_TRUE(encoded.has_value());

@@ -24,6 +24,7 @@ TEST(SparseStream, FlatSceneStaysUnderAHundredthOfABitBesideItsTopLevel) {
   const LightField field = scenes::render_scene(scene, 0);
   for (const Method method : {Method::kHmlfc, Method::kRlfc}) {
     EncodeParams params;
+    params.profile = Profile::kMain;
     params.method = method;
     const auto encoded = encode(field, params);
     ASSERT_TRUE(encoded.has_value());

@@ -81,8 +81,8 @@ TEST(Stages, EachFollowsFromThoseBefore) {
   Counts counts;
   for (uint32_t seed = 0; seed < 40; ++seed) {
     auto made = test::random_case(seed);
-    made.params.threshold_ref /= 8;
-    made.params.threshold_pred /= 8;
+    made.params.main.threshold_ref /= 8;
+    made.params.main.threshold_pred /= 8;
     const LightField field = test::textured_light_field(made.shape, seed, made.noise);
     const auto encoded = encode(field, made.params);
     const auto decoder = Decoder::open(encoded->bytes);

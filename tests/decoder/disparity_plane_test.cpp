@@ -88,7 +88,7 @@ TEST(DisparityPlane, EqualsOneReadForEachGridBlock) {
     const StreamView stream{file, header, Geometry(header)};
     for (size_t m = 0; m < stream.geometry.motion_planes().size(); ++m) {
       const MotionPlaneShape& shape = stream.geometry.motion_planes()[m];
-      const DisparityPlane plane = DisparityPlane::open(stream, 0, {0, 0}, m);
+      const DisparityPlane plane(stream, 0, {0, 0}, m);
       const uint32_t grid = 1u << header.disparity_grid_log2;
       for (uint32_t gy = 0; gy * grid < shape.height; ++gy) {
         for (uint32_t gx = 0; gx * grid < shape.width; ++gx) {

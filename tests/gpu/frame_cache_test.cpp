@@ -123,6 +123,7 @@ class GpuFrameCacheOfOneStream : public GpuFrameCache {
   /// for at first.
   static std::vector<uint8_t> bytes() {
     EncodeParams params;
+    params.profile = Profile::kMain;
     params.block_size = 2;
     params.tree_height = 1;
     params.threads = 1;

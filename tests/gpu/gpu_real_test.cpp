@@ -30,9 +30,12 @@ std::optional<std::vector<uint8_t>> encoded(const RealCase& real) {
   const auto field = io::load_light_field(*views, 0);
   EncodeParams params;
   params.profile = real.profile;
+  params.tree_height = 3;
+  params.window = 16;
+  params.ref_rows = params.ref_cols = 8;
   params.chroma = real.chroma;
-  params.quality = real.quality;
-  params.preset = Preset::kFast;
+  params.extended.quality = real.quality;
+  params.extended.preset = Preset::kFast;
   auto coded = encode(*field, params);
   if (!coded) return std::nullopt;
   return std::move(coded->bytes);

@@ -91,6 +91,7 @@ TEST_F(GpuRendering, UsesVulkanAsTheValidationLayerWants) {
 TEST_F(GpuRendering, MakesRoomForALargeFrame) {
   LightFieldShape shape{2, 2, 300, 200, 8};
   EncodeParams params;
+  params.profile = Profile::kMain;
   params.block_size = 2;
   params.threads = 1;
   RenderPair pair(device(), encode(test::textured_light_field(shape, 1, 4), params)->bytes, 0);

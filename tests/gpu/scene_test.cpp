@@ -43,6 +43,8 @@ TEST_P(GpuScenes, AreEqualInBothProfiles) {
     for (const ChromaFormat chroma : {ChromaFormat::k420, ChromaFormat::k444}) {
       EncodeParams coding;
       coding.profile = profile;
+      coding.window = 16;
+      coding.ref_rows = coding.ref_cols = 8;
       coding.chroma = chroma;
       coding.tree_height = chroma == ChromaFormat::k420 ? 2 : 1;
       const auto encoded = encode(field, coding);

@@ -154,9 +154,10 @@ TEST(CpuRenderer, ProgressiveFramesEqualTheGoldenRenderer) {
 // Large frames and views: rows of several vectors, pages and threads.
 TEST(CpuRenderer, LargeFramesEqualTheGoldenRenderer) {
   EncodeParams params;
-  params.profile = Profile::kExtended;
-  params.preset = Preset::kFast;
-  params.quality = 50;
+  params.tree_height = 3;
+  params.ref_rows = params.ref_cols = 8;
+  params.extended.preset = Preset::kFast;
+  params.extended.quality = 50;
   const LightField field = test::textured_light_field({3, 3, 210, 150, 8}, 3, 20);
   const test::OpenedStream stream(encode(field, params)->bytes);
   const Decoder& decoder = *stream.decoder;

@@ -87,16 +87,18 @@ void expect_flat(const Cost& small, const Cost& large) {
 
 std::vector<EncodeParams> profiles() {
   EncodeParams main;
+  main.profile = Profile::kMain;
+  main.chroma = ChromaFormat::k420;
   main.tree_height = 2;
   main.window = 4;
   main.ref_rows = main.ref_cols = 3;
-  main.threshold_ref = main.threshold_pred = 2;
+  main.main.threshold_ref = main.main.threshold_pred = 2;
   EncodeParams extended = main;
   extended.profile = Profile::kExtended;
   extended.tree_height = 0;
   extended.window = 16;
-  extended.quality = 80;
-  extended.preset = Preset::kFast;
+  extended.extended.quality = 80;
+  extended.extended.preset = Preset::kFast;
   return {main, extended};
 }
 

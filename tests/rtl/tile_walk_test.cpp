@@ -36,6 +36,8 @@ std::vector<uint8_t> some_stream(uint32_t seed) {
   }
   EncodeParams params;
   params.profile = seed % 2 == 0 ? Profile::kMain : Profile::kExtended;
+  params.window = 16;
+  params.chroma = ChromaFormat::k420;
   params.tree_height = random.in(0, 3);
   params.ref_rows = params.ref_cols = 2;
   params.threads = 1;

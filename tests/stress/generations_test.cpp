@@ -73,11 +73,13 @@ Generations generations(const LightField& original, const EncodeParams& params) 
 EncodeParams params_of(Profile profile, double quality, int tree_height) {
   EncodeParams params;
   params.profile = profile;
+  params.window = 16;
+  params.ref_rows = params.ref_cols = 8;
   params.chroma = ChromaFormat::k444;
-  params.preset = Preset::kFast;
-  params.quality = quality;
+  params.extended.preset = Preset::kFast;
+  params.extended.quality = quality;
   params.tree_height = tree_height;
-  params.threshold_ref = params.threshold_pred =
+  params.main.threshold_ref = params.main.threshold_pred =
       static_cast<uint32_t>(75 * std::exp2((60 - quality) / 10));
   return params;
 }

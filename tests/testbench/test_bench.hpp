@@ -28,6 +28,7 @@ inline std::vector<uint8_t> random_stream(uint32_t seed, unsigned block_size = 0
 /// A stream of profile main with blocks of 4 in every state; one view gives key images alone.
 inline std::vector<uint8_t> main_stream(uint32_t rows, uint32_t cols) {
   EncodeParams params;
+  params.profile = Profile::kMain;
   params.tree_height = 2;
   params.ref_rows = params.ref_cols = 3;
   params.threads = 1;

@@ -60,12 +60,10 @@ using Reader = std::function<std::optional<std::string>(const std::string& text)
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& type_name,
                        const std::string& description, Reader reader);
 
-/// An integer in [lo, hi]; the help shows the value that `target` has now as the default.
-template <std::integral T>
-CLI::Option* add_integer(CLI::App& app, const std::string& name, T& target,
-                         std::type_identity_t<T> lo, std::type_identity_t<T> hi,
-                         const std::string& description) {
-  const auto reader = [&target, lo, hi](const std::string& text) -> std::optional<std::string> {
+/// Stores an integer in [lo, hi] in `target`, a T or an optional T.
+template <std::integral T, class Target>
+Reader integer_reader(Target& target, T lo, T hi) {
+  return [&target, lo, hi](const std::string& text) -> std::optional<std::string> {
     const auto value = parse_integer<T>(text);
     if (!value || *value < lo || *value > hi) {
       return fmt::format("an integer in [{}, {}]", lo, hi);
@@ -73,7 +71,23 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, T& target,
     target = *value;
     return std::nullopt;
   };
-  return add_value(app, name, "N", description, reader)->default_str(std::to_string(target));
+}
+
+/// An integer in [lo, hi]; the help shows the value that `target` has now as the default.
+template <std::integral T>
+CLI::Option* add_integer(CLI::App& app, const std::string& name, T& target,
+                         std::type_identity_t<T> lo, std::type_identity_t<T> hi,
+                         const std::string& description) {
+  return add_value(app, name, "N", description, integer_reader<T>(target, lo, hi))
+      ->default_str(std::to_string(target));
+}
+
+/// The same without a default.
+template <std::integral T>
+CLI::Option* add_integer(CLI::App& app, const std::string& name, std::optional<T>& target,
+                         std::type_identity_t<T> lo, std::type_identity_t<T> hi,
+                         const std::string& description) {
+  return add_value(app, name, "N", description, integer_reader<T>(target, lo, hi));
 }
 
 /// A decimal number in [lo, hi].

@@ -9,9 +9,6 @@
 namespace hmlfc::cli {
 namespace {
 
-// Vectors of profile extended reach farther by default: they come from disparities times distance.
-constexpr int kExtendedWindow = 64;
-
 class Settler {
  public:
   Settler(const CLI::App& app, CodingOptions& options)
@@ -20,11 +17,7 @@ class Settler {
   void run() {
     check_quality();
     check_method();
-    if (params_.profile == Profile::kMain) {
-      settle_main();
-    } else {
-      settle_extended();
-    }
+    if (options_.quality) set_quality(*options_.quality);
   }
 
  private:
@@ -46,7 +39,7 @@ class Settler {
     }
     if (params_.lossless && options_.quality) refuse("--lossless and --quality exclude each other");
     if (params_.lossless && thresholds) refuse("--lossless sets the thresholds to 0 itself");
-    if (params_.lossless && options_.chroma == ChromaFormat::k420) {
+    if (params_.lossless && params_.chroma == ChromaFormat::k420) {
       refuse("--lossless needs --chroma 444");
     }
     if (thresholds && !main) refuse("--threshold-ref and --threshold-pred need --profile main");
@@ -62,31 +55,10 @@ class Settler {
     }
   }
 
-  void settle_main() {
-    params_.chroma = options_.chroma.value_or(ChromaFormat::k420);
-    if (options_.quality) {
-      const auto threshold =
-          static_cast<uint32_t>(std::lround(75 * std::exp2((60 - *options_.quality) / 10)));
-      params_.threshold_ref = threshold;
-      params_.threshold_pred = threshold;
-    }
-    if (!params_.lossless) return;
-    params_.chroma = ChromaFormat::k444;
-    params_.threshold_ref = 0;
-    params_.threshold_pred = 0;
-  }
-
-  void settle_extended() {
-    if (options_.quality) params_.quality = *options_.quality;
-    if (!given("--height") && params_.method != Method::kRlfc) params_.tree_height = 0;
-    if (!given("--window")) params_.window = kExtendedWindow;
-    if (!given("--references")) {
-      params_.ref_rows = 0;
-      params_.ref_cols = 0;
-    }
-    params_.automatic_chroma = !options_.chroma && !params_.lossless;
-    params_.chroma =
-        params_.lossless ? ChromaFormat::k444 : options_.chroma.value_or(ChromaFormat::k420);
+  void set_quality(double quality) {
+    params_.extended.quality = quality;
+    const auto threshold = static_cast<uint32_t>(std::lround(75 * std::exp2((60 - quality) / 10)));
+    params_.main = {threshold, threshold};
   }
 
   const CLI::App& app_;
@@ -95,9 +67,9 @@ class Settler {
 };
 
 void add_main_options(CLI::App& app, EncodeParams& params) {
-  add_integer(app, "--threshold-ref", params.threshold_ref, 0, 1u << 20,
+  add_integer(app, "--threshold-ref", params.main.threshold_ref, 0, 1u << 20,
               "Main: less energy is dropped in reference images");
-  add_integer(app, "--threshold-pred", params.threshold_pred, 0, 1u << 20,
+  add_integer(app, "--threshold-pred", params.main.threshold_pred, 0, 1u << 20,
               "Main: the same in predictive images");
 }
 
@@ -110,19 +82,17 @@ void add_structure_options(CLI::App& app, CodingOptions& options) {
   add_rows_by_cols(app, "--cluster", params.cluster_rows, params.cluster_cols, 255,
                    "Images that share a parent, rows x columns");
   add_integer(app, "--height", params.tree_height, 0, 15,
-              "Levels of the tree above the views (main 3, extended 0)")
-      ->default_str("");
+              "Levels of the tree above the views (main 3, extended 0)");
   add_choice(app, "--block", params.block_size, {{"2", 2u}, {"4", 4u}, {"8", 8u}},
              "Samples along the side of a block")
       ->default_str(std::to_string(params.block_size));
   add_integer(app, "--window", params.window, 0, 127,
-              "Largest vector component, in samples (main 16, extended 64)")
-      ->default_str("");
+              "Largest vector component, in samples (main 16, extended 64)");
   add_rows_by_cols(app, "--references", params.ref_rows, params.ref_cols, 255,
                    "Images that share a reference image (main 8x8)")
       ->default_str("");
   add_choice(
-      app, "--chroma", options.chroma,
+      app, "--chroma", params.chroma,
       {{"420", std::optional(ChromaFormat::k420)}, {"444", std::optional(ChromaFormat::k444)}},
       "Chroma at half size or in full (main 420)")
       ->default_str("");
@@ -143,7 +113,6 @@ std::string_view preset_name(Preset preset) {
 }
 
 void add_coding_options(CLI::App& app, CodingOptions& options) {
-  options.params.profile = Profile::kExtended;
   add_choice(app, "--profile", options.params.profile,
              {{"main", Profile::kMain}, {"extended", Profile::kExtended}}, "Profile of the stream")
       ->default_str("extended");
@@ -152,7 +121,7 @@ void add_coding_options(CLI::App& app, CodingOptions& options) {
   add_decimal(app, "--target-psnr", "DB", options.target_psnr, 1, 100,
               "Find the quality that gives this PSNR over RGB");
   app.add_flag("--lossless", options.params.lossless, "Keep every RGB value, in chroma 444");
-  add_choice(app, "--preset", options.params.preset,
+  add_choice(app, "--preset", options.params.extended.preset,
              {{"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}},
              "Extended: how long to look for the cheapest coding")
       ->default_str("medium");

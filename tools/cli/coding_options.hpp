@@ -15,7 +15,6 @@ struct CodingOptions {
   EncodeParams params;
   std::optional<double> target_psnr;  ///< dB over RGB
   std::optional<double> quality;      ///< [0, 100]
-  std::optional<ChromaFormat> chroma;
 };
 
 /// "fast", "medium" or "slow".

@@ -104,11 +104,11 @@ void print_outcome_json(const EncodeOutcome& outcome) {
   json["max_abs_error"] = outcome.quality.max_abs_error;
   json["cpu_seconds"] = outcome.time.cpu_seconds;
   if (outcome.params.profile == Profile::kMain) {
-    json["threshold_ref"] = outcome.params.threshold_ref;
-    json["threshold_pred"] = outcome.params.threshold_pred;
+    json["threshold_ref"] = outcome.params.main.threshold_ref;
+    json["threshold_pred"] = outcome.params.main.threshold_pred;
   } else {
-    json["quality"] = outcome.params.quality;
-    json["preset"] = preset_name(outcome.params.preset);
+    json["quality"] = outcome.params.extended.quality;
+    json["preset"] = preset_name(outcome.params.extended.preset);
   }
   print_json(json);
 }
@@ -124,10 +124,10 @@ void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outco
                     outcome.quality.max_abs_error));
   if (outcome.params.profile == Profile::kMain) {
     print(fmt::format("Thresholds    {} reference, {} predictive images\n",
-                      outcome.params.threshold_ref, outcome.params.threshold_pred));
+                      outcome.params.main.threshold_ref, outcome.params.main.threshold_pred));
   } else if (!outcome.params.lossless) {
-    print(fmt::format("Coded at      quality {}, preset {}\n", outcome.params.quality,
-                      preset_name(outcome.params.preset)));
+    print(fmt::format("Coded at      quality {}, preset {}\n", outcome.params.extended.quality,
+                      preset_name(outcome.params.extended.preset)));
   }
   print(fmt::format("Encoding      {:.2f} s, CPU {:.2f} s\n", outcome.time.wall_seconds,
                     outcome.time.cpu_seconds));

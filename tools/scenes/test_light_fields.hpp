@@ -66,6 +66,7 @@ inline RandomCase random_case(uint32_t seed) {
   if (pick(0, 2) == 0) made.shape.depth = static_cast<int>(pick(9, 12));
   made.noise = pick(0, 3) == 0 ? (1u << made.shape.depth) - 1 : pick(0, 8);
   EncodeParams& params = made.params;
+  params.profile = Profile::kMain;
   params.method = static_cast<Method>(pick(0, 2));
   params.cluster_rows = pick(1, 3);
   params.cluster_cols = pick(params.cluster_rows == 1 ? 2 : 1, 3);
@@ -75,8 +76,8 @@ inline RandomCase random_case(uint32_t seed) {
   params.ref_rows = pick(1, 5);
   params.ref_cols = pick(1, 5);
   params.chroma = pick(0, 1) == 0 ? ChromaFormat::k420 : ChromaFormat::k444;
-  params.threshold_ref = pick(0, 200) << (made.shape.depth - 8);
-  params.threshold_pred = pick(0, 200) << (made.shape.depth - 8);
+  params.main.threshold_ref = pick(0, 200) << (made.shape.depth - 8);
+  params.main.threshold_pred = pick(0, 200) << (made.shape.depth - 8);
   return made;
 }
 
@@ -89,10 +90,10 @@ inline RandomCase random_extended_case(uint32_t seed) {
   params.profile = Profile::kExtended;
   params.tree_height = pick(0, 1) == 0 ? 0 : static_cast<int>(pick(1, 3));
   params.window = static_cast<int>(pick(0, 3) == 0 ? 0 : pick(1, 127));
-  params.quality = pick(0, 100);
-  params.preset = static_cast<Preset>(pick(0, 2));
+  params.extended.quality = pick(0, 100);
+  params.extended.preset = static_cast<Preset>(pick(0, 2));
   params.lossless = pick(0, 5) == 0;
-  params.automatic_chroma = pick(0, 3) == 0;
+  if (pick(0, 3) == 0) params.chroma.reset();
   if (pick(0, 3) == 0) params.ref_rows = params.ref_cols = 0;
   return made;
 }

@@ -13,44 +13,66 @@ namespace {
 
 using Setter = std::function<void(EncodeParams&, const Json&)>;
 
-template <class T>
-Setter number(T EncodeParams::*member) {
-  return [member](EncodeParams& params, const Json& json) { params.*member = json.get<T>(); };
+// Sets what `target`, a function, returns of the parameters.
+template <class T, class Target>
+Setter number(const Target& target) {
+  return [target](EncodeParams& params, const Json& json) { target(params) = json.get<T>(); };
 }
 
-template <class T>
-Setter word(T EncodeParams::*member, std::map<std::string, T> words) {
-  return [member, words = std::move(words)](EncodeParams& params, const Json& json) {
+template <class Target, class T>
+Setter word(const Target& target, std::map<std::string, T> words) {
+  return [target, words = std::move(words)](EncodeParams& params, const Json& json) {
     const auto found = words.find(json.get<std::string>());
     if (found == words.end()) throw TextError(json.dump() + " is no value of an option to encode");
-    params.*member = found->second;
+    target(params) = found->second;
   };
 }
 
 const std::map<std::string, Setter>& setters() {
   static const std::map<std::string, Setter> all{
-      {"profile",
-       word(&EncodeParams::profile, {{"main", Profile::kMain}, {"extended", Profile::kExtended}})},
-      {"method", word(&EncodeParams::method,
-                      {{"hmlfc", Method::kHmlfc}, {"rlfc", Method::kRlfc}, {"mc", Method::kMc}})},
+      {"profile", word(
+                      [](EncodeParams & p) -> auto& { return p.profile; },
+                      std::map<std::string, Profile>{{"main", Profile::kMain},
+                                                     {"extended", Profile::kExtended}})},
+      {"method", word(
+                     [](EncodeParams & p) -> auto& { return p.method; },
+                     std::map<std::string, Method>{
+                         {"hmlfc", Method::kHmlfc}, {"rlfc", Method::kRlfc}, {"mc", Method::kMc}})},
       {"preset",
-       word(&EncodeParams::preset,
-            {{"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}})},
-      {"chroma",
-       word(&EncodeParams::chroma, {{"420", ChromaFormat::k420}, {"444", ChromaFormat::k444}})},
-      {"cluster_rows", number(&EncodeParams::cluster_rows)},
-      {"cluster_cols", number(&EncodeParams::cluster_cols)},
-      {"tree_height", number(&EncodeParams::tree_height)},
-      {"block_size", number(&EncodeParams::block_size)},
-      {"window", number(&EncodeParams::window)},
-      {"ref_rows", number(&EncodeParams::ref_rows)},
-      {"ref_cols", number(&EncodeParams::ref_cols)},
-      {"threshold_ref", number(&EncodeParams::threshold_ref)},
-      {"threshold_pred", number(&EncodeParams::threshold_pred)},
-      {"quality", number(&EncodeParams::quality)},
-      {"lossless", number(&EncodeParams::lossless)},
+       word(
+           [](EncodeParams & p) -> auto& { return p.extended.preset; },
+           std::map<std::string, Preset>{
+               {"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}})},
+      {"chroma", word(
+                     [](EncodeParams & p) -> auto& { return p.chroma; },
+                     std::map<std::string, ChromaFormat>{{"420", ChromaFormat::k420},
+                                                         {"444", ChromaFormat::k444}})},
+      {"cluster_rows", number<uint32_t>([](EncodeParams & p) -> auto& { return p.cluster_rows; })},
+      {"cluster_cols", number<uint32_t>([](EncodeParams & p) -> auto& { return p.cluster_cols; })},
+      {"tree_height", number<int>([](EncodeParams & p) -> auto& { return p.tree_height; })},
+      {"block_size", number<unsigned>([](EncodeParams & p) -> auto& { return p.block_size; })},
+      {"window", number<int>([](EncodeParams & p) -> auto& { return p.window; })},
+      {"ref_rows", number<uint32_t>([](EncodeParams & p) -> auto& { return p.ref_rows; })},
+      {"ref_cols", number<uint32_t>([](EncodeParams & p) -> auto& { return p.ref_cols; })},
+      {"threshold_ref",
+       number<uint32_t>([](EncodeParams & p) -> auto& { return p.main.threshold_ref; })},
+      {"threshold_pred",
+       number<uint32_t>([](EncodeParams & p) -> auto& { return p.main.threshold_pred; })},
+      {"quality", number<double>([](EncodeParams & p) -> auto& { return p.extended.quality; })},
+      {"lossless", number<bool>([](EncodeParams & p) -> auto& { return p.lossless; })},
   };
   return all;
+}
+
+// What a recipe leaves out: fixed, whatever the defaults of the encoder become.
+EncodeParams recipe_defaults() {
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  params.tree_height = 3;
+  params.window = 16;
+  params.ref_rows = params.ref_cols = 8;
+  params.chroma = ChromaFormat::k420;
+  return params;
 }
 
 LightField scene_from(const Json& json, uint64_t seed) {
@@ -72,7 +94,7 @@ LightField scene_from(const Json& json, uint64_t seed) {
 }  // namespace
 
 std::vector<uint8_t> encoded_stream(const Json& json, uint64_t seed) {
-  EncodeParams params;
+  EncodeParams params = recipe_defaults();
   for (const auto& [key, value] : json.at("encode").items()) {
     const auto setter = setters().find(key);
     if (setter == setters().end()) throw TextError("\"" + key + "\" is no option to encode");

@@ -195,16 +195,11 @@ Result<void> Decoder::load_references(int threads) const {
       const ImagePos image{static_cast<uint32_t>(i / shape.cols),
                            static_cast<uint32_t>(i % shape.cols)};
       if (!geometry.is_reference(level, image)) return;
-      for (const Plane plane : kPlanes) {
-        const auto loaded =
-            guard_memory([&] { return state_->references.plane(level, image, plane); });
-        const auto read = guard_memory([&]() -> Result<void> {
-          if (!loaded) return tl::unexpected(loaded.error());
-          (*loaded)->read_all();
-          return {};
-        });
-        if (!read) first.add(geometry.image_number(level, image), read.error());
-      }
+      const auto read = guard_memory([&]() -> Result<void> {
+        for (const Plane plane : kPlanes) state_->references.plane(level, image, plane)->read_all();
+        return {};
+      });
+      if (!read) first.add(geometry.image_number(level, image), read.error());
     });
   }
   return first.result();

@@ -48,38 +48,26 @@ inline void sum_row(const Taps& taps, const int16_t* row, Sum (&sums)[kLanes]) {
 }
 
 template <class Sum, unsigned kLanes>
-void put_one(const Taps& first, const PredictionTarget& target, unsigned x) {
-  for (unsigned y = 0; y < target.rows; ++y) {
-    Sum sums[kLanes];
-    sum_row(first, first.row + y * first.stride, sums);
-    int16_t values[kLanes];
-    for (unsigned i = 0; i < kLanes; ++i) {
-      values[i] = static_cast<int16_t>(one_reference_value(sums[i]));
-    }
-    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
-  }
-}
-
-template <class Sum, unsigned kLanes>
-void put_two(const Taps& first, const Taps& second, const PredictionTarget& target, unsigned x) {
-  for (unsigned y = 0; y < target.rows; ++y) {
-    Sum a[kLanes], b[kLanes];
-    sum_row(first, first.row + y * first.stride, a);
-    sum_row(second, second.row + y * second.stride, b);
-    int16_t values[kLanes];
-    for (unsigned i = 0; i < kLanes; ++i) {
-      values[i] = static_cast<int16_t>(two_reference_value(a[i], b[i]));
-    }
-    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
-  }
-}
-
-template <class Sum, unsigned kLanes>
 void put_columns(const std::array<DisplacedReference, 2>& references, unsigned count,
                  const PredictionTarget& target, unsigned x) {
   const Taps first(references[0], x);
-  if (count == 1) return put_one<Sum, kLanes>(first, target, x);
-  put_two<Sum, kLanes>(first, Taps(references[1], x), target, x);
+  const Taps second(references[count - 1], x);
+  for (unsigned y = 0; y < target.rows; ++y) {
+    Sum a[kLanes], b[kLanes];
+    int16_t values[kLanes];
+    sum_row(first, first.row + y * first.stride, a);
+    if (count == 1) {
+      for (unsigned i = 0; i < kLanes; ++i) {
+        values[i] = static_cast<int16_t>(one_reference_value(a[i]));
+      }
+    } else {
+      sum_row(second, second.row + y * second.stride, b);
+      for (unsigned i = 0; i < kLanes; ++i) {
+        values[i] = static_cast<int16_t>(two_reference_value(a[i], b[i]));
+      }
+    }
+    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
+  }
 }
 
 // All columns, sixteen, eight, four and one at a time.

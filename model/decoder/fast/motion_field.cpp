@@ -9,6 +9,24 @@
 #include "syntax/index.hpp"
 
 namespace hmlfc {
+namespace {
+
+// The values of a record, or nothing where it cannot be read.
+std::vector<int32_t> disparities_of(const TileRecord& found, const DisparityContext& context) {
+  const PaddedRecord record(found.bits.bytes());
+  FieldCursor cursor(record.bits(), found.file_bit, Probe{});
+  const auto head = read_disparity_head(cursor, context);
+  if (!head) return {};
+  std::vector<uint16_t> values(static_cast<size_t>(context.blocks()));
+  bise_unpack(record.data(), head->values_at, head->levels, values.size(), values.data());
+  std::vector<int32_t> disparities(values.size());
+  std::transform(values.begin(), values.end(), disparities.begin(),
+                 [&](uint16_t value) { return head->min_disparity + value; });
+  return disparities;
+}
+
+}  // namespace
+
 Result<void> read_motion_field(const StreamView& stream, const MotionTilePlace& place,
                                MotionField& field) {
   const MotionContext context = motion_context(stream, place);
@@ -33,58 +51,29 @@ Result<void> read_motion_field(const StreamView& stream, const MotionTilePlace& 
   return {};
 }
 
-namespace {
+DisparityPlane::DisparityPlane(const StreamView& stream, int level, ImagePos image,
+                               size_t motion_plane)
+    : stream_(stream),
+      place_{level, image, motion_plane, 0, 0},
+      columns_(ceil_div(stream.geometry.motion_planes()[motion_plane].width,
+                        1u << stream.header.disparity_grid_log2)),
+      tiles_x_(stream.geometry.motion_planes()[motion_plane].tiles_x),
+      tile_log2_(stream.header.motion_tile_log2 - stream.header.disparity_grid_log2),
+      values_(size_t{columns_} * ceil_div(stream.geometry.motion_planes()[motion_plane].height,
+                                          1u << stream.header.disparity_grid_log2)),
+      read_(static_cast<size_t>(stream.geometry.motion_planes()[motion_plane].tiles())) {}
 
-// The values of a record, or nothing where it cannot be read.
-std::vector<int32_t> disparities_of(const TileRecord& found, const DisparityContext& context) {
-  const PaddedRecord record(found.bits.bytes());
-  FieldCursor cursor(record.bits(), found.file_bit, Probe{});
-  const auto head = read_disparity_head(cursor, context);
-  if (!head) return {};
-  std::vector<uint16_t> values(static_cast<size_t>(context.blocks()));
-  bise_unpack(record.data(), head->values_at, head->levels, values.size(), values.data());
-  std::vector<int32_t> disparities(values.size());
-  std::transform(values.begin(), values.end(), disparities.begin(),
-                 [&](uint16_t value) { return head->min_disparity + value; });
-  return disparities;
-}
-
-}  // namespace
-
-DisparityPlane DisparityPlane::open(const StreamView& stream, int level, ImagePos image,
-                                    size_t motion_plane) {
-  const MotionPlaneShape& shape = stream.geometry.motion_planes()[motion_plane];
-  const uint32_t side = 1u << stream.header.disparity_grid_log2;
-  DisparityPlane plane;
-  plane.stream_ = &stream;
-  plane.level_ = level;
-  plane.image_ = image;
-  plane.motion_plane_ = motion_plane;
-  plane.columns_ = ceil_div(shape.width, side);
-  plane.tiles_x_ = shape.tiles_x;
-  plane.tile_log2_ = stream.header.motion_tile_log2 - stream.header.disparity_grid_log2;
-  plane.state_ = std::make_unique<State>(static_cast<size_t>(shape.tiles()));
-  plane.state_->values.resize(size_t{plane.columns_} * ceil_div(shape.height, side));
-  return plane;
-}
-
-void DisparityPlane::read_tile(size_t tile) const {
-  const std::scoped_lock lock(state_->mutex);
-  if (state_->ready[tile].load(std::memory_order_relaxed)) return;
-  fill_tile({level_, image_, motion_plane_, static_cast<uint32_t>(tile % tiles_x_),
-             static_cast<uint32_t>(tile / tiles_x_)});
-  state_->ready[tile].store(true, std::memory_order_release);
-}
-
-void DisparityPlane::fill_tile(const MotionTilePlace& place) const {
-  const auto found = find_motion_record(*stream_, place, Probe{});
+void DisparityPlane::fill_tile(uint32_t tx, uint32_t ty) const {
+  MotionTilePlace place = place_;
+  place.tx = tx;
+  place.ty = ty;
+  const auto found = find_motion_record(stream_, place, Probe{});
   if (found && !*found) return;
-  const DisparityContext context = disparity_context(*stream_, place);
+  const DisparityContext context = disparity_context(stream_, place);
   std::vector<int32_t> disparities;
   if (found) disparities = disparities_of(**found, context);
   for (uint32_t gy = 0; gy < context.rows; ++gy) {
-    int16_t* out = state_->values.data() + size_t{(place.ty << tile_log2_) + gy} * columns_ +
-                   (place.tx << tile_log2_);
+    int16_t* out = values_.data() + size_t{(ty << tile_log2_) + gy} * columns_ + (tx << tile_log2_);
     for (uint32_t gx = 0; gx < context.columns; ++gx) {
       const size_t i = size_t{gy} * context.columns + gx;
       const bool damaged = disparities.empty() || disparities[i] > kMaxDisparity;

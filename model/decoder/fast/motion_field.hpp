@@ -3,18 +3,17 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
 #include <hmlfc/error.hpp>
 
+#include "decoder/lazy_map.hpp"
 #include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
+
 /// Motion blocks of one motion tile: 32 x 32 of 4 samples in 128 x 128.
 inline constexpr size_t kMaxMotionBlocks = 1024;
 
@@ -41,43 +40,33 @@ Result<void> read_motion_field(const StreamView& stream, const MotionTilePlace& 
 class DisparityPlane {
  public:
   /// Those of `motion_plane` of reference image `image` of level `level`; `stream` must outlive it.
-  static DisparityPlane open(const StreamView& stream, int level, ImagePos image,
-                             size_t motion_plane);
+  DisparityPlane(const StreamView& stream, int level, ImagePos image, size_t motion_plane);
 
   /// The disparity of a grid block of the plane; nothing where it cannot be read.
   std::optional<int32_t> find(const GridBlock& block) const {
-    const size_t tile = size_t{block.gy >> tile_log2_} * tiles_x_ + (block.gx >> tile_log2_);
-    if (!state_->ready[tile].load(std::memory_order_acquire)) read_tile(tile);
-    const int16_t value = state_->values[size_t{block.gy} * columns_ + block.gx];
+    const uint32_t tx = block.gx >> tile_log2_;
+    const uint32_t ty = block.gy >> tile_log2_;
+    read_.fill_once(size_t{ty} * tiles_x_ + tx, [&] { fill_tile(tx, ty); });
+    const int16_t value = values_[size_t{block.gy} * columns_ + block.gx];
     if (value == kDamaged) return std::nullopt;
     return value;
   }
 
   /// Bytes held.
-  size_t bytes() const { return state_->values.capacity() * sizeof(int16_t); }
+  size_t bytes() const { return values_.capacity() * sizeof(int16_t); }
 
  private:
   static constexpr int16_t kDamaged = INT16_MIN;  // no disparity is as small
 
-  struct State {
-    explicit State(size_t tiles) : ready(tiles) {}
+  void fill_tile(uint32_t tx, uint32_t ty) const;
 
-    std::mutex mutex;                      // of whoever reads a tile
-    std::vector<std::atomic<bool>> ready;  // by motion tile: its values are there
-    std::vector<int16_t> values;           // of the plane, row by row
-  };
-
-  void read_tile(size_t tile) const;
-  void fill_tile(const MotionTilePlace& place) const;
-
-  const StreamView* stream_ = nullptr;
-  int level_ = 0;
-  ImagePos image_;
-  size_t motion_plane_ = 0;
-  uint32_t columns_ = 0;
-  uint32_t tiles_x_ = 0;
-  unsigned tile_log2_ = 0;  // grid blocks along a motion tile
-  std::unique_ptr<State> state_;
+  const StreamView& stream_;
+  MotionTilePlace place_;  // with the tile 0, 0
+  uint32_t columns_;
+  uint32_t tiles_x_;
+  unsigned tile_log2_;                   // grid blocks along a motion tile
+  mutable std::vector<int16_t> values_;  // of the plane, row by row
+  mutable FilledParts read_;             // by motion tile
 };
 
 }  // namespace hmlfc

@@ -122,9 +122,7 @@ class MotionPass {
 
   Result<int32_t> disparity_at(const PaletteEntry& entry, uint32_t x, uint32_t y) {
     if (!disparities_) {
-      auto read = sources_.references.disparities(level_, resolver_.images()[0], motion_plane_);
-      if (!read) return tl::unexpected(read.error());
-      disparities_ = *read;
+      disparities_ = sources_.references.disparities(level_, resolver_.images()[0], motion_plane_);
     }
     const auto found = disparities_->find(grid_block(x, y, entry.choice,
                                                      sources_.stream.header.disparity_grid_log2,

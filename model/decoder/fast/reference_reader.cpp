@@ -22,9 +22,7 @@ Result<ReferenceReader> ReferenceReader::open(const FastSources& sources, int le
     if (!key) return tl::unexpected(key.error());
     reader.key_ = *key;
   } else {
-    auto sparse = sources.references.plane(level, reference, plane);
-    if (!sparse) return tl::unexpected(sparse.error());
-    reader.sparse_ = *sparse;
+    reader.sparse_ = sources.references.plane(level, reference, plane);
   }
   return reader;
 }

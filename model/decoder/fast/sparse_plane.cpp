@@ -12,37 +12,30 @@
 
 namespace hmlfc {
 
-SparsePlane SparsePlane::open(const StreamView& stream, int level, ImagePos image, Plane plane) {
-  const PlaneShape& shape = stream.geometry.plane(plane);
-  SparsePlane sparse;
-  sparse.stream_ = &stream;
-  sparse.site_ = {level, image.row, image.col, plane, 0, 0};
-  sparse.block_size_ = stream.geometry.block_size();
-  sparse.tiles_x_ = shape.tiles_x;
-  sparse.state_ = std::make_unique<State>(static_cast<size_t>(shape.tiles()));
-  return sparse;
-}
+SparsePlane::SparsePlane(const StreamView& stream, int level, ImagePos image, Plane plane)
+    : stream_(stream),
+      site_{level, image.row, image.col, plane},
+      block_size_(stream.geometry.block_size()),
+      tiles_x_(stream.geometry.plane(plane).tiles_x),
+      tiles_(static_cast<size_t>(stream.geometry.plane(plane).tiles())),
+      read_(tiles_.size()) {}
 
 const SparsePlane::Tile& SparsePlane::tile_at(size_t number) const {
-  Tile& tile = state_->tiles[number];
-  if (state_->ready[number].load(std::memory_order_acquire)) return tile;
-  const std::scoped_lock lock(state_->mutex);
-  if (!state_->ready[number].load(std::memory_order_relaxed)) {
+  read_.fill_once(number, [&] {
     BlockSite site = site_;
     site.bx = static_cast<uint32_t>(number % tiles_x_) * kTileBlocks;
     site.by = static_cast<uint32_t>(number / tiles_x_) * kTileBlocks;
-    tile = {};
-    read_tile(site, tile);
-    state_->ready[number].store(true, std::memory_order_release);
-  }
-  return tile;
+    tiles_[number] = {};
+    read_tile(site, tiles_[number]);
+  });
+  return tiles_[number];
 }
 
 void SparsePlane::read_tile(const BlockSite& site, Tile& tile) const {
   const size_t block_samples = size_t{block_size_} * block_size_;
   TileBlocks blocks;
   // Some block of a tile that cannot be read is damaged: ask for each alone.
-  if (!read_tile_blocks(*stream_, site, ~uint64_t{0}, blocks)) return read_blocks(site, tile);
+  if (!read_tile_blocks(stream_, site, ~uint64_t{0}, blocks)) return read_blocks(site, tile);
   tile.coded = blocks.residual_mask;
   tile.values.reserve(static_cast<size_t>(std::popcount(tile.coded)) * block_samples);
   for (unsigned k = 0; k < kTileBlocks * kTileBlocks; ++k) {
@@ -53,13 +46,13 @@ void SparsePlane::read_tile(const BlockSite& site, Tile& tile) const {
 }
 
 void SparsePlane::read_blocks(const BlockSite& site, Tile& tile) const {
-  const uint64_t inside = tile_context(*stream_, site).blocks_inside;
+  const uint64_t inside = tile_context(stream_, site).blocks_inside;
   for (unsigned k = 0; k < kTileBlocks * kTileBlocks; ++k) {
     if (!has_bit(inside, k)) continue;
     BlockSite at = site;
     at.bx += block_column(k);
     at.by += block_row(k);
-    const auto coded = walk_to_block(*stream_, Probe{nullptr, nullptr, at});
+    const auto coded = walk_to_block(stream_, Probe{nullptr, nullptr, at});
     if (!coded) {
       tile.failed |= uint64_t{1} << k;
       tile.errors.push_back(coded.error());
@@ -81,43 +74,44 @@ Result<const int16_t*> SparsePlane::find(uint32_t bx, uint32_t by) const {
 }
 
 void SparsePlane::read_all() const {
-  for (size_t number = 0; number < state_->tiles.size(); ++number) tile_at(number);
+  for (size_t number = 0; number < tiles_.size(); ++number) tile_at(number);
 }
 
 size_t SparsePlane::bytes() const {
-  const std::scoped_lock lock(state_->mutex);
-  size_t total = state_->tiles.size() * sizeof(Tile);
-  for (const Tile& tile : state_->tiles) {
+  const std::scoped_lock lock(read_.mutex());
+  size_t total = tiles_.size() * sizeof(Tile);
+  for (const Tile& tile : tiles_) {
     total += tile.values.capacity() * sizeof(int16_t) + tile.errors.capacity() * sizeof(Error);
   }
   return total;
 }
 
-Result<std::shared_ptr<const SparsePlane>> SparseReferences::plane(int level, ImagePos image,
-                                                                   Plane plane) const {
+std::shared_ptr<const SparsePlane> SparseReferences::plane(int level, ImagePos image,
+                                                           Plane plane) const {
   const uint64_t key =
       stream_.geometry.image_number(level, image) * kPlaneCount + static_cast<uint64_t>(plane);
-  return planes_.get(key, [&]() -> Result<SparsePlane> {
-    return SparsePlane::open(stream_, level, image, plane);
-  });
+  const auto make = [&]() -> Result<std::shared_ptr<const SparsePlane>> {
+    return std::make_shared<const SparsePlane>(stream_, level, image, plane);
+  };
+  return *planes_.get(key, make);
 }
 
-Result<std::shared_ptr<const DisparityPlane>> SparseReferences::disparities(
-    int level, ImagePos image, size_t motion_plane) const {
+std::shared_ptr<const DisparityPlane> SparseReferences::disparities(int level, ImagePos image,
+                                                                    size_t motion_plane) const {
   const uint64_t key =
       stream_.geometry.image_number(level, image) * stream_.geometry.motion_planes().size() +
       motion_plane;
-  return disparities_.get(key, [&]() -> Result<DisparityPlane> {
-    return DisparityPlane::open(stream_, level, image, motion_plane);
-  });
+  const auto make = [&]() -> Result<std::shared_ptr<const DisparityPlane>> {
+    return std::make_shared<const DisparityPlane>(stream_, level, image, motion_plane);
+  };
+  return *disparities_.get(key, make);
 }
 
 Result<BlockValues> SparseReferences::block(const BlockSite& site) const {
   const auto held = plane(site.level, {site.image_row, site.image_col}, site.plane);
-  if (!held) return tl::unexpected(held.error());
-  const auto found = (*held)->find(site.bx, site.by);
+  const auto found = held->find(site.bx, site.by);
   if (!found) return tl::unexpected(found.error());
-  BlockValues values((*held)->block_size());
+  BlockValues values(held->block_size());
   if (*found != nullptr) std::copy_n(*found, values.size(), &values[0]);
   return values;
 }

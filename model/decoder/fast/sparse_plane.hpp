@@ -2,10 +2,8 @@
 // values.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include <hmlfc/error.hpp>
@@ -24,7 +22,7 @@ namespace hmlfc {
 class SparsePlane {
  public:
   /// Plane `plane` of reference image `image` of level `level`; `stream` must outlive it.
-  static SparsePlane open(const StreamView& stream, int level, ImagePos image, Plane plane);
+  SparsePlane(const StreamView& stream, int level, ImagePos image, Plane plane);
 
   /// The block's B * B residuals, or null where all are 0. A block that does not decode has its
   /// error, as reading it on demand would.
@@ -46,23 +44,16 @@ class SparsePlane {
     std::vector<Error> errors;
   };
 
-  struct State {
-    explicit State(size_t count) : tiles(count), ready(count) {}
-
-    std::mutex mutex;  // of whoever reads a tile
-    std::vector<Tile> tiles;
-    std::vector<std::atomic<bool>> ready;  // by tile
-  };
-
   const Tile& tile_at(size_t number) const;
   void read_tile(const BlockSite& site, Tile& tile) const;
   void read_blocks(const BlockSite& site, Tile& tile) const;
 
-  const StreamView* stream_ = nullptr;
+  const StreamView& stream_;
   BlockSite site_;  // with the block 0, 0
-  unsigned block_size_ = 4;
-  uint32_t tiles_x_ = 0;
-  std::unique_ptr<State> state_;
+  unsigned block_size_;
+  uint32_t tiles_x_;
+  mutable std::vector<Tile> tiles_;
+  mutable FilledParts read_;  // by tile
 };
 
 /// The sparse planes and disparities of all reference images that were needed so far. Thread-safe.
@@ -71,12 +62,12 @@ class SparseReferences final : public HeldReferences {
   explicit SparseReferences(const StreamView& stream) : stream_(stream) {}
 
   /// The plane of reference image `image` of level `level`, which is not keyed.
-  Result<std::shared_ptr<const SparsePlane>> plane(int level, ImagePos image, Plane plane) const;
+  std::shared_ptr<const SparsePlane> plane(int level, ImagePos image, Plane plane) const;
 
   /// The disparities of reference image `image` of level `level` in motion plane `motion_plane`;
   /// the stream has shared_disparity.
-  Result<std::shared_ptr<const DisparityPlane>> disparities(int level, ImagePos image,
-                                                            size_t motion_plane) const;
+  std::shared_ptr<const DisparityPlane> disparities(int level, ImagePos image,
+                                                    size_t motion_plane) const;
 
   Result<BlockValues> block(const BlockSite& site) const override;
 

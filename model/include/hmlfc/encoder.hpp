@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,36 +23,52 @@ enum class Method : uint8_t {
   kMc,     ///< motion of one sign from key views, without a tree (after Zhang and Li)
 };
 
-/// How long the encoder of profile extended may look.
+/// How long the encoder of profile extended may search.
 enum class Preset : uint8_t { kFast, kMedium, kSlow };
 
-/// How to encode. The intervals are those of the header (specification, section 3).
+/// Parameters of profile main alone. Blocks whose energy, the sum of absolute differences from the
+/// prediction, is below a threshold are dropped.
+struct MainParams {
+  uint32_t threshold_ref = 75;   ///< of reference images
+  uint32_t threshold_pred = 75;  ///< of predictive images
+};
+
+/// Parameters of profile extended alone.
+struct ExtendedParams {
+  double quality = 60;              ///< [0, 100]; higher is better and larger
+  Preset preset = Preset::kMedium;  ///< how long to search
+};
+
+/// How to encode. The intervals are those of the header (specification, section 3). What is left
+/// open takes a value that depends on the profile.
 struct EncodeParams {
-  Profile profile = Profile::kMain;  ///< the set of tools
-  Method method = Method::kHmlfc;    ///< the codec
-  uint32_t cluster_rows = 2;         ///< [1, 255]
-  uint32_t cluster_cols = 2;         ///< [1, 255]
-  int tree_height = 3;               ///< [0, 15]; lowered to what the grid needs; 0 for kMc
-  unsigned block_size = 4;           ///< 2, 4 or 8
-  int window = 16;                   ///< [0, 127]
-  uint32_t ref_rows = 8;  ///< reference groups of every level with motion, [1, 255]; 0 in
-                          ///< profile extended: found by trial
-  uint32_t ref_cols = 8;  ///< [1, 255]
-  ChromaFormat chroma = ChromaFormat::k420;  ///< size of Co and Cg
-  bool automatic_chroma = false;    ///< of profile extended: choose the chroma format by its cost
-  uint32_t threshold_ref = 75;      ///< blocks of reference images below this energy are dropped
-  uint32_t threshold_pred = 75;     ///< the same for predictive images
-  double quality = 60;              ///< of profile extended, [0, 100]
-  Preset preset = Preset::kMedium;  ///< of profile extended
-  bool lossless = false;  ///< of profile extended: every sample is kept, needs 4:4:4 to keep RGB
-  int threads = 0;        ///< 0: all cores; never changes the result
+  Profile profile = Profile::kExtended;  ///< the set of tools
+  Method method = Method::kHmlfc;        ///< the codec
+  uint32_t cluster_rows = 2;             ///< [1, 255]
+  uint32_t cluster_cols = 2;             ///< [1, 255]
+  /// [0, 15], lowered to what the grid needs; 0 for kMc. Open: main and kRlfc 3, extended 0.
+  std::optional<int> tree_height = {};
+  unsigned block_size = 4;  ///< 2, 4 or 8
+  /// [0, 127]. Open: main 16, extended 64.
+  std::optional<int> window = {};
+  /// Reference groups of every level with motion: [1, 255], or open with 0: main 8, extended found
+  /// by trial.
+  uint32_t ref_rows = 0;
+  uint32_t ref_cols = 0;  ///< likewise
+  /// Size of Co and Cg. Open: main 4:2:0, extended chosen by its cost, lossless 4:4:4.
+  std::optional<ChromaFormat> chroma = {};
+  /// Keeps every sample, and with 4:4:4 every RGB value. Thresholds and quality have no meaning.
+  bool lossless = false;
+  int threads = 0;               ///< 0: all cores; never changes the result
+  MainParams main = {};          ///< used in profile main
+  ExtendedParams extended = {};  ///< used in profile extended
 };
 
 /// An encoded stream with what the encoder knows about it.
 struct EncodedStream {
   std::vector<uint8_t> bytes;  ///< the whole file
   ErrorSums error;             ///< of the encoder's own reconstruction, which a decoder's equals
-  EncodeParams params;         ///< with what the encoder chose
+  EncodeParams params;         ///< those used: nothing is open
 };
 
 /// Why nothing was encoded, for people.
@@ -59,7 +76,7 @@ struct EncodeError {
   std::string message;  ///< one line
 };
 
-/// Called with done in [0, total] as work proceeds, from one thread at a time.
+/// Called with the number of finished images `done` in [0, total], from one thread at a time.
 using Progress = std::function<void(uint64_t done, uint64_t total)>;
 
 /// Encodes `light_field`. The result is the same bytes for any number of threads and any
@@ -68,9 +85,10 @@ HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode(const LightField& l
                                                              const EncodeParams& params,
                                                              const Progress& progress = {});
 
-/// Encodes with the largest thresholds (both equal) whose PSNR over RGB is at least `target_db`, in
-/// [1, 100]. If even thresholds of 0 do not reach it, because of subsampled chroma, the
-/// result is that of thresholds 0.
+/// Encodes with the lowest quality, in quarters (in profile main: with the largest thresholds, both
+/// equal), whose PSNR over RGB is at least `target_db`, in [1, 100]. If even quality 100
+/// (thresholds of 0) does not reach it, because of subsampled chroma, that is the result. The
+/// quality or threshold_pred of `params` is tried first. params.lossless is ignored.
 HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode_to_psnr(const LightField& light_field,
                                                                      const EncodeParams& params,
                                                                      double target_db,

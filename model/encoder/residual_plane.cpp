@@ -1,4 +1,4 @@
-#include "encoder/stepped_plane.hpp"
+#include "encoder/residual_plane.hpp"
 
 #include <vector>
 
@@ -27,7 +27,7 @@ class ResidualEncoder {
     if (is_reference) encoded_.residuals = SamplePlane(prediction.width, prediction.height);
   }
 
-  EncodedPlane run() {
+  ResidualPlane run() {
     for (uint32_t ty = 0; ty < shape_.tiles_y; ++ty) {
       for (uint32_t tx = 0; tx < shape_.tiles_x; ++tx) encode_tile(tx, ty);
     }
@@ -41,10 +41,8 @@ class ResidualEncoder {
     for (unsigned k = 0; k < kBlocks; ++k) {
       if (has_bit(context_.blocks_inside, k)) differences[k] = difference(tx, ty, k);
     }
-    const ResidualTile tile = choose_residuals(differences, context_, rules_);
-    const std::vector<uint8_t> record = write_residual_tile(tile, context_);
-    encoded_.code.record_sizes.push_back(static_cast<uint32_t>(record.size()));
-    encoded_.code.records.insert(encoded_.code.records.end(), record.begin(), record.end());
+    const ResidualTile tile = decide_residuals(differences, context_, rules_);
+    encoded_.code.append(write_residual_tile(tile, context_));
     size_t m = 0;
     for (unsigned k = 0; k < kBlocks; ++k) {
       if (has_bit(tile.mask, k)) add(tx, ty, k, tile.blocks[m++], step_of_code(tile.step_code));
@@ -93,14 +91,14 @@ class ResidualEncoder {
   const SamplePlane& prediction_;
   const ResidualRules& rules_;
   TileContext context_;
-  EncodedPlane encoded_;
+  ResidualPlane encoded_;
 };
 
 }  // namespace
 
-EncodedPlane encode_residuals(const Geometry& geometry, Plane plane, int depth,
-                              const SamplePlane& original, const SamplePlane& prediction,
-                              bool is_reference, const ResidualRules& rules) {
+ResidualPlane encode_residuals(const Geometry& geometry, Plane plane, int depth,
+                               const SamplePlane& original, const SamplePlane& prediction,
+                               bool is_reference, const ResidualRules& rules) {
   return ResidualEncoder(geometry, plane, depth, original, prediction, is_reference, rules).run();
 }
 

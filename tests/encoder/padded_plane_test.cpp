@@ -1,4 +1,4 @@
-#include "encoder/reference_plane.hpp"
+#include "encoder/padded_plane.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "encoder/extended_targets.hpp"
+#include "encoder/plane_targets.hpp"
 
 #include <cmath>
 #include <limits>
@@ -42,23 +42,24 @@ double mean_squared_error(const SamplePlane& a, const SamplePlane& b) {
   return static_cast<double>(squares) / static_cast<double>(a.samples.size());
 }
 
-// The least error tried, the ratio of one to the next, and their number: up to 260.
+// The errors tried: the least, the ratio of each to the one before, their number.
 constexpr double kLeastKeyError = 0.25;
 constexpr double kKeyErrorRatio = 1.375;
-constexpr int kKeyErrors = 23;
+constexpr int kKeyErrorCount = 23;
 // The share of a key image's error that is seen in a prediction: two references average it.
 constexpr double kSeenError = 0.4;
 
 // What a key image costs and saves at different errors.
 class KeyTrial {
  public:
-  KeyTrial(const SamplePlane& plane, SamplePrecision precision, Lambda lambda, double images_a_key)
-      : plane_(plane), precision_(precision), lambda_(lambda), images_a_key_(images_a_key) {}
+  KeyTrial(const SamplePlane& plane, SamplePrecision precision, Lambda lambda,
+           double images_per_key)
+      : plane_(plane), precision_(precision), lambda_(lambda), images_per_key_(images_per_key) {}
 
   // The error that minimises D + lambda R over all images that use one key image.
   double best() {
     double error = kLeastKeyError;
-    for (int i = 0; i < kKeyErrors; ++i, error *= kKeyErrorRatio) attempt(error);
+    for (int i = 0; i < kKeyErrorCount; ++i, error *= kKeyErrorRatio) attempt(error);
     const double middle = best_;
     for (const double factor : {0.73, 0.85, 1.17}) attempt(middle * factor);
     return best_;
@@ -72,7 +73,7 @@ class KeyTrial {
     if (!decoded) throw std::bad_alloc();
     const auto samples = static_cast<double>(plane_.samples.size());
     const double bits = 8 * static_cast<double>(coded->size()) / samples;
-    const double cost = mean_squared_error(plane_, *decoded) * kSeenError * images_a_key_ +
+    const double cost = mean_squared_error(plane_, *decoded) * kSeenError * images_per_key_ +
                         static_cast<double>(lambda_.scaled) / 256 * bits;
     if (cost >= least_) return;
     least_ = cost;
@@ -82,24 +83,24 @@ class KeyTrial {
   const SamplePlane& plane_;
   SamplePrecision precision_;
   Lambda lambda_;
-  double images_a_key_;
+  double images_per_key_;
   double best_ = kLeastKeyError;
   double least_ = std::numeric_limits<double>::max();
 };
 
 void choose_key_errors(const LightField& light_field, const StreamHeader& header,
-                       std::array<PlaneTarget, kPlaneCount>& targets) {
+                       PlaneTargets& targets) {
   const Geometry geometry(header);
   const LevelShape& level = geometry.level(0);
   const ImagePos middle = geometry.reference_of(0, {level.rows / 2, level.cols / 2});
   const ImagePlanes planes = view_planes(light_field, geometry, middle);
-  const double images_a_key =
+  const double images_per_key =
       static_cast<double>(level.images()) / static_cast<double>(geometry.key_count());
   parallel_for(planes.size(), [&](size_t p) {
     const PlaneShape& shape = geometry.plane(kPlanes[p]);
     const SamplePlane inside = cropped(planes[p], shape.width, shape.height);
     targets[p].key_error = KeyTrial(inside, {header.depth + (p > 0 ? 1 : 0), p > 0},
-                                    targets[p].residuals.lambda, images_a_key)
+                                    targets[p].residuals.lambda, images_per_key)
                                .best();
   });
 }
@@ -107,11 +108,11 @@ void choose_key_errors(const LightField& light_field, const StreamHeader& header
 }  // namespace
 
 Lambda lambda_of_quality(double quality) {
-  // Rounded to 256ths, so that no machine's exp2 makes a difference.
+  // Rounded to 256ths, so that the exp2 of every machine gives the same.
   return {std::llround(256 * std::exp2((100 - quality) / 8))};
 }
 
-ExtendedEffort effort_of(Preset preset) {
+SearchEffort effort_of(Preset preset) {
   switch (preset) {
     case Preset::kFast:
       return {5, 0};
@@ -123,16 +124,16 @@ ExtendedEffort effort_of(Preset preset) {
   return {9, 1};
 }
 
-std::array<PlaneTarget, kPlaneCount> extended_targets(const LightField& light_field,
-                                                      const StreamHeader& header,
-                                                      const EncodeParams& params, Lambda lambda) {
-  std::array<PlaneTarget, kPlaneCount> targets;
+PlaneTargets plane_targets(const LightField& light_field, const StreamHeader& header,
+                           const EncodeParams& params) {
+  const Lambda lambda = lambda_of_quality(params.extended.quality);
+  PlaneTargets targets;
   for (const Plane plane : kPlanes) {
     ResidualRules& rules = targets[static_cast<size_t>(plane)].residuals;
     rules.lossless = params.lossless;
     rules.lambda = plane_lambda(lambda, plane, header.chroma_format);
     rules.step_code = step_code_of(rules.lambda);
-    rules.steps_around = effort_of(params.preset).steps_around;
+    rules.steps_around = effort_of(params.extended.preset).steps_around;
   }
   if (!params.lossless) choose_key_errors(light_field, header, targets);
   return targets;

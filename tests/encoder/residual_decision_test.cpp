@@ -1,6 +1,6 @@
 // Residuals of a tile chosen by rate and distortion: against exhaustive search and their own
 // record.
-#include "encoder/residual_choice.hpp"
+#include "encoder/residual_decision.hpp"
 
 #include <bit>
 #include <random>
@@ -59,7 +59,7 @@ TEST(ResidualChoice, IsNeverWorseThanNothing) {
     const auto blocks = draw_blocks(random, 1 << (round % 7));
     const TileContext context = context_of(round % 2 == 0 ? ~uint64_t{0} : 0x00FF00FF00FF00FF);
     const Lambda lambda{256 << (round % 9)};
-    const ResidualTile tile = choose_residuals(blocks, context, {lambda, 4, 2, false});
+    const ResidualTile tile = decide_residuals(blocks, context, {lambda, 4, 2, false});
     EXPECT_EQ(tile.mask & ~context.blocks_inside, 0u);
     EXPECT_EQ(tile.blocks.size(), static_cast<size_t>(std::popcount(tile.mask)));
     EXPECT_LE(cost_of(tile, blocks, context, lambda), cost_of({}, blocks, context, lambda));
@@ -73,7 +73,7 @@ TEST(ResidualChoice, SmallLambdaKeepsWhatALargeOneDrops) {
   const TileContext context = context_of(~uint64_t{0});
   int last = 65;
   for (const int64_t lambda : {1, 1 << 12, 1 << 15, 1 << 17, 1 << 20}) {
-    const ResidualTile tile = choose_residuals(blocks, context, {{lambda}, 3, 1, false});
+    const ResidualTile tile = decide_residuals(blocks, context, {{lambda}, 3, 1, false});
     EXPECT_LE(std::popcount(tile.mask), last);
     last = std::popcount(tile.mask);
   }
@@ -84,7 +84,7 @@ TEST(ResidualChoice, LosslessKeepsEveryDifference) {
   std::mt19937 random(4);
   const auto blocks = draw_blocks(random, 255);
   const TileContext context = context_of(~uint64_t{0});
-  const ResidualTile tile = choose_residuals(blocks, context, {{1 << 20}, 7, 2, true});
+  const ResidualTile tile = decide_residuals(blocks, context, {{1 << 20}, 7, 2, true});
   EXPECT_EQ(step_of_code(tile.step_code), 1);
   EXPECT_EQ(cost_of(tile, blocks, context, {0}), 0);
 }

@@ -1,4 +1,4 @@
-#include "encoder/motion_choice.hpp"
+#include "encoder/motion_decision.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -11,55 +11,25 @@ namespace hmlfc {
 namespace {
 
 constexpr int32_t kMaxCellSamples = 32 * 32;
-constexpr unsigned kMostMotionLog2 = 5;
+constexpr unsigned kMaxMotionLog2 = 5;
 
 using Samples = std::array<int32_t, kMaxCellSamples>;
-
-// All symbols that are tried; the first is that of an empty tile.
-std::vector<PaletteEntry> symbols_of(const MotionTask& task) {
-  std::vector<uint8_t> sets{0};
-  if (task.two_references) {
-    // Sets whose second reference is another image than those before it.
-    sets.clear();
-    for (uint8_t set = 0; set < 8; ++set) {
-      const ReferenceSet refs = references_of_set(set);
-      const auto lone = [&](size_t k) {
-        for (size_t before = 0; before < k; ++before) {
-          if (task.places[before] == task.places[k]) return true;
-        }
-        return false;
-      };
-      if (lone(refs.reference[0]) || (refs.count == 2 && lone(refs.reference[1]))) continue;
-      sets.push_back(set);
-    }
-  }
-  const auto fallback = static_cast<uint8_t>(task.two_references ? 1 : 0);
-  std::vector<PaletteEntry> symbols;
-  symbols.push_back(task.keyed ? PaletteEntry{fallback, kChoiceOwn} : PaletteEntry{});
-  for (unsigned choice = 1; choice <= task.choices; ++choice) {
-    for (const uint8_t set : sets) {
-      const PaletteEntry plus{set, static_cast<uint8_t>(choice)};
-      if (plus != symbols.front()) symbols.push_back(plus);
-      if (task.keyed) continue;
-      PaletteEntry minus = plus;
-      minus.negative = true;
-      symbols.push_back(minus);
-    }
-  }
-  return symbols;
-}
 
 // Squared errors of one grid block ("cell") under every symbol.
 class CellErrors {
  public:
   CellErrors(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
-      : task_(task), symbols_(symbols), size_(1 << task.grid_log2) {}
+      : task_(task),
+        sources_(task.sources),
+        symbols_(symbols),
+        sets_(task.sources.two_references() ? 8 : 1),
+        size_(1 << sources_.header.disparity_grid_log2) {}
 
-  // `errors` has one entry a symbol.
+  // `errors` has one entry per symbol.
   void run(uint32_t gx, uint32_t gy, int64_t* errors) {
     area_ = {static_cast<int32_t>(gx) * size_, static_cast<int32_t>(gy) * size_, 0, 0};
-    area_.width = std::min(size_, static_cast<int32_t>(task_.shape.width) - area_.x);
-    area_.height = std::min(size_, static_cast<int32_t>(task_.shape.height) - area_.y);
+    area_.width = std::min(size_, static_cast<int32_t>(sources_.header.width) - area_.x);
+    area_.height = std::min(size_, static_cast<int32_t>(sources_.header.height) - area_.y);
     load_target();
     known_.clear();
     for (size_t s = 0; s < symbols_.size(); ++s) {
@@ -68,7 +38,7 @@ class CellErrors {
         errors[s] = squares(nullptr, false);
         continue;
       }
-      const int32_t d = disparity(gx, gy, symbol.choice);
+      const int32_t d = sources_.disparity(gx, gy, symbol.choice);
       errors[s] = of_disparity(d)[symbol.reference_set + (symbol.negative ? 8u : 0u)];
     }
   }
@@ -79,19 +49,10 @@ class CellErrors {
     std::array<int64_t, 16> errors;
   };
 
-  int32_t disparity(uint32_t gx, uint32_t gy, unsigned choice) const {
-    const auto& move = kChoiceMoves[choice];
-    const auto x = clamp(static_cast<int32_t>(gx) + move[0], 0,
-                         static_cast<int32_t>(task_.grid->blocks_x) - 1);
-    const auto y = clamp(static_cast<int32_t>(gy) + move[1], 0,
-                         static_cast<int32_t>(task_.grid->blocks_y) - 1);
-    return task_.grid->at(static_cast<uint32_t>(x), static_cast<uint32_t>(y));
-  }
-
   void load_target() {
     int32_t* out = target_.data();
     for (int32_t j = 0; j < area_.height; ++j) {
-      const int16_t* row = task_.target->row(static_cast<uint32_t>(area_.y + j)).data() + area_.x;
+      const int16_t* row = task_.target.row(static_cast<uint32_t>(area_.y + j)).data() + area_.x;
       for (int32_t i = 0; i < area_.width; ++i) *out++ = row[i];
     }
   }
@@ -112,31 +73,27 @@ class CellErrors {
       if (known.disparity == d) return known.errors;
     }
     std::array<Samples, 4> parts;
-    const size_t used = task_.two_references ? 4 : 1;
-    for (size_t k = 0; k < used; ++k) {
-      const MotionVector v = disparity_vector(
-          d, static_cast<int32_t>(task_.places[k].row) - static_cast<int32_t>(task_.at.row),
-          static_cast<int32_t>(task_.places[k].col) - static_cast<int32_t>(task_.at.col),
-          task_.rules);
-      interpolate(*task_.references[k], area_, subpel_vector(v, task_.vector_precision, false),
-                  parts[k].data());
+    for (size_t k = 0; k < (sets_ > 1 ? 4 : 1); ++k) {
+      interpolate(*task_.references[k], area_, sources_.vector(k, d, false), parts[k].data());
     }
     Known known{d, {}};
     Samples prediction;
-    for (unsigned set = 0; set < (task_.two_references ? 8u : 1u); ++set) {
+    for (unsigned set = 0; set < sets_; ++set) {
       const ReferenceSet refs = references_of_set(set);
       combine(parts[refs.reference[0]].data(),
               refs.count == 1 ? nullptr : parts[refs.reference[1]].data(), area_.samples(),
               prediction.data());
       known.errors[set] = squares(prediction.data(), false);
-      if (!task_.keyed) known.errors[set + 8] = squares(prediction.data(), true);
+      if (!sources_.keyed) known.errors[set + 8] = squares(prediction.data(), true);
     }
     known_.push_back(known);
     return known_.back().errors;
   }
 
   const MotionTask& task_;
+  const MotionSources& sources_;
   const std::vector<PaletteEntry>& symbols_;
+  unsigned sets_;  // reference sets there are
   int32_t size_;
   Area area_;
   Samples target_;
@@ -151,10 +108,10 @@ struct BlockErrors {
 };
 
 // The cheapest palette of one tile with blocks of one size, built one symbol at a time.
-class PaletteChoice {
+class PaletteDecision {
  public:
-  PaletteChoice(const BlockErrors& blocks, const std::vector<PaletteEntry>& symbols,
-                const PaletteFields& fields, Lambda lambda)
+  PaletteDecision(const BlockErrors& blocks, const std::vector<PaletteEntry>& symbols,
+                  const PaletteFields& fields, Lambda lambda)
       : blocks_(blocks),
         symbols_(symbols),
         entry_bits_(palette_entry_bits(fields)),
@@ -163,8 +120,8 @@ class PaletteChoice {
         least_(count_, std::numeric_limits<int64_t>::max() / (1 << 20)) {}
 
   void run() {
-    // A symbol more may pay only together with the next: palettes that fill a level count are
-    // compared, whatever lies between.
+    // One more symbol may pay only together with the next one, as level counts grow in steps: the
+    // search goes on while symbols reduce the error.
     while (palette_.size() < std::min(kMaxPaletteEntries, symbols_.size())) {
       if (!add_best()) break;
       const int64_t cost = cost_now();
@@ -233,36 +190,42 @@ class PaletteChoice {
   size_t best_size_ = 0;
 };
 
-class TileChoice {
+class TileDecision {
  public:
-  TileChoice(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
-      : task_(task), symbols_(symbols), cell_errors_(task, symbols) {}
+  TileDecision(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
+      : header_(task.sources.header),
+        lambda_(task.lambda),
+        fields_{task.sources.two_references(), !task.sources.keyed},
+        grid_(task.sources.grid),
+        symbols_(symbols),
+        cell_errors_(task, symbols) {}
 
   MotionTileCode run(uint32_t tx, uint32_t ty) {
     load(tx, ty);
     MotionTileCode best;
-    best.block_log2 = task_.tile_log2;
+    best.block_log2 = header_.motion_tile_log2;
     int64_t least = 0;
     for (size_t c = 0; c < cells_.errors.size(); c += symbols_.size()) {
-      least += task_.lambda.cost(cells_.errors[c], 0);
+      least += lambda_.cost(cells_.errors[c], 0);
     }
-    const unsigned first = std::max(task_.grid_log2, task_.least_block_log2);
-    for (unsigned log2 = first; log2 <= std::min(kMostMotionLog2, task_.tile_log2); ++log2) {
-      const BlockErrors blocks = merged(log2 - task_.grid_log2);
-      PaletteChoice choice(blocks, symbols_, task_.fields(), task_.lambda);
-      choice.run();
-      if (choice.cost() >= least) continue;
-      least = choice.cost();
-      best = choice.tile(log2);
+    const unsigned grid_log2 = header_.disparity_grid_log2;
+    const unsigned last = std::min<unsigned>(kMaxMotionLog2, header_.motion_tile_log2);
+    for (unsigned log2 = std::max<unsigned>(grid_log2, header_.block_log2); log2 <= last; ++log2) {
+      const BlockErrors blocks = merged(log2 - grid_log2);
+      PaletteDecision palette(blocks, symbols_, fields_, lambda_);
+      palette.run();
+      if (palette.cost() >= least) continue;
+      least = palette.cost();
+      best = palette.tile(log2);
     }
     return best;
   }
 
  private:
   void load(uint32_t tx, uint32_t ty) {
-    const uint32_t per_tile = 1u << (task_.tile_log2 - task_.grid_log2);
-    cells_.columns = std::min(per_tile, task_.grid->blocks_x - tx * per_tile);
-    cells_.rows = std::min(per_tile, task_.grid->blocks_y - ty * per_tile);
+    const uint32_t per_tile = 1u << (header_.motion_tile_log2 - header_.disparity_grid_log2);
+    cells_.columns = std::min(per_tile, grid_.blocks_x - tx * per_tile);
+    cells_.rows = std::min(per_tile, grid_.blocks_y - ty * per_tile);
     cells_.errors.resize(size_t{cells_.columns} * cells_.rows * symbols_.size());
     for (uint32_t j = 0; j < cells_.rows; ++j) {
       for (uint32_t i = 0; i < cells_.columns; ++i) {
@@ -290,7 +253,10 @@ class TileChoice {
     return blocks;
   }
 
-  const MotionTask& task_;
+  const StreamHeader& header_;
+  Lambda lambda_;
+  PaletteFields fields_;
+  const DisparityGrid& grid_;
   const std::vector<PaletteEntry>& symbols_;
   CellErrors cell_errors_;
   BlockErrors cells_;
@@ -298,13 +264,14 @@ class TileChoice {
 
 }  // namespace
 
-std::vector<MotionTileCode> choose_motion(const MotionTask& task) {
-  const std::vector<PaletteEntry> symbols = symbols_of(task);
-  std::vector<MotionTileCode> tiles(static_cast<size_t>(task.shape.tiles()));
-  parallel_for(task.shape.tiles_y, [&](size_t ty) {
-    TileChoice choice(task, symbols);
-    for (uint32_t tx = 0; tx < task.shape.tiles_x; ++tx) {
-      tiles[ty * task.shape.tiles_x + tx] = choice.run(tx, static_cast<uint32_t>(ty));
+std::vector<MotionTileCode> decide_motion(const MotionTask& task) {
+  const MotionPlaneShape& shape = task.sources.geometry.motion_planes()[0];
+  const std::vector<PaletteEntry> symbols = candidate_symbols(task.sources, task.choices);
+  std::vector<MotionTileCode> tiles(static_cast<size_t>(shape.tiles()));
+  parallel_for(shape.tiles_y, [&](size_t ty) {
+    TileDecision decision(task, symbols);
+    for (uint32_t tx = 0; tx < shape.tiles_x; ++tx) {
+      tiles[ty * shape.tiles_x + tx] = decision.run(tx, static_cast<uint32_t>(ty));
     }
   });
   return tiles;

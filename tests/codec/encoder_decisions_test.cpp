@@ -39,21 +39,22 @@ LightField grey_views(const std::vector<uint16_t>& greys) {
 
 EncodeParams full_chroma(Method method) {
   EncodeParams params;
+  params.profile = Profile::kMain;
   params.method = method;
   params.chroma = ChromaFormat::k444;
-  params.threshold_ref = 0;
-  params.threshold_pred = 0;
+  params.main.threshold_ref = 0;
+  params.main.threshold_pred = 0;
   return params;
 }
 
 // Of noise whose residuals are all dropped, only the reference images survive (STR-4): row 1 of
 // rows 0 to 3 and row 5 of rows 4 to 6, column 1 of columns 0 to 2 and column 3 of columns 3 and 4.
-TEST(EncoderChoices, ReferenceImagesByHand) {
+TEST(EncoderDecisions, ReferenceImagesByHand) {
   EncodeParams params = full_chroma(Method::kMc);
   params.window = 2;
   params.ref_rows = 4;
   params.ref_cols = 3;
-  params.threshold_pred = 1u << 30;
+  params.main.threshold_pred = 1u << 30;
   const LightField field = test::textured_light_field({7, 5, 16, 16, 8}, 1, 255);
   const Grid views = decoded_views(field, params);
   std::set<std::pair<uint32_t, uint32_t>> exact;
@@ -66,28 +67,28 @@ TEST(EncoderChoices, ReferenceImagesByHand) {
 }
 
 // Each block of the second view differs from the first, its prediction, by 16.
-TEST(EncoderChoices, ThresholdOfPredictiveImagesIsTheLeastEnergyThatIsCoded) {
+TEST(EncoderDecisions, ThresholdOfPredictiveImagesIsTheLeastEnergyThatIsCoded) {
   EncodeParams params = full_chroma(Method::kMc);
   const LightField field = grey_views({100, 101});
-  params.threshold_pred = 16;
+  params.main.threshold_pred = 16;
   EXPECT_EQ(decoded_views(field, params)[0][1], field.view(0, 1).samples);
-  params.threshold_pred = 17;
+  params.main.threshold_pred = 17;
   EXPECT_EQ(decoded_views(field, params)[0][1], field.view(0, 0).samples);
 }
 
 // Each block of the first view, a reference image, differs from the mean of both by 16.
-TEST(EncoderChoices, ThresholdOfReferenceImagesIsTheLeastEnergyThatIsCoded) {
+TEST(EncoderDecisions, ThresholdOfReferenceImagesIsTheLeastEnergyThatIsCoded) {
   EncodeParams params = full_chroma(Method::kHmlfc);
   const LightField field = grey_views({100, 102});
-  params.threshold_ref = 16;
+  params.main.threshold_ref = 16;
   EXPECT_EQ(decoded_views(field, params)[0][0], field.view(0, 0).samples);
-  params.threshold_ref = 17;
+  params.main.threshold_ref = 17;
   EXPECT_EQ(decoded_views(field, params)[0][0], grey_views({101}).view(0, 0).samples);
 }
 
 // Halving loses nothing where squares of 2 x 2 pixels share their chroma: grey added to a colour
 // moves Y alone.
-TEST(EncoderChoices, SquaresOfOneChromaSurviveHalving) {
+TEST(EncoderDecisions, SquaresOfOneChromaSurviveHalving) {
   EncodeParams params = full_chroma(Method::kHmlfc);
   params.chroma = ChromaFormat::k420;
   test::Random random(1);

@@ -11,7 +11,7 @@
 
 namespace hmlfc {
 
-/// How the residuals of one tile are chosen.
+/// How the residuals of one tile are decided.
 struct ResidualRules {
   Lambda lambda;
   unsigned step_code = 0;     ///< about the best step
@@ -26,9 +26,9 @@ struct ResidualTile {
   std::vector<BlockValues> blocks;  ///< of the blocks of the mask, ascending
 };
 
-/// Chooses for the differences (original less prediction) of the blocks of a tile, by block number;
+/// Decides for the differences (original less prediction) of the blocks of a tile, by block number;
 /// those outside context.blocks_inside are ignored.
-ResidualTile choose_residuals(std::span<const BlockValues> differences, const TileContext& context,
+ResidualTile decide_residuals(std::span<const BlockValues> differences, const TileContext& context,
                               const ResidualRules& rules);
 
 /// The tile's record in a stream with motion_tiles and residual_step (MOT-2, STP-1); empty without

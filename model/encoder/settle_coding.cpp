@@ -1,4 +1,4 @@
-#include "encoder/coding_choice.hpp"
+#include "encoder/coding_params.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +7,12 @@
 
 #include "arithmetic/rounding.hpp"
 #include "encoder/encode_session.hpp"
-#include "encoder/extended_session.hpp"
-#include "encoder/extended_targets.hpp"
-#include "encoder/view_error.hpp"
-#include "encoder/view_planes.hpp"
+#include "encoder/plane_targets.hpp"
 
 namespace hmlfc {
 namespace {
 
-// The part of a view on which groups are tried, at most.
+// The largest part of a view on which groups are tried.
 constexpr uint32_t kTrialWidth = 192;
 constexpr uint32_t kTrialHeight = 160;
 // Views of a group along a row or a column, where nothing is tried.
@@ -56,27 +53,29 @@ std::vector<uint32_t> group_sizes(uint32_t count, Preset preset) {
   return sizes;
 }
 
-// D + lambda R of the whole part.
+// D + lambda R of all views of `part`.
 double trial_cost(const LightField& part, const EncodeParams& params) {
   const auto header = header_for(part.shape(), params);
   if (!header) return std::numeric_limits<double>::max();
-  ExtendedStream stream = encode_extended(part, *header, params, {});
-  const auto bits = static_cast<double>(assemble_extended(stream).size()) * 8;
-  return static_cast<double>(stream.error.rgb_squares) / 3 +
-         static_cast<double>(lambda_of_quality(params.quality).scaled) / 256 * bits;
+  EncodeSession session(part, *header);
+  CodedImages images = session.encode(params, true, {});
+  const auto bits = static_cast<double>(session.stream(images).size()) * 8;
+  return static_cast<double>(images.error.rgb_squares) / 3 +
+         static_cast<double>(lambda_of_quality(params.extended.quality).scaled) / 256 * bits;
 }
 
 void settle_groups(const LightField& light_field, EncodeParams& params) {
   const LightFieldShape& shape = light_field.shape();
   params.ref_rows = std::min(kUsualGroup, shape.rows);
   params.ref_cols = std::min(kUsualGroup, shape.cols);
-  if (params.preset == Preset::kFast || params.lossless) return;
+  if (params.extended.preset == Preset::kFast || params.lossless) return;
   const LightField part = middle_of(light_field);
   EncodeParams best = params;
   double least = std::numeric_limits<double>::max();
-  for (const uint32_t size : group_sizes(std::max(shape.rows, shape.cols), params.preset)) {
+  for (const uint32_t size :
+       group_sizes(std::max(shape.rows, shape.cols), params.extended.preset)) {
     EncodeParams tried = params;
-    tried.preset = Preset::kFast;
+    tried.extended.preset = Preset::kFast;
     tried.ref_rows = std::min(size, shape.rows);
     tried.ref_cols = std::min(size, shape.cols);
     const double cost = trial_cost(part, tried);
@@ -90,13 +89,13 @@ void settle_groups(const LightField& light_field, EncodeParams& params) {
 
 // The mean squared error over RGB that halved chroma alone may cost: an eighth of the target's, or
 // a tenth of what a bit is worth.
-double most_chroma_error(const LightFieldShape& shape, const EncodeParams& params,
-                         std::optional<double> target_db) {
+double max_chroma_error(const LightFieldShape& shape, const EncodeParams& params,
+                        std::optional<double> target_db) {
   if (target_db) {
     const double peak = static_cast<double>((1 << shape.depth) - 1);
     return peak * peak * std::pow(10.0, -*target_db / 10) / 8;
   }
-  return static_cast<double>(lambda_of_quality(params.quality).scaled) / 256 / 10;
+  return static_cast<double>(lambda_of_quality(params.extended.quality).scaled) / 256 / 10;
 }
 
 ChromaFormat chroma_for(const LightField& light_field, const EncodeParams& params,
@@ -111,7 +110,7 @@ ChromaFormat chroma_for(const LightField& light_field, const EncodeParams& param
       light_field, middle, view_planes(light_field, geometry, middle), ChromaFormat::k420);
   const double samples = static_cast<double>(header->width) * header->height * 3;
   const bool costly = static_cast<double>(error.rgb_squares) / samples >
-                      most_chroma_error(light_field.shape(), params, target_db);
+                      max_chroma_error(light_field.shape(), params, target_db);
   return costly ? ChromaFormat::k444 : ChromaFormat::k420;
 }
 
@@ -120,12 +119,13 @@ ChromaFormat chroma_for(const LightField& light_field, const EncodeParams& param
 EncodeParams settle_coding(const LightField& light_field, const EncodeParams& params,
                            std::optional<double> target_db) {
   EncodeParams settled = params;
-  if (params.ref_rows == 0 || params.ref_cols == 0) {
+  const bool open_groups = params.ref_rows == 0 || params.ref_cols == 0;
+  if (open_groups) {
     settled.ref_rows = std::max(1u, std::min(kUsualGroup, light_field.shape().rows));
     settled.ref_cols = std::max(1u, std::min(kUsualGroup, light_field.shape().cols));
   }
-  if (params.automatic_chroma) settled.chroma = chroma_for(light_field, settled, target_db);
-  if (params.ref_rows == 0 || params.ref_cols == 0) settle_groups(light_field, settled);
+  if (!params.chroma) settled.chroma = chroma_for(light_field, settled, target_db);
+  if (open_groups) settle_groups(light_field, settled);
   return settled;
 }
 

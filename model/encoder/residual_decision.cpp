@@ -1,4 +1,4 @@
-#include "encoder/residual_choice.hpp"
+#include "encoder/residual_decision.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,8 +23,8 @@ constexpr int64_t kNever = std::numeric_limits<int64_t>::max() / 4;
 
 // mask_mode 2, level_base 6, level_bits 3, bias_bits 4, step_base 4, step_bits 2.
 constexpr int64_t kResidualHeadBits = 21;
-// The share of a block in a mask, about.
-constexpr int64_t kMaskBitsABlock = 2;
+// About what a block takes in a mask.
+constexpr int64_t kMaskBitsPerBlock = 2;
 
 // Nearest multiple of `step`, halves towards 0.
 int32_t quantized(int32_t value, int32_t step) {
@@ -50,10 +50,10 @@ struct BlockCosts {
 };
 
 // Costs of all blocks with one step.
-class StepChoice {
+class StepDecision {
  public:
-  StepChoice(std::span<const BlockValues> differences, const TileContext& context, Lambda lambda,
-             unsigned step_code)
+  StepDecision(std::span<const BlockValues> differences, const TileContext& context, Lambda lambda,
+               unsigned step_code)
       : differences_(differences),
         context_(context),
         lambda_(lambda),
@@ -64,7 +64,7 @@ class StepChoice {
     }
   }
 
-  // The cheapest mask and level codes; cost() tells what they take.
+  // Finds the cheapest mask and level codes, whose cost is cost().
   void run() {
     for (unsigned bits = 0; bits <= 4; ++bits) {
       for (unsigned base = 1; base + (1u << bits) <= kCodes; ++base) try_levels(base, bits);
@@ -97,7 +97,7 @@ class StepChoice {
     BlockCosts& costs = costs_[k];
     costs.coded.fill(kNever);
     costs.zero = lambda_.cost(energy(block), 0);
-    // What costs more than the cheapest so far in bits alone is not looked at.
+    // A code whose bits alone cost more than the cheapest so far is skipped.
     int64_t least = costs.zero;
     int64_t error = 0;
     bool clipped = true;
@@ -105,7 +105,7 @@ class StepChoice {
       const Levels levels = levels_of_code(code);
       const auto bits = static_cast<int64_t>(bise_bits(levels, context_.block_samples));
       if (lambda_.cost(0, bits) > least) break;
-      // More levels than needed cost bits alone.
+      // More levels than needed only cost bits.
       if (clipped) std::tie(error, clipped) = quantisation_error(block, levels);
       costs.coded[code] = lambda_.cost(error, bits);
       least = std::min(least, costs.coded[code]);
@@ -136,7 +136,7 @@ class StepChoice {
       if (!has_bit(context_.blocks_inside, static_cast<unsigned>(k))) continue;
       const BlockCosts& costs = costs_[k];
       const auto best = std::min_element(costs.coded.begin() + base, costs.coded.begin() + end);
-      const int64_t coded = *best + lambda_.cost(0, bits + kMaskBitsABlock);
+      const int64_t coded = *best + lambda_.cost(0, bits + kMaskBitsPerBlock);
       if (*best < kNever && coded < costs.zero) {
         codes[k] = static_cast<uint8_t>(best - costs.coded.begin());
         mask |= uint64_t{1} << k;
@@ -176,7 +176,7 @@ ResidualTile exact_residuals(std::span<const BlockValues> differences, const Til
 
 }  // namespace
 
-ResidualTile choose_residuals(std::span<const BlockValues> differences, const TileContext& context,
+ResidualTile decide_residuals(std::span<const BlockValues> differences, const TileContext& context,
                               const ResidualRules& rules) {
   if (rules.lossless) return exact_residuals(differences, context);
   int64_t best = 0;
@@ -191,11 +191,11 @@ ResidualTile choose_residuals(std::span<const BlockValues> differences, const Ti
   const unsigned first = rules.step_code - std::min(rules.step_code, rules.steps_around);
   const unsigned last = std::min(15u, rules.step_code + rules.steps_around);
   for (unsigned code = first; code <= last; ++code) {
-    StepChoice choice(differences, context, rules.lambda, code);
-    choice.run();
-    if (choice.cost() >= best) continue;
-    best = choice.cost();
-    tile = choice.tile();
+    StepDecision decision(differences, context, rules.lambda, code);
+    decision.run();
+    if (decision.cost() >= best) continue;
+    best = decision.cost();
+    tile = decision.tile();
   }
   return tile;
 }

@@ -1,0 +1,24 @@
+// From the caller's parameters to those that an encoding runs with, and to its header.
+#pragma once
+
+#include <optional>
+
+#include <hmlfc/encoder.hpp>
+#include <hmlfc/error.hpp>
+
+namespace hmlfc {
+
+/// `params` with the profile's values in place of what is open, except for what is found by trial:
+/// in profile extended reference groups and chroma format.
+EncodeParams with_defaults(const EncodeParams& params);
+
+/// The header that `params` ask for, without its sections; nothing is open. bad_header_field where
+/// a parameter is outside its interval.
+Result<StreamHeader> header_for(const LightFieldShape& shape, const EncodeParams& params);
+
+/// Settles by trial on the middle of the views what with_defaults() leaves open: the chroma format
+/// and the reference groups that cost least at params.extended.quality, or for `target_db`.
+EncodeParams settle_coding(const LightField& light_field, const EncodeParams& params,
+                           std::optional<double> target_db = std::nullopt);
+
+}  // namespace hmlfc

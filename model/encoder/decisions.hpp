@@ -1,0 +1,126 @@
+// What differs between the profiles' encoders: how the images of a level are coded. The level walk
+// (encode_session.cpp) offers what can be decided on; a strategy gives back records.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <hmlfc/encoder.hpp>
+#include <hmlfc/light_field.hpp>
+
+#include "encoder/disparity_search.hpp"
+#include "encoder/rkv_tree.hpp"
+#include "encoder/view_planes.hpp"
+#include "syntax/geometry.hpp"
+
+namespace hmlfc {
+
+/// The tile records of one plane, in tile order, one after another.
+struct PlaneCode {
+  std::vector<uint32_t> record_sizes;  ///< bytes of each tile's record, 0 where it is empty
+  std::vector<uint8_t> records;
+
+  void append(std::span<const uint8_t> record) {
+    record_sizes.push_back(static_cast<uint32_t>(record.size()));
+    records.insert(records.end(), record.begin(), record.end());
+  }
+};
+
+/// The records of one image: Y, Co, Cg, then the motion plane. A plane without any record has empty
+/// tiles alone.
+using ImageCode = std::array<PlaneCode, kPlaneCount + 1>;
+inline constexpr size_t kMotionPlane = kPlaneCount;
+
+/// An image as it is coded.
+struct EncodedImage {
+  ImageCode code;
+  ImagePlanes samples;  ///< exactly what a decoder makes of `code` (DEC-3), in whole blocks
+};
+
+/// One level of the tree, as the walk offers it. Any number of threads may read it.
+class LevelImages {
+ public:
+  /// The arguments must outlive it. `tree` holds the reconstructed images of the levels above
+  /// `level` and the originals of `level`.
+  LevelImages(const LightField& light_field, const StreamHeader& header, const Geometry& geometry,
+              const RkvTree& tree, int level);
+
+  int level() const { return level_; }
+  const StreamHeader& header() const { return header_; }
+  const Geometry& geometry() const { return geometry_; }
+  const LevelShape& shape() const { return geometry_.level(level_); }
+
+  /// The images of the level (STR-4), row by row.
+  const std::vector<ImagePos>& references() const { return references_; }
+  const std::vector<ImagePos>& predictive() const { return predictive_; }
+
+  /// The original of image `at`, which is not coded yet. A copy; at level 0 converted from the
+  /// light field by each call.
+  ImagePlanes original(ImagePos at) const;
+
+  /// Plane `plane` of the image above `at`, reconstructed; null at the top, where it counts as 0.
+  const SamplePlane* parent(ImagePos at, Plane plane) const;
+
+ private:
+  const LightField& light_field_;
+  const StreamHeader& header_;
+  const Geometry& geometry_;
+  const RkvTree& tree_;
+  int level_;
+  std::vector<ImagePos> references_;
+  std::vector<ImagePos> predictive_;
+};
+
+/// The decisions of one level. The walk calls, in this order:
+///
+///  1. take_key() or encode_reference() for each reference image, from many threads;
+///  2. decide_group() for each reference image, from one thread;
+///  3. encode_predictive() for each predictive image, from many threads.
+///
+/// 2 and 3 are left out where the level has no predictive images: references need not be kept then.
+/// Decisions must not depend on the order of concurrent calls: a stream is the same for any number
+/// of threads.
+class LevelDecisions {
+ public:
+  virtual ~LevelDecisions() = default;
+
+  /// Key image `at`, in whole blocks, as a decoder has it.
+  virtual void take_key(ImagePos at, const ImagePlanes& decoded) = 0;
+
+  /// Codes a reference image that is no key image.
+  virtual EncodedImage encode_reference(ImagePos at, ImagePlanes original) = 0;
+
+  /// Decides what the images of the group of `reference` share. Returns the records of the motion
+  /// plane of `reference`; none in a stream without shared disparities.
+  virtual PlaneCode decide_group(ImagePos reference) = 0;
+
+  /// Codes an image from its parent and the references of this level.
+  virtual EncodedImage encode_predictive(ImagePos at, ImagePlanes original) = 0;
+};
+
+/// The decisions of one encoding, for fixed parameters.
+class DecisionStrategy {
+ public:
+  virtual ~DecisionStrategy() = default;
+
+  /// The mean squared error that plane `plane` of the key images may have; 0: none, lossless.
+  virtual double key_error(Plane plane) const = 0;
+
+  /// Begins a level; `images` outlives the result.
+  virtual std::unique_ptr<LevelDecisions> begin_level(const LevelImages& images) const = 0;
+};
+
+/// Thresholds on energies and full search (the paper): main_decisions.cpp.
+std::unique_ptr<DecisionStrategy> main_decisions(const EncodeParams& params);
+
+/// Rate and distortion, with all tools of profile extended: extended_decisions.cpp. `disparities`:
+/// those tried. Key errors are found by trial on `light_field`.
+std::unique_ptr<DecisionStrategy> extended_decisions(const LightField& light_field,
+                                                     const StreamHeader& header,
+                                                     const EncodeParams& params,
+                                                     const DisparityRange& disparities);
+
+}  // namespace hmlfc

@@ -1,0 +1,216 @@
+// Profile extended: rate and distortion, with all tools of the profile.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "encoder/decisions.hpp"
+#include "encoder/motion_decision.hpp"
+#include "encoder/plane_targets.hpp"
+#include "encoder/predicted_plane.hpp"
+#include "encoder/residual_plane.hpp"
+#include "syntax/geometry.hpp"
+
+namespace hmlfc {
+namespace {
+
+// How good and how thorough an encoding is.
+struct Settings {
+  PlaneTargets targets;
+  Lambda lambda;  // of motion
+  SearchEffort effort;
+  DisparityRange disparities;  // tried for each group
+};
+
+// What the images of one group, and of its neighbours, are predicted from.
+struct GroupReference {
+  std::array<std::optional<PaddedPlane>, kPlaneCount> planes;
+  DisparityGrid grid;
+};
+
+class ExtendedLevel final : public LevelDecisions {
+ public:
+  ExtendedLevel(const Settings& settings, const LevelImages& images)
+      : settings_(settings),
+        images_(images),
+        geometry_(images.geometry()),
+        header_(images.header()),
+        motion_(header_.has(Feature::kMotionTiles)),
+        groups_(size_t{images.shape().group_rows()} * images.shape().group_cols()) {}
+
+  void take_key(ImagePos at, const ImagePlanes& decoded) override {
+    for (const Plane plane : kPlanes) keep(at, plane, decoded[static_cast<size_t>(plane)]);
+  }
+
+  EncodedImage encode_reference(ImagePos at, ImagePlanes original) override {
+    EncodedImage image;
+    for (const Plane plane : kPlanes) {
+      const SamplePlane prediction = from_parent(at, plane, original[static_cast<size_t>(plane)]);
+      const SamplePlane residuals = encode_plane(plane, original, prediction, true, image);
+      keep(at, plane, residuals);
+    }
+    return image;
+  }
+
+  PlaneCode decide_group(ImagePos reference) override {
+    if (!motion_) return {};
+    std::vector<SamplePlane> planes;
+    DisparitySearch search = disparity_search(header_);
+    for (const ImagePos at : images_.predictive()) {
+      if (geometry_.reference_of(images_.level(), at) != reference) continue;
+      planes.push_back(motion_target(at, images_.original(at)[0]));
+      search.targets.push_back({nullptr, row_offset(reference, at), col_offset(reference, at)});
+    }
+    for (size_t i = 0; i < planes.size(); ++i) search.targets[i].plane = &planes[i];
+    GroupReference& own = group(reference);
+    search.reference = &*own.planes[0];
+    search.lambda = settings_.lambda;
+    own.grid = search_disparities(search, settings_.disparities);
+    return disparity_records(own.grid);
+  }
+
+  EncodedImage encode_predictive(ImagePos at, ImagePlanes original) override {
+    EncodedImage image;
+    if (!motion_) {
+      for (const Plane plane : kPlanes) {
+        const SamplePlane prediction = from_parent(at, plane, original[static_cast<size_t>(plane)]);
+        encode_plane(plane, original, prediction, false, image);
+      }
+      return image;
+    }
+    const MotionSources sources = motion_sources(at);
+    const std::vector<MotionTileCode> tiles = decide_tiles(sources, original[0]);
+    const PaletteFields fields{header_.has(Feature::kTwoReferences), !sources.keyed};
+    for (const MotionTileCode& tile : tiles) {
+      image.code[kMotionPlane].append(write_motion_tile(tile, fields));
+    }
+    for (const Plane plane : kPlanes) {
+      const SamplePlane prediction =
+          predict_plane(sources, plane, images_.parent(at, plane),
+                        reference_planes(sources.places, static_cast<size_t>(plane)), tiles);
+      encode_plane(plane, original, prediction, false, image);
+    }
+    return image;
+  }
+
+ private:
+  GroupReference& group(ImagePos at) {
+    const ImagePos g = geometry_.group_of(images_.level(), at);
+    return groups_[size_t{g.row} * images_.shape().group_cols() + g.col];
+  }
+
+  // Keeps what images of the group of `at` and of its neighbours refer to, if there are any.
+  void keep(ImagePos at, Plane plane, const SamplePlane& samples) {
+    if (images_.predictive().empty()) return;
+    const PlaneShape& shape = geometry_.plane(plane);
+    // Vectors reach `window` samples, interpolation one more, a block B - 1 beyond the plane.
+    group(at).planes[static_cast<size_t>(plane)].emplace(samples, shape.width, shape.height,
+                                                         header_.window + 10);
+  }
+
+  // The prediction without motion; 0 at the top.
+  SamplePlane from_parent(ImagePos at, Plane plane, const SamplePlane& original) const {
+    const SamplePlane* above = images_.parent(at, plane);
+    return above != nullptr ? *above : SamplePlane(original.width, original.height);
+  }
+
+  // Codes one plane on top of `prediction`; returns the residuals, set if `is_reference`.
+  SamplePlane encode_plane(Plane plane, const ImagePlanes& original, const SamplePlane& prediction,
+                           bool is_reference, EncodedImage& image) const {
+    const auto p = static_cast<size_t>(plane);
+    ResidualPlane encoded =
+        encode_residuals(geometry_, plane, header_.depth, original[p], prediction, is_reference,
+                         settings_.targets[p].residuals);
+    image.code[p] = std::move(encoded.code);
+    image.samples[p] = std::move(encoded.samples);
+    return std::move(encoded.residuals);
+  }
+
+  // The plane that motion is decided on: Y, at levels that are not keyed less the parent.
+  SamplePlane motion_target(ImagePos at, SamplePlane luma) const {
+    const SamplePlane* above = images_.shape().keyed ? nullptr : images_.parent(at, Plane::kY);
+    if (above == nullptr) return luma;
+    for (size_t i = 0; i < luma.samples.size(); ++i) {
+      luma.samples[i] = static_cast<int16_t>(luma.samples[i] - above->samples[i]);
+    }
+    return luma;
+  }
+
+  // The records of the disparities of one group (MOT-6).
+  PlaneCode disparity_records(const DisparityGrid& grid) const {
+    const MotionPlaneShape& shape = geometry_.motion_planes()[0];
+    const uint32_t per_tile = 1u << (header_.motion_tile_log2 - header_.disparity_grid_log2);
+    PlaneCode code;
+    for (uint32_t ty = 0; ty < shape.tiles_y; ++ty) {
+      for (uint32_t tx = 0; tx < shape.tiles_x; ++tx) {
+        std::vector<int16_t> values;
+        for (uint32_t y = ty * per_tile; y < std::min((ty + 1) * per_tile, grid.blocks_y); ++y) {
+          for (uint32_t x = tx * per_tile; x < std::min((tx + 1) * per_tile, grid.blocks_x); ++x) {
+            values.push_back(grid.at(x, y));
+          }
+        }
+        code.append(write_disparity_tile(values));
+      }
+    }
+    return code;
+  }
+
+  MotionSources motion_sources(ImagePos at) {
+    const bool keyed = images_.shape().keyed;
+    return {header_,
+            geometry_,
+            vector_rules(header_),
+            at,
+            keyed,
+            reference_images(geometry_, images_.level(), at),
+            group(at).grid};
+  }
+
+  ReferencePlanes reference_planes(const ReferenceImages& places, size_t plane) {
+    ReferencePlanes planes{};
+    for (size_t k = 0; k < places.size(); ++k) planes[k] = &*group(places[k]).planes[plane];
+    return planes;
+  }
+
+  std::vector<MotionTileCode> decide_tiles(const MotionSources& sources, const SamplePlane& luma) {
+    const SamplePlane target = motion_target(sources.at, luma);
+    return decide_motion({sources, target, reference_planes(sources.places, 0),
+                          settings_.effort.choices, settings_.lambda});
+  }
+
+  const Settings& settings_;
+  const LevelImages& images_;
+  const Geometry& geometry_;
+  const StreamHeader& header_;
+  bool motion_;
+  std::vector<GroupReference> groups_;
+};
+
+class ExtendedDecisions final : public DecisionStrategy {
+ public:
+  explicit ExtendedDecisions(Settings settings) : settings_(std::move(settings)) {}
+
+  double key_error(Plane plane) const override {
+    return settings_.targets[static_cast<size_t>(plane)].key_error;
+  }
+
+  std::unique_ptr<LevelDecisions> begin_level(const LevelImages& images) const override {
+    return std::make_unique<ExtendedLevel>(settings_, images);
+  }
+
+ private:
+  Settings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<DecisionStrategy> extended_decisions(const LightField& light_field,
+                                                     const StreamHeader& header,
+                                                     const EncodeParams& params,
+                                                     const DisparityRange& disparities) {
+  return std::make_unique<ExtendedDecisions>(Settings{
+      plane_targets(light_field, header, params), lambda_of_quality(params.extended.quality),
+      effort_of(params.extended.preset), disparities});
+}
+
+}  // namespace hmlfc
