@@ -18,6 +18,7 @@
 
 #include "common/program.hpp"
 #include "common/timing.hpp"
+#include "io/data_folder.hpp"
 #include "io/light_field_files.hpp"
 
 namespace {
@@ -25,9 +26,8 @@ namespace {
 using namespace hmlfc;
 
 std::vector<std::filesystem::path> default_folders() {
-  const std::filesystem::path base = bench::data_folder();
-  return {base / "stanford-chess-16x16-700x400", base / "hci-antinous-9x9-512x512",
-          base / "stanford-legoknights-17x17-256x256-jpeg"};
+  return {data_folder("stanford-chess-16x16-700x400"), data_folder("hci-antinous-9x9-512x512"),
+          data_folder("stanford-legoknights-17x17-256x256-jpeg")};
 }
 
 const char* name_of(Method method) {

@@ -24,8 +24,8 @@
 #include "accuracy/frame_sweep.hpp"
 #include "common/program.hpp"
 #include "common/timing.hpp"
-#include "io/mapped_file.hpp"
-#include "io/write_image.hpp"
+#include "io/files.hpp"
+#include "io/image_files.hpp"
 
 namespace {
 

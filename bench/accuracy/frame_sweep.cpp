@@ -15,7 +15,7 @@
 #include "common/program.hpp"
 #include "common/timing.hpp"
 #include "gpu_ref/frame_renderer.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 
 namespace hmlfc::bench {
 namespace {

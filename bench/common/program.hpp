@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -26,12 +24,6 @@ Value value_of(tl::expected<Value, Failure> made) {
     }
   }
   if constexpr (!std::is_void_v<Value>) return std::move(*made);
-}
-
-/// The folder of the real light fields: HMLFC_DATA_DIR, or shared/data beside the repository.
-inline std::filesystem::path data_folder() {
-  const char* data = std::getenv("HMLFC_DATA_DIR");
-  return data != nullptr ? data : HMLFC_DEFAULT_DATA_DIR;
 }
 
 /// body() as main of the program `name`. Exit status: that of body, 2 std::invalid_argument, 1 any

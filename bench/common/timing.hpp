@@ -1,4 +1,4 @@
-// Time of the process and of repeated work.
+// Time of the process, and of repeated work.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace hmlfc::bench {
 
-/// Runs from its construction on.
+/// Starts when constructed.
 class Clock {
  public:
   double wall_seconds() const {
@@ -29,8 +29,8 @@ class Clock {
   double cpu_begin_ = cpu_now();
 };
 
-/// The least CPU time of body() over at least five runs and a second of CPU time, after one that
-/// warms caches: other work on the machine can only add to it.
+/// The shortest CPU time of body() in at least five runs and a second of CPU time, after one run
+/// that warms caches: other work on the machine can only add to it.
 template <class Body>
 double cpu_seconds_of(const Body& body) {
   body();

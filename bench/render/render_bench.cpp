@@ -20,8 +20,9 @@
 #include "common/orbit.hpp"
 #include "common/program.hpp"
 #include "common/timing.hpp"
+#include "io/data_folder.hpp"
+#include "io/files.hpp"
 #include "io/light_field_files.hpp"
-#include "io/mapped_file.hpp"
 #include "render/peers.hpp"
 
 namespace {
@@ -136,7 +137,7 @@ std::vector<uint8_t> encoded_chess(const LightField& field) {
 
 int run(const std::vector<std::string>& arguments) {
   const auto folder = arguments.size() > 1 ? std::filesystem::path(arguments[1])
-                                           : bench::data_folder() / "stanford-chess-16x16-700x400";
+                                           : data_folder("stanford-chess-16x16-700x400");
   const auto views = value_of(io::list_views(folder));
   const LightField field = value_of(io::load_light_field(views, 0));
   std::vector<uint8_t> file;

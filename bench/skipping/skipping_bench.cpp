@@ -24,7 +24,7 @@
 #include "common/orbit.hpp"
 #include "common/program.hpp"
 #include "common/timing.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "render/frame_stages.hpp"
 #include "render/view_cache.hpp"
 

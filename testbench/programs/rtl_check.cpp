@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "programs/plan_options.hpp"
 #include "stimulus/sequences.hpp"
 #include "syntax/header.hpp"

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Numerical stress: runs the decode path, built with checked integers, until the time is over.
+"""Numerical stress: runs the decode path, built with checked integers, until the time is up.
 
-Streams: every vector of the suite, small synthetic scenes, then by turns a search for more extreme
-streams than the suite's, random valid streams, and random and extreme cameras. Prints what each
-quantity of the width tables, of the specification and of docs/rendering.md, reached beside its
-proved interval. Findings are kept in out/stress with the stream.
-Exit status: 0 nothing wrong, 1 a finding.
+Runs every vector of the suite and small synthetic scenes; then in turn a search for streams more
+extreme than the suite's, random valid streams, and random and extreme cameras. Prints what each
+quantity of the width tables (specification, docs/rendering.md) reached, beside its proved interval.
+Findings are kept in out/stress with their stream.
+Exit status: 0 no findings, 1 a finding.
 """
 
 import argparse
@@ -30,11 +30,11 @@ ENCODINGS = [
     ["--profile", "extended", "--quality", "50", "--preset", "fast"],
     ["--profile", "extended", "--lossless", "--chroma", "444", "--preset", "fast"],
 ]
-TURN_SECONDS = 60  # shorter where the whole run is short
+TURN_SECONDS = 60  # shorter if the whole run is short
 
 
 class Run:
-    """All programs of one run, and what they came to."""
+    """The programs of one run and their results."""
 
     def __init__(self, build, folder, plant):
         self.programs = build / "tests/stress"
@@ -72,7 +72,7 @@ class Run:
             self.findings.append({"stream": json.dumps(finding["camera"]), "what": finding["what"]})
 
     def call(self, name, program, *arguments):
-        """The program's report; None, and a finding, where it ended without one."""
+        """The program's report; None, and a finding, if it ended without one."""
         plant = ["--plant", self.plant] if self.plant else []
         command = [self.programs / program, *plant, *arguments]
         process = subprocess.Popen(
@@ -99,7 +99,7 @@ class Run:
         return None
 
     def keep(self, stream, what, stored):
-        """Keeps a finding's stream, if it has one, under a name of its own."""
+        """Records a finding, with its stream, if any, under a name of its own."""
         finding = {"stream": stream, "what": what}
         if stored.is_file():
             kept = self.folder / f"finding-{len(self.findings):03}.hmlfc"
@@ -123,7 +123,7 @@ def clear_line():
 
 
 def scene_streams(hmlfc, folder):
-    """Small light fields of every scene, encoded in both profiles and without loss."""
+    """A small light field of every scene, encoded in both profiles and losslessly."""
     folder.mkdir(parents=True, exist_ok=True)
     for scene in SCENES:
         views = folder / scene
@@ -167,7 +167,7 @@ def run_all(run, arguments):
 
 
 def cpu_seconds():
-    """Of the programs that have run."""
+    """Of all programs run so far."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
 
@@ -196,7 +196,7 @@ def main():
     parser.add_argument("--build", type=Path, required=True, help="the build of preset stress")
     parser.add_argument("--minutes", type=float, required=True)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--hmlfc", type=Path, help="the program that makes scenes and encodes them")
+    parser.add_argument("--hmlfc", type=Path, help="the program that makes and encodes scenes")
     parser.add_argument("--out", type=Path, default=ROOT / "out/stress")
     parser.add_argument("--plant", help="a fault to find: lossy, overflow, or a quantity")
     parser.add_argument("--json", action="store_true")
