@@ -21,9 +21,9 @@
 #include <benchmark/benchmark.h>
 
 #include "arithmetic/colour.hpp"
-#include "common/data_folder.hpp"
+#include "io/data_folder.hpp"
 #include "encoder/motion_search.hpp"
-#include "io/read_image.hpp"
+#include "io/image_files.hpp"
 #include "scenes/scene.hpp"
 
 namespace {

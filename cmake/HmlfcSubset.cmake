@@ -1,5 +1,5 @@
-# hmlfc_add_subset(NAME FROM REGEX): a static library NAME of those sources of target FROM that match
-# REGEX, for a build of them with settings of its own. Its users see the internal headers.
+# hmlfc_add_subset(NAME FROM REGEX): a static library NAME of the sources of target FROM that match
+# REGEX, built with settings of its own. Its users see the internal headers.
 function(hmlfc_add_subset name from regex)
   get_target_property(sources ${from} SOURCES)
   get_target_property(folder ${from} SOURCE_DIR)

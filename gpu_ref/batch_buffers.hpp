@@ -1,12 +1,39 @@
-// The buffers of a submission, kept from one to the next.
+// Submissions: which blocks they decode, and their buffers.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
-#include "area_batches.hpp"
+#include "arguments.hpp"
 #include "buffer.hpp"
+#include "gpu_decoder.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
+
+/// What one submission decodes.
+struct Batch {
+  std::vector<AreaRecord> areas;
+  uint64_t requests = 0;
+  std::vector<ColourAreaRecord> colour_areas;
+  uint64_t pixels = 0;  ///< blocks in RGB
+
+  /// Appends `rows` rows of blocks.
+  void add(const AreaRecord& area, uint32_t rows);
+};
+
+/// The blocks of `areas` in their order, at most `limit` requests a batch, limit >= 1. Areas are
+/// cut where they do not fit.
+std::vector<Batch> batches_of(std::span<const BlockArea> areas, uint64_t limit);
+
+/// The same for pixels, with the chroma blocks that they need; limit >= 3.
+std::vector<Batch> batches_of(std::span<const PixelArea> areas, ChromaFormat format,
+                              uint64_t limit);
+
+/// The blocks of all reference images of levels that are not keyed (DEC-4), cut in the same way.
+std::vector<Batch> reference_batches(const Geometry& geometry, uint64_t limit);
 
 /// A buffer that grows.
 class GrowingBuffer {
@@ -46,7 +73,7 @@ struct BlockSizes {
 BlockSizes block_sizes(const StreamHeader& header);
 
 /// Most requests of one submission, with stages or not.
-uint64_t most_requests(const Device::State& device, const BlockSizes& sizes, bool trace);
+uint64_t max_requests(const Device::State& device, const BlockSizes& sizes, bool trace);
 
 /// What one submission reads and writes besides the stream.
 struct BatchBuffers {

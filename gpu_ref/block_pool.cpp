@@ -6,16 +6,16 @@
 namespace hmlfc::gpu {
 namespace {
 
-constexpr uint64_t kSlots = 32;                     // of a page
-constexpr uint64_t kFirstPages = 512;               // made room for at once
-constexpr uint64_t kMostWords = uint64_t{1} << 32;  // that shaders can number
+constexpr uint64_t kSlots = 32;                    // of a page
+constexpr uint64_t kFirstPages = 512;              // made room for at once
+constexpr uint64_t kMaxWords = uint64_t{1} << 32;  // that shaders can number
 
 }  // namespace
 
 BlockPool::BlockPool(const BlockSizes& sizes, uint64_t words, uint64_t budget)
     : words_(words),
       page_words_(kSlots * sizes.sample_words),
-      kept_pages_(std::min({words, budget / (4 * page_words_), kMostWords / page_words_})) {}
+      kept_pages_(std::min({words, budget / (4 * page_words_), kMaxWords / page_words_})) {}
 
 void BlockPool::reserve(Device::State& device, uint64_t pages) {
   const uint64_t most = std::max(kept_pages_, kSubmissionBytes / (4 * page_words_));

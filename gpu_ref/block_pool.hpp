@@ -1,15 +1,52 @@
-// Decoded blocks on the device, and what frames leave of them to the next one.
+// A frame on the device: its arguments (shaders/frame.glsl), and the decoded blocks that frames
+// leave to the next one.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
+#include <hmlfc/camera.hpp>
+
 #include "batch_buffers.hpp"
-#include "chunked_words.hpp"
+#include "buffer.hpp"
 #include "commands.hpp"
-#include "frame_shape.hpp"
 
 namespace hmlfc::gpu {
+
+struct FrameShape {
+  uint64_t needed = 0;
+  uint64_t held = 0;
+  uint64_t pages = 0;
+  uint64_t slots = 0;
+  uint64_t counters = 0;
+  uint64_t pixels = 0;
+  uint64_t pool = 0;
+  uint32_t pool_chunk_log2 = 0;
+  uint32_t pool_pages = 0;
+  uint32_t kept_pages = 0;
+  uint32_t stop_level = 0;
+  uint32_t capacity = 0;
+  uint32_t needed_words = 0;
+  FrameRecord record;
+};
+
+/// Words of the counters that the host uses.
+enum FrameCounter : uint32_t {
+  kCountNeeded = 0,
+  kCountMode = 4,
+  kCountDecoded = 5,
+  kCountPages = 6,
+  kCountFirstError = 9,
+  kCountStatus = 10,
+  kCountWalk = 11,
+  kCountSamples = 14,
+  kCountErrors = 17,
+  kFrameCounters = 20,  ///< those before are of one frame
+  kCountUsedPages = 20,
+  kAllCounters = 21,
+};
+
+inline constexpr uint32_t kModeNoRoom = 0;  ///< of kCountMode
 
 /// The samples of blocks in pages, each with a slot for every block of a word of bits
 /// (shaders/block_bits.glsl), and which blocks are held. The kernels of a frame say what is held

@@ -1,16 +1,27 @@
 #include "buffer.hpp"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <utility>
 
 #include "arithmetic/rounding.hpp"
+#include "commands.hpp"
 
 namespace hmlfc::gpu {
 namespace {
 
+size_t page_size() { return static_cast<size_t>(sysconf(_SC_PAGESIZE)); }
+
 using Property = vk::MemoryPropertyFlagBits;
 
-// The wanted properties of memory types, the best first; the last is what must be.
+// The wanted properties of memory types, the best first; the last is required.
 std::array<vk::MemoryPropertyFlags, 2> wanted_properties(Memory memory) {
   const vk::MemoryPropertyFlags host = Property::eHostVisible | Property::eHostCoherent;
   switch (memory) {
@@ -49,7 +60,30 @@ vk::BufferCreateInfo buffer_info(uint64_t size,
 constexpr auto kHostPages = vk::ExternalMemoryHandleTypeFlagBits::eHostAllocationEXT;
 const vk::ExternalMemoryBufferCreateInfo kExternal(kHostPages);
 
+constexpr uint64_t kStagingBytes = uint64_t{16} << 20;
+
 }  // namespace
+
+GuardedPages::GuardedPages(size_t bytes)
+    : size_(page_size() * ceil_div(bytes, page_size())), mapping_(nullptr) {
+  void* const mapping =
+      mmap(nullptr, size_ + 2 * page_size(), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapping == MAP_FAILED) throw std::bad_alloc();
+  mapping_ = mapping;
+  if (mprotect(data(), size_, PROT_READ | PROT_WRITE) != 0) {
+    munmap(mapping_, size_ + 2 * page_size());
+    throw std::bad_alloc();
+  }
+}
+
+GuardedPages::GuardedPages(GuardedPages&& other) noexcept
+    : size_(other.size_), mapping_(std::exchange(other.mapping_, nullptr)) {}
+
+GuardedPages::~GuardedPages() {
+  if (mapping_ != nullptr) munmap(mapping_, size_ + 2 * page_size());
+}
+
+void* GuardedPages::data() const { return static_cast<uint8_t*>(mapping_) + page_size(); }
 
 Buffer::Buffer(Device::State& device, uint64_t bytes, Memory memory)
     : size_(4 * ceil_div(std::max<uint64_t>(bytes, 1), uint64_t{4})),
@@ -89,6 +123,39 @@ void Buffer::allocate_guarded(Device::State& device, const vk::MemoryRequirement
   const uint64_t offset = slack - slack % needs.alignment;
   buffer_.bindMemory(*memory_, offset);
   mapped_ = static_cast<uint8_t*>(pages_->data()) + offset;
+}
+
+ChunkedWords::ChunkedWords(Device::State& device, uint64_t words)
+    : bytes_(4 * std::max<uint64_t>(words, 1)),
+      chunk_log2_(static_cast<uint32_t>(std::bit_width(device.chunk_bytes / 4)) - 1) {
+  const uint64_t chunk_bytes = uint64_t{4} << chunk_log2_;
+  for (uint64_t at = 0; at < bytes_; at += chunk_bytes) {
+    chunks_.emplace_back(device, std::min(chunk_bytes, bytes_ - at), Memory::kDevice);
+  }
+  table_.emplace(device, chunks_.size() * sizeof(uint64_t), Memory::kUpload);
+  const auto addresses = table_->records<uint64_t>();
+  std::ranges::transform(chunks_, addresses.begin(), [](const Buffer& b) { return b.address(); });
+}
+
+void ChunkedWords::upload(Device::State& device, uint64_t at, std::span<const uint8_t> bytes) {
+  const uint64_t chunk_bytes = uint64_t{4} << chunk_log2_;
+  const Buffer staging(device, std::min<uint64_t>(kStagingBytes, bytes.size()), Memory::kUpload);
+  while (!bytes.empty()) {
+    const auto part = std::min<size_t>(bytes.size(), kStagingBytes);
+    std::memcpy(staging.bytes().data(), bytes.data(), part);
+    Commands commands(device);
+    for (uint64_t done = 0; done < part;) {
+      const uint64_t in_chunk = (at + done) % chunk_bytes;
+      // A copy of whole words: the staging buffer and the chunks are padded to them.
+      const uint64_t run = std::min(chunk_bytes - in_chunk, part - done);
+      commands.copy(staging, done, chunks_[static_cast<size_t>((at + done) / chunk_bytes)],
+                    in_chunk, run);
+      done += run;
+    }
+    commands.run();
+    at += part;
+    bytes = bytes.subspan(part);
+  }
 }
 
 }  // namespace hmlfc::gpu

@@ -1,14 +1,32 @@
-// Memory of the device, addressed by 64 bits.
+// Memory of the device, addressed by 64 bits: buffers, and words in several of them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "device_state.hpp"
-#include "guarded_pages.hpp"
 
 namespace hmlfc::gpu {
+
+/// Zeroed pages with an inaccessible page before and after them. Throws std::bad_alloc.
+class GuardedPages {
+ public:
+  /// At least `bytes` bytes, rounded up to whole pages.
+  explicit GuardedPages(size_t bytes);
+  GuardedPages(GuardedPages&& other) noexcept;
+  GuardedPages& operator=(GuardedPages&&) = delete;
+  ~GuardedPages();
+
+  void* data() const;
+  size_t size() const { return size_; }
+
+ private:
+  size_t size_;
+  void* mapping_;  // with both guards; null after a move
+};
 
 enum class Memory : uint8_t {
   kDevice,    ///< for kernels; reached by copies
@@ -44,6 +62,33 @@ class Buffer {
   vk::raii::Buffer buffer_;
   uint8_t* mapped_ = nullptr;
   uint64_t address_ = 0;
+};
+
+/// Device memory of up to 2^32 words in chunks of the device's chunk_bytes, the last one cut.
+/// stream_words.glsl and reference_samples.glsl read it.
+class ChunkedWords {
+ public:
+  /// `words` words with undefined content.
+  ChunkedWords(Device::State& device, uint64_t words);
+
+  /// log2 of the words of a chunk.
+  uint32_t chunk_log2() const { return chunk_log2_; }
+  bool chunked() const { return chunks_.size() > 1; }
+  uint64_t bytes() const { return bytes_; }
+
+  /// What a kernel takes: the address of the table of chunks, or of the only chunk.
+  uint64_t address(bool as_table) const {
+    return as_table ? table_->address() : chunks_.front().address();
+  }
+
+  /// Writes `bytes` from byte `at` on, which is a multiple of 4; waits until it is done.
+  void upload(Device::State& device, uint64_t at, std::span<const uint8_t> bytes);
+
+ private:
+  uint64_t bytes_;
+  uint32_t chunk_log2_;
+  std::vector<Buffer> chunks_;
+  std::optional<Buffer> table_;
 };
 
 }  // namespace hmlfc::gpu

@@ -5,9 +5,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include <vulkan/vulkan_raii.hpp>
+
 #include "device.hpp"
 #include "kernels.hpp"
-#include "vulkan.hpp"
 
 namespace hmlfc::gpu {
 

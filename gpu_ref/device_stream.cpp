@@ -121,7 +121,7 @@ void DeviceStream::decode_references(Device::State& device, const StreamView& st
   const Variant variant{.chunked = chunked(), .reference_pass = true};
   const BlockSizes sizes = block_sizes(stream.header);
   BatchBuffers buffers;
-  const uint64_t limit = std::max<uint64_t>(1, most_requests(device, sizes, false));
+  const uint64_t limit = std::max<uint64_t>(1, max_requests(device, sizes, false));
   for (const Batch& batch : reference_batches(stream.geometry, limit)) {
     const Arguments all = buffers.prepare(device, batch, sizes, false, arguments());
     Commands commands(device);

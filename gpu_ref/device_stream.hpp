@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "arguments.hpp"
-#include "chunked_words.hpp"
+#include "buffer.hpp"
 #include "kernels.hpp"
 #include "syntax/stream_view.hpp"
 

@@ -9,7 +9,6 @@
 #include "block_pool.hpp"
 #include "commands.hpp"
 #include "device_stream.hpp"
-#include "frame_shape.hpp"
 #include "render/shown_image.hpp"
 
 namespace hmlfc::gpu {
@@ -83,7 +82,7 @@ struct GpuRenderer::State {
 
   // Room for `requests` requests and `pages` pages of the pool.
   void make_room(uint64_t requests, uint64_t pages) {
-    if (requests > most_requests(device, sizes, false)) {
+    if (requests > max_requests(device, sizes, false)) {
       throw MachineError("the frame needs " + std::to_string(requests) +
                          " blocks, more than the device has room for in one submission");
     }

@@ -6,8 +6,9 @@
 #include <span>
 #include <tuple>
 
+#include <vulkan/vulkan_raii.hpp>
+
 #include "device.hpp"
-#include "vulkan.hpp"
 
 namespace hmlfc::gpu {
 

@@ -1,4 +1,4 @@
-// The error of a frame, split by cause.
+// The error of a frame, separated into its causes.
 #pragma once
 
 #include <map>
@@ -23,21 +23,21 @@ struct FrameErrors {
   void add(const FrameErrors& other);
 };
 
-/// The errors of frames of one camera. Real frames are drawn when needed, and kept.
+/// The errors of frames that one camera takes. Real frames are drawn when needed, and kept.
 class FrameComparison {
  public:
   /// `source` decodes to the uncompressed light field. Both decoders must outlive this.
   FrameComparison(const Decoder& stream, const Decoder& source, const Camera& camera)
       : stream_(stream), source_(source), camera_(camera) {}
 
-  /// The errors of `image`, drawn from the stream with `filter` down to `stop_level`. Fails if
-  /// decoding does.
-  Result<FrameErrors> errors(const RgbImage& image, Filter filter, int stop_level);
+  /// Of `image`, drawn from the stream with `filter` down to `stop_level`. Throws
+  /// std::runtime_error where a stream does not decode.
+  FrameErrors errors(const RgbImage& image, Filter filter, int stop_level);
 
  private:
   enum class From { kStream, kSource };
 
-  Result<const RealFrame*> real(From from, Filter filter, int stop_level);
+  const RealFrame& real(From from, Filter filter, int stop_level);
 
   const Decoder& stream_;
   const Decoder& source_;

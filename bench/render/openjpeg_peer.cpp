@@ -4,18 +4,14 @@
 
 #include <hmlfc/measure.hpp>
 
-#include "decoder/openjpeg_sink.hpp"
+#include "common/openjpeg_memory.hpp"
+#include "common/timing.hpp"
 #include "render/peers.hpp"
-#include "render/timing.hpp"
 
 namespace hmlfc::bench {
 namespace {
 
-using openjpeg::Codec;
-using openjpeg::Image;
-using openjpeg::Stream;
-
-Image image_of(const RgbImage& picture) {
+OpjImage image_of(const RgbImage& picture) {
   opj_image_cmptparm_t parameters[3] = {};
   for (auto& parameter : parameters) {
     parameter.dx = parameter.dy = 1;
@@ -23,7 +19,7 @@ Image image_of(const RgbImage& picture) {
     parameter.h = picture.height;
     parameter.prec = 8;
   }
-  Image image(opj_image_create(3, parameters, OPJ_CLRSPC_SRGB));
+  OpjImage image(opj_image_create(3, parameters, OPJ_CLRSPC_SRGB), &opj_image_destroy);
   image->x1 = picture.width;
   image->y1 = picture.height;
   for (size_t i = 0; i < picture.samples.size(); ++i) {
@@ -40,22 +36,22 @@ std::optional<std::vector<uint8_t>> encode(const RgbImage& picture, double ratio
   parameters.tcp_numlayers = 1;
   parameters.cp_disto_alloc = 1;
   parameters.tcp_rates[0] = static_cast<float>(ratio);
-  const Image image = image_of(picture);
-  const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
-  openjpeg::Sink sink;
-  const Stream stream = openjpeg::open_sink(sink);
+  const OpjImage image = image_of(picture);
+  const OpjCodec codec(opj_create_compress(OPJ_CODEC_J2K), &opj_destroy_codec);
+  OpjMemory memory;
+  const OpjStream stream = opj_stream_on(memory, false);
   if (!opj_setup_encoder(codec.get(), &parameters, image.get()) ||
       !opj_start_compress(codec.get(), image.get(), stream.get()) ||
       !opj_encode(codec.get(), stream.get()) || !opj_end_compress(codec.get(), stream.get())) {
     return std::nullopt;
   }
-  return std::move(sink.bytes);
+  return std::move(memory.bytes);
 }
 
 std::optional<RgbImage> decode(const std::vector<uint8_t>& bytes) {
-  openjpeg::Source source{bytes};
-  const Stream stream = openjpeg::open_source(source);
-  const Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
+  OpjMemory memory{bytes, 0};
+  const OpjStream stream = opj_stream_on(memory, true);
+  const OpjCodec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);
   opj_image_t* raw = nullptr;
@@ -63,7 +59,7 @@ std::optional<RgbImage> decode(const std::vector<uint8_t>& bytes) {
       !opj_read_header(stream.get(), codec.get(), &raw)) {
     return std::nullopt;
   }
-  const Image image(raw);
+  const OpjImage image(raw, &opj_image_destroy);
   if (!opj_decode(codec.get(), stream.get(), image.get())) return std::nullopt;
   RgbImage picture{image->comps[0].w, image->comps[0].h, 8, {}};
   picture.samples.resize(size_t{picture.width} * picture.height * 3);
@@ -76,8 +72,8 @@ std::optional<RgbImage> decode(const std::vector<uint8_t>& bytes) {
 }  // namespace
 
 std::optional<Peer> openjpeg_peer(const RgbImage& image, double target) {
-  double low = 2;     // a ratio that reaches the target
-  double high = 200;  // a ratio that does not
+  double low = 2;     // ratios: of this one the PSNR suffices
+  double high = 200;  // of this one it does not
   for (int step = 0; step < 10; ++step) {
     const double ratio = std::sqrt(low * high);
     const auto bytes = encode(image, ratio);

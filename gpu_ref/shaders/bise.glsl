@@ -13,7 +13,7 @@ Levels levels_of_code(uint code) {
   return Levels(entry & 0xFFFFu, (entry >> 16) & 0xFu, entry >> 20);
 }
 
-/// Bits of T and of Q that follow plain value k of a group: 2, 2, 1, 2, 1 and 3, 2, 2 (BISE-5,
+/// Bits of T and of Q that follow plain value k of a digit group: 2, 2, 1, 2, 1 and 3, 2, 2 (BISE-5,
 /// BISE-6).
 uint trit_code_bits(uint k) { return (0x12122u >> (4u * k)) & 15u; }
 uint quint_code_bits(uint k) { return (0x223u >> (4u * k)) & 15u; }

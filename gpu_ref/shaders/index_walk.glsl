@@ -9,7 +9,7 @@ uint end_entry(uvec2 table, uint j, uint offset_bits) {
   return stream_bits(u64_shift_right(table, 2u).x + (at >> 5), at & 31u, offset_bits);
 }
 
-/// The bytes of the group's record number `j` (IDX-6). `data` is an offset into the TILE section.
+/// The bytes of the tile group's record number `j` (IDX-6). `data` is an offset into the TILE section.
 Record find_extent(uvec2 data, uint count, uint j, uint offset_bits) {
   const uvec2 tile_bytes = uvec2(arguments.shape.tile_bytes_low, arguments.shape.tile_bytes_high);
   const uvec2 table_bytes = uvec2((count * offset_bits + 7u) >> 3, 0u);
@@ -33,7 +33,7 @@ Record find_extent(uvec2 data, uint count, uint j, uint offset_bits) {
 Record find_tile(uvec2 tile) {
   const uint lane = tile.x & 63u;
   const uint group_lane = (tile.x >> kLaneLog2) & 63u;
-  // ROOT has an entry for every 64 groups (its size was checked) and lies in 2^32 words.
+  // ROOT has an entry for every 64 tile groups (its size was checked) and lies in 2^32 words.
   const uint root = u64_shift_right(tile, 2u * kLaneLog2).x * kEntryWords;
   const uvec2 mask = uvec2(stream_word(root), stream_word(root + 1u));
   if (!has_bit(mask, group_lane)) return no_record(ERROR_OK);  // IDX-4

@@ -32,6 +32,11 @@ struct Probe {
     if (sink != nullptr) sink->on_stage({site, name, clause, values});
   }
 
+  /// A vector to a place in image (row, col), in eighths of a sample.
+  void vector(uint32_t row, uint32_t col, int32_t x, int32_t y, std::string_view clause) const {
+    if (sink != nullptr) sink->on_vector({site, row, col, x, y, clause});
+  }
+
   void walk() const {
     if (counts != nullptr) ++counts->walks;
   }

@@ -9,7 +9,7 @@
 #include "bits/crc32c.hpp"
 #include "gpu/gpu_answers.hpp"
 #include "gpu/stream_check.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "stimulus/sequences.hpp"
 #include "systemc/stream_image.hpp"
 #include "tlm/tlm_platform.hpp"

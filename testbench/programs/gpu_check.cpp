@@ -6,18 +6,18 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
-#include "cli/progress_bar.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu/frame_check.hpp"
 #include "gpu/gpu_answers.hpp"
 #include "gpu/speed.hpp"
 #include "gpu/stream_check.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/trace_text.hpp"
 #include "programs/plan_options.hpp"
 #include "stimulus/sequences.hpp"
+#include "terminal/numbers.hpp"
+#include "terminal/progress_bar.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -167,7 +167,7 @@ void print_json(const Options& o, const Device& device, const CheckResult& resul
 int check(const Options& o, const tb::GoldenStream& stream, Device& device, GpuDecoder& decoder) {
   uint64_t total = 0;
   const tb::RequestSource source = requests_of(o, stream, total);
-  cli::ProgressBar bar("Checking", "blocks");
+  terminal::ProgressBar bar("Checking", "blocks");
   CheckOptions options;
   options.stages = !o.answers_only;
   options.progress = [&](uint64_t done) { bar.update(std::min(done, total), total); };
@@ -250,7 +250,7 @@ int run(int argc, char** argv) {
     return usage_error("--views is a number or all");
   }
   if (!o.size.empty()) {
-    const auto size = cli::parse_numbers<2>(o.size, 'x');
+    const auto size = terminal::parse_numbers<2>(o.size, 'x');
     if (!size) return usage_error("--size is WxH, such as 512x512");
     o.camera.frame_width = (*size)[0];
     o.camera.frame_height = (*size)[1];

@@ -1,15 +1,243 @@
 // rtl-clocks: measures what blocks of each state take.
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
-#include "systemc/clocks.hpp"
+#include <hmlfc/encoder.hpp>
+
+#include "scenes/test_light_fields.hpp"
+#include "stimulus/sequences.hpp"
+#include "systemc/bench.hpp"
+#include "systemc/stream_image.hpp"
+#include "unit/units.hpp"
 
 namespace hmlfc::tb {
 namespace {
+
+// What was measured of one kind of block.
+struct BlockClocks {
+  std::string name;
+  std::string stream;  ///< what it was measured on
+  size_t kind = 0;     ///< of kKindNames in rtl_check.cpp
+  double share = 0;    ///< part of the measured blocks of a level that are of this kind
+  double clocks = 0;   ///< for a block of a level, with as many requests as the unit takes
+  uint64_t warm = 0;   ///< of a single request whose tiles and strips are kept
+  uint64_t cold = 0;   ///< of the first request after a LOAD
+};
+
+// All that is measured, at 20 clocks latency and a beat a clock.
+struct ClockTable {
+  uint64_t load = 0;  ///< from LOAD to ready
+  std::vector<BlockClocks> rows;
+};
+
+constexpr LightFieldShape kShape{4, 4, 192, 128, 8};
+constexpr uint64_t kSeed = 1;
+
+// One row to measure. The cost of a block at level `level` is what requests that stop there take
+// more than those that stop one level above.
+struct Case {
+  const char* name;
+  const char* stream;
+  size_t kind;
+  unsigned plane;
+  unsigned level;
+  bool flat;
+  uint32_t noise;
+  EncodeParams params;
+};
+
+EncodeParams main_params(int tree_height, uint32_t threshold, Method method = Method::kHmlfc) {
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  params.tree_height = tree_height;
+  params.ref_rows = params.ref_cols = 2;
+  params.main.threshold_ref = params.main.threshold_pred = threshold;
+  params.method = method;
+  params.threads = 1;
+  return params;
+}
+
+EncodeParams extended_params(double quality) {
+  EncodeParams params;
+  params.window = 16;
+  params.chroma = ChromaFormat::k420;
+  params.ref_rows = params.ref_cols = 4;
+  params.extended.quality = quality;
+  params.threads = 1;
+  return params;
+}
+
+std::vector<Case> cases() {
+  const EncodeParams dense = main_params(2, 0, Method::kRlfc);
+  const EncodeParams both = main_params(0, 0, Method::kMc);
+  const EncodeParams motion = main_params(0, 200, Method::kMc);
+  EncodeParams lossless = extended_params(100);
+  lossless.lossless = true;
+  return {
+      {"key image", "main, height 0", 4, 0, 0, false, 0, main_params(0, 0)},
+      {"zero", "main, one colour", 0, 0, 0, true, 0, main_params(1, 75)},
+      {"residual only, dense", "main without motion, noise", 3, 0, 0, false, 255, dense},
+      {"the same, chroma", "main without motion, noise", 3, 1, 0, false, 255, dense},
+      {"the same, level 1", "main without motion, noise", 3, 0, 1, false, 255, dense},
+      {"motion and residual, explicit vector", "MC, noise", 2, 0, 0, false, 64, both},
+      {"motion only, explicit vector", "MC, threshold 200", 1, 0, 0, false, 0, motion},
+      {"motion only, shared disparity", "extended, quality 30", 1, 0, 0, false, 0,
+       extended_params(30)},
+      {"the same, chroma", "extended, quality 30", 1, 1, 0, false, 0, extended_params(30)},
+      {"motion and residual, shared disparity", "extended, lossless, noise", 2, 0, 0, false, 8,
+       lossless},
+  };
+}
+
+LightField light_field(const Case& c) {
+  if (!c.flat) return test::textured_light_field(kShape, 1, c.noise);
+  LightField field(kShape);
+  const std::vector<uint16_t> row(size_t{kShape.width} * 3, 100);
+  for (uint32_t r = 0; r < kShape.rows; ++r) {
+    for (uint32_t v = 0; v < kShape.cols; ++v) {
+      for (uint32_t y = 0; y < kShape.height; ++y) field.write_row(r, v, y, row);
+    }
+  }
+  return field;
+}
+
+// Runs `source` from counters at 0; the clocks from the first request to the last answer.
+uint64_t clocks_of(Bench& bench, StreamImage& image, RequestSource source) {
+  bench.begin_counting();
+  bench.run(std::move(source), image.oracle(), {}, kSeed);
+  return bench.statistics().clocks;
+}
+
+class Measurement {
+ public:
+  Measurement(Bench& bench, const Case& c, const UnitMaker& maker)
+      : bench_(bench),
+        case_(c),
+        bytes_(encode(light_field(c), c.params)->bytes),
+        image_(bytes_, maker.parameters) {
+    bench_.attach(maker.make(maker.parameters));
+    const uint64_t begin = bench_.cycle();
+    image_.load_into(bench_);
+    load_ = bench_.cycle() - begin;
+  }
+
+  uint64_t load() const { return load_; }
+
+  BlockClocks run() {
+    BlockClocks row{case_.name, case_.stream, case_.kind};
+    // A view that is no reference image, and a block in its middle.
+    const Request lone{1, 1, 20, 12, case_.plane, case_.level, false};
+    row.cold = clocks_of(bench_, image_, listed_requests({lone}));
+    row.warm = clocks_of(bench_, image_, listed_requests({lone}));
+    const auto own = scan(case_.level);
+    Scan above;
+    if (case_.level < static_cast<unsigned>(image_.golden()->header().tree_height)) {
+      above = scan(case_.level + 1);
+    }
+    const auto kind_records = own.kinds[case_.kind] - above.kinds[case_.kind];
+    row.share = static_cast<double>(kind_records) / static_cast<double>(own.requests);
+    row.clocks = (static_cast<double>(own.clocks) - static_cast<double>(above.clocks)) /
+                 static_cast<double>(own.requests);
+    return row;
+  }
+
+ private:
+  struct Scan {
+    uint64_t requests = 0;
+    uint64_t clocks = 0;
+    std::array<uint64_t, kBlockKinds> kinds{};
+  };
+
+  Scan scan(unsigned level) {
+    ScanPlan plan;
+    plan.views = ~uint64_t{0};
+    plan.plane = case_.plane;
+    plan.stop_level = level;
+    plan.seed = kSeed;
+    const GoldenStream& golden = *image_.golden();
+    const uint64_t clocks =
+        clocks_of(bench_, image_, scan_requests(golden.geometry(), golden.header(), plan));
+    return {bench_.scoreboard().counts().received, clocks,
+            bench_.scoreboard().counts().kind_records};
+  }
+
+  Bench& bench_;
+  Case case_;
+  std::vector<uint8_t> bytes_;
+  StreamImage image_;
+  uint64_t load_ = 0;
+};
+
+// Measures on a fresh unit of `maker`, which must take blocks of 4 and depth 8; `progress` is told
+// the name of each row before it is measured. Whatever differs from the model is in
+// bench.findings().
+ClockTable measure_clocks(Bench& bench, const UnitMaker& maker,
+                          const std::function<void(const std::string&)>& progress) {
+  ClockTable table;
+  for (const Case& c : cases()) {
+    if (progress) progress(c.name);
+    Measurement measurement(bench, c, maker);
+    if (bench.findings().first()) return table;
+    table.load = std::max(table.load, measurement.load());
+    table.rows.push_back(measurement.run());
+    if (bench.findings().first()) return table;
+  }
+  return table;
+}
+
+std::string to_text(const ClockTable& table) {
+  std::string text = fmt::format("LOAD: {} clocks\n{:<38} {:<28} {:>6} {:>7} {:>5} {:>5}\n",
+                                 table.load, "block", "stream", "share", "clocks", "warm", "cold");
+  for (const BlockClocks& row : table.rows) {
+    text += fmt::format("{:<38} {:<28} {:>5.0f}% {:>7.2f} {:>5} {:>5}\n", row.name, row.stream,
+                        100 * row.share, row.clocks, row.warm, row.cold);
+  }
+  return text;
+}
+
+std::string to_json(const ClockTable& table) {
+  nlohmann::ordered_json json{{"load", table.load}};
+  for (const BlockClocks& row : table.rows) {
+    json["blocks"].push_back({{"name", row.name},
+                              {"stream", row.stream},
+                              {"share", row.share},
+                              {"clocks", row.clocks},
+                              {"warm", row.warm},
+                              {"cold", row.cold}});
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string to_header(const ClockTable& table) {
+  std::array<uint64_t, kBlockKinds> kinds{};
+  uint64_t warm = 0;
+  for (const BlockClocks& row : table.rows) {
+    const auto clocks = static_cast<uint64_t>(std::max(1.0, std::round(row.clocks)));
+    kinds[row.kind] = std::max(kinds[row.kind], clocks);
+    warm = std::max(warm, row.warm);
+  }
+  return fmt::format(
+      "// Made by rtl_clocks --header from what the unit takes: build the target rtl_latencies.\n"
+      "#pragma once\n\n#include <array>\n#include <cstdint>\n\nnamespace hmlfc::tb {{\n\n"
+      "/// Of a LOAD.\ninline constexpr uint64_t kLoadClocks = {};\n"
+      "/// Of a request, besides its level blocks.\n"
+      "inline constexpr uint64_t kRequestClocks = {};\n"
+      "/// Of a level block: zero, motion only, motion and residual, residual only, key image.\n"
+      "inline constexpr std::array<uint64_t, 5> kLevelBlockClocks{{{}}};\n\n"
+      "}}  // namespace hmlfc::tb\n",
+      table.load, warm, fmt::join(kinds, ", "));
+}
 
 constexpr int kExitDifferent = 1;
 constexpr int kExitUsage = 2;

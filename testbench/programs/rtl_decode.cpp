@@ -9,13 +9,12 @@
 
 #include "conform/output_views.hpp"
 #include "conform/stage_trace.hpp"
-#include "io/atomic_file.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "syntax/header.hpp"
 #include "systemc/stream_image.hpp"
 #include "unit/unit_host.hpp"
 #include "unit/units.hpp"
-#include "vectors/picture_bytes.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "syntax/header.hpp"
 #include "systemc/failure_folder.hpp"
 #include "systemc/suite.hpp"

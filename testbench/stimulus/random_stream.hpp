@@ -11,7 +11,7 @@ enum class Damage : uint8_t {
   kNone,
   kIndexAndTiles,
   kTiles,        ///< the TILE section alone, and more of it
-  kRootEntries,  ///< these four by index_damage.hpp
+  kRootEntries,  ///< see random_stream.cpp, as the next three
   kGroupRecords,
   kEndTables,
   kRecordHeads,

@@ -50,7 +50,7 @@ void StreamMonitor::watch_answer() {
 
 void ReadMonitor::clear_counts() {
   beats_ = 0;
-  most_outstanding_ = 0;
+  max_outstanding_ = 0;
 }
 
 void ReadMonitor::edge() {
@@ -74,7 +74,7 @@ void ReadMonitor::edge() {
   if (out.ar_valid && in.ar_ready) {
     check_address(address);
     ++outstanding_;
-    most_outstanding_ = std::max(most_outstanding_, outstanding_);
+    max_outstanding_ = std::max(max_outstanding_, outstanding_);
   }
 }
 

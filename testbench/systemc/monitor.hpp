@@ -50,7 +50,7 @@ class ReadMonitor final : public EdgeModule {
 
   /// Beats taken since clear_counts().
   uint64_t beats() const { return beats_; }
-  unsigned most_outstanding() const { return most_outstanding_; }
+  unsigned max_outstanding() const { return max_outstanding_; }
   void clear_counts();
 
  protected:
@@ -70,7 +70,7 @@ class ReadMonitor final : public EdgeModule {
   UnitParameters unit_;
   uint64_t beats_ = 0;
   unsigned outstanding_ = 0;
-  unsigned most_outstanding_ = 0;
+  unsigned max_outstanding_ = 0;
   bool waits_ = false;
   Address waiting_{};
 };

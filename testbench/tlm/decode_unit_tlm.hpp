@@ -2,19 +2,42 @@
 // decoder and its fast references inside.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include <tlm_utils/simple_initiator_socket.h>
 #include <tlm_utils/simple_target_socket.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
 #include <systemc>
 #include <tlm>
+#include <vector>
 
 #include "oracle/oracle.hpp"
-#include "tlm/latency.hpp"
+#include "tlm/latency_table.hpp"
 #include "unit/register_file.hpp"
 
 namespace hmlfc::tb {
+
+/// Clocks, by default as rtl-clocks measures them on the unit.
+struct LatencyTable {
+  uint64_t load = kLoadClocks;        ///< of a LOAD
+  uint64_t request = kRequestClocks;  ///< of a request, besides its level blocks
+  /// Of a level block: zero, motion only, motion and residual, residual only, key image.
+  std::array<uint64_t, 5> level_block = kLevelBlockClocks;
+};
+
+/// The clocks from a request to its answer.
+inline uint64_t clocks_of(const ExpectedAnswer& answer, const LatencyTable& table) {
+  uint64_t clocks = table.request;
+  for (const auto& plane : answer.planes) {
+    if (!plane) continue;
+    for (const LevelRecord& level : plane->levels) {
+      const size_t kind = level.key ? 4 : static_cast<size_t>(level.state());
+      clocks += table.level_block[kind];
+    }
+  }
+  return clocks;
+}
 
 /// Bytes of a request: `tdata`, little-endian, then `tlast`.
 inline constexpr unsigned kRequestBytes = 9;

@@ -30,7 +30,7 @@ UnitHost::UnitHost(std::unique_ptr<DecodeUnit> unit, std::span<const uint8_t> st
   clock();
 }
 
-// A rising edge: what the unit was shown becomes past, next_ what it sees from now on.
+// A rising edge: the unit samples its inputs, then next_ becomes its inputs.
 void UnitHost::clock() {
   read_channel(next_);
   unit_->clock(in_, next_, out_);
@@ -41,7 +41,7 @@ void UnitHost::clock() {
 
 bool UnitHost::pause(unsigned permille) { return pauses_ && pauses_->chance(permille); }
 
-// The memory: takes every burst, answers one beat a clock, but for its pauses.
+// The memory: accepts every burst and returns a beat a clock, except in its pauses.
 void UnitHost::read_channel(UnitInputs& next) {
   if (!in_.rst_n) return;
   if (out_.ar_valid && in_.ar_ready) bursts_.push_back({out_.ar_addr, out_.ar_len + 1u});

@@ -1,6 +1,7 @@
 // The implementations of the unit that this build has.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,13 @@ struct UnitMaker {
 std::vector<UnitMaker> rtl_units();
 
 /// The first of `makers` that accepts streams with these parameters, or null.
-const UnitMaker* unit_for(const std::vector<UnitMaker>& makers, unsigned block_log2, int depth);
+inline const UnitMaker* unit_for(const std::vector<UnitMaker>& makers, unsigned block_log2,
+                                 int depth) {
+  const auto found = std::ranges::find_if(makers, [&](const UnitMaker& maker) {
+    return maker.parameters.block_log2 == block_log2 &&
+           depth <= static_cast<int>(maker.parameters.max_depth);
+  });
+  return found == makers.end() ? nullptr : &*found;
+}
 
 }  // namespace hmlfc::tb

@@ -6,7 +6,7 @@ import shutil
 from json import loads
 
 from pictures import Picture, write_png, write_ppm, ycocg
-from program import DIFFERENT, DONE, INPUT, CliTest, main
+from program import DIFFERENT, DONE, INPUT, USAGE, CliTest, main
 
 KEYS = ["psnr_rgb", "psnr_y", "psnr_rgb_min", "max_abs_error", "identical", "first_difference"]
 
@@ -43,8 +43,8 @@ class Compare(CliTest):
         write_ppm(self.folder / name / f"{view[0]:02}_{view[1]:02}.ppm", picture, maximum)
         return picture
 
-    def compare(self, a, b, status):
-        result = self.run_hmlfc("compare", a, b, "--json")
+    def compare(self, a, b, status, *options):
+        result = self.run_hmlfc("compare", a, b, "--json", *options)
         self.assertEqual((result.returncode, result.stderr), (status, b""))
         json = loads(result.stdout)
         self.assertEqual(list(json), KEYS)
@@ -97,6 +97,24 @@ class Compare(CliTest):
                 self.assertEqual(list(json["first_difference"]), list(expected))
                 self.assertEqual(json["max_abs_error"], 128)
                 self.assertIs(json["identical"], False)
+
+    def test_parts(self):
+        """One view, one rectangle, or both: only their samples count, at their own place."""
+        self.changed("part", (1, 2), {3 * (7 * 2 + 4) + 1: 255 - self.views[1, 2].samples[55]})
+        error = abs(255 - 2 * self.views[1, 2].samples[55])
+        self.compare("a", "part", DONE, "--view", "1,1")
+        self.compare("a", "part", DONE, "--rect", "0,0,4,5")
+        for options, pixels in [
+            (["--view", "1,2"], 35),
+            (["--rect", "3,1,3,4"], 6 * 12),
+            (["--view", "1,2", "--rect", "4,2,1,1"], 1),
+        ]:
+            json = self.compare("a", "part", DIFFERENT, *options)
+            self.assertAlmostEqual(json["psnr_rgb"], psnr(error**2, 3 * pixels, 255), places=9)
+            first = json["first_difference"]
+            self.assertEqual([first[key] for key in ("row", "col", "x", "y")], [1, 2, 4, 2])
+        self.refused(USAGE, "compare", "a", "part", "--view", "2,0", says="--view 2,0")
+        self.refused(USAGE, "compare", "a", "part", "--rect", "5,0,3,1", says="--rect 5,0,3,1")
 
     def test_difference_that_luma_does_not_see(self):
         # YCoCg-R: red + 1 and blue - 1 at an even distance of red and blue leave Y as it was.

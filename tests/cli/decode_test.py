@@ -68,6 +68,9 @@ class Decode(CliTest):
         cut = {name: picture.crop(5, 4, 9, 8) for name, picture in two.items()}
         self.assertEqual(self.pictures("cut"), cut)
 
+    def test_more_levels_than_there_are(self):
+        self.refused(USAGE, "decode", "a.hmlfc", "-o", "x", "--levels", 9, says=["--levels", "--height"])
+
     def test_threads_do_not_matter(self):
         for threads in (1, 2, 7):
             self.hmlfc("decode", "a.hmlfc", "-o", f"t{threads}", "--threads", threads)

@@ -3,9 +3,10 @@
 import math
 import os
 import shutil
+from json import loads
 
-from pictures import Picture, read_png, write_ppm, ycocg
-from program import INPUT, CliTest, main
+from pictures import Picture, read_png, write_png, write_ppm, ycocg
+from program import DIFFERENT, DONE, INPUT, CliTest, main
 
 KEYS = [
     "bytes", "bpp", "ratio", "rows", "cols", "width", "height", "profile", "method", "sections",
@@ -135,11 +136,17 @@ class Encode(CliTest):
             json = self.encode("--preset", preset)
             self.assertEqual(json["preset"], preset)
 
-    def test_target_that_chroma_forbids_is_said(self):
-        result = self.run_hmlfc("encode", "views", "-o", "a.hmlfc", "--target-psnr", "90",
-                                "--chroma", "420")  # fmt: skip
-        self.assertEqual(result.returncode, 0)
-        self.assertIn("--chroma 444", result.stderr.decode())
+    def test_a_target_that_is_missed_is_said(self):
+        for chroma, hint in (("420", "--chroma 444"), ("444", "--lossless")):
+            with self.subTest(chroma=chroma):
+                target = ["--target-psnr", "99", "--chroma", chroma]
+                result = self.run_hmlfc("encode", "views", "-o", "missed.hmlfc", *target, "--json")
+                self.assertEqual(result.returncode, DIFFERENT)
+                got = loads(result.stdout)["psnr_rgb"]
+                self.assertLess(got, 99)
+                for part in ("--target-psnr 99 was not reached", f"{got:.2f} dB", hint):
+                    self.assertIn(part, result.stderr.decode())
+                self.hmlfc("info", "missed.hmlfc")
 
     def test_text_names_what_counts(self):
         for profile, last in (("main", "75"), ("extended", "quality 60")):
@@ -177,6 +184,50 @@ class Encode(CliTest):
         self.encode("--lossless", views="deep", file="deep.hmlfc")
         self.assertEqual(self.hmlfc_json("info", "deep.hmlfc")["depth"], 12)
         self.hmlfc("compare", "deep", "deep.hmlfc")
+
+    def test_a_subset_of_a_grid(self):
+        """--grid takes every second row and the last columns of a larger grid."""
+        (self.folder / "part").mkdir()
+        for row in (0, 2):
+            for col in (1, 2, 3):
+                shutil.copy(self.folder / "views" / f"{row:02}_{col:02}.png", self.folder / "part")
+        self.refused(INPUT, "encode", "part", "-o", "part.hmlfc", says="missing")
+        self.refused(INPUT, "encode", "part", "-o", "part.hmlfc", "--grid", "3x2", says="outside")
+        self.encode("--lossless", "--grid", "2x3", views="part", file="part.hmlfc")
+        self.hmlfc("decode", "part.hmlfc", "-o", "back")
+        for row in range(2):
+            for col in range(3):
+                self.assertEqual(read_png(self.folder / "back" / f"{row:02}_{col:02}.png"),
+                                 read_png(self.folder / "views" / f"{2 * row:02}_{col + 1:02}.png"))  # fmt: skip
+
+    def test_what_a_stream_cannot_hold_is_said(self):
+        """Samples over 12 bits and alpha; nothing is said of 12 bits without alpha."""
+        def write(path, bits, alpha):
+            peak = 1 << bits
+            samples = [i * 997 % peak for i in range(6 * 4 * (4 if alpha else 3))]
+            write_png(path, Picture(6, 4, samples), bits, alpha)
+
+        for name, bits, alpha, said in [
+            ("wide", 16, False, ["16 bits", "12 bits"]),
+            ("clear", 8, True, ["alpha"]),
+            ("both", 16, True, ["16 bits", "alpha"]),
+        ]:
+            with self.subTest(name=name):
+                folder = self.folder / name
+                folder.mkdir()
+                write(folder / "0_0.png", 8 if bits == 8 else 16, False)
+                write(folder / "0_1.png", bits, alpha)
+                result = self.run_hmlfc("encode", name, "-o", "lossy.hmlfc")
+                self.assertEqual(result.returncode, DONE, result.stderr)
+                for part in (name, *said):
+                    self.assertIn(part, result.stderr.decode())
+                result = self.run_hmlfc("compare", name, name, "--view", "0,1")
+                self.assertEqual(result.returncode, DONE)
+        samples = [i * 997 % 65536 for i in range(72)]
+        (self.folder / "pnm").mkdir()
+        write_ppm(self.folder / "pnm" / "0_0.ppm", Picture(6, 4, samples), 65535)
+        result = self.run_hmlfc("picture", "sheet", "pnm", "-o", "sheet.png")
+        self.assertIn("16 bits", result.stderr.decode())
 
     def test_one_tiny_view(self):
         (self.folder / "one").mkdir()

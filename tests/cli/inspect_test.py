@@ -50,7 +50,7 @@ class Inspect(CliTest):
         self.assertEqual((report["plane"], report["block"]), ("Y", [3, 4]))
         self.assertEqual(list(report["cost"]), ["walks", "fields", "bits", "bytes", "steps"])
         for level in report["levels"]:
-            keys = "level image kind state fields reference_blocks stages".split()
+            keys = "level image kind state fields vectors reference_blocks stages".split()
             self.assertEqual(list(level), keys)
 
     def test_levels_run_down_the_tree(self):
@@ -71,7 +71,9 @@ class Inspect(CliTest):
             for level in self.inspect(*place)["levels"]:
                 walks = [level["fields"], *(b["fields"] for b in level["reference_blocks"])]
                 for field in (field for walk in walks for field in walk):
-                    self.assertEqual(list(field), FIELD_KEYS)
+                    in_samples = field["name"] in ("min_x", "min_y", "dx", "dy")
+                    unit = ["unit"] if in_samples else []
+                    self.assertEqual(list(field), FIELD_KEYS + unit)
                     names.add(field["name"])
                     if field["name"] in INDIRECT - {"min_x", "min_y"}:
                         continue
@@ -131,6 +133,68 @@ class Inspect(CliTest):
                 clamp(p + r, low, high) for p, r in zip(expected, stages["residual"])
             ]
         self.assertEqual(stages["sample"], expected)
+
+    def test_vectors_of_tile_records(self):
+        """TIL-7: the vector is that of the record, in whole samples, to the group's reference."""
+        for view, plane, block in self.places():
+            for level in self.inspect(view, plane, block)["levels"]:
+                fields = {field["name"]: field["value"] for field in level["fields"]}
+                if "dx" not in fields:
+                    self.assertEqual(level["vectors"], [])
+                    continue
+                (vector,) = level["vectors"]
+                self.assertEqual((vector["x"], vector["y"]), (fields["dx"], fields["dy"]))
+                self.assertEqual((vector["unit"], vector["clause"]), ("samples", "TIL-7"))
+                images = [block["image"] for block in level["reference_blocks"]]
+                self.assertTrue(all(image == vector["image"] for image in images))
+
+    def test_vectors_of_motion_tiles(self):
+        """MOT-8, computed here from the fields; units are those of the header's precisions."""
+        self.hmlfc("encode", "views", "-o", "motion.hmlfc", "--chroma", "444", "--references", "4x4")
+        header = (self.folder / "motion.hmlfc").read_bytes()[:44]
+        window, precision, fine = header[31], header[35], header[36]
+        row_scale = int.from_bytes(header[39:40], "little", signed=True)
+        bound, shift = window << precision, fine - precision
+        seen = set()
+        for view, plane, block in self.places():
+            for level in self.inspect(view, plane, block, file="motion.hmlfc")["levels"]:
+                choice, disparity, units = self.motion(level)
+                if len(level["vectors"]) != 1 or choice is None:
+                    continue
+                (vector,) = level["vectors"]
+                rows, cols = (vector["image"][key] - level["image"][key] for key in ("row", "col"))
+                x, y = disparity * cols, disparity * row_scale * rows
+                x, y = (x + (1 << shift >> 1)) >> shift, (y + (1 << shift + 3)) >> shift + 4
+                expected = [clamp(v, -bound, bound) / (1 << precision) for v in (x, y)]
+                self.assertEqual([vector["x"], vector["y"]], expected, level)
+                self.assertEqual((vector["unit"], vector["clause"]), ("samples", "MOT-8"))
+                self.assertLessEqual(units, {f"1/{1 << fine} sample per column"})
+                seen.add((vector["x"], vector["y"]))
+        self.assertGreater(len(seen), 3)
+        text = self.hmlfc(*"inspect motion.hmlfc --view 0,0 --plane Y --block 7,3".split())
+        self.assertRegex(text, r"vector += \(-?[0-9.]+, -?[0-9.]+\) samples, to image \d+,\d+  MOT-8")
+
+    def motion(self, level):
+        """The choice of the block's palette entry, its disparity and the units; None: none shared."""
+        entries, index = [], 0
+        for field in level.get("motion_fields", []):
+            if field["name"] in ("choice", "index"):
+                index = field["value"]
+            if field["name"] == "choice":
+                entries.append([field["value"], 0])
+            if field["name"] == "explicit_x":
+                entries[-1][1] = field["value"]
+        if not entries:
+            return None, 0, set()
+        choice, explicit = entries[index]
+        if choice == 10:
+            return choice, explicit, set()
+        if not 1 <= choice <= 9:
+            return None, 0, set()
+        fields = level.get("disparity", {"fields": []})["fields"]
+        units = {field["unit"] for field in fields if "unit" in field}
+        names = ("min_disparity", "disparity")
+        return choice, sum(f["value"] for f in fields if f["name"] in names), units
 
     def test_last_samples_are_the_pixels(self):
         for i, plane in enumerate(("Y", "Co", "Cg")):

@@ -75,12 +75,14 @@ def write_ppm(path, picture, maximum=255):
     path.write_bytes(b"P6 %d %d %d\n" % (picture.width, picture.height, maximum) + body)
 
 
-def write_png(path, picture):
-    """8 bits, without filters."""
-    stride = picture.width * 3
+def write_png(path, picture, bits=8, alpha=False):
+    """Without filters. With `alpha`, each pixel has a fourth sample."""
+    stride = picture.width * (4 if alpha else 3)
     lines = (picture.samples[at : at + stride] for at in range(0, len(picture.samples), stride))
-    packed = zlib.compress(b"".join(b"\0" + bytes(line) for line in lines))
-    header = struct.pack(">IIBBBBB", picture.width, picture.height, 8, 2, 0, 0, 0)
+    code = f">{stride}{'H' if bits == 16 else 'B'}"
+    packed = zlib.compress(b"".join(b"\0" + struct.pack(code, *line) for line in lines))
+    colour = 6 if alpha else 2
+    header = struct.pack(">IIBBBBB", picture.width, picture.height, bits, colour, 0, 0, 0)
     data = b"\x89PNG\r\n\x1a\n"
     for kind, body in (b"IHDR", header), (b"IDAT", packed), (b"IEND", b""):
         check = zlib.crc32(kind + body)

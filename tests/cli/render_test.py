@@ -102,6 +102,14 @@ class Render(CliTest):
         self.assertEqual(decoded, [cold["key_samples_decoded"], 0, 0])
         self.assertGreater(decoded[0], 0)
 
+    def test_progressive_without_coarse_frames_says_so(self):
+        self.hmlfc(*"encode views -o flat.hmlfc".split())
+        for arguments in (["flat.hmlfc"], ["a.hmlfc", "--levels", 1]):
+            ran = self.run_hmlfc("render", *arguments, *"--progressive -o p.png".split())
+            self.assertEqual(ran.returncode, DONE)
+            self.assertIn(b"no coarse frames", ran.stderr)
+            self.assertIn(b"--height", ran.stderr)
+
     def test_progressive_down_to_a_level(self):
         report = self.render(*"--progressive --levels 2 -o down.png".split())
         self.render("--levels", 1, "-o", "one.png")
@@ -136,6 +144,9 @@ class Render(CliTest):
             self.assertEqual(self.picture("line", name), self.picture("file", name))
 
     def test_quality_vs_time(self):
+        sweep = "--quality-vs-time --size 10x10 --camera 2,1".split()
+        text = self.hmlfc("render", "a.hmlfc", *sweep)
+        self.assertIn("against frames computed in real numbers", text)
         rows = self.render(*"--quality-vs-time --path orbit --frames 2 --size 30x30".split())
         self.assertEqual(len(rows), 3 * 3 * 2)
         settings = {(row["filter"], row["levels"], row["cache"]): row for row in rows}
@@ -180,8 +191,42 @@ class Render(CliTest):
 
     def test_cameras_that_see_nothing_are_black(self):
         for camera in (["--camera", "2,1,-3", "--look-at", "2,1,-4"], ["--camera", "40,40"]):
-            self.render(*camera, "-o", "black.png")
+            report = self.render(*camera, "-o", "black.png")
             self.assertEqual(set(self.picture("black.png").samples), {0})
+            self.assertEqual(report["frames"][0]["outside"], 1)
+            text = self.hmlfc("render", "a.hmlfc", *camera, "-o", "black.png")
+            self.assertIn("100.00 % of the pixels lie outside the light field", text)
+
+    def test_the_share_of_pixels_outside_is_said(self):
+        self.hmlfc(*"synth --scene flat --grid 3x3 --size 40x30 -o bright".split())
+        self.hmlfc(*"encode bright -o bright.hmlfc".split())
+        camera = "--camera 1.5,1.2,-3 --size 30x20".split()
+        arguments = ["render", "bright.hmlfc", *camera, "-o", "part.png"]
+        outside = self.hmlfc_json(*arguments)["frames"][0]["outside"]
+        samples = self.picture("part.png").samples
+        black = sum(samples[at : at + 3] == [0, 0, 0] for at in range(0, len(samples), 3))
+        self.assertEqual(outside, black / 600)
+        self.assertTrue(0.01 < outside < 0.99, outside)
+        self.assertIn(f"\n{100 * outside:.2f} % of the pixels lie outside", self.hmlfc(*arguments))
+        whole = ["render", "bright.hmlfc", "--camera", "1,1", "-o", "whole.png"]
+        self.assertEqual(self.hmlfc_json(*whole)["frames"][0]["outside"], 0)
+        self.assertNotIn("outside", self.hmlfc(*whole))
+        path = "--path line --frames 3 --camera 0,0,-3 -o path".split()
+        report = self.hmlfc_json("render", "bright.hmlfc", *path)
+        shares = [frame["outside"] for frame in report["frames"]]
+        self.assertIn(f"{100 * sum(shares) / 3:.2f} % of the pixels lie outside the light field and are "
+                      f"black, at most {100 * max(shares):.2f} % in frame {shares.index(max(shares))}\n",
+                      self.hmlfc("render", "bright.hmlfc", *path))  # fmt: skip
+
+    def test_other_formats_are_refused(self):
+        for name in ("r.jpg", "r.JPEG", "r.mp4", "r.hmlfc"):
+            self.refused(USAGE, "render", "a.hmlfc", "-o", name, says=[name, "PNG"])
+            self.assertFalse((self.folder / name).exists())
+        self.refused(USAGE, "render", "a.hmlfc", "-o", "v1.0", "--preview", "p.gif", says="p.gif")
+        self.render("-o", "v1.0")
+        self.assertEqual(os.listdir(self.folder / "v1.0"), ["frame_0000.png"])
+        self.render("-o", "big.PNG")
+        self.assertTrue((self.folder / "big.PNG").is_file())
 
     def test_bad_cameras(self):
         for arguments, says in [
@@ -218,7 +263,8 @@ class Render(CliTest):
             (self.folder / "bad.json").write_text(text)
             arguments = ["--path", "bad.json", "-o", "bad"]
             self.refused(INPUT, "render", "a.hmlfc", *arguments, says=says)
-        self.refused(INPUT, "render", "a.hmlfc", "--path", "none.json", "-o", "bad")
+        self.refused(INPUT, "render", "a.hmlfc", "--path", "spiral", "-o", "bad",
+                     says=["spiral", "orbit, line or a JSON file"])  # fmt: skip
         self.refused(INPUT, "render", "none.hmlfc", "-o", "bad")
         damaged = bytearray((self.folder / "a.hmlfc").read_bytes())
         damaged[len(damaged) // 2 :] = b"\xff" * (len(damaged) - len(damaged) // 2)

@@ -8,7 +8,7 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
-#include "common/data_folder.hpp"
+#include "io/data_folder.hpp"
 #include "io/light_field_files.hpp"
 
 namespace hmlfc {

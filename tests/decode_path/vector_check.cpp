@@ -6,15 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "mismatch.hpp"
 #include "part_of.hpp"
 #include "request_check.hpp"
+#include "vectors/digest.hpp"
 #include "vectors/expected.hpp"
 #include "vectors/json.hpp"
-#include "vectors/picture_bytes.hpp"
-#include "vectors/sha256.hpp"
-#include "vectors/trace_files.hpp"
 
 namespace hmlfc::vectors {
 namespace {

@@ -51,7 +51,7 @@ COMMANDS = rules(
     (r"(\./run (?:bench (?:accuracy|rate_distortion|skipping)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),
     (r"(\./run clauses) .*", HELP, "writes into the repository, or needs reports"),
-    (r"(\./run vectors generate)", HELP, "takes a minute, and writes into the repository"),
+    (r"\./run vectors generate", r"\g<0> -o made", "writes into the repository"),
     (r"\./run compare .*", r"\g<0>; test $? = 1", "the views differ"),
     (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)",
      r"\1 conform --filter 'syntax/base-*' \2; test $? = 5", "the whole suite takes a minute"),

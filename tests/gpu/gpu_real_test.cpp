@@ -3,7 +3,7 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
-#include "common/data_folder.hpp"
+#include "io/data_folder.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "io/light_field_files.hpp"

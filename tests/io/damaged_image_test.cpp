@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "io/read_image.hpp"
+#include "io/image_files.hpp"
 #include "io/sample_images.hpp"
 #include "io/temp_folder.hpp"
 

@@ -7,11 +7,11 @@
 #include <thread>
 #include <vector>
 
+#include "io/image_files.hpp"
 #include "io/light_field_files.hpp"
 #include "io/sample_images.hpp"
 #include "io/temp_folder.hpp"
 #include "io/view_name.hpp"
-#include "io/write_image.hpp"
 
 namespace hmlfc::io {
 namespace {

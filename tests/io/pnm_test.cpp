@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "io/read_image.hpp"
+#include "io/image_files.hpp"
 #include "io/sample_images.hpp"
 #include "io/temp_folder.hpp"
-#include "io/write_image.hpp"
 
 namespace hmlfc::io {
 namespace {

@@ -1,7 +1,7 @@
 // The archives' own folders are understood as they are.
 #include <gtest/gtest.h>
 
-#include "common/data_folder.hpp"
+#include "io/data_folder.hpp"
 #include "io/light_field_files.hpp"
 
 namespace hmlfc::io {

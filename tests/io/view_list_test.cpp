@@ -161,6 +161,23 @@ TEST_F(ViewListTest, NamesAMissingDoubleOrExtraCamera) {
   expect_error(std::nullopt, {"extra picture mask.png"});
 }
 
+TEST_F(ViewListTest, AGridOfTheRightSizeTakesASubset) {
+  touch({"v_2_3.png", "v_2_5.png", "v_2_9.png", "v_6_3.png", "v_6_5.png", "v_6_9.png"});
+  EXPECT_EQ(list(GridShape{2, 3}),
+            "2x3: v_2_3.png v_2_5.png v_2_9.png v_6_3.png v_6_5.png v_6_9.png");
+  expect_error(GridShape{3, 2}, {"extra view v_2_3.png"});
+  remove("v_6_5.png");
+  expect_error(GridShape{2, 3}, {"1 of the 6 views", "row 1, column 1"});
+}
+
+TEST_F(ViewListTest, AGridOfTheRightSizeTakesASubsetOfCameras) {
+  touch({"input_Cam010.png", "input_Cam012.png", "input_Cam030.png", "input_Cam9.png"});
+  EXPECT_EQ(list(GridShape{2, 2}),
+            "2x2: input_Cam9.png input_Cam010.png input_Cam012.png input_Cam030.png");
+  touch({"input_Cam31.png"});
+  expect_error(GridShape{2, 2}, {"extra view"});
+}
+
 TEST_F(ViewListTest, OtherNamesAreTakenInNaturalOrderWithAGrid) {
   touch({"pic10.png", "pic2.png", "pic1.png", "pic9.png", "pic11.png", "pic3.jpg"});
   EXPECT_EQ(list(GridShape{2, 3}), "2x3: pic1.png pic2.png pic3.jpg pic9.png pic10.png pic11.png");

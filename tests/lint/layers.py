@@ -21,7 +21,7 @@ MAX_LINES = 400
 SYNTAX = {"model/bits", "model/arithmetic", "model/syntax"}
 DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast"}
 CODEC = {*DECODER, "model/render", "model/encoder"}
-TOOLS = {f"tools/{name}" for name in ("io", "scenes", "vectors", "conform", "cli")}
+TOOLS = {f"tools/{name}" for name in ("terminal", "io", "scenes", "vectors", "conform", "cli")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
 CHECKS = {*DECODER, "tools/io", "testbench/oracle", "testbench/stimulus"}
 TESTBENCH = {f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu")}
@@ -39,6 +39,7 @@ ALLOWED = {
     "model/render": DECODER,
     "model/encoder": DECODER,
     "gpu_ref": CODEC - {"model/encoder"},
+    "tools/terminal": set(),
     "tools/io": {"model/bits"},
     "tools/scenes": {"tools/io"},
     "tools/vectors": {*CODEC, "tools/io", "tools/scenes"} - {"model/render"},

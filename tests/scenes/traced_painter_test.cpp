@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scenes/traced_painter.hpp"
+#include "scenes/painter.hpp"
 
 namespace hmlfc::scenes {
 namespace {

@@ -9,8 +9,8 @@
 #include <hmlfc/renderer.hpp>
 
 #include "render/ray.hpp"
+#include "vectors/field_stream.hpp"
 #include "vectors/random.hpp"
-#include "vectors/random_stream.hpp"
 
 namespace hmlfc::stress {
 namespace {

@@ -12,7 +12,7 @@
 #include "program.hpp"
 #include "search.hpp"
 #include "syntax/geometry.hpp"
-#include "vectors/random_stream.hpp"
+#include "vectors/field_stream.hpp"
 
 namespace hmlfc::stress {
 namespace {

@@ -7,9 +7,8 @@
 namespace hmlfc::tb {
 namespace {
 
-constexpr uint32_t kSeeds = 2;  // of each test; ./run soak goes on
-
-// Seeds from the parameter on. Several tests, so that they run beside each other.
+// Seeds, the second with a damaged stream; ./run soak goes on with others. A test each, so that
+// they run beside each other.
 class Rtl : public testing::TestWithParam<uint32_t> {};
 
 void expect_equal(const UnitMaker& maker, uint32_t seed) {
@@ -27,14 +26,12 @@ TEST_P(Rtl, EqualsTheModelOnRandomStreams) {
   const auto makers = rtl_units();
   if (makers.empty()) GTEST_SKIP() << "SKIP_NO_RTL: Verilator or the top module is missing";
   for (const UnitMaker& maker : makers) {
-    for (uint32_t i = 0; i < kSeeds; ++i) {
-      expect_equal(maker, GetParam() + i);
-      if (HasFatalFailure()) return;
-    }
+    expect_equal(maker, GetParam());
+    if (HasFatalFailure()) return;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(From, Rtl, testing::Values(0, 2, 4, 6));
+INSTANTIATE_TEST_SUITE_P(Seed, Rtl, testing::Values(0, 1));
 
 }  // namespace
 }  // namespace hmlfc::tb

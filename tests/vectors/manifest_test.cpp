@@ -5,10 +5,10 @@
 
 #include <hmlfc/stream_info.hpp>
 
-#include "io/atomic_file.hpp"
+#include "io/files.hpp"
 #include "io/temp_folder.hpp"
-#include "vectors/choice.hpp"
-#include "vectors/sha256.hpp"
+#include "vectors/digest.hpp"
+#include "vectors/field_rules.hpp"
 
 namespace hmlfc::vectors {
 namespace {

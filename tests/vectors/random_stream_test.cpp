@@ -1,5 +1,5 @@
 // Random streams are valid, the same for the same seed, and reach all syntax.
-#include "vectors/random_stream.hpp"
+#include "vectors/field_stream.hpp"
 
 #include <gtest/gtest.h>
 

@@ -271,12 +271,12 @@ class Recipes(CopiedSuite):
 
     def test_unknown_names(self):
         for stream, text in (
-            ({"kind": "other"}, "is no kind of stream"),
-            ({"kind": "fields", "header": {"wide": 3}}, "is no field of a header"),
-            ({"kind": "fields", "header": {}, "fields": {"wide": 3}}, "is no field of a stream"),
+            ({"kind": "other"}, "is not a kind of stream"),
+            ({"kind": "fields", "header": {"wide": 3}}, "is not a field of a header"),
+            ({"kind": "fields", "header": {}, "fields": {"wide": 3}}, "is not a field of a stream"),
             ({"kind": "edit", "base": "error/none", "edits": []}, "there is no recipe"),
-            ({"kind": "edit", "base": "error/one", "edits": []}, "never end"),
-            ({"kind": "edit", "base": "error/base", "edits": [{"x": 1}]}, "is no edit"),
+            ({"kind": "edit", "base": "error/one", "edits": []}, "form a cycle"),
+            ({"kind": "edit", "base": "error/base", "edits": [{"x": 1}]}, "is not an edit"),
             ({"kind": "fields", "header": {"depth": 13}}, "bad_header_field"),
             (self.fields(level_base=3, level_bits=0, value=4), "value 4 of a sequence of 4 levels"),
             (self.fields(level_base=3, level_bits=1, level_code=6), "its tile cannot say"),

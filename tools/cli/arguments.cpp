@@ -1,29 +1,8 @@
 #include "cli/arguments.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "io/view_name.hpp"
 
 namespace hmlfc::cli {
-
-std::optional<std::vector<double>> parse_decimals(std::string_view text, size_t least,
-                                                  size_t most) {
-  std::vector<double> numbers;
-  while (true) {
-    const size_t comma = std::min(text.find(','), text.size());
-    double number = 0;
-    const auto [last, error] = std::from_chars(text.data(), text.data() + comma, number);
-    if (error != std::errc{} || last != text.data() + comma || !std::isfinite(number)) {
-      return std::nullopt;
-    }
-    numbers.push_back(number);
-    if (comma == text.size()) break;
-    text.remove_prefix(comma + 1);
-  }
-  if (numbers.size() < least || numbers.size() > most) return std::nullopt;
-  return numbers;
-}
 
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& type_name,
                        const std::string& description, Reader reader) {
@@ -41,13 +20,28 @@ CLI::Option* add_decimal(CLI::App& app, const std::string& name, const std::stri
                          std::optional<double>& target, double lo, double hi,
                          const std::string& description) {
   const auto reader = [&target, lo, hi](const std::string& text) -> std::optional<std::string> {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [last, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || last != end || !(value >= lo && value <= hi)) {
+    const auto value = parse_decimals(text, 1, 1);
+    if (!value || (*value)[0] < lo || (*value)[0] > hi) {
       return fmt::format("a number in [{}, {}]", lo, hi);
     }
-    target = value;
+    target = (*value)[0];
+    return std::nullopt;
+  };
+  return add_value(app, name, type_name, description, reader);
+}
+
+CLI::Option* add_sides(CLI::App& app, const std::string& name, const std::string& type_name,
+                       const std::string& expected, uint32_t max, const std::string& description,
+                       std::function<void(uint32_t a, uint32_t b)> store) {
+  const auto reader =
+      [=, store = std::move(store)](const std::string& text) -> std::optional<std::string> {
+    const auto sides = parse_numbers<2>(text, 'x');
+    const auto outside = [max](uint32_t side) { return side < 1 || side > max; };
+    if (!sides || outside((*sides)[0]) || outside((*sides)[1])) {
+      return fmt::format("{} in [1, {}], such as {}", expected, max,
+                         max < 1000 ? "4x4" : "512x384");
+    }
+    store((*sides)[0], (*sides)[1]);
     return std::nullopt;
   };
   return add_value(app, name, type_name, description, reader);
@@ -55,43 +49,32 @@ CLI::Option* add_decimal(CLI::App& app, const std::string& name, const std::stri
 
 CLI::Option* add_rows_by_cols(CLI::App& app, const std::string& name, uint32_t& rows,
                               uint32_t& cols, uint32_t max, const std::string& description) {
-  const auto reader = [&rows, &cols, max](const std::string& text) -> std::optional<std::string> {
-    const auto numbers = parse_numbers<2>(text, 'x');
-    if (!numbers || (*numbers)[0] < 1 || (*numbers)[0] > max || (*numbers)[1] < 1 ||
-        (*numbers)[1] > max) {
-      return fmt::format("rows x columns in [1, {}], as 4x4", max);
-    }
-    rows = (*numbers)[0];
-    cols = (*numbers)[1];
-    return std::nullopt;
-  };
-  return add_value(app, name, "RxC", description, reader)
+  return add_sides(app, name, "RxC", "rows x columns", max, description,
+                   [&rows, &cols](uint32_t r, uint32_t c) { rows = r, cols = c; })
       ->default_str(fmt::format("{}x{}", rows, cols));
 }
 
 CLI::Option* add_grid(CLI::App& app, std::optional<io::GridShape>& target) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
-    const auto numbers = parse_numbers<2>(text, 'x');
-    if (!numbers || (*numbers)[0] < 1 || (*numbers)[0] > io::kMaxGridSide || (*numbers)[1] < 1 ||
-        (*numbers)[1] > io::kMaxGridSide) {
-      return fmt::format("rows x columns in [1, {}], as 9x9", io::kMaxGridSide);
-    }
-    target = io::GridShape{(*numbers)[0], (*numbers)[1]};
-    return std::nullopt;
-  };
-  return add_value(app, "--grid", "RxC", "Views as rows x columns, for file names that do not tell",
-                   reader);
+  return add_sides(app, "--grid", "RxC", "rows x columns", io::kMaxGridSide,
+                   "Grid of the views: for names without positions, or for a subset of a grid",
+                   [&target](uint32_t r, uint32_t c) {
+                     target = io::GridShape{r, c};
+                   });
 }
 
 CLI::Option* add_view(CLI::App& app, std::optional<ViewPos>& target,
                       const std::string& description) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
-    const auto numbers = parse_numbers<2>(text, ',');
-    if (!numbers) return "row,column, as 3,5";
-    target = ViewPos{(*numbers)[0], (*numbers)[1]};
-    return std::nullopt;
-  };
-  return add_value(app, "--view", "R,C", description, reader);
+  return add_numbers<2>(app, "--view", "R,C", ',', "row,column, such as 3,5", description,
+                        [&target](const auto& n) {
+                          target = ViewPos{n[0], n[1]};
+                        });
+}
+
+CLI::Option* add_rect(CLI::App& app, std::optional<Rect>& target) {
+  return add_numbers<4>(app, "--rect", "X,Y,W,H", ',', "x,y,width,height, such as 16,8,64,32",
+                        "Only these pixels of each view", [&target](const auto& n) {
+                          target = Rect{n[0], n[1], n[2], n[3]};
+                        });
 }
 
 CLI::Option* add_levels(CLI::App& app, std::optional<int>& target) {
@@ -109,6 +92,10 @@ CLI::Option* add_threads(CLI::App& app, int& target) {
                      "Threads, 0 for all cores; never changes the result");
 }
 
+CLI::Option* add_json(CLI::App& app, bool& target) {
+  return app.add_flag("--json", target, "Print JSON");
+}
+
 CLI::Option* add_output(CLI::App& app, std::filesystem::path& target, const std::string& type_name,
                         const std::string& description) {
   return add_path(app, "-o,--output", target, description)->type_name(type_name);
@@ -122,6 +109,10 @@ CLI::Option* add_path(CLI::App& app, const std::string& name, std::filesystem::p
     return std::nullopt;
   };
   return add_value(app, name, "", description, reader)->required();
+}
+
+CLI::Option* add_stream(CLI::App& app, std::filesystem::path& target) {
+  return add_path(app, "FILE", target, "An .hmlfc file");
 }
 
 }  // namespace hmlfc::cli

@@ -1,15 +1,14 @@
-// Options and positionals that are read strictly: "4x4", "3,5", plain decimal numbers.
+// Commands, and options and positionals that are read strictly.
 #pragma once
 
-#include <array>
-#include <charconv>
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,45 +17,40 @@
 
 #include <hmlfc/decoder.hpp>
 
+#include "cli/commands.hpp"
 #include "io/view_list.hpp"
+#include "terminal/numbers.hpp"
 
 namespace hmlfc::cli {
 
-/// A decimal number: digits, after a minus where T is signed; nothing before or behind, and within
-/// the range of T. "010" is ten.
-template <std::integral T>
-std::optional<T> parse_integer(std::string_view text) {
-  T value{};
-  const char* end = text.data() + text.size();
-  const auto [last, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || last != end) return std::nullopt;
-  return value;
+using terminal::parse_decimals;
+using terminal::parse_integer;
+using terminal::parse_numbers;
+
+/// A command and what its options set; `app` owns the options.
+template <class Options>
+struct Command {
+  CLI::App& app;
+  Options& options;
+};
+
+/// Adds command `name` to `parent`. When it is chosen, `task` becomes run(options).
+template <class Options>
+Command<Options> add_command(CLI::App& parent, Task& task, const std::string& name,
+                             const std::string& description, ExitCode (*run)(const Options&),
+                             const std::string& footer) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = parent.add_subcommand(name, description);
+  app->footer(footer);
+  app->callback([&task, options, run] { task = [options, run] { return run(*options); }; });
+  return {*app, *options};
 }
 
-/// N numbers with `separator` between them: parse_numbers<2>("16x9", 'x') = {16, 9}.
-template <size_t N>
-std::optional<std::array<uint32_t, N>> parse_numbers(std::string_view text, char separator) {
-  std::array<uint32_t, N> numbers{};
-  for (size_t i = 0; i < N; ++i) {
-    const size_t end = i + 1 < N ? text.find(separator) : text.size();
-    if (end == std::string_view::npos) return std::nullopt;
-    const auto number = parse_integer<uint32_t>(text.substr(0, end));
-    if (!number) return std::nullopt;
-    numbers[i] = *number;
-    if (i + 1 < N) text.remove_prefix(end + 1);
-  }
-  return numbers;
-}
-
-/// From `least` to `most` decimal numbers with commas between them: "7.5,3,-2". NaN and infinities
-/// are none.
-std::optional<std::vector<double>> parse_decimals(std::string_view text, size_t least, size_t most);
-
-/// Stores what `text` says, or returns the complaint: what was expected.
+/// Stores what `text` says, or returns what was expected.
 using Reader = std::function<std::optional<std::string>(const std::string& text)>;
 
-/// Adds an option ("--name,-n") or positional ("NAME") whose one value `reader` takes. `type_name`
-/// shows in the help.
+/// Adds an option ("--name,-n") or positional ("NAME") with one value, read by `reader`.
+/// `type_name` appears in the help.
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& type_name,
                        const std::string& description, Reader reader);
 
@@ -101,10 +95,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, T& target,
                         std::vector<std::pair<std::string, T>> choices,
                         const std::string& description) {
   std::string words;
-  for (const auto& [word, value] : choices) {
-    if (!words.empty()) words += '|';
-    words += word;
-  }
+  for (const auto& [word, value] : choices) words += (words.empty() ? "" : "|") + word;
   const auto reader = [&target, choices = std::move(choices),
                        words](const std::string& text) -> std::optional<std::string> {
     for (const auto& [word, value] : choices) {
@@ -117,16 +108,40 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, T& target,
   return add_value(app, name, words, description, reader);
 }
 
-/// Rows and columns, each in [1, max], as "RxC".
+/// N integers separated by `separator`, such as "3,5"; `expected` describes them.
+template <size_t N>
+CLI::Option* add_numbers(CLI::App& app, const std::string& name, const std::string& type_name,
+                         char separator, const std::string& expected,
+                         const std::string& description,
+                         std::function<void(const std::array<uint32_t, N>&)> store) {
+  const auto reader = [separator, expected, store = std::move(store)](
+                          const std::string& text) -> std::optional<std::string> {
+    const auto numbers = parse_numbers<N>(text, separator);
+    if (!numbers) return expected;
+    store(*numbers);
+    return std::nullopt;
+  };
+  return add_value(app, name, type_name, description, reader);
+}
+
+/// Two integers, each in [1, max], as "AxB"; `expected`: "width x height".
+CLI::Option* add_sides(CLI::App& app, const std::string& name, const std::string& type_name,
+                       const std::string& expected, uint32_t max, const std::string& description,
+                       std::function<void(uint32_t a, uint32_t b)> store);
+
+/// Rows and columns, each in [1, max], as "RxC"; the help shows those that are set now.
 CLI::Option* add_rows_by_cols(CLI::App& app, const std::string& name, uint32_t& rows,
                               uint32_t& cols, uint32_t max, const std::string& description);
 
-/// --grid RxC, for folders whose names do not tell it.
+/// --grid RxC: the grid of a folder of views.
 CLI::Option* add_grid(CLI::App& app, std::optional<io::GridShape>& target);
 
 /// --view R,C.
 CLI::Option* add_view(CLI::App& app, std::optional<ViewPos>& target,
                       const std::string& description);
+
+/// --rect X,Y,W,H.
+CLI::Option* add_rect(CLI::App& app, std::optional<Rect>& target);
 
 /// --levels N: levels of the tree to use, from the top.
 CLI::Option* add_levels(CLI::App& app, std::optional<int>& target);
@@ -134,12 +149,18 @@ CLI::Option* add_levels(CLI::App& app, std::optional<int>& target);
 /// --threads N, 0 for all cores.
 CLI::Option* add_threads(CLI::App& app, int& target);
 
-/// -o, --output: a path that is required.
+/// --json.
+CLI::Option* add_json(CLI::App& app, bool& target);
+
+/// -o, --output: a required path.
 CLI::Option* add_output(CLI::App& app, std::filesystem::path& target, const std::string& type_name,
                         const std::string& description);
 
-/// A required positional path.
+/// A required path.
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::filesystem::path& target,
                       const std::string& description);
+
+/// A positional FILE: an .hmlfc file.
+CLI::Option* add_stream(CLI::App& app, std::filesystem::path& target);
 
 }  // namespace hmlfc::cli

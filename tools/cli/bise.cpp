@@ -1,4 +1,4 @@
-// hmlfc bise: bounded integer sequences by hand.
+// hmlfc bise: encodes and decodes single bounded integer sequences.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,8 +9,6 @@
 
 #include "arithmetic/bise.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
-#include "cli/output.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -42,10 +40,9 @@ CLI::Option* add_levels_of_bise(CLI::App& app, Levels& target) {
       target = levels_of_code(code);
       return std::nullopt;
     }
-    return "a number of levels; allowed are " + allowed_levels();
+    return "a level count; valid ones are " + allowed_levels();
   };
-  return add_value(app, "LEVELS", "", "Number of levels, 2^n, 3 * 2^n or 5 * 2^n", reader)
-      ->required();
+  return add_value(app, "LEVELS", "", "Level count: 2^n, 3 * 2^n or 5 * 2^n", reader)->required();
 }
 
 std::string hex_of(const std::vector<uint8_t>& bytes) {
@@ -87,7 +84,7 @@ ExitCode run_decode(const BiseOptions& options) {
   const uint64_t bits = bise_bits(options.levels, options.count);
   const uint64_t needed = (bits + 7) / 8;
   if (bytes.size() != needed) {
-    throw usage(fmt::format("{} values of {} levels take {} bits, which is {} bytes; HEX has {}",
+    throw usage(fmt::format("{} values of {} levels take {} bits, that is {} bytes, but HEX has {}",
                             options.count, options.levels.count, bits, needed, bytes.size()));
   }
   const BitString string(bytes);
@@ -100,44 +97,33 @@ ExitCode run_decode(const BiseOptions& options) {
   return ExitCode::kDone;
 }
 
-void add_enc(CLI::App& bise, Task& task) {
-  const auto options = std::make_shared<BiseOptions>();
-  CLI::App* app = bise.add_subcommand("enc", "Print the bits of values");
-  add_levels_of_bise(*app, options->levels);
-  app->add_option("V", options->values, "Values in [0, LEVELS - 1]")->required()->type_name("");
-  app->footer(
-      R"(Prints BITS HEX: the number of bits, then the bytes; bit k of the sequence is bit k & 7 of byte k >> 3.
-
-Example:
-  hmlfc bise enc 12 0 11 5 7 3)");
-  app->callback([&task, options] { task = [options] { return run_encode(*options); }; });
-}
-
-void add_dec(CLI::App& bise, Task& task) {
-  const auto options = std::make_shared<BiseOptions>();
-  CLI::App* app = bise.add_subcommand("dec", "Print the values of bits");
-  add_levels_of_bise(*app, options->levels);
-  add_integer(*app, "COUNT", options->count, 1, kMaxCount, "Number of values")
-      ->required()
-      ->type_name("")
-      ->default_str("");
-  app->add_option("HEX", options->hex, "The bytes that bise enc printed")->type_name("");
-  app->footer(
-      R"(Prints the values, with spaces between them.
-
-Example:
-  hmlfc bise dec 12 5 ec5b03)");
-  app->callback([&task, options] { task = [options] { return run_decode(*options); }; });
-}
-
 }  // namespace
 
 void add_bise(CLI::App& program, Task& task) {
-  CLI::App* app = program.add_subcommand("bise", "Encode or decode a bounded integer sequence");
-  app->require_subcommand(1);
-  app->footer("Example:\n  hmlfc bise enc 12 0 11 5 7 3");
-  add_enc(*app, task);
-  add_dec(*app, task);
+  CLI::App* bise = program.add_subcommand("bise", "Encode or decode a bounded integer sequence");
+  bise->require_subcommand(1);
+  bise->footer("Example:\n  hmlfc bise enc 12 0 11 5 7 3");
+
+  const auto [enc, values] = add_command(
+      *bise, task, "enc", "Print the bits of values", run_encode,
+      R"(Prints BITS HEX: the bit count, then the bytes; bit k of the sequence is bit k & 7 of byte k >> 3.
+
+Example:
+  hmlfc bise enc 12 0 11 5 7 3)");
+  add_levels_of_bise(enc, values.levels);
+  enc.add_option("V", values.values, "Values in [0, LEVELS - 1]")->required()->type_name("");
+
+  const auto [dec, bits] = add_command(*bise, task, "dec", "Print the values of bits", run_decode,
+                                       R"(Prints the values, separated by spaces.
+
+Example:
+  hmlfc bise dec 12 5 ec5b03)");
+  add_levels_of_bise(dec, bits.levels);
+  add_integer(dec, "COUNT", bits.count, 1, kMaxCount, "Number of values")
+      ->required()
+      ->type_name("")
+      ->default_str("");
+  dec.add_option("HEX", bits.hex, "The bytes that bise enc printed")->type_name("");
 }
 
 }  // namespace hmlfc::cli

@@ -1,4 +1,4 @@
-#include "cli/block_report_text.hpp"
+#include "cli/block_report.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -11,7 +11,6 @@
 #include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"
 #include "arithmetic/widths.hpp"
-#include "cli/field_table.hpp"
 #include "cli/stream_report.hpp"
 #include "syntax/geometry.hpp"
 
@@ -23,7 +22,7 @@ constexpr size_t kGap = 2;
 
 std::optional<int64_t> last_value(const TracedWalk& walk, std::string_view name) {
   std::optional<int64_t> value;
-  for (const TracedField& field : walk.fields) {
+  for (const FieldRecord& field : walk.fields) {
     if (field.name == name) value = field.value;
   }
   return value;
@@ -43,7 +42,7 @@ bool is_negative(const TracedWalk& walk) {
 bool is_negative_entry(const TracedWalk& motion) {
   const int64_t index = last_value(motion, "index").value_or(-1);
   int64_t entry = -1;
-  for (const TracedField& field : motion.fields) {
+  for (const FieldRecord& field : motion.fields) {
     if (field.name == "choice") ++entry;
     if (field.name == "sign" && entry == index) return field.value != 0;
   }
@@ -55,14 +54,13 @@ std::string prediction_formula(const TracedLevel& level, bool keyed, const Sampl
   const TracedWalk* motion = level.walk(TileKind::kMotion);
   const TracedWalk& own = *level.own_walk();
   const bool negative = motion != nullptr ? is_negative_entry(*motion) : is_negative(own);
-  std::string text = fmt::format("  prediction = clamp({} {} reference, {}, {})",
-                                 keyed ? "0" : "parent", negative ? '-' : '+', range.lo, range.hi);
-  if (motion == nullptr) {
-    text +=
-        fmt::format(", reference at (x {}, y {})", signed_term(last_value(own, "dx").value_or(0)),
-                    signed_term(last_value(own, "dy").value_or(0)));
+  std::string text;
+  for (const VectorRecord& vector : level.vectors) {
+    text += fmt::format("  vector     = ({}, {}) samples, to image {},{}  {}\n", vector.x / 8.0,
+                        vector.y / 8.0, vector.image_row, vector.image_col, vector.clause);
   }
-  return text + "\n";
+  return text + fmt::format("  prediction = clamp({} {} reference, {}, {})\n",
+                            keyed ? "0" : "parent", negative ? '-' : '+', range.lo, range.hi);
 }
 
 // TIL-10 or STP-3.
@@ -104,7 +102,7 @@ std::vector<Square> squares_of(const TracedLevel& level) {
   std::vector<Square> squares;
   if (level.stage("residual") != nullptr) {
     Square raw{"value TIL-9", {}};
-    for (const TracedField& field : level.own_walk()->fields) {
+    for (const FieldRecord& field : level.own_walk()->fields) {
       if (field.name == "value") raw.values.push_back(static_cast<int32_t>(field.value));
     }
     squares.push_back(std::move(raw));
@@ -194,14 +192,14 @@ std::string walk_title(const TracedLevel& level, const TracedWalk& walk) {
 }
 
 std::string level_text(const TracedLevel& level, const Geometry& geometry,
-                       const SampleRange& range) {
+                       const StreamHeader& header, const SampleRange& range) {
   std::string text =
       fmt::format("\nLevel {}, image {},{}, {}\n", level.site.level, level.site.image_row,
                   level.site.image_col, describe_image(level, geometry));
   for (const TracedWalk& walk : level.walks) {
     const bool own = walk.site == level.site;
     if (!own || level.walks.front().site != level.site) text += walk_title(level, walk);
-    text += field_table(field_rows(walk), own ? 2 : 4);
+    text += field_table(walk, header, own ? 2 : 4);
   }
   text += formulas(level, geometry.level(level.site.level).keyed, range);
   const std::vector<Square> squares = squares_of(level);
@@ -227,7 +225,7 @@ std::string to_text(const BlockReport& report) {
   const SampleRange range = sample_range(report.block.plane, report.header.depth);
   std::string text = heading(report, geometry);
   for (const TracedLevel& level : report.trace.levels()) {
-    text += level_text(level, geometry, range);
+    text += level_text(level, geometry, report.header, range);
   }
   const AccessCounts& counts = report.counts;
   const bool motion_tiles = report.header.has(Feature::kMotionTiles);

@@ -1,36 +1,124 @@
 #include "cli/camera_options.hpp"
 
 #include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/camera_path.hpp"
 
 namespace hmlfc::cli {
+
 namespace {
+
+// x rounded to a multiple of 2^-20.
+double on_grid(double x) { return std::floor(x * 0x1p20 + 0.5) * 0x1p-20; }
+
+// tan(degrees / 2) as a multiple of 2^-20, so that every library gives the same (CAM-3).
+double tan_half_of(double degrees) { return on_grid(std::tan(degrees / 360 * std::numbers::pi)); }
+
+WorldPoint middle_of(const StreamHeader& header) {
+  return {(header.cols - 1) / 2.0, (header.rows - 1) / 2.0, 0};
+}
+
+double distance_of(const Camera& camera) { return camera.position ? camera.position->z : 0; }
+
+// Cameras that look straight ahead from an ellipse around the middle of the grid with radii of
+// three eighths of the grid; the rest as in `camera`.
+std::vector<Camera> orbit(const Camera& camera, const StreamHeader& header, int frames) {
+  const WorldPoint middle = middle_of(header);
+  std::vector<Camera> cameras(static_cast<size_t>(frames), camera);
+  for (int k = 0; k < frames; ++k) {
+    const double angle = 2 * std::numbers::pi * k / frames;
+    cameras[static_cast<size_t>(k)].position = {
+        middle.u + 0.375 * (header.cols - 1) * on_grid(std::cos(angle)),
+        middle.v + 0.375 * (header.rows - 1) * on_grid(std::sin(angle)), distance_of(camera)};
+  }
+  return cameras;
+}
+
+// Cameras from the first column to the last in the middle row.
+std::vector<Camera> line(const Camera& camera, const StreamHeader& header, int frames) {
+  std::vector<Camera> cameras(static_cast<size_t>(frames), camera);
+  for (int k = 0; k < frames; ++k) {
+    const double part = frames == 1 ? 0.5 : static_cast<double>(k) / (frames - 1);
+    cameras[static_cast<size_t>(k)].position = {(header.cols - 1) * part, middle_of(header).v,
+                                                distance_of(camera)};
+  }
+  return cameras;
+}
+
+class PathReader {
+ public:
+  explicit PathReader(const std::filesystem::path& file) : file_(file) {}
+
+  std::vector<Camera> read(const Camera& camera) {
+    std::ifstream stream(file_);
+    if (!stream)
+      throw Failure(
+          ExitCode::kInput,
+          file_.string() + ": cannot open for reading; --path takes orbit, line or a JSON file");
+    const auto json = nlohmann::json::parse(stream, nullptr, false);
+    if (!json.is_array() || json.empty()) {
+      throw Failure(ExitCode::kInput, file_.string() + ": not a JSON array of cameras");
+    }
+    std::vector<Camera> cameras;
+    for (; frame_ < json.size(); ++frame_) cameras.push_back(read_one(camera, json[frame_]));
+    return cameras;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Failure(ExitCode::kInput, fmt::format("{}: frame {}: {}", file_.string(), frame_, what));
+  }
+
+  double number(const std::string& key, const nlohmann::json& value) const {
+    if (!value.is_number()) refuse(key + " is not a number");
+    return value.get<double>();
+  }
+
+  WorldPoint point(const std::string& key, const nlohmann::json& value) const {
+    if (!value.is_array() || value.size() != 3) refuse(key + " is not [column, row, distance]");
+    return {number(key, value[0]), number(key, value[1]), number(key, value[2])};
+  }
+
+  Camera read_one(const Camera& standard, const nlohmann::json& json) const {
+    if (!json.is_object()) refuse("not an object");
+    Camera camera = standard;
+    for (const auto& [key, value] : json.items()) {
+      if (key == "position") {
+        camera.position = point(key, value);
+      } else if (key == "look_at") {
+        camera.look_at = point(key, value);
+      } else if (key == "fov") {
+        camera.tan_half = tan_half_of(number(key, value));
+      } else if (key == "focus") {
+        camera.focus = number(key, value);
+      } else if (key == "aperture") {
+        if (!value.is_number_integer()) refuse("aperture is not an integer");
+        camera.aperture = value.get<int>();
+      } else {
+        refuse("unknown key " + key);
+      }
+    }
+    return camera;
+  }
+
+  std::filesystem::path file_;
+  size_t frame_ = 0;
+};
 
 void add_point(CLI::App& app, const std::string& name, std::optional<WorldPoint>& target,
                const std::string& description) {
   const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
     const auto numbers = parse_decimals(text, 2, 3);
-    if (!numbers) return "column,row or column,row,distance, as 7.5,7.5,-2";
+    if (!numbers) return "column,row or column,row,distance, such as 7.5,7.5,-2";
     target = WorldPoint{(*numbers)[0], (*numbers)[1], numbers->size() == 3 ? (*numbers)[2] : 0};
     return std::nullopt;
   };
   add_value(app, name, "C,R[,Z]", description, reader);
-}
-
-void add_size(CLI::App& app, Camera& camera) {
-  const auto reader = [&camera](const std::string& text) -> std::optional<std::string> {
-    const auto numbers = parse_numbers<2>(text, 'x');
-    if (!numbers || (*numbers)[0] < 1 || (*numbers)[0] > kMaxFrameSide || (*numbers)[1] < 1 ||
-        (*numbers)[1] > kMaxFrameSide) {
-      return fmt::format("width x height in [1, {}], as 512x512", kMaxFrameSide);
-    }
-    camera.frame_width = (*numbers)[0];
-    camera.frame_height = (*numbers)[1];
-    return std::nullopt;
-  };
-  add_value(app, "--size", "WxH", "Pixels of a frame", reader)->default_str("those of a view");
 }
 
 void add_fov(CLI::App& app, Camera& camera) {
@@ -40,7 +128,7 @@ void add_fov(CLI::App& app, Camera& camera) {
     camera.tan_half = tan_half_of((*degrees)[0]);
     return std::nullopt;
   };
-  add_value(app, "--fov", "DEGREES", "Field of view of the longer side", reader)
+  add_value(app, "--fov", "DEGREES", "Field of view along the longer side", reader)
       ->default_str("a view fills the frame");
 }
 
@@ -53,7 +141,7 @@ void add_focus(CLI::App& app, CameraOptions& options) {
     options.camera.focus = (*disparity)[0];
     return std::nullopt;
   };
-  add_value(app, "--focus", "D|inf", "Disparity in focus, pixels a column", reader)
+  add_value(app, "--focus", "D|inf", "Disparity in focus, pixels per column", reader)
       ->default_str("0");
 }
 
@@ -74,26 +162,32 @@ void add_number(CLI::App& app, const std::string& name, T& target, const std::st
 
 void add_camera_options(CLI::App& app, CameraOptions& options) {
   Camera& camera = options.camera;
-  add_point(app, "--camera", camera.position, "The camera's place (default: the grid's middle)");
-  add_point(app, "--look-at", camera.look_at, "A point it looks at (default: straight ahead)");
+  add_point(app, "--camera", camera.position,
+            "Position of the camera (default: middle of the grid)");
+  add_point(app, "--look-at", camera.look_at, "Point that it looks at (default: straight ahead)");
   add_fov(app, camera);
-  add_size(app, camera);
+  add_sides(app, "--size", "WxH", "width x height", kMaxFrameSide, "Pixels of a frame",
+            [&camera](uint32_t width, uint32_t height) {
+              camera.frame_width = width;
+              camera.frame_height = height;
+            })
+      ->default_str("the size of a view");
   add_choice(app, "--filter", camera.filter,
              {{"nearest", Filter::kNearest},
               {"bilinear", Filter::kBilinear},
               {"quadrilinear", Filter::kQuadrilinear}},
-             "How views are mixed")
+             "How views are blended")
       ->default_str("quadrilinear");
   add_focus(app, options);
   add_integer(app, "--aperture", camera.aperture, 0, kMaxAperture,
-              "2^N views to each side are mixed");
-  app.add_option("--path", options.path, "orbit, line, or a JSON file of cameras")
+              "2^N views on each side are blended");
+  app.add_option("--path", options.path, "orbit, line or a JSON file of cameras")
       ->type_name("PATH");
   add_integer(app, "--frames", options.frames, 1, 100000, "Frames of orbit and line");
   add_number(app, "--focal", camera.focal, "Focal length of the views, pixels",
              "their longer side");
-  add_number(app, "--shear", camera.shear, "Disparity at infinity, pixels a column", "0");
-  add_number(app, "--row-pitch", camera.row_pitch, "Distance of rows of views, columns",
+  add_number(app, "--shear", camera.shear, "Disparity at infinity, pixels per column", "0");
+  add_number(app, "--row-pitch", camera.row_pitch, "Distance between rows of views, columns",
              "the stream's");
 }
 
@@ -103,7 +197,7 @@ std::vector<Camera> cameras_of(const CameraOptions& options, const StreamHeader&
   if (options.path.empty()) return {camera};
   if (options.path == "orbit") return orbit(camera, header, options.frames);
   if (options.path == "line") return line(camera, header, options.frames);
-  return cameras_in_file(camera, options.path);
+  return PathReader(options.path).read(camera);
 }
 
 }  // namespace hmlfc::cli

@@ -1,18 +1,17 @@
-// The options of cameras and paths.
+// The options of cameras, and the paths that they describe.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 #include <hmlfc/camera.hpp>
 #include <hmlfc/format.hpp>
 
+#include "cli/commands.hpp"
+
 namespace hmlfc::cli {
 
-/// What the command line says about the cameras of a run.
+/// The camera options of a command.
 struct CameraOptions {
   Camera camera;
   bool focus_at_infinity = false;
@@ -24,8 +23,10 @@ struct CameraOptions {
 /// those of the light field's own geometry.
 void add_camera_options(CLI::App& app, CameraOptions& options);
 
-/// The cameras of all frames before a light field of this header. Failures: those of
-/// cameras_in_file.
+/// The camera of each frame, for a light field with this header. A JSON file holds an array with
+/// one object per frame, with the keys position and look_at (arrays: column, row, distance), fov
+/// (degrees), focus and aperture; missing keys take the options' values. Failures (kInput): the
+/// file cannot be read, or its content is not that.
 std::vector<Camera> cameras_of(const CameraOptions& options, const StreamHeader& header);
 
 }  // namespace hmlfc::cli

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "cli/arguments.hpp"
-#include "cli/failure.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -68,9 +67,9 @@ class Settler {
 
 void add_main_options(CLI::App& app, EncodeParams& params) {
   add_integer(app, "--threshold-ref", params.main.threshold_ref, 0, 1u << 20,
-              "Main: less energy is dropped in reference images");
+              "Main: minimum block energy, reference images");
   add_integer(app, "--threshold-pred", params.main.threshold_pred, 0, 1u << 20,
-              "Main: the same in predictive images");
+              "Main: minimum block energy, predictive images");
 }
 
 void add_structure_options(CLI::App& app, CodingOptions& options) {
@@ -80,21 +79,21 @@ void add_structure_options(CLI::App& app, CodingOptions& options) {
              "Tree and motion, tree only, or motion only")
       ->default_str("hmlfc");
   add_rows_by_cols(app, "--cluster", params.cluster_rows, params.cluster_cols, 255,
-                   "Images that share a parent, rows x columns");
+                   "Images that share a parent");
   add_integer(app, "--height", params.tree_height, 0, 15,
               "Levels of the tree above the views (main 3, extended 0)");
   add_choice(app, "--block", params.block_size, {{"2", 2u}, {"4", 4u}, {"8", 8u}},
-             "Samples along the side of a block")
+             "Block size, samples")
       ->default_str(std::to_string(params.block_size));
   add_integer(app, "--window", params.window, 0, 127,
-              "Largest vector component, in samples (main 16, extended 64)");
+              "Largest vector component, samples (main 16, extended 64)");
   add_rows_by_cols(app, "--references", params.ref_rows, params.ref_cols, 255,
                    "Images that share a reference image (main 8x8)")
       ->default_str("");
   add_choice(
       app, "--chroma", params.chroma,
       {{"420", std::optional(ChromaFormat::k420)}, {"444", std::optional(ChromaFormat::k444)}},
-      "Chroma at half size or in full (main 420)")
+      "Chroma at half or full resolution (main 420)")
       ->default_str("");
 }
 
@@ -117,13 +116,13 @@ void add_coding_options(CLI::App& app, CodingOptions& options) {
              {{"main", Profile::kMain}, {"extended", Profile::kExtended}}, "Profile of the stream")
       ->default_str("extended");
   add_decimal(app, "--quality", "Q", options.quality, 0, 100,
-              "Higher is better and larger; 60 where nothing else is asked for");
+              "Higher is better and larger (default 60)");
   add_decimal(app, "--target-psnr", "DB", options.target_psnr, 1, 100,
-              "Find the quality that gives this PSNR over RGB");
-  app.add_flag("--lossless", options.params.lossless, "Keep every RGB value, in chroma 444");
+              "Find the lowest quality with this PSNR over RGB");
+  app.add_flag("--lossless", options.params.lossless, "Keep every RGB value; implies --chroma 444");
   add_choice(app, "--preset", options.params.extended.preset,
              {{"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}},
-             "Extended: how long to look for the cheapest coding")
+             "Extended: how long to search for the best coding")
       ->default_str("medium");
   add_structure_options(app, options);
   add_main_options(app, options.params);

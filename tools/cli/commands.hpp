@@ -4,9 +4,11 @@
 
 #include <functional>
 
-#include <CLI/CLI.hpp>
+#include "cli/output.hpp"
 
-#include "cli/failure.hpp"
+namespace CLI {
+class App;
+}
 
 namespace hmlfc::cli {
 

@@ -1,17 +1,15 @@
-// hmlfc compare: how two light fields differ.
+// hmlfc compare: the differences of two light fields.
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
-#include "cli/light_field_comparison.hpp"
-#include "cli/output.hpp"
-#include "cli/progress_bar.hpp"
+#include "cli/comparison.hpp"
 #include "cli/view_source.hpp"
+#include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -20,6 +18,7 @@ struct CompareOptions {
   std::filesystem::path a;
   std::filesystem::path b;
   std::optional<io::GridShape> grid;
+  ComparedPart part;
   bool json = false;
 };
 
@@ -56,9 +55,9 @@ void print_comparison_text(const Comparison& comparison, const LightFieldShape& 
   print(
       fmt::format("PSNR RGB          {}\n"
                   "PSNR Y            {}\n"
-                  "PSNR RGB at worst {}, view {},{}\n"
+                  "PSNR RGB, worst   {}, view {},{}\n"
                   "Largest error     {}\n"
-                  "First difference  view {},{} x {} y {} channel {}: {} against {}\n",
+                  "First difference  view {},{} x {} y {} channel {}: {} versus {}\n",
                   psnr_text(comparison.quality.psnr_rgb), psnr_text(comparison.quality.psnr_y),
                   psnr_text(comparison.psnr_rgb_min), comparison.worst_view.row,
                   comparison.worst_view.col, comparison.quality.max_abs_error, first.view.row,
@@ -68,8 +67,8 @@ void print_comparison_text(const Comparison& comparison, const LightFieldShape& 
 ExitCode run_compare(const CompareOptions& options) {
   const auto a = ViewSource::open(options.a, options.grid);
   const auto b = ViewSource::open(options.b, options.grid);
-  ProgressBar progress("Comparing", "views");
-  const Comparison comparison = compare(*a, *b, progress.callback());
+  terminal::ProgressBar progress("Comparing", "views");
+  const Comparison comparison = compare(*a, *b, options.part, progress.callback());
   progress.clear();
   if (options.json) {
     print_comparison_json(comparison);
@@ -82,24 +81,25 @@ ExitCode run_compare(const CompareOptions& options) {
 }  // namespace
 
 void add_compare(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<CompareOptions>();
-  CLI::App* app = program.add_subcommand("compare", "Compare two light fields");
-  add_path(*app, "A", options->a, "Folder of views or .hmlfc file");
-  add_path(*app, "B", options->b, "Folder of views or .hmlfc file");
-  add_grid(*app, options->grid);
-  app->add_flag("--json", options->json, "Print JSON");
-  app->footer(
-      R"(Exit status 0: identical, 1: they differ, 3: their grids, sizes or depths differ.
+  const auto [app, options] = add_command(
+      program, task, "compare", "Compare two light fields, or parts of them", run_compare,
+      R"(Exit status: 0 if they are identical, 1 if samples differ, 3 if grids, sizes or depths differ.
 
-PSNR is that of the mean squared error over all views, psnr_rgb_min that of the worst view; "inf" (a
-string in JSON, too) means that nothing differs. first_difference is the first sample that differs,
-views and pixels row by row: row, col, x, y, channel, a, b; or null.
+PSNR is computed from the mean squared error over all compared pixels, psnr_rgb_min over those of the
+worst view. "inf" (a string in JSON) means no difference. first_difference is the first sample that
+differs, in row order of views, then of pixels: row, col, x, y, channel, a, b; null if there is none.
+x and y count from the corner of the view, with --rect too.
 
 JSON keys: psnr_rgb, psnr_y, psnr_rgb_min, max_abs_error, identical, first_difference.
 
 Example:
   hmlfc compare views chess.hmlfc --json)");
-  app->callback([&task, options] { task = [options] { return run_compare(*options); }; });
+  add_path(app, "A", options.a, "Folder of views or .hmlfc file");
+  add_path(app, "B", options.b, "Folder of views or .hmlfc file");
+  add_grid(app, options.grid);
+  add_view(app, options.part.view, "Only this view; counted from 0,0");
+  add_rect(app, options.part.rect);
+  add_json(app, options.json);
 }
 
 }  // namespace hmlfc::cli

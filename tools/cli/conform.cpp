@@ -1,23 +1,20 @@
-// hmlfc conform: decoders under test on the suite of vectors.
+// hmlfc conform: runs decoders under test on the conformance suite.
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <hmlfc/version.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/dut_options.hpp"
-#include "cli/output.hpp"
-#include "cli/progress_bar.hpp"
-#include "conform/report_files.hpp"
-#include "conform/report_json.hpp"
+#include "conform/report.hpp"
 #include "conform/runner.hpp"
+#include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -62,7 +59,7 @@ void print_run(const conform::Run& run) {
   print(line);
 }
 
-// Writes the reports; the status is that of the worst decoder.
+// Writes the reports; the exit status is that of the worst decoder.
 ExitCode finish(const conform::Report& report, const ConformOptions& options) {
   value_or_throw(write_report(report, options.folder), ExitCode::kOutput);
   if (options.json) {
@@ -120,36 +117,27 @@ ExitCode run_conform(const ConformOptions& options) {
                          conform::this_system("hmlfc " HMLFC_VERSION),
                          {}};
   for (const conform::Dut& dut : duts) {
-    ProgressBar progress(dut.name, "vectors");
+    terminal::ProgressBar progress(dut.name, "vectors");
     report.runs.push_back(value_or_throw(
         run_suite(suite, dut, run_options(options), progress.callback()), ExitCode::kOutput));
   }
   return finish(report, options);
 }
 
-void add_shard(CLI::App& app, std::optional<std::array<uint32_t, 2>>& target) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
-    target = parse_numbers<2>(text, '/');
-    if (!target || (*target)[0] < 1 || (*target)[0] > (*target)[1]) {
-      return "I/N with 1 <= I <= N, as 1/4";
-    }
-    return std::nullopt;
-  };
-  add_value(app, "--shard", "I/N", "Run part I of N; see --merge", reader);
-}
-
 constexpr const char* kConformFooter =
-    R"(A decoder is a command line with {input} and {output}, which writes the views into the folder {output}
-as `hmlfc decode` does, or as views.raw; a shared library *.so with the functions of hmlfc_dut.h; or a
-file *.json that declares a command or library with name, profile, level, limits, trace and waivers.
-{hmlfc} stands for this program. docs/conformance.md leads through all of it.
+    R"(A decoder is one of
+  - a command line with {input} and {output}: it writes the views to the folder {output}, either as
+    `hmlfc decode` does or as views.raw;
+  - a shared library *.so with the functions of hmlfc_dut.h;
+  - a file *.json that declares a command or library with name, profile, level, limits, trace, waivers.
+{hmlfc} stands for this program. docs/conformance.md is a guided tour.
 
-Results: pass, fail, error (cannot be started, crashed), timeout, not_supported (beyond what the
-decoder claims), skipped (required, but not run; never a pass). The report's folder gets report.html,
-report.json and junit.xml.
+Results: pass, fail, error (did not start, crashed), timeout, not_supported (beyond what the decoder
+claims), skipped (required but not run; never a pass). The output folder gets report.html, report.json
+and junit.xml.
 
-Exit status 0: every required vector passes; 1: one does not; 5: nothing failed, but required vectors
-were not run.
+Exit status 0: all required vectors pass; 1: a required vector fails; 5: no failures, but required
+vectors were skipped.
 
 Example:
   hmlfc conform --dut '{hmlfc} decode {input} -o {output}' --suite vectors -o report)";
@@ -157,27 +145,34 @@ Example:
 }  // namespace
 
 void add_conform(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<ConformOptions>();
-  CLI::App* app = program.add_subcommand("conform", "Test a decoder with the conformance suite");
-  add_path(*app, "--suite", options->suite, "Folder of the vectors")
+  const auto [app, options] =
+      add_command(program, task, "conform", "Test a decoder with the conformance suite",
+                  run_conform, kConformFooter);
+  add_path(app, "--suite", options.suite, "Folder of the vectors")
       ->required(false)
       ->type_name("DIR")
       ->default_str("vectors");
-  options->dut.add_to(*app, true);
-  app->add_option("--filter", options->filters,
-                  "Only vectors whose id, a clause or a flag fits, with * and ?")
+  options.dut.add_to(app, true);
+  app.add_option("--filter", options.filters,
+                 "Only vectors whose id, clause or flag matches, with * and ?")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
-  add_integer(*app, "-j,--jobs", options->jobs, 1, 1024, "Vectors at the same time");
-  add_shard(*app, options->shard);
-  app->add_option("--merge", options->merge, "Make one report of those in these folders")
+  add_integer(app, "-j,--jobs", options.jobs, 1, 1024, "Vectors to run in parallel");
+  const auto read_shard =
+      [&target = options.shard](const std::string& text) -> std::optional<std::string> {
+    target = parse_numbers<2>(text, '/');
+    if (!target || (*target)[0] < 1 || (*target)[0] > (*target)[1]) {
+      return "I/N with 1 <= I <= N, such as 1/4";
+    }
+    return std::nullopt;
+  };
+  add_value(app, "--shard", "I/N", "Run part I of N; see --merge", read_shard);
+  app.add_option("--merge", options.merge, "Merge the reports in these folders into one")
       ->type_name("DIR");
-  app->add_flag("--resume", options->resume, "Keep the results that an interrupted run left");
-  app->add_flag("--keep", options->keep, "Keep what the decoder wrote for vectors that fail");
-  app->add_flag("--json", options->json, "Print the report as JSON");
-  add_output(*app, options->folder, "DIR", "Folder for the report, made if it is missing");
-  app->footer(kConformFooter);
-  app->callback([&task, options] { task = [options] { return run_conform(*options); }; });
+  app.add_flag("--resume", options.resume, "Keep the results of an interrupted run");
+  app.add_flag("--keep", options.keep, "Keep the decoder's output for vectors that fail");
+  add_json(app, options.json);
+  add_output(app, options.folder, "DIR", "Folder for the report, created if missing");
 }
 
 }  // namespace hmlfc::cli

@@ -1,6 +1,5 @@
 // hmlfc decode: views of a stream, or parts of them, as PNG files.
 #include <filesystem>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -9,13 +8,12 @@
 
 #include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
-#include "cli/for_each_view.hpp"
-#include "cli/output.hpp"
-#include "cli/progress_bar.hpp"
 #include "cli/stream_file.hpp"
+#include "cli/for_each_view.hpp"
+#include "cli/view_source.hpp"
+#include "io/image_files.hpp"
 #include "io/view_name.hpp"
-#include "io/write_image.hpp"
+#include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -44,17 +42,6 @@ class ViewWriter {
   const std::filesystem::path& folder_;
   const StreamHeader& header_;
 };
-
-void check_rect(const Rect& rect, const StreamFile& file) {
-  const StreamHeader& header = file.header();
-  if (rect.width > 0 && rect.height > 0 && rect.x < header.width && rect.y < header.height &&
-      rect.width <= header.width - rect.x && rect.height <= header.height - rect.y) {
-    return;
-  }
-  throw Failure(ExitCode::kUsage,
-                fmt::format("--rect {},{},{},{} does not lie in the {} x {} pixels of a view",
-                            rect.x, rect.y, rect.width, rect.height, header.width, header.height));
-}
 
 // All views in full: shared ancestors are decoded once.
 void decode_everything(const StreamFile& file, const ViewWriter& writer, int stop_level,
@@ -90,11 +77,11 @@ ExitCode run_decode(const DecodeOptions& options) {
   const ThreadLimit limit(options.threads);
   const StreamFile file(options.file);
   if (options.view) file.check_view(*options.view);
-  if (options.rect) check_rect(*options.rect, file);
+  if (options.rect) check_rect(*options.rect, shape_of(file.header()));
   const int stop_level = options.levels ? file.stop_level(*options.levels) : 0;
   make_output_folder(options.folder);
   const ViewWriter writer(options.folder, file.header());
-  ProgressBar progress("Decoding", "views");
+  terminal::ProgressBar progress("Decoding", "views");
   if (options.view || options.rect) {
     decode_parts(file, writer, stop_level, options, progress.callback());
   } else {
@@ -109,35 +96,23 @@ ExitCode run_decode(const DecodeOptions& options) {
   return ExitCode::kDone;
 }
 
-CLI::Option* add_rect(CLI::App& app, std::optional<Rect>& target) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
-    const auto numbers = parse_numbers<4>(text, ',');
-    if (!numbers) return "x,y,width,height, as 16,8,64,32";
-    target = Rect{(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
-    return std::nullopt;
-  };
-  return add_value(app, "--rect", "X,Y,W,H", "Only these pixels of each view", reader);
-}
-
 }  // namespace
 
 void add_decode(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<DecodeOptions>();
-  CLI::App* app = program.add_subcommand("decode", "Decode views of a stream to PNG files");
-  add_path(*app, "FILE", options->file, "An .hmlfc file");
-  add_output(*app, options->folder, "DIR", "Folder for the views, made if it is missing");
-  add_view(*app, options->view, "Only this view; counted from 0,0");
-  add_rect(*app, options->rect);
-  add_levels(*app, options->levels);
-  add_threads(*app, options->threads);
-  app->footer(
-      R"(With --levels 1 each view shows its ancestor at the top of the tree, with one level more the next.
-The files are named by row and column: 00_00.png, 00_01.png ... Samples of more than 8 bits make PNG
-files of 16 bits.
+  const auto [app, options] = add_command(
+      program, task, "decode", "Decode views of a stream to PNG files", run_decode,
+      R"(With --levels 1 each view shows its ancestor at the top of the tree, with 2 its ancestor one level
+below, and so on. A stream has one level more than the --height it was encoded with. Files are named by
+row and column: 00_00.png, 00_01.png ... PNG files have 16 bits per sample if the stream has more than 8.
 
 Example:
   hmlfc decode chess.hmlfc -o decoded --view 3,5 --rect 0,0,128,64)");
-  app->callback([&task, options] { task = [options] { return run_decode(*options); }; });
+  add_stream(app, options.file);
+  add_output(app, options.folder, "DIR", "Folder for the views, created if missing");
+  add_view(app, options.view, "Only this view; counted from 0,0");
+  add_rect(app, options.rect);
+  add_levels(app, options.levels);
+  add_threads(app, options.threads);
 }
 
 }  // namespace hmlfc::cli

@@ -9,14 +9,11 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
-#include "cli/output.hpp"
 #include "conform/dut_library.hpp"
 #include "conform/output_views.hpp"
 #include "conform/stage_trace.hpp"
-#include "io/atomic_file.hpp"
-#include "io/mapped_file.hpp"
-#include "vectors/picture_bytes.hpp"
+#include "io/files.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -29,7 +26,7 @@ struct DecodeWithOptions {
   bool by_block = false;
 };
 
-// What the library says is the stream's fault.
+// The value of `result`; a refusal by the library counts as a corrupt stream.
 template <class T>
 T library_value(conform::DutResult<T> result, const std::filesystem::path& file) {
   if (!result) {
@@ -78,38 +75,33 @@ ExitCode run_decode_with(const DecodeWithOptions& options) {
   return ExitCode::kDone;
 }
 
-void add_trace(CLI::App& app, std::optional<std::array<uint32_t, 5>>& target) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
+}  // namespace
+
+void add_decode_with(CLI::App& program, Task& task) {
+  const auto [app, options] = add_command(
+      program, task, "decode-with", "Decode a stream with a decoder in a shared library",
+      run_decode_with,
+      R"(Writes the file views.raw: all views in row order, each pixel row by row as R, G, B; one byte per
+sample at 8 bits, two bytes, little-endian, above. `hmlfc conform` runs libraries in this way. --trace
+takes view row and column, plane (0 Y, 1 Co, 2 Cg), block column and row.
+
+Example:
+  hmlfc decode-with libhmlfc_dut_model.so chess.hmlfc -o decoded)");
+  add_path(app, "LIBRARY", options.library, "A library with the functions of hmlfc_dut.h");
+  add_stream(app, options.file);
+  add_output(app, options.folder, "DIR", "Folder for views.raw, created if missing")
+      ->required(false);
+  app.add_flag("--by-block", options.by_block, "Ask the library for blocks instead of views");
+  const auto read_trace =
+      [&target = options.trace](const std::string& text) -> std::optional<std::string> {
     target = parse_numbers<5>(text, ',');
     if (!target || (*target)[2] >= kPlaneCount) {
-      return "row,column,plane,x,y with plane 0, 1 or 2, as 3,5,0,12,7";
+      return "row,column,plane,x,y with plane 0, 1 or 2, such as 3,5,0,12,7";
     }
     return std::nullopt;
   };
   add_value(app, "--trace", "R,C,P,X,Y", "Print the stages of one block as JSON lines instead",
-            reader);
-}
-
-}  // namespace
-
-void add_decode_with(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<DecodeWithOptions>();
-  CLI::App* app = program.add_subcommand(
-      "decode-with", "Decode a stream by a decoder in a shared library (hmlfc_dut.h)");
-  add_path(*app, "LIBRARY", options->library, "A library with the functions of hmlfc_dut.h");
-  add_path(*app, "FILE", options->file, "An .hmlfc file");
-  add_output(*app, options->folder, "DIR", "Folder for views.raw, made if it is missing")
-      ->required(false);
-  app->add_flag("--by-block", options->by_block, "Ask the library for blocks instead of views");
-  add_trace(*app, options->trace);
-  app->footer(
-      R"(Writes the file views.raw: all views row by row, each row by row, R, G, B; samples of one byte at 8
-bits, of two bytes, little-endian, above. `hmlfc conform` runs libraries in this way. --trace takes view
-row and column, plane (0 Y, 1 Co, 2 Cg), block column and row.
-
-Example:
-  hmlfc decode-with libhmlfc_dut_model.so chess.hmlfc -o decoded)");
-  app->callback([&task, options] { task = [options] { return run_decode_with(*options); }; });
+            read_trace);
 }
 
 }  // namespace hmlfc::cli

@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "cli/arguments.hpp"
-#include "cli/failure.hpp"
 #include "conform/runner.hpp"
 
 namespace hmlfc::cli {
@@ -16,10 +15,9 @@ void DutOptions::add_to(CLI::App& app, bool several) {
                              : "A decoder: command line, *.so or *.json");
   option->type_name("DUT")->allow_extra_args(false);
   if (!several) option->expected(1);
-  add_integer(app, "--timeout", timeout_seconds, 1, 86400,
-              "Seconds after which the decoder is killed");
+  add_integer(app, "--timeout", timeout_seconds, 1, 86400, "Seconds until the decoder is killed");
   add_integer(app, "--memory", memory_mib, 0, 1u << 24,
-              "MiB of address space for the decoder; 0: no limit");
+              "Address space of the decoder in MiB; 0: no limit");
 }
 
 conform::ProcessLimits DutOptions::limits() const {
@@ -37,7 +35,7 @@ std::vector<conform::Dut> DutOptions::read() const {
       return conform::folder_name(other.name) == conform::folder_name(duts.back().name);
     };
     if (std::ranges::count_if(duts, same_folder) > 1) {
-      throw Failure(ExitCode::kUsage, "two decoders have the name " + duts.back().name);
+      throw Failure(ExitCode::kUsage, "two decoders are named " + duts.back().name);
     }
   }
   return duts;

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/commands.hpp"
 #include "conform/dut.hpp"
 #include "conform/process.hpp"
 

@@ -1,28 +1,51 @@
 // hmlfc encode: a folder of views to a stream, with the quality measured on the decoded stream.
+#include <chrono>
+#include <ctime>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <hmlfc/encoder.hpp>
 
 #include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/coding_options.hpp"
-#include "cli/commands.hpp"
-#include "cli/output.hpp"
-#include "cli/progress_bar.hpp"
-#include "cli/quality.hpp"
-#include "cli/stopwatch.hpp"
+#include "cli/comparison.hpp"
 #include "cli/stream_report.hpp"
 #include "cli/view_source.hpp"
-#include "io/atomic_file.hpp"
+#include "io/files.hpp"
 #include "io/light_field_files.hpp"
+#include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
 namespace {
+
+struct Elapsed {
+  double wall_seconds = 0;
+  double cpu_seconds = 0;  ///< of all threads of the process
+};
+
+// Measures the time since its construction.
+class Stopwatch {
+ public:
+  Elapsed elapsed() const {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_begin_;
+    return {wall.count(), cpu_now() - cpu_begin_};
+  }
+
+ private:
+  static double cpu_now() {
+    timespec now{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
+  std::chrono::steady_clock::time_point wall_begin_ = std::chrono::steady_clock::now();
+  double cpu_begin_ = cpu_now();
+};
 
 struct EncodeOptions {
   std::filesystem::path input;
@@ -30,9 +53,10 @@ struct EncodeOptions {
   std::optional<io::GridShape> grid;
   CodingOptions coding;
   bool json = false;
+  const CLI::App* app = nullptr;  ///< tells which options were given
 };
 
-// What an encoding took and gave.
+// The result of encoding, and its cost.
 struct EncodeOutcome {
   StreamReport stream;
   Quality quality;
@@ -41,16 +65,20 @@ struct EncodeOutcome {
 };
 
 LightField load(const EncodeOptions& options) {
-  ProgressBar progress("Reading", "views");
+  terminal::ProgressBar progress("Reading", "views");
   const auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
-  return value_or_throw(
+  io::ImageLosses losses;
+  LightField field = value_or_throw(
       io::load_light_field(views, static_cast<unsigned>(options.coding.params.threads),
-                           progress.callback()),
+                           progress.callback(), &losses),
       ExitCode::kInput);
+  progress.clear();
+  note_losses(options.input, losses);
+  return field;
 }
 
 EncodedStream encode_field(const LightField& field, const EncodeOptions& options) {
-  ProgressBar progress("Encoding", "images");
+  terminal::ProgressBar progress("Encoding", "images");
   const EncodeParams& params = options.coding.params;
   const auto target = options.coding.target_psnr;
   auto stream = target ? encode_to_psnr(field, params, *target, progress.callback())
@@ -60,14 +88,14 @@ EncodedStream encode_field(const LightField& field, const EncodeOptions& options
   return std::move(*stream);
 }
 
-// A stream that does not decode to the encoder's own reconstruction is never passed over.
+// Fails unless the stream decodes to the encoder's own reconstruction.
 void check_promise(const ErrorSums& promised, const ErrorSums& measured, const std::string& file) {
   if (promised.rgb_squares == measured.rgb_squares && promised.y_squares == measured.y_squares &&
       promised.max_abs == measured.max_abs) {
     return;
   }
   throw Failure(ExitCode::kInternal,
-                fmt::format("Internal error: {} does not decode to what the encoder promised "
+                fmt::format("Internal error: {} does not decode to the encoder's reconstruction "
                             "(squared error over RGB {} instead of {}, over Y {} instead of {}, "
                             "largest error {} instead of {}). The file was kept; please report it.",
                             file, measured.rgb_squares, promised.rgb_squares, measured.y_squares,
@@ -87,7 +115,7 @@ EncodeOutcome encode_and_measure(const EncodeOptions& options) {
     value_or_throw(io::write_file(options.output, stream.bytes), ExitCode::kOutput);
   }
   const StreamFile file(options.output);
-  ProgressBar progress("Checking", "views");
+  terminal::ProgressBar progress("Checking", "views");
   const ErrorSums measured =
       measure_stream(file, field, options.coding.params.threads, progress.callback());
   check_promise(promised, measured, options.output.string());
@@ -115,9 +143,8 @@ void print_outcome_json(const EncodeOutcome& outcome) {
 
 void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outcome) {
   const StreamHeader& header = outcome.stream.header;
-  const LightFieldShape shape{header.rows, header.cols, header.width, header.height, header.depth};
   print(fmt::format("File          {}\nLight field   {}\nCoding        {}\n",
-                    options.output.string(), describe(shape), describe_coding(header)));
+                    options.output.string(), describe(shape_of(header)), describe_coding(header)));
   print(size_text(outcome.stream));
   print(fmt::format("Quality       PSNR RGB {}, Y {}, largest error {}\n",
                     psnr_text(outcome.quality.psnr_rgb), psnr_text(outcome.quality.psnr_y),
@@ -133,69 +160,68 @@ void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outco
                     outcome.time.cpu_seconds));
 }
 
-ExitCode run_encode(const EncodeOptions& options) {
+// Whether --target-psnr was reached, if it was asked for; says how far it got if not.
+bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
+  const auto target = options.coding.target_psnr;
+  if (!target || outcome.quality.psnr_rgb >= *target) return true;
+  const bool main = outcome.params.profile == Profile::kMain;
+  note(fmt::format(
+      "--target-psnr {} was not reached: even {} {} only{}", *target,
+      main ? "thresholds of 0 give" : "quality 100 gives", psnr_text(outcome.quality.psnr_rgb),
+      outcome.params.chroma == ChromaFormat::k420 ? "; half-size chroma limits it, try --chroma 444"
+                                                  : "; --lossless keeps every value"));
+  return false;
+}
+
+ExitCode run_encode(const EncodeOptions& given) {
+  EncodeOptions options = given;
+  settle_coding_options(*options.app, options.coding);
   const ThreadLimit limit(options.coding.params.threads);
   check_output_file(options.output);
   const EncodeOutcome outcome = encode_and_measure(options);
-  const auto target = options.coding.target_psnr;
-  if (target && outcome.quality.psnr_rgb < *target) {
-    const bool main = outcome.params.profile == Profile::kMain;
-    note(fmt::format("Even {} only, less than the {} dB asked for{}",
-                     fmt::format("{} {}", main ? "thresholds of 0 give" : "quality 100 gives",
-                                 psnr_text(outcome.quality.psnr_rgb)),
-                     *target,
-                     outcome.params.chroma == ChromaFormat::k420
-                         ? ": halved chroma costs the rest; --chroma 444 keeps it"
-                         : ""));
-  }
   if (options.json) {
     print_outcome_json(outcome);
   } else {
     print_outcome_text(options, outcome);
   }
-  return ExitCode::kDone;
+  return is_on_target(options, outcome) ? ExitCode::kDone : ExitCode::kDifferent;
 }
 
 }  // namespace
 
 void add_encode(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<EncodeOptions>();
-  CLI::App* app = program.add_subcommand("encode", "Encode a folder of views");
-  add_path(*app, "INPUT", options->input, "Folder of PNG, PPM, PGM or JPEG views");
-  add_output(*app, options->output, "FILE", "The .hmlfc file to write");
-  add_grid(*app, options->grid);
-  add_coding_options(*app, options->coding);
-  add_threads(*app, options->coding.params.threads);
-  app->add_flag("--json", options->json, "Print JSON");
-  app->footer(
-      R"(Profile main has the tools of the paper; --threshold-* belong to it: blocks whose energy, the sum of
-the absolute differences from the prediction, is below them are dropped. --quality sets both to
-75 * 2^((60 - Q) / 10) there. Profile extended chooses everything by rate and distortion; without
---references it finds the groups, and without --chroma the format, by trial. Its tree has --height 0
-unless told otherwise: key views and motion. --preset trades its time for bits.
+  const auto [app, options] = add_command(
+      program, task, "encode", "Encode a folder of views", run_encode,
+      R"(Profile main has the tools of the paper. It drops blocks whose energy, the sum of the absolute
+differences from the prediction, is below --threshold-*; --quality Q sets both to 75 * 2^((60 - Q) / 10).
+Profile extended chooses by rate and distortion; without --references it finds the reference groups by
+trial, without --chroma the chroma format. Its default --height is 0: key views and motion only.
+--preset trades encoding time for size.
 
-Views are told by their names: RR_CC.png, out_RR_CC_Y_X_.png, input_CamNNN.png; any other names in
-sorted order, row by row, with --grid. The stream is the same bytes for any number of threads.
+View positions are parsed from file names: RR_CC.png, out_RR_CC_Y_X_.png, input_CamNNN.png. Files with
+other names are taken in sorted order, row by row, and need --grid. With --grid a folder may also hold
+a subset of a grid, such as every second row. The stream is the same bytes for any number of threads.
 
-After encoding, the written file is decoded and compared with the views: the PSNR printed is that of
-the decoded file. PSNR is that of the mean squared error over all views; "inf" (a string in JSON, too)
-means that nothing differs.
+After encoding, the file is decoded and compared with the views: the PSNR is that of the decoded file,
+from the mean squared error over all views; "inf" (a string in JSON) means no difference. If it is below
+--target-psnr, the best stream is kept and the exit status is 1.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
-motion, residual, top, other}, seconds, psnr_rgb, psnr_y, max_abs_error; then cpu_seconds; then
-threshold_ref, threshold_pred in profile main, quality, preset in profile extended. seconds is the time
-of encoding without reading, writing and checking.
+motion, residual, top, other}, seconds, psnr_rgb, psnr_y, max_abs_error, cpu_seconds; for profile main
+threshold_ref and threshold_pred, for profile extended quality and preset. seconds is the encoding time
+without reading, writing and checking.
 
 Examples:
   hmlfc encode views -o chess.hmlfc --target-psnr 40
   hmlfc encode views -o paper.hmlfc --profile main --method hmlfc --threshold-pred 50
   hmlfc encode lytro -o lytro.hmlfc --grid 9x9 --lossless)");
-  app->callback([&task, app, options] {
-    task = [app, options] {
-      settle_coding_options(*app, options->coding);
-      return run_encode(*options);
-    };
-  });
+  options.app = &app;
+  add_path(app, "INPUT", options.input, "Folder of PNG, PPM, PGM or JPEG views");
+  add_output(app, options.output, "FILE", "The .hmlfc file to write");
+  add_grid(app, options.grid);
+  add_coding_options(app, options.coding);
+  add_threads(app, options.coding.params.threads);
+  add_json(app, options.json);
 }
 
 }  // namespace hmlfc::cli

@@ -1,4 +1,4 @@
-#include "cli/field_table.hpp"
+#include "cli/block_report.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +14,17 @@ namespace hmlfc::cli {
 namespace {
 
 constexpr size_t kValueColumns = 52;
+constexpr int64_t kChoiceDisparity = 10;  // MOT-5: explicit_x is a disparity
+
+// One line of the table: a field, or several in a row with the same name.
+struct FieldRow {
+  std::string section;
+  std::string address;  // "0x0001f4.3": byte in hexadecimal, bit
+  std::string bits;
+  std::string name;
+  std::string value;
+  std::string clause;
+};
 
 std::string levels_meaning(int64_t code) {
   if (code < 0 || code > int64_t{kMaxLevelCode}) return "";
@@ -34,10 +45,10 @@ std::string choice_meaning(int64_t choice) {
   return at < kWords.size() ? std::string(kWords[at]) : "reserved";
 }
 
-unsigned step_code(const TracedField& field) { return static_cast<unsigned>(field.value & 15); }
+unsigned step_code(const FieldRecord& field) { return static_cast<unsigned>(field.value & 15); }
 
 // What a code stands for, or nothing.
-std::string meaning(const TracedField& field) {
+std::string meaning(const TracedWalk& walk, const FieldRecord& field, const StreamHeader& header) {
   const auto one_of = [&field](std::array<std::string_view, 4> words) {
     return std::string(words[static_cast<size_t>(field.value & 3)]);
   };
@@ -48,7 +59,7 @@ std::string meaning(const TracedField& field) {
   if (field.name == "codes_x" || field.name == "codes_y") return levels_meaning(field.value);
   if (field.name == "disparity_code") return levels_meaning(field.value);
   if (field.name == "motion_block") return fmt::format("{0} x {0} samples", 4 << field.value);
-  if (field.name == "palette_size") return fmt::format("less 1: {} entries", field.value + 1);
+  if (field.name == "palette_size") return fmt::format("{} entries", field.value + 1);
   if (field.name == "choice") return choice_meaning(field.value);
   if (field.name == "step_base") return fmt::format("step {}", step_of_code(step_code(field)));
   if (field.name == "sign") return field.value == 0 ? "+" : "-";
@@ -56,17 +67,17 @@ std::string meaning(const TracedField& field) {
     const auto place = static_cast<uint64_t>(field.value);
     return fmt::format("data {:#x}, offset_bits {}", place & 0xFFFFFFFFFFFFu, (place >> 48) & 0xFF);
   }
-  return "";
+  return unit_of(walk, field, header);
 }
 
-std::string value_text(const TracedField& field) {
+std::string value_text(const FieldRecord& field) {
   const bool mask = field.name.find("mask") != std::string::npos || field.name == "place";
   if (!mask) return std::to_string(field.value);
   return fmt::format("0x{:0{}x}", static_cast<uint64_t>(field.value), (field.bits + 3) / 4);
 }
 
 // Fields of which a decoder reads many in a row.
-bool is_repeated(const TracedField& field) {
+bool is_repeated(const FieldRecord& field) {
   return field.name == "quad_blocks" || field.name == "level_delta" || field.name == "value";
 }
 
@@ -74,15 +85,16 @@ bool is_repeated(const TracedField& field) {
 int64_t level_code(const TracedWalk& walk) {
   int64_t base = -1;
   int64_t delta = 0;
-  for (const TracedField& field : walk.fields) {
+  for (const FieldRecord& field : walk.fields) {
     if (field.name == "level_base") base = field.value;
     if (field.name == "level_delta") delta = field.value;
   }
   return base < 0 ? -1 : base + delta;
 }
 
-FieldRow row_of(std::span<const TracedField> fields, int64_t code) {
-  const TracedField& first = fields.front();
+FieldRow row_of(const TracedWalk& walk, std::span<const FieldRecord> fields, int64_t code,
+                const StreamHeader& header) {
+  const FieldRecord& first = fields.front();
   FieldRow row;
   row.section = section_name(first.section);
   row.address = fmt::format("0x{:06x}.{}", first.bit >> 3, first.bit & 7);
@@ -96,11 +108,12 @@ FieldRow row_of(std::span<const TracedField> fields, int64_t code) {
     return row;
   }
   if (fields.size() > 1) row.bits = fmt::format("{} x {}", fields.size(), first.bits);
-  for (const TracedField& field : fields) {
+  for (const FieldRecord& field : fields) {
     if (!row.value.empty()) row.value += ' ';
     row.value += value_text(field);
   }
-  std::string note = first.name == "level_delta" ? levels_meaning(code) : meaning(first);
+  std::string note =
+      first.name == "level_delta" ? levels_meaning(code) : meaning(walk, first, header);
   if (first.name == "level_delta" && fields.size() > 1) note = "this block: " + note;
   if (!note.empty()) row.value += "  (" + note + ")";
   return row;
@@ -120,11 +133,10 @@ std::vector<std::string> broken(const std::string& text) {
   return lines;
 }
 
-}  // namespace
-
-std::vector<FieldRow> field_rows(const TracedWalk& walk) {
+// A row of `walk` for each field, or for a run of repeated ones.
+std::vector<FieldRow> field_rows(const TracedWalk& walk, const StreamHeader& header) {
   const int64_t code = level_code(walk);
-  const std::span<const TracedField> fields(walk.fields);
+  const std::span<const FieldRecord> fields(walk.fields);
   std::vector<FieldRow> rows;
   for (size_t begin = 0; begin < fields.size();) {
     size_t end = begin + 1;
@@ -132,18 +144,38 @@ std::vector<FieldRow> field_rows(const TracedWalk& walk) {
            fields[end].name == fields[begin].name) {
       ++end;
     }
-    rows.push_back(row_of(fields.subspan(begin, end - begin), code));
+    rows.push_back(row_of(walk, fields.subspan(begin, end - begin), code, header));
     begin = end;
   }
   return rows;
 }
 
-std::string field_table(const std::vector<FieldRow>& rows, size_t indent) {
+}  // namespace
+
+std::string unit_of(const TracedWalk& walk, const FieldRecord& field, const StreamHeader& header) {
+  const std::string_view name = field.name;
+  if (name == "min_x" || name == "min_y" || name == "dx" || name == "dy") return "samples";
+  bool disparity = name == "min_disparity" || name == "disparity";
+  if (name == "explicit_x") {
+    for (const FieldRecord* at = &field; at >= walk.fields.data(); --at) {
+      if (at->name != "choice") continue;
+      disparity = at->value == kChoiceDisparity;
+      break;
+    }
+  } else if (name != "explicit_y" && !disparity) {
+    return "";
+  }
+  const unsigned precision = disparity ? header.disparity_precision : header.vector_precision;
+  const std::string unit = precision == 0 ? "samples" : fmt::format("1/{} sample", 1u << precision);
+  return disparity ? unit + " per column" : unit;
+}
+
+std::string field_table(const TracedWalk& walk, const StreamHeader& header, size_t indent) {
   const std::string margin(indent, ' ');
   constexpr const char* kLine = "{}{:<7} {:<12} {:>7}  {:<13} {:<6}  {}\n";
   std::string text = fmt::format(fmt::runtime(kLine), margin, "section", "byte.bit", "bits",
                                  "field", "clause", "value");
-  for (const FieldRow& row : rows) {
+  for (const FieldRow& row : field_rows(walk, header)) {
     const auto lines = broken(row.value);
     text += fmt::format(fmt::runtime(kLine), margin, row.section, row.address, row.bits, row.name,
                         row.clause, lines[0]);

@@ -7,13 +7,13 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "cli/failure.hpp"
+#include "cli/output.hpp"
 #include "io/parallel.hpp"
 #include "io/view_list.hpp"
 
 namespace hmlfc::cli {
 
-/// Of the failures of many threads, the one of the lowest index: the same in every run.
+/// The failure with the lowest index among many threads: the same in every run.
 class FirstFailure {
  public:
   /// Calls `body` unless a failure of a lower index makes it pointless; keeps what it throws.

@@ -1,26 +1,70 @@
-// hmlfc fuzz-dut: a decoder on random valid streams, beyond the suite.
+// hmlfc fuzz-dut and minimise: a decoder on random valid streams, and the smallest stream found on
+// which it still fails.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <hmlfc/stream_info.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/dut_options.hpp"
-#include "cli/output.hpp"
-#include "cli/progress_bar.hpp"
 #include "conform/minimise.hpp"
 #include "conform/runner.hpp"
-#include "io/atomic_file.hpp"
-#include "vectors/random_stream.hpp"
+#include "io/files.hpp"
+#include "terminal/progress_bar.hpp"
+#include "vectors/field_stream.hpp"
 
 namespace hmlfc::cli {
+
 namespace {
+
+struct MinimiseOptions {
+  std::filesystem::path file;
+  DutOptions dut;
+  std::filesystem::path output;
+  uint32_t trials = 1000;
+};
+
+std::string shape(std::span<const uint8_t> stream) {
+  const auto decoder = Decoder::open(stream);
+  if (!decoder) return {};
+  const StreamHeader& header = decoder->header();
+  return fmt::format("{} bytes, {} x {} views of {} x {} pixels, {} levels", stream.size(),
+                     header.rows, header.cols, header.width, header.height, header.tree_height + 1);
+}
+
+ExitCode run_minimise(const MinimiseOptions& options) {
+  const conform::Dut dut = options.dut.read().front();
+  const auto file = value_or_throw(io::MappedFile::open(options.file), ExitCode::kInput);
+  check_output_file(options.output);
+  auto work = options.output;
+  work += ".work";
+  const auto run = [&](std::span<const uint8_t> stream) {
+    return conform::run_stream(dut, stream, work, options.dut.limits());
+  };
+  const conform::VectorResult first = run(file.bytes());
+  if (!first.bad()) {
+    throw Failure(ExitCode::kInput,
+                  fmt::format("{}: {} does not fail on it: {} {}", options.file.string(), dut.name,
+                              status_name(first.status), first.reason));
+  }
+  const auto still_fails = [&](std::span<const uint8_t> stream) {
+    return run(stream).status == first.status;
+  };
+  const auto minimised = value_or_throw(
+      conform::minimise(file.bytes(), still_fails, options.trials), ExitCode::kInput);
+  value_or_throw(io::write_file(options.output, minimised.stream), ExitCode::kOutput);
+  const conform::VectorResult last = run(minimised.stream);
+  print(fmt::format("from  {}\nto    {}\n      {} reductions kept, {} streams tried\n{}: {}\n",
+                    shape(file.bytes()), shape(minimised.stream), minimised.steps, minimised.trials,
+                    status_name(last.status), last.reason));
+  if (!last.stage.empty()) print(last.stage + "\n");
+  return ExitCode::kDone;
+}
 
 constexpr unsigned kMinimiseTrials = 300;
 
@@ -33,7 +77,7 @@ struct FuzzOptions {
   uint32_t failures = 20;
 };
 
-// Random streams that the decoder claims to decode.
+// Limits of random streams that the decoder claims to support.
 vectors::Limits stream_limits(const conform::Dut& dut) {
   vectors::Limits limits;
   const conform::DutLimits& own = dut.limits;
@@ -49,7 +93,7 @@ vectors::Limits stream_limits(const conform::Dut& dut) {
   return limits;
 }
 
-// The recipe of a stream (vectors/README.md), with which it becomes a vector.
+// The recipe that makes the stream a vector (vectors/README.md).
 std::string recipe(const vectors::Limits& limits, uint64_t seed,
                    const conform::VectorResult& result) {
   Json json;
@@ -75,13 +119,13 @@ void save(const std::filesystem::path& file, std::span<const uint8_t> bytes) {
   value_or_throw(io::write_file(file, bytes), ExitCode::kOutput);
 }
 
-// One decoder, seed after seed.
+// Runs one decoder on one seed after another.
 class Fuzz {
  public:
   Fuzz(const FuzzOptions& options, conform::Dut dut)
       : options_(options), dut_(std::move(dut)), limits_(stream_limits(dut_)) {}
 
-  // Returns whether the stream of `seed` was decoded rightly.
+  // Returns whether the decoder decoded the stream of `seed` correctly.
   bool run(uint64_t seed) {
     const auto stream = vectors::random_stream(seed, limits_);
     const conform::VectorResult result = decode(stream);
@@ -128,7 +172,7 @@ ExitCode run_fuzz(const FuzzOptions& options) {
   make_output_folder(options.folder);
   const auto begin = Clock::now();
   const auto allowed = std::chrono::minutes(options.minutes);
-  ProgressBar progress("Fuzzing", "seconds");
+  terminal::ProgressBar progress("Fuzzing", "seconds");
   uint64_t streams = 0;
   uint64_t failures = 0;
   for (uint64_t seed = options.seed; failures < options.failures; ++seed) {
@@ -148,26 +192,39 @@ ExitCode run_fuzz(const FuzzOptions& options) {
 
 }  // namespace
 
+void add_minimise(CLI::App& program, Task& task) {
+  const auto [app, options] = add_command(
+      program, task, "minimise", "Reduce a stream on which a decoder fails", run_minimise,
+      R"(Removes levels of the tree, views, pixels and tiles as long as the decoder fails in the same way
+(fail, error or timeout). Every stream that is tried is valid.
+
+Example:
+  hmlfc minimise chess.hmlfc --dut 'sh -c "exit 1" {input} {output}' --trials 20 -o small.hmlfc)");
+  add_path(app, "FILE", options.file, "A valid stream on which the decoder fails");
+  options.dut.add_to(app, false);
+  add_integer(app, "--trials", options.trials, 1, 1u << 20, "Maximum number of streams to try");
+  add_output(app, options.output, "FILE", "The smaller stream");
+}
+
 void add_fuzz_dut(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<FuzzOptions>();
-  CLI::App* app = program.add_subcommand("fuzz-dut", "Test a decoder with random valid streams");
-  options->dut.add_to(*app, false);
-  add_integer(*app, "--minutes", options->minutes, 1, 1u << 20, "How long");
-  add_integer(*app, "--count", options->count, 0, UINT32_MAX,
-              "So many streams, however long they take; 0: by --minutes");
-  add_integer(*app, "--seed", options->seed, 0, UINT64_MAX, "The first seed; they go on from it");
-  add_integer(*app, "--failures", options->failures, 1, 1u << 20, "Stop after so many failures");
-  add_output(*app, options->folder, "DIR", "Folder for what fails, made if it is missing");
-  app->footer(
-      R"(Each stream is compared with the golden model. Of one that fails the folder gets the stream, a smaller
-one that fails in the same way (*.min.hmlfc, see `hmlfc minimise`), and the recipe that makes it a
-vector. The streams depend on seed and declared limits alone.
+  const auto [app, options] = add_command(
+      program, task, "fuzz-dut", "Test a decoder with random valid streams", run_fuzz,
+      R"(Compares the decoder with the golden model. For each stream that fails, writes to the folder: the
+stream, a smaller one that fails in the same way (*.min.hmlfc, see `hmlfc minimise`), and the recipe
+that makes it a vector. The streams depend only on the seed and the declared limits.
 
 Exit status 1: a stream failed.
 
 Example:
   hmlfc fuzz-dut --dut '{hmlfc} decode {input} -o {output}' --seed 7 --count 3 -o findings)");
-  app->callback([&task, options] { task = [options] { return run_fuzz(*options); }; });
+  options.dut.add_to(app, false);
+  add_integer(app, "--minutes", options.minutes, 1, 1u << 20, "Time to run");
+  add_integer(app, "--count", options.count, 0, UINT32_MAX,
+              "Number of streams, whatever the time; 0: as long as --minutes");
+  add_integer(app, "--seed", options.seed, 0, UINT64_MAX,
+              "The first seed; each stream has the next");
+  add_integer(app, "--failures", options.failures, 1, 1u << 20, "Stop after this many failures");
+  add_output(app, options.folder, "DIR", "Folder for the failures, created if missing");
 }
 
 }  // namespace hmlfc::cli

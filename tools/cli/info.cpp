@@ -1,15 +1,14 @@
-// hmlfc info: what a stream is and where its bytes go.
+// hmlfc info: what a stream is and what its bytes are spent on.
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <hmlfc/stream_info.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/stream_report.hpp"
 #include "cli/view_source.hpp"
 
@@ -68,8 +67,7 @@ ExitCode run_info(const InfoOptions& options) {
     return ExitCode::kDone;
   }
   const StreamHeader& header = report.header;
-  const LightFieldShape shape{header.rows, header.cols, header.width, header.height, header.depth};
-  print(fmt::format("Light field   {}\nCoding        {}\n", describe(shape),
+  print(fmt::format("Light field   {}\nCoding        {}\n", describe(shape_of(header)),
                     describe_coding(header)) +
         tools_text(header) + size_text(report) + tree_text(header) +
         states_text(report.statistics));
@@ -79,22 +77,20 @@ ExitCode run_info(const InfoOptions& options) {
 }  // namespace
 
 void add_info(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<InfoOptions>();
-  CLI::App* app = program.add_subcommand("info", "Show what a stream is and where its bytes go");
-  add_path(*app, "FILE", options->file, "An .hmlfc file");
-  app->add_flag("--json", options->json, "Print JSON");
-  app->footer(
-      R"(bpp is 8 * bytes / (rows * cols * width * height), the whole file counted. ratio is the raw size,
-3 * depth bits a pixel, divided by the file's. sections are bytes and add up to the file: motion and
-residual are rounded down from bits, index is the rest.
+  const auto [app, options] = add_command(
+      program, task, "info", "Show what a stream is and what its bytes are spent on", run_info,
+      R"(bpp is 8 * bytes / (rows * cols * width * height) of the whole file. ratio is the raw size, 3 * depth
+bits per pixel, divided by the file size. sections are in bytes and add up to the file size: motion and
+residual are rounded down from bits, and index takes the rest.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
-motion, residual, top, other}; then depth, chroma, block, window, cluster, tree_height, tools (feature
-flags), levels (from the top), states (numbers of blocks).
+motion, residual, top, other}, depth, chroma, block, window, cluster, tree_height, tools (feature
+flags), levels (from the top), states (block counts).
 
 Example:
   hmlfc info chess.hmlfc)");
-  app->callback([&task, options] { task = [options] { return run_info(*options); }; });
+  add_stream(app, options.file);
+  add_json(app, options.json);
 }
 
 }  // namespace hmlfc::cli

@@ -1,17 +1,14 @@
-// hmlfc inspect: how one block is decoded, field by field and stage by stage.
+// hmlfc inspect: shows how one block is decoded, field by field and stage by stage.
 #include <array>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/block_report_json.hpp"
-#include "cli/block_report_text.hpp"
-#include "cli/commands.hpp"
-#include "cli/output.hpp"
+#include "cli/block_report.hpp"
 #include "cli/stream_file.hpp"
 
 namespace hmlfc::cli {
@@ -59,44 +56,34 @@ ExitCode run_inspect(const InspectOptions& options) {
   return ExitCode::kDone;
 }
 
-CLI::Option* add_block(CLI::App& app, std::array<uint32_t, 2>& target) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
-    const auto numbers = parse_numbers<2>(text, ',');
-    if (!numbers) return "block column,block row, as 3,5";
-    target = *numbers;
-    return std::nullopt;
-  };
-  return add_value(app, "--block", "BX,BY", "Column and row of the block; counted from 0,0",
-                   reader);
-}
-
 }  // namespace
 
 void add_inspect(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<InspectOptions>();
-  CLI::App* app = program.add_subcommand("inspect", "Show how one block is decoded");
-  add_path(*app, "FILE", options->file, "An .hmlfc file");
-  add_view(*app, options->view, "The view; counted from 0,0")->required();
-  add_choice(*app, "--plane", options->plane,
-             {{"Y", Plane::kY}, {"Co", Plane::kCo}, {"Cg", Plane::kCg}}, "The plane")
-      ->required();
-  add_block(*app, options->block)->required();
-  add_levels(*app, options->levels);
-  app->add_flag("--json", options->json, "Print JSON");
-  app->footer(
+  const auto [app, options] = add_command(
+      program, task, "inspect", "Show how one block is decoded", run_inspect,
       R"(For each level, from the top: every field that is read, with its address from the start of the
-file, its value and the clause of the specification that defines it; then the values of each stage.
-Addresses of values in bounded integer sequences are those of the sequence. References are decoded on
-demand, as by a decoder that keeps nothing.
+file, its value and the clause of the specification that defines it; the motion vectors in samples of
+the block's plane; the values of each stage in sample steps. Values in bounded integer sequences have
+the address of the sequence. Reference blocks are decoded on demand, as by a decoder without a cache.
 
 JSON keys: view, plane, block, levels[]{level, image, kind, state, fields[]{section, byte, bit, bits,
-name, clause, value}, reference_blocks[]{image, block, fields}, stages{}{clause, values}}, cost{walks,
-fields, bits, bytes, steps}. In streams with motion tiles a level may have motion_fields[] and
-disparity{image, fields[]} too.
+name, clause, value}, vectors[]{image, x, y, unit, clause}, reference_blocks[]{image, block, fields},
+stages{}{clause, values}}, cost{walks, fields, bits, bytes, steps}. In streams with motion tiles a
+level may also have motion_fields[] and disparity{image, fields[]}.
 
 Example:
   hmlfc inspect chess.hmlfc --view 3,5 --plane Y --block 10,7)");
-  app->callback([&task, options] { task = [options] { return run_inspect(*options); }; });
+  add_stream(app, options.file);
+  add_view(app, options.view, "The view; counted from 0,0")->required();
+  add_choice(app, "--plane", options.plane,
+             {{"Y", Plane::kY}, {"Co", Plane::kCo}, {"Cg", Plane::kCg}}, "The plane")
+      ->required();
+  add_numbers<2>(app, "--block", "BX,BY", ',', "block column,block row, such as 3,5",
+                 "Column and row of the block; counted from 0,0",
+                 [&block = options.block](const auto& numbers) { block = numbers; })
+      ->required();
+  add_levels(app, options.levels);
+  add_json(app, options.json);
 }
 
 }  // namespace hmlfc::cli

@@ -1,4 +1,4 @@
-// hmlfc: encode, decode and examine light fields.
+// hmlfc: encodes, decodes, renders and examines light fields.
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -12,26 +12,23 @@
 #include <hmlfc/version.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/failure.hpp"
-#include "cli/help_formatter.hpp"
-#include "cli/output.hpp"
 #include "gpu_ref/frame_renderer.hpp"
 
 namespace hmlfc::cli {
 namespace {
 
 constexpr const char* kFooter =
-    R"(Results go to standard output, messages and progress to standard error. Each command has a --help
-with an example.
+    R"(Results go to standard output, messages and progress to standard error. The --help of each command
+has an example.
 
 Exit status:
   0   done
-  1   a comparison found a difference
-  2   wrong arguments, or an output that cannot be made at the named place
-  3   an input is missing, unreadable or not acceptable
-  4   a stream is corrupt; the message has the specification's name of the error and its place
-  5   a decoder failed nothing, but not all that is required of it was tested
-  70  a defect of this program; 71 not enough memory; 74 writing failed (full disk, closed pipe)
+  1   a comparison found a difference, or encode missed --target-psnr
+  2   wrong arguments, or an output that cannot be created there
+  3   an input is missing, unreadable or unsuitable
+  4   a stream is corrupt; the message has the specification's name of the error and its address
+  5   no failures, but required tests were skipped
+  70  a bug in this program; 71 out of memory; 74 writing failed (full disk, closed pipe)
   77  a decoder under test cannot run on this machine
 
 Example:
@@ -40,11 +37,35 @@ Example:
   hmlfc decode cards.hmlfc -o decoded
   hmlfc compare views decoded)";
 
+// The look of --help: "  --window N     largest vector component (default 16)": no list of
+// exclusions, no type for flags, the default behind the description.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(34); }
+
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string& type = option->get_type_name();
+    return option->get_type_size() == 0 || type.empty() ? "" : " " + type;
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    std::string text = option->get_description();
+    if (option->get_required() && !option->get_positional()) text += " (required)";
+    const std::string standard = option->get_default_str();
+    return standard.empty() ? text : text + " (default " + standard + ")";
+  }
+
+  std::string make_description(const CLI::App* app) const override {
+    return app->get_description() + "\n\n";
+  }
+};
+
 void add_commands(CLI::App& program, Task& task) {
-  program.description("Random-access light field codec: encode, decode and examine light fields");
+  program.description(
+      "Random-access light field codec: encode, decode, render and examine light fields");
   program.formatter(std::make_shared<HelpFormatter>());
-  program.set_help_flag("-h,--help", "Show this help");
-  program.set_version_flag("--version", "hmlfc " HMLFC_VERSION, "Show the version");
+  program.set_help_flag("-h,--help", "Show this help and exit");
+  program.set_version_flag("--version", "hmlfc " HMLFC_VERSION, "Show the version and exit");
   program.require_subcommand(1);
   program.get_formatter()->label("SUBCOMMAND", "COMMAND");
   program.footer(kFooter);
@@ -65,7 +86,7 @@ void add_commands(CLI::App& program, Task& task) {
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
 }
 
-// "hmlfc bise enc": the command that the arguments chose so far, and its parser.
+// The chosen command, "hmlfc bise enc", and its parser.
 std::pair<std::string, const CLI::App*> chosen_command(const CLI::App& program) {
   std::string name = "hmlfc";
   const CLI::App* app = &program;
@@ -76,7 +97,7 @@ std::pair<std::string, const CLI::App*> chosen_command(const CLI::App& program) 
   return {name, app};
 }
 
-// What is wrong with the arguments, in one line.
+// Says in one line what is wrong with the arguments.
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   if (commands.empty()) return error.what();
@@ -108,7 +129,7 @@ ExitCode run(int count, char** arguments) {
   return task();
 }
 
-// Runs the program; every failure becomes one message and an exit code.
+// Runs the program and turns every failure into one message and an exit code.
 ExitCode guarded_run(int count, char** arguments) {
   try {
     const ExitCode code = run(count, arguments);

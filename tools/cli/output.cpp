@@ -1,17 +1,32 @@
 #include "cli/output.hpp"
 
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "cli/failure.hpp"
-#include "io/atomic_file.hpp"
+#include "io/files.hpp"
 
 namespace hmlfc::cli {
+
 namespace {
+
+ExitCode exit_code_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kLimitExceeded:
+      return ExitCode::kInput;
+    case ErrorCode::kOutOfMemory:
+      return ExitCode::kOutOfMemory;
+    case ErrorCode::kBadRequest:
+      return ExitCode::kInternal;  // commands check what they ask for
+    default:
+      return ExitCode::kCorrupt;
+  }
+}
 
 [[noreturn]] void throw_output_failure() {
   throw Failure(ExitCode::kOutput,
@@ -19,6 +34,10 @@ namespace {
 }
 
 }  // namespace
+
+Failure stream_failure(const std::filesystem::path& file, const Error& error) {
+  return Failure(exit_code_of(error.code), file.string() + ": " + to_string(error));
+}
 
 void print(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) throw_output_failure();
@@ -49,12 +68,25 @@ void check_output_file(const std::filesystem::path& file) {
   value_or_throw(io::AtomicFile::create(file), ExitCode::kUsage);
 }
 
+std::string lower_case_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+void check_picture_file(const std::filesystem::path& file) {
+  if (lower_case_extension(file) != ".png") {
+    throw Failure(ExitCode::kUsage, file.string() + ": pictures are PNG files; name it *.png");
+  }
+  check_output_file(file);
+}
+
 void make_output_folder(const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (!failure) return;
   throw Failure(ExitCode::kUsage,
-                folder.string() + ": cannot make this folder: " + failure.message());
+                folder.string() + ": cannot create this folder: " + failure.message());
 }
 
 }  // namespace hmlfc::cli

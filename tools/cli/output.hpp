@@ -1,16 +1,63 @@
-// Results on standard output, numbers as people read them, and places to write to.
+// How a command ends, what it prints, and the places it writes to.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include <hmlfc/error.hpp>
+
+#include "io/io_error.hpp"
 
 namespace hmlfc::cli {
 
-/// JSON with its keys in the order in which they were set.
+/// Exit status of the process; those from 70 on are the numbers of sysexits.h.
+enum class ExitCode : int {
+  kDone = 0,
+  kDifferent = 1,     ///< a comparison found a difference, or a target was missed
+  kUsage = 2,         ///< wrong arguments, or an output that cannot be created there
+  kInput = 3,         ///< an input is missing, unreadable or unsuitable
+  kCorrupt = 4,       ///< a stream broke a rule of the specification
+  kIncomplete = 5,    ///< no failures, but required tests were skipped
+  kInternal = 70,     ///< a bug in this program
+  kOutOfMemory = 71,  ///< not enough memory
+  kOutput = 74,       ///< writing failed: full disk, closed pipe
+  kCannotRun = 77,    ///< a decoder under test cannot run on this machine
+  kNoDecoder = 126,   ///< a library cannot be loaded or is no decoder; a shell's "not executable"
+};
+
+/// Thrown by a command; main prints the message and exits with the code.
+class Failure : public std::runtime_error {
+ public:
+  Failure(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+/// The failure for a decoder's error in stream `file`.
+Failure stream_failure(const std::filesystem::path& file, const Error& error);
+
+/// The value of `result`; throws its error as a Failure with `code`.
+template <class T>
+T value_or_throw(io::IoResult<T> result, ExitCode code) {
+  if (!result) throw Failure(code, result.error().message);
+  if constexpr (!std::is_void_v<T>) return std::move(*result);
+}
+
+/// The value of `result`, decoded from stream `file`.
+template <class T>
+T value_or_throw(Result<T> result, const std::filesystem::path& file) {
+  if (!result) throw stream_failure(file, result.error());
+  if constexpr (!std::is_void_v<T>) return std::move(*result);
+}
+
+/// JSON whose keys keep the order in which they were set.
 using Json = nlohmann::ordered_json;
 
 /// Writes `text` to standard output. Failure (kOutput) where it cannot be written.
@@ -19,7 +66,7 @@ void print(std::string_view text);
 /// Writes `json` on indented lines.
 void print_json(const Json& json);
 
-/// Hands everything printed to the system. Failure as print().
+/// Flushes standard output. Failure as print().
 void flush_output();
 
 /// One line for the user on standard error.
@@ -32,13 +79,19 @@ Json psnr_json(double db);
 /// "39.21 dB" or "inf".
 std::string psnr_text(double db);
 
-/// "1 234 567": digits in groups of three.
+/// "1 234 567": thousands separated by spaces.
 std::string grouped(uint64_t number);
+
+/// ".png" of "a/B.PNG".
+std::string lower_case_extension(const std::filesystem::path& file);
 
 /// Throws a usage failure unless a file can be written at `file`; leaves nothing there.
 void check_output_file(const std::filesystem::path& file);
 
-/// Makes `folder` and its parents where they are missing; a usage failure if that is impossible.
+/// The same for a picture, which must be named *.png.
+void check_picture_file(const std::filesystem::path& file);
+
+/// Makes `folder` and its missing parents. Failure (kUsage) where that is impossible.
 void make_output_folder(const std::filesystem::path& folder);
 
 }  // namespace hmlfc::cli

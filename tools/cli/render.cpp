@@ -1,23 +1,23 @@
 // hmlfc render: novel views of a light field.
+#include <algorithm>
+#include <array>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/camera_options.hpp"
-#include "cli/commands.hpp"
-#include "cli/output.hpp"
-#include "cli/progress_bar.hpp"
-#include "cli/quality_sweep.hpp"
 #include "cli/render_backend.hpp"
 #include "cli/stream_file.hpp"
-#include "io/write_animation.hpp"
-#include "io/write_image.hpp"
+#include "io/image_files.hpp"
+#include "render/ray.hpp"
+#include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -29,16 +29,15 @@ struct RenderArguments {
   CameraOptions cameras;
   std::optional<int> levels;
   BackendChoice backend;
-  uint32_t cache_mib = 256;
+  uint32_t cache_mib = static_cast<uint32_t>(RenderOptions{}.cache_bytes >> 20);
   int threads = 0;
   bool progressive = false;
   bool sweep = false;
   bool json = false;
 };
 
-// Frames of more than this are not kept for the preview.
-constexpr size_t kPreviewFrames = 240;
-constexpr unsigned kPreviewRate = 20;  // frames a second
+constexpr size_t kPreviewFrames = 240;  // at most in a preview
+constexpr unsigned kPreviewRate = 20;   // frames per second
 
 std::string frame_name(size_t frame) { return fmt::format("frame_{:04}.png", frame); }
 
@@ -51,13 +50,12 @@ Json camera_json(const Camera& camera) {
   return json;
 }
 
-// The picture of a frame's pass that uses `levels` levels of the tree, beside that of the frame.
+// The file of a coarse pass with `levels` levels of the tree, next to the frame's.
 std::filesystem::path pass_name(std::filesystem::path frame, int levels) {
   return frame.replace_filename(fmt::format("{}_levels_{}.png", frame.stem().string(), levels));
 }
 
-// What one pass took. On a device the whole stream lies in its memory, and nobody counts what it
-// reads: `touched` is null.
+// The cost of one pass. `touched` is null for a device, which holds the whole stream in its memory.
 Json pass_json(const std::string& name, int levels, const Frame& frame,
                const TouchedBytes* touched) {
   Json json;
@@ -78,7 +76,28 @@ Json pass_json(const std::string& name, int levels, const Frame& frame,
   return json;
 }
 
-// One file of a stream, its cameras and what is asked of them.
+// Whether the name is that of a file which frames are not written as.
+bool is_other_format(const std::filesystem::path& output) {
+  constexpr std::array<std::string_view, 18> kOthers = {
+      ".apng", ".avi", ".bmp", ".exr", ".gif", ".hmlfc", ".jpeg", ".jpg",  ".json",
+      ".mkv",  ".mov", ".mp4", ".pgm", ".pnm", ".ppm",   ".tif",  ".tiff", ".webp"};
+  return std::ranges::find(kOthers, lower_case_extension(output)) != kOthers.end();
+}
+
+// The share of pixels that see nothing of the light field (RAY-6); these are black.
+double share_outside(const FrameRecord& record, const RgbImage& image) {
+  uint64_t outside = 0;
+  const uint16_t* pixel = image.samples.data();
+  for (int32_t j = 0; j < record.frame_height; ++j) {
+    for (int32_t i = 0; i < record.frame_width; ++i, pixel += 3) {
+      if ((pixel[0] | pixel[1] | pixel[2]) == 0 && !trace(record, i, j)) ++outside;
+    }
+  }
+  return static_cast<double>(outside) /
+         (static_cast<double>(record.frame_width) * record.frame_height);
+}
+
+// Renders the frames of one stream.
 class RenderRun {
  public:
   explicit RenderRun(const RenderArguments& arguments)
@@ -91,19 +110,15 @@ class RenderRun {
   }
 
   ExitCode frames() {
-    const bool one_file = arguments_.output.extension() == ".png";
-    if (one_file && cameras_.size() != 1) {
-      throw Failure(ExitCode::kUsage,
-                    "-o names one picture, but there are more frames: name a folder");
+    const bool one_file = prepare_output();
+    if (arguments_.progressive && stop_level_ == file_.header().tree_height) {
+      note(fmt::format(
+          "--progressive writes no coarse frames: the frames use one level of the tree; "
+          "{} has {} (encode --height sets how many)",
+          arguments_.file.string(), file_.header().tree_height + 1));
     }
-    if (one_file) {
-      check_output_file(arguments_.output);
-    } else {
-      make_output_folder(arguments_.output);
-    }
-    if (!arguments_.preview.empty()) check_output_file(arguments_.preview);
     const auto renderer = make_renderer(arguments_.backend, file_);
-    ProgressBar progress("Rendering", "frames");
+    terminal::ProgressBar progress("Rendering", "frames");
     for (size_t k = 0; k < cameras_.size(); ++k) {
       render_one(*renderer, k, one_file ? arguments_.output : arguments_.output / frame_name(k));
       progress.update(k + 1, cameras_.size());
@@ -117,7 +132,7 @@ class RenderRun {
   }
 
   ExitCode sweep() {
-    ProgressBar progress("Rendering", "settings");
+    terminal::ProgressBar progress("Rendering", "settings");
     const auto points = sweep_quality(file_, cameras_, arguments_.backend, progress.callback());
     progress.clear();
     if (arguments_.json) {
@@ -134,7 +149,9 @@ class RenderRun {
       print_json(rows);
       return ExitCode::kDone;
     }
-    print("| filter | levels | cache | ms a frame | PSNR RGB |\n|---|---|---|---|---|\n");
+    print(
+        "PSNR against frames computed in real numbers with filter quadrilinear and all levels\n\n"
+        "| filter | levels | cache | ms per frame | PSNR RGB |\n|---|---|---|---|---|\n");
     for (const SweepPoint& point : points) {
       print(fmt::format("| {} | {} | {} | {:.2f} | {} |\n", filter_name(point.filter), point.levels,
                         point.cached ? "yes" : "no", point.seconds * 1e3, psnr_text(point.psnr)));
@@ -149,7 +166,28 @@ class RenderRun {
     return error ? 0 : size;  // opening it says why
   }
 
-  // Only what frames need is read: no checksum of whole sections.
+  // Makes the folder, or checks that the one PNG file can be written; returns whether it is a file.
+  bool prepare_output() const {
+    const std::filesystem::path& output = arguments_.output;
+    const bool one_file = lower_case_extension(output) == ".png";
+    if (one_file && cameras_.size() != 1) {
+      throw Failure(ExitCode::kUsage,
+                    "-o names one PNG file, but there are several frames: name a folder");
+    }
+    if (is_other_format(output)) {
+      throw Failure(ExitCode::kUsage,
+                    output.string() + ": frames are PNG files; name a *.png file or a folder");
+    }
+    if (one_file) {
+      check_output_file(output);
+    } else {
+      make_output_folder(output);
+    }
+    if (!arguments_.preview.empty()) check_picture_file(arguments_.preview);
+    return one_file;
+  }
+
+  // Reads only what frames need, so section checksums are not checked.
   OpenOptions open_options() {
     OpenOptions options;
     options.check_sections = false;
@@ -186,6 +224,13 @@ class RenderRun {
     }
     Json frame = render_pass(renderer, k, stop_level_, name);
     frame["camera"] = camera_json(with_defaults(cameras_[k], file_.header()));
+    const double outside = share_outside(record_of(k), frame_.image);
+    frame["outside"] = outside;
+    outside_sum_ += outside;
+    if (outside > most_outside_) {
+      most_outside_ = outside;
+      emptiest_ = k;
+    }
     if (arguments_.progressive) frame["coarse"] = std::move(coarse);
     frames_.push_back(std::move(frame));
     if (!arguments_.preview.empty() && preview_.size() < kPreviewFrames) {
@@ -200,6 +245,7 @@ class RenderRun {
                         arguments_.output.string(), cameras_.size(),
                         cameras_.size() == 1 ? "" : "s", frame_.image.width, frame_.image.height,
                         seconds_ / count * 1e3));
+      if (most_outside_ > 0) print(outside_text());
       return;
     }
     Json json;
@@ -214,6 +260,16 @@ class RenderRun {
     print_json(json);
   }
 
+  std::string outside_text() const {
+    const auto percent = [](double share) { return fmt::format("{:.2f} %", 100 * share); };
+    std::string text = percent(outside_sum_ / static_cast<double>(cameras_.size())) +
+                       " of the pixels lie outside the light field and are black";
+    if (cameras_.size() > 1) {
+      text += fmt::format(", at most {} in frame {}", percent(most_outside_), emptiest_);
+    }
+    return text + "\n";
+  }
+
   const RenderArguments& arguments_;
   TouchedBytes touched_;
   StreamFile file_;
@@ -222,16 +278,20 @@ class RenderRun {
   Frame frame_;
   std::vector<RgbImage> preview_;
   double seconds_ = 0;
+  double outside_sum_ = 0;
+  double most_outside_ = 0;
+  size_t emptiest_ = 0;  // the frame of most_outside_
   Json frames_ = Json::array();
 };
 
-ExitCode run_render(RenderArguments& arguments) {
+ExitCode run_render(const RenderArguments& given) {
+  RenderArguments arguments = given;
   const ThreadLimit limit(arguments.threads);
   arguments.backend.options.cache_bytes = size_t{arguments.cache_mib} << 20;
   arguments.backend.options.threads = arguments.threads;
   arguments.backend.options.progressive = arguments.progressive;
   if (!arguments.sweep && arguments.output.empty()) {
-    throw Failure(ExitCode::kUsage, "-o is missing: name a folder, or a .png file for one frame");
+    throw Failure(ExitCode::kUsage, "-o is missing: name a folder, or a *.png file for one frame");
   }
   RenderRun run(arguments);
   return arguments.sweep ? run.sweep() : run.frames();
@@ -240,43 +300,42 @@ ExitCode run_render(RenderArguments& arguments) {
 }  // namespace
 
 void add_render(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<RenderArguments>();
-  CLI::App* app = program.add_subcommand("render", "Render novel views of a stream");
-  add_path(*app, "FILE", options->file, "An .hmlfc file");
-  add_output(*app, options->output, "DIR|FILE.png", "Folder for the frames, or one picture")
-      ->required(false);
-  add_camera_options(*app, options->cameras);
-  add_levels(*app, options->levels);
-  add_choice(*app, "--backend", options->backend.backend,
-             {{"cpu", Backend::kCpu}, {"gpu", Backend::kGpu}}, "Where frames are drawn")
-      ->default_str("cpu");
-  app->add_option("--device", options->backend.device,
-                  "Number of the device or part of its name, for gpu")
-      ->type_name("NAME");
-  add_integer(*app, "--cache", options->cache_mib, 0, 1u << 20,
-              "MiB of decoded blocks kept between frames");
-  add_path(*app, "--preview", options->preview, "Also all frames as one animated PNG")
-      ->required(false)
-      ->type_name("FILE.png");
-  CLI::Option* progressive =
-      app->add_flag("--progressive", options->progressive,
-                    "First write each frame with 1, 2, ... levels of the tree");
-  app->add_flag("--quality-vs-time", options->sweep,
-                "Print time and error of each filter, level and cache instead")
-      ->excludes(progressive);
-  add_threads(*app, options->threads);
-  app->add_flag("--json", options->json, "Print what each frame took as JSON");
-  app->footer(
-      R"(Places are counted in columns and rows of views; Z is the distance beyond the plane of the views, in
-columns. Frames are the same bytes on every machine (docs/rendering.md). Of the stream only those
-parts are read that the frames need; with --backend gpu it is put into the device's memory, and
-bytes_touched, key_samples_decoded and samples_interpolated are left out of the JSON. Coarse frames
-of --progressive are named after the frame and its levels: frame_0000_levels_1.png. Each is decoded
-from the one before.
+  const auto [app, options] = add_command(
+      program, task, "render", "Render novel views of a stream", run_render,
+      R"(Positions are in columns and rows of views; Z is the distance beyond the view plane, in columns.
+Pixels outside the light field are black; their share is printed, and is "outside" in the JSON.
+Frames are the same bytes on every machine (docs/rendering.md). Only the parts of the stream that the
+frames need are read. --backend gpu loads the whole stream into the device's memory, and its JSON has
+no bytes_touched, key_samples_decoded and samples_interpolated. The coarse frames of --progressive are
+named after the frame and its levels: frame_0000_levels_1.png. Each is decoded from the one before.
+--quality-vs-time compares with frames computed in real numbers, filter quadrilinear and all levels.
 
 Example:
   hmlfc render chess.hmlfc --path orbit --frames 4 --size 96x96 -o orbit --json)");
-  app->callback([&task, options] { task = [options] { return run_render(*options); }; });
+  add_stream(app, options.file);
+  add_output(app, options.output, "DIR|FILE.png", "Folder for the frames, or one PNG file")
+      ->required(false);
+  add_camera_options(app, options.cameras);
+  add_levels(app, options.levels);
+  add_choice(app, "--backend", options.backend.backend,
+             {{"cpu", Backend::kCpu}, {"gpu", Backend::kGpu}}, "Where frames are rendered")
+      ->default_str("cpu");
+  app.add_option("--device", options.backend.device,
+                 "Number of the device or part of its name, for gpu")
+      ->type_name("NAME");
+  add_integer(app, "--cache", options.cache_mib, 0, 1u << 20,
+              "MiB of decoded blocks kept between frames");
+  add_path(app, "--preview", options.preview, "Also all frames as one animated PNG")
+      ->required(false)
+      ->type_name("FILE.png");
+  CLI::Option* progressive =
+      app.add_flag("--progressive", options.progressive,
+                   "First write each frame with 1, 2, ... levels of the tree");
+  app.add_flag("--quality-vs-time", options.sweep,
+               "Print time and PSNR of each filter, level and cache instead")
+      ->excludes(progressive);
+  add_threads(app, options.threads);
+  add_json(app, options.json);
 }
 
 }  // namespace hmlfc::cli

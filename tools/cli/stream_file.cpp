@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/failure.hpp"
+#include "cli/output.hpp"
 
 namespace hmlfc::cli {
 
@@ -24,8 +24,9 @@ int StreamFile::stop_level(int levels) const {
   const int all = header().tree_height + 1;
   if (levels >= 1 && levels <= all) return all - levels;
   throw Failure(ExitCode::kUsage,
-                fmt::format("--levels {} is outside [1, {}]: {} has {} level{}", levels, all,
-                            path_.string(), all, all == 1 ? "" : "s"));
+                fmt::format("--levels {} is outside [1, {}]: {} has {} level{}; encode with a "
+                            "larger --height for more",
+                            levels, all, path_.string(), all, all == 1 ? "" : "s"));
 }
 
 }  // namespace hmlfc::cli

@@ -7,14 +7,14 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 
 namespace hmlfc::cli {
 
-/// A mapped stream with its decoder. Every function throws a Failure that names the file.
+/// A mapped stream with its decoder. All functions throw a Failure that names the file.
 class StreamFile {
  public:
-  /// Failures: the file cannot be read (kInput), or is no intact stream (kCorrupt).
+  /// Failures: the file cannot be read (kInput), or is not an intact stream (kCorrupt).
   explicit StreamFile(std::filesystem::path path, const OpenOptions& options = {});
 
   const std::filesystem::path& path() const { return path_; }
@@ -26,8 +26,8 @@ class StreamFile {
   /// Usage failure unless `view` is in the grid.
   void check_view(ViewPos view) const;
 
-  /// The stop level with which `levels` levels of the tree are used, counted from the top; usage
-  /// failure unless `levels` lies in [1, tree_height + 1].
+  /// The stop level that uses `levels` levels of the tree, counted from the top; usage failure
+  /// unless `levels` lies in [1, tree_height + 1].
   int stop_level(int levels) const;
 
  private:

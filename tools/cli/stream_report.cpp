@@ -4,10 +4,11 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <hmlfc/stream_info.hpp>
 
-#include "cli/failure.hpp"
+#include "cli/output.hpp"
 
 namespace hmlfc::cli {
 namespace {

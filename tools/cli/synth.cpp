@@ -1,4 +1,4 @@
-// hmlfc synth: a synthetic light field as a folder of views.
+// hmlfc synth: renders a synthetic light field to a folder of views.
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -8,13 +8,11 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
-#include "cli/output.hpp"
-#include "cli/progress_bar.hpp"
 #include "cli/view_source.hpp"
 #include "io/light_field_files.hpp"
 #include "io/view_name.hpp"
 #include "scenes/scene.hpp"
+#include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -28,19 +26,6 @@ struct SynthOptions {
   std::filesystem::path folder;
 };
 
-CLI::Option* add_size(CLI::App& app, scenes::SceneParams& scene) {
-  const auto reader = [&scene](const std::string& text) -> std::optional<std::string> {
-    const auto size = parse_numbers<2>(text, 'x');
-    if (!size || (*size)[0] < 1 || (*size)[0] > 65536 || (*size)[1] < 1 || (*size)[1] > 65536) {
-      return "width x height in [1, 65536], as 512x384";
-    }
-    scene.width = (*size)[0];
-    scene.height = (*size)[1];
-    return std::nullopt;
-  };
-  return add_value(app, "--size", "WxH", "Pixels of a view, width x height", reader);
-}
-
 ExitCode run_synth(const SynthOptions& options) {
   scenes::SceneParams params = options.scene;
   params.baseline_px = options.baseline.value_or(params.baseline_px);
@@ -48,10 +33,10 @@ ExitCode run_synth(const SynthOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const auto threads = static_cast<unsigned>(options.threads);
 
-  ProgressBar rendering("Rendering", "views");
+  terminal::ProgressBar rendering("Rendering", "views");
   const LightField field = scenes::render_scene(params, threads, rendering.callback());
   rendering.clear();
-  ProgressBar writing("Writing", "views");
+  terminal::ProgressBar writing("Writing", "views");
   value_or_throw(io::save_views(options.folder, field, threads, writing.callback()),
                  ExitCode::kOutput);
   writing.clear();
@@ -65,10 +50,15 @@ ExitCode run_synth(const SynthOptions& options) {
 }  // namespace
 
 void add_synth(CLI::App& program, Task& task) {
-  const auto options = std::make_shared<SynthOptions>();
-  scenes::SceneParams& scene = options->scene;
-  CLI::App* app = program.add_subcommand("synth", "Render a synthetic light field");
-  add_choice(*app, "--scene", scene.scene,
+  const auto [app, options] = add_command(
+      program, task, "synth", "Render a synthetic light field", run_synth,
+      R"(Writes one PNG per view, named by row and column: 00_00.png, 00_01.png ... The same arguments give
+the same images on every machine.
+
+Example:
+  hmlfc synth --scene cards --grid 9x9 --size 512x384 -o views)");
+  scenes::SceneParams& scene = options.scene;
+  add_choice(app, "--scene", scene.scene,
              {{"cards", Scene::kCards},
               {"knights", Scene::kKnights},
               {"glass", Scene::kGlass},
@@ -76,25 +66,23 @@ void add_synth(CLI::App& program, Task& task) {
               {"noise", Scene::kNoise}},
              "What to render")
       ->required();
-  add_rows_by_cols(*app, "--grid", scene.rows, scene.cols, io::kMaxGridSide,
+  add_rows_by_cols(app, "--grid", scene.rows, scene.cols, io::kMaxGridSide,
                    "Views as rows x columns")
       ->required()
       ->default_str("");
-  add_size(*app, scene)->required();
-  add_decimal(*app, "--baseline", "PX", options->baseline, 0, 64,
+  add_sides(app, "--size", "WxH", "width x height", 65536, "Pixels of a view, width x height",
+            [&scene](uint32_t width, uint32_t height) {
+              scene.width = width;
+              scene.height = height;
+            })
+      ->required();
+  add_decimal(app, "--baseline", "PX", options.baseline, 0, 64,
               "Parallax between neighbouring views at depth 1, in pixels")
       ->default_str(fmt::format("{}", scene.baseline_px));
-  add_integer(*app, "--seed", scene.seed, 0, ~uint64_t{0}, "Varies places, colours and textures");
-  add_integer(*app, "--depth", scene.depth, 8, 12, "Bits a sample");
-  add_threads(*app, options->threads);
-  add_output(*app, options->folder, "DIR", "Folder for the views, made if it is missing");
-  app->footer(
-      R"(Writes one PNG a view, named by row and column: 00_00.png, 00_01.png ... The same arguments give
-the same pictures on every machine.
-
-Example:
-  hmlfc synth --scene cards --grid 9x9 --size 512x384 -o views)");
-  app->callback([&task, options] { task = [options] { return run_synth(*options); }; });
+  add_integer(app, "--seed", scene.seed, 0, ~uint64_t{0}, "Varies positions, colours and textures");
+  add_integer(app, "--depth", scene.depth, 8, 12, "Bits per sample");
+  add_threads(app, options.threads);
+  add_output(app, options.folder, "DIR", "Folder for the views, created if missing");
 }
 
 }  // namespace hmlfc::cli

@@ -1,34 +1,170 @@
-// hmlfc vectors: the conformance suite.
+// hmlfc vectors: makes the conformance suite, lists and examines it.
+
+#include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
-#include "cli/output.hpp"
-#include "cli/progress_bar.hpp"
-#include "cli/vectors_suite.hpp"
+#include "cli/stream_file.hpp"
+#include "io/files.hpp"
+#include "io/image_files.hpp"
+#include "io/pictures.hpp"
+#include "terminal/progress_bar.hpp"
+#include "vectors/examine.hpp"
 #include "vectors/generate.hpp"
+#include "vectors/recipe.hpp"
 
 namespace hmlfc::cli {
+
 namespace {
 
-struct GenerateOptions {
+// Every command uses a part of these.
+struct SuiteOptions {
   std::filesystem::path suite = "vectors";
-  std::optional<std::filesystem::path> output;
+  std::string id;
+  std::string group;
+  std::string clause;
+  std::filesystem::path output;
   int threads = 0;
+  bool json = false;
 };
 
-ExitCode run_generate(const GenerateOptions& options) {
-  ProgressBar progress("Generating", "vectors");
+// The manifest of `suite`; a failure (kInput) where it cannot be read.
+vectors::Manifest manifest_of(const std::filesystem::path& suite) {
+  return value_or_throw(vectors::read_manifest(suite), ExitCode::kInput);
+}
+
+// The vector that the options name; a usage failure where there is none.
+const vectors::Vector& vector_of(const vectors::Manifest& manifest, const SuiteOptions& options) {
+  const auto found = std::ranges::find(manifest.vectors, options.id, &vectors::Vector::id);
+  if (found != manifest.vectors.end()) return *found;
+  throw Failure(ExitCode::kUsage,
+                "there is no vector " + options.id + "; hmlfc vectors list shows them all");
+}
+
+std::string expectation(const vectors::Expectation& expect) {
+  if (expect.outcome == vectors::Outcome::kOk) return "ok";
+  return fmt::format("{} {}", vectors::outcome_name(expect.outcome), error_name(expect.error));
+}
+
+bool is_chosen(const vectors::Vector& vector, const SuiteOptions& options) {
+  if (!options.group.empty() && vector.group != options.group) return false;
+  if (options.clause.empty()) return true;
+  return std::ranges::find(vector.clauses, options.clause) != vector.clauses.end();
+}
+
+ExitCode run_list(const SuiteOptions& options) {
+  const vectors::Manifest manifest = manifest_of(options.suite);
+  Json rows = Json::array();
+  std::string text;
+  size_t count = 0;
+  for (const vectors::Vector& vector : manifest.vectors) {
+    if (!is_chosen(vector, options)) continue;
+    ++count;
+    rows.push_back({{"id", vector.id},
+                    {"profile", profile_name(vector.profile)},
+                    {"level", vector.level},
+                    {"bytes", vector.input.bytes},
+                    {"outcome", vectors::outcome_name(vector.expect.outcome)}});
+    text += fmt::format("{:44} {:9} {} {:>9}  {}\n", vector.id, profile_name(vector.profile),
+                        vector.level, grouped(vector.input.bytes), expectation(vector.expect));
+  }
+  if (options.json) {
+    print_json(rows);
+  } else {
+    print(fmt::format("{}{} of {} vectors, version {}\n", text, count, manifest.vectors.size(),
+                      manifest.vectors_version));
+  }
+  return ExitCode::kDone;
+}
+
+ExitCode run_explain(const SuiteOptions& options) {
+  const vectors::Manifest manifest = manifest_of(options.suite);
+  const vectors::Vector& vector = vector_of(manifest, options);
+  const vectors::Expectation& expect = vector.expect;
+  std::string text = fmt::format(
+      "{}\n  {}\n  clauses  {}\n  flags    {}\n  stream   {}, {} bytes, profile {}, level {}\n",
+      vector.id, vector.comment, fmt::join(vector.clauses, ", "), fmt::join(vector.flags, ", "),
+      vector.input.file, vector.input.bytes, profile_name(vector.profile), vector.level);
+  text += "  expected " + expectation(expect);
+  if (expect.outcome != vectors::Outcome::kOk) {
+    text +=
+        fmt::format(" at byte {}, when {}", expect.offset,
+                    expect.operation == vectors::Operation::kOpen ? "the stream is opened"
+                                                                  : "these blocks are decoded:");
+  }
+  text += "\n";
+  for (const BlockAddress& block : expect.blocks) {
+    text += fmt::format("           view {},{} plane {} block {},{}\n", block.view.row,
+                        block.view.col, plane_name(block.plane), block.bx, block.by);
+  }
+  if (vector.output) {
+    text += fmt::format("  output   {} x {} views of {} x {}, depth {}, SHA-256 {}\n",
+                        vector.output->rows, vector.output->cols, vector.output->width,
+                        vector.output->height, vector.output->depth, vector.output->sha256);
+  }
+  if (vector.trace) {
+    text += fmt::format("  trace    {}, {}\n", vector.trace->lines.file, vector.trace->hex.file);
+  }
+  try {
+    const auto recipes = vectors::read_recipes(options.suite / "recipes");
+    text += "  recipe   " + recipes.at(vector.id).stream.dump() + "\n";
+  } catch (const std::exception& error) {
+    throw Failure(ExitCode::kInput, error.what());
+  }
+  print(text);
+  return ExitCode::kDone;
+}
+
+constexpr uint32_t kSheetWidth = 1024;
+
+ExitCode run_show(const SuiteOptions& options) {
+  check_picture_file(options.output);
+  const vectors::Manifest manifest = manifest_of(options.suite);
+  const StreamFile file(options.suite / vector_of(manifest, options).input.file);
+  const StreamHeader& header = file.header();
+  LightField views({header.rows, header.cols, header.width, header.height, header.depth});
+  for (uint32_t row = 0; row < header.rows; ++row) {
+    for (uint32_t col = 0; col < header.cols; ++col) {
+      views.set_view(row, col, value_or_throw(file.decoder().decode_view({row, col}), file.path()));
+    }
+  }
+  const RgbImage sheet = io::contact_sheet(views, kSheetWidth);
+  value_or_throw(io::write_png(options.output, sheet), ExitCode::kOutput);
+  print(fmt::format("{}: {} x {} views\n", options.output.string(), header.rows, header.cols));
+  return ExitCode::kDone;
+}
+
+ExitCode run_inspect(const SuiteOptions& options) {
+  const vectors::Manifest manifest = manifest_of(options.suite);
+  const auto path = options.suite / vector_of(manifest, options).input.file;
+  const auto file = value_or_throw(io::MappedFile::open(path), ExitCode::kInput);
+  print(vectors::annotated_dump(file.bytes()));
+  return ExitCode::kDone;
+}
+
+ExitCode run_lint(const SuiteOptions& options) {
+  const vectors::Manifest manifest = manifest_of(options.suite);
+  const auto found = vectors::lint_suite(options.suite, manifest);
+  for (const std::string& line : found) print(line + "\n");
+  if (!found.empty()) return ExitCode::kDifferent;
+  print(fmt::format("{} vectors: no problems\n", manifest.vectors.size()));
+  return ExitCode::kDone;
+}
+
+ExitCode run_generate(const SuiteOptions& options) {
+  terminal::ProgressBar progress("Generating", "vectors");
   const auto files = value_or_throw(
       vectors::generate_suite(options.suite / "recipes", static_cast<unsigned>(options.threads),
                               progress.callback()),
       ExitCode::kInput);
   progress.clear();
-  const auto folder = options.output.value_or(options.suite);
+  const auto folder = options.output.empty() ? options.suite : options.output;
   make_output_folder(folder);
   value_or_throw(vectors::write_suite(files, folder), ExitCode::kOutput);
   uint64_t bytes = 0;
@@ -37,24 +173,36 @@ ExitCode run_generate(const GenerateOptions& options) {
   return ExitCode::kDone;
 }
 
-void add_generate(CLI::App& app, Task& task) {
-  const auto options = std::make_shared<GenerateOptions>();
-  CLI::App* generate = app.add_subcommand("generate", "Make the suite from its recipes");
-  add_suite(*generate, options->suite);
-  const auto reader = [options](const std::string& text) -> std::optional<std::string> {
-    options->output = text;
-    return std::nullopt;
-  };
-  add_value(*generate, "-o,--output", "DIR", "Write there and not into the suite", reader);
-  add_threads(*generate, options->threads);
-  generate->footer(
-      R"(Reads DIR/recipes/*.json and writes manifest.json and the files of every vector: the same bytes on
-every machine. Files of vectors without a recipe are removed from the folders of the groups. A recipe
-that the golden model contradicts stops it before anything is written.
+// Adds a command of `hmlfc vectors`, with --suite and, if it is about one vector, its ID.
+Command<SuiteOptions> add_suite_command(CLI::App& vectors, Task& task, const std::string& name,
+                                        const std::string& description, bool with_id,
+                                        ExitCode (*run)(const SuiteOptions&),
+                                        const std::string& footer) {
+  const auto command = add_command(vectors, task, name, description, run, footer);
+  if (with_id) {
+    command.app.add_option("ID", command.options.id, "The vector, as group/name")
+        ->required()
+        ->type_name("");
+  }
+  add_path(command.app, "--suite", command.options.suite, "Folder of the suite")
+      ->required(false)
+      ->type_name("DIR")
+      ->default_str("vectors");
+  return command;
+}
+
+void add_list(CLI::App& vectors, Task& task) {
+  const auto [app, options] = add_suite_command(
+      vectors, task, "list", "List the vectors", false, run_list,
+      R"(Columns: id, profile, conformance level, bytes of the stream, expected outcome.
+JSON: a list of {id, profile, level, bytes, outcome}; manifest.json has everything.
 
 Example:
-  hmlfc vectors generate)");
-  generate->callback([&task, options] { task = [options] { return run_generate(*options); }; });
+  hmlfc vectors list --clause BISE-10)");
+  app.add_option("--group", options.group, "Only the vectors of one group")->type_name("NAME");
+  app.add_option("--clause", options.clause, "Only the vectors that exercise one clause")
+      ->type_name("CLAUSE");
+  add_json(app, options.json);
 }
 
 }  // namespace
@@ -62,12 +210,47 @@ Example:
 void add_vectors(CLI::App& program, Task& task) {
   CLI::App* app = program.add_subcommand("vectors", "Make and examine the conformance suite");
   app->require_subcommand(1);
-  add_generate(*app, task);
-  add_vectors_list(*app, task);
-  add_vectors_explain(*app, task);
-  add_vectors_show(*app, task);
-  add_vectors_inspect(*app, task);
-  add_vectors_lint(*app, task);
+
+  const auto [generate, generated] = add_suite_command(
+      *app, task, "generate", "Make the suite from its recipes", false, run_generate,
+      R"(Reads DIR/recipes/*.json and writes manifest.json and the files of every vector: the same bytes on
+every machine. Files of vectors without a recipe are removed from the group folders. If the golden
+model contradicts a recipe, nothing is written.
+
+Example:
+  hmlfc vectors generate)");
+  add_output(generate, generated.output, "DIR", "Write to this folder instead")->required(false);
+  add_threads(generate, generated.threads);
+
+  add_list(*app, task);
+  add_suite_command(
+      *app, task, "explain", "Say what one vector tests", true, run_explain,
+      R"(Prints the mistake that the vector hunts, what a decoder must do, and the recipe.
+
+Example:
+  hmlfc vectors explain error/sign-mode-3)");
+  const auto [show, shown] = add_suite_command(
+      *app, task, "show", "Draw the views of one vector", true, run_show,
+      R"(Writes all decoded views side by side. If the vector does not decode, its error is reported.
+
+Example:
+  hmlfc vectors show real/cards-main -o cards.png)");
+  add_output(show, shown.output, "FILE.png", "The PNG file to write");
+  add_suite_command(
+      *app, task, "inspect", "Dump one vector, every field with its clause", true, run_inspect,
+      R"(Columns: address of the first bit as byte.bit, bits, the bytes that hold them, clause, name and
+value. Values of bounded integer sequences appear where the sequence begins. The errors of a damaged
+stream come last.
+
+Example:
+  hmlfc vectors inspect syntax/base-main)");
+  add_suite_command(
+      *app, task, "lint", "Check the suite's files without decoding them", false, run_lint,
+      R"(Checks hashes and lengths of all files, stray files, names, conformance levels, headers, sections,
+index and key image tables, traces and blocks files. Prints each problem; exit status 1 if there is one.
+
+Example:
+  hmlfc vectors lint)");
 }
 
 }  // namespace hmlfc::cli

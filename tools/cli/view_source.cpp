@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "cli/failure.hpp"
+#include "cli/output.hpp"
 #include "cli/stream_file.hpp"
-#include "io/read_image.hpp"
+#include "io/image_files.hpp"
 
 namespace hmlfc::cli {
 
@@ -18,7 +18,9 @@ class FolderSource final : public ViewSource {
  public:
   FolderSource(const fs::path& folder, std::optional<io::GridShape> grid)
       : views_(value_or_throw(io::list_views(folder, grid), ExitCode::kInput)) {
-    const RgbImage first = read(0);
+    io::ImageLosses losses;
+    const RgbImage first = read(0, &losses);
+    note_losses(folder, losses);
     shape_ = {views_.rows, views_.cols, first.width, first.height, first.depth};
   }
 
@@ -39,8 +41,8 @@ class FolderSource final : public ViewSource {
   }
 
  private:
-  RgbImage read(size_t index) const {
-    return value_or_throw(io::read_image(views_.files.at(index)), ExitCode::kInput);
+  RgbImage read(size_t index, io::ImageLosses* losses = nullptr) const {
+    return value_or_throw(io::read_image(views_.files.at(index), {}, losses), ExitCode::kInput);
   }
 
   io::ViewList views_;
@@ -49,10 +51,7 @@ class FolderSource final : public ViewSource {
 
 class StreamSource final : public ViewSource {
  public:
-  explicit StreamSource(const fs::path& file) : file_(file) {
-    const StreamHeader& header = file_.header();
-    shape_ = {header.rows, header.cols, header.width, header.height, header.depth};
-  }
+  explicit StreamSource(const fs::path& file) : file_(file), shape_(shape_of(file_.header())) {}
 
   const LightFieldShape& shape() const override { return shape_; }
 
@@ -78,6 +77,28 @@ void ViewSource::check_view(ViewPos view) const {
   if (view.row < shape().rows && view.col < shape().cols) return;
   throw Failure(ExitCode::kUsage, fmt::format("--view {},{} is outside the grid of {} x {} views",
                                               view.row, view.col, shape().rows, shape().cols));
+}
+
+void check_rect(const Rect& rect, const LightFieldShape& shape) {
+  if (rect.width > 0 && rect.height > 0 && rect.x < shape.width && rect.y < shape.height &&
+      rect.width <= shape.width - rect.x && rect.height <= shape.height - rect.y) {
+    return;
+  }
+  throw Failure(ExitCode::kUsage,
+                fmt::format("--rect {},{},{},{} does not lie in the {} x {} pixels of a view",
+                            rect.x, rect.y, rect.width, rect.height, shape.width, shape.height));
+}
+
+void note_losses(const fs::path& path, const io::ImageLosses& losses) {
+  if (losses.stored_bits > 0) {
+    note(fmt::format("{}: samples of {} bits are reduced to 12 bits, the most that a stream holds",
+                     path.string(), losses.stored_bits));
+  }
+  if (losses.alpha) note(path.string() + ": the alpha channel is dropped");
+}
+
+LightFieldShape shape_of(const StreamHeader& header) {
+  return {header.rows, header.cols, header.width, header.height, header.depth};
 }
 
 std::string describe(const LightFieldShape& shape) {

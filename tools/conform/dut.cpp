@@ -1,10 +1,229 @@
 #include "conform/dut.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <optional>
+#include <set>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace hmlfc::conform {
+
+namespace {
+
+// Reads words one after the other.
+class WordReader {
+ public:
+  explicit WordReader(std::string_view text) : text_(text) {}
+
+  // The next word; nothing at the end of the text or where a quote does not end.
+  std::optional<std::string> next() {
+    at_ = std::min(text_.find_first_not_of(" \t\n", at_), text_.size());
+    if (at_ == text_.size()) return std::nullopt;
+    std::string word;
+    char quote = 0;
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (c == quote && quote != 0) {
+        quote = 0;
+      } else if (quote == 0 && (c == '"' || c == '\'')) {
+        quote = c;
+      } else if (c == '\\' && quote != '\'' && at_ + 1 < text_.size()) {
+        word += text_[++at_];
+      } else if (quote == 0 && (c == ' ' || c == '\t' || c == '\n')) {
+        break;
+      } else {
+        word += c;
+      }
+    }
+    unfinished_ = quote != 0;
+    if (unfinished_) return std::nullopt;
+    return word;
+  }
+
+  bool unfinished() const { return unfinished_; }
+
+ private:
+  std::string_view text_;
+  size_t at_ = 0;
+  bool unfinished_ = false;
+};
+
+using Json = nlohmann::json;
+
+// Thrown by the readers of keys; becomes the error of read_dut().
+struct WrongValue {
+  std::string what;
+};
+
+template <class T>
+T value_of(const Json& json, const std::string& key) {
+  try {
+    return json.at(key).get<T>();
+  } catch (const Json::exception&) {
+    throw WrongValue{fmt::format("\"{}\" is missing or has a value of the wrong kind", key)};
+  }
+}
+
+template <class T>
+void read_if_there(const Json& json, const std::string& key, T& target) {
+  if (json.contains(key)) target = value_of<T>(json, key);
+}
+
+// An integer in [lo, hi].
+template <class T>
+void read_number(const Json& json, const std::string& key, T& target, int64_t lo, int64_t hi) {
+  if (!json.contains(key)) return;
+  const auto value = value_of<int64_t>(json, key);
+  if (!json.at(key).is_number_integer() || value < lo || value > hi) {
+    throw WrongValue{fmt::format("\"{}\" is not an integer in [{}, {}]", key, lo, hi)};
+  }
+  target = static_cast<T>(value);
+}
+
+void allow_keys(const Json& json, const std::string& where, const std::set<std::string>& keys) {
+  if (!json.is_object()) throw WrongValue{where + " is not an object"};
+  for (const auto& item : json.items()) {
+    if (!keys.contains(item.key())) {
+      throw WrongValue{fmt::format("{} has the unknown key \"{}\"", where, item.key())};
+    }
+  }
+}
+
+DutLimits read_limits(const Json& json) {
+  allow_keys(json, "\"limits\"",
+             {"rows", "cols", "width", "height", "depth", "tree_height", "block_log2"});
+  DutLimits limits;
+  read_number(json, "rows", limits.rows, 1, 4096);
+  read_number(json, "cols", limits.cols, 1, 4096);
+  read_number(json, "width", limits.width, 1, 65536);
+  read_number(json, "height", limits.height, 1, 65536);
+  read_number(json, "depth", limits.depth, 8, 12);
+  read_number(json, "tree_height", limits.tree_height, 0, 15);
+  read_if_there(json, "block_log2", limits.block_log2);
+  return limits;
+}
+
+Profile read_profile(const Json& json) {
+  const auto name = value_of<std::string>(json, "profile");
+  for (const Profile profile : {Profile::kMain, Profile::kExtended}) {
+    if (profile_name(profile) == name) return profile;
+  }
+  throw WrongValue{"\"profile\" is \"" + name + "\", neither main nor extended"};
+}
+
+std::vector<Waiver> read_waivers(const Json& json) {
+  std::vector<Waiver> waivers;
+  for (const Json& entry : value_of<std::vector<Json>>(json, "waivers")) {
+    allow_keys(entry, "a waiver", {"vector", "reason"});
+    Waiver waiver{value_of<std::string>(entry, "vector"), value_of<std::string>(entry, "reason")};
+    if (waiver.reason.empty()) {
+      throw WrongValue{"the waiver of " + waiver.vector + " has no reason"};
+    }
+    waivers.push_back(std::move(waiver));
+  }
+  return waivers;
+}
+
+std::vector<std::string> words_of(std::string_view text, const Places& places,
+                                  std::initializer_list<const char*> needed) {
+  const auto words = split_command(text);
+  if (!words) throw WrongValue{words.error().message};
+  for (const char* place : needed) {
+    if (text.find(place) == std::string_view::npos) {
+      throw WrongValue{fmt::format("the command '{}' does not have {}", text, place)};
+    }
+  }
+  return fill_in(*words, places);
+}
+
+constexpr const char* kTracePlaces[] = {"{input}", "{view_row}", "{view_col}",
+                                        "{plane}", "{block_x}",  "{block_y}"};
+
+std::vector<std::string> trace_words(std::string_view text, const Places& places) {
+  return words_of(text, places,
+                  {kTracePlaces[0], kTracePlaces[1], kTracePlaces[2], kTracePlaces[3],
+                   kTracePlaces[4], kTracePlaces[5]});
+}
+
+// A library is run by this program's own command for libraries.
+void set_library(Dut& dut, const std::string& library, bool by_block, const Places& places) {
+  dut.command = {places.at("hmlfc"), "decode-with", library, "{input}", "-o", "{output}"};
+  if (by_block) dut.command.push_back("--by-block");
+  dut.trace = {
+      places.at("hmlfc"), "decode-with", library,
+      "{input}",          "--trace",     "{view_row},{view_col},{plane},{block_x},{block_y}"};
+  dut.error_names = true;
+}
+
+void read_program(Dut& dut, const Json& json, const Places& places) {
+  if (json.contains("library") == json.contains("command")) {
+    throw WrongValue{"exactly one of \"command\" and \"library\" is needed"};
+  }
+  if (json.contains("library")) {
+    const auto library = fill_in({value_of<std::string>(json, "library")}, places).front();
+    bool by_block = false;
+    read_if_there(json, "by_block", by_block);
+    return set_library(dut, library, by_block, places);
+  }
+  dut.command = words_of(value_of<std::string>(json, "command"), places, {"{input}", "{output}"});
+  if (json.contains("trace")) dut.trace = trace_words(value_of<std::string>(json, "trace"), places);
+  read_if_there(json, "error_names", dut.error_names);
+}
+
+Dut read_declaration(const std::filesystem::path& file, Places places) {
+  std::ifstream stream(file);
+  const Json json = Json::parse(stream, nullptr, false);
+  if (!stream.is_open()) throw WrongValue{"cannot be read"};
+  if (json.is_discarded()) throw WrongValue{"is not JSON"};
+  allow_keys(json, "the declaration",
+             {"name", "command", "library", "by_block", "trace", "profile", "level", "limits",
+              "error_names", "waivers", "comment"});
+  places["dut"] = std::filesystem::absolute(file).parent_path().string();
+  Dut dut;
+  dut.name = value_of<std::string>(json, "name");
+  read_program(dut, json, places);
+  if (json.contains("profile")) dut.profile = read_profile(json);
+  read_number(json, "level", dut.level, 0, 3);
+  if (json.contains("limits")) dut.limits = read_limits(json.at("limits"));
+  if (json.contains("waivers")) dut.waivers = read_waivers(json);
+  return dut;
+}
+
+}  // namespace
+
+io::IoResult<std::vector<std::string>> split_command(std::string_view text) {
+  WordReader reader(text);
+  std::vector<std::string> words;
+  while (auto word = reader.next()) words.push_back(std::move(*word));
+  if (reader.unfinished()) {
+    return io::file_error(std::string(text), "unterminated quote in this command line");
+  }
+  if (words.empty()) return tl::unexpected(io::IoError{"the command line is empty"});
+  return words;
+}
+
+std::vector<std::string> fill_in(const std::vector<std::string>& words, const Places& places) {
+  std::vector<std::string> filled;
+  for (const std::string& word : words) {
+    std::string text;
+    for (size_t at = 0; at < word.size();) {
+      const size_t end = word[at] == '{' ? word.find('}', at) : std::string::npos;
+      const auto place = end == std::string::npos
+                             ? places.end()
+                             : places.find(std::string_view(word).substr(at + 1, end - at - 1));
+      if (place != places.end()) {
+        text += place->second;
+        at = end + 1;
+      } else {
+        text += word[at++];
+      }
+    }
+    filled.push_back(std::move(text));
+  }
+  return filled;
+}
 
 const Waiver* Dut::waiver(const std::string& id) const {
   const auto found = std::ranges::find(waivers, id, &Waiver::vector);
@@ -32,6 +251,27 @@ std::optional<std::string> beyond_claims(const Dut& dut, Profile profile, int le
     return fmt::format("block_log2 {}", header->block_log2);
   }
   return std::nullopt;
+}
+
+io::IoResult<Dut> read_dut(const std::string& text, const DutPlaces& places) {
+  const Places names{{"hmlfc", places.hmlfc.string()},
+                     {"bin", places.hmlfc.parent_path().string()}};
+  const std::filesystem::path path(text);
+  try {
+    if (path.extension() == ".json") return read_declaration(path, names);
+    Dut dut;
+    dut.name = text;
+    if (path.extension() == ".so") {
+      std::error_code ignored;
+      if (!std::filesystem::is_regular_file(path, ignored)) throw WrongValue{"no such library"};
+      set_library(dut, std::filesystem::absolute(path).string(), false, names);
+    } else {
+      dut.command = words_of(text, names, {"{input}", "{output}"});
+    }
+    return dut;
+  } catch (const WrongValue& error) {
+    return io::file_error(text, error.what);
+  }
 }
 
 }  // namespace hmlfc::conform

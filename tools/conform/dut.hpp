@@ -3,18 +3,30 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <hmlfc/format.hpp>
 
-#include "conform/command_template.hpp"
 #include "io/io_error.hpp"
 
 namespace hmlfc::conform {
 
-/// A vector that the decoder is known to fail, and why that is accepted for now.
+/// The text for each {name} in a command line.
+using Places = std::map<std::string, std::string, std::less<>>;
+
+/// The words of `text`: separated by blanks; quotes ("..." or '...') and a backslash before a
+/// character keep blanks in a word, as in a shell. No other shell syntax is supported: no
+/// variables, no pipes (use sh -c '...'). Errors: an unterminated quote, no words.
+io::IoResult<std::vector<std::string>> split_command(std::string_view text);
+
+/// `words` with every {name} of `places` replaced; other braces stay.
+std::vector<std::string> fill_in(const std::vector<std::string>& words, const Places& places);
+
+/// A vector that the decoder is known to fail, and why that is accepted.
 struct Waiver {
   std::string vector;  ///< its id
   std::string reason;
@@ -31,13 +43,13 @@ struct DutLimits {
   std::vector<unsigned> block_log2 = {1, 2, 3};
 };
 
-/// What is asked of a decoder, and what it claims.
+/// How a decoder is run, and what it claims to support.
 struct Dut {
   std::string name;
   /// Decodes the stream {input} into the folder {output}, which exists and is empty.
   std::vector<std::string> command;
-  /// Prints the stages of one block as JSON lines; empty where the decoder cannot. Places: {input},
-  /// {view_row}, {view_col}, {plane} (0, 1, 2), {block_x}, {block_y}.
+  /// Prints the stages of one block as JSON lines; empty if the decoder cannot. Placeholders:
+  /// {input}, {view_row}, {view_col}, {plane} (0, 1, 2), {block_x}, {block_y}.
   std::vector<std::string> trace;
   Profile profile = Profile::kExtended;  ///< extended includes main (LVL-2)
   int level = 3;                         ///< the conformance level that it claims (LVL-1), [0, 3]
@@ -49,7 +61,7 @@ struct Dut {
   const Waiver* waiver(const std::string& id) const;
 };
 
-/// Where the programs are that a DUT file may name: {hmlfc} is the program that runs, {bin} its
+/// The programs that a DUT file may name: {hmlfc} is the program that runs, {bin} its
 /// folder, {dut} the folder of the DUT file.
 struct DutPlaces {
   std::filesystem::path hmlfc;
@@ -64,8 +76,8 @@ struct DutPlaces {
 /// without {input} or {output}.
 io::IoResult<Dut> read_dut(const std::string& text, const DutPlaces& places);
 
-/// Why a stream is none of those that `dut` claims to decode; nothing where it is. `header` is null
-/// where the stream's header cannot be read.
+/// Why `dut` does not claim to decode a stream; nothing if it does. `header` is null if the
+/// stream's header cannot be read.
 std::optional<std::string> beyond_claims(const Dut& dut, Profile profile, int level,
                                          const StreamHeader* header);
 

@@ -5,16 +5,15 @@
 
 #include <fmt/format.h>
 
-#include "conform/failure_pictures.hpp"
+#include "conform/difference.hpp"
 #include "conform/output_views.hpp"
 #include "conform/stage_trace.hpp"
-#include "vectors/picture_bytes.hpp"
-#include "vectors/sha256.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::conform {
 namespace {
 
-// Statuses with which a shell or env says that there is no such program.
+// Exit statuses of a shell or env for a program that does not exist.
 constexpr int kNotExecutable = 126;
 constexpr int kNotFound = 127;
 
@@ -23,7 +22,7 @@ void set(VectorResult& result, Status status, std::string reason) {
   result.reason = std::move(reason);
 }
 
-// ": " and the last line that the decoder said, or nothing.
+// ": " and the last line of the decoder's messages, or nothing.
 std::string last_words(std::string_view text) {
   const size_t end = text.find_last_not_of(" \r\n");
   if (end == std::string_view::npos) return {};

@@ -1,4 +1,4 @@
-// Whether a decoder did with a vector what the manifest says.
+// Judges whether a decoder did with a vector what the manifest requires.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace hmlfc::conform {
 
-/// The exit status with which a decoder says that it cannot run here (no device, no licence): the
-/// vector is skipped, which is no pass.
+/// The exit status of a decoder that cannot run here (no device, no licence): the vector is
+/// skipped, which is not a pass.
 inline constexpr int kExitSkipped = 77;
 
 /// One run of a decoder on one stream.

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "io/mapped_file.hpp"
-#include "io/read_image.hpp"
+#include "io/files.hpp"
+#include "io/image_files.hpp"
 #include "io/view_list.hpp"
 
 namespace hmlfc::conform {

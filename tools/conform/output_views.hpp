@@ -1,4 +1,4 @@
-// What a decoder under test wrote.
+// The views that a decoder under test wrote.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ inline constexpr const char* kRawViewsName = "views.raw";
 
 /// All views of `folder`, row by row, of which each has the size and depth of `shape`: from
 /// views.raw where it is there, else from PNG or PPM files named as `hmlfc decode` names them.
-/// Errors: a view is missing, double, unreadable, or has another size or depth; a sample of
+/// Errors: a view is missing, duplicate, unreadable, or has another size or depth; a sample of
 /// views.raw is out of range.
 io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::path& folder,
                                                       const LightFieldShape& shape);

@@ -16,7 +16,7 @@
 
 #include <fmt/format.h>
 
-#include "io/file_descriptor.hpp"
+#include "io/files.hpp"
 
 // Without C linkage of its own in glibc 2.36.
 extern "C" {

@@ -7,9 +7,9 @@
 
 namespace hmlfc::conform {
 
-/// What a program may take.
+/// Limits of a program.
 struct ProcessLimits {
-  double seconds = 60;        ///< of the clock on the wall; > 0
+  double seconds = 60;        ///< wall-clock time, > 0
   uint64_t memory_bytes = 0;  ///< of address space; 0: no limit
 };
 
@@ -17,10 +17,10 @@ enum class ProcessEnd : uint8_t {
   kExit,        ///< `value` is its exit status
   kSignal,      ///< `value` is the signal that ended it
   kTimeout,     ///< its time was over
-  kNotStarted,  ///< `value` is the errno of why
+  kNotStarted,  ///< `value` is the errno
 };
 
-/// How a program ended and what it said.
+/// How a program ended, and its output.
 struct ProcessOutcome {
   ProcessEnd end = ProcessEnd::kNotStarted;
   int value = 0;
@@ -30,8 +30,8 @@ struct ProcessOutcome {
 };
 
 /// Runs `command` (program and arguments; the program is searched in PATH) in a process group of
-/// its own, with an empty standard input, and waits for it. When it has ended or its time is over,
-/// the whole group is killed, so that nothing it started goes on.
+/// its own, with an empty standard input, and waits for it. When it ends or its time is over, the
+/// whole group is killed, so that nothing it started survives.
 ///
 /// May be called from several threads at the same time.
 ProcessOutcome run_process(const std::vector<std::string>& command, const ProcessLimits& limits);

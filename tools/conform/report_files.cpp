@@ -1,22 +1,94 @@
-#include "conform/report_files.hpp"
+#include "conform/report.hpp"
+
+#include <sys/utsname.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <thread>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <openssl/evp.h>
+#include <nlohmann/json.hpp>
 
-#include "conform/report_json.hpp"
-#include "io/atomic_file.hpp"
+#include "io/files.hpp"
 
 namespace hmlfc::conform {
-namespace {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// The JSON serialiser replaces invalid UTF-8 by U+FFFD.
+std::string valid_utf8(std::string_view text) {
+  using Json = nlohmann::json;
+  const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json::parse(quoted).get<std::string>();
+}
+
+std::string details(const VectorResult& result) {
+  std::string text = result.reason;
+  if (!result.stage.empty()) text += "\n" + result.stage;
+  if (!result.clauses.empty()) text += fmt::format("\nclauses: {}", fmt::join(result.clauses, " "));
+  if (!result.comment.empty()) text += "\n" + result.comment;
+  if (!result.messages.empty()) text += "\n" + result.messages;
+  return escaped(text);
+}
+
+std::string test_case(const VectorResult& result) {
+  const size_t slash = std::min(result.id.find('/'), result.id.size());
+  std::string inner;
+  const std::string reason = escaped(result.reason);
+  if (result.waived()) {
+    inner = fmt::format("<skipped message=\"waived: {}\"/>", escaped(result.waiver));
+  } else if (result.status == Status::kFail || result.status == Status::kTimeout) {
+    inner = fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>",
+                        status_name(result.status), reason, details(result));
+  } else if (result.status == Status::kError) {
+    inner = fmt::format("<error type=\"error\" message=\"{}\">{}</error>", reason, details(result));
+  } else if (result.status != Status::kPass) {
+    inner = fmt::format("<skipped message=\"{}: {}\"/>", status_name(result.status), reason);
+  }
+  return fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">{}</testcase>\n",
+                     escaped(result.id.substr(0, slash)),
+                     escaped(result.id.substr(std::min(slash + 1, result.id.size()))),
+                     result.seconds, inner);
+}
+
+std::string test_suite(const Report& report, const Run& run) {
+  const Tally counts = tally(run);
+  double seconds = 0;
+  for (const VectorResult& result : run.results) seconds += result.seconds;
+  std::string text = fmt::format(
+      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" "
+      "time=\"{:.3f}\" timestamp=\"{}\">\n",
+      escaped(run.dut), run.results.size(), counts.of(Status::kFail) + counts.of(Status::kTimeout),
+      counts.of(Status::kError),
+      counts.of(Status::kSkipped) + counts.of(Status::kNotSupported) + counts.waived, seconds,
+      escaped(report.system.date));
+  for (const VectorResult& result : run.results) text += test_case(result);
+  return text + "  </testsuite>\n";
+}
+
+// The first value of "model name : ..." in /proc/cpuinfo.
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const size_t colon = line.find(':');
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      return line.substr(std::min(colon + 2, line.size()));
+    }
+  }
+  return "unknown";
+}
 
 io::IoResult<void> write_text(const fs::path& file, const std::string& text) {
   return io::write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
-// Skipped says less than any result; of results the worse one counts.
+// Any result outweighs skipped; the worse of two results counts.
 int weight(Status status) {
   switch (status) {
     case Status::kSkipped:
@@ -62,6 +134,57 @@ bool same_vectors(const Run& a, const Run& b) {
 }
 
 }  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : valid_utf8(text)) {
+    const auto byte = static_cast<unsigned char>(c);
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += byte < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+    }
+  }
+  return out;
+}
+
+std::string png_data_uri(const std::vector<uint8_t>& png) {
+  std::string text(4 * ((png.size() + 2) / 3) + 1, '\0');  // EVP_EncodeBlock ends with a zero
+  const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), png.data(),
+                                     static_cast<int>(png.size()));
+  text.resize(static_cast<size_t>(length));
+  return "data:image/png;base64," + text;
+}
+
+std::string junit_text(const Report& report) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (const Run& run : report.runs) text += test_suite(report, run);
+  return text + "</testsuites>\n";
+}
+
+SystemInfo this_system(const std::string& program) {
+  utsname name{};
+  ::uname(&name);
+  const auto pages = static_cast<uint64_t>(::sysconf(_SC_PHYS_PAGES));
+  const auto page = static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
+  return {program,
+          fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
+          fmt::format("{} {} {}", name.sysname, name.release, name.machine),
+          processor_name(),
+          std::thread::hardware_concurrency(),
+          pages * page >> 20};
+}
 
 io::IoResult<void> write_report(const Report& report, const fs::path& folder) {
   const std::string json =

@@ -4,10 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "conform/failure_pictures.hpp"
-#include "conform/markup.hpp"
-#include "conform/report_files.hpp"
-#include "io/mapped_file.hpp"
+#include "conform/difference.hpp"
+#include "conform/report.hpp"
+#include "io/files.hpp"
 
 namespace hmlfc::conform {
 namespace {

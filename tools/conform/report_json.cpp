@@ -1,4 +1,4 @@
-#include "conform/report_json.hpp"
+#include "conform/report.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -147,7 +147,7 @@ io::IoResult<Report> read_report(const std::filesystem::path& file) {
     for (const Json& run : json.at("runs")) report.runs.push_back(run_from(run));
     return report;
   } catch (const Json::exception& error) {
-    return io::file_error(file, std::string("is no report of hmlfc conform: ") + error.what());
+    return io::file_error(file, std::string("is not a report of hmlfc conform: ") + error.what());
   }
 }
 

@@ -1,12 +1,30 @@
 #include "conform/result.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
+#include <fstream>
+
+#include "conform/report.hpp"
 
 namespace hmlfc::conform {
+
 namespace {
 
 constexpr std::array<std::string_view, kStatusCount> kStatusNames{
     "pass", "fail", "error", "timeout", "not_supported", "skipped"};
+
+io::IoResult<void> write_line(const std::filesystem::path& path, const io::FileDescriptor& file,
+                              std::string line) {
+  line += '\n';
+  const ssize_t written = ::write(file.get(), line.data(), line.size());
+  if (written != static_cast<ssize_t>(line.size())) {
+    return io::system_error(path, "cannot be written", written < 0 ? errno : ENOSPC);
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -48,6 +66,53 @@ std::string verdict_text(const Run& run) {
       return "fails";
   }
   return {};
+}
+
+io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,
+                                        const std::string& manifest_sha256, const Dut& dut,
+                                        bool resume) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return io::system_error(folder, "cannot be created", error.value());
+  ResultLog log;
+  log.path_ = folder / "results.jsonl";
+  const Json head = {
+      {"manifest_sha256", manifest_sha256}, {"dut", dut.name}, {"command", dut.command}};
+  bool begun = false;
+  if (resume) {
+    std::ifstream stream(log.path_);
+    std::string line;
+    if (std::getline(stream, line)) {
+      begun = true;
+      if (Json::parse(line, nullptr, false) != head) {
+        return io::file_error(log.path_,
+                              "has results of another suite or decoder; leave out --resume to "
+                              "start again");
+      }
+    }
+    while (std::getline(stream, line)) {
+      const Json json = Json::parse(line, nullptr, false);
+      auto result = result_from_json(json);
+      if (result && result->status != Status::kSkipped) log.earlier_[result->id] = *result;
+    }
+  }
+  const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (begun ? O_APPEND : O_TRUNC);
+  log.file_ = io::FileDescriptor(::open(log.path_.c_str(), flags, 0666));
+  if (log.file_.get() < 0) return io::system_error(log.path_, "cannot be written", errno);
+  // After a line that an interruption cut, a new one begins.
+  auto written = write_line(log.path_, log.file_, begun ? std::string() : head.dump());
+  if (!written) return tl::unexpected(written.error());
+  return log;
+}
+
+const VectorResult* ResultLog::earlier(const std::string& id) const {
+  const auto found = earlier_.find(id);
+  return found == earlier_.end() ? nullptr : &found->second;
+}
+
+io::IoResult<void> ResultLog::append(const VectorResult& result) {
+  return write_line(path_, file_,
+                    to_json(result).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace hmlfc::conform

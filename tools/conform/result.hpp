@@ -1,17 +1,22 @@
-// Results of conformance vectors, and what they amount to.
+// Results of conformance vectors, what they amount to, and their log.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "conform/difference.hpp"
+#include "conform/dut.hpp"
+#include "io/files.hpp"
+#include "io/io_error.hpp"
 
 namespace hmlfc::conform {
 
-/// What came of one vector.
+/// The outcome of one vector.
 enum class Status : uint8_t {
   kPass,          ///< exactly what the manifest says
   kFail,          ///< something else
@@ -57,7 +62,7 @@ struct Run {
   std::vector<VectorResult> results;
 };
 
-/// Where and when.
+/// The system and time of a run.
 struct SystemInfo {
   std::string program;    ///< name and version
   std::string date;       ///< UTC, ISO 8601
@@ -85,15 +90,40 @@ struct Tally {
 };
 Tally tally(const Run& run);
 
-/// What a run says about a decoder.
+/// The verdict of a run about a decoder.
 enum class Verdict : uint8_t {
   kConforms,    ///< every required vector passes, but for waived ones
-  kIncomplete,  ///< nothing failed, but required vectors were skipped, or there was none
+  kIncomplete,  ///< no failures, but required vectors were skipped, or there were none
   kFails,       ///< a required vector failed
 };
 Verdict verdict(const Run& run);
 
 /// "conforms", "conforms, with waivers", "incomplete" or "fails".
 std::string verdict_text(const Run& run);
+
+/// The file results.jsonl of a decoder's folder: a first line that says of which suite and decoder,
+/// then a line for each result. Incomplete lines are ignored.
+class ResultLog {
+ public:
+  /// Makes `folder` where it is missing. With `resume` the results of the file that is there are
+  /// kept, but for skipped ones; else the file starts empty. Errors: cannot write; with `resume`,
+  /// results of another suite or decoder.
+  static io::IoResult<ResultLog> open(const std::filesystem::path& folder,
+                                      const std::string& manifest_sha256, const Dut& dut,
+                                      bool resume);
+
+  /// The result of an earlier run, or null.
+  const VectorResult* earlier(const std::string& id) const;
+
+  /// Errors: cannot write.
+  io::IoResult<void> append(const VectorResult& result);
+
+ private:
+  ResultLog() = default;
+
+  std::filesystem::path path_;
+  io::FileDescriptor file_;
+  std::map<std::string, VectorResult> earlier_;
+};
 
 }  // namespace hmlfc::conform

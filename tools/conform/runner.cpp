@@ -8,18 +8,19 @@
 
 #include <fmt/format.h>
 
+#include <fnmatch.h>
 #include <hmlfc/stream_info.hpp>
 
 #include "conform/judge.hpp"
-#include "conform/result_log.hpp"
-#include "io/atomic_file.hpp"
-#include "io/mapped_file.hpp"
-#include "vectors/sha256.hpp"
+#include "conform/result.hpp"
+#include "io/files.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::conform {
-namespace {
 
 namespace fs = std::filesystem;
+
+namespace {
 
 // A folder that is empty at first and gone at the end, unless it is kept.
 class WorkFolder {
@@ -105,7 +106,7 @@ class SuiteRun {
     if (!result.reason.empty()) return;
     WorkFolder work(folder_ / "work" / vector.id);
     if (work.error()) {
-      return fail_in_suite(result, fmt::format("{}: cannot be made: {}", work.path().string(),
+      return fail_in_suite(result, fmt::format("{}: cannot be created: {}", work.path().string(),
                                                work.error().message()));
     }
     const fs::path pictures = fs::path("failures") / vector.id;
@@ -129,6 +130,32 @@ class SuiteRun {
 };
 
 }  // namespace
+
+io::IoResult<Suite> open_suite(const std::filesystem::path& folder) {
+  auto manifest = vectors::read_manifest(folder);
+  if (!manifest) return tl::unexpected(manifest.error());
+  const auto file = io::MappedFile::open(folder / "manifest.json");
+  if (!file) return tl::unexpected(file.error());
+  return Suite{folder, std::move(*manifest), vectors::sha256(file->bytes())};
+}
+
+bool matches(const vectors::Vector& vector, const std::string& pattern) {
+  const auto fits = [&](const std::string& text) {
+    return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
+  };
+  return fits(vector.id) || std::ranges::any_of(vector.clauses, fits) ||
+         std::ranges::any_of(vector.flags, fits);
+}
+
+std::string why_left_out(const Selection& selection, const vectors::Vector& vector, size_t index) {
+  const auto& filters = selection.filters;
+  const auto fits = [&](const std::string& pattern) { return matches(vector, pattern); };
+  if (!filters.empty() && std::ranges::none_of(filters, fits)) return "left out by --filter";
+  if (index % selection.shards + 1 != selection.shard) {
+    return fmt::format("in another shard than {}/{}", selection.shard, selection.shards);
+  }
+  return {};
+}
 
 std::string folder_name(const std::string& dut) {
   std::string name;

@@ -1,16 +1,44 @@
-// Runs a decoder on a suite.
+// A suite of vectors on disk, and a decoder run on it.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "conform/dut.hpp"
 #include "conform/process.hpp"
 #include "conform/result.hpp"
-#include "conform/suite.hpp"
 #include "io/parallel.hpp"
+#include "vectors/manifest.hpp"
 
 namespace hmlfc::conform {
+
+/// A manifest and where its files are.
+struct Suite {
+  std::filesystem::path folder;
+  vectors::Manifest manifest;
+  std::string manifest_sha256;  ///< of manifest.json, tells suites apart
+};
+
+/// Errors: those of vectors::read_manifest().
+io::IoResult<Suite> open_suite(const std::filesystem::path& folder);
+
+/// Which vectors to run, of those that a decoder claims.
+struct Selection {
+  std::vector<std::string> filters;  ///< any of them must match; none: all do
+  unsigned shard = 1;                ///< [1, shards]
+  unsigned shards = 1;
+
+  bool all() const { return filters.empty() && shards == 1; }
+};
+
+/// Whether a pattern with * and ? matches the vector's id, one of its clauses or one of its flags.
+bool matches(const vectors::Vector& vector, const std::string& pattern);
+
+/// Why vector number `index` of the manifest is left out; empty where it is not. Shard I of N has
+/// the vectors whose number is I - 1 modulo N.
+std::string why_left_out(const Selection& selection, const vectors::Vector& vector, size_t index);
 
 struct RunOptions {
   std::filesystem::path folder;  ///< of the report; a folder for the decoder is made in it

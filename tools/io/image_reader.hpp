@@ -1,4 +1,4 @@
-// What the readers of the single kinds of picture share.
+// What the readers of the image formats share.
 #pragma once
 
 #include <cstddef>
@@ -8,21 +8,22 @@
 
 #include <hmlfc/image.hpp>
 
+#include "io/image_files.hpp"
 #include "io/io_error.hpp"
-#include "io/read_image.hpp"
 
 namespace hmlfc::io {
 
 inline constexpr uint32_t kMaxSide = 65536;
 
-/// One picture file in memory on its way to an RgbImage.
+/// An image file in memory, to be decoded.
 struct ImageSource {
   const std::filesystem::path& path;  ///< for messages
   std::span<const uint8_t> bytes;     ///< the whole file
   const ImageLimits& limits;
+  ImageLosses& losses;
 };
 
-/// An image of zeros of this size. Errors: a side outside [1, 65536], over the limit of samples,
+/// An image of zeros with this size. Errors: a side outside [1, 65536], over the limit of samples,
 /// out of memory.
 IoResult<RgbImage> allocate_image(const ImageSource& source, uint64_t width, uint64_t height,
                                   int depth);

@@ -1,9 +1,10 @@
-// The one error type of the library hmlfc_io: a sentence for a person.
+// The error type of the library hmlfc_io: a sentence for people.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include <tl/expected.hpp>
 
@@ -23,8 +24,10 @@ inline tl::unexpected<IoError> file_error(const std::filesystem::path& file,
   return tl::unexpected(IoError{file.string() + ": " + std::string(what)});
 }
 
-/// The failure "FILE: what: SYSTEM'S REASON"; `error_number` is a value of errno.
-tl::unexpected<IoError> system_error(const std::filesystem::path& file, std::string_view what,
-                                     int error_number);
+/// The failure "FILE: what: the system's reason"; `error_number` is a value of errno.
+inline tl::unexpected<IoError> system_error(const std::filesystem::path& file,
+                                            std::string_view what, int error_number) {
+  return file_error(file, std::string(what) + ": " + std::generic_category().message(error_number));
+}
 
 }  // namespace hmlfc::io

@@ -11,9 +11,8 @@
 #include <tuple>
 #include <vector>
 
-#include "io/read_image.hpp"
+#include "io/image_files.hpp"
 #include "io/view_name.hpp"
-#include "io/write_image.hpp"
 
 namespace hmlfc::io {
 
@@ -21,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of the errors of many threads, the one of the lowest index: the same in every run.
+/// The error with the lowest index among many threads: the same in every run.
 class FirstError {
  public:
   /// True where the outcome of `index` can no longer matter.
@@ -59,7 +58,7 @@ std::string describe(const ViewShape& shape) {
 
 ViewShape shape_of(const RgbImage& image) { return {image.width, image.height, image.depth}; }
 
-/// Names the first view that is not like most of them, if there is one.
+/// Names the first view whose shape differs from most others, if there is one.
 std::optional<IoError> find_odd_view(const ViewList& views, const std::vector<ViewShape>& shapes) {
   std::map<ViewShape, size_t> counts;
   for (const ViewShape& shape : shapes) ++counts[shape];
@@ -87,8 +86,10 @@ IoResult<LightField> allocate_field(const ViewList& views, const ViewShape& shap
 }  // namespace
 
 IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
-                                      const Progress& progress) {
-  const auto first = read_image(views.files.at(0));
+                                      const Progress& progress, ImageLosses* losses) {
+  ImageLosses all_losses;
+  std::mutex losses_mutex;
+  const auto first = read_image(views.files.at(0), {}, &all_losses);
   if (!first) return tl::unexpected(first.error());
   const ViewShape expected = shape_of(*first);
   auto field = allocate_field(views, expected);
@@ -101,13 +102,19 @@ IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
     const auto row = static_cast<uint32_t>(index / views.cols);
     const auto col = static_cast<uint32_t>(index % views.cols);
     if (index == 0) return field->set_view(row, col, *first);
-    const auto image = read_image(views.files[index]);
+    ImageLosses image_losses;
+    const auto image = read_image(views.files[index], {}, &image_losses);
     if (!image) return first_error.add(index, image.error());
+    {
+      const std::lock_guard lock(losses_mutex);
+      all_losses.add(image_losses);
+    }
     shapes[index] = shape_of(*image);
     if (shapes[index] == expected) field->set_view(row, col, *image);
   };
   for_each_index(views.files.size(), threads, progress, load_view);
 
+  if (losses != nullptr) losses->add(all_losses);
   if (first_error.error()) return tl::unexpected(*first_error.error());
   if (const auto odd = find_odd_view(views, shapes)) return tl::unexpected(*odd);
   return field;
@@ -117,7 +124,7 @@ IoResult<void> save_views(const fs::path& folder, GridShape grid, const ViewProd
                           unsigned threads, const Progress& progress) {
   std::error_code failure;
   fs::create_directories(folder, failure);
-  if (failure) return system_error(folder, "cannot make this folder", failure.value());
+  if (failure) return system_error(folder, "cannot create this folder", failure.value());
 
   FirstError first_error;
   const auto save_view = [&](size_t index) {

@@ -8,6 +8,7 @@
 #include <hmlfc/image.hpp>
 #include <hmlfc/light_field.hpp>
 
+#include "io/image_files.hpp"
 #include "io/io_error.hpp"
 #include "io/parallel.hpp"
 #include "io/view_list.hpp"
@@ -15,12 +16,12 @@
 namespace hmlfc::io {
 
 /// Reads all views, each file once, on `threads` threads (0: all cores). The result has the size
-/// and depth of the views; beside it, the first view and one picture a thread are in memory.
+/// and depth of the views; the first view and one image per thread are in memory besides.
 ///
 /// Errors: a file that read_image() refuses (the first in row-major order is named), a view whose
 /// size or depth differs from most others (named with both), not enough memory.
 IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {}, ImageLosses* losses = nullptr);
 
 /// The picture of view (row, col); called from several threads at once.
 using ViewProducer = std::function<IoResult<RgbImage>(uint32_t row, uint32_t col)>;
@@ -32,7 +33,7 @@ IoResult<void> save_views(const std::filesystem::path& folder, GridShape grid,
                           const ViewProducer& produce, unsigned threads,
                           const Progress& progress = {});
 
-/// All views of `field`, as above.
+/// Writes all views of `field`, as above.
 IoResult<void> save_views(const std::filesystem::path& folder, const LightField& field,
                           unsigned threads, const Progress& progress = {});
 

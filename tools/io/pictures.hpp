@@ -1,4 +1,4 @@
-// Pictures made to be looked at: all views at once, and what differs between two.
+// Images for people: all views at once, and the difference of two.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace hmlfc::io {
 /// All views side by side in their order, each reduced by the smallest whole factor k >= 1 with
 /// which the sheet is at most `max_width` pixels wide (k = the greater side if none is enough),
 /// with two dark pixels between neighbours. A pixel is the mean of its k x k box, halves rounded
-/// up; boxes at the right and lower edge may be smaller. Depth as in `field`. Integer arithmetic
+/// up; boxes at the right and bottom edges may be smaller. Depth as in `field`. Integer arithmetic
 /// only.
 RgbImage contact_sheet(const LightField& field, uint32_t max_width);
 

@@ -1,10 +1,10 @@
-#include "io/read_image.hpp"
+#include "io/image_files.hpp"
 
 #include <new>
 #include <string>
 
+#include "io/files.hpp"
 #include "io/image_reader.hpp"
-#include "io/mapped_file.hpp"
 
 namespace hmlfc::io {
 
@@ -29,10 +29,12 @@ IoResult<RgbImage> allocate_image(const ImageSource& source, uint64_t width, uin
   return image;
 }
 
-IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimits& limits) {
+IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimits& limits,
+                              ImageLosses* losses) {
   const auto file = MappedFile::open(path);
   if (!file) return tl::unexpected(file.error());
-  const ImageSource source{path, file->bytes(), limits};
+  ImageLosses ignored;
+  const ImageSource source{path, file->bytes(), limits, losses != nullptr ? *losses : ignored};
   if (source.bytes.empty()) return file_error(path, "the file is empty; give a picture");
   if (is_png(source.bytes)) return read_png(source);
   if (is_jpeg(source.bytes)) return read_jpeg(source);

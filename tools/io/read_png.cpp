@@ -89,13 +89,13 @@ void choose_output(PngReader& reader) {
   png_read_update_info(png, reader.info());
 }
 
-int picture_depth(const PngReader& reader) {
-  if (png_get_bit_depth(reader.png(), reader.info()) < 16) return 8;
+// Bits of the samples that carry information, as sBIT says; at most 8 where 8 or fewer are stored.
+int significant_bits(const PngReader& reader) {
+  const int stored = png_get_bit_depth(reader.png(), reader.info());
   png_color_8p bits = nullptr;
-  if (png_get_sBIT(reader.png(), reader.info(), &bits) == 0) return 12;
+  if (stored < 16 || png_get_sBIT(reader.png(), reader.info(), &bits) == 0) return stored;
   const bool colour = (png_get_color_type(reader.png(), reader.info()) & PNG_COLOR_MASK_COLOR) != 0;
-  const int most = colour ? std::max({bits->red, bits->green, bits->blue}) : bits->gray;
-  return std::clamp(most, 8, 12);
+  return colour ? std::max({bits->red, bits->green, bits->blue}) : bits->gray;
 }
 
 /// Rows of 8 or big-endian 16 bits a sample, from the front of `image.samples`' own memory, where
@@ -154,7 +154,9 @@ IoResult<RgbImage> read_png(const ImageSource& source) {
     return file_error(source.path,
                       "PNG: the file is too short for its picture's size; it is damaged");
   }
-  const int depth = picture_depth(reader);
+  const int depth = std::clamp(significant_bits(reader), 8, 12);
+  const bool alpha = (png_get_color_type(reader.png(), reader.info()) & PNG_COLOR_MASK_ALPHA) != 0;
+  source.losses.add({significant_bits(reader) > 12 ? significant_bits(reader) : 0, alpha});
   auto image = allocate_image(source, width, height, depth);
   if (!image) return image;
 

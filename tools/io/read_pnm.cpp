@@ -71,7 +71,7 @@ class PnmCursor {
   }
 
   std::span<const uint8_t> bytes_;
-  size_t position_ = 2;  // behind the magic
+  size_t position_ = 2;  // after the magic number
 };
 
 IoResult<PnmHeader> read_header(const ImageSource& source, PnmCursor& cursor) {
@@ -127,6 +127,7 @@ IoResult<RgbImage> read_pnm(const ImageSource& source) {
   }
   const int bits = static_cast<int>(std::bit_width(header->maxval));
   const int depth = std::min(bits, 12);
+  source.losses.add({bits > 12 ? bits : 0, false});
   auto image = allocate_image(source, header->width, header->height, depth);
   if (!image) return image;
 

@@ -24,14 +24,17 @@ struct ViewList {
 };
 
 /// Finds the views in `folder`: all files named *.png, .ppm, .pgm, .pnm, .jpg or .jpeg (in any
-/// case) that do not begin with a point; other files are ignored, folders below are not entered.
-/// Forms of names, told by what most of the files have:
-/// - row and column in the name (see parse_grid_name); the grid is their greatest values + 1;
-/// - input_CamNNN, NNN = row * columns + column; without `grid` a square grid is assumed;
+/// case) that do not begin with a dot; other files are ignored, subfolders are not searched.
+/// The form of most names decides:
+/// - row and column in the name (see parse_grid_name); without `grid` the grid is their greatest
+///   values + 1; with it the names may be a subset of a larger grid, `grid`.rows of its rows and
+///   `grid`.cols of its columns, which are numbered anew from 0;
+/// - input_CamNNN, NNN = row * columns + column; without `grid` a square grid is assumed; with it
+///   the names may be a subset of as many views as `grid` has, taken in order;
 /// - anything else, in natural order row by row; `grid` is needed.
 ///
-/// Errors: no such folder, no pictures, no way to tell the grid, `grid` disagrees with the names,
-/// or a view that is missing, double or too many; the message names its row, column and file.
+/// Errors: no such folder, no images, unknown grid, `grid` contradicts the names, or a view that is
+/// missing, duplicate or extra; the message names its row, column and file.
 IoResult<ViewList> list_views(const std::filesystem::path& folder,
                               std::optional<GridShape> grid = std::nullopt);
 

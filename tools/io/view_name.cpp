@@ -5,9 +5,19 @@
 #include <vector>
 
 namespace hmlfc::io {
+
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Removes the digits at the front of `text` and returns them without leading zeros.
+std::string_view take_number(std::string_view& text) {
+  const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+  std::string_view digits = text.substr(0, static_cast<size_t>(end - text.begin()));
+  text.remove_prefix(digits.size());
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  return digits;
+}
 
 /// A number of 1 to `max_digits` digits and nothing else.
 std::optional<uint32_t> parse_digits(std::string_view text, size_t max_digits) {
@@ -46,7 +56,7 @@ std::optional<GridPosition> parse_position(std::string_view row, std::string_vie
   return GridPosition{*row_number, *col_number};
 }
 
-/// out_RR_CC_Y_X with an optional underscore behind.
+/// out_RR_CC_Y_X with an optional trailing underscore.
 bool has_camera_position(const std::vector<std::string_view>& parts) {
   const bool right_count = parts.size() == 5 || (parts.size() == 6 && parts[5].empty());
   return right_count && parts[0] == "out" && is_decimal(parts[3]) && is_decimal(parts[4]);
@@ -58,6 +68,24 @@ std::string padded(uint32_t value, size_t digits) {
 }
 
 }  // namespace
+
+std::strong_ordering natural_order(std::string_view a, std::string_view b) {
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
+      const std::string_view left = take_number(a);
+      const std::string_view right = take_number(b);
+      if (left.size() != right.size()) return left.size() <=> right.size();
+      if (const auto order = left <=> right; order != 0) return order;
+      continue;
+    }
+    const auto left = static_cast<unsigned char>(a.front());
+    const auto right = static_cast<unsigned char>(b.front());
+    if (left != right) return left <=> right;
+    a.remove_prefix(1);
+    b.remove_prefix(1);
+  }
+  return a.size() <=> b.size();
+}
 
 std::optional<GridPosition> parse_grid_name(std::string_view stem) {
   const auto parts = split_at_underscores(stem);

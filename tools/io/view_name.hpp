@@ -1,6 +1,7 @@
-// What the name of a view's file says about its place on the grid.
+// View positions from file names.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,9 +9,13 @@
 
 namespace hmlfc::io {
 
+/// Compares text byte by byte and each run of decimal digits, of any length, as one number.
+/// Equal for names that differ only in leading zeros: natural_order("a7", "a007") == 0.
+std::strong_ordering natural_order(std::string_view a, std::string_view b);
+
 inline constexpr uint32_t kMaxGridSide = 4096;
 
-/// A place on the view grid.
+/// A position in the grid of views.
 struct GridPosition {
   uint32_t row = 0;  ///< [0, 4095]
   uint32_t col = 0;  ///< [0, 4095]
@@ -27,7 +32,7 @@ std::optional<GridPosition> parse_grid_name(std::string_view stem);
 /// NNN from "input_CamNNN" (HCI benchmark), 1 to 8 digits. Nothing for any other name.
 std::optional<uint32_t> parse_camera_name(std::string_view stem);
 
-/// "RR_CC" with the number of digits that the greater side of the grid needs, at least 2.
+/// "RR_CC" with as many digits as the longer side of the grid needs, at least 2.
 /// view_stem(3, 4, 16, 16) = "03_04", view_stem(0, 100, 1, 101) = "000_100".
 std::string view_stem(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols);
 

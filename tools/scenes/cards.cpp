@@ -8,9 +8,9 @@
 
 #include "scenes/card_face.hpp"
 #include "scenes/hash_noise.hpp"
+#include "scenes/painter.hpp"
 #include "scenes/shadow_map.hpp"
 #include "scenes/tone.hpp"
-#include "scenes/traced_painter.hpp"
 
 namespace hmlfc::scenes {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "scenes/glass_room.hpp"
 #include "scenes/hash_noise.hpp"
+#include "scenes/painter.hpp"
 #include "scenes/tone.hpp"
-#include "scenes/traced_painter.hpp"
 
 namespace hmlfc::scenes {
 namespace {

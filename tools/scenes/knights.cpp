@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "scenes/hash_noise.hpp"
+#include "scenes/painter.hpp"
 #include "scenes/shadow_map.hpp"
 #include "scenes/tone.hpp"
-#include "scenes/toy_parts.hpp"
-#include "scenes/traced_painter.hpp"
+#include "scenes/toys.hpp"
 
 namespace hmlfc::scenes {
 namespace {

@@ -1,4 +1,4 @@
-// A scene that is ready to be painted from any place of the view grid.
+// What paints a view of a scene.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,8 @@
 #include <hmlfc/image.hpp>
 
 #include "scenes/scene.hpp"
+#include "scenes/two_plane_camera.hpp"
+#include "scenes/world.hpp"
 
 namespace hmlfc::scenes {
 
@@ -24,5 +26,27 @@ std::unique_ptr<Painter> make_knights(const SceneParams& params);
 std::unique_ptr<Painter> make_glass(const SceneParams& params);
 std::unique_ptr<Painter> make_flat(const SceneParams& params);
 std::unique_ptr<Painter> make_noise(const SceneParams& params);
+
+/// Casts a ray through each pixel corner; where the four corners of a pixel differ visibly, four
+/// more through the pixel. A pixel is the mean of its rays in linear light.
+class TracedPainter : public Painter {
+ public:
+  void paint(uint32_t row, uint32_t col, RgbImage& view) const final;
+
+ protected:
+  TracedPainter(const SceneParams& params, const CameraRig& rig) : params_(params), rig_(rig) {}
+
+  /// The linear light that comes back along a camera's ray, which meets `hit` first.
+  virtual Vec3 light(const Ray& ray, const Hit& hit) const = 0;
+
+  const SceneParams& params() const { return params_; }
+  World& world() { return world_; }
+  const World& world() const { return world_; }
+
+ private:
+  SceneParams params_;
+  CameraRig rig_;
+  World world_;
+};
 
 }  // namespace hmlfc::scenes

@@ -1,14 +1,72 @@
+// Scene "flat": an even backdrop in the focal plane, where nothing moves, and one small soft disc
+// a little before it. All pixels but those of the disc are exactly equal in all views.
 #include "scenes/scene.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <utility>
 
+#include "scenes/hash_noise.hpp"
 #include "scenes/painter.hpp"
+#include "scenes/tone.hpp"
+#include "scenes/vec3.hpp"
 
 namespace hmlfc::scenes {
+
 namespace {
+
+constexpr double kDiscDisparity = 0.125;  // 1 / z - 1 / z_focus
+
+class Flat : public Painter {
+ public:
+  explicit Flat(const SceneParams& params) : params_(params) {}
+
+  void paint(uint32_t row, uint32_t col, RgbImage& view) const override {
+    const double step = params_.baseline_px * kDiscDisparity;
+    const double centre_x = 0.5 * view.width - step * (col - (params_.cols - 1) / 2.0);
+    const double centre_y = 0.5 * view.height - step * (row - (params_.rows - 1) / 2.0);
+    const double radius = std::max(1.0, std::min(view.width, view.height) / 40.0);
+    uint16_t* pixel = view.samples.data();
+    for (uint32_t y = 0; y < view.height; ++y) {
+      const Vec3 backdrop = mix(kTop, kBottom, (y + 0.5) / view.height);
+      for (uint32_t x = 0; x < view.width; ++x, pixel += 3) {
+        const double right = (x + 0.5 - centre_x) / radius;
+        const double down = (y + 0.5 - centre_y) / radius;
+        const double inside = std::max(0.0, 1.0 - (right * right + down * down));
+        store(mix(backdrop, kDisc, inside * inside), params_.depth, pixel);
+      }
+    }
+  }
+
+ private:
+  static constexpr Vec3 kTop = from_rgb(0x7E97AE);
+  static constexpr Vec3 kBottom = from_rgb(0xA9B4B4);
+  static constexpr Vec3 kDisc = from_rgb(0xD8C48A);
+
+  SceneParams params_;
+};
+
+class Noise : public Painter {
+ public:
+  explicit Noise(const SceneParams& params) : params_(params) {}
+
+  void paint(uint32_t row, uint32_t col, RgbImage& view) const override {
+    const uint64_t view_seed = mix_bits(params_.seed) ^ (uint64_t{row} << 12 | col);
+    HashStream random(view_seed, 0);
+    for (size_t i = 0; i < view.samples.size(); i += 3) {
+      const uint64_t bits = random.next();
+      for (size_t channel = 0; channel < 3; ++channel) {
+        const uint64_t top = bits >> (64 - 16 * (channel + 1)) & 0xFFFFu;
+        view.samples[i + channel] = static_cast<uint16_t>(top >> (16 - params_.depth));
+      }
+    }
+  }
+
+ private:
+  SceneParams params_;
+};
 
 std::unique_ptr<Painter> make_painter(const SceneParams& params) {
   switch (params.scene) {
@@ -27,6 +85,14 @@ std::unique_ptr<Painter> make_painter(const SceneParams& params) {
 }
 
 }  // namespace
+
+std::unique_ptr<Painter> make_flat(const SceneParams& params) {
+  return std::make_unique<Flat>(params);
+}
+
+std::unique_ptr<Painter> make_noise(const SceneParams& params) {
+  return std::make_unique<Noise>(params);
+}
 
 std::optional<Scene> scene_from_name(std::string_view name) {
   using Row = std::pair<std::string_view, Scene>;

@@ -1,4 +1,4 @@
-#include "scenes/traced_painter.hpp"
+#include "scenes/painter.hpp"
 
 #include <algorithm>
 #include <array>

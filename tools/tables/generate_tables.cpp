@@ -15,7 +15,6 @@
 
 #include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"
-#include "syntax/motion_tile.hpp"
 #include "syntax/header.hpp"
 #include "syntax/motion_tile.hpp"
 #include "tables/shader_tables.hpp"

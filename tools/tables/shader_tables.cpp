@@ -14,7 +14,6 @@
 #include "arithmetic/motion.hpp"
 #include "arithmetic/reconstruct.hpp"
 #include "syntax/motion_tile.hpp"
-#include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
 namespace {

@@ -1,4 +1,4 @@
-#include "vectors/annotate.hpp"
+#include "vectors/examine.hpp"
 
 #include <algorithm>
 #include <map>
@@ -12,7 +12,7 @@
 #include "decoder/key_images.hpp"
 #include "syntax/geometry.hpp"
 #include "syntax/header.hpp"
-#include "vectors/block_recorder.hpp"
+#include "vectors/expected.hpp"
 
 namespace hmlfc::vectors {
 namespace {

@@ -1,4 +1,4 @@
-#include "vectors/draw_motion.hpp"
+#include "vectors/draw.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,8 +8,6 @@
 #include "arithmetic/motion.hpp"
 #include "arithmetic/rounding.hpp"
 #include "syntax/motion_tile.hpp"
-#include "vectors/draw_sequence.hpp"
-#include "vectors/ones_behind.hpp"
 
 namespace hmlfc::vectors {
 namespace {
@@ -82,7 +80,7 @@ std::vector<uint8_t> draw_motion_record(FieldRules& rules, const MotionContext& 
   draw_tail_code(rules, tile.indices, random);
   BitWriter writer;
   put_motion_fields(writer, tile, {context.two_references, !context.keyed});
-  return with_ones_behind(rules, writer, random);
+  return with_trailing_ones(rules, writer, random);
 }
 
 std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityContext& context,
@@ -108,7 +106,7 @@ std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityCon
   draw_tail_code(rules, values, random);
   BitWriter writer;
   put_disparity_fields(writer, static_cast<int32_t>(least), values);
-  return with_ones_behind(rules, writer, random);
+  return with_trailing_ones(rules, writer, random);
 }
 
 }  // namespace hmlfc::vectors

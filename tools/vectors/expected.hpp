@@ -1,12 +1,15 @@
-// What the golden model says about a stream: pictures, checksums of blocks, errors.
+// What the golden model says about a stream: pictures, checksums of blocks, traces.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <hmlfc/decoder.hpp>
+#include <hmlfc/trace.hpp>
 
 namespace hmlfc::vectors {
 
@@ -18,5 +21,39 @@ struct ExpectedViews {
 
 /// Decodes all views of `decoder` block by block.
 ExpectedViews expected_views(const Decoder& decoder);
+
+/// A StageRecord with its values.
+struct RecordedStage {
+  BlockSite site;
+  std::string stage;
+  std::string clause;
+  std::vector<int32_t> values;
+};
+
+/// A FieldRecord; its names live as long as the program.
+using RecordedField = FieldRecord;
+
+/// Collects fields and stages in the order in which they are reported.
+class BlockRecorder final : public TraceSink {
+ public:
+  void on_field(const FieldRecord& record) override { records.emplace_back(record); }
+  void on_stage(const StageRecord& record) override {
+    records.emplace_back(RecordedStage{record.site,
+                                       std::string(record.stage),
+                                       std::string(record.clause),
+                                       {record.values.begin(), record.values.end()}});
+  }
+
+  std::vector<std::variant<RecordedField, RecordedStage>> records;
+};
+
+/// Both forms of one trace.
+struct TraceText {
+  std::string lines;  ///< JSON lines
+  std::string hex;    ///< words for $readmemh
+};
+
+/// Every field and stage of `blocks`, which all decode, reference blocks on demand.
+TraceText trace_text(const Decoder& decoder, std::span<const BlockAddress> blocks);
 
 }  // namespace hmlfc::vectors

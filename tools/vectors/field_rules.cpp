@@ -6,6 +6,7 @@
 #include <string_view>
 
 namespace hmlfc::vectors {
+
 namespace {
 
 constexpr std::array<std::string_view, 8> kMasks{"none",    "all",   "half",  "few",
@@ -35,16 +36,65 @@ Json mask_numbers(const Json& json) {
     if (json == kMasks[i]) return i;
   }
   if (json == "random") return json;
-  throw TextError(json.dump() + " is no mask");
+  throw TextError(json.dump() + " is not a mask");
 }
 
 uint64_t random_word(Random& random) { return random.next(); }
 
 }  // namespace
 
+Choice::Term Choice::term_from(const Json& json) {
+  if (json.is_number_integer()) return {Kind::kConstant, json.get<int64_t>(), 0};
+  if (json.is_array() && json.size() == 2) return {Kind::kInterval, json[0], json[1]};
+  if (json == "random") return {Kind::kRandom};
+  if (json == "min") return {Kind::kMin};
+  if (json == "max") return {Kind::kMax};
+  if (json == "ramp") return {Kind::kRamp};
+  throw TextError(json.dump() +
+                  " is not a choice: a number, [lo, hi], \"random\", \"min\", \"max\", " +
+                  "\"ramp\" or {\"of\": [...]}");
+}
+
+Choice Choice::from(const Json& json) {
+  Choice choice;
+  if (!json.is_object()) {
+    choice.terms_ = {term_from(json)};
+    return choice;
+  }
+  choice.terms_.clear();
+  for (const Json& term : json.at("of")) choice.terms_.push_back(term_from(term));
+  if (choice.terms_.empty()) throw TextError("\"of\" lists nothing to choose");
+  return choice;
+}
+
+int64_t Choice::pick(int64_t lo, int64_t hi, Random& random) {
+  const uint64_t turn = picks_++;
+  const Term& term = terms_[turn % terms_.size()];
+  const auto within = [&](int64_t first, int64_t last) {
+    return first + random.below(static_cast<uint64_t>(last - first) + 1);
+  };
+  switch (term.kind) {
+    case Kind::kConstant:
+      return term.first;
+    case Kind::kInterval:
+      return within(term.first, term.last);
+    case Kind::kMin:
+      return lo;
+    case Kind::kMax:
+      return hi;
+    case Kind::kRamp:
+      return lo +
+             static_cast<int64_t>((turn / terms_.size()) % (static_cast<uint64_t>(hi - lo) + 1));
+    case Kind::kRandom:
+      break;
+  }
+  return within(lo, hi);
+}
+
 FieldRules::FieldRules(const Json& json) {
   for (const auto& [name, rule] : json.items()) {
-    if (!known_fields().contains(name)) throw TextError("\"" + name + "\" is no field of a stream");
+    if (!known_fields().contains(name))
+      throw TextError("\"" + name + "\" is not a field of a stream");
     choices_[name] = Choice::from(name.ends_with("_mask") ? mask_numbers(rule) : rule);
   }
 }

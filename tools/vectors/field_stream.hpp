@@ -1,4 +1,4 @@
-// Whole streams field by field: every symbol by a rule, none by an encoder's choice.
+// Whole streams field by field: every symbol by a rule or at random, none by an encoder's choice.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,11 @@
 
 #include "syntax/index.hpp"
 #include "vectors/field_rules.hpp"
+#include "vectors/json.hpp"
 
 namespace hmlfc::vectors {
 
-/// What a stream is made of.
+/// The rules for a stream.
 struct StreamRules {
   StreamHeader header;  ///< has passed check_fields; its section table is not used
   IndexLayout index;
@@ -27,5 +28,25 @@ std::vector<uint8_t> field_stream(StreamRules rules, uint64_t seed);
 /// "key_error": e}. "reference" has the rules of reference images that differ from "fields".
 /// Throws TextError.
 std::vector<uint8_t> field_stream(const Json& json, uint64_t seed);
+
+/// Limits of random streams; each number is the greatest allowed value.
+struct Limits {
+  uint32_t grid_side = 5;    ///< rows and cols, each, [1, 4096]
+  uint32_t view_side = 70;   ///< width and height, each, [1, 65536]
+  int depth = 12;            ///< [8, 12]
+  int window = 127;          ///< [0, 127]
+  int tree_height = 3;       ///< [0, 15]
+  bool main = true;          ///< whether streams may be of profile main
+  bool extended = true;      ///< whether streams may be of profile extended
+  unsigned block_sizes = 7;  ///< bit i: blocks of 2 << i may occur, not 0
+};
+
+/// The limits that a recipe names, and defaults for the others.
+Limits limits_from(const Json& json);
+
+/// A valid stream: both profiles, any features that fit together, block sizes, formats, depths,
+/// grids, groups, and every field over its whole interval. The same bytes for the same arguments
+/// on every machine. All blocks decode. Throws std::bad_alloc.
+std::vector<uint8_t> random_stream(uint64_t seed, const Limits& limits);
 
 }  // namespace hmlfc::vectors

@@ -1,14 +1,94 @@
 #include "vectors/generate.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <mutex>
 #include <set>
 
-#include "io/atomic_file.hpp"
+#include <fmt/format.h>
+
+#include <hmlfc/stream_info.hpp>
+
+#include "bits/little_endian.hpp"
+#include "decoder/key_images.hpp"
+#include "io/files.hpp"
 #include "syntax/header.hpp"
+#include "vectors/digest.hpp"
+#include "vectors/expected.hpp"
+#include "vectors/header_recipe.hpp"
+#include "vectors/stream_recipe.hpp"
 
 namespace hmlfc::vectors {
+
 namespace {
+
+std::vector<uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+
+SuiteFile add_file(SuiteFiles& files, const std::string& name, std::vector<uint8_t> bytes) {
+  SuiteFile file{name, bytes.size(), sha256(bytes)};
+  files[name] = std::move(bytes);
+  return file;
+}
+
+ViewSum view_sum(const StreamHeader& header, const std::vector<uint8_t>& raw) {
+  return {sha256(raw),   header.rows,  header.cols,         header.width,
+          header.height, header.depth, header.chroma_format};
+}
+
+// Where the codestream with the number that the recipe states begins in the TOP section.
+uint64_t codestream_offset(const SectionEntry& top, const Json& json, const MadeStream& made) {
+  const uint64_t at = top.offset + json["codestream"].get<uint64_t>() * kTopEntryBytes;
+  return load_le<uint64_t>(made.bytes, static_cast<size_t>(at));
+}
+
+// The byte that a recipe states as the place of the error.
+uint64_t offset_of(const Json& json, const MadeStream& made) {
+  if (!json.is_object()) return json.is_null() ? 0 : json.get<uint64_t>();
+  if (json.contains("end")) {
+    return made.bytes.size() - json["end"].get<uint64_t>();
+  }
+  for (const SectionEntry& entry : made.header.sections) {
+    if (json.at("section") != section_name(static_cast<Section>(entry.type))) continue;
+    if (json.contains("codestream")) return entry.offset + codestream_offset(entry, json, made);
+    return entry.offset + json.value("plus", uint64_t{0});
+  }
+  throw TextError(json["section"].dump() + " is not a section");
+}
+
+[[noreturn]] void contradict(const std::string& id, const Expectation& expect,
+                             const std::string& answer) {
+  throw TextError(fmt::format("{}: the recipe expects {} at byte {}, the golden model answers {}",
+                              id, error_name(expect.error), expect.offset, answer));
+}
+
+// Throws unless `error` is what `expect` states.
+void check_error(const std::string& id, const Expectation& expect, const Error& error) {
+  if (error.code == expect.error && error.offset == expect.offset) return;
+  contradict(id, expect, to_string(error));
+}
+
+void check_blocks(const std::string& id, const Expectation& expect, const Decoder& decoder) {
+  for (const BlockAddress& block : expect.blocks) {
+    const auto samples = decoder.decode_block(block);
+    if (samples) contradict(id, expect, "samples");
+    check_error(id, expect, samples.error());
+  }
+}
+
+// What the golden model makes of a stream that it opens.
+void add_expected(const Recipe& recipe, const Decoder& decoder, SuiteFiles& files, Vector& vector) {
+  ExpectedViews expected = expected_views(decoder);
+  const bool all = recipe.expect.operation == Operation::kOpen;
+  if (all != expected.raw.has_value()) {
+    throw TextError(recipe.id + (all ? ": a block does not decode" : ": all blocks decode"));
+  }
+  if (expected.raw) vector.output = view_sum(decoder.header(), *expected.raw);
+  vector.blocks = add_file(files, recipe.id + ".blocks", bytes_of(expected.blocks));
+  if (recipe.trace.empty()) return;
+  const TraceText trace = trace_text(decoder, recipe.trace);
+  vector.trace = TraceFiles{add_file(files, recipe.id + ".trace.jsonl", bytes_of(trace.lines)),
+                            add_file(files, recipe.id + ".trace.hex", bytes_of(trace.hex))};
+}
 
 constexpr uint64_t kSeed = 1;
 
@@ -34,6 +114,42 @@ class Failures {
 };
 
 }  // namespace
+
+Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& files) {
+  const Recipe& recipe = recipes.at(id);
+  const MadeStream made = make_stream(recipes, id);
+  // An edit may leave a header that can be read: then that one says what the stream is.
+  const StreamHeader header = parse_header(made.bytes).value_or(made.header);
+  Vector vector;
+  vector.id = id;
+  vector.group = recipe.group;
+  vector.profile = header.profile;
+  vector.level = conformance_level(header);
+  vector.clauses = recipe.clauses;
+  vector.flags = header_flags(header);
+  vector.flags.insert(vector.flags.end(), recipe.flags.begin(), recipe.flags.end());
+  vector.comment = recipe.comment;
+  vector.expect = recipe.expect;
+  vector.expect.offset = offset_of(recipe.offset, made);
+
+  const bool opens =
+      recipe.expect.outcome == Outcome::kOk || recipe.expect.operation == Operation::kBlock;
+  const auto decoder = Decoder::open(made.bytes);
+  if (opens && !decoder) throw TextError(id + ": " + to_string(decoder.error()));
+  if (!opens) {
+    if (decoder) contradict(id, vector.expect, "an open stream");
+    check_error(id, vector.expect, decoder.error());
+  } else {
+    check_blocks(id, vector.expect, *decoder);
+    add_expected(recipe, *decoder, files, vector);
+  }
+  if (recipe.expect.outcome == Outcome::kAcceptable) {
+    const auto lenient = Decoder::open(made.bytes, {.check_sections = false});
+    if (lenient) add_expected(recipe, *lenient, files, vector);
+  }
+  vector.input = add_file(files, id + ".hmlfc", made.bytes);
+  return vector;
+}
 
 io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, unsigned threads,
                                         const io::Progress& progress) {
@@ -72,7 +188,7 @@ io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::p
     if (!group.empty() && groups.insert(group).second) {
       std::filesystem::create_directories(folder / group, error);
     }
-    if (error) return io::system_error(folder / group, "cannot be made", error.value());
+    if (error) return io::system_error(folder / group, "cannot be created", error.value());
     if (auto ok = io::write_file(folder / name, bytes); !ok) return ok;
   }
   for (const std::string& group : groups) {

@@ -14,7 +14,7 @@
 
 namespace hmlfc::vectors {
 
-/// The version of the suite (vectors/CHANGES.md).
+/// Version of the suite (vectors/CHANGES.md).
 inline constexpr const char* kVectorsVersion = "1.4.0";
 
 /// Files of a suite by their name in its folder.
@@ -29,8 +29,8 @@ Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& fi
 io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& recipes, unsigned threads,
                                         const io::Progress& progress = {});
 
-/// Writes `files` into `folder` and removes files of vectors that are no longer there: of each
-/// folder named as a group, whatever is not in `files`. Errors: cannot write.
+/// Writes `files` into `folder` and removes the files of vectors that no longer exist:
+/// everything in the group folders that is not in `files`. Errors: cannot write.
 io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::path& folder);
 
 }  // namespace hmlfc::vectors

@@ -1,22 +1,11 @@
 #include "vectors/header_recipe.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <map>
-#include <string>
 
 #include "syntax/header.hpp"
 
 namespace hmlfc::vectors {
 namespace {
-
-using Setter = std::function<void(StreamHeader&, const Json&)>;
-
-// A field that is a number in `StreamHeader` and in the recipe.
-template <class T>
-Setter number(T StreamHeader::*member) {
-  return [member](StreamHeader& header, const Json& json) { header.*member = json.get<T>(); };
-}
 
 void set_features(StreamHeader& header, const Json& json) {
   header.profile = Profile::kExtended;
@@ -25,14 +14,9 @@ void set_features(StreamHeader& header, const Json& json) {
     while (feature < kFeatureCount && name != feature_name(static_cast<Feature>(feature))) {
       ++feature;
     }
-    if (feature == kFeatureCount) throw TextError(name.dump() + " is no feature of EXT-1");
+    if (feature == kFeatureCount) throw TextError(name.dump() + " is not a feature of EXT-1");
     header.feature_flags |= 1u << feature;
   }
-}
-
-void set_chroma(StreamHeader& header, const Json& json) {
-  if (json != "420" && json != "444") throw TextError("chroma_format is \"420\" or \"444\"");
-  header.chroma_format = json == "444" ? ChromaFormat::k444 : ChromaFormat::k420;
 }
 
 void set_levels(StreamHeader& header, const Json& json) {
@@ -42,15 +26,15 @@ void set_levels(StreamHeader& header, const Json& json) {
   }
 }
 
-const std::map<std::string, Setter>& setters() {
-  static const std::map<std::string, Setter> all{
+const Setters<StreamHeader>& header_setters() {
+  static const Setters<StreamHeader> all{
       {"features", set_features},
       {"rows", number(&StreamHeader::rows)},
       {"cols", number(&StreamHeader::cols)},
       {"width", number(&StreamHeader::width)},
       {"height", number(&StreamHeader::height)},
       {"depth", number(&StreamHeader::depth)},
-      {"chroma_format", set_chroma},
+      {"chroma_format", word(&StreamHeader::chroma_format, chroma_formats())},
       {"block_log2", number(&StreamHeader::block_log2)},
       {"window", number(&StreamHeader::window)},
       {"cluster_rows", number(&StreamHeader::cluster_rows)},
@@ -72,11 +56,7 @@ StreamHeader header_from(const Json& json) {
   StreamHeader header;
   header.width = 16;
   header.height = 16;
-  for (const auto& [key, value] : json.items()) {
-    const auto setter = setters().find(key);
-    if (setter == setters().end()) throw TextError("\"" + key + "\" is no field of a header");
-    setter->second(header, value);
-  }
+  set_all(header, json, header_setters(), "a field of a header");
   const size_t levels = static_cast<size_t>(header.tree_height) + 1;
   if (header.levels.empty()) header.levels.push_back({});
   header.levels.resize(levels, header.levels.back());

@@ -1,11 +1,64 @@
-// Headers from recipes.
+// Headers from recipes, and what the keys of a JSON object set.
 #pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <hmlfc/format.hpp>
 
 #include "vectors/json.hpp"
 
 namespace hmlfc::vectors {
+
+/// What the keys of a JSON object set in a Target.
+template <class Target>
+using Setters = std::map<std::string, std::function<void(Target&, const Json&)>>;
+
+/// Sets a number.
+template <class Target, class T>
+auto number(T Target::*member) {
+  return [member](Target& target, const Json& json) { target.*member = json.get<T>(); };
+}
+
+/// Sets a number that may be open.
+template <class Target, class T>
+auto number(std::optional<T> Target::*member) {
+  return [member](Target& target, const Json& json) { target.*member = json.get<T>(); };
+}
+
+/// Sets one of `words`.
+template <class Target, class Member, class T>
+auto word(Member Target::*member, std::map<std::string, T> words) {
+  return [member, words = std::move(words)](Target& target, const Json& json) {
+    const auto found = words.find(json.get<std::string>());
+    if (found == words.end()) throw TextError(json.dump() + " is not one of the allowed words");
+    target.*member = found->second;
+  };
+}
+
+/// Sets with `setter` in a member that is a struct.
+template <class Target, class Part, class Setter>
+auto in(Part Target::*part, Setter setter) {
+  return [part, setter](Target& target, const Json& json) { setter(target.*part, json); };
+}
+
+/// Sets all keys of `json`. Throws TextError for an unknown key, which is not `kind`.
+template <class Target>
+void set_all(Target& target, const Json& json, const Setters<Target>& setters, const char* kind) {
+  for (const auto& [key, value] : json.items()) {
+    const auto setter = setters.find(key);
+    if (setter == setters.end()) throw TextError("\"" + key + "\" is not " + kind);
+    setter->second(target, value);
+  }
+}
+
+inline std::map<std::string, ChromaFormat> chroma_formats() {
+  return {{"420", ChromaFormat::k420}, {"444", ChromaFormat::k444}};
+}
 
 /// The header whose fields `json` names as FIL-1 and EXT-2 do; "features" lists flags by name,
 /// "levels" reference groups [ref_rows, ref_cols] or [ref_rows, ref_cols, key_references] from

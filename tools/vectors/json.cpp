@@ -1,6 +1,6 @@
 #include "vectors/json.hpp"
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 
 namespace hmlfc::vectors {
 

@@ -1,4 +1,4 @@
-// JSON of manifests and recipes.
+// JSON files of the suite.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ namespace hmlfc::vectors {
 /// JSON with its keys in the order in which they were set.
 using Json = nlohmann::ordered_json;
 
-/// What is wrong with a recipe or a manifest, for people. Thrown within this folder; its public
-/// functions return it as an IoError.
+/// What is wrong with a recipe or a manifest. Thrown in this folder; public functions return it as
+/// an IoError.
 class TextError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,4 +1,4 @@
-#include "vectors/lint.hpp"
+#include "vectors/examine.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -11,8 +11,8 @@
 
 #include <hmlfc/stream_info.hpp>
 
-#include "io/mapped_file.hpp"
-#include "vectors/sha256.hpp"
+#include "io/files.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::vectors {
 namespace {

@@ -21,7 +21,7 @@ T named(const Json& json, const char* key, const std::array<std::string_view, kC
   for (size_t i = 0; i < kCount; ++i) {
     if (names[i] == text) return static_cast<T>(i);
   }
-  throw TextError("\"" + text + "\" is no value of " + key);
+  throw TextError("\"" + text + "\" is not a value of " + key);
 }
 
 Json block_json(const BlockAddress& block) {
@@ -58,7 +58,7 @@ Expectation expect_from(const Json& json) {
   if (expect.outcome == Outcome::kOk) return expect;
   const auto name = json.at("error").get<std::string>();
   const auto error = error_from_name(name);
-  if (!error) throw TextError("\"" + name + "\" is no error of annex A");
+  if (!error) throw TextError("\"" + name + "\" is not an error of annex A");
   expect.error = *error;
   expect.offset = json.at("offset");
   expect.operation = named<Operation>(json, "operation", kOperations);

@@ -24,10 +24,10 @@ enum class Outcome : uint8_t {
   kAcceptable,  ///< decode it to the expected samples, or report the error when opening it
 };
 
-/// When a rejected stream shows its defect.
+/// The operation that reports the error of a rejected stream.
 enum class Operation : uint8_t { kOpen, kBlock };
 
-/// A file of the suite; `file` is relative to the suite's folder.
+/// A file of the suite; `file` is relative to the folder of the suite.
 struct SuiteFile {
   std::string file;
   uint64_t bytes = 0;  ///< in the manifest for inputs alone

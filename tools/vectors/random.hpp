@@ -1,4 +1,4 @@
-// The numbers of a seed, the same on every machine.
+// Pseudo-random numbers, the same on every machine.
 #pragma once
 
 #include <cstdint>

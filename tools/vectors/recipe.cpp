@@ -13,7 +13,7 @@ Expectation expectation_of(const Json& json) {
       json.value("outcome", "reject") == "acceptable" ? Outcome::kAcceptable : Outcome::kReject;
   const auto name = json.at("error").get<std::string>();
   const auto error = error_from_name(name);
-  if (!error) throw TextError("\"" + name + "\" is no error of annex A");
+  if (!error) throw TextError("\"" + name + "\" is not an error of annex A");
   expect.error = *error;
   for (const Json& block : json.value("blocks", Json::array())) {
     expect.blocks.push_back(block_of(block));
@@ -79,7 +79,7 @@ Plane plane_from(const Json& json) {
   for (const Plane plane : kPlanes) {
     if (json == plane_name(plane)) return plane;
   }
-  throw TextError(json.dump() + " is no plane");
+  throw TextError(json.dump() + " is not a plane");
 }
 
 BlockAddress block_of(const Json& json) {

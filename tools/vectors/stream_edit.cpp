@@ -8,7 +8,7 @@
 #include "bits/little_endian.hpp"
 #include "decoder/key_images.hpp"
 #include "syntax/header.hpp"
-#include "vectors/block_recorder.hpp"
+#include "vectors/expected.hpp"
 #include "vectors/recipe.hpp"
 
 namespace hmlfc::vectors {
@@ -77,7 +77,7 @@ class Editor {
     if (json.contains("resize")) return resize(json);
     if (json.contains("cut")) return cut(json.at("cut"));
     if (json.contains("append")) return append(json.at("append"));
-    throw TextError(json.dump() + " is no edit");
+    throw TextError(json.dump() + " is not an edit");
   }
 
   // CRCs of the sections that lie in the file, then that of the header.
@@ -115,7 +115,7 @@ class Editor {
         return load(kAtHeaderBytes, 2) - kTableAndCrc + i * kSectionBytes;
       }
     }
-    throw TextError(name.dump() + " is no section");
+    throw TextError(name.dump() + " is not a section");
   }
 
   void set(size_t at, size_t size, const Json& json) {

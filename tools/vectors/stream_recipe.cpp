@@ -1,15 +1,79 @@
 #include "vectors/stream_recipe.hpp"
 
+#include <map>
+#include <string>
+#include <utility>
+
+#include <hmlfc/encoder.hpp>
+
+#include "scenes/scene.hpp"
 #include "syntax/header.hpp"
-#include "vectors/encode_recipe.hpp"
 #include "vectors/field_stream.hpp"
-#include "vectors/random_stream.hpp"
+#include "vectors/header_recipe.hpp"
 #include "vectors/stream_edit.hpp"
 
 namespace hmlfc::vectors {
+
 namespace {
 
-// Bases of bases are followed so far.
+const Setters<EncodeParams>& encode_setters() {
+  static const Setters<EncodeParams> all{
+      {"profile", word(&EncodeParams::profile,
+                       std::map<std::string, Profile>{{"main", Profile::kMain},
+                                                      {"extended", Profile::kExtended}})},
+      {"method",
+       word(&EncodeParams::method,
+            std::map<std::string, Method>{
+                {"hmlfc", Method::kHmlfc}, {"rlfc", Method::kRlfc}, {"mc", Method::kMc}})},
+      {"preset",
+       in(&EncodeParams::extended,
+          word(&ExtendedParams::preset, std::map<std::string, Preset>{{"fast", Preset::kFast},
+                                                                      {"medium", Preset::kMedium},
+                                                                      {"slow", Preset::kSlow}}))},
+      {"chroma", word(&EncodeParams::chroma, chroma_formats())},
+      {"cluster_rows", number(&EncodeParams::cluster_rows)},
+      {"cluster_cols", number(&EncodeParams::cluster_cols)},
+      {"tree_height", number(&EncodeParams::tree_height)},
+      {"block_size", number(&EncodeParams::block_size)},
+      {"window", number(&EncodeParams::window)},
+      {"ref_rows", number(&EncodeParams::ref_rows)},
+      {"ref_cols", number(&EncodeParams::ref_cols)},
+      {"threshold_ref", in(&EncodeParams::main, number(&MainParams::threshold_ref))},
+      {"threshold_pred", in(&EncodeParams::main, number(&MainParams::threshold_pred))},
+      {"quality", in(&EncodeParams::extended, number(&ExtendedParams::quality))},
+      {"lossless", number(&EncodeParams::lossless)},
+  };
+  return all;
+}
+
+// What a recipe leaves out: fixed, whatever the defaults of the encoder become.
+EncodeParams recipe_defaults() {
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  params.tree_height = 3;
+  params.window = 16;
+  params.ref_rows = params.ref_cols = 8;
+  params.chroma = ChromaFormat::k420;
+  return params;
+}
+
+LightField scene_from(const Json& json, uint64_t seed) {
+  scenes::SceneParams params;
+  const auto name = json.at("name").get<std::string>();
+  const auto scene = scenes::scene_from_name(name);
+  if (!scene) throw TextError("\"" + name + "\" is not a scene");
+  params.scene = *scene;
+  params.rows = json.at("rows");
+  params.cols = json.at("cols");
+  params.width = json.at("width");
+  params.height = json.at("height");
+  params.depth = json.value("depth", 8);
+  params.baseline_px = json.value("baseline", 2.0);
+  params.seed = seed;
+  return scenes::render_scene(params, 0);
+}
+
+// Levels of bases that are followed.
 constexpr int kMaxDepth = 8;
 
 MadeStream make(const Recipes& recipes, const std::string& id, int depth);
@@ -28,13 +92,13 @@ std::vector<uint8_t> whole_stream(const Recipe& recipe, const std::string& kind)
     const Json limits = recipe.stream.value("limits", Json::object());
     return random_stream(recipe.seed, limits_from(limits));
   }
-  throw TextError("\"" + kind + "\" is no kind of stream");
+  throw TextError("\"" + kind + "\" is not a kind of stream");
 }
 
 MadeStream make(const Recipes& recipes, const std::string& id, int depth) {
   const auto recipe = recipes.find(id);
   if (recipe == recipes.end()) throw TextError("there is no recipe " + id);
-  if (depth > kMaxDepth) throw TextError("its bases never end");
+  if (depth > kMaxDepth) throw TextError("its bases form a cycle");
   const auto kind = recipe->second.stream.at("kind").get<std::string>();
   if (kind == "edit") return edited(recipes, recipe->second, depth);
   MadeStream made;
@@ -44,6 +108,14 @@ MadeStream make(const Recipes& recipes, const std::string& id, int depth) {
 }
 
 }  // namespace
+
+std::vector<uint8_t> encoded_stream(const Json& json, uint64_t seed) {
+  EncodeParams params = recipe_defaults();
+  set_all(params, json.at("encode"), encode_setters(), "an option of encode");
+  auto encoded = encode(scene_from(json.at("scene"), seed), params);
+  if (!encoded) throw TextError("encode: " + encoded.error().message);
+  return std::move(encoded->bytes);
+}
 
 MadeStream make_stream(const Recipes& recipes, const std::string& id) {
   try {

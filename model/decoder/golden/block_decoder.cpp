@@ -33,6 +33,7 @@ class LevelDecoder {
 
  private:
   Result<CodedSite> read_site() const;
+  void report_vectors(const BlockMotion& motion) const;
   Result<BlockValues> predict(const BlockValues& parent, const BlockMotion& motion) const;
   Result<BlockValues> reference(const BlockMotion& motion) const;
   Result<BlockValues> interpolate(const ReferenceMotion& motion) const;
@@ -89,6 +90,7 @@ Result<BlockValues> LevelDecoder::decode_key_block() const {
 Result<BlockValues> LevelDecoder::decode(const BlockValues& parent) const {
   const auto coded = read_site();
   if (!coded) return tl::unexpected(coded.error());
+  report_vectors(coded->motion);
   const auto prediction = predict(parent, coded->motion);
   if (!prediction) return prediction;
   BlockValues sample = *prediction;
@@ -123,6 +125,15 @@ Result<CodedSite> LevelDecoder::read_site() const {
     motion = {1, entry.negative, {{{reference, {entry.dx, entry.dy, 0, 0}}}}};
   }
   return CodedSite{motion, *block};
+}
+
+void LevelDecoder::report_vectors(const BlockMotion& motion) const {
+  const char* clause = stream_.header.has(Feature::kMotionTiles) ? "MOT-8" : "TIL-7";
+  for (unsigned i = 0; i < motion.count; ++i) {
+    const auto& [image, vector] = motion.references[i];
+    probe_.vector(image.row, image.col, 8 * vector.ix + vector.fx, 8 * vector.iy + vector.fy,
+                  clause);
+  }
 }
 
 // A of DEC-3.

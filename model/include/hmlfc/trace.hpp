@@ -58,6 +58,16 @@ struct StageRecord {
   std::span<const int32_t> values;  ///< block_size^2 values
 };
 
+/// A motion vector of a block.
+struct VectorRecord {
+  BlockSite site;           ///< the block
+  uint32_t image_row = 0;   ///< of the reference image
+  uint32_t image_col = 0;   ///< of the reference image
+  int32_t x = 0;            ///< in eighths of a sample of the block's plane
+  int32_t y = 0;            ///< likewise
+  std::string_view clause;  ///< "MOT-8" or "TIL-7"
+};
+
 /// Receives the records of one block in the order of decoding. Reference blocks that are decoded on
 /// demand report their fields, with their own site, before the stage that needs them.
 class HMLFC_EXPORT TraceSink {
@@ -69,6 +79,8 @@ class HMLFC_EXPORT TraceSink {
 
   /// A stage is complete. The record and its values live until the call returns.
   virtual void on_stage(const StageRecord& record) = 0;
+  /// Each vector, before the stage "parent" of its level.
+  virtual void on_vector(const VectorRecord& record) { static_cast<void>(record); }
 };
 
 /// The cost of decoding; BND-1 to BND-3 bound each count.

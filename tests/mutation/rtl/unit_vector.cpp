@@ -12,7 +12,7 @@
 #include "oracle/level_record.hpp"
 #include "oracle/oracle.hpp"
 #include "syntax/header.hpp"
-#include "vectors/picture_bytes.hpp"
+#include "vectors/digest.hpp"
 
 namespace hmlfc::tb {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
 #include "systemc/stream_image.hpp"
 #include "unit/unit_host.hpp"
 #include "vectors/manifest.hpp"

@@ -20,10 +20,9 @@
 #include "bits/crc32c.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu_decoder.hpp"
-#include "io/mapped_file.hpp"
+#include "io/files.hpp"
+#include "vectors/digest.hpp"
 #include "vectors/manifest.hpp"
-#include "vectors/picture_bytes.hpp"
-#include "vectors/sha256.hpp"
 
 namespace {
 

@@ -1,0 +1,66 @@
+// Reports for machines and people.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "conform/result.hpp"
+#include "io/io_error.hpp"
+
+namespace hmlfc::conform {
+
+/// JUnit XML: a test suite for each decoder, a test case for each vector.
+std::string junit_text(const Report& report);
+
+/// One page without other files: counts, failures with their pictures (read from `folder`), clauses
+/// by decoder, all results.
+std::string html_text(const Report& report, const std::filesystem::path& folder);
+
+/// Writes report.json, junit.xml and report.html into `folder`.
+io::IoResult<void> write_report(const Report& report, const std::filesystem::path& folder);
+
+/// This system; `program` is name and version of this program.
+SystemInfo this_system(const std::string& program);
+
+/// A report of `folder` to be merged with others.
+struct ReportPart {
+  std::filesystem::path folder;
+  Report report;
+};
+
+/// One report of all parts: shards of one decoder become one run, in which a vector has the result
+/// of the part that ran it (the worst where several did); other decoders follow each other. The
+/// pictures of failures are copied into `folder`. Errors: parts of different suites, no part,
+/// cannot write.
+io::IoResult<Report> merge(const std::vector<ReportPart>& parts,
+                           const std::filesystem::path& folder);
+
+/// JSON with its keys in the order in which they were set.
+using Json = nlohmann::ordered_json;
+
+/// One result, without keys that have their default.
+Json to_json(const VectorResult& result);
+
+/// Nothing if `json` is not a result.
+std::optional<VectorResult> result_from_json(const Json& json);
+
+/// The whole report with counts and verdicts; docs/conformance.md has its keys.
+Json to_json(const Report& report);
+
+/// Reads a file of to_json(report). Errors: not readable, not such a file.
+io::IoResult<Report> read_report(const std::filesystem::path& file);
+
+/// `text` with the characters that XML gives a meaning escaped; characters that XML 1.0 does not
+/// allow and bytes that are not UTF-8 become '?'.
+std::string escaped(std::string_view text);
+
+/// data:image/png;base64,...
+std::string png_data_uri(const std::vector<uint8_t>& png);
+
+}  // namespace hmlfc::conform

@@ -1,0 +1,106 @@
+#include "io/files.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace hmlfc::io {
+
+namespace fs = std::filesystem;
+
+IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
+  if (!target.has_filename()) return file_error(target, "not a file name; give the output a name");
+  std::error_code failure;
+  const fs::file_status status = fs::status(target, failure);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    return file_error(target, "exists and is not a regular file; choose another output name");
+  }
+  fs::path resolved = target;
+  if (fs::exists(status) && fs::is_symlink(fs::symlink_status(target, failure))) {
+    resolved = fs::canonical(target, failure);
+    if (failure) return system_error(target, "cannot follow the link", failure.value());
+  }
+
+  fs::path partial = resolved;
+  partial += ".partial-" + std::to_string(::getpid());
+  // Such a file can only be left over from a dead process with the same number.
+  ::unlink(partial.c_str());
+  FileDescriptor file(::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.get() < 0) {
+    return system_error(target, "cannot write here (is the folder there and writable?)", errno);
+  }
+  return AtomicFile(std::move(resolved), std::move(partial), std::move(file));
+}
+
+AtomicFile::~AtomicFile() {
+  if (file_.get() >= 0) ::unlink(partial_.c_str());
+}
+
+IoResult<void> AtomicFile::write(std::span<const uint8_t> bytes) {
+  constexpr size_t kLargestWrite = size_t{1} << 30;  // Linux writes at most 2^31 - 4096 at once
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(file_.get(), bytes.data(), std::min(bytes.size(), kLargestWrite));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return system_error(target_, "cannot write; the file was left as it was", errno);
+    bytes = bytes.subspan(static_cast<size_t>(count));
+  }
+  return {};
+}
+
+IoResult<void> AtomicFile::commit() {
+  constexpr const char* kFailed = "cannot finish writing; the file was left as it was";
+  if (::fsync(file_.get()) != 0) return system_error(target_, kFailed, errno);
+  // A network file system may report a full disk only on close.
+  const int descriptor = file_.release();
+  if (::close(descriptor) != 0 || ::rename(partial_.c_str(), target_.c_str()) != 0) {
+    const int reason = errno;
+    ::unlink(partial_.c_str());
+    return system_error(target_, kFailed, reason);
+  }
+  return {};
+}
+
+IoResult<void> write_file(const fs::path& target, std::span<const uint8_t> bytes) {
+  return AtomicFile::create(target).and_then([bytes](AtomicFile file) {
+    return file.write(bytes).and_then([&file] { return file.commit(); });
+  });
+}
+
+IoResult<MappedFile> MappedFile::open(const std::filesystem::path& path) {
+  // Without O_NONBLOCK, opening a named pipe would wait for a writer.
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.get() < 0) return system_error(path, "cannot open for reading", errno);
+
+  struct stat status = {};
+  if (::fstat(file.get(), &status) != 0) return system_error(path, "cannot read", errno);
+  if (!S_ISREG(status.st_mode)) return file_error(path, "not a regular file; give a file's name");
+  const size_t size = static_cast<size_t>(status.st_size);
+  if (size == 0) return MappedFile(nullptr, 0);
+
+  void* data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.get(), 0);
+  if (data == MAP_FAILED) return system_error(path, "cannot map into memory", errno);
+  return MappedFile(static_cast<const uint8_t*>(data), size);
+}
+
+MappedFile::MappedFile(MappedFile&& other) noexcept
+    : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+
+MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
+  std::swap(data_, other.data_);
+  std::swap(size_, other.size_);
+  return *this;
+}
+
+MappedFile::~MappedFile() {
+  if (data_ != nullptr) ::munmap(const_cast<uint8_t*>(data_), size_);
+}
+
+}  // namespace hmlfc::io

@@ -1,0 +1,93 @@
+// Files mapped for reading, and output files that appear complete or not at all.
+#pragma once
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <utility>
+
+#include "io/io_error.hpp"
+
+namespace hmlfc::io {
+
+/// Closes its descriptor on destruction; empty (-1) after a move or release().
+class FileDescriptor {
+ public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int descriptor) : descriptor_(descriptor) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : descriptor_(other.release()) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  ~FileDescriptor() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  int get() const { return descriptor_; }
+  int release() { return std::exchange(descriptor_, -1); }
+
+ private:
+  int descriptor_ = -1;
+};
+
+/// Writes to NAME.partial-<process id> next to the target and renames it on commit(). Until then,
+/// and after any failure, the target is unchanged; without a commit() the partial file is removed.
+/// One writer per target within a process.
+///
+///   auto file = AtomicFile::create("a.hmlfc");
+///   if (file && file->write(header) && file->write(body)) return file->commit();
+class AtomicFile {
+ public:
+  /// Errors: the folder does not exist or cannot be written, or the target exists and is not a
+  /// regular file (a device or a folder is never replaced). A symbolic link's target is replaced,
+  /// not the link.
+  static IoResult<AtomicFile> create(const std::filesystem::path& target);
+
+  AtomicFile(AtomicFile&&) noexcept = default;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  ~AtomicFile();
+
+  /// Appends all of `bytes`. Errors: full disk, size limit, device error.
+  IoResult<void> write(std::span<const uint8_t> bytes);
+
+  /// Flushes to the device and renames; nothing may be written afterwards. Errors as write().
+  IoResult<void> commit();
+
+ private:
+  AtomicFile(std::filesystem::path target, std::filesystem::path partial, FileDescriptor file)
+      : target_(std::move(target)), partial_(std::move(partial)), file_(std::move(file)) {}
+
+  std::filesystem::path target_;
+  std::filesystem::path partial_;
+  FileDescriptor file_;
+};
+
+/// The whole file at once: create, write, commit.
+IoResult<void> write_file(const std::filesystem::path& target, std::span<const uint8_t> bytes);
+
+/// Read-only view of a whole regular file for the lifetime of the object. The file must not be
+/// truncated meanwhile (the system would kill the process); replacing it by rename is safe.
+class MappedFile {
+ public:
+  /// Errors: the file does not exist, cannot be read, or is not a regular file.
+  static IoResult<MappedFile> open(const std::filesystem::path& path);
+
+  MappedFile(MappedFile&& other) noexcept;
+  MappedFile& operator=(MappedFile&& other) noexcept;
+  ~MappedFile();
+
+  /// All bytes of the file; an empty span for an empty file.
+  std::span<const uint8_t> bytes() const { return {data_, size_}; }
+
+ private:
+  MappedFile(const uint8_t* data, size_t size) : data_(data), size_(size) {}
+
+  const uint8_t* data_ = nullptr;
+  size_t size_ = 0;
+};
+
+}  // namespace hmlfc::io

@@ -1,0 +1,66 @@
+// Pictures from and to files.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include <hmlfc/image.hpp>
+
+#include "io/io_error.hpp"
+
+namespace hmlfc::io {
+
+/// Bounds on what an image file may ask for.
+struct ImageLimits {
+  uint64_t max_samples = uint64_t{1} << 31;  ///< width * height * 3; checked before allocation
+};
+
+/// What an RgbImage cannot hold of files that were read.
+struct ImageLosses {
+  int stored_bits = 0;  ///< most bits per sample of a file where they were reduced to 12, else 0
+  bool alpha = false;   ///< a file had an alpha channel
+
+  void add(const ImageLosses& other) {
+    stored_bits = std::max(stored_bits, other.stored_bits);
+    alpha = alpha || other.alpha;
+  }
+};
+
+/// Reads a PNG, PPM/PGM or JPEG file; the content tells the format, not the name. What is lost is
+/// added to `losses`, unless it is null.
+///
+/// Grey is replicated to R, G and B, alpha and transparency are dropped, colour profiles and gamma
+/// are ignored, palettes are looked up. Depth of the result and its samples:
+/// - JPEG, PNG of 1 to 8 bits, PNM of maxval 255: depth 8, samples as stored (grey PNG of 1, 2 or 4
+///   bits is stretched to 8);
+/// - PNG of 16 bits: depth d = the greatest count in the sBIT chunk, clamped to [8, 12], or 12
+///   without sBIT; sample = value >> (16 - d);
+/// - PNM of maxval 2^n - 1, n in [8, 16]: depth d = min(n, 12), sample = value >> (n - d).
+///
+/// Errors: not readable, not one of these kinds, truncated or damaged, a side over 65536, more
+/// samples than `limits` allow or than the file's length can hold. Never crashes on any content.
+IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimits& limits = {},
+                              ImageLosses* losses = nullptr);
+
+/// Writes an RGB PNG: of 8 bits for depth 8; for depth d in [9, 12] of 16 bits, with sBIT = d and
+/// value = sample << (16 - d) | sample >> (2d - 16), so that black stays 0 and white 65535.
+/// read_image() returns exactly `image`. The bytes depend on `image` and the version of zlib only.
+/// Errors: cannot write.
+IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image);
+
+/// Writes a binary PPM (P6) of maxval 2^depth - 1, two big-endian bytes per sample above depth 8.
+/// Errors: cannot write.
+IoResult<void> write_ppm(const std::filesystem::path& path, const RgbImage& image);
+
+/// Writes an animated PNG (APNG) that loops over `frames`, at least one, all of one size and depth,
+/// with `rate` frames per second, in [1, 1000]. PNG readers show the first. Errors: cannot write.
+IoResult<void> write_apng(const std::filesystem::path& path, std::span<const RgbImage> frames,
+                          unsigned rate);
+
+/// The bytes that write_png writes; empty if memory runs out.
+std::vector<uint8_t> encode_png(const RgbImage& image);
+
+}  // namespace hmlfc::io

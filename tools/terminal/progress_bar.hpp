@@ -1,0 +1,50 @@
+// Progress of long work, for people at a terminal.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace hmlfc::terminal {
+
+/// One line on standard error with a bar, the rate and the time left:
+///
+///   Encoding  [##########..............]  42 %  36/85 images  3.1/s  0:16 left
+///
+/// Shown only if standard error is a terminal and the work takes more than a second; erased by
+/// clear() or the destructor. If work starts again (done falls), the line counts the tries.
+class ProgressBar {
+ public:
+  /// `unit` is the plural noun of the pieces.
+  ProgressBar(std::string label, std::string unit);
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  ~ProgressBar();
+
+  /// done in [0, total]; from one thread at a time.
+  void update(uint64_t done, uint64_t total);
+
+  /// update() as the function that the libraries take; the bar must outlive it.
+  std::function<void(uint64_t, uint64_t)> callback();
+
+  /// Erases the line.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string line(double seconds, uint64_t done, uint64_t total) const;
+  void draw(const std::string& text);
+
+  std::string label_;
+  std::string unit_;
+  bool on_terminal_;
+  bool drawn_ = false;
+  unsigned tries_ = 1;
+  uint64_t last_done_ = 0;
+  Clock::time_point begin_ = Clock::now();  ///< of this try
+  Clock::time_point next_draw_ = begin_ + std::chrono::seconds(1);
+};
+
+}  // namespace hmlfc::terminal
