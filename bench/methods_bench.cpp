@@ -17,9 +17,9 @@
 #include <hmlfc/encoder.hpp>
 
 #include "common/program.hpp"
-#include "common/timing.hpp"
 #include "io/data_folder.hpp"
 #include "io/light_field_files.hpp"
+#include "terminal/clock.hpp"
 
 namespace {
 
@@ -58,10 +58,10 @@ std::optional<EncodeParams> best_params(const LightField& field, Method method, 
 void print_row(const std::string& name, const LightField& field, Method method, double target_db) {
   const auto found = best_params(field, method, target_db);
   if (!found) throw std::runtime_error(fmt::format("{} dB is out of reach", target_db));
-  const bench::Clock encoding;
+  const Clock encoding;
   const auto encoded = bench::value_of(encode(field, *found));
   const double encode_seconds = encoding.cpu_seconds();
-  const bench::Clock decoding;
+  const Clock decoding;
   const Decoder decoder = bench::value_of(Decoder::open(encoded.bytes));
   bench::value_of(decoder.decode_all([](ViewPos, RgbImage&&) {}));
   const double decode_seconds = decoding.cpu_seconds();

@@ -57,7 +57,7 @@ void print_turn(const Setting& setting, const char* state, const Decoder& decode
   FrameSeconds seconds;
   FrameCounts counts;
   Frame frame;
-  const bench::Clock clock;
+  const Clock clock;
   for (int k = 0; k < kFrames; ++k) {
     value_of(renderer.render(record_of(setting, decoder.header(), k), 0, frame));
     seconds.plan += frame.seconds.plan;

@@ -23,10 +23,10 @@
 
 #include "common/orbit.hpp"
 #include "common/program.hpp"
-#include "common/timing.hpp"
 #include "io/files.hpp"
 #include "render/frame_stages.hpp"
 #include "render/view_cache.hpp"
+#include "terminal/clock.hpp"
 
 namespace {
 
@@ -165,7 +165,7 @@ Json draw_frames(const std::vector<std::string>& arguments) {
     if (!client || !warm) client = std::make_unique<Client>(open(file, &reads));
     reads.reset();
     Frame frame;
-    const bench::Clock clock;
+    const Clock clock;
     const auto drawn = client->renderer->render(record, 0, frame);
     const double seconds = clock.cpu_seconds();
     value_of(drawn);
@@ -190,7 +190,7 @@ Json decode_block(const std::vector<std::string>& arguments) {
   double decoding = 1e9;
   AccessCounts counts;
   for (int run = 0; run < std::max(std::stoi(arguments[2]), 1); ++run) {
-    const bench::Clock clock;
+    const Clock clock;
     const Decoder decoder = open(file, &reads);
     opening = std::min(opening, clock.cpu_seconds());
     reads.reset();
@@ -200,7 +200,7 @@ Json decode_block(const std::vector<std::string>& arguments) {
                               Plane::kY,
                               header.width / 2 / header.block_size(),
                               header.height / 2 / header.block_size()};
-    const bench::Clock block_clock;
+    const Clock block_clock;
     const auto samples = decoder.decode_block(middle, {.counts = &counts});
     decoding = std::min(decoding, block_clock.cpu_seconds());
     value_of(samples);
