@@ -1,14 +1,14 @@
-// What frames and single blocks need of a stream, and what of it is skipped
+// What frames and single blocks need of a stream, and what is skipped
 // (bench/skipping/__main__.py runs it).
 //
 // Usage: bench_skipping frames FILE.hmlfc PATH FRAMES SIDE cold|warm
-//          draws FRAMES square frames along PATH: orbit, line, or dolly, from the middle of the
-//          grid forwards. cold: each with a decoder and a renderer of its own; warm: all with the
-//          same.
+//          draws FRAMES square frames along PATH: orbit, line, dolly (forwards from the middle of
+//          the grid) or view (the middle view). cold: each frame with a new decoder and renderer;
+//          warm: all with the same.
 //        bench_skipping block FILE.hmlfc RUNS
-//          decodes the middle block of Y of the middle view with a decoder of its own, RUNS times.
-// Both print JSON, one thread at work. `reads` are the distinct reads of the file, [offset,
-// length]; opening the stream is not in them.
+//          decodes the middle block of Y of the middle view RUNS times, each with a new decoder.
+// Both run on one thread and print JSON. `reads` are the distinct reads of the file, [offset,
+// length], without those of opening the stream.
 #include <algorithm>
 #include <array>
 #include <memory>
