@@ -5,37 +5,17 @@
 #include <hmlfc/measure.hpp>
 
 #include "common/timing.hpp"
-#include "decoder/openjpeg.hpp"
+#include "decoder/openjpeg_sink.hpp"
 #include "render/peers.hpp"
 
 namespace hmlfc::bench {
 namespace {
 
-// Bytes that OpenJPEG writes.
-struct Sink {
-  std::vector<uint8_t> bytes;
-  size_t at = 0;
-};
+using openjpeg::Codec;
+using openjpeg::Image;
+using openjpeg::Stream;
 
-OPJ_SIZE_T write_sink(void* data, OPJ_SIZE_T size, void* user) {
-  auto& sink = *static_cast<Sink*>(user);
-  sink.bytes.resize(std::max(sink.bytes.size(), sink.at + size));
-  std::memcpy(sink.bytes.data() + sink.at, data, size);
-  sink.at += size;
-  return size;
-}
-
-OPJ_OFF_T skip_sink(OPJ_OFF_T size, void* user) {
-  static_cast<Sink*>(user)->at += static_cast<size_t>(size);
-  return size;
-}
-
-OPJ_BOOL seek_sink(OPJ_OFF_T at, void* user) {
-  static_cast<Sink*>(user)->at = static_cast<size_t>(at);
-  return OPJ_TRUE;
-}
-
-openjpeg::Image image_of(const RgbImage& picture) {
+Image image_of(const RgbImage& picture) {
   opj_image_cmptparm_t parameters[3] = {};
   for (auto& parameter : parameters) {
     parameter.dx = parameter.dy = 1;
@@ -43,7 +23,7 @@ openjpeg::Image image_of(const RgbImage& picture) {
     parameter.h = picture.height;
     parameter.prec = 8;
   }
-  openjpeg::Image image(opj_image_create(3, parameters, OPJ_CLRSPC_SRGB));
+  Image image(opj_image_create(3, parameters, OPJ_CLRSPC_SRGB));
   image->x1 = picture.width;
   image->y1 = picture.height;
   for (size_t i = 0; i < picture.samples.size(); ++i) {
@@ -60,14 +40,10 @@ std::optional<std::vector<uint8_t>> encode(const RgbImage& picture, double ratio
   parameters.tcp_numlayers = 1;
   parameters.cp_disto_alloc = 1;
   parameters.tcp_rates[0] = static_cast<float>(ratio);
-  const openjpeg::Image image = image_of(picture);
-  const openjpeg::Codec codec(opj_create_compress(OPJ_CODEC_J2K));
-  Sink sink;
-  const openjpeg::Stream stream(opj_stream_default_create(OPJ_FALSE));
-  opj_stream_set_user_data(stream.get(), &sink, nullptr);
-  opj_stream_set_write_function(stream.get(), write_sink);
-  opj_stream_set_skip_function(stream.get(), skip_sink);
-  opj_stream_set_seek_function(stream.get(), seek_sink);
+  const Image image = image_of(picture);
+  const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
+  openjpeg::Sink sink;
+  const Stream stream = openjpeg::open_sink(sink);
   if (!opj_setup_encoder(codec.get(), &parameters, image.get()) ||
       !opj_start_compress(codec.get(), image.get(), stream.get()) ||
       !opj_encode(codec.get(), stream.get()) || !opj_end_compress(codec.get(), stream.get())) {
@@ -78,8 +54,8 @@ std::optional<std::vector<uint8_t>> encode(const RgbImage& picture, double ratio
 
 std::optional<RgbImage> decode(const std::vector<uint8_t>& bytes) {
   openjpeg::Source source{bytes};
-  const openjpeg::Stream stream = openjpeg::open_source(source);
-  const openjpeg::Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
+  const Stream stream = openjpeg::open_source(source);
+  const Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);
   opj_image_t* raw = nullptr;
@@ -87,7 +63,7 @@ std::optional<RgbImage> decode(const std::vector<uint8_t>& bytes) {
       !opj_read_header(stream.get(), codec.get(), &raw)) {
     return std::nullopt;
   }
-  const openjpeg::Image image(raw);
+  const Image image(raw);
   if (!opj_decode(codec.get(), stream.get(), image.get())) return std::nullopt;
   RgbImage picture{image->comps[0].w, image->comps[0].h, 8, {}};
   picture.samples.resize(size_t{picture.width} * picture.height * 3);
