@@ -1,9 +1,8 @@
 // The table of docs/results/methods.md: HMLFC, RLFC and MC on real light fields at one PSNR.
 //
 // Usage: ./run bench methods [PSNR] [FOLDER...]
-// PSNR: target over RGB in dB, default 40. FOLDER: folders of views; default: the light fields of
-// HMLFC_DATA_DIR (../shared/data where it is not set). CPU times are those of the whole process
-// over all threads.
+// PSNR: target over RGB in dB, default 40. FOLDER: folders of views; default: three light fields of
+// HMLFC_DATA_DIR, or of ../shared/data if that is not set. CPU times are those of all threads.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -17,9 +16,9 @@
 #include <hmlfc/encoder.hpp>
 
 #include "common/program.hpp"
-#include "common/timing.hpp"
 #include "io/data_folder.hpp"
 #include "io/light_field_files.hpp"
+#include "terminal/clock.hpp"
 
 namespace {
 
@@ -34,7 +33,7 @@ const char* name_of(Method method) {
   return method == Method::kHmlfc ? "hmlfc" : method == Method::kRlfc ? "rlfc" : "mc";
 }
 
-// The smaller of the two streams, with halved and with full chroma, that reach the target.
+// The parameters, with halved or full chroma, of the smallest stream that reaches the target.
 std::optional<EncodeParams> best_params(const LightField& field, Method method, double target_db) {
   const LightFieldShape& shape = field.shape();
   const uint64_t samples = uint64_t{shape.rows} * shape.cols * shape.width * shape.height * 3;
@@ -54,14 +53,14 @@ std::optional<EncodeParams> best_params(const LightField& field, Method method, 
   return best;
 }
 
-// One row: the parameters for the target, then one encoding and one decoding by the clock.
+// Prints a row: finds the parameters for the target, then times one encoding and one decoding.
 void print_row(const std::string& name, const LightField& field, Method method, double target_db) {
   const auto found = best_params(field, method, target_db);
   if (!found) throw std::runtime_error(fmt::format("{} dB is out of reach", target_db));
-  const bench::Clock encoding;
+  const Clock encoding;
   const auto encoded = bench::value_of(encode(field, *found));
   const double encode_seconds = encoding.cpu_seconds();
-  const bench::Clock decoding;
+  const Clock decoding;
   const Decoder decoder = bench::value_of(Decoder::open(encoded.bytes));
   bench::value_of(decoder.decode_all([](ViewPos, RgbImage&&) {}));
   const double decode_seconds = decoding.cpu_seconds();

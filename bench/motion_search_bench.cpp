@@ -21,8 +21,8 @@
 #include <benchmark/benchmark.h>
 
 #include "arithmetic/colour.hpp"
-#include "io/data_folder.hpp"
 #include "encoder/motion_search.hpp"
+#include "io/data_folder.hpp"
 #include "io/image_files.hpp"
 #include "scenes/scene.hpp"
 

@@ -23,9 +23,9 @@
 
 #include "accuracy/frame_sweep.hpp"
 #include "common/program.hpp"
-#include "common/timing.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
+#include "terminal/clock.hpp"
 
 namespace {
 
@@ -47,7 +47,7 @@ nlohmann::ordered_json decode_all(const std::vector<std::string>& arguments) {
   double least = std::numeric_limits<double>::infinity();
   std::optional<Decoder> decoder;
   for (int run = 0; run < std::max(std::stoi(arguments[2]), 1); ++run) {
-    const bench::Clock clock;
+    const Clock clock;
     decoder = value_of(Decoder::open(file.bytes()));
     value_of(decoder->decode_all([](ViewPos, RgbImage&&) {}));
     least = std::min(least, clock.cpu_seconds());

@@ -13,9 +13,9 @@
 #include "accuracy/frame_errors.hpp"
 #include "common/orbit.hpp"
 #include "common/program.hpp"
-#include "common/timing.hpp"
 #include "gpu_ref/frame_renderer.hpp"
 #include "io/files.hpp"
+#include "terminal/clock.hpp"
 
 namespace hmlfc::bench {
 namespace {

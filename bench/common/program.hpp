@@ -1,4 +1,4 @@
-// What the programs of benchmarks do where something fails: throw, and end with a message.
+// Errors of the benchmark programs: they throw, and end with a message.
 #pragma once
 
 #include <cstdio>

@@ -1,33 +1,11 @@
-// Time of the process, and of repeated work.
+// Time of repeated work.
 #pragma once
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
+
+#include "terminal/clock.hpp"
 
 namespace hmlfc::bench {
-
-/// Starts when constructed.
-class Clock {
- public:
-  double wall_seconds() const {
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_begin_;
-    return wall.count();
-  }
-
-  /// Of all threads of the process.
-  double cpu_seconds() const { return cpu_now() - cpu_begin_; }
-
- private:
-  static double cpu_now() {
-    timespec now{};
-    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  }
-
-  std::chrono::steady_clock::time_point wall_begin_ = std::chrono::steady_clock::now();
-  double cpu_begin_ = cpu_now();
-};
 
 /// The shortest CPU time of body() in at least five runs and a second of CPU time, after one run
 /// that warms caches: other work on the machine can only add to it.

@@ -4,14 +4,18 @@
 
 #include <hmlfc/measure.hpp>
 
-#include "common/openjpeg_memory.hpp"
 #include "common/timing.hpp"
+#include "decoder/openjpeg_sink.hpp"
 #include "render/peers.hpp"
 
 namespace hmlfc::bench {
 namespace {
 
-OpjImage image_of(const RgbImage& picture) {
+using openjpeg::Codec;
+using openjpeg::Image;
+using openjpeg::Stream;
+
+Image image_of(const RgbImage& picture) {
   opj_image_cmptparm_t parameters[3] = {};
   for (auto& parameter : parameters) {
     parameter.dx = parameter.dy = 1;
@@ -19,7 +23,7 @@ OpjImage image_of(const RgbImage& picture) {
     parameter.h = picture.height;
     parameter.prec = 8;
   }
-  OpjImage image(opj_image_create(3, parameters, OPJ_CLRSPC_SRGB), &opj_image_destroy);
+  Image image(opj_image_create(3, parameters, OPJ_CLRSPC_SRGB));
   image->x1 = picture.width;
   image->y1 = picture.height;
   for (size_t i = 0; i < picture.samples.size(); ++i) {
@@ -36,22 +40,22 @@ std::optional<std::vector<uint8_t>> encode(const RgbImage& picture, double ratio
   parameters.tcp_numlayers = 1;
   parameters.cp_disto_alloc = 1;
   parameters.tcp_rates[0] = static_cast<float>(ratio);
-  const OpjImage image = image_of(picture);
-  const OpjCodec codec(opj_create_compress(OPJ_CODEC_J2K), &opj_destroy_codec);
-  OpjMemory memory;
-  const OpjStream stream = opj_stream_on(memory, false);
+  const Image image = image_of(picture);
+  const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
+  openjpeg::Sink sink;
+  const Stream stream = openjpeg::open_sink(sink);
   if (!opj_setup_encoder(codec.get(), &parameters, image.get()) ||
       !opj_start_compress(codec.get(), image.get(), stream.get()) ||
       !opj_encode(codec.get(), stream.get()) || !opj_end_compress(codec.get(), stream.get())) {
     return std::nullopt;
   }
-  return std::move(memory.bytes);
+  return std::move(sink.bytes);
 }
 
 std::optional<RgbImage> decode(const std::vector<uint8_t>& bytes) {
-  OpjMemory memory{bytes, 0};
-  const OpjStream stream = opj_stream_on(memory, true);
-  const OpjCodec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
+  openjpeg::Source source{bytes};
+  const Stream stream = openjpeg::open_source(source);
+  const Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);
   opj_image_t* raw = nullptr;
@@ -59,7 +63,7 @@ std::optional<RgbImage> decode(const std::vector<uint8_t>& bytes) {
       !opj_read_header(stream.get(), codec.get(), &raw)) {
     return std::nullopt;
   }
-  const OpjImage image(raw, &opj_image_destroy);
+  const Image image(raw);
   if (!opj_decode(codec.get(), stream.get(), image.get())) return std::nullopt;
   RgbImage picture{image->comps[0].w, image->comps[0].h, 8, {}};
   picture.samples.resize(size_t{picture.width} * picture.height * 3);

@@ -1,10 +1,9 @@
-// Time a frame of novel-view rendering, and the time of decoding one view beside other codecs.
+// Time of a frame of novel-view rendering, and of decoding one view beside other codecs.
 //
 // Usage: ./run bench render [FILE.hmlfc [FOLDER]]
-// FILE: a stream; default: Chess of HMLFC_DATA_DIR (../shared/data where that is not set), encoded
-// in profile extended at quality 64. FOLDER: the views it was made from. CPU times are those of the
-// process over all threads, of single views the least of many runs; frames/s are what the cores
-// yield that other work leaves.
+// FILE: a stream; default: Chess of HMLFC_DATA_DIR, or of ../shared/data if that is not set, encoded
+// in profile extended at quality 64. FOLDER: the views it was made from. CPU times are those of all
+// threads, of single views the shortest of many runs; frames/s depend on what else the machine runs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -57,7 +56,7 @@ void print_turn(const Setting& setting, const char* state, const Decoder& decode
   FrameSeconds seconds;
   FrameCounts counts;
   Frame frame;
-  const bench::Clock clock;
+  const Clock clock;
   for (int k = 0; k < kFrames; ++k) {
     value_of(renderer.render(record_of(setting, decoder.header(), k), 0, frame));
     seconds.plan += frame.seconds.plan;

@@ -1,14 +1,14 @@
-// What frames and single blocks need of a stream, and what of it is skipped
+// What frames and single blocks need of a stream, and what is skipped
 // (bench/skipping/__main__.py runs it).
 //
 // Usage: bench_skipping frames FILE.hmlfc PATH FRAMES SIDE cold|warm
-//          draws FRAMES square frames along PATH: orbit, line, or dolly, from the middle of the
-//          grid forwards. cold: each with a decoder and a renderer of its own; warm: all with the
-//          same.
+//          draws FRAMES square frames along PATH: orbit, line, dolly (forwards from the middle of
+//          the grid) or view (the middle view). cold: each frame with a new decoder and renderer;
+//          warm: all with the same.
 //        bench_skipping block FILE.hmlfc RUNS
-//          decodes the middle block of Y of the middle view with a decoder of its own, RUNS times.
-// Both print JSON, one thread at work. `reads` are the distinct reads of the file, [offset,
-// length]; opening the stream is not in them.
+//          decodes the middle block of Y of the middle view RUNS times, each with a new decoder.
+// Both run on one thread and print JSON. `reads` are the distinct reads of the file, [offset,
+// length], without those of opening the stream.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -23,10 +23,10 @@
 
 #include "common/orbit.hpp"
 #include "common/program.hpp"
-#include "common/timing.hpp"
 #include "io/files.hpp"
 #include "render/frame_stages.hpp"
 #include "render/view_cache.hpp"
+#include "terminal/clock.hpp"
 
 namespace {
 
@@ -165,7 +165,7 @@ Json draw_frames(const std::vector<std::string>& arguments) {
     if (!client || !warm) client = std::make_unique<Client>(open(file, &reads));
     reads.reset();
     Frame frame;
-    const bench::Clock clock;
+    const Clock clock;
     const auto drawn = client->renderer->render(record, 0, frame);
     const double seconds = clock.cpu_seconds();
     value_of(drawn);
@@ -190,7 +190,7 @@ Json decode_block(const std::vector<std::string>& arguments) {
   double decoding = 1e9;
   AccessCounts counts;
   for (int run = 0; run < std::max(std::stoi(arguments[2]), 1); ++run) {
-    const bench::Clock clock;
+    const Clock clock;
     const Decoder decoder = open(file, &reads);
     opening = std::min(opening, clock.cpu_seconds());
     reads.reset();
@@ -200,7 +200,7 @@ Json decode_block(const std::vector<std::string>& arguments) {
                               Plane::kY,
                               header.width / 2 / header.block_size(),
                               header.height / 2 / header.block_size()};
-    const bench::Clock block_clock;
+    const Clock block_clock;
     const auto samples = decoder.decode_block(middle, {.counts = &counts});
     decoding = std::min(decoding, block_clock.cpu_seconds());
     value_of(samples);

@@ -22,7 +22,7 @@ void run(std::span<const uint8_t> input) {
       const auto disparity = read_disparity(cursor, *head, context, gx, gy);
       if (disparity) {
         demand(*disparity >= head->min_disparity && *disparity <= kMaxDisparity,
-               "a disparity outside");
+               "a disparity outside its interval");
       }
     }
   }

@@ -22,7 +22,7 @@ SKIPPED = 77
 
 
 def commands(build):
-    """The compile commands of the build without g++'s precompiled headers, which clang cannot read."""
+    """The compile commands of the build, without the precompiled headers of g++."""
     entries = json.loads((build / "compile_commands.json").read_text())
     for entry in entries:
         entry["command"] = re.sub(r"-Winvalid-pch -include \S+", "", entry["command"])
@@ -30,7 +30,7 @@ def commands(build):
 
 
 def tidy(root, entries, files):
-    """Status and output of clang-tidy over the files that match one of the expressions."""
+    """Runs clang-tidy on the files that match one of the expressions `files`."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "compile_commands.json").write_text(json.dumps(entries))
         command = [RUN, "-quiet", "-p", folder, "-config-file", root / ".clang-tidy"]

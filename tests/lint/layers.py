@@ -56,7 +56,7 @@ ALLOWED = {
     "testbench/dpi": set(),
     "testbench/programs": {*APPLICATIONS, *TESTBENCH},
     "bench": APPLICATIONS,
-    "tests": {*APPLICATIONS, *TESTBENCH, "bench"},
+    "tests": {*APPLICATIONS, *TESTBENCH},
     "examples": set(),
 }
 # The shared files of the decoder and its two paths include each other.
@@ -64,7 +64,7 @@ ONE_LAYER = {"model/decoder", "model/decoder/golden", "model/decoder/fast"}
 # Folder to one that its files must not reach through any chain of includes.
 UNREACHABLE = {"model/decoder/golden": "model/decoder/fast"}
 # Where a quoted name is looked up, after the folder of the file and its topmost folder.
-ROOTS = ("model", "tools", "gpu_ref", "testbench", "bench", ".")
+ROOTS = ("model", "tools", "gpu_ref", "testbench", ".")
 
 PROJECT_FOLDER = re.compile(r"\$\{PROJECT_SOURCE_DIR\}/(\w+)")
 QUOTED_INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')

@@ -47,40 +47,33 @@ class Run:
         folder.mkdir(parents=True, exist_ok=True)
 
     def streams(self, name, *arguments):
-        report = self.call(name, "stress_streams", "--folder", self.folder, *arguments)
-        if report is None:
-            return
-        self.reached.add(report["rows"])
-        self.counts["streams"] += report["streams"]
-        self.counts["blocks"] += report["blocks"]
+        report = self.add(self.call(name, "stress_streams", "--folder", self.folder, *arguments))
         for finding in report["findings"]:
             self.keep(finding["stream"], finding["what"], Path(finding["stored"]))
 
-    def camera_turn(self, seed, seconds, count):
-        arguments = ["--seed", seed, "--seconds", seconds, "--count", count]
-        report = self.call("cameras", "stress_cameras", *arguments)
-        if report is None:
-            return
-        self.reached.add(report["rows"])
-        self.counts["cameras"] += report["cameras"]
-        self.counts["frames"] += report["frames"]
-        self.cameras["samples_compared"] += report["samples_compared"]
-        if report["worst_part_of_bound"] > self.cameras["worst_part_of_bound"]:
+    def camera_turn(self, seed, seconds):
+        arguments = ["--seed", seed, "--seconds", seconds, "--count", 10**9]
+        report = self.add(self.call("cameras", "stress_cameras", *arguments))
+        self.cameras["samples_compared"] += report.get("samples_compared", 0)
+        if report.get("worst_part_of_bound", 0) > self.cameras["worst_part_of_bound"]:
             self.cameras["worst_part_of_bound"] = report["worst_part_of_bound"]
             self.cameras["worst"] = report["worst"]
         for finding in report["findings"]:
             self.findings.append({"stream": json.dumps(finding["camera"]), "what": finding["what"]})
 
+    def add(self, report):
+        """Adds what a report reached and counted; returns it."""
+        self.reached.add(report["rows"])
+        for name in self.counts:
+            self.counts[name] += report.get(name, 0)
+        return report
+
     def call(self, name, program, *arguments):
-        """The program's report; None, and a finding, if it ended without one."""
+        """The program's report; an empty one, and a finding, if it ended without one."""
         plant = ["--plant", self.plant] if self.plant else []
         command = [self.programs / program, *plant, *arguments]
-        process = subprocess.Popen(
-            [str(part) for part in command],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        process = subprocess.Popen([str(part) for part in command], **pipes, text=True)
         errors = []
         reader = threading.Thread(target=follow, args=(name, process.stderr, errors))
         reader.start()
@@ -96,7 +89,7 @@ class Run:
         stream = current.read_text().strip() if current.exists() else name
         what = next((line for line in errors if "runtime error" in line), f"exit status {status}")
         self.keep(stream, what.strip(), self.folder / "current.hmlfc")
-        return None
+        return {"rows": [], "findings": []}
 
     def keep(self, stream, what, stored):
         """Records a finding, with its stream, if any, under a name of its own."""
@@ -161,7 +154,7 @@ def run_all(run, arguments):
         elif turn % 3 == 1:
             run.streams("random streams", "random", "--seed", seed * 1_000_000, *limit)
         else:
-            run.camera_turn(seed, limit[1], 10**9)
+            run.camera_turn(seed, limit[1])
         turn += 1
     return time.monotonic() - begin
 
