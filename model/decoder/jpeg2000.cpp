@@ -37,7 +37,7 @@ Image make_image(const SamplePlane& plane, SamplePrecision precision) {
   return image;
 }
 
-// As many resolutions as the smaller side has halvings, six at most.
+// One resolution for each halving of the smaller side, six at most.
 int resolutions(const SamplePlane& plane) {
   int count = 1;
   for (uint32_t side = std::min(plane.width, plane.height); side > 1 && count < 6; side /= 2) {

@@ -14,7 +14,7 @@
 namespace hmlfc {
 namespace {
 
-// Recorded with `hmlfc encode FOLDER --threshold-ref 75 --threshold-pred 75`, which measures the
+// Recorded with `hmlfc encode FOLDER --profile main`, which measures the
 // decoded file; a change of format or encoder that moves these must say why.
 struct Record {
   const char* folder;

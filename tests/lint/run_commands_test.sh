@@ -52,10 +52,10 @@ expect 0 '*tests/mutation/rtl/mutate.py /build/tests/mutation/rtl/rtl_mutants *'
 expect 0 '*tests/stress/stress.py --build /build --hmlfc /build/tools/hmlfc *' stress --minutes 1
 expect 0 '/build/bench/bench_methods 40' bench methods 40
 expect 0 "*python3 $root/bench/accuracy --quick" bench accuracy --quick
-expect 2 $'Usage: ./run bench NAME *\n  accuracy  *\n  skipping  *' bench
-expect 2 $'No benchmark nosuch. Usage: ./run bench NAME *\n  methods  *' bench nosuch
-expect 2 'No benchmark bench. *' bench bench
-expect 2 'No benchmark .*. *' bench '.*'
+expect 0 $'Usage: ./run bench NAME *\n  accuracy  *\n  skipping  *' bench
+expect 2 $'No benchmark nosuch; there are\n*\n  methods  *' bench nosuch
+expect 2 'No benchmark bench; *' bench bench
+expect 2 'No benchmark .*; *' bench '.*'
 
 lost=/build/tests/decode_vectors
 if [[ $(not_built "x /build/testbench/rtl_random $lost /build/x.json") != "$lost" ]]; then
