@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "syntax/geometry.hpp"
+#include <hmlfc/stream_info.hpp>
 
 namespace hmlfc::cli {
 
@@ -57,16 +57,14 @@ Json vector_json(const VectorRecord& vector) {
           {"clause", vector.clause}};
 }
 
-Json level_json(const TracedLevel& level, const Geometry& geometry, const StreamHeader& header) {
-  const ImagePos at{level.site.image_row, level.site.image_col};
-  const bool key = geometry.is_key(level.site.level, at);
+Json level_json(const TracedLevel& level, const StreamHeader& header) {
+  const ImageInfo image =
+      image_info(header, level.site.level, level.site.image_row, level.site.image_col);
   Json json;
   json["level"] = level.site.level;
   json["image"] = place_json(level.site);
-  json["kind"] = key                                           ? "key"
-                 : geometry.is_reference(level.site.level, at) ? "reference"
-                                                               : "predictive";
-  json["state"] = key ? Json(nullptr) : Json(state_name(level.state()));
+  json["kind"] = image_kind_name(image.kind);
+  json["state"] = image.kind == ImageKind::kKey ? Json(nullptr) : Json(state_name(level.state()));
   if (const TracedWalk* motion = level.walk(TileKind::kMotion)) {
     json["motion_fields"] = fields_json(*motion, header);
   }
@@ -88,7 +86,7 @@ Json level_json(const TracedLevel& level, const Geometry& geometry, const Stream
   Json& stages = json["stages"] = Json::object();
   for (const TracedStage& stage : level.stages) {
     stages[stage.name] = {{"clause", stage.clause},
-                          {"values", rows_of(stage.values, geometry.block_size())}};
+                          {"values", rows_of(stage.values, header.block_size())}};
   }
   return json;
 }
@@ -148,14 +146,13 @@ void BlockTrace::on_stage(const StageRecord& record) {
 }
 
 Json to_json(const BlockReport& report) {
-  const Geometry geometry(report.header);
   Json json;
   json["view"] = {{"row", report.block.view.row}, {"col", report.block.view.col}};
   json["plane"] = plane_name(report.block.plane);
   json["block"] = {report.block.bx, report.block.by};
   Json& levels = json["levels"] = Json::array();
   for (const TracedLevel& level : report.trace.levels()) {
-    levels.push_back(level_json(level, geometry, report.header));
+    levels.push_back(level_json(level, report.header));
   }
   json["cost"] = {{"walks", report.counts.walks},
                   {"fields", report.counts.fields},

@@ -72,6 +72,7 @@ struct BlockReport {
   std::string file;
   StreamHeader header;
   BlockAddress block;
+  PlaneSize plane_size;  ///< of the block's plane
   BlockTrace trace;
   AccessCounts counts;
 };

@@ -8,11 +8,12 @@
 
 #include <fmt/format.h>
 
+#include <hmlfc/stream_info.hpp>
+
 #include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"
 #include "arithmetic/widths.hpp"
 #include "cli/stream_report.hpp"
-#include "syntax/geometry.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -167,12 +168,18 @@ std::string square_table(std::span<const Square> squares, size_t side, size_t ce
   return text;
 }
 
-std::string describe_image(const TracedLevel& level, const Geometry& geometry) {
-  const ImagePos at{level.site.image_row, level.site.image_col};
-  if (geometry.is_key(level.site.level, at)) return "key image";
-  const ImagePos reference = geometry.reference_of(level.site.level, at);
-  if (reference == at) return fmt::format("reference image: {}", state_name(level.state()));
-  return fmt::format("predictive image of reference {},{}: {}", reference.row, reference.col,
+std::string describe_image(const TracedLevel& level, const StreamHeader& header) {
+  const ImageInfo image =
+      image_info(header, level.site.level, level.site.image_row, level.site.image_col);
+  switch (image.kind) {
+    case ImageKind::kKey:
+      return "key image";
+    case ImageKind::kReference:
+      return fmt::format("reference image: {}", state_name(level.state()));
+    case ImageKind::kPredictive:
+      break;
+  }
+  return fmt::format("predictive image of reference {},{}: {}", image.ref_row, image.ref_col,
                      state_name(level.state()));
 }
 
@@ -191,25 +198,25 @@ std::string walk_title(const TracedLevel& level, const TracedWalk& walk) {
   return fmt::format("  Its {}\n", tile_kind_name(site.tile));
 }
 
-std::string level_text(const TracedLevel& level, const Geometry& geometry,
-                       const StreamHeader& header, const SampleRange& range) {
+std::string level_text(const TracedLevel& level, const StreamHeader& header,
+                       const SampleRange& range) {
   std::string text =
       fmt::format("\nLevel {}, image {},{}, {}\n", level.site.level, level.site.image_row,
-                  level.site.image_col, describe_image(level, geometry));
+                  level.site.image_col, describe_image(level, header));
   for (const TracedWalk& walk : level.walks) {
     const bool own = walk.site == level.site;
     if (!own || level.walks.front().site != level.site) text += walk_title(level, walk);
     text += field_table(walk, header, own ? 2 : 4);
   }
-  text += formulas(level, geometry.level(level.site.level).keyed, range);
+  text += formulas(level, level_info(header, level.site.level).key_images > 0, range);
   const std::vector<Square> squares = squares_of(level);
-  return text + square_table(squares, geometry.block_size(), cell_width(squares));
+  return text + square_table(squares, header.block_size(), cell_width(squares));
 }
 
-std::string heading(const BlockReport& report, const Geometry& geometry) {
+std::string heading(const BlockReport& report) {
   const BlockAddress& block = report.block;
-  const unsigned size = geometry.block_size();
-  const PlaneShape& plane = geometry.plane(block.plane);
+  const unsigned size = report.header.block_size();
+  const PlaneSize& plane = report.plane_size;
   const uint32_t x = block.bx * size;
   const uint32_t y = block.by * size;
   return fmt::format("Block {},{} of plane {} of view {},{}: samples x {}..{}, y {}..{}\n{}: {}\n",
@@ -221,11 +228,10 @@ std::string heading(const BlockReport& report, const Geometry& geometry) {
 }  // namespace
 
 std::string to_text(const BlockReport& report) {
-  const Geometry geometry(report.header);
   const SampleRange range = sample_range(report.block.plane, report.header.depth);
-  std::string text = heading(report, geometry);
+  std::string text = heading(report);
   for (const TracedLevel& level : report.trace.levels()) {
-    text += level_text(level, geometry, report.header, range);
+    text += level_text(level, report.header, range);
   }
   const AccessCounts& counts = report.counts;
   const bool motion_tiles = report.header.has(Feature::kMotionTiles);

@@ -142,11 +142,12 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
   const auto target = options.coding.target_psnr;
   if (!target || outcome.quality.psnr_rgb >= *target) return true;
   const bool main = outcome.params.profile == Profile::kMain;
-  note(fmt::format(
-      "--target-psnr {} was not reached: even {} {} only{}", *target,
-      main ? "thresholds of 0 give" : "quality 100 gives", psnr_text(outcome.quality.psnr_rgb),
-      outcome.params.chroma == ChromaFormat::k420 ? "; half-size chroma limits it, try --chroma 444"
-                                                  : "; --lossless keeps every value"));
+  note(fmt::format("--target-psnr {} was not reached: even {} {} only{}", *target,
+                   main ? "thresholds of 0 give" : "quality 100 gives",
+                   psnr_text(outcome.quality.psnr_rgb),
+                   outcome.stream.header.chroma_format == ChromaFormat::k420
+                       ? "; half-size chroma limits it, try --chroma 444"
+                       : "; --lossless keeps every value"));
   return false;
 }
 

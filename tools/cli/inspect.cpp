@@ -43,6 +43,7 @@ ExitCode run_inspect(const InspectOptions& options) {
   BlockReport report;
   report.file = options.file.string();
   report.header = file.header();
+  report.plane_size = file.decoder().plane_size(options.plane);
   report.block = {*options.view, options.plane, options.block[0], options.block[1]};
   value_or_throw(file.decoder().decode_block(
                      report.block,

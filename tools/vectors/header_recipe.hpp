@@ -18,32 +18,42 @@ namespace hmlfc::vectors {
 template <class Target>
 using Setters = std::map<std::string, std::function<void(Target&, const Json&)>>;
 
-/// Sets a number.
+/// T, or what an optional T holds.
+template <class T>
+struct Plain {
+  using Type = T;
+};
+template <class T>
+struct Plain<std::optional<T>> {
+  using Type = T;
+};
+
+/// Sets a number, or a number in a part of the target.
 template <class Target, class T>
 auto number(T Target::*member) {
-  return [member](Target& target, const Json& json) { target.*member = json.get<T>(); };
+  return [member](Target& target, const Json& json) {
+    target.*member = json.get<typename Plain<T>::Type>();
+  };
+}
+template <class Target, class Part, class T>
+auto number(Part Target::*part, T Part::*member) {
+  return [part, member](Target& target, const Json& json) { target.*part.*member = json.get<T>(); };
 }
 
-/// Sets a number that may be open.
-template <class Target, class T>
-auto number(std::optional<T> Target::*member) {
-  return [member](Target& target, const Json& json) { target.*member = json.get<T>(); };
+/// The value of the word `json`, one of `words`.
+template <class T>
+T value_of_word(const Json& json, const std::map<std::string, T>& words) {
+  const auto found = words.find(json.get<std::string>());
+  if (found == words.end()) throw TextError(json.dump() + " is not one of the allowed words");
+  return found->second;
 }
 
 /// Sets one of `words`.
-template <class Target, class Member, class T>
-auto word(Member Target::*member, std::map<std::string, T> words) {
+template <class Target, class T>
+auto word(T Target::*member, std::map<std::string, typename Plain<T>::Type> words) {
   return [member, words = std::move(words)](Target& target, const Json& json) {
-    const auto found = words.find(json.get<std::string>());
-    if (found == words.end()) throw TextError(json.dump() + " is not one of the allowed words");
-    target.*member = found->second;
+    target.*member = value_of_word(json, words);
   };
-}
-
-/// Sets with `setter` in a member that is a struct.
-template <class Target, class Part, class Setter>
-auto in(Part Target::*part, Setter setter) {
-  return [part, setter](Target& target, const Json& json) { setter(target.*part, json); };
 }
 
 /// Sets all keys of `json`. Throws TextError for an unknown key, which is not `kind`.

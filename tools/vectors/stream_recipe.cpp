@@ -18,18 +18,15 @@ namespace {
 
 const Setters<EncodeParams>& encode_setters() {
   static const Setters<EncodeParams> all{
-      {"profile", word(&EncodeParams::profile,
-                       std::map<std::string, Profile>{{"main", Profile::kMain},
-                                                      {"extended", Profile::kExtended}})},
-      {"method",
-       word(&EncodeParams::method,
-            std::map<std::string, Method>{
-                {"hmlfc", Method::kHmlfc}, {"rlfc", Method::kRlfc}, {"mc", Method::kMc}})},
+      {"profile",
+       word(&EncodeParams::profile, {{"main", Profile::kMain}, {"extended", Profile::kExtended}})},
+      {"method", word(&EncodeParams::method,
+                      {{"hmlfc", Method::kHmlfc}, {"rlfc", Method::kRlfc}, {"mc", Method::kMc}})},
       {"preset",
-       in(&EncodeParams::extended,
-          word(&ExtendedParams::preset, std::map<std::string, Preset>{{"fast", Preset::kFast},
-                                                                      {"medium", Preset::kMedium},
-                                                                      {"slow", Preset::kSlow}}))},
+       [](EncodeParams& params, const Json& json) {
+         params.extended.preset = value_of_word<Preset>(
+             json, {{"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}});
+       }},
       {"chroma", word(&EncodeParams::chroma, chroma_formats())},
       {"cluster_rows", number(&EncodeParams::cluster_rows)},
       {"cluster_cols", number(&EncodeParams::cluster_cols)},
@@ -38,15 +35,15 @@ const Setters<EncodeParams>& encode_setters() {
       {"window", number(&EncodeParams::window)},
       {"ref_rows", number(&EncodeParams::ref_rows)},
       {"ref_cols", number(&EncodeParams::ref_cols)},
-      {"threshold_ref", in(&EncodeParams::main, number(&MainParams::threshold_ref))},
-      {"threshold_pred", in(&EncodeParams::main, number(&MainParams::threshold_pred))},
-      {"quality", in(&EncodeParams::extended, number(&ExtendedParams::quality))},
+      {"threshold_ref", number(&EncodeParams::main, &MainParams::threshold_ref)},
+      {"threshold_pred", number(&EncodeParams::main, &MainParams::threshold_pred)},
+      {"quality", number(&EncodeParams::extended, &ExtendedParams::quality)},
       {"lossless", number(&EncodeParams::lossless)},
   };
   return all;
 }
 
-// What a recipe leaves out: fixed, whatever the defaults of the encoder become.
+// What recipes leave out: fixed, whatever the defaults of the encoder become.
 EncodeParams recipe_defaults() {
   EncodeParams params;
   params.profile = Profile::kMain;
