@@ -8,8 +8,8 @@
 
 #include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
-#include "cli/stream_file.hpp"
 #include "cli/for_each_view.hpp"
+#include "cli/stream_file.hpp"
 #include "cli/view_source.hpp"
 #include "io/image_files.hpp"
 #include "io/view_name.hpp"
