@@ -52,6 +52,7 @@ COMMANDS = rules(
      "measures for minutes, or needs a build of its own"),
     (r"(\./run clauses) .*", HELP, "writes into the repository, or needs reports"),
     (r"\./run vectors generate", r"\g<0> -o made", "writes into the repository"),
+    (r"\./run render .*--camera .*", r"\g<0> >said && ! grep outside said", "the example's frame is filled"),
     (r"\./run compare .*", r"\g<0>; test $? = 1", "the views differ"),
     (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)",
      r"\1 conform --filter 'syntax/base-*' \2; test $? = 5", "the whole suite takes a minute"),
