@@ -1,18 +1,16 @@
 // The exact motion search against its scalar definition, on the residual views of light fields.
 //
-// The reference is the residual of one view of a 2x2 cluster (view minus the cluster's mean, luma),
-// the blocks are those of three other views of the same 4x4 views that are worth coding: sums of
-// absolute values of at least 75 a 4x4 block. Each round times the fast search of all blocks, with
-// the match of the block before as the hint, and the definition on some of them, in CPU time of one
-// thread, and compares the results.
+// The reference is the luma residual of one view (view minus the mean of its 2x2 cluster). The
+// blocks are those of three other views of the same 4x4 views that are worth coding: the absolute
+// values sum to at least 75 in 4x4 samples. Each round times the fast search of all blocks, with
+// the previous match as the hint, and the definition on some of them, and compares the results.
 //
-// Columns: Time is the fast search of one block; definition_us that of the definition; ratio is
-// definition / fast. HMLFC_DATA_DIR, if set, is the folder that holds the real light fields.
+// Columns, in CPU time of one thread: Time is the fast search of one block; definition_us the
+// definition; ratio is definition / fast.
 #include <ctime>
 
 #include <cstdint>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -24,6 +22,7 @@
 
 #include "arithmetic/colour.hpp"
 #include "encoder/motion_search.hpp"
+#include "io/data_folder.hpp"
 #include "io/image_files.hpp"
 #include "scenes/scene.hpp"
 
@@ -53,15 +52,12 @@ std::vector<Plane> luma_of_views(const ViewAt& view_at) {
 }
 
 std::optional<std::vector<Plane>> real_views() {
-  const char* base = std::getenv("HMLFC_DATA_DIR");
-  const auto folder = std::filesystem::path(base ? base : "") / "stanford-chess-16x16-700x400";
-  if (base == nullptr || !std::filesystem::is_directory(folder)) {
-    return std::nullopt;
-  }
+  const auto folder = hmlfc::real_data("stanford-chess-16x16-700x400");
+  if (!folder) return std::nullopt;
   return luma_of_views([&](uint32_t row, uint32_t col) {
     const std::string name =
         "out_0" + std::to_string(4 + row) + "_0" + std::to_string(4 + col) + ".png";
-    return hmlfc::io::read_image(folder / name).value();
+    return hmlfc::io::read_image(*folder / name).value();
   });
 }
 
@@ -71,7 +67,7 @@ std::vector<Plane> scene_views(hmlfc::scenes::Scene scene) {
   return luma_of_views([&](uint32_t row, uint32_t col) { return field.view(row, col); });
 }
 
-/// Views "chess", "knights" or "noise"; each is made once. Nothing if there is no data.
+/// Views "chess", "knights" or "noise", each made once. Nothing if there is no data.
 const std::optional<std::vector<Plane>>& views_named(const std::string& name) {
   static std::map<std::string, std::optional<std::vector<Plane>>> cache;
   if (!cache.contains(name)) {
@@ -124,7 +120,7 @@ double cpu_seconds() {
 void motion_search(benchmark::State& state, const std::string& name, int size, int window) {
   const auto& views = views_named(name);
   if (!views) {
-    state.SkipWithError("set HMLFC_DATA_DIR for this one");
+    state.SkipWithError("no Chess in HMLFC_DATA_DIR or ../shared/data");
     return;
   }
   const ReferencePlane reference(residual_of(*views, 0, 0), kWidth, kHeight, window);

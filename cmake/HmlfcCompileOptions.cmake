@@ -1,18 +1,18 @@
-# Compiler and linker settings of every target of this project. Nothing here reaches an installed
-# package: the settings are directory wide or come through build-only interface targets.
+# Compiler and linker settings of every target of this project. None of them reaches an installed
+# package: they are directory-wide or come from interface targets of the build alone.
 
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
-# Link against this target (as $<BUILD_INTERFACE:hmlfc_warnings>) to get the project's warnings.
+# Targets that link this one (as $<BUILD_INTERFACE:hmlfc_warnings>) get the project's warnings.
 add_library(hmlfc_warnings INTERFACE)
 target_compile_options(hmlfc_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast
   -Wnon-virtual-dtor -Woverloaded-virtual
   $<$<BOOL:${HMLFC_WERROR}>:-Werror>)
 
-# No fused multiply-add unless asked for by name: floating point of the scenes and of the rate
-# decisions gives the same result on every instruction set.
+# No implicit fused multiply-add: floating point in the scenes and in the encoder's decisions gives
+# the same result on every instruction set.
 add_compile_options(-ffp-contract=off)
 
 if(HMLFC_PLAIN_THREADS)

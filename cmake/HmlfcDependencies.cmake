@@ -1,5 +1,5 @@
-# Finds every library and tool the project uses, all of them before complaining about the first, and
-# keeps one table row for each. The Debian package of each is in .ci/packages.txt as well.
+# Finds every library and tool that the project uses and prints one table of them; reports all that
+# are missing at once. .ci/packages.txt lists the same Debian packages.
 
 set_property(GLOBAL PROPERTY hmlfc_dependency_rows "")
 set_property(GLOBAL PROPERTY hmlfc_missing_packages "")
@@ -40,7 +40,7 @@ function(hmlfc_require name)
   hmlfc_dependency_row(${name} "${version}" "${arg_PURPOSE}")
 endfunction()
 
-# hmlfc_tool(NAME found VERSION PURPOSE): a table row for something the build can do without.
+# hmlfc_tool(NAME FOUND VERSION PURPOSE): a table row for an optional tool.
 function(hmlfc_tool name found version purpose)
   if(found)
     hmlfc_dependency_row(${name} "${version}" "${purpose}")
@@ -49,7 +49,7 @@ function(hmlfc_tool name found version purpose)
   endif()
 endfunction()
 
-# Prints the table of what was found.
+# Prints the table.
 function(hmlfc_print_dependencies)
   get_property(rows GLOBAL PROPERTY hmlfc_dependency_rows)
   list(JOIN rows "\n     " table)

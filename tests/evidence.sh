@@ -1,5 +1,5 @@
-# Commands of ./run that show how much the tests are worth: clauses, coverage, mutants, fuzzing, stress,
-# soak. Read by ./run, whose functions and variables they use.
+# Commands of ./run that check the tests themselves: clauses, coverage, mutants, fuzzing, stress, soak.
+# Sourced by ./run, whose functions and variables they use.
 
 run_clauses() {
   install_packages build
@@ -30,16 +30,16 @@ run_stress() {
   exec "$(debian_python)" -B "$root/tests/stress/stress.py" --build "$build" --hmlfc "$hmlfc" "$@"
 }
 
-# The units of this build count what they execute.
+# The Verilated units of this build count coverage.
 run_rtl_coverage() {
   install_packages build test
-  preset=rtl-coverage build=$root/build/rtl-coverage log=$root/build/rtl-coverage.log
+  use_build rtl-coverage
   build rtl_random
   exec "$(debian_python)" "$root/testbench/programs/rtl_coverage.py" \
     "$build/testbench/rtl_random" "$@"
 }
 
-# run_mutate WHAT [ARG...]: changes WHAT one place at a time; the conformance vectors must notice.
+# run_mutate WHAT [ARG...]: changes WHAT in one place at a time; the conformance vectors must notice.
 run_mutate() {
   local what=${1:-}
   if (($# > 0)); then shift; fi
@@ -67,8 +67,7 @@ mutate_shaders() {
     --program "$build/tests/mutation/shaders/decode_vectors" "$@"
 }
 
-# mutate_rtl [--count N] [--seed S] [ARG...]: other mutants than those of the tests get a build of
-# their own.
+# mutate_rtl [--count N] [--seed S] [ARG...]: mutants other than those of the tests get their own build.
 mutate_rtl() {
   local count='' seed='' rest=()
   while (($# > 0)); do
@@ -80,18 +79,19 @@ mutate_rtl() {
   done
   install_packages build test
   if [[ -n $count$seed ]]; then
-    preset=rtl-mutants build=$root/build/rtl-mutants log=$root/build/rtl-mutants.log
+    use_build rtl-mutants
     export HMLFC_RTL_MUTANTS=${count:-1092} HMLFC_RTL_MUTANT_SEED=${seed:-1}
     rm -f "$build/settings"  # so that CMake sees them
   fi
   soak=ON build rtl_mutants
+  local folder=$build/tests/mutation/rtl
   exec "$(debian_python)" -B "$root/tests/mutation/rtl/mutate.py" \
-    "$build/tests/mutation/rtl/rtl_mutants" "$build/tests/mutation/rtl/mutants/mutants.json" "$root/vectors" \
+    "$folder/rtl_mutants" "$folder/mutants/mutants.json" "$root/vectors" \
     --jobs "$(nproc)" "${rest[@]}"
 }
 
 # run_soak --minutes N [--seed S]: the tests with label soak, then random streams, intact and damaged,
-# on every Verilated unit. Without a seed it is the time of day, so that each soak is another.
+# on every Verilated unit. The default seed is the time, so that each soak is different.
 run_soak() {
   local minutes='' seed=$((EPOCHSECONDS % 1000000000)) status=0
   while (($# > 0)); do
@@ -116,7 +116,7 @@ run_soak() {
   timeout --signal=INT $((60 * minutes)) \
     ctest --test-dir "$build" -L soak --output-on-failure -j "$(nproc)" >&2 || status=$?
   if ((status == 124)); then
-    say "the time is over before all of them have run"
+    say "the time is up before all of them have run"
     exit 1
   fi
   if ((status != 0)); then exit 1; fi

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,89 +22,69 @@
 #include <hmlfc/decoder.hpp>
 
 #include "accuracy/frame_sweep.hpp"
+#include "common/program.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
-#include "render/timing.hpp"
+#include "terminal/clock.hpp"
 
 namespace {
 
 using namespace hmlfc;
+using bench::value_of;
 
-constexpr int kUsage = 2;
-
-int refuse(const std::string& message, int status = 1) {
-  fmt::print(stderr, "bench_accuracy: {}\n", message);
-  return status;
-}
-
-std::string write_view(const Decoder& decoder, const std::string& folder, const std::string& text) {
+void write_view(const Decoder& decoder, const std::string& folder, const std::string& text) {
   ViewPos at;
   if (std::sscanf(text.c_str(), "%" SCNu32 ",%" SCNu32, &at.row, &at.col) != 2) {
-    return text + ": not ROW,COL";
+    throw std::invalid_argument(text + ": not ROW,COL");
   }
-  const auto view = decoder.decode_view(at);
-  if (!view) return text + ": " + to_string(view.error());
-  const auto written =
-      io::write_png(fmt::format("{}/{:02}_{:02}.png", folder, at.row, at.col), *view);
-  return written ? "" : written.error().message;
+  const auto file = fmt::format("{}/{:02}_{:02}.png", folder, at.row, at.col);
+  value_of(io::write_png(file, value_of(decoder.decode_view(at))));
 }
 
 // A decoder of its own for each run, so that nothing is decoded already.
-int decode_all(const std::vector<std::string>& arguments) {
-  const int runs = std::atoi(arguments[2].c_str());
-  if (runs < 1) return refuse("RUNS is not a number from 1 on", kUsage);
-  const auto file = io::MappedFile::open(arguments[1]);
-  if (!file) return refuse(file.error().message);
+nlohmann::ordered_json decode_all(const std::vector<std::string>& arguments) {
+  const auto file = value_of(io::MappedFile::open(arguments[1]));
   double least = std::numeric_limits<double>::infinity();
-  size_t reference_bytes = 0;
-  for (int run = 0; run < runs; ++run) {
-    const bench::Clock clock;
-    const auto decoder = Decoder::open(file->bytes());
-    if (!decoder) return refuse(to_string(decoder.error()));
-    const auto done = decoder->decode_all([](ViewPos, RgbImage&&) {});
-    if (!done) return refuse(to_string(done.error()));
+  std::optional<Decoder> decoder;
+  for (int run = 0; run < std::max(std::stoi(arguments[2]), 1); ++run) {
+    const Clock clock;
+    decoder = value_of(Decoder::open(file.bytes()));
+    value_of(decoder->decode_all([](ViewPos, RgbImage&&) {}));
     least = std::min(least, clock.cpu_seconds());
-    reference_bytes = decoder->reference_bytes();
-    for (size_t k = 4; run == runs - 1 && k < arguments.size(); ++k) {
-      const std::string failure = write_view(*decoder, arguments[3], arguments[k]);
-      if (!failure.empty()) return refuse(failure);
-    }
   }
-  const nlohmann::ordered_json json{{"cpu_seconds", least}, {"reference_bytes", reference_bytes}};
-  fmt::print("{}\n", json.dump());
-  return 0;
+  for (size_t k = 4; k < arguments.size(); ++k) write_view(*decoder, arguments[3], arguments[k]);
+  return {{"cpu_seconds", least}, {"reference_bytes", decoder->reference_bytes()}};
 }
 
-int draw_frames(const std::vector<std::string>& arguments) {
+nlohmann::ordered_json draw_frames(const std::vector<std::string>& arguments) {
   bench::FrameSweep sweep;
   sweep.stream = arguments[1];
   sweep.source = arguments[2];
-  sweep.frames = std::atoi(arguments[3].c_str());
-  sweep.side = static_cast<uint32_t>(std::atoi(arguments[4].c_str()));
-  if (sweep.frames < 1) return refuse("FRAMES is not a number from 1 on", kUsage);
+  sweep.frames = std::max(std::stoi(arguments[3]), 1);
+  sweep.side = static_cast<uint32_t>(std::stoi(arguments[4]));
   for (size_t k = 5; k < arguments.size(); ++k) {
-    const auto setting = bench::parse_frame_setting(arguments[k]);
-    if (!setting) return refuse(arguments[k] + ": not FILTER:LEVELS:CACHE:BACKEND", kUsage);
-    sweep.settings.push_back(*setting);
+    sweep.settings.push_back(bench::parse_frame_setting(arguments[k]));
   }
-  const auto rows = bench::sweep_frames(sweep);
-  if (!rows) return refuse(rows.error());
-  fmt::print("{}\n", rows->dump());
+  return bench::sweep_frames(sweep);
+}
+
+int run(const std::vector<std::string>& arguments) {
+  nlohmann::ordered_json made;
+  if (arguments.size() >= 4 && arguments[0] == "decode") {
+    made = decode_all(arguments);
+  } else if (arguments.size() >= 6 && arguments[0] == "frames") {
+    made = draw_frames(arguments);
+  } else {
+    throw std::invalid_argument(
+        "usage: decode FILE RUNS FOLDER ROW,COL..., or "
+        "frames FILE SOURCE FRAMES SIDE FILTER:LEVELS:CACHE:BACKEND...");
+  }
+  fmt::print("{}\n", made.dump());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() >= 4 && arguments[0] == "decode") {
-    return decode_all(arguments);
-  }
-  if (arguments.size() >= 6 && arguments[0] == "frames") {
-    return draw_frames(arguments);
-  }
-  return refuse(
-      "usage: decode FILE RUNS FOLDER ROW,COL..., or "
-      "frames FILE SOURCE FRAMES SIDE FILTER:LEVELS:CACHE:BACKEND...",
-      kUsage);
+  return bench::run_program("bench_accuracy", [&] { return run({argv + 1, argv + argc}); });
 }

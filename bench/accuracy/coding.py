@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, fields
 
 @dataclass(frozen=True)
 class Coding:
-    """Options of `hmlfc encode`. None: what the program takes where nothing is asked for.
+    """Options of `hmlfc encode`. None: the default of the program.
 
     threshold: both thresholds of profile main; quality, preset: of profile extended.
     """
@@ -40,7 +40,7 @@ class Coding:
         return {f.name: getattr(self, f.name) for f in fields(self) if getattr(self, f.name) != f.default}
 
     def label(self):
-        """In a few words, for tables and messages."""
+        """A short name for tables and messages."""
         if self.lossless:
             return "lossless"
         kind = self.method if self.profile == "main" else f"extended {self.preset}"
@@ -50,7 +50,7 @@ class Coding:
         return " ".join([kind, aim, *shape])
 
 
-# What a method does not have.
+# Options that a method does not have.
 WITHOUT = {
     "hmlfc": {},
     "rlfc": {"window": None, "references": None},
@@ -78,5 +78,5 @@ def extended(**changes):
 
 
 def lossless():
-    """Keeps every RGB value: the uncompressed light field for the renderers."""
+    """Keeps every RGB value; stands for the uncompressed light field."""
     return extended(preset="fast", quality=None, lossless=True)

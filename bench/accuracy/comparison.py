@@ -1,4 +1,4 @@
-"""What is better and what is worse than in the recorded run."""
+"""Differences between a run and the recorded one."""
 
 from dataclasses import dataclass
 from statistics import median

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include "common/program.hpp"
 
 namespace hmlfc::bench {
 namespace {
@@ -34,32 +35,26 @@ void FrameErrors::add(const FrameErrors& other) {
   largest_fixed = std::max(largest_fixed, other.largest_fixed);
 }
 
-Result<const RealFrame*> FrameComparison::real(From from, Filter filter, int stop_level) {
-  const auto key = std::make_tuple(from, filter, stop_level);
-  const auto found = frames_.find(key);
-  if (found != frames_.end()) return &found->second;
-  camera_.filter = filter;
-  auto drawn = render_real(from == From::kStream ? stream_ : source_, camera_, stop_level);
-  if (!drawn) return tl::unexpected(drawn.error());
-  return &frames_.emplace(key, std::move(*drawn)).first->second;
+const RealFrame& FrameComparison::real(From from, Filter filter, int stop_level) {
+  const auto [found, first] = frames_.try_emplace({from, filter, stop_level});
+  if (first) {
+    camera_.filter = filter;
+    const Decoder& decoder = from == From::kStream ? stream_ : source_;
+    found->second = value_of(render_real(decoder, camera_, stop_level));
+  }
+  return found->second;
 }
 
-Result<FrameErrors> FrameComparison::errors(const RgbImage& image, Filter filter, int stop_level) {
-  const auto best = real(From::kSource, Filter::kQuadrilinear, 0);
-  if (!best) return tl::unexpected(best.error());
-  const auto coded = real(From::kStream, Filter::kQuadrilinear, stop_level);
-  if (!coded) return tl::unexpected(coded.error());
-  const auto filtered = real(From::kSource, filter, 0);
-  if (!filtered) return tl::unexpected(filtered.error());
-  const auto own = real(From::kStream, filter, stop_level);
-  if (!own) return tl::unexpected(own.error());
-  FrameErrors errors;
-  errors.total = mean_squared_error(image, **best);
-  errors.stream = mean_squared_difference(**coded, **best);
-  errors.filter = mean_squared_difference(**filtered, **best);
-  errors.fixed = mean_squared_error(image, **own);
-  errors.largest_fixed = largest_difference(image, **own);
-  return errors;
+FrameErrors FrameComparison::errors(const RgbImage& image, Filter filter, int stop_level) {
+  const RealFrame& best = real(From::kSource, Filter::kQuadrilinear, 0);
+  const RealFrame& coded = real(From::kStream, Filter::kQuadrilinear, stop_level);
+  const RealFrame& filtered = real(From::kSource, filter, 0);
+  const RealFrame& own = real(From::kStream, filter, stop_level);
+  return {.total = mean_squared_error(image, best),
+          .stream = mean_squared_difference(coded, best),
+          .filter = mean_squared_difference(filtered, best),
+          .fixed = mean_squared_error(image, own),
+          .largest_fixed = largest_difference(image, own)};
 }
 
 }  // namespace hmlfc::bench

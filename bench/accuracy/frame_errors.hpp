@@ -30,14 +30,14 @@ class FrameComparison {
   FrameComparison(const Decoder& stream, const Decoder& source, const Camera& camera)
       : stream_(stream), source_(source), camera_(camera) {}
 
-  /// Of `image`, drawn from the stream with `filter` down to `stop_level`. Errors: those of
-  /// decoding.
-  Result<FrameErrors> errors(const RgbImage& image, Filter filter, int stop_level);
+  /// Of `image`, drawn from the stream with `filter` down to `stop_level`. Throws
+  /// std::runtime_error where a stream does not decode.
+  FrameErrors errors(const RgbImage& image, Filter filter, int stop_level);
 
  private:
   enum class From { kStream, kSource };
 
-  Result<const RealFrame*> real(From from, Filter filter, int stop_level);
+  const RealFrame& real(From from, Filter filter, int stop_level);
 
   const Decoder& stream_;
   const Decoder& source_;

@@ -1,36 +1,46 @@
 #include "accuracy/frame_sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <optional>
+#include <memory>
+#include <sstream>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "accuracy/frame_backend.hpp"
 #include "accuracy/frame_errors.hpp"
+#include "common/orbit.hpp"
+#include "common/program.hpp"
+#include "gpu_ref/frame_renderer.hpp"
 #include "io/files.hpp"
-#include "render/orbit.hpp"
-#include "render/timing.hpp"
+#include "terminal/clock.hpp"
 
 namespace hmlfc::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Failure = tl::unexpected<std::string>;
+
+constexpr std::array kFilters = {Filter::kNearest, Filter::kBilinear, Filter::kQuadrilinear};
+constexpr std::array<std::string_view, 3> kBackends = {"cpu", "golden", "gpu"};
 
 struct OpenFile {
+  explicit OpenFile(const std::string& path)
+      : file(value_of(io::MappedFile::open(path))),
+        decoder(value_of(Decoder::open(file.bytes()))) {}
+
   io::MappedFile file;
   Decoder decoder;
 };
 
-tl::expected<OpenFile, std::string> open(const std::filesystem::path& path) {
-  auto file = io::MappedFile::open(path);
-  if (!file) return Failure(file.error().message);
-  auto decoder = Decoder::open(file->bytes());
-  if (!decoder) return Failure(path.string() + ": " + to_string(decoder.error()));
-  return OpenFile{std::move(*file), std::move(*decoder)};
+// Throws std::runtime_error: backend gpu without a device.
+std::unique_ptr<FrameRenderer> open_backend(const FrameSetting& setting, const Decoder& decoder) {
+  RenderOptions options;
+  options.cache_bytes = setting.cache_mib << 20;
+  if (setting.backend == "cpu") return make_cpu_renderer(decoder, options);
+  if (setting.backend == "golden") return make_golden_renderer(decoder);
+  return value_of(gpu::make_gpu_renderer(value_of(gpu::Device::open()), decoder, options));
 }
 
 // The least value that `share` of the values do not exceed.
@@ -42,18 +52,23 @@ double percentile(std::vector<double> values, double share) {
 
 class Sweep {
  public:
-  Sweep(const FrameSweep& sweep, const OpenFile& stream, const OpenFile& source)
-      : sweep_(sweep), stream_(stream), source_(source), header_(stream.decoder.header()) {}
-
-  tl::expected<Json, std::string> run() {
-    Json rows = Json::array();
-    for (const FrameSetting& setting : sweep_.settings) {
-      auto row = draw(setting);
-      if (!row) return Failure(setting.text + ": " + row.error());
-      rows.push_back(std::move(*row));
+  explicit Sweep(const FrameSweep& sweep)
+      : sweep_(sweep),
+        stream_(sweep.stream),
+        source_(sweep.source),
+        header_(stream_.decoder.header()) {
+    const StreamHeader& a = header_;
+    const StreamHeader& b = source_.decoder.header();
+    if (std::tie(a.rows, a.cols, a.width, a.height, a.depth) !=
+        std::tie(b.rows, b.cols, b.width, b.height, b.depth)) {
+      throw std::runtime_error("stream and source are light fields of different shapes");
     }
-    const auto compared = compare();
-    if (!compared) return Failure(compared.error());
+  }
+
+  Json run() {
+    Json rows = Json::array();
+    for (const FrameSetting& setting : sweep_.settings) rows.push_back(draw(setting));
+    compare();
     for (size_t k = 0; k < rows.size(); ++k) {
       if (!rows[k].contains("skipped")) add_errors(sweep_.settings[k], rows[k]);
     }
@@ -76,17 +91,16 @@ class Sweep {
     return {setting.filter, header_.tree_height + 1 - setting.levels};
   }
 
-  // Times all frames of a setting. The first setting of a kind leaves its pictures, which those of
-  // the others must equal.
-  tl::expected<Json, std::string> draw(const FrameSetting& setting) {
-    const auto [filter, stop_level] = kind_of(setting);
-    if (stop_level < 0) return Failure("the stream has fewer levels");
+  // Times all frames of a setting.
+  Json draw(const FrameSetting& setting) {
     Json row{{"setting", setting.text}};
     // A decoder of its own: key images are decoded again.
-    const auto decoder = Decoder::open(stream_.file.bytes());
-    const auto renderer = open_backend(setting, *decoder);
-    if (!renderer) {
-      row["skipped"] = renderer.error();
+    const Decoder decoder = value_of(Decoder::open(stream_.file.bytes()));
+    std::unique_ptr<FrameRenderer> renderer;
+    try {
+      renderer = open_backend(setting, decoder);
+    } catch (const std::runtime_error& error) {
+      row["skipped"] = error.what();
       return row;
     }
     std::vector<double> seconds;
@@ -94,49 +108,45 @@ class Sweep {
     FrameCounts counts;
     for (int k = 0; k < sweep_.frames; ++k) {
       Camera taken = camera(k);
-      taken.filter = filter;
-      const auto record = frame_record(taken, header_);
-      if (!record) return Failure(record.error().message);
+      taken.filter = setting.filter;
+      const FrameRecord record = value_of(frame_record(taken, header_));
       Frame frame;
       const Clock clock;
-      const auto drawn = (*renderer)->render(*record, stop_level, frame);
+      const auto drawn = renderer->render(record, kind_of(setting).second, frame);
       seconds.push_back(clock.cpu_seconds());
-      if (!drawn) return Failure(to_string(drawn.error()));
+      value_of(drawn);
       counts.blocks_needed += frame.counts.blocks_needed;
       counts.blocks_decoded += frame.counts.blocks_decoded;
       images.push_back(std::move(frame.image));
     }
+    keep(setting, std::move(images));
     row["cpu_ms.median"] = percentile(seconds, 0.5) * 1e3;
     row["cpu_ms.p95"] = percentile(seconds, 0.95) * 1e3;
     row["blocks_needed"] = counts.blocks_needed / static_cast<uint64_t>(sweep_.frames);
     row["blocks_decoded"] = counts.blocks_decoded / static_cast<uint64_t>(sweep_.frames);
-    if (!keep(kind_of(setting), std::move(images))) {
-      return Failure("the frames differ from those of another setting with this filter and level");
-    }
     return row;
   }
 
-  bool keep(const Kind& kind, std::vector<RgbImage> images) {
-    const auto [found, first] = images_.try_emplace(kind, images);
-    if (first) return true;
-    for (size_t k = 0; k < images.size(); ++k) {
-      if (images[k].samples != found->second[k].samples) return false;
+  // The first setting of a kind leaves its pictures, which those of the others must equal.
+  void keep(const FrameSetting& setting, std::vector<RgbImage> images) {
+    const auto [found, first] = images_.try_emplace(kind_of(setting), std::move(images));
+    if (!first &&
+        !std::ranges::equal(images, found->second, {}, &RgbImage::samples, &RgbImage::samples)) {
+      throw std::runtime_error(setting.text +
+                               ": the frames differ from those of another setting with this filter "
+                               "and level");
     }
-    return true;
   }
 
   // Camera by camera, so that the real frames of one camera alone are held.
-  tl::expected<void, std::string> compare() {
+  void compare() {
     for (int k = 0; k < sweep_.frames; ++k) {
       FrameComparison comparison(stream_.decoder, source_.decoder, camera(k));
       for (const auto& [kind, images] : images_) {
-        const auto errors =
-            comparison.errors(images[static_cast<size_t>(k)], kind.first, kind.second);
-        if (!errors) return Failure(to_string(errors.error()));
-        errors_[kind].add(*errors);
+        const auto& image = images[static_cast<size_t>(k)];
+        errors_[kind].add(comparison.errors(image, kind.first, kind.second));
       }
     }
-    return {};
   }
 
   void add_errors(const FrameSetting& setting, Json& row) const {
@@ -153,8 +163,8 @@ class Sweep {
   }
 
   const FrameSweep& sweep_;
-  const OpenFile& stream_;
-  const OpenFile& source_;
+  OpenFile stream_;
+  OpenFile source_;
   const StreamHeader& header_;
   std::map<Kind, std::vector<RgbImage>> images_;
   std::map<Kind, FrameErrors> errors_;
@@ -162,18 +172,23 @@ class Sweep {
 
 }  // namespace
 
-tl::expected<nlohmann::ordered_json, std::string> sweep_frames(const FrameSweep& sweep) {
-  const auto stream = open(sweep.stream);
-  if (!stream) return Failure(stream.error());
-  const auto source = open(sweep.source);
-  if (!source) return Failure(source.error());
-  const StreamHeader& a = stream->decoder.header();
-  const StreamHeader& b = source->decoder.header();
-  if (std::tie(a.rows, a.cols, a.width, a.height, a.depth) !=
-      std::tie(b.rows, b.cols, b.width, b.height, b.depth)) {
-    return Failure("stream and source are light fields of different shapes");
+FrameSetting parse_frame_setting(const std::string& text) {
+  FrameSetting setting;
+  setting.text = text;
+  std::string filter;
+  std::istringstream parts(text);
+  char colon = 0;
+  std::getline(parts, filter, ':');
+  parts >> setting.levels >> colon >> setting.cache_mib >> colon >> setting.backend;
+  const auto known = std::ranges::find(kFilters, filter, filter_name);
+  const auto backend = std::ranges::find(kBackends, setting.backend);
+  if (parts.fail() || known == kFilters.end() || backend == kBackends.end()) {
+    throw std::invalid_argument(text + ": not FILTER:LEVELS:CACHE:BACKEND");
   }
-  return Sweep(sweep, *stream, *source).run();
+  setting.filter = *known;
+  return setting;
 }
+
+nlohmann::ordered_json sweep_frames(const FrameSweep& sweep) { return Sweep(sweep).run(); }
 
 }  // namespace hmlfc::bench

@@ -5,7 +5,6 @@ import json
 import math
 from dataclasses import asdict, dataclass
 
-import fronts
 from coding import Coding
 
 
@@ -70,15 +69,24 @@ class Results:
         and CPU time of encoding)} of the points of a light field."""
         points = self.of_scene(scene)
         costs = [(p.number("bpp"), -p.number("psnr_rgb"), p.number("encode_cpu_seconds")) for p in points]
-        marks = zip(fronts.on_front([cost[:2] for cost in costs]), fronts.on_front(costs))
+        marks = zip(on_front([cost[:2] for cost in costs]), on_front(costs))
         return dict(zip((point.identity for point in points), marks))
 
     def merge(self, other):
-        """Takes the points of another run in place of the own ones of the same identity."""
+        """Takes the points of another run, which replace own points of the same identity."""
         self.machine = other.machine
         for name, facts in other.scenes.items():
             self.scenes.setdefault(name, {}).update(facts)
         self.points.update(other.points)
+
+
+def on_front(costs):
+    """For each tuple of costs (less is better): whether no other is at least as good in all of them
+    and better in one."""
+    return [
+        not any(other != own and all(x <= y for x, y in zip(other, own)) for other in costs)
+        for own in costs
+    ]
 
 
 def write_json(results, path):

@@ -1,4 +1,4 @@
-"""One run of the accuracy report: what it measures, with what, and what came of it."""
+"""One run of the accuracy report."""
 
 import os
 import sys
@@ -7,7 +7,7 @@ from pathlib import Path
 import prediction
 import studies
 from bench_error import BenchError
-from calibration import Calibration
+from calibration import calibration_seconds
 from measure import FRAMES, Measure
 from process import machine
 from results import Point, Results
@@ -31,7 +31,6 @@ class Run:
         self.programs = (options.hmlfc, options.bench)
         self.program = file_digest(*self.programs, *MEASURING)
         self.store = Store(options.output / "measured.json")
-        self.calibration = Calibration()
         self.results = Results(machine())
         self.skipped, self.failed = [], []
         self.measured = self.reused = 0
@@ -95,15 +94,15 @@ class Run:
         return digest(kind, self.program, scene.identity, coding.options(), *more)
 
     def once(self, key, what, measure):
-        """What is stored of a point, or else measured; None where that fails, which does not keep the
-        other points from being measured."""
+        """The stored entry of a point, or a new measurement; None if it fails, so that the run goes
+        on with the other points."""
         entry = self.store.get(key)
         if entry is not None:
             self.reused += 1
             return entry
         self.show(what)
         try:
-            entry = {"calibration_seconds": self.calibration.now(), "values": measure()}
+            entry = {"calibration_seconds": calibration_seconds(), "values": measure()}
         except BenchError as error:
             self.failed.append({"what": what, "why": str(error)})
             say(f"FAILED: {what}: {error}")

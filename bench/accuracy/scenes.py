@@ -18,7 +18,7 @@ SYNTHETIC_AT = 36.0  # dB, to compare methods at
 
 @dataclass
 class Scene:
-    """A folder of views. identity: digest of what they are; at: PSNR in dB to compare methods at;
+    """A folder of views. identity: digest of names and sizes; at: PSNR in dB to compare methods at;
     chroma: of profile main."""
 
     name: str
@@ -33,9 +33,9 @@ class Scene:
 
 
 def find_scenes(hmlfc, work, quick, names, skip):
-    """The light fields of a run: photographs and rendered ones that are there, then the built-in
-    scenes, rendered into the folder `work`. --quick: two small scenes. names: those to take, or
-    empty for all; skip(name, why) is told of those that are not there."""
+    """The light fields of a run: the real ones that exist, then the built-in scenes, rendered into the
+    folder `work`. quick: two small scenes. names: those to take, or empty for all. Calls
+    skip(name, why) for those that are missing."""
 
     def wanted(name):
         return not names or name in names

@@ -11,7 +11,7 @@ PEAK = 255
 
 
 def chosen_views(rows, cols):
-    """Places of the corners, the middles of the borders and the middle of a grid."""
+    """Positions of the corners, the middles of the borders and the centre of a grid."""
     return [
         (row, col)
         for row in sorted({0, (rows - 1) // 2, rows - 1})

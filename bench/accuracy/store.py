@@ -1,4 +1,4 @@
-"""Measured points on disk, so that a run that was stopped goes on where it was."""
+"""Measured points on disk, so that an interrupted run resumes."""
 
 import hashlib
 import json

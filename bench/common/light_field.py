@@ -1,4 +1,4 @@
-"""Light fields for the rate-distortion bench: folders of 8-bit RGB views, their order, PSNR."""
+"""Light fields for benchmarks: folders of 8-bit RGB views, their order, PSNR."""
 
 import math
 import re
@@ -67,7 +67,7 @@ def squared_error(view, decoded):
 
 
 def load(name, folder):
-    """Reads all views of a folder that the names of its files put on a grid."""
+    """Reads all views of a folder, whose file names give their positions."""
     rows, cols, ordered = view_files(folder)
     first = read_view(ordered[0])
     views = np.empty((len(ordered), *first.shape), np.uint8)
@@ -91,7 +91,7 @@ def read_view(path):
 
 
 def view_files(folder):
-    """(rows, cols, files in row-major order), as `hmlfc encode` places them by their names."""
+    """(rows, cols, files in row-major order), parsed from file names as `hmlfc encode` does."""
     files = sorted(path for path in Path(folder).iterdir() if path.suffix.lower() in SUFFIXES)
     if not files:
         raise BenchError(f"{folder} holds no PNG, PPM or JPEG views")
@@ -113,4 +113,4 @@ def _grid_position(path):
         match = pattern.fullmatch(path.stem)
         if match:
             return int(match[1]), int(match[2])
-    raise BenchError(f"{path}: the name tells no row and column (RR_CC, out_RR_CC_Y_X, input_CamN)")
+    raise BenchError(f"{path}: the name has no row and column (RR_CC, out_RR_CC_Y_X, input_CamN)")

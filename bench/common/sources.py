@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @dataclass
 class Source:
-    """A light field before it is read. at: PSNR in dB to compare at; chroma: of profile main."""
+    """A light field on disk. at: PSNR in dB to compare at; chroma: of profile main."""
 
     name: str
     folder: Path
@@ -25,7 +25,7 @@ REAL = (
 
 
 def real_sources(skip):
-    """Those of REAL whose folders are there; skip(name, why) is told of the others."""
+    """Those of REAL whose folders exist; calls skip(name, why) for the others."""
     data = Path(os.environ.get("HMLFC_DATA_DIR") or ROOT.parent / "shared" / "data")
     for source in REAL:
         if (data / source.folder).is_dir():

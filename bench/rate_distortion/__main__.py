@@ -85,7 +85,7 @@ class Bench:
                     self.curve(light_field, method, encode)
 
     def curve(self, light_field, method, encode):
-        """All points of one curve. A point that fails does not keep the others from being made."""
+        """All points of one curve; a point that fails is reported, and the others are still made."""
         for value in PARAMETERS[method][self.options.quick]:
             what = f"{light_field.name} {method}"
             try:
@@ -122,7 +122,7 @@ class Bench:
 
 
 def find_sources(bench):
-    """The light fields asked for, or the real ones that are there, or else the built-in scenes."""
+    """The requested light fields, or the real ones that exist, or else the built-in scenes."""
     options = bench.options
     if options.light_field:
         found = [named_source(text) for text in options.light_field]

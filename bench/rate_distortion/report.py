@@ -33,7 +33,7 @@ class Point:
 
 
 class CsvFile:
-    """The points as they come, so that a run that is stopped leaves those it made."""
+    """Written point by point, so that an interrupted run keeps its points."""
 
     def __init__(self, path):
         self.file = open(path, "w", newline="", encoding="utf-8")

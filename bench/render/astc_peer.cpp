@@ -3,8 +3,8 @@
 
 #include <astcenc.h>
 
+#include "common/timing.hpp"
 #include "render/peers.hpp"
-#include "render/timing.hpp"
 
 namespace hmlfc::bench {
 namespace {

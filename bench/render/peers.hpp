@@ -10,12 +10,12 @@ namespace hmlfc::bench {
 
 struct Peer {
   std::string name;
-  double seconds = 0;  ///< of CPU, to decode on one thread
+  double seconds = 0;  ///< CPU time to decode on one thread
   RgbImage decoded;
 };
 
-/// OpenJPEG with its usual lossy coding (9/7, irreversible colour transform) at the rate that comes
-/// nearest to `psnr` dB over RGB from above. `image` has depth 8.
+/// OpenJPEG with its usual lossy coding (9/7, irreversible colour transform), at the lowest rate
+/// that reaches `psnr` dB over RGB. `image` has depth 8.
 std::optional<Peer> openjpeg_peer(const RgbImage& image, double psnr);
 
 /// ASTC in blocks of 8 x 8 by astcenc. `image` has depth 8.

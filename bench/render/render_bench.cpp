@@ -1,14 +1,13 @@
-// Time a frame of novel-view rendering, and the time of decoding one view beside other codecs.
+// Time of a frame of novel-view rendering, and of decoding one view beside other codecs.
 //
 // Usage: ./run bench render [FILE.hmlfc [FOLDER]]
-// FILE: a stream; default: Chess of HMLFC_DATA_DIR (../shared/data where that is not set), encoded
-// in profile extended at quality 64. FOLDER: the views it was made from. CPU times are those of the
-// process over all threads, of single views the least of many runs; frames/s are what the cores
-// yield that other work leaves.
+// FILE: a stream; default: Chess of HMLFC_DATA_DIR, or of ../shared/data if that is not set,
+// encoded in profile extended at quality 64. FOLDER: the views it was made from. CPU times are
+// those of all threads, of single views the shortest of many runs; frames/s depend on what else the
+// machine runs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,15 +17,18 @@
 #include <hmlfc/encoder.hpp>
 #include <hmlfc/renderer.hpp>
 
+#include "common/orbit.hpp"
+#include "common/program.hpp"
+#include "common/timing.hpp"
+#include "io/data_folder.hpp"
 #include "io/files.hpp"
 #include "io/light_field_files.hpp"
-#include "render/orbit.hpp"
 #include "render/peers.hpp"
-#include "render/timing.hpp"
 
 namespace {
 
 using namespace hmlfc;
+using bench::value_of;
 
 constexpr int kFrames = 60;
 
@@ -50,14 +52,14 @@ FrameRecord record_of(const Setting& setting, const StreamHeader& header, int fr
 }
 
 // One turn of the orbit; a row of the table.
-bool print_turn(const Setting& setting, const char* state, const Decoder& decoder,
+void print_turn(const Setting& setting, const char* state, const Decoder& decoder,
                 FrameRenderer& renderer) {
   FrameSeconds seconds;
   FrameCounts counts;
   Frame frame;
-  const bench::Clock clock;
+  const Clock clock;
   for (int k = 0; k < kFrames; ++k) {
-    if (!renderer.render(record_of(setting, decoder.header(), k), 0, frame)) return false;
+    value_of(renderer.render(record_of(setting, decoder.header(), k), 0, frame));
     seconds.plan += frame.seconds.plan;
     seconds.decode += frame.seconds.decode;
     seconds.sample += frame.seconds.sample;
@@ -71,14 +73,12 @@ bool print_turn(const Setting& setting, const char* state, const Decoder& decode
              seconds.sample * share, counts.blocks_needed / kFrames,
              counts.blocks_decoded / kFrames);
   std::fflush(stdout);
-  return true;
 }
 
-bool print_frames(std::span<const uint8_t> file) {
+void print_frames(std::span<const uint8_t> file) {
   fmt::print(
       "| 512x512, orbit of {} frames | cache | frames/s | CPU ms a frame | plan | decode | sample "
-      "| "
-      "blocks needed | decoded |\n|---|---|---|---|---|---|---|---|---|\n",
+      "| blocks needed | decoded |\n|---|---|---|---|---|---|---|---|---|\n",
       kFrames);
   const Setting settings[] = {{"quadrilinear"},
                               {"quadrilinear, nothing kept", Filter::kQuadrilinear, 0, false, 0},
@@ -88,86 +88,72 @@ bool print_frames(std::span<const uint8_t> file) {
                               {"nearest", Filter::kNearest}};
   for (const Setting& setting : settings) {
     // A decoder of its own: key images are decoded again.
-    const auto decoder = Decoder::open(file, {false, {}, nullptr});
-    if (!decoder) return false;
+    const Decoder decoder = value_of(Decoder::open(file, {false, {}, nullptr}));
     RenderOptions options;
     options.cache_bytes = setting.cache_bytes;
-    const auto renderer = make_cpu_renderer(*decoder, options);
-    if (!print_turn(setting, "cold", *decoder, *renderer)) return false;
-    if (!print_turn(setting, "warm", *decoder, *renderer)) return false;
+    const auto renderer = make_cpu_renderer(decoder, options);
+    print_turn(setting, "cold", decoder, *renderer);
+    print_turn(setting, "warm", decoder, *renderer);
   }
-  return true;
 }
 
-void print_peer(const char* name, double seconds, double own, double psnr) {
+void print_peer(const std::string& name, double seconds, double own, double psnr) {
   fmt::print("| {} | {:.3f} | {:.2f} | {} |\n", name, seconds * 1e3, seconds / own,
              std::isfinite(psnr) ? fmt::format("{:.2f} dB", psnr) : "");
   std::fflush(stdout);
 }
 
 // Decoding one view, on one thread, beside other codecs.
-bool print_view(std::span<const uint8_t> file, const LightField& field) {
-  const auto decoder = Decoder::open(file);
-  if (!decoder) return false;
-  const StreamHeader& header = decoder->header();
+void print_view(std::span<const uint8_t> file, const LightField& field) {
+  const Decoder decoder = value_of(Decoder::open(file));
+  const StreamHeader& header = decoder.header();
   const ViewPos view{header.rows / 2 - 1, header.cols / 2 - 2};  // no key image
   const RgbImage original = field.view(view.row, view.col);
-  const auto decoded = decoder->decode_view(view);
-  if (!decoded) return false;
+  const RgbImage decoded = value_of(decoder.decode_view(view));
   const auto psnr_of = [&](const RgbImage& image) {
     return psnr(measure(original, image).rgb_squares, original.samples.size(), original.depth);
   };
-  const double own_psnr = psnr_of(*decoded);
-  const double own = bench::cpu_seconds_of([&] { (void)decoder->decode_view(view); });
+  const double own_psnr = psnr_of(decoded);
+  const double own = bench::cpu_seconds_of([&] { (void)decoder.decode_view(view); });
   fmt::print(
       "\n| one view of {} x {}, one thread | CPU ms | times | PSNR RGB |\n|---|---|---|---|\n",
       header.width, header.height);
   print_peer("HMLFC", own, own, own_psnr);
-  RgbImage copy = *decoded;
+  RgbImage copy = decoded;
   const double copying = bench::cpu_seconds_of(
-      [&] { std::copy(decoded->samples.begin(), decoded->samples.end(), copy.samples.begin()); });
+      [&] { std::copy(decoded.samples.begin(), decoded.samples.end(), copy.samples.begin()); });
   print_peer("memcpy of its output", copying, own, INFINITY);
   for (const auto& peer : {bench::openjpeg_peer(original, own_psnr), bench::astc_peer(original)}) {
-    if (!peer) return false;
-    print_peer(peer->name.c_str(), peer->seconds, own, psnr_of(peer->decoded));
+    if (!peer) throw std::runtime_error("another codec fails");
+    print_peer(peer->name, peer->seconds, own, psnr_of(peer->decoded));
   }
-  return true;
-}
-
-std::filesystem::path default_folder() {
-  const char* data = std::getenv("HMLFC_DATA_DIR");
-  const std::filesystem::path base = data != nullptr ? data : HMLFC_DEFAULT_DATA_DIR;
-  return base / "stanford-chess-16x16-700x400";
 }
 
 std::vector<uint8_t> encoded_chess(const LightField& field) {
   EncodeParams params;
   params.extended.quality = 64;
-  auto stream = encode(field, params);
-  return stream ? std::move(stream->bytes) : std::vector<uint8_t>{};
+  return value_of(encode(field, params)).bytes;
+}
+
+int run(const std::vector<std::string>& arguments) {
+  const auto folder = arguments.size() > 1 ? std::filesystem::path(arguments[1])
+                                           : data_folder("stanford-chess-16x16-700x400");
+  const auto views = value_of(io::list_views(folder));
+  const LightField field = value_of(io::load_light_field(views, 0));
+  std::vector<uint8_t> file;
+  if (arguments.empty()) {
+    file = encoded_chess(field);
+  } else {
+    const auto mapped = value_of(io::MappedFile::open(arguments[0]));
+    file.assign(mapped.bytes().begin(), mapped.bytes().end());
+  }
+  print_frames(file);
+  print_view(file, field);
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto views = io::list_views(argc > 2 ? argv[2] : default_folder());
-  const auto field = views ? io::load_light_field(*views, 0) : tl::unexpected(views.error());
-  if (!field) {
-    fmt::print(stderr, "skipped: {}\n", field.error().message);
-    return 1;
-  }
-  std::vector<uint8_t> file;
-  if (argc > 1) {
-    const auto mapped = io::MappedFile::open(argv[1]);
-    if (!mapped) {
-      fmt::print(stderr, "{}\n", mapped.error().message);
-      return 1;
-    }
-    file.assign(mapped->bytes().begin(), mapped->bytes().end());
-  } else {
-    file = encoded_chess(*field);
-  }
-  const bool done = print_frames(file) && print_view(file, *field);
-  if (!done) fmt::print(stderr, "the stream does not decode\n");
-  return done ? 0 : 1;
+  return bench::run_program("bench_render", [&] { return run({argv + 1, argv + argc}); });
 }

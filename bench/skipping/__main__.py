@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Skipping: what frames and single requests need of a light field, and what is not computed.
+"""What frames and single requests need of a light field, and what is not computed.
 
 docs/skipping.md says what is measured; docs/scale.md uses the byte ranges. Prints tables, writes
-results.json and pictures, and compares all counts with the recorded run; CPU times are printed, not
-compared.
+results.json and pictures, and compares all counts with the recorded run, but not CPU times.
 
 Exit status: 0 done, 1 a count differs from the recorded run, 2 something cannot be measured, or a
 cold renderer decoded other blocks than are needed, or the exhaustive search gave another stream.

@@ -1,5 +1,5 @@
-// search_motion by its definition, for the program bench_skipping_exhaustive: hmlfc whose encoder
-// tries every candidate. The linker takes these functions in place of the library's.
+// search_motion by its definition, for bench_skipping_exhaustive: an hmlfc whose encoder tries
+// every candidate. The linker takes these functions in place of those of the library.
 #include "encoder/motion_search.hpp"
 
 namespace hmlfc {

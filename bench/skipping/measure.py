@@ -5,12 +5,12 @@ import json
 import sparse
 from bench_error import BenchError
 from process import run
-from ranges import bytes_of, merged, union, without
+from ranges import bytes_of, merged, without
 
 SCENES = ("cards", "knights", "glass", "flat", "noise")
 PROFILES = {"main": ["--profile", "main"], "extended": ["--preset", "fast"]}
 PATHS = ("orbit", "line", "dolly")
-GAPS = (0, 1024, 16384)  # bytes between ranges that are asked for rather than left out
+GAPS = (0, 1024, 16384)  # bytes between ranges that one request may span
 FRAMES = {False: 16, True: 4}
 GRID, SIZE = "9x9", (96, 64)
 GRIDS = {False: ("9x9", "17x17", "33x33", "64x64"), True: ("9x9", "17x17")}
@@ -49,9 +49,7 @@ class Measure:
         rows = []
         for path in PATHS:
             for client in ("cold", "warm"):
-                command = [self.bench, "frames", stream, path, FRAMES[self.quick], min(SIZE), client]
-                found = json.loads(run(command)[0])
-                check(client, found)
+                found = self.drawn(stream, path, FRAMES[self.quick], min(SIZE), client)
                 rows.append({
                     "scene": scene, "profile": profile, "path": path, "client": client,
                     "file_bytes": facts["bytes"], "blocks": self.blocks(stream, facts),
@@ -96,9 +94,7 @@ class Measure:
             entries = sparse.sections(sparse.read_header(file))
         key_end = entries[0][2] + entries[0][3]
         block = json.loads(run([self.bench, "block", stream, BLOCK_RUNS])[0])
-        command = [self.bench, "frames", stream, "view", 5, side, "cold"]
-        views = json.loads(run(command)[0])
-        check("cold", views)
+        views = self.drawn(stream, "view", 5, side, "cold")
         return {
             "file_bytes": stream.stat().st_size,
             "disk_bytes": stream.stat().st_blocks * 512,
@@ -106,6 +102,12 @@ class Measure:
                       "walks": block["walks"], "fields": block["fields"]},
             "view": {**_request(views, key_end), "decoded": views[0]["decoded"]},
         }
+
+    def drawn(self, stream, path, frames, side, client):
+        command = [self.bench, "frames", stream, path, frames, side, client]
+        found = json.loads(run(command)[0])
+        check(client, found)
+        return found
 
     def same_view(self, stream, large):
         """`hmlfc decode`, which checks all checksums, gives the same view of both."""
@@ -144,17 +146,17 @@ def check(client, frames):
 
 
 def traced(frames, client):
-    """Frames with the requests and bytes of a client that asks for what is read. A warm one keeps
-    what it has got."""
+    """Frames with the requests and bytes of a client that fetches what is read. A warm client keeps
+    what it has fetched."""
     held = []
     for frame in frames:
-        ranges = frame.pop("ranges")
+        ranges = merged(frame.pop("reads"))
         frame["bytes"] = bytes_of(ranges)
         missing = without(ranges, held) if client == "warm" else ranges
         asked = [merged(missing, gap) for gap in GAPS]
         frame["requests"] = [len(found) for found in asked]
         frame["fetched"] = [bytes_of(found) for found in asked]
-        held = union(held, ranges)
+        held = merged([*held, *ranges])
         yield frame
 
 
@@ -164,7 +166,7 @@ def columns(rows):
 
 
 def _request(runs, key_end):
-    ranges = runs[0]["ranges"]
+    ranges = merged(runs[0]["reads"])
     keys = bytes_of(r for r in ranges if r[0] < key_end)
     return {
         "cpu_seconds": min(entry["cpu_seconds"] for entry in runs),

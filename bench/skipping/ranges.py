@@ -1,23 +1,12 @@
 """Byte ranges of a file, as HTTP range requests would ask for them."""
 
 
-def merged(ranges, gap):
+def merged(ranges, gap=0):
     """Ranges [offset, length], ascending and disjoint, joined where at most `gap` bytes lie between
-    them; the bytes between are asked for, too."""
+    them, which then belong to the range."""
     joined = []
-    for offset, length in ranges:
+    for offset, length in sorted(ranges):
         if joined and offset - sum(joined[-1]) <= gap:
-            joined[-1][1] = offset + length - joined[-1][0]
-        else:
-            joined.append([offset, length])
-    return joined
-
-
-def union(a, b):
-    """The bytes of either, both as in merged()."""
-    joined = []
-    for offset, length in sorted([*a, *b]):
-        if joined and offset <= sum(joined[-1]):
             joined[-1][1] = max(sum(joined[-1]), offset + length) - joined[-1][0]
         else:
             joined.append([offset, length])

@@ -1,78 +1,60 @@
-// What frames and single blocks need of a stream, and what of it is skipped
+// What frames and single blocks need of a stream, and what is skipped
 // (bench/skipping/__main__.py runs it).
 //
 // Usage: bench_skipping frames FILE.hmlfc PATH FRAMES SIDE cold|warm
-//          draws FRAMES square frames along PATH: orbit, line, or dolly, from the middle of the
-//          grid forwards. cold: each with a decoder and a renderer of its own; warm: all with the
-//          same.
+//          draws FRAMES square frames along PATH: orbit, line, dolly (forwards from the middle of
+//          the grid) or view (the middle view). cold: each frame with a new decoder and renderer;
+//          warm: all with the same.
 //        bench_skipping block FILE.hmlfc RUNS
-//          decodes the middle block of Y of the middle view with a decoder of its own, RUNS times.
-// Both print JSON, one thread at work. `ranges` are the bytes read of the file, [offset, length],
-// ascending and merged where they touch; opening the stream is not in them.
+//          decodes the middle block of Y of the middle view RUNS times, each with a new decoder.
+// Both run on one thread and print JSON. `reads` are the distinct reads of the file, [offset,
+// length], without those of opening the stream.
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <iterator>
-#include <map>
+#include <array>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <hmlfc/renderer.hpp>
 
+#include "common/orbit.hpp"
+#include "common/program.hpp"
 #include "io/files.hpp"
 #include "render/frame_stages.hpp"
-#include "render/orbit.hpp"
-#include "render/timing.hpp"
 #include "render/view_cache.hpp"
+#include "terminal/clock.hpp"
 
 namespace {
 
 using namespace hmlfc;
+using bench::value_of;
+using Json = nlohmann::ordered_json;
 
-constexpr int kUsage = 2;
-
-int refuse(const std::string& message, int status = 1) {
-  fmt::print(stderr, "bench_skipping: {}\n", message);
-  return status;
-}
-
-// The bytes that one thread reads, as disjoint ranges.
-class Ranges final : public ReadSink {
+// What one thread reads.
+class Reads final : public ReadSink {
  public:
   void on_read(uint64_t offset, uint64_t bytes) override {
-    if (bytes == 0) return;
-    uint64_t begin = offset;
-    uint64_t end = offset + bytes;
-    auto next = ends_.lower_bound(begin);  // the first range that does not begin before this one
-    if (next != ends_.begin() && std::prev(next)->second >= begin) --next;
-    while (next != ends_.end() && next->first <= end) {
-      begin = std::min(begin, next->first);
-      end = std::max(end, next->second);
-      next = ends_.erase(next);
-    }
-    ends_.emplace(begin, end);
+    if (bytes > 0) reads_.insert({offset, bytes});
   }
 
   void on_key_plane(uint64_t samples) override { key_samples_ += samples; }
 
   void reset() {
-    ends_.clear();
+    reads_.clear();
     key_samples_ = 0;
   }
 
-  std::string json() const {
-    std::string text;
-    for (const auto& [begin, end] : ends_) {
-      text += fmt::format("{}[{},{}]", text.empty() ? "" : ",", begin, end - begin);
-    }
-    return fmt::format("\"key_samples\":{},\"ranges\":[{}]", key_samples_, text);
+  void add_to(Json& row) const {
+    row["key_samples"] = key_samples_;
+    row["reads"] = reads_;
   }
 
  private:
-  std::map<uint64_t, uint64_t> ends_;  // of ranges by their begin
+  std::set<std::array<uint64_t, 2>> reads_;
   uint64_t key_samples_ = 0;
 };
 
@@ -106,7 +88,7 @@ struct NeededBlocks {
 };
 
 // The blocks that a frame needs (NED-1), and those of them in state zero.
-Result<NeededBlocks> needed_blocks(const Decoder& decoder, const FrameRecord& record) {
+NeededBlocks needed_blocks(const Decoder& decoder, const FrameRecord& record) {
   ViewCache cache(decoder.header(), 0, false);
   cache.begin_frame();
   plan_frame(record, 0, decoder.header(), cache);
@@ -123,9 +105,7 @@ Result<NeededBlocks> needed_blocks(const Decoder& decoder, const FrameRecord& re
           if (!needed.has(bx, by)) continue;
           const BlockAddress block{view->place(), plane, bx, by};
           EntryStages stages(block);
-          if (const auto ok = decoder.decode_block(block, {.trace = &stages}); !ok) {
-            return tl::unexpected(ok.error());
-          }
+          value_of(decoder.decode_block(block, {.trace = &stages}));
           ++counts.all;
           counts.zero += stages.zero() ? 1u : 0u;
         }
@@ -150,11 +130,11 @@ Camera camera_of(const std::string& path, const StreamHeader& header, int frame,
   return camera;
 }
 
-OpenOptions reading(Ranges& ranges) {
+Decoder open(const io::MappedFile& file, Reads* reads = nullptr) {
   OpenOptions options;
   options.check_sections = false;
-  options.reads = &ranges;
-  return options;
+  options.reads = reads;
+  return value_of(Decoder::open(file.bytes(), options));
 }
 
 // A decoder with its renderer.
@@ -168,84 +148,87 @@ struct Client {
   std::unique_ptr<FrameRenderer> renderer;
 };
 
-int draw_frames(const std::vector<std::string>& arguments) {
-  const auto file = io::MappedFile::open(arguments[1]);
-  if (!file) return refuse(file.error().message);
-  const std::string& path = arguments[2];
-  const int frames = std::atoi(arguments[3].c_str());
-  const auto side = static_cast<uint32_t>(std::atoi(arguments[4].c_str()));
+Json draw_frames(const std::vector<std::string>& arguments) {
+  const auto file = value_of(io::MappedFile::open(arguments[1]));
+  const int frames = std::stoi(arguments[3]);
+  const auto side = static_cast<uint32_t>(std::stoi(arguments[4]));
   const bool warm = arguments[5] == "warm";
-  OpenOptions unchecked;
-  unchecked.check_sections = false;
-  const auto golden = Decoder::open(file->bytes(), unchecked);
-  if (!golden) return refuse(to_string(golden.error()));
-  Ranges ranges;
+  const Decoder golden = open(file);
+  const StreamHeader& header = golden.header();
+  Reads reads;
   std::unique_ptr<Client> client;
+  Json rows = Json::array();
   for (int k = 0; k < frames; ++k) {
     const auto record =
-        frame_record(camera_of(path, golden->header(), k, frames, side), golden->header());
-    if (!record) return refuse(record.error().message);
-    const auto needed = needed_blocks(*golden, *record);
-    if (!needed) return refuse(to_string(needed.error()));
-    if (!client || !warm) {
-      auto decoder = Decoder::open(file->bytes(), reading(ranges));
-      if (!decoder) return refuse(to_string(decoder.error()));
-      client = std::make_unique<Client>(std::move(*decoder));
-    }
-    ranges.reset();
+        value_of(frame_record(camera_of(arguments[2], header, k, frames, side), header));
+    const NeededBlocks needed = needed_blocks(golden, record);
+    if (!client || !warm) client = std::make_unique<Client>(open(file, &reads));
+    reads.reset();
     Frame frame;
-    const bench::Clock clock;
-    const auto drawn = client->renderer->render(*record, 0, frame);
+    const Clock clock;
+    const auto drawn = client->renderer->render(record, 0, frame);
     const double seconds = clock.cpu_seconds();
-    if (!drawn) return refuse(to_string(drawn.error()));
-    if (frame.counts.blocks_needed != needed->all) return refuse("the planner counts differ");
-    fmt::print(
-        "{}{{\"views\":{},\"needed\":{},\"decoded\":{},\"reused\":{},\"zero\":{},"
-        "\"cpu_seconds\":{:.6g},{}}}",
-        k == 0 ? "[" : ",\n", needed->views, needed->all, frame.counts.blocks_decoded,
-        frame.counts.blocks_reused, needed->zero, seconds, ranges.json());
+    value_of(drawn);
+    if (frame.counts.blocks_needed != needed.all) {
+      throw std::runtime_error("the planner counts differ");
+    }
+    rows.push_back({{"views", needed.views},
+                    {"needed", needed.all},
+                    {"decoded", frame.counts.blocks_decoded},
+                    {"reused", frame.counts.blocks_reused},
+                    {"zero", needed.zero},
+                    {"cpu_seconds", seconds}});
+    reads.add_to(rows.back());
   }
-  fmt::print("]\n");
-  return 0;
+  return rows;
 }
 
-int decode_block(const std::vector<std::string>& arguments) {
-  const auto file = io::MappedFile::open(arguments[1]);
-  if (!file) return refuse(file.error().message);
-  const int runs = std::atoi(arguments[2].c_str());
-  if (runs < 1) return refuse("RUNS is not a number from 1 on", kUsage);
-  Ranges ranges;
+Json decode_block(const std::vector<std::string>& arguments) {
+  const auto file = value_of(io::MappedFile::open(arguments[1]));
+  Reads reads;
   double opening = 1e9;
   double decoding = 1e9;
   AccessCounts counts;
-  for (int run = 0; run < runs; ++run) {
-    const bench::Clock clock;
-    const auto decoder = Decoder::open(file->bytes(), reading(ranges));
-    if (!decoder) return refuse(to_string(decoder.error()));
+  for (int run = 0; run < std::max(std::stoi(arguments[2]), 1); ++run) {
+    const Clock clock;
+    const Decoder decoder = open(file, &reads);
     opening = std::min(opening, clock.cpu_seconds());
-    ranges.reset();
+    reads.reset();
     counts = {};
-    const StreamHeader& header = decoder->header();
+    const StreamHeader& header = decoder.header();
     const BlockAddress middle{{header.rows / 2u, header.cols / 2u},
                               Plane::kY,
                               header.width / 2 / header.block_size(),
                               header.height / 2 / header.block_size()};
-    const bench::Clock block_clock;
-    const auto samples = decoder->decode_block(middle, {.counts = &counts});
+    const Clock block_clock;
+    const auto samples = decoder.decode_block(middle, {.counts = &counts});
     decoding = std::min(decoding, block_clock.cpu_seconds());
-    if (!samples) return refuse(to_string(samples.error()));
+    value_of(samples);
   }
-  fmt::print(
-      "{{\"open_cpu_seconds\":{:.6g},\"cpu_seconds\":{:.6g},\"walks\":{},\"fields\":{},{}}}\n",
-      opening, decoding, counts.walks, counts.fields, ranges.json());
+  Json row{{"open_cpu_seconds", opening},
+           {"cpu_seconds", decoding},
+           {"walks", counts.walks},
+           {"fields", counts.fields}};
+  reads.add_to(row);
+  return row;
+}
+
+int run(const std::vector<std::string>& arguments) {
+  Json made;
+  if (arguments.size() == 6 && arguments[0] == "frames") {
+    made = draw_frames(arguments);
+  } else if (arguments.size() == 3 && arguments[0] == "block") {
+    made = decode_block(arguments);
+  } else {
+    throw std::invalid_argument(
+        "usage: frames FILE PATH FRAMES SIDE cold|warm, or block FILE RUNS");
+  }
+  fmt::print("{}\n", made.dump());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() == 6 && arguments[0] == "frames") return draw_frames(arguments);
-  if (arguments.size() == 3 && arguments[0] == "block") return decode_block(arguments);
-  return refuse("usage: frames FILE PATH FRAMES SIDE cold|warm, or block FILE RUNS", kUsage);
+  return bench::run_program("bench_skipping", [&] { return run({argv + 1, argv + argc}); });
 }

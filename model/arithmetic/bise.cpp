@@ -11,7 +11,7 @@ constexpr size_t index_of(const Trits& t) {
 
 constexpr size_t index_of(const Quints& q) { return q[0] + 5u * (q[1] + 5u * q[2]); }
 
-// Codes are entered in ascending order, so that the greatest code of each tuple stays.
+// Codes are entered in ascending order, so that the largest code of each tuple stays.
 constexpr std::array<uint8_t, 243> make_trit_codes() {
   std::array<uint8_t, 243> codes{};
   for (uint32_t T = 0; T < 256; ++T) codes[index_of(trits_of_code(T))] = static_cast<uint8_t>(T);

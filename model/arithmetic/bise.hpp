@@ -24,10 +24,10 @@ struct Levels {
   friend bool operator==(const Levels&, const Levels&) = default;
 };
 
-/// Greatest level code that any stream can hold: that of 16384 levels, for depth 12 (TIL-8).
+/// Largest level code that a stream can hold: that of 16384 levels, for depth 12 (TIL-8).
 inline constexpr unsigned kMaxLevelCode = 39;
 
-/// Greatest level code of residuals at `depth` in [8, 12]: that of 2^(depth + 2) levels (TIL-8).
+/// Largest level code of residuals at `depth` in [8, 12]: that of 2^(depth + 2) levels (TIL-8).
 constexpr unsigned max_residual_level_code(int depth) {
   return 27u + 3u * static_cast<unsigned>(depth - 8);
 }
@@ -53,7 +53,7 @@ constexpr Levels levels_of_code(unsigned code) {
   }
 }
 
-/// The least level code with at least `count` levels; count in [1, 16384].
+/// The smallest level code with at least `count` levels; count in [1, 16384].
 ///
 /// Example: 33 levels need code 13, which has 40.
 constexpr unsigned level_code_for(uint32_t count) {
@@ -136,10 +136,10 @@ constexpr Quints quints_of_code(uint32_t Q) {
   return {static_cast<uint8_t>(q0), static_cast<uint8_t>(q1), static_cast<uint8_t>(q2)};
 }
 
-/// The greatest code of the five trits, each in [0, 2]: the canonical one (BISE-10).
+/// The canonical code of five trits, each in [0, 2]: the largest (BISE-10).
 uint8_t canonical_trit_code(const Trits& trits);
 
-/// The greatest code of the three quints, each in [0, 4]: the canonical one (BISE-10).
+/// The canonical code of three quints, each in [0, 4]: the largest (BISE-10).
 uint8_t canonical_quint_code(const Quints& quints);
 
 /// Bits [first, first + count) of T or Q, which follow the plain bits of one value of its digit

@@ -24,7 +24,7 @@ struct MotionVector {
 
 /// What the header says about vectors (EXT-2).
 struct VectorRules {
-  int32_t bound = 0;      ///< V of MOT-8: greatest magnitude of a component; [0, 1016]
+  int32_t bound = 0;      ///< V of MOT-8: largest magnitude of a component; [0, 1016]
   unsigned shift = 0;     ///< s of MOT-8: disparity_precision - vector_precision; [0, 5]
   int32_t row_scale = 0;  ///< [-127, 127]
 };

@@ -8,7 +8,7 @@
 #include "arithmetic/widths.hpp"
 
 namespace hmlfc {
-/// Greatest step code (STP-1).
+/// Largest step code (STP-1).
 inline constexpr unsigned kMaxStepCode = 15;
 
 /// The step of `code` in [0, kMaxStepCode]; in [1, 256] (STP-2).
@@ -20,8 +20,7 @@ constexpr int32_t step_of_code(unsigned code) {
   return code % 2 == 1 ? 1 << ((code + 1) / 2) : 3 << ((code - 2) / 2);
 }
 
-/// The residual that stands for BISE value `value` in [0, levels - 1] with `bias` (TIL-10); in
-/// [-bound, bound].
+/// The residual of BISE value `value` in [0, levels - 1] with `bias` (TIL-10); in [-bound, bound].
 ///
 /// Example: value 0 of 40 levels with bias 3 is -17.
 constexpr int32_t residual_of_value(uint32_t value, uint32_t levels, int32_t bias,
@@ -34,7 +33,7 @@ constexpr int32_t residual_of_value(uint32_t value, uint32_t levels, int32_t bia
   return clamp(unclamped, -range.bound, range.bound);
 }
 
-/// The residual of a block whose values stand for multiples of `step` in [1, 256] (STP-3); in
+/// The residual of a block whose values are multiples of `step` in [1, 256] (STP-3); in
 /// [-bound, bound]. Step 1 gives residual_of_value.
 ///
 /// Example: value 0 of 40 levels with bias 3 and step 4 is -68.

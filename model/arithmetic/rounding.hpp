@@ -18,7 +18,7 @@ constexpr int32_t round_shift(int32_t x, unsigned k) {
   return k == 0 ? x : (x + (int32_t{1} << (k - 1))) >> k;
 }
 
-/// Smallest integer not below x / y; y >= 1.
+/// The smallest integer not below x / y; y >= 1.
 ///
 /// Example: ceil_div(9u, 4u) = 3.
 template <std::unsigned_integral T>
@@ -26,7 +26,7 @@ constexpr T ceil_div(T x, T y) {
   return static_cast<T>(x / y + (x % y != 0 ? 1 : 0));
 }
 
-/// x moved to the nearest value in [lo, hi], lo <= hi (CNV-2).
+/// The value in [lo, hi] nearest to x; lo <= hi (CNV-2).
 constexpr int32_t clamp(int32_t x, int32_t lo, int32_t hi) { return x < lo ? lo : x > hi ? hi : x; }
 
 /// The low `bits` bits of `field` read as two's complement (CNV-5); bits in [0, 31], 0 gives 0.
@@ -39,7 +39,7 @@ constexpr int32_t sign_extend(uint32_t field, unsigned bits) {
   return static_cast<int32_t>(low ^ sign) - static_cast<int32_t>(sign);
 }
 
-/// Nearest integer to sum / count, halves away from minus infinity; count >= 1.
+/// The integer nearest to sum / count, halves up; count >= 1.
 ///
 /// Used by the encoder alone. Example: round_half_up_div(-3, 2) = -1, round_half_up_div(3, 2) = 2.
 constexpr int32_t round_half_up_div(int64_t sum, int64_t count) {

@@ -29,7 +29,7 @@ class BitString {
   /// Length in bits.
   uint64_t size() const { return static_cast<uint64_t>(bytes_.size()) * 8; }
 
-  /// Whether bits [position, position + count) are all there.
+  /// Whether the string holds bits [position, position + count).
   bool holds(uint64_t position, uint64_t count) const {
     return position <= size() && count <= size() - position;
   }

@@ -12,8 +12,8 @@ constexpr uint32_t kReflectedPolynomial = 0x82F63B78u;
 
 using Tables = std::array<std::array<uint32_t, 256>, 8>;
 
-// Table k holds the effect of a byte that is followed by k more bytes: eight tables let eight
-// bytes be folded at once.
+// Table k holds the effect of a byte that k more bytes follow: with eight tables, eight bytes are
+// folded at once.
 constexpr Tables make_tables() {
   Tables tables{};
   for (uint32_t byte = 0; byte < 256; ++byte) {

@@ -1,4 +1,4 @@
-// How a block is predicted from reference images, whichever fields say so.
+// How a block is predicted from reference images, by a tile record or by a motion tile.
 #pragma once
 
 #include <array>
@@ -34,14 +34,14 @@ struct BlockMotion {
   friend bool operator==(const BlockMotion&, const BlockMotion&) = default;
 };
 
-/// Palette entries of one plane of one predictive image to motion (MOT-7 to MOT-9).
+/// Turns palette entries into motion, for one plane of one predictive image (MOT-7 to MOT-9).
 class MotionResolver {
  public:
   /// Of a stream with motion tiles.
   MotionResolver(const StreamView& stream, int level, ImagePos image, Plane plane);
 
-  /// The motion of blocks with `entry`, which they may use. `disparity` in [-4096, 4095]
-  /// counts where the entry shares one.
+  /// The motion of blocks with `entry`, which they may use. `disparity` in [-4096, 4095] is used
+  /// where the entry shares one.
   BlockMotion resolve(const PaletteEntry& entry, int32_t disparity) const;
 
   /// K0 to K3 of the image.

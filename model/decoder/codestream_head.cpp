@@ -36,7 +36,7 @@ constexpr size_t kMarkerBytes = 2;
 constexpr uint32_t kOwnPrecincts = 1;  // bit of the coding style
 constexpr uint32_t kReversible = 1;
 
-// Big-endian fields; those past the end read as 0, which no marker is.
+// Big-endian fields; those past the end read as 0, which is no marker.
 class Segments {
  public:
   explicit Segments(std::span<const uint8_t> bytes) : bytes_(bytes) {}
@@ -69,9 +69,9 @@ bool is_reversible(const Segments& segments, size_t cod) {
          segments.field(cod + kCodTransform, 1) == kReversible;
 }
 
-// A tile-part of length 0 reaches to EOC, one that announces 0 tile-parts leaves their number open.
-// The EOC that ends the codestream must be where this one ends, lest a later tile-part, with a
-// header of its own, hide before it.
+// A tile-part of length 0 reaches to EOC; 0 tile-parts leave their number open. The EOC that ends
+// the codestream must follow this tile-part, so that no other, with a header of its own, can stand
+// between.
 bool is_only_tile_part(const Segments& segments, size_t sot) {
   const size_t end = segments.size() - kMarkerBytes;
   const uint32_t bytes = segments.field(sot + kSotTilePartBytes, 4);

@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hmlfc {
 namespace HWY_NAMESPACE {
 
-// Ways to store pixels: the type of a sample, and the samples of a pixel.
+// How pixels are stored: the type of a sample, and the samples of a pixel.
 template <class T, size_t kCount>
 struct Layout {
   using Sample = T;

@@ -39,7 +39,7 @@ const char* colour_instruction_set();
 Rect chroma_rect(const Rect& rect, bool halved);
 
 /// The pixels of `rect`: planes[0] holds its samples of Y, planes[1] and planes[2] those of
-/// chroma_rect(rect, halved). Planes may be larger than that; rows beyond are not used.
+/// chroma_rect(rect, halved). Planes may be larger; the rest is not used.
 RgbImage rgb_picture(const std::array<SamplePlane, kPlaneCount>& planes, const Rect& rect,
                      bool halved, int depth);
 

@@ -53,16 +53,16 @@ bool has_whole_blocks(const PlaneShape& shape, const Rect& rect, uint32_t block_
          ends(rect.x + rect.width, shape.width) && ends(rect.y + rect.height, shape.height);
 }
 
-// Whether `region` is `rect` already, or, where more to the right and below does not matter, begins
-// with it.
+// Whether `region` is `rect`, or, unless `exactly`, begins with it and goes on to the right and
+// below.
 bool is_cropped(const SamplePlane& region, const BlockRect& blocks, const Rect& rect,
                 uint32_t block_size, bool exactly) {
   return rect.x == blocks.bx0 * block_size && rect.y == blocks.by0 * block_size &&
          (!exactly || (region.width == rect.width && region.height == rect.height));
 }
 
-// The samples of `rect`, which lies in the plane, of image `image` of level `level`: a plane of its
-// size, or, unless `exactly`, one whose rows go on and which has more of them.
+// The samples of `rect`, which lies in the plane of `image`: a plane of its size, or, unless
+// `exactly`, one that begins with them.
 Result<SamplePlane> decode_samples(const FastSources& fast, const DecodeSources& golden,
                                    const BlockSite& image, const Rect& rect, bool exactly) {
   const uint32_t block_size = fast.stream.geometry.block_size();
@@ -70,7 +70,7 @@ Result<SamplePlane> decode_samples(const FastSources& fast, const DecodeSources&
   const ImagePos at{image.image_row, image.image_col};
   auto region = decode_region(fast, image.level, at, image.plane, blocks);
   if (!region) {
-    // Which block fails, and whether one that was asked for does, is for the golden path to say.
+    // The golden path finds which block fails, and whether it is one of those asked for.
     region = decode_region_by_blocks(golden, image.level, at, image.plane, blocks);
   }
   if (!region || is_cropped(*region, blocks, rect, block_size, exactly)) return region;

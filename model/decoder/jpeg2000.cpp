@@ -2,50 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "arithmetic/widths.hpp"
 #include "decoder/jpeg2000.hpp"
-#include "decoder/openjpeg.hpp"
+#include "decoder/openjpeg_sink.hpp"
 
 namespace hmlfc {
 namespace {
 
 using namespace openjpeg;
-
-// An OpenJPEG stream that writes to a growing buffer.
-struct Sink {
-  std::vector<uint8_t> bytes;
-  size_t at = 0;
-
-  void reserve_to(size_t end) {
-    if (bytes.size() < end) bytes.resize(end);
-  }
-};
-
-OPJ_SIZE_T write_sink(void* buffer, OPJ_SIZE_T count, void* user) {
-  auto& sink = *static_cast<Sink*>(user);
-  sink.reserve_to(sink.at + count);
-  std::memcpy(sink.bytes.data() + sink.at, buffer, count);
-  sink.at += count;
-  return count;
-}
-
-OPJ_OFF_T skip_sink(OPJ_OFF_T count, void* user) {
-  auto& sink = *static_cast<Sink*>(user);
-  if (count < 0) return -1;
-  sink.at += static_cast<size_t>(count);
-  sink.reserve_to(sink.at);
-  return count;
-}
-
-OPJ_BOOL seek_sink(OPJ_OFF_T position, void* user) {
-  auto& sink = *static_cast<Sink*>(user);
-  if (position < 0) return OPJ_FALSE;
-  sink.at = static_cast<size_t>(position);
-  sink.reserve_to(sink.at);
-  return OPJ_TRUE;
-}
 
 bool has_shape(const opj_image_t& image, uint32_t width, uint32_t height,
                SamplePrecision precision) {
@@ -72,7 +37,7 @@ Image make_image(const SamplePlane& plane, SamplePrecision precision) {
   return image;
 }
 
-// As many resolutions as the smaller side has halvings, six at most.
+// One resolution for each halving of the smaller side, six at most.
 int resolutions(const SamplePlane& plane) {
   int count = 1;
   for (uint32_t side = std::min(plane.width, plane.height); side > 1 && count < 6; side /= 2) {
@@ -85,14 +50,10 @@ int resolutions(const SamplePlane& plane) {
 std::optional<std::vector<uint8_t>> encode_to_distortion(const SamplePlane& plane,
                                                          SamplePrecision precision, float psnr) {
   Sink sink;
-  const Stream stream(opj_stream_create(OPJ_J2K_STREAM_CHUNK_SIZE, OPJ_FALSE));
+  const Stream stream = open_sink(sink);
   const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
   const Image image = make_image(plane, precision);
   if (!stream || !codec || !image) return std::nullopt;
-  opj_stream_set_user_data(stream.get(), &sink, nullptr);
-  opj_stream_set_write_function(stream.get(), write_sink);
-  opj_stream_set_skip_function(stream.get(), skip_sink);
-  opj_stream_set_seek_function(stream.get(), seek_sink);
   silence(codec.get());
 
   opj_cparameters_t parameters;

@@ -15,10 +15,9 @@ struct SamplePrecision {
   bool is_signed = false;
 };
 
-/// Decodes a codestream, all of whose bytes are there but whose packets may leave out coding passes
-/// (EXT-6), of one component that must have the shape `width` x `height` and
-/// `precision`. Nothing where it cannot be decoded or differs in shape; the shape is checked before
-/// samples are allocated.
+/// Decodes a complete codestream, whose packets may leave out coding passes (EXT-6), of one
+/// component of `width` x `height` samples with `precision`. Nothing where it cannot be decoded or
+/// has another shape, which is checked before samples are allocated.
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
                                            uint32_t height, SamplePrecision precision);
 
@@ -36,9 +35,9 @@ std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& pla
 
 /// Whether `codestream` has the head that KEY-2 asks for: one component and one tile of exactly
 /// `width` x `height` samples at the origin, the reversible 5/3 transform, precincts of the
-/// greatest size, no marker segments but SIZ, COD, QCD and COM, and one tile-part, without segments
+/// largest size, no marker segments but SIZ, COD, QCD and COM, and one tile-part, without segments
 /// of its own, that ends at the EOC marker that ends the codestream (ISO/IEC 15444-1, annex A).
-/// What a decoder needs for such a codestream is in proportion to its samples.
+/// The memory that such a codestream needs is proportional to its samples.
 bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uint32_t height);
 
 }  // namespace hmlfc

@@ -21,8 +21,8 @@ uint32_t sample_crc(const SamplePlane& plane);
 /// Checks the whole TOP table (KEY-1): bad_section_size, bad_top_entry.
 Result<void> check_top_table(const StreamView& stream);
 
-/// Decodes planes of key images on first use and keeps them. Each is decoded whole, however little
-/// of it is read: its errors are those of all of its samples (KEY-3). Thread-safe.
+/// Decodes planes of key images on first use and keeps them. A plane is always decoded whole: its
+/// errors are those of all its samples (KEY-3). Thread-safe.
 class KeyImages {
  public:
   explicit KeyImages(const StreamView& stream) : stream_(stream) {}

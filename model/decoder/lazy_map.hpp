@@ -1,4 +1,4 @@
-// Values that are made once, on first use, by whichever thread needs them first.
+// Values that the first thread that needs them makes.
 #pragma once
 
 #include <atomic>
@@ -20,8 +20,8 @@ class LazyMap {
  public:
   using Pointer = std::shared_ptr<const Value>;
 
-  /// The value of `key`, made by `make() -> Result<Pointer>` where it is not there yet. Threads
-  /// that want the same key wait for the one that makes it; others do not.
+  /// The value of `key`; if there is none yet, `make() -> Result<Pointer>` makes it. Threads that
+  /// want the same key wait for the one that makes it; others do not.
   template <class Make>
   Result<Pointer> get(uint64_t key, const Make& make) {
     const std::shared_ptr<Slot> slot = slot_of(key);

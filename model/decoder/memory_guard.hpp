@@ -1,4 +1,4 @@
-// Running out of memory as a named error: no exception crosses the library's interface.
+// Want of memory as a named error: no exception crosses the library's interface.
 #pragma once
 
 #include <new>
@@ -7,7 +7,7 @@
 
 namespace hmlfc {
 
-/// body(), a function that returns a Result; out_of_memory where it throws std::bad_alloc.
+/// The Result of body(), or out_of_memory if it throws std::bad_alloc.
 template <class Body>
 auto guard_memory(const Body& body) -> decltype(body()) {
   try {

@@ -13,7 +13,7 @@ namespace hmlfc {
 /// The stream in `file`, checked.
 Result<StreamView> open_stream(std::span<const uint8_t> file, const OpenOptions& options);
 
-/// For the parts of this project that take up a stream that a Decoder has opened.
+/// Access to the stream of a Decoder, for the other parts of this project.
 struct DecoderAccess {
   /// The stream; it lives as long as the decoder, also when the decoder is moved.
   static const StreamView& stream(const Decoder& decoder);

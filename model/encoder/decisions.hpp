@@ -53,6 +53,13 @@ class LevelImages {
   const Geometry& geometry() const { return geometry_; }
   const LevelShape& shape() const { return geometry_.level(level_); }
 
+  /// Reference groups of the level, numbered row by row.
+  size_t group_count() const { return size_t{shape().group_rows()} * shape().group_cols(); }
+  size_t group_of(ImagePos at) const {
+    const ImagePos g = geometry_.group_of(level_, at);
+    return size_t{g.row} * shape().group_cols() + g.col;
+  }
+
   /// The images of the level (STR-4), row by row.
   const std::vector<ImagePos>& references() const { return references_; }
   const std::vector<ImagePos>& predictive() const { return predictive_; }
@@ -91,14 +98,14 @@ class LevelDecisions {
   virtual void take_key(ImagePos at, const ImagePlanes& decoded) = 0;
 
   /// Codes a reference image that is no key image.
-  virtual EncodedImage encode_reference(ImagePos at, ImagePlanes original) = 0;
+  virtual EncodedImage encode_reference(ImagePos at, const ImagePlanes& original) = 0;
 
   /// Decides what the images of the group of `reference` share. Returns the records of the motion
   /// plane of `reference`; none in a stream without shared disparities.
   virtual PlaneCode decide_group(ImagePos reference) = 0;
 
   /// Codes an image from its parent and the references of this level.
-  virtual EncodedImage encode_predictive(ImagePos at, ImagePlanes original) = 0;
+  virtual EncodedImage encode_predictive(ImagePos at, const ImagePlanes& original) = 0;
 };
 
 /// The decisions of one encoding, for fixed parameters.

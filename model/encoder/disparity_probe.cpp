@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "encoder/disparity_search.hpp"
-#include "encoder/subpel_prediction.hpp"
+#include "encoder/motion_prediction.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 

@@ -7,7 +7,7 @@
 #include "arithmetic/bise.hpp"
 #include "arithmetic/rounding.hpp"
 #include "bits/parallel.hpp"
-#include "encoder/subpel_prediction.hpp"
+#include "encoder/motion_prediction.hpp"
 
 namespace hmlfc {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "encoder/decisions.hpp"
 #include "encoder/motion_decision.hpp"
+#include "encoder/motion_prediction.hpp"
 #include "encoder/plane_targets.hpp"
-#include "encoder/predicted_plane.hpp"
 #include "encoder/residual_plane.hpp"
 #include "syntax/geometry.hpp"
 
@@ -36,13 +36,13 @@ class ExtendedLevel final : public LevelDecisions {
         geometry_(images.geometry()),
         header_(images.header()),
         motion_(header_.has(Feature::kMotionTiles)),
-        groups_(size_t{images.shape().group_rows()} * images.shape().group_cols()) {}
+        groups_(images.group_count()) {}
 
   void take_key(ImagePos at, const ImagePlanes& decoded) override {
     for (const Plane plane : kPlanes) keep(at, plane, decoded[static_cast<size_t>(plane)]);
   }
 
-  EncodedImage encode_reference(ImagePos at, ImagePlanes original) override {
+  EncodedImage encode_reference(ImagePos at, const ImagePlanes& original) override {
     EncodedImage image;
     for (const Plane plane : kPlanes) {
       const SamplePlane prediction = from_parent(at, plane, original[static_cast<size_t>(plane)]);
@@ -69,7 +69,7 @@ class ExtendedLevel final : public LevelDecisions {
     return disparity_records(own.grid);
   }
 
-  EncodedImage encode_predictive(ImagePos at, ImagePlanes original) override {
+  EncodedImage encode_predictive(ImagePos at, const ImagePlanes& original) override {
     EncodedImage image;
     if (!motion_) {
       for (const Plane plane : kPlanes) {
@@ -94,10 +94,7 @@ class ExtendedLevel final : public LevelDecisions {
   }
 
  private:
-  GroupReference& group(ImagePos at) {
-    const ImagePos g = geometry_.group_of(images_.level(), at);
-    return groups_[size_t{g.row} * images_.shape().group_cols() + g.col];
-  }
+  GroupReference& group(ImagePos at) { return groups_[images_.group_of(at)]; }
 
   // Keeps what images of the group of `at` and of its neighbours refer to, if there are any.
   void keep(ImagePos at, Plane plane, const SamplePlane& samples) {

@@ -192,37 +192,30 @@ class PlaneEncoder {
 class MainLevel final : public LevelDecisions {
  public:
   MainLevel(const EncodeParams& params, const LevelImages& images)
-      : params_(params),
-        images_(images),
-        groups_(size_t{images.shape().group_rows()} * images.shape().group_cols()) {}
+      : params_(params), images_(images), groups_(images.group_count()) {}
 
   void take_key(ImagePos at, const ImagePlanes& decoded) override {
     for (const Plane plane : kPlanes) keep(at, plane, decoded[static_cast<size_t>(plane)]);
   }
 
-  EncodedImage encode_reference(ImagePos at, ImagePlanes original) override {
+  EncodedImage encode_reference(ImagePos at, const ImagePlanes& original) override {
     return encode_image(at, original, params_.main.threshold_ref, true);
   }
 
   PlaneCode decide_group(ImagePos) override { return {}; }
 
-  EncodedImage encode_predictive(ImagePos at, ImagePlanes original) override {
+  EncodedImage encode_predictive(ImagePos at, const ImagePlanes& original) override {
     return encode_image(at, original, params_.main.threshold_pred, false);
   }
 
  private:
   using References = std::array<std::optional<ReferencePlane>, kPlaneCount>;
 
-  References& group(ImagePos at) {
-    const ImagePos g = images_.geometry().group_of(images_.level(), at);
-    return groups_[size_t{g.row} * images_.shape().group_cols() + g.col];
-  }
-
   // Keeps what the images of the group of `at` refer to, if there are any.
   void keep(ImagePos at, Plane plane, const SamplePlane& samples) {
     if (images_.predictive().empty()) return;
     const PlaneShape& shape = images_.geometry().plane(plane);
-    group(at)[static_cast<size_t>(plane)].emplace(
+    groups_[images_.group_of(at)][static_cast<size_t>(plane)].emplace(
         cropped(samples, shape.width, shape.height).samples, shape.width, shape.height,
         images_.header().window);
   }
@@ -240,7 +233,7 @@ class MainLevel final : public LevelDecisions {
                      threshold,
                      original[p],
                      images_.parent(at, plane)};
-      if (!is_reference) task.reference = &*group(at)[p];
+      if (!is_reference) task.reference = &*groups_[images_.group_of(at)][p];
       EncodedPlane encoded = PlaneEncoder(task).run();
       if (is_reference) keep(at, plane, encoded.residuals);
       image.code[p] = std::move(encoded.code);

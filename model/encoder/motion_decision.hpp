@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "encoder/motion_prediction.hpp"
 #include "encoder/rate_distortion.hpp"
-#include "encoder/subpel_prediction.hpp"
 #include "syntax/motion_tile.hpp"
 
 namespace hmlfc {

@@ -49,9 +49,9 @@ class PaddedPlane {
 /// sample inside (each coordinate clamped on its own). Those positions are stored, so that a search
 /// never branches on a border.
 ///
-/// Memory: 4 bytes a stored sample (2 the sample, 2 the sum of its 2x2 square). Stored are (width +
-/// 2 * max_window + 40, rounded up to 32) x (height + 2 * max_window + 8) samples: 1.4 MB for
-/// 700x400 and a window of 16.
+/// Memory: 4 bytes per stored sample (2 for the sample, 2 for the sum of its 2x2 square). Stored
+/// are (width + 2 * max_window + 40, rounded up to 32) x (height + 2 * max_window + 8) samples: 1.4
+/// MB for 700x400 and a window of 16.
 ///
 /// Immutable once built: any number of threads may search in one plane.
 class ReferencePlane {

@@ -88,7 +88,7 @@ class KeyTrial {
   double least_ = std::numeric_limits<double>::max();
 };
 
-void choose_key_errors(const LightField& light_field, const StreamHeader& header,
+void decide_key_errors(const LightField& light_field, const StreamHeader& header,
                        PlaneTargets& targets) {
   const Geometry geometry(header);
   const LevelShape& level = geometry.level(0);
@@ -135,7 +135,7 @@ PlaneTargets plane_targets(const LightField& light_field, const StreamHeader& he
     rules.step_code = step_code_of(rules.lambda);
     rules.steps_around = effort_of(params.extended.preset).steps_around;
   }
-  if (!params.lossless) choose_key_errors(light_field, header, targets);
+  if (!params.lossless) decide_key_errors(light_field, header, targets);
   return targets;
 }
 

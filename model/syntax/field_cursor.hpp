@@ -14,8 +14,8 @@
 
 namespace hmlfc {
 
-/// A position in a tile record that moves over named fields. A field past the end of the record
-/// reads as 0 and sets overrun(); the caller checks it before the value matters.
+/// Reads the named fields of a tile record in turn. A field past the end of the record reads as 0
+/// and sets overrun(), which the caller checks before it uses the value.
 class FieldCursor {
  public:
   /// `file_bit`: address of the record's first bit from the start of the file.

@@ -8,7 +8,7 @@
 namespace hmlfc {
 namespace {
 
-// Lanes of a group record and of a root entry (IDX-3, IDX-4).
+// Tiles of a tile group, and tile groups of a root entry (IDX-3, IDX-4).
 constexpr uint64_t kLanes = 64;
 
 PlaneShape plane_shape(const StreamHeader& header, Plane plane) {
@@ -32,7 +32,7 @@ MotionPlaneShape motion_plane_shape(const PlaneShape& plane, unsigned tile_log2)
   return shape;
 }
 
-// The groups of one row or column of images: `count` images, groups of `size` (STR-4, EXT-3).
+// The reference groups of one row or column of `count` images, in groups of `size` (STR-4, EXT-3).
 struct GroupLine {
   uint32_t count;
   uint32_t size;
@@ -167,8 +167,8 @@ uint64_t Geometry::key_number(int l, ImagePos at) const {
 
 namespace {
 
-// i' of MOT-7: the group next to `group` of `groups` on the side of place `at`, the reference image
-// of the group being at `reference`.
+// i' of MOT-7: the reference group next to `group`, of `groups`, on that side of its reference
+// image (at `reference`) on which `at` lies.
 uint32_t next_group(uint32_t group, uint32_t groups, uint32_t at, uint32_t reference) {
   if (groups == 1) return group;
   const bool up = at >= reference ? group + 1 < groups : group == 0;

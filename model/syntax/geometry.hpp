@@ -50,7 +50,7 @@ struct LevelShape {
   uint32_t ref_cols = 1;
   uint64_t first_image = 0;  ///< F_l of IDX-1
   bool keyed = false;        ///< its reference images are key images (EXT-4)
-  bool balanced = false;     ///< its groups are those of EXT-3
+  bool balanced = false;     ///< its reference groups are those of EXT-3
   uint64_t first_key = 0;    ///< number of its first key image, in ascending image numbers (KEY-1)
 
   uint32_t group_rows() const;
@@ -140,13 +140,13 @@ class Geometry {
   void add_levels(const StreamHeader& header);
 };
 
-/// K0, K1, K2 and K3 of MOT-7; they need not differ.
+/// K0, K1, K2 and K3 of MOT-7; some may be the same image.
 using ReferenceImages = std::array<ImagePos, 4>;
 
 /// The reference images of image `at` of level `l`.
 ReferenceImages reference_images(const Geometry& geometry, int l, ImagePos at);
 
-/// What a value of reference_set stands for: one or two of K0 to K3.
+/// The meaning of a value of reference_set: one or two of K0 to K3.
 struct ReferenceSet {
   unsigned count;                    ///< 1 or 2
   std::array<uint8_t, 2> reference;  ///< the second has no meaning with count 1

@@ -40,7 +40,7 @@ tl::unexpected<Error> bad_field(size_t offset) {
 }
 
 // Calls visit(field, bytes, lo, hi) for the fields from rows to tree_height (FIL-1), in their order
-// and without gaps, then for those of EXT-2. Intervals may depend on fields before.
+// and without gaps, then for those of EXT-2. An interval may depend on earlier fields.
 template <class Header, class Visit>
 void each_field(Header& h, const Visit& visit) {
   visit(h.rows, 2, 1, kMaxGrid);
@@ -152,7 +152,7 @@ Result<void> load_levels(std::span<const uint8_t> file, StreamHeader& header) {
   return {};
 }
 
-// A size so large that the sum with its offset wraps is past the end as well.
+// A size whose sum with the offset would wrap is past the end as well.
 Result<void> check_section_ends(uint64_t file_size, const StreamHeader& header) {
   for (const SectionEntry& entry : header.sections) {
     if (entry.size > file_size || entry.offset > file_size - entry.size) {

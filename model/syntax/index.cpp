@@ -18,7 +18,7 @@ struct GroupRecord {
   unsigned offset_bits = 0;
 };
 
-// A record number as the stream gives it: first + rank, whose sum may lie past 2^64.
+// A record number as the stream gives it: first + rank, a sum that may exceed 64 bits.
 struct GroupNumber {
   uint64_t first = 0;
   uint64_t rank = 0;
@@ -73,7 +73,7 @@ Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNu
   return record;
 }
 
-// Reads the ends of the record before and of this one from the end table (IDX-6).
+// Reads where the record before ends, and this one, from the end table (IDX-6).
 Result<TileExtent> load_extent(const StreamView& stream, const GroupRecord& group, unsigned lane,
                                const Probe& probe) {
   const auto tiles = stream.bytes(Section::kTile);

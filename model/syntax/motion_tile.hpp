@@ -27,7 +27,7 @@ inline constexpr uint8_t kLastNeighbour = 9;
 inline constexpr uint8_t kChoiceDisparity = 10;
 inline constexpr uint8_t kChoiceVector = 11;
 
-/// Columns and rows of grid blocks to where choices 1 to 9 look; entry 0 has no meaning (MOT-5).
+/// Offset of the grid block of choices 1 to 9 in columns and rows (MOT-5); entry 0 is not used.
 inline constexpr std::array<std::array<int32_t, 2>, 10> kChoiceMoves{
     {{0, 0}, {0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 
@@ -63,7 +63,7 @@ struct MotionContext {
 /// The context of motion tile `place` of a predictive image.
 MotionContext motion_context(const StreamView& stream, const MotionTilePlace& place);
 
-/// Everything of a record but the indices, which are there: they begin at bit indices_at.
+/// A record without its indices, which begin at bit indices_at and are complete.
 struct MotionHead {
   unsigned block_log2 = 2;  ///< log2 of m, [2, 7]
   unsigned entries = 1;     ///< [1, 8]
@@ -77,7 +77,7 @@ struct MotionHead {
 };
 
 /// Reads the record at the cursor up to its indices. Errors: tile_overrun, also where an index is
-/// not there, and bad_mode.
+/// missing, and bad_mode.
 Result<MotionHead> read_motion_head(FieldCursor& cursor, const MotionContext& context);
 
 /// What every block of an empty motion tile has (MOT-4): one motion block of S x S samples.
@@ -128,7 +128,7 @@ struct MotionTileCode {
 /// The record of `tile`; empty for an empty tile.
 std::vector<uint8_t> write_motion_tile(const MotionTileCode& tile, const PaletteFields& fields);
 
-/// Greatest level code of disparities: that of 1024 levels.
+/// Largest level code of disparities: that of 1024 levels.
 inline constexpr unsigned kMaxDisparityCode = 27;
 
 /// The grid blocks of one motion tile that lie at least partly in the plane.
@@ -142,15 +142,15 @@ struct DisparityContext {
 /// The context of motion tile `place` of a reference image; the stream has shared_disparity.
 DisparityContext disparity_context(const StreamView& stream, const MotionTilePlace& place);
 
-/// Everything of a record but its values, which are there: they begin at bit values_at.
+/// A record without its values, which begin at bit values_at and are complete.
 struct DisparityHead {
   int32_t min_disparity = 0;  ///< [-4096, 4095]
   Levels levels;
   uint64_t values_at = 0;
 };
 
-/// Reads the record at the cursor up to its values. Errors: tile_overrun, also where a value is not
-/// there, and bad_levels.
+/// Reads the record at the cursor up to its values. Errors: tile_overrun, also where a value is
+/// missing, and bad_levels.
 Result<DisparityHead> read_disparity_head(FieldCursor& cursor, const DisparityContext& context);
 
 /// The disparity of grid block (gx, gy) of the tile, found by position; in [-4096, 4095]. Errors:

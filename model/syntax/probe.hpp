@@ -1,4 +1,4 @@
-// Who watches a decoder at work: an optional trace sink and optional counters.
+// An optional trace sink and optional counters that watch a decoder.
 #pragma once
 
 #include <cstdint>

@@ -30,6 +30,7 @@ ImageInfo image_info(const StreamHeader& header, int level, uint32_t row, uint32
   return {kind, reference.row, reference.col};
 }
 
+// LVL-1 to LVL-3.
 int conformance_level(const StreamHeader& header) {
   const auto keeps = [&](const ConformanceLimits& limits) {
     return std::max(header.rows, header.cols) <= limits.grid_side &&

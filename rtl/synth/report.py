@@ -135,6 +135,9 @@ def speed(spec: str) -> list[str]:
 
 
 def main(arguments: list[str]) -> int:
+    if arguments[:1] in (["--help"], ["-h"]):
+        print(__doc__)
+        return 0
     if arguments[:1] == ["speed"]:
         columns, measure, specs = ["logic cells", "nextpnr MHz", "icetime MHz"], speed, arguments[1:]
     elif arguments[:1] == ["size"] and len(arguments) > 1 and arguments[1] in SYNTH:

@@ -108,7 +108,8 @@ endforeach()
 # Small blocks, little memory: quick to compile, and tiles and strips give way often.
 hmlfc_verilate_unit(hmlfc_FaultyUnit FaultyUnit 1:12:64:4
   SOURCES ${sources}
-  ARGUMENTS "-I${folder}" -GTILE_CONTEXTS=2 -GCACHE_STRIPS=64 -Wno-lint)
+  INCLUDE "${folder}"
+  ARGUMENTS -GTILE_CONTEXTS=2 -GCACHE_STRIPS=64 -Wno-lint)
 configure_file(unit/rtl_faults.cpp.in rtl_faults.cpp @ONLY)
 add_library(hmlfc_rtl_faults STATIC "${CMAKE_CURRENT_BINARY_DIR}/rtl_faults.cpp")
 target_compile_definitions(hmlfc_rtl_faults PRIVATE VM_COVERAGE=0 VM_TRACE=0)

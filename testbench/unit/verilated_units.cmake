@@ -27,10 +27,12 @@ list(PREPEND HMLFC_RTL_SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" "${HMLFC_
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp" "")
 
 # hmlfc_verilate_unit(TARGET PREFIX BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING
-#                     SOURCES file... [INSTRUMENT TRACE_FST or COVERAGE] [ARGUMENTS argument...])
-# The static library TARGET with Verilator's class PREFIX of the unit.
+#                     SOURCES file... [INCLUDE folder] [INSTRUMENT TRACE_FST or COVERAGE]
+#                     [ARGUMENTS argument...])
+# The static library TARGET with Verilator's class PREFIX of the unit. Included files come from the
+# INCLUDE folder, if it has them.
 function(hmlfc_verilate_unit target prefix unit)
-  cmake_parse_arguments(PARSE_ARGV 3 arg "" "INSTRUMENT" "SOURCES;ARGUMENTS")
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "INCLUDE;INSTRUMENT" "SOURCES;ARGUMENTS")
   string(REPLACE ":" ";" values "${unit}")
   set(parameters "")
   foreach(name value IN ZIP_LISTS HMLFC_UNIT_PARAMETERS values)
@@ -41,7 +43,7 @@ function(hmlfc_verilate_unit target prefix unit)
     SOURCES ${arg_SOURCES}
     TOP_MODULE hmlfc_decode_unit
     PREFIX ${prefix}
-    INCLUDE_DIRS "${PROJECT_SOURCE_DIR}/rtl"
+    INCLUDE_DIRS ${arg_INCLUDE} "${PROJECT_SOURCE_DIR}/rtl"
     ${arg_INSTRUMENT}
     OPT_FAST ${HMLFC_VERILATED_OPTIMISATION}
     OPT_SLOW -O0

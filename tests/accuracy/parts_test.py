@@ -12,12 +12,11 @@ import numpy as np
 from PIL import Image
 
 import coding
-import fronts
 import prediction
 from bench_error import BenchError
 from comparison import compare
 from process import run_measured
-from results import Point, Results, read_json, write_csv, write_json
+from results import Point, Results, on_front, read_json, write_csv, write_json
 from store import Store
 from tables import Tables
 
@@ -43,7 +42,7 @@ def results(*points):
 class FrontsTest(unittest.TestCase):
     def test_points_that_others_beat_are_off_the_front(self):
         costs = [(1, 5), (2, 4), (2, 5), (3, 3), (3, 4), (1, 5)]
-        self.assertEqual(fronts.on_front(costs), [True, True, False, True, False, True])
+        self.assertEqual(on_front(costs), [True, True, False, True, False, True])
 
 
 class ComparisonTest(unittest.TestCase):

@@ -1,4 +1,4 @@
-// The arithmetic of one sample against its formulas in 64 bits (TIL-10, DEC-3).
+// The arithmetic of one sample against its formulas in 64 bits (TIL-10, STP-2, STP-3, DEC-3).
 #include "arithmetic/reconstruct.hpp"
 
 #include <algorithm>
@@ -8,15 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "arithmetic/naive_bise.hpp"
+#include "arithmetic/naive_integers.hpp"
 
 namespace hmlfc {
 namespace {
 
-int64_t between(int64_t lo, int64_t x, int64_t hi) { return std::max(lo, std::min(x, hi)); }
-
-int64_t naive_residual(int64_t value, int64_t levels, int64_t bias, int64_t bound) {
-  return between(-bound, value - levels / 2 + bias, bound);
-}
+using test::between;
 
 // The least, the greatest and what lies around 0 and around each end of [lo, hi].
 std::vector<int32_t> boundaries(int32_t lo, int32_t hi) {
@@ -64,37 +61,29 @@ TEST(Reconstruct, BoundarySumsOfEveryDepth) {
   }
 }
 
-// Every value of every level count that depth 8 allows, with every bias.
-TEST(Reconstruct, AllResidualsOfDepth8) {
-  for (const Plane plane : {Plane::kY, Plane::kCo}) {
-    const SampleRange range = sample_range(plane, 8);
-    for (const uint32_t levels : test::naive_level_counts()) {
-      if (levels > 1024) continue;
-      for (int32_t bias = -512; bias <= 511; ++bias) {
-        for (uint32_t value = 0; value < levels; ++value) {
-          ASSERT_EQ(residual_of_value(value, levels, bias, range),
-                    naive_residual(value, levels, bias, range.bound))
-              << value << " of " << levels << ", bias " << bias;
-        }
+// Every value of every level count that the depth allows, with each of `biases`.
+void check_residuals(Plane plane, int depth, const std::vector<int32_t>& biases) {
+  const SampleRange range = sample_range(plane, depth);
+  for (const uint32_t levels : test::naive_level_counts()) {
+    if (levels > (4u << depth)) continue;
+    for (const int32_t bias : biases) {
+      for (uint32_t value = 0; value < levels; ++value) {
+        ASSERT_EQ(residual_of_value(value, levels, bias, range),
+                  between(-range.bound, int64_t{value} - levels / 2 + bias, range.bound))
+            << value << " of " << levels << ", bias " << bias;
       }
     }
   }
 }
 
+TEST(Reconstruct, AllResidualsOfDepth8) {
+  for (const Plane plane : {Plane::kY, Plane::kCo}) check_residuals(plane, 8, all(-512, 511));
+}
+
 TEST(Reconstruct, BoundaryResidualsOfEveryDepth) {
   for (int depth = 9; depth <= 12; ++depth) {
     for (const Plane plane : kPlanes) {
-      const SampleRange range = sample_range(plane, depth);
-      for (const uint32_t levels : test::naive_level_counts()) {
-        if (levels > (4u << depth)) continue;
-        for (const int32_t bias : boundaries(-(2 << depth), (2 << depth) - 1)) {
-          for (uint32_t value = 0; value < levels; ++value) {
-            ASSERT_EQ(residual_of_value(value, levels, bias, range),
-                      naive_residual(value, levels, bias, range.bound))
-                << value << " of " << levels << ", bias " << bias;
-          }
-        }
-      }
+      check_residuals(plane, depth, boundaries(-(2 << depth), (2 << depth) - 1));
     }
   }
 }
@@ -110,6 +99,71 @@ TEST(Reconstruct, ExamplesByHand) {
   const SampleRange co = sample_range(Plane::kCo, 8);
   EXPECT_EQ(motion_prediction(-250, true, 510, co), -255);
   EXPECT_EQ(add_residual(255, -510, co), -255) << "M reaches from one end to the other";
+}
+
+const std::vector<int32_t> kSteps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
+
+// All numbers 2^i and 3 * 2^i up to 256, ascending, are the list of STP-2.
+TEST(Steps, EveryCode) {
+  std::vector<int32_t> found;
+  for (int32_t step = 1; step <= 256; ++step) {
+    int32_t odd = step;
+    while (odd % 2 == 0) odd /= 2;
+    if (odd == 1 || odd == 3) found.push_back(step);
+  }
+  EXPECT_EQ(found, kSteps);
+  ASSERT_EQ(kSteps.size(), kMaxStepCode + 1);
+  for (unsigned code = 0; code <= kMaxStepCode; ++code) {
+    EXPECT_EQ(step_of_code(code), kSteps[code]) << code;
+  }
+}
+
+TEST(Steps, StepOneIsTheResidualOfMain) {
+  for (const Plane plane : {Plane::kY, Plane::kCo}) {
+    const SampleRange range = sample_range(plane, 8);
+    for (const uint32_t levels : test::naive_level_counts()) {
+      if (levels > 1024) break;
+      for (uint32_t value = 0; value < levels; ++value) {
+        for (const int32_t bias : {-512, -3, 0, 1, 511}) {
+          ASSERT_EQ(stepped_residual(value, levels, bias, 1, range),
+                    residual_of_value(value, levels, bias, range));
+        }
+      }
+    }
+  }
+}
+
+// STP-3 in 64 bits, all values of each level count, every step, biases at their ends.
+void check_depth(int depth, const std::vector<uint32_t>& level_counts) {
+  for (const Plane plane : {Plane::kY, Plane::kCg}) {
+    const SampleRange range = sample_range(plane, depth);
+    const int64_t bound = range.hi - range.lo;
+    const int32_t half = 1 << (depth + 1);
+    for (const uint32_t levels : level_counts) {
+      for (uint32_t value = 0; value<levels; value += levels> 64 ? 7 : 1) {
+        for (const int32_t bias : {-half, -half + 1, -17, -1, 0, 1, 30, half - 1}) {
+          for (const int32_t step : kSteps) {
+            const int64_t coded = between(-bound, int64_t{value} - levels / 2 + bias, bound);
+            ASSERT_EQ(stepped_residual(value, levels, bias, step, range),
+                      between(-bound, step * coded, bound))
+                << "value " << value << " of " << levels << ", bias " << bias << ", step " << step;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Steps, ResidualsOfEveryDepth) {
+  for (int depth = 8; depth <= 12; ++depth) check_depth(depth, {1, 2, 3, 40, 1u << (depth + 2)});
+}
+
+// The greatest product before the outer clamp: 256 * M (section 11).
+TEST(Steps, ExtremesAreClamped) {
+  const SampleRange range = sample_range(Plane::kCo, 12);
+  EXPECT_EQ(stepped_residual(16383, 16384, 8191, 256, range), 8190);
+  EXPECT_EQ(stepped_residual(0, 16384, -8192, 256, range), -8190);
+  EXPECT_EQ(stepped_residual(0, 40, 3, 4, sample_range(Plane::kY, 8)), -68);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ HEADS = {"model": "model", "naive": "naive", "rtl": "RTL", "gpu": "GPU"}
 
 def markdown(cells):
     """The lines of the table, and below it the reasons by the letters that stand in its cells."""
-    reasons = [entry["reason"] for entry in cells.reasons]
+    reasons = list(dict.fromkeys(entry["reason"] for entry in cells.reasons))
     letter = dict(zip(reasons, string.ascii_lowercase, strict=False))
     rows = [
         (clause, *vector_cells(cells, clause, letter),

@@ -14,10 +14,11 @@ namespace {
 // BND-1: fields and serial additions of one walk.
 constexpr uint64_t kFieldsPerWalk = 182;
 constexpr uint64_t kStepsPerWalk = 63;
-// BND-3: two fields of the head and a step_delta for each block header more.
+// BND-3: two more fields in the head, and a step_delta in each block header.
 constexpr uint64_t kFieldsPerExtendedWalk = kFieldsPerWalk + 2 + 64;
 
-// Decodes `blocks` random blocks, checks each against the bounds, and returns the most walks.
+// Decodes `blocks` random blocks, checks each against the bounds and returns the largest number of
+// walks.
 uint64_t check_random_blocks(const test::RandomCase& made, uint32_t seed, int blocks) {
   const LightField field = test::textured_light_field(made.shape, seed, made.noise);
   const auto encoded = encode(field, made.params);
@@ -55,6 +56,7 @@ TEST(BoundedAccess, RandomStreamsStayWithinTheStatedBounds) {
 // A tree of three levels in which most blocks are displaced comes near the bound of 16 walks.
 TEST(BoundedAccess, DisplacedBlocksComeNearTheBound) {
   test::RandomCase made;
+  made.params.profile = Profile::kMain;
   made.shape = {8, 8, 48, 48, 8};
   made.noise = 2;
   made.params.main.threshold_ref = 4;

@@ -51,7 +51,7 @@ Result<void> decode_everything(std::span<const uint8_t> file, bool check) {
   return {};
 }
 
-// The header's CRC made right again, so that what lies behind it is reached.
+// Corrects the header's CRC, so that the decoder reads on.
 void mend_header_crc(std::vector<uint8_t>& file) {
   const size_t size = load_le<uint16_t>(file, 10);
   if (size < 148 || size > file.size()) return;
@@ -72,7 +72,7 @@ TEST_P(Corruption, EveryBitFlipIsFound) {
   }
 }
 
-// Without the CRCs the structural checks stand alone: any picture or a named error will do.
+// Without CRCs only the structural checks remain: any picture or a named error is right.
 TEST_P(Corruption, EveryBitFlipBehindTheCrcIsSurvived) {
   const std::vector<uint8_t> good = small_stream(GetParam());
   std::set<ErrorCode> seen;
@@ -86,7 +86,7 @@ TEST_P(Corruption, EveryBitFlipBehindTheCrcIsSurvived) {
     EXPECT_LE(decoded.error().offset, good.size()) << to_string(decoded.error());
     seen.insert(decoded.error().code);
   }
-  // The flips did reach every layer.
+  // The flips reached every layer.
   EXPECT_TRUE(seen.contains(ErrorCode::kBadMagic));
   EXPECT_TRUE(seen.contains(ErrorCode::kBadHeaderField));
   EXPECT_TRUE(seen.contains(ErrorCode::kBadTopCrc));

@@ -9,7 +9,7 @@
 namespace hmlfc {
 namespace {
 
-// Lets 7 threads be 7 on machines with fewer cores.
+// 7 threads also on machines with fewer cores.
 const ThreadLimit kSevenThreads(7);
 
 TEST(Determinism, BytesDoNotDependOnThreads) {

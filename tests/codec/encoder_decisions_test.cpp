@@ -1,4 +1,5 @@
-// Which blocks the encoder codes, and what it halves, seen in the decoded views.
+// Which blocks the encoder codes and what it halves, seen in the decoded views; what it decides for
+// parameters that are left open.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -112,6 +113,43 @@ TEST(EncoderDecisions, SquaresOfOneChromaSurviveHalving) {
       EXPECT_EQ(views[view / 2][view % 2], field.view(view / 2, view % 2).samples)
           << width << " x " << height;
     }
+  }
+}
+
+EncodedStream encoded_noise(const EncodeParams& params) {
+  return *encode(test::textured_light_field({4, 4, 40, 30, 8}, 1, 5), params);
+}
+
+TEST(EncoderDecisions, OpenParametersOfProfileExtended) {
+  const EncodedStream stream = encoded_noise({});
+  const StreamHeader header = Decoder::open(stream.bytes)->header();
+  EXPECT_EQ(header.profile, Profile::kExtended);
+  EXPECT_EQ(header.tree_height, 0);
+  EXPECT_EQ(header.window, 64);
+  EXPECT_EQ(header.levels[0].ref_rows, stream.params.ref_rows);
+  EXPECT_EQ(header.chroma_format, stream.params.chroma);
+  EXPECT_EQ(encoded_noise(stream.params).bytes, stream.bytes);
+}
+
+TEST(EncoderDecisions, OpenParametersOfProfileMain) {
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  const StreamHeader header = Decoder::open(encoded_noise(params).bytes)->header();
+  EXPECT_EQ(header.tree_height, 2);  // of 3: a grid of 4 x 4 can use no more
+  EXPECT_EQ(header.window, 16);
+  EXPECT_EQ(header.levels[0].ref_rows, 8);
+  EXPECT_EQ(header.levels[0].ref_cols, 8);
+  EXPECT_EQ(header.chroma_format, ChromaFormat::k420);
+}
+
+TEST(EncoderDecisions, LosslessKeepsEveryRgbValueInBothProfiles) {
+  for (const Profile profile : {Profile::kMain, Profile::kExtended}) {
+    EncodeParams params;
+    params.profile = profile;
+    params.lossless = true;
+    const EncodedStream stream = encoded_noise(params);
+    EXPECT_EQ(stream.params.chroma, ChromaFormat::k444);
+    EXPECT_EQ(stream.error.rgb_squares, 0u);
   }
 }
 

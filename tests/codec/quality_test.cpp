@@ -61,7 +61,7 @@ TEST(Quality, TargetPsnrIsReachedAndNotMuchMore) {
     if (rgb_psnr(*encoded) < target + 0.03) continue;
     // Not within the tolerance: then a quarter of quality less must miss the target.
     EncodeParams coarser = encoded->params;
-    coarser.quality -= 0.25;
+    coarser.extended.quality -= 0.25;
     const auto missed = encode(field, coarser);
     ASSERT_TRUE(missed.has_value());
     EXPECT_LT(rgb_psnr(*missed), target);

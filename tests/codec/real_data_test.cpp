@@ -8,13 +8,13 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
+#include "io/data_folder.hpp"
 #include "io/light_field_files.hpp"
-#include "support/data_dir.hpp"
 
 namespace hmlfc {
 namespace {
 
-// Recorded with `hmlfc encode FOLDER --threshold-ref 75 --threshold-pred 75`, which measures the
+// Recorded with `hmlfc encode FOLDER --profile main`, which measures the
 // decoded file; a change of format or encoder that moves these must say why.
 struct Record {
   const char* folder;
@@ -42,7 +42,7 @@ class RealData : public ::testing::TestWithParam<Record> {};
 
 TEST_P(RealData, EncodesDecodesAndMatchesTheRecord) {
   const Record& record = GetParam();
-  const auto folder = test::real_data(record.folder);
+  const auto folder = real_data(record.folder);
   if (!folder) GTEST_SKIP() << record.folder << " is not in HMLFC_DATA_DIR";
   const auto views = io::list_views(*folder);
   ASSERT_TRUE(views.has_value()) << views.error().message;

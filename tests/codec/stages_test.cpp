@@ -99,7 +99,7 @@ TEST(Stages, EachFollowsFromThoseBefore) {
       ASSERT_TRUE(decoder->decode_block(address, {.trace = &check}).has_value());
     }
   }
-  // The streams did contain what the rules are about.
+  // The streams contained every case of the rules.
   EXPECT_GT(counts.predictions, 500);
   EXPECT_GT(counts.clamped_predictions, 50);
 }

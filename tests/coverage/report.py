@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Lines and branches of the decode path that the vectors reach, by file.
 
-Runs vector_check on the suite and reads its counters with gcovr. What is no part of decoding stands
-in ../decode_path/not_decoding.json with the reason; lines that no vector reaches stand in
-unreached.json, lines with a branch that none takes in untaken.json, by reasons. Exit status 1: a line or
-branch is not explained, an explanation fits none, or a vector fails.
+Runs vector_check on the suite and reads its counters with gcovr. Code that is not part of decoding is
+in ../decode_path/not_decoding.json, lines that no vector reaches in unreached.json, lines with a branch
+that none takes in untaken.json, each with the reason. Exit status 1: a line or branch is not explained,
+an explanation fits none, or a vector fails.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from scope import LAYERS, not_decoding  # noqa: E402
 
 
 def measure(build, root):
-    """gcovr's data of the decode path, file name to its lines."""
+    """gcovr's data of the decode path: file name to its lines."""
     command = [
         *("gcovr", "--root", str(root), "--json", "-", "--exclude-unreachable-branches"),
         *("--exclude-throw-branches", "--filter", f"{root}/model/({'|'.join(LAYERS)})/"),
@@ -29,10 +29,7 @@ def measure(build, root):
     ]
     result = subprocess.run(command, stdout=subprocess.PIPE, check=True)
     data = json.loads(result.stdout)
-    return {
-        entry["file"].removeprefix("model/"): entry["lines"]
-        for entry in data["files"]
-    }
+    return {entry["file"].removeprefix("model/"): entry["lines"] for entry in data["files"]}
 
 
 def summarise(files, skipped):
@@ -46,15 +43,8 @@ def summarise(files, skipped):
         if not lines:
             continue
         branches = [b for l in lines for b in l["branches"]]
-        rows.append(
-            (
-                name,
-                len(lines),
-                sum(l["count"] > 0 for l in lines),
-                len(branches),
-                sum(b["count"] > 0 for b in branches),
-            )
-        )
+        reached, taken = (sum(x["count"] > 0 for x in part) for part in (lines, branches))
+        rows.append((name, len(lines), reached, len(branches), taken))
         lines_missed += [(name, l["line_number"]) for l in lines if l["count"] == 0]
         branches_missed += [
             (name, l["line_number"])
@@ -84,8 +74,8 @@ def text_of(model, name, number):
 
 
 def explain(model, missed, file):
-    """Splits the places of `missed`, (file, line number), into explained and not; explanations that fit
-    none come third, as (file, text of the line)."""
+    """Splits `missed`, pairs (file, line number), into explained and open places. Third: explanations
+    that fit none, as (file, text of the line)."""
     reasons = {
         (name, line): group["reason"]
         for group in json.loads((FOLDER / file).read_text())

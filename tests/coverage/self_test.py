@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plants lines and branches that are not reached: report.py must count and name each."""
+"""Plants unreached lines and branches: report.py must count and name each."""
 
 import json
 import tempfile
@@ -36,7 +36,7 @@ class Report(unittest.TestCase):
         self.assertEqual(rows, [("bits/half.cpp", 3, 2, 2, 1)])
         self.assertEqual((lines, branches), ([("bits/half.cpp", 3)], [("bits/half.cpp", 2)]))
 
-    def test_what_is_no_part_of_decoding(self):
+    def test_what_is_not_part_of_decoding(self):
         self.assertEqual(report.summarise(self.files, {"bits/half.cpp": None}), ([], [], []))
         rows, lines, _ = report.summarise(self.files, {"bits/half.cpp": {3}})
         self.assertEqual((rows[0][1], lines), (2, []))

@@ -86,8 +86,7 @@ TEST(DecodeAll, OfDamagedStreams) {
     const uint32_t flags = test::draw_flags(random) | (round % 2 == 0 ? 128 : 0);
     const NaiveStream stream(random, test::draw_extended_header(random, flags), 3);
     Bytes file = stream.file();
-    OpenOptions options;
-    options.check_sections = false;
+    const OpenOptions options{.check_sections = false};
     const StreamHeader header = Decoder::open(file)->header();
     const SectionEntry& tiles = header.sections[3];
     if (tiles.size > 0) file[tiles.offset + random() % tiles.size] ^= 0x10;

@@ -154,17 +154,11 @@ uint64_t check_block(const NaiveStream& stream, const Decoder& decoder, const Bl
 /// Checks random blocks of `stream`; counts them by the most walks of one level.
 void check_blocks(std::mt19937& random, const NaiveStream& stream, int blocks,
                   std::map<uint64_t, int>& found) {
-  const StreamHeader& header = stream.header();
   const auto file = stream.file();
   const auto decoder = Decoder::open(file);
   ASSERT_TRUE(decoder.has_value());
   for (int i = 0; i < blocks; ++i) {
-    const Plane plane = kPlanes[random() % 3];
-    const NaiveSize size = stream.tree().plane_blocks(plane);
-    const auto below = [&](uint32_t end) { return static_cast<uint32_t>(random() % end); };
-    const BlockAddress at{
-        {below(header.rows), below(header.cols)}, plane, below(size.width), below(size.height)};
-    ++found[check_block(stream, *decoder, at)];
+    ++found[check_block(stream, *decoder, test::draw_block(random, stream))];
   }
 }
 

@@ -53,8 +53,7 @@ Bytes bad_disparities() { return NaiveBits().put(0, 13).put(31, 5).bytes(); }
 Bytes bad_residuals() { return NaiveBits().put(1, 2).put(0, 6).put(7, 3).put(0, 64).bytes(); }
 
 std::string outcome(const Bytes& file, ReferenceMode mode) {
-  OpenOptions options;
-  options.check_sections = false;
+  const OpenOptions options{.check_sections = false};
   const auto decoder = Decoder::open(file, options);
   const BlockAddress at{{0, 2}, Plane::kY, 0, 0};
   const auto block = decoder->decode_block(at, {.references = mode});
@@ -150,8 +149,7 @@ TEST(ExtendedOrder, AncestorsAboveAKeyImageMayBeDamaged) {
   for (uint64_t plane = 0; plane < 3; ++plane) {
     file[h.sections[0].offset + 16 * plane + 12] ^= 1;  // the key image of the top level
   }
-  OpenOptions options;
-  options.check_sections = false;
+  const OpenOptions options{.check_sections = false};
   const auto decoder = Decoder::open(file, options);
   ASSERT_TRUE(decoder.has_value());
   for (uint32_t col = 0; col < 6; ++col) {

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <random>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <openjpeg.h>
 
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "decoder/naive_stream.hpp"
+#include "decoder/openjpeg_sink.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc {
@@ -24,50 +23,23 @@ using test::Bytes;
 
 constexpr uint32_t kCodeBlock = 16;
 
-struct Sink {
-  Bytes bytes;
-  size_t at = 0;
-};
-
-OPJ_SIZE_T write(void* buffer, OPJ_SIZE_T count, void* user) {
-  auto& sink = *static_cast<Sink*>(user);
-  if (sink.bytes.size() < sink.at + count) sink.bytes.resize(sink.at + count);
-  std::memcpy(sink.bytes.data() + sink.at, buffer, count);
-  sink.at += count;
-  return count;
-}
-
-OPJ_BOOL seek(OPJ_OFF_T position, void* user) {
-  static_cast<Sink*>(user)->at = static_cast<size_t>(position);
-  return OPJ_TRUE;
-}
-
-OPJ_OFF_T skip(OPJ_OFF_T count, void* user) {
-  static_cast<Sink*>(user)->at += static_cast<size_t>(count);
-  return count;
-}
-
 /// A codestream of `resolutions` resolutions and code-blocks of 16 x 16, cut by rate to about
 /// 1 / `ratio` of its samples' bytes.
 Bytes lossy_codestream(const SamplePlane& plane, SamplePrecision precision, int resolutions,
                        float ratio) {
-  Sink sink;
+  openjpeg::Sink sink;
   opj_image_cmptparm_t component{};
   component.dx = component.dy = 1;
   component.w = plane.width;
   component.h = plane.height;
   component.prec = static_cast<OPJ_UINT32>(precision.bits);
   component.sgnd = precision.is_signed ? 1 : 0;
-  opj_image_t* image = opj_image_create(1, &component, OPJ_CLRSPC_GRAY);
+  const openjpeg::Image image(opj_image_create(1, &component, OPJ_CLRSPC_GRAY));
   image->x1 = plane.width;
   image->y1 = plane.height;
   std::copy(plane.samples.begin(), plane.samples.end(), image->comps[0].data);
-  opj_stream_t* stream = opj_stream_create(OPJ_J2K_STREAM_CHUNK_SIZE, OPJ_FALSE);
-  opj_stream_set_user_data(stream, &sink, nullptr);
-  opj_stream_set_write_function(stream, write);
-  opj_stream_set_skip_function(stream, skip);
-  opj_stream_set_seek_function(stream, seek);
-  opj_codec_t* codec = opj_create_compress(OPJ_CODEC_J2K);
+  const openjpeg::Stream stream = openjpeg::open_sink(sink);
+  const openjpeg::Codec codec(opj_create_compress(OPJ_CODEC_J2K));
   opj_cparameters_t parameters;
   opj_set_default_encoder_parameters(&parameters);
   parameters.numresolution = resolutions;
@@ -78,13 +50,9 @@ Bytes lossy_codestream(const SamplePlane& plane, SamplePrecision precision, int 
   parameters.cp_disto_alloc = 1;
   char no_comment[] = "";
   parameters.cp_comment = no_comment;
-  const bool done = opj_setup_encoder(codec, &parameters, image) &&
-                    opj_start_compress(codec, image, stream) && opj_encode(codec, stream) &&
-                    opj_end_compress(codec, stream);
-  EXPECT_TRUE(done);
-  opj_stream_destroy(stream);
-  opj_destroy_codec(codec);
-  opj_image_destroy(image);
+  EXPECT_TRUE(opj_setup_encoder(codec.get(), &parameters, image.get()) &&
+              opj_start_compress(codec.get(), image.get(), stream.get()) &&
+              opj_encode(codec.get(), stream.get()) && opj_end_compress(codec.get(), stream.get()));
   return sink.bytes;
 }
 

@@ -236,4 +236,14 @@ StreamHeader draw_stream_header(std::mt19937& random) {
   return header;
 }
 
+BlockAddress draw_block(std::mt19937& random, const NaiveStream& stream) {
+  const auto below = [&](uint32_t end) { return static_cast<uint32_t>(random() % end); };
+  const Plane plane = kPlanes[random() % 3];
+  const NaiveSize blocks = stream.tree().plane_blocks(plane);
+  return {{below(stream.header().rows), below(stream.header().cols)},
+          plane,
+          below(blocks.width),
+          below(blocks.height)};
+}
+
 }  // namespace hmlfc::test

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <hmlfc/decoder.hpp>
 #include <hmlfc/error.hpp>
 
 #include "decoder/sample_plane.hpp"
@@ -109,6 +110,9 @@ StreamHeader draw_stream_header(std::mt19937& random);
 
 /// The same of profile extended with `flags`, which fit together (EXT-1).
 StreamHeader draw_extended_header(std::mt19937& random, uint32_t flags);
+
+/// Any block of any view.
+BlockAddress draw_block(std::mt19937& random, const NaiveStream& stream);
 
 /// Any flags that fit together.
 uint32_t draw_flags(std::mt19937& random);

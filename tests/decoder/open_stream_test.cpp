@@ -41,8 +41,7 @@ std::string outcome(const Bytes& file, const OpenOptions& options = {}) {
 
 TEST(OpenStream, WithoutFault) {
   EXPECT_EQ(outcome(good_file()), "ok");
-  OpenOptions options;
-  options.check_sections = false;
+  const OpenOptions options{.check_sections = false};
   EXPECT_EQ(outcome(good_file(), options), "ok");
 }
 
@@ -58,8 +57,7 @@ TEST(OpenStream, SectionCrc) {
     const std::string expected = "bad_section_crc in " + names[section] + " at byte " +
                                  std::to_string(offset) + ": a section is damaged";
     EXPECT_EQ(outcome(file), expected);
-    OpenOptions options;
-    options.check_sections = false;
+    const OpenOptions options{.check_sections = false};
     EXPECT_EQ(outcome(file, options), "ok");
   }
 }

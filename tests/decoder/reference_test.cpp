@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "arithmetic/naive_integers.hpp"
 #include "decoder/fast/reference_reader.hpp"
 #include "decoder/golden/block_decoder.hpp"
 #include "decoder/naive_stream.hpp"
@@ -18,9 +19,8 @@
 namespace hmlfc {
 namespace {
 
+using test::between;
 using test::NaiveStream;
-
-int64_t between(int64_t lo, int64_t x, int64_t hi) { return std::max(lo, std::min(x, hi)); }
 
 /// A plane whose sample (x, y) is 100 * y + x, and poison outside.
 class PlaneOfNumbers {

@@ -118,17 +118,12 @@ struct Told {
 };
 
 void check_stream(std::mt19937& random, const NaiveStream& stream, Told& told) {
-  const StreamHeader& header = stream.header();
   const Bytes file = stream.file();
   const NaiveBits bits(file);
   const auto decoder = Decoder::open(file);
   ASSERT_TRUE(decoder.has_value());
   for (int i = 0; i < 40; ++i) {
-    const Plane plane = kPlanes[random() % 3];
-    const NaiveSize blocks = stream.tree().plane_blocks(plane);
-    const auto below = [&](uint32_t end) { return static_cast<uint32_t>(random() % end); };
-    const BlockAddress at{
-        {below(header.rows), below(header.cols)}, plane, below(blocks.width), below(blocks.height)};
+    const BlockAddress at = test::draw_block(random, stream);
     Checker checker(stream, bits);
     ASSERT_TRUE(decoder->decode_block(at, {.trace = &checker}).has_value());
     ASSERT_FALSE(testing::Test::HasFailure());

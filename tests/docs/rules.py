@@ -51,14 +51,15 @@ COMMANDS = rules(
     (r"(\./run (?:bench (?:accuracy|rate_distortion|skipping)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),
     (r"(\./run clauses) .*", HELP, "writes into the repository, or needs reports"),
-    (r"(\./run vectors generate)", HELP, "takes a minute, and writes into the repository"),
+    (r"\./run vectors generate", r"\g<0> -o made", "writes into the repository"),
+    (r"\./run render .*--camera .*", r"\g<0> >said && ! grep outside said", "the example's frame is filled"),
     (r"\./run compare .*", r"\g<0>; test $? = 1", "the views differ"),
     (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)",
      r"\1 conform --filter 'syntax/base-*' \2; test $? = 5", "the whole suite takes a minute"),
     (r"\./run conform .*faulty_decoder.*", r"\g<0>; test $? = 1", "it fails"),
     (r"\./run conform --merge .*", r"\g<0>; test $? = 5", "the shards have a part of the suite"),
     (r"\./run bench methods", r"\g<0> 30 FOLDER", "a small light field"),
-    (r"\./run bench render", "(./run bench || true) 2>&1 | grep -w render", "measures for minutes; the list of benchmarks has it"),
+    (r"\./run bench render", "./run bench | grep -w render", "measures for minutes; the list of benchmarks has it"),
     (r"\./run bench motion_search", r"\g<0> --benchmark_list_tests", "measures for minutes"),
 )
 

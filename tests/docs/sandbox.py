@@ -10,7 +10,8 @@ import shutil
 import subprocess
 
 LINKS = ("docs", "vectors", "tests", "CMakeLists.txt", "CMakePresets.json")
-TIMEOUT = 60  # seconds a command
+CPU_LIMIT = 15  # seconds of CPU time of a program
+TIMEOUT = 300  # seconds of a command, on a busy machine
 
 RUN = """#!/usr/bin/env bash
 source "{root}/run"
@@ -54,9 +55,9 @@ class Sandbox:
         path.chmod(0o755)
 
     def run(self, command):
-        """The finished process; status 124 where it takes longer than TIMEOUT."""
+        """The finished process; status 124 where it takes longer than TIMEOUT, 137 than CPU_LIMIT."""
         try:
-            return subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=self.folder,
+            return subprocess.run(["bash", "-o", "pipefail", "-c", f"ulimit -t {CPU_LIMIT}; {command}"], cwd=self.folder,
                                   env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
                                   text=True, timeout=TIMEOUT, check=False)
         except subprocess.TimeoutExpired:

@@ -16,7 +16,7 @@ import label_costs
 import links
 import rules
 import run_document
-from sandbox import Sandbox
+from sandbox import CPU_LIMIT, Sandbox
 
 ROOT, HMLFC = (Path(argument).absolute() for argument in sys.argv[1:3])
 INFO = "./run info vectors/real/cards-main.hmlfc"
@@ -67,6 +67,10 @@ class RunTest(unittest.TestCase):
         self.assert_found("```\nhmlfc info nosuch.hmlfc\n```\n", "exit status 3")
         self.assert_found("Run `./run test -L nosuch-label`.\n", "./run test")
         self.assert_found("Run `./run coverage --nosuch`.\n", "./run coverage --help has no --nosuch")
+
+    def test_expensive_command_is_found(self):
+        self.assertNotEqual(self.sandbox.run("ulimit -t 1; while :; do :; done").returncode, 0)
+        self.assertEqual(self.sandbox.run("ulimit -t").stdout, f"{CPU_LIMIT}\n")
 
     def test_changed_number_is_found(self):
         self.assertIn("40", self.good.splitlines()[-2])

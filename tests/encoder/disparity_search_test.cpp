@@ -1,4 +1,4 @@
-// Disparities that were put into a light field are found (MOT-6).
+// The search finds the disparities of a made-up light field (MOT-6).
 #include "encoder/disparity_search.hpp"
 
 #include <random>
@@ -18,7 +18,8 @@ SamplePlane noise_plane(uint32_t width, uint32_t height) {
   return plane;
 }
 
-// The image `rows` and `cols` steps from the reference of a scene `disparity` samples a step wide.
+// The image `rows` and `cols` steps from the reference, of a scene that moves `disparity` samples
+// per step.
 SamplePlane moved(const SamplePlane& reference, int32_t rows, int32_t cols, int32_t disparity) {
   SamplePlane plane(kWidth, kHeight);
   for (uint32_t y = 0; y < kHeight; ++y) {

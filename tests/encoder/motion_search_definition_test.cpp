@@ -1,4 +1,4 @@
-// The definition of the motion search, against a still plainer one and against cases worked by
+// The definition of the motion search, against an even plainer one and against cases worked by
 // hand.
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// Residuals of a tile chosen by rate and distortion: against exhaustive search and their own
+// The residuals decided for a tile: their cost against exhaustive search and against their own
 // record.
 #include "encoder/residual_decision.hpp"
 

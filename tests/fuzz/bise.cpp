@@ -1,4 +1,4 @@
-// Bounded integer sequences at any place, by both ways of reading them (BISE-3 to BISE-11).
+// Bounded integer sequences at any bit, by both readers (BISE-3 to BISE-11).
 #include "arithmetic/bise.hpp"
 
 #include <algorithm>
@@ -9,14 +9,15 @@
 namespace hmlfc::fuzz {
 namespace {
 
-// Written and read again, the values are the same; the sequence has the length of BISE-3.
+// The values survive writing and reading; the sequence has the length of BISE-3.
 void check_written(const std::vector<uint32_t>& values, const Levels& levels) {
   BitWriter writer;
   bise_put(writer, levels, values);
-  demand(writer.size() == bise_bits(levels, values.size()), "a sequence of another length");
+  demand(writer.size() == bise_bits(levels, values.size()), "a sequence of the wrong length");
   const BitString bits(writer.bytes());
   for (size_t i = 0; i < values.size(); ++i) {
-    demand(bise_value(bits, 0, levels, values.size(), i) == values[i], "other values than written");
+    demand(bise_value(bits, 0, levels, values.size(), i) == values[i],
+           "the values are not those written");
   }
 }
 
@@ -40,7 +41,7 @@ void run(std::span<const uint8_t> input) {
   check_written(values, levels);
 }
 
-// The end of a stream holds sequences; one seed for each level code would be many for each stream.
+// The end of a stream has sequences; one seed a stream, with a level code by its size, is enough.
 std::vector<Bytes> seeds(std::span<const uint8_t> stream) {
   const auto end = stream.last(std::min<size_t>(stream.size(), 96));
   Bytes bytes{static_cast<uint8_t>(stream.size() % (kMaxLevelCode + 1)), 16, 0};

@@ -1,5 +1,5 @@
-// The whole path of a block: a stream is opened and blocks of it are decoded one by one, from
-// reference images read on demand and kept, and as the part of a plane.
+// The whole path of a block: opens a stream and decodes single blocks, with reference images on
+// demand and kept, and as part of a plane.
 #include <hmlfc/decoder.hpp>
 
 #include "bits/crc32c.hpp"
@@ -11,7 +11,7 @@ namespace {
 constexpr uint64_t kMaxSamples = 1u << 14;  // of a view
 constexpr unsigned kBlocks = 8;             // of one input
 
-// Follows from the input alone, so that the same input does the same.
+// Random numbers that depend on the input only, so that the same input does the same.
 class Choice {
  public:
   explicit Choice(std::span<const uint8_t> input) : state_(crc32c(input)) {}
@@ -31,12 +31,12 @@ void check_rect(const Decoder& decoder, const BlockAddress& block, int level,
   const Rect rect{block.bx * side, block.by * side, std::min(side, size.width - block.bx * side),
                   std::min(side, size.height - block.by * side)};
   const auto samples = decoder.decode_rect(block.view, block.plane, rect, level);
-  demand(samples.has_value() == golden.has_value(), "a block decodes by one path alone");
+  demand(samples.has_value() == golden.has_value(), "a block decodes by one path only");
   if (!golden) return;
   for (uint32_t y = 0; y < rect.height; ++y) {
     for (uint32_t x = 0; x < rect.width; ++x) {
       demand((*samples)[y * rect.width + x] == (*golden)[y * side + x],
-             "two paths give other samples");
+             "two paths give different samples");
     }
   }
 }

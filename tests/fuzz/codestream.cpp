@@ -1,5 +1,4 @@
-// The codestream of a key image: its head, and where that is right, the JPEG 2000 decoder behind it
-// (KEY-2).
+// The codestream of a key image: its head and, if that is valid, the JPEG 2000 decoder (KEY-2).
 #include <algorithm>
 
 #include "bits/little_endian.hpp"
@@ -15,15 +14,15 @@ void run(std::span<const uint8_t> input) {
   const uint32_t width = reader.within(1, 128);
   const uint32_t height = reader.within(1, 128);
   const SamplePrecision precision{static_cast<int>(reader.within(1, 16)), reader.flag()};
-  // A copy of its own length, so that reads past its end are seen.
+  // A copy of exact length, so that reads past its end are found.
   const Bytes codestream(reader.rest().begin(), reader.rest().end());
   const bool head = has_key_image_head(codestream, width, height);
   const auto plane = decode_jpeg2000(codestream, width, height, precision);
   if (!plane) return;
-  demand(head, "a codestream decodes whose head is not that of KEY-2");
+  demand(head, "a codestream decodes with a head that KEY-2 rejects");
   demand(plane->width == width && plane->height == height &&
              plane->samples.size() == size_t{width} * height,
-         "a plane of another size");
+         "a plane of the wrong size");
 }
 
 std::vector<Bytes> seeds(std::span<const uint8_t> file) {

@@ -21,7 +21,8 @@ void run(std::span<const uint8_t> input) {
     for (uint32_t gx = 0; gx < context.columns; ++gx) {
       const auto disparity = read_disparity(cursor, *head, context, gx, gy);
       if (disparity) {
-        demand(*disparity >= head->min_disparity && *disparity <= kMaxDisparity, "a disparity outside");
+        demand(*disparity >= head->min_disparity && *disparity <= kMaxDisparity,
+               "a disparity outside its interval");
       }
     }
   }

@@ -1,10 +1,10 @@
-// What libFuzzer calls.
+// The function that libFuzzer calls.
 #include <cstddef>
 #include <cstdint>
 
 #include "target.hpp"
 
-// libFuzzer's names, which it declares nowhere.
+// libFuzzer does not declare its entry point.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

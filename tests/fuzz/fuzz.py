@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Runs the libFuzzer targets, one after another, from the seeds that the vectors give.
+"""Runs the libFuzzer targets, one after another, on seeds made of the vectors.
 
-Inputs that reach something new are kept in build/fuzz/corpus/TARGET, findings in
-out/fuzz/TARGET. The vectors are the corpus that is checked in; a finding becomes
-tests/fuzz/findings/TARGET/NAME.input, which the tests replay, or a vector.
+Inputs with new coverage go to build/fuzz/corpus/TARGET, findings to out/fuzz/TARGET. The vectors are
+the checked-in corpus; a finding becomes tests/fuzz/findings/TARGET/NAME.input, which the tests replay,
+or a vector.
 """
 
 import argparse
@@ -18,7 +18,7 @@ TARGETS = [
     *("open", "block", "header", "index"),
     *("tile_record", "motion_record", "disparity_record", "codestream", "bise"),
 ]
-MAX_BYTES = 32768  # of an input; all but a few of the vectors are smaller
+MAX_BYTES = 32768  # of an input; few vectors are larger
 UNIT_SECONDS = 20  # for one input; more is a finding
 MEMORY_MB = 2048
 FAULT_SECONDS = 300
@@ -26,7 +26,7 @@ FAULT_SECONDS = 300
 
 @dataclass
 class Outcome:
-    """What one run of a target came to."""
+    """The result of one run of a target."""
 
     executions: int
     cpu_seconds: float
@@ -35,7 +35,7 @@ class Outcome:
 
 
 def parse(log, status, cpu_seconds):
-    """The Outcome that libFuzzer's log and exit status tell."""
+    """The Outcome, from the log and exit status of libFuzzer."""
 
     def last(pattern):
         numbers = re.findall(pattern, log)
@@ -59,9 +59,7 @@ def run_target(program, corpus, findings, seconds, seed, show=False):
         *("-print_final_stats=1", f"-artifact_prefix={findings}/"),
     ]
     before = cpu_seconds_of_children()
-    result = subprocess.run(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False
-    )
+    result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     log = result.stdout.decode(errors="replace")
     if show and result.returncode != 0:
         print(log[-4000:], file=sys.stderr)
@@ -97,7 +95,7 @@ def fuzz(arguments, root):
 
 
 def self_test(arguments, root):
-    """Each target must find the fault that is planted for it."""
+    """Each target must find its planted fault."""
     missed = 0
     for target in TARGETS if arguments.target == "all" else [arguments.target]:
         corpus = arguments.build / "corpus-faults" / target

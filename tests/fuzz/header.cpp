@@ -1,4 +1,4 @@
-// The header, and what is derived from it alone.
+// The header, and what is derived from it.
 #include "syntax/header.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ void run(std::span<const uint8_t> input) {
   const std::vector<uint8_t> written = write_header(*header);
   demand(
       written.size() <= input.size() && std::equal(written.begin(), written.end(), input.begin()),
-      "a header that was read is written otherwise");
+      "a header differs after reading and writing");
   demand(conformance_level(*header) >= 0, "a conformance level below 0");
   const Geometry geometry(*header);
   const LevelShape& level = geometry.level(geometry.top());

@@ -1,4 +1,4 @@
-// The walk through the index to the record of a tile (IDX-4 to IDX-7).
+// The walk through the index to the record of each tile (IDX-4 to IDX-7).
 #include "syntax/index.hpp"
 
 #include "stream_parts.hpp"
@@ -26,7 +26,7 @@ void run(std::span<const uint8_t> input) {
     } else if (*extent) {
       demand(
           (*extent)->begin < (*extent)->end && (*extent)->end <= stream.entry(Section::kTile).size,
-          "a record that is not in the section");
+          "a record outside its section");
     }
   }
 }

@@ -42,7 +42,7 @@ void run(std::span<const uint8_t> input) {
   for (uint32_t y = 0; y < context.height; y += side) {
     for (uint32_t x = 0; x < context.width; x += side) {
       const auto entry = read_motion_entry(cursor, *head, context, x, y);
-      if (entry) demand(is_usable(*entry, context), "a block uses an entry that it may not");
+      if (entry) demand(is_usable(*entry, context), "a block uses an entry that it must not");
     }
   }
 }

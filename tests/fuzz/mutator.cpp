@@ -1,6 +1,6 @@
-// libFuzzer's mutations of streams. Most bytes of a stream are under a CRC, and the sizes of its
-// sections stand in the header: a part is changed, then the header is made to fit, so that changes
-// reach what lies behind it. One change in eight leaves the header as it is.
+// libFuzzer's mutations of streams. CRCs cover most bytes of a stream, and its header has the sizes
+// of the sections: a part is changed, then the header is corrected, so that changes reach the code
+// behind these checks. One change in eight does not correct the header.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,20 +14,20 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max
 namespace {
 
 constexpr size_t kMaxGrowth = 64;
-constexpr unsigned kPartCount = 5;  // the header's fields and four sections
+constexpr unsigned kPartCount = 5;  // fields of the header and four sections
 constexpr size_t kEnvelope = 12;    // magic to header_bytes
 
-// The header's fields behind the envelope keep their number, but for level entries.
+// The number of fields after the envelope changes only by level entries.
 void mutate_head(std::vector<uint8_t>& head, unsigned seed) {
   if ((seed & 1) != 0) {
     constexpr size_t kLevelEntry = 4;
-    constexpr size_t kLeast = 48;
-    if ((seed & 2) != 0 && head.size() < kLeast + 15 * kLevelEntry) {
+    constexpr size_t kMinBytes = 48;
+    if ((seed & 2) != 0 && head.size() < kMinBytes + 15 * kLevelEntry) {
       head.insert(head.end(), head.end() - kLevelEntry, head.end());
-    } else if (head.size() > kLeast) {
+    } else if (head.size() > kMinBytes) {
       head.resize(head.size() - kLevelEntry);
     }
-    head[34] = static_cast<uint8_t>((head.size() - kLeast) / kLevelEntry);  // tree_height
+    head[34] = static_cast<uint8_t>((head.size() - kMinBytes) / kLevelEntry);  // tree_height
     return;
   }
   LLVMFuzzerMutate(head.data() + kEnvelope, head.size() - kEnvelope, head.size() - kEnvelope);

@@ -1,4 +1,4 @@
-// Opening a stream, with and without the CRCs of its sections.
+// Opens a stream, with and without checking the CRCs of its sections.
 #include <hmlfc/decoder.hpp>
 
 #include "stream_parts.hpp"
@@ -15,7 +15,7 @@ void run(std::span<const uint8_t> input) {
   if (!strict) demand(strict.error().offset <= input.size(), "an error past the end of the file");
 }
 
-// Parts that are not read are short.
+// The section that opening does not read is cut short.
 std::vector<Bytes> seeds(std::span<const uint8_t> stream) {
   auto parts = split(stream);
   if (!parts) return {{stream.begin(), stream.end()}};

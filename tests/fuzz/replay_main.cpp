@@ -1,7 +1,6 @@
-// replay_TARGET [--write FOLDER] PATH...: runs a fuzz target on the seeds that the streams PATH
-// give (folders: every *.hmlfc below), and on findings, files *.input, as they are. --write: the
-// seeds become files of FOLDER instead. Prints how many there were; exit status 2 where there were
-// none.
+// replay_TARGET [--write FOLDER] PATH...: runs a fuzz target on seeds made of the streams PATH (in
+// folders: every *.hmlfc below), and on findings (*.input) as they are. --write: writes the seeds
+// to FOLDER instead. Prints the number of inputs; exit status 2 if there are none.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

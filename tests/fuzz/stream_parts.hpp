@@ -1,4 +1,4 @@
-// A stream taken apart and put together again with a header that fits.
+// Splits a stream into its parts and joins them again under a matching header.
 #pragma once
 
 #include <array>
@@ -17,11 +17,11 @@ struct StreamParts {
   std::array<std::vector<uint8_t>, 4> sections;  ///< TOP, ROOT, GROUP, TILE
 };
 
-/// The parts of `file`, cut where its header says so, whatever else is wrong; sections that lie
-/// outside are cut short. Nothing where there is no room for a header.
+/// The parts of `file`, split as its header says, whatever else is wrong; sections are cut at the
+/// end of the file. Nothing if the file is shorter than a header.
 std::optional<StreamParts> split(std::span<const uint8_t> file);
 
-/// The file of `parts`: section table, header_bytes and every CRC but those of samples are right.
+/// The file of `parts`, with correct section table, header_bytes and CRCs, except those of samples.
 std::vector<uint8_t> join(const StreamParts& parts);
 
 }  // namespace hmlfc::fuzz

@@ -1,5 +1,5 @@
-// What each fuzz target defines. libFuzzer calls run with inputs of its own; replay_main.cpp calls
-// it with the seeds that the conformance vectors give.
+// The functions that each fuzz target defines. libFuzzer calls run with its own inputs;
+// replay_main.cpp calls it with seeds made of the conformance vectors.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,21 @@ namespace hmlfc::fuzz {
 
 using Bytes = std::vector<uint8_t>;
 
-/// Runs the code under test on any bytes. A finding ends the process: a sanitizer's report, a
-/// failed assertion, or a failed demand.
+/// Runs the code under test on any bytes. A finding ends the process: a report of a sanitizer, a
+/// failed assertion or a failed demand.
 void run(std::span<const uint8_t> input);
 
-/// Inputs made of `stream`, a vector of the suite, which may be damaged; possibly none.
+/// Inputs made of `stream`, a vector of the suite, which may be damaged. May be empty.
 std::vector<Bytes> seeds(std::span<const uint8_t> stream);
 
-/// Ends the process where a property of the code under test does not hold.
+/// Ends the process if a property of the code under test does not hold.
 inline void demand(bool condition, const char* what) {
   if (condition) return;
   std::fprintf(stderr, "demand failed: %s\n", what);
   std::abort();
 }
 
-/// Takes integers from the front of an input; past its end they are 0.
+/// Takes integers from the front of an input; 0 past its end.
 class InputReader {
  public:
   explicit InputReader(std::span<const uint8_t> bytes) : bytes_(bytes) {}

@@ -1,4 +1,4 @@
-// The records of a stream, to make seeds of.
+// The records of a stream, as sources of seeds.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,16 @@
 
 namespace hmlfc::fuzz {
 
-/// Records of one stream that become seeds, at most.
+/// The most records of a stream that become seeds.
 inline constexpr size_t kMaxRecords = 12;
 
-/// The stream in `file`, without key images read; nothing where it does not open.
+/// The stream in `file`, with no key image decoded; nothing if it does not open.
 std::optional<StreamView> open_view(std::span<const uint8_t> file);
 
 /// Calls `take` with the first block of every tile of every image that is not a key image.
 void for_each_tile(const StreamView& stream, const std::function<void(const BlockSite&)>& take);
 
-/// Calls `take` with every motion tile of the images that are reference images, or are not.
+/// Calls `take` with every motion tile of the images that are reference images, or of the others.
 void for_each_motion_tile(const StreamView& stream, bool references,
                           const std::function<void(const MotionTilePlace&)>& take);
 

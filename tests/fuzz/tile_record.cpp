@@ -1,4 +1,4 @@
-// The record of a tile: its head, and header and values of each of its blocks (TIL-1 to TIL-10).
+// The record of a tile: its head, and header and values of each block (TIL-1 to TIL-10).
 #include <array>
 #include <bit>
 
@@ -44,7 +44,7 @@ void put_context(const TileContext& context, Bytes& bytes) {
   }
 }
 
-// Where the block's values lie in the record, by both ways of reading them.
+// Compares the two readers of the values of a block.
 void check_values(const BlockEntry& entry, const TileContext& context, const PaddedRecord& record) {
   std::array<uint16_t, 64> values;
   bise_unpack(record.data(), entry.values_at, entry.levels, context.block_samples, values.data());
@@ -55,7 +55,8 @@ void check_values(const BlockEntry& entry, const TileContext& context, const Pad
     demand(value == values[i], "bise_value and bise_unpack differ");
     const int32_t residual =
         stepped_residual(value, entry.levels.count, entry.bias, entry.step, range);
-    demand(residual >= -range.bound && residual <= range.bound, "a residual outside (TIL-10)");
+    demand(residual >= -range.bound && residual <= range.bound,
+           "a residual outside its interval (TIL-10)");
   }
 }
 

@@ -5,9 +5,9 @@
 
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
+#include "io/data_folder.hpp"
 #include "io/light_field_files.hpp"
 #include "stimulus/sequences.hpp"
-#include "support/data_dir.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -24,7 +24,7 @@ class GpuRealData : public GpuTest, public testing::WithParamInterface<RealCase>
 
 // Nothing where the data is missing.
 std::optional<std::vector<uint8_t>> encoded(const RealCase& real) {
-  const auto folder = test::real_data(real.folder);
+  const auto folder = real_data(real.folder);
   if (!folder) return std::nullopt;
   const auto views = io::list_views(*folder);
   const auto field = io::load_light_field(*views, 0);

@@ -1,14 +1,14 @@
 // The archives' own folders are understood as they are.
 #include <gtest/gtest.h>
 
+#include "io/data_folder.hpp"
 #include "io/light_field_files.hpp"
-#include "support/data_dir.hpp"
 
 namespace hmlfc::io {
 namespace {
 
 void expect_shape(const char* name, const LightFieldShape& shape) {
-  const auto folder = test::real_data(name);
+  const auto folder = real_data(name);
   if (!folder) GTEST_SKIP() << name << " is not here";
   const auto views = list_views(*folder);
   ASSERT_TRUE(views.has_value()) << views.error().message;

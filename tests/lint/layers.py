@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Checks the shape of the source tree and prints each violation as file:line: reason.
 
-Layers: a file includes only its own layer, the layers below it and public headers.
-Golden: what the golden path includes, through whatever headers, holds nothing of the fast path.
+Layers: a file includes only its own folder, the folders that ALLOWED names for it and public headers.
+Golden: nothing that the golden path includes, directly or not, belongs to the fast path.
+Cycles: ALLOWED names only folders above in the table, so that there is no cycle; no CMake file names
+        a folder on top of its own.
 Length: no source file is longer than MAX_LINES.
-Lists:  each .cpp file stands in its folder's list of sources, so that none is left unbuilt.
+Lists:  the nearest CMakeLists.txt above a .cpp file names it, so that none is left unbuilt.
 """
 
 import argparse
@@ -24,8 +26,8 @@ APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
 CHECKS = {*DECODER, "tools/io", "testbench/oracle", "testbench/stimulus"}
 TESTBENCH = {f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu")}
 
-# What the files of a folder may include with quotes, besides the folder itself; <hmlfc/...> and
-# libraries are free to all. A file belongs to the longest folder that holds it.
+# What the files of a folder may include with quotes, besides the folder itself, in the order of the
+# layers; all may include <hmlfc/...> and libraries. A file belongs to the longest folder that holds it.
 ALLOWED = {
     "model/include": set(),
     "model/bits": set(),
@@ -53,34 +55,18 @@ ALLOWED = {
     "testbench/gpu": {*CHECKS, "model/render", "gpu_ref"},
     "testbench/dpi": set(),
     "testbench/programs": {*APPLICATIONS, *TESTBENCH},
-    "tests": {*APPLICATIONS, *TESTBENCH},
     "bench": APPLICATIONS,
+    "tests": {*APPLICATIONS, *TESTBENCH},
     "examples": set(),
 }
-# Folder to one that its files do not reach through any chain of includes.
+# The shared files of the decoder and its two paths include each other.
+ONE_LAYER = {"model/decoder", "model/decoder/golden", "model/decoder/fast"}
+# Folder to one that its files must not reach through any chain of includes.
 UNREACHABLE = {"model/decoder/golden": "model/decoder/fast"}
 # Where a quoted name is looked up, after the folder of the file and its topmost folder.
 ROOTS = ("model", "tools", "gpu_ref", "testbench", ".")
 
-# Folders with .cpp files and the one list that names them all, relative to the list's folder; a
-# folder below another has a list of its own.
-SOURCE_LISTS = {
-    "model": "model/CMakeLists.txt",
-    "tools": "tools/CMakeLists.txt",
-    "tests": "tests/CMakeLists.txt",
-    "tests/decode_path": "tests/decode_path/CMakeLists.txt",
-    "tests/fuzz": "tests/fuzz/CMakeLists.txt",
-    "tests/gpu": "tests/gpu/CMakeLists.txt",
-    "tests/mutation/rtl": "tests/mutation/rtl/CMakeLists.txt",
-    "tests/mutation/shaders": "tests/mutation/shaders/CMakeLists.txt",
-    "tests/rtl": "tests/rtl/CMakeLists.txt",
-    "tests/stress": "tests/stress/CMakeLists.txt",
-    "tests/testbench": "tests/testbench/CMakeLists.txt",
-    "bench": "bench/CMakeLists.txt",
-    "testbench": "testbench/CMakeLists.txt",
-    "gpu_ref": "gpu_ref/CMakeLists.txt",
-    "examples": "examples/CMakeLists.txt",
-}
+PROJECT_FOLDER = re.compile(r"\$\{PROJECT_SOURCE_DIR\}/(\w+)")
 QUOTED_INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
 
 
@@ -133,6 +119,23 @@ def include_violation(root, path, folder, name):
     return None
 
 
+def cycle_violations(root):
+    rank = {folder: number for number, folder in enumerate(ALLOWED)}
+    for folder, targets in ALLOWED.items():
+        for target in sorted(targets):
+            if rank[target] > rank[folder] and not {folder, target} <= ONE_LAYER:
+                yield root / "tests/lint/layers.py", 1, f"ALLOWED: {folder} names {target}, which is not above it"
+    tops = list(dict.fromkeys(folder.split("/")[0] for folder in ALLOWED))
+    for path in source_files(root):
+        top = path.relative_to(root).parts[0]
+        if path.suffix not in (".txt", ".cmake") or top not in tops:
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            for named in PROJECT_FOLDER.findall(line):
+                if named in tops and tops.index(named) > tops.index(top):
+                    yield path, number, f"{top} may not use {named}"
+
+
 def includes_of(root, name):
     """The files of the repository that file `name` includes with quotes, by line."""
     path = root / name
@@ -178,23 +181,17 @@ def length_violations(root):
 
 
 def list_violations(root):
-    for folder, list_name in SOURCE_LISTS.items():
-        if not (root / folder).is_dir():
-            continue
-        list_path = root / list_name
-        listed = set(re.split(r"[\s()]+", list_path.read_text())) if list_path.exists() else set()
-        inner = [other for other in SOURCE_LISTS if other.startswith(folder + "/")]
-        for path in cpp_files(root / folder):
-            if any(path.is_relative_to(root / other) for other in inner):
-                continue
-            name = path.relative_to(root / folder).as_posix()
-            if path.suffix == ".cpp" and name not in listed:
-                yield path, 1, f"not listed in {list_name}"
+    for path in cpp_files(root):
+        lists = [folder / "CMakeLists.txt" for folder in path.parents if folder.is_relative_to(root)]
+        nearest = next((file for file in lists if file.is_file()), lists[-1])
+        listed = re.split(r"[\s()]+", nearest.read_text()) if nearest.is_file() else []
+        if path.suffix == ".cpp" and path.relative_to(nearest.parent).as_posix() not in listed:
+            yield path, 1, f"not listed in {nearest.relative_to(root)}"
 
 
 def violations(root):
     """All violations below root, as 'file:line: reason' with the file relative to root."""
-    checks = (layer_violations, reach_violations, length_violations, list_violations)
+    checks = (layer_violations, reach_violations, cycle_violations, length_violations, list_violations)
     found = [violation for check in checks for violation in check(root)]
     return [f"{path.relative_to(root)}:{line}: {reason}" for path, line, reason in found]
 

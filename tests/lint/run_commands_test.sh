@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# run_commands_test.sh RUN: what ./run says of its commands, and which program each of them reaches.
+# run_commands_test.sh RUN: what ./run says about its commands, and which program each of them runs.
 set -euo pipefail
 # shellcheck source=/dev/null
 source "$1"
@@ -8,18 +8,30 @@ source "$1"
 install_packages() { :; }
 build() { :; }
 build_decode_path() { :; }
+use_build() { :; }
 build=/build
 exec() { printf '%s\n' "$*" && exit; }
 faults=0
 
-# expect STATUS PATTERN ARG...: main ARG... ends with STATUS, and its output fits the pattern.
+# not_built TEXT: the programs /build/FOLDER/NAME in TEXT that FOLDER/CMakeLists.txt does not name.
+not_built() {
+  local word
+  for word in $1; do
+    [[ $word =~ ^/build/(.*)/([a-z_]+)$ ]] || continue
+    local folder=${BASH_REMATCH[1]} name=${BASH_REMATCH[2]#bench_}
+    grep -qsw -- "$name" "$root/$folder/CMakeLists.txt" || printf '%s\n' "$word"
+  done
+}
+
+# expect STATUS PATTERN ARG...: main ARG... ends with STATUS, its output fits the pattern, and the
+# programs in it are built.
 expect() {
   local want=$1 pattern=$2 status=0 output
   shift 2
   output=$( (main "$@") 2>&1) || status=$?
   # shellcheck disable=SC2053
-  if [[ $status != "$want" || $output != $pattern ]]; then
-    printf './run %s: status %d, not %d, or this output is not as %s:\n%s\n\n' \
+  if [[ $status != "$want" || $output != $pattern || -n $(not_built "$output") ]]; then
+    printf './run %s: status %d, not %d, a program is not built, or this output is not as %s:\n%s\n\n' \
       "$*" "$status" "$want" "$pattern" "$output"
     faults=$((faults + 1))
   fi
@@ -33,14 +45,25 @@ expect 0 '/build/tools/hmlfc synth --scene cards' synth --scene cards
 expect 0 "python3 -B $root/rtl/synth/report.py size ice40" synthesis size ice40
 expect 0 '/build/testbench/gpu_check FILE' gpu-check FILE
 expect 0 '/build/testbench/rtl_check FILE' rtl-check FILE
+expect 0 "*python3 $root/testbench/programs/rtl_coverage.py /build/testbench/rtl_random" rtl-coverage
+expect 0 '*tests/mutation/shaders/campaign.py --program /build/tests/mutation/shaders/decode_vectors' \
+  mutate shaders
+expect 0 '*tests/mutation/rtl/mutate.py /build/tests/mutation/rtl/rtl_mutants *' mutate rtl --count 5
+expect 0 '*tests/stress/stress.py --build /build --hmlfc /build/tools/hmlfc *' stress --minutes 1
 expect 0 '/build/bench/bench_methods 40' bench methods 40
 expect 0 "*python3 $root/bench/accuracy --quick" bench accuracy --quick
-expect 2 $'Usage: ./run bench NAME *\n  accuracy  *\n  skipping  *' bench
-expect 2 $'No benchmark nosuch. Usage: ./run bench NAME *\n  methods  *' bench nosuch
-expect 2 'No benchmark bench. *' bench bench
-expect 2 'No benchmark .*. *' bench '.*'
+expect 0 $'Usage: ./run bench NAME *\n  accuracy  *\n  skipping  *' bench
+expect 2 $'No benchmark nosuch; there are\n*\n  methods  *' bench nosuch
+expect 2 'No benchmark bench; *' bench bench
+expect 2 'No benchmark .*; *' bench '.*'
 
-# Every command of the usage is one of main's, and the other way round.
+lost=/build/tests/decode_vectors
+if [[ $(not_built "x /build/testbench/rtl_random $lost /build/x.json") != "$lost" ]]; then
+  printf 'not_built does not find %s\n' "$lost"
+  faults=$((faults + 1))
+fi
+
+# Usage and main name the same commands.
 named=$(usage | sed -n 's/^\(Usage:\|      \) \.\/run \([a-z][a-z-]*\) .*/\2/p' | sort -u)
 reached=$(declare -f main | sed -n 's/^ *(\?\([a-z][a-z-]*\))$/\1/p' | sort -u)
 if [[ -z $named || $named != "$reached" ]]; then

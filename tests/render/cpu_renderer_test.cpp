@@ -13,7 +13,7 @@
 namespace hmlfc {
 namespace {
 
-// What the golden renderer says of one frame.
+// The golden renderer's frame, or its error.
 struct Golden {
   Golden(const Decoder& decoder, const FrameRecord& record, int level)
       : done(make_golden_renderer(decoder)->render(record, level, frame)) {}
@@ -22,7 +22,7 @@ struct Golden {
   Result<void> done;
 };
 
-// The fast renderer says the same: the same samples, or the same error.
+// The fast renderer gives the same samples, or the same error.
 void expect_same(const Golden& golden, FrameRenderer& fast, const FrameRecord& record, int level,
                  const std::string& what) {
   Frame frame;
@@ -46,7 +46,7 @@ int random_level(test::Random& random, const Decoder& decoder) {
   return static_cast<int>(random() % static_cast<uint32_t>(decoder.header().tree_height + 1));
 }
 
-// Cold: every block that is needed is decoded, and no other (NED-1).
+// A cold cache: every block that is needed is decoded, and no other (NED-1).
 TEST(CpuRenderer, ColdFramesEqualTheGoldenRenderer) {
   uint64_t samples = 0;
   for (uint32_t seed = 0; seed < 60; ++seed) {
@@ -77,7 +77,7 @@ TEST(CpuRenderer, ColdFramesEqualTheGoldenRenderer) {
   EXPECT_GT(samples, 100000u);
 }
 
-// Frames of one row, turned: no other row needs the blocks that this one does.
+// Frames of one row by a turned camera: no other row needs its blocks.
 TEST(CpuRenderer, RowsNeedTheBlocksOfTheGoldenRenderer) {
   for (uint32_t seed = 200; seed < 230; ++seed) {
     const test::OpenedStream stream(test::random_stream(seed));
@@ -100,7 +100,7 @@ TEST(CpuRenderer, RowsNeedTheBlocksOfTheGoldenRenderer) {
   }
 }
 
-// Warm, with budgets from nothing to all: what the cache holds never changes a frame.
+// A warm cache, with budgets from nothing to all: its contents never change a frame.
 TEST(CpuRenderer, SequencesOfFramesEqualTheGoldenRenderer) {
   for (uint32_t seed = 100; seed < 130; ++seed) {
     const test::OpenedStream stream(test::random_stream(seed));
@@ -119,8 +119,8 @@ TEST(CpuRenderer, SequencesOfFramesEqualTheGoldenRenderer) {
   }
 }
 
-// Frames from coarse to fine, each decoded from the one before, on intact streams and damaged ones;
-// now and then before another camera, so that not all of the coarser level is there.
+// Frames from coarse to fine, each decoded from the one before, on intact and damaged streams;
+// sometimes with another camera in between, so that parts of the coarser level are missing.
 TEST(CpuRenderer, ProgressiveFramesEqualTheGoldenRenderer) {
   int failed = 0;
   for (uint32_t seed = 300; seed < 380; ++seed) {
@@ -183,7 +183,8 @@ TEST(CpuRenderer, LargeFramesEqualTheGoldenRenderer) {
   }
 }
 
-// NED-2: damage that a frame does not need does no harm; else both name the same block's error.
+// NED-2: damage in blocks that a frame does not need has no effect; else both report the error of
+// the same block.
 TEST(CpuRendererErrors, DamagedStreamsEqualTheGoldenRenderer) {
   int failed = 0;
   int drawn = 0;

@@ -43,7 +43,7 @@ TEST(GoldenRenderer, AtAPlaceOfTheGridItTakesTheView) {
   }
 }
 
-// SMP-4 for views as large as they get: set-up and rays alone, without samples.
+// SMP-4 for the largest views: record and rays alone, without samples.
 TEST(GoldenRenderer, RaysOfAPlaceOfTheGridMeetPixelsExactly) {
   StreamHeader header;
   header.rows = 3;
@@ -96,10 +96,11 @@ TEST(GoldenRenderer, StaysWithinTheBoundOfTheRealFrame) {
     }
   }
   EXPECT_GT(compared, 100000u);
-  EXPECT_GT(worst_part, 0.1) << "the bound is of the size of what occurs";
+  EXPECT_GT(worst_part, 0.1) << "the bound is far above what occurs";
 }
 
-// Both renderers draw the same edge: where they differ in what is outside, a coordinate is near it.
+// Both renderers draw the same edge: where they disagree on what is outside, a coordinate is near
+// it.
 TEST(GoldenRenderer, OutsideIsOutsideInTheRealFrame) {
   uint64_t inside = 0;
   uint64_t outside = 0;

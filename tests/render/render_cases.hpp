@@ -13,7 +13,7 @@
 
 namespace hmlfc::test {
 
-/// A stream with its decoder, whose bytes it holds.
+/// A stream's bytes with their decoder.
 struct OpenedStream {
   std::vector<uint8_t> bytes;
   std::optional<Decoder> decoder;
@@ -31,7 +31,7 @@ inline std::vector<uint8_t> random_stream(uint32_t seed) {
   return encode(textured_light_field(made.shape, seed, made.noise), made.params)->bytes;
 }
 
-/// Changes three bytes behind the header of a stream.
+/// Changes three bytes after the header of a stream.
 inline void damage(Random& random, std::vector<uint8_t>& stream) {
   const size_t header = stream[10] + 256u * stream[11];
   for (int n = 0; n < 3 && header < stream.size(); ++n) {
@@ -40,8 +40,8 @@ inline void damage(Random& random, std::vector<uint8_t>& stream) {
   }
 }
 
-/// A camera that sees something of a light field of this header, most of the time: near and far,
-/// straight and turned, sharp and wide.
+/// A camera that usually sees part of a light field of this header: near or far, straight or
+/// turned, with a narrow or a wide aperture.
 inline Camera random_camera(Random& random, const StreamHeader& header) {
   const auto unit = [&] { return random() / 4294967296.0; };
   const auto between = [&](double lo, double hi) { return lo + (hi - lo) * unit(); };

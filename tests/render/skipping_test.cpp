@@ -1,4 +1,4 @@
-// What frames leave alone: views, pixels and bytes that they do not need (NED-1).
+// Frames do not touch views, pixels and bytes that they do not need (NED-1).
 #include <gtest/gtest.h>
 
 #include <hmlfc/renderer.hpp>
@@ -8,7 +8,7 @@
 namespace hmlfc {
 namespace {
 
-// Counts what is read of the TOP section and what behind it, where it ends.
+// Counts what is read of the TOP section and of those after it.
 class Touched final : public ReadSink {
  public:
   Touched(uint64_t file_bytes, uint64_t top_end)
@@ -54,7 +54,7 @@ FrameRecord middle_record(const StreamHeader& header) {
   return *frame_record(camera, header);
 }
 
-// What that frame costs, cold.
+// The cost of that frame with a cold cache.
 Cost cost_of(const LightFieldShape& shape, EncodeParams params) {
   const LightField field = test::textured_light_field(shape, 4, 40);
   const std::vector<uint8_t> file = encode(field, params)->bytes;
@@ -74,7 +74,7 @@ Cost cost_of(const LightFieldShape& shape, EncodeParams params) {
           frame.counts};
 }
 
-// All but key images, which are read whole (KEY-3).
+// All except key images, which are read whole (KEY-3).
 void expect_flat(const Cost& small, const Cost& large) {
   EXPECT_GT(large.file, 3 * small.file);
   EXPECT_GT(small.rest, 0u);
@@ -113,7 +113,7 @@ TEST(Skipping, BytesStayFlatAsTheGridGrows) {
   }
 }
 
-// The frame needs the same planes of key images, of which each grows with the picture.
+// The frame needs the same planes of key images, but each grows with the picture.
 TEST(Skipping, BytesStayFlatAsPicturesGrowButForKeyImages) {
   for (const EncodeParams& params : profiles()) {
     const Cost small = cost_of({6, 6, 128, 128, 8}, params);
@@ -124,8 +124,8 @@ TEST(Skipping, BytesStayFlatAsPicturesGrowButForKeyImages) {
   }
 }
 
-// KEY-3: only the CRC of all samples is wrong, so that no part of the image looks damaged; and no
-// frame of any part of it is drawn.
+// KEY-3: only the CRC of all samples is wrong, so that no part of the image looks damaged; yet no
+// frame of any part is drawn.
 TEST(Skipping, AKeyImageHasOneErrorForAllOfItsSamples) {
   const LightField field = test::textured_light_field({2, 2, 256, 256, 8}, 4, 10);
   EncodeParams params = profiles()[1];
@@ -149,7 +149,7 @@ TEST(Skipping, AKeyImageHasOneErrorForAllOfItsSamples) {
   }
 }
 
-// Each pass of a progressive frame reads its own level; key images and coarser levels are there.
+// Each pass of a progressive frame reads its own level; key images and coarser levels are held.
 TEST(Skipping, FinerFramesReadTheirOwnLevelAlone) {
   const EncodeParams params = profiles()[0];
   const LightField field = test::textured_light_field({8, 8, 96, 64, 8}, 4, 40);
@@ -158,7 +158,7 @@ TEST(Skipping, FinerFramesReadTheirOwnLevelAlone) {
   OpenOptions options;
   options.check_sections = false;
   options.reads = &touched;
-  // The bytes that frames of these levels touch behind TOP, one after another.
+  // The bytes that frames of these levels touch after TOP, one after another.
   const auto bytes_of = [&](std::vector<int> levels, bool progressive) {
     const auto decoder = Decoder::open(file, options);
     RenderOptions render;
@@ -187,7 +187,7 @@ TEST(Skipping, FinerFramesReadTheirOwnLevelAlone) {
   EXPECT_LT(refined[1] + refined[2], cold[0] * 5 / 4) << cold[0];
 }
 
-// A frame at a view's place needs that view alone: all its blocks, each once.
+// A frame at the place of a view needs that view alone: all its blocks, each once.
 TEST(Skipping, OneViewNeedsItsBlocksAlone) {
   for (const EncodeParams& params : profiles()) {
     const LightField field = test::textured_light_field({4, 4, 70, 50, 8}, 4, 40);
@@ -210,8 +210,8 @@ TEST(Skipping, OneViewNeedsItsBlocksAlone) {
   }
 }
 
-// Between frames blocks are kept up to the budget: an orbit again decodes nothing; with no budget
-// all of it.
+// The cache keeps blocks between frames up to its budget: a second orbit decodes nothing; without a
+// budget, everything.
 TEST(Skipping, TheBudgetIsKept) {
   const LightField field = test::textured_light_field({5, 5, 90, 140, 8}, 4, 10);
   const test::OpenedStream stream(encode(field, profiles()[0])->bytes);

@@ -17,8 +17,8 @@ namespace {
 
 using vectors::Random;
 
-constexpr uint64_t kCamerasOfAStream = 40;
-constexpr uint32_t kFrameSide = 6;  // frames are at most this wide and high
+constexpr uint64_t kCamerasPerStream = 40;
+constexpr uint32_t kMaxSide = 6;  // of a frame
 
 // Light fields small enough for thousands of frames.
 std::vector<uint8_t> stream_bytes(uint64_t seed) {
@@ -34,8 +34,8 @@ class CameraDraw {
   Camera draw() {
     camera_.filter = static_cast<Filter>(random_.below(8) == 0 ? random_.below(2) : 2);
     camera_.aperture = static_cast<int>(random_.below(4));
-    camera_.frame_width = random_.within(1, kFrameSide);
-    camera_.frame_height = random_.within(1, kFrameSide);
+    camera_.frame_width = random_.within(1, kMaxSide);
+    camera_.frame_height = random_.within(1, kMaxSide);
     draw_lens();
     draw_place();
     if (random_.below(8) == 0) spoil();
@@ -47,7 +47,7 @@ class CameraDraw {
   double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
   bool one_in(unsigned n) { return random_.below(n) == 0; }
 
-  // Any power of 2 in [2^lo, 2^hi], with either sign.
+  // A magnitude in [2^lo, 2^hi], of either sign.
   double any_size(int lo, int hi) { return (one_in(2) ? 1 : -1) * std::exp2(between(lo, hi)); }
 
   void draw_lens() {
@@ -69,7 +69,7 @@ class CameraDraw {
     if (one_in(16)) position.v = between(-4096, 8192);
     camera_.position = position;
     if (one_in(2)) return;
-    // Through the middle of the grid, so that cameras far away see something; at times grazing.
+    // Towards the grid, so that distant cameras see something; sometimes grazing.
     WorldPoint at{between(0, header_.cols - 1), between(0, header_.rows - 1), 0};
     if (position.z >= 0) at = {2 * position.u - at.u, 2 * position.v - at.v, position.z + 1};
     if (one_in(4)) at = {position.u + any_size(-22, 12), position.v + any_size(-22, 12), at.z};
@@ -87,46 +87,20 @@ class CameraDraw {
                                       -0.0,
                                       0x1p53};
     const double bad = kBad[random_.below(std::size(kBad))];
-    switch (random_.below(13)) {
-      case 0:
-        camera_.focal = bad;
-        break;
-      case 1:
-        camera_.shear = bad;
-        break;
-      case 2:
-        camera_.row_pitch = bad;
-        break;
-      case 3:
-        camera_.position->u = bad;
-        break;
-      case 4:
-        camera_.position->v = bad;
-        break;
-      case 5:
-        camera_.position->z = bad;
-        break;
-      case 6:
-        camera_.look_at = {bad, 0, 1};
-        break;
-      case 7:
-        camera_.look_at = {0, bad, 1};
-        break;
-      case 8:
-        camera_.look_at = {0, 0, bad};
-        break;
-      case 9:
-        camera_.tan_half = bad;
-        break;
-      case 10:
-        camera_.focus = bad;
-        break;
-      case 11:
-        camera_.look_at = camera_.position;
-        break;
-      default:
-        camera_.frame_width = one_in(2) ? 0 : 4097;
-    }
+    const unsigned input = random_.below(13);
+    if (input == 0) camera_.focal = bad;
+    if (input == 1) camera_.shear = bad;
+    if (input == 2) camera_.row_pitch = bad;
+    if (input == 3) camera_.position->u = bad;
+    if (input == 4) camera_.position->v = bad;
+    if (input == 5) camera_.position->z = bad;
+    if (input == 6) camera_.look_at = {bad, 0, 1};
+    if (input == 7) camera_.look_at = {0, bad, 1};
+    if (input == 8) camera_.look_at = {0, 0, bad};
+    if (input == 9) camera_.tan_half = bad;
+    if (input == 10) camera_.focus = bad;
+    if (input == 11) camera_.look_at = camera_.position;
+    if (input == 12) camera_.frame_width = one_in(2) ? 0 : 4097;
   }
 
   Random& random_;
@@ -134,13 +108,14 @@ class CameraDraw {
   Camera camera_;
 };
 
-// A light field with its decoder; the one used last is kept.
+// A light field with its decoder.
 struct OpenStream {
   uint64_t seed = 0;
   std::vector<uint8_t> bytes;
   std::optional<Decoder> decoder;
 };
 
+// Keeps the decoder of the last stream.
 const Decoder& decoder_of(uint64_t seed) {
   static OpenStream open;
   if (!open.decoder || open.seed != seed) {
@@ -185,8 +160,8 @@ void compare(const CameraCase& made, const FrameRecord& record, const RgbImage& 
 
 CameraCase camera_case(uint64_t seed, uint64_t number) {
   CameraCase made;
-  made.stream = seed * 1'000'000 + number / kCamerasOfAStream;
-  Random random(made.stream * kCamerasOfAStream + number % kCamerasOfAStream);
+  made.stream = seed * 1'000'000 + number / kCamerasPerStream;
+  Random random(made.stream * kCamerasPerStream + number % kCamerasPerStream);
   made.camera = CameraDraw(random, decoder_of(made.stream).header()).draw();
   return made;
 }

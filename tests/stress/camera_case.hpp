@@ -1,7 +1,8 @@
-// Cameras before small light fields: everywhere, and where no camera can be.
+// Cameras before small light fields: at all places, valid and not, and at the ends of intervals.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include <hmlfc/camera.hpp>
@@ -18,26 +19,31 @@ struct CameraCase {
 
 /// Camera `number` of `seed`: on, near, behind and far from the view plane, straight, grazing,
 /// outside the grid, fields of view from the narrowest to the widest, focus at 0, near and at
-/// infinity; one in eight has an input that is not finite or outside its interval (CAM-3).
+/// infinity. One in eight has an input that is not finite or outside its interval (CAM-3).
 CameraCase camera_case(uint64_t seed, uint64_t number);
 
-/// A camera at the place of the first view of random_stream(stream), which it takes as it is
-/// (SMP-4).
+/// A camera at the first view of random_stream(stream), which gives that view unchanged (SMP-4).
 CameraCase view_case(uint64_t stream);
 
-/// What a camera came to.
+/// The result of one camera.
 struct CameraOutcome {
-  std::string refused;  ///< why there is no frame: the error of frame_record; empty if there is one
-  std::string failure;  ///< empty, or what is wrong
+  std::string refused;  ///< the error of frame_record; empty: there is a frame
+  std::string failure;  ///< what is wrong; empty: nothing
   uint64_t samples_compared = 0;
-  double worst_part = 0;  ///< largest error in parts of the bound
+  double worst_part = 0;  ///< largest error, in parts of the bound
 };
 
 /// Draws the golden frame and, with filter quadrilinear, compares it with the frame in double
-/// precision wherever both are inside (ERR-1); the bound counts `scale` times.
+/// precision wherever both are inside (ERR-1); the bound is multiplied by `scale`.
 CameraOutcome try_camera(const CameraCase& made, double scale);
 
-/// The case for people and for a run with it alone.
+/// The case as JSON, for readers and to run it alone.
 vectors::Json describe(const CameraCase& made);
+
+/// Runs cameras before light fields of all sizes, and records that keep to REC-2 and REC-3 but that
+/// no camera has. Each drives quantities of docs/rendering.md, section 6, to an end of their
+/// intervals. Computes rays, weights and taps at the corners and the middle of the frame, but no
+/// samples: no stream is needed. Calls done(name) after each.
+void run_frame_extremes(const std::function<void(const std::string& name)>& done);
 
 }  // namespace hmlfc::stress

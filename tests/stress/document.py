@@ -3,8 +3,8 @@
 
 usage: document.py --record REPORT... | --update | --check
 
---record takes what `./run stress --minutes N --seed S --json` printed into tests/stress/recorded.json.
-Exit status 1: with --check, the written tables are others.
+--record: copies reports of `./run stress --minutes N --seed S --json` into tests/stress/recorded.json.
+Exit status 1: with --check, the written tables differ.
 """
 
 import argparse
@@ -14,14 +14,14 @@ from pathlib import Path
 
 from reached import Reached
 
-import result_file  # reached has made its folder known
+import result_file  # found by the path that reached adds
 
 RECORDED = Path(__file__).resolve().with_name("recorded.json")
 FRAME_CLAUSES = ("RAY", "REC", "SMP")  # of docs/rendering.md
 
 
 def merged(reports):
-    """What is recorded of reports: the runs, and what they reached together."""
+    """The content of recorded.json: the runs, and what they reached together."""
     reached = Reached()
     runs = []
     for report in reports:
@@ -45,7 +45,7 @@ def merged(reports):
 
 
 def write(recorded):
-    """recorded.json, a run or a row a line."""
+    """Writes recorded.json, one run or row a line."""
     groups = (f'"{key}": [\n' + ",\n".join(map(json.dumps, rows)) + "\n]" for key, rows in recorded.items())
     RECORDED.write_text("{" + ",\n".join(groups) + "}\n", encoding="utf-8")
 

@@ -1,10 +1,9 @@
-#include "frame_extremes.hpp"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <hmlfc/camera.hpp>
 
+#include "camera_case.hpp"
 #include "render/taps.hpp"
 
 namespace hmlfc::stress {
@@ -36,9 +35,9 @@ Camera looking(const WorldPoint& position, const WorldPoint& direction, uint32_t
 constexpr uint32_t kSide = kMaxFrameSide;
 constexpr WorldPoint kOrigin{};
 
-// In the last pixel of one row, and in the first of the other, abs(n.x) = 4 * n.z - 1, and n.z * r
-// is so little below 2^57 that the slope is the greatest, or the least, that there is. Found by
-// trying directions along which abs(n.x) is about 4 * n.z.
+// In the last pixel of a row, or the first, abs(n.x) = 4 * n.z - 1, and n.z * r is so close below
+// 2^57 that the slope is the largest, or the smallest, possible. Found by trying directions along
+// which abs(n.x) is about 4 * n.z.
 constexpr double kSteepTanHalf = 1.984375;
 constexpr WorldPoint kSteepRight{95593, 0, 423676};
 constexpr WorldPoint kSteepLeft{-90425, 0, 400771};
@@ -47,7 +46,7 @@ Camera steep(const WorldPoint& position, const WorldPoint& direction) {
   return looking(position, direction, kSide, 1, kSteepTanHalf);
 }
 
-// Before a single view every ray is among the views.
+// The light field is to have a single view: every ray is among the views then.
 Camera far_picture(double column, double distance, double focal) {
   Camera camera = steep({column, 0, distance}, kSteepLeft);
   camera.shear = 256;
@@ -56,7 +55,7 @@ Camera far_picture(double column, double distance, double focal) {
   return camera;
 }
 
-// Takes cameras and records as they come.
+// Runs cameras and records.
 class Extremes {
  public:
   explicit Extremes(const std::function<void(const std::string&)>& done) : done_(done) {}
@@ -88,7 +87,7 @@ class Extremes {
 
 // RAY-1 and RAY-2.
 void take_directions(Extremes& extremes, const StreamHeader& header) {
-  // Parts of forward, right and down in n.z as 1 : 2 : 2, and rounded the right way.
+  // Forward, right and down add to n.z as 1 : 2 : 2, and their roundings all add up.
   const WorldPoint longest{89637, 268852, 100222};
   const WorldPoint backwards{-longest.u, -longest.v, -longest.z};
   extremes.take("longest direction", looking(kOrigin, longest, kSide, kSide, 2), header);
@@ -111,8 +110,8 @@ void take_places(Extremes& extremes, const StreamHeader& header) {
   extremes.take("far left in the picture", far_picture(-128, 0, 65536), header);
 }
 
-// x(c) where gain, x0 and dx * (c - c0) are as large as REC-3 lets each be. No camera has all:
-// where gain * sx and dx * (cols - 1) are, x0 is of the other sign.
+// x(c) where gain, x0 and dx * (c - c0) are each as large as REC-3 allows. No camera has all three:
+// where gain * sx and dx * (cols - 1) are that large, x0 has the other sign.
 void take_records(Extremes& extremes) {
   const StreamHeader header = light_field(513, 1, 1);
   const std::string name = "record at the limits of REC-3";

@@ -1,4 +1,4 @@
-// Encoding what was decoded, with the same parameters, again and again.
+// Generation loss: what was decoded is encoded again with the same parameters, many times.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,8 +52,8 @@ double distance(const LightField& a, const LightField& b) {
 }
 
 struct Generations {
-  std::vector<double> error;  // of each generation, against the original
-  std::vector<double> step;   // against the one before
+  std::vector<double> error;  // of each generation against the original
+  std::vector<double> step;   // against the generation before
 };
 
 Generations generations(const LightField& original, const EncodeParams& params) {
@@ -84,15 +84,14 @@ EncodeParams params_of(Profile profile, double quality, int tree_height) {
   return params;
 }
 
-// What holds, by measurement on three scenes at three qualities: no generation changes the views
-// more than the first did, so that n of them err by at most n times the error of one; without loss
-// none changes anything. They do add up, most where there is a tree; docs/stress.md has the figures
-// that are printed here. The bounds leave a margin.
-void expect_bounded(scenes::Scene scene, const EncodeParams& params, double most_growth) {
+// Measured on three scenes at three qualities: no generation changes the views more than the first
+// did, so n of them err by at most n times the error of one. Errors do add up, most with a tree;
+// docs/stress.md has the figures printed here. The bounds leave a margin.
+void expect_bounded(scenes::Scene scene, const EncodeParams& params, double max_growth) {
   const Generations found = generations(scene_of(scene), params);
   for (size_t n = 1; n < found.error.size(); ++n) {
     EXPECT_LE(found.step[n], found.step[0]) << "generation " << n + 1;
-    EXPECT_LE(found.error[n], most_growth * found.error[0]) << "generation " << n + 1;
+    EXPECT_LE(found.error[n], max_growth * found.error[0]) << "generation " << n + 1;
   }
   if (found.error[0] == 0) return;
   const double most = *std::ranges::max_element(found.error);

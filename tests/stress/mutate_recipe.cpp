@@ -63,21 +63,17 @@ Json random_rule(Random& random) {
 }
 
 void change_rule(Json& rules, Random& random) {
-  switch (random.below(8)) {
-    case 0:
-      rules[one_of(kDensities, random)] = random.below(3) == 0 ? 0 : 100;
-      return;
-    case 1:
-      rules[one_of(kMasks, random)] = random.below(4) == 0 ? "half" : "all";
-      return;
-    case 2:
-      rules["choice"] = random.below(12);
-      return;
-    case 3:
-      rules.erase(one_of(kValueFields, random));
-      return;
-    default:
-      rules[one_of(kValueFields, random)] = random_rule(random);
+  const unsigned kind = random.below(8);
+  if (kind == 0) {
+    rules[one_of(kDensities, random)] = random.below(3) == 0 ? 0 : 100;
+  } else if (kind == 1) {
+    rules[one_of(kMasks, random)] = random.below(4) == 0 ? "half" : "all";
+  } else if (kind == 2) {
+    rules["choice"] = random.below(12);
+  } else if (kind == 3) {
+    rules.erase(one_of(kValueFields, random));
+  } else {
+    rules[one_of(kValueFields, random)] = random_rule(random);
   }
 }
 
@@ -103,25 +99,15 @@ void change_grid(Json& header, Random& random) {
 void change_shape(Json& header, Random& random) {
   static const std::vector<int> sides{1, 2, 7, 16, 17, 64, 70};
   static const std::vector<int> windows{0, 1, 16, 63, 64, 127};
-  switch (random.below(5)) {
-    case 0:
-      header["depth"] = random.within(8, 12);
-      return;
-    case 1:
-      header["chroma_format"] = random.below(2) == 0 ? "420" : "444";
-      return;
-    case 2:
-      header["block_log2"] = random.within(1, 3);
-      return;
-    case 3:
-      header["window"] = one_of(windows, random);
-      return;
-    default:
-      header[random.below(2) == 0 ? "width" : "height"] = one_of(sides, random);
-  }
+  const unsigned field = random.below(5);
+  if (field == 0) header["depth"] = random.within(8, 12);
+  if (field == 1) header["chroma_format"] = random.below(2) == 0 ? "420" : "444";
+  if (field == 2) header["block_log2"] = random.within(1, 3);
+  if (field == 3) header["window"] = one_of(windows, random);
+  if (field == 4) header[random.below(2) == 0 ? "width" : "height"] = one_of(sides, random);
 }
 
-// Switches features and gives the fields that depend on them values that fit.
+// Draws features, and valid values for the fields that depend on them.
 void change_features(Json& header, Random& random) {
   Json features = Json::array();
   const auto maybe = [&](const char* name) {
@@ -151,14 +137,14 @@ void change_features(Json& header, Random& random) {
   header["features"] = features;
 }
 
-// The rules of a recipe by their name; a recipe may have none.
+// The rules of a recipe, added if it has none.
 Json& rules_of(Json& recipe, const char* name) {
   Json& rules = recipe[name];
   if (rules.is_null()) rules = Json::object();
   return rules;
 }
 
-// Keeps a stream small: what it takes to decode grows with the samples of all views.
+// Keeps a stream small: decoding time grows with the samples of all views.
 void bound_size(Json& header) {
   const auto number = [&](const char* name) { return header.value(name, 1u); };
   const unsigned views = number("rows") * number("cols");
@@ -182,21 +168,13 @@ Json first_recipe(Random& random) {
 
 Json mutated(Json recipe, Random& random) {
   for (unsigned changes = 1 + random.below(4); changes > 0; --changes) {
-    switch (random.below(10)) {
-      case 0:
-        change_grid(recipe["header"], random);
-        break;
-      case 1:
-        change_shape(recipe["header"], random);
-        break;
-      case 2:
-        change_features(recipe["header"], random);
-        break;
-      case 3:
-        recipe["seed"] = random.below(1u << 30);
-        break;
-      default:
-        change_rule(rules_of(recipe, random.below(2) == 0 ? "fields" : "reference"), random);
+    const unsigned kind = random.below(10);
+    if (kind == 0) change_grid(recipe["header"], random);
+    if (kind == 1) change_shape(recipe["header"], random);
+    if (kind == 2) change_features(recipe["header"], random);
+    if (kind == 3) recipe["seed"] = random.below(1u << 30);
+    if (kind > 3) {
+      change_rule(rules_of(recipe, random.below(2) == 0 ? "fields" : "reference"), random);
     }
   }
   bound_size(recipe["header"]);

@@ -6,12 +6,12 @@
 
 namespace hmlfc::stress {
 
-/// A recipe to begin with: a few small views in profile extended with all tools of motion, every
-/// field uniform in its interval.
+/// A recipe to begin with: a few small views in profile extended with random features, every field
+/// uniform in its interval.
 vectors::Json first_recipe(vectors::Random& random);
 
-/// `recipe` with some of its header fields and rules changed. It need not be valid: field_stream
-/// throws TextError for those that are not.
+/// `recipe` with one to four changes to its header, rules or seed. The result need not be valid:
+/// field_stream then throws TextError.
 vectors::Json mutated(vectors::Json recipe, vectors::Random& random);
 
 }  // namespace hmlfc::stress

@@ -10,7 +10,7 @@
 namespace hmlfc::stress {
 namespace {
 
-// A fault for the tests to find.
+// Plants a fault for the tests to find.
 void plant(const std::string& what) {
   if (what.empty()) return;
   if (what == "lossy") {
@@ -18,7 +18,7 @@ void plant(const std::string& what) {
     static_cast<void>(narrow<int16_t>(static_cast<int>(beyond)));
   } else if (what == "overflow") {
     volatile int32_t most = INT32_MAX;
-    const int32_t one_more = most + 1;  // ends a build that checks for it
+    const int32_t one_more = most + 1;  // ends a program built with overflow checks
     std::cerr << one_more << '\n';
   } else if (!plant_narrow(what)) {
     throw CLI::ValidationError("--plant", what + " is no quantity of a width table");

@@ -1,4 +1,4 @@
-// What the programs of numerical stress have in common.
+// The common main function of the stress programs.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,9 @@
 
 namespace hmlfc::stress {
 
-/// Parses the arguments, to which it adds `--plant`, a fault to find; prints the report that `run`
-/// returns, as JSON. Returns the exit status: 0 nothing wrong, 1 the report has "findings", 2 wrong
-/// arguments or an exception of `run`, which is named on stderr.
+/// Adds the option `--plant`, a fault to find, parses the arguments and prints the report that
+/// `run` returns, as JSON. Returns the exit status: 0 the report has no "findings", 1 it has some,
+/// 2 wrong arguments or an exception of `run`, which is printed to stderr.
 int run_program(CLI::App& app, int argc, char** argv, const std::function<vectors::Json()>& run);
 
 }  // namespace hmlfc::stress

@@ -1,15 +1,15 @@
-"""What the quantities of the width tables reached, put together from several runs."""
+"""What the quantities of the width tables reached, merged from several runs."""
 
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "common"))
 
-from result_file import table  # noqa: E402  (found only now)
+from result_file import table  # noqa: E402
 
 
 class Reached:
-    """Rows as the programs report them, by quantity, depth and plane."""
+    """Rows as the programs report them, keyed by quantity, depth and plane."""
 
     def __init__(self):
         self.rows = {}
@@ -33,7 +33,7 @@ class Reached:
         return [row for row in self.rows.values() if not is_reached(row)]
 
     def table(self):
-        """Lines of a Markdown table: a line for each quantity and plane, at its greatest depth."""
+        """A Markdown table: a row for each quantity and plane, at its largest depth."""
         rows = [
             table_row([row for row in self.rows.values() if (row["quantity"], row["plane"]) == key])
             for key in dict.fromkeys((quantity, plane) for quantity, _, plane in self.rows)
@@ -58,14 +58,15 @@ def shown(interval):
 
 
 def table_row(rows):
-    """The cells for the depths of one quantity and plane: the deepest, unless another has a gap."""
+    """The cells for all depths of one quantity and plane: the largest, unless another has a gap."""
     open_rows = [row for row in rows if not is_reached(row)]
     row = (open_rows or rows)[-1]
     depths = [r["depth"] for r in rows]
     if row["depth"] is None:
         depth = ""
     elif open_rows and len(open_rows) < len(rows):
-        depth = f"{row['depth']} (reached at {', '.join(map(str, depths_reached(rows)))})"
+        at = ", ".join(str(r["depth"]) for r in rows if is_reached(r))
+        depth = f"{row['depth']} (reached at {at})"
     else:
         depth = f"{row['depth']} of {depths[0]} to {depths[-1]}"
     reached = "the same" if is_reached(row) else shown(row["reached"])
@@ -74,10 +75,6 @@ def table_row(rows):
     return [*cells, shown(row["proved"]), reached, by]
 
 
-def depths_reached(rows):
-    return [row["depth"] for row in rows if is_reached(row)]
-
-
 def short(name):
-    """A stream's name without the recipe of one that a search made."""
+    """The name of a stream, without its recipe if a search made it."""
     return name.split(" {")[0]

@@ -1,7 +1,6 @@
 #include "search.hpp"
 
 #include <chrono>
-#include <new>
 
 #include "mutate_recipe.hpp"
 #include "vectors/field_stream.hpp"
@@ -11,6 +10,13 @@ namespace hmlfc::stress {
 namespace {
 
 using vectors::Random;
+
+// Throws vectors::TextError for a recipe that is not valid.
+std::vector<uint8_t> stream_of(Json recipe) {
+  const uint64_t seed = recipe.value("seed", uint64_t{1});
+  recipe.erase("seed");
+  return vectors::field_stream(recipe, seed);
+}
 
 class Climb {
  public:
@@ -39,8 +45,8 @@ class Climb {
   Archive& archive() { return archive_; }
 
  private:
-  // The closest recipe of `target`; at times that of another end, plane or depth of the same
-  // quantity at the target's depth, at times any.
+  // The closest recipe of `target`; sometimes that of another end, plane or depth of the same
+  // quantity at the target's depth, sometimes any.
   Json parent_of(size_t target) {
     const Place& place = archive_.target(target).place;
     const unsigned kind = random_.below(8);
@@ -52,7 +58,7 @@ class Climb {
     }
     Json recipe = archive_.best(same_row[random_.below(same_row.size())]).recipe;
     if (!recipe.is_null() && kWidthRows[place.row].by_depth) {
-      recipe["header"]["depth"] = place.depth + kLeastDepth;
+      recipe["header"]["depth"] = place.depth + kMinDepth;
     }
     return recipe;
   }
@@ -65,18 +71,69 @@ class Climb {
 
 }  // namespace
 
-std::vector<uint8_t> stream_of(const Json& recipe) {
-  Json rules = recipe;
-  rules.erase("seed");
-  return vectors::field_stream(rules, recipe.value("seed", uint64_t{1}));
+int64_t Target::distance(const Reached& reached) const {
+  if (!reached.any()) return INT64_MAX;
+  const WidthInterval limits = limits_of(place);
+  return upper ? limits.hi - reached.max : reached.min - limits.lo;
 }
 
-Archive search(Session& session, uint64_t seed, double seconds, uint64_t most_streams,
+Archive::Archive() {
+  for (const Place& place : places(WidthTable::kStreams)) {
+    if (!kWidthRows[place.row].one_value) targets_.push_back({place, false});
+    targets_.push_back({place, true});
+  }
+  best_.resize(targets_.size());
+}
+
+void Archive::add(const Json& recipe, uint64_t bytes, const Ranges& ranges) {
+  for (size_t i = 0; i < targets_.size(); ++i) {
+    const int64_t distance = targets_[i].distance(ranges.at(targets_[i].place));
+    Best& best = best_[i];
+    if (distance == INT64_MAX || distance > best.distance) continue;
+    if (distance == best.distance && bytes >= best.bytes) continue;
+    best = {distance, bytes, recipe, ranges};
+  }
+}
+
+std::vector<size_t> Archive::open() const {
+  std::vector<size_t> indices;
+  for (size_t i = 0; i < targets_.size(); ++i) {
+    if (best_[i].distance != 0) indices.push_back(i);
+  }
+  return indices;
+}
+
+// Greedy: always the recipe that serves most of the targets not yet served.
+std::vector<Json> Archive::cover() const {
+  std::vector<Json> recipes;
+  std::vector<bool> served(targets_.size());
+  const auto serves = [&](const Best& best, size_t i) {
+    return !served[i] && best_[i].distance != INT64_MAX &&
+           targets_[i].distance(best.ranges.at(targets_[i].place)) == best_[i].distance;
+  };
+  while (true) {
+    const Best* most = nullptr;
+    size_t most_served = 0;
+    for (const Best& best : best_) {
+      size_t count = 0;
+      for (size_t i = 0; i < targets_.size(); ++i) count += serves(best, i) ? 1u : 0u;
+      if (count > most_served) {
+        most = &best;
+        most_served = count;
+      }
+    }
+    if (most == nullptr) return recipes;
+    recipes.push_back(most->recipe);
+    for (size_t i = 0; i < targets_.size(); ++i) served[i] = served[i] || serves(*most, i);
+  }
+}
+
+Archive search(Session& session, uint64_t seed, double seconds, uint64_t max_streams,
                const std::vector<Json>& begin) {
   const auto started = std::chrono::steady_clock::now();
   Climb climb(session, seed);
   for (const Json& recipe : begin) climb.try_recipe(recipe);
-  while (!climb.done() && climb.streams() < most_streams) {
+  while (!climb.done() && climb.streams() < max_streams) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
     if (elapsed.count() >= seconds) break;
     climb.step();

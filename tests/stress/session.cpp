@@ -1,9 +1,10 @@
 #include "session.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 
-#include "exercise.hpp"
+#include <hmlfc/decoder.hpp>
 
 namespace hmlfc::stress {
 namespace {
@@ -16,18 +17,143 @@ void write_file(const std::filesystem::path& file, std::span<const uint8_t> byte
             static_cast<std::streamsize>(bytes.size()));
 }
 
+// What a stream did.
+struct Outcome {
+  Ranges ranges;
+  uint64_t blocks = 0;  // decoded one by one
+  std::string failure;  // what is wrong and where; empty: nothing
+};
+
+// A place in the stream, as text.
+std::string place_of(const BlockAddress& block, int level) {
+  return "view " + std::to_string(block.view.row) + "," + std::to_string(block.view.col) +
+         ", plane " + std::string(plane_name(block.plane)) + ", block " + std::to_string(block.bx) +
+         "," + std::to_string(block.by) + ", level " + std::to_string(level);
+}
+
+class Exercise {
+ public:
+  Exercise(const Decoder& decoder, uint64_t max_blocks)
+      : decoder_(decoder), header_(decoder.header()), max_blocks_(max_blocks) {}
+
+  Outcome run() {
+    const uint64_t sites = count_sites();
+    const uint64_t stride = std::max<uint64_t>(1, sites / std::max<uint64_t>(1, max_blocks_));
+    for (uint64_t site = 0; site < sites && outcome_.failure.empty(); site += stride) {
+      decode_site(site);
+    }
+    if (outcome_.failure.empty()) decode_views();
+    outcome_.ranges = take_ranges();
+    return outcome_;
+  }
+
+ private:
+  uint64_t blocks_of(Plane plane) const {
+    const PlaneSize size = decoder_.plane_size(plane);
+    const uint64_t side = header_.block_size();
+    return ((size.width + side - 1) / side) * ((size.height + side - 1) / side);
+  }
+
+  uint64_t blocks_of_view() const {
+    return blocks_of(Plane::kY) + blocks_of(Plane::kCo) + blocks_of(Plane::kCg);
+  }
+
+  uint64_t count_sites() const { return uint64_t{header_.rows} * header_.cols * blocks_of_view(); }
+
+  BlockAddress site_at(uint64_t site) const {
+    const uint64_t view = site / blocks_of_view();
+    uint64_t block = site % blocks_of_view();
+    BlockAddress address;
+    address.view = {static_cast<uint32_t>(view / header_.cols),
+                    static_cast<uint32_t>(view % header_.cols)};
+    for (const Plane plane : kPlanes) {
+      address.plane = plane;
+      if (block < blocks_of(plane)) break;
+      block -= blocks_of(plane);
+    }
+    const PlaneSize size = decoder_.plane_size(address.plane);
+    const uint64_t across = (size.width + header_.block_size() - 1) / header_.block_size();
+    address.bx = static_cast<uint32_t>(block % across);
+    address.by = static_cast<uint32_t>(block / across);
+    return address;
+  }
+
+  void decode_site(uint64_t site) {
+    const BlockAddress address = site_at(site);
+    // Every fourth block at the next stop level, the others at level 0.
+    const uint64_t turn = outcome_.blocks / 4 % static_cast<uint64_t>(header_.tree_height + 1);
+    const int level = outcome_.blocks % 4 == 0 ? static_cast<int>(turn) : 0;
+    const auto samples = decoder_.decode_block(address, {.stop_level = level});
+    ++outcome_.blocks;
+    const auto kept =
+        decoder_.decode_block(address, {.stop_level = level, .references = ReferenceMode::kSparse});
+    note(address, level, samples.has_value() == kept.has_value() && (!samples || *samples == *kept),
+         "reference images on demand and kept give different blocks");
+    if (samples) compare_with_plane(address, level, *samples);
+  }
+
+  void compare_with_plane(const BlockAddress& address, int level,
+                          const std::vector<int32_t>& samples) {
+    const uint32_t side = header_.block_size();
+    const PlaneSize size = decoder_.plane_size(address.plane);
+    const Rect rect{address.bx * side, address.by * side,
+                    std::min(side, size.width - address.bx * side),
+                    std::min(side, size.height - address.by * side)};
+    const auto fast = decoder_.decode_rect(address.view, address.plane, rect, level);
+    bool same = fast.has_value();
+    for (uint32_t y = 0; same && y < rect.height; ++y) {
+      const auto row = fast->begin() + static_cast<std::ptrdiff_t>(size_t{y} * rect.width);
+      same = std::equal(row, row + rect.width,
+                        samples.begin() + static_cast<std::ptrdiff_t>(size_t{y} * side));
+    }
+    note(address, level, same, "a block and its rectangle differ");
+  }
+
+  void note(const BlockAddress& address, int level, bool good, const char* what) {
+    const auto violation = take_violation();
+    if (!outcome_.failure.empty() || (good && !violation)) return;
+    outcome_.failure =
+        (violation ? *violation : std::string(what)) + "; " + place_of(address, level);
+  }
+
+  void decode_views() {
+    const auto ignore = [](ViewPos, RgbImage&&) {};
+    for (int level = 0; level <= header_.tree_height; ++level) {
+      static_cast<void>(decoder_.decode_all(ignore, {.stop_level = level, .threads = 1}));
+      if (const auto violation = take_violation()) {
+        outcome_.failure = *violation + "; all views, level " + std::to_string(level);
+        return;
+      }
+    }
+  }
+
+  const Decoder& decoder_;
+  const StreamHeader& header_;
+  uint64_t max_blocks_;
+  Outcome outcome_;
+};
+
+Outcome exercise(std::span<const uint8_t> file, uint64_t max_blocks) {
+  const auto decoder = Decoder::open(file, {.check_sections = false});
+  if (decoder) return Exercise(*decoder, max_blocks).run();
+  Outcome outcome;
+  if (const auto violation = take_violation()) outcome.failure = *violation + "; opening";
+  outcome.ranges = take_ranges();
+  return outcome;
+}
+
 }  // namespace
 
 Ranges Session::run(const std::string& name, std::span<const uint8_t> file) {
   write_file(folder_ / "current.hmlfc", file);
   std::ofstream(folder_ / "current.txt") << name << '\n';
-  const Outcome outcome = exercise(file, most_blocks_);
+  const Outcome outcome = exercise(file, max_blocks_);
   ++streams_;
   blocks_ += outcome.blocks;
   if (!outcome.failure.empty()) {
     const auto stored = folder_ / ("finding-" + std::to_string(findings_.size()) + ".hmlfc");
     write_file(stored, file);
-    findings_.push_back({name, outcome.failure, stored});
+    findings_.push_back({{"stream", name}, {"what", outcome.failure}, {"stored", stored.string()}});
   }
   widths_.add(name, outcome.ranges);
   show_progress();
@@ -36,10 +162,12 @@ Ranges Session::run(const std::string& name, std::span<const uint8_t> file) {
 
 void Session::add(const std::string& name, const Ranges& ranges) {
   widths_.add(name, ranges);
-  if (const auto violation = take_violation()) findings_.push_back({name, *violation, {}});
+  if (const auto violation = take_violation()) {
+    findings_.push_back({{"stream", name}, {"what", *violation}, {"stored", ""}});
+  }
 }
 
-// One line a while, which the driver shows.
+// Prints a line now and then, which stress.py shows.
 void Session::show_progress() {
   const auto now = std::chrono::steady_clock::now();
   if (now - shown_ < kProgressPeriod) return;
@@ -49,14 +177,10 @@ void Session::show_progress() {
 }
 
 vectors::Json Session::report() const {
-  using vectors::Json;
-  Json findings = Json::array();
-  for (const Finding& finding : findings_) {
-    findings.push_back(
-        {{"stream", finding.stream}, {"what", finding.what}, {"stored", finding.stored.string()}});
-  }
-  return {
-      {"streams", streams_}, {"blocks", blocks_}, {"findings", findings}, {"rows", widths_.rows()}};
+  return {{"streams", streams_},
+          {"blocks", blocks_},
+          {"findings", findings_},
+          {"rows", widths_.rows()}};
 }
 
 }  // namespace hmlfc::stress

@@ -1,4 +1,4 @@
-// A run of the stress program: streams in, what they reached and what was wrong out.
+// A run of stress_streams: takes streams, reports what they reached and what was wrong.
 #pragma once
 
 #include <chrono>
@@ -6,33 +6,28 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "vectors/json.hpp"
-#include "width_report.hpp"
+#include "width_record.hpp"
 
 namespace hmlfc::stress {
 
-/// A stream that does what it must not.
-struct Finding {
-  std::string stream;            ///< its name
-  std::string what;              ///< and where
-  std::filesystem::path stored;  ///< where its bytes are; empty where there are none
-};
-
-/// Exercises streams one after another. Before each, its bytes are stored in `folder` as
-/// current.hmlfc and its name in current.txt, so that they are there even when the program is ended
-/// by a check of the compiler.
+/// Exercises streams one after another. Before each, stores its bytes in `folder` as current.hmlfc
+/// and its name in current.txt, so that they survive when a check of the compiler ends the program.
 class Session {
  public:
-  Session(std::filesystem::path folder, uint64_t most_blocks)
-      : folder_(std::move(folder)), most_blocks_(most_blocks) {}
+  Session(std::filesystem::path folder, uint64_t max_blocks)
+      : folder_(std::move(folder)), max_blocks_(max_blocks) {}
 
-  /// What the stream reached. A finding is kept.
+  /// Opens `file` and decodes up to `max_blocks` blocks one by one, spread over views and planes
+  /// and at all stop levels, with reference images on demand and kept, each compared with its
+  /// plane; then all views. Returns what the stream reached. Findings are values outside their
+  /// interval, conversions that lose their value, and ways of decoding that differ; they are kept
+  /// with the stream. Errors of opening and decoding are defined, and no findings.
   Ranges run(const std::string& name, std::span<const uint8_t> file);
 
-  /// Takes in what `name` reached, where that is no stream to decode. A value that left its
-  /// interval is a finding without stored bytes.
+  /// Takes in what `name`, which is no stream, reached. A value that left its interval is a finding
+  /// without stored bytes.
   void add(const std::string& name, const Ranges& ranges);
 
   /// Counts, findings, and for each place of the table what was reached and by which stream.
@@ -42,10 +37,10 @@ class Session {
   void show_progress();
 
   std::filesystem::path folder_;
-  uint64_t most_blocks_;
+  uint64_t max_blocks_;
   uint64_t streams_ = 0;
   uint64_t blocks_ = 0;
-  std::vector<Finding> findings_;
+  vectors::Json findings_ = vectors::Json::array();  // {"stream", "what", "stored"}
   WidthReport widths_{WidthTable::kStreams};
   std::chrono::steady_clock::time_point shown_{};
 };

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Numerical stress: runs the decode path, built with checked integers, until the time is over.
+"""Numerical stress: runs the decode path, built with checked integers, until the time is up.
 
-Streams: every vector of the suite, small synthetic scenes, then by turns a search for more extreme
-streams than the suite's, random valid streams, and random and extreme cameras. Prints what each
-quantity of the width tables, of the specification and of docs/rendering.md, reached beside its
-proved interval. Findings are kept in out/stress with the stream.
-Exit status: 0 nothing wrong, 1 a finding.
+Runs every vector of the suite and small synthetic scenes; then in turn a search for streams more
+extreme than the suite's, random valid streams, and random and extreme cameras. Prints what each
+quantity of the width tables (specification, docs/rendering.md) reached, beside its proved interval.
+Findings are kept in out/stress with their stream.
+Exit status: 0 no findings, 1 a finding.
 """
 
 import argparse
@@ -30,11 +30,11 @@ ENCODINGS = [
     ["--profile", "extended", "--quality", "50", "--preset", "fast"],
     ["--profile", "extended", "--lossless", "--chroma", "444", "--preset", "fast"],
 ]
-TURN_SECONDS = 60  # shorter where the whole run is short
+TURN_SECONDS = 60  # shorter if the whole run is short
 
 
 class Run:
-    """All programs of one run, and what they came to."""
+    """The programs of one run and their results."""
 
     def __init__(self, build, folder, plant):
         self.programs = build / "tests/stress"
@@ -47,40 +47,33 @@ class Run:
         folder.mkdir(parents=True, exist_ok=True)
 
     def streams(self, name, *arguments):
-        report = self.call(name, "stress_streams", "--folder", self.folder, *arguments)
-        if report is None:
-            return
-        self.reached.add(report["rows"])
-        self.counts["streams"] += report["streams"]
-        self.counts["blocks"] += report["blocks"]
+        report = self.add(self.call(name, "stress_streams", "--folder", self.folder, *arguments))
         for finding in report["findings"]:
             self.keep(finding["stream"], finding["what"], Path(finding["stored"]))
 
-    def camera_turn(self, seed, seconds, count):
-        arguments = ["--seed", seed, "--seconds", seconds, "--count", count]
-        report = self.call("cameras", "stress_cameras", *arguments)
-        if report is None:
-            return
-        self.reached.add(report["rows"])
-        self.counts["cameras"] += report["cameras"]
-        self.counts["frames"] += report["frames"]
-        self.cameras["samples_compared"] += report["samples_compared"]
-        if report["worst_part_of_bound"] > self.cameras["worst_part_of_bound"]:
+    def camera_turn(self, seed, seconds):
+        arguments = ["--seed", seed, "--seconds", seconds, "--count", 10**9]
+        report = self.add(self.call("cameras", "stress_cameras", *arguments))
+        self.cameras["samples_compared"] += report.get("samples_compared", 0)
+        if report.get("worst_part_of_bound", 0) > self.cameras["worst_part_of_bound"]:
             self.cameras["worst_part_of_bound"] = report["worst_part_of_bound"]
             self.cameras["worst"] = report["worst"]
         for finding in report["findings"]:
             self.findings.append({"stream": json.dumps(finding["camera"]), "what": finding["what"]})
 
+    def add(self, report):
+        """Adds what a report reached and counted; returns it."""
+        self.reached.add(report["rows"])
+        for name in self.counts:
+            self.counts[name] += report.get(name, 0)
+        return report
+
     def call(self, name, program, *arguments):
-        """The program's report; None, and a finding, where it ended without one."""
+        """The program's report; an empty one, and a finding, if it ended without one."""
         plant = ["--plant", self.plant] if self.plant else []
         command = [self.programs / program, *plant, *arguments]
-        process = subprocess.Popen(
-            [str(part) for part in command],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        process = subprocess.Popen([str(part) for part in command], **pipes, text=True)
         errors = []
         reader = threading.Thread(target=follow, args=(name, process.stderr, errors))
         reader.start()
@@ -96,10 +89,10 @@ class Run:
         stream = current.read_text().strip() if current.exists() else name
         what = next((line for line in errors if "runtime error" in line), f"exit status {status}")
         self.keep(stream, what.strip(), self.folder / "current.hmlfc")
-        return None
+        return {"rows": [], "findings": []}
 
     def keep(self, stream, what, stored):
-        """Keeps a finding's stream, if it has one, under a name of its own."""
+        """Records a finding, with its stream, if any, under a name of its own."""
         finding = {"stream": stream, "what": what}
         if stored.is_file():
             kept = self.folder / f"finding-{len(self.findings):03}.hmlfc"
@@ -123,7 +116,7 @@ def clear_line():
 
 
 def scene_streams(hmlfc, folder):
-    """Small light fields of every scene, encoded in both profiles and without loss."""
+    """A small light field of every scene, encoded in both profiles and losslessly."""
     folder.mkdir(parents=True, exist_ok=True)
     for scene in SCENES:
         views = folder / scene
@@ -161,13 +154,13 @@ def run_all(run, arguments):
         elif turn % 3 == 1:
             run.streams("random streams", "random", "--seed", seed * 1_000_000, *limit)
         else:
-            run.camera_turn(seed, limit[1], 10**9)
+            run.camera_turn(seed, limit[1])
         turn += 1
     return time.monotonic() - begin
 
 
 def cpu_seconds():
-    """Of the programs that have run."""
+    """Of all programs run so far."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
 
@@ -196,7 +189,7 @@ def main():
     parser.add_argument("--build", type=Path, required=True, help="the build of preset stress")
     parser.add_argument("--minutes", type=float, required=True)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--hmlfc", type=Path, help="the program that makes scenes and encodes them")
+    parser.add_argument("--hmlfc", type=Path, help="the program that makes and encodes scenes")
     parser.add_argument("--out", type=Path, default=ROOT / "out/stress")
     parser.add_argument("--plant", help="a fault to find: lossy, overflow, or a quantity")
     parser.add_argument("--json", action="store_true")

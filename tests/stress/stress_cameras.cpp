@@ -1,8 +1,8 @@
 // stress_cameras [--seed S] [--count N] [--seconds T]: frames at the ends of what the clauses
-// allow, then random and extreme cameras before small light fields; prints what they came to as
-// JSON. Each camera gives a frame or a clear error; where it gives one, the frame in fixed point
-// stays within the bound of ERR-1 (docs/rendering.md) of the frame in double precision. No quantity
-// of section 6 leaves its interval. Exit status: 0 nothing wrong, 1 a finding, 2 wrong arguments.
+// allow, then random and extreme cameras before small light fields; prints the results as JSON.
+// Each camera must give a frame or an error that names the input. A frame in fixed point must stay
+// within the bound of ERR-1 (docs/rendering.md) of the frame in double precision, and each quantity
+// of section 6 within its interval. Exit status: 0 no findings, 1 a finding, 2 wrong arguments.
 #include <chrono>
 #include <iostream>
 #include <map>
@@ -10,9 +10,8 @@
 #include <CLI/CLI.hpp>
 
 #include "camera_case.hpp"
-#include "frame_extremes.hpp"
 #include "program.hpp"
-#include "width_report.hpp"
+#include "width_record.hpp"
 
 namespace hmlfc::stress {
 namespace {
@@ -34,17 +33,17 @@ struct Totals {
   uint64_t samples_compared = 0;
   double worst_part = 0;  // of the bound
   Json worst;
-  std::map<std::string, uint64_t> refused;  // by the input named
+  std::map<std::string, uint64_t> refused;  // by input
   Json findings = Json::array();
   WidthReport widths{WidthTable::kFrames};
 };
 
-// The first word of an error says which input it is about.
+// The first word of an error names the input.
 std::string input_of(const std::string& message) {
   return message.substr(0, message.find_first_of(" '"));
 }
 
-// What was watched since the last call; `camera` is named where a value left its interval.
+// Adds what was watched since the last call; `camera` is named if a value left its interval.
 void add_widths(Totals& totals, const std::string& name, const Json& camera) {
   totals.widths.add(name, take_ranges());
   if (const auto violation = take_violation()) {
@@ -103,10 +102,9 @@ int main(int argc, char** argv) {
   CLI::App app("Frames at the ends of what the clauses allow; random and extreme cameras.",
                "stress_cameras");
   app.add_option("--seed", arguments.seed);
-  app.add_option("--count", arguments.count, "random cameras at most");
+  app.add_option("--count", arguments.count, "most random cameras");
   app.add_option("--seconds", arguments.seconds);
-  app.add_option("--scale-bound", arguments.scale,
-                 "a fault to find: the bound of ERR-1 is multiplied by this")
+  app.add_option("--scale-bound", arguments.scale, "a fault to find: multiplies the bound of ERR-1")
       ->check(CLI::Range(0.0, 1.0));
   return hmlfc::stress::run_program(app, argc, argv, [&] { return hmlfc::stress::run(arguments); });
 }

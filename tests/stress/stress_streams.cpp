@@ -1,6 +1,6 @@
 // stress_streams COMMAND: decodes streams with every quantity of the width table watched; prints
-// what was reached as JSON. `--help` lists the commands. Exit status: 0 nothing wrong, 1 a value
-// left its interval, a conversion lost its value or ways of decoding differ, 2 wrong arguments.
+// what was reached as JSON. `--help` lists the commands. Exit status: 0 no findings, 1 a value left
+// its interval, a conversion lost its value or ways of decoding differ, 2 wrong arguments.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "geometry_extremes.hpp"
 #include "program.hpp"
 #include "search.hpp"
+#include "syntax/geometry.hpp"
 #include "vectors/field_stream.hpp"
 
 namespace hmlfc::stress {
@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 struct Arguments {
   fs::path folder = ".";
   uint64_t blocks = 400;
-  std::string plant;
   std::vector<fs::path> paths;
   uint64_t seed = 1;
   double seconds = 1e9;
@@ -57,7 +56,7 @@ void run_files(Session& session, const Arguments& arguments) {
   }
 }
 
-// What recipe files of the suite make field by field, as search() takes it.
+// The recipes of recipe files of the suite, as search() takes them.
 std::vector<Json> recipes_of(const std::vector<fs::path>& files) {
   std::vector<Json> recipes;
   for (const fs::path& file : files) {
@@ -71,7 +70,7 @@ std::vector<Json> recipes_of(const std::vector<fs::path>& files) {
   return recipes;
 }
 
-// The same, as vectors of a recipe file that want a name, clauses and a comment.
+// Writes recipes as vectors of a recipe file; name, clauses and comment are left to the reader.
 void write_recipes(const fs::path& file, const std::vector<Json>& recipes) {
   Json vectors = Json::array();
   for (Json stream : recipes) {
@@ -99,15 +98,48 @@ void run_search(Session& session, const Arguments& arguments) {
   if (!arguments.found.empty()) write_recipes(arguments.found, archive.cover());
 }
 
+StreamHeader largest_header() {
+  StreamHeader header;
+  header.profile = Profile::kExtended;
+  header.feature_flags = feature_bit(Feature::kMotionTiles) | feature_bit(Feature::kChromaMotion);
+  header.rows = 4096;
+  header.cols = 4096;
+  header.width = 65536;
+  header.height = 65536;
+  header.chroma_format = ChromaFormat::k444;
+  header.block_log2 = 1;
+  header.motion_tile_log2 = 5;
+  header.cluster_rows = 1;
+  header.cluster_cols = 2;
+  header.tree_height = 15;
+  header.levels.assign(16, LevelEntry{255, 255, 0});
+  return header;
+}
+
+// What the numbers of the last image and its last tile reach (IDX-1, IDX-2) in the largest tree.
+// The index of such a stream would take over 7 * 10^12 bytes, so only the arithmetic runs.
+Ranges geometry_extremes() {
+  const StreamHeader header = largest_header();
+  const Geometry geometry(header);
+  const uint64_t first = geometry.image_number(header.tree_height, {0, 0});
+  static_cast<void>(geometry.tile_number(first, Plane::kY, 0, 0));
+  const uint64_t last = geometry.image_number(0, {header.rows - 1, header.cols - 1});
+  const size_t motion = geometry.motion_planes().size() - 1;
+  const MotionPlaneShape& plane = geometry.motion_planes()[motion];
+  static_cast<void>(
+      geometry.motion_tile_number(last, motion, plane.tiles_x - 1, plane.tiles_y - 1));
+  return take_ranges();
+}
+
 void add_commands(CLI::App& app, Arguments& arguments) {
-  app.add_option("--folder", arguments.folder, "where streams are stored")
+  app.add_option("--folder", arguments.folder, "folder to store streams in")
       ->check(CLI::ExistingDirectory);
-  app.add_option("--blocks", arguments.blocks, "blocks decoded one by one of a stream, at most");
+  app.add_option("--blocks", arguments.blocks, "most blocks of a stream to decode one by one");
   app.require_subcommand(1);
   const auto limit = [&](CLI::App* command) {
     command->add_option("--seed", arguments.seed);
     command->add_option("--seconds", arguments.seconds);
-    command->add_option("--count", arguments.count, "streams at most");
+    command->add_option("--count", arguments.count, "most streams");
   };
   auto* files = app.add_subcommand("files", "streams in files, or in all files below folders");
   files->add_option("PATH", arguments.paths)->required()->check(CLI::ExistingPath);
@@ -116,8 +148,8 @@ void add_commands(CLI::App& app, Arguments& arguments) {
   limit(climb);
   climb->add_option("--from", arguments.paths, "recipe files of the suite to begin with")
       ->check(CLI::ExistingFile);
-  climb->add_option("--found", arguments.found, "where the recipes that came closest are written");
-  app.add_subcommand("geometry", "numbers of the largest trees, without streams");
+  climb->add_option("--found", arguments.found, "file to write the closest recipes to");
+  app.add_subcommand("geometry", "image and tile numbers of the largest tree, without a stream");
 }
 
 Json run_command(const std::string& command, const Arguments& arguments) {

@@ -12,8 +12,8 @@ namespace {
 
 // One place of the table, filled by several threads.
 struct Slot {
-  std::atomic<int64_t> least{INT64_MAX};
-  std::atomic<int64_t> greatest{INT64_MIN};
+  std::atomic<int64_t> min{INT64_MAX};
+  std::atomic<int64_t> max{INT64_MIN};
 };
 
 struct Record {
@@ -33,15 +33,15 @@ Record& record() {
   return instance;
 }
 
-void lower(std::atomic<int64_t>& least, int64_t value) {
-  int64_t now = least.load(std::memory_order_relaxed);
-  while (value < now && !least.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
+void lower(std::atomic<int64_t>& min, int64_t value) {
+  int64_t now = min.load(std::memory_order_relaxed);
+  while (value < now && !min.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
   }
 }
 
-void raise(std::atomic<int64_t>& greatest, int64_t value) {
-  int64_t now = greatest.load(std::memory_order_relaxed);
-  while (value > now && !greatest.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
+void raise(std::atomic<int64_t>& max, int64_t value) {
+  int64_t now = max.load(std::memory_order_relaxed);
+  while (value > now && !max.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
   }
 }
 
@@ -56,8 +56,8 @@ std::string line_of(const std::source_location& where) {
 }  // namespace
 
 void Reached::add(const Reached& other) {
-  least = std::min(least, other.least);
-  greatest = std::max(greatest, other.greatest);
+  min = std::min(min, other.min);
+  max = std::max(max, other.max);
 }
 
 std::vector<Place> places(WidthTable table) {
@@ -91,7 +91,7 @@ Ranges take_ranges() {
   for (const WidthTable table : {WidthTable::kStreams, WidthTable::kFrames}) {
     for (const Place& place : places(table)) {
       Slot& slot = record().slots[place.row][place.depth][place.plane];
-      ranges.at(place) = {slot.least.exchange(INT64_MAX), slot.greatest.exchange(INT64_MIN)};
+      ranges.at(place) = {slot.min.exchange(INT64_MAX), slot.max.exchange(INT64_MIN)};
     }
   }
   return ranges;
@@ -102,16 +102,48 @@ std::optional<std::string> take_violation() {
   return std::exchange(record().violation, std::nullopt);
 }
 
+void WidthReport::add(const std::string& name, const Ranges& ranges) {
+  for (size_t i = 0; i < places_.size(); ++i) {
+    const Reached& reached = ranges.at(places_[i]);
+    Record& record = records_[i];
+    if (reached.min < record.reached.min) record.min_by = name;
+    if (reached.max > record.reached.max) record.max_by = name;
+    record.reached.add(reached);
+  }
+}
+
+vectors::Json WidthReport::rows() const {
+  using vectors::Json;
+  Json rows = Json::array();
+  for (size_t i = 0; i < places_.size(); ++i) {
+    const Place& place = places_[i];
+    const Record& record = records_[i];
+    const WidthRow& row = kWidthRows[place.row];
+    const WidthInterval limits = limits_of(place);
+    Json json{{"quantity", row.quantity},
+              {"clause", row.clause},
+              {"depth", row.by_depth ? Json(place.depth + kMinDepth) : Json()},
+              {"plane", row.by_plane ? Json(place.plane == 0 ? "Y" : "Co, Cg") : Json()},
+              {"proved", {row.one_value ? limits.hi : limits.lo, limits.hi}}};
+    if (record.reached.any()) {
+      json["reached"] = {record.reached.min, record.reached.max};
+      json["by"] = {record.min_by, record.max_by};
+    }
+    rows.push_back(std::move(json));
+  }
+  return rows;
+}
+
 }  // namespace stress
 
 void note_value(const WatchedValue& watched) {
   using namespace stress;
   const WidthRow& row = kWidthRows[watched.row];
-  const size_t depth = row.by_depth ? static_cast<size_t>(watched.depth - kLeastDepth) : 0;
+  const size_t depth = row.by_depth ? static_cast<size_t>(watched.depth - kMinDepth) : 0;
   const size_t plane = row.by_plane && watched.chroma ? 1 : 0;
   Slot& slot = record().slots[watched.row][depth][plane];
-  lower(slot.least, watched.value);
-  raise(slot.greatest, watched.value);
+  lower(slot.min, watched.value);
+  raise(slot.max, watched.value);
   const int64_t margin = record().narrow[watched.row].load(std::memory_order_relaxed) ? 1 : 0;
   const WidthInterval limits = row.limits[depth][plane];
   if (watched.value >= limits.lo + margin && watched.value <= limits.hi - margin) return;

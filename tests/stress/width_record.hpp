@@ -10,23 +10,24 @@
 #include <vector>
 
 #include "arithmetic/widths.hpp"
+#include "vectors/json.hpp"
 
 namespace hmlfc::stress {
 
 inline constexpr size_t kRows = std::size(kWidthRows);
-inline constexpr int kLeastDepth = 8;
+inline constexpr int kMinDepth = 8;
 inline constexpr size_t kDepths = 5;
 
-/// Least and greatest value that occurred; none where least > greatest.
+/// Smallest and largest value that occurred; none where min > max.
 struct Reached {
-  int64_t least = INT64_MAX;
-  int64_t greatest = INT64_MIN;
+  int64_t min = INT64_MAX;
+  int64_t max = INT64_MIN;
 
-  bool any() const { return least <= greatest; }
+  bool any() const { return min <= max; }
   void add(const Reached& other);
 };
 
-/// The same for a row at one depth, of Y or of Co and Cg.
+/// A row of a table at one depth, of Y or of Co and Cg.
 struct Place {
   size_t row = 0;
   size_t depth = 0;  ///< depth - 8: [0, 4]
@@ -41,21 +42,44 @@ struct Ranges {
   const Reached& at(const Place& place) const { return rows[place.row][place.depth][place.plane]; }
 };
 
-/// The places of all rows of a table that it tells apart.
+/// Every place of a table that has an interval of its own.
 std::vector<Place> places(WidthTable table);
 
-/// The table's interval.
+/// The interval of the table.
 WidthInterval limits_of(const Place& place);
 
-/// Row `quantity` counts as narrower by one at both ends from now on: a fault to find. False for a
-/// name that is no row.
+/// Narrows the interval of row `quantity` by one at both ends from now on: a planted fault. False
+/// if no row has this name.
 bool plant_narrow(const std::string& quantity);
 
-/// What was reached since the last call, and forgets it. Nobody may be watching meanwhile.
+/// Returns what was reached since the last call. No thread may be watching meanwhile.
 Ranges take_ranges();
 
-/// The first violation since the last call, for people: the quantity, its value, the interval and
-/// the line of the model; or the line of a conversion that lost its value.
+/// The first violation since the last call, as text: the quantity, its value, the interval and the
+/// line of the model; or the line of a conversion that lost its value.
 std::optional<std::string> take_violation();
+
+/// What the rows of a table reached over a whole run, and by what.
+class WidthReport {
+ public:
+  explicit WidthReport(WidthTable table) : places_(places(table)), records_(places_.size()) {}
+
+  /// Takes in what `name` reached.
+  void add(const std::string& name, const Ranges& ranges);
+
+  /// Each place of the table: its proved interval, what was reached, and which name reached it
+  /// first.
+  vectors::Json rows() const;
+
+ private:
+  struct Record {
+    Reached reached;
+    std::string min_by;
+    std::string max_by;
+  };
+
+  std::vector<Place> places_;
+  std::vector<Record> records_;
+};
 
 }  // namespace hmlfc::stress

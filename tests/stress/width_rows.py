@@ -2,8 +2,8 @@
 """Writes the width tables (specification, section 11; docs/rendering.md, section 6) as a C++
 header: width_rows.py OUTPUT.
 
-Each row has its intervals at the depths 8 to 12, of Y and of Co and Cg. The file is left alone
-where nothing changed, so that nothing is built again.
+Each row has its intervals at depths 8 to 12, for Y and for Co and Cg. An unchanged file is not
+written, so that nothing is rebuilt.
 """
 
 import sys
@@ -80,15 +80,12 @@ def rows(root=ROOT):
 
 
 def c_row(table, quantity, clause, one_value, limits):
-    def flag(condition):
-        return "true" if condition else "false"
-
     by_depth = len(set(limits)) > 1
     by_plane = any(y != chroma for y, chroma in limits)
     text = ", ".join(
         "{" + ", ".join("{" + f"{lo}, {hi}" + "}" for lo, hi in pair) + "}" for pair in limits
     )
-    flags = ", ".join(flag(x) for x in (by_depth, by_plane, one_value))
+    flags = ", ".join(str(flag).lower() for flag in (by_depth, by_plane, one_value))
     return f'    {{WidthTable::{table}, "{quantity}", "{clause}", {flags}, {{{text}}}}},\n'
 
 

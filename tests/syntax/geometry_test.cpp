@@ -91,42 +91,47 @@ RC_GTEST_PROP(Geometry, ImageNumbersCountBreadthFirst, ()) {
   }
 }
 
-// Tile numbers are 0, 1, 2, ... over all tiles: a bijection.
-RC_GTEST_PROP(Geometry, TileNumbersCountAllTiles, ()) {
-  const StreamHeader header = draw_small_header();
+// Tile numbers are 0, 1, 2, ... over all tiles, a bijection; those of motion tiles follow those of
+// plane Cg.
+void check_tile_numbers(const StreamHeader& header) {
   const Geometry geometry(header);
   const NaiveTree tree(header);
   const uint64_t count = tree.tiles().size();
   RC_ASSERT(geometry.tile_count() == count);
+  RC_ASSERT(geometry.tile_group_count() == (count - 1) / 64 + 1);
+  RC_ASSERT(geometry.root_entry_count() == (count - 1) / 4096 + 1);
+  RC_ASSERT(geometry.motion_planes().size() == tree.planes().size() - 3);
   for (uint64_t number = 0; number < count; ++number) {
     const NaiveTile& tile = tree.tiles()[number];
     const uint64_t image = geometry.image_number(tile.image.level, pos(tile.image));
-    RC_ASSERT(geometry.tile_number(image, tile.plane, tile.tx, tile.ty) == number);
-  }
-  RC_ASSERT(geometry.tile_group_count() == (count - 1) / 64 + 1);
-  RC_ASSERT(geometry.root_entry_count() == (count - 1) / 4096 + 1);
-}
-
-RC_GTEST_PROP(Geometry, ReferencesAndKeys, ()) {
-  const StreamHeader header = draw_small_header();
-  const Geometry geometry(header);
-  const NaiveTree tree(header);
-  for (const NaiveImage& image : tree.images()) {
-    const NaiveImage reference = tree.reference(image);
-    RC_ASSERT(geometry.reference_of(image.level, pos(image)) == pos(reference));
-    RC_ASSERT(geometry.is_reference(image.level, pos(image)) == (reference == image));
-    const bool top = image.level == header.tree_height;
-    RC_ASSERT(geometry.is_key(image.level, pos(image)) == (top && reference == image));
-  }
-  const auto keys = tree.keys();
-  RC_ASSERT(geometry.key_count() == keys.size());
-  for (uint64_t number = 0; number < keys.size(); ++number) {
-    RC_ASSERT(geometry.key_number(header.tree_height, pos(keys[number])) == number);
+    const auto plane = static_cast<size_t>(tile.plane);
+    if (plane < 3) {
+      RC_ASSERT(geometry.tile_number(image, tile.plane, tile.tx, tile.ty) == number);
+    } else {
+      RC_ASSERT(geometry.motion_tile_number(image, plane - 3, tile.tx, tile.ty) == number);
+      const MotionPlaneShape& shape = geometry.motion_planes()[plane - 3];
+      const NaiveSize size = tree.plane_size(tile.plane);
+      RC_ASSERT(shape.width == size.width && shape.height == size.height);
+    }
   }
 }
 
-RC_GTEST_PROP(Geometry, ReferencesAndKeysOfProfileExtended, ()) {
+RC_GTEST_PROP(Geometry, TileNumbersCountAllTiles, ()) { check_tile_numbers(draw_small_header()); }
+
+RC_GTEST_PROP(Geometry, TileNumbersOfProfileExtended, ()) {
   const StreamHeader header = draw_extended_header();
+  check_tile_numbers(header);
+  if (!header.has(Feature::kMotionTiles)) return;
+  const Geometry geometry(header);
+  const bool own_chroma = header.has(Feature::kChromaMotion);
+  RC_ASSERT(geometry.motion_plane_of(Plane::kY) == 0);
+  RC_ASSERT(geometry.motion_plane_of(Plane::kCo) == (own_chroma ? 1u : 0u));
+  RC_ASSERT(geometry.motion_plane_of(Plane::kCg) == (own_chroma ? 1u : 0u));
+  RC_ASSERT(geometry.motion_planes()[0].halves ==
+            (!own_chroma && header.chroma_format == ChromaFormat::k420));
+}
+
+void check_references(const StreamHeader& header) {
   const Geometry geometry(header);
   const NaiveTree tree(header);
   for (const NaiveImage& image : tree.images()) {
@@ -145,33 +150,18 @@ RC_GTEST_PROP(Geometry, ReferencesAndKeysOfProfileExtended, ()) {
   }
 }
 
-// Motion tiles have their numbers behind those of plane Cg.
-RC_GTEST_PROP(Geometry, TileNumbersOfProfileExtended, ()) {
-  const StreamHeader header = draw_extended_header();
-  const Geometry geometry(header);
+RC_GTEST_PROP(Geometry, ReferencesAndKeys, ()) {
+  const StreamHeader header = draw_small_header();
+  check_references(header);
   const NaiveTree tree(header);
-  RC_ASSERT(geometry.tile_count() == tree.tiles().size());
-  RC_ASSERT(geometry.motion_planes().size() == tree.planes().size() - 3);
-  for (uint64_t number = 0; number < tree.tiles().size(); ++number) {
-    const NaiveTile& tile = tree.tiles()[number];
-    const uint64_t image = geometry.image_number(tile.image.level, pos(tile.image));
-    const auto plane = static_cast<size_t>(tile.plane);
-    if (plane < 3) {
-      RC_ASSERT(geometry.tile_number(image, tile.plane, tile.tx, tile.ty) == number);
-    } else {
-      RC_ASSERT(geometry.motion_tile_number(image, plane - 3, tile.tx, tile.ty) == number);
-      const MotionPlaneShape& shape = geometry.motion_planes()[plane - 3];
-      const NaiveSize size = tree.plane_size(tile.plane);
-      RC_ASSERT(shape.width == size.width && shape.height == size.height);
-    }
+  for (const NaiveImage& image : tree.images()) {
+    const bool top = image.level == header.tree_height;
+    RC_ASSERT(tree.is_key(image) == (top && tree.reference(image) == image));
   }
-  if (!header.has(Feature::kMotionTiles)) return;
-  const bool own_chroma = header.has(Feature::kChromaMotion);
-  RC_ASSERT(geometry.motion_plane_of(Plane::kY) == 0);
-  RC_ASSERT(geometry.motion_plane_of(Plane::kCo) == (own_chroma ? 1u : 0u));
-  RC_ASSERT(geometry.motion_plane_of(Plane::kCg) == (own_chroma ? 1u : 0u));
-  RC_ASSERT(geometry.motion_planes()[0].halves ==
-            (!own_chroma && header.chroma_format == ChromaFormat::k420));
+}
+
+RC_GTEST_PROP(Geometry, ReferencesAndKeysOfProfileExtended, ()) {
+  check_references(draw_extended_header());
 }
 
 // Every number of rows up to 600 in groups of every size: the boundaries of EXT-3, found by

@@ -6,12 +6,15 @@
 #include <random>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "arithmetic/naive_bise.hpp"
 #include "bits/naive_bits.hpp"
+#include "syntax/motion_helpers.hpp"
 #include "syntax/naive_motion.hpp"
 #include "syntax/naive_tile.hpp"
 
@@ -19,11 +22,11 @@ namespace hmlfc {
 namespace {
 
 using test::EntryModel;
+using test::kRecordAt;
 using test::MotionModel;
 using test::MotionRules;
 using test::NaiveBits;
-
-constexpr uint64_t kRecordAt = 1000;  // byte of the file at which the record stands
+using test::name_of;
 
 struct Case {
   MotionContext context;
@@ -54,12 +57,9 @@ std::string outcome(const NaiveBits& bits, const MotionContext& context, uint32_
   const std::vector<uint8_t> bytes = bits.bytes();
   FieldCursor cursor(BitString(bytes), kRecordAt * 8, Probe{});
   const auto head = read_motion_head(cursor, context);
-  const auto entry = head ? read_motion_entry(cursor, *head, context, x, y)
-                          : Result<PaletteEntry>(tl::unexpected(head.error()));
-  if (entry) return "ok";
-  EXPECT_EQ(entry.error().section, Section::kTile);
-  EXPECT_GE(entry.error().offset, kRecordAt);
-  return std::string(error_name(entry.error().code));
+  if (!head) return name_of(head.error());
+  const auto entry = read_motion_entry(cursor, *head, context, x, y);
+  return entry ? "ok" : name_of(entry.error());
 }
 
 void check_entry(const PaletteEntry& entry, const EntryModel& model) {
@@ -209,22 +209,6 @@ TEST(MotionTile, EmptyTiles) {
   }
 }
 
-/// Fields as a sink is told.
-class Recorder final : public TraceSink {
- public:
-  void on_field(const FieldRecord& record) override {
-    EXPECT_EQ(record.section, Section::kTile);
-    EXPECT_EQ(record.clause, "MOT-3");
-    text_ += std::string(record.name) + "@" + std::to_string(record.bit) + ":" +
-             std::to_string(record.bits) + "=" + std::to_string(record.value) + " ";
-  }
-  void on_stage(const StageRecord&) override {}
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
 TEST(MotionTile, EveryFieldIsTold) {
   NaiveBits bits;
   bits.put(3, 2).put(1, 3).put(4, 4);                                      // one block of 32
@@ -235,7 +219,7 @@ TEST(MotionTile, EveryFieldIsTold) {
   MotionContext context = whole_tile();
   context.two_references = context.disparities = true;
   context.keyed = false;
-  Recorder recorder;
+  test::FieldRecorder recorder("MOT-3");
   AccessCounts counts;
   FieldCursor cursor(BitString(bytes), 800, Probe{&recorder, &counts, {}});
   const auto head = read_motion_head(cursor, context);

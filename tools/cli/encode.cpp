@@ -1,6 +1,4 @@
 // hmlfc encode: a folder of views to a stream, with the quality measured on the decoded stream.
-#include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,34 +16,11 @@
 #include "cli/view_source.hpp"
 #include "io/files.hpp"
 #include "io/light_field_files.hpp"
+#include "terminal/clock.hpp"
 #include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
 namespace {
-
-struct Elapsed {
-  double wall_seconds = 0;
-  double cpu_seconds = 0;  ///< of all threads of the process
-};
-
-// Measures the time since its construction.
-class Stopwatch {
- public:
-  Elapsed elapsed() const {
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_begin_;
-    return {wall.count(), cpu_now() - cpu_begin_};
-  }
-
- private:
-  static double cpu_now() {
-    timespec now{};
-    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  }
-
-  std::chrono::steady_clock::time_point wall_begin_ = std::chrono::steady_clock::now();
-  double cpu_begin_ = cpu_now();
-};
 
 struct EncodeOptions {
   std::filesystem::path input;
@@ -61,7 +36,8 @@ struct EncodeOutcome {
   StreamReport stream;
   Quality quality;
   EncodeParams params;
-  Elapsed time;
+  double wall_seconds = 0;
+  double cpu_seconds = 0;  ///< of all threads of the process
 };
 
 LightField load(const EncodeOptions& options) {
@@ -107,9 +83,10 @@ EncodeOutcome encode_and_measure(const EncodeOptions& options) {
   EncodeOutcome outcome;
   ErrorSums promised;
   {
-    const Stopwatch watch;
+    const Clock clock;
     const EncodedStream stream = encode_field(field, options);
-    outcome.time = watch.elapsed();
+    outcome.wall_seconds = clock.wall_seconds();
+    outcome.cpu_seconds = clock.cpu_seconds();
     outcome.params = stream.params;
     promised = stream.error;
     value_or_throw(io::write_file(options.output, stream.bytes), ExitCode::kOutput);
@@ -126,11 +103,11 @@ EncodeOutcome encode_and_measure(const EncodeOptions& options) {
 
 void print_outcome_json(const EncodeOutcome& outcome) {
   Json json = report_json(outcome.stream);
-  json["seconds"] = outcome.time.wall_seconds;
+  json["seconds"] = outcome.wall_seconds;
   json["psnr_rgb"] = psnr_json(outcome.quality.psnr_rgb);
   json["psnr_y"] = psnr_json(outcome.quality.psnr_y);
   json["max_abs_error"] = outcome.quality.max_abs_error;
-  json["cpu_seconds"] = outcome.time.cpu_seconds;
+  json["cpu_seconds"] = outcome.cpu_seconds;
   if (outcome.params.profile == Profile::kMain) {
     json["threshold_ref"] = outcome.params.main.threshold_ref;
     json["threshold_pred"] = outcome.params.main.threshold_pred;
@@ -156,8 +133,8 @@ void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outco
     print(fmt::format("Coded at      quality {}, preset {}\n", outcome.params.extended.quality,
                       preset_name(outcome.params.extended.preset)));
   }
-  print(fmt::format("Encoding      {:.2f} s, CPU {:.2f} s\n", outcome.time.wall_seconds,
-                    outcome.time.cpu_seconds));
+  print(fmt::format("Encoding      {:.2f} s, CPU {:.2f} s\n", outcome.wall_seconds,
+                    outcome.cpu_seconds));
 }
 
 // Whether --target-psnr was reached, if it was asked for; says how far it got if not.

@@ -29,7 +29,7 @@ struct RenderArguments {
   CameraOptions cameras;
   std::optional<int> levels;
   BackendChoice backend;
-  uint32_t cache_mib = 256;
+  uint32_t cache_mib = static_cast<uint32_t>(RenderOptions{}.cache_bytes >> 20);
   int threads = 0;
   bool progressive = false;
   bool sweep = false;

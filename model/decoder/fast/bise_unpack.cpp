@@ -34,7 +34,7 @@ uint32_t peek(const uint8_t* bytes, uint64_t at, unsigned count) {
   return (word >> (at & 7)) & ((1u << count) - 1u);
 }
 
-// Splits whole and cut groups: each value's plain bits and the digit bits that follow them.
+// Reads whole and cut digit groups: of each value its plain bits and the digit bits that follow.
 template <size_t kMembers, class Table>
 void unpack_digits(const uint8_t* bytes, uint64_t start, unsigned n, uint64_t end, size_t count,
                    const std::array<DigitBits, kMembers>& layout, const Table& table,

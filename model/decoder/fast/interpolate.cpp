@@ -1,5 +1,5 @@
-// Plain loops over fixed numbers of columns, which the compiler turns to vectors of each
-// instruction set that they are compiled for; one is chosen at run time.
+// Plain loops over fixed numbers of columns, which the compiler vectorises for each instruction
+// set; one is chosen at run time.
 #include "decoder/fast/interpolate.hpp"
 
 #include <cstring>
@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hmlfc {
 namespace HWY_NAMESPACE {
 
-// One reference from a column on; samples of weight 0 stand for any that are there.
+// One reference from a column on; for samples of weight 0 any that can be read are taken.
 struct Taps {
   Taps(const DisplacedReference& reference, unsigned x)
       : row(reference.view.data + x),
@@ -33,7 +33,8 @@ struct Taps {
   std::array<int16_t, 4> weights;
 };
 
-// I of MOT-9 in kLanes columns of one row. Sum holds each: partial sums, too, lie in 64 * bound.
+// I of MOT-9 in kLanes columns of one row. Sum holds it and its partial sums: all lie in
+// 64 * [-bound, bound].
 template <class Sum, unsigned kLanes>
 inline void sum_row(const Taps& taps, const int16_t* row, Sum (&sums)[kLanes]) {
   int16_t s00[kLanes], s10[kLanes], s01[kLanes], s11[kLanes];

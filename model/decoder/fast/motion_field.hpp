@@ -23,7 +23,7 @@ struct MotionField {
   std::array<bool, kMaxPaletteEntries> usable{};
   std::array<uint16_t, kMaxMotionBlocks> indices{};
 
-  /// The entry of motion block (mx, my) of the tile, or null where it has none that it may use.
+  /// The entry of motion block (mx, my) of the tile; null if it has none that it may use.
   const PaletteEntry* entry(uint32_t mx, uint32_t my) const {
     const uint16_t index = indices[my * head.columns + mx];
     return index < head.entries && usable[index] ? &head.palette[index] : nullptr;

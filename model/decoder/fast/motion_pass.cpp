@@ -112,7 +112,7 @@ class MotionPass {
     return {};
   }
 
-  // resolve() of an entry that shares a disparity, remembered for the disparities last met.
+  // resolve() of an entry that shares a disparity, cached for the latest disparities.
   const BlockMotion& shared_motion(const PaletteEntry& entry, int32_t disparity) {
     ResolvedMotion& slot = resolved_[static_cast<uint32_t>(disparity) % resolved_.size()];
     const auto key = std::tuple(disparity, entry.reference_set, entry.negative);

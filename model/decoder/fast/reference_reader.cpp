@@ -56,7 +56,8 @@ Result<void> ReferenceReader::read_clamped(const ReferenceArea& area, int16_t* o
   return {};
 }
 
-// Copies the parts of the blocks that `area`, inside the plane, touches, or zeros.
+// Copies the parts of the blocks that `area`, which lies in the plane, touches; zeros for those
+// without residuals.
 Result<void> ReferenceReader::read_sparse(const ReferenceArea& area, int16_t* out) const {
   const unsigned size = block_size_;
   const auto x = static_cast<uint32_t>(area.x);

@@ -16,14 +16,14 @@ Result<void> add_level(const FastSources& sources, int level, ImagePos image, Pl
 
 /// Decodes `rect` of plane `plane` of image `image` of level `level` with all its ancestors. The
 /// result has whole blocks: (bx1 - bx0) * B x (by1 - by0) * B samples; those outside the plane have
-/// no meaning. On failure some block that the rectangle needs
-/// does not decode; the error is not necessarily the first in the order of CNV-7.
+/// no meaning. On failure some block that the rectangle needs does not decode; the error need not
+/// be the first in the order of CNV-7.
 Result<SamplePlane> decode_region(const FastSources& sources, int level, ImagePos image,
                                   Plane plane, const BlockRect& rect);
 
-/// Turns `samples`, which hold the parent's in `rect`, to A of DEC-3 for all blocks with motion of
-/// predictive image `image` of level `level`. The stream has motion tiles. On
-/// failure some block of `rect` does not decode.
+/// Turns `samples`, which hold the parent's in `rect`, into A of DEC-3 for all blocks with motion
+/// of predictive image `image` of level `level`. The stream has motion tiles. On failure some block
+/// of `rect` does not decode.
 Result<void> add_motion(const FastSources& sources, int level, ImagePos image, Plane plane,
                         const BlockRect& rect, SamplePlane& samples);
 

@@ -34,7 +34,7 @@ const SparsePlane::Tile& SparsePlane::tile_at(size_t number) const {
 void SparsePlane::read_tile(const BlockSite& site, Tile& tile) const {
   const size_t block_samples = size_t{block_size_} * block_size_;
   TileBlocks blocks;
-  // Some block of a tile that cannot be read is damaged: ask for each alone.
+  // Some block of a tile that cannot be read is damaged: each is read alone.
   if (!read_tile_blocks(stream_, site, ~uint64_t{0}, blocks)) return read_blocks(site, tile);
   tile.coded = blocks.residual_mask;
   tile.values.reserve(static_cast<size_t>(std::popcount(tile.coded)) * block_samples);

@@ -27,22 +27,22 @@ TOKEN = re.compile(
       | (?P<word>\b[A-Za-z_][A-Za-z_0-9]*)""",
     re.VERBOSE,
 )
-# In a report: "survived: MUTANT    LINE"; in what a run says of its progress: "1/9 MUTANT: survived".
+# In a report: "survived: MUTANT    LINE"; in the progress of a run: "1/9 MUTANT: survived".
 SURVIVOR = re.compile(r"^survived: (\S+: \S+ -> \S+)|^\d+/\d+ (\S+: \S+ -> \S+): survived$", re.M)
-# Lines where a change means nothing or cannot compile.
+# Lines where a change has no effect or does not compile.
 NO_CODE = re.compile(r"\s*(#|//|static_assert|assert\(|watch\(|template|using |namespace )")
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """`old` at `column` of `line` of `file` becomes `new`."""
+    """A change of `old` at `column` of `line` of `file` to `new`."""
 
     file: str
     line: int
     column: int
     old: str
     new: str
-    text: str = field(default="", compare=False)  # of the line
+    text: str = field(default="", compare=False)  # the line
 
     def apply(self, text):
         lines = text.splitlines(keepends=True)
@@ -64,7 +64,7 @@ def changes_of_number(text):
 
 
 def changes_of(match):
-    """What the token of `match` can become."""
+    """The replacements for the token of `match`."""
     kind, token = match.lastgroup, match.group()
     if kind == "operator":
         return OPERATORS.get(token, [])
@@ -76,7 +76,7 @@ def changes_of(match):
 
 
 def mutants_of(file, text, skipped=frozenset()):
-    """Every mutant of `text`, in order; none in the lines `skipped`."""
+    """Every mutant of `text`, in order, outside the lines `skipped`."""
     found = []
     for number, row in enumerate(text.splitlines(), 1):
         if number in skipped or NO_CODE.match(row):
@@ -88,8 +88,8 @@ def mutants_of(file, text, skipped=frozenset()):
 
 
 def choose(mutants, count, seed):
-    """`count` of `mutants`, the same for the same seed; a larger count adds to a smaller one. A
-    change of the source leaves the order of mutants in other lines as it is."""
+    """`count` of `mutants`, the same for the same seed; a larger count adds to a smaller one. Mutants
+    of unchanged lines keep their order when the source changes."""
 
     def place(mutant):
         key = f"{seed} {mutant.file} {mutant.text} {mutant.change()}"
@@ -99,21 +99,21 @@ def choose(mutants, count, seed):
 
 
 def survivors_in(report, mutants):
-    """Those of `mutants` that the text `report` of a former run names as survivors, in its order.
-    ValueError: one of them is no mutant of the source as it is now."""
+    """The survivors that `report`, the output of an earlier run, names, in its order.
+    ValueError: one of them is not in `mutants`."""
     known = {str(mutant): mutant for mutant in mutants}
     names = [match[1] or match[2] for match in SURVIVOR.finditer(report)]
     for name in names:
         if name not in known:
-            raise ValueError(f"{name}: no mutant of the source as it is now")
+            raise ValueError(f"{name}: not a mutant of the present source")
     return [known[name] for name in dict.fromkeys(names)]
 
 
 def reasons_of(entries, mutants, line_of):
-    """Mutant to the reason for which no input can tell it: of `entries`, each of which names one of
-    `mutants` by "file", the text of its "line" and its "change"; where several have these, "nth"
-    says which, from 0 on. `line_of(mutant)`: the text of its line.
-    ValueError: an entry names no mutant, or not which, or one that another names."""
+    """Maps mutants to the reason why no input can tell them from the source. Each of `entries` names a
+    mutant by "file", the text of its "line" and its "change"; "nth", from 0, selects one of several.
+    `line_of(mutant)`: the text of its line.
+    ValueError: an entry fits no mutant, several, or one that another entry has."""
     found = {}
     named = {}
     for mutant in mutants:

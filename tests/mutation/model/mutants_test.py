@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Which mutants a source has."""
+"""The mutants of a source, their choice, and the reasons of the survivors."""
 
 import unittest
 

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Changes the golden model in one place after another and sees whether the vectors notice.
+"""Changes the decode path of the model in one place at a time: do the vectors notice?
 
-A mutant is one changed operator, comparison or constant of the decode path. It is killed where
-vector_check, linked with it, reports a vector, ends by a signal, as build and heap make it do where an
-index or a shift is out of range, or takes longer than the CPU time allowed. Of those that survive,
-some compile to the same code; others that cannot be told from the model stand in equivalents.json
-with the reason.
+A mutant is one changed operator, comparison or constant. It is killed if vector_check, linked with it,
+reports a vector, ends by a signal (build and heap are checked: an index or a shift out of range) or
+exceeds the CPU time allowed. Of the others, some compile to the same code; those that no input can
+tell from the model are in equivalents.json with the reason.
 Exit status 1: a mutant survives that is not listed there.
 """
 
@@ -52,10 +51,10 @@ def equivalents():
 
 
 class Session:
-    """Runs mutants; the vectors that killed the last ones come first."""
+    """Runs mutants, beginning with the vectors that killed the last ones."""
 
     def __init__(self, build, scratch, total):
-        self.tools = Toolchain(build, MODEL, scratch)
+        self.tools = Toolchain(build, MODEL)
         self.scratch, self.total = scratch, total
         self.killers, self.lock = [], Lock()
         self.results = []
@@ -88,7 +87,7 @@ class Session:
 
 
 def report(results):
-    """Prints the table by file and the survivors; returns how many there are."""
+    """Prints the table by file and the survivors; returns the number of survivors."""
     kinds = ("killed", "timeout", "same code", "equivalent", "survived", "not compiled")
     by_file = {}
     for mutant, outcome in results:
@@ -112,9 +111,7 @@ def self_test(session):
     header = (MODEL / "arithmetic/bise.hpp").read_text() + "// nothing more\n"
     body = bise.index("{", bise.index("uint32_t bise_value(")) + 1
     endless = bise[:body] + " for (volatile int x = 0;; x = x) {}" + bise[body:]
-    behind = (
-        bise[:body] + " char* volatile block = new char[16]; block[16] = 1; delete[] block;" + bise[body:]
-    )
+    overrun = " char* volatile block = new char[16]; block[16] = 1; delete[] block;"
     difference = sample.replace("prediction + residual", "prediction - residual")
     assert difference != sample
     cases = [
@@ -123,7 +120,8 @@ def self_test(session):
         ("a header", "arithmetic/reconstruct.hpp", difference, lambda outcome: "/" in outcome),
         ("no C++", "arithmetic/bise.cpp", bise + "}", lambda outcome: outcome == "not compiled"),
         ("no end", "arithmetic/bise.cpp", endless, lambda outcome: outcome == "timeout"),
-        ("behind a block", "arithmetic/bise.cpp", behind, lambda outcome: outcome == "signal 6"),
+        ("an overrun", "arithmetic/bise.cpp", bise[:body] + overrun + bise[body:],
+         lambda outcome: outcome == "signal 6"),
     ]
     failed = 0
     for name, file, text, expected in cases:
@@ -141,12 +139,12 @@ def main():
     parser.add_argument("--count", type=int, default=500)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--file", help="mutants of this file alone, relative to model/")
+    parser.add_argument("--file", help="only mutants of this file, relative to model/")
     parser.add_argument(
-        "--again", type=Path, metavar="REPORT", help="the survivors that REPORT, a former run, names"
+        "--again", type=Path, metavar="REPORT", help="the survivors of REPORT, the output of an earlier run"
     )
-    parser.add_argument("--list", action="store_true", help="print the mutants and stop")
-    parser.add_argument("--self-test", action="store_true", help="changes of known outcome instead")
+    parser.add_argument("--list", action="store_true", help="print the mutants, run none")
+    parser.add_argument("--self-test", action="store_true", help="run changes of known outcome instead")
     arguments = parser.parse_args()
     mutants = [m for m in all_mutants() if arguments.file in (None, m.file)]
     if arguments.again:

@@ -8,12 +8,11 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from scope import LAYERS  # mutate.py has made its folder known
+
 MEMORY_BYTES = 8 << 30
-# glibc then ends a program that has written behind what it was given, where it gives it back.
-CHECKED_HEAP = {
-    "LD_PRELOAD": "libc_malloc_debug.so.0",
-    "GLIBC_TUNABLES": "glibc.malloc.check=3",
-}
+# With these glibc aborts when a program frees a block that it wrote beyond.
+CHECKED_HEAP = {"LD_PRELOAD": "libc_malloc_debug.so.0", "GLIBC_TUNABLES": "glibc.malloc.check=3"}
 
 
 def limit(seconds):
@@ -26,15 +25,15 @@ def limit(seconds):
 
 
 class Toolchain:
-    """The commands of a configured and built folder; changed files lie in `scratch`."""
+    """The commands of a configured and built folder."""
 
-    def __init__(self, build, model, scratch):
-        self.build, self.model, self.scratch = build, model, scratch
+    def __init__(self, build, model):
+        self.build, self.model = build, model
         self.commands = {}
         for entry in json.loads((build / "compile_commands.json").read_text()):
             path = Path(entry["file"]).resolve()
             if path.is_relative_to(model):
-                # Of the targets that have this source, one is built.
+                # One of the targets with this source is built.
                 if (build / self._object(entry)).exists():
                     self.commands[path.relative_to(model).as_posix()] = entry
         self.users = self._users()
@@ -49,7 +48,7 @@ class Toolchain:
         sources = {
             self._object(entry): name
             for name, entry in self.commands.items()
-            if name.split("/")[0] in ("bits", "values", "fields", "samples")
+            if name.split("/")[0] in LAYERS
         }
         users, source = {}, None
         for line in self._ninja("deps").splitlines():
@@ -75,12 +74,11 @@ class Toolchain:
         return [word for word in shlex.split(lines[-1]) if word not in (":", "&&")]
 
     def sources_of(self, file):
-        """What must be compiled where `file` changes."""
-        return [file] if file.endswith(".cpp") else sorted(self.users.get(file, ()))
+        """The sources to compile when `file` changes. KeyError: a header that no source includes."""
+        return [file] if file.endswith(".cpp") else sorted(self.users[file])
 
     def make(self, file, text, folder):
-        """vector_check with `text` in place of `file`, made in `folder`; None where it does not
-        compile."""
+        """vector_check with `text` in place of `file`, built in `folder`; None if it does not compile."""
         shutil.rmtree(folder, ignore_errors=True)
         changed = folder / "changed" / file
         changed.parent.mkdir(parents=True)
@@ -94,14 +92,14 @@ class Toolchain:
         program = folder / "vector_check"
         words = list(self.link_command)
         words[words.index("-o") + 1] = str(program)
-        # First on the line: of an inline function in several objects the first is taken.
+        # First on the line: the linker takes the first copy of an inline function.
         words[1:1] = objects
         linked = subprocess.run(words, cwd=self.build, capture_output=True, check=False)
         return program if linked.returncode == 0 else None
 
     def same_objects(self, file, folder):
-        """Whether what make() compiled in `folder` are the objects of the build, byte by byte: then
-        no input can tell the two."""
+        """Whether the objects that make() compiled in `folder` equal those of the build, byte by byte:
+        then no input can tell the two programs apart."""
         return all(
             (folder / f"{number}.o").read_bytes()
             == (self.build / self._object(self.commands[source])).read_bytes()
@@ -118,15 +116,14 @@ class Toolchain:
             if option in words:
                 del words[words.index(option) : words.index(option) + 2]
         words = [word for word in words if word not in ("-MD", "-Werror")]
-        # Headers include each other by their place below model/, so that a changed one is found
-        # before the other.
+        # Headers are included by their path below model/, so the changed one is found first.
         words[1:1] = ["-w", f"-I{folder / 'changed'}"]
         compiled = subprocess.run(words, cwd=entry["directory"], capture_output=True, check=False)
         return compiled.returncode == 0
 
     @staticmethod
     def run(program, suite, first, seconds):
-        """What vector_check says of the suite: "survived", "timeout", or the vector that fails."""
+        """The outcome of vector_check: "survived", "timeout", "signal N" or the vector that fails."""
         command = [str(program), str(suite), "--stop"]
         for name in first:
             command += ["--first", name]

@@ -1,13 +1,12 @@
-// Time of the process and of repeated work.
+// Time of the process.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <ctime>
 
-namespace hmlfc::bench {
+namespace hmlfc {
 
-/// Runs from its construction on.
+/// Starts when constructed.
 class Clock {
  public:
   double wall_seconds() const {
@@ -29,21 +28,4 @@ class Clock {
   double cpu_begin_ = cpu_now();
 };
 
-/// The least CPU time of body() over at least five runs and a second of CPU time, after one that
-/// warms caches: other work on the machine can only add to it.
-template <class Body>
-double cpu_seconds_of(const Body& body) {
-  body();
-  double least = 1e9;
-  double total = 0;
-  for (int run = 0; run < 5 || total < 1; ++run) {
-    const Clock clock;
-    body();
-    const double seconds = clock.cpu_seconds();
-    least = std::min(least, seconds);
-    total += seconds;
-  }
-  return least;
-}
-
-}  // namespace hmlfc::bench
+}  // namespace hmlfc

@@ -1,8 +1,9 @@
-// Predictions between samples, as a decoder makes them (MOT-9).
+// Predictions with motion, as a decoder makes them (MOT-4 to MOT-9, DEC-3).
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <hmlfc/format.hpp>
@@ -82,5 +83,10 @@ void interpolate(const PaddedPlane& reference, const Area& area, const SubpelVec
 
 /// R(x, y) from one I (second = null) or two (MOT-9).
 void combine(const int32_t* first, const int32_t* second, int32_t samples, int32_t* out);
+
+/// A(x, y) of DEC-3 for every block of `plane`, in whole blocks. `parent`: whole blocks, null where
+/// it is 0; `references`: of `plane`; `tiles`: of the motion plane.
+SamplePlane predict_plane(const MotionSources& sources, Plane plane, const SamplePlane* parent,
+                          const ReferencePlanes& references, std::span<const MotionTileCode> tiles);
 
 }  // namespace hmlfc

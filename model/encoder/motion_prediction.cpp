@@ -1,13 +1,30 @@
-#include "encoder/predicted_plane.hpp"
+#include "encoder/motion_prediction.hpp"
 
 #include <algorithm>
 
+#include "arithmetic/motion.hpp"
 #include "arithmetic/reconstruct.hpp"
 #include "arithmetic/rounding.hpp"
 #include "decoder/sample_plane.hpp"
 
 namespace hmlfc {
 namespace {
+
+// The reference sets worth trying: those without an image that also has a lower number.
+std::vector<uint8_t> reference_sets(const MotionSources& sources) {
+  if (!sources.two_references()) return {0};
+  const auto repeated = [&](size_t k) {
+    const auto end = sources.places.begin() + static_cast<ptrdiff_t>(k);
+    return std::find(sources.places.begin(), end, sources.places[k]) != end;
+  };
+  std::vector<uint8_t> sets;
+  for (uint8_t set = 0; set < 8; ++set) {
+    const ReferenceSet refs = references_of_set(set);
+    if (repeated(refs.reference[0]) || (refs.count == 2 && repeated(refs.reference[1]))) continue;
+    sets.push_back(set);
+  }
+  return sets;
+}
 
 using Samples = std::array<int32_t, size_t{kMaxBlockSize} * kMaxBlockSize>;
 
@@ -109,6 +126,50 @@ class PlanePredictor {
 };
 
 }  // namespace
+
+std::vector<PaletteEntry> candidate_symbols(const MotionSources& sources, unsigned choices) {
+  std::vector<PaletteEntry> symbols{sources.default_symbol()};
+  for (unsigned choice = 1; choice <= choices; ++choice) {
+    for (const uint8_t set : reference_sets(sources)) {
+      const PaletteEntry plus{set, static_cast<uint8_t>(choice)};
+      if (plus != symbols.front()) symbols.push_back(plus);
+      if (sources.keyed) continue;
+      PaletteEntry minus = plus;
+      minus.negative = true;
+      symbols.push_back(minus);
+    }
+  }
+  return symbols;
+}
+
+void interpolate(const PaddedPlane& reference, const Area& area, const SubpelVector& vector,
+                 int32_t* out) {
+  const ptrdiff_t stride = reference.stride();
+  const int16_t* row = reference.at(area.x + vector.ix, area.y + vector.iy);
+  const TapWeights w = tap_weights(vector.fx, vector.fy);
+  // Taps of weight 0 are not read: they may lie outside the padded plane.
+  for (int32_t j = 0; j < area.height; ++j, row += stride, out += area.width) {
+    const int16_t* next = row + stride;
+    if (vector.fx == 0 && vector.fy == 0) {
+      for (int32_t i = 0; i < area.width; ++i) out[i] = w[0] * row[i];
+    } else if (vector.fy == 0) {
+      for (int32_t i = 0; i < area.width; ++i) out[i] = w[0] * row[i] + w[1] * row[i + 1];
+    } else if (vector.fx == 0) {
+      for (int32_t i = 0; i < area.width; ++i) out[i] = w[0] * row[i] + w[2] * next[i];
+    } else {
+      for (int32_t i = 0; i < area.width; ++i) {
+        out[i] = weighted_sum(w, {row[i], row[i + 1], next[i], next[i + 1]});
+      }
+    }
+  }
+}
+
+void combine(const int32_t* first, const int32_t* second, int32_t samples, int32_t* out) {
+  for (int32_t i = 0; i < samples; ++i) {
+    out[i] = second == nullptr ? one_reference_value(first[i])
+                               : two_reference_value(first[i], second[i]);
+  }
+}
 
 SamplePlane predict_plane(const MotionSources& sources, Plane plane, const SamplePlane* parent,
                           const ReferencePlanes& references,

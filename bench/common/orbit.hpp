@@ -1,4 +1,4 @@
-// The orbit that benchmarks of rendering draw.
+// The orbit that rendering benchmarks draw.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,9 @@
 
 namespace hmlfc::bench {
 
-/// Camera `frame` of `frames` on an ellipse of three eighths of the grid to each side, straight
-/// ahead, with square frames of `side` pixels. frames >= 1, side in [1, kMaxFrameSide].
+/// Camera `frame` of `frames` on an ellipse around the middle of the grid, its half axes 3/8 of the
+/// grid, looking straight ahead; square frames of `side` pixels. frames >= 1, side in
+/// [1, kMaxFrameSide].
 inline Camera orbit_camera(const StreamHeader& header, int frame, int frames, uint32_t side) {
   const double angle = 2 * std::numbers::pi * frame / frames;
   Camera camera;

@@ -1,5 +1,5 @@
 // The encoder's predictions against the definition of MOT-9, one sample at a time.
-#include "encoder/subpel_prediction.hpp"
+#include "encoder/motion_prediction.hpp"
 
 #include <random>
 
@@ -29,7 +29,7 @@ int64_t defined(const SamplePlane& plane, int32_t x, int32_t y, const SubpelVect
   return sum;
 }
 
-TEST(SubpelPrediction, EveryFractionNearTheBorders) {
+TEST(MotionPrediction, EveryFractionNearTheBorders) {
   std::mt19937 random(1);
   SamplePlane plane(kWidth, kHeight);
   for (int16_t& sample : plane.samples) {
@@ -52,7 +52,7 @@ TEST(SubpelPrediction, EveryFractionNearTheBorders) {
   }
 }
 
-TEST(SubpelPrediction, TwoReferencesAreRoundedOnce) {
+TEST(MotionPrediction, TwoReferencesAreRoundedOnce) {
   const std::array<int32_t, 4> first{64, 65, -64, -1};
   const std::array<int32_t, 4> second{0, 0, -1, 0};
   std::array<int32_t, 4> out{};

@@ -1,6 +1,8 @@
-// Vectors from disparities against rational arithmetic (MOT-8).
+// Vectors and the values between samples against rational arithmetic (MOT-8, MOT-9).
 #include "arithmetic/motion.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -8,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "arithmetic/naive_integers.hpp"
+#include "arithmetic/widths.hpp"
 
 namespace hmlfc {
 namespace {
@@ -113,6 +116,113 @@ TEST(VectorRules, FollowTheHeader) {
   header.row_scale = -127;
   EXPECT_EQ(vector_rules(header).shift, 2u);
   EXPECT_EQ(vector_rules(header).row_scale, -127);
+}
+
+using test::floor_of;
+
+// Every component of every precision: u of MOT-9 rebuilt from its parts.
+TEST(SubpelVector, EveryComponent) {
+  for (unsigned precision = 0; precision <= 3; ++precision) {
+    const auto most = static_cast<int32_t>(127 * power_of_two(precision));
+    for (int32_t v = -most; v <= most; ++v) {
+      const int64_t eighths = v * power_of_two(3 - precision);
+      // Half of it to the nearest, halves up.
+      const int64_t halved = floor_of(eighths + 1, 2);
+      for (const bool half : {false, true}) {
+        const SubpelVector got = subpel_vector({v, -v}, precision, half);
+        ASSERT_GE(got.fx, 0);
+        ASSERT_LE(got.fx, 7);
+        ASSERT_GE(got.fy, 0);
+        ASSERT_LE(got.fy, 7);
+        ASSERT_EQ(8 * got.ix + got.fx, half ? halved : eighths) << v << ", " << precision;
+        ASSERT_EQ(8 * got.iy + got.fy, half ? floor_of(-eighths + 1, 2) : -eighths);
+      }
+    }
+  }
+}
+
+TEST(SubpelVector, Examples) {
+  EXPECT_EQ(subpel_vector({-3, 5}, 2, false), (SubpelVector{-1, 1, 2, 2}));
+  EXPECT_EQ(subpel_vector({-3, 5}, 2, true), (SubpelVector{-1, 0, 5, 5}));
+  EXPECT_EQ(subpel_vector({-7, 7}, 0, false), (SubpelVector{-7, 7, 0, 0}));
+  EXPECT_EQ(subpel_vector({-7, 7}, 0, true), (SubpelVector{-4, 3, 4, 4}));
+}
+
+TEST(TapWeights, AddUpTo64AndFadeWithTheDistance) {
+  for (int32_t fy = 0; fy < 8; ++fy) {
+    for (int32_t fx = 0; fx < 8; ++fx) {
+      const TapWeights w = tap_weights(fx, fy);
+      EXPECT_EQ(w[0] + w[1] + w[2] + w[3], 64);
+      EXPECT_EQ(w[0] + w[2], 8 * (8 - fx)) << "the left column";
+      EXPECT_EQ(w[2] + w[3], 8 * fy) << "the lower row";
+      EXPECT_TRUE(std::ranges::all_of(w, [](int32_t weight) { return weight >= 0; }));
+      EXPECT_EQ(w[3] == 0, fx == 0 || fy == 0);
+    }
+  }
+}
+
+// MOT-9 as it is written: two interpolations along x, one along y.
+int64_t naive_sum(int64_t fx, int64_t fy, const std::array<int32_t, 4>& ref) {
+  return (8 - fy) * ((8 - fx) * ref[0] + fx * ref[1]) + fy * ((8 - fx) * ref[2] + fx * ref[3]);
+}
+
+void check_all_fractions(const std::array<int32_t, 4>& samples) {
+  const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
+  for (int32_t fy = 0; fy < 8; ++fy) {
+    for (int32_t fx = 0; fx < 8; ++fx) {
+      const int32_t sum = weighted_sum(tap_weights(fx, fy), samples);
+      ASSERT_EQ(sum, naive_sum(fx, fy, samples)) << fx << ", " << fy;
+      ASSERT_GE(sum, 64 * *least);
+      ASSERT_LE(sum, 64 * *most);
+      const int32_t value = one_reference_value(sum);
+      ASSERT_EQ(value, floor_of(int64_t{sum} + 32, 64));
+      ASSERT_GE(value, *least);
+      ASSERT_LE(value, *most);
+      if (fx == 0 && fy == 0) {
+        ASSERT_EQ(value, samples[0]);
+      }
+    }
+  }
+}
+
+// Each of the four samples at each end of the interval of section 11, with 0 and 1 between.
+TEST(Interpolation, ExtremesOfEveryDepth) {
+  for (int depth = 8; depth <= 12; ++depth) {
+    for (const Plane plane : {Plane::kY, Plane::kCo}) {
+      const int32_t m = sample_range(plane, depth).bound;
+      const int32_t ends[] = {-m, -m + 1, -1, 0, 1, m};
+      for (const int32_t a : ends) {
+        for (const int32_t b : ends) {
+          for (const int32_t c : ends) {
+            for (const int32_t d : ends) check_all_fractions({a, b, c, d});
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Interpolation, RandomSamples) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int32_t> draw(-8190, 8190);
+  for (int i = 0; i < 20000; ++i) {
+    check_all_fractions({draw(random), draw(random), draw(random), draw(random)});
+  }
+}
+
+// Every pair of sums that two samples at whole places can give at depth 8, and the ends of all.
+TEST(Interpolation, TwoReferences) {
+  for (int32_t a = -510; a <= 510; ++a) {
+    for (int32_t b = -510; b <= 510; ++b) {
+      ASSERT_EQ(two_reference_value(64 * a, 64 * b), floor_of(int64_t{a} + b + 1, 2));
+    }
+  }
+  constexpr int32_t kMost = 64 * 8190;
+  for (const int32_t a : {-kMost, -kMost + 1, -65, -64, -63, -1, 0, 1, 63, 64, kMost - 1, kMost}) {
+    for (int32_t b = -kMost; b <= kMost; b += 61) {
+      ASSERT_EQ(two_reference_value(a, b), floor_of(int64_t{a} + b + 64, 128)) << a << ", " << b;
+    }
+  }
 }
 
 }  // namespace
