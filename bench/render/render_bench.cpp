@@ -1,9 +1,10 @@
 // Time of a frame of novel-view rendering, and of decoding one view beside other codecs.
 //
 // Usage: ./run bench render [FILE.hmlfc [FOLDER]]
-// FILE: a stream; default: Chess of HMLFC_DATA_DIR, or of ../shared/data if that is not set, encoded
-// in profile extended at quality 64. FOLDER: the views it was made from. CPU times are those of all
-// threads, of single views the shortest of many runs; frames/s depend on what else the machine runs.
+// FILE: a stream; default: Chess of HMLFC_DATA_DIR, or of ../shared/data if that is not set,
+// encoded in profile extended at quality 64. FOLDER: the views it was made from. CPU times are
+// those of all threads, of single views the shortest of many runs; frames/s depend on what else the
+// machine runs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

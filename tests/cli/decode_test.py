@@ -3,7 +3,7 @@
 import os
 
 from pictures import read_png
-from program import CORRUPT, INPUT, CliTest, main
+from program import CORRUPT, INPUT, USAGE, CliTest, main
 
 GRID = [(row, col) for row in range(3) for col in range(4)]
 

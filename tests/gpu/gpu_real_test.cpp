@@ -3,9 +3,9 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
-#include "io/data_folder.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
+#include "io/data_folder.hpp"
 #include "io/light_field_files.hpp"
 #include "stimulus/sequences.hpp"
 

@@ -29,13 +29,15 @@ def commands(build):
     return entries
 
 
-def tidy(root, entries, files):
-    """Runs clang-tidy on the files that match one of the expressions `files`."""
+def findings(root, entries, files):
+    """The warnings and errors of clang-tidy in the files that match one of the expressions `files`."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "compile_commands.json").write_text(json.dumps(entries))
         command = [RUN, "-quiet", "-p", folder, "-config-file", root / ".clang-tidy"]
         jobs = len(os.sched_getaffinity(0))
-        return subprocess.run([*command, "-j", str(jobs), *files], capture_output=True, text=True)
+        result = subprocess.run([*command, "-j", str(jobs), *files], capture_output=True, text=True)
+    found = [line for line in result.stdout.splitlines() if re.search(r": (warning|error): ", line)]
+    return found or ([result.stderr] if result.returncode else [])
 
 
 def check(build, root, folders):
@@ -44,10 +46,9 @@ def check(build, root, folders):
     for expression in below:
         if not any(re.search(expression, entry["file"]) for entry in entries):
             sys.exit(f"the build has no file that matches {expression}")
-    result = tidy(root, entries, below)
-    findings = [line for line in result.stdout.splitlines() if re.search(r": (warning|error): ", line)]
-    print("\n".join(findings) or (result.stderr if result.returncode else "clean"))
-    return 1 if findings or result.returncode else 0
+    found = findings(root, entries, below)
+    print("\n".join(dict.fromkeys(found)) or "clean")
+    return 1 if found else 0
 
 
 def self_test(root):
@@ -56,10 +57,9 @@ def self_test(root):
         planted.write_text("int Shout() { return 0; }\nint* nothing() { return 0; }\n")
         command = f"clang++ -std=c++20 -c {planted}"
         entry = {"directory": folder, "file": str(planted), "command": command}
-        result = tidy(root, [entry], [str(planted)])
-    print(result.stdout)
-    named = ("planted.cpp:1:5", "planted.cpp:2:25")
-    return 0 if result.returncode and all(place in result.stdout for place in named) else 1
+        found = "\n".join(findings(root, [entry], [str(planted)]))
+    print(found)
+    return 0 if all(f"planted.cpp:{place}: " in found for place in ("1:5", "2:25")) else 1
 
 
 def main():

@@ -18,9 +18,9 @@ class ReadPort {
 
   ReadPort(const std::vector<uint8_t>& file, Random& random) : file_(file), random_(random) {}
 
-  bool spoil = false;     ///< one beat in six is an error and carries anything
-  bool corrupted = false;   ///< one was given
-  uint64_t requests = 0;  ///< since the last walk began
+  bool spoil = false;      ///< one beat in six is an error and carries anything
+  bool corrupted = false;  ///< one was given
+  uint64_t requests = 0;   ///< since the last walk began
 
   /// Sets the inputs of `dut` for the next clock.
   template <class Dut>

@@ -11,6 +11,7 @@
 #include "syntax/motion_helpers.hpp"
 #include "syntax/motion_tile.hpp"
 #include "syntax/naive_motion.hpp"
+#include "syntax/naive_tile.hpp"
 
 namespace hmlfc {
 namespace {

@@ -56,7 +56,7 @@ CLI::Option* add_rows_by_cols(CLI::App& app, const std::string& name, uint32_t& 
 
 CLI::Option* add_grid(CLI::App& app, std::optional<io::GridShape>& target) {
   return add_sides(app, "--grid", "RxC", "rows x columns", io::kMaxGridSide,
-                   "Grid of the views: for names without positions, or for a subset of a grid",
+                   "Grid of the views, for names without positions or for a subset",
                    [&target](uint32_t r, uint32_t c) {
                      target = io::GridShape{r, c};
                    });

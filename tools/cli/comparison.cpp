@@ -5,8 +5,8 @@
 
 #include <hmlfc/measure.hpp>
 
-#include "cli/output.hpp"
 #include "cli/for_each_view.hpp"
+#include "cli/output.hpp"
 
 namespace hmlfc::cli {
 

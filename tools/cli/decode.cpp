@@ -8,8 +8,8 @@
 
 #include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
-#include "cli/stream_file.hpp"
 #include "cli/for_each_view.hpp"
+#include "cli/stream_file.hpp"
 #include "cli/view_source.hpp"
 #include "io/image_files.hpp"
 #include "io/view_name.hpp"
@@ -102,8 +102,8 @@ void add_decode(CLI::App& program, Task& task) {
   const auto [app, options] = add_command(
       program, task, "decode", "Decode views of a stream to PNG files", run_decode,
       R"(With --levels 1 each view shows its ancestor at the top of the tree, with 2 its ancestor one level
-below, and so on. A stream has one level more than the --height it was encoded with. Files are named by
-row and column: 00_00.png, 00_01.png ... PNG files have 16 bits per sample if the stream has more than 8.
+below, and so on. A stream has one level more than the --height it was encoded with. Files are named
+by row and column: 00_00.png, 00_01.png ... Their samples have 16 bits if the stream has more than 8.
 
 Example:
   hmlfc decode chess.hmlfc -o decoded --view 3,5 --rect 0,0,128,64)");

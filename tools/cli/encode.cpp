@@ -171,7 +171,7 @@ void add_encode(CLI::App& program, Task& task) {
   const auto [app, options] = add_command(
       program, task, "encode", "Encode a folder of views", run_encode,
       R"(Profile main has the tools of the paper. It drops blocks whose energy, the sum of the absolute
-differences from the prediction, is below --threshold-*; --quality Q sets both to 75 * 2^((60 - Q) / 10).
+differences from the prediction, is below --threshold-*; --quality Q means 75 * 2^((60 - Q) / 10).
 Profile extended chooses by rate and distortion; without --references it finds the reference groups by
 trial, without --chroma the chroma format. Its default --height is 0: key views and motion only.
 --preset trades encoding time for size.

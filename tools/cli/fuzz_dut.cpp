@@ -220,7 +220,7 @@ Example:
   options.dut.add_to(app, false);
   add_integer(app, "--minutes", options.minutes, 1, 1u << 20, "Time to run");
   add_integer(app, "--count", options.count, 0, UINT32_MAX,
-              "Number of streams, whatever the time; 0: as long as --minutes");
+              "Number of streams; 0: as many as --minutes allows");
   add_integer(app, "--seed", options.seed, 0, UINT64_MAX,
               "The first seed; each stream has the next");
   add_integer(app, "--failures", options.failures, 1, 1u << 20, "Stop after this many failures");

@@ -17,7 +17,7 @@ class ComparisonTest(CliTest):
     @classmethod
     def prepare(cls):
         cls.encoded = encoded_streams(cls)
-        cls.random = random_streams(cls)
+        cls.random = random_streams(3000)
 
     def compare(self, name, data, blocks=BLOCKS_OF_STREAM):
         answers = Answers(Golden(self, name, data), data, blocks)

@@ -9,7 +9,6 @@ from golden import Golden
 from program import CliTest, main
 from streams import encoded_streams, random_streams
 
-RANDOM_STREAMS = 18
 BLOCKS_OF_STREAM = 3
 
 
@@ -24,7 +23,7 @@ def caught(answers):
 class PlantedFaultsTest(CliTest):
     @classmethod
     def prepare(cls):
-        streams = {**encoded_streams(cls), **random_streams(cls, RANDOM_STREAMS)}
+        streams = {**encoded_streams(cls), **random_streams(20000)}
         cls.answers = [
             Answers(Golden(cls, name, data), data, BLOCKS_OF_STREAM)
             for name, data in sorted(streams.items(), key=lambda item: len(item[1]))

@@ -1,9 +1,6 @@
 """The streams that the naive decoder and the program under test are compared on."""
 
-import random
-
-from opening import Stream
-from random_stream import random_stream
+import paths
 
 # Scene, grid, size, depth, and the options of hmlfc encode.
 ENCODED = [
@@ -19,11 +16,6 @@ ENCODED = [
     ("noise", "3x1", "1x1", 8, "--quality 100"),
     ("flat", "2x2", "7x33", 12, "--chroma 444 --block 8 --quality 20"),
 ]
-
-# Size, depth and chroma format of the donors of key images for random streams.
-DONORS = [("11x7", 8, "420"), ("9x14", 12, "444"), ("34x5", 10, "420")]
-RANDOM_STREAMS = 36
-
 
 def render(test, name, scene, grid, size, depth):
     """Renders views into the folder `name` of a CliTest."""
@@ -41,22 +33,7 @@ def encoded_streams(test):
     return streams
 
 
-def donors(test):
-    """Opened streams whose images are all key images, coded by the program under test."""
-    opened = []
-    options = "--profile main --method rlfc --height 0 --chroma".split()
-    for number, (size, depth, chroma) in enumerate(DONORS):
-        name = f"donor{number}"
-        render(test, name, "cards", "1x2", size, depth)
-        test.hmlfc("encode", name, "-o", f"{name}.hmlfc", *options, chroma)
-        opened.append(Stream((test.folder / f"{name}.hmlfc").read_bytes()))
-    return opened
-
-
-def random_streams(test, count=RANDOM_STREAMS):
-    """{name: bytes} of streams with random tools; seeds are part of the names."""
-    givers = donors(test)
-    return {
-        f"random{seed}": random_stream(random.Random(seed), givers[seed % len(givers)])
-        for seed in range(count)
-    }
+def random_streams(bytes_at_most):
+    """{name: bytes} of the random streams of the conformance suite that are small."""
+    files = sorted((paths.DECODER.parents[1] / "vectors" / "stress").glob("random-*.hmlfc"))
+    return {file.stem: file.read_bytes() for file in files if file.stat().st_size <= bytes_at_most}
