@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "arithmetic/motion.hpp"
 #include "arithmetic/reconstruct.hpp"
 #include "arithmetic/rounding.hpp"
 #include "decoder/sample_plane.hpp"
@@ -145,32 +146,28 @@ void interpolate(const PaddedPlane& reference, const Area& area, const SubpelVec
                  int32_t* out) {
   const ptrdiff_t stride = reference.stride();
   const int16_t* row = reference.at(area.x + vector.ix, area.y + vector.iy);
-  const int32_t right = vector.fx;
-  const int32_t left = 8 - right;
-  const int32_t below = vector.fy;
-  const int32_t above = 8 - below;
+  const TapWeights w = tap_weights(vector.fx, vector.fy);
+  // Taps of weight 0 are not read: they may lie outside the padded plane.
   for (int32_t j = 0; j < area.height; ++j, row += stride, out += area.width) {
     const int16_t* next = row + stride;
-    if (right == 0 && below == 0) {
-      for (int32_t i = 0; i < area.width; ++i) out[i] = 64 * row[i];
-    } else if (below == 0) {
-      for (int32_t i = 0; i < area.width; ++i) out[i] = 8 * (left * row[i] + right * row[i + 1]);
-    } else if (right == 0) {
-      for (int32_t i = 0; i < area.width; ++i) out[i] = 8 * (above * row[i] + below * next[i]);
+    if (vector.fx == 0 && vector.fy == 0) {
+      for (int32_t i = 0; i < area.width; ++i) out[i] = w[0] * row[i];
+    } else if (vector.fy == 0) {
+      for (int32_t i = 0; i < area.width; ++i) out[i] = w[0] * row[i] + w[1] * row[i + 1];
+    } else if (vector.fx == 0) {
+      for (int32_t i = 0; i < area.width; ++i) out[i] = w[0] * row[i] + w[2] * next[i];
     } else {
       for (int32_t i = 0; i < area.width; ++i) {
-        out[i] = above * (left * row[i] + right * row[i + 1]) +
-                 below * (left * next[i] + right * next[i + 1]);
+        out[i] = weighted_sum(w, {row[i], row[i + 1], next[i], next[i + 1]});
       }
     }
   }
 }
 
 void combine(const int32_t* first, const int32_t* second, int32_t samples, int32_t* out) {
-  if (second == nullptr) {
-    for (int32_t i = 0; i < samples; ++i) out[i] = (first[i] + 32) >> 6;
-  } else {
-    for (int32_t i = 0; i < samples; ++i) out[i] = (first[i] + second[i] + 64) >> 7;
+  for (int32_t i = 0; i < samples; ++i) {
+    out[i] = second == nullptr ? one_reference_value(first[i])
+                               : two_reference_value(first[i], second[i]);
   }
 }
 

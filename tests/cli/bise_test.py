@@ -162,7 +162,7 @@ class Bise(CliTest):
             (["enc", 3], "V"),
             (["dec", 7, 1, "00"], "allowed"),
             (["dec", 3, 0, ""], "COUNT"),
-            (["dec", 3, 6, "00"], "10 bits, which is 2 bytes; HEX has 1"),
+            (["dec", 3, 6, "00"], "10 bits, that is 2 bytes, but HEX has 1"),
             (["dec", 3, 5, "0000"], "HEX has 2"),
             (["dec", 3, 5, "0"], "whole number of bytes"),
             (["dec", 3, 5, "zz"], "hexadecimal"),

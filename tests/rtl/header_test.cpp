@@ -85,7 +85,7 @@ void damage(Bytes& file, size_t header_bytes, Random& random) {
 
 template <class Dut>
 uint8_t parse(Dut& dut, ReadPort& port, uint64_t bytes) {
-  port.spoiled = false;
+  port.corrupted = false;
   dut.start = 1;
   dut.stream_base = ReadPort::kBase;
   dut.stream_bytes = bytes;
@@ -214,9 +214,9 @@ TEST(HeaderModule, KeepsNothingOfABusError) {
   for (int turn = 0; turn < 600; ++turn) {
     const Bytes file = some_file(random);
     ReadPort port(file, random);
-    port.spoil = random.one_in(2);
+    port.corrupt = random.one_in(2);
     const uint8_t error = parse(dut, port, file.size());
-    counts.compare(error, port.spoiled ? ReadPort::kBusError : 0);
+    counts.compare(error, port.corrupted ? ReadPort::kBusError : 0);
     if (error == 0) compare_fields(dut, parse_header(file).value(), counts);
   }
   expect_equal(counts, 2000);

@@ -18,7 +18,7 @@ class ReadPort {
 
   ReadPort(const std::vector<uint8_t>& file, Random& random) : file_(file), random_(random) {}
 
-  bool spoil = false;      ///< one beat in six is an error and carries anything
+  bool corrupt = false;    ///< one beat in six is an error and carries anything
   bool corrupted = false;  ///< one was given
   uint64_t requests = 0;   ///< since the last walk began
 
@@ -29,7 +29,7 @@ class ReadPort {
     dut.data_valid = beats_ != 0 && random_.one_in(2);
     if (!dut.data_valid) return;
     dut.data_last = beats_ == 1;
-    dut.data_error = spoil && random_.one_in(6);
+    dut.data_error = corrupt && random_.one_in(6);
     corrupted |= dut.data_error != 0;
     for (size_t i = 0; i < kBeat; ++i) {
       const uint64_t at = address_ + i - kBase;

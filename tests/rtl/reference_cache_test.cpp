@@ -117,8 +117,8 @@ class CacheRun {
   }
 
   /// Sends `count` windows and waits for all of them.
-  void run(int count, bool spoil) {
-    port_.spoil = spoil;
+  void run(int count, bool corrupt) {
+    port_.corrupt = corrupt;
     int clocks = 0;
     for (int sent = 0; (sent < count || !expected_.empty()) && clocks < 200'000; ++clocks) {
       if (dut_.in_valid == 0 && sent < count && !random_.one_in(4)) offer();
@@ -126,7 +126,7 @@ class CacheRun {
       port_.drive(dut_);
       dut_.eval();
       port_.watch(dut_);
-      if (dut_.out_valid && dut_.out_ready) take(spoil);
+      if (dut_.out_valid && dut_.out_ready) take(corrupt);
       const bool entered = dut_.in_valid && dut_.in_ready;
       tick(dut_);
       if (!entered) continue;
@@ -174,11 +174,11 @@ class CacheRun {
     return std::clamp(at + random_.in(-4, 4), -8, size + 8);
   }
 
-  void take(bool spoil) {
+  void take(bool corrupt) {
     ASSERT_FALSE(expected_.empty()) << "a window too many";
     const Window expected = expected_.front();
     expected_.pop_front();
-    if (spoil && dut_.out_error == ReadPort::kBusError) {
+    if (corrupt && dut_.out_error == ReadPort::kBusError) {
       ++bus_errors_;
       return;
     }

@@ -65,7 +65,7 @@ struct Walked {
 };
 
 Walked walk(TileWalk& dut, ReadPort& port, uint64_t tile) {
-  port.spoiled = false;
+  port.corrupted = false;
   port.requests = 0;
   dut.start = 1;
   dut.tile = tile;
@@ -100,7 +100,7 @@ void expect_found(const Walked& got, const Result<std::optional<TileExtent>>& fo
 }
 
 /// Random tiles of one stream, near each other or far.
-void run_stream(uint32_t seed, bool damaged, bool spoil, Counts& counts) {
+void run_stream(uint32_t seed, bool damaged, bool corrupt, Counts& counts) {
   std::vector<uint8_t> file = some_stream(seed);
   const StreamHeader header = parse_header(file).value();
   Random random(seed);
@@ -120,9 +120,9 @@ void run_stream(uint32_t seed, bool damaged, bool spoil, Counts& counts) {
   for (int turn = 0; turn < 300; ++turn) {
     tile = random.one_in(3) ? random.in(0, tiles - 1) : (tile + random.in(0, 3)) % tiles;
     if (random.one_in(100)) flush(dut);
-    port.spoil = spoil && random.one_in(2);
+    port.corrupt = corrupt && random.one_in(2);
     const Walked got = walk(dut, port, static_cast<uint64_t>(tile));
-    if (port.spoiled) {
+    if (port.corrupted) {
       counts.compare(got.error, ReadPort::kBusError);
     } else {
       expect_found(got, find_tile(view, static_cast<uint64_t>(tile), Probe{}),

@@ -40,7 +40,7 @@ CLI::Option* add_levels_of_bise(CLI::App& app, Levels& target) {
       target = levels_of_code(code);
       return std::nullopt;
     }
-    return "a level count; valid ones are " + allowed_levels();
+    return "a level count; allowed are " + allowed_levels();
   };
   return add_value(app, "LEVELS", "", "Level count: 2^n, 3 * 2^n or 5 * 2^n", reader)->required();
 }
