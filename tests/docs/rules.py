@@ -33,7 +33,6 @@ WORDS = rules(
     (r"--grid (1x101|17x17)", "--grid 9x9", "as many views as the sandbox has"),
     (r"--rect 64,32,128,96", "--rect 8,8,32,24", "inside the small views"),
     (r"--frames \d+", "--frames 2", "frames are alike"),
-    (r"--target-psnr \d+ (?=--profile main)", "--target-psnr 25 ", "halved chroma limits the small views"),
     (r"--views (8|12|all)\b", "--views 1", "views are alike"),
     (r"(rtl-random .*)--count \d+", r"\1--count 1 --unit stand-in", "a stream takes 20 seconds on the units"),
     (r"(fuzz-dut .*)--(minutes 60|count 100000)", r"\1--count 2", "minutes are its smallest unit"),
