@@ -1,90 +1,39 @@
-"""bise enc and dec against sequences packed here by the specification's text, section 5.1."""
+"""bise enc and dec against sequences packed here by the tables of the decoder from the specification."""
 
 import itertools
 import random
 
 from program import USAGE, CliTest, main
 
-LEVELS = [1, 2, 3] + [k << e for e in range(13) for k in (4, 5, 6) if k << e <= 16384]
+import bise
 
-
-def trits_of(code):
-    """BISE-8."""
-
-    def bit(i):
-        return code >> i & 1
-
-    if code >> 2 & 7 == 7:
-        c, t4, t3 = (code >> 5) << 2 | code & 3, 2, 2
-    else:
-        c = code & 31
-        t4, t3 = (2, bit(7)) if code >> 5 & 3 == 3 else (bit(7), code >> 5 & 3)
-    c4, c3, c2, c1, c0 = (c >> i & 1 for i in (4, 3, 2, 1, 0))
-    if c & 3 == 3:
-        t2, t1, t0 = 2, c4, c3 << 1 | (c2 & ~c3 & 1)
-    elif c >> 2 & 3 == 3:
-        t2, t1, t0 = 2, 2, c & 3
-    else:
-        t2, t1, t0 = c4, c >> 2 & 3, c1 << 1 | (c0 & ~c1 & 1)
-    return t0, t1, t2, t3, t4
-
-
-def quints_of(code):
-    """BISE-9."""
-    b = [code >> i & 1 for i in range(7)]
-    if code >> 1 & 3 == 3 and code >> 5 & 3 == 0:
-        return 4, 4, b[0] << 2 | (b[4] & ~b[0] & 1) << 1 | (b[3] & ~b[0] & 1)
-    if code >> 1 & 3 == 3:
-        q2 = 4
-        c = b[4] << 4 | b[3] << 3 | (1 - b[6]) << 2 | (1 - b[5]) << 1 | b[0]
-    else:
-        q2, c = code >> 5 & 3, code & 31
-    if c & 7 == 5:
-        return c >> 3 & 3, 4, q2
-    return c & 7, c >> 3 & 3, q2
-
+LEVELS = [bise.levels_of(code) for code in range(40)]
 
 # Digit group -> its greatest code (BISE-10); values that the last group lacks count as 0.
-TRIT_CODE = {trits_of(code): code for code in range(256)}
-QUINT_CODE = {quints_of(code): code for code in range(128)}
-
-
-def split(levels):
-    """Digit base (1, 3 or 5) and plain bits of a number of levels."""
-    for base in (1, 3, 5):
-        if levels % base == 0 and (levels // base) & (levels // base - 1) == 0:
-            return base, (levels // base).bit_length() - 1
-    raise ValueError(levels)
+TRIT_CODE = {tuple(bise.trits(code)): code for code in range(256)}
+QUINT_CODE = {tuple(bise.quints(code)): code for code in range(128)}
 
 
 def pack(levels, values):
     """(bits, hex) of `values`, canonical."""
-    base, plain = split(levels)
-    shares, codes = {
-        1: ([0], {(0,): 0}),
-        3: ([2, 2, 1, 2, 1], TRIT_CODE),
-        5: ([3, 2, 2], QUINT_CODE),
+    plain, base = bise.split(levels)
+    pieces, codes = {
+        1: ((0,), {(0,): 0}),
+        3: (bise.T_PIECES, TRIT_CODE),
+        5: (bise.Q_PIECES, QUINT_CODE),
     }[base]
-    size = len(shares)
-    stream = []
-    for at in range(0, len(values), size):
-        group = values[at : at + size]
+    stream = length = 0
+    for at in range(0, len(values), len(pieces)):
+        group = values[at : at + len(pieces)]
         digits = [value >> plain for value in group] if base > 1 else [0]
-        code = codes[tuple(digits + [0] * (size - len(digits)))]
-        for value, share in zip(group, shares):
-            stream += [value >> i & 1 for i in range(plain)]
-            stream += [code >> i & 1 for i in range(share)]
-            code >>= share
-    total = plain * len(values) + {1: 0, 3: -(-8 * len(values) // 5), 5: -(-7 * len(values) // 3)}[
-        base
-    ]
-    assert not any(stream[total:])
-    stream = stream[:total] + [0] * (-total % 8)
-    packed = bytes(
-        sum(bit << i for i, bit in enumerate(stream[at : at + 8]))
-        for at in range(0, len(stream), 8)
-    )
-    return total, packed.hex()
+        code = codes[(*digits, *[0] * (len(pieces) - len(digits)))]
+        for value, piece in zip(group, pieces):
+            stream |= (value % 2**plain | code % 2**piece << plain) << length
+            length += plain + piece
+            code >>= piece
+    total = bise.sequence_bits(len(values), levels)
+    assert stream >> total == 0
+    return total, stream.to_bytes(-(-total // 8), "little").hex()
 
 
 class Bise(CliTest):
@@ -111,26 +60,20 @@ class Bise(CliTest):
 
     def test_redundant_codes(self):
         # The codes that ASTC encoders agree on, of the 13 trit groups that have two.
-        both = [d for d, n in self.counts(trits_of, 256).items() if n > 1]
+        digits = [tuple(bise.trits(code)) for code in range(256)]
+        both = {group for group in digits if digits.count(group) > 1}
         highest = {15, 47, 79, 127, 111, 252, 253, 254, 143, 175, 207, 255, 239}
-        written = {int(self.encoded(3, digits)[1], 16) for digits in both}
+        written = {int(self.encoded(3, group)[1], 16) for group in both}
         self.assertEqual(written, highest)
         # Of the quint group's codes 7, 15, 23 and 31 the greatest.
         self.assertEqual(self.hmlfc("bise", "enc", 5, 4, 4, 4), "7 1f\n")
 
-    @staticmethod
-    def counts(decode, codes):
-        counts = {}
-        for code in range(codes):
-            counts[decode(code)] = counts.get(decode(code), 0) + 1
-        return counts
-
     def test_every_code_is_accepted(self):
         for code in range(256):
-            expected = " ".join(map(str, trits_of(code)))
+            expected = " ".join(map(str, bise.trits(code)))
             self.assertEqual(self.hmlfc("bise", "dec", 3, 5, f"{code:02x}"), expected + "\n")
         for code in range(128):
-            expected = " ".join(map(str, quints_of(code)))
+            expected = " ".join(map(str, bise.quints(code)))
             self.assertEqual(self.hmlfc("bise", "dec", 5, 3, f"{code:02x}"), expected + "\n")
 
     def test_every_level_count_and_tail(self):

@@ -1,18 +1,13 @@
 """compare against numbers computed here."""
 
-import math
 import random
 import shutil
 from json import loads
 
-from pictures import Picture, write_png, write_ppm, ycocg
+from pictures import Picture, psnr, write_png, write_ppm, ycocg
 from program import DIFFERENT, DONE, INPUT, USAGE, CliTest, main
 
 KEYS = ["psnr_rgb", "psnr_y", "psnr_rgb_min", "max_abs_error", "identical", "first_difference"]
-
-
-def psnr(squares, count, peak):
-    return 10 * math.log10(peak * peak * count / squares) if squares else "inf"
 
 
 class Compare(CliTest):

@@ -1,11 +1,10 @@
 """encode: its JSON, its promise against the decoded pictures, parameters, inputs that it refuses."""
 
-import math
 import os
 import shutil
 from json import loads
 
-from pictures import Picture, read_png, write_png, write_ppm, ycocg
+from pictures import Picture, psnr, read_png, write_png, write_ppm, ycocg
 from program import DIFFERENT, DONE, INPUT, CliTest, main
 
 KEYS = [
@@ -15,10 +14,6 @@ KEYS = [
 SECTIONS = ["header", "index", "motion", "residual", "top", "other"]
 
 CODINGS = [(profile, method) for profile in ("main", "extended") for method in ("hmlfc", "rlfc", "mc")]
-
-
-def psnr(squares, count, peak=255):
-    return 10 * math.log10(peak * peak * count / squares) if squares else "inf"
 
 
 class Encode(CliTest):
@@ -153,13 +148,6 @@ class Encode(CliTest):
             text = self.hmlfc("encode", "views", "-o", "a.hmlfc", "--profile", profile)
             for part in ("3 x 4 views of 44 x 28", "bpp", "dB", "residual", "top", profile, last):
                 self.assertIn(part, text)
-
-    def test_same_bytes_for_any_number_of_threads(self):
-        files = []
-        for threads in (1, 2, 7, 0):
-            self.encode("--threads", threads, file=f"t{threads}.hmlfc")
-            files.append((self.folder / f"t{threads}.hmlfc").read_bytes())
-        self.assertEqual(len(set(files)), 1)
 
     def test_names_that_need_the_grid(self):
         folder = self.folder / "list"

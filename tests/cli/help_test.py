@@ -4,11 +4,8 @@ import os
 import re
 import shlex
 import shutil
-from pathlib import Path
 
-from program import PROGRAM, CliTest, main
-
-ROOT = Path(__file__).resolve().parents[2]
+from program import PROGRAM, ROOT, CliTest, main
 
 COMMANDS = {
     "": ["--help", "--version"],

@@ -1,23 +1,35 @@
-"""inspect: fields against the bits of the file, stages against the specification's arithmetic."""
+"""inspect: fields against the bits of the file, stages against the decoder from the specification."""
 
 import json
 
 from pictures import read_png, ycocg
 from program import CliTest, main
 
+from block import BlockDecoder
+from opening import Stream
+from trace import PLANE_NAMES, trace_block
+
 FIELD_KEYS = ["section", "byte", "bit", "bits", "name", "clause", "value"]
 # Fields whose value is not the bits themselves: signed, displaced, or one of a sequence.
 INDIRECT = {"min_x", "min_y", "dx", "dy", "bias", "value"}
 WINDOW = 6
-RANGES = {"Y": (0, 255), "Co": (-255, 255), "Cg": (-255, 255)}
 
 
-def clamp(value, low, high):
-    return max(low, min(high, value))
+def stages_of(levels):
+    """Level, image, name, clause and values of each stage."""
+    return [
+        [level["level"], [*level["image"].values()], name, stage["clause"], sum(stage["values"], [])]
+        for level in levels
+        for name, stage in level["stages"].items()
+    ]
 
 
-def flat(rows):
-    return [value for row in rows for value in row]
+def vectors_of(level):
+    """Reference image and vector in eighths of a sample, as a BlockDecoder gives them."""
+    return [
+        ((level["level"], *vector["image"].values()), (8 * vector["x"], 8 * vector["y"]))
+        for vector in level["vectors"]
+    ]
 
 
 class Inspect(CliTest):
@@ -84,118 +96,37 @@ class Inspect(CliTest):
         tile = {"motion_mode", "residual_mode", "sign_mode", "codes_x", "level_base", "level_delta"}
         self.assertLessEqual(tile | INDIRECT | {"mask", "first", "tile_mask", "end"}, names)
 
-    def test_stages_follow_the_arithmetic(self):
-        states = set()
-        for view, plane, block in self.places():
-            low, high = RANGES[plane]
-            parent = None
-            for level in self.inspect(view, plane, block)["levels"]:
-                stages = {name: flat(stage["values"]) for name, stage in level["stages"].items()}
-                if level["kind"] == "key":
-                    self.assertEqual(list(stages), ["sample"])
-                    parent = stages["sample"]
-                    continue
-                states.add(level["state"])
-                self.assertEqual(stages["parent"], parent)
-                self.check_prediction(level, stages, low, high)
-                self.check_residual(level, stages, low, high)
-                parent = stages["sample"]
-        self.assertEqual(len(states), 4, states)
-
-    def check_prediction(self, level, stages, low, high):
-        motion = level["state"].startswith("motion")
-        self.assertEqual("reference" in stages, motion)
-        expected = stages["parent"]
-        if motion:
-            fields = {field["name"]: field["value"] for field in level["fields"]}
-            minus = fields["sign_mode"] == 1 or fields.get("sign") == 1
-            sign = -1 if minus else 1
-            expected = [
-                clamp(p + sign * r, low, high) for p, r in zip(expected, stages["reference"])
-            ]
-        self.assertEqual(stages["prediction"], expected)
-
-    def check_residual(self, level, stages, low, high):
-        residual = level["state"] in ("motion and residual", "residual only")
-        self.assertEqual("residual" in stages, residual)
-        expected = stages["prediction"]
-        if residual:
-            named = {field["name"]: field["value"] for field in level["fields"]}
-            values = [f["value"] for f in level["fields"] if f["name"] == "value"]
-            code = named["level_base"] + named["level_delta"]
-            counts = [1, 2, 3] + [k << e for e in range(13) for k in (4, 5, 6)]
-            bound = high - low
-            self.assertEqual(
-                stages["residual"],
-                [clamp(v - (counts[code] >> 1) + named["bias"], -bound, bound) for v in values],
-            )
-            expected = [
-                clamp(p + r, low, high) for p, r in zip(expected, stages["residual"])
-            ]
-        self.assertEqual(stages["sample"], expected)
-
-    def test_vectors_of_tile_records(self):
-        """TIL-7: the vector is that of the record, in whole samples, to the group's reference."""
-        for view, plane, block in self.places():
-            for level in self.inspect(view, plane, block)["levels"]:
-                fields = {field["name"]: field["value"] for field in level["fields"]}
-                if "dx" not in fields:
-                    self.assertEqual(level["vectors"], [])
-                    continue
-                (vector,) = level["vectors"]
-                self.assertEqual((vector["x"], vector["y"]), (fields["dx"], fields["dy"]))
-                self.assertEqual((vector["unit"], vector["clause"]), ("samples", "TIL-7"))
-                images = [block["image"] for block in level["reference_blocks"]]
-                self.assertTrue(all(image == vector["image"] for image in images))
-
-    def test_vectors_of_motion_tiles(self):
-        """MOT-8, computed here from the fields; units are those of the header's precisions."""
+    def test_stages_and_vectors_are_those_of_the_specification(self):
+        """Against the decoder in Python, with motion in tile records and in motion tiles."""
         self.hmlfc("encode", "views", "-o", "motion.hmlfc", "--chroma", "444", "--references", "4x4")
-        header = (self.folder / "motion.hmlfc").read_bytes()[:44]
-        window, precision, fine = header[31], header[35], header[36]
-        row_scale = int.from_bytes(header[39:40], "little", signed=True)
-        bound, shift = window << precision, fine - precision
-        seen = set()
         views = [(row, col) for row in range(4) for col in range(4)]
         more = [(view, "Y", block) for view in views for block in ((7, 3), (12, 8))]
-        for view, plane, block in [*self.places(), *more]:
-            for level in self.inspect(view, plane, block, file="motion.hmlfc")["levels"]:
-                choice, disparity, units = self.motion(level)
-                if len(level["vectors"]) != 1 or choice is None:
-                    continue
-                (vector,) = level["vectors"]
-                rows, cols = (vector["image"][key] - level["image"][key] for key in ("row", "col"))
-                x, y = disparity * cols, disparity * row_scale * rows
-                x, y = (x + (1 << shift >> 1)) >> shift, (y + (1 << shift + 3)) >> shift + 4
-                expected = [clamp(v, -bound, bound) / (1 << precision) for v in (x, y)]
-                self.assertEqual([vector["x"], vector["y"]], expected, level)
-                self.assertEqual((vector["unit"], vector["clause"]), ("samples", "MOT-8"))
-                self.assertLessEqual(units, {f"1/{1 << fine} sample per column"})
-                seen.add((vector["x"], vector["y"]))
-        self.assertGreater(len(seen), 3)
+        states, kinds, units = set(), set(), set()
+        for file, places in (("a.hmlfc", []), ("motion.hmlfc", more)):
+            decoder = BlockDecoder(Stream((self.folder / file).read_bytes()))
+            for view, plane, block in [*self.places(), *places]:
+                levels = self.inspect(view, plane, block, file=file)["levels"]
+                number = PLANE_NAMES.index(plane)
+                records = trace_block(decoder, *view, number, *block)[1:]
+                keys = "level", "image", "stage", "clause", "values"
+                self.assertEqual(stages_of(levels), [[record[key] for key in keys] for record in records])
+                for level in levels:
+                    states.add(level["state"])
+                    image = level["level"], *level["image"].values()
+                    key = level["kind"] == "key"
+                    parts = [] if key else decoder.entry(image, number, *block).parts
+                    self.assertEqual(vectors_of(level), parts)
+                    kinds |= {(vector["unit"], vector["clause"]) for vector in level["vectors"]}
+                    images = [vector["image"] for vector in level["vectors"]]
+                    self.assertTrue(all(read["image"] in images for read in level["reference_blocks"]))
+                    shared = level.get("disparity", {"fields": []})["fields"]
+                    units |= {field["unit"] for field in shared if "unit" in field}
+        self.assertEqual(len(states - {None}), 4, states)
+        self.assertEqual(kinds, {("samples", "TIL-7"), ("samples", "MOT-8")})
+        fine = 1 << decoder.stream.header.disparity_precision
+        self.assertEqual(units, {f"1/{fine} sample per column"})
         text = self.hmlfc(*"inspect motion.hmlfc --view 0,0 --plane Y --block 7,3".split())
         self.assertRegex(text, r"vector += \(-?[0-9.]+, -?[0-9.]+\) samples, to image \d+,\d+  MOT-8")
-
-    def motion(self, level):
-        """The choice of the block's palette entry, its disparity and the units; None: none shared."""
-        entries, index = [], 0
-        for field in level.get("motion_fields", []):
-            if field["name"] in ("choice", "index"):
-                index = field["value"]
-            if field["name"] == "choice":
-                entries.append([field["value"], 0])
-            if field["name"] == "explicit_x":
-                entries[-1][1] = field["value"]
-        if not entries:
-            return None, 0, set()
-        choice, explicit = entries[index]
-        if choice == 10:
-            return choice, explicit, set()
-        if not 1 <= choice <= 9:
-            return None, 0, set()
-        fields = level.get("disparity", {"fields": []})["fields"]
-        units = {field["unit"] for field in fields if "unit" in field}
-        return choice, sum(f["value"] for f in fields if f["name"] == "disparity"), units
 
     def test_last_samples_are_the_pixels(self):
         for i, plane in enumerate(("Y", "Co", "Cg")):

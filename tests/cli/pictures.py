@@ -1,5 +1,6 @@
 """Pictures without the program under test: PNG, PPM and colour."""
 
+import math
 import struct
 import zlib
 
@@ -44,21 +45,24 @@ def _unfilter(kind, line, above, step):
     return out
 
 
+def chunks_of(data):
+    """(type, data) of each chunk of a PNG file; its checksums are right."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    at = 8
+    while at < len(data):
+        size, kind = struct.unpack_from(">I4s", data, at)
+        body = data[at + 8 : at + 8 + size]
+        assert struct.unpack_from(">I", data, at + 8 + size) == (zlib.crc32(kind + body),)
+        yield kind.decode(), body
+        at += size + 12
+
+
 def read_png(path):
     """An RGB PNG of 8 or 16 bits without interlacing; samples as stored."""
-    data = path.read_bytes()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n", path
-    at, packed = 8, b""
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at : at + 8])
-        body = data[at + 8 : at + 8 + length]
-        if kind == b"IHDR":
-            width, height, bits, colour, _, _, interlace = struct.unpack(">IIBBBBB", body)
-            assert colour == 2 and interlace == 0 and bits in (8, 16), path
-        if kind == b"IDAT":
-            packed += body
-        at += length + 12
-    raw = zlib.decompress(packed)
+    chunks = list(chunks_of(path.read_bytes()))
+    width, height, bits, colour, _, _, interlace = struct.unpack(">IIBBBBB", dict(chunks)["IHDR"])
+    assert colour == 2 and interlace == 0 and bits in (8, 16), path
+    raw = zlib.decompress(b"".join(body for kind, body in chunks if kind == "IDAT"))
     step = 3 * bits // 8
     stride = width * step
     above, samples = bytes(stride), []
@@ -88,6 +92,10 @@ def write_png(path, picture, bits=8, alpha=False):
         check = zlib.crc32(kind + body)
         data += struct.pack(">I", len(body)) + kind + body + struct.pack(">I", check)
     path.write_bytes(data)
+
+
+def psnr(squares, count, peak=255):
+    return 10 * math.log10(peak * peak * count / squares) if squares else "inf"
 
 
 def ycocg(pixel):

@@ -8,6 +8,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "naive_decoder"))
+
 PROGRAM = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else None
 VERSION = sys.argv[2] if len(sys.argv) > 2 else None
 

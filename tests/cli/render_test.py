@@ -3,22 +3,9 @@
 import json
 import os
 import struct
-import zlib
 
-from pictures import read_png
+from pictures import chunks_of, read_png
 from program import CORRUPT, DONE, INPUT, USAGE, CliTest, main
-
-
-def chunks_of(data):
-    """(type, data) of each chunk of a PNG file; its checksums are right."""
-    at = 8
-    while at < len(data):
-        (size,) = struct.unpack_from(">I", data, at)
-        kind, body = data[at + 4 : at + 8], data[at + 8 : at + 8 + size]
-        (crc,) = struct.unpack_from(">I", data, at + 8 + size)
-        assert crc == zlib.crc32(kind + body)
-        yield kind.decode(), body
-        at += size + 12
 
 
 class Render(CliTest):
@@ -34,6 +21,12 @@ class Render(CliTest):
 
     def render(self, *arguments):
         return self.hmlfc_json("render", "a.hmlfc", *arguments)
+
+    def assert_same_frames(self, a, b, count):
+        for k in range(count):
+            name = f"frame_{k:04}.png"
+            files = [(self.folder / folder / name).read_bytes() for folder in (a, b)]
+            self.assertEqual(*files)
 
     def test_at_a_view_it_is_the_view(self):
         for filter_name in ("nearest", "bilinear", "quadrilinear"):
@@ -65,12 +58,7 @@ class Render(CliTest):
         # Neither threads nor the cache change a byte.
         for more in (["--threads", 1], ["--cache", 0], ["--threads", 3]):
             self.render(*arguments, "-o", "again", *more)
-            for k in range(6):
-                name = f"frame_{k:04}.png"
-                self.assertEqual(
-                    (self.folder / "again" / name).read_bytes(),
-                    (self.folder / "orbit" / name).read_bytes(),
-                )
+            self.assert_same_frames("again", "orbit", 6)
 
     def test_progressive(self):
         arguments = "--path line --frames 2 --size 50x40".split()
@@ -139,9 +127,7 @@ class Render(CliTest):
         report = self.render(*"--path path.json -o file".split())
         self.assertEqual([f["camera"]["position"] for f in report["frames"]],
                          [c["position"] for c in cameras])  # fmt: skip
-        for k in range(3):
-            name = f"frame_{k:04}.png"
-            self.assertEqual(self.picture("line", name), self.picture("file", name))
+        self.assert_same_frames("line", "file", 3)
 
     def test_quality_vs_time(self):
         sweep = "--quality-vs-time --size 10x10 --camera 2,1".split()
@@ -174,10 +160,7 @@ class Render(CliTest):
                              frame["blocks_decoded"] + frame["blocks_reused"])  # fmt: skip
             self.assertNotIn("bytes_touched", frame)
             self.assertNotIn("key_samples_decoded", frame)
-        for k in range(6):
-            name = f"frame_{k:04}.png"
-            self.assertEqual((self.folder / "gpu" / name).read_bytes(),
-                             (self.folder / "cpu" / name).read_bytes())  # fmt: skip
+        self.assert_same_frames("gpu", "cpu", 6)
 
     def test_gpu_without_a_cache_reuses_nothing(self):
         arguments = ["render", "a.hmlfc", *"--path line --frames 3 --size 40x30 --json".split()]

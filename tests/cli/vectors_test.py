@@ -2,11 +2,10 @@
 """hmlfc vectors: the commands on the suite that is checked in, and their refusals."""
 
 import json
-from pathlib import Path
 
-from program import INPUT, CORRUPT, USAGE, CliTest, main
+from program import CORRUPT, INPUT, ROOT, USAGE, CliTest, main
 
-SUITE = Path(__file__).resolve().parents[2] / "vectors"
+SUITE = ROOT / "vectors"
 
 
 class Vectors(CliTest):

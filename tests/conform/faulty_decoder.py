@@ -24,7 +24,20 @@ import light_field  # noqa: E402
 import references  # noqa: E402
 import residual  # noqa: E402
 
+ARITHMETIC, PROCESS = {}, {}
 
+
+def arithmetic(fault):
+    ARITHMETIC[fault.__name__] = fault
+    return fault
+
+
+def process(fault):
+    PROCESS[fault.__name__] = fault
+    return fault
+
+
+@arithmetic
 def wrong_rounding():
     """MOT-9 with halves rounded downwards."""
 
@@ -36,23 +49,27 @@ def wrong_rounding():
     block.predict = predict
 
 
+@arithmetic
 def disparity_rounded_down():
     """MOT-8 without the half."""
     references.rshift = lambda x, k: x >> k
 
 
+@arithmetic
 def neighbours_exchanged():
     """MOT-7 with K1 and K2 in the order of the grid, whichever is nearer."""
     right = references.candidates
     references.candidates = lambda geometry, image: (lambda k: [k[0], *sorted(k[1:3]), k[3]])(right(geometry, image))
 
 
+@arithmetic
 def trit_digits_swapped():
     """BISE-8 with the last two trits of a group exchanged."""
     right = bise.trits
     bise.trits = lambda T: (lambda t: [*t[:3], t[4], t[3]])(right(T))
 
 
+@arithmetic
 def lowest_trit_code():
     """BISE-10 with a table of canonical codes alone: others give zeros."""
     right = bise.trits
@@ -60,12 +77,14 @@ def lowest_trit_code():
     bise.trits = lambda T: right(T) if greatest[tuple(right(T))] == T else [0] * 5
 
 
+@arithmetic
 def quint_digits_swapped():
     """BISE-9 with the last two quints of a group exchanged."""
     right = bise.quints
     bise.quints = lambda Q: (lambda q: [q[0], q[2], q[1]])(right(Q))
 
 
+@arithmetic
 def border_off_by_one():
     """DEC-4 that clamps one column too early."""
     right = block.BlockDecoder._ref
@@ -77,6 +96,7 @@ def border_off_by_one():
     block.BlockDecoder._ref = ref
 
 
+@arithmetic
 def sign_ignored():
     """DEC-3 without the sign of the motion."""
     right = block.BlockDecoder._entry
@@ -89,6 +109,7 @@ def sign_ignored():
     block.BlockDecoder._entry = entry
 
 
+@arithmetic
 def stale_cache():
     """A cache of tile records whose tag is the lane (IDX-3) without the group."""
     right = block.find_record
@@ -96,18 +117,21 @@ def stale_cache():
     block.find_record = lambda stream, tile: kept.setdefault(tile % 64, right(stream, tile))
 
 
+@arithmetic
 def bias_ignored():
     """TIL-10 without the bias: the middle of the levels is always 0."""
     right = residual.Cursor.take_signed
     residual.Cursor.take_signed = lambda self, bits: right(self, bits) * 0
 
 
+@arithmetic
 def step_doubled():
     """STP-2 with steps of powers of two alone."""
     right = residual.step_of
     residual.step_of = lambda code: right(code) if code % 2 or code == 0 else 2 ** (code // 2)
 
 
+@arithmetic
 def chroma_shifted():
     """COL-3 with chroma taken from the sample to the right."""
     right = light_field.decode_plane
@@ -119,6 +143,7 @@ def chroma_shifted():
     light_field.decode_plane = decode_plane
 
 
+@arithmetic
 def colour_without_clamp():
     """COL-2 whose samples wrap around instead of being clamped."""
     light_field.to_rgb = lambda y, co, cg, depth: tuple(
@@ -126,31 +151,11 @@ def colour_without_clamp():
     )
 
 
+@arithmetic
 def eight_bit_samples():
     """Samples cut to 8 bits in streams of more."""
     right = colour.to_rgb
     light_field.to_rgb = lambda y, co, cg, depth: tuple(s % 256 for s in right(y, co, cg, depth))
-
-
-ARITHMETIC = {
-    fault.__name__: fault
-    for fault in (
-        wrong_rounding,
-        disparity_rounded_down,
-        trit_digits_swapped,
-        lowest_trit_code,
-        quint_digits_swapped,
-        neighbours_exchanged,
-        border_off_by_one,
-        sign_ignored,
-        stale_cache,
-        bias_ignored,
-        step_doubled,
-        chroma_shifted,
-        colour_without_clamp,
-        eight_bit_samples,
-    )
-}
 
 
 def golden(file, folder):
@@ -163,16 +168,19 @@ def last_view(folder):
     return sorted(pathlib.Path(folder).iterdir())[-1]
 
 
+@process
 def missing_output(file, folder):
     status = golden(file, folder)
     last_view(folder).unlink()
     return status
 
 
+@process
 def no_output(file, folder):
     return 0
 
 
+@process
 def truncated_picture(file, folder):
     status = golden(file, folder)
     view = last_view(folder)
@@ -180,63 +188,53 @@ def truncated_picture(file, folder):
     return status
 
 
+@process
 def short_raw(file, folder):
     (pathlib.Path(folder) / "views.raw").write_bytes(b"\0" * 17)
     return 0
 
 
+@process
 def wrong_exit_code(file, folder):
     golden(file, folder)
     return 1
 
 
+@process
 def crash(file, folder):
     golden(file, folder)
     os.kill(os.getpid(), signal.SIGSEGV)
 
 
+@process
 def hang(file, folder):
     golden(file, folder)
     time.sleep(1000)
 
 
+@process
 def hanging_child(file, folder):
     """Ends, but leaves behind a child that holds its output open."""
     subprocess.Popen(["sleep", "1000"])
     return golden(file, folder)
 
 
+@process
 def endless_messages(file, folder):
     while True:
         sys.stderr.write("still decoding\n" * 1000)
 
 
+@process
 def memory_hog(file, folder):
     hoard = bytearray(1 << 40)
     return len(hoard) * 0
 
 
+@process
 def accepts_everything(file, folder):
     golden(file, folder)
     return 0
-
-
-PROCESS = {
-    fault.__name__: fault
-    for fault in (
-        missing_output,
-        no_output,
-        truncated_picture,
-        short_raw,
-        wrong_exit_code,
-        crash,
-        hang,
-        hanging_child,
-        endless_messages,
-        memory_hog,
-        accepts_everything,
-    )
-}
 
 
 def main():
