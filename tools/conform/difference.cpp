@@ -183,12 +183,9 @@ io::IoResult<void> write_failure_pictures(const std::filesystem::path& folder,
   if (error) return io::system_error(folder, "cannot be created", error.value());
   const auto difference = io::difference_picture(actual, expected, kGain);
   if (!difference) return tl::unexpected(difference.error());
-  const RgbImage* pictures[] = {nullptr, nullptr, &*difference, &heat};
-  const RgbImage shown[] = {to_8_bits(expected), to_8_bits(actual)};
-  pictures[0] = &shown[0];
-  pictures[1] = &shown[1];
+  const RgbImage pictures[] = {to_8_bits(expected), to_8_bits(actual), *difference, heat};
   for (size_t i = 0; i < std::size(kFailurePictures); ++i) {
-    if (auto done = io::write_png(folder / kFailurePictures[i], *pictures[i]); !done) return done;
+    if (auto done = io::write_png(folder / kFailurePictures[i], pictures[i]); !done) return done;
   }
   return {};
 }

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <optional>
 #include <set>
+#include <span>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -127,7 +129,7 @@ std::vector<Waiver> read_waivers(const Json& json) {
 }
 
 std::vector<std::string> words_of(std::string_view text, const Places& places,
-                                  std::initializer_list<const char*> needed) {
+                                  std::span<const char* const> needed) {
   const auto words = split_command(text);
   if (!words) throw WrongValue{words.error().message};
   for (const char* place : needed) {
@@ -138,14 +140,9 @@ std::vector<std::string> words_of(std::string_view text, const Places& places,
   return fill_in(*words, places);
 }
 
+constexpr const char* kCommandPlaces[] = {"{input}", "{output}"};
 constexpr const char* kTracePlaces[] = {"{input}", "{view_row}", "{view_col}",
                                         "{plane}", "{block_x}",  "{block_y}"};
-
-std::vector<std::string> trace_words(std::string_view text, const Places& places) {
-  return words_of(text, places,
-                  {kTracePlaces[0], kTracePlaces[1], kTracePlaces[2], kTracePlaces[3],
-                   kTracePlaces[4], kTracePlaces[5]});
-}
 
 // A library is run by this program's own command for libraries.
 void set_library(Dut& dut, const std::string& library, bool by_block, const Places& places) {
@@ -167,8 +164,10 @@ void read_program(Dut& dut, const Json& json, const Places& places) {
     read_if_there(json, "by_block", by_block);
     return set_library(dut, library, by_block, places);
   }
-  dut.command = words_of(value_of<std::string>(json, "command"), places, {"{input}", "{output}"});
-  if (json.contains("trace")) dut.trace = trace_words(value_of<std::string>(json, "trace"), places);
+  dut.command = words_of(value_of<std::string>(json, "command"), places, kCommandPlaces);
+  if (json.contains("trace")) {
+    dut.trace = words_of(value_of<std::string>(json, "trace"), places, kTracePlaces);
+  }
   read_if_there(json, "error_names", dut.error_names);
 }
 
@@ -236,16 +235,16 @@ std::optional<std::string> beyond_claims(const Dut& dut, Profile profile, int le
   if (level > dut.level) return fmt::format("level {}, above {}", level, dut.level);
   if (header == nullptr) return std::nullopt;
   const DutLimits& limits = dut.limits;
-  const auto above = [](const char* field, auto value, auto limit) -> std::optional<std::string> {
-    if (value <= limit) return std::nullopt;
-    return fmt::format("{} {}, above {}", field, value, limit);
-  };
-  if (auto what = above("rows", header->rows, limits.rows)) return what;
-  if (auto what = above("cols", header->cols, limits.cols)) return what;
-  if (auto what = above("width", header->width, limits.width)) return what;
-  if (auto what = above("height", header->height, limits.height)) return what;
-  if (auto what = above("depth", header->depth, limits.depth)) return what;
-  if (auto what = above("tree_height", header->tree_height, limits.tree_height)) return what;
+  const std::tuple<const char*, int64_t, int64_t> fields[] = {
+      {"rows", header->rows, limits.rows},
+      {"cols", header->cols, limits.cols},
+      {"width", header->width, limits.width},
+      {"height", header->height, limits.height},
+      {"depth", header->depth, limits.depth},
+      {"tree_height", header->tree_height, limits.tree_height}};
+  for (const auto& [field, value, limit] : fields) {
+    if (value > limit) return fmt::format("{} {}, above {}", field, value, limit);
+  }
   const auto& logs = limits.block_log2;
   if (std::ranges::find(logs, header->block_log2) == logs.end()) {
     return fmt::format("block_log2 {}", header->block_log2);
@@ -266,7 +265,7 @@ io::IoResult<Dut> read_dut(const std::string& text, const DutPlaces& places) {
       if (!std::filesystem::is_regular_file(path, ignored)) throw WrongValue{"no such library"};
       set_library(dut, std::filesystem::absolute(path).string(), false, names);
     } else {
-      dut.command = words_of(text, names, {"{input}", "{output}"});
+      dut.command = words_of(text, names, kCommandPlaces);
     }
     return dut;
   } catch (const WrongValue& error) {

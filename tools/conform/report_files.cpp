@@ -90,21 +90,8 @@ io::IoResult<void> write_text(const fs::path& file, const std::string& text) {
 
 // Any result outweighs skipped; the worse of two results counts.
 int weight(Status status) {
-  switch (status) {
-    case Status::kSkipped:
-      return 0;
-    case Status::kNotSupported:
-      return 1;
-    case Status::kPass:
-      return 2;
-    case Status::kTimeout:
-      return 3;
-    case Status::kError:
-      return 4;
-    case Status::kFail:
-      return 5;
-  }
-  return 0;
+  constexpr int kWeights[kStatusCount] = {2, 5, 4, 3, 1, 0};  // by status
+  return kWeights[static_cast<size_t>(status)];
 }
 
 io::IoResult<void> copy_pictures(const Run& run, const fs::path& from, const fs::path& to) {
@@ -136,24 +123,15 @@ bool same_vectors(const Run& a, const Run& b) {
 }  // namespace
 
 std::string escaped(std::string_view text) {
+  constexpr std::string_view kSpecial = "&<>\"";
+  constexpr const char* kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
   std::string out;
   for (const char c : valid_utf8(text)) {
-    const auto byte = static_cast<unsigned char>(c);
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += byte < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+    const size_t special = kSpecial.find(c);
+    if (special != std::string_view::npos) {
+      out += kEntities[special];
+    } else {
+      out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
     }
   }
   return out;

@@ -47,13 +47,6 @@ class WorkFolder {
   bool kept_ = false;
 };
 
-// The header where it passes all checks, for a decoder's limits.
-std::optional<StreamHeader> header_of(std::span<const uint8_t> stream) {
-  auto header = parse_header(stream);
-  if (!header) return std::nullopt;
-  return std::move(*header);
-}
-
 ProcessOutcome decode(const Dut& dut, const fs::path& input, const fs::path& output,
                       const ProcessLimits& limits) {
   return run_process(fill_in(dut.command, {{"input", input.string()}, {"output", output.string()}}),
@@ -95,7 +88,7 @@ class SuiteRun {
  private:
   void run(const vectors::Vector& vector, size_t index, const fs::path& input,
            std::span<const uint8_t> stream, VectorResult& result) const {
-    const auto header = header_of(stream);
+    const auto header = parse_header(stream);
     if (auto what =
             beyond_claims(dut_, vector.profile, vector.level, header ? &*header : nullptr)) {
       result.status = Status::kNotSupported;
@@ -212,19 +205,15 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
     fail_in_suite(result, error ? error.message() : written.error().message);
     return result;
   }
-  const auto header = header_of(stream);
+  const auto header = parse_header(stream);
   if (header && beyond_claims(dut, header->profile, conformance_level(*header), &*header)) {
     result.status = Status::kNotSupported;
     return result;
   }
   vectors::Expectation expect;
-  const auto golden = Decoder::open(stream);
-  Result<void> decoded;
-  if (!golden) {
-    decoded = tl::unexpected(golden.error());
-  } else {
-    decoded = golden->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1});
-  }
+  const auto decoded = Decoder::open(stream).and_then([](const Decoder& golden) {
+    return golden.decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1});
+  });
   if (!decoded) {
     expect.outcome = vectors::Outcome::kReject;
     expect.error = decoded.error().code;

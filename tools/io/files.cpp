@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstddef>
 #include <string>
@@ -15,6 +16,12 @@
 namespace hmlfc::io {
 
 namespace fs = std::filesystem;
+
+std::string lower_case_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
 
 IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
   if (!target.has_filename()) return file_error(target, "not a file name; give the output a name");

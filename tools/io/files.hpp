@@ -7,11 +7,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "io/io_error.hpp"
 
 namespace hmlfc::io {
+
+/// ".png" of "a/B.PNG".
+std::string lower_case_extension(const std::filesystem::path& file);
 
 /// Closes its descriptor on destruction; empty (-1) after a move or release().
 class FileDescriptor {

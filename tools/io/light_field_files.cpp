@@ -20,28 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The error with the lowest index among many threads: the same in every run.
-class FirstError {
- public:
-  /// True where the outcome of `index` can no longer matter.
-  bool makes_pointless(size_t index) {
-    const std::lock_guard lock(mutex_);
-    return error_ && index > index_;
-  }
-  void add(size_t index, const IoError& error) {
-    const std::lock_guard lock(mutex_);
-    if (error_ && index > index_) return;
-    index_ = index;
-    error_ = error;
-  }
-  const std::optional<IoError>& error() const { return error_; }
-
- private:
-  std::mutex mutex_;
-  size_t index_ = 0;
-  std::optional<IoError> error_;
-};
-
 /// What all views must have in common.
 struct ViewShape {
   uint32_t width;
@@ -96,7 +74,7 @@ IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
   if (!field) return field;
 
   std::vector<ViewShape> shapes(views.files.size(), expected);
-  FirstError first_error;
+  FirstError<IoError> first_error;
   const auto load_view = [&](size_t index) {
     if (first_error.makes_pointless(index)) return;
     const auto row = static_cast<uint32_t>(index / views.cols);
@@ -126,7 +104,7 @@ IoResult<void> save_views(const fs::path& folder, GridShape grid, const ViewProd
   fs::create_directories(folder, failure);
   if (failure) return system_error(folder, "cannot create this folder", failure.value());
 
-  FirstError first_error;
+  FirstError<IoError> first_error;
   const auto save_view = [&](size_t index) {
     if (first_error.makes_pointless(index)) return;
     const auto row = static_cast<uint32_t>(index / grid.cols);

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/files.hpp"
 #include "io/view_name.hpp"
 
 namespace hmlfc::io {
@@ -138,12 +139,8 @@ IoResult<ViewList> place_in_order(const fs::path& folder, GridShape grid,
 bool is_picture_name(const fs::path& file) {
   constexpr std::array<std::string_view, 6> kExtensions = {".png", ".ppm", ".pgm",
                                                            ".pnm", ".jpg", ".jpeg"};
-  std::string extension = file.extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
   return file.filename().string().front() != '.' &&
-         std::ranges::find(kExtensions, extension) != kExtensions.end();
+         std::ranges::find(kExtensions, lower_case_extension(file)) != kExtensions.end();
 }
 
 /// The folder's picture files in natural order.

@@ -37,10 +37,6 @@ constexpr std::array<uint32_t, 6> kInks = {0x24508F, 0xA3262E, 0x1F6B52,
 
 Vec3 towards_lamp() { return normalize({-0.5, 0.8, -1.0}); }
 
-uint32_t shadow_resolution(const SceneParams& params) {
-  return std::clamp(2 * std::max(params.width, params.height), 256u, 2048u);
-}
-
 /// Where a sheet is in the middle view.
 struct SheetPlace {
   double u;  ///< of its middle, in half pictures to the right of the picture's middle

@@ -37,10 +37,6 @@ constexpr std::array<Vec3, 3> kEmblems = {kCoats[0], kCoats[1], kCoats[4]};
 
 Vec3 towards_lamp() { return normalize({-0.55, 0.95, -0.55}); }
 
-uint32_t shadow_resolution(const SceneParams& params) {
-  return std::clamp(2 * std::max(params.width, params.height), 256u, 2048u);
-}
-
 class Knights : public TracedPainter {
  public:
   explicit Knights(const SceneParams& params);

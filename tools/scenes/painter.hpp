@@ -24,8 +24,6 @@ class Painter {
 std::unique_ptr<Painter> make_cards(const SceneParams& params);
 std::unique_ptr<Painter> make_knights(const SceneParams& params);
 std::unique_ptr<Painter> make_glass(const SceneParams& params);
-std::unique_ptr<Painter> make_flat(const SceneParams& params);
-std::unique_ptr<Painter> make_noise(const SceneParams& params);
 
 /// Casts a ray through each pixel corner; where the four corners of a pixel differ visibly, four
 /// more through the pixel. A pixel is the mean of its rays in linear light.

@@ -77,22 +77,14 @@ std::unique_ptr<Painter> make_painter(const SceneParams& params) {
     case Scene::kGlass:
       return make_glass(params);
     case Scene::kFlat:
-      return make_flat(params);
+      return std::make_unique<Flat>(params);
     case Scene::kNoise:
       break;
   }
-  return make_noise(params);
+  return std::make_unique<Noise>(params);
 }
 
 }  // namespace
-
-std::unique_ptr<Painter> make_flat(const SceneParams& params) {
-  return std::make_unique<Flat>(params);
-}
-
-std::unique_ptr<Painter> make_noise(const SceneParams& params) {
-  return std::make_unique<Noise>(params);
-}
 
 std::optional<Scene> scene_from_name(std::string_view name) {
   using Row = std::pair<std::string_view, Scene>;

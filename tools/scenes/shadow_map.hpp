@@ -1,15 +1,22 @@
 // Soft shadows of a distant lamp, looked up in a picture of the scene as the lamp sees it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "scenes/scene.hpp"
 #include "scenes/shape.hpp"
 #include "scenes/vec3.hpp"
 
 namespace hmlfc::scenes {
+
+/// The texels on a side that suit pictures of this size.
+inline uint32_t shadow_resolution(const SceneParams& params) {
+  return std::clamp(2 * std::max(params.width, params.height), 256u, 2048u);
+}
 
 class ShadowMap {
  public:

@@ -2,7 +2,6 @@
 // golden model, taken from the model; with the argument `glsl` hmlfc_tables.glsl, those that the
 // shaders share with it. A test compares the files in the repository with these.
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -24,17 +23,9 @@ namespace {
 
 constexpr unsigned kCodes = 64;  // entries of the tables by level code: all values of 6 bits
 
-std::string upper(std::string_view name) {
-  std::string text(name);
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
-  return text;
-}
-
 void put_number(const std::string& name, int64_t value) {
   std::printf("localparam integer HMLFC_%s = %lld;\n", name.c_str(), static_cast<long long>(value));
 }
-
-void put_heading(const char* text) { std::printf("\n// %s\n", text); }
 
 void put_errors() {
   put_heading("Errors (annex A).");

@@ -18,17 +18,9 @@
 namespace hmlfc {
 namespace {
 
-std::string upper(std::string_view name) {
-  std::string text(name);
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
-  return text;
-}
-
 void put_number(const std::string& name, uint32_t value) {
   std::printf("const uint %s = %uu;\n", name.c_str(), value);
 }
-
-void put_heading(const char* text) { std::printf("\n// %s\n", text); }
 
 void put_array(const char* comment, const char* name, unsigned count,
                const std::function<uint32_t(unsigned)>& entry) {
@@ -70,6 +62,14 @@ void put_limits() {
 }
 
 }  // namespace
+
+std::string upper(std::string_view name) {
+  std::string text(name);
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
+  return text;
+}
+
+void put_heading(const char* text) { std::printf("\n// %s\n", text); }
 
 void put_shader_tables() {
   std::printf(

@@ -1,7 +1,16 @@
 // The numbers that the shaders share with the golden model.
 #pragma once
 
+#include <string>
+#include <string_view>
+
 namespace hmlfc {
+
+/// `name` in upper case.
+std::string upper(std::string_view name);
+
+/// Writes a comment after an empty line.
+void put_heading(const char* text);
 
 /// Writes shaders/hmlfc_tables.glsl to standard output, with numbers taken from the model.
 void put_shader_tables();

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <map>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include <hmlfc/decoder.hpp>
 
-#include "bits/little_endian.hpp"
 #include "decoder/key_images.hpp"
 #include "syntax/geometry.hpp"
 #include "syntax/header.hpp"
 #include "vectors/expected.hpp"
+#include "vectors/stream_edit.hpp"
 
 namespace hmlfc::vectors {
 namespace {
@@ -25,37 +24,6 @@ struct Note {
   std::string clause;
 };
 
-// A field of FIL-1 at a fixed place.
-struct FixedField {
-  std::string_view name;
-  size_t offset;
-  size_t bytes;
-};
-
-constexpr FixedField kFixedFields[] = {
-    {"magic", 0, 8},
-    {"version", 8, 1},
-    {"profile", 9, 1},
-    {"header_bytes", 10, 2},
-    {"feature_flags", 12, 4},
-    {"rows", 16, 2},
-    {"cols", 18, 2},
-    {"width", 20, 4},
-    {"height", 24, 4},
-    {"depth", 28, 1},
-    {"chroma_format", 29, 1},
-    {"block_log2", 30, 1},
-    {"window", 31, 1},
-    {"cluster_rows", 32, 1},
-    {"cluster_cols", 33, 1},
-    {"tree_height", 34, 1},
-    {"vector_precision", 35, 1},
-    {"disparity_precision", 36, 1},
-    {"motion_tile_log2", 37, 1},
-    {"disparity_grid_log2", 38, 1},
-    {"row_scale", 39, 1},
-    {"reserved", 40, 4},
-};
 constexpr size_t kAtProfile = 9;
 constexpr size_t kFirstExtended = 35;
 constexpr size_t kReservedBytes = 9;  // of profile main, from kFirstExtended on
@@ -77,12 +45,7 @@ class Dump {
   }
 
  private:
-  uint64_t load(uint64_t at, size_t bytes) const {
-    uint64_t value = 0;
-    for (size_t i = 0; i < bytes; ++i)
-      value |= uint64_t{file_[static_cast<size_t>(at) + i]} << (8 * i);
-    return value;
-  }
+  uint64_t load(uint64_t at, size_t bytes) const { return load_number(file_, at, bytes); }
 
   void add(uint64_t bit, uint64_t bits, std::string note, std::string clause) {
     notes_.emplace(bit, Note{bits, std::move(note), std::move(clause)});
@@ -95,7 +58,7 @@ class Dump {
 
   void note_fixed_fields() {
     const bool main = file_.size() > kAtProfile && file_[kAtProfile] == 0;
-    for (const FixedField& field : kFixedFields) {
+    for (const ByteField& field : header_fields()) {
       if (field.offset < kFirstExtended) {
         add_bytes(field.offset, field.bytes, std::string(field.name), "FIL-1");
       } else if (!main) {

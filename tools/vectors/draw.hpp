@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "arithmetic/bise.hpp"
@@ -14,9 +13,9 @@
 
 namespace hmlfc::vectors {
 
-/// The least code of each group that stands for the same digits as the canonical one: another one
-/// where BISE-10 has several. None without digits.
-std::vector<uint32_t> least_codes(const Levels& levels, std::span<const uint32_t> values);
+/// With rule "group_code" sets the code of each group to the least that stands for the same digits
+/// as the canonical one: another one where BISE-10 has several. None without digits.
+void set_least_codes(const FieldRules& rules, SequenceFields& sequence);
 
 /// By rule "tail_code" sets the code of the last group where it is cut; does nothing without the
 /// rule, or a group.

@@ -74,9 +74,7 @@ std::vector<uint8_t> draw_motion_record(FieldRules& rules, const MotionContext& 
     if (at >= usable.size()) throw TextError("a rule gives an index behind the usable entries");
     tile.indices.values.push_back(usable[at]);
   }
-  if (rules.has("group_code")) {
-    tile.indices.codes = least_codes(levels_of_code(tile.indices.level_code), tile.indices.values);
-  }
+  set_least_codes(rules, tile.indices);
   draw_tail_code(rules, tile.indices, random);
   BitWriter writer;
   put_motion_fields(writer, tile, {context.two_references, !context.keyed});
@@ -100,9 +98,7 @@ std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityCon
         rules.pick_unsigned("disparity", 0, static_cast<uint64_t>(most), random));
   }
   require_representable(values);
-  if (rules.has("group_code")) {
-    values.codes = least_codes(levels_of_code(values.level_code), values.values);
-  }
+  set_least_codes(rules, values);
   draw_tail_code(rules, values, random);
   BitWriter writer;
   put_disparity_fields(writer, static_cast<int32_t>(least), values);

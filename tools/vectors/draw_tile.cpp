@@ -46,9 +46,7 @@ SequenceFields draw_component(FieldRules& rules, const ComponentNames& names, in
     sequence.values.push_back(static_cast<uint32_t>(component - least));
   }
   require_representable(sequence);
-  if (rules.has("group_code")) {
-    sequence.codes = least_codes(levels_of_code(sequence.level_code), sequence.values);
-  }
+  set_least_codes(rules, sequence);
   return sequence;
 }
 
@@ -131,9 +129,11 @@ ResidualFields draw_residuals(FieldRules& rules, const TileContext& context, siz
 
 }  // namespace
 
-std::vector<uint32_t> least_codes(const Levels& levels, std::span<const uint32_t> values) {
-  std::vector<uint32_t> codes = canonical_codes(levels, values);
-  for (uint32_t& code : codes) {
+void set_least_codes(const FieldRules& rules, SequenceFields& sequence) {
+  if (!rules.has("group_code")) return;
+  const Levels levels = levels_of_code(sequence.level_code);
+  sequence.codes = canonical_codes(levels, sequence.values);
+  for (uint32_t& code : sequence.codes) {
     uint32_t least = 0;
     if (levels.digit == Digit::kTrit) {
       while (trits_of_code(least) != trits_of_code(code)) ++least;
@@ -142,7 +142,6 @@ std::vector<uint32_t> least_codes(const Levels& levels, std::span<const uint32_t
     }
     code = least;
   }
-  return codes;
 }
 
 void draw_tail_code(FieldRules& rules, SequenceFields& sequence, Random& random) {

@@ -8,7 +8,6 @@
 
 #include "bits/crc32c.hpp"
 #include "vectors/digest.hpp"
-#include "vectors/json.hpp"
 
 namespace hmlfc::vectors {
 
@@ -115,11 +114,7 @@ class TraceWriter {
     json["name"] = field.name;
     json["clause"] = field.clause;
     const auto value = static_cast<uint64_t>(field.value);
-    if (field.bits == 64) {
-      json["value"] = value;
-    } else {
-      json["value"] = field.value;
-    }
+    json["value"] = value_json(field);
     lines_ += json.dump() + "\n";
     auto words = head_words(kField, static_cast<uint32_t>(field.section), 5, field.site);
     words.insert(words.end(),
@@ -165,6 +160,10 @@ ExpectedViews expected_views(const Decoder& decoder) {
     }
   }
   return expected;
+}
+
+Json value_json(const RecordedField& field) {
+  return field.bits == 64 ? Json(static_cast<uint64_t>(field.value)) : Json(field.value);
 }
 
 TraceText trace_text(const Decoder& decoder, std::span<const BlockAddress> blocks) {

@@ -11,6 +11,8 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/trace.hpp>
 
+#include "vectors/json.hpp"
+
 namespace hmlfc::vectors {
 
 /// All views of a stream as bytes and the checksums of their blocks.
@@ -30,6 +32,13 @@ struct RecordedStage {
   std::vector<int32_t> values;
 };
 
+inline RecordedStage recorded(const StageRecord& record) {
+  return {record.site,
+          std::string(record.stage),
+          std::string(record.clause),
+          {record.values.begin(), record.values.end()}};
+}
+
 /// A FieldRecord; its names live as long as the program.
 using RecordedField = FieldRecord;
 
@@ -37,15 +46,13 @@ using RecordedField = FieldRecord;
 class BlockRecorder final : public TraceSink {
  public:
   void on_field(const FieldRecord& record) override { records.emplace_back(record); }
-  void on_stage(const StageRecord& record) override {
-    records.emplace_back(RecordedStage{record.site,
-                                       std::string(record.stage),
-                                       std::string(record.clause),
-                                       {record.values.begin(), record.values.end()}});
-  }
+  void on_stage(const StageRecord& record) override { records.emplace_back(recorded(record)); }
 
   std::vector<std::variant<RecordedField, RecordedStage>> records;
 };
+
+/// The value of `field` as JSON; that of 64 bits has no sign.
+Json value_json(const RecordedField& field);
 
 /// Both forms of one trace.
 struct TraceText {

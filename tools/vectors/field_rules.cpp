@@ -39,8 +39,6 @@ Json mask_numbers(const Json& json) {
   throw TextError(json.dump() + " is not a mask");
 }
 
-uint64_t random_word(Random& random) { return random.next(); }
-
 }  // namespace
 
 Choice::Term Choice::term_from(const Json& json) {
@@ -118,9 +116,9 @@ uint64_t FieldRules::pick_mask(const std::string& mask, uint64_t inside, Random&
     case 1:
       return inside;
     case 2:
-      return random_word(random) & inside;
+      return random.next() & inside;
     case 3:
-      return random_word(random) & random_word(random) & random_word(random) & inside;
+      return random.next() & random.next() & random.next() & inside;
     case 4:
       return kChecker & inside;
     case 5:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <mutex>
 #include <set>
 
 #include <fmt/format.h>
@@ -92,27 +91,6 @@ void add_expected(const Recipe& recipe, const Decoder& decoder, SuiteFiles& file
 
 constexpr uint64_t kSeed = 1;
 
-// The failures of all vectors, by id, whichever thread meets one first.
-class Failures {
- public:
-  void add(const std::string& id, const std::string& message) {
-    const std::lock_guard lock(mutex_);
-    messages_[id] = message;
-  }
-  bool any() const { return !messages_.empty(); }
-
-  /// One line each.
-  std::string text() const {
-    std::string lines;
-    for (const auto& [id, message] : messages_) lines += (lines.empty() ? "" : "\n") + message;
-    return lines;
-  }
-
- private:
-  std::mutex mutex_;
-  std::map<std::string, std::string> messages_;
-};
-
 }  // namespace
 
 Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& files) {
@@ -164,15 +142,18 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
   Manifest manifest{kVectorsVersion, kVersion, "hmlfc vectors generate", kSeed, {}};
   manifest.vectors.resize(ids.size());
   std::vector<SuiteFiles> parts(ids.size());
-  Failures failures;
+  std::vector<std::string> failures(ids.size());
   io::for_each_index(ids.size(), threads, progress, [&](size_t i) {
     try {
       manifest.vectors[i] = make_vector(recipes, ids[i], parts[i]);
     } catch (const std::exception& error) {
-      failures.add(ids[i], error.what());
+      failures[i] = error.what();
     }
   });
-  if (failures.any()) return tl::unexpected(io::IoError{failures.text()});
+  std::erase(failures, "");
+  if (!failures.empty()) {
+    return tl::unexpected(io::IoError{fmt::format("{}", fmt::join(failures, "\n"))});
+  }
   SuiteFiles files;
   for (SuiteFiles& part : parts) files.merge(part);
   const std::string text = manifest_text(manifest);

@@ -1,7 +1,7 @@
 #include "vectors/stream_edit.hpp"
 
 #include <algorithm>
-#include <map>
+#include <stdexcept>
 #include <string>
 
 #include "bits/crc32c.hpp"
@@ -14,48 +14,40 @@
 namespace hmlfc::vectors {
 namespace {
 
-// A field as bytes of the file.
-struct ByteField {
-  size_t offset;
-  size_t size;
+constexpr ByteField kHeaderFields[] = {
+    {"magic", 0, 8},
+    {"version", 8, 1},
+    {"profile", 9, 1},
+    {"header_bytes", 10, 2},
+    {"feature_flags", 12, 4},
+    {"rows", 16, 2},
+    {"cols", 18, 2},
+    {"width", 20, 4},
+    {"height", 24, 4},
+    {"depth", 28, 1},
+    {"chroma_format", 29, 1},
+    {"block_log2", 30, 1},
+    {"window", 31, 1},
+    {"cluster_rows", 32, 1},
+    {"cluster_cols", 33, 1},
+    {"tree_height", 34, 1},
+    {"vector_precision", 35, 1},
+    {"disparity_precision", 36, 1},
+    {"motion_tile_log2", 37, 1},
+    {"disparity_grid_log2", 38, 1},
+    {"row_scale", 39, 1},
+    {"reserved", 40, 4},
 };
 
-// The table of FIL-1 and that of EXT-2.
-const std::map<std::string, ByteField>& header_fields() {
-  static const std::map<std::string, ByteField> fields{
-      {"magic", {0, 8}},
-      {"version", {8, 1}},
-      {"profile", {9, 1}},
-      {"header_bytes", {10, 2}},
-      {"feature_flags", {12, 4}},
-      {"rows", {16, 2}},
-      {"cols", {18, 2}},
-      {"width", {20, 4}},
-      {"height", {24, 4}},
-      {"depth", {28, 1}},
-      {"chroma_format", {29, 1}},
-      {"block_log2", {30, 1}},
-      {"window", {31, 1}},
-      {"cluster_rows", {32, 1}},
-      {"cluster_cols", {33, 1}},
-      {"tree_height", {34, 1}},
-      {"vector_precision", {35, 1}},
-      {"disparity_precision", {36, 1}},
-      {"motion_tile_log2", {37, 1}},
-      {"disparity_grid_log2", {38, 1}},
-      {"row_scale", {39, 1}},
-      {"reserved", {40, 4}},
-  };
-  return fields;
-}
-
 // Of FIL-2 and FIL-3, from the start of an entry.
-const std::map<std::string, ByteField>& entry_fields() {
-  static const std::map<std::string, ByteField> fields{
-      {"ref_rows", {0, 1}},       {"ref_cols", {1, 1}}, {"key_references", {2, 1}},
-      {"level_reserved", {3, 1}}, {"type", {0, 4}},     {"crc", {4, 4}},
-      {"offset", {8, 8}},         {"size", {16, 8}}};
-  return fields;
+constexpr ByteField kEntryFields[] = {
+    {"ref_rows", 0, 1}, {"ref_cols", 1, 1}, {"key_references", 2, 1}, {"level_reserved", 3, 1},
+    {"type", 0, 4},     {"crc", 4, 4},      {"offset", 8, 8},         {"size", 16, 8}};
+
+const ByteField& field_of(std::span<const ByteField> fields, const std::string& name) {
+  const auto found = std::ranges::find(fields, name, &ByteField::name);
+  if (found == fields.end()) throw std::out_of_range(name);
+  return *found;
 }
 
 constexpr size_t kAtHeaderBytes = 10;
@@ -98,11 +90,7 @@ class Editor {
   }
 
  private:
-  uint64_t load(size_t at, size_t size) const {
-    uint64_t value = 0;
-    for (size_t i = 0; i < size; ++i) value |= uint64_t{bytes_.at(at + i)} << (8 * i);
-    return value;
-  }
+  uint64_t load(size_t at, size_t size) const { return load_number(bytes_, at, size); }
 
   void store(size_t at, size_t size, uint64_t value) {
     for (size_t i = 0; i < size; ++i) bytes_.at(at + i) = static_cast<uint8_t>(value >> (8 * i));
@@ -128,18 +116,18 @@ class Editor {
   void edit_header(const Json& json) {
     const auto name = json["header"].get<std::string>();
     if (json.contains("level")) {
-      const size_t tree_height = load(header_fields().at("tree_height").offset, 1);
-      const ByteField field = entry_fields().at(name);
+      const size_t tree_height = load(field_of(kHeaderFields, "tree_height").offset, 1);
+      const ByteField& field = field_of(kEntryFields, name);
       const size_t entry = tree_height - json["level"].get<size_t>();
-      return set(kAtLevels + kLevelBytes * entry + field.offset, field.size, json);
+      return set(kAtLevels + kLevelBytes * entry + field.offset, field.bytes, json);
     }
-    const ByteField field = header_fields().at(name);
-    set(field.offset, field.size, json);
+    const ByteField& field = field_of(kHeaderFields, name);
+    set(field.offset, field.bytes, json);
   }
 
   void edit_entry(const Json& json) {
-    const ByteField field = entry_fields().at(json.at("entry"));
-    set(entry_of(json["section"]) + field.offset, field.size, json);
+    const ByteField& field = field_of(kEntryFields, json.at("entry"));
+    set(entry_of(json["section"]) + field.offset, field.bytes, json);
   }
 
   void edit_field(const Json& json) {
@@ -219,6 +207,15 @@ class Editor {
 };
 
 }  // namespace
+
+std::span<const ByteField> header_fields() { return kHeaderFields; }
+
+uint64_t load_number(std::span<const uint8_t> bytes, uint64_t at, size_t size) {
+  if (at > bytes.size() || size > bytes.size() - at) throw std::out_of_range("load_number");
+  uint64_t value = 0;
+  for (size_t i = size; i-- > 0;) value = value << 8 | bytes[static_cast<size_t>(at) + i];
+  return value;
+}
 
 void edit_stream(std::vector<uint8_t>& bytes, const Json& json) {
   Editor editor(bytes);

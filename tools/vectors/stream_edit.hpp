@@ -2,11 +2,26 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "vectors/json.hpp"
 
 namespace hmlfc::vectors {
+
+/// A field as bytes of the file.
+struct ByteField {
+  std::string_view name;
+  size_t offset;
+  size_t bytes;
+};
+
+/// The fields at fixed places: the tables of FIL-1 and EXT-2.
+std::span<const ByteField> header_fields();
+
+/// The little-endian number in `size` bytes, at most 8. Throws std::out_of_range.
+uint64_t load_number(std::span<const uint8_t> bytes, uint64_t at, size_t size);
 
 /// Applies one edit to `bytes`. `json` is one of
 ///   {"header": FIELD, "value": n}
