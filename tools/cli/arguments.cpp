@@ -1,50 +1,53 @@
 #include "cli/arguments.hpp"
 
+#include <algorithm>
+
 #include "io/view_name.hpp"
 
 namespace hmlfc::cli {
 
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& type_name,
-                       const std::string& description, Reader reader) {
-  const auto callback = [name, reader = std::move(reader)](const CLI::results_t& results) {
-    const auto expected = reader(results.at(0));
-    if (expected) {
-      throw CLI::ValidationError(name, "'" + results[0] + "' is not " + *expected);
-    }
-    return true;
+                       const std::string& description, const std::string& expected, Reader reader) {
+  const auto callback = [name, expected,
+                         reader = std::move(reader)](const CLI::results_t& results) {
+    if (reader(results.at(0))) return true;
+    throw CLI::ValidationError(name, "'" + results[0] + "' is not " + expected);
   };
   return app.add_option(name, callback, description)->type_name(type_name);
 }
 
 CLI::Option* add_decimal(CLI::App& app, const std::string& name, const std::string& type_name,
+                         double lo, double hi, const std::string& description,
+                         const std::string& expected, std::function<void(double)> store) {
+  const auto reader = [lo, hi, store = std::move(store)](const std::string& text) {
+    const auto value = parse_decimals(text, 1, 1);
+    if (!value || (*value)[0] < lo || (*value)[0] > hi) return false;
+    store((*value)[0]);
+    return true;
+  };
+  return add_value(app, name, type_name, description, expected, reader);
+}
+
+CLI::Option* add_decimal(CLI::App& app, const std::string& name, const std::string& type_name,
                          std::optional<double>& target, double lo, double hi,
                          const std::string& description) {
-  const auto reader = [&target, lo, hi](const std::string& text) -> std::optional<std::string> {
-    const auto value = parse_decimals(text, 1, 1);
-    if (!value || (*value)[0] < lo || (*value)[0] > hi) {
-      return fmt::format("a number in [{}, {}]", lo, hi);
-    }
-    target = (*value)[0];
-    return std::nullopt;
-  };
-  return add_value(app, name, type_name, description, reader);
+  return add_decimal(app, name, type_name, lo, hi, description,
+                     fmt::format("a number in [{}, {}]", lo, hi),
+                     [&target](double value) { target = value; });
 }
 
 CLI::Option* add_sides(CLI::App& app, const std::string& name, const std::string& type_name,
                        const std::string& expected, uint32_t max, const std::string& description,
                        std::function<void(uint32_t a, uint32_t b)> store) {
-  const auto reader =
-      [=, store = std::move(store)](const std::string& text) -> std::optional<std::string> {
-    const auto sides = parse_numbers<2>(text, 'x');
-    const auto outside = [max](uint32_t side) { return side < 1 || side > max; };
-    if (!sides || outside((*sides)[0]) || outside((*sides)[1])) {
-      return fmt::format("{} in [1, {}], such as {}", expected, max,
-                         max < 1000 ? "4x4" : "512x384");
-    }
-    store((*sides)[0], (*sides)[1]);
-    return std::nullopt;
+  const auto checked = [max, store = std::move(store)](const std::array<uint32_t, 2>& sides) {
+    const bool good = std::ranges::all_of(sides, [max](uint32_t s) { return s >= 1 && s <= max; });
+    if (good) store(sides[0], sides[1]);
+    return good;
   };
-  return add_value(app, name, type_name, description, reader);
+  return add_numbers<2>(
+      app, name, type_name, 'x',
+      fmt::format("{} in [1, {}], such as {}", expected, max, max < 1000 ? "4x4" : "512x384"),
+      description, checked);
 }
 
 CLI::Option* add_rows_by_cols(CLI::App& app, const std::string& name, uint32_t& rows,
@@ -78,12 +81,7 @@ CLI::Option* add_rect(CLI::App& app, std::optional<Rect>& target) {
 }
 
 CLI::Option* add_levels(CLI::App& app, std::optional<int>& target) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
-    target = parse_integer<int>(text);
-    if (!target || *target < 1 || *target > 16) return "an integer in [1, 16]";
-    return std::nullopt;
-  };
-  return add_value(app, "--levels", "N", "Levels of the tree to use, from the top", reader)
+  return add_integer(app, "--levels", target, 1, 16, "Levels of the tree to use, from the top")
       ->default_str("all");
 }
 
@@ -103,12 +101,19 @@ CLI::Option* add_output(CLI::App& app, std::filesystem::path& target, const std:
 
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::filesystem::path& target,
                       const std::string& description) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
-    if (text.empty()) return "a path";
+  const auto reader = [&target](const std::string& text) {
     target = text;
-    return std::nullopt;
+    return !text.empty();
   };
-  return add_value(app, name, "", description, reader)->required();
+  return add_value(app, name, "", description, "a path", reader)->required();
+}
+
+CLI::Option* add_suite(CLI::App& app, std::filesystem::path& target,
+                       const std::string& description) {
+  return add_path(app, "--suite", target, description)
+      ->required(false)
+      ->type_name("DIR")
+      ->default_str("vectors");
 }
 
 CLI::Option* add_stream(CLI::App& app, std::filesystem::path& target) {

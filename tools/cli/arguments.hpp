@@ -46,25 +46,26 @@ Command<Options> add_command(CLI::App& parent, Task& task, const std::string& na
   return {*app, *options};
 }
 
-/// Stores what `text` says, or returns what was expected.
-using Reader = std::function<std::optional<std::string>(const std::string& text)>;
+/// Stores what `text` says; false where it is not what was expected.
+using Reader = std::function<bool(const std::string& text)>;
 
 /// Adds an option ("--name,-n") or positional ("NAME") with one value, read by `reader`.
-/// `type_name` appears in the help.
+/// `type_name` appears in the help, `expected` in the message about another value.
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& type_name,
-                       const std::string& description, Reader reader);
+                       const std::string& description, const std::string& expected, Reader reader);
 
 /// Stores an integer in [lo, hi] in `target`, a T or an optional T.
 template <std::integral T, class Target>
-Reader integer_reader(Target& target, T lo, T hi) {
-  return [&target, lo, hi](const std::string& text) -> std::optional<std::string> {
+CLI::Option* add_integer_to(CLI::App& app, const std::string& name, Target& target, T lo, T hi,
+                            const std::string& description) {
+  const auto reader = [&target, lo, hi](const std::string& text) {
     const auto value = parse_integer<T>(text);
-    if (!value || *value < lo || *value > hi) {
-      return fmt::format("an integer in [{}, {}]", lo, hi);
-    }
-    target = *value;
-    return std::nullopt;
+    const bool good = value && *value >= lo && *value <= hi;
+    if (good) target = *value;
+    return good;
   };
+  return add_value(app, name, "N", description, fmt::format("an integer in [{}, {}]", lo, hi),
+                   reader);
 }
 
 /// An integer in [lo, hi]; the help shows the value that `target` has now as the default.
@@ -72,7 +73,7 @@ template <std::integral T>
 CLI::Option* add_integer(CLI::App& app, const std::string& name, T& target,
                          std::type_identity_t<T> lo, std::type_identity_t<T> hi,
                          const std::string& description) {
-  return add_value(app, name, "N", description, integer_reader<T>(target, lo, hi))
+  return add_integer_to<T>(app, name, target, lo, hi, description)
       ->default_str(std::to_string(target));
 }
 
@@ -81,10 +82,15 @@ template <std::integral T>
 CLI::Option* add_integer(CLI::App& app, const std::string& name, std::optional<T>& target,
                          std::type_identity_t<T> lo, std::type_identity_t<T> hi,
                          const std::string& description) {
-  return add_value(app, name, "N", description, integer_reader<T>(target, lo, hi));
+  return add_integer_to<T>(app, name, target, lo, hi, description);
 }
 
-/// A decimal number in [lo, hi].
+/// A decimal number in [lo, hi], given to `store`; `expected` describes it.
+CLI::Option* add_decimal(CLI::App& app, const std::string& name, const std::string& type_name,
+                         double lo, double hi, const std::string& description,
+                         const std::string& expected, std::function<void(double)> store);
+
+/// The same for a target.
 CLI::Option* add_decimal(CLI::App& app, const std::string& name, const std::string& type_name,
                          std::optional<double>& target, double lo, double hi,
                          const std::string& description);
@@ -96,32 +102,28 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, T& target,
                         const std::string& description) {
   std::string words;
   for (const auto& [word, value] : choices) words += (words.empty() ? "" : "|") + word;
-  const auto reader = [&target, choices = std::move(choices),
-                       words](const std::string& text) -> std::optional<std::string> {
-    for (const auto& [word, value] : choices) {
-      if (word != text) continue;
-      target = value;
-      return std::nullopt;
-    }
-    return words;
+  const auto reader = [&target, choices = std::move(choices)](const std::string& text) {
+    const auto found = std::ranges::find(choices, text, &std::pair<std::string, T>::first);
+    if (found != choices.end()) target = found->second;
+    return found != choices.end();
   };
-  return add_value(app, name, words, description, reader);
+  return add_value(app, name, words, description, words, reader);
 }
 
-/// N integers separated by `separator`, such as "3,5"; `expected` describes them.
-template <size_t N>
+/// N integers separated by `separator`, such as "3,5"; `expected` describes them. `store` returns
+/// whether they are good, or nothing where all are.
+template <size_t N, class Store>
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, const std::string& type_name,
                          char separator, const std::string& expected,
-                         const std::string& description,
-                         std::function<void(const std::array<uint32_t, N>&)> store) {
-  const auto reader = [separator, expected, store = std::move(store)](
-                          const std::string& text) -> std::optional<std::string> {
+                         const std::string& description, Store store) {
+  const auto reader = [separator, store](const std::string& text) {
     const auto numbers = parse_numbers<N>(text, separator);
-    if (!numbers) return expected;
+    if (!numbers) return false;
+    if constexpr (!std::is_void_v<decltype(store(*numbers))>) return store(*numbers);
     store(*numbers);
-    return std::nullopt;
+    return true;
   };
-  return add_value(app, name, type_name, description, reader);
+  return add_value(app, name, type_name, description, expected, reader);
 }
 
 /// Two integers, each in [1, max], as "AxB"; `expected`: "width x height".
@@ -159,6 +161,10 @@ CLI::Option* add_output(CLI::App& app, std::filesystem::path& target, const std:
 /// A required path.
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::filesystem::path& target,
                       const std::string& description);
+
+/// --suite: the folder of the conformance suite.
+CLI::Option* add_suite(CLI::App& app, std::filesystem::path& target,
+                       const std::string& description);
 
 /// A positional FILE: an .hmlfc file.
 CLI::Option* add_stream(CLI::App& app, std::filesystem::path& target);

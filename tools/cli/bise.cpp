@@ -1,11 +1,11 @@
 // hmlfc bise: encodes and decodes single bounded integer sequences.
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "arithmetic/bise.hpp"
 #include "cli/arguments.hpp"
@@ -25,30 +25,24 @@ struct BiseOptions {
 Failure usage(const std::string& message) { return Failure(ExitCode::kUsage, message); }
 
 std::string allowed_levels() {
-  std::string list;
-  for (unsigned code = 0; code <= kMaxLevelCode; ++code) {
-    list += fmt::format("{}{}", code == 0 ? "" : " ", levels_of_code(code).count);
-  }
-  return list;
+  std::vector<uint32_t> counts;
+  for (unsigned code = 0; code <= kMaxLevelCode; ++code)
+    counts.push_back(levels_of_code(code).count);
+  return fmt::format("{}", fmt::join(counts, " "));
 }
 
 CLI::Option* add_levels_of_bise(CLI::App& app, Levels& target) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
+  const auto reader = [&target](const std::string& text) {
     const auto count = parse_integer<uint32_t>(text);
     for (unsigned code = 0; count && code <= kMaxLevelCode; ++code) {
-      if (levels_of_code(code).count != *count) continue;
       target = levels_of_code(code);
-      return std::nullopt;
+      if (target.count == *count) return true;
     }
-    return "a level count; allowed are " + allowed_levels();
+    return false;
   };
-  return add_value(app, "LEVELS", "", "Level count: 2^n, 3 * 2^n or 5 * 2^n", reader)->required();
-}
-
-std::string hex_of(const std::vector<uint8_t>& bytes) {
-  std::string hex;
-  for (const uint8_t byte : bytes) hex += fmt::format("{:02x}", byte);
-  return hex;
+  return add_value(app, "LEVELS", "", "Level count: 2^n, 3 * 2^n or 5 * 2^n",
+                   "a level count; allowed are " + allowed_levels(), reader)
+      ->required();
 }
 
 std::vector<uint8_t> bytes_of(const std::string& hex) {
@@ -75,7 +69,7 @@ ExitCode run_encode(const BiseOptions& options) {
   }
   BitWriter writer;
   bise_put(writer, options.levels, values);
-  print(fmt::format("{} {}\n", writer.size(), hex_of(writer.bytes())));
+  print(fmt::format("{} {:02x}\n", writer.size(), fmt::join(writer.bytes(), "")));
   return ExitCode::kDone;
 }
 
@@ -88,12 +82,11 @@ ExitCode run_decode(const BiseOptions& options) {
                             options.count, options.levels.count, bits, needed, bytes.size()));
   }
   const BitString string(bytes);
-  std::string text;
+  std::vector<uint32_t> values;
   for (uint32_t i = 0; i < options.count; ++i) {
-    if (i > 0) text += ' ';
-    text += std::to_string(bise_value(string, 0, options.levels, options.count, i));
+    values.push_back(bise_value(string, 0, options.levels, options.count, i));
   }
-  print(text + "\n");
+  print(fmt::format("{}\n", fmt::join(values, " ")));
   return ExitCode::kDone;
 }
 

@@ -12,18 +12,13 @@ namespace hmlfc::cli {
 namespace {
 
 Json field_json(const TracedWalk& walk, const FieldRecord& field, const StreamHeader& header) {
-  Json json;
-  json["section"] = section_name(field.section);
-  json["byte"] = field.bit >> 3;
-  json["bit"] = field.bit & 7;
-  json["bits"] = field.bits;
-  json["name"] = field.name;
-  json["clause"] = field.clause;
-  if (field.bits == 64) {
-    json["value"] = static_cast<uint64_t>(field.value);
-  } else {
-    json["value"] = field.value;
-  }
+  Json json{{"section", section_name(field.section)},
+            {"byte", field.bit >> 3},
+            {"bit", field.bit & 7},
+            {"bits", field.bits},
+            {"name", field.name},
+            {"clause", field.clause},
+            {"value", vectors::value_json(field)}};
   const std::string unit = unit_of(walk, field, header);
   if (!unit.empty()) json["unit"] = unit;
   return json;
@@ -84,9 +79,9 @@ Json level_json(const TracedLevel& level, const StreamHeader& header) {
                           {"fields", fields_json(walk, header)}});
   }
   Json& stages = json["stages"] = Json::object();
-  for (const TracedStage& stage : level.stages) {
-    stages[stage.name] = {{"clause", stage.clause},
-                          {"values", rows_of(stage.values, header.block_size())}};
+  for (const RecordedStage& stage : level.stages) {
+    stages[stage.stage] = {{"clause", stage.clause},
+                           {"values", rows_of(stage.values, header.block_size())}};
   }
   return json;
 }
@@ -108,8 +103,8 @@ bool TracedLevel::is_reference(const TracedWalk& walk) const {
   return walk.site.tile == TileKind::kResidual && walk.site != site;
 }
 
-const TracedStage* TracedLevel::stage(std::string_view name) const {
-  const auto found = std::ranges::find(stages, name, &TracedStage::name);
+const RecordedStage* TracedLevel::stage(std::string_view name) const {
+  const auto found = std::ranges::find(stages, name, &RecordedStage::stage);
   return found == stages.end() ? nullptr : &*found;
 }
 
@@ -139,10 +134,7 @@ void BlockTrace::on_field(const FieldRecord& record) {
 }
 
 void BlockTrace::on_stage(const StageRecord& record) {
-  level_of(record.site)
-      .stages.push_back({std::string(record.stage),
-                         std::string(record.clause),
-                         {record.values.begin(), record.values.end()}});
+  level_of(record.site).stages.push_back(vectors::recorded(record));
 }
 
 Json to_json(const BlockReport& report) {

@@ -9,6 +9,7 @@
 #include <hmlfc/trace.hpp>
 
 #include "cli/output.hpp"
+#include "vectors/expected.hpp"
 
 namespace hmlfc::cli {
 
@@ -18,11 +19,7 @@ struct TracedWalk {
   std::vector<FieldRecord> fields;  ///< their names live as long as the program
 };
 
-struct TracedStage {
-  std::string name;
-  std::string clause;
-  std::vector<int32_t> values;  ///< row by row
-};
+using vectors::RecordedStage;
 
 /// One step down the tree.
 struct TracedLevel {
@@ -31,7 +28,7 @@ struct TracedLevel {
   /// reference blocks it needed.
   std::vector<TracedWalk> walks;
   std::vector<VectorRecord> vectors;  ///< one for each reference image used
-  std::vector<TracedStage> stages;
+  std::vector<RecordedStage> stages;
 
   /// The walk to the block's own entry, or null.
   const TracedWalk* own_walk() const;
@@ -43,7 +40,7 @@ struct TracedLevel {
   bool is_reference(const TracedWalk& walk) const;
 
   /// The stage of this name, or null.
-  const TracedStage* stage(std::string_view name) const;
+  const RecordedStage* stage(std::string_view name) const;
 
   /// The block's own state, derived from its stages; meaningless for a key image.
   BlockState state() const;

@@ -108,8 +108,8 @@ std::vector<Square> squares_of(const TracedLevel& level) {
     }
     squares.push_back(std::move(raw));
   }
-  for (const TracedStage& stage : level.stages) {
-    squares.push_back({stage.name + " " + stage.clause, stage.values});
+  for (const RecordedStage& stage : level.stages) {
+    squares.push_back({stage.stage + " " + stage.clause, stage.values});
   }
   return squares;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -50,98 +51,87 @@ std::vector<Camera> line(const Camera& camera, const StreamHeader& header, int f
   return cameras;
 }
 
-class PathReader {
- public:
-  explicit PathReader(const std::filesystem::path& file) : file_(file) {}
+// What is wrong with one camera of a path; read_path() says where.
+struct BadCamera {
+  std::string what;
+};
 
-  std::vector<Camera> read(const Camera& camera) {
-    std::ifstream stream(file_);
-    if (!stream)
-      throw Failure(
-          ExitCode::kInput,
-          file_.string() + ": cannot open for reading; --path takes orbit, line or a JSON file");
-    const auto json = nlohmann::json::parse(stream, nullptr, false);
-    if (!json.is_array() || json.empty()) {
-      throw Failure(ExitCode::kInput, file_.string() + ": not a JSON array of cameras");
-    }
-    std::vector<Camera> cameras;
-    for (; frame_ < json.size(); ++frame_) cameras.push_back(read_one(camera, json[frame_]));
-    return cameras;
-  }
+double number(const std::string& key, const nlohmann::json& value) {
+  if (!value.is_number()) throw BadCamera{key + " is not a number"};
+  return value.get<double>();
+}
 
- private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw Failure(ExitCode::kInput, fmt::format("{}: frame {}: {}", file_.string(), frame_, what));
-  }
-
-  double number(const std::string& key, const nlohmann::json& value) const {
-    if (!value.is_number()) refuse(key + " is not a number");
-    return value.get<double>();
-  }
-
-  WorldPoint point(const std::string& key, const nlohmann::json& value) const {
-    if (!value.is_array() || value.size() != 3) refuse(key + " is not [column, row, distance]");
+WorldPoint point(const std::string& key, const nlohmann::json& value) {
+  if (value.is_array() && value.size() == 3) {
     return {number(key, value[0]), number(key, value[1]), number(key, value[2])};
   }
+  throw BadCamera{key + " is not [column, row, distance]"};
+}
 
-  Camera read_one(const Camera& standard, const nlohmann::json& json) const {
-    if (!json.is_object()) refuse("not an object");
-    Camera camera = standard;
-    for (const auto& [key, value] : json.items()) {
-      if (key == "position") {
-        camera.position = point(key, value);
-      } else if (key == "look_at") {
-        camera.look_at = point(key, value);
-      } else if (key == "fov") {
-        camera.tan_half = tan_half_of(number(key, value));
-      } else if (key == "focus") {
-        camera.focus = number(key, value);
-      } else if (key == "aperture") {
-        if (!value.is_number_integer()) refuse("aperture is not an integer");
-        camera.aperture = value.get<int>();
-      } else {
-        refuse("unknown key " + key);
-      }
+// Sets what `json` has of `camera`.
+void read_camera(const nlohmann::json& json, Camera& camera) {
+  if (!json.is_object()) throw BadCamera{"not an object"};
+  for (const auto& [key, value] : json.items()) {
+    if (key == "position") {
+      camera.position = point(key, value);
+    } else if (key == "look_at") {
+      camera.look_at = point(key, value);
+    } else if (key == "fov") {
+      camera.tan_half = tan_half_of(number(key, value));
+    } else if (key == "focus") {
+      camera.focus = number(key, value);
+    } else if (key == "aperture") {
+      if (!value.is_number_integer()) throw BadCamera{"aperture is not an integer"};
+      camera.aperture = value.get<int>();
+    } else {
+      throw BadCamera{"unknown key " + key};
     }
-    return camera;
   }
+}
 
-  std::filesystem::path file_;
-  size_t frame_ = 0;
-};
+// The cameras in `file`; what it leaves out is as in `standard`.
+std::vector<Camera> read_path(const std::string& file, const Camera& standard) {
+  std::ifstream stream(file);
+  const auto refuse = [&](const std::string& what) {
+    return Failure(ExitCode::kInput, file + ": " + what);
+  };
+  if (!stream) throw refuse("cannot open for reading; --path takes orbit, line or a JSON file");
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  if (!json.is_array() || json.empty()) throw refuse("not a JSON array of cameras");
+  std::vector<Camera> cameras(json.size(), standard);
+  for (size_t frame = 0; frame < json.size(); ++frame) {
+    try {
+      read_camera(json[frame], cameras[frame]);
+    } catch (const BadCamera& bad) {
+      throw refuse(fmt::format("frame {}: {}", frame, bad.what));
+    }
+  }
+  return cameras;
+}
 
 void add_point(CLI::App& app, const std::string& name, std::optional<WorldPoint>& target,
                const std::string& description) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
+  const auto reader = [&target](const std::string& text) {
     const auto numbers = parse_decimals(text, 2, 3);
-    if (!numbers) return "column,row or column,row,distance, such as 7.5,7.5,-2";
+    if (!numbers) return false;
     target = WorldPoint{(*numbers)[0], (*numbers)[1], numbers->size() == 3 ? (*numbers)[2] : 0};
-    return std::nullopt;
+    return true;
   };
-  add_value(app, name, "C,R[,Z]", description, reader);
-}
-
-void add_fov(CLI::App& app, Camera& camera) {
-  const auto reader = [&camera](const std::string& text) -> std::optional<std::string> {
-    const auto degrees = parse_decimals(text, 1, 1);
-    if (!degrees || (*degrees)[0] < 0.2 || (*degrees)[0] > 126) return "degrees in [0.2, 126]";
-    camera.tan_half = tan_half_of((*degrees)[0]);
-    return std::nullopt;
-  };
-  add_value(app, "--fov", "DEGREES", "Field of view along the longer side", reader)
-      ->default_str("a view fills the frame");
+  add_value(app, name, "C,R[,Z]", description,
+            "column,row or column,row,distance, such as 7.5,7.5,-2", reader);
 }
 
 void add_focus(CLI::App& app, CameraOptions& options) {
-  const auto reader = [&options](const std::string& text) -> std::optional<std::string> {
+  const auto reader = [&options](const std::string& text) {
     options.focus_at_infinity = text == "inf";
-    if (options.focus_at_infinity) return std::nullopt;
+    if (options.focus_at_infinity) return true;
     const auto disparity = parse_decimals(text, 1, 1);
-    if (!disparity || std::abs((*disparity)[0]) > 256) return "a number in [-256, 256], or inf";
+    if (!disparity || std::abs((*disparity)[0]) > 256) return false;
     options.camera.focus = (*disparity)[0];
-    return std::nullopt;
+    return true;
   };
-  add_value(app, "--focus", "D|inf", "Disparity in focus, pixels per column", reader)
+  add_value(app, "--focus", "D|inf", "Disparity in focus, pixels per column",
+            "a number in [-256, 256], or inf", reader)
       ->default_str("0");
 }
 
@@ -149,13 +139,10 @@ void add_focus(CLI::App& app, CameraOptions& options) {
 template <class T>
 void add_number(CLI::App& app, const std::string& name, T& target, const std::string& description,
                 const std::string& standard) {
-  const auto reader = [&target](const std::string& text) -> std::optional<std::string> {
-    const auto number = parse_decimals(text, 1, 1);
-    if (!number) return "a number";
-    target = (*number)[0];
-    return std::nullopt;
-  };
-  add_value(app, name, "X", description, reader)->default_str(standard);
+  constexpr double kAny = std::numeric_limits<double>::max();
+  add_decimal(app, name, "X", -kAny, kAny, description, "a number", [&target](double number) {
+    target = number;
+  })->default_str(standard);
 }
 
 }  // namespace
@@ -165,7 +152,10 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
   add_point(app, "--camera", camera.position,
             "Position of the camera (default: middle of the grid)");
   add_point(app, "--look-at", camera.look_at, "Point that it looks at (default: straight ahead)");
-  add_fov(app, camera);
+  add_decimal(app, "--fov", "DEGREES", 0.2, 126, "Field of view along the longer side",
+              "degrees in [0.2, 126]",
+              [&camera](double degrees) { camera.tan_half = tan_half_of(degrees); })
+      ->default_str("a view fills the frame");
   add_sides(app, "--size", "WxH", "width x height", kMaxFrameSide, "Pixels of a frame",
             [&camera](uint32_t width, uint32_t height) {
               camera.frame_width = width;
@@ -197,7 +187,7 @@ std::vector<Camera> cameras_of(const CameraOptions& options, const StreamHeader&
   if (options.path.empty()) return {camera};
   if (options.path == "orbit") return orbit(camera, header, options.frames);
   if (options.path == "line") return line(camera, header, options.frames);
-  return PathReader(options.path).read(camera);
+  return read_path(options.path, camera);
 }
 
 }  // namespace hmlfc::cli

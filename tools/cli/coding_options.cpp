@@ -1,69 +1,44 @@
 #include "cli/coding_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/arguments.hpp"
 
 namespace hmlfc::cli {
 namespace {
 
-class Settler {
- public:
-  Settler(const CLI::App& app, CodingOptions& options)
-      : app_(app), options_(options), params_(options.params) {}
+const std::vector<std::pair<std::string, Preset>> kPresets{
+    {"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}};
 
-  void run() {
-    check_quality();
-    check_method();
-    if (options_.quality) set_quality(*options_.quality);
+// Refuses combinations that contradict each other.
+void check(const CLI::App& app, const CodingOptions& options) {
+  const EncodeParams& params = options.params;
+  const auto given = [&](const char* name) { return app.get_option(name)->count() > 0; };
+  const bool thresholds = given("--threshold-ref") || given("--threshold-pred");
+  const bool main = params.profile == Profile::kMain;
+  const bool motion = given("--window") || given("--references");
+  const std::pair<bool, const char*> rules[] = {
+      {options.target_psnr && thresholds, "--target-psnr chooses the thresholds itself"},
+      {options.quality && thresholds, "--quality chooses the thresholds itself"},
+      {options.quality && options.target_psnr, "--target-psnr chooses the quality itself"},
+      {params.lossless && options.target_psnr, "--lossless and --target-psnr exclude each other"},
+      {params.lossless && options.quality, "--lossless and --quality exclude each other"},
+      {params.lossless && thresholds, "--lossless sets the thresholds to 0 itself"},
+      {params.lossless && params.chroma == ChromaFormat::k420, "--lossless needs --chroma 444"},
+      {thresholds && !main, "--threshold-ref and --threshold-pred need --profile main"},
+      {main && given("--preset"), "--preset needs --profile extended"},
+      {params.method == Method::kMc && given("--height") && params.tree_height != 0,
+       "--method mc has no tree: its height is 0"},
+      {params.method == Method::kRlfc && motion,
+       "--method rlfc has no motion: --window and --references do not apply"}};
+  for (const auto& [broken, message] : rules) {
+    if (broken) throw Failure(ExitCode::kUsage, std::string("hmlfc encode: ") + message);
   }
-
- private:
-  bool given(const char* name) const { return app_.get_option(name)->count() > 0; }
-
-  [[noreturn]] static void refuse(const std::string& message) {
-    throw Failure(ExitCode::kUsage, "hmlfc encode: " + message);
-  }
-
-  void check_quality() const {
-    const bool thresholds = given("--threshold-ref") || given("--threshold-pred");
-    const bool main = params_.profile == Profile::kMain;
-    if (options_.target_psnr && thresholds) refuse("--target-psnr chooses the thresholds itself");
-    if (options_.quality && thresholds) refuse("--quality chooses the thresholds itself");
-    if (options_.quality && options_.target_psnr)
-      refuse("--target-psnr chooses the quality itself");
-    if (params_.lossless && options_.target_psnr) {
-      refuse("--lossless and --target-psnr exclude each other");
-    }
-    if (params_.lossless && options_.quality) refuse("--lossless and --quality exclude each other");
-    if (params_.lossless && thresholds) refuse("--lossless sets the thresholds to 0 itself");
-    if (params_.lossless && params_.chroma == ChromaFormat::k420) {
-      refuse("--lossless needs --chroma 444");
-    }
-    if (thresholds && !main) refuse("--threshold-ref and --threshold-pred need --profile main");
-    if (main && given("--preset")) refuse("--preset needs --profile extended");
-  }
-
-  void check_method() const {
-    if (params_.method == Method::kMc && given("--height") && params_.tree_height != 0) {
-      refuse("--method mc has no tree: its height is 0");
-    }
-    if (params_.method == Method::kRlfc && (given("--window") || given("--references"))) {
-      refuse("--method rlfc has no motion: --window and --references do not apply");
-    }
-  }
-
-  void set_quality(double quality) {
-    params_.extended.quality = quality;
-    const auto threshold = static_cast<uint32_t>(std::lround(75 * std::exp2((60 - quality) / 10)));
-    params_.main = {threshold, threshold};
-  }
-
-  const CLI::App& app_;
-  CodingOptions& options_;
-  EncodeParams& params_;
-};
+}
 
 void add_main_options(CLI::App& app, EncodeParams& params) {
   add_integer(app, "--threshold-ref", params.main.threshold_ref, 0, 1u << 20,
@@ -100,15 +75,8 @@ void add_structure_options(CLI::App& app, CodingOptions& options) {
 }  // namespace
 
 std::string_view preset_name(Preset preset) {
-  switch (preset) {
-    case Preset::kFast:
-      return "fast";
-    case Preset::kSlow:
-      return "slow";
-    case Preset::kMedium:
-      break;
-  }
-  return "medium";
+  const auto found = std::ranges::find(kPresets, preset, &std::pair<std::string, Preset>::second);
+  return found->first;
 }
 
 void add_coding_options(CLI::App& app, CodingOptions& options) {
@@ -120,8 +88,7 @@ void add_coding_options(CLI::App& app, CodingOptions& options) {
   add_decimal(app, "--target-psnr", "DB", options.target_psnr, 1, 100,
               "Find the lowest quality with this PSNR over RGB");
   app.add_flag("--lossless", options.params.lossless, "Keep every RGB value; implies --chroma 444");
-  add_choice(app, "--preset", options.params.extended.preset,
-             {{"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}},
+  add_choice(app, "--preset", options.params.extended.preset, kPresets,
              "Extended: how long to search for the best coding")
       ->default_str("medium");
   add_structure_options(app, options);
@@ -129,7 +96,12 @@ void add_coding_options(CLI::App& app, CodingOptions& options) {
 }
 
 void settle_coding_options(const CLI::App& app, CodingOptions& options) {
-  Settler(app, options).run();
+  check(app, options);
+  if (!options.quality) return;
+  options.params.extended.quality = *options.quality;
+  const double threshold = 75 * std::exp2((60 - *options.quality) / 10);
+  options.params.main.threshold_ref = static_cast<uint32_t>(std::lround(threshold));
+  options.params.main.threshold_pred = options.params.main.threshold_ref;
 }
 
 }  // namespace hmlfc::cli

@@ -26,26 +26,22 @@ char channel_name(uint32_t channel) { return "RGB"[channel]; }
 
 Json difference_json(const std::optional<Difference>& difference) {
   if (!difference) return nullptr;
-  Json json;
-  json["row"] = difference->view.row;
-  json["col"] = difference->view.col;
-  json["x"] = difference->x;
-  json["y"] = difference->y;
-  json["channel"] = std::string(1, channel_name(difference->channel));
-  json["a"] = difference->a;
-  json["b"] = difference->b;
-  return json;
+  return {{"row", difference->view.row},
+          {"col", difference->view.col},
+          {"x", difference->x},
+          {"y", difference->y},
+          {"channel", std::string(1, channel_name(difference->channel))},
+          {"a", difference->a},
+          {"b", difference->b}};
 }
 
 void print_comparison_json(const Comparison& comparison) {
-  Json json;
-  json["psnr_rgb"] = psnr_json(comparison.quality.psnr_rgb);
-  json["psnr_y"] = psnr_json(comparison.quality.psnr_y);
-  json["psnr_rgb_min"] = psnr_json(comparison.psnr_rgb_min);
-  json["max_abs_error"] = comparison.quality.max_abs_error;
-  json["identical"] = comparison.identical();
-  json["first_difference"] = difference_json(comparison.first_difference);
-  print_json(json);
+  print_json({{"psnr_rgb", psnr_json(comparison.quality.psnr_rgb)},
+              {"psnr_y", psnr_json(comparison.quality.psnr_y)},
+              {"psnr_rgb_min", psnr_json(comparison.psnr_rgb_min)},
+              {"max_abs_error", comparison.quality.max_abs_error},
+              {"identical", comparison.identical()},
+              {"first_difference", difference_json(comparison.first_difference)}});
 }
 
 void print_comparison_text(const Comparison& comparison, const LightFieldShape& shape) {

@@ -8,7 +8,6 @@
 #include <hmlfc/light_field.hpp>
 #include <hmlfc/measure.hpp>
 
-#include "cli/stream_file.hpp"
 #include "cli/view_source.hpp"
 #include "io/parallel.hpp"
 

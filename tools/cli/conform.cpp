@@ -1,6 +1,5 @@
 // hmlfc conform: runs decoders under test on the conformance suite.
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,13 +21,8 @@ namespace {
 struct ConformOptions {
   std::filesystem::path suite = "vectors";
   DutOptions dut;
-  std::vector<std::string> filters;
-  std::optional<std::array<uint32_t, 2>> shard;
-  std::filesystem::path folder;
+  conform::RunOptions run;
   std::vector<std::string> merge;
-  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
-  bool resume = false;
-  bool keep = false;
   bool json = false;
 };
 
@@ -61,12 +55,12 @@ void print_run(const conform::Run& run) {
 
 // Writes the reports; the exit status is that of the worst decoder.
 ExitCode finish(const conform::Report& report, const ConformOptions& options) {
-  value_or_throw(write_report(report, options.folder), ExitCode::kOutput);
+  value_or_throw(write_report(report, options.run.folder), ExitCode::kOutput);
   if (options.json) {
     print_json(conform::to_json(report));
   } else {
     for (const conform::Run& run : report.runs) print_run(run);
-    print(fmt::format("Report: {}\n", (options.folder / "report.html").string()));
+    print(fmt::format("Report: {}\n", (options.run.folder / "report.html").string()));
   }
   auto worst = conform::Verdict::kConforms;
   for (const conform::Run& run : report.runs) worst = std::max(worst, verdict(run));
@@ -88,38 +82,26 @@ ExitCode run_merge(const ConformOptions& options) {
     parts.push_back(
         {folder, value_or_throw(conform::read_report(folder / "report.json"), ExitCode::kInput)});
   }
-  make_output_folder(options.folder);
-  return finish(value_or_throw(conform::merge(parts, options.folder), ExitCode::kInput), options);
+  make_output_folder(options.run.folder);
+  return finish(value_or_throw(conform::merge(parts, options.run.folder), ExitCode::kInput),
+                options);
 }
 
-conform::RunOptions run_options(const ConformOptions& options) {
-  conform::RunOptions run;
-  run.folder = options.folder;
-  run.selection.filters = options.filters;
-  if (options.shard) {
-    run.selection.shard = (*options.shard)[0];
-    run.selection.shards = (*options.shard)[1];
-  }
-  run.limits = options.dut.limits();
-  run.jobs = options.jobs;
-  run.resume = options.resume;
-  run.keep = options.keep;
-  return run;
-}
-
-ExitCode run_conform(const ConformOptions& options) {
+ExitCode run_conform(const ConformOptions& given) {
+  ConformOptions options = given;
   if (!options.merge.empty()) return run_merge(options);
+  options.run.limits = options.dut.limits();
   const auto duts = options.dut.read();
   const auto suite = value_or_throw(conform::open_suite(options.suite), ExitCode::kInput);
-  make_output_folder(options.folder);
+  make_output_folder(options.run.folder);
   conform::Report report{suite.manifest.vectors_version,
                          suite.manifest_sha256,
                          conform::this_system("hmlfc " HMLFC_VERSION),
                          {}};
   for (const conform::Dut& dut : duts) {
     terminal::ProgressBar progress(dut.name, "vectors");
-    report.runs.push_back(value_or_throw(
-        run_suite(suite, dut, run_options(options), progress.callback()), ExitCode::kOutput));
+    report.runs.push_back(
+        value_or_throw(run_suite(suite, dut, options.run, progress.callback()), ExitCode::kOutput));
   }
   return finish(report, options);
 }
@@ -148,31 +130,27 @@ void add_conform(CLI::App& program, Task& task) {
   const auto [app, options] =
       add_command(program, task, "conform", "Test a decoder with the conformance suite",
                   run_conform, kConformFooter);
-  add_path(app, "--suite", options.suite, "Folder of the vectors")
-      ->required(false)
-      ->type_name("DIR")
-      ->default_str("vectors");
+  add_suite(app, options.suite, "Folder of the vectors");
+  options.run.jobs = std::max(1u, std::thread::hardware_concurrency());
   options.dut.add_to(app, true);
-  app.add_option("--filter", options.filters,
+  app.add_option("--filter", options.run.selection.filters,
                  "Only vectors whose id, clause or flag matches, with * and ?")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
-  add_integer(app, "-j,--jobs", options.jobs, 1, 1024, "Vectors to run in parallel");
-  const auto read_shard =
-      [&target = options.shard](const std::string& text) -> std::optional<std::string> {
-    target = parse_numbers<2>(text, '/');
-    if (!target || (*target)[0] < 1 || (*target)[0] > (*target)[1]) {
-      return "I/N with 1 <= I <= N, such as 1/4";
-    }
-    return std::nullopt;
+  add_integer(app, "-j,--jobs", options.run.jobs, 1, 1024, "Vectors to run in parallel");
+  const auto set_shard = [&run = options.run.selection](const std::array<uint32_t, 2>& numbers) {
+    run.shard = numbers[0];
+    run.shards = numbers[1];
+    return run.shard >= 1 && run.shard <= run.shards;
   };
-  add_value(app, "--shard", "I/N", "Run part I of N; see --merge", read_shard);
+  add_numbers<2>(app, "--shard", "I/N", '/', "I/N with 1 <= I <= N, such as 1/4",
+                 "Run part I of N; see --merge", set_shard);
   app.add_option("--merge", options.merge, "Merge the reports in these folders into one")
       ->type_name("DIR");
-  app.add_flag("--resume", options.resume, "Keep the results of an interrupted run");
-  app.add_flag("--keep", options.keep, "Keep the decoder's output for vectors that fail");
+  app.add_flag("--resume", options.run.resume, "Keep the results of an interrupted run");
+  app.add_flag("--keep", options.run.keep, "Keep the decoder's output for vectors that fail");
   add_json(app, options.json);
-  add_output(app, options.folder, "DIR", "Folder for the report, created if missing");
+  add_output(app, options.run.folder, "DIR", "Folder for the report, created if missing");
 }
 
 }  // namespace hmlfc::cli

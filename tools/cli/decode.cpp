@@ -9,7 +9,6 @@
 #include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
 #include "cli/for_each_view.hpp"
-#include "cli/stream_file.hpp"
 #include "cli/view_source.hpp"
 #include "io/image_files.hpp"
 #include "io/view_name.hpp"
@@ -52,12 +51,12 @@ void decode_everything(const StreamFile& file, const ViewWriter& writer, int sto
   std::mutex mutex;
   size_t done = 0;
   const auto write_view = [&](ViewPos view, RgbImage&& image) {
-    first.guard(size_t{view.row} * header.cols + view.col, [&] { writer.write(view, image); });
+    guard(first, size_t{view.row} * header.cols + view.col, [&] { writer.write(view, image); });
     const std::scoped_lock lock(mutex);
     progress(++done, count);
   };
   value_or_throw(file.decoder().decode_all(write_view, {stop_level, threads}), file.path());
-  first.rethrow();
+  rethrow(first);
 }
 
 // Parts of views, or a single view.

@@ -92,16 +92,13 @@ Example:
   add_output(app, options.folder, "DIR", "Folder for views.raw, created if missing")
       ->required(false);
   app.add_flag("--by-block", options.by_block, "Ask the library for blocks instead of views");
-  const auto read_trace =
-      [&target = options.trace](const std::string& text) -> std::optional<std::string> {
-    target = parse_numbers<5>(text, ',');
-    if (!target || (*target)[2] >= kPlaneCount) {
-      return "row,column,plane,x,y with plane 0, 1 or 2, such as 3,5,0,12,7";
-    }
-    return std::nullopt;
+  const auto set_trace = [&target = options.trace](const std::array<uint32_t, 5>& numbers) {
+    target = numbers;
+    return numbers[2] < kPlaneCount;
   };
-  add_value(app, "--trace", "R,C,P,X,Y", "Print the stages of one block as JSON lines instead",
-            read_trace);
+  add_numbers<5>(app, "--trace", "R,C,P,X,Y", ',',
+                 "row,column,plane,x,y with plane 0, 1 or 2, such as 3,5,0,12,7",
+                 "Print the stages of one block as JSON lines instead", set_trace);
 }
 
 }  // namespace hmlfc::cli

@@ -9,7 +9,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/block_report.hpp"
-#include "cli/stream_file.hpp"
+#include "cli/view_source.hpp"
 
 namespace hmlfc::cli {
 namespace {

@@ -1,6 +1,5 @@
 #include "cli/output.hpp"
 
-#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -68,14 +67,8 @@ void check_output_file(const std::filesystem::path& file) {
   value_or_throw(io::AtomicFile::create(file), ExitCode::kUsage);
 }
 
-std::string lower_case_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 void check_picture_file(const std::filesystem::path& file) {
-  if (lower_case_extension(file) != ".png") {
+  if (io::lower_case_extension(file) != ".png") {
     throw Failure(ExitCode::kUsage, file.string() + ": pictures are PNG files; name it *.png");
   }
   check_output_file(file);

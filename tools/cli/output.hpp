@@ -82,9 +82,6 @@ std::string psnr_text(double db);
 /// "1 234 567": thousands separated by spaces.
 std::string grouped(uint64_t number);
 
-/// ".png" of "a/B.PNG".
-std::string lower_case_extension(const std::filesystem::path& file);
-
 /// Throws a usage failure unless a file can be written at `file`; leaves nothing there.
 void check_output_file(const std::filesystem::path& file);
 

@@ -14,7 +14,8 @@
 #include "cli/arguments.hpp"
 #include "cli/camera_options.hpp"
 #include "cli/render_backend.hpp"
-#include "cli/stream_file.hpp"
+#include "cli/view_source.hpp"
+#include "io/files.hpp"
 #include "io/image_files.hpp"
 #include "render/ray.hpp"
 #include "terminal/progress_bar.hpp"
@@ -42,12 +43,10 @@ constexpr unsigned kPreviewRate = 20;   // frames per second
 std::string frame_name(size_t frame) { return fmt::format("frame_{:04}.png", frame); }
 
 Json camera_json(const Camera& camera) {
-  Json json;
-  json["position"] = {camera.position->u, camera.position->v, camera.position->z};
-  json["look_at"] = {camera.look_at->u, camera.look_at->v, camera.look_at->z};
-  json["tan_half"] = *camera.tan_half;
-  json["focus"] = camera.focus;
-  return json;
+  return {{"position", {camera.position->u, camera.position->v, camera.position->z}},
+          {"look_at", {camera.look_at->u, camera.look_at->v, camera.look_at->z}},
+          {"tan_half", *camera.tan_half},
+          {"focus", camera.focus}};
 }
 
 // The file of a coarse pass with `levels` levels of the tree, next to the frame's.
@@ -58,16 +57,16 @@ std::filesystem::path pass_name(std::filesystem::path frame, int levels) {
 // The cost of one pass. `touched` is null for a device, which holds the whole stream in its memory.
 Json pass_json(const std::string& name, int levels, const Frame& frame,
                const TouchedBytes* touched) {
-  Json json;
-  json["file"] = name;
-  json["levels"] = levels;
-  json["seconds"] = frame.seconds.total();
-  json["stages"] = {{"plan", frame.seconds.plan},
-                    {"decode", frame.seconds.decode},
-                    {"sample", frame.seconds.sample}};
-  json["blocks_needed"] = frame.counts.blocks_needed;
-  json["blocks_decoded"] = frame.counts.blocks_decoded;
-  json["blocks_reused"] = frame.counts.blocks_reused;
+  Json json{{"file", name},
+            {"levels", levels},
+            {"seconds", frame.seconds.total()},
+            {"stages",
+             {{"plan", frame.seconds.plan},
+              {"decode", frame.seconds.decode},
+              {"sample", frame.seconds.sample}}},
+            {"blocks_needed", frame.counts.blocks_needed},
+            {"blocks_decoded", frame.counts.blocks_decoded},
+            {"blocks_reused", frame.counts.blocks_reused}};
   if (touched != nullptr) {
     json["bytes_touched"] = touched->bytes();
     json["key_samples_decoded"] = touched->key_samples();
@@ -81,7 +80,7 @@ bool is_other_format(const std::filesystem::path& output) {
   constexpr std::array<std::string_view, 18> kOthers = {
       ".apng", ".avi", ".bmp", ".exr", ".gif", ".hmlfc", ".jpeg", ".jpg",  ".json",
       ".mkv",  ".mov", ".mp4", ".pgm", ".pnm", ".ppm",   ".tif",  ".tiff", ".webp"};
-  return std::ranges::find(kOthers, lower_case_extension(output)) != kOthers.end();
+  return std::ranges::find(kOthers, io::lower_case_extension(output)) != kOthers.end();
 }
 
 // The share of pixels that see nothing of the light field (RAY-6); these are black.
@@ -138,13 +137,11 @@ class RenderRun {
     if (arguments_.json) {
       Json rows = Json::array();
       for (const SweepPoint& point : points) {
-        Json row;
-        row["filter"] = filter_name(point.filter);
-        row["levels"] = point.levels;
-        row["cache"] = point.cached;
-        row["seconds"] = point.seconds;
-        row["psnr_rgb"] = psnr_json(point.psnr);
-        rows.push_back(row);
+        rows.push_back({{"filter", filter_name(point.filter)},
+                        {"levels", point.levels},
+                        {"cache", point.cached},
+                        {"seconds", point.seconds},
+                        {"psnr_rgb", psnr_json(point.psnr)}});
       }
       print_json(rows);
       return ExitCode::kDone;
@@ -169,7 +166,7 @@ class RenderRun {
   // Makes the folder, or checks that the one PNG file can be written; returns whether it is a file.
   bool prepare_output() const {
     const std::filesystem::path& output = arguments_.output;
-    const bool one_file = lower_case_extension(output) == ".png";
+    const bool one_file = io::lower_case_extension(output) == ".png";
     if (one_file && cameras_.size() != 1) {
       throw Failure(ExitCode::kUsage,
                     "-o names one PNG file, but there are several frames: name a folder");
@@ -248,16 +245,14 @@ class RenderRun {
       if (most_outside_ > 0) print(outside_text());
       return;
     }
-    Json json;
-    json["width"] = frame_.image.width;
-    json["height"] = frame_.image.height;
-    json["filter"] = filter_name(arguments_.cameras.camera.filter);
-    json["levels"] = levels_of(stop_level_);
-    json["backend"] = arguments_.backend.backend == Backend::kCpu ? "cpu" : "gpu";
-    json["seconds"] = seconds_;
-    json["frames_per_second"] = count / seconds_;
-    json["frames"] = frames_;
-    print_json(json);
+    print_json({{"width", frame_.image.width},
+                {"height", frame_.image.height},
+                {"filter", filter_name(arguments_.cameras.camera.filter)},
+                {"levels", levels_of(stop_level_)},
+                {"backend", arguments_.backend.backend == Backend::kCpu ? "cpu" : "gpu"},
+                {"seconds", seconds_},
+                {"frames_per_second", count / seconds_},
+                {"frames", frames_}});
   }
 
   std::string outside_text() const {

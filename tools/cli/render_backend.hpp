@@ -8,7 +8,7 @@
 #include <hmlfc/camera.hpp>
 #include <hmlfc/renderer.hpp>
 
-#include "cli/stream_file.hpp"
+#include "cli/view_source.hpp"
 #include "io/parallel.hpp"
 
 namespace hmlfc::cli {

@@ -33,13 +33,11 @@ Json levels_json(const StreamHeader& header) {
   Json levels = Json::array();
   for (int level = header.tree_height; level >= 0; --level) {
     const LevelInfo shape = level_info(header, level);
-    Json entry;
-    entry["level"] = level;
-    entry["rows"] = shape.rows;
-    entry["cols"] = shape.cols;
-    entry["ref_rows"] = shape.ref_rows;
-    entry["ref_cols"] = shape.ref_cols;
-    levels.push_back(std::move(entry));
+    levels.push_back({{"level", level},
+                      {"rows", shape.rows},
+                      {"cols", shape.cols},
+                      {"ref_rows", shape.ref_rows},
+                      {"ref_cols", shape.ref_cols}});
   }
   return levels;
 }
@@ -58,16 +56,11 @@ StreamReport report_on(const StreamFile& file) {
 
 Json report_json(const StreamReport& report) {
   const StreamHeader& header = report.header;
-  Json json;
-  json["bytes"] = report.bytes;
-  json["bpp"] = report.bits_per_pixel();
-  json["ratio"] = report.ratio();
-  json["rows"] = header.rows;
-  json["cols"] = header.cols;
-  json["width"] = header.width;
-  json["height"] = header.height;
-  json["profile"] = profile_name(header.profile);
-  json["method"] = method_name(header);
+  Json json{{"bytes", report.bytes},        {"bpp", report.bits_per_pixel()},
+            {"ratio", report.ratio()},      {"rows", header.rows},
+            {"cols", header.cols},          {"width", header.width},
+            {"height", header.height},      {"profile", profile_name(header.profile)},
+            {"method", method_name(header)}};
   Json& sections = json["sections"];
   for (const auto& [name, bytes] : section_rows(report.statistics.sections)) sections[name] = bytes;
   return json;

@@ -9,7 +9,7 @@
 #include <hmlfc/statistics.hpp>
 
 #include "cli/output.hpp"
-#include "cli/stream_file.hpp"
+#include "cli/view_source.hpp"
 
 namespace hmlfc::cli {
 

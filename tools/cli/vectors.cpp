@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/stream_file.hpp"
+#include "cli/view_source.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
 #include "io/pictures.hpp"
@@ -184,10 +184,7 @@ Command<SuiteOptions> add_suite_command(CLI::App& vectors, Task& task, const std
         ->required()
         ->type_name("");
   }
-  add_path(command.app, "--suite", command.options.suite, "Folder of the suite")
-      ->required(false)
-      ->type_name("DIR")
-      ->default_str("vectors");
+  add_suite(command.app, command.options.suite, "Folder of the suite");
   return command;
 }
 

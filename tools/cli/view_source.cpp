@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "cli/output.hpp"
-#include "cli/stream_file.hpp"
 #include "io/image_files.hpp"
 
 namespace hmlfc::cli {
@@ -65,6 +64,27 @@ class StreamSource final : public ViewSource {
 };
 
 }  // namespace
+
+StreamFile::StreamFile(std::filesystem::path path, const OpenOptions& options)
+    : path_(std::move(path)),
+      file_(value_or_throw(io::MappedFile::open(path_), ExitCode::kInput)),
+      decoder_(value_or_throw(Decoder::open(file_.bytes(), options), path_)) {}
+
+void StreamFile::check_view(ViewPos view) const {
+  if (view.row < header().rows && view.col < header().cols) return;
+  throw Failure(ExitCode::kUsage,
+                fmt::format("--view {},{} is outside the grid of {} x {} views of {}", view.row,
+                            view.col, header().rows, header().cols, path_.string()));
+}
+
+int StreamFile::stop_level(int levels) const {
+  const int all = header().tree_height + 1;
+  if (levels >= 1 && levels <= all) return all - levels;
+  throw Failure(ExitCode::kUsage,
+                fmt::format("--levels {} is outside [1, {}]: {} has {} level{}; encode with a "
+                            "larger --height for more",
+                            levels, all, path_.string(), all, all == 1 ? "" : "s"));
+}
 
 std::unique_ptr<ViewSource> ViewSource::open(const fs::path& path,
                                              std::optional<io::GridShape> grid) {
