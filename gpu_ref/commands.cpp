@@ -30,8 +30,8 @@ Commands::Commands(Device::State& device)
 }
 
 template <class Dispatch>
-void Commands::stage(const std::string& name, Kernel kernel, const Variant& variant,
-                     const Arguments& arguments, const Dispatch& dispatch) {
+void Commands::stage(const std::string& kernel, const Variant& variant, const Arguments& arguments,
+                     const Dispatch& dispatch) {
   if (stages_.size() == kMaxStages) throw MachineError("too many stages in one submission");
   buffer_.bindPipeline(vk::PipelineBindPoint::eCompute,
                        device_->kernels->pipeline(kernel, variant));
@@ -40,24 +40,23 @@ void Commands::stage(const std::string& name, Kernel kernel, const Variant& vari
   const auto begin = static_cast<uint32_t>(2 * stages_.size());
   write_time(begin);
   dispatch();
-  stages_.push_back(name);
+  stages_.push_back(kernel);
   barrier();
   write_time(begin + 1);
 }
 
-void Commands::dispatch(const std::string& name, Kernel kernel, const Variant& variant,
+void Commands::dispatch(const std::string& kernel, const Variant& variant,
                         const Arguments& arguments, uint64_t invocations) {
   if (invocations == 0) return;
   const auto groups = static_cast<uint32_t>(ceil_div(invocations, uint64_t{kGroupSize}));
   const uint32_t columns = std::min(groups, device_->max_groups);
-  stage(name, kernel, variant, arguments,
+  stage(kernel, variant, arguments,
         [&] { buffer_.dispatch(columns, ceil_div(groups, columns), 1); });
 }
 
-void Commands::dispatch_counted(const std::string& name, Kernel kernel, const Variant& variant,
+void Commands::dispatch_counted(const std::string& kernel, const Variant& variant,
                                 const Arguments& arguments, const Buffer& groups, uint64_t offset) {
-  stage(name, kernel, variant, arguments,
-        [&] { buffer_.dispatchIndirect(groups.handle(), offset); });
+  stage(kernel, variant, arguments, [&] { buffer_.dispatchIndirect(groups.handle(), offset); });
 }
 
 void Commands::fill(const Buffer& buffer, uint64_t offset, uint64_t bytes, uint32_t word) {

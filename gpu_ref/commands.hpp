@@ -19,12 +19,12 @@ class Commands {
  public:
   explicit Commands(Device::State& device);
 
-  /// `invocations` invocations, in [0, kMaxInvocations], as stage `name` of the times.
-  void dispatch(const std::string& name, Kernel kernel, const Variant& variant,
-                const Arguments& arguments, uint64_t invocations);
+  /// `invocations` invocations, in [0, kMaxInvocations], as the stage `kernel` of the times.
+  void dispatch(const std::string& kernel, const Variant& variant, const Arguments& arguments,
+                uint64_t invocations);
 
   /// As many workgroups as three words of `groups` at byte `offset` say.
-  void dispatch_counted(const std::string& name, Kernel kernel, const Variant& variant,
+  void dispatch_counted(const std::string& kernel, const Variant& variant,
                         const Arguments& arguments, const Buffer& groups, uint64_t offset);
 
   /// Sets the words of bytes [offset, offset + bytes) to `word`; multiples of 4.
@@ -39,8 +39,8 @@ class Commands {
 
  private:
   template <class Dispatch>
-  void stage(const std::string& name, Kernel kernel, const Variant& variant,
-             const Arguments& arguments, const Dispatch& dispatch);
+  void stage(const std::string& kernel, const Variant& variant, const Arguments& arguments,
+             const Dispatch& dispatch);
   void barrier();
   void write_time(uint32_t query);
 

@@ -24,9 +24,9 @@ constexpr const char* kNoVulkan =
     "GPU)";
 
 // Without the loader's library the context throws.
-std::unique_ptr<Device::State> make_state() {
+std::shared_ptr<Device::State> make_state() {
   try {
-    return std::make_unique<Device::State>();
+    return std::make_shared<Device::State>();
   } catch (const std::exception&) {
     throw MachineError(kNoVulkan);
   }
@@ -179,7 +179,7 @@ void set_limits(Device::State& state, uint64_t chunk_bytes) {
   state.chunk_bytes = chunk_bytes == 0 ? most : std::min(chunk_bytes, most);
 }
 
-std::unique_ptr<Device::State> open_state(const DeviceOptions& options) {
+std::shared_ptr<Device::State> open_state(const DeviceOptions& options) {
   auto state = make_state();
   make_instance(*state, options.validation);
   auto devices = state->instance->enumeratePhysicalDevices();
@@ -213,11 +213,6 @@ Outcome<std::vector<DeviceInfo>> list_devices() {
     return infos(state->instance->enumeratePhysicalDevices());
   });
 }
-
-Device::Device(std::unique_ptr<State> state) : state_(std::move(state)) {}
-Device::Device(Device&&) noexcept = default;
-Device& Device::operator=(Device&&) noexcept = default;
-Device::~Device() = default;
 
 Outcome<Device> Device::open(const DeviceOptions& options) {
   return guard_device([&] { return Device(open_state(options)); });

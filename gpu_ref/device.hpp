@@ -5,11 +5,21 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "failure.hpp"
+#include <tl/expected.hpp>
 
 namespace hmlfc::gpu {
+
+/// What went wrong with the machine, not with the stream: a missing driver or device, no memory, a
+/// lost device, or a stream beyond what the device holds.
+struct Failure {
+  std::string message;  ///< one line: what is missing, and what to do
+};
+
+template <class T>
+using Outcome = tl::expected<T, Failure>;
 
 /// A device of this machine.
 struct DeviceInfo {
@@ -41,14 +51,10 @@ struct DeviceOptions {
 /// All devices of this machine, in the driver's order. Fails where there is no Vulkan.
 Outcome<std::vector<DeviceInfo>> list_devices();
 
-/// An open device. Not to be used by two threads at once.
+/// An open device; copies are the same device. Not to be used by two threads at once.
 class Device {
  public:
   static Outcome<Device> open(const DeviceOptions& options = {});
-
-  Device(Device&&) noexcept;
-  Device& operator=(Device&&) noexcept;
-  ~Device();
 
   const DeviceInfo& info() const;
 
@@ -59,8 +65,8 @@ class Device {
   State& state() { return *state_; }
 
  private:
-  explicit Device(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit Device(std::shared_ptr<State> state) : state_(std::move(state)) {}
+  std::shared_ptr<State> state_;  // of all copies
 };
 
 }  // namespace hmlfc::gpu

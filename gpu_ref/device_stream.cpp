@@ -125,10 +125,9 @@ void DeviceStream::decode_references(Device::State& device, const StreamView& st
   for (const Batch& batch : reference_batches(stream.geometry, limit)) {
     const Arguments all = buffers.prepare(device, batch, sizes, false, arguments());
     Commands commands(device);
-    commands.dispatch("expand", Kernel::kExpand, variant, all, batch.requests);
-    commands.dispatch("walk", Kernel::kWalk, variant, all, batch.requests);
-    commands.dispatch("residuals", Kernel::kResiduals, variant, all,
-                      batch.requests * sizes.sample_words);
+    commands.dispatch("expand", variant, all, batch.requests);
+    commands.dispatch("walk", variant, all, batch.requests);
+    commands.dispatch("residuals", variant, all, batch.requests * sizes.sample_words);
     commands.run();
   }
 }

@@ -7,7 +7,6 @@
 #include <hmlfc/renderer.hpp>
 
 #include "device.hpp"
-#include "failure.hpp"
 
 namespace hmlfc::gpu {
 

@@ -110,27 +110,14 @@ struct GpuDecoder::State {
     Commands commands(device);
     // The debug variant alone has a variant of its own for its last kernel.
     const Variant plain{.chunked = variant.chunked};
-    commands.dispatch("expand", Kernel::kExpand, plain, arguments, batch.requests);
-    commands.dispatch("walk", Kernel::kWalk, plain, arguments, batch.requests * sizes.levels);
-    commands.dispatch("samples", Kernel::kSamples, variant, arguments,
-                      batch.requests * sizes.sample_words);
+    commands.dispatch("expand", plain, arguments, batch.requests);
+    commands.dispatch("walk", plain, arguments, batch.requests * sizes.levels);
+    commands.dispatch("samples", variant, arguments, batch.requests * sizes.sample_words);
     if (want == Want::kPixels) {
-      commands.dispatch("colour", Kernel::kColour, plain, arguments,
-                        batch.pixels * sizes.sample_words);
+      commands.dispatch("colour", plain, arguments, batch.pixels * sizes.sample_words);
     }
     collect(commands);
-    add_times(commands.run());
-  }
-
-  void add_times(const std::vector<StageTime>& added) {
-    for (const StageTime& time : added) {
-      const auto found = std::ranges::find(times, time.stage, &StageTime::stage);
-      if (found == times.end()) {
-        times.push_back(time);
-      } else {
-        found->seconds += time.seconds;
-      }
-    }
+    add_times(commands.run(), times);
   }
 
   // Runs `batch` and appends its statuses and samples, of blocks or of pixels.
@@ -187,13 +174,8 @@ struct GpuDecoder::State {
   std::vector<StageTime> times;
 };
 
-GpuDecoder::GpuDecoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
-GpuDecoder::GpuDecoder(GpuDecoder&&) noexcept = default;
-GpuDecoder& GpuDecoder::operator=(GpuDecoder&&) noexcept = default;
-GpuDecoder::~GpuDecoder() = default;
-
 Outcome<GpuDecoder> GpuDecoder::open(Device& device, const StreamView& stream) {
-  return guard_device([&] { return GpuDecoder(std::make_unique<State>(device.state(), stream)); });
+  return guard_device([&] { return GpuDecoder(std::make_shared<State>(device.state(), stream)); });
 }
 
 Outcome<Blocks> GpuDecoder::decode(std::span<const BlockArea> areas) {

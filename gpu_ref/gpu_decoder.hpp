@@ -1,18 +1,19 @@
 // The decoder on a Vulkan device: areas of blocks in, samples or pixels out.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <hmlfc/decoder.hpp>
 
 #include "arithmetic/motion.hpp"
 #include "device.hpp"
-#include "failure.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
@@ -46,10 +47,7 @@ struct Blocks {
 };
 
 /// Decoded pixels: three lanes of B * B a block, R, G and B.
-struct PixelBlocks {
-  std::vector<uint8_t> statuses;
-  std::vector<int16_t> samples;
-};
+using PixelBlocks = Blocks;
 
 /// What the debug variant reports of one level of one block. Without an error and not `key`,
 /// `prediction` is present; `residual` and `reference` are present where the flags say so.
@@ -80,6 +78,18 @@ struct StageTime {
   double seconds = 0;
 };
 
+/// Adds `more` to the times of the same stages in `times`, new stages behind them.
+inline void add_times(const std::vector<StageTime>& more, std::vector<StageTime>& times) {
+  for (const StageTime& time : more) {
+    const auto found = std::ranges::find(times, time.stage, &StageTime::stage);
+    if (found == times.end()) {
+      times.push_back(time);
+    } else {
+      found->seconds += time.seconds;
+    }
+  }
+}
+
 /// Decodes one stream. The device must outlive it.
 class GpuDecoder {
  public:
@@ -87,10 +97,6 @@ class GpuDecoder {
   /// device. Blocks of key images that do not decode have the error of their image. The bytes
   /// behind `stream` are not needed afterwards.
   static Outcome<GpuDecoder> open(Device& device, const StreamView& stream);
-
-  GpuDecoder(GpuDecoder&&) noexcept;
-  GpuDecoder& operator=(GpuDecoder&&) noexcept;
-  ~GpuDecoder();
 
   /// Decodes all blocks of `areas`: one submission, or several where they do not fit in one.
   Outcome<Blocks> decode(std::span<const BlockArea> areas);
@@ -112,8 +118,8 @@ class GpuDecoder {
 
  private:
   struct State;
-  explicit GpuDecoder(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit GpuDecoder(std::shared_ptr<State> state) : state_(std::move(state)) {}
+  std::shared_ptr<State> state_;  // of all copies
 };
 
 }  // namespace hmlfc::gpu

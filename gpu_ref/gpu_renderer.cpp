@@ -124,17 +124,14 @@ struct GpuRenderer::State {
     commands.fill(needed.get(), 0, 4 * words, 0);
     commands.fill(groups, 0, 4 * kFrameCounters, 0);
     commands.fill(groups, 4 * kCountFirstError, 4, kNoError);
-    commands.dispatch("mark", Kernel::kMark, variant, arguments, pixels);
-    commands.dispatch("count", Kernel::kCount, variant, arguments, words);
-    commands.dispatch("plan", Kernel::kPlan, variant, arguments, 1);
-    commands.dispatch("compact", Kernel::kCompact, variant, arguments, words);
-    commands.dispatch_counted("walk", Kernel::kWalk, variant, arguments, groups, 4 * kCountWalk);
-    commands.dispatch_counted("samples", Kernel::kSamples, variant, arguments, groups,
-                              4 * kCountSamples);
-    commands.dispatch_counted("errors", Kernel::kErrors, variant, arguments, groups,
-                              4 * kCountErrors);
-    commands.dispatch("render", Kernel::kRender, variant, arguments,
-                      ceil_div(pixels, kPixelsAtOnce));
+    commands.dispatch("mark", variant, arguments, pixels);
+    commands.dispatch("count", variant, arguments, words);
+    commands.dispatch("plan", variant, arguments, 1);
+    commands.dispatch("compact", variant, arguments, words);
+    commands.dispatch_counted("walk", variant, arguments, groups, 4 * kCountWalk);
+    commands.dispatch_counted("samples", variant, arguments, groups, 4 * kCountSamples);
+    commands.dispatch_counted("errors", variant, arguments, groups, 4 * kCountErrors);
+    commands.dispatch("render", variant, arguments, ceil_div(pixels, kPixelsAtOnce));
   }
 
   void collect(const FrameRecord& record, std::span<const uint32_t> words, GpuFrame& frame) const {
@@ -173,15 +170,10 @@ struct GpuRenderer::State {
   std::vector<StageTime> times;
 };
 
-GpuRenderer::GpuRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
-GpuRenderer::GpuRenderer(GpuRenderer&&) noexcept = default;
-GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
-GpuRenderer::~GpuRenderer() = default;
-
 Outcome<GpuRenderer> GpuRenderer::open(Device& device, const StreamView& stream,
                                        uint64_t cache_bytes) {
   return guard_device(
-      [&] { return GpuRenderer(std::make_unique<State>(device.state(), stream, cache_bytes)); });
+      [&] { return GpuRenderer(std::make_shared<State>(device.state(), stream, cache_bytes)); });
 }
 
 Outcome<GpuFrame> GpuRenderer::render(const FrameRecord& record, int stop_level) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <hmlfc/camera.hpp>
@@ -11,7 +12,6 @@
 #include <hmlfc/image.hpp>
 
 #include "device.hpp"
-#include "failure.hpp"
 #include "gpu_decoder.hpp"
 #include "syntax/stream_view.hpp"
 
@@ -36,10 +36,6 @@ class GpuRenderer {
   /// depends on it.
   static Outcome<GpuRenderer> open(Device& device, const StreamView& stream, uint64_t cache_bytes);
 
-  GpuRenderer(GpuRenderer&&) noexcept;
-  GpuRenderer& operator=(GpuRenderer&&) noexcept;
-  ~GpuRenderer();
-
   /// Renders the frame of `record`, made by frame_record for this light field, from views decoded
   /// down to `stop_level` (DEC-1): the device marks the blocks that the frame needs, decodes those
   /// of them that it does not hold and no others, and draws, in one submission. After a frame with
@@ -54,8 +50,8 @@ class GpuRenderer {
 
  private:
   struct State;
-  explicit GpuRenderer(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit GpuRenderer(std::shared_ptr<State> state) : state_(std::move(state)) {}
+  std::shared_ptr<State> state_;  // of all copies
 };
 
 }  // namespace hmlfc::gpu

@@ -1,8 +1,6 @@
 #include "kernels.hpp"
 
-#include <algorithm>
 #include <array>
-#include <string_view>
 #include <utility>
 
 #include "arguments.hpp"
@@ -46,17 +44,12 @@ constexpr uint32_t kRenderCode[] =
 #include "shaders/render.inc"
     ;
 
-struct BuiltKernel {
-  std::string_view name;  // of its file in shaders/
-  std::span<const uint32_t> code;
-};
-
-// In the order of Kernel.
-constexpr BuiltKernel kBuilt[] = {
-    {"expand", kExpandCode},   {"walk", kWalkCode},     {"residuals", kResidualsCode},
-    {"samples", kSamplesCode}, {"colour", kColourCode}, {"mark", kMarkCode},
-    {"count", kCountCode},     {"plan", kPlanCode},     {"compact", kCompactCode},
-    {"errors", kErrorsCode},   {"render", kRenderCode}};
+std::map<std::string, std::span<const uint32_t>> built_kernels() {
+  return {{"expand", kExpandCode},   {"walk", kWalkCode},     {"residuals", kResidualsCode},
+          {"samples", kSamplesCode}, {"colour", kColourCode}, {"mark", kMarkCode},
+          {"count", kCountCode},     {"plan", kPlanCode},     {"compact", kCompactCode},
+          {"errors", kErrorsCode},   {"render", kRenderCode}};
+}
 
 vk::raii::PipelineLayout make_layout(const vk::raii::Device& device) {
   const vk::PushConstantRange range(vk::ShaderStageFlagBits::eCompute, 0, sizeof(Arguments));
@@ -84,26 +77,22 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
 }  // namespace
 
 Kernels::Kernels(const vk::raii::Device& device, KernelCode replaced)
-    : device_(&device), layout_(make_layout(device)), replaced_(std::move(replaced)) {
+    : device_(&device),
+      layout_(make_layout(device)),
+      code_(built_kernels()),
+      replaced_(std::move(replaced)) {
   for (const auto& [name, code] : replaced_) {
-    if (std::ranges::find(kBuilt, name, &BuiltKernel::name) == std::end(kBuilt)) {
-      throw MachineError("no kernel is named \"" + name + "\"");
-    }
+    if (!code_.contains(name)) throw MachineError("no kernel is named \"" + name + "\"");
+    code_[name] = code;
   }
 }
 
-std::span<const uint32_t> Kernels::code_of(Kernel kernel) const {
-  const BuiltKernel& built = kBuilt[static_cast<size_t>(kernel)];
-  const auto found = replaced_.find(std::string(built.name));
-  return found == replaced_.end() ? built.code : std::span<const uint32_t>(found->second);
-}
-
-vk::Pipeline Kernels::pipeline(Kernel kernel, const Variant& variant) {
+vk::Pipeline Kernels::pipeline(const std::string& kernel, const Variant& variant) {
   const auto key = std::pair{kernel, variant};
   auto found = pipelines_.find(key);
   if (found == pipelines_.end()) {
     found =
-        pipelines_.emplace(key, make_pipeline(*device_, *layout_, code_of(kernel), variant)).first;
+        pipelines_.emplace(key, make_pipeline(*device_, *layout_, code_.at(kernel), variant)).first;
   }
   return *found->second;
 }

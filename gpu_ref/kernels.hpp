@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <string>
 #include <tuple>
 
 #include <vulkan/vulkan_raii.hpp>
@@ -11,20 +12,6 @@
 #include "device.hpp"
 
 namespace hmlfc::gpu {
-
-enum class Kernel : uint8_t {
-  kExpand,
-  kWalk,
-  kResiduals,
-  kSamples,
-  kColour,
-  kMark,
-  kCount,
-  kPlan,
-  kCompact,
-  kErrors,
-  kRender
-};
 
 /// The specialisation constants of the kernels, in the order of their numbers.
 struct Variant {
@@ -46,15 +33,16 @@ class Kernels {
   Kernels(const vk::raii::Device& device, KernelCode replaced);
 
   vk::PipelineLayout layout() const { return *layout_; }
-  vk::Pipeline pipeline(Kernel kernel, const Variant& variant);
+
+  /// `kernel`: the name of its file in shaders/.
+  vk::Pipeline pipeline(const std::string& kernel, const Variant& variant);
 
  private:
-  std::span<const uint32_t> code_of(Kernel kernel) const;
-
   const vk::raii::Device* device_;
   vk::raii::PipelineLayout layout_;
+  std::map<std::string, std::span<const uint32_t>> code_;
   KernelCode replaced_;
-  std::map<std::pair<Kernel, Variant>, vk::raii::Pipeline> pipelines_;
+  std::map<std::pair<std::string, Variant>, vk::raii::Pipeline> pipelines_;
 };
 
 }  // namespace hmlfc::gpu

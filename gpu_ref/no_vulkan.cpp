@@ -21,11 +21,6 @@ struct Device::State {
 
 Outcome<std::vector<DeviceInfo>> list_devices() { return missing(); }
 
-Device::Device(std::unique_ptr<State> state) : state_(std::move(state)) {}
-Device::Device(Device&&) noexcept = default;
-Device& Device::operator=(Device&&) noexcept = default;
-Device::~Device() = default;
-
 Outcome<Device> Device::open(const DeviceOptions&) { return missing(); }
 const DeviceInfo& Device::info() const { return state_->info; }
 const std::vector<std::string>& Device::validation_messages() const { return state_->messages; }
@@ -33,11 +28,6 @@ const std::vector<std::string>& Device::validation_messages() const { return sta
 struct GpuDecoder::State {
   std::vector<StageTime> times;
 };
-
-GpuDecoder::GpuDecoder(std::unique_ptr<State> state) : state_(std::move(state)) {}
-GpuDecoder::GpuDecoder(GpuDecoder&&) noexcept = default;
-GpuDecoder& GpuDecoder::operator=(GpuDecoder&&) noexcept = default;
-GpuDecoder::~GpuDecoder() = default;
 
 Outcome<GpuDecoder> GpuDecoder::open(Device&, const StreamView&) { return missing(); }
 Outcome<Blocks> GpuDecoder::decode(std::span<const BlockArea>) { return missing(); }
@@ -52,11 +42,6 @@ void GpuDecoder::limit_submissions(uint64_t) {}
 struct GpuRenderer::State {
   std::vector<StageTime> times;
 };
-
-GpuRenderer::GpuRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
-GpuRenderer::GpuRenderer(GpuRenderer&&) noexcept = default;
-GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
-GpuRenderer::~GpuRenderer() = default;
 
 Outcome<GpuRenderer> GpuRenderer::open(Device&, const StreamView&, uint64_t) { return missing(); }
 Outcome<GpuFrame> GpuRenderer::render(const FrameRecord&, int) { return missing(); }

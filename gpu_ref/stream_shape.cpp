@@ -32,8 +32,7 @@ void fill_levels(const Geometry& geometry, StreamShapeRecord& shape) {
                                             level.group_cols(),
                                             static_cast<uint32_t>(level.first_image),
                                             references,
-                                            level.keyed ? 1u : 0u,
-                                            {}};
+                                            level.keyed ? 1u : 0u};
     if (has_references(level)) references += level.group_rows() * level.group_cols();
   }
 }
@@ -60,18 +59,13 @@ void fill_planes(const StreamView& stream, StreamShapeRecord& shape) {
                                             first_word,
                                             range.lo,
                                             range.hi,
-                                            range.bound,
-                                            {}};
+                                            range.bound};
     first_word += row_words(plane) * plane.height;
   }
   for (size_t m = 0; m < geometry.motion_planes().size(); ++m) {
     const MotionPlaneShape& plane = geometry.motion_planes()[m];
-    shape.motion_planes[m] = {plane.width,
-                              plane.height,
-                              plane.tiles_x,
-                              plane.tiles_y,
-                              static_cast<uint32_t>(plane.first_tile),
-                              {}};
+    shape.motion_planes[m] = {plane.width, plane.height, plane.tiles_x, plane.tiles_y,
+                              static_cast<uint32_t>(plane.first_tile)};
   }
 }
 

@@ -15,7 +15,7 @@ struct LevelShapeRecord {
   uint32_t first_image;
   uint32_t first_reference;
   uint32_t keyed;
-  uint32_t pad[3];
+  uint32_t pad[3] = {};
 };
 
 struct PlaneShapeRecord {
@@ -27,14 +27,14 @@ struct PlaneShapeRecord {
   uint32_t halved;
   uint32_t row_words, first_word;
   int32_t lo, hi, bound;
-  uint32_t pad[2];
+  uint32_t pad[2] = {};
 };
 
 struct MotionPlaneShapeRecord {
   uint32_t width, height;
   uint32_t tiles_x, tiles_y;
   uint32_t first_tile;
-  uint32_t pad[3];
+  uint32_t pad[3] = {};
 };
 
 struct StreamShapeRecord {

@@ -7,6 +7,8 @@
 
 #include <hmlfc/renderer.hpp>
 
+#include "gpu/speed.hpp"
+
 namespace hmlfc::gpu {
 namespace {
 
@@ -17,14 +19,6 @@ Camera moved(Camera camera, const StreamHeader& header, uint64_t i, uint64_t fra
   const double part = frames <= 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(frames - 1);
   camera.position = WorldPoint{part * (header.cols - 1), 0.5 * (header.rows - 1), 0};
   return camera;
-}
-
-void add_stages(const std::vector<StageTime>& times, std::vector<StageTime>& sums) {
-  if (sums.empty()) {
-    sums = times;
-    return;
-  }
-  for (size_t i = 0; i < times.size() && i < sums.size(); ++i) sums[i].seconds += times[i].seconds;
 }
 
 // What differs between two frames, or nothing.
@@ -61,7 +55,7 @@ Outcome<GpuFrame> add_frame(GpuRenderer& renderer, const FrameRecord& record, Fr
   path.height = static_cast<uint32_t>(record.frame_height);
   path.needed += frame->blocks_needed;
   path.decoded += frame->blocks_decoded;
-  add_stages(renderer.stage_times(), path.stages);
+  add_times(renderer.stage_times(), path.stages);
   return frame;
 }
 
@@ -124,13 +118,9 @@ std::string to_text(const FramePath& path) {
   const auto frames = static_cast<double>(std::max<uint64_t>(path.frames, 1));
   std::string text = fmt::format("{} frames of {} x {} pixels, {} blocks needed, {} decoded\n",
                                  path.frames, path.width, path.height, path.needed, path.decoded);
-  double device = 0;
-  for (const StageTime& stage : path.stages) {
-    text +=
-        fmt::format("  {:<10} {:10.3f} ms a frame\n", stage.stage, 1000 * stage.seconds / frames);
-    device += stage.seconds;
-  }
+  text += stage_text(path.stages, path.frames, "frame");
   if (!path.stages.empty()) {
+    const double device = device_seconds(path.stages);
     text += fmt::format("  {:<10} {:10.3f} ms a frame, {:.1f} frames a second\n", "device",
                         1000 * device / frames, frames / device);
   }

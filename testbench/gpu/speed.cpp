@@ -20,20 +20,6 @@ double blocks_a_second(const SpeedReport& report, double seconds) {
   return ratio(static_cast<double>(report.blocks), seconds);
 }
 
-double device_seconds(const SpeedReport& report) {
-  double seconds = 0;
-  for (const StageTime& stage : report.stages) seconds += stage.seconds;
-  return seconds;
-}
-
-void add_stages(const std::vector<StageTime>& times, SpeedReport& report) {
-  if (report.stages.empty()) {
-    report.stages = times;
-    return;
-  }
-  for (size_t i = 0; i < times.size(); ++i) report.stages[i].seconds += times[i].seconds;
-}
-
 }  // namespace
 
 Outcome<SpeedReport> measure_speed(GpuDecoder& decoder, const Device& device,
@@ -54,26 +40,37 @@ Outcome<SpeedReport> measure_speed(GpuDecoder& decoder, const Device& device,
     report.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
     ++report.views;
     report.blocks += uint64_t{luma.blocks_x} * luma.blocks_y;
-    add_stages(decoder.stage_times(), report);
+    add_times(decoder.stage_times(), report.stages);
   }
   return report;
+}
+
+double device_seconds(const std::vector<StageTime>& stages) {
+  double seconds = 0;
+  for (const StageTime& stage : stages) seconds += stage.seconds;
+  return seconds;
+}
+
+std::string stage_text(const std::vector<StageTime>& stages, uint64_t count, const char* piece) {
+  std::string text;
+  for (const StageTime& stage : stages) {
+    text += fmt::format("  {:<10} {:10.3f} ms a {}\n", stage.stage,
+                        1000 * ratio(stage.seconds, static_cast<double>(count)), piece);
+  }
+  return text;
 }
 
 std::string to_text(const SpeedReport& report) {
   std::string text = fmt::format("{}: {} views of {} blocks\n", report.device, report.views,
                                  report.views == 0 ? 0 : report.blocks / report.views);
-  for (const StageTime& stage : report.stages) {
-    text += fmt::format("  {:<10} {:10.3f} ms a view\n", stage.stage,
-                        milliseconds_a_view(stage.seconds, report));
-  }
-  if (!report.stages.empty()) {
-    text += fmt::format("  {:<10} {:10.3f} ms a view, {:.0f} blocks/s\n", "device",
-                        milliseconds_a_view(device_seconds(report), report),
-                        blocks_a_second(report, device_seconds(report)));
-  }
-  return text + fmt::format("  {:<10} {:10.3f} ms a view, {:.0f} blocks/s\n", "call",
-                            milliseconds_a_view(report.seconds, report),
-                            blocks_a_second(report, report.seconds));
+  text += stage_text(report.stages, report.views, "view");
+  const auto add_line = [&](const char* what, double seconds) {
+    text += fmt::format("  {:<10} {:10.3f} ms a view, {:.0f} blocks/s\n", what,
+                        milliseconds_a_view(seconds, report), blocks_a_second(report, seconds));
+  };
+  if (!report.stages.empty()) add_line("device", device_seconds(report.stages));
+  add_line("call", report.seconds);
+  return text;
 }
 
 std::string to_json(const SpeedReport& report) {

@@ -22,6 +22,12 @@ struct SpeedReport {
 Outcome<SpeedReport> measure_speed(GpuDecoder& decoder, const Device& device,
                                    const StreamView& stream, uint64_t views);
 
+/// Of all stages together.
+double device_seconds(const std::vector<StageTime>& stages);
+
+/// A line for each stage: its milliseconds for one of `count` pieces, "view" or "frame".
+std::string stage_text(const std::vector<StageTime>& stages, uint64_t count, const char* piece);
+
 std::string to_text(const SpeedReport& report);
 std::string to_json(const SpeedReport& report);
 

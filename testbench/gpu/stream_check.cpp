@@ -114,8 +114,8 @@ class StreamCheck {
       const PlaneShape& shape = stream_.geometry().plane(site.plane);
       tb::ExpectedAnswer own;
       own.planes[0] = expected.planes[p];
-      own.inside_x = std::min(block_size_, shape.width - site.bx * block_size_);
-      own.inside_y = std::min(block_size_, shape.height - site.by * block_size_);
+      own.inside_x = tb::inside(shape.width, site.bx, block_size_);
+      own.inside_y = tb::inside(shape.height, site.by, block_size_);
       tb::Request request = expected.request;
       request.plane = static_cast<unsigned>(site.plane);
       request.bx = site.bx;

@@ -48,10 +48,6 @@ class StageCollector final : public TraceSink {
   size_t done_ = 0;
 };
 
-unsigned inside(uint32_t size, uint32_t block, unsigned block_size) {
-  return std::min(block_size, size - block * block_size);
-}
-
 }  // namespace
 
 bool Oracle::exists(const Request& request) const {

@@ -1,6 +1,7 @@
 // The golden model's result for a request: the answer and every stage that leads to it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -79,6 +80,11 @@ class Oracle {
   uint8_t load_error_ = 0;
   std::array<CacheLine, 1024> cache_;
 };
+
+/// Columns or rows of block `block` that lie in a plane of `size` samples, in one coordinate.
+inline unsigned inside(uint32_t size, uint32_t block, unsigned block_size) {
+  return std::min(block_size, size - block * block_size);
+}
 
 /// The chroma block that serves block `block` of plane Y, in one coordinate (COL-3).
 inline uint32_t chroma_block(uint32_t block, ChromaFormat format) {

@@ -110,13 +110,8 @@ uint64_t Bench::read_pair(uint32_t address) {
 }
 
 std::optional<uint32_t> Bench::load() {
-  const auto write_pair = [&](uint32_t address, uint64_t value) {
-    write(address, static_cast<uint32_t>(value));
-    write(address + 4, static_cast<uint32_t>(value >> 32));
-  };
-  write_pair(reg::kStreamBase, image_.stream_base);
-  write_pair(reg::kStreamBytes, image_.stream.size());
-  write_pair(reg::kReferenceBase, image_.reference_base);
+  reg::write_stream([&](uint32_t address, uint32_t word) { write(address, word); },
+                    image_.stream_base, image_.stream.size(), image_.reference_base);
   scoreboard_.forget_chroma();
   write(reg::kControl, reg::kLoad);
   const uint64_t begin = cycle();

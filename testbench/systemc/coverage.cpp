@@ -10,59 +10,14 @@
 namespace hmlfc::tb {
 namespace {
 
-constexpr std::array<std::string_view, kPointCount> kNames{
-    "state zero",
-    "state motion only",
-    "state motion and residual",
-    "state residual only",
-    "block of a key image",
-    "request plane Y",
-    "request plane Co",
-    "request plane Cg",
-    "request RGB",
-    "stop level 0",
-    "stop level between",
-    "stop level top",
-    "block over the right border",
-    "block over the lower border",
-    "reference outside the plane",
-    "sign minus",
-    "one reference",
-    "two references",
-    "phase whole sample",
-    "phase in x alone",
-    "phase in y alone",
-    "phase in x and y",
-    "sample at the low end",
-    "sample at the high end",
-    "request with tlast",
-    "same request twice",
-    "view changes",
-    "latency 0",
-    "latency from 100",
-    "read data stalls",
-    "read addresses stall",
-    "answers wait",
-    "requests have gaps",
-    "reset with requests in flight",
-    "DISABLE, then a second LOAD",
-    "LOAD fails",
-    "status bad_request",
-    "status bus_error",
-    "status of a damaged block",
-    "profile main",
-    "profile extended",
-    "chroma 4:2:0",
-    "chroma 4:4:4",
-    "one view",
-    "grid that clusters do not divide",
-    "depth above 8",
-};
+#define HMLFC_POINT(point, name) name,
+constexpr std::array<std::string_view, kPointCount> kNames{HMLFC_POINTS(HMLFC_POINT)};
+#undef HMLFC_POINT
 
 constexpr unsigned kLongLatency = 100;
 
-// The errors of annex A that the unit names itself; bad_request and bus_error have points of the
-// table. The others are for software, which reads sections whole and key images.
+// The errors of annex A that the unit names itself; bad_request and bus_error have
+// points of their own. The others are for software, which reads sections whole and key images.
 constexpr std::array kNamedByUnit{
     ErrorCode::kTruncated,      ErrorCode::kBadMagic,        ErrorCode::kBadVersion,
     ErrorCode::kBadHeaderCrc,   ErrorCode::kBadProfile,      ErrorCode::kBadFeature,

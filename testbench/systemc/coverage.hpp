@@ -1,4 +1,4 @@
-// Functional coverage: what a set of runs has exercised, by the names of one table.
+// Functional coverage: what a set of runs has exercised, by name.
 #pragma once
 
 #include <array>
@@ -13,60 +13,62 @@
 
 namespace hmlfc::tb {
 
-/// The points of the table in coverage.cpp, in its order.
-enum class Point : uint8_t {
-  kStateZero,
-  kStateMotion,
-  kStateMotionResidual,
-  kStateResidual,
-  kKeyBlock,
-  kPlaneY,
-  kPlaneCo,
-  kPlaneCg,
-  kPlaneRgb,
-  kStopLevelZero,
-  kStopLevelBetween,
-  kStopLevelTop,
-  kBorderRight,
-  kBorderBelow,
-  kReferenceOutside,
-  kSignMinus,
-  kOneReference,
-  kTwoReferences,
-  kPhaseWhole,
-  kPhaseX,
-  kPhaseY,
-  kPhaseBoth,
-  kSampleLow,
-  kSampleHigh,
-  kRequestLast,
-  kRequestRepeated,
-  kViewChanged,
-  kLatencyNone,
-  kLatencyLong,
-  kReadStall,
-  kAddressStall,
-  kBackpressure,
-  kRequestGap,
-  kResetInFlight,
-  kDisabled,
-  kLoadFailed,
-  kStatusBadRequest,
-  kStatusBusError,
-  kStatusOfBlock,
-  kMain,
-  kExtended,
-  kChroma420,
-  kChroma444,
-  kOneView,
-  kUnevenGrid,
-  kDepthAboveEight,
-  kCount,
-};
+// Each point with its name.
+#define HMLFC_POINTS(HMLFC_POINT)                                \
+  HMLFC_POINT(kStateZero, "state zero")                          \
+  HMLFC_POINT(kStateMotion, "state motion only")                 \
+  HMLFC_POINT(kStateMotionResidual, "state motion and residual") \
+  HMLFC_POINT(kStateResidual, "state residual only")             \
+  HMLFC_POINT(kKeyBlock, "block of a key image")                 \
+  HMLFC_POINT(kPlaneY, "request plane Y")                        \
+  HMLFC_POINT(kPlaneCo, "request plane Co")                      \
+  HMLFC_POINT(kPlaneCg, "request plane Cg")                      \
+  HMLFC_POINT(kPlaneRgb, "request RGB")                          \
+  HMLFC_POINT(kStopLevelZero, "stop level 0")                    \
+  HMLFC_POINT(kStopLevelBetween, "stop level between")           \
+  HMLFC_POINT(kStopLevelTop, "stop level top")                   \
+  HMLFC_POINT(kBorderRight, "block over the right border")       \
+  HMLFC_POINT(kBorderBelow, "block over the lower border")       \
+  HMLFC_POINT(kReferenceOutside, "reference outside the plane")  \
+  HMLFC_POINT(kSignMinus, "sign minus")                          \
+  HMLFC_POINT(kOneReference, "one reference")                    \
+  HMLFC_POINT(kTwoReferences, "two references")                  \
+  HMLFC_POINT(kPhaseWhole, "phase whole sample")                 \
+  HMLFC_POINT(kPhaseX, "phase in x alone")                       \
+  HMLFC_POINT(kPhaseY, "phase in y alone")                       \
+  HMLFC_POINT(kPhaseBoth, "phase in x and y")                    \
+  HMLFC_POINT(kSampleLow, "sample at the low end")               \
+  HMLFC_POINT(kSampleHigh, "sample at the high end")             \
+  HMLFC_POINT(kRequestLast, "request with tlast")                \
+  HMLFC_POINT(kRequestRepeated, "same request twice")            \
+  HMLFC_POINT(kViewChanged, "view changes")                      \
+  HMLFC_POINT(kLatencyNone, "latency 0")                         \
+  HMLFC_POINT(kLatencyLong, "latency from 100")                  \
+  HMLFC_POINT(kReadStall, "read data stalls")                    \
+  HMLFC_POINT(kAddressStall, "read addresses stall")             \
+  HMLFC_POINT(kBackpressure, "answers wait")                     \
+  HMLFC_POINT(kRequestGap, "requests have gaps")                 \
+  HMLFC_POINT(kResetInFlight, "reset with requests in flight")   \
+  HMLFC_POINT(kDisabled, "DISABLE, then a second LOAD")          \
+  HMLFC_POINT(kLoadFailed, "LOAD fails")                         \
+  HMLFC_POINT(kStatusBadRequest, "status bad_request")           \
+  HMLFC_POINT(kStatusBusError, "status bus_error")               \
+  HMLFC_POINT(kStatusOfBlock, "status of a damaged block")       \
+  HMLFC_POINT(kMain, "profile main")                             \
+  HMLFC_POINT(kExtended, "profile extended")                     \
+  HMLFC_POINT(kChroma420, "chroma 4:2:0")                        \
+  HMLFC_POINT(kChroma444, "chroma 4:4:4")                        \
+  HMLFC_POINT(kOneView, "one view")                              \
+  HMLFC_POINT(kUnevenGrid, "grid that clusters do not divide")   \
+  HMLFC_POINT(kDepthAboveEight, "depth above 8")
+
+#define HMLFC_POINT(point, name) point,
+enum class Point : uint8_t { HMLFC_POINTS(HMLFC_POINT) kCount };
+#undef HMLFC_POINT
 
 inline constexpr size_t kPointCount = static_cast<size_t>(Point::kCount);
 
-/// Counts how often each point was met. Besides those of the table, each error that the unit may
+/// Counts how often each point was met. Besides the points above, each error that the unit may
 /// name is a point.
 class Coverage {
  public:

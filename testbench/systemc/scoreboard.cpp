@@ -120,12 +120,9 @@ void Scoreboard::compare_record(const PendingRecord& pending, const LevelRecord&
   ++counts_.records_compared;
   const LevelRecord& expected = pending.expected();
   const PlaneShape& shape = oracle_->stream()->geometry().plane(expected.site.plane);
-  const auto inside = [&](uint32_t size, uint32_t block) {
-    return std::min(block_size_, size - block * block_size_);
-  };
-  const auto difference =
-      first_difference(expected, record, block_size_, inside(shape.width, expected.site.bx),
-                       inside(shape.height, expected.site.by));
+  const auto difference = first_difference(expected, record, block_size_,
+                                           inside(shape.width, expected.site.bx, block_size_),
+                                           inside(shape.height, expected.site.by, block_size_));
   if (!difference) return;
   report("stage: " + difference->stage, request_of(pending.request), to_string(expected.site),
          expected_actual(difference->field, difference->expected, difference->actual), cycle);

@@ -81,16 +81,12 @@ void DecodeUnitTlm::load(sc_core::sc_time& delay) {
 bool DecodeUnitTlm::read_stream(sc_core::sc_time& delay) {
   stream_.assign(static_cast<size_t>(file_.stream_bytes()), 0);
   for (uint64_t at = 0; at < stream_.size(); at += kBurstBytes) {
-    const auto bytes = static_cast<unsigned>(std::min<uint64_t>(kBurstBytes, stream_.size() - at));
-    tlm::tlm_generic_payload read;
-    read.set_read();
-    read.set_address(file_.stream_base() + at);
-    read.set_data_ptr(stream_.data() + at);
-    read.set_data_length(bytes);
-    read.set_streaming_width(bytes);
-    memory->b_transport(read, delay);
-    if (!read.is_response_ok()) return false;
-    file_.bytes_read += bytes;
+    const auto burst = std::span(stream_).subspan(
+        static_cast<size_t>(at), std::min<size_t>(kBurstBytes, stream_.size() - at));
+    if (!transport(memory, tlm::TLM_READ_COMMAND, file_.stream_base() + at, burst, delay)) {
+      return false;
+    }
+    file_.bytes_read += burst.size();
   }
   return true;
 }
@@ -121,12 +117,7 @@ void DecodeUnitTlm::answer(const ExpectedAnswer& expected, sc_core::sc_time& del
   std::memcpy(bytes.data(), expected.answer.samples.data(), length - 2);
   bytes[length - 2] = expected.answer.status;
   bytes[length - 1] = expected.answer.last ? 1 : 0;
-  tlm::tlm_generic_payload beat;
-  beat.set_write();
-  beat.set_data_ptr(bytes.data());
-  beat.set_data_length(length);
-  beat.set_streaming_width(length);
-  answers->b_transport(beat, delay);
+  transport(answers, tlm::TLM_WRITE_COMMAND, 0, bytes, delay);
 }
 
 }  // namespace hmlfc::tb

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <systemc>
 #include <tlm>
 #include <vector>
@@ -37,6 +38,20 @@ inline uint64_t clocks_of(const ExpectedAnswer& answer, const LatencyTable& tabl
     }
   }
   return clocks;
+}
+
+/// One access through an initiator socket; whether it was good.
+template <class Socket>
+bool transport(Socket& socket, tlm::tlm_command command, uint64_t address, std::span<uint8_t> bytes,
+               sc_core::sc_time& delay) {
+  tlm::tlm_generic_payload payload;
+  payload.set_command(command);
+  payload.set_address(address);
+  payload.set_data_ptr(bytes.data());
+  payload.set_data_length(static_cast<unsigned>(bytes.size()));
+  payload.set_streaming_width(static_cast<unsigned>(bytes.size()));
+  socket->b_transport(payload, delay);
+  return payload.is_response_ok();
 }
 
 /// Bytes of a request: `tdata`, little-endian, then `tlast`.

@@ -53,9 +53,10 @@ void TlmPlatform::software() {
 }
 
 void TlmPlatform::load() {
-  write_pair(reg::kStreamBase, image_.stream_base);
-  write_pair(reg::kStreamBytes, image_.stream.size());
-  write_pair(reg::kReferenceBase, image_.reference_base);
+  const auto write = [&](uint32_t offset, uint32_t word) {
+    access(tlm::TLM_WRITE_COMMAND, offset, word);
+  };
+  reg::write_stream(write, image_.stream_base, image_.stream.size(), image_.reference_base);
   access(tlm::TLM_WRITE_COMMAND, reg::kControl, reg::kLoad | reg::kClear);
   const uint32_t status = access(tlm::TLM_READ_COMMAND, reg::kStatus, 0);
   if (reg::load_error(status) == load_error_) return;
@@ -68,24 +69,13 @@ void TlmPlatform::load() {
 }
 
 uint32_t TlmPlatform::access(tlm::tlm_command command, uint32_t offset, uint32_t value) {
-  tlm::tlm_generic_payload payload;
   sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-  payload.set_command(command);
-  payload.set_address(offset);
-  payload.set_data_ptr(reinterpret_cast<unsigned char*>(&value));
-  payload.set_data_length(4);
-  payload.set_streaming_width(4);
-  registers_->b_transport(payload, delay);
-  if (!payload.is_response_ok()) {
+  auto* const bytes = reinterpret_cast<uint8_t*>(&value);
+  if (!transport(registers_, command, offset, {bytes, sizeof(value)}, delay)) {
     findings_.add({"registers: response", {}, std::to_string(offset), {}, answers_taken_});
   }
   wait(delay);
   return value;
-}
-
-void TlmPlatform::write_pair(uint32_t offset, uint64_t value) {
-  access(tlm::TLM_WRITE_COMMAND, offset, static_cast<uint32_t>(value));
-  access(tlm::TLM_WRITE_COMMAND, offset + 4, static_cast<uint32_t>(value >> 32));
 }
 
 void TlmPlatform::send(const Request& request) {
@@ -93,14 +83,9 @@ void TlmPlatform::send(const Request& request) {
   const uint64_t word = request.word();
   std::memcpy(bytes.data(), &word, sizeof(word));
   bytes[8] = request.last ? 1 : 0;
-  tlm::tlm_generic_payload payload;
   sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-  payload.set_write();
-  payload.set_data_ptr(bytes.data());
-  payload.set_data_length(kRequestBytes);
-  payload.set_streaming_width(kRequestBytes);
   scoreboard_.on_request(request, answers_taken_);
-  requests_->b_transport(payload, delay);
+  transport(requests_, tlm::TLM_WRITE_COMMAND, 0, bytes, delay);
   wait(delay);
 }
 

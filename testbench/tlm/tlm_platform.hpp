@@ -24,7 +24,6 @@ class TlmPlatform final : public sc_core::sc_module {
   void read_memory(tlm::tlm_generic_payload& read, sc_core::sc_time& delay);
   void take_answer(tlm::tlm_generic_payload& write, sc_core::sc_time& delay);
   uint32_t access(tlm::tlm_command command, uint32_t offset, uint32_t value);
-  void write_pair(uint32_t offset, uint64_t value);
   void load();
   void send(const Request& request);
 

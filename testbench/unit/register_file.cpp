@@ -1,11 +1,8 @@
 #include "unit/register_file.hpp"
 
-namespace hmlfc::tb {
+#include <utility>
 
-uint32_t RegisterFile::low_word(uint64_t value) {
-  high_word_ = static_cast<uint32_t>(value >> 32);
-  return static_cast<uint32_t>(value);
-}
+namespace hmlfc::tb {
 
 uint32_t RegisterFile::read(uint32_t offset) {
   switch (offset) {
@@ -16,37 +13,27 @@ uint32_t RegisterFile::read(uint32_t offset) {
     case reg::kStatus:
       return (ready ? reg::kReady : 0) | (loading ? reg::kLoading : 0) | (idle ? reg::kIdle : 0) |
              uint32_t{load_error} << 8;
-    case reg::kStreamBase:
-    case reg::kStreamBytes:
-    case reg::kReferenceBase:
-      return low_word(pairs_[(offset - reg::kStreamBase) / 8]);
     case reg::kError:
       return error_;
-    case reg::kErrorAddress:
-      return low_word(error_word_);
-    case reg::kBlocks:
-      return low_word(blocks);
-    case reg::kCycles:
-      return low_word(cycles);
-    case reg::kStalls:
-      return low_word(stalls);
-    case reg::kBytesRead:
-      return low_word(bytes_read);
-    case reg::kRequests:
-      return low_word(requests_);
-    case reg::kStreamBase + 4:
-    case reg::kStreamBytes + 4:
-    case reg::kReferenceBase + 4:
-    case reg::kErrorAddress + 4:
-    case reg::kBlocks + 4:
-    case reg::kCycles + 4:
-    case reg::kStalls + 4:
-    case reg::kBytesRead + 4:
-    case reg::kRequests + 4:
-      return high_word_;
     default:
-      return 0;
+      return read_pair(offset);
   }
+}
+
+uint32_t RegisterFile::read_pair(uint32_t offset) {
+  const std::pair<uint32_t, uint64_t> pairs[] = {
+      {reg::kStreamBase, pairs_[0]},    {reg::kStreamBytes, pairs_[1]},
+      {reg::kReferenceBase, pairs_[2]}, {reg::kErrorAddress, error_word_},
+      {reg::kBlocks, blocks},           {reg::kCycles, cycles},
+      {reg::kStalls, stalls},           {reg::kBytesRead, bytes_read},
+      {reg::kRequests, requests_}};
+  for (const auto& [low, value] : pairs) {
+    if (offset == low + 4) return high_word_;
+    if (offset != low) continue;
+    high_word_ = static_cast<uint32_t>(value >> 32);
+    return static_cast<uint32_t>(value);
+  }
+  return 0;
 }
 
 uint32_t RegisterFile::write(uint32_t offset, uint32_t value) {

@@ -38,7 +38,7 @@ class RegisterFile {
   uint64_t bytes_read = 0;
 
  private:
-  uint32_t low_word(uint64_t value);
+  uint32_t read_pair(uint32_t offset);
 
   UnitParameters unit_;
   std::array<uint64_t, 3> pairs_{};

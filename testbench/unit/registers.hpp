@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 namespace hmlfc::tb::reg {
 
@@ -36,6 +37,16 @@ constexpr unsigned load_error(uint32_t status) { return status >> 8 & 63; }
 /// The value of PARAMETERS.
 constexpr uint32_t parameters(unsigned block_log2, unsigned max_depth, unsigned beat_bytes) {
   return block_log2 | max_depth << 4 | beat_bytes << 8;
+}
+
+/// Writes the registers of a stream by `write(address, word)`.
+template <class Write>
+void write_stream(const Write& write, uint64_t base, uint64_t bytes, uint64_t reference_base) {
+  for (const auto& [address, value] :
+       {std::pair{kStreamBase, base}, {kStreamBytes, bytes}, {kReferenceBase, reference_base}}) {
+    write(address, static_cast<uint32_t>(value));
+    write(address + 4, static_cast<uint32_t>(value >> 32));
+  }
 }
 
 }  // namespace hmlfc::tb::reg

@@ -102,13 +102,8 @@ uint32_t UnitHost::read(uint32_t address) {
 }
 
 uint8_t UnitHost::load() {
-  const auto write_pair = [&](uint32_t address, uint64_t value) {
-    write(address, static_cast<uint32_t>(value));
-    write(address + 4, static_cast<uint32_t>(value >> 32));
-  };
-  write_pair(reg::kStreamBase, kStreamBase);
-  write_pair(reg::kStreamBytes, stream_.size());
-  write_pair(reg::kReferenceBase, area_base_);
+  reg::write_stream([&](uint32_t address, uint32_t word) { write(address, word); }, kStreamBase,
+                    stream_.size(), area_base_);
   write(reg::kControl, reg::kLoad);
   for (uint64_t reads = 0; reads < patience_; ++reads) {
     const uint32_t status = read(reg::kStatus);
