@@ -1,47 +1,39 @@
 #include "oracle/level_record.hpp"
 
+#include <initializer_list>
+#include <tuple>
+
 namespace hmlfc::tb {
 namespace {
 
-class RecordComparison {
- public:
-  RecordComparison(const LevelRecord& expected, const LevelRecord& actual)
-      : expected_(expected), actual_(actual) {}
+// A field: its name, what was expected and what came.
+using Field = std::tuple<std::string, int64_t, int64_t>;
 
-  std::optional<Difference> entry() const {
-    if (auto d = field("error", "error", expected_.error, actual_.error)) return d;
-    if (expected_.error != 0) return std::nullopt;
-    if (auto d = field("index entry", "key image", expected_.key, actual_.key)) return d;
-    if (auto d = field("index entry", "motion", expected_.motion, actual_.motion)) return d;
-    return field("index entry", "has residual", expected_.has_residual, actual_.has_residual);
+std::optional<Difference> first_of(const char* stage, std::initializer_list<Field> fields) {
+  for (const auto& [name, expected, actual] : fields) {
+    if (expected != actual) return Difference{stage, name, expected, actual};
   }
+  return std::nullopt;
+}
 
-  std::optional<Difference> vectors() const {
-    if (!expected_.motion) return std::nullopt;
-    if (auto d = field("vector", "sign -", expected_.negative, actual_.negative)) return d;
-    if (auto d = field("vector", "references", expected_.references, actual_.references)) return d;
-    for (unsigned i = 0; i < expected_.references; ++i) {
-      const SubpelVector& e = expected_.vectors[i];
-      const SubpelVector& a = actual_.vectors[i];
-      const std::string of = " of reference " + std::to_string(i);
-      if (auto d = field("vector", "ix" + of, e.ix, a.ix)) return d;
-      if (auto d = field("vector", "iy" + of, e.iy, a.iy)) return d;
-      if (auto d = field("vector", "fx" + of, e.fx, a.fx)) return d;
-      if (auto d = field("vector", "fy" + of, e.fy, a.fy)) return d;
+std::optional<Difference> first_of_vectors(const LevelRecord& e, const LevelRecord& a) {
+  if (auto d = first_of("vector", {{"sign -", e.negative, a.negative},
+                                   {"references", e.references, a.references}})) {
+    return d;
+  }
+  for (unsigned i = 0; i < e.references; ++i) {
+    const SubpelVector& v = e.vectors[i];
+    const SubpelVector& w = a.vectors[i];
+    const std::string of = " of reference " + std::to_string(i);
+    if (auto d = first_of("vector", {{"ix" + of, v.ix, w.ix},
+                                     {"iy" + of, v.iy, w.iy},
+                                     {"fx" + of, v.fx, w.fx},
+                                     {"fy" + of, v.fy, w.fy}})) {
+      return d;
     }
-    return std::nullopt;
   }
-
- private:
-  static std::optional<Difference> field(const char* stage, const std::string& name,
-                                         int64_t expected, int64_t actual) {
-    if (expected == actual) return std::nullopt;
-    return Difference{stage, name, expected, actual};
-  }
-
-  const LevelRecord& expected_;
-  const LevelRecord& actual_;
-};
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -62,14 +54,21 @@ std::optional<Difference> first_difference(const int16_t* expected, const int16_
 std::optional<Difference> first_difference(const LevelRecord& expected, const LevelRecord& actual,
                                            unsigned block_size, unsigned inside_x,
                                            unsigned inside_y) {
-  const RecordComparison compare(expected, actual);
-  if (auto d = compare.entry()) return d;
+  if (auto d = first_of("error", {{"error", expected.error, actual.error}})) return d;
   if (expected.error != 0) return std::nullopt;
+  if (auto d =
+          first_of("index entry", {{"key image", expected.key, actual.key},
+                                   {"motion", expected.motion, actual.motion},
+                                   {"has residual", expected.has_residual, actual.has_residual}})) {
+    return d;
+  }
   const auto values = [&](const StageValues& e, const StageValues& a, const char* stage) {
     return first_difference(e.data(), a.data(), stage, block_size, inside_x, inside_y);
   };
   if (!expected.key) {
-    if (auto d = compare.vectors()) return d;
+    if (expected.motion) {
+      if (auto d = first_of_vectors(expected, actual)) return d;
+    }
     if (expected.has_residual) {
       if (auto d = values(expected.residual, actual.residual, "residual")) return d;
     }

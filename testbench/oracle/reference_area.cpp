@@ -16,14 +16,6 @@ constexpr unsigned kWidestPacked = 14;
 constexpr unsigned kRaw = 15;
 constexpr unsigned kRawBits = 16;
 
-// Writes the low `bits` bits of `value` at bit `at`; the bits there are 0.
-void put(std::span<uint8_t> bytes, size_t at, unsigned bits, uint32_t value) {
-  for (unsigned i = 0; i < bits; ++i, ++at) {
-    const uint32_t bit = (value >> i) & 1u;
-    bytes[at / 8] = static_cast<uint8_t>(bytes[at / 8] | bit << (at % 8));
-  }
-}
-
 bool is_poison(int32_t sample) { return sample < poison_of(ErrorCode::kOk) + 32; }
 
 // Whether blocks of level `l` read reference images: otherwise nothing in them is ever decoded.
@@ -101,7 +93,6 @@ class AreaBuilder {
       if (block) {
         std::copy(block->span().begin(), block->span().end(), to);
       } else {
-        ++area_.poisoned_blocks;
         std::fill_n(to, in_block, poison_of(block.error().code));
       }
     }
@@ -116,6 +107,15 @@ class AreaBuilder {
 
 }  // namespace
 
+void set_field(std::span<uint8_t> bytes, uint64_t position, unsigned count, uint64_t value) {
+  for (unsigned i = 0; i < count; ++i) {
+    const auto byte = static_cast<size_t>((position + i) >> 3);
+    const auto bit = static_cast<uint8_t>(1u << ((position + i) & 7));
+    bytes[byte] =
+        static_cast<uint8_t>((value >> i & 1) != 0 ? bytes[byte] | bit : bytes[byte] & ~bit);
+  }
+}
+
 uint32_t strips_in_row(uint32_t width, unsigned block_size) {
   const uint32_t blocks = ceil_div(width, uint32_t{block_size});
   return ceil_div(blocks, uint32_t{kStripSamples / (block_size * block_size)});
@@ -129,10 +129,10 @@ std::array<uint8_t, kStripBytes> pack_strip(const StripSamples& samples) {
   const unsigned bits = raw ? kRawBits : needed;
   const int32_t base = raw ? 0 : *least;
   std::array<uint8_t, kStripBytes> place{};
-  put(place, 0, kWidthBits, raw ? kRaw : needed);
-  put(place, kWidthBits, kHeadBits - kWidthBits, static_cast<uint32_t>(base));
+  set_field(place, 0, kWidthBits, raw ? kRaw : needed);
+  set_field(place, kWidthBits, kHeadBits - kWidthBits, static_cast<uint32_t>(base));
   for (size_t i = 0; i < samples.size(); ++i) {
-    put(place, kHeadBits + i * bits, bits, static_cast<uint32_t>(samples[i] - base));
+    set_field(place, kHeadBits + i * bits, bits, static_cast<uint32_t>(samples[i] - base));
   }
   return place;
 }

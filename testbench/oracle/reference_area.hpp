@@ -25,6 +25,9 @@ constexpr int32_t poison_of(ErrorCode error) { return static_cast<int32_t>(error
 /// for an error (poison_of).
 using StripSamples = std::array<int32_t, kStripSamples>;
 
+/// Sets the field of `count` bits at `position` of a bit string (CNV-4).
+void set_field(std::span<uint8_t> bytes, uint64_t position, unsigned count, uint64_t value);
+
 /// Packs samples in [-2^15, 2^15 - 1] into a place, with the least width that serves.
 ///
 /// Example: 64 samples of 7 take 4 + 16 bits: width 0, base 7.
@@ -60,7 +63,6 @@ uint32_t strips_in_row(uint32_t width, unsigned block_size);
 struct ReferenceArea {
   AreaLayout layout;
   std::vector<uint8_t> bytes;
-  uint64_t poisoned_blocks = 0;  ///< blocks that could not be decoded
 };
 
 /// The area of `stream`; blocks that do not decode are poisoned. Samples of planes that no block

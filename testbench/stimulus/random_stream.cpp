@@ -9,6 +9,7 @@
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
 #include "decoder/key_images.hpp"
+#include "oracle/reference_area.hpp"
 #include "scenes/test_light_fields.hpp"
 #include "stimulus/conditions.hpp"
 #include "syntax/geometry.hpp"
@@ -35,10 +36,8 @@ void change_bytes(std::vector<uint8_t>& bytes, uint64_t begin, uint64_t end, uin
 }
 
 void repair_header_crc(std::vector<uint8_t>& bytes, size_t header_bytes) {
-  const uint32_t crc = crc32c(std::span(bytes).first(header_bytes - kCrcBytes));
-  for (size_t i = 0; i < kCrcBytes; ++i) {
-    bytes[header_bytes - kCrcBytes + i] = static_cast<uint8_t>(crc >> (8 * i));
-  }
+  const size_t at = header_bytes - kCrcBytes;
+  set_field(bytes, 8 * at, 8 * kCrcBytes, crc32c(std::span(bytes).first(at)));
 }
 
 constexpr size_t kGroupSection = 2;
@@ -56,16 +55,6 @@ std::span<uint8_t> section_of(std::span<uint8_t> stream, const StreamHeader& hea
 // Whether entry `i` of `count` is corrupted: entry `always`, and `permille` of the others.
 bool drawn(uint64_t i, uint64_t always, unsigned permille, Random& random) {
   return random.chance(permille) || i == always;
-}
-
-// Sets the field of `count` bits at `position` of a bit string (CNV-4).
-void set_field(std::span<uint8_t> bytes, uint64_t position, unsigned count, uint64_t value) {
-  for (unsigned i = 0; i < count; ++i) {
-    const auto byte = static_cast<size_t>((position + i) >> 3);
-    const auto bit = static_cast<uint8_t>(1u << ((position + i) & 7));
-    bytes[byte] =
-        static_cast<uint8_t>((value >> i & 1) != 0 ? bytes[byte] | bit : bytes[byte] & ~bit);
-  }
 }
 
 void corrupt_place(std::span<uint8_t> place, Random& random) {

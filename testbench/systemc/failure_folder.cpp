@@ -37,23 +37,10 @@ RequestSource RecordedSource::record(RequestSource source) {
   return [this, source = std::move(source)]() -> std::optional<Request> {
     const auto request = source();
     if (!request) return request;
-    if (ring_.size() < kept_) {
-      ring_.push_back(*request);
-    } else {
-      ring_[at_ % kept_] = *request;
-    }
-    ++at_;
+    last_.push_back(*request);
+    if (last_.size() > kept_) last_.pop_front();
     return request;
   };
-}
-
-std::vector<Request> RecordedSource::history() const {
-  std::vector<Request> requests;
-  const size_t oldest = ring_.size() < kept_ ? 0 : at_ % kept_;
-  for (size_t i = 0; i < ring_.size(); ++i) {
-    requests.push_back(ring_[(oldest + i) % ring_.size()]);
-  }
-  return requests;
 }
 
 std::filesystem::path keep_failure(Bench& bench, const UnitMaker& maker, StreamImage& image,

@@ -1,6 +1,7 @@
 // What is kept of a failure: a folder with the message, both traces and a wave of the block alone.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -27,12 +28,11 @@ class RecordedSource {
   RequestSource record(RequestSource source);
 
   /// The last requests that were asked for, oldest first.
-  std::vector<Request> history() const;
+  std::vector<Request> history() const { return {last_.begin(), last_.end()}; }
 
  private:
   size_t kept_;
-  std::vector<Request> ring_;
-  size_t at_ = 0;
+  std::deque<Request> last_;
 };
 
 /// Repeats the failing block alone in a fresh unit of `maker`, or, if it does not fail alone, with

@@ -49,7 +49,6 @@ void Memory::show_beat() {
   next.r_id = 0;
   next.r_resp = 0;
   next.r_last = burst.beats_left == 1;
-  ++counts_.beats;
   fill(next.r_data, burst.address);
   burst.address += beat_bytes_;
   if (--burst.beats_left == 0) bursts_.pop_front();
@@ -58,7 +57,6 @@ void Memory::show_beat() {
 void Memory::fill(Beat& beat, uint64_t address) {
   for (const FaultyRange& fault : faults_) {
     if (address + beat_bytes_ <= fault.begin || address >= fault.end) continue;
-    ++counts_.error_beats;
     wires_.next.r_resp = fault.response;
     beat = {random_.next(), beat_bytes_ == 16 ? random_.next() : 0};
     return;
@@ -74,7 +72,6 @@ void Memory::fill(Beat& beat, uint64_t address) {
     if (beat_bytes_ == 8) beat[1] = 0;
     return;
   }
-  ++counts_.outside_beats;
   wires_.next.r_resp = kDecodeError;
   beat = {random_.next(), beat_bytes_ == 16 ? random_.next() : 0};
 }

@@ -26,9 +26,6 @@ struct FaultyRange {
 /// Counts of the memory.
 struct MemoryCounts {
   uint64_t bursts = 0;
-  uint64_t beats = 0;
-  uint64_t error_beats = 0;    ///< of faulty ranges
-  uint64_t outside_beats = 0;  ///< wholly outside all regions: DECERR
 };
 
 /// AXI read slave: answers bursts in their order. Bytes up to 31 beyond the end of a region are

@@ -31,17 +31,14 @@ inline std::string to_string(const Mismatch& mismatch) {
 class Findings {
  public:
   void add(Mismatch mismatch) {
-    ++count_;
     if (!first_) first_ = std::move(mismatch);
   }
 
   const std::optional<Mismatch>& first() const { return first_; }
-  uint64_t count() const { return count_; }
   void clear() { *this = {}; }
 
  private:
   std::optional<Mismatch> first_;
-  uint64_t count_ = 0;
 };
 
 }  // namespace hmlfc::tb

@@ -25,7 +25,6 @@ void StreamMonitor::edge() {
   if (scoreboard_.in_flight() != 0) ++counts_.busy;
   if (in.request_valid && out.request_ready) {
     if (scoreboard_.counts().sent == 0) counts_.first_request = wires_.cycle;
-    if (scoreboard_.in_flight() != 0) ++counts_.overtakes;
     scoreboard_.on_request(Request::of_word(in.request_data, in.request_last), wires_.cycle);
   }
   if (out.trace_valid) scoreboard_.on_record(out.trace, wires_.cycle);
@@ -46,11 +45,6 @@ void StreamMonitor::watch_answer() {
     counts_.last_answer = wires_.cycle;
     scoreboard_.on_answer(out.answer, wires_.cycle);
   }
-}
-
-void ReadMonitor::clear_counts() {
-  beats_ = 0;
-  max_outstanding_ = 0;
 }
 
 void ReadMonitor::edge() {
@@ -74,7 +68,6 @@ void ReadMonitor::edge() {
   if (out.ar_valid && in.ar_ready) {
     check_address(address);
     ++outstanding_;
-    max_outstanding_ = std::max(max_outstanding_, outstanding_);
   }
 }
 

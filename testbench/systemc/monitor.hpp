@@ -13,7 +13,6 @@ struct StreamCounts {
   uint64_t busy = 0;           ///< clocks with a request in flight
   uint64_t first_request = 0;  ///< clock of the first request of the run
   uint64_t last_answer = 0;    ///< clock of the last answer
-  uint64_t overtakes = 0;      ///< requests taken while another was in flight
 };
 
 /// Watches s_request_*, m_response_* and trace_*. A beat must not change while it waits.
@@ -50,8 +49,7 @@ class ReadMonitor final : public EdgeModule {
 
   /// Beats taken since clear_counts().
   uint64_t beats() const { return beats_; }
-  unsigned max_outstanding() const { return max_outstanding_; }
-  void clear_counts();
+  void clear_counts() { beats_ = 0; }
 
  protected:
   void edge() override;
@@ -70,7 +68,6 @@ class ReadMonitor final : public EdgeModule {
   UnitParameters unit_;
   uint64_t beats_ = 0;
   unsigned outstanding_ = 0;
-  unsigned max_outstanding_ = 0;
   bool waits_ = false;
   Address waiting_{};
 };

@@ -26,7 +26,7 @@ void overrun(uint32_t requests) {
   arguments.requests = room.address();
   arguments.request_count = requests;
   Commands commands(state);
-  commands.dispatch("expand", Kernel::kExpand, {}, arguments, requests);
+  commands.dispatch("expand", {}, arguments, requests);
   commands.run();
 }
 
