@@ -15,7 +15,6 @@
 #include "vectors/digest.hpp"
 #include "vectors/expected.hpp"
 #include "vectors/header_recipe.hpp"
-#include "vectors/stream_recipe.hpp"
 
 namespace hmlfc::vectors {
 

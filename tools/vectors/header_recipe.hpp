@@ -28,16 +28,12 @@ struct Plain<std::optional<T>> {
   using Type = T;
 };
 
-/// Sets a number, or a number in a part of the target.
+/// Sets a number.
 template <class Target, class T>
 auto number(T Target::*member) {
   return [member](Target& target, const Json& json) {
     target.*member = json.get<typename Plain<T>::Type>();
   };
-}
-template <class Target, class Part, class T>
-auto number(Part Target::*part, T Part::*member) {
-  return [part, member](Target& target, const Json& json) { target.*part.*member = json.get<T>(); };
 }
 
 /// The value of the word `json`, one of `words`.

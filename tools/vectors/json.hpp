@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/io_error.hpp"
+#include "io/files.hpp"
 
 namespace hmlfc::vectors {
 
@@ -22,6 +22,14 @@ class TextError : public std::runtime_error {
 };
 
 /// The JSON in `file`. Throws TextError naming the file and the place.
-Json read_json(const std::filesystem::path& file);
+inline Json read_json(const std::filesystem::path& file) {
+  const auto mapped = io::MappedFile::open(file);
+  if (!mapped) throw TextError(mapped.error().message);
+  try {
+    return Json::parse(mapped->bytes().begin(), mapped->bytes().end());
+  } catch (const Json::exception& error) {
+    throw TextError(file.string() + ": " + error.what());
+  }
+}
 
 }  // namespace hmlfc::vectors

@@ -1,4 +1,4 @@
-#include "vectors/stream_recipe.hpp"
+#include "vectors/recipe.hpp"
 
 #include <map>
 #include <string>
@@ -35,9 +35,11 @@ const Setters<EncodeParams>& encode_setters() {
       {"window", number(&EncodeParams::window)},
       {"ref_rows", number(&EncodeParams::ref_rows)},
       {"ref_cols", number(&EncodeParams::ref_cols)},
-      {"threshold_ref", number(&EncodeParams::main, &MainParams::threshold_ref)},
-      {"threshold_pred", number(&EncodeParams::main, &MainParams::threshold_pred)},
-      {"quality", number(&EncodeParams::extended, &ExtendedParams::quality)},
+      {"threshold_ref",
+       [](EncodeParams& p, const Json& json) { json.get_to(p.main.threshold_ref); }},
+      {"threshold_pred",
+       [](EncodeParams& p, const Json& json) { json.get_to(p.main.threshold_pred); }},
+      {"quality", [](EncodeParams& p, const Json& json) { json.get_to(p.extended.quality); }},
       {"lossless", number(&EncodeParams::lossless)},
   };
   return all;
