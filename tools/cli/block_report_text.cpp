@@ -171,13 +171,9 @@ std::string square_table(std::span<const Square> squares, size_t side, size_t ce
 std::string describe_image(const TracedLevel& level, const StreamHeader& header) {
   const ImageInfo image =
       image_info(header, level.site.level, level.site.image_row, level.site.image_col);
-  switch (image.kind) {
-    case ImageKind::kKey:
-      return "key image";
-    case ImageKind::kReference:
-      return fmt::format("reference image: {}", state_name(level.state()));
-    case ImageKind::kPredictive:
-      break;
+  if (image.kind == ImageKind::kKey) return "key image";
+  if (image.kind == ImageKind::kReference) {
+    return fmt::format("reference image: {}", state_name(level.state()));
   }
   return fmt::format("predictive image of reference {},{}: {}", image.ref_row, image.ref_col,
                      state_name(level.state()));

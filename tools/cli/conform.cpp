@@ -64,15 +64,8 @@ ExitCode finish(const conform::Report& report, const ConformOptions& options) {
   }
   auto worst = conform::Verdict::kConforms;
   for (const conform::Run& run : report.runs) worst = std::max(worst, verdict(run));
-  switch (worst) {
-    case conform::Verdict::kConforms:
-      return ExitCode::kDone;
-    case conform::Verdict::kIncomplete:
-      return ExitCode::kIncomplete;
-    case conform::Verdict::kFails:
-      break;
-  }
-  return ExitCode::kDifferent;
+  constexpr ExitCode kCodes[] = {ExitCode::kDone, ExitCode::kIncomplete, ExitCode::kDifferent};
+  return kCodes[static_cast<size_t>(worst)];
 }
 
 ExitCode run_merge(const ConformOptions& options) {

@@ -27,10 +27,10 @@ conform::ProcessLimits DutOptions::limits() const {
 std::vector<conform::Dut> DutOptions::read() const {
   if (names.empty()) throw Failure(ExitCode::kUsage, "--dut is required");
   std::error_code ignored;
-  const conform::DutPlaces places{std::filesystem::read_symlink("/proc/self/exe", ignored)};
+  const auto hmlfc = std::filesystem::read_symlink("/proc/self/exe", ignored);
   std::vector<conform::Dut> duts;
   for (const std::string& name : names) {
-    duts.push_back(value_or_throw(conform::read_dut(name, places), ExitCode::kUsage));
+    duts.push_back(value_or_throw(conform::read_dut(name, hmlfc), ExitCode::kUsage));
     const auto same_folder = [&](const conform::Dut& other) {
       return conform::folder_name(other.name) == conform::folder_name(duts.back().name);
     };

@@ -1,5 +1,4 @@
 // hmlfc synth: renders a synthetic light field to a folder of views.
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <new>
@@ -12,6 +11,7 @@
 #include "io/light_field_files.hpp"
 #include "io/view_name.hpp"
 #include "scenes/scene.hpp"
+#include "terminal/clock.hpp"
 #include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
@@ -30,7 +30,7 @@ ExitCode run_synth(const SynthOptions& options) {
   scenes::SceneParams params = options.scene;
   params.baseline_px = options.baseline.value_or(params.baseline_px);
   make_output_folder(options.folder);
-  const auto begin = std::chrono::steady_clock::now();
+  const Clock clock;
   const auto threads = static_cast<unsigned>(options.threads);
 
   terminal::ProgressBar rendering("Rendering", "views");
@@ -41,9 +41,8 @@ ExitCode run_synth(const SynthOptions& options) {
                  ExitCode::kOutput);
   writing.clear();
 
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   print(fmt::format("{}: {}, {:.1f} s\n", options.folder.string(), describe(field.shape()),
-                    seconds.count()));
+                    clock.wall_seconds()));
   return ExitCode::kDone;
 }
 

@@ -130,14 +130,19 @@ std::vector<Waiver> read_waivers(const Json& json) {
 
 std::vector<std::string> words_of(std::string_view text, const Places& places,
                                   std::span<const char* const> needed) {
-  const auto words = split_command(text);
-  if (!words) throw WrongValue{words.error().message};
+  WordReader reader(text);
+  std::vector<std::string> words;
+  while (auto word = reader.next()) words.push_back(std::move(*word));
+  if (reader.unfinished()) {
+    throw WrongValue{std::string(text) + ": unterminated quote in this command line"};
+  }
+  if (words.empty()) throw WrongValue{"the command line is empty"};
   for (const char* place : needed) {
     if (text.find(place) == std::string_view::npos) {
       throw WrongValue{fmt::format("the command '{}' does not have {}", text, place)};
     }
   }
-  return fill_in(*words, places);
+  return fill_in(words, places);
 }
 
 constexpr const char* kCommandPlaces[] = {"{input}", "{output}"};
@@ -192,17 +197,6 @@ Dut read_declaration(const std::filesystem::path& file, Places places) {
 
 }  // namespace
 
-io::IoResult<std::vector<std::string>> split_command(std::string_view text) {
-  WordReader reader(text);
-  std::vector<std::string> words;
-  while (auto word = reader.next()) words.push_back(std::move(*word));
-  if (reader.unfinished()) {
-    return io::file_error(std::string(text), "unterminated quote in this command line");
-  }
-  if (words.empty()) return tl::unexpected(io::IoError{"the command line is empty"});
-  return words;
-}
-
 std::vector<std::string> fill_in(const std::vector<std::string>& words, const Places& places) {
   std::vector<std::string> filled;
   for (const std::string& word : words) {
@@ -252,9 +246,8 @@ std::optional<std::string> beyond_claims(const Dut& dut, Profile profile, int le
   return std::nullopt;
 }
 
-io::IoResult<Dut> read_dut(const std::string& text, const DutPlaces& places) {
-  const Places names{{"hmlfc", places.hmlfc.string()},
-                     {"bin", places.hmlfc.parent_path().string()}};
+io::IoResult<Dut> read_dut(const std::string& text, const std::filesystem::path& hmlfc) {
+  const Places names{{"hmlfc", hmlfc.string()}, {"bin", hmlfc.parent_path().string()}};
   const std::filesystem::path path(text);
   try {
     if (path.extension() == ".json") return read_declaration(path, names);

@@ -18,11 +18,6 @@ namespace hmlfc::conform {
 /// The text for each {name} in a command line.
 using Places = std::map<std::string, std::string, std::less<>>;
 
-/// The words of `text`: separated by blanks; quotes ("..." or '...') and a backslash before a
-/// character keep blanks in a word, as in a shell. No other shell syntax is supported: no
-/// variables, no pipes (use sh -c '...'). Errors: an unterminated quote, no words.
-io::IoResult<std::vector<std::string>> split_command(std::string_view text);
-
 /// `words` with every {name} of `places` replaced; other braces stay.
 std::vector<std::string> fill_in(const std::vector<std::string>& words, const Places& places);
 
@@ -61,20 +56,17 @@ struct Dut {
   const Waiver* waiver(const std::string& id) const;
 };
 
-/// The programs that a DUT file may name: {hmlfc} is the program that runs, {bin} its
-/// folder, {dut} the folder of the DUT file.
-struct DutPlaces {
-  std::filesystem::path hmlfc;
-};
-
 /// The decoder that `text` names:
 /// - a file *.json: a declaration (docs/conformance.md has its keys);
 /// - a file *.so: a library with the interface of hmlfc_dut.h;
-/// - else a command line with {input} and {output}.
+/// - else a command line with {input} and {output}: words separated by blanks; quotes ("..." or
+///   '...') and a backslash before a character keep blanks in a word, as in a shell. No other shell
+///   syntax is supported: no variables, no pipes (use sh -c '...').
 ///
-/// Errors: a file that cannot be read, a key that is unknown or has a wrong value, a command
-/// without {input} or {output}.
-io::IoResult<Dut> read_dut(const std::string& text, const DutPlaces& places);
+/// They may name {hmlfc}, the program that runs, {bin}, its folder, and {dut}, that of the DUT
+/// file. Errors: a file that cannot be read, a key that is unknown or has a wrong value, a command
+/// with an unterminated quote, or without {input} or {output}.
+io::IoResult<Dut> read_dut(const std::string& text, const std::filesystem::path& hmlfc);
 
 /// Why `dut` does not claim to decode a stream; nothing if it does. `header` is null if the
 /// stream's header cannot be read.

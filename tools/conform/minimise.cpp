@@ -26,6 +26,61 @@ bool decodes(std::span<const uint8_t> stream) {
   return decoder && decoder->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1});
 }
 
+// The first `rows` x `cols` views. Images that become key images get the samples that `decoder`,
+// of the stream of `parts`, has for them. Nothing where one does not decode.
+std::optional<StreamParts> with_grid(const StreamParts& parts, uint32_t rows, uint32_t cols,
+                                     const Decoder& decoder) {
+  StreamParts smaller = parts;
+  smaller.header.rows = rows;
+  smaller.header.cols = cols;
+  if (!add_missing_keys(smaller, decoder)) return std::nullopt;
+  return smaller;
+}
+
+// The left upper `width` x `height` pixels of all views: key images are cut and coded anew.
+// Nothing where a key image does not decode.
+std::optional<StreamParts> with_size(const StreamParts& parts, uint32_t width, uint32_t height) {
+  StreamParts smaller = parts;
+  smaller.header.width = width;
+  smaller.header.height = height;
+  if (!check_fields(smaller.header)) return std::nullopt;
+  const Geometry before(parts.header);
+  const Geometry after(smaller.header);
+  for (auto& [place, key] : smaller.keys) {
+    const auto plane = static_cast<Plane>(place.plane);
+    const PlaneShape& shape = before.plane(plane);
+    const auto samples = decode_jpeg2000(key.codestream, shape.width, shape.height,
+                                         key_precision(parts.header, place.plane));
+    if (!samples) return std::nullopt;
+    auto code = key_code(cropped(*samples, after.plane(plane)), parts.header, place.plane);
+    if (!code) return std::nullopt;
+    key = std::move(*code);
+  }
+  return smaller;
+}
+
+// Without the top level: the reference images of the level below become key images, as above.
+// Nothing where the tree has one level, or an image does not decode.
+std::optional<StreamParts> without_top_level(const StreamParts& parts, const Decoder& decoder) {
+  if (parts.header.tree_height == 0) return std::nullopt;
+  StreamParts smaller = parts;
+  --smaller.header.tree_height;
+  smaller.header.levels.pop_back();
+  if (!add_missing_keys(smaller, decoder)) return std::nullopt;
+  return smaller;
+}
+
+// Without the tile records number `begin` to `end` - 1.
+StreamParts without_tiles(const StreamParts& parts, size_t begin, size_t end) {
+  StreamParts smaller{parts.header, parts.keys, {}};
+  size_t number = 0;
+  for (const auto& tile : parts.tiles) {
+    if (number < begin || number >= end) smaller.tiles.insert(tile);
+    ++number;
+  }
+  return smaller;
+}
+
 // One search, from a failing stream down.
 class Search {
  public:
@@ -112,54 +167,6 @@ class Search {
 };
 
 }  // namespace
-
-std::optional<StreamParts> with_grid(const StreamParts& parts, uint32_t rows, uint32_t cols,
-                                     const Decoder& decoder) {
-  StreamParts smaller = parts;
-  smaller.header.rows = rows;
-  smaller.header.cols = cols;
-  if (!add_missing_keys(smaller, decoder)) return std::nullopt;
-  return smaller;
-}
-
-std::optional<StreamParts> with_size(const StreamParts& parts, uint32_t width, uint32_t height) {
-  StreamParts smaller = parts;
-  smaller.header.width = width;
-  smaller.header.height = height;
-  if (!check_fields(smaller.header)) return std::nullopt;
-  const Geometry before(parts.header);
-  const Geometry after(smaller.header);
-  for (auto& [place, key] : smaller.keys) {
-    const auto plane = static_cast<Plane>(place.plane);
-    const PlaneShape& shape = before.plane(plane);
-    const auto samples = decode_jpeg2000(key.codestream, shape.width, shape.height,
-                                         key_precision(parts.header, place.plane));
-    if (!samples) return std::nullopt;
-    auto code = key_code(cropped(*samples, after.plane(plane)), parts.header, place.plane);
-    if (!code) return std::nullopt;
-    key = std::move(*code);
-  }
-  return smaller;
-}
-
-std::optional<StreamParts> without_top_level(const StreamParts& parts, const Decoder& decoder) {
-  if (parts.header.tree_height == 0) return std::nullopt;
-  StreamParts smaller = parts;
-  --smaller.header.tree_height;
-  smaller.header.levels.pop_back();
-  if (!add_missing_keys(smaller, decoder)) return std::nullopt;
-  return smaller;
-}
-
-StreamParts without_tiles(const StreamParts& parts, size_t begin, size_t end) {
-  StreamParts smaller{parts.header, parts.keys, {}};
-  size_t number = 0;
-  for (const auto& tile : parts.tiles) {
-    if (number < begin || number >= end) smaller.tiles.insert(tile);
-    ++number;
-  }
-  return smaller;
-}
 
 io::IoResult<Minimised> minimise(std::span<const uint8_t> stream, const StillFails& still_fails,
                                  unsigned max_trials) {

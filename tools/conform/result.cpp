@@ -57,15 +57,10 @@ Verdict verdict(const Run& run) {
 }
 
 std::string verdict_text(const Run& run) {
-  switch (verdict(run)) {
-    case Verdict::kConforms:
-      return tally(run).waived == 0 ? "conforms" : "conforms, with waivers";
-    case Verdict::kIncomplete:
-      return "incomplete";
-    case Verdict::kFails:
-      return "fails";
-  }
-  return {};
+  constexpr const char* kTexts[] = {"conforms", "incomplete", "fails"};
+  const Verdict found = verdict(run);
+  if (found == Verdict::kConforms && tally(run).waived != 0) return "conforms, with waivers";
+  return kTexts[static_cast<size_t>(found)];
 }
 
 io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,

@@ -58,6 +58,26 @@ void fail_in_suite(VectorResult& result, std::string reason) {
   result.reason = std::move(reason);
 }
 
+// Whether a pattern with * and ? matches the vector's id, one of its clauses or one of its flags.
+bool matches(const vectors::Vector& vector, const std::string& pattern) {
+  const auto fits = [&](const std::string& text) {
+    return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
+  };
+  return fits(vector.id) || std::ranges::any_of(vector.clauses, fits) ||
+         std::ranges::any_of(vector.flags, fits);
+}
+
+// Why vector number `index` of the manifest is left out; empty where it is not.
+std::string why_left_out(const Selection& selection, const vectors::Vector& vector, size_t index) {
+  const auto& filters = selection.filters;
+  const auto fits = [&](const std::string& pattern) { return matches(vector, pattern); };
+  if (!filters.empty() && std::ranges::none_of(filters, fits)) return "left out by --filter";
+  if (index % selection.shards + 1 != selection.shard) {
+    return fmt::format("in another shard than {}/{}", selection.shard, selection.shards);
+  }
+  return {};
+}
+
 // One decoder on one suite.
 class SuiteRun {
  public:
@@ -105,14 +125,10 @@ class SuiteRun {
     const fs::path pictures = fs::path("failures") / vector.id;
     std::error_code ignored;
     fs::remove_all(folder_ / pictures, ignored);
-    const Trial trial{
-        dut_,        input,           stream,
-        work.path(), options_.limits, options_.pictures ? folder_ / pictures : fs::path()};
+    const Trial trial{dut_, input, stream, work.path(), options_.limits, folder_ / pictures};
     const ProcessOutcome outcome = decode(dut_, input, work.path(), options_.limits);
     judge(trial, outcome, vector.expect, vector.output ? &*vector.output : nullptr, result);
-    if (result.difference && options_.pictures) {
-      result.pictures = (folder_.filename() / pictures).string();
-    }
+    if (result.difference) result.pictures = (folder_.filename() / pictures).string();
     if (result.bad() && options_.keep) work.keep();
   }
 
@@ -130,24 +146,6 @@ io::IoResult<Suite> open_suite(const std::filesystem::path& folder) {
   const auto file = io::MappedFile::open(folder / "manifest.json");
   if (!file) return tl::unexpected(file.error());
   return Suite{folder, std::move(*manifest), vectors::sha256(file->bytes())};
-}
-
-bool matches(const vectors::Vector& vector, const std::string& pattern) {
-  const auto fits = [&](const std::string& text) {
-    return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
-  };
-  return fits(vector.id) || std::ranges::any_of(vector.clauses, fits) ||
-         std::ranges::any_of(vector.flags, fits);
-}
-
-std::string why_left_out(const Selection& selection, const vectors::Vector& vector, size_t index) {
-  const auto& filters = selection.filters;
-  const auto fits = [&](const std::string& pattern) { return matches(vector, pattern); };
-  if (!filters.empty() && std::ranges::none_of(filters, fits)) return "left out by --filter";
-  if (index % selection.shards + 1 != selection.shard) {
-    return fmt::format("in another shard than {}/{}", selection.shard, selection.shards);
-  }
-  return {};
 }
 
 std::string folder_name(const std::string& dut) {

@@ -24,30 +24,21 @@ struct Suite {
 /// Errors: those of vectors::read_manifest().
 io::IoResult<Suite> open_suite(const std::filesystem::path& folder);
 
-/// Which vectors to run, of those that a decoder claims.
+/// Which vectors to run, of those that a decoder claims. Shard I of N has the vectors of the
+/// manifest whose number is I - 1 modulo N.
 struct Selection {
   std::vector<std::string> filters;  ///< any of them must match; none: all do
   unsigned shard = 1;                ///< [1, shards]
   unsigned shards = 1;
-
-  bool all() const { return filters.empty() && shards == 1; }
 };
-
-/// Whether a pattern with * and ? matches the vector's id, one of its clauses or one of its flags.
-bool matches(const vectors::Vector& vector, const std::string& pattern);
-
-/// Why vector number `index` of the manifest is left out; empty where it is not. Shard I of N has
-/// the vectors whose number is I - 1 modulo N.
-std::string why_left_out(const Selection& selection, const vectors::Vector& vector, size_t index);
 
 struct RunOptions {
   std::filesystem::path folder;  ///< of the report; a folder for the decoder is made in it
   Selection selection;
   ProcessLimits limits;
-  unsigned jobs = 1;     ///< vectors at the same time
-  bool resume = false;   ///< results that an earlier run left in the folder are taken over
-  bool keep = false;     ///< what the decoder wrote for vectors that fail stays
-  bool pictures = true;  ///< of failures
+  unsigned jobs = 1;    ///< vectors at the same time
+  bool resume = false;  ///< results that an earlier run left in the folder are taken over
+  bool keep = false;    ///< what the decoder wrote for vectors that fail stays
 };
 
 /// Runs `dut` on each vector of `suite` that it claims and `options` select, and compares. Each

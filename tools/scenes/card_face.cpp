@@ -46,16 +46,8 @@ bool in_club(double x, double y) {
 }
 
 bool in_suit(uint32_t suit, double x, double y) {
-  switch (suit) {
-    case 0:
-      return in_heart(x, y);
-    case 1:
-      return in_spade(x, y);
-    case 2:
-      return in_diamond(x, y);
-    default:
-      return in_club(x, y);
-  }
+  constexpr bool (*kSuits[])(double x, double y) = {in_heart, in_spade, in_diamond, in_club};
+  return kSuits[suit](x, y);
 }
 
 /// Where the signs of ranks 1 to 10 stand, in units of the printed area.
