@@ -1,16 +1,18 @@
 #include "gpu/frame_check.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 #include <fmt/format.h>
 
 #include <hmlfc/renderer.hpp>
 
 #include "gpu/speed.hpp"
-#include "terminal/clock.hpp"
 
 namespace hmlfc::gpu {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 // The camera of frame `i` of `frames`.
 Camera moved(Camera camera, const StreamHeader& header, uint64_t i, uint64_t frames) {
@@ -44,10 +46,10 @@ std::optional<std::string> difference(const Result<void>& golden, const Frame& e
 
 // Renders a frame of `path` and counts what it took.
 Outcome<GpuFrame> add_frame(GpuRenderer& renderer, const FrameRecord& record, FramePath& path) {
-  const Clock clock;
+  const auto begin = Clock::now();
   auto frame = renderer.render(record, 0);
   if (!frame) return frame;
-  path.seconds += clock.wall_seconds();
+  path.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
   ++path.frames;
   path.width = static_cast<uint32_t>(record.frame_width);
   path.height = static_cast<uint32_t>(record.frame_height);

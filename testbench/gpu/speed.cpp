@@ -1,12 +1,14 @@
 #include "gpu/speed.hpp"
 
+#include <chrono>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "terminal/clock.hpp"
-
 namespace hmlfc::gpu {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 double ratio(double part, double whole) { return whole == 0 ? 0 : part / whole; }
 
@@ -31,11 +33,11 @@ Outcome<SpeedReport> measure_speed(GpuDecoder& decoder, const Device& device,
     const ViewPos at{static_cast<uint32_t>(view / stream.header.cols),
                      static_cast<uint32_t>(view % stream.header.cols)};
     const PixelArea area{at, 0, 0, luma.blocks_x, luma.blocks_y, 0};
-    const Clock clock;
+    const auto begin = Clock::now();
     const auto pixels = decoder.decode_rgb(std::span(&area, 1));
     if (!pixels) return tl::unexpected(pixels.error());
     if (i == 0) continue;  // makes pipelines and buffers
-    report.seconds += clock.wall_seconds();
+    report.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
     ++report.views;
     report.blocks += uint64_t{luma.blocks_x} * luma.blocks_y;
     add_times(decoder.stage_times(), report.stages);
