@@ -94,6 +94,18 @@ def write_png(path, picture, bits=8, alpha=False):
     path.write_bytes(data)
 
 
+def errors(a, b):
+    """Squares of the differences over R, G and B and over Y, and the greatest difference."""
+    rgb = luma = greatest = 0
+    for at in range(0, len(a.samples), 3):
+        p, q = a.samples[at : at + 3], b.samples[at : at + 3]
+        differences = [abs(i - j) for i, j in zip(p, q)]
+        rgb += sum(d * d for d in differences)
+        luma += (ycocg(p)[0] - ycocg(q)[0]) ** 2
+        greatest = max(greatest, *differences)
+    return rgb, luma, greatest
+
+
 def psnr(squares, count, peak=255):
     return 10 * math.log10(peak * peak * count / squares) if squares else "inf"
 
