@@ -1,7 +1,6 @@
 #include "conform/judge.hpp"
 
-#include <algorithm>
-#include <cctype>
+#include <regex>
 
 #include <fmt/format.h>
 
@@ -32,15 +31,8 @@ std::string last_words(std::string_view text) {
 }
 
 // Whether `word` stands in `text` with neither a letter, digit nor underscore beside it.
-bool has_word(std::string_view text, std::string_view word) {
-  const auto letter = [&](size_t at) {
-    return at < text.size() &&
-           (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
-  };
-  for (size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-    if ((at == 0 || !letter(at - 1)) && !letter(at + word.size())) return true;
-  }
-  return false;
+bool has_word(const std::string& text, std::string_view word) {
+  return std::regex_search(text, std::regex("\\b" + std::string(word) + "\\b"));
 }
 
 // A crash, a missing program, no end: results whatever the vector expects. True where it is one.
@@ -60,7 +52,7 @@ bool judge_process(const ProcessOutcome& outcome, VectorResult& result) {
 
 // Whether `messages` name the error of one of the views that fail (DEC-7): of all views a decoder
 // may meet any of these first.
-bool names_a_view_error(std::string_view messages, std::span<const uint8_t> stream) {
+bool names_a_view_error(const std::string& messages, std::span<const uint8_t> stream) {
   const auto golden = Decoder::open(stream);
   if (!golden) return false;
   const StreamHeader& header = golden->header();

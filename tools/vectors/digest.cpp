@@ -3,6 +3,7 @@
 #include <array>
 #include <new>
 
+#include <fmt/ranges.h>
 #include <openssl/evp.h>
 
 #include "bits/little_endian.hpp"
@@ -15,13 +16,7 @@ std::string sha256(std::span<const uint8_t> bytes) {
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
     throw std::bad_alloc();
   }
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (unsigned i = 0; i < size; ++i) {
-    text += kDigits[digest[i] >> 4];
-    text += kDigits[digest[i] & 15];
-  }
-  return text;
+  return fmt::format("{:02x}", fmt::join(std::span(digest).first(size), ""));
 }
 
 std::vector<uint8_t> picture_bytes(const RgbImage& image) {

@@ -85,9 +85,6 @@ struct Manifest {
 /// "ok", "reject" or "acceptable".
 std::string_view outcome_name(Outcome outcome);
 
-/// "open" or "block".
-std::string_view operation_name(Operation operation);
-
 /// The error of annex A with this name, or nothing.
 std::optional<ErrorCode> error_from_name(std::string_view name);
 
@@ -96,6 +93,6 @@ std::optional<ErrorCode> error_from_name(std::string_view name);
 io::IoResult<Manifest> read_manifest(const std::filesystem::path& folder);
 
 /// The text of manifest.json.
-std::string manifest_text(const Manifest& manifest);
+std::string manifest_text(Manifest manifest);
 
 }  // namespace hmlfc::vectors
