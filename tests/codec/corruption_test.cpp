@@ -13,7 +13,7 @@
 namespace hmlfc {
 namespace {
 
-constexpr LightFieldShape kShape{3, 2, 13, 9, 8};
+constexpr LightFieldShape kSmallShape{3, 2, 13, 9, 8};
 
 std::vector<uint8_t> small_stream(Method method) {
   EncodeParams params;
@@ -25,7 +25,7 @@ std::vector<uint8_t> small_stream(Method method) {
   params.ref_cols = 2;
   params.main.threshold_ref = 20;
   params.main.threshold_pred = 30;
-  const auto encoded = encode(test::textured_light_field(kShape, 9, 5), params);
+  const auto encoded = encode(test::textured_light_field(kSmallShape, 9, 5), params);
   return encoded ? encoded->bytes : std::vector<uint8_t>{};
 }
 

@@ -27,7 +27,7 @@ constexpr Flag kFlags[] = {{"residual_step", 0},    {"motion_tiles", 0},   {"sub
                            {"lossy_keys", 0},       {"level_keys", 0},     {"balanced_groups", 0}};
 
 /// The fields of EXT-2 and whether their flags are set.
-struct Field {
+struct HeaderField {
   const char* name;
   size_t offset;
   uint32_t flag;
@@ -35,7 +35,7 @@ struct Field {
   int hi;
 };
 
-std::vector<Field> fields_of(uint32_t flags, int vector_precision) {
+std::vector<HeaderField> fields_of(uint32_t flags, int vector_precision) {
   return {{"vector_precision", 35, flags & 4, 1, 3},
           {"disparity_precision", 36, flags & 8, vector_precision, 5},
           {"motion_tile_log2", 37, flags & 2, 5, 7},
@@ -123,7 +123,7 @@ TEST(ExtendedHeader, EveryValueOfEveryField) {
     for (int precision = 1; precision <= 3; ++precision) {
       const Bytes file = test::naive_file(header_with(flags, precision), {});
       const int lowest = (flags & 4) != 0 ? precision : 0;
-      for (const Field& field : fields_of(flags, lowest)) {
+      for (const HeaderField& field : fields_of(flags, lowest)) {
         for (int byte = 0; byte < 256; ++byte) {
           Bytes changed = file;
           test::patch(changed, field.offset, 1, static_cast<uint64_t>(byte));

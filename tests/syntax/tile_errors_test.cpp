@@ -19,18 +19,18 @@ using test::NaiveBits;
 using test::TileModel;
 using test::TileRecord;
 
-constexpr uint64_t kRecordAt = 1000;  // byte of the file at which the record stands
+constexpr uint64_t kTileAt = 1000;  // byte of the file at which the record stands
 
 /// What reading block k of a record gives: the name of the error, or "ok".
 std::string outcome(const NaiveBits& bits, const TileContext& context, unsigned k) {
   const std::vector<uint8_t> bytes = bits.bytes();
-  FieldCursor cursor(BitString(bytes), kRecordAt * 8, Probe{});
+  FieldCursor cursor(BitString(bytes), kTileAt * 8, Probe{});
   const auto head = read_tile_head(cursor, context);
   const auto entry = head ? read_block_entry(cursor, *head, context, k)
                           : Result<BlockEntry>(tl::unexpected(head.error()));
   if (entry) return "ok";
   EXPECT_EQ(entry.error().section, Section::kTile);
-  EXPECT_GE(entry.error().offset, kRecordAt);
+  EXPECT_GE(entry.error().offset, kTileAt);
   return std::string(error_name(entry.error().code));
 }
 

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "conform/report.hpp"
+
 namespace hmlfc::conform {
 
 namespace {
@@ -49,8 +51,6 @@ class WordReader {
   size_t at_ = 0;
   bool unfinished_ = false;
 };
-
-using Json = nlohmann::json;
 
 // Thrown by the readers of keys; becomes the error of read_dut().
 struct WrongValue {

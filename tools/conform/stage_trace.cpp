@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "conform/report.hpp"
+
 namespace hmlfc::conform {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 class StageSink final : public TraceSink {
  public:
