@@ -5,10 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "bits/naive_bits.hpp"
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
 #include "syntax/index.hpp"
-#include "syntax/naive_header.hpp"
-
 namespace hmlfc {
 namespace {
 
@@ -40,7 +39,7 @@ struct OneGroup {
     header.levels = {{1, 1}};
     Bytes tile_section = tiles.bytes();
     tile_section.resize(tile_bytes);
-    return test::naive_file(header, {Bytes{}, root.bytes(), group.bytes(), tile_section});
+    return test::file_of(header, {Bytes{}, root.bytes(), group.bytes(), tile_section});
   }
 
   Result<std::optional<TileExtent>> find(uint64_t tile) const {
