@@ -101,13 +101,6 @@ uint8_t parse(Dut& dut, ReadPort& port, uint64_t bytes) {
   return 0;
 }
 
-template <class Dut>
-void reset(Dut& dut) {
-  dut.rst_n = 0;
-  tick(dut);
-  dut.rst_n = 1;
-}
-
 void compare_extended_fields(const Header& dut, const StreamHeader& header, Counts& counts) {
   counts.compare(dut.features, header.feature_flags);
   counts.compare(dut.vector_precision, header.vector_precision);
