@@ -87,23 +87,6 @@ TEST_P(Corruption, EveryBitFlipBehindTheCrcIsSurvived) {
   EXPECT_TRUE(seen.contains(ErrorCode::kMaskOutside));
 }
 
-TEST_P(Corruption, EveryTruncationIsNamed) {
-  const std::vector<uint8_t> good = small_stream(GetParam());
-  for (size_t size = 0; size < good.size(); ++size) {
-    const auto decoded = decode_everything(std::span(good).first(size), true);
-    ASSERT_FALSE(decoded.has_value()) << size;
-    EXPECT_EQ(decoded.error().code, ErrorCode::kTruncated) << size;
-  }
-}
-
-TEST_P(Corruption, TrailingBytesAreNamed) {
-  std::vector<uint8_t> bytes = small_stream(GetParam());
-  bytes.push_back(0);
-  const auto decoded = decode_everything(bytes, true);
-  ASSERT_FALSE(decoded.has_value());
-  EXPECT_EQ(decoded.error().code, ErrorCode::kTrailingBytes);
-}
-
 INSTANTIATE_TEST_SUITE_P(Methods, Corruption,
                          ::testing::Values(Method::kHmlfc, Method::kRlfc, Method::kMc));
 

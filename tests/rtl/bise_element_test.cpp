@@ -17,12 +17,12 @@ TEST(BisePlace, EveryIndexOfEveryCode) {
   Counts counts;
   for (unsigned code = 0; code <= kMaxLevelCode; ++code) {
     const Levels levels = levels_of_code(code);
-    const size_t size = digit_group_size(levels);
+    const auto size = static_cast<unsigned>(digit_group_size(levels));
     for (unsigned m = 0; m < 1024; ++m) {
       dut.level_code = static_cast<uint8_t>(code);
       dut.index = static_cast<uint16_t>(m);
       dut.eval();
-      counts.compare(dut.slot, static_cast<int64_t>(m % size));
+      counts.compare(dut.slot, m % size);
       counts.compare(dut.group_bit, static_cast<int64_t>(bise_bits(levels, m / size * size)));
     }
   }
@@ -60,7 +60,7 @@ TEST(BiseElement, EverySlotOfEveryCode) {
   Counts counts;
   for (unsigned code = 0; code <= 27; ++code) {
     const Levels levels = levels_of_code(code);
-    const size_t size = digit_group_size(levels);
+    const auto size = static_cast<unsigned>(digit_group_size(levels));
     for (unsigned turn = 0; turn < 256; ++turn) {
       // A sequence whose last group has `present` values; one more group where it is whole.
       for (unsigned present = 1; present <= size + 1; ++present) {
