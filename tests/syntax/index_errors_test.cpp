@@ -26,11 +26,14 @@ struct OneGroup {
   unsigned high_byte = 0;
   unsigned ends[3] = {2, 5, 9};
   size_t tile_bytes = 2 + 9;
+  int records = 1;  // of the GROUP section, all the same
 
   Bytes file() const {
     NaiveBits root, group, tiles;
     root.put(root_mask, 64).put(root_first, 64);
-    group.put(tile_mask, 64).put(data, 48).put(offset_bits, 8).put(high_byte, 8);
+    for (int i = 0; i < records; ++i) {
+      group.put(tile_mask, 64).put(data, 48).put(offset_bits, 8).put(high_byte, 8);
+    }
     for (const unsigned end : ends) tiles.put(end, 4);
     tiles.put(0, 4);
     while (tiles.size() < tile_bytes * 8) tiles.put(0xAB, 8);
@@ -92,6 +95,7 @@ const Case kCases[] = {
      [](OneGroup& g) {
        g.root_mask = 0b11;
        g.root_first = ~uint64_t{0};
+       g.records = 2;
      },
      {{0, kBadRoot}, {64, kBadRoot}}},
     {"offset_bits 0", [](OneGroup& g) { g.offset_bits = 0; }, {{0, kBadGroup}, {1, kBadGroup}}},
