@@ -18,7 +18,7 @@ namespace {
 
 using test::Bytes;
 
-StreamHeader draw_header(std::mt19937& random) {
+StreamHeader draw_disparity_header(std::mt19937& random) {
   const auto number = [&](int lo, int hi) {
     return static_cast<uint32_t>(test::draw(random, lo, hi));
   };
@@ -77,7 +77,7 @@ TEST(DisparityPlane, EqualsOneReadForEachGridBlock) {
   int readable = 0;
   int damaged = 0;
   for (int round = 0; round < 150; ++round) {
-    test::StreamParts parts(draw_header(random));
+    test::StreamParts parts(draw_disparity_header(random));
     const StreamView empty{{}, parts.header, parts.geometry};
     for (size_t m = 0; m < parts.geometry.motion_planes().size(); ++m) {
       const MotionPlaneShape& shape = parts.geometry.motion_planes()[m];
