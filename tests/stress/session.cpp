@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iostream>
 
 #include <hmlfc/decoder.hpp>
 
 namespace hmlfc::stress {
 namespace {
-
-constexpr std::chrono::milliseconds kProgressPeriod{200};
 
 void write_file(const std::filesystem::path& file, std::span<const uint8_t> bytes) {
   std::ofstream out(file, std::ios::binary);
@@ -156,7 +153,6 @@ Ranges Session::run(const std::string& name, std::span<const uint8_t> file) {
     findings_.push_back({{"stream", name}, {"what", outcome.failure}, {"stored", stored.string()}});
   }
   widths_.add(name, outcome.ranges);
-  show_progress();
   return outcome.ranges;
 }
 
@@ -165,15 +161,6 @@ void Session::add(const std::string& name, const Ranges& ranges) {
   if (const auto violation = take_violation()) {
     findings_.push_back({{"stream", name}, {"what", *violation}, {"stored", ""}});
   }
-}
-
-// Prints a line now and then, which stress.py shows.
-void Session::show_progress() {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - shown_ < kProgressPeriod) return;
-  shown_ = now;
-  std::cerr << streams_ << " streams, " << blocks_ << " blocks, " << findings_.size() << " findings"
-            << std::endl;
 }
 
 vectors::Json Session::report() const {

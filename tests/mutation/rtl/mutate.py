@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Which mutants of the decode unit's datapath the conformance vectors find.
 
-usage: ./run mutate rtl [--count N] [--seed S] [--module NAME] [--sample N] [--json]
+usage: ./run mutate rtl [--count N] [--seed S] [--module NAME] [--sample N]
 
 Yosys `mutate` makes N mutants (1092) of the modules of the datapath: a bit of a cell's port inverted, stuck, or changed where another bit
 is set. Each is switched on in a Verilated unit, on which the vectors for blocks of 4 x 4 run until one finds it: a block's checksum or error
@@ -13,7 +13,6 @@ survivors.json, each with the reason.
 --log FILE      keeps results as they come; a run with the same file and program goes on
 --record        writes recorded.json: which vector found a mutant; it is tried first from then on
 --found         only mutants that were found then
---json          the results as JSON
 """
 
 import argparse
@@ -28,7 +27,6 @@ import sys
 import threading
 
 import prove
-import units
 
 HERE = pathlib.Path(__file__).resolve().parent
 RECORDED = HERE / "recorded.json"
@@ -95,8 +93,7 @@ def run_groups(program: list[str], groups: list[list[dict]], record: Record, not
     for group in groups:
         vector = record.vectors.get(group[0]["number"], "") if len(group) == 1 else ""
         names.append("+".join(f"{mutant['number']}/{mutant['variant']}" for mutant in group) + f":{vector}")
-    clauses = sorted({clause for group in groups for mutant in group for clause in units.VARIANTS[mutant["variant"]].clauses})
-    with subprocess.Popen([*program, "--clauses", ",".join(clauses), "--mutants", ",".join(names)], stdout=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen([*program, "--mutants", ",".join(names)], stdout=subprocess.PIPE, text=True) as process:
         for line in process.stdout:
             note(json.loads(line))
     if process.returncode != 0:
@@ -199,7 +196,6 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--log", type=pathlib.Path, help="keeps results as they come; a run with the same file goes on")
     parser.add_argument("--found", action="store_true", help="only mutants that a vector found when recorded.json was written")
     parser.add_argument("--record", action="store_true", help="write recorded.json")
-    parser.add_argument("--json", action="store_true")
     options = parser.parse_args(arguments)
     text = pathlib.Path(options.mutants).read_bytes()
     listed = json.loads(text)
@@ -217,11 +213,7 @@ def main(arguments: list[str]) -> int:
     explain(mutants, results)
     if sys.stderr.isatty():
         print("\r\033[K", end="", file=sys.stderr)
-    if options.json:
-        rows = [{**mutant, **results[mutant["number"]]} for mutant in mutants]
-        print(json.dumps({"seed": listed["seed"], "mutants": rows}, indent=1))
-    else:
-        print_table(mutants, results)
+    print_table(mutants, results)
     unexplained = [result for result in results.values()
                    if result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT and "reason" not in result]
     if unexplained:

@@ -33,8 +33,6 @@ class UnitVector {
   UnitVector(const std::filesystem::path& folder, const vectors::Vector& vector,
              const UnitParameters& unit);
 
-  const std::string& id() const { return vector_.id; }
-
   /// Whether a unit of these parameters is to be tested with it: streams within its limits, and
   /// those without a sound header, which every unit must refuse.
   static bool is_for(const UnitParameters& unit, std::span<const uint8_t> stream);
