@@ -4,8 +4,8 @@
 usage: ./run mutate rtl [--count N] [--seed S] [--module NAME] [--sample N]
 
 Yosys `mutate` makes N mutants (1092) of the modules of the datapath: a bit of a cell's port inverted, stuck, or changed where another bit
-is set. Each is switched on in a Verilated unit, on which the vectors for blocks of 4 x 4 run until one finds it: a block's checksum or error
-that is not that of its blocks file, an error of the stream that is not the manifest's, or no answer. What the first vectors miss is
+is set. Each is switched on in a Verilated unit, on which the vectors for blocks of 4 x 4 run until one finds it: a block or an error of one
+that is not the golden model's, an error of the stream that is not the manifest's, or no answer. What the first vectors miss is
 compared with its module by Yosys and ABC; what is not equivalent goes through all vectors, and what these miss must be in
 survivors.json, each with the reason.
 

@@ -120,9 +120,9 @@ void print(const nlohmann::ordered_json& result) {
 }
 
 // Tries a group on the vectors, and each of its mutants alone where the group is found: vector
-// `first`, then those that found the last mutants: mutants of a module come one after the other, and
-// what finds one often finds the next. After `limit` clocks no other is begun.
-// What is left at the end, no vector finds: alone, or together with others that none finds.
+// `first`, then those that found the last mutants: mutants of a module come one after the other,
+// and what finds one often finds the next. After `limit` clocks no other is begun. What is left at
+// the end, no vector finds: alone, or together with others that none finds.
 class Trial {
  public:
   Trial(Group group, std::vector<Candidate>& suite, uint64_t limit)
