@@ -147,21 +147,6 @@ class Table(ClauseTest):
         self.assertEqual(rows[3], "| COL-1 | *a* |  | `block.cpp` | *a* | *a* | *a* |")
         self.assertEqual(rows[5], "- *a*: for encoders.")
 
-    def test_json(self):
-        (first, second) = clause_table.as_json(self.cells())
-        self.assertEqual(first["vectors"], ["syntax/second", "syntax/first"])
-        self.assertEqual(first["implementations"]["rtl"], {"files": ["rtl/hmlfc_unit.sv"], "vectors": 2})
-        self.assertEqual(second["reasons"]["gpu"], "for encoders")
-
-
-class Reports(unittest.TestCase):
-    def test_what_passed(self):
-        report = {"runs": [{"dut": "rtl", "results": [{"id": "a", "status": "pass"}, {"id": "b", "status": "fail"}]}]}
-        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
-            json.dump(report, file)
-            file.flush()
-            self.assertEqual(implementations.passed_vectors([file.name]), {"rtl": {"a"}})
-
 
 if __name__ == "__main__":
     unittest.main()

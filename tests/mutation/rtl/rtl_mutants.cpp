@@ -9,11 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include <MutatedUnit.h>
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "mutated_unit.hpp"
+#include "unit/verilated_unit.hpp"
 #include "unit_vector.hpp"
 
 namespace hmlfc::tb {
@@ -26,6 +27,28 @@ constexpr uint64_t kPatience = 20'000;
 // Streams that are refused take little time but find nothing in the datapath: as if they were
 // large.
 constexpr uint64_t kPixelsOfRefused = 100'000;
+
+// The parameters of the unit with mutants in it (plant.py); units.py and CMakeLists.txt have them
+// as well.
+constexpr UnitParameters kMutatedUnit{2, 12, 8, 4};
+
+// A mutant of mutants.json: its number, from 1 on, and the variant of units.py that it is in.
+struct Mutant {
+  unsigned number = 0;
+  unsigned variant = 0;
+};
+
+// The unit with these mutants switched on, at most one in a variant: a plusarg of 16 bits for each
+// variant, in hexadecimal, the first variant last.
+std::unique_ptr<DecodeUnit> make_mutated_unit(std::span<const Mutant> mutants) {
+  std::string digits = "0";
+  for (const Mutant& mutant : mutants) {
+    const size_t end = 4 * (size_t{mutant.variant} + 1);
+    if (digits.size() < end) digits.insert(0, end - digits.size(), '0');
+    digits.replace(digits.size() - end, 4, fmt::format("{:04x}", mutant.number));
+  }
+  return std::make_unique<VerilatedUnit<MutatedUnit>>(kMutatedUnit, "+mutants=" + digits);
+}
 
 struct Options {
   std::filesystem::path suite;
