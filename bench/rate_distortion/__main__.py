@@ -22,10 +22,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 try:
     import coders
     import report
-    from bench_error import BenchError
     from light_field import load
-    from process import run
-    from programs import HMLFC, require
+    from process import HMLFC, BenchError, require, run, say
     from sources import REAL, ROOT, Source, real_sources
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy and python3-pil")
@@ -46,10 +44,6 @@ PARAMETERS = {  # all points, the points of --quick
     "jpeg": ((20, 40, 60, 80, 90, 95), (30, 70, 90)),
     "jpeg2000": ((200, 100, 50, 25, 12, 8), (100, 30, 10)),
 }
-
-
-def say(text):
-    print(text, file=sys.stderr, flush=True)
 
 
 class Bench:

@@ -4,7 +4,7 @@ import csv
 import math
 from dataclasses import astuple, dataclass, fields
 
-from rates import bpp_at
+from light_field import bpp_at
 
 COMPARED = ("extended", "main-hmlfc", "x265-intra", "x265-inter")
 RATIOS = (("x265-intra", "extended"), ("x265-inter", "extended"), ("main-hmlfc", "extended"))

@@ -7,18 +7,22 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import bench
-import numpy as np
-from PIL import Image
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-import coding
-import prediction
-from bench_error import BenchError
-from comparison import compare
-from process import run_measured
-from results import Point, Results, on_front, read_json, write_csv, write_json
-from store import Store
-from tables import Tables
+from report_bench import find, main  # noqa: E402  (here and below: found only now)
+
+BENCH = find("accuracy", "numpy", "PIL", "skimage", "matplotlib")
+
+import numpy as np  # noqa: E402
+from PIL import Image  # noqa: E402
+
+import coding  # noqa: E402
+import prediction  # noqa: E402
+from comparison import compare  # noqa: E402
+from process import BenchError, run_measured  # noqa: E402
+from results import Point, Results, on_front, read_json, write_csv, write_json  # noqa: E402
+from store import Store  # noqa: E402
+from tables import Tables  # noqa: E402
 
 SCENE = {"rows": 2, "cols": 2, "width": 8, "height": 8, "chroma": "444", "at": 36.0}
 SECTIONS = {"sections.index": 10, "sections.motion": 20, "sections.residual": 50, "sections.top": 20}
@@ -175,4 +179,4 @@ class ProcessTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    bench.main()
+    main()
