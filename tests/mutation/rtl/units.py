@@ -6,7 +6,7 @@ import subprocess
 
 RTL = pathlib.Path(__file__).resolve().parents[3] / "rtl"
 
-# Of the unit: the values that CMakeLists.txt gives to Verilator as well. Blocks of 4 x 4 are those of most vectors.
+# Of the unit; rtl_mutants.cpp has the first four as well. Blocks of 4 x 4 are those of most vectors.
 UNIT = {"BLOCK_LOG2": 2, "MAX_DEPTH": 12, "AXI_DATA_BITS": 64, "OUTSTANDING": 4, "TILE_CONTEXTS": 2, "CACHE_STRIPS": 64}
 
 
