@@ -40,31 +40,30 @@ def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[
     return [rest[index * len(rest) // sample] for index in range(sample)]
 
 
-class Record:
-    """recorded.json: what the whole run came to when it was last written. It serves only the very mutants that it is of."""
-
-    def __init__(self, listed: bytes):
-        recorded = json.loads(RECORDED.read_text(encoding="utf-8")) if RECORDED.exists() else {}
-        serves = recorded.get("mutants_sha256") == hashlib.sha256(listed).hexdigest()
-        self.vectors = {number: vector for vector, numbers in recorded["found"].items() for number in numbers} if serves else {}
-
-    @staticmethod
-    def write(listed: bytes, results: dict[int, dict]) -> None:
-        """`results`: of all mutants that are listed."""
-        found = collections.defaultdict(list)
-        for number, result in sorted(results.items()):
-            if result["result"] in FOUND:
-                found[result["vector"]].append(number)
-        rows = ",\n".join(f"  {json.dumps(vector)}: {numbers}" for vector, numbers in sorted(found.items()))
-        RECORDED.write_text(f'{{"mutants_sha256": "{hashlib.sha256(listed).hexdigest()}",\n'
-                            f' "mutants": {len(results)},\n "found": {{\n{rows}}}}}\n', encoding="utf-8")
+def recorded_vectors(listed: bytes) -> dict[int, str]:
+    """Which vector found a mutant when recorded.json was last written. It serves only the very mutants that it is of."""
+    recorded = json.loads(RECORDED.read_text(encoding="utf-8"))
+    if recorded["mutants_sha256"] != hashlib.sha256(listed).hexdigest():
+        return {}
+    return {number: vector for vector, numbers in recorded["found"].items() for number in numbers}
 
 
-def run_groups(program: list[str], groups: list[list[dict]], record: Record) -> list[dict]:
+def write_record(listed: bytes, results: dict[int, dict]) -> None:
+    """`results`: of all mutants that are listed."""
+    found = collections.defaultdict(list)
+    for number, result in sorted(results.items()):
+        if result["result"] in FOUND:
+            found[result["vector"]].append(number)
+    rows = ",\n".join(f"  {json.dumps(vector)}: {numbers}" for vector, numbers in sorted(found.items()))
+    RECORDED.write_text(f'{{"mutants_sha256": "{hashlib.sha256(listed).hexdigest()}",\n'
+                        f' "mutants": {len(results)},\n "found": {{\n{rows}}}}}\n', encoding="utf-8")
+
+
+def run_groups(program: list[str], groups: list[list[dict]], recorded: dict[int, str]) -> list[dict]:
     """The result of each mutant of groups that rtl_mutants tries. Raises RuntimeError where it fails."""
     names = []
     for group in groups:
-        vector = record.vectors.get(group[0]["number"], "") if len(group) == 1 else ""
+        vector = recorded.get(group[0]["number"], "") if len(group) == 1 else ""
         names.append("+".join(f"{mutant['number']}/{mutant['variant']}" for mutant in group) + f":{vector}")
     done = subprocess.run([*program, "--mutants", ",".join(names)], stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
@@ -87,7 +86,7 @@ def by_variant(mutants: list[dict]) -> list[list[dict]]:
     return [list(group) for _, group in itertools.groupby(mutants, lambda mutant: mutant["variant"])]
 
 
-def campaign(program: list[str], mutants: list[dict], options: argparse.Namespace, record: Record) -> dict[int, dict]:
+def campaign(program: list[str], mutants: list[dict], options: argparse.Namespace, recorded: dict[int, str]) -> dict[int, dict]:
     """The result of each mutant by number, with a `proof` for those that no vector finds.
 
     Most are found by the first vectors. What is not found by then is proved equivalent, if it can be, before all vectors are tried on
@@ -95,7 +94,7 @@ def campaign(program: list[str], mutants: list[dict], options: argparse.Namespac
     results = {}
 
     def run_vectors(step: str, command: list[str], shards: list[list[list[dict]]]) -> None:
-        found = in_parallel(step, lambda groups: run_groups(command, groups, record), shards, options.jobs)
+        found = in_parallel(step, lambda groups: run_groups(command, groups, recorded), shards, options.jobs)
         results.update({result["number"]: result for result in itertools.chain(*found)})
 
     first = [*program, "--clocks", str(FIRST_CLOCKS)]
@@ -113,25 +112,17 @@ def campaign(program: list[str], mutants: list[dict], options: argparse.Namespac
     return results
 
 
-def identity(mutant: dict) -> tuple[str, str, str]:
-    """What a mutant is known by, whatever its number is."""
-    return mutant["module"], json.dumps(mutant["parameters"]), mutant["command"]
-
-
-def reasons() -> dict[tuple[str, str, str], str]:
-    """Why mutants that differ survive."""
-    listed = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
-    return {identity(entry): entry["reason"] for entry in listed}
-
-
 def explain(mutants: list[dict], results: dict[int, dict]) -> None:
-    """Gives survivors that are not equivalent their `reason`, where one is listed."""
-    known = reasons()
+    """Gives survivors that are not equivalent their `reason` of survivors.json, which names a mutant whatever its number is."""
+    def identity(mutant: dict) -> tuple[str, str, str]:
+        return mutant["module"], json.dumps(mutant["parameters"]), mutant["command"]
+
+    listed = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
+    reasons = {identity(entry): entry["reason"] for entry in listed}
     for mutant in mutants:
         result = results[mutant["number"]]
-        reason = known.get(identity(mutant))
-        if reason and result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT:
-            result["reason"] = reason
+        if result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT and identity(mutant) in reasons:
+            result["reason"] = reasons[identity(mutant)]
 
 
 def counts(results: list[dict]) -> list[int]:
@@ -170,17 +161,17 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     text = pathlib.Path(options.mutants).read_bytes()
     listed = json.loads(text)
-    record = Record(text)
-    known = [mutant for mutant in listed["mutants"] if mutant["number"] in record.vectors] if options.found else listed["mutants"]
+    recorded = recorded_vectors(text)
+    known = [mutant for mutant in listed["mutants"] if mutant["number"] in recorded] if options.found else listed["mutants"]
     mutants = chosen(known, options.module, options.sample)
     if not mutants:
         why = "; recorded.json is of other mutants, of another Yosys or RTL: --record makes it anew" if options.found else ""
         print(f"mutate.py: no such mutant{why}", file=sys.stderr)
         return 2
     program = [options.program, options.suite] + (["--vectors", options.vectors] if options.vectors else [])
-    results = campaign(program, mutants, options, record)
+    results = campaign(program, mutants, options, recorded)
     if options.record:
-        Record.write(text, results)
+        write_record(text, results)
     explain(mutants, results)
     print_table(mutants, results)
     unexplained = [result for result in results.values()
