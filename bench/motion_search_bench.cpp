@@ -7,8 +7,6 @@
 //
 // Columns, in CPU time of one thread: Time is the fast search of one block; definition_us the
 // definition; ratio is definition / fast.
-#include <ctime>
-
 #include <cstdint>
 #include <cstdlib>
 #include <map>
@@ -25,6 +23,7 @@
 #include "io/data_folder.hpp"
 #include "io/image_files.hpp"
 #include "scenes/scene.hpp"
+#include "terminal/clock.hpp"
 
 namespace {
 
@@ -111,12 +110,6 @@ void add_blocks(const Plane& residual, uint32_t size, std::vector<Block>& blocks
   }
 }
 
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
 void motion_search(benchmark::State& state, const std::string& name, int size, int window) {
   const auto& views = views_named(name);
   if (!views) {
@@ -135,23 +128,24 @@ void motion_search(benchmark::State& state, const std::string& name, int size, i
   double definition = 0;
   size_t defined = 0;
   for ([[maybe_unused]] const auto round : state) {
-    const double start = cpu_seconds();
+    const hmlfc::Clock fast_clock;
     MotionMatch last{};
     for (size_t k = 0; k < blocks.size(); ++k) {
       const Block& block = blocks[k];
       last = matches[k] = search_motion(block.samples, size, block.x, block.y, reference, window,
                                         true, std::span(&last, 1));
     }
-    const double middle = cpu_seconds();
+    const double seconds = fast_clock.cpu_seconds();
+    const hmlfc::Clock definition_clock;
     bool same = true;
     for (size_t k = 0; k < blocks.size(); k += every, ++defined) {
       const Block& block = blocks[k];
       same &= matches[k] == search_motion_brute_force(block.samples, size, block.x, block.y,
                                                       reference, window, true);
     }
-    definition += cpu_seconds() - middle;
-    fast += middle - start;
-    state.SetIterationTime((middle - start) / static_cast<double>(blocks.size()));
+    definition += definition_clock.cpu_seconds();
+    fast += seconds;
+    state.SetIterationTime(seconds / static_cast<double>(blocks.size()));
     if (!same) {
       state.SkipWithError("the fast search differs from the definition");
     }

@@ -8,13 +8,13 @@
 namespace hmlfc::gpu {
 namespace {
 
-constexpr uint64_t kMaxWords = uint64_t{1} << 32;
+constexpr uint64_t kMaxStreamWords = uint64_t{1} << 32;
 
 uint32_t row_words(const PlaneShape& plane) { return ceil_div(plane.width, 2u); }
 
 // Streams beyond the limit are refused (FIL-7).
 uint32_t checked_words(uint64_t bytes, const char* what) {
-  if (bytes / 4 >= kMaxWords) {
+  if (bytes / 4 >= kMaxStreamWords) {
     throw MachineError(std::string("limit_exceeded: ") + what + " takes 16 GiB or more");
   }
   return static_cast<uint32_t>(bytes / 4);

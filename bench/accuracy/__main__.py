@@ -22,18 +22,14 @@ try:
     import plots
     import result_file
     import studies
-    from bench_error import BenchError
     from comparison import compare
-    from programs import HMLFC, built, require
+    from process import HMLFC, BenchError, built, require, say
     from results import read_json, write_csv, write_json
-    from run import Run, say
-    from sources import ROOT
+    from run import Run
     from tables import TITLES, Tables
 except ImportError as error:
     names = "python3-numpy, python3-pil, python3-matplotlib and python3-skimage"
     sys.exit(f"{error}: install the Debian packages {names}")
-
-RECORDED = Path(__file__).resolve().with_name("recorded.json")
 
 
 def cpu_seconds():
@@ -108,15 +104,7 @@ def parse_arguments():
     add("--light-field", nargs="+", metavar="NAME", default=[],
         help="of: chess antinous knights synth-cards synth-knights synth-glass synth-flat "
              "synth-noise (default all)")
-    add("--quick", action="store_true", help="two small scenes, fewer points")
-    add("--record", action="store_true",
-        help="take the points into the recorded run, in place of comparing with it")
-    add("--json", action="store_true", help="print counts, changes and what was skipped as JSON")
-    add("-o", "--output", type=Path, default=ROOT / "out" / "accuracy", metavar="FOLDER",
-        help="default out/accuracy")
-    add("--recorded", type=Path, default=RECORDED, metavar="FILE",
-        help="default bench/accuracy/recorded.json")
-    result_file.add_arguments(parser)
+    result_file.add_bench_arguments(parser, "accuracy", "two small scenes, fewer points")
     add("--hmlfc", type=Path, default=HMLFC, help="the program (default: that of ./run)")
     add("--bench", type=Path, default=built("bench_accuracy"),
         help="the program beside it (default: that of ./run)")

@@ -10,7 +10,8 @@
 #include <tuple>
 #include <utility>
 
-#include "accuracy/frame_errors.hpp"
+#include <hmlfc/renderer.hpp>
+
 #include "common/orbit.hpp"
 #include "common/program.hpp"
 #include "gpu_ref/frame_renderer.hpp"
@@ -24,6 +25,60 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kFilters = {Filter::kNearest, Filter::kBilinear, Filter::kQuadrilinear};
 constexpr std::array<std::string_view, 3> kBackends = {"cpu", "golden", "gpu"};
+
+// The error of a frame, separated into its causes: mean squared differences over all pixels and R,
+// G, B, in samples. Real frames are those of docs/rendering.md, section 7, in double precision; the
+// source is the uncompressed light field.
+struct FrameErrors {
+  double total = 0;   // the frame against the source's real frame of filter quadrilinear
+  double stream = 0;  // real frames, quadrilinear: stream at the frame's level against source
+  double filter = 0;  // real frames of the source: the frame's filter against quadrilinear
+  double fixed = 0;   // the frame against the stream's real frame of its filter and level
+  double largest_fixed = 0;  // largest absolute difference of these two
+};
+
+double mean_squared_difference(const RealFrame& a, const RealFrame& b) {
+  double sum = 0;
+  for (size_t i = 0; i < a.samples.size(); ++i) {
+    const double difference = a.samples[i] - b.samples[i];
+    sum += difference * difference;
+  }
+  return sum / static_cast<double>(a.samples.size());
+}
+
+// Real frames that one camera takes, drawn when needed.
+class RealFrames {
+ public:
+  RealFrames(const Decoder& decoder, const Camera& camera) : decoder_(decoder), camera_(camera) {}
+
+  const RealFrame& of(Filter filter, int stop_level) {
+    const auto [found, first] = frames_.try_emplace({filter, stop_level});
+    if (first) {
+      camera_.filter = filter;
+      found->second = value_of(render_real(decoder_, camera_, stop_level));
+    }
+    return found->second;
+  }
+
+ private:
+  const Decoder& decoder_;
+  Camera camera_;
+  std::map<std::pair<Filter, int>, RealFrame> frames_;
+};
+
+// Adds the errors of `image`, drawn from the stream with `filter` down to `stop_level`.
+void add_errors(const RgbImage& image, Filter filter, int stop_level, RealFrames& stream,
+                RealFrames& source, FrameErrors& sum) {
+  const RealFrame& best = source.of(Filter::kQuadrilinear, 0);
+  const RealFrame& own = stream.of(filter, stop_level);
+  sum.total += mean_squared_error(image, best);
+  sum.stream += mean_squared_difference(stream.of(Filter::kQuadrilinear, stop_level), best);
+  sum.filter += mean_squared_difference(source.of(filter, 0), best);
+  sum.fixed += mean_squared_error(image, own);
+  for (size_t i = 0; i < own.samples.size(); ++i) {
+    sum.largest_fixed = std::max(sum.largest_fixed, std::abs(image.samples[i] - own.samples[i]));
+  }
+}
 
 struct OpenFile {
   explicit OpenFile(const std::string& path)
@@ -70,7 +125,7 @@ class Sweep {
     for (const FrameSetting& setting : sweep_.settings) rows.push_back(draw(setting));
     compare();
     for (size_t k = 0; k < rows.size(); ++k) {
-      if (!rows[k].contains("skipped")) add_errors(sweep_.settings[k], rows[k]);
+      if (!rows[k].contains("skipped")) put_errors(sweep_.settings[k], rows[k]);
     }
     return rows;
   }
@@ -141,15 +196,16 @@ class Sweep {
   // Camera by camera, so that the real frames of one camera alone are held.
   void compare() {
     for (int k = 0; k < sweep_.frames; ++k) {
-      FrameComparison comparison(stream_.decoder, source_.decoder, camera(k));
+      RealFrames stream(stream_.decoder, camera(k));
+      RealFrames source(source_.decoder, camera(k));
       for (const auto& [kind, images] : images_) {
         const auto& image = images[static_cast<size_t>(k)];
-        errors_[kind].add(comparison.errors(image, kind.first, kind.second));
+        add_errors(image, kind.first, kind.second, stream, source, errors_[kind]);
       }
     }
   }
 
-  void add_errors(const FrameSetting& setting, Json& row) const {
+  void put_errors(const FrameSetting& setting, Json& row) const {
     const FrameErrors& errors = errors_.at(kind_of(setting));
     const auto frames = static_cast<double>(sweep_.frames);
     row["mse.total"] = errors.total / frames;

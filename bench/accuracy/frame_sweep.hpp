@@ -35,9 +35,10 @@ struct FrameSweep {
 
 /// For each setting an object: setting; cpu_ms.median and cpu_ms.p95 of a frame; blocks_needed and
 /// blocks_decoded of a frame, on average; mse.total, .stream, .filter, .fixed and largest_fixed
-/// (FrameErrors) and, for filter quadrilinear, bound_fixed (ERR-1). A backend without a device:
-/// setting and skipped, the reason. Throws std::runtime_error: files that do not open or decode, a
-/// level that the stream does not have, settings of one filter and level whose frames differ.
+/// (what these are: frame_sweep.cpp) and, for filter quadrilinear, bound_fixed (ERR-1). A backend
+/// without a device: setting and skipped, the reason. Throws std::runtime_error: files that do not
+/// open or decode, a level that the stream does not have, settings of one filter and level whose
+/// frames differ.
 nlohmann::ordered_json sweep_frames(const FrameSweep& sweep);
 
 }  // namespace hmlfc::bench

@@ -1,12 +1,17 @@
 """One point of the accuracy report: a light field encoded and decoded, or frames drawn of it."""
 
+import hashlib
 import json
+import time
+import zlib
 
 import studies
-from bench_error import BenchError
-from process import run, run_measured
+from process import BenchError, run, run_measured
 from similarity import Similarity
 
+# Fixed work whose CPU time measures the current speed of the machine: 1 MiB of hexadecimal digits.
+WORK = "".join(hashlib.sha256(bytes([k % 256, k // 256])).hexdigest() for k in range(16384)).encode()
+WORK_RUNS = 3
 DECODE_RUNS = 3
 FRAMES = {False: (24, 256), True: (12, 64)}  # quick: number, pixels along a side
 
@@ -91,3 +96,13 @@ class Measure:
 
 def grouped(group, values):
     return {f"{group}.{name}": value for name, value in values.items()}
+
+
+def calibration_seconds():
+    """CPU seconds of compressing WORK: the least of WORK_RUNS."""
+    seconds = []
+    for _ in range(WORK_RUNS):
+        begin = time.process_time()
+        zlib.compress(WORK, 6)
+        seconds.append(time.process_time() - begin)
+    return min(seconds)

@@ -6,10 +6,8 @@ from pathlib import Path
 
 import prediction
 import studies
-from bench_error import BenchError
-from calibration import calibration_seconds
-from measure import FRAMES, Measure
-from process import machine
+from measure import FRAMES, Measure, calibration_seconds
+from process import BenchError, machine, say
 from results import Point, Results
 from scenes import find_scenes
 from store import Store, digest, file_digest
@@ -17,12 +15,6 @@ from store import Store, digest, file_digest
 FOLDER = Path(__file__).resolve().parent
 MEASURING = [FOLDER / name for name in ("measure.py", "similarity.py")]
 FACTS = ("rows", "cols", "width", "height", "chroma", "at")  # that the results keep of a light field
-
-
-def say(text):
-    """A message, in place of the progress on a terminal."""
-    clear = "\r\033[K" if sys.stderr.isatty() else ""
-    print(f"{clear}{text}", file=sys.stderr, flush=True)
 
 
 class Run:

@@ -1,4 +1,4 @@
-"""Light fields for benchmarks: folders of 8-bit RGB views, their order, PSNR."""
+"""Light fields for benchmarks: folders of 8-bit RGB views, their order, PSNR and rates."""
 
 import math
 import re
@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, UnidentifiedImageError
 
-from bench_error import BenchError
+from process import BenchError
 
 SUFFIXES = {".png", ".ppm", ".jpg", ".jpeg"}
 GRID_NAMES = (
@@ -114,3 +114,16 @@ def _grid_position(path):
         if match:
             return int(match[1]), int(match[2])
     raise BenchError(f"{path}: the name has no row and column (RR_CC, out_RR_CC_Y_X, input_CamN)")
+
+
+def bpp_at(curve, psnr):
+    """Bits a pixel of a curve at a PSNR in dB: log(bpp) linear in PSNR between the two points
+    around it. None where the curve does not reach it: nothing is extrapolated.
+
+    curve: pairs (PSNR in dB, bits a pixel)."""
+    curve = sorted(curve)
+    for (low, low_bpp), (high, high_bpp) in zip(curve, curve[1:]):
+        if low <= psnr <= high and high > low and math.isfinite(high):
+            share = (psnr - low) / (high - low)
+            return math.exp((1 - share) * math.log(low_bpp) + share * math.log(high_bpp))
+    return None

@@ -1,4 +1,4 @@
-"""Runs programs as child processes and takes what they cost."""
+"""The programs that benchmarks in Python run as child processes, and what they cost."""
 
 import json
 import os
@@ -7,9 +7,33 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from bench_error import BenchError
+from sources import ROOT
 
 LAUNCHER = Path(__file__).with_name("launch.py")
+BUILT = ROOT / "build" / "release"
+HMLFC = BUILT / "tools" / "hmlfc"
+
+
+class BenchError(Exception):
+    """Something the caller can put right; the text says what."""
+
+
+def built(name):
+    """The path of a program of bench/ in the build of ./run."""
+    return BUILT / "bench" / name
+
+
+def require(bench, *programs):
+    """Raises BenchError where one of the programs is not there."""
+    for program in programs:
+        if not program.is_file():
+            raise BenchError(f"no program {program}: ./run bench {bench} builds it")
+
+
+def say(text):
+    """A message, in place of the progress on a terminal."""
+    clear = "\r\033[K" if sys.stderr.isatty() else ""
+    print(f"{clear}{text}", file=sys.stderr, flush=True)
 
 
 @dataclass

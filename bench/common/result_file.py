@@ -31,6 +31,20 @@ def add_arguments(parser):
     add("--results", type=Path, default=RESULTS, metavar="FOLDER", help="default docs/results")
 
 
+def add_bench_arguments(parser, name, quick):
+    """Options of a benchmark with a recorded run, bench/NAME/recorded.json. quick: what --quick does."""
+    add = parser.add_argument
+    add("--quick", action="store_true", help=quick)
+    add("--record", action="store_true",
+        help="take the results into the recorded run, in place of comparing with it")
+    add("--json", action="store_true", help="print the results as JSON")
+    add("-o", "--output", type=Path, default=ROOT / "out" / name, metavar="FOLDER",
+        help=f"default out/{name}")
+    add("--recorded", type=Path, default=ROOT / "bench" / name / "recorded.json", metavar="FILE",
+        help=f"default bench/{name}/recorded.json")
+    add_arguments(parser)
+
+
 def settle(path, text, update):
     """Writes the file, or compares it. Returns the exit status."""
     if update:

@@ -12,7 +12,6 @@ Its chroma is 4:4:4 unless told otherwise: at the same PSNR over RGB that took f
 
 import argparse
 import dataclasses
-import json
 import sys
 import tempfile
 from pathlib import Path
@@ -22,10 +21,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 try:
     import coders
     import report
-    from bench_error import BenchError
     from light_field import load
-    from process import run
-    from programs import HMLFC, require
+    from process import HMLFC, BenchError, require, run, say
     from sources import REAL, ROOT, Source, real_sources
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy and python3-pil")
@@ -48,10 +45,6 @@ PARAMETERS = {  # all points, the points of --quick
 }
 
 
-def say(text):
-    print(text, file=sys.stderr, flush=True)
-
-
 class Bench:
     """One run: its points, what was skipped and what failed."""
 
@@ -59,7 +52,6 @@ class Bench:
         self.options, self.work = options, work
         self.points, self.skipped, self.failed = [], [], []
         self.at, self.descriptions = {}, {}
-        self.csv = report.CsvFile(options.output / "curves.csv")
 
     def skip(self, what, why):
         self.skipped.append({"what": what, "why": why})
@@ -97,7 +89,8 @@ class Bench:
             bpp = light_field.bpp(size)
             point = report.Point(light_field.name, method, parameter, bpp, psnr, seconds)
             self.points.append(point)
-            self.csv.add(point)
+            # After each point, so that an interrupted run keeps its points.
+            report.write_csv(self.points, self.options.output / "curves.csv")
             result = f"{point.bpp:.4f} bpp, {point.psnr_rgb:.2f} dB, {point.seconds:.1f} CPU s"
             say(f"{what} {point.parameter}: {result}")
 
@@ -109,13 +102,8 @@ class Bench:
             report.plot(self.points, self.descriptions, self.at, picture)
         except ImportError:
             self.skip("curves.png", "install the Debian package python3-matplotlib")
-        if self.options.json:
-            points = [dataclasses.asdict(point) for point in self.points]
-            result = {"points": points, "equal_psnr": rows}
-            print(json.dumps({**result, "skipped": self.skipped, "failed": self.failed}, indent=2))
-            return
-        report.print_points(self.points)
-        report.print_equal_psnr(rows)
+        lines = [*report.points_table(self.points), "", "Bits a pixel at equal PSNR RGB", ""]
+        print("\n".join(lines + report.equal_psnr_table(rows)))
         for title, entries in (("skipped", self.skipped), ("FAILED", self.failed)):
             for entry in entries:
                 print(f"{title}: {entry['what']}: {entry['why']}")
@@ -185,7 +173,6 @@ def parse_arguments():
         help="PSNR to compare at (default 39 chess, 39.5 antinous, 36.5 knights, others 38)")
     add("--x265-chroma", choices=("420", "444"), default="444", help="default 444")
     add("--quick", action="store_true", help="three points a curve; one default light field")
-    add("--json", action="store_true", help="print JSON in place of the tables")
     add("-o", "--output", type=Path, default=ROOT / "out" / "rate_distortion", metavar="FOLDER",
         help="default out/rate_distortion")
     add("--hmlfc", type=Path, default=HMLFC,

@@ -13,9 +13,8 @@ import numpy as np
 from PIL import Image, features
 
 import x265
-from bench_error import BenchError
 from light_field import load, squared_error
-from process import run
+from process import BenchError, run
 
 PSNR_TOLERANCE = 0.01  # dB, between what hmlfc says and what its decoded views give
 HMLFC = {

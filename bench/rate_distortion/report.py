@@ -4,7 +4,8 @@ import csv
 import math
 from dataclasses import astuple, dataclass, fields
 
-from rates import bpp_at
+from light_field import bpp_at
+from result_file import table
 
 COMPARED = ("extended", "main-hmlfc", "x265-intra", "x265-inter")
 RATIOS = (("x265-intra", "extended"), ("x265-inter", "extended"), ("main-hmlfc", "extended"))
@@ -32,18 +33,13 @@ class Point:
     seconds: float
 
 
-class CsvFile:
-    """Written point by point, so that an interrupted run keeps its points."""
-
-    def __init__(self, path):
-        self.file = open(path, "w", newline="", encoding="utf-8")
-        self.writer = csv.writer(self.file)
-        self.writer.writerow([field.name for field in fields(Point)])
-
-    def add(self, point):
-        *names, bpp, psnr, seconds = astuple(point)
-        self.writer.writerow([*names, f"{bpp:.6f}", f"{psnr:.4f}", f"{seconds:.2f}"])
-        self.file.flush()
+def write_csv(points, path):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow([field.name for field in fields(Point)])
+        for point in points:
+            *names, bpp, psnr, seconds = astuple(point)
+            writer.writerow([*names, f"{bpp:.6f}", f"{psnr:.4f}", f"{seconds:.2f}"])
 
 
 def equal_psnr(points, at):
@@ -64,24 +60,25 @@ def equal_psnr(points, at):
     return rows
 
 
-def print_points(points):
-    line = "{:<14} {:<11} {:<28} {:>8} {:>9} {:>9}"
-    print(line.format("light field", "codec", "parameter", "bpp", "PSNR RGB", "CPU s"))
+def points_table(points):
+    rows = []
     for point in points:
         *names, bpp, psnr, seconds = astuple(point)
-        print(line.format(*names, f"{bpp:.4f}", f"{psnr:.2f}", f"{seconds:.1f}"))
+        rows.append((*names, f"{bpp:.4f}", f"{psnr:.2f}", f"{seconds:.1f}"))
+    return table(("light field", "codec", "parameter", "bpp", "PSNR RGB", "CPU s"), rows)
 
 
-def print_equal_psnr(rows):
+def equal_psnr_table(rows):
+    """Bits a pixel of COMPARED, log bpp linear in PSNR between two measured points, - where a curve does
+    not reach it; then RATIOS of them."""
     names = [f"{codec}/{base}" for codec, base in RATIOS]
-    line = "{:<14} {:>5} " + " {:>10}" * len(COMPARED) + "  {:>19}" * len(RATIOS)
-    print("\nBits a pixel at equal PSNR RGB, and how many times those of the extended profile they are")
-    print("(log bpp linear in PSNR between two measured points; - where a curve does not reach it)")
-    print(line.format("light field", "dB", *COMPARED, *names))
-    for row in rows:
-        bpp = [_number(row["bpp"].get(codec), "{:.4f}") for codec in COMPARED]
-        ratios = [_number(row["ratios"].get(name), "{:.2f}") for name in names]
-        print(line.format(row["light_field"], f"{row['psnr_rgb']:g}", *bpp, *ratios))
+    cells = [
+        (row["light_field"], f"{row['psnr_rgb']:g}",
+         *(_number(row["bpp"].get(codec), "{:.4f}") for codec in COMPARED),
+         *(_number(row["ratios"].get(name), "{:.2f}") for name in names))
+        for row in rows
+    ]
+    return table(("light field", "dB", *COMPARED, *names), cells)
 
 
 def _number(value, form):

@@ -10,9 +10,8 @@ import shutil
 import numpy as np
 
 import colour
-from bench_error import BenchError
 from light_field import squared_error
-from process import run
+from process import BenchError, run
 
 PROGRAM = "x265"
 PACKAGE = "x265"

@@ -19,22 +19,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 try:
     import plots
     import result_file
-    from bench_error import BenchError
     from measure import PROFILES, SCENES, Measure
-    from process import machine
-    from programs import HMLFC, built, require
-    from sources import ROOT
+    from process import HMLFC, BenchError, built, machine, require, say
     from tables import tables
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy, python3-pil and python3-matplotlib")
 
-RECORDED = Path(__file__).resolve().with_name("recorded.json")
 PROGRAMS = (HMLFC, built("bench_skipping"), built("bench_skipping_exhaustive"))
 GROUPS = ("paths", "costs", "effort")
-
-
-def say(text):
-    print(text, file=sys.stderr, flush=True)
 
 
 def measure(programs, work, quick):
@@ -98,17 +90,11 @@ def parse_arguments():
     parser = argparse.ArgumentParser(
         prog="skipping", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    add = parser.add_argument
-    add("--quick", action="store_true", help="two scenes, fewer frames; compared with nothing")
-    add("--record", action="store_true", help="make this the recorded run, in place of comparing")
-    add("--json", action="store_true", help="print the results as JSON")
-    add("-o", "--output", type=Path, default=ROOT / "out" / "skipping", metavar="FOLDER",
-        help="default out/skipping")
-    add("--recorded", type=Path, default=RECORDED, metavar="FILE",
-        help="default bench/skipping/recorded.json")
-    result_file.add_arguments(parser)
-    add("--programs", type=Path, nargs=3, default=PROGRAMS, metavar="PROGRAM",
-        help="hmlfc, bench_skipping and bench_skipping_exhaustive (default: those of ./run)")
+    result_file.add_bench_arguments(parser, "skipping", "two scenes, fewer frames; compared with nothing")
+    parser.add_argument(
+        "--programs", type=Path, nargs=3, default=PROGRAMS, metavar="PROGRAM",
+        help="hmlfc, bench_skipping and bench_skipping_exhaustive (default: those of ./run)",
+    )
     return parser.parse_args()
 
 

@@ -3,8 +3,7 @@
 import json
 
 import sparse
-from bench_error import BenchError
-from process import run
+from process import BenchError, run
 from ranges import bytes_of, merged, without
 
 SCENES = ("cards", "knights", "glass", "flat", "noise")

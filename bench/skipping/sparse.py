@@ -6,7 +6,7 @@ CRCs (FIL-3 to FIL-5) are those of the file with its hole.
 
 import struct
 
-from bench_error import BenchError
+from process import BenchError
 
 SECTIONS = 4
 ENTRY = struct.Struct("<IIQQ")  # type, crc, offset, size (FIL-3)

@@ -13,7 +13,7 @@ namespace {
 constexpr int32_t kMaxCellSamples = 32 * 32;
 constexpr unsigned kMaxMotionLog2 = 5;
 
-using Samples = std::array<int32_t, kMaxCellSamples>;
+using CellSamples = std::array<int32_t, kMaxCellSamples>;
 
 // Squared errors of one grid block ("cell") under every symbol.
 class CellErrors {
@@ -72,12 +72,12 @@ class CellErrors {
     for (const Known& known : known_) {
       if (known.disparity == d) return known.errors;
     }
-    std::array<Samples, 4> parts;
+    std::array<CellSamples, 4> parts;
     for (size_t k = 0; k < (sets_ > 1 ? 4 : 1); ++k) {
       interpolate(*task_.references[k], area_, sources_.vector(k, d, false), parts[k].data());
     }
     Known known{d, {}};
-    Samples prediction;
+    CellSamples prediction;
     for (unsigned set = 0; set < sets_; ++set) {
       const ReferenceSet refs = references_of_set(set);
       combine(parts[refs.reference[0]].data(),
@@ -96,7 +96,7 @@ class CellErrors {
   unsigned sets_;  // reference sets there are
   int32_t size_;
   Area area_;
-  Samples target_;
+  CellSamples target_;
   std::vector<Known> known_;
 };
 

@@ -26,7 +26,7 @@ std::vector<uint8_t> reference_sets(const MotionSources& sources) {
   return sets;
 }
 
-using Samples = std::array<int32_t, size_t{kMaxBlockSize} * kMaxBlockSize>;
+using BlockSamples = std::array<int32_t, size_t{kMaxBlockSize} * kMaxBlockSize>;
 
 class PlanePredictor {
  public:
@@ -80,7 +80,7 @@ class PlanePredictor {
     const uint32_t x = bx * size * scale;
     const uint32_t y = by * size * scale;
     const PaletteEntry& symbol = symbol_at(x, y);
-    Samples reference{};
+    BlockSamples reference{};
     if (symbol.choice != kChoiceNone) {
       const Area area{static_cast<int32_t>(bx * size), static_cast<int32_t>(by * size), size_,
                       size_};
@@ -102,9 +102,9 @@ class PlanePredictor {
   }
 
   void read_references(const PaletteEntry& symbol, int32_t d, const Area& area,
-                       Samples& out) const {
+                       BlockSamples& out) const {
     const ReferenceSet refs = references_of_set(symbol.reference_set);
-    Samples parts[2];
+    BlockSamples parts[2];
     for (size_t i = 0; i < refs.count; ++i) {
       const size_t k = refs.reference[i];
       interpolate(*references_[k], area, sources_.vector(k, d, halved_), parts[i].data());

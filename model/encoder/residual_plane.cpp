@@ -9,7 +9,7 @@
 namespace hmlfc {
 namespace {
 
-constexpr unsigned kBlocks = kTileBlocks * kTileBlocks;
+constexpr unsigned kBlocksPerTile = kTileBlocks * kTileBlocks;
 
 class ResidualEncoder {
  public:
@@ -37,14 +37,14 @@ class ResidualEncoder {
  private:
   void encode_tile(uint32_t tx, uint32_t ty) {
     context_.blocks_inside = blocks_inside(shape_, tx, ty);
-    std::vector<BlockValues> differences(kBlocks, BlockValues(size_));
-    for (unsigned k = 0; k < kBlocks; ++k) {
+    std::vector<BlockValues> differences(kBlocksPerTile, BlockValues(size_));
+    for (unsigned k = 0; k < kBlocksPerTile; ++k) {
       if (has_bit(context_.blocks_inside, k)) differences[k] = difference(tx, ty, k);
     }
     const ResidualTile tile = decide_residuals(differences, context_, rules_);
     encoded_.code.append(write_residual_tile(tile, context_));
     size_t m = 0;
-    for (unsigned k = 0; k < kBlocks; ++k) {
+    for (unsigned k = 0; k < kBlocksPerTile; ++k) {
       if (has_bit(tile.mask, k)) add(tx, ty, k, tile.blocks[m++], step_of_code(tile.step_code));
     }
   }

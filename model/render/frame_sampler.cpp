@@ -9,7 +9,7 @@
 namespace hmlfc {
 namespace {
 
-constexpr size_t kTaskRows = 16;
+constexpr size_t kRowsPerTask = 16;
 
 // Samples rows for one task.
 class RowSampler {
@@ -59,7 +59,7 @@ void sample_frame(const FrameRecord& record, int stop_level, const StreamHeader&
   image.depth = header.depth;
   image.samples.resize(size_t{image.width} * image.height * 3);
   const auto rows = static_cast<size_t>(record.frame_height);
-  parallel_for_parts(rows, kTaskRows, [&](size_t begin, size_t end) {
+  parallel_for_parts(rows, kRowsPerTask, [&](size_t begin, size_t end) {
     RowSampler sampler(record, stop_level, header, cache);
     for (size_t j = begin; j < end; ++j) {
       sampler.sample(static_cast<int32_t>(j), image.samples.data() + j * image.width * 3);

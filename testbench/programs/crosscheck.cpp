@@ -35,7 +35,6 @@ struct Row {
 
 // Everything the implementations share.
 struct Subject {
-  std::span<const uint8_t> file;
   StreamImage& image;
   std::vector<Request> requests;
 };
@@ -55,41 +54,6 @@ std::vector<Answer> run_model(const Subject& subject, const HeldReferences* held
   for (const Request& request : subject.requests) {
     answers.push_back(oracle.evaluate(request).answer);
   }
-  return answers;
-}
-
-// The path that decodes views: rectangles of one block.
-Answer rectangle(const Decoder& decoder, const Request& r) {
-  Answer answer;
-  answer.last = r.last;
-  const unsigned b = decoder.header().block_size();
-  const Plane plane = r.plane == kRgb ? Plane::kY : static_cast<Plane>(r.plane);
-  const PlaneSize size = decoder.plane_size(plane);
-  const Rect rect{r.bx * b, r.by * b, std::min(b, size.width - std::min(size.width, r.bx * b)),
-                  std::min(b, size.height - std::min(size.height, r.by * b))};
-  const auto stop = static_cast<int>(r.stop_level);
-  const auto store = [&](size_t lane, uint32_t i, int32_t value) {
-    const size_t at = size_t{i / rect.width} * b + i % rect.width;
-    answer.samples[lane * b * b + at] = static_cast<int16_t>(value);
-  };
-  if (r.plane == kRgb) {
-    const auto rgb = decoder.decode_rgb({r.row, r.col}, rect, stop);
-    answer.status = rgb ? 0 : static_cast<uint8_t>(rgb.error().code);
-    for (uint32_t i = 0; rgb && i < rgb->samples.size(); ++i) store(i % 3, i / 3, rgb->samples[i]);
-  } else {
-    const auto samples = decoder.decode_rect({r.row, r.col}, plane, rect, stop);
-    answer.status = samples ? 0 : static_cast<uint8_t>(samples.error().code);
-    for (uint32_t i = 0; samples && i < samples->size(); ++i) store(0, i, (*samples)[i]);
-  }
-  return answer;
-}
-
-std::vector<Answer> run_rectangles(const Subject& subject) {
-  OpenOptions options;
-  options.check_sections = false;
-  const auto decoder = Decoder::open(subject.file, options);
-  std::vector<Answer> answers;
-  for (const Request& request : subject.requests) answers.push_back(rectangle(*decoder, request));
   return answers;
 }
 
@@ -235,7 +199,7 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "crosscheck: {} is beyond the unit's limits\n", path);
     return kExitUsage;
   }
-  Subject subject{file->bytes(), image, {}};
+  Subject subject{image, {}};
   const auto source =
       mixed_requests(image.golden()->geometry(), image.golden()->header(), blocks, seed, 20);
   while (const auto request = source()) subject.requests.push_back(*request);
@@ -247,7 +211,6 @@ int run(int argc, char** argv) {
   rows.push_back(timed("model, references held", [&] {
     return run_model(subject, &subject.image.golden()->fast_references());
   }));
-  rows.push_back(timed("model, rectangles", [&] { return run_rectangles(subject); }));
   rows.push_back(timed("TLM", [&] { return run_tlm(platform, subject); }));
   const auto makers = rtl_units();
   const UnitMaker* maker = unit_for(makers, header->header().block_log2, header->header().depth);

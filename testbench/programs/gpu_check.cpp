@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "decoder/open_stream.hpp"
 #include "gpu/frame_check.hpp"
@@ -15,7 +14,6 @@
 #include "oracle/oracle.hpp"
 #include "oracle/trace_text.hpp"
 #include "programs/plan_options.hpp"
-#include "stimulus/sequences.hpp"
 #include "terminal/numbers.hpp"
 #include "terminal/progress_bar.hpp"
 
@@ -27,11 +25,8 @@ constexpr int kExitUsage = 2;
 
 struct Options {
   std::string file;
-  std::string views = "1";
-  std::string order = "scan";
+  tb::PlanOptions plan;
   std::vector<uint32_t> block;
-  tb::ScanPlan plan;
-  uint64_t mixed = 0;
   DeviceOptions device;
   bool list = false;
   bool json = false;
@@ -50,7 +45,7 @@ int usage_error(const std::string& message) {
 
 void add_options(CLI::App& app, Options& o) {
   app.add_option("file", o.file, "The stream");
-  tb::add_plan_options(app, o.views, o.order, o.plan, o.mixed);
+  o.plan.add_to(app);
   app.add_option("--block", o.block,
                  "Print the stages of one block instead: ROW COL PLANE BX BY [STOP]")
       ->expected(5, 6);
@@ -71,12 +66,7 @@ void add_options(CLI::App& app, Options& o) {
 }
 
 std::string replay_command(const Options& o) {
-  std::string text = fmt::format("./run gpu-check {} --seed {}", o.file, o.plan.seed);
-  if (o.mixed != 0) text += fmt::format(" --mixed {}", o.mixed);
-  if (o.mixed == 0) text += fmt::format(" --views {} --order {}", o.views, o.order);
-  if (o.plan.plane != tb::kRgb) text += fmt::format(" --plane {}", o.plan.plane);
-  if (o.plan.stop_level != 0) text += fmt::format(" --stop-level {}", o.plan.stop_level);
-  if (o.plan.fraction < 1) text += fmt::format(" --fraction {}", o.plan.fraction);
+  std::string text = fmt::format("./run gpu-check {} {}", o.file, o.plan.replay());
   if (!o.device.device.empty()) text += fmt::format(" --device \"{}\"", o.device.device);
   if (o.device.chunk_bytes != 0) text += fmt::format(" --chunk-bytes {}", o.device.chunk_bytes);
   if (o.answers_only) text += " --answers-only";
@@ -95,18 +85,16 @@ int list() {
   return 0;
 }
 
-// The requests of the run; with `total` their number where it is known.
-tb::RequestSource requests_of(const Options& o, const tb::GoldenStream& stream, uint64_t& total) {
-  const Geometry& geometry = stream.geometry();
+// The number of requests of the run, for its progress.
+uint64_t request_count(const Options& o, const tb::GoldenStream& stream) {
+  if (o.plan.mixed != 0) return o.plan.mixed;
+  const tb::ScanPlan& plan = o.plan.plan;
   const StreamHeader& header = stream.header();
-  total = o.mixed;
-  if (o.mixed != 0) return tb::mixed_requests(geometry, header, o.mixed, o.plan.seed, 30);
-  const Plane plane = o.plan.plane == tb::kRgb ? Plane::kY : static_cast<Plane>(o.plan.plane);
-  const PlaneShape& shape = geometry.plane(plane);
-  const uint64_t views = std::min(o.plan.views, uint64_t{header.rows} * header.cols);
+  const Plane plane = plan.plane == tb::kRgb ? Plane::kY : static_cast<Plane>(plan.plane);
+  const PlaneShape& shape = stream.geometry().plane(plane);
+  const uint64_t views = std::min(plan.views, uint64_t{header.rows} * header.cols);
   const auto blocks = static_cast<double>(views * shape.blocks_x * shape.blocks_y);
-  total = static_cast<uint64_t>(blocks * o.plan.fraction);
-  return tb::scan_requests(geometry, header, o.plan);
+  return static_cast<uint64_t>(blocks * plan.fraction);
 }
 
 // Prints the model's and the device's stages of one block; whether both are equal.
@@ -137,58 +125,38 @@ int show_block(const Options& o, const tb::GoldenStream& stream, GpuDecoder& dec
   return expected.answer.status == trace.status ? 0 : kExitDifferent;
 }
 
-void print_text(const Device& device, const CheckResult& result) {
-  const CheckCounts& c = result.counts;
-  fmt::print(
-      "{}: {} sent, {} compared, {} of them with an equal error\n"
-      "stages: {} blocks of a level compared\n",
-      device.info().name, c.sent, c.compared, c.failed(), c.levels);
-  for (const std::string& message : device.validation_messages()) {
-    fmt::print("validation: {}\n", message);
-  }
-  if (result.mismatch) fmt::print("MISMATCH: {}\n", to_string(*result.mismatch));
-}
-
-void print_json(const Options& o, const Device& device, const CheckResult& result, bool passed) {
-  nlohmann::ordered_json json{{"file", o.file},
-                              {"device", device.info().name},
-                              {"seed", o.plan.seed},
-                              {"replay", replay_command(o)},
-                              {"passed", passed},
-                              {"sent", result.counts.sent},
-                              {"compared", result.counts.compared},
-                              {"failed", result.counts.failed()},
-                              {"levels_compared", result.counts.levels},
-                              {"validation_messages", device.validation_messages()}};
-  if (result.mismatch) json["mismatch"] = to_string(*result.mismatch);
-  fmt::print("{}\n", json.dump(2));
-}
-
 int check(const Options& o, const tb::GoldenStream& stream, Device& device, GpuDecoder& decoder) {
-  uint64_t total = 0;
-  const tb::RequestSource source = requests_of(o, stream, total);
+  const uint64_t total = request_count(o, stream);
   terminal::ProgressBar bar("Checking", "blocks");
   CheckOptions options;
   options.stages = !o.answers_only;
   options.progress = [&](uint64_t done) { bar.update(std::min(done, total), total); };
-  const auto result = check_stream(decoder, stream, source, options);
+  const auto requests = o.plan.requests(stream.geometry(), stream.header());
+  const auto result = check_stream(decoder, stream, requests, options);
   bar.clear();
   if (!result) return usage_error(result.error().message);
-  const bool passed = !result->mismatch && result->counts.compared == result->counts.sent &&
-                      result->counts.compared != 0 && device.validation_messages().empty();
-  if (o.json) {
-    print_json(o, device, *result, passed);
-  } else {
-    print_text(device, *result);
-    fmt::print("{}\n", passed ? "equal to the model" : "FAILED");
-  }
+  const CheckCounts& counts = result->counts;
+  const bool passed = !result->mismatch && counts.compared == counts.sent && counts.compared != 0 &&
+                      device.validation_messages().empty();
+  nlohmann::ordered_json report{{"file", o.file},
+                                {"device", device.info().name},
+                                {"seed", o.plan.plan.seed},
+                                {"replay", replay_command(o)},
+                                {"passed", passed},
+                                {"sent", counts.sent},
+                                {"compared", counts.compared},
+                                {"failed", counts.failed()},
+                                {"levels_compared", counts.levels},
+                                {"validation_messages", device.validation_messages()}};
+  if (result->mismatch) report["mismatch"] = to_string(*result->mismatch);
+  tb::print_report(report, o.json);
   return passed ? 0 : kExitDifferent;
 }
 
 int show_speed(const Options& o, const StreamView& view, const Device& device,
                GpuDecoder& decoder) {
   const uint64_t grid = uint64_t{view.header.rows} * view.header.cols;
-  const auto report = measure_speed(decoder, device, view, std::min(o.plan.views, grid));
+  const auto report = measure_speed(decoder, device, view, std::min(o.plan.plan.views, grid));
   if (!report) return usage_error(report.error().message);
   fmt::print("{}", o.json ? to_json(*report) : to_text(*report));
   return 0;
@@ -228,7 +196,8 @@ int run_on_stream(const Options& o) {
   if (!decoder) return usage_error(decoder.error().message);
   if (o.speed) return show_speed(o, *view, *device, *decoder);
   if (!o.block.empty()) return show_block(o, **stream, *decoder);
-  const std::string head = fmt::format("seed {}, replay: {}\n", o.plan.seed, replay_command(o));
+  const std::string head =
+      fmt::format("seed {}, replay: {}\n", o.plan.plan.seed, replay_command(o));
   fmt::print(stderr, "{}", head);
   const int status = check(o, **stream, *device, *decoder);
   std::fflush(stdout);
@@ -243,12 +212,7 @@ int run(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   if (o.list) return list();
   if (o.file.empty()) return usage_error("which stream? See --help");
-  o.plan.random_order = o.order == "random";
-  if (o.views == "all") {
-    o.plan.views = ~uint64_t{0};
-  } else if (!CLI::detail::lexical_cast(o.views, o.plan.views) || o.plan.views == 0) {
-    return usage_error("--views is a number or all");
-  }
+  if (!o.plan.apply()) return usage_error("--views is a number or all");
   if (!o.size.empty()) {
     const auto size = terminal::parse_numbers<2>(o.size, 'x');
     if (!size) return usage_error("--size is WxH, such as 512x512");

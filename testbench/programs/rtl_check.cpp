@@ -1,16 +1,14 @@
 // rtl-check: every block of a stream, or a part of them, through the unit and the golden model.
+#include <array>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "io/files.hpp"
 #include "programs/plan_options.hpp"
-#include "stimulus/sequences.hpp"
 #include "syntax/header.hpp"
 #include "systemc/bench.hpp"
 #include "systemc/failure_folder.hpp"
@@ -21,120 +19,10 @@
 namespace hmlfc::tb {
 namespace {
 
-// One finished run.
-struct CheckReport {
-  std::string file;
-  std::string unit;  ///< name of the implementation
-  uint64_t seed = 0;
-  std::string replay;
-  ScoreCounts counts;
-  StreamCounts stream;
-  MemoryCounts memory;
-  RunStatistics statistics;
-  std::optional<Mismatch> mismatch;
-  std::string folder;  ///< of the failure
-
-  // Sent, received, compared and unchecked agree.
-  bool counts_agree() const {
-    return counts.sent == counts.received + counts.dropped &&
-           counts.received == counts.compared + counts.unchecked;
-  }
-
-  bool passed() const { return !mismatch && counts_agree() && counts.compared != 0; }
-};
+using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, kBlockKinds> kKindNames{
     "zero", "motion only", "motion and residual", "residual only", "key image"};
-
-double ratio(double part, double whole) { return whole == 0 ? 0 : part / whole; }
-
-double kind_clocks(const CheckReport& report, size_t kind) {
-  return ratio(static_cast<double>(report.counts.kind_clocks[kind]),
-               static_cast<double>(report.counts.kind_records[kind]));
-}
-
-struct Figures {
-  double blocks_per_clock;
-  double clocks_per_block;
-  double level_blocks_per_clock;
-  double bytes_per_block;
-  double blocks_per_second;
-  double clocks_per_second;
-};
-
-Figures figures(const CheckReport& report) {
-  const auto blocks = static_cast<double>(report.counts.received);
-  const auto clocks = static_cast<double>(report.statistics.clocks);
-  return {ratio(blocks, clocks),
-          ratio(clocks, blocks),
-          ratio(static_cast<double>(report.counts.records), clocks),
-          ratio(static_cast<double>(report.statistics.bytes_read), blocks),
-          ratio(blocks, report.statistics.seconds),
-          ratio(clocks, report.statistics.seconds)};
-}
-
-std::string to_text(const CheckReport& report) {
-  const ScoreCounts& c = report.counts;
-  const Figures f = figures(report);
-  std::string text = fmt::format(
-      "{}: {} sent, {} received, {} compared, {} unchecked, {} dropped\n"
-      "stages: {} records, {} compared, {} unchecked, {} held chroma, {} missing after errors\n"
-      "{} clocks: {:.4f} blocks a clock, {:.2f} clocks a block, {:.3f} level blocks a clock\n"
-      "read: {} bytes in {} bursts, {:.1f} bytes a block; {} clocks of answers waiting\n",
-      report.unit, c.sent, c.received, c.compared, c.unchecked, c.dropped, c.records,
-      c.records_compared, c.records_unchecked, c.records_skipped, c.records_missing,
-      report.statistics.clocks, f.blocks_per_clock, f.clocks_per_block, f.level_blocks_per_clock,
-      report.statistics.bytes_read, report.memory.bursts, f.bytes_per_block,
-      report.stream.answer_stalls);
-  for (size_t k = 0; k < kBlockKinds; ++k) {
-    text += fmt::format("  {:<20} {:>10} level blocks, {:.2f} clocks each\n", kKindNames[k],
-                        c.kind_records[k], kind_clocks(report, k));
-  }
-  text += fmt::format("simulated: {:.0f} blocks/s, {:.0f} clocks/s in {:.2f} s\n",
-                      f.blocks_per_second, f.clocks_per_second, report.statistics.seconds);
-  if (report.mismatch) text += "MISMATCH: " + to_string(*report.mismatch) + "\n";
-  if (!report.folder.empty()) text += "kept in " + report.folder + "\n";
-  if (!report.counts_agree() && !report.mismatch) text += "COUNTS DO NOT AGREE\n";
-  text += report.passed() ? "equal to the model\n" : "FAILED\n";
-  return text;
-}
-
-std::string to_json(const CheckReport& report) {
-  const ScoreCounts& c = report.counts;
-  const Figures f = figures(report);
-  nlohmann::ordered_json json{{"file", report.file},
-                              {"unit", report.unit},
-                              {"seed", report.seed},
-                              {"replay", report.replay},
-                              {"passed", report.passed()},
-                              {"sent", c.sent},
-                              {"received", c.received},
-                              {"compared", c.compared},
-                              {"unchecked", c.unchecked},
-                              {"dropped", c.dropped},
-                              {"records", c.records},
-                              {"records_compared", c.records_compared},
-                              {"records_unchecked", c.records_unchecked},
-                              {"records_held", c.records_skipped},
-                              {"clocks", report.statistics.clocks},
-                              {"blocks_per_clock", f.blocks_per_clock},
-                              {"clocks_per_block", f.clocks_per_block},
-                              {"level_blocks_per_clock", f.level_blocks_per_clock},
-                              {"bytes_read", report.statistics.bytes_read},
-                              {"bursts", report.memory.bursts},
-                              {"bytes_per_block", f.bytes_per_block},
-                              {"answer_stalls", report.stream.answer_stalls},
-                              {"seconds", report.statistics.seconds},
-                              {"blocks_per_second", f.blocks_per_second},
-                              {"clocks_per_second", f.clocks_per_second}};
-  for (size_t k = 0; k < kBlockKinds; ++k) {
-    json["level_blocks"][kKindNames[k]] = {{"count", c.kind_records[k]},
-                                           {"clocks", kind_clocks(report, k)}};
-  }
-  if (report.mismatch) json["mismatch"] = to_string(*report.mismatch);
-  if (!report.folder.empty()) json["folder"] = report.folder;
-  return json.dump(2) + "\n";
-}
 
 constexpr int kExitDifferent = 1;
 constexpr int kExitUsage = 2;
@@ -142,13 +30,10 @@ constexpr size_t kHistory = 128;
 
 struct Options {
   std::string file;
-  std::string views = "1";
+  PlanOptions plan;
   std::string unit = "rtl";
-  std::string order = "scan";
   std::string output = "out";
-  ScanPlan plan;
   Conditions conditions;
-  uint64_t mixed = 0;
   bool random_conditions = false;
   bool json = false;
   bool coverage = false;
@@ -162,7 +47,7 @@ int usage_error(const std::string& message) {
 
 void add_options(CLI::App& app, Options& o) {
   app.add_option("file", o.file, "The stream")->required();
-  add_plan_options(app, o.views, o.order, o.plan, o.mixed);
+  o.plan.add_to(app);
   app.add_option("--latency", o.conditions.latency, "Clocks from address to data")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
@@ -182,12 +67,7 @@ void add_options(CLI::App& app, Options& o) {
 }
 
 std::string replay_command(const Options& o) {
-  std::string text = fmt::format("./run rtl-check {} --seed {}", o.file, o.plan.seed);
-  if (o.mixed != 0) text += fmt::format(" --mixed {}", o.mixed);
-  if (o.mixed == 0) text += fmt::format(" --views {} --order {}", o.views, o.order);
-  if (o.plan.plane != kRgb) text += fmt::format(" --plane {}", o.plan.plane);
-  if (o.plan.stop_level != 0) text += fmt::format(" --stop-level {}", o.plan.stop_level);
-  if (o.plan.fraction < 1) text += fmt::format(" --fraction {}", o.plan.fraction);
+  std::string text = fmt::format("./run rtl-check {} {}", o.file, o.plan.replay());
   if (o.random_conditions) {
     text += " --random-conditions";
   } else {
@@ -215,40 +95,80 @@ std::optional<UnitMaker> choose_unit(const Options& o, std::span<const uint8_t> 
 
 RequestSource requests_of(const Options& o, const StreamImage& image) {
   if (image.golden() == nullptr) return listed_requests({{}, {0, 0, 1, 1, kRgb, 0, true}});
-  const Geometry& geometry = image.golden()->geometry();
-  const StreamHeader& header = image.golden()->header();
-  if (o.mixed != 0) return mixed_requests(geometry, header, o.mixed, o.plan.seed, 30);
-  return scan_requests(geometry, header, o.plan);
+  return o.plan.requests(image.golden()->geometry(), image.golden()->header());
 }
 
-CheckReport check(const Options& o, std::span<const uint8_t> file, const UnitMaker& maker) {
+double ratio(double part, double whole) { return whole == 0 ? 0 : part / whole; }
+
+// Sent, received, compared and unchecked agree, and something was compared.
+bool counts_agree(const ScoreCounts& counts) {
+  return counts.sent == counts.received + counts.dropped &&
+         counts.received == counts.compared + counts.unchecked && counts.compared != 0;
+}
+
+// What a finished run came to.
+Json report_of(const Options& o, Bench& bench, const UnitMaker& maker) {
+  const ScoreCounts& c = bench.scoreboard().counts();
+  const RunStatistics& run = bench.statistics();
+  const auto blocks = static_cast<double>(c.received);
+  const auto clocks = static_cast<double>(run.clocks);
+  const auto& mismatch = bench.findings().first();
+  Json report{{"file", o.file},
+              {"unit", maker.name},
+              {"seed", o.plan.plan.seed},
+              {"replay", replay_command(o)},
+              {"passed", !mismatch && counts_agree(c)},
+              {"sent", c.sent},
+              {"received", c.received},
+              {"compared", c.compared},
+              {"unchecked", c.unchecked},
+              {"dropped", c.dropped},
+              {"records", c.records},
+              {"records_compared", c.records_compared},
+              {"records_unchecked", c.records_unchecked},
+              {"records_held", c.records_skipped},
+              {"records_missing", c.records_missing},
+              {"clocks", run.clocks},
+              {"blocks_per_clock", ratio(blocks, clocks)},
+              {"clocks_per_block", ratio(clocks, blocks)},
+              {"level_blocks_per_clock", ratio(static_cast<double>(c.records), clocks)},
+              {"bytes_read", run.bytes_read},
+              {"bursts", bench.memory().counts().bursts},
+              {"bytes_per_block", ratio(static_cast<double>(run.bytes_read), blocks)},
+              {"answer_stalls", bench.stream_counts().answer_stalls},
+              {"seconds", run.seconds},
+              {"blocks_per_second", ratio(blocks, run.seconds)},
+              {"clocks_per_second", ratio(clocks, run.seconds)}};
+  for (size_t k = 0; k < kBlockKinds; ++k) {
+    const auto count = static_cast<double>(c.kind_records[k]);
+    report["level_blocks"][kKindNames[k]] = {
+        {"count", c.kind_records[k]},
+        {"clocks", ratio(static_cast<double>(c.kind_clocks[k]), count)}};
+  }
+  if (mismatch) report["mismatch"] = to_string(*mismatch);
+  return report;
+}
+
+Json check(const Options& o, std::span<const uint8_t> file, const UnitMaker& maker) {
   Bench bench;
   StreamImage image(file, maker.parameters);
   RecordedSource recorded(kHistory);
+  const uint64_t seed = o.plan.plan.seed;
   bench.attach(maker.make(maker.parameters));
   if (o.answers_only) bench.compare_answers_only();
   image.load_into(bench);
   if (!bench.findings().first()) {
     bench.begin_counting();
-    bench.run(recorded.record(requests_of(o, image)), image.oracle(), o.conditions, o.plan.seed);
+    bench.run(recorded.record(requests_of(o, image)), image.oracle(), o.conditions, seed);
     if (!bench.findings().first()) bench.check_counters();
   }
-  CheckReport report{o.file,
-                     maker.name,
-                     o.plan.seed,
-                     replay_command(o),
-                     bench.scoreboard().counts(),
-                     bench.stream_counts(),
-                     bench.memory().counts(),
-                     bench.statistics(),
-                     bench.findings().first(),
-                     {}};
+  Json report = report_of(o, bench, maker);
   if (o.coverage) fmt::print(stderr, "{}", bench.coverage().report());
-  if (report.mismatch) {
+  if (const auto mismatch = bench.findings().first()) {
     const Failure failure{
-        *report.mismatch, recorded.history(), report.replay,
-        std::filesystem::path(o.file).stem().string() + "-seed-" + std::to_string(o.plan.seed)};
-    report.folder = keep_failure(bench, maker, image, failure, o.output).string();
+        *mismatch, recorded.history(), replay_command(o),
+        std::filesystem::path(o.file).stem().string() + "-seed-" + std::to_string(seed)};
+    report["folder"] = keep_failure(bench, maker, image, failure, o.output).string();
   }
   return report;
 }
@@ -258,24 +178,20 @@ int run(int argc, char** argv) {
   Options o;
   add_options(app, o);
   CLI11_PARSE(app, argc, argv);
-  o.plan.random_order = o.order == "random";
-  if (o.views == "all") {
-    o.plan.views = ~uint64_t{0};
-  } else if (!CLI::detail::lexical_cast(o.views, o.plan.views) || o.plan.views == 0) {
-    return usage_error("--views is a number or all");
-  }
-  if (o.random_conditions) o.conditions = random_conditions(o.plan.seed);
+  if (!o.plan.apply()) return usage_error("--views is a number or all");
+  if (o.random_conditions) o.conditions = random_conditions(o.plan.plan.seed);
   const auto file = io::MappedFile::open(o.file);
   if (!file) return usage_error(file.error().message);
   const auto maker = choose_unit(o, file->bytes());
   if (!maker) return usage_error("this build has no Verilated unit (Verilator is missing)");
-  const std::string head = fmt::format("seed {}, replay: {}\n", o.plan.seed, replay_command(o));
+  const std::string head =
+      fmt::format("seed {}, replay: {}\n", o.plan.plan.seed, replay_command(o));
   fmt::print(stderr, "{}", head);
-  const CheckReport report = check(o, file->bytes(), *maker);
-  fmt::print("{}", o.json ? to_json(report) : to_text(report));
+  const Json report = check(o, file->bytes(), *maker);
+  print_report(report, o.json);
   std::fflush(stdout);
   fmt::print(stderr, "{}", head);
-  return report.passed() ? 0 : kExitDifferent;
+  return report["passed"] ? 0 : kExitDifferent;
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,23 +23,6 @@
 namespace hmlfc::tb {
 namespace {
 
-// What was measured of one kind of block.
-struct BlockClocks {
-  std::string name;
-  std::string stream;  ///< what it was measured on
-  size_t kind = 0;     ///< of kKindNames in rtl_check.cpp
-  double share = 0;    ///< part of the measured blocks of a level that are of this kind
-  double clocks = 0;   ///< for a block of a level, with as many requests as the unit takes
-  uint64_t warm = 0;   ///< of a single request whose tiles and strips are kept
-  uint64_t cold = 0;   ///< of the first request after a LOAD
-};
-
-// All that is measured, at 20 clocks latency and a beat a clock.
-struct ClockTable {
-  uint64_t load = 0;  ///< from LOAD to ready
-  std::vector<BlockClocks> rows;
-};
-
 constexpr LightFieldShape kShape{4, 4, 192, 128, 8};
 constexpr uint64_t kSeed = 1;
 
@@ -48,13 +30,23 @@ constexpr uint64_t kSeed = 1;
 // more than those that stop one level above.
 struct Case {
   const char* name;
-  const char* stream;
-  size_t kind;
+  const char* stream;  // what it is measured on
+  size_t kind;         // of kKindNames in rtl_check.cpp
   unsigned plane;
   unsigned level;
   bool flat;
   uint32_t noise;
   EncodeParams params;
+};
+
+// What was measured of a case, at 20 clocks latency and a beat a clock.
+struct BlockClocks {
+  Case of;
+  uint64_t load = 0;  // from LOAD to ready
+  double share = 0;   // part of the measured blocks of a level that are of this kind
+  double clocks = 0;  // for a block of a level, with as many requests as the unit takes
+  uint64_t warm = 0;  // of a single request whose tiles and strips are kept
+  uint64_t cold = 0;  // of the first request after a LOAD
 };
 
 EncodeParams main_params(int tree_height, uint32_t threshold, Method method = Method::kHmlfc) {
@@ -132,10 +124,8 @@ class Measurement {
     load_ = bench_.cycle() - begin;
   }
 
-  uint64_t load() const { return load_; }
-
   BlockClocks run() {
-    BlockClocks row{case_.name, case_.stream, case_.kind};
+    BlockClocks row{.of = case_, .load = load_};
     // A view that is no reference image, and a block in its middle.
     const Request lone{1, 1, 20, 12, case_.plane, case_.level, false};
     row.cold = clocks_of(bench_, image_, listed_requests({lone}));
@@ -179,38 +169,41 @@ class Measurement {
   uint64_t load_ = 0;
 };
 
-// Measures on a fresh unit of `maker`, which must take blocks of 4 and depth 8; `progress` is told
-// the name of each row before it is measured. Whatever differs from the model is in
-// bench.findings().
-ClockTable measure_clocks(Bench& bench, const UnitMaker& maker,
-                          const std::function<void(const std::string&)>& progress) {
-  ClockTable table;
+// Measures on fresh units of `maker`, which must take blocks of 4 and depth 8, until one differs
+// from the model: bench.findings().
+std::vector<BlockClocks> measure_clocks(Bench& bench, const UnitMaker& maker) {
+  std::vector<BlockClocks> rows;
+  const bool terminal = isatty(STDERR_FILENO) != 0;
   for (const Case& c : cases()) {
-    if (progress) progress(c.name);
+    if (terminal) fmt::print(stderr, "\r\033[K{}", c.name);
     Measurement measurement(bench, c, maker);
-    if (bench.findings().first()) return table;
-    table.load = std::max(table.load, measurement.load());
-    table.rows.push_back(measurement.run());
-    if (bench.findings().first()) return table;
+    if (!bench.findings().first()) rows.push_back(measurement.run());
+    if (bench.findings().first()) break;
   }
-  return table;
+  if (terminal) fmt::print(stderr, "\r\033[K");
+  return rows;
 }
 
-std::string to_text(const ClockTable& table) {
-  std::string text = fmt::format("LOAD: {} clocks\n{:<38} {:<28} {:>6} {:>7} {:>5} {:>5}\n",
-                                 table.load, "block", "stream", "share", "clocks", "warm", "cold");
-  for (const BlockClocks& row : table.rows) {
-    text += fmt::format("{:<38} {:<28} {:>5.0f}% {:>7.2f} {:>5} {:>5}\n", row.name, row.stream,
-                        100 * row.share, row.clocks, row.warm, row.cold);
+uint64_t load_clocks(const std::vector<BlockClocks>& rows) {
+  return std::ranges::max_element(rows, {}, &BlockClocks::load)->load;
+}
+
+std::string to_text(const std::vector<BlockClocks>& rows) {
+  std::string text =
+      fmt::format("LOAD: {} clocks\n{:<38} {:<28} {:>6} {:>7} {:>5} {:>5}\n", load_clocks(rows),
+                  "block", "stream", "share", "clocks", "warm", "cold");
+  for (const BlockClocks& row : rows) {
+    text += fmt::format("{:<38} {:<28} {:>5.0f}% {:>7.2f} {:>5} {:>5}\n", row.of.name,
+                        row.of.stream, 100 * row.share, row.clocks, row.warm, row.cold);
   }
   return text;
 }
 
-std::string to_json(const ClockTable& table) {
-  nlohmann::ordered_json json{{"load", table.load}};
-  for (const BlockClocks& row : table.rows) {
-    json["blocks"].push_back({{"name", row.name},
-                              {"stream", row.stream},
+std::string to_json(const std::vector<BlockClocks>& rows) {
+  nlohmann::ordered_json json{{"load", load_clocks(rows)}};
+  for (const BlockClocks& row : rows) {
+    json["blocks"].push_back({{"name", row.of.name},
+                              {"stream", row.of.stream},
                               {"share", row.share},
                               {"clocks", row.clocks},
                               {"warm", row.warm},
@@ -219,12 +212,12 @@ std::string to_json(const ClockTable& table) {
   return json.dump(2) + "\n";
 }
 
-std::string to_header(const ClockTable& table) {
+std::string to_header(const std::vector<BlockClocks>& rows) {
   std::array<uint64_t, kBlockKinds> kinds{};
   uint64_t warm = 0;
-  for (const BlockClocks& row : table.rows) {
+  for (const BlockClocks& row : rows) {
     const auto clocks = static_cast<uint64_t>(std::max(1.0, std::round(row.clocks)));
-    kinds[row.kind] = std::max(kinds[row.kind], clocks);
+    kinds[row.of.kind] = std::max(kinds[row.of.kind], clocks);
     warm = std::max(warm, row.warm);
   }
   return fmt::format(
@@ -236,7 +229,7 @@ std::string to_header(const ClockTable& table) {
       "/// Of a level block: zero, motion only, motion and residual, residual only, key image.\n"
       "inline constexpr std::array<uint64_t, 5> kLevelBlockClocks{{{}}};\n\n"
       "}}  // namespace hmlfc::tb\n",
-      table.load, warm, fmt::join(kinds, ", "));
+      load_clocks(rows), warm, fmt::join(kinds, ", "));
 }
 
 constexpr int kExitDifferent = 1;
@@ -256,16 +249,12 @@ int run(int argc, char** argv) {
     return kExitUsage;
   }
   Bench bench;
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const ClockTable table = measure_clocks(bench, *maker, [&](const std::string& name) {
-    if (terminal) fmt::print(stderr, "\r\033[K{}", name);
-  });
-  if (terminal) fmt::print(stderr, "\r\033[K");
+  const std::vector<BlockClocks> rows = measure_clocks(bench, *maker);
   if (const auto& mismatch = bench.findings().first()) {
     fmt::print(stderr, "rtl-clocks: {}\n", to_string(*mismatch));
     return kExitDifferent;
   }
-  fmt::print("{}", header ? to_header(table) : json ? to_json(table) : to_text(table));
+  fmt::print("{}", header ? to_header(rows) : json ? to_json(rows) : to_text(rows));
   return 0;
 }
 

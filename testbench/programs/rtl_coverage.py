@@ -11,7 +11,6 @@ import argparse
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -59,26 +58,18 @@ def percent(covered, total):
     return 100.0 * covered / total if total else 100.0
 
 
-def show(summary, functional, out):
+def show(summary, functional):
     """The table for people."""
-    columns = "".join(f"{kind:>24}" for kind in KINDS)
-    print(f"{'module':<26}{columns}", file=out)
-    total = {kind: [0, 0] for kind in KINDS}
-    for module, row in summary.items():
-        cells = ""
-        for kind in KINDS:
-            covered, points = row[kind]
-            total[kind][0] += covered
-            total[kind][1] += points
-            cells += f"{covered:>8} /{points:>6} {percent(covered, points):6.1f} %"
-        print(f"{module:<26}{cells}", file=out)
-    cells = "".join(f"{c:>8} /{n:>6} {percent(c, n):6.1f} %" for c, n in total.values())
-    print(f"{'all':<26}{cells}", file=out)
+    total = {kind: [sum(row[kind][i] for row in summary.values()) for i in (0, 1)] for kind in KINDS}
+    print(f"{'module':<26}" + "".join(f"{kind:>24}" for kind in KINDS))
+    for module, row in [*summary.items(), ("all", total)]:
+        cells = (f"{covered:>8} /{points:>6} {percent(covered, points):6.1f} %" for covered, points in row.values())
+        print(f"{module:<26}" + "".join(cells))
     met = sum(count > 0 for count in functional.values())
-    print(f"functional points: {met} of {len(functional)}", file=out)
+    print(f"functional points: {met} of {len(functional)}")
     for name, count in functional.items():
         if count == 0:
-            print(f"  not met: {name}", file=out)
+            print(f"  not met: {name}")
 
 
 def merge(folder, merged):
@@ -113,9 +104,7 @@ def main():
     parser.add_argument("program", help=argparse.SUPPRESS)  # rtl_random of the build with coverage
     parser.add_argument("--seed", type=int, default=0, help="of the first stream (default 0)")
     parser.add_argument("--count", type=int, default=60, help="how many seeds (default 60)")
-    parser.add_argument("--json", action="store_true", help="print JSON")
     parser.add_argument("--missed", choices=KINDS, help="also list what was not reached")
-    parser.add_argument("--output", type=Path, help="keep the merged counts in this file")
     options = parser.parse_args()
     functional = {}
     with tempfile.TemporaryDirectory(prefix="hmlfc-coverage-") as name:
@@ -130,26 +119,8 @@ def main():
         if sys.stderr.isatty():
             print("\r\033[K", end="", file=sys.stderr)
         points = parse_points(merged.read_text(errors="replace"))
-        if options.output:
-            shutil.copy(merged, options.output)
-    report(options, points, functional)
-
-
-def report(options, points, functional):
-    """Prints what was reached."""
-    summary = summarise(points)
-    if options.json:
-        modules = {
-            module: {kind: {"covered": c, "points": n} for kind, (c, n) in row.items()}
-            for module, row in summary.items()
-        }
-        result = {"seed": options.seed, "count": options.count, "modules": modules}
-        if options.missed:
-            result["missed"] = missed(points, options.missed)
-        print(json.dumps(result | {"functional": functional}, indent=2))
-        return
     print(f"replay: ./run rtl-coverage --seed {options.seed} --count {options.count}")
-    show(summary, functional, sys.stdout)
+    show(summarise(points), functional)
     for place in missed(points, options.missed) if options.missed else []:
         print(place)
 

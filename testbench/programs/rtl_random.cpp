@@ -2,7 +2,6 @@
 // conformance vectors, with random sequences and conditions, all by seed.
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +13,7 @@
 #include "syntax/header.hpp"
 #include "systemc/failure_folder.hpp"
 #include "systemc/suite.hpp"
+#include "terminal/clock.hpp"
 #include "unit/stand_in.hpp"
 #include "vectors/manifest.hpp"
 
@@ -110,34 +110,16 @@ void print_replay(const Options& o, uint32_t count) {
   fmt::print(stderr, "seed {}, replay: {}\n", o.seed, replay_command(o, o.seed, count));
 }
 
-// When to stop; a terminal sees how far it is.
-class Progress {
- public:
-  explicit Progress(const Options& o) : options_(o) {}
-
-  // Whether `seed` is still to be run; a seed that has begun is run to its end.
-  bool goes_on(uint32_t seed) const {
-    const uint32_t done = seed - options_.seed;
-    const bool more = options_.minutes == 0 ? done < options_.count : minutes() < options_.minutes;
-    if (more && terminal_) fmt::print(stderr, "\rseed {}, {:.1f} minutes", seed, minutes());
-    return more;
+// Whether `seed` is still to be run; a seed that has begun is run to its end. A terminal sees it.
+bool goes_on(const Options& o, uint32_t seed, const Clock& clock) {
+  const double minutes = clock.wall_seconds() / 60;
+  const bool more = o.minutes == 0 ? seed - o.seed < o.count : minutes < o.minutes;
+  if (isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\r\033[K");
+    if (more) fmt::print(stderr, "seed {}, {:.1f} minutes", seed, minutes);
   }
-
-  void clear() const {
-    if (terminal_) fmt::print(stderr, "\r\033[K");
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  double minutes() const {
-    return std::chrono::duration<double, std::ratio<60>>(Clock::now() - begin_).count();
-  }
-
-  const Options& options_;
-  Clock::time_point begin_ = Clock::now();
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-};
+  return more;
+}
 
 int run(int argc, char** argv) {
   CLI::App app{"Checks the decode unit on random streams"};
@@ -173,13 +155,12 @@ int run(int argc, char** argv) {
   Bench bench;
   ScoreCounts total;
   uint32_t failed = 0;
-  Progress progress(o);
+  const Clock clock;
   uint32_t seed = o.seed;
-  for (; progress.goes_on(seed) && failed == 0; ++seed) {
+  for (; failed == 0 && goes_on(o, seed, clock); ++seed) {
     failed += suite.empty() ? !run_seed(bench, makers, o, seed, total)
                             : !run_vector(bench, makers, o, suite[seed], seed, total);
   }
-  progress.clear();
   const bool agree = total.sent == total.received + total.dropped &&
                      total.received == total.compared + total.unchecked;
   fmt::print("{} streams on {}, seeds {} to {}\n", seed - o.seed,

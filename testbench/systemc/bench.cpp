@@ -7,7 +7,7 @@ namespace {
 
 constexpr uint64_t kChunk = 64;            // clocks between looks at whether a run is over
 constexpr uint64_t kHangClocks = 100'000;  // without a request, a record, a beat or an answer
-constexpr uint64_t kLoadClocks = 1'000'000;
+constexpr uint64_t kMaxLoadClocks = 1'000'000;
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -115,7 +115,7 @@ std::optional<uint32_t> Bench::load() {
   scoreboard_.forget_chroma();
   write(reg::kControl, reg::kLoad);
   const uint64_t begin = cycle();
-  while (cycle() - begin < kLoadClocks) {
+  while (cycle() - begin < kMaxLoadClocks) {
     const uint32_t status = read(reg::kStatus);
     if (findings_.first()) return std::nullopt;
     if ((status & reg::kLoading) == 0) return status;

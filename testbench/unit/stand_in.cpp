@@ -8,7 +8,7 @@ namespace hmlfc::tb {
 namespace {
 
 constexpr size_t kMaxJobs = 16;
-constexpr uint64_t kPage = 4096;
+constexpr uint64_t kMemoryPage = 4096;
 constexpr uint64_t kFirstFault = 20;
 
 }  // namespace
@@ -162,7 +162,8 @@ void StandIn::end_load() {
 void StandIn::fetch(uint64_t address, uint64_t bytes) {
   const uint64_t beat = parameters_.beat_bytes;
   for (const uint64_t end = address + bytes; address < end;) {
-    const uint64_t to = std::min({end, address + 16 * beat, (address / kPage + 1) * kPage});
+    const uint64_t to =
+        std::min({end, address + 16 * beat, (address / kMemoryPage + 1) * kMemoryPage});
     fetches_.push_back({address, static_cast<unsigned>((to - address + beat - 1) / beat)});
     address = to;
   }
@@ -184,7 +185,8 @@ void StandIn::add_job(const Request& request) {
   if (beats == 0) {
     job.fetched = true;
   } else if (plant(Fault::kBurst)) {
-    fetches_.push_back({registers_.stream_base() / kPage * kPage + kPage - beat, 2});
+    fetches_.push_back(
+        {registers_.stream_base() / kMemoryPage * kMemoryPage + kMemoryPage - beat, 2});
   } else {
     fetches_.push_back({registers_.stream_base() + random_.below(beats) * beat, 1});
   }

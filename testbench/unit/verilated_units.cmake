@@ -29,8 +29,8 @@ file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp" "")
 # hmlfc_verilate_unit(TARGET PREFIX BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING
 #                     SOURCES file... [INCLUDE folder] [INSTRUMENT TRACE_FST or COVERAGE]
 #                     [ARGUMENTS argument...])
-# The static library TARGET with Verilator's class PREFIX of the unit. Included files come from the
-# INCLUDE folder, if it has them.
+# Verilator's class PREFIX of the unit in the static library TARGET, which is made if need be. Included
+# files come from the INCLUDE folder, if it has them.
 function(hmlfc_verilate_unit target prefix unit)
   cmake_parse_arguments(PARSE_ARGV 3 arg "" "INCLUDE;INSTRUMENT" "SOURCES;ARGUMENTS")
   string(REPLACE ":" ";" values "${unit}")
@@ -38,7 +38,9 @@ function(hmlfc_verilate_unit target prefix unit)
   foreach(name value IN ZIP_LISTS HMLFC_UNIT_PARAMETERS values)
     list(APPEND parameters -G${name}=${value})
   endforeach()
-  add_library(${target} STATIC "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
+  if(NOT TARGET ${target})
+    add_library(${target} STATIC "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
+  endif()
   verilate(${target}
     SOURCES ${arg_SOURCES}
     TOP_MODULE hmlfc_decode_unit
@@ -54,22 +56,19 @@ endfunction()
 set(HMLFC_UNIT_PARAMETERS BLOCK_LOG2 MAX_DEPTH AXI_DATA_BITS OUTSTANDING)
 set(HMLFC_VERILATED_OPTIMISATION -O1)  # -O3 compiles longer for runs 10 % faster
 
-add_library(hmlfc_verilated INTERFACE)
+# All units in one library: Verilator's runtime is compiled once.
 set(HMLFC_RTL_INCLUDES "")
 set(HMLFC_RTL_MAKERS "")
 set(instrument "")
 if(HMLFC_RTL_COVERAGE)
   set(instrument COVERAGE)
 elseif(HMLFC_RTL_WAVES)
-  find_package(ZLIB REQUIRED)
   set(instrument TRACE_FST)
-  target_link_libraries(hmlfc_verilated INTERFACE ZLIB::ZLIB)
 endif()
 foreach(unit IN LISTS units)
   string(REPLACE ":" "_" prefix "Unit_${unit}")
-  hmlfc_verilate_unit(hmlfc_${prefix} ${prefix} ${unit}
+  hmlfc_verilate_unit(hmlfc_verilated ${prefix} ${unit}
     SOURCES ${HMLFC_RTL_SOURCES} INSTRUMENT ${instrument} ARGUMENTS -Wall)
-  target_link_libraries(hmlfc_verilated INTERFACE hmlfc_${prefix})
   string(REGEX MATCH "^(.+):(.+):(.+):(.+)$" parts "${unit}")
   math(EXPR beat_bytes "${CMAKE_MATCH_3} / 8")
   string(APPEND HMLFC_RTL_INCLUDES "#include \"${prefix}.h\"\n")
@@ -86,6 +85,8 @@ add_library(hmlfc_rtl STATIC "${CMAKE_CURRENT_BINARY_DIR}/rtl_units.cpp")
 set(waves OFF)
 if(HMLFC_RTL_WAVES AND NOT HMLFC_RTL_COVERAGE)
   set(waves ON)
+  find_package(ZLIB REQUIRED)
+  target_link_libraries(hmlfc_verilated PUBLIC ZLIB::ZLIB)
 endif()
 target_compile_definitions(hmlfc_rtl PRIVATE
   VM_COVERAGE=$<BOOL:${HMLFC_RTL_COVERAGE}> VM_TRACE=$<BOOL:${waves}>)

@@ -7,18 +7,22 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import bench
-import numpy as np
-from PIL import Image
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-import coding
-import prediction
-from bench_error import BenchError
-from comparison import compare
-from process import run_measured
-from results import Point, Results, on_front, read_json, write_csv, write_json
-from store import Store
-from tables import Tables
+from report_bench import find, main  # noqa: E402  (here and below: found only now)
+
+BENCH = find("accuracy", "numpy", "PIL", "skimage", "matplotlib")
+
+import numpy as np  # noqa: E402
+from PIL import Image  # noqa: E402
+
+import coding  # noqa: E402
+import prediction  # noqa: E402
+from comparison import compare  # noqa: E402
+from process import BenchError, run_measured  # noqa: E402
+from results import Point, Results, on_front, read_json, write_csv, write_json  # noqa: E402
+from store import Store  # noqa: E402
+from tables import Tables  # noqa: E402
 
 SCENE = {"rows": 2, "cols": 2, "width": 8, "height": 8, "chroma": "444", "at": 36.0}
 SECTIONS = {"sections.index": 10, "sections.motion": 20, "sections.residual": 50, "sections.top": 20}
@@ -51,32 +55,22 @@ class ComparisonTest(unittest.TestCase):
         self.assertEqual(compared, 1)
         return {change.value: change.worse for change in found}
 
-    def test_the_same_is_no_change(self):
-        self.assertEqual(self.changes(encoding(), encoding()), {})
-
-    def test_one_byte_more_is_worse(self):
-        self.assertEqual(self.changes(encoding(), encoding(bytes=101)), {"bytes": True})
-
-    def test_less_error_is_better(self):
-        new = encoding(psnr_rgb=36.51, max_abs_error=8)
-        self.assertEqual(self.changes(encoding(), new), {"psnr_rgb": False, "max_abs_error": False})
-
-    def test_time_within_noise_is_no_change(self):
-        self.assertEqual(self.changes(encoding(), encoding(encode_cpu_seconds=2.4)), {})
-
-    def test_time_beyond_noise_is_worse(self):
-        new = encoding(encode_cpu_seconds=3.0)
-        self.assertEqual(self.changes(encoding(), new), {"encode_cpu_seconds": True})
-
-    def test_times_of_a_slower_machine_are_no_change(self):
-        new = encoding(calibration=0.2, encode_cpu_seconds=4.0, decode_cpu_seconds=1.0)
-        self.assertEqual(self.changes(encoding(), new), {})
+    def test_changes_beyond_noise_are_found_and_judged(self):
+        for what, new, expected in (
+            ("the same", encoding(), {}),
+            ("one byte more", encoding(bytes=101), {"bytes": True}),
+            ("less error", encoding(psnr_rgb=36.51, max_abs_error=8), {"psnr_rgb": False, "max_abs_error": False}),
+            ("time within noise", encoding(encode_cpu_seconds=2.4), {}),
+            ("time beyond noise", encoding(encode_cpu_seconds=3.0), {"encode_cpu_seconds": True}),
+            ("a slower machine", encoding(calibration=0.2, encode_cpu_seconds=4.0, decode_cpu_seconds=1.0), {}),
+        ):
+            with self.subTest(what):
+                self.assertEqual(self.changes(encoding(), new), expected)
+        lossless = encoding(psnr_rgb="inf")
+        self.assertEqual(self.changes(lossless, lossless), {})
 
     def test_a_point_that_was_not_recorded_is_not_compared(self):
         self.assertEqual(compare(results(encoding(50)), results(encoding(75))), ([], 0))
-
-    def test_lossless_points_compare(self):
-        self.assertEqual(self.changes(encoding(psnr_rgb="inf"), encoding(psnr_rgb="inf")), {})
 
 
 class StoreTest(unittest.TestCase):
@@ -175,4 +169,4 @@ class ProcessTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    bench.main()
+    main()

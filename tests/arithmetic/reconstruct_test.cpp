@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "arithmetic/naive_bise.hpp"
+#include "arithmetic/bise.hpp"
 #include "arithmetic/naive_integers.hpp"
 
 namespace hmlfc {
@@ -64,8 +64,8 @@ TEST(Reconstruct, BoundarySumsOfEveryDepth) {
 // Every value of every level count that the depth allows, with each of `biases`.
 void check_residuals(Plane plane, int depth, const std::vector<int32_t>& biases) {
   const SampleRange range = sample_range(plane, depth);
-  for (const uint32_t levels : test::naive_level_counts()) {
-    if (levels > (4u << depth)) continue;
+  for (unsigned code = 0; code <= max_residual_level_code(depth); ++code) {
+    const uint32_t levels = levels_of_code(code).count;
     for (const int32_t bias : biases) {
       for (uint32_t value = 0; value < levels; ++value) {
         ASSERT_EQ(residual_of_value(value, levels, bias, range),
@@ -121,8 +121,8 @@ TEST(Steps, EveryCode) {
 TEST(Steps, StepOneIsTheResidualOfMain) {
   for (const Plane plane : {Plane::kY, Plane::kCo}) {
     const SampleRange range = sample_range(plane, 8);
-    for (const uint32_t levels : test::naive_level_counts()) {
-      if (levels > 1024) break;
+    for (unsigned code = 0; code <= max_residual_level_code(8); ++code) {
+      const uint32_t levels = levels_of_code(code).count;
       for (uint32_t value = 0; value < levels; ++value) {
         for (const int32_t bias : {-512, -3, 0, 1, 511}) {
           ASSERT_EQ(stepped_residual(value, levels, bias, 1, range),

@@ -2,9 +2,9 @@
 """The clauses of the specification by vectors and implementations, as docs/results/clauses.md.
 
 A cell is filled where a file of the implementation cites the clause and it takes a vector of it: one
-that its declaration in vectors/duts does not exclude, or, with --report, one that it passed. The
-reasons of empty cells stand in tests/clauses/reasons.json. Exit status 1: a cell is empty without a
-reason, a reason fits no cell, a clause is unknown, or, with --check, the written table is another.
+that its declaration in vectors/duts does not exclude. The reasons of empty cells stand in
+tests/clauses/reasons.json. Exit status 1: a cell is empty without a reason, a reason fits no cell, a
+clause is unknown, or, with --check, the written table is another.
 """
 
 import argparse
@@ -17,8 +17,8 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests/spec"), str(ROOT / "bench/common")]
 
 import result_file  # noqa: E402  (its modules are found only now)
-from clause_cells import COLUMNS, VECTORS, ClauseCells  # noqa: E402
-from implementations import FOLDERS, claimed_vectors, passed_vectors  # noqa: E402
+from clause_cells import VECTORS, ClauseCells  # noqa: E402
+from implementations import FOLDERS, claimed_vectors  # noqa: E402
 
 INTRODUCTION = """Every clause of the [specification](../specification.md): how many vectors exercise it
 (`hmlfc vectors list --clause` names them), the most specific of them, and in each implementation the file
@@ -59,29 +59,11 @@ def implementation_cell(cells, name, clause, letter):
     return f"`{Path(files[0]).name}`" + (f" ({taken})" if taken < len(cells.vectors(clause)) else "")
 
 
-def as_json(cells):
-    """Everything, for programs."""
-    return [
-        {
-            "clause": clause,
-            "vectors": cells.vectors(clause),
-            "reasons": {c: cells.reason(c, clause) for c in COLUMNS if cells.reason(c, clause)},
-            "implementations": {
-                name: {"files": cells.files(name, clause), "vectors": len(cells.taken(name, clause))}
-                for name in FOLDERS
-            },
-        }
-        for clause in cells.clauses
-    ]
-
-
 def parse_arguments():
     parser = argparse.ArgumentParser(
         prog="./run clauses", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--program", type=Path, required=True, help=argparse.SUPPRESS)
-    parser.add_argument("--json", action="store_true", help="for programs, with all vectors and files")
-    parser.add_argument("--report", nargs="+", metavar="FILE", help="report.json of hmlfc conform: what passed counts")
     result_file.add_arguments(parser)
     return parser.parse_args()
 
@@ -89,8 +71,7 @@ def parse_arguments():
 def main():
     arguments = parse_arguments()
     manifest = json.loads((ROOT / "vectors/manifest.json").read_text())
-    taken = passed_vectors(arguments.report) if arguments.report else claimed_vectors(arguments.program, ROOT)
-    cells = ClauseCells(ROOT, manifest, taken)
+    cells = ClauseCells(ROOT, manifest, claimed_vectors(arguments.program, ROOT))
     complaints = list(cells.complaints())
     for complaint in complaints:
         print(complaint, file=sys.stderr)
@@ -99,10 +80,7 @@ def main():
         tables = [("The table", [INTRODUCTION, "", *markdown(cells)])]
         text = result_file.result_text("Clauses, vectors and implementations", "./run clauses --update", tables)
         return max(status, result_file.settle(arguments.results / "clauses.md", text, arguments.update))
-    if arguments.json:
-        print(json.dumps({"clauses": as_json(cells), "complaints": complaints}, indent=2))
-    else:
-        print("\n".join(markdown(cells)))
+    print("\n".join(markdown(cells)))
     return status
 
 

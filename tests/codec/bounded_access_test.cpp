@@ -7,15 +7,16 @@
 #include <hmlfc/encoder.hpp>
 
 #include "scenes/test_light_fields.hpp"
+#include "support/streams.hpp"
 
 namespace hmlfc {
 namespace {
 
-// BND-1: fields and serial additions of one walk.
+// BND-1: fields and serial additions of one walk. BND-3: two more fields in the head, and a
+// step_delta in each block header.
 constexpr uint64_t kFieldsPerWalk = 182;
-constexpr uint64_t kStepsPerWalk = 63;
-// BND-3: two more fields in the head, and a step_delta in each block header.
 constexpr uint64_t kFieldsPerExtendedWalk = kFieldsPerWalk + 2 + 64;
+constexpr uint64_t kStepsPerWalk = 63;
 
 // Decodes `blocks` random blocks, checks each against the bounds and returns the largest number of
 // walks.
@@ -24,20 +25,16 @@ uint64_t check_random_blocks(const test::RandomCase& made, uint32_t seed, int bl
   const auto encoded = encode(field, made.params);
   const auto decoder = Decoder::open(encoded->bytes);
   const StreamHeader& header = decoder->header();
-  const auto max_walks = static_cast<uint64_t>(5 * header.tree_height + 1);
-  test::Random random(seed);
+  const bool main = header.profile == Profile::kMain;
+  const int max_walks = main ? 5 * header.tree_height + 1 : 11 * header.tree_height + 3;
+  vectors::Random random(seed);
   uint64_t most_walks = 0;
   for (int block = 0; block < blocks; ++block) {
-    const Plane plane = kPlanes[random() % 3];
-    const PlaneSize size = decoder->plane_size(plane);
-    const BlockAddress address{{random() % header.rows, random() % header.cols},
-                               plane,
-                               random() % size.width / header.block_size(),
-                               random() % size.height / header.block_size()};
     AccessCounts counts;
+    const BlockAddress address = test::draw_block(random, *decoder);
     EXPECT_TRUE(decoder->decode_block(address, {.counts = &counts}).has_value());
-    EXPECT_LE(counts.walks, max_walks);
-    EXPECT_LE(counts.fields, counts.walks * kFieldsPerWalk);
+    EXPECT_LE(counts.walks, static_cast<uint64_t>(max_walks));
+    EXPECT_LE(counts.fields, counts.walks * (main ? kFieldsPerWalk : kFieldsPerExtendedWalk));
     EXPECT_LE(counts.steps, counts.walks * kStepsPerWalk);
     most_walks = std::max(most_walks, counts.walks);
   }
@@ -71,27 +68,7 @@ TEST(BoundedAccess, ExtendedStreamsStayWithinTheStatedBounds) {
   for (uint32_t seed = 0; seed < 60; ++seed) {
     auto made = test::random_extended_case(seed);
     made.params.extended.quality = 100 - seed % 40;
-    const LightField field = test::textured_light_field(made.shape, seed, made.noise);
-    const auto encoded = encode(field, made.params);
-    ASSERT_TRUE(encoded.has_value());
-    const auto decoder = Decoder::open(encoded->bytes);
-    const StreamHeader& header = decoder->header();
-    const auto max_walks = static_cast<uint64_t>(11 * header.tree_height + 3);
-    test::Random random(seed);
-    for (int block = 0; block < 40; ++block) {
-      const Plane plane = kPlanes[random() % 3];
-      const PlaneSize size = decoder->plane_size(plane);
-      const BlockAddress address{{random() % header.rows, random() % header.cols},
-                                 plane,
-                                 random() % size.width / header.block_size(),
-                                 random() % size.height / header.block_size()};
-      AccessCounts counts;
-      ASSERT_TRUE(decoder->decode_block(address, {.counts = &counts}).has_value());
-      EXPECT_LE(counts.walks, max_walks);
-      EXPECT_LE(counts.fields, counts.walks * kFieldsPerExtendedWalk);
-      EXPECT_LE(counts.steps, counts.walks * kStepsPerWalk);
-      most_walks = std::max(most_walks, counts.walks);
-    }
+    most_walks = std::max(most_walks, check_random_blocks(made, seed, 40));
   }
   EXPECT_GE(most_walks, 8u) << "blocks with two references were among them";
 }

@@ -1,4 +1,4 @@
-// Quality and target PSNR of profile extended, and what profile main must not change.
+// Quality of profile extended, target PSNR of both profiles, and what profile main must not change.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -52,30 +52,59 @@ TEST(Quality, OutsideItsIntervalIsRefused) {
   }
 }
 
-TEST(Quality, TargetPsnrIsReachedAndNotMuchMore) {
+EncodeParams main_params() {
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  params.chroma = ChromaFormat::k444;
+  return params;
+}
+
+TEST(TargetPsnr, IsReachedAndNotMuchMore) {
+  struct Kind {
+    EncodeParams params;
+    double tolerance;
+    void (*coarsen)(EncodeParams&);  // by the least step
+  };
   const LightField field = test::textured_light_field(kShape, 11, 12);
-  for (const double target : {30.0, 36.0, 42.0}) {
-    const auto encoded = encode_to_psnr(field, extended(), target);
-    ASSERT_TRUE(encoded.has_value());
-    EXPECT_GE(rgb_psnr(*encoded), target);
-    if (rgb_psnr(*encoded) < target + 0.03) continue;
-    // Not within the tolerance: then a quarter of quality less must miss the target.
-    EncodeParams coarser = encoded->params;
-    coarser.extended.quality -= 0.25;
-    const auto missed = encode(field, coarser);
-    ASSERT_TRUE(missed.has_value());
-    EXPECT_LT(rgb_psnr(*missed), target);
+  for (const Kind& kind :
+       {Kind{extended(), 0.03, [](EncodeParams& p) { p.extended.quality -= 0.25; }},
+        Kind{main_params(), 0.02, [](EncodeParams& p) {
+               EXPECT_EQ(p.main.threshold_pred, p.main.threshold_ref);
+               ++p.main.threshold_ref;
+               ++p.main.threshold_pred;
+             }}}) {
+    for (const double target : {30.0, 36.0, 42.0}) {
+      const auto encoded = encode_to_psnr(field, kind.params, target);
+      ASSERT_TRUE(encoded.has_value());
+      EXPECT_GE(rgb_psnr(*encoded), target);
+      EncodeParams coarser = encoded->params;
+      kind.coarsen(coarser);
+      if (rgb_psnr(*encoded) < target + kind.tolerance) continue;
+      const auto missed = encode(field, coarser);
+      ASSERT_TRUE(missed.has_value());
+      EXPECT_LT(rgb_psnr(*missed), target);
+    }
   }
 }
 
-TEST(Quality, OutOfReachGivesTheBestThereIs) {
+TEST(TargetPsnr, OutOfReachGivesTheBestThereIs) {
   const LightField field = test::textured_light_field(kShape, 1, 255);
-  EncodeParams params = extended();
-  params.chroma = ChromaFormat::k420;
-  const auto encoded = encode_to_psnr(field, params, 90);
-  ASSERT_TRUE(encoded.has_value());
-  EXPECT_EQ(encoded->params.extended.quality, 100);
-  EXPECT_LT(rgb_psnr(*encoded), 90);
+  for (EncodeParams params : {extended(), main_params()}) {
+    params.chroma = ChromaFormat::k420;
+    const auto encoded = encode_to_psnr(field, params, 90);
+    ASSERT_TRUE(encoded.has_value());
+    const bool main = params.profile == Profile::kMain;
+    EXPECT_TRUE(main ? encoded->params.main.threshold_pred == 0
+                     : encoded->params.extended.quality == 100);
+    EXPECT_LT(rgb_psnr(*encoded), 90);
+  }
+}
+
+TEST(TargetPsnr, RefusesTargetsThatMakeNoSense) {
+  const LightField field = test::textured_light_field({1, 1, 8, 8, 8}, 1, 0);
+  for (const double target : {0.0, -5.0, 101.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_FALSE(encode_to_psnr(field, main_params(), target).has_value());
+  }
 }
 
 // Rows that run against their parallax are found: the stream says so and is as small.

@@ -80,46 +80,6 @@ RC_GTEST_PROP(Reconstruction, DecoderEqualsEncoderAtEveryLevel, ()) {
   }
 }
 
-// The golden path, with references on demand and sparse, against the fast path, on every block.
-RC_GTEST_PROP(Reconstruction, GoldenEqualsFastOnEveryBlock, ()) {
-  const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
-  auto made = test::random_case_of_any_profile(seed);
-  made.shape.width = made.shape.width % 24 + 1;
-  made.shape.height = made.shape.height % 24 + 1;
-  const LightField field = test::textured_light_field(made.shape, seed, made.noise);
-  const auto encoded = encode(field, made.params);
-  RC_ASSERT(encoded.has_value());
-  const auto decoder = Decoder::open(encoded->bytes);
-  RC_ASSERT(decoder.has_value());
-  const StreamHeader& header = decoder->header();
-  const uint32_t size = header.block_size();
-  const ViewPos view{seed % header.rows, (seed >> 8) % header.cols};
-  for (int level = 0; level <= header.tree_height; ++level) {
-    for (const Plane plane : kPlanes) {
-      const PlaneSize shape = decoder->plane_size(plane);
-      const auto fast = decoder->decode_plane(view, plane, level);
-      RC_ASSERT(fast.has_value());
-      for (uint32_t by = 0; by * size < shape.height; ++by) {
-        for (uint32_t bx = 0; bx * size < shape.width; ++bx) {
-          const BlockAddress address{view, plane, bx, by};
-          const auto golden = decoder->decode_block(address, {.stop_level = level});
-          const auto sparse = decoder->decode_block(
-              address, {.stop_level = level, .references = ReferenceMode::kSparse});
-          RC_ASSERT(golden.has_value());
-          RC_ASSERT(sparse.has_value());
-          for (uint32_t i = 0; i < size * size; ++i) {
-            const uint32_t x = bx * size + i % size;
-            const uint32_t y = by * size + i / size;
-            if (x >= shape.width || y >= shape.height) continue;
-            RC_ASSERT((*golden)[i] == (*fast)[size_t{y} * shape.width + x]);
-            RC_ASSERT((*sparse)[i] == (*golden)[i]);
-          }
-        }
-      }
-    }
-  }
-}
-
 // What decode_all delivers, and the error that encode() promises.
 RC_GTEST_PROP(Reconstruction, MeasuredErrorEqualsPromisedError, ()) {
   const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
@@ -188,32 +148,6 @@ TEST(Reconstruction, SeveralRootEntries) {
       const auto view = decoder->decode_view({row, col});
       ASSERT_TRUE(view.has_value());
       EXPECT_EQ(view->samples, field.view(row, col).samples) << row << "," << col;
-    }
-  }
-}
-
-// A rectangle is the same part of the whole, in samples and in pixels.
-RC_GTEST_PROP(Reconstruction, RectangleIsACropOfTheView, ()) {
-  const uint32_t seed = *rc::gen::arbitrary<uint32_t>();
-  const auto made = test::random_case_of_any_profile(seed);
-  const LightField field = test::textured_light_field(made.shape, seed, made.noise);
-  const auto encoded = encode(field, made.params);
-  RC_ASSERT(encoded.has_value());
-  const auto decoder = Decoder::open(encoded->bytes);
-  RC_ASSERT(decoder.has_value());
-  const uint32_t x = *rc::gen::inRange(0u, made.shape.width);
-  const uint32_t y = *rc::gen::inRange(0u, made.shape.height);
-  const Rect rect{x, y, *rc::gen::inRange(1u, made.shape.width - x + 1),
-                  *rc::gen::inRange(1u, made.shape.height - y + 1)};
-  const ViewPos view{seed % made.shape.rows, seed % made.shape.cols};
-  const auto whole = decoder->decode_view(view);
-  const auto part = decoder->decode_rgb(view, rect);
-  RC_ASSERT(whole.has_value());
-  RC_ASSERT(part.has_value());
-  for (uint32_t j = 0; j < rect.height; ++j) {
-    for (uint32_t i = 0; i < rect.width * 3; ++i) {
-      const size_t at = (size_t{rect.y + j} * made.shape.width + rect.x) * 3 + i;
-      RC_ASSERT(part->samples[size_t{j} * rect.width * 3 + i] == whole->samples[at]);
     }
   }
 }

@@ -1,11 +1,5 @@
 #include "request_check.hpp"
 
-#include <cstddef>
-#include <vector>
-
-#include "mismatch.hpp"
-#include "part_of.hpp"
-
 namespace hmlfc::vectors {
 namespace {
 

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "io/files.hpp"
-#include "mismatch.hpp"
-#include "part_of.hpp"
 #include "request_check.hpp"
 #include "vectors/digest.hpp"
 #include "vectors/expected.hpp"
@@ -173,15 +171,11 @@ class StreamCheck {
         decoder_.decode_block(block, {.stop_level = level, .counts = &counts, .references = mode});
     demand(samples.has_value(), "a single block does not decode");
     const uint32_t side = header_.block_size();
-    const uint32_t width = std::min(side, size.width - block.bx * side);
-    const uint32_t height = std::min(side, size.height - block.by * side);
-    for (uint32_t y = 0; y < height; ++y) {
-      const auto golden = samples->begin() + size_t{y} * side;
-      const auto row =
-          plane.begin() + static_cast<std::ptrdiff_t>((size_t{block.by} * side + y) * size.width +
-                                                      size_t{block.bx} * side);
-      demand(std::equal(golden, golden + width, row), "a single block differs from its plane");
-    }
+    const Rect place{block.bx * side, block.by * side, std::min(side, size.width - block.bx * side),
+                     std::min(side, size.height - block.by * side)};
+    demand(std::ranges::equal(part_of(*samples, side, {0, 0, place.width, place.height}),
+                              part_of(plane, size.width, place)),
+           "a single block differs from its plane");
   }
 
   const std::filesystem::path& folder_;

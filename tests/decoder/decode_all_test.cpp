@@ -11,13 +11,13 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "decoder/naive_stream.hpp"
+#include "support/streams.hpp"
+#include "vectors/field_stream.hpp"
 
 namespace hmlfc {
 namespace {
 
 using test::Bytes;
-using test::NaiveStream;
 
 using Views = std::map<std::pair<uint32_t, uint32_t>, RgbImage>;
 
@@ -64,17 +64,14 @@ bool check(const Decoder& decoder, int stop_level) {
 }
 
 TEST(DecodeAll, EqualsOneViewAfterAnother) {
-  std::mt19937 random(1);
-  for (int round = 0; round < 60; ++round) {
-    const uint32_t flags = round % 4 == 0 ? 0 : test::draw_flags(random);
-    const NaiveStream stream(random, test::draw_extended_header(random, flags), 1 + round % 4);
-    const Bytes file = stream.file();
+  for (uint64_t seed = 0; seed < 60; ++seed) {
+    const Bytes file = vectors::random_stream(seed, {});
     const auto decoder = Decoder::open(file);
     ASSERT_TRUE(decoder.has_value());
-    for (int level = 0; level <= stream.header().tree_height; ++level) {
+    for (int level = 0; level <= decoder->header().tree_height; ++level) {
       EXPECT_TRUE(check(*decoder, level)) << "level " << level;
     }
-    ASSERT_FALSE(HasFailure()) << "round " << round;
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
 }
 
@@ -82,30 +79,25 @@ TEST(DecodeAll, OfDamagedStreams) {
   std::mt19937 random(2);
   int failed = 0;
   int decoded = 0;
-  for (int round = 0; round < 120; ++round) {
-    const uint32_t flags = test::draw_flags(random) | (round % 2 == 0 ? 128 : 0);
-    const NaiveStream stream(random, test::draw_extended_header(random, flags), 3);
-    Bytes file = stream.file();
+  for (uint64_t seed = 0; seed < 120; ++seed) {
+    Bytes file = vectors::random_stream(seed, {.main = false});
     const OpenOptions options{.check_sections = false};
     const StreamHeader header = Decoder::open(file)->header();
     const SectionEntry& tiles = header.sections[3];
     if (tiles.size > 0) file[tiles.offset + random() % tiles.size] ^= 0x10;
-    if (round % 3 == 0) file[header.sections[0].offset + 12] ^= 1;
+    if (seed % 3 == 0) file[header.sections[0].offset + 12] ^= 1;
     const auto decoder = Decoder::open(file, options);
     ASSERT_TRUE(decoder.has_value());
     ++(check(*decoder, 0) ? decoded : failed);
-    ASSERT_FALSE(HasFailure()) << "round " << round;
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
   EXPECT_GT(failed, 20);
   EXPECT_GT(decoded, 20);
 }
 
 TEST(DecodeAll, ReferencesLoadedBeforeChangeNothing) {
-  std::mt19937 random(3);
-  for (int round = 0; round < 20; ++round) {
-    const StreamHeader header = test::draw_extended_header(random, test::draw_flags(random));
-    const NaiveStream stream(random, header, 4);
-    const Bytes file = stream.file();
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const Bytes file = vectors::random_stream(seed, {});
     const auto fresh = Decoder::open(file);
     const auto loaded = Decoder::open(file);
     ASSERT_TRUE(loaded->load_references(2).has_value());
@@ -119,16 +111,15 @@ TEST(DecodeAll, ReferencesLoadedBeforeChangeNothing) {
 // Only levels that are not keyed have residuals to hold: the reference images of the others are key
 // images, which have none (EXT-4, EXT-5).
 TEST(DecodeAll, ReferencesOfKeyedLevelsAreNotLoaded) {
-  std::mt19937 random(4);
-  StreamHeader header = test::draw_extended_header(random, 2 + 128);
+  StreamHeader header = test::some_header(1);
+  header.profile = Profile::kExtended;
+  header.feature_flags = feature_bit(Feature::kLevelKeys);
   header.rows = header.cols = 4;
-  header.tree_height = 1;
   header.cluster_rows = header.cluster_cols = 2;
   header.levels = {{2, 2, 1}, {2, 2, 0}};
   for (const uint8_t keyed : {uint8_t{1}, uint8_t{0}}) {
     header.levels[0].key_references = keyed;
-    const NaiveStream stream(random, header, 4);
-    const Bytes file = stream.file();
+    const Bytes file = test::drawn_stream(header, 4);
     const auto decoder = Decoder::open(file);
     ASSERT_TRUE(decoder->load_references(1).has_value());
     EXPECT_EQ(decoder->reference_bytes() == 0, keyed == 1) << decoder->reference_bytes();

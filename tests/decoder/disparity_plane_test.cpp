@@ -2,46 +2,53 @@
 // records (MOT-6).
 #include "decoder/fast/motion_field.hpp"
 
-#include <algorithm>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "decoder/naive_stream.hpp"
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
 #include "syntax/index.hpp"
+#include "vectors/draw.hpp"
 
 namespace hmlfc {
 namespace {
 
 using test::Bytes;
-using test::DisparityModel;
-using test::NaiveTile;
-using test::NaiveTree;
 
-StreamHeader draw_header(std::mt19937& random) {
-  StreamHeader header =
-      test::draw_extended_header(random, 2 + 8 + (test::draw(random, 0, 1) != 0 ? 32u : 0u));
+StreamHeader draw_disparity_header(std::mt19937& random) {
+  const auto number = [&](int lo, int hi) {
+    return static_cast<uint32_t>(test::draw(random, lo, hi));
+  };
+  StreamHeader header = test::some_header(0);
+  header.profile = Profile::kExtended;
+  header.feature_flags =
+      feature_bit(Feature::kMotionTiles) | feature_bit(Feature::kSharedDisparity);
+  if (random() % 2 == 0) header.feature_flags |= feature_bit(Feature::kChromaMotion);
   header.rows = header.cols = 1;
-  header.width = static_cast<uint32_t>(test::draw(random, 1, 200));
-  header.height = static_cast<uint32_t>(test::draw(random, 1, 200));
-  header.tree_height = 0;
+  header.width = number(1, 200);
+  header.height = number(1, 200);
+  header.motion_tile_log2 = number(5, 7);
+  header.disparity_grid_log2 = number(2, 5);
   header.levels = {{1, 1, 0}};
   return header;
 }
 
-// Values that reach past the interval, or a record with one thing wrong.
-Bytes draw_record(std::mt19937& random, const DisparityModel& sound, int fault) {
-  DisparityModel tile = sound;
+// Sound, with values that reach past the interval, or with one thing wrong.
+Bytes draw_record(std::mt19937& random, const DisparityContext& context) {
+  vectors::FieldRules rules(vectors::Json{{"disparity_density", 100}});
+  vectors::Random numbers(random());
+  Bytes bytes = vectors::draw_disparity_record(rules, context, numbers);
+  const int fault = test::draw(random, 0, 3);
   if (fault == 1) {
-    tile.least = 4095 - test::draw(random, 0, 30);
-    tile.code = 12;
-    for (uint32_t& value : tile.values) value = static_cast<uint32_t>(test::draw(random, 0, 31));
+    SequenceFields values{12, std::vector<uint32_t>(context.blocks()), {}};
+    for (uint32_t& value : values.values) value = numbers.below(32);
+    BitWriter writer;
+    put_disparity_fields(writer, 4095 - test::draw(random, 0, 30), values);
+    bytes = writer.take();
   }
-  Bytes bytes = test::write_disparities(tile).bytes();
   if (fault == 2) bytes.resize(1 + random() % bytes.size());
   if (fault == 3) bytes[2] = static_cast<uint8_t>(bytes[2] ^ (1u << random() % 2));
   return bytes;
@@ -70,22 +77,20 @@ TEST(DisparityPlane, EqualsOneReadForEachGridBlock) {
   int readable = 0;
   int damaged = 0;
   for (int round = 0; round < 150; ++round) {
-    const StreamHeader drawn = draw_header(random);
-    const NaiveTree tree(drawn);
-    std::map<uint64_t, Bytes> records;
-    const uint32_t tile_side = 1u << drawn.motion_tile_log2;
-    for (const NaiveTile& tile : tree.tiles()) {
-      if (tile.plane != test::kMotionOfY && tile.plane != test::kMotionOfChroma) continue;
-      if (test::draw(random, 0, 4) == 0) continue;
-      const auto size = tree.plane_size(tile.plane);
-      const DisparityModel sound = test::draw_disparity_tile(
-          random, std::min(tile_side, size.width - tile.tx * tile_side),
-          std::min(tile_side, size.height - tile.ty * tile_side), 1u << drawn.disparity_grid_log2);
-      records[tree.tile_number(tile)] = draw_record(random, sound, test::draw(random, 0, 3));
+    test::StreamParts parts(draw_disparity_header(random));
+    const StreamView empty{{}, parts.header, parts.geometry};
+    for (size_t m = 0; m < parts.geometry.motion_planes().size(); ++m) {
+      const MotionPlaneShape& shape = parts.geometry.motion_planes()[m];
+      for (uint32_t i = 0; i < shape.tiles(); ++i) {
+        const MotionTilePlace place{0, {0, 0}, m, i % shape.tiles_x, i / shape.tiles_x};
+        if (random() % 5 == 0) continue;
+        parts.motion_tile(0, {0, 0}, m, place.tx, place.ty) =
+            draw_record(random, disparity_context(empty, place));
+      }
     }
-    const Bytes file = test::naive_file(drawn, test::naive_index(records, tree.tiles().size()));
+    const Bytes file = parts.file();
     const StreamHeader header = parse_header(file).value();
-    const StreamView stream{file, header, Geometry(header)};
+    const StreamView stream{file, header, parts.geometry};
     for (size_t m = 0; m < stream.geometry.motion_planes().size(); ++m) {
       const MotionPlaneShape& shape = stream.geometry.motion_planes()[m];
       const DisparityPlane plane(stream, 0, {0, 0}, m);

@@ -1,8 +1,7 @@
-// The bounds of BND-3 on random blocks of streams put together by hand.
+// The bounds of BND-3 on random blocks of random streams.
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -12,17 +11,16 @@
 #include <hmlfc/decoder.hpp>
 
 #include "arithmetic/naive_integers.hpp"
-#include "decoder/naive_stream.hpp"
+#include "support/streams.hpp"
+#include "vectors/field_stream.hpp"
 
 namespace hmlfc {
 namespace {
 
-using test::NaiveImage;
-using test::NaiveSize;
-using test::NaiveStream;
+using test::Bytes;
 
 /// Counts the walks of each level and kind, and the fields of each: a walk begins with a mask of
-/// ROOT.
+/// ROOT. Collects the vectors of each level.
 class WalkCounter final : public TraceSink {
  public:
   struct Walk {
@@ -38,11 +36,16 @@ class WalkCounter final : public TraceSink {
     ++(index ? walks_.back().index_fields : walks_.back().tile_fields);
   }
   void on_stage(const StageRecord&) override {}
+  void on_vector(const VectorRecord& record) override {
+    vectors_[record.site.level].push_back(record);
+  }
 
   const std::vector<Walk>& walks() const { return walks_; }
+  const std::vector<VectorRecord>& vectors(int level) { return vectors_[level]; }
 
  private:
   std::vector<Walk> walks_;
+  std::map<int, std::vector<VectorRecord>> vectors_;
 };
 
 // BND-1 less the index, and the step fields.
@@ -65,12 +68,12 @@ struct LevelWalks {
   uint64_t all = 0;
 };
 
-void count(const NaiveStream& stream, const WalkCounter::Walk& walk, LevelWalks& level) {
+void count(const Geometry& geometry, const WalkCounter::Walk& walk, LevelWalks& level) {
   ASSERT_LE(walk.index_fields, kIndexFields);
   ASSERT_LE(walk.tile_fields, most_fields(walk.site.tile));
   ++level.all;
-  const NaiveImage image{walk.site.level, walk.site.image_row, walk.site.image_col};
-  const bool reference = stream.tree().reference(image) == image;
+  const ImagePos image{walk.site.image_row, walk.site.image_col};
+  const bool reference = geometry.is_reference(walk.site.level, image);
   if (walk.site.tile == TileKind::kMotion) {
     ++level.motion;
   } else if (walk.site.tile == TileKind::kDisparity) {
@@ -95,49 +98,41 @@ std::set<uint32_t> blocks_touched(uint32_t first, uint32_t side, int64_t eighths
   return blocks;
 }
 
-/// Walks to reference blocks that one level needs: every block that a sample of a weight stands in.
-uint64_t reference_walks(const NaiveStream& stream, const NaiveImage& image,
+/// Walks to reference blocks that `vectors` need: every block that a sample of a weight stands in.
+uint64_t reference_walks(const std::vector<VectorRecord>& vectors, const Geometry& geometry,
                          const BlockAddress& at) {
-  const StreamHeader& header = stream.header();
-  const uint32_t side = header.block_size();
-  const NaiveSize size = stream.tree().plane_size(at.plane);
-  const bool halved = at.plane != Plane::kY && header.chroma_format == ChromaFormat::k420 &&
-                      !header.has(Feature::kChromaMotion);
-  const auto eighths = [&](int64_t component) {
-    const int64_t u = component * test::power_of_two(3 - header.vector_precision);
-    return halved ? test::rounded(u, 1) : u;
-  };
+  const uint32_t side = geometry.block_size();
+  const PlaneShape& plane = geometry.plane(at.plane);
   uint64_t walks = 0;
-  for (const auto& from : stream.motion(image, at.plane, at.bx * side, at.by * side).references) {
-    walks += blocks_touched(at.bx * side, side, eighths(from.vx), size.width).size() *
-             blocks_touched(at.by * side, side, eighths(from.vy), size.height).size();
+  for (const VectorRecord& vector : vectors) {
+    walks += blocks_touched(at.bx * side, side, vector.x, plane.width).size() *
+             blocks_touched(at.by * side, side, vector.y, plane.height).size();
   }
   return walks;
 }
 
 /// Checks one block; returns the most walks of one level that is not keyed.
-uint64_t check_block(const NaiveStream& stream, const Decoder& decoder, const BlockAddress& at) {
+uint64_t check_block(const Decoder& decoder, const BlockAddress& at) {
+  const StreamHeader& header = decoder.header();
+  const Geometry geometry(header);
   WalkCounter counter;
   AccessCounts counts;
   EXPECT_TRUE(decoder.decode_block(at, {.trace = &counter, .counts = &counts}).has_value());
   EXPECT_EQ(counts.walks, counter.walks().size());
   std::map<int, LevelWalks> levels;
-  for (const auto& walk : counter.walks()) count(stream, walk, levels[walk.site.level]);
+  for (const auto& walk : counter.walks()) count(geometry, walk, levels[walk.site.level]);
   uint64_t most = 0;
   for (const auto& [l, walks] : levels) {
     EXPECT_LE(walks.own, 1u);
     EXPECT_LE(walks.motion, 1u);
     EXPECT_LE(walks.disparity, 1u);
-    const auto& entry = stream.header().levels[static_cast<size_t>(l)];
-    if (l == stream.header().tree_height || entry.key_references != 0) {
+    if (geometry.level(l).keyed) {
       EXPECT_TRUE(walks.references.empty()) << "key images take no walk";
       continue;
     }
     EXPECT_LE(walks.references.size(), 2u);
-    NaiveImage own{0, at.view.row, at.view.col};
-    while (own.level < l) own = stream.tree().parent(own);
     EXPECT_EQ(walks.all - walks.own - walks.motion - walks.disparity,
-              reference_walks(stream, own, at))
+              reference_walks(counter.vectors(l), geometry, at))
         << "samples of weight 0 are not read";
     for (const auto& [image, blocks] : walks.references) {
       // Two references may be the same image.
@@ -146,67 +141,63 @@ uint64_t check_block(const NaiveStream& stream, const Decoder& decoder, const Bl
     most = std::max(most, walks.all);
   }
   EXPECT_LE(most, 11u);
-  EXPECT_LE(counts.walks, static_cast<uint64_t>(11 * stream.header().tree_height + 3));
+  EXPECT_LE(counts.walks, static_cast<uint64_t>(11 * header.tree_height + 3));
   EXPECT_LE(counts.steps, 63 * counts.walks);
   return most;
 }
 
-/// Checks random blocks of `stream`; counts them by the most walks of one level.
-void check_blocks(std::mt19937& random, const NaiveStream& stream, int blocks,
+/// Checks random blocks of `file`; counts them by the most walks of one level.
+void check_blocks(vectors::Random& random, const Bytes& file, int blocks,
                   std::map<uint64_t, int>& found) {
-  const auto file = stream.file();
   const auto decoder = Decoder::open(file);
   ASSERT_TRUE(decoder.has_value());
   for (int i = 0; i < blocks; ++i) {
-    ++found[check_block(stream, *decoder, test::draw_block(random, stream))];
+    ++found[check_block(*decoder, test::draw_block(random, *decoder))];
   }
 }
 
 TEST(ExtendedBounds, RandomBlocksOfRandomStreams) {
-  std::mt19937 random(1);
+  vectors::Random random(1);
   std::map<uint64_t, int> found;
-  for (int round = 0; round < 150; ++round) {
-    const StreamHeader header = test::draw_extended_header(random, test::draw_flags(random) | 2);
-    if (header.motion_tile_log2 == 0) continue;
-    const NaiveStream stream(random, header, 4);
-    check_blocks(random, stream, 60, found);
-    ASSERT_FALSE(HasFailure()) << "round " << round;
+  for (uint64_t seed = 0; seed < 250; ++seed) {
+    check_blocks(random, vectors::random_stream(seed, {.main = false}), 60, found);
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
   EXPECT_GT(found[10], 10) << "blocks displaced between samples in both directions";
 }
 
 // Small vectors between samples, in both directions for both references.
 TEST(ExtendedBounds, TheBoundOfALevelIsReached) {
-  std::mt19937 random(3);
+  vectors::Random random(3);
   std::map<uint64_t, int> found;
-  for (int round = 0; round < 4; ++round) {
-    StreamHeader header = test::draw_extended_header(random, 511);
-    header.rows = header.cols = 6;
-    header.width = header.height = 75;
-    header.block_log2 = 2;
-    header.tree_height = 1;
-    header.cluster_rows = header.cluster_cols = 6;
-    header.levels = {{3, 3, 0}, {1, 1, 0}};
-    header.window = 30;
-    header.vector_precision = 2;
-    header.disparity_precision = 3;
-    header.row_scale = 16;
-    check_blocks(random, NaiveStream(random, header, 4), 800, found);
-    ASSERT_FALSE(HasFailure()) << "round " << round;
+  StreamHeader header = test::some_header(1);
+  header.profile = Profile::kExtended;
+  header.feature_flags = 511;
+  header.rows = header.cols = 6;
+  header.cluster_rows = header.cluster_cols = 6;
+  header.levels = {{3, 3, 0}, {1, 1, 0}};
+  header.window = 30;
+  header.motion_tile_log2 = 5;
+  header.disparity_grid_log2 = 3;
+  header.vector_precision = 2;
+  header.disparity_precision = 3;
+  header.row_scale = 16;
+  for (uint64_t seed = 0; seed < 4; ++seed) {
+    check_blocks(random, test::drawn_stream(header, seed), 800, found);
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
   EXPECT_GT(found[11], 5);
 }
 
 // Decoding begins at the lowest level whose ancestor is a key image (EXT-5).
 TEST(ExtendedBounds, NothingAboveAKeyImageIsRead) {
-  std::mt19937 random(2);
-  StreamHeader header = test::draw_extended_header(random, 128);
+  StreamHeader header = test::some_header(2);
+  header.profile = Profile::kExtended;
+  header.feature_flags = feature_bit(Feature::kLevelKeys);
   header.rows = header.cols = 4;
-  header.tree_height = 2;
   header.cluster_rows = header.cluster_cols = 2;
   header.levels = {{1, 2, 0}, {1, 1, 1}, {1, 1, 0}};
-  const NaiveStream stream(random, header, 4);
-  const auto file = stream.file();
+  const Bytes file = test::drawn_stream(header, 2);
   const auto decoder = Decoder::open(file);
   for (uint32_t view = 0; view < 16; ++view) {
     WalkCounter counter;

@@ -4,13 +4,15 @@
 #include <cstdint>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "bits/naive_bits.hpp"
+#include "bits/naive_crc32c.hpp"
 #include "decoder/jpeg2000.hpp"
-#include "decoder/naive_stream.hpp"
+#include "encoder/stream_assembly.hpp"
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc {
@@ -40,7 +42,8 @@ SamplePrecision precision_of(size_t entry) {
 /// The key samples, codestreams and CRCs of a stream, to be damaged one by one.
 struct TopSection {
   std::vector<SamplePlane> planes;
-  std::vector<std::pair<Bytes, uint32_t>> codestreams;
+  std::vector<Bytes> codestreams;
+  std::vector<uint32_t> crcs;
 
   TopSection() {
     std::mt19937 random(1);
@@ -50,27 +53,24 @@ struct TopSection {
         sample = static_cast<int16_t>(test::draw(random, entry % 3 == 0 ? 0 : -255, 255));
       }
       planes.push_back(plane);
-      codestreams.emplace_back(encode_jpeg2000(plane, precision_of(entry)).value(),
-                               test::naive_sample_crc(plane));
+      codestreams.push_back(encode_jpeg2000(plane, precision_of(entry)).value());
+      crcs.push_back(sample_crc(plane));
     }
   }
 
   /// Puts another plane in the place of `entry`, with its own CRC.
   void replace(size_t entry, const SamplePlane& plane, SamplePrecision precision) {
-    codestreams[entry] = {encode_jpeg2000(plane, precision).value(), test::naive_sample_crc(plane)};
+    codestreams[entry] = encode_jpeg2000(plane, precision).value();
+    crcs[entry] = sample_crc(plane);
   }
 
-  Bytes bytes() const { return test::naive_top(codestreams); }
+  Bytes bytes() const { return top_section(codestreams, crcs); }
 };
 
 /// Opens a stream with this TOP section and calls `use(stream)`.
 template <class Use>
 void with_top(const Bytes& top, const Use& use) {
-  const StreamHeader drawn = three_keys();
-  const test::NaiveTree tree(drawn);
-  auto sections = test::naive_index({}, tree.tiles().size());
-  sections[0] = top;
-  const Bytes file = test::naive_file(drawn, sections);
+  const Bytes file = test::file_of(three_keys(), {top, Bytes(16), {}, {}});
   const auto header = parse_header(file);
   ASSERT_TRUE(header.has_value());
   use(StreamView{file, *header, Geometry(*header)});
@@ -108,14 +108,15 @@ std::vector<std::string> all_ok_but(size_t entry, const std::string& name) {
   return names;
 }
 
+// CRC-32C of the samples in 16 bits each, row by row (KEY-3).
 TEST(KeyImages, SampleCrc) {
-  const TopSection top;
-  for (const SamplePlane& plane : top.planes) {
-    EXPECT_EQ(sample_crc(plane), test::naive_sample_crc(plane));
+  std::vector<SamplePlane> planes = TopSection().planes;
+  planes.emplace_back(1, 1).samples[0] = -2;  // bytes FE FF
+  for (const SamplePlane& plane : planes) {
+    test::NaiveBits bits;
+    for (const int16_t sample : plane.samples) bits.put_signed(sample, 16);
+    EXPECT_EQ(sample_crc(plane), test::naive_crc32c(bits.bytes()));
   }
-  SamplePlane one(1, 1);
-  one.samples[0] = -2;
-  EXPECT_EQ(sample_crc(one), test::naive_sample_crc(one)) << "bytes FE FF";
 }
 
 TEST(KeyImages, PlanesStandInAscendingImageNumbers) {
@@ -178,9 +179,9 @@ TEST(KeyImages, LastEntryMustEndTheSection) {
 TEST(KeyImages, BadTopImage) {
   for (size_t entry = 0; entry < 9; ++entry) {
     TopSection top;
-    top.codestreams[entry].first = Bytes(40, 0x11);
+    top.codestreams[entry] = Bytes(40, 0x11);
     EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_image"));
-    top.codestreams[entry].first.clear();
+    top.codestreams[entry].clear();
     EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_image"));
     top.replace(entry, SamplePlane(kWidth + 1, kHeight), precision_of(entry));
     EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_image"));
@@ -193,7 +194,7 @@ TEST(KeyImages, BadTopCrc) {
   for (size_t entry = 0; entry < 9; ++entry) {
     for (const uint32_t bit : {0u, 31u}) {
       TopSection top;
-      top.codestreams[entry].second ^= uint32_t{1} << bit;
+      top.crcs[entry] ^= uint32_t{1} << bit;
       EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_crc"));
     }
   }
@@ -213,7 +214,7 @@ TEST(KeyImages, TopSampleRange) {
     plane.samples[7] = -256;
     top.replace(entry, plane, precision_of(entry));
     EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "top_sample_range"));
-    top.codestreams[entry].second ^= 1;
+    top.crcs[entry] ^= 1;
     EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_crc"));
   }
 }

@@ -2,12 +2,11 @@
 #include "decoder/open_stream.hpp"
 
 #include <cstdint>
-#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "decoder/naive_stream.hpp"
+#include "support/streams.hpp"
 
 namespace hmlfc {
 namespace {
@@ -23,10 +22,7 @@ StreamHeader small_header() {
   return header;
 }
 
-Bytes good_file() {
-  std::mt19937 random(1);
-  return test::NaiveStream(random, small_header(), 2).file();
-}
+Bytes good_file() { return test::drawn_stream(small_header(), 1); }
 
 uint64_t section_field(const Bytes& file, size_t section, size_t at) {
   uint64_t value = 0;
@@ -64,10 +60,10 @@ TEST(OpenStream, SectionCrc) {
 
 TEST(OpenStream, SectionSizes) {
   const StreamHeader header = small_header();
-  const test::NaiveTree tree(header);
-  const auto index = test::naive_index({}, tree.tiles().size());
+  const test::StreamParts parts(header);
+  const test::SectionBytes index{parts.top, Bytes(16 * parts.geometry.root_entry_count()), {}, {}};
   const auto starts_with = [&](test::SectionBytes sections, const std::string& start) {
-    const std::string found = outcome(test::naive_file(header, sections));
+    const std::string found = outcome(test::file_of(header, sections));
     EXPECT_EQ(found.substr(0, start.size()), start);
   };
   test::SectionBytes sections = index;

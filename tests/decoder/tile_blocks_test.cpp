@@ -2,22 +2,20 @@
 #include "decoder/fast/tile_blocks.hpp"
 
 #include <cstdint>
-#include <map>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "bits/bit_string.hpp"
 #include "decoder/golden/block_walk.hpp"
-#include "decoder/naive_stream.hpp"
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
+#include "vectors/draw.hpp"
 
 namespace hmlfc {
 namespace {
 
 using test::Bytes;
-using test::NaiveTile;
-using test::NaiveTree;
 
 // Two levels; in level 0 image (0, 0) is the reference of the three others.
 StreamHeader draw_header(std::mt19937& random) {
@@ -36,27 +34,15 @@ StreamHeader draw_header(std::mt19937& random) {
   return header;
 }
 
-bool is_motion(const NaiveTile& tile) {
-  return tile.plane == test::kMotionOfY || tile.plane == test::kMotionOfChroma;
-}
-
-/// A record for `tile`: sound, or with one thing wrong.
-Bytes draw_record(std::mt19937& random, const StreamHeader& header, const NaiveTree& tree,
-                  const NaiveTile& tile, bool sound) {
-  TileContext context;
-  context.predictive =
-      tree.reference(tile.image) != tile.image && !header.has(Feature::kMotionTiles);
-  context.steps = header.has(Feature::kResidualStep);
-  context.window = header.window;
+/// A record of the tile that holds `site`: sound, or with one thing wrong.
+Bytes draw_record(std::mt19937& random, const StreamView& stream, const BlockSite& site,
+                  bool sound) {
+  TileContext context = tile_context(stream, site);
   // Level codes and biases that a lower depth does not allow.
-  context.depth = sound ? header.depth : 12;
-  context.block_samples = uint64_t{1} << (2 * header.block_log2);
-  const auto blocks = tree.plane_blocks(tile.plane);
-  PlaneShape shape;
-  shape.blocks_x = blocks.width;
-  shape.blocks_y = blocks.height;
-  context.blocks_inside = blocks_inside(shape, tile.tx, tile.ty);
-  Bytes bytes = test::write_tile(test::draw_tile(random, context)).bits.bytes();
+  if (!sound) context.depth = 12;
+  vectors::FieldRules rules(vectors::Json{{"density", 100}});
+  vectors::Random numbers(random());
+  Bytes bytes = write_tile_fields(*vectors::draw_tile(rules, context, numbers), context);
   if (sound) return bytes;
   switch (random() % 3) {
     case 0:
@@ -86,15 +72,15 @@ void expect_same_block(const TileBlocks& blocks, const CodedBlock& block, unsign
 }
 
 // The tile reads if and only if each of its blocks does.
-bool compare_tile(const StreamView& stream, const NaiveTile& tile) {
-  BlockSite site{0, tile.image.row, tile.image.col, tile.plane, 8 * tile.tx, 8 * tile.ty};
+bool compare_tile(const StreamView& stream, const BlockSite& first) {
   TileBlocks blocks;
-  const bool read = read_tile_blocks(stream, site, ~uint64_t{0}, blocks).has_value();
+  const bool read = read_tile_blocks(stream, first, ~uint64_t{0}, blocks).has_value();
   bool each_reads = true;
   for (unsigned k = 0; k < kBlocksInTile; ++k) {
-    site.bx = 8 * tile.tx + block_column(k);
-    site.by = 8 * tile.ty + block_row(k);
-    const PlaneShape& plane = stream.geometry.plane(tile.plane);
+    BlockSite site = first;
+    site.bx += block_column(k);
+    site.by += block_row(k);
+    const PlaneShape& plane = stream.geometry.plane(site.plane);
     if (site.bx >= plane.blocks_x || site.by >= plane.blocks_y) continue;
     const auto block = walk_to_block(stream, Probe{nullptr, nullptr, site});
     each_reads = each_reads && block.has_value();
@@ -104,25 +90,36 @@ bool compare_tile(const StreamView& stream, const NaiveTile& tile) {
   return read;
 }
 
+/// The first block of each tile of level 0.
+std::vector<BlockSite> tiles_of_level_0(const StreamHeader& header, const Geometry& geometry) {
+  std::vector<BlockSite> sites;
+  for (uint32_t view = 0; view < header.rows * header.cols; ++view) {
+    for (const Plane plane : kPlanes) {
+      for (uint32_t by = 0; by < geometry.plane(plane).blocks_y; by += 8) {
+        for (uint32_t bx = 0; bx < geometry.plane(plane).blocks_x; bx += 8) {
+          sites.push_back({0, view / header.cols, view % header.cols, plane, bx, by});
+        }
+      }
+    }
+  }
+  return sites;
+}
+
 /// Tiles of level 0 that read, of `rounds` streams.
 int compare_tiles(std::mt19937& random, int rounds, bool sound, int& all) {
   int reading = 0;
   for (int round = 0; round < rounds && !testing::Test::HasFailure(); ++round) {
-    const StreamHeader drawn = draw_header(random);
-    const NaiveTree tree(drawn);
-    std::map<uint64_t, Bytes> records;
-    for (const NaiveTile& tile : tree.tiles()) {
-      if (tile.image.level > 0 || is_motion(tile)) continue;
-      records[tree.tile_number(tile)] = draw_record(random, drawn, tree, tile, sound);
+    test::StreamParts parts(draw_header(random));
+    const StreamView empty{{}, parts.header, parts.geometry};
+    const auto sites = tiles_of_level_0(parts.header, parts.geometry);
+    for (const BlockSite& site : sites) {
+      parts.tile(0, {site.image_row, site.image_col}, site.plane, site.bx / 8, site.by / 8) =
+          draw_record(random, empty, site, sound);
     }
-    const Bytes file = test::naive_file(drawn, test::naive_index(records, tree.tiles().size()));
-    const StreamHeader header = parse_header(file).value();
-    const StreamView stream{file, header, Geometry(header)};
-    for (const NaiveTile& tile : tree.tiles()) {
-      if (tile.image.level > 0 || is_motion(tile)) continue;
-      ++all;
-      reading += compare_tile(stream, tile) ? 1 : 0;
-    }
+    const Bytes file = parts.file();
+    const StreamView stream{file, parse_header(file).value(), parts.geometry};
+    for (const BlockSite& site : sites) reading += compare_tile(stream, site) ? 1 : 0;
+    all += static_cast<int>(sites.size());
   }
   return reading;
 }
@@ -151,26 +148,20 @@ TEST(TileBlocks, StepCodesUpToTheLast) {
   drawn.width = drawn.height = 8;
   drawn.tree_height = 1;
   drawn.levels = {{2, 2}, {1, 1}};
-  const NaiveTree tree(drawn);
-  const NaiveTile place{{0, 0, 0}, Plane::kY, 0, 0};
+  test::StreamParts parts(drawn);
+  TileContext context;
+  context.steps = true;
   for (unsigned base = 0; base < 16; ++base) {
     for (unsigned delta = 0; delta < 4; ++delta) {
-      test::TileModel tile;
-      tile.context.steps = true;
+      const SequenceFields zeros{0, std::vector<uint32_t>(16), {}};
+      TileFields tile;
       tile.residual_mode = 2;
-      tile.step_base = base;
-      tile.step_bits = 2;
-      for (const size_t k : {1u, 3u}) {
-        tile.blocks[k].residual = true;
-        tile.blocks[k].step_code = base + (k == 3 ? delta : 0);
-        tile.blocks[k].values.assign(16, 0);
-      }
-      const std::map<uint64_t, Bytes> records{
-          {tree.tile_number(place), test::write_tile(tile).bits.bytes()}};
-      const Bytes file = test::naive_file(drawn, test::naive_index(records, tree.tiles().size()));
-      const StreamHeader header = parse_header(file).value();
-      const StreamView stream{file, header, Geometry(header)};
-      EXPECT_EQ(compare_tile(stream, place), base + delta <= 15) << base << " + " << delta;
+      tile.residual_mask = 0b1010;
+      tile.residuals = {0, 0, 0, base, 2, {{base, 0, zeros}, {base + delta, 0, zeros}}};
+      parts.tile(0, {0, 0}, Plane::kY) = write_tile_fields(tile, context);
+      const Bytes file = parts.file();
+      const StreamView stream{file, parse_header(file).value(), parts.geometry};
+      EXPECT_EQ(compare_tile(stream, {}), base + delta <= 15) << base << " + " << delta;
     }
   }
 }

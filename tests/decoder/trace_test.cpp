@@ -1,35 +1,46 @@
 // What a sink is told while a block is decoded: fields that stand in the file where they are said
-// to stand, and the values of every stage (CNV-4, DEC-3, DEC-4, TIL-10, MOT-9, STP-3).
+// to stand, and stages that follow from each other (CNV-4, DEC-3, DEC-4, TIL-10, MOT-9, STP-3).
+// The vectors' traces have the values of every stage.
+#include <algorithm>
 #include <cstdint>
 #include <map>
-#include <random>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <hmlfc/decoder.hpp>
 
+#include "arithmetic/reconstruct.hpp"
 #include "bits/naive_bits.hpp"
-#include "decoder/naive_stream.hpp"
+#include "support/streams.hpp"
+#include "syntax/geometry.hpp"
+#include "vectors/field_stream.hpp"
 
 namespace hmlfc {
 namespace {
 
 using test::Bytes;
 using test::NaiveBits;
-using test::NaiveImage;
-using test::NaiveSize;
-using test::NaiveStream;
+using Values = std::vector<int32_t>;
 
-/// Compares each record with the file's bits and the naive stream's values.
+/// Fields, stages by name and clause, and predicted samples that were clamped.
+struct Told {
+  int fields = 0;
+  std::map<std::string, int> stages;
+  int clamped = 0;
+};
+
+/// Compares each field with the file's bits, and the stages of each level with each other.
 class Checker final : public TraceSink {
  public:
-  Checker(const NaiveStream& stream, const NaiveBits& file) : stream_(stream), file_(file) {}
+  Checker(const StreamHeader& header, const NaiveBits& file, Told& told)
+      : header_(header), geometry_(header), file_(file), told_(told) {}
 
   void on_field(const FieldRecord& record) override {
-    ++fields_;
+    ++told_.fields;
     ASSERT_NO_FATAL_FAILURE(check_kind(record));
     // Values within a BISE group have no bits of their own.
     if (kOfSequences.contains(record.name)) return;
@@ -39,32 +50,26 @@ class Checker final : public TraceSink {
       raw -= record.bits < 64 ? uint64_t{1} << record.bits : 0;
     }
     const bool least = record.name == "min_x" || record.name == "min_y";
-    const int64_t offset = least ? -stream_.header().window : 0;
-    ASSERT_EQ(record.value, static_cast<int64_t>(raw) + offset)
+    ASSERT_EQ(record.value, static_cast<int64_t>(raw) - (least ? header_.window : 0))
         << record.name << " at bit " << record.bit;
   }
 
   void on_stage(const StageRecord& record) override {
-    ++stages_;
-    ++names_[std::string(record.stage) + " " + std::string(record.clause)];
-    const BlockSite& site = record.site;
-    ASSERT_EQ(site.tile, TileKind::kResidual);
-    const NaiveImage image{site.level, site.image_row, site.image_col};
-    const NaiveSize size = stream_.tree().plane_size(site.plane);
-    const uint32_t side = stream_.header().block_size();
-    ASSERT_EQ(record.values.size(), size_t{side} * side);
-    for (uint32_t i = 0; i < side * side; ++i) {
-      const uint32_t x = site.bx * side + i % side;
-      const uint32_t y = site.by * side + i / side;
-      if (x >= size.width || y >= size.height) continue;
-      ASSERT_EQ(record.values[i], expected(record.stage, image, site.plane, x, y))
-          << record.stage << " at " << x << ", " << y << " of level " << site.level;
+    ++told_.stages[std::string(record.stage) + " " + std::string(record.clause)];
+    ASSERT_EQ(record.site.tile, TileKind::kResidual);
+    const size_t samples = size_t{header_.block_size()} * header_.block_size();
+    ASSERT_EQ(record.values.size(), samples);
+    const Values values(record.values.begin(), record.values.end());
+    if (record.stage == "parent") {
+      ASSERT_EQ(values, values_.contains("sample") ? values_["sample"] : Values(samples));
+      values_.clear();
     }
+    values_[std::string(record.stage)] = values;
+    if (record.stage == "sample" && record.clause == "DEC-3") check_level(record.site);
   }
 
-  int fields() const { return fields_; }
-  int stages() const { return stages_; }
-  const std::map<std::string, int>& names() const { return names_; }
+  /// The samples of the last stage.
+  const Values& samples() { return values_["sample"]; }
 
  private:
   static inline const std::set<std::string_view> kOfSequences{"value", "dx", "dy", "index",
@@ -75,8 +80,7 @@ class Checker final : public TraceSink {
   // Which tile a field stands in, and whose image's.
   void check_kind(const FieldRecord& record) const {
     const BlockSite& site = record.site;
-    const NaiveImage image{site.level, site.image_row, site.image_col};
-    const bool reference = stream_.tree().reference(image) == image;
+    const bool reference = geometry_.is_reference(site.level, {site.image_row, site.image_col});
     const std::string_view clause = record.clause;
     if (clause == "MOT-3") {
       ASSERT_EQ(site.tile, TileKind::kMotion);
@@ -92,72 +96,72 @@ class Checker final : public TraceSink {
     }
   }
 
-  int64_t expected(std::string_view stage, const NaiveImage& image, Plane plane, uint32_t x,
-                   uint32_t y) const {
-    if (stage == "sample") return stream_.sample(image, plane, x, y);
-    if (stage == "parent") return stream_.parent_sample(image, plane, x, y);
-    if (stage == "reference") return stream_.displaced(image, plane, x, y);
-    if (stage == "prediction") return stream_.prediction(image, plane, x, y);
-    if (stage == "residual") return stream_.residual(image, plane, x, y);
-    ADD_FAILURE() << "a stage " << stage;
-    return 0;
+  // DEC-3 with either sign, and EXT-5.
+  void check_level(const BlockSite& site) {
+    const PlaneShape& plane = geometry_.plane(site.plane);
+    const SampleRange range = sample_range(site.plane, header_.depth);
+    const uint32_t side = header_.block_size();
+    const bool from_key = geometry_.level(site.level).keyed && values_.contains("reference");
+    for (uint32_t i = 0; i < side * side; ++i) {
+      if (site.bx * side + i % side >= plane.width || site.by * side + i / side >= plane.height) {
+        continue;
+      }
+      const auto value = [&](const char* stage) {
+        return values_.contains(stage) ? values_[stage][i] : 0;
+      };
+      const auto clamped = [&](int32_t x) { return std::clamp(x, range.lo, range.hi); };
+      const int32_t prediction = value("prediction");
+      const int32_t base = from_key ? 0 : value("parent");
+      ASSERT_EQ(value("sample"), clamped(prediction + value("residual")));
+      const int32_t plus = base + value("reference");
+      const int32_t minus = base - value("reference");
+      ASSERT_TRUE(prediction == clamped(plus) || prediction == clamped(minus));
+      if (prediction != plus && prediction != minus) ++told_.clamped;
+    }
   }
 
-  const NaiveStream& stream_;
+  StreamHeader header_;
+  Geometry geometry_;
   const NaiveBits& file_;
-  int fields_ = 0;
-  int stages_ = 0;
-  std::map<std::string, int> names_;
+  Told& told_;
+  std::map<std::string, Values> values_;
 };
 
-// Fields, stages and the names of the stages of 40 random blocks.
-struct Told {
-  int fields = 0;
-  int stages = 0;
-  std::map<std::string, int> names;
-};
-
-void check_stream(std::mt19937& random, const NaiveStream& stream, Told& told) {
-  const Bytes file = stream.file();
-  const NaiveBits bits(file);
-  const auto decoder = Decoder::open(file);
-  ASSERT_TRUE(decoder.has_value());
-  for (int i = 0; i < 40; ++i) {
-    const BlockAddress at = test::draw_block(random, stream);
-    Checker checker(stream, bits);
-    ASSERT_TRUE(decoder->decode_block(at, {.trace = &checker}).has_value());
-    ASSERT_FALSE(testing::Test::HasFailure());
-    told.fields += checker.fields();
-    told.stages += checker.stages();
-    for (const auto& [name, count] : checker.names()) told.names[name] += count;
+// What 40 random blocks of each of `streams` random streams tell.
+Told check_streams(const vectors::Limits& limits, int streams) {
+  Told told;
+  vectors::Random random(1);
+  for (int round = 0; round < streams; ++round) {
+    const Bytes file = vectors::random_stream(random.next(), limits);
+    const NaiveBits bits(file);
+    const auto decoder = Decoder::open(file);
+    const StreamHeader& header = decoder->header();
+    for (int i = 0; i < 40; ++i) {
+      const BlockAddress at = test::draw_block(random, *decoder);
+      Checker checker(header, bits, told);
+      const Values block = decoder->decode_block(at, {.trace = &checker}).value();
+      EXPECT_EQ(block, checker.samples());
+    }
+    EXPECT_FALSE(testing::Test::HasFailure()) << "round " << round;
+    if (testing::Test::HasFailure()) break;
   }
+  return told;
 }
 
-TEST(Trace, FieldsAndStagesOfRandomStreams) {
-  std::mt19937 random(1);
-  Told told;
-  for (int round = 0; round < 20; ++round) {
-    const NaiveStream stream(random, test::draw_stream_header(random), 3);
-    ASSERT_NO_FATAL_FAILURE(check_stream(random, stream, told)) << "round " << round;
-  }
+TEST(Trace, FieldsAndStagesOfProfileMain) {
+  Told told = check_streams({.extended = false}, 40);
   EXPECT_GT(told.fields, 10000);
-  EXPECT_GT(told.stages, 2000);
-  EXPECT_EQ(told.names.count("residual STP-3") + told.names.count("reference MOT-9"), 0u);
+  EXPECT_GT(told.stages["reference DEC-4"], 200);
+  EXPECT_GT(told.clamped, 200);
+  EXPECT_EQ(told.stages.count("residual STP-3") + told.stages.count("reference MOT-9"), 0u);
 }
 
-TEST(Trace, FieldsAndStagesOfExtendedStreams) {
-  std::mt19937 random(2);
-  Told told;
-  for (int round = 0; round < 60; ++round) {
-    uint32_t flags = test::draw_flags(random);
-    if (round % 4 == 0) flags &= ~uint32_t{62};  // vectors in residual tiles
-    const NaiveStream stream(random, test::draw_extended_header(random, flags), 3);
-    ASSERT_NO_FATAL_FAILURE(check_stream(random, stream, told)) << "round " << round;
-  }
+TEST(Trace, FieldsAndStagesOfProfileExtended) {
+  Told told = check_streams({.main = false}, 60);
   EXPECT_GT(told.fields, 30000);
   for (const char* name : {"parent DEC-3", "reference MOT-9", "reference DEC-4", "prediction DEC-3",
                            "residual STP-3", "residual TIL-10", "sample DEC-3", "sample DEC-2"}) {
-    EXPECT_GT(told.names[name], 20) << name;
+    EXPECT_GT(told.stages[name], 20) << name;
   }
 }
 

@@ -8,12 +8,12 @@
 namespace hmlfc {
 namespace {
 
-constexpr int32_t kWidth = 13;
-constexpr int32_t kHeight = 11;
+constexpr int32_t kPlaneWidth = 13;
+constexpr int32_t kPlaneHeight = 11;
 
 int64_t sample_at(const SamplePlane& plane, int32_t x, int32_t y) {
-  const int32_t column = x < 0 ? 0 : x >= kWidth ? kWidth - 1 : x;
-  const int32_t row = y < 0 ? 0 : y >= kHeight ? kHeight - 1 : y;
+  const int32_t column = x < 0 ? 0 : x >= kPlaneWidth ? kPlaneWidth - 1 : x;
+  const int32_t row = y < 0 ? 0 : y >= kPlaneHeight ? kPlaneHeight - 1 : y;
   return plane.at(static_cast<uint32_t>(column), static_cast<uint32_t>(row));
 }
 
@@ -31,11 +31,11 @@ int64_t defined(const SamplePlane& plane, int32_t x, int32_t y, const SubpelVect
 
 TEST(MotionPrediction, EveryFractionNearTheBorders) {
   std::mt19937 random(1);
-  SamplePlane plane(kWidth, kHeight);
+  SamplePlane plane(kPlaneWidth, kPlaneHeight);
   for (int16_t& sample : plane.samples) {
     sample = static_cast<int16_t>(static_cast<int32_t>(random() % 16381) - 8190);
   }
-  const PaddedPlane padded(plane, kWidth, kHeight, 12);
+  const PaddedPlane padded(plane, kPlaneWidth, kPlaneHeight, 12);
   const Area area{4, 3, 8, 8};
   std::array<int32_t, 64> out{};
   std::array<int32_t, 64> combined{};

@@ -95,46 +95,31 @@ MotionMatch match_of(const std::vector<int16_t>& block,
   return brute_force(block, 2, 4, 4, plane, 3, both_signs);
 }
 
-TEST(MotionSearchDefinition, FindsTheBlockWhereItIs) {
-  // The sample of 50 lies at the block's top left corner, displaced by (2, -1).
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{6, 3, 50}}, false), (MotionMatch{2, -1, false, 0}));
-}
-
-TEST(MotionSearchDefinition, NegatesOnlyOnRequest) {
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{6, 3, -50}}, true), (MotionMatch{2, -1, true, 0}));
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{6, 3, -50}}, false), (MotionMatch{0, 0, false, 50}));
-}
-
-TEST(MotionSearchDefinition, SmallerSadPrecedesSignAndLength) {
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{4, 4, 48}, {7, 7, -49}}, true), (MotionMatch{3, 3, true, 1}));
-}
-
-TEST(MotionSearchDefinition, PositiveSignPrecedesShorterVector) {
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{4, 4, -50}, {7, 7, 50}}, true),
-            (MotionMatch{3, 3, false, 0}));
-}
-
-TEST(MotionSearchDefinition, ShorterVectorPrecedesSmallerDyAndDx) {
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{2, 2, 50}, {7, 4, 50}}, true), (MotionMatch{3, 0, false, 0}));
-}
-
-TEST(MotionSearchDefinition, SmallerDyPrecedesSmallerDx) {
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{1, 4, 50}, {7, 4, 50}, {4, 1, 50}, {4, 7, 50}}, true),
-            (MotionMatch{0, -3, false, 0}));
-}
-
-TEST(MotionSearchDefinition, SmallerDxIsTheLastRule) {
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{2, 4, 50}, {6, 4, 50}}, true),
-            (MotionMatch{-2, 0, false, 0}));
-}
-
-TEST(MotionSearchDefinition, FlatReferenceGivesTheZeroVector) {
-  EXPECT_EQ(match_of({50, 0, 0, -7}, {}, true), (MotionMatch{0, 0, false, 57}));
-}
-
-TEST(MotionSearchDefinition, WindowIsInclusive) {
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{1, 1, 50}}, false), (MotionMatch{-3, -3, false, 0}));
-  EXPECT_EQ(match_of({50, 0, 0, 0}, {{7, 7, 50}}, false), (MotionMatch{3, 3, false, 0}));
+TEST(MotionSearchDefinition, ByHand) {
+  struct Case {
+    const char* what;
+    std::vector<std::tuple<int, int, int16_t>> set;
+    bool both_signs;
+    MotionMatch match;
+  };
+  for (const Case& c : {
+           Case{"the block where it is", {{6, 3, 50}}, false, {2, -1, false, 0}},
+           Case{"negated on request", {{6, 3, -50}}, true, {2, -1, true, 0}},
+           Case{"not negated without", {{6, 3, -50}}, false, {0, 0, false, 50}},
+           Case{"sad precedes sign and length", {{4, 4, 48}, {7, 7, -49}}, true, {3, 3, true, 1}},
+           Case{"sign precedes length", {{4, 4, -50}, {7, 7, 50}}, true, {3, 3, false, 0}},
+           Case{"length precedes dy and dx", {{2, 2, 50}, {7, 4, 50}}, true, {3, 0, false, 0}},
+           Case{"smaller dy precedes smaller dx",
+                {{1, 4, 50}, {7, 4, 50}, {4, 1, 50}, {4, 7, 50}},
+                true,
+                {0, -3, false, 0}},
+           Case{"smaller dx is the last rule", {{2, 4, 50}, {6, 4, 50}}, true, {-2, 0, false, 0}},
+           Case{"a flat reference gives the zero vector", {}, true, {0, 0, false, 50}},
+           Case{"the window is inclusive", {{1, 1, 50}}, false, {-3, -3, false, 0}},
+           Case{"at both ends", {{7, 7, 50}}, false, {3, 3, false, 0}},
+       }) {
+    EXPECT_EQ(match_of({50, 0, 0, 0}, c.set, c.both_signs), c.match) << c.what;
+  }
 }
 
 TEST(MotionSearchDefinition, LargestSad) {

@@ -11,7 +11,6 @@ import re
 import resource
 import subprocess
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 
 TARGETS = [
@@ -24,25 +23,9 @@ MEMORY_MB = 2048
 FAULT_SECONDS = 300
 
 
-@dataclass
-class Outcome:
-    """The result of one run of a target."""
-
-    executions: int
-    cpu_seconds: float
-    edges: int
-    found: bool
-
-
-def parse(log, status, cpu_seconds):
-    """The Outcome, from the log and exit status of libFuzzer."""
-
-    def last(pattern):
-        numbers = re.findall(pattern, log)
-        return int(numbers[-1]) if numbers else 0
-
-    executions = last(r"stat::number_of_executed_units: (\d+)") or last(r"#(\d+)\t")
-    return Outcome(executions, cpu_seconds, last(r"cov: (\d+)"), status != 0)
+def last_number(pattern, log):
+    numbers = re.findall(pattern, log)
+    return int(numbers[-1]) if numbers else 0
 
 
 def cpu_seconds_of_children():
@@ -50,8 +33,8 @@ def cpu_seconds_of_children():
     return usage.ru_utime + usage.ru_stime
 
 
-def run_target(program, corpus, findings, seconds, seed, show=False):
-    """Runs `program` for `seconds` of wall clock and returns its Outcome."""
+def run_target(program, corpus, findings, seconds, seed):
+    """Runs `program` for `seconds` of wall clock. Returns (its log, CPU seconds, whether it found something)."""
     findings.mkdir(parents=True, exist_ok=True)
     command = [
         *(str(program), str(corpus), f"-max_total_time={seconds}", f"-seed={seed}"),
@@ -61,9 +44,7 @@ def run_target(program, corpus, findings, seconds, seed, show=False):
     before = cpu_seconds_of_children()
     result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     log = result.stdout.decode(errors="replace")
-    if show and result.returncode != 0:
-        print(log[-4000:], file=sys.stderr)
-    return parse(log, result.returncode, cpu_seconds_of_children() - before)
+    return log, cpu_seconds_of_children() - before, result.returncode != 0
 
 
 def write_seeds(build, target, suite, corpus):
@@ -75,38 +56,27 @@ def write_seeds(build, target, suite, corpus):
 
 
 def fuzz(arguments, root):
+    """Runs the targets; with --self-test, each with its planted fault, which it must find."""
     targets = TARGETS if arguments.target == "all" else [arguments.target]
-    seconds = max(1, round(60 * arguments.minutes / len(targets)))
+    planted = arguments.self_test
+    seconds = FAULT_SECONDS if planted else max(1, round(60 * arguments.minutes / len(targets)))
+    corpora = arguments.build / ("corpus-faults" if planted else "corpus")
+    folder = arguments.build / "found-faults" if planted else root / "out/fuzz"
     failed = 0
     print(f"{'target':<18}{'executions':>12}{'CPU s':>9}{'edges':>8}  findings")
     for target in targets:
-        corpus = arguments.build / "corpus" / target
-        write_seeds(arguments.build, target, root / "vectors", corpus)
-        findings = root / "out/fuzz" / target
-        program = arguments.build / f"tests/fuzz/fuzz_{target}"
-        outcome = run_target(program, corpus, findings, seconds, arguments.seed, show=True)
-        failed += outcome.found
-        where = str(findings.relative_to(root)) if outcome.found else "none"
-        row = f"{target:<18}{outcome.executions:>12}{outcome.cpu_seconds:>9.1f}{outcome.edges:>8}"
-        print(f"{row}  {where}", flush=True)
-    again = f"{arguments.target} --minutes {arguments.minutes:g} --seed {arguments.seed}"
-    print(f"again: ./run fuzz {again}")
+        write_seeds(arguments.build, target, root / "vectors", corpora / target)
+        program = arguments.build / f"tests/fuzz/{'fault' if planted else 'fuzz'}_{target}"
+        log, cpu, found = run_target(program, corpora / target, folder / target, seconds, arguments.seed)
+        failed += found != planted
+        executions = last_number(r"stat::number_of_executed_units: (\d+)", log) or last_number(r"#(\d+)\t", log)
+        edges = last_number(r"cov: (\d+)", log)
+        where = folder / target if found else "MISSED" if planted else "none"
+        print(f"{target:<18}{executions:>12}{cpu:>9.1f}{edges:>8}  {where}", flush=True)
+        if found and not planted:
+            print(log[-4000:], file=sys.stderr)
+    print(f"again: ./run fuzz {arguments.target} --minutes {arguments.minutes:g} --seed {arguments.seed}")
     return 1 if failed else 0
-
-
-def self_test(arguments, root):
-    """Each target must find its planted fault."""
-    missed = 0
-    for target in TARGETS if arguments.target == "all" else [arguments.target]:
-        corpus = arguments.build / "corpus-faults" / target
-        write_seeds(arguments.build, target, root / "vectors", corpus)
-        program = arguments.build / f"tests/fuzz/fault_{target}"
-        findings = arguments.build / "found-faults" / target
-        outcome = run_target(program, corpus, findings, FAULT_SECONDS, arguments.seed)
-        missed += not outcome.found
-        word = "found" if outcome.found else "MISSED"
-        print(f"{target:<18}{outcome.executions:>12} executions  {word}", flush=True)
-    return 1 if missed else 0
 
 
 def main():
@@ -118,7 +88,7 @@ def main():
     parser.add_argument("--self-test", action="store_true", help="find the planted faults instead")
     arguments = parser.parse_args()
     root = Path(__file__).resolve().parents[2]
-    return (self_test if arguments.self_test else fuzz)(arguments, root)
+    return fuzz(arguments, root)
 
 
 if __name__ == "__main__":

@@ -2,9 +2,9 @@
 // feature for robust access is on, and the streams are damaged in every way.
 #include <random>
 
-#include "decoder/naive_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "stimulus/random_stream.hpp"
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc::gpu {
@@ -69,14 +69,12 @@ TEST_F(GpuBounds, AreKeptByARandomIndex) {
 TEST_F(GpuBounds, AreKeptByGroupsOfAnEmptySection) {
   auto device = open(guarded(0));
   ASSERT_TRUE(device);
-  std::mt19937 random(9);
-  StreamHeader header = test::draw_stream_header(random);
+  StreamHeader header = test::some_header(0);
   header.rows = header.cols = 6;
   header.width = header.height = 64;
   header.block_log2 = 1;
-  header.tree_height = 0;
   header.levels.assign(1, {3, 3, 0});
-  auto bytes = test::NaiveStream(random, header, 0).file();
+  auto bytes = test::StreamParts(header).file();
   const auto parsed = parse_header(bytes);
   ASSERT_TRUE(parsed);
   ASSERT_EQ(parsed->sections[2].size, 0u);

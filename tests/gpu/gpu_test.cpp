@@ -3,7 +3,6 @@
 #include <cstdlib>
 
 #include "decoder/open_stream.hpp"
-#include "stimulus/sequences.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -80,6 +79,21 @@ CheckCounts expect_equal(Device& device, std::span<const uint8_t> bytes, const C
   const auto result = check_bytes(device, bytes, bytes, plan);
   if (!result) return {};
   if (result->mismatch) ADD_FAILURE() << to_string(*result->mismatch);
+  return result->counts;
+}
+
+CheckCounts expect_scan_equal(GpuDecoder& decoder, std::span<const uint8_t> bytes,
+                              const tb::ScanPlan& plan) {
+  const unsigned block_log2 = bytes[30];  // FIL-1
+  const auto stream = tb::GoldenStream::open(bytes, {block_log2, 12, 16, 16}).value();
+  const auto source = tb::scan_requests(stream->geometry(), stream->header(), plan);
+  const auto result = check_stream(decoder, *stream, source, {});
+  if (!result) {
+    ADD_FAILURE() << result.error().message;
+    return {};
+  }
+  EXPECT_FALSE(result->mismatch) << to_string(*result->mismatch);
+  EXPECT_EQ(result->counts.failed(), 0u);
   return result->counts;
 }
 

@@ -10,6 +10,7 @@
 
 #include "gpu/stream_check.hpp"
 #include "gpu_decoder.hpp"
+#include "stimulus/sequences.hpp"
 
 namespace hmlfc::gpu {
 
@@ -43,5 +44,10 @@ std::optional<CheckResult> check_bytes(Device& device, std::span<const uint8_t> 
 
 /// The same for one stream; fails the test at a difference. The counts of what was compared.
 CheckCounts expect_equal(Device& device, std::span<const uint8_t> bytes, const CheckPlan& plan);
+
+/// Compares all blocks of the views that `plan` says, in RGB, at all stages; fails the test at a
+/// difference or an error. The counts of what was compared.
+CheckCounts expect_scan_equal(GpuDecoder& decoder, std::span<const uint8_t> bytes,
+                              const tb::ScanPlan& plan);
 
 }  // namespace hmlfc::gpu

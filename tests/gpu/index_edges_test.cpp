@@ -2,28 +2,17 @@
 // names what the model names.
 #include <bit>
 
+#include "bits/bit_string.hpp"
+#include "bits/little_endian.hpp"
 #include "gpu/gpu_test.hpp"
 #include "stimulus/random_stream.hpp"
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
 
 namespace hmlfc::gpu {
 namespace {
 
-using Bytes = std::vector<uint8_t>;
-
-uint64_t load(const Bytes& bytes, uint64_t at, unsigned count) {
-  uint64_t value = 0;
-  for (unsigned i = 0; i < count; ++i) {
-    value |= uint64_t{bytes[static_cast<size_t>(at + i)]} << (8 * i);
-  }
-  return value;
-}
-
-void store(Bytes& bytes, uint64_t at, unsigned count, uint64_t value) {
-  for (unsigned i = 0; i < count; ++i) {
-    bytes[static_cast<size_t>(at + i)] = static_cast<uint8_t>(value >> (8 * i));
-  }
-}
+using test::Bytes;
 
 // Bits [bit, bit + count) from byte `at` on (CNV-4).
 void store_bits(Bytes& bytes, uint64_t at, uint64_t bit, unsigned count, uint64_t value) {
@@ -32,15 +21,6 @@ void store_bits(Bytes& bytes, uint64_t at, uint64_t bit, unsigned count, uint64_
     const auto mask = static_cast<uint8_t>(1u << (bit + i) % 8);
     byte = static_cast<uint8_t>((value >> i & 1) != 0 ? byte | mask : byte & ~mask);
   }
-}
-
-uint64_t load_bits(const Bytes& bytes, uint64_t at, uint64_t bit, unsigned count) {
-  uint64_t value = 0;
-  for (unsigned i = 0; i < count; ++i) {
-    const uint64_t byte = bytes[static_cast<size_t>(at + (bit + i) / 8)];
-    value |= (byte >> (bit + i) % 8 & 1) << i;
-  }
-  return value;
 }
 
 // A stream, and its index by place.
@@ -62,12 +42,14 @@ class GpuIndexEdges : public GpuTest {
 
   uint64_t records() const { return group_.size / 16; }
   uint64_t place(uint64_t record) const { return group_.offset + 16 * record + 8; }
-  uint64_t data(uint64_t record) const { return load(bytes_, place(record), 6); }
+  uint64_t data(uint64_t record) const {
+    return load_le<uint64_t>(bytes_, place(record)) & ((uint64_t{1} << 48) - 1);
+  }
   unsigned offset_bits(uint64_t record) const {
     return bytes_[static_cast<size_t>(place(record) + 6)];
   }
   uint64_t entries(uint64_t record) const {
-    return static_cast<uint64_t>(std::popcount(load(bytes_, place(record) - 8, 8)));
+    return static_cast<uint64_t>(std::popcount(load_le<uint64_t>(bytes_, place(record) - 8)));
   }
   uint64_t table_bytes(uint64_t record) const {
     return (entries(record) * offset_bits(record) + 7) / 8;
@@ -90,7 +72,7 @@ TEST_F(GpuIndexEdges, OfRecordNumbers) {
   for (const uint64_t first : {uint64_t{0}, records() - 1, records(), records() + 1,
                                uint64_t{1} << 32, uint64_t{1} << 63, ~uint64_t{0}}) {
     Bytes damaged = bytes_;
-    store(damaged, root_.offset + 8, 8, first);
+    test::patch(damaged, root_.offset + 8, 8, first);
     check(damaged);
   }
   EXPECT_GT(count(ErrorCode::kBadRootEntry), 0u);
@@ -100,11 +82,11 @@ TEST_F(GpuIndexEdges, OfOffsetBits) {
   for (uint64_t record = 0; record < records(); ++record) {
     for (const unsigned bits : {0u, 1u, 31u, 32u, 33u, 34u, 64u, 255u}) {
       Bytes damaged = bytes_;
-      store(damaged, place(record) + 6, 1, bits);
+      test::patch(damaged, place(record) + 6, 1, bits);
       check(damaged);
     }
     Bytes damaged = bytes_;
-    store(damaged, place(record) + 7, 1, 1);
+    test::patch(damaged, place(record) + 7, 1, 1);
     check(damaged);
   }
   EXPECT_GT(count(ErrorCode::kBadGroupRecord), 0u);
@@ -116,7 +98,7 @@ TEST_F(GpuIndexEdges, OfData) {
     for (const uint64_t at : {fits - 1, fits, fits + 1, tile_.size - 1, tile_.size, tile_.size + 1,
                               uint64_t{1} << 32, (uint64_t{1} << 48) - 1}) {
       Bytes damaged = bytes_;
-      store(damaged, place(record), 6, at);
+      test::patch(damaged, place(record), 6, at);
       check(damaged);
     }
   }
@@ -131,7 +113,8 @@ TEST_F(GpuIndexEdges, OfEnds) {
     const uint64_t table = tile_.offset + data(record);
     const uint64_t rest = tile_.size - data(record) - table_bytes(record);
     for (uint64_t entry = 0; entry < entries(record); entry += 1 + entry / 2) {
-      const uint64_t before = entry == 0 ? 0 : load_bits(bytes_, table, (entry - 1) * bits, bits);
+      const uint64_t before =
+          entry == 0 ? 0 : BitString(bytes_).field(8 * table + (entry - 1) * bits, bits);
       for (const uint64_t end : {before, before - 1, before + 1, rest, rest + 1}) {
         Bytes damaged = bytes_;
         store_bits(damaged, table, entry * bits, bits, end);

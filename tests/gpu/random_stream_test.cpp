@@ -1,13 +1,10 @@
-// Random streams of the encoder and streams put together by hand, intact and damaged, at all
-// stages.
+// Random streams of the encoder and streams with random fields, intact and damaged, at all stages.
 #include <random>
 
-#include "bits/naive_bits.hpp"
-#include "decoder/naive_stream.hpp"
 #include "gpu/gpu_test.hpp"
-#include "stimulus/conditions.hpp"
 #include "stimulus/random_stream.hpp"
-#include "syntax/header.hpp"
+#include "support/streams.hpp"
+#include "vectors/field_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -39,30 +36,24 @@ TEST_F(GpuStreams, WithDamageHaveTheErrorsOfTheModel) {
 }
 
 // Every tool of profile extended, also those that the encoder does not use.
-TEST_F(GpuStreams, PutTogetherByHandAreEqual) {
-  std::mt19937 random(7);
+TEST_F(GpuStreams, OfRandomFieldsAreEqual) {
   CheckCounts total;
-  for (uint32_t round = 0; round < 120; ++round) {
-    const bool main = round % 4 == 0;
-    const StreamHeader header = main ? test::draw_stream_header(random)
-                                     : test::draw_extended_header(random, test::draw_flags(random));
-    const test::NaiveStream stream(random, header, 4);
-    total += expect_equal(device(), stream.file(), {.seed = round});
-    ASSERT_FALSE(HasFailure()) << "round " << round;
+  for (uint32_t seed = 0; seed < 120; ++seed) {
+    total += expect_equal(device(), vectors::random_stream(seed, {}), {.seed = seed});
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
   EXPECT_GT(total.compared, 60'000u);
 }
 
-// A stream some of whose records are random bytes: they end anywhere and hold any field.
-test::Bytes with_random_records(std::mt19937& random, const StreamHeader& header) {
-  test::NaiveStream stream(random, header, 4);
-  for (const auto& tile : stream.tree().tiles()) {
-    if (stream.tree().is_key(tile.image) || random() % 2 == 0) continue;
-    test::Bytes bytes(1 + random() % (random() % 2 == 0 ? 8 : 200));
-    for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random());
-    stream.replace_record(tile, bytes);
+// A stream half of whose records are random bytes: they end anywhere and hold any field.
+test::Bytes with_random_records(std::mt19937& random, uint64_t seed) {
+  test::StreamParts parts(vectors::random_stream(seed, {}));
+  for (test::Bytes& record : parts.records) {
+    if (record.empty() || random() % 2 == 0) continue;
+    record.resize(1 + random() % (random() % 2 == 0 ? 8 : 200));
+    for (uint8_t& byte : record) byte = static_cast<uint8_t>(random());
   }
-  return stream.file();
+  return parts.file();
 }
 
 // Every error that a block can have occurs, and is that of the model; but top_sample_range, which
@@ -71,10 +62,7 @@ TEST_F(GpuStreams, OfRandomRecordsHaveTheErrorsOfTheModel) {
   std::mt19937 random(11);
   CheckCounts total;
   for (uint32_t round = 0; round < 120; ++round) {
-    const uint32_t flags = round % 2 == 0 ? 511 : test::draw_flags(random);
-    const StreamHeader header = round % 4 == 3 ? test::draw_stream_header(random)
-                                               : test::draw_extended_header(random, flags);
-    auto bytes = with_random_records(random, header);
+    auto bytes = with_random_records(random, round);
     if (round % 3 == 0) tb::corrupt(bytes, tb::Damage::kIndexAndTiles, round);
     if (round % 5 == 0) tb::corrupt(bytes, tb::Damage::kKeyImages, round);
     total += expect_equal(device(), bytes, {.seed = round});

@@ -87,27 +87,6 @@ TEST_F(GpuRendering, UsesVulkanAsTheValidationLayerWants) {
   for (const std::string& message : device->validation_messages()) ADD_FAILURE() << message;
 }
 
-// More blocks than a renderer makes room for at first: 2 x 2 samples each.
-TEST_F(GpuRendering, MakesRoomForALargeFrame) {
-  LightFieldShape shape{2, 2, 300, 200, 8};
-  EncodeParams params;
-  params.profile = Profile::kMain;
-  params.block_size = 2;
-  params.threads = 1;
-  RenderPair pair(device(), encode(test::textured_light_field(shape, 1, 4), params)->bytes, 0);
-  ASSERT_FALSE(pair.closed());
-  Camera camera;
-  camera.position = WorldPoint{0.5, 0.5, 0};
-  const auto record = frame_record(camera, pair.header());
-  ASSERT_TRUE(record) << record.error().message;
-  FrameTally tally;
-  pair.compare(*record, 0, tally);
-  EXPECT_EQ(tally.repeated, 1u);
-  pair.compare(*record, 0, tally);
-  EXPECT_EQ(tally.repeated, 1u) << "the room is kept";
-  EXPECT_EQ(tally.lit, 2u);
-}
-
 TEST_F(GpuRendering, RefusesAFrameOfAnotherLightField) {
   RenderPair pair(device(), test::random_stream(3), 0);
   ASSERT_FALSE(pair.closed());

@@ -93,32 +93,25 @@ TEST(LightFieldFiles, ReportsProgressInRisingSteps) {
   EXPECT_EQ(loaded, expected);
 }
 
-TEST(LightFieldFiles, NamesAViewOfOddSize) {
-  const test::TempFolder folder;
-  put_grid(folder.path());
-  put_view(folder.path(), 1, 2, 8);
-  const std::string message = load_error(folder.path());
-  EXPECT_NE(message.find("01_02.png"), std::string::npos) << message;
-  EXPECT_NE(message.find("row 1, column 2 has 8 x 9 pixels of 8 bits, expected 9 x 9 pixels of 8 "
-                         "bits like 8 other views"),
-            std::string::npos)
-      << message;
-}
-
-TEST(LightFieldFiles, NamesTheFirstViewIfThatIsTheOddOne) {
-  const test::TempFolder folder;
-  put_grid(folder.path());
-  put_view(folder.path(), 0, 0, 10);
-  EXPECT_NE(load_error(folder.path()).find("00_00.png"), std::string::npos);
-}
-
-TEST(LightFieldFiles, NamesAViewOfOddDepth) {
-  const test::TempFolder folder;
-  put_grid(folder.path());
-  put_view(folder.path(), 2, 1, 9, 10);
-  const std::string message = load_error(folder.path());
-  EXPECT_NE(message.find("02_01.png"), std::string::npos) << message;
-  EXPECT_NE(message.find("has 9 x 9 pixels of 10 bits"), std::string::npos) << message;
+TEST(LightFieldFiles, NamesAViewOfOddSizeOrDepth) {
+  struct Case {
+    uint32_t row, col, width;
+    int depth;
+    std::string file, reason;
+  };
+  for (const Case& c :
+       {Case{1, 2, 8, 8, "01_02.png",
+             "row 1, column 2 has 8 x 9 pixels of 8 bits, expected 9 x 9 pixels of 8 bits like 8 "
+             "other views"},
+        Case{0, 0, 10, 8, "00_00.png", "row 0, column 0 has 10 x 9 pixels"},
+        Case{2, 1, 9, 10, "02_01.png", "has 9 x 9 pixels of 10 bits"}}) {
+    const test::TempFolder folder;
+    put_grid(folder.path());
+    put_view(folder.path(), c.row, c.col, c.width, c.depth);
+    const std::string message = load_error(folder.path());
+    EXPECT_NE(message.find(c.file), std::string::npos) << message;
+    EXPECT_NE(message.find(c.reason), std::string::npos) << message;
+  }
 }
 
 TEST(LightFieldFiles, NamesTheFirstDamagedViewWhateverTheThreads) {

@@ -12,11 +12,11 @@
 namespace hmlfc::io {
 namespace {
 
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
 class ViewListTest : public testing::Test {
  protected:
-  void touch(const Names& names) {
+  void touch(const NameList& names) {
     for (const std::string& name : names) test::put_file(folder_ / name, std::string());
   }
   void touch_grid(uint32_t rows, uint32_t cols, const std::string& prefix = "out_") {

@@ -22,10 +22,14 @@ SKIPPED = 77
 
 
 def commands(build):
-    """The compile commands of the build, without the precompiled headers of g++."""
-    entries = json.loads((build / "compile_commands.json").read_text())
-    for entry in entries:
-        entry["command"] = re.sub(r"-Winvalid-pch -include \S+", "", entry["command"])
+    """The compile commands of the build. A unit made of several files stands for one command each."""
+    entries = []
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        unit = entry["file"]
+        parts = [unit]
+        if "/Unity/" in unit:
+            parts = re.findall(r'^#include "(.*)"$', Path(unit).read_text(), re.MULTILINE)
+        entries += [dict(entry, file=part, command=entry["command"].replace(unit, part)) for part in parts]
     return entries
 
 

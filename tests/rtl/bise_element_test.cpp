@@ -11,24 +11,13 @@
 namespace hmlfc::test {
 namespace {
 
-unsigned values_in_group(const Levels& levels) {
-  switch (levels.digit) {
-    case Digit::kTrit:
-      return kTritsPerGroup;
-    case Digit::kQuint:
-      return kQuintsPerGroup;
-    default:
-      return 1;
-  }
-}
-
 // The groups before value m are whole: their length is that of a sequence of their values.
 TEST(BisePlace, EveryIndexOfEveryCode) {
   BisePlace dut;
   Counts counts;
   for (unsigned code = 0; code <= kMaxLevelCode; ++code) {
     const Levels levels = levels_of_code(code);
-    const unsigned size = values_in_group(levels);
+    const auto size = static_cast<unsigned>(digit_group_size(levels));
     for (unsigned m = 0; m < 1024; ++m) {
       dut.level_code = static_cast<uint8_t>(code);
       dut.index = static_cast<uint16_t>(m);
@@ -55,14 +44,12 @@ TEST(BiseBits, EveryCountOfEveryCode) {
 }
 
 // The code of the group that begins at bit 0 becomes `code`.
-void put_code(uint64_t& window, const Levels& levels, unsigned code) {
-  constexpr std::array<unsigned, 6> kTrit{0, 2, 4, 5, 7, 8};
-  constexpr std::array<unsigned, 4> kQuint{0, 3, 5, 7};
-  const bool trit = levels.digit == Digit::kTrit;
-  for (size_t j = 0; j < values_in_group(levels); ++j) {
-    const unsigned first = trit ? kTrit[j] : kQuint[j];
-    const unsigned width = (trit ? kTrit[j + 1] : kQuint[j + 1]) - first;
-    put_bits(window, levels.plain_bits * (j + 1) + first, width, code >> first);
+template <size_t kMembers>
+void put_code(uint64_t& window, unsigned plain_bits, const std::array<DigitBits, kMembers>& layout,
+              unsigned code) {
+  for (size_t j = 0; j < kMembers; ++j) {
+    put_bits(window, plain_bits * (j + 1) + layout[j].first, layout[j].count,
+             code >> layout[j].first);
   }
 }
 
@@ -73,13 +60,14 @@ TEST(BiseElement, EverySlotOfEveryCode) {
   Counts counts;
   for (unsigned code = 0; code <= 27; ++code) {
     const Levels levels = levels_of_code(code);
-    const unsigned size = values_in_group(levels);
+    const auto size = static_cast<unsigned>(digit_group_size(levels));
     for (unsigned turn = 0; turn < 256; ++turn) {
       // A sequence whose last group has `present` values; one more group where it is whole.
       for (unsigned present = 1; present <= size + 1; ++present) {
         uint64_t window = 0;
         random.fill(window, 64);
-        if (levels.digit != Digit::kNone) put_code(window, levels, turn);
+        if (levels.digit == Digit::kTrit) put_code(window, levels.plain_bits, kTritLayout, turn);
+        if (levels.digit == Digit::kQuint) put_code(window, levels.plain_bits, kQuintLayout, turn);
         const uint64_t length = bise_bits(levels, present);
         std::array<uint8_t, 16> bytes{};
         for (size_t i = 0; i < 8; ++i) bytes[i] = static_cast<uint8_t>(window >> (8 * i));

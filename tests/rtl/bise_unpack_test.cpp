@@ -1,5 +1,5 @@
 // hmlfc_bise_unpack against bise_value (BISE-1 to BISE-10).
-#include <array>
+#include <span>
 #include <vector>
 
 #include <BiseUnpack16x10.h>
@@ -14,26 +14,18 @@
 namespace hmlfc::test {
 namespace {
 
-// First bit of the group's code behind value j, and how many (BISE-5, BISE-6).
-struct DigitBits {
-  size_t values;
-  std::array<unsigned, 6> first;
-};
-constexpr DigitBits kTritBits{5, {0, 2, 4, 5, 7, 8}};
-constexpr DigitBits kQuintBits{3, {0, 3, 5, 7}};
-
 // Puts code T or Q of every group into `window`: `code`, another one in each group.
 template <class Port>
 void put_codes(Port& window, const Levels& levels, size_t count, unsigned code) {
-  const DigitBits& layout = levels.digit == Digit::kTrit ? kTritBits : kQuintBits;
+  const auto layout = levels.digit == Digit::kTrit ? std::span<const DigitBits>(kTritLayout)
+                                                   : std::span<const DigitBits>(kQuintLayout);
   size_t at = 0;
   for (size_t i = 0; i < count; ++i) {
-    const unsigned group_code = code + 37 * static_cast<unsigned>(i / layout.values);
-    const size_t j = i % layout.values;
-    const unsigned width = layout.first[j + 1] - layout.first[j];
+    const unsigned group_code = code + 37 * static_cast<unsigned>(i / layout.size());
+    const DigitBits& digit = layout[i % layout.size()];
     at += levels.plain_bits;
-    put_bits(window, at, width, group_code >> layout.first[j]);
-    at += width;
+    put_bits(window, at, digit.count, group_code >> digit.first);
+    at += digit.count;
   }
 }
 

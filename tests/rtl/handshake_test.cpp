@@ -10,13 +10,10 @@ namespace hmlfc::test {
 namespace {
 
 template <class Dut>
-void reset(Dut& dut) {
-  dut.rst_n = 0;
+void reset_idle(Dut& dut) {
   dut.in_valid = 0;
   dut.out_ready = 0;
-  tick(dut);
-  tick(dut);
-  dut.rst_n = 1;
+  reset(dut);
   dut.eval();
 }
 
@@ -27,7 +24,7 @@ Counts traffic(Dut& dut, Inside&& inside) {
   Random random(10);
   Counts counts;
   std::deque<int> queue;
-  reset(dut);
+  reset_idle(dut);
   int put_rate = 2, take_rate = 2;
   bool waiting = false;
   for (int clock = 0; clock < 200000; ++clock) {
@@ -88,7 +85,7 @@ TEST(SkidBuffer, RandomTraffic) {
 // Words a clock with a sender and a receiver that never wait.
 template <class Dut>
 int words_in(Dut& dut, int clocks) {
-  reset(dut);
+  reset_idle(dut);
   dut.in_valid = 1;
   dut.out_ready = 1;
   int words = 0;
@@ -112,7 +109,7 @@ TEST(SkidBuffer, OneWordAClock) {
 TEST(Fifo, ResetEmpties) {
   Fifo dut;
   words_in(dut, 3);
-  reset(dut);
+  reset_idle(dut);
   EXPECT_EQ(dut.count, 0);
   EXPECT_FALSE(dut.out_valid);
   EXPECT_TRUE(dut.in_ready);
@@ -120,11 +117,11 @@ TEST(Fifo, ResetEmpties) {
 
 TEST(SkidBuffer, ResetEmpties) {
   SkidBuffer dut;
-  reset(dut);
+  reset_idle(dut);
   dut.in_valid = 1;
   for (int clock = 0; clock < 3; ++clock) tick(dut);
   EXPECT_FALSE(dut.in_ready);
-  reset(dut);
+  reset_idle(dut);
   EXPECT_FALSE(dut.out_valid);
   EXPECT_TRUE(dut.in_ready);
 }

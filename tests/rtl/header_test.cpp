@@ -8,8 +8,8 @@
 
 #include "rtl/ports.hpp"
 #include "rtl/read_port.hpp"
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
-#include "syntax/naive_header.hpp"
 
 namespace hmlfc::test {
 namespace {
@@ -61,7 +61,7 @@ Bytes some_file(Random& random) {
   if (random.one_in(2)) add_extended_fields(header, random);
   SectionBytes sections;
   for (Bytes& section : sections) section.resize(any(random, 0, 40), 0x5A);
-  return naive_file(header, sections);
+  return file_of(header, sections);
 }
 
 /// One wrong thing in `file`, at a place and with a value by chance; the CRC is right afterwards,
@@ -99,13 +99,6 @@ uint8_t parse(Dut& dut, ReadPort& port, uint64_t bytes) {
   }
   ADD_FAILURE() << "no end";
   return 0;
-}
-
-template <class Dut>
-void reset(Dut& dut) {
-  dut.rst_n = 0;
-  tick(dut);
-  dut.rst_n = 1;
 }
 
 void compare_extended_fields(const Header& dut, const StreamHeader& header, Counts& counts) {

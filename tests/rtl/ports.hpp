@@ -67,6 +67,14 @@ void tick(Dut& dut) {
   dut.eval();
 }
 
+/// One clock in reset.
+template <class Dut>
+void reset(Dut& dut) {
+  dut.rst_n = 0;
+  tick(dut);
+  dut.rst_n = 1;
+}
+
 /// How many values were compared and how many of them differed.
 struct Counts {
   uint64_t compared = 0;

@@ -111,9 +111,7 @@ class CacheRun {
  public:
   explicit CacheRun(uint32_t seed) : random_(seed), port_(memory_, random_) {
     for (auto& plane : planes_) plane = some_plane(memory_, random_);
-    dut_.rst_n = 0;
-    tick(dut_);
-    dut_.rst_n = 1;
+    reset(dut_);
   }
 
   /// Sends `count` windows and waits for all of them.

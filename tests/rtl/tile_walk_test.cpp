@@ -1,11 +1,7 @@
 // hmlfc_tile_walk against find_tile of the model, on intact and damaged streams, with bus errors.
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <vector>
-
-#include <hmlfc/encoder.hpp>
-#include <hmlfc/light_field.hpp>
 
 #include <TileWalk.h>
 
@@ -14,35 +10,10 @@
 #include "syntax/geometry.hpp"
 #include "syntax/header.hpp"
 #include "syntax/index.hpp"
+#include "vectors/field_stream.hpp"
 
 namespace hmlfc::test {
 namespace {
-
-/// A stream of a small light field by `seed`: both profiles, tiles with and without records.
-std::vector<uint8_t> some_stream(uint32_t seed) {
-  Random random(seed);
-  const auto any = [&](int32_t lo, int32_t hi) { return static_cast<uint32_t>(random.in(lo, hi)); };
-  const LightFieldShape shape{any(1, 5), any(1, 5), any(20, 90), any(20, 60), 8};
-  LightField field(shape);
-  std::vector<uint16_t> row(size_t{shape.width} * 3);
-  for (uint32_t r = 0; r < shape.rows; ++r) {
-    for (uint32_t c = 0; c < shape.cols; ++c) {
-      for (uint32_t y = 0; y < shape.height; ++y) {
-        const int32_t noise = y < 32 ? 60 : 0;
-        for (uint16_t& value : row) value = static_cast<uint16_t>(100 + random.in(0, noise));
-        field.write_row(r, c, y, row);
-      }
-    }
-  }
-  EncodeParams params;
-  params.profile = seed % 2 == 0 ? Profile::kMain : Profile::kExtended;
-  params.window = 16;
-  params.chroma = ChromaFormat::k420;
-  params.tree_height = random.in(0, 3);
-  params.ref_rows = params.ref_cols = 2;
-  params.threads = 1;
-  return encode(field, params)->bytes;
-}
 
 /// Sets the fields of config_t that the walk reads; they are its lowest bits.
 void set_stream(TileWalk& dut, const StreamHeader& header) {
@@ -101,7 +72,7 @@ void expect_found(const Walked& got, const Result<std::optional<TileExtent>>& fo
 
 /// Random tiles of one stream, near each other or far.
 void run_stream(uint32_t seed, bool damaged, bool corrupt, Counts& counts) {
-  std::vector<uint8_t> file = some_stream(seed);
+  std::vector<uint8_t> file = vectors::random_stream(seed, {});
   const StreamHeader header = parse_header(file).value();
   Random random(seed);
   for (uint64_t i = header.sections[1].offset; damaged && i < file.size(); ++i) {
@@ -110,9 +81,7 @@ void run_stream(uint32_t seed, bool damaged, bool corrupt, Counts& counts) {
   }
   const StreamView view{file, header, Geometry(header)};
   TileWalk dut;
-  dut.rst_n = 0;
-  tick(dut);
-  dut.rst_n = 1;
+  reset(dut);
   set_stream(dut, header);
   ReadPort port(file, random);
   const auto tiles = static_cast<int32_t>(view.geometry.tile_count());
@@ -152,14 +121,12 @@ TEST(TileWalk, KeepsNothingOfABusError) {
 
 // A tile of a group that was seen before costs one read.
 TEST(TileWalk, KeepsTheGroupsItHasSeen) {
-  const std::vector<uint8_t> file = some_stream(4);
+  const std::vector<uint8_t> file = vectors::random_stream(4, {});
   const StreamHeader header = parse_header(file).value();
   const StreamView view{file, header, Geometry(header)};
   Random random(1);
   TileWalk dut;
-  dut.rst_n = 0;
-  tick(dut);
-  dut.rst_n = 1;
+  reset(dut);
   set_stream(dut, header);
   ReadPort port(file, random);
   uint64_t there = 0;

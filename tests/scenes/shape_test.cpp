@@ -113,18 +113,18 @@ World random_world(uint32_t count) {
 
 TEST(TileBins, FindTheSameShapeAsASearchThroughAll) {
   const World world = random_world(150);
-  constexpr CameraRig kRig = {.centre = {0, 0, 0},
-                              .right = {1, 0, 0},
-                              .down = {0, -1, 0},
-                              .forward = {0, 0, 1},
-                              .focus = 10.0,
-                              .depth_unit = 40.0,
-                              .focal_sides = 1.2};
+  constexpr CameraRig rig = {.centre = {0, 0, 0},
+                             .right = {1, 0, 0},
+                             .down = {0, -1, 0},
+                             .forward = {0, 0, 1},
+                             .focus = 10.0,
+                             .depth_unit = 40.0,
+                             .focal_sides = 1.2};
   SceneParams params;
   params.rows = params.cols = 3;
   params.width = 90;
   params.height = 70;
-  const TwoPlaneCamera camera(kRig, params, 2, 0);
+  const TwoPlaneCamera camera(rig, params, 2, 0);
   const TileBins bins(world, camera, params.width, params.height);
   size_t hits = 0;
   for (uint32_t y = 0; y < params.height; ++y) {

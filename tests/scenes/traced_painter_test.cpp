@@ -10,15 +10,15 @@
 namespace hmlfc::scenes {
 namespace {
 
-constexpr CameraRig kRig = {.centre = {0, 0, 0},
-                            .right = {1, 0, 0},
-                            .down = {0, 1, 0},
-                            .forward = {0, 0, 1},
-                            .focus = 1.0,
-                            .depth_unit = 1.0,
-                            .focal_sides = 1.0};
+constexpr CameraRig kWallRig = {.centre = {0, 0, 0},
+                                .right = {1, 0, 0},
+                                .down = {0, 1, 0},
+                                .forward = {0, 0, 1},
+                                .focus = 1.0,
+                                .depth_unit = 1.0,
+                                .focal_sides = 1.0};
 
-SceneParams params_of(uint32_t width, uint32_t height) {
+SceneParams wall_params(uint32_t width, uint32_t height) {
   SceneParams params;
   params.rows = 1;
   params.cols = 1;
@@ -31,7 +31,9 @@ SceneParams params_of(uint32_t width, uint32_t height) {
 class Edge : public TracedPainter {
  public:
   Edge(uint32_t width, uint32_t height, double edge_x, double right_light)
-      : TracedPainter(params_of(width, height), kRig), edge_x_(edge_x), right_light_(right_light) {}
+      : TracedPainter(wall_params(width, height), kWallRig),
+        edge_x_(edge_x),
+        right_light_(right_light) {}
 
   RgbImage picture() const {
     RgbImage view{params().width, params().height, 8, {}};

@@ -61,9 +61,80 @@ PROBE_TREE = {
 }
 
 
-class SpecificationTest(unittest.TestCase):
-    clean_tree = {}
+TREES = {
+    citations: CITING_TREE,
+    error_table: ERROR_TREE,
+    width_probes: PROBE_TREE,
+    widths: WIDTH_TREE,
+    frame_widths: FRAME_WIDTH_TREE,
+}
+BLOCK, GOLDEN = "model/decoder/block.cpp", "model/decoder/golden/block.hpp"
+RAY, SUM = "model/render/ray.hpp", "model/arithmetic/sum.hpp"
+UNWATCHED = "nothing in model/arithmetic, syntax, decoder watches sum"
+UNWATCHED_RAY = "nothing in model/render watches U * s"
+WIDTH_ROW = "| vector component | TIL-7 | | [-127, 127] | the same | 8 | 8 |\n"
+FRAME_ROW = "| wr, wc | SMP-1 | | [0, 256] | 9 |\n"
+NO_DEPTH = "bits name a depth where"
 
+# Of each check: a file of its tree, what is replaced in it by what, and the words of each violation. A file
+# that the tree does not have holds the old text before.
+FAULTS = {
+    citations: [
+        (BLOCK, "(DEC-1)", "(DEC-1, DEC-4)", "block.cpp: cites DEC-4"),
+        (BLOCK, "(DEC-1)", "(DEC-1, DCE-2)", "block.cpp: cites DCE-2"),
+        (BLOCK, "(DEC-1)", "(DEC-1 to DEC-4)", "block.cpp: cites DEC-4"),
+        (BLOCK, "(DEC-1)", '(DEC-1) field("TIL-7")', "block.cpp: cites TIL-7"),
+        (SPECIFICATION, "see DEC-1", "see DEC-7", "specification.md: cites DEC-7"),
+        (RENDERING, "A ray", "See RAY-2", "rendering.md: cites RAY-2"),
+        ("docs/guide.md", "x", "DEC-8", "docs/guide.md: cites DEC-8"),
+        ("tools/cli/info.cpp", "x", "// IDX-1", "tools/cli/info.cpp: cites IDX-1"),
+        ("tools/cli/info.cpp", "x", "CRC-32C and UTF8 are no clauses"),
+        (BLOCK, "(DEC-1)", "", "DEC-1 is cited nowhere"),
+        (GOLDEN, "\n// DEC-3", "", "DEC-3 is cited nowhere"),
+        (RAY, "(RAY-1)", "", "rendering.md: RAY-1 is cited nowhere"),
+        (SPECIFICATION, "Third.", "Third.\n\n**[DEC-5]** x", "DEC-5 is cited nowhere"),
+        (SPECIFICATION, "**[DEC-3]**", "**[DEC-2]** x\n**[DEC-3]**", "2 times"),
+        (RENDERING, "**[RAY-1]**", "**[DEC-2]** x\n**[RAY-1]**", "specification.md: DEC-2 is defined 2 times",
+         "rendering.md: DEC-2 is defined", "rendering.md: DEC-2 is cited nowhere"),
+    ],
+    error_table: [
+        (SPECIFICATION, "not an HMLFC stream", "no stream", "error.cpp: error 2 is"),
+        (error_table.SOURCE, "not an HMLFC stream", "no stream", "error.cpp: error 2 is"),
+        (SPECIFICATION, "| bad_magic", "| bad_majic", "error.hpp: error 2", "error.cpp: error 2"),
+        (error_table.SOURCE, '"bad_magic"', '"bad_majic"', "error.cpp: error 2"),
+        (error_table.HEADER, "kBadMagic", "kBadMajic", "error.hpp: error 2"),
+        (error_table.HEADER, "kBadMagic = 2,\n  kBadVersion = 3", "kBadMagic = 3,\n  kBadVersion = 2",
+         "error 2 is bad_version", "error 3 is bad_magic"),
+        (SPECIFICATION, "| 27 | bus_error | a read of memory failed, in hardware |\n", "", "", "", ""),
+        (error_table.HEADER, "Count = 28", "Count = 29", "kErrorCodeCount is 29"),
+    ],
+    width_probes: [
+        (SUM, '"sum"', '"sums"', UNWATCHED,
+         "model/arithmetic/sum.hpp watches sums, which is no row of docs/specification.md"),
+        (SUM, "watch", "match", UNWATCHED),
+        (SPECIFICATION, "| d, e | B |\n", "", "entry.cpp watches d, e, which is no row"),
+        (RAY, '"U * s"', '"U"', UNWATCHED_RAY, "ray.hpp watches U, which is no row of docs/rendering.md"),
+        (RAY, "watch", "match", UNWATCHED_RAY),
+        (RAY, '"U * s"', '"sum"', UNWATCHED_RAY, "ray.hpp watches sum, which is no row"),
+        (RENDERING, "| U * s |", "| V |", "watches V", "watches U * s, which is no row"),
+    ],
+    widths: [
+        (SPECIFICATION, WIDTH_ROW, "", "vector component is missing"),
+        (SPECIFICATION, WIDTH_ROW, WIDTH_ROW + WIDTH_ROW.replace("vector", "other"), "other component is not in"),
+    ],
+    frame_widths: [
+        (RENDERING, "| 16 (n = 12) |", "| 16 |", NO_DEPTH),
+        (RENDERING, "| 17 |", "| 17 (n = 12) |", NO_DEPTH),
+        (RENDERING, "| [1, 4096] |", "| [1, 2048] |", "a, b", "na_lo", "n:", "r:", "n * r:"),
+        (RENDERING, "pz in [-4096, 4096]", "pz in [-4096, 2048]", "zu, zv", "U, V"),
+        (RENDERING, "abs(x0) <= 2^28", "abs(x0) <= 2^27", "xb, yb", "x(c), y(r)"),
+        (RENDERING, FRAME_ROW, "", "wr, wc is missing"),
+        (RENDERING, FRAME_ROW, FRAME_ROW + FRAME_ROW.replace("wr, wc", "other"), "other is not in the quantities"),
+    ],
+}
+
+
+class SpecificationTest(unittest.TestCase):
     def found_in(self, check, tree):
         with tempfile.TemporaryDirectory() as folder:
             for name, text in tree.items():
@@ -73,95 +144,34 @@ class SpecificationTest(unittest.TestCase):
             return list(check.violations(Path(folder)))
 
     def found(self, check, name, old, new):
-        """The violations of the clean tree after replacing `old` by `new` in one of its files; a
-        file that it does not have holds `old` before."""
-        text = self.clean_tree.get(name, old)
+        """The violations of the clean tree after replacing `old` by `new` in one of its files."""
+        text = TREES[check].get(name, old)
         self.assertTrue(old in text, old)
-        return self.found_in(check, {**self.clean_tree, name: text.replace(old, new, 1)})
+        return self.found_in(check, {**TREES[check], name: text.replace(old, new, 1)})
 
     def assert_found(self, check, name, old, new, *expected):
-        found = self.found(check, name, old, new)
-        self.assertEqual(len(found), len(expected), found)
-        for violation, words in zip(found, expected):
-            self.assertIn(words, violation)
+        with self.subTest(check=check.__name__, file=name, fault=new):
+            found = self.found(check, name, old, new)
+            self.assertEqual(len(found), len(expected), found)
+            for violation, words in zip(found, expected):
+                self.assertIn(words, violation)
 
 
-class CitationsTest(SpecificationTest):
-    clean_tree = CITING_TREE
+class FaultsTest(SpecificationTest):
+    def test_clean_trees(self):
+        for check, tree in TREES.items():
+            self.assertEqual(self.found_in(check, tree), [])
 
-    def plant(self, name, old, new, *expected):
-        self.assert_found(citations, name, old, new, *expected)
+    def test_planted_faults(self):
+        for check, faults in FAULTS.items():
+            for fault in faults:
+                self.assert_found(check, *fault)
 
-    def test_clean_tree(self):
-        self.plant(SPECIFICATION, "First", "First")
-
-    def test_citation_of_nothing(self):
-        block = "model/decoder/block.cpp"
-        self.plant(block, "(DEC-1)", "(DEC-1, DEC-4)", "block.cpp: cites DEC-4")
-        self.plant(block, "(DEC-1)", "(DEC-1, DCE-2)", "block.cpp: cites DCE-2")
-        self.plant(block, "(DEC-1)", "(DEC-1 to DEC-4)", "block.cpp: cites DEC-4")
-        self.plant(block, "(DEC-1)", '(DEC-1) field("TIL-7")', "block.cpp: cites TIL-7")
-
-    def test_the_specification_and_the_guides_cite_as_well(self):
-        self.plant(SPECIFICATION, "see DEC-1", "see DEC-7", "specification.md: cites DEC-7")
-        self.plant(RENDERING, "A ray", "See RAY-2", "rendering.md: cites RAY-2")
-        self.plant("docs/guide.md", "x", "DEC-8", "docs/guide.md: cites DEC-8")
-        self.plant("tools/cli/info.cpp", "x", "// IDX-1", "tools/cli/info.cpp: cites IDX-1")
-        self.plant("tools/cli/info.cpp", "x", "CRC-32C and UTF8 are no clauses")
-
-    def test_clause_that_nothing_follows(self):
-        block = "model/decoder/block.cpp"
-        self.plant(block, "(DEC-1)", "", "DEC-1 is cited nowhere")
-        self.plant("model/decoder/golden/block.hpp", "\n// DEC-3", "", "DEC-3 is cited nowhere")
-        self.plant("model/render/ray.hpp", "(RAY-1)", "", "rendering.md: RAY-1 is cited nowhere")
-        self.plant(SPECIFICATION, "Third.", "Third.\n\n**[DEC-5]** x", "DEC-5 is cited nowhere")
-
-    def test_the_encoder_does_not_count(self):
-        moved = {"model/encoder/block.cpp": "// DEC-1", "model/decoder/block.cpp": ""}
-        found = self.found_in(citations, {**self.clean_tree, **moved})
+    def test_citations_of_the_encoder_do_not_count(self):
+        moved = {"model/encoder/block.cpp": "// DEC-1", BLOCK: ""}
+        found = self.found_in(citations, {**CITING_TREE, **moved})
         self.assertEqual(len(found), 1, found)
         self.assertIn("DEC-1 is cited nowhere", found[0])
-
-    def test_clause_defined_twice(self):
-        self.plant(SPECIFICATION, "**[DEC-3]**", "**[DEC-2]** x\n**[DEC-3]**", "2 times")
-        both = ("specification.md: DEC-2 is defined 2 times", "rendering.md: DEC-2 is defined")
-        nowhere = "rendering.md: DEC-2 is cited nowhere"
-        self.plant(RENDERING, "**[RAY-1]**", "**[DEC-2]** x\n**[RAY-1]**", *both, nowhere)
-
-
-class ErrorTableTest(SpecificationTest):
-    clean_tree = ERROR_TREE
-
-    def plant(self, name, old, new, *expected):
-        self.assert_found(error_table, name, old, new, *expected)
-
-    def test_clean_tree(self):
-        self.plant(SPECIFICATION, "Annex", "Annex")
-
-    def test_other_meaning(self):
-        self.plant(SPECIFICATION, "not an HMLFC stream", "no stream", "error.cpp: error 2 is")
-        self.plant(error_table.SOURCE, "not an HMLFC stream", "no stream", "error.cpp: error 2 is")
-
-    def test_other_name(self):
-        both = ("error.hpp: error 2", "error.cpp: error 2")
-        self.plant(SPECIFICATION, "| bad_magic", "| bad_majic", *both)
-        self.plant(error_table.SOURCE, '"bad_magic"', '"bad_majic"', both[1])
-        self.plant(error_table.HEADER, "kBadMagic", "kBadMajic", both[0])
-
-    def test_other_number(self):
-        self.plant(
-            error_table.HEADER,
-            "kBadMagic = 2,\n  kBadVersion = 3",
-            "kBadMagic = 3,\n  kBadVersion = 2",
-            "error 2 is bad_version",
-            "error 3 is bad_magic",
-        )
-
-    def test_missing_row(self):
-        row = "| 27 | bus_error | a read of memory failed, in hardware |\n"
-        found = self.found(error_table, SPECIFICATION, row, "")
-        self.assertEqual(len(found), 3, found)
-        self.plant(error_table.HEADER, "Count = 28", "Count = 29", "kErrorCodeCount is 29")
 
 
 class RecordsTest(unittest.TestCase):
@@ -198,17 +208,12 @@ class RecordsTest(unittest.TestCase):
 
 
 class WidthsTest(SpecificationTest):
-    clean_tree = WIDTH_TREE
-
     def plant(self, old, new, row, words):
         """Every violation is of `row`, and one says `words`."""
         found = self.found(widths, SPECIFICATION, old, new)
         self.assertTrue(found, new)
         self.assertTrue(all(v.startswith(f"widths: {row}: ") for v in found), found)
         self.assertTrue(any(words in v for v in found), found)
-
-    def test_clean_tree(self):
-        self.assert_found(widths, SPECIFICATION, "widths", "widths")
 
     def test_wrong_bits(self):
         value, at8, at12 = "BISE value", "bits at n = 8 should be", "bits at n = 12 should be"
@@ -242,70 +247,26 @@ class WidthsTest(SpecificationTest):
             ("t", "3 * 2^(n-1) - 1]", ["3 * 2^(n-1) - 2]", "3 * 2^(n-1)]"]),
             ("B before its clamp", "[-(2^n - 2),", ["[-(2^n - 1),", "[-(2^n - 3),"]),
             ("B before its clamp", "2^(n+1) - 1] | | 10", ["2^(n+1) - 2] | | 10"]),
+            ("image number", "4096 * 8194 - 1]", ["4096 * 8194 - 2]"]),
+            ("tile number", "2 * 2^22) - 1]", ["2 * 2^22) - 2]"]),
+            ("bit position in a tile record", "n + 11) + 1299", ["n + 11) + 1298"]),
         ):
             for new in faults:
                 with self.subTest(row=row, fault=new):
                     self.plant(old, new, row, "at n = 3 values reach")
 
-    def test_bounds_that_are_passed(self):
-        words = "at n = 3 values reach"
-        self.plant("4096 * 8194 - 1]", "4096 * 8194 - 2]", "image number", words)
-        self.plant("2 * 2^22) - 1]", "2 * 2^22) - 2]", "tile number", words)
-        self.plant("n + 11) + 1299", "n + 11) + 1298", "bit position in a tile record", words)
-
-    def test_rows(self):
-        row = "| vector component | TIL-7 | | [-127, 127] | the same | 8 | 8 |\n"
-        other = row.replace("vector", "other")
-        self.assert_found(widths, SPECIFICATION, row, "", "vector component is missing")
-        self.assert_found(widths, SPECIFICATION, row, row + other, "other component is not in")
-
-
-class WidthProbesTest(SpecificationTest):
-    clean_tree = PROBE_TREE
-
-    def plant(self, name, old, new, *expected):
-        self.assert_found(width_probes, name, old, new, *expected)
-
-    def test_clean_tree(self):
-        self.plant(SPECIFICATION, "Widths", "Widths")
-
-    def test_row_without_a_probe_and_probe_without_a_row(self):
-        missing = "nothing in model/arithmetic, syntax, decoder watches sum"
-        other = "model/arithmetic/sum.hpp watches sums, which is no row of docs/specification.md"
-        self.plant("model/arithmetic/sum.hpp", '"sum"', '"sums"', missing, other)
-        self.plant("model/arithmetic/sum.hpp", "watch", "match", missing)
-        self.plant(SPECIFICATION, "| d, e | B |\n", "", "entry.cpp watches d, e, which is no row")
-
-    def test_the_same_of_the_renderers(self):
-        ray = "model/render/ray.hpp"
-        missing = "nothing in model/render watches U * s"
-        other = "ray.hpp watches U, which is no row of docs/rendering.md"
-        self.plant(ray, '"U * s"', '"U"', missing, other)
-        self.plant(ray, "watch", "match", missing)
-        self.plant(ray, '"U * s"', '"sum"', missing, "ray.hpp watches sum, which is no row")
-        self.plant(RENDERING, "| U * s |", "| V |", "watches V", "watches U * s, which is no row")
-
 
 class FrameWidthsTest(SpecificationTest):
-    clean_tree = FRAME_WIDTH_TREE
-
     def plant(self, old, new, *expected):
         self.assert_found(frame_widths, RENDERING, old, new, *expected)
-
-    def test_clean_tree(self):
-        self.plant("widths", "widths")
 
     def test_wrong_bits(self):
         for row in re.findall(r"^\| .*\d.* \|$", FRAME_WIDTHS, re.MULTILINE):
             quantity, bits = row.split(" | ")[0], row.rsplit("| ", 1)[1]
             number = int(bits.split()[0])
             for wrong in (number - 1, number + 1):
-                with self.subTest(row=row, bits=wrong):
-                    new = row.replace(f"| {bits}", f"| {bits.replace(str(number), str(wrong), 1)}")
-                    self.plant(row, new, f"{quantity[2:]}: bits should be {number}")
-        both = "bits name a depth where"
-        self.plant("| 16 (n = 12) |", "| 16 |", both)
-        self.plant("| 17 |", "| 17 (n = 12) |", both)
+                new = row.replace(f"| {bits}", f"| {bits.replace(str(number), str(wrong), 1)}")
+                self.plant(row, new, f"{quantity[2:]}: bits should be {number}")
 
     def test_intervals(self):
         for old, new, words in (
@@ -323,18 +284,7 @@ class FrameWidthsTest(SpecificationTest):
             ("[0, 16 * (2^n - 1)]", "[0, 16 * (2^n - 1) - 1]", "q: at n = 3 values reach"),
             ("[2^19, ", "[2^18, ", "sum over views: at n = 3 values reach"),
         ):
-            with self.subTest(new=new):
-                self.plant(old, new, words)
-
-    def test_limits_come_from_their_clauses(self):
-        self.plant("| [1, 4096] |", "| [1, 2048] |", "a, b", "na_lo", "n:", "r:", "n * r:")
-        self.plant("pz in [-4096, 4096]", "pz in [-4096, 2048]", "zu, zv", "U, V")
-        self.plant("abs(x0) <= 2^28", "abs(x0) <= 2^27", "xb, yb", "x(c), y(r)")
-
-    def test_rows(self):
-        row = "| wr, wc | SMP-1 | | [0, 256] | 9 |\n"
-        self.plant(row, "", "wr, wc is missing")
-        self.plant(row, row + row.replace("wr, wc", "other"), "other is not in the quantities")
+            self.plant(old, new, words)
 
 
 if __name__ == "__main__":

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iostream>
 
 #include <hmlfc/decoder.hpp>
 
 namespace hmlfc::stress {
 namespace {
-
-constexpr std::chrono::milliseconds kProgressPeriod{200};
 
 void write_file(const std::filesystem::path& file, std::span<const uint8_t> bytes) {
   std::ofstream out(file, std::ios::binary);
@@ -37,49 +34,36 @@ class Exercise {
       : decoder_(decoder), header_(decoder.header()), max_blocks_(max_blocks) {}
 
   Outcome run() {
-    const uint64_t sites = count_sites();
+    uint64_t sites = 0;
+    for_each_block([&](const BlockAddress&) { ++sites; });
     const uint64_t stride = std::max<uint64_t>(1, sites / std::max<uint64_t>(1, max_blocks_));
-    for (uint64_t site = 0; site < sites && outcome_.failure.empty(); site += stride) {
-      decode_site(site);
-    }
+    uint64_t site = 0;
+    for_each_block([&](const BlockAddress& address) {
+      if (site++ % stride == 0 && outcome_.failure.empty()) decode_block(address);
+    });
     if (outcome_.failure.empty()) decode_views();
     outcome_.ranges = take_ranges();
     return outcome_;
   }
 
  private:
-  uint64_t blocks_of(Plane plane) const {
-    const PlaneSize size = decoder_.plane_size(plane);
-    const uint64_t side = header_.block_size();
-    return ((size.width + side - 1) / side) * ((size.height + side - 1) / side);
-  }
-
-  uint64_t blocks_of_view() const {
-    return blocks_of(Plane::kY) + blocks_of(Plane::kCo) + blocks_of(Plane::kCg);
-  }
-
-  uint64_t count_sites() const { return uint64_t{header_.rows} * header_.cols * blocks_of_view(); }
-
-  BlockAddress site_at(uint64_t site) const {
-    const uint64_t view = site / blocks_of_view();
-    uint64_t block = site % blocks_of_view();
-    BlockAddress address;
-    address.view = {static_cast<uint32_t>(view / header_.cols),
-                    static_cast<uint32_t>(view % header_.cols)};
-    for (const Plane plane : kPlanes) {
-      address.plane = plane;
-      if (block < blocks_of(plane)) break;
-      block -= blocks_of(plane);
+  // View by view, plane by plane, row by row.
+  template <class Take>
+  void for_each_block(const Take& take) const {
+    const uint32_t side = header_.block_size();
+    for (uint32_t view = 0; view < header_.rows * header_.cols; ++view) {
+      for (const Plane plane : kPlanes) {
+        const PlaneSize size = decoder_.plane_size(plane);
+        for (uint32_t by = 0; by * side < size.height; ++by) {
+          for (uint32_t bx = 0; bx * side < size.width; ++bx) {
+            take(BlockAddress{{view / header_.cols, view % header_.cols}, plane, bx, by});
+          }
+        }
+      }
     }
-    const PlaneSize size = decoder_.plane_size(address.plane);
-    const uint64_t across = (size.width + header_.block_size() - 1) / header_.block_size();
-    address.bx = static_cast<uint32_t>(block % across);
-    address.by = static_cast<uint32_t>(block / across);
-    return address;
   }
 
-  void decode_site(uint64_t site) {
-    const BlockAddress address = site_at(site);
+  void decode_block(const BlockAddress& address) {
     // Every fourth block at the next stop level, the others at level 0.
     const uint64_t turn = outcome_.blocks / 4 % static_cast<uint64_t>(header_.tree_height + 1);
     const int level = outcome_.blocks % 4 == 0 ? static_cast<int>(turn) : 0;
@@ -156,7 +140,6 @@ Ranges Session::run(const std::string& name, std::span<const uint8_t> file) {
     findings_.push_back({{"stream", name}, {"what", outcome.failure}, {"stored", stored.string()}});
   }
   widths_.add(name, outcome.ranges);
-  show_progress();
   return outcome.ranges;
 }
 
@@ -165,15 +148,6 @@ void Session::add(const std::string& name, const Ranges& ranges) {
   if (const auto violation = take_violation()) {
     findings_.push_back({{"stream", name}, {"what", *violation}, {"stored", ""}});
   }
-}
-
-// Prints a line now and then, which stress.py shows.
-void Session::show_progress() {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - shown_ < kProgressPeriod) return;
-  shown_ = now;
-  std::cerr << streams_ << " streams, " << blocks_ << " blocks, " << findings_.size() << " findings"
-            << std::endl;
 }
 
 vectors::Json Session::report() const {

@@ -1,7 +1,6 @@
 // A run of stress_streams: takes streams, reports what they reached and what was wrong.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -34,15 +33,12 @@ class Session {
   vectors::Json report() const;
 
  private:
-  void show_progress();
-
   std::filesystem::path folder_;
   uint64_t max_blocks_;
   uint64_t streams_ = 0;
   uint64_t blocks_ = 0;
   vectors::Json findings_ = vectors::Json::array();  // {"stream", "what", "stored"}
   WidthReport widths_{WidthTable::kStreams};
-  std::chrono::steady_clock::time_point shown_{};
 };
 
 }  // namespace hmlfc::stress

@@ -4,7 +4,6 @@
 // within the bound of ERR-1 (docs/rendering.md) of the frame in double precision, and each quantity
 // of section 6 within its interval. Exit status: 0 no findings, 1 a finding, 2 wrong arguments.
 #include <chrono>
-#include <iostream>
 #include <map>
 
 #include <CLI/CLI.hpp>
@@ -80,9 +79,6 @@ Json run(const Arguments& arguments) {
     const std::string name =
         "camera " + std::to_string(n) + " of seed " + std::to_string(arguments.seed);
     add_camera(totals, name, camera_case(arguments.seed, n), arguments.scale);
-    if (n % 200 == 0) {
-      std::cerr << n << " cameras, " << totals.findings.size() << " findings" << std::endl;
-    }
   }
   return {{"cameras", totals.cameras},
           {"frames", totals.frames},

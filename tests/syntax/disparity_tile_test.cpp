@@ -1,22 +1,20 @@
 // Records of disparities: read back as they were written, every truncation, each error; and which
 // grid block a block looks up (MOT-5, MOT-6).
 #include <cstdint>
-#include <random>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "syntax/motion_helpers.hpp"
+#include "bits/naive_bits.hpp"
 #include "syntax/motion_tile.hpp"
-#include "syntax/naive_motion.hpp"
-#include "syntax/naive_tile.hpp"
+#include "syntax/record_helpers.hpp"
+#include "vectors/draw.hpp"
 
 namespace hmlfc {
 namespace {
 
-using test::DisparityModel;
 using test::kRecordAt;
 using test::NaiveBits;
 using test::name_of;
@@ -32,39 +30,49 @@ std::string outcome(const NaiveBits& bits, const DisparityContext& context, uint
   return value ? std::to_string(*value) : name_of(value.error());
 }
 
-DisparityModel draw_tile(std::mt19937& random) {
-  const uint32_t side = 4u << test::draw(random, 0, 3);
-  const int tile = 32 << test::draw(random, 0, 2);
-  return test::draw_disparity_tile(random, static_cast<uint32_t>(test::draw(random, 1, tile)),
-                                   static_cast<uint32_t>(test::draw(random, 1, tile)), side);
+NaiveBits record_of(int32_t least, const SequenceFields& values) {
+  BitWriter writer;
+  put_disparity_fields(writer, least, values);
+  return NaiveBits(writer.take());
 }
 
+/// A valid record with the grid blocks of some tile.
+std::vector<uint8_t> draw_record(vectors::Random& random, DisparityContext& context) {
+  const uint32_t side = 4u << random.below(4);
+  const uint32_t tile = 32u << random.below(3);
+  context.columns = (random.within(1, tile) + side - 1) / side;
+  context.rows = (random.within(1, tile) + side - 1) / side;
+  vectors::FieldRules rules(vectors::Json{{"disparity_density", 100}});
+  return vectors::draw_disparity_record(rules, context, random);
+}
+
+// What is read makes the same record when it is written again.
 TEST(DisparityTile, RandomTilesReadBack) {
-  std::mt19937 random(1);
+  vectors::Random random(1);
   for (int round = 0; round < 500; ++round) {
-    const DisparityModel tile = draw_tile(random);
-    const DisparityContext context{tile.columns, tile.rows};
-    const NaiveBits bits = test::write_disparities(tile);
-    for (uint32_t gy = 0; gy < tile.rows; ++gy) {
-      for (uint32_t gx = 0; gx < tile.columns; ++gx) {
-        ASSERT_EQ(outcome(bits, context, gx, gy), std::to_string(tile.at(gx, gy)));
+    DisparityContext context;
+    const std::vector<uint8_t> bytes = draw_record(random, context);
+    FieldCursor cursor(BitString(bytes), 0, Probe{});
+    const DisparityHead head = read_disparity_head(cursor, context).value();
+    SequenceFields values{level_code_for(head.levels.count), {}, {}};
+    for (uint32_t gy = 0; gy < context.rows; ++gy) {
+      for (uint32_t gx = 0; gx < context.columns; ++gx) {
+        const int32_t value = read_disparity(cursor, head, context, gx, gy).value();
+        values.values.push_back(static_cast<uint32_t>(value - head.min_disparity));
       }
     }
+    ASSERT_EQ(record_of(head.min_disparity, values).bytes(), bytes);
   }
 }
 
 TEST(DisparityTile, EveryTruncation) {
-  std::mt19937 random(2);
+  vectors::Random random(2);
   for (int round = 0; round < 200; ++round) {
-    const DisparityModel tile = draw_tile(random);
-    const NaiveBits bits = test::write_disparities(tile);
-    const std::vector<uint8_t> bytes = bits.bytes();
-    for (size_t length = 0; length <= bytes.size(); ++length) {
+    DisparityContext context;
+    const std::vector<uint8_t> bytes = draw_record(random, context);
+    for (size_t length = 0; length < bytes.size(); ++length) {
       const NaiveBits cut{std::span(bytes).first(length)};
-      const bool whole = length * 8 >= bits.size();
-      ASSERT_EQ(outcome(cut, {tile.columns, tile.rows}, 0, 0),
-                whole ? std::to_string(tile.at(0, 0)) : "tile_overrun")
-          << length << " of " << bytes.size();
+      ASSERT_EQ(outcome(cut, context, 0, 0), "tile_overrun") << length << " of " << bytes.size();
     }
   }
 }
@@ -84,34 +92,25 @@ TEST(DisparityTile, EveryCode) {
 // A sum past 4095 is an error of its own grid block alone.
 TEST(DisparityTile, ValuesPastTheInterval) {
   for (const int least : {-4096, 0, 4094, 4095}) {
-    DisparityModel tile;
-    tile.least = least;
-    tile.code = 27;
-    tile.columns = 3;
-    tile.rows = 1;
-    tile.values = {0, 1, 1023};
-    const NaiveBits bits = test::write_disparities(tile);
+    const std::vector<uint32_t> values{0, 1, 1023};
+    const NaiveBits bits = record_of(least, {27, values, {}});
     for (uint32_t gx = 0; gx < 3; ++gx) {
-      const int sum = tile.at(gx, 0);
+      const int sum = least + static_cast<int>(values[gx]);
       EXPECT_EQ(outcome(bits, {3, 1}, gx, 0), sum > 4095 ? "vector_range" : std::to_string(sum));
     }
   }
 }
 
 TEST(DisparityTile, EveryFieldIsTold) {
-  DisparityModel tile;
-  tile.least = -100;
-  tile.code = 6;  // 8 levels of 3 bits
-  tile.columns = 2;
-  tile.values = {5, 7};
-  const std::vector<uint8_t> bytes = test::write_disparities(tile).bytes();
-  test::FieldRecorder recorder("MOT-6");
-  FieldCursor cursor(BitString(bytes), 80, Probe{&recorder, nullptr, {}});
+  const auto bytes = NaiveBits().put_signed(-100, 13).put(6, 5).put(5, 3).put(7, 3).bytes();
+  test::FieldRecorder recorder;
+  FieldCursor cursor(BitString(bytes), 8 * kRecordAt, Probe{&recorder, nullptr, {}});
   const DisparityContext context{2, 1};
-  const auto head = read_disparity_head(cursor, context);
-  ASSERT_TRUE(head.has_value());
-  EXPECT_EQ(read_disparity(cursor, *head, context, 1, 0).value(), -93);
-  EXPECT_EQ(recorder.text(), "min_disparity@80:13=-100 disparity_code@93:5=6 disparity@98:3=-93 ");
+  const DisparityHead head = read_disparity_head(cursor, context).value();
+  EXPECT_EQ(read_disparity(cursor, head, context, 1, 0).value(), -93);
+  EXPECT_EQ(
+      recorder.text(),
+      "MOT-6 min_disparity@0:13=-100\nMOT-6 disparity_code@13:5=6\nMOT-6 disparity@18:3=-93\n");
 }
 
 // The grid blocks of small planes listed with their samples: a neighbour is the listed block on

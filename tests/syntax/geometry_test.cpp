@@ -1,26 +1,22 @@
-// Geometry against a tree in which everything is listed (STR-2 to STR-6, IDX-1 to IDX-3, DEC-1,
+// Geometry against a walk over the tree that counts (STR-2 to STR-6, IDX-1 to IDX-3, DEC-1,
 // EXT-3, EXT-4, MOT-1, MOT-7).
 #include "syntax/geometry.hpp"
 
 #include <cstdint>
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "syntax/geometry.hpp"
-#include "syntax/naive_header.hpp"
-#include "syntax/naive_tree.hpp"
+#include "support/streams.hpp"
 
 namespace hmlfc {
 namespace {
 
-using test::NaiveImage;
-using test::NaiveSize;
-using test::NaiveTile;
-using test::NaiveTree;
-
-StreamHeader draw_small_header() {
+// A small tree of profile extended: any flags that say something about geometry.
+StreamHeader draw_extended_header() {
   StreamHeader h;
   h.rows = *rc::gen::inRange(1u, 10u);
   h.cols = *rc::gen::inRange(1u, 10u);
@@ -31,15 +27,6 @@ StreamHeader draw_small_header() {
   h.tree_height = *rc::gen::inRange(0, 5);
   h.cluster_rows = *rc::gen::inRange(1u, 5u);
   h.cluster_cols = *rc::gen::inRange(h.cluster_rows == 1 ? 2u : 1u, 5u);
-  for (int level = 0; level <= h.tree_height; ++level) {
-    h.levels.push_back({*rc::gen::inRange<uint8_t>(1, 7), *rc::gen::inRange<uint8_t>(1, 7)});
-  }
-  return h;
-}
-
-// The same of profile extended: any flags that say something about geometry.
-StreamHeader draw_extended_header() {
-  StreamHeader h = draw_small_header();
   h.profile = Profile::kExtended;
   const auto flag = [&](Feature feature) {
     if (*rc::gen::arbitrary<bool>()) h.feature_flags |= feature_bit(feature);
@@ -51,117 +38,165 @@ StreamHeader draw_extended_header() {
     flag(Feature::kChromaMotion);
     h.motion_tile_log2 = *rc::gen::inRange(5u, 8u);
   }
-  for (int level = 0; level < h.tree_height; ++level) {
-    h.levels[static_cast<size_t>(level)].key_references =
-        h.has(Feature::kLevelKeys) ? *rc::gen::inRange<uint8_t>(0, 2) : 0;
+  for (int level = 0; level <= h.tree_height; ++level) {
+    const bool may_be_keyed = level < h.tree_height && h.has(Feature::kLevelKeys);
+    h.levels.push_back({*rc::gen::inRange<uint8_t>(1, 7), *rc::gen::inRange<uint8_t>(1, 7),
+                        may_be_keyed ? *rc::gen::inRange<uint8_t>(0, 2) : uint8_t{0}});
   }
   return h;
 }
 
-ImagePos pos(const NaiveImage& image) { return {image.row, image.col}; }
-
-RC_GTEST_PROP(Geometry, LevelsAndPlanes, ()) {
-  const StreamHeader header = draw_small_header();
-  const Geometry geometry(header);
-  const NaiveTree tree(header);
-  RC_ASSERT(geometry.top() == header.tree_height);
-  for (int l = 0; l <= header.tree_height; ++l) {
-    RC_ASSERT(geometry.level(l).rows == tree.level_size(l).height);
-    RC_ASSERT(geometry.level(l).cols == tree.level_size(l).width);
-  }
-  for (const Plane plane : kPlanes) {
-    const PlaneShape& shape = geometry.plane(plane);
-    const NaiveSize size = tree.plane_size(plane);
-    const NaiveSize blocks = tree.plane_blocks(plane);
-    const NaiveSize tiles = tree.plane_tiles(plane);
-    RC_ASSERT(shape.width == size.width && shape.height == size.height);
-    RC_ASSERT(shape.blocks_x == blocks.width && shape.blocks_y == blocks.height);
-    RC_ASSERT(shape.tiles_x == tiles.width && shape.tiles_y == tiles.height);
-  }
+// How many parts of `part` places cover `size` places: counted.
+uint32_t parts(uint32_t size, uint32_t part) {
+  uint32_t count = 0;
+  for (uint32_t covered = 0; covered < size; covered += part) ++count;
+  return count;
 }
 
-RC_GTEST_PROP(Geometry, ImageNumbersCountBreadthFirst, ()) {
-  const StreamHeader header = draw_small_header();
-  const Geometry geometry(header);
-  const NaiveTree tree(header);
-  RC_ASSERT(geometry.image_count() == tree.images().size());
-  for (uint64_t number = 0; number < tree.images().size(); ++number) {
-    const NaiveImage& image = tree.images()[number];
-    RC_ASSERT(geometry.image_number(image.level, pos(image)) == number);
+/// Calls `use(level, image)` for all images of the tree from the top level down, row by row.
+template <class Use>
+void for_each_image(const StreamHeader& header, const Use& use) {
+  std::vector<std::pair<uint32_t, uint32_t>> sizes{{header.rows, header.cols}};
+  for (int level = 0; level < header.tree_height; ++level) {
+    const auto [rows, cols] = sizes.back();
+    sizes.emplace_back(parts(rows, header.cluster_rows), parts(cols, header.cluster_cols));
   }
-}
-
-// Tile numbers are 0, 1, 2, ... over all tiles, a bijection; those of motion tiles follow those of
-// plane Cg.
-void check_tile_numbers(const StreamHeader& header) {
-  const Geometry geometry(header);
-  const NaiveTree tree(header);
-  const uint64_t count = tree.tiles().size();
-  RC_ASSERT(geometry.tile_count() == count);
-  RC_ASSERT(geometry.tile_group_count() == (count - 1) / 64 + 1);
-  RC_ASSERT(geometry.root_entry_count() == (count - 1) / 4096 + 1);
-  RC_ASSERT(geometry.motion_planes().size() == tree.planes().size() - 3);
-  for (uint64_t number = 0; number < count; ++number) {
-    const NaiveTile& tile = tree.tiles()[number];
-    const uint64_t image = geometry.image_number(tile.image.level, pos(tile.image));
-    const auto plane = static_cast<size_t>(tile.plane);
-    if (plane < 3) {
-      RC_ASSERT(geometry.tile_number(image, tile.plane, tile.tx, tile.ty) == number);
-    } else {
-      RC_ASSERT(geometry.motion_tile_number(image, plane - 3, tile.tx, tile.ty) == number);
-      const MotionPlaneShape& shape = geometry.motion_planes()[plane - 3];
-      const NaiveSize size = tree.plane_size(tile.plane);
-      RC_ASSERT(shape.width == size.width && shape.height == size.height);
+  for (int level = header.tree_height; level >= 0; --level) {
+    const auto [rows, cols] = sizes[static_cast<size_t>(level)];
+    for (uint32_t row = 0; row < rows; ++row) {
+      for (uint32_t col = 0; col < cols; ++col) use(level, ImagePos{row, col});
     }
   }
 }
 
-RC_GTEST_PROP(Geometry, TileNumbersCountAllTiles, ()) { check_tile_numbers(draw_small_header()); }
-
-RC_GTEST_PROP(Geometry, TileNumbersOfProfileExtended, ()) {
+RC_GTEST_PROP(Geometry, PlanesInSamplesBlocksAndTiles, ()) {
   const StreamHeader header = draw_extended_header();
-  check_tile_numbers(header);
-  if (!header.has(Feature::kMotionTiles)) return;
   const Geometry geometry(header);
+  const bool halved = header.chroma_format == ChromaFormat::k420;
+  const uint32_t chroma_width = halved ? parts(header.width, 2) : header.width;
+  const uint32_t chroma_height = halved ? parts(header.height, 2) : header.height;
+  for (const Plane plane : kPlanes) {
+    const PlaneShape& shape = geometry.plane(plane);
+    RC_ASSERT(shape.width == (plane == Plane::kY ? header.width : chroma_width));
+    RC_ASSERT(shape.height == (plane == Plane::kY ? header.height : chroma_height));
+    RC_ASSERT(shape.blocks_x == parts(shape.width, 1u << header.block_log2));
+    RC_ASSERT(shape.blocks_y == parts(shape.height, 1u << header.block_log2));
+    RC_ASSERT(shape.tiles_x == parts(shape.blocks_x, 8));
+    RC_ASSERT(shape.tiles_y == parts(shape.blocks_y, 8));
+  }
   const bool own_chroma = header.has(Feature::kChromaMotion);
+  const size_t motion_planes = !header.has(Feature::kMotionTiles) ? 0 : own_chroma ? 2 : 1;
+  RC_ASSERT(geometry.motion_planes().size() == motion_planes);
+  for (size_t m = 0; m < motion_planes; ++m) {
+    const MotionPlaneShape& shape = geometry.motion_planes()[m];
+    RC_ASSERT(shape.width == (m == 0 ? header.width : chroma_width));
+    RC_ASSERT(shape.height == (m == 0 ? header.height : chroma_height));
+    RC_ASSERT(shape.tiles_x == parts(shape.width, 1u << header.motion_tile_log2));
+    RC_ASSERT(shape.tiles_y == parts(shape.height, 1u << header.motion_tile_log2));
+    RC_ASSERT(shape.halves == (m == 0 && !own_chroma && halved));
+  }
+  if (motion_planes == 0) return;
   RC_ASSERT(geometry.motion_plane_of(Plane::kY) == 0);
-  RC_ASSERT(geometry.motion_plane_of(Plane::kCo) == (own_chroma ? 1u : 0u));
-  RC_ASSERT(geometry.motion_plane_of(Plane::kCg) == (own_chroma ? 1u : 0u));
-  RC_ASSERT(geometry.motion_planes()[0].halves ==
-            (!own_chroma && header.chroma_format == ChromaFormat::k420));
+  RC_ASSERT(geometry.motion_plane_of(Plane::kCo) == motion_planes - 1);
+  RC_ASSERT(geometry.motion_plane_of(Plane::kCg) == motion_planes - 1);
 }
 
-void check_references(const StreamHeader& header) {
+// Images are numbered breadth-first, tiles image by image, and key images as they come; the motion
+// tiles of an image follow the tiles of plane Cg.
+RC_GTEST_PROP(Geometry, NumbersCountImagesTilesAndKeys, ()) {
+  const StreamHeader header = draw_extended_header();
   const Geometry geometry(header);
-  const NaiveTree tree(header);
-  for (const NaiveImage& image : tree.images()) {
-    const NaiveImage reference = tree.reference(image);
-    RC_ASSERT(geometry.reference_of(image.level, pos(image)) == pos(reference));
-    RC_ASSERT(geometry.is_reference(image.level, pos(image)) == (reference == image));
-    RC_ASSERT(geometry.is_key(image.level, pos(image)) == tree.is_key(image));
-    const auto expected = tree.references(image);
-    const ReferenceImages found = reference_images(geometry, image.level, pos(image));
-    for (size_t k = 0; k < 4; ++k) RC_ASSERT(found[k] == pos(expected[k]));
-  }
-  const auto keys = tree.keys();
-  RC_ASSERT(geometry.key_count() == keys.size());
-  for (uint64_t number = 0; number < keys.size(); ++number) {
-    RC_ASSERT(geometry.key_number(keys[number].level, pos(keys[number])) == number);
-  }
+  uint64_t image = 0;
+  uint64_t tile = 0;
+  uint64_t key = 0;
+  for_each_image(header, [&](int level, ImagePos at) {
+    RC_ASSERT(geometry.image_number(level, at) == image);
+    for (const Plane plane : kPlanes) {
+      const PlaneShape& shape = geometry.plane(plane);
+      for (uint32_t i = 0; i < shape.tiles(); ++i, ++tile) {
+        const uint64_t number =
+            geometry.tile_number(image, plane, i % shape.tiles_x, i / shape.tiles_x);
+        RC_ASSERT(number == tile);
+      }
+    }
+    for (size_t m = 0; m < geometry.motion_planes().size(); ++m) {
+      const MotionPlaneShape& shape = geometry.motion_planes()[m];
+      for (uint32_t i = 0; i < shape.tiles(); ++i, ++tile) {
+        const uint64_t number =
+            geometry.motion_tile_number(image, m, i % shape.tiles_x, i / shape.tiles_x);
+        RC_ASSERT(number == tile);
+      }
+    }
+    const auto& entry = header.levels[static_cast<size_t>(level)];
+    const bool keyed = level == header.tree_height || entry.key_references == 1;
+    RC_ASSERT(geometry.is_key(level, at) == (keyed && geometry.is_reference(level, at)));
+    if (geometry.is_key(level, at)) RC_ASSERT(geometry.key_number(level, at) == key++);
+    ++image;
+  });
+  RC_ASSERT(geometry.top() == header.tree_height);
+  RC_ASSERT(geometry.image_count() == image);
+  RC_ASSERT(geometry.tile_count() == tile);
+  RC_ASSERT(geometry.tile_group_count() == parts(static_cast<uint32_t>(tile), 64));
+  RC_ASSERT(geometry.root_entry_count() == parts(static_cast<uint32_t>(tile), 4096));
+  RC_ASSERT(geometry.key_count() == key);
 }
 
-RC_GTEST_PROP(Geometry, ReferencesAndKeys, ()) {
-  const StreamHeader header = draw_small_header();
-  check_references(header);
-  const NaiveTree tree(header);
-  for (const NaiveImage& image : tree.images()) {
-    const bool top = image.level == header.tree_height;
-    RC_ASSERT(tree.is_key(image) == (top && tree.reference(image) == image));
+/// The reference groups of the rows or columns of a level, listed (STR-4, EXT-3, MOT-7).
+class Groups {
+ public:
+  Groups(uint32_t size, uint32_t length, bool balanced) {
+    const uint32_t groups = parts(size, length);
+    for (uint32_t k = 0; k < groups; ++k)
+      begins_.push_back(balanced ? k * size / groups : k * length);
+    begins_.push_back(size);
   }
-}
 
-RC_GTEST_PROP(Geometry, ReferencesAndKeysOfProfileExtended, ()) {
-  check_references(draw_extended_header());
+  /// The reference of the group of `at`: the middle place, the lower of two.
+  uint32_t own(uint32_t at) const { return middle(group_of(at)); }
+
+  /// That of the next group on the side of the reference on which `at` stands, else on the other.
+  uint32_t next(uint32_t at) const {
+    const auto group = static_cast<int>(group_of(at));
+    const int side = at >= own(at) ? 1 : -1;
+    for (const int next : {group + side, group - side}) {
+      if (next >= 0 && next + 1 < static_cast<int>(begins_.size())) {
+        return middle(static_cast<size_t>(next));
+      }
+    }
+    return own(at);
+  }
+
+ private:
+  size_t group_of(uint32_t at) const {
+    size_t group = 0;
+    while (begins_[group + 1] <= at) ++group;
+    return group;
+  }
+  uint32_t middle(size_t group) const { return (begins_[group] + begins_[group + 1] - 1) / 2; }
+
+  std::vector<uint32_t> begins_;
+};
+
+RC_GTEST_PROP(Geometry, ReferenceImages, ()) {
+  const StreamHeader header = draw_extended_header();
+  const Geometry geometry(header);
+  const bool balanced = header.has(Feature::kBalancedGroups);
+  for_each_image(header, [&](int level, ImagePos at) {
+    const LevelEntry& entry = header.levels[static_cast<size_t>(level)];
+    const Groups rows(geometry.level(level).rows, entry.ref_rows, balanced);
+    const Groups cols(geometry.level(level).cols, entry.ref_cols, balanced);
+    const ImagePos own{rows.own(at.row), cols.own(at.col)};
+    const ImagePos beside{own.row, cols.next(at.col)};
+    const ImagePos above{rows.next(at.row), own.col};
+    const ImagePos across{above.row, beside.col};
+    const int from_row = std::abs(static_cast<int>(at.row) - static_cast<int>(own.row));
+    const int from_col = std::abs(static_cast<int>(at.col) - static_cast<int>(own.col));
+    RC_ASSERT(geometry.reference_of(level, at) == own);
+    RC_ASSERT(geometry.is_reference(level, at) == (own == at));
+    RC_ASSERT(reference_images(geometry, level, at) ==
+              (from_col >= from_row ? ReferenceImages{own, beside, above, across}
+                                    : ReferenceImages{own, above, beside, across}));
+  });
 }
 
 // Every number of rows up to 600 in groups of every size: the boundaries of EXT-3, found by
@@ -218,25 +253,17 @@ TEST(Geometry, ReferenceSetsByHand) {
   }
 }
 
-// Step by step by parents, and at once by DEC-1: row / cluster_rows^l.
+// DEC-1: row / cluster_rows^l.
 RC_GTEST_PROP(Geometry, Ancestors, ()) {
-  const StreamHeader header = draw_small_header();
+  const StreamHeader header = draw_extended_header();
   const Geometry geometry(header);
-  const NaiveTree tree(header);
-  for (const NaiveImage& image : tree.images()) {
-    NaiveImage ancestor = image;
-    uint32_t row_power = 1;
-    uint32_t col_power = 1;
-    for (int l = image.level; l <= header.tree_height; ++l) {
-      const ImagePos found = geometry.ancestor(pos(image), image.level, l);
-      RC_ASSERT(found == pos(ancestor));
-      RC_ASSERT(found.row == image.row / row_power && found.col == image.col / col_power);
-      RC_ASSERT(found.row < geometry.level(l).rows && found.col < geometry.level(l).cols);
-      ancestor = tree.parent(ancestor);
-      row_power *= header.cluster_rows;
-      col_power *= header.cluster_cols;
+  for_each_image(header, [&](int level, ImagePos at) {
+    ImagePos expected = at;
+    for (int l = level; l <= header.tree_height; ++l) {
+      RC_ASSERT(geometry.ancestor(at, level, l) == expected);
+      expected = {expected.row / header.cluster_rows, expected.col / header.cluster_cols};
     }
-  }
+  });
 }
 
 TEST(Geometry, BorderClustersAndGroupsByHand) {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
-#include "syntax/naive_header.hpp"
 
 namespace hmlfc {
 namespace {
@@ -21,7 +21,7 @@ constexpr size_t kHeaderBytes = 156;  // 44 + 4 * 3 + 96 + 4
 constexpr size_t kSectionTable = 56;
 
 Bytes good_file() {
-  return test::naive_file(test::some_header(kHeight), {Bytes(5, 1), Bytes(16), Bytes(), Bytes(3)});
+  return test::file_of(test::some_header(kHeight), {Bytes(5, 1), Bytes(16), Bytes(), Bytes(3)});
 }
 
 /// A value put in a field, and what FIL-4 makes of it.

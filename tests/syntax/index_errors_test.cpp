@@ -1,14 +1,14 @@
 // Each error of the index, one by one (IDX-4 to IDX-6).
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "bits/naive_bits.hpp"
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
 #include "syntax/index.hpp"
-#include "syntax/naive_header.hpp"
-
 namespace hmlfc {
 namespace {
 
@@ -26,11 +26,14 @@ struct OneGroup {
   unsigned high_byte = 0;
   unsigned ends[3] = {2, 5, 9};
   size_t tile_bytes = 2 + 9;
+  int records = 1;  // of the GROUP section, all the same
 
   Bytes file() const {
     NaiveBits root, group, tiles;
     root.put(root_mask, 64).put(root_first, 64);
-    group.put(tile_mask, 64).put(data, 48).put(offset_bits, 8).put(high_byte, 8);
+    for (int i = 0; i < records; ++i) {
+      group.put(tile_mask, 64).put(data, 48).put(offset_bits, 8).put(high_byte, 8);
+    }
     for (const unsigned end : ends) tiles.put(end, 4);
     tiles.put(0, 4);
     while (tiles.size() < tile_bytes * 8) tiles.put(0xAB, 8);
@@ -40,7 +43,7 @@ struct OneGroup {
     header.levels = {{1, 1}};
     Bytes tile_section = tiles.bytes();
     tile_section.resize(tile_bytes);
-    return test::naive_file(header, {Bytes{}, root.bytes(), group.bytes(), tile_section});
+    return test::file_of(header, {Bytes{}, root.bytes(), group.bytes(), tile_section});
   }
 
   Result<std::optional<TileExtent>> find(uint64_t tile) const {
@@ -53,121 +56,97 @@ struct OneGroup {
   }
 };
 
-void expect_error(const OneGroup& group, uint64_t tile, std::string_view name, Section section) {
+/// What finding a tile gives: "begin-end" in the section, "empty", or the error and its section.
+std::string outcome(const OneGroup& group, uint64_t tile) {
   const auto found = group.find(tile);
-  ASSERT_FALSE(found.has_value()) << name;
-  EXPECT_EQ(error_name(found.error().code), name);
-  EXPECT_EQ(section_name(found.error().section), section_name(section));
-}
-
-void expect_extent(const OneGroup& group, uint64_t tile, uint64_t begin, uint64_t end) {
-  const auto found = group.find(tile);
-  ASSERT_TRUE(found.has_value()) << to_string(found.error());
-  ASSERT_TRUE(found->has_value());
-  EXPECT_EQ((*found)->begin, begin);
-  EXPECT_EQ((*found)->end, end);
-}
-
-void expect_empty(const OneGroup& group, uint64_t tile) {
-  const auto found = group.find(tile);
-  ASSERT_TRUE(found.has_value()) << to_string(found.error());
-  EXPECT_FALSE(found->has_value());
-}
-
-TEST(IndexErrors, WithoutFault) {
-  const OneGroup group;
-  expect_extent(group, 0, 2, 4);
-  expect_extent(group, 5, 4, 7);
-  expect_extent(group, 6, 7, 11);
-  expect_empty(group, 1);
-  expect_empty(group, 63);
-  expect_empty(group, 64);
-}
-
-TEST(IndexErrors, RecordNumberPastTheGroupSection) {
-  OneGroup group;
-  group.root_first = 1;
-  expect_error(group, 0, "bad_root_entry", Section::kRoot);
-  expect_empty(group, 64);
-  group = {};
-  group.root_mask = 0b11;  // group 1 has record 1, which is not there
-  expect_extent(group, 0, 2, 4);
-  expect_error(group, 64, "bad_root_entry", Section::kRoot);
-  group.root_first = uint64_t{1} << 60;  // times 16 is 2^64
-  expect_error(group, 0, "bad_root_entry", Section::kRoot);
-  group.root_first = ~uint64_t{0};
-  expect_error(group, 0, "bad_root_entry", Section::kRoot);
-}
-
-// Integers are exact (CNV-1): 2^64 - 1 + 1 is past the section, not record 0.
-TEST(IndexErrors, RecordNumberDoesNotWrap) {
-  OneGroup group;
-  group.root_mask = 0b11;
-  group.root_first = ~uint64_t{0};
-  expect_error(group, 64, "bad_root_entry", Section::kRoot);
-}
-
-TEST(IndexErrors, ImpossibleGroupRecord) {
-  OneGroup group;
-  for (const unsigned bits : {0u, 33u, 64u, 255u}) {
-    group = {};
-    group.offset_bits = bits;
-    expect_error(group, 0, "bad_group_record", Section::kGroup);
-    expect_error(group, 1, "bad_group_record", Section::kGroup);
+  if (!found) {
+    return std::string(error_name(found.error().code)) + " in " +
+           std::string(section_name(found.error().section));
   }
+  if (!*found) return "empty";
+  return std::to_string((*found)->begin) + "-" + std::to_string((*found)->end);
+}
+
+constexpr const char* kBadRoot = "bad_root_entry in ROOT";
+constexpr const char* kBadGroup = "bad_group_record in GROUP";
+constexpr const char* kBadTile = "bad_tile_offset in TILE";
+
+/// A change of the group, and what some of its tiles then give.
+struct Case {
+  const char* what;
+  void (*change)(OneGroup&);
+  std::map<uint64_t, std::string> tiles;
+};
+
+const Case kCases[] = {
+    {"nothing",
+     [](OneGroup&) {},
+     {{0, "2-4"}, {5, "4-7"}, {6, "7-11"}, {1, "empty"}, {63, "empty"}, {64, "empty"}}},
+    {"the first record is behind the section",
+     [](OneGroup& g) { g.root_first = 1; },
+     {{0, kBadRoot}, {64, "empty"}}},
+    {"group 1 has record 1, which is not there",
+     [](OneGroup& g) { g.root_mask = 0b11; },
+     {{0, "2-4"}, {64, kBadRoot}}},
+    {"16 times the number is 2^64",
+     [](OneGroup& g) { g.root_first = uint64_t{1} << 60; },
+     {{0, kBadRoot}}},
+    {"the number of the next group's record does not wrap (CNV-1)",
+     [](OneGroup& g) {
+       g.root_mask = 0b11;
+       g.root_first = ~uint64_t{0};
+       g.records = 2;
+     },
+     {{0, kBadRoot}, {64, kBadRoot}}},
+    {"offset_bits 0", [](OneGroup& g) { g.offset_bits = 0; }, {{0, kBadGroup}, {1, kBadGroup}}},
+    {"offset_bits 33", [](OneGroup& g) { g.offset_bits = 33; }, {{0, kBadGroup}, {1, kBadGroup}}},
+    {"offset_bits 64", [](OneGroup& g) { g.offset_bits = 64; }, {{0, kBadGroup}, {1, kBadGroup}}},
+    {"offset_bits 255", [](OneGroup& g) { g.offset_bits = 255; }, {{0, kBadGroup}, {1, kBadGroup}}},
+    {"a table that ends one byte behind the section",
+     [](OneGroup& g) { g.data = 10; },
+     {{0, kBadGroup}, {1, "empty"}}},
+    {"a table at the end of the section",
+     [](OneGroup& g) { g.data = 11; },
+     {{0, kBadGroup}, {1, "empty"}}},
+    {"a table behind the section",
+     [](OneGroup& g) { g.data = 12; },
+     {{0, kBadGroup}, {1, "empty"}}},
+    {"the greatest place of a table",
+     [](OneGroup& g) { g.data = (uint64_t{1} << 48) - 1; },
+     {{0, kBadGroup}, {1, "empty"}}},
+    {"a section of 1 byte", [](OneGroup& g) { g.tile_bytes = 1; }, {{0, kBadGroup}}},
+    {"an empty section", [](OneGroup& g) { g.tile_bytes = 0; }, {{0, kBadGroup}}},
+    {"a table of 12 bytes of 11", [](OneGroup& g) { g.offset_bits = 32; }, {{0, kBadGroup}}},
+    {"a section that ends with the table", [](OneGroup& g) { g.tile_bytes = 2; }, {{0, kBadTile}}},
+    {"a section that lacks the last byte",
+     [](OneGroup& g) { g.tile_bytes = 10; },
+     {{0, "2-4"}, {5, "4-7"}, {6, kBadTile}}},
+    {"a first record without bytes",
+     [](OneGroup& g) { g.ends[0] = 0; },
+     {{0, kBadTile}, {5, "2-7"}}},
+    {"a second record without bytes",
+     [](OneGroup& g) { g.ends[1] = 2; },
+     {{0, "2-4"}, {5, kBadTile}, {6, "4-11"}}},
+    {"a record that ends before it begins", [](OneGroup& g) { g.ends[1] = 1; }, {{5, kBadTile}}},
+    {"a record behind the one after it", [](OneGroup& g) { g.ends[1] = 10; }, {{6, kBadTile}}},
+};
+
+TEST(IndexErrors, EachAlone) {
+  for (const Case& c : kCases) {
+    OneGroup group;
+    c.change(group);
+    for (const auto& [tile, expected] : c.tiles) {
+      EXPECT_EQ(outcome(group, tile), expected) << c.what << ", tile " << tile;
+    }
+  }
+}
+
+TEST(IndexErrors, EveryBitAboveOffsetBits) {
   for (unsigned bit = 0; bit < 8; ++bit) {
-    group = {};
+    OneGroup group;
     group.high_byte = 1u << bit;
-    expect_error(group, 0, "bad_group_record", Section::kGroup);
+    EXPECT_EQ(outcome(group, 0), kBadGroup) << bit;
   }
-}
-
-TEST(IndexErrors, TablePastTheSection) {
-  OneGroup group;
-  for (const uint64_t data : {uint64_t{10}, uint64_t{11}, uint64_t{12}, (uint64_t{1} << 48) - 1}) {
-    group.data = data;
-    expect_error(group, 0, "bad_group_record", Section::kGroup);
-    expect_empty(group, 1);
-  }
-  group = {};
-  group.tile_bytes = 1;
-  expect_error(group, 0, "bad_group_record", Section::kGroup);
-  group.tile_bytes = 0;
-  expect_error(group, 0, "bad_group_record", Section::kGroup);
-  group = {};
-  group.offset_bits = 32;  // 12 bytes of 11
-  expect_error(group, 0, "bad_group_record", Section::kGroup);
-}
-
-// The table fits exactly, the records do not.
-TEST(IndexErrors, TableAtTheEndOfTheSection) {
-  OneGroup group;
-  group.tile_bytes = 2;
-  expect_error(group, 0, "bad_tile_offset", Section::kTile);
-}
-
-TEST(IndexErrors, RecordPastTheSection) {
-  OneGroup group;
-  group.tile_bytes = 10;  // the last of 9 bytes of records is missing
-  expect_extent(group, 0, 2, 4);
-  expect_extent(group, 5, 4, 7);
-  expect_error(group, 6, "bad_tile_offset", Section::kTile);
-}
-
-TEST(IndexErrors, RecordThatEndsWhereItBeginsOrBefore) {
-  OneGroup group;
-  group.ends[0] = 0;
-  expect_error(group, 0, "bad_tile_offset", Section::kTile);
-  expect_extent(group, 5, 2, 7);
-  group = {};
-  group.ends[1] = 2;
-  expect_extent(group, 0, 2, 4);
-  expect_error(group, 5, "bad_tile_offset", Section::kTile);
-  expect_extent(group, 6, 4, 11);
-  group.ends[1] = 1;
-  expect_error(group, 5, "bad_tile_offset", Section::kTile);
-  group.ends[1] = 10;  // the record after it ends at 9
-  expect_error(group, 6, "bad_tile_offset", Section::kTile);
 }
 
 }  // namespace

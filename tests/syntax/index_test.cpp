@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "bits/naive_bits.hpp"
+#include "support/streams.hpp"
 #include "syntax/header.hpp"
-#include "syntax/naive_header.hpp"
 
 namespace hmlfc {
 namespace {
@@ -40,7 +40,7 @@ constexpr uint64_t kTiles = 8319;
 class Stream {
  public:
   explicit Stream(const SectionBytes& sections)
-      : file_(test::naive_file(many_tiles(), sections)),
+      : file_(test::file_of(many_tiles(), sections)),
         header_(parse_header(file_).value()),
         view_{file_, header_, Geometry(header_)} {}
   Stream(const Stream&) = delete;

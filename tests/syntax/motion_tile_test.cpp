@@ -3,52 +3,48 @@
 #include "syntax/motion_tile.hpp"
 
 #include <cstdint>
-#include <random>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "arithmetic/naive_bise.hpp"
 #include "bits/naive_bits.hpp"
-#include "syntax/motion_helpers.hpp"
-#include "syntax/naive_motion.hpp"
-#include "syntax/naive_tile.hpp"
+#include "syntax/record_helpers.hpp"
+#include "vectors/draw.hpp"
 
 namespace hmlfc {
 namespace {
 
-using test::EntryModel;
 using test::kRecordAt;
-using test::MotionModel;
-using test::MotionRules;
 using test::NaiveBits;
 using test::name_of;
 
-struct Case {
+MotionContext draw_context(vectors::Random& random) {
   MotionContext context;
-  MotionModel tile;
-};
+  context.tile_log2 = random.within(5, 7);
+  const uint32_t side = 1u << context.tile_log2;
+  const bool border = random.below(2) == 0;
+  context.width = border ? random.within(1, side) : side;
+  context.height = border ? random.within(1, side) : side;
+  context.block_size = 2u << random.below(3);
+  context.two_references = random.below(2) == 0;
+  context.disparities = random.below(2) == 0;
+  context.keyed = random.below(2) == 0;
+  return context;
+}
 
-Case draw_case(std::mt19937& random) {
-  Case drawn;
-  MotionContext& context = drawn.context;
-  context.tile_log2 = static_cast<unsigned>(test::draw(random, 5, 7));
-  const int side = 1 << context.tile_log2;
-  const bool border = test::draw(random, 0, 1) != 0;
-  context.width = static_cast<uint32_t>(border ? test::draw(random, 1, side) : side);
-  context.height = static_cast<uint32_t>(border ? test::draw(random, 1, side) : side);
-  context.block_size = 2u << test::draw(random, 0, 2);
-  context.two_references = test::draw(random, 0, 1) != 0;
-  context.disparities = test::draw(random, 0, 1) != 0;
-  context.keyed = test::draw(random, 0, 1) != 0;
-  const MotionRules rules{context.two_references, context.disparities, !context.keyed,
-                          context.block_size == 8 ? 1u : 0u};
-  drawn.tile = test::draw_motion_tile(random, rules, context.width, context.height);
-  return drawn;
+/// A valid record: any palette and indices.
+std::vector<uint8_t> draw_record(vectors::Random& random, const MotionContext& context) {
+  vectors::FieldRules rules(vectors::Json{{"motion_density", 100}});
+  return vectors::draw_motion_record(rules, context, random);
+}
+
+NaiveBits record_of(const MotionTileFields& tile, const MotionContext& context) {
+  BitWriter writer;
+  put_motion_fields(writer, tile, {context.two_references, !context.keyed});
+  return NaiveBits(writer.take());
 }
 
 /// What reading the entry of sample (x, y) gives: the name of the error, or "ok".
@@ -62,36 +58,31 @@ std::string outcome(const NaiveBits& bits, const MotionContext& context, uint32_
   return entry ? "ok" : name_of(entry.error());
 }
 
-void check_entry(const PaletteEntry& entry, const EntryModel& model) {
-  ASSERT_EQ(entry.reference_set, model.reference_set);
-  ASSERT_EQ(entry.choice, model.choice);
-  ASSERT_EQ(entry.negative, model.negative);
-  ASSERT_EQ(entry.explicit_x, model.explicit_x);
-  ASSERT_EQ(entry.explicit_y, model.explicit_y);
-}
-
+// What is read makes the same record when it is written again.
 TEST(MotionTile, RandomTilesReadBack) {
-  std::mt19937 random(1);
+  vectors::Random random(1);
   for (int round = 0; round < 800; ++round) {
-    const auto [context, tile] = draw_case(random);
-    const std::vector<uint8_t> bytes = test::write_motion(tile).bytes();
-    FieldCursor cursor(BitString(bytes), 0, Probe{});
-    const auto head = read_motion_head(cursor, context);
-    ASSERT_TRUE(head.has_value()) << to_string(head.error());
-    ASSERT_EQ(uint32_t{1} << head->block_log2, tile.side());
-    ASSERT_EQ(head->entries, tile.palette.size());
-    ASSERT_EQ(head->columns, tile.columns);
-    ASSERT_EQ(head->rows, tile.rows);
-    ASSERT_EQ(cursor.position(), test::write_motion(tile).size());
-    for (size_t e = 0; e < tile.palette.size(); ++e) {
-      ASSERT_NO_FATAL_FAILURE(check_entry(head->palette[e], tile.palette[e]));
+    const MotionContext context = draw_context(random);
+    const std::vector<uint8_t> bytes = draw_record(random, context);
+    const BitString bits(bytes);
+    FieldCursor cursor(bits, 0, Probe{});
+    const MotionHead head = read_motion_head(cursor, context).value();
+    MotionTileFields tile;
+    tile.block_log2 = head.block_log2;
+    tile.explicit_bits = bits.field(5, 4);
+    tile.palette.assign(head.palette.begin(), head.palette.begin() + head.entries);
+    tile.indices.level_code = level_code_for(head.entries);
+    for (uint64_t i = 0; i < head.blocks(); ++i) {
+      tile.indices.values.push_back(
+          bise_value(bits, head.indices_at, head.levels, head.blocks(), i));
     }
+    ASSERT_EQ(record_of(tile, context).bytes(), bytes);
+    const uint32_t side = 1u << head.block_log2;
+    ASSERT_EQ(head.columns, (context.width + side - 1) / side);
     for (uint32_t y = 0; y < context.height; ++y) {
       for (uint32_t x = 0; x < context.width; ++x) {
-        const uint32_t block = y / tile.side() * tile.columns + x / tile.side();
-        const auto entry = read_motion_entry(cursor, *head, context, x, y);
-        ASSERT_TRUE(entry.has_value()) << to_string(entry.error());
-        ASSERT_NO_FATAL_FAILURE(check_entry(*entry, tile.palette[tile.indices[block]]));
+        const uint32_t index = tile.indices.values[y / side * head.columns + x / side];
+        ASSERT_EQ(read_motion_entry(cursor, head, context, x, y).value(), head.palette[index]);
       }
     }
   }
@@ -99,14 +90,13 @@ TEST(MotionTile, RandomTilesReadBack) {
 
 // A record is there as a whole or no block of the tile is.
 TEST(MotionTile, EveryTruncation) {
-  std::mt19937 random(2);
+  vectors::Random random(2);
   for (int round = 0; round < 200; ++round) {
-    const auto [context, tile] = draw_case(random);
-    const NaiveBits bits = test::write_motion(tile);
-    const std::vector<uint8_t> bytes = bits.bytes();
+    const MotionContext context = draw_context(random);
+    const std::vector<uint8_t> bytes = draw_record(random, context);
     for (size_t length = 0; length <= bytes.size(); ++length) {
       const NaiveBits cut{std::span(bytes).first(length)};
-      const std::string expected = length * 8 >= bits.size() ? "ok" : "tile_overrun";
+      const std::string expected = length == bytes.size() ? "ok" : "tile_overrun";
       ASSERT_EQ(outcome(cut, context), expected) << length << " of " << bytes.size();
       ASSERT_EQ(outcome(cut, context, context.width - 1, context.height - 1), expected);
     }
@@ -149,13 +139,12 @@ TEST(MotionTile, HeadFields) {
 
 // Seven entries take indices of 8 levels: index 7 is for no block, and an error of its own alone.
 TEST(MotionTile, IndexBeyondThePalette) {
-  MotionModel tile;
-  tile.motion_block = 1;
-  tile.palette.assign(7, EntryModel{});
-  tile.columns = tile.rows = 4;
-  tile.indices.assign(16, 6);
-  tile.indices[9] = 7;
-  const NaiveBits bits = test::write_motion(tile);
+  MotionTileFields tile;
+  tile.block_log2 = 3;
+  tile.palette.assign(7, {});
+  tile.indices = {level_code_for(7), std::vector<uint32_t>(16, 6), {}};
+  tile.indices.values[9] = 7;
+  const NaiveBits bits = record_of(tile, whole_tile());
   for (uint32_t y = 0; y < 32; ++y) {
     for (uint32_t x = 0; x < 32; ++x) {
       const bool spoilt = y / 8 == 2 && x / 8 == 1;
@@ -167,19 +156,15 @@ TEST(MotionTile, IndexBeyondThePalette) {
 // Each choice in an entry that one block uses and the others do not.
 TEST(MotionTile, EveryChoice) {
   for (const bool disparities : {false, true}) {
-    for (unsigned choice = 0; choice < 16; ++choice) {
+    for (uint8_t choice = 0; choice < 16; ++choice) {
       MotionContext context = whole_tile();
       context.disparities = disparities;
-      MotionModel tile;
-      tile.rules.disparities = disparities;
-      tile.motion_block = 2;
+      MotionTileFields tile;
+      tile.block_log2 = 4;
       tile.explicit_bits = 5;
-      tile.palette = {EntryModel{}, EntryModel{0, choice, false, 0, 0}};
-      if (choice == 10 || choice == 11) tile.palette[1].explicit_x = -16;
-      if (choice == 11) tile.palette[1].explicit_y = 15;
-      tile.columns = tile.rows = 2;
-      tile.indices = {0, 0, 1, 0};
-      const NaiveBits bits = test::write_motion(tile);
+      tile.palette = {{}, {0, choice, false, -16, 15}};
+      tile.indices = {level_code_for(2), {0, 0, 1, 0}, {}};
+      const NaiveBits bits = record_of(tile, context);
       const bool valid = choice == 0 || choice == 11 || (choice < 11 && disparities);
       EXPECT_EQ(outcome(bits, context, 15, 15), "ok") << choice;
       EXPECT_EQ(outcome(bits, context, 15, 16), valid ? "ok" : "bad_mode") << choice;
@@ -202,8 +187,8 @@ TEST(MotionTile, EmptyTiles) {
         EXPECT_EQ(head.block_log2, 6u);
         EXPECT_EQ(head.blocks(), 1u);
         EXPECT_TRUE(is_usable(head.palette[0], context));
-        const unsigned choice = !keyed ? 0 : disparities ? 1 : 11;
-        check_entry(head.palette[0], {two ? 1u : 0u, choice, false, 0, 0});
+        const uint8_t choice = !keyed ? 0 : disparities ? 1 : 11;
+        EXPECT_EQ(head.palette[0], (PaletteEntry{two, choice, false, 0, 0}));
       }
     }
   }
@@ -219,39 +204,37 @@ TEST(MotionTile, EveryFieldIsTold) {
   MotionContext context = whole_tile();
   context.two_references = context.disparities = true;
   context.keyed = false;
-  test::FieldRecorder recorder("MOT-3");
+  test::FieldRecorder recorder;
   AccessCounts counts;
-  FieldCursor cursor(BitString(bytes), 800, Probe{&recorder, &counts, {}});
-  const auto head = read_motion_head(cursor, context);
-  ASSERT_TRUE(head.has_value());
-  const auto entry = read_motion_entry(cursor, *head, context, 31, 31);
-  ASSERT_TRUE(entry.has_value());
-  check_entry(*entry, {2, 11, false, 7, -8});
+  FieldCursor cursor(BitString(bytes), 8 * kRecordAt, Probe{&recorder, &counts, {}});
+  const MotionHead head = read_motion_head(cursor, context).value();
+  EXPECT_EQ(read_motion_entry(cursor, head, context, 31, 31).value(),
+            (PaletteEntry{2, 11, false, 7, -8}));
   EXPECT_EQ(recorder.text(),
-            "motion_block@800:2=3 palette_size@802:3=1 explicit_bits@805:4=4 "
-            "reference_set@809:3=6 choice@812:4=10 sign@816:1=1 explicit_x@817:4=-5 "
-            "reference_set@821:3=2 choice@824:4=11 sign@828:1=0 explicit_x@829:4=7 "
-            "explicit_y@833:4=-8 index@837:1=1 ");
+            "MOT-3 motion_block@0:2=3\nMOT-3 palette_size@2:3=1\nMOT-3 explicit_bits@5:4=4\n"
+            "MOT-3 reference_set@9:3=6\nMOT-3 choice@12:4=10\nMOT-3 sign@16:1=1\n"
+            "MOT-3 explicit_x@17:4=-5\n"
+            "MOT-3 reference_set@21:3=2\nMOT-3 choice@24:4=11\nMOT-3 sign@28:1=0\n"
+            "MOT-3 explicit_x@29:4=7\nMOT-3 explicit_y@33:4=-8\nMOT-3 index@37:1=1\n");
   EXPECT_EQ(counts.fields, 13u);
   EXPECT_EQ(counts.steps, 0u);
 }
 
 // Whatever the bits are: an entry that may be used, or an error of this clause.
 TEST(MotionTile, RandomBitsNeverDoMore) {
-  std::mt19937 random(3);
+  vectors::Random random(3);
   int read = 0;
   for (int round = 0; round < 5000; ++round) {
-    const MotionContext context = draw_case(random).context;
-    std::vector<uint8_t> bytes(static_cast<size_t>(test::draw(random, 1, 500)));
-    for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random());
+    const MotionContext context = draw_context(random);
+    std::vector<uint8_t> bytes(random.within(1, 500));
+    for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random.next());
     FieldCursor cursor(BitString(bytes), 0, Probe{});
     const auto head = read_motion_head(cursor, context);
     if (!head) continue;
     ASSERT_LE(head->blocks(), 1024u);
     for (int i = 0; i < 20; ++i) {
-      const auto entry =
-          read_motion_entry(cursor, *head, context, static_cast<uint32_t>(random()) % context.width,
-                            static_cast<uint32_t>(random()) % context.height);
+      const auto entry = read_motion_entry(cursor, *head, context, random.below(context.width),
+                                           random.below(context.height));
       if (!entry) continue;
       ++read;
       ASSERT_LE(entry->choice, 11u);

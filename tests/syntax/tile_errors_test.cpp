@@ -1,7 +1,6 @@
 // Each error of a tile record (TIL-1, TIL-4, TIL-6 to TIL-9, STP-1).
 #include <cstdint>
 #include <cstdlib>
-#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,29 +8,23 @@
 #include <gtest/gtest.h>
 
 #include "bits/naive_bits.hpp"
-#include "syntax/naive_tile.hpp"
-#include "syntax/tile_record.hpp"
+#include "syntax/record_helpers.hpp"
+#include "syntax/tile_cases.hpp"
 
 namespace hmlfc {
 namespace {
 
 using test::NaiveBits;
-using test::TileModel;
-using test::TileRecord;
-
-constexpr uint64_t kRecordAt = 1000;  // byte of the file at which the record stands
+using test::TileCase;
 
 /// What reading block k of a record gives: the name of the error, or "ok".
 std::string outcome(const NaiveBits& bits, const TileContext& context, unsigned k) {
   const std::vector<uint8_t> bytes = bits.bytes();
-  FieldCursor cursor(BitString(bytes), kRecordAt * 8, Probe{});
+  FieldCursor cursor(BitString(bytes), test::kRecordAt * 8, Probe{});
   const auto head = read_tile_head(cursor, context);
   const auto entry = head ? read_block_entry(cursor, *head, context, k)
                           : Result<BlockEntry>(tl::unexpected(head.error()));
-  if (entry) return "ok";
-  EXPECT_EQ(entry.error().section, Section::kTile);
-  EXPECT_GE(entry.error().offset, kRecordAt);
-  return std::string(error_name(entry.error().code));
+  return entry ? "ok" : test::name_of(entry.error());
 }
 
 TileContext context_of(bool predictive, int window = 16, int depth = 8) {
@@ -45,19 +38,22 @@ TileContext context_of(bool predictive, int window = 16, int depth = 8) {
 
 // At each length, the head is there or not, and each block's values are there or not.
 TEST(TileErrors, EveryTruncation) {
-  std::mt19937 random(1);
+  vectors::Random random(1);
   for (int round = 0; round < 60; ++round) {
     TileContext context = test::draw_context(random);
     context.block_samples = 4;
-    const TileModel tile = test::draw_tile(random, context);
-    const TileRecord record = test::write_tile(tile);
-    const std::vector<uint8_t> bytes = record.bits.bytes();
-    for (size_t length = 0; length <= bytes.size(); ++length) {
-      const NaiveBits cut{std::span(bytes).first(length)};
-      for (unsigned k = 0; k < 64; ++k) {
-        const bool head = length * 8 >= record.head_end;
-        const bool values = !tile.blocks[k].residual || length * 8 >= record.ends[k];
-        ASSERT_EQ(outcome(cut, context, k), head && values ? "ok" : "tile_overrun")
+    const std::vector<uint8_t> bytes = test::draw_tile_case(random, context).record();
+    FieldCursor cursor(BitString(bytes), 0, Probe{});
+    const TileHead head = read_tile_head(cursor, context).value();
+    const bool residuals = head.residual_mask != 0;
+    const uint64_t head_end = residuals ? head.residuals.values_at : head.residuals_begin;
+    for (unsigned k = 0; k < 64; ++k) {
+      const BlockEntry entry = read_block_entry(cursor, head, context, k).value();
+      const uint64_t end =
+          entry.has_residual() ? entry.values_at + bise_bits(entry.levels, 4) : head_end;
+      for (size_t length = 0; length <= bytes.size(); ++length) {
+        const NaiveBits cut{std::span(bytes).first(length)};
+        ASSERT_EQ(outcome(cut, context, k), length * 8 >= end ? "ok" : "tile_overrun")
             << "block " << k << " in " << length << " of " << bytes.size() << " bytes";
       }
     }
@@ -126,20 +122,19 @@ TEST(TileErrors, VectorFields) {
 
 // A component beyond the window is an error of its own block alone (TIL-7).
 TEST(TileErrors, VectorOutsideTheWindow) {
-  for (const int sign : {0, 1}) {
+  for (const uint32_t sign_mode : {0u, 1u}) {
     for (const bool in_x : {false, true}) {
-      TileModel tile;
-      tile.context = context_of(true);
-      tile.motion_mode = 2;
-      for (const size_t k : {3u, 9u, 40u}) tile.blocks[k].motion = true;
-      tile.sign_mode = sign != 0 ? 1 : 0;
-      tile.min_x = tile.min_y = 10;
-      tile.codes_x = tile.codes_y = 6;  // 8 levels: up to 17
-      for (auto& block : tile.blocks) block.dx = block.dy = 16;
-      (in_x ? tile.blocks[9].dx : tile.blocks[9].dy) = 17;
-      const NaiveBits bits = test::write_tile(tile).bits;
+      TileCase made{context_of(true), {}};
+      made.tile.motion_mode = 2;
+      for (const unsigned k : {3u, 9u, 40u}) made.tile.motion_mask |= uint64_t{1} << k;
+      VectorFields& vectors = made.tile.vectors;
+      vectors.sign_mode = sign_mode;
+      vectors.min_x = vectors.min_y = 10;
+      vectors.x = vectors.y = {6, {6, 6, 6}, {}};  // 8 levels: up to 17
+      (in_x ? vectors.x : vectors.y).values[1] = 7;
+      const NaiveBits bits(made.record());
       for (unsigned k = 0; k < 64; ++k) {
-        EXPECT_EQ(outcome(bits, tile.context, k), k == 9 ? "vector_range" : "ok") << k;
+        EXPECT_EQ(outcome(bits, made.context, k), k == 9 ? "vector_range" : "ok") << k;
       }
     }
   }
@@ -172,27 +167,38 @@ TEST(TileErrors, ResidualFields) {
   }
 }
 
-// A level code beyond the depth spoils its block and those after it, not those before (TIL-8).
-TEST(TileErrors, LevelCodeBeyondTheDepth) {
-  TileModel tile;
-  tile.context = context_of(true);
-  tile.residual_mode = 2;
-  tile.level_base = 26;
-  tile.level_bits = 2;
-  tile.bias_bits = 3;
-  for (const size_t k : {5u, 6u, 20u, 33u, 63u}) {
-    tile.blocks[k].residual = true;
-    tile.blocks[k].level_code = k == 20 ? 28 : 27;
-    tile.blocks[k].values.assign(4, 0);
+// Blocks 5, 6, 20, 33 and 63 have a residual, with `level` and `step` above the tile's base but
+// block 20, whose level and step are one more.
+TileCase codes_at_the_end(unsigned level_base, unsigned level, unsigned step_base, unsigned step,
+                          bool steps) {
+  TileCase made{context_of(true), {}};
+  made.context.steps = steps;
+  made.tile.residual_mode = 2;
+  made.tile.residuals = {level_base, 2, 3, step_base, steps ? 2u : 0u, {}};
+  for (const unsigned k : {5u, 6u, 20u, 33u, 63u}) {
+    made.tile.residual_mask |= uint64_t{1} << k;
+    const unsigned more = k == 20 ? 1 : 0;
+    made.tile.residuals.blocks.push_back(
+        {steps ? step + more : 0, 0, {steps ? level : level + more, {0, 0, 0, 0}, {}}});
   }
-  const NaiveBits bits = test::write_tile(tile).bits;
-  for (unsigned k = 0; k < 64; ++k) {
-    const bool spoilt = tile.blocks[k].residual && k >= 20;
-    EXPECT_EQ(outcome(bits, tile.context, k), spoilt ? "bad_levels" : "ok") << k;
+  return made;
+}
+
+// A code beyond the last one spoils its block and those after it, not those before (TIL-8, STP-1).
+TEST(TileErrors, CodesBeyondTheLast) {
+  const TileCase of_levels = codes_at_the_end(26, 27, 0, 0, false);
+  for (const TileCase& made : {of_levels, codes_at_the_end(0, 0, 14, 15, true)}) {
+    for (unsigned k = 0; k < 64; ++k) {
+      const bool spoilt = has_bit(made.tile.residual_mask, k) && k >= 20;
+      EXPECT_EQ(outcome(NaiveBits(made.record()), made.context, k), spoilt ? "bad_levels" : "ok")
+          << k;
+    }
   }
-  TileContext deeper = tile.context;
+  TileContext deeper = of_levels.context;
   deeper.depth = 9;
-  for (unsigned k = 0; k < 64; ++k) EXPECT_EQ(outcome(bits, deeper, k), "ok") << k;
+  for (unsigned k = 0; k < 64; ++k) {
+    EXPECT_EQ(outcome(NaiveBits(of_levels.record()), deeper, k), "ok") << k;
+  }
 }
 
 // Step fields are there with residual_step alone, after the checks of bias_bits (STP-1).
@@ -220,33 +226,13 @@ TEST(TileErrors, StepFields) {
   EXPECT_EQ(outcome(bad_bias, context, 0), "bad_mode") << "before the step fields that lack";
 }
 
-// Of one header's two codes the level code is checked first; both name the same error.
-TEST(TileErrors, StepCodeBeyondTheTable) {
-  TileModel tile;
-  tile.context = context_of(true);
-  tile.context.steps = true;
-  tile.residual_mode = 2;
-  tile.step_base = 14;
-  tile.step_bits = 2;
-  for (const size_t k : {5u, 6u, 20u, 33u, 63u}) {
-    tile.blocks[k].residual = true;
-    tile.blocks[k].step_code = k == 20 ? 16 : 14 + static_cast<unsigned>(k % 2);
-    tile.blocks[k].values.assign(4, 0);
-  }
-  const NaiveBits bits = test::write_tile(tile).bits;
-  for (unsigned k = 0; k < 64; ++k) {
-    const bool spoilt = tile.blocks[k].residual && k >= 20;
-    EXPECT_EQ(outcome(bits, tile.context, k), spoilt ? "bad_levels" : "ok") << k;
-  }
-}
-
 // Whatever the bits are, each block gives its entry or an error of this section.
 TEST(TileErrors, RandomBitsNeverDoMore) {
-  std::mt19937 random(2);
+  vectors::Random random(2);
   for (int round = 0; round < 3000; ++round) {
     const TileContext context = test::draw_context(random);
-    std::vector<uint8_t> bytes(static_cast<size_t>(test::draw(random, 1, 120)));
-    for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random());
+    std::vector<uint8_t> bytes(random.within(1, 120));
+    for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random.next());
     FieldCursor cursor(BitString(bytes), 0, Probe{});
     const auto head = read_tile_head(cursor, context);
     if (!head) continue;

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "arithmetic/naive_bise.hpp"
+#include "arithmetic/bise.hpp"
 
 namespace hmlfc {
 namespace {
@@ -64,13 +64,12 @@ TEST(TileLayout, BlocksInsideForEveryBorder) {
 }
 
 TEST(TileLayout, VectorWidthsOfEveryWindow) {
-  const std::vector<uint32_t> counts = test::naive_level_counts();
   for (int window = 0; window <= 127; ++window) {
     const unsigned values = 2 * static_cast<unsigned>(window) + 1;
     unsigned v = 0;
     while ((1u << v) < values) ++v;
     unsigned K = 0;
-    while (counts[K] < values) ++K;
+    while (levels_of_code(K).count < values) ++K;
     unsigned c = 0;
     while ((1u << c) <= K) ++c;
     const VectorWidths widths = vector_widths(window);

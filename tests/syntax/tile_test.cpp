@@ -1,153 +1,125 @@
 // Valid tile records read back as they were written (TIL-1 to TIL-10, STP-1).
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "arithmetic/bise.hpp"
-#include "syntax/naive_tile.hpp"
-#include "syntax/tile_record.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "syntax/tile_cases.hpp"
 
 namespace hmlfc {
 namespace {
 
-using test::BlockModel;
-using test::TileModel;
-using test::TileRecord;
+using test::TileCase;
 
-// STP-2.
-constexpr int32_t kSteps[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
+constexpr uint64_t kBehind = ~uint64_t{0};  // bits after the last field have no meaning (TIL-1)
 
-void check_head(const TileHead& head, const TileModel& tile, const TileRecord& record) {
-  ASSERT_EQ(head.motion_mask, tile.motion_mask());
-  ASSERT_EQ(head.residual_mask, tile.residual_mask());
-  ASSERT_EQ(head.vectors_begin, record.vectors_begin);
-  ASSERT_EQ(head.residuals_begin, record.residuals_begin);
-  if (head.motion_mask != 0) {
-    ASSERT_EQ(head.vectors.sign_mode, tile.sign_mode);
-    ASSERT_EQ(head.vectors.min_x, tile.min_x);
-    ASSERT_EQ(head.vectors.min_y, tile.min_y);
-    ASSERT_EQ(head.vectors.levels_x, levels_of_code(tile.codes_x));
-    ASSERT_EQ(head.vectors.levels_y, levels_of_code(tile.codes_y));
-  }
-  if (head.residual_mask != 0) {
-    ASSERT_EQ(head.residuals.level_base, tile.level_base);
-    ASSERT_EQ(head.residuals.level_bits, tile.level_bits);
-    ASSERT_EQ(head.residuals.bias_bits, tile.bias_bits);
-    ASSERT_EQ(head.residuals.step_base, tile.step_base);
-    ASSERT_EQ(head.residuals.step_bits, tile.step_bits);
-    ASSERT_EQ(head.residuals.values_at, record.head_end);
-  }
+void read_vectors(const TileHead& head, VectorFields& vectors) {
+  vectors.sign_mode = head.vectors.sign_mode;
+  vectors.min_x = head.vectors.min_x;
+  vectors.min_y = head.vectors.min_y;
+  vectors.x.level_code = level_code_for(head.vectors.levels_x.count);
+  vectors.y.level_code = level_code_for(head.vectors.levels_y.count);
 }
 
-BlockState state_of(const BlockModel& block) {
-  if (block.motion && block.residual) return BlockState::kMotionResidual;
-  if (block.motion) return BlockState::kMotion;
-  if (block.residual) return BlockState::kResidual;
-  return BlockState::kZero;
+ResidualBlockFields block_of(const BlockEntry& entry, const BitString& bits, uint64_t samples) {
+  ResidualBlockFields block;
+  while (step_of_code(block.step_code) != entry.step) ++block.step_code;
+  block.bias = entry.bias;
+  block.values.level_code = level_code_for(entry.levels.count);
+  for (uint64_t i = 0; i < samples; ++i) {
+    block.values.values.push_back(bise_value(bits, entry.values_at, entry.levels, samples, i));
+  }
+  return block;
 }
 
-void check_block(const BlockEntry& entry, const BlockModel& block, const BitString& bits) {
-  ASSERT_EQ(entry.state, state_of(block));
-  ASSERT_EQ(entry.has_motion(), block.motion);
-  ASSERT_EQ(entry.has_residual(), block.residual);
-  if (block.motion) {
-    ASSERT_EQ(entry.negative, block.negative);
-    ASSERT_EQ(entry.dx, block.dx);
-    ASSERT_EQ(entry.dy, block.dy);
+/// The fields that the reader finds, one block after another.
+TileFields read_tile(const BitString& bits, const TileContext& context) {
+  FieldCursor cursor(bits, 0, Probe{});
+  const TileHead head = read_tile_head(cursor, context).value();
+  TileFields tile;
+  tile.motion_mode = context.predictive ? bits.field(0, 2) : 0;
+  tile.residual_mode = bits.field(context.predictive ? 2 : 0, 2);
+  tile.motion_mask = head.motion_mask;
+  tile.residual_mask = head.residual_mask;
+  read_vectors(head, tile.vectors);
+  const TileResiduals& r = head.residuals;
+  tile.residuals = {r.level_base, r.level_bits, r.bias_bits, r.step_base, r.step_bits, {}};
+  for (unsigned k = 0; k < 64; ++k) {
+    const BlockEntry entry = read_block_entry(cursor, head, context, k).value();
+    EXPECT_EQ(entry.has_motion(), has_bit(head.motion_mask, k));
+    EXPECT_EQ(entry.has_residual(), has_bit(head.residual_mask, k));
+    if (entry.has_motion()) {
+      tile.vectors.negative.push_back(entry.negative);
+      tile.vectors.x.values.push_back(static_cast<uint32_t>(entry.dx - tile.vectors.min_x));
+      tile.vectors.y.values.push_back(static_cast<uint32_t>(entry.dy - tile.vectors.min_y));
+    }
+    if (!entry.has_residual()) continue;
+    tile.residuals.blocks.push_back(block_of(entry, bits, context.block_samples));
   }
-  if (block.residual) {
-    ASSERT_EQ(entry.levels, levels_of_code(block.level_code));
-    ASSERT_EQ(entry.bias, block.bias);
-    ASSERT_EQ(entry.step, kSteps[block.step_code]);
-    for (size_t i = 0; i < block.values.size(); ++i) {
-      ASSERT_EQ(bise_value(bits, entry.values_at, entry.levels, block.values.size(), i),
-                block.values[i]);
+  return tile;
+}
+
+// What is read makes the same record when it is written again.
+void check_tile(const TileCase& drawn) {
+  const std::vector<uint8_t> record = drawn.record();
+  std::vector<uint8_t> longer = record;
+  for (int i = 0; i < 8; ++i) longer.push_back(static_cast<uint8_t>(kBehind >> (8 * i)));
+  for (const auto& bytes : {record, longer}) {
+    const TileFields tile = read_tile(BitString(bytes), drawn.context);
+    ASSERT_EQ(tile.motion_mask, drawn.tile.motion_mask);
+    ASSERT_EQ(tile.residual_mask, drawn.tile.residual_mask);
+    ASSERT_EQ(write_tile_fields(tile, drawn.context), record);
+    if (tile.vectors.sign_mode == kSignsMixed) continue;
+    for (const bool negative : tile.vectors.negative) {
+      ASSERT_EQ(negative, tile.vectors.sign_mode == kSignsMinus);
     }
   }
 }
 
-void check_tile(const TileModel& tile) {
-  const TileRecord record = test::write_tile(tile);
-  const std::vector<uint8_t> bytes = record.bits.bytes();
-  FieldCursor cursor(BitString(bytes), 0, Probe{});
-  const auto head = read_tile_head(cursor, tile.context);
-  ASSERT_TRUE(head.has_value()) << to_string(head.error());
-  ASSERT_NO_FATAL_FAILURE(check_head(*head, tile, record));
-  for (unsigned k = 0; k < 64; ++k) {
-    const auto entry = read_block_entry(cursor, *head, tile.context, k);
-    ASSERT_TRUE(entry.has_value()) << k << " " << to_string(entry.error());
-    ASSERT_NO_FATAL_FAILURE(check_block(*entry, tile.blocks[k], BitString(bytes))) << k;
-  }
-}
-
 TEST(Tile, RandomTilesReadBack) {
-  std::mt19937 random(1);
+  vectors::Random random(1);
   for (int round = 0; round < 1500; ++round) {
     const TileContext context = test::draw_context(random);
-    ASSERT_NO_FATAL_FAILURE(check_tile(test::draw_tile(random, context))) << "round " << round;
+    ASSERT_NO_FATAL_FAILURE(check_tile(test::draw_tile_case(random, context))) << round;
   }
 }
 
 // Every window with the full range of vectors, both signs.
 TEST(Tile, EveryWindow) {
-  std::mt19937 random(2);
+  vectors::Random random(2);
   for (int window = 0; window <= 127; ++window) {
-    TileContext context;
-    context.predictive = true;
-    context.window = window;
-    TileModel tile;
-    tile.context = context;
-    tile.motion_mode = 1;
-    tile.sign_mode = 2;
-    tile.min_x = tile.min_y = -window;
-    tile.codes_x = tile.codes_y = vector_widths(window).max_code;
-    for (size_t k = 0; k < 64; ++k) {
-      BlockModel& block = tile.blocks[k];
-      block = {true,
-               k % 3 == 0,
-               test::draw(random, -window, window),
-               k % 2 != 0 ? window : -window,
-               false,
-               0,
-               0,
-               {}};
+    TileCase made;
+    made.context.predictive = true;
+    made.context.window = window;
+    made.tile.motion_mode = 1;
+    made.tile.motion_mask = ~uint64_t{0};
+    VectorFields& vectors = made.tile.vectors;
+    vectors.sign_mode = kSignsMixed;
+    vectors.min_x = vectors.min_y = -window;
+    vectors.x.level_code = vectors.y.level_code = vector_widths(window).max_code;
+    const auto widest = 2 * static_cast<uint32_t>(window);
+    for (uint32_t k = 0; k < 64; ++k) {
+      vectors.negative.push_back(k % 3 == 0);
+      vectors.x.values.push_back(random.within(0, widest));
+      vectors.y.values.push_back(k % 2 != 0 ? widest : 0);
     }
-    ASSERT_NO_FATAL_FAILURE(check_tile(tile)) << window;
+    ASSERT_NO_FATAL_FAILURE(check_tile(made)) << window;
   }
 }
 
 // A zero mask in modes 2 and 3 is allowed and ends the record early (TIL-4).
 TEST(Tile, ZeroMasksInEveryMode) {
   for (const bool predictive : {false, true}) {
-    for (const unsigned motion_mode : {0u, 2u, 3u}) {
-      for (const unsigned residual_mode : {0u, 2u, 3u}) {
-        TileModel tile;
-        tile.context.predictive = predictive;
-        tile.motion_mode = motion_mode;
-        tile.residual_mode = residual_mode;
-        ASSERT_NO_FATAL_FAILURE(check_tile(tile));
+    for (const uint32_t motion_mode : {0u, 2u, 3u}) {
+      for (const uint32_t residual_mode : {0u, 2u, 3u}) {
+        TileCase made;
+        made.context.predictive = predictive;
+        made.tile.motion_mode = motion_mode;
+        made.tile.residual_mode = residual_mode;
+        ASSERT_NO_FATAL_FAILURE(check_tile(made));
       }
-    }
-  }
-}
-
-// Bits after the last field have no meaning (TIL-1).
-TEST(Tile, BitsBehindTheLastFieldDoNotMatter) {
-  std::mt19937 random(3);
-  for (int round = 0; round < 50; ++round) {
-    const TileModel tile = test::draw_tile(random, test::draw_context(random));
-    TileRecord record = test::write_tile(tile);
-    record.bits.put(~uint64_t{0}, 64);
-    const std::vector<uint8_t> bytes = record.bits.bytes();
-    FieldCursor cursor(BitString(bytes), 0, Probe{});
-    const auto head = read_tile_head(cursor, tile.context);
-    ASSERT_TRUE(head.has_value());
-    for (unsigned k = 0; k < 64; ++k) {
-      const auto entry = read_block_entry(cursor, *head, tile.context, k);
-      ASSERT_TRUE(entry.has_value());
-      ASSERT_NO_FATAL_FAILURE(check_block(*entry, tile.blocks[k], BitString(bytes)));
     }
   }
 }

@@ -1,6 +1,5 @@
 // What a sink is told about a record written by hand: every field with its address (CNV-4, TIL-1).
 #include <cstdint>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "bits/naive_bits.hpp"
+#include "syntax/record_helpers.hpp"
 #include "syntax/tile_record.hpp"
 
 namespace hmlfc {
@@ -15,35 +15,8 @@ namespace {
 
 using test::NaiveBits;
 
-struct Field {
-  std::string clause;
-  std::string name;
-  uint64_t bit;
-  unsigned bits;
-  int64_t value;
-  friend bool operator==(const Field&, const Field&) = default;
-  friend std::ostream& operator<<(std::ostream& out, const Field& field) {
-    return out << field.clause << ' ' << field.name << " = " << field.value << " in " << field.bits
-               << " bits at " << field.bit;
-  }
-};
-
-class Recorder final : public TraceSink {
- public:
-  void on_field(const FieldRecord& record) override {
-    EXPECT_EQ(record.section, Section::kTile);
-    fields_.push_back({std::string(record.clause), std::string(record.name), record.bit,
-                       record.bits, record.value});
-  }
-  void on_stage(const StageRecord&) override {}
-  const std::vector<Field>& fields() const { return fields_; }
-
- private:
-  std::vector<Field> fields_;
-};
-
 // Window 3: v = 3 bits, K = 6 (8 levels), c = 3 bits.
-constexpr uint64_t kFileBit = 8 * 777;
+const TileContext kContext{.predictive = true, .window = 3, .block_samples = 4};
 
 NaiveBits record() {
   NaiveBits bits;
@@ -66,15 +39,11 @@ NaiveBits record() {
 
 TEST(TileTrace, EveryFieldOfABlockWithAllOfThem) {
   const std::vector<uint8_t> bytes = record().bytes();
-  Recorder recorder;
-  FieldCursor cursor(BitString(bytes), kFileBit, Probe{&recorder, nullptr, {}});
-  TileContext context;
-  context.predictive = true;
-  context.window = 3;
-  context.block_samples = 4;
-  const auto head = read_tile_head(cursor, context);
+  test::FieldRecorder recorder;
+  FieldCursor cursor(BitString(bytes), 8 * test::kRecordAt, Probe{&recorder, nullptr, {}});
+  const auto head = read_tile_head(cursor, kContext);
   ASSERT_TRUE(head.has_value()) << to_string(head.error());
-  const auto entry = read_block_entry(cursor, *head, context, 3);
+  const auto entry = read_block_entry(cursor, *head, kContext, 3);
   ASSERT_TRUE(entry.has_value()) << to_string(entry.error());
   EXPECT_EQ(entry->state, BlockState::kMotionResidual);
   EXPECT_TRUE(entry->negative);
@@ -82,34 +51,25 @@ TEST(TileTrace, EveryFieldOfABlockWithAllOfThem) {
   EXPECT_EQ(entry->dy, 3);
   EXPECT_EQ(entry->levels.count, 3u);
   EXPECT_EQ(entry->bias, 7);
-  const uint64_t at = kFileBit;
-  const std::vector<Field> expected{
-      {"TIL-1", "motion_mode", at + 0, 2, 3},   {"TIL-1", "residual_mode", at + 2, 2, 2},
-      {"TIL-3", "quad_mask", at + 4, 16, 5},    {"TIL-3", "quad_blocks", at + 20, 4, 8},
-      {"TIL-3", "quad_blocks", at + 24, 4, 1},  {"TIL-3", "mask", at + 28, 64, 9},
-      {"TIL-6", "sign_mode", at + 92, 2, 2},    {"TIL-6", "min_x", at + 94, 3, -2},
-      {"TIL-6", "codes_x", at + 97, 3, 3},      {"TIL-6", "min_y", at + 100, 3, 2},
-      {"TIL-6", "codes_y", at + 103, 3, 1},     {"TIL-8", "level_base", at + 114, 6, 1},
-      {"TIL-8", "level_bits", at + 120, 3, 1},  {"TIL-8", "bias_bits", at + 123, 4, 4},
-      {"TIL-6", "sign", at + 106, 1, 1},        {"TIL-7", "dx", at + 108, 2, 1},
-      {"TIL-7", "dy", at + 112, 1, 3},          {"TIL-8", "level_delta", at + 127, 1, 0},
-      {"TIL-8", "level_delta", at + 132, 1, 1}, {"TIL-8", "bias", at + 133, 4, 7}};
-  EXPECT_EQ(recorder.fields(), expected);
+  EXPECT_EQ(recorder.text(),
+            "TIL-1 motion_mode@0:2=3\nTIL-1 residual_mode@2:2=2\nTIL-3 quad_mask@4:16=5\n"
+            "TIL-3 quad_blocks@20:4=8\nTIL-3 quad_blocks@24:4=1\nTIL-3 mask@28:64=9\n"
+            "TIL-6 sign_mode@92:2=2\nTIL-6 min_x@94:3=-2\nTIL-6 codes_x@97:3=3\n"
+            "TIL-6 min_y@100:3=2\nTIL-6 codes_y@103:3=1\nTIL-8 level_base@114:6=1\n"
+            "TIL-8 level_bits@120:3=1\nTIL-8 bias_bits@123:4=4\nTIL-6 sign@106:1=1\n"
+            "TIL-7 dx@108:2=1\nTIL-7 dy@112:1=3\nTIL-8 level_delta@127:1=0\n"
+            "TIL-8 level_delta@132:1=1\nTIL-8 bias@133:4=7\n");
   EXPECT_EQ(entry->values_at, 137u + 4u) << "behind the four values of block 0";
 }
 
 TEST(TileTrace, StepsAreTheBlockHeadersBefore) {
   const std::vector<uint8_t> bytes = record().bytes();
-  TileContext context;
-  context.predictive = true;
-  context.window = 3;
-  context.block_samples = 4;
   for (const auto& [k, steps] : {std::pair{0u, 0u}, {3u, 1u}, {8u, 0u}, {1u, 0u}}) {
     AccessCounts counts;
-    FieldCursor cursor(BitString(bytes), kFileBit, Probe{nullptr, &counts, {}});
-    const auto head = read_tile_head(cursor, context);
+    FieldCursor cursor(BitString(bytes), 8 * test::kRecordAt, Probe{nullptr, &counts, {}});
+    const auto head = read_tile_head(cursor, kContext);
     ASSERT_TRUE(head.has_value());
-    ASSERT_TRUE(read_block_entry(cursor, *head, context, k).has_value());
+    ASSERT_TRUE(read_block_entry(cursor, *head, kContext, k).has_value());
     EXPECT_EQ(counts.steps, steps) << k;
   }
 }

@@ -10,6 +10,7 @@
 #include "bits/bit_string.hpp"
 #include "decoder/golden/block_walk.hpp"
 #include "oracle/golden_stream.hpp"
+#include "stimulus/random_stream.hpp"
 #include "systemc/suite.hpp"
 #include "testbench/test_bench.hpp"
 
@@ -116,7 +117,8 @@ void check_stream(const std::vector<uint8_t>& bytes, Counts& counts) {
 
 TEST(ReferenceArea, HoldsTheDecodersSamples) {
   Counts counts;
-  for (uint32_t seed = 0; seed < 24; ++seed) check_stream(random_stream(seed), counts);
+  for (uint32_t seed = 0; seed < 24; ++seed)
+    check_stream(suite_stream(seed, 2u << seed % 3), counts);
   EXPECT_GT(counts.samples, 100'000u);
   EXPECT_EQ(counts.poisoned, 0u);
 }
@@ -124,7 +126,7 @@ TEST(ReferenceArea, HoldsTheDecodersSamples) {
 TEST(ReferenceArea, PoisonsWhatDoesNotDecode) {
   Counts counts;
   for (uint32_t seed = 0; seed < 24; ++seed) {
-    auto bytes = random_stream(seed);
+    auto bytes = suite_stream(seed, 2u << seed % 3);
     corrupt(bytes, seed % 3 == 0 ? Damage::kKeyImages : Damage::kIndexAndTiles, seed);
     check_stream(bytes, counts);
   }

@@ -16,15 +16,6 @@ inline Bench& test_bench() {
   return bench;
 }
 
-/// The stream of a random case of either profile; `block_size` 0 leaves it to the seed.
-inline std::vector<uint8_t> random_stream(uint32_t seed, unsigned block_size = 0) {
-  auto made = test::random_case_of_any_profile(seed);
-  if (block_size != 0) made.params.block_size = block_size;
-  made.params.threads = 1;
-  const LightField field = test::textured_light_field(made.shape, seed, made.noise);
-  return encode(field, made.params)->bytes;
-}
-
 /// A stream of profile main with blocks of 4 in every state; one view gives key images alone.
 inline std::vector<uint8_t> main_stream(uint32_t rows, uint32_t cols) {
   EncodeParams params;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "stimulus/random_stream.hpp"
 #include "stimulus/sequences.hpp"
 #include "systemc/stream_image.hpp"
 #include "systemc/suite.hpp"
@@ -34,21 +35,21 @@ void run(const std::vector<uint8_t>& bytes, uint64_t seed) {
 }
 
 TEST(TlmModel, AnswersAsTheGoldenModel) {
-  for (uint32_t seed = 0; seed < 12; ++seed) run(random_stream(seed, 4), seed);
+  for (uint32_t seed = 0; seed < 12; ++seed) run(suite_stream(seed, 4), seed);
 }
 
 TEST(TlmModel, RefusesWhatLoadMustRefuse) {
   for (uint32_t seed = 0; seed < 8; ++seed) {
-    auto bytes = random_stream(seed, 4);
+    auto bytes = suite_stream(seed, 4);
     corrupt(bytes, seed % 2 == 0 ? Damage::kHeaderField : Damage::kCut, seed);
     run(bytes, seed);
   }
-  run(random_stream(3, 8), 3);  // blocks of another size
+  run(suite_stream(3, 8), 3);  // blocks of another size
 }
 
 TEST(TlmModel, ReportsDamage) {
   for (uint32_t seed = 0; seed < 8; ++seed) {
-    auto bytes = random_stream(seed, 4);
+    auto bytes = suite_stream(seed, 4);
     corrupt(bytes, Damage::kIndexAndTiles, seed);
     run(bytes, seed);
   }

@@ -58,7 +58,7 @@ std::vector<uint8_t> bytes_of(const std::string& hex) {
   return bytes;
 }
 
-ExitCode run_encode(const BiseOptions& options) {
+ExitCode run_bise_enc(const BiseOptions& options) {
   std::vector<uint32_t> values;
   for (const std::string& text : options.values) {
     const auto value = parse_integer<uint32_t>(text);
@@ -73,7 +73,7 @@ ExitCode run_encode(const BiseOptions& options) {
   return ExitCode::kDone;
 }
 
-ExitCode run_decode(const BiseOptions& options) {
+ExitCode run_bise_dec(const BiseOptions& options) {
   const std::vector<uint8_t> bytes = bytes_of(options.hex);
   const uint64_t bits = bise_bits(options.levels, options.count);
   const uint64_t needed = (bits + 7) / 8;
@@ -98,7 +98,7 @@ void add_bise(CLI::App& program, Task& task) {
   bise->footer("Example:\n  hmlfc bise enc 12 0 11 5 7 3");
 
   const auto [enc, values] = add_command(
-      *bise, task, "enc", "Print the bits of values", run_encode,
+      *bise, task, "enc", "Print the bits of values", run_bise_enc,
       R"(Prints BITS HEX: the bit count, then the bytes; bit k of the sequence is bit k & 7 of byte k >> 3.
 
 Example:
@@ -106,7 +106,7 @@ Example:
   add_levels_of_bise(enc, values.levels);
   enc.add_option("V", values.values, "Values in [0, LEVELS - 1]")->required()->type_name("");
 
-  const auto [dec, bits] = add_command(*bise, task, "dec", "Print the values of bits", run_decode,
+  const auto [dec, bits] = add_command(*bise, task, "dec", "Print the values of bits", run_bise_dec,
                                        R"(Prints the values, separated by spaces.
 
 Example:

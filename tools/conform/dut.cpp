@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "conform/report.hpp"
+
 namespace hmlfc::conform {
 
 namespace {
@@ -51,8 +53,6 @@ class WordReader {
   size_t at_ = 0;
   bool unfinished_ = false;
 };
-
-using Json = nlohmann::json;
 
 // Thrown by the readers of keys; becomes the error of read_dut().
 struct WrongValue {

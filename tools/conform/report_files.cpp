@@ -23,7 +23,6 @@ namespace {
 
 // The JSON serialiser replaces invalid UTF-8 by U+FFFD.
 std::string valid_utf8(std::string_view text) {
-  using Json = nlohmann::json;
   const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
   return Json::parse(quoted).get<std::string>();
 }

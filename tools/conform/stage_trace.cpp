@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "conform/report.hpp"
+
 namespace hmlfc::conform {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using vectors::RecordedStage;
 
 std::optional<RecordedStage> parse_line(std::string_view line) {

@@ -17,7 +17,7 @@
 namespace hmlfc::vectors {
 namespace {
 
-constexpr std::string_view kEndMarker = "ffffffff";
+constexpr std::string_view kLastWord = "ffffffff";
 
 template <class T>
 bool has_duplicate(std::vector<T> list) {
@@ -33,7 +33,7 @@ bool is_whole_hex(std::string_view text) {
     std::istringstream in(line.substr(0, line.find("//")));
     for (std::string word; in >> word;) words.push_back(word);
   }
-  if (words.size() < 2 || words.back() != kEndMarker) return false;
+  if (words.size() < 2 || words.back() != kLastWord) return false;
   size_t count = 0;
   const std::string& first = words.front();
   const auto [end, error] = std::from_chars(first.data(), first.data() + first.size(), count, 16);

@@ -20,11 +20,11 @@ namespace {
 constexpr uint32_t kPieceSide = 32;
 
 // Samples [x0, x1) x [y0, y1) of a plane.
-struct Area {
+struct PixelBox {
   uint32_t x0, y0, x1, y1;
 };
 
-Area common(const Area& a, const Area& b) {
+PixelBox common(const PixelBox& a, const PixelBox& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
@@ -54,7 +54,7 @@ class MotionPass {
       for (uint32_t tx = area_.x0 / side; tx * side < area_.x1; ++tx) {
         const MotionTilePlace place{level_, image_, motion_plane_, tx, ty};
         if (auto ok = read_motion_field(sources_.stream, place, *field); !ok) return ok;
-        const Area tile{tx * side, ty * side, (tx + 1) * side, (ty + 1) * side};
+        const PixelBox tile{tx * side, ty * side, (tx + 1) * side, (ty + 1) * side};
         if (auto ok = add_tile(*field, tile); !ok) return ok;
       }
     }
@@ -70,8 +70,8 @@ class MotionPass {
     return std::max<uint32_t>(geometry_.block_size(), (1u << log2) >> shift_);
   }
 
-  Result<void> add_tile(const MotionField& field, const Area& tile) {
-    const Area wanted = common(tile, area_);
+  Result<void> add_tile(const MotionField& field, const PixelBox& tile) {
+    const PixelBox wanted = common(tile, area_);
     const uint32_t unit = unit_side(field.head.block_log2);
     for (uint32_t y = wanted.y0 / unit * unit; y < wanted.y1; y += unit) {
       for (uint32_t x = wanted.x0 / unit * unit; x < wanted.x1; x += unit) {
@@ -80,7 +80,7 @@ class MotionPass {
         const PaletteEntry* entry = field.entry(mx, my);
         if (entry == nullptr) return failure(ErrorCode::kBadMode);
         if (!entry->has_motion()) continue;
-        const Area part = common({x, y, x + unit, y + unit}, wanted);
+        const PixelBox part = common({x, y, x + unit, y + unit}, wanted);
         const auto added = entry->shares_disparity() ? add_shared(*entry, part)
                                                      : add_unit(resolver_.resolve(*entry, 0), part);
         if (!added) return added;
@@ -91,10 +91,10 @@ class MotionPass {
 
   // The part of a motion block whose blocks take their disparities from the grid: neighbours with
   // the same motion are predicted together.
-  Result<void> add_shared(const PaletteEntry& entry, const Area& part) {
+  Result<void> add_shared(const PaletteEntry& entry, const PixelBox& part) {
     const uint32_t unit = unit_side(sources_.stream.header.disparity_grid_log2);
     for (uint32_t y = part.y0 / unit * unit; y < part.y1; y += unit) {
-      Area run = common({part.x0, y, part.x0, y + unit}, {part.x0, part.y0, part.x1, part.y1});
+      PixelBox run = common({part.x0, y, part.x0, y + unit}, {part.x0, part.y0, part.x1, part.y1});
       BlockMotion motion;
       for (uint32_t x = part.x0 / unit * unit; x < part.x1; x += unit) {
         const auto disparity = disparity_at(entry, x << shift_, y << shift_);
@@ -131,17 +131,17 @@ class MotionPass {
     return *found;
   }
 
-  Result<void> add_unit(const BlockMotion& motion, const Area& unit) {
+  Result<void> add_unit(const BlockMotion& motion, const PixelBox& unit) {
     for (uint32_t y = unit.y0; y < unit.y1; y += kPieceSide) {
       for (uint32_t x = unit.x0; x < unit.x1; x += kPieceSide) {
-        const Area piece = common({x, y, x + kPieceSide, y + kPieceSide}, unit);
+        const PixelBox piece = common({x, y, x + kPieceSide, y + kPieceSide}, unit);
         if (auto ok = add_piece(motion, piece); !ok) return ok;
       }
     }
     return {};
   }
 
-  Result<void> add_piece(const BlockMotion& motion, const Area& piece) {
+  Result<void> add_piece(const BlockMotion& motion, const PixelBox& piece) {
     constexpr size_t kBuffer = size_t{kPieceSide + 1} * (kPieceSide + 1);
     std::array<std::array<int16_t, kBuffer>, 2> buffers;
     std::array<DisplacedReference, 2> references;
@@ -209,7 +209,7 @@ class MotionPass {
   MotionResolver resolver_;
   SampleRange range_;
   bool keyed_;
-  Area area_{};
+  PixelBox area_{};
   size_t motion_plane_ = 0;
   unsigned shift_ = 0;  // 1: the motion plane has twice the width and height
   std::array<std::optional<ReferenceReader>, 4> readers_;  // of K0 to K3

@@ -3,8 +3,9 @@
 
 import unittest
 
-import mutate
-from mutants import Mutant, choose, mutants_of, reasons_of, survivors_in
+import mutate  # makes the folders of the others known
+from cpp import mutants_of
+from mutants import Mutant, reasons_of, survivors_in
 
 SOURCE = """\
 // a + b
@@ -37,15 +38,16 @@ class MutantsTest(unittest.TestCase):
         self.assertEqual(changes('#include "a"\nstatic_assert(a < 1);\nassert(a < 1);\n'), [])
 
     def test_applied(self):
-        mutant = Mutant("f.cpp", 3, 8, "<", ">=")
+        mutant = Mutant.of("operator", "f.cpp", SOURCE, SOURCE.index("< b &&"), "<", ">=")
+        self.assertEqual(str(mutant), "f.cpp:3:9: < -> >=")
         self.assertIn("if (a >= b && !c)", mutant.apply(SOURCE))
         self.assertEqual(mutant.apply(SOURCE).count("\n"), SOURCE.count("\n"))
 
     def test_choice(self):
         mutants = mutants_of("f.cpp", SOURCE)
-        self.assertEqual(choose(mutants, 3, 5), choose(mutants, 6, 5)[:3])
-        self.assertNotEqual(choose(mutants, 11, 5), choose(mutants, 11, 6))
-        self.assertEqual(set(choose(mutants, 99, 1)), set(mutants))
+        self.assertEqual(mutate.drawn(mutants, 5), mutate.drawn(mutants[::-1], 5))
+        self.assertNotEqual(mutate.drawn(mutants, 5), mutate.drawn(mutants, 6))
+        self.assertEqual(set(mutate.drawn(mutants, 1)), set(mutants))
 
     def test_survivors_of_a_report(self):
         mutants = mutants_of("f.cpp", SOURCE)
@@ -64,11 +66,9 @@ survived: f.cpp:3:16: ! -> nothing    if (a < b && !c) return x - 1u;
 
     def reasons(self, *entries):
         text = "  a = b < c && d < e;\n  a = 1;\n  b = 1;\n  a = 1;\n"
-        lines = [line.strip() for line in text.splitlines()]
-        mutants = mutants_of("f.cpp", text)
         keys = ("line", "change", "reason", "nth")
         named = [{"file": "f.cpp", **dict(zip(keys, entry))} for entry in entries]
-        found = reasons_of(named, mutants, lambda mutant: lines[mutant.line - 1])
+        found = reasons_of(named, mutants_of("f.cpp", text))
         return {str(mutant): reason for mutant, reason in found.items()}
 
     def test_reasons(self):

@@ -12,17 +12,18 @@ import argparse
 import json
 import sys
 import tempfile
-from collections import Counter
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from threading import Lock
 
 FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[2]
-sys.path.insert(0, str(ROOT / "tests/decode_path"))
+sys.path[:0] = [str(FOLDER.parent), str(ROOT / "tests/decode_path")]
 
-from mutants import choose, mutants_of, reasons_of, survivors_in  # noqa: E402
+import session  # noqa: E402  (its folder is known only now)
+from cpp import mutants_of  # noqa: E402
+from mutants import reasons_of, shuffled  # noqa: E402
 from scope import decode_path_files, not_decoding  # noqa: E402
+from session import Verdict  # noqa: E402
 from toolchain import Toolchain  # noqa: E402
 
 MODEL = ROOT / "model"
@@ -39,72 +40,44 @@ def all_mutants():
     ]
 
 
-def line_of(mutant):
-    return (MODEL / mutant.file).read_text().splitlines()[mutant.line - 1].strip()
+def drawn(mutants, seed):
+    """A larger count adds to a smaller one; mutants of unchanged lines keep their order when the source
+    changes."""
+    return shuffled(mutants, lambda mutant: f"{seed} {mutant.file} {mutant.code} {mutant.change()}")
 
 
 def equivalents():
     """Mutant to the reason in equivalents.json."""
-    entries = json.loads((FOLDER / "equivalents.json").read_text())
-    files = {entry["file"] for entry in entries}
-    return reasons_of(entries, [m for m in all_mutants() if m.file in files], line_of)
+    return reasons_of(json.loads((FOLDER / "equivalents.json").read_text()), all_mutants())
 
 
-class Session:
-    """Runs mutants, beginning with the vectors that killed the last ones."""
+class Judge:
+    """Builds and tries mutants, beginning with the vectors that killed the last ones."""
 
-    def __init__(self, build, scratch, total):
-        self.tools = Toolchain(build, MODEL)
-        self.scratch, self.total = scratch, total
+    def __init__(self, build, scratch):
+        self.tools, self.scratch = Toolchain(build, MODEL), scratch
         self.killers, self.lock = [], Lock()
-        self.results = []
-        self.equivalents = equivalents()
 
-    def try_mutant(self, number, mutant):
-        text = (MODEL / mutant.file).read_text()
-        self.note(mutant, self.outcome(mutant.file, mutant.apply(text), str(number)))
+    def of_mutant(self, mutant):
+        return self.of_text(mutant.file, mutant.apply((MODEL / mutant.file).read_text()))
 
-    def outcome(self, file, text, name):
-        folder = self.scratch / name
-        program = self.tools.make(file, text, folder)
-        if program is None:
-            return "not compiled"
-        if self.tools.same_objects(file, folder):
-            return "same code"
-        outcome = self.tools.run(program, ROOT / "vectors", list(self.killers), CPU_SECONDS)
-        program.unlink()
-        return outcome
-
-    def note(self, mutant, outcome):
-        with self.lock:
-            if "/" in outcome:
-                self.killers = [outcome, *(k for k in self.killers if k != outcome)][:KEPT_KILLERS]
-            if outcome == "survived" and mutant in self.equivalents:
-                outcome = "equivalent"
-            self.results.append((mutant, outcome))
-            done = f"{len(self.results)}/{self.total}"
-            print(f"{done} {mutant}: {outcome}", file=sys.stderr, flush=True)
+    def of_text(self, file, text):
+        """The verdict on the model with `text` in place of `file`."""
+        with tempfile.TemporaryDirectory(dir=self.scratch) as name:
+            program = self.tools.make(file, text, Path(name))
+            if program is None:
+                return Verdict("not compiled")
+            if self.tools.same_objects(file, Path(name)):
+                return Verdict("same code")
+            verdict = self.tools.run(program, ROOT / "vectors", list(self.killers), CPU_SECONDS)
+        if verdict.result == "killed":
+            with self.lock:
+                others = [killer for killer in self.killers if killer != verdict.detail]
+                self.killers = [verdict.detail, *others][:KEPT_KILLERS]
+        return verdict
 
 
-def report(results):
-    """Prints the table by file and the survivors; returns the number of survivors."""
-    kinds = ("killed", "timeout", "same code", "equivalent", "survived", "not compiled")
-    by_file = {}
-    for mutant, outcome in results:
-        kind = outcome if outcome in kinds else "killed"
-        by_file.setdefault(mutant.file, Counter())[kind] += 1
-    print("| file | " + " | ".join(kinds) + " |")
-    print("|---|" + "---|" * len(kinds))
-    total = sum(by_file.values(), Counter())
-    for name, counts in [*sorted(by_file.items()), ("all", total)]:
-        print(f"| {name} | " + " | ".join(str(counts[kind]) for kind in kinds) + " |")
-    for mutant, outcome in results:
-        if outcome == "survived":
-            print(f"survived: {mutant}    {line_of(mutant)}")
-    return total["survived"]
-
-
-def self_test(session):
+def self_test(judge):
     """Changes whose outcomes are known."""
     sample = (MODEL / "arithmetic/reconstruct.hpp").read_text()
     bise = (MODEL / "arithmetic/bise.cpp").read_text()
@@ -114,20 +87,19 @@ def self_test(session):
     overrun = " char* volatile block = new char[16]; block[16] = 1; delete[] block;"
     difference = sample.replace("prediction + residual", "prediction - residual")
     assert difference != sample
-    cases = [
-        ("no change", "arithmetic/bise.cpp", bise, lambda outcome: outcome == "same code"),
-        ("a comment", "arithmetic/bise.hpp", header, lambda outcome: outcome == "same code"),
-        ("a header", "arithmetic/reconstruct.hpp", difference, lambda outcome: "/" in outcome),
-        ("no C++", "arithmetic/bise.cpp", bise + "}", lambda outcome: outcome == "not compiled"),
-        ("no end", "arithmetic/bise.cpp", endless, lambda outcome: outcome == "timeout"),
-        ("an overrun", "arithmetic/bise.cpp", bise[:body] + overrun + bise[body:],
-         lambda outcome: outcome == "signal 6"),
-    ]
     failed = 0
-    for name, file, text, expected in cases:
-        outcome = session.outcome(file, text, "self-test")
-        failed += not expected(outcome)
-        print(f"{name}: {outcome}{'' if expected(outcome) else '   WRONG'}", flush=True)
+    for name, file, text, result, detail in (
+        ("no change", "arithmetic/bise.cpp", bise, "same code", ""),
+        ("a comment", "arithmetic/bise.hpp", header, "same code", ""),
+        ("a header", "arithmetic/reconstruct.hpp", difference, "killed", "/"),
+        ("no C++", "arithmetic/bise.cpp", bise + "}", "not compiled", ""),
+        ("no end", "arithmetic/bise.cpp", endless, "timeout", ""),
+        ("an overrun", "arithmetic/bise.cpp", bise[:body] + overrun + bise[body:], "crash", "signal 6"),
+    ):
+        verdict = judge.of_text(file, text)
+        right = verdict.result == result and detail in verdict.detail
+        failed += not right
+        print(f"{name}: {verdict.result} {verdict.detail}{'' if right else '   WRONG'}", flush=True)
     return 1 if failed else 0
 
 
@@ -135,40 +107,23 @@ def main():
     parser = argparse.ArgumentParser(
         prog="./run mutate model", description=__doc__.splitlines()[0]
     )
+    session.add_arguments(parser, 500)
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
-    parser.add_argument("--count", type=int, default=500)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--file", help="only mutants of this file, relative to model/")
-    parser.add_argument(
-        "--again", type=Path, metavar="REPORT", help="the survivors of REPORT, the output of an earlier run"
-    )
-    parser.add_argument("--list", action="store_true", help="print the mutants, run none")
     parser.add_argument("--self-test", action="store_true", help="run changes of known outcome instead")
-    arguments = parser.parse_args()
-    mutants = [m for m in all_mutants() if arguments.file in (None, m.file)]
-    if arguments.again:
-        try:
-            chosen = survivors_in(arguments.again.read_text(), mutants)
-        except (OSError, ValueError) as error:
-            parser.error(f"--again: {error}")
-        again = f"--again {arguments.again}"
-    else:
-        chosen = choose(mutants, arguments.count, arguments.seed)
-        again = f"--count {arguments.count} --seed {arguments.seed}"
-    if arguments.list:
+    options = parser.parse_args()
+    mutants = [mutant for mutant in all_mutants() if options.file in (None, mutant.file)]
+    chosen = session.selected(parser, options, mutants, drawn(mutants, options.seed))
+    if options.list:
         print(*chosen, sep="\n")
         return 0
     with tempfile.TemporaryDirectory(prefix="hmlfc-mutants-") as scratch:
-        session = Session(arguments.build.resolve(), Path(scratch), len(chosen))
-        if arguments.self_test:
-            return self_test(session)
-        with ThreadPoolExecutor(arguments.jobs) as pool:
-            list(pool.map(lambda job: session.try_mutant(*job), enumerate(chosen)))
-    results = sorted(session.results, key=lambda r: (r[0].file, r[0].line, r[0].column))
-    survived = report(results)
-    print(f"{len(results)} of {len(mutants)} mutants; again: ./run mutate model {again}")
-    return 1 if survived else 0
+        judge = Judge(options.build.resolve(), scratch)
+        if options.self_test:
+            return self_test(judge)
+        results = session.run(chosen, judge.of_mutant, equivalents(), options.jobs)
+    session.report(results, lambda mutant: mutant.file)
+    return session.exit_status(results)
 
 
 if __name__ == "__main__":

@@ -1,27 +1,16 @@
 """Compiles one changed source of the decode path and links vector_check with it."""
 
 import json
-import os
-import resource
 import shlex
-import shutil
 import subprocess
 from pathlib import Path
 
 from scope import LAYERS  # mutate.py has made its folder known
+from session import tried
 
 MEMORY_BYTES = 8 << 30
 # With these glibc aborts when a program frees a block that it wrote beyond.
 CHECKED_HEAP = {"LD_PRELOAD": "libc_malloc_debug.so.0", "GLIBC_TUNABLES": "glibc.malloc.check=3"}
-
-
-def limit(seconds):
-    def set_limits():
-        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-
-    return set_limits
 
 
 class Toolchain:
@@ -79,7 +68,6 @@ class Toolchain:
 
     def make(self, file, text, folder):
         """vector_check with `text` in place of `file`, built in `folder`; None if it does not compile."""
-        shutil.rmtree(folder, ignore_errors=True)
         changed = folder / "changed" / file
         changed.parent.mkdir(parents=True)
         changed.write_text(text)
@@ -123,23 +111,6 @@ class Toolchain:
 
     @staticmethod
     def run(program, suite, first, seconds):
-        """The outcome of vector_check: "survived", "timeout", "signal N" or the vector that fails."""
-        command = [str(program), str(suite), "--stop"]
-        for name in first:
-            command += ["--first", name]
-        try:
-            result = subprocess.run(
-                command,
-                **{"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "check": False},
-                **{"preexec_fn": limit(seconds), "timeout": 60 * seconds, "text": True},
-                env={**os.environ, **CHECKED_HEAP},
-            )
-        except subprocess.TimeoutExpired:
-            return "timeout"
-        if result.returncode == 0:
-            return "survived"
-        if result.returncode in (-24, -9):  # SIGXCPU, SIGKILL
-            return "timeout"
-        if result.returncode < 0:
-            return f"signal {-result.returncode}"
-        return result.stdout.split(":")[0] or "error"
+        """The verdict of vector_check, which tries the vectors `first` before the others."""
+        command = [program, suite, "--stop", *(word for name in first for word in ("--first", name))]
+        return tried(command, seconds, MEMORY_BYTES, CHECKED_HEAP)

@@ -1,19 +1,17 @@
 #!/usr/bin/env python3
 """Which mutants of the decode unit's datapath the conformance vectors find.
 
-usage: ./run mutate rtl [--count N] [--seed S] [--module NAME] [--sample N] [--json]
+usage: ./run mutate rtl [--count N] [--seed S] [--module NAME] [--sample N]
 
 Yosys `mutate` makes N mutants (1092) of the modules of the datapath: a bit of a cell's port inverted, stuck, or changed where another bit
-is set. Each is switched on in a Verilated unit, on which the vectors for blocks of 4 x 4 run until one finds it: a block's checksum or error
-that is not that of its blocks file, an error of the stream that is not the manifest's, or no answer. What the first vectors miss is
+is set. Each is switched on in a Verilated unit, on which the vectors for blocks of 4 x 4 run until one finds it: a block or an error of one
+that is not the golden model's, an error of the stream that is not the manifest's, or no answer. What the first vectors miss is
 compared with its module by Yosys and ABC; what is not equivalent goes through all vectors, and what these miss must be in
 survivors.json, each with the reason.
 
 --module NAME   only mutants of hmlfc_NAME        --sample N   only N of them, spread evenly
---log FILE      keeps results as they come; a run with the same file and program goes on
 --record        writes recorded.json: which vector found a mutant; it is tried first from then on
 --found         only mutants that were found then
---json          the results as JSON
 """
 
 import argparse
@@ -25,10 +23,8 @@ import json
 import pathlib
 import subprocess
 import sys
-import threading
 
 import prove
-import units
 
 HERE = pathlib.Path(__file__).resolve().parent
 RECORDED = HERE / "recorded.json"
@@ -44,125 +40,89 @@ def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[
     return [rest[index * len(rest) // sample] for index in range(sample)]
 
 
-class Log:
-    """Results by step and number of a mutant, each kept in a file as soon as it is known, so that a long run goes on where it ended."""
-
-    def __init__(self, path: pathlib.Path | None, total: int):
-        self.path, self.total, self.lock = path, total, threading.Lock()
-        self.known = {}
-        if path and path.exists():
-            for line in path.read_text(encoding="utf-8").splitlines():
-                entry = json.loads(line)
-                self.known[entry["step"], entry["number"]] = entry
-
-    def add(self, step: str, result: dict) -> None:
-        with self.lock:
-            self.known[step, result["number"]] = result
-            if self.path:
-                with self.path.open("a", encoding="utf-8") as file:
-                    file.write(json.dumps({"step": step, **result}) + "\n")
-            if sys.stderr.isatty():
-                done = sum(known == step for known, _ in self.known)
-                print(f"\r\033[K{step}: {done} of {self.total}", end="", file=sys.stderr, flush=True)
-
-    def of(self, step: str, mutant: dict) -> dict | None:
-        return self.known.get((step, mutant["number"]))
+def recorded_vectors(listed: bytes) -> dict[int, str]:
+    """Which vector found a mutant when recorded.json was last written. It serves only the very mutants that it is of."""
+    recorded = json.loads(RECORDED.read_text(encoding="utf-8"))
+    if recorded["mutants_sha256"] != hashlib.sha256(listed).hexdigest():
+        return {}
+    return {number: vector for vector, numbers in recorded["found"].items() for number in numbers}
 
 
-class Record:
-    """recorded.json: what the whole run came to when it was last written. It serves only the very mutants that it is of."""
-
-    def __init__(self, listed: bytes):
-        recorded = json.loads(RECORDED.read_text(encoding="utf-8")) if RECORDED.exists() else {}
-        serves = recorded.get("mutants_sha256") == hashlib.sha256(listed).hexdigest()
-        self.vectors = {number: vector for vector, numbers in recorded["found"].items() for number in numbers} if serves else {}
-
-    @staticmethod
-    def write(listed: bytes, results: dict[int, dict]) -> None:
-        """`results`: of all mutants that are listed."""
-        found = collections.defaultdict(list)
-        for number, result in sorted(results.items()):
-            if result["result"] in FOUND:
-                found[result["vector"]].append(number)
-        rows = ",\n".join(f"  {json.dumps(vector)}: {numbers}" for vector, numbers in sorted(found.items()))
-        RECORDED.write_text(f'{{"mutants_sha256": "{hashlib.sha256(listed).hexdigest()}",\n'
-                            f' "mutants": {len(results)},\n "found": {{\n{rows}}}}}\n', encoding="utf-8")
+def write_record(listed: bytes, results: dict[int, dict]) -> None:
+    """`results`: of all mutants that are listed."""
+    found = collections.defaultdict(list)
+    for number, result in sorted(results.items()):
+        if result["result"] in FOUND:
+            found[result["vector"]].append(number)
+    rows = ",\n".join(f"  {json.dumps(vector)}: {numbers}" for vector, numbers in sorted(found.items()))
+    RECORDED.write_text(f'{{"mutants_sha256": "{hashlib.sha256(listed).hexdigest()}",\n'
+                        f' "mutants": {len(results)},\n "found": {{\n{rows}}}}}\n', encoding="utf-8")
 
 
-def run_groups(program: list[str], groups: list[list[dict]], record: Record, note) -> None:
-    """Has rtl_mutants try groups of mutants, and gives the result of each mutant to `note`. Raises RuntimeError where it fails."""
+def run_groups(program: list[str], groups: list[list[dict]], recorded: dict[int, str]) -> list[dict]:
+    """The result of each mutant of groups that rtl_mutants tries. Raises RuntimeError where it fails."""
     names = []
     for group in groups:
-        vector = record.vectors.get(group[0]["number"], "") if len(group) == 1 else ""
+        vector = recorded.get(group[0]["number"], "") if len(group) == 1 else ""
         names.append("+".join(f"{mutant['number']}/{mutant['variant']}" for mutant in group) + f":{vector}")
-    clauses = sorted({clause for group in groups for mutant in group for clause in units.VARIANTS[mutant["variant"]].clauses})
-    with subprocess.Popen([*program, "--clauses", ",".join(clauses), "--mutants", ",".join(names)], stdout=subprocess.PIPE, text=True) as process:
-        for line in process.stdout:
-            note(json.loads(line))
-    if process.returncode != 0:
+    done = subprocess.run([*program, "--mutants", ",".join(names)], stdout=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
         raise RuntimeError("rtl_mutants has failed")
+    return list(map(json.loads, done.stdout.splitlines()))
 
 
-def run_vectors(program: list[str], step: str, shards: list[list[list[dict]]], record: Record, jobs: int, log: Log) -> None:
-    """Logs what rtl_mutants says of each mutant of shards of groups. Raises RuntimeError where it fails."""
+def in_parallel(step: str, function, items: list, jobs: int) -> list:
+    """function(item) of each; a terminal sees how many are done."""
+    results = []
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        list(pool.map(lambda groups: run_groups(program, groups, record, lambda result: log.add(step, result)), shards))
+        for result in pool.map(function, items):
+            results.append(result)
+            if sys.stderr.isatty():
+                print(f"{step}: {len(results)} of {len(items)}", file=sys.stderr)
+    return results
 
 
 def by_variant(mutants: list[dict]) -> list[list[dict]]:
     return [list(group) for _, group in itertools.groupby(mutants, lambda mutant: mutant["variant"])]
 
 
-def run_proofs(mutants: list[dict], folder: pathlib.Path, seconds: int, jobs: int, log: Log) -> None:
-    """Logs for each mutant whether it differs from its module."""
-    def settle(mutant: dict) -> None:
-        log.add("proofs", {"number": mutant["number"], "proof": prove.prove(mutant, folder, seconds)})
-
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        list(pool.map(settle, [mutant for mutant in mutants if not log.of("proofs", mutant)]))
-
-
-def campaign(program: list[str], mutants: list[dict], options: argparse.Namespace, record: Record, log: Log) -> dict[int, dict]:
+def campaign(program: list[str], mutants: list[dict], options: argparse.Namespace, recorded: dict[int, str]) -> dict[int, dict]:
     """The result of each mutant by number, with a `proof` for those that no vector finds.
 
     Most are found by the first vectors. What is not found by then is proved equivalent, if it can be, before all vectors are tried on
     the others, several of which are switched on at once."""
-    left = [mutant for mutant in mutants if not log.of("first vectors", mutant)]
-    shards = [[[mutant] for mutant in variant] for variant in by_variant(left)]
-    run_vectors([*program, "--clocks", str(FIRST_CLOCKS)], "first vectors", shards, record, options.jobs, log)
-    missed = [mutant for mutant in mutants if log.of("first vectors", mutant)["result"] not in FOUND]
-    run_proofs(missed, pathlib.Path(options.mutants).resolve().parent, options.seconds, options.jobs, log)
-    rest = [mutant for mutant in missed if log.of("proofs", mutant)["proof"] != prove.EQUIVALENT and not log.of("all vectors", mutant)]
+    results = {}
+
+    def run_vectors(step: str, command: list[str], shards: list[list[list[dict]]]) -> None:
+        found = in_parallel(step, lambda groups: run_groups(command, groups, recorded), shards, options.jobs)
+        results.update({result["number"]: result for result in itertools.chain(*found)})
+
+    first = [*program, "--clocks", str(FIRST_CLOCKS)]
+    run_vectors("variants, first vectors", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
+    missed = [mutant for mutant in mutants if results[mutant["number"]]["result"] not in FOUND]
+    folder = pathlib.Path(options.mutants).resolve().parent
+    proofs = in_parallel("proofs", lambda mutant: prove.prove(mutant, folder, options.seconds), missed, options.jobs)
+    rest = [mutant for mutant, proof in zip(missed, proofs) if proof != prove.EQUIVALENT]
     # One of each variant together: what no vector finds together takes the time of one.
     groups = [[mutant for mutant in group if mutant] for group in itertools.zip_longest(*by_variant(rest))]
-    run_vectors(program, "all vectors", [[group] for group in groups], record, options.jobs, log)
-    results = {}
-    for mutant in mutants:
-        final = log.of("all vectors", mutant) or log.of("first vectors", mutant)
-        proof = {} if final["result"] in FOUND else {"proof": log.of("proofs", mutant)["proof"]}
-        results[mutant["number"]] = {**final, **proof}
+    run_vectors("groups, all vectors", program, [[group] for group in groups])
+    for mutant, proof in zip(missed, proofs):
+        if results[mutant["number"]]["result"] not in FOUND:
+            results[mutant["number"]]["proof"] = proof
     return results
 
 
-def identity(mutant: dict) -> tuple[str, str, str]:
-    """What a mutant is known by, whatever its number is."""
-    return mutant["module"], json.dumps(mutant["parameters"]), mutant["command"]
-
-
-def reasons() -> dict[tuple[str, str, str], str]:
-    """Why mutants that differ survive."""
-    listed = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
-    return {identity(entry): entry["reason"] for entry in listed}
-
-
 def explain(mutants: list[dict], results: dict[int, dict]) -> None:
-    """Gives survivors that are not equivalent their `reason`, where one is listed."""
-    known = reasons()
+    """Gives survivors that are not equivalent their `reason` of survivors.json, which names a mutant whatever its number is."""
+    def identity(mutant: dict) -> tuple[str, str, str]:
+        return mutant["module"], json.dumps(mutant["parameters"]), mutant["command"]
+
+    listed = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
+    reasons = {identity(entry): entry["reason"] for entry in listed}
     for mutant in mutants:
         result = results[mutant["number"]]
-        reason = known.get(identity(mutant))
-        if reason and result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT:
-            result["reason"] = reason
+        if result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT and identity(mutant) in reasons:
+            result["reason"] = reasons[identity(mutant)]
 
 
 def counts(results: list[dict]) -> list[int]:
@@ -196,32 +156,24 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seconds", type=int, default=60, help="of CPU time for each search of a proof")
     parser.add_argument("--vectors", help="only these vectors, with commas between them")
-    parser.add_argument("--log", type=pathlib.Path, help="keeps results as they come; a run with the same file goes on")
     parser.add_argument("--found", action="store_true", help="only mutants that a vector found when recorded.json was written")
     parser.add_argument("--record", action="store_true", help="write recorded.json")
-    parser.add_argument("--json", action="store_true")
     options = parser.parse_args(arguments)
     text = pathlib.Path(options.mutants).read_bytes()
     listed = json.loads(text)
-    record = Record(text)
-    known = [mutant for mutant in listed["mutants"] if mutant["number"] in record.vectors] if options.found else listed["mutants"]
+    recorded = recorded_vectors(text)
+    known = [mutant for mutant in listed["mutants"] if mutant["number"] in recorded] if options.found else listed["mutants"]
     mutants = chosen(known, options.module, options.sample)
     if not mutants:
         why = "; recorded.json is of other mutants, of another Yosys or RTL: --record makes it anew" if options.found else ""
         print(f"mutate.py: no such mutant{why}", file=sys.stderr)
         return 2
     program = [options.program, options.suite] + (["--vectors", options.vectors] if options.vectors else [])
-    results = campaign(program, mutants, options, record, Log(options.log, len(mutants)))
+    results = campaign(program, mutants, options, recorded)
     if options.record:
-        Record.write(text, results)
+        write_record(text, results)
     explain(mutants, results)
-    if sys.stderr.isatty():
-        print("\r\033[K", end="", file=sys.stderr)
-    if options.json:
-        rows = [{**mutant, **results[mutant["number"]]} for mutant in mutants]
-        print(json.dumps({"seed": listed["seed"], "mutants": rows}, indent=1))
-    else:
-        print_table(mutants, results)
+    print_table(mutants, results)
     unexplained = [result for result in results.values()
                    if result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT and "reason" not in result]
     if unexplained:

@@ -5,7 +5,7 @@ usage: plant.py FOLDER COUNT SEED
 
 FOLDER gets NAME.v, the netlists with the mutants of Yosys `mutate`, and N.il, the modules without; hmlfc_NAME.sv, which have the ports and parameters of the modules and
 choose the netlist; hmlfc_mutant_pkg.sv with the number, 0 for none; hmlfc_decode_unit.sv, which takes the number from the plusarg
-+mutant=N; and mutants.json, the list. COUNT mutants are spread evenly over the variants of units.py.
++mutant=N; unit.f, what Verilator needs for the unit; and mutants.json, the list. COUNT mutants are spread evenly over the variants of units.py.
 """
 
 import json
@@ -65,6 +65,15 @@ def chooser(module: str) -> str:
     return head.group() + "  " + " else ".join(body) + f' else $error("units.py lacks these parameters of {module}");\nendmodule\n'
 
 
+def verilator_arguments(folder: pathlib.Path) -> list[str]:
+    """The parameters of the unit; its files, the package of the number first, each mutated where there is such a copy."""
+    files = [folder / "hmlfc_mutant_pkg.sv", units.RTL / "hmlfc_pkg.sv"]
+    for path in sorted(units.RTL.glob("hmlfc_*.sv")):
+        if path.name != "hmlfc_pkg.sv":
+            files.append(folder / path.name if (folder / path.name).exists() else path)
+    return [*(f"-G{key}={value}" for key, value in units.UNIT.items()), *map(str, files + sorted(folder.glob("mutated_*.v")))]
+
+
 def mutants(folder: pathlib.Path) -> list[dict]:
     """All mutants in the order of their numbers."""
     found = []
@@ -95,6 +104,7 @@ def main(arguments: list[str]) -> int:
     unit = (units.RTL / "hmlfc_decode_unit.sv").read_text(encoding="utf-8")
     plusarg = "  initial if ($value$plusargs(\"mutants=%h\", hmlfc_mutant_pkg::mutants) == 0) hmlfc_mutant_pkg::mutants = 0;\n"
     (folder / "hmlfc_decode_unit.sv").write_text(unit.replace("\nendmodule", "\n" + plusarg + "endmodule"), encoding="utf-8")
+    (folder / "unit.f").write_text("\n".join(verilator_arguments(folder)) + "\n", encoding="utf-8")
     listed = {"seed": seed, "mutants": mutants(folder)}
     (folder / "mutants.json").write_text(json.dumps(listed, indent=1) + "\n", encoding="utf-8")
     return 0

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <span>
 #include <sstream>
@@ -10,11 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include <MutatedUnit.h>
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "mutated_unit.hpp"
+#include "unit/verilated_unit.hpp"
 #include "unit_vector.hpp"
 
 namespace hmlfc::tb {
@@ -24,16 +24,35 @@ constexpr int kExitFailed = 1;
 // Without an answer. The unit itself needs some thousand clocks for LOAD and a thousand for a
 // block.
 constexpr uint64_t kPatience = 20'000;
-constexpr double kAimed = 10;  // mutants that a vector is expected to find
-constexpr double kKept = 0.8;  // of what a vector has found, from one mutant to the next
 // Streams that are refused take little time but find nothing in the datapath: as if they were
 // large.
 constexpr uint64_t kPixelsOfRefused = 100'000;
 
+// The parameters of the unit with mutants in it (plant.py); units.py and CMakeLists.txt have them
+// as well.
+constexpr UnitParameters kMutatedUnit{2, 12, 8, 4};
+
+// A mutant of mutants.json: its number, from 1 on, and the variant of units.py that it is in.
+struct Mutant {
+  unsigned number = 0;
+  unsigned variant = 0;
+};
+
+// The unit with these mutants switched on, at most one in a variant: a plusarg of 16 bits for each
+// variant, in hexadecimal, the first variant last.
+std::unique_ptr<DecodeUnit> make_mutated_unit(std::span<const Mutant> mutants) {
+  std::string digits = "0";
+  for (const Mutant& mutant : mutants) {
+    const size_t end = 4 * (size_t{mutant.variant} + 1);
+    if (digits.size() < end) digits.insert(0, end - digits.size(), '0');
+    digits.replace(digits.size() - end, 4, fmt::format("{:04x}", mutant.number));
+  }
+  return std::make_unique<VerilatedUnit<MutatedUnit>>(kMutatedUnit, "+mutants=" + digits);
+}
+
 struct Options {
   std::filesystem::path suite;
   std::vector<std::string> filters;
-  std::vector<std::string> clauses;
   std::vector<std::string> mutants;
   uint64_t clocks = UINT64_MAX;  // for a mutant: after these no other vector is begun
 };
@@ -44,22 +63,11 @@ class Candidate {
  public:
   Candidate(const Options& options, const vectors::Vector& vector)
       : suite_(options.suite), entry_(vector) {
-    aimed_ = std::ranges::any_of(vector.clauses, [&](const std::string& clause) {
-      return std::ranges::find(options.clauses, clause) != options.clauses.end();
-    });
     if (vector.output) {
       pixels_ = uint64_t{vector.output->rows} * vector.output->cols * vector.output->width *
                 vector.output->height;
     }
   }
-
-  // What it has found, of late above all, by the time that it is likely to take. Mutants of a
-  // module come one after the other, and what finds one often finds the next.
-  double worth() const {
-    return (1 + found_ + (aimed_ ? kAimed : 0)) / static_cast<double>(1000 + pixels_);
-  }
-
-  void forget() { found_ *= kKept; }
 
   // With `mutants` switched on. A mutant is only found where the unit without a mutant passes: else
   // throws.
@@ -67,13 +75,13 @@ class Candidate {
     if (!vector_) vector_ = std::make_unique<UnitVector>(suite_, entry_, kMutatedUnit);
     const Verdict verdict = vector_->try_on(make_mutated_unit(mutants), kPatience, clocks);
     if (verdict.pass()) return verdict;
-    found_ += 1;
     if (!checked_) check_unit();
     checked_ = true;
     return verdict;
   }
 
   const std::string& id() const { return entry_.id; }
+  uint64_t pixels() const { return pixels_; }
 
  private:
   void check_unit() const {
@@ -88,11 +96,10 @@ class Candidate {
   vectors::Vector entry_;
   std::unique_ptr<UnitVector> vector_;
   uint64_t pixels_ = kPixelsOfRefused;
-  bool aimed_ = false;    // at a clause that is asked for
-  double found_ = 0;      // mutants, less what it has forgotten
   bool checked_ = false;  // that the unit without a mutant passes
 };
 
+// Small streams first.
 std::vector<Candidate> candidates(const Options& options) {
   const auto manifest = vectors::read_manifest(options.suite);
   if (!manifest) throw std::runtime_error(manifest.error().message);
@@ -106,6 +113,7 @@ std::vector<Candidate> candidates(const Options& options) {
     if (UnitVector::is_for(kMutatedUnit, file->bytes())) found.emplace_back(options, vector);
   }
   if (found.empty()) throw std::runtime_error("no vector of the suite is for this unit");
+  std::ranges::stable_sort(found, {}, &Candidate::pixels);
   return found;
 }
 
@@ -135,21 +143,20 @@ void print(const nlohmann::ordered_json& result) {
 }
 
 // Tries a group on the vectors, and each of its mutants alone where the group is found: vector
-// `first`, then those that find most in the least time; after `limit` clocks no other is begun.
-// What is left at the end, no vector finds: alone, or together with others that none finds.
+// `first`, then those that found the last mutants: mutants of a module come one after the other,
+// and what finds one often finds the next. After `limit` clocks no other is begun. What is left at
+// the end, no vector finds: alone, or together with others that none finds.
 class Trial {
  public:
   Trial(Group group, std::vector<Candidate>& suite, uint64_t limit)
       : group_(std::move(group)), suite_(suite), limit_(limit) {}
 
   void run() {
-    std::ranges::for_each(suite_, &Candidate::forget);
-    std::ranges::stable_sort(suite_, std::greater{}, &Candidate::worth);
     std::ranges::stable_partition(suite_,
                                   [&](const Candidate& one) { return one.id() == group_.first; });
-    for (Candidate& candidate : suite_) {
-      if (group_.mutants.empty() || clocks_ >= limit_) break;
-      try_on(candidate);
+    for (size_t i = 0; i < suite_.size() && !group_.mutants.empty() && clocks_ < limit_; ++i) {
+      const auto at = suite_.begin() + static_cast<std::ptrdiff_t>(i);
+      if (try_on(*at)) std::rotate(suite_.begin(), at, at + 1);
     }
     const char* result = clocks_ >= limit_ ? "missed" : "survived";
     for (const Mutant& mutant : group_.mutants) {
@@ -165,9 +172,10 @@ class Trial {
     return verdict;
   }
 
-  void try_on(Candidate& candidate) {
+  // Whether the candidate finds one of the mutants by itself.
+  bool try_on(Candidate& candidate) {
     const Verdict verdict = tried(candidate, group_.mutants);
-    if (verdict.pass()) return;
+    if (verdict.pass()) return false;
     const size_t before = group_.mutants.size();
     const bool alone = before == 1;
     std::erase_if(group_.mutants, [&](const Mutant& mutant) {
@@ -181,11 +189,11 @@ class Trial {
       return true;
     });
     // The vector finds only several together: what it takes to find them is not known by the group.
-    if (group_.mutants.size() == before) {
-      for (const Mutant& mutant : std::exchange(group_.mutants, {})) {
-        Trial({{mutant}, group_.first}, suite_, limit_).run();
-      }
+    if (group_.mutants.size() < before) return true;
+    for (const Mutant& mutant : std::exchange(group_.mutants, {})) {
+      Trial({{mutant}, group_.first}, suite_, limit_).run();
     }
+    return false;
   }
 
   Group group_;
@@ -205,7 +213,6 @@ int main_of(int argc, char** argv) {
       ->delimiter(',')
       ->required();
   app.add_option("--vectors", options.filters, "Only these vectors")->delimiter(',');
-  app.add_option("--clauses", options.clauses, "Vectors of these come first")->delimiter(',');
   app.add_option("--clocks", options.clocks,
                  "After so many clocks no other vector is tried: \"missed\", not \"survived\"");
   CLI11_PARSE(app, argc, argv);

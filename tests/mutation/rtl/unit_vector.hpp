@@ -1,16 +1,15 @@
-// A conformance vector for a decode unit: what the unit is asked, and what the suite's files say
-// that it must answer.
+// A conformance vector for a decode unit: what the unit is asked, and what the manifest and the
+// golden model say that it must answer.
 #pragma once
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include <hmlfc/decoder.hpp>
 
 #include "io/files.hpp"
+#include "oracle/oracle.hpp"
 #include "systemc/stream_image.hpp"
 #include "unit/unit_host.hpp"
 #include "vectors/manifest.hpp"
@@ -28,12 +27,10 @@ struct Verdict {
 /// One vector with its stream and its reference area.
 class UnitVector {
  public:
-  /// Reads the files of `vector` of the suite in `folder`. Throws std::runtime_error naming the
-  /// file that is missing or damaged.
+  /// Reads the stream of `vector` of the suite in `folder`. Throws std::runtime_error where it is
+  /// missing.
   UnitVector(const std::filesystem::path& folder, const vectors::Vector& vector,
              const UnitParameters& unit);
-
-  const std::string& id() const { return vector_.id; }
 
   /// Whether a unit of these parameters is to be tested with it: streams within its limits, and
   /// those without a sound header, which every unit must refuse.
@@ -41,28 +38,20 @@ class UnitVector {
 
   /// LOADs the stream and asks for all pixels of all views, view by view until one is wrong. Memory
   /// and whoever takes the answers pause at times, so that the unit must hold what it has.
-  /// Of the last view all planes are asked for too, where every block decodes; their samples are to
-  /// be the golden model's. Expected otherwise are the error of the manifest, or each block's
-  /// CRC-32C in the blocks file; blocks without one must fail, those that the manifest names with
-  /// its error. A unit that does nothing for `patience` clocks hangs. `clocks` is how long it took.
+  /// Of the last view all planes are asked for too, where every block decodes. Expected are the
+  /// error of the manifest, then the golden model's answers. A unit that does nothing for
+  /// `patience` clocks hangs. `clocks` is how long it took.
   Verdict try_on(std::unique_ptr<DecodeUnit> unit, uint64_t patience, uint64_t& clocks) const;
 
  private:
-  using BlockSums = std::vector<std::optional<uint32_t>>;  ///< of a view; none: fails
-
-  void read_blocks(const std::filesystem::path& file);
   std::string wrong_error(unsigned error) const;
-  bool is_named(const Request& request) const;
-  std::string wrong_block(const Request& request, const Answer& answer,
-                          const BlockSums& sums) const;
-  std::string wrong_plane(UnitHost& host, ViewPos view, Plane plane) const;
-  std::string wrong_last_view(UnitHost& host) const;
+  std::string wrong_plane(UnitHost& host, Oracle& oracle, ViewPos view, unsigned plane) const;
+  std::string wrong_views(UnitHost& host) const;
 
   vectors::Vector vector_;
   io::MappedFile file_;
   StreamImage image_;
   unsigned software_error_ = 0;  ///< of what the unit leaves to software (FIL-6, KEY-1)
-  std::vector<BlockSums> views_;
 };
 
 }  // namespace hmlfc::tb

@@ -6,7 +6,7 @@ import subprocess
 
 RTL = pathlib.Path(__file__).resolve().parents[3] / "rtl"
 
-# Of the unit: the values that CMakeLists.txt gives to Verilator as well. Blocks of 4 x 4 are those of most vectors.
+# Of the unit; rtl_mutants.cpp has the first four as well. Blocks of 4 x 4 are those of most vectors.
 UNIT = {"BLOCK_LOG2": 2, "MAX_DEPTH": 12, "AXI_DATA_BITS": 64, "OUTSTANDING": 4, "TILE_CONTEXTS": 2, "CACHE_STRIPS": 64}
 
 
@@ -16,7 +16,6 @@ class Variant:
 
     module: str
     parameters: dict[str, int]
-    clauses: tuple[str, ...]  # that it follows
     traced: tuple[str, ...] = ()  # outputs that only the trace port shows
     # What the module's comment says of its inputs, or the unit around it (records begin with a byte of a beat of 64 bits), as Verilog
     # that makes a legal value of any: for a port an expression of the ports; legal_NAME is a port's legal value.
@@ -43,9 +42,9 @@ HELD = ("((legal_slot + 1) * hmlfc_plain_bits(legal_level_code) + "
         "hmlfc_digit_kind(legal_level_code) == HMLFC_DIGIT_QUINT ? (7 * (legal_slot + 1) + 2) / 3 : 0))")
 
 
-def element(value_bits: int, largest_code: int, *clauses: str) -> Variant:
+def element(value_bits: int, largest_code: int) -> Variant:
     legal = {"bits_left": f"bits_left < {HELD} ? {HELD} : bits_left > 64 ? 64 : bits_left"}
-    return Variant("bise_element", {"VALUE_BITS": value_bits}, clauses, legal=legal | at_most("level_code", largest_code) | SLOT)
+    return Variant("bise_element", {"VALUE_BITS": value_bits}, legal=legal | at_most("level_code", largest_code) | SLOT)
 
 
 BLOCK = {"BLOCK_LOG2": 2}
@@ -54,33 +53,33 @@ DEPTH = between("depth", 8, 12)
 
 # A module that has instances of several kinds is there once for each, with mutants of its own.
 VARIANTS = [
-    Variant("bise_unpack", {"COUNT": 16, "VALUE_BITS": 14, "WINDOW_BITS": 224}, ("BISE-4", "BISE-7", "BISE-8", "BISE-9", "BISE-11", "TIL-10"), legal=at_most("level_code", 39), latency=3),
-    element(10, 27, "MOT-6"),
-    element(4, 5, "MOT-3", "MOT-5"),  # the choice among at most 8 entries of a palette
+    Variant("bise_unpack", {"COUNT": 16, "VALUE_BITS": 14, "WINDOW_BITS": 224}, legal=at_most("level_code", 39), latency=3),
+    element(10, 27),
+    element(4, 5),  # the choice among at most 8 entries of a palette
     # Vectors, disparities and indices: the levels of residuals, up to code 39, do not come to these two.
-    Variant("bise_place", {}, ("BISE-11", "TIL-7", "MOT-3", "MOT-6"), legal=at_most("level_code", 27)),
-    Variant("bise_bits", {}, ("BISE-3", "TIL-6"), legal=at_most("count", 1024) | at_most("level_code", 27)),
-    Variant("trits", {}, ("BISE-8",)),
-    Variant("quints", {}, ("BISE-9",)),
-    Variant("residual", SAMPLES, ("TIL-10", "STP-3"), legal=DEPTH | {"level_code": "level_code > 3 * legal_depth + 3 ? 3 * legal_depth + 3 : level_code"}, latency=4),
-    Variant("vector", {}, ("MOT-8", "MOT-9"), latency=6),
-    Variant("vector_axis", {"COEFFICIENT_BITS": 12}, ("MOT-8", "MOT-9"), legal=at_most("shift", 9), latency=5),
-    Variant("vector_axis", {"COEFFICIENT_BITS": 18}, ("MOT-8", "MOT-9"), legal=at_most("shift", 9), latency=5),
-    Variant("interpolate", {"BLOCK_LOG2": 2, "SAMPLE_BITS": 14}, ("MOT-9",), latency=3),
-    Variant("reconstruct", SAMPLES, ("DEC-2", "DEC-3", "EXT-5"), ("prediction",), legal=DEPTH),
-    Variant("colour", SAMPLES, ("COL-2",), legal=DEPTH, latency=2),
-    Variant("compose", SAMPLES, ("DEC-2", "DEC-3", "DEC-6", "DEC-7", "MOT-9"), ("out_residual", "out_reference", "out_prediction"), legal=DEPTH),
-    Variant("answer", SAMPLES, ("COL-2", "COL-3"), legal=DEPTH),
-    Variant("reference_window", BLOCK, ("DEC-5", "MOT-9"), latency=2),
-    Variant("tile_mask", {}, ("TIL-2", "TIL-3"), legal=between("columns", 1, 8) | between("rows", 1, 8)),
-    Variant("tile_headers", {"BLOCK_LOG2": 2, "SKEW_BITS": 6}, ("TIL-8", "STP-1"), legal=DEPTH | between("count", 1, 64) | {"skew": "skew & 'h38"}),
-    Variant("tile_vectors", {"WORD_BITS": 10, "PLACE_BITS": 15, "WINDOW_BITS": 512}, ("TIL-6", "TIL-7"), legal=between("count", 1, 64) | at_most("position", 256) | {"skew": "skew & 'h38"}),
-    Variant("vector_bounds", {}, ("TIL-6",), legal=between("position", 4, 164)),
-    Variant("motion_place", BLOCK, ("MOT-4",), legal=at_most("bx", 4095) | at_most("by", 4095)),
-    Variant("motion_blocks", {"BLOCK_LOG2": 2, "CONTEXTS": 4, "CONTEXT_WORDS": 64, "WINDOW_BITS": 128}, ("MOT-3", "MOT-4"), legal=at_most("head_position", 328)),
-    Variant("disparity_place", BLOCK, ("MOT-5", "MOT-6")),
-    Variant("disparity_blocks", {"CONTEXTS": 4, "CONTEXT_WORDS": 256, "WINDOW_BITS": 128}, ("MOT-6",), legal=at_most("head_position", 81)),
-    element(8, 21, "TIL-6", "TIL-7"),
+    Variant("bise_place", {}, legal=at_most("level_code", 27)),
+    Variant("bise_bits", {}, legal=at_most("count", 1024) | at_most("level_code", 27)),
+    Variant("trits", {}),
+    Variant("quints", {}),
+    Variant("residual", SAMPLES, legal=DEPTH | {"level_code": "level_code > 3 * legal_depth + 3 ? 3 * legal_depth + 3 : level_code"}, latency=4),
+    Variant("vector", {}, latency=6),
+    Variant("vector_axis", {"COEFFICIENT_BITS": 12}, legal=at_most("shift", 9), latency=5),
+    Variant("vector_axis", {"COEFFICIENT_BITS": 18}, legal=at_most("shift", 9), latency=5),
+    Variant("interpolate", {"BLOCK_LOG2": 2, "SAMPLE_BITS": 14}, latency=3),
+    Variant("reconstruct", SAMPLES, ("prediction",), legal=DEPTH),
+    Variant("colour", SAMPLES, legal=DEPTH, latency=2),
+    Variant("compose", SAMPLES, ("out_residual", "out_reference", "out_prediction"), legal=DEPTH),
+    Variant("answer", SAMPLES, legal=DEPTH),
+    Variant("reference_window", BLOCK, latency=2),
+    Variant("tile_mask", {}, legal=between("columns", 1, 8) | between("rows", 1, 8)),
+    Variant("tile_headers", {"BLOCK_LOG2": 2, "SKEW_BITS": 6}, legal=DEPTH | between("count", 1, 64) | {"skew": "skew & 'h38"}),
+    Variant("tile_vectors", {"WORD_BITS": 10, "PLACE_BITS": 15, "WINDOW_BITS": 512}, legal=between("count", 1, 64) | at_most("position", 256) | {"skew": "skew & 'h38"}),
+    Variant("vector_bounds", {}, legal=between("position", 4, 164)),
+    Variant("motion_place", BLOCK, legal=at_most("bx", 4095) | at_most("by", 4095)),
+    Variant("motion_blocks", {"BLOCK_LOG2": 2, "CONTEXTS": 4, "CONTEXT_WORDS": 64, "WINDOW_BITS": 128}, legal=at_most("head_position", 328)),
+    Variant("disparity_place", BLOCK),
+    Variant("disparity_blocks", {"CONTEXTS": 4, "CONTEXT_WORDS": 256, "WINDOW_BITS": 128}, legal=at_most("head_position", 81)),
+    element(8, 21),
 ]
 
 

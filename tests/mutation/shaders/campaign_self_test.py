@@ -9,10 +9,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-import campaign
-import report
+import campaign  # makes the folders of the others known
+import session
 import tools
-from mutants import Mutant, mutants_of
+from changes import mutants_of
+from mutants import Mutant
 
 ONE_VECTOR = ["syntax/depth-8"]
 SOURCE = """#version 450
@@ -36,22 +37,16 @@ CHANGES = {
 }  # fmt: skip
 
 
-def planted(shaders, file, old, new):
-    """The mutant of `file` with `new` instead of the first `old`."""
-    source = (shaders / file).read_text()
-    begin = source.index(old)
-    return Mutant("operator", file, source.count("\n", 0, begin) + 1, begin, old, new)
-
-
-def cases(shaders):
-    """(mutant, what the campaign must say of it, when only ONE_VECTOR is decoded)."""
-    status = "if (status == ERROR_OK) status = arguments.statuses.word[sources.cg];"
-    yield planted(shaders, "colour.comp", status, ""), "survived"
-    yield planted(shaders, "colour.comp", "16u * (at & 1u)", "16u * (at & 0u)"), "killed"
-    yield planted(shaders, "colour.comp", "return;", ";"), "crash"
-    yield planted(shaders, "colour.comp", "word == 0u", "word = 0u"), "not_compiled"
-    yield planted(shaders, "colour.comp", "0xFFFFu", "65535u"), "equivalent"
-    yield planted(shaders, "samples.comp", "place.number * 4u", "place.number * 5u"), "equivalent"
+# File, old text, new text, and what the campaign must say of it when only ONE_VECTOR is decoded.
+STATUS = "if (status == ERROR_OK) status = arguments.statuses.word[sources.cg];"
+CASES = [
+    ("colour.comp", STATUS, "", "survived"),
+    ("colour.comp", "16u * (at & 1u)", "16u * (at & 0u)", "killed"),
+    ("colour.comp", "return;", ";", "crash"),
+    ("colour.comp", "word == 0u", "word = 0u", "not compiled"),
+    ("colour.comp", "0xFFFFu", "65535u", "same code"),
+    ("samples.comp", "place.number * 4u", "place.number * 5u", "same code"),
+]
 
 
 def endless(work):
@@ -62,24 +57,26 @@ def endless(work):
     return program
 
 
-def complaints(root, program, work):
+def complaints(program, work):
     """One line for each wrong answer."""
     found = {(m.kind, m.old, m.new) for m in mutants_of("source", SOURCE)}
     for change in sorted(CHANGES ^ found):
         yield f"{change}: {'missed' if change in CHANGES else 'no such place'}"
-    decoder = tools.Decoder(program, root / "vectors", ONE_VECTOR)
-    judge = campaign.Campaign(root, decoder, work, chunks=False)
+    decoder = tools.Decoder(program, campaign.ROOT / "vectors", ONE_VECTOR)
+    judge = campaign.Campaign(decoder, work)
     results = []
-    for mutant, expected in cases(judge.shaders):
+    for file, old, new, expected in CASES:
+        source = (campaign.SHADERS / file).read_text()
+        mutant = Mutant.of("operator", file, source, source.index(old), old, new)
         verdict = judge.judge(mutant)
         results.append((mutant, verdict))
-        if verdict.result != expected:
-            yield f"{mutant.name()}: {verdict.result} ({verdict.detail}) instead of {expected}"
-    hung = tools.Decoder(endless(work), root / "vectors", [])
+        if verdict.result != expected or judge.compiles(mutant) != (expected != "not compiled"):
+            yield f"{mutant}: {verdict.result} ({verdict.detail}) instead of {expected}"
+    hung = tools.Decoder(endless(work), work, [])
     hung.cpu_limit = 1
     if hung.run({}).result != "timeout":
         yield "a decoder without an end is no timeout"
-    if report.exit_status(results) != 1 or report.exit_status(results[1:]) != 0:
+    if session.exit_status(results) != 1 or session.exit_status(results[1:]) != 0:
         yield "a survivor does not decide the exit status"
 
 
@@ -87,14 +84,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=Path, help="decode_vectors")
     args = parser.parse_args()
-    root = Path(__file__).resolve().parents[3]
     with tempfile.TemporaryDirectory() as work:
         tools.prepare_device(work)
         try:
-            wrong = list(complaints(root, args.program, Path(work)))
-        except tools.Unusable as reason:
+            wrong = list(complaints(args.program, Path(work)))
+        except session.Unusable as reason:
             print(reason, file=sys.stderr)
-            return tools.SKIPPED
+            return session.SKIPPED
     for line in wrong:
         print(line)
     return 1 if wrong else 0

@@ -1,11 +1,9 @@
-"""What the program under test makes of a stream: views, stages of blocks, errors."""
+"""What the program under test makes of a stream: views and errors."""
 
-import json
 import re
 
 from pictures import read_png
 from program import CORRUPT, DONE
-from trace import PLANE_NAMES
 
 
 def outcome(result):
@@ -49,21 +47,3 @@ class Golden:
     def opens(self):
         """"ok", or the name of the error in opening the stream."""
         return outcome(self.test.run_hmlfc("info", self.file))
-
-    def stages(self, row, col, plane, block_x, block_y):
-        """The error's name, or records as of trace.trace_block."""
-        result = self.test.run_hmlfc(
-            "inspect", self.file, "--view", f"{row},{col}", "--plane", PLANE_NAMES[plane],
-            "--block", f"{block_x},{block_y}", "--json",
-        )
-        if outcome(result) != "ok":
-            return outcome(result)
-        place = {"plane": PLANE_NAMES[plane], "block": [block_x, block_y]}
-        records = [{"record": "block", "view": [row, col], **place}]
-        for level in json.loads(result.stdout)["levels"]:
-            image = [level["image"]["row"], level["image"]["col"]]
-            head = {"record": "stage", "level": level["level"], "image": image, **place}
-            for name, stage in level["stages"].items():
-                values = [value for line in stage["values"] for value in line]
-                records.append({**head, "stage": name, "clause": stage["clause"], "values": values})
-        return records

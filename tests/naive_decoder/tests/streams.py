@@ -1,7 +1,5 @@
 """The streams that the naive decoder and the program under test are compared on."""
 
-import paths
-
 # Scene, grid, size, depth, and the options of hmlfc encode.
 ENCODED = [
     ("cards", "4x4", "24x20", 8, "--profile main --height 1 --window 7"),
@@ -17,6 +15,7 @@ ENCODED = [
     ("flat", "2x2", "7x33", 12, "--chroma 444 --block 8 --quality 20"),
 ]
 
+
 def render(test, name, scene, grid, size, depth):
     """Renders views into the folder `name` of a CliTest."""
     test.hmlfc("synth", "--scene", scene, "--grid", grid, "--size", size, "--depth", depth, "-o", name)
@@ -31,9 +30,3 @@ def encoded_streams(test):
         test.hmlfc("encode", name, "-o", f"{name}.hmlfc", *options.split())
         streams[name] = (test.folder / f"{name}.hmlfc").read_bytes()
     return streams
-
-
-def random_streams(bytes_at_most):
-    """{name: bytes} of the random streams of the conformance suite that are small."""
-    files = sorted((paths.DECODER.parents[1] / "vectors" / "stress").glob("random-*.hmlfc"))
-    return {file.stem: file.read_bytes() for file in files if file.stat().st_size <= bytes_at_most}

@@ -3,6 +3,8 @@
 import hashlib
 import json
 
+import paths
+
 from block import BlockDecoder
 from comparison import attempt, cropped
 from crc32c import crc32c
@@ -10,6 +12,15 @@ from light_field import decode_view
 from opening import Stream
 from picture_files import raw_bytes
 from trace import PLANE_NAMES, trace_block
+
+
+FOLDER = paths.DECODER.parents[1] / "vectors"
+
+
+def load_vectors():
+    """The vectors of the manifest, the largest first."""
+    vectors = json.loads((FOLDER / "manifest.json").read_text())["vectors"]
+    return sorted(vectors, key=lambda vector: -vector["input"]["bytes"])
 
 
 def sha256(data):

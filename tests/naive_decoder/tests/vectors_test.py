@@ -1,23 +1,13 @@
 """The naive decoder on every vector of the conformance suite, and a test of this check."""
 
-import paths
-import json
+import paths  # noqa: F401
 import unittest
 from concurrent.futures import ProcessPoolExecutor
 
 from program import main
-from vector_check import check_vector
-
-FOLDER = paths.DECODER.parents[1] / "vectors"
+from vector_check import FOLDER, check_vector, load_vectors
 
 
-def load_vectors():
-    """The vectors of the manifest, the largest first."""
-    vectors = json.loads((FOLDER / "manifest.json").read_text())["vectors"]
-    return sorted(vectors, key=lambda vector: -vector["input"]["bytes"])
-
-
-@unittest.skipUnless((FOLDER / "manifest.json").exists(), "there is no vectors/manifest.json")
 class VectorsTest(unittest.TestCase):
     def test_every_vector_is_decoded_as_the_manifest_says(self):
         vectors = load_vectors()

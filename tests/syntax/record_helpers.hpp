@@ -1,9 +1,8 @@
-// What the tests of motion tiles and of disparities share.
+// What the tests of tile records, motion tiles and disparities share.
 #pragma once
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -21,22 +20,19 @@ inline std::string name_of(const Error& error) {
   return std::string(error_name(error.code));
 }
 
-/// Fields as a sink is told.
+/// Fields as a sink is told, one a line: clause, name, bit in the record, number of bits and value.
 class FieldRecorder final : public TraceSink {
  public:
-  explicit FieldRecorder(std::string_view clause) : clause_(clause) {}
-
   void on_field(const FieldRecord& record) override {
     EXPECT_EQ(record.section, Section::kTile);
-    EXPECT_EQ(record.clause, clause_);
-    text_ += std::string(record.name) + "@" + std::to_string(record.bit) + ":" +
-             std::to_string(record.bits) + "=" + std::to_string(record.value) + " ";
+    text_ += std::string(record.clause) + " " + std::string(record.name) + "@" +
+             std::to_string(record.bit - 8 * kRecordAt) + ":" + std::to_string(record.bits) + "=" +
+             std::to_string(record.value) + "\n";
   }
   void on_stage(const StageRecord&) override {}
   const std::string& text() const { return text_; }
 
  private:
-  std::string_view clause_;
   std::string text_;
 };
 

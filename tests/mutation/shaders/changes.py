@@ -1,15 +1,7 @@
-"""Mutants of the decode shaders: every place and kind of change, and a choice of them by seed."""
-
-import hashlib
-import re
-from dataclasses import dataclass
+"""Mutants of one GLSL source: every place and kind of change."""
 
 from glsl import arguments_of, bodies, closing, tokens_of
-
-# The kernels that decode; the others belong to the renderer, which has no vectors.
-KERNELS = ["expand", "walk", "residuals", "samples", "colour"]
-# Included by them, but generated, or of the renderer.
-LEFT_OUT = {"hmlfc_tables.glsl", "frame.glsl", "frame_arguments.glsl"}
+from mutants import Mutant
 
 KINDS = ["operator", "comparison", "constant", "shift", "condition", "min_max", "statement"]
 
@@ -19,25 +11,6 @@ OPERATORS = {
     "~": "", "!": "",
 }  # fmt: skip
 COMPARISONS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
-
-
-@dataclass(frozen=True)
-class Mutant:
-    kind: str
-    file: str
-    line: int
-    begin: int  # of the source
-    old: str
-    new: str
-
-    def apply(self, source):
-        """The source with the change."""
-        return source[: self.begin] + self.new + source[self.begin + len(self.old) :]
-
-    def name(self):
-        """What tells it from others, whatever else changes in the file but the lines above."""
-        old, new = (" ".join(text.split()) for text in (self.old, self.new))
-        return f"{self.file}:{self.line}: {self.kind}: {old} -> {new or 'nothing'}"
 
 
 def numbers(token):
@@ -126,46 +99,4 @@ def mutants_of(file, source):
             changes += of_statement(tokens, i, end)
             for kind, begin, last, new in changes:
                 at = tokens[begin].begin
-                old = source[at : tokens[last - 1].end]
-                yield Mutant(kind, file, source.count("\n", 0, at) + 1, at, old, new)
-
-
-def included(folder, file, seen=None):
-    """The files that `file` includes, itself too."""
-    seen = set() if seen is None else seen
-    if file not in seen:
-        seen.add(file)
-        for name in re.findall(r'^#include "([^"]+)"', (folder / file).read_text(), re.MULTILINE):
-            included(folder, name, seen)
-    return seen
-
-
-def kernels_by_file(folder):
-    """For each source that is mutated, the kernels that include it."""
-    kernels = {}
-    for kernel in KERNELS:
-        for file in included(folder, f"{kernel}.comp") - LEFT_OUT:
-            kernels.setdefault(file, []).append(kernel)
-    return kernels
-
-
-def rank(seed, mutant):
-    """A number that shuffles mutants in the same way on every machine."""
-    text = f"{seed} {mutant.file} {mutant.begin} {mutant.kind} {mutant.new}"
-    return hashlib.sha256(text.encode()).digest()
-
-
-def draw(folder, seed):
-    """All mutants, shuffled by the seed, one of each kind in turn."""
-    every = [
-        mutant
-        for file in sorted(kernels_by_file(folder))
-        for mutant in mutants_of(file, (folder / file).read_text())
-    ]
-    queues = [
-        sorted((m for m in every if m.kind == kind), key=lambda m: rank(seed, m)) for kind in KINDS
-    ]
-    while any(queues):
-        for queue in queues:
-            if queue:
-                yield queue.pop(0)
+                yield Mutant.of(kind, file, source, at, source[at : tokens[last - 1].end], new)
