@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cstring>
 
+#include "arithmetic/rounding.hpp"
 #include "unit/registers.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
 constexpr uint64_t kStreamBase = 0x10000;
-constexpr size_t kMaxBursts = 64;
+constexpr size_t kMaxWaitingBursts = 64;
 // Clocks in 1000 that are paused, and for how many clocks it is so.
 constexpr unsigned kPause = 250;
 constexpr unsigned kLongPause = 937;
 constexpr uint64_t kTurn = 512;
-
-uint64_t align(uint64_t address, uint64_t to) { return (address + to - 1) / to * to; }
+constexpr uint64_t kAlignment = 4096;  // of the reference area
 
 }  // namespace
 
@@ -24,7 +24,7 @@ UnitHost::UnitHost(std::unique_ptr<DecodeUnit> unit, std::span<const uint8_t> st
     : unit_(std::move(unit)),
       stream_(stream),
       area_(area),
-      area_base_(align(kStreamBase + stream.size() + 32, 4096)) {
+      area_base_(ceil_div(kStreamBase + stream.size() + 32, kAlignment) * kAlignment) {
   for (int i = 0; i < 4; ++i) clock();
   next_.rst_n = true;
   clock();
@@ -45,7 +45,7 @@ bool UnitHost::pause(unsigned permille) { return pauses_ && pauses_->chance(perm
 void UnitHost::read_channel(UnitInputs& next) {
   if (!in_.rst_n) return;
   if (out_.ar_valid && in_.ar_ready) bursts_.push_back({out_.ar_addr, out_.ar_len + 1u});
-  next.ar_ready = bursts_.size() < kMaxBursts && !pause(kPause);
+  next.ar_ready = bursts_.size() < kMaxWaitingBursts && !pause(kPause);
   if (in_.r_valid && !out_.r_ready) return;
   next.r_valid = !bursts_.empty() && !pause(kPause);
   if (!next.r_valid) return;
