@@ -69,7 +69,8 @@ void Bench::compare_answers_only() {
 void Bench::set_image(const MemoryImage& image) {
   image_ = image;
   if (image_.reference_base == 0) {
-    image_.reference_base = align(image_.stream_base + image_.stream.size(), 4096);
+    const uint64_t stream_end = image_.stream_base + image_.stream.size() + Memory::kSlackBytes;
+    image_.reference_base = align(stream_end, 4096);
   }
   memory_.set_regions(
       {{image_.stream_base, image_.stream}, {image_.reference_base, image_.reference_area}});

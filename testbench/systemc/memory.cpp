@@ -8,7 +8,6 @@ namespace {
 
 constexpr size_t kMaxBursts = 64;
 constexpr uint8_t kDecodeError = 3;
-constexpr uint64_t kSlackBytes = 31;  // that may be read past the end of a region
 
 }  // namespace
 

@@ -32,6 +32,8 @@ struct MemoryCounts {
 /// random; what lies further outside gives DECERR.
 class Memory final : public EdgeModule {
  public:
+  static constexpr uint64_t kSlackBytes = 31;  ///< that may be read past the end of a region
+
   Memory(const sc_core::sc_module_name& name, Wires& wires) : EdgeModule(name, wires) {}
 
   void set_beat_bytes(unsigned bytes) { beat_bytes_ = bytes; }

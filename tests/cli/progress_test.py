@@ -7,6 +7,7 @@ import subprocess
 from program import PROGRAM, CliTest, main
 
 LONG = "synth --scene knights --grid 4x4 --size 640x480 --threads 1 -o views".split()
+SMALLER = "synth --scene knights --grid 4x4 --size 320x240 -o smaller".split()
 SHORT = "synth --scene flat --grid 1x1 --size 8x8 -o short".split()
 
 
@@ -14,6 +15,7 @@ class Progress(CliTest):
     @classmethod
     def prepare(cls):
         cls.output = cls.hmlfc(*LONG)
+        cls.hmlfc(*SMALLER)
 
     def on_terminal(self, arguments):
         """What standard error, a terminal, receives, and standard output, a pipe."""
@@ -50,7 +52,7 @@ class Progress(CliTest):
 
     def test_tries_are_counted(self):
         target = "--target-psnr 33 --window 2 --height 2 --threads 1".split()
-        shown, output = self.on_terminal(["encode", "views", "-o", "a.hmlfc", *target])
+        shown, output = self.on_terminal(["encode", "smaller", "-o", "a.hmlfc", *target])
         self.assertRegex(shown, r"\r\x1b\[KEncoding, try \d+  \[.* \d+/21 images  ")
         self.assertTrue(shown.endswith("\r\x1b[K"), "the line is wiped at the end")
         self.assertIn("PSNR", output)

@@ -3,7 +3,7 @@
 import shutil
 import subprocess
 
-from conform_case import ROOT, ConformTest, main
+from conform_case import INCOMPLETE, ROOT, SUITE, ConformTest, main
 
 INCLUDE = ROOT / "model" / "include"
 COMPILER = shutil.which("cc") or shutil.which("gcc")
@@ -103,6 +103,14 @@ class Library(ConformTest):
                 result = self.results(report)["real/cards-main"]
                 self.assertEqual(result["status"], status, result)
                 self.assertIn(reason, result["reason"])
+
+    def test_gpu_decoder(self):
+        """The small suite: gpu.vectors decodes all vectors without a process for each."""
+        status, report = self.conform(SUITE / "duts" / "gpu.json")
+        if status == INCOMPLETE:
+            self.skipTest("no Vulkan device here")
+        self.assertEqual(status, 0, report)
+        self.assertEqual({result["status"] for result in self.results(report).values()}, {"pass"})
 
     def test_library_that_cannot_be_loaded(self):
         """An error for every vector, those that must be refused as well, with the file's name."""
