@@ -27,7 +27,7 @@ struct PnmHeader {
 };
 
 bool is_space(uint8_t c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-bool is_digit(uint8_t c) { return c >= '0' && c <= '9'; }
+bool is_decimal(uint8_t c) { return c >= '0' && c <= '9'; }
 
 /// Walks over numbers, white space and comments; never past the end.
 class PnmCursor {
@@ -39,9 +39,9 @@ class PnmCursor {
   /// The next decimal number of at most `limit` after any white space and comments.
   std::optional<uint32_t> number(uint32_t limit) {
     skip_blanks();
-    if (at_end() || !is_digit(bytes_[position_])) return std::nullopt;
+    if (at_end() || !is_decimal(bytes_[position_])) return std::nullopt;
     uint64_t value = 0;
-    for (; !at_end() && is_digit(bytes_[position_]); ++position_) {
+    for (; !at_end() && is_decimal(bytes_[position_]); ++position_) {
       value = value * 10 + (bytes_[position_] - uint64_t{'0'});
       if (value > limit) return std::nullopt;
     }

@@ -42,7 +42,7 @@ void append_bytes(png_structp png, png_bytep data, size_t count) {
 
 [[noreturn]] void give_up(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 
-void ignore_warning(png_structp, png_const_charp) {}
+void ignore_png_warning(png_structp, png_const_charp) {}
 
 /// The 8 or big-endian 16 bits of each sample of one pixel row.
 void pack_row(const RgbImage& image, size_t y, uint8_t* out) {
@@ -188,7 +188,7 @@ std::vector<uint8_t> encode_png(const RgbImage& image) {
   PngOutput output;
   std::vector<uint8_t> row(size_t{image.width} * 3 * (image.depth == 8 ? 1 : 2));
   png_structp png =
-      png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, give_up, ignore_warning);
+      png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, give_up, ignore_png_warning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   bool done = false;
   if (info != nullptr) {
