@@ -18,7 +18,7 @@ hmlfc::BlockAddress address(uint32_t row, uint32_t col, uint32_t plane, uint32_t
   return {{row, col}, static_cast<hmlfc::Plane>(plane), block_x, block_y};
 }
 
-// Hands stages on.
+// Passes stages on to the library's caller.
 class Stages final : public hmlfc::TraceSink {
  public:
   Stages(hmlfc_dut_stage_sink sink, void* context) : sink_(sink), context_(context) {}

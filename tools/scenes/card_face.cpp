@@ -24,7 +24,7 @@ constexpr bool in_disc(double x, double y, double cx, double cy, double radius) 
   return (x - cx) * (x - cx) + (y - cy) * (y - cy) <= radius * radius;
 }
 
-// Each of these is a sign within [-1, 1]^2, y upwards.
+// The pip of each suit, in [-1, 1]^2, y upwards.
 
 bool in_heart(double x, double y) {
   const double side = std::abs(x);
@@ -50,8 +50,8 @@ bool in_suit(uint32_t suit, double x, double y) {
   return kSuits[suit](x, y);
 }
 
-/// Where the signs of ranks 1 to 10 stand, in units of the printed area.
-std::span<const Place> sign_places(uint32_t rank) {
+/// Positions of the pips of ranks 1 to 10, in units of the printed area.
+std::span<const Place> pip_places(uint32_t rank) {
   static constexpr std::array<Place, 55> kPlaces = {{
       {0, 0},                                                                               // 1
       {0, .7},     {0, -.7},                                                                // 2
@@ -83,7 +83,7 @@ constexpr std::array<std::array<uint8_t, 7>, 10> kGlyphs = {{
     {0x17, 0x15, 0x15, 0x15, 0x15, 0x15, 0x17},
 }};
 
-/// The rank's letter in [-1, 1]^2, y upwards.
+/// The rank's glyph, in [-1, 1]^2, y upwards.
 bool in_glyph(uint32_t rank, double x, double y) {
   if (std::abs(x) >= 1.0 || std::abs(y) >= 1.0) return false;
   const auto column = static_cast<unsigned>((x + 1.0) * 2.5);
@@ -108,7 +108,7 @@ Vec3 face_colour(const CardFace& face, double x, double y, double aspect) {
   if (edge_margin(x, y, aspect) > -0.022) return kPaper * 0.55;
   if (in_corner_index(face, x, y, aspect) || in_corner_index(face, -x, -y, aspect)) return ink;
   const double size = face.rank == 1 ? 0.42 : 0.19;
-  for (const Place& place : sign_places(face.rank)) {
+  for (const Place& place : pip_places(face.rank)) {
     const double right = (x - place.x * 0.72) / size;
     const double up = (y - place.y * (aspect - 0.28)) / size;
     if (std::abs(right) > 1.0 || std::abs(up) > 1.0) continue;

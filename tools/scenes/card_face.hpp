@@ -9,7 +9,7 @@ namespace hmlfc::scenes {
 
 enum class Print : uint32_t { kFace, kBack, kChecker, kStripes, kMarble, kDots };
 
-/// What one sheet shows.
+/// The print of one sheet.
 struct CardFace {
   Print print = Print::kFace;
   uint32_t rank = 1;  ///< of a face, [1, 10]

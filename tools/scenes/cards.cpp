@@ -1,5 +1,5 @@
-// Scene "cards": playing cards and printed panels in the air at many depths, tilted, before a green
-// cloth on which their shadows fall.
+// Scene "cards": tilted playing cards and printed panels float at many depths in front of a green
+// cloth and cast shadows on it.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,15 +37,15 @@ constexpr std::array<uint32_t, 6> kInks = {0x24508F, 0xA3262E, 0x1F6B52,
 
 Vec3 towards_lamp() { return normalize({-0.5, 0.8, -1.0}); }
 
-/// Where a sheet is in the middle view.
+/// Position of a sheet in the middle view.
 struct SheetPlace {
-  double u;  ///< of its middle, in half pictures to the right of the picture's middle
-  double v;  ///< and upwards
-  double z;  ///< distance
+  double u;  ///< of its centre, in half picture widths right of the picture's centre
+  double v;  ///< in half picture heights above it
+  double z;  ///< distance from the camera plane
   double half_width;
 };
 
-/// Turned by random tangents of half angles in [-most, most] for each axis.
+/// Rotated about each axis; the tangents of the half angles are random in [-most, most].
 Frame random_turn(HashStream& random, const std::array<double, 3>& most) {
   std::array<double, 3> tangents{};
   for (size_t i = 0; i < 3; ++i) tangents[i] = random.uniform(-most[i], most[i]);
@@ -144,7 +144,7 @@ void Cards::add_fan(HashStream& random) {
 Vec3 Cards::cloth_light(const Ray& ray) const {
   const Vec3 out = normalize({0, kClothSlope, -1});
   const double reach = kClothDistance - ray.origin.z + kClothSlope * ray.origin.y;
-  // The slope stays below 1 / kClothSlope but for the outermost cameras of extreme grids.
+  // Only the outermost cameras of extreme grids have rays that miss the cloth.
   const double approach = std::max(0.01, ray.direction.z - kClothSlope * ray.direction.y);
   const double t = reach / approach;
   const Vec3 p = ray.at(t);

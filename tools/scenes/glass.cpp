@@ -1,5 +1,5 @@
-// Scene "glass": balls of glass, metal and lacquer on a polished table. What is seen in and through
-// them does not move as their surfaces do: no shift of a view predicts the next one.
+// Scene "glass": balls of glass, metal and lacquer on a polished table. Reflections and refractions
+// do not move with the surfaces, so no shift of a view predicts the next one.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace hmlfc::scenes {
 namespace {
 
-// The cameras look down by the angle of sine 7/25 at the point (0, 1, 0), 10 units away; y is up.
+// The cameras look down by asin(7/25) at the point (0, 1, 0), 10 units away; y is up.
 constexpr CameraRig kRig = {
     .centre = {0, 1.0 + 10.0 * 7.0 / 25.0, -10.0 * 24.0 / 25.0},
     .right = {1, 0, 0},
@@ -31,15 +31,15 @@ Vec3 mirrored(Vec3 direction, Vec3 normal) {
   return direction - (2.0 * dot(direction, normal)) * normal;
 }
 
-/// The direction of a unit `direction` behind a surface, `ratio` = index before / index behind;
-/// `normal` points against the direction. There is no total reflection on the ways through a ball.
+/// The unit vector `direction` after refraction at a surface; `ratio` = index before / index
+/// behind, `normal` points against `direction`. A path through a ball has no total reflection.
 Vec3 refracted(Vec3 direction, Vec3 normal, double ratio) {
   const double cosine = -dot(direction, normal);
   const double squared = std::max(0.0, 1.0 - ratio * ratio * (1.0 - cosine * cosine));
   return ratio * direction + (ratio * cosine - std::sqrt(squared)) * normal;
 }
 
-/// Schlick's share of mirrored light; `straight` at a right angle of incidence.
+/// Schlick's approximation of the share of reflected light; `straight` is that at normal incidence.
 double mirror_share(double straight, double cosine) {
   const double slant = 1.0 - std::clamp(cosine, 0.0, 1.0);
   return straight + (1.0 - straight) * slant * slant * slant * slant * slant;
@@ -86,7 +86,7 @@ void Glass::add_balls(HashStream& random) {
     double z;
     double radius;
     BallKind kind;
-    uint32_t rgb;  ///< 0: the next of the paints
+    uint32_t rgb;  ///< 0: the next paint
   };
   constexpr std::array<Spot, 12> kSpots = {{
       {-1.15, -1.0, 1.15, BallKind::kGlass, 0xF4FAF8},
@@ -111,7 +111,7 @@ void Glass::add_balls(HashStream& random) {
   }
 }
 
-/// Light against a ray that starts on a surface; `direction` is of unit length.
+/// Light that arrives along a ray from a surface; `direction` has unit length.
 Vec3 Glass::trace_on(Vec3 origin, Vec3 direction, int bounces) const {
   constexpr double kStart = 1e-9;  // nearer than this is the surface itself
   double nearest = std::numeric_limits<double>::infinity();
@@ -155,7 +155,7 @@ Vec3 Glass::through_glass(const Ball& ball, Vec3 point, Vec3 normal, Vec3 direct
   return left * trace_on(far, refracted(within, far_normal, kIndex), bounces + 1);
 }
 
-/// One broad stripe around the ball, or all of one colour.
+/// One broad stripe around the ball, or a single colour.
 Vec3 Glass::lacquer_colour(const Ball& ball, Vec3 normal) const {
   constexpr Vec3 kIvory = from_rgb(0xEDE6D3);
   if (ball.kind != BallKind::kStriped) return ball.colour;

@@ -13,7 +13,7 @@ constexpr double kWall = 6.0;     // z
 constexpr double kCeiling = 9.0;  // y
 constexpr Vec3 kLamp = {-3.5, kCeiling, -4.5};
 constexpr double kLampReach = 2.2;  // half side of the square window
-constexpr double kPenumbra = 0.10;  // growth of a shadow's edge with the distance from its ball
+constexpr double kPenumbra = 0.10;  // width of a shadow's edge per unit of distance from its ball
 constexpr Vec3 kAmbient = {0.26, 0.28, 0.32};
 
 }  // namespace

@@ -16,7 +16,7 @@ struct Ball {
   Vec3 centre;
   double radius = 1;
   BallKind kind = BallKind::kLacquer;
-  Vec3 colour{1, 1, 1};  ///< of glass, what is left of white light that crosses a diameter
+  Vec3 colour{1, 1, 1};  ///< of glass: the transmittance along a diameter
 };
 
 /// The table is y = 0, the back wall z = 6; a window in the ceiling is the lamp.
@@ -24,11 +24,11 @@ class GlassRoom {
  public:
   GlassRoom(uint64_t seed, const std::vector<Ball>& balls) : seed_(seed), balls_(balls) {}
 
-  /// Where a ray that meets no ball ends.
+  /// Where a ray that hits no ball ends.
   enum class Place { kTable, kWall, kCeiling };
   struct End {
     Place place;
-    Vec3 point;  ///< of the table and the wall
+    Vec3 point;  ///< on the table or the wall
   };
   End end(const Ray& ray) const;
 
@@ -36,17 +36,18 @@ class GlassRoom {
   Vec3 table_colour(Vec3 point) const;
   Vec3 wall_colour(Vec3 point) const;
 
-  /// Light from the ceiling and its bright window against a ray's direction.
+  /// Light that arrives along a ray from the ceiling and its bright window.
   Vec3 ceiling_light(const Ray& ray) const;
 
-  /// Light that a surface at `point` with unit normal `normal` gets from all sides; the ball
-  /// `myself`, or none, casts no shadow on it.
+  /// Light that reaches a surface at `point` with unit normal `normal`. The ball `myself`, if not
+  /// null, casts no shadow on it.
   Vec3 arriving_light(Vec3 point, Vec3 normal, const Ball* myself) const;
 
   /// Unit vector from a point to the lamp's middle.
   static Vec3 towards_lamp(Vec3 point);
 
-  /// How much of the lamp a point sees: below 1 behind a ball, above 1 where glass gathers light.
+  /// The share of the lamp that a point sees: below 1 behind a ball, above 1 where glass focuses
+  /// it.
   double lamp_seen(Vec3 point, const Ball* myself) const;
 
  private:

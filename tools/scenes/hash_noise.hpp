@@ -18,8 +18,8 @@ constexpr double unit_interval(uint64_t hash) {
   return static_cast<double>(hash >> 11) * (1.0 / 9007199254740992.0);
 }
 
-/// A stream of random numbers for one purpose, told apart by `key`. Never drawn from twice in the
-/// arguments of one call: compilers evaluate those in different orders. (Braces keep their order.)
+/// A stream of random numbers for one purpose, identified by `key`. Do not draw twice in the
+/// arguments of one call: compilers evaluate them in different orders. (Braces keep their order.)
 class HashStream {
  public:
   constexpr HashStream(uint64_t seed, uint64_t key) : state_(mix_bits(mix_bits(seed) ^ key)) {}
@@ -38,7 +38,7 @@ class HashStream {
   uint64_t state_;
 };
 
-/// The greatest integer that is not above x; |x| < 2^62.
+/// floor(x); |x| < 2^62.
 constexpr int64_t floor_to_int(double x) {
   const auto truncated = static_cast<int64_t>(x);
   return truncated - (x < static_cast<double>(truncated) ? 1 : 0);
@@ -47,7 +47,7 @@ constexpr int64_t floor_to_int(double x) {
 /// x minus its floor, in [0, 1).
 constexpr double fraction(double x) { return x - static_cast<double>(floor_to_int(x)); }
 
-/// A random number in [0, 1) for a cell of a plane's integer grid.
+/// A random number in [0, 1) for a cell of the integer grid.
 constexpr double cell_noise(uint64_t seed, int64_t x, int64_t y) {
   const uint64_t cell = static_cast<uint64_t>(x) * 0x9E3779B97F4A7C15u ^
                         static_cast<uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu;
@@ -57,8 +57,8 @@ constexpr double cell_noise(uint64_t seed, int64_t x, int64_t y) {
 /// Smooth value noise of period about 1 in each direction, in [0, 1].
 double value_noise(uint64_t seed, double x, double y);
 
-/// `octaves` layers of value noise, each of half the size and half the weight of the one before;
-/// in [0, 1].
+/// `octaves` layers of value noise, each with half the period and half the weight of the one
+/// before; in [0, 1].
 double layered_noise(uint64_t seed, double x, double y, int octaves);
 
 }  // namespace hmlfc::scenes

@@ -14,7 +14,7 @@
 namespace hmlfc::scenes {
 namespace {
 
-// The cameras look down by the angle of sine 8/17 at the point (0, 0.8, 0), 20 units away; y is up.
+// The cameras look down by asin(8/17) at the point (0, 0.8, 0), 20 units away; y is up.
 constexpr CameraRig kRig = {
     .centre = {0, 0.8 + 20.0 * 8.0 / 17.0, -20.0 * 15.0 / 17.0},
     .right = {1, 0, 0},
@@ -85,7 +85,7 @@ void Knights::add_army(HashStream& random) {
   }
 }
 
-/// A plate with a stud every half unit, its roundness only painted on.
+/// A plate with a stud every half unit; their roundness is only painted.
 Vec3 Knights::ground_light(Vec3 p) const {
   const double x = p.x * 2.0;
   const double z = p.z * 2.0;
@@ -192,7 +192,7 @@ Vec3 Knights::shape_light(const Ray& ray, const Hit& hit) const {
          kLamp * (0.25 * lit * power_of_two_power(gloss, 5));
 }
 
-/// Extreme grids put cameras under the ground, whose rays may meet neither plane.
+/// Extreme grids put cameras below the ground; their rays may hit neither plane.
 Vec3 Knights::light(const Ray& ray, const Hit& hit) const {
   if (hit.shape != nullptr) return shape_light(ray, hit);
   constexpr double kLeastSlope = 1e-4;

@@ -1,4 +1,4 @@
-// What paints a view of a scene.
+// Painters render the views of a scene.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ class Painter {
  public:
   virtual ~Painter() = default;
 
-  /// Fills `view`, which has the size and depth of the scene's parameters, with the picture of view
-  /// (row, col). Safe to run on several threads at once.
+  /// Renders view (row, col) into `view`, which has the size and depth of the scene's parameters.
+  /// Thread-safe.
   virtual void paint(uint32_t row, uint32_t col, RgbImage& view) const = 0;
 };
 
@@ -34,7 +34,7 @@ class TracedPainter : public Painter {
  protected:
   TracedPainter(const SceneParams& params, const CameraRig& rig) : params_(params), rig_(rig) {}
 
-  /// The linear light that comes back along a camera's ray, which meets `hit` first.
+  /// The linear light that arrives along a camera ray whose first hit is `hit`.
   virtual Vec3 light(const Ray& ray, const Hit& hit) const = 0;
 
   const SceneParams& params() const { return params_; }

@@ -1,5 +1,5 @@
-// Scene "flat": an even backdrop in the focal plane, where nothing moves, and one small soft disc
-// a little before it. All pixels but those of the disc are exactly equal in all views.
+// Scene "flat": a plain backdrop in the focal plane, which has no parallax, and one small soft disc
+// slightly in front of it. Pixels outside the disc are equal in all views.
 #include "scenes/scene.hpp"
 
 #include <algorithm>

@@ -15,7 +15,7 @@ enum class Scene {
   kCards,    ///< playing cards and panels in the air over a cloth: planes at many depths
   kKnights,  ///< ranks of toy knights before a castle: many small occluders
   kGlass,    ///< glass and lacquered balls: refraction, reflection, highlights that move
-  kFlat,     ///< an even backdrop, equal in all views, and one small soft disc
+  kFlat,     ///< a plain backdrop, equal in all views, and one small soft disc
   kNoise,    ///< uniform noise, independent in each view: the worst case of any codec
 };
 
@@ -35,14 +35,14 @@ struct SceneParams {
   uint32_t width = 512;      ///< pixels, [1, 65536]
   uint32_t height = 512;     ///< pixels, [1, 65536]
   double baseline_px = 2.0;  ///< parallax between neighbouring views at depth 1, [0, 64]
-  uint64_t seed = 1;         ///< varies places, colours and textures; "flat" has none to vary
-  int depth = 8;             ///< bits a sample, [8, 12]
+  uint64_t seed = 1;         ///< varies positions, colours and textures; "flat" ignores it
+  int depth = 8;             ///< bits per sample, [8, 12]
 };
 
-/// Renders all views on `threads` threads (0: all cores). The result depends on `params` only, not
-/// on the threads or the machine: the renderer uses the IEEE operations + - * / and sqrt in double
-/// precision, without fused multiply-add, and no random number generator but an integer hash.
-/// Throws std::bad_alloc where the light field does not fit in memory.
+/// Renders all views on `threads` threads (0: all cores). The result depends only on `params`, not
+/// on threads or machine: the renderer uses the IEEE operations + - * / and sqrt in double
+/// precision, without fused multiply-add, and an integer hash for random numbers. Throws
+/// std::bad_alloc if the light field does not fit in memory.
 LightField render_scene(const SceneParams& params, unsigned threads,
                         const io::Progress& progress = {});
 

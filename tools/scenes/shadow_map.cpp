@@ -63,7 +63,7 @@ double ShadowMap::texel_lit(int64_t x, int64_t y, double depth) const {
 }
 
 double ShadowMap::lit(Vec3 point, Vec3 normal) const {
-  // Off the surface by two texels, so that it does not shadow itself.
+  // Two texels off the surface, which must not shadow itself.
   const Vec3 offset = point + (2.0 * texel_) * normal - corner_;
   const double depth = dot(offset, frame_.z) - texel_;
   const double x = dot(offset, frame_.x) / texel_ - 0.5;
@@ -72,7 +72,7 @@ double ShadowMap::lit(Vec3 point, Vec3 normal) const {
   const int64_t top = floor_to_int(y);
   const double u = x - static_cast<double>(left);
   const double v = y - static_cast<double>(top);
-  // A box of 3 x 3 texels around the point: its outermost columns and rows count in part.
+  // A box of 3 x 3 texels around the point; its outer columns and rows are weighted by coverage.
   const std::array<double, 4> across = {1.0 - u, 1.0, 1.0, u};
   const std::array<double, 4> down = {1.0 - v, 1.0, 1.0, v};
   double sum = 0.0;

@@ -1,4 +1,4 @@
-// Soft shadows of a distant lamp, looked up in a picture of the scene as the lamp sees it.
+// Soft shadows of a distant lamp, from a depth map of the scene as the lamp sees it.
 #pragma once
 
 #include <algorithm>
@@ -13,20 +13,20 @@
 
 namespace hmlfc::scenes {
 
-/// The texels on a side that suit pictures of this size.
+/// The side of a map, in texels, that suits pictures of this size.
 inline uint32_t shadow_resolution(const SceneParams& params) {
   return std::clamp(2 * std::max(params.width, params.height), 256u, 2048u);
 }
 
 class ShadowMap {
  public:
-  /// `towards_lamp` is a unit vector; the map covers a square of half side `reach` around `centre`,
-  /// across the light, with `resolution`^2 texels. Points outside are lit.
+  /// `towards_lamp` is a unit vector. The map is a square of half side `reach` around `centre`,
+  /// perpendicular to the light, with `resolution`^2 texels. Points outside are lit.
   ShadowMap(std::span<const Shape> world, Vec3 towards_lamp, Vec3 centre, double reach,
             uint32_t resolution);
 
-  /// How much of the lamp a surface point sees, in [0, 1]; `normal` is the surface's unit normal on
-  /// the side of the lamp. The edge of a shadow is about three texels wide.
+  /// The share of the lamp that a surface point sees, in [0, 1]; `normal` is the surface's unit
+  /// normal on the side of the lamp. The edge of a shadow is about three texels wide.
   double lit(Vec3 point, Vec3 normal) const;
 
  private:
@@ -37,7 +37,7 @@ class ShadowMap {
   Vec3 corner_;  ///< world point of the map's origin, as near to the lamp as any shape
   double texel_;
   int64_t resolution_;
-  std::vector<float> depths_;  ///< distance from the corner's plane of what the lamp sees
+  std::vector<float> depths_;  ///< distance of what the lamp sees from the corner's plane
 };
 
 }  // namespace hmlfc::scenes

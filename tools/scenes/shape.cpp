@@ -13,7 +13,7 @@ constexpr double kLeast = 1e-9;  // hits nearer than this are the surface the ra
 
 Vec3 apply(const Frame& rows, Vec3 v) { return {dot(rows.x, v), dot(rows.y, v), dot(rows.z, v)}; }
 
-/// Keeps a slab's division finite: a ray parallel to it gets distances of enormous size instead.
+/// Keeps the division for a slab finite: a ray parallel to it gets huge distances instead.
 double away_from_zero(double x) {
   constexpr double kTiny = 1e-30;
   if (x >= 0) return std::max(x, kTiny);

@@ -16,8 +16,8 @@ struct Frame {
   Vec3 z{0, 0, 1};
 };
 
-/// The frame turned by the quaternion (1, a, b, c): about the x, y and z axes by angles whose half
-/// has the tangents a, b and c where only one of them is not 0.
+/// The frame rotated by the quaternion (1, a, b, c). Where b = c = 0, this is a rotation about x
+/// by 2 atan(a); likewise for y and z.
 Frame turned(double a, double b, double c);
 
 enum class ShapeKind : uint8_t {
@@ -33,17 +33,16 @@ class Shape {
   /// `half` are the half sizes along the frame's axes, each > 0; a sheet ignores half.z.
   Shape(ShapeKind kind, Vec3 centre, Frame frame, Vec3 half);
 
-  /// Where a ray enters, or infinity. A ray from within a solid does not meet it.
+  /// The t at which a ray enters, or infinity. A ray that starts inside a solid does not hit it.
   double enter(const Ray& ray) const;
 
   /// A world point in the shape's own coordinates.
   Vec3 local(Vec3 point) const;
 
-  /// The outward unit normal at a point of the surface given in own coordinates; of a sheet, its z
-  /// axis.
+  /// The outward unit normal at a surface point in own coordinates; of a sheet, its z axis.
   Vec3 normal(Vec3 local_point) const;
 
-  /// The corners of a box around the shape.
+  /// The corners of a box that holds the shape.
   std::array<Vec3, 8> corners() const;
 
   double corner_radius = 0.0;  ///< of a sheet, world units

@@ -21,7 +21,7 @@ class Random {
 };
 
 /// A light field with parallax, an occluder and some noise: pixel (x, y) of view (r, c) shows a
-/// smooth texture displaced by the view's place. `noise` in [0, 2^depth - 1] is its amplitude.
+/// smooth texture displaced by the view's position. `noise` in [0, 2^depth - 1] is its amplitude.
 inline LightField textured_light_field(const LightFieldShape& shape, uint32_t seed,
                                        uint32_t noise) {
   LightField field(shape);

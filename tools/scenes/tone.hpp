@@ -9,7 +9,7 @@
 
 namespace hmlfc::scenes {
 
-/// round(sqrt(light) * (2^depth - 1)), light clamped to [0, 1]: a gamma of 2, near enough to sRGB's
+/// round(sqrt(light) * (2^depth - 1)), light clamped to [0, 1]: a gamma of 2, close to sRGB's
 /// and exact on every machine.
 inline uint16_t to_sample(double light, int depth) {
   const double greatest = (1 << depth) - 1;
@@ -23,7 +23,7 @@ inline void store(Vec3 light, int depth, uint16_t* pixel) {
   pixel[2] = to_sample(light.z, depth);
 }
 
-/// The linear colour of an sRGB-like value of 8 bits a channel, 0xRRGGBB.
+/// The linear colour of an sRGB-like value of 8 bits per channel, 0xRRGGBB.
 constexpr Vec3 from_rgb(uint32_t rgb) {
   const double red = (rgb >> 16 & 0xFFu) / 255.0;
   const double green = (rgb >> 8 & 0xFFu) / 255.0;

@@ -22,7 +22,7 @@ void add_tower(World& world, double x, double z) {
   add_part(world, ShapeKind::kCylinder, {x, 2.2, z}, {1.35, 2.2, 1.35}, kStone,
            ToyMaterial::kBricks);
   add_part(world, ShapeKind::kCylinder, {x, 4.3, z}, {1.6, 0.25, 1.6}, kStone);
-  // Eight merlons around the top: the corners and edge middles of a square, drawn in to a circle.
+  // Eight merlons around the top: the corners and edge middles of a square, moved onto a circle.
   for (const double dx : {-1.0, 0.0, 1.0}) {
     for (const double dz : {-1.0, 0.0, 1.0}) {
       if (dx == 0.0 && dz == 0.0) continue;
@@ -40,7 +40,7 @@ constexpr Vec3 kSteel = from_rgb(0x9AA3AE);
 constexpr Vec3 kBelt = from_rgb(0x33291F);
 constexpr Vec3 kWood = from_rgb(0x7A4F2A);
 
-/// Adds parts given in the knight's own coordinates: x to his left, y up, -z where he looks.
+/// Adds parts in the knight's own coordinates: x to his left, y up, -z forwards.
 class KnightBuilder {
  public:
   KnightBuilder(World& world, Vec3 feet, const Frame& frame)

@@ -1,4 +1,4 @@
-// What scene "knights" is built of: plastic figures and a castle of bricks.
+// The parts of scene "knights": plastic figures and a castle of bricks.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ enum class ToyMaterial : uint32_t {
   kHead,    ///< a cylinder with eyes and mouth on the side of -z
   kShield,  ///< a box with a cross on the side of -z
   kMetal,
-  kBricks,  ///< joints and uneven colours, by the world's coordinates
+  kBricks,  ///< joints and uneven colours, by world coordinates
   kGate,    ///< a dark arch on the side of -z
 };
 
-/// How one knight looks; all colours linear.
+/// The look of one knight; colours are linear.
 struct KnightLook {
   Vec3 coat;
   Vec3 legs;
@@ -28,11 +28,11 @@ struct KnightLook {
   bool has_lance = true;  ///< a sword otherwise
 };
 
-/// Adds a knight of about 2 units of height who stands on the ground (y = 0) at (x, z) and looks
-/// along -z.
+/// Adds a knight, about 2 units tall, who stands on the ground (y = 0) at (x, z) and looks along
+/// -z.
 void add_knight(World& world, double x, double z, const KnightLook& look);
 
-/// Adds a wall with gate, battlements and two towers along x, its middle at z.
+/// Adds a wall with gate, battlements and two towers along x, centred at z.
 void add_castle(World& world, double z);
 
 }  // namespace hmlfc::scenes

@@ -1,4 +1,4 @@
-// The cameras of a light field: on a plane, all looking the same way, sheared to one focal plane.
+// The cameras of a light field: in one plane, parallel, sheared to one focal plane.
 #pragma once
 
 #include <span>
@@ -16,15 +16,15 @@ struct Ray {
   Vec3 at(double t) const { return origin + t * direction; }
 };
 
-/// Where the camera plane of a scene stands in its world.
+/// The camera plane of a scene in world coordinates.
 struct CameraRig {
   Vec3 centre;         ///< the middle of the view grid
   Vec3 right;          ///< unit vector along the pixels' x, and along the columns of views
   Vec3 down;           ///< unit vector along the pixels' y, and along the rows of views
   Vec3 forward;        ///< unit vector into the scene; right, down, forward are orthogonal
-  double focus;        ///< distance along `forward` of the plane that does not move
+  double focus;        ///< distance along `forward` of the plane without parallax
   double depth_unit;   ///< world units in one unit of depth (see SceneParams)
-  double focal_sides;  ///< focal length, in longer sides of the picture
+  double focal_sides;  ///< focal length over the longer side of the picture
 };
 
 /// A rectangle of pixels in real coordinates.
@@ -44,8 +44,7 @@ class TwoPlaneCamera {
   /// so that t is the distance from the camera plane.
   Ray ray(double x, double y) const;
 
-  /// The least box that holds the pictures of `points`, all of which must lie before the camera
-  /// plane.
+  /// The bounding box of the projections of `points`, which must lie in front of the camera plane.
   PixelBox bounds(std::span<const Vec3> points) const;
 
   /// Distance of a point from the camera plane.

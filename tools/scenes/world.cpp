@@ -9,7 +9,7 @@ constexpr uint32_t kTile = 16;
 
 uint32_t tile_count(uint32_t pixels) { return (pixels + kTile - 1) / kTile; }
 
-/// The tile of a picture coordinate, clamped to those there are.
+/// The tile of a picture coordinate, clamped to the existing ones.
 uint32_t clamped_tile(double coordinate, uint32_t tiles) {
   const double tile = coordinate / kTile;
   if (tile <= 0) return 0;

@@ -1,4 +1,4 @@
-// The shapes of a scene, and which of them a ray meets first.
+// The shapes of a scene, and which of them a ray hits first.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace hmlfc::scenes {
 
-/// What a ray met first.
+/// The first hit of a ray.
 struct Hit {
   double t = std::numeric_limits<double>::infinity();
-  const Shape* shape = nullptr;  ///< none where the ray left the scene
+  const Shape* shape = nullptr;  ///< null where the ray left the scene
 };
 
 /// All shapes of a scene.
@@ -42,7 +42,7 @@ class TileBins {
 
   uint32_t tiles_across_;
   std::vector<uint32_t> starts_;  ///< of each tile's entries; one more at the end
-  std::vector<Entry> entries_;    ///< of a tile, by rising `nearest`
+  std::vector<Entry> entries_;    ///< of a tile, by ascending `nearest`
 };
 
 }  // namespace hmlfc::scenes

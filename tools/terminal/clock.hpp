@@ -1,4 +1,4 @@
-// Time of the process.
+// Elapsed time and CPU time of the process.
 #pragma once
 
 #include <chrono>

@@ -13,8 +13,8 @@
 
 namespace hmlfc::terminal {
 
-/// A decimal integer: digits, after a minus where T is signed, nothing else, and in the range of T.
-/// "010" is ten.
+/// A decimal integer in the range of T: digits alone, after a minus sign where T is signed. "010"
+/// is ten.
 template <std::integral T>
 std::optional<T> parse_integer(std::string_view text) {
   T value{};

@@ -1,4 +1,4 @@
-// Progress of long work, for people at a terminal.
+// Progress of long work, shown on a terminal.
 #pragma once
 
 #include <chrono>
@@ -13,10 +13,10 @@ namespace hmlfc::terminal {
 ///   Encoding  [##########..............]  42 %  36/85 images  3.1/s  0:16 left
 ///
 /// Shown only if standard error is a terminal and the work takes more than a second; erased by
-/// clear() or the destructor. If work starts again (done falls), the line counts the tries.
+/// clear() or the destructor. If work restarts (done falls), the line counts the attempts.
 class ProgressBar {
  public:
-  /// `unit` is the plural noun of the pieces.
+  /// `unit` is a plural noun.
   ProgressBar(std::string label, std::string unit);
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -25,10 +25,9 @@ class ProgressBar {
   /// done in [0, total]; from one thread at a time.
   void update(uint64_t done, uint64_t total);
 
-  /// update() as the function that the libraries take; the bar must outlive it.
+  /// update() as a callback, which the bar must outlive.
   std::function<void(uint64_t, uint64_t)> callback();
 
-  /// Erases the line.
   void clear();
 
  private:
@@ -41,9 +40,9 @@ class ProgressBar {
   std::string unit_;
   bool on_terminal_;
   bool drawn_ = false;
-  unsigned tries_ = 1;
+  unsigned attempts_ = 1;
   uint64_t last_done_ = 0;
-  Clock::time_point begin_ = Clock::now();  ///< of this try
+  Clock::time_point begin_ = Clock::now();  ///< of this attempt
   Clock::time_point next_draw_ = begin_ + std::chrono::seconds(1);
 };
 
