@@ -69,7 +69,7 @@ RgbImage to_8_bits(RgbImage image) {
   return image;
 }
 
-// Dark red for a difference of 1, orange, then yellow for half of the range on.
+// From dark red for a difference of 1 through orange to yellow for half of the range or more.
 void set_heat(RgbImage& image, size_t at, uint32_t worst, int depth) {
   uint16_t* pixel = image.samples.data() + at * 3;
   if (worst == 0) {

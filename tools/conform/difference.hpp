@@ -15,8 +15,8 @@
 
 namespace hmlfc::conform {
 
-/// The first wrong block, views row by row and blocks of plane Y row by row in each, with its first
-/// wrong sample; and how much is wrong in all.
+/// The first wrong block, in raster order of views and then of blocks of plane Y, with its first
+/// wrong sample; and totals.
 struct Difference {
   ViewPos view;
   uint32_t block_x = 0;  ///< block of plane Y
@@ -42,7 +42,7 @@ struct BlockMap {
 /// Compares two views of one size block by block of `block_size` pixels.
 BlockMap compare_blocks(const RgbImage& expected, const RgbImage& actual, unsigned block_size);
 
-/// Compares all views; nothing where they are equal. `maps` gets the blocks of each view.
+/// Compares all views; nothing if they are equal. `maps` gets the blocks of each view.
 std::optional<Difference> first_difference(const std::vector<RgbImage>& expected,
                                            const std::vector<RgbImage>& actual, uint32_t cols,
                                            unsigned block_size, std::vector<BlockMap>& maps);
@@ -54,13 +54,13 @@ std::string to_string(const Difference& difference);
 inline constexpr const char* kFailurePictures[] = {"expected.png", "actual.png", "difference.png",
                                                    "heat.png"};
 
-/// One pixel a block of all views in their grid, with a grey pixel between views: black is equal,
-/// from dark red to yellow the larger the block's worst sample. Where the grid is wider or higher
-/// than 2048 pixels, only the view of number `first` is drawn.
+/// One pixel per block, all views in their grid with a grey pixel between them. Black means equal;
+/// dark red to yellow shows the block's largest difference. If the grid is wider or higher than
+/// 2048 pixels, only the view of number `first` is drawn.
 RgbImage heat_map(const std::vector<BlockMap>& maps, uint32_t cols, size_t first, int depth);
 
-/// Writes the four pictures into `folder`, made if it is missing: the first wrong view and the heat
-/// map of all. Views of more than 8 bits are shown with their 8 upper bits. Errors: cannot write.
+/// Writes the four pictures into `folder`, which is created if missing: the first wrong view and
+/// the heat map of all. Of samples over 8 bits, the upper 8 bits are shown. Errors: cannot write.
 io::IoResult<void> write_failure_pictures(const std::filesystem::path& folder,
                                           const RgbImage& expected, const RgbImage& actual,
                                           const RgbImage& heat);

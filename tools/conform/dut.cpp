@@ -149,7 +149,7 @@ constexpr const char* kCommandPlaces[] = {"{input}", "{output}"};
 constexpr const char* kTracePlaces[] = {"{input}", "{view_row}", "{view_col}",
                                         "{plane}", "{block_x}",  "{block_y}"};
 
-// A library is run by this program's own command for libraries.
+// This program's command decode-with runs libraries, so that a crash ends another process.
 void set_library(Dut& dut, const std::string& library, bool by_block, const Places& places) {
   dut.command = {places.at("hmlfc"), "decode-with", library, "{input}", "-o", "{output}"};
   if (by_block) dut.command.push_back("--by-block");

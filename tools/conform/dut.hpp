@@ -15,7 +15,7 @@
 
 namespace hmlfc::conform {
 
-/// The text for each {name} in a command line.
+/// The text that replaces each {name} in a command line.
 using Places = std::map<std::string, std::string, std::less<>>;
 
 /// `words` with every {name} of `places` replaced; other braces stay.
@@ -27,7 +27,7 @@ struct Waiver {
   std::string reason;
 };
 
-/// The decoder's own limits (FIL-7): the greatest values of the header's fields that it takes.
+/// The decoder's own limits (FIL-7): the largest values that it accepts in the header's fields.
 struct DutLimits {
   uint32_t rows = 4096;
   uint32_t cols = 4096;
@@ -49,7 +49,7 @@ struct Dut {
   Profile profile = Profile::kExtended;  ///< extended includes main (LVL-2)
   int level = 3;                         ///< the conformance level that it claims (LVL-1), [0, 3]
   DutLimits limits;
-  bool error_names = false;  ///< a refusal names the error of annex A on standard error
+  bool error_names = false;  ///< it names the error of annex A on standard error
   std::vector<Waiver> waivers;
 
   /// The waiver of vector `id`, or null.
@@ -63,9 +63,9 @@ struct Dut {
 ///   '...') and a backslash before a character keep blanks in a word, as in a shell. No other shell
 ///   syntax is supported: no variables, no pipes (use sh -c '...').
 ///
-/// They may name {hmlfc}, the program that runs, {bin}, its folder, and {dut}, that of the DUT
-/// file. Errors: a file that cannot be read, a key that is unknown or has a wrong value, a command
-/// with an unterminated quote, or without {input} or {output}.
+/// All may contain {hmlfc}, this program; {bin}, its folder; and {dut}, the folder of the DUT file.
+/// Errors: a file that cannot be read, a key that is unknown or has a wrong value, a command with
+/// an unterminated quote, or without {input} or {output}.
 io::IoResult<Dut> read_dut(const std::string& text, const std::filesystem::path& hmlfc);
 
 /// Why `dut` does not claim to decode a stream; nothing if it does. `header` is null if the

@@ -19,7 +19,7 @@ bool find(void* library, const char* name, Function& target) {
   return target != nullptr;
 }
 
-// A name for `function` that is missing, or null.
+// The name of a required function that is missing, or null.
 const char* find_all(void* library, DutFunctions& f) {
   find(library, "hmlfc_dut_trace_block", f.trace_block);
   find(library, "hmlfc_dut_error_name", f.error_name);
@@ -49,7 +49,7 @@ uint32_t halved(uint32_t side) { return (side + 1) / 2; }
 }  // namespace
 
 io::IoResult<DutFunctions> load_dut_library(const std::filesystem::path& file) {
-  // A name without a slash is a file here, not one of the system's libraries.
+  // dlopen searches the system's folders for a name without a slash.
   void* library = ::dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     return io::file_error(file, fmt::format("cannot be loaded: {}", ::dlerror()));

@@ -32,7 +32,7 @@ struct DutFunctions {
 /// of the interface.
 io::IoResult<DutFunctions> load_dut_library(const std::filesystem::path& file);
 
-/// A status of a library that is not 0.
+/// A nonzero status of a library.
 struct DutError {
   std::string name;         ///< of annex A
   std::string where;        ///< "open", "view 3,2", ...
@@ -54,10 +54,10 @@ class LibraryDecoder {
   /// A view, decoded by the library.
   DutResult<RgbImage> decode_view(ViewPos view) const;
 
-  /// The same view put together from blocks: COL-2 and COL-3 are done here.
+  /// The same view, assembled here from blocks (COL-2, COL-3).
   DutResult<RgbImage> decode_view_by_block(ViewPos view) const;
 
-  /// Tells `sink` the stages of one block at stop level 0.
+  /// Reports the stages of one block at stop level 0 to `sink`.
   DutResult<void> trace(const BlockAddress& block, hmlfc_dut_stage_sink sink, void* context) const;
 
  private:

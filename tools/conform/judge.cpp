@@ -21,7 +21,7 @@ void set(VectorResult& result, Status status, std::string reason) {
   result.reason = std::move(reason);
 }
 
-// ": " and the last line of the decoder's messages, or nothing.
+// ": " and the last line of the decoder's messages, if there is one.
 std::string last_words(std::string_view text) {
   const size_t end = text.find_last_not_of(" \r\n");
   if (end == std::string_view::npos) return {};
@@ -30,12 +30,12 @@ std::string last_words(std::string_view text) {
   return ": " + std::string(text.substr(begin, end + 1 - begin));
 }
 
-// Whether `word` stands in `text` with neither a letter, digit nor underscore beside it.
+// Whether `text` contains `word` without a letter, digit or underscore next to it.
 bool has_word(const std::string& text, std::string_view word) {
   return std::regex_search(text, std::regex("\\b" + std::string(word) + "\\b"));
 }
 
-// A crash, a missing program, no end: results whatever the vector expects. True where it is one.
+// Handles outcomes that fail any vector: a crash, a missing program, a timeout. True if it is one.
 bool judge_process(const ProcessOutcome& outcome, VectorResult& result) {
   if (outcome.end == ProcessEnd::kTimeout) {
     set(result, Status::kTimeout, to_string(outcome));
@@ -50,8 +50,8 @@ bool judge_process(const ProcessOutcome& outcome, VectorResult& result) {
   return true;
 }
 
-// Whether `messages` name the error of one of the views that fail (DEC-7): of all views a decoder
-// may meet any of these first.
+// Whether `messages` name the error of one of the views that fail (DEC-7): a decoder may report
+// any of them first.
 bool names_a_view_error(const std::string& messages, std::span<const uint8_t> stream) {
   const auto golden = Decoder::open(stream);
   if (!golden) return false;
@@ -80,7 +80,7 @@ void judge_refusal(const Trial& trial, const ProcessOutcome& outcome,
   set(result, Status::kPass, {});
 }
 
-// The first wrong stage, told by another run of the decoder with a trace of the block.
+// The first wrong stage, from another run of the decoder that traces the block.
 std::string wrong_stage(const Trial& trial, const Decoder& golden, const Difference& difference) {
   if (trial.dut.trace.empty()) return {};
   std::string said;

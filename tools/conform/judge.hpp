@@ -1,4 +1,4 @@
-// Judges whether a decoder did with a vector what the manifest requires.
+// Judges a decoder's outcome on a vector by the manifest.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,9 @@ struct Trial {
   std::filesystem::path pictures;   ///< folder for the pictures of a failure; empty: none
 };
 
-/// Compares what came of a trial with `expect` and, where it must have decoded, its views with
-/// `output` (null: the golden model's views alone are compared). Fills in status, reason,
-/// difference, stage and whether there are pictures.
+/// Compares the outcome of a trial with `expect` and, where the stream must decode, its views with
+/// `output` (null: with the golden model's views alone). Sets status, reason, difference, stage and
+/// pictures.
 void judge(const Trial& trial, const ProcessOutcome& outcome, const vectors::Expectation& expect,
            const vectors::ViewSum* output, VectorResult& result);
 

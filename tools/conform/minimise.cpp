@@ -27,7 +27,7 @@ bool decodes(std::span<const uint8_t> stream) {
 }
 
 // The first `rows` x `cols` views. Images that become key images get the samples that `decoder`,
-// of the stream of `parts`, has for them. Nothing where one does not decode.
+// opened on the stream of `parts`, gives for them. Nothing if one does not decode.
 std::optional<StreamParts> with_grid(const StreamParts& parts, uint32_t rows, uint32_t cols,
                                      const Decoder& decoder) {
   StreamParts smaller = parts;
@@ -37,8 +37,8 @@ std::optional<StreamParts> with_grid(const StreamParts& parts, uint32_t rows, ui
   return smaller;
 }
 
-// The left upper `width` x `height` pixels of all views: key images are cut and coded anew.
-// Nothing where a key image does not decode.
+// The upper left `width` x `height` pixels of all views; key images are cropped and coded anew.
+// Nothing if a key image does not decode.
 std::optional<StreamParts> with_size(const StreamParts& parts, uint32_t width, uint32_t height) {
   StreamParts smaller = parts;
   smaller.header.width = width;
@@ -60,7 +60,7 @@ std::optional<StreamParts> with_size(const StreamParts& parts, uint32_t width, u
 }
 
 // Without the top level: the reference images of the level below become key images, as above.
-// Nothing where the tree has one level, or an image does not decode.
+// Nothing if the tree has one level, or an image does not decode.
 std::optional<StreamParts> without_top_level(const StreamParts& parts, const Decoder& decoder) {
   if (parts.header.tree_height == 0) return std::nullopt;
   StreamParts smaller = parts;
@@ -70,7 +70,7 @@ std::optional<StreamParts> without_top_level(const StreamParts& parts, const Dec
   return smaller;
 }
 
-// Without the tile records number `begin` to `end` - 1.
+// Without tile records `begin` to `end` - 1.
 StreamParts without_tiles(const StreamParts& parts, size_t begin, size_t end) {
   StreamParts smaller{parts.header, parts.keys, {}};
   size_t number = 0;
@@ -81,7 +81,7 @@ StreamParts without_tiles(const StreamParts& parts, size_t begin, size_t end) {
   return smaller;
 }
 
-// One search, from a failing stream down.
+// One search, which starts from a failing stream.
 class Search {
  public:
   Search(StreamParts parts, std::vector<uint8_t> stream, const StillFails& still_fails,
@@ -113,7 +113,7 @@ class Search {
     if (!stream || !decodes(*stream)) return false;
     ++result_.trials;
     if (!still_fails_(*stream)) return false;
-    // Parts that the new header has no place for are gone.
+    // The new stream lacks the parts that its header has no place for.
     const auto view = open_stream(*stream, {});
     auto parts = view ? take_apart(*view) : std::nullopt;
     if (!parts) return false;
@@ -129,8 +129,8 @@ class Search {
     return decoder && keep_if_failing(without_top_level(parts_, *decoder));
   }
 
-  // Makes one side of the grid or of the views smaller: to the least value first, then by ever
-  // smaller steps, in multiples of `unit`.
+  // Reduces one side of the grid or of the views: first to the minimum, then by ever smaller
+  // steps, all multiples of `unit`.
   void shrink(uint32_t StreamHeader::*side, uint32_t unit) {
     for (uint32_t step = parts_.header.*side / unit * unit; step >= unit;) {
       const uint32_t now = parts_.header.*side;
@@ -151,7 +151,7 @@ class Search {
     return with_size(parts_, header.width, header.height);
   }
 
-  // Halves, quarters ... down to single tiles.
+  // Drops halves, quarters ... down to single tiles.
   void drop_tiles() {
     for (size_t chunk = parts_.tiles.size(); chunk >= 1; chunk /= 2) {
       for (size_t begin = 0; begin < parts_.tiles.size();) {
@@ -175,7 +175,7 @@ io::IoResult<Minimised> minimise(std::span<const uint8_t> stream, const StillFai
     return tl::unexpected(io::IoError{"the golden model does not decode the stream"});
   }
   auto parts = take_apart(*view);
-  if (!parts) return tl::unexpected(io::IoError{"the stream has too many tiles to be taken apart"});
+  if (!parts) return tl::unexpected(io::IoError{"the stream has too many tiles"});
   return Search(std::move(*parts), {stream.begin(), stream.end()}, still_fails, max_trials).run();
 }
 

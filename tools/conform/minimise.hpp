@@ -19,9 +19,9 @@ struct Minimised {
   unsigned steps = 0;           ///< reductions that were kept
 };
 
-/// Makes `stream`, which fails, smaller as long as it fails: fewer levels of the tree, views,
-/// pixels and tiles, in turns until none of them helps or `max_trials` streams were tried. Every
-/// stream that is tried decodes in the golden model. The result depends on the arguments alone.
+/// Reduces `stream`, which fails, as long as it still fails: levels of the tree, views, pixels and
+/// tiles in turn, until none of them helps or `max_trials` streams were tried. The golden model
+/// decodes every stream tried. The result depends on the arguments alone.
 /// Errors: the golden model does not decode `stream`, or it has more than 2^20 tiles.
 io::IoResult<Minimised> minimise(std::span<const uint8_t> stream, const StillFails& still_fails,
                                  unsigned max_trials);

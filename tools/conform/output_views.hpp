@@ -16,8 +16,8 @@ namespace hmlfc::conform {
 /// by row, R, G, B; samples of one byte at depth 8, of two bytes, little-endian, above.
 inline constexpr const char* kRawViewsName = "views.raw";
 
-/// All views of `folder`, row by row, of which each has the size and depth of `shape`: from
-/// views.raw where it is there, else from PNG or PPM files named as `hmlfc decode` names them.
+/// Reads all views of `folder`, row by row, each with the size and depth of `shape`: from views.raw
+/// if it exists, otherwise from PNG or PPM files named as `hmlfc decode` names them.
 /// Errors: a view is missing, duplicate, unreadable, or has another size or depth; a sample of
 /// views.raw is out of range.
 io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::path& folder,

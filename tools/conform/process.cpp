@@ -47,14 +47,14 @@ Pipe make_pipe() {
   return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
 
-// The last `keep` bytes that come through a pipe.
+// The last `keep` bytes read from a pipe.
 class Tail {
  public:
   Tail(const FileDescriptor& pipe, size_t keep) : pipe_(pipe), keep_(keep) {
     ::fcntl(pipe_.get(), F_SETFL, O_NONBLOCK);
   }
 
-  // Takes what is there; false once the other end is closed.
+  // Reads what is available; false once the other end is closed.
   bool read() {
     std::array<char, 65536> buffer;
     while (open_) {
@@ -86,8 +86,8 @@ void limit(__rlimit_resource resource, rlim_t value) {
   ::setrlimit(resource, &both);
 }
 
-// In the child: between fork and exec only functions that are safe after fork() of a program with
-// threads. The errno of a failed exec goes through `failure`.
+// Runs in the child, so it calls only async-signal-safe functions. Writes the errno of a failed
+// exec to `failure`.
 [[noreturn]] void become(char* const* arguments, const ProcessLimits& limits, int output,
                          int messages, int failure) {
   ::setpgid(0, 0);
@@ -114,7 +114,7 @@ int milliseconds_until(Clock::time_point deadline) {
   return static_cast<int>(std::clamp<int64_t>(left, 0, 1000));
 }
 
-// Reads until the child has ended; false when the deadline comes first.
+// Reads until the child ends; false if the deadline comes first.
 bool wait_for_end(pid_t child, Tail& output, Tail& messages, Clock::time_point deadline) {
   const FileDescriptor process(::pidfd_open(child, 0));
   for (;;) {
@@ -143,7 +143,7 @@ ProcessOutcome run_process(const std::vector<std::string>& command, const Proces
   if (child == 0) {
     become(arguments.data(), limits, output.write.get(), messages.write.get(), failure.write.get());
   }
-  ::setpgid(child, child);  // whichever of both comes first
+  ::setpgid(child, child);  // parent and child both do it: either may run first
   output.write = {};
   messages.write = {};
   failure.write = {};
@@ -186,7 +186,7 @@ std::string to_string(const ProcessOutcome& outcome) {
     case ProcessEnd::kSignal:
       return fmt::format("signal {} ({})", outcome.value, ::strsignal(outcome.value));
     case ProcessEnd::kTimeout:
-      return fmt::format("no end within its time ({:.1f} s)", outcome.seconds);
+      return fmt::format("timed out after {:.1f} s", outcome.seconds);
     case ProcessEnd::kNotStarted:
       return fmt::format("cannot be started: {}", std::generic_category().message(outcome.value));
   }

@@ -1,4 +1,4 @@
-// One program run to its end, within limits.
+// Runs a program within limits.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,6 @@
 
 namespace hmlfc::conform {
 
-/// Limits of a program.
 struct ProcessLimits {
   double seconds = 60;        ///< wall-clock time, > 0
   uint64_t memory_bytes = 0;  ///< of address space; 0: no limit
@@ -16,7 +15,7 @@ struct ProcessLimits {
 enum class ProcessEnd : uint8_t {
   kExit,        ///< `value` is its exit status
   kSignal,      ///< `value` is the signal that ended it
-  kTimeout,     ///< its time was over
+  kTimeout,     ///< it ran out of time
   kNotStarted,  ///< `value` is the errno
 };
 
@@ -29,14 +28,12 @@ struct ProcessOutcome {
   std::string messages;  ///< standard error, its last 8 KiB
 };
 
-/// Runs `command` (program and arguments; the program is searched in PATH) in a process group of
-/// its own, with an empty standard input, and waits for it. When it ends or its time is over, the
-/// whole group is killed, so that nothing it started survives.
-///
-/// May be called from several threads at the same time.
+/// Runs `command` (program and arguments; PATH is searched) in a process group of its own, with an
+/// empty standard input, and waits for it. When it ends or runs out of time, the whole group is
+/// killed, so that nothing it started survives. Thread-safe.
 ProcessOutcome run_process(const std::vector<std::string>& command, const ProcessLimits& limits);
 
-/// "exit status 3", "signal 11 (Segmentation fault)", "no end within its time", "cannot be started:
+/// "exit status 3", "signal 11 (Segmentation fault)", "timed out after 60.0 s", "cannot be started:
 /// No such file or directory".
 std::string to_string(const ProcessOutcome& outcome);
 

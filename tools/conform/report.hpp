@@ -25,7 +25,7 @@ std::string html_text(const Report& report, const std::filesystem::path& folder)
 /// Writes report.json, junit.xml and report.html into `folder`.
 io::IoResult<void> write_report(const Report& report, const std::filesystem::path& folder);
 
-/// This system; `program` is name and version of this program.
+/// This system; `program` is this program's name and version.
 SystemInfo this_system(const std::string& program);
 
 /// A report of `folder` to be merged with others.
@@ -34,10 +34,9 @@ struct ReportPart {
   Report report;
 };
 
-/// One report of all parts: shards of one decoder become one run, in which a vector has the result
-/// of the part that ran it (the worst where several did); other decoders follow each other. The
-/// pictures of failures are copied into `folder`. Errors: parts of different suites, no part,
-/// cannot write.
+/// Merges all parts. Shards of one decoder become one run, in which a vector has the result of the
+/// part that ran it (the worst if several did); each decoder has its own run. Pictures of failures
+/// are copied into `folder`. Errors: parts of different suites, no part, cannot write.
 io::IoResult<Report> merge(const std::vector<ReportPart>& parts,
                            const std::filesystem::path& folder);
 
@@ -47,7 +46,7 @@ using Json = nlohmann::ordered_json;
 /// One result, without keys that have their default.
 Json to_json(const VectorResult& result);
 
-/// Nothing if `json` is not a result.
+/// Reads one result; nothing if `json` is not one.
 std::optional<VectorResult> result_from_json(const Json& json);
 
 /// The whole report with counts and verdicts; docs/conformance.md has its keys.
@@ -56,8 +55,8 @@ Json to_json(const Report& report);
 /// Reads a file of to_json(report). Errors: not readable, not such a file.
 io::IoResult<Report> read_report(const std::filesystem::path& file);
 
-/// `text` with the characters that XML gives a meaning escaped; characters that XML 1.0 does not
-/// allow and bytes that are not UTF-8 become '?'.
+/// `text` escaped for XML; characters that XML 1.0 does not allow and bytes that are not UTF-8
+/// become '?'.
 std::string escaped(std::string_view text);
 
 /// data:image/png;base64,...

@@ -87,7 +87,7 @@ io::IoResult<void> write_text(const fs::path& file, const std::string& text) {
   return io::write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
-// Any result outweighs skipped; the worse of two results counts.
+// Of two results the worse counts, and any counts more than skipped.
 int weight(Status status) {
   constexpr int kWeights[kStatusCount] = {2, 5, 4, 3, 1, 0};  // by status
   return kWeights[static_cast<size_t>(status)];
@@ -178,7 +178,7 @@ io::IoResult<Report> merge(const std::vector<ReportPart>& parts, const fs::path&
   for (const ReportPart& part : parts) {
     if (part.report.manifest_sha256 != merged.manifest_sha256) {
       return io::file_error(part.folder,
-                            "is a report on another suite than " + parts.front().folder.string());
+                            "reports on another suite than " + parts.front().folder.string());
     }
     for (const Run& run : part.report.runs) {
       if (auto copied = copy_pictures(run, part.folder, folder); !copied) {

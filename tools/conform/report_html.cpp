@@ -72,7 +72,7 @@ std::string system_table(const Report& report) {
 
 std::string pictures(const VectorResult& result, const std::filesystem::path& folder) {
   std::string text = "<div class=pictures>";
-  constexpr const char* kCaptions[] = {"expected", "actual", "difference, 16 times, grey is equal",
+  constexpr const char* kCaptions[] = {"expected", "actual", "difference times 16, grey if equal",
                                        "wrong blocks of all views"};
   for (size_t i = 0; i < std::size(kFailurePictures); ++i) {
     const auto file = io::MappedFile::open(folder / result.pictures / kFailurePictures[i]);
@@ -128,7 +128,7 @@ std::string clause_grid(const Report& report) {
     }
   }
   std::string text =
-      "<h2>Clauses</h2><p>Passed of the vectors that exercise each clause.</p>"
+      "<h2>Clauses</h2><p>Vectors passed, of those that exercise each clause.</p>"
       "<div class=grid><table><tr><th>clause</th>";
   for (const Run& run : report.runs) text += "<th>" + escaped(run.dut) + "</th>";
   text += "</tr>\n";

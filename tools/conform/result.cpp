@@ -94,7 +94,7 @@ io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,
   const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (begun ? O_APPEND : O_TRUNC);
   log.file_ = io::FileDescriptor(::open(log.path_.c_str(), flags, 0666));
   if (log.file_.get() < 0) return io::system_error(log.path_, "cannot be written", errno);
-  // After a line that an interruption cut, a new one begins.
+  // An interrupted run may have left half a line: an empty write ends it.
   auto written = write_line(log.path_, log.file_, begun ? std::string() : head.dump());
   if (!written) return tl::unexpected(written.error());
   return log;

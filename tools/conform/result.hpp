@@ -1,4 +1,4 @@
-// Results of conformance vectors, what they amount to, and their log.
+// Results of conformance vectors, the verdict on them, and their log.
 #pragma once
 
 #include <cstdint>
@@ -40,9 +40,9 @@ struct VectorResult {
   std::string reason;  ///< one sentence; empty for a pass
   std::optional<Difference> difference;
   std::string stage;     ///< the first wrong stage where the decoder gives traces, or empty
-  std::string messages;  ///< the end of what the decoder said; not kept of a pass
+  std::string messages;  ///< the end of its standard error; not kept for a pass
   double seconds = 0;
-  std::string pictures;  ///< folder of the failure's pictures relative to the report, or empty
+  std::string pictures;  ///< folder of the failure's pictures, relative to the report, or empty
   std::string waiver;    ///< why a failure is accepted, or empty
   std::vector<std::string> clauses;
   std::string comment;  ///< the mistake that the vector hunts
@@ -90,7 +90,7 @@ struct Tally {
 };
 Tally tally(const Run& run);
 
-/// The verdict of a run about a decoder.
+/// The verdict on a decoder.
 enum class Verdict : uint8_t {
   kConforms,    ///< every required vector passes, but for waived ones
   kIncomplete,  ///< no failures, but required vectors were skipped, or there were none
@@ -101,12 +101,12 @@ Verdict verdict(const Run& run);
 /// "conforms", "conforms, with waivers", "incomplete" or "fails".
 std::string verdict_text(const Run& run);
 
-/// The file results.jsonl of a decoder's folder: a first line that says of which suite and decoder,
-/// then a line for each result. Incomplete lines are ignored.
+/// The file results.jsonl of a decoder's folder: a line that names the suite and the decoder, then
+/// a line per result. Incomplete lines are ignored.
 class ResultLog {
  public:
-  /// Makes `folder` where it is missing. With `resume` the results of the file that is there are
-  /// kept, but for skipped ones; else the file starts empty. Errors: cannot write; with `resume`,
+  /// Creates `folder` if it is missing. With `resume`, keeps the results of an existing file,
+  /// except skipped ones; otherwise the file starts empty. Errors: cannot write; with `resume`,
   /// results of another suite or decoder.
   static io::IoResult<ResultLog> open(const std::filesystem::path& folder,
                                       const std::string& manifest_sha256, const Dut& dut,

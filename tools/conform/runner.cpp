@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A folder that is empty at first and gone at the end, unless it is kept.
+// An empty folder, removed at the end unless kept.
 class WorkFolder {
  public:
   explicit WorkFolder(fs::path path) : path_(std::move(path)) {
@@ -67,13 +67,13 @@ bool matches(const vectors::Vector& vector, const std::string& pattern) {
          std::ranges::any_of(vector.flags, fits);
 }
 
-// Why vector number `index` of the manifest is left out; empty where it is not.
+// Why vector number `index` of the manifest is left out; empty if it is not.
 std::string why_left_out(const Selection& selection, const vectors::Vector& vector, size_t index) {
   const auto& filters = selection.filters;
   const auto fits = [&](const std::string& pattern) { return matches(vector, pattern); };
   if (!filters.empty() && std::ranges::none_of(filters, fits)) return "left out by --filter";
   if (index % selection.shards + 1 != selection.shard) {
-    return fmt::format("in another shard than {}/{}", selection.shard, selection.shards);
+    return fmt::format("not in shard {}/{}", selection.shard, selection.shards);
   }
   return {};
 }

@@ -1,4 +1,4 @@
-// A suite of vectors on disk, and a decoder run on it.
+// Runs a decoder on a suite of vectors on disk.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace hmlfc::conform {
 struct Suite {
   std::filesystem::path folder;
   vectors::Manifest manifest;
-  std::string manifest_sha256;  ///< of manifest.json, tells suites apart
+  std::string manifest_sha256;  ///< of manifest.json; identifies the suite
 };
 
 /// Errors: those of vectors::read_manifest().
@@ -33,25 +33,25 @@ struct Selection {
 };
 
 struct RunOptions {
-  std::filesystem::path folder;  ///< of the report; a folder for the decoder is made in it
+  std::filesystem::path folder;  ///< of the report; gets a folder for the decoder
   Selection selection;
   ProcessLimits limits;
   unsigned jobs = 1;    ///< vectors at the same time
-  bool resume = false;  ///< results that an earlier run left in the folder are taken over
-  bool keep = false;    ///< what the decoder wrote for vectors that fail stays
+  bool resume = false;  ///< keep the results of an earlier run in the folder
+  bool keep = false;    ///< keep the decoder's output for vectors that fail
 };
 
 /// Runs `dut` on each vector of `suite` that it claims and `options` select, and compares. Each
-/// result is written to the folder as soon as it is there (results.jsonl). Errors: the folder
-/// cannot be written, or has results of another suite or decoder.
+/// result is written at once (results.jsonl). Errors: the folder cannot be written, or has results
+/// of another suite or decoder.
 io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions& options,
                             const io::Progress& progress);
 
-/// The name of the folder of decoder `dut` in a report: letters, digits, - and _ of its name.
+/// The folder of decoder `dut` in a report: letters, digits, - and _ of its name.
 std::string folder_name(const std::string& dut);
 
-/// Runs `dut` on one stream, in the folder `work`, which is made for it and removed, and judges it
-/// against the golden model: it must decode what the model decodes, and refuse what it refuses.
+/// Runs `dut` on one stream, in the temporary folder `work`, and compares it with the golden model:
+/// it must decode what the model decodes, and reject what it rejects.
 VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
                         const std::filesystem::path& work, const ProcessLimits& limits);
 

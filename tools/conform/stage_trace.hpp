@@ -19,13 +19,13 @@ namespace hmlfc::conform {
 std::string stage_line(const hmlfc_dut_stage& stage);
 
 /// The stages of all lines of `text` that have this form, without their clauses; other lines are
-/// passed over.
+/// ignored.
 std::vector<vectors::RecordedStage> parse_stages(std::string_view text);
 
-/// The first stage, in the golden model's order, that `actual` reports otherwise:
+/// The first stage, in the golden model's order, whose values differ in `actual`:
 /// "stage residual (TIL-10) at level 1 image 0,2 plane Y block 3,1: value 5 (x 1, y 1) is -3
-/// instead of -2". Nothing where all that it reports agree. Stages that it leaves out are passed
-/// over; values outside the plane are not compared. An error of the block ends the comparison.
+/// instead of -2". Nothing if all reported stages agree. Stages that `actual` lacks are skipped,
+/// values outside the plane are not compared. An error of the block ends the comparison.
 std::optional<std::string> first_wrong_stage(const Decoder& decoder, const BlockAddress& block,
                                              const std::vector<vectors::RecordedStage>& actual);
 

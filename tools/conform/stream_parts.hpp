@@ -1,4 +1,4 @@
-// A stream taken apart into what it is made of, and put together again with less of it.
+// Splits a stream into its parts, and builds a stream of fewer parts.
 #pragma once
 
 #include <compare>
@@ -16,7 +16,7 @@
 
 namespace hmlfc::conform {
 
-/// One tile of one image, by what it is and not by its number, which depends on the grid.
+/// One tile of one image, by its place, since its number depends on the grid.
 struct TilePlace {
   int level = 0;
   uint32_t row = 0;  ///< of the image
@@ -43,26 +43,26 @@ struct KeyCode {
   uint32_t sample_crc = 0;
 };
 
-/// A stream of any size that take_apart() accepted.
+/// The parts of a stream.
 struct StreamParts {
   StreamHeader header;  ///< its section table has no meaning
   std::map<KeyPlace, KeyCode> keys;
   std::map<TilePlace, std::vector<uint8_t>> tiles;  ///< records that are not empty
 };
 
-/// The parts of `stream`; nothing where its index is damaged or it has more than 2^20 tiles.
+/// The parts of `stream`; nothing if its index is damaged or it has more than 2^20 tiles.
 std::optional<StreamParts> take_apart(const StreamView& stream);
 
-/// The stream of header and parts; parts that the header has no place for are left out. Nothing
-/// where the header is not valid, has more than 2^20 tiles, or a key image is missing.
+/// The stream of `parts`, without those that its header has no place for. Nothing if the header is
+/// not valid, has more than 2^20 tiles, or a key image is missing.
 std::optional<std::vector<uint8_t>> put_together(const StreamParts& parts);
 
-/// Gives `parts` the key images that its header asks for and it does not have: the samples that
-/// `decoder`, of a stream with these images in its tree, has for them, coded losslessly. False
-/// where one does not decode.
+/// Adds the key images that the header asks for and `parts` lacks: the samples that `decoder`, of a
+/// stream with these images in its tree, gives for them, coded losslessly. False if one does not
+/// decode.
 bool add_missing_keys(StreamParts& parts, const Decoder& decoder);
 
-/// `samples` of plane `plane` as a codestream of a stream with this header; nothing where memory is
+/// `samples` of plane `plane` as a codestream of a stream with this header; nothing if memory runs
 /// out.
 std::optional<KeyCode> key_code(const SamplePlane& samples, const StreamHeader& header,
                                 unsigned plane);
