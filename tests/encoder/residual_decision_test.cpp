@@ -53,7 +53,7 @@ int64_t cost_of(const ResidualTile& tile, const std::vector<BlockValues>& blocks
   return lambda.cost(error, bits);
 }
 
-TEST(ResidualChoice, IsNeverWorseThanNothing) {
+TEST(ResidualDecision, IsNeverWorseThanNothing) {
   std::mt19937 random(3);
   for (int round = 0; round < 60; ++round) {
     const auto blocks = draw_blocks(random, 1 << (round % 7));
@@ -67,7 +67,7 @@ TEST(ResidualChoice, IsNeverWorseThanNothing) {
 }
 
 // A block with one outlier is worth a residual; without lambda everything is.
-TEST(ResidualChoice, SmallLambdaKeepsWhatALargeOneDrops) {
+TEST(ResidualDecision, SmallLambdaKeepsWhatALargeOneDrops) {
   std::mt19937 random(9);
   const auto blocks = draw_blocks(random, 30);
   const TileContext context = context_of(~uint64_t{0});
@@ -80,7 +80,7 @@ TEST(ResidualChoice, SmallLambdaKeepsWhatALargeOneDrops) {
   EXPECT_EQ(last, 0);
 }
 
-TEST(ResidualChoice, LosslessKeepsEveryDifference) {
+TEST(ResidualDecision, LosslessKeepsEveryDifference) {
   std::mt19937 random(4);
   const auto blocks = draw_blocks(random, 255);
   const TileContext context = context_of(~uint64_t{0});

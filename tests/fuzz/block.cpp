@@ -11,10 +11,10 @@ namespace {
 constexpr uint64_t kMaxSamples = 1u << 14;  // of a view
 constexpr unsigned kBlocks = 8;             // of one input
 
-// Random numbers that depend on the input only, so that the same input does the same.
-class Choice {
+// Random numbers that depend on the input alone, so that a finding can be repeated.
+class InputRandom {
  public:
-  explicit Choice(std::span<const uint8_t> input) : state_(crc32c(input)) {}
+  explicit InputRandom(std::span<const uint8_t> input) : state_(crc32c(input)) {}
   uint32_t below(uint32_t count) {
     state_ = state_ * 6364136223846793005u + 1442695040888963407u;
     return static_cast<uint32_t>(state_ >> 33) % count;
@@ -41,17 +41,17 @@ void check_rect(const Decoder& decoder, const BlockAddress& block, int level,
   }
 }
 
-void decode_some_block(const Decoder& decoder, size_t file_size, Choice& choice) {
+void decode_some_block(const Decoder& decoder, size_t file_size, InputRandom& random) {
   const StreamHeader& header = decoder.header();
   BlockAddress block;
-  block.plane = kPlanes[choice.below(kPlaneCount)];
-  block.view = {choice.below(header.rows), choice.below(header.cols)};
+  block.plane = kPlanes[random.below(kPlaneCount)];
+  block.view = {random.below(header.rows), random.below(header.cols)};
   const PlaneSize size = decoder.plane_size(block.plane);
   const uint32_t side = header.block_size();
-  block.bx = choice.below((size.width + side - 1) / side);
-  block.by = choice.below((size.height + side - 1) / side);
+  block.bx = random.below((size.width + side - 1) / side);
+  block.by = random.below((size.height + side - 1) / side);
   const int levels = header.tree_height + 1;
-  const int level = choice.below(2) == 0 ? 0 : static_cast<int>(choice.below(uint32_t(levels)));
+  const int level = random.below(2) == 0 ? 0 : static_cast<int>(random.below(uint32_t(levels)));
   const auto golden = decoder.decode_block(block, {.stop_level = level});
   if (!golden) demand(golden.error().offset <= file_size, "an error past the end of the file");
   const auto sparse =
@@ -68,8 +68,8 @@ void run(std::span<const uint8_t> input) {
   options.limits.max_plane_samples = kMaxSamples;
   const auto decoder = Decoder::open(input, options);
   if (!decoder) return;
-  Choice choice(input);
-  for (unsigned i = 0; i < kBlocks; ++i) decode_some_block(*decoder, input.size(), choice);
+  InputRandom random(input);
+  for (unsigned i = 0; i < kBlocks; ++i) decode_some_block(*decoder, input.size(), random);
 }
 
 std::vector<Bytes> seeds(std::span<const uint8_t> stream) {

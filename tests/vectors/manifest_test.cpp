@@ -1,4 +1,4 @@
-// The manifest as text and back, sums of files, choices of recipes, levels of streams.
+// The manifest as text and back, sums of files, rules of recipes, conformance levels of streams.
 #include "vectors/manifest.hpp"
 
 #include <gtest/gtest.h>
@@ -83,18 +83,18 @@ TEST(Sha256, PublishedValues) {
   EXPECT_EQ(sha256({}), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
-TEST(Choice, TakesItsTermsInTurn) {
+TEST(FieldRule, TakesItsTermsInTurn) {
   Random random(1);
-  Choice choice = Choice::from(Json::parse(R"({"of": ["min", 3, "max", "ramp"]})"));
+  FieldRule rule = FieldRule::from(Json::parse(R"({"of": ["min", 3, "max", "ramp"]})"));
   std::vector<int64_t> picked;
-  for (int i = 0; i < 12; ++i) picked.push_back(choice.pick(-2, 8, random));
+  for (int i = 0; i < 12; ++i) picked.push_back(rule.pick(-2, 8, random));
   EXPECT_EQ(picked, (std::vector<int64_t>{-2, 3, 8, -2, -2, 3, 8, -1, -2, 3, 8, 0}));
 }
 
-TEST(Choice, StaysInItsInterval) {
+TEST(FieldRule, StaysInItsInterval) {
   Random random(5);
-  Choice whole;
-  Choice part = Choice::from(Json::parse("[-1, 1]"));
+  FieldRule whole;
+  FieldRule part = FieldRule::from(Json::parse("[-1, 1]"));
   std::vector<bool> met(5);
   for (int i = 0; i < 500; ++i) {
     const int64_t value = whole.pick(-2, 2, random);
@@ -106,9 +106,9 @@ TEST(Choice, StaysInItsInterval) {
   EXPECT_EQ(met, std::vector<bool>(5, true));
 }
 
-TEST(Choice, RefusesOtherWords) {
+TEST(FieldRule, RefusesOtherWords) {
   for (const char* text : {R"("some")", "[1]", "1.5", R"({"of": []})", "null"}) {
-    EXPECT_THROW(Choice::from(Json::parse(text)), std::exception) << text;
+    EXPECT_THROW(FieldRule::from(Json::parse(text)), std::exception) << text;
   }
 }
 

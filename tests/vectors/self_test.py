@@ -175,7 +175,7 @@ class Lint(CopiedSuite):
             ((self.suite / f"{FIRST}.hmlfc").unlink, FIRST),
             ((self.suite / "real/stray.hmlfc").touch, "real/stray.hmlfc: no vector names this file"),
             (cut_hex, "count or end marker is wrong"),
-            (changed(lambda vectors: vectors[-1].update(level=3)), "is of another level"),
+            (changed(lambda vectors: vectors[-1].update(level=3)), "is of another conformance level"),
             (changed(lambda vectors: vectors.reverse()), "ids are not sorted"),
             (changed(lambda vectors: vector(vectors, FIRST)["output"].update(width=1)), "output has another shape"),
             (
@@ -261,8 +261,8 @@ class Recipes(CopiedSuite):
             ({"kind": "edit", "base": "error/base", "edits": [{"x": 1}]}, "is not an edit"),
             ({"kind": "fields", "header": {"depth": 13}}, "bad_header_field"),
             (self.fields(level_base=3, level_bits=0, value=4), "value 4 of a sequence of 4 levels"),
-            (self.fields(level_base=3, level_bits=1, level_code=6), "its tile cannot say"),
-            (self.fields(bias_bits=2, bias=2), "its tile cannot say"),
+            (self.fields(level_base=3, level_bits=1, level_code=6), "its tile has no bits"),
+            (self.fields(bias_bits=2, bias=2), "its tile has no bits"),
         ):
             with self.subTest(text):
                 self.assert_refused({"stream": stream}, text)

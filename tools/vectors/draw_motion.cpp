@@ -71,7 +71,7 @@ std::vector<uint8_t> draw_motion_record(FieldRules& rules, const MotionContext& 
   tile.indices.level_code = level_code_for(entries);
   for (uint32_t i = 0; i < blocks; ++i) {
     const auto at = rules.pick_unsigned("index", 0, usable.size() - 1, random);
-    if (at >= usable.size()) throw TextError("a rule gives an index behind the usable entries");
+    if (at >= usable.size()) throw TextError("a rule gives an index beyond the usable entries");
     tile.indices.values.push_back(usable[at]);
   }
   set_least_codes(rules, tile.indices);
@@ -86,7 +86,7 @@ std::vector<uint8_t> draw_disparity_record(FieldRules& rules, const DisparityCon
   if (!rules.present("disparity_density", random)) return {};
   SequenceFields values;
   values.level_code = rules.pick_unsigned("disparity_code", 0, kMaxDisparityCode, random);
-  // Half of them near 0: most others are clamped to the window.
+  // Half of them near 0, since most others are clamped to the window.
   const bool near = !rules.has("min_disparity") && random.below(2) == 0;
   const int64_t least =
       near ? static_cast<int64_t>(random.below(80)) - 60

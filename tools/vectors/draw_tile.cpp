@@ -18,16 +18,16 @@ constexpr uint64_t kMaxTrailingBytes = 3;
 constexpr int64_t kMaxLevelBits = 6;
 constexpr int64_t kMaxStepBits = 3;
 
-// A mode of TIL-3 that can say `mask`: what the rule picks, else the shortest.
+// A mode of TIL-3 that can express `mask`: the one that the rule picks, otherwise the shortest.
 uint32_t draw_mode(FieldRules& rules, const std::string& field, uint64_t mask, uint64_t inside,
                    Random& random) {
   const auto picked = rules.pick_unsigned(field, kMaskNone, kMaskQuads, random);
-  const bool says =
+  const bool fits =
       picked == kMaskRaw || picked == kMaskQuads || mask == (picked == kMaskNone ? 0 : inside);
-  return says ? picked : mask_mode(mask, inside);
+  return fits ? picked : mask_mode(mask, inside);
 }
 
-// One component of all vectors. `names`: of min, codes and the component.
+// The names of the fields of one vector component.
 struct ComponentNames {
   const char* least;
   const char* code;
@@ -82,7 +82,7 @@ SequenceFields draw_values(FieldRules& rules, unsigned level_code, uint64_t coun
   return sequence;
 }
 
-// Throws TextError unless the block's header can be written in the bits that the tile gives it.
+// Throws TextError unless the block's header fits in the bits that the tile gives it.
 void require_representable(const ResidualFields& fields, const ResidualBlockFields& block) {
   const unsigned level_delta = block.values.level_code - fields.level_base;
   const unsigned step_delta = block.step_code - fields.step_base;
@@ -92,7 +92,8 @@ void require_representable(const ResidualFields& fields, const ResidualBlockFiel
       bias_fits) {
     return;
   }
-  throw TextError("rules give a block a level_code, step_code or bias that its tile cannot say");
+  throw TextError(
+      "rules give a block a level_code, step_code or bias that its tile has no bits for");
 }
 
 ResidualFields draw_residuals(FieldRules& rules, const TileContext& context, size_t count,

@@ -13,7 +13,7 @@ namespace hmlfc::vectors {
 
 namespace {
 
-// The checksums of a view's blocks, separated by spaces; "--------" for one that does not decode.
+// The checksums of a view's blocks, separated by spaces; "--------" if one does not decode.
 std::string block_sums(const Decoder& decoder, ViewPos view) {
   const StreamHeader& header = decoder.header();
   const uint32_t side = header.block_size();
@@ -45,10 +45,10 @@ uint32_t stage_number(std::string_view stage) {
   return number;
 }
 
-// The lines of a $readmemh file while it grows.
+// Builds a $readmemh file.
 class HexText {
  public:
-  // One record a line, with a comment for people.
+  // One record per line, with a comment.
   void add(const std::vector<uint32_t>& words, const std::string& comment) {
     for (const uint32_t word : words) text_ += fmt::format("{:08x} ", word);
     text_ += "// " + comment + "\n";
@@ -171,7 +171,7 @@ TraceText trace_text(const Decoder& decoder, std::span<const BlockAddress> block
   for (const BlockAddress& block : blocks) {
     BlockRecorder recorder;
     if (!decoder.decode_block(block, {.trace = &recorder})) {
-      throw TextError("a block to be traced does not decode");
+      throw TextError("a traced block does not decode");
     }
     writer.begin(block);
     for (const auto& record : recorder.records) std::visit(writer, record);

@@ -1,4 +1,4 @@
-// What the golden model says about a stream: pictures, checksums of blocks, traces.
+// The golden model's results for a stream: pictures, checksums of blocks, traces.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace hmlfc::vectors {
 
 /// All views of a stream as bytes and the checksums of their blocks.
 struct ExpectedViews {
-  std::optional<std::vector<uint8_t>> raw;  ///< all views, row by row; none where a block fails
+  std::optional<std::vector<uint8_t>> raw;  ///< all views, row by row; none if a block fails
   std::string blocks;                       ///< the blocks file (vectors/README.md)
 };
 
@@ -51,7 +51,7 @@ class BlockRecorder final : public TraceSink {
   std::vector<std::variant<RecordedField, RecordedStage>> records;
 };
 
-/// The value of `field` as JSON; that of 64 bits has no sign.
+/// The value of `field` as JSON; 64-bit values are unsigned.
 Json value_json(const RecordedField& field);
 
 /// Both forms of one trace.

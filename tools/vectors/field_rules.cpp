@@ -25,7 +25,7 @@ const std::set<std::string>& known_fields() {
   return names;
 }
 
-// A mask's word, or words in turn, as the choice of its number.
+// The rule of a mask with numbers in the place of words.
 Json mask_numbers(const Json& json) {
   if (json.is_object()) {
     Json numbers = Json::array();
@@ -41,7 +41,7 @@ Json mask_numbers(const Json& json) {
 
 }  // namespace
 
-Choice::Term Choice::term_from(const Json& json) {
+FieldRule::Term FieldRule::term_from(const Json& json) {
   if (json.is_number_integer()) return {Kind::kConstant, json.get<int64_t>(), 0};
   if (json.is_array() && json.size() == 2) return {Kind::kInterval, json[0], json[1]};
   if (json == "random") return {Kind::kRandom};
@@ -49,23 +49,23 @@ Choice::Term Choice::term_from(const Json& json) {
   if (json == "max") return {Kind::kMax};
   if (json == "ramp") return {Kind::kRamp};
   throw TextError(json.dump() +
-                  " is not a choice: a number, [lo, hi], \"random\", \"min\", \"max\", " +
+                  " is not a rule: a number, [lo, hi], \"random\", \"min\", \"max\", " +
                   "\"ramp\" or {\"of\": [...]}");
 }
 
-Choice Choice::from(const Json& json) {
-  Choice choice;
+FieldRule FieldRule::from(const Json& json) {
+  FieldRule rule;
   if (!json.is_object()) {
-    choice.terms_ = {term_from(json)};
-    return choice;
+    rule.terms_ = {term_from(json)};
+    return rule;
   }
-  choice.terms_.clear();
-  for (const Json& term : json.at("of")) choice.terms_.push_back(term_from(term));
-  if (choice.terms_.empty()) throw TextError("\"of\" lists nothing to choose");
-  return choice;
+  rule.terms_.clear();
+  for (const Json& term : json.at("of")) rule.terms_.push_back(term_from(term));
+  if (rule.terms_.empty()) throw TextError("\"of\" lists no rule");
+  return rule;
 }
 
-int64_t Choice::pick(int64_t lo, int64_t hi, Random& random) {
+int64_t FieldRule::pick(int64_t lo, int64_t hi, Random& random) {
   const uint64_t turn = picks_++;
   const Term& term = terms_[turn % terms_.size()];
   const auto within = [&](int64_t first, int64_t last) {
@@ -93,12 +93,12 @@ FieldRules::FieldRules(const Json& json) {
   for (const auto& [name, rule] : json.items()) {
     if (!known_fields().contains(name))
       throw TextError("\"" + name + "\" is not a field of a stream");
-    choices_[name] = Choice::from(name.ends_with("_mask") ? mask_numbers(rule) : rule);
+    rules_[name] = FieldRule::from(name.ends_with("_mask") ? mask_numbers(rule) : rule);
   }
 }
 
 int64_t FieldRules::pick(const std::string& field, int64_t lo, int64_t hi, Random& random) {
-  return choices_[field].pick(lo, hi, random);
+  return rules_[field].pick(lo, hi, random);
 }
 
 bool FieldRules::present(const std::string& density, Random& random) {

@@ -1,4 +1,4 @@
-// How a recipe chooses the values of fields (vectors/README.md, fields).
+// The rules by which a recipe sets the values of fields (vectors/README.md, fields).
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,12 @@ namespace hmlfc::vectors {
 ///   "min", "max"         the ends of the interval
 ///   "ramp"               lo, lo + 1, ... hi, lo, ...
 ///   {"of": [0, "max"]}   each in turn, then from the start again
-class Choice {
+class FieldRule {
  public:
-  Choice() = default;  ///< "random"
+  FieldRule() = default;  ///< "random"
 
   /// Throws TextError where `json` is none of the above.
-  static Choice from(const Json& json);
+  static FieldRule from(const Json& json);
 
   /// The next value of a field whose interval is [lo, hi] now, lo <= hi.
   ///
@@ -44,8 +44,8 @@ class Choice {
   uint64_t picks_ = 0;
 };
 
-/// One choice for each field, by its name in the specification where it has one. A field without a
-/// rule is uniform in its whole interval, so that the default rules reach all syntax.
+/// One rule per field, by its name in the specification if it has one. A field without a rule is
+/// uniform in its whole interval, so that the default rules reach all syntax.
 class FieldRules {
  public:
   FieldRules() = default;
@@ -65,14 +65,14 @@ class FieldRules {
   /// True in `percent` of 100 cases, by the rule of `density`, a number.
   bool present(const std::string& density, Random& random);
 
-  /// Some of the blocks `inside`: by the rule of `mask`, a word of "none", "all", "half", "few",
+  /// Some of the blocks `inside`, by the rule of `mask`: one of "none", "all", "half", "few",
   /// "checker", "quads", "first" and "last", or several in turn.
   uint64_t pick_mask(const std::string& mask, uint64_t inside, Random& random);
 
-  bool has(const std::string& field) const { return choices_.contains(field); }
+  bool has(const std::string& field) const { return rules_.contains(field); }
 
  private:
-  std::map<std::string, Choice> choices_;
+  std::map<std::string, FieldRule> rules_;
 };
 
 }  // namespace hmlfc::vectors

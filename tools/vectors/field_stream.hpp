@@ -1,4 +1,4 @@
-// Whole streams field by field: every symbol by a rule or at random, none by an encoder's choice.
+// Whole streams field by field, each by a rule or at random; no encoder decides any.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ std::vector<uint8_t> field_stream(StreamRules rules, uint64_t seed);
 /// Throws TextError.
 std::vector<uint8_t> field_stream(const Json& json, uint64_t seed);
 
-/// Limits of random streams; each number is the greatest allowed value.
+/// Limits of random streams; each number is an inclusive maximum.
 struct Limits {
   uint32_t grid_side = 5;    ///< rows and cols, each, [1, 4096]
   uint32_t view_side = 70;   ///< width and height, each, [1, 65536]
@@ -41,12 +41,12 @@ struct Limits {
   unsigned block_sizes = 7;  ///< bit i: blocks of 2 << i may occur, not 0
 };
 
-/// The limits that a recipe names, and defaults for the others.
+/// The limits that a recipe names, with defaults for the others.
 Limits limits_from(const Json& json);
 
 /// A valid stream: both profiles, any features that fit together, block sizes, formats, depths,
-/// grids, groups, and every field over its whole interval. The same bytes for the same arguments
-/// on every machine. All blocks decode. Throws std::bad_alloc.
+/// grids, reference groups, and every field over its whole interval. The same bytes for the same
+/// arguments on every machine. All blocks decode. Throws std::bad_alloc.
 std::vector<uint8_t> random_stream(uint64_t seed, const Limits& limits);
 
 }  // namespace hmlfc::vectors

@@ -33,7 +33,7 @@ ViewSum view_sum(const StreamHeader& header, const std::vector<uint8_t>& raw) {
           header.height, header.depth, header.chroma_format};
 }
 
-// Where the codestream with the number that the recipe states begins in the TOP section.
+// Where codestream number `codestream` of the recipe begins in the TOP section.
 uint64_t codestream_offset(const SectionEntry& top, const Json& json, const MadeStream& made) {
   const uint64_t at = top.offset + json["codestream"].get<uint64_t>() * kTopEntryBytes;
   return load_le<uint64_t>(made.bytes, static_cast<size_t>(at));
@@ -73,7 +73,7 @@ void check_blocks(const std::string& id, const Expectation& expect, const Decode
   }
 }
 
-// What the golden model makes of a stream that it opens.
+// Sets the golden model's results for a stream that it opens.
 void add_expected(const Recipe& recipe, const Decoder& decoder, SuiteFiles& files, Vector& vector) {
   ExpectedViews expected = expected_views(decoder);
   const bool all = recipe.expect.operation == Operation::kOpen;
@@ -95,7 +95,7 @@ constexpr uint64_t kSeed = 1;
 Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& files) {
   const Recipe& recipe = recipes.at(id);
   const MadeStream made = make_stream(recipes, id);
-  // An edit may leave a header that can be read: then that one says what the stream is.
+  // An edited header, if it can be read, describes the stream.
   const StreamHeader header = parse_header(made.bytes).value_or(made.header);
   Vector vector;
   vector.id = id;
@@ -177,7 +177,7 @@ io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::p
       const std::string name = group + "/" + entry.path().filename().string();
       if (!files.contains(name)) std::filesystem::remove(entry.path(), error);
     }
-    if (error) return io::system_error(folder / group, "cannot be tidied up", error.value());
+    if (error) return io::system_error(folder / group, "cannot be cleaned up", error.value());
   }
   return {};
 }

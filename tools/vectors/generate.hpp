@@ -1,4 +1,4 @@
-// The whole suite from its recipes.
+// Generates the suite from its recipes.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ using SuiteFiles = std::map<std::string, std::vector<uint8_t>>;
 /// One vector with its files. Throws TextError where the golden model contradicts the recipe.
 Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& files);
 
-/// Makes all vectors of `recipes` in memory, manifest.json included, on `threads` threads (0: all
-/// cores). Same bytes for any number of threads and on every machine. Errors: of the recipes, or a
-/// recipe whose expectation the golden model contradicts.
+/// Makes all vectors of `recipes` in memory, and manifest.json, on `threads` threads (0: all
+/// cores). The bytes are the same for any number of threads and on every machine. Errors: of the
+/// recipes, or a recipe whose expectation the golden model contradicts.
 io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& recipes, unsigned threads,
                                         const io::Progress& progress = {});
 
-/// Writes `files` into `folder` and removes the files of vectors that no longer exist:
-/// everything in the group folders that is not in `files`. Errors: cannot write.
+/// Writes `files` into `folder`, and removes from the folders of vector groups whatever is not in
+/// `files`. Errors: cannot write.
 io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::path& folder);
 
 }  // namespace hmlfc::vectors

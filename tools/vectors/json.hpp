@@ -14,8 +14,8 @@ namespace hmlfc::vectors {
 /// JSON with its keys in the order in which they were set.
 using Json = nlohmann::ordered_json;
 
-/// What is wrong with a recipe or a manifest. Thrown in this folder; public functions return it as
-/// an IoError.
+/// An error in a recipe or a manifest. Thrown in this folder; public functions return it as an
+/// IoError.
 class TextError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

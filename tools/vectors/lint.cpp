@@ -25,7 +25,7 @@ bool has_duplicate(std::vector<T> list) {
   return std::adjacent_find(list.begin(), list.end()) != list.end();
 }
 
-// Whether a $readmemh text has as many words as its first says, and the end marker behind them.
+// Whether a $readmemh text has as many words as its first word says, and then the end marker.
 bool is_whole_hex(std::string_view text) {
   std::istringstream lines{std::string(text)};
   std::vector<std::string> words;
@@ -67,11 +67,11 @@ class VectorLint {
     if (has_duplicate(vector_.flags)) complain("has a flag twice");
     if (vector_.comment.empty()) complain("has no comment");
     if ((vector_.group == "error") == (vector_.expect.outcome == Outcome::kOk)) {
-      complain("group and outcome do not fit together");
+      complain("its group contradicts its outcome");
     }
   }
 
-  // The file with the sum that the manifest states, or nothing and a complaint.
+  // The file, if its sum is that of the manifest; otherwise nothing, and a complaint.
   std::optional<io::MappedFile> read(const SuiteFile& file) {
     named_.insert(file.file);
     auto mapped = io::MappedFile::open(folder_ / file.file);
@@ -96,7 +96,7 @@ class VectorLint {
     if (!header) return;
     header_ = *header;
     if (header->profile != vector_.profile) complain("is of the other profile");
-    if (conformance_level(*header) != vector_.level) complain("is of another level");
+    if (conformance_level(*header) != vector_.level) complain("is of another conformance level");
     if (vector_.output) check_output(*header, *vector_.output);
   }
 
@@ -113,7 +113,7 @@ class VectorLint {
     const auto bytes = file->bytes();
     const size_t lines = static_cast<size_t>(std::count(bytes.begin(), bytes.end(), '\n'));
     if (lines != size_t{2} * header_->rows * header_->cols) {
-      complain("the blocks file has not two lines a view");
+      complain("the blocks file does not have two lines per view");
     }
   }
 

@@ -39,7 +39,7 @@ struct Fields {
     if (value) (*this)(key, *value);
   }
 
-  // A value by its name.
+  // An enumerator by its name.
   template <class T, size_t kCount>
   void operator()(const char* key, T& value,
                   const std::array<std::string_view, kCount>& names) const {

@@ -40,7 +40,7 @@ Recipe recipe_of(const Json& json, const std::string& group, const Json& default
   check_keys(json);
   Recipe recipe;
   const auto name = json.at("name").get<std::string>();
-  if (!is_name(name) || !is_name(group)) throw TextError("names have a-z, 0-9 and - alone");
+  if (!is_name(name) || !is_name(group)) throw TextError("names consist of a-z, 0-9 and -");
   recipe.id = group + "/" + name;
   recipe.group = group;
   recipe.clauses = json.at("clauses");

@@ -15,7 +15,7 @@
 
 namespace hmlfc::vectors {
 
-/// One vector as its recipe says it.
+/// One vector as its recipe states it.
 struct Recipe {
   std::string id;  ///< group/name
   std::string group;
@@ -24,7 +24,7 @@ struct Recipe {
   std::string comment;
   uint64_t seed = 1;
   Json stream;                      ///< how the bytes are made: make_stream()
-  std::vector<BlockAddress> trace;  ///< blocks to be traced
+  std::vector<BlockAddress> trace;  ///< traced blocks
   Expectation expect;               ///< stated by hand, from the specification; its offset is
   Json offset;                      ///< how: vectors/README.md, expectations
 };
@@ -58,7 +58,7 @@ MadeStream make_stream(const Recipes& recipes, const std::string& id);
 
 /// The stream of {"scene": {"name", "rows", "cols", "width", "height", "depth", "baseline"},
 /// "encode": {...}}: the options of EncodeParams by name. `seed`: of the scene. Throws TextError
-/// for a name or value that is none, or where the encoder refuses.
+/// for an unknown name or value, or if the encoder rejects them.
 std::vector<uint8_t> encoded_stream(const Json& json, uint64_t seed);
 
 }  // namespace hmlfc::vectors

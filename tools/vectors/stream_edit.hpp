@@ -1,4 +1,4 @@
-// Damaging a stream in one named place (vectors/README.md, edits).
+// Damages a stream in one named place (vectors/README.md, edits).
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ uint64_t load_number(std::span<const uint8_t> bytes, uint64_t at, size_t size);
 ///       the file's length; below 0, from the end
 ///   {"append": [...]}
 ///       bytes behind the file
-/// Where a field is named, "add": n in the place of "value" changes it by n.
-/// Afterwards the CRCs of sections and header are right again; with "mend": "header" that of the
+/// For a named field, "add": n in place of "value" changes it by n.
+/// Afterwards the CRCs of sections and header are corrected; with "mend": "header" that of the
 /// header alone, with "mend": false none. A field that is stored with an offset (min_x) takes the
 /// stored value. Throws TextError.
 void edit_stream(std::vector<uint8_t>& bytes, const Json& json);

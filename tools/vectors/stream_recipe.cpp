@@ -45,7 +45,7 @@ const Setters<EncodeParams>& encode_setters() {
   return all;
 }
 
-// What recipes leave out: fixed, whatever the defaults of the encoder become.
+// Defaults of recipes, which do not follow the encoder's.
 EncodeParams recipe_defaults() {
   EncodeParams params;
   params.profile = Profile::kMain;
@@ -72,12 +72,12 @@ LightField scene_from(const Json& json, uint64_t seed) {
   return scenes::render_scene(params, 0);
 }
 
-// Levels of bases that are followed.
+// The longest chain of bases.
 constexpr int kMaxDepth = 8;
 
 MadeStream make(const Recipes& recipes, const std::string& id, int depth);
 
-// The base of the recipe with its edits made.
+// The base of the recipe with its edits applied.
 MadeStream edited(const Recipes& recipes, const Recipe& recipe, int depth) {
   MadeStream made = make(recipes, recipe.stream.at("base"), depth + 1);
   for (const Json& edit : recipe.stream.at("edits")) edit_stream(made.bytes, edit);
