@@ -31,9 +31,9 @@ PROCESS_RESULTS = {
     "short_raw": ("fail", "17 bytes"),
     "wrong_exit_code": ("fail", "exit status 1"),
     "crash": ("error", "signal 11"),
-    "hang": ("timeout", "no end within"),
+    "hang": ("timeout", "timed out after"),
     "hanging_child": ("pass", ""),  # no fault of the views: the child is killed
-    "endless_messages": ("timeout", "no end within"),
+    "endless_messages": ("timeout", "timed out after"),
     "memory_hog": ("fail", "exit status 1"),
 }
 

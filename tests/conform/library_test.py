@@ -92,7 +92,7 @@ class Library(ConformTest):
             ("unknown_status", {"OPEN_STATUS": "99"}, "fail", "status 99"),
             ("absent", {"OPEN_STATUS": "HMLFC_DUT_CANNOT_RUN"}, "skipped", "cannot run here"),
             ("crashes", {"BODY": "abort();"}, "error", "signal 6"),
-            ("hangs", {"BODY": "for(;;){}"}, "timeout", "no end within"),
+            ("hangs", {"BODY": "for(;;){}"}, "timeout", "timed out after"),
             ("grey", {}, "fail", "wrong output"),
         )
         for name, settings, status, reason in cases:
