@@ -48,15 +48,15 @@ void Commands::stage(const std::string& kernel, const Variant& variant, const Ar
 void Commands::dispatch(const std::string& kernel, const Variant& variant,
                         const Arguments& arguments, uint64_t invocations) {
   if (invocations == 0) return;
-  const auto groups = static_cast<uint32_t>(ceil_div(invocations, uint64_t{kGroupSize}));
-  const uint32_t columns = std::min(groups, device_->max_groups);
+  const auto workgroups = static_cast<uint32_t>(ceil_div(invocations, uint64_t{kWorkgroupSize}));
+  const uint32_t columns = std::min(workgroups, device_->max_workgroups);
   stage(kernel, variant, arguments,
-        [&] { buffer_.dispatch(columns, ceil_div(groups, columns), 1); });
+        [&] { buffer_.dispatch(columns, ceil_div(workgroups, columns), 1); });
 }
 
 void Commands::dispatch_counted(const std::string& kernel, const Variant& variant,
-                                const Arguments& arguments, const Buffer& groups, uint64_t offset) {
-  stage(kernel, variant, arguments, [&] { buffer_.dispatchIndirect(groups.handle(), offset); });
+                                const Arguments& arguments, const Buffer& counts, uint64_t offset) {
+  stage(kernel, variant, arguments, [&] { buffer_.dispatchIndirect(counts.handle(), offset); });
 }
 
 void Commands::fill(const Buffer& buffer, uint64_t offset, uint64_t bytes, uint32_t word) {

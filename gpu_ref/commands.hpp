@@ -23,9 +23,9 @@ class Commands {
   void dispatch(const std::string& kernel, const Variant& variant, const Arguments& arguments,
                 uint64_t invocations);
 
-  /// As many workgroups as three words of `groups` at byte `offset` say.
+  /// As many workgroups as three words of `counts` at byte `offset` say.
   void dispatch_counted(const std::string& kernel, const Variant& variant,
-                        const Arguments& arguments, const Buffer& groups, uint64_t offset);
+                        const Arguments& arguments, const Buffer& counts, uint64_t offset);
 
   /// Sets the words of bytes [offset, offset + bytes) to `word`; multiples of 4.
   void fill(const Buffer& buffer, uint64_t offset, uint64_t bytes, uint32_t word);

@@ -158,7 +158,7 @@ void make_device(Device::State& state, const KernelCode& kernels) {
   state.pool.emplace(*state.device, vk::CommandPoolCreateInfo({}, family));
   state.kernels.emplace(*state.device, kernels);
   const auto limits = state.physical->getProperties().limits;
-  state.max_groups = limits.maxComputeWorkGroupCount[0];
+  state.max_workgroups = limits.maxComputeWorkGroupCount[0];
   const auto family_properties = state.physical->getQueueFamilyProperties()[family];
   if (family_properties.timestampValidBits != 0) {
     state.timestamp_seconds = static_cast<double>(limits.timestampPeriod) * 1e-9;

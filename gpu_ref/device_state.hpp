@@ -29,11 +29,11 @@ struct Device::State {
   std::optional<vk::raii::CommandPool> pool;
   std::optional<Kernels> kernels;
   DeviceInfo info;
-  uint64_t chunk_bytes = 0;       ///< largest buffer of stream and reference area
-  uint64_t max_buffer_bytes = 0;  ///< largest buffer of anything else
-  uint32_t max_groups = 65535;    ///< workgroups in one dimension
-  double timestamp_seconds = 0;   ///< of one tick; 0: no timestamps
-  bool guard_pages = false;       ///< DeviceOptions::guard_pages
+  uint64_t chunk_bytes = 0;         ///< largest buffer of stream and reference area
+  uint64_t max_buffer_bytes = 0;    ///< largest buffer of anything else
+  uint32_t max_workgroups = 65535;  ///< in one dimension
+  double timestamp_seconds = 0;     ///< of one tick; 0: no timestamps
+  bool guard_pages = false;         ///< DeviceOptions::guard_pages
 };
 
 /// Runs `body() -> T` and turns what it throws into a Failure.

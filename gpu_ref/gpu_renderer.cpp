@@ -120,17 +120,17 @@ struct GpuRenderer::State {
     const uint64_t pixels = image_pixels(record);
     const Variant variant{
         .chunked = stream.chunked(), .counted = true, .pool_chunked = pool.chunked()};
-    const Buffer& groups = counters.get();
+    const Buffer& counts = counters.get();
     commands.fill(needed.get(), 0, 4 * words, 0);
-    commands.fill(groups, 0, 4 * kFrameCounters, 0);
-    commands.fill(groups, 4 * kCountFirstError, 4, kNoError);
+    commands.fill(counts, 0, 4 * kFrameCounters, 0);
+    commands.fill(counts, 4 * kCountFirstError, 4, kNoError);
     commands.dispatch("mark", variant, arguments, pixels);
     commands.dispatch("count", variant, arguments, words);
     commands.dispatch("plan", variant, arguments, 1);
     commands.dispatch("compact", variant, arguments, words);
-    commands.dispatch_counted("walk", variant, arguments, groups, 4 * kCountWalk);
-    commands.dispatch_counted("samples", variant, arguments, groups, 4 * kCountSamples);
-    commands.dispatch_counted("errors", variant, arguments, groups, 4 * kCountErrors);
+    commands.dispatch_counted("walk", variant, arguments, counts, 4 * kCountWalk);
+    commands.dispatch_counted("samples", variant, arguments, counts, 4 * kCountSamples);
+    commands.dispatch_counted("errors", variant, arguments, counts, 4 * kCountErrors);
     commands.dispatch("render", variant, arguments, ceil_div(pixels, kPixelsAtOnce));
   }
 

@@ -25,7 +25,7 @@ struct Variant {
 };
 
 /// Invocations of a workgroup of every kernel (arguments.glsl).
-inline constexpr uint32_t kGroupSize = 64;
+inline constexpr uint32_t kWorkgroupSize = 64;
 
 class Kernels {
  public:

@@ -59,7 +59,7 @@ module hmlfc_bise_unpack #(
   assign padded = {{(2 * VALUE_BITS + 8) {1'b0}}, sequence_bits};
 
   // Second stage. Value i: its plain bits, and the three bits behind them, of which the first one,
-  // two or three are of its group's T or Q.
+  // two or three are of its digit group's T or Q.
   logic [COUNT*VALUE_BITS-1:0] plain_next, plain;
   logic [COUNT*3-1:0]          digits_next, digits;
   logic [VALUE_BITS-2:0]       trit_at;   // one bit for each n, with trits
@@ -111,11 +111,11 @@ module hmlfc_bise_unpack #(
     end
   end
 
-  // Third stage. Digit bits of values that the last group lacks are 0 (BISE-7).
+  // Third stage. Digit bits of values that the last digit group lacks are 0 (BISE-7).
   localparam integer PLACES =
       TRIT_GROUPS * TRITS > QUINT_GROUPS * QUINTS ? TRIT_GROUPS * TRITS : QUINT_GROUPS * QUINTS;
   logic [PLACES*3-1:0]              digits_padded;
-  // Not all bits are used: the last group has digits beyond value COUNT - 1.
+  // Not all bits are used: the last digit group has digits beyond value COUNT - 1.
   logic [TRIT_GROUPS*TRITS*2-1:0]   trits;
   logic [QUINT_GROUPS*QUINTS*3-1:0] quints;
   logic [COUNT*VALUE_BITS-1:0]      values_next;

@@ -21,7 +21,7 @@ module hmlfc_element_reader #(
     input logic [WINDOW_BITS-1:0] window
 );
 
-  // 1: place of the value's group.
+  // 1: place of the value's digit group.
   logic [13:0] group_bit;
   logic [2:0] slot;
   hmlfc_bise_place place (
@@ -44,7 +44,7 @@ module hmlfc_element_reader #(
     end
   end
 
-  // 2: read the group.
+  // 2: read the digit group.
   wire [WORD_BITS+5:0] at = position_1 + group_1;
   assign read_enable = advance;
   assign read_word = at[WORD_BITS+5:6];

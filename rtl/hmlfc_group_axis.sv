@@ -1,7 +1,7 @@
 // Reference groups of one row or column of a level's images (STR-3, STR-4, EXT-3, MOT-7).
 //
-// `start` takes a place among `count` images, in groups of `size`; about 140 clocks later `done` is high for one clock when
-// the results are valid: the group and its reference image's place, the neighbouring group of MOT-7 on the side of `at` and its
+// `start` takes a place among `count` images, in reference groups of `size`; about 140 clocks later `done` is high for one clock when
+// the results are valid: its group and that group's reference image, the neighbouring group of MOT-7 on the side of `at` and its
 // reference image's place, and the place of the parent in the next level. They hold until the next start.
 module hmlfc_group_axis (
     input logic clk,
@@ -25,14 +25,14 @@ module hmlfc_group_axis (
     IDLE,
     PARENT,
     GROUP,
-    BEGIN,       // of the group
+    BEGIN,       // of the reference group
     END,
     NEXT_BEGIN,  // of its neighbour
     NEXT_END
   } state_t;
   state_t state;
 
-  // The begin of group g, for the states that need one; the division is done in every state.
+  // The begin of reference group g, for the states that need one; the division is done in every state.
   logic [10:0] begins;
   logic [10:0] first;
   always_comb begin
@@ -77,7 +77,7 @@ module hmlfc_group_axis (
   );
 
   wire [10:0] begin_at = balanced ? quotient[10:0] : even_begin > 19'(count) ? count : even_begin[10:0];
-  // The reference image of a group from `first` to before `begin_at`.
+  // The reference image of a reference group from `first` to before `begin_at`.
   wire [10:0] middle = first + ((begin_at - first - 11'd1) >> 1);
   wire up = at >= reference_at ? group + 11'd1 < groups : group == 0;
 

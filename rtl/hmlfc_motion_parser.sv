@@ -77,7 +77,7 @@ module hmlfc_motion_parser #(
   logic [2:0] palette_size, number;
   logic [3:0] explicit_bits;
 
-  // The least level code with at least palette_size + 1 levels.
+  // The least level code whose level count is at least palette_size + 1.
   logic [5:0] level_code;
   always_comb level_code = palette_size == 3'd7 ? 6'd6 : 6'(palette_size);
 

@@ -99,7 +99,7 @@ package hmlfc_pkg;
     logic [GRID_BITS-1:0] row;
     logic [GRID_BITS-1:0] col;
     logic keyed;
-    logic is_reference;                       // it is the reference image of its group
+    logic is_reference;                       // it is the reference image of its reference group
     logic [TILE_BITS-1:0] first_tile;
     logic [TILE_BITS-1:0] disparity_tile;    // first tile of K0
     logic [ADDRESS_BITS-1:0] address_0;      // plane Y of K0 in the reference area

@@ -102,7 +102,7 @@ localparam [1:0] HMLFC_DIGIT_NONE = 2'd0;
 localparam [1:0] HMLFC_DIGIT_TRIT = 2'd1;
 localparam [1:0] HMLFC_DIGIT_QUINT = 2'd2;
 
-// The kind of digit of a level code; codes beyond 39 read as 1 level (BISE-1, BISE-2).
+// The kind of digit of a level code; the level count of codes beyond 39 is 1 (BISE-1, BISE-2).
 localparam [127:0] HMLFC_DIGIT_KIND_TABLE = {
   48'h000000000000,
   80'h18618618618618618610};

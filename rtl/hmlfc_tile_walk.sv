@@ -7,11 +7,11 @@
 // else the record's `record_bytes` bytes begin at byte address `record_address`. The result keeps until
 // the next start.
 //
-// The last root entry and GROUPS group records are kept, so that tiles of a group that was seen
+// The last root entry and the records of GROUPS tile groups are kept, so that tiles of a tile group seen
 // before cost one read, of the end table; `flush` forgets them. What a bus error brought is not kept.
 module hmlfc_tile_walk #(
     parameter int DATA_BITS = 128,
-    parameter int GROUPS = 8,  // a power of two
+    parameter int GROUPS = 8,  // tile groups, a power of two
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS
 ) (
@@ -71,7 +71,7 @@ module hmlfc_tile_walk #(
   logic [GROUP_BITS-7:0] root_tag;
   logic [63:0] root_mask, root_first;
 
-  // Group records: {there is one, error, offset_bits, data, tile_mask}.
+  // Records of tile groups: {there is one, error, offset_bits, data, tile_mask}.
   localparam int RECORD_BITS = 1 + 6 + 6 + 48 + 64;
   logic [GROUPS-1:0] group_valid;
   logic [GROUPS*TAG_BITS-1:0] group_tags;
@@ -111,7 +111,7 @@ module hmlfc_tile_walk #(
       .data_error
   );
 
-  // IDX-4: the number of the group's record. `first` may be any 64-bit number.
+  // IDX-4: the number of the tile group's record. `first` may be any 64-bit number.
   wire [64:0] number = {1'b0, root_first} + 65'($countones(below(root_mask, group_lane)));
   wire number_outside = number >= 65'(stream.group_records);
 

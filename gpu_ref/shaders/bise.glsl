@@ -1,13 +1,13 @@
 // Bounded integer sequences (section 5.1).
 
-/// A number of levels; a value is digit * 2^plain_bits + plain (BISE-2).
+/// A level count N and its parts; a value is digit * 2^plain_bits + plain (BISE-2).
 struct Levels {
   uint count;
   uint plain_bits;
   uint digit;  // DIGIT_NONE, DIGIT_TRIT or DIGIT_QUINT
 };
 
-/// The levels of `code` in [0, MAX_LEVEL_CODE] (BISE-1).
+/// The level count of `code` in [0, MAX_LEVEL_CODE] (BISE-1).
 Levels levels_of_code(uint code) {
   const uint entry = kLevels[code];
   return Levels(entry & 0xFFFFu, (entry >> 16) & 0xFu, entry >> 20);
@@ -112,9 +112,9 @@ uint bise_value(uint word, uint bit, Levels levels, uint count, uint i) {
   const bool trits = levels.digit == DIGIT_TRIT;
   const uint in_group = trits ? TRITS_IN_GROUP : QUINTS_IN_GROUP;
   const uint group_bits = n * in_group + (trits ? TRIT_GROUP_BITS : QUINT_GROUP_BITS);
-  const uint group = i / in_group;
-  const uint own = i - group * in_group;
-  const uvec3 window = read_window(word, bit, length, group * group_bits, group_bits);
+  const uint digit_group = i / in_group;
+  const uint own = i - digit_group * in_group;
+  const uvec3 window = read_window(word, bit, length, digit_group * group_bits, group_bits);
   uint code = 0u;
   uint plain_at = 0u;
   uint before = 0u;  // bits of the code that have been read

@@ -49,7 +49,7 @@ const uint MAX_EXPLICIT_BITS = 12u;
 const uint MAX_DISPARITY_CODE = 27u;
 const int MAX_DISPARITY = 4095;
 
-// Kinds of digit and groups of them (BISE-2, BISE-5, BISE-6).
+// Kinds of digit, and digit groups (BISE-2, BISE-5, BISE-6).
 const uint DIGIT_NONE = 0u;
 const uint DIGIT_TRIT = 1u;
 const uint DIGIT_QUINT = 2u;

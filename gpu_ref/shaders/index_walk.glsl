@@ -1,7 +1,7 @@
 // From a tile to its record in four dependent reads (section 4).
 
 const uint kLaneLog2 = 6u;    // 64 lanes a mask (IDX-3)
-const uint kEntryWords = 4u;  // root entries and group records of 16 bytes (IDX-4, IDX-5)
+const uint kEntryWords = 4u;  // root entries and records of tile groups: 16 bytes (IDX-4, IDX-5)
 
 /// Entry j of the end table that begins at byte `table` of the stream (IDX-6).
 uint end_entry(uvec2 table, uint j, uint offset_bits) {
@@ -9,7 +9,7 @@ uint end_entry(uvec2 table, uint j, uint offset_bits) {
   return stream_bits(u64_shift_right(table, 2u).x + (at >> 5), at & 31u, offset_bits);
 }
 
-/// The bytes of the tile group's record number `j` (IDX-6). `data` is an offset into the TILE section.
+/// The bytes of record number `j` of a tile group (IDX-6). `data` is an offset into the TILE section.
 Record find_extent(uvec2 data, uint count, uint j, uint offset_bits) {
   const uvec2 tile_bytes = uvec2(arguments.shape.tile_bytes_low, arguments.shape.tile_bytes_high);
   const uvec2 table_bytes = uvec2((count * offset_bits + 7u) >> 3, 0u);
@@ -32,13 +32,13 @@ Record find_extent(uvec2 data, uint count, uint j, uint offset_bits) {
 /// The record of tile number `tile` (IDX-2), below the number of tiles.
 Record find_tile(uvec2 tile) {
   const uint lane = tile.x & 63u;
-  const uint group_lane = (tile.x >> kLaneLog2) & 63u;
+  const uint tile_group_lane = (tile.x >> kLaneLog2) & 63u;
   // ROOT has an entry for every 64 tile groups (its size was checked) and lies in 2^32 words.
   const uint root = u64_shift_right(tile, 2u * kLaneLog2).x * kEntryWords;
   const uvec2 mask = uvec2(stream_word(root), stream_word(root + 1u));
-  if (!has_bit(mask, group_lane)) return no_record(ERROR_OK);  // IDX-4
+  if (!has_bit(mask, tile_group_lane)) return no_record(ERROR_OK);  // IDX-4
   const uvec2 first = uvec2(stream_word(root + 2u), stream_word(root + 3u));
-  const uint below = rank(mask, group_lane);
+  const uint below = rank(mask, tile_group_lane);
   const uint records = arguments.shape.group_records;
   if (below >= records || first.y != 0u || first.x >= records - below) {
     return no_record(ERROR_BAD_ROOT_ENTRY);  // IDX-5

@@ -158,7 +158,7 @@ uint walk_to_motion(LevelShape level, PlaneShape plane, uvec2 at, uint bx, uint 
   PaletteEntry palette;
   uint status = walk_to_palette(image, motion_plane, place, level.keyed != 0u, palette);
   if (status != ERROR_OK || palette.choice == kChoiceNone) return status;
-  const uvec2 groups[4] = reference_groups(level, at, group_of_image(level, at));
+  const uvec2 groups[4] = reference_groups(level, at, reference_group_of(level, at));
   int disparity = palette.explicit_x;
   if (palette.choice <= kChoiceLastNeighbour) {
     const uvec2 own = reference_of_group(level, groups[0]);

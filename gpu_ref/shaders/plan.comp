@@ -8,13 +8,13 @@
 #include "frame_arguments.glsl"
 
 /// Vulkan allows every dispatch this many workgroups in a dimension.
-const uint kMaxGroups = 65535u;
+const uint kMaxWorkgroups = 65535u;
 
 void write_dispatch(uint at, uint invocations) {
-  const uint groups = (invocations + gl_WorkGroupSize.x - 1u) / gl_WorkGroupSize.x;
-  const uint columns = clamp(groups, 1u, kMaxGroups);
+  const uint workgroups = (invocations + gl_WorkGroupSize.x - 1u) / gl_WorkGroupSize.x;
+  const uint columns = clamp(workgroups, 1u, kMaxWorkgroups);
   frame().counters.word[at] = columns;
-  frame().counters.word[at + 1u] = (groups + columns - 1u) / columns;
+  frame().counters.word[at + 1u] = (workgroups + columns - 1u) / columns;
   frame().counters.word[at + 2u] = 1u;
 }
 

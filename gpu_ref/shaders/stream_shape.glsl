@@ -4,7 +4,7 @@
 struct LevelShape {
   uint rows, cols;              // images of the level; views at level 0 (STR-1, STR-3)
   uint ref_rows, ref_cols;      // images of a reference group (STR-4)
-  uint group_rows, group_cols;  // groups of the level
+  uint group_rows, group_cols;  // reference groups of the level
   uint first_image;             // F_l of IDX-1
   uint first_reference;         // number of its first reference image in the reference area
   uint keyed;                   // 1: its reference images are key images (EXT-4)
@@ -42,7 +42,7 @@ layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer St
   uint motion_tile_log2, disparity_grid_log2;
   int row_scale;
   uint component_bits, max_code, code_bits;    // v, K, c of TIL-6
-  uint group_word, group_records;              // section GROUP: its first stream word, its records
+  uint group_word, group_records;              // section GROUP: first stream word, number of records
   uint tile_word;                              // section TILE: its first stream word
   uint tile_bytes_low, tile_bytes_high;
   uint stream_chunk_log2;                      // words of a chunk of the stream

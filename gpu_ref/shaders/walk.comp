@@ -16,19 +16,19 @@
 #include "block_entry.glsl"
 #include "tile_head.glsl"
 #include "residual_walk.glsl"
-#include "groups.glsl"
+#include "reference_groups.glsl"
 #include "motion_walk.glsl"
 #include "reference_samples.glsl"
 
 /// Whether image `at` of a level is a key image (EXT-4).
 bool is_key(LevelShape level, uvec2 at) {
-  return level.keyed != 0u && reference_of_group(level, group_of_image(level, at)) == at;
+  return level.keyed != 0u && reference_of_group(level, reference_group_of(level, at)) == at;
 }
 
 /// The block of a key image: the place of its plane, and its error (DEC-2).
 BlockEntry key_entry(LevelShape level, PlaneShape plane, uvec2 at, uvec2 block) {
   BlockEntry entry = empty_entry(kKindKey);
-  const uint base = reference_base(level, plane, group_of_image(level, at));
+  const uint base = reference_base(level, plane, reference_group_of(level, at));
   entry.references[0].base = base;
   const uvec2 first = block << arguments.shape.block_log2;
   entry.status = error_of_sample(reference_sample(base, plane, int(first.x), int(first.y)));
@@ -39,7 +39,7 @@ BlockEntry key_entry(LevelShape level, PlaneShape plane, uvec2 at, uvec2 block) 
 BlockEntry coded_entry(LevelShape level, PlaneShape plane, uvec2 at, uvec2 block) {
   BlockEntry entry = empty_entry(kKindCoded);
   const uint image = level.first_image + at.x * level.cols + at.y;
-  const uvec2 group = group_of_image(level, at);
+  const uvec2 group = reference_group_of(level, at);
   const bool motion_tiles = has_feature(FEATURE_MOTION_TILES);
   const bool predictive = !kReferencePass && reference_of_group(level, group) != at;
   if (motion_tiles && predictive) {

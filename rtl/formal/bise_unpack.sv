@@ -37,7 +37,7 @@ module prove_bise_unpack #(parameter integer PART = 0) (input logic clk, input l
       hmlfc_bise_unpack #(.COUNT(COUNT), .VALUE_BITS(W), .WINDOW_BITS(160)) dut (
         .clk(clk), .advance(1'b1), .level_code(6'(code)), .window(window), .values(values));
 
-      // BISE-5, BISE-6: the first bit of m_0 to m_4 in a group, T and Q.
+      // BISE-5, BISE-6: the first bit of m_0 to m_4, T and Q in a digit group.
       localparam [39:0] M = DIGIT == 3 ? {8'(4 * n + 7), 8'(3 * n + 5), 8'(2 * n + 4), 8'(n + 2), 8'd0}
                                        : {16'd0, 8'(2 * n + 5), 8'(n + 3), 8'd0};
       for (genvar i = 0; i < COUNT; i = i + 1) begin : value

@@ -1,6 +1,6 @@
-// Writes hmlfc_tables.svh to standard output: the numbers that the decode unit shares with the
-// golden model, taken from the model; with the argument `glsl` hmlfc_tables.glsl, those that the
-// shaders share with it. A test compares the files in the repository with these.
+// Writes to standard output the constants of the golden model that the decode unit uses
+// (hmlfc_tables.svh) or, with the argument `glsl`, those that the shaders use (hmlfc_tables.glsl).
+// A test compares the files of the repository with this output.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -43,7 +43,7 @@ void put_features() {
   put_number("FEATURE_COUNT", kFeatureCount);
 }
 
-// A header with every field in use, of one level.
+// A header with every field in use, and one level of the tree.
 StreamHeader probe_header() {
   StreamHeader header;
   header.profile = Profile::kExtended;
@@ -57,7 +57,7 @@ StreamHeader probe_header() {
   return header;
 }
 
-// The offset of the first field at `from` or after it that `change` alters.
+// The offset of the first byte from `from` on that `change` alters.
 int64_t offset_of(const std::function<void(StreamHeader&)>& change, ptrdiff_t from = 0) {
   StreamHeader changed = probe_header();
   change(changed);
@@ -67,8 +67,8 @@ int64_t offset_of(const std::function<void(StreamHeader&)>& change, ptrdiff_t fr
   return differing.first - before.begin();
 }
 
-// The offset of the version, which no other value can be written to: the first byte whose change
-// makes the parser refuse the version.
+// The offset of the version: the first byte whose change makes the parser reject the version. (No
+// other version can be written, so offset_of does not find it.)
 int64_t offset_of_version() {
   std::vector<uint8_t> bytes = write_header(probe_header());
   for (size_t at = 0; at < bytes.size(); ++at) {
@@ -85,7 +85,8 @@ void put_header_offsets() {
   const auto put = [](const char* name, const std::function<void(StreamHeader&)>& change) {
     put_number(std::string("HEADER_") + name, offset_of(change));
   };
-  // A taller tree has a longer header too: that field is the first to differ, the height the next.
+  // A taller tree also makes the header longer: its size is the first field that differs, the
+  // height the second.
   const auto taller = [](StreamHeader& h) { ++h.tree_height; };
   put_number("HEADER_VERSION", offset_of_version());
   put("PROFILE", [](StreamHeader& h) { h.profile = Profile::kMain; });
@@ -143,7 +144,7 @@ void put_limits() {
               max_residual_level_code(8));
 }
 
-// A table by `index_bits` bits as a function: entry k stands at bits `width` * k on.
+// A table of 2^`index_bits` entries as a function; entry k starts at bit `width` * k.
 void put_table(const char* comment, const char* name, const char* argument, unsigned index_bits,
                unsigned width, const std::function<uint32_t(unsigned)>& entry) {
   const unsigned count = 1u << index_bits;
@@ -159,7 +160,7 @@ void put_table(const char* comment, const char* name, const char* argument, unsi
   }
   put_heading(comment);
   std::printf("localparam [%u:0] HMLFC_%s_TABLE = {\n", width * count - 1, upper(name).c_str());
-  // Lines of whole hexadecimal digits from the top; the first has the odd digits.
+  // From the most significant digit; only the first line may be shorter than kDigits.
   constexpr size_t kDigits = 20;
   size_t at = 0;
   while (at < digits.size()) {
@@ -186,9 +187,11 @@ void put_levels() {
        {std::pair{"NONE", Digit::kNone}, {"TRIT", Digit::kTrit}, {"QUINT", Digit::kQuint}}) {
     std::printf("localparam [1:0] HMLFC_DIGIT_%s = 2'd%u;\n", name, static_cast<unsigned>(digit));
   }
-  put_table("The kind of digit of a level code; codes beyond 39 read as 1 level (BISE-1, BISE-2).",
-            "digit_kind", "level_code", 6, 2,
-            [](unsigned code) { return static_cast<uint32_t>(levels_or_one(code).digit); });
+  put_table(
+      "The kind of digit of a level code; the level count of codes beyond 39 is 1 (BISE-1, "
+      "BISE-2).",
+      "digit_kind", "level_code", 6, 2,
+      [](unsigned code) { return static_cast<uint32_t>(levels_or_one(code).digit); });
   put_table("The plain bits n of a level code, [0, 14] (BISE-2).", "plain_bits", "level_code", 6, 4,
             [](unsigned code) { return uint32_t{levels_or_one(code).plain_bits}; });
   put_table("The level count N of a level code, [1, 16384] (BISE-1).", "level_count", "level_code",

@@ -42,7 +42,7 @@ uint32_t packed_levels(unsigned code) {
 }
 
 void put_digits() {
-  put_heading("Kinds of digit and groups of them (BISE-2, BISE-5, BISE-6).");
+  put_heading("Kinds of digit, and digit groups (BISE-2, BISE-5, BISE-6).");
   put_number("DIGIT_NONE", static_cast<uint32_t>(Digit::kNone));
   put_number("DIGIT_TRIT", static_cast<uint32_t>(Digit::kTrit));
   put_number("DIGIT_QUINT", static_cast<uint32_t>(Digit::kQuint));

@@ -1,4 +1,4 @@
-// The numbers that the shaders share with the golden model.
+// The constants of the golden model that the shaders use.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace hmlfc {
 /// `name` in upper case.
 std::string upper(std::string_view name);
 
-/// Writes a comment after an empty line.
+/// Writes an empty line and a comment.
 void put_heading(const char* text);
 
 /// Writes shaders/hmlfc_tables.glsl to standard output, with numbers taken from the model.
