@@ -131,28 +131,7 @@ class RenderRun {
   }
 
   ExitCode sweep() {
-    terminal::ProgressBar progress("Rendering", "settings");
-    const auto points = sweep_quality(file_, cameras_, arguments_.backend, progress.callback());
-    progress.clear();
-    if (arguments_.json) {
-      Json rows = Json::array();
-      for (const SweepPoint& point : points) {
-        rows.push_back({{"filter", filter_name(point.filter)},
-                        {"levels", point.levels},
-                        {"cache", point.cached},
-                        {"seconds", point.seconds},
-                        {"psnr_rgb", psnr_json(point.psnr)}});
-      }
-      print_json(rows);
-      return ExitCode::kDone;
-    }
-    print(
-        "PSNR against frames computed in real numbers with filter quadrilinear and all levels\n\n"
-        "| filter | levels | cache | ms per frame | PSNR RGB |\n|---|---|---|---|---|\n");
-    for (const SweepPoint& point : points) {
-      print(fmt::format("| {} | {} | {} | {:.2f} | {} |\n", filter_name(point.filter), point.levels,
-                        point.cached ? "yes" : "no", point.seconds * 1e3, psnr_text(point.psnr)));
-    }
+    print_quality_sweep(file_, cameras_, arguments_.backend, arguments_.json);
     return ExitCode::kDone;
   }
 

@@ -4,8 +4,12 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "cli/camera_options.hpp"
 #include "cli/output.hpp"
 #include "gpu_ref/frame_renderer.hpp"
+#include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
 
@@ -36,8 +40,20 @@ std::unique_ptr<FrameRenderer> make_renderer(const BackendChoice& choice, const 
   return make_cpu_renderer(file.decoder(), choice.options);
 }
 
+namespace {
+
+// One setting, over all frames of a path.
+struct SweepPoint {
+  Filter filter = Filter::kQuadrilinear;
+  int levels = 1;       // of the tree, from the top
+  bool cached = false;  // blocks are kept between frames
+  double seconds = 0;   // per frame, wall clock
+  double psnr = 0;      // over RGB, dB
+};
+
 std::vector<SweepPoint> sweep_quality(const StreamFile& file, std::vector<Camera> cameras,
-                                      const BackendChoice& choice, const io::Progress& progress) {
+                                      const BackendChoice& choice,
+                                      terminal::ProgressBar& progress) {
   const int all_levels = file.header().tree_height + 1;
   const size_t points = size_t{3} * 2 * static_cast<size_t>(all_levels);
   std::vector<RealFrame> real;
@@ -45,7 +61,7 @@ std::vector<SweepPoint> sweep_quality(const StreamFile& file, std::vector<Camera
     camera.filter = Filter::kQuadrilinear;
     record_of(camera, file.header());
     real.push_back(value_or_throw(render_real(file.decoder(), camera, 0), file.path()));
-    progress(real.size(), cameras.size() + points);
+    progress.update(real.size(), cameras.size() + points);
   }
   std::vector<SweepPoint> sweep;
   for (const Filter filter : {Filter::kNearest, Filter::kBilinear, Filter::kQuadrilinear}) {
@@ -68,11 +84,38 @@ std::vector<SweepPoint> sweep_quality(const StreamFile& file, std::vector<Camera
         point.psnr = squares > 0 ? 10 * std::log10(peak * peak / squares)
                                  : std::numeric_limits<double>::infinity();
         sweep.push_back(point);
-        progress(cameras.size() + sweep.size(), cameras.size() + points);
+        progress.update(cameras.size() + sweep.size(), cameras.size() + points);
       }
     }
   }
   return sweep;
+}
+
+}  // namespace
+
+void print_quality_sweep(const StreamFile& file, std::vector<Camera> cameras,
+                         const BackendChoice& choice, bool json) {
+  terminal::ProgressBar progress("Rendering", "settings");
+  const auto points = sweep_quality(file, std::move(cameras), choice, progress);
+  progress.clear();
+  if (json) {
+    Json rows = Json::array();
+    for (const SweepPoint& point : points) {
+      rows.push_back({{"filter", filter_name(point.filter)},
+                      {"levels", point.levels},
+                      {"cache", point.cached},
+                      {"seconds", point.seconds},
+                      {"psnr_rgb", psnr_json(point.psnr)}});
+    }
+    return print_json(rows);
+  }
+  print(
+      "PSNR against frames computed in real numbers with filter quadrilinear and all levels\n\n"
+      "| filter | levels | cache | ms per frame | PSNR RGB |\n|---|---|---|---|---|\n");
+  for (const SweepPoint& point : points) {
+    print(fmt::format("| {} | {} | {} | {:.2f} | {} |\n", filter_name(point.filter), point.levels,
+                      point.cached ? "yes" : "no", point.seconds * 1e3, psnr_text(point.psnr)));
+  }
 }
 
 }  // namespace hmlfc::cli

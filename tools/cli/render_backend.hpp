@@ -9,7 +9,6 @@
 #include <hmlfc/renderer.hpp>
 
 #include "cli/view_source.hpp"
-#include "io/parallel.hpp"
 
 namespace hmlfc::cli {
 
@@ -23,23 +22,13 @@ struct BackendChoice {
 };
 
 /// The renderer that `choice` asks for; `file` must outlive it. Usage failure if the device is not
-/// there or cannot hold the stream; gpu::make_gpu_renderer says what
-/// a device ignores.
+/// there or cannot hold the stream; gpu::make_gpu_renderer says what a device ignores.
 std::unique_ptr<FrameRenderer> make_renderer(const BackendChoice& choice, const StreamFile& file);
 
-/// One setting, over all frames of a path, compared with real frames (docs/rendering.md, section 7)
-/// of filter quadrilinear and all levels.
-struct SweepPoint {
-  Filter filter = Filter::kQuadrilinear;
-  int levels = 1;       ///< of the tree, from the top
-  bool cached = false;  ///< blocks are kept between frames
-  double seconds = 0;   ///< per frame, wall clock
-  double psnr = 0;      ///< over RGB, dB
-};
-
-/// Renders `cameras` with each filter and number of levels, with and without cache. Failures: those
-/// of rendering.
-std::vector<SweepPoint> sweep_quality(const StreamFile& file, std::vector<Camera> cameras,
-                                      const BackendChoice& choice, const io::Progress& progress);
+/// Renders `cameras` with each filter and number of levels, with and without cache, and prints the
+/// time and the PSNR of each setting against real frames (docs/rendering.md, section 7) of filter
+/// quadrilinear and all levels. Failures: those of rendering.
+void print_quality_sweep(const StreamFile& file, std::vector<Camera> cameras,
+                         const BackendChoice& choice, bool json);
 
 }  // namespace hmlfc::cli
