@@ -81,7 +81,9 @@ FAULTS = {
         ["gpu_ref/x.cmake:1: gpu_ref may not use tools", "tools/CMakeLists.txt:2: tools may not use tests"],
     ),
     "unknown folder": (
-        {"model/misc/x.hpp": "\n"}, ["model/misc/x.hpp:1: model/misc is not a folder of the table"]
+        {"model/misc/x.hpp": "\n", "new_ref/x.hpp": "\n"},
+        ["model/misc/x.hpp:1: model/misc is not a folder of the table",
+         "new_ref/x.hpp:1: new_ref is not a folder of the table"],
     ),
     "longest file": ({"run": "\n" * MAX_LINES}, []),
     "long file": ({"run": "\n" * (MAX_LINES + 1)}, [f"run:{MAX_LINES + 1}: "]),
