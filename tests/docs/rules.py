@@ -59,6 +59,7 @@ COMMANDS = rules(
     (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)",
      r"\1 conform --filter 'syntax/base-*' \2; test $? = 5", "the whole suite takes a minute"),
     (r"\./run conform .*faulty_decoder.*", r"\g<0>; test $? = 1", "it fails"),
+    (r"\./run conform .*-o out/planted", r"\g<0>; test $? = 5", "one vector alone is not the suite"),
     (r"\./run conform --merge .*", r"\g<0>; test $? = 5", "the shards have a part of the suite"),
     (r"\./run bench methods", r"\g<0> 30 FOLDER", "a small light field"),
     (r"\./run bench render", "./run bench | grep -w render", "measures for minutes; the list of benchmarks has it"),
