@@ -40,7 +40,7 @@ class Dump {
     const auto decoder = Decoder::open(file_, {.check_sections = false});
     if (!decoder) return text() + to_string(decoder.error()) + "\n";
     note_keys(*header);
-    note_blocks(*decoder);
+    for_each_block(*decoder, [&](const BlockAddress& block) { note_block(*decoder, block); });
     return text() + errors_;
   }
 
@@ -98,23 +98,6 @@ class Dump {
       add_bytes(at + 8, 4, name + " size", "KEY-1");
       add_bytes(at + 12, 4, name + " sample_crc", "KEY-3");
       add((top + load(at, 8)) * 8, load(at + 8, 4) * 8, name + ": codestream", "KEY-2");
-    }
-  }
-
-  void note_blocks(const Decoder& decoder) {
-    const StreamHeader& header = decoder.header();
-    const uint32_t side = header.block_size();
-    for (uint32_t row = 0; row < header.rows; ++row) {
-      for (uint32_t col = 0; col < header.cols; ++col) {
-        for (const Plane plane : kPlanes) {
-          const PlaneSize size = decoder.plane_size(plane);
-          for (uint32_t by = 0; by * side < size.height; ++by) {
-            for (uint32_t bx = 0; bx * side < size.width; ++bx) {
-              note_block(decoder, {{row, col}, plane, bx, by});
-            }
-          }
-        }
-      }
     }
   }
 

@@ -15,6 +15,23 @@
 
 namespace hmlfc::vectors {
 
+/// Calls body(block) for each block of all views, plane by plane and row by row.
+template <class Body>
+void for_each_block(const Decoder& decoder, const Body& body) {
+  const StreamHeader& header = decoder.header();
+  const uint32_t side = header.block_size();
+  for (uint32_t view = 0; view < header.rows * header.cols; ++view) {
+    for (const Plane plane : kPlanes) {
+      const PlaneSize size = decoder.plane_size(plane);
+      for (uint32_t by = 0; by * side < size.height; ++by) {
+        for (uint32_t bx = 0; bx * side < size.width; ++bx) {
+          body(BlockAddress{{view / header.cols, view % header.cols}, plane, bx, by});
+        }
+      }
+    }
+  }
+}
+
 /// All views of a stream as bytes and the checksums of their blocks.
 struct ExpectedViews {
   std::optional<std::vector<uint8_t>> raw;  ///< all views, row by row; none if a block fails

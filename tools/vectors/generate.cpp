@@ -75,9 +75,8 @@ void check_blocks(const std::string& id, const Expectation& expect, const Decode
 
 // Expected pictures come from the fast path: throws unless the golden path has the same samples.
 void require_golden(const std::string& id, const Decoder& decoder) {
-  const StreamHeader& header = decoder.header();
-  const uint32_t side = header.block_size();
-  const auto check = [&](const BlockAddress& block) {
+  const uint32_t side = decoder.header().block_size();
+  for_each_block(decoder, [&](const BlockAddress& block) {
     const PlaneSize size = decoder.plane_size(block.plane);
     const Rect rect{block.bx * side, block.by * side, std::min(side, size.width - block.bx * side),
                     std::min(side, size.height - block.by * side)};
@@ -88,17 +87,7 @@ void require_golden(const std::string& id, const Decoder& decoder) {
       same = (*fast)[i] == (*golden)[i / rect.width * side + i % rect.width];
     }
     if (!same) throw TextError(id + ": the golden and the fast path differ");
-  };
-  for (uint32_t view = 0; view < header.rows * header.cols; ++view) {
-    for (const Plane plane : kPlanes) {
-      const PlaneSize size = decoder.plane_size(plane);
-      for (uint32_t by = 0; by * side < size.height; ++by) {
-        for (uint32_t bx = 0; bx * side < size.width; ++bx) {
-          check({{view / header.cols, view % header.cols}, plane, bx, by});
-        }
-      }
-    }
-  }
+  });
 }
 
 // Sets the golden model's results for a stream that it opens.

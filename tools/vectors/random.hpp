@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
+
+#include "scenes/hash_noise.hpp"
 
 namespace hmlfc::vectors {
 
@@ -10,12 +13,7 @@ class Random {
  public:
   explicit Random(uint64_t seed) : state_(seed) {}
 
-  uint64_t next() {
-    uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
+  uint64_t next() { return scenes::mix_bits(std::exchange(state_, state_ + 0x9e3779b97f4a7c15u)); }
 
   /// A number in [0, count - 1]; count in [1, 2^32].
   uint32_t below(uint64_t count) { return static_cast<uint32_t>((next() >> 32) * count >> 32); }
