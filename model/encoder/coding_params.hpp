@@ -6,6 +6,8 @@
 #include <hmlfc/encoder.hpp>
 #include <hmlfc/error.hpp>
 
+#include "encoder/light_field_probe.hpp"
+
 namespace hmlfc {
 
 /// `params` with the profile's values in place of what is open, except for what is found by trial:
@@ -16,9 +18,16 @@ EncodeParams with_defaults(const EncodeParams& params);
 /// a parameter is outside its interval.
 Result<StreamHeader> header_for(const LightFieldShape& shape, const EncodeParams& params);
 
-/// Settles by trial on the middle of the views what with_defaults() leaves open: the chroma format
-/// and the reference groups that cost least at params.extended.quality, or for `target_db`.
-EncodeParams settle_coding(const LightField& light_field, const EncodeParams& params,
-                           std::optional<double> target_db = std::nullopt);
+/// Parameters of which nothing is open, and what the light field was measured for.
+struct SettledCoding {
+  EncodeParams params;
+  LightFieldProbe probe;
+};
+
+/// Settles by trial what with_defaults() leaves open: the chroma format, and the reference groups
+/// and the grid of disparities that cost least at params.extended.quality. For `target_db` the
+/// quality becomes the one with which trials reach it.
+SettledCoding settle_coding(const LightField& light_field, const EncodeParams& params,
+                            std::optional<double> target_db = std::nullopt);
 
 }  // namespace hmlfc

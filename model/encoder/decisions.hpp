@@ -11,8 +11,9 @@
 #include <hmlfc/encoder.hpp>
 #include <hmlfc/light_field.hpp>
 
-#include "encoder/disparity_search.hpp"
+#include "encoder/light_field_probe.hpp"
 #include "encoder/rkv_tree.hpp"
+#include "encoder/trial_sample.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 
@@ -44,9 +45,9 @@ struct EncodedImage {
 class LevelImages {
  public:
   /// The arguments must outlive it. `tree` holds the reconstructed images of the levels above
-  /// `level` and the originals of `level`.
+  /// `level` and the originals of `level`. `sample`: what a trial codes of level 0; null: all.
   LevelImages(const LightField& light_field, const StreamHeader& header, const Geometry& geometry,
-              const RkvTree& tree, int level);
+              const RkvTree& tree, int level, const TrialSample* sample);
 
   int level() const { return level_; }
   const StreamHeader& header() const { return header_; }
@@ -60,9 +61,15 @@ class LevelImages {
     return size_t{g.row} * shape().group_cols() + g.col;
   }
 
-  /// The images of the level (STR-4), row by row.
+  /// The images to code (STR-4), row by row.
   const std::vector<ImagePos>& references() const { return references_; }
   const std::vector<ImagePos>& predictive() const { return predictive_; }
+
+  /// The rows of predictive images to code.
+  const CodedRows& rows() const { return rows_; }
+
+  /// All predictive images of the group of `reference`, also those that are not to be coded.
+  std::vector<ImagePos> members(ImagePos reference) const;
 
   /// The original of image `at`, which is not coded yet. A copy; at level 0 converted from the
   /// light field by each call.
@@ -77,6 +84,7 @@ class LevelImages {
   const Geometry& geometry_;
   const RkvTree& tree_;
   int level_;
+  CodedRows rows_;
   std::vector<ImagePos> references_;
   std::vector<ImagePos> predictive_;
 };
@@ -84,7 +92,7 @@ class LevelImages {
 /// The decisions of one level. The walk calls, in this order:
 ///
 ///  1. take_key() or encode_reference() for each reference image, from many threads;
-///  2. decide_group() for each reference image, from one thread;
+///  2. decide_group() for each reference image whose group has images to predict, from one thread;
 ///  3. encode_predictive() for each predictive image, from many threads.
 ///
 /// 2 and 3 are left out where the level has no predictive images: references need not be kept then.
@@ -123,11 +131,9 @@ class DecisionStrategy {
 /// Thresholds on energies and full search (the paper): main_decisions.cpp.
 std::unique_ptr<DecisionStrategy> main_decisions(const EncodeParams& params);
 
-/// Rate and distortion, with all tools of profile extended: extended_decisions.cpp. `disparities`:
-/// those tried. Key errors are found by trial on `light_field`.
-std::unique_ptr<DecisionStrategy> extended_decisions(const LightField& light_field,
-                                                     const StreamHeader& header,
+/// Rate and distortion, with all tools of profile extended: extended_decisions.cpp.
+std::unique_ptr<DecisionStrategy> extended_decisions(const StreamHeader& header,
                                                      const EncodeParams& params,
-                                                     const DisparityRange& disparities);
+                                                     const LightFieldProbe& probe);
 
 }  // namespace hmlfc

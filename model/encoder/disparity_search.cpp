@@ -14,62 +14,108 @@ namespace {
 
 // At each end of the range, at most one block in this many has its match outside.
 constexpr int64_t kRareBlocks = 400;
+// A coarse search looks at every second row of blocks, where there are not few of them.
+constexpr uint32_t kRowsApart = 2;
+constexpr uint32_t kFewRows = 12;
+// A tile's disparities are looked for where a coarse look at some targets finds some.
+constexpr int32_t kCoarseStep = 3;
+constexpr int32_t kCoarseMargin = 4;
+constexpr size_t kCoarseTargets = 3;
 
-// Squared errors [d - lo][column] of one row of grid blocks.
+// What disparities leave to the residual, [d - lo][column], of grid blocks beside each other.
 class RowCosts {
  public:
-  RowCosts(const DisparitySearch& search, const DisparityRange& range, int32_t step)
+  // Blocks [bx0, bx1) of a row; candidates are `step` apart.
+  RowCosts(const DisparitySearch& search, const DisparityRange& range, int32_t step, uint32_t bx0,
+           uint32_t bx1)
       : search_(search),
         range_(range),
         step_(step),
-        blocks_x_(ceil_div(search.width, 1u << search.grid_log2)),
-        line_(size_t{search.width}),
-        predicted_(size_t{search.width}) {}
+        estimate_(search.lambda),
+        x_(bx0 << search.grid_log2),
+        width_(std::min(bx1 << search.grid_log2, search.width) - x_),
+        blocks_x_(bx1 - bx0),
+        predicted_(size_t{width_} * kSquare),
+        squares_(ceil_div(width_, kSquare)) {}
 
-  uint32_t blocks_x() const { return blocks_x_; }
   size_t candidates() const { return static_cast<size_t>((range_.hi - range_.lo) / step_) + 1; }
   int64_t at(size_t candidate, uint32_t bx) const { return costs_[candidate * blocks_x_ + bx]; }
 
-  void run(uint32_t by) {
+  // The first of the cheapest candidates.
+  size_t cheapest(uint32_t bx) const {
+    size_t best = 0;
+    for (size_t k = 1; k < candidates(); ++k) {
+      if (at(k, bx) < at(best, bx)) best = k;
+    }
+    return best;
+  }
+
+  // Row `by`, with every `apart`-th target.
+  void run(uint32_t by, size_t apart) {
     costs_.assign(candidates() * blocks_x_, 0);
     const uint32_t y0 = by << search_.grid_log2;
     const uint32_t y1 = std::min(y0 + (1u << search_.grid_log2), search_.height);
     for (size_t k = 0; k < candidates(); ++k) {
       const int32_t d = range_.lo + static_cast<int32_t>(k) * step_;
-      for (const SearchTarget& target : search_.targets) {
-        const MotionVector v =
-            disparity_vector(d, target.row_offset, target.col_offset, search_.rules);
-        const SubpelVector vector = subpel_vector(v, search_.vector_precision, false);
-        for (uint32_t y = y0; y < y1; ++y) add_line(target, vector, y, &costs_[k * blocks_x_]);
+      for (size_t i = apart / 2; i < search_.targets.size(); i += apart) {
+        const SearchTarget& target = search_.targets[i];
+        for (uint32_t y = y0; y < y1; y += kSquare) {
+          add_squares(target, d, y, std::min(y + kSquare, y1), &costs_[k * blocks_x_]);
+        }
       }
     }
   }
 
  private:
-  void add_line(const SearchTarget& target, const SubpelVector& vector, uint32_t y,
-                int64_t* costs) {
-    const Area area{0, static_cast<int32_t>(y), static_cast<int32_t>(search_.width), 1};
-    interpolate(*search_.reference, area, vector, line_.data());
-    combine(line_.data(), nullptr, area.width, predicted_.data());
-    const int16_t* row = target.plane->row(y).data();
-    const uint32_t size = 1u << search_.grid_log2;
-    for (uint32_t bx = 0; bx < blocks_x_; ++bx) {
-      const uint32_t end = std::min((bx + 1) * size, search_.width);
+  static constexpr uint32_t kSquare = 4;
+
+  // Adds the costs of `target` in rows [y, y1), at most four.
+  void add_squares(const SearchTarget& target, int32_t d, uint32_t y, uint32_t y1, int64_t* costs) {
+    std::array<DisplacedReference, 2> references{moved(target.first, d, y)};
+    const bool two = target.second.plane != nullptr;
+    if (two) references[1] = moved(target.second, d, y);
+    interpolate_rect(references, two ? 2 : 1, search_.bound,
+                     {predicted_.data(), width_, width_, y1 - y});
+    std::fill(squares_.begin(), squares_.end(), 0);
+    for (uint32_t j = 0; j < y1 - y; ++j) {
+      add_row(target.plane->row(y + j).data() + x_, predicted_.data() + size_t{j} * width_);
+    }
+    const uint32_t shift = search_.grid_log2 - 2;
+    for (size_t i = 0; i < squares_.size(); ++i) costs[i >> shift] += estimate_(squares_[i]);
+  }
+
+  void add_row(const int16_t* row, const int16_t* predicted) {
+    const uint32_t whole = width_ / kSquare;
+    for (uint32_t i = 0; i < whole; ++i) {
       int32_t sum = 0;
-      for (uint32_t x = bx * size; x < end; ++x) {
-        const int32_t error = row[x] - predicted_[x];
+      for (uint32_t k = i * kSquare; k < (i + 1) * kSquare; ++k) {
+        const int32_t error = row[k] - predicted[k];
         sum += error * error;
       }
-      costs[bx] += sum;
+      squares_[i] += sum;
     }
+    for (uint32_t x = whole * kSquare; x < width_; ++x) {
+      const int32_t error = row[x] - predicted[x];
+      squares_[whole] += error * error;
+    }
+  }
+
+  DisplacedReference moved(const SearchReference& reference, int32_t d, uint32_t y) const {
+    const MotionVector v =
+        disparity_vector(d, reference.row_offset, reference.col_offset, search_.rules);
+    return displaced(*reference.plane, static_cast<int32_t>(x_), static_cast<int32_t>(y),
+                     subpel_vector(v, search_.vector_precision, false));
   }
 
   const DisparitySearch& search_;
   DisparityRange range_;
   int32_t step_;
+  ResidualEstimate estimate_;
+  uint32_t x_;
+  uint32_t width_;
   uint32_t blocks_x_;
-  std::vector<int32_t> line_;
-  std::vector<int32_t> predicted_;
+  std::vector<int16_t> predicted_;  // of at most four rows
+  std::vector<int32_t> squares_;    // of four columns each
   std::vector<int64_t> costs_;
 };
 
@@ -125,36 +171,54 @@ class TileDisparities {
   std::vector<int64_t> costs_;
 };
 
-// The disparities of one row of tiles.
-void search_tile_row(const DisparitySearch& search, const DisparityRange& range, uint32_t ty,
-                     DisparityGrid& grid) {
-  const uint32_t per_tile = 1u << (search.tile_log2 - search.grid_log2);
-  const uint32_t by0 = ty * per_tile;
-  const uint32_t rows = std::min(per_tile, grid.blocks_y - by0);
-  const uint32_t tiles_x = ceil_div(grid.blocks_x, per_tile);
-  RowCosts costs(search, range, 1);
-  std::vector<TileDisparities> tiles;
-  for (uint32_t tx = 0; tx < tiles_x; ++tx) {
-    const uint32_t columns = std::min(per_tile, grid.blocks_x - tx * per_tile);
-    tiles.emplace_back(costs.candidates(), size_t{columns} * rows);
+// The grid blocks of one tile.
+struct TileBlocks {
+  uint32_t bx0, bx1, by0, by1;
+
+  uint32_t columns() const { return bx1 - bx0; }
+  size_t count() const { return size_t{columns()} * (by1 - by0); }
+};
+
+// The disparities in `range` that may be the best of a block, as a coarse look at some of the
+// targets shows.
+DisparityRange likely_range(const DisparitySearch& search, const DisparityRange& range,
+                            const TileBlocks& tile) {
+  RowCosts costs(search, range, kCoarseStep, tile.bx0, tile.bx1);
+  const size_t apart = ceil_div(search.targets.size(), kCoarseTargets);
+  DisparityRange likely{range.hi, range.lo};
+  for (uint32_t by = tile.by0; by < tile.by1; ++by) {
+    costs.run(by, std::max<size_t>(1, apart));
+    for (uint32_t bx = 0; bx < tile.columns(); ++bx) {
+      const int32_t best = range.lo + static_cast<int32_t>(costs.cheapest(bx)) * kCoarseStep;
+      likely.lo = std::min(likely.lo, best);
+      likely.hi = std::max(likely.hi, best);
+    }
   }
-  for (uint32_t j = 0; j < rows; ++j) {
-    costs.run(by0 + j);
-    for (uint32_t bx = 0; bx < grid.blocks_x; ++bx) {
-      const uint32_t tx = bx / per_tile;
-      const uint32_t columns = std::min(per_tile, grid.blocks_x - tx * per_tile);
+  return {std::max(range.lo, likely.lo - kCoarseMargin),
+          std::min(range.hi, likely.hi + kCoarseMargin)};
+}
+
+void search_tile(const DisparitySearch& search, const DisparityRange& range, const TileBlocks& tile,
+                 DisparityGrid& grid) {
+  const DisparityRange likely = likely_range(search, range, tile);
+  RowCosts costs(search, likely, 1, tile.bx0, tile.bx1);
+  TileDisparities disparities(costs.candidates(), tile.count());
+  const auto images = static_cast<int64_t>(search.images);
+  const auto targets = std::max<int64_t>(1, static_cast<int64_t>(search.targets.size()));
+  for (uint32_t by = tile.by0; by < tile.by1; ++by) {
+    costs.run(by, 1);
+    const size_t row = size_t{by - tile.by0} * tile.columns();
+    for (uint32_t bx = 0; bx < tile.columns(); ++bx) {
       for (size_t k = 0; k < costs.candidates(); ++k) {
-        tiles[tx].at(k, size_t{j} * columns + bx % per_tile) = costs.at(k, bx);
+        disparities.at(k, row + bx) = costs.at(k, bx) * images / targets;
       }
     }
   }
-  for (uint32_t tx = 0; tx < tiles_x; ++tx) {
-    const uint32_t columns = std::min(per_tile, grid.blocks_x - tx * per_tile);
-    const auto chosen = tiles[tx].choose(search.lambda);
-    for (size_t b = 0; b < chosen.size(); ++b) {
-      const size_t at = (by0 + b / columns) * grid.blocks_x + tx * per_tile + b % columns;
-      grid.values[at] = static_cast<int16_t>(range.lo + chosen[b]);
-    }
+  const auto chosen = disparities.choose(search.lambda);
+  for (size_t b = 0; b < chosen.size(); ++b) {
+    const size_t at =
+        (tile.by0 + b / tile.columns()) * grid.blocks_x + tile.bx0 + b % tile.columns();
+    grid.values[at] = static_cast<int16_t>(likely.lo + chosen[b]);
   }
 }
 
@@ -163,36 +227,38 @@ void search_tile_row(const DisparitySearch& search, const DisparityRange& range,
 CoarseResult coarse_disparities(const DisparitySearch& search, int32_t limit) {
   const int32_t step = std::max(1, (1 << search.disparity_precision) / 4);
   const DisparityRange all{-limit, limit};
-  RowCosts probe(search, all, step);
-  const size_t candidates = probe.candidates();
+  const uint32_t blocks_x = ceil_div(search.width, 1u << search.grid_log2);
+  const size_t candidates = RowCosts(search, all, step, 0, blocks_x).candidates();
   const uint32_t blocks_y = ceil_div(search.height, 1u << search.grid_log2);
-  std::vector<std::vector<int64_t>> counts(blocks_y, std::vector<int64_t>(candidates));
-  std::vector<int64_t> errors(blocks_y);
-  parallel_for(blocks_y, [&](size_t by) {
-    RowCosts costs(search, all, step);
-    costs.run(static_cast<uint32_t>(by));
-    for (uint32_t bx = 0; bx < costs.blocks_x(); ++bx) {
-      size_t best = 0;
-      for (size_t k = 1; k < candidates; ++k) {
-        if (costs.at(k, bx) < costs.at(best, bx)) best = k;
-      }
+  const uint32_t apart = blocks_y < kFewRows ? 1 : kRowsApart;
+  const uint32_t looked_at = blocks_y / apart;
+  std::vector<std::vector<int64_t>> counts(looked_at, std::vector<int64_t>(candidates));
+  std::vector<int64_t> errors(looked_at);
+  parallel_for(looked_at, [&](size_t by) {
+    RowCosts costs(search, all, step, 0, blocks_x);
+    costs.run(static_cast<uint32_t>(by) * apart + apart / 2, 1);
+    for (uint32_t bx = 0; bx < blocks_x; ++bx) {
+      const size_t best = costs.cheapest(bx);
       ++counts[by][best];
       errors[by] += costs.at(best, bx);
     }
   });
   std::vector<int64_t> total(candidates);
   CoarseResult result;
-  for (uint32_t by = 0; by < blocks_y; ++by) {
+  for (uint32_t by = 0; by < looked_at; ++by) {
     for (size_t k = 0; k < candidates; ++k) total[k] += counts[by][k];
     result.error += errors[by];
   }
-  const int64_t rare = int64_t{probe.blocks_x()} * blocks_y / kRareBlocks;
+  const int64_t rare = int64_t{blocks_x} * looked_at / kRareBlocks;
   size_t lo = 0;
   size_t hi = candidates - 1;
   for (int64_t sum = total[lo]; sum <= rare && lo < hi; sum += total[lo]) ++lo;
   for (int64_t sum = total[hi]; sum <= rare && hi > lo; sum += total[hi]) --hi;
-  result.range = {-limit + (static_cast<int32_t>(lo) - 1) * step,
-                  -limit + (static_cast<int32_t>(hi) + 1) * step};
+  // Small blocks and other groups go beyond what is found here.
+  const auto first = static_cast<int32_t>(lo);
+  const auto last = static_cast<int32_t>(hi);
+  const int32_t margin = 1 + (last - first + 2) / 3;
+  result.range = {-limit + (first - margin) * step, -limit + (last + margin) * step};
   return result;
 }
 
@@ -213,9 +279,16 @@ DisparityGrid search_disparities(const DisparitySearch& search, const DisparityR
   grid.blocks_x = ceil_div(search.width, 1u << search.grid_log2);
   grid.blocks_y = ceil_div(search.height, 1u << search.grid_log2);
   grid.values.resize(size_t{grid.blocks_x} * grid.blocks_y);
-  const uint32_t tiles_y = ceil_div(search.height, 1u << search.tile_log2);
-  parallel_for(tiles_y,
-               [&](size_t ty) { search_tile_row(search, range, static_cast<uint32_t>(ty), grid); });
+  const uint32_t per_tile = 1u << (search.tile_log2 - search.grid_log2);
+  const uint32_t tiles_x = ceil_div(grid.blocks_x, per_tile);
+  parallel_for(size_t{tiles_x} * ceil_div(grid.blocks_y, per_tile), [&](size_t i) {
+    const auto tx = static_cast<uint32_t>(i % tiles_x);
+    const auto ty = static_cast<uint32_t>(i / tiles_x);
+    if (!search.rows.has_strip(ty)) return;
+    const TileBlocks tile{tx * per_tile, std::min((tx + 1) * per_tile, grid.blocks_x),
+                          ty * per_tile, std::min((ty + 1) * per_tile, grid.blocks_y)};
+    search_tile(search, range, tile, grid);
+  });
   return grid;
 }
 

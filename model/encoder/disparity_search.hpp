@@ -9,22 +9,30 @@
 #include "arithmetic/motion.hpp"
 #include "encoder/padded_plane.hpp"
 #include "encoder/rate_distortion.hpp"
+#include "encoder/trial_sample.hpp"
 #include "syntax/geometry.hpp"
 #include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
 
-/// An image to be predicted, and its place relative to the reference.
-struct SearchTarget {
-  const SamplePlane* plane = nullptr;  ///< of plane Y, at least width x height samples
+/// What an image is predicted from, and where that is seen from the image.
+struct SearchReference {
+  const PaddedPlane* plane = nullptr;  ///< plane Y; null: there is none
   int32_t row_offset = 0;              ///< row of the reference less row of the image
   int32_t col_offset = 0;
 };
 
+/// An image to be predicted: from the first reference, or from both as MOT-9 says.
+struct SearchTarget {
+  const SamplePlane* plane = nullptr;  ///< plane Y, at least width x height samples
+  SearchReference first;
+  SearchReference second;
+};
+
 /// A search on all images of a reference group.
 struct DisparitySearch {
-  const PaddedPlane* reference = nullptr;
   std::vector<SearchTarget> targets;
+  size_t images = 0;  ///< whose costs the targets stand for, at least their number
   uint32_t width = 0;
   uint32_t height = 0;
   VectorRules rules;
@@ -32,6 +40,8 @@ struct DisparitySearch {
   unsigned disparity_precision = 0;
   unsigned grid_log2 = 3;
   unsigned tile_log2 = 6;
+  CodedRows rows;       ///< others get disparity 0
+  int32_t bound = 255;  ///< the largest magnitude in the references
   Lambda lambda;
 };
 
@@ -41,11 +51,11 @@ struct DisparityRange {
   int32_t hi = 0;
 };
 
-/// A search in plane Y by the rules of `header`: all but reference, targets and lambda.
+/// A search in plane Y by the rules of `header`: all but targets, images and lambda.
 DisparitySearch disparity_search(const StreamHeader& header);
 
 /// The range in which nearly all blocks find their best match, by a coarse search within [-limit,
-/// limit]; and the squared error that is left, to compare rules.
+/// limit] on a part of the rows; and the squared error that is left, to compare rules.
 struct CoarseResult {
   DisparityRange range;
   int64_t error = 0;
@@ -55,15 +65,5 @@ CoarseResult coarse_disparities(const DisparitySearch& search, int32_t limit);
 /// One disparity for each grid block: the cheapest in D + lambda R, tile by tile, as the level
 /// count of a tile bounds the disparities of its blocks.
 DisparityGrid search_disparities(const DisparitySearch& search, const DisparityRange& range);
-
-/// How far the views of a light field move against each other.
-struct FieldDisparity {
-  DisparityRange range;  ///< in units of the header's disparity_precision
-  int row_scale = 16;    ///< 16, or -16 where rows run against their parallax
-};
-
-/// Looks in the group of views in the middle of the grid, up to 12 samples per view. `header` has
-/// shared_disparity.
-FieldDisparity probe_disparities(const LightField& light_field, const StreamHeader& header);
 
 }  // namespace hmlfc

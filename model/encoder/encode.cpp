@@ -100,7 +100,7 @@ class Thresholds final : public Coarseness {
   int64_t first_;
 };
 
-// Profile extended: quarters of quality below 100. PSNR is about linear in quality.
+// Profile extended: eighths of quality below 100. PSNR is about linear in quality.
 class QualityLoss final : public Coarseness {
  public:
   explicit QualityLoss(const ExtendedParams& params)
@@ -108,7 +108,7 @@ class QualityLoss final : public Coarseness {
 
   int64_t first() const override { return first_; }
   int64_t coarsest() const override { return kMaxLoss; }
-  double tolerance_db() const override { return 0.03; }
+  double tolerance_db() const override { return 0.02; }
 
   void apply(int64_t coarseness, EncodeParams& params) const override {
     params.extended.quality = static_cast<double>(kMaxLoss - coarseness) / kParts;
@@ -132,7 +132,7 @@ class QualityLoss final : public Coarseness {
   }
 
  private:
-  static constexpr int64_t kParts = 4;
+  static constexpr int64_t kParts = 8;
   static constexpr int64_t kMaxLoss = 100 * kParts;
   static constexpr double kDbPerStep = 0.12 / kParts;
 
@@ -229,14 +229,14 @@ Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
   try {
     Encoded encoded;
     run_on_threads(params.threads, [&] {
-      const EncodeParams settled = settle_coding(light_field, complete, target_db);
-      const auto header = header_for(light_field.shape(), settled);
+      const SettledCoding settled = settle_coding(light_field, complete, target_db);
+      const auto header = header_for(light_field.shape(), settled.params);
       if (!header) {
         encoded = refused(kOutside);
         return;
       }
-      EncodeSession session(light_field, *header);
-      encoded = body(session, settled);
+      EncodeSession session(light_field, *header, settled.probe);
+      encoded = body(session, settled.params);
     });
     return encoded;
   } catch (const std::bad_alloc&) {

@@ -43,6 +43,7 @@ struct Walk {
   const EncodeObserver& observer;
   RkvTree& tree;
   CodedImages& coded;
+  const TrialSample* sample;
   std::mutex error_mutex;
 };
 
@@ -52,7 +53,7 @@ class LevelWalk {
   LevelWalk(Walk& walk, int level)
       : walk_(walk),
         geometry_(walk.geometry),
-        images_(walk.light_field, walk.header, walk.geometry, walk.tree, level),
+        images_(walk.light_field, walk.header, walk.geometry, walk.tree, level, walk.sample),
         decisions_(walk.strategy.begin_level(images_)) {}
 
   void run() {
@@ -60,7 +61,9 @@ class LevelWalk {
     const auto& predictive = images_.predictive();
     parallel_for(references.size(), [&](size_t i) { encode_reference(references[i]); });
     if (predictive.empty()) return;
-    for (const ImagePos at : references) code(at)[kMotionPlane] = decisions_->decide_group(at);
+    for (const ImagePos at : references) {
+      if (has_predictive(at)) code(at)[kMotionPlane] = decisions_->decide_group(at);
+    }
     parallel_for(predictive.size(), [&](size_t i) {
       const ImagePos at = predictive[i];
       finish(at, decisions_->encode_predictive(at, images_.original(at)));
@@ -70,6 +73,13 @@ class LevelWalk {
  private:
   ImageCode& code(ImagePos at) const {
     return walk_.coded.codes[static_cast<size_t>(geometry_.image_number(images_.level(), at))];
+  }
+
+  bool has_predictive(ImagePos reference) const {
+    const auto& predictive = images_.predictive();
+    return std::any_of(predictive.begin(), predictive.end(), [&](ImagePos at) {
+      return geometry_.reference_of(images_.level(), at) == reference;
+    });
   }
 
   void encode_reference(ImagePos at) {
@@ -104,7 +114,7 @@ class LevelWalk {
     if (walk_.observer.reconstructed) walk_.observer.reconstructed(level, at, image.samples);
     if (level > 0) {
       walk_.tree.at(geometry_, level, at) = std::move(image.samples);
-    } else {
+    } else if (walk_.sample == nullptr) {
       const ErrorSums error =
           view_error(walk_.light_field, at, image.samples, walk_.header.chroma_format);
       const std::scoped_lock lock(walk_.error_mutex);
@@ -133,13 +143,37 @@ void add_records(IndexWriter& index, PlaneCode& code, uint64_t tiles) {
 }  // namespace
 
 LevelImages::LevelImages(const LightField& light_field, const StreamHeader& header,
-                         const Geometry& geometry, const RkvTree& tree, int level)
+                         const Geometry& geometry, const RkvTree& tree, int level,
+                         const TrialSample* sample)
     : light_field_(light_field), header_(header), geometry_(geometry), tree_(tree), level_(level) {
+  if (sample != nullptr && level == 0) {
+    rows_ = sample->rows;
+    predictive_ = sample->images;
+    for (const ImagePos at : predictive_) {
+      for (const ImagePos place : reference_images(geometry, level, at)) {
+        const auto found = std::find(references_.begin(), references_.end(), place);
+        if (found == references_.end()) references_.push_back(place);
+      }
+    }
+    return;
+  }
+  rows_.log2 = std::max<unsigned>(5, header.motion_tile_log2);
   for (uint32_t r = 0; r < shape().rows; ++r) {
     for (uint32_t c = 0; c < shape().cols; ++c) {
       (geometry.is_reference(level, {r, c}) ? references_ : predictive_).push_back({r, c});
     }
   }
+}
+
+std::vector<ImagePos> LevelImages::members(ImagePos reference) const {
+  std::vector<ImagePos> members;
+  for (uint32_t r = 0; r < shape().rows; ++r) {
+    for (uint32_t c = 0; c < shape().cols; ++c) {
+      const ImagePos at{r, c};
+      if (at != reference && geometry_.reference_of(level_, at) == reference) members.push_back(at);
+    }
+  }
+  return members;
 }
 
 ImagePlanes LevelImages::original(ImagePos at) const {
@@ -153,28 +187,25 @@ const SamplePlane* LevelImages::parent(ImagePos at, Plane plane) const {
   return &tree_.at(geometry_, level_ + 1, above)[static_cast<size_t>(plane)];
 }
 
-EncodeSession::EncodeSession(const LightField& light_field, const StreamHeader& header)
-    : light_field_(light_field), header_(header), geometry_(header) {
-  if (header.has(Feature::kSharedDisparity)) {
-    const FieldDisparity found = probe_disparities(light_field, header);
-    header_.row_scale = found.row_scale;
-    disparities_ = found.range;
-  }
+EncodeSession::EncodeSession(const LightField& light_field, const StreamHeader& header,
+                             const LightFieldProbe& probe)
+    : light_field_(light_field), header_(header), probe_(probe), geometry_(header) {
+  if (header.has(Feature::kSharedDisparity)) header_.row_scale = probe.row_scale;
   originals_ = build_rkv_tree(light_field, geometry_, header.cluster_rows, header.cluster_cols);
   lossless_keys_.codestreams.resize(static_cast<size_t>(geometry_.key_count()) * kPlaneCount);
   lossless_keys_.crcs.resize(lossless_keys_.codestreams.size());
 }
 
 CodedImages EncodeSession::encode(const EncodeParams& params, bool last,
-                                  const EncodeObserver& observer) {
+                                  const EncodeObserver& observer, const TrialSample* sample) {
   const auto strategy = params.profile == Profile::kMain
                             ? main_decisions(params)
-                            : extended_decisions(light_field_, header_, params, disparities_);
+                            : extended_decisions(header_, params, probe_);
   CodedImages coded;
   coded.codes.resize(static_cast<size_t>(geometry_.image_count()));
   coded.keys = lossless_keys_;
   RkvTree tree = last ? std::move(originals_) : originals_;
-  Walk walk{light_field_, header_, geometry_, *strategy, observer, tree, coded, {}};
+  Walk walk{light_field_, header_, geometry_, *strategy, observer, tree, coded, sample, {}};
   for (int level = geometry_.top(); level >= 0; --level) {
     LevelWalk(walk, level).run();
     // The level above has served as parent for the last time.

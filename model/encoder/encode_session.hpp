@@ -35,15 +35,18 @@ struct CodedImages {
 /// top down, key images, stream. What does not depend on thresholds and quality is made once.
 class EncodeSession {
  public:
-  /// `light_field` must outlive the session. `header` comes from header_for(); its row_scale is
-  /// decided here.
-  EncodeSession(const LightField& light_field, const StreamHeader& header);
+  /// `light_field` and `probe` must outlive the session. `header` comes from header_for(); its
+  /// row_scale is that of `probe`.
+  EncodeSession(const LightField& light_field, const StreamHeader& header,
+                const LightFieldProbe& probe);
 
   const Geometry& geometry() const { return geometry_; }
 
   /// Codes all images with `params`, from which the header was made except for thresholds and
-  /// quality. `last`: the originals may be used up.
-  CodedImages encode(const EncodeParams& params, bool last, const EncodeObserver& observer);
+  /// quality. `last`: the originals may be used up. `sample`: for a trial, which gives no stream
+  /// and leaves `error` 0; null: everything.
+  CodedImages encode(const EncodeParams& params, bool last, const EncodeObserver& observer,
+                     const TrialSample* sample = nullptr);
 
   /// The whole stream; uses up `images`.
   std::vector<uint8_t> stream(CodedImages& images) const;
@@ -51,7 +54,7 @@ class EncodeSession {
  private:
   const LightField& light_field_;
   StreamHeader header_;
-  DisparityRange disparities_;
+  const LightFieldProbe& probe_;
   Geometry geometry_;
   RkvTree originals_;
   CodedKeys lossless_keys_;  // once coded, they serve every encoding

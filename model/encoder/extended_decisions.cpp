@@ -54,16 +54,18 @@ class ExtendedLevel final : public LevelDecisions {
 
   PlaneCode decide_group(ImagePos reference) override {
     if (!motion_) return {};
-    std::vector<SamplePlane> planes;
+    const std::vector<ImagePos> members = images_.members(reference);
     DisparitySearch search = disparity_search(header_);
-    for (const ImagePos at : images_.predictive()) {
-      if (geometry_.reference_of(images_.level(), at) != reference) continue;
+    search.images = members.size();
+    std::vector<SamplePlane> planes;
+    for (const ImagePos at : spread(members, settings_.effort.disparity_images)) {
       planes.push_back(motion_target(at, images_.original(at)[0]));
-      search.targets.push_back({nullptr, row_offset(reference, at), col_offset(reference, at)});
+      search.targets.push_back(search_target(at));
     }
     for (size_t i = 0; i < planes.size(); ++i) search.targets[i].plane = &planes[i];
     GroupReference& own = group(reference);
-    search.reference = &*own.planes[0];
+    search.rows = images_.rows();
+    search.bound = reference_bound(Plane::kY, header_.depth, images_.shape().keyed);
     search.lambda = settings_.lambda;
     own.grid = search_disparities(search, settings_.disparities);
     return disparity_records(own.grid);
@@ -85,9 +87,9 @@ class ExtendedLevel final : public LevelDecisions {
       image.code[kMotionPlane].append(write_motion_tile(tile, fields));
     }
     for (const Plane plane : kPlanes) {
-      const SamplePlane prediction =
-          predict_plane(sources, plane, images_.parent(at, plane),
-                        reference_planes(sources.places, static_cast<size_t>(plane)), tiles);
+      const SamplePlane prediction = predict_plane(
+          sources, plane, images_.parent(at, plane),
+          reference_planes(sources.places, static_cast<size_t>(plane)), tiles, images_.rows());
       encode_plane(plane, original, prediction, false, image);
     }
     return image;
@@ -117,10 +119,15 @@ class ExtendedLevel final : public LevelDecisions {
     const auto p = static_cast<size_t>(plane);
     ResidualPlane encoded =
         encode_residuals(geometry_, plane, header_.depth, original[p], prediction, is_reference,
-                         settings_.targets[p].residuals);
+                         settings_.targets[p].residuals,
+                         is_halved(plane) ? images_.rows().halved() : images_.rows());
     image.code[p] = std::move(encoded.code);
     image.samples[p] = std::move(encoded.samples);
     return std::move(encoded.residuals);
+  }
+
+  bool is_halved(Plane plane) const {
+    return plane != Plane::kY && header_.chroma_format == ChromaFormat::k420;
   }
 
   // The plane that motion is decided on: Y, at levels that are not keyed less the parent.
@@ -131,6 +138,31 @@ class ExtendedLevel final : public LevelDecisions {
       luma.samples[i] = static_cast<int16_t>(luma.samples[i] - above->samples[i]);
     }
     return luma;
+  }
+
+  // At most `count` of `members`, evenly spread.
+  static std::vector<ImagePos> spread(const std::vector<ImagePos>& members, size_t count) {
+    if (members.size() <= count) return members;
+    std::vector<ImagePos> some;
+    for (size_t i = 0; i < count; ++i) {
+      some.push_back(members[(2 * i + 1) * members.size() / (2 * count)]);
+    }
+    return some;
+  }
+
+  // Where image `at` is predicted from unless a motion tile says otherwise: K0, and K1 if there is
+  // one and a trial does not leave it out.
+  SearchTarget search_target(ImagePos at) {
+    const ReferenceImages places = reference_images(geometry_, images_.level(), at);
+    const auto reference = [&](ImagePos place) {
+      const auto& plane = group(place).planes[0];
+      return SearchReference{plane ? &*plane : nullptr, row_offset(place, at),
+                             col_offset(place, at)};
+    };
+    SearchTarget target{nullptr, reference(places[0]), {}};
+    const bool two = header_.has(Feature::kTwoReferences) && images_.shape().keyed;
+    if (two && places[1] != places[0]) target.second = reference(places[1]);
+    return target;
   }
 
   // The records of the disparities of one group (MOT-6).
@@ -172,7 +204,7 @@ class ExtendedLevel final : public LevelDecisions {
   std::vector<MotionTileCode> decide_tiles(const MotionSources& sources, const SamplePlane& luma) {
     const SamplePlane target = motion_target(sources.at, luma);
     return decide_motion({sources, target, reference_planes(sources.places, 0),
-                          settings_.effort.choices, settings_.lambda});
+                          settings_.effort.choices, settings_.lambda, images_.rows()});
   }
 
   const Settings& settings_;
@@ -188,7 +220,7 @@ class ExtendedDecisions final : public DecisionStrategy {
   explicit ExtendedDecisions(Settings settings) : settings_(std::move(settings)) {}
 
   double key_error(Plane plane) const override {
-    return settings_.targets[static_cast<size_t>(plane)].key_error;
+    return settings_.targets[static_cast<size_t>(plane)].key.asked;
   }
 
   std::unique_ptr<LevelDecisions> begin_level(const LevelImages& images) const override {
@@ -201,13 +233,12 @@ class ExtendedDecisions final : public DecisionStrategy {
 
 }  // namespace
 
-std::unique_ptr<DecisionStrategy> extended_decisions(const LightField& light_field,
-                                                     const StreamHeader& header,
+std::unique_ptr<DecisionStrategy> extended_decisions(const StreamHeader& header,
                                                      const EncodeParams& params,
-                                                     const DisparityRange& disparities) {
-  return std::make_unique<ExtendedDecisions>(Settings{
-      plane_targets(light_field, header, params), lambda_of_quality(params.extended.quality),
-      effort_of(params.extended.preset), disparities});
+                                                     const LightFieldProbe& probe) {
+  return std::make_unique<ExtendedDecisions>(
+      Settings{plane_targets(header, params, probe), lambda_of_quality(params.extended.quality),
+               effort_of(params.extended.preset), probe.disparities});
 }
 
 }  // namespace hmlfc

@@ -13,17 +13,19 @@ namespace {
 constexpr int32_t kMaxCellSamples = 32 * 32;
 constexpr unsigned kMaxMotionLog2 = 5;
 
-using CellSamples = std::array<int32_t, kMaxCellSamples>;
+using CellSamples = std::array<int16_t, kMaxCellSamples>;
 
-// Squared errors of one grid block ("cell") under every symbol.
+// What one grid block ("cell") leaves to the residual (ResidualEstimate) under every symbol.
 class CellErrors {
  public:
   CellErrors(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
       : task_(task),
+        estimate_(task.lambda),
         sources_(task.sources),
         symbols_(symbols),
         sets_(task.sources.two_references() ? 8 : 1),
-        size_(1 << sources_.header.disparity_grid_log2) {}
+        size_(1 << sources_.header.disparity_grid_log2),
+        bound_(reference_bound(Plane::kY, sources_.header.depth, sources_.keyed)) {}
 
   // `errors` has one entry per symbol.
   void run(uint32_t gx, uint32_t gy, int64_t* errors) {
@@ -35,7 +37,7 @@ class CellErrors {
     for (size_t s = 0; s < symbols_.size(); ++s) {
       const PaletteEntry& symbol = symbols_[s];
       if (symbol.choice == kChoiceNone) {
-        errors[s] = squares(nullptr, false);
+        errors[s] = left_by(nullptr, false);
         continue;
       }
       const int32_t d = sources_.disparity(gx, gy, symbol.choice);
@@ -50,20 +52,34 @@ class CellErrors {
   };
 
   void load_target() {
-    int32_t* out = target_.data();
+    int16_t* out = target_.data();
     for (int32_t j = 0; j < area_.height; ++j) {
       const int16_t* row = task_.target.row(static_cast<uint32_t>(area_.y + j)).data() + area_.x;
       for (int32_t i = 0; i < area_.width; ++i) *out++ = row[i];
     }
   }
 
-  int64_t squares(const int32_t* prediction, bool negative) const {
+  // `prediction` may be null: 0.
+  int64_t left_by(const int16_t* prediction, bool negative) const {
     int64_t sum = 0;
-    for (int32_t i = 0; i < area_.samples(); ++i) {
-      const auto k = static_cast<size_t>(i);
-      const int32_t p = prediction == nullptr ? 0 : negative ? -prediction[i] : prediction[i];
-      const int32_t error = target_[k] - p;
-      sum += error * error;
+    for (int32_t y = 0; y < area_.height; y += 4) {
+      for (int32_t x = 0; x < area_.width; x += 4) {
+        sum += estimate_(squares(prediction, negative, x, y));
+      }
+    }
+    return sum;
+  }
+
+  // The squared error of the 4x4 samples from (x, y) on that lie inside.
+  int64_t squares(const int16_t* prediction, bool negative, int32_t x, int32_t y) const {
+    int32_t sum = 0;
+    for (int32_t j = y; j < std::min(y + 4, area_.height); ++j) {
+      for (int32_t i = x; i < std::min(x + 4, area_.width); ++i) {
+        const auto k = static_cast<size_t>(j * area_.width + i);
+        const int32_t p = prediction == nullptr ? 0 : negative ? -prediction[k] : prediction[k];
+        const int32_t error = target_[k] - p;
+        sum += error * error;
+      }
     }
     return sum;
   }
@@ -72,29 +88,33 @@ class CellErrors {
     for (const Known& known : known_) {
       if (known.disparity == d) return known.errors;
     }
-    std::array<CellSamples, 4> parts;
-    for (size_t k = 0; k < (sets_ > 1 ? 4 : 1); ++k) {
-      interpolate(*task_.references[k], area_, sources_.vector(k, d, false), parts[k].data());
-    }
     Known known{d, {}};
     CellSamples prediction;
+    const PredictionTarget target{prediction.data(), static_cast<size_t>(area_.width),
+                                  static_cast<unsigned>(area_.width),
+                                  static_cast<unsigned>(area_.height)};
     for (unsigned set = 0; set < sets_; ++set) {
       const ReferenceSet refs = references_of_set(set);
-      combine(parts[refs.reference[0]].data(),
-              refs.count == 1 ? nullptr : parts[refs.reference[1]].data(), area_.samples(),
-              prediction.data());
-      known.errors[set] = squares(prediction.data(), false);
-      if (!sources_.keyed) known.errors[set + 8] = squares(prediction.data(), true);
+      std::array<DisplacedReference, 2> parts;
+      for (size_t i = 0; i < refs.count; ++i) {
+        const size_t k = refs.reference[i];
+        parts[i] = displaced(*task_.references[k], area_.x, area_.y, sources_.vector(k, d, false));
+      }
+      interpolate_rect(parts, refs.count, bound_, target);
+      known.errors[set] = left_by(prediction.data(), false);
+      if (!sources_.keyed) known.errors[set + 8] = left_by(prediction.data(), true);
     }
     known_.push_back(known);
     return known_.back().errors;
   }
 
   const MotionTask& task_;
+  ResidualEstimate estimate_;
   const MotionSources& sources_;
   const std::vector<PaletteEntry>& symbols_;
   unsigned sets_;  // reference sets there are
   int32_t size_;
+  int32_t bound_;
   Area area_;
   CellSamples target_;
   std::vector<Known> known_;
@@ -269,6 +289,7 @@ std::vector<MotionTileCode> decide_motion(const MotionTask& task) {
   const std::vector<PaletteEntry> symbols = candidate_symbols(task.sources, task.choices);
   std::vector<MotionTileCode> tiles(static_cast<size_t>(shape.tiles()));
   parallel_for(shape.tiles_y, [&](size_t ty) {
+    if (!task.rows.has_strip(static_cast<uint32_t>(ty))) return;
     TileDecision decision(task, symbols);
     for (uint32_t tx = 0; tx < shape.tiles_x; ++tx) {
       tiles[ty * shape.tiles_x + tx] = decision.run(tx, static_cast<uint32_t>(ty));

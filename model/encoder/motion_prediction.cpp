@@ -26,7 +26,7 @@ std::vector<uint8_t> reference_sets(const MotionSources& sources) {
   return sets;
 }
 
-using BlockSamples = std::array<int32_t, size_t{kMaxBlockSize} * kMaxBlockSize>;
+using BlockSamples = std::array<int16_t, size_t{kMaxBlockSize} * kMaxBlockSize>;
 
 class PlanePredictor {
  public:
@@ -41,12 +41,14 @@ class PlanePredictor {
         motion_(sources.geometry.motion_planes()[sources.geometry.motion_plane_of(plane)]),
         halved_(plane != Plane::kY && motion_.halves),
         size_(static_cast<int32_t>(sources.geometry.block_size())),
-        range_(sample_range(plane, sources.header.depth)) {}
+        range_(sample_range(plane, sources.header.depth)),
+        bound_(reference_bound(plane, sources.header.depth, sources.keyed)) {}
 
-  SamplePlane run() const {
+  SamplePlane run(const CodedRows& rows) const {
     const auto size = static_cast<uint32_t>(size_);
     SamplePlane plane(shape_.blocks_x * size, shape_.blocks_y * size);
     for (uint32_t by = 0; by < shape_.blocks_y; ++by) {
+      if (!rows.has(by * size * (halved_ ? 2 : 1))) continue;
       for (uint32_t bx = 0; bx < shape_.blocks_x; ++bx) predict(bx, by, plane);
     }
     return plane;
@@ -104,13 +106,13 @@ class PlanePredictor {
   void read_references(const PaletteEntry& symbol, int32_t d, const Area& area,
                        BlockSamples& out) const {
     const ReferenceSet refs = references_of_set(symbol.reference_set);
-    BlockSamples parts[2];
+    std::array<DisplacedReference, 2> parts;
     for (size_t i = 0; i < refs.count; ++i) {
       const size_t k = refs.reference[i];
-      interpolate(*references_[k], area, sources_.vector(k, d, halved_), parts[i].data());
+      parts[i] = displaced(*references_[k], area.x, area.y, sources_.vector(k, d, halved_));
     }
-    combine(parts[0].data(), refs.count == 2 ? parts[1].data() : nullptr, area.samples(),
-            out.data());
+    const auto size = static_cast<unsigned>(size_);
+    interpolate_rect(parts, refs.count, bound_, {out.data(), size, size, size});
   }
 
   const MotionSources& sources_;
@@ -123,6 +125,7 @@ class PlanePredictor {
   bool halved_;
   int32_t size_;
   SampleRange range_;
+  int32_t bound_;
 };
 
 }  // namespace
@@ -142,39 +145,10 @@ std::vector<PaletteEntry> candidate_symbols(const MotionSources& sources, unsign
   return symbols;
 }
 
-void interpolate(const PaddedPlane& reference, const Area& area, const SubpelVector& vector,
-                 int32_t* out) {
-  const ptrdiff_t stride = reference.stride();
-  const int16_t* row = reference.at(area.x + vector.ix, area.y + vector.iy);
-  const TapWeights w = tap_weights(vector.fx, vector.fy);
-  // Taps of weight 0 are not read: they may lie outside the padded plane.
-  for (int32_t j = 0; j < area.height; ++j, row += stride, out += area.width) {
-    const int16_t* next = row + stride;
-    if (vector.fx == 0 && vector.fy == 0) {
-      for (int32_t i = 0; i < area.width; ++i) out[i] = w[0] * row[i];
-    } else if (vector.fy == 0) {
-      for (int32_t i = 0; i < area.width; ++i) out[i] = w[0] * row[i] + w[1] * row[i + 1];
-    } else if (vector.fx == 0) {
-      for (int32_t i = 0; i < area.width; ++i) out[i] = w[0] * row[i] + w[2] * next[i];
-    } else {
-      for (int32_t i = 0; i < area.width; ++i) {
-        out[i] = weighted_sum(w, {row[i], row[i + 1], next[i], next[i + 1]});
-      }
-    }
-  }
-}
-
-void combine(const int32_t* first, const int32_t* second, int32_t samples, int32_t* out) {
-  for (int32_t i = 0; i < samples; ++i) {
-    out[i] = second == nullptr ? one_reference_value(first[i])
-                               : two_reference_value(first[i], second[i]);
-  }
-}
-
 SamplePlane predict_plane(const MotionSources& sources, Plane plane, const SamplePlane* parent,
-                          const ReferencePlanes& references,
-                          std::span<const MotionTileCode> tiles) {
-  return PlanePredictor(sources, plane, parent, references, tiles).run();
+                          const ReferencePlanes& references, std::span<const MotionTileCode> tiles,
+                          const CodedRows& rows) {
+  return PlanePredictor(sources, plane, parent, references, tiles).run(rows);
 }
 
 }  // namespace hmlfc

@@ -9,7 +9,10 @@
 #include <hmlfc/format.hpp>
 
 #include "arithmetic/motion.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "decoder/fast/interpolate.hpp"
 #include "encoder/padded_plane.hpp"
+#include "encoder/trial_sample.hpp"
 #include "syntax/geometry.hpp"
 #include "syntax/motion_tile.hpp"
 
@@ -77,16 +80,25 @@ struct Area {
   int32_t samples() const { return width * height; }
 };
 
-/// I(x, y) over `area`, row by row, without gaps, into `out`: 64 times the prediction.
-void interpolate(const PaddedPlane& reference, const Area& area, const SubpelVector& vector,
-                 int32_t* out);
+/// What `reference` holds for position (x, y) and those to the right and below, moved by `vector`.
+inline DisplacedReference displaced(const PaddedPlane& reference, int32_t x, int32_t y,
+                                    const SubpelVector& vector) {
+  return {{reference.at(x + vector.ix, y + vector.iy), static_cast<size_t>(reference.stride())},
+          vector.fx,
+          vector.fy};
+}
 
-/// R(x, y) from one I (second = null) or two (MOT-9).
-void combine(const int32_t* first, const int32_t* second, int32_t samples, int32_t* out);
+/// The largest magnitude in plane `plane` of a reference image, which is a key image if `keyed`.
+constexpr int32_t reference_bound(Plane plane, int depth, bool keyed) {
+  const SampleRange range = sample_range(plane, depth);
+  return keyed ? range.hi : range.bound;
+}
 
-/// A(x, y) of DEC-3 for every block of `plane`, in whole blocks. `parent`: whole blocks, null where
-/// it is 0; `references`: of `plane`; `tiles`: of the motion plane.
+/// A(x, y) of DEC-3 for every block of `plane` that begins in `rows` of plane Y, in whole blocks.
+/// `parent`: whole blocks, null where it is 0; `references`: of `plane`; `tiles`: of the motion
+/// plane.
 SamplePlane predict_plane(const MotionSources& sources, Plane plane, const SamplePlane* parent,
-                          const ReferencePlanes& references, std::span<const MotionTileCode> tiles);
+                          const ReferencePlanes& references, std::span<const MotionTileCode> tiles,
+                          const CodedRows& rows);
 
 }  // namespace hmlfc

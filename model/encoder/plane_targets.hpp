@@ -4,8 +4,8 @@
 #include <array>
 
 #include <hmlfc/encoder.hpp>
-#include <hmlfc/light_field.hpp>
 
+#include "encoder/light_field_probe.hpp"
 #include "encoder/residual_decision.hpp"
 
 namespace hmlfc {
@@ -13,14 +13,14 @@ namespace hmlfc {
 /// How good a plane has to be.
 struct PlaneTarget {
   ResidualRules residuals;
-  double key_error = 0;  ///< mean squared error of key images; 0 means lossless
+  KeyPoint key;  ///< of key images; asked = 0 means lossless
 };
 using PlaneTargets = std::array<PlaneTarget, kPlaneCount>;
 
 /// How much is tried.
 struct SearchEffort {
-  unsigned choices = 9;       ///< of MotionTask
-  unsigned steps_around = 1;  ///< of ResidualRules
+  unsigned choices = 9;          ///< of MotionTask
+  size_t disparity_images = 12;  ///< of a group, on which its disparities are tried
 };
 SearchEffort effort_of(Preset preset);
 
@@ -28,9 +28,9 @@ SearchEffort effort_of(Preset preset);
 /// below; quality in [0, 100].
 Lambda lambda_of_quality(double quality);
 
-/// Lambda, step and key error of every plane. Key errors are found on the middle key image of the
-/// views, so that a key image costs about what it saves in all images predicted from it.
-PlaneTargets plane_targets(const LightField& light_field, const StreamHeader& header,
-                           const EncodeParams& params);
+/// Lambda, step and key error of every plane. A key image costs about what it saves in all images
+/// predicted from it.
+PlaneTargets plane_targets(const StreamHeader& header, const EncodeParams& params,
+                           const LightFieldProbe& probe);
 
 }  // namespace hmlfc

@@ -1,6 +1,8 @@
 // The trade of squared error against bits, in integers.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 
 namespace hmlfc {
@@ -14,6 +16,36 @@ struct Lambda {
   constexpr int64_t cost(int64_t squared_error, int64_t bits) const {
     return squared_error * 256 + scaled * bits;
   }
+};
+
+/// 256 * log2(x) for x >= 1, linear between powers of two: at most 22 too low.
+constexpr int64_t log2_in_256ths(int64_t x) {
+  const auto whole = static_cast<int>(std::bit_width(static_cast<uint64_t>(x))) - 1;
+  const int64_t beyond = x - (int64_t{1} << whole);
+  return 256 * whole + (whole >= 8 ? beyond >> (whole - 8) : beyond << (8 - whole));
+}
+
+/// What motion leaves of a block of 4x4 samples, as D + lambda R in units of squared error once its
+/// residual is coded where that pays. With a step of sqrt(10 lambda), as steps are chosen, a
+/// residual pays from about 41 lambda on; then each doubling of the energy takes half a bit a
+/// sample.
+class ResidualEstimate {
+ public:
+  explicit constexpr ResidualEstimate(Lambda lambda)
+      : least_(std::max<int64_t>(1, 41 * lambda.scaled >> 8)),
+        log_least_(log2_in_256ths(least_)),
+        lambda_(lambda) {}
+
+  /// `energy`: the sum of the block's squared errors.
+  constexpr int64_t operator()(int64_t energy) const {
+    if (energy <= least_) return energy;
+    return least_ + ((8 * lambda_.scaled * (log2_in_256ths(energy) - log_least_)) >> 16);
+  }
+
+ private:
+  int64_t least_;
+  int64_t log_least_;
+  Lambda lambda_;
 };
 
 /// About what a tile that is not empty takes in the index and by padding to whole bytes.

@@ -2,40 +2,27 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <limits>
-#include <tuple>
 #include <utility>
 
 #include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"
+#include "arithmetic/rounding.hpp"
 #include "bits/bit_string.hpp"
+#include "encoder/residual_costs.hpp"
 #include "encoder/residual_writer.hpp"
 #include "syntax/tile_masks.hpp"
 
 namespace hmlfc {
 namespace {
 
-// Level codes 1 to kCodes - 1 are tried: up to 128 levels.
-constexpr unsigned kCodes = 19;
 constexpr size_t kBlocks = size_t{kTileBlocks} * kTileBlocks;
-constexpr int64_t kNever = std::numeric_limits<int64_t>::max() / 4;
+constexpr unsigned kMaxStepBits = 2;
+constexpr unsigned kMaxLevelBits = 3;
 
 // mask_mode 2, level_base 6, level_bits 3, bias_bits 4, step_base 4, step_bits 2.
 constexpr int64_t kResidualHeadBits = 21;
 // About what a block takes in a mask.
 constexpr int64_t kMaskBitsPerBlock = 2;
-
-// Nearest multiple of `step`, halves towards 0.
-int32_t quantized(int32_t value, int32_t step) {
-  const int32_t magnitude = (2 * (value < 0 ? -value : value) + step - 1) / (2 * step);
-  return value < 0 ? -magnitude : magnitude;
-}
-
-int32_t lowest(const Levels& levels) { return -static_cast<int32_t>(levels.count >> 1); }
-int32_t highest(const Levels& levels) {
-  return lowest(levels) + static_cast<int32_t>(levels.count) - 1;
-}
 
 int64_t energy(const BlockValues& block) {
   int64_t sum = 0;
@@ -43,124 +30,168 @@ int64_t energy(const BlockValues& block) {
   return sum;
 }
 
-// The costs of one block with one step: without residual, and with each level code.
-struct BlockCosts {
-  int64_t zero = 0;
-  std::array<int64_t, kCodes> coded{};
+// A block that may get a residual: its costs by step and width of the bias.
+struct Candidate {
+  size_t block = 0;
+  ResidualCosts weighed;
+  std::vector<std::array<LevelCosts, kTriedBiasBits.size()>> costs;
 };
 
-// Costs of all blocks with one step.
-class StepDecision {
+// The head of a tile's record. Steps count from the first one tried.
+struct Head {
+  unsigned first_step = 0;
+  unsigned step_bits = 0;
+  size_t bias = 0;  // of kTriedBiasBits
+  unsigned level_base = 0;
+  unsigned level_bits = 0;
+
+  unsigned header_bits() const { return level_bits + step_bits + kTriedBiasBits[bias]; }
+};
+
+// The cheapest head of one tile, and what each block gets with it.
+class HeadSearch {
  public:
-  StepDecision(std::span<const BlockValues> differences, const TileContext& context, Lambda lambda,
-               unsigned step_code)
+  HeadSearch(std::span<const BlockValues> differences, const TileContext& context,
+             const ResidualRules& rules)
       : differences_(differences),
         context_(context),
-        lambda_(lambda),
-        step_code_(step_code),
-        step_(step_of_code(step_code)) {
-    for (size_t k = 0; k < kBlocks; ++k) {
-      if (has_bit(context_.blocks_inside, static_cast<unsigned>(k))) weigh(k);
-    }
-  }
+        lambda_(rules.lambda),
+        first_step_(rules.step_code - std::min(rules.step_code, rules.steps_below)),
+        steps_(std::min(kMaxStepCode, rules.step_code + rules.steps_above) - first_step_ + 1) {}
 
-  // Finds the cheapest mask and level codes, whose cost is cost().
-  void run() {
-    for (unsigned bits = 0; bits <= 4; ++bits) {
-      for (unsigned base = 1; base + (1u << bits) <= kCodes; ++base) try_levels(base, bits);
-    }
-  }
-
-  int64_t cost() const { return cost_; }
-
-  ResidualTile tile() const {
-    ResidualTile tile;
-    tile.step_code = step_code_;
-    for (size_t k = 0; k < kBlocks; ++k) {
-      if (codes_[k] == 0) continue;
-      const Levels levels = levels_of_code(codes_[k]);
-      BlockValues block = differences_[k];
-      for (size_t i = 0; i < block.size(); ++i) {
-        block[i] = clamp(quantized(block[i], step_), lowest(levels), highest(levels));
+  ResidualTile run() {
+    if (!collect()) return {};
+    for (size_t bias = 0; bias < kTriedBiasBits.size(); ++bias) {
+      for (unsigned bits = 0; bits <= kMaxStepBits; ++bits) {
+        for (unsigned step = 0; step + (1u << bits) <= steps_; ++step) try_steps(step, bits, bias);
       }
-      const auto values = block.span();
-      if (std::all_of(values.begin(), values.end(), [](int32_t v) { return v == 0; })) continue;
-      tile.mask |= uint64_t{1} << k;
-      tile.blocks.push_back(block);
     }
-    return tile;
+    return tile();
   }
 
  private:
-  void weigh(size_t k) {
-    const BlockValues& block = differences_[k];
-    BlockCosts& costs = costs_[k];
-    costs.coded.fill(kNever);
-    costs.zero = lambda_.cost(energy(block), 0);
-    // A code whose bits alone cost more than the cheapest so far is skipped.
-    int64_t least = costs.zero;
-    int64_t error = 0;
-    bool clipped = true;
-    for (unsigned code = 1; code < kCodes; ++code) {
-      const Levels levels = levels_of_code(code);
-      const auto bits = static_cast<int64_t>(bise_bits(levels, context_.block_samples));
-      if (lambda_.cost(0, bits) > least) break;
-      // More levels than needed only cost bits.
-      if (clipped) std::tie(error, clipped) = quantisation_error(block, levels);
-      costs.coded[code] = lambda_.cost(error, bits);
-      least = std::min(least, costs.coded[code]);
-    }
-  }
-
-  // The squared error that `levels` leave, and whether more levels would leave less.
-  std::pair<int64_t, bool> quantisation_error(const BlockValues& block,
-                                              const Levels& levels) const {
-    int64_t error = 0;
-    bool clipped = false;
-    for (const int32_t value : block.span()) {
-      const int32_t exact = quantized(value, step_);
-      const int32_t kept = clamp(exact, lowest(levels), highest(levels));
-      const int64_t left = value - int64_t{kept} * step_;
-      error += left * left;
-      clipped = clipped || kept != exact;
-    }
-    return {error, clipped};
-  }
-
-  void try_levels(unsigned base, unsigned bits) {
-    const unsigned end = base + (1u << bits);
-    std::array<uint8_t, kBlocks> codes{};
-    int64_t total = 0;
-    uint64_t mask = 0;
+  // Weighs the blocks that may be worth a residual. False: all together they are not worth a head.
+  bool collect() {
+    int64_t most = 0;
     for (size_t k = 0; k < kBlocks; ++k) {
       if (!has_bit(context_.blocks_inside, static_cast<unsigned>(k))) continue;
-      const BlockCosts& costs = costs_[k];
-      const auto best = std::min_element(costs.coded.begin() + base, costs.coded.begin() + end);
-      const int64_t coded = *best + lambda_.cost(0, bits + kMaskBitsPerBlock);
-      if (*best < kNever && coded < costs.zero) {
-        codes[k] = static_cast<uint8_t>(best - costs.coded.begin());
-        mask |= uint64_t{1} << k;
-        total += *best + lambda_.cost(0, bits);
-      } else {
-        total += costs.zero;
+      Candidate candidate{k, {differences_[k], lambda_}, {}};
+      const int64_t least = lambda_.cost(0, kMaskBitsPerBlock);
+      if (candidate.weighed.zero() <= least) continue;
+      candidate.costs.resize(steps_);
+      int64_t best = kNever;
+      for (unsigned s = 0; s < steps_; ++s) {
+        candidate.weighed.weigh(step_of_code(first_step_ + s), candidate.costs[s]);
+        for (const LevelCosts& row : candidate.costs[s]) {
+          best = std::min(best, *std::min_element(row.begin(), row.end()));
+        }
+      }
+      if (best + least >= candidate.weighed.zero()) continue;
+      most += candidate.weighed.zero() - best - least;
+      candidates_.push_back(std::move(candidate));
+    }
+    return most > lambda_.cost(0, kResidualHeadBits + kTileOverheadBits);
+  }
+
+  // All level_base and level_bits with steps [step, step + 2^step_bits - 1] and one bias width.
+  void try_steps(unsigned step, unsigned step_bits, size_t bias) {
+    std::array<std::array<int64_t, kTriedCodes>, kMaxLevelBits + 1> gains{};
+    Head head{step, step_bits, bias, 0, 0};
+    for (const Candidate& candidate : candidates_) {
+      LevelCosts row = candidate.costs[step][bias];
+      for (unsigned s = step + 1; s < step + (1u << step_bits); ++s) {
+        const LevelCosts& other = candidate.costs[s][bias];
+        for (size_t c = 0; c < kTriedCodes; ++c) row[c] = std::min(row[c], other[c]);
+      }
+      const int64_t most = candidate.weighed.zero();
+      for (unsigned bits = 0; bits <= kMaxLevelBits; ++bits) {
+        head.level_bits = bits;
+        const int64_t spent = most - lambda_.cost(0, head.header_bits() + kMaskBitsPerBlock);
+        for (size_t c = 0; c < kTriedCodes; ++c)
+          gains[bits][c] += std::max<int64_t>(0, spent - row[c]);
+        // Now row[c] is the least of codes c to c + 2^(bits + 1) - 1.
+        const size_t half = size_t{1} << bits;
+        for (size_t c = 0; c + half < kTriedCodes; ++c) row[c] = std::min(row[c], row[c + half]);
       }
     }
-    if (mask == 0) return;
-    const uint32_t mode = mask_mode(mask, context_.blocks_inside);
-    total += lambda_.cost(0, mask_bits(mask, mode) + kResidualHeadBits + kTileOverheadBits);
-    if (total >= cost_) return;
-    cost_ = total;
-    codes_ = codes;
+    for (unsigned bits = 0; bits <= kMaxLevelBits; ++bits) {
+      for (unsigned base = 0; base + (1u << bits) <= kTriedCodes; ++base) {
+        if (gains[bits][base] <= best_gain_) continue;
+        best_gain_ = gains[bits][base];
+        best_ = {step, step_bits, bias, base, bits};
+      }
+    }
+  }
+
+  // The tile with the best head, if that costs less than no residual.
+  ResidualTile tile() {
+    ResidualTile tile;
+    if (best_gain_ == 0) return tile;
+    tile.fields.level_base = best_.level_base;
+    tile.fields.level_bits = best_.level_bits;
+    tile.fields.bias_bits = kTriedBiasBits[best_.bias];
+    tile.fields.step_base = first_step_ + best_.first_step;
+    tile.fields.step_bits = best_.step_bits;
+    const int64_t header = lambda_.cost(0, best_.header_bits());
+    int64_t gain = 0;
+    for (Candidate& candidate : candidates_) {
+      const Choice choice = cheapest(candidate);
+      const int64_t own = candidate.weighed.zero() - choice.cost - header;
+      if (own <= lambda_.cost(0, kMaskBitsPerBlock)) continue;
+      gain += own;
+      tile.mask |= uint64_t{1} << candidate.block;
+      add_block(candidate, choice, tile);
+    }
+    const uint32_t mode = mask_mode(tile.mask, context_.blocks_inside);
+    const int64_t bits = mask_bits(tile.mask, mode) + kResidualHeadBits + kTileOverheadBits;
+    if (gain <= lambda_.cost(0, bits)) return {};
+    return tile;
+  }
+
+  struct Choice {
+    int64_t cost = kNever;
+    unsigned step_code = 0;
+    unsigned level_code = 0;
+  };
+
+  Choice cheapest(const Candidate& candidate) const {
+    Choice best;
+    for (unsigned s = best_.first_step; s < best_.first_step + (1u << best_.step_bits); ++s) {
+      const LevelCosts& row = candidate.costs[s][best_.bias];
+      for (unsigned c = best_.level_base; c < best_.level_base + (1u << best_.level_bits); ++c) {
+        if (row[c] < best.cost) best = {row[c], first_step_ + s, c};
+      }
+    }
+    return best;
+  }
+
+  void add_block(Candidate& candidate, const Choice& choice, ResidualTile& tile) const {
+    const int32_t step = step_of_code(choice.step_code);
+    const uint32_t levels = levels_of_code(choice.level_code).count;
+    ResidualBlockFields fields;
+    fields.step_code = choice.step_code;
+    fields.bias = candidate.weighed.best_bias(step, choice.level_code, kTriedBiasBits[best_.bias]);
+    fields.values.level_code = choice.level_code;
+    const int32_t lo = lowest_level(levels) + fields.bias;
+    BlockValues block = differences_[candidate.block];
+    for (size_t i = 0; i < block.size(); ++i) {
+      const int32_t kept =
+          clamp(quantized(block[i], step), lo, lo + static_cast<int32_t>(levels) - 1);
+      fields.values.values.push_back(static_cast<uint32_t>(kept - lo));
+      block[i] = kept * step;
+    }
+    tile.fields.blocks.push_back(std::move(fields));
+    tile.blocks.push_back(block);
   }
 
   std::span<const BlockValues> differences_;
   const TileContext& context_;
   Lambda lambda_;
-  unsigned step_code_;
-  int32_t step_;
-  std::array<BlockCosts, kBlocks> costs_;
-  std::array<uint8_t, kBlocks> codes_{};
-  int64_t cost_ = kNever;
+  unsigned first_step_;
+  unsigned steps_;
+  std::vector<Candidate> candidates_;
+  int64_t best_gain_ = 0;
+  Head best_;
 };
 
 ResidualTile exact_residuals(std::span<const BlockValues> differences, const TileContext& context) {
@@ -171,6 +202,9 @@ ResidualTile exact_residuals(std::span<const BlockValues> differences, const Til
     tile.mask |= uint64_t{1} << k;
     tile.blocks.push_back(differences[k]);
   }
+  std::vector<const BlockValues*> blocks;
+  for (const BlockValues& block : tile.blocks) blocks.push_back(&block);
+  if (!blocks.empty()) tile.fields = residual_fields(blocks, context.depth, 0);
   return tile;
 }
 
@@ -179,35 +213,23 @@ ResidualTile exact_residuals(std::span<const BlockValues> differences, const Til
 ResidualTile decide_residuals(std::span<const BlockValues> differences, const TileContext& context,
                               const ResidualRules& rules) {
   if (rules.lossless) return exact_residuals(differences, context);
-  int64_t best = 0;
+  int64_t zero = 0;
   for (size_t k = 0; k < kBlocks; ++k) {
     if (has_bit(context.blocks_inside, static_cast<unsigned>(k))) {
-      best += rules.lambda.cost(energy(differences[k]), 0);
+      zero += rules.lambda.cost(energy(differences[k]), 0);
     }
   }
-  ResidualTile tile;
   // A tile whose whole error is worth less than a record stays empty.
-  if (best <= rules.lambda.cost(0, kResidualHeadBits + kTileOverheadBits)) return tile;
-  const unsigned first = rules.step_code - std::min(rules.step_code, rules.steps_around);
-  const unsigned last = std::min(15u, rules.step_code + rules.steps_around);
-  for (unsigned code = first; code <= last; ++code) {
-    StepDecision decision(differences, context, rules.lambda, code);
-    decision.run();
-    if (decision.cost() >= best) continue;
-    best = decision.cost();
-    tile = decision.tile();
-  }
-  return tile;
+  if (zero <= rules.lambda.cost(0, kResidualHeadBits + kTileOverheadBits)) return {};
+  return HeadSearch(differences, context, rules).run();
 }
 
 std::vector<uint8_t> write_residual_tile(const ResidualTile& tile, const TileContext& context) {
   if (tile.mask == 0) return {};
-  std::vector<const BlockValues*> blocks;
-  for (const BlockValues& block : tile.blocks) blocks.push_back(&block);
   TileFields fields;
   fields.residual_mode = mask_mode(tile.mask, context.blocks_inside);
   fields.residual_mask = tile.mask;
-  fields.residuals = residual_fields(blocks, context.depth, tile.step_code);
+  fields.residuals = tile.fields;
   TileContext with_steps = context;
   with_steps.steps = true;
   return write_tile_fields(fields, with_steps);

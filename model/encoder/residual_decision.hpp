@@ -14,16 +14,17 @@ namespace hmlfc {
 /// How the residuals of one tile are decided.
 struct ResidualRules {
   Lambda lambda;
-  unsigned step_code = 0;     ///< about the best step
-  unsigned steps_around = 1;  ///< further codes tried on each side
-  bool lossless = false;      ///< every difference is kept: step 1, no clipping
+  unsigned step_code = 0;    ///< about the best step
+  unsigned steps_below = 1;  ///< finer ones tried, too
+  unsigned steps_above = 2;  ///< coarser ones
+  bool lossless = false;     ///< every difference is kept: step 1, no clipping
 };
 
-/// The residuals of a tile before their step.
+/// The residuals of a tile.
 struct ResidualTile {
   uint64_t mask = 0;
-  unsigned step_code = 0;
-  std::vector<BlockValues> blocks;  ///< of the blocks of the mask, ascending
+  ResidualFields fields;            ///< of the blocks of the mask, ascending
+  std::vector<BlockValues> blocks;  ///< what a decoder adds, before it clamps (STP-3)
 };
 
 /// Decides for the differences (original less prediction) of the blocks of a tile, by block number;

@@ -27,9 +27,15 @@ class ResidualEncoder {
     if (is_reference) encoded_.residuals = SamplePlane(prediction.width, prediction.height);
   }
 
-  ResidualPlane run() {
+  ResidualPlane run(const CodedRows& rows) {
     for (uint32_t ty = 0; ty < shape_.tiles_y; ++ty) {
-      for (uint32_t tx = 0; tx < shape_.tiles_x; ++tx) encode_tile(tx, ty);
+      for (uint32_t tx = 0; tx < shape_.tiles_x; ++tx) {
+        if (rows.has(ty * kTileBlocks * size_)) {
+          encode_tile(tx, ty);
+        } else {
+          encoded_.code.append({});
+        }
+      }
     }
     return std::move(encoded_);
   }
@@ -45,7 +51,7 @@ class ResidualEncoder {
     encoded_.code.append(write_residual_tile(tile, context_));
     size_t m = 0;
     for (unsigned k = 0; k < kBlocksPerTile; ++k) {
-      if (has_bit(tile.mask, k)) add(tx, ty, k, tile.blocks[m++], step_of_code(tile.step_code));
+      if (has_bit(tile.mask, k)) add(tx, ty, k, tile.blocks[m++]);
     }
   }
 
@@ -69,12 +75,12 @@ class ResidualEncoder {
     return block;
   }
 
-  void add(uint32_t tx, uint32_t ty, unsigned k, const BlockValues& values, int32_t step) {
+  void add(uint32_t tx, uint32_t ty, unsigned k, const BlockValues& values) {
     for (unsigned j = 0; j < size_; ++j) {
       const uint32_t y = top(ty, k) + j;
       for (unsigned i = 0; i < size_; ++i) {
         const uint32_t x = left(tx, k) + i;
-        const int32_t residual = clamp(values.at(i, j) * step, -range_.bound, range_.bound);
+        const int32_t residual = clamp(values.at(i, j), -range_.bound, range_.bound);
         const int32_t sample = add_residual(prediction_.at(x, y), residual, range_);
         encoded_.samples.row(y)[x] = static_cast<int16_t>(sample);
         if (encoded_.residuals.width > 0) {
@@ -98,8 +104,10 @@ class ResidualEncoder {
 
 ResidualPlane encode_residuals(const Geometry& geometry, Plane plane, int depth,
                                const SamplePlane& original, const SamplePlane& prediction,
-                               bool is_reference, const ResidualRules& rules) {
-  return ResidualEncoder(geometry, plane, depth, original, prediction, is_reference, rules).run();
+                               bool is_reference, const ResidualRules& rules,
+                               const CodedRows& rows) {
+  return ResidualEncoder(geometry, plane, depth, original, prediction, is_reference, rules)
+      .run(rows);
 }
 
 }  // namespace hmlfc

@@ -3,6 +3,7 @@
 
 #include "encoder/decisions.hpp"
 #include "encoder/residual_decision.hpp"
+#include "encoder/trial_sample.hpp"
 #include "syntax/geometry.hpp"
 
 namespace hmlfc {
@@ -15,9 +16,11 @@ struct ResidualPlane {
 };
 
 /// Decides and writes the residuals of `plane` of an image; `original` and `prediction` hold whole
-/// blocks. `residuals` of the result are set if `is_reference`.
+/// blocks. `residuals` of the result are set if `is_reference`. Tiles that do not begin in `rows`
+/// of the plane stay empty.
 ResidualPlane encode_residuals(const Geometry& geometry, Plane plane, int depth,
                                const SamplePlane& original, const SamplePlane& prediction,
-                               bool is_reference, const ResidualRules& rules);
+                               bool is_reference, const ResidualRules& rules,
+                               const CodedRows& rows);
 
 }  // namespace hmlfc

@@ -31,12 +31,6 @@ std::optional<int32_t> least_bias(const ResidualInterval& interval, uint32_t lev
   return clamp(0, least, most);
 }
 
-bool fits(int32_t bias, unsigned bits) {
-  if (bits == 0) return bias == 0;
-  const int32_t half = int32_t{1} << (bits - 1);
-  return bias >= -half && bias < half;
-}
-
 // Decides level_base and level_bits of blocks whose codes may be raised but not lowered.
 void decide_level_bits(ResidualCoding& coding, uint64_t block_samples) {
   const auto [least, most] =
@@ -106,7 +100,7 @@ BlockCode least_code(const ResidualInterval& interval, unsigned bias_bits) {
   unsigned code = level_code_for(static_cast<uint32_t>(interval.hi - interval.lo) + 1);
   for (;; ++code) {
     const auto bias = least_bias(interval, levels_of_code(code).count);
-    if (bias && fits(*bias, bias_bits)) return {code, *bias};
+    if (bias && fits_signed(*bias, bias_bits)) return {code, *bias};
   }
 }
 

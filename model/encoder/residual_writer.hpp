@@ -22,6 +22,13 @@ struct BlockCode {
   int32_t bias = 0;
 };
 
+/// Whether a signed field of `bits` bits in [0, 14] can hold `value`; 0 bits hold 0 alone.
+constexpr bool fits_signed(int32_t value, unsigned bits) {
+  if (bits == 0) return value == 0;
+  const int32_t half = int32_t{1} << (bits - 1);
+  return value >= -half && value < half;
+}
+
 /// The code of least size for `interval` whose bias fits in `bias_bits` bits in [0, 14]; of the
 /// biases that do, the one nearest to 0. 0 bits allow bias 0 alone.
 BlockCode least_code(const ResidualInterval& interval, unsigned bias_bits);

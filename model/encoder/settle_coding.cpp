@@ -3,88 +3,168 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "arithmetic/rounding.hpp"
-#include "encoder/encode_session.hpp"
+#include "encoder/coding_trial.hpp"
 #include "encoder/plane_targets.hpp"
+#include "encoder/view_planes.hpp"
+#include "syntax/geometry.hpp"
 
 namespace hmlfc {
 namespace {
 
-// The largest part of a view on which groups are tried.
-constexpr uint32_t kTrialWidth = 192;
-constexpr uint32_t kTrialHeight = 160;
 // Views of a group along a row or a column, where nothing is tried.
 constexpr uint32_t kUsualGroup = 5;
+// For a target, the quality that trials predict is refined so often at most, until it moves by less
+// than kNextQuality. What was found for a quality serves others that are near.
+constexpr int kMaxRounds = 5;
+constexpr double kNextQuality = 2;
+constexpr double kNearQuality = 6;
+constexpr double kDbPerQuality = 0.13;
+constexpr double kWeightStep = 1.35;
+// The share by which a coding has to be cheaper than what it replaces: trials are that exact.
+constexpr double kMatters = 0.003;
 
-LightField middle_of(const LightField& light_field) {
-  LightFieldShape shape = light_field.shape();
-  const uint32_t x = (shape.width - std::min(shape.width, kTrialWidth)) / 2;
-  const uint32_t y = (shape.height - std::min(shape.height, kTrialHeight)) / 2;
-  const LightFieldShape whole = shape;
-  shape.width = std::min(shape.width, kTrialWidth);
-  shape.height = std::min(shape.height, kTrialHeight);
-  LightField part(shape);
-  std::vector<uint16_t> pixels(size_t{whole.width} * 3);
-  for (uint32_t row = 0; row < shape.rows; ++row) {
-    for (uint32_t col = 0; col < shape.cols; ++col) {
-      for (uint32_t j = 0; j < shape.height; ++j) {
-        light_field.read_row(row, col, y + j, pixels);
-        part.write_row(row, col, j,
-                       std::span(pixels).subspan(size_t{x} * 3, size_t{shape.width} * 3));
-      }
-    }
+// How much is tried.
+struct TrialEffort {
+  size_t images;
+  bool grid;  // also finer disparities and larger motion tiles
+  bool more;  // also rows and columns apart, and the weight of key images
+};
+
+TrialEffort trial_effort(Preset preset) {
+  switch (preset) {
+    case Preset::kFast:
+      return {12, false, false};
+    case Preset::kSlow:
+      return {64, true, true};
+    case Preset::kMedium:
+      break;
   }
-  return part;
+  return {20, true, false};
 }
 
-// Sizes of groups along a line of `count` views that cut it into different numbers of groups.
-std::vector<uint32_t> group_sizes(uint32_t count, Preset preset) {
-  const std::vector<uint32_t> wanted = preset == Preset::kSlow
-                                           ? std::vector<uint32_t>{2, 3, 4, 5, 6, 8, 12}
-                                           : std::vector<uint32_t>{3, 5, 8};
+// Sizes of groups that cut a line of `count` views into different numbers of groups, ascending.
+std::vector<uint32_t> group_sizes(uint32_t count) {
   std::vector<uint32_t> sizes;
-  for (const uint32_t size : wanted) {
+  for (uint32_t size = 1; size <= std::min(count, 255u); ++size) {
     const uint32_t groups = ceil_div(count, size);
-    const uint32_t balanced = ceil_div(count, groups);
-    if (sizes.empty() || ceil_div(count, sizes.back()) != groups) sizes.push_back(balanced);
+    if (sizes.empty() || ceil_div(count, sizes.back()) != groups) sizes.push_back(size);
   }
   return sizes;
 }
 
-// D + lambda R of all views of `part`.
-double trial_cost(const LightField& part, const EncodeParams& params) {
-  const auto header = header_for(part.shape(), params);
-  if (!header) return std::numeric_limits<double>::max();
-  EncodeSession session(part, *header);
-  CodedImages images = session.encode(params, true, {});
-  const auto bits = static_cast<double>(session.stream(images).size()) * 8;
-  return static_cast<double>(images.error.rgb_squares) / 3 +
-         static_cast<double>(lambda_of_quality(params.extended.quality).scaled) / 256 * bits;
-}
-
-void settle_groups(const LightField& light_field, EncodeParams& params) {
-  const LightFieldShape& shape = light_field.shape();
-  params.ref_rows = std::min(kUsualGroup, shape.rows);
-  params.ref_cols = std::min(kUsualGroup, shape.cols);
-  if (params.extended.preset == Preset::kFast || params.lossless) return;
-  const LightField part = middle_of(light_field);
-  EncodeParams best = params;
-  double least = std::numeric_limits<double>::max();
-  for (const uint32_t size :
-       group_sizes(std::max(shape.rows, shape.cols), params.extended.preset)) {
-    EncodeParams tried = params;
-    tried.extended.preset = Preset::kFast;
-    tried.ref_rows = std::min(size, shape.rows);
-    tried.ref_cols = std::min(size, shape.cols);
-    const double cost = trial_cost(part, tried);
-    if (cost >= least) continue;
-    least = cost;
-    best.ref_rows = tried.ref_rows;
-    best.ref_cols = tried.ref_cols;
+// The cheapest coding by trial, from a first guess on: a better one is looked for beside the best
+// so far until there is none.
+class CodingSearch {
+ public:
+  CodingSearch(const LightField& light_field, const LightField& part, const EncodeParams& params,
+               const LightFieldProbe& probe)
+      : light_field_(light_field),
+        part_(part),
+        probe_(probe),
+        effort_(trial_effort(params.extended.preset)),
+        lambda_(lambda_of_quality(params.extended.quality)),
+        rows_(group_sizes(light_field.shape().rows)),
+        cols_(group_sizes(light_field.shape().cols)),
+        best_(params) {
+    best_result_ = trial(best_);
+    least_ = best_result_.cost(lambda_);
   }
-  params = best;
+
+  void find_groups() {
+    while (move(-1, -1)) {
+    }
+    while (move(1, 1)) {
+    }
+    if (!effort_.more) return;
+    while (move(-1, 0) || move(0, -1) || move(1, 0) || move(0, 1)) {
+    }
+  }
+
+  // Finer disparities and larger motion tiles, where `asked` leaves that open.
+  void find_grid(const ExtendedParams& asked) {
+    if (!effort_.grid) return;
+    EncodeParams tried = best_;
+    tried.extended.disparity_grid = 4;
+    if (asked.disparity_grid == 0 && best_.block_size <= 4) attempt(tried);
+    tried = best_;
+    tried.extended.motion_tile = 128;
+    if (asked.motion_tile == 0) attempt(tried);
+  }
+
+  // What key images weigh: a factor that goes up or down as long as that is cheaper.
+  void find_key_weight(const ExtendedParams& asked) {
+    if (!effort_.more || asked.key_weight != 0) return;
+    for (const double factor : {kWeightStep, 1 / kWeightStep}) {
+      for (;;) {
+        EncodeParams tried = best_;
+        tried.extended.key_weight = factor * best_.extended.key_weight;
+        if (tried.extended.key_weight > 4 || tried.extended.key_weight < 0.25) break;
+        if (!attempt(tried)) break;
+      }
+    }
+  }
+
+  const EncodeParams& best() const { return best_; }
+
+  // Of the best coding, over RGB.
+  double psnr_db() const {
+    const LightFieldShape& shape = light_field_.shape();
+    const uint64_t samples = uint64_t{shape.rows} * shape.cols * shape.width * shape.height * 3;
+    return psnr(static_cast<uint64_t>(best_result_.rgb_squares), samples, shape.depth);
+  }
+
+ private:
+  TrialResult trial(const EncodeParams& params) const {
+    return try_coding(light_field_, part_, params, probe_, effort_.images);
+  }
+
+  bool attempt(const EncodeParams& params) {
+    const TrialResult result = trial(params);
+    const double cost = result.cost(lambda_);
+    if (!(cost < least_ * (1 - kMatters))) return false;
+    least_ = cost;
+    best_ = params;
+    best_result_ = result;
+    return true;
+  }
+
+  // Goes over to the next smaller (-1) or larger (1) size of groups, if that is cheaper.
+  bool move(int rows, int cols) {
+    EncodeParams tried = best_;
+    tried.ref_rows = neighbour(rows_, best_.ref_rows, rows);
+    tried.ref_cols = neighbour(cols_, best_.ref_cols, cols);
+    const std::pair size{tried.ref_rows, tried.ref_cols};
+    if (!tried_.insert(size).second) return false;
+    return attempt(tried);
+  }
+
+  static uint32_t neighbour(const std::vector<uint32_t>& sizes, uint32_t size, int move) {
+    const auto at = std::lower_bound(sizes.begin(), sizes.end(), size) - sizes.begin() + move;
+    return sizes[static_cast<size_t>(
+        std::clamp<ptrdiff_t>(at, 0, static_cast<ptrdiff_t>(sizes.size()) - 1))];
+  }
+
+  const LightField& light_field_;
+  const LightField& part_;
+  const LightFieldProbe& probe_;
+  TrialEffort effort_;
+  Lambda lambda_;
+  std::vector<uint32_t> rows_;
+  std::vector<uint32_t> cols_;
+  EncodeParams best_;
+  TrialResult best_result_;
+  double least_ = 0;
+  std::set<std::pair<uint32_t, uint32_t>> tried_;
+};
+
+// The largest size in `sizes` that is at most `wanted`.
+uint32_t size_at_most(const std::vector<uint32_t>& sizes, uint32_t wanted) {
+  return *(std::upper_bound(sizes.begin(), sizes.end(), wanted) - 1);
 }
 
 // The mean squared error over RGB that halved chroma alone may cost: an eighth of the target's, or
@@ -114,18 +194,58 @@ ChromaFormat chroma_for(const LightField& light_field, const EncodeParams& param
   return costly ? ChromaFormat::k444 : ChromaFormat::k420;
 }
 
+// Settles by trial what is open in `asked`; for a target the quality, too.
+void search_coding(const LightField& light_field, const StreamHeader& header,
+                   const EncodeParams& asked, std::optional<double> target_db,
+                   SettledCoding& settled) {
+  EncodeParams& found = settled.params;
+  const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
+  const LightField part = trial_part(light_field, header);
+  double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
+  for (int round = 0; round < kMaxRounds; ++round) {
+    CodingSearch search(light_field, part, found, settled.probe);
+    if (std::abs(found.extended.quality - searched) > kNearQuality) {
+      if (open_groups) search.find_groups();
+      search.find_grid(asked.extended);
+      search.find_key_weight(asked.extended);
+      searched = found.extended.quality;
+    }
+    found = search.best();
+    if (!target_db) break;
+    const double quality = found.extended.quality + (*target_db - search.psnr_db()) / kDbPerQuality;
+    const double moved = std::abs(quality - found.extended.quality);
+    found.extended.quality = std::round(std::clamp(quality, 0.0, 100.0) * 8) / 8;
+    if (moved < kNextQuality) break;
+  }
+}
+
 }  // namespace
 
-EncodeParams settle_coding(const LightField& light_field, const EncodeParams& params,
-                           std::optional<double> target_db) {
-  EncodeParams settled = params;
+SettledCoding settle_coding(const LightField& light_field, const EncodeParams& params,
+                            std::optional<double> target_db) {
+  const LightFieldShape& shape = light_field.shape();
+  SettledCoding settled{params, {}};
+  EncodeParams& found = settled.params;
   const bool open_groups = params.ref_rows == 0 || params.ref_cols == 0;
   if (open_groups) {
-    settled.ref_rows = std::max(1u, std::min(kUsualGroup, light_field.shape().rows));
-    settled.ref_cols = std::max(1u, std::min(kUsualGroup, light_field.shape().cols));
+    found.ref_rows = size_at_most(group_sizes(shape.rows), kUsualGroup);
+    found.ref_cols = size_at_most(group_sizes(shape.cols), kUsualGroup);
   }
-  if (!params.chroma) settled.chroma = chroma_for(light_field, settled, target_db);
-  if (open_groups) settle_groups(light_field, settled);
+  if (found.extended.disparity_grid == 0) found.extended.disparity_grid = 8;
+  if (found.extended.motion_tile == 0) found.extended.motion_tile = 64;
+  if (found.extended.key_weight == 0) found.extended.key_weight = 1;
+  if (!found.chroma) found.chroma = chroma_for(light_field, found, target_db);
+  const auto header = header_for(shape, found);
+  if (!header || params.profile == Profile::kMain) return settled;
+  settled.probe = probe_light_field(light_field, *header);
+  if (params.lossless || !header->has(Feature::kMotionTiles) || header->tree_height > 0) {
+    return settled;
+  }
+  const bool open_grid = params.extended.disparity_grid == 0 || params.extended.motion_tile == 0;
+  if (!open_groups && !target_db && !(open_grid && trial_effort(params.extended.preset).grid)) {
+    return settled;
+  }
+  search_coding(light_field, *header, params, target_db, settled);
   return settled;
 }
 

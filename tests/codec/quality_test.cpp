@@ -67,7 +67,7 @@ TEST(TargetPsnr, IsReachedAndNotMuchMore) {
   };
   const LightField field = test::textured_light_field(kShape, 11, 12);
   for (const Kind& kind :
-       {Kind{extended(), 0.03, [](EncodeParams& p) { p.extended.quality -= 0.25; }},
+       {Kind{extended(), 0.02, [](EncodeParams& p) { p.extended.quality -= 0.125; }},
         Kind{main_params(), 0.02, [](EncodeParams& p) {
                EXPECT_EQ(p.main.threshold_pred, p.main.threshold_ref);
                ++p.main.threshold_ref;

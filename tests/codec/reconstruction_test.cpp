@@ -32,9 +32,9 @@ Encoding encode_watched(const LightField& field, const EncodeParams& params) {
     const std::scoped_lock lock(mutex);
     encoding.images[{level, at.row, at.col}] = planes;
   };
-  const EncodeParams settled = settle_coding(field, with_defaults(params));
-  EncodeSession session(field, *header_for(field.shape(), settled));
-  CodedImages coded = session.encode(settled, true, observer);
+  const SettledCoding settled = settle_coding(field, with_defaults(params));
+  EncodeSession session(field, *header_for(field.shape(), settled.params), settled.probe);
+  CodedImages coded = session.encode(settled.params, true, observer);
   encoding.bytes = session.stream(coded);
   return encoding;
 }

@@ -47,15 +47,15 @@ Found search_for(int32_t disparity, int row_scale) {
   const int sign = row_scale / 16;
   for (const auto& [rows, cols] : {std::pair{0, 1}, {1, 0}, {-1, 1}, {2, -2}}) {
     planes.push_back(moved(reference, sign * rows, cols, disparity));
-    search.targets.push_back({nullptr, rows, cols});
+    search.targets.push_back({nullptr, {&padded, rows, cols}, {}});
   }
   for (size_t i = 0; i < planes.size(); ++i) search.targets[i].plane = &planes[i];
-  search.reference = &padded;
   search.width = kWidth;
   search.height = kHeight;
   search.rules = {30 * 8, 0, row_scale};
   search.vector_precision = 3;
   search.disparity_precision = 3;
+  search.images = search.targets.size();
   search.lambda = {256};
   Found found;
   found.coarse = coarse_disparities(search, 48);
@@ -81,13 +81,13 @@ TEST(DisparitySearch, TheCoarseErrorTellsTheRowsDirection) {
   const PaddedPlane padded(reference, kWidth, kHeight, 40);
   const SamplePlane image = moved(reference, 1, 1, 3);
   DisparitySearch search;
-  search.reference = &padded;
-  search.targets = {{&image, 1, 1}};
+  search.targets = {{&image, {&padded, 1, 1}, {}}};
   search.width = kWidth;
   search.height = kHeight;
   search.vector_precision = 3;
   search.disparity_precision = 3;
   search.rules = {30 * 8, 0, 16};
+  search.lambda = {int64_t{1} << 40};
   const int64_t along = coarse_disparities(search, 48).error;
   search.rules.row_scale = -16;
   const int64_t against = coarse_disparities(search, 48).error;

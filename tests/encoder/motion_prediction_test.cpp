@@ -10,6 +10,7 @@ namespace {
 
 constexpr int32_t kPlaneWidth = 13;
 constexpr int32_t kPlaneHeight = 11;
+constexpr int32_t kBound = 8190;
 
 int64_t sample_at(const SamplePlane& plane, int32_t x, int32_t y) {
   const int32_t column = x < 0 ? 0 : x >= kPlaneWidth ? kPlaneWidth - 1 : x;
@@ -33,31 +34,34 @@ TEST(MotionPrediction, EveryFractionNearTheBorders) {
   std::mt19937 random(1);
   SamplePlane plane(kPlaneWidth, kPlaneHeight);
   for (int16_t& sample : plane.samples) {
-    sample = static_cast<int16_t>(static_cast<int32_t>(random() % 16381) - 8190);
+    sample = static_cast<int16_t>(static_cast<int32_t>(random() % (2 * kBound + 1)) - kBound);
   }
   const PaddedPlane padded(plane, kPlaneWidth, kPlaneHeight, 12);
-  const Area area{4, 3, 8, 8};
-  std::array<int32_t, 64> out{};
-  std::array<int32_t, 64> combined{};
+  constexpr int32_t kX = 4;
+  constexpr int32_t kY = 3;
+  std::array<int16_t, 64> out{};
   for (int32_t ux = -80; ux <= 80; ++ux) {
-    const int32_t uy = (ux * 37) % 70;
-    const SubpelVector v = subpel_vector({ux, uy}, 3, false);
-    interpolate(padded, area, v, out.data());
-    combine(out.data(), nullptr, area.samples(), combined.data());
-    for (int32_t k = 0; k < 64; ++k) {
-      const int64_t expected = defined(plane, area.x + k % 8, area.y + k / 8, v);
-      ASSERT_EQ(out[static_cast<size_t>(k)], expected) << ux << ", " << uy << " at " << k;
-      ASSERT_EQ(combined[static_cast<size_t>(k)], (expected + 32) >> 6);
+    const SubpelVector v = subpel_vector({ux, (ux * 37) % 70}, 3, false);
+    const SubpelVector w = subpel_vector({-ux, (ux * 11) % 70}, 3, false);
+    for (const unsigned count : {1u, 2u}) {
+      interpolate_rect({displaced(padded, kX, kY, v), displaced(padded, kX, kY, w)}, count, kBound,
+                       {out.data(), 8, 8, 8});
+      for (int32_t k = 0; k < 64; ++k) {
+        const int32_t x = kX + k % 8;
+        const int32_t y = kY + k / 8;
+        const int64_t one = (defined(plane, x, y, v) + 32) >> 6;
+        const int64_t two = (defined(plane, x, y, v) + defined(plane, x, y, w) + 64) >> 7;
+        ASSERT_EQ(out[static_cast<size_t>(k)], count == 1 ? one : two) << ux << " at " << k;
+      }
     }
   }
 }
 
-TEST(MotionPrediction, TwoReferencesAreRoundedOnce) {
-  const std::array<int32_t, 4> first{64, 65, -64, -1};
-  const std::array<int32_t, 4> second{0, 0, -1, 0};
-  std::array<int32_t, 4> out{};
-  combine(first.data(), second.data(), 4, out.data());
-  EXPECT_EQ(out, (std::array<int32_t, 4>{1, 1, -1, 0}));
+TEST(MotionPrediction, TheBoundOfReferencesIsTheirRange) {
+  EXPECT_EQ(reference_bound(Plane::kY, 8, true), 255);
+  EXPECT_EQ(reference_bound(Plane::kCo, 8, true), 255);
+  EXPECT_EQ(reference_bound(Plane::kCo, 8, false), 510);
+  EXPECT_EQ(reference_bound(Plane::kCg, 12, false), 8190);
 }
 
 }  // namespace

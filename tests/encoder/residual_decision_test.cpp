@@ -10,6 +10,7 @@
 #include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"
 #include "bits/bit_string.hpp"
+#include "encoder/residual_writer.hpp"
 #include "syntax/tile_masks.hpp"
 
 namespace hmlfc {
@@ -45,7 +46,7 @@ int64_t cost_of(const ResidualTile& tile, const std::vector<BlockValues>& blocks
     if (!has_bit(context.blocks_inside, k)) continue;
     const BlockValues* coded = has_bit(tile.mask, k) ? &tile.blocks[m++] : nullptr;
     for (size_t i = 0; i < blocks[k].size(); ++i) {
-      const int32_t kept = coded == nullptr ? 0 : (*coded)[i] * step_of_code(tile.step_code);
+      const int32_t kept = coded == nullptr ? 0 : (*coded)[i];
       error += int64_t{blocks[k][i] - kept} * (blocks[k][i] - kept);
     }
   }
@@ -59,10 +60,42 @@ TEST(ResidualDecision, IsNeverWorseThanNothing) {
     const auto blocks = draw_blocks(random, 1 << (round % 7));
     const TileContext context = context_of(round % 2 == 0 ? ~uint64_t{0} : 0x00FF00FF00FF00FF);
     const Lambda lambda{256 << (round % 9)};
-    const ResidualTile tile = decide_residuals(blocks, context, {lambda, 4, 2, false});
+    const ResidualTile tile = decide_residuals(blocks, context, {lambda, 4, 2, 2, false});
     EXPECT_EQ(tile.mask & ~context.blocks_inside, 0u);
     EXPECT_EQ(tile.blocks.size(), static_cast<size_t>(std::popcount(tile.mask)));
     EXPECT_LE(cost_of(tile, blocks, context, lambda), cost_of({}, blocks, context, lambda));
+  }
+}
+
+// What a decoder adds, from the fields of the record (STP-3).
+BlockValues decoded(const ResidualBlockFields& fields) {
+  BlockValues block(4);
+  const auto levels = static_cast<int32_t>(levels_of_code(fields.values.level_code).count);
+  for (size_t i = 0; i < block.size(); ++i) {
+    const auto value = static_cast<int32_t>(fields.values.values[i]);
+    EXPECT_LT(value, levels);
+    block[i] = step_of_code(fields.step_code) * (value - (levels >> 1) + fields.bias);
+  }
+  return block;
+}
+
+TEST(ResidualChoice, BlocksAreWhatTheFieldsSay) {
+  std::mt19937 random(5);
+  const TileContext context = context_of(~uint64_t{0});
+  for (int round = 0; round < 30; ++round) {
+    const auto blocks = draw_blocks(random, 4 << (round % 5));
+    const ResidualTile tile = decide_residuals(blocks, context, {{1 << 11}, 4, 1, 2, false});
+    const ResidualFields& fields = tile.fields;
+    ASSERT_EQ(fields.blocks.size(), tile.blocks.size());
+    for (size_t i = 0; i < tile.blocks.size(); ++i) {
+      const ResidualBlockFields& block = fields.blocks[i];
+      EXPECT_GE(block.step_code, fields.step_base);
+      EXPECT_LT(block.step_code, fields.step_base + (1u << fields.step_bits));
+      EXPECT_GE(block.values.level_code, fields.level_base);
+      EXPECT_LT(block.values.level_code, fields.level_base + (1u << fields.level_bits));
+      EXPECT_TRUE(fits_signed(block.bias, fields.bias_bits));
+      for (size_t k = 0; k < 16; ++k) EXPECT_EQ(decoded(block)[k], tile.blocks[i][k]);
+    }
   }
 }
 
@@ -73,7 +106,7 @@ TEST(ResidualDecision, SmallLambdaKeepsWhatALargeOneDrops) {
   const TileContext context = context_of(~uint64_t{0});
   int last = 65;
   for (const int64_t lambda : {1, 1 << 12, 1 << 15, 1 << 17, 1 << 20}) {
-    const ResidualTile tile = decide_residuals(blocks, context, {{lambda}, 3, 1, false});
+    const ResidualTile tile = decide_residuals(blocks, context, {{lambda}, 3, 1, 2, false});
     EXPECT_LE(std::popcount(tile.mask), last);
     last = std::popcount(tile.mask);
   }
@@ -84,8 +117,8 @@ TEST(ResidualDecision, LosslessKeepsEveryDifference) {
   std::mt19937 random(4);
   const auto blocks = draw_blocks(random, 255);
   const TileContext context = context_of(~uint64_t{0});
-  const ResidualTile tile = decide_residuals(blocks, context, {{1 << 20}, 7, 2, true});
-  EXPECT_EQ(step_of_code(tile.step_code), 1);
+  const ResidualTile tile = decide_residuals(blocks, context, {{1 << 20}, 7, 2, 2, true});
+  EXPECT_EQ(tile.fields.step_base, 0u);
   EXPECT_EQ(cost_of(tile, blocks, context, {0}), 0);
 }
 

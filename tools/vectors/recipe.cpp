@@ -65,6 +65,9 @@ void read_recipe_file(const std::filesystem::path& file, Recipes& recipes) {
   for (const Json& one : json.at("vectors")) {
     try {
       Recipe recipe = recipe_of(one, json.at("group"), defaults);
+      if (const auto name = recipe.stream.find("file"); name != recipe.stream.end()) {
+        *name = (file.parent_path() / name->get<std::string>()).string();
+      }
       const std::string id = recipe.id;
       if (!recipes.emplace(id, std::move(recipe)).second) throw TextError("a second " + id);
     } catch (const std::exception& error) {

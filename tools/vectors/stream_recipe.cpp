@@ -6,6 +6,7 @@
 
 #include <hmlfc/encoder.hpp>
 
+#include "io/files.hpp"
 #include "scenes/scene.hpp"
 #include "syntax/header.hpp"
 #include "vectors/field_stream.hpp"
@@ -84,8 +85,15 @@ MadeStream edited(const Recipes& recipes, const Recipe& recipe, int depth) {
   return made;
 }
 
+std::vector<uint8_t> stored_stream(const Json& json) {
+  const auto file = io::MappedFile::open(json.at("file").get<std::string>());
+  if (!file) throw TextError(file.error().message);
+  return {file->bytes().begin(), file->bytes().end()};
+}
+
 std::vector<uint8_t> whole_stream(const Recipe& recipe, const std::string& kind) {
   if (kind == "encode") return encoded_stream(recipe.stream, recipe.seed);
+  if (kind == "file") return stored_stream(recipe.stream);
   if (kind == "fields") return field_stream(recipe.stream, recipe.seed);
   if (kind == "random") {
     const Json limits = recipe.stream.value("limits", Json::object());

@@ -37,6 +37,13 @@ struct MainParams {
 struct ExtendedParams {
   double quality = 60;              ///< [0, 100]; higher is better and larger
   Preset preset = Preset::kMedium;  ///< how long to search
+  /// Samples a side for which a reference group has one disparity: 4 or 8, at least block_size, or
+  /// open with 0: found by trial.
+  unsigned disparity_grid = 0;
+  unsigned motion_tile = 0;  ///< samples a side of a motion tile: 64 or 128, or open with 0, too
+  /// What the error of a key image weighs, to what it would weigh if every image predicted from it
+  /// showed a third of it: [1/4, 4], or open with 0: found by trial.
+  double key_weight = 0;
 };
 
 /// How to encode. The intervals are those of the header (specification, section 3). What is left
@@ -85,10 +92,11 @@ HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode(const LightField& l
                                                              const EncodeParams& params,
                                                              const Progress& progress = {});
 
-/// Encodes with the lowest quality, in quarters (in profile main: with the largest thresholds, both
+/// Encodes with the lowest quality, in eighths (in profile main: with the largest thresholds, both
 /// equal), whose PSNR over RGB is at least `target_db`, in [1, 100]. If even quality 100
-/// (thresholds of 0) does not reach it, because of subsampled chroma, that is the result. The
-/// quality or threshold_pred of `params` is tried first. params.lossless is ignored.
+/// (thresholds of 0) does not reach it, because of subsampled chroma, that is the result. The first
+/// quality tried is the one that trials predict, the first threshold threshold_pred of `params`.
+/// params.lossless is ignored.
 HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode_to_psnr(const LightField& light_field,
                                                                      const EncodeParams& params,
                                                                      double target_db,

@@ -1,0 +1,33 @@
+// What an encoding would cost, from a sample of it.
+#pragma once
+
+#include <hmlfc/encoder.hpp>
+#include <hmlfc/light_field.hpp>
+
+#include "encoder/light_field_probe.hpp"
+#include "encoder/rate_distortion.hpp"
+
+namespace hmlfc {
+
+/// Error and size of an encoding of all views, as estimated.
+struct TrialResult {
+  double rgb_squares = 0;  ///< as in ErrorSums
+  double bits = 0;
+
+  /// D + lambda R, in units of squared error of plane Y.
+  double cost(Lambda lambda) const {
+    return rgb_squares / 3 + static_cast<double>(lambda.scaled) / 256 * bits;
+  }
+};
+
+/// The part of `light_field` on which parameters are tried: all views, of each the same rectangle
+/// of at most 384x256 pixels, the one most like the whole. `header` is one for `light_field`.
+LightField trial_part(const LightField& light_field, const StreamHeader& header);
+
+/// Estimates for `light_field` an encoding with `params` of profile extended, nothing open, from
+/// about `images` images of `part` in half of their rows: every one with all it refers to. Infinite
+/// where the header does not allow `params`.
+TrialResult try_coding(const LightField& light_field, const LightField& part,
+                       const EncodeParams& params, const LightFieldProbe& probe, size_t images);
+
+}  // namespace hmlfc

@@ -1,0 +1,26 @@
+// What is measured of a light field before it is coded: it serves every encoding.
+#pragma once
+
+#include <array>
+
+#include <hmlfc/light_field.hpp>
+
+#include "encoder/disparity_search.hpp"
+#include "encoder/key_curve.hpp"
+#include "syntax/header.hpp"
+
+namespace hmlfc {
+
+/// How far the views of a light field move against each other, and what key images cost. Neither
+/// depends on reference groups or quality.
+struct LightFieldProbe {
+  DisparityRange disparities;              ///< in units of the header's disparity_precision
+  int row_scale = 16;                      ///< 16, or -16 where rows run against their parallax
+  std::array<KeyCurve, kPlaneCount> keys;  ///< of the view in the middle; empty without lossy_keys
+};
+
+/// Looks at the views around the middle of the grid, up to 12 samples of disparity per view. What
+/// the feature flags of `header` have no use for is left out. Throws std::bad_alloc.
+LightFieldProbe probe_light_field(const LightField& light_field, const StreamHeader& header);
+
+}  // namespace hmlfc

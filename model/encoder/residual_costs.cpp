@@ -1,0 +1,103 @@
+#include "encoder/residual_costs.hpp"
+
+#include <algorithm>
+
+#include "arithmetic/bise.hpp"
+#include "arithmetic/rounding.hpp"
+#include "encoder/residual_writer.hpp"
+
+namespace hmlfc {
+
+ResidualCosts::ResidualCosts(const BlockValues& differences, Lambda lambda)
+    : lambda_(lambda), count_(differences.size()) {
+  const auto values = differences.span();
+  std::copy(values.begin(), values.end(), sorted_.begin());
+  std::sort(sorted_.begin(), sorted_.begin() + static_cast<ptrdiff_t>(count_));
+  for (size_t i = 0; i < count_; ++i) {
+    sums_[i + 1] = sums_[i] + sorted_[i];
+    squares_[i + 1] = squares_[i] + int64_t{sorted_[i]} * sorted_[i];
+  }
+}
+
+void ResidualCosts::weigh(int32_t step, std::array<LevelCosts, kTriedBiasBits.size()>& costs) {
+  quantize(step);
+  for (LevelCosts& row : costs) row.fill(kNever);
+  int64_t least = zero();
+  for (unsigned code = 0; code < kTriedCodes; ++code) {
+    const Levels levels = levels_of_code(code);
+    const auto bits = static_cast<int64_t>(bise_bits(levels, count_));
+    // A code whose bits alone cost more than the cheapest so far is skipped.
+    if (lambda_.cost(0, bits) > least) break;
+    const auto n = static_cast<int32_t>(levels.count);
+    const Biases biases = useful_biases(n, kTriedBiasBits.back());
+    for (int32_t bias = biases.first; bias <= biases.last; ++bias) {
+      const int32_t lo = lowest_level(levels.count) + bias;
+      const int64_t cost = lambda_.cost(error(lo, lo + n - 1), bits);
+      for (size_t b = kTriedBiasBits.size(); b-- > 0 && fits_signed(bias, kTriedBiasBits[b]);) {
+        costs[b][code] = std::min(costs[b][code], cost);
+      }
+      least = std::min(least, cost);
+    }
+  }
+}
+
+int32_t ResidualCosts::best_bias(int32_t step, unsigned level_code, unsigned bias_bits) {
+  quantize(step);
+  const Levels levels = levels_of_code(level_code);
+  const auto n = static_cast<int32_t>(levels.count);
+  const Biases biases = useful_biases(n, bias_bits);
+  int32_t best = 0;
+  int64_t least = kNever;
+  for (int32_t bias = biases.first; bias <= biases.last; ++bias) {
+    const int32_t lo = lowest_level(levels.count) + bias;
+    const int64_t left = error(lo, lo + n - 1);
+    if (left >= least) continue;
+    least = left;
+    best = bias;
+  }
+  return best;
+}
+
+void ResidualCosts::quantize(int32_t step) {
+  if (step == step_) return;
+  step_ = step;
+  for (size_t i = 0; i < count_; ++i) {
+    levels_[i] = quantized(sorted_[i], step);
+    const int64_t left = sorted_[i] - int64_t{levels_[i]} * step;
+    errors_[i + 1] = errors_[i] + left * left;
+  }
+}
+
+// The biases with which N levels reach from the lowest to the highest value, or 0 if one will do;
+// always with 0, of `bias_bits` bits.
+ResidualCosts::Biases ResidualCosts::useful_biases(int32_t levels, unsigned bias_bits) const {
+  if (bias_bits == 0) return {0, 0};
+  const int32_t lowest = lowest_level(static_cast<uint32_t>(levels));
+  const int32_t at_least = levels_[0] - lowest;
+  const int32_t at_most = levels_[count_ - 1] - (levels - 1) - lowest;
+  const int32_t half = int32_t{1} << (bias_bits - 1);
+  if (at_most <= at_least) {  // some biases reach all values: the one nearest to 0
+    const int32_t all = clamp(0, at_most, at_least);
+    return {std::max(std::min(all, 0), -half), std::min(std::max(all, 0), half - 1)};
+  }
+  return {std::max(std::min(at_least, 0), -half), std::min(std::max(at_most, 0), half - 1)};
+}
+
+// The squared error of values that are clamped to levels [lo, hi].
+int64_t ResidualCosts::error(int32_t lo, int32_t hi) const {
+  const auto begin = levels_.begin();
+  const auto end = begin + static_cast<ptrdiff_t>(count_);
+  const auto first = static_cast<size_t>(std::lower_bound(begin, end, lo) - begin);
+  const auto last = static_cast<size_t>(std::upper_bound(begin, end, hi) - begin);
+  return moved(0, first, int64_t{lo} * step_) + errors_[last] - errors_[first] +
+         moved(last, count_, int64_t{hi} * step_);
+}
+
+// The squared error of sorted values [first, last) that become `value`.
+int64_t ResidualCosts::moved(size_t first, size_t last, int64_t value) const {
+  const auto n = static_cast<int64_t>(last - first);
+  return squares_[last] - squares_[first] - 2 * value * (sums_[last] - sums_[first]) +
+         n * value * value;
+}
+
+}  // namespace hmlfc

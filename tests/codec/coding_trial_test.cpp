@@ -1,0 +1,98 @@
+// What trials find: their estimates against whole encodings, the groups they lead to, and the
+// errors of key images.
+#include "encoder/coding_trial.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "encoder/coding_params.hpp"
+#include "encoder/key_curve.hpp"
+#include "scenes/test_light_fields.hpp"
+
+namespace hmlfc {
+namespace {
+
+constexpr LightFieldShape kTrialShape{6, 6, 112, 96, 8};
+
+EncodeParams settled_params(const LightField& field) {
+  return settle_coding(field, with_defaults({})).params;
+}
+
+TEST(CodingTrial, IsNearTheWholeEncoding) {
+  const LightField field = test::textured_light_field(kTrialShape, 3, 6);
+  const SettledCoding settled = settle_coding(field, with_defaults({}));
+  const auto header = header_for(field.shape(), settled.params);
+  const TrialResult trial =
+      try_coding(field, trial_part(field, *header), settled.params, settled.probe, 100);
+  const auto encoded = encode(field, settled.params);
+  ASSERT_TRUE(encoded.has_value());
+  const double bits = 8 * static_cast<double>(encoded->bytes.size());
+  EXPECT_NEAR(trial.bits / bits, 1, 0.15);
+  EXPECT_NEAR(trial.rgb_squares / static_cast<double>(encoded->error.rgb_squares), 1, 0.15);
+}
+
+// Waves whose direction and length depend on `seed`: easy to code, hard to predict from others.
+RgbImage waves(uint32_t seed) {
+  RgbImage image{kTrialShape.width, kTrialShape.height, 8, {}};
+  const double across = 0.1 * (1 + seed % 5);
+  const double down = 0.1 * (1 + seed % 7);
+  for (uint32_t y = 0; y < image.height; ++y) {
+    for (uint32_t x = 0; x < image.width; ++x) {
+      const double wave = 128 + 60 * std::sin(across * x + down * y + seed);
+      image.samples.insert(image.samples.end(), 3, static_cast<uint16_t>(wave));
+    }
+  }
+  return image;
+}
+
+// Views that are all alike share one key image; views with nothing in common are key images.
+TEST(CodingTrial, GroupsFollowTheViews) {
+  LightField alike(kTrialShape);
+  LightField unlike(kTrialShape);
+  for (uint32_t row = 0; row < kTrialShape.rows; ++row) {
+    for (uint32_t col = 0; col < kTrialShape.cols; ++col) {
+      alike.set_view(row, col, waves(1));
+      unlike.set_view(row, col, waves(row * kTrialShape.cols + col));
+    }
+  }
+  const EncodeParams one = settled_params(alike);
+  EXPECT_EQ(one.ref_rows, 6u);
+  EXPECT_EQ(one.ref_cols, 6u);
+  const EncodeParams many = settled_params(unlike);
+  EXPECT_EQ(many.ref_rows, 1u);
+  EXPECT_EQ(many.ref_cols, 1u);
+}
+
+TEST(CodingTrial, NothingIsOpenAfterwards) {
+  const EncodeParams params = settled_params(test::textured_light_field(kTrialShape, 3, 6));
+  EXPECT_GT(params.ref_rows, 0u);
+  EXPECT_GT(params.ref_cols, 0u);
+  EXPECT_GT(params.extended.disparity_grid, 0u);
+  EXPECT_GT(params.extended.motion_tile, 0u);
+  EXPECT_GT(params.extended.key_weight, 0);
+  EXPECT_TRUE(params.chroma.has_value());
+}
+
+TEST(KeyCurve, ErrorsGrowWithLambdaAndFallWithWeight) {
+  const LightField field = test::textured_light_field({1, 1, 96, 80, 8}, 1, 40);
+  SamplePlane plane(96, 80);
+  for (uint32_t y = 0; y < 80; ++y) {
+    for (uint32_t x = 0; x < 96; ++x) {
+      plane.row(y)[x] = static_cast<int16_t>(field.view(0, 0).samples[(y * 96 + x) * 3]);
+    }
+  }
+  const KeyCurve curve(plane, {8, false});
+  double last = 0;
+  for (const int64_t lambda : {1 << 8, 1 << 11, 1 << 14, 1 << 17}) {
+    const KeyPoint point = curve.cheapest(4, {lambda});
+    EXPECT_GE(point.asked, last);
+    EXPECT_GE(curve.cheapest(1, {lambda}).asked, point.asked);
+    EXPECT_GT(point.bits, 0);
+    last = point.asked;
+  }
+  EXPECT_GT(last, curve.cheapest(4, {1 << 8}).asked);
+}
+
+}  // namespace
+}  // namespace hmlfc
