@@ -22,6 +22,7 @@ class BlockDecoder:
     def __init__(self, stream):
         self.stream = stream
         self.key_plane = cache(lambda image, plane: decode_key_plane(stream, image, plane))
+        self.tile_head = cache(lambda *arguments: TileHead(stream, *arguments))
         self.entry = cache(self._entry)
         self.decode_image_block = cache(self._decode_image_block)
 
@@ -94,7 +95,7 @@ class BlockDecoder:
         block = block_number(block_x % 8, block_y % 8)
         record = find_record(stream, geometry.tile_number(image, plane, *tile))
         if record is not None:
-            head = TileHead(stream, record, predictive and not stream.header.motion_tiles, plane, tile)
+            head = self.tile_head(record, predictive and not stream.header.motion_tiles, plane, tile)
             if head.motion_mask >> block & 1:
                 entry.sign, vector = read_vector(head, stream.header.window, block)
                 entry.parts = [(geometry.reference_of(image), tuple(8 * component for component in vector))]

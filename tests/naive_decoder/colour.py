@@ -9,4 +9,5 @@ def to_rgb(y, co, cg, depth):
     g = cg + t
     b = t - (co >> 1)
     r = b + co
-    return tuple(clamp(sample, 0, 2**depth - 1) for sample in (r, g, b))
+    greatest = 2**depth - 1
+    return clamp(r, 0, greatest), clamp(g, 0, greatest), clamp(b, 0, greatest)

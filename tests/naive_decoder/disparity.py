@@ -1,5 +1,7 @@
 """Disparities that a reference group shares (MOT-5, MOT-6)."""
 
+from functools import lru_cache
+
 import bise
 from bit_string import Cursor
 from index import find_record
@@ -26,12 +28,24 @@ def disparity_of(stream, image, motion_plane, motion, x, y):
 
 def grid_disparity(stream, reference, motion_plane, grid_x, grid_y):
     """The disparity of a grid block of a reference image (MOT-6)."""
+    in_tile = stream.geometry.tile_side(motion_plane) // 2**stream.header.disparity_grid_log2
+    tile = read_disparity_tile(stream, reference, motion_plane, grid_x // in_tile, grid_y // in_tile)
+    if tile is None:
+        return 0
+    least, cols, values = tile
+    disparity = least + values[grid_y % in_tile * cols + grid_x % in_tile]
+    require(-4096 <= disparity <= 4095, "vector_range")
+    return disparity
+
+
+@lru_cache
+def read_disparity_tile(stream, reference, motion_plane, tile_x, tile_y):
+    """(least disparity, columns of grid blocks, values) of a tile (MOT-6), None for an empty one."""
     geometry, side = stream.geometry, 2**stream.header.disparity_grid_log2
     tile_side = geometry.tile_side(motion_plane)
-    tile_x, tile_y = grid_x * side // tile_side, grid_y * side // tile_side
     record = find_record(stream, geometry.tile_number(reference, motion_plane, tile_x, tile_y))
     if record is None:
-        return 0
+        return None
     cursor = Cursor(record)
     least = cursor.take_signed(13)
     code = cursor.take(5)
@@ -39,8 +53,4 @@ def grid_disparity(stream, reference, motion_plane, grid_x, grid_y):
     width, height = geometry.plane_size(motion_plane)
     cols = ceil_div(min(tile_side, width - tile_x * tile_side), side)
     rows = ceil_div(min(tile_side, height - tile_y * tile_side), side)
-    values = bise.read(record, cursor.position, cols * rows, bise.levels_of(code))
-    in_tile = tile_side // side
-    disparity = least + values[grid_y % in_tile * cols + grid_x % in_tile]
-    require(-4096 <= disparity <= 4095, "vector_range")
-    return disparity
+    return least, cols, bise.read(record, cursor.position, cols * rows, bise.levels_of(code))

@@ -3,6 +3,8 @@
 An image is a tuple (level, row, col). Planes: 0 Y, 1 Co, 2 Cg, 3 and 4 the motion planes.
 """
 
+from functools import cache
+
 from groups import Groups
 from integers import ceil_div
 
@@ -20,6 +22,8 @@ class Geometry:
         for _ in range(header.tree_height):
             rows, cols = self.grids[-1]
             self.grids.append((ceil_div(rows, header.cluster_rows), ceil_div(cols, header.cluster_cols)))
+        for method in (self.reference_of, self.is_key, self.plane_size, self.interval, self.tiles, self.tiles_before):
+            setattr(self, method.__name__, cache(method))  # asked for once a sample or block
         self.planes = [0, 1, 2]
         if header.motion_tiles:
             self.planes += [3, 4] if header.chroma_motion else [3]

@@ -1,11 +1,14 @@
 """From a tile number to the tile's record (IDX-3 to IDX-7)."""
 
+from functools import lru_cache
+
 from bit_string import BitString
 from header import number
 from integers import ceil_div, popcount, rank
 from stream_error import require
 
 
+@lru_cache
 def find_record(stream, tile):
     """The record of tile number `tile` as a bit string, or None for an empty tile: its blocks are zero (IDX-7)."""
     group, lane = divmod(tile, 64)

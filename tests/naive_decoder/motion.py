@@ -1,5 +1,7 @@
 """How a block is moved: what the record of a motion tile says (MOT-3, MOT-4)."""
 
+from functools import lru_cache
+
 import bise
 from bit_string import Cursor
 from index import find_record
@@ -46,12 +48,30 @@ def read_entry(cursor, header, keyed, explicit_bits):
 
 def motion_of(stream, image, motion_plane, x, y):
     """The motion of the residual block with the place (x, y) in a predictive image (MOT-4)."""
+    tile_side = stream.geometry.tile_side(motion_plane)
+    tile = read_motion_tile(stream, image, motion_plane, x // tile_side, y // tile_side)
+    if tile is None:
+        return default_motion(stream, image[0])
+    side, cols, indices, palette = tile
+    index = indices[y % tile_side // side * cols + x % tile_side // side]
+    require(index < len(palette), "bad_mode")
+    motion = palette[index]
+    require(motion.choice <= EXPLICIT_VECTOR, "bad_mode")
+    by_disparity = OWN_DISPARITY <= motion.choice <= EXPLICIT_DISPARITY
+    require(stream.header.shared_disparity or not by_disparity, "bad_mode")
+    return motion
+
+
+@lru_cache
+def read_motion_tile(stream, image, motion_plane, tile_x, tile_y):
+    """(samples along the side of a motion block, their columns, indices, palette) of a tile (MOT-3).
+
+    None for an empty tile. Kept, as each block of the tile asks for it.
+    """
     header, geometry = stream.header, stream.geometry
-    tile_side = geometry.tile_side(motion_plane)
-    tile_x, tile_y = x // tile_side, y // tile_side
     record = find_record(stream, geometry.tile_number(image, motion_plane, tile_x, tile_y))
     if record is None:
-        return default_motion(stream, image[0])
+        return None
     cursor = Cursor(record)
     side = 4 * 2 ** cursor.take(2)
     palette_size = cursor.take(3) + 1
@@ -59,15 +79,9 @@ def motion_of(stream, image, motion_plane, x, y):
     require(side >= geometry.block and explicit_bits <= 12, "bad_mode")
     keyed = geometry.is_keyed(image[0])
     palette = [read_entry(cursor, header, keyed, explicit_bits) for _ in range(palette_size)]
+    tile_side = geometry.tile_side(motion_plane)
     width, height = geometry.plane_size(motion_plane)
     cols = ceil_div(min(tile_side, width - tile_x * tile_side), side)
     rows = ceil_div(min(tile_side, height - tile_y * tile_side), side)
     levels = bise.levels_of(bise.least_code(palette_size))
-    indices = bise.read(record, cursor.position, cols * rows, levels)
-    index = indices[y % tile_side // side * cols + x % tile_side // side]
-    require(index < palette_size, "bad_mode")
-    motion = palette[index]
-    require(motion.choice <= EXPLICIT_VECTOR, "bad_mode")
-    by_disparity = OWN_DISPARITY <= motion.choice <= EXPLICIT_DISPARITY
-    require(header.shared_disparity or not by_disparity, "bad_mode")
-    return motion
+    return side, cols, bise.read(record, cursor.position, cols * rows, levels), palette

@@ -1,5 +1,7 @@
 """Coding passes of a code-block: from codeword segments to coefficients (T.800 annex D, EXT-6)."""
 
+from functools import cache
+
 from .codestream_error import demand
 from .mq_decoder import MqDecoder, RawBits
 from .packets import BYPASS, FIRST_BYPASS_PASS, TERMINATE_ALL
@@ -17,6 +19,7 @@ def fresh_contexts():
     return contexts
 
 
+@cache
 def significance_context(kind, across, down, diagonal):
     """The context of a significance decision by significant neighbours (T.800 table D.1)."""
     if kind == "HH":
@@ -49,15 +52,19 @@ class CodeBlockDecoder:
 
     def __init__(self, block, kind, style):
         self.kind, self.style = kind, style
-        self.width, self.height = block.width, block.height
         self.magnitude = [[0] * block.width for _ in range(block.height)]
-        self.nothing = [0] * (block.width + 2)
         # 1, -1, or 0 where not significant; coefficient (x, y) is sign[y + 1][x + 1], with a border of 0.
-        self.sign = [list(self.nothing) for _ in range(block.height + 2)]
+        self.sign = [[0] * (block.width + 2) for _ in range(block.height + 2)]
+        # How many neighbours are significant: beside, above and below, diagonal; with the same border.
+        self.near = [[[0, 0, 0] for _ in row] for row in self.sign]
         self.lowest = [[0] * block.width for _ in range(block.height)]  # b of EXT-6
         self.refined = set()
         self.visited = set()
         self.contexts = fresh_contexts()
+        # In the order of T.800 D.1: stripes of four rows, column by column.
+        stripes = [range(top, min(top + STRIPE, block.height)) for top in range(0, block.height, STRIPE)]
+        self.columns = [(x, rows) for rows in stripes for x in range(block.width)]
+        self.places = [(x, y) for x, rows in self.columns for y in rows]
 
     def run(self, segments, plane):
         """Decodes all passes; the first is the cleanup pass of bit-plane `plane`."""
@@ -81,30 +88,6 @@ class CodeBlockDecoder:
     def _is_raw(self, number):
         return self.style & BYPASS and number >= FIRST_BYPASS_PASS and number % 3 != 0
 
-    def _places(self):
-        """(x, y) in the order of T.800 D.1: stripes of four rows, column by column."""
-        for top in range(0, self.height, STRIPE):
-            for x in range(self.width):
-                for y in range(top, min(top + STRIPE, self.height)):
-                    yield x, y
-
-    def _rows_around(self, x, y):
-        """Signs of the three coefficients above, beside and below.
-
-        0: not significant, outside the code-block, or not to be seen (CAUSAL).
-        """
-        unseen = self.style & CAUSAL and y % STRIPE == STRIPE - 1
-        rows = self.sign[y], self.sign[y + 1], self.nothing if unseen else self.sign[y + 2]
-        return [row[x : x + 3] for row in rows]
-
-    def _significant_neighbours(self, x, y):
-        """How many are significant: beside, above and below, diagonal."""
-        above, beside, below = self._rows_around(x, y)
-        across = (beside[0] != 0) + (beside[2] != 0)
-        down = (above[1] != 0) + (below[1] != 0)
-        diagonal = (above[0] != 0) + (above[2] != 0) + (below[0] != 0) + (below[2] != 0)
-        return across, down, diagonal
-
     def _decide(self, context):
         return self.raw.bit() if self.raw else self.mq.decode(self.contexts, context)
 
@@ -112,48 +95,53 @@ class CodeBlockDecoder:
         if self.raw:
             negative = self.raw.bit()
         else:
-            above, beside, below = self._rows_around(x, y)
-            across, down = beside[0] + beside[2], above[1] + below[1]
+            unseen = self.style & CAUSAL and y % STRIPE == STRIPE - 1
+            across = self.sign[y + 1][x] + self.sign[y + 1][x + 2]
+            down = self.sign[y][x + 1] + (0 if unseen else self.sign[y + 2][x + 1])
             context, flip = sign_context(max(-1, min(1, across)), max(-1, min(1, down)))
             negative = self.mq.decode(self.contexts, context) ^ flip
         self.sign[y + 1][x + 1] = -1 if negative else 1
         self.magnitude[y][x] = 2**self.plane
+        above, beside, below = self.near[y : y + 3]
+        beside[x][0] += 1
+        beside[x + 2][0] += 1
+        for row in [below] if self.style & CAUSAL and y % STRIPE == 0 else [above, below]:
+            row[x][2] += 1
+            row[x + 1][1] += 1
+            row[x + 2][2] += 1
 
     def _significance_pass(self):
         self.visited = set()
-        for x, y in self._places():
-            neighbours = self._significant_neighbours(x, y)
-            if self.sign[y + 1][x + 1] == 0 and sum(neighbours) > 0:
-                self._code_significance(x, y, neighbours)
+        for x, y in self.places:
+            if self.sign[y + 1][x + 1] == 0 and any(self.near[y + 1][x + 1]):
+                self._code_significance(x, y)
                 self.visited.add((x, y))
 
-    def _code_significance(self, x, y, neighbours):
+    def _code_significance(self, x, y):
         self.lowest[y][x] = self.plane
-        if self._decide(significance_context(self.kind, *neighbours)):
+        if self._decide(significance_context(self.kind, *self.near[y + 1][x + 1])):
             self._become_significant(x, y)
 
     def _refinement_pass(self):
-        for x, y in self._places():
+        for x, y in self.places:
             if self.sign[y + 1][x + 1] == 0 or (x, y) in self.visited:
                 continue
             context = FIRST_MAGNITUDE + 2
             if (x, y) not in self.refined:
-                context = FIRST_MAGNITUDE + (1 if sum(self._significant_neighbours(x, y)) else 0)
+                context = FIRST_MAGNITUDE + any(self.near[y + 1][x + 1])
             self.refined.add((x, y))
             self.lowest[y][x] = self.plane
             self.magnitude[y][x] += self._decide(context) * 2**self.plane
 
     def _cleanup_pass(self):
-        for top in range(0, self.height, STRIPE):
-            for x in range(self.width):
-                self._cleanup_column(x, top)
+        for x, rows in self.columns:
+            self._cleanup_column(x, rows)
         self.visited = set()
         if self.style & SEGMENTATION_SYMBOLS:
             symbols = [self.mq.decode(self.contexts, UNIFORM) for _ in range(4)]
             demand(symbols == [1, 0, 1, 0], "segmentation symbols")
 
-    def _cleanup_column(self, x, top):
-        rows = list(range(top, min(top + STRIPE, self.height)))
+    def _cleanup_column(self, x, rows):
         if len(rows) == STRIPE and all(self._is_quiet(x, y) for y in rows):
             for y in rows:
                 self.lowest[y][x] = self.plane
@@ -165,11 +153,10 @@ class CodeBlockDecoder:
             rows = rows[run + 1 :]
         for y in rows:
             if self.sign[y + 1][x + 1] == 0 and (x, y) not in self.visited:
-                self._code_significance(x, y, self._significant_neighbours(x, y))
+                self._code_significance(x, y)
 
     def _is_quiet(self, x, y):
-        quiet = self.sign[y + 1][x + 1] == 0 and (x, y) not in self.visited
-        return quiet and sum(self._significant_neighbours(x, y)) == 0
+        return self.sign[y + 1][x + 1] == 0 and not any(self.near[y + 1][x + 1])
 
 
 def decode_code_block(block, band, style):
