@@ -91,6 +91,12 @@ hmlfc_tool(doxygen "${HMLFC_DOXYGEN}" "found" "reference of the public API")
 hmlfc_tool(ccache "${HMLFC_CCACHE}" "found" "faster rebuilds")
 hmlfc_tool(mold "${HMLFC_HAS_MOLD}" "found" "faster links")
 
+# SIMD for SSE4, AVX2 and AVX-512, beside portable code: few processors have SSSE3 alone, and every set
+# takes its time to compile.
+if(hwy_FOUND)
+  target_compile_definitions(hwy::hwy INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
+endif()
+
 get_property(missing GLOBAL PROPERTY hmlfc_missing_packages)
 if(missing)
   hmlfc_print_dependencies()

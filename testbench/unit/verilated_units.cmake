@@ -51,7 +51,7 @@ function(hmlfc_verilate_unit target prefix unit)
     OPT_SLOW -O0
     OPT_GLOBAL -O2
     VERILATOR_ARGS ${parameters} ${arg_ARGUMENTS}
-      --x-assign fast --x-initial fast --noassert)
+      --x-assign fast --x-initial fast --noassert --output-split 60000)
 endfunction()
 set(HMLFC_UNIT_PARAMETERS BLOCK_LOG2 MAX_DEPTH AXI_DATA_BITS OUTSTANDING)
 set(HMLFC_VERILATED_OPTIMISATION -O1)  # -O3 compiles longer for runs 10 % faster

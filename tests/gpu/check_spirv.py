@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks one shader: spirv-val accepts it, and it uses 32-bit integers alone.
+"""Checks one shader, the numbers that C++ includes: spirv-val accepts it, and it uses 32-bit integers alone.
 
 Floating point, 64-bit integers and subgroup operations have no place in a decode path: their
 results or their presence differ between devices. With --self-test shaders that use them are
@@ -11,6 +11,7 @@ Exit: 0 good, 1 not (each reason is printed), 77 no SPIR-V tools, or no shader w
 import argparse
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -38,13 +39,19 @@ EXTENSIONS = (
 )
 
 
-def problems(spirv: Path):
-    """What is wrong with the shader in `spirv`, one line each."""
+def spirv_of(included: Path):
+    """The shader as bytes."""
+    words = [int(word, 16) for word in re.findall(r"0x\w+", included.read_text())]
+    return struct.pack(f"<{len(words)}I", *words)
+
+
+def problems(spirv: bytes):
+    """What is wrong with the shader, one line each."""
     validated = subprocess.run(
-        ["spirv-val", "--target-env", "vulkan1.2", spirv], capture_output=True, text=True
+        ["spirv-val", "--target-env", "vulkan1.2", "-"], input=spirv, capture_output=True
     )
-    found = [] if validated.returncode == 0 else [validated.stderr.strip()]
-    text = subprocess.run(["spirv-dis", spirv], capture_output=True, text=True).stdout
+    found = [] if validated.returncode == 0 else [validated.stderr.decode().strip()]
+    text = subprocess.run(["spirv-dis", "-"], input=spirv, capture_output=True).stdout.decode()
     if "OpEntryPoint" not in text:
         found.append("no entry point")
     found += [what for pattern, what in FORBIDDEN.items() if re.search(pattern, text)]
@@ -57,20 +64,18 @@ def self_test(folder: Path):
     for what, body in FAULTS.items():
         source = folder / "fault.comp"
         source.write_text(HEAD.replace("\n", "\n" + EXTENSIONS, 1) + OUTPUT + body)
-        spirv = folder / "fault.spv"
-        subprocess.run(["glslc", TARGET, source, "-o", spirv], check=True)
-        if what not in problems(spirv):
+        included = folder / "fault.inc"
+        subprocess.run(["glslc", TARGET, "-mfmt=c", source, "-o", included], check=True)
+        if what not in problems(spirv_of(included)):
             missed.append(what)
-    damaged = folder / "damaged.spv"
-    damaged.write_bytes(spirv.read_bytes()[:-8])
-    if not problems(damaged):
+    if not problems(spirv_of(included)[:-8]):
         missed.append("a shader that is cut off")
     return missed
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("spirv", type=Path, nargs="?")
+    parser.add_argument("included", type=Path, nargs="?")
     parser.add_argument("--self-test", action="store_true")
     arguments = parser.parse_args()
     missing = [tool for tool in ("spirv-val", "spirv-dis", "glslc") if not shutil.which(tool)]
@@ -83,12 +88,12 @@ def main():
         for what in missed:
             print(f"not found: {what}")
         return 1 if missed else 0
-    if not arguments.spirv.exists():
-        print(f"{arguments.spirv} was not built: the Vulkan headers are missing")
+    if not arguments.included.exists():
+        print(f"{arguments.included} was not built: the Vulkan headers are missing")
         return SKIPPED
-    found = problems(arguments.spirv)
+    found = problems(spirv_of(arguments.included))
     for problem in found:
-        print(f"{arguments.spirv.name}: {problem}")
+        print(f"{arguments.included.name}: {problem}")
     return 1 if found else 0
 
 
