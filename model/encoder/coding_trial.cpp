@@ -222,8 +222,8 @@ class Activity {
 // The place of a part of `shape`'s size that is most like the whole of `luma`.
 std::pair<uint32_t, uint32_t> typical_place(const SamplePlane& luma, const LightFieldShape& shape) {
   const Activity activity(luma);
-  const uint32_t columns = shape.width / Activity::kCell;
-  const uint32_t rows = shape.height / Activity::kCell;
+  const uint32_t columns = std::max(1u, shape.width / Activity::kCell);
+  const uint32_t rows = std::max(1u, shape.height / Activity::kCell);
   std::pair<uint32_t, uint32_t> best{0, 0};
   double least = std::numeric_limits<double>::infinity();
   for (uint32_t y = 0; y + rows <= activity.rows(); ++y) {
@@ -234,8 +234,6 @@ std::pair<uint32_t, uint32_t> typical_place(const SamplePlane& luma, const Light
       best = {x * Activity::kCell, y * Activity::kCell};
     }
   }
-  best.first = std::min(best.first, luma.width - shape.width);
-  best.second = std::min(best.second, luma.height - shape.height);
   return best;
 }
 
@@ -263,7 +261,10 @@ LightField trial_part(const LightField& light_field, const StreamHeader& header)
   shape.width = std::min(whole.width, kTrialWidth);
   shape.height = std::min(whole.height, kTrialHeight);
   const ImagePos middle{whole.rows / 2, whole.cols / 2};
-  const auto [x, y] = typical_place(view_planes(light_field, Geometry(header), middle)[0], shape);
+  const auto place = typical_place(view_planes(light_field, Geometry(header), middle)[0], shape);
+  // The plane is that of whole blocks, which may be larger than the view.
+  const uint32_t x = std::min(place.first, whole.width - shape.width);
+  const uint32_t y = std::min(place.second, whole.height - shape.height);
   LightField part(shape);
   std::vector<uint16_t> pixels(size_t{whole.width} * 3);
   for (uint32_t row = 0; row < shape.rows; ++row) {

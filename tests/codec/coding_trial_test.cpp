@@ -32,6 +32,37 @@ TEST(CodingTrial, IsNearTheWholeEncoding) {
   EXPECT_NEAR(trial.rgb_squares / static_cast<double>(encoded->error.rgb_squares), 1, 0.15);
 }
 
+// Views whose blocks reach beyond them: red counts columns and green rows, so that the part's first
+// pixel says where it lies.
+TEST(CodingTrial, ThePartLiesInTheViews) {
+  const LightFieldShape shape{1, 2, 399, 271, 8};
+  LightField field(shape);
+  RgbImage image{shape.width, shape.height, 8, {}};
+  for (uint32_t y = 0; y < shape.height; ++y) {
+    for (uint32_t x = 0; x < shape.width; ++x) {
+      const uint32_t busy = x * 7 + y > 300 ? (x * y) % 50 : 0;
+      for (const uint32_t value : {x % 256, y % 256, busy}) {
+        image.samples.push_back(static_cast<uint16_t>(value));
+      }
+    }
+  }
+  field.set_view(0, 0, image);
+  field.set_view(0, 1, image);
+  EncodeParams params = with_defaults({});
+  params.ref_rows = params.ref_cols = 2;
+  params.chroma = ChromaFormat::k444;
+  const LightField part = trial_part(field, *header_for(shape, params));
+  ASSERT_EQ(part.shape().width, 384u);
+  ASSERT_EQ(part.shape().height, 256u);
+  const RgbImage view = part.view(0, 1);
+  const uint32_t left = view.samples[0];
+  const uint32_t top = view.samples[1];
+  EXPECT_LE(left + 384, shape.width);
+  EXPECT_LE(top + 256, shape.height);
+  EXPECT_EQ(view.samples[383 * 3], (left + 383) % 256);
+  EXPECT_EQ(view.samples[(255 * 384 + 383) * 3 + 1], (top + 255) % 256);
+}
+
 // Waves whose direction and length depend on `seed`: easy to code, hard to predict from others.
 RgbImage waves(uint32_t seed) {
   RgbImage image{kTrialShape.width, kTrialShape.height, 8, {}};
