@@ -57,7 +57,7 @@ std::string ProgressBar::line(double seconds, uint64_t done, uint64_t total) con
   const double share = static_cast<double>(done) / static_cast<double>(total);
   const auto full = static_cast<size_t>(share * static_cast<double>(kBarWidth));
   std::string text = label_;
-  if (attempts_ > 1) text += fmt::format(", attempt {}", attempts_);
+  if (attempts_ > 1) text += fmt::format(", try {}", attempts_);
   text += fmt::format("  [{}{}] {:3.0f} %  {}/{} {}", std::string(full, '#'),
                       std::string(kBarWidth - full, '.'), share * 100, done, total, unit_);
   const double rate = static_cast<double>(done) / seconds;
