@@ -67,10 +67,9 @@ struct Share {
   TrialResult sum;
   double images = 0;
 
-  void add(double squares, double bits) {
-    sum.rgb_squares += squares;
+  void add_bits(double bits) {
     sum.bits += bits;
-    images += 1;
+    ++images;
   }
 
   // The sums that `all` images would have.
@@ -92,9 +91,10 @@ class Trial {
     EncodeObserver observer;
     observer.reconstructed = [&](int level, ImagePos at, const ImagePlanes& planes) {
       if (level > 0 || geometry_.is_reference(0, at)) return;
-      const double squares = error_of(at, planes);
+      const ErrorSums error = error_of(at, planes);
       const std::scoped_lock lock(mutex_);
-      predictive_.add(squares, 0);
+      error_.add(error);  // integers: threads may add in any order
+      ++predictive_.images;
     };
     coded_ = session_.encode(params, true, observer, &sample_);
   }
@@ -105,6 +105,7 @@ class Trial {
     const auto groups = static_cast<double>(geometry_.key_count());
     Share disparities;
     add_bits(disparities);
+    predictive_.sum.rgb_squares = static_cast<double>(error_.rgb_squares) * rows_to_all();
     const TrialResult predicted = predictive_.of_all(images - groups);
     const TrialResult shared = disparities.of_all(groups);
     return {predicted.rgb_squares * scale + groups * keys.rgb_squares,
@@ -120,7 +121,7 @@ class Trial {
     return rows;
   }
 
-  double error_of(ImagePos at, const ImagePlanes& planes) const {
+  ErrorSums error_of(ImagePos at, const ImagePlanes& planes) const {
     const uint32_t strip = 1u << sample_.rows.log2;
     ErrorSums error;
     for (uint32_t y = 0; y < header_.height; y += strip) {
@@ -128,7 +129,7 @@ class Trial {
       error.add(strip_error(part_, at, planes, header_.chroma_format, y,
                             std::min(strip, header_.height - y)));
     }
-    return static_cast<double>(error.rgb_squares) * rows_to_all();
+    return error;
   }
 
   double bits_of(const PlaneCode& code) const {
@@ -146,7 +147,7 @@ class Trial {
             coded_.codes[static_cast<size_t>(geometry_.image_number(0, {r, c}))];
         if (geometry_.is_reference(0, {r, c})) {
           const PlaneCode& records = image[kMotionPlane];
-          if (!records.record_sizes.empty()) disparities.add(0, bits_of(records));
+          if (!records.record_sizes.empty()) disparities.add_bits(bits_of(records));
         } else {
           for (const PlaneCode& plane : image) predictive_.sum.bits += bits_of(plane);
         }
@@ -161,6 +162,7 @@ class Trial {
   TrialSample sample_;
   CodedImages coded_;
   Share predictive_;
+  ErrorSums error_;  // of the predictive images, in the coded rows
   std::mutex mutex_;
 };
 

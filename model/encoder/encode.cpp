@@ -211,6 +211,15 @@ class PsnrSearch {
   int64_t best_coarseness_ = 0;
 };
 
+// Whether what trials may settle is open or in its interval.
+bool has_known_extended_choices(const ExtendedParams& params) {
+  const auto one_of = [](unsigned value, unsigned a, unsigned b) {
+    return value == 0 || value == a || value == b;
+  };
+  return one_of(params.disparity_grid, 4, 8) && one_of(params.motion_tile, 64, 128) &&
+         (params.key_weight == 0 || (params.key_weight >= 0.25 && params.key_weight <= 4));
+}
+
 // Checks and settles `params`, then calls body(session, settled params) on their threads.
 template <class Body>
 Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
@@ -225,6 +234,7 @@ Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
   if (!(params.extended.quality >= 0 && params.extended.quality <= 100)) {
     return refused("the quality is outside [0, 100]");
   }
+  if (!has_known_extended_choices(params.extended)) return refused(kOutside);
   if (!header_for(light_field.shape(), checked)) return refused(kOutside);
   try {
     Encoded encoded;
