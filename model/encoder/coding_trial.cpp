@@ -48,11 +48,7 @@ std::vector<ImagePos> spread_images(const Geometry& geometry, size_t count) {
   std::stable_sort(images.begin(), images.end(), [&](ImagePos a, ImagePos b) {
     return distance(a, geometry.reference_of(0, a)) < distance(b, geometry.reference_of(0, b));
   });
-  if (images.size() <= count) return images;
-  std::vector<ImagePos> some;
-  for (size_t i = 0; i < count; ++i)
-    some.push_back(images[(2 * i + 1) * images.size() / (2 * count)]);
-  return some;
+  return evenly_spread(images, count);
 }
 
 // Every second strip of motion tiles, not the first; all of few.

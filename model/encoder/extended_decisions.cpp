@@ -58,7 +58,7 @@ class ExtendedLevel final : public LevelDecisions {
     DisparitySearch search = disparity_search(header_);
     search.images = members.size();
     std::vector<SamplePlane> planes;
-    for (const ImagePos at : spread(members, settings_.effort.disparity_images)) {
+    for (const ImagePos at : evenly_spread(members, settings_.effort.disparity_images)) {
       planes.push_back(motion_target(at, images_.original(at)[0]));
       search.targets.push_back(search_target(at));
     }
@@ -138,16 +138,6 @@ class ExtendedLevel final : public LevelDecisions {
       luma.samples[i] = static_cast<int16_t>(luma.samples[i] - above->samples[i]);
     }
     return luma;
-  }
-
-  // At most `count` of `members`, evenly spread.
-  static std::vector<ImagePos> spread(const std::vector<ImagePos>& members, size_t count) {
-    if (members.size() <= count) return members;
-    std::vector<ImagePos> some;
-    for (size_t i = 0; i < count; ++i) {
-      some.push_back(members[(2 * i + 1) * members.size() / (2 * count)]);
-    }
-    return some;
   }
 
   // Where image `at` is predicted from unless a motion tile says otherwise: K0, and K1 if there is

@@ -28,4 +28,14 @@ struct TrialSample {
   std::vector<ImagePos> images;
 };
 
+/// At most `count` > 0 of `images`, evenly spread over their order.
+inline std::vector<ImagePos> evenly_spread(const std::vector<ImagePos>& images, size_t count) {
+  if (images.size() <= count) return images;
+  std::vector<ImagePos> some;
+  for (size_t i = 0; i < count; ++i) {
+    some.push_back(images[(2 * i + 1) * images.size() / (2 * count)]);
+  }
+  return some;
+}
+
 }  // namespace hmlfc
