@@ -91,16 +91,22 @@ class LevelImages {
 
 /// The decisions of one level. The walk calls, in this order:
 ///
-///  1. take_key() or encode_reference() for each reference image, from many threads;
-///  2. decide_group() for each reference image whose group has images to predict, from one thread;
-///  3. encode_predictive() for each predictive image, from many threads.
+///  1. refine_keys() once, at a keyed level;
+///  2. take_key() or encode_reference() for each reference image, from many threads;
+///  3. decide_group() for each reference image whose group has images to predict, from one thread;
+///  4. encode_predictive() for each predictive image, from many threads.
 ///
-/// 2 and 3 are left out where the level has no predictive images: references need not be kept then.
+/// All but 2 are left out where the level has no predictive images: references need not be kept
+/// then.
 /// Decisions must not depend on the order of concurrent calls: a stream is the same for any number
 /// of threads.
 class LevelDecisions {
  public:
   virtual ~LevelDecisions() = default;
+
+  /// `keys` are the originals of the images that references() names, in this order. What they
+  /// become is coded in their place.
+  virtual void refine_keys(std::vector<ImagePlanes>& keys) = 0;
 
   /// Key image `at`, in whole blocks, as a decoder has it.
   virtual void take_key(ImagePos at, const ImagePlanes& decoded) = 0;

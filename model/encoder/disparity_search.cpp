@@ -179,34 +179,17 @@ struct TileBlocks {
   size_t count() const { return size_t{columns()} * (by1 - by0); }
 };
 
-// The disparities in `range` that may be the best of a block, as a coarse look at some of the
-// targets shows.
-DisparityRange likely_range(const DisparitySearch& search, const DisparityRange& range,
-                            const TileBlocks& tile) {
-  RowCosts costs(search, range, kCoarseStep, tile.bx0, tile.bx1);
-  const size_t apart = ceil_div(search.targets.size(), kCoarseTargets);
-  DisparityRange likely{range.hi, range.lo};
-  for (uint32_t by = tile.by0; by < tile.by1; ++by) {
-    costs.run(by, std::max<size_t>(1, apart));
-    for (uint32_t bx = 0; bx < tile.columns(); ++bx) {
-      const int32_t best = range.lo + static_cast<int32_t>(costs.cheapest(bx)) * kCoarseStep;
-      likely.lo = std::min(likely.lo, best);
-      likely.hi = std::max(likely.hi, best);
-    }
-  }
-  return {std::max(range.lo, likely.lo - kCoarseMargin),
-          std::min(range.hi, likely.hi + kCoarseMargin)};
-}
-
-void search_tile(const DisparitySearch& search, const DisparityRange& range, const TileBlocks& tile,
-                 DisparityGrid& grid) {
-  const DisparityRange likely = likely_range(search, range, tile);
-  RowCosts costs(search, likely, 1, tile.bx0, tile.bx1);
+// The cheapest disparities of the blocks of `tile` among those in `range` that are `step` apart,
+// with every `apart`-th target.
+std::vector<int32_t> cheapest_disparities(const DisparitySearch& search,
+                                          const DisparityRange& range, const TileBlocks& tile,
+                                          int32_t step, size_t apart) {
+  RowCosts costs(search, range, step, tile.bx0, tile.bx1);
   TileDisparities disparities(costs.candidates(), tile.count());
   const auto images = static_cast<int64_t>(search.images);
-  const auto targets = std::max<int64_t>(1, static_cast<int64_t>(search.targets.size()));
+  const auto targets = std::max<int64_t>(1, static_cast<int64_t>(search.targets.size() / apart));
   for (uint32_t by = tile.by0; by < tile.by1; ++by) {
-    costs.run(by, 1);
+    costs.run(by, apart);
     const size_t row = size_t{by - tile.by0} * tile.columns();
     for (uint32_t bx = 0; bx < tile.columns(); ++bx) {
       for (size_t k = 0; k < costs.candidates(); ++k) {
@@ -214,11 +197,25 @@ void search_tile(const DisparitySearch& search, const DisparityRange& range, con
       }
     }
   }
-  const auto chosen = disparities.choose(search.lambda);
+  std::vector<int32_t> cheapest;
+  for (const uint16_t k : disparities.choose(search.lambda)) {
+    cheapest.push_back(range.lo + k * step);
+  }
+  return cheapest;
+}
+
+void search_tile(const DisparitySearch& search, const DisparityRange& range, const TileBlocks& tile,
+                 DisparityGrid& grid) {
+  const size_t apart = std::max<size_t>(1, ceil_div(search.targets.size(), kCoarseTargets));
+  const auto coarse = cheapest_disparities(search, range, tile, kCoarseStep, apart);
+  const auto [least, most] = std::minmax_element(coarse.begin(), coarse.end());
+  const DisparityRange likely{std::max(range.lo, *least - kCoarseMargin),
+                              std::min(range.hi, *most + kCoarseMargin)};
+  const auto chosen = cheapest_disparities(search, likely, tile, 1, 1);
   for (size_t b = 0; b < chosen.size(); ++b) {
     const size_t at =
         (tile.by0 + b / tile.columns()) * grid.blocks_x + tile.bx0 + b % tile.columns();
-    grid.values[at] = static_cast<int16_t>(likely.lo + chosen[b]);
+    grid.values[at] = static_cast<int16_t>(chosen[b]);
   }
 }
 

@@ -59,7 +59,8 @@ class LevelWalk {
   void run() {
     const auto& references = images_.references();
     const auto& predictive = images_.predictive();
-    parallel_for(references.size(), [&](size_t i) { encode_reference(references[i]); });
+    if (images_.shape().keyed && !predictive.empty()) refine_keys();
+    parallel_for(references.size(), [&](size_t i) { encode_reference(i); });
     if (predictive.empty()) return;
     for (const ImagePos at : references) {
       if (has_predictive(at)) code(at)[kMotionPlane] = decisions_->decide_group(at);
@@ -82,13 +83,22 @@ class LevelWalk {
     });
   }
 
-  void encode_reference(ImagePos at) {
-    if (!geometry_.is_key(images_.level(), at)) {
+  void refine_keys() {
+    const auto& references = images_.references();
+    keys_.resize(references.size());
+    parallel_for(keys_.size(), [&](size_t i) { keys_[i] = images_.original(references[i]); });
+    decisions_->refine_keys(keys_);
+  }
+
+  // Codes the i-th of references().
+  void encode_reference(size_t i) {
+    const ImagePos at = images_.references()[i];
+    if (!images_.shape().keyed) {
       finish(at, decisions_->encode_reference(at, images_.original(at)));
       return;
     }
     EncodedImage key;
-    key.samples = images_.original(at);
+    key.samples = keys_.empty() ? images_.original(at) : std::move(keys_[i]);
     parallel_for(kPlaneCount, [&](size_t p) { encode_key(at, kPlanes[p], key.samples[p]); });
     decisions_->take_key(at, key.samples);
     finish(at, std::move(key));
@@ -127,6 +137,7 @@ class LevelWalk {
   const Geometry& geometry_;
   LevelImages images_;
   std::unique_ptr<LevelDecisions> decisions_;
+  std::vector<ImagePlanes> keys_;  // refined, as references() names them; none: as they are
 };
 
 // Appends the tile records of one plane to the index.

@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "bits/parallel.hpp"
 #include "encoder/decisions.hpp"
+#include "encoder/key_refinement.hpp"
 #include "encoder/motion_decision.hpp"
 #include "encoder/motion_prediction.hpp"
 #include "encoder/plane_targets.hpp"
@@ -38,6 +40,17 @@ class ExtendedLevel final : public LevelDecisions {
         motion_(header_.has(Feature::kMotionTiles)),
         groups_(images.group_count()) {}
 
+  // Disparities are found in the originals: what they lose by that is not measurable, and so they
+  // serve the refinement, too.
+  void refine_keys(std::vector<ImagePlanes>& keys) override {
+    if (!motion_) return;
+    const auto& references = images_.references();
+    parallel_for(keys.size(), [&](size_t i) { take_key(references[i], keys[i]); });
+    for (const ImagePos at : references) find_disparities(at);
+    if (!header_.has(Feature::kLossyKeys)) return;
+    parallel_for(keys.size(), [&](size_t i) { refine(references[i], keys[i]); });
+  }
+
   void take_key(ImagePos at, const ImagePlanes& decoded) override {
     for (const Plane plane : kPlanes) keep(at, plane, decoded[static_cast<size_t>(plane)]);
   }
@@ -54,21 +67,8 @@ class ExtendedLevel final : public LevelDecisions {
 
   PlaneCode decide_group(ImagePos reference) override {
     if (!motion_) return {};
-    const std::vector<ImagePos> members = images_.members(reference);
-    DisparitySearch search = disparity_search(header_);
-    search.images = members.size();
-    std::vector<SamplePlane> planes;
-    for (const ImagePos at : evenly_spread(members, settings_.effort.disparity_images)) {
-      planes.push_back(motion_target(at, images_.original(at)[0]));
-      search.targets.push_back(search_target(at));
-    }
-    for (size_t i = 0; i < planes.size(); ++i) search.targets[i].plane = &planes[i];
-    GroupReference& own = group(reference);
-    search.rows = images_.rows();
-    search.bound = reference_bound(Plane::kY, header_.depth, images_.shape().keyed);
-    search.lambda = settings_.lambda;
-    own.grid = search_disparities(search, settings_.disparities);
-    return disparity_records(own.grid);
+    if (!images_.shape().keyed) find_disparities(reference);
+    return disparity_records(group(reference).grid);
   }
 
   EncodedImage encode_predictive(ImagePos at, const ImagePlanes& original) override {
@@ -96,6 +96,45 @@ class ExtendedLevel final : public LevelDecisions {
   }
 
  private:
+  // Searches the disparities of the group of `reference`, if it has images to predict.
+  void find_disparities(ImagePos reference) {
+    const std::vector<ImagePos> members = images_.members(reference);
+    if (members.empty()) return;
+    DisparitySearch search = disparity_search(header_);
+    search.images = members.size();
+    std::vector<SamplePlane> planes;
+    for (const ImagePos at : evenly_spread(members, settings_.effort.disparity_images)) {
+      planes.push_back(motion_target(at, images_.original(at)[0]));
+      search.targets.push_back(search_target(at));
+    }
+    for (size_t i = 0; i < planes.size(); ++i) search.targets[i].plane = &planes[i];
+    search.rows = images_.rows();
+    search.bound = reference_bound(Plane::kY, header_.depth, images_.shape().keyed);
+    search.lambda = settings_.lambda;
+    group(reference).grid = search_disparities(search, settings_.disparities);
+  }
+
+  void refine(ImagePos reference, ImagePlanes& key) {
+    const std::vector<ImagePos> members = images_.members(reference);
+    std::vector<RefinementTarget> targets;
+    for (const ImagePos at : evenly_spread(members, settings_.effort.disparity_images)) {
+      targets.push_back({images_.original(at), at, {}, {}});
+      if (!header_.has(Feature::kTwoReferences)) continue;
+      const ImagePos other = reference_images(geometry_, images_.level(), at)[1];
+      if (other == reference || !group(other).planes[0]) continue;
+      targets.back().other = other;
+      for (size_t p = 0; p < kPlaneCount; ++p) {
+        targets.back().other_planes[p] = &*group(other).planes[p];
+      }
+    }
+    KeyRefinement task{header_, geometry_,      reference, group(reference).grid,
+                       targets, members.size(), {},        images_.rows()};
+    for (size_t p = 0; p < kPlaneCount; ++p) {
+      task.lambdas[p] = settings_.targets[p].residuals.lambda;
+    }
+    refine_key(task, key);
+  }
+
   GroupReference& group(ImagePos at) { return groups_[images_.group_of(at)]; }
 
   // Keeps what images of the group of `at` and of its neighbours refer to, if there are any.

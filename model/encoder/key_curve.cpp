@@ -13,7 +13,7 @@ constexpr double kLeastError = 0.25;
 constexpr double kErrorRatio = 2;
 constexpr int kErrorCount = 11;
 // Errors tried between two of them.
-constexpr int kParts = 4;
+constexpr int kParts = 16;
 
 double mean_squared_error(const SamplePlane& a, const SamplePlane& b) {
   int64_t squares = 0;

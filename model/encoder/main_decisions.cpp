@@ -194,6 +194,8 @@ class MainLevel final : public LevelDecisions {
   MainLevel(const EncodeParams& params, const LevelImages& images)
       : params_(params), images_(images), groups_(images.group_count()) {}
 
+  void refine_keys(std::vector<ImagePlanes>&) override {}
+
   void take_key(ImagePos at, const ImagePlanes& decoded) override {
     for (const Plane plane : kPlanes) keep(at, plane, decoded[static_cast<size_t>(plane)]);
   }

@@ -84,28 +84,42 @@ class CellErrors {
     return sum;
   }
 
+  // Each reference is interpolated once: for two of them, the mean of their rounded predictions is
+  // near enough to decide on.
   const std::array<int64_t, 16>& of_disparity(int32_t d) {
     for (const Known& known : known_) {
       if (known.disparity == d) return known.errors;
     }
     Known known{d, {}};
-    CellSamples prediction;
-    const PredictionTarget target{prediction.data(), static_cast<size_t>(area_.width),
-                                  static_cast<unsigned>(area_.width),
-                                  static_cast<unsigned>(area_.height)};
+    for (size_t k = 0; k < (sets_ > 1 ? predicted_.size() : 1); ++k) interpolate_from(k, d);
     for (unsigned set = 0; set < sets_; ++set) {
       const ReferenceSet refs = references_of_set(set);
-      std::array<DisplacedReference, 2> parts;
-      for (size_t i = 0; i < refs.count; ++i) {
-        const size_t k = refs.reference[i];
-        parts[i] = displaced(*task_.references[k], area_.x, area_.y, sources_.vector(k, d, false));
+      const CellSamples* prediction = &predicted_[refs.reference[0]];
+      if (refs.count == 2) {
+        average(predicted_[refs.reference[0]], predicted_[refs.reference[1]]);
+        prediction = &mean_;
       }
-      interpolate_rect(parts, refs.count, bound_, target);
-      known.errors[set] = left_by(prediction.data(), false);
-      if (!sources_.keyed) known.errors[set + 8] = left_by(prediction.data(), true);
+      known.errors[set] = left_by(prediction->data(), false);
+      if (!sources_.keyed) known.errors[set + 8] = left_by(prediction->data(), true);
     }
     known_.push_back(known);
     return known_.back().errors;
+  }
+
+  void interpolate_from(size_t k, int32_t d) {
+    const DisplacedReference part =
+        displaced(*task_.references[k], area_.x, area_.y, sources_.vector(k, d, false));
+    const auto width = static_cast<unsigned>(area_.width);
+    interpolate_rect({part, {}}, 1, bound_,
+                     {predicted_[k].data(), width, width, static_cast<unsigned>(area_.height)});
+  }
+
+  // Halves are rounded up and down in turn, as a bias would count against two references.
+  void average(const CellSamples& a, const CellSamples& b) {
+    for (int32_t i = 0; i < area_.samples(); ++i) {
+      const auto k = static_cast<size_t>(i);
+      mean_[k] = static_cast<int16_t>((a[k] + b[k] + (i & 1)) >> 1);
+    }
   }
 
   const MotionTask& task_;
@@ -117,6 +131,8 @@ class CellErrors {
   int32_t bound_;
   Area area_;
   CellSamples target_;
+  std::array<CellSamples, 4> predicted_;  // from K0 to K3, with the disparity at hand
+  CellSamples mean_;
   std::vector<Known> known_;
 };
 

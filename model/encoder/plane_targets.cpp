@@ -31,7 +31,7 @@ Lambda plane_lambda(Lambda lambda, Plane plane, ChromaFormat chroma) {
 
 // The share of a key image's error that is left in an image predicted from it: two references
 // average it, and residuals take some of it away. In the key image itself all of it is seen.
-constexpr double kSeenError = 1.0 / 3;
+constexpr double kSeenError = 0.45;
 
 // What the error of a key image weighs: in itself, and in the images predicted from it.
 double key_weight(const StreamHeader& header, const EncodeParams& params) {

@@ -42,6 +42,13 @@ class ResidualEstimate {
     return least_ + ((8 * lambda_.scaled * (log2_in_256ths(energy) - log_least_)) >> 16);
   }
 
+  /// The derivative of the estimate at `energy`: `whole`, in [1, 1000], while the energy counts as
+  /// it is, then whole * 8 lambda / (ln 2 * energy), rounded down.
+  constexpr int64_t slope(int64_t energy, int64_t whole) const {
+    if (energy <= least_) return whole;
+    return whole * 1154 * lambda_.scaled / (25600 * energy);
+  }
+
  private:
   int64_t least_;
   int64_t log_least_;

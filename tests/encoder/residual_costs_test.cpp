@@ -61,7 +61,7 @@ TEST(ResidualCosts, AreTheLeastOverAllBiases) {
   }
 }
 
-TEST(ResidualEstimate, IsTheEnergyAndThenItsLogarithm) {
+TEST(ResidualEstimate, IsTheEnergyAndThenItsLogarithmWithTheirSlope) {
   for (const int64_t scaled : {256, 3000, 1 << 20}) {
     const ResidualEstimate estimate(Lambda{scaled});
     const double lambda = static_cast<double>(scaled) / 256;
@@ -73,6 +73,8 @@ TEST(ResidualEstimate, IsTheEnergyAndThenItsLogarithm) {
       ASSERT_NEAR(static_cast<double>(estimate(energy)), expected, 1 + 0.09 * 8 * lambda);
       ASSERT_GE(estimate(energy), last);
       last = estimate(energy);
+      const double slope = e <= least ? 1000 : 1000 * 8 * lambda / (std::log(2.0) * e);
+      ASSERT_NEAR(static_cast<double>(estimate.slope(energy, 1000)), slope, 1 + slope / 500);
     }
   }
 }
