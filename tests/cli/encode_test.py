@@ -176,6 +176,52 @@ class Encode(CliTest):
                 self.assertEqual(read_png(self.folder / "back" / f"{row:02}_{col:02}.png"),
                                  read_png(self.folder / "views" / f"{2 * row:02}_{col + 1:02}.png"))  # fmt: skip
 
+    def test_views_takes_a_part_of_the_grid(self):
+        for part, rows, cols in [
+            ("0..2:2,1..3", (0, 2), (1, 2, 3)),
+            ("1,0..3:3", (1,), (0, 3)),
+            ("0..2:3,3", (0,), (3,)),
+            ("01..02,2..2:9", (1, 2), (2,)),
+        ]:
+            with self.subTest(part=part):
+                json = self.encode("--lossless", "--views", part, file="part.hmlfc")
+                self.assertEqual((json["rows"], json["cols"]), (len(rows), len(cols)))
+                info = self.hmlfc_json("info", "part.hmlfc")
+                self.assertEqual((info["rows"], info["cols"]), (len(rows), len(cols)))
+                folder = self.folder / f"back {part}"
+                self.hmlfc("decode", "part.hmlfc", "-o", folder)
+                for i, row in enumerate(rows):
+                    for j, col in enumerate(cols):
+                        self.assertEqual(read_png(folder / f"{i:02}_{j:02}.png"),
+                                         read_png(self.folder / "views" / f"{row:02}_{col:02}.png"))  # fmt: skip
+
+    def test_views_of_the_whole_grid_changes_nothing(self):
+        self.encode(file="a.hmlfc")
+        self.encode("--views", "0..2,0..3", file="b.hmlfc")
+        self.assertEqual(
+            (self.folder / "b.hmlfc").read_bytes(), (self.folder / "a.hmlfc").read_bytes()
+        )
+
+    def test_views_reads_its_part_alone(self):
+        folder = self.folder / "one damaged"
+        shutil.copytree(self.folder / "views", folder)
+        (folder / "01_02.png").write_bytes(b"not a picture")
+        self.encode("--views", "0..2:2,0..3", views=folder, file="part.hmlfc")
+        command = ["encode", folder, "-o", "c.hmlfc", "--views"]
+        self.refused(INPUT, *command, "1,2", says="01_02.png")
+        (folder / "01_02.png").unlink()
+        self.refused(INPUT, *command, "0..2:2,0..3", says=["row 1, column 2", "missing"])
+        self.assertFalse((self.folder / "c.hmlfc").exists())
+
+    def test_views_beyond_the_grid(self):
+        for part, says in [
+            ("0..3,0", "views: --views asks for row 3, but the grid has 3 rows (0 to 2)"),
+            ("0,4294967295", "column 4294967295, but the grid has 4 columns (0 to 3)"),
+        ]:
+            with self.subTest(part=part):
+                self.refused(INPUT, "encode", "views", "-o", "c.hmlfc", "--views", part, says=says)
+                self.assertFalse((self.folder / "c.hmlfc").exists())
+
     def test_what_a_stream_cannot_hold_is_said(self):
         """Samples over 12 bits and alpha; nothing is said of 12 bits without alpha."""
         def write(path, bits, alpha):

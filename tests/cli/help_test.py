@@ -11,7 +11,7 @@ from program import PROGRAM, ROOT, CliTest, main
 COMMANDS = {
     "": ["--help", "--version"],
     "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--output"],
-    "encode": ["--grid", "--profile", "--method", "--cluster", "--height", "--block", "--window",
+    "encode": ["--grid", "--views", "--profile", "--method", "--cluster", "--height", "--block", "--window",
                "--threshold-ref", "--threshold-pred", "--quality", "--preset", "--target-psnr", "--chroma", "--lossless",
                "--references", "--threads", "--json", "--output"],
     "decode": ["--view", "--rect", "--levels", "--threads", "--output"],

@@ -1,10 +1,30 @@
 #include "cli/arguments.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "io/view_name.hpp"
 
 namespace hmlfc::cli {
+
+namespace {
+
+// "FIRST..LAST:STEP", "FIRST..LAST" or one number.
+std::optional<io::IndexRange> parse_range(std::string_view text) {
+  const size_t dots = text.find("..");
+  const auto first = parse_integer<uint32_t>(text.substr(0, dots));
+  if (!first) return std::nullopt;
+  if (dots == text.npos) return io::IndexRange{*first, *first};
+
+  text.remove_prefix(dots + 2);
+  const size_t colon = text.find(':');
+  const auto last = parse_integer<uint32_t>(text.substr(0, colon));
+  const auto step = colon == text.npos ? 1 : parse_integer<uint32_t>(text.substr(colon + 1));
+  if (!last || *last < *first || !step || *step < 1) return std::nullopt;
+  return io::IndexRange{*first, *last, *step};
+}
+
+}  // namespace
 
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& type_name,
                        const std::string& description, const std::string& expected, Reader reader) {
@@ -63,6 +83,22 @@ CLI::Option* add_grid(CLI::App& app, std::optional<io::GridShape>& target) {
                    [&target](uint32_t r, uint32_t c) {
                      target = io::GridShape{r, c};
                    });
+}
+
+CLI::Option* add_views(CLI::App& app, std::optional<io::ViewPart>& target) {
+  const auto reader = [&target](const std::string& text) {
+    const size_t comma = text.find(',');
+    if (comma == text.npos) return false;
+    const auto rows = parse_range(std::string_view(text).substr(0, comma));
+    const auto cols = parse_range(std::string_view(text).substr(comma + 1));
+    if (rows && cols) target = io::ViewPart{*rows, *cols};
+    return rows && cols;
+  };
+  return add_value(app, "--views", "ROWS,COLS",
+                   "Only these rows and columns of the grid, see below",
+                   "rows,columns, each FIRST..LAST:STEP, FIRST..LAST or one number, with FIRST <= "
+                   "LAST and STEP >= 1, such as 0..8:2,4",
+                   reader);
 }
 
 CLI::Option* add_view(CLI::App& app, std::optional<ViewPos>& target,

@@ -19,6 +19,7 @@
 
 #include "cli/commands.hpp"
 #include "io/view_list.hpp"
+#include "io/view_part.hpp"
 #include "terminal/numbers.hpp"
 
 namespace hmlfc::cli {
@@ -137,6 +138,10 @@ CLI::Option* add_rows_by_cols(CLI::App& app, const std::string& name, uint32_t& 
 
 /// --grid RxC: the grid of a folder of views.
 CLI::Option* add_grid(CLI::App& app, std::optional<io::GridShape>& target);
+
+/// --views R0..R1:STEP,C0..C1:STEP: a part of the grid. ":STEP" may be left out; one number stands
+/// for a range of one.
+CLI::Option* add_views(CLI::App& app, std::optional<io::ViewPart>& target);
 
 /// --view R,C.
 CLI::Option* add_view(CLI::App& app, std::optional<ViewPos>& target,

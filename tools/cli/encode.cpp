@@ -16,6 +16,7 @@
 #include "cli/view_source.hpp"
 #include "io/files.hpp"
 #include "io/light_field_files.hpp"
+#include "io/view_part.hpp"
 #include "terminal/clock.hpp"
 #include "terminal/progress_bar.hpp"
 
@@ -26,6 +27,7 @@ struct EncodeOptions {
   std::filesystem::path input;
   std::filesystem::path output;
   std::optional<io::GridShape> grid;
+  std::optional<io::ViewPart> part;
   CodingOptions coding;
   bool json = false;
   const CLI::App* app = nullptr;  ///< tells which options were given
@@ -42,7 +44,10 @@ struct EncodeOutcome {
 
 LightField load(const EncodeOptions& options) {
   terminal::ProgressBar progress("Reading", "views");
-  const auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
+  auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
+  if (options.part) {
+    views = value_or_throw(io::part_of(options.input, views, *options.part), ExitCode::kInput);
+  }
   io::ImageLosses losses;
   LightField field = value_or_throw(
       io::load_light_field(views, static_cast<unsigned>(options.coding.params.threads),
@@ -180,6 +185,10 @@ View positions are parsed from file names: RR_CC.png, out_RR_CC_Y_X_.png, input_
 other names are taken in sorted order, row by row, and need --grid. With --grid a folder may also hold
 a subset of a grid, such as every second row. The stream is the same bytes for any number of threads.
 
+--views R0..R1:STEP,C0..C1:STEP encodes every STEP-th of rows R0 to R1 and of columns C0 to C1, counted
+from 0. :STEP may be left out (1), and one number is one row or column: --views 4,0..16. The folder must
+hold the whole grid, but only the files of this part are read.
+
 After encoding, the file is decoded and compared with the views: the PSNR is that of the decoded file,
 from the mean squared error over all views; "inf" (a string in JSON) means no difference. If it is below
 --target-psnr, the best stream is kept and the exit status is 1.
@@ -192,11 +201,13 @@ without reading, writing and checking.
 Examples:
   hmlfc encode views -o chess.hmlfc --target-psnr 40
   hmlfc encode views -o paper.hmlfc --profile main --method hmlfc --threshold-pred 50
+  hmlfc encode views -o sparse.hmlfc --views 0..8:2,0..8:2
   hmlfc encode lytro -o lytro.hmlfc --grid 9x9 --lossless)");
   options.app = &app;
   add_path(app, "INPUT", options.input, "Folder of PNG, PPM, PGM or JPEG views");
   add_output(app, options.output, "FILE", "The .hmlfc file to write");
   add_grid(app, options.grid);
+  add_views(app, options.part);
   add_coding_options(app, options.coding);
   add_threads(app, options.coding.params.threads);
   add_json(app, options.json);
