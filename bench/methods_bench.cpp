@@ -44,7 +44,7 @@ std::optional<EncodeParams> best_params(const LightField& field, Method method, 
     params.profile = Profile::kMain;
     params.method = method;
     params.chroma = chroma;
-    const auto found = encode_to_psnr(field, params, target_db);
+    const auto found = encode_to(field, params, TargetPsnr{target_db});
     if (!found || psnr(found->error.rgb_squares, samples, shape.depth) < target_db) continue;
     if (best && found->bytes.size() >= best_size) continue;
     best = found->params;

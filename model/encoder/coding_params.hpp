@@ -6,6 +6,7 @@
 #include <hmlfc/encoder.hpp>
 #include <hmlfc/error.hpp>
 
+#include "encoder/encode_goal.hpp"
 #include "encoder/light_field_probe.hpp"
 
 namespace hmlfc {
@@ -25,9 +26,9 @@ struct SettledCoding {
 };
 
 /// Settles by trial what with_defaults() leaves open: the chroma format, and the reference groups
-/// and the grid of disparities that cost least at params.extended.quality. For `target_db` the
-/// quality becomes the one with which trials reach it.
+/// and the grid of disparities that cost least at params.extended.quality. For `goal`, if there is
+/// one, the quality becomes the one with which trials meet it.
 SettledCoding settle_coding(const LightField& light_field, const EncodeParams& params,
-                            std::optional<double> target_db = std::nullopt);
+                            const EncodeGoal* goal = nullptr);
 
 }  // namespace hmlfc

@@ -72,12 +72,20 @@ class HeadSearch {
  private:
   // Weighs the blocks that may be worth a residual. False: all together they are not worth a head.
   bool collect() {
+    const int64_t least = lambda_.cost(0, kMaskBitsPerBlock);
+    const int64_t head = lambda_.cost(0, kResidualHeadBits + kTileOverheadBits);
+    std::array<int64_t, kBlocks> worth{};  // what a block could save, if its residual were free
     int64_t most = 0;
     for (size_t k = 0; k < kBlocks; ++k) {
       if (!has_bit(context_.blocks_inside, static_cast<unsigned>(k))) continue;
+      worth[k] = std::max<int64_t>(0, lambda_.cost(energy(differences_[k]), 0) - least);
+      most += worth[k];
+    }
+    if (most <= head) return false;
+    most = 0;
+    for (size_t k = 0; k < kBlocks; ++k) {
+      if (worth[k] == 0) continue;
       Candidate candidate{k, {differences_[k], lambda_}, {}};
-      const int64_t least = lambda_.cost(0, kMaskBitsPerBlock);
-      if (candidate.weighed.zero() <= least) continue;
       candidate.costs.resize(steps_);
       int64_t best = kNever;
       for (unsigned s = 0; s < steps_; ++s) {
@@ -90,7 +98,7 @@ class HeadSearch {
       most += candidate.weighed.zero() - best - least;
       candidates_.push_back(std::move(candidate));
     }
-    return most > lambda_.cost(0, kResidualHeadBits + kTileOverheadBits);
+    return most > head;
   }
 
   // All level_base and level_bits with steps [step, step + 2^step_bits - 1] and one bias width.

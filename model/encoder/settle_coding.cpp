@@ -117,6 +117,7 @@ class CodingSearch {
     const uint64_t samples = uint64_t{shape.rows} * shape.cols * shape.width * shape.height * 3;
     return psnr(static_cast<uint64_t>(best_result_.rgb_squares), samples, shape.depth);
   }
+  double bytes() const { return best_result_.bits / 8; }
 
  private:
   TrialResult trial(const EncodeParams& params) const {
@@ -170,16 +171,16 @@ uint32_t size_at_most(const std::vector<uint32_t>& sizes, uint32_t wanted) {
 // The mean squared error over RGB that halved chroma alone may cost: an eighth of the target's, or
 // a tenth of what a bit is worth.
 double max_chroma_error(const LightFieldShape& shape, const EncodeParams& params,
-                        std::optional<double> target_db) {
-  if (target_db) {
+                        const EncodeGoal* goal) {
+  if (goal != nullptr && goal->psnr() != nullptr) {
     const double peak = static_cast<double>((1 << shape.depth) - 1);
-    return peak * peak * std::pow(10.0, -*target_db / 10) / 8;
+    return peak * peak * std::pow(10.0, -goal->psnr()->db / 10) / 8;
   }
   return static_cast<double>(lambda_of_quality(params.extended.quality).scaled) / 256 / 10;
 }
 
 ChromaFormat chroma_for(const LightField& light_field, const EncodeParams& params,
-                        std::optional<double> target_db) {
+                        const EncodeGoal* goal) {
   EncodeParams halved = params;
   halved.chroma = ChromaFormat::k420;
   const auto header = header_for(light_field.shape(), halved);
@@ -190,14 +191,13 @@ ChromaFormat chroma_for(const LightField& light_field, const EncodeParams& param
       light_field, middle, view_planes(light_field, geometry, middle), ChromaFormat::k420);
   const double samples = static_cast<double>(header->width) * header->height * 3;
   const bool costly = static_cast<double>(error.rgb_squares) / samples >
-                      max_chroma_error(light_field.shape(), params, target_db);
+                      max_chroma_error(light_field.shape(), params, goal);
   return costly ? ChromaFormat::k444 : ChromaFormat::k420;
 }
 
 // Settles by trial what is open in `asked`; for a target the quality, too.
 void search_coding(const LightField& light_field, const StreamHeader& header,
-                   const EncodeParams& asked, std::optional<double> target_db,
-                   SettledCoding& settled) {
+                   const EncodeParams& asked, const EncodeGoal* goal, SettledCoding& settled) {
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
   const LightField part = trial_part(light_field, header);
@@ -211,8 +211,9 @@ void search_coding(const LightField& light_field, const StreamHeader& header,
       searched = found.extended.quality;
     }
     found = search.best();
-    if (!target_db) break;
-    const double quality = found.extended.quality + (*target_db - search.psnr_db()) / kDbPerQuality;
+    if (goal == nullptr) break;
+    const double surplus = goal->surplus_db(search.psnr_db(), search.bytes());
+    const double quality = found.extended.quality - surplus / kDbPerQuality;
     const double moved = std::abs(quality - found.extended.quality);
     found.extended.quality = std::round(std::clamp(quality, 0.0, 100.0) * 8) / 8;
     if (moved < kNextQuality) break;
@@ -222,7 +223,7 @@ void search_coding(const LightField& light_field, const StreamHeader& header,
 }  // namespace
 
 SettledCoding settle_coding(const LightField& light_field, const EncodeParams& params,
-                            std::optional<double> target_db) {
+                            const EncodeGoal* goal) {
   const LightFieldShape& shape = light_field.shape();
   SettledCoding settled{params, {}};
   EncodeParams& found = settled.params;
@@ -234,7 +235,7 @@ SettledCoding settle_coding(const LightField& light_field, const EncodeParams& p
   if (found.extended.disparity_grid == 0) found.extended.disparity_grid = 8;
   if (found.extended.motion_tile == 0) found.extended.motion_tile = 64;
   if (found.extended.key_weight == 0) found.extended.key_weight = 1;
-  if (!found.chroma) found.chroma = chroma_for(light_field, found, target_db);
+  if (!found.chroma) found.chroma = chroma_for(light_field, found, goal);
   const auto header = header_for(shape, found);
   if (!header || params.profile == Profile::kMain) return settled;
   settled.probe = probe_light_field(light_field, *header);
@@ -242,10 +243,17 @@ SettledCoding settle_coding(const LightField& light_field, const EncodeParams& p
     return settled;
   }
   const bool open_grid = params.extended.disparity_grid == 0 || params.extended.motion_tile == 0;
-  if (!open_groups && !target_db && !(open_grid && trial_effort(params.extended.preset).grid)) {
+  if (!open_groups && goal == nullptr &&
+      !(open_grid && trial_effort(params.extended.preset).grid)) {
     return settled;
   }
-  search_coding(light_field, *header, params, target_db, settled);
+  search_coding(light_field, *header, params, goal, settled);
+  if (goal != nullptr && !params.chroma) {
+    // A number of bytes says only now what chroma may cost.
+    EncodeParams again = params;
+    again.chroma = chroma_for(light_field, found, goal);
+    if (*again.chroma != *found.chroma) return settle_coding(light_field, again, goal);
+  }
   return settled;
 }
 

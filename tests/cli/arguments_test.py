@@ -80,6 +80,8 @@ class Arguments(CliTest):
             "--threshold-ref": ["-1", "1.5", "1e3"],
             "--threshold-pred": ["-1", ""],
             "--target-psnr": ["0.9", "100.1", "nan", "40dB"],
+            "--target-bpp": ["0", "-1", "nan", "1001"],
+            "--max-bytes": ["0", "-5", "1e6", "10k"],
             "--chroma": ["422", "4:2:0"],
             "--threads": ["-1"],
         }.items():
@@ -97,6 +99,8 @@ class Arguments(CliTest):
     def test_contradictions_of_encode(self):
         for extra, named in [
             (["--lossless", "--target-psnr", "40"], "--target-psnr"),
+            (["--target-bpp", "1", "--target-psnr", "40"], "--target-bpp"),
+            (["--max-bytes", "1000", "--quality", "40"], "--max-bytes"),
             (["--lossless", "--threshold-ref", "0"], "--lossless"),
             (["--lossless", "--threshold-pred", "5"], "--lossless"),
             (["--lossless", "--chroma", "420"], "--chroma"),

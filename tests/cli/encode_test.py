@@ -5,7 +5,7 @@ import shutil
 from json import loads
 
 from pictures import Picture, errors, psnr, read_png, write_png, write_ppm
-from program import DIFFERENT, DONE, INPUT, CliTest, main
+from program import DONE, INPUT, MISSED, CliTest, main
 
 KEYS = [
     "bytes", "bpp", "ratio", "rows", "cols", "width", "height", "profile", "method", "sections",
@@ -124,12 +124,25 @@ class Encode(CliTest):
             with self.subTest(chroma=chroma):
                 target = ["--target-psnr", "99", "--chroma", chroma]
                 result = self.run_hmlfc("encode", "views", "-o", "missed.hmlfc", *target, "--json")
-                self.assertEqual(result.returncode, DIFFERENT)
+                self.assertEqual(result.returncode, MISSED)
                 got = loads(result.stdout)["psnr_rgb"]
                 self.assertLess(got, 99)
                 for part in ("--target-psnr 99 was not reached", f"{got:.2f} dB", hint):
                     self.assertIn(part, result.stderr.decode())
                 self.hmlfc("info", "missed.hmlfc")
+
+    def test_target_bytes(self):
+        whole = self.encode("--quality", 60)["bytes"]
+        pixels = 3 * 4 * 44 * 28
+        most = whole * 3 // 4
+        for target in (["--max-bytes", most], ["--target-bpp", 8 * most / pixels]):
+            got = self.encode(*target)["bytes"]
+            self.assertLessEqual(got, most)
+            self.assertGreater(got, 0.9 * most)
+        result = self.run_hmlfc("encode", "views", "-o", "tiny.hmlfc", "--max-bytes", 200)
+        self.assertEqual(result.returncode, MISSED)
+        self.assertIn("200 bytes were not enough", result.stderr.decode())
+        self.hmlfc("info", "tiny.hmlfc")
 
     def test_text_names_what_counts(self):
         for profile, last in (("main", "75"), ("extended", "quality 60")):

@@ -12,7 +12,7 @@ COMMANDS = {
     "": ["--help", "--version"],
     "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--output"],
     "encode": ["--grid", "--views", "--profile", "--method", "--cluster", "--height", "--block", "--window",
-               "--threshold-ref", "--threshold-pred", "--quality", "--preset", "--target-psnr", "--chroma", "--lossless",
+               "--threshold-ref", "--threshold-pred", "--quality", "--preset", "--target-psnr", "--target-bpp", "--max-bytes", "--chroma", "--lossless",
                "--references", "--threads", "--json", "--output"],
     "decode": ["--view", "--rect", "--levels", "--threads", "--output"],
     "info": ["--json"],

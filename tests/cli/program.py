@@ -14,7 +14,7 @@ sys.path.insert(0, str(ROOT / "tests" / "naive_decoder"))
 PROGRAM = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else None
 VERSION = sys.argv[2] if len(sys.argv) > 2 else None
 
-DONE, DIFFERENT, USAGE, INPUT, CORRUPT = range(5)
+DONE, DIFFERENT, USAGE, INPUT, CORRUPT, INCOMPLETE, MISSED = range(7)
 INTERNAL, OUT_OF_MEMORY, OUTPUT = 70, 71, 74
 SKIPPED = 77
 

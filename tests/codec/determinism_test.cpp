@@ -45,9 +45,9 @@ TEST(Determinism, TargetPsnrDoesNotDependOnThreads) {
   params.profile = Profile::kMain;
   params.chroma = ChromaFormat::k444;
   params.threads = 1;
-  const auto one = encode_to_psnr(field, params, 30);
+  const auto one = encode_to(field, params, TargetPsnr{30});
   params.threads = 7;
-  const auto many = encode_to_psnr(field, params, 30);
+  const auto many = encode_to(field, params, TargetPsnr{30});
   ASSERT_TRUE(one.has_value() && many.has_value());
   EXPECT_EQ(one->bytes, many->bytes);
   EXPECT_EQ(one->params.main.threshold_pred, many->params.main.threshold_pred);

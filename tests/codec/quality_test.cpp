@@ -85,7 +85,7 @@ TEST(TargetPsnr, IsReachedAndNotMuchMore) {
                ++p.main.threshold_pred;
              }}}) {
     for (const double target : {30.0, 36.0, 42.0}) {
-      const auto encoded = encode_to_psnr(field, kind.params, target);
+      const auto encoded = encode_to(field, kind.params, TargetPsnr{target});
       ASSERT_TRUE(encoded.has_value());
       EXPECT_GE(rgb_psnr(*encoded), target);
       EncodeParams coarser = encoded->params;
@@ -102,7 +102,7 @@ TEST(TargetPsnr, OutOfReachGivesTheBestThereIs) {
   const LightField field = test::textured_light_field(kShape, 1, 255);
   for (EncodeParams params : {extended(), main_params()}) {
     params.chroma = ChromaFormat::k420;
-    const auto encoded = encode_to_psnr(field, params, 90);
+    const auto encoded = encode_to(field, params, TargetPsnr{90});
     ASSERT_TRUE(encoded.has_value());
     const bool main = params.profile == Profile::kMain;
     EXPECT_TRUE(main ? encoded->params.main.threshold_pred == 0
@@ -114,8 +114,40 @@ TEST(TargetPsnr, OutOfReachGivesTheBestThereIs) {
 TEST(TargetPsnr, RefusesTargetsThatMakeNoSense) {
   const LightField field = test::textured_light_field({1, 1, 8, 8, 8}, 1, 0);
   for (const double target : {0.0, -5.0, 101.0, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_FALSE(encode_to_psnr(field, main_params(), target).has_value());
+    EXPECT_FALSE(encode_to(field, main_params(), TargetPsnr{target}).has_value());
   }
+}
+
+TEST(TargetBytes, AreNotExceededAndUsed) {
+  const LightField field = test::textured_light_field(kShape, 11, 12);
+  for (const EncodeParams& params : {extended(), main_params()}) {
+    const auto usual = encode(field, params);
+    ASSERT_TRUE(usual.has_value());
+    for (const size_t most : {usual->bytes.size() * 2 / 3, usual->bytes.size() * 3 / 2}) {
+      const auto encoded = encode_to(field, params, TargetBytes{most});
+      ASSERT_TRUE(encoded.has_value());
+      EXPECT_LE(encoded->bytes.size(), most);
+      if (encoded->bytes.size() > most * 98 / 100) continue;
+      EncodeParams finer = encoded->params;
+      if (finer.profile == Profile::kMain && finer.main.threshold_pred == 0) continue;
+      finer.extended.quality += 0.125;
+      if (params.profile == Profile::kMain) {
+        --finer.main.threshold_ref;
+        --finer.main.threshold_pred;
+      }
+      const auto larger = encode(field, finer);
+      ASSERT_TRUE(larger.has_value());
+      EXPECT_GT(larger->bytes.size(), most);
+    }
+  }
+}
+
+TEST(TargetBytes, TooFewGiveTheSmallestStreamAndNoneAreRefused) {
+  const LightField field = test::textured_light_field(kShape, 11, 12);
+  const auto smallest = encode_to(field, extended(), TargetBytes{1});
+  ASSERT_TRUE(smallest.has_value());
+  EXPECT_EQ(smallest->params.extended.quality, 0);
+  EXPECT_FALSE(encode_to(field, extended(), TargetBytes{0}).has_value());
 }
 
 // Rows that run against their parallax are found: the stream says so and is as small.

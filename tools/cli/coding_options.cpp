@@ -20,12 +20,18 @@ void check(const CLI::App& app, const CodingOptions& options) {
   const auto given = [&](const char* name) { return app.get_option(name)->count() > 0; };
   const bool thresholds = given("--threshold-ref") || given("--threshold-pred");
   const bool main = params.profile == Profile::kMain;
+  const int targets =
+      (options.target_psnr ? 1 : 0) + (options.target_bpp ? 1 : 0) + (options.max_bytes ? 1 : 0);
+  const std::string target = options.target_psnr  ? "--target-psnr"
+                             : options.target_bpp ? "--target-bpp"
+                                                  : "--max-bytes";
   const bool motion = given("--window") || given("--references");
-  const std::pair<bool, const char*> rules[] = {
-      {options.target_psnr && thresholds, "--target-psnr chooses the thresholds itself"},
+  const std::pair<bool, std::string> rules[] = {
+      {targets > 1, "--target-psnr, --target-bpp and --max-bytes exclude each other"},
+      {targets > 0 && thresholds, target + " chooses the thresholds itself"},
       {options.quality && thresholds, "--quality chooses the thresholds itself"},
-      {options.quality && options.target_psnr, "--target-psnr chooses the quality itself"},
-      {params.lossless && options.target_psnr, "--lossless and --target-psnr exclude each other"},
+      {options.quality && targets > 0, target + " chooses the quality itself"},
+      {params.lossless && targets > 0, "--lossless and " + target + " exclude each other"},
       {params.lossless && options.quality, "--lossless and --quality exclude each other"},
       {params.lossless && thresholds, "--lossless sets the thresholds to 0 itself"},
       {params.lossless && params.chroma == ChromaFormat::k420, "--lossless needs --chroma 444"},
@@ -36,7 +42,7 @@ void check(const CLI::App& app, const CodingOptions& options) {
       {params.method == Method::kRlfc && motion,
        "--method rlfc has no motion: --window and --references do not apply"}};
   for (const auto& [broken, message] : rules) {
-    if (broken) throw Failure(ExitCode::kUsage, std::string("hmlfc encode: ") + message);
+    if (broken) throw Failure(ExitCode::kUsage, "hmlfc encode: " + message);
   }
 }
 
@@ -87,12 +93,25 @@ void add_coding_options(CLI::App& app, CodingOptions& options) {
               "Higher is better and larger (default 60)");
   add_decimal(app, "--target-psnr", "DB", options.target_psnr, 1, 100,
               "Find the lowest quality with this PSNR over RGB");
+  add_decimal(app, "--target-bpp", "B", options.target_bpp, 1e-6, 1000,
+              "Find the highest quality with at most B bits per pixel");
+  add_integer(app, "--max-bytes", options.max_bytes, 1, uint64_t{1} << 62,
+              "Find the highest quality with at most N bytes");
   app.add_flag("--lossless", options.params.lossless, "Keep every RGB value; implies --chroma 444");
   add_choice(app, "--preset", options.params.extended.preset, kPresets,
              "Extended: how long to search for the best coding")
       ->default_str("medium");
   add_structure_options(app, options);
   add_main_options(app, options.params);
+}
+
+std::optional<EncodeTarget> target_of(const CodingOptions& options, const LightFieldShape& shape) {
+  if (options.target_psnr) return TargetPsnr{*options.target_psnr};
+  if (options.max_bytes) return TargetBytes{*options.max_bytes};
+  if (!options.target_bpp) return std::nullopt;
+  const double pixels = static_cast<double>(shape.rows) * shape.cols * shape.width * shape.height;
+  const double bytes = std::floor(*options.target_bpp * pixels / 8);
+  return TargetBytes{std::max<uint64_t>(1, static_cast<uint64_t>(bytes))};
 }
 
 void settle_coding_options(const CLI::App& app, CodingOptions& options) {

@@ -14,13 +14,18 @@ namespace hmlfc::cli {
 struct CodingOptions {
   EncodeParams params;
   std::optional<double> target_psnr;  ///< dB over RGB
+  std::optional<double> target_bpp;   ///< bits per pixel of all views
+  std::optional<uint64_t> max_bytes;  ///< of the file
   std::optional<double> quality;      ///< [0, 100]
 };
 
 /// "fast", "medium" or "slow".
 std::string_view preset_name(Preset preset);
 
-/// Adds --profile, --quality, --target-psnr, --lossless and the options of profiles and methods.
+/// The target that was given, for a light field of `shape`; none: the quality counts.
+std::optional<EncodeTarget> target_of(const CodingOptions& options, const LightFieldShape& shape);
+
+/// Adds --profile, --quality, the targets, --lossless and the options of profiles and methods.
 void add_coding_options(CLI::App& app, CodingOptions& options);
 
 /// After parsing: refuses contradictory combinations (kUsage) and sets what depends on the profile.

@@ -61,8 +61,8 @@ LightField load(const EncodeOptions& options) {
 EncodedStream encode_field(const LightField& field, const EncodeOptions& options) {
   terminal::ProgressBar progress("Encoding", "images");
   const EncodeParams& params = options.coding.params;
-  const auto target = options.coding.target_psnr;
-  auto stream = target ? encode_to_psnr(field, params, *target, progress.callback())
+  const auto target = target_of(options.coding, field.shape());
+  auto stream = target ? encode_to(field, params, *target, progress.callback())
                        : encode(field, params, progress.callback());
   if (!stream)
     throw Failure(ExitCode::kInput, options.input.string() + ": " + stream.error().message);
@@ -142,17 +142,32 @@ void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outco
                     outcome.cpu_seconds));
 }
 
-// Whether --target-psnr was reached, if it was asked for; says how far it got if not.
-bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
-  const auto target = options.coding.target_psnr;
-  if (!target || outcome.quality.psnr_rgb >= *target) return true;
+// Says that and why --target-psnr was not reached.
+void note_missed_psnr(double target, const EncodeOutcome& outcome) {
   const bool main = outcome.params.profile == Profile::kMain;
-  note(fmt::format("--target-psnr {} was not reached: even {} {} only{}", *target,
+  note(fmt::format("--target-psnr {} was not reached: even {} {} only{}", target,
                    main ? "thresholds of 0 give" : "quality 100 gives",
                    psnr_text(outcome.quality.psnr_rgb),
                    outcome.stream.header.chroma_format == ChromaFormat::k420
                        ? "; half-size chroma limits it, try --chroma 444"
                        : "; --lossless keeps every value"));
+}
+
+// Whether the target was met, if there is one; says how far the encoding got if not.
+bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
+  const auto target = target_of(options.coding, shape_of(outcome.stream.header));
+  if (!target) return true;
+  if (const auto* least = std::get_if<TargetPsnr>(&*target)) {
+    if (outcome.quality.psnr_rgb >= least->db) return true;
+    note_missed_psnr(least->db, outcome);
+    return false;
+  }
+  const uint64_t most = std::get<TargetBytes>(*target).bytes;
+  if (outcome.stream.bytes <= most) return true;
+  note(
+      fmt::format("{} bytes were not enough: the smallest stream has {}; encode fewer or smaller "
+                  "views, or try larger --references",
+                  most, outcome.stream.bytes));
   return false;
 }
 
@@ -167,7 +182,7 @@ ExitCode run_encode(const EncodeOptions& given) {
   } else {
     print_outcome_text(options, outcome);
   }
-  return is_on_target(options, outcome) ? ExitCode::kDone : ExitCode::kDifferent;
+  return is_on_target(options, outcome) ? ExitCode::kDone : ExitCode::kMissed;
 }
 
 }  // namespace
@@ -190,8 +205,8 @@ from 0. :STEP may be left out (1), and one number is one row or column: --views 
 hold the whole grid, but only the files of this part are read.
 
 After encoding, the file is decoded and compared with the views: the PSNR is that of the decoded file,
-from the mean squared error over all views; "inf" (a string in JSON) means no difference. If it is below
---target-psnr, the best stream is kept and the exit status is 1.
+from the mean squared error over all views; "inf" (a string in JSON) means no difference. If a target
+cannot be met, the nearest stream is kept and the exit status is 6.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
 motion, residual, top, other}, seconds, psnr_rgb, psnr_y, max_abs_error, cpu_seconds; for profile main
@@ -200,6 +215,7 @@ without reading, writing and checking.
 
 Examples:
   hmlfc encode views -o chess.hmlfc --target-psnr 40
+  hmlfc encode views -o small.hmlfc --target-bpp 0.05
   hmlfc encode views -o paper.hmlfc --profile main --method hmlfc --threshold-pred 50
   hmlfc encode views -o sparse.hmlfc --views 0..8:2,0..8:2
   hmlfc encode lytro -o lytro.hmlfc --grid 9x9 --lossless)");

@@ -23,11 +23,12 @@ has an example.
 
 Exit status:
   0   done
-  1   a comparison found a difference, or encode missed --target-psnr
+  1   a comparison found a difference
   2   wrong arguments, or an output that cannot be created there
   3   an input is missing, unreadable or unsuitable
   4   a stream is corrupt; the message has the specification's name of the error and its address
   5   no failures, but required tests were skipped
+  6   encode missed its target; the nearest stream was written
   70  a bug in this program; 71 out of memory; 74 writing failed (full disk, closed pipe)
   77  a decoder under test cannot run on this machine
 

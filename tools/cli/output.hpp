@@ -18,11 +18,12 @@ namespace hmlfc::cli {
 /// Exit status of the process; those from 70 on are the numbers of sysexits.h.
 enum class ExitCode : int {
   kDone = 0,
-  kDifferent = 1,     ///< a comparison found a difference, or a target was missed
+  kDifferent = 1,     ///< a comparison found a difference
   kUsage = 2,         ///< wrong arguments, or an output that cannot be created there
   kInput = 3,         ///< an input is missing, unreadable or unsuitable
   kCorrupt = 4,       ///< a stream broke a rule of the specification
   kIncomplete = 5,    ///< no failures, but required tests were skipped
+  kMissed = 6,        ///< an encoding that misses its target was written
   kInternal = 70,     ///< a bug in this program
   kOutOfMemory = 71,  ///< not enough memory
   kOutput = 74,       ///< writing failed: full disk, closed pipe

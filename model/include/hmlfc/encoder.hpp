@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -92,14 +93,29 @@ HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode(const LightField& l
                                                              const EncodeParams& params,
                                                              const Progress& progress = {});
 
+/// The least PSNR over RGB.
+struct TargetPsnr {
+  double db = 0;  ///< [1, 100]
+  friend bool operator==(const TargetPsnr&, const TargetPsnr&) = default;
+};
+
+/// The most bytes of the whole stream.
+struct TargetBytes {
+  uint64_t bytes = 0;  ///< at least 1
+  friend bool operator==(const TargetBytes&, const TargetBytes&) = default;
+};
+
+using EncodeTarget = std::variant<TargetPsnr, TargetBytes>;
+
 /// Encodes with the lowest quality, in eighths (in profile main: with the largest thresholds, both
-/// equal), whose PSNR over RGB is at least `target_db`, in [1, 100]. If even quality 100
-/// (thresholds of 0) does not reach it, because of subsampled chroma, that is the result. The first
-/// quality tried is the one that trials predict, the first threshold threshold_pred of `params`.
-/// params.lossless is ignored.
-HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode_to_psnr(const LightField& light_field,
-                                                                     const EncodeParams& params,
-                                                                     double target_db,
-                                                                     const Progress& progress = {});
+/// equal), whose PSNR is at least that of `target`, or with the highest that takes no more bytes
+/// than `target` has. A result within 0.02 dB or two percent of the bytes is near enough. Where
+/// no quality meets the target (subsampled chroma limits the PSNR, key images take bytes), the
+/// result is the nearest there is. The first quality tried is the one that trials predict, the
+/// first threshold threshold_pred of `params`. params.lossless is ignored.
+HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode_to(const LightField& light_field,
+                                                                const EncodeParams& params,
+                                                                const EncodeTarget& target,
+                                                                const Progress& progress = {});
 
 }  // namespace hmlfc

@@ -1,0 +1,181 @@
+#include "encoder/target_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace hmlfc {
+namespace {
+
+// A coarseness that was tried and what it exceeds the target by.
+struct Attempt {
+  int64_t coarseness = 0;
+  double surplus_db = 0;
+};
+
+// Where `surplus_db` is 0 between the two, as a share of the way from `coarse` to `fine`.
+double share_to(const Attempt& fine, const Attempt& coarse) {
+  if (!std::isfinite(fine.surplus_db)) return 0.5;
+  return -coarse.surplus_db / (fine.surplus_db - coarse.surplus_db);
+}
+
+// The number that a search varies, 0 or more: PSNR and bytes fall as it grows.
+class Coarseness {
+ public:
+  virtual ~Coarseness() = default;
+  virtual int64_t first() const = 0;
+  virtual int64_t coarsest() const = 0;
+  virtual void apply(int64_t coarseness, EncodeParams& params) const = 0;
+
+  // What to try next, beyond or strictly between what was tried.
+  virtual int64_t finer(const Attempt& coarse) const = 0;
+  virtual int64_t coarser(const Attempt& fine) const = 0;
+  virtual int64_t between(const Attempt& fine, const Attempt& coarse) const = 0;
+};
+
+// Profile main: both thresholds. PSNR falls about linearly with their logarithm.
+class Thresholds final : public Coarseness {
+ public:
+  explicit Thresholds(const MainParams& params) : first_(params.threshold_pred) {}
+
+  int64_t first() const override { return first_; }
+  // The least threshold that drops every block of every plane: 64 differences of at most 8190.
+  int64_t coarsest() const override { return 64 * 8190 + 1; }
+
+  void apply(int64_t coarseness, EncodeParams& params) const override {
+    const auto threshold = static_cast<uint32_t>(coarseness);
+    params.main = {threshold, threshold};
+  }
+
+  int64_t finer(const Attempt& coarse) const override { return coarse.coarseness / 4; }
+  int64_t coarser(const Attempt& fine) const override {
+    return std::min(coarsest(), fine.coarseness * 4 + 4);
+  }
+
+  int64_t between(const Attempt& fine, const Attempt& coarse) const override {
+    const double low = std::log2(static_cast<double>(fine.coarseness) + 1);
+    const double high = std::log2(static_cast<double>(coarse.coarseness) + 1);
+    const double share = 1 - share_to(fine, coarse);
+    const int64_t at = std::lround(std::exp2(low + (high - low) * share) - 1);
+    return std::clamp(at, fine.coarseness + 1, coarse.coarseness - 1);
+  }
+
+ private:
+  int64_t first_;
+};
+
+// Profile extended: eighths of quality below 100. PSNR is about linear in quality.
+class QualityLoss final : public Coarseness {
+ public:
+  explicit QualityLoss(const ExtendedParams& params)
+      : first_(std::clamp<int64_t>(kMaxLoss - std::lround(params.quality * kParts), 0, kMaxLoss)) {}
+
+  int64_t first() const override { return first_; }
+  int64_t coarsest() const override { return kMaxLoss; }
+
+  void apply(int64_t coarseness, EncodeParams& params) const override {
+    params.extended.quality = static_cast<double>(kMaxLoss - coarseness) / kParts;
+  }
+
+  int64_t finer(const Attempt& coarse) const override {
+    return std::max<int64_t>(0, coarse.coarseness - steps(-coarse.surplus_db));
+  }
+
+  int64_t coarser(const Attempt& fine) const override {
+    return std::min(kMaxLoss, fine.coarseness + steps(fine.surplus_db));
+  }
+
+  int64_t between(const Attempt& fine, const Attempt& coarse) const override {
+    const auto span = static_cast<double>(coarse.coarseness - fine.coarseness);
+    const int64_t at =
+        coarse.coarseness - static_cast<int64_t>(std::ceil(share_to(fine, coarse) * span));
+    return std::clamp(at, fine.coarseness + 1, coarse.coarseness - 1);
+  }
+
+ private:
+  static constexpr int64_t kParts = 8;
+  static constexpr int64_t kMaxLoss = 100 * kParts;
+  static constexpr double kDbPerStep = 0.12 / kParts;
+
+  // The steps that are worth `db`, at least one of quality.
+  static int64_t steps(double db) {
+    return std::isfinite(db) ? std::max<int64_t>(kParts, std::lround(db / kDbPerStep)) : kParts;
+  }
+
+  int64_t first_;
+};
+
+std::unique_ptr<Coarseness> coarseness_of(const EncodeParams& params) {
+  if (params.profile == Profile::kMain) return std::make_unique<Thresholds>(params.main);
+  return std::make_unique<QualityLoss>(params.extended);
+}
+
+class TargetSearch {
+ public:
+  TargetSearch(const LightFieldShape& shape, const EncodeParams& params, const EncodeGoal& goal,
+               const EncodeAttempt& attempt)
+      : shape_(shape),
+        params_(params),
+        goal_(goal),
+        encode_(attempt),
+        axis_(coarseness_of(params)) {}
+
+  EncodedStream run() {
+    for (int64_t next = axis_->first();; next = next_try()) {
+      attempt(next);
+      if (done()) return std::move(best_);
+    }
+  }
+
+ private:
+  bool done() const {
+    if (!fine_) return coarse_->coarseness == 0;
+    if (!coarse_) return is_near(*fine_) || fine_->coarseness >= axis_->coarsest();
+    if (is_near(goal_.is_least() ? *fine_ : *coarse_)) return true;
+    return coarse_->coarseness - fine_->coarseness <= 1;
+  }
+
+  bool is_near(const Attempt& attempt) const {
+    return goal_.is_met(attempt.surplus_db) && std::abs(attempt.surplus_db) < goal_.tolerance_db();
+  }
+
+  int64_t next_try() const {
+    if (!fine_) return axis_->finer(*coarse_);
+    if (!coarse_) return axis_->coarser(*fine_);
+    return axis_->between(*fine_, *coarse_);
+  }
+
+  void attempt(int64_t coarseness) {
+    EncodeParams params = params_;
+    axis_->apply(coarseness, params);
+    EncodedStream stream = encode_(params);
+    const uint64_t samples = uint64_t{shape_.rows} * shape_.cols * shape_.width * shape_.height * 3;
+    const double psnr_db = psnr(stream.error.rgb_squares, samples, shape_.depth);
+    const double surplus = goal_.surplus_db(psnr_db, static_cast<double>(stream.bytes.size()));
+    const bool met = goal_.is_met(surplus);
+    (met == goal_.is_least() ? fine_ : coarse_) = Attempt{coarseness, surplus};
+    if (met || !any_met_) best_ = std::move(stream);
+    any_met_ = any_met_ || met;
+  }
+
+  LightFieldShape shape_;
+  EncodeParams params_;
+  const EncodeGoal& goal_;
+  const EncodeAttempt& encode_;
+  std::unique_ptr<Coarseness> axis_;
+  std::optional<Attempt> fine_;    // at or beyond the target, the coarsest so far
+  std::optional<Attempt> coarse_;  // the finest so far that is not
+  EncodedStream best_;             // the last that meets the target, else the last
+  bool any_met_ = false;
+};
+
+}  // namespace
+
+EncodedStream search_target(const LightFieldShape& shape, const EncodeParams& params,
+                            const EncodeGoal& goal, const EncodeAttempt& attempt) {
+  return TargetSearch(shape, params, goal, attempt).run();
+}
+
+}  // namespace hmlfc
