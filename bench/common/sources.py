@@ -21,6 +21,7 @@ REAL = (
     Source("chess", Path("stanford-chess-16x16-700x400"), 39.0, "420"),
     Source("antinous", Path("hci-antinous-9x9-512x512"), 39.5, "420"),
     Source("knights", Path("stanford-legoknights-17x17-256x256-jpeg"), 36.5),
+    Source("toylf", Path("toylf-16x16-320x240"), 36.0),
 )
 
 

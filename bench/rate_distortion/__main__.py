@@ -165,12 +165,13 @@ def parse_arguments():
     )
     add = parser.add_argument
     add("--light-field", nargs="+", action="extend", metavar="NAME=FOLDER", default=[],
-        help="folders of views (default: chess, antinous and knights in HMLFC_DATA_DIR, or else "
+        help="folders of views (default: chess, antinous, knights and toylf in HMLFC_DATA_DIR, or else "
              "the built-in scenes)")
     add("--methods", nargs="+", choices=coders.NAMES, metavar="METHOD",
         default=list(coders.NAMES), help="of: " + " ".join(coders.NAMES) + " (default all)")
     add("--at", nargs="+", action="extend", metavar="[NAME=]DB", default=[],
-        help="PSNR to compare at (default 39 chess, 39.5 antinous, 36.5 knights, others 38)")
+        help="PSNR to compare at (default 39 chess, 39.5 antinous, 36.5 knights, 36 toylf, "
+             "others 38)")
     add("--x265-chroma", choices=("420", "444"), default="444", help="default 444")
     add("--quick", action="store_true", help="three points a curve; one default light field")
     add("-o", "--output", type=Path, default=ROOT / "out" / "rate_distortion", metavar="FOLDER",

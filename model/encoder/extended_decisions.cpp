@@ -246,7 +246,7 @@ class ExtendedLevel final : public LevelDecisions {
 
 class ExtendedDecisions final : public DecisionStrategy {
  public:
-  explicit ExtendedDecisions(Settings settings) : settings_(std::move(settings)) {}
+  explicit ExtendedDecisions(const Settings& settings) : settings_(settings) {}
 
   double key_error(Plane plane) const override {
     return settings_.targets[static_cast<size_t>(plane)].key.asked;

@@ -33,7 +33,7 @@ class PlaneRefinement {
         halved_(plane > 0 && task.header.chroma_format == ChromaFormat::k420),
         block_size_((1 << task.header.disparity_grid_log2) >> (halved_ ? 1 : 0)),
         pad_(task.header.window + 10),
-        stride_(static_cast<ptrdiff_t>(shape_.width) + 2 * pad_),
+        stride_(static_cast<ptrdiff_t>(shape_.width) + 2 * static_cast<ptrdiff_t>(pad_)),
         range_(sample_range(kPlanes[plane], task.header.depth)),
         bound_(reference_bound(kPlanes[plane], task.header.depth, true)),
         rules_(vector_rules(task.header)),
@@ -80,6 +80,12 @@ class PlaneRefinement {
     std::array<int32_t, size_t{kStride} * kStride> weights{};
   };
 
+  // Of row y, column x >= 0 in a block of `stride` columns.
+  static constexpr size_t place(int32_t x, int32_t y, int32_t stride) {
+    return static_cast<size_t>(y) * static_cast<size_t>(stride) + static_cast<size_t>(x);
+  }
+
+  // In a plane with padding.
   size_t index(ptrdiff_t x, ptrdiff_t y) const {
     return static_cast<size_t>((y + pad_) * stride_ + x + pad_);
   }
@@ -151,7 +157,7 @@ class PlaneRefinement {
     for (int32_t j = y; j < y1; ++j) {
       const int16_t* row = target.row(static_cast<uint32_t>(area.y + j)).data() + area.x;
       for (int32_t i = x; i < x1; ++i) {
-        const auto k = static_cast<size_t>(j * kMaxBlock + i);
+        const size_t k = place(i, j, kMaxBlock);
         energy_of_one += (row[i] - one_[k]) * (row[i] - one_[k]);
         energy_of_both += (row[i] - both_[k]) * (row[i] - both_[k]);
       }
@@ -164,9 +170,8 @@ class PlaneRefinement {
     for (int32_t j = y; j < y1; ++j) {
       const int16_t* row = target.row(static_cast<uint32_t>(area.y + j)).data() + area.x;
       for (int32_t i = x; i < x1; ++i) {
-        const auto to = static_cast<size_t>((j + 1) * BlockErrors::kStride + i + 1);
-        errors_here_.errors[to] =
-            weight * (row[i] - predicted[static_cast<size_t>(j * kMaxBlock + i)]);
+        const size_t to = place(i + 1, j + 1, BlockErrors::kStride);
+        errors_here_.errors[to] = weight * (row[i] - predicted[place(i, j, kMaxBlock)]);
         errors_here_.weights[to] = weight;
       }
     }
@@ -180,7 +185,7 @@ class PlaneRefinement {
     clear_border(area);
     for (int32_t j = 0; j < rows; ++j) {
       const size_t to = index(area.x + v.ix, area.y + v.iy + j);
-      const auto from = static_cast<size_t>(j * BlockErrors::kStride);
+      const size_t from = place(0, j, BlockErrors::kStride);
       add_row(&errors_here_.errors[from], taps, columns, &errors_[to]);
       add_row(&errors_here_.weights[from], taps, columns, &weights_[to]);
     }
@@ -189,11 +194,11 @@ class PlaneRefinement {
   // The grid block before may have been larger.
   void clear_border(const Area& area) {
     for (int32_t i = 0; i <= area.width + 1; ++i) {
-      const auto at = static_cast<size_t>((area.height + 1) * BlockErrors::kStride + i);
+      const size_t at = place(i, area.height + 1, BlockErrors::kStride);
       errors_here_.errors[at] = errors_here_.weights[at] = 0;
     }
     for (int32_t j = 0; j <= area.height; ++j) {
-      const auto at = static_cast<size_t>(j * BlockErrors::kStride + area.width + 1);
+      const size_t at = place(area.width + 1, j, BlockErrors::kStride);
       errors_here_.errors[at] = errors_here_.weights[at] = 0;
     }
   }

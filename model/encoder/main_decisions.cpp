@@ -65,7 +65,7 @@ class PlaneEncoder {
         shape_(task.geometry.plane(task.plane)),
         size_(task.geometry.block_size()),
         range_(sample_range(task.plane, task.depth)),
-        vector_bits_(2 * vector_widths(task.window).component_bits) {}
+        vector_bits_(uint64_t{2} * vector_widths(task.window).component_bits) {}
 
   EncodedPlane run() {
     result_.samples = SamplePlane(task_.original.width, task_.original.height);
@@ -86,7 +86,7 @@ class PlaneEncoder {
     context.depth = task_.depth;
     context.block_samples = uint64_t{size_} * size_;
 
-    std::vector<BlockDecision> decisions(kTileBlocks * kTileBlocks, BlockDecision(size_));
+    std::vector<BlockDecision> decisions(size_t{kTileBlocks} * kTileBlocks, BlockDecision(size_));
     for (unsigned k = 0; k < decisions.size(); ++k) {
       const uint32_t bx = tx * kTileBlocks + block_column(k);
       const uint32_t by = ty * kTileBlocks + block_row(k);

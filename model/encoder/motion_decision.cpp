@@ -75,7 +75,8 @@ class CellErrors {
     int32_t sum = 0;
     for (int32_t j = y; j < std::min(y + 4, area_.height); ++j) {
       for (int32_t i = x; i < std::min(x + 4, area_.width); ++i) {
-        const auto k = static_cast<size_t>(j * area_.width + i);
+        const size_t k =
+            static_cast<size_t>(j) * static_cast<size_t>(area_.width) + static_cast<size_t>(i);
         const int32_t p = prediction == nullptr ? 0 : negative ? -prediction[k] : prediction[k];
         const int32_t error = target_[k] - p;
         sum += error * error;

@@ -20,7 +20,7 @@ struct Lambda {
 
 /// 256 * log2(x) for x >= 1, linear between powers of two: at most 22 too low.
 constexpr int64_t log2_in_256ths(int64_t x) {
-  const auto whole = static_cast<int>(std::bit_width(static_cast<uint64_t>(x))) - 1;
+  const auto whole = static_cast<int64_t>(std::bit_width(static_cast<uint64_t>(x))) - 1;
   const int64_t beyond = x - (int64_t{1} << whole);
   return 256 * whole + (whole >= 8 ? beyond >> (whole - 8) : beyond << (8 - whole));
 }

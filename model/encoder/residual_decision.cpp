@@ -211,6 +211,7 @@ ResidualTile exact_residuals(std::span<const BlockValues> differences, const Til
     tile.blocks.push_back(differences[k]);
   }
   std::vector<const BlockValues*> blocks;
+  blocks.reserve(tile.blocks.size());
   for (const BlockValues& block : tile.blocks) blocks.push_back(&block);
   if (!blocks.empty()) tile.fields = residual_fields(blocks, context.depth, 0);
   return tile;
