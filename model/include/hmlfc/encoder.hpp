@@ -43,7 +43,7 @@ struct ExtendedParams {
   unsigned disparity_grid = 0;
   unsigned motion_tile = 0;  ///< samples a side of a motion tile: 64 or 128, or open with 0, too
   /// What the error of a key image weighs, to what it would weigh if every image predicted from it
-  /// showed a third of it: [1/4, 4], or open with 0: found by trial.
+  /// showed 45 % of it: [1/4, 4], or open with 0: found by trial.
   double key_weight = 0;
 };
 
