@@ -60,7 +60,7 @@ module hmlfc_answer #(
   endfunction
 
   // 1: planes at the pixels; 2 and 3: RGB; then the answer.
-  logic advance;
+  logic advance, advance_out;
   logic [3:1] valid, last, rgb;
   logic [5:0] status_1, status_2, status_3;
   logic [PLANE_BITS-1:0] y_1, co_1, cg_1, y_2, y_3;
@@ -121,7 +121,6 @@ module hmlfc_answer #(
       .out_ready,
       .out_data({out_last, out_error, out_data})
   );
-  logic advance_out;
   assign advance = !valid[3] || advance_out;
 
 endmodule

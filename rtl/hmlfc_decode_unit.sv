@@ -93,12 +93,14 @@ module hmlfc_decode_unit #(
     output logic [5:0] trace_error
 );
 
+`ifndef __ICARUS__  // version 11 has no elaboration tasks
   if (BLOCK_LOG2 < 1 || BLOCK_LOG2 > 3) $error("BLOCK_LOG2 is 1, 2 or 3");
   if (MAX_DEPTH < 8 || MAX_DEPTH > 12) $error("MAX_DEPTH is 8 to 12");
   if (AXI_DATA_BITS != 64 && AXI_DATA_BITS != 128) $error("AXI_DATA_BITS is 64 or 128");
   if (OUTSTANDING < 4 || OUTSTANDING > 64) $error("OUTSTANDING is 4 to 64");
   if (TILE_CONTEXTS < 2 || TILE_CONTEXTS > 32 || (TILE_CONTEXTS & (TILE_CONTEXTS - 1)) != 0) $error("TILE_CONTEXTS is a power of two, 2 to 32");
   if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0) $error("CACHE_STRIPS is a power of two, 64 to 1024");
+`endif
 
 `ifdef VERILATOR
   if ($bits(hmlfc_pkg::level_t) != hmlfc_pkg::LEVEL_BITS || $bits(hmlfc_pkg::image_t) != hmlfc_pkg::IMAGE_BITS ||
@@ -207,6 +209,8 @@ module hmlfc_decode_unit #(
 
   // ---- Requests in flight.
   logic requests_ready, requests_valid, list_ready;
+  logic done_valid, done_ready;
+  hmlfc_pkg::pending_t done_pending;  // the job that leaves
   /* verilator lint_off PINCONNECTEMPTY */
   hmlfc_fifo #(
       .WIDTH(64),
@@ -350,8 +354,6 @@ module hmlfc_decode_unit #(
   );
 
   // ---- Samples and answers.
-  logic done_valid, done_ready;
-  hmlfc_pkg::pending_t done_pending;
   logic [5:0] done_error;
   logic [SAMPLES*SAMPLE_BITS-1:0] done_sample;
   hmlfc_compose #(

@@ -63,12 +63,13 @@ module hmlfc_group_axis (
     endcase
   end
   logic started, divided, divider_idle;
+  wire divide_start = state != IDLE && !started && divider_idle;
   hmlfc_divide #(
       .WIDTH(22)
   ) divide (
       .clk,
       .rst_n,
-      .start(state != IDLE && !started && divider_idle),
+      .start(divide_start),
       .dividend,
       .divisor,
       .idle(divider_idle),

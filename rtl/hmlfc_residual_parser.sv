@@ -91,10 +91,11 @@ module hmlfc_residual_parser #(
   logic [1:0] motion_mode, residual_mode;
   logic [63:0] in_plane, mask, motion_mask, residual_mask;
   logic [6:0] mask_bits;
+  wire [1:0] mask_mode = state == MOTION_MASK ? motion_mode : residual_mode;
   hmlfc_tile_mask masks (
       .columns,
       .rows,
-      .mode(state == MOTION_MASK ? motion_mode : residual_mode),
+      .mode(mask_mode),
       .field,
       .in_plane,
       .mask,
@@ -122,6 +123,8 @@ module hmlfc_residual_parser #(
 
   logic [63:0] signs;
   logic [P-1:0] vectors_end;
+  wire vectors_start = state == SIGNS;
+  wire vectors_active = state == VECTORS;
   logic vectors_last;
   logic [1:0] vectors_enable;
   logic [2*WORD_BITS-1:0] vectors_word;
@@ -141,10 +144,10 @@ module hmlfc_residual_parser #(
       .search_window(stream.window),
       .position(position + (sign_mode == 2'd2 ? P'(motion_count) : P'(0))),
       .next(vectors_end),
-      .start(state == SIGNS),
+      .start(vectors_start),
       .context_number,
       .skew(PLACE_BITS'(skew)),
-      .active(state == VECTORS),
+      .active(vectors_active),
       .last(vectors_last),
       .read_enable(vectors_enable),
       .read_word(vectors_word),
@@ -157,6 +160,8 @@ module hmlfc_residual_parser #(
   logic [5:0] shared_error;
   logic [4:0] shared_bits, header_bits;
   logic headers_overrun, headers_last, headers_pending;
+  wire headers_start = state == RESIDUALS && fresh;
+  wire headers_active = state == HEADERS;
   hmlfc_tile_headers #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .SKEW_BITS(SKEW_BITS)
@@ -170,10 +175,10 @@ module hmlfc_residual_parser #(
       .bits,
       .field(field[31:0]),
       .position,
-      .start(state == RESIDUALS && fresh),
+      .start(headers_start),
       .shared_error,
       .shared_bits,
-      .active(state == HEADERS),
+      .active(headers_active),
       .header_bits,
       .overrun(headers_overrun),
       .last(headers_last),

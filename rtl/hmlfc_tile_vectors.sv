@@ -4,7 +4,7 @@
 // after vector, and writes each 4 clocks later; `last`: the last is written in this clock. The horizontal components are
 // read through read port 0, the vertical ones through port 1.
 module hmlfc_tile_vectors #(
-    parameter int WORD_BITS = 8,     // of word addresses of the record memory
+    parameter int WORD_BITS = 10,    // of word addresses of the record memory
     parameter int PLACE_BITS = 14,   // of bit positions in a context's part of it
     parameter int WINDOW_BITS = 256,
     localparam int CONTEXT_BITS = WORD_BITS + 6 - PLACE_BITS,

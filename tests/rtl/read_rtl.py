@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Reads every file of the decode unit with a tool, which must say nothing at all.
+
+read_rtl.py verilator|yosys|icarus|order RTL [--self-test]: the files of the folder RTL, Verilator and Yosys each module
+as a top as well; or a copy of it with a fault that the tool must find.
+
+Icarus 11 cannot elaborate the types of the package: it parses all files and elaborates the FIFO. `order` is no program:
+it finds signals used before their declaration, of which Icarus knows only those that are whole ports of an instance.
+
+Exit: 0 silent, 1 not (what was said is printed), 77 the tool is not installed.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+SKIPPED = 77
+PROGRAMS = {"verilator": "verilator", "yosys": "yosys", "icarus": "iverilog"}
+
+# File, text, and what stands in its place.
+FAULTS = {
+    "verilator": ("hmlfc_skid_buffer.sv", "endmodule", "wire [1:0] narrow = 3'd1;\nendmodule"),
+    "yosys": ("hmlfc_skid_buffer.sv", "endmodule", "wire floating;\nassign in_ready = floating;\nendmodule"),
+    "icarus": ("hmlfc_skid_buffer.sv", "endmodule", "hmlfc_trits t (.code(late));\nlogic late;\nendmodule"),
+    "order": ("hmlfc_skid_buffer.sv", "endmodule", "  wire early = !late;\n  logic late;\nendmodule"),
+}
+
+# In the body of a module, where it is indented by 2.
+DECLARATION = re.compile(r"^  (?:logic|wire|\w+::\w+_t|state_t)\b(?: signed)?(?: *\[[^]]*\])* +([^;=]+)", re.M)
+FUNCTION = re.compile(r"^  function .*?^  endfunction", re.M | re.S)
+NOT_A_USE = re.compile(r"//[^\n]*|\.\w+ *\(|(?<=[\w\])])\.\w+")  # comments, names of ports, members
+
+
+def early_uses(path):
+    """A line for each signal of a file that is used above its declaration."""
+    text = NOT_A_USE.sub("", path.read_text())
+    text = FUNCTION.sub(lambda match: "\n" * match.group().count("\n"), text)
+    declared = {}
+    for match in DECLARATION.finditer(text):
+        for name in re.findall(r"(\w+) *(?:\[[^]]*\])* *(?:,|$)", match.group(1).strip()):
+            declared.setdefault(name, match.start())
+    for name, at in declared.items():
+        if use := re.search(rf"\b{name}\b", text[:at]):
+            line = text.count("\n", 0, use.start()) + 1
+            yield f"{path}:{line}: {name} is used before its declaration\n"
+
+
+def commands(tool, rtl):
+    package = rtl / "hmlfc_pkg.sv"
+    modules = [path for path in sorted(rtl.glob("hmlfc_*.sv")) if path != package]
+    if tool == "icarus":
+        return [["iverilog", "-g2012", "-Wall", "-tnull", f"-I{rtl}", "-s", "hmlfc_fifo", package, *modules]]
+    if tool == "verilator":
+        lint = ["verilator", "--lint-only", "-Wall", f"-I{rtl}", rtl / "waivers.vlt", package]
+        return [[*lint, path, "--top-module", path.stem] for path in modules]
+    return [
+        ["yosys", "-q", "-p", f"read_verilog -sv -I{rtl} {package} {path}",
+         "-p", f"hierarchy -check -top {path.stem} -libdir {rtl}", "-p", "proc", "-p", "check -assert"]
+        for path in modules
+    ]
+
+
+def said(command):
+    """What the tool said; also where it only failed."""
+    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    return run.stdout or (f"{command[-1]}: exit status {run.returncode}\n" if run.returncode else "")
+
+
+def complaints(tool, rtl):
+    if tool == "order":
+        return "".join(line for path in sorted(rtl.glob("hmlfc_*.sv")) for line in early_uses(path))
+    with ThreadPoolExecutor() as pool:
+        return "".join(pool.map(said, commands(tool, rtl)))
+
+
+def planted(tool, rtl):
+    """The complaints about a copy with a fault."""
+    file, text, fault = FAULTS[tool]
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / "rtl"
+        shutil.copytree(rtl, copy)
+        whole = (copy / file).read_text()
+        if text not in whole:
+            sys.exit(f"{file} has no '{text}' to plant a fault in")
+        (copy / file).write_text(whole.replace(text, fault))
+        return complaints(tool, copy)
+
+
+def main():
+    tool, rtl = sys.argv[1], Path(sys.argv[2])
+    if tool in PROGRAMS and not shutil.which(PROGRAMS[tool]):
+        print(f"{PROGRAMS[tool]} is not installed")
+        return SKIPPED
+    if sys.argv[3:] == ["--self-test"]:
+        return 0 if FAULTS[tool][0] in planted(tool, rtl) else 1
+    found = complaints(tool, rtl)
+    print(found, end="")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
