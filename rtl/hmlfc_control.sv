@@ -65,8 +65,8 @@ module hmlfc_control #(
   ) registers (
       .clk,
       .rst_n,
-      .s_axil_awaddr(s_axil_awaddr[7:0]),
-      .s_axil_araddr(s_axil_araddr[7:0]),
+      .s_axil_awaddr,
+      .s_axil_araddr,
       .s_axil_awvalid,
       .s_axil_awready,
       .s_axil_wdata,

@@ -20,8 +20,8 @@ module hmlfc_registers #(
   input  logic        clk,
   input  logic        rst_n,
 
-  input  logic [7:0]  s_axil_awaddr,
-  input  logic [7:0]  s_axil_araddr,
+  input  logic [11:0] s_axil_awaddr,
+  input  logic [11:0] s_axil_araddr,
   input  logic        s_axil_awvalid,
   output logic        s_axil_awready,
   input  logic [31:0] s_axil_wdata,
@@ -58,14 +58,14 @@ module hmlfc_registers #(
   input  logic        answered
 );
   // Offsets by words of 32 bits.
-  localparam [5:0] AT_ID = 6'h00, AT_PARAMETERS = 6'h01, AT_CONTROL = 6'h02, AT_STATUS = 6'h03;
-  localparam [5:0] AT_STREAM_BASE = 6'h04, AT_STREAM_BYTES = 6'h06, AT_REFERENCE_BASE = 6'h08;
-  localparam [5:0] AT_ERROR = 6'h0c, AT_ERROR_ADDRESS = 6'h0e;
+  localparam [9:0] AT_ID = 10'h000, AT_PARAMETERS = 10'h001, AT_CONTROL = 10'h002, AT_STATUS = 10'h003;
+  localparam [9:0] AT_STREAM_BASE = 10'h004, AT_STREAM_BYTES = 10'h006, AT_REFERENCE_BASE = 10'h008;
+  localparam [9:0] AT_ERROR = 10'h00c, AT_ERROR_ADDRESS = 10'h00e;
   // Behind ERROR_ADDRESS stand the five counters, pairs as well.
 
   // Write channel: address and data are accepted one by one, and used when both have arrived.
   logic        address_held, data_held, write;
-  logic [5:0]  write_word;
+  logic [9:0]  write_word;
   logic [31:0] write_data, write_mask;
 
   assign s_axil_awready = !address_held;
@@ -74,7 +74,7 @@ module hmlfc_registers #(
   assign write = address_held && data_held && !s_axil_bvalid;
 
   always_ff @(posedge clk) begin
-    if (s_axil_awready) write_word <= s_axil_awaddr[7:2];
+    if (s_axil_awready) write_word <= s_axil_awaddr[11:2];
     if (s_axil_wready) begin
       write_data <= s_axil_wdata;
       write_mask <= {{8{s_axil_wstrb[3]}}, {8{s_axil_wstrb[2]}},
@@ -113,7 +113,7 @@ module hmlfc_registers #(
     disable_unit <= control[2] && rst_n;
     for (int k = 0; k < 6; k = k + 1) begin
       if (!rst_n) settings[32*k +: 32] <= 32'd0;
-      else if (write && write_word == AT_STREAM_BASE + 6'(k)) begin
+      else if (write && write_word == AT_STREAM_BASE + 10'(k)) begin
         settings[32*k +: 32] <= (settings[32*k +: 32] & ~write_mask) | (write_data & write_mask);
       end
     end
@@ -145,7 +145,7 @@ module hmlfc_registers #(
 
   // Read channel. A read of a pair's low word keeps its high word for the next read of that one.
   logic         read;
-  logic [5:0]   read_word;
+  logic [9:0]   read_word;
   logic [31:0]  read_data;
   logic [191:0] kept;
   logic [5:0]   has_kept;
@@ -153,7 +153,7 @@ module hmlfc_registers #(
   assign s_axil_arready = !s_axil_rvalid;
   assign s_axil_rresp = 2'b00;
   assign read = s_axil_arvalid && s_axil_arready;
-  assign read_word = s_axil_araddr[7:2];
+  assign read_word = s_axil_araddr[11:2];
 
   always @* begin
     case (read_word)
@@ -161,17 +161,17 @@ module hmlfc_registers #(
       AT_PARAMETERS: read_data = {16'd0, 8'(AXI_DATA_BITS / 8), 4'(MAX_DEPTH), 4'(BLOCK_LOG2)};
       AT_STATUS: read_data = {18'd0, load_error, 5'd0, idle, loading, ready};
       AT_STREAM_BASE: read_data = stream_base[31:0];
-      AT_STREAM_BASE + 6'd1: read_data = stream_base[63:32];
+      AT_STREAM_BASE + 10'd1: read_data = stream_base[63:32];
       AT_STREAM_BYTES: read_data = stream_bytes[31:0];
-      AT_STREAM_BYTES + 6'd1: read_data = stream_bytes[63:32];
+      AT_STREAM_BYTES + 10'd1: read_data = stream_bytes[63:32];
       AT_REFERENCE_BASE: read_data = reference_base[31:0];
-      AT_REFERENCE_BASE + 6'd1: read_data = reference_base[63:32];
+      AT_REFERENCE_BASE + 10'd1: read_data = reference_base[63:32];
       AT_ERROR: read_data = {26'd0, first_error};
       default: read_data = 32'd0;
     endcase
     for (int k = 0; k < 6; k = k + 1) begin
-      if (read_word == AT_ERROR_ADDRESS + 6'(2 * k)) read_data = pairs[64*k +: 32];
-      if (read_word == AT_ERROR_ADDRESS + 6'(2 * k + 1)) begin
+      if (read_word == AT_ERROR_ADDRESS + 10'(2 * k)) read_data = pairs[64*k +: 32];
+      if (read_word == AT_ERROR_ADDRESS + 10'(2 * k + 1)) begin
         read_data = has_kept[k] ? kept[32*k +: 32] : pairs[64*k+32 +: 32];
       end
     end
@@ -180,12 +180,12 @@ module hmlfc_registers #(
   always_ff @(posedge clk) begin
     if (read) s_axil_rdata <= read_data;
     for (int k = 0; k < 6; k = k + 1) begin
-      if (read && read_word == AT_ERROR_ADDRESS + 6'(2 * k)) begin
+      if (read && read_word == AT_ERROR_ADDRESS + 10'(2 * k)) begin
         kept[32*k +: 32] <= pairs[64*k+32 +: 32];
       end
       if (!rst_n) has_kept[k] <= 1'b0;
-      else if (read && read_word == AT_ERROR_ADDRESS + 6'(2 * k)) has_kept[k] <= 1'b1;
-      else if (read && read_word == AT_ERROR_ADDRESS + 6'(2 * k + 1)) has_kept[k] <= 1'b0;
+      else if (read && read_word == AT_ERROR_ADDRESS + 10'(2 * k)) has_kept[k] <= 1'b1;
+      else if (read && read_word == AT_ERROR_ADDRESS + 10'(2 * k + 1)) has_kept[k] <= 1'b0;
     end
     if (!rst_n) s_axil_rvalid <= 1'b0;
     else s_axil_rvalid <= read || (s_axil_rvalid && !s_axil_rready);

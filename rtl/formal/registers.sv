@@ -9,7 +9,7 @@
 // Fault: hmlfc_registers.sv / has_kept[k] ? kept[32*k +: 32] : pairs[64*k+32 +: 32] / pairs[64*k+32 +: 32]
 module prove_registers (
   input logic clk, input logic rst_n,
-  input logic [7:0] awaddr, input logic [7:0] araddr, input logic awvalid, input logic [31:0] wdata, input logic [3:0] wstrb,
+  input logic [11:0] awaddr, input logic [11:0] araddr, input logic awvalid, input logic [31:0] wdata, input logic [3:0] wstrb,
   input logic wvalid, input logic bready, input logic arvalid, input logic rready,
   input logic [10:0] status, input logic [5:0] error, input logic [63:0] error_request, input logic [3:0] events,
   input logic error_valid, input logic [4:0] read_bytes
@@ -51,8 +51,8 @@ module prove_registers (
   wire [31:0] pair_high = \dut.pairs [64*k+32 +: 32];
   wire [31:0] kept_high = \dut.kept [32*k +: 32];
   wire        read = arvalid && arready;
-  wire        reads_low = read && araddr[7:2] == 6'h0e + {2'd0, k, 1'b0};
-  wire        reads_high = read && araddr[7:2] == 6'h0f + {2'd0, k, 1'b0};
+  wire        reads_low = read && araddr[11:2] == 10'h00e + {6'd0, k, 1'b0};
+  wire        reads_high = read && araddr[11:2] == 10'h00f + {6'd0, k, 1'b0};
   logic       open, answers_high;
   logic [31:0] high;
   logic [31:0] answer_high;

@@ -33,7 +33,7 @@ class Bench {
   /// `data_late` clocks between address and data, negative: the data come first.
   void write(uint32_t address, uint32_t data, uint32_t strobes = 0xF, int data_late = 0,
              int answer_late = 0) {
-    dut.s_axil_awaddr = static_cast<uint8_t>(address);
+    dut.s_axil_awaddr = static_cast<uint16_t>(address);
     dut.s_axil_wdata = data;
     dut.s_axil_wstrb = static_cast<uint8_t>(strobes);
     const int address_clock = data_late < 0 ? -data_late : 0;
@@ -63,7 +63,7 @@ class Bench {
   }
 
   uint32_t read(uint32_t address, int answer_late = 0) {
-    dut.s_axil_araddr = static_cast<uint8_t>(address);
+    dut.s_axil_araddr = static_cast<uint16_t>(address);
     dut.s_axil_arvalid = 1;
     dut.eval();
     EXPECT_TRUE(dut.s_axil_arready);
@@ -177,11 +177,11 @@ TEST(Registers, ControlGivesOnePulse) {
 
 TEST(Registers, OtherOffsetsReadZeroAndIgnoreWrites) {
   Bench bench;
-  for (uint32_t address = 0; address < 0x100; address += 4) {
+  for (uint32_t address = 0; address < 0x1000; address += 4) {
     if (address < 0x08 || address == 0x0C || address >= 0x2C) bench.write(address, 0xFFFFFFFFu);
   }
   EXPECT_EQ(bench.loads + bench.disables, 0);
-  for (uint32_t address = 0x08; address < 0x100; address += 4) {
+  for (uint32_t address = 0x08; address < 0x1000; address += 4) {
     EXPECT_EQ(bench.read(address), 0u) << std::hex << address;
   }
 }
