@@ -2,8 +2,8 @@
 
 // LOAD: reads the header and derives the geometry, when no request is in flight. Sections are left unchecked (FIL-6).
 //
-// `load` begins (it may come at any time), `disable_unit` ends readiness. `enable`: requests may be accepted: a LOAD has
-// ended, with `error` or 0. `flush` is high for one clock when what is known of the last stream is to be forgotten.
+// `load` begins (while one goes on it begins no other), `disable_unit` ends readiness, also that which a LOAD under way would
+// give; `load` in the same clock or later takes that back. `enable`: requests may be accepted: a LOAD has ended, with `error` or 0. `flush` is high for one clock when what is known of the last stream is to be forgotten.
 module hmlfc_loader #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
@@ -143,6 +143,9 @@ module hmlfc_loader #(
       .levels
   );
 
+  logic wanted;  // LOAD was written after DISABLE, or with it
+  wire still_wanted = load || (wanted && !disable_unit);
+
   assign loading = state != IDLE;
   assign flush = begin_load;
   assign geometry_start = header_done && header_error == 0;
@@ -152,13 +155,13 @@ module hmlfc_loader #(
       HEADER:
       if (header_done) begin
         error <= header_error;
-        enable <= header_error != 0;
+        enable <= header_error != 0 && still_wanted;
         state <= header_error != 0 ? IDLE : GEOMETRY;
       end
       GEOMETRY:
       if (geometry_done) begin
         error <= geometry_error;
-        enable <= 1'b1;
+        enable <= still_wanted;
         state <= IDLE;
       end
       default: ;
@@ -168,6 +171,7 @@ module hmlfc_loader #(
       state <= WAIT;
     end
     if (disable_unit) enable <= 1'b0;
+    wanted <= still_wanted;
     if (!rst_n) begin
       state <= IDLE;
       enable <= 1'b0;

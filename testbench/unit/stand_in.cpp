@@ -129,8 +129,11 @@ void StandIn::control(uint32_t bits) {
   if ((bits & reg::kDisable) != 0) {
     oracle_.reset();
     registers_.ready = false;
+    wanted_ = false;
   }
-  if ((bits & reg::kLoad) != 0) begin_load();
+  if ((bits & reg::kLoad) == 0) return;
+  wanted_ = true;
+  if (!registers_.loading) begin_load();
 }
 
 void StandIn::begin_load() {
@@ -149,8 +152,9 @@ void StandIn::end_load() {
   // The TOP table is software's to check (KEY-1): the unit takes a stream with a bad one.
   const bool taken = opened || GoldenStream::is_of_top_table(opened.error());
   registers_.loading = false;
-  registers_.ready = taken;
+  registers_.ready = taken && wanted_;
   registers_.load_error = taken ? 0 : static_cast<uint8_t>(opened.error().code);
+  if (!wanted_) return;
   if (opened) {
     golden_ = std::move(*opened);
     oracle_ = std::make_unique<Oracle>(*golden_, &golden_->fast_references());

@@ -95,6 +95,7 @@ class StandIn final : public DecodeUnit {
   UnitOutputs out_;
   bool address_held_ = false;  // of a register write
   bool data_held_ = false;
+  bool wanted_ = false;  ///< no DISABLE has followed the latest LOAD
   uint32_t write_address_ = 0;
   uint32_t write_data_ = 0;
 };

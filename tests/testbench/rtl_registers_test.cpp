@@ -1,13 +1,20 @@
-// The registers of every Verilated unit of this build, at the pins of the top.
+// The registers at the pins: of every Verilated unit of this build, and of the stand-in.
 #include <gtest/gtest.h>
 
 #include "systemc/suite.hpp"
 #include "testbench/test_bench.hpp"
+#include "unit/stand_in.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
 constexpr uint32_t kSpace = 0x1000;
+
+std::vector<UnitMaker> all_units() {
+  auto makers = rtl_units();
+  makers.push_back({"stand-in", {2, 12, 16, 16}, &StandIn::make});
+  return makers;
+}
 
 bool is_register(uint32_t offset) {
   const bool gap = offset == 0x28 || offset == 0x2c || offset == 0x34;
@@ -41,11 +48,43 @@ void expect_other_words_are_zero(Bench& bench) {
   EXPECT_EQ(bench.read(reg::kStatus), reg::kIdle) << "no LOAD began";
 }
 
-TEST(RtlRegisters, OtherWordsReadZeroAndIgnoreWrites) {
+TEST(Registers, OtherWordsReadZeroAndIgnoreWrites) {
   Bench& bench = test_bench();
-  for (const UnitMaker& maker : rtl_units()) {
+  for (const UnitMaker& maker : all_units()) {
     bench.attach(maker.make(maker.parameters));
     expect_other_words_are_zero(bench);
+    EXPECT_FALSE(bench.findings().first());
+  }
+}
+
+uint32_t status_after_load(Bench& bench) {
+  uint32_t status = 0;
+  do {
+    status = bench.read(reg::kStatus);
+  } while ((status & reg::kLoading) != 0 && !bench.findings().first());
+  return status;
+}
+
+// DISABLE in any state of LOAD: the unit is not ready when it has ended, and is after another one.
+TEST(Registers, DisableDuringLoadHolds) {
+  Bench& bench = test_bench();
+  for (const UnitMaker& maker : all_units()) {
+    const auto bytes = suite_stream(0, maker.parameters.block_size());
+    StreamImage image(bytes, maker.parameters);
+    bench.attach(maker.make(maker.parameters));
+    image.load_into(bench);
+    ASSERT_EQ(bench.read(reg::kStatus), reg::kReady | reg::kIdle);
+    unsigned during_load = 0;
+    for (uint64_t clocks = 0; clocks < 600; clocks += 23) {
+      bench.write(reg::kControl, reg::kLoad);
+      bench.run_clocks(clocks);
+      during_load += (bench.read(reg::kStatus) & reg::kLoading) != 0;
+      bench.write(reg::kControl, reg::kDisable);
+      EXPECT_EQ(status_after_load(bench), reg::kIdle) << clocks << " clocks after LOAD";
+      bench.write(reg::kControl, reg::kLoad | reg::kDisable);
+      EXPECT_EQ(status_after_load(bench), reg::kReady | reg::kIdle) << "LOAD has the last word";
+    }
+    EXPECT_GE(during_load, 10u);
     EXPECT_FALSE(bench.findings().first());
   }
 }
