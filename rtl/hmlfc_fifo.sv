@@ -1,7 +1,7 @@
 // A queue of DEPTH words.
 //
 // WIDTH   >= 1, bits of a word
-// DEPTH   a power of two, >= 2
+// DEPTH   >= 2; the storage has the next power of two
 //
 // A word passes when valid and ready are both high; valid does not wait for ready. A word put in is
 // offered on the next clock. in_ready is low with DEPTH words inside, also while one is taken.
@@ -26,15 +26,16 @@ module hmlfc_fifo #(
 );
   localparam integer INDEX_BITS = $clog2(DEPTH);
   localparam [INDEX_BITS:0] ONE = {{INDEX_BITS{1'b0}}, 1'b1};
+  localparam WHOLE = DEPTH == 1 << INDEX_BITS;  // the last bit of the count says whether there is room
 
   (* no_rw_check *)  // what is read in the clock in which it is written is not used
-  logic [WIDTH-1:0]    storage [0:DEPTH-1];
+  logic [WIDTH-1:0]    storage [0:(1<<INDEX_BITS)-1];
   logic [WIDTH-1:0]    stored, latest;
-  logic [INDEX_BITS:0] written, taken, taken_next;  // words so far, modulo 2 * DEPTH
+  logic [INDEX_BITS:0] written, taken, taken_next;  // words so far, modulo twice the storage
   logic                put, take, is_latest;        // the front word is `latest`, else `stored`
 
   assign count = written - taken;
-  assign in_ready = !count[INDEX_BITS];
+  assign in_ready = WHOLE ? !count[INDEX_BITS] : count != (INDEX_BITS + 1)'(DEPTH);
   assign out_valid = written != taken;
   assign out_data = is_latest ? latest : stored;
   assign put = in_valid && in_ready;

@@ -5,7 +5,7 @@
 // Clauses: Channels (docs/hardware.md)
 // Engine: induction 2 16
 // Complete: the list is bound to the queue's storage, so the induction needs no reachability.
-// Fault: hmlfc_fifo.sv / in_ready = !count[INDEX_BITS] / in_ready = 1'b1
+// Fault: hmlfc_fifo.sv / in_ready = WHOLE ? !count[INDEX_BITS] / in_ready = WHOLE ? 1'b1
 // Fault: hmlfc_fifo.sv / put && written == taken_next / 1'b0
 // Fault: hmlfc_fifo.sv / storage[taken_next[ / storage[taken[
 module prove_fifo (

@@ -1,9 +1,10 @@
 # hmlfc_rtl: the decode unit, Verilated once for each entry of HMLFC_RTL_UNITS, and rtl_units().
 # Without Verilator testbench/CMakeLists.txt makes an empty one.
 
-# The first unit that fits a stream decodes it. The tests need one for each block size; ./run soak
-# adds MAX_DEPTH = 8, for which the tests have the modules of the datapath.
-set(units "2:12:128:32" "1:12:64:4" "3:12:128:64")
+# The first unit that fits a stream decodes it. The tests need one for each block size, and values of
+# OUTSTANDING that are no power of two; ./run soak adds MAX_DEPTH = 8, for which the tests have the
+# modules of the datapath.
+set(units "2:12:128:32" "1:12:64:5" "3:12:128:24")
 if(HMLFC_SOAK)
   list(APPEND units "2:8:64:16")
 endif()
