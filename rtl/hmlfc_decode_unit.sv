@@ -102,13 +102,7 @@ module hmlfc_decode_unit #(
   if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0) $error("CACHE_STRIPS is a power of two, 64 to 1024");
 `endif
 
-`ifdef VERILATOR
-  if ($bits(hmlfc_pkg::level_t) != hmlfc_pkg::LEVEL_BITS || $bits(hmlfc_pkg::image_t) != hmlfc_pkg::IMAGE_BITS ||
-      $bits(hmlfc_pkg::job_t) != hmlfc_pkg::JOB_BITS || $bits(hmlfc_pkg::motion_t) != hmlfc_pkg::MOTION_BITS ||
-      $bits(hmlfc_pkg::flow_t) != hmlfc_pkg::FLOW_BITS || $bits(hmlfc_pkg::pending_t) != hmlfc_pkg::PENDING_BITS) begin : g_widths
-    $error("hmlfc_pkg: the widths of the structures are other ones");
-  end
-`endif
+  hmlfc_widths widths ();
 
   localparam int CLIENTS = 6;  // of the read master, the first most urgent
   localparam int LEVELS = hmlfc_pkg::LEVELS;

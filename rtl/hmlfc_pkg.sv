@@ -9,7 +9,7 @@ package hmlfc_pkg;
   localparam int STRIP_BYTES = 144;  // of a strip's place in the reference area
   localparam int POSITION_BITS = 18; // bit positions in a tile record (section 11), with its skew
 
-  // Widths of the structures below, for memories of them. The top checks them.
+  // Widths of the structures below, for memories of them. hmlfc_widths checks them.
   localparam int LEVEL_BITS = 123;
   localparam int IMAGE_BITS = 382;
   localparam int JOB_BITS = 43;
