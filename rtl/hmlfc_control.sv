@@ -32,7 +32,9 @@ module hmlfc_control #(
     output logic [31:0] s_axil_rdata,
     output logic [1:0] s_axil_rresp,
 
-    input logic idle,  // no request is in flight
+    input logic idle,     // no request is in flight
+    input logic reading,  // a read is
+    input logic stray,    // a beat came that nothing asked for
     output logic enable,
     output logic [5:0] load_error,
     output logic flush,
@@ -89,7 +91,8 @@ module hmlfc_control #(
       .disable_unit,
       .ready(enable && load_error == 0),
       .loading,
-      .idle,
+      .idle(idle && !reading),
+      .stray,
       .load_error,
       .error_valid(answered && answer_error != 0),
       .error(answer_error),

@@ -116,7 +116,7 @@ module hmlfc_decode_unit #(
   logic [CLIENTS*ADDRESS_BITS-1:0] request_address;
   logic [CLIENTS*10-1:0] request_beats;
   logic [AXI_DATA_BITS-1:0] data;
-  logic data_last, data_error;
+  logic data_last, data_error, reading, stray;
   hmlfc_read_port #(
       .CLIENTS(CLIENTS),
       .DATA_BITS(AXI_DATA_BITS),
@@ -133,6 +133,8 @@ module hmlfc_decode_unit #(
       .data,
       .data_last,
       .data_error,
+      .reading,
+      .stray,
       .m_axi_arvalid,
       .m_axi_arready,
       .m_axi_araddr,
@@ -180,6 +182,8 @@ module hmlfc_decode_unit #(
       .s_axil_rdata,
       .s_axil_rresp,
       .idle,
+      .reading,
+      .stray,
       .enable,
       .load_error,
       .flush,

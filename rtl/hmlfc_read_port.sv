@@ -7,6 +7,8 @@
 // Client side: `request_valid` and its fields hold until `request_ready`. Data: `data_valid` has one
 // bit a client; `data_last` marks the last beat of a request, `data_error` a beat with SLVERR or
 // DECERR. A client always takes its data: it asks only for what it has room for.
+// `reading`: a request waits or a beat is to come. `stray`: a beat comes and no burst is in flight, as after a reset that
+// the memory did not have.
 // Clients of lower number go first; a client that asks without end would starve those above it,
 // which none does, as all of them wait for their data.
 module hmlfc_read_port #(
@@ -27,6 +29,8 @@ module hmlfc_read_port #(
     output logic [DATA_BITS-1:0] data,
     output logic data_last,
     output logic data_error,
+    output logic reading,
+    output logic stray,
 
     output logic m_axi_arvalid,
     input logic m_axi_arready,
@@ -134,6 +138,8 @@ module hmlfc_read_port #(
   /* verilator lint_on PINCONNECTEMPTY */
 
   assign m_axi_rready = 1'b1;
+  assign reading = any || busy || owner_valid;
+  assign stray = m_axi_rvalid && !owner_valid;
   always_ff @(posedge clk) begin
     data_valid <= '0;
     if (rst_n && m_axi_rvalid && owner_valid) data_valid[owner] <= 1'b1;

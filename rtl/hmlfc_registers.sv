@@ -4,9 +4,10 @@
 //
 // s_axil_*              all outputs are registered; one read and one write at a time, OKAY always;
 //                       wstrb is obeyed; address bits 1:0 do not matter
-// stream_*, reference_* the registers as written
+// stream_*, reference_* the registers as written; of a base the bits of an address, the others are 0
 // load, disable_unit    one clock each for a 1 written to its bit of CONTROL
 // ready, loading, idle, load_error   what STATUS reports
+// stray                 a beat came that nothing asked for: STATUS keeps it until reset
 // error_valid           an answer with the error `error` to the request `error_request` was given
 //                       in this clock: the first since CLEAR is kept
 // block_done, in_flight, stalled, read_bytes, answered   what the counters add in this clock:
@@ -47,6 +48,7 @@ module hmlfc_registers #(
   input  logic        ready,
   input  logic        loading,
   input  logic        idle,
+  input  logic        stray,
   input  logic [5:0]  load_error,
   input  logic        error_valid,
   input  logic [5:0]  error,
@@ -101,7 +103,8 @@ module hmlfc_registers #(
   logic clear;
   assign control = write && write_word == AT_CONTROL ? write_data[2:0] & write_mask[2:0] : 3'd0;
 
-  // The six words at AT_STREAM_BASE and after: three pairs.
+  // The six words at AT_STREAM_BASE and after: three pairs, of which the first and the last are addresses.
+  localparam [31:0] ADDRESS_HIGH = 32'((64'd1 << (hmlfc_pkg::ADDRESS_BITS - 32)) - 64'd1);
   logic [191:0] settings;
   assign stream_base = settings[63:0];
   assign stream_bytes = settings[127:64];
@@ -114,15 +117,19 @@ module hmlfc_registers #(
     for (int k = 0; k < 6; k = k + 1) begin
       if (!rst_n) settings[32*k +: 32] <= 32'd0;
       else if (write && write_word == AT_STREAM_BASE + 10'(k)) begin
-        settings[32*k +: 32] <= (settings[32*k +: 32] & ~write_mask) | (write_data & write_mask);
+        settings[32*k +: 32] <= ((settings[32*k +: 32] & ~write_mask) | (write_data & write_mask)) &
+            (k == 1 || k == 5 ? ADDRESS_HIGH : 32'hffffffff);
       end
     end
   end
 
   // What the unit reports: pair 0 is the request of the first error, 1 to 5 the counters.
+  logic         strayed;
   logic [5:0]   first_error;
   logic         has_error;
   logic [383:0] pairs;
+
+  always_ff @(posedge clk) strayed <= rst_n && (strayed || stray);
 
   always_ff @(posedge clk) begin
     if (!rst_n || clear) begin
@@ -159,7 +166,7 @@ module hmlfc_registers #(
     case (read_word)
       AT_ID: read_data = 32'h464c4d48;
       AT_PARAMETERS: read_data = {16'd0, 8'(AXI_DATA_BITS / 8), 4'(MAX_DEPTH), 4'(BLOCK_LOG2)};
-      AT_STATUS: read_data = {18'd0, load_error, 5'd0, idle, loading, ready};
+      AT_STATUS: read_data = {18'd0, load_error, 4'd0, strayed, idle, loading, ready};
       AT_STREAM_BASE: read_data = stream_base[31:0];
       AT_STREAM_BASE + 10'd1: read_data = stream_base[63:32];
       AT_STREAM_BYTES: read_data = stream_bytes[31:0];

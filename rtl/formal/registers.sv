@@ -24,7 +24,7 @@ module prove_registers (
     .s_axil_bvalid(bvalid), .s_axil_bready(bready), .s_axil_arvalid(arvalid), .s_axil_arready(arready), .s_axil_rdata(rdata),
     .s_axil_rresp(rresp), .s_axil_rvalid(rvalid), .s_axil_rready(rready), .stream_base(stream_base), .stream_bytes(stream_bytes),
     .reference_base(reference_base), .load(load), .disable_unit(disable_unit), .ready(status[0]),
-    .loading(status[1]), .idle(status[2]), .load_error(status[8:3]), .error_valid(error_valid), .error(error),
+    .loading(status[1]), .idle(status[2]), .stray(status[9]), .load_error(status[8:3]), .error_valid(error_valid), .error(error),
     .error_request(error_request), .block_done(events[0]), .in_flight(events[1]), .stalled(events[2]), .read_bytes(read_bytes),
     .answered(events[3]));
   (* hierconn *) wire [383:0] \dut.pairs ;

@@ -18,7 +18,7 @@ void Memory::start(const Conditions& conditions, uint64_t seed) {
 
 void Memory::edge() {
   if (!wires_.next.rst_n) {
-    bursts_.clear();
+    if (!keeps_bursts_) bursts_.clear();
     wires_.next.r_valid = false;
     wires_.next.ar_ready = false;
     return;

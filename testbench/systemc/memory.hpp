@@ -40,6 +40,9 @@ class Memory final : public EdgeModule {
   void set_regions(std::vector<MemoryRegion> regions) { regions_ = std::move(regions); }
   void set_faults(std::vector<FaultyRange> faults) { faults_ = std::move(faults); }
 
+  /// Whether bursts outlive a reset of the unit, as where the memory has a reset of its own.
+  void keep_bursts_in_reset(bool keep) { keeps_bursts_ = keep; }
+
   void start(const Conditions& conditions, uint64_t seed);
 
   const MemoryCounts& counts() const { return counts_; }
@@ -65,6 +68,7 @@ class Memory final : public EdgeModule {
   Conditions conditions_;
   Random random_{0};
   std::deque<Burst> bursts_;
+  bool keeps_bursts_ = false;
   MemoryCounts counts_;
 };
 

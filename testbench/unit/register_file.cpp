@@ -3,6 +3,11 @@
 #include <utility>
 
 namespace hmlfc::tb {
+namespace {
+
+constexpr uint64_t kAddresses = (uint64_t{1} << 40) - 1;
+
+}  // namespace
 
 uint32_t RegisterFile::read(uint32_t offset) {
   switch (offset) {
@@ -42,6 +47,8 @@ uint32_t RegisterFile::write(uint32_t offset, uint32_t value) {
     pair =
         offset % 8 == 0 ? (pair >> 32 << 32 | value) : (pair & 0xffffffffu) | uint64_t{value} << 32;
   }
+  pairs_[0] &= kAddresses;
+  pairs_[2] &= kAddresses;
   if (offset != reg::kControl) return 0;
   if ((value & reg::kClear) != 0) {
     blocks = cycles = stalls = bytes_read = requests_ = 0;

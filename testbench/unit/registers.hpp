@@ -30,6 +30,7 @@ inline constexpr uint32_t kDisable = 4;
 inline constexpr uint32_t kReady = 1;
 inline constexpr uint32_t kLoading = 2;
 inline constexpr uint32_t kIdle = 4;
+inline constexpr uint32_t kStray = 8;
 
 /// The error of the last LOAD in a value of STATUS.
 constexpr unsigned load_error(uint32_t status) { return status >> 8 & 63; }

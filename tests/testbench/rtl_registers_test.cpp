@@ -1,6 +1,8 @@
 // The registers at the pins: of every Verilated unit of this build, and of the stand-in.
 #include <gtest/gtest.h>
 
+#include "stimulus/random_stream.hpp"
+#include "stimulus/sequences.hpp"
 #include "systemc/suite.hpp"
 #include "testbench/test_bench.hpp"
 #include "unit/stand_in.hpp"
@@ -86,6 +88,84 @@ TEST(Registers, DisableDuringLoadHolds) {
     }
     EXPECT_GE(during_load, 10u);
     EXPECT_FALSE(bench.findings().first());
+  }
+}
+
+// Addresses have 40 bits: the upper ones of a base read 0, and those below are all used.
+TEST(Registers, BasesHaveFortyBits) {
+  Bench& bench = test_bench();
+  for (const UnitMaker& maker : all_units()) {
+    const auto bytes = suite_stream(0, maker.parameters.block_size());
+    StreamImage image(bytes, maker.parameters);
+    bench.attach(maker.make(maker.parameters));
+    for (uint32_t word = 0; word < 6; ++word) {
+      bench.write(reg::kStreamBase + 4 * word, ~uint32_t{0});
+    }
+    EXPECT_EQ(bench.read_pair(reg::kStreamBase), (uint64_t{1} << 40) - 1);
+    EXPECT_EQ(bench.read_pair(reg::kStreamBytes), ~uint64_t{0});
+    EXPECT_EQ(bench.read_pair(reg::kReferenceBase), (uint64_t{1} << 40) - 1);
+    MemoryImage memory = image.memory();
+    memory.stream_base = 0xFE'DCBA'9870;
+    bench.set_image(memory);
+    EXPECT_EQ(bench.load(), reg::kReady | reg::kIdle);
+    bench.run(mixed_requests(image.golden()->geometry(), image.golden()->header(), 40, 1, 0),
+              image.oracle(), {}, 1);
+    EXPECT_FALSE(bench.findings().first());
+  }
+}
+
+// A reset of the unit alone with reads in flight: the late beats show in STATUS until a reset with
+// the memory.
+TEST(Registers, LateBeatsAfterResetAreReported) {
+  Bench& bench = test_bench();
+  for (const UnitMaker& maker : rtl_units()) {
+    const auto bytes = suite_stream(0, maker.parameters.block_size());
+    StreamImage image(bytes, maker.parameters);
+    bench.attach(maker.make(maker.parameters));
+    image.load_into(bench);
+    bench.memory().start({.latency = 60}, 1);
+    bench.write(reg::kControl, reg::kLoad);
+    bench.run_clocks(20);
+    EXPECT_EQ(bench.read(reg::kStatus), reg::kLoading) << "not idle: it reads";
+    bench.memory().keep_bursts_in_reset(true);
+    bench.reset(2);
+    EXPECT_EQ(bench.read(reg::kStatus), reg::kIdle);
+    bench.run_clocks(200);
+    EXPECT_EQ(bench.read(reg::kStatus), reg::kIdle | reg::kStray);
+    bench.memory().keep_bursts_in_reset(false);
+    bench.reset(2);
+    EXPECT_EQ(bench.read(reg::kStatus), reg::kIdle);
+    bench.memory().start({}, 1);
+    image.load_into(bench);
+    EXPECT_FALSE(bench.findings().first());
+  }
+}
+
+// After DISABLE, idle says that no beat is to come: a reset of the unit alone does no harm.
+TEST(Registers, IdleUnitMayBeResetAlone) {
+  Bench& bench = test_bench();
+  for (const UnitMaker& maker : rtl_units()) {
+    const auto bytes = suite_stream(0, maker.parameters.block_size());
+    StreamImage image(bytes, maker.parameters);
+    bench.attach(maker.make(maker.parameters));
+    const auto requests = [&](uint64_t count, uint64_t seed) {
+      return mixed_requests(image.golden()->geometry(), image.golden()->header(), count, seed, 50);
+    };
+    bench.memory().keep_bursts_in_reset(true);
+    for (uint64_t seed = 0; seed < 8; ++seed) {
+      image.load_into(bench);
+      bench.run(requests(400, seed), image.oracle(), {.latency = 90}, seed, 300 + 40 * seed);
+      bench.write(reg::kControl, reg::kDisable);
+      while (bench.read(reg::kStatus) != reg::kIdle && !bench.findings().first()) {
+      }
+      bench.reset(1);
+      bench.run_clocks(200);
+      ASSERT_EQ(bench.read(reg::kStatus), reg::kIdle) << "no late beat, seed " << seed;
+      image.load_into(bench);
+      bench.run(requests(20, seed), image.oracle(), {}, seed);
+      ASSERT_FALSE(bench.findings().first());
+    }
+    bench.memory().keep_bursts_in_reset(false);
   }
 }
 
