@@ -49,9 +49,9 @@ def early_uses(path):
             yield f"{path}:{line}: {name} is used before its declaration\n"
 
 
-def commands(tool, rtl):
+def commands(tool, rtl, pattern):
     package = rtl / "hmlfc_pkg.sv"
-    modules = [path for path in sorted(rtl.glob("hmlfc_*.sv")) if path != package]
+    modules = [path for path in sorted(rtl.glob(pattern)) if path != package]
     if tool == "icarus":
         return [["iverilog", "-g2012", "-Wall", "-tnull", f"-I{rtl}", "-s", "hmlfc_fifo", package, *modules]]
     if tool == "verilator":
@@ -70,11 +70,12 @@ def said(command):
     return run.stdout or (f"{command[-1]}: exit status {run.returncode}\n" if run.returncode else "")
 
 
-def complaints(tool, rtl):
+def complaints(tool, rtl, pattern="hmlfc_*.sv"):
+    """What is said of the files that match."""
     if tool == "order":
-        return "".join(line for path in sorted(rtl.glob("hmlfc_*.sv")) for line in early_uses(path))
+        return "".join(line for path in sorted(rtl.glob(pattern)) for line in early_uses(path))
     with ThreadPoolExecutor() as pool:
-        return "".join(pool.map(said, commands(tool, rtl)))
+        return "".join(pool.map(said, commands(tool, rtl, pattern)))
 
 
 def planted(tool, rtl):
@@ -87,7 +88,7 @@ def planted(tool, rtl):
         if text not in whole:
             sys.exit(f"{file} has no '{text}' to plant a fault in")
         (copy / file).write_text(whole.replace(text, fault))
-        return complaints(tool, copy)
+        return complaints(tool, copy, file if tool != "icarus" else "hmlfc_*.sv")
 
 
 def main():
