@@ -131,7 +131,7 @@ class TargetSearch {
 
  private:
   bool done() const {
-    if (!fine_) return coarse_->coarseness == 0;
+    if (!fine_) return is_near(*coarse_) || coarse_->coarseness == 0;
     if (!coarse_) return is_near(*fine_) || fine_->coarseness >= axis_->coarsest();
     if (is_near(goal_.is_least() ? *fine_ : *coarse_)) return true;
     return coarse_->coarseness - fine_->coarseness <= 1;
