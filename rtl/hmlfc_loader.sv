@@ -2,8 +2,9 @@
 
 // LOAD: reads the header and derives the geometry, when no request is in flight. Sections are left unchecked (FIL-6).
 //
-// `load` begins (while one goes on it begins no other), `disable_unit` ends readiness, also that which a LOAD under way would
-// give; `load` in the same clock or later takes that back. `enable`: requests may be accepted: a LOAD has ended, with `error` or 0. `flush` is high for one clock when what is known of the last stream is to be forgotten.
+// `load` begins (while one goes on it begins no other), `disable_unit` ends readiness, also that which a LOAD under way
+// would give; `load` in the same clock or later takes that back. `enable`: requests may be accepted: a LOAD has ended,
+// with `error` or 0. `flush` is high for one clock when what is known of the last stream is to be forgotten.
 module hmlfc_loader #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
