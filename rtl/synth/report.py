@@ -2,26 +2,29 @@
 """Prints the size and speed of modules of rtl/ as a table in Markdown.
 
 usage: ./run synthesis size TARGET [MODULE...]    TARGET: ice40, ecp5, xc7, osu035
-       ./run synthesis speed [MODULE...]          Fmax by nextpnr-ice40 on an hx8k in the package ct256
+       ./run synthesis speed [--seeds N] [--cells] [--check] [MODULE...]
 
 MODULE is a name without "hmlfc_", with parameters as in interpolate,BLOCK_LOG2=1, and outputs that are left open as in
-reconstruct,-prediction; without one, those of the data path.
-size: LUTs, flip-flops, memories of LUTs, block RAMs and multipliers, or with osu035 cells and area. speed: the module between shift
-registers on all its ports, as it has more of them than the chip has pins; a path begins and ends in a register.
-HMLFC_SYNTH_TIMEOUT: seconds that one run may take (600).
+reconstruct,-prediction; without one, those of the data path; --all: all modules.
+size: LUTs, flip-flops, memories of LUTs, block RAMs and multipliers, or with osu035 cells and area.
+speed: clock rates of the module between registers on all its ports, so that a path begins and ends in a register: by nextpnr-ice40 and
+icetime on an hx8k in the package ct256, the median of N seeds (1), with blocks of 2 x 2 (*) where it does not fit otherwise; and by
+OpenSTA in cells of osu035, without wires. --cells: in cells alone. --check: exit status 1 where a module is below 100 MHz in cells,
+or on an hx8k that it fits.
+HMLFC_SYNTH_TIMEOUT: seconds that one run may take (600). HMLFC_SYNTH_PATH=1 prints critical paths.
 """
 
+import argparse
 import json
-import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 
-RTL = pathlib.Path(__file__).resolve().parent.parent
-TIMEOUT = int(os.environ.get("HMLFC_SYNTH_TIMEOUT", "600"))
-LIBERTY = os.environ.get("HMLFC_OSU035", "/usr/share/qflow/tech/osu035/osu035_stdcells.lib")
+from timing import in_cells, placed
+from tools import LIBERTY, RTL, read, run
+
+TARGET_MHZ = 100.0
 DATA_PATH = ["bise_unpack", "bise_element", "residual", "vector", "interpolate", "reconstruct", "colour", "compose", "answer"]
 CELLS = {
     "ice40": {"LUT": r"SB_LUT4", "FF": r"SB_DFF.*", "LUT RAM": r"(?!)", "BRAM": r"SB_RAM40.*", "DSP": r"SB_MAC16"},
@@ -30,45 +33,22 @@ CELLS = {
 }
 SYNTH = {
     "ice40": "synth_ice40 -top {top}",
-    "ecp5": "synth_ecp5 -top {top}",
+    "ecp5": "synth_ecp5 {flatten} -top {top}",
     "xc7": "synth_xilinx -family xc7 {flatten} -noiopad -top {top}",
     "osu035": "synth -flatten -top {top}; dfflibmap -liberty {lib}; abc -liberty {lib}; opt_clean",
 }
 
 
-def read(spec: str) -> tuple[str, str]:
-    """The commands that read a module with its parameters, and its name."""
-    name, *options = spec.split(",")
-    module = f"hmlfc_{name}"
-    commands = f"read_verilog -sv -I{RTL} {RTL}/hmlfc_pkg.sv {RTL}/{module}.sv; "
-    for option in options:
-        if not option.startswith("-"):
-            commands += f"chparam -set {option.replace('=', ' ')} {module}; "
-    commands += f"hierarchy -check -top {module} -libdir {RTL}; rename -top {module}_top; "
-    for option in options:
-        if option.startswith("-"):
-            commands += f"select -assert-any {module}_top/o:{option[1:]}; delete -output {module}_top/o:{option[1:]}; "
-    return commands, f"{module}_top"
-
-
-def run(command: list[str]) -> str:
-    """The text of a tool; empty where it takes too long."""
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
-    try:
-        text, _ = process.communicate(timeout=TIMEOUT)
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, 9)
-        process.wait()
-        return ""
-    if process.returncode != 0:
-        raise RuntimeError(text[-2000:])
-    return text
+def all_modules() -> list[str]:
+    """Those with logic."""
+    return [path.stem.removeprefix("hmlfc_") for path in sorted(RTL.glob("hmlfc_*.sv")) if path.stem not in ("hmlfc_pkg", "hmlfc_widths")]
 
 
 def size(target: str, spec: str) -> list[str]:
     commands, top = read(spec)
     # The whole unit is mapped module by module: flattened it did not end within 25 minutes.
-    flatten = "" if spec.startswith("decode_unit") else "-flatten"
+    whole = spec.startswith("decode_unit")
+    flatten = {"ecp5": "-noflatten" if whole else "", "xc7": "" if whole else "-flatten"}.get(target, "")
     synth = SYNTH[target].format(top=top, lib=LIBERTY, flatten=flatten)
     if target == "osu035":
         text = run(["yosys", "-p", f"{commands}{synth}; stat -liberty {LIBERTY}"])
@@ -85,75 +65,54 @@ def size(target: str, spec: str) -> list[str]:
             for pattern in CELLS[target].values()]
 
 
-def wrapper(spec: str, folder: pathlib.Path) -> str:
-    """Verilog of the module between shift registers."""
-    commands, top = read(spec)
-    netlist = folder / "ports.json"
-    run(["yosys", "-p", f"{commands}proc; flatten; opt_clean; write_json {netlist}"])
-    ports = json.loads(netlist.read_text(encoding="utf-8"))["modules"][top]["ports"]
-    ins = outs = 0
-    pins = []
-    for name, port in ports.items():
-        width = len(port["bits"])
-        if name == "clk":
-            pins.append(".clk(clk)")
-        elif port["direction"] == "input":
-            pins.append(f".{name}(in[{ins}+:{width}])")
-            ins += width
+def speed(spec: str, seeds: int, cells_alone: bool) -> list[str]:
+    columns = [] if cells_alone else placed(spec, seeds)
+    if columns[1:2] == ["does not fit"] and "BLOCK_LOG2" not in spec and "BLOCK_LOG2" in (RTL / f"hmlfc_{spec.split(',')[0]}.sv").read_text(encoding="utf-8"):
+        smaller = placed(f"{spec},BLOCK_LOG2=1", seeds)
+        if smaller[1] != "does not fit":
+            columns = [f"{column}*" for column in smaller]
+    return columns + in_cells(spec, whole=spec.startswith("decode_unit"))
+
+
+def slow(columns: list[str]) -> bool:
+    """Whether a clock rate is below the target: the second column, nextpnr's, or the last, that of cells. Text is no rate."""
+    rates = re.findall(r"^([\d.]+)\*?$", "\n".join(columns[1:2] + columns[-1:]), re.MULTILINE)
+    return any(float(rate) < TARGET_MHZ for rate in rates)
+
+
+def arguments_of(arguments: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter, usage=argparse.SUPPRESS)
+    commands = parser.add_subparsers(dest="command", required=True)
+    for name in ("size", "speed"):
+        command = commands.add_parser(name)
+        if name == "size":
+            command.add_argument("target", choices=SYNTH)
         else:
-            pins.append(f".{name}(out[{outs}+:{width}])")
-            outs += width
-    return (f"module shifted(input clk, input si, input load, output so);\n"
-            f"reg [{ins - 1}:0] in; reg [{outs - 1}:0] held; wire [{outs - 1}:0] out;\n"
-            f"always @(posedge clk) begin in <= {{in, si}}; held <= load ? out : held << 1; end\n"
-            f"assign so = held[{outs - 1}];\n{top} unit({', '.join(pins)});\nendmodule\n")
-
-
-def speed(spec: str) -> list[str]:
-    with tempfile.TemporaryDirectory() as work:
-        folder = pathlib.Path(work)
-        (folder / "shifted.v").write_text(wrapper(spec, folder), encoding="utf-8")
-        commands, _ = read(spec)
-        text = run(["yosys", "-p", f"{commands}read_verilog {folder}/shifted.v; synth_ice40 -top shifted -json {folder}/net.json"])
-        if not text:
-            return ["too long"] * 3
-        try:
-            text = run(["nextpnr-ice40", "--hx8k", "--package", "ct256", "--freq", "100", "--seed", "1", "--json",
-                        f"{folder}/net.json", "--asc", f"{folder}/net.asc", "--timing-allow-fail"])
-        except RuntimeError as error:
-            used = re.findall(r"ICESTORM_LC: *(\d+)", str(error))
-            return [used[-1] if used else "?", "does not fit", ""]
-        if not text:
-            return ["too long"] * 3
-        used = re.findall(r"ICESTORM_LC: *(\d+)", text)[-1]
-        fmax = re.findall(r"Max frequency for clock .*: ([\d.]+) MHz", text)[-1]
-        icetime = run(["icetime", "-d", "hx8k", "-t", f"{folder}/net.asc"])
-        estimate = re.findall(r"\(([\d.]+) MHz\)", icetime)[-1]
-        if os.environ.get("HMLFC_SYNTH_PATH"):
-            print(text[text.rindex("Critical path report for clock"):][:12000], file=sys.stderr)
-        return [used, fmax, estimate]
+            command.add_argument("--seeds", type=int, default=1)
+            command.add_argument("--cells", action="store_true")
+            command.add_argument("--check", action="store_true")
+        command.add_argument("--all", action="store_true")
+        command.add_argument("modules", nargs="*", metavar="MODULE")
+    return parser.parse_args(arguments)
 
 
 def main(arguments: list[str]) -> int:
-    if arguments[:1] in (["--help"], ["-h"]):
-        print(__doc__)
-        return 0
-    if arguments[:1] == ["speed"]:
-        columns, measure, specs = ["logic cells", "nextpnr MHz", "icetime MHz"], speed, arguments[1:]
-    elif arguments[:1] == ["size"] and len(arguments) > 1 and arguments[1] in SYNTH:
-        target = arguments[1]
-        columns = ["cells", "area mm2"] if target == "osu035" else list(CELLS[target])
-        specs = arguments[2:]
-
-        def measure(spec: str) -> list[str]:
-            return size(target, spec)
+    options = arguments_of(arguments)
+    if options.command == "speed":
+        columns = ([] if options.cells else ["logic cells", "nextpnr MHz", "icetime MHz"]) + ["osu035 MHz"]
     else:
-        print(__doc__, file=sys.stderr)
-        return 2
+        columns = ["cells", "area mm2"] if options.target == "osu035" else list(CELLS[options.target])
     print("| " + " | ".join(["module"] + columns) + " |")
     print("|---" * (len(columns) + 1) + "|")
-    for spec in specs or DATA_PATH:
-        print("| " + " | ".join([spec] + measure(spec)) + " |", flush=True)
+    below = []
+    for spec in all_modules() if options.all else options.modules or DATA_PATH:
+        row = speed(spec, options.seeds, options.cells) if options.command == "speed" else size(options.target, spec)
+        if options.command == "speed" and slow(row):
+            below.append(spec)
+        print("| " + " | ".join([spec] + row) + " |", flush=True)
+    if options.command == "speed" and options.check and below:
+        print(f"below {TARGET_MHZ:.0f} MHz: {', '.join(below)}", file=sys.stderr)
+        return 1
     return 0
 
 
