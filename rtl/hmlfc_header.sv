@@ -33,7 +33,7 @@ module hmlfc_header #(
     output logic [2:0] motion_tile_log2,
     output logic [2:0] disparity_grid_log2,
     output logic [7:0] row_scale,
-    output logic [16*24-1:0] levels,  // {key_references, ref_cols, ref_rows} from the top level on
+    output logic [16*24-1:0] levels,  // {key_references, ref_cols, ref_rows} of level l at 24 * l
     output logic [63:0] root_offset,
     output logic [63:0] root_size,
     output logic [63:0] group_offset,
@@ -52,7 +52,6 @@ module hmlfc_header #(
 );
 
   localparam int FIXED = HMLFC_HEADER_LEVELS;  // bytes before the level entries
-  localparam int LEVEL_BYTES = 64;
   localparam int SECTION_BYTES = 96;
   localparam int PRELUDE = HMLFC_HEADER_FEATURE_FLAGS;  // bytes that say how long the header is
   localparam int RESERVED = HMLFC_HEADER_ROW_SCALE + 1;  // bytes from here to the level entries are 0
@@ -71,8 +70,6 @@ module hmlfc_header #(
     READ,
     BYTES,
     FIELDS,
-    LEVELS,
-    TABLE,
     ENDS,
     FINISH
   } state_t;
@@ -104,7 +101,7 @@ module hmlfc_header #(
   );
 
   logic [FIXED*8-1:0] fixed;
-  logic [LEVEL_BYTES*8-1:0] level_bytes;
+  logic [23:0] level;  // the last bytes of level entries that came
   logic [SECTION_BYTES*8-1:0] section_bytes;  // the last of them that came
   logic [31:0] crc, stored_crc;
   wire [7:0] next_byte = piece[7:0];
@@ -154,15 +151,32 @@ module hmlfc_header #(
   end
   wire bad_feature = extended ? flags[31:HMLFC_FEATURE_COUNT] != 0 || (!motion_tiles && (flags[HMLFC_FEATURE_COUNT-1:0] & NEEDS_MOTION_TILES) != 0) : flags != 0;
 
-  // Level entries and section entries, one a clock.
-  logic [3:0] entry;
-  wire [31:0] level = level_bytes[32'(entry)*32+:32];
-  wire [7:0] most_keys = flags[HMLFC_FEATURE_LEVEL_KEYS] && entry != 0 ? 8'd1 : 8'd0;
-  wire bad_level = level[7:0] == 0 || level[15:8] == 0 || level[23:16] > most_keys || level[31:24] != 0;
-  wire [191:0] section = section_bytes[32'(entry[1:0])*192+:192];
+  // Level entries, byte by byte as they come; the first is that of the top level.
+  wire [15:0] levels_end = 16'(FIXED + 4) + (16'(height_field) << 2);
+  wire in_levels = at >= 16'(FIXED) && at < levels_end;
+  wire [1:0] level_byte = 2'(at - 16'(FIXED));
+  wire [7:0] most_keys = flags[HMLFC_FEATURE_LEVEL_KEYS] && at >= 16'(FIXED + 4) ? 8'd1 : 8'd0;
+  wire bad_byte = level_byte == 2'd3 ? next_byte != 0 : level_byte == 2'd2 ? next_byte > most_keys : next_byte == 0;
+  logic bad_level;
+
+  // Section entries, each when its last byte has come. Each section begins where the one before ends: the last end is the greatest.
+  wire in_sections = at >= levels_end && at < header_bytes - 16'd4;
+  logic [4:0] section_byte;
+  logic [1:0] entry;
+  logic entry_came, bad_table;
+  wire [191:0] section = section_bytes[SECTION_BYTES*8-1-:192];
   wire [63:0] section_offset = section[127:64];
   wire [63:0] section_size = section[191:128];
   logic [64:0] expected_offset;
+
+  // What is known long before it is asked for, a clock late.
+  logic tiny, beyond_end, known_bad_field, known_bad_feature;
+  always_ff @(posedge clk) begin
+    tiny <= stream_bytes[63:4] == 0 && stream_bytes[3:0] < 4'(PRELUDE);
+    beyond_end <= stream_bytes[63:16] == 0 && header_bytes > stream_bytes[15:0];
+    known_bad_field <= bad_field;
+    known_bad_feature <= bad_feature;
+  end
 
   assign features = flags[8:0];
   assign rows = rows_field[12:0];
@@ -181,7 +195,6 @@ module hmlfc_header #(
   assign motion_tile_log2 = tile_field[2:0];
   assign disparity_grid_log2 = grid_field[2:0];
   assign row_scale = fixed[HMLFC_HEADER_ROW_SCALE*8+:8];
-  always_comb for (int i = 0; i < 16; i++) levels[i*24+:24] = level_bytes[i*32+:24];
   assign root_offset = section_bytes[1*192+64+:64];
   assign root_size = section_bytes[1*192+128+:64];
   assign group_offset = section_bytes[2*192+64+:64];
@@ -189,21 +202,28 @@ module hmlfc_header #(
   assign tile_offset = section_bytes[3*192+64+:64];
   assign tile_size = section_bytes[3*192+128+:64];
 
-  assign read_start = state == READ && read_idle && !read_done && !(at == 0 && stream_bytes < 64'(PRELUDE));
+  assign read_start = state == READ && read_idle && !read_done && !(at == 0 && tiny);
 
   always_ff @(posedge clk) begin
     done <= 1'b0;
+    entry_came <= 1'b0;
+    if (entry_came) begin
+      entry <= entry + 2'd1;
+      expected_offset <= {1'b0, section_offset} + {1'b0, section_size};
+      if (section[31:0] != 32'(entry) + 32'd1 || {1'b0, section_offset} != expected_offset) bad_table <= 1'b1;
+    end
     case (state)
       IDLE:
       if (start) begin
         error <= '0;
         at <= '0;
         crc <= '1;
+        bad_level <= 1'b0;
         state <= READ;
       end
       READ: begin
         // The prelude is complete (FIL-4); the rest is read as far as the header gives.
-        if (at == 0 && stream_bytes < 64'(PRELUDE)) begin
+        if (at == 0 && tiny) begin
           error <= HMLFC_ERROR_TRUNCATED;
           state <= FINISH;
         end
@@ -216,68 +236,55 @@ module hmlfc_header #(
       BYTES: begin
         piece <= piece >> 8;
         at <= at + 16'd1;
-        if (at < 16'(FIXED)) fixed[32'(at)*8+:8] <= next_byte;
-        else if (at < 16'(FIXED + LEVEL_BYTES)) level_bytes[(32'(at)-FIXED)*8+:8] <= next_byte;
+        if (at < 16'(PRELUDE)) fixed[PRELUDE*8-1:0] <= {next_byte, fixed[PRELUDE*8-1:8]};
+        else if (at < 16'(FIXED)) fixed[FIXED*8-1:PRELUDE*8] <= {next_byte, fixed[FIXED*8-1:PRELUDE*8+8]};
+        if (in_levels) begin
+          level <= {next_byte, level[23:8]};
+          if (level_byte == 2'd2) levels <= {levels[15*24-1:0], next_byte, level[23:8]};
+          if (bad_byte) bad_level <= 1'b1;
+        end
+        if (in_sections) begin
+          section_byte <= section_byte == 5'd23 ? 5'd0 : section_byte + 5'd1;
+          entry_came <= section_byte == 5'd23;
+        end else if (at < levels_end) begin
+          section_byte <= '0;
+          entry <= '0;
+          bad_table <= 1'b0;
+          expected_offset <= 65'(header_bytes);
+        end
         if (at < 16'(PRELUDE) || at < header_bytes - 16'd4) begin
           crc <= crc32c(crc, next_byte);
           section_bytes <= {next_byte, section_bytes[SECTION_BYTES*8-1:8]};
         end
         stored_crc <= {next_byte, stored_crc[31:8]};
         if (at[3:0] == 4'd15) state <= READ;
-        if (at == 16'(PRELUDE)) begin
+        if (at == 16'(PRELUDE + 1)) begin
           if (fixed[63:0] != HMLFC_MAGIC) begin
             error <= HMLFC_ERROR_BAD_MAGIC;
             state <= FINISH;
           end else if (fixed[HMLFC_HEADER_VERSION*8+:8] != 8'(HMLFC_VERSION)) begin
             error <= HMLFC_ERROR_BAD_VERSION;
             state <= FINISH;
-          end else if (header_bytes < 16'(HMLFC_HEADER_BYTES_OF_ONE_LEVEL) || 64'(header_bytes) > stream_bytes) begin
+          end else if (header_bytes < 16'(HMLFC_HEADER_BYTES_OF_ONE_LEVEL) || beyond_end) begin
             error <= HMLFC_ERROR_TRUNCATED;
             state <= FINISH;
           end
         end
-        if (at >= 16'(PRELUDE) && at == header_bytes - 16'd1) state <= FIELDS;
+        if (at > 16'(PRELUDE) && at == header_bytes - 16'd1) state <= FIELDS;
       end
       FIELDS: begin
-        entry <= '0;
-        expected_offset <= 65'(header_bytes);
-        state <= LEVELS;
+        state <= ENDS;
         if (stored_crc != ~crc) error <= HMLFC_ERROR_BAD_HEADER_CRC;
         else if (profile > 8'd1) error <= HMLFC_ERROR_BAD_PROFILE;
-        else if (bad_feature) error <= HMLFC_ERROR_BAD_FEATURE;
-        else if (bad_field) error <= HMLFC_ERROR_BAD_HEADER_FIELD;
-        if (stored_crc != ~crc || profile > 8'd1 || bad_feature || bad_field) state <= FINISH;
-      end
-      LEVELS: begin
-        entry <= entry + 4'd1;
-        if (bad_level) begin
-          error <= HMLFC_ERROR_BAD_HEADER_FIELD;
-          state <= FINISH;
-        end else if (entry == tree_height) begin
-          entry <= '0;
-          state <= TABLE;
-        end
-      end
-      TABLE: begin
-        entry <= entry + 4'd1;
-        expected_offset <= {1'b0, section_offset} + {1'b0, section_size};
-        if (section[31:0] != 32'(entry) + 32'd1 || {1'b0, section_offset} != expected_offset) begin
-          error <= HMLFC_ERROR_BAD_SECTION_TABLE;
-          state <= FINISH;
-        end else if (entry == 4'd3) begin
-          entry <= '0;
-          state <= ENDS;
-        end
+        else if (known_bad_feature) error <= HMLFC_ERROR_BAD_FEATURE;
+        else if (known_bad_field || bad_level) error <= HMLFC_ERROR_BAD_HEADER_FIELD;
+        if (stored_crc != ~crc || profile > 8'd1 || known_bad_feature || known_bad_field || bad_level) state <= FINISH;
       end
       ENDS: begin
-        entry <= entry + 4'd1;
-        if (section_size > stream_bytes || section_offset > stream_bytes - section_size) begin
-          error <= HMLFC_ERROR_TRUNCATED;
-          state <= FINISH;
-        end else if (entry == 4'd3) begin
-          if (section_offset + section_size != stream_bytes) error <= HMLFC_ERROR_TRAILING_BYTES;
-          state <= FINISH;
-        end
+        if (bad_table) error <= HMLFC_ERROR_BAD_SECTION_TABLE;
+        else if (expected_offset > {1'b0, stream_bytes}) error <= HMLFC_ERROR_TRUNCATED;
+        else if (expected_offset != {1'b0, stream_bytes}) error <= HMLFC_ERROR_TRAILING_BYTES;
+        state <= FINISH;
       end
       default: begin  // FINISH
         done <= 1'b1;

@@ -1,45 +1,42 @@
 // Sizes of a plane in blocks, tiles and strips, and of a motion plane of the same samples (STR-6, MOT-1).
 //
-// Combinational. `first_tile` of both is 0; width and height are at least 1 and at most 16384.
+// Latency 1 clock. `first_tile` of both is 0; width and height are at least 1 and at most 16384. The motion plane has a meaning
+// when motion_tile_log2 is 5, 6 or 7.
 module hmlfc_plane_size #(
     parameter int BLOCK_LOG2 = 2
 ) (
+    input logic clk,
     input logic [14:0] width,
     input logic [14:0] height,
     input logic [2:0] motion_tile_log2,
     output hmlfc_pkg::plane_t plane,
-    output logic [21:0] tiles,
-    output logic [31:0] strips,
+    output logic [10:0] tiles_y,
     output hmlfc_pkg::motion_plane_t motion_plane,
-    output logic [21:0] motion_tiles
+    output logic [9:0] motion_tiles_y
 );
   localparam int LINES_LOG2 = 6 - 2 * BLOCK_LOG2;  // blocks of a strip
-  localparam int LINES_MASK = (1 << LINES_LOG2) - 1;
-  localparam int BLOCK_MASK = (1 << BLOCK_LOG2) - 1;
 
-  wire [13:0] blocks_x = 14'((width + 15'(BLOCK_MASK)) >> BLOCK_LOG2);
-  wire [13:0] blocks_y = 14'((height + 15'(BLOCK_MASK)) >> BLOCK_LOG2);
-  wire [10:0] tiles_x = 11'((blocks_x + 14'd7) >> 3);
-  wire [10:0] tiles_y = 11'((blocks_y + 14'd7) >> 3);
-  wire [10:0] strips_x = 11'((blocks_x + 14'(LINES_MASK)) >> LINES_LOG2);
-  wire [14:0] motion_mask = ~(15'h7FFF << motion_tile_log2);
-  wire [9:0] motion_x = 10'((width + motion_mask) >> motion_tile_log2);
-  wire [9:0] motion_y = 10'((height + motion_mask) >> motion_tile_log2);
+  // ceil(samples / 2^log2)
+  function automatic logic [14:0] ceiling(input logic [14:0] samples, input int log2);
+    ceiling = (samples + 15'((1 << log2) - 1)) >> log2;
+  endfunction
+  function automatic logic [9:0] motion_tiles(input logic [14:0] samples, input logic [2:0] log2);
+    motion_tiles = log2 == 3'd5 ? 10'(ceiling(samples, 5)) : log2 == 3'd6 ? 10'(ceiling(samples, 6)) : 10'(ceiling(samples, 7));
+  endfunction
 
-  always_comb begin
-    plane.width = width;
-    plane.height = height;
-    plane.blocks_x = blocks_x;
-    plane.blocks_y = blocks_y;
-    plane.tiles_x = tiles_x;
-    plane.strips_x = strips_x;
-    plane.first_tile = '0;
-    motion_plane.width = width;
-    motion_plane.height = height;
-    motion_plane.tiles_x = motion_x;
-    motion_plane.first_tile = '0;
+  always_ff @(posedge clk) begin
+    plane.width <= width;
+    plane.height <= height;
+    plane.blocks_x <= 14'(ceiling(width, BLOCK_LOG2));
+    plane.blocks_y <= 14'(ceiling(height, BLOCK_LOG2));
+    plane.tiles_x <= 11'(ceiling(width, BLOCK_LOG2 + 3));
+    plane.strips_x <= 11'(ceiling(width, BLOCK_LOG2 + LINES_LOG2));
+    plane.first_tile <= '0;
+    tiles_y <= 11'(ceiling(height, BLOCK_LOG2 + 3));
+    motion_plane.width <= width;
+    motion_plane.height <= height;
+    motion_plane.tiles_x <= motion_tiles(width, motion_tile_log2);
+    motion_plane.first_tile <= '0;
+    motion_tiles_y <= motion_tiles(height, motion_tile_log2);
   end
-  assign tiles = 22'(tiles_x) * 22'(tiles_y);
-  assign strips = 32'(strips_x) * 32'(blocks_y);
-  assign motion_tiles = 22'(motion_x) * 22'(motion_y);
 endmodule

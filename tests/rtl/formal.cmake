@@ -13,6 +13,7 @@ set(HMLFC_PROOFS
   divide
   fifo
   interpolate
+  multiply_add
   quints
   read_port
   reconstruct

@@ -128,7 +128,7 @@ void compare_fields(const Header& dut, const StreamHeader& header, Counts& count
 void compare_tables(const Header& dut, const StreamHeader& header, Counts& counts) {
   for (int level = 0; level <= header.tree_height; ++level) {
     const LevelEntry& entry = header.levels[static_cast<size_t>(level)];
-    const auto at = 24 * static_cast<size_t>(header.tree_height - level);  // from the top level on
+    const auto at = 24 * static_cast<size_t>(level);
     counts.compare(get_bits(dut.levels, at, 8), entry.ref_rows);
     counts.compare(get_bits(dut.levels, at + 8, 8), entry.ref_cols);
     counts.compare(get_bits(dut.levels, at + 16, 8), entry.key_references);
