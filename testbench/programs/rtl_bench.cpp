@@ -28,12 +28,15 @@ constexpr std::array<uint64_t, 3> kViews{1, 4, 81};
 constexpr unsigned kLatency = 20;  // where only one is measured
 
 constexpr const char* kDescription =
-    "Measures how fast the decode unit answers requests for RGB of the STREAMs, whose blocks are of 4\n"
-    "samples; every answer and every stage is compared with the model, and a difference is an error.\n"
+    "Measures how fast the decode unit answers requests for RGB of the STREAMs, whose blocks are "
+    "of 4\n"
+    "samples; every answer and every stage is compared with the model, and a difference is an "
+    "error.\n"
     "  scan    blocks of one view in scan order, by the latency of the memory in clocks\n"
     "  random  each request draws a view of 1, 4 or 81 and a block of it\n"
     "  alone   one request at a time, the first after a LOAD (cold), and the same again (warm)\n"
-    "`levels` is blocks of a level a clock, `clocks` and `bytes` are for a request, `busy` is the share of\n"
+    "`levels` is blocks of a level a clock, `clocks` and `bytes` are for a request, `busy` is the "
+    "share of\n"
     "clocks with a beat of read data. The memory gives a beat of 128 bits a clock.";
 
 struct Options {
@@ -127,7 +130,8 @@ class Measurement {
   void add_distribution(const char* name, std::vector<uint64_t> clocks) {
     std::ranges::sort(clocks);
     const auto at = [&](size_t percent) { return clocks[(clocks.size() - 1) * percent / 100]; };
-    report_["alone"].push_back({{"name", name}, {"p50", at(50)}, {"p99", at(99)}, {"max", at(100)}});
+    report_["alone"].push_back(
+        {{"name", name}, {"p50", at(50)}, {"p99", at(99)}, {"max", at(100)}});
   }
 
   Bench& bench_;
@@ -159,10 +163,10 @@ std::string to_text(const Json& streams) {
 // The Verilated unit, or a stand-in that gives one wrong sample.
 std::optional<UnitMaker> choose_unit(const Options& o) {
   if (o.fault) {
-    return UnitMaker{"stand-in", {2, 12, 16, 16}, [](const UnitParameters& parameters) {
-                       return std::unique_ptr<DecodeUnit>(
-                           std::make_unique<StandIn>(parameters, Fault::kSample));
-                     }};
+    return UnitMaker{
+        "stand-in", {2, 12, 16, 16}, [](const UnitParameters& parameters) {
+          return std::unique_ptr<DecodeUnit>(std::make_unique<StandIn>(parameters, Fault::kSample));
+        }};
   }
   const auto makers = rtl_units();
   const UnitMaker* maker = unit_for(makers, 2, 8);
@@ -189,7 +193,8 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seed", o.seed, "Seed of everything random")->capture_default_str();
   app.add_flag("--json", o.json, "Print JSON");
-  app.add_flag("--fault", o.fault, "Measure a stand-in with a wrong sample, which must be an error");
+  app.add_flag("--fault", o.fault,
+               "Measure a stand-in with a wrong sample, which must be an error");
   CLI11_PARSE(app, argc, argv);
   const auto maker = choose_unit(o);
   if (!maker) return usage_error("this build has no Verilated unit for blocks of 4");
