@@ -1,8 +1,11 @@
 // Reference groups of one row or column of a level's images (STR-3, STR-4, EXT-3, MOT-7).
 //
-// `start` takes a place among `count` images, in reference groups of `size`; about 140 clocks later `done` is high for one clock when
-// the results are valid: its group and that group's reference image, the neighbouring group of MOT-7 on the side of `at` and its
-// reference image's place, and the place of the parent in the next level. They hold until the next start.
+// `start` takes a place among `count` images, in reference groups of `size`; 16 clocks later, or 30 with `balanced`, `done` is high for
+// one clock when the results are valid: its group and that group's reference image, the neighbouring group of MOT-7 on the side
+// of `at` and its reference image's place, and the place of the parent in the next level. They hold until the next start.
+//
+// Two rounds of divisions, each beside each other: parent and group, then the begins of the groups around it, of which the
+// neighbour's need not be known before.
 module hmlfc_group_axis (
     input logic clk,
     input logic rst_n,
@@ -23,100 +26,90 @@ module hmlfc_group_axis (
 
   typedef enum logic [2:0] {
     IDLE,
-    PARENT,
-    GROUP,
-    BEGIN,       // of the reference group
-    END,
-    NEXT_BEGIN,  // of its neighbour
-    NEXT_END
+    PLACE,    // parent and group
+    PRODUCT,
+    BEGINS,
+    MIDDLES
   } state_t;
   state_t state;
 
-  // The begin of reference group g, for the states that need one; the division is done in every state.
-  logic [10:0] begins;
-  logic [10:0] first;
-  always_comb begin
-    case (state)
-      BEGIN: begins = group;
-      END: begins = group + 11'd1;
-      NEXT_BEGIN: begins = next_group;
-      default: begins = next_group + 11'd1;
-    endcase
-  end
-  wire [18:0] even_begin = 19'(begins) * 19'(size);
+  // Begins of groups group - 1 to group + 2, times `groups` where they are balanced. Those of groups that are not there are
+  // any number, and not used.
+  wire [10:0] unit = balanced ? count : 11'(size);
+  logic [21:0] product;  // group * unit
+  wire [4*22-1:0] begins = {
+    product + (22'(unit) << 1), product + 22'(unit), product, product - 22'(unit)
+  };
 
-  logic [21:0] dividend, divisor, quotient;
-  always_comb begin
-    case (state)
-      PARENT: begin
-        dividend = 22'(at);
-        divisor = 22'(cluster);
-      end
-      GROUP: begin
-        dividend = balanced ? (22'(at) + 22'd1) * 22'(groups) - 22'd1 : 22'(at);
-        divisor = balanced ? 22'(count) : 22'(size);
-      end
-      default: begin
-        dividend = 22'(begins) * 22'(count);
-        divisor = 22'(groups);
-      end
-    endcase
+  logic started;
+  logic [3:0] idle, divided;
+  logic [4*11-1:0] quotients;
+  wire [4*22-1:0] dividends = state == BEGINS ? begins : {
+    44'd0, balanced ? (22'(at) + 22'd1) * 22'(groups) - 22'd1 : 22'(at), 22'(at)
+  };
+  wire [4*11-1:0] divisors = state == BEGINS ? {4{groups}} : {22'd0, balanced ? count : 11'(size), 11'(cluster)};
+  wire divide = (state == PLACE || (state == BEGINS && balanced)) && !started;
+  for (genvar i = 0; i < 4; i++) begin : g_divide
+    hmlfc_divide #(
+        .WIDTH(22),
+        .DIVISOR_BITS(11),
+        .QUOTIENT_BITS(11)
+    ) divide_one (
+        .clk,
+        .rst_n,
+        .start(divide && idle == 4'hF),
+        .dividend(dividends[i*22+:22]),
+        .divisor(divisors[i*11+:11]),
+        .idle(idle[i]),
+        .done(divided[i]),
+        .quotient(quotients[i*11+:11])
+    );
   end
-  logic started, divided, divider_idle;
-  wire divide_start = state != IDLE && !started && divider_idle;
-  hmlfc_divide #(
-      .WIDTH(22)
-  ) divide (
-      .clk,
-      .rst_n,
-      .start(divide_start),
-      .dividend,
-      .divisor,
-      .idle(divider_idle),
-      .done(divided),
-      .quotient
-  );
 
-  wire [10:0] begin_at = balanced ? quotient[10:0] : even_begin > 19'(count) ? count : even_begin[10:0];
-  // The reference image of a reference group from `first` to before `begin_at`.
-  wire [10:0] middle = first + ((begin_at - first - 11'd1) >> 1);
-  wire up = at >= reference_at ? group + 11'd1 < groups : group == 0;
+  // The begins, then the reference images in the middle of groups group - 1 to group + 1.
+  logic [4*11-1:0] firsts;
+  logic [3*11-1:0] middles;
+  always_comb begin
+    for (int i = 0; i < 3; i++) begin
+      middles[i*11+:11] = firsts[i*11+:11] + ((firsts[(i+1)*11+:11] - firsts[i*11+:11] - 11'd1) >> 1);
+    end
+  end
+  wire up = at >= middles[11+:10] ? group + 11'd1 < groups : group == 0;
 
   always_ff @(posedge clk) begin
     done <= 1'b0;
-    if (state != IDLE && divider_idle) started <= 1'b1;
-    if (divided) begin
-      started <= 1'b0;
-      case (state)
-        PARENT: begin
-          parent <= quotient[9:0];
-          state <= GROUP;
+    if (divide && idle == 4'hF) started <= 1'b1;
+    case (state)
+      PLACE:
+      if (divided[0]) begin
+        parent <= quotients[9:0];
+        group <= quotients[21:11];
+        state <= PRODUCT;
+      end
+      PRODUCT: begin
+        product <= 22'(group) * 22'(unit);
+        started <= 1'b0;
+        state <= BEGINS;
+      end
+      BEGINS:
+      if (!balanced || divided[0]) begin
+        for (int i = 0; i < 4; i++) begin
+          firsts[i*11+:11] <= balanced ? quotients[i*11+:11] :
+              begins[i*22+:22] > 22'(count) ? count : begins[i*22+:11];
         end
-        GROUP: begin
-          group <= quotient[10:0];
-          state <= BEGIN;
-        end
-        BEGIN: begin
-          first <= begin_at;
-          state <= END;
-        end
-        END: begin
-          reference_at <= middle[9:0];
-          state <= NEXT_BEGIN;
-        end
-        NEXT_BEGIN: begin
-          first <= begin_at;
-          state <= NEXT_END;
-        end
-        default: begin
-          next_reference_at <= middle[9:0];
-          done <= 1'b1;
-          state <= IDLE;
-        end
-      endcase
-    end
+        state <= MIDDLES;
+      end
+      MIDDLES: begin
+        reference_at <= middles[11+:10];
+        next_group <= groups == 11'd1 ? group : up ? group + 11'd1 : group - 11'd1;
+        next_reference_at <= groups == 11'd1 ? middles[11+:10] : up ? middles[22+:10] : middles[9:0];
+        done <= 1'b1;
+        state <= IDLE;
+      end
+      default: ;  // IDLE
+    endcase
     if (start) begin
-      state <= PARENT;
+      state <= PLACE;
       started <= 1'b0;
     end
     if (!rst_n) begin
@@ -125,6 +118,5 @@ module hmlfc_group_axis (
       done <= 1'b0;
     end
   end
-  assign next_group = groups == 11'd1 ? group : up ? group + 11'd1 : group - 11'd1;
 
 endmodule
