@@ -105,6 +105,7 @@ module hmlfc_decode_unit #(
   hmlfc_widths widths ();
 
   localparam int CLIENTS = 6;  // of the read master, the first most urgent
+  localparam int VIEW_BITS = hmlfc_pkg::VIEW_BITS;
   localparam int LEVELS = hmlfc_pkg::LEVELS;
   localparam int LEVEL_BITS = hmlfc_pkg::LEVEL_BITS;
   localparam int RESIDUAL_BITS = SAMPLES * VALUE_BITS;
@@ -228,7 +229,8 @@ module hmlfc_decode_unit #(
   assign idle = !requests_valid;
   assign s_request_tready = requests_ready && list_ready;
 
-  logic view_start, view_slot, view_done, image_write;
+  logic view_start, view_done, image_write;
+  logic [VIEW_BITS-1:0] view_slot;
   logic [9:0] view_row, view_col;
   logic [LEVELS-1:0] view_keys;
   logic [2:0] image_level;
@@ -257,7 +259,7 @@ module hmlfc_decode_unit #(
       .job,
       .chroma_spoiled,
       .finished_valid(block_done),
-      .finished_slot(done_pending.job.id[3])
+      .finished_slot(done_pending.job.id[3+:VIEW_BITS])
   );
   hmlfc_view view (
       .clk,
@@ -275,7 +277,7 @@ module hmlfc_decode_unit #(
   );
 
   // ---- The block's records.
-  logic [3:0] disparity_id;
+  logic [VIEW_BITS+2:0] disparity_id;
   logic flow_valid, flow_ready, has_residual;
   hmlfc_pkg::flow_t flow;
   logic [RESIDUAL_BITS-1:0] residual;

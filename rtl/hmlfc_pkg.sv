@@ -1,6 +1,8 @@
 // Types that the modules of the decode unit share. Field names are those of the specification.
 package hmlfc_pkg;
 
+  localparam int VIEWS = 4;          // views held, a power of two
+  localparam int VIEW_BITS = $clog2(VIEWS);
   localparam int LEVELS = 8;         // levels of a tree this unit takes: tree_height <= 7
   localparam int ADDRESS_BITS = 40;  // byte addresses of the read master
   localparam int TILE_BITS = 44;     // tile numbers (IDX-2) within the unit's limits
@@ -12,10 +14,10 @@ package hmlfc_pkg;
   // Widths of the structures below, for memories of them. hmlfc_widths checks them.
   localparam int LEVEL_BITS = 123;
   localparam int IMAGE_BITS = 382;
-  localparam int JOB_BITS = 43;
+  localparam int JOB_BITS = 44;
   localparam int MOTION_BITS = 33;
-  localparam int FLOW_BITS = 101;
-  localparam int PENDING_BITS = 98;
+  localparam int FLOW_BITS = 102;
+  localparam int PENDING_BITS = 99;
 
   // Bits of feature_flags (EXT-1).
   typedef struct packed {
@@ -118,7 +120,7 @@ package hmlfc_pkg;
 
   // One block of one plane of one image: a block of one level (DEC-3).
   typedef struct packed {
-    logic [3:0] id;       // of its view in the table of images, and its level: {view, level}
+    logic [VIEW_BITS+2:0] id;       // of its view in the table of images, and its level: {view, level}
     logic [1:0] plane;
     logic [BLOCK_BITS-1:0] bx;
     logic [BLOCK_BITS-1:0] by;

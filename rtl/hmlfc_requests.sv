@@ -3,11 +3,14 @@
 // Turns requests into blocks of levels: one job for each plane and each level from where DEC-1 begins down to the stop level.
 //
 // Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
-// LOAD, becomes one job that carries the error. Views are worked out when they change: two are held, so that blocks of the
-// last view may still be in flight. For RGB the chroma blocks are omitted where the previous request for RGB decoded them,
+// LOAD, becomes one job that carries the error. Views are worked out when they are not held: the table
+// keeps VIEWS of them, and the oldest of which no block is in flight makes room. For RGB the chroma blocks are omitted where the previous request for RGB decoded them,
 // but not where they met a bus error. Up to two requests wait; the first of them is checked and looked up while jobs of the one
 // before leave.
-module hmlfc_requests (
+module hmlfc_requests #(
+    localparam int VIEWS = hmlfc_pkg::VIEWS,
+    localparam int VIEW_BITS = hmlfc_pkg::VIEW_BITS
+) (
     input logic clk,
     input logic rst_n,
     input hmlfc_pkg::config_t stream,
@@ -23,7 +26,7 @@ module hmlfc_requests (
     output logic view_start,
     output logic [9:0] view_row,
     output logic [9:0] view_col,
-    output logic view_slot,
+    output logic [VIEW_BITS-1:0] view_slot,
     input logic view_done,
     input logic [hmlfc_pkg::LEVELS-1:0] view_keys,
 
@@ -33,7 +36,7 @@ module hmlfc_requests (
 
     input logic chroma_spoiled,  // chroma that was decoded for RGB met a bus error
     input logic finished_valid,  // a job has left the unit
-    input logic finished_slot
+    input logic [VIEW_BITS-1:0] finished_slot
 );
 
   localparam int LEVELS = hmlfc_pkg::LEVELS;
@@ -72,15 +75,25 @@ module hmlfc_requests (
       stop <= 4'(stream.tree_height) && next[63:60] == 0;
 
   // Views that are held.
-  logic [1:0] held;
-  logic slot;  // of the latest
-  logic [2*10-1:0] held_rows, held_cols;
-  logic [2*LEVELS-1:0] held_keys;
-  logic [2*10-1:0] users;
-  logic [1:0] hits;
+  logic [VIEWS-1:0] held;
+  logic [VIEW_BITS-1:0] slot;  // of the latest
+  wire [VIEW_BITS-1:0] oldest = slot + 1'b1;
+  logic [VIEWS*10-1:0] held_rows, held_cols;
+  logic [VIEWS*LEVELS-1:0] held_keys;
+  logic [VIEWS*10-1:0] users;
+  logic any_hit;
+  logic [VIEW_BITS-1:0] next_slot;
+  logic [LEVELS-1:0] next_keys;
   always_comb begin
-    for (int i = 0; i < 2; i++) begin
-      hits[i] = held[i] && held_rows[i*10+:10] == row[9:0] && held_cols[i*10+:10] == col[9:0];
+    any_hit = 1'b0;
+    next_slot = '0;
+    next_keys = '0;
+    for (int i = 0; i < VIEWS; i++) begin
+      if (held[i] && held_rows[i*10+:10] == row[9:0] && held_cols[i*10+:10] == col[9:0]) begin
+        any_hit = 1'b1;
+        next_slot = VIEW_BITS'(i);
+        next_keys = held_keys[i*LEVELS+:LEVELS];
+      end
     end
   end
 
@@ -101,7 +114,8 @@ module hmlfc_requests (
   wire [SITE_BITS-1:0] site = {row[9:0], col[9:0], chroma_bx, chroma_by, stop};
 
   // The request that is turned into jobs: plane and level run on while it lasts.
-  logic busy, last, rgb, hit, hit_slot, chroma_left_out;
+  logic busy, last, rgb, hit, chroma_left_out;
+  logic [VIEW_BITS-1:0] hit_slot;
   logic [5:0] error;
   logic [3:0] now_stop;
   logic [BLOCK_BITS-1:0] now_bx, now_by;
@@ -113,7 +127,7 @@ module hmlfc_requests (
   wire ends_request = ends_plane && (error != 0 || !rgb || now_plane == 2'd2 || (now_plane == 2'd0 && chroma_left_out));
 
   logic working;
-  assign view_start = busy && error == 0 && !hit && !working && users[!slot*10+:10] == 0;
+  assign view_start = busy && error == 0 && !hit && !working && users[32'(oldest)*10+:10] == 0;
   assign view_row = now_site[SITE_BITS-1-:10];
   assign view_col = now_site[SITE_BITS-11-:10];
 
@@ -139,8 +153,7 @@ module hmlfc_requests (
   wire emit = job_valid && job_ready;
   assign next_ready = !busy || (emit && ends_request);
   wire pass = next_valid && next_ready;
-  wire [2:0] next_level = hits[1] ? first_level_of(held_keys[LEVELS+:LEVELS], stop, stream.tree_height)
-                                  : first_level_of(held_keys[0+:LEVELS], stop, stream.tree_height);
+  wire [2:0] next_level = first_level_of(next_keys, stop, stream.tree_height);
   wire [2:0] view_level = first_level_of(view_keys, now_stop, stream.tree_height);
 
   always_ff @(posedge clk) begin
@@ -148,8 +161,8 @@ module hmlfc_requests (
       last <= next_last;
       rgb <= plane == 2'd3;
       error <= load_error != 0 ? load_error : there ? 6'd0 : HMLFC_ERROR_BAD_REQUEST;
-      hit <= hits != 0;
-      hit_slot <= hits[1];
+      hit <= any_hit;
+      hit_slot <= next_slot;
       first_level <= next_level;
       level <= next_level;
       now_stop <= stop;
@@ -171,28 +184,29 @@ module hmlfc_requests (
     end
     if (view_start) begin
       working <= 1'b1;
-      slot <= !slot;
-      view_slot <= !slot;
-      held[!slot] <= 1'b0;
-      held_rows[!slot*10+:10] <= view_row;
-      held_cols[!slot*10+:10] <= view_col;
+      slot <= oldest;
+      view_slot <= oldest;
+      held[oldest] <= 1'b0;
+      held_rows[32'(oldest)*10+:10] <= view_row;
+      held_cols[32'(oldest)*10+:10] <= view_col;
     end
     if (view_done) begin
       working <= 1'b0;
       held[slot] <= 1'b1;
-      held_keys[slot*LEVELS+:LEVELS] <= view_keys;
+      held_keys[32'(slot)*LEVELS+:LEVELS] <= view_keys;
       hit <= 1'b1;
       hit_slot <= slot;
       first_level <= view_level;
       level <= view_level;
     end
-    for (int i = 0; i < 2; i++) begin
-      users[i*10+:10] <= users[i*10+:10] + 10'(emit && job.id[3] == 1'(i)) - 10'(finished_valid && finished_slot == 1'(i));
+    for (int i = 0; i < VIEWS; i++) begin
+      users[i*10+:10] <= users[i*10+:10] + 10'(emit && job.id[3+:VIEW_BITS] == VIEW_BITS'(i)) -
+          10'(finished_valid && finished_slot == VIEW_BITS'(i));
     end
     if (!rst_n) begin
       busy <= 1'b0;
       working <= 1'b0;
-      slot <= 1'b0;
+      slot <= '0;
       users <= '0;
     end else begin
       busy <= next_valid || !next_ready;

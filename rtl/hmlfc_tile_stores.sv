@@ -24,7 +24,7 @@ module hmlfc_tile_stores #(
     input hmlfc_pkg::job_t in_job,
     input hmlfc_pkg::image_t in_image,  // of in_job.id
 
-    output logic [3:0] disparity_id,
+    output logic [hmlfc_pkg::VIEW_BITS+2:0] disparity_id,
     input hmlfc_pkg::image_t disparity_image,  // of disparity_id
 
     output logic out_valid,

@@ -12,7 +12,7 @@
 module prove_requests (
   input logic clk, input logic rst_n, input logic enable, input logic flush, input logic s_valid, input logic [63:0] s_data,
   input logic s_last, input logic view_done, input logic [7:0] view_keys, input logic job_ready, input logic chroma_spoiled,
-  input logic finished_valid, input logic finished_slot
+  input logic finished_valid, input logic [1:0] finished_slot
 );
   (* anyconst *) logic [10:0] rows;
   (* anyconst *) logic [10:0] cols;
@@ -32,9 +32,10 @@ module prove_requests (
     stream.chroma.blocks_x = blocks;
     stream.chroma.blocks_y = blocks;
   end
-  logic s_ready, view_start, view_slot, job_valid;
+  logic s_ready, view_start, job_valid;
+  logic [1:0] view_slot;
   logic [9:0] view_row, view_col;
-  logic [42:0] job_bits;
+  logic [43:0] job_bits;
   hmlfc_pkg::job_t job;
   assign job = job_bits;
   hmlfc_requests dut (
@@ -58,14 +59,18 @@ module prove_requests (
   (* hierconn *) wire [2:0] \dut.level ;
   (* hierconn *) wire [2:0] \dut.first_level ;
   (* hierconn *) wire [3:0] \dut.now_stop ;
-  (* hierconn *) wire [1:0] \dut.held ;
-  (* hierconn *) wire \dut.slot ;
-  (* hierconn *) wire [15:0] \dut.held_keys ;
+  (* hierconn *) wire [3:0] \dut.held ;
+  (* hierconn *) wire [1:0] \dut.slot ;
+  (* hierconn *) wire [31:0] \dut.held_keys ;
   (* hierconn *) wire [1:0] \dut.now_plane ;
-  (* hierconn *) wire [19:0] \dut.held_rows ;
-  (* hierconn *) wire [19:0] \dut.held_cols ;
+  (* hierconn *) wire [39:0] \dut.held_rows ;
+  (* hierconn *) wire [39:0] \dut.held_cols ;
   wire [19:0] now_view = {view_row, view_col};
-  wire [19:0] working_view = \dut.slot ? {\dut.held_rows [19:10], \dut.held_cols [19:10]} : {\dut.held_rows [9:0], \dut.held_cols [9:0]};
+  wire [79:0] held_views = {
+    \dut.held_rows [39:30], \dut.held_cols [39:30], \dut.held_rows [29:20], \dut.held_cols [29:20],
+    \dut.held_rows [19:10], \dut.held_cols [19:10], \dut.held_rows [9:0], \dut.held_cols [9:0]
+  };
+  wire [19:0] working_view = held_views[20*\dut.slot +:20];
   wire [8:0] beyond = 9'h1fe << tree_height;  // levels that the tree has not
   wire [3:0] first_level = {1'b0, \dut.first_level };
   wire [3:0] level = {1'b0, \dut.level };
@@ -80,7 +85,7 @@ module prove_requests (
   wire  [3:0]  stop = \dut.now_stop ;
   logic        waiting;
   logic        waiting_spoiled;
-  logic [42:0] waiting_job;
+  logic [43:0] waiting_job;
   logic        same_plane;  // the job before was of the same plane of the same request, of level above + 1
   logic [3:0]  above;
   always @(posedge clk) begin
@@ -104,8 +109,10 @@ module prove_requests (
     if (started) begin
       if (view_done) assume (\dut.working );
       if (view_done) assume ((view_keys & beyond[7:0]) == 0);
-      if (\dut.held [0]) assert ((\dut.held_keys [7:0] & beyond[7:0]) == 0);
-      if (\dut.held [1]) assert ((\dut.held_keys [15:8] & beyond[7:0]) == 0);
+      for (int i = 0; i < 4; i++) begin
+        if (\dut.held [i]) assert ((\dut.held_keys [8*i+:8] & beyond[7:0]) == 0);
+        for (int j = 0; j < i; j++) if (\dut.held [i] && \dut.held [j]) assert (held_views[20*i+:20] != held_views[20*j+:20]);
+      end
       if (flush) assume (!\dut.busy && !\dut.next_valid );
       assert (\dut.waiting.count <= 2 && open == {1'b0, \dut.busy } + \dut.waiting.count );
       if (\dut.busy ) assert (\dut.last == lasts[0]);
@@ -117,10 +124,8 @@ module prove_requests (
         assert (stop <= {1'b0, tree_height});
         if (\dut.hit ) assert (level >= stop && level <= first_level && first_level <= {1'b0, tree_height});
         if (!\dut.hit ) assert (!\dut.begun && !same_plane);
-        if (!\dut.hit && \dut.held [0]) assert ({\dut.held_rows [9:0], \dut.held_cols [9:0]} != now_view);
-        if (!\dut.hit && \dut.held [1]) assert ({\dut.held_rows [19:10], \dut.held_cols [19:10]} != now_view);
+        for (int i = 0; i < 4; i++) if (!\dut.hit && \dut.held [i]) assert (held_views[20*i+:20] != now_view);
       end
-      if (\dut.held == 3) assert (\dut.held_rows [9:0] != \dut.held_rows [19:10] || \dut.held_cols [9:0] != \dut.held_cols [19:10]);
       if (job_valid) begin
         assert (\dut.busy && job.tlast == lasts[0]);
         if (job.answer) assert (job.last);
@@ -139,6 +144,6 @@ module prove_requests (
     end
   end
   always @(posedge clk) begin
-    if (started && $past(started) && waiting) assert (job_valid && (job_bits ^ waiting_job) == (waiting_spoiled && waiting_job[7] && !job.answer ? 43'd1 << 7 : 43'd0));
+    if (started && $past(started) && waiting) assert (job_valid && (job_bits ^ waiting_job) == (waiting_spoiled && waiting_job[7] && !job.answer ? 44'd1 << 7 : 44'd0));
   end
 endmodule

@@ -52,6 +52,7 @@ COMMANDS = rules(
     (r"(\./run (?:bench (?:accuracy|rate_distortion|skipping)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),
     (r"(\./run rtl-clocks)", HELP, "tlm.latencies runs it, for 16 seconds"),
+    (r"(\./run rtl-bench)( .*)?", HELP, "testbench.rtl_bench runs it"),
     (r"(\./run clauses) .*", HELP, "writes into the repository"),
     (r"\./run vectors generate", r"\g<0> -o made", "writes into the repository"),
     (r"\./run render .*--camera .*", r"\g<0> >said && ! grep outside said", "the example's frame is filled"),
