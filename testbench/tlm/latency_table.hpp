@@ -7,7 +7,7 @@
 namespace hmlfc::tb {
 
 /// Of a LOAD.
-inline constexpr uint64_t kLoadClocks = 642;
+inline constexpr uint64_t kLoadClocks = 826;
 /// Of a request, besides its level blocks.
 inline constexpr uint64_t kRequestClocks = 61;
 /// Of a level block: zero, motion only, motion and residual, residual only, key image.
