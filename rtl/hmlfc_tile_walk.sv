@@ -9,6 +9,7 @@
 //
 // The last root entry and the records of GROUPS tile groups are kept, so that tiles of a tile group seen
 // before cost one read, of the end table; `flush` forgets them. What a bus error brought is not kept.
+// Masking, counting, products, sums and comparisons have a clock each; `step` numbers those between two reads.
 module hmlfc_tile_walk #(
     parameter int DATA_BITS = 128,
     parameter int GROUPS = 8,  // tile groups, a power of two
@@ -43,27 +44,28 @@ module hmlfc_tile_walk #(
   localparam int GROUP_BITS = TILE_BITS - 6;
   localparam int SLOT_BITS = $clog2(GROUPS);
   localparam int TAG_BITS = GROUP_BITS - SLOT_BITS;
+  localparam int NUMBER_BITS = ADDRESS_BITS - 4;  // of group records
 
-  // The 1 bits of a mask below bit `lane`: rank of CNV-6 is their number.
-  function automatic logic [63:0] below(input logic [63:0] bits, input logic [5:0] lane);
-    below = bits & ~(64'hFFFF_FFFF_FFFF_FFFF << lane);
-  endfunction
-
-  typedef enum logic [2:0] {
+  typedef enum logic [3:0] {
     IDLE,
     LOOK_UP,
+    CHOOSE,
     ROOT,
+    RANK,
     RECORD,
     GROUP,
+    ENTRIES,
     TABLE,
     EXTENT,
+    PAIR,
+    BOUNDS,
     FINISH
   } state_t;
   state_t state;
+  logic [2:0] step;
 
   logic [GROUP_BITS-1:0] group;
   logic [5:0] lane;
-  wire [5:0] group_lane = group[5:0];
   wire [SLOT_BITS-1:0] slot = group[SLOT_BITS-1:0];
 
   // The root entry of tile groups 64 * root_tag to 64 * root_tag + 63.
@@ -71,11 +73,12 @@ module hmlfc_tile_walk #(
   logic [GROUP_BITS-7:0] root_tag;
   logic [63:0] root_mask, root_first;
 
-  // Records of tile groups: {there is one, error, offset_bits, data, tile_mask}.
-  localparam int RECORD_BITS = 1 + 6 + 6 + 48 + 64;
+  // Records of tile groups: {tag, there is one, error, offset_bits, data, tile_mask}.
+  localparam int RECORD_BITS = TAG_BITS + 1 + 6 + 6 + 48 + 64;
   logic [GROUPS-1:0] group_valid;
-  logic [GROUPS*TAG_BITS-1:0] group_tags;
   logic [RECORD_BITS-1:0] group_records[GROUPS];
+  logic [RECORD_BITS-1:0] kept;  // the one in the slot
+  logic kept_valid;
 
   logic record_there;
   logic [5:0] record_error;
@@ -83,7 +86,7 @@ module hmlfc_tile_walk #(
   logic [47:0] table_offset;
   logic [63:0] tile_mask;
 
-  wire group_hit = group_valid[slot] && group_tags[slot*TAG_BITS+:TAG_BITS] == group[GROUP_BITS-1:SLOT_BITS];
+  wire group_hit = kept_valid && kept[RECORD_BITS-1-:TAG_BITS] == group[GROUP_BITS-1:SLOT_BITS];
   wire root_hit = root_valid && root_tag == group[GROUP_BITS-1:6];
 
   logic read_start, read_idle, read_done, read_error;
@@ -111,56 +114,80 @@ module hmlfc_tile_walk #(
       .data_error
   );
 
-  // IDX-4: the number of the tile group's record. `first` may be any 64-bit number.
-  wire [64:0] number = {1'b0, root_first} + 65'($countones(below(root_mask, group_lane)));
-  wire number_outside = number >= 65'(stream.group_records);
+  // The 1 bits of a mask, in three clocks, one mask a clock: all of them, or those below a bit, whose number is rank of CNV-6.
+  wire of_root = state == RANK || state == RECORD;
+  wire whole = state == ENTRIES && step == 3'd0;
+  wire [63:0] mask = of_root ? root_mask : tile_mask;
+  wire [5:0] place = of_root ? group[5:0] : lane;
+  logic place_set;  // the bit itself, with `counted`
+  logic [63:0] counted;
+  logic [8*4-1:0] counts;
+  logic [6:0] count;
+  always_ff @(posedge clk) begin
+    place_set <= mask[place];
+    counted <= whole ? mask : mask & ~(64'hFFFF_FFFF_FFFF_FFFF << place);
+    for (int i = 0; i < 8; i++) begin
+      counts[i*4+:4] <= ((4'(counted[i*8]) + 4'(counted[i*8+1])) + (4'(counted[i*8+2]) + 4'(counted[i*8+3]))) +
+          ((4'(counted[i*8+4]) + 4'(counted[i*8+5])) + (4'(counted[i*8+6]) + 4'(counted[i*8+7])));
+    end
+    count <= ((7'(counts[0+:4]) + 7'(counts[4+:4])) + (7'(counts[8+:4]) + 7'(counts[12+:4]))) +
+        ((7'(counts[16+:4]) + 7'(counts[20+:4])) + (7'(counts[24+:4]) + 7'(counts[28+:4])));
+  end
 
-  // IDX-6: the end table and the two entries that bound the record.
-  wire [6:0] entries = 7'($countones(tile_mask));
-  wire [5:0] entry = 6'($countones(below(tile_mask, lane)));
-  wire [13:0] table_bits = 14'(entries) * 14'(offset_bits);
-  wire [10:0] table_bytes = 11'((table_bits + 14'd7) >> 3);
-  wire table_outside = 49'(table_offset) + 49'(table_bytes) > 49'(stream.tile_bytes);
-  wire [5:0] first_entry = entry == 0 ? 6'd0 : entry - 6'd1;
-  wire [11:0] first_bit = 12'(first_entry) * 12'(offset_bits);
-  wire [63:0] pair = 64'(bytes >> first_bit[2:0]);
+  // IDX-4: the number of the tile group's record. root_first may be any 64-bit number; above NUMBER_BITS it is outside.
+  logic [NUMBER_BITS:0] number;
+  logic number_outside;
+
+  // IDX-6: the end table and the two entries that bound the record, or the one, for the first.
+  logic first;
+  wire [6:0] first_entry = count == 7'd0 ? 7'd0 : count - 7'd1;
+  logic [12:0] product;  // of a number of entries and offset_bits
+  logic [8:0] table_bytes;
+  logic [48:0] records_offset;
+  logic table_outside;
+  logic [2:0] pair_shift;
+  logic [ADDRESS_BITS-1:0] pair_offset;
+  logic [70:0] pair;
+  logic [5:0] pair_left;  // bits by which it is still to be shifted, by 8 or less a clock
+  logic second;  // pair begins with the second entry
   wire [31:0] entry_mask = ~(32'hFFFF_FFFF << offset_bits);
-  wire [31:0] entry_low = pair[31:0] & entry_mask;
-  wire [31:0] entry_high = 32'(pair >> offset_bits) & entry_mask;
+  wire [31:0] entry_field = pair[31:0] & entry_mask;
   logic [31:0] begin_offset, end_offset;
-  wire [47:0] records_offset = table_offset + 48'(table_bytes);
-  wire [48:0] end_at = 49'(records_offset) + 49'(end_offset);
+  logic [49:0] end_at;
+  logic [ADDRESS_BITS-1:0] begin_at;
+  logic none;
 
   assign idle = state == IDLE;
+  wire record_usable = record_there && record_error == 0;
 
-  // What the next state needs to read.
+  // What the state needs to read.
   always_comb begin
     read_start = 1'b0;
-    read_address = '0;
-    if (read_idle) begin
-      case (state)
-        LOOK_UP:
-        if (!group_hit && !root_hit) begin
-          read_start = 1'b1;
-          read_address = stream.root_address + ({{(ADDRESS_BITS - GROUP_BITS) {1'b0}}, group} >> 6 << 4);
-        end
-        RECORD:
-        if (root_mask[group_lane] && !number_outside) begin
-          read_start = 1'b1;
-          read_address = stream.group_address + (ADDRESS_BITS'(number) << 4);
-        end
-        TABLE:
-        if (record_there && record_error == 0 && tile_mask[lane] && !table_outside) begin
-          read_start = 1'b1;
-          read_address = stream.tile_address + ADDRESS_BITS'(table_offset) + ADDRESS_BITS'(first_bit[11:3]);
-        end
-        default: ;
-      endcase
+    read_address = stream.tile_address + pair_offset;
+    case (state)
+      CHOOSE: begin
+        read_start = read_idle && !group_hit && !root_hit;
+        read_address = stream.root_address + ({{(ADDRESS_BITS - GROUP_BITS) {1'b0}}, group} >> 6 << 4);
+      end
+      RECORD: begin
+        read_start = read_idle && place_set && !number_outside;
+        read_address = stream.group_address + {number[NUMBER_BITS-1:0], 4'd0};
+      end
+      TABLE: read_start = read_idle && record_usable && place_set && !table_outside;
+      default: ;
+    endcase
+  end
+
+  always_ff @(posedge clk) begin
+    kept <= group_records[slot];
+    if (state == TABLE) begin
+      group_records[slot] <= {group[GROUP_BITS-1:SLOT_BITS], record_there, record_error, offset_bits, table_offset, tile_mask};
     end
   end
 
   always_ff @(posedge clk) begin
     done <= 1'b0;
+    step <= step + 1'b1;
     case (state)
       IDLE:
       if (start) begin
@@ -171,9 +198,14 @@ module hmlfc_tile_walk #(
         state <= LOOK_UP;
       end
       LOOK_UP: begin
-        {record_there, record_error, offset_bits, table_offset, tile_mask} <= group_records[slot];
-        if (group_hit) state <= TABLE;
-        else if (root_hit) state <= RECORD;
+        kept_valid <= group_valid[slot];
+        state <= CHOOSE;
+      end
+      CHOOSE: begin
+        {record_there, record_error, offset_bits, table_offset, tile_mask} <= kept[RECORD_BITS-TAG_BITS-1:0];
+        step <= '0;
+        if (group_hit) state <= ENTRIES;
+        else if (root_hit) state <= RANK;
         else if (read_start) state <= ROOT;
       end
       ROOT:
@@ -181,15 +213,23 @@ module hmlfc_tile_walk #(
         root_valid <= !read_error;
         root_tag <= group[GROUP_BITS-1:6];
         {root_first, root_mask} <= bytes;
-        state <= RECORD;
+        step <= '0;
+        state <= RANK;
         if (read_error) begin
           error <= 6'(HMLFC_ERROR_BUS_ERROR);
           done <= 1'b1;
           state <= IDLE;
         end
       end
+      RANK: begin
+        if (step == 3'd3) number <= (NUMBER_BITS + 1)'(root_first[NUMBER_BITS-1:0]) + (NUMBER_BITS + 1)'(count);
+        if (step == 3'd4) begin
+          number_outside <= root_first[63:NUMBER_BITS] != 0 || number >= (NUMBER_BITS + 1)'(stream.group_records);
+          state <= RECORD;
+        end
+      end
       RECORD: begin
-        record_there <= root_mask[group_lane];
+        record_there <= place_set;
         record_error <= number_outside ? 6'(HMLFC_ERROR_BAD_ROOT_ENTRY) : 6'd0;
         if (read_start) state <= GROUP;
         else if (read_idle) state <= TABLE;
@@ -202,22 +242,41 @@ module hmlfc_tile_walk #(
         if (bytes[127:120] != 0 || bytes[119:112] == 0 || bytes[119:112] > 8'd32) begin
           record_error <= 6'(HMLFC_ERROR_BAD_GROUP_RECORD);
         end
-        state <= TABLE;
+        step <= '0;
+        state <= ENTRIES;
         if (read_error) begin
           error <= 6'(HMLFC_ERROR_BUS_ERROR);
           done <= 1'b1;
           state <= IDLE;
         end
       end
+      ENTRIES: begin  // first all entries, a clock later those below the tile's
+        product <= (step == 3'd3 ? 13'(count) : 13'(first_entry)) * 13'(offset_bits);
+        case (step)
+          3'd4: begin
+            table_bytes <= 9'((product + 13'd7) >> 3);
+            first <= count == 7'd0;
+          end
+          3'd5: begin
+            records_offset <= 49'(table_offset) + 49'(table_bytes);
+            pair_offset <= ADDRESS_BITS'(table_offset) + ADDRESS_BITS'(product[12:3]);
+            pair_shift <= product[2:0];
+          end
+          3'd6: begin
+            table_outside <= records_offset > 49'(stream.tile_bytes);
+            state <= TABLE;
+          end
+          default: ;
+        endcase
+        if (!record_usable) state <= TABLE;
+      end
       TABLE: begin
         group_valid[slot] <= 1'b1;
-        group_tags[slot*TAG_BITS+:TAG_BITS] <= group[GROUP_BITS-1:SLOT_BITS];
-        group_records[slot] <= {record_there, record_error, offset_bits, table_offset, tile_mask};
         if (read_start) begin
           state <= EXTENT;
         end else if (read_idle) begin
           if (record_there && record_error != 0) error <= record_error;
-          else if (record_there && tile_mask[lane]) error <= 6'(HMLFC_ERROR_BAD_GROUP_RECORD);
+          else if (record_there && place_set) error <= 6'(HMLFC_ERROR_BAD_GROUP_RECORD);
           else empty <= 1'b1;
           done <= 1'b1;
           state <= IDLE;
@@ -225,17 +284,33 @@ module hmlfc_tile_walk #(
       end
       EXTENT:
       if (read_done) begin
-        begin_offset <= entry == 0 ? 32'd0 : entry_low;
-        end_offset <= entry == 0 ? entry_low : entry_high;
+        pair <= bytes[70:0];
+        pair_left <= 6'(pair_shift);
+        second <= 1'b0;
         if (read_error) error <= 6'(HMLFC_ERROR_BUS_ERROR);
+        state <= PAIR;
+      end
+      PAIR: begin
+        pair <= pair_left[5:3] != 0 ? pair >> 8 : pair >> pair_left[2:0];
+        pair_left <= pair_left[5:3] != 0 ? pair_left - 6'd8 : '0;
+        if (pair_left == 0) begin
+          second <= 1'b1;
+          pair_left <= offset_bits;
+          begin_offset <= second ? end_offset : 32'd0;
+          end_offset <= entry_field;
+          if (first || second) state <= BOUNDS;
+        end
+      end
+      BOUNDS: begin
+        none <= end_offset <= begin_offset;
+        end_at <= 50'(records_offset) + 50'(end_offset);
+        begin_at <= ADDRESS_BITS'(records_offset) + ADDRESS_BITS'(begin_offset);
+        record_bytes <= end_offset - begin_offset;
         state <= FINISH;
       end
-      FINISH: begin
-        if (error == 0 && (end_offset <= begin_offset || end_at > 49'(stream.tile_bytes))) begin
-          error <= 6'(HMLFC_ERROR_BAD_TILE_OFFSET);
-        end
-        record_address <= stream.tile_address + ADDRESS_BITS'(records_offset) + ADDRESS_BITS'(begin_offset);
-        record_bytes <= end_offset - begin_offset;
+      default: begin  // FINISH
+        if (error == 0 && (none || end_at > 50'(stream.tile_bytes))) error <= 6'(HMLFC_ERROR_BAD_TILE_OFFSET);
+        record_address <= stream.tile_address + begin_at;
         done <= 1'b1;
         state <= IDLE;
       end

@@ -61,7 +61,7 @@ hmlfc_plant_fault(motion_block_of_wrong_row hmlfc_motion_blocks.sv
 hmlfc_plant_fault(disparity_left_of_border hmlfc_disparity_place.sv
   "left && own_x != 0" "left && own_x > 1" "stage: " 13)
 hmlfc_plant_fault(record_of_the_next_tile hmlfc_tile_walk.sv
-  "entry == 0 ? 6'd0 : entry - 6'd1" "entry" "stage: " 0)
+  "count == 7'd0 ? 7'd0 : count - 7'd1" "count" "stage: " 0)
 
 # What is kept, and what moves.
 hmlfc_plant_fault(root_entry_of_a_bus_error_kept hmlfc_tile_walk.sv
