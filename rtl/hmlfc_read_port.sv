@@ -65,16 +65,20 @@ module hmlfc_read_port #(
   wire ends = left[9:4] == 0 && !(last_16 && last[4]);
   wire [3:0] burst = ends ? left[3:0] : room;
 
+  // The first client that asks, and what it asks for.
+  wire [CLIENTS-1:0] granted = request_valid & ~(request_valid - 1'b1);
+  wire any = request_valid != 0;
   logic [CLIENT_BITS-1:0] chosen;
-  logic any;
+  logic [ADDRESS_BITS-1:0] chosen_address;
+  logic [9:0] chosen_beats;
   always_comb begin
     chosen = '0;
-    any = 1'b0;
-    for (int i = CLIENTS - 1; i >= 0; i--) begin
-      if (request_valid[i]) begin
-        chosen = CLIENT_BITS'(i);
-        any = 1'b1;
-      end
+    chosen_address = '0;
+    chosen_beats = '0;
+    for (int i = 0; i < CLIENTS; i++) begin
+      chosen = chosen | (CLIENT_BITS'(i) & {CLIENT_BITS{granted[i]}});
+      chosen_address = chosen_address | (request_address[i*ADDRESS_BITS+:ADDRESS_BITS] & {ADDRESS_BITS{granted[i]}});
+      chosen_beats = chosen_beats | (request_beats[i*10+:10] & {10{granted[i]}});
     end
   end
 
@@ -84,17 +88,14 @@ module hmlfc_read_port #(
   wire take = any && (!busy || finished);
   wire free = !busy || ends;  // the burst that is issued leaves nothing, if there is one
 
-  always_comb begin
-    request_ready = '0;
-    if (take) request_ready[chosen] = 1'b1;
-  end
+  assign request_ready = take ? granted : '0;
 
   always_ff @(posedge clk) begin
     if (!busy || issue) begin
       if (free) begin
         client <= chosen;
-        {page, beat} <= (ADDRESS_BITS - BEAT_LOG2)'(request_address[chosen*ADDRESS_BITS+:ADDRESS_BITS] >> BEAT_LOG2);
-        left <= request_beats[chosen*10+:10] - 10'd1;
+        {page, beat} <= chosen_address[ADDRESS_BITS-1:BEAT_LOG2];
+        left <= chosen_beats - 10'd1;
       end else begin
         page <= page + (ADDRESS_BITS - 12)'(last_16);
         beat <= beat + PAGE_BITS'(room) + 1'b1;
