@@ -13,6 +13,7 @@ module hmlfc_decode_unit #(
     parameter int AXI_DATA_BITS = 128,  // 64, 128
     parameter int OUTSTANDING = 32,    // 4..64
     parameter int TILE_CONTEXTS = 16,  // 2..32, a power of two
+    parameter int TILE_LOADERS = 4,    // 1..8
     parameter int CACHE_STRIPS = 512,  // 64..1024, a power of two
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
@@ -99,12 +100,14 @@ module hmlfc_decode_unit #(
   if (AXI_DATA_BITS != 64 && AXI_DATA_BITS != 128) $error("AXI_DATA_BITS is 64 or 128");
   if (OUTSTANDING < 4 || OUTSTANDING > 64) $error("OUTSTANDING is 4 to 64");
   if (TILE_CONTEXTS < 2 || TILE_CONTEXTS > 32 || (TILE_CONTEXTS & (TILE_CONTEXTS - 1)) != 0) $error("TILE_CONTEXTS is a power of two, 2 to 32");
+  if (TILE_LOADERS < 1 || TILE_LOADERS > 8) $error("TILE_LOADERS is 1 to 8");
   if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0) $error("CACHE_STRIPS is a power of two, 64 to 1024");
 `endif
 
   hmlfc_widths widths ();
 
-  localparam int CLIENTS = 6;  // of the read master, the first most urgent
+  localparam int TILE_CLIENTS = 3 * TILE_LOADERS;
+  localparam int CLIENTS = 1 + TILE_CLIENTS + 2;  // of the read master, the first most urgent
   localparam int VIEW_BITS = hmlfc_pkg::VIEW_BITS;
   localparam int LEVELS = hmlfc_pkg::LEVELS;
   localparam int LEVEL_BITS = hmlfc_pkg::LEVEL_BITS;
@@ -285,7 +288,8 @@ module hmlfc_decode_unit #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .MAX_DEPTH(MAX_DEPTH),
       .DATA_BITS(AXI_DATA_BITS),
-      .TILE_CONTEXTS(TILE_CONTEXTS)
+      .TILE_CONTEXTS(TILE_CONTEXTS),
+      .TILE_LOADERS(TILE_LOADERS)
   ) tiles (
       .clk,
       .rst_n,
@@ -302,11 +306,11 @@ module hmlfc_decode_unit #(
       .out_flow(flow),
       .out_has_residual(has_residual),
       .out_residual(residual),
-      .request_valid(request_valid[3:1]),
-      .request_ready(request_ready[3:1]),
-      .request_address(request_address[1*ADDRESS_BITS+:3*ADDRESS_BITS]),
-      .request_beats(request_beats[1*10+:3*10]),
-      .data_valid(data_valid[3:1]),
+      .request_valid(request_valid[1+:TILE_CLIENTS]),
+      .request_ready(request_ready[1+:TILE_CLIENTS]),
+      .request_address(request_address[1*ADDRESS_BITS+:TILE_CLIENTS*ADDRESS_BITS]),
+      .request_beats(request_beats[1*10+:TILE_CLIENTS*10]),
+      .data_valid(data_valid[1+:TILE_CLIENTS]),
       .data,
       .data_last,
       .data_error
@@ -343,11 +347,11 @@ module hmlfc_decode_unit #(
       .window_ready,
       .window_error,
       .window,
-      .request_valid(request_valid[5:4]),
-      .request_ready(request_ready[5:4]),
-      .request_address(request_address[4*ADDRESS_BITS+:2*ADDRESS_BITS]),
-      .request_beats(request_beats[4*10+:2*10]),
-      .data_valid(data_valid[5:4]),
+      .request_valid(request_valid[1+TILE_CLIENTS+:2]),
+      .request_ready(request_ready[1+TILE_CLIENTS+:2]),
+      .request_address(request_address[(1+TILE_CLIENTS)*ADDRESS_BITS+:2*ADDRESS_BITS]),
+      .request_beats(request_beats[(1+TILE_CLIENTS)*10+:2*10]),
+      .data_valid(data_valid[1+TILE_CLIENTS+:2]),
       .data,
       .data_last,
       .data_error

@@ -6,6 +6,7 @@
 module hmlfc_disparity_store #(
     parameter int DATA_BITS = 128,
     parameter int CONTEXTS = 4,
+    parameter int LOADERS = 1,
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS,
     localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
@@ -32,11 +33,11 @@ module hmlfc_disparity_store #(
     input logic out_ready,
     output hmlfc_pkg::flow_t out_flow,
 
-    output logic request_valid,
-    input logic request_ready,
-    output logic [ADDRESS_BITS-1:0] request_address,
-    output logic [9:0] request_beats,
-    input logic data_valid,
+    output logic [LOADERS-1:0] request_valid,
+    input logic [LOADERS-1:0] request_ready,
+    output logic [LOADERS*ADDRESS_BITS-1:0] request_address,
+    output logic [LOADERS*10-1:0] request_beats,
+    input logic [LOADERS-1:0] data_valid,
     input logic [DATA_BITS-1:0] data,
     input logic data_last,
     input logic data_error
@@ -65,6 +66,7 @@ module hmlfc_disparity_store #(
       .DATA_BITS(DATA_BITS),
       .CONTEXTS(CONTEXTS),
       .CONTEXT_WORDS(CONTEXT_WORDS),
+      .LOADERS(LOADERS),
       .BANKS(BANKS),
       .READS(READS),
       .INFO_BITS(INFO_BITS)

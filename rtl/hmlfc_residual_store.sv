@@ -7,6 +7,7 @@ module hmlfc_residual_store #(
     parameter int MAX_DEPTH = 8,
     parameter int DATA_BITS = 128,
     parameter int CONTEXTS = 8,
+    parameter int LOADERS = 1,
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS,
     localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
@@ -35,11 +36,11 @@ module hmlfc_residual_store #(
     output logic out_has_residual,
     output logic [SAMPLES*VALUE_BITS-1:0] out_residual,
 
-    output logic request_valid,
-    input logic request_ready,
-    output logic [ADDRESS_BITS-1:0] request_address,
-    output logic [9:0] request_beats,
-    input logic data_valid,
+    output logic [LOADERS-1:0] request_valid,
+    input logic [LOADERS-1:0] request_ready,
+    output logic [LOADERS*ADDRESS_BITS-1:0] request_address,
+    output logic [LOADERS*10-1:0] request_beats,
+    input logic [LOADERS-1:0] data_valid,
     input logic [DATA_BITS-1:0] data,
     input logic data_last,
     input logic data_error
@@ -71,6 +72,7 @@ module hmlfc_residual_store #(
       .DATA_BITS(DATA_BITS),
       .CONTEXTS(CONTEXTS),
       .CONTEXT_WORDS(CONTEXT_WORDS),
+      .LOADERS(LOADERS),
       .BANKS(BANKS),
       .READS(READS),
       .INFO_BITS(INFO_BITS)

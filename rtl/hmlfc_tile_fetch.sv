@@ -1,16 +1,20 @@
-// The common part of all tile stores: the contexts that keep tiles, the loader that brings their records,
+// The common part of all tile stores: the contexts that keep tiles, the loaders that bring their records,
 // and the memory the records lie in.
 //
 // A block asks for its tile first (`ask`) and is decoded later, with others in between; the time between
 // hides the walk through the index. The store's parser takes a record (`parse_*`), reads it through
 // `read_*`, and gives `loaded_*`; then `ready` has the context's bit until another tile replaces it.
 // Each block that asked gives its context back (`release_*`).
+//
+// LOADERS tiles are walked to and fetched at once, each by a client of the read master of its own, and parsed as they come. The parser
+// takes parse_* in the clock in which `parse_ready` is high too: before that, a tile that waits may give way to another.
 module hmlfc_tile_fetch #(
     parameter int DATA_BITS = 128,
     parameter int CONTEXTS = 4,        // tiles kept, a power of two
     parameter int CONTEXT_WORDS = 64,  // words of 64 bits for a record and its skew, a power of two
     parameter int BANKS = 2,           // words of a window
     parameter int READS = 2,           // read ports
+    parameter int LOADERS = 1,
     parameter int INFO_BITS = 16,      // what the parser is told about the tile, as it was asked for
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS,
@@ -51,11 +55,11 @@ module hmlfc_tile_fetch #(
     input logic [READS*WORD_BITS-1:0] read_word,
     output logic [READS*BANKS*64-1:0] window,
 
-    output logic request_valid,
-    input logic request_ready,
-    output logic [ADDRESS_BITS-1:0] request_address,
-    output logic [9:0] request_beats,
-    input logic data_valid,
+    output logic [LOADERS-1:0] request_valid,
+    input logic [LOADERS-1:0] request_ready,
+    output logic [LOADERS*ADDRESS_BITS-1:0] request_address,
+    output logic [LOADERS*10-1:0] request_beats,
+    input logic [LOADERS-1:0] data_valid,
     input logic [DATA_BITS-1:0] data,
     input logic data_last,
     input logic data_error
@@ -92,44 +96,70 @@ module hmlfc_tile_fetch #(
       .release_context
   );
 
-  logic write;
-  logic [CONTEXT_BITS+$clog2(RECORD_BEATS)-1:0] write_beat;
-  logic [DATA_BITS-1:0] write_data;
-  hmlfc_tile_loader #(
-      .DATA_BITS(DATA_BITS),
-      .CONTEXTS(CONTEXTS),
-      .RECORD_BEATS(RECORD_BEATS),
-      .INFO_BITS(INFO_BITS)
-  ) loader (
-      .clk,
-      .rst_n,
-      .stream,
-      .flush,
-      .load_valid,
-      .load_ready,
-      .load_context,
-      .load_tile,
-      .load_info,
-      .write,
-      .write_beat,
-      .write_data,
-      .parse_valid,
-      .parse_ready,
-      .parse_context,
-      .parse_info,
-      .parse_error,
-      .parse_empty,
-      .parse_skew,
-      .parse_bits,
-      .request_valid,
-      .request_ready,
-      .request_address,
-      .request_beats,
-      .data_valid,
-      .data,
-      .data_last,
-      .data_error
-  );
+  // The first idle loader takes a load, the first that has one gives its record.
+  localparam int BEAT_BITS = CONTEXT_BITS + $clog2(RECORD_BEATS);
+  localparam int PARSE_BITS = CONTEXT_BITS + INFO_BITS + 6 + 1 + SKEW_BITS + POSITION_BITS;
+  logic [LOADERS-1:0] idle, taking, brought, giving, writes;
+  logic [LOADERS*BEAT_BITS-1:0] write_beats;
+  logic [LOADERS*PARSE_BITS-1:0] parses;
+  logic [BEAT_BITS-1:0] write_beat;
+  logic [PARSE_BITS-1:0] parse;
+  assign taking = idle & ~(idle - 1'b1);
+  assign giving = brought & ~(brought - 1'b1);
+  assign load_ready = idle != 0;
+  assign parse_valid = brought != 0;
+  assign {parse_context, parse_info, parse_error, parse_empty, parse_skew, parse_bits} = parse;
+  for (genvar i = 0; i < LOADERS; i++) begin : g_loader
+    logic [CONTEXT_BITS-1:0] own_context;
+    logic [INFO_BITS-1:0] own_info;
+    logic [5:0] own_error;
+    logic own_empty;
+    logic [SKEW_BITS-1:0] own_skew;
+    logic [POSITION_BITS-1:0] own_bits;
+    assign parses[i*PARSE_BITS+:PARSE_BITS] = {own_context, own_info, own_error, own_empty, own_skew, own_bits};
+    hmlfc_tile_loader #(
+        .DATA_BITS(DATA_BITS),
+        .CONTEXTS(CONTEXTS),
+        .RECORD_BEATS(RECORD_BEATS),
+        .INFO_BITS(INFO_BITS)
+    ) loader (
+        .clk,
+        .rst_n,
+        .stream,
+        .flush,
+        .load_valid(load_valid && taking[i]),
+        .load_ready(idle[i]),
+        .load_context,
+        .load_tile,
+        .load_info,
+        .write(writes[i]),
+        .write_beat(write_beats[i*BEAT_BITS+:BEAT_BITS]),
+        .parse_valid(brought[i]),
+        .parse_ready(parse_ready && giving[i]),
+        .parse_context(own_context),
+        .parse_info(own_info),
+        .parse_error(own_error),
+        .parse_empty(own_empty),
+        .parse_skew(own_skew),
+        .parse_bits(own_bits),
+        .request_valid(request_valid[i]),
+        .request_ready(request_ready[i]),
+        .request_address(request_address[i*ADDRESS_BITS+:ADDRESS_BITS]),
+        .request_beats(request_beats[i*10+:10]),
+        .data_valid(data_valid[i]),
+        .data,
+        .data_last,
+        .data_error
+    );
+  end
+  always_comb begin
+    write_beat = '0;
+    parse = '0;
+    for (int i = 0; i < LOADERS; i++) begin
+      write_beat = write_beat | (write_beats[i*BEAT_BITS+:BEAT_BITS] & {BEAT_BITS{writes[i]}});
+      parse = parse | (parses[i*PARSE_BITS+:PARSE_BITS] & {PARSE_BITS{giving[i]}});
+    end
+  end
 
   hmlfc_record_ram #(
       .DATA_BITS(DATA_BITS),
@@ -138,9 +168,9 @@ module hmlfc_tile_fetch #(
       .READS(READS)
   ) records (
       .clk,
-      .write,
+      .write(writes != 0),
       .write_beat,
-      .write_data,
+      .write_data(data),
       .read_enable,
       .read_word,
       .window

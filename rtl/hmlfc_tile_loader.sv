@@ -1,6 +1,7 @@
 `include "hmlfc_tables.svh"
 
 // Brings tile records into a record memory: walks the index and fetches the record.
+// `write` puts the beat `data` into the memory, at `write_beat`.
 //
 // Accepts loads in order; each ends with one `parse_*` beat: the context, the error of the walk or a
 // bus error, `empty`, and where the record lies: bit `parse_skew` of the context's part of the memory is
@@ -31,7 +32,6 @@ module hmlfc_tile_loader #(
 
     output logic write,
     output logic [CONTEXT_BITS+BEAT_BITS-1:0] write_beat,
-    output logic [DATA_BITS-1:0] write_data,
 
     output logic parse_valid,
     input logic parse_ready,
@@ -108,7 +108,6 @@ module hmlfc_tile_loader #(
 
   assign write = state == FETCH && data_valid;
   assign write_beat = {parse_context, beat};
-  assign write_data = data;
   assign parse_valid = state == PARSE;
 
   always_ff @(posedge clk) begin

@@ -5,12 +5,14 @@
 //      +-- by tile_ask ---+                  +---- disparity_ask --+                   +-- by tile_ask
 //
 // Blocks keep their order; the queues hide the time in which requested tiles come from memory. Clients of the read
-// master: 0 residual, 1 motion, 2 disparity.
+// master: TILE_LOADERS each, of residual, motion and disparity tiles.
 module hmlfc_tile_stores #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
     parameter int DATA_BITS = 128,
     parameter int TILE_CONTEXTS = 16,
+    parameter int TILE_LOADERS = 1,  // at work at once, of each store
+    localparam int CLIENTS = 3 * TILE_LOADERS,
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int RESIDUAL_BITS = (MAX_DEPTH + 2) << (2 * BLOCK_LOG2)
 ) (
@@ -33,11 +35,11 @@ module hmlfc_tile_stores #(
     output logic out_has_residual,
     output logic [RESIDUAL_BITS-1:0] out_residual,
 
-    output logic [2:0] request_valid,
-    input logic [2:0] request_ready,
-    output logic [3*ADDRESS_BITS-1:0] request_address,
-    output logic [3*10-1:0] request_beats,
-    input logic [2:0] data_valid,
+    output logic [CLIENTS-1:0] request_valid,
+    input logic [CLIENTS-1:0] request_ready,
+    output logic [CLIENTS*ADDRESS_BITS-1:0] request_address,
+    output logic [CLIENTS*10-1:0] request_beats,
+    input logic [CLIENTS-1:0] data_valid,
     input logic [DATA_BITS-1:0] data,
     input logic data_last,
     input logic data_error
@@ -102,7 +104,8 @@ module hmlfc_tile_stores #(
   hmlfc_motion_store #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .DATA_BITS(DATA_BITS),
-      .CONTEXTS(MOTION_CONTEXTS)
+      .CONTEXTS(MOTION_CONTEXTS),
+      .LOADERS(TILE_LOADERS)
   ) motions (
       .clk,
       .rst_n,
@@ -119,11 +122,11 @@ module hmlfc_tile_stores #(
       .out_valid(motion_valid),
       .out_ready(motion_ready),
       .out_flow(motion_flow),
-      .request_valid(request_valid[1]),
-      .request_ready(request_ready[1]),
-      .request_address(request_address[1*ADDRESS_BITS+:ADDRESS_BITS]),
-      .request_beats(request_beats[1*10+:10]),
-      .data_valid(data_valid[1]),
+      .request_valid(request_valid[1*TILE_LOADERS+:TILE_LOADERS]),
+      .request_ready(request_ready[1*TILE_LOADERS+:TILE_LOADERS]),
+      .request_address(request_address[1*TILE_LOADERS*ADDRESS_BITS+:TILE_LOADERS*ADDRESS_BITS]),
+      .request_beats(request_beats[1*TILE_LOADERS*10+:TILE_LOADERS*10]),
+      .data_valid(data_valid[1*TILE_LOADERS+:TILE_LOADERS]),
       .data,
       .data_last,
       .data_error
@@ -173,7 +176,8 @@ module hmlfc_tile_stores #(
   /* verilator lint_on PINCONNECTEMPTY */
   hmlfc_disparity_store #(
       .DATA_BITS(DATA_BITS),
-      .CONTEXTS(DISPARITY_CONTEXTS)
+      .CONTEXTS(DISPARITY_CONTEXTS),
+      .LOADERS(TILE_LOADERS)
   ) disparities (
       .clk,
       .rst_n,
@@ -192,11 +196,11 @@ module hmlfc_tile_stores #(
       .out_valid(disparity_valid),
       .out_ready(disparity_ready),
       .out_flow(disparity_flow),
-      .request_valid(request_valid[2]),
-      .request_ready(request_ready[2]),
-      .request_address(request_address[2*ADDRESS_BITS+:ADDRESS_BITS]),
-      .request_beats(request_beats[2*10+:10]),
-      .data_valid(data_valid[2]),
+      .request_valid(request_valid[2*TILE_LOADERS+:TILE_LOADERS]),
+      .request_ready(request_ready[2*TILE_LOADERS+:TILE_LOADERS]),
+      .request_address(request_address[2*TILE_LOADERS*ADDRESS_BITS+:TILE_LOADERS*ADDRESS_BITS]),
+      .request_beats(request_beats[2*TILE_LOADERS*10+:TILE_LOADERS*10]),
+      .data_valid(data_valid[2*TILE_LOADERS+:TILE_LOADERS]),
       .data,
       .data_last,
       .data_error
@@ -206,7 +210,8 @@ module hmlfc_tile_stores #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .MAX_DEPTH(MAX_DEPTH),
       .DATA_BITS(DATA_BITS),
-      .CONTEXTS(TILE_CONTEXTS)
+      .CONTEXTS(TILE_CONTEXTS),
+      .LOADERS(TILE_LOADERS)
   ) residuals (
       .clk,
       .rst_n,
@@ -225,11 +230,11 @@ module hmlfc_tile_stores #(
       .out_flow,
       .out_has_residual,
       .out_residual,
-      .request_valid(request_valid[0]),
-      .request_ready(request_ready[0]),
-      .request_address(request_address[0*ADDRESS_BITS+:ADDRESS_BITS]),
-      .request_beats(request_beats[0*10+:10]),
-      .data_valid(data_valid[0]),
+      .request_valid(request_valid[0*TILE_LOADERS+:TILE_LOADERS]),
+      .request_ready(request_ready[0*TILE_LOADERS+:TILE_LOADERS]),
+      .request_address(request_address[0*TILE_LOADERS*ADDRESS_BITS+:TILE_LOADERS*ADDRESS_BITS]),
+      .request_beats(request_beats[0*TILE_LOADERS*10+:TILE_LOADERS*10]),
+      .data_valid(data_valid[0*TILE_LOADERS+:TILE_LOADERS]),
       .data,
       .data_last,
       .data_error
