@@ -53,6 +53,7 @@ COMMANDS = rules(
      "measures for minutes, or needs a build of its own"),
     (r"(\./run rtl-clocks)", HELP, "tlm.latencies runs it, for 16 seconds"),
     (r"(\./run rtl-bench)( .*)?", HELP, "testbench.rtl_bench runs it"),
+    (r"(\./run synthesis)( (?:size|speed) .*)?", HELP, "rtl.speed_self_test measures a module; a whole run takes hours"),
     (r"(\./run clauses) .*", HELP, "writes into the repository"),
     (r"\./run vectors generate", r"\g<0> -o made", "writes into the repository"),
     (r"\./run render .*--camera .*", r"\g<0> >said && ! grep outside said", "the example's frame is filled"),
