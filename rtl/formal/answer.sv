@@ -8,7 +8,7 @@
 // Fault: hmlfc_answer.sv / !valid[3] || advance_out / !valid[3] && advance_out
 // Fault: hmlfc_answer.sv / last <= {last[2:1], in_job.tlast} / last <= {last[2:1], last[1]}
 module prove_answer (
-  input logic clk, input logic rst_n, input logic in_valid, input logic [42:0] in_job, input logic [5:0] in_error,
+  input logic clk, input logic rst_n, input logic in_valid, input logic [hmlfc_pkg::JOB_BITS-1:0] in_job, input logic [5:0] in_error,
   input logic [35:0] in_sample, input logic out_ready, input logic [3:0] depth, input logic chroma_444
 );
   hmlfc_pkg::job_t job;

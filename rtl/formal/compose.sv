@@ -8,35 +8,35 @@
 // Fault: hmlfc_compose.sv / assign in_ready = first_there && second_there && advance / assign in_ready = first_there && advance
 // Fault: hmlfc_compose.sv / if (!rst_n || go) kept_valid <= 1'b0 / if (!rst_n) kept_valid <= 1'b0
 module prove_compose (
-  input logic clk, input logic rst_n, input logic in_valid, input logic [97:0] in_pending, input logic a_valid, input logic b_valid,
+  input logic clk, input logic rst_n, input logic in_valid, input logic [hmlfc_pkg::PENDING_BITS-1:0] in_pending, input logic a_valid, input logic b_valid,
   input logic out_ready
 );
   hmlfc_pkg::pending_t pending;
   assign pending = in_pending;
   logic        in_ready, a_ready, b_ready, out_valid;
-  logic [97:0] out_pending;
+  logic [hmlfc_pkg::PENDING_BITS-1:0] out_pending;
   hmlfc_compose #(.BLOCK_LOG2(1), .MAX_DEPTH(8)) dut (
     .clk(clk), .rst_n(rst_n), .depth(4'd8), .in_valid(in_valid), .in_ready(in_ready), .in_pending(pending), .in_residual(40'd0),
     .a_valid(a_valid), .a_ready(a_ready), .a_error(6'd0), .a_window(90'd0), .b_valid(b_valid), .b_ready(b_ready), .b_error(6'd0),
     .b_window(90'd0), .out_valid(out_valid), .out_ready(out_ready), .out_pending(out_pending), .out_error(), .out_sample(),
     .out_residual(), .out_reference(), .out_prediction());
   (* hierconn *) wire [7:1] \dut.valid ;
-  (* hierconn *) wire [685:0] \dut.pendings ;
+  (* hierconn *) wire [7*hmlfc_pkg::PENDING_BITS-1:0] \dut.pendings ;
   (* hierconn *) wire \dut.kept_valid ;
 
   // Only what entered is followed: a tag, the block's job.
   logic           started = 1'b0;
   logic [2:0]     held;
-  logic [7*98-1:0] list;
+  logic [7*hmlfc_pkg::PENDING_BITS-1:0] list;
   wire            put = in_valid && in_ready;
   wire            take = out_valid && out_ready;
   wire [2:0]      rest = held - {2'd0, take};
-  wire [7*98-1:0] list_left = take ? list >> 98 : list;
+  wire [7*hmlfc_pkg::PENDING_BITS-1:0] list_left = take ? list >> hmlfc_pkg::PENDING_BITS : list;
   always @(posedge clk) begin
     started <= 1'b1;
     held <= rst_n ? rest + {2'd0, put} : 3'd0;
     list <= list_left;
-    for (integer i = 0; i < 7; i = i + 1) if (put && rest == i) list[98*i +: 98] <= in_pending;
+    for (integer i = 0; i < 7; i = i + 1) if (put && rest == i) list[hmlfc_pkg::PENDING_BITS*i +: hmlfc_pkg::PENDING_BITS] <= in_pending;
   end
 
   // Windows that the block in front needs and has not taken: of A; of B.
@@ -50,7 +50,7 @@ module prove_compose (
   end
 
   logic        waiting, offered;
-  logic [97:0] waiting_pending, offered_pending;
+  logic [hmlfc_pkg::PENDING_BITS-1:0] waiting_pending, offered_pending;
   always @(posedge clk) begin
     waiting <= rst_n && out_valid && !out_ready;
     waiting_pending <= out_pending;
@@ -65,9 +65,9 @@ module prove_compose (
   wire [2:0] at_3 = at_4 + {2'd0, \dut.valid [4]};
   wire [2:0] at_2 = at_3 + {2'd0, \dut.valid [3]};
   wire [2:0] at_1 = at_2 + {2'd0, \dut.valid [2]};
-  function automatic [97:0] entry(input [7*98-1:0] from, input [2:0] at);
-    entry = 98'd0;
-    for (integer i = 0; i < 7; i = i + 1) if (at == i) entry = from[98*i +: 98];
+  function automatic [hmlfc_pkg::PENDING_BITS-1:0] entry(input [7*hmlfc_pkg::PENDING_BITS-1:0] from, input [2:0] at);
+    entry = 0;
+    for (integer i = 0; i < 7; i = i + 1) if (at == i) entry = from[hmlfc_pkg::PENDING_BITS*i +: hmlfc_pkg::PENDING_BITS];
   endfunction
 
   always @* begin
@@ -77,13 +77,13 @@ module prove_compose (
     if (started && offered) assume (in_valid && in_pending == offered_pending);
     if (started) begin
       assert (held == at_1 + {2'd0, \dut.valid [1]});
-      if (out_valid) assert (out_pending == list[97:0]);
-      if (\dut.valid [6]) assert (\dut.pendings [98*5 +: 98] == entry(list, at_6));
-      if (\dut.valid [5]) assert (\dut.pendings [98*4 +: 98] == entry(list, at_5));
-      if (\dut.valid [4]) assert (\dut.pendings [98*3 +: 98] == entry(list, at_4));
-      if (\dut.valid [3]) assert (\dut.pendings [98*2 +: 98] == entry(list, at_3));
-      if (\dut.valid [2]) assert (\dut.pendings [98*1 +: 98] == entry(list, at_2));
-      if (\dut.valid [1]) assert (\dut.pendings [98*0 +: 98] == entry(list, at_1));
+      if (out_valid) assert (out_pending == list[hmlfc_pkg::PENDING_BITS-1:0]);
+      if (\dut.valid [6]) assert (\dut.pendings [hmlfc_pkg::PENDING_BITS*5 +: hmlfc_pkg::PENDING_BITS] == entry(list, at_6));
+      if (\dut.valid [5]) assert (\dut.pendings [hmlfc_pkg::PENDING_BITS*4 +: hmlfc_pkg::PENDING_BITS] == entry(list, at_5));
+      if (\dut.valid [4]) assert (\dut.pendings [hmlfc_pkg::PENDING_BITS*3 +: hmlfc_pkg::PENDING_BITS] == entry(list, at_4));
+      if (\dut.valid [3]) assert (\dut.pendings [hmlfc_pkg::PENDING_BITS*2 +: hmlfc_pkg::PENDING_BITS] == entry(list, at_3));
+      if (\dut.valid [2]) assert (\dut.pendings [hmlfc_pkg::PENDING_BITS*1 +: hmlfc_pkg::PENDING_BITS] == entry(list, at_2));
+      if (\dut.valid [1]) assert (\dut.pendings [hmlfc_pkg::PENDING_BITS*0 +: hmlfc_pkg::PENDING_BITS] == entry(list, at_1));
       assert (taken_b == {1'b0, \dut.kept_valid });
       if (\dut.kept_valid ) assert (in_valid && pending.two && pending.first_from_b);
       if (rst_n && put) begin
