@@ -3,10 +3,10 @@
 // Turns requests into blocks of levels: one job for each plane and each level from where DEC-1 begins down to the stop level.
 //
 // Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
-// LOAD, becomes one job that carries the error. Views are worked out when they are not held: the table
-// keeps VIEWS of them, and the oldest of which no block is in flight makes room. For RGB the chroma blocks are omitted where the previous request for RGB decoded them,
-// but not where they met a bus error. Up to two requests wait; the first of them is checked and looked up while jobs of the one
-// before leave.
+// LOAD, becomes one job that carries the error. Views are worked out when they are not held: the table keeps VIEWS of them, and
+// the oldest makes room as soon as none of its blocks is in flight. For RGB the chroma blocks are omitted where the previous
+// request for RGB decoded them, but not where they met a bus error. Up to two requests wait; the first of them is checked and
+// looked up while jobs of the one before leave.
 module hmlfc_requests #(
     localparam int VIEWS = hmlfc_pkg::VIEWS,
     localparam int VIEW_BITS = hmlfc_pkg::VIEW_BITS

@@ -2,8 +2,8 @@
 // (DEC-1, STR-1, STR-3, STR-4, EXT-3, EXT-4, MOT-7, IDX-1).
 //
 // `start` takes an existing view; for each level from 0 to tree_height `write` gives the entry of the table of images of level
-// `write_level`, 25 clocks each, or 39 with balanced groups; `done` is high for one clock when all are written and `keys` holds: bit l: the image of
-// level l is a key image (STR-5).
+// `write_level`, 25 clocks each, or 39 with balanced groups; `done` is high for one clock when all are written and `keys` holds:
+// bit l: the image of level l is a key image (STR-5).
 module hmlfc_view #(
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS,
