@@ -33,29 +33,41 @@ uint32_t distance(ImagePos at, ImagePos reference) {
                                std::abs(col_offset(reference, at)));
 }
 
-// At most `count` predictive images of the first two rows and columns of groups, of near and far
-// ones as many as there are.
+// At most `count` predictive images of the first two rows and columns of groups, as near to and as
+// far from their references as images of the whole grid are: the first groups may be larger.
 std::vector<ImagePos> spread_images(const Geometry& geometry, size_t count) {
   const LevelShape& level = geometry.level(0);
-  std::vector<ImagePos> images;
+  std::vector<ImagePos> first;
+  std::vector<uint32_t> all;
+  const auto distance_of = [&](ImagePos at) { return distance(at, geometry.reference_of(0, at)); };
   for (uint32_t r = 0; r < level.rows; ++r) {
     for (uint32_t c = 0; c < level.cols; ++c) {
+      if (geometry.is_reference(0, {r, c})) continue;
+      all.push_back(distance_of({r, c}));
       const ImagePos group = geometry.group_of(0, {r, c});
-      if (group.row > 1 || group.col > 1 || geometry.is_reference(0, {r, c})) continue;
-      images.push_back({r, c});
+      if (group.row <= 1 && group.col <= 1) first.push_back({r, c});
     }
   }
-  std::stable_sort(images.begin(), images.end(), [&](ImagePos a, ImagePos b) {
-    return distance(a, geometry.reference_of(0, a)) < distance(b, geometry.reference_of(0, b));
-  });
-  return evenly_spread(images, count);
-}
-
-// Every second strip of motion tiles, not the first; all of few.
-CodedRows half_of(const StreamHeader& header) {
-  const unsigned log2 = std::max<unsigned>(5, header.motion_tile_log2);
-  const bool few = header.height <= 2u << log2;
-  return {few ? 0u : 1u, few ? 1u : 2u, log2};
+  std::sort(all.begin(), all.end());
+  std::stable_sort(first.begin(), first.end(),
+                   [&](ImagePos a, ImagePos b) { return distance_of(a) < distance_of(b); });
+  std::vector<ImagePos> images;
+  for (const uint32_t wanted : evenly_spread(all, count)) {
+    if (first.empty()) break;
+    // Of those at the nearest distance the one in the middle: others are next to it.
+    const auto apart = [&](ImagePos at) {
+      return std::abs(static_cast<int32_t>(distance_of(at)) - static_cast<int32_t>(wanted));
+    };
+    const auto nearest = std::min_element(
+        first.begin(), first.end(), [&](ImagePos a, ImagePos b) { return apart(a) < apart(b); });
+    const auto end = std::find_if(nearest, first.end(), [&](ImagePos at) {
+      return distance_of(at) != distance_of(*nearest);
+    });
+    const auto chosen = nearest + (end - nearest) / 2;
+    images.push_back(*chosen);
+    first.erase(chosen);
+  }
+  return images;
 }
 
 // Sums over the images that a trial codes.
@@ -83,11 +95,11 @@ class Trial {
         header_(header),
         geometry_(header),
         session_(part, header, probe),
-        sample_{half_of(header), spread_images(geometry_, images)} {
+        sample_(spread_images(geometry_, images)) {
     EncodeObserver observer;
     observer.reconstructed = [&](int level, ImagePos at, const ImagePlanes& planes) {
       if (level > 0 || geometry_.is_reference(0, at)) return;
-      const ErrorSums error = error_of(at, planes);
+      const ErrorSums error = view_error(part_, at, planes, header_.chroma_format);
       const std::scoped_lock lock(mutex_);
       error_.add(error);  // integers: threads may add in any order
       ++predictive_.images;
@@ -101,7 +113,7 @@ class Trial {
     const auto groups = static_cast<double>(geometry_.key_count());
     Share disparities;
     add_bits(disparities);
-    predictive_.sum.rgb_squares = static_cast<double>(error_.rgb_squares) * rows_to_all();
+    predictive_.sum.rgb_squares = static_cast<double>(error_.rgb_squares);
     const TrialResult predicted = predictive_.of_all(images - groups);
     const TrialResult shared = disparities.of_all(groups);
     return {predicted.rgb_squares * scale + groups * keys.rgb_squares,
@@ -109,31 +121,12 @@ class Trial {
   }
 
  private:
-  double rows_to_all() const { return static_cast<double>(header_.height) / coded_rows(); }
-
-  uint32_t coded_rows() const {
-    uint32_t rows = 0;
-    for (uint32_t y = 0; y < header_.height; ++y) rows += sample_.rows.has(y) ? 1u : 0u;
-    return rows;
-  }
-
-  ErrorSums error_of(ImagePos at, const ImagePlanes& planes) const {
-    const uint32_t strip = 1u << sample_.rows.log2;
-    ErrorSums error;
-    for (uint32_t y = 0; y < header_.height; y += strip) {
-      if (!sample_.rows.has(y)) continue;
-      error.add(strip_error(part_, at, planes, header_.chroma_format, y,
-                            std::min(strip, header_.height - y)));
-    }
-    return error;
-  }
-
-  double bits_of(const PlaneCode& code) const {
+  static double bits_of(const PlaneCode& code) {
     double bits = 0;
     for (const uint32_t size : code.record_sizes) {
       if (size > 0) bits += 8.0 * size + kRecordBits;
     }
-    return (bits + kTileBits * static_cast<double>(code.record_sizes.size())) * rows_to_all();
+    return bits + kTileBits * static_cast<double>(code.record_sizes.size());
   }
 
   void add_bits(Share& disparities) {
@@ -155,10 +148,10 @@ class Trial {
   const StreamHeader& header_;
   Geometry geometry_;
   EncodeSession session_;
-  TrialSample sample_;
+  std::vector<ImagePos> sample_;
   CodedImages coded_;
   Share predictive_;
-  ErrorSums error_;  // of the predictive images, in the coded rows
+  ErrorSums error_;  // of the predictive images
   std::mutex mutex_;
 };
 

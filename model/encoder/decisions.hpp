@@ -13,7 +13,6 @@
 
 #include "encoder/light_field_probe.hpp"
 #include "encoder/rkv_tree.hpp"
-#include "encoder/trial_sample.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 
@@ -45,9 +44,10 @@ struct EncodedImage {
 class LevelImages {
  public:
   /// The arguments must outlive it. `tree` holds the reconstructed images of the levels above
-  /// `level` and the originals of `level`. `sample`: what a trial codes of level 0; null: all.
+  /// `level` and the originals of `level`. `sample`: the predictive images that a
+  /// trial codes of level 0; null: all.
   LevelImages(const LightField& light_field, const StreamHeader& header, const Geometry& geometry,
-              const RkvTree& tree, int level, const TrialSample* sample);
+              const RkvTree& tree, int level, const std::vector<ImagePos>* sample);
 
   int level() const { return level_; }
   const StreamHeader& header() const { return header_; }
@@ -65,9 +65,6 @@ class LevelImages {
   const std::vector<ImagePos>& references() const { return references_; }
   const std::vector<ImagePos>& predictive() const { return predictive_; }
 
-  /// The rows of predictive images to code.
-  const CodedRows& rows() const { return rows_; }
-
   /// All predictive images of the group of `reference`, also those that are not to be coded.
   std::vector<ImagePos> members(ImagePos reference) const;
 
@@ -84,7 +81,6 @@ class LevelImages {
   const Geometry& geometry_;
   const RkvTree& tree_;
   int level_;
-  CodedRows rows_;
   std::vector<ImagePos> references_;
   std::vector<ImagePos> predictive_;
 };

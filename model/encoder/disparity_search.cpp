@@ -21,6 +21,8 @@ constexpr uint32_t kFewRows = 12;
 constexpr int32_t kCoarseStep = 3;
 constexpr int32_t kCoarseMargin = 4;
 constexpr size_t kCoarseTargets = 3;
+// So many targets make up for what each of them does not see.
+constexpr size_t kManyTargets = 6;
 
 // What disparities leave to the residual, [d - lo][column], of grid blocks beside each other.
 class RowCosts {
@@ -32,6 +34,7 @@ class RowCosts {
         range_(range),
         step_(step),
         estimate_(search.lambda),
+        squares_apart_(search.grid_log2 > 2 && search.targets.size() >= kManyTargets ? 2 : 1),
         x_(bx0 << search.grid_log2),
         width_(std::min(bx1 << search.grid_log2, search.width) - x_),
         blocks_x_(bx1 - bx0),
@@ -40,6 +43,9 @@ class RowCosts {
 
   size_t candidates() const { return static_cast<size_t>((range_.hi - range_.lo) / step_) + 1; }
   int64_t at(size_t candidate, uint32_t bx) const { return costs_[candidate * blocks_x_ + bx]; }
+
+  // A target sees one of so many rows of squares.
+  int64_t squares_apart() const { return squares_apart_; }
 
   // The first of the cheapest candidates.
   size_t cheapest(uint32_t bx) const {
@@ -50,7 +56,8 @@ class RowCosts {
     return best;
   }
 
-  // Row `by`, with every `apart`-th target.
+  // Row `by`, with every `apart`-th target. Of two rows of squares the even targets see the first,
+  // the odd ones the second, unless there are few targets.
   void run(uint32_t by, size_t apart) {
     costs_.assign(candidates() * blocks_x_, 0);
     const uint32_t y0 = by << search_.grid_log2;
@@ -59,7 +66,8 @@ class RowCosts {
       const int32_t d = range_.lo + static_cast<int32_t>(k) * step_;
       for (size_t i = apart / 2; i < search_.targets.size(); i += apart) {
         const SearchTarget& target = search_.targets[i];
-        for (uint32_t y = y0; y < y1; y += kSquare) {
+        const uint32_t first = static_cast<uint32_t>(i / apart % squares_apart_) * kSquare;
+        for (uint32_t y = y0 + first; y < y1; y += squares_apart_ * kSquare) {
           add_squares(target, d, y, std::min(y + kSquare, y1), &costs_[k * blocks_x_]);
         }
       }
@@ -111,6 +119,7 @@ class RowCosts {
   DisparityRange range_;
   int32_t step_;
   ResidualEstimate estimate_;
+  uint32_t squares_apart_;
   uint32_t x_;
   uint32_t width_;
   uint32_t blocks_x_;
@@ -186,14 +195,14 @@ std::vector<int32_t> cheapest_disparities(const DisparitySearch& search,
                                           int32_t step, size_t apart) {
   RowCosts costs(search, range, step, tile.bx0, tile.bx1);
   TileDisparities disparities(costs.candidates(), tile.count());
-  const auto images = static_cast<int64_t>(search.images);
-  const auto targets = std::max<int64_t>(1, static_cast<int64_t>(search.targets.size() / apart));
+  const int64_t all = static_cast<int64_t>(search.images) * costs.squares_apart();
+  const auto seen = std::max<int64_t>(1, static_cast<int64_t>(search.targets.size() / apart));
   for (uint32_t by = tile.by0; by < tile.by1; ++by) {
     costs.run(by, apart);
     const size_t row = size_t{by - tile.by0} * tile.columns();
     for (uint32_t bx = 0; bx < tile.columns(); ++bx) {
       for (size_t k = 0; k < costs.candidates(); ++k) {
-        disparities.at(k, row + bx) = costs.at(k, bx) * images / targets;
+        disparities.at(k, row + bx) = costs.at(k, bx) * all / seen;
       }
     }
   }
@@ -281,7 +290,6 @@ DisparityGrid search_disparities(const DisparitySearch& search, const DisparityR
   parallel_for(size_t{tiles_x} * ceil_div(grid.blocks_y, per_tile), [&](size_t i) {
     const auto tx = static_cast<uint32_t>(i % tiles_x);
     const auto ty = static_cast<uint32_t>(i / tiles_x);
-    if (!search.rows.has_strip(ty)) return;
     const TileBlocks tile{tx * per_tile, std::min((tx + 1) * per_tile, grid.blocks_x),
                           ty * per_tile, std::min((ty + 1) * per_tile, grid.blocks_y)};
     search_tile(search, range, tile, grid);

@@ -9,7 +9,6 @@
 #include "arithmetic/motion.hpp"
 #include "encoder/padded_plane.hpp"
 #include "encoder/rate_distortion.hpp"
-#include "encoder/trial_sample.hpp"
 #include "syntax/geometry.hpp"
 #include "syntax/motion_tile.hpp"
 
@@ -40,7 +39,6 @@ struct DisparitySearch {
   unsigned disparity_precision = 0;
   unsigned grid_log2 = 3;
   unsigned tile_log2 = 6;
-  CodedRows rows;       ///< others get disparity 0
   int32_t bound = 255;  ///< the largest magnitude in the references
   Lambda lambda;
 };

@@ -43,7 +43,7 @@ struct Walk {
   const EncodeObserver& observer;
   RkvTree& tree;
   CodedImages& coded;
-  const TrialSample* sample;
+  const std::vector<ImagePos>* sample;
   std::mutex error_mutex;
 };
 
@@ -155,11 +155,10 @@ void add_records(IndexWriter& index, PlaneCode& code, uint64_t tiles) {
 
 LevelImages::LevelImages(const LightField& light_field, const StreamHeader& header,
                          const Geometry& geometry, const RkvTree& tree, int level,
-                         const TrialSample* sample)
+                         const std::vector<ImagePos>* sample)
     : light_field_(light_field), header_(header), geometry_(geometry), tree_(tree), level_(level) {
   if (sample != nullptr && level == 0) {
-    rows_ = sample->rows;
-    predictive_ = sample->images;
+    predictive_ = *sample;
     for (const ImagePos at : predictive_) {
       for (const ImagePos place : reference_images(geometry, level, at)) {
         const auto found = std::find(references_.begin(), references_.end(), place);
@@ -168,7 +167,6 @@ LevelImages::LevelImages(const LightField& light_field, const StreamHeader& head
     }
     return;
   }
-  rows_.log2 = std::max<unsigned>(5, header.motion_tile_log2);
   for (uint32_t r = 0; r < shape().rows; ++r) {
     for (uint32_t c = 0; c < shape().cols; ++c) {
       (geometry.is_reference(level, {r, c}) ? references_ : predictive_).push_back({r, c});
@@ -208,7 +206,8 @@ EncodeSession::EncodeSession(const LightField& light_field, const StreamHeader& 
 }
 
 CodedImages EncodeSession::encode(const EncodeParams& params, bool last,
-                                  const EncodeObserver& observer, const TrialSample* sample) {
+                                  const EncodeObserver& observer,
+                                  const std::vector<ImagePos>* sample) {
   const auto strategy = params.profile == Profile::kMain
                             ? main_decisions(params)
                             : extended_decisions(header_, params, probe_);

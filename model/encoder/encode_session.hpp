@@ -43,10 +43,10 @@ class EncodeSession {
   const Geometry& geometry() const { return geometry_; }
 
   /// Codes all images with `params`, from which the header was made except for thresholds and
-  /// quality. `last`: the originals may be used up. `sample`: for a trial, which gives no stream
-  /// and leaves `error` 0; null: everything.
+  /// quality. `last`: the originals may be used up. `sample`: of level 0 only these predictive
+  /// images, for a trial, which gives no stream and leaves `error` 0; null: everything.
   CodedImages encode(const EncodeParams& params, bool last, const EncodeObserver& observer,
-                     const TrialSample* sample = nullptr);
+                     const std::vector<ImagePos>* sample = nullptr);
 
   /// The whole stream; uses up `images`.
   std::vector<uint8_t> stream(CodedImages& images) const;

@@ -87,9 +87,9 @@ class ExtendedLevel final : public LevelDecisions {
       image.code[kMotionPlane].append(write_motion_tile(tile, fields));
     }
     for (const Plane plane : kPlanes) {
-      const SamplePlane prediction = predict_plane(
-          sources, plane, images_.parent(at, plane),
-          reference_planes(sources.places, static_cast<size_t>(plane)), tiles, images_.rows());
+      const SamplePlane prediction =
+          predict_plane(sources, plane, images_.parent(at, plane),
+                        reference_planes(sources.places, static_cast<size_t>(plane)), tiles);
       encode_plane(plane, original, prediction, false, image);
     }
     return image;
@@ -108,7 +108,6 @@ class ExtendedLevel final : public LevelDecisions {
       search.targets.push_back(search_target(at));
     }
     for (size_t i = 0; i < planes.size(); ++i) search.targets[i].plane = &planes[i];
-    search.rows = images_.rows();
     search.bound = reference_bound(Plane::kY, header_.depth, images_.shape().keyed);
     search.lambda = settings_.lambda;
     group(reference).grid = search_disparities(search, settings_.disparities);
@@ -128,7 +127,7 @@ class ExtendedLevel final : public LevelDecisions {
       }
     }
     KeyRefinement task{header_, geometry_,      reference, group(reference).grid,
-                       targets, members.size(), {},        images_.rows()};
+                       targets, members.size(), {}};
     for (size_t p = 0; p < kPlaneCount; ++p) {
       task.lambdas[p] = settings_.targets[p].residuals.lambda;
     }
@@ -158,15 +157,10 @@ class ExtendedLevel final : public LevelDecisions {
     const auto p = static_cast<size_t>(plane);
     ResidualPlane encoded =
         encode_residuals(geometry_, plane, header_.depth, original[p], prediction, is_reference,
-                         settings_.targets[p].residuals,
-                         is_halved(plane) ? images_.rows().halved() : images_.rows());
+                         settings_.targets[p].residuals);
     image.code[p] = std::move(encoded.code);
     image.samples[p] = std::move(encoded.samples);
     return std::move(encoded.residuals);
-  }
-
-  bool is_halved(Plane plane) const {
-    return plane != Plane::kY && header_.chroma_format == ChromaFormat::k420;
   }
 
   // The plane that motion is decided on: Y, at levels that are not keyed less the parent.
@@ -233,7 +227,7 @@ class ExtendedLevel final : public LevelDecisions {
   std::vector<MotionTileCode> decide_tiles(const MotionSources& sources, const SamplePlane& luma) {
     const SamplePlane target = motion_target(sources.at, luma);
     return decide_motion({sources, target, reference_planes(sources.places, 0),
-                          settings_.effort.choices, settings_.lambda, images_.rows()});
+                          settings_.effort.choices, settings_.lambda});
   }
 
   const Settings& settings_;

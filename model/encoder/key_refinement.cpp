@@ -101,11 +101,9 @@ class PlaneRefinement {
   }
 
   void add(const RefinementTarget& target, const PaddedPlane& reference) {
-    const uint32_t scale = halved_ ? 2 : 1;
     for (uint32_t gy = 0; gy < task_.grid.blocks_y; ++gy) {
       Area area;
       area.y = static_cast<int32_t>(gy) * block_size_;
-      if (!task_.rows.has(static_cast<uint32_t>(area.y) * scale)) continue;
       area.height = std::min(block_size_, static_cast<int32_t>(shape_.height) - area.y);
       for (uint32_t gx = 0; gx < task_.grid.blocks_x; ++gx) {
         area.x = static_cast<int32_t>(gx) * block_size_;

@@ -11,7 +11,6 @@
 
 #include "encoder/padded_plane.hpp"
 #include "encoder/rate_distortion.hpp"
-#include "encoder/trial_sample.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 #include "syntax/motion_tile.hpp"
@@ -35,7 +34,6 @@ struct KeyRefinement {
   std::span<const RefinementTarget> targets;
   size_t images = 0;  ///< that the targets stand for, at least their number
   std::array<Lambda, kPlaneCount> lambdas;
-  CodedRows rows;  ///< of the targets; others are not predicted
 };
 
 /// Makes of `key`, which is the view, an image that is nearer to the least sum of two things: what

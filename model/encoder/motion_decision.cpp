@@ -306,7 +306,6 @@ std::vector<MotionTileCode> decide_motion(const MotionTask& task) {
   const std::vector<PaletteEntry> symbols = candidate_symbols(task.sources, task.choices);
   std::vector<MotionTileCode> tiles(static_cast<size_t>(shape.tiles()));
   parallel_for(shape.tiles_y, [&](size_t ty) {
-    if (!task.rows.has_strip(static_cast<uint32_t>(ty))) return;
     TileDecision decision(task, symbols);
     for (uint32_t tx = 0; tx < shape.tiles_x; ++tx) {
       tiles[ty * shape.tiles_x + tx] = decision.run(tx, static_cast<uint32_t>(ty));

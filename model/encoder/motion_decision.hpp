@@ -6,7 +6,6 @@
 
 #include "encoder/motion_prediction.hpp"
 #include "encoder/rate_distortion.hpp"
-#include "encoder/trial_sample.hpp"
 #include "syntax/motion_tile.hpp"
 
 namespace hmlfc {
@@ -18,7 +17,6 @@ struct MotionTask {
   ReferencePlanes references;  ///< of plane Y
   unsigned choices;  ///< disparities tried: 1 the own one, 5 with four neighbours, 9 with all
   Lambda lambda;
-  CodedRows rows;  ///< tiles of other rows stay empty
 };
 
 /// The motion tiles of the image, row by row, each the cheapest in D + lambda R that was found.

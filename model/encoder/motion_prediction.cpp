@@ -44,11 +44,10 @@ class PlanePredictor {
         range_(sample_range(plane, sources.header.depth)),
         bound_(reference_bound(plane, sources.header.depth, sources.keyed)) {}
 
-  SamplePlane run(const CodedRows& rows) const {
+  SamplePlane run() const {
     const auto size = static_cast<uint32_t>(size_);
     SamplePlane plane(shape_.blocks_x * size, shape_.blocks_y * size);
     for (uint32_t by = 0; by < shape_.blocks_y; ++by) {
-      if (!rows.has(by * size * (halved_ ? 2 : 1))) continue;
       for (uint32_t bx = 0; bx < shape_.blocks_x; ++bx) predict(bx, by, plane);
     }
     return plane;
@@ -146,9 +145,9 @@ std::vector<PaletteEntry> candidate_symbols(const MotionSources& sources, unsign
 }
 
 SamplePlane predict_plane(const MotionSources& sources, Plane plane, const SamplePlane* parent,
-                          const ReferencePlanes& references, std::span<const MotionTileCode> tiles,
-                          const CodedRows& rows) {
-  return PlanePredictor(sources, plane, parent, references, tiles).run(rows);
+                          const ReferencePlanes& references,
+                          std::span<const MotionTileCode> tiles) {
+  return PlanePredictor(sources, plane, parent, references, tiles).run();
 }
 
 }  // namespace hmlfc

@@ -12,7 +12,6 @@
 #include "arithmetic/reconstruct.hpp"
 #include "decoder/fast/interpolate.hpp"
 #include "encoder/padded_plane.hpp"
-#include "encoder/trial_sample.hpp"
 #include "syntax/geometry.hpp"
 #include "syntax/motion_tile.hpp"
 
@@ -94,11 +93,10 @@ constexpr int32_t reference_bound(Plane plane, int depth, bool keyed) {
   return keyed ? range.hi : range.bound;
 }
 
-/// A(x, y) of DEC-3 for every block of `plane` that begins in `rows` of plane Y, in whole blocks.
+/// A(x, y) of DEC-3 for every block of `plane`, in whole blocks.
 /// `parent`: whole blocks, null where it is 0; `references`: of `plane`; `tiles`: of the motion
 /// plane.
 SamplePlane predict_plane(const MotionSources& sources, Plane plane, const SamplePlane* parent,
-                          const ReferencePlanes& references, std::span<const MotionTileCode> tiles,
-                          const CodedRows& rows);
+                          const ReferencePlanes& references, std::span<const MotionTileCode> tiles);
 
 }  // namespace hmlfc

@@ -52,13 +52,13 @@ Lambda lambda_of_quality(double quality) {
 SearchEffort effort_of(Preset preset) {
   switch (preset) {
     case Preset::kFast:
-      return {3, 6};
+      return {3, 8};
     case Preset::kSlow:
       return {9, 24};
     case Preset::kMedium:
       break;
   }
-  return {9, 10};
+  return {5, 12};
 }
 
 PlaneTargets plane_targets(const StreamHeader& header, const EncodeParams& params,

@@ -27,14 +27,10 @@ class ResidualEncoder {
     if (is_reference) encoded_.residuals = SamplePlane(prediction.width, prediction.height);
   }
 
-  ResidualPlane run(const CodedRows& rows) {
+  ResidualPlane run() {
     for (uint32_t ty = 0; ty < shape_.tiles_y; ++ty) {
       for (uint32_t tx = 0; tx < shape_.tiles_x; ++tx) {
-        if (rows.has(ty * kTileBlocks * size_)) {
-          encode_tile(tx, ty);
-        } else {
-          encoded_.code.append({});
-        }
+        encode_tile(tx, ty);
       }
     }
     return std::move(encoded_);
@@ -104,10 +100,8 @@ class ResidualEncoder {
 
 ResidualPlane encode_residuals(const Geometry& geometry, Plane plane, int depth,
                                const SamplePlane& original, const SamplePlane& prediction,
-                               bool is_reference, const ResidualRules& rules,
-                               const CodedRows& rows) {
-  return ResidualEncoder(geometry, plane, depth, original, prediction, is_reference, rules)
-      .run(rows);
+                               bool is_reference, const ResidualRules& rules) {
+  return ResidualEncoder(geometry, plane, depth, original, prediction, is_reference, rules).run();
 }
 
 }  // namespace hmlfc

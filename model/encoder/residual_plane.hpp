@@ -3,7 +3,6 @@
 
 #include "encoder/decisions.hpp"
 #include "encoder/residual_decision.hpp"
-#include "encoder/trial_sample.hpp"
 #include "syntax/geometry.hpp"
 
 namespace hmlfc {
@@ -16,11 +15,9 @@ struct ResidualPlane {
 };
 
 /// Decides and writes the residuals of `plane` of an image; `original` and `prediction` hold whole
-/// blocks. `residuals` of the result are set if `is_reference`. Tiles that do not begin in `rows`
-/// of the plane stay empty.
+/// blocks. `residuals` of the result are set if `is_reference`.
 ResidualPlane encode_residuals(const Geometry& geometry, Plane plane, int depth,
                                const SamplePlane& original, const SamplePlane& prediction,
-                               bool is_reference, const ResidualRules& rules,
-                               const CodedRows& rows);
+                               bool is_reference, const ResidualRules& rules);
 
 }  // namespace hmlfc

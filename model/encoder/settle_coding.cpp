@@ -38,13 +38,13 @@ struct TrialEffort {
 TrialEffort trial_effort(Preset preset) {
   switch (preset) {
     case Preset::kFast:
-      return {12, false, false};
+      return {6, false, false};
     case Preset::kSlow:
-      return {64, true, true};
+      return {32, true, true};
     case Preset::kMedium:
       break;
   }
-  return {20, true, false};
+  return {10, true, false};
 }
 
 // Sizes of groups that cut a line of `count` views into different numbers of groups, ascending.

@@ -96,28 +96,4 @@ ErrorSums view_error(const LightField& original, ImagePos at, const ImagePlanes&
   return measure(original.view(at.row, at.col), decoded);
 }
 
-ErrorSums strip_error(const LightField& original, ImagePos at, const ImagePlanes& planes,
-                      ChromaFormat chroma, uint32_t y, uint32_t rows) {
-  const LightFieldShape& shape = original.shape();
-  const uint32_t shift = chroma == ChromaFormat::k420 ? 1 : 0;
-  ImagePlanes strip;
-  for (size_t p = 0; p < planes.size(); ++p) {
-    const uint32_t halves = p == 0 ? 0 : shift;
-    strip[p] = SamplePlane(planes[p].width, ((rows - 1) >> halves) + 1);
-    for (uint32_t j = 0; j < strip[p].height; ++j) {
-      const auto from = planes[p].row((y >> halves) + j);
-      std::copy(from.begin(), from.end(), strip[p].row(j).begin());
-    }
-  }
-  RgbImage inside{shape.width, rows, shape.depth, {}};
-  const size_t row_samples = size_t{shape.width} * 3;
-  inside.samples.resize(row_samples * rows);
-  for (uint32_t j = 0; j < rows; ++j) {
-    original.read_row(at.row, at.col, y + j,
-                      std::span(inside.samples).subspan(j * row_samples, row_samples));
-  }
-  const Rect all{0, 0, shape.width, rows};
-  return measure(inside, rgb_picture(strip, all, shift == 1, shape.depth));
-}
-
 }  // namespace hmlfc

@@ -31,8 +31,4 @@ SamplePlane cropped(const SamplePlane& plane, uint32_t width, uint32_t height);
 ErrorSums view_error(const LightField& original, ImagePos at, const ImagePlanes& planes,
                      ChromaFormat chroma);
 
-/// The same in rows [y, y + rows) alone; `y` is even, `rows` > 0.
-ErrorSums strip_error(const LightField& original, ImagePos at, const ImagePlanes& planes,
-                      ChromaFormat chroma, uint32_t y, uint32_t rows);
-
 }  // namespace hmlfc

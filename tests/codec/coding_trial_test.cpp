@@ -3,6 +3,7 @@
 #include "encoder/coding_trial.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,27 @@ TEST(CodingTrial, IsNearTheWholeEncoding) {
   ASSERT_TRUE(encoded.has_value());
   const double bits = 8 * static_cast<double>(encoded->bytes.size());
   EXPECT_NEAR(trial.bits / bits, 1, 0.15);
+  EXPECT_NEAR(trial.rgb_squares / static_cast<double>(encoded->error.rgb_squares), 1, 0.15);
+}
+
+// A third of the rows has nearly all of the bits: a trial that looked at these rows alone, or at
+// the others, would be far from the whole.
+TEST(CodingTrial, SeesAllRows) {
+  const LightFieldShape shape{6, 6, 96, 192, 8};
+  LightField field = test::textured_light_field(shape, 3, 6);
+  const std::vector<uint16_t> grey(size_t{shape.width} * 3, 90);
+  for (uint32_t view = 0; view < shape.rows * shape.cols; ++view) {
+    for (uint32_t y = 0; y < shape.height; ++y) {
+      if (y / 64 != 1) field.write_row(view / shape.cols, view % shape.cols, y, grey);
+    }
+  }
+  const SettledCoding settled = settle_coding(field, with_defaults({}));
+  const auto header = header_for(field.shape(), settled.params);
+  const TrialResult trial =
+      try_coding(field, trial_part(field, *header), settled.params, settled.probe, 10);
+  const auto encoded = encode(field, settled.params);
+  ASSERT_TRUE(encoded.has_value());
+  EXPECT_NEAR(trial.bits / (8 * static_cast<double>(encoded->bytes.size())), 1, 0.15);
   EXPECT_NEAR(trial.rgb_squares / static_cast<double>(encoded->error.rgb_squares), 1, 0.15);
 }
 

@@ -77,7 +77,7 @@ class KeyRefinementCase : public testing::TestWithParam<Scene> {
   ImagePlanes refined(ImagePlanes key) {
     const Lambda lambda{256 * 40};
     refine_key(
-        {header_, *geometry_, kKey, grid_, targets_, targets_.size(), {lambda, lambda, lambda}, {}},
+        {header_, *geometry_, kKey, grid_, targets_, targets_.size(), {lambda, lambda, lambda}},
         key);
     return key;
   }
