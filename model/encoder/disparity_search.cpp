@@ -22,7 +22,7 @@ constexpr int32_t kCoarseStep = 3;
 constexpr int32_t kCoarseMargin = 4;
 constexpr size_t kCoarseTargets = 3;
 // So many targets make up for what each of them does not see.
-constexpr size_t kManyTargets = 6;
+constexpr size_t kManyTargets = 12;
 
 // What disparities leave to the residual, [d - lo][column], of grid blocks beside each other.
 class RowCosts {

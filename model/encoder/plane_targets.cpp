@@ -52,7 +52,7 @@ Lambda lambda_of_quality(double quality) {
 SearchEffort effort_of(Preset preset) {
   switch (preset) {
     case Preset::kFast:
-      return {3, 8};
+      return {3, 6};
     case Preset::kSlow:
       return {9, 24};
     case Preset::kMedium:
