@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -19,52 +19,50 @@
 namespace hmlfc {
 namespace {
 
-constexpr uint32_t kTrialWidth = 384;
-constexpr uint32_t kTrialHeight = 256;
 // What a squared error of Y, Co and Cg is in R, G and B together.
 constexpr std::array<double, kPlaneCount> kRgbSquares{3, 0.5, 0.75};
 // Bits of the index for a record, and for a tile with or without one.
 constexpr double kRecordBits = 10;
 constexpr double kTileBits = 2;
 
-// How far an image is from its reference, in views.
-uint32_t distance(ImagePos at, ImagePos reference) {
-  return static_cast<uint32_t>(std::abs(row_offset(reference, at)) +
-                               std::abs(col_offset(reference, at)));
+// An image, and how many views it is from its reference.
+struct Displaced {
+  int32_t distance;
+  ImagePos at;
+};
+
+Displaced displaced_from_reference(const Geometry& geometry, ImagePos at) {
+  const ImagePos reference = geometry.reference_of(0, at);
+  return {std::abs(row_offset(reference, at)) + std::abs(col_offset(reference, at)), at};
 }
 
-// At most `count` predictive images of the first two rows and columns of groups, as near to and as
-// far from their references as images of the whole grid are: the first groups may be larger.
+// At most `count` predictive images of the first two rows and columns of groups, as near to their
+// references and as far from them as images of the whole grid are: the first groups may be larger.
 std::vector<ImagePos> spread_images(const Geometry& geometry, size_t count) {
   const LevelShape& level = geometry.level(0);
-  std::vector<ImagePos> first;
-  std::vector<uint32_t> all;
-  const auto distance_of = [&](ImagePos at) { return distance(at, geometry.reference_of(0, at)); };
+  std::vector<Displaced> all;
   for (uint32_t r = 0; r < level.rows; ++r) {
     for (uint32_t c = 0; c < level.cols; ++c) {
       if (geometry.is_reference(0, {r, c})) continue;
-      all.push_back(distance_of({r, c}));
-      const ImagePos group = geometry.group_of(0, {r, c});
-      if (group.row <= 1 && group.col <= 1) first.push_back({r, c});
+      all.push_back(displaced_from_reference(geometry, {r, c}));
     }
   }
-  std::sort(all.begin(), all.end());
-  std::stable_sort(first.begin(), first.end(),
-                   [&](ImagePos a, ImagePos b) { return distance_of(a) < distance_of(b); });
+  std::ranges::stable_sort(all, {}, &Displaced::distance);
+  std::vector<Displaced> first;
+  std::ranges::copy_if(all, std::back_inserter(first), [&](const Displaced& image) {
+    const ImagePos group = geometry.group_of(0, image.at);
+    return group.row <= 1 && group.col <= 1;
+  });
   std::vector<ImagePos> images;
-  for (const uint32_t wanted : evenly_spread(all, count)) {
+  for (const Displaced& wanted : evenly_spread(all, count)) {
     if (first.empty()) break;
-    // Of those at the nearest distance the one in the middle: others are next to it.
-    const auto apart = [&](ImagePos at) {
-      return std::abs(static_cast<int32_t>(distance_of(at)) - static_cast<int32_t>(wanted));
+    const auto apart = [&](const Displaced& image) {
+      return std::abs(image.distance - wanted.distance);
     };
-    const auto nearest = std::min_element(
-        first.begin(), first.end(), [&](ImagePos a, ImagePos b) { return apart(a) < apart(b); });
-    const auto end = std::find_if(nearest, first.end(), [&](ImagePos at) {
-      return distance_of(at) != distance_of(*nearest);
-    });
-    const auto chosen = nearest + (end - nearest) / 2;
-    images.push_back(*chosen);
+    const int32_t nearest = std::ranges::min_element(first, {}, apart)->distance;
+    const auto alike = std::ranges::equal_range(first, nearest, {}, &Displaced::distance);
+    const auto chosen = alike.begin() + std::ssize(alike) / 2;
+    images.push_back(chosen->at);
     first.erase(chosen);
   }
   return images;
@@ -155,79 +153,6 @@ class Trial {
   std::mutex mutex_;
 };
 
-// How much there is to code in each cell of 16x16 pixels of a view: log2 of its variance, row by
-// row.
-class Activity {
- public:
-  explicit Activity(const SamplePlane& luma)
-      : columns_(luma.width / kCell), rows_(luma.height / kCell) {
-    for (uint32_t y = 0; y < rows_; ++y) {
-      for (uint32_t x = 0; x < columns_; ++x) cells_.push_back(of_cell(luma, x, y));
-    }
-  }
-
-  static constexpr uint32_t kCell = 16;
-  uint32_t columns() const { return columns_; }
-  uint32_t rows() const { return rows_; }
-
-  // How far `columns` x `rows` cells from (x, y) on differ from the whole, in the shares of cells
-  // with more than each of some activities.
-  double difference(uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
-    double sum = 0;
-    for (int bound = 1; bound <= 13; ++bound) {
-      sum += std::abs(share(bound, x, y, columns, rows) - share(bound, 0, 0, columns_, rows_));
-    }
-    return sum;
-  }
-
- private:
-  static int of_cell(const SamplePlane& luma, uint32_t x, uint32_t y) {
-    int64_t sum = 0;
-    int64_t squares = 0;
-    for (uint32_t j = 0; j < kCell; ++j) {
-      for (uint32_t i = 0; i < kCell; ++i) {
-        const int64_t sample = luma.at(x * kCell + i, y * kCell + j);
-        sum += sample;
-        squares += sample * sample;
-      }
-    }
-    constexpr int64_t kSamples = int64_t{kCell} * kCell;
-    return static_cast<int>(
-        std::bit_width(static_cast<uint64_t>((squares - sum * sum / kSamples) / kSamples)));
-  }
-
-  double share(int bound, uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
-    uint32_t above = 0;
-    for (uint32_t j = y; j < y + rows; ++j) {
-      for (uint32_t i = x; i < x + columns; ++i)
-        above += cells_[j * columns_ + i] >= bound ? 1u : 0u;
-    }
-    return static_cast<double>(above) / (static_cast<double>(columns) * rows);
-  }
-
-  uint32_t columns_;
-  uint32_t rows_;
-  std::vector<int> cells_;
-};
-
-// The place of a part of `shape`'s size that is most like the whole of `luma`.
-std::pair<uint32_t, uint32_t> typical_place(const SamplePlane& luma, const LightFieldShape& shape) {
-  const Activity activity(luma);
-  const uint32_t columns = std::max(1u, shape.width / Activity::kCell);
-  const uint32_t rows = std::max(1u, shape.height / Activity::kCell);
-  std::pair<uint32_t, uint32_t> best{0, 0};
-  double least = std::numeric_limits<double>::infinity();
-  for (uint32_t y = 0; y + rows <= activity.rows(); ++y) {
-    for (uint32_t x = 0; x + columns <= activity.columns(); ++x) {
-      const double difference = activity.difference(x, y, columns, rows);
-      if (difference >= least) continue;
-      least = difference;
-      best = {x * Activity::kCell, y * Activity::kCell};
-    }
-  }
-  return best;
-}
-
 // One key image of whole views, as the probe measured it.
 TrialResult key_image(const StreamHeader& header, const EncodeParams& params,
                       const LightFieldProbe& probe) {
@@ -245,30 +170,6 @@ TrialResult key_image(const StreamHeader& header, const EncodeParams& params,
 }
 
 }  // namespace
-
-LightField trial_part(const LightField& light_field, const StreamHeader& header) {
-  const LightFieldShape whole = light_field.shape();
-  LightFieldShape shape = whole;
-  shape.width = std::min(whole.width, kTrialWidth);
-  shape.height = std::min(whole.height, kTrialHeight);
-  const ImagePos middle{whole.rows / 2, whole.cols / 2};
-  const auto place = typical_place(view_planes(light_field, Geometry(header), middle)[0], shape);
-  // The plane is that of whole blocks, which may be larger than the view.
-  const uint32_t x = std::min(place.first, whole.width - shape.width);
-  const uint32_t y = std::min(place.second, whole.height - shape.height);
-  LightField part(shape);
-  std::vector<uint16_t> pixels(size_t{whole.width} * 3);
-  for (uint32_t row = 0; row < shape.rows; ++row) {
-    for (uint32_t col = 0; col < shape.cols; ++col) {
-      for (uint32_t j = 0; j < shape.height; ++j) {
-        light_field.read_row(row, col, y + j, pixels);
-        part.write_row(row, col, j,
-                       std::span(pixels).subspan(size_t{x} * 3, size_t{shape.width} * 3));
-      }
-    }
-  }
-  return part;
-}
 
 TrialResult try_coding(const LightField& light_field, const LightField& part,
                        const EncodeParams& params, const LightFieldProbe& probe, size_t images) {

@@ -20,12 +20,8 @@ struct TrialResult {
   }
 };
 
-/// The part of `light_field` on which parameters are tried: all views, of each the same rectangle
-/// of at most 384x256 pixels, the one most like the whole. `header` is one for `light_field`.
-LightField trial_part(const LightField& light_field, const StreamHeader& header);
-
 /// Estimates for `light_field` an encoding with `params` of profile extended, nothing open, from
-/// about `images` images of `part` in half of their rows: every one with all it refers to. Infinite
+/// about `images` images of `part`: every one with all it refers to. Infinite
 /// where the header does not allow `params`.
 TrialResult try_coding(const LightField& light_field, const LightField& part,
                        const EncodeParams& params, const LightFieldProbe& probe, size_t images);

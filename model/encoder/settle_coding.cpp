@@ -10,6 +10,7 @@
 #include "arithmetic/rounding.hpp"
 #include "encoder/coding_trial.hpp"
 #include "encoder/plane_targets.hpp"
+#include "encoder/trial_part.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 

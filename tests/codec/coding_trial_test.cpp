@@ -9,6 +9,7 @@
 
 #include "encoder/coding_params.hpp"
 #include "encoder/key_curve.hpp"
+#include "encoder/trial_part.hpp"
 #include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {

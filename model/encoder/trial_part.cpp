@@ -1,0 +1,119 @@
+#include "encoder/trial_part.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "encoder/view_planes.hpp"
+#include "syntax/geometry.hpp"
+
+namespace hmlfc {
+namespace {
+
+constexpr uint32_t kTrialWidth = 384;
+constexpr uint32_t kTrialHeight = 256;
+
+// How much there is to code in each cell of 16x16 pixels of a view: log2 of its variance, row by
+// row.
+class Activity {
+ public:
+  explicit Activity(const SamplePlane& luma)
+      : columns_(luma.width / kCell), rows_(luma.height / kCell) {
+    for (uint32_t y = 0; y < rows_; ++y) {
+      for (uint32_t x = 0; x < columns_; ++x) cells_.push_back(of_cell(luma, x, y));
+    }
+  }
+
+  static constexpr uint32_t kCell = 16;
+  uint32_t columns() const { return columns_; }
+  uint32_t rows() const { return rows_; }
+
+  // How far `columns` x `rows` cells from (x, y) on differ from the whole, in the shares of cells
+  // with more than each of some activities.
+  double difference(uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
+    double sum = 0;
+    for (int bound = 1; bound <= 13; ++bound) {
+      sum += std::abs(share(bound, x, y, columns, rows) - share(bound, 0, 0, columns_, rows_));
+    }
+    return sum;
+  }
+
+ private:
+  static int of_cell(const SamplePlane& luma, uint32_t x, uint32_t y) {
+    int64_t sum = 0;
+    int64_t squares = 0;
+    for (uint32_t j = 0; j < kCell; ++j) {
+      for (uint32_t i = 0; i < kCell; ++i) {
+        const int64_t sample = luma.at(x * kCell + i, y * kCell + j);
+        sum += sample;
+        squares += sample * sample;
+      }
+    }
+    constexpr int64_t kSamples = int64_t{kCell} * kCell;
+    return static_cast<int>(
+        std::bit_width(static_cast<uint64_t>((squares - sum * sum / kSamples) / kSamples)));
+  }
+
+  double share(int bound, uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
+    uint32_t above = 0;
+    for (uint32_t j = y; j < y + rows; ++j) {
+      for (uint32_t i = x; i < x + columns; ++i)
+        above += cells_[j * columns_ + i] >= bound ? 1u : 0u;
+    }
+    return static_cast<double>(above) / (static_cast<double>(columns) * rows);
+  }
+
+  uint32_t columns_;
+  uint32_t rows_;
+  std::vector<int> cells_;
+};
+
+// The place of a part of `shape`'s size that is most like the whole of `luma`.
+std::pair<uint32_t, uint32_t> typical_place(const SamplePlane& luma, const LightFieldShape& shape) {
+  const Activity activity(luma);
+  const uint32_t columns = std::max(1u, shape.width / Activity::kCell);
+  const uint32_t rows = std::max(1u, shape.height / Activity::kCell);
+  std::pair<uint32_t, uint32_t> best{0, 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (uint32_t y = 0; y + rows <= activity.rows(); ++y) {
+    for (uint32_t x = 0; x + columns <= activity.columns(); ++x) {
+      const double difference = activity.difference(x, y, columns, rows);
+      if (difference >= least) continue;
+      least = difference;
+      best = {x * Activity::kCell, y * Activity::kCell};
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+LightField trial_part(const LightField& light_field, const StreamHeader& header) {
+  const LightFieldShape whole = light_field.shape();
+  LightFieldShape shape = whole;
+  shape.width = std::min(whole.width, kTrialWidth);
+  shape.height = std::min(whole.height, kTrialHeight);
+  const ImagePos middle{whole.rows / 2, whole.cols / 2};
+  const auto place = typical_place(view_planes(light_field, Geometry(header), middle)[0], shape);
+  // The plane is that of whole blocks, which may be larger than the view.
+  const uint32_t x = std::min(place.first, whole.width - shape.width);
+  const uint32_t y = std::min(place.second, whole.height - shape.height);
+  LightField part(shape);
+  std::vector<uint16_t> pixels(size_t{whole.width} * 3);
+  for (uint32_t row = 0; row < shape.rows; ++row) {
+    for (uint32_t col = 0; col < shape.cols; ++col) {
+      for (uint32_t j = 0; j < shape.height; ++j) {
+        light_field.read_row(row, col, y + j, pixels);
+        part.write_row(row, col, j,
+                       std::span(pixels).subspan(size_t{x} * 3, size_t{shape.width} * 3));
+      }
+    }
+  }
+  return part;
+}
+
+}  // namespace hmlfc
