@@ -129,24 +129,37 @@ module hmlfc_registers #(
   logic         has_error;
   logic [383:0] pairs;
 
+  // A counter is two halves: what the low one carries reaches the high one a clock later. Its pair has the sum, which is exact.
+  localparam int COUNTERS = 5;
+  logic [63:0]  request;
+  logic [159:0] lows, highs;
+  logic [4:0]   carries;
+  wire [24:0]   added = {4'd0, answered, read_bytes, 4'd0, stalled, 4'd0, in_flight, 4'd0, block_done};
+  always_comb begin
+    pairs[63:0] = request;
+    for (int k = 0; k < COUNTERS; k = k + 1) begin
+      pairs[64*(k+1) +: 64] = {highs[32*k +: 32] + {31'd0, carries[k]}, lows[32*k +: 32]};
+    end
+  end
+  always_ff @(posedge clk) begin
+    for (int k = 0; k < COUNTERS; k = k + 1) begin
+      {carries[k], lows[32*k +: 32]} <= {1'b0, lows[32*k +: 32]} + {28'd0, added[5*k +: 5]};
+      highs[32*k +: 32] <= pairs[64*(k+1)+32 +: 32];
+    end
+    if (!rst_n || clear) {highs, carries, lows} <= '0;
+  end
+
   always_ff @(posedge clk) strayed <= rst_n && (strayed || stray);
 
   always_ff @(posedge clk) begin
     if (!rst_n || clear) begin
       first_error <= 6'd0;
       has_error <= 1'b0;
-      pairs <= 384'd0;
-    end else begin
-      if (error_valid && !has_error) begin
-        first_error <= error;
-        has_error <= 1'b1;
-        pairs[63:0] <= error_request;
-      end
-      pairs[64*1 +: 64] <= pairs[64*1 +: 64] + {63'd0, block_done};
-      pairs[64*2 +: 64] <= pairs[64*2 +: 64] + {63'd0, in_flight};
-      pairs[64*3 +: 64] <= pairs[64*3 +: 64] + {63'd0, stalled};
-      pairs[64*4 +: 64] <= pairs[64*4 +: 64] + {59'd0, read_bytes};
-      pairs[64*5 +: 64] <= pairs[64*5 +: 64] + {63'd0, answered};
+      request <= 64'd0;
+    end else if (error_valid && !has_error) begin
+      first_error <= error;
+      has_error <= 1'b1;
+      request <= error_request;
     end
   end
 

@@ -1,10 +1,11 @@
 // Register reads are stable and whole: a read's data and a write's response stay until they are taken; each read and each write gets
 // exactly one response; the high word of a counter or of ERROR_ADDRESS that is read next after its low word belongs to the
-// same moment.
+// same moment; each counter adds its events over all its 64 bits.
 //
 // Clauses: Registers (docs/hardware.md)
 // Engine: induction 2 8
 // Complete: the counts are bound to the register block's state, so the induction needs no reachability.
+// Fault: hmlfc_registers.sv / {31'd0, carries[k]} / {31'd0, !carries[k]}
 // Fault: hmlfc_registers.sv / if (read) s_axil_rdata / if (!s_axil_rready) s_axil_rdata
 // Fault: hmlfc_registers.sv / has_kept[k] ? kept[32*k +: 32] : pairs[64*k+32 +: 32] / pairs[64*k+32 +: 32]
 module prove_registers (
@@ -30,6 +31,7 @@ module prove_registers (
   (* hierconn *) wire [383:0] \dut.pairs ;
   (* hierconn *) wire [191:0] \dut.kept ;
   (* hierconn *) wire [5:0] \dut.has_kept ;
+  (* hierconn *) wire \dut.clear ;
   (* hierconn *) wire \dut.address_held ;
   (* hierconn *) wire \dut.data_held ;
 
@@ -65,6 +67,16 @@ module prove_registers (
     if (reads_high) answer_high <= high;
   end
 
+  // Counter k - 1: what it had and what came.
+  wire [63:0] pair = \dut.pairs [64*k +: 64];
+  wire [24:0] added = {4'd0, events[3], read_bytes, 4'd0, events[2], 4'd0, events[1], 4'd0, events[0]};
+  logic        counts;
+  logic [63:0] sum;
+  always @(posedge clk) begin
+    counts <= rst_n && k != 0 && !\dut.clear ;
+    sum <= pair + added[5*(k-1) +: 5];
+  end
+
   logic waiting_r, waiting_b;
   logic [31:0] waiting_data;
   always @(posedge clk) begin
@@ -83,6 +95,7 @@ module prove_registers (
       assert (rresp == 0 && bresp == 0);
       assert (open == \dut.has_kept [k]);
       if (open) assert (kept_high == high);
+      if (counts) assert (pair == sum);
       if (answers_high) assert (rvalid && rdata == answer_high);
     end
   end

@@ -76,7 +76,8 @@ hmlfc_plant_fault(wrong_tlast hmlfc_answer.sv
 hmlfc_plant_fault(chroma_corner hmlfc_answer.sv
   "32'(part[1])" "32'(part[0])" "answer: sample" 0)
 hmlfc_plant_fault(counter_stands_still hmlfc_registers.sv
-  "{63'd0, answered}" "64'd0" "registers: REQUESTS" 0)
+  "{4'd0, answered, read_bytes, 4'd0, stalled, 4'd0, in_flight, 4'd0, block_done}"
+  "{5'd0, read_bytes, 4'd0, stalled, 4'd0, in_flight, 4'd0, block_done}" "registers: REQUESTS" 0)
 
 # The number of the fault comes from the plusarg.
 hmlfc_faulty_text(hmlfc_decode_unit.sv text)
