@@ -167,6 +167,10 @@ module hmlfc_header #(
   wire [191:0] section = section_bytes[SECTION_BYTES*8-1-:192];
   wire [63:0] section_offset = section[127:64];
   wire [63:0] section_size = section[191:128];
+  // The sum is made in two clocks, from its low half.
+  logic half_came;
+  logic [32:0] low_half;
+  logic [63:0] high_halves;
   logic [64:0] expected_offset;
 
   // What is known long before it is asked for, a clock late.
@@ -207,9 +211,12 @@ module hmlfc_header #(
   always_ff @(posedge clk) begin
     done <= 1'b0;
     entry_came <= 1'b0;
+    half_came <= entry_came;
+    low_half <= {1'b0, section_offset[31:0]} + {1'b0, section_size[31:0]};
+    high_halves <= {section_offset[63:32], section_size[63:32]};
+    if (half_came) expected_offset <= {{1'b0, high_halves[63:32]} + {1'b0, high_halves[31:0]} + 33'(low_half[32]), low_half[31:0]};
     if (entry_came) begin
       entry <= entry + 2'd1;
-      expected_offset <= {1'b0, section_offset} + {1'b0, section_size};
       if (section[31:0] != 32'(entry) + 32'd1 || {1'b0, section_offset} != expected_offset) bad_table <= 1'b1;
     end
     case (state)
