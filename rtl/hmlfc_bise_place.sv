@@ -15,35 +15,38 @@ module hmlfc_bise_place (
 );
   logic [1:0]  kind;
   logic [3:0]  plain_bits;
-  logic [9:0]  fifth, third, group;
+  logic [7:0]  fifth;
+  logic [8:0]  third, group;
   logic [6:0]  group_bits;
 
   assign kind = hmlfc_digit_kind(level_code);
   assign plain_bits = hmlfc_plain_bits(level_code);
 
   // 205 / 1024 is 1/5 and 683 / 2048 is 1/3, near enough for every index.
-  assign fifth = 10'((20'd205 * {10'd0, index}) >> 10);
-  assign third = 10'((21'd683 * {11'd0, index}) >> 11);
+  assign fifth = 8'((20'd205 * {10'd0, index}) >> 10);
+  assign third = 9'((21'd683 * {11'd0, index}) >> 11);
 
   always @* begin
     case (kind)
       HMLFC_DIGIT_TRIT: begin
-        group = fifth;
+        group = {1'b0, fifth};
         group_bits = 7'd5 * {3'd0, plain_bits} + 7'd8;
-        slot = 3'(index - 10'd5 * fifth);
+        slot = 3'(index - 10'd5 * {2'd0, fifth});
       end
       HMLFC_DIGIT_QUINT: begin
         group = third;
         group_bits = 7'd3 * {3'd0, plain_bits} + 7'd7;
-        slot = 3'(index - 10'd3 * third);
+        slot = 3'(index - 10'd3 * {1'b0, third});
       end
       default: begin
-        group = index;
-        group_bits = {3'd0, plain_bits};
+        group = 9'd0;
+        group_bits = 7'd0;
         slot = 3'd0;
       end
     endcase
   end
 
-  assign group_bit = {4'd0, group} * {7'd0, group_bits};
+  // Values without digits stand alone: their product waits for no division.
+  assign group_bit = kind == HMLFC_DIGIT_TRIT || kind == HMLFC_DIGIT_QUINT ? {5'd0, group} * {7'd0, group_bits} :
+      {4'd0, index} * {10'd0, plain_bits};
 endmodule

@@ -2,7 +2,8 @@
 
 // Parses the record of a motion tile of a reference image: where its disparities are (MOT-6).
 //
-// `head_*` are written with `loaded_valid`, 4 clocks after `parse_valid`. In an empty tile all are 0.
+// `head_*` are written with `loaded_valid`, 6 clocks after `parse_valid`. In an empty tile the least disparity and the level
+// code are 0, and the rest has no meaning.
 module hmlfc_disparity_parser #(
     parameter int CONTEXTS = 4,
     parameter int CONTEXT_WORDS = 256,
@@ -43,9 +44,10 @@ module hmlfc_disparity_parser #(
 
   localparam int P = POSITION_BITS;
 
-  typedef enum logic [1:0] {
+  typedef enum logic [2:0] {
     IDLE,
     HEAD,
+    SIZE,
     VALUES,
     FINISH
   } state_t;
@@ -62,10 +64,21 @@ module hmlfc_disparity_parser #(
   logic [4:0] code;
   logic [12:0] least;
   wire [7:0] grid_mask = ~(8'hFF << stream.disparity_grid_log2);
-  wire [7:0] columns = (width + grid_mask) >> stream.disparity_grid_log2;
-  wire [7:0] rows = (height + grid_mask) >> stream.disparity_grid_log2;
+
+  // The length of the values follows the tile's size and the level code in a pipeline: sides in grid blocks, their product, and two
+  // clocks of hmlfc_bise_bits. The state waits for it.
+  logic [7:0] columns, rows;
+  logic [10:0] count;
+  logic sized;  // the length is there in the next clock
+  always_ff @(posedge clk) begin
+    columns <= (width + grid_mask) >> stream.disparity_grid_log2;
+    rows <= (height + grid_mask) >> stream.disparity_grid_log2;
+    count <= 11'(columns) * 11'(rows);
+    sized <= state == SIZE;
+  end
   hmlfc_bise_bits size (
-      .count(11'(columns) * 11'(rows)),
+      .clk,
+      .count,
       .level_code({1'b0, code}),
       .bits(head_total)
   );
@@ -101,7 +114,7 @@ module hmlfc_disparity_parser #(
       HEAD:
       if (fresh) begin
         {code, least} <= field;
-        state <= VALUES;
+        state <= SIZE;
         if (P'(18) > bits) begin
           error <= HMLFC_ERROR_TILE_OVERRUN;
           state <= FINISH;
@@ -110,11 +123,12 @@ module hmlfc_disparity_parser #(
           state <= FINISH;
         end
       end
+      SIZE: if (sized) state <= VALUES;
       VALUES: begin
         if (P'(18) + P'(head_total) > bits) error <= HMLFC_ERROR_TILE_OVERRUN;
         state <= FINISH;
       end
-      FINISH: state <= IDLE;
+      default: state <= IDLE;  // FINISH
     endcase
     if (!rst_n) state <= IDLE;
   end

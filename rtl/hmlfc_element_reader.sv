@@ -31,14 +31,14 @@ module hmlfc_element_reader #(
       .slot
   );
   logic [WORD_BITS+5:0] position_1, group_1;
-  logic [13:0] left_1;
+  logic [13:0] total_1;
   logic [5:0] code_1, code_2, code_3;
   logic [2:0] slot_1, slot_2, slot_3;
   always_ff @(posedge clk) begin
     if (advance) begin
       position_1 <= position;
       group_1 <= (WORD_BITS + 6)'(group_bit);
-      left_1 <= total - group_bit;
+      total_1 <= total;
       code_1 <= level_code;
       slot_1 <= slot;
     end
@@ -46,6 +46,7 @@ module hmlfc_element_reader #(
 
   // 2: read the digit group.
   wire [WORD_BITS+5:0] at = position_1 + group_1;
+  wire [13:0] left = total_1 - 14'(group_1);
   assign read_enable = advance;
   assign read_word = at[WORD_BITS+5:6];
   logic [5:0] shift_2;
@@ -53,7 +54,7 @@ module hmlfc_element_reader #(
   always_ff @(posedge clk) begin
     if (advance) begin
       shift_2 <= at[5:0];
-      left_2 <= left_1 > 14'd64 ? 7'd64 : 7'(left_1);
+      left_2 <= left > 14'd64 ? 7'd64 : 7'(left);
       code_2 <= code_1;
       slot_2 <= slot_1;
     end

@@ -3,7 +3,7 @@
 // Parses the record of a motion tile of a predictive image: head, palette, place of the indices (MOT-3).
 //
 // `head_*` and `palette_*` are written before `loaded_valid`. An empty tile gets the entry of MOT-4.
-// Two clocks for the head and for each palette entry.
+// Two clocks for the head and for each palette entry; the length of the indices is worked out meanwhile.
 module hmlfc_motion_parser #(
     parameter int BLOCK_LOG2 = 2,
     parameter int CONTEXTS = 4,
@@ -83,11 +83,22 @@ module hmlfc_motion_parser #(
 
   wire [2:0] block_log2 = 3'(motion_block) + 3'd2;
   wire [7:0] block_mask = ~(8'hFF << block_log2);
-  wire [7:0] columns = (width + block_mask) >> block_log2;
-  wire [7:0] rows = (height + block_mask) >> block_log2;
+
+  // The length of the indices follows the head in a pipeline of 4 clocks: sides in motion blocks, their product, and two clocks of
+  // hmlfc_bise_bits.
+  logic [7:0] columns, rows;
+  logic [10:0] count;
   logic [13:0] total;
+  logic [3:0] sizing;  // clocks until it is there, one bit each
+  always_ff @(posedge clk) begin
+    columns <= (width + block_mask) >> block_log2;
+    rows <= (height + block_mask) >> block_log2;
+    count <= 11'(columns) * 11'(rows);
+    sizing <= state == HEAD ? 4'b1111 : sizing >> 1;
+  end
   hmlfc_bise_bits size (
-      .count(11'(columns) * 11'(rows)),
+      .clk,
+      .count,
       .level_code,
       .bits(total)
   );
@@ -184,7 +195,8 @@ module hmlfc_motion_parser #(
         number <= number + 3'd1;
         if (number == palette_size) state <= INDICES;
       end
-      INDICES: begin
+      INDICES:
+      if (sizing == 0) begin
         if (position + P'(total) > bits) error <= HMLFC_ERROR_TILE_OVERRUN;
         state <= FINISH;
       end

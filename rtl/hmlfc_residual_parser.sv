@@ -6,7 +6,7 @@
 //   head      masks of the blocks with motion and with a residual, or an error of the whole tile;
 //   vectors   for the m-th block with motion: sign and vector (TIL-7), or vector_range;
 //   entries   for the m-th block with a residual: its header and where its values begin, or an error.
-// `loaded_valid` is high when all are written. Two clocks a field, then one for each vector and each entry.
+// `loaded_valid` is high when all are written. Two clocks a field, three for a mask that the record holds, then one for each vector and each entry.
 module hmlfc_residual_parser #(
     parameter int BLOCK_LOG2 = 2,
     parameter int CONTEXTS = 8,
@@ -66,6 +66,7 @@ module hmlfc_residual_parser #(
     CHECK,
     BOUNDS,
     SIGNS,
+    PLACES,
     VECTORS,
     RESIDUALS,
     HEADERS,
@@ -89,6 +90,8 @@ module hmlfc_residual_parser #(
   wire [79:0] field = 80'(window[WINDOW_BITS-1:0] >> shift);
 
   logic [1:0] motion_mode, residual_mode;
+  logic held;  // a mask's field is in `mask_field`
+  logic [79:0] mask_field;
   logic [63:0] in_plane, mask, motion_mask, residual_mask;
   logic [6:0] mask_bits;
   wire [1:0] mask_mode = state == MOTION_MASK ? motion_mode : residual_mode;
@@ -96,7 +99,7 @@ module hmlfc_residual_parser #(
       .columns,
       .rows,
       .mode(mask_mode),
-      .field,
+      .field(mask_field),
       .in_plane,
       .mask,
       .bits(mask_bits)
@@ -123,7 +126,7 @@ module hmlfc_residual_parser #(
 
   logic [63:0] signs;
   logic [P-1:0] vectors_end;
-  wire vectors_start = state == SIGNS;
+  logic vectors_start, vectors_placed;
   wire vectors_active = state == VECTORS;
   logic vectors_last;
   logic [1:0] vectors_enable;
@@ -142,9 +145,10 @@ module hmlfc_residual_parser #(
       .codes_y,
       .signs,
       .search_window(stream.window),
-      .position(position + (sign_mode == 2'd2 ? P'(motion_count) : P'(0))),
-      .next(vectors_end),
+      .position,
       .start(vectors_start),
+      .placed(vectors_placed),
+      .next(vectors_end),
       .context_number,
       .skew(PLACE_BITS'(skew)),
       .active(vectors_active),
@@ -205,6 +209,8 @@ module hmlfc_residual_parser #(
   always_ff @(posedge clk) begin
     shift <= address[5:0];
     fresh <= 1'b1;
+    mask_field <= field;
+    vectors_start <= state == SIGNS && fresh;
     case (state)
       IDLE:
       if (parse_valid) begin
@@ -217,6 +223,7 @@ module hmlfc_residual_parser #(
         residual_mask <= '0;
         position <= '0;
         fresh <= 1'b0;
+        held <= 1'b0;
         state <= parse_empty || parse_error != 0 ? FINISH : MODES;
       end
       MODES:
@@ -228,11 +235,13 @@ module hmlfc_residual_parser #(
         state <= MOTION_MASK;
       end
       MOTION_MASK, RESIDUAL_MASK:
-      if (fresh) begin
+      if (mask_mode[1] && !held) held <= fresh;  // the other modes have no field
+      else begin
+        held <= 1'b0;
         if (state == MOTION_MASK) motion_mask <= mask;
         else residual_mask <= mask;
         position <= position + P'(mask_bits);
-        fresh <= 1'b0;
+        fresh <= !mask_mode[1];
         state <= state == MOTION_MASK ? RESIDUAL_MASK : CHECK;
       end
       CHECK: begin
@@ -259,15 +268,19 @@ module hmlfc_residual_parser #(
       SIGNS:
       if (fresh) begin
         signs <= sign_mode == 2'd2 ? field[63:0] : {64{sign_mode[0]}};
+        if (sign_mode == 2'd2) position <= position + P'(motion_count);
+        state <= PLACES;
+      end
+      PLACES:
+      if (vectors_placed) begin
         position <= vectors_end;
-        fresh <= 1'b0;
-        if (vectors_end > bits) error <= HMLFC_ERROR_TILE_OVERRUN;
-        state <= vectors_end > bits ? FINISH : VECTORS;
+        state <= VECTORS;
       end
       VECTORS:
       if (vectors_last) begin
         fresh <= 1'b0;
-        state <= residual_mask != 0 ? RESIDUALS : FINISH;
+        if (position > bits) error <= HMLFC_ERROR_TILE_OVERRUN;
+        state <= position <= bits && residual_mask != 0 ? RESIDUALS : FINISH;
       end
       RESIDUALS:
       if (fresh) begin

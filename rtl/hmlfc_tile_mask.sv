@@ -17,13 +17,19 @@ module hmlfc_tile_mask (
 
   // Mode 3: 4 bits for each quad of `quads`, packed in `blocks`.
   function automatic logic [63:0] quad_mask(input logic [15:0] quads, input logic [63:0] blocks);
-    logic [5:0] at;
-    at = '0;
+    logic [3:0] base;     // quads in the fours before this one's: a short chain of additions
+    logic [2:0] in_four;  // and before it in its own
+    base = '0;
+    in_four = '0;
     quad_mask = '0;
     for (int q = 0; q < 16; q++) begin
+      if (q % 4 == 0) begin
+        base = base + 4'(in_four);
+        in_four = '0;
+      end
       if (quads[q]) begin
-        quad_mask[4*q+:4] = 4'(blocks >> at);
-        at = at + 6'd4;
+        quad_mask[4*q+:4] = 4'(blocks >> {base + 4'(in_four), 2'b00});
+        in_four = in_four + 3'd1;
       end
     end
   endfunction

@@ -1,8 +1,9 @@
 // Lists the vectors of a residual tile (TIL-7), one a clock.
 //
-// `start` takes the place of the components; the bounds and signs keep from then on. While `active` it asks for vector
-// after vector, and writes each 4 clocks later; `last`: the last is written in this clock. The horizontal components are
-// read through read port 0, the vertical ones through port 1.
+// `start` takes the place of the components; count and codes keep from two clocks before, bounds and signs from then on.
+// `placed`, 2 clocks later: `next` holds.
+// While `active`, from then on, it asks for vector after vector, and writes each 4 clocks later; `last`: the last is written in
+// this clock. The horizontal components are read through read port 0, the vertical ones through port 1.
 module hmlfc_tile_vectors #(
     parameter int WORD_BITS = 10,    // of word addresses of the record memory
     parameter int PLACE_BITS = 14,   // of bit positions in a context's part of it
@@ -23,8 +24,9 @@ module hmlfc_tile_vectors #(
     input logic [6:0] search_window,
 
     input logic [POSITION_BITS-1:0] position,  // of the components in the record
-    output logic [POSITION_BITS-1:0] next,     // behind them
     input logic start,
+    output logic placed,
+    output logic [POSITION_BITS-1:0] next,     // behind the components
     input logic [CONTEXT_BITS-1:0] context_number,
     input logic [PLACE_BITS-1:0] skew,  // of the record in its context's part
     input logic active,
@@ -39,21 +41,35 @@ module hmlfc_tile_vectors #(
     output logic [VECTOR_BITS-1:0] vector_data  // {vector_range, sign, dy, dx}
 );
 
+  // Where the components are: the vertical ones behind the horizontal ones, one clock after `start`; their end, in the next.
   logic [13:0] bits_x, bits_y;
   hmlfc_bise_bits size_x (
+      .clk,
       .count(11'(count)),
       .level_code(codes_x),
       .bits(bits_x)
   );
   hmlfc_bise_bits size_y (
+      .clk,
       .count(11'(count)),
       .level_code(codes_y),
       .bits(bits_y)
   );
-  wire [POSITION_BITS-1:0] y_position = position + POSITION_BITS'(bits_x);
-  assign next = y_position + POSITION_BITS'(bits_y);
-
+  logic [POSITION_BITS-1:0] y_position;
   logic [PLACE_BITS-1:0] x_place, y_place;
+  logic placing;
+  always_ff @(posedge clk) begin
+    if (start) begin
+      x_place <= PLACE_BITS'(position) + skew;
+      y_position <= position + POSITION_BITS'(bits_x);
+    end
+    if (placing) begin
+      y_place <= PLACE_BITS'(y_position) + skew;
+      next <= y_position + POSITION_BITS'(bits_y);
+    end
+    {placed, placing} <= rst_n ? {placing, start} : 2'b00;
+  end
+
   logic [6:0] number;  // of the vector that is requested
   logic [7:0] value_x, value_y;
   hmlfc_element_reader #(
@@ -100,11 +116,7 @@ module hmlfc_tile_vectors #(
   assign last = number == count + 7'd3;
 
   always_ff @(posedge clk) begin
-    if (start) begin
-      x_place <= PLACE_BITS'(position) + skew;
-      y_place <= PLACE_BITS'(y_position) + skew;
-      number <= '0;
-    end
+    if (start) number <= '0;
     if (active) number <= number + 1'b1;
     valid <= {valid[2:0], active && number < count};
     numbers <= {numbers[17:0], number[5:0]};
