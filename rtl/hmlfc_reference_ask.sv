@@ -68,7 +68,7 @@ module hmlfc_reference_ask #(
   };
   wire [1:0] k_own = motion ? k_first : 2'd0;  // a key image's own samples are those of K0
 
-  localparam int CARRY_BITS = hmlfc_pkg::JOB_BITS + 5 + 2 * ADDRESS_BITS + 1 + RESIDUAL_BITS;
+  localparam int CARRY_BITS = hmlfc_pkg::JOB_BITS + 5 + 1 + RESIDUAL_BITS;
   localparam int STAGES = 7;
   logic advance;
   logic [STAGES:1] valid;
@@ -77,6 +77,8 @@ module hmlfc_reference_ask #(
   logic explicit_mode, halve;
   logic [11:0] explicit_x, explicit_y;
   logic [STAGES*CARRY_BITS-1:0] carries;
+  logic [ADDRESS_BITS-1:0] base_a, base_b, offset_1;
+  logic [(STAGES-1)*2*ADDRESS_BITS-1:0] planes;  // addresses of the planes, from stage 2 on
 
   always_ff @(posedge clk) begin
     if (advance) begin
@@ -90,9 +92,12 @@ module hmlfc_reference_ask #(
       carries <= {
         carries[(STAGES-1)*CARRY_BITS-1:0],
         in_flow.job, key && in_flow.job.error == 0, motion && image.keyed, motion, motion && in_flow.motion.negative,
-        motion && two, addresses[32'(k_own)*ADDRESS_BITS+:ADDRESS_BITS] + offset, addresses[32'(k_second)*ADDRESS_BITS+:ADDRESS_BITS] + offset,
-        in_has_residual, in_residual
+        motion && two, in_has_residual, in_residual
       };
+      base_a <= addresses[32'(k_own)*ADDRESS_BITS+:ADDRESS_BITS];
+      base_b <= addresses[32'(k_second)*ADDRESS_BITS+:ADDRESS_BITS];
+      offset_1 <= offset;
+      planes <= {planes[(STAGES-2)*2*ADDRESS_BITS-1:0], base_a + offset_1, base_b + offset_1};
       valid <= {valid[STAGES-1:1], in_valid};
     end
     if (!rst_n) valid <= '0;
@@ -152,8 +157,9 @@ module hmlfc_reference_ask #(
   hmlfc_pkg::job_t job;
   logic key_7, base_zero_7, motion_7, negative_7, two_7, has_residual_7;
   logic [ADDRESS_BITS-1:0] address_a, address_b;
-  assign {job, key_7, base_zero_7, motion_7, negative_7, two_7, address_a, address_b, has_residual_7, out_residual} =
+  assign {job, key_7, base_zero_7, motion_7, negative_7, two_7, has_residual_7, out_residual} =
       carries[(STAGES-1)*CARRY_BITS+:CARRY_BITS];
+  assign {address_a, address_b} = planes[(STAGES-2)*2*ADDRESS_BITS+:2*ADDRESS_BITS];
   always_comb begin
     out_pending.job = job;
     out_pending.key = key_7;

@@ -61,7 +61,7 @@ module hmlfc_residual_blocks #(
 
   function automatic logic [5:0] rank(input logic [63:0] mask, input logic [5:0] number);
     rank = '0;
-    for (int i = 0; i < 64; i++) if (mask[i] && 6'(i) < number) rank = rank + 6'd1;
+    for (int i = 0; i < 64; i++) rank = rank + 6'(mask[i] && 6'(i) < number);
   endfunction
 
   logic [5+128:0] heads[CONTEXTS];
