@@ -1,6 +1,6 @@
 // Asks for the tile that holds a block's disparity, where its motion shares one (MOT-5, MOT-6).
 //
-// Two stages: the place of the grid block, then the store.
+// Four stages for the place of the grid block, then the store. In streams without shared disparities blocks pass by.
 module hmlfc_disparity_ask #(
     parameter int BLOCK_LOG2 = 2,
     parameter int CONTEXTS = 4,
@@ -28,44 +28,46 @@ module hmlfc_disparity_ask #(
     output logic [4:0] out_y
 );
 
-  logic [TILE_BITS-1:0] tile;
-  logic [15:0] info;
-  logic [4:0] x, y;
+  localparam int STAGES = 4;
+  localparam int FLOW_BITS = hmlfc_pkg::FLOW_BITS;
+
+  // Stage i holds what it knows after i clocks.
+  logic [STAGES:1] valid, needed;
+  logic [STAGES*FLOW_BITS-1:0] flows;
+  wire pass = !stream.features.shared_disparity;
+  wire done = valid[STAGES] && (!needed[STAGES] || granted);
+  wire advance = !valid[STAGES] || (done && out_ready);
   hmlfc_disparity_place #(
       .BLOCK_LOG2(BLOCK_LOG2)
   ) place (
+      .clk,
+      .advance,
       .stream,
       .flow(in_flow),
       .first_tile(image.disparity_tile),
-      .tile,
-      .info,
-      .x,
-      .y
+      .tile(ask_tile),
+      .info(ask_info),
+      .x(out_x),
+      .y(out_y)
   );
 
-  logic valid, needed;
-  hmlfc_pkg::flow_t flow;
   wire shares = in_flow.job.error == 0 && in_flow.motion.used && in_flow.motion.choice >= 4'd1 && in_flow.motion.choice <= 4'd9;
-  assign out_valid = valid && (!needed || granted);
-  assign in_ready = !valid || (out_valid && out_ready);
-  assign ask = out_valid && out_ready && needed;
+  assign out_valid = pass ? in_valid : done;
+  assign in_ready = pass ? out_ready : advance;
+  assign ask = done && out_ready && needed[STAGES];
   always_comb begin
-    out_flow = flow;
-    out_flow.disparity_asked = needed;
+    out_flow = pass ? in_flow : flows[(STAGES-1)*FLOW_BITS+:FLOW_BITS];
+    out_flow.disparity_asked = !pass && needed[STAGES];
     out_flow.disparity_context = 2'(granted_context);
   end
 
   always_ff @(posedge clk) begin
-    if (in_ready) begin
-      flow <= in_flow;
-      needed <= shares;
-      ask_tile <= tile;
-      ask_info <= info;
-      out_x <= x;
-      out_y <= y;
+    if (advance) begin
+      flows <= {flows[(STAGES-1)*FLOW_BITS-1:0], in_flow};
+      needed <= {needed[STAGES-1:1], shares};
+      valid <= {valid[STAGES-1:1], in_valid && !pass};
     end
-    if (!rst_n) valid <= 1'b0;
-    else if (in_ready) valid <= in_valid;
+    if (!rst_n) valid <= '0;
   end
 
 endmodule

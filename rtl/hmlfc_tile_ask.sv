@@ -1,6 +1,6 @@
 // Asks for the tiles of each block: its residual tile and, with motion tiles, its motion tile (IDX-2, MOT-1, MOT-2, MOT-4).
 //
-// Two stages: tile numbers, then the stores. A block goes on when both stores have a place for its tile. Key images and blocks
+// Three stages for the tiles' numbers, then the stores. A block goes on when both stores have a place for its tile. Key images and blocks
 // with an error need none.
 module hmlfc_tile_ask #(
     parameter int BLOCK_LOG2 = 2,
@@ -34,6 +34,14 @@ module hmlfc_tile_ask #(
     output hmlfc_pkg::flow_t out_flow
 );
 
+  localparam int STAGES = 3;
+  localparam int CARRY_BITS = hmlfc_pkg::JOB_BITS + 1 + 1 + 1 + 1;
+
+  // Stage i holds what it knows after i clocks: {job, needs_residual, needs_motion, predictive, keyed}.
+  logic [STAGES:1] valid;
+  logic [STAGES*CARRY_BITS-1:0] carries;
+  logic advance;
+
   // Residual tile: plane, tile, and how many of its blocks are in the plane.
   wire chroma = in_job.plane != 2'd0;
   hmlfc_pkg::plane_t plane;
@@ -41,10 +49,8 @@ module hmlfc_tile_ask #(
   wire [21:0] plane_first = in_job.plane == 2'd2 ? stream.first_tile_cg : plane.first_tile;
   wire [10:0] tile_x = 11'(in_job.bx >> 3);
   wire [10:0] tile_y = 11'(in_job.by >> 3);
-  wire [13:0] columns_left = plane.blocks_x - {tile_x, 3'b000};
-  wire [13:0] rows_left = plane.blocks_y - {tile_y, 3'b000};
-  wire [3:0] columns = columns_left > 14'd8 ? 4'd8 : columns_left[3:0];
-  wire [3:0] rows = rows_left > 14'd8 ? 4'd8 : rows_left[3:0];
+  logic [13:0] columns_1, rows_1;  // of the plane, from the tile on
+  logic [7:0] size_2, size_3;  // {rows, columns} of the tile
   wire predictive = !stream.features.motion_tiles && !image.is_reference;
 
   logic [14:0] place_x, place_y;
@@ -58,24 +64,66 @@ module hmlfc_tile_ask #(
       .x(place_x),
       .y(place_y)
   );
-  logic [TILE_BITS-1:0] motion_number;
+
+  // 1: which tiles.
+  logic [TILE_BITS-1:0] first_1;
+  logic [21:0] plane_first_1;
+  logic [10:0] tiles_x_1, tile_x_1, tile_y_1;
+  logic second_1;
+  logic [9:0] motion_x_1, motion_y_1;
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      {first_1, plane_first_1} <= {image.first_tile, plane_first};
+      {tiles_x_1, tile_x_1, tile_y_1} <= {plane.tiles_x, tile_x, tile_y};
+      columns_1 <= plane.blocks_x - {tile_x, 3'b000};
+      rows_1 <= plane.blocks_y - {tile_y, 3'b000};
+      second_1 <= chroma && stream.features.chroma_motion;
+      motion_x_1 <= 10'(place_x >> stream.motion_tile_log2);
+      motion_y_1 <= 10'(place_y >> stream.motion_tile_log2);
+    end
+  end
+
+  // 2 and 3: their numbers and sizes.
+  hmlfc_tile_number residual (
+      .clk,
+      .advance,
+      .first_tile(first_1),
+      .plane_first(plane_first_1),
+      .tiles_x(tiles_x_1),
+      .tile_x(tile_x_1),
+      .tile_y(tile_y_1),
+      .tile(residual_tile)
+  );
   logic [15:0] motion_size;
   hmlfc_motion_tile motion (
+      .clk,
+      .advance,
       .stream,
-      .second(chroma && stream.features.chroma_motion),
-      .tile_x(10'(place_x >> stream.motion_tile_log2)),
-      .tile_y(10'(place_y >> stream.motion_tile_log2)),
-      .first_tile(image.first_tile),
-      .tile(motion_number),
+      .second(second_1),
+      .tile_x(motion_x_1),
+      .tile_y(motion_y_1),
+      .first_tile(first_1),
+      .tile(motion_tile),
       .info(motion_size)
   );
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      size_2 <= {rows_1 > 14'd8 ? 4'd8 : rows_1[3:0], columns_1 > 14'd8 ? 4'd8 : columns_1[3:0]};
+      size_3 <= size_2;
+    end
+  end
 
-  logic valid, needs_residual, needs_motion;
+  // The stores.
   hmlfc_pkg::job_t job;
+  logic needs_residual, needs_motion, predictive_3, keyed_3;
+  assign {job, needs_residual, needs_motion, predictive_3, keyed_3} = carries[(STAGES-1)*CARRY_BITS+:CARRY_BITS];
+  assign residual_info = {predictive_3, size_3};
+  assign motion_info = {keyed_3, motion_size};
   wire coded = in_job.error == 0 && !(image.keyed && image.is_reference);
   wire granted = (!needs_residual || residual_granted) && (!needs_motion || motion_granted);
-  assign out_valid = valid && granted;
-  assign in_ready = !valid || (granted && out_ready);
+  assign out_valid = valid[STAGES] && granted;
+  assign advance = !valid[STAGES] || (granted && out_ready);
+  assign in_ready = advance;
   assign residual_ask = out_valid && out_ready && needs_residual;
   assign motion_ask = out_valid && out_ready && needs_motion;
 
@@ -89,17 +137,14 @@ module hmlfc_tile_ask #(
   end
 
   always_ff @(posedge clk) begin
-    if (in_ready) begin
-      job <= in_job;
-      needs_residual <= coded;
-      needs_motion <= coded && stream.features.motion_tiles && !image.is_reference;
-      residual_tile <= image.first_tile + TILE_BITS'(plane_first) + TILE_BITS'(22'(tile_y) * 22'(plane.tiles_x)) + TILE_BITS'(tile_x);
-      residual_info <= {predictive, rows, columns};
-      motion_tile <= motion_number;
-      motion_info <= {image.keyed, motion_size};
+    if (advance) begin
+      carries <= {
+        carries[(STAGES-1)*CARRY_BITS-1:0],
+        in_job, coded, coded && stream.features.motion_tiles && !image.is_reference, predictive, image.keyed
+      };
+      valid <= {valid[STAGES-1:1], in_valid};
     end
-    if (!rst_n) valid <= 1'b0;
-    else if (in_ready) valid <= in_valid;
+    if (!rst_n) valid <= '0;
   end
 
 endmodule

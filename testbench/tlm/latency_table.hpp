@@ -7,9 +7,9 @@
 namespace hmlfc::tb {
 
 /// Of a LOAD.
-inline constexpr uint64_t kLoadClocks = 826;
+inline constexpr uint64_t kLoadClocks = 846;
 /// Of a request, besides its level blocks.
-inline constexpr uint64_t kRequestClocks = 61;
+inline constexpr uint64_t kRequestClocks = 64;
 /// Of a level block: zero, motion only, motion and residual, residual only, key image.
 inline constexpr std::array<uint64_t, 5> kLevelBlockClocks{1, 2, 2, 2, 1};
 

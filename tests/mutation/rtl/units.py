@@ -77,7 +77,7 @@ VARIANTS = [
     Variant("vector_bounds", {}, legal=between("position", 4, 164)),
     Variant("motion_place", BLOCK, legal=at_most("bx", 4095) | at_most("by", 4095)),
     Variant("motion_blocks", {"BLOCK_LOG2": 2, "CONTEXTS": 4, "CONTEXT_WORDS": 64, "WINDOW_BITS": 128}, legal=at_most("head_position", 328)),
-    Variant("disparity_place", BLOCK),
+    Variant("disparity_place", BLOCK, latency=4),
     Variant("disparity_blocks", {"CONTEXTS": 4, "CONTEXT_WORDS": 256, "WINDOW_BITS": 128}, legal=at_most("head_position", 81)),
     element(8, 21),
 ]
