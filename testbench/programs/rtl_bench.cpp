@@ -14,6 +14,7 @@
 #include "io/files.hpp"
 #include "stimulus/sequences.hpp"
 #include "systemc/bench.hpp"
+#include "systemc/read_traffic.hpp"
 #include "systemc/stream_image.hpp"
 #include "unit/stand_in.hpp"
 #include "unit/units.hpp"
@@ -37,7 +38,11 @@ constexpr const char* kDescription =
     "  alone   one request at a time, the first after a LOAD (cold), and the same again (warm)\n"
     "`levels` is blocks of a level a clock, `clocks` and `bytes` are for a request, `busy` is the "
     "share of\n"
-    "clocks with a beat of read data. The memory gives a beat of 128 bits a clock.";
+    "clocks with a beat of read data. The memory gives a beat of 128 bits a clock. The bytes of a "
+    "request\n"
+    "are also given by what they are of: entries of ROOT, records of GROUP, records of tiles, "
+    "strips of\n"
+    "luma and of chroma; `again` are the bytes of beats that had been read before in the row.";
 
 struct Options {
   std::vector<std::string> files;
@@ -95,7 +100,12 @@ class Measurement {
     bench_.attach(maker_.make(maker_.parameters));
     image_.load_into(bench_);
     if (bench_.findings().first()) return false;
+    ReadTraffic traffic(bench_.image(), image_.golden()->header(), image_.area().layout);
+    bench_.memory().set_burst_listener([&](uint64_t address, unsigned beats) {
+      traffic.add(address, beats, maker_.parameters.beat_bytes);
+    });
     run_requests(requests(plan, options_.requests), latency);
+    bench_.memory().set_burst_listener(nullptr);
     if (bench_.findings().first()) return false;
     const auto answers = static_cast<double>(bench_.scoreboard().counts().received);
     const auto records = static_cast<double>(bench_.scoreboard().counts().records);
@@ -105,8 +115,21 @@ class Measurement {
                                      {"levels", records / clocks},
                                      {"clocks", clocks / answers},
                                      {"bytes", bytes / answers},
-                                     {"busy", bytes / maker_.parameters.beat_bytes / clocks}});
+                                     {"busy", bytes / maker_.parameters.beat_bytes / clocks},
+                                     {"traffic", by_part(traffic, answers)}});
     return true;
+  }
+
+  static Json by_part(const ReadTraffic& traffic, double answers) {
+    Json parts;
+    uint64_t again = 0;
+    for (size_t i = 0; i < kReadPartNames.size(); ++i) {
+      const PartTraffic& part = traffic.of(static_cast<ReadPart>(i));
+      parts[std::string(kReadPartNames[i])] = static_cast<double>(part.bytes) / answers;
+      again += part.again;
+    }
+    parts["again"] = static_cast<double>(again) / answers;
+    return parts;
   }
 
   bool alone() {
@@ -141,6 +164,20 @@ class Measurement {
   Json report_;
 };
 
+std::string traffic_text(const Json& rows) {
+  std::string text = fmt::format("  {:<26}", "bytes of a request");
+  for (const auto& [part, bytes] : rows.at(0).at("traffic").items()) {
+    text += fmt::format(" {:>7}", part);
+  }
+  text += '\n';
+  for (const Json& row : rows) {
+    text += fmt::format("  {:<26}", row["name"].get<std::string>());
+    for (const Json& bytes : row["traffic"]) text += fmt::format(" {:>7.1f}", double{bytes});
+    text += '\n';
+  }
+  return text;
+}
+
 std::string to_text(const Json& streams) {
   std::string text;
   for (const Json& stream : streams) {
@@ -151,6 +188,7 @@ std::string to_text(const Json& streams) {
                           row["name"].get<std::string>(), double{row["levels"]},
                           double{row["clocks"]}, double{row["bytes"]}, 100 * double{row["busy"]});
     }
+    text += traffic_text(stream["throughput"]);
     text += fmt::format("  {:<26} {:>7} {:>8} {:>8}\n", "alone, latency 20", "p50", "p99", "max");
     for (const Json& row : stream["alone"]) {
       text += fmt::format("  {:<26} {:>7} {:>8} {:>8}\n", row["name"].get<std::string>(),

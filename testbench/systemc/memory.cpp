@@ -32,6 +32,7 @@ void Memory::edge() {
 void Memory::take_address() {
   if (!wires_.out.ar_valid || !wires_.in.ar_ready) return;
   ++counts_.bursts;
+  if (listener_) listener_(wires_.out.ar_addr, wires_.out.ar_len + 1u);
   const unsigned jitter = conditions_.latency_jitter;
   const unsigned extra = jitter == 0 ? 0 : random_.below(uint64_t{jitter} + 1);
   bursts_.push_back(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,10 @@ class Memory final : public EdgeModule {
 
   void start(const Conditions& conditions, uint64_t seed);
 
+  /// Called with the address and the beats of every burst that is taken; null: nothing is called.
+  using BurstListener = std::function<void(uint64_t address, unsigned beats)>;
+  void set_burst_listener(BurstListener listener) { listener_ = std::move(listener); }
+
   const MemoryCounts& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }
 
@@ -70,6 +75,7 @@ class Memory final : public EdgeModule {
   std::deque<Burst> bursts_;
   bool keeps_bursts_ = false;
   MemoryCounts counts_;
+  BurstListener listener_;
 };
 
 }  // namespace hmlfc::tb
