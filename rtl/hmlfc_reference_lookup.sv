@@ -8,8 +8,8 @@
 // SECTIONS     1, 2
 //
 // Tags lie in four banks by the parity of a strip's row and column, so that the at most 2 x 2 strips of a window are looked up in one
-// clock. A strip has one place: luma uses half of the places, each chroma plane a quarter; with SECTIONS = 2 `in_section` chooses
-// the half of the cache. `forget` forgets all strips; so does `flush`.
+// clock. A strip has one place, by its row, its column and the plane's address: luma uses half of the places, each chroma plane a
+// quarter; with SECTIONS = 2 `in_section` chooses the half of the cache. `forget` forgets all strips; so does `flush`.
 //
 // out_places   of the four strips in their banks {row parity, column parity}; those that the window does not need do not matter
 // out_missed   strips that were requested, [0, 4]
@@ -109,11 +109,20 @@ module hmlfc_reference_lookup #(
   wire [1:0] rows_needed_2 = two_y ? 2'b11 : block_y[0] ? 2'b10 : 2'b01;
   wire [1:0] columns_needed_2 = strip_left != strip_right ? 2'b11 : strip_left[0] ? 2'b10 : 2'b01;
 
+  // Changes the place by the plane's address: a request reads near the same row and column in the reference images of all its levels,
+  // and these would replace each other.
+  function automatic logic [1:0] order_of(input logic [TAG_BITS-1:0] address);
+    order_of = '0;
+    for (int i = 0; i < TAG_BITS; i++) order_of[i%2] = order_of[i%2] ^ address[i];
+  endfunction
+
   // Where strip `column` of row `row` of a plane is kept in its bank.
-  function automatic logic [PLACE_BITS-1:0] place_of(input logic section, input logic [1:0] plane,
+  function automatic logic [PLACE_BITS-1:0] place_of(input logic section, input logic [1:0] plane, input logic [1:0] order,
                                                      input logic [BLOCK_BITS-1:0] row, input logic [BLOCK_BITS-1:0] column);
     logic [AREA_BITS-1:0] area;
     area = {row[ROW_BITS:1], column[COL_BITS:1]};
+    area[COL_BITS+ROW_BITS-2] = area[COL_BITS+ROW_BITS-2] ^ order[0];
+    area[COL_BITS-1] = area[COL_BITS-1] ^ order[1];
     if (plane != 2'd0) area[AREA_BITS-1] = plane[1];
     place_of = PLACE_BITS'({SECTIONS == 2 && section, plane != 2'd0, area});
   endfunction
@@ -123,7 +132,8 @@ module hmlfc_reference_lookup #(
   logic [4*PLACE_BITS-1:0] places_2;
   for (genvar b = 0; b < 4; b++) begin : g_place
     assign places_2[b*PLACE_BITS+:PLACE_BITS] =
-        place_of(section_2, plane_2, rows_2[(b/2)*BLOCK_BITS+:BLOCK_BITS], columns_2[(b%2)*BLOCK_BITS+:BLOCK_BITS]);
+        place_of(section_2, plane_2, order_of(address_2), rows_2[(b/2)*BLOCK_BITS+:BLOCK_BITS],
+                 columns_2[(b%2)*BLOCK_BITS+:BLOCK_BITS]);
   end
   logic [READ_BITS-1:0] read_3, read_4, read_5, read_6;
   wire [4*PLACE_BITS-1:0] places_5 = read_5[4*PLACE_BITS-1:0];
