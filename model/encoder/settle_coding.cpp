@@ -20,11 +20,11 @@ namespace {
 // Views of a group along a row or a column, where nothing is tried.
 constexpr uint32_t kUsualGroup = 5;
 // For a target, the quality that trials predict is refined so often at most, until it moves by less
-// than kNextQuality. What was found for a quality serves others that are near.
+// than kNextQuality. What was found for a quality serves others that are near; where the first one
+// is not, nothing is looked for with it.
 constexpr int kMaxRounds = 5;
 constexpr double kNextQuality = 2;
 constexpr double kNearQuality = 6;
-constexpr double kDbPerQuality = 0.13;
 constexpr double kWeightStep = 1.35;
 // The share by which a coding has to be cheaper than what it replaces: trials are that exact.
 constexpr double kMatters = 0.003;
@@ -112,15 +112,19 @@ class CodingSearch {
 
   const EncodeParams& best() const { return best_; }
 
-  // Of the best coding, over RGB.
+  // By how much its quality is above that of `goal`, as far as trials can say; 0 without one.
+  double quality_off(const EncodeGoal* goal) const {
+    return goal == nullptr ? 0 : goal->surplus_db(psnr_db(), best_result_.bits / 8) / kDbPerQuality;
+  }
+
+ private:
+  // Over RGB.
   double psnr_db() const {
     const LightFieldShape& shape = light_field_.shape();
     const uint64_t samples = uint64_t{shape.rows} * shape.cols * shape.width * shape.height * 3;
     return psnr(static_cast<uint64_t>(best_result_.rgb_squares), samples, shape.depth);
   }
-  double bytes() const { return best_result_.bits / 8; }
 
- private:
   TrialResult trial(const EncodeParams& params) const {
     return try_coding(light_field_, part_, params, probe_, effort_.images);
   }
@@ -205,7 +209,8 @@ void search_coding(const LightField& light_field, const StreamHeader& header,
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
   for (int round = 0; round < kMaxRounds; ++round) {
     CodingSearch search(light_field, part, found, settled.probe);
-    if (std::abs(found.extended.quality - searched) > kNearQuality) {
+    const bool far = round == 0 && std::abs(search.quality_off(goal)) > kNearQuality;
+    if (!far && std::abs(found.extended.quality - searched) > kNearQuality) {
       if (open_groups) search.find_groups();
       search.find_grid(asked.extended);
       search.find_key_weight(asked.extended);
@@ -213,8 +218,7 @@ void search_coding(const LightField& light_field, const StreamHeader& header,
     }
     found = search.best();
     if (goal == nullptr) break;
-    const double surplus = goal->surplus_db(search.psnr_db(), search.bytes());
-    const double quality = found.extended.quality - surplus / kDbPerQuality;
+    const double quality = found.extended.quality - search.quality_off(goal);
     const double moved = std::abs(quality - found.extended.quality);
     found.extended.quality = std::round(std::clamp(quality, 0.0, 100.0) * 8) / 8;
     if (moved < kNextQuality) break;

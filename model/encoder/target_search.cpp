@@ -97,11 +97,11 @@ class QualityLoss final : public Coarseness {
  private:
   static constexpr int64_t kParts = 8;
   static constexpr int64_t kMaxLoss = 100 * kParts;
-  static constexpr double kDbPerStep = 0.12 / kParts;
+  static constexpr double kDbPerStep = kDbPerQuality / kParts;
 
-  // The steps that are worth `db`, at least one of quality.
+  // The steps that are worth `db`, at least one.
   static int64_t steps(double db) {
-    return std::isfinite(db) ? std::max<int64_t>(kParts, std::lround(db / kDbPerStep)) : kParts;
+    return std::isfinite(db) ? std::max<int64_t>(1, std::lround(db / kDbPerStep)) : kParts;
   }
 
   int64_t first_;
@@ -141,10 +141,15 @@ class TargetSearch {
     return goal_.is_met(attempt.surplus_db) && std::abs(attempt.surplus_db) < goal_.tolerance_db();
   }
 
+  // Aims at the middle of what is near enough.
   int64_t next_try() const {
-    if (!fine_) return axis_->finer(*coarse_);
-    if (!coarse_) return axis_->coarser(*fine_);
-    return axis_->between(*fine_, *coarse_);
+    const double aim = (goal_.is_least() ? 0.5 : -0.5) * goal_.tolerance_db();
+    const auto off = [&](const Attempt& attempt) {
+      return Attempt{attempt.coarseness, attempt.surplus_db - aim};
+    };
+    if (!fine_) return axis_->finer(off(*coarse_));
+    if (!coarse_) return axis_->coarser(off(*fine_));
+    return axis_->between(off(*fine_), off(*coarse_));
   }
 
   void attempt(int64_t coarseness) {

@@ -48,44 +48,56 @@ inline void sum_row(const Taps& taps, const int16_t* row, Sum (&sums)[kLanes]) {
   }
 }
 
+// Columns [x, x + kLanes).
 template <class Sum, unsigned kLanes>
-void put_columns(const std::array<DisplacedReference, 2>& references, unsigned count,
-                 const PredictionTarget& target, unsigned x) {
-  const Taps first(references[0], x);
-  const Taps second(references[count - 1], x);
+void put_columns(const DisplacedReference& reference, const PredictionTarget& target, unsigned x) {
+  const Taps taps(reference, x);
   for (unsigned y = 0; y < target.rows; ++y) {
-    Sum a[kLanes], b[kLanes];
+    Sum sums[kLanes];
     int16_t values[kLanes];
-    sum_row(first, first.row + y * first.stride, a);
-    if (count == 1) {
-      for (unsigned i = 0; i < kLanes; ++i) {
-        values[i] = static_cast<int16_t>(one_reference_value(a[i]));
-      }
-    } else {
-      sum_row(second, second.row + y * second.stride, b);
-      for (unsigned i = 0; i < kLanes; ++i) {
-        values[i] = static_cast<int16_t>(two_reference_value(a[i], b[i]));
-      }
+    sum_row(taps, taps.row + y * taps.stride, sums);
+    for (unsigned i = 0; i < kLanes; ++i) {
+      values[i] = static_cast<int16_t>(one_reference_value(sums[i]));
     }
     std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
   }
 }
 
-// All columns, sixteen, eight, four and one at a time.
-template <class Sum>
-void interpolate(const std::array<DisplacedReference, 2>& references, unsigned count,
-                 const PredictionTarget& target) {
+template <class Sum, unsigned kLanes>
+void put_columns(const std::array<DisplacedReference, 2>& references,
+                 const PredictionTarget& target, unsigned x) {
+  const Taps first(references[0], x);
+  const Taps second(references[1], x);
+  for (unsigned y = 0; y < target.rows; ++y) {
+    Sum a[kLanes], b[kLanes];
+    int16_t values[kLanes];
+    sum_row(first, first.row + y * first.stride, a);
+    sum_row(second, second.row + y * second.stride, b);
+    for (unsigned i = 0; i < kLanes; ++i) {
+      values[i] = static_cast<int16_t>(two_reference_value(a[i], b[i]));
+    }
+    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
+  }
+}
+
+// All columns, as many at a time as there are.
+template <class Sum, class References>
+void interpolate(const References& references, const PredictionTarget& target) {
   unsigned x = 0;
-  for (; x + 16 <= target.columns; x += 16) put_columns<Sum, 16>(references, count, target, x);
+  for (; x + 32 <= target.columns; x += 32) put_columns<Sum, 32>(references, target, x);
+  if (x + 16 <= target.columns) {
+    put_columns<Sum, 16>(references, target, x);
+    x += 16;
+  }
   if (x + 8 <= target.columns) {
-    put_columns<Sum, 8>(references, count, target, x);
+    put_columns<Sum, 8>(references, target, x);
     x += 8;
   }
   if (x + 4 <= target.columns) {
-    put_columns<Sum, 4>(references, count, target, x);
+    put_columns<Sum, 4>(references, target, x);
     x += 4;
   }
-  for (; x < target.columns; ++x) put_columns<Sum, 1>(references, count, target, x);
+  for (; x < target.columns; ++x) put_columns<Sum, 1>(references, target, x);
 }
 
 // R of whole vectors: the reference itself, or the mean of two, halves up.
@@ -115,10 +127,12 @@ void interpolate_rect_here(const std::array<DisplacedReference, 2>& references, 
     return average(references, count, target);
   }
   const auto most = static_cast<int32_t>(count) * (64 * bound + 32);
-  if (most <= std::numeric_limits<int16_t>::max()) {
-    interpolate<int16_t>(references, count, target);
+  const bool narrow = most <= std::numeric_limits<int16_t>::max();
+  if (count == 1) {
+    narrow ? interpolate<int16_t>(references[0], target)
+           : interpolate<int32_t>(references[0], target);
   } else {
-    interpolate<int32_t>(references, count, target);
+    narrow ? interpolate<int16_t>(references, target) : interpolate<int32_t>(references, target);
   }
 }
 
