@@ -15,6 +15,7 @@ module hmlfc_decode_unit #(
     parameter int TILE_CONTEXTS = 16,  // 2..32, a power of two
     parameter int TILE_LOADERS = 4,    // 1..8
     parameter int CACHE_STRIPS = 512,  // 64..1024, a power of two
+    parameter int TRACE = 1,           // 0..1; 0: nothing is kept for the trace, which is 0
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
     localparam int VALUE_BITS = MAX_DEPTH + 2,
@@ -66,7 +67,7 @@ module hmlfc_decode_unit #(
     output logic [31:0] s_axil_rdata,
     output logic [1:0] s_axil_rresp,
 
-    // Trace of each block of a level, in decoding order; for simulation, unconnected in a chip.
+    // Trace of each block of a level, in decoding order; for simulation.
     output logic trace_valid,
     output logic [3:0] trace_level,
     output logic [1:0] trace_plane,
@@ -102,6 +103,7 @@ module hmlfc_decode_unit #(
   if (TILE_CONTEXTS < 2 || TILE_CONTEXTS > 32 || (TILE_CONTEXTS & (TILE_CONTEXTS - 1)) != 0) $error("TILE_CONTEXTS is a power of two, 2 to 32");
   if (TILE_LOADERS < 1 || TILE_LOADERS > 8) $error("TILE_LOADERS is 1 to 8");
   if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0) $error("CACHE_STRIPS is a power of two, 64 to 1024");
+  if (TRACE < 0 || TRACE > 1) $error("TRACE is 0 or 1");
 `endif
 
   hmlfc_widths widths ();
@@ -237,7 +239,10 @@ module hmlfc_decode_unit #(
   logic [9:0] view_row, view_col;
   logic [LEVELS-1:0] view_keys;
   logic [2:0] image_level;
-  hmlfc_pkg::image_t view_image, ask_image, disparity_image, reference_image;
+  hmlfc_pkg::image_t view_image;
+  hmlfc_pkg::image_tiles_t ask_image;
+  logic [hmlfc_pkg::TILE_BITS-1:0] disparity_first_tile;
+  hmlfc_pkg::image_references_t reference_image;
   logic job_valid, job_ready, chroma_spoiled;
   hmlfc_pkg::job_t job;
   hmlfc_requests requests (
@@ -300,7 +305,7 @@ module hmlfc_decode_unit #(
       .in_job(job),
       .in_image(ask_image),
       .disparity_id,
-      .disparity_image,
+      .disparity_first_tile,
       .out_valid(flow_valid),
       .out_ready(flow_ready),
       .out_flow(flow),
@@ -359,10 +364,12 @@ module hmlfc_decode_unit #(
 
   // ---- Samples and answers.
   logic [5:0] done_error;
-  logic [SAMPLES*SAMPLE_BITS-1:0] done_sample;
+  logic [SAMPLES*SAMPLE_BITS-1:0] done_sample, done_prediction;
+  logic [SAMPLES*VALUE_BITS-1:0] done_residual, done_reference;
   hmlfc_compose #(
       .BLOCK_LOG2(BLOCK_LOG2),
-      .MAX_DEPTH(MAX_DEPTH)
+      .MAX_DEPTH(MAX_DEPTH),
+      .TRACE(TRACE)
   ) compose (
       .clk,
       .rst_n,
@@ -384,9 +391,9 @@ module hmlfc_decode_unit #(
       .out_pending(done_pending),
       .out_error(done_error),
       .out_sample(done_sample),
-      .out_residual(trace_residual),
-      .out_reference(trace_reference),
-      .out_prediction(trace_prediction)
+      .out_residual(done_residual),
+      .out_reference(done_reference),
+      .out_prediction(done_prediction)
   );
   assign block_done = done_valid && done_ready;
   hmlfc_answer #(
@@ -410,43 +417,46 @@ module hmlfc_decode_unit #(
       .out_last(m_response_tlast)
   );
 
-  hmlfc_pkg::image_t done_image;
-  hmlfc_images images (
+  logic [hmlfc_pkg::GRID_BITS-1:0] done_row, done_col;
+  hmlfc_images #(
+      .TRACE(TRACE)
+  ) images (
       .clk,
       .write(image_write),
       .write_id({view_slot, image_level}),
       .write_image(view_image),
-      .id_0(job.id),
-      .id_1(disparity_id),
-      .id_2(flow.job.id),
-      .id_3(done_pending.job.id),
-      .image_0(ask_image),
-      .image_1(disparity_image),
-      .image_2(reference_image),
-      .image_3(done_image)
+      .tiles_id(job.id),
+      .tiles(ask_image),
+      .disparity_id,
+      .disparity_tile(disparity_first_tile),
+      .references_id(flow.job.id),
+      .references(reference_image),
+      .place_id(done_pending.job.id),
+      .place({done_row, done_col})
   );
 
-  assign trace_valid = block_done;
-  assign trace_level = 4'(done_pending.job.id[2:0]);
-  assign trace_plane = done_pending.job.plane;
-  assign trace_bx = 15'(done_pending.job.bx);
-  assign trace_by = 15'(done_pending.job.by);
-  assign trace_row = 12'(done_image.row);
-  assign trace_col = 12'(done_image.col);
-  assign trace_key = done_pending.key;
-  assign trace_motion = done_pending.motion;
-  assign trace_negative = done_pending.negative;
-  assign trace_references = !done_pending.motion ? 2'd0 : done_pending.two ? 2'd2 : 2'd1;
-  assign trace_ix_a = done_pending.ix_a;
-  assign trace_iy_a = done_pending.iy_a;
-  assign trace_fx_a = done_pending.fx_a;
-  assign trace_fy_a = done_pending.fy_a;
-  assign trace_ix_b = done_pending.ix_b;
-  assign trace_iy_b = done_pending.iy_b;
-  assign trace_fx_b = done_pending.fx_b;
-  assign trace_fy_b = done_pending.fy_b;
-  assign trace_has_residual = done_pending.has_residual;
-  assign trace_sample = done_sample;
-  assign trace_error = done_error;
+  if (TRACE != 0) begin : g_trace
+    assign trace_valid = block_done;
+    assign trace_level = 4'(done_pending.job.id[2:0]);
+    assign trace_plane = done_pending.job.plane;
+    assign trace_bx = 15'(done_pending.job.bx);
+    assign trace_by = 15'(done_pending.job.by);
+    assign trace_row = 12'(done_row);
+    assign trace_col = 12'(done_col);
+    assign trace_key = done_pending.key;
+    assign trace_motion = done_pending.motion;
+    assign trace_negative = done_pending.negative;
+    assign trace_references = !done_pending.motion ? 2'd0 : done_pending.two ? 2'd2 : 2'd1;
+    assign {trace_ix_a, trace_iy_a, trace_fx_a, trace_fy_a} = {done_pending.ix_a, done_pending.iy_a, done_pending.fx_a, done_pending.fy_a};
+    assign {trace_ix_b, trace_iy_b, trace_fx_b, trace_fy_b} = {done_pending.ix_b, done_pending.iy_b, done_pending.fx_b, done_pending.fy_b};
+    assign trace_has_residual = done_pending.has_residual;
+    assign {trace_residual, trace_reference, trace_prediction} = {done_residual, done_reference, done_prediction};
+    assign trace_sample = done_sample;
+    assign trace_error = done_error;
+  end else begin : g_no_trace
+    assign {trace_valid, trace_level, trace_plane, trace_bx, trace_by, trace_row, trace_col, trace_key, trace_motion, trace_negative} = '0;
+    assign {trace_references, trace_ix_a, trace_iy_a, trace_fx_a, trace_fy_a, trace_ix_b, trace_iy_b, trace_fx_b, trace_fy_b} = '0;
+    assign {trace_has_residual, trace_residual, trace_reference, trace_prediction, trace_sample, trace_error} = '0;
+  end
 
 endmodule

@@ -9,7 +9,7 @@ module hmlfc_disparity_ask #(
     input logic clk,
     input logic rst_n,
     input hmlfc_pkg::config_t stream,
-    input hmlfc_pkg::image_t image,  // of in_flow.job.id
+    input logic [hmlfc_pkg::TILE_BITS-1:0] first_tile,  // of K0 of the image in_flow.job.id
 
     input logic in_valid,
     output logic in_ready,
@@ -44,7 +44,7 @@ module hmlfc_disparity_ask #(
       .advance,
       .stream,
       .flow(in_flow),
-      .first_tile(image.disparity_tile),
+      .first_tile,
       .tile(ask_tile),
       .info(ask_info),
       .x(out_x),

@@ -1,6 +1,6 @@
 // Reference groups of one row or column of a level's images (STR-3, STR-4, EXT-3, MOT-7).
 //
-// `start` takes a place among `count` images, in reference groups of `size`; 16 clocks later, or 30 with `balanced`, `done` is high for
+// `start` takes a place among `count` images, in reference groups of `size`; 17 clocks later, or 29 with `balanced`, `done` is high for
 // one clock when the results are valid: its group and that group's reference image, the neighbouring group of MOT-7 on the side
 // of `at` and its reference image's place, and the place of the parent in the next level. They hold until the next start.
 //

@@ -1,7 +1,7 @@
 // Types that the modules of the decode unit share. Field names are those of the specification.
 package hmlfc_pkg;
 
-  localparam int VIEWS = 4;          // views held, a power of two
+  localparam int VIEWS = 16;         // views held, a power of two
   localparam int VIEW_BITS = $clog2(VIEWS);
   localparam int LEVELS = 8;         // levels of a tree this unit takes: tree_height <= 7
   localparam int ADDRESS_BITS = 40;  // byte addresses of the read master
@@ -13,11 +13,13 @@ package hmlfc_pkg;
 
   // Widths of the structures below, for memories of them. hmlfc_widths checks them.
   localparam int LEVEL_BITS = 123;
-  localparam int IMAGE_BITS = 382;
-  localparam int JOB_BITS = 44;
+  localparam int IMAGE_TILES_BITS = TILE_BITS + 2;
+  localparam int IMAGE_REFERENCES_BITS = 4 * ADDRESS_BITS + 114;
+  localparam int IMAGE_BITS = 2 * GRID_BITS + TILE_BITS + IMAGE_TILES_BITS + IMAGE_REFERENCES_BITS;
+  localparam int JOB_BITS = VIEW_BITS + 42;
   localparam int MOTION_BITS = 33;
-  localparam int FLOW_BITS = 102;
-  localparam int PENDING_BITS = 99;
+  localparam int FLOW_BITS = JOB_BITS + 58;
+  localparam int PENDING_BITS = JOB_BITS + 55;
 
   // Bits of feature_flags (EXT-1).
   typedef struct packed {
@@ -96,19 +98,22 @@ package hmlfc_pkg;
     logic [ADDRESS_BITS-1:0] reference_address;  // of its first reference image
   } level_t;
 
-  // One requested image of the tree, and its references K0 to K3 (MOT-7).
+  // What each stage needs of one requested image of the tree: where its tiles begin,
   typedef struct packed {
-    logic [GRID_BITS-1:0] row;
-    logic [GRID_BITS-1:0] col;
     logic keyed;
-    logic is_reference;                       // it is the reference image of its reference group
+    logic is_reference;                      // it is the reference image of its reference group
     logic [TILE_BITS-1:0] first_tile;
-    logic [TILE_BITS-1:0] disparity_tile;    // first tile of K0
+  } image_tiles_t;
+
+  // and its references K0 to K3 (MOT-7).
+  typedef struct packed {
+    logic keyed;
+    logic is_reference;
     logic [ADDRESS_BITS-1:0] address_0;      // plane Y of K0 in the reference area
     logic [ADDRESS_BITS-1:0] address_1;
     logic [ADDRESS_BITS-1:0] address_2;
     logic [ADDRESS_BITS-1:0] address_3;
-    logic signed [9:0] cols_0;              // ck - c of MOT-8
+    logic signed [9:0] cols_0;               // ck - c of MOT-8
     logic signed [9:0] cols_1;
     logic signed [9:0] cols_2;
     logic signed [9:0] cols_3;
@@ -116,6 +121,14 @@ package hmlfc_pkg;
     logic signed [17:0] rows_1;
     logic signed [17:0] rows_2;
     logic signed [17:0] rows_3;
+  } image_references_t;
+
+  typedef struct packed {
+    logic [GRID_BITS-1:0] row;
+    logic [GRID_BITS-1:0] col;
+    image_tiles_t tiles;
+    logic [TILE_BITS-1:0] disparity_tile;    // first tile of K0
+    image_references_t references;
   } image_t;
 
   // One block of one plane of one image: a block of one level (DEC-3).

@@ -13,7 +13,7 @@ module hmlfc_reference_ask #(
     input logic clk,
     input logic rst_n,
     input hmlfc_pkg::config_t stream,
-    input hmlfc_pkg::image_t image,  // of in_flow.job.id
+    input hmlfc_pkg::image_references_t image,  // of in_flow.job.id
     input hmlfc_pkg::flow_t in_flow,
 
     input logic in_valid,

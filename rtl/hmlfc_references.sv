@@ -25,7 +25,7 @@ module hmlfc_references #(
     input logic in_valid,
     output logic in_ready,
     input hmlfc_pkg::flow_t in_flow,
-    input hmlfc_pkg::image_t in_image,  // of in_flow.job.id
+    input hmlfc_pkg::image_references_t in_image,  // of in_flow.job.id
     input logic in_has_residual,
     input logic [RESIDUAL_BITS-1:0] in_residual,
 

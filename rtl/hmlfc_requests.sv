@@ -8,8 +8,8 @@
 // request for RGB decoded them, but not where they met a bus error. Up to two requests wait; the first of them is checked and
 // looked up while jobs of the one before leave.
 module hmlfc_requests #(
-    localparam int VIEWS = hmlfc_pkg::VIEWS,
-    localparam int VIEW_BITS = hmlfc_pkg::VIEW_BITS
+    parameter int VIEWS = hmlfc_pkg::VIEWS,  // at most hmlfc_pkg::VIEWS
+    localparam int VIEW_BITS = $clog2(VIEWS)
 ) (
     input logic clk,
     input logic rst_n,
@@ -134,7 +134,7 @@ module hmlfc_requests #(
   assign job_valid = busy && (error != 0 || hit);
   always_comb begin
     job = '0;
-    job.id = {hit_slot, level};
+    job.id = (hmlfc_pkg::VIEW_BITS + 3)'({hit_slot, level});
     job.plane = now_plane;
     job.bx = rgb && now_plane != 0 ? now_site[BLOCK_BITS+4+:BLOCK_BITS] : now_bx;
     job.by = rgb && now_plane != 0 ? now_site[4+:BLOCK_BITS] : now_by;

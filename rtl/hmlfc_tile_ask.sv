@@ -11,7 +11,7 @@ module hmlfc_tile_ask #(
     input logic clk,
     input logic rst_n,
     input hmlfc_pkg::config_t stream,
-    input hmlfc_pkg::image_t image,  // of in_job.id
+    input hmlfc_pkg::image_tiles_t image,  // of in_job.id
 
     input logic in_valid,
     output logic in_ready,

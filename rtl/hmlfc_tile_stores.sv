@@ -24,10 +24,10 @@ module hmlfc_tile_stores #(
     input logic in_valid,
     output logic in_ready,
     input hmlfc_pkg::job_t in_job,
-    input hmlfc_pkg::image_t in_image,  // of in_job.id
+    input hmlfc_pkg::image_tiles_t in_image,  // of in_job.id
 
     output logic [hmlfc_pkg::VIEW_BITS+2:0] disparity_id,
-    input hmlfc_pkg::image_t disparity_image,  // of disparity_id
+    input logic [hmlfc_pkg::TILE_BITS-1:0] disparity_first_tile,  // of disparity_id
 
     output logic out_valid,
     input logic out_ready,
@@ -143,7 +143,7 @@ module hmlfc_tile_stores #(
       .clk,
       .rst_n,
       .stream,
-      .image(disparity_image),
+      .first_tile(disparity_first_tile),
       .in_valid(motion_valid),
       .in_ready(motion_ready),
       .in_flow(motion_flow),

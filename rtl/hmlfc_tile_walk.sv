@@ -7,12 +7,13 @@
 // else the record's `record_bytes` bytes begin at byte address `record_address`. The result keeps until
 // the next start.
 //
-// The last root entry and the records of GROUPS tile groups are kept, so that tiles of a tile group seen
+// ROOTS root entries and the records of GROUPS tile groups are kept, so that tiles of a tile group seen
 // before cost one read, of the end table; `flush` forgets them. What a bus error brought is not kept.
 // Masking, counting, products, sums and comparisons have a clock each; `step` numbers those between two reads.
 module hmlfc_tile_walk #(
     parameter int DATA_BITS = 128,
-    parameter int GROUPS = 8,  // tile groups, a power of two
+    parameter int GROUPS = 16,  // tile groups, a power of two
+    parameter int ROOTS = 16,   // root entries, a power of two
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS
 ) (
@@ -44,6 +45,8 @@ module hmlfc_tile_walk #(
   localparam int GROUP_BITS = TILE_BITS - 6;
   localparam int SLOT_BITS = $clog2(GROUPS);
   localparam int TAG_BITS = GROUP_BITS - SLOT_BITS;
+  localparam int ROOT_SLOT_BITS = $clog2(ROOTS);
+  localparam int ROOT_TAG_BITS = GROUP_BITS - 6 - ROOT_SLOT_BITS;
   localparam int NUMBER_BITS = ADDRESS_BITS - 4;  // of group records
 
   typedef enum logic [3:0] {
@@ -68,9 +71,14 @@ module hmlfc_tile_walk #(
   logic [5:0] lane;
   wire [SLOT_BITS-1:0] slot = group[SLOT_BITS-1:0];
 
-  // The root entry of tile groups 64 * root_tag to 64 * root_tag + 63.
-  logic root_valid;
-  logic [GROUP_BITS-7:0] root_tag;
+  // Root entries, each of 64 tile groups: {tag, number of the first record, mask}.
+  localparam int ROOT_BITS = ROOT_TAG_BITS + 128;
+  wire [ROOT_SLOT_BITS-1:0] root_slot = group[6+:ROOT_SLOT_BITS];
+  wire [ROOT_TAG_BITS-1:0] root_tag = group[GROUP_BITS-1-:ROOT_TAG_BITS];
+  logic [ROOTS-1:0] root_valid;
+  logic [ROOT_BITS-1:0] root_entries[ROOTS];
+  logic [ROOT_BITS-1:0] kept_root;  // the one in the slot
+  logic kept_root_valid;
   logic [63:0] root_mask, root_first;
 
   // Records of tile groups: {tag, there is one, error, offset_bits, data, tile_mask}.
@@ -87,7 +95,7 @@ module hmlfc_tile_walk #(
   logic [63:0] tile_mask;
 
   wire group_hit = kept_valid && kept[RECORD_BITS-1-:TAG_BITS] == group[GROUP_BITS-1:SLOT_BITS];
-  wire root_hit = root_valid && root_tag == group[GROUP_BITS-1:6];
+  wire root_hit = kept_root_valid && kept_root[ROOT_BITS-1-:ROOT_TAG_BITS] == root_tag;
 
   logic read_start, read_idle, read_done, read_error;
   logic [ADDRESS_BITS-1:0] read_address;
@@ -183,6 +191,8 @@ module hmlfc_tile_walk #(
     if (state == TABLE) begin
       group_records[slot] <= {group[GROUP_BITS-1:SLOT_BITS], record_there, record_error, offset_bits, table_offset, tile_mask};
     end
+    kept_root <= root_entries[root_slot];
+    if (state == ROOT && read_done) root_entries[root_slot] <= {root_tag, bytes};
   end
 
   always_ff @(posedge clk) begin
@@ -199,10 +209,12 @@ module hmlfc_tile_walk #(
       end
       LOOK_UP: begin
         kept_valid <= group_valid[slot];
+        kept_root_valid <= root_valid[root_slot];
         state <= CHOOSE;
       end
       CHOOSE: begin
         {record_there, record_error, offset_bits, table_offset, tile_mask} <= kept[RECORD_BITS-TAG_BITS-1:0];
+        {root_first, root_mask} <= kept_root[127:0];
         step <= '0;
         if (group_hit) state <= ENTRIES;
         else if (root_hit) state <= RANK;
@@ -210,8 +222,7 @@ module hmlfc_tile_walk #(
       end
       ROOT:
       if (read_done) begin
-        root_valid <= !read_error;
-        root_tag <= group[GROUP_BITS-1:6];
+        root_valid[root_slot] <= !read_error;
         {root_first, root_mask} <= bytes;
         step <= '0;
         state <= RANK;
@@ -320,7 +331,7 @@ module hmlfc_tile_walk #(
       done <= 1'b0;
     end
     if (!rst_n || flush) begin
-      root_valid <= 1'b0;
+      root_valid <= '0;
       group_valid <= '0;
     end
   end

@@ -2,8 +2,11 @@
 // (DEC-1, STR-1, STR-3, STR-4, EXT-3, EXT-4, MOT-7, IDX-1).
 //
 // `start` takes an existing view; for each level from 0 to tree_height `write` gives the entry of the table of images of level
-// `write_level`, 25 clocks each, or 39 with balanced groups; `done` is high for one clock when all are written and `keys` holds:
-// bit l: the image of level l is a key image (STR-5).
+// `write_level`: 24 clocks each, or 36 with balanced groups, and 4 more for the last; `done` is high for one clock when all are written
+// and `keys` holds: bit l: the image of level l is a key image (STR-5).
+//
+// Six addresses of a level go through one pipeline, one a clock: of the four reference images, of the image's first tile, of that of K0.
+// Each is the number of an image, row * columns + column, times what an image takes, on top of the first.
 module hmlfc_view #(
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS,
@@ -25,25 +28,20 @@ module hmlfc_view #(
     output hmlfc_pkg::image_t write_image
 );
 
-  typedef enum logic [3:0] {
+  typedef enum logic [1:0] {
     IDLE,
     AXES,
-    NUMBER_0,
-    NUMBER_1,
-    NUMBER_2,
-    NUMBER_3,
-    IMAGES,
-    TILES,
-    WRITE
+    ADDRESSES
   } state_t;
   state_t state;
 
+  // Level l, one clock later.
   logic [2:0] l;
   logic [9:0] row, col;
   hmlfc_pkg::level_t level;
-  assign level = levels[32'(l)*LEVEL_BITS+:LEVEL_BITS];
+  always_ff @(posedge clk) level <= levels[32'(l)*LEVEL_BITS+:LEVEL_BITS];
 
-  logic axes_start, rows_done, cols_done, rows_ready, cols_ready;
+  logic axes_start, rows_done, cols_done;
   logic [10:0] group_row, group_col, next_row_group, next_col_group;
   logic [9:0] own_row, own_col, next_row, next_col, parent_row, parent_col;
   hmlfc_group_axis rows (
@@ -84,39 +82,98 @@ module hmlfc_view #(
   // MOT-7: H is beside K0, V above or below it; the nearer direction's is K2.
   wire [9:0] distance_row = row > own_row ? row - own_row : own_row - row;
   wire [9:0] distance_col = col > own_col ? col - own_col : own_col - col;
+  wire is_reference = row == own_row && col == own_col;
   wire beside_first = distance_col >= distance_row;
-  wire row_moves_1 = !beside_first;  // K1 is V
-  wire row_moves_2 = beside_first;
 
-  // Row and column of reference image k, and its address.
-  logic [1:0] k;
-  always_comb begin
-    case (state)
-      NUMBER_1: k = 2'd1;
-      NUMBER_2: k = 2'd2;
-      NUMBER_3: k = 2'd3;
-      default: k = 2'd0;
-    endcase
-  end
-  wire row_moves = k == 2'd3 || (k == 2'd1 && row_moves_1) || (k == 2'd2 && row_moves_2);
-  wire col_moves = k == 2'd3 || (k == 2'd1 && !row_moves_1) || (k == 2'd2 && !row_moves_2);
-  wire [10:0] k_row_group = row_moves ? next_row_group : group_row;
-  wire [10:0] k_col_group = col_moves ? next_col_group : group_col;
-  wire [21:0] reference_number = 22'(k_row_group) * 22'(level.group_cols) + 22'(k_col_group);
-  wire [ADDRESS_BITS-1:0] reference_address = level.reference_address + ADDRESS_BITS'(reference_number) * ADDRESS_BITS'(stream.reference_bytes);
-  wire signed [9:0] step_rows = $signed(row_moves ? next_row : own_row) - $signed(row);
-  wire signed [9:0] step_cols = $signed(col_moves ? next_col : own_col) - $signed(col);
-  wire signed [17:0] scaled_rows = step_rows * stream.row_scale;
+  // Address k: reference images K0 to K3, the image's first tile, that of K0's disparities.
+  logic [2:0] k;
+  wire row_moves = k == 3'd3 || (k == 3'd1 && !beside_first) || (k == 3'd2 && beside_first);
+  wire col_moves = k == 3'd3 || (k == 3'd1 && beside_first) || (k == 3'd2 && !beside_first);
+  wire of_tiles = k[2];
+  wire reads = state == ADDRESSES;
+  wire last_k = k == 3'd5;
+  wire last_level = l == stream.tree_height;
 
-  logic [21:0] image_number, reference_image;
-  assign write = state == WRITE;
-  assign write_level = l;
-
+  // 1: what is numbered, and how far it is from the image.
+  logic valid_1, valid_2, valid_3;
+  logic [2:0] k_1, k_2, k_3;
+  logic [10:0] row_1, col_1, columns_1;
+  logic [21:0] first_1;
+  logic [33:0] unit_1, unit_2;
+  logic [ADDRESS_BITS-1:0] base_1, base_2, base_3;
+  logic signed [9:0] step_rows_1, step_cols_1, step_cols_2, step_cols_3;
+  // 2: its number. 3: the product, by halves. 4: the sum, in write_image.
+  logic [21:0] number_2;
+  logic signed [17:0] step_rows_2, step_rows_3;
+  logic [44:0] low_3, high_3;
+  wire [TILE_BITS-1:0] sum_4 = TILE_BITS'(base_3) + TILE_BITS'(low_3) + TILE_BITS'({high_3, 11'd0});
+  wire [ADDRESS_BITS-1:0] address_4 = sum_4[ADDRESS_BITS-1:0];
   always_ff @(posedge clk) begin
-    done <= 1'b0;
+    valid_1 <= reads;
+    k_1 <= k;
+    row_1 <= k == 3'd4 ? 11'(row) : k == 3'd5 ? 11'(own_row) : row_moves ? next_row_group : group_row;
+    col_1 <= k == 3'd4 ? 11'(col) : k == 3'd5 ? 11'(own_col) : col_moves ? next_col_group : group_col;
+    columns_1 <= of_tiles ? level.cols : level.group_cols;
+    first_1 <= of_tiles ? level.first_image : '0;
+    unit_1 <= of_tiles ? 34'(stream.tiles_per_image) : stream.reference_bytes;
+    base_1 <= of_tiles ? '0 : level.reference_address;
+    step_rows_1 <= $signed(row_moves ? next_row : own_row) - $signed(row);
+    step_cols_1 <= $signed(col_moves ? next_col : own_col) - $signed(col);
+
+    valid_2 <= valid_1;
+    k_2 <= k_1;
+    number_2 <= 22'(row_1) * 22'(columns_1) + first_1 + 22'(col_1);
+    unit_2 <= unit_1;
+    base_2 <= base_1;
+    step_rows_2 <= step_rows_1 * stream.row_scale;
+    step_cols_2 <= step_cols_1;
+
+    valid_3 <= valid_2;
+    k_3 <= k_2;
+    low_3 <= 45'(number_2[10:0]) * 45'(unit_2);
+    high_3 <= 45'(number_2[21:11]) * 45'(unit_2);
+    base_3 <= base_2;
+    step_rows_3 <= step_rows_2;
+    step_cols_3 <= step_cols_2;
+
+    case (k_3)
+      3'd0: begin
+        write_image.references.address_0 <= address_4;
+        write_image.references.rows_0 <= step_rows_3;
+        write_image.references.cols_0 <= step_cols_3;
+      end
+      3'd1: begin
+        write_image.references.address_1 <= address_4;
+        write_image.references.rows_1 <= step_rows_3;
+        write_image.references.cols_1 <= step_cols_3;
+      end
+      3'd2: begin
+        write_image.references.address_2 <= address_4;
+        write_image.references.rows_2 <= step_rows_3;
+        write_image.references.cols_2 <= step_cols_3;
+      end
+      3'd3: begin
+        write_image.references.address_3 <= address_4;
+        write_image.references.rows_3 <= step_rows_3;
+        write_image.references.cols_3 <= step_cols_3;
+      end
+      3'd4: write_image.tiles.first_tile <= sum_4;
+      default: write_image.disparity_tile <= sum_4;
+    endcase
+    write <= valid_3 && k_3 == 3'd5;
+    if (!rst_n) begin
+      valid_1 <= 1'b0;
+      valid_2 <= 1'b0;
+      valid_3 <= 1'b0;
+      write <= 1'b0;
+    end
+  end
+
+  // The next level's division begins with the last address of this one.
+  logic ends;  // the level that is written is the last
+  always_ff @(posedge clk) begin
     axes_start <= 1'b0;
-    if (rows_done) rows_ready <= 1'b1;
-    if (cols_done) cols_ready <= 1'b1;
+    done <= write && ends;
     case (state)
       IDLE:
       if (start) begin
@@ -125,61 +182,31 @@ module hmlfc_view #(
         col <= view_col;
         keys <= '0;
         axes_start <= 1'b1;
-        rows_ready <= 1'b0;
-        cols_ready <= 1'b0;
         state <= AXES;
       end
-      AXES: if (rows_ready && cols_ready) state <= NUMBER_0;
-      NUMBER_0: begin
-        write_image.address_0 <= reference_address;
-        write_image.rows_0 <= scaled_rows;
-        write_image.cols_0 <= step_cols;
-        state <= NUMBER_1;
+      AXES: begin
+        k <= '0;
+        if (rows_done && cols_done) state <= ADDRESSES;
       end
-      NUMBER_1: begin
-        write_image.address_1 <= reference_address;
-        write_image.rows_1 <= scaled_rows;
-        write_image.cols_1 <= step_cols;
-        state <= NUMBER_2;
+      default: begin  // ADDRESSES
+        k <= k + 3'd1;
+        if (last_k) begin
+          write_level <= l;
+          write_image.row <= row;
+          write_image.col <= col;
+          write_image.tiles.keyed <= level.keyed;
+          write_image.tiles.is_reference <= is_reference;
+          write_image.references.keyed <= level.keyed;
+          write_image.references.is_reference <= is_reference;
+          keys[l] <= level.keyed && is_reference;
+          ends <= last_level;
+          l <= l + 3'd1;
+          row <= parent_row;
+          col <= parent_col;
+          axes_start <= !last_level;
+          state <= last_level ? IDLE : AXES;
+        end
       end
-      NUMBER_2: begin
-        write_image.address_2 <= reference_address;
-        write_image.rows_2 <= scaled_rows;
-        write_image.cols_2 <= step_cols;
-        state <= NUMBER_3;
-      end
-      NUMBER_3: begin
-        write_image.address_3 <= reference_address;
-        write_image.rows_3 <= scaled_rows;
-        write_image.cols_3 <= step_cols;
-        state <= IMAGES;
-      end
-      IMAGES: begin
-        image_number <= level.first_image + 22'(row) * 22'(level.cols) + 22'(col);
-        reference_image <= level.first_image + 22'(own_row) * 22'(level.cols) + 22'(own_col);
-        write_image.row <= row;
-        write_image.col <= col;
-        write_image.keyed <= level.keyed;
-        write_image.is_reference <= row == own_row && col == own_col;
-        state <= TILES;
-      end
-      TILES: begin
-        write_image.first_tile <= TILE_BITS'(image_number) * TILE_BITS'(stream.tiles_per_image);
-        write_image.disparity_tile <= TILE_BITS'(reference_image) * TILE_BITS'(stream.tiles_per_image);
-        keys[l] <= write_image.keyed && write_image.is_reference;
-        state <= WRITE;
-      end
-      WRITE: begin
-        l <= l + 3'd1;
-        row <= parent_row;
-        col <= parent_col;
-        rows_ready <= 1'b0;
-        cols_ready <= 1'b0;
-        axes_start <= l != stream.tree_height;
-        done <= l == stream.tree_height;
-        state <= l == stream.tree_height ? IDLE : AXES;
-      end
-      default: state <= IDLE;
     endcase
     if (!rst_n) begin
       state <= IDLE;

@@ -2,6 +2,8 @@
 module hmlfc_widths;
 
   hmlfc_pkg::level_t level;
+  hmlfc_pkg::image_tiles_t image_tiles;
+  hmlfc_pkg::image_references_t image_references;
   hmlfc_pkg::image_t image;
   hmlfc_pkg::job_t job;
   hmlfc_pkg::motion_t motion;
@@ -10,6 +12,10 @@ module hmlfc_widths;
 
 `ifndef __ICARUS__  // version 11 has no elaboration tasks
   if ($bits(level) != hmlfc_pkg::LEVEL_BITS) $error("hmlfc_pkg: LEVEL_BITS is not the width of level_t");
+  if ($bits(image_tiles) != hmlfc_pkg::IMAGE_TILES_BITS) $error("hmlfc_pkg: IMAGE_TILES_BITS is not the width of image_tiles_t");
+  if ($bits(image_references) != hmlfc_pkg::IMAGE_REFERENCES_BITS) begin : g_image_references
+    $error("hmlfc_pkg: IMAGE_REFERENCES_BITS is not the width of image_references_t");
+  end
   if ($bits(image) != hmlfc_pkg::IMAGE_BITS) $error("hmlfc_pkg: IMAGE_BITS is not the width of image_t");
   if ($bits(job) != hmlfc_pkg::JOB_BITS) $error("hmlfc_pkg: JOB_BITS is not the width of job_t");
   if ($bits(motion) != hmlfc_pkg::MOTION_BITS) $error("hmlfc_pkg: MOTION_BITS is not the width of motion_t");

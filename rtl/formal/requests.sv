@@ -32,13 +32,14 @@ module prove_requests (
     stream.chroma.blocks_x = blocks;
     stream.chroma.blocks_y = blocks;
   end
+  localparam VIEWS = 4;  // of the unit's 16: slots differ in number alone, and their pairs make the proof long
   logic s_ready, view_start, job_valid;
   logic [1:0] view_slot;
   logic [9:0] view_row, view_col;
-  logic [43:0] job_bits;
+  logic [hmlfc_pkg::JOB_BITS-1:0] job_bits;
   hmlfc_pkg::job_t job;
   assign job = job_bits;
-  hmlfc_requests dut (
+  hmlfc_requests #(.VIEWS(VIEWS)) dut (
     .clk(clk), .rst_n(rst_n), .stream(stream), .enable(enable), .load_error(load_error), .flush(flush), .s_valid(s_valid),
     .s_ready(s_ready), .s_data(s_data), .s_last(s_last), .view_start(view_start), .view_row(view_row), .view_col(view_col),
     .view_slot(view_slot), .view_done(view_done), .view_keys(view_keys), .job_valid(job_valid), .job_ready(job_ready), .job(job_bits),
@@ -59,17 +60,15 @@ module prove_requests (
   (* hierconn *) wire [2:0] \dut.level ;
   (* hierconn *) wire [2:0] \dut.first_level ;
   (* hierconn *) wire [3:0] \dut.now_stop ;
-  (* hierconn *) wire [3:0] \dut.held ;
+  (* hierconn *) wire [VIEWS-1:0] \dut.held ;
   (* hierconn *) wire [1:0] \dut.slot ;
-  (* hierconn *) wire [31:0] \dut.held_keys ;
+  (* hierconn *) wire [8*VIEWS-1:0] \dut.held_keys ;
   (* hierconn *) wire [1:0] \dut.now_plane ;
-  (* hierconn *) wire [39:0] \dut.held_rows ;
-  (* hierconn *) wire [39:0] \dut.held_cols ;
+  (* hierconn *) wire [10*VIEWS-1:0] \dut.held_rows ;
+  (* hierconn *) wire [10*VIEWS-1:0] \dut.held_cols ;
   wire [19:0] now_view = {view_row, view_col};
-  wire [79:0] held_views = {
-    \dut.held_rows [39:30], \dut.held_cols [39:30], \dut.held_rows [29:20], \dut.held_cols [29:20],
-    \dut.held_rows [19:10], \dut.held_cols [19:10], \dut.held_rows [9:0], \dut.held_cols [9:0]
-  };
+  logic [20*VIEWS-1:0] held_views;
+  always @* for (int i = 0; i < VIEWS; i++) held_views[20*i+:20] = {\dut.held_rows [10*i+:10], \dut.held_cols [10*i+:10]};
   wire [19:0] working_view = held_views[20*\dut.slot +:20];
   wire [8:0] beyond = 9'h1fe << tree_height;  // levels that the tree has not
   wire [3:0] first_level = {1'b0, \dut.first_level };
@@ -85,7 +84,7 @@ module prove_requests (
   wire  [3:0]  stop = \dut.now_stop ;
   logic        waiting;
   logic        waiting_spoiled;
-  logic [43:0] waiting_job;
+  logic [hmlfc_pkg::JOB_BITS-1:0] waiting_job;
   logic        same_plane;  // the job before was of the same plane of the same request, of level above + 1
   logic [3:0]  above;
   always @(posedge clk) begin
@@ -109,7 +108,7 @@ module prove_requests (
     if (started) begin
       if (view_done) assume (\dut.working );
       if (view_done) assume ((view_keys & beyond[7:0]) == 0);
-      for (int i = 0; i < 4; i++) begin
+      for (int i = 0; i < VIEWS; i++) begin
         if (\dut.held [i]) assert ((\dut.held_keys [8*i+:8] & beyond[7:0]) == 0);
         for (int j = 0; j < i; j++) if (\dut.held [i] && \dut.held [j]) assert (held_views[20*i+:20] != held_views[20*j+:20]);
       end
@@ -124,7 +123,7 @@ module prove_requests (
         assert (stop <= {1'b0, tree_height});
         if (\dut.hit ) assert (level >= stop && level <= first_level && first_level <= {1'b0, tree_height});
         if (!\dut.hit ) assert (!\dut.begun && !same_plane);
-        for (int i = 0; i < 4; i++) if (!\dut.hit && \dut.held [i]) assert (held_views[20*i+:20] != now_view);
+        for (int i = 0; i < VIEWS; i++) if (!\dut.hit && \dut.held [i]) assert (held_views[20*i+:20] != now_view);
       end
       if (job_valid) begin
         assert (\dut.busy && job.tlast == lasts[0]);
@@ -144,6 +143,6 @@ module prove_requests (
     end
   end
   always @(posedge clk) begin
-    if (started && $past(started) && waiting) assert (job_valid && (job_bits ^ waiting_job) == (waiting_spoiled && waiting_job[7] && !job.answer ? 44'd1 << 7 : 44'd0));
+    if (started && $past(started) && waiting) assert (job_valid && (job_bits ^ waiting_job) == (waiting_spoiled && waiting_job[7] && !job.answer ? hmlfc_pkg::JOB_BITS'(1) << 7 : hmlfc_pkg::JOB_BITS'(0)));
   end
 endmodule

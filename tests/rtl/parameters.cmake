@@ -41,7 +41,31 @@ foreach(value 32 96 2048)
   hmlfc_elaboration_test(cache_strips_${value} "CACHE_STRIPS is a power of two, 64 to 1024"
     CACHE_STRIPS=${value})
 endforeach()
+hmlfc_elaboration_test(trace_2 "TRACE is 0 or 1" TRACE=2)
 hmlfc_elaboration_test(least "" BLOCK_LOG2=1 MAX_DEPTH=8 AXI_DATA_BITS=64 OUTSTANDING=4
-  TILE_CONTEXTS=2 TILE_LOADERS=1 CACHE_STRIPS=64)
+  TILE_CONTEXTS=2 TILE_LOADERS=1 CACHE_STRIPS=64 TRACE=0)
 hmlfc_elaboration_test(greatest "" BLOCK_LOG2=3 MAX_DEPTH=12 AXI_DATA_BITS=128 OUTSTANDING=64
   TILE_CONTEXTS=32 TILE_LOADERS=8 CACHE_STRIPS=1024)
+
+find_program(HMLFC_YOSYS yosys)
+set(trace_values 0 1)
+set(trace_assertions -assert-none -assert-any)
+set(traced_modules hmlfc_compose hmlfc_images)
+set(traced_blocks g_trace g_place)
+
+# What only the trace needs stands in blocks of their own: with TRACE 1 there are some, with 0 none.
+foreach(value assertion IN ZIP_LISTS trace_values trace_assertions)
+  foreach(module blocks IN ZIP_LISTS traced_modules traced_blocks)
+    set(command "${CMAKE_COMMAND}" "-DREASON=yosys is not installed"
+      -P "${CMAKE_CURRENT_SOURCE_DIR}/skip.cmake")
+    if(HMLFC_YOSYS)
+      set(command "${HMLFC_YOSYS}" -q
+        -p "read_verilog -sv -I${RTL} ${RTL}/hmlfc_pkg.sv ${RTL}/${module}.sv"
+        -p "chparam -set TRACE ${value} ${module}" -p "hierarchy -top ${module} -libdir ${RTL}"
+        -p "proc" -p "select ${assertion} */${blocks}.*")
+    endif()
+    add_test(NAME rtl.parameters.${module}_trace_${value} COMMAND ${command})
+    set_tests_properties(rtl.parameters.${module}_trace_${value} PROPERTIES
+      LABELS rtl TIMEOUT 120 SKIP_REGULAR_EXPRESSION "SKIPPED: ")
+  endforeach()
+endforeach()
