@@ -102,11 +102,12 @@ module hmlfc_view #(
   logic [33:0] unit_1, unit_2;
   logic [ADDRESS_BITS-1:0] base_1, base_2, base_3;
   logic signed [9:0] step_rows_1, step_cols_1, step_cols_2, step_cols_3;
-  // 2: its number. 3: the product, by halves. 4: the sum, in write_image.
+  // 2: its number. 3: the product, by halves of both. 4: the sum, in write_image.
   logic [21:0] number_2;
   logic signed [17:0] step_rows_2, step_rows_3;
-  logic [44:0] low_3, high_3;
-  wire [TILE_BITS-1:0] sum_4 = TILE_BITS'(base_3) + TILE_BITS'(low_3) + TILE_BITS'({high_3, 11'd0});
+  logic [27:0] product_ll_3, product_hl_3, product_lh_3, product_hh_3;  // half of the number, half of what an image takes
+  wire [TILE_BITS-1:0] sum_4 = TILE_BITS'(base_3) + TILE_BITS'({product_hh_3, product_ll_3}) + TILE_BITS'({product_hl_3, 11'd0}) +
+      TILE_BITS'({product_lh_3, 17'd0});
   wire [ADDRESS_BITS-1:0] address_4 = sum_4[ADDRESS_BITS-1:0];
   always_ff @(posedge clk) begin
     valid_1 <= reads;
@@ -130,8 +131,10 @@ module hmlfc_view #(
 
     valid_3 <= valid_2;
     k_3 <= k_2;
-    low_3 <= 45'(number_2[10:0]) * 45'(unit_2);
-    high_3 <= 45'(number_2[21:11]) * 45'(unit_2);
+    product_ll_3 <= 28'(number_2[10:0]) * 28'(unit_2[16:0]);
+    product_hl_3 <= 28'(number_2[21:11]) * 28'(unit_2[16:0]);
+    product_lh_3 <= 28'(number_2[10:0]) * 28'(unit_2[33:17]);
+    product_hh_3 <= 28'(number_2[21:11]) * 28'(unit_2[33:17]);
     base_3 <= base_2;
     step_rows_3 <= step_rows_2;
     step_cols_3 <= step_cols_2;

@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 SKIPPED = 77
-STRUCTURES = ["LEVEL", "IMAGE", "JOB", "MOTION", "FLOW", "PENDING"]
+STRUCTURES = ["LEVEL", "IMAGE_TILES", "IMAGE_REFERENCES", "IMAGE", "JOB", "MOTION", "FLOW", "PENDING"]
 
 
 def elaborate(tool, package, rtl):
@@ -37,7 +37,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         package = Path(folder) / "hmlfc_pkg.sv"
         for name in STRUCTURES:
-            wrong, count = re.subn(rf"({name}_BITS = \d+);", r"\1 + 1;", text)
+            wrong, count = re.subn(rf"(int {name}_BITS = [^;]+);", r"\1 + 1;", text)
             package.write_text(wrong)
             message = f"{name}_BITS is not the width of {name.lower()}_t"
             if count != 1 or message not in elaborate(tool, package, rtl):
