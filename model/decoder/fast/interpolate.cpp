@@ -80,24 +80,16 @@ void put_columns(const std::array<DisplacedReference, 2>& references,
   }
 }
 
-// All columns, as many at a time as there are.
-template <class Sum, class References>
-void interpolate(const References& references, const PredictionTarget& target) {
-  unsigned x = 0;
-  for (; x + 32 <= target.columns; x += 32) put_columns<Sum, 32>(references, target, x);
-  if (x + 16 <= target.columns) {
-    put_columns<Sum, 16>(references, target, x);
-    x += 16;
+// Columns that go together at most.
+constexpr unsigned kWidest = 32;
+
+// Columns [x, columns): kLanes at a time, and what is left half as many at a time.
+template <class Sum, unsigned kLanes, class References>
+void interpolate(const References& references, const PredictionTarget& target, unsigned x = 0) {
+  for (; x + kLanes <= target.columns; x += kLanes) {
+    put_columns<Sum, kLanes>(references, target, x);
   }
-  if (x + 8 <= target.columns) {
-    put_columns<Sum, 8>(references, target, x);
-    x += 8;
-  }
-  if (x + 4 <= target.columns) {
-    put_columns<Sum, 4>(references, target, x);
-    x += 4;
-  }
-  for (; x < target.columns; ++x) put_columns<Sum, 1>(references, target, x);
+  if constexpr (kLanes > 1) interpolate<Sum, kLanes / 2>(references, target, x);
 }
 
 // R of whole vectors: the reference itself, or the mean of two, halves up.
@@ -129,10 +121,11 @@ void interpolate_rect_here(const std::array<DisplacedReference, 2>& references, 
   const auto most = static_cast<int32_t>(count) * (64 * bound + 32);
   const bool narrow = most <= std::numeric_limits<int16_t>::max();
   if (count == 1) {
-    narrow ? interpolate<int16_t>(references[0], target)
-           : interpolate<int32_t>(references[0], target);
+    narrow ? interpolate<int16_t, kWidest>(references[0], target)
+           : interpolate<int32_t, kWidest>(references[0], target);
   } else {
-    narrow ? interpolate<int16_t>(references, target) : interpolate<int32_t>(references, target);
+    narrow ? interpolate<int16_t, kWidest>(references, target)
+           : interpolate<int32_t, kWidest>(references, target);
   }
 }
 
