@@ -54,7 +54,7 @@ module hmlfc_strip_fill #(
   wire [SLOT_BITS-1:0] ask_slot = asked[SLOT_BITS-1:0];
   logic [SLOTS-1:0] complete, failed;
   logic [PLACE_BITS-1:0] places[SLOTS];
-  logic [ADDRESS_BITS-1:0] addresses[SLOTS];
+  logic [ADDRESS_BITS-1:0] addresses[SLOTS];  // behind the first beats
   logic [BEAT_BITS-1:0] totals[SLOTS];
   (* no_rw_check *)  // strips are read when they are complete
   logic [DATA_BITS-1:0] memory[SLOTS*(1<<BEAT_BITS)];
@@ -62,6 +62,7 @@ module hmlfc_strip_fill #(
   // Reads to ask for: what is left of strips whose head has come, before the begins of others.
   logic first_valid, first_ready, more_valid;
   logic [SLOT_BITS-1:0] first_slot, more_slot, burst_slot;
+  logic [ADDRESS_BITS-1:0] first_address;
   logic more_push, burst_valid, burst_more;
   wire request_more = more_valid;
   wire [SLOT_BITS-1:0] request_slot = request_more ? more_slot : first_slot;
@@ -69,22 +70,21 @@ module hmlfc_strip_fill #(
   assign ask_ready = asked - taken != (SLOT_BITS + 1)'(SLOTS);
   assign request_valid = more_valid || first_valid;
   assign first_ready = request_ready && !request_more;
-  assign request_address = addresses[request_slot] +
-      (request_more ? ADDRESS_BITS'(FIRST_BYTES) : ADDRESS_BITS'(0));
+  assign request_address = request_more ? addresses[more_slot] : first_address;
   assign request_beats = request_more ? 10'(request_total) - 10'(FIRST_BEATS) : 10'(FIRST_BEATS);
   /* verilator lint_off PINCONNECTEMPTY */  // each has room for all slots
   hmlfc_fifo #(
-      .WIDTH(SLOT_BITS),
+      .WIDTH(SLOT_BITS + ADDRESS_BITS),
       .DEPTH(SLOTS)
   ) firsts (
       .clk,
       .rst_n,
       .in_valid(ask),
       .in_ready(),
-      .in_data(ask_slot),
+      .in_data({ask_slot, ask_address}),
       .out_valid(first_valid),
       .out_ready(first_ready),
-      .out_data(first_slot),
+      .out_data({first_slot, first_address}),
       .count()
   );
   hmlfc_fifo #(
@@ -118,6 +118,17 @@ module hmlfc_strip_fill #(
   );
   /* verilator lint_on PINCONNECTEMPTY */
 
+  // The sum has a clock of its own; the first beats come later.
+  logic [SLOT_BITS-1:0] sum_slot;
+  logic [ADDRESS_BITS-1:0] sum_address;
+  always_ff @(posedge clk) begin
+    if (ask) begin
+      sum_slot <= ask_slot;
+      sum_address <= ask_address;
+    end
+    addresses[sum_slot] <= sum_address + ADDRESS_BITS'(FIRST_BYTES);
+  end
+
   // Data. The head is in the first beat.
   logic [BEAT_BITS-1:0] beat, total;
   logic burst_failed;
@@ -138,7 +149,6 @@ module hmlfc_strip_fill #(
     if (ask) begin
       asked <= asked + 1'b1;
       places[ask_slot] <= ask_place;
-      addresses[ask_slot] <= ask_address;
       complete[ask_slot] <= 1'b0;
       failed[ask_slot] <= 1'b0;
     end

@@ -15,7 +15,6 @@ HMLFC_SYNTH_TIMEOUT: seconds that one run may take (600). HMLFC_SYNTH_PATH=1 pri
 """
 
 import argparse
-import json
 import pathlib
 import re
 import sys
@@ -55,11 +54,12 @@ def size(target: str, spec: str) -> list[str]:
         cells = re.findall(r"Number of cells: +(\d+)", text)
         area = re.findall(r"Chip area for .*: ([\d.]+)", text)
         return [cells[-1], f"{float(area[-1]) / 1e6:.3f}"] if cells and area else ["too long"] * 2
-    with tempfile.NamedTemporaryFile(suffix=".json") as out:
-        if not run(["yosys", "-p", f"{commands}{synth}; tee -o {out.name} stat -json"]):
+    with tempfile.NamedTemporaryFile(suffix=".txt") as out:
+        if not run(["yosys", "-p", f"{commands}{synth}; tee -o {out.name} stat"]):
             return ["too long"] * len(CELLS[target])
         text = pathlib.Path(out.name).read_text(encoding="utf-8")
-    kinds = json.loads(text[text.index("{"):])["design"]["num_cells_by_type"]
+    # The last section is of the whole hierarchy. (The JSON that Yosys 0.23 writes of several modules is not valid.)
+    kinds = {kind: int(n) for kind, n in re.findall(r"^ +(\S+) +(\d+)$", text.split("===")[-1], re.MULTILINE)}
     # A carry cell of ecp5 takes the place of two LUTs.
     return [str(sum(n * (2 if kind == "CCU2C" else 1) for kind, n in kinds.items() if re.fullmatch(pattern, kind)))
             for pattern in CELLS[target].values()]
