@@ -1,6 +1,5 @@
 // rtl-bench: throughput and latency of the decode unit on whole streams.
-#include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -9,159 +8,38 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "io/files.hpp"
-#include "stimulus/sequences.hpp"
-#include "systemc/bench.hpp"
-#include "systemc/read_traffic.hpp"
-#include "systemc/stream_image.hpp"
+#include "systemc/measurement.hpp"
 #include "unit/stand_in.hpp"
 #include "unit/units.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr std::array<unsigned, 5> kLatencies{0, 1, 20, 60, 100};
-constexpr std::array<uint64_t, 3> kViews{1, 4, 81};
-constexpr unsigned kLatency = 20;  // where only one is measured
+constexpr size_t kMostUnits = 4;
 
 constexpr const char* kDescription =
-    "Measures how fast the decode unit answers requests for RGB of the STREAMs, whose blocks are "
-    "of 4\n"
-    "samples; every answer and every stage is compared with the model, and a difference is an "
-    "error.\n"
-    "  scan    blocks of one view in scan order, by the latency of the memory in clocks\n"
-    "  random  each request draws a view of 1, 4 or 81 and a block of it\n"
-    "  alone   one request at a time, the first after a LOAD (cold), and the same again (warm)\n"
-    "`levels` is blocks of a level a clock, `clocks` and `bytes` are for a request, `busy` is the "
-    "share of\n"
-    "clocks with a beat of read data. The memory gives a beat of 128 bits a clock. The bytes of a "
-    "request\n"
-    "are also given by what they are of: entries of ROOT, records of GROUP, records of tiles, "
-    "strips of\n"
-    "luma and of chroma; `again` are the bytes of beats that had been read before in the row.";
+    R"(Measures how fast the decode unit answers requests for RGB of the STREAMs, whose blocks are of 4
+samples; every answer and every stage is compared with the model, and a difference is an error.
+  scan    blocks of one view in scan order, by the latency of the memory in clocks
+  random  each request draws a view of 1, 4 or 81 and a block of it
+  dram    1, 2 and 4 units, each with views of its own, on one DDR-like memory of 16 or 64 bytes a
+          clock: lines of 64 bytes, 8 banks with rows of 2 KiB, 20 clocks to a line and 6 more where
+          its row has to be opened; random is over 81 views
+  alone   one request at a time, the first after a LOAD (cold), and the same again (warm)
+`levels` is blocks of a level a clock of all units, `clocks` and `bytes` are for a request, `busy` is
+the share of clocks in which the memory's bus carries data, or the lines that they are of, and `row_hits`
+in JSON the share of lines whose row was open. A unit takes a beat of 128 bits a clock. The bytes of a request are also given by what they are of: entries of ROOT,
+records of GROUP, records of tiles, strips of luma and of chroma; `again` are the bytes of beats that
+had been read before in the row.)";
 
 struct Options {
   std::vector<std::string> files;
-  uint64_t requests = 4096;
-  uint64_t alone = 64;
-  uint64_t seed = 1;
+  MeasurementSize size;
+  std::string before;
   bool json = false;
   bool fault = false;
-};
-
-// The first `count` requests of `source`.
-RequestSource at_most(uint64_t count, RequestSource source) {
-  return [left = count, source = std::move(source)]() mutable -> std::optional<Request> {
-    if (left == 0) return std::nullopt;
-    --left;
-    return source();
-  };
-}
-
-class Measurement {
- public:
-  Measurement(Bench& bench, const UnitMaker& maker, const Options& options, const std::string& path,
-              std::span<const uint8_t> bytes)
-      : bench_(bench), maker_(maker), options_(options), image_(bytes, maker.parameters) {
-    report_["stream"] = std::filesystem::path(path).stem().string();
-  }
-
-  // Nothing where the stream is refused or the unit differs from the model: bench.findings().
-  Json run() {
-    if (image_.golden() == nullptr) return {};
-    for (const unsigned latency : kLatencies) {
-      const std::string name = fmt::format("scan, latency {}", latency);
-      if (!throughput(name, {.seed = options_.seed}, latency)) return {};
-    }
-    for (const uint64_t views : kViews) {
-      const ScanPlan plan{.views = views, .random_order = true, .seed = options_.seed};
-      if (!throughput(fmt::format("random, {} views", views), plan, kLatency)) return {};
-    }
-    return alone() ? report_ : Json{};
-  }
-
- private:
-  RequestSource requests(const ScanPlan& plan, uint64_t count) const {
-    const GoldenStream& golden = *image_.golden();
-    return at_most(count, scan_requests(golden.geometry(), golden.header(), plan));
-  }
-
-  void run_requests(RequestSource source, unsigned latency) {
-    bench_.begin_counting();
-    bench_.run(std::move(source), image_.oracle(), {.latency = latency}, options_.seed);
-  }
-
-  // From a unit that has just been made, so that no row depends on the one before.
-  bool throughput(const std::string& name, const ScanPlan& plan, unsigned latency) {
-    bench_.attach(maker_.make(maker_.parameters));
-    image_.load_into(bench_);
-    if (bench_.findings().first()) return false;
-    ReadTraffic traffic(bench_.image(), image_.golden()->header(), image_.area().layout);
-    bench_.memory().set_burst_listener([&](uint64_t address, unsigned beats) {
-      traffic.add(address, beats, maker_.parameters.beat_bytes);
-    });
-    run_requests(requests(plan, options_.requests), latency);
-    bench_.memory().set_burst_listener(nullptr);
-    if (bench_.findings().first()) return false;
-    const auto answers = static_cast<double>(bench_.scoreboard().counts().received);
-    const auto records = static_cast<double>(bench_.scoreboard().counts().records);
-    const auto clocks = static_cast<double>(bench_.statistics().clocks);
-    const auto bytes = static_cast<double>(bench_.statistics().bytes_read);
-    report_["throughput"].push_back({{"name", name},
-                                     {"levels", records / clocks},
-                                     {"clocks", clocks / answers},
-                                     {"bytes", bytes / answers},
-                                     {"busy", bytes / maker_.parameters.beat_bytes / clocks},
-                                     {"traffic", by_part(traffic, answers)}});
-    return true;
-  }
-
-  static Json by_part(const ReadTraffic& traffic, double answers) {
-    Json parts;
-    uint64_t again = 0;
-    for (size_t i = 0; i < kReadPartNames.size(); ++i) {
-      const PartTraffic& part = traffic.of(static_cast<ReadPart>(i));
-      parts[std::string(kReadPartNames[i])] = static_cast<double>(part.bytes) / answers;
-      again += part.again;
-    }
-    parts["again"] = static_cast<double>(again) / answers;
-    return parts;
-  }
-
-  bool alone() {
-    bench_.attach(maker_.make(maker_.parameters));
-    const ScanPlan plan{.views = ~uint64_t{0}, .random_order = true, .seed = options_.seed};
-    RequestSource source = requests(plan, options_.alone);
-    std::vector<uint64_t> cold, warm;
-    while (const auto request = source()) {
-      image_.load_into(bench_);
-      for (auto* clocks : {&cold, &warm}) {
-        if (bench_.findings().first()) return false;
-        run_requests(listed_requests({*request}), kLatency);
-        clocks->push_back(bench_.statistics().clocks);
-      }
-    }
-    add_distribution("cold", std::move(cold));
-    add_distribution("warm", std::move(warm));
-    return !bench_.findings().first();
-  }
-
-  void add_distribution(const char* name, std::vector<uint64_t> clocks) {
-    std::ranges::sort(clocks);
-    const auto at = [&](size_t percent) { return clocks[(clocks.size() - 1) * percent / 100]; };
-    report_["alone"].push_back(
-        {{"name", name}, {"p50", at(50)}, {"p99", at(99)}, {"max", at(100)}});
-  }
-
-  Bench& bench_;
-  const UnitMaker& maker_;
-  const Options& options_;
-  StreamImage image_;
-  Json report_;
 };
 
 std::string traffic_text(const Json& rows) {
@@ -198,6 +76,52 @@ std::string to_text(const Json& streams) {
   return text;
 }
 
+const Json* row_of(const Json& report, const Json& stream, const Json& name) {
+  for (const Json& other : report) {
+    if (other.at("stream") != stream) continue;
+    for (const Json& row : other.at("throughput")) {
+      if (row.at("name") == name) return &row;
+    }
+  }
+  return nullptr;
+}
+
+// Clocks of a request of each row that changed by half a percent, against an earlier report.
+// Throws Json::exception if `before` is no such report.
+std::string changes(const Json& before, const Json& now) {
+  std::string text;
+  for (const Json& stream : now) {
+    for (const Json& row : stream["throughput"]) {
+      const std::string name =
+          fmt::format("{}: {}", std::string(stream["stream"]), std::string(row["name"]));
+      const Json* old = row_of(before, stream["stream"], row["name"]);
+      if (old == nullptr) {
+        text += name + ": not in the report before\n";
+        continue;
+      }
+      const double from = old->at("clocks").get<double>();
+      const double to = double{row["clocks"]};
+      if (std::abs(to / from - 1) < 0.005) continue;
+      text += fmt::format("{}: {:.1f} -> {:.1f} clocks ({:+.1f} %)\n", name, from, to,
+                          100 * (to / from - 1));
+    }
+  }
+  return text.empty() ? "no row changed by half a percent\n" : text;
+}
+
+// The report in file `path`, or what is wrong with it.
+tl::expected<Json, std::string> report_in(const std::string& path) {
+  const auto file = io::MappedFile::open(path);
+  if (!file) return tl::unexpected(file.error().message);
+  Json report = Json::parse(file->bytes(), nullptr, false);
+  try {
+    changes(report, report);
+    if (report.is_array()) return report;
+  } catch (const Json::exception&) {
+  }
+  return tl::unexpected(path + ": not a report of rtl-bench --json");
+}
+
 // The Verilated unit, or a stand-in that gives one wrong sample.
 std::optional<UnitMaker> choose_unit(const Options& o) {
   if (o.fault) {
@@ -223,33 +147,48 @@ int run(int argc, char** argv) {
   CLI::App app{kDescription};
   Options o;
   app.add_option("STREAM", o.files, "Streams with blocks of 4")->required();
-  app.add_option("--requests", o.requests, "Requests of a row, at most those of a view")
+  app.add_option("--requests", o.size.requests,
+                 "Requests of a row and unit, at most those of a view")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--alone", o.alone, "Requests sent alone")
+  app.add_option("--alone", o.size.alone, "Requests sent alone")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--seed", o.seed, "Seed of everything random")->capture_default_str();
+  app.add_option("--seed", o.size.seed, "Seed of everything random")->capture_default_str();
   app.add_flag("--json", o.json, "Print JSON");
+  app.add_option("--compare", o.before,
+                 "What --json printed before: also print the rows whose clocks changed");
   app.add_flag("--fault", o.fault,
                "Measure a stand-in with a wrong sample, which must be an error");
   CLI11_PARSE(app, argc, argv);
   const auto maker = choose_unit(o);
   if (!maker) return usage_error("this build has no Verilated unit for blocks of 4");
-  Bench bench;
+  Json before;
+  if (!o.before.empty()) {
+    auto report = report_in(o.before);
+    if (!report) return usage_error(report.error());
+    before = std::move(*report);
+  }
+  std::vector<std::unique_ptr<Bench>> benches;
+  for (size_t i = 0; i < kMostUnits; ++i) {
+    benches.push_back(std::make_unique<Bench>(fmt::format("unit{}_", i)));
+  }
   Json streams = Json::array();
   for (const std::string& path : o.files) {
     const auto file = io::MappedFile::open(path);
     if (!file) return usage_error(file.error().message);
-    Json report = Measurement(bench, *maker, o, path, file->bytes()).run();
-    if (const auto& mismatch = bench.findings().first()) {
+    Measurement measurement(benches, *maker, o.size, file->bytes());
+    Json report = measurement.run();
+    if (const Mismatch* mismatch = measurement.finding()) {
       fmt::print(stderr, "rtl-bench: {}: {}\n", path, to_string(*mismatch));
       return kExitDifferent;
     }
     if (report.empty()) return usage_error(path + " is no stream that the unit takes");
+    report["stream"] = std::filesystem::path(path).stem().string();
     streams.push_back(std::move(report));
   }
   fmt::print("{}", o.json ? streams.dump(2) + "\n" : to_text(streams));
+  if (!o.before.empty()) fmt::print(o.json ? stderr : stdout, "{}", changes(before, streams));
   return 0;
 }
 

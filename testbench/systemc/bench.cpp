@@ -39,14 +39,14 @@ void Bench::Clock::settle() {
   if (listener) listener(wires_.out);
 }
 
-Bench::Bench()
-    : clock_("clock", wires_, unit_),
-      scoreboard_("scoreboard", findings_, coverage_),
-      monitor_("stream_monitor", wires_, scoreboard_, findings_),
-      read_monitor_("read_monitor", wires_, findings_),
-      driver_("driver", wires_),
-      memory_("memory", wires_),
-      registers_("registers", wires_, findings_) {}
+Bench::Bench(const std::string& prefix)
+    : clock_((prefix + "clock").c_str(), wires_, unit_),
+      scoreboard_((prefix + "scoreboard").c_str(), findings_, coverage_),
+      monitor_((prefix + "stream_monitor").c_str(), wires_, scoreboard_, findings_),
+      read_monitor_((prefix + "read_monitor").c_str(), wires_, findings_),
+      driver_((prefix + "driver").c_str(), wires_),
+      memory_((prefix + "memory").c_str(), wires_),
+      registers_((prefix + "registers").c_str(), wires_, findings_) {}
 
 void Bench::attach(std::unique_ptr<DecodeUnit> unit) {
   unit_ = std::move(unit);
@@ -125,38 +125,51 @@ std::optional<uint32_t> Bench::load() {
   return std::nullopt;
 }
 
-void Bench::run(RequestSource source, Oracle& oracle, const Conditions& conditions, uint64_t seed,
-                uint64_t stop_after) {
+void Bench::start(RequestSource source, Oracle& oracle, const Conditions& conditions,
+                  uint64_t seed) {
   scoreboard_.set_oracle(&oracle, unit_->parameters().block_size());
   coverage_.on_conditions(conditions);
   if (oracle.stream() != nullptr) coverage_.on_stream(oracle.stream()->header());
   memory_.start(conditions, seed ^ 1);
   registers_.set_seed(seed ^ 2);
   driver_.start(std::move(source), conditions, seed);
-  const double begin = cpu_seconds();
-  const uint64_t begin_clock = cycle();
-  uint64_t moved = 0;
-  uint64_t moved_at = cycle();
-  while (!findings_.first()) {
-    run_clocks(kChunk);
-    if (stop_after != 0 && cycle() - begin_clock >= stop_after) break;
-    if (driver_.done() && scoreboard_.in_flight() == 0) break;
-    const ScoreCounts& counts = scoreboard_.counts();
-    const uint64_t moves = counts.sent + counts.received + counts.records + read_monitor_.beats();
-    if (moves != moved) moved_at = cycle();
-    moved = moves;
-    if (cycle() - moved_at > kHangClocks) break;
-  }
-  if (stop_after == 0 && !findings_.first()) {
+  moved_ = 0;
+  moved_at_ = cycle();
+}
+
+bool Bench::busy() {
+  if (findings_.first() || (driver_.done() && scoreboard_.in_flight() == 0)) return false;
+  const ScoreCounts& counts = scoreboard_.counts();
+  const uint64_t moves = counts.sent + counts.received + counts.records + read_monitor_.beats();
+  if (moves != moved_) moved_at_ = cycle();
+  moved_ = moves;
+  return cycle() - moved_at_ <= kHangClocks;
+}
+
+void Bench::finish() {
+  if (!findings_.first()) {
     run_clocks(kChunk);  // an answer too many shows up now
     scoreboard_.finish(cycle());
     if (!driver_.done() && !findings_.first()) {
       findings_.add({"requests: the unit takes no more", {}, {}, {}, cycle()});
     }
   }
-  statistics_.seconds += cpu_seconds() - begin;
   statistics_.clocks = stream_counts().last_answer - stream_counts().first_request;
   statistics_.bytes_read = read_monitor_.beats() * unit_->parameters().beat_bytes;
+}
+
+void Bench::run(RequestSource source, Oracle& oracle, const Conditions& conditions, uint64_t seed,
+                uint64_t stop_after) {
+  const double begin = cpu_seconds();
+  const uint64_t begin_clock = cycle();
+  start(std::move(source), oracle, conditions, seed);
+  const auto stopped = [&] { return stop_after != 0 && cycle() - begin_clock >= stop_after; };
+  while (!findings_.first()) {
+    run_clocks(kChunk);
+    if (stopped() || !busy()) break;
+  }
+  if (stop_after == 0) finish();
+  statistics_.seconds += cpu_seconds() - begin;
 }
 
 void Bench::begin_counting() {

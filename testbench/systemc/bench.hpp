@@ -28,10 +28,11 @@ struct RunStatistics {
   double seconds = 0;       ///< of the machine's CPU
 };
 
-/// One per process: SystemC's modules are made once. Units, streams and sequences change.
+/// Made before the first clock of the process: SystemC's modules are made once. Units, streams and
+/// sequences change. Several count the same clocks; each has a `prefix` of its own.
 class Bench {
  public:
-  Bench();
+  explicit Bench(const std::string& prefix = "");
 
   /// Puts `unit` behind the pins; it is in reset until reset() ends.
   void attach(std::unique_ptr<DecodeUnit> unit);
@@ -59,6 +60,12 @@ class Bench {
   /// run ends after so many clocks with requests in flight: for a reset.
   void run(RequestSource source, Oracle& oracle, const Conditions& conditions, uint64_t seed,
            uint64_t stop_after = 0);
+
+  /// The same by parts, for several benches at once: start(), then run_clocks() of one of them
+  /// until none is busy(), then finish().
+  void start(RequestSource source, Oracle& oracle, const Conditions& conditions, uint64_t seed);
+  bool busy();
+  void finish();
 
   /// Compares ID and PARAMETERS with what the unit was built for, and the registers of the stream
   /// with what load() wrote.
@@ -119,7 +126,9 @@ class Bench {
   Memory memory_;
   RegisterMaster registers_;
   RunStatistics statistics_;
-  bool traced_ = false;  // stages are compared
+  uint64_t moved_ = 0;     // requests, records, beats and answers of a run when busy() last looked
+  uint64_t moved_at_ = 0;  // clock at which they had changed
+  bool traced_ = false;    // stages are compared
 };
 
 }  // namespace hmlfc::tb

@@ -6,7 +6,7 @@
 namespace hmlfc::tb {
 namespace {
 
-constexpr size_t kMaxBursts = 64;
+constexpr size_t kMaxBursts = 64;  // and with a Dram lines
 constexpr uint8_t kDecodeError = 3;
 
 }  // namespace
@@ -33,10 +33,23 @@ void Memory::take_address() {
   if (!wires_.out.ar_valid || !wires_.in.ar_ready) return;
   ++counts_.bursts;
   if (listener_) listener_(wires_.out.ar_addr, wires_.out.ar_len + 1u);
+  if (dram_ != nullptr) return ask_dram(wires_.out.ar_addr, wires_.out.ar_len + 1u);
   const unsigned jitter = conditions_.latency_jitter;
   const unsigned extra = jitter == 0 ? 0 : random_.below(uint64_t{jitter} + 1);
   bursts_.push_back(
       {wires_.out.ar_addr, wires_.out.ar_len + 1u, wires_.cycle + conditions_.latency + extra});
+}
+
+// One entry for each line of the burst.
+void Memory::ask_dram(uint64_t address, unsigned beats) {
+  while (beats != 0) {
+    const uint64_t line_end = (address / Dram::kLineBytes + 1) * Dram::kLineBytes;
+    const unsigned here =
+        std::min(beats, static_cast<unsigned>((line_end - address) / beat_bytes_));
+    beats -= here;
+    bursts_.push_back({address, here, dram_->read_line(address, wires_.cycle), beats == 0});
+    address = line_end;
+  }
 }
 
 void Memory::show_beat() {
@@ -48,7 +61,7 @@ void Memory::show_beat() {
   next.r_valid = true;
   next.r_id = 0;
   next.r_resp = 0;
-  next.r_last = burst.beats_left == 1;
+  next.r_last = burst.beats_left == 1 && burst.ends;
   fill(next.r_data, burst.address);
   burst.address += beat_bytes_;
   if (--burst.beats_left == 0) bursts_.pop_front();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stimulus/conditions.hpp"
+#include "systemc/dram.hpp"
 #include "systemc/wires.hpp"
 
 namespace hmlfc::tb {
@@ -41,6 +42,10 @@ class Memory final : public EdgeModule {
   void set_regions(std::vector<MemoryRegion> regions) { regions_ = std::move(regions); }
   void set_faults(std::vector<FaultyRange> faults) { faults_ = std::move(faults); }
 
+  /// Beats come when `dram`, which several memories may share, gives their line; null: after the
+  /// latency of the conditions.
+  void set_dram(Dram* dram) { dram_ = dram; }
+
   /// Whether bursts outlive a reset of the unit, as where the memory has a reset of its own.
   void keep_bursts_in_reset(bool keep) { keeps_bursts_ = keep; }
 
@@ -61,9 +66,11 @@ class Memory final : public EdgeModule {
     uint64_t address;     // of the next beat
     unsigned beats_left;  // [1, 256]
     uint64_t ready_at;    // first clock at which a beat may be shown
+    bool ends = true;     // false: the burst goes on with the next entry
   };
 
   void take_address();
+  void ask_dram(uint64_t address, unsigned beats);
   void show_beat();
   void fill(Beat& beat, uint64_t address);
 
@@ -72,6 +79,7 @@ class Memory final : public EdgeModule {
   unsigned beat_bytes_ = 16;
   Conditions conditions_;
   Random random_{0};
+  Dram* dram_ = nullptr;
   std::deque<Burst> bursts_;
   bool keeps_bursts_ = false;
   MemoryCounts counts_;

@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""rtl_bench_test.py RTL_BENCH STREAM: rows of a small measurement, their comparison with a report before, and errors."""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+rtl_bench, stream = sys.argv[1:]
+SIZE = ["--requests", "24", "--alone", "2"]
+
+
+def bench(*arguments, code=0):
+    done = subprocess.run([rtl_bench, stream, *SIZE, *arguments], capture_output=True, text=True, check=False)
+    assert done.returncode == code, (arguments, done.returncode, done.stdout, done.stderr)
+    return done.stderr if code else done.stdout
+
+
+report = json.loads(bench("--json"))
+rows = {row["name"]: row for row in report[0]["throughput"]}
+for name, row in rows.items():
+    parts = sum(row["traffic"].values()) - row["traffic"]["again"]
+    assert abs(parts - row["bytes"]) < 1e-6, (name, parts, row["bytes"])
+    assert 0 < row["busy"] <= 1 and ("row_hits" in row) == ("dram" in name), name
+latencies = [rows[f"scan, latency {latency}"]["clocks"] for latency in (0, 1, 20, 60, 100)]
+assert latencies == sorted(latencies), latencies
+buses = [rows[f"random, dram {bus}, 4 units"]["clocks"] for bus in (64, 16)]
+assert buses == sorted(buses), buses
+
+with tempfile.TemporaryDirectory() as work:
+    before = pathlib.Path(work) / "before.json"
+    changed = report[0]["throughput"]
+    was = changed[3]["clocks"]
+    changed[3]["clocks"] = 2 * was
+    gone = changed.pop(7)["name"]
+    before.write_text(json.dumps(report), encoding="utf-8")
+    text = bench("--compare", str(before))
+    for head in ("random, 81 views", "bytes of a request .*chroma", "warm"):
+        assert re.search(head, text), (head, text)
+    stem = pathlib.Path(stream).stem
+    told = text.splitlines()[-2:]
+    assert told == [f"{stem}: {changed[3]['name']}: {2 * was:.1f} -> {was:.1f} clocks (-50.0 %)",
+                    f"{stem}: {gone}: not in the report before"], told
+    for damaged in ("", "[]x", "{}", '[{"stream": 1}]', '[{"stream": "a", "throughput": [{"name": "b"}]}]'):
+        before.write_text(damaged, encoding="utf-8")
+        assert "not a report of rtl-bench --json" in bench("--compare", str(before), code=2), damaged
+    assert "no-such-file" in bench("--compare", "no-such-file", code=2)
+
+assert "answer: sample" in bench("--fault", code=1)
