@@ -108,7 +108,8 @@ module hmlfc_decode_unit #(
 
   hmlfc_widths widths ();
 
-  localparam int TILE_CLIENTS = 3 * TILE_LOADERS;
+  localparam int OTHER_LOADERS = (TILE_LOADERS + 1) / 2;  // of motion tiles, and of disparity tiles
+  localparam int TILE_CLIENTS = TILE_LOADERS + 2 * OTHER_LOADERS;
   localparam int CLIENTS = 1 + TILE_CLIENTS + 2;  // of the read master, the first most urgent
   localparam int VIEW_BITS = hmlfc_pkg::VIEW_BITS;
   localparam int LEVELS = hmlfc_pkg::LEVELS;
@@ -294,7 +295,8 @@ module hmlfc_decode_unit #(
       .MAX_DEPTH(MAX_DEPTH),
       .DATA_BITS(AXI_DATA_BITS),
       .TILE_CONTEXTS(TILE_CONTEXTS),
-      .TILE_LOADERS(TILE_LOADERS)
+      .RESIDUAL_LOADERS(TILE_LOADERS),
+      .OTHER_LOADERS(OTHER_LOADERS)
   ) tiles (
       .clk,
       .rst_n,

@@ -46,6 +46,10 @@ module hmlfc_tile_contexts #(
   logic [CONTEXTS*USER_BITS-1:0] users;
   logic [CONTEXT_BITS-1:0] oldest;
 
+  // A block that got its context is counted a clock later.
+  logic counts;
+  logic [CONTEXT_BITS-1:0] counted;
+
   logic hit, found, crowded;
   logic [CONTEXT_BITS-1:0] hit_context, free_context;
   always_comb begin
@@ -54,7 +58,7 @@ module hmlfc_tile_contexts #(
     found = 1'b0;
     free_context = '0;
     for (int i = 0; i < CONTEXTS; i++) begin
-      free[i] = users[i*USER_BITS+:USER_BITS] == 0;
+      free[i] = users[i*USER_BITS+:USER_BITS] == 0 && !(counts && counted == CONTEXT_BITS'(i));
       if (kept[i] && tiles[i*TILE_BITS+:TILE_BITS] == tile) begin
         hit = 1'b1;
         hit_context = CONTEXT_BITS'(i);
@@ -66,7 +70,7 @@ module hmlfc_tile_contexts #(
         free_context = CONTEXT_BITS'(oldest + CONTEXT_BITS'(i));
       end
     end
-    crowded = &users[hit_context*USER_BITS+:USER_BITS];
+    crowded = &users[hit_context*USER_BITS+1+:USER_BITS-1];
   end
 
   logic list_ready;
@@ -92,8 +96,10 @@ module hmlfc_tile_contexts #(
   /* verilator lint_on PINCONNECTEMPTY */
 
   always_ff @(posedge clk) begin
+    counts <= ask && granted;
+    counted <= context_number;
     for (int i = 0; i < CONTEXTS; i++) begin
-      if (ask && granted && context_number == CONTEXT_BITS'(i)) begin
+      if (counts && counted == CONTEXT_BITS'(i)) begin
         if (!(release_valid && release_context == CONTEXT_BITS'(i))) begin
           users[i*USER_BITS+:USER_BITS] <= users[i*USER_BITS+:USER_BITS] + 1'b1;
         end
@@ -116,7 +122,10 @@ module hmlfc_tile_contexts #(
       ready <= '0;
       oldest <= '0;
     end
-    if (!rst_n) users <= '0;
+    if (!rst_n) begin
+      users <= '0;
+      counts <= 1'b0;
+    end
   end
 
 endmodule

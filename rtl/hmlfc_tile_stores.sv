@@ -5,14 +5,15 @@
 //      +-- by tile_ask ---+                  +---- disparity_ask --+                   +-- by tile_ask
 //
 // Blocks keep their order; the queues hide the time in which requested tiles come from memory. Clients of the read
-// master: TILE_LOADERS each, of residual, motion and disparity tiles.
+// master: loaders of residual, motion and disparity tiles.
 module hmlfc_tile_stores #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
     parameter int DATA_BITS = 128,
     parameter int TILE_CONTEXTS = 16,
-    parameter int TILE_LOADERS = 1,  // at work at once, of each store
-    localparam int CLIENTS = 3 * TILE_LOADERS,
+    parameter int RESIDUAL_LOADERS = 1,  // at work at once, of tiles
+    parameter int OTHER_LOADERS = 1,     // of motion, and of disparity tiles
+    localparam int CLIENTS = RESIDUAL_LOADERS + 2 * OTHER_LOADERS,
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int RESIDUAL_BITS = (MAX_DEPTH + 2) << (2 * BLOCK_LOG2)
 ) (
@@ -46,6 +47,8 @@ module hmlfc_tile_stores #(
 );
 
   localparam int FLOW_BITS = hmlfc_pkg::FLOW_BITS;
+  localparam int MOTION_CLIENT = RESIDUAL_LOADERS;
+  localparam int DISPARITY_CLIENT = MOTION_CLIENT + OTHER_LOADERS;
   localparam int MOTION_CONTEXTS = 4;
   localparam int DISPARITY_CONTEXTS = 4;
 
@@ -105,7 +108,7 @@ module hmlfc_tile_stores #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .DATA_BITS(DATA_BITS),
       .CONTEXTS(MOTION_CONTEXTS),
-      .LOADERS(TILE_LOADERS)
+      .LOADERS(OTHER_LOADERS)
   ) motions (
       .clk,
       .rst_n,
@@ -122,11 +125,11 @@ module hmlfc_tile_stores #(
       .out_valid(motion_valid),
       .out_ready(motion_ready),
       .out_flow(motion_flow),
-      .request_valid(request_valid[1*TILE_LOADERS+:TILE_LOADERS]),
-      .request_ready(request_ready[1*TILE_LOADERS+:TILE_LOADERS]),
-      .request_address(request_address[1*TILE_LOADERS*ADDRESS_BITS+:TILE_LOADERS*ADDRESS_BITS]),
-      .request_beats(request_beats[1*TILE_LOADERS*10+:TILE_LOADERS*10]),
-      .data_valid(data_valid[1*TILE_LOADERS+:TILE_LOADERS]),
+      .request_valid(request_valid[MOTION_CLIENT+:OTHER_LOADERS]),
+      .request_ready(request_ready[MOTION_CLIENT+:OTHER_LOADERS]),
+      .request_address(request_address[MOTION_CLIENT*ADDRESS_BITS+:OTHER_LOADERS*ADDRESS_BITS]),
+      .request_beats(request_beats[MOTION_CLIENT*10+:OTHER_LOADERS*10]),
+      .data_valid(data_valid[MOTION_CLIENT+:OTHER_LOADERS]),
       .data,
       .data_last,
       .data_error
@@ -177,7 +180,7 @@ module hmlfc_tile_stores #(
   hmlfc_disparity_store #(
       .DATA_BITS(DATA_BITS),
       .CONTEXTS(DISPARITY_CONTEXTS),
-      .LOADERS(TILE_LOADERS)
+      .LOADERS(OTHER_LOADERS)
   ) disparities (
       .clk,
       .rst_n,
@@ -196,11 +199,11 @@ module hmlfc_tile_stores #(
       .out_valid(disparity_valid),
       .out_ready(disparity_ready),
       .out_flow(disparity_flow),
-      .request_valid(request_valid[2*TILE_LOADERS+:TILE_LOADERS]),
-      .request_ready(request_ready[2*TILE_LOADERS+:TILE_LOADERS]),
-      .request_address(request_address[2*TILE_LOADERS*ADDRESS_BITS+:TILE_LOADERS*ADDRESS_BITS]),
-      .request_beats(request_beats[2*TILE_LOADERS*10+:TILE_LOADERS*10]),
-      .data_valid(data_valid[2*TILE_LOADERS+:TILE_LOADERS]),
+      .request_valid(request_valid[DISPARITY_CLIENT+:OTHER_LOADERS]),
+      .request_ready(request_ready[DISPARITY_CLIENT+:OTHER_LOADERS]),
+      .request_address(request_address[DISPARITY_CLIENT*ADDRESS_BITS+:OTHER_LOADERS*ADDRESS_BITS]),
+      .request_beats(request_beats[DISPARITY_CLIENT*10+:OTHER_LOADERS*10]),
+      .data_valid(data_valid[DISPARITY_CLIENT+:OTHER_LOADERS]),
       .data,
       .data_last,
       .data_error
@@ -211,7 +214,7 @@ module hmlfc_tile_stores #(
       .MAX_DEPTH(MAX_DEPTH),
       .DATA_BITS(DATA_BITS),
       .CONTEXTS(TILE_CONTEXTS),
-      .LOADERS(TILE_LOADERS)
+      .LOADERS(RESIDUAL_LOADERS)
   ) residuals (
       .clk,
       .rst_n,
@@ -230,11 +233,11 @@ module hmlfc_tile_stores #(
       .out_flow,
       .out_has_residual,
       .out_residual,
-      .request_valid(request_valid[0*TILE_LOADERS+:TILE_LOADERS]),
-      .request_ready(request_ready[0*TILE_LOADERS+:TILE_LOADERS]),
-      .request_address(request_address[0*TILE_LOADERS*ADDRESS_BITS+:TILE_LOADERS*ADDRESS_BITS]),
-      .request_beats(request_beats[0*TILE_LOADERS*10+:TILE_LOADERS*10]),
-      .data_valid(data_valid[0*TILE_LOADERS+:TILE_LOADERS]),
+      .request_valid(request_valid[0+:RESIDUAL_LOADERS]),
+      .request_ready(request_ready[0+:RESIDUAL_LOADERS]),
+      .request_address(request_address[0+:RESIDUAL_LOADERS*ADDRESS_BITS]),
+      .request_beats(request_beats[0+:RESIDUAL_LOADERS*10]),
+      .data_valid(data_valid[0+:RESIDUAL_LOADERS]),
       .data,
       .data_last,
       .data_error

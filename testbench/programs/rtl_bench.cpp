@@ -91,16 +91,16 @@ const Json* row_of(const Json& report, const Json& stream, const Json& name) {
 std::string changes(const Json& before, const Json& now) {
   std::string text;
   for (const Json& stream : now) {
-    for (const Json& row : stream["throughput"]) {
-      const std::string name =
-          fmt::format("{}: {}", std::string(stream["stream"]), std::string(row["name"]));
-      const Json* old = row_of(before, stream["stream"], row["name"]);
+    for (const Json& row : stream.at("throughput")) {
+      const std::string name = fmt::format("{}: {}", stream.at("stream").get<std::string>(),
+                                           row.at("name").get<std::string>());
+      const Json* old = row_of(before, stream.at("stream"), row.at("name"));
       if (old == nullptr) {
         text += name + ": not in the report before\n";
         continue;
       }
       const double from = old->at("clocks").get<double>();
-      const double to = double{row["clocks"]};
+      const double to = row.at("clocks").get<double>();
       if (std::abs(to / from - 1) < 0.005) continue;
       text += fmt::format("{}: {:.1f} -> {:.1f} clocks ({:+.1f} %)\n", name, from, to,
                           100 * (to / from - 1));
