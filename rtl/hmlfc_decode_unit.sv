@@ -287,9 +287,24 @@ module hmlfc_decode_unit #(
 
   // ---- The block's records.
   logic [VIEW_BITS+2:0] disparity_id;
-  logic flow_valid, flow_ready, has_residual;
+  logic tiles_valid, tiles_ready, flow_valid, flow_ready, has_residual;
+  hmlfc_pkg::job_t tiles_job;
+  hmlfc_pkg::image_tiles_t tiles_image;
   hmlfc_pkg::flow_t flow;
   logic [RESIDUAL_BITS-1:0] residual;
+  // Whether the contexts take a job is known late in a clock; `requests` needs a clock of its own.
+  hmlfc_skid_buffer #(
+      .WIDTH(hmlfc_pkg::JOB_BITS + hmlfc_pkg::IMAGE_TILES_BITS)
+  ) jobs (
+      .clk,
+      .rst_n,
+      .in_valid(job_valid),
+      .in_ready(job_ready),
+      .in_data({job, ask_image}),
+      .out_valid(tiles_valid),
+      .out_ready(tiles_ready),
+      .out_data({tiles_job, tiles_image})
+  );
   hmlfc_tile_stores #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .MAX_DEPTH(MAX_DEPTH),
@@ -302,10 +317,10 @@ module hmlfc_decode_unit #(
       .rst_n,
       .stream,
       .flush,
-      .in_valid(job_valid),
-      .in_ready(job_ready),
-      .in_job(job),
-      .in_image(ask_image),
+      .in_valid(tiles_valid),
+      .in_ready(tiles_ready),
+      .in_job(tiles_job),
+      .in_image(tiles_image),
       .disparity_id,
       .disparity_first_tile,
       .out_valid(flow_valid),

@@ -210,7 +210,7 @@ module hmlfc_residual_parser #(
     shift <= address[5:0];
     fresh <= 1'b1;
     mask_field <= field;
-    vectors_start <= state == SIGNS && fresh;
+    vectors_start <= state == SIGNS && fresh && error == 0;
     case (state)
       IDLE:
       if (parse_valid) begin
@@ -263,10 +263,11 @@ module hmlfc_residual_parser #(
         position <= bounds_end;
         fresh <= 1'b0;
         error <= bounds_error;
-        state <= bounds_error != 0 ? FINISH : SIGNS;
+        state <= SIGNS;
       end
       SIGNS:
-      if (fresh) begin
+      if (error != 0) state <= FINISH;
+      else if (fresh) begin
         signs <= sign_mode == 2'd2 ? field[63:0] : {64{sign_mode[0]}};
         if (sign_mode == 2'd2) position <= position + P'(motion_count);
         state <= PLACES;

@@ -9,7 +9,7 @@ namespace hmlfc::tb {
 /// Of a LOAD.
 inline constexpr uint64_t kLoadClocks = 846;
 /// Of a request, besides its level blocks.
-inline constexpr uint64_t kRequestClocks = 64;
+inline constexpr uint64_t kRequestClocks = 65;
 /// Of a level block: zero, motion only, motion and residual, residual only, key image.
 inline constexpr std::array<uint64_t, 5> kLevelBlockClocks{1, 2, 2, 2, 1};
 
