@@ -188,4 +188,43 @@ package hmlfc_pkg;
     logic [2:0] fy_b;
   } pending_t;
 
+  // Blocks of a plane, both ends included.
+  typedef struct packed {
+    logic [BLOCK_BITS-1:0] first_x;
+    logic [BLOCK_BITS-1:0] last_x;
+    logic [BLOCK_BITS-1:0] first_y;
+    logic [BLOCK_BITS-1:0] last_y;
+  } rectangle_t;
+
+  // What a descriptor of the view queue asks for.
+  typedef struct packed {
+    logic [11:0] row;
+    logic [11:0] col;
+    logic [3:0] stop_level;
+    logic [2:0] format;
+    rectangle_t blocks;
+    logic [2:0] end_column;               // in its block, of the rectangle's last column
+    logic [2:0] end_row;
+    logic [ADDRESS_BITS-1:0] destination;
+    logic [23:0] pitch;                   // bytes
+    logic [ADDRESS_BITS-1:0] bitmap;      // 0: none
+  } view_t;
+
+  // Formats of a descriptor; 0 to 2 are samples of a plane.
+  localparam logic [2:0] FORMAT_RGB888 = 3'd4;
+  localparam logic [2:0] FORMAT_RGB101010 = 3'd5;
+  localparam logic [2:0] FORMAT_RGB161616 = 3'd6;
+
+  // Where the writer puts a block, and what ends with it.
+  typedef struct packed {
+    logic has_block;                      // there is a block; else only `tile_ends` counts
+    logic tile_ends;                      // the last position in a tile of which the rectangle has blocks
+    logic [2:0] tile_x;                   // of the block in its tile
+    logic [2:0] tile_y;
+    logic [21:0] tile;                    // number of its tile, row by row of those of the rectangle
+    logic [2:0] end_column;               // in the block, of the rectangle
+    logic [2:0] end_row;
+    logic [ADDRESS_BITS-1:0] address;     // of the block's first pixel
+  } place_t;
+
 endpackage

@@ -1,0 +1,95 @@
+// Descriptors and registers of the view queue (docs/hardware.md, "Views to memory").
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace hmlfc::tb {
+
+namespace view_reg {
+inline constexpr uint32_t kId = 0x800;
+inline constexpr uint32_t kControl = 0x804;
+inline constexpr uint32_t kStatus = 0x808;
+inline constexpr uint32_t kInterruptStatus = 0x80c;
+inline constexpr uint32_t kInterruptEnable = 0x810;
+inline constexpr uint32_t kRingSize = 0x814;
+inline constexpr uint32_t kRingBase = 0x818;
+inline constexpr uint32_t kStatusBase = 0x820;
+inline constexpr uint32_t kProducer = 0x828;
+inline constexpr uint32_t kConsumer = 0x82c;
+
+inline constexpr uint32_t kIdValue = 0x514c4d48;  ///< "HMLQ" in memory
+
+// Bits of CONTROL.
+inline constexpr uint32_t kEnable = 1;
+inline constexpr uint32_t kDisable = 2;
+inline constexpr uint32_t kDrain = 4;
+inline constexpr uint32_t kAbort = 8;
+
+// Bits of STATUS.
+inline constexpr uint32_t kEnabled = 1;
+inline constexpr uint32_t kRunning = 2;
+inline constexpr uint32_t kRingEmpty = 16;
+inline constexpr uint32_t kStatusLost = 32;
+
+// Bits of INTERRUPT_STATUS.
+inline constexpr uint32_t kDone = 1;
+inline constexpr uint32_t kError = 2;
+inline constexpr uint32_t kEmpty = 4;
+inline constexpr uint32_t kStopped = 8;
+}  // namespace view_reg
+
+/// What is stored for a pixel or a sample.
+enum class ViewFormat : uint8_t { kY, kCo, kCg, kRgb888 = 4, kRgb101010, kRgb161616 };
+
+inline constexpr std::array<std::string_view, 7> kViewFormatNames{
+    "y", "co", "cg", "", "rgb888", "rgb101010", "rgb161616"};
+
+/// Bytes of a pixel or a sample.
+constexpr unsigned bytes_of(ViewFormat format) {
+  switch (format) {
+    case ViewFormat::kRgb888:
+      return 3;
+    case ViewFormat::kRgb101010:
+      return 4;
+    case ViewFormat::kRgb161616:
+      return 6;
+    default:
+      return 2;
+  }
+}
+
+inline constexpr unsigned kDescriptorBytes = 64;
+inline constexpr unsigned kViewStatusBytes = 16;
+
+/// What the status of a descriptor says.
+enum class ViewResult : uint8_t { kOk, kBlocks, kRefused, kBus, kAborted };
+
+/// One descriptor; the fields have the widths of memory.
+struct Descriptor {
+  uint32_t tag = 0;
+  uint32_t row = 0;
+  uint32_t col = 0;
+  unsigned stop_level = 0;
+  ViewFormat format = ViewFormat::kRgb888;
+  uint32_t x = 0, y = 0, width = 0, height = 0;
+  uint64_t destination = 0;
+  uint32_t pitch = 0;
+  uint64_t bitmap = 0;
+
+  std::array<uint32_t, kDescriptorBytes / 4> words() const {
+    return {tag,
+            row | col << 12 | stop_level << 24 | static_cast<uint32_t>(format) << 28,
+            x | y << 16,
+            width | height << 16,
+            static_cast<uint32_t>(destination),
+            static_cast<uint32_t>(destination >> 32),
+            pitch,
+            0,
+            static_cast<uint32_t>(bitmap),
+            static_cast<uint32_t>(bitmap >> 32)};
+  }
+};
+
+}  // namespace hmlfc::tb
