@@ -22,7 +22,7 @@ set(HMLFC_PROOFS
   residual
   skid_buffer
   trits)
-set(HMLFC_LONG_PROOFS bise_unpack interpolate read_port reconstruct residual)
+set(HMLFC_LONG_PROOFS answer bise_unpack interpolate read_port reconstruct residual)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
