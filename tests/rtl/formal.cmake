@@ -22,7 +22,7 @@ set(HMLFC_PROOFS
   residual
   skid_buffer
   trits)
-set(HMLFC_LONG_PROOFS answer bise_unpack interpolate read_port reconstruct residual)
+set(HMLFC_LONG_PROOFS answer bise_unpack interpolate reconstruct residual)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
@@ -40,5 +40,5 @@ foreach(proof IN LISTS HMLFC_PROOFS)
   set_tests_properties(formal.${proof} PROPERTIES LABELS "${labels}")
   set_tests_properties(formal.${proof}_self_test PROPERTIES LABELS "${self_test_labels}")
   set_tests_properties(formal.${proof} formal.${proof}_self_test PROPERTIES
-    TIMEOUT 600 SKIP_RETURN_CODE 77)
+    TIMEOUT 1200 SKIP_RETURN_CODE 77)
 endforeach()
