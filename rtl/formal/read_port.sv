@@ -13,7 +13,7 @@
 // Fault: hmlfc_read_port.sv / data_error <= m_axi_rresp[1] / data_error <= 1'b0
 // Fault: hmlfc_read_port.sv / data_last <= m_axi_rlast && owner_ends / data_last <= m_axi_rlast
 // Fault: hmlfc_read_port.sv / m_axi_rvalid && m_axi_rlast) / m_axi_rvalid)
-// Fault: hmlfc_read_port.sv / issue = busy && / issue = 1'b0 &&
+// Fault: hmlfc_read_port.sv / issue = busy && / issue = busy && left[9:4] == 0 &&
 module prove_read_port (
   input logic clk, input logic [1:0] request_valid, input logic [27:0] request_address, input logic [19:0] request_beats,
   input logic arready, input logic rvalid, input logic [63:0] rdata, input logic [1:0] rresp

@@ -6,10 +6,10 @@
 // BLOCK_LOG2 = 2, STRIPS = 64, SECTIONS = 1.
 //
 // Clauses: Inside (docs/hardware.md)
-// Engine: induction 1 9
-// Cover: 18
+// Engine: induction 1 7
+// Cover: 12
 // Complete: the place's content is bound to its tag, so the induction needs no reachability.
-// Fault: hmlfc_reference_lookup.sv / kept[b*PLACES+32'(place)] && tag == own / kept[b*PLACES+32'(place)]
+// Fault: hmlfc_reference_lookup.sv / && tag == own) / && tag >> 1 == own >> 1)
 // Fault: hmlfc_reference_lookup.sv / enter = valid[6] && !any_missing / enter = valid[6]
 // Fault: hmlfc_reference_lookup.sv / if (enter || !rst_n) asked <= '0 / if (!rst_n) asked <= '0
 // Fault: hmlfc_reference_lookup.sv / if (!rst_n || flush || forget) kept / if (!rst_n || flush) kept
