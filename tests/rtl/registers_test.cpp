@@ -1,4 +1,5 @@
 // hmlfc_registers: every register, AXI4-Lite with all orders of its channels (docs/hardware.md).
+// The offsets and bits are said here a second time, so that a slip in rtl/registers.json is seen.
 #include <algorithm>
 #include <array>
 #include <cstdint>
