@@ -6,6 +6,7 @@
 
 #include <Registers.h>
 
+#include "driver/hmlfc_registers.h"
 #include "rtl/ports.hpp"
 
 namespace hmlfc::test {
@@ -100,6 +101,7 @@ TEST(Registers, IdentityAndParameters) {
   Bench bench;
   EXPECT_EQ(bench.read(0x00), 0x464C4D48u) << "bytes 48 4D 4C 46";
   EXPECT_EQ(bench.read(0x04), 0x00001082u);
+  EXPECT_EQ(bench.read(HMLFC_REG_PARAMETERS), HMLFC_REG_PARAMETERS_RESET);
 }
 
 TEST(Registers, Status) {

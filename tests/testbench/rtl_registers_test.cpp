@@ -47,7 +47,7 @@ void expect_other_words_are_zero(Bench& bench) {
   EXPECT_EQ(bench.read(HMLFC_REG_ID), HMLFC_REG_ID_RESET);
   EXPECT_EQ(bench.read(HMLFC_REG_PARAMETERS),
             reg::parameters(unit.block_log2, unit.max_depth, unit.beat_bytes));
-  EXPECT_EQ(bench.read(HMLFC_REG_STATUS), HMLFC_REG_STATUS_IDLE_MASK) << "no LOAD began";
+  EXPECT_EQ(bench.read(HMLFC_REG_STATUS), HMLFC_REG_STATUS_RESET) << "no LOAD began";
 }
 
 TEST(Registers, OtherWordsReadZeroAndIgnoreWrites) {
