@@ -1,4 +1,5 @@
-# cmake --install: headers, static and shared library, binary, CMake package and pkg-config file.
+# cmake --install: headers, static and shared library, binary, CMake package and pkg-config file, and
+# the decode unit with its integration kit.
 
 include(CMakePackageConfigHelpers)
 
@@ -39,3 +40,19 @@ string(REGEX REPLACE "/$" "" HMLFC_PC_PREFIX "${HMLFC_PC_PREFIX}")
 configure_file(cmake/hmlfc.pc.in "${CMAKE_CURRENT_BINARY_DIR}/hmlfc.pc" @ONLY)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/hmlfc.pc"
   DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+
+set(rtl_dir "${CMAKE_INSTALL_DATADIR}/hmlfc/rtl")
+install(FILES
+  ${HMLFC_RTL_SOURCES}
+  ${HMLFC_RTL_HEADERS}
+  rtl/hmlfc_decode_unit.core
+  rtl/hmlfc_decode_unit.f
+  rtl/registers.json
+  rtl/waivers.vlt
+  DESTINATION "${rtl_dir}")
+install(FILES rtl/driver/hmlfc_registers.h DESTINATION "${rtl_dir}/driver")
+install(FILES
+  rtl/kit/hmlfc_decode_unit.rdl
+  rtl/kit/hmlfc_decode_unit.sdc
+  rtl/kit/hmlfc_decode_unit.xml
+  DESTINATION "${rtl_dir}/kit")

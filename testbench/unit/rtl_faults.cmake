@@ -91,7 +91,7 @@ list(APPEND HMLFC_FAULT_FILES hmlfc_decode_unit.sv hmlfc_fault_pkg.sv)
 
 # Copies of what has faults, written where they change; the rest is the product's.
 set(folder "${CMAKE_CURRENT_BINARY_DIR}/faults")
-set(sources "${folder}/hmlfc_fault_pkg.sv" "${HMLFC_RTL_PACKAGE}")
+set(sources "${folder}/hmlfc_fault_pkg.sv")
 foreach(file IN LISTS HMLFC_FAULT_FILES)
   hmlfc_faulty_text("${file}" text)
   file(CONFIGURE OUTPUT "${folder}/${file}" CONTENT "${text}" @ONLY)
@@ -101,9 +101,7 @@ foreach(source IN LISTS HMLFC_RTL_SOURCES)
   if(file IN_LIST HMLFC_FAULT_FILES)
     set(source "${folder}/${file}")
   endif()
-  if(NOT source STREQUAL HMLFC_RTL_PACKAGE AND NOT file MATCHES "vlt$")
-    list(APPEND sources "${source}")
-  endif()
+  list(APPEND sources "${source}")
 endforeach()
 
 # Small blocks, little memory: quick to compile, and tiles and strips give way often.

@@ -18,12 +18,6 @@ endif()
 option(HMLFC_RTL_WAVES "The first Verilated unit writes waves of failures" ${HMLFC_SOAK})
 option(HMLFC_RTL_COVERAGE "Count lines, branches and toggles of the decode unit; excludes waves" OFF)
 
-# The package first, the other files by name.
-set(HMLFC_RTL_PACKAGE "${PROJECT_SOURCE_DIR}/rtl/hmlfc_pkg.sv")
-file(GLOB HMLFC_RTL_SOURCES CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/rtl/*.sv")
-list(REMOVE_ITEM HMLFC_RTL_SOURCES "${HMLFC_RTL_PACKAGE}")
-list(PREPEND HMLFC_RTL_SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" "${HMLFC_RTL_PACKAGE}")
-
 # A library needs a source of its own.
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp" "")
 
@@ -69,7 +63,7 @@ endif()
 foreach(unit IN LISTS units)
   string(REPLACE ":" "_" prefix "Unit_${unit}")
   hmlfc_verilate_unit(hmlfc_verilated ${prefix} ${unit}
-    SOURCES ${HMLFC_RTL_SOURCES} INSTRUMENT ${instrument} ARGUMENTS -Wall)
+    SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${HMLFC_RTL_SOURCES} INSTRUMENT ${instrument} ARGUMENTS -Wall)
   string(REGEX MATCH "^(.+):(.+):(.+):(.+)$" parts "${unit}")
   math(EXPR beat_bytes "${CMAKE_MATCH_3} / 8")
   string(APPEND HMLFC_RTL_INCLUDES "#include \"${prefix}.h\"\n")

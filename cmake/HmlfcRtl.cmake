@@ -1,0 +1,11 @@
+# HMLFC_RTL_SOURCES: the files of the decode unit in the order of their list, rtl/hmlfc_decode_unit.f.
+# HMLFC_RTL_HEADERS: those that they include.
+
+set(rtl "${PROJECT_SOURCE_DIR}/rtl")
+file(STRINGS "${rtl}/hmlfc_decode_unit.f" HMLFC_RTL_SOURCES REGEX "^[^/+]")
+file(STRINGS "${rtl}/hmlfc_decode_unit.f" HMLFC_RTL_HEADERS REGEX "^// included: ")
+list(TRANSFORM HMLFC_RTL_HEADERS REPLACE "^// included: " "")
+list(TRANSFORM HMLFC_RTL_SOURCES PREPEND "${rtl}/")
+list(TRANSFORM HMLFC_RTL_HEADERS PREPEND "${rtl}/")
+set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+  "${rtl}/hmlfc_decode_unit.f")
