@@ -65,7 +65,8 @@ def check(proof: Proof, rtl: pathlib.Path, part: str, faulty: bool, work: pathli
     script = [
         f"read_verilog -sv -formal -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {HERE}/{proof.name}.sv",
         f"hierarchy -check -top prove_{proof.name} {part} -libdir {rtl}",
-        "proc", "opt_expr", "opt_dff", "opt_clean", "memory_dff", "memory_map", "opt_expr", "flatten", "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
+        "proc", "opt_expr", "opt_dff", "setattr -set keep 1 t:$*ff*", "opt_clean", "setattr -unset keep t:$*ff*",  # all registers stay
+        "memory_dff", "memory_map", "opt_expr", "flatten", "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
     if engine == "sat":
         script.append("simplemap t:$dff t:$dffe")  # bit by bit: registers that are equal become one
     script += ["opt_merge", "opt_clean", "check -assert"]
