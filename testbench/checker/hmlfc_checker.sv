@@ -65,6 +65,7 @@ module hmlfc_checker #(
   import "DPI-C" function int hmlfc_checker_stage(input int id, input longint clocks, input int row, input int col,
       input int plane, input int block_x, input int block_y, input int level, input int error, input int shown,
       input logic [4095:0] values);
+  import "DPI-C" function int hmlfc_checker_unknown(input int id, input longint clocks, input string where);
   import "DPI-C" function void hmlfc_checker_reset(input int id, input longint clocks);
   import "DPI-C" function int hmlfc_checker_end(input int id, input longint clocks, input int complete);
 `endif
@@ -108,6 +109,14 @@ module hmlfc_checker #(
     end
   end
 
+  // What is not a value decides nothing: x and z at the pins of handshakes and places are differences.
+  logic unknown_request, unknown_answer, unknown_stage;
+  assign unknown_request = ^request_valid === 1'bx || (request_valid && ^{request_ready, request_row, request_col,
+      request_plane, request_block_x, request_block_y, request_stop_level, request_tag} === 1'bx);
+  assign unknown_answer = ^answer_valid === 1'bx || (answer_valid && ^{answer_ready, answer_tag, answer_status} === 1'bx);
+  assign unknown_stage = ^stage_valid === 1'bx || (stage_valid && ^{stage_level, stage_row, stage_col, stage_plane,
+      stage_block_x, stage_block_y, stage_error, stage_shown} === 1'bx);
+
   always @(posedge clk) begin
     clocks <= clocks + 1;
     if (id != 0) check();
@@ -119,6 +128,9 @@ module hmlfc_checker #(
     if (rst_n !== 1'b1) begin
       `HMLFC_CHECKER_CALL(reset)(id, clocks);
     end else begin
+      if (unknown_request) on_differences(`HMLFC_CHECKER_CALL(unknown)(id, clocks, "request"));
+      if (unknown_answer) on_differences(`HMLFC_CHECKER_CALL(unknown)(id, clocks, "answer"));
+      if (unknown_stage) on_differences(`HMLFC_CHECKER_CALL(unknown)(id, clocks, "stage"));
       if (request_valid && request_ready)
         on_differences(`HMLFC_CHECKER_CALL(request)(id, clocks, 32'(request_row), 32'(request_col), 32'(request_plane),
             32'(request_block_x), 32'(request_block_y), 32'(request_stop_level), 32'(request_tag)));

@@ -18,13 +18,14 @@ struct function {
   const char* arguments;
 };
 
-enum { kOpen, kPrint, kRequest, kAnswer, kStage, kReset, kEnd, kExpected };
+enum { kOpen, kPrint, kRequest, kAnswer, kStage, kReset, kEnd, kUnknown, kExpected };
 
 static const struct function kFunctions[] = {
     {"$hmlfc_checker_open", "ssi"},          {"$hmlfc_checker_print", "i"},
     {"$hmlfc_checker_request", "iiiiiiiii"}, {"$hmlfc_checker_answer", "iiiiv"},
     {"$hmlfc_checker_stage", "iiiiiiiiiiv"}, {"$hmlfc_checker_reset", "ii"},
-    {"$hmlfc_checker_end", "iii"},           {"$hmlfc_checker_expected", "iiiiiiio"}};
+    {"$hmlfc_checker_end", "iii"},           {"$hmlfc_checker_unknown", "iis"},
+    {"$hmlfc_checker_expected", "iiiiiiio"}};
 
 struct arguments {
   char* strings[2];
@@ -123,6 +124,8 @@ static int call_function(int which, struct arguments* a) {
     case kReset:
       hmlfc_checker_reset(id, n[1]);
       return 0;
+    case kUnknown:
+      return hmlfc_checker_unknown(id, n[1], a->strings[0]);
     case kEnd:
       return hmlfc_checker_end(id, n[1], (int)n[2]);
     default:

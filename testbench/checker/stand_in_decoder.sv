@@ -4,7 +4,7 @@
 ///
 ///   sample  one sample of one lane     status  another status        swap   two answers change places
 ///   missing the answer is left out     extra   it comes twice        stage  one value of a stage
-///   unknown one bit of a sample is x
+///   unknown one bit of a sample is x   bus     bus_error             status_x  the status is unknown
 module stand_in_decoder #(
     parameter int BLOCK_LOG2 = 2,
     parameter int DEPTH = 8,    // requests in flight
@@ -94,7 +94,7 @@ module stand_in_decoder #(
     if (faulty("unknown")) samples[33] = 1'bx;
     answer_valid <= !faulty("missing");
     answer_tag <= r[75:60];
-    answer_status <= faulty("status") ? 6'd24 : 6'(status);
+    answer_status <= faulty("status") ? 6'd24 : faulty("bus") ? 6'd27 : faulty("status_x") ? 6'bx : 6'(status);
     answer_samples <= (3 * SAMPLES * 16)'(samples);
     twice = faulty("extra");
     answers = answers + 1;

@@ -124,6 +124,8 @@ class VerilatedUnit final : public DecodeUnit {
     wave_.close();
     model_->final();
     if constexpr (VM_COVERAGE) write_coverage(*context_);
+    // Scopes of the checker are taken out of the context of this thread: that of the latest unit.
+    Verilated::threadContextp(context_.get());
   }
 
   void clock(const UnitInputs&, const UnitInputs& after, UnitOutputs& outputs) override {

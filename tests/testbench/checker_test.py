@@ -5,6 +5,7 @@ Every planted fault is caught and named, a decoder without faults passes, with t
 capability file rules out is skipped, and a wrong one says what to do. Exit 77: the simulator is not installed.
 """
 
+import ctypes
 import json
 import os
 import re
@@ -46,11 +47,12 @@ def build(name, tagged):
     folder.mkdir()
     if SIMULATOR == "verilator":
         link = f"-L{LIB} -lhmlfc_dpi -Wl,-rpath,{LIB}"
-        must("verilator", "--binary", "--trace", "-Wall", "-Mdir", folder, f"-GTAGGED=1'b{tagged}", "-CFLAGS", "-O0", "-LDFLAGS", link,
-             "--top-module", "example_bench", *SOURCES)
+        must("verilator", "--binary", "--trace", "-Wall", "-Mdir", folder, f"-GTAGGED=1'b{tagged}", "-CFLAGS", "-O0",
+             "-LDFLAGS", link, "--top-module", "example_bench", *SOURCES)
         return [folder / "Vexample_bench"]
     must("iverilog-vpi", f"-I{PREFIX}/include", SHARE / "hmlfc_vpi.c", f"-L{LIB}", "-lhmlfc_dpi", cwd=folder)
-    said = must("iverilog", "-g2012", "-Wall", f"-Pexample_bench.TAGGED={tagged}", "-s", "example_bench", "-o", folder / "bench.vvp", *SOURCES)
+    said = must("iverilog", "-g2012", "-Wall", f"-Pexample_bench.TAGGED={tagged}", "-s", "example_bench",
+                "-o", folder / "bench.vvp", *SOURCES)
     assert not said, said
     return ["vvp", f"-M{folder}", "-mhmlfc_vpi", folder / "bench.vvp"]
 
@@ -105,10 +107,11 @@ class CheckerTest(unittest.TestCase):
             ("extra", 33): ("answer: order", "request    34:", "answer to request 33 once more"),
             ("missing", REQUESTS - 1): ("answer: missing", f"request    {REQUESTS - 1}:", "1 without an answer"),
             ("extra", REQUESTS - 1): ("answer: extra", "no request is in flight", "status 25 (bad_request)"),
-            ("stage", 85): ("stage: sample", "level 0 image 1,2 plane Co block 0,1 (DEC-3), x 0, y 0", "hmlfc inspect"),
+            ("stage", 85): ("stage: sample", "level 0 image 1,2 plane Co block 0,1, stage sample (DEC-3), x 0, y 0", "hmlfc inspect"),
         }
         if SIMULATOR == "icarus":  # Verilator has no unknown bits
             cases["unknown", 33] = ("answer: sample", "lane 0, R", "actual     unknown")
+            cases["status_x", 33] = ("answer: unknown", "a bit of them is x or z")
         for (fault, at), (rule, *parts) in cases.items():
             with self.subTest(fault=fault, at=at):
                 text = self.check(f"+fault={fault}", f"+fault_at={at}", passes=False)
@@ -124,7 +127,8 @@ class CheckerTest(unittest.TestCase):
         self.assertEqual(self.count(text, r"expected +(-?\d+)\n"), value)
         self.assertEqual(self.count(text, r"actual +(-?\d+)\n"), value ^ 1)
         ranges = [(section, int(byte, 16) * 8 + int(bit), int(bits))
-                  for section, byte, bit, bits in re.findall(r"(ROOT|GROUP|TILE) 0x(\w+)\.(\d)\+(\d+)", text)]
+                  for section, listed in re.findall(r"(ROOT|GROUP|TILE)((?: 0x\w+\.\d\+\d+)+)", text)
+                  for byte, bit, bits in re.findall(r"0x(\w+)\.(\d)\+(\d+)", listed)]
         for field in level["fields"]:
             at = field["byte"] * 8 + field["bit"]
             self.assertTrue(any(section == field["section"] and begin <= at and at + field["bits"] <= begin + bits
@@ -170,6 +174,24 @@ class CheckerTest(unittest.TestCase):
             self.assertIn(reason or "", text)
         text = self.check(passes=False, stream=VECTORS / "real" / "knights-extended.hmlfc", device=self.device("profile main"))
         self.assertIn("the stream's profile is extended, the device's main", text)
+
+    def test_bus_errors(self):
+        self.assertIn(": answer: status", self.check("+fault=bus", "+fault_at=33", passes=False))
+        text = self.check("+fault=bus", "+fault_at=33", passes=True, device=self.device("bus_errors yes"))
+        self.assertIn("1  answers of bus_error (bus_errors yes)", text)
+        self.assertIn(f"compared {REQUESTS - 1}\n", text)
+
+    def test_reset(self):
+        library = ctypes.CDLL(str(LIB / "libhmlfc_dpi.so"))
+        library.hmlfc_checker_text.restype = ctypes.c_char_p
+        checker = library.hmlfc_checker_open(str(STREAM).encode(), str(SHARE / "stand_in.device").encode(), 2)
+        for clock in range(3):
+            library.hmlfc_checker_request(checker, ctypes.c_longlong(clock), 0, 0, 3, clock, 0, 0, 0)
+        library.hmlfc_checker_reset(checker, ctypes.c_longlong(3))
+        self.assertEqual(library.hmlfc_checker_end(checker, ctypes.c_longlong(4), 1), -1)
+        text = library.hmlfc_checker_text(checker).decode()
+        self.assertIn("dropped by reset  3\n", text)
+        self.assertIn("FAILED: nothing was compared", text)
 
     def test_wrong_capability_files(self):
         cases = {

@@ -121,6 +121,13 @@ int hmlfc_checker_stage(int checker, long long clock, int row, int col, int plan
   return static_cast<int>(lockstep.differences() - before);
 }
 
+int hmlfc_checker_unknown(int checker, long long clock, const char* where) {
+  Lockstep& lockstep = checker_of(checker);
+  lockstep.unknown(clock, where);
+  keep_text(lockstep);
+  return 1;
+}
+
 void hmlfc_checker_reset(int checker, long long) { checker_of(checker).reset(); }
 
 int hmlfc_checker_end(int checker, long long clock, int complete) {

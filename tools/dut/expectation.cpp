@@ -66,7 +66,13 @@ class Reads final : public TraceSink {
       } else {
         lines += std::string(tile_kind_name(walk.site.tile)) + ":";
       }
-      for (const Range& range : walk.ranges) (lines += ' ') += range_text(range);
+      std::string_view section;
+      for (const Range& range : walk.ranges) {
+        const std::string_view name = section_name(range.section);
+        if (name != section) (lines += ' ') += name;
+        section = name;
+        lines += range_text(range);
+      }
       lines += '\n';
     }
     return lines;
@@ -107,7 +113,7 @@ class Reads final : public TraceSink {
                   static_cast<unsigned long long>(range.begin >> 3),
                   static_cast<unsigned>(range.begin & 7),
                   static_cast<unsigned long long>(range.end - range.begin));
-    return std::string(section_name(range.section)) + text;
+    return text;
   }
 
   const BlockSite* only_;

@@ -1,6 +1,6 @@
-/* The golden model in lock-step with a device in a simulation: the C side of hmlfc_checker.sv, which
- * calls it through DPI-C, and of hmlfc_vpi.c, which offers it to Icarus Verilog. Plain C99, without
- * svdpi.h. docs/checker.md leads through its use.
+/* The golden model in lock-step with a device in a simulation: the C side of hmlfc_checker.sv,
+ * which calls it through DPI-C, and of hmlfc_vpi.c, which offers it to Icarus Verilog. Plain C99,
+ * without svdpi.h. docs/checker.md leads through its use.
  *
  * Vectors of values have the layout of svLogicVecVal and of s_vpi_vecval: for each 32 bits the word
  * aval, then bval; a bit with bval = 1 is unknown (x or z). Value i has the bits
@@ -27,9 +27,9 @@ int hmlfc_checker_open(const char* stream, const char* device, int block_log2);
  * call. */
 const char* hmlfc_checker_text(int checker);
 
-/* The device has taken a request: plane 0 Y, 1 Co, 2 Cg or 3 RGB, stop level s of DEC-1. `tag` counts
- * where the capability file says "answers tagged". Returns the number of new differences, as the
- * next functions do. */
+/* The device has taken a request: plane 0 Y, 1 Co, 2 Cg or 3 RGB, stop level s of DEC-1. `tag`
+ * counts where the capability file says "answers tagged". Returns the number of new differences, as
+ * the next functions do. */
 int hmlfc_checker_request(int checker, long long clock, int row, int col, int plane, int block_x,
                           int block_y, int stop_level, int tag);
 
@@ -43,6 +43,10 @@ int hmlfc_checker_answer(int checker, long long clock, int tag, int status,
  * HMLFC_CHECKER_STAGE_BITS bits. */
 int hmlfc_checker_stage(int checker, long long clock, int row, int col, int plane, int block_x,
                         int block_y, int level, int error, int shown, const unsigned* values);
+
+/* A handshake, a place or a status of `where` is unknown ("request", "answer" or "stage"), which is
+ * a difference. */
+int hmlfc_checker_unknown(int checker, long long clock, const char* where);
 
 /* The device was reset: it answers none of the requests that it had taken. */
 void hmlfc_checker_reset(int checker, long long clock);

@@ -139,6 +139,13 @@ std::string Lockstep::order_hint(const Pending& pending, const Answer& answer) c
   return {};
 }
 
+void Lockstep::unknown(int64_t clock, const std::string& where) {
+  report(clock, nullptr,
+         {where + ": unknown",
+          expected_actual("values of handshake, place and status", "a bit of them is x or z"),
+          nullptr});
+}
+
 void Lockstep::reset() {
   dropped_ += pending_.size();
   pending_.clear();

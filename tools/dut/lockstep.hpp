@@ -47,6 +47,7 @@ class Lockstep {
   void request(int64_t clock, const Request& request, int tag);
   void answer(int64_t clock, const Answer& answer);
   void record(int64_t clock, const Record& record);
+  void unknown(int64_t clock, const std::string& where);
   void reset();
 
   /// The end: statistics. Requests without an answer are a difference in a `complete` run.

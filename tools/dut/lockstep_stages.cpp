@@ -111,7 +111,8 @@ std::optional<Lockstep::Difference> Lockstep::compare(const ExpectedRecord& expe
     auto difference = compare_values(stage.values, record.values[i], 0, expected.inside);
     if (!difference) continue;
     difference->rule = std::string("stage: ") + kStageNames[i];
-    difference->detail = place + " (" + std::string(stage.clause) + ")" + difference->detail;
+    difference->detail = place + ", stage " + kStageNames[i] + " (" + std::string(stage.clause) +
+                         ")" + difference->detail;
     difference->site = &expected.site;
     return difference;
   }
