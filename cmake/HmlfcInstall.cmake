@@ -1,5 +1,5 @@
 # cmake --install: headers, static and shared library, binary, CMake package and pkg-config file, and
-# the decode unit with its integration kit.
+# the decode unit with its integration kit, and the checker for simulators.
 
 include(CMakePackageConfigHelpers)
 
@@ -22,6 +22,14 @@ install(DIRECTORY model/include/hmlfc
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 if(TARGET hmlfc_cli)
   install(TARGETS hmlfc_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()
+
+# For simulators (docs/checker.md): the golden model behind DPI-C, the checker and its example.
+if(TARGET hmlfc_dpi_shared)
+  install(TARGETS hmlfc_dpi_shared LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(FILES tools/dut/hmlfc_checker.h tools/dut/hmlfc_dpi.h
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/hmlfc")
+  install(DIRECTORY testbench/checker/ DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/checker")
 endif()
 
 configure_package_config_file(cmake/hmlfc-config.cmake.in
