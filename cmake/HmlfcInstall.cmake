@@ -1,4 +1,4 @@
-# cmake --install: headers, static and shared library, binary, CMake package and pkg-config file, and
+# cmake --install: headers, static and shared library, binary, CMake package and pkg-config file,
 # the decode unit with its integration kit, and the checker for simulators.
 
 include(CMakePackageConfigHelpers)
@@ -60,6 +60,7 @@ install(FILES
   DESTINATION "${rtl_dir}")
 install(FILES rtl/driver/hmlfc_registers.h DESTINATION "${rtl_dir}/driver")
 install(FILES
+  ${HMLFC_RTL_ASSERTIONS}
   rtl/kit/hmlfc_decode_unit.rdl
   rtl/kit/hmlfc_decode_unit.sdc
   rtl/kit/hmlfc_decode_unit.xml

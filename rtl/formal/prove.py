@@ -13,7 +13,7 @@ NAME.sv states what it proves in its first comment, and how in these lines of it
   Still: MODULE SIGNAL    no register of MODULE changes where its input SIGNAL is 0
   Fault: FILE / OLD / NEW text OLD of module FILE for which the self-test puts NEW
 
-Exit status 0: proved; with --fault: each fault, planted alone in a copy, has a counterexample.
+Exit status 0: proved; with --fault: each fault, planted alone in a copy, has a counterexample, or the induction fails.
 1: not so. 77: a tool is missing. 2: anything else, a tool's own error among them.
 """
 
@@ -60,7 +60,7 @@ def read_proof(name: str) -> Proof | None:
 
 
 def check(proof: Proof, rtl: pathlib.Path, part: str, faulty: bool, work: pathlib.Path) -> int:
-    """Reads the proof with the modules of `rtl` and runs its engine; with `faulty` no induction."""
+    """Reads the proof with the modules of `rtl` and runs its engine."""
     engine = proof.engine[0]
     script = [
         f"read_verilog -sv -formal -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {HERE}/{proof.name}.sv",
@@ -79,8 +79,10 @@ def check(proof: Proof, rtl: pathlib.Path, part: str, faulty: bool, work: pathli
     if status != 0:
         return fail(f"yosys: {text}")
     status = solve_smt(smt2, ["-t", proof.engine[-1]] + ([] if faulty else ["--presat"]))
-    if status == PROVED and engine == "induction" and not faulty:
+    if status == PROVED and engine == "induction":
         status = solve_smt(smt2, ["-i", "-t", proof.engine[1]])
+        if status == REFUTED and not faulty:
+            status = FAILED  # nothing is refuted: the proof lacks an invariant
     if status == PROVED and proof.cover:
         status = solve_smt(smt2, ["-c", "-t", proof.cover])
     return status
@@ -102,7 +104,7 @@ def solve_smt(smt2: pathlib.Path, options: list[str]) -> int:
     if "Status: PASSED" in text and status == 0:
         return PROVED
     counterexample = "Assert failed in" in text or "Unreached cover statement" in text
-    return REFUTED if "Status: FAILED" in text and counterexample and "-i" not in options else FAILED
+    return REFUTED if "Status: FAILED" in text and counterexample else FAILED
 
 
 def still(module: str, signal: str, rtl: pathlib.Path, work: pathlib.Path) -> int:

@@ -6,7 +6,7 @@
 // BLOCK_LOG2 = 2, STRIPS = 64, SECTIONS = 1.
 //
 // Clauses: Inside (docs/hardware.md)
-// Engine: induction 1 7
+// Engine: induction 1 3
 // Cover: 12
 // Complete: the place's content is bound to its tag, so the induction needs no reachability.
 // Fault: hmlfc_reference_lookup.sv / && tag == own) / && tag >> 1 == own >> 1)

@@ -46,7 +46,7 @@ function(hmlfc_verilate_unit target prefix unit)
     OPT_SLOW -O0
     OPT_GLOBAL -O2
     VERILATOR_ARGS ${parameters} ${arg_ARGUMENTS}
-      --x-assign fast --x-initial fast --noassert --output-split 60000)
+      --x-assign fast --x-initial fast --assert --output-split 60000)
 endfunction()
 set(HMLFC_UNIT_PARAMETERS BLOCK_LOG2 MAX_DEPTH AXI_DATA_BITS OUTSTANDING)
 set(HMLFC_VERILATED_OPTIMISATION -O1)  # -O3 compiles longer for runs 10 % faster
@@ -72,7 +72,7 @@ endif()
 foreach(unit IN LISTS units)
   string(REPLACE ":" "_" prefix "Unit_${unit}")
   hmlfc_verilate_unit(hmlfc_verilated ${prefix} ${unit}
-    SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${HMLFC_RTL_SOURCES} ${HMLFC_CHECKER_SOURCES}
+    SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${HMLFC_RTL_SOURCES} ${HMLFC_RTL_ASSERTIONS} ${HMLFC_CHECKER_SOURCES}
     INSTRUMENT ${instrument} ARGUMENTS -Wall)
   string(REGEX MATCH "^(.+):(.+):(.+):(.+)$" parts "${unit}")
   math(EXPR beat_bytes "${CMAKE_MATCH_3} / 8")
