@@ -1,4 +1,5 @@
-# cmake --install: headers, static and shared library, binary, CMake package and pkg-config file.
+# cmake --install: headers, static and shared library, binary, CMake package and pkg-config file,
+# the decode unit with its integration kit, and the checker for simulators.
 
 include(CMakePackageConfigHelpers)
 
@@ -23,6 +24,14 @@ if(TARGET hmlfc_cli)
   install(TARGETS hmlfc_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endif()
 
+# For simulators (docs/checker.md): the golden model behind DPI-C, the checker and its example.
+if(TARGET hmlfc_dpi_shared)
+  install(TARGETS hmlfc_dpi_shared LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(FILES tools/dut/hmlfc_checker.h tools/dut/hmlfc_dpi.h
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/hmlfc")
+  install(DIRECTORY testbench/checker/ DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/checker")
+endif()
+
 configure_package_config_file(cmake/hmlfc-config.cmake.in
   "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config.cmake"
   INSTALL_DESTINATION "${package_dir}")
@@ -39,3 +48,20 @@ string(REGEX REPLACE "/$" "" HMLFC_PC_PREFIX "${HMLFC_PC_PREFIX}")
 configure_file(cmake/hmlfc.pc.in "${CMAKE_CURRENT_BINARY_DIR}/hmlfc.pc" @ONLY)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/hmlfc.pc"
   DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+
+set(rtl_dir "${CMAKE_INSTALL_DATADIR}/hmlfc/rtl")
+install(FILES
+  ${HMLFC_RTL_SOURCES}
+  ${HMLFC_RTL_HEADERS}
+  rtl/hmlfc_decode_unit.core
+  rtl/hmlfc_decode_unit.f
+  rtl/registers.json
+  rtl/waivers.vlt
+  DESTINATION "${rtl_dir}")
+install(FILES rtl/driver/hmlfc_registers.h DESTINATION "${rtl_dir}/driver")
+install(FILES
+  ${HMLFC_RTL_ASSERTIONS}
+  rtl/kit/hmlfc_decode_unit.rdl
+  rtl/kit/hmlfc_decode_unit.sdc
+  rtl/kit/hmlfc_decode_unit.xml
+  DESTINATION "${rtl_dir}/kit")

@@ -1,3 +1,5 @@
+`include "hmlfc_register_map.svh"
+
 // The register block of the decode unit: an AXI4-Lite subordinate of 32 bits (docs/hardware.md).
 //
 // BLOCK_LOG2, MAX_DEPTH, AXI_DATA_BITS   what PARAMETERS reports
@@ -59,11 +61,9 @@ module hmlfc_registers #(
   input  logic [4:0]  read_bytes,
   input  logic        answered
 );
-  // Offsets by words of 32 bits.
-  localparam [9:0] AT_ID = 10'h000, AT_PARAMETERS = 10'h001, AT_CONTROL = 10'h002, AT_STATUS = 10'h003;
-  localparam [9:0] AT_STREAM_BASE = 10'h004, AT_STREAM_BYTES = 10'h006, AT_REFERENCE_BASE = 10'h008;
-  localparam [9:0] AT_ERROR = 10'h00c, AT_ERROR_ADDRESS = 10'h00e;
-  // Behind ERROR_ADDRESS stand the five counters, pairs as well.
+`ifndef __ICARUS__  // version 11 has no elaboration tasks
+  if (HMLFC_REG_STREAM_BASE_MASK != (64'd1 << hmlfc_pkg::ADDRESS_BITS) - 64'd1) $error("registers.json: the addresses are not of ADDRESS_BITS");
+`endif
 
   // Write channel: address and data are accepted one by one, and used when both have arrived.
   logic        address_held, data_held, write;
@@ -99,31 +99,37 @@ module hmlfc_registers #(
   end
 
   // Registers that are written.
-  logic [2:0] control;
+  logic [31:0] control;
   logic clear;
-  assign control = write && write_word == AT_CONTROL ? write_data[2:0] & write_mask[2:0] : 3'd0;
+  assign control = write && write_word == HMLFC_WORD_CONTROL ? write_data & write_mask : 32'd0;
 
-  // The six words at AT_STREAM_BASE and after: three pairs, of which the first and the last are addresses.
-  localparam [31:0] ADDRESS_HIGH = 32'((64'd1 << (hmlfc_pkg::ADDRESS_BITS - 32)) - 64'd1);
+  // Three pairs: their words, the low one first, and which of their bits are kept.
+  localparam [59:0] SETTING_WORDS = {
+    HMLFC_WORD_REFERENCE_BASE + 10'd1, HMLFC_WORD_REFERENCE_BASE, HMLFC_WORD_STREAM_BYTES + 10'd1, HMLFC_WORD_STREAM_BYTES,
+    HMLFC_WORD_STREAM_BASE + 10'd1, HMLFC_WORD_STREAM_BASE};
+  localparam [191:0] SETTING_MASKS = {HMLFC_REG_REFERENCE_BASE_MASK, HMLFC_REG_STREAM_BYTES_MASK, HMLFC_REG_STREAM_BASE_MASK};
   logic [191:0] settings;
   assign stream_base = settings[63:0];
   assign stream_bytes = settings[127:64];
   assign reference_base = settings[191:128];
 
   always_ff @(posedge clk) begin
-    load <= control[0] && rst_n;
-    clear <= control[1] && rst_n;
-    disable_unit <= control[2] && rst_n;
+    load <= control[HMLFC_REG_CONTROL_LOAD_SHIFT] && rst_n;
+    clear <= control[HMLFC_REG_CONTROL_CLEAR_SHIFT] && rst_n;
+    disable_unit <= control[HMLFC_REG_CONTROL_DISABLE_SHIFT] && rst_n;
     for (int k = 0; k < 6; k = k + 1) begin
       if (!rst_n) settings[32*k +: 32] <= 32'd0;
-      else if (write && write_word == AT_STREAM_BASE + 10'(k)) begin
-        settings[32*k +: 32] <= ((settings[32*k +: 32] & ~write_mask) | (write_data & write_mask)) &
-            (k == 1 || k == 5 ? ADDRESS_HIGH : 32'hffffffff);
+      else if (write && write_word == SETTING_WORDS[10*k +: 10]) begin
+        settings[32*k +: 32] <=
+            ((settings[32*k +: 32] & ~write_mask) | (write_data & write_mask)) & SETTING_MASKS[32*k +: 32];
       end
     end
   end
 
-  // What the unit reports: pair 0 is the request of the first error, 1 to 5 the counters.
+  // What the unit reports: pair 0 is the request of the first error, 1 to 5 the counters. Their low words:
+  localparam [59:0] PAIR_WORDS = {
+    HMLFC_WORD_REQUESTS, HMLFC_WORD_BYTES_READ, HMLFC_WORD_STALLS, HMLFC_WORD_CYCLES, HMLFC_WORD_BLOCKS,
+    HMLFC_WORD_ERROR_ADDRESS};
   logic         strayed;
   logic [5:0]   first_error;
   logic         has_error;
@@ -175,23 +181,35 @@ module hmlfc_registers #(
   assign read = s_axil_arvalid && s_axil_arready;
   assign read_word = s_axil_araddr[11:2];
 
+  localparam [31:0] PARAMETERS = (32'(BLOCK_LOG2) << HMLFC_REG_PARAMETERS_BLOCK_LOG2_SHIFT) |
+      (32'(MAX_DEPTH) << HMLFC_REG_PARAMETERS_MAX_DEPTH_SHIFT) | (32'(AXI_DATA_BITS / 8) << HMLFC_REG_PARAMETERS_BEAT_BYTES_SHIFT);
+  logic [31:0] status;
+  always_comb begin
+    status = 32'd0;
+    status[HMLFC_REG_STATUS_READY_SHIFT] = ready;
+    status[HMLFC_REG_STATUS_LOADING_SHIFT] = loading;
+    status[HMLFC_REG_STATUS_IDLE_SHIFT] = idle;
+    status[HMLFC_REG_STATUS_STRAY_SHIFT] = strayed;
+    status[HMLFC_REG_STATUS_LOAD_ERROR_SHIFT +: 6] = load_error;
+  end
+
   always @* begin
     case (read_word)
-      AT_ID: read_data = 32'h464c4d48;
-      AT_PARAMETERS: read_data = {16'd0, 8'(AXI_DATA_BITS / 8), 4'(MAX_DEPTH), 4'(BLOCK_LOG2)};
-      AT_STATUS: read_data = {18'd0, load_error, 4'd0, strayed, idle, loading, ready};
-      AT_STREAM_BASE: read_data = stream_base[31:0];
-      AT_STREAM_BASE + 10'd1: read_data = stream_base[63:32];
-      AT_STREAM_BYTES: read_data = stream_bytes[31:0];
-      AT_STREAM_BYTES + 10'd1: read_data = stream_bytes[63:32];
-      AT_REFERENCE_BASE: read_data = reference_base[31:0];
-      AT_REFERENCE_BASE + 10'd1: read_data = reference_base[63:32];
-      AT_ERROR: read_data = {26'd0, first_error};
+      HMLFC_WORD_ID: read_data = HMLFC_REG_ID_RESET;
+      HMLFC_WORD_PARAMETERS: read_data = PARAMETERS;
+      HMLFC_WORD_STATUS: read_data = status;
+      HMLFC_WORD_STREAM_BASE: read_data = stream_base[31:0];
+      HMLFC_WORD_STREAM_BASE + 10'd1: read_data = stream_base[63:32];
+      HMLFC_WORD_STREAM_BYTES: read_data = stream_bytes[31:0];
+      HMLFC_WORD_STREAM_BYTES + 10'd1: read_data = stream_bytes[63:32];
+      HMLFC_WORD_REFERENCE_BASE: read_data = reference_base[31:0];
+      HMLFC_WORD_REFERENCE_BASE + 10'd1: read_data = reference_base[63:32];
+      HMLFC_WORD_ERROR: read_data = 32'(first_error) << HMLFC_REG_ERROR_NUMBER_SHIFT;
       default: read_data = 32'd0;
     endcase
     for (int k = 0; k < 6; k = k + 1) begin
-      if (read_word == AT_ERROR_ADDRESS + 10'(2 * k)) read_data = pairs[64*k +: 32];
-      if (read_word == AT_ERROR_ADDRESS + 10'(2 * k + 1)) begin
+      if (read_word == PAIR_WORDS[10*k +: 10]) read_data = pairs[64*k +: 32];
+      if (read_word == PAIR_WORDS[10*k +: 10] + 10'd1) begin
         read_data = has_kept[k] ? kept[32*k +: 32] : pairs[64*k+32 +: 32];
       end
     end
@@ -200,12 +218,12 @@ module hmlfc_registers #(
   always_ff @(posedge clk) begin
     if (read) s_axil_rdata <= read_data;
     for (int k = 0; k < 6; k = k + 1) begin
-      if (read && read_word == AT_ERROR_ADDRESS + 10'(2 * k)) begin
+      if (read && read_word == PAIR_WORDS[10*k +: 10]) begin
         kept[32*k +: 32] <= pairs[64*k+32 +: 32];
       end
       if (!rst_n) has_kept[k] <= 1'b0;
-      else if (read && read_word == AT_ERROR_ADDRESS + 10'(2 * k)) has_kept[k] <= 1'b1;
-      else if (read && read_word == AT_ERROR_ADDRESS + 10'(2 * k + 1)) has_kept[k] <= 1'b0;
+      else if (read && read_word == PAIR_WORDS[10*k +: 10]) has_kept[k] <= 1'b1;
+      else if (read && read_word == PAIR_WORDS[10*k +: 10] + 10'd1) has_kept[k] <= 1'b0;
     end
     if (!rst_n) s_axil_rvalid <= 1'b0;
     else s_axil_rvalid <= read || (s_axil_rvalid && !s_axil_rready);

@@ -1,16 +1,22 @@
 // The read master with two clients and a memory that answers at any pace:
 //   - a burst has at most 16 beats, does not cross 4 KiB, and does not change while it waits;
 //   - the bursts are the accepted requests' beats, each once, in the order in which they were accepted;
-//   - each request gets exactly its beats: they go to the client that asked, the last of them marked.
-// DATA_BITS = 64, ADDRESS_BITS = 14, OUTSTANDING = 4; requests of up to 1023 beats.
+//   - each request gets exactly its beats: they go to the client that asked, the last of them marked, those with an error too.
+// DATA_BITS = 64, ADDRESS_BITS = 14, OUTSTANDING = 4; requests of up to 1023 beats, of any number of bursts.
 //
 // Clauses: Read master (docs/hardware.md)
-// Engine: sat 10
+// Engine: induction 2 10
+// Cover: 26
+// Complete: the lists of requests and bursts are bound to the port's registers, so the induction needs no reachability.
 // Fault: hmlfc_read_port.sv / room = last_16 ? ~beat[3:0] : 4'd15 / room = 4'd15
 // Fault: hmlfc_read_port.sv / !(last_16 && last[4]) / !last_16
+// Fault: hmlfc_read_port.sv / data_error <= m_axi_rresp[1] / data_error <= 1'b0
+// Fault: hmlfc_read_port.sv / data_last <= m_axi_rlast && owner_ends / data_last <= m_axi_rlast
+// Fault: hmlfc_read_port.sv / m_axi_rvalid && m_axi_rlast) / m_axi_rvalid)
+// Fault: hmlfc_read_port.sv / issue = busy && / issue = busy && left[9:4] == 0 &&
 module prove_read_port (
   input logic clk, input logic [1:0] request_valid, input logic [27:0] request_address, input logic [19:0] request_beats,
-  input logic arready, input logic rvalid, input logic [63:0] rdata
+  input logic arready, input logic rvalid, input logic [63:0] rdata, input logic [1:0] rresp
 );
   localparam integer A = 14;
   logic         started = 1'b0;
@@ -26,7 +32,7 @@ module prove_read_port (
     .clk(clk), .rst_n(started), .request_valid(request_valid), .request_ready(request_ready), .request_address(request_address),
     .request_beats(request_beats), .data_valid(data_valid), .data(data), .data_last(data_last), .data_error(data_error),
     .m_axi_arvalid(arvalid), .m_axi_arready(arready), .m_axi_araddr(araddr), .m_axi_arlen(arlen), .m_axi_arsize(arsize),
-    .m_axi_arburst(arburst), .m_axi_rvalid(rvalid), .m_axi_rready(rready), .m_axi_rdata(rdata), .m_axi_rresp(2'b00),
+    .m_axi_arburst(arburst), .m_axi_rvalid(rvalid), .m_axi_rready(rready), .m_axi_rdata(rdata), .m_axi_rresp(rresp),
     .m_axi_rlast(rlast));
   always @(posedge clk) started <= 1'b1;
 
@@ -74,12 +80,30 @@ module prove_read_port (
   end
 
   // What the clients get: a clock after each beat, the beat.
-  logic        due, due_owner, due_last;
+  logic        due, due_owner, due_last, due_error;
   logic [63:0] due_data;
   always @(posedge clk) begin
     due <= started && rvalid;
-    {due_owner, due_last, due_data} <= {front[4], rlast && front[5], rdata};
+    {due_owner, due_last, due_error, due_data} <= {front[4], rlast && front[5], rresp[1], rdata};
   end
+
+  // The same in the port's registers: the request that is being split, and the queue of bursts with the one that waits.
+  (* hierconn *) wire \dut.busy ;
+  (* hierconn *) wire \dut.client ;
+  (* hierconn *) wire [A-13:0] \dut.page ;
+  (* hierconn *) wire [8:0] \dut.beat ;
+  (* hierconn *) wire [9:0] \dut.left ;
+  (* hierconn *) wire [1:0] \dut.bursts.storage[0] ;
+  (* hierconn *) wire [1:0] \dut.bursts.storage[1] ;
+  (* hierconn *) wire [1:0] \dut.bursts.storage[2] ;
+  (* hierconn *) wire [1:0] \dut.bursts.storage[3] ;
+  (* hierconn *) wire [2:0] \dut.bursts.taken ;
+  (* hierconn *) wire [2:0] \dut.bursts.written ;
+  (* hierconn *) wire [1:0] \dut.bursts.out_data ;
+  wire [7:0]  storage = {\dut.bursts.storage[3] , \dut.bursts.storage[2] , \dut.bursts.storage[1] , \dut.bursts.storage[0] };
+  wire [7:0]  owners = 8'({storage, storage} >> {\dut.bursts.taken [1:0], 1'b0});  // {ends, owner}, the oldest low
+  wire [2:0]  count = \dut.bursts.written - \dut.bursts.taken ;
+  wire [A+10:0] splitting = {\dut.page , \dut.beat , 3'd0, \dut.left + 10'd1, \dut.client };
 
   logic         waiting;
   logic [A+7:0] waiting_burst;
@@ -113,15 +137,32 @@ module prove_read_port (
         assert ({4'd0, araddr[11:3]} + {5'd0, arlen} <= 511);
         assert (asking != 0 && araddr == address_0 && ar_beats <= beats_0);
       end
+
+      assert (count <= 4 && bursts <= 4 && count == bursts + {2'd0, arvalid});
+      if (count != 0) assert (\dut.bursts.out_data == owners[1:0]);
+      for (integer k = 0; k < 4; k = k + 1) if (k < bursts) assert (owners[2*k +: 2] == queue[6*k+4 +: 2]);
+      if (arvalid) assert (2'(owners >> {bursts[1:0], 1'b0}) == {ar_ends, owner_0});
+      assert (bursts == 0 ? beat == 0 : beat <= front[3:0]);
+      assert (asking == {1'b0, arvalid && ar_ends} + {1'b0, \dut.busy });
+      if (arvalid && !ar_ends) assert (\dut.busy );
+      if (asking != 0) assert (beats_0 != 0);
+      if (asking == 2) assert (beats_1 != 0);
+      if (\dut.busy )
+        assert (splitting == (!arvalid ? {address_0, beats_0, owner_0} : ar_ends ? {address_1, beats_1, owner_1}
+                              : {address_0 + {1'b0, ar_beats, 3'd0}, beats_0 - ar_beats, owner_0}));
     end
   end
   logic second = 1'b0;
+  logic goes_on = 1'b0;
   always @(posedge clk) begin
     second <= started;
     if (second) begin
       if (waiting) assert (arvalid && {araddr, arlen} == waiting_burst);
       assert (data_valid == (due ? (due_owner ? 2'b10 : 2'b01) : 2'b00));
-      if (due) assert (data == due_data && data_last == due_last && !data_error);
+      if (due) assert (data == due_data && data_last == due_last && data_error == due_error);
     end
+    // A request of two bursts ends, of which the second has 16 beats.
+    cover (second && ends_burst && front[5] && front[3:0] == 15 && goes_on);
+    if (ends_burst) goes_on <= !front[5];
   end
 endmodule

@@ -3,10 +3,12 @@
 // Prediction A and sample are those of the formula in integers of 32 bits, so the rearranged sum equals it and nothing overflows, and
 // the sample is in [lo, hi]; three clocks after their input, a block each clock: for every depth 8 to 12, both kinds of plane, every
 // state and sign, every parent in [lo, hi], 0 or of a key image, and every reference and residual in [-M, M]. MAX_DEPTH = 12; blocks of
-// 2 x 2; position 0: the others are the same expression of their own numbers.
+// 4 x 4, each position in a part of its own.
 //
 // Clauses: DEC-2, DEC-3, EXT-5, STR-7, section 11 (P + sign * ref; A + residual)
 // Engine: sat 4
+// Parts: 16
+// Still: hmlfc_reconstruct advance
 // Complete: registers have any values at first, but that the sample before is in [lo, hi], and the register of the parent has that
 // sample unless a block is on its way into it; both are proved to stay so. Blocks of one chain are of one plane, so depth and plane
 // are constant.
@@ -15,16 +17,18 @@
 // Fault: hmlfc_reconstruct.sv / {RESIDUAL_BITS{r[RESIDUAL_BITS-1]}} / {RESIDUAL_BITS{1'b1}}
 // Fault: hmlfc_reconstruct.sv / else if (valid_2) parent / else parent
 // Fault: hmlfc_reconstruct.sv / begins = valid_1 && !chained_1 / begins = !chained_1
-module prove_reconstruct (
-  input logic clk, input logic valid, input logic chained, input logic key, input logic [55:0] references, input logic [55:0] residual,
+// Fault: hmlfc_reconstruct.sv / r = residual[i*RESIDUAL_BITS +: RESIDUAL_BITS] / r = residual[(i == 3 ? 0 : i)*RESIDUAL_BITS +: RESIDUAL_BITS]
+// Fault: hmlfc_reconstruct.sv / if (advance) begin / begin
+module prove_reconstruct #(parameter integer PART = 0) (
+  input logic clk, input logic valid, input logic chained, input logic key, input logic [223:0] references, input logic [223:0] residual,
   input logic motion, input logic negative, input logic keyed, input logic has_residual
 );
-  (* hierconn *) wire [51:0] \dut.parent ;
+  (* hierconn *) wire [207:0] \dut.parent ;
   (* hierconn *) wire \dut.valid_2 ;
   (* anyconst *) logic chroma;
   (* anyconst *) logic [3:0] depth;
-  logic [51:0] prediction, sample;
-  hmlfc_reconstruct #(.BLOCK_LOG2(1), .MAX_DEPTH(12)) dut (
+  logic [207:0] prediction, sample;
+  hmlfc_reconstruct #(.BLOCK_LOG2(2), .MAX_DEPTH(12)) dut (
     .clk(clk), .advance(1'b1), .valid(valid), .chained(chained), .key(key), .references(references), .residual(residual),
     .motion(motion), .negative(negative), .keyed(keyed), .has_residual(has_residual), .chroma(chroma), .depth(depth),
     .prediction(prediction), .sample(sample));
@@ -32,13 +36,13 @@ module prove_reconstruct (
   wire signed [31:0] hi = (32'd1 << depth) - 1;
   wire signed [31:0] lo = chroma ? -hi : 0;
   wire signed [31:0] bound = hi - lo;
-  wire signed [31:0] ref_ = $signed(references[13:0]);
-  wire signed [31:0] r = $signed(residual[13:0]);
+  wire signed [31:0] ref_ = $signed(references[14*PART +: 14]);
+  wire signed [31:0] r = $signed(residual[14*PART +: 14]);
 
   // The block that is two clocks old: its parent is the sample now.
   logic [5:0]         flags_1, flags_2;  // {chained, key, motion, negative, keyed, has_residual}
   logic signed [31:0] ref_1, ref_2, r_1, r_2;
-  wire signed [31:0]  s = $signed(sample[12:0]);
+  wire signed [31:0]  s = $signed(sample[13*PART +: 13]);
   wire signed [31:0]  p = flags_2[4] ? ref_2 : flags_2[5] ? s : 0;
   wire signed [31:0]  base = flags_2[1] ? 0 : p;
   wire signed [31:0]  a = flags_2[3] ? spec_clamp(base + (flags_2[2] ? -ref_2 : ref_2), lo, hi) : p;
@@ -65,13 +69,13 @@ module prove_reconstruct (
     assume (r >= -bound && r <= bound);
     assume (!(key && motion));
     if (key) assume (ref_ >= lo && ref_ <= hi);
-    if (clocks == 0) assume (\dut.parent [12:0] == sample[12:0] || \dut.valid_2 );
-    else assert (\dut.parent [12:0] == sample[12:0] || \dut.valid_2 );
+    if (clocks == 0) assume (\dut.parent [13*PART +: 13] == sample[13*PART +: 13] || \dut.valid_2 );
+    else assert (\dut.parent [13*PART +: 13] == sample[13*PART +: 13] || \dut.valid_2 );
     if (clocks != 3) assume (s >= lo && s <= hi);
     else begin
       assert (s == expected);
       assert (s >= lo && s <= hi);
-      if (came) assert ($signed(prediction[12:0]) == expected_a);
+      if (came) assert ($signed(prediction[13*PART +: 13]) == expected_a);
     end
   end
 endmodule

@@ -8,6 +8,8 @@
 // Fault: hmlfc_registers.sv / {31'd0, carries[k]} / {31'd0, !carries[k]}
 // Fault: hmlfc_registers.sv / if (read) s_axil_rdata / if (!s_axil_rready) s_axil_rdata
 // Fault: hmlfc_registers.sv / has_kept[k] ? kept[32*k +: 32] : pairs[64*k+32 +: 32] / pairs[64*k+32 +: 32]
+`include "hmlfc_register_map.svh"
+
 module prove_registers (
   input logic clk, input logic rst_n,
   input logic [11:0] awaddr, input logic [11:0] araddr, input logic awvalid, input logic [31:0] wdata, input logic [3:0] wstrb,
@@ -53,8 +55,8 @@ module prove_registers (
   wire [31:0] pair_high = \dut.pairs [64*k+32 +: 32];
   wire [31:0] kept_high = \dut.kept [32*k +: 32];
   wire        read = arvalid && arready;
-  wire        reads_low = read && araddr[11:2] == 10'h00e + {6'd0, k, 1'b0};
-  wire        reads_high = read && araddr[11:2] == 10'h00f + {6'd0, k, 1'b0};
+  wire        reads_low = read && araddr[11:2] == HMLFC_WORD_ERROR_ADDRESS + {6'd0, k, 1'b0};
+  wire        reads_high = read && araddr[11:2] == HMLFC_WORD_ERROR_ADDRESS + 10'd1 + {6'd0, k, 1'b0};
   logic       open, answers_high;
   logic [31:0] high;
   logic [31:0] answer_high;

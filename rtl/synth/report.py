@@ -21,7 +21,7 @@ import sys
 import tempfile
 
 from timing import in_cells, placed
-from tools import LIBERTY, RTL, read, run
+from tools import LIBERTY, RTL, file_list, read, run
 
 TARGET_MHZ = 100.0
 DATA_PATH = ["bise_unpack", "bise_element", "residual", "vector", "interpolate", "reconstruct", "colour", "compose", "answer"]
@@ -40,7 +40,7 @@ SYNTH = {
 
 def all_modules() -> list[str]:
     """Those with logic."""
-    return [path.stem.removeprefix("hmlfc_") for path in sorted(RTL.glob("hmlfc_*.sv")) if path.stem not in ("hmlfc_pkg", "hmlfc_widths")]
+    return sorted(path.stem.removeprefix("hmlfc_") for path in file_list.modules(RTL) if path.stem != "hmlfc_widths")
 
 
 def size(target: str, spec: str) -> list[str]:

@@ -8,10 +8,11 @@ import statistics
 import sys
 import tempfile
 
-from tools import LIBERTY, read, run
+from tools import LIBERTY, RTL, read, run
 
 HX8K = {"ICESTORM_LC": 7680, "ICESTORM_RAM": 32}
-PERIOD = 10.0  # ns, of the target
+CONSTRAINTS = (RTL / "kit" / "hmlfc_decode_unit.sdc").read_text(encoding="utf-8")
+PERIOD = float(re.search(r"^set hmlfc_period ([\d.]+)$", CONSTRAINTS, re.MULTILINE)[1])  # ns
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -74,6 +75,12 @@ def placed(spec: str, seeds: int) -> list[str]:
         return [used, f"{statistics.median(rates):.1f}", f"{statistics.median(estimates):.1f}"]
 
 
+def constraints(has_clock: bool) -> str:
+    """Those of the unit for a module alone: the whole period is for paths inside, and its clock may be none of its ports."""
+    text = re.sub(r"^set hmlfc_outside .*", "set hmlfc_outside 0.0", CONSTRAINTS, flags=re.MULTILINE)
+    return text if has_clock else text.replace("[get_ports clk]", "")
+
+
 def in_cells(spec: str, whole: bool) -> list[str]:
     """The clock rate of a module in standard cells without wires, by OpenSTA. The whole unit is mapped module by module."""
     with tempfile.TemporaryDirectory() as work:
@@ -87,14 +94,12 @@ def in_cells(spec: str, whole: bool) -> list[str]:
                     f"splitnets -ports; opt_clean -purge; write_verilog -noattr -noexpr -nohex {folder}/net.v"])
         if not text:
             return ["too long"]
-        clock = "[get_ports clk]" if "clk" in ports_of(spec, folder) else ""
+        (folder / "unit.sdc").write_text(constraints("clk" in ports_of(spec, folder)), encoding="utf-8")
         (folder / "time.tcl").write_text(f"""
 read_liberty {LIBERTY}
 read_verilog {folder}/net.v
 link_design {top}
-create_clock -name clk -period {PERIOD} {clock}
-set_input_delay 0 -clock clk [all_inputs]
-set_output_delay 0 -clock clk [all_outputs]
+read_sdc {folder}/unit.sdc
 report_checks -path_delay max
 report_worst_slack
 exit

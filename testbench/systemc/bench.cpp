@@ -114,12 +114,12 @@ std::optional<uint32_t> Bench::load() {
   reg::write_stream([&](uint32_t address, uint32_t word) { write(address, word); },
                     image_.stream_base, image_.stream.size(), image_.reference_base);
   scoreboard_.forget_chroma();
-  write(reg::kControl, reg::kLoad);
+  write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
   const uint64_t begin = cycle();
   while (cycle() - begin < kMaxLoadClocks) {
-    const uint32_t status = read(reg::kStatus);
+    const uint32_t status = read(HMLFC_REG_STATUS);
     if (findings_.first()) return std::nullopt;
-    if ((status & reg::kLoading) == 0) return status;
+    if ((status & HMLFC_REG_STATUS_LOADING_MASK) == 0) return status;
   }
   findings_.add({"registers: LOAD does not end", {}, {}, {}, cycle()});
   return std::nullopt;
@@ -173,7 +173,7 @@ void Bench::run(RequestSource source, Oracle& oracle, const Conditions& conditio
 }
 
 void Bench::begin_counting() {
-  write(reg::kControl, reg::kClear);
+  write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_CLEAR_MASK);
   scoreboard_.clear();
   monitor_.clear_counts();
   read_monitor_.clear_counts();
@@ -192,30 +192,33 @@ void Bench::expect_counter(const char* name, uint64_t expected, uint64_t actual)
 
 void Bench::check_settings() {
   const UnitParameters unit = unit_->parameters();
-  expect_counter("ID", reg::kIdValue, read(reg::kId));
+  expect_counter("ID", HMLFC_REG_ID_RESET, read(HMLFC_REG_ID));
   expect_counter("PARAMETERS", reg::parameters(unit.block_log2, unit.max_depth, unit.beat_bytes),
-                 read(reg::kParameters));
-  expect_counter("STREAM_BASE", image_.stream_base, read_pair(reg::kStreamBase));
-  expect_counter("STREAM_BYTES", image_.stream.size(), read_pair(reg::kStreamBytes));
-  expect_counter("REFERENCE_BASE", image_.reference_base, read_pair(reg::kReferenceBase));
+                 read(HMLFC_REG_PARAMETERS));
+  expect_counter("STREAM_BASE", image_.stream_base, read_pair(HMLFC_REG_STREAM_BASE));
+  expect_counter("STREAM_BYTES", image_.stream.size(), read_pair(HMLFC_REG_STREAM_BYTES));
+  expect_counter("REFERENCE_BASE", image_.reference_base, read_pair(HMLFC_REG_REFERENCE_BASE));
 }
 
 void Bench::disable() {
-  write(reg::kControl, reg::kDisable);
-  expect_counter("STATUS after DISABLE", 0, read(reg::kStatus) & (reg::kReady | reg::kLoading));
+  write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_DISABLE_MASK);
+  expect_counter(
+      "STATUS after DISABLE", 0,
+      read(HMLFC_REG_STATUS) & (HMLFC_REG_STATUS_READY_MASK | HMLFC_REG_STATUS_LOADING_MASK));
 }
 
 void Bench::check_counters() {
   const ScoreCounts& counts = scoreboard_.counts();
-  expect_counter("REQUESTS", counts.received, read_pair(reg::kRequests));
-  expect_counter("STALLS", stream_counts().answer_stalls, read_pair(reg::kStalls));
+  expect_counter("REQUESTS", counts.received, read_pair(HMLFC_REG_REQUESTS));
+  expect_counter("STALLS", stream_counts().answer_stalls, read_pair(HMLFC_REG_STALLS));
   expect_counter("BYTES_READ", read_monitor_.beats() * unit_->parameters().beat_bytes,
-                 read_pair(reg::kBytesRead));
-  expect_counter("CYCLES", stream_counts().busy, read_pair(reg::kCycles));
-  expect_counter("ERROR", counts.first_error, read(reg::kError));
-  expect_counter("ERROR_ADDRESS", counts.first_error_request, read_pair(reg::kErrorAddress));
-  if (traced_) expect_counter("BLOCKS", counts.records, read_pair(reg::kBlocks));
-  expect_counter("STATUS idle", reg::kIdle, read(reg::kStatus) & reg::kIdle);
+                 read_pair(HMLFC_REG_BYTES_READ));
+  expect_counter("CYCLES", stream_counts().busy, read_pair(HMLFC_REG_CYCLES));
+  expect_counter("ERROR", counts.first_error, read(HMLFC_REG_ERROR));
+  expect_counter("ERROR_ADDRESS", counts.first_error_request, read_pair(HMLFC_REG_ERROR_ADDRESS));
+  if (traced_) expect_counter("BLOCKS", counts.records, read_pair(HMLFC_REG_BLOCKS));
+  expect_counter("STATUS idle", HMLFC_REG_STATUS_IDLE_MASK,
+                 read(HMLFC_REG_STATUS) & HMLFC_REG_STATUS_IDLE_MASK);
 }
 
 }  // namespace hmlfc::tb

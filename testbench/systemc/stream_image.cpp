@@ -28,7 +28,7 @@ void StreamImage::load_into(Bench& bench) const {
   bench.set_image(memory());
   const std::optional<uint32_t> status = bench.load();
   if (!status) return;
-  const bool ready = (*status & reg::kReady) != 0;
+  const bool ready = (*status & HMLFC_REG_STATUS_READY_MASK) != 0;
   const unsigned expected = left_to_software_ ? 0 : load_error_;
   if (reg::load_error(*status) == expected && ready == (expected == 0)) {
     bench.coverage().on_error(static_cast<uint8_t>(expected));

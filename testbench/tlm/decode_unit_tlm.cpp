@@ -55,11 +55,11 @@ void DecodeUnitTlm::access_registers(tlm::tlm_generic_payload& access, sc_core::
 }
 
 void DecodeUnitTlm::control(uint32_t bits, sc_core::sc_time& delay) {
-  if ((bits & reg::kDisable) != 0) {
+  if ((bits & HMLFC_REG_CONTROL_DISABLE_MASK) != 0) {
     oracle_.reset();
     file_.ready = false;
   }
-  if ((bits & reg::kLoad) != 0) load(delay);
+  if ((bits & HMLFC_REG_CONTROL_LOAD_MASK) != 0) load(delay);
 }
 
 void DecodeUnitTlm::load(sc_core::sc_time& delay) {

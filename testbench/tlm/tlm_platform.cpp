@@ -44,7 +44,7 @@ void TlmPlatform::software() {
     while (done_) wait(start_);
     load();
     while (const auto request = source_()) send(*request);
-    if (access(tlm::TLM_READ_COMMAND, reg::kRequests, 0) !=
+    if (access(tlm::TLM_READ_COMMAND, HMLFC_REG_REQUESTS, 0) !=
         static_cast<uint32_t>(scoreboard_.counts().received)) {
       findings_.add({"registers: REQUESTS", {}, {}, {}, answers_taken_});
     }
@@ -57,8 +57,9 @@ void TlmPlatform::load() {
     access(tlm::TLM_WRITE_COMMAND, offset, word);
   };
   reg::write_stream(write, image_.stream_base, image_.stream.size(), image_.reference_base);
-  access(tlm::TLM_WRITE_COMMAND, reg::kControl, reg::kLoad | reg::kClear);
-  const uint32_t status = access(tlm::TLM_READ_COMMAND, reg::kStatus, 0);
+  access(tlm::TLM_WRITE_COMMAND, HMLFC_REG_CONTROL,
+         HMLFC_REG_CONTROL_LOAD_MASK | HMLFC_REG_CONTROL_CLEAR_MASK);
+  const uint32_t status = access(tlm::TLM_READ_COMMAND, HMLFC_REG_STATUS, 0);
   if (reg::load_error(status) == load_error_) return;
   findings_.add(
       {"registers: error of LOAD",

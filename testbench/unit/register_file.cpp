@@ -3,22 +3,19 @@
 #include <utility>
 
 namespace hmlfc::tb {
-namespace {
-
-constexpr uint64_t kAddresses = (uint64_t{1} << 40) - 1;
-
-}  // namespace
 
 uint32_t RegisterFile::read(uint32_t offset) {
   switch (offset) {
-    case reg::kId:
-      return reg::kIdValue;
-    case reg::kParameters:
+    case HMLFC_REG_ID:
+      return HMLFC_REG_ID_RESET;
+    case HMLFC_REG_PARAMETERS:
       return reg::parameters(unit_.block_log2, unit_.max_depth, unit_.beat_bytes);
-    case reg::kStatus:
-      return (ready ? reg::kReady : 0) | (loading ? reg::kLoading : 0) | (idle ? reg::kIdle : 0) |
-             uint32_t{load_error} << 8;
-    case reg::kError:
+    case HMLFC_REG_STATUS:
+      return (ready ? HMLFC_REG_STATUS_READY_MASK : 0) |
+             (loading ? HMLFC_REG_STATUS_LOADING_MASK : 0) |
+             (idle ? HMLFC_REG_STATUS_IDLE_MASK : 0) |
+             uint32_t{load_error} << HMLFC_REG_STATUS_LOAD_ERROR_SHIFT;
+    case HMLFC_REG_ERROR:
       return error_;
     default:
       return read_pair(offset);
@@ -26,12 +23,15 @@ uint32_t RegisterFile::read(uint32_t offset) {
 }
 
 uint32_t RegisterFile::read_pair(uint32_t offset) {
-  const std::pair<uint32_t, uint64_t> pairs[] = {
-      {reg::kStreamBase, pairs_[0]},    {reg::kStreamBytes, pairs_[1]},
-      {reg::kReferenceBase, pairs_[2]}, {reg::kErrorAddress, error_word_},
-      {reg::kBlocks, blocks},           {reg::kCycles, cycles},
-      {reg::kStalls, stalls},           {reg::kBytesRead, bytes_read},
-      {reg::kRequests, requests_}};
+  const std::pair<uint32_t, uint64_t> pairs[] = {{HMLFC_REG_STREAM_BASE, pairs_[0]},
+                                                 {HMLFC_REG_STREAM_BYTES, pairs_[1]},
+                                                 {HMLFC_REG_REFERENCE_BASE, pairs_[2]},
+                                                 {HMLFC_REG_ERROR_ADDRESS, error_word_},
+                                                 {HMLFC_REG_BLOCKS, blocks},
+                                                 {HMLFC_REG_CYCLES, cycles},
+                                                 {HMLFC_REG_STALLS, stalls},
+                                                 {HMLFC_REG_BYTES_READ, bytes_read},
+                                                 {HMLFC_REG_REQUESTS, requests_}};
   for (const auto& [low, value] : pairs) {
     if (offset == low + 4) return high_word_;
     if (offset != low) continue;
@@ -42,15 +42,15 @@ uint32_t RegisterFile::read_pair(uint32_t offset) {
 }
 
 uint32_t RegisterFile::write(uint32_t offset, uint32_t value) {
-  if (offset >= reg::kStreamBase && offset < reg::kReferenceBase + 8 && offset % 4 == 0) {
-    uint64_t& pair = pairs_[(offset - reg::kStreamBase) / 8];
+  if (offset >= HMLFC_REG_STREAM_BASE && offset < HMLFC_REG_REFERENCE_BASE + 8 && offset % 4 == 0) {
+    uint64_t& pair = pairs_[(offset - HMLFC_REG_STREAM_BASE) / 8];
     pair =
         offset % 8 == 0 ? (pair >> 32 << 32 | value) : (pair & 0xffffffffu) | uint64_t{value} << 32;
   }
-  pairs_[0] &= kAddresses;
-  pairs_[2] &= kAddresses;
-  if (offset != reg::kControl) return 0;
-  if ((value & reg::kClear) != 0) {
+  pairs_[0] &= HMLFC_REG_STREAM_BASE_MASK;
+  pairs_[2] &= HMLFC_REG_REFERENCE_BASE_MASK;
+  if (offset != HMLFC_REG_CONTROL) return 0;
+  if ((value & HMLFC_REG_CONTROL_CLEAR_MASK) != 0) {
     blocks = cycles = stalls = bytes_read = requests_ = 0;
     error_ = 0;
     error_word_ = 0;

@@ -126,12 +126,12 @@ void StandIn::take_registers(const UnitInputs& in) {
 }
 
 void StandIn::control(uint32_t bits) {
-  if ((bits & reg::kDisable) != 0) {
+  if ((bits & HMLFC_REG_CONTROL_DISABLE_MASK) != 0) {
     oracle_.reset();
     registers_.ready = false;
     wanted_ = false;
   }
-  if ((bits & reg::kLoad) == 0) return;
+  if ((bits & HMLFC_REG_CONTROL_LOAD_MASK) == 0) return;
   wanted_ = true;
   if (!registers_.loading) begin_load();
 }

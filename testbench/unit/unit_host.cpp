@@ -104,11 +104,11 @@ uint32_t UnitHost::read(uint32_t address) {
 uint8_t UnitHost::load() {
   reg::write_stream([&](uint32_t address, uint32_t word) { write(address, word); }, kStreamBase,
                     stream_.size(), area_base_);
-  write(reg::kControl, reg::kLoad);
+  write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
   for (uint64_t reads = 0; reads < patience_; ++reads) {
-    const uint32_t status = read(reg::kStatus);
-    if ((status & reg::kLoading) != 0) continue;
-    if ((status & reg::kReady) != 0) return 0;
+    const uint32_t status = read(HMLFC_REG_STATUS);
+    if ((status & HMLFC_REG_STATUS_LOADING_MASK) != 0) continue;
+    if ((status & HMLFC_REG_STATUS_READY_MASK) != 0) return 0;
     if (reg::load_error(status) != 0) return static_cast<uint8_t>(reg::load_error(status));
   }
   throw UnitHangs("LOAD does not end");

@@ -4,9 +4,12 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <verilated.h>
 #include <verilated_cov.h>
@@ -90,6 +93,14 @@ inline void write_coverage(VerilatedContext& context) {
   context.coveragep()->write(path.c_str());
 }
 
+/// Plusargs for every unit: the words of the environment variable HMLFC_RTL_PLUSARGS, such as those
+/// of testbench/checker/hmlfc_checker_bind.sv.
+inline std::vector<std::string> environment_plusargs() {
+  const char* text = std::getenv("HMLFC_RTL_PLUSARGS");
+  std::istringstream words(text == nullptr ? "" : text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
 /// `Model` is Verilator's class of the top module for `parameters`; open_wave() starts an FST wave.
 template <class Model>
 class VerilatedUnit final : public DecodeUnit {
@@ -98,7 +109,9 @@ class VerilatedUnit final : public DecodeUnit {
   explicit VerilatedUnit(const UnitParameters& parameters, const std::string& plusarg = {})
       : parameters_(parameters) {
     context_ = std::make_unique<VerilatedContext>();
-    std::array<const char*, 2> arguments{"unit", plusarg.c_str()};
+    const std::vector<std::string> words = environment_plusargs();
+    std::vector<const char*> arguments{"unit", plusarg.c_str()};
+    for (const std::string& word : words) arguments.push_back(word.c_str());
     context_->commandArgs(static_cast<int>(arguments.size()), arguments.data());
     context_->traceEverOn(VM_TRACE);
     model_ = std::make_unique<Model>(context_.get(), "hmlfc_decode_unit");
@@ -111,6 +124,8 @@ class VerilatedUnit final : public DecodeUnit {
     wave_.close();
     model_->final();
     if constexpr (VM_COVERAGE) write_coverage(*context_);
+    // Scopes of the checker are taken out of the context of this thread: that of the latest unit.
+    Verilated::threadContextp(context_.get());
   }
 
   void clock(const UnitInputs&, const UnitInputs& after, UnitOutputs& outputs) override {

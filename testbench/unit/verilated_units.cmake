@@ -18,12 +18,6 @@ endif()
 option(HMLFC_RTL_WAVES "The first Verilated unit writes waves of failures" ${HMLFC_SOAK})
 option(HMLFC_RTL_COVERAGE "Count lines, branches and toggles of the decode unit; excludes waves" OFF)
 
-# The package first, the other files by name.
-set(HMLFC_RTL_PACKAGE "${PROJECT_SOURCE_DIR}/rtl/hmlfc_pkg.sv")
-file(GLOB HMLFC_RTL_SOURCES CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/rtl/*.sv")
-list(REMOVE_ITEM HMLFC_RTL_SOURCES "${HMLFC_RTL_PACKAGE}")
-list(PREPEND HMLFC_RTL_SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" "${HMLFC_RTL_PACKAGE}")
-
 # A library needs a source of its own.
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp" "")
 
@@ -52,10 +46,19 @@ function(hmlfc_verilate_unit target prefix unit)
     OPT_SLOW -O0
     OPT_GLOBAL -O2
     VERILATOR_ARGS ${parameters} ${arg_ARGUMENTS}
-      --x-assign fast --x-initial fast --noassert --output-split 60000)
+      --x-assign fast --x-initial fast --assert --output-split 60000)
 endfunction()
 set(HMLFC_UNIT_PARAMETERS BLOCK_LOG2 MAX_DEPTH AXI_DATA_BITS OUTSTANDING)
 set(HMLFC_VERILATED_OPTIMISATION -O1)  # -O3 compiles longer for runs 10 % faster
+
+# The checker of other people's simulations at the pins of each unit (docs/checker.md): it sleeps unless
+# the environment variable HMLFC_RTL_PLUSARGS wakes it. A count of lines is to be of the unit alone.
+set(HMLFC_CHECKER_SOURCES "")
+if(NOT HMLFC_RTL_COVERAGE)
+  set(HMLFC_CHECKER_SOURCES
+    "${CMAKE_CURRENT_SOURCE_DIR}/checker/hmlfc_checker.sv"
+    "${CMAKE_CURRENT_SOURCE_DIR}/checker/hmlfc_checker_bind.sv")
+endif()
 
 # All units in one library: Verilator's runtime is compiled once.
 set(HMLFC_RTL_INCLUDES "")
@@ -69,7 +72,8 @@ endif()
 foreach(unit IN LISTS units)
   string(REPLACE ":" "_" prefix "Unit_${unit}")
   hmlfc_verilate_unit(hmlfc_verilated ${prefix} ${unit}
-    SOURCES ${HMLFC_RTL_SOURCES} INSTRUMENT ${instrument} ARGUMENTS -Wall)
+    SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${HMLFC_RTL_SOURCES} ${HMLFC_RTL_ASSERTIONS} ${HMLFC_CHECKER_SOURCES}
+    INSTRUMENT ${instrument} ARGUMENTS -Wall)
   string(REGEX MATCH "^(.+):(.+):(.+):(.+)$" parts "${unit}")
   math(EXPR beat_bytes "${CMAKE_MATCH_3} / 8")
   string(APPEND HMLFC_RTL_INCLUDES "#include \"${prefix}.h\"\n")
@@ -91,7 +95,7 @@ if(HMLFC_RTL_WAVES AND NOT HMLFC_RTL_COVERAGE)
 endif()
 target_compile_definitions(hmlfc_rtl PRIVATE
   VM_COVERAGE=$<BOOL:${HMLFC_RTL_COVERAGE}> VM_TRACE=$<BOOL:${waves}>)
-target_link_libraries(hmlfc_rtl PUBLIC hmlfc_bench hmlfc_verilated)
+target_link_libraries(hmlfc_rtl PUBLIC hmlfc_bench hmlfc_verilated hmlfc_dpi)
 
 if(HMLFC_SOAK AND NOT HMLFC_RTL_COVERAGE)
   include(unit/rtl_faults.cmake)

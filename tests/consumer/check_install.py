@@ -126,8 +126,21 @@ def check_wrapper(installation, folder):
     installation.hmlfc("conform", "--dut", folder / "libfaulty.so", *vectors, "-o", folder / "faulty", code=1)
 
 
+def check_decode_unit(installation):
+    """Core and IP-XACT name files that are there, and Verilator, where there is one, reads the list."""
+    rtl = installation.prefix / "share" / "hmlfc" / "rtl"
+    core = re.findall(r"^      - (\S+?)(?::|$)", (rtl / "hmlfc_decode_unit.core").read_text(), re.M)
+    component = re.findall(r">([^<]+\.(?:sv|svh|sdc))<", (rtl / "kit/hmlfc_decode_unit.xml").read_text())
+    files = [*(rtl / name for name in core), *(rtl / "kit" / name for name in component)]
+    missing = [str(file) for file in files if not file.is_file()]
+    assert len(core) > 60 and len(component) > 60 and not missing, missing
+    if shutil.which("verilator"):
+        run("verilator", "--lint-only", "-Wall", rtl / "waivers.vlt", "-F", rtl / "hmlfc_decode_unit.f", "--top-module", "hmlfc_decode_unit")
+
+
 def main():
     installation = Installation(*sys.argv[1:])
+    check_decode_unit(installation)
     installation.check_headers()
     installation.check_exports()
     for name, options in {"static": (), "shared": ("-DBUILD_SHARED_LIBS=ON",)}.items():

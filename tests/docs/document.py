@@ -1,6 +1,6 @@
 """The commands of a Markdown document, and the outputs that it quotes.
 
-A command is a line that begins with ./run, hmlfc, cmake, ctest or g++ in a fenced block without a
+A command is a line that begins with ./run, hmlfc, cmake, ctest, g++, env, a simulator or sim/ in a fenced block without a
 language or with `sh`, or an inline code span that begins with ./run. A backslash at its end
 continues it. In a workflow (*.yml) it is such a line, also behind `run: `.
 
@@ -12,7 +12,7 @@ A fenced block with the language `text` quotes the output of the last fenced com
 import re
 from dataclasses import dataclass, field
 
-COMMAND = re.compile(r"(?:\./run|hmlfc|cmake|ctest|g\+\+)(?: |$)")
+COMMAND = re.compile(r"(?:\./run|hmlfc|cmake|ctest|g\+\+|env|verilator|iverilog(?:-vpi)?|sim/\w+)(?: |$)")
 FENCE = re.compile(r"^( *)```(.*)$")
 SPAN = re.compile(r"`(\./run [^`]+)`")
 LIMIT = re.compile(r'\b(from|to)="([^"]*)"')

@@ -60,6 +60,7 @@ COMMANDS = rules(
     (r"\./run compare .*", r"\g<0>; test $? = 1", "the views differ"),
     (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)",
      r"\1 conform --filter 'syntax/base-*' \2; test $? = 5", "the whole suite takes a minute"),
+    (r"sim/.* \+fault=.*", r"\g<0>; test $? != 0", "a difference ends it"),
     (r"\./run conform .*faulty_decoder.*", r"\g<0>; test $? = 1", "it fails"),
     (r"\./run conform .*-o out/planted", r"\g<0>; test $? = 5", "one vector alone is not the suite"),
     (r"\./run conform --merge .*", r"\g<0>; test $? = 5", "the shards have a part of the suite"),

@@ -23,12 +23,13 @@ DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast
 CODEC = {*DECODER, "model/render", "model/encoder"}
 TOOLS = {f"tools/{name}" for name in ("terminal", "io", "scenes", "vectors", "conform", "cli")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
-CHECKS = {*DECODER, "tools/io", "testbench/oracle", "testbench/stimulus"}
-TESTBENCH = {f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu")}
+CHECKS = {*DECODER, "rtl/driver", "tools/io", "testbench/oracle", "testbench/stimulus"}
+TESTBENCH = {"rtl/driver", *(f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu"))}
 
 # What the files of a folder may include with quotes, besides the folder itself, in the order of the
 # layers; all may include <hmlfc/...> and libraries. A file belongs to the longest folder that holds it.
 ALLOWED = {
+    "rtl/driver": set(),
     "model/include": set(),
     "model/bits": set(),
     "model/arithmetic": {"model/bits"},
@@ -64,7 +65,7 @@ ONE_LAYER = {"model/decoder", "model/decoder/golden", "model/decoder/fast"}
 # Folder to one that its files must not reach through any chain of includes.
 UNREACHABLE = {"model/decoder/golden": "model/decoder/fast"}
 # Where a quoted name is looked up, after the folder of the file and its topmost folder.
-ROOTS = ("model", "tools", "gpu_ref", "testbench", ".")
+ROOTS = ("model", "tools", "gpu_ref", "rtl", "testbench", ".")
 
 PROJECT_FOLDER = re.compile(r"\$\{PROJECT_SOURCE_DIR\}/(\w+)")
 QUOTED_INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')

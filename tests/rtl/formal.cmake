@@ -17,12 +17,14 @@ set(HMLFC_PROOFS
   quints
   read_port
   reconstruct
+  reference_lookup
   registers
   requests
   residual
   skid_buffer
+  tile_contexts
   trits)
-set(HMLFC_LONG_PROOFS bise_unpack interpolate read_port reconstruct residual)
+set(HMLFC_LONG_PROOFS answer bise_unpack interpolate reconstruct reference_lookup residual tile_contexts)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
@@ -40,5 +42,5 @@ foreach(proof IN LISTS HMLFC_PROOFS)
   set_tests_properties(formal.${proof} PROPERTIES LABELS "${labels}")
   set_tests_properties(formal.${proof}_self_test PROPERTIES LABELS "${self_test_labels}")
   set_tests_properties(formal.${proof} formal.${proof}_self_test PROPERTIES
-    TIMEOUT 600 SKIP_RETURN_CODE 77)
+    TIMEOUT 3600 SKIP_RETURN_CODE 77)
 endforeach()

@@ -7,8 +7,8 @@ function(hmlfc_elaboration_test name message)
     -P "${CMAKE_CURRENT_SOURCE_DIR}/skip.cmake")
   if(HMLFC_VERILATOR)
     list(TRANSFORM ARGN PREPEND -G)
-    set(command "${HMLFC_VERILATOR}" --lint-only -Wall "-I${RTL}" "${RTL}/waivers.vlt"
-      "${RTL}/hmlfc_pkg.sv" "${RTL}/hmlfc_decode_unit.sv" --top-module hmlfc_decode_unit ${ARGN})
+    set(command "${HMLFC_VERILATOR}" --lint-only -Wall "${RTL}/waivers.vlt"
+      -F "${RTL}/hmlfc_decode_unit.f" --top-module hmlfc_decode_unit ${ARGN})
   endif()
   add_test(NAME rtl.parameters.${name} COMMAND ${command})
   set_tests_properties(rtl.parameters.${name} PROPERTIES

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Reads every file of the decode unit with a tool, which must say nothing at all.
 
-read_rtl.py verilator|yosys|icarus|order RTL [--self-test]: the files of the folder RTL, Verilator and Yosys each module
-as a top as well; or a copy of it with a fault that the tool must find.
+read_rtl.py verilator|yosys|icarus|order RTL [--self-test]: the files of the list in the folder RTL, Verilator and Yosys
+each module as a top as well; or a copy of it with a fault that the tool must find.
 
 Icarus 11 cannot elaborate the types of the package: it parses all files and elaborates the FIFO. `order` is no program:
 it finds signals used before their declaration, of which Icarus knows only those that are whole ports of an instance.
@@ -17,6 +17,9 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "rtl" / "kit"))
+import file_list  # noqa: E402
 
 SKIPPED = 77
 PROGRAMS = {"verilator": "verilator", "yosys": "yosys", "icarus": "iverilog"}
@@ -49,33 +52,33 @@ def early_uses(path):
             yield f"{path}:{line}: {name} is used before its declaration\n"
 
 
-def commands(tool, rtl, pattern):
-    package = rtl / "hmlfc_pkg.sv"
-    modules = [path for path in sorted(rtl.glob(pattern)) if path != package]
+def commands(tool, rtl, tops):
+    """Icarus reads the file list from the folder that it is in; Yosys knows no such lists."""
     if tool == "icarus":
-        return [["iverilog", "-g2012", "-Wall", "-tnull", f"-I{rtl}", "-s", "hmlfc_fifo", package, *modules]]
+        return [["iverilog", "-g2012", "-Wall", "-tnull", "-s", "hmlfc_fifo", "-c", file_list.NAME]]
     if tool == "verilator":
-        lint = ["verilator", "--lint-only", "-Wall", f"-I{rtl}", rtl / "waivers.vlt", package]
-        return [[*lint, path, "--top-module", path.stem] for path in modules]
+        lint = ["verilator", "--lint-only", "-Wall", "waivers.vlt", "-F", file_list.NAME]
+        return [[*lint, "--top-module", path.stem] for path in tops]
+    files = " ".join(path.name for path in file_list.sources(rtl))
     return [
-        ["yosys", "-q", "-p", f"read_verilog -sv -I{rtl} {package} {path}",
-         "-p", f"hierarchy -check -top {path.stem} -libdir {rtl}", "-p", "proc", "-p", "check -assert"]
-        for path in modules
+        ["yosys", "-q", "-p", f"read_verilog -sv -defer {files}", "-p", f"hierarchy -check -top {path.stem}",
+         "-p", "proc", "-p", "check -assert"]
+        for path in tops
     ]
 
 
-def said(command):
+def said(command, rtl):
     """What the tool said; also where it only failed."""
-    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, cwd=rtl)
     return run.stdout or (f"{command[-1]}: exit status {run.returncode}\n" if run.returncode else "")
 
 
-def complaints(tool, rtl, pattern="hmlfc_*.sv"):
-    """What is said of the files that match."""
+def complaints(tool, rtl, tops=None):
+    """What is said of the modules, or of those given."""
     if tool == "order":
-        return "".join(line for path in sorted(rtl.glob(pattern)) for line in early_uses(path))
+        return "".join(line for path in file_list.sources(rtl) for line in early_uses(path))
     with ThreadPoolExecutor() as pool:
-        return "".join(pool.map(said, commands(tool, rtl, pattern)))
+        return "".join(pool.map(lambda command: said(command, rtl), commands(tool, rtl, tops or file_list.modules(rtl))))
 
 
 def planted(tool, rtl):
@@ -88,7 +91,7 @@ def planted(tool, rtl):
         if text not in whole:
             sys.exit(f"{file} has no '{text}' to plant a fault in")
         (copy / file).write_text(whole.replace(text, fault))
-        return complaints(tool, copy, file if tool != "icarus" else "hmlfc_*.sv")
+        return complaints(tool, copy, [copy / file])
 
 
 def main():

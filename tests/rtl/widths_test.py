@@ -13,17 +13,20 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "rtl" / "kit"))
+import file_list  # noqa: E402
+
 SKIPPED = 77
 STRUCTURES = ["LEVEL", "IMAGE_TILES", "IMAGE_REFERENCES", "IMAGE", "JOB", "MOTION", "FLOW", "PENDING"]
 
 
 def elaborate(tool, package, rtl):
     """What the tool says of the unit with this package."""
-    top = rtl / "hmlfc_decode_unit.sv"
-    command = ["verilator", "--lint-only", "-Wall", f"-I{rtl}", rtl / "waivers.vlt", package, top]
+    files = [package, *file_list.modules(rtl)]
+    command = ["verilator", "--lint-only", "-Wall", f"-I{rtl}", rtl / "waivers.vlt", *files, "--top-module", "hmlfc_decode_unit"]
     if tool == "yosys":
-        command = ["yosys", "-q", "-p", f"read_verilog -sv -I{rtl} {package} {top}",
-                   "-p", f"hierarchy -check -top hmlfc_decode_unit -libdir {rtl}"]
+        command = ["yosys", "-q", "-p", f"read_verilog -sv -defer -I{rtl} {' '.join(map(str, files))}",
+                   "-p", "hierarchy -check -top hmlfc_decode_unit"]
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False).stdout
 
 

@@ -24,13 +24,13 @@ bool is_register(uint32_t offset) {
 }
 
 bool is_written(uint32_t offset) {
-  return offset == reg::kControl ||
-         (offset >= reg::kStreamBase && offset < reg::kReferenceBase + 8);
+  return offset == HMLFC_REG_CONTROL ||
+         (offset >= HMLFC_REG_STREAM_BASE && offset < HMLFC_REG_REFERENCE_BASE + 8);
 }
 
 // What each word of the space reads as, after 1s were written to all but those that are for it.
 void expect_other_words_are_zero(Bench& bench) {
-  for (uint32_t word = 0; word < 6; ++word) bench.write(reg::kStreamBase + 4 * word, word + 1);
+  for (uint32_t word = 0; word < 6; ++word) bench.write(HMLFC_REG_STREAM_BASE + 4 * word, word + 1);
   for (uint32_t offset = 0; offset < kSpace; offset += 4) {
     if (!is_written(offset)) bench.write(offset, ~uint32_t{0});
   }
@@ -40,14 +40,14 @@ void expect_other_words_are_zero(Bench& bench) {
     if (!is_register(offset)) {
       ASSERT_EQ(value, 0u) << std::hex << offset;
     }
-    if (offset >= reg::kStreamBase && offset < reg::kReferenceBase + 8) {
-      ASSERT_EQ(value, (offset - reg::kStreamBase) / 4 + 1) << std::hex << offset;
+    if (offset >= HMLFC_REG_STREAM_BASE && offset < HMLFC_REG_REFERENCE_BASE + 8) {
+      ASSERT_EQ(value, (offset - HMLFC_REG_STREAM_BASE) / 4 + 1) << std::hex << offset;
     }
   }
-  EXPECT_EQ(bench.read(reg::kId), reg::kIdValue);
-  EXPECT_EQ(bench.read(reg::kParameters),
+  EXPECT_EQ(bench.read(HMLFC_REG_ID), HMLFC_REG_ID_RESET);
+  EXPECT_EQ(bench.read(HMLFC_REG_PARAMETERS),
             reg::parameters(unit.block_log2, unit.max_depth, unit.beat_bytes));
-  EXPECT_EQ(bench.read(reg::kStatus), reg::kIdle) << "no LOAD began";
+  EXPECT_EQ(bench.read(HMLFC_REG_STATUS), HMLFC_REG_STATUS_RESET) << "no LOAD began";
 }
 
 TEST(Registers, OtherWordsReadZeroAndIgnoreWrites) {
@@ -62,8 +62,8 @@ TEST(Registers, OtherWordsReadZeroAndIgnoreWrites) {
 uint32_t status_after_load(Bench& bench) {
   uint32_t status = 0;
   do {
-    status = bench.read(reg::kStatus);
-  } while ((status & reg::kLoading) != 0 && !bench.findings().first());
+    status = bench.read(HMLFC_REG_STATUS);
+  } while ((status & HMLFC_REG_STATUS_LOADING_MASK) != 0 && !bench.findings().first());
   return status;
 }
 
@@ -75,16 +75,19 @@ TEST(Registers, DisableDuringLoadHolds) {
     StreamImage image(bytes, maker.parameters);
     bench.attach(maker.make(maker.parameters));
     image.load_into(bench);
-    ASSERT_EQ(bench.read(reg::kStatus), reg::kReady | reg::kIdle);
+    ASSERT_EQ(bench.read(HMLFC_REG_STATUS),
+              HMLFC_REG_STATUS_READY_MASK | HMLFC_REG_STATUS_IDLE_MASK);
     unsigned during_load = 0;
     for (uint64_t clocks = 0; clocks < 600; clocks += 23) {
-      bench.write(reg::kControl, reg::kLoad);
+      bench.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
       bench.run_clocks(clocks);
-      during_load += (bench.read(reg::kStatus) & reg::kLoading) != 0;
-      bench.write(reg::kControl, reg::kDisable);
-      EXPECT_EQ(status_after_load(bench), reg::kIdle) << clocks << " clocks after LOAD";
-      bench.write(reg::kControl, reg::kLoad | reg::kDisable);
-      EXPECT_EQ(status_after_load(bench), reg::kReady | reg::kIdle) << "LOAD has the last word";
+      during_load += (bench.read(HMLFC_REG_STATUS) & HMLFC_REG_STATUS_LOADING_MASK) != 0;
+      bench.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_DISABLE_MASK);
+      EXPECT_EQ(status_after_load(bench), HMLFC_REG_STATUS_IDLE_MASK)
+          << clocks << " clocks after LOAD";
+      bench.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK | HMLFC_REG_CONTROL_DISABLE_MASK);
+      EXPECT_EQ(status_after_load(bench), HMLFC_REG_STATUS_READY_MASK | HMLFC_REG_STATUS_IDLE_MASK)
+          << "LOAD has the last word";
     }
     EXPECT_GE(during_load, 10u);
     EXPECT_FALSE(bench.findings().first());
@@ -99,15 +102,15 @@ TEST(Registers, BasesHaveFortyBits) {
     StreamImage image(bytes, maker.parameters);
     bench.attach(maker.make(maker.parameters));
     for (uint32_t word = 0; word < 6; ++word) {
-      bench.write(reg::kStreamBase + 4 * word, ~uint32_t{0});
+      bench.write(HMLFC_REG_STREAM_BASE + 4 * word, ~uint32_t{0});
     }
-    EXPECT_EQ(bench.read_pair(reg::kStreamBase), (uint64_t{1} << 40) - 1);
-    EXPECT_EQ(bench.read_pair(reg::kStreamBytes), ~uint64_t{0});
-    EXPECT_EQ(bench.read_pair(reg::kReferenceBase), (uint64_t{1} << 40) - 1);
+    EXPECT_EQ(bench.read_pair(HMLFC_REG_STREAM_BASE), (uint64_t{1} << 40) - 1);
+    EXPECT_EQ(bench.read_pair(HMLFC_REG_STREAM_BYTES), ~uint64_t{0});
+    EXPECT_EQ(bench.read_pair(HMLFC_REG_REFERENCE_BASE), (uint64_t{1} << 40) - 1);
     MemoryImage memory = image.memory();
     memory.stream_base = 0xFE'DCBA'9870;
     bench.set_image(memory);
-    EXPECT_EQ(bench.load(), reg::kReady | reg::kIdle);
+    EXPECT_EQ(bench.load(), HMLFC_REG_STATUS_READY_MASK | HMLFC_REG_STATUS_IDLE_MASK);
     bench.run(mixed_requests(image.golden()->geometry(), image.golden()->header(), 40, 1, 0),
               image.oracle(), {}, 1);
     EXPECT_FALSE(bench.findings().first());
@@ -124,17 +127,18 @@ TEST(Registers, LateBeatsAfterResetAreReported) {
     bench.attach(maker.make(maker.parameters));
     image.load_into(bench);
     bench.memory().start({.latency = 60}, 1);
-    bench.write(reg::kControl, reg::kLoad);
+    bench.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
     bench.run_clocks(20);
-    EXPECT_EQ(bench.read(reg::kStatus), reg::kLoading) << "not idle: it reads";
+    EXPECT_EQ(bench.read(HMLFC_REG_STATUS), HMLFC_REG_STATUS_LOADING_MASK) << "not idle: it reads";
     bench.memory().keep_bursts_in_reset(true);
     bench.reset(2);
-    EXPECT_EQ(bench.read(reg::kStatus), reg::kIdle);
+    EXPECT_EQ(bench.read(HMLFC_REG_STATUS), HMLFC_REG_STATUS_IDLE_MASK);
     bench.run_clocks(200);
-    EXPECT_EQ(bench.read(reg::kStatus), reg::kIdle | reg::kStray);
+    EXPECT_EQ(bench.read(HMLFC_REG_STATUS),
+              HMLFC_REG_STATUS_IDLE_MASK | HMLFC_REG_STATUS_STRAY_MASK);
     bench.memory().keep_bursts_in_reset(false);
     bench.reset(2);
-    EXPECT_EQ(bench.read(reg::kStatus), reg::kIdle);
+    EXPECT_EQ(bench.read(HMLFC_REG_STATUS), HMLFC_REG_STATUS_IDLE_MASK);
     bench.memory().start({}, 1);
     image.load_into(bench);
     EXPECT_FALSE(bench.findings().first());
@@ -155,12 +159,14 @@ TEST(Registers, IdleUnitMayBeResetAlone) {
     for (uint64_t seed = 0; seed < 8; ++seed) {
       image.load_into(bench);
       bench.run(requests(400, seed), image.oracle(), {.latency = 90}, seed, 300 + 40 * seed);
-      bench.write(reg::kControl, reg::kDisable);
-      while (bench.read(reg::kStatus) != reg::kIdle && !bench.findings().first()) {
+      bench.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_DISABLE_MASK);
+      while (bench.read(HMLFC_REG_STATUS) != HMLFC_REG_STATUS_IDLE_MASK &&
+             !bench.findings().first()) {
       }
       bench.reset(1);
       bench.run_clocks(200);
-      ASSERT_EQ(bench.read(reg::kStatus), reg::kIdle) << "no late beat, seed " << seed;
+      ASSERT_EQ(bench.read(HMLFC_REG_STATUS), HMLFC_REG_STATUS_IDLE_MASK)
+          << "no late beat, seed " << seed;
       image.load_into(bench);
       bench.run(requests(20, seed), image.oracle(), {}, seed);
       ASSERT_FALSE(bench.findings().first());

@@ -67,10 +67,9 @@ def chooser(module: str) -> str:
 
 def verilator_arguments(folder: pathlib.Path) -> list[str]:
     """The parameters of the unit; its files, the package of the number first, each mutated where there is such a copy."""
-    files = [folder / "hmlfc_mutant_pkg.sv", units.RTL / "hmlfc_pkg.sv"]
-    for path in sorted(units.RTL.glob("hmlfc_*.sv")):
-        if path.name != "hmlfc_pkg.sv":
-            files.append(folder / path.name if (folder / path.name).exists() else path)
+    files = [folder / "hmlfc_mutant_pkg.sv"]
+    for path in units.file_list.sources(units.RTL):
+        files.append(folder / path.name if (folder / path.name).exists() else path)
     return [*(f"-G{key}={value}" for key, value in units.UNIT.items()), *map(str, files + sorted(folder.glob("mutated_*.v")))]
 
 

@@ -3,8 +3,11 @@
 import dataclasses
 import pathlib
 import subprocess
+import sys
 
 RTL = pathlib.Path(__file__).resolve().parents[3] / "rtl"
+sys.path.insert(0, str(RTL / "kit"))
+import file_list  # noqa: E402
 
 # Of the unit; rtl_mutants.cpp has the first four as well. Blocks of 4 x 4 are those of most vectors.
 UNIT = {"BLOCK_LOG2": 2, "MAX_DEPTH": 12, "AXI_DATA_BITS": 64, "OUTSTANDING": 4, "TILE_CONTEXTS": 2, "CACHE_STRIPS": 64}
@@ -101,7 +104,7 @@ def all_inner_modules(variant: int) -> list[str]:
 
 def modules_in(name: str) -> list[str]:
     text = (RTL / f"{name}.sv").read_text(encoding="utf-8")
-    return [path.name for path in sorted(RTL.glob("hmlfc_*.sv")) if path.stem not in (name, "hmlfc_pkg") and f"  {path.stem} " in text]
+    return [path.name for path in sorted(file_list.modules(RTL)) if path.stem != name and f"  {path.stem} " in text]
 
 
 def read_commands(variant: int) -> str:

@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""Checks of the integration kit of the decode unit.
+
+kit_test.py generated|read_back|file_list ROOT [--self-test]
+  generated   the generated files are what rtl/kit/generate.py writes
+  read_back   what kit_readers.py finds in each format is what rtl/registers.json says; buses have the unit's ports; the
+              header compiles as C99
+  file_list   rtl/hmlfc_decode_unit.f names every file of the folder, in an order that compiles; core and IP-XACT have its files
+--self-test: each planted fault must be found, by its file.
+
+Exit: 0 so, 1 not; what is wrong is printed.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import kit_readers
+from kit_readers import IPXACT
+
+HEADER, MAP, XML, RDL = "driver/hmlfc_registers.h", "hmlfc_register_map.svh", "kit/hmlfc_decode_unit.xml", "kit/hmlfc_decode_unit.rdl"
+CORE, LIST = "hmlfc_decode_unit.core", "hmlfc_decode_unit.f"
+
+# Check: file below ROOT, text, what stands in its place, and what is said.
+FAULTS = {
+    "generated": [
+        (f"rtl/{MAP}", "HMLFC_REG_STATUS_IDLE_SHIFT = 2", "HMLFC_REG_STATUS_IDLE_SHIFT = 1", MAP),
+        (f"rtl/{HEADER}", "HMLFC_REG_BLOCKS 0x040u", "HMLFC_REG_BLOCKS 0x044u", HEADER),
+        (f"rtl/{RDL}", "@ 0x38", "@ 0x30", RDL),
+        (f"rtl/{XML}", "'h38", "'h30", XML),
+        (f"rtl/{CORE}", "      - hmlfc_fifo.sv\n", "", CORE),
+        ("docs/hardware.md", "| 20, 24 |", "| 20, 28 |", "docs/hardware.md"),
+        ("rtl/registers.json", '"bits": "13:8"', '"bits": "12:8"', HEADER),
+        ("rtl/hmlfc_decode_unit.sv", "input logic [11:0] s_axil_awaddr", "input logic [12:0] s_axil_awaddr", XML),
+    ],
+    "read_back": [
+        (f"rtl/{HEADER}", "HMLFC_REG_STATUS_STRAY_MASK 0x00000008u", "HMLFC_REG_STATUS_STRAY_MASK 0x00000018u", HEADER),
+        (f"rtl/{HEADER}", "\n#endif", "", HEADER),
+        (f"rtl/{MAP}", "HMLFC_WORD_CYCLES = 10'h012", "HMLFC_WORD_CYCLES = 10'h014", MAP),
+        (f"rtl/{RDL}", "sw = w;", "sw = rw;", RDL),
+        (f"rtl/{XML}", "<ipxact:bitWidth>6<", "<ipxact:bitWidth>5<", XML),
+        (f"rtl/{XML}", "<ipxact:access>write-only<", "<ipxact:access>read-write<", XML),
+        (f"rtl/{XML}", "<ipxact:name>m_axi_rid<", "<ipxact:name>m_axi_arid<", XML),
+        (f"rtl/{XML}", "</ipxact:component>", "", XML),
+        ("rtl/registers.json", '"reset": "0x00000004"', '"reset": "0x00000000"', RDL),
+    ],
+    "file_list": [
+        (f"rtl/{LIST}", "hmlfc_trits.sv\n", "", "hmlfc_trits.sv is not named"),
+        (f"rtl/{LIST}", "// included: hmlfc_tables.svh\n", "", "hmlfc_tables.svh is not named"),
+        (f"rtl/{LIST}", "hmlfc_fifo.sv\n", "hmlfc_fifo.sv\nhmlfc_fifo.sv\n", "hmlfc_fifo.sv is named twice"),
+        (f"rtl/{LIST}", "hmlfc_fifo.sv\n", "hmlfc_fifo.sv\nhmlfc_none.sv\n", "there is no hmlfc_none.sv"),
+        (f"rtl/{LIST}", "hmlfc_pkg.sv\n", "hmlfc_divide.sv\nhmlfc_pkg.sv\n", "hmlfc_pkg.sv is not the first"),
+        (f"rtl/{LIST}", "hmlfc_decode_unit.sv\n", "", "hmlfc_decode_unit.sv is not named"),
+        (f"rtl/{LIST}", "hmlfc_colour.sv\n", "hmlfc_answer.sv\nhmlfc_colour.sv\n", "stands before hmlfc_colour.sv"),
+        (f"rtl/{CORE}", "      - hmlfc_fifo.sv\n", "", CORE),
+        (f"rtl/{XML}", "<ipxact:name>../hmlfc_fifo.sv<", "<ipxact:name>../hmlfc_trits.sv<", XML),
+    ],
+}
+
+
+def generated(root):
+    command = [sys.executable, "-B", root / "rtl/kit/generate.py", "--check", root]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    return done.stdout.splitlines() or (["generate.py failed"] if done.returncode else [])
+
+
+def difference(name, found, expected):
+    """A line for each register, and each of its properties that both have, in which the two differ."""
+    lines = [f"{name}: {register} is in one alone" for register in sorted(set(found) ^ set(expected))]
+    for register in sorted(set(found) & set(expected)):
+        lines += [f"{name}: {register} has {key} {found[register][key]}, not {expected[register][key]}"
+                  for key in found[register].keys() & expected[register].keys() if found[register][key] != expected[register][key]]
+    return lines
+
+
+def bus_ports(root, text):
+    """Every port but those of the trace is in a bus, once, and is a port of the model."""
+    component = ElementTree.fromstring(text)
+    source = (root / "rtl/hmlfc_decode_unit.sv").read_text()
+    real = set(re.findall(r"^    (?:input|output) logic (?:\[.+\] )?(\w+)", source, re.M))
+    model = [port.find(f"{IPXACT}name").text for port in component.iter(f"{IPXACT}port")]
+    mapped = [port.find(f"{IPXACT}name").text for port in component.iter(f"{IPXACT}physicalPort")]
+    mapped = sorted(name for name in mapped if name not in ("clk", "rst_n"))
+    expected = sorted(name for name in real if not name.startswith("trace_") and name not in ("clk", "rst_n"))
+    return ([] if sorted(model) == sorted(real) else [f"{XML}: its ports are not those of the unit"]) + (
+        [] if mapped == expected else [f"{XML}: not each port is in one bus: {set(mapped) ^ set(expected) or 'one is in two'}"])
+
+
+def read_back(root):
+    text = {name: (root / "rtl" / name).read_text() for name in (HEADER, MAP, XML, RDL, "registers.json")}
+    expected = kit_readers.description(text["registers.json"])
+    lines = []
+    for name, reader in {RDL: kit_readers.system_rdl, XML: kit_readers.ipxact}.items():
+        try:
+            lines += difference(name, reader(text[name]), expected)
+        except (AssertionError, ElementTree.ParseError) as error:
+            lines.append(f"{name}: {error}")
+    if any(XML in line for line in lines):
+        return lines
+    lines += bus_ports(root, text[XML])
+    both = {name: expected[name] | constants for name, constants in kit_readers.masks(expected).items()}
+    for name, reader in {HEADER: kit_readers.c_header, MAP: kit_readers.system_verilog}.items():
+        try:
+            lines += difference(name, reader(text[name]), both)
+        except (KeyError, ValueError, AssertionError) as error:
+            lines.append(f"{name}: {error!r}")
+    compiler = ["cc", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-fsyntax-only", "-x", "c", "-"]
+    source = f'#include "{root / "rtl" / HEADER}"\nint status = HMLFC_REG_STATUS;\n'
+    done = subprocess.run(compiler, input=source, stderr=subprocess.PIPE, text=True, check=False)
+    return lines + done.stderr.splitlines()
+
+
+def file_list(root):
+    rtl = root / "rtl"
+    sys.path.insert(0, str(rtl / "kit"))
+    import file_list as files
+
+    lines = files.complaints(rtl)
+    named = [path.name for path in [*files.headers(rtl), *files.sources(rtl)]]
+    core = re.findall(r"^      - (\w+\.svh?)\b", (rtl / CORE).read_text(), re.M)
+    component = ElementTree.parse(rtl / XML)
+    files = [file.find(f"{IPXACT}name").text for file in component.iter(f"{IPXACT}file")]
+    if core != named:
+        lines.append(f"{CORE}: its files are not those of the list")
+    if [name.removeprefix("../") for name in files if name.startswith("../")] != named:
+        lines.append(f"{XML}: its files are not those of the list")
+    return lines
+
+
+CHECKS = {"generated": generated, "read_back": read_back, "file_list": file_list}
+
+
+def missed(check, root):
+    """The faults that the check does not name."""
+    for file, old, new, said in FAULTS[check]:
+        with tempfile.TemporaryDirectory() as folder:
+            copy = Path(folder)
+            shutil.copytree(root / "rtl", copy / "rtl", ignore=shutil.ignore_patterns("formal", "synth"))
+            (copy / "docs").mkdir()
+            shutil.copy(root / "docs/hardware.md", copy / "docs")
+            shutil.copy(root / "CMakeLists.txt", copy)
+            text = (copy / file).read_text()
+            assert old in text, f"{file} has no '{old}' to plant a fault in"
+            (copy / file).write_text(text.replace(old, new, 1))
+            if not any(said in line for line in CHECKS[check](copy)):
+                yield f"not found: {file}: {old.strip()} -> {new.strip()}"
+
+
+def main():
+    check, root = sys.argv[1], Path(sys.argv[2]).resolve()
+    found = list(missed(check, root)) if sys.argv[3:] == ["--self-test"] else CHECKS[check](root)
+    print("\n".join(found) or "clean")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""checker_test.py verilator|icarus CMAKE BUILD LIBDIR: hmlfc_checker.sv from an installed copy, on its stand-in decoder.
+
+Every planted fault is caught and named, a decoder without faults passes, with the same stream and with bad ones; what a
+capability file rules out is skipped, and a wrong one says what to do. Exit 77: the simulator is not installed.
+"""
+
+import ctypes
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+VECTORS = ROOT / "vectors"
+STREAM = VECTORS / "real" / "cards-main.hmlfc"
+SIMULATOR, CMAKE, BUILD, LIBDIR = sys.argv[1:5]
+PROGRAM = {"verilator": "verilator", "icarus": "iverilog"}[SIMULATOR]
+WORK = Path(BUILD).resolve() / "tests" / "testbench" / f"checker_{SIMULATOR}"
+PREFIX = WORK / "prefix"
+LIB = PREFIX / LIBDIR
+SHARE = PREFIX / "share" / "hmlfc" / "checker"
+SOURCES = [SHARE / name for name in ("example_bench.sv", "stand_in_decoder.sv", "hmlfc_checker.sv")]
+VIEW = ["+row=1", "+col=2", "+blocks_x=10", "+blocks_y=8"]  # a view of STREAM
+REQUESTS = 80 + 20 + 20 + 1  # RGB, Co, level 1, one that does not exist
+
+
+def run(*command, **options):
+    done = subprocess.run([str(word) for word in command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          timeout=240, check=False, **options)
+    return done.returncode, done.stdout
+
+
+def must(*command, **options):
+    code, text = run(*command, **options)
+    assert code == 0, f"{command}: exit status {code}\n{text}"
+    return text
+
+
+def build(name, tagged):
+    """The bench's command."""
+    folder = WORK / name
+    folder.mkdir()
+    if SIMULATOR == "verilator":
+        link = f"-L{LIB} -lhmlfc_dpi -Wl,-rpath,{LIB}"
+        must("verilator", "--binary", "--trace", "-Wall", "-Mdir", folder, f"-GTAGGED=1'b{tagged}", "-CFLAGS", "-O0",
+             "-LDFLAGS", link, "--top-module", "example_bench", *SOURCES)
+        return [folder / "Vexample_bench"]
+    must("iverilog-vpi", f"-I{PREFIX}/include", SHARE / "hmlfc_vpi.c", f"-L{LIB}", "-lhmlfc_dpi", cwd=folder)
+    said = must("iverilog", "-g2012", "-Wall", f"-Pexample_bench.TAGGED={tagged}", "-s", "example_bench",
+                "-o", folder / "bench.vvp", *SOURCES)
+    assert not said, said
+    return ["vvp", f"-M{folder}", "-mhmlfc_vpi", folder / "bench.vvp"]
+
+
+def inspected(view, plane, block):
+    return json.loads(must(PREFIX / "bin" / "hmlfc", "inspect", STREAM, "--view", view, "--plane", plane, "--block", block, "--json"))
+
+
+class CheckerTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(WORK, ignore_errors=True)
+        WORK.mkdir(parents=True)
+        must(CMAKE, "--install", BUILD, "--prefix", PREFIX)
+        cls.bench = build("in_order", 0)
+        cls.tagged = build("tagged", 1)
+
+    def check(self, *plusargs, passes, stream=STREAM, device=SHARE / "stand_in.device", bench=None, view=VIEW):
+        """What a run prints."""
+        code, text = run(*(bench or self.bench), f"+hmlfc_checker_stream={stream}", f"+hmlfc_checker_device={device}", *view, *plusargs,
+                         cwd=WORK)
+        self.assertEqual(code == 0, passes, text)
+        return text
+
+    def device(self, *changes):
+        """The stand-in's capability file, with lines in place of those of the same name; a name alone removes its line."""
+        lines = (SHARE / "stand_in.device").read_text().splitlines()
+        for change in changes:
+            lines = [line for line in lines if line.split()[0] != change.split()[0]]
+            lines += [change] if " " in change else []
+        path = WORK / "changed.device"
+        path.write_text("\n".join(lines) + "\n")
+        return path
+
+    def count(self, text, pattern):
+        found = re.search(pattern, text)
+        self.assertTrue(found, text)
+        return int(found[1])
+
+    def test_equal(self):
+        text = self.check(passes=True)
+        self.assertIn(f"passed: {REQUESTS} answers are the model's", text)
+        self.assertEqual(self.count(text, r"status 25  (\d+)  bad_request"), 1)
+        self.assertEqual(self.count(text, r"stage records +(\d+), compared 20"), 20)
+
+    def test_faults(self):
+        cases = {
+            ("sample", 33): ("answer: sample", "request    33: view 1,2 plane RGB block 3,3", "lane 1, G (COL-2, COL-3), x 2, y 0"),
+            ("status", 33): ("answer: status", "expected   status 0 (ok)", "actual     status 24 (limit_exceeded)"),
+            ("swap", 33): ("answer: order", "request    33:", "answer to request 34: answers changed places, or one is missing"),
+            ("missing", 33): ("answer: order", "request    33:", "answer to request 34: answers changed places, or one is missing"),
+            ("extra", 33): ("answer: order", "request    34:", "answer to request 33 once more"),
+            ("missing", REQUESTS - 1): ("answer: missing", f"request    {REQUESTS - 1}:", "1 without an answer"),
+            ("extra", REQUESTS - 1): ("answer: extra", "no request is in flight", "status 25 (bad_request)"),
+            ("stage", 85): ("stage: sample", "level 0 image 1,2 plane Co block 0,1, stage sample (DEC-3), x 0, y 0", "hmlfc inspect"),
+        }
+        if SIMULATOR == "icarus":  # Verilator has no unknown bits
+            cases["unknown", 33] = ("answer: sample", "lane 0, R", "actual     unknown")
+            cases["status_x", 33] = ("answer: unknown", "a bit of them is x or z")
+        for (fault, at), (rule, *parts) in cases.items():
+            with self.subTest(fault=fault, at=at):
+                text = self.check(f"+fault={fault}", f"+fault_at={at}", passes=False)
+                self.assertEqual(re.findall(r"difference \d+ at clock \d+: (.*)", text), [rule], text)
+                for part in parts:
+                    self.assertIn(part, text)
+                self.assertIn("FAILED: 1 differences", text)
+
+    def test_values_and_addresses(self):
+        text = self.check("+fault=stage", "+fault_at=85", passes=False)
+        level = inspected("1,2", "Co", "0,1")["levels"][-1]
+        value = level["stages"]["sample"]["values"][0][0]
+        self.assertEqual(self.count(text, r"expected +(-?\d+)\n"), value)
+        self.assertEqual(self.count(text, r"actual +(-?\d+)\n"), value ^ 1)
+        ranges = [(section, int(byte, 16) * 8 + int(bit), int(bits))
+                  for section, listed in re.findall(r"(ROOT|GROUP|TILE)((?: 0x\w+\.\d\+\d+)+)", text)
+                  for byte, bit, bits in re.findall(r"0x(\w+)\.(\d)\+(\d+)", listed)]
+        for field in level["fields"]:
+            at = field["byte"] * 8 + field["bit"]
+            self.assertTrue(any(section == field["section"] and begin <= at and at + field["bits"] <= begin + bits
+                                for section, begin, bits in ranges), (field, text))
+
+    def test_continue(self):
+        text = self.check("+fault=sample", "+fault_at=33", "+hmlfc_checker_continue", passes=False)
+        self.assertEqual(self.count(text, r"answers +(\d+), compared"), REQUESTS)
+        self.assertIn("difference        1  answer: sample", text)
+
+    def test_wave(self):
+        text = self.check("+fault=sample", "+fault_at=33", passes=False)
+        plusargs = re.search(r"run again with (.*)", text)[1].split()
+        first, last = (int(word.split("=")[1]) for word in plusargs[1:])
+        self.assertIn("difference 1 at clock", self.check("+fault=sample", "+fault_at=33", *plusargs, passes=False))
+        times = [int(time) for time in re.findall(r"(?m)^#(\d+)$", (WORK / "hmlfc_checker.vcd").read_text())]
+        self.assertEqual((min(times), max(times)), (first * 10 + 5, last * 10 + 5))
+
+    def test_tags(self):
+        device = self.device("answers tagged")
+        text = self.check(passes=True, device=device, bench=self.tagged)
+        self.assertIn(f"passed: {REQUESTS} answers", text)
+        self.assertIn(": answer: order", self.check(passes=False, bench=self.tagged))
+        text = self.check("+fault=extra", f"+fault_at={REQUESTS - 1}", passes=False, device=device, bench=self.tagged)
+        self.assertIn("no answer: no request with tag", text)
+
+    def test_bad_streams(self):
+        text = self.check(passes=True, stream=VECTORS / "error" / "field-depth-13.hmlfc")
+        self.assertIn("is refused: every request must be answered with status", text)
+        text = self.check(passes=True, stream=VECTORS / "error" / "reference-block.hmlfc", view=[])
+        self.assertGreater(self.count(text, r"(\d+)  bad_levels"), 0)
+
+    def test_skipped(self):
+        text = self.check(passes=True, device=self.device("rgb no", "stop_levels no"))
+        self.assertIn("80  requests for RGB (rgb no)", text)
+        self.assertIn("20  stop levels (stop_levels no)", text)
+        self.assertEqual(self.count(text, r"compared (\d+)\n"), REQUESTS - 100)
+        text = self.check(passes=True, device=self.device("stages none", "stage_records"))
+        self.assertIn("20  stage records (stages none)", text)
+        for change, reason in (("max_width 39", "width is 40, the device's greatest 39"), ("block_sizes 4", None)):
+            text = self.check(passes=reason is None, device=self.device(change))
+            self.assertIn("nothing was compared" if reason else "passed", text)
+            self.assertIn(reason or "", text)
+        text = self.check(passes=False, stream=VECTORS / "real" / "knights-extended.hmlfc", device=self.device("profile main"))
+        self.assertIn("the stream's profile is extended, the device's main", text)
+
+    def test_bus_errors(self):
+        self.assertIn(": answer: status", self.check("+fault=bus", "+fault_at=33", passes=False))
+        text = self.check("+fault=bus", "+fault_at=33", passes=True, device=self.device("bus_errors yes"))
+        self.assertIn("1  answers of bus_error (bus_errors yes)", text)
+        self.assertIn(f"compared {REQUESTS - 1}\n", text)
+
+    def test_reset(self):
+        library = ctypes.CDLL(str(LIB / "libhmlfc_dpi.so"))
+        library.hmlfc_checker_text.restype = ctypes.c_char_p
+        checker = library.hmlfc_checker_open(str(STREAM).encode(), str(SHARE / "stand_in.device").encode(), 2)
+        for clock in range(3):
+            library.hmlfc_checker_request(checker, ctypes.c_longlong(clock), 0, 0, 3, clock, 0, 0, 0)
+        library.hmlfc_checker_reset(checker, ctypes.c_longlong(3))
+        self.assertEqual(library.hmlfc_checker_end(checker, ctypes.c_longlong(4), 1), -1)
+        text = library.hmlfc_checker_text(checker).decode()
+        self.assertIn("dropped by reset  3\n", text)
+        self.assertIn("FAILED: nothing was compared", text)
+
+    def test_wrong_capability_files(self):
+        cases = {
+            "max_hight 5": "unknown name \"max_hight\"; the names are",
+            "rgb maybe": "rgb: \"maybe\" is neither yes nor no",
+            "level 4": "level: \"4\" is no number from 0 to 3",
+            "block_sizes 3": "block sizes are 2, 4 and 8",
+            "block_sizes 2 8": "block_sizes lacks 4, for which parameter BLOCK_LOG2 = 2",
+            "stages samples": "\"samples\" is no stage",
+            "level 0\nmax_width 512": "level 0 ends at 256 (LVL-1): lower this limit, or raise level",
+            "rgb no\nheld_chroma yes": "chroma is held for RGB alone",
+            "max_rows 4\nmax_rows 5": "stands in line",
+        }
+        for change, message in cases.items():
+            with self.subTest(change=change):
+                device = self.device(change)
+                text = self.check(passes=False, device=device)
+                self.assertRegex(text, re.escape(f"{device}:") + r"(\d+:)? ")
+                self.assertIn(message, text)
+        self.assertIn("profile is missing", self.check(passes=False, device=self.empty()))
+        self.assertIn("+hmlfc_checker_device=FILE", self.check(passes=False, device="none"))
+        self.assertIn("+hmlfc_checker_stream=FILE", self.check(passes=False, stream="none"))
+
+    def empty(self):
+        path = WORK / "empty.device"
+        path.write_text("# nothing\n")
+        return path
+
+
+if __name__ == "__main__":
+    if shutil.which(PROGRAM) is None:
+        sys.exit(77)
+    os.environ["LD_LIBRARY_PATH"] = str(LIB)  # iverilog-vpi takes no -rpath
+    unittest.main(argv=[sys.argv[0]])
