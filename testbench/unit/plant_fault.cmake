@@ -37,10 +37,10 @@ function(hmlfc_faulty_text module variable)
 endfunction()
 
 # hmlfc_write_faulty_files(FOLDER SOURCES VARIABLE): writes copies of what has faults to FOLDER of the build, where they change;
-# VARIABLE is SOURCES with them in the place of the product's, packages first.
+# VARIABLE is SOURCES with them in the place of the product's.
 function(hmlfc_write_faulty_files name product variable)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/${name}")
-  set(sources "${folder}/hmlfc_fault_pkg.sv" "${HMLFC_RTL_PACKAGE}")
+  set(sources "${folder}/hmlfc_fault_pkg.sv")
   foreach(file IN LISTS HMLFC_FAULT_FILES)
     hmlfc_faulty_text("${file}" text)
     file(CONFIGURE OUTPUT "${folder}/${file}" CONTENT "${text}" @ONLY)
@@ -50,9 +50,7 @@ function(hmlfc_write_faulty_files name product variable)
     if(file IN_LIST HMLFC_FAULT_FILES)
       set(source "${folder}/${file}")
     endif()
-    if(NOT source STREQUAL HMLFC_RTL_PACKAGE AND NOT file MATCHES "vlt$")
-      list(APPEND sources "${source}")
-    endif()
+    list(APPEND sources "${source}")
   endforeach()
   set(${variable} "${sources}" PARENT_SCOPE)
 endfunction()

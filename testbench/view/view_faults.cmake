@@ -38,7 +38,7 @@ set_property(GLOBAL PROPERTY HMLFC_FAULTY_hmlfc_view_dma.sv "${text}")
 set_property(GLOBAL PROPERTY HMLFC_FAULTY_hmlfc_fault_pkg.sv
   "package hmlfc_fault_pkg;\n  int fault;\nendpackage\n")
 list(APPEND HMLFC_FAULT_FILES hmlfc_view_dma.sv hmlfc_fault_pkg.sv)
-hmlfc_write_faulty_files(view_faults "${HMLFC_VIEW_SOURCES}" sources)
+hmlfc_write_faulty_files(view_faults "${HMLFC_RTL_SOURCES}" sources)
 hmlfc_verilate_view(FaultyDma hmlfc_view_dma SOURCES ${sources}
   ARGUMENTS -GBLOCK_LOG2=1 -GAXI_DATA_BITS=64 -Wno-lint)
 set(HMLFC_VIEW_FAULT_ROWS "${HMLFC_FAULT_ROWS}")

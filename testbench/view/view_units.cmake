@@ -1,15 +1,6 @@
 # hmlfc_view: the bench of the view unit. With Verilator view units of the product's RTL, the DMA alone for
 # each block size, and a DMA of a copy in which faults wait to be switched on.
 
-set(HMLFC_VIEW_MODULES axil_split view_dma view_fetch view_place view_queue view_registers view_rows view_scan
-  view_unit view_writer write_port)
-list(TRANSFORM HMLFC_VIEW_MODULES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/rtl/hmlfc_\\1.sv"
-  OUTPUT_VARIABLE HMLFC_VIEW_SOURCES)
-list(APPEND HMLFC_VIEW_SOURCES ${HMLFC_RTL_SOURCES})
-list(REMOVE_DUPLICATES HMLFC_VIEW_SOURCES)
-list(REMOVE_ITEM HMLFC_VIEW_SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" "${HMLFC_RTL_PACKAGE}")
-list(PREPEND HMLFC_VIEW_SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" "${HMLFC_RTL_PACKAGE}")
-
 # BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING of whole units, and of DMAs, which have no depth and no reads.
 set(view_units "2:12:128:32")
 if(HMLFC_SOAK)
@@ -49,7 +40,7 @@ foreach(kind unit dma)
       string(APPEND HMLFC_DMA_MAKERS "${maker}")
     endif()
     string(APPEND HMLFC_VIEW_INCLUDES "#include <${prefix}.h>\n")
-    hmlfc_verilate_view(${prefix} hmlfc_view_${kind} SOURCES ${HMLFC_VIEW_SOURCES} ARGUMENTS ${parameters} -Wall)
+    hmlfc_verilate_view(${prefix} hmlfc_view_${kind} SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${HMLFC_RTL_SOURCES} ARGUMENTS ${parameters} -Wall)
   endforeach()
 endforeach()
 
