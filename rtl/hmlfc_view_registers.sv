@@ -1,5 +1,7 @@
+`include "hmlfc_register_map.svh"
+
 // The registers of the view queue: an AXI4-Lite subordinate of 32 bits (docs/hardware.md). All its outputs but `s_axil_*ready` and those of
-// fields are registered; address bit 11 and bits 1:0 do not matter.
+// fields are registered; address bits 1:0 do not matter.
 //
 // enable, disable_queue, drain, abort_view   one clock each for a 1 written to its bit of CONTROL
 // status, consumer                      what STATUS and CONSUMER report
@@ -40,19 +42,15 @@ module hmlfc_view_registers #(
     output logic irq
 );
 
-  // Offsets by words of 32 bits, from 800.
-  localparam logic [8:0] AT_ID = 9'h00, AT_CONTROL = 9'h01, AT_STATUS = 9'h02, AT_INTERRUPT_STATUS = 9'h03, AT_INTERRUPT_ENABLE = 9'h04;
-  localparam logic [8:0] AT_RING_SIZE = 9'h05, AT_RING_BASE = 9'h06, AT_STATUS_BASE = 9'h08, AT_PRODUCER = 9'h0a, AT_CONSUMER = 9'h0b;
-
   // Write channel: address and data are accepted one by one, and used when both have arrived.
   logic address_held, data_held;
-  logic [8:0] write_word;
+  logic [9:0] write_word;
   logic [31:0] write_data, mask;
   assign s_axil_awready = !address_held;
   assign s_axil_wready = !data_held;
   wire write = address_held && data_held && !s_axil_bvalid;
   always_ff @(posedge clk) begin
-    if (s_axil_awready) write_word <= s_axil_awaddr[10:2];
+    if (s_axil_awready) write_word <= s_axil_awaddr[11:2];
     if (s_axil_wready) begin
       write_data <= s_axil_wdata;
       mask <= {{8{s_axil_wstrb[3]}}, {8{s_axil_wstrb[2]}}, {8{s_axil_wstrb[1]}}, {8{s_axil_wstrb[0]}}};
@@ -72,18 +70,18 @@ module hmlfc_view_registers #(
   logic [3:0] interrupt_status, interrupt_enable;
   wire [31:0] written = write_data & mask;
   always_ff @(posedge clk) begin
-    {abort_view, drain, disable_queue, enable} <= rst_n && write && write_word == AT_CONTROL ? written[3:0] : 4'd0;
-    interrupt_status <= (interrupt_status & ~(write && write_word == AT_INTERRUPT_STATUS ? written[3:0] : 4'd0)) | events;
+    {abort_view, drain, disable_queue, enable} <= rst_n && write && write_word == HMLFC_WORD_VIEW_CONTROL ? written[3:0] : 4'd0;
+    interrupt_status <= (interrupt_status & ~(write && write_word == HMLFC_WORD_INTERRUPT_STATUS ? written[3:0] : 4'd0)) | events;
     irq <= (interrupt_status & interrupt_enable) != 0;
     if (write) begin
       case (write_word)
-        AT_INTERRUPT_ENABLE: interrupt_enable <= (interrupt_enable & ~mask[3:0]) | written[3:0];
-        AT_RING_SIZE: ring_size <= (ring_size & ~mask[15:0]) | written[15:0];
-        AT_RING_BASE: ring_base[31:0] <= ((ring_base[31:0] & ~mask) | written) & ~32'd63;
-        AT_RING_BASE + 9'd1: ring_base[ADDRESS_BITS-1:32] <= (ring_base[ADDRESS_BITS-1:32] & ~mask[7:0]) | written[7:0];
-        AT_STATUS_BASE: status_base[31:0] <= ((status_base[31:0] & ~mask) | written) & ~32'd15;
-        AT_STATUS_BASE + 9'd1: status_base[ADDRESS_BITS-1:32] <= (status_base[ADDRESS_BITS-1:32] & ~mask[7:0]) | written[7:0];
-        AT_PRODUCER: producer <= (producer & ~mask[15:0]) | written[15:0];
+        HMLFC_WORD_INTERRUPT_ENABLE: interrupt_enable <= (interrupt_enable & ~mask[3:0]) | written[3:0];
+        HMLFC_WORD_RING_SIZE: ring_size <= (ring_size & ~mask[15:0]) | written[15:0];
+        HMLFC_WORD_RING_BASE: ring_base[31:0] <= ((ring_base[31:0] & ~mask) | written) & HMLFC_REG_RING_BASE_MASK[31:0];
+        HMLFC_WORD_RING_BASE + 10'd1: ring_base[ADDRESS_BITS-1:32] <= (ring_base[ADDRESS_BITS-1:32] & ~mask[7:0]) | written[7:0];
+        HMLFC_WORD_STATUS_BASE: status_base[31:0] <= ((status_base[31:0] & ~mask) | written) & HMLFC_REG_STATUS_BASE_MASK[31:0];
+        HMLFC_WORD_STATUS_BASE + 10'd1: status_base[ADDRESS_BITS-1:32] <= (status_base[ADDRESS_BITS-1:32] & ~mask[7:0]) | written[7:0];
+        HMLFC_WORD_PRODUCER: producer <= (producer & ~mask[15:0]) | written[15:0];
         default: ;
       endcase
     end
@@ -103,18 +101,18 @@ module hmlfc_view_registers #(
   wire read = s_axil_arvalid && s_axil_arready;
   always_ff @(posedge clk) begin
     if (read) begin
-      case (s_axil_araddr[10:2])
-        AT_ID: s_axil_rdata <= 32'h514c4d48;
-        AT_STATUS: s_axil_rdata <= {26'd0, status};
-        AT_INTERRUPT_STATUS: s_axil_rdata <= {28'd0, interrupt_status};
-        AT_INTERRUPT_ENABLE: s_axil_rdata <= {28'd0, interrupt_enable};
-        AT_RING_SIZE: s_axil_rdata <= {16'd0, ring_size};
-        AT_RING_BASE: s_axil_rdata <= ring_base[31:0];
-        AT_RING_BASE + 9'd1: s_axil_rdata <= 32'(ring_base[ADDRESS_BITS-1:32]);
-        AT_STATUS_BASE: s_axil_rdata <= status_base[31:0];
-        AT_STATUS_BASE + 9'd1: s_axil_rdata <= 32'(status_base[ADDRESS_BITS-1:32]);
-        AT_PRODUCER: s_axil_rdata <= {16'd0, producer};
-        AT_CONSUMER: s_axil_rdata <= {16'd0, consumer};
+      case (s_axil_araddr[11:2])
+        HMLFC_WORD_VIEW_ID: s_axil_rdata <= HMLFC_REG_VIEW_ID_RESET;
+        HMLFC_WORD_VIEW_STATUS: s_axil_rdata <= {26'd0, status};
+        HMLFC_WORD_INTERRUPT_STATUS: s_axil_rdata <= {28'd0, interrupt_status};
+        HMLFC_WORD_INTERRUPT_ENABLE: s_axil_rdata <= {28'd0, interrupt_enable};
+        HMLFC_WORD_RING_SIZE: s_axil_rdata <= {16'd0, ring_size};
+        HMLFC_WORD_RING_BASE: s_axil_rdata <= ring_base[31:0];
+        HMLFC_WORD_RING_BASE + 10'd1: s_axil_rdata <= 32'(ring_base[ADDRESS_BITS-1:32]);
+        HMLFC_WORD_STATUS_BASE: s_axil_rdata <= status_base[31:0];
+        HMLFC_WORD_STATUS_BASE + 10'd1: s_axil_rdata <= 32'(status_base[ADDRESS_BITS-1:32]);
+        HMLFC_WORD_PRODUCER: s_axil_rdata <= {16'd0, producer};
+        HMLFC_WORD_CONSUMER: s_axil_rdata <= {16'd0, consumer};
         default: s_axil_rdata <= '0;
       endcase
     end

@@ -1,4 +1,4 @@
-// Descriptors and registers of the view queue (docs/hardware.md, "Views to memory").
+// Descriptors of the view queue (docs/hardware.md, "Views to memory").
 #pragma once
 
 #include <array>
@@ -6,39 +6,6 @@
 #include <string_view>
 
 namespace hmlfc::tb {
-
-namespace view_reg {
-inline constexpr uint32_t kId = 0x800;
-inline constexpr uint32_t kControl = 0x804;
-inline constexpr uint32_t kStatus = 0x808;
-inline constexpr uint32_t kInterruptStatus = 0x80c;
-inline constexpr uint32_t kInterruptEnable = 0x810;
-inline constexpr uint32_t kRingSize = 0x814;
-inline constexpr uint32_t kRingBase = 0x818;
-inline constexpr uint32_t kStatusBase = 0x820;
-inline constexpr uint32_t kProducer = 0x828;
-inline constexpr uint32_t kConsumer = 0x82c;
-
-inline constexpr uint32_t kIdValue = 0x514c4d48;  ///< "HMLQ" in memory
-
-// Bits of CONTROL.
-inline constexpr uint32_t kEnable = 1;
-inline constexpr uint32_t kDisable = 2;
-inline constexpr uint32_t kDrain = 4;
-inline constexpr uint32_t kAbort = 8;
-
-// Bits of STATUS.
-inline constexpr uint32_t kEnabled = 1;
-inline constexpr uint32_t kRunning = 2;
-inline constexpr uint32_t kRingEmpty = 16;
-inline constexpr uint32_t kStatusLost = 32;
-
-// Bits of INTERRUPT_STATUS.
-inline constexpr uint32_t kDone = 1;
-inline constexpr uint32_t kError = 2;
-inline constexpr uint32_t kEmpty = 4;
-inline constexpr uint32_t kStopped = 8;
-}  // namespace view_reg
 
 /// What is stored for a pixel or a sample.
 enum class ViewFormat : uint8_t { kY, kCo, kCg, kRgb888 = 4, kRgb101010, kRgb161616 };

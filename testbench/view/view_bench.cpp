@@ -108,20 +108,21 @@ void ViewBench::reset() {
   next_.rst_n = true;
   clock();
   producer_ = 0;
-  expect_register(view_reg::kId, ~0u, view_reg::kIdValue, "ID");
-  write_pair(view_reg::kRingBase, ring_base_ | uint64_t{1} << 50);  // bit 50 is not there
-  write_pair(view_reg::kStatusBase, status_base_);
-  write(view_reg::kRingSize, ring_size_);
-  expect_register(view_reg::kRingBase + 4, ~0u, static_cast<uint32_t>(ring_base_ >> 32),
+  expect_register(HMLFC_REG_VIEW_ID, ~0u, HMLFC_REG_VIEW_ID_RESET, "ID");
+  write_pair(HMLFC_REG_RING_BASE, ring_base_ | uint64_t{1} << 50);  // bit 50 is not there
+  write_pair(HMLFC_REG_STATUS_BASE, status_base_);
+  write(HMLFC_REG_RING_SIZE, ring_size_);
+  expect_register(HMLFC_REG_RING_BASE_HIGH, ~0u, static_cast<uint32_t>(ring_base_ >> 32),
                   "RING_BASE");
-  expect_register(view_reg::kRingSize, ~0u, ring_size_, "RING_SIZE");
-  write(view_reg::kInterruptEnable, view_reg::kEmpty);
+  expect_register(HMLFC_REG_RING_SIZE, ~0u, ring_size_, "RING_SIZE");
+  write(HMLFC_REG_INTERRUPT_ENABLE, HMLFC_REG_INTERRUPT_ENABLE_EMPTY_MASK);
   if (!unit_->reads_stream()) return;
-  expect_register(reg::kId, ~0u, reg::kIdValue, "ID of the decode unit");
+  expect_register(HMLFC_REG_ID, ~0u, HMLFC_REG_ID_RESET, "ID of the decode unit");
   reg::write_stream([&](uint32_t at, uint32_t word) { write(at, word); }, kStreamBase,
                     stream_bytes_, area_base_);
-  write(reg::kControl, reg::kLoad);
-  while (finding_.empty() && (read(reg::kStatus) & reg::kLoading) != 0) continue;
+  write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
+  while (finding_.empty() && (read(HMLFC_REG_STATUS) & HMLFC_REG_STATUS_LOADING_MASK) != 0)
+    continue;
 }
 
 void ViewBench::allocate(Descriptor& d, uint32_t gap, bool bitmap) {
@@ -150,8 +151,8 @@ void ViewBench::give(std::span<const Descriptor> descriptors) {
     ++producer_;
   }
   expected_ = memory_.bytes;
-  write(view_reg::kInterruptStatus, ~0u);
-  write(view_reg::kProducer, producer_);
+  write(HMLFC_REG_INTERRUPT_STATUS, ~0u);
+  write(HMLFC_REG_PRODUCER, producer_);
 }
 
 void ViewBench::wait(uint16_t consumer) {
@@ -159,9 +160,10 @@ void ViewBench::wait(uint16_t consumer) {
     if (clocks >= kPatience + 50 * expected_.size()) return find("hang: a descriptor");
     for (int i = 0; i < 16; ++i) clock();
     if (!out_.interrupt) continue;
-    expect_register(view_reg::kConsumer, ~0u, consumer, "CONSUMER");
-    const uint32_t events = read(view_reg::kInterruptStatus);
-    if ((events & view_reg::kDone) == 0) find("registers: the interrupt DONE is missing");
+    expect_register(HMLFC_REG_CONSUMER, ~0u, consumer, "CONSUMER");
+    const uint32_t events = read(HMLFC_REG_INTERRUPT_STATUS);
+    if ((events & HMLFC_REG_INTERRUPT_STATUS_DONE_MASK) == 0)
+      find("registers: the interrupt DONE is missing");
     return;
   }
 }
@@ -200,26 +202,30 @@ void ViewBench::compare() {
 
 void ViewBench::run(std::span<const Descriptor> descriptors) {
   const uint16_t first = producer_;
-  write(view_reg::kControl, view_reg::kEnable);
+  write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_ENABLE_MASK);
   give(descriptors);
   wait(producer_);
   uint16_t place = first;
   for (const Descriptor& descriptor : descriptors) expect(descriptor, place++);
   if (finding_.empty()) compare();
-  expect_register(view_reg::kStatus, 63, view_reg::kEnabled | view_reg::kRingEmpty, "STATUS");
+  expect_register(HMLFC_REG_VIEW_STATUS, HMLFC_REG_VIEW_STATUS_MASK,
+                  HMLFC_REG_VIEW_STATUS_ENABLED_MASK | HMLFC_REG_VIEW_STATUS_EMPTY_MASK, "STATUS");
 }
 
 void ViewBench::run_drained(std::span<const Descriptor> descriptors) {
   const uint16_t first = producer_;
   give(descriptors);
-  write(view_reg::kControl, view_reg::kEnable | view_reg::kDrain);
+  write(HMLFC_REG_VIEW_CONTROL,
+        HMLFC_REG_VIEW_CONTROL_ENABLE_MASK | HMLFC_REG_VIEW_CONTROL_DRAIN_MASK);
   wait(producer_);
   uint16_t place = first;
   for (const Descriptor& descriptor : descriptors) expect(descriptor, place++);
   if (finding_.empty()) compare();
   for (int i = 0; i < 4; ++i) clock();
-  expect_register(view_reg::kStatus, 63, view_reg::kRingEmpty, "STATUS after DRAIN");
-  expect_register(view_reg::kInterruptStatus, view_reg::kStopped, view_reg::kStopped, "STOPPED");
+  expect_register(HMLFC_REG_VIEW_STATUS, HMLFC_REG_VIEW_STATUS_MASK,
+                  HMLFC_REG_VIEW_STATUS_EMPTY_MASK, "STATUS after DRAIN");
+  expect_register(HMLFC_REG_INTERRUPT_STATUS, HMLFC_REG_INTERRUPT_STATUS_STOPPED_MASK,
+                  HMLFC_REG_INTERRUPT_STATUS_STOPPED_MASK, "STOPPED");
 }
 
 // What an aborted descriptor has written is right, and the rest is as it was.
@@ -239,27 +245,28 @@ void ViewBench::expect_stopped(const Descriptor& descriptor, uint16_t place) {
 void ViewBench::run_aborted(const Descriptor& descriptor, uint64_t clocks, const Descriptor& next) {
   const uint16_t first = producer_;
   const Descriptor both[]{descriptor, next};
-  write(view_reg::kControl, view_reg::kEnable);
+  write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_ENABLE_MASK);
   give(both);
   for (uint64_t i = 0; i < clocks; ++i) clock();
-  write(view_reg::kControl, view_reg::kAbort);
-  for (uint64_t i = 0; (read(view_reg::kStatus) & view_reg::kEnabled) != 0; ++i) {
+  write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_ABORT_MASK);
+  for (uint64_t i = 0; (read(HMLFC_REG_VIEW_STATUS) & HMLFC_REG_VIEW_STATUS_ENABLED_MASK) != 0;
+       ++i) {
     if (i == kAccessPatience) return find("hang: ABORT");
   }
   // The unit may have ended the first already, or even both.
-  const auto done = static_cast<uint16_t>(read(view_reg::kConsumer) - first);
+  const auto done = static_cast<uint16_t>(read(HMLFC_REG_CONSUMER) - first);
   if (done > 2) return find("registers: CONSUMER after ABORT");
   for (uint16_t i = 0; i < done; ++i) expect_stopped(both[i], static_cast<uint16_t>(first + i));
   if (finding_.empty()) compare();
   expected_ = memory_.bytes;
-  write(view_reg::kControl, view_reg::kEnable);
+  write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_ENABLE_MASK);
   if (done < 2) wait(producer_);
   for (uint16_t i = done; i < 2; ++i) expect(both[i], static_cast<uint16_t>(first + i));
   if (finding_.empty()) compare();
 }
 
 void ViewBench::run_reset(const Descriptor& descriptor, uint64_t clocks) {
-  write(view_reg::kControl, view_reg::kEnable);
+  write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_ENABLE_MASK);
   give(std::span(&descriptor, 1));
   for (uint64_t i = 0; i < clocks; ++i) clock();
   reset();
@@ -268,7 +275,7 @@ void ViewBench::run_reset(const Descriptor& descriptor, uint64_t clocks) {
 void ViewBench::run_with_fault(const Descriptor& descriptor, ViewMemory::Fault fault) {
   const uint16_t place = producer_;
   const uint64_t failed = memory_.failed_writes;
-  write(view_reg::kControl, view_reg::kEnable);
+  write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_ENABLE_MASK);
   memory_.fault = fault;
   give(std::span(&descriptor, 1));
   wait(producer_);
@@ -282,7 +289,8 @@ void ViewBench::run_with_fault(const Descriptor& descriptor, ViewMemory::Fault f
   status.write_errors = write_errors;
   std::memcpy(expected_.data() + status_address(place), status.words().data(), kViewStatusBytes);
   if (finding_.empty()) compare();
-  expect_register(view_reg::kInterruptStatus, view_reg::kError, view_reg::kError, "ERROR");
+  expect_register(HMLFC_REG_INTERRUPT_STATUS, HMLFC_REG_INTERRUPT_STATUS_ERROR_MASK,
+                  HMLFC_REG_INTERRUPT_STATUS_ERROR_MASK, "ERROR");
 }
 
 }  // namespace hmlfc::tb
