@@ -86,5 +86,9 @@ hmlfc_view_place.sv
 hmlfc_view_rows.sv
 hmlfc_write_port.sv
 hmlfc_view_writer.sv
+hmlfc_strip_scan.sv
+hmlfc_strip_collect.sv
+hmlfc_strip_pack.sv
+hmlfc_strip_writer.sv
 hmlfc_view_dma.sv
 hmlfc_view_unit.sv

@@ -16,7 +16,7 @@ package hmlfc_pkg;
   localparam int IMAGE_TILES_BITS = TILE_BITS + 2;
   localparam int IMAGE_REFERENCES_BITS = 4 * ADDRESS_BITS + 114;
   localparam int IMAGE_BITS = 2 * GRID_BITS + TILE_BITS + IMAGE_TILES_BITS + IMAGE_REFERENCES_BITS;
-  localparam int JOB_BITS = VIEW_BITS + 42;
+  localparam int JOB_BITS = VIEW_BITS + 43;
   localparam int MOTION_BITS = 33;
   localparam int FLOW_BITS = JOB_BITS + 58;
   localparam int PENDING_BITS = JOB_BITS + 55;
@@ -140,6 +140,7 @@ package hmlfc_pkg;
     logic first;          // no parent: DEC-1 begins here
     logic last;           // the result of the plane
     logic rgb;            // for a request for RGB
+    logic residuals;      // for a request for residuals (DEC-4): no parent
     logic answer;         // the request is answered after it
     logic tlast;
     logic [5:0] error;    // known before decoding: bad_request, or that of LOAD
@@ -202,6 +203,7 @@ package hmlfc_pkg;
     logic [11:0] col;
     logic [3:0] stop_level;
     logic [2:0] format;
+    logic residuals;                      // residuals of a reference image, as strips; `format` is the plane
     rectangle_t blocks;
     logic [2:0] end_column;               // in its block, of the rectangle's last column
     logic [2:0] end_row;

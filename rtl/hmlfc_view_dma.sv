@@ -62,6 +62,7 @@ module hmlfc_view_dma #(
 );
 
   localparam int BLOCK_BITS = hmlfc_pkg::BLOCK_BITS;
+  localparam int LANE_BITS = 16 << (2 * BLOCK_LOG2);
 
   // ---- Registers, descriptors.
   logic enable, disable_queue, drain, abort_view;
@@ -134,6 +135,7 @@ module hmlfc_view_dma #(
   logic [ADDRESS_BITS-7:0] status_line;
   logic [511:0] status_data;
   logic [63:0] status_strobe;
+  logic strip_waits;  // a strip is asked for in part
   wire asked = m_request_tvalid && m_request_tready;
   hmlfc_view_queue queue (
       .clk,
@@ -157,7 +159,7 @@ module hmlfc_view_dma #(
       .fetch_failed,
       .view_start,
       .ask,
-      .request_waits(m_request_tvalid && !m_request_tready),
+      .request_waits((m_request_tvalid && !m_request_tready) || strip_waits),
       .asked,
       .answered(s_response_tvalid && s_response_tready),
       .placed,
@@ -183,19 +185,41 @@ module hmlfc_view_dma #(
       .start(view_start),
       .blocks(view.blocks),
       .valid(ask_valid),
-      .advance(ask && (!ask_block || m_request_tready)),
+      .advance(ask && !view.residuals && (!ask_block || m_request_tready)),
       .has_block(ask_block),
       .bx,
       .by,
       .tile_ends(),
       .macro_ends()
   );
+  logic strip_ask_valid, strip_asked;
+  logic [BLOCK_BITS-1:0] strip_bx, strip_by;
+  hmlfc_strip_scan #(
+      .BLOCK_LOG2(BLOCK_LOG2)
+  ) strip_scan (
+      .clk,
+      .rst_n,
+      .start(view_start),
+      .view,
+      .valid(strip_ask_valid),
+      .advance(ask && view.residuals && m_request_tready),
+      .bx(strip_bx),
+      .by(strip_by),
+      .strip_begins(),
+      .strip_ends(strip_asked),
+      .address()
+  );
   /* verilator lint_on PINCONNECTEMPTY */
-  assign m_request_tvalid = ask && ask_valid && ask_block;
-  assign m_request_tdata = {4'd0, view.stop_level, view.format[2] ? 2'd3 : view.format[1:0], 15'(by), 15'(bx), view.col, view.row};
+  assign strip_waits = view.residuals && strip_ask_valid && !(m_request_tready && strip_asked);
+  assign m_request_tvalid = ask && (view.residuals ? strip_ask_valid : ask_valid && ask_block);
+  assign m_request_tdata = {
+    3'd0, view.residuals, view.stop_level, view.format[2] ? 2'd3 : view.format[1:0],
+    2'd0, view.residuals ? strip_by : by, 2'd0, view.residuals ? strip_bx : bx, view.col, view.row
+  };
 
   // ---- Answers.
-  logic place_valid, place_ready, writer_empty, line_valid;
+  logic place_valid, place_ready, writer_empty, line_valid, block_placed, block_answer_ready, pixel_error;
+  logic [5:0] pixel_status;
   hmlfc_pkg::place_t place;
   logic [ADDRESS_BITS-7:0] line;
   logic [511:0] line_data;
@@ -207,7 +231,7 @@ module hmlfc_view_dma #(
       .rst_n,
       .start(view_start),
       .view,
-      .done(placed),
+      .done(block_placed),
       .place_valid,
       .place_ready,
       .place
@@ -221,31 +245,60 @@ module hmlfc_view_dma #(
       .view,
       .flush,
       .empty(writer_empty),
-      .block_error,
-      .error,
-      .place_valid,
+      .block_error(pixel_error),
+      .error(pixel_status),
+      .place_valid(place_valid && !view.residuals),
       .place_ready,
       .place,
       .answer_valid(s_response_tvalid),
-      .answer_ready(s_response_tready),
+      .answer_ready(block_answer_ready),
       .answer(s_response_tdata),
       .answer_status(s_response_tuser),
       .line_valid,
-      .line_ready(port_ready && !status_valid),
+      .line_ready(port_ready && !status_valid && !strip_line_valid),
       .line,
       .line_data,
       .line_strobe
   );
+  logic strip_placed, strip_answer_ready, strip_empty, strip_error, strip_line_valid;
+  logic [ADDRESS_BITS-7:0] strip_line;
+  logic [511:0] strip_line_data;
+  logic [63:0] strip_line_strobe;
+  hmlfc_strip_writer #(
+      .BLOCK_LOG2(BLOCK_LOG2)
+  ) strips (
+      .clk,
+      .rst_n,
+      .start(view_start),
+      .view,
+      .done(strip_placed),
+      .flush,
+      .empty(strip_empty),
+      .block_error(strip_error),
+      .answer_valid(s_response_tvalid),
+      .answer_ready(strip_answer_ready),
+      .answer(s_response_tdata[0+:LANE_BITS]),
+      .answer_status(s_response_tuser),
+      .line_valid(strip_line_valid),
+      .line_ready(port_ready && !status_valid),
+      .line(strip_line),
+      .line_data(strip_line_data),
+      .line_strobe(strip_line_strobe)
+  );
+  assign s_response_tready = view.residuals ? strip_answer_ready : block_answer_ready;
+  assign placed = view.residuals ? strip_placed : block_placed;
+  assign block_error = view.residuals ? strip_error : pixel_error;
+  assign error = view.residuals ? s_response_tuser : pixel_status;
   hmlfc_write_port #(
       .DATA_BITS(AXI_DATA_BITS)
   ) port (
       .clk,
       .rst_n,
-      .line_valid(line_valid || status_valid),
+      .line_valid(line_valid || strip_line_valid || status_valid),
       .line_ready(port_ready),
-      .line(status_valid ? status_line : line),
-      .line_data(status_valid ? status_data : line_data),
-      .line_strobe(status_valid ? status_strobe : line_strobe),
+      .line(status_valid ? status_line : strip_line_valid ? strip_line : line),
+      .line_data(status_valid ? status_data : strip_line_valid ? strip_line_data : line_data),
+      .line_strobe(status_valid ? status_strobe : strip_line_valid ? strip_line_strobe : line_strobe),
       .idle(port_idle),
       .failed(write_failed),
       .m_axi_awvalid,
@@ -264,6 +317,6 @@ module hmlfc_view_dma #(
       .m_axi_bresp
   );
   assign status_ready = port_ready;
-  assign written = writer_empty && port_idle;
+  assign written = writer_empty && strip_empty && port_idle;
 
 endmodule

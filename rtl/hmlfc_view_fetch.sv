@@ -67,10 +67,11 @@ module hmlfc_view_fetch #(
   wire [3:0] format = words[63:60];
   wire [16:0] end_x = {1'b0, x} + {1'b0, width} - 17'd1;
   wire [16:0] end_y = {1'b0, y} + {1'b0, height} - 17'd1;
-  wire format_known = format <= 4'd2 || (format >= 4'd4 && format <= 4'd6);
+  wire residuals = format[3];
+  wire format_known = format <= 4'd2 || (format >= 4'd4 && format <= 4'd6) || (format >= 4'd8 && format <= 4'd10);
   wire aligned = x[BLOCK_LOG2-1:0] == 0 && y[BLOCK_LOG2-1:0] == 0 && words[131:128] == 0 && words[195:192] == 0 && words[258:256] == 0;
   wire in_range = width != 0 && height != 0 && end_x[16:14] == 0 && end_y[16:14] == 0 && words[191:168] == 0 && words[223:216] == 0 &&
-      words[319:296] == 0;
+      words[319:296] == 0 && !(residuals && (x != 0 || y != 0 || words[295:256] != 0));
   always_ff @(posedge clk) begin
     if (received) begin
       failed <= read_error;
@@ -80,6 +81,7 @@ module hmlfc_view_fetch #(
       view.col <= words[55:44];
       view.stop_level <= words[59:56];
       view.format <= format[2:0];
+      view.residuals <= residuals;
       view.blocks.first_x <= 13'(x[13:BLOCK_LOG2]);
       view.blocks.last_x <= 13'(end_x[13:BLOCK_LOG2]);
       view.blocks.first_y <= 13'(y[13:BLOCK_LOG2]);

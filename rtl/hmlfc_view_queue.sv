@@ -29,7 +29,7 @@ module hmlfc_view_queue #(
 
     output logic view_start,
     output logic ask,
-    input logic request_waits,  // offered, and not taken
+    input logic request_waits,  // offered, and not taken; or it is not the last that must come with those before
     input logic asked,
     input logic answered,
     input logic placed,

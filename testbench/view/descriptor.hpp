@@ -7,8 +7,23 @@
 
 namespace hmlfc::tb {
 
-/// What is stored for a pixel or a sample.
-enum class ViewFormat : uint8_t { kY, kCo, kCg, kRgb888 = 4, kRgb101010, kRgb161616 };
+/// What is stored.
+enum class ViewFormat : uint8_t {
+  kY,
+  kCo,
+  kCg,
+  kRgb888 = 4,
+  kRgb101010,
+  kRgb161616,
+  kResidualsY = 8,
+  kResidualsCo,
+  kResidualsCg
+};
+
+/// Whether strips of a reference image's residuals are stored.
+constexpr bool is_residuals(ViewFormat format) {
+  return format >= ViewFormat::kResidualsY && format <= ViewFormat::kResidualsCg;
+}
 
 inline constexpr std::array<std::string_view, 7> kViewFormatNames{
     "y", "co", "cg", "", "rgb888", "rgb101010", "rgb161616"};

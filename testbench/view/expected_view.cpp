@@ -4,6 +4,7 @@
 
 #include "arithmetic/rounding.hpp"
 #include "bits/little_endian.hpp"
+#include "oracle/reference_area.hpp"
 #include "stimulus/sequences.hpp"
 
 namespace hmlfc::tb {
@@ -12,10 +13,12 @@ namespace {
 constexpr uint32_t kMaxSide = 16384;
 constexpr uint32_t kMaxPitch = 1u << 24;
 constexpr uint64_t kMaxAddress = uint64_t{1} << 40;
-constexpr uint32_t kTile = 8;  // blocks
+constexpr uint32_t kTile = 8;          // blocks
+constexpr uint32_t kStripColumn = 16;  // blocks
 constexpr auto kTooLarge = static_cast<uint8_t>(ErrorCode::kLimitExceeded);
 
 unsigned plane_of(ViewFormat format) {
+  if (is_residuals(format)) return static_cast<unsigned>(format) & 3;
   return format <= ViewFormat::kCg ? static_cast<unsigned>(format) : kRgb;
 }
 
@@ -34,11 +37,59 @@ uint64_t pixel(const Answer& answer, ViewFormat format, size_t i, size_t lane) {
   return sample(0) | sample(1) << bits | sample(2) << 2 * bits;
 }
 
+// A strip of a request for residuals; past the last block its first sample.
+StripSamples strip_of(Oracle& oracle, const Descriptor& d, unsigned b, uint32_t first, uint32_t by,
+                      ViewStatus& status) {
+  const uint32_t blocks_x = ceil_div(d.width, b);
+  const size_t lane = size_t{b} * b;
+  StripSamples samples{};
+  for (size_t i = 0; i < kStripSamples; i += lane) {
+    const auto bx = static_cast<uint32_t>(first + i / lane);
+    const auto to = samples.begin() + static_cast<ptrdiff_t>(i);
+    if (bx >= blocks_x) {
+      std::fill(to, samples.end(), samples[0]);
+      break;
+    }
+    Request request{d.row, d.col, bx, by, plane_of(d.format), d.stop_level};
+    request.residuals = true;
+    const Answer answer = oracle.evaluate(request).answer;
+    if (answer.status == 0) {
+      std::copy_n(answer.samples.begin(), lane, to);
+      continue;
+    }
+    std::fill_n(to, lane, poison_of(static_cast<ErrorCode>(answer.status)));
+    if (status.block_errors++ == 0) status.first_error = answer.status;
+    status.result = ViewResult::kBlocks;
+  }
+  return samples;
+}
+
+// The strips of a plane, in columns of 16 blocks.
+void write_strips(Oracle& oracle, const Descriptor& d, unsigned b, std::span<uint8_t> memory,
+                  ViewStatus& status) {
+  const uint32_t blocks_x = ceil_div(d.width, b);
+  const uint32_t in_strip = kStripSamples / (b * b);
+  for (uint32_t column = 0; column < blocks_x; column += kStripColumn) {
+    for (uint32_t by = 0; by < ceil_div(d.height, b); ++by) {
+      const uint32_t end = std::min(column + kStripColumn, blocks_x);
+      for (uint32_t bx = column; bx < end; bx += in_strip) {
+        const auto place = pack_strip(strip_of(oracle, d, b, bx, by, status));
+        const unsigned width = place[0] & 15;
+        const unsigned words = ceil_div(20 + kStripSamples * (width == 15 ? 16 : width), 64u);
+        const uint64_t at =
+            d.destination + uint64_t{by} * d.pitch + uint64_t{bx / in_strip} * kStripBytes;
+        std::copy_n(place.begin(), 8 * words, memory.begin() + static_cast<ptrdiff_t>(at));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 bool is_accepted(const Descriptor& d, unsigned block_size) {
   const bool format = d.format <= ViewFormat::kCg ||
-                      (d.format >= ViewFormat::kRgb888 && d.format <= ViewFormat::kRgb161616);
+                      (d.format >= ViewFormat::kRgb888 && d.format <= ViewFormat::kRgb161616) ||
+                      (is_residuals(d.format) && d.x == 0 && d.y == 0 && d.bitmap == 0);
   return format && d.x % block_size == 0 && d.y % block_size == 0 && d.width != 0 &&
          d.height != 0 && d.x + d.width <= kMaxSide && d.y + d.height <= kMaxSide &&
          d.destination % 16 == 0 && d.destination < kMaxAddress && d.pitch % 16 == 0 &&
@@ -57,6 +108,10 @@ ViewStatus write_expected(Oracle& oracle, const Descriptor& d, unsigned b,
   ViewStatus status{.tag = d.tag};
   if (!is_accepted(d, b)) {
     status.result = ViewResult::kRefused;
+    return status;
+  }
+  if (is_residuals(d.format)) {
+    write_strips(oracle, d, b, memory, status);
     return status;
   }
   if (d.bitmap != 0) std::ranges::fill(memory.subspan(d.bitmap, bitmap_bytes(d, b)), uint8_t{0});

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "arithmetic/rounding.hpp"
+#include "oracle/reference_area.hpp"
 #include "unit/registers.hpp"
 
 namespace hmlfc::tb {
@@ -127,10 +128,13 @@ void ViewBench::reset() {
 
 void ViewBench::allocate(Descriptor& d, uint32_t gap, bool bitmap) {
   const unsigned b = unit_->parameters().block_size();
-  d.pitch = ceil_div(d.width * bytes_of(d.format), 16u) * 16 + gap;
+  const bool strips = is_residuals(d.format);
+  const uint32_t rows = strips ? ceil_div(d.height, b) : d.height;
+  d.pitch = gap + (strips ? strips_in_row(d.width, b) * kStripBytes
+                          : ceil_div(d.width * bytes_of(d.format), 16u) * 16);
   d.destination = free_ + kSlack;
-  free_ = ceil_div(d.destination + uint64_t{d.pitch} * d.height + kSlack, uint64_t{16}) * 16;
-  if (bitmap) {
+  free_ = ceil_div(d.destination + uint64_t{d.pitch} * rows + kSlack, uint64_t{16}) * 16;
+  if (bitmap && !strips) {
     d.bitmap = free_ + 8;
     free_ = ceil_div(d.bitmap + bitmap_bytes(d, b) + kSlack, uint64_t{16}) * 16;
   }
@@ -228,7 +232,8 @@ void ViewBench::run_drained(std::span<const Descriptor> descriptors) {
                   HMLFC_REG_INTERRUPT_STATUS_STOPPED_MASK, "STOPPED");
 }
 
-// What an aborted descriptor has written is right, and the rest is as it was.
+// What an aborted descriptor has written is right, and the rest is as it was; the bitmap may lack
+// errors of blocks that were not decoded.
 void ViewBench::expect_stopped(const Descriptor& descriptor, uint16_t place) {
   const ViewStatus status = status_at(place);
   if (status.result != ViewResult::kAborted) return expect(descriptor, place);
@@ -239,6 +244,11 @@ void ViewBench::expect_stopped(const Descriptor& descriptor, uint16_t place) {
   std::memcpy(expected_.data() + status_address(place), status.words().data(), kViewStatusBytes);
   for (size_t i = 0; i < expected_.size(); ++i) {
     if (memory_.bytes[i] == old[i]) expected_[i] = old[i];
+  }
+  if (descriptor.bitmap == 0) return;
+  const uint64_t bytes = bitmap_bytes(descriptor, unit_->parameters().block_size());
+  for (uint64_t i = descriptor.bitmap; i < descriptor.bitmap + bytes; ++i) {
+    expected_[i] &= memory_.bytes[i];
   }
 }
 

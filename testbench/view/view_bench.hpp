@@ -29,7 +29,7 @@ class ViewBench {
   void reset();
 
   /// A place of the free part for the descriptor's pixels (with `gap` bytes more a row, a multiple
-  /// of 16) and its bitmap.
+  /// of 16), or strips, and its bitmap, if `bitmap`; strips have none.
   void allocate(Descriptor& descriptor, uint32_t gap, bool bitmap);
 
   /// Forgets all places: the free part is random again.

@@ -27,6 +27,18 @@ hmlfc_plant_fault(write_errors_ignored hmlfc_write_port.sv
   "m_axi_bresp[1]" "1'b0" "status: " 0)
 hmlfc_plant_fault(pages_of_bursts_not_trimmed hmlfc_write_port.sv
   "8'(more)" "8'(more + 1'b1)" "" 0)
+hmlfc_plant_fault(last_row_of_strips_left_out hmlfc_strip_scan.sv
+  "by == view.blocks.last_y" "by + 1'b1 >= view.blocks.last_y" "" 0)
+hmlfc_plant_fault(least_of_the_strip_before hmlfc_strip_collect.sv
+  "(begins[2] || low_2 < least)" "(low_2 < least)" "destination: " 0)
+hmlfc_plant_fault(errors_of_residuals_not_stored hmlfc_strip_collect.sv
+  "in_status != 0" "1'b0" "destination: " 0)
+hmlfc_plant_fault(strips_wider_than_4_bits_raw hmlfc_strip_pack.sv
+  "needed > 5'd14" "needed > 5'd4" "destination: " 0)
+hmlfc_plant_fault(rest_of_a_strip_lost hmlfc_strip_pack.sv
+  "!rest && valid[3] && ends[3] && whole" "1'b0 && whole" "" 0)
+hmlfc_plant_fault(strip_in_part_after_abort hmlfc_view_dma.sv
+  "view.residuals && strip_ask_valid && !(m_request_tready && strip_asked)" "1'b0" "" 0)
 hmlfc_plant_fault(abort_goes_on_asking hmlfc_view_queue.sv
   "aborting && !request_waits" "1'b0" "" 0)
 

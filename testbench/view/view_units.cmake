@@ -19,7 +19,7 @@ function(hmlfc_verilate_view prefix top)
     OPT_FAST ${HMLFC_VERILATED_OPTIMISATION}
     OPT_SLOW -O0
     OPT_GLOBAL -O2
-    VERILATOR_ARGS ${arg_ARGUMENTS} --x-assign fast --x-initial fast --noassert --output-split 60000)
+    VERILATOR_ARGS ${arg_ARGUMENTS} --x-assign fast --x-initial fast --assert --output-split 60000)
 endfunction()
 
 add_library(hmlfc_verilated_view STATIC "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
@@ -33,14 +33,16 @@ foreach(kind unit dma)
     math(EXPR beat_bytes "${CMAKE_MATCH_3} / 8")
     set(maker "      {{${CMAKE_MATCH_1}, ${CMAKE_MATCH_2}, ${beat_bytes}, ${CMAKE_MATCH_4}}, &make_${kind}<${prefix}>},\n")
     set(parameters -GBLOCK_LOG2=${CMAKE_MATCH_1} -GAXI_DATA_BITS=${CMAKE_MATCH_3})
-    if(kind STREQUAL unit)
+    if("${kind}" STREQUAL "unit")
       list(APPEND parameters -GMAX_DEPTH=${CMAKE_MATCH_2} -GOUTSTANDING=${CMAKE_MATCH_4} -GTRACE=0)
       string(APPEND HMLFC_VIEW_MAKERS "${maker}")
     else()
       string(APPEND HMLFC_DMA_MAKERS "${maker}")
     endif()
     string(APPEND HMLFC_VIEW_INCLUDES "#include <${prefix}.h>\n")
-    hmlfc_verilate_view(${prefix} hmlfc_view_${kind} SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${HMLFC_RTL_SOURCES} ARGUMENTS ${parameters} -Wall)
+    hmlfc_verilate_view(${prefix} hmlfc_view_${kind}
+      SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${HMLFC_RTL_SOURCES} ${HMLFC_RTL_ASSERTIONS}
+      ARGUMENTS ${parameters} -Wall)
   endforeach()
 endforeach()
 

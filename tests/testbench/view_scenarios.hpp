@@ -50,11 +50,24 @@ class ViewRun {
     run(all);
   }
 
+  /// Reference images of every level in turn, and an image of any kind, as strips.
+  void residuals() {
+    std::vector<Descriptor> all;
+    const Geometry& geometry = image_.golden()->geometry();
+    for (int l = 0; l <= geometry.top(); ++l) {
+      const LevelShape& level = geometry.level(l);
+      const ImagePos group{random_.below(level.group_rows()), random_.below(level.group_cols())};
+      all.push_back(strips(l, geometry.reference_of_group(l, group)));
+      all.push_back(strips(l, {random_.below(level.rows), random_.below(level.cols)}));
+    }
+    run(all);
+  }
+
   /// Descriptors that must be refused, between others.
   void refused() {
     std::vector<Descriptor> all;
-    for (unsigned i = 0; i < 14; ++i) {
-      Descriptor d = rectangle(ViewFormat::kRgb161616);
+    for (unsigned i = 0; i < 17; ++i) {
+      Descriptor d = i < 14 ? rectangle(ViewFormat::kRgb161616) : strips(0, {});
       bench_.allocate(d, 0, true);
       if (i == 1) d.x += 1;
       if (i == 2) d.y += 1;
@@ -69,10 +82,14 @@ class ViewRun {
       if (i == 11) d.bitmap += 4;
       if (i == 12) d.bitmap |= uint64_t{1} << 50;
       if (i == 13) d.format = static_cast<ViewFormat>(7);
+      if (i == 14) d.x = maker_.parameters.block_size();
+      if (i == 15) d.y = maker_.parameters.block_size();
+      if (i == 16) d.bitmap = d.destination + 8;
       d.tag = next_tag_++;
       all.push_back(d);
     }
     all[3].format = static_cast<ViewFormat>(3);
+    all[4].format = static_cast<ViewFormat>(11);
     in_turns(all, [&](auto turn) { bench_.run(turn); });
   }
 
@@ -104,7 +121,8 @@ class ViewRun {
   /// Aborts at many moments of a descriptor; then DRAIN, a reset, and everything works as before.
   void interruptions() {
     for (unsigned clocks = 0; clocks < 400; clocks += random_.within(1, 70)) {
-      const Descriptor d = prepared(whole(ViewFormat::kRgb161616));
+      const Descriptor d =
+          prepared(random_.chance(500) ? whole(ViewFormat::kRgb161616) : strips(0, {}));
       bench_.run_aborted(d, clocks, prepared(rectangle(ViewFormat::kY)));
       if (!finding().empty()) return;
       bench_.free_all();
@@ -123,6 +141,7 @@ class ViewRun {
   void everything() {
     whole_views();
     rectangles(20);
+    residuals();
     refused();
     outside();
     bus_errors();
@@ -140,6 +159,22 @@ class ViewRun {
             .format = format,
             .width = plane.width,
             .height = plane.height};
+  }
+
+  // A plane of the image of level `l`.
+  Descriptor strips(int l, ImagePos image) {
+    const auto& header = image_.golden()->header();
+    const unsigned plane = random_.below(3);
+    Descriptor d = whole(static_cast<ViewFormat>(plane));
+    d.format = static_cast<ViewFormat>(8 + plane);
+    d.stop_level = static_cast<unsigned>(l);
+    d.row = image.row;
+    d.col = image.col;
+    for (int i = 0; i < l; ++i) {
+      d.row *= header.cluster_rows;
+      d.col *= header.cluster_cols;
+    }
+    return d;
   }
 
   Descriptor rectangle(ViewFormat format) {

@@ -16,6 +16,18 @@ std::vector<uint8_t> stream(uint32_t seed, unsigned block_size) {
   return bytes;
 }
 
+// 2 x 2 pixels of 12 bits, all 4095.
+std::vector<uint8_t> white_picture() {
+  LightField white({1, 1, 2, 2, 12});
+  white.write_row(0, 0, 0, std::vector<uint16_t>(6, 4095));
+  white.write_row(0, 0, 1, std::vector<uint16_t>(6, 4095));
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  params.block_size = 2;
+  params.lossless = true;
+  return encode(white, params)->bytes;
+}
+
 class ViewDma : public testing::TestWithParam<uint32_t> {};
 
 TEST_P(ViewDma, EqualsTheModel) {
@@ -41,7 +53,7 @@ TEST(ViewDma, ReachesEveryMacroRow) {
 
 TEST(ViewDma, CountsBlocksThatDoNotDecodeOrFit) {
   const ViewMaker maker = view_dmas().front();
-  std::vector<uint8_t> bytes;
+  const std::vector<uint8_t> bytes = white_picture();
   const auto errors_of = [&](ViewFormat format) {
     ViewRun run(bytes, maker, 1);
     Descriptor d{.tag = 1, .format = format, .width = 1, .height = 1};
@@ -50,14 +62,6 @@ TEST(ViewDma, CountsBlocksThatDoNotDecodeOrFit) {
     EXPECT_EQ(run.finding(), "");
     return run.bench().last_status();
   };
-  LightField white({1, 1, 2, 2, 12});
-  white.write_row(0, 0, 0, std::vector<uint16_t>(6, 4095));
-  white.write_row(0, 0, 1, std::vector<uint16_t>(6, 4095));
-  EncodeParams params;
-  params.profile = Profile::kMain;
-  params.block_size = 2;
-  params.lossless = true;
-  bytes = encode(white, params)->bytes;
   EXPECT_EQ(errors_of(ViewFormat::kRgb888).first_error, 24);  // limit_exceeded
   EXPECT_EQ(errors_of(ViewFormat::kRgb101010).block_errors, 1u);
   EXPECT_EQ(errors_of(ViewFormat::kRgb161616).first_error, 0);
@@ -75,7 +79,7 @@ TEST(ViewUnit, EqualsTheModel) {
 }
 
 std::vector<std::vector<uint8_t>> streams_for_faults() {
-  return {stream(3, 2), stream(0, 2), large_picture(2)};
+  return {stream(3, 2), stream(0, 2), white_picture(), large_picture(2)};
 }
 
 TEST(ViewFault, NoneIsFoundWithoutOne) {
