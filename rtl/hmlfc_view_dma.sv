@@ -224,6 +224,10 @@ module hmlfc_view_dma #(
   logic [ADDRESS_BITS-7:0] line;
   logic [511:0] line_data;
   logic [63:0] line_strobe;
+  logic strip_placed, strip_answer_ready, strip_empty, strip_error, strip_line_valid;
+  logic [ADDRESS_BITS-7:0] strip_line;
+  logic [511:0] strip_line_data;
+  logic [63:0] strip_line_strobe;
   hmlfc_view_place #(
       .BLOCK_LOG2(BLOCK_LOG2)
   ) places (
@@ -260,10 +264,6 @@ module hmlfc_view_dma #(
       .line_data,
       .line_strobe
   );
-  logic strip_placed, strip_answer_ready, strip_empty, strip_error, strip_line_valid;
-  logic [ADDRESS_BITS-7:0] strip_line;
-  logic [511:0] strip_line_data;
-  logic [63:0] strip_line_strobe;
   hmlfc_strip_writer #(
       .BLOCK_LOG2(BLOCK_LOG2)
   ) strips (

@@ -17,7 +17,7 @@ hmlfc_plant_fault(tile_of_the_bitmap_not_counted hmlfc_view_place.sv
 hmlfc_plant_fault(macro_row_starts_at_the_rectangle hmlfc_view_place.sv
   "above[0]" "1'b0" "destination: " 0)
 hmlfc_plant_fault(errors_of_pixels_that_do_not_fit_ignored hmlfc_view_rows.sv
-  "in_samples[16*i+8+:8] != 0" "1'b0" "destination: " 0)
+  "in_samples[16*i+8+:8] != 0" "1'b0" "status: " 0)
 hmlfc_plant_fault(status_with_the_tag_of_the_next hmlfc_view_queue.sv
   "{write_errors, block_errors, 18'd0, first_error, result, tag}"
   "{write_errors, block_errors, 18'd0, first_error, result, tag + 32'd1}" "status: " 0)

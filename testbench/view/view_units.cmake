@@ -1,4 +1,4 @@
-# hmlfc_view: the bench of the view unit. With Verilator view units of the product's RTL, the DMA alone for
+# hmlfc_view_units: with Verilator view units of the product's RTL, the DMA alone for
 # each block size, and a DMA of a copy in which faults wait to be switched on.
 
 # BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING of whole units, and of DMAs, which have no depth and no reads.
@@ -52,6 +52,3 @@ configure_file(view/view_units.cpp.in view_units.cpp @ONLY)
 add_library(hmlfc_view_units STATIC "${CMAKE_CURRENT_BINARY_DIR}/view_units.cpp")
 target_compile_definitions(hmlfc_view_units PRIVATE VM_COVERAGE=0 VM_TRACE=0)
 target_link_libraries(hmlfc_view_units PUBLIC hmlfc_bench hmlfc_verilated_view)
-add_library(hmlfc_view STATIC view/expected_view.cpp view/view_bench.cpp view/view_memory.cpp)
-target_link_libraries(hmlfc_view PUBLIC hmlfc_view_units PRIVATE hmlfc_warnings)
-hmlfc_compile_quickly(hmlfc_view)
