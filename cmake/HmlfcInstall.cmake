@@ -56,6 +56,7 @@ install(FILES
   rtl/hmlfc_decode_unit.core
   rtl/hmlfc_decode_unit.f
   rtl/registers.json
+  rtl/view_registers.json
   rtl/waivers.vlt
   DESTINATION "${rtl_dir}")
 install(FILES rtl/driver/hmlfc_registers.h DESTINATION "${rtl_dir}/driver")
@@ -64,4 +65,6 @@ install(FILES
   rtl/kit/hmlfc_decode_unit.rdl
   rtl/kit/hmlfc_decode_unit.sdc
   rtl/kit/hmlfc_decode_unit.xml
+  rtl/kit/hmlfc_view_queue.rdl
+  rtl/kit/hmlfc_view_unit.xml
   DESTINATION "${rtl_dir}/kit")

@@ -2,13 +2,14 @@
 
 // Collects the planes of a request and answers it (COL-2, COL-3).
 //
-// Takes blocks of levels in order. The last of a plane is its result; with the last plane of a request the answer is made: lanes
+// Takes blocks of levels in order. The last of a plane is its result, of a request for residuals `in_residual`, 0 without `in_has_residual`; with the last plane of a request the answer is made: lanes
 // of 16 bits, status and tlast. Chroma of requests for RGB is kept for the next, which may leave it out. Latency 4 clocks.
 module hmlfc_answer #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
     localparam int SAMPLE_BITS = MAX_DEPTH + 1,
+    localparam int VALUE_BITS = MAX_DEPTH + 2,
     localparam int PLANE_BITS = SAMPLES * SAMPLE_BITS,
     localparam int ANSWER_BITS = 3 * SAMPLES * 16
 ) (
@@ -22,6 +23,8 @@ module hmlfc_answer #(
     input hmlfc_pkg::job_t in_job,
     input logic [5:0] in_error,
     input logic [PLANE_BITS-1:0] in_sample,
+    input logic in_has_residual,
+    input logic [SAMPLES*VALUE_BITS-1:0] in_residual,
 
     output logic chroma_spoiled,  // the chroma that is kept met a bus error: it is not to be relied on
 
@@ -63,7 +66,15 @@ module hmlfc_answer #(
   logic advance, advance_out;
   logic [3:1] valid, last, rgb;
   logic [5:0] status_1, status_2, status_3;
-  logic [PLANE_BITS-1:0] y_1, co_1, cg_1, y_2, y_3;
+  logic [PLANE_BITS-1:0] y_1, co_1, cg_1, y_2, y_3, plane_0;
+  logic [SAMPLES-1:0] signs_0, signs_1, signs_2, signs_3;  // of the samples of a plane, which are as wide as residuals with them
+  always_comb begin
+    for (int i = 0; i < SAMPLES; i++) begin
+      {signs_0[i], plane_0[i*SAMPLE_BITS+:SAMPLE_BITS]} = VALUE_BITS'($signed(in_sample[i*SAMPLE_BITS+:SAMPLE_BITS]));
+      if (in_job.residuals)
+        {signs_0[i], plane_0[i*SAMPLE_BITS+:SAMPLE_BITS]} = in_has_residual ? in_residual[i*VALUE_BITS+:VALUE_BITS] : VALUE_BITS'(0);
+    end
+  end
   logic [ANSWER_BITS-1:0] lanes_3;
   hmlfc_colour #(
       .BLOCK_LOG2(BLOCK_LOG2),
@@ -92,11 +103,12 @@ module hmlfc_answer #(
       last <= {last[2:1], in_job.tlast};
       rgb <= {rgb[2:1], in_job.rgb};
       status_1 <= in_job.rgb ? rgb_error : in_error;
-      y_1 <= in_job.rgb ? y : in_sample;
+      y_1 <= in_job.rgb ? y : plane_0;
       co_1 <= at_pixels(held_co, at, chroma_444);
       cg_1 <= at_pixels(cg, at, chroma_444);
       {status_3, status_2} <= {status_2, status_1};
       {y_3, y_2} <= {y_2, y_1};
+      {signs_3, signs_2, signs_1} <= {signs_2, signs_1, signs_0};
     end
     if (!rst_n) valid <= '0;
   end
@@ -106,7 +118,7 @@ module hmlfc_answer #(
     answer = '0;
     if (status_3 == 0) begin
       if (rgb[3]) answer = lanes_3;
-      else for (int i = 0; i < SAMPLES; i++) answer[i*16+:16] = 16'($signed(y_3[i*SAMPLE_BITS+:SAMPLE_BITS]));
+      else for (int i = 0; i < SAMPLES; i++) answer[i*16+:16] = 16'($signed({signs_3[i], y_3[i*SAMPLE_BITS+:SAMPLE_BITS]}));
     end
   end
   hmlfc_skid_buffer #(

@@ -38,8 +38,8 @@ module hmlfc_compose #(
     output hmlfc_pkg::pending_t out_pending,
     output logic [5:0] out_error,
     output logic [SAMPLES*SAMPLE_BITS-1:0] out_sample,
-    // Stages of the block, for traces; 0 without TRACE.
     output logic [SAMPLES*VALUE_BITS-1:0] out_residual,
+    // Stages of the block, for traces; 0 without TRACE.
     output logic [SAMPLES*VALUE_BITS-1:0] out_reference,
     output logic [SAMPLES*SAMPLE_BITS-1:0] out_prediction
 );
@@ -79,7 +79,7 @@ module hmlfc_compose #(
   logic [STAGES:1] valid;
   logic [STAGES*PENDING_BITS-1:0] pendings;
   logic [STAGES*6-1:0] errors;
-  logic [4*SAMPLES*VALUE_BITS-1:0] residuals;  // of stages 1 to 4
+  logic [STAGES*SAMPLES*VALUE_BITS-1:0] residuals;
   logic [WINDOW_BITS-1:0] window_a, window_b;
   hmlfc_pkg::pending_t pending_1, pending_4, pending_6;
   assign pending_1 = pendings[0+:PENDING_BITS];
@@ -131,7 +131,7 @@ module hmlfc_compose #(
       valid <= {valid[STAGES-1:1], go};
       pendings <= {pendings[(STAGES-1)*PENDING_BITS-1:0], in_pending};
       errors <= {error_6, errors[5*6-1:0], error_0};
-      residuals <= {residuals[3*SAMPLES*VALUE_BITS-1:0], in_residual};
+      residuals <= {residuals[(STAGES-1)*SAMPLES*VALUE_BITS-1:0], in_residual};
       window_a <= first_window;
       window_b <= b_window;
       if (valid[6]) chain_error <= error_6;
@@ -142,18 +142,18 @@ module hmlfc_compose #(
   assign out_pending = pendings[(STAGES-1)*PENDING_BITS+:PENDING_BITS];
   assign out_error = errors[(STAGES-1)*6+:6];
 
-  // Residuals and references of stages 5 to 7.
+  assign out_residual = residuals[(STAGES-1)*SAMPLES*VALUE_BITS+:SAMPLES*VALUE_BITS];
+
+  // References of stages 5 to 7.
   if (TRACE != 0) begin : g_trace
-    logic [3*2*SAMPLES*VALUE_BITS-1:0] stages;
+    logic [3*SAMPLES*VALUE_BITS-1:0] stages;
     always_ff @(posedge clk) begin
-      if (advance) begin
-        stages <= {stages[2*2*SAMPLES*VALUE_BITS-1:0], residuals[3*SAMPLES*VALUE_BITS+:SAMPLES*VALUE_BITS], reference_4};
-      end
+      if (advance) stages <= {stages[2*SAMPLES*VALUE_BITS-1:0], reference_4};
     end
-    assign {out_residual, out_reference} = stages[2*2*SAMPLES*VALUE_BITS+:2*SAMPLES*VALUE_BITS];
+    assign out_reference = stages[2*SAMPLES*VALUE_BITS+:SAMPLES*VALUE_BITS];
     assign out_prediction = prediction_7;
   end else begin : g_no_trace
-    assign {out_residual, out_reference, out_prediction} = '0;
+    assign {out_reference, out_prediction} = '0;
   end
 
 endmodule

@@ -1,4 +1,5 @@
-// The files of the decode unit: the package first, then each module after those in it. Top: hmlfc_decode_unit.
+// The files of the decode unit and of the view unit around it: the package first, then each module after those in it.
+// Tops: hmlfc_decode_unit, hmlfc_view_unit.
 //
 //   verilator waivers.vlt -F hmlfc_decode_unit.f
 //   iverilog -g2012 -c hmlfc_decode_unit.f            in this folder
@@ -76,3 +77,18 @@ hmlfc_group_axis.sv
 hmlfc_view.sv
 hmlfc_widths.sv
 hmlfc_decode_unit.sv
+hmlfc_axil_split.sv
+hmlfc_view_registers.sv
+hmlfc_view_fetch.sv
+hmlfc_view_queue.sv
+hmlfc_view_scan.sv
+hmlfc_view_place.sv
+hmlfc_view_rows.sv
+hmlfc_write_port.sv
+hmlfc_view_writer.sv
+hmlfc_strip_scan.sv
+hmlfc_strip_collect.sv
+hmlfc_strip_pack.sv
+hmlfc_strip_writer.sv
+hmlfc_view_dma.sv
+hmlfc_view_unit.sv

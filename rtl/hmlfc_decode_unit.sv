@@ -426,6 +426,8 @@ module hmlfc_decode_unit #(
       .in_job(done_pending.job),
       .in_error(done_error),
       .in_sample(done_sample),
+      .in_has_residual(done_pending.has_residual),
+      .in_residual(done_residual),
       .chroma_spoiled,
       .out_valid(m_response_tvalid),
       .out_ready(m_response_tready),

@@ -16,7 +16,7 @@ package hmlfc_pkg;
   localparam int IMAGE_TILES_BITS = TILE_BITS + 2;
   localparam int IMAGE_REFERENCES_BITS = 4 * ADDRESS_BITS + 114;
   localparam int IMAGE_BITS = 2 * GRID_BITS + TILE_BITS + IMAGE_TILES_BITS + IMAGE_REFERENCES_BITS;
-  localparam int JOB_BITS = VIEW_BITS + 42;
+  localparam int JOB_BITS = VIEW_BITS + 43;
   localparam int MOTION_BITS = 33;
   localparam int FLOW_BITS = JOB_BITS + 58;
   localparam int PENDING_BITS = JOB_BITS + 55;
@@ -140,6 +140,7 @@ package hmlfc_pkg;
     logic first;          // no parent: DEC-1 begins here
     logic last;           // the result of the plane
     logic rgb;            // for a request for RGB
+    logic residuals;      // for a request for residuals (DEC-4): no parent
     logic answer;         // the request is answered after it
     logic tlast;
     logic [5:0] error;    // known before decoding: bad_request, or that of LOAD
@@ -187,5 +188,45 @@ package hmlfc_pkg;
     logic [2:0] fx_b;
     logic [2:0] fy_b;
   } pending_t;
+
+  // Blocks of a plane, both ends included.
+  typedef struct packed {
+    logic [BLOCK_BITS-1:0] first_x;
+    logic [BLOCK_BITS-1:0] last_x;
+    logic [BLOCK_BITS-1:0] first_y;
+    logic [BLOCK_BITS-1:0] last_y;
+  } rectangle_t;
+
+  // What a descriptor of the view queue asks for.
+  typedef struct packed {
+    logic [11:0] row;
+    logic [11:0] col;
+    logic [3:0] stop_level;
+    logic [2:0] format;
+    logic residuals;                      // residuals of a reference image, as strips; `format` is the plane
+    rectangle_t blocks;
+    logic [2:0] end_column;               // in its block, of the rectangle's last column
+    logic [2:0] end_row;
+    logic [ADDRESS_BITS-1:0] destination;
+    logic [23:0] pitch;                   // bytes
+    logic [ADDRESS_BITS-1:0] bitmap;      // 0: none
+  } view_t;
+
+  // Formats of a descriptor; 0 to 2 are samples of a plane.
+  localparam logic [2:0] FORMAT_RGB888 = 3'd4;
+  localparam logic [2:0] FORMAT_RGB101010 = 3'd5;
+  localparam logic [2:0] FORMAT_RGB161616 = 3'd6;
+
+  // Where the writer puts a block, and what ends with it.
+  typedef struct packed {
+    logic has_block;                      // there is a block; else only `tile_ends` counts
+    logic tile_ends;                      // the last position in a tile of which the rectangle has blocks
+    logic [2:0] tile_x;                   // of the block in its tile
+    logic [2:0] tile_y;
+    logic [21:0] tile;                    // number of its tile, row by row of those of the rectangle
+    logic [2:0] end_column;               // in the block, of the rectangle
+    logic [2:0] end_row;
+    logic [ADDRESS_BITS-1:0] address;     // of the block's first pixel
+  } place_t;
 
 endpackage

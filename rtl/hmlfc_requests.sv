@@ -5,7 +5,7 @@
 // Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
 // LOAD, becomes one job that carries the error. Views are worked out when they are not held: the table keeps VIEWS of them, and
 // the oldest makes room as soon as none of its blocks is in flight. For RGB the chroma blocks are omitted where the previous
-// request for RGB decoded them, but not where they met a bus error. Up to two requests wait; the first of them is checked and
+// request for RGB decoded them, but not where they met a bus error. A request for residuals is one job, of its stop level. Up to two requests wait; the first of them is checked and
 // looked up while jobs of the one before leave.
 module hmlfc_requests #(
     parameter int VIEWS = hmlfc_pkg::VIEWS,  // at most hmlfc_pkg::VIEWS
@@ -67,12 +67,13 @@ module hmlfc_requests #(
   wire [14:0] by = next[53:39];
   wire [1:0] plane = next[55:54];
   wire [3:0] stop = next[59:56];
+  wire residuals = next[60];
 
   wire of_chroma = plane == 2'd1 || plane == 2'd2;
   wire in_luma = bx < 15'(stream.luma.blocks_x) && by < 15'(stream.luma.blocks_y);
   wire in_chroma = bx < 15'(stream.chroma.blocks_x) && by < 15'(stream.chroma.blocks_y);
   wire there = row < 12'(stream.rows) && col < 12'(stream.cols) && (of_chroma ? in_chroma : in_luma) &&
-      stop <= 4'(stream.tree_height) && next[63:60] == 0;
+      stop <= 4'(stream.tree_height) && next[63:61] == 0 && !(residuals && plane == 2'd3);
 
   // Views that are held.
   logic [VIEWS-1:0] held;
@@ -114,7 +115,7 @@ module hmlfc_requests #(
   wire [SITE_BITS-1:0] site = {row[9:0], col[9:0], chroma_bx, chroma_by, stop};
 
   // The request that is turned into jobs: plane and level run on while it lasts.
-  logic busy, last, rgb, hit, chroma_left_out;
+  logic busy, last, rgb, of_residuals, hit, chroma_left_out;
   logic [VIEW_BITS-1:0] hit_slot;
   logic [5:0] error;
   logic [3:0] now_stop;
@@ -141,25 +142,28 @@ module hmlfc_requests #(
     job.first = !begun;
     job.last = ends_plane;
     job.rgb = rgb;
+    job.residuals = of_residuals;
     job.answer = ends_request;
     job.tlast = last;
     job.error = error;
     if (error != 0) begin
       job.id = '0;
       job.plane = '0;
+      job.residuals = 1'b0;
       job.first = 1'b1;
     end
   end
   wire emit = job_valid && job_ready;
   assign next_ready = !busy || (emit && ends_request);
   wire pass = next_valid && next_ready;
-  wire [2:0] next_level = first_level_of(next_keys, stop, stream.tree_height);
-  wire [2:0] view_level = first_level_of(view_keys, now_stop, stream.tree_height);
+  wire [2:0] next_level = residuals ? stop[2:0] : first_level_of(next_keys, stop, stream.tree_height);
+  wire [2:0] view_level = of_residuals ? now_stop[2:0] : first_level_of(view_keys, now_stop, stream.tree_height);
 
   always_ff @(posedge clk) begin
     if (pass) begin
       last <= next_last;
       rgb <= plane == 2'd3;
+      of_residuals <= residuals;
       error <= load_error != 0 ? load_error : there ? 6'd0 : HMLFC_ERROR_BAD_REQUEST;
       hit <= any_hit;
       hit_slot <= next_slot;

@@ -1,7 +1,9 @@
+`include "hmlfc_tables.svh"
+
 // Asks for the tiles of each block: its residual tile and, with motion tiles, its motion tile (IDX-2, MOT-1, MOT-2, MOT-4).
 //
 // Three stages for the tiles' numbers, then the stores. A block goes on when both stores have a place for its tile. Key images and blocks
-// with an error need none.
+// with an error need none. A request for the residuals of an image that has none, or is no reference image, gets bad_request here.
 module hmlfc_tile_ask #(
     parameter int BLOCK_LOG2 = 2,
     parameter int RESIDUAL_CONTEXTS = 8,
@@ -119,7 +121,12 @@ module hmlfc_tile_ask #(
   assign {job, needs_residual, needs_motion, predictive_3, keyed_3} = carries[(STAGES-1)*CARRY_BITS+:CARRY_BITS];
   assign residual_info = {predictive_3, size_3};
   assign motion_info = {keyed_3, motion_size};
-  wire coded = in_job.error == 0 && !(image.keyed && image.is_reference);
+  hmlfc_pkg::job_t checked;
+  always_comb begin
+    checked = in_job;
+    if (in_job.residuals && (image.keyed || !image.is_reference)) checked.error = HMLFC_ERROR_BAD_REQUEST;
+  end
+  wire coded = checked.error == 0 && !(image.keyed && image.is_reference);
   wire granted = (!needs_residual || residual_granted) && (!needs_motion || motion_granted);
   assign out_valid = valid[STAGES] && granted;
   assign advance = !valid[STAGES] || (granted && out_ready);
@@ -140,7 +147,7 @@ module hmlfc_tile_ask #(
     if (advance) begin
       carries <= {
         carries[(STAGES-1)*CARRY_BITS-1:0],
-        in_job, coded, coded && stream.features.motion_tiles && !image.is_reference, predictive, image.keyed
+        checked, coded, coded && stream.features.motion_tiles && !image.is_reference, predictive, image.keyed
       };
       valid <= {valid[STAGES-1:1], in_valid};
     end

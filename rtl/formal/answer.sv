@@ -1,6 +1,6 @@
 // Each block that ends a request gives exactly one answer, in order, with its own status and tlast: blocks that end requests are taken
 // and answers given in equal numbers but for those inside; an answer does not change while it waits. For a request of one plane the
-// answer is the block's samples. For RGB the colour transform gets the samples of Y and, by COL-3, those of Co and Cg at its pixels, each
+// answer is the block's samples, or, for residuals, its residuals, 0 where it has none. For RGB the colour transform gets the samples of Y and, by COL-3, those of Co and Cg at its pixels, each
 // of the latest last block of its plane, and the answer is what the transform gives for them two clocks later (proof colour); its status
 // is the first error of Y, Co and Cg. With an error the samples are 0. BLOCK_LOG2 = 1, MAX_DEPTH = 8; any stalls.
 //
@@ -14,9 +14,10 @@
 // Fault: hmlfc_answer.sv / {in_job.by[0], in_job.bx[0]} : corner / {in_job.bx[0], in_job.by[0]} : corner
 // Fault: hmlfc_answer.sv / full ? py * B + px / 1'b1 ? py * B + px
 // Fault: hmlfc_answer.sv / if (rgb[3]) answer = lanes_3 / if (rgb[2]) answer = lanes_3
+// Fault: hmlfc_answer.sv / in_has_residual ? in_residual / 1'b1 ? in_residual
 module prove_answer (
   input logic clk, input logic rst_n, input logic in_valid, input logic [hmlfc_pkg::JOB_BITS-1:0] in_job, input logic [5:0] in_error,
-  input logic [35:0] in_sample, input logic out_ready, input logic [3:0] depth, input logic chroma_444
+  input logic [35:0] in_sample, input logic in_has_residual, input logic [39:0] in_residual, input logic out_ready, input logic [3:0] depth, input logic chroma_444
 );
   hmlfc_pkg::job_t job;
   assign job = in_job;
@@ -25,7 +26,7 @@ module prove_answer (
   logic [5:0]   out_error;
   hmlfc_answer #(.BLOCK_LOG2(1), .MAX_DEPTH(8)) dut (
     .clk(clk), .rst_n(rst_n), .depth(depth), .chroma_444(chroma_444), .in_valid(in_valid), .in_ready(in_ready), .in_job(job),
-    .in_error(in_error), .in_sample(in_sample), .chroma_spoiled(), .out_valid(out_valid), .out_ready(out_ready), .out_data(out_data),
+    .in_error(in_error), .in_sample(in_sample), .in_has_residual(in_has_residual), .in_residual(in_residual), .chroma_spoiled(), .out_valid(out_valid), .out_ready(out_ready), .out_data(out_data),
     .out_error(out_error), .out_last(out_last));
   (* hierconn *) wire [3:1] \dut.valid ;
   (* hierconn *) wire [3:1] \dut.last ;
@@ -40,6 +41,9 @@ module prove_answer (
   (* hierconn *) wire [35:0] \dut.cg_1 ;
   (* hierconn *) wire [35:0] \dut.y_2 ;
   (* hierconn *) wire [35:0] \dut.y_3 ;
+  (* hierconn *) wire [3:0] \dut.signs_1 ;
+  (* hierconn *) wire [3:0] \dut.signs_2 ;
+  (* hierconn *) wire [3:0] \dut.signs_3 ;
   (* hierconn *) wire [191:0] \dut.lanes_3 ;
   (* hierconn *) wire [198:0] \dut.out.skid ;
 
@@ -68,8 +72,17 @@ module prove_answer (
       pixels[9*k +: 9] = full ? plane[9*k +: 9] : plane >> (9 * (2 * ((2 * place[1] + k / 2) / 2) + (2 * place[0] + k % 2) / 2));
   endfunction
 
-  // The blocks inside that end a request: {cg, co, rgb, tlast, error, samples}, the oldest at the bottom.
-  localparam integer E = 116;
+  // The values of a request for one plane: {bits 9, bits 8 to 0}.
+  wire [39:0] values;
+  generate
+    for (genvar i = 0; i < 4; i = i + 1) begin : g_value
+      wire [9:0] value = !job.residuals ? {in_sample[9*i+8], in_sample[9*i +: 9]} : in_has_residual ? in_residual[10*i +: 10] : 10'd0;
+      assign {values[36+i], values[9*i +: 9]} = value;
+    end
+  endgenerate
+
+  // The blocks inside that end a request: {signs, cg, co, rgb, tlast, error, samples}, the oldest at the bottom.
+  localparam integer E = 120;
   logic           started = 1'b0;
   logic [2:0]     held;
   logic [5*E-1:0] list;
@@ -81,8 +94,8 @@ module prove_answer (
   wire [41:0]     cg = job.plane == 2 ? block : cg_kept;
   wire [1:0]      place = job.plane == 0 ? {job.by[0], job.bx[0]} : place_kept;
   wire [5:0]      first_error = y[41:36] != 0 ? y[41:36] : co_kept[41:36] != 0 ? co_kept[41:36] : cg[41:36];
-  wire [E-1:0]    entry = {pixels(cg[35:0], place, chroma_444), pixels(co_kept[35:0], place, chroma_444), job.rgb, job.tlast,
-                           job.rgb ? {first_error, y[35:0]} : block};
+  wire [E-1:0]    entry = {values[39:36], pixels(cg[35:0], place, chroma_444), pixels(co_kept[35:0], place, chroma_444), job.rgb, job.tlast,
+                           job.rgb ? {first_error, y[35:0]} : {in_error, values[35:0]}};
   always @(posedge clk) begin
     started <= 1'b1;
     held <= rst_n ? rest + {2'd0, put} : 3'd0;
@@ -105,7 +118,7 @@ module prove_answer (
   function automatic fits(input [E-1:0] e, input [191:0] transformed, input last, input [5:0] error, input [191:0] data);
     reg [191:0] lanes;
     lanes = e[43] ? transformed : 192'd0;
-    if (!e[43]) for (integer i = 0; i < 4; i = i + 1) lanes[16*i +: 16] = {{7{e[9*i+8]}}, e[9*i +: 9]};
+    if (!e[43]) for (integer i = 0; i < 4; i = i + 1) lanes[16*i +: 16] = {{7{e[116+i]}}, e[9*i +: 9]};
     if (e[41:36] != 0) lanes = 192'd0;
     fits = last == e[42] && error == e[41:36] && data == lanes;
   endfunction
@@ -129,6 +142,7 @@ module prove_answer (
 
   always @* begin
     assume (job.plane != 3);
+    if (job.rgb) assume (!job.residuals);
     if (job.rgb && job.answer) assume (job.last && job.plane != 1);  // a request's planes come as Y, or Y, Co, Cg
     if (!started) begin
       assume (!rst_n);
@@ -143,11 +157,12 @@ module prove_answer (
       if (out_valid) assert (fits(list[0 +: E], given[191:0], out_last, out_error, out_data));
       if (!\dut.advance_out )
         assert (fits(e_skid, given[383:192], \dut.out.skid [198], \dut.out.skid [197:192], \dut.out.skid [191:0]));
-      if (\dut.valid [3]) assert ({\dut.rgb [3], \dut.last [3], \dut.status_3 } == e_3[43:36] && (e_3[43] || \dut.y_3 == e_3[35:0]));
-      if (\dut.valid [2]) assert ({\dut.rgb [2], \dut.last [2], \dut.status_2 } == e_2[43:36] && (e_2[43] || \dut.y_2 == e_2[35:0]));
+      if (\dut.valid [3]) assert ({\dut.rgb [3], \dut.last [3], \dut.status_3 } == e_3[43:36] && (e_3[43] || {\dut.signs_3 , \dut.y_3 } == {e_3[119:116], e_3[35:0]}));
+      if (\dut.valid [2]) assert ({\dut.rgb [2], \dut.last [2], \dut.status_2 } == e_2[43:36] && (e_2[43] || {\dut.signs_2 , \dut.y_2 } == {e_2[119:116], e_2[35:0]}));
       if (\dut.valid [1]) begin
         assert ({\dut.rgb [1], \dut.last [1], \dut.status_1 , \dut.y_1 } == e_1[43:0]);
-        if (e_1[43]) assert ({\dut.cg_1 , \dut.co_1 } == e_1[E-1:44]);
+        if (e_1[43]) assert ({\dut.cg_1 , \dut.co_1 } == e_1[115:44]);
+        else assert (\dut.signs_1 == e_1[119:116]);
       end
     end
   end

@@ -1,6 +1,7 @@
 // Each request becomes jobs of which exactly one, the last, carries `answer`; it carries the request's tlast. At most three requests are
 // inside. A job that is offered does not change until it is taken, but that spoiled chroma may add jobs behind it. The jobs of a plane
-// go down level by level and end at the stop level, so a request ends after at most 3 * 8 jobs once its view is there.
+// go down level by level and end at the stop level, so a request ends after at most 3 * 8 jobs once its view is there; one for residuals
+// is one job, of its stop level.
 //
 // Clauses: DEC-1, Requests and Answers (docs/hardware.md)
 // Engine: induction 2 8
@@ -9,6 +10,7 @@
 // Fault: hmlfc_requests.sv / !busy || (emit && ends_request) / !busy || (emit && ends_plane)
 // Fault: hmlfc_requests.sv / job.tlast = last / job.tlast = next_last
 // Fault: hmlfc_requests.sv / busy <= next_valid || !next_ready / busy <= next_valid
+// Fault: hmlfc_requests.sv / view_level = of_residuals ? now_stop[2:0] : / view_level =
 module prove_requests (
   input logic clk, input logic rst_n, input logic enable, input logic flush, input logic s_valid, input logic [63:0] s_data,
   input logic s_last, input logic view_done, input logic [7:0] view_keys, input logic job_ready, input logic chroma_spoiled,
@@ -55,6 +57,7 @@ module prove_requests (
   (* hierconn *) wire [64:0] \dut.waiting.storage[0] ;
   (* hierconn *) wire [64:0] \dut.waiting.storage[1] ;
   (* hierconn *) wire \dut.rgb ;
+  (* hierconn *) wire \dut.of_residuals ;
   (* hierconn *) wire \dut.hit ;
   (* hierconn *) wire [5:0] \dut.error ;
   (* hierconn *) wire [2:0] \dut.level ;
@@ -123,11 +126,13 @@ module prove_requests (
         assert (stop <= {1'b0, tree_height});
         if (\dut.hit ) assert (level >= stop && level <= first_level && first_level <= {1'b0, tree_height});
         if (!\dut.hit ) assert (!\dut.begun && !same_plane);
+        if (\dut.of_residuals ) assert (!\dut.rgb && (!\dut.hit || first_level == stop));
         for (int i = 0; i < VIEWS; i++) if (!\dut.hit && \dut.held [i]) assert (held_views[20*i+:20] != now_view);
       end
       if (job_valid) begin
         assert (\dut.busy && job.tlast == lasts[0]);
         if (job.answer) assert (job.last);
+        if (job.residuals) assert (job.first && job.last && job.answer && !job.rgb);
         if (job.error != 0) assert (job.answer);
         if (job.error == 0) begin
           assert ({1'b0, job.id[2:0]} >= stop && {1'b0, job.id[2:0]} <= {1'b0, tree_height});

@@ -52,11 +52,13 @@ def complaints(rtl: Path) -> list[str]:
             inner = used(text, [other.removesuffix(".sv") for other in listed])
             found += [f"{NAME}: {name} stands before {other}.sv, which is in it" for other in sorted(inner - earlier)]
         earlier.add(name.removesuffix(".sv"))
-    return found
+    units = ("hmlfc_decode_unit.sv", "hmlfc_view_unit.sv")
+    decode, view = (re.findall(r"^    parameter int (\w+) = (\d+),", (rtl / unit).read_text(encoding="utf-8"), re.M) for unit in units)
+    return found + ([] if decode == view else [f"{units[1]}: its parameters are not those of {units[0]}"])
 
 
 def parameters(rtl: Path) -> list[tuple[str, str, str]]:
-    """Name, default, and the interval or the values of each parameter of the unit, as its source says them."""
+    """Name, default, and the interval or the values of each parameter of either unit, as the decode unit's source says them."""
     return PARAMETER.findall((rtl / "hmlfc_decode_unit.sv").read_text(encoding="utf-8"))
 
 
@@ -79,4 +81,5 @@ def core(rtl: Path, version: str) -> str:
         "  lint:", "    <<: *default", "    filesets: [waivers, rtl]", "    default_tool: verilator",
         "    tools:", "      verilator:", "        mode: lint-only", "        verilator_options: [-Wall]",
         "  synth:", "    <<: *default", "    filesets: [rtl, constraints]",
+        "  view:", "    <<: *default", "    toplevel: hmlfc_view_unit",
         "", "parameters:", *described]) + "\n"

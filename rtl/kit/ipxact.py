@@ -1,4 +1,4 @@
-"""The decode unit as a component of IP-XACT (IEEE 1685-2014): bus interfaces, memory map, ports, parameters, files."""
+"""The decode unit and the view unit, each as a component of IP-XACT (IEEE 1685-2014): bus interfaces, memory map, ports, parameters, files."""
 
 import re
 import xml.etree.ElementTree as ElementTree
@@ -11,12 +11,22 @@ NAMESPACE = "http://www.accellera.org/XMLSchema/IPXACT/1685-2014"
 XSI = "http://www.w3.org/2001/XMLSchema-instance"
 PORT = re.compile(r"^    (input|output) logic (?:\[(.+):0\] )?(\w+),?$", re.M)
 DERIVED = re.compile(r"^    localparam int (\w+) = (.+?),?$", re.M)
-# Prefix of the ports: definition of the bus by ARM, its version, the unit's part.
+DESCRIPTIONS = {
+    "hmlfc_decode_unit": "Decodes single blocks of light fields from memory",
+    "hmlfc_view_unit": "Decodes rectangles of views of light fields from memory to memory",
+}
+# Unit, prefix of the ports: definition of the bus by ARM, its version, the unit's part.
 BUSES = {
-    "s_request": ("AXI4Stream", "r0p0_1", "slave"),
-    "m_response": ("AXI4Stream", "r0p0_1", "master"),
-    "m_axi": ("AXI4_RO", "r0p0_0", "master"),
-    "s_axil": ("AXI4-Lite", "r0p0_0", "slave"),
+    "hmlfc_decode_unit": {
+        "s_request": ("AXI4Stream", "r0p0_1", "slave"),
+        "m_response": ("AXI4Stream", "r0p0_1", "master"),
+        "m_axi": ("AXI4_RO", "r0p0_0", "master"),
+        "s_axil": ("AXI4-Lite", "r0p0_0", "slave"),
+    },
+    "hmlfc_view_unit": {
+        "m_axi": ("AXI4", "r0p0_0", "master"),
+        "s_axil": ("AXI4-Lite", "r0p0_0", "slave"),
+    },
 }
 ACCESS = {"ro": "read-only", "wo": "write-only", "rw": "read-write"}
 
@@ -28,9 +38,9 @@ def add(parent: ElementTree.Element, name: str, text: object = None, /, **attrib
     return node
 
 
-def ports(rtl: Path) -> list[tuple[str, str, str | None]]:
+def ports(rtl: Path, unit: str) -> list[tuple[str, str, str | None]]:
     """Direction, name and highest bit of each port, an expression of the parameters; None for a single bit."""
-    text = (rtl / "hmlfc_decode_unit.sv").read_text(encoding="utf-8")
+    text = (rtl / f"{unit}.sv").read_text(encoding="utf-8")
     package = (rtl / "hmlfc_pkg.sv").read_text(encoding="utf-8")
     derived = dict(DERIVED.findall(text[:text.index(") (")]))
     derived["ADDRESS_BITS"] = re.search(r" ADDRESS_BITS = (\d+);", package)[1]
@@ -42,9 +52,9 @@ def ports(rtl: Path) -> list[tuple[str, str, str | None]]:
     return found
 
 
-def add_buses(component: ElementTree.Element, names: list[str]) -> None:
+def add_buses(component: ElementTree.Element, unit: str, names: list[str]) -> None:
     buses = add(component, "busInterfaces")
-    for prefix, (kind, version, part) in BUSES.items():
+    for prefix, (kind, version, part) in BUSES[unit].items():
         bus = add(buses, "busInterface")
         add(bus, "name", prefix)
         add(bus, "busType", vendor="amba.com", library="AMBA4", name=kind, version=version)
@@ -84,17 +94,17 @@ def add_field(parent: ElementTree.Element, register: Register, field: Field, wor
     add(node, "access", ACCESS[register.access])
 
 
-def add_registers(component: ElementTree.Element, block: Block) -> None:
+def add_registers(component: ElementTree.Element, blocks: list[Block]) -> None:
     """Registers of 64 bits are two of 32: no register may be wider than its block."""
     memory = add(add(component, "memoryMaps"), "memoryMap")
     add(memory, "name", "registers")
     area = add(memory, "addressBlock")
     add(area, "name", "registers")
     add(area, "baseAddress", 0)
-    add(area, "range", block.bytes)
+    add(area, "range", blocks[0].bytes)
     add(area, "width", 32)
     add(area, "usage", "register")
-    for register in block.registers:
+    for register in [register for block in blocks for register in block.registers]:
         for word in range(register.bits // 32):
             node = add(area, "register")
             add(node, "name", register.name + ("_HIGH" if word else ""))
@@ -108,7 +118,7 @@ def add_registers(component: ElementTree.Element, block: Block) -> None:
     add(memory, "addressUnitBits", 8)
 
 
-def add_model(component: ElementTree.Element, rtl: Path, found: list) -> None:
+def add_model(component: ElementTree.Element, unit: str, rtl: Path, found: list) -> None:
     model = add(component, "model")
     view = add(add(model, "views"), "view")
     add(view, "name", "rtl")
@@ -117,7 +127,7 @@ def add_model(component: ElementTree.Element, rtl: Path, found: list) -> None:
     instance = add(add(model, "instantiations"), "componentInstantiation")
     add(instance, "name", "rtl")
     add(instance, "language", "SystemVerilog")
-    add(instance, "moduleName", "hmlfc_decode_unit")
+    add(instance, "moduleName", unit)
     values = add(instance, "moduleParameters")
     for name, _, _ in file_list.parameters(rtl):
         value = add(values, "moduleParameter", dataType="int")
@@ -176,21 +186,22 @@ def join(root: ElementTree.Element, kind: str) -> None:
                 node.tail = None
 
 
-def component(block: Block, rtl: Path, version: str) -> str:
+def component(unit: str, blocks: list[Block], rtl: Path, version: str) -> str:
+    """blocks: of the unit's registers, all in one space."""
     ElementTree.register_namespace("ipxact", NAMESPACE)
     ElementTree.register_namespace("xsi", XSI)
     root = ElementTree.Element(f"{{{NAMESPACE}}}component", {f"{{{XSI}}}schemaLocation": f"{NAMESPACE} {NAMESPACE}/index.xsd"})
-    for name, text in {"vendor": "hmlfc", "library": "hmlfc", "name": block.name, "version": version}.items():
+    for name, text in {"vendor": "hmlfc", "library": "hmlfc", "name": unit, "version": version}.items():
         add(root, name, text)
-    found = ports(rtl)
-    add_buses(root, [name for _, name, _ in found])
-    add_registers(root, block)
-    add_model(root, rtl, found)
+    found = ports(rtl, unit)
+    add_buses(root, unit, [name for _, name, _ in found])
+    add_registers(root, blocks)
+    add_model(root, unit, rtl, found)
     add_files(root, rtl)
-    add(root, "description", "Decodes single blocks of light fields from memory")
+    add(root, "description", DESCRIPTIONS[unit])
     add_parameters(root, rtl)
     ElementTree.indent(root)
     for kind in ("portMap", "port", "field", "file", "parameter", "moduleParameter", "fileSetRef", "view"):
         join(root, kind)
     text = ElementTree.tostring(root, encoding="unicode")
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n<!-- Generated by rtl/kit/generate.py from rtl/registers.json, the file list and the ports of the unit: change those. -->\n{text}\n'
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n<!-- Generated by rtl/kit/generate.py from the registers, the file list and the ports of the unit: change those. -->\n{text}\n'

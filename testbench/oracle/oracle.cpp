@@ -53,10 +53,15 @@ class StageCollector final : public TraceSink {
 bool Oracle::exists(const Request& request) const {
   const StreamHeader& header = stream_->header();
   const Plane plane = request.plane == kRgb ? Plane::kY : static_cast<Plane>(request.plane);
-  const PlaneShape& shape = stream_->geometry().plane(plane);
-  return request.row < header.rows && request.col < header.cols &&
-         static_cast<int>(request.stop_level) <= header.tree_height &&
-         request.bx < shape.blocks_x && request.by < shape.blocks_y;
+  const Geometry& geometry = stream_->geometry();
+  const PlaneShape& shape = geometry.plane(plane);
+  const int stop = static_cast<int>(request.stop_level);
+  const bool there = request.row < header.rows && request.col < header.cols &&
+                     stop <= header.tree_height && request.bx < shape.blocks_x &&
+                     request.by < shape.blocks_y;
+  if (!there || !request.residuals) return there;
+  const ImagePos image = geometry.ancestor({request.row, request.col}, 0, stop);
+  return request.plane != kRgb && !geometry.level(stop).keyed && geometry.is_reference(stop, image);
 }
 
 ExpectedAnswer Oracle::evaluate(const Request& request) {
@@ -88,7 +93,8 @@ ExpectedAnswer Oracle::evaluate(const Request& request) {
   if (request.plane == kRgb) {
     fill_rgb(expected);
   } else {
-    const StageValues& samples = expected.planes[0]->levels.back().sample;
+    const LevelRecord& level = expected.planes[0]->levels.back();
+    const StageValues& samples = request.residuals ? level.residual : level.sample;
     std::copy_n(samples.begin(), size * size, expected.answer.samples.begin());
   }
   return expected;
@@ -105,7 +111,8 @@ Oracle::PlanePointer Oracle::plane_block(const Request& request, Plane plane, ui
   if (line.key != key || !line.plane) {
     const int stop = static_cast<int>(request.stop_level);
     const ImagePos image = stream_->geometry().ancestor({request.row, request.col}, 0, stop);
-    line = {key, decode({stop, image.row, image.col, plane, bx, by})};
+    const BlockSite site{stop, image.row, image.col, plane, bx, by};
+    line = {key, request.residuals ? residuals(site) : decode(site)};
   }
   return line.plane;
 }
@@ -132,6 +139,26 @@ Oracle::PlanePointer Oracle::decode(const BlockSite& site) const {
   }
   for (size_t i = 0; i < collector.done(); ++i) {
     if (plane->levels[i].motion) add_motion(plane->levels[i]);
+  }
+  return plane;
+}
+
+// The residuals alone (DEC-4): a block without parent and motion.
+Oracle::PlanePointer Oracle::residuals(const BlockSite& site) const {
+  auto plane = std::make_shared<ExpectedPlane>();
+  LevelRecord& level = plane->levels.emplace_back();
+  level.site = site;
+  const auto block = walk_to_block(stream_->view(), Probe{nullptr, nullptr, site});
+  if (!block) {
+    plane->status = level.error = static_cast<uint8_t>(block.error().code);
+    return plane;
+  }
+  level.has_residual = block->entry.has_residual();
+  const SampleRange range = sample_range(site.plane, stream_->header().depth);
+  const auto values = block->residual.span();
+  for (size_t i = 0; i < values.size(); ++i) {
+    level.residual[i] = static_cast<int16_t>(values[i]);
+    level.sample[i] = static_cast<int16_t>(clamp(values[i], range.lo, range.hi));
   }
   return plane;
 }

@@ -72,6 +72,7 @@ class Oracle {
   bool exists(const Request& request) const;
   PlanePointer plane_block(const Request& request, Plane plane, uint32_t bx, uint32_t by);
   PlanePointer decode(const BlockSite& site) const;
+  PlanePointer residuals(const BlockSite& site) const;
   void add_motion(LevelRecord& record) const;
   void fill_rgb(ExpectedAnswer& expected) const;
 

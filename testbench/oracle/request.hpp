@@ -49,11 +49,12 @@ struct Request {
   unsigned plane = 0;       ///< 0 Y, 1 Co, 2 Cg, 3 RGB
   unsigned stop_level = 0;  ///< 4 bits
   bool last = false;
+  bool residuals = false;  ///< of the reference image at the stop level
 
   /// `tdata`.
   uint64_t word() const {
     return uint64_t{row} | uint64_t{col} << 12 | uint64_t{bx} << 24 | uint64_t{by} << 39 |
-           uint64_t{plane} << 54 | uint64_t{stop_level} << 56;
+           uint64_t{plane} << 54 | uint64_t{stop_level} << 56 | uint64_t{residuals} << 60;
   }
 
   static Request of_word(uint64_t word, bool last) {
@@ -61,7 +62,7 @@ struct Request {
       return static_cast<uint32_t>(word >> at & ((uint64_t{1} << bits) - 1));
     };
     return {field(0, 12), field(12, 12), field(24, 15), field(39, 15),
-            field(54, 2), field(56, 4),  last};
+            field(54, 2), field(56, 4),  last,          field(60, 1) != 0};
   }
 
   friend bool operator==(const Request&, const Request&) = default;
@@ -79,7 +80,8 @@ inline std::string plane_text(unsigned plane) {
 inline std::string to_string(const Request& request) {
   return "view " + std::to_string(request.row) + "," + std::to_string(request.col) + " plane " +
          plane_text(request.plane) + " block " + std::to_string(request.bx) + "," +
-         std::to_string(request.by) + " stop level " + std::to_string(request.stop_level);
+         std::to_string(request.by) + " stop level " + std::to_string(request.stop_level) +
+         (request.residuals ? " residuals" : "");
 }
 
 /// One beat of the answer channel; lane c has samples [c * B * B, (c + 1) * B * B - 1].

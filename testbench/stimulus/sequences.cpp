@@ -173,6 +173,17 @@ RequestSource mixed_requests(const Geometry& geometry, const StreamHeader& heade
   return source_of(std::make_shared<Mixer>(geometry, header, count, seed, bad));
 }
 
+RequestSource with_residuals(RequestSource source, uint64_t seed, unsigned permille) {
+  return [source = std::move(source), random = Random(seed), permille]() mutable {
+    std::optional<Request> request = source();
+    if (request && random.chance(permille)) {
+      request->residuals = true;
+      if (request->plane == kRgb && random.chance(900)) request->plane = 0;
+    }
+    return request;
+  };
+}
+
 RequestSource listed_requests(std::vector<Request> requests) {
   auto list = std::make_shared<std::vector<Request>>(std::move(requests));
   return [list, at = size_t{0}]() mutable -> std::optional<Request> {

@@ -50,6 +50,9 @@ RequestSource scan_requests(const Geometry& geometry, const StreamHeader& header
 RequestSource mixed_requests(const Geometry& geometry, const StreamHeader& header, uint64_t count,
                              uint64_t seed, unsigned bad);
 
+/// `source` with `permille` of its requests turned by `seed` into requests for residuals.
+RequestSource with_residuals(RequestSource source, uint64_t seed, unsigned permille);
+
 /// Requests that were written down.
 RequestSource listed_requests(std::vector<Request> requests);
 

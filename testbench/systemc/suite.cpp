@@ -10,6 +10,7 @@ namespace {
 
 constexpr uint64_t kRequests = 400;
 constexpr unsigned kBadPermille = 50;
+constexpr unsigned kResidualsPermille = 80;
 constexpr size_t kHistory = 128;
 constexpr uint64_t kDisabledClocks = 200;
 constexpr unsigned kWrongHeaders = 24;
@@ -65,9 +66,9 @@ class CaseRun {
 
   bool mixed(uint64_t stop_after) {
     if (image_.golden() != nullptr) {
-      send(mixed_requests(image_.golden()->geometry(), image_.golden()->header(), kRequests,
-                          random_.next(), kBadPermille),
-           stop_after);
+      const auto mixed = mixed_requests(image_.golden()->geometry(), image_.golden()->header(),
+                                        kRequests, random_.next(), kBadPermille);
+      send(with_residuals(mixed, random_.next(), kResidualsPermille), stop_after);
     }
     return good();
   }

@@ -1,42 +1,7 @@
 # hmlfc_rtl_faults: one Verilated unit of a copy of the RTL in which faults wait to be switched on,
 # each by its number in the plusarg +fault=N, and the table of them (rtl_faults.hpp). The product's
 # RTL has no code for faults.
-
-# hmlfc_plant_fault(NAME FILE OLD NEW RULE SEED): fault NAME is the expression NEW in the place of
-# OLD, which the file has once. RULE is how the finding of the bench must begin, SEED the stream of
-# the regression that is tried first.
-set(HMLFC_FAULT_COUNT 0)
-set(HMLFC_FAULT_ROWS "")
-set(HMLFC_FAULT_FILES "")
-function(hmlfc_plant_fault name module old new rule seed)
-  hmlfc_faulty_text("${module}" text)
-  string(FIND "${text}" "${old}" first)
-  string(FIND "${text}" "${old}" last REVERSE)
-  if(first EQUAL -1 OR NOT first EQUAL last)
-    message(FATAL_ERROR "fault ${name}: ${module} must have '${old}' once; adapt rtl_faults.cmake")
-  endif()
-  math(EXPR number "${HMLFC_FAULT_COUNT} + 1")
-  string(REPLACE "${old}" "(hmlfc_fault_pkg::fault == ${number} ? ${new} : ${old})" text "${text}")
-  set_property(GLOBAL PROPERTY HMLFC_FAULTY_${module} "${text}")
-  list(APPEND HMLFC_FAULT_FILES "${module}")
-  list(REMOVE_DUPLICATES HMLFC_FAULT_FILES)
-  set(HMLFC_FAULT_FILES "${HMLFC_FAULT_FILES}" PARENT_SCOPE)
-  set(HMLFC_FAULT_COUNT ${number} PARENT_SCOPE)
-  set(HMLFC_FAULT_ROWS
-    "${HMLFC_FAULT_ROWS}    {${number}, \"${name}\", \"${module}\", \"${rule}\", ${seed}},\n"
-    PARENT_SCOPE)
-endfunction()
-
-# hmlfc_faulty_text(FILE VARIABLE): the text of FILE with the faults planted so far.
-function(hmlfc_faulty_text module variable)
-  get_property(text GLOBAL PROPERTY HMLFC_FAULTY_${module})
-  if(NOT text)
-    file(READ "${PROJECT_SOURCE_DIR}/rtl/${module}" text)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-      "${PROJECT_SOURCE_DIR}/rtl/${module}")
-  endif()
-  set(${variable} "${text}" PARENT_SCOPE)
-endfunction()
+include(unit/plant_fault.cmake)
 
 # Values and tables.
 hmlfc_plant_fault(wrong_table_entry hmlfc_tables.svh
@@ -89,25 +54,12 @@ set_property(GLOBAL PROPERTY HMLFC_FAULTY_hmlfc_fault_pkg.sv
   "package hmlfc_fault_pkg;\n  int fault;\nendpackage\n")
 list(APPEND HMLFC_FAULT_FILES hmlfc_decode_unit.sv hmlfc_fault_pkg.sv)
 
-# Copies of what has faults, written where they change; the rest is the product's.
-set(folder "${CMAKE_CURRENT_BINARY_DIR}/faults")
-set(sources "${folder}/hmlfc_fault_pkg.sv")
-foreach(file IN LISTS HMLFC_FAULT_FILES)
-  hmlfc_faulty_text("${file}" text)
-  file(CONFIGURE OUTPUT "${folder}/${file}" CONTENT "${text}" @ONLY)
-endforeach()
-foreach(source IN LISTS HMLFC_RTL_SOURCES)
-  get_filename_component(file "${source}" NAME)
-  if(file IN_LIST HMLFC_FAULT_FILES)
-    set(source "${folder}/${file}")
-  endif()
-  list(APPEND sources "${source}")
-endforeach()
+hmlfc_write_faulty_files(faults "${HMLFC_RTL_SOURCES}" sources)
 
 # Small blocks, little memory: quick to compile, and tiles and strips give way often.
 hmlfc_verilate_unit(hmlfc_FaultyUnit FaultyUnit 1:12:64:4
   SOURCES ${sources}
-  INCLUDE "${folder}"
+  INCLUDE "${CMAKE_CURRENT_BINARY_DIR}/faults"
   ARGUMENTS -GTILE_CONTEXTS=2 -GCACHE_STRIPS=64 -Wno-lint)
 configure_file(unit/rtl_faults.cpp.in rtl_faults.cpp @ONLY)
 add_library(hmlfc_rtl_faults STATIC "${CMAKE_CURRENT_BINARY_DIR}/rtl_faults.cpp")

@@ -24,7 +24,7 @@ CODEC = {*DECODER, "model/render", "model/encoder"}
 TOOLS = {f"tools/{name}" for name in ("terminal", "io", "scenes", "vectors", "conform", "cli")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
 CHECKS = {*DECODER, "rtl/driver", "tools/io", "testbench/oracle", "testbench/stimulus"}
-TESTBENCH = {"rtl/driver", *(f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu"))}
+TESTBENCH = {"rtl/driver", *(f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu", "view"))}
 
 # What the files of a folder may include with quotes, besides the folder itself, in the order of the
 # layers; all may include <hmlfc/...> and libraries. A file belongs to the longest folder that holds it.
@@ -53,6 +53,7 @@ ALLOWED = {
     "testbench/unit": CHECKS,
     "testbench/systemc": {*CHECKS, "tools/scenes", "testbench/unit"},
     "testbench/tlm": {*CHECKS, "testbench/unit", "testbench/systemc"},
+    "testbench/view": {*CHECKS, "testbench/unit"},
     "testbench/gpu": {*CHECKS, "model/render", "gpu_ref"},
     "testbench/dpi": set(),
     "testbench/programs": {*APPLICATIONS, *TESTBENCH},

@@ -45,6 +45,7 @@ expect 0 '/build/tools/hmlfc synth --scene cards' synth --scene cards
 expect 0 "python3 -B $root/rtl/synth/report.py size ice40" synthesis size ice40
 expect 0 '/build/testbench/gpu_check FILE' gpu-check FILE
 expect 0 '/build/testbench/rtl_check FILE' rtl-check FILE
+expect 0 '/build/testbench/rtl_view FILE' rtl-view FILE
 expect 0 "*python3 $root/testbench/programs/rtl_coverage.py /build/testbench/rtl_random" rtl-coverage
 expect 0 '*tests/mutation/shaders/campaign.py --program /build/tests/mutation/shaders/decode_vectors' \
   mutate shaders

@@ -16,6 +16,15 @@ module assertions_bench;
   axi_read_assertions #(.NAME("reads"), .ADDRESS_BITS(16), .OUTSTANDING(2)) reads (
       .clk, .rst_n, .arvalid, .arready(1'b1), .araddr, .arlen, .arsize, .arburst, .rvalid, .rready(1'b1), .rlast);
 
+  logic awvalid = 1'b0, wvalid = 1'b0, wlast = 1'b0, answer = 1'b0;
+  logic [15:0] awaddr;
+  logic [7:0] awlen;
+  logic [2:0] awsize;
+  logic [1:0] awburst, answer_response;
+  axi_write_assertions #(.NAME("writes"), .ADDRESS_BITS(16), .OUTSTANDING(2)) writes (
+      .clk, .rst_n, .awvalid, .awready(1'b1), .awaddr, .awlen, .awsize, .awburst, .wvalid, .wready(1'b1), .wdata(128'd7), .wstrb(16'hffff),
+      .wlast, .bvalid(answer), .bready(1'b1), .bresp(answer_response));
+
   logic access = 1'b0, bvalid = 1'b0, dvalid = 1'b0;
   logic [1:0] response;
   axi_lite_assertions #(.NAME("lite")) lite (
@@ -49,6 +58,27 @@ module assertions_bench;
     rvalid = 1'b0;
   endtask
 
+  task automatic written;
+    awvalid = 1'b1;
+    awaddr = fault == "write_cross" ? 16'h0fd0 : fault == "write_unaligned" ? 16'h1008 : 16'h0fc0;
+    awlen = fault == "write_long" ? 8'd16 : 8'd3;
+    awsize = fault == "write_size" ? 3'd3 : 3'd4;
+    awburst = fault == "write_wrap" ? 2'b10 : 2'b01;
+    repeat (fault == "write_many" ? 3 : 2) @(negedge clk);
+    awvalid = 1'b0;
+    answer = fault == "write_response";
+    for (int beat = 0; beat < 8; beat++) begin
+      wvalid = 1'b1;
+      wlast = beat % 4 == (fault == "write_early" ? 2 : 3);
+      @(negedge clk);
+    end
+    wvalid = 1'b0;
+    answer = 1'b1;
+    answer_response = fault == "write_exokay" ? 2'b01 : 2'b10;
+    repeat (2) @(negedge clk);
+    answer = 1'b0;
+  endtask
+
   task automatic accesses;
     access = 1'b1;
     @(negedge clk) access = 1'b0;
@@ -67,6 +97,7 @@ module assertions_bench;
     @(negedge clk);
     waits();
     bursts();
+    written();
     accesses();
     @(negedge clk);
     $display("no rule was broken");

@@ -1,4 +1,4 @@
-"""What others read in the kit of the decode unit (rtl/kit): the registers of each format, without the generator's code.
+"""What others read in the kit of the units (rtl/kit): the registers of each format, without the generator's code.
 
 Each reader gives {register: {"offset", "bits", "access", "reset", "fields": {field: (lowest bit, width)}}}, but what its
 format does not say.
@@ -19,13 +19,14 @@ def interval(bits):
     return low, high - low + 1
 
 
-def description(text):
+def description(*texts):
+    """Of one or more descriptions, whose registers are in one space."""
     return {
         entry["name"]: {
             "offset": int(entry["offset"], 16), "bits": entry["bits"], "access": entry["access"],
             "reset": int(entry["reset"], 16), "fields": {field["name"]: interval(field["bits"]) for field in entry["fields"]},
         }
-        for entry in json.loads(text)["registers"]
+        for text in texts for entry in json.loads(text)["registers"]
     }
 
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks of the integration kit of the decode unit.
+"""Checks of the integration kit of the decode unit and the view unit.
 
 kit_test.py generated|read_back|file_list ROOT [--self-test]
   generated   the generated files are what rtl/kit/generate.py writes
-  read_back   what kit_readers.py finds in each format is what rtl/registers.json says; buses have the unit's ports; the
-              header compiles as C99
+  read_back   what kit_readers.py finds in each format is what the descriptions of the registers say; buses have the units'
+              ports; the header compiles as C99
   file_list   rtl/hmlfc_decode_unit.f names every file of the folder, in an order that compiles; core and IP-XACT have its files
 --self-test: each planted fault must be found, by its file.
 
@@ -23,6 +23,8 @@ import kit_readers
 from kit_readers import IPXACT
 
 HEADER, MAP, XML, RDL = "driver/hmlfc_registers.h", "hmlfc_register_map.svh", "kit/hmlfc_decode_unit.xml", "kit/hmlfc_decode_unit.rdl"
+VIEW_XML, VIEW_RDL = "kit/hmlfc_view_unit.xml", "kit/hmlfc_view_queue.rdl"
+REGISTERS, VIEW_REGISTERS = "registers.json", "view_registers.json"
 CORE, LIST = "hmlfc_decode_unit.core", "hmlfc_decode_unit.f"
 
 # Check: file below ROOT, text, what stands in its place, and what is said.
@@ -35,6 +37,9 @@ FAULTS = {
         (f"rtl/{CORE}", "      - hmlfc_fifo.sv\n", "", CORE),
         ("docs/hardware.md", "| 20, 24 |", "| 20, 28 |", "docs/hardware.md"),
         ("rtl/registers.json", '"bits": "13:8"', '"bits": "12:8"', HEADER),
+        ("rtl/view_registers.json", '"offset": "0x82c"', '"offset": "0x830"', VIEW_RDL),
+        ("rtl/view_registers.json", '"offset": "0x82c"', '"offset": "0x830"', VIEW_XML),
+        ("docs/hardware.md", "| 82C |", "| 830 |", "docs/hardware.md"),
         ("rtl/hmlfc_decode_unit.sv", "input logic [11:0] s_axil_awaddr", "input logic [12:0] s_axil_awaddr", XML),
     ],
     "read_back": [
@@ -46,6 +51,9 @@ FAULTS = {
         (f"rtl/{XML}", "<ipxact:access>write-only<", "<ipxact:access>read-write<", XML),
         (f"rtl/{XML}", "<ipxact:name>m_axi_rid<", "<ipxact:name>m_axi_arid<", XML),
         (f"rtl/{XML}", "</ipxact:component>", "", XML),
+        (f"rtl/{VIEW_XML}", "<ipxact:name>m_axi_awid<", "<ipxact:name>m_axi_arid<", VIEW_XML),
+        (f"rtl/{VIEW_XML}", "'h82c", "'h830", VIEW_XML),
+        (f"rtl/{VIEW_RDL}", "@ 0x82c", "@ 0x830", VIEW_RDL),
         ("rtl/registers.json", '"reset": "0x00000004"', '"reset": "0x00000000"', RDL),
     ],
     "file_list": [
@@ -55,6 +63,7 @@ FAULTS = {
         (f"rtl/{LIST}", "hmlfc_fifo.sv\n", "hmlfc_fifo.sv\nhmlfc_none.sv\n", "there is no hmlfc_none.sv"),
         (f"rtl/{LIST}", "hmlfc_pkg.sv\n", "hmlfc_divide.sv\nhmlfc_pkg.sv\n", "hmlfc_pkg.sv is not the first"),
         (f"rtl/{LIST}", "hmlfc_decode_unit.sv\n", "", "hmlfc_decode_unit.sv is not named"),
+        ("rtl/hmlfc_view_unit.sv", "MAX_DEPTH = 8", "MAX_DEPTH = 9", "its parameters are not those of"),
         (f"rtl/{LIST}", "hmlfc_colour.sv\n", "hmlfc_answer.sv\nhmlfc_colour.sv\n", "stands before hmlfc_colour.sv"),
         (f"rtl/{CORE}", "      - hmlfc_fifo.sv\n", "", CORE),
         (f"rtl/{XML}", "<ipxact:name>../hmlfc_fifo.sv<", "<ipxact:name>../hmlfc_trits.sv<", XML),
@@ -77,31 +86,36 @@ def difference(name, found, expected):
     return lines
 
 
-def bus_ports(root, text):
-    """Every port but those of the trace is in a bus, once, and is a port of the model."""
+def bus_ports(root, name, text):
+    """Every port but the interrupt and those of the trace is in a bus, once, and is a port of the model."""
     component = ElementTree.fromstring(text)
-    source = (root / "rtl/hmlfc_decode_unit.sv").read_text()
+    source = (root / "rtl" / Path(name).with_suffix(".sv").name).read_text()
     real = set(re.findall(r"^    (?:input|output) logic (?:\[.+\] )?(\w+)", source, re.M))
     model = [port.find(f"{IPXACT}name").text for port in component.iter(f"{IPXACT}port")]
     mapped = [port.find(f"{IPXACT}name").text for port in component.iter(f"{IPXACT}physicalPort")]
     mapped = sorted(name for name in mapped if name not in ("clk", "rst_n"))
-    expected = sorted(name for name in real if not name.startswith("trace_") and name not in ("clk", "rst_n"))
-    return ([] if sorted(model) == sorted(real) else [f"{XML}: its ports are not those of the unit"]) + (
-        [] if mapped == expected else [f"{XML}: not each port is in one bus: {set(mapped) ^ set(expected) or 'one is in two'}"])
+    expected = sorted(name for name in real if not name.startswith("trace_") and name not in ("clk", "rst_n", "irq"))
+    return ([] if sorted(model) == sorted(real) else [f"{name}: its ports are not those of the unit"]) + (
+        [] if mapped == expected else [f"{name}: not each port is in one bus: {set(mapped) ^ set(expected) or 'one is in two'}"])
 
 
 def read_back(root):
-    text = {name: (root / "rtl" / name).read_text() for name in (HEADER, MAP, XML, RDL, "registers.json")}
-    expected = kit_readers.description(text["registers.json"])
+    names = (HEADER, MAP, XML, RDL, VIEW_XML, VIEW_RDL, REGISTERS, VIEW_REGISTERS)
+    text = {name: (root / "rtl" / name).read_text() for name in names}
+    unit, queue = (kit_readers.description(text[name]) for name in (REGISTERS, VIEW_REGISTERS))
+    expected = unit | queue
     lines = []
-    for name, reader in {RDL: kit_readers.system_rdl, XML: kit_readers.ipxact}.items():
+    for name, (reader, registers) in {
+            RDL: (kit_readers.system_rdl, unit), XML: (kit_readers.ipxact, unit),
+            VIEW_RDL: (kit_readers.system_rdl, queue), VIEW_XML: (kit_readers.ipxact, expected)}.items():
         try:
-            lines += difference(name, reader(text[name]), expected)
+            lines += difference(name, reader(text[name]), registers)
+            if name.endswith(".xml"):
+                lines += bus_ports(root, name, text[name])
         except (AssertionError, ElementTree.ParseError) as error:
             lines.append(f"{name}: {error}")
-    if any(XML in line for line in lines):
+    if lines:
         return lines
-    lines += bus_ports(root, text[XML])
     both = {name: expected[name] | constants for name, constants in kit_readers.masks(expected).items()}
     for name, reader in {HEADER: kit_readers.c_header, MAP: kit_readers.system_verilog}.items():
         try:
@@ -122,12 +136,12 @@ def file_list(root):
     lines = files.complaints(rtl)
     named = [path.name for path in [*files.headers(rtl), *files.sources(rtl)]]
     core = re.findall(r"^      - (\w+\.svh?)\b", (rtl / CORE).read_text(), re.M)
-    component = ElementTree.parse(rtl / XML)
-    files = [file.find(f"{IPXACT}name").text for file in component.iter(f"{IPXACT}file")]
     if core != named:
         lines.append(f"{CORE}: its files are not those of the list")
-    if [name.removeprefix("../") for name in files if name.startswith("../")] != named:
-        lines.append(f"{XML}: its files are not those of the list")
+    for xml in (XML, VIEW_XML):
+        files = [file.find(f"{IPXACT}name").text for file in ElementTree.parse(rtl / xml).iter(f"{IPXACT}file")]
+        if [name.removeprefix("../") for name in files if name.startswith("../")] != named:
+            lines.append(f"{xml}: its files are not those of the list")
     return lines
 
 

@@ -21,10 +21,11 @@ TlmPlatform& platform() {
 
 void run(const std::vector<uint8_t>& bytes, uint64_t seed) {
   StreamImage image(bytes, kParameters);
-  const auto source =
-      image.golden() == nullptr
-          ? listed_requests({{}, {1, 1, 1, 1, kRgb, 0, true}})
-          : mixed_requests(image.golden()->geometry(), image.golden()->header(), 300, seed, 50);
+  const auto source = image.golden() == nullptr
+                          ? listed_requests({{}, {1, 1, 1, 1, kRgb, 0, true}})
+                          : with_residuals(mixed_requests(image.golden()->geometry(),
+                                                          image.golden()->header(), 300, seed, 50),
+                                           seed, 100);
   platform().run(image.memory(), image.load_error(), source, image.oracle());
   const auto& mismatch = platform().findings().first();
   EXPECT_FALSE(mismatch) << "seed " << seed << ": " << to_string(*mismatch);

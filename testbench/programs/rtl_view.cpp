@@ -1,0 +1,158 @@
+// rtl-view: a rectangle of a view through descriptor and DMA, every byte compared with the golden
+// model.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "io/files.hpp"
+#include "io/image_files.hpp"
+#include "stimulus/sequences.hpp"
+#include "syntax/header.hpp"
+#include "systemc/stream_image.hpp"
+#include "view/view_bench.hpp"
+#include "view/view_units.hpp"
+
+namespace hmlfc::tb {
+namespace {
+
+constexpr int kExitDifferent = 1;
+constexpr int kExitUsage = 2;
+constexpr int kExitOutput = 74;
+constexpr uint32_t kTag = 0x77656976;
+
+struct Options {
+  std::string file;
+  std::vector<uint32_t> view{0, 0};
+  std::string format = "rgb888";
+  unsigned stop_level = 0;
+  std::vector<uint32_t> rectangle;
+  std::string output;
+  uint64_t seed = 0;
+  bool random_conditions = false;
+};
+
+int usage_error(const std::string& message) {
+  fmt::print(stderr, "rtl-view: {}\n", message);
+  return kExitUsage;
+}
+
+ViewFormat format_of(const std::string& name) {
+  const auto found = std::ranges::find(kViewFormatNames, name);
+  return static_cast<ViewFormat>(found - kViewFormatNames.begin());
+}
+
+Descriptor descriptor_of(const Options& o, const Geometry& geometry) {
+  Descriptor d{.tag = kTag, .row = o.view[0], .col = o.view[1], .stop_level = o.stop_level};
+  d.format = format_of(o.format);
+  const PlaneShape& plane =
+      geometry.plane(d.format <= ViewFormat::kCg ? static_cast<Plane>(d.format) : Plane::kY);
+  d.width = plane.width;
+  d.height = plane.height;
+  if (!o.rectangle.empty()) {
+    d.x = o.rectangle[0];
+    d.y = o.rectangle[1];
+    d.width = o.rectangle[2];
+    d.height = o.rectangle[3];
+  }
+  return d;
+}
+
+// The pixels that the unit has written.
+RgbImage picture(const Descriptor& d, const std::vector<uint8_t>& memory, int depth) {
+  RgbImage image{d.width, d.height, depth, {}};
+  const unsigned bytes = bytes_of(d.format);
+  const unsigned bits = d.format == ViewFormat::kRgb888      ? 8
+                        : d.format == ViewFormat::kRgb101010 ? 10
+                                                             : 16;
+  for (uint32_t y = 0; y < d.height; ++y) {
+    for (uint32_t x = 0; x < d.width; ++x) {
+      uint64_t pixel = 0;
+      const uint64_t at = d.destination + uint64_t{y} * d.pitch + uint64_t{x} * bytes;
+      for (unsigned k = 0; k < bytes; ++k) pixel |= uint64_t{memory[at + k]} << 8 * k;
+      for (unsigned c = 0; c < 3; ++c) {
+        image.samples.push_back(static_cast<uint16_t>(pixel >> c * bits & ((1u << bits) - 1)));
+      }
+    }
+  }
+  return image;
+}
+
+const ViewMaker* maker_for(const std::vector<ViewMaker>& makers, const StreamHeader& header) {
+  for (const ViewMaker& maker : makers) {
+    if (maker.parameters.block_log2 == header.block_log2 &&
+        header.depth <= static_cast<int>(maker.parameters.max_depth)) {
+      return &maker;
+    }
+  }
+  return nullptr;
+}
+
+int decode(const Options& o, std::span<const uint8_t> file, const StreamHeader& header,
+           const ViewMaker& maker) {
+  StreamImage image(file, maker.parameters);
+  if (image.golden() == nullptr) return usage_error(status_name(image.load_error()));
+  Descriptor d = descriptor_of(o, image.golden()->geometry());
+  if (d.width == 0 || d.height == 0) return usage_error("the rectangle is empty");
+  ViewBench bench(maker.make(maker.parameters, image.oracle(), 0), file, image.area().bytes,
+                  image.oracle());
+  if (o.random_conditions) bench.set_conditions(random_conditions(o.seed), o.seed);
+  bench.allocate(d, 0, true);
+  const uint64_t begin = bench.clocks();
+  const uint64_t read = bench.memory().bytes_read;
+  bench.run(std::span(&d, 1));
+  const auto clocks = static_cast<double>(bench.clocks() - begin);
+  const double pixels = static_cast<double>(d.width) * d.height;
+  const ViewStatus status = bench.last_status();
+  fmt::print("clocks {:.0f}, {:.2f} a pixel\n", clocks, clocks / pixels);
+  fmt::print("bytes read {}, {:.2f} a pixel\n", bench.memory().bytes_read - read,
+             static_cast<double>(bench.memory().bytes_read - read) / pixels);
+  fmt::print("bytes written {}, in {} beats of {}\n", bench.memory().bytes_written,
+             bench.memory().write_beats, maker.parameters.beat_bytes);
+  fmt::print("status {}, blocks with errors {}\n", static_cast<unsigned>(status.result),
+             status.block_errors);
+  if (!o.output.empty() && d.format >= ViewFormat::kRgb888) {
+    const auto written = io::write_ppm(o.output, picture(d, bench.memory().bytes, header.depth));
+    if (!written) {
+      fmt::print(stderr, "rtl-view: {}\n", written.error().message);
+      return kExitOutput;
+    }
+  }
+  fmt::print("{}\n", bench.finding().empty() ? "equal to the model" : "FAILED: " + bench.finding());
+  return bench.finding().empty() ? 0 : kExitDifferent;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Decodes a view to memory in the view unit and compares every byte with the model"};
+  Options o;
+  app.add_option("FILE", o.file, "The stream")->required();
+  app.add_option("--view", o.view, "Row and column")->delimiter(',')->expected(2);
+  app.add_option("--format", o.format, "Of the pixels, or a plane")
+      ->check(CLI::IsMember({"y", "co", "cg", "rgb888", "rgb101010", "rgb161616"}))
+      ->capture_default_str();
+  app.add_option("--stop-level", o.stop_level, "0 for views")->check(CLI::Range(0, 15));
+  app.add_option("--rectangle", o.rectangle, "X,Y,WIDTH,HEIGHT; X and Y are multiples of B")
+      ->delimiter(',')
+      ->expected(4);
+  app.add_option("--out", o.output, "A PPM of what was written, for RGB");
+  app.add_flag("--random-conditions", o.random_conditions, "Latencies and stalls by the seed");
+  app.add_option("--seed", o.seed)->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  const auto file = io::MappedFile::open(o.file);
+  if (!file) return usage_error(file.error().message);
+  const auto header = parse_header(file->bytes());
+  if (!header) return usage_error("the stream's header is damaged");
+  const auto makers = view_units();
+  const ViewMaker* maker = maker_for(makers, *header);
+  if (maker == nullptr) return usage_error("this build has no view unit for the stream");
+  return decode(o, file->bytes(), *header, *maker);
+}
+
+}  // namespace
+}  // namespace hmlfc::tb
+
+int sc_main(int argc, char** argv) { return hmlfc::tb::run(argc, argv); }

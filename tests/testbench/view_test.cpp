@@ -1,0 +1,111 @@
+// The view unit against the golden model; the DMA alone, with the model as its decode unit, in
+// every block size.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "testbench/view_scenarios.hpp"
+
+namespace hmlfc::tb {
+namespace {
+
+// Streams by seed, of both profiles; odd seeds from 3 on with blocks that do not decode.
+std::vector<uint8_t> stream(uint32_t seed, unsigned block_size) {
+  auto bytes = suite_stream(seed, block_size);
+  if (seed % 4 == 3) corrupt(bytes, Damage::kTiles, seed);
+  return bytes;
+}
+
+// 2 x 2 pixels of 12 bits, all 4095.
+std::vector<uint8_t> white_picture() {
+  LightField white({1, 1, 2, 2, 12});
+  white.write_row(0, 0, 0, std::vector<uint16_t>(6, 4095));
+  white.write_row(0, 0, 1, std::vector<uint16_t>(6, 4095));
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  params.block_size = 2;
+  params.lossless = true;
+  return encode(white, params)->bytes;
+}
+
+class ViewDma : public testing::TestWithParam<uint32_t> {};
+
+TEST_P(ViewDma, EqualsTheModel) {
+  for (const ViewMaker& maker : view_dmas()) {
+    const auto bytes = stream(GetParam(), maker.parameters.block_size());
+    ViewRun run(bytes, maker, GetParam());
+    run.everything();
+    ASSERT_EQ(run.finding(), "") << "B " << maker.parameters.block_size();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed, ViewDma, testing::Range(0u, 8u));
+
+TEST(ViewDma, ReachesEveryMacroRow) {
+  for (const ViewMaker& maker : view_dmas()) {
+    const auto bytes = large_picture(maker.parameters.block_size());
+    ViewRun run(bytes, maker, 1);
+    run.whole_views();
+    run.rectangles(12);
+    ASSERT_EQ(run.finding(), "") << "B " << maker.parameters.block_size();
+  }
+}
+
+TEST(ViewDma, CountsBlocksThatDoNotDecodeOrFit) {
+  const ViewMaker maker = view_dmas().front();
+  const std::vector<uint8_t> bytes = white_picture();
+  const auto errors_of = [&](ViewFormat format) {
+    ViewRun run(bytes, maker, 1);
+    Descriptor d{.tag = 1, .format = format, .width = 1, .height = 1};
+    run.bench().allocate(d, 0, true);
+    run.bench().run(std::span(&d, 1));
+    EXPECT_EQ(run.finding(), "");
+    return run.bench().last_status();
+  };
+  EXPECT_EQ(errors_of(ViewFormat::kRgb888).first_error, 24);  // limit_exceeded
+  EXPECT_EQ(errors_of(ViewFormat::kRgb101010).block_errors, 1u);
+  EXPECT_EQ(errors_of(ViewFormat::kRgb161616).first_error, 0);
+}
+
+TEST(ViewUnit, EqualsTheModel) {
+  for (const ViewMaker& maker : view_units()) {
+    for (const uint32_t seed : {0u, 1u, 3u}) {
+      const auto bytes = stream(seed, maker.parameters.block_size());
+      ViewRun run(bytes, maker, seed);
+      run.everything();
+      ASSERT_EQ(run.finding(), "") << "B " << maker.parameters.block_size() << ", seed " << seed;
+    }
+  }
+}
+
+std::vector<std::vector<uint8_t>> streams_for_faults() {
+  return {stream(3, 2), stream(0, 2), white_picture(), large_picture(2)};
+}
+
+TEST(ViewFault, NoneIsFoundWithoutOne) {
+  for (const auto& bytes : streams_for_faults()) {
+    ViewRun run(bytes, faulty_view_dma(), 1);
+    run.everything();
+    EXPECT_EQ(run.finding(), "");
+  }
+}
+
+class ViewFaults : public testing::TestWithParam<RtlFault> {};
+
+TEST_P(ViewFaults, IsFound) {
+  for (const auto& bytes : streams_for_faults()) {
+    ViewRun run(bytes, faulty_view_dma(), 1, GetParam().number);
+    run.everything();
+    if (run.finding().empty()) continue;
+    std::cout << run.finding() << "\n";
+    EXPECT_EQ(run.finding().substr(0, GetParam().rule.size()), GetParam().rule);
+    return;
+  }
+  ADD_FAILURE() << GetParam().name << " in " << GetParam().module << " is not found";
+}
+
+INSTANTIATE_TEST_SUITE_P(Dma, ViewFaults, testing::ValuesIn(view_faults()),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace hmlfc::tb
