@@ -1,4 +1,5 @@
-// rtl_decode: all views of a stream by the Verilated decode unit; a decoder for `hmlfc conform`.
+// rtl_decode: all views of a stream by the Verilated decode unit, block by block, or by the view
+// unit with its driver; a decoder for `hmlfc conform`.
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -15,6 +16,8 @@
 #include "unit/unit_host.hpp"
 #include "unit/units.hpp"
 #include "vectors/digest.hpp"
+#include "view/view_pictures.hpp"
+#include "view/view_units.hpp"
 
 namespace hmlfc::tb {
 namespace {
@@ -35,6 +38,7 @@ struct Options {
   std::filesystem::path file;
   std::filesystem::path folder;
   std::string trace;
+  bool views = false;
 };
 
 [[noreturn]] void refuse(unsigned status) { throw Stop{kExitRefused, status_name(status)}; }
@@ -85,25 +89,54 @@ void place(const Request& request, const Answer& answer, unsigned b, RgbImage& i
   }
 }
 
-void decode(UnitHost& unit, const GoldenStream& stream, const std::filesystem::path& folder) {
-  const StreamHeader& header = stream.header();
+// Writes all views, each by `picture_of(view)`.
+template <class PictureOf>
+void write_views(uint32_t rows, uint32_t cols, const std::filesystem::path& folder,
+                 const PictureOf& picture_of) {
   auto raw = io::AtomicFile::create(folder / conform::kRawViewsName);
   if (!raw) throw Stop{kExitOutput, raw.error().message};
-  for (uint32_t view = 0; view < header.rows * header.cols; ++view) {
-    const ViewPos at{view / header.cols, view % header.cols};
-    const auto requests = view_requests(stream.geometry(), at, kRgb);
-    const auto answers = unit.answers(requests);
-    RgbImage image{header.width, header.height, header.depth, {}};
-    image.samples.resize(size_t{image.width} * image.height * 3);
-    for (size_t i = 0; i < requests.size(); ++i) {
-      if (answers[i].status != 0) refuse_view(unit, stream.geometry(), at, answers[i].status);
-      place(requests[i], answers[i], header.block_size(), image);
-    }
+  for (uint32_t view = 0; view < rows * cols; ++view) {
+    const RgbImage image = picture_of(ViewPos{view / cols, view % cols});
     if (const auto done = raw->write(vectors::picture_bytes(image)); !done) {
       throw Stop{kExitOutput, done.error().message};
     }
   }
   if (const auto done = raw->commit(); !done) throw Stop{kExitOutput, done.error().message};
+}
+
+RgbImage decode(UnitHost& unit, const GoldenStream& stream, ViewPos view) {
+  const StreamHeader& header = stream.header();
+  const auto requests = view_requests(stream.geometry(), view, kRgb);
+  const auto answers = unit.answers(requests);
+  RgbImage image{header.width, header.height, header.depth, {}};
+  image.samples.resize(size_t{image.width} * image.height * 3);
+  for (size_t i = 0; i < requests.size(); ++i) {
+    if (answers[i].status != 0) refuse_view(unit, stream.geometry(), view, answers[i].status);
+    place(requests[i], answers[i], header.block_size(), image);
+  }
+  return image;
+}
+
+// The driver checks the stream and fills the reference area; the golden model has no part in it.
+void run_views(const Options& options, std::span<const uint8_t> file) {
+  const auto makers = view_units();
+  if (makers.empty()) throw Stop{kExitSkipped, "this build has no view unit"};
+  const auto header = parse_header(file);
+  const ViewMaker* maker =
+      header ? view_unit_for(makers, header->block_log2, header->depth) : &makers.front();
+  if (maker == nullptr) maker = &makers.front();
+  Oracle unused(0);
+  ViewHost host(maker->make(maker->parameters, unused, 0), file, 4);
+  hmlfc_error error = host.stream_error();
+  if (error.code == HMLFC_OK) hmlfc_stream_check_sections(&host.stream(), &error);
+  if (error.code != HMLFC_OK) refuse(static_cast<unsigned>(error.code));
+  host.fill_area();
+  write_views(host.stream().rows, host.stream().cols, options.folder, [&](ViewPos view) {
+    auto image = decode_view(host, view);
+    if (!host.finding().empty()) throw Stop{kExitInternal, host.finding()};
+    if (!image) refuse(image.error());
+    return std::move(*image);
+  });
 }
 
 void print_stage(const LevelRecord& record, const char* name, const StageValues& values,
@@ -142,6 +175,7 @@ void trace(UnitHost& unit, const std::string& place, unsigned b) {
 void run(const Options& options) {
   const auto file = io::MappedFile::open(options.file);
   if (!file) throw Stop{kExitUsage, file.error().message};
+  if (options.views) return run_views(options, file->bytes());
   const auto makers = rtl_units();
   const UnitMaker& maker = maker_for(makers, file->bytes());
   const StreamImage image(file->bytes(), maker.parameters);
@@ -154,7 +188,9 @@ void run(const Options& options) {
   if (!options.trace.empty()) {
     return trace(unit, options.trace, opened->header().block_size());
   }
-  decode(unit, *image.golden(), options.folder);
+  const GoldenStream& golden = *image.golden();
+  write_views(golden.header().rows, golden.header().cols, options.folder,
+              [&](ViewPos view) { return decode(unit, golden, view); });
 }
 
 int main_of(int argc, char** argv) {
@@ -164,6 +200,7 @@ int main_of(int argc, char** argv) {
   app.add_option("-o,--output", options.folder, "An existing folder");
   app.add_option("--trace", options.trace,
                  "Print the stages of one block as JSON lines: row,column,plane,x,y");
+  app.add_flag("--views", options.views, "By descriptors of the view unit, in place of requests");
   CLI11_PARSE(app, argc, argv);
   try {
     run(options);

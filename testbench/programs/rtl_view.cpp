@@ -15,6 +15,7 @@
 #include "syntax/header.hpp"
 #include "systemc/stream_image.hpp"
 #include "view/view_bench.hpp"
+#include "view/view_pictures.hpp"
 #include "view/view_units.hpp"
 
 namespace hmlfc::tb {
@@ -62,36 +63,6 @@ Descriptor descriptor_of(const Options& o, const Geometry& geometry) {
   return d;
 }
 
-// The pixels that the unit has written.
-RgbImage picture(const Descriptor& d, const std::vector<uint8_t>& memory, int depth) {
-  RgbImage image{d.width, d.height, depth, {}};
-  const unsigned bytes = bytes_of(d.format);
-  const unsigned bits = d.format == ViewFormat::kRgb888      ? 8
-                        : d.format == ViewFormat::kRgb101010 ? 10
-                                                             : 16;
-  for (uint32_t y = 0; y < d.height; ++y) {
-    for (uint32_t x = 0; x < d.width; ++x) {
-      uint64_t pixel = 0;
-      const uint64_t at = d.destination + uint64_t{y} * d.pitch + uint64_t{x} * bytes;
-      for (unsigned k = 0; k < bytes; ++k) pixel |= uint64_t{memory[at + k]} << 8 * k;
-      for (unsigned c = 0; c < 3; ++c) {
-        image.samples.push_back(static_cast<uint16_t>(pixel >> c * bits & ((1u << bits) - 1)));
-      }
-    }
-  }
-  return image;
-}
-
-const ViewMaker* maker_for(const std::vector<ViewMaker>& makers, const StreamHeader& header) {
-  for (const ViewMaker& maker : makers) {
-    if (maker.parameters.block_log2 == header.block_log2 &&
-        header.depth <= static_cast<int>(maker.parameters.max_depth)) {
-      return &maker;
-    }
-  }
-  return nullptr;
-}
-
 int decode(const Options& o, std::span<const uint8_t> file, const StreamHeader& header,
            const ViewMaker& maker) {
   StreamImage image(file, maker.parameters);
@@ -100,25 +71,31 @@ int decode(const Options& o, std::span<const uint8_t> file, const StreamHeader& 
   if (d.width == 0 || d.height == 0) return usage_error("the rectangle is empty");
   ViewBench bench(maker.make(maker.parameters, image.oracle(), 0), file, image.area().bytes,
                   image.oracle());
-  if (o.random_conditions) bench.set_conditions(random_conditions(o.seed), o.seed);
-  bench.allocate(d, 0, true);
-  const uint64_t begin = bench.clocks();
-  const uint64_t read = bench.memory().bytes_read;
+  ViewHost& host = bench.host();
+  if (o.random_conditions) host.set_conditions(random_conditions(o.seed), o.seed);
+  bench.fill_area();
+  fmt::print("reference area of {} bytes, filled in {} clocks\n", host.area().size(),
+             host.clocks());
+  host.allocate(d, 0, true);
+  const uint64_t begin = host.clocks();
+  const uint64_t read = host.memory().bytes_read;
+  const uint64_t written = host.memory().bytes_written;
+  const uint64_t beats = host.memory().write_beats;
   bench.run(std::span(&d, 1));
-  const auto clocks = static_cast<double>(bench.clocks() - begin);
+  const auto clocks = static_cast<double>(host.clocks() - begin);
   const double pixels = static_cast<double>(d.width) * d.height;
   const ViewStatus status = bench.last_status();
   fmt::print("clocks {:.0f}, {:.2f} a pixel\n", clocks, clocks / pixels);
-  fmt::print("bytes read {}, {:.2f} a pixel\n", bench.memory().bytes_read - read,
-             static_cast<double>(bench.memory().bytes_read - read) / pixels);
-  fmt::print("bytes written {}, in {} beats of {}\n", bench.memory().bytes_written,
-             bench.memory().write_beats, maker.parameters.beat_bytes);
+  fmt::print("bytes read {}, {:.2f} a pixel\n", host.memory().bytes_read - read,
+             static_cast<double>(host.memory().bytes_read - read) / pixels);
+  fmt::print("bytes written {}, in {} beats of {}\n", host.memory().bytes_written - written,
+             host.memory().write_beats - beats, maker.parameters.beat_bytes);
   fmt::print("status {}, blocks with errors {}\n", static_cast<unsigned>(status.result),
              status.block_errors);
   if (!o.output.empty() && d.format >= ViewFormat::kRgb888) {
-    const auto written = io::write_ppm(o.output, picture(d, bench.memory().bytes, header.depth));
-    if (!written) {
-      fmt::print(stderr, "rtl-view: {}\n", written.error().message);
+    const auto saved = io::write_ppm(o.output, read_pixels(d, host.memory().bytes, header.depth));
+    if (!saved) {
+      fmt::print(stderr, "rtl-view: {}\n", saved.error().message);
       return kExitOutput;
     }
   }
@@ -147,7 +124,7 @@ int run(int argc, char** argv) {
   const auto header = parse_header(file->bytes());
   if (!header) return usage_error("the stream's header is damaged");
   const auto makers = view_units();
-  const ViewMaker* maker = maker_for(makers, *header);
+  const ViewMaker* maker = view_unit_for(makers, header->block_log2, header->depth);
   if (maker == nullptr) return usage_error("this build has no view unit for the stream");
   return decode(o, file->bytes(), *header, *maker);
 }

@@ -42,6 +42,12 @@ constexpr unsigned bytes_of(ViewFormat format) {
   }
 }
 
+/// Bits of a component of a pixel, or of a sample.
+constexpr unsigned bits_of(ViewFormat format) {
+  if (format == ViewFormat::kRgb888) return 8;
+  return format == ViewFormat::kRgb101010 ? 10 : 16;
+}
+
 inline constexpr unsigned kDescriptorBytes = 64;
 inline constexpr unsigned kViewStatusBytes = 16;
 

@@ -13,18 +13,12 @@ namespace {
 constexpr uint32_t kMaxSide = 16384;
 constexpr uint32_t kMaxPitch = 1u << 24;
 constexpr uint64_t kMaxAddress = uint64_t{1} << 40;
-constexpr uint32_t kTile = 8;          // blocks
 constexpr uint32_t kStripColumn = 16;  // blocks
 constexpr auto kTooLarge = static_cast<uint8_t>(ErrorCode::kLimitExceeded);
 
 unsigned plane_of(ViewFormat format) {
   if (is_residuals(format)) return static_cast<unsigned>(format) & 3;
   return format <= ViewFormat::kCg ? static_cast<unsigned>(format) : kRgb;
-}
-
-unsigned bits_of(ViewFormat format) {
-  if (format == ViewFormat::kRgb888) return 8;
-  return format == ViewFormat::kRgb101010 ? 10 : 16;
 }
 
 // The bytes of one pixel, lowest first.
@@ -97,7 +91,7 @@ bool is_accepted(const Descriptor& d, unsigned block_size) {
 }
 
 uint64_t bitmap_bytes(const Descriptor& d, unsigned block_size) {
-  const uint32_t side = kTile * block_size;
+  const uint32_t side = kTileBlocks * block_size;
   const uint64_t columns = (d.x + d.width - 1) / side - d.x / side + 1;
   const uint64_t rows = (d.y + d.height - 1) / side - d.y / side + 1;
   return 8 * columns * rows;
@@ -117,7 +111,7 @@ ViewStatus write_expected(Oracle& oracle, const Descriptor& d, unsigned b,
   if (d.bitmap != 0) std::ranges::fill(memory.subspan(d.bitmap, bitmap_bytes(d, b)), uint8_t{0});
   const uint32_t end_x = d.x + d.width;
   const uint32_t end_y = d.y + d.height;
-  const uint64_t tiles_x = (end_x - 1) / (kTile * b) - d.x / (kTile * b) + 1;
+  const uint64_t tiles_x = (end_x - 1) / (kTileBlocks * b) - d.x / (kTileBlocks * b) + 1;
   const size_t lane = size_t{b} * b;
   const unsigned bytes = bytes_of(d.format);
   ScanOrder order(ceil_div(end_x, b), ceil_div(end_y, b));
@@ -150,10 +144,10 @@ ViewStatus write_expected(Oracle& oracle, const Descriptor& d, unsigned b,
     if (status.block_errors++ == 0) status.first_error = error;
     status.result = ViewResult::kBlocks;
     if (d.bitmap == 0) continue;
-    const uint64_t tile =
-        (block->by / kTile - d.y / b / kTile) * tiles_x + block->bx / kTile - d.x / b / kTile;
-    memory[d.bitmap + 8 * tile + block->by % kTile] |=
-        static_cast<uint8_t>(1u << block->bx % kTile);
+    const uint64_t tile = (block->by / kTileBlocks - d.y / b / kTileBlocks) * tiles_x +
+                          block->bx / kTileBlocks - d.x / b / kTileBlocks;
+    memory[d.bitmap + 8 * tile + block->by % kTileBlocks] |=
+        static_cast<uint8_t>(1u << block->bx % kTileBlocks);
   }
   return status;
 }

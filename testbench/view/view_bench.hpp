@@ -1,4 +1,4 @@
-// The view unit with a memory and software's side of its registers; no SystemC.
+// What the view unit writes to memory, against the golden model; no SystemC.
 #pragma once
 
 #include <memory>
@@ -8,32 +8,24 @@
 
 #include "oracle/oracle.hpp"
 #include "view/expected_view.hpp"
-#include "view/view_memory.hpp"
+#include "view/view_host.hpp"
 
 namespace hmlfc::tb {
 
-/// One unit and one stream. Memory holds the stream, its reference area, the rings, and behind them
-/// a free part that starts with random bytes: destinations and bitmaps are allocated there.
-///
-/// Every byte of the memory is compared after each run, those that must not change as well. What is
-/// wrong becomes the finding, such as "destination: ..."; later checks are left out.
+/// A host and the memory that it must have: every byte is compared after each run, those that must
+/// not change as well. What is wrong becomes the finding, such as "destination: ..."; later checks
+/// are left out.
 class ViewBench {
  public:
-  /// Rings of `ring_size` descriptors, a power of two. `oracle` must outlive the bench.
+  /// `area` is the stream's reference area, which memory has from the start; `oracle` must outlive
+  /// the bench. Rings of `ring_size` descriptors, a power of two.
   ViewBench(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream,
             std::span<const uint8_t> area, Oracle& oracle, unsigned ring_size = 4);
 
-  void set_conditions(const Conditions& conditions, uint64_t seed);
+  ViewHost& host() { return host_; }
 
-  /// Resets unit and memory channels; then registers are written, and the stream is LOADed.
-  void reset();
-
-  /// A place of the free part for the descriptor's pixels (with `gap` bytes more a row, a multiple
-  /// of 16), or strips, and its bitmap, if `bitmap`; strips have none.
-  void allocate(Descriptor& descriptor, uint32_t gap, bool bitmap);
-
-  /// Forgets all places: the free part is random again.
-  void free_all();
+  /// Lets the driver fill the reference area, which must become the same again.
+  void fill_area();
 
   /// Gives descriptors to the unit, waits until all are done, and compares.
   void run(std::span<const Descriptor> descriptors);
@@ -53,45 +45,31 @@ class ViewBench {
   void run_with_fault(const Descriptor& descriptor, ViewMemory::Fault fault);
 
   /// The first thing that was wrong; empty for nothing.
-  const std::string& finding() const { return finding_; }
+  const std::string& finding() const { return host_.finding(); }
 
   /// Descriptors with result kAborted so far.
   uint64_t aborted() const { return aborted_; }
 
-  const ViewMemory& memory() const { return memory_; }
-  uint64_t clocks() const { return clocks_; }
-  uint64_t ring_base() const { return ring_base_; }
-
-  /// The status of the descriptor that was done last, as it stands in memory.
-  ViewStatus last_status() const;
+  /// Of the descriptor that was done last, as the driver took it.
+  const ViewStatus& last_status() const { return last_status_; }
 
  private:
-  void find(const std::string& what);
-  void clock();
-  void write(uint32_t address, uint32_t value);
-  uint32_t read(uint32_t address);
-  void write_pair(uint32_t address, uint64_t value);
   void expect_register(uint32_t address, uint32_t mask, uint32_t value, const char* what);
   void give(std::span<const Descriptor> descriptors);
-  void wait(uint16_t consumer);
+  void take();
   void expect(const Descriptor& descriptor, uint16_t place);
   void expect_stopped(const Descriptor& descriptor, uint16_t place);
   void compare();
+  void wait_and_compare(std::span<const Descriptor> descriptors);
   ViewStatus status_at(uint16_t place) const;
   uint64_t status_address(uint16_t place) const;
+  unsigned block_size() const { return host_.parameters().block_size(); }
 
-  std::unique_ptr<ViewUnit> unit_;
+  ViewHost host_;
   Oracle& oracle_;
-  unsigned ring_size_;
-  uint64_t stream_bytes_;
-  uint64_t area_base_, ring_base_, status_base_, free_base_, free_;
-  ViewMemory memory_;
+  std::vector<uint8_t> area_;
   std::vector<uint8_t> expected_;
-  ViewInputs in_, next_;
-  ViewOutputs out_;
-  std::string finding_;
-  uint64_t clocks_ = 0;
-  uint16_t producer_ = 0;
+  ViewStatus last_status_;
   uint64_t aborted_ = 0;
 };
 

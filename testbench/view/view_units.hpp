@@ -1,6 +1,7 @@
 // The view units of this build.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,16 @@ std::vector<ViewMaker> view_dmas();
 
 /// The DMA in which a fault can be switched on; with 0 none is.
 ViewMaker faulty_view_dma();
+
+/// The first of `makers` that accepts streams with these parameters, or null.
+inline const ViewMaker* view_unit_for(const std::vector<ViewMaker>& makers, unsigned block_log2,
+                                      int depth) {
+  const auto found = std::ranges::find_if(makers, [&](const ViewMaker& maker) {
+    return maker.parameters.block_log2 == block_log2 &&
+           depth <= static_cast<int>(maker.parameters.max_depth);
+  });
+  return found == makers.end() ? nullptr : &*found;
+}
 
 /// Those of view_faults.cmake.
 const std::vector<RtlFault>& view_faults();

@@ -8,17 +8,17 @@ import tempfile
 from specification import cited_clauses
 
 # Of each implementation, named as its declaration in vectors/duts: the folders that decode, and what is
-# below them that does not.
+# below them that does not. A folder in both lists is cited where no other file is.
 FOLDERS = {
     "model": (
         ["model/bits", "model/arithmetic", "model/syntax", "model/decoder", "model/include"],
         [],
     ),
     "naive": (["tests/naive_decoder"], ["tests/naive_decoder/tests"]),
-    "rtl": (["rtl"], ["rtl/formal", "rtl/synth"]),
+    "rtl": (["rtl", "rtl/driver"], ["rtl/driver", "rtl/formal", "rtl/synth"]),
     "gpu": (["gpu_ref"], ["gpu_ref/dut"]),
 }
-SUFFIXES = {".cpp", ".hpp", ".h", ".py", ".sv", ".svh", ".glsl", ".comp"}
+SUFFIXES = {".c", ".cpp", ".hpp", ".h", ".py", ".sv", ".svh", ".glsl", ".comp"}
 
 
 def citations(root, name):
@@ -29,15 +29,15 @@ def citations(root, name):
     ranked = {}
     for folder in folders:
         for path in sorted((root / folder).rglob("*")):
-            skip = any(path.is_relative_to(root / part) for part in left_out)
+            skip = any(path.is_relative_to(root / part) for part in left_out if part != folder)
             if path.suffix not in SUFFIXES or skip:
                 continue
             text, file = citing_text(path), path.relative_to(root).as_posix()
             cited = cited_clauses(text)
             for clause in cited:
                 times = len(re.findall(rf"\b{clause}\b", text))
-                ranked.setdefault(clause, []).append((-times, len(cited), file))
-    return {clause: [file for _, _, file in sorted(rank)] for clause, rank in ranked.items()}
+                ranked.setdefault(clause, []).append((folder in left_out, -times, len(cited), file))
+    return {clause: [entry[-1] for entry in sorted(rank)] for clause, rank in ranked.items()}
 
 
 def not_decoding(root):

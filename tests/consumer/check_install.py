@@ -139,9 +139,25 @@ def check_decode_unit(installation):
             run("verilator", "--lint-only", "-Wall", rtl / "waivers.vlt", "-F", rtl / "hmlfc_decode_unit.f", "--top-module", unit)
 
 
+def check_driver(installation):
+    """It compiles as C99 without a warning; all of it but JPEG 2000 needs of other libraries only memset."""
+    driver = installation.prefix / "share" / "hmlfc" / "rtl" / "driver"
+    sources = [file for file in sorted(driver.glob("*.c")) if file.name != "hmlfc_openjpeg.c"]
+    flags = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-ffreestanding", "-fno-builtin"]
+    objects = installation.work / "driver.o"
+    run("cc", *flags, "-O2", "-r", "-nostdlib", "-o", objects, *sources)
+    unknown = set(run("nm", "--undefined-only", "--format=just-symbols", objects).split())
+    assert len(sources) > 4 and unknown <= {"memset", "_GLOBAL_OFFSET_TABLE_"}, (sources, unknown)
+    symbols = run("nm", "--format=posix", objects).splitlines()
+    assert not [line for line in symbols if line.split()[1] in "BbDdCc"], "the driver has static data"
+    flags = run("pkg-config", "--cflags", "libopenjp2").split()
+    run("cc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", *flags, driver / "hmlfc_openjpeg.c")
+
+
 def main():
     installation = Installation(*sys.argv[1:])
     check_decode_unit(installation)
+    check_driver(installation)
     installation.check_headers()
     installation.check_exports()
     for name, options in {"static": (), "shared": ("-DBUILD_SHARED_LIBS=ON",)}.items():

@@ -68,7 +68,7 @@ class ViewRun {
     std::vector<Descriptor> all;
     for (unsigned i = 0; i < 17; ++i) {
       Descriptor d = i < 14 ? rectangle(ViewFormat::kRgb161616) : strips(0, {});
-      bench_.allocate(d, 0, true);
+      bench_.host().allocate(d, 0, true);
       if (i == 1) d.x += 1;
       if (i == 2) d.y += 1;
       if (i == 3) d.width = 0;
@@ -114,8 +114,16 @@ class ViewRun {
     }
     rectangles(3);
     Descriptor unread = prepared(whole(ViewFormat::kY));
-    bench_.run_with_fault(unread, {bench_.ring_base(), bench_.ring_base() + kRing * 64});
+    bench_.run_with_fault(unread,
+                          {bench_.host().ring_base(), bench_.host().ring_base() + kRing * 64});
     rectangles(3);
+  }
+
+  /// The driver fills the reference area.
+  void area() {
+    const uint64_t seed = random_.next();
+    bench_.host().set_conditions(random_conditions(seed), seed);
+    bench_.fill_area();
   }
 
   /// Aborts at many moments of a descriptor; then DRAIN, a reset, and everything works as before.
@@ -125,14 +133,14 @@ class ViewRun {
           prepared(random_.chance(500) ? whole(ViewFormat::kRgb161616) : strips(0, {}));
       bench_.run_aborted(d, clocks, prepared(rectangle(ViewFormat::kY)));
       if (!finding().empty()) return;
-      bench_.free_all();
+      bench_.host().free_all();
     }
     bench_.run_drained(std::vector{prepared(rectangle(ViewFormat::kRgb161616)),
                                    prepared(rectangle(ViewFormat::kRgb101010))});
-    bench_.free_all();
+    bench_.host().free_all();
     for (int i = 0; i < 4; ++i) {
       bench_.run_reset(prepared(whole(ViewFormat::kRgb161616)), random_.below(500));
-      bench_.free_all();
+      bench_.host().free_all();
       rectangles(2);
     }
   }
@@ -145,6 +153,7 @@ class ViewRun {
     refused();
     outside();
     bus_errors();
+    area();
     interruptions();
   }
 
@@ -188,7 +197,7 @@ class ViewRun {
   }
 
   Descriptor prepared(Descriptor d) {
-    bench_.allocate(d, random_.below(4) * 16, true);
+    bench_.host().allocate(d, random_.below(4) * 16, true);
     d.tag = next_tag_++;
     return d;
   }
@@ -196,7 +205,7 @@ class ViewRun {
   void run(std::vector<Descriptor> all) {
     in_turns(all, [&](auto turn) {
       for (Descriptor& d : turn) {
-        bench_.allocate(d, random_.below(4) * 16, random_.chance(800));
+        bench_.host().allocate(d, random_.below(4) * 16, random_.chance(800));
         d.tag = next_tag_++;
       }
       bench_.run(turn);
@@ -208,10 +217,10 @@ class ViewRun {
     for (size_t i = 0; i < all.size() && finding().empty();) {
       const size_t count = std::min<size_t>(random_.within(1, kRing), all.size() - i);
       const uint64_t seed = random_.next();
-      bench_.set_conditions(random_conditions(seed), seed);
+      bench_.host().set_conditions(random_conditions(seed), seed);
       run(std::span(all).subspan(i, count));
       i += count;
-      if (finding().empty()) bench_.free_all();
+      if (finding().empty()) bench_.host().free_all();
     }
   }
 

@@ -57,7 +57,7 @@ TEST(ViewDma, CountsBlocksThatDoNotDecodeOrFit) {
   const auto errors_of = [&](ViewFormat format) {
     ViewRun run(bytes, maker, 1);
     Descriptor d{.tag = 1, .format = format, .width = 1, .height = 1};
-    run.bench().allocate(d, 0, true);
+    run.bench().host().allocate(d, 0, true);
     run.bench().run(std::span(&d, 1));
     EXPECT_EQ(run.finding(), "");
     return run.bench().last_status();

@@ -1,0 +1,224 @@
+/* Registers, rings and descriptors of the view unit (docs/hardware.md, "Views to memory"). */
+#include <string.h>
+
+#include "hmlfc_internal.h"
+#include "hmlfc_registers.h"
+
+enum { DESCRIPTOR_BYTES = 64, STATUS_BYTES = 16, RESIDUAL_FORMAT = 8 };
+
+static uint32_t read_register(const struct hmlfc_unit* unit, uint32_t offset) {
+  return unit->io.read(unit->io.context, offset);
+}
+
+static void write_register(const struct hmlfc_unit* unit, uint32_t offset, uint32_t value) {
+  unit->io.write(unit->io.context, offset, value);
+}
+
+static void write_pair(const struct hmlfc_unit* unit, uint32_t offset, uint64_t value) {
+  write_register(unit, offset, (uint32_t)(value & 0xffffffffu));
+  write_register(unit, offset + 4, (uint32_t)(value >> 32));
+}
+
+static void store(uint8_t* to, uint64_t value, unsigned bytes) {
+  for (unsigned i = 0; i < bytes; ++i) to[i] = (uint8_t)(value >> (8 * i) & 0xff);
+}
+
+/* Waits until a register's bits of `mask` are 0. */
+static int wait_for_zero(const struct hmlfc_unit* unit, uint32_t offset, uint32_t mask) {
+  while ((read_register(unit, offset) & mask) != 0) {
+    if (unit->io.wait(unit->io.context) != 0) return HMLFC_TIMEOUT;
+  }
+  return HMLFC_OK;
+}
+
+/* Whether the unit can read these bytes and as many behind them as it may. */
+static int is_place(uint64_t bus, uint64_t bytes) {
+  const uint64_t end = (uint64_t)1 << 40;
+  return bus % 16 == 0 && bus < end && bytes < end && bus + bytes + 31 <= end;
+}
+
+/* The status ring lies behind the ring of descriptors. */
+static size_t status_offset(const struct hmlfc_unit* unit, unsigned place) {
+  return (size_t)unit->ring_size * DESCRIPTOR_BYTES + (size_t)place * STATUS_BYTES;
+}
+
+int hmlfc_unit_open(struct hmlfc_unit* unit, const struct hmlfc_io* io,
+                    const struct hmlfc_buffer* rings, unsigned ring_size) {
+  uint32_t parameters;
+  if (ring_size == 0 || ring_size > 32768 || (ring_size & (ring_size - 1)) != 0 ||
+      rings->bus % DESCRIPTOR_BYTES != 0 || rings->bytes < HMLFC_RINGS_BYTES(ring_size)) {
+    return HMLFC_BAD_ARGUMENT;
+  }
+  memset(unit, 0, sizeof *unit);
+  unit->io = *io;
+  unit->rings = *rings;
+  unit->ring_size = (uint16_t)ring_size;
+  if (read_register(unit, HMLFC_REG_ID) != HMLFC_REG_ID_RESET ||
+      read_register(unit, HMLFC_REG_VIEW_ID) != HMLFC_REG_VIEW_ID_RESET) {
+    return HMLFC_NO_UNIT;
+  }
+  parameters = read_register(unit, HMLFC_REG_PARAMETERS);
+  unit->limits.grid_side = 1024;
+  unit->limits.view_side = 16384;
+  unit->limits.tree_height = 7;
+  unit->limits.block_log2 = (uint8_t)((parameters & HMLFC_REG_PARAMETERS_BLOCK_LOG2_MASK) >>
+                                      HMLFC_REG_PARAMETERS_BLOCK_LOG2_SHIFT);
+  unit->limits.depth = (uint8_t)((parameters & HMLFC_REG_PARAMETERS_MAX_DEPTH_MASK) >>
+                                 HMLFC_REG_PARAMETERS_MAX_DEPTH_SHIFT);
+  write_pair(unit, HMLFC_REG_RING_BASE, rings->bus);
+  write_pair(unit, HMLFC_REG_STATUS_BASE, rings->bus + status_offset(unit, 0));
+  write_register(unit, HMLFC_REG_RING_SIZE, ring_size);
+  hmlfc_unit_resume(unit);
+  return HMLFC_OK;
+}
+
+int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, uint64_t stream_bus,
+                    const struct hmlfc_buffer* area) {
+  uint32_t status;
+  if (!is_place(stream_bus, stream->bytes) || !is_place(area->bus, area->bytes) ||
+      area->bytes < stream->area_bytes) {
+    return HMLFC_BAD_ARGUMENT;
+  }
+  if (unit->io.clean != NULL) {
+    unit->io.clean(unit->io.context, stream->file, stream->bytes);
+    unit->io.clean(unit->io.context, area->cpu, area->bytes);
+  }
+  write_pair(unit, HMLFC_REG_STREAM_BASE, stream_bus);
+  write_pair(unit, HMLFC_REG_STREAM_BYTES, stream->bytes);
+  write_pair(unit, HMLFC_REG_REFERENCE_BASE, area->bus);
+  write_register(unit, HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
+  if (wait_for_zero(unit, HMLFC_REG_STATUS, HMLFC_REG_STATUS_LOADING_MASK) != HMLFC_OK) {
+    return HMLFC_TIMEOUT;
+  }
+  status = read_register(unit, HMLFC_REG_STATUS);
+  return (int)((status & HMLFC_REG_STATUS_LOAD_ERROR_MASK) >> HMLFC_REG_STATUS_LOAD_ERROR_SHIFT);
+}
+
+int hmlfc_unit_give(struct hmlfc_unit* unit, const struct hmlfc_descriptor* d) {
+  uint8_t* at = unit->rings.cpu + (size_t)(unit->producer % unit->ring_size) * DESCRIPTOR_BYTES;
+  if ((uint16_t)(unit->producer - unit->taken) == unit->ring_size) return HMLFC_RING_FULL;
+  memset(at, 0, DESCRIPTOR_BYTES);
+  store(at, d->tag, 4);
+  store(at + 4,
+        (uint32_t)d->row | (uint32_t)d->col << 12 | (uint32_t)d->stop_level << 24 |
+            (uint32_t)d->format << 28,
+        4);
+  store(at + 8, d->x, 2);
+  store(at + 10, d->y, 2);
+  store(at + 12, d->width, 2);
+  store(at + 14, d->height, 2);
+  store(at + 16, d->destination, 8);
+  store(at + 24, d->pitch, 4);
+  store(at + 32, d->bitmap, 8);
+  if (unit->io.clean != NULL) unit->io.clean(unit->io.context, at, DESCRIPTOR_BYTES);
+  ++unit->producer;
+  write_register(unit, HMLFC_REG_PRODUCER, unit->producer);
+  return HMLFC_OK;
+}
+
+int hmlfc_unit_take(struct hmlfc_unit* unit, struct hmlfc_status* status) {
+  const uint8_t* at = unit->rings.cpu + status_offset(unit, unit->taken % unit->ring_size);
+  if ((uint16_t)read_register(unit, HMLFC_REG_CONSUMER) == unit->taken) return HMLFC_NOTHING_DONE;
+  if (unit->io.invalidate != NULL) unit->io.invalidate(unit->io.context, at, STATUS_BYTES);
+  status->tag = hmlfc_load32(at);
+  status->result = at[4];
+  status->first_error = at[5];
+  status->blocks = hmlfc_load32(at + 8);
+  status->writes = hmlfc_load32(at + 12);
+  ++unit->taken;
+  return HMLFC_OK;
+}
+
+int hmlfc_unit_wait(struct hmlfc_unit* unit, struct hmlfc_status* status) {
+  int code;
+  if (unit->taken == unit->producer) return HMLFC_NOTHING_DONE;
+  while ((code = hmlfc_unit_take(unit, status)) == HMLFC_NOTHING_DONE) {
+    if (unit->io.wait(unit->io.context) != 0) return HMLFC_TIMEOUT;
+  }
+  return code;
+}
+
+void hmlfc_unit_enable_events(struct hmlfc_unit* unit, uint32_t events) {
+  write_register(unit, HMLFC_REG_INTERRUPT_ENABLE, events);
+}
+
+uint32_t hmlfc_unit_events(struct hmlfc_unit* unit) {
+  const uint32_t events = read_register(unit, HMLFC_REG_INTERRUPT_STATUS);
+  write_register(unit, HMLFC_REG_INTERRUPT_STATUS, events);
+  return events;
+}
+
+int hmlfc_unit_drain(struct hmlfc_unit* unit) {
+  write_register(unit, HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_DRAIN_MASK);
+  return wait_for_zero(unit, HMLFC_REG_VIEW_STATUS,
+                       HMLFC_REG_VIEW_STATUS_DRAINING_MASK | HMLFC_REG_VIEW_STATUS_ENABLED_MASK);
+}
+
+int hmlfc_unit_abort(struct hmlfc_unit* unit) {
+  write_register(unit, HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_ABORT_MASK);
+  return wait_for_zero(unit, HMLFC_REG_VIEW_STATUS,
+                       HMLFC_REG_VIEW_STATUS_ABORTING_MASK | HMLFC_REG_VIEW_STATUS_ENABLED_MASK);
+}
+
+void hmlfc_unit_resume(struct hmlfc_unit* unit) {
+  write_register(unit, HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_ENABLE_MASK);
+}
+
+/* --- Residual references --------------------------------------------------------------------- */
+
+/* What is taken off the ring so that the next descriptor fits, or the last one is done. */
+static int take_residuals(struct hmlfc_unit* unit, uint64_t* failed) {
+  struct hmlfc_status status;
+  const int code = hmlfc_unit_wait(unit, &status);
+  if (code != HMLFC_OK) return code;
+  if (status.result != HMLFC_DONE && status.result != HMLFC_BLOCK_ERRORS) return HMLFC_BUS_ERROR;
+  *failed += status.blocks;
+  return HMLFC_OK;
+}
+
+/* The descriptor of plane `p` of reference image number `group` of a level, in the area's order. */
+static struct hmlfc_descriptor residuals_of(const struct hmlfc_stream* s, unsigned l,
+                                            uint64_t group, unsigned p, uint64_t area_bus) {
+  const uint32_t group_cols = s->levels[l].group_cols;
+  const uint32_t group_row = (uint32_t)(group / group_cols);
+  const uint32_t group_col = (uint32_t)(group % group_cols);
+  struct hmlfc_descriptor d;
+  uint32_t row, col;
+  hmlfc_reference_image(s, l, group_row, group_col, &row, &col);
+  for (unsigned i = 0; i < l; ++i) {
+    row *= s->cluster_rows;
+    col *= s->cluster_cols;
+  }
+  memset(&d, 0, sizeof d);
+  d.tag = (uint32_t)group;
+  d.row = (uint16_t)row;
+  d.col = (uint16_t)col;
+  d.stop_level = (uint8_t)l;
+  d.format = (uint8_t)(RESIDUAL_FORMAT + p);
+  d.width = (uint16_t)s->planes[p].width;
+  d.height = (uint16_t)s->planes[p].height;
+  d.pitch = s->planes[p].strips_x * HMLFC_STRIP_BYTES;
+  d.destination = area_bus + hmlfc_area_offset(s, l, group_row, group_col, p);
+  return d;
+}
+
+int hmlfc_unit_fill_residuals(struct hmlfc_unit* unit, const struct hmlfc_stream* stream,
+                              const struct hmlfc_buffer* area, uint64_t* failed) {
+  int code = HMLFC_OK;
+  *failed = 0;
+  for (unsigned l = stream->tree_height + 1u; l-- > 0;) {
+    const struct hmlfc_level* level = &stream->levels[l];
+    const uint64_t planes = (uint64_t)level->group_rows * level->group_cols * HMLFC_PLANES;
+    if (level->keyed || !level->is_read) continue;
+    for (uint64_t i = 0; i < planes && code == HMLFC_OK; ++i) {
+      const struct hmlfc_descriptor d =
+          residuals_of(stream, l, i / HMLFC_PLANES, (unsigned)(i % HMLFC_PLANES), area->bus);
+      if ((uint16_t)(unit->producer - unit->taken) == unit->ring_size) {
+        code = take_residuals(unit, failed);
+      }
+      if (code == HMLFC_OK) code = hmlfc_unit_give(unit, &d);
+    }
+  }
+  while (code == HMLFC_OK && unit->taken != unit->producer) code = take_residuals(unit, failed);
+  return code;
+}

@@ -1,0 +1,223 @@
+#include "view/view_host.hpp"
+
+#include <algorithm>
+
+#include "arithmetic/rounding.hpp"
+#include "driver/hmlfc_openjpeg.h"
+#include "driver/hmlfc_registers.h"
+#include "unit/registers.hpp"
+#include "view/expected_view.hpp"
+
+namespace hmlfc::tb {
+namespace {
+
+constexpr uint64_t kRingBase = 0x1040;
+constexpr uint64_t kAlignment = 4096;
+constexpr uint64_t kPatience = 400'000;  // clocks without the end of a descriptor
+constexpr uint64_t kPatienceOfByte = 50;
+constexpr uint64_t kAccessPatience = 10'000;
+constexpr uint64_t kSlack = 64;   // between two places, which nothing may write
+constexpr uint64_t kTurn = 1024;  // clocks of one wait without an interrupt
+
+uint64_t aligned(uint64_t address) { return ceil_div(address, kAlignment) * kAlignment; }
+
+ViewHost& host_of(void* context) { return *static_cast<ViewHost*>(context); }
+
+}  // namespace
+
+ViewHost::ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream,
+                   unsigned ring_size)
+    : unit_(std::move(unit)), ring_size_(ring_size) {
+  stream_base_ = aligned(kRingBase + HMLFC_RINGS_BYTES(ring_size));
+  memory_.bytes.resize(stream_base_);
+  set_conditions({}, 0);
+  open_unit();
+  hmlfc_stream_open(&stream_, stream.data(), stream.size(), &driver_.limits, &stream_error_);
+  if (stream_error_.code != HMLFC_OK) stream_.area_bytes = 0;
+  area_base_ = aligned(stream_base_ + stream.size() + kSlack);
+  free_base_ = free_ = aligned(area_base_ + stream_.area_bytes + kSlack);
+  memory_.bytes.insert(memory_.bytes.end(), stream.begin(), stream.end());
+  memory_.bytes.resize(free_base_);
+  load();
+}
+
+void ViewHost::find(const std::string& what) {
+  if (finding_.empty()) finding_ = what;
+}
+
+void ViewHost::check(int code, const char* what) {
+  if (code != HMLFC_OK) find(std::string("driver: ") + what + ": " + std::to_string(code));
+}
+
+void ViewHost::set_conditions(const Conditions& conditions, uint64_t seed) {
+  memory_.start(conditions, seed, parameters().beat_bytes);
+}
+
+hmlfc_buffer ViewHost::buffer(uint64_t base, uint64_t bytes) {
+  return {memory_.bytes.data() + base, base, bytes};
+}
+
+std::span<uint8_t> ViewHost::area() {
+  return std::span(memory_.bytes).subspan(area_base_, stream_.area_bytes);
+}
+
+// A rising edge: the unit samples its inputs, then next_ becomes its inputs.
+void ViewHost::clock() {
+  memory_.edge(in_, out_, next_);
+  unit_->clock(next_, out_);
+  in_ = next_;
+  ++clocks_;
+  if (!memory_.finding.empty()) find(memory_.finding);
+}
+
+void ViewHost::write(uint32_t address, uint32_t value) {
+  next_.aw_valid = next_.w_valid = next_.b_ready = true;
+  next_.aw_addr = address;
+  next_.w_data = value;
+  next_.w_strb = 15;
+  for (uint64_t clocks = 0; next_.aw_valid || next_.w_valid || next_.b_ready; ++clocks) {
+    if (clocks == kAccessPatience) return find("hang: a register write");
+    clock();
+    // What is shown and taken now passes at the next edge.
+    if (in_.aw_valid && out_.aw_ready) next_.aw_valid = false;
+    if (in_.w_valid && out_.w_ready) next_.w_valid = false;
+    if (in_.b_ready && out_.b_valid) next_.b_ready = false;
+  }
+  clock();
+}
+
+uint32_t ViewHost::read(uint32_t address) {
+  if (!unit_->reads_stream() && address < HMLFC_REG_VIEW_ID) return decode_unit_stand_in(address);
+  next_.lite_ar_valid = next_.lite_r_ready = true;
+  next_.lite_ar_addr = address;
+  uint32_t value = 0;
+  for (uint64_t clocks = 0; next_.lite_ar_valid || next_.lite_r_ready; ++clocks) {
+    if (clocks == kAccessPatience) {
+      find("hang: a register read");
+      return 0;
+    }
+    clock();
+    if (in_.lite_ar_valid && out_.lite_ar_ready) next_.lite_ar_valid = false;
+    if (in_.lite_r_ready && out_.lite_r_valid) {
+      value = out_.lite_r_data;
+      next_.lite_r_ready = false;
+    }
+  }
+  clock();
+  return value;
+}
+
+// A decode unit that is always ready.
+uint32_t ViewHost::decode_unit_stand_in(uint32_t address) const {
+  const UnitParameters p = parameters();
+  if (address == HMLFC_REG_ID) return HMLFC_REG_ID_RESET;
+  if (address == HMLFC_REG_PARAMETERS) {
+    return reg::parameters(p.block_log2, p.max_depth, p.beat_bytes);
+  }
+  return address == HMLFC_REG_STATUS ? HMLFC_REG_STATUS_READY_MASK : 0;
+}
+
+// What a driver's thread and its interrupt handler do.
+int ViewHost::wait_for_interrupt() {
+  for (uint64_t i = 0; i < kTurn && !out_.interrupt; ++i) clock();
+  if (out_.interrupt) events_ |= hmlfc_unit_events(&driver_);
+  return clocks_ > deadline_ || !finding_.empty() ? 1 : 0;
+}
+
+uint32_t ViewHost::take_events() { return std::exchange(events_, 0); }
+
+hmlfc_unit* ViewHost::driver() {
+  driver_.rings = buffer(kRingBase, HMLFC_RINGS_BYTES(ring_size_));
+  deadline_ = clocks_ + kPatience + kPatienceOfByte * memory_.bytes.size();
+  return &driver_;
+}
+
+void ViewHost::reset() {
+  open_unit();
+  load();
+}
+
+void ViewHost::open_unit() {
+  next_ = {};
+  for (int i = 0; i < 4; ++i) clock();
+  next_.rst_n = true;
+  clock();
+  const hmlfc_io io{
+      this,
+      [](void* host, uint32_t offset) { return host_of(host).read(offset); },
+      [](void* host, uint32_t offset, uint32_t value) { host_of(host).write(offset, value); },
+      [](void* host) { return host_of(host).wait_for_interrupt(); },
+      nullptr,
+      nullptr};
+  const hmlfc_buffer rings = buffer(kRingBase, HMLFC_RINGS_BYTES(ring_size_));
+  check(hmlfc_unit_open(&driver_, &io, &rings, ring_size_), "opens no unit");
+  hmlfc_unit_enable_events(&driver_, HMLFC_REG_INTERRUPT_ENABLE_MASK);
+}
+
+void ViewHost::load() {
+  if (stream_error_.code != HMLFC_OK) return;
+  const hmlfc_buffer area = buffer(area_base_, stream_.area_bytes);
+  check(hmlfc_unit_load(driver(), &stream_, stream_base_, &area), "LOAD");
+}
+
+void ViewHost::fill_area() {
+  std::ranges::fill(area(), uint8_t{0});
+  std::vector<int16_t> samples(size_t{stream_.width} * stream_.height);
+  hmlfc_error error;
+  hmlfc_fill_key_images(&stream_, area().data(), hmlfc_openjpeg_decode, nullptr, samples.data(),
+                        &error);
+  const hmlfc_buffer buffer_of_area = buffer(area_base_, stream_.area_bytes);
+  uint64_t failed = 0;
+  check(hmlfc_unit_fill_residuals(driver(), &stream_, &buffer_of_area, &failed), "residuals");
+}
+
+void ViewHost::allocate(Descriptor& d, uint32_t gap, bool bitmap) {
+  const unsigned b = parameters().block_size();
+  const bool strips = is_residuals(d.format);
+  const uint32_t rows = strips ? ceil_div(d.height, b) : d.height;
+  const uint32_t blocks_x = ceil_div(d.width, uint32_t{b});
+  d.pitch = gap + (strips ? ceil_div(blocks_x, 64u / (b * b)) * HMLFC_STRIP_BYTES
+                          : ceil_div(d.width * bytes_of(d.format), 16u) * 16);
+  d.destination = free_ + kSlack;
+  free_ = ceil_div(d.destination + uint64_t{d.pitch} * rows + kSlack, uint64_t{16}) * 16;
+  if (bitmap && !strips) {
+    d.bitmap = free_ + 8;
+    free_ = ceil_div(d.bitmap + bitmap_bytes(d, b) + kSlack, uint64_t{16}) * 16;
+  }
+  Random random(free_);
+  while (memory_.bytes.size() < free_) memory_.bytes.push_back(static_cast<uint8_t>(random.next()));
+}
+
+void ViewHost::free_all() {
+  free_ = free_base_;
+  memory_.bytes.resize(free_base_);
+}
+
+void ViewHost::give(const Descriptor& d) {
+  const hmlfc_descriptor descriptor{d.tag,
+                                    static_cast<uint16_t>(d.row),
+                                    static_cast<uint16_t>(d.col),
+                                    static_cast<uint8_t>(d.stop_level),
+                                    static_cast<uint8_t>(d.format),
+                                    static_cast<uint16_t>(d.x),
+                                    static_cast<uint16_t>(d.y),
+                                    static_cast<uint16_t>(d.width),
+                                    static_cast<uint16_t>(d.height),
+                                    d.destination,
+                                    d.pitch,
+                                    d.bitmap};
+  check(hmlfc_unit_give(driver(), &descriptor), "give");
+}
+
+hmlfc_status ViewHost::wait() {
+  hmlfc_status status{};
+  if (hmlfc_unit_wait(driver(), &status) != HMLFC_OK) find("hang: a descriptor");
+  return status;
+}
+
+hmlfc_status ViewHost::run(const Descriptor& descriptor) {
+  give(descriptor);
+  return wait();
+}
+
+}  // namespace hmlfc::tb

@@ -1,0 +1,104 @@
+// The view unit with a memory, behind the C driver; no SystemC, no golden model.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "driver/hmlfc_driver.h"
+#include "view/descriptor.hpp"
+#include "view/view_memory.hpp"
+
+namespace hmlfc::tb {
+
+/// One unit and one stream. From address 0 on, memory holds the rings, the stream, its reference
+/// area, and behind them a free part that starts with random bytes: destinations and bitmaps are
+/// allocated there.
+///
+/// The first thing that goes wrong becomes the finding; what follows has no meaning.
+class ViewHost {
+ public:
+  /// Rings of `ring_size` descriptors, a power of two. A stream that the driver refuses has an
+  /// empty area and is not loaded. Of a DMA alone, registers of the decode unit are those of a
+  /// stand-in.
+  ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream, unsigned ring_size);
+  ViewHost(const ViewHost&) = delete;
+  ViewHost& operator=(const ViewHost&) = delete;
+
+  /// What the driver says of the stream.
+  const hmlfc_error& stream_error() const { return stream_error_; }
+  const hmlfc_stream& stream() const { return stream_; }
+
+  void set_conditions(const Conditions& conditions, uint64_t seed);
+
+  /// Resets unit and memory channels; then the driver takes the unit and loads the stream.
+  void reset();
+
+  /// Lets the driver fill the reference area: key images by OpenJPEG, residuals by the unit.
+  void fill_area();
+
+  /// A place of the free part for the descriptor's pixels (with `gap` bytes more a row, a multiple
+  /// of 16), or strips, and its bitmap, if `bitmap`; strips have none.
+  void allocate(Descriptor& descriptor, uint32_t gap, bool bitmap);
+
+  /// Forgets all places: the free part is random again.
+  void free_all();
+
+  /// Writes a descriptor into the ring; the unit sees it.
+  void give(const Descriptor& descriptor);
+
+  /// Waits until the descriptor that was given first is done.
+  hmlfc_status wait();
+
+  /// Decodes one descriptor.
+  hmlfc_status run(const Descriptor& descriptor);
+
+  /// The driver, with the memory where it is now.
+  hmlfc_unit* driver();
+
+  /// Events since the last call, which the driver's callback has cleared.
+  uint32_t take_events();
+
+  void clock();
+  void write(uint32_t address, uint32_t value);
+  uint32_t read(uint32_t address);
+
+  /// Keeps `what` if nothing was wrong before.
+  void find(const std::string& what);
+  const std::string& finding() const { return finding_; }
+
+  ViewMemory& memory() { return memory_; }
+  const ViewMemory& memory() const { return memory_; }
+  UnitParameters parameters() const { return unit_->parameters(); }
+  uint64_t clocks() const { return clocks_; }
+  unsigned ring_size() const { return ring_size_; }
+  std::span<uint8_t> area();
+  uint64_t ring_base() const { return driver_.rings.bus; }
+  uint64_t status_base() const { return ring_base() + uint64_t{ring_size_} * kDescriptorBytes; }
+  uint64_t free_base() const { return free_base_; }
+
+ private:
+  void open_unit();
+  void load();
+  hmlfc_buffer buffer(uint64_t base, uint64_t bytes);
+  int wait_for_interrupt();
+  uint32_t decode_unit_stand_in(uint32_t address) const;
+  void check(int code, const char* what);
+
+  std::unique_ptr<ViewUnit> unit_;
+  unsigned ring_size_;
+  hmlfc_stream stream_{};
+  hmlfc_error stream_error_{};
+  hmlfc_unit driver_{};
+  uint64_t stream_base_ = 0, area_base_ = 0, free_base_ = 0, free_ = 0;
+  ViewMemory memory_;
+  ViewInputs in_, next_;
+  ViewOutputs out_;
+  std::string finding_;
+  uint64_t clocks_ = 0;
+  uint64_t deadline_ = 0;
+  uint32_t events_ = 0;
+};
+
+}  // namespace hmlfc::tb
