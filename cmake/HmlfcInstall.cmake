@@ -59,7 +59,7 @@ install(FILES
   rtl/view_registers.json
   rtl/waivers.vlt
   DESTINATION "${rtl_dir}")
-install(DIRECTORY rtl/driver/ DESTINATION "${rtl_dir}/driver")
+install(DIRECTORY rtl/driver rtl/example DESTINATION "${rtl_dir}")
 install(FILES
   ${HMLFC_RTL_ASSERTIONS}
   rtl/kit/hmlfc_decode_unit.rdl

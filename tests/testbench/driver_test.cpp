@@ -111,10 +111,12 @@ Bytes damaged(Bytes file, Random& random) {
 
 TEST(Driver, SaysOfEveryVectorWhatTheModelSays) {
   Seen seen{};
-  const UnitParameters unit{2, 8, 16, 16};
   for (const Bytes& file : suite()) {
     ASSERT_NO_FATAL_FAILURE(expect_same(file, nullptr, seen));
-    ASSERT_NO_FATAL_FAILURE(expect_same(file, &unit, seen));
+    for (const unsigned block_log2 : {1u, 2u, 3u}) {
+      const UnitParameters unit{block_log2, 8, 16, 16};
+      ASSERT_NO_FATAL_FAILURE(expect_same(file, &unit, seen));
+    }
   }
 }
 
