@@ -65,11 +65,12 @@ def show(summary, functional):
     for module, row in [*summary.items(), ("all", total)]:
         cells = (f"{covered:>8} /{points:>6} {percent(covered, points):6.1f} %" for covered, points in row.values())
         print(f"{module:<26}" + "".join(cells))
-    met = sum(count > 0 for count in functional.values())
-    print(f"functional points: {met} of {len(functional)}")
-    for name, count in functional.items():
-        if count == 0:
-            print(f"  not met: {name}")
+    for kind, counts in functional.items():
+        met = sum(count > 0 for count in counts.values())
+        print(f"functional {kind}: {met} of {len(counts)}")
+        for name, count in counts.items():
+            if count == 0:
+                print(f"  not met: {name}")
 
 
 def merge(folder, merged):
@@ -94,8 +95,9 @@ def run_seeds(program, seed, count, work, merged, functional):
     result = subprocess.run(command, env=environment, capture_output=True, text=True)
     if result.returncode != 0:
         sys.exit(f"rtl-coverage: the decode unit differs from the model:\n{result.stdout}{result.stderr}")
-    for name, hits in json.loads(points_file.read_text()).items():
-        functional[name] = functional.get(name, 0) + hits
+    for kind, counts in json.loads(points_file.read_text()).items():
+        for name, hits in counts.items():
+            functional[kind][name] = functional[kind].get(name, 0) + hits
     merge(work, merged)
 
 
@@ -106,7 +108,7 @@ def main():
     parser.add_argument("--count", type=int, default=60, help="how many seeds (default 60)")
     parser.add_argument("--missed", choices=KINDS, help="also list what was not reached")
     options = parser.parse_args()
-    functional = {}
+    functional = {"points": {}, "crosses": {}}
     with tempfile.TemporaryDirectory(prefix="hmlfc-coverage-") as name:
         work = Path(name)
         merged = work / "all.merged"

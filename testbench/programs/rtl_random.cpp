@@ -137,7 +137,8 @@ int run(int argc, char** argv) {
       "--suite", o.suite,
       "Run the vectors of this folder in place of random streams; a seed is a vector's number");
   app.add_flag("--coverage", o.coverage, "Print the functional coverage");
-  app.add_flag("--all-points", o.all_points, "Fail where a functional point is not met");
+  app.add_flag("--all-points", o.all_points,
+               "Fail where a functional point is not met; crosses may be");
   app.add_option("--points", o.points, "Write the functional coverage to this file, as JSON");
   CLI11_PARSE(app, argc, argv);
   const auto makers = makers_of(o);

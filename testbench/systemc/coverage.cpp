@@ -27,6 +27,14 @@ constexpr std::array kNamedByUnit{
     ErrorCode::kBadMode,        ErrorCode::kBadLevels,       ErrorCode::kVectorRange,
     ErrorCode::kLimitExceeded};
 
+std::vector<std::string> missed_of(const std::vector<NamedCount>& all) {
+  std::vector<std::string> names;
+  for (const auto& [name, hits] : all) {
+    if (hits == 0) names.push_back(name);
+  }
+  return names;
+}
+
 }  // namespace
 
 void Coverage::on_expected(const ExpectedAnswer& expected, const GoldenStream* stream) {
@@ -122,7 +130,7 @@ void Coverage::on_error(uint8_t error) {
   if (error < kErrorCodeCount) ++errors_[error];
 }
 
-std::vector<Coverage::NamedCount> Coverage::all() const {
+std::vector<NamedCount> Coverage::all() const {
   std::vector<NamedCount> all;
   for (size_t i = 0; i < kPointCount; ++i) all.push_back({std::string(kNames[i]), hits_[i]});
   for (const ErrorCode code : kNamedByUnit) {
@@ -131,23 +139,22 @@ std::vector<Coverage::NamedCount> Coverage::all() const {
   return all;
 }
 
-std::vector<std::string> Coverage::missed() const {
-  std::vector<std::string> names;
-  for (const auto& [name, hits] : all()) {
-    if (hits == 0) names.push_back(name);
-  }
-  return names;
-}
+std::vector<std::string> Coverage::missed() const { return missed_of(all()); }
+
+std::vector<std::string> Coverage::missed_crosses() const { return missed_of(crosses_.all()); }
 
 std::string Coverage::report() const {
   std::string text;
   for (const auto& [name, hits] : all()) text += name + ": " + std::to_string(hits) + "\n";
+  for (const auto& [name, hits] : crosses_.all()) text += name + ": " + std::to_string(hits) + "\n";
   return text;
 }
 
 std::string Coverage::to_json() const {
-  nlohmann::ordered_json json;
-  for (const auto& [name, hits] : all()) json[name] = hits;
+  nlohmann::ordered_json json{{"points", nlohmann::ordered_json::object()},
+                              {"crosses", nlohmann::ordered_json::object()}};
+  for (const auto& [name, hits] : all()) json["points"][name] = hits;
+  for (const auto& [name, hits] : crosses_.all()) json["crosses"][name] = hits;
   return json.dump(2) + "\n";
 }
 

@@ -10,6 +10,7 @@
 
 #include "oracle/oracle.hpp"
 #include "stimulus/conditions.hpp"
+#include "systemc/cross_coverage.hpp"
 
 namespace hmlfc::tb {
 
@@ -83,27 +84,27 @@ class Coverage {
   /// The unit named `error`, a status of STATUS or of an answer, and rightly.
   void on_error(uint8_t error);
 
-  /// Names of the points that were not met.
-  std::vector<std::string> missed() const;
+  CrossCoverage& crosses() { return crosses_; }
 
-  /// One line a point: its name and how often it was met.
+  /// Names of the points, and of the crosses, that were not met.
+  std::vector<std::string> missed() const;
+  std::vector<std::string> missed_crosses() const;
+
+  /// One line a point or cross: its name and how often it was met.
   std::string report() const;
 
-  /// The same as a JSON object.
+  /// The same as JSON: {"points": {name: times}, "crosses": {name: times}}.
   std::string to_json() const;
 
  private:
   void on_level(const LevelRecord& level, const GoldenStream& stream);
   void on_vector(const LevelRecord& level, const SubpelVector& vector, const GoldenStream& stream);
 
-  struct NamedCount {
-    std::string name;
-    uint64_t hits;
-  };
   std::vector<NamedCount> all() const;
 
   std::array<uint64_t, kPointCount> hits_{};
   std::array<uint64_t, kErrorCodeCount> errors_{};
+  CrossCoverage crosses_;
   Request previous_;
   bool has_previous_ = false;
 };

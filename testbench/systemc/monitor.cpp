@@ -37,13 +37,14 @@ void StreamMonitor::watch_answer() {
     findings_.add(
         {"protocol: answer changed or went away while it waited", {}, {}, {}, wires_.cycle});
   }
+  const bool waited = waits_;
   waits_ = out.response_valid && !wires_.in.response_ready;
   if (waits_) {
     waiting_ = out.answer;
     ++counts_.answer_stalls;
   } else if (out.response_valid) {
     counts_.last_answer = wires_.cycle;
-    scoreboard_.on_answer(out.answer, wires_.cycle);
+    scoreboard_.on_answer(out.answer, wires_.cycle, waited);
   }
 }
 

@@ -32,6 +32,7 @@ void Scoreboard::on_request(const Request& request, uint64_t cycle) {
   }
   if (pending_.empty() && records_.empty()) last_record_ = cycle;
   pending_.push_back(oracle_->evaluate(request));
+  shown_.push_back(0);
   coverage_.on_expected(pending_.back(), oracle_->stream());
   if (traced_) add_records(pending_.back());
 }
@@ -123,12 +124,15 @@ void Scoreboard::compare_record(const PendingRecord& pending, const LevelRecord&
   const auto difference = first_difference(expected, record, block_size_,
                                            inside(shape.width, expected.site.bx, block_size_),
                                            inside(shape.height, expected.site.by, block_size_));
-  if (!difference) return;
+  if (!difference) {
+    if (record.error == 0) shown_[pending.request - first_pending_] |= kind_of_block(record);
+    return;
+  }
   report("stage: " + difference->stage, request_of(pending.request), to_string(expected.site),
          expected_actual(difference->field, difference->expected, difference->actual), cycle);
 }
 
-void Scoreboard::on_answer(const Answer& answer, uint64_t cycle) {
+void Scoreboard::on_answer(const Answer& answer, uint64_t cycle, bool waited) {
   ++counts_.received;
   if (log_ != nullptr) log_->push_back(answer);
   if (pending_.empty()) {
@@ -141,8 +145,9 @@ void Scoreboard::on_answer(const Answer& answer, uint64_t cycle) {
     counts_.first_error = answer.status;
     counts_.first_error_request = expected.request.word();
   }
-  compare_answer(expected, answer, cycle);
+  compare_answer(expected, answer, cycle, waited);
   if (traced_) close_records(expected, cycle);
+  shown_.pop_front();
   ++first_pending_;
 }
 
@@ -202,7 +207,7 @@ std::string Scoreboard::order_hint(const Answer& answer) const {
 }
 
 void Scoreboard::compare_answer(const ExpectedAnswer& expected, const Answer& answer,
-                                uint64_t cycle) {
+                                uint64_t cycle, bool waited) {
   coverage_.on_answer(expected, answer);
   ++(bus_errors_ && answer.status == kBusError ? counts_.unchecked : counts_.compared);
   std::string rule;
@@ -210,6 +215,9 @@ void Scoreboard::compare_answer(const ExpectedAnswer& expected, const Answer& an
   if (difference) {
     const std::string hint = order_hint(answer);
     report(hint.empty() ? rule : "answer: order", &expected, {}, *difference + hint, cycle);
+  } else if (oracle_->stream() != nullptr) {
+    coverage_.crosses().on_answer(answer.status, shown_.front(), oracle_->stream()->header(),
+                                  waited);
   }
   answered_ = expected;
 }
@@ -218,6 +226,7 @@ void Scoreboard::on_reset() {
   counts_.dropped += pending_.size();
   first_pending_ += pending_.size();
   pending_.clear();
+  shown_.clear();
   records_.clear();
   oracle_ = nullptr;
   forget_chroma();
@@ -238,6 +247,7 @@ void Scoreboard::finish(uint64_t cycle) {
 
 void Scoreboard::clear() {
   pending_.clear();
+  shown_.clear();
   records_.clear();
   first_pending_ = 0;
   last_record_ = 0;

@@ -70,7 +70,8 @@ class Scoreboard final : public sc_core::sc_module {
 
   void on_request(const Request& request, uint64_t cycle);
   void on_record(const LevelRecord& record, uint64_t cycle);
-  void on_answer(const Answer& answer, uint64_t cycle);
+  /// `waited`: it was not taken in the first clock in which it was valid.
+  void on_answer(const Answer& answer, uint64_t cycle, bool waited);
 
   /// A LOAD: no chroma is held any more.
   void forget_chroma() { held_chroma_.reset(); }
@@ -102,7 +103,8 @@ class Scoreboard final : public sc_core::sc_module {
   bool is_refusal(const LevelRecord& record) const;
   bool comes_later(const BlockSite& site) const;
   void compare_record(const PendingRecord& pending, const LevelRecord& record, uint64_t cycle);
-  void compare_answer(const ExpectedAnswer& expected, const Answer& answer, uint64_t cycle);
+  void compare_answer(const ExpectedAnswer& expected, const Answer& answer, uint64_t cycle,
+                      bool waited);
   std::optional<std::string> compare_values(const ExpectedAnswer& expected, const Answer& answer,
                                             std::string& rule) const;
   std::string order_hint(const Answer& answer) const;
@@ -119,6 +121,7 @@ class Scoreboard final : public sc_core::sc_module {
   std::vector<Answer>* log_ = nullptr;
   bool bus_errors_ = false;
   std::deque<ExpectedAnswer> pending_;
+  std::deque<BlockKinds> shown_;  // for each of them
   std::deque<PendingRecord> records_;
   uint64_t first_pending_ = 0;           // number of pending_[0]
   ExpectedAnswer answered_;              // the request answered last, for hints
