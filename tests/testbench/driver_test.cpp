@@ -6,6 +6,8 @@
 #include <array>
 #include <filesystem>
 
+#include <hmlfc/decoder.hpp>
+
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
 #include "decoder/jpeg2000.hpp"
@@ -88,6 +90,32 @@ void expect_same(const Bytes& file, const UnitParameters* parameters, Seen& seen
       text(error.code, error.section, error.offset),
       text(static_cast<int>(expected.code), static_cast<int>(expected.section), expected.offset));
   ++seen[static_cast<size_t>(expected.code)];
+}
+
+TEST(Driver, TakesStreamsAtItsLimitsAndNoneBeyond) {
+  const auto found = std::ranges::find_if(suite(), [](const Bytes& file) {
+    const auto header = parse_header(file);
+    return header && header->tree_height > 0 && Decoder::open(file);
+  });
+  ASSERT_NE(found, suite().end());
+  const auto header = parse_header(*found);
+  const hmlfc_limits limits{
+      std::max(header->rows, header->cols), std::max(header->width, header->height),
+      static_cast<uint8_t>(header->tree_height), static_cast<uint8_t>(header->depth),
+      static_cast<uint8_t>(header->block_log2)};
+  const auto open = [&](hmlfc_limits changed) {
+    hmlfc_stream stream;
+    hmlfc_error error;
+    return hmlfc_stream_open(&stream, found->data(), found->size(), &changed, &error);
+  };
+  EXPECT_EQ(open(limits), HMLFC_OK);
+  EXPECT_EQ(open({limits.grid_side - 1, limits.view_side, limits.tree_height, limits.depth, 0}),
+            HMLFC_LIMIT_EXCEEDED);
+  EXPECT_EQ(open({limits.grid_side, limits.view_side - 1, limits.tree_height, limits.depth, 0}),
+            HMLFC_LIMIT_EXCEEDED);
+  hmlfc_limits lower = limits;
+  --lower.tree_height;
+  EXPECT_EQ(open(lower), HMLFC_LIMIT_EXCEEDED);
 }
 
 // Any change of a stream, with its checksum right again in most cases.

@@ -122,7 +122,7 @@ TEST(DriverUnit, LoadsAStream) {
   PlainUnit unit(4);
   ASSERT_EQ(unit.open(), HMLFC_OK);
   hmlfc_stream stream{};
-  stream.bytes = 1000;
+  stream.bytes = 1001;
   stream.area_bytes = 288;
   const uint64_t top = uint64_t{1} << 40;
   const auto load = [&](uint64_t stream_bus, uint64_t area_bus, size_t area_bytes) {
@@ -131,10 +131,10 @@ TEST(DriverUnit, LoadsAStream) {
   };
   EXPECT_EQ(load(0xab'0000'0010, 0x40, 288), HMLFC_OK);
   EXPECT_EQ(unit.pair(HMLFC_REG_STREAM_BASE), 0xab'0000'0010u);
-  EXPECT_EQ(unit.pair(HMLFC_REG_STREAM_BYTES), 1000u);
+  EXPECT_EQ(unit.pair(HMLFC_REG_STREAM_BYTES), 1001u);
   EXPECT_EQ(unit.pair(HMLFC_REG_REFERENCE_BASE), 0x40u);
   EXPECT_EQ(unit.registers[HMLFC_REG_CONTROL], HMLFC_REG_CONTROL_LOAD_MASK);
-  EXPECT_EQ(unit.cleaned, 1288u);
+  EXPECT_EQ(unit.cleaned, 1289u);
   EXPECT_EQ(load(8, 0x40, 288), HMLFC_BAD_ARGUMENT);
   EXPECT_EQ(load(0, 0x48, 288), HMLFC_BAD_ARGUMENT);
   EXPECT_EQ(load(0, 0x40, 287), HMLFC_BAD_ARGUMENT);
