@@ -55,6 +55,10 @@ void ViewBench::clock() {
   if (!memory_.finding.empty()) find(memory_.finding);
 }
 
+void ViewBench::idle(uint64_t clocks) {
+  while (clocks-- > 0) clock();
+}
+
 void ViewBench::write(uint32_t address, uint32_t value) {
   next_.aw_valid = next_.w_valid = next_.b_ready = true;
   next_.aw_addr = address;

@@ -52,6 +52,12 @@ class ViewBench {
   /// must be kBus.
   void run_with_fault(const Descriptor& descriptor, ViewMemory::Fault fault);
 
+  /// Lets `clocks` pass.
+  void idle(uint64_t clocks);
+
+  /// Of the unit: ViewUnit::stopped_clocks().
+  uint64_t stopped_clocks() const { return unit_->stopped_clocks(); }
+
   /// The first thing that was wrong; empty for nothing.
   const std::string& finding() const { return finding_; }
 
