@@ -1,7 +1,7 @@
 // Software's interface: the registers, and LOAD, which reads and checks the stream's header.
 //
 // `enable`: requests may be accepted, as a LOAD has ended, with `load_error` or 0. `flush` is high for one clock when all
-// state of the last stream must be discarded. Inputs for the counters: blocks of a level, answers with
+// state of the last stream must be discarded. `loading`: a LOAD is under way. Inputs for the counters: blocks of a level, answers with
 // their error and request, clocks in which an answer waits, beats of the read master.
 module hmlfc_control #(
     parameter int BLOCK_LOG2 = 2,
@@ -35,6 +35,7 @@ module hmlfc_control #(
     input logic idle,     // no request is in flight
     input logic reading,  // a read is
     input logic stray,    // a beat came that nothing asked for
+    output logic loading,
     output logic enable,
     output logic [5:0] load_error,
     output logic flush,
@@ -59,7 +60,7 @@ module hmlfc_control #(
 );
 
   logic [63:0] stream_base, stream_bytes, reference_base;
-  logic load, disable_unit, loading;
+  logic load, disable_unit;
   hmlfc_registers #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .MAX_DEPTH(MAX_DEPTH),

@@ -12,6 +12,8 @@
 
 +incdir+.
 hmlfc_pkg.sv
+hmlfc_ram.sv
+hmlfc_activity.sv
 hmlfc_colour.sv
 hmlfc_skid_buffer.sv
 hmlfc_answer.sv

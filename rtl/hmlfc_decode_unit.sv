@@ -67,6 +67,9 @@ module hmlfc_decode_unit #(
     output logic [31:0] s_axil_rdata,
     output logic [1:0] s_axil_rresp,
 
+    // The clock is needed.
+    output logic active,
+
     // Trace of each block of a level, in decoding order; for simulation.
     output logic trace_valid,
     output logic [3:0] trace_level,
@@ -157,7 +160,7 @@ module hmlfc_decode_unit #(
   assign m_axi_arid = 1'b0;
 
   // ---- Registers and LOAD.
-  logic enable, flush, idle, block_done;
+  logic loading, enable, flush, idle, block_done;
   logic [5:0] load_error;
   logic [63:0] first_request;
   hmlfc_pkg::config_t stream;
@@ -191,6 +194,7 @@ module hmlfc_decode_unit #(
       .idle,
       .reading,
       .stray,
+      .loading,
       .enable,
       .load_error,
       .flush,
@@ -210,6 +214,19 @@ module hmlfc_decode_unit #(
       .data,
       .data_last,
       .data_error
+  );
+
+  // ---- Whether the clock is needed.
+  wire accessed = !s_axil_awready || !s_axil_wready || s_axil_bvalid || s_axil_rvalid;
+  hmlfc_activity #(
+      .CHANNELS(5),
+      .PARTS(4)
+  ) activity (
+      .clk,
+      .rst_n,
+      .offered({s_request_tvalid, m_axi_rvalid, s_axil_awvalid, s_axil_wvalid, s_axil_arvalid}),
+      .busy({accessed, loading, !idle, reading}),
+      .active
   );
 
   // ---- Requests in flight.

@@ -8,8 +8,7 @@
 // count   words inside, [0, DEPTH]
 // rst_n   active low, taken synchronously: empties the queue
 //
-// The storage is read a clock ahead, from the place that will be in front, so that it maps to a memory with a registered
-// output; a word that is put there in the same clock is kept beside.
+// The storage is read a clock ahead, from the place that will be in front; a word that is put there in the same clock is kept beside.
 module hmlfc_fifo #(
   parameter integer WIDTH = 8,
   parameter integer DEPTH = 4
@@ -28,8 +27,6 @@ module hmlfc_fifo #(
   localparam [INDEX_BITS:0] ONE = {{INDEX_BITS{1'b0}}, 1'b1};
   localparam WHOLE = DEPTH == 1 << INDEX_BITS;  // the last bit of the count says whether there is room
 
-  (* no_rw_check *)  // what is read in the clock in which it is written is not used
-  logic [WIDTH-1:0]    storage [0:(1<<INDEX_BITS)-1];
   logic [WIDTH-1:0]    stored, latest;
   logic [INDEX_BITS:0] written, taken, taken_next;  // words so far, modulo twice the storage
   logic                put, take, is_latest;        // the front word is `latest`, else `stored`
@@ -42,9 +39,20 @@ module hmlfc_fifo #(
   assign take = out_valid && out_ready;
   assign taken_next = taken + {{INDEX_BITS{1'b0}}, take};
 
+  hmlfc_ram #(
+    .WIDTH(WIDTH),
+    .DEPTH(1 << INDEX_BITS)
+  ) storage (
+    .clk,
+    .write(put),
+    .write_address(written[INDEX_BITS-1:0]),
+    .write_data(in_data),
+    .read(1'b1),
+    .read_address(taken_next[INDEX_BITS-1:0]),
+    .read_data(stored)
+  );
+
   always_ff @(posedge clk) begin
-    if (put) storage[written[INDEX_BITS-1:0]] <= in_data;
-    stored <= storage[taken_next[INDEX_BITS-1:0]];
     if (put) latest <= in_data;
     is_latest <= put && written == taken_next;
     if (!rst_n) begin

@@ -36,19 +36,24 @@ module hmlfc_record_ram #(
     always_ff @(posedge clk) if (read_enable[r]) first <= word[BANK_BITS-1:0];
 
     for (genvar b = 0; b < BANKS; b++) begin : g_bank
-      logic [63:0] memory[ROWS];
       // The bank's first word at or after `word`.
       /* verilator lint_off CMPCONST */  // never for the last bank
       wire [ROW_BITS-1:0] row = word[WORD_BITS-1:BANK_BITS] + ROW_BITS'(word[BANK_BITS-1:0] > BANK_BITS'(b));
       /* verilator lint_on CMPCONST */
       localparam int LANE = b & (BEAT_WORDS - 1);  // of the bank's word in a beat
       wire [WORD_BITS-1:0] written = {write_beat, {$clog2(BEAT_WORDS){1'b0}}} + WORD_BITS'(LANE);
-      always_ff @(posedge clk) begin
-        if (read_enable[r]) rows[b*64+:64] <= memory[row];
-        if (write && written[BANK_BITS-1:0] == BANK_BITS'(b)) begin
-          memory[written[WORD_BITS-1:BANK_BITS]] <= write_data[LANE*64+:64];
-        end
-      end
+      hmlfc_ram #(
+          .WIDTH(64),
+          .DEPTH(ROWS)
+      ) bank (
+          .clk,
+          .write(write && written[BANK_BITS-1:0] == BANK_BITS'(b)),
+          .write_address(written[WORD_BITS-1:BANK_BITS]),
+          .write_data(write_data[LANE*64+:64]),
+          .read(read_enable[r]),
+          .read_address(row),
+          .read_data(rows[b*64+:64])
+      );
     end
 
     always_comb begin

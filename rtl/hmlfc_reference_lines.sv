@@ -68,8 +68,6 @@ module hmlfc_reference_lines #(
     wire [PLACE_BITS-1:0] even = in_places[(2*r)*PLACE_BITS+:PLACE_BITS];
     wire [PLACE_BITS-1:0] odd = in_places[(2*r+1)*PLACE_BITS+:PLACE_BITS];
     for (genvar c = 0; c < COLUMNS; c++) begin : g_column
-      // No line of a window is read in the clock in which it is written.
-      (* no_rw_check *) logic [LINE_BITS-1:0] memory[1<<LINE_PLACE_BITS];
       logic [LINE_PLACE_BITS-1:0] write_at, read_at;
       logic write_here;
       // The right block is in the next strip where its column is less than the left one's.
@@ -87,10 +85,19 @@ module hmlfc_reference_lines #(
         assign parity = 1'(c);
         assign read_at = parity ? odd : even;
       end
-      always_ff @(posedge clk) begin
-        if (write_here) memory[write_at] <= write_lines[(LINES>1?c : 0)*LINE_BITS+:LINE_BITS];
-        if (advance) lines_1[(r*COLUMNS+c)*LINE_BITS+:LINE_BITS] <= memory[read_at];
-      end
+      // No line of a window is read in the clock in which it is written.
+      hmlfc_ram #(
+          .WIDTH(LINE_BITS),
+          .DEPTH(1 << LINE_PLACE_BITS)
+      ) memory (
+          .clk,
+          .write(write_here),
+          .write_address(write_at),
+          .write_data(write_lines[(LINES>1?c : 0)*LINE_BITS+:LINE_BITS]),
+          .read(advance),
+          .read_address(read_at),
+          .read_data(lines_1[(r*COLUMNS+c)*LINE_BITS+:LINE_BITS])
+      );
     end
   end
 

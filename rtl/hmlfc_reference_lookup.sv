@@ -180,14 +180,21 @@ module hmlfc_reference_lookup #(
   logic [PLACE_BITS-1:0] ask_in_bank;
   logic [TAG_BITS-1:0] ask_tag;
   for (genvar b = 0; b < 4; b++) begin : g_tags
-    (* no_rw_check *) logic [TAG_BITS-1:0] tags[PLACES];
     logic [TAG_BITS-1:0] tag;
     wire [PLACE_BITS-1:0] place = places_6[b*PLACE_BITS+:PLACE_BITS];
     wire [TAG_BITS-1:0] own = wanted[b*TAG_BITS+:TAG_BITS];
-    always_ff @(posedge clk) begin
-      if (ask && ask_bank == 2'(b)) tags[place] <= own;
-      if (advance) tag <= tags[places_5[b*PLACE_BITS+:PLACE_BITS]];
-    end
+    hmlfc_ram #(
+        .WIDTH(TAG_BITS),
+        .DEPTH(PLACES)
+    ) tags (
+        .clk,
+        .write(ask && ask_bank == 2'(b)),
+        .write_address(place),
+        .write_data(own),
+        .read(advance),
+        .read_address(places_5[b*PLACE_BITS+:PLACE_BITS]),
+        .read_data(tag)
+    );
     assign missing[b] = valid[6] && needed_6[b] && !asked[b] && !(kept[b*PLACES+32'(place)] && tag == own);
   end
   always_comb begin

@@ -64,15 +64,6 @@ module hmlfc_residual_blocks #(
     for (int i = 0; i < 64; i++) rank = rank + 6'(mask[i] && 6'(i) < number);
   endfunction
 
-  logic [5+128:0] heads[CONTEXTS];
-  logic [VECTOR_BITS-1:0] vectors[CONTEXTS*64];
-  logic [ENTRY_BITS-1:0] entries[CONTEXTS*64];
-  always_ff @(posedge clk) begin
-    if (head_write) heads[parsed_context] <= {head_error, head_motion, head_residual};
-    if (vector_write) vectors[{parsed_context, vector_number}] <= vector_data;
-    if (entry_write) entries[{parsed_context, entry_number}] <= entry_data;
-  end
-
   // The flow of blocks: stage i holds what it knows after i clocks.
   logic [STAGES:1] valid;
   logic [STAGES*FLOW_BITS-1:0] flows;
@@ -88,6 +79,18 @@ module hmlfc_residual_blocks #(
   assign flow_1 = flows[0+:FLOW_BITS];
   wire [2:0] i = in_flow.job.bx[2:0];
   wire [2:0] j = in_flow.job.by[2:0];
+  hmlfc_ram #(
+      .WIDTH(6 + 128),
+      .DEPTH(CONTEXTS)
+  ) heads (
+      .clk,
+      .write(head_write),
+      .write_address(parsed_context),
+      .write_data({head_error, head_motion, head_residual}),
+      .read(advance),
+      .read_address(in_context),
+      .read_data({head_error_1, motion_mask_1, residual_mask_1})
+  );
 
   // Stage 2: masks to ranks; stage 3: entry and vector.
   hmlfc_pkg::flow_t flow_2, flow_3, next_2, next_4;
@@ -100,6 +103,30 @@ module hmlfc_residual_blocks #(
   assign flow_3 = flows[2*FLOW_BITS+:FLOW_BITS];
   wire [CONTEXT_BITS-1:0] context_2 = flow_2.residual_context[CONTEXT_BITS-1:0];
   wire [CONTEXT_BITS-1:0] context_3 = flow_3.residual_context[CONTEXT_BITS-1:0];
+  hmlfc_ram #(
+      .WIDTH(VECTOR_BITS),
+      .DEPTH(CONTEXTS * 64)
+  ) vectors (
+      .clk,
+      .write(vector_write),
+      .write_address({parsed_context, vector_number}),
+      .write_data(vector_data),
+      .read(advance),
+      .read_address({context_2, vector_2}),
+      .read_data(vector_3)
+  );
+  hmlfc_ram #(
+      .WIDTH(ENTRY_BITS),
+      .DEPTH(CONTEXTS * 64)
+  ) entries (
+      .clk,
+      .write(entry_write),
+      .write_address({parsed_context, entry_number}),
+      .write_data(entry_data),
+      .read(advance),
+      .read_address({context_2, entry_2}),
+      .read_data(entry_3)
+  );
 
   always_comb begin
     next_2 = flow_1;
@@ -175,15 +202,12 @@ module hmlfc_residual_blocks #(
       flows[4*FLOW_BITS+:(STAGES-4)*FLOW_BITS] <= flows[3*FLOW_BITS+:(STAGES-4)*FLOW_BITS];
 
       number_1 <= {j[2:1], i[2:1], j[0], i[0]};
-      {head_error_1, motion_mask_1, residual_mask_1} <= heads[in_context];
 
       has_motion_2 <= flow_1.residual_asked && motion_mask_1[number_1] && head_error_1 == 0;
       vector_2 <= rank(motion_mask_1, number_1);
       entry_2 <= rank(residual_mask_1, number_1);
 
       has_motion_3 <= has_motion_2;
-      vector_3 <= vectors[{context_2, vector_2}];
-      entry_3 <= entries[{context_2, entry_2}];
 
       shift_4 <= entry_position[5:0];
       {code_4, step_4, bias_4} <= {entry_code, entry_step, entry_bias};

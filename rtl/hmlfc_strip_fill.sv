@@ -53,11 +53,8 @@ module hmlfc_strip_fill #(
   logic [SLOT_BITS:0] asked, taken;  // count strips; the low bits are the slot
   wire [SLOT_BITS-1:0] ask_slot = asked[SLOT_BITS-1:0];
   logic [SLOTS-1:0] complete, failed;
-  logic [PLACE_BITS-1:0] places[SLOTS];
   logic [ADDRESS_BITS-1:0] addresses[SLOTS];  // behind the first beats
   logic [BEAT_BITS-1:0] totals[SLOTS];
-  (* no_rw_check *)  // strips are read when they are complete
-  logic [DATA_BITS-1:0] memory[SLOTS*(1<<BEAT_BITS)];
 
   // Reads to ask for: what is left of strips whose head has come, before the begins of others.
   logic first_valid, first_ready, more_valid;
@@ -141,14 +138,12 @@ module hmlfc_strip_fill #(
   assign more_push = ends && !burst_more && !now_failed && now_total > BEAT_BITS'(FIRST_BEATS);
   always_ff @(posedge clk) begin
     if (data_valid) begin
-      memory[{burst_slot, at}] <= data;
       beat <= data_last ? '0 : beat + 1'b1;
       total <= now_total;
       burst_failed <= now_failed;
     end
     if (ask) begin
       asked <= asked + 1'b1;
-      places[ask_slot] <= ask_place;
       complete[ask_slot] <= 1'b0;
       failed[ask_slot] <= 1'b0;
     end
@@ -163,7 +158,7 @@ module hmlfc_strip_fill #(
     end
   end
 
-  // Assembly of the oldest strip, one beat a clock: a beat is read, then put into the strip; then the strip is offered.
+  // Assembly of the oldest strip when it is complete, one beat a clock: a beat is read, then put into the strip; then the strip is offered.
   logic [MAX_BEATS*DATA_BITS-1:0] assembly, strip;
   logic [DATA_BITS-1:0] word;
   logic [BEAT_BITS-1:0] number, word_number;
@@ -175,13 +170,35 @@ module hmlfc_strip_fill #(
   wire move = assembled && (!valid || take);
   wire put = word_valid && (!assembled || move);
   wire read = there && (!word_valid || put);
+  hmlfc_ram #(
+      .WIDTH(DATA_BITS),
+      .DEPTH(SLOTS << BEAT_BITS)
+  ) beats (
+      .clk,
+      .write(data_valid),
+      .write_address({burst_slot, at}),
+      .write_data(data),
+      .read,
+      .read_address({slot, number}),
+      .read_data(word)
+  );
+  hmlfc_ram #(
+      .WIDTH(PLACE_BITS),
+      .DEPTH(SLOTS)
+  ) places (
+      .clk,
+      .write(ask),
+      .write_address(ask_slot),
+      .write_data(ask_place),
+      .read,
+      .read_address(slot),
+      .read_data(word_place)
+  );
   always_ff @(posedge clk) begin
     if (read) begin
-      word <= memory[{slot, number}];
       word_number <= number;
       word_last <= last;
       word_failed <= failed[slot];
-      word_place <= places[slot];
       number <= last ? '0 : number + 1'b1;
       if (last) taken <= taken + 1'b1;
     end

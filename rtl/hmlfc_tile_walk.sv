@@ -76,7 +76,6 @@ module hmlfc_tile_walk #(
   wire [ROOT_SLOT_BITS-1:0] root_slot = group[6+:ROOT_SLOT_BITS];
   wire [ROOT_TAG_BITS-1:0] root_tag = group[GROUP_BITS-1-:ROOT_TAG_BITS];
   logic [ROOTS-1:0] root_valid;
-  logic [ROOT_BITS-1:0] root_entries[ROOTS];
   logic [ROOT_BITS-1:0] kept_root;  // the one in the slot
   logic kept_root_valid;
   logic [63:0] root_mask, root_first;
@@ -84,7 +83,6 @@ module hmlfc_tile_walk #(
   // Records of tile groups: {tag, there is one, error, offset_bits, data, tile_mask}.
   localparam int RECORD_BITS = TAG_BITS + 1 + 6 + 6 + 48 + 64;
   logic [GROUPS-1:0] group_valid;
-  logic [RECORD_BITS-1:0] group_records[GROUPS];
   logic [RECORD_BITS-1:0] kept;  // the one in the slot
   logic kept_valid;
 
@@ -186,14 +184,33 @@ module hmlfc_tile_walk #(
     endcase
   end
 
-  always_ff @(posedge clk) begin
-    kept <= group_records[slot];
-    if (state == TABLE) begin
-      group_records[slot] <= {group[GROUP_BITS-1:SLOT_BITS], record_there, record_error, offset_bits, table_offset, tile_mask};
-    end
-    kept_root <= root_entries[root_slot];
-    if (state == ROOT && read_done) root_entries[root_slot] <= {root_tag, bytes};
-  end
+  wire looks_up = state == LOOK_UP;
+  wire keeps_root = state == ROOT && read_done;
+  wire keeps_record = state == TABLE;
+  hmlfc_ram #(
+      .WIDTH(ROOT_BITS),
+      .DEPTH(ROOTS)
+  ) root_entries (
+      .clk,
+      .write(keeps_root),
+      .write_address(root_slot),
+      .write_data({root_tag, bytes}),
+      .read(looks_up),
+      .read_address(root_slot),
+      .read_data(kept_root)
+  );
+  hmlfc_ram #(
+      .WIDTH(RECORD_BITS),
+      .DEPTH(GROUPS)
+  ) group_records (
+      .clk,
+      .write(keeps_record),
+      .write_address(slot),
+      .write_data({group[GROUP_BITS-1:SLOT_BITS], record_there, record_error, offset_bits, table_offset, tile_mask}),
+      .read(looks_up),
+      .read_address(slot),
+      .read_data(kept)
+  );
 
   always_ff @(posedge clk) begin
     done <= 1'b0;

@@ -1,7 +1,7 @@
 // All of hmlfc_view_unit but the decode unit: takes descriptors, asks for the blocks of their rectangles, and writes the answers to memory.
 //
 // `m_request_*` and `s_response_*` are the channels of the decode unit, which must have the same BLOCK_LOG2. `fetch_*` reads descriptors: one burst at a
-// time, which does not cross 4 KiB.
+// time, which does not cross 4 KiB. `busy`: a descriptor or an access to a register is under way, a response is to come, or `irq` changes.
 module hmlfc_view_dma #(
     parameter int BLOCK_LOG2 = 2,       // 1..3
     parameter int AXI_DATA_BITS = 128,  // 64, 128
@@ -58,7 +58,8 @@ module hmlfc_view_dma #(
     output logic s_axil_rvalid,
     input logic s_axil_rready,
     output logic [31:0] s_axil_rdata,
-    output logic irq
+    output logic irq,
+    output logic busy
 );
 
   localparam int BLOCK_BITS = hmlfc_pkg::BLOCK_BITS;
@@ -70,6 +71,7 @@ module hmlfc_view_dma #(
   logic [15:0] ring_size, producer, consumer;
   logic [5:0] status;
   logic [3:0] events;
+  logic irq_changes, queue_busy;
   hmlfc_view_registers registers (
       .clk,
       .rst_n,
@@ -99,7 +101,8 @@ module hmlfc_view_dma #(
       .consumer,
       .status,
       .events,
-      .irq
+      .irq,
+      .irq_changes
   );
 
   hmlfc_pkg::view_t view;
@@ -151,6 +154,7 @@ module hmlfc_view_dma #(
       .consumer,
       .status,
       .events,
+      .busy(queue_busy),
       .fetch_start,
       .fetch_address,
       .fetched,
@@ -318,5 +322,7 @@ module hmlfc_view_dma #(
   );
   assign status_ready = port_ready;
   assign written = writer_empty && strip_empty && port_idle;
+  wire accessed = !s_axil_awready || !s_axil_wready || s_axil_bvalid || s_axil_rvalid;
+  assign busy = queue_busy || !port_idle || accessed || irq_changes;
 
 endmodule

@@ -2,6 +2,7 @@
 //
 // A descriptor: `fetch_start` until `fetched`; `view_start` until all places of the view are `placed`, or, with ABORT, until no request is in flight;
 // `flush` until nothing is held or awaits its response (`written`); then its status as a line of memory. `ask` allows requests.
+// `busy`: a descriptor is under way or begins, or `events` are due.
 module hmlfc_view_queue #(
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS
 ) (
@@ -19,6 +20,7 @@ module hmlfc_view_queue #(
     output logic [15:0] consumer,
     output logic [5:0] status,
     output logic [3:0] events,
+    output logic busy,
 
     output logic fetch_start,
     output logic [ADDRESS_BITS-1:0] fetch_address,
@@ -145,6 +147,7 @@ module hmlfc_view_queue #(
   // Done, error, ring empty, stopped.
   logic stopped, counted;
   always_ff @(posedge clk) {stopped, counted} <= rst_n ? {stops, finished} : 2'b00;
+  assign busy = running || fetch_start || stops || stopped || counted;
   assign events = {stopped, counted && ring_empty, (finished && result != STATUS_OK) || (state == FINISH && write_failed), finished};
 
 endmodule

@@ -5,6 +5,7 @@
 //
 // enable, disable_queue, drain, abort_view   one clock each for a 1 written to its bit of CONTROL
 // status, consumer                      what STATUS and CONSUMER report
+// irq_changes                           `irq` is another one in the next clock
 // events                                bits of INTERRUPT_STATUS that are set in this clock; one that is cleared in the same clock is set
 module hmlfc_view_registers #(
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS
@@ -39,7 +40,8 @@ module hmlfc_view_registers #(
     input logic [15:0] consumer,
     input logic [5:0] status,
     input logic [3:0] events,
-    output logic irq
+    output logic irq,
+    output logic irq_changes
 );
 
   // Write channel: address and data are accepted one by one, and used when both have arrived.
@@ -69,10 +71,12 @@ module hmlfc_view_registers #(
   // Fields. Bits of addresses and sizes that are not there are 0, whatever is written.
   logic [3:0] interrupt_status, interrupt_enable;
   wire [31:0] written = write_data & mask;
+  wire irq_next = (interrupt_status & interrupt_enable) != 0;
+  assign irq_changes = irq != irq_next;
   always_ff @(posedge clk) begin
     {abort_view, drain, disable_queue, enable} <= rst_n && write && write_word == HMLFC_WORD_VIEW_CONTROL ? written[3:0] : 4'd0;
     interrupt_status <= (interrupt_status & ~(write && write_word == HMLFC_WORD_INTERRUPT_STATUS ? written[3:0] : 4'd0)) | events;
-    irq <= (interrupt_status & interrupt_enable) != 0;
+    irq <= irq_next;
     if (write) begin
       case (write_word)
         HMLFC_WORD_INTERRUPT_ENABLE: interrupt_enable <= (interrupt_enable & ~mask[3:0]) | written[3:0];

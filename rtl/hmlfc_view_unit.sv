@@ -69,6 +69,9 @@ module hmlfc_view_unit #(
     output logic [1:0] s_axil_rresp,
     output logic irq,
 
+    // The clock is needed.
+    output logic active,
+
     // Trace of each block of a level, in decoding order; for simulation.
     output logic trace_valid,
     output logic [3:0] trace_level,
@@ -156,6 +159,7 @@ module hmlfc_view_unit #(
   logic [63:0] request_tdata;
   logic [3*SAMPLES*16-1:0] response_tdata;
   logic [5:0] response_tuser;
+  logic unit_active, dma_busy;
   /* verilator lint_off PINCONNECTEMPTY */  // always ready, always OKAY, and the end of a picture
   hmlfc_decode_unit #(
       .BLOCK_LOG2(BLOCK_LOG2),
@@ -208,6 +212,7 @@ module hmlfc_view_unit #(
       .s_axil_rready(rready[0]),
       .s_axil_rdata(rdata[31:0]),
       .s_axil_rresp(),
+      .active(unit_active),
       .trace_valid,
       .trace_level,
       .trace_plane,
@@ -287,7 +292,20 @@ module hmlfc_view_unit #(
       .s_axil_rvalid(rvalid[1]),
       .s_axil_rready(rready[1]),
       .s_axil_rdata(rdata[63:32]),
-      .irq
+      .irq,
+      .busy(dma_busy)
+  );
+
+  // ---- Whether the clock is needed. An access to a register is under way in one of the two.
+  hmlfc_activity #(
+      .CHANNELS(5),
+      .PARTS(2)
+  ) activity (
+      .clk,
+      .rst_n,
+      .offered({m_axi_rvalid, m_axi_bvalid, s_axil_awvalid, s_axil_wvalid, s_axil_arvalid}),
+      .busy({unit_active, dma_busy}),
+      .active
   );
 
 endmodule

@@ -109,6 +109,7 @@ module soc #(
       .s_axil_rdata(lite_rdata),
       .s_axil_rresp(),
       .irq,
+      .active(),
       .trace_valid(),
       .trace_level(),
       .trace_plane(),

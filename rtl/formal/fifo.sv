@@ -7,7 +7,7 @@
 // Complete: the list is bound to the queue's storage, so the induction needs no reachability.
 // Fault: hmlfc_fifo.sv / in_ready = WHOLE ? !count[INDEX_BITS] / in_ready = WHOLE ? 1'b1
 // Fault: hmlfc_fifo.sv / put && written == taken_next / 1'b0
-// Fault: hmlfc_fifo.sv / storage[taken_next[ / storage[taken[
+// Fault: hmlfc_fifo.sv / .read_address(taken_next[ / .read_address(taken[
 module prove_fifo (
   input logic clk, input logic rst_n, input logic in_valid, input logic [7:0] in_data, input logic out_ready
 );
@@ -35,12 +35,12 @@ module prove_fifo (
   end
 
   // The same words inside.
-  (* hierconn *) wire [7:0] \dut.storage[0] ;
-  (* hierconn *) wire [7:0] \dut.storage[1] ;
-  (* hierconn *) wire [7:0] \dut.storage[2] ;
-  (* hierconn *) wire [7:0] \dut.storage[3] ;
+  (* hierconn *) wire [7:0] \dut.storage.words[0] ;
+  (* hierconn *) wire [7:0] \dut.storage.words[1] ;
+  (* hierconn *) wire [7:0] \dut.storage.words[2] ;
+  (* hierconn *) wire [7:0] \dut.storage.words[3] ;
   (* hierconn *) wire [2:0] \dut.taken ;
-  wire [31:0] storage = {\dut.storage[3] , \dut.storage[2] , \dut.storage[1] , \dut.storage[0] };
+  wire [31:0] storage = {\dut.storage.words[3] , \dut.storage.words[2] , \dut.storage.words[1] , \dut.storage.words[0] };
   wire [63:0] turned = {storage, storage} >> {\dut.taken [1:0], 3'd0};
 
   logic       waiting;

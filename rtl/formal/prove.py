@@ -60,10 +60,10 @@ def read_proof(name: str) -> Proof | None:
 
 
 def check(proof: Proof, rtl: pathlib.Path, part: str, faulty: bool, work: pathlib.Path) -> int:
-    """Reads the proof with the modules of `rtl` and runs its engine."""
+    """Reads the proof with the modules of `rtl`, hmlfc_ram as in a simulation, and runs its engine."""
     engine = proof.engine[0]
     script = [
-        f"read_verilog -sv -formal -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {HERE}/{proof.name}.sv",
+        f"read_verilog -sv -formal -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {rtl}/hmlfc_ram.sv {HERE}/{proof.name}.sv",
         f"hierarchy -check -top prove_{proof.name} {part} -libdir {rtl}",
         "proc", "opt_expr", "opt_dff", "setattr -set keep 1 t:$*ff*", "opt_clean", "setattr -unset keep t:$*ff*",  # all registers stay
         "memory_dff", "memory_map", "opt_expr", "flatten", "opt_expr", "opt_clean", "opt_dff", "opt_expr"]

@@ -93,14 +93,14 @@ module prove_read_port (
   (* hierconn *) wire [A-13:0] \dut.page ;
   (* hierconn *) wire [8:0] \dut.beat ;
   (* hierconn *) wire [9:0] \dut.left ;
-  (* hierconn *) wire [1:0] \dut.bursts.storage[0] ;
-  (* hierconn *) wire [1:0] \dut.bursts.storage[1] ;
-  (* hierconn *) wire [1:0] \dut.bursts.storage[2] ;
-  (* hierconn *) wire [1:0] \dut.bursts.storage[3] ;
+  (* hierconn *) wire [1:0] \dut.bursts.storage.words[0] ;
+  (* hierconn *) wire [1:0] \dut.bursts.storage.words[1] ;
+  (* hierconn *) wire [1:0] \dut.bursts.storage.words[2] ;
+  (* hierconn *) wire [1:0] \dut.bursts.storage.words[3] ;
   (* hierconn *) wire [2:0] \dut.bursts.taken ;
   (* hierconn *) wire [2:0] \dut.bursts.written ;
   (* hierconn *) wire [1:0] \dut.bursts.out_data ;
-  wire [7:0]  storage = {\dut.bursts.storage[3] , \dut.bursts.storage[2] , \dut.bursts.storage[1] , \dut.bursts.storage[0] };
+  wire [7:0]  storage = {\dut.bursts.storage.words[3] , \dut.bursts.storage.words[2] , \dut.bursts.storage.words[1] , \dut.bursts.storage.words[0] };
   wire [7:0]  owners = 8'({storage, storage} >> {\dut.bursts.taken [1:0], 1'b0});  // {ends, owner}, the oldest low
   wire [2:0]  count = \dut.bursts.written - \dut.bursts.taken ;
   wire [A+10:0] splitting = {\dut.page , \dut.beat , 3'd0, \dut.left + 10'd1, \dut.client };

@@ -13,7 +13,7 @@
 // Fault: hmlfc_reference_lookup.sv / enter = valid[6] && !any_missing / enter = valid[6]
 // Fault: hmlfc_reference_lookup.sv / if (enter || !rst_n) asked <= '0 / if (!rst_n) asked <= '0
 // Fault: hmlfc_reference_lookup.sv / if (!rst_n || flush || forget) kept / if (!rst_n || flush) kept
-// Fault: hmlfc_reference_lookup.sv / if (advance) tag <= tags[places_5 / if (advance) tag <= tags[places_6
+// Fault: hmlfc_reference_lookup.sv / .read_address(places_5 / .read_address(places_6
 // Fault: hmlfc_reference_lookup.sv / for (int b = 3; b >= 0 / for (int b = 2; b >= 0
 module prove_reference_lookup (
   input logic clk, input logic rst_n, input logic flush, input logic forget, input logic in_valid, input logic [39:0] in_address,
@@ -42,12 +42,12 @@ module prove_reference_lookup (
   (* hierconn *) wire [35:0] \dut.g_tags[1].tag ;
   (* hierconn *) wire [35:0] \dut.g_tags[2].tag ;
   (* hierconn *) wire [35:0] \dut.g_tags[3].tag ;
-  (* hierconn *) wire [35:0] \dut.g_tags[0].tags[5] ;
-  (* hierconn *) wire [35:0] \dut.g_tags[1].tags[5] ;
-  (* hierconn *) wire [35:0] \dut.g_tags[2].tags[5] ;
-  (* hierconn *) wire [35:0] \dut.g_tags[3].tags[5] ;
+  (* hierconn *) wire [35:0] \dut.g_tags[0].tags.words[5] ;
+  (* hierconn *) wire [35:0] \dut.g_tags[1].tags.words[5] ;
+  (* hierconn *) wire [35:0] \dut.g_tags[2].tags.words[5] ;
+  (* hierconn *) wire [35:0] \dut.g_tags[3].tags.words[5] ;
   wire [143:0] read = {\dut.g_tags[3].tag , \dut.g_tags[2].tag , \dut.g_tags[1].tag , \dut.g_tags[0].tag };
-  wire [143:0] tags = {\dut.g_tags[3].tags[5] , \dut.g_tags[2].tags[5] , \dut.g_tags[1].tags[5] , \dut.g_tags[0].tags[5] };
+  wire [143:0] tags = {\dut.g_tags[3].tags.words[5] , \dut.g_tags[2].tags.words[5] , \dut.g_tags[1].tags.words[5] , \dut.g_tags[0].tags.words[5] };
 
   // What was asked for last at the place, and whether it is kept.
   (* anyconst *) logic [1:0] bank;

@@ -54,8 +54,8 @@ module prove_requests (
   (* hierconn *) wire \dut.next_last ;
   (* hierconn *) wire [1:0] \dut.waiting.count ;
   (* hierconn *) wire [1:0] \dut.waiting.taken ;
-  (* hierconn *) wire [64:0] \dut.waiting.storage[0] ;
-  (* hierconn *) wire [64:0] \dut.waiting.storage[1] ;
+  (* hierconn *) wire [64:0] \dut.waiting.storage.words[0] ;
+  (* hierconn *) wire [64:0] \dut.waiting.storage.words[1] ;
   (* hierconn *) wire \dut.rgb ;
   (* hierconn *) wire \dut.of_residuals ;
   (* hierconn *) wire \dut.hit ;
@@ -80,8 +80,8 @@ module prove_requests (
   logic        started = 1'b0;
   logic [1:0]  open;  // requests taken, less jobs with `answer`
   logic [2:0]  lasts;  // tlast of the requests inside, the oldest at bit 0
-  wire         stored_first = \dut.waiting.taken [0] ? \dut.waiting.storage[1] [64] : \dut.waiting.storage[0] [64];
-  wire         stored_second = \dut.waiting.taken [0] ? \dut.waiting.storage[0] [64] : \dut.waiting.storage[1] [64];
+  wire         stored_first = \dut.waiting.taken [0] ? \dut.waiting.storage.words[1] [64] : \dut.waiting.storage.words[0] [64];
+  wire         stored_second = \dut.waiting.taken [0] ? \dut.waiting.storage.words[0] [64] : \dut.waiting.storage.words[1] [64];
   wire         emit = job_valid && job_ready;
   wire  [1:0]  left = open - {1'b0, emit && job.answer};
   wire  [3:0]  stop = \dut.now_stop ;

@@ -39,10 +39,10 @@ module prove_tile_contexts (
   (* hierconn *) wire [39:0] \dut.users ;
   (* hierconn *) wire \dut.counts ;
   (* hierconn *) wire [1:0] \dut.counted ;
-  (* hierconn *) wire [T+3:0] \dut.loads.storage[0] ;
-  (* hierconn *) wire [T+3:0] \dut.loads.storage[1] ;
-  (* hierconn *) wire [T+3:0] \dut.loads.storage[2] ;
-  (* hierconn *) wire [T+3:0] \dut.loads.storage[3] ;
+  (* hierconn *) wire [T+3:0] \dut.loads.storage.words[0] ;
+  (* hierconn *) wire [T+3:0] \dut.loads.storage.words[1] ;
+  (* hierconn *) wire [T+3:0] \dut.loads.storage.words[2] ;
+  (* hierconn *) wire [T+3:0] \dut.loads.storage.words[3] ;
   (* hierconn *) wire [2:0] \dut.loads.taken ;
   (* hierconn *) wire [2:0] \dut.loads.written ;
 
@@ -84,7 +84,7 @@ module prove_tile_contexts (
   end
 
   // The list of loads, the oldest low.
-  wire [4*(T+4)-1:0] storage = {\dut.loads.storage[3] , \dut.loads.storage[2] , \dut.loads.storage[1] , \dut.loads.storage[0] };
+  wire [4*(T+4)-1:0] storage = {\dut.loads.storage.words[3] , \dut.loads.storage.words[2] , \dut.loads.storage.words[1] , \dut.loads.storage.words[0] };
   wire [4*(T+4)-1:0] turned = {storage, storage} >> ((T + 4) * \dut.loads.taken [1:0]);
   wire [2:0]         count = \dut.loads.written - \dut.loads.taken ;
   logic [3:0]        is_own;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "io/files.hpp"
 #include "syntax/header.hpp"
 #include "systemc/stream_image.hpp"
+#include "unit/pin_record.hpp"
 #include "unit/unit_host.hpp"
 #include "unit/units.hpp"
 #include "vectors/digest.hpp"
@@ -38,6 +40,7 @@ struct Options {
   std::filesystem::path file;
   std::filesystem::path folder;
   std::string trace;
+  std::string pins;
   bool views = false;
 };
 
@@ -179,7 +182,15 @@ void run(const Options& options) {
   const auto makers = rtl_units();
   const UnitMaker& maker = maker_for(makers, file->bytes());
   const StreamImage image(file->bytes(), maker.parameters);
-  UnitHost unit(maker.make(maker.parameters), file->bytes(), image.area().bytes);
+  std::ofstream pins;
+  UnitHost::OnClock on_clock;
+  PinRecord record(pins, maker.parameters);
+  if (!options.pins.empty()) {
+    pins.open(options.pins);
+    on_clock = [&](const UnitInputs& in, const UnitOutputs& out) { record.add(in, out); };
+  }
+  UnitHost unit(maker.make(maker.parameters), file->bytes(), image.area().bytes, on_clock);
+  if (!options.pins.empty()) unit.set_pauses(1);
   if (const uint8_t error = unit.load(); error != 0) refuse(error);
   // The unit leaves to software the CRCs of sections (FIL-6) and the TOP table (KEY-1).
   const auto opened = Decoder::open(file->bytes());
@@ -191,6 +202,7 @@ void run(const Options& options) {
   const GoldenStream& golden = *image.golden();
   write_views(golden.header().rows, golden.header().cols, options.folder,
               [&](ViewPos view) { return decode(unit, golden, view); });
+  if (!pins.flush()) throw Stop{kExitOutput, "cannot write " + options.pins};
 }
 
 int main_of(int argc, char** argv) {
@@ -200,6 +212,8 @@ int main_of(int argc, char** argv) {
   app.add_option("-o,--output", options.folder, "An existing folder");
   app.add_option("--trace", options.trace,
                  "Print the stages of one block as JSON lines: row,column,plane,x,y");
+  app.add_option("--pins", options.pins,
+                 "Record the unit's pins for rtl/kit/pin_replay.sv; the memory pauses");
   app.add_flag("--views", options.views, "By descriptors of the view unit, in place of requests");
   CLI11_PARSE(app, argc, argv);
   try {

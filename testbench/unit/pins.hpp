@@ -84,6 +84,9 @@ class DecodeUnit {
 
   virtual UnitParameters parameters() const = 0;
 
+  /// Rising edges that it did not get, because it said that it needs none.
+  virtual uint64_t stopped_clocks() const { return 0; }
+
   /// Writes a wave of everything from now on to `path`; false where the unit has no waves.
   virtual bool open_wave(const std::string& path) {
     static_cast<void>(path);

@@ -20,8 +20,9 @@ constexpr uint64_t kAlignment = 4096;  // of the reference area
 }  // namespace
 
 UnitHost::UnitHost(std::unique_ptr<DecodeUnit> unit, std::span<const uint8_t> stream,
-                   std::span<const uint8_t> area)
+                   std::span<const uint8_t> area, OnClock on_clock)
     : unit_(std::move(unit)),
+      on_clock_(std::move(on_clock)),
       stream_(stream),
       area_(area),
       area_base_(ceil_div(kStreamBase + stream.size() + 32, kAlignment) * kAlignment) {
@@ -36,6 +37,7 @@ void UnitHost::clock() {
   unit_->clock(in_, next_, out_);
   in_ = next_;
   ++clocks_;
+  if (on_clock_) on_clock_(in_, out_);
   if (out_.trace_valid && on_record) on_record(out_.trace);
 }
 

@@ -25,10 +25,13 @@ class UnitHangs : public std::runtime_error {
 /// (docs/hardware.md, Setting up).
 class UnitHost {
  public:
+  /// Called after every clock with the inputs from then on and the outputs that follow.
+  using OnClock = std::function<void(const UnitInputs&, const UnitOutputs&)>;
+
   /// Holds `unit` in reset for a few clocks. `stream` and `area` (the reference area) must outlive
   /// the host.
   UnitHost(std::unique_ptr<DecodeUnit> unit, std::span<const uint8_t> stream,
-           std::span<const uint8_t> area);
+           std::span<const uint8_t> area, OnClock on_clock = {});
 
   /// LOADs the stream; the error of STATUS, 0 for none. Throws UnitHangs.
   uint8_t load();
@@ -64,6 +67,7 @@ class UnitHost {
   uint32_t read(uint32_t address);
 
   std::unique_ptr<DecodeUnit> unit_;
+  OnClock on_clock_;
   std::span<const uint8_t> stream_;
   std::span<const uint8_t> area_;
   uint64_t area_base_;

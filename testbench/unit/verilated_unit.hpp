@@ -17,6 +17,7 @@
 #include <verilated_fst_c.h>
 #endif
 
+#include "unit/clock_gate.hpp"
 #include "unit/pins.hpp"
 
 namespace hmlfc::tb {
@@ -128,8 +129,8 @@ class VerilatedUnit final : public DecodeUnit {
     Verilated::threadContextp(context_.get());
   }
 
-  void clock(const UnitInputs&, const UnitInputs& after, UnitOutputs& outputs) override {
-    model_->clk = 1;
+  void clock(const UnitInputs& at_edge, const UnitInputs& after, UnitOutputs& outputs) override {
+    if (gate_.passes(at_edge.rst_n, model_->active != 0)) model_->clk = 1;
     model_->eval();
     dump();
     set_inputs(after);
@@ -141,6 +142,8 @@ class VerilatedUnit final : public DecodeUnit {
 
   bool has_trace() const override { return true; }
   UnitParameters parameters() const override { return parameters_; }
+
+  uint64_t stopped_clocks() const override { return gate_.stopped(); }
 
   bool open_wave(const std::string& path) override { return wave_.open(*model_, path); }
 
@@ -233,6 +236,7 @@ class VerilatedUnit final : public DecodeUnit {
   UnitParameters parameters_;
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<Model> model_;
+  ClockGate gate_;
   Wave wave_;
   uint64_t time_ = 0;
 };

@@ -10,6 +10,7 @@
 
 #include "oracle/oracle.hpp"
 #include "stimulus/conditions.hpp"
+#include "unit/clock_gate.hpp"
 #include "view/view_pins.hpp"
 
 namespace hmlfc::tb {
@@ -64,7 +65,7 @@ class VerilatedView final : public ViewUnit {
 
   void clock(const ViewInputs& after, ViewOutputs& out) override {
     Model& m = *model_;
-    m.clk = 1;
+    if (gate_.passes(m.rst_n != 0, m.active != 0)) m.clk = 1;
     m.eval();
     set_shared_inputs(m, after);
     m.m_axi_arready = after.ar_ready;
@@ -87,9 +88,11 @@ class VerilatedView final : public ViewUnit {
 
   bool reads_stream() const override { return true; }
   UnitParameters parameters() const override { return parameters_; }
+  uint64_t stopped_clocks() const override { return gate_.stopped(); }
 
  private:
   UnitParameters parameters_;
+  ClockGate gate_;
   VerilatedContext context_;
   std::unique_ptr<Model> model_;
 };
@@ -115,7 +118,7 @@ class VerilatedDma final : public ViewUnit {
     const bool answered = m.rst_n && m.s_response_tvalid && m.s_response_tready;
     if (asked) requests_.push_back(Request::of_word(m.m_request_tdata, false));
     if (answered) requests_.pop_front();
-    m.clk = 1;
+    if (gate_.passes(m.rst_n != 0, m.busy || offered(m))) m.clk = 1;
     m.eval();
     set_shared_inputs(m, after);
     m.fetch_arready = after.ar_ready;
@@ -142,8 +145,15 @@ class VerilatedDma final : public ViewUnit {
 
   bool reads_stream() const override { return false; }
   UnitParameters parameters() const override { return parameters_; }
+  uint64_t stopped_clocks() const override { return gate_.stopped(); }
 
  private:
+  /// Of the channels that wake hmlfc_view_unit.
+  static bool offered(const Model& m) {
+    return m.rst_n == 0 || m.fetch_rvalid || m.m_axi_bvalid || m.s_axil_awvalid ||
+           m.s_axil_wvalid || m.s_axil_arvalid;
+  }
+
   void show_answer(Model& m, bool next, bool slow) {
     if (m.s_response_tvalid && !next) return;
     m.s_response_tvalid = !requests_.empty() && !random_.chance(slow ? 800 : 100);
@@ -158,6 +168,7 @@ class VerilatedDma final : public ViewUnit {
   Oracle& oracle_;
   Random random_;
   bool slow_ = false;
+  ClockGate gate_;
   std::deque<Request> requests_;
   VerilatedContext context_;
   std::unique_ptr<Model> model_;

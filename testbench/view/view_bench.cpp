@@ -150,7 +150,7 @@ void ViewBench::run_aborted(const Descriptor& descriptor, uint64_t clocks, const
   const Descriptor both[]{descriptor, next};
   hmlfc_unit_resume(host_.driver());
   give(both);
-  for (uint64_t i = 0; i < clocks; ++i) host_.clock();
+  host_.idle(clocks);
   const uint64_t begin = host_.clocks();
   if (hmlfc_unit_abort(host_.driver()) != HMLFC_OK) return host_.find("hang: ABORT");
   if (host_.clocks() - begin > kAbortPatience) host_.find("hang: ABORT asks for more blocks");
@@ -170,7 +170,7 @@ void ViewBench::run_aborted(const Descriptor& descriptor, uint64_t clocks, const
 void ViewBench::run_reset(const Descriptor& descriptor, uint64_t clocks) {
   hmlfc_unit_resume(host_.driver());
   give(std::span(&descriptor, 1));
-  for (uint64_t i = 0; i < clocks; ++i) host_.clock();
+  host_.idle(clocks);
   host_.reset();
 }
 

@@ -70,6 +70,10 @@ void ViewHost::clock() {
   if (!memory_.finding.empty()) find(memory_.finding);
 }
 
+void ViewHost::idle(uint64_t clocks) {
+  while (clocks-- > 0) clock();
+}
+
 void ViewHost::write(uint32_t address, uint32_t value) {
   next_.aw_valid = next_.w_valid = next_.b_ready = true;
   next_.aw_addr = address;
@@ -139,7 +143,7 @@ void ViewHost::reset() {
 
 void ViewHost::open_unit() {
   next_ = {};
-  for (int i = 0; i < 4; ++i) clock();
+  idle(4);
   next_.rst_n = true;
   clock();
   const hmlfc_io io{

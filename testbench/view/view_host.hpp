@@ -61,6 +61,8 @@ class ViewHost {
   uint32_t take_events();
 
   void clock();
+  /// Lets `clocks` pass.
+  void idle(uint64_t clocks);
   void write(uint32_t address, uint32_t value);
   uint32_t read(uint32_t address);
 
@@ -72,6 +74,8 @@ class ViewHost {
   const ViewMemory& memory() const { return memory_; }
   UnitParameters parameters() const { return unit_->parameters(); }
   uint64_t clocks() const { return clocks_; }
+  /// Of the unit: ViewUnit::stopped_clocks().
+  uint64_t stopped_clocks() const { return unit_->stopped_clocks(); }
   unsigned ring_size() const { return ring_size_; }
   std::span<uint8_t> area();
   uint64_t ring_base() const { return driver_.rings.bus; }

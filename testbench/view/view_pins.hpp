@@ -43,6 +43,9 @@ class ViewUnit {
   virtual bool reads_stream() const = 0;
 
   virtual UnitParameters parameters() const = 0;
+
+  /// As of DecodeUnit.
+  virtual uint64_t stopped_clocks() const = 0;
 };
 
 }  // namespace hmlfc::tb

@@ -117,6 +117,30 @@ TEST(Registers, BasesHaveFortyBits) {
   }
 }
 
+// An idle unit needs no clock, one that is spoken to does; after every other reset the bench gives
+// it each edge.
+TEST(Registers, ClockStopsWhileIdle) {
+  Bench& bench = test_bench();
+  for (const UnitMaker& maker : rtl_units()) {
+    bench.attach(maker.make(maker.parameters));
+    const auto stopped_in = [&](uint64_t clocks) {
+      const uint64_t before = bench.unit().stopped_clocks();
+      bench.run_clocks(clocks);
+      return bench.unit().stopped_clocks() - before;
+    };
+    EXPECT_GE(stopped_in(1000), 999u);
+    const uint64_t before = bench.unit().stopped_clocks();
+    const uint64_t begin = bench.cycle();
+    EXPECT_EQ(bench.read(HMLFC_REG_ID), HMLFC_REG_ID_RESET);
+    EXPECT_LE(bench.unit().stopped_clocks() - before + 2, bench.cycle() - begin);
+    bench.reset();
+    EXPECT_EQ(stopped_in(1000), 0u);
+    bench.reset();
+    EXPECT_GE(stopped_in(1000), 999u);
+    EXPECT_FALSE(bench.findings().first());
+  }
+}
+
 // A reset of the unit alone with reads in flight: the late beats show in STATUS until a reset with
 // the memory.
 TEST(Registers, LateBeatsAfterResetAreReported) {

@@ -78,6 +78,22 @@ TEST(ViewUnit, EqualsTheModel) {
   }
 }
 
+// After the first reset and before the second the clock stands still where nothing is to do.
+TEST(ViewUnit, ClockStopsWhileIdle) {
+  const auto bytes = stream(0, 4);
+  ViewRun run(bytes, view_units().front(), 0);
+  run.rectangles(2);
+  const uint64_t before = run.bench().host().stopped_clocks();
+  run.bench().host().idle(1000);
+  EXPECT_GE(run.bench().host().stopped_clocks() - before, 990u);
+  run.bench().host().reset();
+  const uint64_t after = run.bench().host().stopped_clocks();
+  run.rectangles(2);
+  run.bench().host().idle(1000);
+  EXPECT_EQ(run.bench().host().stopped_clocks(), after);
+  EXPECT_EQ(run.finding(), "");
+}
+
 std::vector<std::vector<uint8_t>> streams_for_faults() {
   return {stream(3, 2), stream(0, 2), white_picture(), large_picture(2)};
 }
