@@ -24,7 +24,7 @@ hmlfc_plant_fault(quad_of_mask_skipped hmlfc_tile_mask.sv
 hmlfc_plant_fault(motion_block_of_wrong_row hmlfc_motion_blocks.sv
   "10'(row_0) * 10'(columns_0)" "10'(row_0) * 10'(columns_0 + 6'd1)" "stage: " 3)
 hmlfc_plant_fault(disparity_left_of_border hmlfc_disparity_place.sv
-  "left && own_x != 0" "left && own_x > 1" "stage: " 13)
+  "left && own_x != 0" "left && own_x > 1" "stage: " 27)
 hmlfc_plant_fault(record_of_the_next_tile hmlfc_tile_walk.sv
   "count == 7'd0 ? 7'd0 : count - 7'd1" "count" "stage: " 0)
 
