@@ -1,6 +1,6 @@
 `include "hmlfc_tables.svh"
 
-// The decode unit (docs/hardware.md): answers requests for blocks of an .hmlfc stream that lies in memory.
+// The decode unit (docs/decode_unit.md): answers requests for blocks of an .hmlfc stream that lies in memory.
 //
 //   requests, view -> tiles: motion, disparity, residual -> references: windows of samples -> compose -> answers
 //

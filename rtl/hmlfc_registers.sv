@@ -1,6 +1,6 @@
 `include "hmlfc_register_map.svh"
 
-// The register block of the decode unit: an AXI4-Lite subordinate of 32 bits (docs/hardware.md).
+// The register block of the decode unit: an AXI4-Lite subordinate of 32 bits (docs/decode_unit.md).
 //
 // BLOCK_LOG2, MAX_DEPTH, AXI_DATA_BITS   what PARAMETERS reports
 //

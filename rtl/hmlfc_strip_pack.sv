@@ -1,4 +1,4 @@
-// Packs strips of 64 samples (docs/hardware.md, "The reference area"): 4 bits width, 16 bits base, then the samples in so many bits less the
+// Packs strips of 64 samples (docs/decode_unit.md, "The reference area"): 4 bits width, 16 bits base, then the samples in so many bits less the
 // least; four samples a clock.
 //
 // A strip comes out as words of 64 bits in order; `out_last` with its last one. A strip with an error, which a sample below -2^15 + 32 says, or

@@ -1,4 +1,4 @@
-// The blocks of a plane in the order of strips, and the addresses of these (docs/hardware.md, "The reference area"): columns of 16 blocks,
+// The blocks of a plane in the order of strips, and the addresses of these (docs/decode_unit.md, "The reference area"): columns of 16 blocks,
 // so that few tiles are in use at once; in a column rows of blocks, top to bottom; in a row blocks left to right.
 //
 // `start` takes `view`, which must hold until the scan has ended; its rectangle begins at block (0, 0). From the next clock on `valid` offers a

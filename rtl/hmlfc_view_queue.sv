@@ -1,4 +1,4 @@
-// Takes descriptors from the ring one by one, has each decoded and written, and writes its status (docs/hardware.md).
+// Takes descriptors from the ring one by one, has each decoded and written, and writes its status (docs/view_unit.md).
 //
 // A descriptor: `fetch_start` until `fetched`; `view_start` until all places of the view are `placed`, or, with ABORT, until no request is in flight;
 // `flush` until nothing is held or awaits its response (`written`); then its status as a line of memory. `ask` allows requests.

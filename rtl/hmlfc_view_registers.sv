@@ -1,6 +1,6 @@
 `include "hmlfc_register_map.svh"
 
-// The registers of the view queue: an AXI4-Lite subordinate of 32 bits (docs/hardware.md). All its outputs but `s_axil_*ready` and those of
+// The registers of the view queue: an AXI4-Lite subordinate of 32 bits (docs/view_unit.md). All its outputs but `s_axil_*ready` and those of
 // fields are registered; address bits 1:0 do not matter.
 //
 // enable, disable_queue, drain, abort_view   one clock each for a 1 written to its bit of CONTROL

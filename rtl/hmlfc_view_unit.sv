@@ -1,4 +1,4 @@
-// Decodes rectangles of views to memory by itself: a decode unit, and what takes descriptors and writes its answers (docs/hardware.md).
+// Decodes rectangles of views to memory by itself: a decode unit, and what takes descriptors and writes its answers (docs/view_unit.md).
 //
 // One AXI4-Lite port: address bit 11 is 0 for the registers of the decode unit, 1 for those of the queue. One AXI4 read master: ID 0 for the decode
 // unit, 1 for descriptors. One AXI4 write master, all with ID 0.

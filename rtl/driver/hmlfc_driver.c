@@ -1,4 +1,4 @@
-/* Registers, rings and descriptors of the view unit (docs/hardware.md, "Views to memory"). */
+/* Registers, rings and descriptors of the view unit (docs/view_unit.md). */
 #include <string.h>
 
 #include "hmlfc_internal.h"

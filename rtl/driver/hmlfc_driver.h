@@ -1,4 +1,4 @@
-/* The driver of the view unit (docs/hardware.md, "The driver"): checks a stream, fills the
+/* The driver of the view unit (docs/view_unit.md, "The driver"): checks a stream, fills the
  * reference area, and decodes views to memory.
  *
  * C99, freestanding but for memset; nothing is allocated, nothing is static, no floating point.
@@ -177,7 +177,7 @@ struct hmlfc_buffer {
   size_t bytes;
 };
 
-/* What is stored (docs/hardware.md, "Views to memory"). */
+/* What is stored (docs/view_unit.md). */
 enum {
   HMLFC_FORMAT_Y = 0,
   HMLFC_FORMAT_CO = 1,
@@ -191,7 +191,7 @@ enum {
 };
 
 /* A rectangle of a view, and where it goes. The unit checks the fields; none may exceed the width
- * that docs/hardware.md gives. */
+ * that docs/view_unit.md gives. */
 struct hmlfc_descriptor {
   uint32_t tag;
   uint16_t row, col; /* [0, 4095] */

@@ -1,5 +1,5 @@
-/* Key images and their strips in the reference area (KEY-1 to KEY-3, EXT-6; docs/hardware.md, "The
- * reference area"). */
+/* Key images and their strips in the reference area (KEY-1 to KEY-3, EXT-6; docs/decode_unit.md,
+ * "The reference area"). */
 #include <string.h>
 
 #include "hmlfc_internal.h"

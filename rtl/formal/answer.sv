@@ -4,7 +4,7 @@
 // of the latest last block of its plane, and the answer is what the transform gives for them two clocks later (proof colour); its status
 // is the first error of Y, Co and Cg. With an error the samples are 0. BLOCK_LOG2 = 1, MAX_DEPTH = 8; any stalls.
 //
-// Clauses: Answers (docs/hardware.md), COL-2 for its place in the order, COL-3
+// Clauses: Answers (docs/decode_unit.md), COL-2 for its place in the order, COL-3
 // Engine: induction 2 6
 // Complete: the list of blocks inside is bound to the stages' registers, so the induction needs no reachability.
 // Fault: hmlfc_answer.sv / !valid[3] || advance_out / !valid[3] && advance_out

@@ -2,7 +2,7 @@
 // it is taken; valid does not wait for ready; `count` is the number of words inside; a word fits if and only if it is less than DEPTH.
 // WIDTH = 8, DEPTH = 4.
 //
-// Clauses: Channels (docs/hardware.md)
+// Clauses: Channels (docs/decode_unit.md)
 // Engine: induction 2 16
 // Complete: the list is bound to the queue's storage, so the induction needs no reachability.
 // Fault: hmlfc_fifo.sv / in_ready = WHOLE ? !count[INDEX_BITS] / in_ready = WHOLE ? 1'b1

@@ -4,7 +4,7 @@
 //   - each request gets exactly its beats: they go to the client that asked, the last of them marked, those with an error too.
 // DATA_BITS = 64, ADDRESS_BITS = 14, OUTSTANDING = 4; requests of up to 1023 beats, of any number of bursts.
 //
-// Clauses: Read master (docs/hardware.md)
+// Clauses: Read master (docs/decode_unit.md)
 // Engine: induction 2 10
 // Cover: 26
 // Complete: the lists of requests and bursts are bound to the port's registers, so the induction needs no reachability.

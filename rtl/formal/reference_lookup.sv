@@ -5,7 +5,7 @@
 // Which strips a window needs, and their addresses and places, are compared with the model by simulation.
 // BLOCK_LOG2 = 2, STRIPS = 64, SECTIONS = 1.
 //
-// Clauses: Inside (docs/hardware.md)
+// Clauses: Prefetching (docs/pipeline.md)
 // Engine: induction 1 3
 // Cover: 12
 // Complete: the place's content is bound to its tag, so the induction needs no reachability.

@@ -2,7 +2,7 @@
 // exactly one response; the high word of a counter or of ERROR_ADDRESS that is read next after its low word belongs to the
 // same moment; each counter adds its events over all its 64 bits.
 //
-// Clauses: Registers (docs/hardware.md)
+// Clauses: Registers (docs/decode_unit.md)
 // Engine: induction 2 8
 // Complete: the counts are bound to the register block's state, so the induction needs no reachability.
 // Fault: hmlfc_registers.sv / {31'd0, carries[k]} / {31'd0, !carries[k]}

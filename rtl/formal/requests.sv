@@ -3,7 +3,7 @@
 // go down level by level and end at the stop level, so a request ends after at most 3 * 8 jobs once its view is there; one for residuals
 // is one job, of its stop level.
 //
-// Clauses: DEC-1, Requests and Answers (docs/hardware.md)
+// Clauses: DEC-1, Requests and Answers (docs/decode_unit.md)
 // Engine: induction 2 8
 // Complete: the stream's configuration and the error of LOAD are any constants; `flush` comes only while no request is held, and
 // key images are of the tree's levels.

@@ -5,7 +5,7 @@
 //   - after a load without loaded_keep no block gets it for that tile before it is loaded anew.
 // CONTEXTS = 4, INFO_BITS = 2.
 //
-// Clauses: Prefetching (docs/hardware.md)
+// Clauses: Prefetching (docs/pipeline.md)
 // Engine: induction 2 5
 // Cover: 11
 // Complete: the context's state and its entry on the list are bound to the module's registers, so the induction needs no reachability.

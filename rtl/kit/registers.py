@@ -1,5 +1,5 @@
 """The registers of rtl/registers.json and rtl/view_registers.json, and what is written from them: constants for SystemVerilog
-and C, the tables of docs/hardware.md, SystemRDL 2.0.
+and C, the tables of docs/decode_unit.md and docs/view_unit.md, SystemRDL 2.0.
 
 A register has:
   name, description
@@ -118,7 +118,7 @@ def c_number(value: int, bits: int) -> str:
 
 def c_header(blocks: list[Block]) -> str:
     """HMLFC_REG_*: offsets by bytes, and of registers and fields what system_verilog() has."""
-    said = (f"Registers (docs/hardware.md): offsets in bytes, masks and lowest bits of fields, values after reset. "
+    said = (f"Registers (docs/decode_unit.md, docs/view_unit.md): offsets in bytes, masks and lowest bits of fields, values after reset. "
             f"Of 64 bits HMLFC_REG_NAME is the low word, HMLFC_REG_NAME_HIGH the high one. {SOURCE}")
     lines = [*comment(said), "#ifndef HMLFC_REGISTERS_H", "#define HMLFC_REGISTERS_H"]
     for register in [register for block in blocks for register in block.registers]:
@@ -150,7 +150,7 @@ def bits_of(field: Field) -> str:
 
 
 def table(block: Block) -> str:
-    """In Markdown, for docs/hardware.md. Numbers are hexadecimal."""
+    """In Markdown. Numbers are hexadecimal."""
     lines = ["| offset | name | access | after reset | meaning |", "|---|---|---|---|---|"]
     for register in block.registers:
         offsets = ", ".join(f"{register.offset + 4 * word:02X}" for word in range(register.bits // 32))

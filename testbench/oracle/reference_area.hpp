@@ -1,5 +1,5 @@
-// The reference area of docs/hardware.md: the decoded reference images as the decode unit reads
-// them.
+// The reference area of docs/decode_unit.md: the decoded reference images as the decode unit
+// reads them.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// What a decode unit is built for, a request to it and its answer (docs/hardware.md, section
-// "Channels").
+// What a decode unit is built for, a request to it and its answer (docs/decode_unit.md).
 #pragma once
 
 #include <array>

@@ -60,10 +60,10 @@ inline constexpr unsigned kRequestBytes = 9;
 /// Bytes of an answer of a unit with blocks of `block_size`: `tdata`, then `tuser`, then `tlast`.
 constexpr unsigned answer_bytes(unsigned block_size) { return 3 * block_size * block_size * 2 + 2; }
 
-/// Registers, requests and answers as in docs/hardware.md. At LOAD the whole stream is read through
-/// `memory` and checked; a failing access there gives bus_error. The reference area is not read:
-/// the model decodes the reference images itself. BYTES_READ counts what LOAD read, CYCLES what
-/// the latency table says, STALLS is 0.
+/// Registers, requests and answers as in docs/decode_unit.md. At LOAD the whole stream is read
+/// through `memory` and checked; a failing access there gives bus_error. The reference area is not
+/// read: the model decodes the reference images itself. BYTES_READ counts what LOAD read, CYCLES
+/// what the latency table says, STALLS is 0.
 ///
 /// A request is answered before its b_transport returns; the delay is annotated on the answer.
 /// Before LOAD, and after DISABLE, it waits: call from a thread.

@@ -1,4 +1,4 @@
-// What software does with the registers of the decode unit (docs/hardware.md, table of registers).
+// What software does with the registers of the decode unit (docs/decode_unit.md).
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,7 @@ class UnitHangs : public std::runtime_error {
 };
 
 /// One unit with one stream in memory. An example of how software drives the unit
-/// (docs/hardware.md, Setting up).
+/// (docs/hardware.md, "Using it").
 class UnitHost {
  public:
   /// Called after every clock with the inputs from then on and the outputs that follow.

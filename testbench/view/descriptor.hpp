@@ -1,4 +1,4 @@
-// Descriptors of the view queue (docs/hardware.md, "Views to memory").
+// Descriptors of the view queue (docs/view_unit.md).
 #pragma once
 
 #include <array>

@@ -30,6 +30,7 @@ TESTBENCH = {"rtl/driver", *(f"testbench/{name}" for name in ("oracle", "stimulu
 # layers; all may include <hmlfc/...> and libraries. A file belongs to the longest folder that holds it.
 ALLOWED = {
     "rtl/driver": set(),
+    "rtl/example": {"rtl/driver"},
     "model/include": set(),
     "model/bits": set(),
     "model/arithmetic": {"model/bits"},

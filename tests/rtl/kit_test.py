@@ -25,6 +25,7 @@ from kit_readers import IPXACT
 HEADER, MAP, XML, RDL = "driver/hmlfc_registers.h", "hmlfc_register_map.svh", "kit/hmlfc_decode_unit.xml", "kit/hmlfc_decode_unit.rdl"
 VIEW_XML, VIEW_RDL = "kit/hmlfc_view_unit.xml", "kit/hmlfc_view_queue.rdl"
 REGISTERS, VIEW_REGISTERS = "registers.json", "view_registers.json"
+UNIT_PAGE, VIEW_PAGE = "docs/decode_unit.md", "docs/view_unit.md"
 CORE, LIST = "hmlfc_decode_unit.core", "hmlfc_decode_unit.f"
 
 # Check: file below ROOT, text, what stands in its place, and what is said.
@@ -35,11 +36,11 @@ FAULTS = {
         (f"rtl/{RDL}", "@ 0x38", "@ 0x30", RDL),
         (f"rtl/{XML}", "'h38", "'h30", XML),
         (f"rtl/{CORE}", "      - hmlfc_fifo.sv\n", "", CORE),
-        ("docs/hardware.md", "| 20, 24 |", "| 20, 28 |", "docs/hardware.md"),
+        (UNIT_PAGE, "| 20, 24 |", "| 20, 28 |", UNIT_PAGE),
         ("rtl/registers.json", '"bits": "13:8"', '"bits": "12:8"', HEADER),
         ("rtl/view_registers.json", '"offset": "0x82c"', '"offset": "0x830"', VIEW_RDL),
         ("rtl/view_registers.json", '"offset": "0x82c"', '"offset": "0x830"', VIEW_XML),
-        ("docs/hardware.md", "| 82C |", "| 830 |", "docs/hardware.md"),
+        (VIEW_PAGE, "| 82C |", "| 830 |", VIEW_PAGE),
         ("rtl/hmlfc_decode_unit.sv", "input logic [11:0] s_axil_awaddr", "input logic [12:0] s_axil_awaddr", XML),
     ],
     "read_back": [
@@ -155,7 +156,8 @@ def missed(check, root):
             copy = Path(folder)
             shutil.copytree(root / "rtl", copy / "rtl", ignore=shutil.ignore_patterns("formal", "synth"))
             (copy / "docs").mkdir()
-            shutil.copy(root / "docs/hardware.md", copy / "docs")
+            for page in (UNIT_PAGE, VIEW_PAGE):
+                shutil.copy(root / page, copy / page)
             shutil.copy(root / "CMakeLists.txt", copy)
             text = (copy / file).read_text()
             assert old in text, f"{file} has no '{old}' to plant a fault in"

@@ -1,4 +1,4 @@
-// hmlfc_registers: every register, AXI4-Lite with all orders of its channels (docs/hardware.md).
+// hmlfc_registers: every register, AXI4-Lite with all orders of its channels (docs/decode_unit.md).
 // The offsets and bits are said here a second time, so that a slip in rtl/registers.json is seen.
 #include <algorithm>
 #include <array>

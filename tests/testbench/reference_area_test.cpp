@@ -22,7 +22,7 @@ struct Counts {
   uint64_t poisoned = 0;
 };
 
-// Reads an area as the text of docs/hardware.md says: strips left to right, top to bottom.
+// Reads an area as the text of docs/decode_unit.md says: strips left to right, top to bottom.
 class AreaCheck {
  public:
   AreaCheck(const GoldenStream& stream, const ReferenceArea& area, Counts& counts)
