@@ -101,7 +101,11 @@ void ViewBench::wait_and_compare(std::span<const Descriptor> descriptors) {
 
 void ViewBench::run(std::span<const Descriptor> descriptors) {
   hmlfc_unit_resume(host_.driver());
+  // The last event of all, which must come without a clock for anything else.
+  hmlfc_unit_enable_events(host_.driver(), HMLFC_REG_INTERRUPT_ENABLE_EMPTY_MASK);
   give(descriptors);
+  host_.idle_until_interrupt();
+  hmlfc_unit_enable_events(host_.driver(), HMLFC_REG_INTERRUPT_ENABLE_MASK);
   wait_and_compare(descriptors);
   const uint32_t events = host_.take_events() | host_.read(HMLFC_REG_INTERRUPT_STATUS);
   if ((events & HMLFC_REG_INTERRUPT_STATUS_DONE_MASK) == 0)

@@ -128,6 +128,14 @@ int ViewHost::wait_for_interrupt() {
   return clocks_ > deadline_ || !finding_.empty() ? 1 : 0;
 }
 
+void ViewHost::idle_until_interrupt() {
+  driver();  // the deadline
+  while (!out_.interrupt && finding_.empty()) {
+    clock();
+    if (clocks_ > deadline_) find("hang: no interrupt");
+  }
+}
+
 uint32_t ViewHost::take_events() { return std::exchange(events_, 0); }
 
 hmlfc_unit* ViewHost::driver() {

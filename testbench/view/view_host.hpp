@@ -48,6 +48,9 @@ class ViewHost {
   /// Writes a descriptor into the ring; the unit sees it.
   void give(const Descriptor& descriptor);
 
+  /// Lets clocks pass, without any access, until `irq` is high.
+  void idle_until_interrupt();
+
   /// Waits until the descriptor that was given first is done.
   hmlfc_status wait();
 

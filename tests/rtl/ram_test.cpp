@@ -17,7 +17,7 @@ TEST(Ram, WordsHoldsAndCollisions) {
   Counts counts;
   std::array<uint8_t, kWords> words{};
   dut.write = 1;
-  for (int i = 0; i < kWords; ++i) {
+  for (uint8_t i = 0; i < kWords; ++i) {
     dut.write_address = i;
     dut.write_data = words[i] = static_cast<uint8_t>(random.in(0, 255));
     tick(dut);
@@ -27,12 +27,13 @@ TEST(Ram, WordsHoldsAndCollisions) {
   int collisions = 0;
   for (int clock = 0; clock < 20'000; ++clock) {
     dut.write = random.one_in(2) ? 1 : 0;
-    dut.write_address = random.in(0, kWords - 1);
-    dut.write_data = random.in(0, 255);
-    dut.read_address = random.in(0, kWords - 1);
+    dut.write_address = static_cast<uint8_t>(random.in(0, kWords - 1));
+    dut.write_data = static_cast<uint8_t>(random.in(0, 255));
+    dut.read_address = static_cast<uint8_t>(random.in(0, kWords - 1));
     const bool collides = dut.read && dut.write && dut.read_address == dut.write_address;
-    if (dut.read) expected = collides ? ~words[dut.read_address] : words[dut.read_address];
-    collisions += collides;
+    const uint8_t word = words[dut.read_address];
+    if (dut.read) expected = collides ? static_cast<uint8_t>(~word) : word;
+    collisions += collides ? 1 : 0;
     if (dut.write) words[dut.write_address] = dut.write_data;
     tick(dut);
     counts.compare(dut.read_data, expected);
