@@ -67,4 +67,5 @@ install(FILES
   rtl/kit/hmlfc_decode_unit.xml
   rtl/kit/hmlfc_view_queue.rdl
   rtl/kit/hmlfc_view_unit.xml
+  rtl/kit/pin_replay.sv
   DESTINATION "${rtl_dir}/kit")

@@ -194,9 +194,10 @@ module hmlfc_residual_parser #(
 
   assign parse_ready = state == IDLE;
   assign read_enable = {vectors_enable[1], state == VECTORS ? vectors_enable[0] : 1'b1};
+  // Yosys 0.23 gives an operator in a concatenation the width that a cast operand had before the cast: no casts there.
+  wire [WORD_BITS-1:0] field_word = {context_number, (WORD_BITS - CONTEXT_BITS)'(address >> 6)};
   assign read_word = {
-    vectors_word[2*WORD_BITS-1:WORD_BITS],
-    state == VECTORS ? vectors_word[WORD_BITS-1:0] : {context_number, (WORD_BITS - CONTEXT_BITS)'(address >> 6)}
+    vectors_word[2*WORD_BITS-1:WORD_BITS], state == VECTORS ? vectors_word[WORD_BITS-1:0] : field_word
   };
   assign head_write = state == FINISH;
   assign head_error = error;
