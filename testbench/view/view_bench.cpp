@@ -39,7 +39,8 @@ ViewBench::ViewBench(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> st
 }
 
 void ViewBench::find(const std::string& what) {
-  if (finding_.empty()) finding_ = what;
+  if (!finding_.empty()) return;
+  finding_ = what + " (HMLFC_RTL_STATE=" + std::to_string(unit_->state_seed()) + ")";
 }
 
 void ViewBench::set_conditions(const Conditions& conditions, uint64_t seed) {
