@@ -25,9 +25,16 @@ struct UnitParameters {
   unsigned max_depth = 8;
   unsigned beat_bytes = 16;
   unsigned outstanding = 16;  ///< maximum of bursts in flight
+  uint32_t state_seed = 1;    ///< draws what a simulated unit holds before reset; [1, 2^31 - 1]
 
   unsigned block_size() const { return 1u << block_log2; }
-  friend bool operator==(const UnitParameters&, const UnitParameters&) = default;
+
+  /// The same, with a state for a run by `seed`.
+  UnitParameters with_state(uint64_t seed) const {
+    UnitParameters other = *this;
+    other.state_seed = static_cast<uint32_t>(seed % 0x7fffffff) + 1;
+    return other;
+  }
 };
 
 /// The status of a block that needs a beat which the memory failed to deliver.

@@ -154,7 +154,7 @@ Json check(const Options& o, std::span<const uint8_t> file, const UnitMaker& mak
   StreamImage image(file, maker.parameters);
   RecordedSource recorded(kHistory);
   const uint64_t seed = o.plan.plan.seed;
-  bench.attach(maker.make(maker.parameters));
+  bench.attach(maker.make(maker.parameters.with_state(seed)));
   if (o.answers_only) bench.compare_answers_only();
   image.load_into(bench);
   if (!bench.findings().first()) {

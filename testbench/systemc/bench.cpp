@@ -57,7 +57,7 @@ void Bench::attach(std::unique_ptr<DecodeUnit> unit) {
   traced_ = unit_->has_trace();
   scoreboard_.expect_trace(traced_);
   scoreboard_.clear();
-  findings_.clear();
+  findings_.begin(unit_->state_seed());
   reset();
 }
 

@@ -1,5 +1,7 @@
 #include "systemc/failure_folder.hpp"
 
+#include <algorithm>
+
 #include "oracle/trace_text.hpp"
 #include "stimulus/sequences.hpp"
 
@@ -12,9 +14,11 @@ TextFile create(const std::filesystem::path& path) {
 
 // One run of `requests` in a fresh unit with wave and trace; the first finding.
 std::optional<Mismatch> repeat(Bench& bench, const UnitMaker& maker, StreamImage& image,
-                               const std::vector<Request>& requests,
+                               const std::vector<Request>& requests, uint32_t state_seed,
                                const std::filesystem::path& folder) {
-  auto unit = maker.make(maker.parameters);
+  UnitParameters parameters = maker.parameters;
+  parameters.state_seed = state_seed;
+  auto unit = maker.make(parameters);
   const TextFile trace = create(folder / "unit.txt");
   const unsigned size = maker.parameters.block_size();
   bench.attach(std::move(unit));
@@ -50,10 +54,11 @@ std::filesystem::path keep_failure(Bench& bench, const UnitMaker& maker, StreamI
   const auto& request = failure.mismatch.request;
   std::optional<Mismatch> again;
   std::string which = "the block alone";
-  if (request) again = repeat(bench, maker, image, {*request}, folder);
+  const uint32_t state = std::max(failure.mismatch.state_seed, 1u);
+  if (request) again = repeat(bench, maker, image, {*request}, state, folder);
   if (!again) {
     which = "the block with the " + std::to_string(failure.history.size()) + " requests around it";
-    again = repeat(bench, maker, image, failure.history, folder);
+    again = repeat(bench, maker, image, failure.history, state, folder);
   }
   if (request && image.golden() != nullptr) {
     write_model_trace(create(folder / "model.txt").get(), *image.golden(), *request);

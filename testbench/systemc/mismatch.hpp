@@ -16,6 +16,7 @@ struct Mismatch {
   std::string place;   ///< the level block, where a stage differs
   std::string detail;  ///< stage, field, expected and actual
   uint64_t cycle = 0;
+  uint32_t state_seed = 0;  ///< of the unit (DecodeUnit::state_seed)
 };
 
 /// One line for a report.
@@ -24,21 +25,33 @@ inline std::string to_string(const Mismatch& mismatch) {
   if (mismatch.request) text += ": " + to_string(*mismatch.request);
   if (!mismatch.place.empty()) text += ": at " + mismatch.place;
   if (!mismatch.detail.empty()) text += ": " + mismatch.detail;
-  return text + " (clock " + std::to_string(mismatch.cycle) + ")";
+  text += " (clock " + std::to_string(mismatch.cycle);
+  if (mismatch.state_seed != 0) {
+    text += ", HMLFC_RTL_STATE=" + std::to_string(mismatch.state_seed);
+  }
+  return text + ")";
 }
 
 /// Keeps the first finding of a run.
 class Findings {
  public:
   void add(Mismatch mismatch) {
-    if (!first_) first_ = std::move(mismatch);
+    if (first_) return;
+    mismatch.state_seed = state_seed_;
+    first_ = std::move(mismatch);
   }
 
   const std::optional<Mismatch>& first() const { return first_; }
-  void clear() { *this = {}; }
+
+  /// Forgets what was found before, of a unit with another state.
+  void begin(uint32_t state_seed) {
+    first_.reset();
+    state_seed_ = state_seed;
+  }
 
  private:
   std::optional<Mismatch> first_;
+  uint32_t state_seed_ = 0;
 };
 
 }  // namespace hmlfc::tb

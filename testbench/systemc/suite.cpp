@@ -164,7 +164,7 @@ class CaseRun {
 }  // namespace
 
 SuiteResult run_case(Bench& bench, const UnitMaker& maker, StreamImage& image, uint64_t seed) {
-  bench.attach(maker.make(maker.parameters));
+  bench.attach(maker.make(maker.parameters.with_state(seed)));
   CaseRun run(bench, image, seed);
   run.run();
   return {run.total(), bench.findings().first(), run.history()};

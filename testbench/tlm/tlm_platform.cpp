@@ -26,7 +26,7 @@ TlmPlatform::TlmPlatform(const sc_core::sc_module_name& name, const UnitParamete
 void TlmPlatform::run(const MemoryImage& image, uint8_t load_error, RequestSource source,
                       Oracle& oracle) {
   unit_.reset();
-  findings_.clear();
+  findings_.begin(0);
   scoreboard_.clear();
   scoreboard_.expect_trace(false);
   scoreboard_.set_oracle(&oracle, parameters_.block_size());

@@ -84,6 +84,9 @@ class DecodeUnit {
 
   virtual UnitParameters parameters() const = 0;
 
+  /// The seed of what it held before its first reset; 0 where that is not random.
+  virtual uint32_t state_seed() const { return 0; }
+
   /// Rising edges that it did not get, because it said that it needs none.
   virtual uint64_t stopped_clocks() const { return 0; }
 

@@ -44,6 +44,10 @@ hmlfc_plant_fault(counter_stands_still hmlfc_registers.sv
   "{4'd0, answered, read_bytes, 4'd0, stalled, 4'd0, in_flight, 4'd0, block_done}"
   "{5'd0, read_bytes, 4'd0, stalled, 4'd0, in_flight, 4'd0, block_done}" "registers: REQUESTS" 0)
 
+# What a unit holds before its first reset.
+hmlfc_plant_fault(loader_not_reset hmlfc_loader.sv
+  "!rst_n" "1'b0" "registers: " 0)
+
 # The clock, which stands still where `active` is low.
 hmlfc_plant_fault(clock_stops_while_reading hmlfc_decode_unit.sv
   "{accessed, loading, !idle, reading}" "({accessed, loading, !idle, 1'b0} & {4{!reading}})" "protocol: " 0)

@@ -23,7 +23,8 @@ inline constexpr UnitParameters kFaultyUnit{1, 12, 8, 4};
 
 const std::vector<RtlFault>& rtl_faults();
 
-/// The unit with one fault switched on; with 0 none is.
-std::unique_ptr<DecodeUnit> make_faulty_unit(unsigned fault);
+/// The unit with one fault switched on, with 0 none; `parameters` are kFaultyUnit but for the
+/// state.
+std::unique_ptr<DecodeUnit> make_faulty_unit(const UnitParameters& parameters, unsigned fault);
 
 }  // namespace hmlfc::tb

@@ -18,6 +18,7 @@
 #endif
 
 #include "unit/clock_gate.hpp"
+#include "unit/initial_state.hpp"
 #include "unit/pins.hpp"
 
 namespace hmlfc::tb {
@@ -108,14 +109,15 @@ class VerilatedUnit final : public DecodeUnit {
  public:
   /// `plusarg` is what $value$plusargs sees.
   explicit VerilatedUnit(const UnitParameters& parameters, const std::string& plusarg = {})
-      : parameters_(parameters) {
-    context_ = std::make_unique<VerilatedContext>();
+      : parameters_(parameters),
+        context_(std::make_unique<VerilatedContext>()),
+        state_(*context_, parameters.state_seed) {
     const std::vector<std::string> words = environment_plusargs();
     std::vector<const char*> arguments{"unit", plusarg.c_str()};
     for (const std::string& word : words) arguments.push_back(word.c_str());
     context_->commandArgs(static_cast<int>(arguments.size()), arguments.data());
     context_->traceEverOn(VM_TRACE);
-    model_ = std::make_unique<Model>(context_.get(), "hmlfc_decode_unit");
+    model_ = std::make_unique<Model>(context_.get(), state_.setting().c_str());
     set_inputs(UnitInputs{});
     model_->clk = 0;
     model_->eval();
@@ -132,6 +134,7 @@ class VerilatedUnit final : public DecodeUnit {
   void clock(const UnitInputs& at_edge, const UnitInputs& after, UnitOutputs& outputs) override {
     if (gate_.passes(at_edge.rst_n, model_->active != 0)) model_->clk = 1;
     model_->eval();
+    state_.after_edge();
     dump();
     set_inputs(after);
     model_->clk = 0;
@@ -143,6 +146,7 @@ class VerilatedUnit final : public DecodeUnit {
   bool has_trace() const override { return true; }
   UnitParameters parameters() const override { return parameters_; }
 
+  uint32_t state_seed() const override { return state_.seed(); }
   uint64_t stopped_clocks() const override { return gate_.stopped(); }
 
   bool open_wave(const std::string& path) override { return wave_.open(*model_, path); }
@@ -235,6 +239,7 @@ class VerilatedUnit final : public DecodeUnit {
 
   UnitParameters parameters_;
   std::unique_ptr<VerilatedContext> context_;
+  InitialState state_;
   std::unique_ptr<Model> model_;
   ClockGate gate_;
   Wave wave_;

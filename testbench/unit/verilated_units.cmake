@@ -46,7 +46,7 @@ function(hmlfc_verilate_unit target prefix unit)
     OPT_SLOW -O0
     OPT_GLOBAL -O2
     VERILATOR_ARGS ${parameters} ${arg_ARGUMENTS}
-      --x-assign fast --x-initial fast --assert --output-split 60000)
+      --x-assign unique --x-initial unique --assert --output-split 60000)
 endfunction()
 set(HMLFC_UNIT_PARAMETERS BLOCK_LOG2 MAX_DEPTH AXI_DATA_BITS OUTSTANDING)
 set(HMLFC_VERILATED_OPTIMISATION -O1)  # -O3 compiles longer for runs 10 % faster

@@ -11,6 +11,7 @@
 #include "oracle/oracle.hpp"
 #include "stimulus/conditions.hpp"
 #include "unit/clock_gate.hpp"
+#include "unit/initial_state.hpp"
 #include "view/view_pins.hpp"
 
 namespace hmlfc::tb {
@@ -60,20 +61,20 @@ template <class Model>
 class VerilatedView final : public ViewUnit {
  public:
   explicit VerilatedView(const UnitParameters& parameters)
-      : parameters_(parameters), model_(std::make_unique<Model>(&context_, "hmlfc_view_unit")) {}
+      : parameters_(parameters), state_(context_, parameters.state_seed) {
+    model_ = std::make_unique<Model>(&context_, state_.setting().c_str());
+    set_inputs(ViewInputs{});
+    model_->clk = 0;
+    model_->eval();
+  }
   ~VerilatedView() override { model_->final(); }
 
   void clock(const ViewInputs& after, ViewOutputs& out) override {
     Model& m = *model_;
     if (gate_.passes(m.rst_n != 0, m.active != 0)) m.clk = 1;
     m.eval();
-    set_shared_inputs(m, after);
-    m.m_axi_arready = after.ar_ready;
-    m.m_axi_rvalid = after.r_valid;
-    std::memcpy(&m.m_axi_rdata, after.r_data.data(), sizeof(m.m_axi_rdata));
-    m.m_axi_rresp = after.r_resp;
-    m.m_axi_rlast = after.r_last;
-    m.m_axi_rid = after.r_id;
+    state_.after_edge();
+    set_inputs(after);
     m.clk = 0;
     m.eval();
     get_shared_outputs(m, out);
@@ -88,12 +89,25 @@ class VerilatedView final : public ViewUnit {
 
   bool reads_stream() const override { return true; }
   UnitParameters parameters() const override { return parameters_; }
+  uint32_t state_seed() const override { return state_.seed(); }
   uint64_t stopped_clocks() const override { return gate_.stopped(); }
 
  private:
+  void set_inputs(const ViewInputs& in) {
+    Model& m = *model_;
+    set_shared_inputs(m, in);
+    m.m_axi_arready = in.ar_ready;
+    m.m_axi_rvalid = in.r_valid;
+    std::memcpy(&m.m_axi_rdata, in.r_data.data(), sizeof(m.m_axi_rdata));
+    m.m_axi_rresp = in.r_resp;
+    m.m_axi_rlast = in.r_last;
+    m.m_axi_rid = in.r_id;
+  }
+
   UnitParameters parameters_;
   ClockGate gate_;
   VerilatedContext context_;
+  InitialState state_;
   std::unique_ptr<Model> model_;
 };
 
@@ -105,10 +119,17 @@ class VerilatedDma final : public ViewUnit {
   /// `plusarg` is what $value$plusargs sees; `oracle` must outlive the unit.
   VerilatedDma(const UnitParameters& parameters, Oracle& oracle, uint64_t seed,
                const std::string& plusarg = {})
-      : parameters_(parameters), oracle_(oracle), random_(seed) {
+      : parameters_(parameters),
+        oracle_(oracle),
+        random_(seed),
+        state_(context_, parameters.state_seed) {
     const char* arguments[]{"unit", plusarg.c_str()};
     context_.commandArgs(2, arguments);
-    model_ = std::make_unique<Model>(&context_, "hmlfc_view_dma");
+    model_ = std::make_unique<Model>(&context_, state_.setting().c_str());
+    set_inputs(ViewInputs{});
+    model_->m_request_tready = model_->s_response_tvalid = 0;
+    model_->clk = 0;
+    model_->eval();
   }
   ~VerilatedDma() override { model_->final(); }
 
@@ -120,12 +141,8 @@ class VerilatedDma final : public ViewUnit {
     if (answered) requests_.pop_front();
     if (gate_.passes(m.rst_n != 0, m.busy || offered(m))) m.clk = 1;
     m.eval();
-    set_shared_inputs(m, after);
-    m.fetch_arready = after.ar_ready;
-    m.fetch_rvalid = after.r_valid;
-    std::memcpy(&m.fetch_rdata, after.r_data.data(), sizeof(m.fetch_rdata));
-    m.fetch_rresp = after.r_resp;
-    m.fetch_rlast = after.r_last;
+    state_.after_edge();
+    set_inputs(after);
     if (!after.rst_n) requests_.clear();
     const bool slow = random_.chance(2) ? !slow_ : slow_;
     slow_ = slow;
@@ -145,9 +162,20 @@ class VerilatedDma final : public ViewUnit {
 
   bool reads_stream() const override { return false; }
   UnitParameters parameters() const override { return parameters_; }
+  uint32_t state_seed() const override { return state_.seed(); }
   uint64_t stopped_clocks() const override { return gate_.stopped(); }
 
  private:
+  void set_inputs(const ViewInputs& in) {
+    Model& m = *model_;
+    set_shared_inputs(m, in);
+    m.fetch_arready = in.ar_ready;
+    m.fetch_rvalid = in.r_valid;
+    std::memcpy(&m.fetch_rdata, in.r_data.data(), sizeof(m.fetch_rdata));
+    m.fetch_rresp = in.r_resp;
+    m.fetch_rlast = in.r_last;
+  }
+
   /// Of the channels that wake hmlfc_view_unit.
   static bool offered(const Model& m) {
     return m.rst_n == 0 || m.fetch_rvalid || m.m_axi_bvalid || m.s_axil_awvalid ||
@@ -171,6 +199,7 @@ class VerilatedDma final : public ViewUnit {
   ClockGate gate_;
   std::deque<Request> requests_;
   VerilatedContext context_;
+  InitialState state_;
   std::unique_ptr<Model> model_;
 };
 

@@ -43,6 +43,8 @@ hmlfc_plant_fault(abort_goes_on_asking hmlfc_view_queue.sv
   "aborting && !request_waits" "1'b0" "hang: ABORT" 0)
 hmlfc_plant_fault(clock_stops_before_the_interrupt hmlfc_view_dma.sv
   "accessed || irq_changes" "accessed" "hang: " 0)
+hmlfc_plant_fault(write_port_not_reset hmlfc_write_port.sv
+  "!rst_n" "1'b0" "" 0)
 
 hmlfc_faulty_text(hmlfc_view_dma.sv text)
 string(REPLACE "\nendmodule" "

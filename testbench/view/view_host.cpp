@@ -42,7 +42,8 @@ ViewHost::ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stre
 }
 
 void ViewHost::find(const std::string& what) {
-  if (finding_.empty()) finding_ = what;
+  if (!finding_.empty()) return;
+  finding_ = what + " (HMLFC_RTL_STATE=" + std::to_string(unit_->state_seed()) + ")";
 }
 
 void ViewHost::check(int code, const char* what) {

@@ -45,6 +45,7 @@ class ViewUnit {
   virtual UnitParameters parameters() const = 0;
 
   /// As of DecodeUnit.
+  virtual uint32_t state_seed() const = 0;
   virtual uint64_t stopped_clocks() const = 0;
 };
 

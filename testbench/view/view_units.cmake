@@ -19,7 +19,7 @@ function(hmlfc_verilate_view prefix top)
     OPT_FAST ${HMLFC_VERILATED_OPTIMISATION}
     OPT_SLOW -O0
     OPT_GLOBAL -O2
-    VERILATOR_ARGS ${arg_ARGUMENTS} --x-assign fast --x-initial fast --assert --output-split 60000)
+    VERILATOR_ARGS ${arg_ARGUMENTS} --x-assign unique --x-initial unique --assert --output-split 60000)
 endfunction()
 
 add_library(hmlfc_verilated_view STATIC "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")

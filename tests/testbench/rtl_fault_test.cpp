@@ -15,8 +15,8 @@ constexpr uint32_t kSeeds = 12;  // as many streams as may be needed to meet a f
 
 unsigned fault_to_make = 0;  // of make_unit, which a UnitMaker has as a function
 
-std::unique_ptr<DecodeUnit> make_unit(const UnitParameters&) {
-  return make_faulty_unit(fault_to_make);
+std::unique_ptr<DecodeUnit> make_unit(const UnitParameters& parameters) {
+  return make_faulty_unit(parameters, fault_to_make);
 }
 
 // The first finding over `seeds` streams of the regression from `seed` on, which becomes the one

@@ -28,8 +28,8 @@ class ViewRun {
       : maker_(maker),
         image_(bytes, maker.parameters),
         random_(seed),
-        bench_(maker.make(maker.parameters, image_.oracle(), fault), bytes, image_.area().bytes,
-               image_.oracle(), kRing) {}
+        bench_(maker.make(maker.parameters.with_state(seed), image_.oracle(), fault), bytes,
+               image_.area().bytes, image_.oracle(), kRing) {}
 
   const std::string& finding() const { return bench_.finding(); }
   ViewBench& bench() { return bench_; }
