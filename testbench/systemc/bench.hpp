@@ -74,6 +74,10 @@ class Bench {
   /// Writes DISABLE; requests wait from then on until the next LOAD.
   void disable();
 
+  /// Compares BLOCKS with the blocks that the answers since CLEAR took, whether the unit traces
+  /// them or not, and with those that it traced.
+  void check_blocks();
+
   /// Compares the unit's counters and its first error with what the bench saw since CLEAR and
   /// begin_counting().
   void check_counters();

@@ -34,33 +34,44 @@ void Scoreboard::on_request(const Request& request, uint64_t cycle) {
   pending_.push_back(oracle_->evaluate(request));
   shown_.push_back(0);
   coverage_.on_expected(pending_.back(), oracle_->stream());
-  if (traced_) add_records(pending_.back());
+  const Chroma chroma = chroma_of(pending_.back());
+  pending_blocks_.push_back(blocks_of(pending_.back(), chroma));
+  if (traced_) add_records(pending_.back(), chroma);
 }
 
-// Whether the unit leaves out the chroma of `expected`: that of the latest request for RGB.
-bool Scoreboard::holds_chroma(const ExpectedAnswer& expected) {
+// The unit leaves out chroma that it holds: that of the latest request for RGB.
+Scoreboard::Chroma Scoreboard::chroma_of(const ExpectedAnswer& expected) {
   const auto key = chroma_key(expected);
-  if (!key) return false;
+  if (!key) return Chroma::kDecoded;
   const bool held = held_chroma_ == key;
+  const bool uncertain = chroma_uncertain_;
   held_chroma_ = key;
-  return held;
+  chroma_uncertain_ = bus_errors_;
+  return !held ? Chroma::kDecoded : uncertain ? Chroma::kUncertain : Chroma::kHeld;
 }
 
-void Scoreboard::add_records(const ExpectedAnswer& expected) {
+Scoreboard::Blocks Scoreboard::blocks_of(const ExpectedAnswer& expected, Chroma chroma) {
+  if (!expected.planes[0]) return {1, 0};
+  Blocks blocks{expected.planes[0]->levels.size(), 0};
+  if (expected.request.plane != kRgb || chroma == Chroma::kHeld) return blocks;
+  const uint64_t more = expected.planes[1]->levels.size() + expected.planes[2]->levels.size();
+  (chroma == Chroma::kDecoded ? blocks.certain : blocks.uncertain) += more;
+  return blocks;
+}
+
+void Scoreboard::add_records(const ExpectedAnswer& expected, Chroma chroma) {
   const uint64_t number = first_pending_ + pending_.size() - 1;
-  const bool held = holds_chroma(expected);
-  const bool uncertain = held && chroma_uncertain_;
-  if (chroma_key(expected)) chroma_uncertain_ = bus_errors_;
   const bool failed = expected.answer.status != 0 || bus_errors_;
   for (size_t p = 0; p < kPlaneCount; ++p) {
     const auto& plane = expected.planes[p];
     if (!plane) continue;
     bool unknown = false;
     for (size_t l = 0; l < plane->levels.size(); ++l) {
-      if (held && p > 0 && !uncertain) {
+      if (chroma == Chroma::kHeld && p > 0) {
         ++counts_.records_skipped;
       } else {
-        records_.push_back({number, plane, l, failed || (uncertain && p > 0), unknown});
+        records_.push_back(
+            {number, plane, l, failed || (chroma == Chroma::kUncertain && p > 0), unknown});
       }
       unknown |= plane->levels[l].error != 0;
     }
@@ -141,6 +152,9 @@ void Scoreboard::on_answer(const Answer& answer, uint64_t cycle, bool waited) {
   }
   const ExpectedAnswer expected = std::move(pending_.front());
   pending_.pop_front();
+  counts_.blocks += pending_blocks_.front().certain;
+  counts_.blocks_uncertain += pending_blocks_.front().uncertain;
+  pending_blocks_.pop_front();
   if (answer.status != 0 && counts_.first_error == 0) {
     counts_.first_error = answer.status;
     counts_.first_error_request = expected.request.word();
@@ -227,6 +241,7 @@ void Scoreboard::on_reset() {
   first_pending_ += pending_.size();
   pending_.clear();
   shown_.clear();
+  pending_blocks_.clear();
   records_.clear();
   oracle_ = nullptr;
   forget_chroma();
@@ -248,6 +263,7 @@ void Scoreboard::finish(uint64_t cycle) {
 void Scoreboard::clear() {
   pending_.clear();
   shown_.clear();
+  pending_blocks_.clear();
   records_.clear();
   first_pending_ = 0;
   last_record_ = 0;

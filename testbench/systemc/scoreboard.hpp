@@ -25,10 +25,12 @@ struct ScoreCounts {
   uint64_t unchecked = 0;  ///< answers that could not be: bus_error where the memory gave errors
   uint64_t dropped = 0;    ///< requests in flight at a reset, which are not answered
   uint64_t records = 0;    ///< trace records = records_compared + records_unchecked
-  uint64_t records_compared = 0;     ///< trace records that were compared
-  uint64_t records_unchecked = 0;    ///< of levels below one with an error, or of refusals
-  uint64_t records_skipped = 0;      ///< not expected: chroma that the unit still holds
-  uint64_t records_missing = 0;      ///< expected, but not made, because of an error or wrongly
+  uint64_t records_compared = 0;   ///< trace records that were compared
+  uint64_t records_unchecked = 0;  ///< of levels below one with an error, or of refusals
+  uint64_t records_skipped = 0;    ///< not expected: chroma that the unit still holds
+  uint64_t records_missing = 0;    ///< expected, but not made, because of an error or wrongly
+  uint64_t blocks = 0;  ///< blocks of levels that the answers took, refusals counting as one
+  uint64_t blocks_uncertain = 0;     ///< and at most so many more: chroma after bus errors
   uint64_t first_error = 0;          ///< status of the first answer with one
   uint64_t first_error_request = 0;  ///< the word of its request
   std::array<uint64_t, kBlockKinds> kind_records{};  ///< trace records by kind of block
@@ -47,6 +49,8 @@ inline ScoreCounts& operator+=(ScoreCounts& total, const ScoreCounts& more) {
   total.records_unchecked += more.records_unchecked;
   total.records_skipped += more.records_skipped;
   total.records_missing += more.records_missing;
+  total.blocks += more.blocks;
+  total.blocks_uncertain += more.blocks_uncertain;
   return total;
 }
 
@@ -98,8 +102,18 @@ class Scoreboard final : public sc_core::sc_module {
     const LevelRecord& expected() const { return plane->levels[level]; }
   };
 
-  void add_records(const ExpectedAnswer& expected);
-  bool holds_chroma(const ExpectedAnswer& expected);
+  // Whether the unit may leave out the chroma of a request.
+  enum class Chroma { kDecoded, kHeld, kUncertain };
+
+  // Blocks of levels that a request takes, and how many more it may.
+  struct Blocks {
+    uint64_t certain = 0;
+    uint64_t uncertain = 0;
+  };
+
+  Chroma chroma_of(const ExpectedAnswer& expected);
+  static Blocks blocks_of(const ExpectedAnswer& expected, Chroma chroma);
+  void add_records(const ExpectedAnswer& expected, Chroma chroma);
   bool is_refusal(const LevelRecord& record) const;
   bool comes_later(const BlockSite& site) const;
   void compare_record(const PendingRecord& pending, const LevelRecord& record, uint64_t cycle);
@@ -122,6 +136,7 @@ class Scoreboard final : public sc_core::sc_module {
   bool bus_errors_ = false;
   std::deque<ExpectedAnswer> pending_;
   std::deque<BlockKinds> shown_;  // for each of them
+  std::deque<Blocks> pending_blocks_;  // of each
   std::deque<PendingRecord> records_;
   uint64_t first_pending_ = 0;           // number of pending_[0]
   ExpectedAnswer answered_;              // the request answered last, for hints

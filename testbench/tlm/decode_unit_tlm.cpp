@@ -105,6 +105,7 @@ void DecodeUnitTlm::take_request(tlm::tlm_generic_payload& write, sc_core::sc_ti
   const uint64_t clocks = clocks_of(expected, latency_);
   delay += static_cast<double>(clocks) * period_;
   file_.cycles += clocks;
+  if (!expected.planes[0]) ++file_.blocks;  // refused
   for (const auto& plane : expected.planes) file_.blocks += plane ? plane->levels.size() : 0;
   file_.count_answer(word, expected.answer.status);
   answer(expected, delay);

@@ -82,6 +82,9 @@ class DecodeUnit {
   /// Whether it has the trace port.
   virtual bool has_trace() const = 0;
 
+  /// Whether a trace has the blocks of answers with an error, too.
+  virtual bool traces_errors() const { return true; }
+
   virtual UnitParameters parameters() const = 0;
 
   /// The seed of what it held before its first reset; 0 where that is not random.

@@ -52,6 +52,7 @@ void StandIn::take(const UnitInputs& in) {
       answered();
     } else {
       ++registers_.stalls;
+      if (plant(Fault::kBlocks)) ++registers_.blocks;
       if (plant(Fault::kUnstable)) out_.answer.samples[0] ^= 1;
     }
   }
@@ -78,6 +79,7 @@ void StandIn::answered() {
   }
   registers_.count_answer(jobs_.front().request.word(), out_.answer.status);
   if (plant(Fault::kCounter)) registers_.count_answer(0, 0);
+  registers_.blocks += jobs_.front().blocks;
   jobs_.pop_front();
   ++answers_;
 }
@@ -174,15 +176,16 @@ void StandIn::fetch(uint64_t address, uint64_t bytes) {
 }
 
 void StandIn::add_job(const Request& request) {
-  Job job{request, oracle_->evaluate(request), {}, 0, false};
+  Job job{.request = request, .expected = oracle_->evaluate(request)};
   const auto chroma = chroma_key(job.expected);
   const bool held = chroma && chroma == chroma_;
   if (chroma) chroma_ = chroma;
-  if (job.expected.answer.status == 0) {
-    for (const auto& plane : job.expected.planes) {
-      if (!plane || (held && plane != job.expected.planes[0])) continue;
-      for (const LevelRecord& level : plane->levels) job.records.push_back(&level);
-    }
+  if (!job.expected.planes[0]) job.blocks = 1;
+  for (const auto& plane : job.expected.planes) {
+    if (!plane || (held && plane != job.expected.planes[0])) continue;
+    job.blocks += plane->levels.size();
+    if (job.expected.answer.status != 0) continue;
+    for (const LevelRecord& level : plane->levels) job.records.push_back(&level);
   }
   const uint64_t beat = parameters_.beat_bytes;
   const uint64_t beats = registers_.stream_bytes() / beat;
@@ -223,7 +226,6 @@ void StandIn::show() {
 void StandIn::show_trace() {
   Job& job = jobs_.front();
   const LevelRecord& record = *job.records[job.reported++];
-  ++registers_.blocks;
   if (plant(Fault::kRecordMissing)) return;
   out_.trace_valid = true;
   out_.trace = record;

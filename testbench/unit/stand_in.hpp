@@ -27,12 +27,13 @@ enum class Fault : uint8_t {
   kBurst,          ///< a burst crosses 4 KiB
   kRecordMissing,  ///< a level block is not reported
   kCounter,        ///< REQUESTS counts one too many
+  kBlocks,         ///< BLOCKS counts while an answer waits
 };
 
-inline constexpr Fault kFaults[] = {Fault::kSample,  Fault::kStage,         Fault::kVector,
-                                    Fault::kDropped, Fault::kDuplicated,    Fault::kSwapped,
-                                    Fault::kStatus,  Fault::kLast,          Fault::kUnstable,
-                                    Fault::kBurst,   Fault::kRecordMissing, Fault::kCounter};
+inline constexpr Fault kFaults[] = {
+    Fault::kSample,        Fault::kStage,   Fault::kVector, Fault::kDropped,  Fault::kDuplicated,
+    Fault::kSwapped,       Fault::kStatus,  Fault::kLast,   Fault::kUnstable, Fault::kBurst,
+    Fault::kRecordMissing, Fault::kCounter, Fault::kBlocks};
 
 /// Reads the whole stream over the read master at LOAD, then a beat for each request; answers with
 /// the model's decoder and its fast references, so that the bench compares these with the golden
@@ -43,6 +44,7 @@ class StandIn final : public DecodeUnit {
 
   void clock(const UnitInputs& at_edge, const UnitInputs& after, UnitOutputs& outputs) override;
   bool has_trace() const override { return true; }
+  bool traces_errors() const override { return false; }
   UnitParameters parameters() const override { return parameters_; }
 
   static std::unique_ptr<DecodeUnit> make(const UnitParameters& parameters) {
@@ -62,6 +64,7 @@ class StandIn final : public DecodeUnit {
     ExpectedAnswer expected;
     std::vector<const LevelRecord*> records;  // still to report, from the front
     size_t reported = 0;
+    uint64_t blocks = 0;  // that BLOCKS counts for it
     bool fetched = false;
   };
 

@@ -31,6 +31,7 @@ const std::map<Fault, std::string>& rules() {
       {Fault::kBurst, "protocol: burst crosses 4 KiB"},
       {Fault::kRecordMissing, "trace: record missing"},
       {Fault::kCounter, "registers: REQUESTS"},
+      {Fault::kBlocks, "registers: BLOCKS"},
   };
   return table;
 }
@@ -109,6 +110,7 @@ TEST(Bench, KeepsWhatRepeatsAFailure) {
 TEST(Bench, SeesOnlyAnswersWithoutStages) {
   EXPECT_FALSE(run_with(Fault::kStage, false));
   EXPECT_TRUE(run_with(Fault::kSample, false));
+  EXPECT_TRUE(run_with(Fault::kBlocks, false));
 }
 
 }  // namespace
