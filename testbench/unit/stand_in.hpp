@@ -62,7 +62,7 @@ class StandIn final : public DecodeUnit {
   struct Job {
     Request request;
     ExpectedAnswer expected;
-    std::vector<const LevelRecord*> records;  // still to report, from the front
+    std::vector<const LevelRecord*> records = {};  // still to report, from the front
     size_t reported = 0;
     uint64_t blocks = 0;  // that BLOCKS counts for it
     bool fetched = false;
