@@ -135,7 +135,7 @@ class Scoreboard final : public sc_core::sc_module {
   std::vector<Answer>* log_ = nullptr;
   bool bus_errors_ = false;
   std::deque<ExpectedAnswer> pending_;
-  std::deque<BlockKinds> shown_;  // for each of them
+  std::deque<BlockKinds> shown_;       // for each of them
   std::deque<Blocks> pending_blocks_;  // of each
   std::deque<PendingRecord> records_;
   uint64_t first_pending_ = 0;           // number of pending_[0]
