@@ -50,10 +50,10 @@ class StageCollector final : public TraceSink {
 
 }  // namespace
 
-bool Oracle::exists(const Request& request) const {
-  const StreamHeader& header = stream_->header();
+bool request_exists(const GoldenStream& stream, const Request& request) {
+  const StreamHeader& header = stream.header();
   const Plane plane = request.plane == kRgb ? Plane::kY : static_cast<Plane>(request.plane);
-  const Geometry& geometry = stream_->geometry();
+  const Geometry& geometry = stream.geometry();
   const PlaneShape& shape = geometry.plane(plane);
   const int stop = static_cast<int>(request.stop_level);
   const bool there = request.row < header.rows && request.col < header.cols &&
@@ -68,7 +68,7 @@ ExpectedAnswer Oracle::evaluate(const Request& request) {
   ExpectedAnswer expected;
   expected.request = request;
   expected.answer.last = request.last;
-  if (load_error_ != 0 || !exists(request)) {
+  if (load_error_ != 0 || !request_exists(*stream_, request)) {
     expected.answer.status =
         load_error_ != 0 ? load_error_ : static_cast<uint8_t>(ErrorCode::kBadRequest);
     return expected;

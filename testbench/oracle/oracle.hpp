@@ -44,6 +44,9 @@ inline std::optional<uint64_t> chroma_key(const ExpectedAnswer& expected) {
   return chroma.word();
 }
 
+/// Whether the stream has what is asked for; a unit refuses other requests.
+bool request_exists(const GoldenStream& stream, const Request& request);
+
 /// Evaluates each block once; chroma that several RGB requests share is kept for a while.
 class Oracle {
  public:
@@ -69,7 +72,6 @@ class Oracle {
     PlanePointer plane;
   };
 
-  bool exists(const Request& request) const;
   PlanePointer plane_block(const Request& request, Plane plane, uint32_t bx, uint32_t by);
   PlanePointer decode(const BlockSite& site) const;
   PlanePointer residuals(const BlockSite& site) const;

@@ -77,6 +77,21 @@ void Bench::set_image(const MemoryImage& image) {
       {{image_.stream_base, image_.stream}, {image_.reference_base, image_.reference_area}});
 }
 
+void Bench::begin_faults(std::vector<FaultyRange> faults, const BlockReads& reads) {
+  memory_.set_faults(std::move(faults));
+  scoreboard_.allow_bus_errors([this, &reads](const Request& request) {
+    return std::ranges::any_of(reads.of(request), [this](const ByteRange& range) {
+      const uint64_t base = range.in_area ? image_.reference_base : image_.stream_base;
+      return memory_.has_failed(base + range.begin, base + range.end);
+    });
+  });
+}
+
+void Bench::end_faults() {
+  memory_.set_faults({});
+  scoreboard_.allow_bus_errors(nullptr);
+}
+
 void Bench::run_clocks(uint64_t clocks) {
   sc_core::sc_start(static_cast<double>(clocks), sc_core::SC_NS);
 }

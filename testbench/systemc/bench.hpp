@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "oracle/block_reads.hpp"
 #include "systemc/driver.hpp"
 #include "systemc/memory.hpp"
 #include "systemc/monitor.hpp"
@@ -42,6 +43,13 @@ class Bench {
   void compare_answers_only();
 
   void set_image(const MemoryImage& image);
+
+  /// Lets `faults` fail. From now on a request may be answered with bus_error if a beat with bytes
+  /// that it depends on, by `reads`, has come with an error since.
+  void begin_faults(std::vector<FaultyRange> faults, const BlockReads& reads);
+
+  /// No read fails any more, and no answer may be bus_error.
+  void end_faults();
   const MemoryImage& image() const { return image_; }
 
   /// Holds reset for `clocks`; requests in flight are dropped.

@@ -16,6 +16,16 @@ void Memory::start(const Conditions& conditions, uint64_t seed) {
   random_ = Random(seed);
 }
 
+void Memory::set_faults(std::vector<FaultyRange> faults) {
+  faults_ = std::move(faults);
+  failed_.clear();
+}
+
+bool Memory::has_failed(uint64_t begin, uint64_t end) const {
+  const auto beat = failed_.lower_bound(begin < beat_bytes_ ? 0 : begin - beat_bytes_ + 1);
+  return beat != failed_.end() && *beat < end;
+}
+
 void Memory::edge() {
   if (!wires_.next.rst_n) {
     if (!keeps_bursts_) bursts_.clear();
@@ -63,6 +73,7 @@ void Memory::show_beat() {
   next.r_resp = 0;
   next.r_last = burst.beats_left == 1 && burst.ends;
   fill(next.r_data, burst.address);
+  if (next.r_resp != 0) failed_.insert(burst.address);
   burst.address += beat_bytes_;
   if (--burst.beats_left == 0) bursts_.pop_front();
 }

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -40,7 +41,10 @@ class Memory final : public EdgeModule {
 
   void set_beat_bytes(unsigned bytes) { beat_bytes_ = bytes; }
   void set_regions(std::vector<MemoryRegion> regions) { regions_ = std::move(regions); }
-  void set_faults(std::vector<FaultyRange> faults) { faults_ = std::move(faults); }
+  void set_faults(std::vector<FaultyRange> faults);
+
+  /// Whether a beat with bytes of [begin, end) came with an error since set_faults().
+  bool has_failed(uint64_t begin, uint64_t end) const;
 
   /// Beats come when `dram`, which several memories may share, gives their line; null: after the
   /// latency of the conditions.
@@ -76,6 +80,7 @@ class Memory final : public EdgeModule {
 
   std::vector<MemoryRegion> regions_;
   std::vector<FaultyRange> faults_;
+  std::set<uint64_t> failed_;  // addresses of beats
   unsigned beat_bytes_ = 16;
   Conditions conditions_;
   Random random_{0};

@@ -46,7 +46,7 @@ Scoreboard::Chroma Scoreboard::chroma_of(const ExpectedAnswer& expected) {
   const bool held = held_chroma_ == key;
   const bool uncertain = chroma_uncertain_;
   held_chroma_ = key;
-  chroma_uncertain_ = bus_errors_;
+  chroma_uncertain_ = may_fail_ != nullptr;
   return !held ? Chroma::kDecoded : uncertain ? Chroma::kUncertain : Chroma::kHeld;
 }
 
@@ -61,7 +61,7 @@ Scoreboard::Blocks Scoreboard::blocks_of(const ExpectedAnswer& expected, Chroma 
 
 void Scoreboard::add_records(const ExpectedAnswer& expected, Chroma chroma) {
   const uint64_t number = first_pending_ + pending_.size() - 1;
-  const bool failed = expected.answer.status != 0 || bus_errors_;
+  const bool failed = expected.answer.status != 0 || may_fail_ != nullptr;
   for (size_t p = 0; p < kPlaneCount; ++p) {
     const auto& plane = expected.planes[p];
     if (!plane) continue;
@@ -108,6 +108,11 @@ void Scoreboard::on_record(const LevelRecord& record, uint64_t cycle) {
   compare_record(pending, record, cycle);
 }
 
+// Whether it is a bus error that the memory has caused.
+bool Scoreboard::is_bus_error(uint8_t status, const Request& request) const {
+  return status == kBusError && may_fail_ && may_fail_(request);
+}
+
 // Whether a record says that a request was refused: its site has no meaning then.
 bool Scoreboard::is_refusal(const LevelRecord& record) const {
   return record.error != 0 && std::ranges::any_of(pending_, [&](const ExpectedAnswer& expected) {
@@ -124,7 +129,8 @@ bool Scoreboard::comes_later(const BlockSite& site) const {
 
 void Scoreboard::compare_record(const PendingRecord& pending, const LevelRecord& record,
                                 uint64_t cycle) {
-  const bool bus_error = bus_errors_ && record.error == kBusError;
+  const ExpectedAnswer* request = request_of(pending.request);
+  const bool bus_error = request != nullptr && is_bus_error(record.error, request->request);
   if (pending.unknown || bus_error || oracle_->stream() == nullptr) {
     ++counts_.records_unchecked;
     return;
@@ -181,8 +187,7 @@ void Scoreboard::close_records(const ExpectedAnswer& expected, uint64_t cycle) {
 std::optional<std::string> Scoreboard::compare_values(const ExpectedAnswer& expected,
                                                       const Answer& answer,
                                                       std::string& rule) const {
-  const bool bus_error = bus_errors_ && answer.status == kBusError;
-  if (answer.status != expected.answer.status && !bus_error) {
+  if (answer.status != expected.answer.status && !is_bus_error(answer.status, expected.request)) {
     rule = "answer: status";
     return "expected " + status_text(expected.answer.status) + ", actual " +
            status_text(answer.status);
@@ -208,8 +213,10 @@ std::optional<std::string> Scoreboard::compare_values(const ExpectedAnswer& expe
   return std::nullopt;
 }
 
-// Whether a wrong answer is right for a neighbour in the order of the requests.
+// Whether a wrong answer is right for a neighbour in the order of the requests. A bus error is like
+// any other.
 std::string Scoreboard::order_hint(const Answer& answer) const {
+  if (answer.status == kBusError) return {};
   std::string rule;
   if (!pending_.empty() && !compare_values(pending_.front(), answer, rule)) {
     return "; it is the answer to the next request";
@@ -223,7 +230,7 @@ std::string Scoreboard::order_hint(const Answer& answer) const {
 void Scoreboard::compare_answer(const ExpectedAnswer& expected, const Answer& answer,
                                 uint64_t cycle, bool waited) {
   coverage_.on_answer(expected, answer);
-  ++(bus_errors_ && answer.status == kBusError ? counts_.unchecked : counts_.compared);
+  ++(is_bus_error(answer.status, expected.request) ? counts_.unchecked : counts_.compared);
   std::string rule;
   const auto difference = compare_values(expected, answer, rule);
   if (difference) {

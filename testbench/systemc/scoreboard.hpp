@@ -3,6 +3,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <memory>
 
 #include <systemc>
@@ -66,8 +67,9 @@ class Scoreboard final : public sc_core::sc_module {
   /// Whether the unit has a trace port: then each level block must be reported.
   void expect_trace(bool expected) { traced_ = expected; }
 
-  /// Whether answers may be bus_error now.
-  void allow_bus_errors(bool allowed) { bus_errors_ = allowed; }
+  /// Which requests may be answered with bus_error from now on; null: none.
+  using MayFail = std::function<bool(const Request&)>;
+  void allow_bus_errors(MayFail may_fail) { may_fail_ = std::move(may_fail); }
 
   /// Also appends every answer to `log`, if not null.
   void log_answers(std::vector<Answer>* log) { log_ = log; }
@@ -114,6 +116,7 @@ class Scoreboard final : public sc_core::sc_module {
   Chroma chroma_of(const ExpectedAnswer& expected);
   static Blocks blocks_of(const ExpectedAnswer& expected, Chroma chroma);
   void add_records(const ExpectedAnswer& expected, Chroma chroma);
+  bool is_bus_error(uint8_t status, const Request& request) const;
   bool is_refusal(const LevelRecord& record) const;
   bool comes_later(const BlockSite& site) const;
   void compare_record(const PendingRecord& pending, const LevelRecord& record, uint64_t cycle);
@@ -133,7 +136,7 @@ class Scoreboard final : public sc_core::sc_module {
   unsigned block_size_ = 4;
   bool traced_ = false;
   std::vector<Answer>* log_ = nullptr;
-  bool bus_errors_ = false;
+  MayFail may_fail_;
   std::deque<ExpectedAnswer> pending_;
   std::deque<BlockKinds> shown_;       // for each of them
   std::deque<Blocks> pending_blocks_;  // of each

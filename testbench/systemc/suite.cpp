@@ -38,8 +38,7 @@ class CaseRun {
   bool good() { return !bench_.findings().first(); }
 
   bool load() {
-    bench_.memory().set_faults({});
-    bench_.scoreboard().allow_bus_errors(false);
+    bench_.end_faults();
     image_.load_into(bench_);
     total_ += bench_.scoreboard().counts();
     bench_.begin_counting();
@@ -81,9 +80,10 @@ class CaseRun {
     return good();
   }
 
-  // Errors on a part of the memory, then none: what was asked for in between may be bus_error, what
-  // is asked for afterwards may not.
+  // Errors on a part of the memory, then none: what was asked for in between may be bus_error where
+  // it met one, what is asked for afterwards may not.
   bool faulty_memory() {
+    if (image_.golden() == nullptr) return good();
     const uint64_t base = bench_.image().stream_base;
     const uint64_t end = bench_.image().reference_base + bench_.image().reference_area.size();
     const uint64_t begin = base + random_.below(end - base);
@@ -104,11 +104,10 @@ class CaseRun {
 
   // Random requests while `range` is faulty.
   void faults(FaultyRange range) {
-    bench_.memory().set_faults({range});
-    bench_.scoreboard().allow_bus_errors(true);
+    const BlockReads reads(*image_.golden());
+    bench_.begin_faults({range}, reads);
     mixed(0);
-    bench_.memory().set_faults({});
-    bench_.scoreboard().allow_bus_errors(false);
+    bench_.end_faults();
     // Whether the unit still holds chroma is known after one request for RGB. Were others for the
     // same block behind it, its records could not be distinguished from theirs.
     if (good()) send(listed_requests({{0, 0, 0, 0, kRgb, 0, true}}), 0);

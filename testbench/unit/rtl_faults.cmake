@@ -45,6 +45,8 @@ hmlfc_plant_fault(counter_stands_still hmlfc_registers.sv
   "{5'd0, read_bytes, 4'd0, stalled, 4'd0, in_flight, 4'd0, block_done}" "registers: REQUESTS" 0)
 hmlfc_plant_fault(block_counted_before_it_is_taken hmlfc_registers.sv
   "{28'd0, added[5*k +: 5]}" "({28'd0, added[5*k +: 5]} + 33'(k == 0 && stalled && !block_done))" "registers: BLOCKS" 0)
+hmlfc_plant_fault(bus_error_of_the_beat_before hmlfc_read_port.sv
+  "m_axi_rresp[1]" "(m_axi_rresp[1] || (data_error && data_valid != 0 && m_axi_rvalid))" "stage: error" 0)
 
 # What a unit holds before its first reset.
 hmlfc_plant_fault(loader_not_reset hmlfc_loader.sv

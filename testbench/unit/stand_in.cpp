@@ -30,6 +30,7 @@ void StandIn::reset() {
   registers_ = RegisterFile(parameters_);
   stream_.clear();
   oracle_.reset();
+  reads_.reset();
   golden_.reset();
   fetches_.clear();
   outstanding_ = 0;
@@ -97,11 +98,16 @@ void StandIn::take_read(const UnitInputs& in) {
   const auto job = std::ranges::find(jobs_, false, &Job::fetched);
   if (job == jobs_.end()) return;
   job->fetched = true;
-  if (in.r_resp != 0) {
-    job->records.clear();
-    job->expected.answer.samples = {};
-    job->expected.answer.status = kBusError;
-  }
+  if (in.r_resp == 0) return;
+  spoil(*job);
+  // Not once: the next request may depend on such a beat as well.
+  if (fault_ == Fault::kNeighbour && std::next(job) != jobs_.end()) spoil(*std::next(job));
+}
+
+void StandIn::spoil(Job& job) {
+  job.records.clear();
+  job.expected.answer.samples = {};
+  job.expected.answer.status = kBusError;
 }
 
 void StandIn::take_registers(const UnitInputs& in) {
@@ -140,6 +146,7 @@ void StandIn::control(uint32_t bits) {
 
 void StandIn::begin_load() {
   oracle_.reset();
+  reads_.reset();
   golden_.reset();
   stream_.clear();
   chroma_.reset();
@@ -160,6 +167,7 @@ void StandIn::end_load() {
   if (opened) {
     golden_ = std::move(*opened);
     oracle_ = std::make_unique<Oracle>(*golden_, &golden_->fast_references());
+    reads_ = std::make_unique<BlockReads>(*golden_);
   } else {
     oracle_ = std::make_unique<Oracle>(registers_.load_error);
   }
@@ -187,17 +195,27 @@ void StandIn::add_job(const Request& request) {
     if (job.expected.answer.status != 0) continue;
     for (const LevelRecord& level : plane->levels) job.records.push_back(&level);
   }
-  const uint64_t beat = parameters_.beat_bytes;
-  const uint64_t beats = registers_.stream_bytes() / beat;
-  if (beats == 0) {
+  fetch_for(job);
+  jobs_.push_back(std::move(job));
+}
+
+// One beat with a byte that the answer depends on.
+void StandIn::fetch_for(Job& job) {
+  const auto ranges = reads_ ? reads_->of(job.request) : std::vector<ByteRange>();
+  if (ranges.empty()) {
     job.fetched = true;
-  } else if (plant(Fault::kBurst)) {
+    return;
+  }
+  const uint64_t beat = parameters_.beat_bytes;
+  if (plant(Fault::kBurst)) {
     fetches_.push_back(
         {registers_.stream_base() / kMemoryPage * kMemoryPage + kMemoryPage - beat, 2});
-  } else {
-    fetches_.push_back({registers_.stream_base() + random_.below(beats) * beat, 1});
+    return;
   }
-  jobs_.push_back(std::move(job));
+  const ByteRange& range = ranges[random_.below(ranges.size())];
+  const uint64_t base = range.in_area ? registers_.reference_base() : registers_.stream_base();
+  const uint64_t at = base + range.begin + random_.below(range.end - range.begin);
+  fetches_.push_back({at / beat * beat, 1});
 }
 
 void StandIn::show() {

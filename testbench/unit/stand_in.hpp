@@ -5,6 +5,7 @@
 #include <deque>
 #include <memory>
 
+#include "oracle/block_reads.hpp"
 #include "oracle/oracle.hpp"
 #include "stimulus/conditions.hpp"
 #include "unit/pins.hpp"
@@ -28,16 +29,17 @@ enum class Fault : uint8_t {
   kRecordMissing,  ///< a level block is not reported
   kCounter,        ///< REQUESTS counts one too many
   kBlocks,         ///< BLOCKS counts while an answer waits
+  kNeighbour,      ///< a bus error becomes the answer of the next request, too
 };
 
 inline constexpr Fault kFaults[] = {
     Fault::kSample,        Fault::kStage,   Fault::kVector, Fault::kDropped,  Fault::kDuplicated,
     Fault::kSwapped,       Fault::kStatus,  Fault::kLast,   Fault::kUnstable, Fault::kBurst,
-    Fault::kRecordMissing, Fault::kCounter, Fault::kBlocks};
+    Fault::kRecordMissing, Fault::kCounter, Fault::kBlocks, Fault::kNeighbour};
 
-/// Reads the whole stream over the read master at LOAD, then a beat for each request; answers with
-/// the model's decoder and its fast references, so that the bench compares these with the golden
-/// ones. The reference area is not read.
+/// Reads the whole stream over the read master at LOAD, then for each request one of the beats that
+/// its answer depends on; answers with the model's decoder and its fast references, so that the
+/// bench compares these with the golden ones.
 class StandIn final : public DecodeUnit {
  public:
   explicit StandIn(const UnitParameters& parameters, Fault fault = Fault::kNone);
@@ -81,6 +83,8 @@ class StandIn final : public DecodeUnit {
   void show();
   void show_trace();
   void show_answer();
+  static void spoil(Job& job);
+  void fetch_for(Job& job);
   bool plant(Fault fault);
 
   UnitParameters parameters_;
@@ -89,6 +93,7 @@ class StandIn final : public DecodeUnit {
   std::vector<uint8_t> stream_;
   std::unique_ptr<GoldenStream> golden_;
   std::unique_ptr<Oracle> oracle_;
+  std::unique_ptr<BlockReads> reads_;
   Random random_{1};
   std::optional<uint64_t> chroma_;  // chroma_key of the latest request for RGB
   std::deque<Fetch> fetches_;

@@ -32,12 +32,21 @@ const std::map<Fault, std::string>& rules() {
       {Fault::kRecordMissing, "trace: record missing"},
       {Fault::kCounter, "registers: REQUESTS"},
       {Fault::kBlocks, "registers: BLOCKS"},
+      {Fault::kNeighbour, "answer: status"},
   };
   return table;
 }
 
-// One run of random blocks, half of them answered with back-pressure.
-std::optional<Mismatch> run_with(Fault fault, bool stages) {
+// Half of the tile records.
+FaultyRange some_records(const Bench& bench, const GoldenStream& golden) {
+  const SectionEntry& tiles = golden.view().entry(Section::kTile);
+  const uint64_t begin = bench.image().stream_base + tiles.offset + tiles.size / 2;
+  return {begin, begin + tiles.size / 2, 2};
+}
+
+// One run of random blocks, half of them answered with back-pressure; with `bus_errors` some reads
+// of records fail.
+std::optional<Mismatch> run_with(Fault fault, bool stages, bool bus_errors = false) {
   const std::vector<uint8_t> bytes = main_stream(5, 5);
   const UnitParameters parameters{2, 12, 16, 16};
   StreamImage image(bytes, parameters);
@@ -49,8 +58,11 @@ std::optional<Mismatch> run_with(Fault fault, bool stages) {
   Conditions conditions;
   conditions.backpressure = 500;
   const GoldenStream& golden = *image.golden();
+  const BlockReads reads(golden);
+  if (bus_errors) bench.begin_faults({some_records(bench, golden)}, reads);
   bench.run(mixed_requests(golden.geometry(), golden.header(), 500, 7, 0), image.oracle(),
             conditions, 9);
+  bench.end_faults();
   if (!bench.findings().first()) bench.check_counters();
   return bench.findings().first();
 }
@@ -61,9 +73,15 @@ TEST(Bench, PassesWhatIsRight) {
   EXPECT_FALSE(run_with(Fault::kNone, false));
 }
 
+TEST(Bench, TakesBusErrorsOfTheMemory) {
+  const auto mismatch = run_with(Fault::kNone, true, true);
+  EXPECT_FALSE(mismatch) << to_string(*mismatch);
+  EXPECT_GE(test_bench().scoreboard().counts().unchecked, 10u);
+}
+
 TEST(Bench, CatchesAndNamesEveryFault) {
   for (const Fault fault : kFaults) {
-    const auto mismatch = run_with(fault, true);
+    const auto mismatch = run_with(fault, true, fault == Fault::kNeighbour);
     ASSERT_TRUE(mismatch) << "fault " << static_cast<int>(fault) << " is not caught";
     EXPECT_EQ(mismatch->rule.substr(0, rules().at(fault).size()), rules().at(fault))
         << to_string(*mismatch);
