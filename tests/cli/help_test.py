@@ -5,6 +5,8 @@ import os
 import re
 import shlex
 import shutil
+import subprocess
+import sys
 
 from program import PROGRAM, ROOT, CliTest, main
 
@@ -32,6 +34,10 @@ COMMANDS = {
                 "--resume", "--keep", "--json", "--output"],
     "decode-with": ["LIBRARY", "FILE", "--by-block", "--trace", "--output"],
     "minimise": ["--dut", "--timeout", "--memory", "--trials", "--output"],
+    "primitives": ["list", "gen", "check"],
+    "primitives list": ["NAME", "--json"],
+    "primitives gen": ["NAME", "--seed", "--count", "--level"],
+    "primitives check": ["NAME", "--seed", "--count", "--level", "--errors"],
     "fuzz-dut": ["--dut", "--timeout", "--memory", "--minutes", "--count", "--seed", "--failures", "--output"],
 }  # fmt: skip
 
@@ -43,6 +49,10 @@ class Help(CliTest):
         cls.hmlfc("encode", "views", "-o", "chess.hmlfc")
         cls.make_small_suite()
         (cls.folder / "libhmlfc_dut_model.so").symlink_to(PROGRAM.parent / "libhmlfc_dut_model.so")
+        cases = cls.hmlfc("primitives", "gen", "colour")
+        command = [sys.executable, "-B", ROOT / "examples/primitives.py", "colour"]
+        answered = subprocess.run(command, input=cases.encode(), capture_output=True, check=True)
+        (cls.folder / "results").write_bytes(answered.stdout)
         (cls.folder / "lytro").mkdir()
         for i, name in enumerate(sorted(os.listdir(cls.folder / "views"))):
             shutil.copy(cls.folder / "views" / name, cls.folder / "lytro" / f"IMG{i}.png")
@@ -89,7 +99,10 @@ class Help(CliTest):
                 arguments = shlex.split(example.replace("512x384", "136x72"))
                 self.assertEqual(arguments[: 1 + len(command.split())], ["hmlfc", *command.split()])
                 with self.subTest(example=example):
-                    result = self.run_hmlfc(*arguments[1:])
+                    end = arguments.index("<") if "<" in arguments else len(arguments)
+                    source = arguments[-1] if "<" in arguments else os.devnull
+                    with open(self.folder / source, "rb") as stdin:
+                        result = self.run_hmlfc(*arguments[1:end], stdin=stdin)
                     self.assertIn(result.returncode, (0, 1) if "compare" in example else (0,))
 
 

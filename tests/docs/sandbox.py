@@ -9,7 +9,7 @@ import os
 import shutil
 import subprocess
 
-LINKS = ("docs", "vectors", "tests", "CMakeLists.txt", "CMakePresets.json")
+LINKS = ("docs", "examples", "vectors", "tests", "CMakeLists.txt", "CMakePresets.json")
 CPU_LIMIT = 15  # seconds of CPU time of a program
 TIMEOUT = 300  # seconds of a command, on a busy machine
 

@@ -15,6 +15,11 @@ def step_of(code):
     return 2 ** ((code + 1) // 2) if code % 2 else 3 * 2 ** ((code - 2) // 2)
 
 
+def residual_of(value, levels, bias, step, bound):
+    """The residual of one BISE value (TIL-10, STP-3)."""
+    return clamp(step * clamp(value - (levels >> 1) + bias, -bound, bound), -bound, bound)
+
+
 def read_residual(stream, head, plane, block):
     """Rows of B residuals of a block of the residual mask."""
     geometry, header = stream.geometry, stream.header
@@ -35,8 +40,5 @@ def read_residual(stream, head, plane, block):
     values = bise.read(head.record, head.block_values + sum(lengths[:m]), side * side, levels)
     lo, hi = geometry.interval(plane)
     bound = hi - lo
-    scaled = [
-        clamp(step_of(step_code) * clamp(value - (levels >> 1) + bias, -bound, bound), -bound, bound)
-        for value in values
-    ]
+    scaled = [residual_of(value, levels, bias, step_of(step_code), bound) for value in values]
     return [scaled[side * y : side * (y + 1)] for y in range(side)]

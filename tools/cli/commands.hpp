@@ -29,5 +29,6 @@ void add_conform(CLI::App& program, Task& task);
 void add_decode_with(CLI::App& program, Task& task);
 void add_minimise(CLI::App& program, Task& task);
 void add_fuzz_dut(CLI::App& program, Task& task);
+void add_primitives(CLI::App& program, Task& task);
 
 }  // namespace hmlfc::cli

@@ -159,6 +159,11 @@ class CodeBlockDecoder:
         return self.sign[y + 1][x + 1] == 0 and not any(self.near[y + 1][x + 1])
 
 
+def reconstructed(sign, magnitude, lowest):
+    """The coefficient of a sign, 0 where not significant, and a magnitude known down to plane `lowest` (EXT-6)."""
+    return sign * (magnitude + 2**lowest // 2)
+
+
 def decode_code_block(block, band, style):
     """Rows of wavelet coefficients of a code-block."""
     if not block.segments:
@@ -166,9 +171,6 @@ def decode_code_block(block, band, style):
     decoder = CodeBlockDecoder(block, band.kind, style)
     decoder.run(block.segments, band.planes - 1 - block.missing_planes)
     return [
-        [
-            sign * (magnitude + 2**lowest // 2) if sign else 0
-            for sign, magnitude, lowest in zip(*rows)
-        ]
+        [reconstructed(*coefficient) for coefficient in zip(*rows)]
         for rows in zip(decoder.signs(), decoder.magnitude, decoder.lowest)
     ]

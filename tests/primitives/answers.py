@@ -1,0 +1,209 @@
+"""Answers the cases of `hmlfc primitives gen` with the naive decoder, which knows nothing of the program.
+
+usage: hmlfc primitives gen NAME | python3 answers.py NAME | hmlfc primitives check NAME
+"""
+
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "naive_decoder"))
+
+import bise
+import colour
+import crc32c
+import geometry
+import groups
+import integers
+import interpolation
+import motion
+import references
+import residual
+import tile_mask
+from bit_string import BitString, Cursor
+from jpeg2000 import code_block, decoder as jpeg2000_decoder
+
+
+def field(bits, position, data):
+    unsigned = BitString(data).field(position, bits)
+    return unsigned, integers.signed(unsigned, bits)
+
+
+def count_bits(i, data):
+    mask = int.from_bytes(data, "little")
+    return integers.popcount(mask), integers.rank(mask, i)
+
+
+def mask(mode, columns, rows, data):
+    cursor = Cursor(BitString(data))
+    tile = SimpleNamespace(blocks=lambda plane: (columns, rows))
+    return tile_mask.read_mask(cursor, mode, tile_mask.blocks_in_plane(tile, 0, 0, 0)), cursor.position
+
+
+def geometry_of(**fields):
+    """Geometry of one level of one view, but for the fields that are given."""
+    header = SimpleNamespace(
+        rows=1, cols=1, width=1, height=1, tree_height=0, cluster_rows=1, cluster_cols=1, block_log2=1,
+        chroma_format=0, levels=[(1, 1, 0)], balanced_groups=False, motion_tiles=False, chroma_motion=False,
+    )  # fmt: skip
+    vars(header).update(fields)
+    return geometry.Geometry(header)
+
+
+def image_number(rows, cols, tree_height, cluster_rows, cluster_cols, *image):
+    tree = geometry_of(
+        rows=rows, cols=cols, tree_height=tree_height, cluster_rows=cluster_rows, cluster_cols=cluster_cols
+    )
+    return (tree.image_number(image),)
+
+
+def tile_number(width, height, chroma_format, block_log2, motion_tiles, motion_tile_log2, chroma_motion,
+                image, plane, tile_x, tile_y):  # fmt: skip
+    planes = geometry_of(
+        width=width, height=height, chroma_format=chroma_format, block_log2=block_log2,
+        motion_tiles=motion_tiles, motion_tile_log2=motion_tile_log2, chroma_motion=chroma_motion,
+    )  # fmt: skip
+    planes.image_number = lambda number: number
+    tile = planes.tile_number(image, plane, tile_x, tile_y)
+    return tile, *divmod(tile, 64)
+
+
+def group(balanced, images, group_size, image):
+    line = groups.Groups(images, group_size, balanced)
+    return line.group_of(image), line.reference(line.group_of(image))
+
+
+def reference_images(rows, cols, ref_rows, ref_cols, balanced, row, col, reference_set):
+    level = geometry_of(rows=rows, cols=cols, levels=[(ref_rows, ref_cols, 0)], balanced_groups=balanced)
+    found = references.references_of(level, (0, row, col), SimpleNamespace(reference_set=reference_set))
+    return [number for _, *place in found for number in place]
+
+
+def levels(code):
+    count = bise.levels_of(code)
+    return count, *bise.split(count)
+
+
+def vector_fields(window):
+    greatest_code = bise.least_code(2 * window + 1)
+    return integers.least_bits(2 * window + 1), greatest_code, integers.least_bits(greatest_code + 1)
+
+
+def sequence(code, count, start, data):
+    return bise.read(BitString(data), start, count, bise.levels_of(code))
+
+
+def sequence_value(code, count, start, i, data):
+    return (bise.read_one(BitString(data), start, count, bise.levels_of(code), i),)
+
+
+def interval(depth, plane):
+    """[lo, hi] and M (STR-7)."""
+    lo, hi = geometry_of(depth=depth).interval(plane)
+    return lo, hi, hi - lo
+
+
+def one_residual(depth, plane, level_code, value, bias, step_code):
+    step, bound = residual.step_of(step_code), interval(depth, plane)[2]
+    return (residual.residual_of(value, bise.levels_of(level_code), bias, step, bound),)
+
+
+def prediction(depth, plane, parent, minus, reference):
+    lo, hi, _ = interval(depth, plane)
+    return (integers.clamp(parent + (-reference if minus else reference), lo, hi),)
+
+
+def sample(depth, plane, predicted, correction):
+    lo, hi, _ = interval(depth, plane)
+    return (integers.clamp(predicted + correction, lo, hi),)
+
+
+def vector(window, vector_precision, disparity_precision, row_scale, disparity, rows, cols):
+    header = SimpleNamespace(
+        window=window, vector_precision=vector_precision, disparity_precision=disparity_precision, row_scale=row_scale
+    )
+    entry = motion.Motion(0, motion.OWN_DISPARITY, 1)
+    return references.vector_to(header, (0, 0, 0), (0, rows, cols), entry, disparity)
+
+
+def explicit_vector(window, vector_precision, x, y):
+    header = SimpleNamespace(window=window, vector_precision=vector_precision)
+    return references.vector_to(header, None, None, motion.Motion(0, motion.EXPLICIT_VECTOR, 1, x, y), None)
+
+
+def displacement(vector_precision, halved, component):
+    u = interpolation.eighths(component, vector_precision, halved)
+    return u >> 3, u - 8 * (u >> 3)
+
+
+def interpolated(fx, fy, *samples):
+    """I of MOT-9; `samples` are those at (0, 0), (1, 0), (0, 1) and (1, 1)."""
+    return interpolation.interpolate(lambda x, y: samples[2 * y + x], 0, 0, fx, fy)
+
+
+def one_reference(_depth, _plane, *reference):
+    return (interpolation.predict([interpolated(*reference)]),)
+
+
+def two_references(_depth, _plane, *both):
+    return (interpolation.predict([interpolated(*both[:6]), interpolated(*both[6:])]),)
+
+
+def coefficient(plane, minus, m):
+    sign = 0 if m == 0 else -1 if minus else 1
+    return (code_block.reconstructed(sign, m * 2**plane, plane),)
+
+
+def key_plane(depth, plane, width, height, data):
+    lo, hi, _ = interval(depth, plane)
+    rows = jpeg2000_decoder.decode(data, width, height, depth + (plane > 0), plane > 0)
+    return [integers.clamp(sample, lo, hi) for row in rows for sample in row]
+
+
+ANSWERS = {
+    "field": field,
+    "rank": count_bits,
+    "crc": lambda count, data: (crc32c.crc32c(data),),
+    "block-number": lambda i, j: (tile_mask.block_number(i, j),),
+    "mask": mask,
+    "image-number": image_number,
+    "tile-number": tile_number,
+    "group-small": group,
+    "group": group,
+    "references": reference_images,
+    "levels": levels,
+    "least-code": lambda count: (bise.least_code(count),),
+    "vector-fields": vector_fields,
+    "trits": lambda T: bise.trits(T),
+    "quints": lambda Q: bise.quints(Q),
+    "sequence-bits": lambda code, count: (bise.sequence_bits(count, bise.levels_of(code)),),
+    "sequence-tail": lambda code, count, packed: bise.decode(packed, count, bise.levels_of(code)),
+    "sequence": sequence,
+    "sequence-value": sequence_value,
+    "step": lambda code: (residual.step_of(code),),
+    "residual": one_residual,
+    "prediction": prediction,
+    "sample": sample,
+    "colour": lambda depth, y, co, cg: colour.to_rgb(y, co, cg, depth),
+    "disparity-vector": vector,
+    "explicit-vector": explicit_vector,
+    "displacement": displacement,
+    "interpolation": one_reference,
+    "interpolation-two": two_references,
+    "coefficient": coefficient,
+    "key-plane": key_plane,
+}
+WITH_BYTES = {"field", "rank", "crc", "mask", "sequence", "sequence-value", "key-plane"}
+
+
+def answered(name, line):
+    """A line of gen with the results behind it."""
+    words = line.split()
+    inputs = words[:-1] if name in WITH_BYTES else words
+    data = [bytes.fromhex(words[-1].replace("-", ""))] if name in WITH_BYTES else []
+    return " ".join([*words, *map(str, ANSWERS[name](*map(int, inputs), *data))])
+
+
+if __name__ == "__main__":
+    for case in sys.stdin:
+        print(answered(sys.argv[1], case))
