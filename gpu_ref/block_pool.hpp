@@ -19,7 +19,8 @@ struct FrameShape {
   uint64_t pages = 0;
   uint64_t slots = 0;
   uint64_t counters = 0;
-  uint64_t pixels = 0;
+  uint64_t dispatches = 0;
+  uint64_t drawn = 0;
   uint64_t pool = 0;
   uint32_t pool_chunk_log2 = 0;
   uint32_t pool_pages = 0;
@@ -38,12 +39,17 @@ enum FrameCounter : uint32_t {
   kCountPages = 6,
   kCountFirstError = 9,
   kCountStatus = 10,
-  kCountWalk = 11,
-  kCountSamples = 14,
-  kCountErrors = 17,
-  kFrameCounters = 20,  ///< those before are of one frame
-  kCountUsedPages = 20,
-  kAllCounters = 21,
+  kFrameCounters = 11,  ///< those before are of one frame
+  kCountUsedPages = 11,
+  kAllCounters = 12,
+};
+
+/// Words of the sizes of dispatches that plan.comp decides, three each.
+enum FrameDispatch : uint32_t {
+  kDispatchWalk = 0,
+  kDispatchSamples = 3,
+  kDispatchErrors = 6,
+  kAllDispatches = 9,
 };
 
 inline constexpr uint32_t kModeNoRoom = 0;  ///< of kCountMode

@@ -96,6 +96,7 @@ Buffer::Buffer(Device::State& device, uint64_t bytes, Memory memory)
     allocate(device, needs, memory);
   }
   address_ = device.device->getBufferAddress(vk::BufferDeviceAddressInfo(*buffer_));
+  if (device.hazards) device.hazards->add_buffer(address_);
 }
 
 void Buffer::allocate(Device::State& device, const vk::MemoryRequirements& needs, Memory memory) {
@@ -135,6 +136,10 @@ ChunkedWords::ChunkedWords(Device::State& device, uint64_t words)
   table_.emplace(device, chunks_.size() * sizeof(uint64_t), Memory::kUpload);
   const auto addresses = table_->records<uint64_t>();
   std::ranges::transform(chunks_, addresses.begin(), [](const Buffer& b) { return b.address(); });
+  if (!device.hazards) return;
+  for (size_t i = 0; i < addresses.size(); ++i) {
+    device.hazards->join(addresses[i], table_->address(), i * chunk_bytes);
+  }
 }
 
 void ChunkedWords::upload(Device::State& device, uint64_t at, std::span<const uint8_t> bytes) {

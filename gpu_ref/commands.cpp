@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "arithmetic/rounding.hpp"
+#include "kernel_accesses.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -17,16 +18,68 @@ vk::raii::CommandBuffer make_buffer(Device::State& device) {
   return std::move(buffers.front());
 }
 
+vk::PipelineStageFlags stages_of(unsigned work) {
+  using Stage = vk::PipelineStageFlagBits;
+  vk::PipelineStageFlags stages;
+  if ((work & kCompute) != 0) stages |= Stage::eComputeShader;
+  if ((work & kTransfer) != 0) stages |= Stage::eTransfer;
+  if ((work & kIndirect) != 0) stages |= Stage::eDrawIndirect;
+  if ((work & kHost) != 0) stages |= Stage::eHost;
+  return stages;
+}
+
+using Access = vk::AccessFlagBits;
+
+vk::AccessFlags writes_of(unsigned work) {
+  vk::AccessFlags access;
+  if ((work & kCompute) != 0) access |= Access::eShaderWrite;
+  if ((work & kTransfer) != 0) access |= Access::eTransferWrite;
+  return access;
+}
+
+vk::AccessFlags accesses_after(unsigned work) {
+  vk::AccessFlags access = writes_of(work);
+  if ((work & kCompute) != 0) access |= Access::eShaderRead;
+  if ((work & kTransfer) != 0) access |= Access::eTransferRead;
+  if ((work & kIndirect) != 0) access |= Access::eIndirectCommandRead;
+  if ((work & kHost) != 0) access |= Access::eHostRead;
+  return access;
+}
+
+// Bytes [begin, begin + bytes) of a buffer.
+BufferAccess read(const Buffer& buffer, uint64_t begin, uint64_t bytes) {
+  return {buffer.address(), "a buffer", true, false, begin, begin + bytes};
+}
+
+BufferAccess written(const Buffer& buffer, uint64_t begin, uint64_t bytes) {
+  return {buffer.address(), "a buffer", false, true, begin, begin + bytes};
+}
+
 }  // namespace
 
-Commands::Commands(Device::State& device)
+Commands::Commands(Device::State& device, const FrameShape* frame)
     : device_(&device),
+      frame_(frame),
       buffer_(make_buffer(device)),
       queries_(*device.device,
                vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2 * kMaxStages)) {
   buffer_.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
   if (device.timestamp_seconds != 0) buffer_.resetQueryPool(*queries_, 0, 2 * kMaxStages);
-  barrier();
+  if (device.hazards) device.hazards->begin();
+  barrier(kCompute | kTransfer, kCompute | kTransfer);
+}
+
+void Commands::barrier(unsigned before, unsigned after) {
+  const auto& fault = device_->barrier_fault;
+  if (fault && fault->number == barriers_) {
+    before &= ~fault->before;
+    after &= ~fault->after;
+  }
+  ++barriers_;
+  if (device_->hazards) device_->hazards->barrier(before, after);
+  if (before == 0 || after == 0) return;
+  const vk::MemoryBarrier memory(writes_of(before), accesses_after(after));
+  buffer_.pipelineBarrier(stages_of(before), stages_of(after), {}, memory, {}, {});
 }
 
 template <class Dispatch>
@@ -41,8 +94,12 @@ void Commands::stage(const std::string& kernel, const Variant& variant, const Ar
   write_time(begin);
   dispatch();
   stages_.push_back(kernel);
-  barrier();
   write_time(begin + 1);
+  if (!device_->hazards) return;
+  device_->hazards->command(kernel);
+  for (const BufferAccess& access : accesses_of(kernel, variant, arguments, frame_)) {
+    device_->hazards->access(kCompute, access);
+  }
 }
 
 void Commands::dispatch(const std::string& kernel, const Variant& variant,
@@ -55,24 +112,41 @@ void Commands::dispatch(const std::string& kernel, const Variant& variant,
 }
 
 void Commands::dispatch_counted(const std::string& kernel, const Variant& variant,
-                                const Arguments& arguments, const Buffer& counts, uint64_t offset) {
-  stage(kernel, variant, arguments, [&] { buffer_.dispatchIndirect(counts.handle(), offset); });
+                                const Arguments& arguments, const Buffer& sizes, uint64_t offset) {
+  stage(kernel, variant, arguments, [&] { buffer_.dispatchIndirect(sizes.handle(), offset); });
+  if (!device_->hazards) return;
+  device_->hazards->access(kIndirect, read(sizes, offset, 3 * sizeof(uint32_t)));
 }
 
 void Commands::fill(const Buffer& buffer, uint64_t offset, uint64_t bytes, uint32_t word) {
   buffer_.fillBuffer(buffer.handle(), offset, bytes, word);
-  barrier();
+  if (!device_->hazards) return;
+  device_->hazards->command("fill");
+  device_->hazards->access(kTransfer, written(buffer, offset, bytes));
 }
 
 void Commands::copy(const Buffer& from, uint64_t from_offset, const Buffer& to, uint64_t to_offset,
                     uint64_t bytes) {
   if (bytes == 0) return;
   buffer_.copyBuffer(from.handle(), to.handle(), vk::BufferCopy(from_offset, to_offset, bytes));
-  barrier();
+  if (!device_->hazards) return;
+  device_->hazards->command("copy");
+  device_->hazards->access(kTransfer, read(from, from_offset, bytes));
+  device_->hazards->access(kTransfer, written(to, to_offset, bytes));
+}
+
+void Commands::read_by_host(const Buffer& buffer) {
+  if (!device_->hazards) return;
+  device_->hazards->command("the host");
+  device_->hazards->access(kHost, read(buffer, 0, buffer.size()));
 }
 
 std::vector<StageTime> Commands::run() {
   buffer_.end();
+  if (device_->hazards) {
+    const std::string problem = device_->hazards->end();
+    if (!problem.empty()) throw MachineError("barriers: " + problem);
+  }
   const vk::raii::Fence fence(*device_->device, vk::FenceCreateInfo());
   const vk::CommandBuffer handle = *buffer_;
   device_->queue->submit(vk::SubmitInfo({}, {}, handle), *fence);
@@ -90,19 +164,6 @@ std::vector<StageTime> Commands::run() {
     times.push_back({stages_[i], elapsed * device_->timestamp_seconds});
   }
   return times;
-}
-
-void Commands::barrier() {
-  using Stage = vk::PipelineStageFlagBits;
-  using Access = vk::AccessFlagBits;
-  const vk::MemoryBarrier memory(Access::eShaderWrite | Access::eTransferWrite | Access::eHostWrite,
-                                 Access::eIndirectCommandRead | Access::eShaderRead |
-                                     Access::eShaderWrite | Access::eTransferRead |
-                                     Access::eTransferWrite | Access::eHostRead);
-  buffer_.pipelineBarrier(
-      Stage::eComputeShader | Stage::eTransfer | Stage::eHost,
-      Stage::eDrawIndirect | Stage::eComputeShader | Stage::eTransfer | Stage::eHost, {}, memory,
-      {}, {});
 }
 
 void Commands::write_time(uint32_t query) {

@@ -56,11 +56,15 @@ void make_instance(Device::State& state, bool validation) {
     }
     layers.push_back(kValidationLayer);
     extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
   }
   const vk::ApplicationInfo application("hmlfc", 1, nullptr, 0, VK_API_VERSION_1_2);
+  const auto synchronisation = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+  const vk::ValidationFeaturesEXT features(synchronisation);
+  vk::InstanceCreateInfo info({}, &application, layers, extensions);
+  if (validation) info.setPNext(&features);
   try {
-    state.instance.emplace(state.context,
-                           vk::InstanceCreateInfo({}, &application, layers, extensions));
+    state.instance.emplace(state.context, info);
   } catch (const vk::IncompatibleDriverError&) {  // there is no driver
     throw MachineError(kNoVulkan);
   }
@@ -199,6 +203,7 @@ std::shared_ptr<Device::State> open_state(const DeviceOptions& options) {
   state->physical.emplace(std::move(devices[chosen]));
   state->info = list[chosen];
   state->guard_pages = options.guard_pages;
+  if (options.check_barriers) state->hazards.emplace();
   make_device(*state, options.kernels);
   set_limits(*state, options.chunk_bytes);
   return state;

@@ -36,7 +36,8 @@ struct DeviceOptions {
   /// The number of a device of list_devices() or a part of its name, in any case. Empty: the first
   /// GPU that can run the decoder, else the first other device that can.
   std::string device;
-  /// Runs under the Khronos validation layer, which must be installed.
+  /// Runs under the Khronos validation layer, which must be installed, with its checks of
+  /// synchronisation.
   bool validation = false;
   /// Largest buffer in bytes for stream and reference area; 0: the device's own limit. Else a power
   /// of two, at least 64.
@@ -44,6 +45,8 @@ struct DeviceOptions {
   /// For tests: every buffer ends at a page that nobody may touch, so that an access past its end
   /// ends the process. Of devices on the host, with VK_EXT_external_memory_host.
   bool guard_pages = false;
+  /// For tests: each submission is refused where a barrier is missing or idle (hazards.hpp).
+  bool check_barriers = false;
   /// For tests: kernels that run in place of the library's own. Nothing checks the code.
   KernelCode kernels;
 };

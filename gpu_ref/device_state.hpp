@@ -8,6 +8,7 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include "device.hpp"
+#include "hazards.hpp"
 #include "kernels.hpp"
 
 namespace hmlfc::gpu {
@@ -16,6 +17,14 @@ namespace hmlfc::gpu {
 class MachineError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A fault for tests: barrier `number` of every submission, from 0 on, does not wait for the work
+/// `before`, nor does it make the work `after` wait: sums of Work.
+struct BarrierFault {
+  unsigned number = 0;
+  unsigned before = 0;
+  unsigned after = 0;
 };
 
 struct Device::State {
@@ -34,6 +43,8 @@ struct Device::State {
   uint32_t max_workgroups = 65535;  ///< in one dimension
   double timestamp_seconds = 0;     ///< of one tick; 0: no timestamps
   bool guard_pages = false;         ///< DeviceOptions::guard_pages
+  std::optional<Hazards> hazards;   ///< with DeviceOptions::check_barriers
+  std::optional<BarrierFault> barrier_fault;
 };
 
 /// Runs `body() -> T` and turns what it throws into a Failure.

@@ -126,7 +126,9 @@ void DeviceStream::decode_references(Device::State& device, const StreamView& st
     const Arguments all = buffers.prepare(device, batch, sizes, false, arguments());
     Commands commands(device);
     commands.dispatch("expand", variant, all, batch.requests);
+    commands.barrier(kCompute, kCompute);
     commands.dispatch("walk", variant, all, batch.requests);
+    commands.barrier(kCompute, kCompute);
     commands.dispatch("residuals", variant, all, batch.requests * sizes.sample_words);
     commands.run();
   }

@@ -111,12 +111,18 @@ struct GpuDecoder::State {
     // The debug variant alone has a variant of its own for its last kernel.
     const Variant plain{.chunked = variant.chunked};
     commands.dispatch("expand", plain, arguments, batch.requests);
+    commands.barrier(kCompute, kCompute);
     commands.dispatch("walk", plain, arguments, batch.requests * sizes.levels);
+    commands.barrier(kCompute, kCompute);
     commands.dispatch("samples", variant, arguments, batch.requests * sizes.sample_words);
     if (want == Want::kPixels) {
+      commands.barrier(kCompute, kCompute);
       commands.dispatch("colour", plain, arguments, batch.pixels * sizes.sample_words);
     }
+    commands.barrier(kCompute, kTransfer);
     collect(commands);
+    commands.barrier(kTransfer, kHost);
+    commands.read_by_host(buffers.readback.get());
     add_times(commands.run(), times);
   }
 

@@ -69,7 +69,8 @@ struct GpuRenderer::State {
     shape.needed = needed.reserve(device, 4 * words_of_level(0)).address();
     shape.slots = slots.reserve(device, 4 * capacity).address();
     shape.counters = counters.reserve(device, 4 * kAllCounters).address();
-    shape.pixels =
+    shape.dispatches = dispatches.reserve(device, 4 * kAllDispatches).address();
+    shape.drawn =
         drawn.reserve(device, 12 * ceil_div(image_pixels(record), kPixelsAtOnce)).address();
     shape.stop_level = static_cast<uint32_t>(stop_level);
     shape.capacity = static_cast<uint32_t>(capacity);
@@ -94,7 +95,7 @@ struct GpuRenderer::State {
   bool submit(const FrameRecord& record, int stop_level, GpuFrame& frame) {
     pool.reserve(device, 0);
     const Arguments arguments = prepare(record, stop_level);
-    Commands commands(device);
+    Commands commands(device, &shapes.get().records<FrameShape>()[0]);
     pool.begin_frame(stop_level, commands, counters.get());
     record_kernels(record, stop_level, arguments, commands);
     const uint64_t counter_bytes = 4 * kFrameCounters;
@@ -102,6 +103,8 @@ struct GpuRenderer::State {
     Buffer& readback = buffers.readback.reserve(device, counter_bytes + pixel_bytes);
     commands.copy(counters.get(), 0, readback, 0, counter_bytes);
     commands.copy(drawn.get(), 0, readback, counter_bytes, pixel_bytes);
+    commands.barrier(kTransfer, kHost);
+    commands.read_by_host(readback);
     times = commands.run();
     ++frame.submissions;
     const auto words = readback.records<const uint32_t>();
@@ -121,17 +124,28 @@ struct GpuRenderer::State {
     const Variant variant{
         .chunked = stream.chunked(), .counted = true, .pool_chunked = pool.chunked()};
     const Buffer& counts = counters.get();
+    const Buffer& groups = dispatches.get();
     commands.fill(needed.get(), 0, 4 * words, 0);
-    commands.fill(counts, 0, 4 * kFrameCounters, 0);
+    commands.fill(counts, 0, 4 * kCountFirstError, 0);
     commands.fill(counts, 4 * kCountFirstError, 4, kNoError);
+    commands.fill(counts, 4 * kCountStatus, 4 * (kFrameCounters - kCountStatus), 0);
+    commands.barrier(kTransfer, kCompute);
     commands.dispatch("mark", variant, arguments, pixels);
+    commands.barrier(kCompute, kCompute);
     commands.dispatch("count", variant, arguments, words);
+    commands.barrier(kCompute, kCompute);
     commands.dispatch("plan", variant, arguments, 1);
+    commands.barrier(kCompute, kCompute | kIndirect);
     commands.dispatch("compact", variant, arguments, words);
-    commands.dispatch_counted("walk", variant, arguments, counts, 4 * kCountWalk);
-    commands.dispatch_counted("samples", variant, arguments, counts, 4 * kCountSamples);
-    commands.dispatch_counted("errors", variant, arguments, counts, 4 * kCountErrors);
+    commands.barrier(kCompute, kCompute);
+    commands.dispatch_counted("walk", variant, arguments, groups, 4 * kDispatchWalk);
+    commands.barrier(kCompute, kCompute);
+    commands.dispatch_counted("samples", variant, arguments, groups, 4 * kDispatchSamples);
+    commands.barrier(kCompute, kCompute);
+    commands.dispatch_counted("errors", variant, arguments, groups, 4 * kDispatchErrors);
+    commands.barrier(kCompute, kCompute);
     commands.dispatch("render", variant, arguments, ceil_div(pixels, kPixelsAtOnce));
+    commands.barrier(kCompute, kTransfer);
   }
 
   void collect(const FrameRecord& record, std::span<const uint32_t> words, GpuFrame& frame) const {
@@ -166,6 +180,7 @@ struct GpuRenderer::State {
   GrowingBuffer needed{Memory::kDevice};
   GrowingBuffer slots{Memory::kDevice};
   GrowingBuffer counters{Memory::kDevice};
+  GrowingBuffer dispatches{Memory::kDevice};
   GrowingBuffer drawn{Memory::kDevice};
   std::vector<StageTime> times;
 };

@@ -20,7 +20,8 @@ layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Fra
   OutWords pages;      // by word of bits: the page of the pool for its 32 blocks; if one is held
   OutWords slots;      // by request: the slot of the pool for its samples
   OutWords counters;   // kCount...
-  OutWords pixels;     // three samples of 16 bits a pixel, row by row
+  OutWords dispatches; // kDispatch..., three words each
+  OutWords drawn;      // three samples of 16 bits a pixel, row by row
   uvec2 pool;          // pages of 32 slots, of a block each: OutWords, or OutChunks with kPoolChunked
   uint pool_chunk_log2;
   uint pool_pages;     // that there is room for
@@ -31,7 +32,7 @@ layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Fra
   FrameRecord record;
 };
 
-// Words of the counters. Each kernel's dispatch is three of them.
+// Words of the counters.
 const uint kCountNeeded = 0u;        // blocks that the frame needs
 const uint kCountNeededPages = 1u;   // words of bits with such a block
 const uint kCountMissing = 2u;       // needed blocks that are not held
@@ -43,10 +44,12 @@ const uint kCountRequests = 7u;      // requests written so far
 const uint kCountNextPage = 8u;      // the next page to be given away
 const uint kCountFirstError = 9u;    // the least bit of a block with an error, or all ones
 const uint kCountStatus = 10u;       // that block's error
-const uint kCountWalk = 11u;
-const uint kCountSamples = 14u;
-const uint kCountErrors = 17u;
-const uint kCountUsedPages = 20u;    // of the frames before: the only one that is kept
+const uint kCountUsedPages = 11u;    // of the frames before: the only one that is kept
+
+// The sizes of the dispatches that plan.comp decides.
+const uint kDispatchWalk = 0u;
+const uint kDispatchSamples = 3u;
+const uint kDispatchErrors = 6u;
 
 // What a frame does (plan.comp).
 const uint kModeNoRoom = 0u;  // nothing: the host makes room

@@ -13,9 +13,9 @@ const uint kMaxWorkgroups = 65535u;
 void write_dispatch(uint at, uint invocations) {
   const uint workgroups = (invocations + gl_WorkGroupSize.x - 1u) / gl_WorkGroupSize.x;
   const uint columns = clamp(workgroups, 1u, kMaxWorkgroups);
-  frame().counters.word[at] = columns;
-  frame().counters.word[at + 1u] = (workgroups + columns - 1u) / columns;
-  frame().counters.word[at + 2u] = 1u;
+  frame().dispatches.word[at] = columns;
+  frame().dispatches.word[at + 1u] = (workgroups + columns - 1u) / columns;
+  frame().dispatches.word[at + 2u] = 1u;
 }
 
 void main() {
@@ -34,7 +34,7 @@ void main() {
   frame().counters.word[kCountMode] = !room ? kModeNoRoom : flush ? kModeFlush : kModeAdd;
   if (room) frame().counters.word[kCountUsedPages] = pages;
   const uint count = room ? decoded : 0u;
-  write_dispatch(kCountWalk, count * (arguments.shape.top + 1u));
-  write_dispatch(kCountSamples, count << (2u * arguments.shape.block_log2 - 1u));
-  write_dispatch(kCountErrors, count);
+  write_dispatch(kDispatchWalk, count * (arguments.shape.top + 1u));
+  write_dispatch(kDispatchSamples, count << (2u * arguments.shape.block_log2 - 1u));
+  write_dispatch(kDispatchErrors, count);
 }

@@ -80,7 +80,7 @@ void main() {
   }
   const uvec3 first = frame_pixel(f, 2u * number);
   const uvec3 second = frame_pixel(f, 2u * number + 1u);
-  frame().pixels.word[3u * number] = first.x | first.y << 16;
-  frame().pixels.word[3u * number + 1u] = first.z | second.x << 16;
-  frame().pixels.word[3u * number + 2u] = second.y | second.z << 16;
+  frame().drawn.word[3u * number] = first.x | first.y << 16;
+  frame().drawn.word[3u * number + 1u] = first.z | second.x << 16;
+  frame().drawn.word[3u * number + 2u] = second.y | second.z << 16;
 }

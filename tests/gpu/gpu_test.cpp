@@ -10,6 +10,7 @@ namespace {
 DeviceOptions with_environment(DeviceOptions options) {
   const char* name = std::getenv("HMLFC_GPU_DEVICE");
   if (name != nullptr) options.device = name;
+  options.check_barriers = true;
   return options;
 }
 

@@ -1,0 +1,96 @@
+// Proves of each submission that its barriers are enough, and that none is idle. For tests: a
+// device with DeviceOptions::check_barriers has one.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace hmlfc::gpu {
+
+/// What does the work of a command; a set of them is a sum.
+enum Work : uint8_t {
+  kCompute = 1,   ///< a kernel
+  kTransfer = 2,  ///< a fill or a copy
+  kIndirect = 4,  ///< the size of a dispatch is read
+  kHost = 8,      ///< the host reads, after the submission
+};
+
+/// Bytes [begin, end) of the buffer with device address `buffer`, as a command uses them.
+struct BufferAccess {
+  uint64_t buffer = 0;
+  std::string name;  ///< of the buffer, for messages
+  bool reads = false;
+  bool writes = false;
+  uint64_t begin = 0;
+  uint64_t end = UINT64_MAX;
+};
+
+/// Two accesses to the same bytes, of which one writes, are a *hazard* unless a barrier between
+/// them waits for the work of the first and makes the second wait. All submissions go to one queue,
+/// and the host waits for each before it makes the next. So a barrier must still make what an
+/// earlier submission wrote visible, but no write has to wait for an earlier submission's reads.
+class Hazards {
+ public:
+  /// A buffer was made: what is known of another one with its address is forgotten.
+  void add_buffer(uint64_t buffer);
+
+  /// The buffer `part` holds the bytes from `at` on of what kernels reach through `whole`.
+  void join(uint64_t part, uint64_t whole, uint64_t at) { parts_[part] = {whole, at}; }
+
+  /// A submission begins.
+  void begin();
+
+  /// A barrier: work of `before` recorded so far ends, and is visible, before work of `after`.
+  void barrier(unsigned before, unsigned after);
+
+  /// `name` is the next command.
+  void command(const std::string& name);
+
+  /// The last command uses a buffer in its work `work`.
+  void access(Work work, const BufferAccess& access);
+
+  /// Ends the submission: the first hazard, or else the first barrier that could wait for less, or
+  /// could be left out; empty if all is well. The first barrier of a submission may be idle: what
+  /// it is for depends on the submissions before.
+  std::string end();
+
+  /// What a barrier orders: sums of Work.
+  struct Scope {
+    unsigned before, after;
+  };
+
+  /// The barriers of the last submission.
+  std::vector<Scope> scopes() const;
+
+ private:
+  struct Access {
+    std::string command;
+    size_t number;  ///< of the command; 0: of an earlier submission
+    Work work;
+    uint64_t begin, end;
+    bool writes;
+    size_t barriers;  ///< recorded before it in this submission
+  };
+  struct Barrier {
+    Scope scope;
+    unsigned used_before = 0, used_after = 0;  ///< by hazards that no other barrier removes
+    std::string behind;                        ///< the command before it
+  };
+
+  void order(const Access& first, const Access& second, const std::string& name);
+
+  struct Part {
+    uint64_t whole, at;
+  };
+
+  std::map<uint64_t, Part> parts_;
+  std::map<uint64_t, std::vector<Access>> accesses_;  ///< by buffer, since the last that wrote all
+  std::vector<Barrier> barriers_;
+  std::string command_;
+  size_t number_ = 0;
+  std::string hazard_;
+};
+
+}  // namespace hmlfc::gpu
