@@ -20,9 +20,10 @@ BlockPool::BlockPool(const BlockSizes& sizes, uint64_t words, uint64_t budget)
 void BlockPool::reserve(Device::State& device, uint64_t pages) {
   const uint64_t most = std::max(kept_pages_, kSubmissionBytes / (4 * page_words_));
   if (pages > most) {
-    throw MachineError("the frame's blocks take " + std::to_string(pages) + " pages of " +
-                       std::to_string(4 * page_words_) + " bytes on the device, more than the " +
-                       std::to_string(most) + " that there is room for");
+    throw MachineError(FailureKind::kLimit, "the frame's blocks take " + std::to_string(pages) +
+                                                " pages of " + std::to_string(4 * page_words_) +
+                                                " bytes on the device, more than the " +
+                                                std::to_string(most) + " that there is room for");
   }
   held_.reserve(device, 4 * words_);
   page_numbers_.reserve(device, 4 * words_);

@@ -43,7 +43,7 @@ uint32_t memory_type(Device::State& device, uint32_t allowed, Memory memory) {
       if ((allowed >> i & 1u) != 0 && fits) return i;
     }
   }
-  throw MachineError("the device has no memory that its host can reach");
+  throw MachineError(FailureKind::kUnusable, "the device has no memory that its host can reach");
 }
 
 vk::BufferCreateInfo buffer_info(uint64_t size,
@@ -86,7 +86,8 @@ GuardedPages::~GuardedPages() {
 void* GuardedPages::data() const { return static_cast<uint8_t*>(mapping_) + page_size(); }
 
 Buffer::Buffer(Device::State& device, uint64_t bytes, Memory memory)
-    : size_(4 * ceil_div(std::max<uint64_t>(bytes, 1), uint64_t{4})),
+    : device_(&device),
+      size_(4 * ceil_div(std::max<uint64_t>(bytes, 1), uint64_t{4})),
       memory_(nullptr),
       buffer_(*device.device, buffer_info(size_, device.guard_pages ? &kExternal : nullptr)) {
   const vk::MemoryRequirements needs = buffer_.getMemoryRequirements();
@@ -126,6 +127,14 @@ void Buffer::allocate_guarded(Device::State& device, const vk::MemoryRequirement
   mapped_ = static_cast<uint8_t*>(pages_->data()) + offset;
 }
 
+void upload(Device::State& device, std::span<const uint8_t> bytes, const Buffer& to) {
+  const Buffer staging(device, bytes.size(), Memory::kUpload);
+  std::ranges::copy(bytes, staging.bytes().begin());
+  Commands commands(device);
+  commands.copy(staging, 0, to, 0, bytes.size());
+  commands.run();
+}
+
 ChunkedWords::ChunkedWords(Device::State& device, uint64_t words)
     : bytes_(4 * std::max<uint64_t>(words, 1)),
       chunk_log2_(static_cast<uint32_t>(std::bit_width(device.chunk_bytes / 4)) - 1) {
@@ -133,9 +142,10 @@ ChunkedWords::ChunkedWords(Device::State& device, uint64_t words)
   for (uint64_t at = 0; at < bytes_; at += chunk_bytes) {
     chunks_.emplace_back(device, std::min(chunk_bytes, bytes_ - at), Memory::kDevice);
   }
-  table_.emplace(device, chunks_.size() * sizeof(uint64_t), Memory::kUpload);
-  const auto addresses = table_->records<uint64_t>();
+  std::vector<uint64_t> addresses(chunks_.size());
   std::ranges::transform(chunks_, addresses.begin(), [](const Buffer& b) { return b.address(); });
+  table_.emplace(device, addresses.size() * sizeof(uint64_t), Memory::kDevice);
+  hmlfc::gpu::upload(device, bytes_of(addresses), *table_);
   if (!device.hazards) return;
   for (size_t i = 0; i < addresses.size(); ++i) {
     device.hazards->join(addresses[i], table_->address(), i * chunk_bytes);

@@ -40,6 +40,10 @@ class Buffer {
   /// Of `bytes` bytes, at least 1; a multiple of 4 is made of it.
   Buffer(Device::State& device, uint64_t bytes, Memory memory);
 
+  Buffer(Buffer&&) noexcept = default;
+  Buffer& operator=(Buffer&&) = delete;
+  ~Buffer() { device_->settle(); }
+
   uint64_t size() const { return size_; }
   uint64_t address() const { return address_; }
   vk::Buffer handle() const { return *buffer_; }
@@ -56,6 +60,7 @@ class Buffer {
   void allocate(Device::State& device, const vk::MemoryRequirements& needs, Memory memory);
   void allocate_guarded(Device::State& device, const vk::MemoryRequirements& needs);
 
+  Device::State* device_;
   uint64_t size_;
   std::optional<GuardedPages> pages_;
   vk::raii::DeviceMemory memory_;
@@ -63,6 +68,17 @@ class Buffer {
   uint8_t* mapped_ = nullptr;
   uint64_t address_ = 0;
 };
+
+/// The bytes of records as they lie in memory.
+template <class Records>
+std::span<const uint8_t> bytes_of(const Records& records) {
+  const auto bytes = std::as_bytes(std::span(records));
+  return {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()};
+}
+
+/// Writes `bytes`, a multiple of 4 of them, to the beginning of device memory; waits until it is
+/// done.
+void upload(Device::State& device, std::span<const uint8_t> bytes, const Buffer& to);
 
 /// Device memory of up to 2^32 words in chunks of the device's chunk_bytes, the last one cut.
 /// stream_words.glsl and reference_samples.glsl read it.

@@ -9,7 +9,11 @@ namespace hmlfc::gpu {
 namespace {
 
 constexpr uint32_t kMaxStages = 16;
-constexpr uint64_t kWaitNanoseconds = uint64_t{600} * 1000 * 1000 * 1000;
+
+Device::State& usable(Device::State& device) {
+  if (!device.lost) return device;
+  throw MachineError(FailureKind::kLost, "the device was lost before: open it again");
+}
 
 vk::raii::CommandBuffer make_buffer(Device::State& device) {
   vk::raii::CommandBuffers buffers(
@@ -60,7 +64,7 @@ BufferAccess written(const Buffer& buffer, uint64_t begin, uint64_t bytes) {
 Commands::Commands(Device::State& device, const FrameShape* frame)
     : device_(&device),
       frame_(frame),
-      buffer_(make_buffer(device)),
+      buffer_(make_buffer(usable(device))),
       queries_(*device.device,
                vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2 * kMaxStages)) {
   buffer_.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
@@ -85,7 +89,8 @@ void Commands::barrier(unsigned before, unsigned after) {
 template <class Dispatch>
 void Commands::stage(const std::string& kernel, const Variant& variant, const Arguments& arguments,
                      const Dispatch& dispatch) {
-  if (stages_.size() == kMaxStages) throw MachineError("too many stages in one submission");
+  if (stages_.size() == kMaxStages)
+    throw MachineError(FailureKind::kInternal, "too many stages in one submission");
   buffer_.bindPipeline(vk::PipelineBindPoint::eCompute,
                        device_->kernels->pipeline(kernel, variant));
   buffer_.pushConstants<Arguments>(device_->kernels->layout(), vk::ShaderStageFlagBits::eCompute, 0,
@@ -118,6 +123,13 @@ void Commands::dispatch_counted(const std::string& kernel, const Variant& varian
   device_->hazards->access(kIndirect, read(sizes, offset, 3 * sizeof(uint32_t)));
 }
 
+void Commands::write(const Buffer& buffer, std::span<const uint8_t> bytes) {
+  buffer_.updateBuffer<uint8_t>(buffer.handle(), 0, bytes);
+  if (!device_->hazards) return;
+  device_->hazards->command("write");
+  device_->hazards->access(kTransfer, written(buffer, 0, bytes.size()));
+}
+
 void Commands::fill(const Buffer& buffer, uint64_t offset, uint64_t bytes, uint32_t word) {
   buffer_.fillBuffer(buffer.handle(), offset, bytes, word);
   if (!device_->hazards) return;
@@ -141,18 +153,35 @@ void Commands::read_by_host(const Buffer& buffer) {
   device_->hazards->access(kHost, read(buffer, 0, buffer.size()));
 }
 
+// Submits, and waits until the device is done.
+void Commands::submit() {
+  vk::raii::Fence fence(*device_->device, vk::FenceCreateInfo());
+  const vk::CommandBuffer handle = *buffer_;
+  bool done = false;
+  try {
+    device_->queue->submit(vk::SubmitInfo({}, {}, handle), *fence);
+    done = device_->device->waitForFences(*fence, VK_TRUE, device_->timeout_nanoseconds) ==
+           vk::Result::eSuccess;
+  } catch (const vk::DeviceLostError&) {
+    device_->lost = true;
+    throw;
+  }
+  if (done) return;
+  device_->lost = true;
+  device_->abandoned.push_back({std::move(buffer_), std::move(queries_), std::move(fence)});
+  throw MachineError(FailureKind::kTimeout,
+                     "the device has not answered in " +
+                         std::to_string(device_->timeout_nanoseconds / 1'000'000'000) +
+                         " s: open it again");
+}
+
 std::vector<StageTime> Commands::run() {
   buffer_.end();
   if (device_->hazards) {
     const std::string problem = device_->hazards->end();
-    if (!problem.empty()) throw MachineError("barriers: " + problem);
+    if (!problem.empty()) throw MachineError(FailureKind::kInternal, "barriers: " + problem);
   }
-  const vk::raii::Fence fence(*device_->device, vk::FenceCreateInfo());
-  const vk::CommandBuffer handle = *buffer_;
-  device_->queue->submit(vk::SubmitInfo({}, {}, handle), *fence);
-  if (device_->device->waitForFences(*fence, VK_TRUE, kWaitNanoseconds) != vk::Result::eSuccess) {
-    throw MachineError("the device has not answered for 10 minutes");
-  }
+  submit();
   std::vector<StageTime> times;
   if (device_->timestamp_seconds == 0 || stages_.empty()) return times;
   const auto count = static_cast<uint32_t>(2 * stages_.size());
@@ -160,7 +189,8 @@ std::vector<StageTime> Commands::run() {
       0, count, count * sizeof(uint64_t), sizeof(uint64_t), vk::QueryResultFlagBits::e64);
   if (result != vk::Result::eSuccess) return times;
   for (size_t i = 0; i < stages_.size(); ++i) {
-    const auto elapsed = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]);
+    const auto elapsed =
+        static_cast<double>((ticks[2 * i + 1] - ticks[2 * i]) & device_->timestamp_mask);
     times.push_back({stages_[i], elapsed * device_->timestamp_seconds});
   }
   return times;

@@ -1,6 +1,7 @@
 // One submission: kernels and copies in order, with the time of each stage.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ class Commands {
   void dispatch_counted(const std::string& kernel, const Variant& variant,
                         const Arguments& arguments, const Buffer& sizes, uint64_t offset);
 
+  /// Writes `bytes`, a multiple of 4 and at most 65536 of them, to the beginning of `buffer`.
+  void write(const Buffer& buffer, std::span<const uint8_t> bytes);
+
   /// Sets the words of bytes [offset, offset + bytes) to `word`; multiples of 4.
   void fill(const Buffer& buffer, uint64_t offset, uint64_t bytes, uint32_t word);
 
@@ -45,13 +49,15 @@ class Commands {
   /// The host will read the whole of `buffer` after run().
   void read_by_host(const Buffer& buffer);
 
-  /// Submits everything, waits, and returns the time of each stage; none without timestamps.
+  /// Submits everything, waits, and returns the time of each stage; none without timestamps. Throws
+  /// MachineError, kTimeout after the device's time.
   std::vector<StageTime> run();
 
  private:
   template <class Dispatch>
   void stage(const std::string& kernel, const Variant& variant, const Arguments& arguments,
              const Dispatch& dispatch);
+  void submit();
   void write_time(uint32_t query);
 
   Device::State* device_;

@@ -1,6 +1,7 @@
 #include "device.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cctype>
 #include <charconv>
@@ -28,7 +29,7 @@ std::shared_ptr<Device::State> make_state() {
   try {
     return std::make_shared<Device::State>();
   } catch (const std::exception&) {
-    throw MachineError(kNoVulkan);
+    throw MachineError(FailureKind::kUnusable, kNoVulkan);
   }
 }
 
@@ -52,6 +53,7 @@ void make_instance(Device::State& state, bool validation) {
   if (validation) {
     if (!has_layer(state.context, kValidationLayer)) {
       throw MachineError(
+          FailureKind::kUnusable,
           "the Vulkan validation layer is missing (Debian: vulkan-validationlayers)");
     }
     layers.push_back(kValidationLayer);
@@ -66,7 +68,7 @@ void make_instance(Device::State& state, bool validation) {
   try {
     state.instance.emplace(state.context, info);
   } catch (const vk::IncompatibleDriverError&) {  // there is no driver
-    throw MachineError(kNoVulkan);
+    throw MachineError(FailureKind::kUnusable, kNoVulkan);
   }
   if (!validation) return;
   using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
@@ -96,38 +98,33 @@ std::string missing_of(const vk::raii::PhysicalDevice& physical) {
   return {};
 }
 
+using Type = vk::PhysicalDeviceType;
+// The best first.
+constexpr std::array<std::pair<Type, const char*>, 5> kKinds = {
+    {{Type::eDiscreteGpu, "discrete GPU"},
+     {Type::eIntegratedGpu, "integrated GPU"},
+     {Type::eVirtualGpu, "virtual GPU"},
+     {Type::eCpu, "CPU"},
+     {Type::eOther, "other"}}};
+
+size_t kind_rank(Type type) {
+  const auto found = std::ranges::find(kKinds, type, &std::pair<Type, const char*>::first);
+  return found == kKinds.end() ? kKinds.size() - 1 : static_cast<size_t>(found - kKinds.begin());
+}
+
 DeviceInfo info_of(const vk::raii::PhysicalDevice& physical) {
   const vk::PhysicalDeviceProperties properties = physical.getProperties();
   DeviceInfo info;
   info.name = properties.deviceName.data();
-  info.kind = "other";
-  if (properties.deviceType == vk::PhysicalDeviceType::eDiscreteGpu ||
-      properties.deviceType == vk::PhysicalDeviceType::eIntegratedGpu) {
-    info.kind = "GPU";
-  }
-  if (properties.deviceType == vk::PhysicalDeviceType::eCpu) info.kind = "CPU";
+  info.kind = kKinds[kind_rank(properties.deviceType)].second;
   info.missing = missing_of(physical);
-  info.max_binding = properties.limits.maxStorageBufferRange;
   return info;
 }
 
-// The number of the device that `wanted` names, or of the best one.
-size_t choose(const std::vector<DeviceInfo>& devices, const std::string& wanted) {
-  size_t number = devices.size();
-  const auto [end, error] =
-      std::from_chars(wanted.data(), wanted.data() + wanted.size(), number, 10);
-  const bool numbered =
-      !wanted.empty() && error == std::errc{} && end == wanted.data() + wanted.size();
-  size_t best = devices.size();
-  for (size_t i = 0; i < devices.size(); ++i) {
-    const bool named =
-        numbered ? i == number : lower(devices[i].name).find(lower(wanted)) != std::string::npos;
-    if (!named || (wanted.empty() && !devices[i].missing.empty())) continue;
-    const bool better =
-        best == devices.size() || (devices[i].kind == "GPU" && devices[best].kind != "GPU");
-    if (better) best = i;
-  }
-  return best;
+size_t rank_of(const DeviceInfo& device) {
+  const auto found =
+      std::ranges::find_if(kKinds, [&](const auto& kind) { return device.kind == kind.second; });
+  return static_cast<size_t>(found - kKinds.begin());
 }
 
 std::vector<DeviceInfo> infos(const std::vector<vk::raii::PhysicalDevice>& devices) {
@@ -148,7 +145,8 @@ void make_device(Device::State& state, const KernelCode& kernels) {
   if (state.guard_pages) {
     extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
     if (!has_extension(*state.physical, extensions.front())) {
-      throw MachineError(state.info.name + " cannot guard its buffers: no " + extensions.front());
+      throw MachineError(FailureKind::kUnusable,
+                         state.info.name + " cannot guard its buffers: no " + extensions.front());
     }
   }
   const uint32_t family = *compute_family(*state.physical);
@@ -166,6 +164,7 @@ void make_device(Device::State& state, const KernelCode& kernels) {
   const auto family_properties = state.physical->getQueueFamilyProperties()[family];
   if (family_properties.timestampValidBits != 0) {
     state.timestamp_seconds = static_cast<double>(limits.timestampPeriod) * 1e-9;
+    state.timestamp_mask = ~uint64_t{0} >> (64 - family_properties.timestampValidBits);
   }
 }
 
@@ -175,10 +174,12 @@ void set_limits(Device::State& state, uint64_t chunk_bytes) {
                                      vk::PhysicalDeviceMaintenance3Properties>();
   const uint64_t allocation =
       properties.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
-  state.max_buffer_bytes = std::min<uint64_t>(state.info.max_binding, allocation);
+  // Kernels reach buffers by address: the limit of a binding does not count.
+  state.max_buffer_bytes = allocation;
   const uint64_t most = std::min(kMaxChunkBytes, std::bit_floor(state.max_buffer_bytes));
   if (chunk_bytes != 0 && (!std::has_single_bit(chunk_bytes) || chunk_bytes < kMinChunkBytes)) {
-    throw MachineError("chunk_bytes is a power of two, at least " + std::to_string(kMinChunkBytes));
+    throw MachineError(FailureKind::kUnusable,
+                       "chunk_bytes is a power of two, at least " + std::to_string(kMinChunkBytes));
   }
   state.chunk_bytes = chunk_bytes == 0 ? most : std::min(chunk_bytes, most);
 }
@@ -188,21 +189,24 @@ std::shared_ptr<Device::State> open_state(const DeviceOptions& options) {
   make_instance(*state, options.validation);
   auto devices = state->instance->enumeratePhysicalDevices();
   const std::vector<DeviceInfo> list = infos(devices);
-  const size_t chosen = choose(list, options.device);
+  const size_t chosen = choose_device(list, options.device);
   if (chosen == list.size()) {
     const std::string which = options.device.empty() ? std::string("that can run the decoder")
                                                      : "\"" + options.device + "\"";
     std::string names;
     for (const DeviceInfo& info : list) names += (names.empty() ? "" : ", ") + info.name;
-    throw MachineError("no Vulkan device " + which + "; there are: " +
-                       (names.empty() ? "none (Debian: mesa-vulkan-drivers)" : names));
+    throw MachineError(FailureKind::kUnusable,
+                       "no Vulkan device " + which + "; there are: " +
+                           (names.empty() ? "none (Debian: mesa-vulkan-drivers)" : names));
   }
   if (!list[chosen].missing.empty()) {
-    throw MachineError(list[chosen].name + " has no " + list[chosen].missing);
+    throw MachineError(FailureKind::kUnusable,
+                       list[chosen].name + " has no " + list[chosen].missing);
   }
   state->physical.emplace(std::move(devices[chosen]));
   state->info = list[chosen];
   state->guard_pages = options.guard_pages;
+  state->timeout_nanoseconds = static_cast<uint64_t>(options.timeout_seconds * 1e9);
   if (options.check_barriers) state->hazards.emplace();
   make_device(*state, options.kernels);
   set_limits(*state, options.chunk_bytes);
@@ -211,12 +215,40 @@ std::shared_ptr<Device::State> open_state(const DeviceOptions& options) {
 
 }  // namespace
 
+size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& wanted) {
+  size_t number = devices.size();
+  const auto [end, error] =
+      std::from_chars(wanted.data(), wanted.data() + wanted.size(), number, 10);
+  const bool numbered =
+      !wanted.empty() && error == std::errc{} && end == wanted.data() + wanted.size();
+  size_t best = devices.size();
+  for (size_t i = 0; i < devices.size(); ++i) {
+    const bool named =
+        numbered ? i == number : lower(devices[i].name).find(lower(wanted)) != std::string::npos;
+    if (!named || (wanted.empty() && !devices[i].missing.empty())) continue;
+    if (best == devices.size() || rank_of(devices[i]) < rank_of(devices[best])) best = i;
+  }
+  return best;
+}
+
 Outcome<std::vector<DeviceInfo>> list_devices() {
   return guard_device([] {
     const auto state = make_state();
     make_instance(*state, false);
     return infos(state->instance->enumeratePhysicalDevices());
   });
+}
+
+Device::State::~State() { settle(); }
+
+void Device::State::settle() noexcept {
+  if (!lost || abandoned.empty()) return;
+  try {
+    device->waitIdle();
+  } catch (const std::exception&) {
+    // A lost device does nothing any more.
+  }
+  abandoned.clear();
 }
 
 Outcome<Device> Device::open(const DeviceOptions& options) {

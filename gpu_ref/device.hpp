@@ -12,9 +12,22 @@
 
 namespace hmlfc::gpu {
 
-/// What went wrong with the machine, not with the stream: a missing driver or device, no memory, a
-/// lost device, or a stream beyond what the device holds.
+/// What went wrong with the machine, not with the stream.
+enum class FailureKind : uint8_t {
+  kUnusable,     ///< no driver, no such device, or one that lacks something
+  kLimit,        ///< the stream or the call is beyond what the device holds; smaller ones work
+  kOutOfMemory,  ///< of the device or the host; smaller streams and calls work
+  kLost,         ///< the device was lost, or did not answer in an earlier call
+  kTimeout,      ///< the device has not answered in time
+  kInternal,     ///< a fault of this library or of the driver
+};
+
+/// After kLost and kTimeout every further call on the device, also through another decoder or
+/// renderer, gives kLost: open it again. Closing the last of them waits for what the device may
+/// still be doing. After any other failure the next call begins as if this one had not been, but
+/// that a renderer holds no blocks.
 struct Failure {
+  FailureKind kind = FailureKind::kUnusable;
   std::string message;  ///< one line: what is missing, and what to do
 };
 
@@ -23,18 +36,18 @@ using Outcome = tl::expected<T, Failure>;
 
 /// A device of this machine.
 struct DeviceInfo {
-  std::string name;          ///< as the driver gives it
-  std::string kind;          ///< "GPU", "CPU" or "other"
-  std::string missing;       ///< what it lacks for the decoder, or empty
-  uint64_t max_binding = 0;  ///< bytes of its largest storage buffer binding
+  std::string name;     ///< as the driver gives it
+  std::string kind;     ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
+  std::string missing;  ///< what it lacks for the decoder, or empty
 };
 
 /// Kernels as SPIR-V, by the names of their files in shaders/ without .comp.
 using KernelCode = std::map<std::string, std::vector<uint32_t>>;
 
 struct DeviceOptions {
-  /// The number of a device of list_devices() or a part of its name, in any case. Empty: the first
-  /// GPU that can run the decoder, else the first other device that can.
+  /// The number of a device of list_devices() or a part of its name, in any case. Of several that
+  /// fit, the first discrete GPU is taken, else the first of the next kind in the order of
+  /// DeviceInfo::kind. Empty: all that can run the decoder.
   std::string device;
   /// Runs under the Khronos validation layer, which must be installed, with its checks of
   /// synchronisation.
@@ -45,6 +58,8 @@ struct DeviceOptions {
   /// For tests: every buffer ends at a page that nobody may touch, so that an access past its end
   /// ends the process. Of devices on the host, with VK_EXT_external_memory_host.
   bool guard_pages = false;
+  /// How long a submission may take.
+  double timeout_seconds = 600;
   /// For tests: each submission is refused where a barrier is missing or idle (hazards.hpp).
   bool check_barriers = false;
   /// For tests: kernels that run in place of the library's own. Nothing checks the code.

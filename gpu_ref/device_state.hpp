@@ -4,6 +4,8 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <vulkan/vulkan_raii.hpp>
 
@@ -13,11 +15,20 @@
 
 namespace hmlfc::gpu {
 
-/// Thrown inside this folder with the message of a Failure; caught at its public functions.
+/// Thrown inside this folder with what a Failure says; caught at its public functions.
 class MachineError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  MachineError(FailureKind kind, const std::string& message)
+      : std::runtime_error(message), kind_(kind) {}
+
+  FailureKind kind() const { return kind_; }
+
+ private:
+  FailureKind kind_;
 };
+
+/// The number of the device that DeviceOptions::device = `wanted` means; devices.size() for none.
+size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& wanted);
 
 /// A fault for tests: barrier `number` of every submission, from 0 on, does not wait for the work
 /// `before`, nor does it make the work `after` wait: sums of Work.
@@ -28,6 +39,8 @@ struct BarrierFault {
 };
 
 struct Device::State {
+  ~State();
+
   vk::raii::Context context;
   std::vector<std::string> messages;
   std::optional<vk::raii::Instance> instance;
@@ -42,9 +55,23 @@ struct Device::State {
   uint64_t max_buffer_bytes = 0;    ///< largest buffer of anything else
   uint32_t max_workgroups = 65535;  ///< in one dimension
   double timestamp_seconds = 0;     ///< of one tick; 0: no timestamps
-  bool guard_pages = false;         ///< DeviceOptions::guard_pages
-  std::optional<Hazards> hazards;   ///< with DeviceOptions::check_barriers
+  uint64_t timestamp_mask = 0;      ///< the bits of a tick that are valid
+  uint64_t timeout_nanoseconds = 0;
+  bool lost = false;               ///< FailureKind::kLost or kTimeout has been given
+  bool guard_pages = false;        ///< DeviceOptions::guard_pages
+  std::optional<Hazards> hazards;  ///< with DeviceOptions::check_barriers
   std::optional<BarrierFault> barrier_fault;
+
+  /// What a submission without an answer may still use.
+  struct Abandoned {
+    vk::raii::CommandBuffer commands;
+    vk::raii::QueryPool queries;
+    vk::raii::Fence fence;
+  };
+  std::vector<Abandoned> abandoned;
+
+  /// Before memory of a lost device is freed: waits for what the device may still be doing.
+  void settle() noexcept;
 };
 
 /// Runs `body() -> T` and turns what it throws into a Failure.
@@ -53,13 +80,18 @@ auto guard_device(const Body& body) -> Outcome<decltype(body())> {
   try {
     return body();
   } catch (const MachineError& error) {
-    return tl::unexpected(Failure{error.what()});
+    return tl::unexpected(Failure{error.kind(), error.what()});
   } catch (const vk::OutOfDeviceMemoryError&) {
-    return tl::unexpected(Failure{"the device has too little memory for this stream"});
+    return tl::unexpected(
+        Failure{FailureKind::kOutOfMemory, "the device has too little memory for this stream"});
+  } catch (const vk::OutOfHostMemoryError&) {
+    return tl::unexpected(Failure{FailureKind::kOutOfMemory, "out of memory"});
   } catch (const std::bad_alloc&) {
-    return tl::unexpected(Failure{"out of memory"});
+    return tl::unexpected(Failure{FailureKind::kOutOfMemory, "out of memory"});
+  } catch (const vk::DeviceLostError&) {
+    return tl::unexpected(Failure{FailureKind::kLost, "the device was lost: open it again"});
   } catch (const std::exception& error) {
-    return tl::unexpected(Failure{std::string("Vulkan: ") + error.what()});
+    return tl::unexpected(Failure{FailureKind::kInternal, std::string("Vulkan: ") + error.what()});
   }
 }
 

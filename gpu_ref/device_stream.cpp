@@ -79,12 +79,11 @@ PackedPlane pack(const Result<std::shared_ptr<const SamplePlane>>& plane, const 
 DeviceStream::DeviceStream(Device::State& device, const StreamView& stream)
     : words_(device, ceil_div<uint64_t>(coded_bytes(stream).size(), 4)),
       references_(device, reference_count(stream.geometry) * reference_words(stream.geometry)),
-      shape_(device, sizeof(StreamShapeRecord), Memory::kUpload),
-      damage_(device, sizeof(uint32_t), Memory::kUpload) {
+      shape_record_(stream_shape(stream, words_.chunk_log2(), references_.chunk_log2())),
+      shape_(device, sizeof(StreamShapeRecord), Memory::kDevice),
+      damage_(device, sizeof(uint32_t), Memory::kDevice) {
   words_.upload(device, 0, coded_bytes(stream));
-  shape_.records<StreamShapeRecord>()[0] =
-      stream_shape(stream, words_.chunk_log2(), references_.chunk_log2());
-  damage_.records<uint32_t>()[0] = 0;
+  upload(device, bytes_of(std::span(&shape_record_, 1)), shape_);
   upload_keys(device, stream);
   decode_references(device, stream);
 }
@@ -99,7 +98,8 @@ Arguments DeviceStream::arguments() const {
 }
 
 void DeviceStream::upload_keys(Device::State& device, const StreamView& stream) {
-  const auto planes = key_planes(stream, shape_.records<const StreamShapeRecord>()[0]);
+  const auto planes = key_planes(stream, shape_record_);
+  uint32_t damage = 0;
   for (size_t begin = 0; begin < planes.size(); begin += kPlanesAtOnce) {
     const size_t count = std::min(kPlanesAtOnce, planes.size() - begin);
     const KeyImages keys(stream);
@@ -110,10 +110,11 @@ void DeviceStream::upload_keys(Device::State& device, const StreamView& stream) 
           pack(keys.plane(key.level, key.image, key.plane), stream.geometry.plane(key.plane));
     });
     for (size_t i = 0; i < count; ++i) {
-      if (packed[i].damaged) damage_.records<uint32_t>()[0] = 1;
+      if (packed[i].damaged) damage = 1;
       references_.upload(device, 4 * planes[begin + i].word, packed[i].bytes);
     }
   }
+  upload(device, bytes_of(std::span(&damage, 1)), damage_);
 }
 
 // Residuals of the reference images at levels that are not keyed (DEC-4).

@@ -6,6 +6,7 @@
 #include "arguments.hpp"
 #include "buffer.hpp"
 #include "kernels.hpp"
+#include "stream_shape.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
@@ -31,6 +32,7 @@ class DeviceStream {
 
   ChunkedWords words_;
   ChunkedWords references_;
+  StreamShapeRecord shape_record_;
   Buffer shape_;
   Buffer damage_;
 };

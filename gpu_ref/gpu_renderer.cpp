@@ -40,7 +40,8 @@ struct GpuRenderer::State {
         sizes(block_sizes(view.header)),
         pool(sizes, words_of_level(0), cache_bytes) {
     if (blocks_of_image(geometry) * geometry.level(0).images() >= kNoError) {
-      throw MachineError("limit_exceeded: frames need fewer than 2^32 - 1 blocks in all views");
+      throw MachineError(FailureKind::kLimit,
+                         "limit_exceeded: frames need fewer than 2^32 - 1 blocks in all views");
     }
   }
 
@@ -50,10 +51,13 @@ struct GpuRenderer::State {
       frame.status = ErrorCode::kBadRequest;
       return frame;
     }
-    if (!submit(record, stop_level, frame) && !submit(record, stop_level, frame)) {
-      throw MachineError("the device counts other blocks for the same frame");
+    try {
+      if (submit(record, stop_level, frame) || submit(record, stop_level, frame)) return frame;
+    } catch (...) {
+      capacity = kFirstCapacity;  // what the next frame finds room for
+      throw;
     }
-    return frame;
+    throw MachineError(FailureKind::kInternal, "the device counts other blocks for the same frame");
   }
 
   // Words of one bit for each block of a level.
@@ -64,8 +68,6 @@ struct GpuRenderer::State {
   // The arguments of a submission with room for `capacity` requests.
   Arguments prepare(const FrameRecord& record, int stop_level) {
     Arguments arguments = buffers.prepare_requests(device, capacity, sizes, stream.arguments());
-    Buffer& buffer = shapes.reserve(device, sizeof(FrameShape));
-    FrameShape& shape = buffer.records<FrameShape>()[0];
     shape.needed = needed.reserve(device, 4 * words_of_level(0)).address();
     shape.slots = slots.reserve(device, 4 * capacity).address();
     shape.counters = counters.reserve(device, 4 * kAllCounters).address();
@@ -77,15 +79,16 @@ struct GpuRenderer::State {
     shape.needed_words = static_cast<uint32_t>(words_of_level(stop_level));
     shape.record = record;
     pool.describe(shape);
-    arguments.frame = buffer.address();
+    arguments.frame = shapes.reserve(device, sizeof(FrameShape)).address();
     return arguments;
   }
 
   // Room for `requests` requests and `pages` pages of the pool.
   void make_room(uint64_t requests, uint64_t pages) {
     if (requests > max_requests(device, sizes, false)) {
-      throw MachineError("the frame needs " + std::to_string(requests) +
-                         " blocks, more than the device has room for in one submission");
+      throw MachineError(FailureKind::kLimit,
+                         "the frame needs " + std::to_string(requests) +
+                             " blocks, more than the device has room for in one submission");
     }
     pool.reserve(device, pages);
     capacity = std::max(capacity, requests);
@@ -95,7 +98,8 @@ struct GpuRenderer::State {
   bool submit(const FrameRecord& record, int stop_level, GpuFrame& frame) {
     pool.reserve(device, 0);
     const Arguments arguments = prepare(record, stop_level);
-    Commands commands(device, &shapes.get().records<FrameShape>()[0]);
+    Commands commands(device, &shape);
+    commands.write(shapes.get(), bytes_of(std::span(&shape, 1)));
     pool.begin_frame(stop_level, commands, counters.get());
     record_kernels(record, stop_level, arguments, commands);
     const uint64_t counter_bytes = 4 * kFrameCounters;
@@ -176,7 +180,8 @@ struct GpuRenderer::State {
   BlockPool pool;
   uint64_t capacity = kFirstCapacity;
   BatchBuffers buffers;
-  GrowingBuffer shapes{Memory::kUpload};
+  FrameShape shape;  // of the last frame, as `shapes` has it
+  GrowingBuffer shapes{Memory::kDevice};
   GrowingBuffer needed{Memory::kDevice};
   GrowingBuffer slots{Memory::kDevice};
   GrowingBuffer counters{Memory::kDevice};

@@ -53,7 +53,8 @@ const KernelBuffers& buffers_of(const std::string& kernel, Kind kind) {
       if (buffers.kernel == kernel && buffers.kind == wanted) return buffers;
     }
   }
-  throw MachineError("kernel_accesses.cpp: nothing is known of " + kernel + " in this variant");
+  throw MachineError(FailureKind::kInternal,
+                     "kernel_accesses.cpp: nothing is known of " + kernel + " in this variant");
 }
 
 struct NamedBuffer {
@@ -94,7 +95,8 @@ uint64_t address_of(std::string_view name, const Arguments& arguments, const Fra
   for (const NamedFrameBuffer& buffer : kFrameBuffers) {
     if (buffer.name == name && frame != nullptr) return frame->*buffer.member;
   }
-  throw MachineError("kernel_accesses.cpp: no buffer is named \"" + std::string(name) + "\"");
+  throw MachineError(FailureKind::kInternal,
+                     "kernel_accesses.cpp: no buffer is named \"" + std::string(name) + "\"");
 }
 
 void add(const char* names, bool writes, const Arguments& arguments, const FrameShape* frame,

@@ -82,7 +82,8 @@ Kernels::Kernels(const vk::raii::Device& device, KernelCode replaced)
       code_(built_kernels()),
       replaced_(std::move(replaced)) {
   for (const auto& [name, code] : replaced_) {
-    if (!code_.contains(name)) throw MachineError("no kernel is named \"" + name + "\"");
+    if (!code_.contains(name))
+      throw MachineError(FailureKind::kUnusable, "no kernel is named \"" + name + "\"");
     code_[name] = code;
   }
 }

@@ -8,7 +8,8 @@ namespace {
 
 tl::unexpected<Failure> missing() {
   return tl::unexpected(
-      Failure{"this build has no GPU decoder: the Vulkan headers or glslc were missing (Debian: "
+      Failure{FailureKind::kUnusable,
+              "this build has no GPU decoder: the Vulkan headers or glslc were missing (Debian: "
               "libvulkan-dev glslc)"});
 }
 

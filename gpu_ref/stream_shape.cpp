@@ -15,7 +15,8 @@ uint32_t row_words(const PlaneShape& plane) { return ceil_div(plane.width, 2u); 
 // Streams beyond the limit are refused (FIL-7).
 uint32_t checked_words(uint64_t bytes, const char* what) {
   if (bytes / 4 >= kMaxStreamWords) {
-    throw MachineError(std::string("limit_exceeded: ") + what + " takes 16 GiB or more");
+    throw MachineError(FailureKind::kLimit,
+                       std::string("limit_exceeded: ") + what + " takes 16 GiB or more");
   }
   return static_cast<uint32_t>(bytes / 4);
 }

@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_memory_scope_semantics : require
 // The blocks that a frame needs (NED-1): one invocation a pixel.
 #include "decode.glsl"
 #include "requests.glsl"
@@ -12,7 +13,9 @@
 /// Most bits are set already: an atomic operation only where that is not so.
 void mark(uint bit) {
   const uint mask = 1u << (bit & 31u);
-  if ((frame().needed.word[bit >> 5] & mask) == 0u) {
+  const uint marked = atomicLoad(frame().needed.word[bit >> 5], gl_ScopeDevice,
+                                 gl_StorageSemanticsBuffer, gl_SemanticsRelaxed);
+  if ((marked & mask) == 0u) {
     atomicOr(frame().needed.word[bit >> 5], mask);
   }
 }

@@ -64,7 +64,7 @@ Outcome<std::vector<FrameRecord>> records_of_path(const Camera& camera, const St
   std::vector<FrameRecord> records;
   for (uint64_t i = 0; i < frames; ++i) {
     const auto record = frame_record(moved(camera, header, i, frames), header);
-    if (!record) return tl::unexpected(Failure{record.error().message});
+    if (!record) return tl::unexpected(Failure{FailureKind::kUnusable, record.error().message});
     records.push_back(*record);
   }
   return records;
@@ -77,7 +77,7 @@ Outcome<FramePath> check_frames(GpuRenderer& renderer, std::span<const uint8_t> 
   OpenOptions options;
   options.check_sections = false;
   const auto decoder = Decoder::open(file, options);
-  if (!decoder) return tl::unexpected(Failure{to_string(decoder.error())});
+  if (!decoder) return tl::unexpected(Failure{FailureKind::kUnusable, to_string(decoder.error())});
   const auto golden = make_golden_renderer(*decoder);
   const auto records = records_of_path(camera, stream.header, frames);
   if (!records) return tl::unexpected(records.error());

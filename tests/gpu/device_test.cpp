@@ -1,7 +1,10 @@
 // Choosing a device, and the validation layer's messages.
 #include <algorithm>
 
+#include "decoder/open_stream.hpp"
+#include "device_state.hpp"
 #include "gpu/gpu_test.hpp"
+#include "gpu_renderer.hpp"
 #include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
@@ -27,12 +30,28 @@ TEST_F(GpuDevice, IsChosenByNumberAndByPartOfItsName) {
   }
 }
 
+TEST(GpuDeviceChoice, TakesDiscreteGpusFirstAndNoneThatLacksSomething) {
+  const std::vector<DeviceInfo> devices = {{"llvmpipe", "CPU", ""},
+                                           {"small", "integrated GPU", ""},
+                                           {"old", "discrete GPU", "Vulkan 1.2"},
+                                           {"large", "discrete GPU", ""},
+                                           {"large too", "discrete GPU", ""}};
+  EXPECT_EQ(choose_device(devices, ""), 3u);
+  EXPECT_EQ(choose_device(devices, "LL"), 1u);
+  EXPECT_EQ(choose_device(devices, "pipe"), 0u);
+  EXPECT_EQ(choose_device(devices, "2"), 2u);
+  EXPECT_EQ(choose_device(devices, "5"), devices.size());
+  EXPECT_EQ(choose_device({devices[0], devices[1]}, ""), 1u);
+  EXPECT_EQ(choose_device({devices[2]}, ""), 1u);
+}
+
 TEST_F(GpuDevice, ThatIsNotThereIsNamedWithThoseThatAre) {
   for (const char* name : {"no such device", "99"}) {
     DeviceOptions options;
     options.device = name;
     const auto device = Device::open(options);
     ASSERT_FALSE(device);
+    EXPECT_EQ(device.error().kind, FailureKind::kUnusable);
     EXPECT_NE(device.error().message.find(name), std::string::npos) << device.error().message;
     EXPECT_NE(device.error().message.find(list_devices()->front().name), std::string::npos);
   }
@@ -44,6 +63,37 @@ TEST_F(GpuDevice, RefusesChunksThatAreNoPowerOfTwo) {
     options.chunk_bytes = bytes;
     EXPECT_FALSE(Device::open(options)) << bytes;
   }
+}
+
+// A device that did not answer in time takes no more calls, and leaves nothing behind.
+TEST_F(GpuDevice, WithoutAnAnswerIsLost) {
+  auto device = open({});
+  ASSERT_TRUE(device);
+  const auto bytes = tb::suite_stream(2, 4);
+  const auto view = open_stream(bytes, {});
+  ASSERT_TRUE(view);
+  auto decoder = GpuDecoder::open(*device, *view);
+  auto renderer = GpuRenderer::open(*device, *view, 0);
+  ASSERT_TRUE(decoder && renderer);
+  const PlaneShape& shape = view->geometry.plane(Plane::kY);
+  const BlockArea area{{0, 0}, Plane::kY, 0, 0, shape.blocks_x, shape.blocks_y, 0};
+  ASSERT_TRUE(decoder->decode({&area, 1}));
+  device->state().timeout_nanoseconds = 0;
+  const auto late = decoder->decode({&area, 1});
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().kind, FailureKind::kTimeout) << late.error().message;
+  device->state().timeout_nanoseconds = 1'000'000'000;
+  const auto next = decoder->decode({&area, 1});
+  ASSERT_FALSE(next);
+  EXPECT_EQ(next.error().kind, FailureKind::kLost) << next.error().message;
+  const auto record = frame_record(Camera{}, view->header);
+  ASSERT_TRUE(record);
+  const auto frame = renderer->render(*record, 0);
+  ASSERT_FALSE(frame);
+  EXPECT_EQ(frame.error().kind, FailureKind::kLost);
+  auto again = open({});
+  ASSERT_TRUE(again);
+  expect_equal(*again, bytes, {.requests = 20});
 }
 
 TEST_F(GpuDevice, IsUsedAsTheValidationLayerWants) {
