@@ -17,6 +17,7 @@ enum Marker : uint32_t {
 };
 
 // Offsets of fields from the marker of their segment.
+constexpr size_t kSizCapabilities = 4;
 constexpr size_t kSizImageWidth = 6;
 constexpr size_t kSizImageHeight = 10;
 constexpr size_t kSizImageOrigin = 14;  // two fields
@@ -24,8 +25,21 @@ constexpr size_t kSizTileWidth = 22;
 constexpr size_t kSizTileHeight = 26;
 constexpr size_t kSizTileOrigin = 30;  // two fields
 constexpr size_t kSizComponents = 38;
+constexpr size_t kSizPrecision = 40;
+constexpr size_t kSizSubsampling = 41;  // two fields
+constexpr size_t kSizBytes = 43;
 constexpr size_t kCodStyle = 4;
+constexpr size_t kCodProgression = 5;
+constexpr size_t kCodLayers = 6;
+constexpr size_t kCodComponentTransform = 8;
+constexpr size_t kCodDecompositions = 9;
+constexpr size_t kCodBlockWidth = 10;
+constexpr size_t kCodBlockHeight = 11;
+constexpr size_t kCodBlockStyle = 12;
 constexpr size_t kCodTransform = 13;
+constexpr size_t kCodPrecincts = 14;
+constexpr size_t kQcdStyle = 4;
+constexpr size_t kQcdExponents = 5;
 constexpr size_t kSotTile = 4;
 constexpr size_t kSotTilePartBytes = 6;
 constexpr size_t kSotTilePart = 10;
@@ -33,8 +47,12 @@ constexpr size_t kSotTileParts = 11;
 constexpr size_t kSotBytes = 12;
 constexpr size_t kMarkerBytes = 2;
 
-constexpr uint32_t kOwnPrecincts = 1;  // bit of the coding style
+constexpr uint32_t kOtherParts = 0xC000;  // bits of Rsiz: extensions, high throughput
+constexpr uint32_t kSigned = 0x80;        // bit of Ssiz
+constexpr uint32_t kOwnPrecincts = 1;     // bit of Scod; bits 1 and 2 are SOP and EPH
+constexpr uint32_t kGreatestPrecinct = 0xFF;
 constexpr uint32_t kReversible = 1;
+constexpr uint32_t kGreatestTile = 0x7FFFFFFF;
 
 // Big-endian fields; those past the end read as 0, which is no marker.
 class Segments {
@@ -57,16 +75,54 @@ class Segments {
 
 bool is_one_tile(const Segments& segments, size_t siz, uint32_t width, uint32_t height) {
   const auto field = [&](size_t offset) { return segments.field(siz + offset, 4); };
-  return segments.marker(siz) == kSiz && field(kSizImageWidth) == width &&
-         field(kSizImageHeight) == height && field(kSizImageOrigin) == 0 &&
-         field(kSizImageOrigin + 4) == 0 && field(kSizTileWidth) >= width &&
-         field(kSizTileHeight) >= height && field(kSizTileOrigin) == 0 &&
-         field(kSizTileOrigin + 4) == 0 && segments.field(siz + kSizComponents, 2) == 1;
+  return field(kSizImageWidth) == width && field(kSizImageHeight) == height &&
+         field(kSizImageOrigin) == 0 && field(kSizImageOrigin + 4) == 0 &&
+         field(kSizTileWidth) >= width && field(kSizTileWidth) <= kGreatestTile &&
+         field(kSizTileHeight) >= height && field(kSizTileHeight) <= kGreatestTile &&
+         field(kSizTileOrigin) == 0 && field(kSizTileOrigin + 4) == 0;
 }
 
-bool is_reversible(const Segments& segments, size_t cod) {
-  return (segments.field(cod + kCodStyle, 1) & kOwnPrecincts) == 0 &&
-         segments.field(cod + kCodTransform, 1) == kReversible;
+bool is_one_component(const Segments& segments, size_t siz, SamplePrecision precision) {
+  const uint32_t sign = precision.is_signed ? kSigned : 0;
+  return segments.marker(siz) == kSiz && segments.after(siz) == siz + kSizBytes &&
+         (segments.field(siz + kSizCapabilities, 2) & kOtherParts) == 0 &&
+         segments.field(siz + kSizComponents, 2) == 1 &&
+         segments.field(siz + kSizPrecision, 1) ==
+             sign + static_cast<uint32_t>(precision.bits) - 1 &&
+         segments.field(siz + kSizSubsampling, 2) == 0x0101;
+}
+
+bool has_greatest_precincts(const Segments& segments, size_t cod) {
+  const uint32_t resolutions = segments.field(cod + kCodDecompositions, 1) + 1;
+  const bool own = (segments.field(cod + kCodStyle, 1) & kOwnPrecincts) != 0;
+  const uint32_t bytes = own ? resolutions : 0;
+  if (segments.after(cod) != cod + kCodPrecincts + bytes) return false;
+  for (uint32_t i = 0; i < bytes; ++i) {
+    if (segments.field(cod + kCodPrecincts + i, 1) != kGreatestPrecinct) return false;
+  }
+  return true;
+}
+
+bool is_allowed_cod(const Segments& segments, size_t cod) {
+  const auto field = [&](size_t offset) { return segments.field(cod + offset, 1); };
+  return field(kCodStyle) <= 7 && field(kCodProgression) <= 4 &&
+         segments.field(cod + kCodLayers, 2) >= 1 && field(kCodComponentTransform) == 0 &&
+         field(kCodDecompositions) <= (field(kCodProgression) <= 1 ? 32 : 15) &&
+         field(kCodBlockWidth) + field(kCodBlockHeight) <= 8 && field(kCodBlockStyle) <= 63 &&
+         field(kCodTransform) == kReversible && has_greatest_precincts(segments, cod);
+}
+
+// Exponents alone, without quantization, one for each subband of `decompositions`.
+bool is_allowed_qcd(const Segments& segments, size_t qcd, uint32_t decompositions) {
+  const uint32_t subbands = 3 * decompositions + 1;
+  if ((segments.field(qcd + kQcdStyle, 1) & 31) != 0 ||
+      segments.after(qcd) != qcd + kQcdExponents + subbands) {
+    return false;
+  }
+  for (uint32_t i = 0; i < subbands; ++i) {
+    if ((segments.field(qcd + kQcdExponents + i, 1) & 7) != 0) return false;
+  }
+  return true;
 }
 
 // A tile-part of length 0 reaches to EOC; 0 tile-parts leave their number open. The EOC that ends
@@ -83,26 +139,32 @@ bool is_only_tile_part(const Segments& segments, size_t sot) {
 
 }  // namespace
 
-bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uint32_t height) {
+bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uint32_t height,
+                        SamplePrecision precision) {
   const Segments segments(codestream);
   constexpr size_t kAtSiz = 2;
-  if (segments.marker(0) != kSoc || !is_one_tile(segments, kAtSiz, width, height)) return false;
-  bool has_cod = false;
-  bool has_qcd = false;
+  if (segments.marker(0) != kSoc || !is_one_component(segments, kAtSiz, precision) ||
+      !is_one_tile(segments, kAtSiz, width, height)) {
+    return false;
+  }
+  size_t cod = 0;  // 0: none yet
+  size_t qcd = 0;
   for (size_t at = segments.after(kAtSiz);; at = segments.after(at)) {
     switch (segments.marker(at)) {
       case kCod:
-        if (has_cod || !is_reversible(segments, at)) return false;
-        has_cod = true;
+        if (cod != 0 || !is_allowed_cod(segments, at)) return false;
+        cod = at;
         break;
       case kQcd:
-        if (has_qcd) return false;
-        has_qcd = true;
+        if (qcd != 0) return false;
+        qcd = at;
         break;
       case kCom:
         break;
       case kSot:
-        return has_cod && has_qcd && is_only_tile_part(segments, at);
+        return cod != 0 && qcd != 0 &&
+               is_allowed_qcd(segments, qcd, segments.field(cod + kCodDecompositions, 1)) &&
+               is_only_tile_part(segments, at);
       default:
         return false;
     }

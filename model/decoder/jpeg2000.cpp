@@ -4,22 +4,12 @@
 #include <cmath>
 
 #include "arithmetic/widths.hpp"
-#include "decoder/jpeg2000.hpp"
 #include "decoder/openjpeg_sink.hpp"
 
 namespace hmlfc {
 namespace {
 
 using namespace openjpeg;
-
-bool has_shape(const opj_image_t& image, uint32_t width, uint32_t height,
-               SamplePrecision precision) {
-  if (image.numcomps != 1 || image.x0 != 0 || image.y0 != 0) return false;
-  const opj_image_comp_t& comp = image.comps[0];
-  return image.x1 == width && image.y1 == height && comp.dx == 1 && comp.dy == 1 &&
-         comp.prec == static_cast<OPJ_UINT32>(precision.bits) &&
-         (comp.sgnd != 0) == precision.is_signed;
-}
 
 Image make_image(const SamplePlane& plane, SamplePrecision precision) {
   opj_image_cmptparm_t comp{};
@@ -46,9 +36,47 @@ int resolutions(const SamplePlane& plane) {
   return count;
 }
 
+// Layer after layer at quality `psnr`, 0 for lossless; those before the last are coarser.
+void set_layers(opj_cparameters_t& parameters, unsigned layers, float psnr) {
+  constexpr float kFinest = 40;  // of layers before a lossless one
+  constexpr float kStep = 6;
+  parameters.tcp_numlayers = static_cast<int>(layers);
+  float quality = psnr > 0 ? psnr : kFinest;
+  for (unsigned layer = layers - 1; layer-- > 0;) {
+    quality = std::max(quality - kStep, 1.0F);
+    parameters.tcp_distoratio[layer] = quality;
+  }
+  parameters.tcp_distoratio[layers - 1] = psnr;
+  parameters.tcp_rates[0] = 0;  // 0 means lossless
+  if (psnr > 0 || layers > 1) {
+    parameters.cp_fixed_quality = 1;
+  } else {
+    parameters.cp_disto_alloc = 1;
+  }
+}
+
+void set_options(opj_cparameters_t& parameters, const CodestreamOptions& options) {
+  constexpr int kSop = 2;
+  constexpr int kEph = 4;
+  constexpr int kOwnPrecincts = 1;
+  parameters.mode = static_cast<int>(options.style);
+  parameters.prog_order = static_cast<OPJ_PROG_ORDER>(options.progression);
+  parameters.csty = (options.sop ? kSop : 0) | (options.eph ? kEph : 0);
+  parameters.cblockw_init = static_cast<int>(options.block_width);
+  parameters.cblockh_init = static_cast<int>(options.block_height);
+  if (options.decompositions) parameters.numresolution = *options.decompositions + 1;
+  if (options.precinct_log2 == 0) return;
+  parameters.csty |= kOwnPrecincts;
+  parameters.res_spec = parameters.numresolution;
+  for (int i = 0; i < parameters.res_spec; ++i) {
+    parameters.prcw_init[i] = parameters.prch_init[i] = 1 << options.precinct_log2;
+  }
+}
+
 // `psnr`: of OpenJPEG's own estimate, with the peak 2^bits - 1; 0 means lossless.
 std::optional<std::vector<uint8_t>> encode_to_distortion(const SamplePlane& plane,
-                                                         SamplePrecision precision, float psnr) {
+                                                         SamplePrecision precision, float psnr,
+                                                         const CodestreamOptions& options) {
   Sink sink;
   const Stream stream = open_sink(sink);
   const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
@@ -60,14 +88,8 @@ std::optional<std::vector<uint8_t>> encode_to_distortion(const SamplePlane& plan
   opj_set_default_encoder_parameters(&parameters);
   parameters.numresolution = resolutions(plane);
   parameters.irreversible = 0;
-  parameters.tcp_numlayers = 1;
-  parameters.tcp_rates[0] = 0;  // 0 means lossless
-  parameters.tcp_distoratio[0] = psnr;
-  if (psnr > 0) {
-    parameters.cp_fixed_quality = 1;
-  } else {
-    parameters.cp_disto_alloc = 1;
-  }
+  set_layers(parameters, options.layers, psnr);
+  set_options(parameters, options);
   // The default comment names the library's version, which would make the bytes depend on it.
   char no_comment[] = "";
   parameters.cp_comment = no_comment;
@@ -82,8 +104,7 @@ std::optional<std::vector<uint8_t>> encode_to_distortion(const SamplePlane& plan
 }  // namespace
 
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
-                                           uint32_t height, SamplePrecision precision) {
-  if (!has_key_image_head(codestream, width, height)) return std::nullopt;
+                                           uint32_t height) {
   Source source{codestream};
   const Stream stream = open_source(source);
   const Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
@@ -93,15 +114,11 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);
   opj_image_t* raw = nullptr;
-  if (!opj_setup_decoder(codec.get(), &parameters) ||
-      !opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) ||
-      !opj_read_header(stream.get(), codec.get(), &raw)) {
-    opj_image_destroy(raw);
-    return std::nullopt;
-  }
+  const bool has_head = opj_setup_decoder(codec.get(), &parameters) &&
+                        opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) &&
+                        opj_read_header(stream.get(), codec.get(), &raw);
   const Image image(raw);
-  if (!has_shape(*image, width, height, precision)) return std::nullopt;
-  if (!opj_decode(codec.get(), stream.get(), image.get()) ||
+  if (!has_head || !opj_decode(codec.get(), stream.get(), image.get()) ||
       !opj_end_decompress(codec.get(), stream.get())) {
     return std::nullopt;
   }
@@ -114,16 +131,18 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
 }
 
 std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
-                                                    SamplePrecision precision) {
-  return encode_to_distortion(plane, precision, 0);
+                                                    SamplePrecision precision,
+                                                    const CodestreamOptions& options) {
+  return encode_to_distortion(plane, precision, 0, options);
 }
 
 std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& plane,
                                                           SamplePrecision precision,
-                                                          double mean_squared_error) {
+                                                          double mean_squared_error,
+                                                          const CodestreamOptions& options) {
   const double peak = static_cast<double>((1 << precision.bits) - 1);
   const double psnr = 10 * std::log10(peak * peak / mean_squared_error);
-  return encode_to_distortion(plane, precision, static_cast<float>(std::max(psnr, 1.0)));
+  return encode_to_distortion(plane, precision, static_cast<float>(std::max(psnr, 1.0)), options);
 }
 
 }  // namespace hmlfc

@@ -1,4 +1,4 @@
-// JPEG 2000 codestreams of one plane (KEY-2), by OpenJPEG.
+// JPEG 2000 codestreams of one plane (KEY-2, KEY-4), by OpenJPEG.
 #pragma once
 
 #include <cstdint>
@@ -15,29 +15,47 @@ struct SamplePrecision {
   bool is_signed = false;
 };
 
-/// Decodes a complete codestream, whose packets may leave out coding passes (EXT-6), of one
-/// component of `width` x `height` samples with `precision`. Nothing where it cannot be decoded or
-/// has another shape, which is checked before samples are allocated.
+/// How a codestream is coded, as far as KEY-2 leaves it free.
+struct CodestreamOptions {
+  unsigned style = 0;        ///< of code-blocks: bits 0..5 of COD
+  unsigned layers = 1;       ///< [1, 20]; each is about 6 dB better than the one before
+  unsigned progression = 0;  ///< of COD, [0, 4]
+  bool sop = false;          ///< SOP marker segments before packets
+  bool eph = false;          ///< EPH markers behind packet headers
+  /// Of code-blocks: powers of two in [4, 1024], whose product is at most 4096.
+  unsigned block_width = 64;
+  unsigned block_height = 64;
+  /// [0, 32], at most one for each halving of the smaller side. None: these, but at most 5.
+  std::optional<int> decompositions;
+  /// Precincts are stated as 2^n x 2^n samples: n in [1, 15], of which KEY-2 allows 15; 0: they are
+  /// not stated.
+  unsigned precinct_log2 = 0;
+};
+
+/// Whether `codestream` has the markers that KEY-2 asks for (ISO/IEC 15444-1, annex A), for a plane
+/// of `width` x `height` samples with `precision`. The memory that decoding such a codestream takes
+/// is proportional to its samples and its bytes, but for 20 MiB.
+bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uint32_t height,
+                        SamplePrecision precision);
+
+/// The samples of a codestream that has_key_image_head has accepted for this size, clamped to the
+/// interval of its precision (KEY-4); coding passes may be missing (EXT-6). Nothing where its
+/// packets cannot be decoded.
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
-                                           uint32_t height, SamplePrecision precision);
+                                           uint32_t height);
 
 /// Codes `plane` losslessly with the reversible 5/3 transform. The bytes are the same on every
 /// machine and for any number of threads. Nothing where OpenJPEG fails, which means it is out of
 /// memory.
 std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
-                                                    SamplePrecision precision);
+                                                    SamplePrecision precision,
+                                                    const CodestreamOptions& options = {});
 
 /// The same with coding passes cut off (EXT-6) where the mean squared error stays about
 /// `mean_squared_error` > 0.
 std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& plane,
                                                           SamplePrecision precision,
-                                                          double mean_squared_error);
-
-/// Whether `codestream` has the head that KEY-2 asks for: one component and one tile of exactly
-/// `width` x `height` samples at the origin, the reversible 5/3 transform, precincts of the
-/// largest size, no marker segments but SIZ, COD, QCD and COM, and one tile-part, without segments
-/// of its own, that ends at the EOC marker that ends the codestream (ISO/IEC 15444-1, annex A).
-/// The memory that such a codestream needs is proportional to its samples.
-bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uint32_t height);
+                                                          double mean_squared_error,
+                                                          const CodestreamOptions& options = {});
 
 }  // namespace hmlfc

@@ -86,13 +86,17 @@ Result<SamplePlane> KeyImages::decode(uint64_t entry, Plane plane) const {
   if (stream_.reads != nullptr) stream_.reads->on_key_plane(shape.samples());
   const bool chroma = plane != Plane::kY;
   const SamplePrecision precision{stream_.header.depth + (chroma ? 1 : 0), chroma};
-  auto samples = decode_jpeg2000(codestream, shape.width, shape.height, precision);
-  if (!samples) return stream_.error(ErrorCode::kBadTopImage, Section::kTop, place.offset);
+  if (!has_key_image_head(codestream, shape.width, shape.height, precision)) {
+    return stream_.error(ErrorCode::kBadTopImage, Section::kTop, place.offset);
+  }
+  const auto bad_crc = [&] {
+    return stream_.error(ErrorCode::kBadTopCrc, Section::kTop, entry * kTopEntryBytes);
+  };
+  auto samples = decode_jpeg2000(codestream, shape.width, shape.height);
+  if (!samples) return bad_crc();
   const SampleRange range = sample_range(plane, stream_.header.depth);
   if (stream_.header.has(Feature::kLossyKeys)) clamp_samples(*samples, range);
-  if (sample_crc(*samples) != place.sample_crc) {
-    return stream_.error(ErrorCode::kBadTopCrc, Section::kTop, entry * kTopEntryBytes);
-  }
+  if (sample_crc(*samples) != place.sample_crc) return bad_crc();
   const auto [least, most] = std::minmax_element(samples->samples.begin(), samples->samples.end());
   if (*least < range.lo || *most > range.hi) {
     return stream_.error(ErrorCode::kTopSampleRange, Section::kTop, place.offset);

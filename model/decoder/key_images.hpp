@@ -1,4 +1,4 @@
-// The key images of the TOP section (KEY-1 to KEY-3, EXT-6).
+// The key images of the TOP section (KEY-1 to KEY-4, EXT-6).
 #pragma once
 
 #include <cstdint>

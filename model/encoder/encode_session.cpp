@@ -26,7 +26,7 @@ void code_key_plane(SamplePlane& samples, SamplePrecision precision, SampleRange
   if (!coded) throw std::bad_alloc();
   codestream = std::move(*coded);
   if (error == 0) return;
-  auto decoded = decode_jpeg2000(codestream, samples.width, samples.height, precision);
+  auto decoded = decode_jpeg2000(codestream, samples.width, samples.height);
   if (!decoded) throw std::bad_alloc();
   samples = std::move(*decoded);
   for (int16_t& sample : samples.samples) {

@@ -34,7 +34,7 @@ KeyCurve::KeyCurve(const SamplePlane& plane, SamplePrecision precision) {
   for (int i = 0; i < kErrorCount; ++i, asked *= kErrorRatio) {
     const auto coded = encode_jpeg2000_lossy(plane, precision, asked);
     if (!coded) throw std::bad_alloc();
-    const auto decoded = decode_jpeg2000(*coded, plane.width, plane.height, precision);
+    const auto decoded = decode_jpeg2000(*coded, plane.width, plane.height);
     if (!decoded) throw std::bad_alloc();
     const auto samples = static_cast<double>(plane.samples.size());
     const double error = mean_squared_error(plane, *decoded);

@@ -128,9 +128,9 @@ void hmlfc_reference_image(const struct hmlfc_stream* stream, unsigned level, ui
 
 /* --- The reference area ---------------------------------------------------------------------- */
 
-/* Decodes one JPEG 2000 codestream of one component of width x height samples of `bits` bits, two's
- * complement if `is_signed`, into `samples`, row by row. Not 0: it does not decode, or has another
- * shape. hmlfc_openjpeg.c has one. */
+/* Decodes one JPEG 2000 codestream that hmlfc_has_key_image_head has accepted, of one component of
+ * width x height samples of `bits` bits, two's complement if `is_signed`, into `samples`, row by
+ * row, each clamped to these bits. Not 0: its packets do not decode. hmlfc_openjpeg.c has one. */
 typedef int (*hmlfc_decode_plane)(void* context, const uint8_t* codestream, size_t bytes,
                                   uint32_t width, uint32_t height, unsigned bits, int is_signed,
                                   int16_t* samples);
@@ -139,12 +139,12 @@ typedef int (*hmlfc_decode_plane)(void* context, const uint8_t* codestream, size
 uint64_t hmlfc_area_offset(const struct hmlfc_stream* stream, unsigned level, uint32_t group_row,
                            uint32_t group_col, unsigned plane);
 
-/* Whether a codestream has the head that KEY-2 asks for. */
+/* Whether a codestream has the markers that KEY-2 asks for, for a plane of such samples. */
 int hmlfc_has_key_image_head(const uint8_t* codestream, size_t bytes, uint32_t width,
-                             uint32_t height);
+                             uint32_t height, unsigned bits, int is_signed);
 
 /* Decodes all key images into `area`, of stream->area_bytes bytes that are 0. `samples` is room
- * for the width * height samples of a view. A plane that does not decode (KEY-2, KEY-3) is stored
+ * for the width * height samples of a view. A plane that does not decode (KEY-2 to KEY-4) is stored
  * as its error, which blocks that read it then have. Returns how many such planes there are; the
  * first is in `error`, whose code else is 0. */
 uint64_t hmlfc_fill_key_images(const struct hmlfc_stream* stream, uint8_t* area,

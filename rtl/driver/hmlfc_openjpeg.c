@@ -32,14 +32,6 @@ static OPJ_BOOL seek_source(OPJ_OFF_T position, void* user) {
   return OPJ_TRUE;
 }
 
-static int has_shape(const opj_image_t* image, uint32_t width, uint32_t height, unsigned bits,
-                     int is_signed) {
-  const opj_image_comp_t* component = image->comps;
-  return image->numcomps == 1 && image->x0 == 0 && image->y0 == 0 && image->x1 == width &&
-         image->y1 == height && component->dx == 1 && component->dy == 1 &&
-         component->prec == bits && (component->sgnd != 0) == is_signed;
-}
-
 int hmlfc_openjpeg_decode(void* context, const uint8_t* codestream, size_t bytes, uint32_t width,
                           uint32_t height, unsigned bits, int is_signed, int16_t* samples) {
   struct source source = {codestream, bytes, 0};
@@ -49,6 +41,8 @@ int hmlfc_openjpeg_decode(void* context, const uint8_t* codestream, size_t bytes
   opj_dparameters_t parameters;
   int decoded = 0;
   (void)context;
+  (void)bits; /* hmlfc_has_key_image_head has checked them, and OpenJPEG clamps to them */
+  (void)is_signed;
   opj_set_default_decoder_parameters(&parameters);
   if (stream != NULL && codec != NULL) {
     opj_stream_set_user_data(stream, &source, NULL);
@@ -56,12 +50,11 @@ int hmlfc_openjpeg_decode(void* context, const uint8_t* codestream, size_t bytes
     opj_stream_set_read_function(stream, read_source);
     opj_stream_set_skip_function(stream, skip_source);
     opj_stream_set_seek_function(stream, seek_source);
-    decoded =
-        opj_setup_decoder(codec, &parameters) && opj_decoder_set_strict_mode(codec, OPJ_TRUE) &&
-        opj_read_header(stream, codec, &image) &&
-        has_shape(image, width, height, bits, is_signed) && opj_decode(codec, stream, image) &&
-        opj_end_decompress(codec, stream) && image->comps[0].data != NULL &&
-        image->comps[0].w == width && image->comps[0].h == height;
+    decoded = opj_setup_decoder(codec, &parameters) &&
+              opj_decoder_set_strict_mode(codec, OPJ_TRUE) &&
+              opj_read_header(stream, codec, &image) && opj_decode(codec, stream, image) &&
+              opj_end_decompress(codec, stream) && image->comps[0].data != NULL &&
+              image->comps[0].w == width && image->comps[0].h == height;
   }
   for (size_t i = 0; decoded && i < (size_t)width * height; ++i) {
     samples[i] = (int16_t)image->comps[0].data[i];

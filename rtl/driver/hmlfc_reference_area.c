@@ -1,4 +1,4 @@
-/* Key images and their strips in the reference area (KEY-1 to KEY-3, EXT-6; docs/decode_unit.md,
+/* Key images and their strips in the reference area (KEY-1 to KEY-4, EXT-6; docs/decode_unit.md,
  * "The reference area"). */
 #include <string.h>
 
@@ -108,13 +108,16 @@ static int decode_key_plane(const struct hmlfc_stream* s, uint64_t key, unsigned
   const uint64_t offset = hmlfc_load(top + at, 8);
   const uint32_t bytes = hmlfc_load32(top + at + 8);
   const size_t count = (size_t)plane->width * plane->height;
+  const unsigned bits = s->depth + (p != 0 ? 1u : 0u);
   const int hi = (1 << s->depth) - 1;
   const int lo = p == 0 ? 0 : -hi;
   int outside = 0;
-  if (!hmlfc_has_key_image_head(top + offset, bytes, plane->width, plane->height) ||
-      decode(context, top + offset, bytes, plane->width, plane->height,
-             s->depth + (p != 0 ? 1u : 0u), p != 0, samples) != 0) {
+  if (!hmlfc_has_key_image_head(top + offset, bytes, plane->width, plane->height, bits, p != 0)) {
     return hmlfc_fail_in(s, error, HMLFC_BAD_TOP_IMAGE, 1, offset);
+  }
+  if (decode(context, top + offset, bytes, plane->width, plane->height, bits, p != 0, samples) !=
+      0) {
+    return hmlfc_fail_in(s, error, HMLFC_BAD_TOP_CRC, 1, at);
   }
   for (size_t i = 0; i < count; ++i) {
     const int value = samples[i];

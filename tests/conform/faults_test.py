@@ -3,7 +3,7 @@
 import json
 
 from conform_case import SUITE, ConformTest, faulty, main
-from faulty_decoder import ARITHMETIC, PROCESS
+from faulty_decoder import ARITHMETIC, CODESTREAM, PROCESS
 
 # Each planted fault of the arithmetic, and a vector that must catch it.
 HUNTED_BY = {
@@ -21,6 +21,46 @@ HUNTED_BY = {
     "chroma_shifted": "syntax/blocks-4-420",
     "colour_without_clamp": "boundary/colour-clamps-depth8",
     "eight_bit_samples": "syntax/depth-9",
+}
+
+# Each planted fault of JPEG 2000, and a vector that must catch it.
+CODESTREAM_HUNTED_BY = {
+    "rsiz_ignored": "error/top-image-rsiz-extensions",
+    "greatest_tile_ignored": "error/top-image-tile-width-2-31",
+    "scod_bits_ignored": "error/top-image-scod",
+    "component_transform_ignored": "error/top-image-component-transform",
+    "levels_by_progression_ignored": "error/top-image-levels-16-rpcl",
+    "code_block_size_ignored": "error/top-image-code-block-area",
+    "high_throughput_ignored": "error/top-image-style-high-throughput",
+    "irreversible_allowed": "error/top-image-transform-quantized",
+    "small_precincts_allowed": "error/top-image-precincts-column",
+    "quantization_ignored": "error/top-image-quantization-expounded",
+    "exponents_left_over": "error/top-image-qcd-longer",
+    "exponent_bits_ignored": "error/top-image-exponent-bits",
+    "bypass_ignored": "syntax/key-style-bypass",
+    "reset_ignored": "syntax/key-style-reset",
+    "terminate_ignored": "syntax/key-style-terminate",
+    "causal_ignored": "syntax/key-style-causal",
+    "segmentation_ignored": "syntax/key-style-segmentation",
+    "predictable_refused": "syntax/key-style-predictable",
+    "cprl_refused": "syntax/key-progression-cprl",
+    "many_levels_refused": "boundary/key-decompositions-32-lrcp",
+    "stated_precincts_refused": "syntax/key-precincts-stated",
+    "first_layer_alone": "syntax/key-layers-3",
+    "always_lrcp": "syntax/key-progression-rlcp",
+    "rpcl_as_rlcp": "boundary/key-precincts-two-rpcl",
+    "sop_not_expected": "syntax/key-sop",
+    "eph_not_expected": "syntax/key-eph",
+    "code_blocks_of_64": "syntax/key-code-blocks-8x16",
+    "two_guard_bits": "boundary/key-guard-bits-1",
+    "code_block_sides_exchanged": "syntax/key-code-blocks-32x4",
+    "terminate_without_raw_segments": "syntax/key-style-bypass-terminate",
+    "samples_not_clamped": "boundary/key-samples-clamped",
+    "bytes_before_eoc_refused": "boundary/key-bytes-before-eoc",
+    "packets_as_bad_image": "error/top-crc-packet",
+    "half_planes_of_raw_passes": "syntax/lossy-keys-style-bypass",
+    "markers_skipped": "error/top-image-main-tlm",
+    "tile_part_markers_skipped": "error/top-image-tile-part-plt",
 }
 
 # Each planted fault of the process, and what must come of it on any vector that decodes.
@@ -49,12 +89,17 @@ class Faults(ConformTest):
 
     def test_every_fault_is_run(self):
         self.assertEqual(set(HUNTED_BY), set(ARITHMETIC))
+        self.assertEqual(set(CODESTREAM_HUNTED_BY), set(CODESTREAM))
         self.assertEqual(set(PROCESS_RESULTS) | {"accepts_everything"}, set(PROCESS))
 
     def test_without_a_fault(self):
-        for vector in sorted(set(HUNTED_BY.values())):
+        vectors = set(HUNTED_BY.values()) | set(CODESTREAM_HUNTED_BY.values())
+        filters = [word for vector in sorted(vectors) for word in ("--filter", vector)]
+        _, report = self.conform(self.named("none"), *filters, suite=SUITE)
+        results = self.results(report)
+        for vector in sorted(vectors):
             with self.subTest(vector=vector):
-                self.assertEqual(self.run_on("none", vector)["status"], "pass")
+                self.assertEqual(results[vector]["status"], "pass")
 
     def test_arithmetic(self):
         for fault, vector in HUNTED_BY.items():
@@ -72,6 +117,22 @@ class Faults(ConformTest):
                 self.assertEqual(
                     sorted(path.name for path in pictures.iterdir()),
                     ["actual.png", "difference.png", "expected.png", "heat.png"],
+                )
+
+    def named(self, fault):
+        """A declaration of the decoder with this fault, which names its errors."""
+        dut = self.folder / f"{fault}.json"
+        dut.write_text(json.dumps({"name": fault, "command": faulty(fault), "error_names": True}))
+        return dut
+
+    def test_codestreams(self):
+        for fault, vector in CODESTREAM_HUNTED_BY.items():
+            with self.subTest(fault=fault):
+                _, report = self.conform(self.named(fault), "--filter", vector, suite=SUITE)
+                result = self.results(report)[vector]
+                self.assertEqual(result["status"], "fail", result)
+                self.assertRegex(
+                    result["reason"], "must be refused with|refused a valid stream|another error than bad_top_crc"
                 )
 
     def test_process(self):

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A decoder with one planted fault, which `hmlfc conform` must catch (self_test.py).
+"""A decoder with one planted fault, which `hmlfc conform` must catch (faults_test.py).
 
     faulty_decoder.py FAULT FILE -o FOLDER
 
-FAULT is a name of ARITHMETIC, planted in the naive decoder (tests/naive_decoder), or of PROCESS, a
-right decoder that behaves wrongly as a program. `none` is without a fault.
+FAULT is a name of ARITHMETIC or CODESTREAM, planted in the naive decoder (tests/naive_decoder), or of
+PROCESS, a right decoder that behaves wrongly as a program. `none` is without a fault.
 """
 
 import os
@@ -23,6 +23,7 @@ import decode  # noqa: E402
 import light_field  # noqa: E402
 import references  # noqa: E402
 import residual  # noqa: E402
+from faulty_jpeg2000 import CODESTREAM  # noqa: E402
 
 ARITHMETIC, PROCESS = {}, {}
 
@@ -242,7 +243,7 @@ def main():
     if name in PROCESS:
         return PROCESS[name](file, folder)
     if name != "none":
-        ARITHMETIC[name]()
+        (ARITHMETIC | CODESTREAM)[name]()
     return decode.main([file, "-o", folder])
 
 

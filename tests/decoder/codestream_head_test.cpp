@@ -10,8 +10,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "decoder/jpeg2000.hpp"
-
 namespace hmlfc {
 namespace {
 
@@ -84,18 +82,24 @@ Bytes codestream(std::vector<Bytes> parts) {
 
 constexpr SamplePrecision kBytes{8, false};
 
+bool has_head(std::span<const uint8_t> bytes, uint32_t side) {
+  return has_key_image_head(bytes, side, side, kBytes);
+}
+
 void expect_refused(const Bytes& bytes, uint32_t side, const std::string& what) {
-  EXPECT_FALSE(has_key_image_head(bytes, side, side)) << what;
-  EXPECT_FALSE(decode_jpeg2000(bytes, side, side, kBytes)) << what;
+  EXPECT_FALSE(has_head(bytes, side)) << what;
+}
+
+void expect_decoded(const Bytes& bytes, uint32_t side, const std::string& what) {
+  ASSERT_TRUE(has_head(bytes, side)) << what;
+  EXPECT_TRUE(decode_jpeg2000(bytes, side, side)) << what;
 }
 
 TEST(CodestreamHead, WithoutFault) {
   const Bytes plain = codestream({siz(12), cod(), qcd(), tile_part(0, 1)});
-  EXPECT_TRUE(has_key_image_head(plain, 12, 12));
-  EXPECT_TRUE(decode_jpeg2000(plain, 12, 12, kBytes)) << "empty packets are a grey picture";
+  expect_decoded(plain, 12, "empty packets are a grey picture");
   const Bytes commented = codestream({siz(12), com(), qcd(), com(), cod(), tile_part(0, 1)});
-  EXPECT_TRUE(has_key_image_head(commented, 12, 12));
-  EXPECT_TRUE(decode_jpeg2000(commented, 12, 12, kBytes));
+  expect_decoded(commented, 12, "COM, and QCD before COD");
 }
 
 /// `bytes` with the `count` bytes at `at` replaced by `value`.
@@ -105,33 +109,94 @@ Bytes with_field(Bytes bytes, size_t at, unsigned count, uint32_t value) {
   return bytes;
 }
 
-// Many tiles or components, or another size: nothing of it gets to OpenJPEG.
-TEST(CodestreamHead, OneTileOfOneComponentOfThePlanesSize) {
-  const Bytes intact = codestream({siz(12), cod(), qcd(), tile_part(0, 1)});
-  struct Field {
-    const char* name;
-    size_t at;
-    unsigned bytes;
-    std::vector<uint32_t> wrong;
-  };
-  for (const Field& field :
-       {Field{"SOC", 0, 2, {0, 0xFF51}}, Field{"SIZ", 2, 2, {0, 0xFF52}},
-        Field{"Xsiz", 8, 4, {0, 11, 13, 0x8000000C}}, Field{"Ysiz", 12, 4, {0, 11, 13, 0x8000000C}},
-        Field{"XOsiz", 16, 4, {1, 0x80000000}}, Field{"YOsiz", 20, 4, {1, 0x80000000}},
-        Field{"XTsiz", 24, 4, {0, 1, 11}}, Field{"YTsiz", 28, 4, {0, 1, 11}},
-        Field{"XTOsiz", 32, 4, {1, 0x80000000}}, Field{"YTOsiz", 36, 4, {1, 0x80000000}},
-        Field{"Csiz", 40, 2, {0, 2, 3, 16384, 65535}}}) {
+struct Field {
+  const char* name;
+  size_t at;
+  unsigned bytes;
+  std::vector<uint32_t> wrong;
+  std::vector<uint32_t> right = {};
+};
+
+void check_fields(const Bytes& intact, const std::vector<Field>& fields) {
+  for (const Field& field : fields) {
     for (const uint32_t value : field.wrong) {
       expect_refused(with_field(intact, field.at, field.bytes, value), 12,
                      field.name + (" = " + std::to_string(value)));
     }
+    for (const uint32_t value : field.right) {
+      expect_decoded(with_field(intact, field.at, field.bytes, value), 12,
+                     field.name + (" = " + std::to_string(value)));
+    }
+  }
+}
+
+// Many tiles or components, or another size: nothing of it gets to OpenJPEG.
+TEST(CodestreamHead, OneTileOfOneComponentOfThePlanesSize) {
+  check_fields(codestream({siz(12), cod(), qcd(), tile_part(0, 1)}),
+               {{"SOC", 0, 2, {0, 0xFF51}},
+                {"SIZ", 2, 2, {0, 0xFF52}},
+                {"Lsiz", 4, 2, {0, 40, 42, 44}},
+                {"Rsiz", 6, 2, {0x4000, 0x8000, 0xFFFF}, {1, 0x3FFF}},
+                {"Xsiz", 8, 4, {0, 11, 13, 0x8000000C}},
+                {"Ysiz", 12, 4, {0, 11, 13, 0x8000000C}},
+                {"XOsiz", 16, 4, {1, 0x80000000}},
+                {"YOsiz", 20, 4, {1, 0x80000000}},
+                {"XTsiz", 24, 4, {0, 1, 11, 0x80000000}, {13, 0x7FFFFFFF}},
+                {"YTsiz", 28, 4, {0, 1, 11, 0x80000000}, {13, 0x7FFFFFFF}},
+                {"XTOsiz", 32, 4, {1, 0x80000000}},
+                {"YTOsiz", 36, 4, {1, 0x80000000}},
+                {"Csiz", 40, 2, {0, 2, 3, 16384, 65535}},
+                {"Ssiz", 42, 1, {6, 8, 0x87}},
+                {"XRsiz", 43, 1, {0, 2}},
+                {"YRsiz", 44, 1, {0, 2}}});
+}
+
+TEST(CodestreamHead, EveryFieldOfCodAndQcd) {
+  constexpr size_t kCod = 45;
+  constexpr size_t kQcd = kCod + 14;
+  check_fields(codestream({siz(12), cod(), qcd(), tile_part(0, 1)}),
+               {{"Lcod", kCod + 2, 2, {11, 13}},
+                {"Scod", kCod + 4, 1, {1, 8, 128}, {2}},
+                {"progression", kCod + 5, 1, {5, 255}, {1, 2, 3, 4}},
+                {"layers", kCod + 6, 2, {0}, {2}},
+                {"component transform", kCod + 8, 1, {1, 2}},
+                {"decompositions", kCod + 9, 1, {1, 33}},
+                {"code-block width", kCod + 10, 1, {5, 9, 20}, {0, 3}},
+                {"code-block height", kCod + 11, 1, {5, 9, 20}, {0, 3}},
+                {"code-block style", kCod + 12, 1, {64, 128}, {1, 63}},
+                {"transform", kCod + 13, 1, {0, 2}},
+                {"Lqcd", kQcd + 2, 2, {3, 5, 7}},
+                {"Sqcd", kQcd + 4, 1, {0x41, 0x42, 0x5F}, {0, 0x20, 0xE0}},
+                {"SPqcd", kQcd + 5, 1, {0x41, 0x44}, {0, 0xF8}}});
+}
+
+/// COD of `levels` decompositions in a progression, with precincts of stated size if there are any,
+/// and the QCD that fits.
+Bytes cod_and_qcd(uint32_t levels, uint32_t progression, const Bytes& precincts = {}) {
+  const Bytes head = join({number(1, precincts.empty() ? 0 : 1), number(1, progression),
+                           number(3, 0x100), number(1, levels), number(4, 0x04040001), precincts});
+  return join({segment(0xFF52, head), segment(0xFF5C, Bytes(3 * levels + 2, 0x40))});
+}
+
+TEST(CodestreamHead, DecompositionsAndPrecincts) {
+  const auto with = [](const Bytes& both) { return codestream({siz(12), both, tile_part(0, 1)}); };
+  EXPECT_TRUE(has_head(with(cod_and_qcd(32, 1)), 12));
+  EXPECT_TRUE(has_head(with(cod_and_qcd(15, 2)), 12));
+  expect_refused(with(cod_and_qcd(33, 0)), 12, "33 decompositions");
+  for (const uint32_t progression : {2u, 3u, 4u}) {
+    expect_refused(with(cod_and_qcd(16, progression)), 12, "16 decompositions");
+  }
+  expect_decoded(with(cod_and_qcd(2, 0, {255, 255, 255})), 12, "the greatest precincts");
+  for (const Bytes& precincts : {Bytes{254, 255, 255}, Bytes{255, 239, 255}, Bytes{255, 255, 15},
+                                 Bytes{255, 255}, Bytes{255, 255, 255, 255}}) {
+    expect_refused(with(cod_and_qcd(2, 0, precincts)), 12, "precincts");
   }
 }
 
 TEST(CodestreamHead, EveryTruncation) {
   const Bytes intact = codestream({siz(12), com(), cod(), qcd(), tile_part(0, 1)});
   for (size_t length = 0; length < intact.size(); ++length) {
-    EXPECT_FALSE(has_key_image_head(std::span(intact).first(length), 12, 12)) << length;
+    EXPECT_FALSE(has_head(std::span(intact).first(length), 12)) << length;
   }
 }
 
@@ -149,8 +214,7 @@ TEST(CodestreamHead, OneTilePartThatNeedNotTellItsLengthOrNumber) {
   const OneTilePart intact;
   for (const Bytes& bytes : {intact.with_length(0), intact.with_count(0),
                              with_field(intact.with_length(0), intact.sot + 11, 1, 0)}) {
-    EXPECT_TRUE(has_key_image_head(bytes, 12, 12));
-    EXPECT_TRUE(decode_jpeg2000(bytes, 12, 12, kBytes));
+    expect_decoded(bytes, 12, "open length or number");
   }
 }
 
@@ -206,8 +270,7 @@ long peak_kilobytes() {
 TEST(CodestreamHead, SmallPrecinctsDoNotTakeMemory) {
   constexpr uint32_t kSide = 1024;
   const long before = peak_kilobytes();
-  EXPECT_TRUE(decode_jpeg2000(codestream({siz(kSide), cod(), qcd(), tile_part(0, 1)}), kSide, kSide,
-                              kBytes));
+  expect_decoded(codestream({siz(kSide), cod(), qcd(), tile_part(0, 1)}), kSide, "one precinct");
   const Bytes in_place = cod_of_small_precincts();
   expect_refused(codestream({siz(kSide), in_place, qcd(), tile_part(0, 1)}), kSide, "COD");
   for (const Bytes& small : {cod_of_small_precincts(), coc_of_small_precincts()}) {

@@ -1,6 +1,7 @@
-// The TOP section: its table and every error of a key image (KEY-1 to KEY-3).
+// The TOP section: its table and every error of a key image (KEY-1 to KEY-4).
 #include "decoder/key_images.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -187,6 +188,19 @@ TEST(KeyImages, BadTopImage) {
     EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_image"));
     top.replace(entry, SamplePlane(kWidth, kHeight), precision_of(entry % 3 == 0 ? 1 : 0));
     EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_image"));
+  }
+}
+
+// Packets that do not decode, behind markers that are good (KEY-4).
+TEST(KeyImages, BadPackets) {
+  for (size_t entry = 0; entry < 9; ++entry) {
+    TopSection top;
+    Bytes& codestream = top.codestreams[entry];
+    const Bytes sod{0xFF, 0x93};
+    const Bytes wrong{0xEF, 0xFD, 0xFE, 0xF0};
+    const auto at = std::search(codestream.begin(), codestream.end(), sod.begin(), sod.end()) + 2;
+    std::copy(wrong.begin(), wrong.end(), at);
+    EXPECT_EQ(plane_outcomes(top.bytes()), all_ok_but(entry, "bad_top_crc"));
   }
 }
 

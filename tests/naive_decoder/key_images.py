@@ -1,8 +1,8 @@
-"""Key images: planes of their codestreams (KEY-2, KEY-3, EXT-6)."""
+"""Key images: planes of their codestreams (KEY-2 to KEY-4, EXT-6)."""
 
 from crc32c import crc32c
 from integers import clamp
-from jpeg2000.decoder import CodestreamError, decode
+from jpeg2000.decoder import Codestream, CodestreamError, decode
 from stream_error import StreamError, require
 
 
@@ -12,9 +12,13 @@ def decode_key_plane(stream, image, plane):
     geometry, depth = stream.geometry, stream.header.depth
     shape = (*geometry.plane_size(plane), depth if plane == 0 else depth + 1, plane > 0)
     try:
-        rows = decode(codestream, *shape)
+        markers = Codestream(codestream, *shape)
     except CodestreamError as error:
         raise StreamError("bad_top_image") from error
+    try:
+        rows = decode(markers)
+    except CodestreamError as error:
+        raise StreamError("bad_top_crc") from error
     lo, hi = geometry.interval(plane)
     if stream.header.lossy_keys:
         rows = [[clamp(sample, lo, hi) for sample in row] for row in rows]

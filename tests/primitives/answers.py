@@ -22,6 +22,7 @@ import residual
 import tile_mask
 from bit_string import BitString, Cursor
 from jpeg2000 import code_block, decoder as jpeg2000_decoder
+from jpeg2000.markers import Codestream
 
 
 def field(bits, position, data):
@@ -156,7 +157,7 @@ def coefficient(plane, minus, m):
 
 def key_plane(depth, plane, width, height, data):
     lo, hi, _ = interval(depth, plane)
-    rows = jpeg2000_decoder.decode(data, width, height, depth + (plane > 0), plane > 0)
+    rows = jpeg2000_decoder.decode(Codestream(data, width, height, depth + (plane > 0), plane > 0))
     return [integers.clamp(sample, lo, hi) for row in rows for sample in row]
 
 

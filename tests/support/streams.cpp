@@ -85,7 +85,7 @@ Bytes file_of(StreamHeader header, const SectionBytes& sections) {
 }
 
 Bytes drawn_stream(const StreamHeader& header, uint64_t seed) {
-  return vectors::field_stream({header, {}, {}, {}, 0}, seed);
+  return vectors::field_stream({header, {}, {}, {}, 0, {}}, seed);
 }
 
 StreamParts::StreamParts(const StreamHeader& h)

@@ -49,8 +49,11 @@ std::optional<StreamParts> with_size(const StreamParts& parts, uint32_t width, u
   for (auto& [place, key] : smaller.keys) {
     const auto plane = static_cast<Plane>(place.plane);
     const PlaneShape& shape = before.plane(plane);
-    const auto samples = decode_jpeg2000(key.codestream, shape.width, shape.height,
-                                         key_precision(parts.header, place.plane));
+    if (!has_key_image_head(key.codestream, shape.width, shape.height,
+                            key_precision(parts.header, place.plane))) {
+      return std::nullopt;
+    }
+    const auto samples = decode_jpeg2000(key.codestream, shape.width, shape.height);
     if (!samples) return std::nullopt;
     auto code = key_code(cropped(*samples, after.plane(plane)), parts.header, place.plane);
     if (!code) return std::nullopt;

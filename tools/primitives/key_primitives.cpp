@@ -43,7 +43,7 @@ std::vector<uint8_t> draw_codestream(const Inputs& in, vectors::Random& random) 
 }
 
 std::string decode_plane(const Inputs& in) {
-  const auto plane = decode_jpeg2000(in.bytes, in["width"], in["height"], precision_of(in));
+  const auto plane = decode_jpeg2000(in.bytes, in["width"], in["height"]);
   if (!plane) throw std::bad_alloc();  // the codestream is one of OpenJPEG's own
   const SampleRange range = range_of(in);
   std::vector<int32_t> samples;

@@ -7,13 +7,13 @@
 
 #include "arithmetic/rounding.hpp"
 #include "arithmetic/widths.hpp"
-#include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
 #include "encoder/stream_assembly.hpp"
 #include "syntax/stream_view.hpp"
 #include "syntax/tile_record.hpp"
 #include "vectors/draw.hpp"
 #include "vectors/header_recipe.hpp"
+#include "vectors/key_coding.hpp"
 
 namespace hmlfc::vectors {
 
@@ -99,11 +99,13 @@ class FieldStream {
       sample = static_cast<int16_t>(rules.pick(field, range.lo, range.hi, random_));
     }
     const SamplePrecision precision{depth + (chroma ? 1 : 0), chroma};
-    auto coded = rules_.key_error > 0 ? encode_jpeg2000_lossy(samples, precision, rules_.key_error)
-                                      : encode_jpeg2000(samples, precision);
+    const CodestreamOptions& coding = rules_.key_coding;
+    auto coded = rules_.key_error > 0
+                     ? encode_jpeg2000_lossy(samples, precision, rules_.key_error, coding)
+                     : encode_jpeg2000(samples, precision, coding);
     if (!coded) throw std::bad_alloc();
     if (rules_.key_error > 0) {
-      samples = decode_jpeg2000(*coded, shape.width, shape.height, precision).value();
+      samples = decode_jpeg2000(*coded, shape.width, shape.height).value();
       for (int16_t& sample : samples.samples) {
         sample = static_cast<int16_t>(clamp(sample, range.lo, range.hi));
       }
@@ -213,7 +215,8 @@ std::vector<uint8_t> field_stream(const Json& json, uint64_t seed) {
   reference.merge_patch(json.value("reference", Json::object()));
   return field_stream(
       {header_from(json.at("header")), index_from(json.value("index", Json::object())),
-       FieldRules(fields), FieldRules(reference), json.value("key_error", 0.0)},
+       FieldRules(fields), FieldRules(reference), json.value("key_error", 0.0),
+       key_coding_from(json.value("key_coding", Json::object()))},
       seed);
 }
 

@@ -6,6 +6,7 @@
 
 #include <hmlfc/format.hpp>
 
+#include "decoder/jpeg2000.hpp"
 #include "syntax/index.hpp"
 #include "vectors/field_rules.hpp"
 #include "vectors/json.hpp"
@@ -16,17 +17,18 @@ namespace hmlfc::vectors {
 struct StreamRules {
   StreamHeader header;  ///< has passed check_fields; its section table is not used
   IndexLayout index;
-  FieldRules fields;            ///< of images that are no reference images
-  FieldRules reference_fields;  ///< of reference images and key images
-  double key_error = 0;         ///< with lossy_keys: about the mean squared error of key images
+  FieldRules fields;             ///< of images that are no reference images
+  FieldRules reference_fields;   ///< of reference images and key images
+  double key_error = 0;          ///< with lossy_keys: about the mean squared error of key images
+  CodestreamOptions key_coding;  ///< of key images
 };
 
 /// The stream that `rules` give with the numbers of `seed`.
 std::vector<uint8_t> field_stream(StreamRules rules, uint64_t seed);
 
 /// The stream of a recipe: {"header": {...}, "index": {...}, "fields": {...}, "reference": {...},
-/// "key_error": e}. "reference" has the rules of reference images that differ from "fields".
-/// Throws TextError.
+/// "key_error": e, "key_coding": {...}}, the last as in key_coding.hpp. "reference" has the rules
+/// of reference images that differ from "fields". Throws TextError.
 std::vector<uint8_t> field_stream(const Json& json, uint64_t seed);
 
 /// Limits of random streams; each number is an inclusive maximum.

@@ -55,6 +55,7 @@ constexpr size_t kAtLevels = 44;
 constexpr size_t kLevelBytes = 4;
 constexpr size_t kSectionBytes = 24;
 constexpr size_t kTableAndCrc = 4 * kSectionBytes + 4;
+constexpr uint64_t kSot = 0xFF90;  // its Psot is at byte 6
 
 class Editor {
  public:
@@ -66,6 +67,7 @@ class Editor {
     if (json.contains("field")) return edit_field(json);
     if (json.contains("bytes")) return edit_bytes(json);
     if (json.contains("marker")) return edit_marker(json);
+    if (json.contains("splice")) return splice(json);
     if (json.contains("resize")) return resize(json);
     if (json.contains("cut")) return cut(json.at("cut"));
     if (json.contains("append")) return append(json.at("append"));
@@ -167,15 +169,55 @@ class Editor {
     for (const Json& value : json.at("value")) bytes_.at(static_cast<size_t>(at) + i++) = value;
   }
 
-  // KEY-1 and KEY-2: from the first marker of this number in a codestream.
-  void edit_marker(const Json& json) {
-    const auto marker = json["marker"].get<uint64_t>();
-    const uint64_t top = load(entry_of("TOP") + 8, 8);
-    const uint64_t table = top + json.at("codestream").get<uint64_t>() * kTopEntryBytes;
-    auto at = static_cast<size_t>(top + load(static_cast<size_t>(table), 8));
+  // The entry of the TOP table of the codestream that `json` names (KEY-1).
+  size_t top_entry_of(const Json& json) const {
+    const auto top = static_cast<size_t>(load(entry_of("TOP") + 8, 8));
+    return top + json.at("codestream").get<size_t>() * kTopEntryBytes;
+  }
+
+  // The first marker of this number in a codestream (KEY-2).
+  size_t marker_of(const Json& json, uint64_t marker) const {
+    size_t at = load(entry_of("TOP") + 8, 8) + load(top_entry_of(json), 8);
     while (bytes_.at(at) * uint64_t{256} + bytes_.at(at + 1) != marker) ++at;
-    at += json.at("at").get<size_t>();
+    return at;
+  }
+
+  void edit_marker(const Json& json) {
+    size_t at = marker_of(json, json["marker"]) + json.at("at").get<size_t>();
     for (const Json& value : json.at("value")) bytes_.at(at++) = value;
+  }
+
+  void splice(const Json& json) {
+    const size_t at = marker_of(json, json["splice"]) + json.at("at").get<size_t>();
+    const auto removed = json.value("remove", size_t{0});
+    const auto inserted = json.at("insert").get<std::vector<uint8_t>>();
+    if (at + removed > bytes_.size()) throw std::out_of_range("splice");
+    const auto by = static_cast<int64_t>(inserted.size()) - static_cast<int64_t>(removed);
+    const size_t tile_part_bytes = marker_of(json, kSot) + 6;
+    if (at > tile_part_bytes && load_big_endian(tile_part_bytes) != 0) {
+      store_big_endian(tile_part_bytes, load_big_endian(tile_part_bytes) + by);
+    }
+    const auto place = bytes_.begin() + static_cast<ptrdiff_t>(at);
+    const auto gap = bytes_.erase(place, place + static_cast<ptrdiff_t>(removed));
+    bytes_.insert(gap, inserted.begin(), inserted.end());
+    grow(entry_of("TOP"), by);
+    const size_t entry = top_entry_of(json);
+    store(entry + 8, 4, load(entry + 8, 4) + static_cast<uint64_t>(by));
+    const auto top = static_cast<size_t>(load(entry_of("TOP") + 8, 8));
+    const size_t table_end = top + load(top, 8);
+    for (size_t next = entry + kTopEntryBytes; next < table_end; next += kTopEntryBytes) {
+      store(next, 8, load(next, 8) + static_cast<uint64_t>(by));
+    }
+  }
+
+  int64_t load_big_endian(size_t at) const {
+    int64_t value = 0;
+    for (size_t i = 0; i < 4; ++i) value = value << 8 | bytes_.at(at + i);
+    return value;
+  }
+
+  void store_big_endian(size_t at, int64_t value) {
+    for (size_t i = 0; i < 4; ++i) bytes_.at(at + i) = static_cast<uint8_t>(value >> (24 - 8 * i));
   }
 
   void resize(const Json& json) {
@@ -187,6 +229,11 @@ class Editor {
     } else {
       bytes_.erase(bytes_.begin() + end + by, bytes_.begin() + end);
     }
+    grow(entry, by);
+  }
+
+  // In the header: section entry `entry` is larger `by` bytes, and those after it lie further back.
+  void grow(size_t entry, int64_t by) {
     store(entry + 16, 8, load(entry + 16, 8) + static_cast<uint64_t>(by));
     const size_t table_end = load(kAtHeaderBytes, 2) - 4;
     for (size_t next = entry + kSectionBytes; next < table_end; next += kSectionBytes) {

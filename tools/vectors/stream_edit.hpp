@@ -35,6 +35,9 @@ uint64_t load_number(std::span<const uint8_t> bytes, uint64_t at, size_t size);
 ///   {"marker": m, "codestream": n, "at": k, "value": [...]}
 ///       bytes of a codestream of TOP, k bytes behind the first byte of its first marker m
 ///       (65424: SOT)
+///   {"splice": m, "codestream": n, "at": k, "remove": r, "insert": [...]}
+///       r bytes of a codestream, at a place as above, replaced by others; sizes and offsets of TOP
+///       and its table follow and, where the place lies in the tile-part, Psot
 ///   {"resize": NAME, "by": n}
 ///       zero bytes added at a section's end, or bytes cut off
 ///   {"cut": n}

@@ -1,13 +1,15 @@
-"""From a codestream to samples (KEY-2)."""
+"""From a codestream to samples (KEY-4, EXT-6)."""
+
+from integers import clamp
 
 from .code_block import decode_code_block
-from .codestream_error import CodestreamError, demand
+from .codestream_error import CodestreamError
 from .markers import Codestream
 from .packets import read_packets
 from .subbands import resolutions
 from .wavelet import join
 
-__all__ = ["CodestreamError", "decode"]
+__all__ = ["Codestream", "CodestreamError", "decode"]
 
 
 def band_rows(band, style):
@@ -19,15 +21,19 @@ def band_rows(band, style):
     return rows
 
 
-def decode(data, width, height, depth, signed):
-    """Rows of samples of a codestream that must have this shape. Raises CodestreamError."""
-    codestream = Codestream(data)
-    shape = codestream.width, codestream.height, codestream.depth, codestream.signed
-    demand(shape == (width, height, depth, signed), "another shape")
+def clamp_samples(rows, depth, signed):
+    """Samples in the interval that SIZ states."""
+    lo, hi = (-(2 ** (depth - 1)), 2 ** (depth - 1) - 1) if signed else (0, 2**depth - 1)
+    return [[clamp(sample, lo, hi) for sample in row] for row in rows]
+
+
+def decode(codestream):
+    """Rows of samples of a Codestream, whose markers are good. Raises CodestreamError."""
     levels = resolutions(codestream)
     read_packets(codestream, levels)
     image = band_rows(levels[0].bands[0], codestream.block_style)
     for resolution in levels[1:]:
         image = join(image, *(band_rows(band, codestream.block_style) for band in resolution.bands))
+    depth, signed = codestream.depth, codestream.signed
     shift = 0 if signed else 2 ** (depth - 1)
-    return [[sample + shift for sample in row] for row in image]
+    return clamp_samples([[sample + shift for sample in row] for row in image], depth, signed)

@@ -6,8 +6,9 @@ import random
 
 from block import BlockDecoder
 from jpeg2000.codestream_error import CodestreamError
-from jpeg2000.decoder import decode
-from jpeg2000.markers import COD, EOC, QCD, SIZ, SOC, SOD, SOT
+from jpeg2000.decoder import clamp_samples
+from jpeg2000.decoder import decode as decode_packets
+from jpeg2000.markers import Codestream, COD, EOC, QCD, SIZ, SOC, SOD, SOT
 from jpeg2000.tag_tree import TagTree
 from jpeg2000.wavelet import synthesize
 from light_field import decode_view
@@ -15,6 +16,11 @@ from opening import Stream
 from pictures import read_png
 from program import CliTest, main
 from streams import render
+
+
+def decode(data, *shape):
+    """Rows of samples of a codestream of this shape."""
+    return decode_packets(Codestream(data, *shape))
 
 
 def u(size, *values):
@@ -73,6 +79,10 @@ class PartsTest(CliTest):
         for signed, level in (False, 128), (True, 0):
             rows = decode(encode_nothing(5, 3, 8, signed), 5, 3, 8, signed)
             self.assertEqual(rows, [[level] * 5] * 3)
+
+    def test_samples_are_clamped_to_the_interval_of_siz(self):
+        self.assertEqual(clamp_samples([[-1, 0, 255, 256]], 8, False), [[0, 0, 255, 255]])
+        self.assertEqual(clamp_samples([[-257, -256, 255, 256]], 9, True), [[-256, -256, 255, 255]])
 
     def test_every_cut_and_every_other_shape_is_refused(self):
         codestream = encode_nothing(5, 3, 8, False)
