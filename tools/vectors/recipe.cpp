@@ -28,9 +28,8 @@ bool is_name(const std::string& name) {
 }
 
 void check_keys(const Json& json) {
-  static const std::set<std::string> known{"name", "clauses", "flags",  "comment",
-                                           "seed", "stream",  "expect", "trace",
-                                           "listed"};
+  static const std::set<std::string> known{"name",   "clauses", "flags", "comment", "seed",
+                                           "stream", "expect",  "trace", "listed"};
   for (const auto& [key, value] : json.items()) {
     if (!known.contains(key)) throw TextError("a recipe has no \"" + key + "\"");
   }
@@ -111,8 +110,7 @@ std::vector<Json> recipes_in(const Json& json) {
   for (const Json& family : json.value("pairs", Json::array())) {
     const Json& errors = family.at("errors");
     for (auto first = errors.begin(); first != errors.end(); ++first) {
-      recipes.push_back(
-          edited_recipe(family, text_of(*first, "name"), *first, first->at("edits")));
+      recipes.push_back(edited_recipe(family, text_of(*first, "name"), *first, first->at("edits")));
       recipes.back()["listed"] = false;
       for (auto second = first + 1; second != errors.end(); ++second) {
         if (is_pair(*first, *second)) recipes.push_back(pair_recipe(family, *first, *second));
