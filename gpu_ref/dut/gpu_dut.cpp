@@ -78,7 +78,7 @@ int decode_view(hmlfc_dut& dut, uint32_t row, uint32_t col, uint16_t* rgb) {
   return 0;
 }
 
-// Tells the stages of one level.
+// Tells the stages of one level, all but the parent (TRC-1).
 class StageTeller {
  public:
   StageTeller(const BlockArea& area, const hmlfc::StreamHeader& header, hmlfc_dut_stage_sink sink,

@@ -3,7 +3,7 @@
 import json
 
 from conform_case import SUITE, ConformTest, faulty, main
-from faulty_decoder import ARITHMETIC, CODESTREAM, PROCESS
+from faulty_decoder import ARITHMETIC, CHECKS, CODESTREAM, PROCESS
 
 # Each planted fault of the arithmetic, and a vector that must catch it.
 HUNTED_BY = {
@@ -63,6 +63,33 @@ CODESTREAM_HUNTED_BY = {
     "tile_part_markers_skipped": "error/top-image-tile-part-plt",
 }
 
+# Each planted fault of the checks, a vector that must catch it, and what the runner says.
+CHECKED_BY = {
+    "range_before_crc": ("error/pair-key-crc-range", "another error than bad_top_crc: top_sample_range"),
+    "codes_before_vectors": ("error/pair-main-min-x-codes-x", "another error than vector_range: bad_levels"),
+    "top_before_sizes": ("error/pair-open-root-size-top-entry", "another error than bad_section_size: bad_top_entry"),
+    "residual_before_motion": ("error/pair-tiles-motion-head-mask", "another error than bad_mode: mask_outside"),
+    "own_before_parent": ("error/pair-tree-top-mask-motion", "another error than mask_outside: tile_overrun"),
+    "second_reference_first": ("error/pair-tiles-first-mode-second-mask", "another error than bad_mode: mask_outside"),
+    "vectors_with_head": ("error/pair-main-level-bits-vector", "another error than bad_mode: vector_range"),
+    "masks_one_by_one": ("error/overrun-second-mask", "another error than tile_overrun: mask_outside"),
+    "motion_block_at_once": ("error/motion-block-small-cut", "another error than tile_overrun: bad_mode"),
+    "first_of_32_bits": ("error/root-entry-bit-32", "accepted, but must be refused with bad_root_entry"),
+    "record_for_each_mask_bit": ("boundary/index-groups-beyond", "refused a valid stream"),
+    "tiles_that_exist_alone": ("boundary/index-tiles-beyond", "0 instead of"),
+    "empty_tiles_unchecked": ("error/group-empty-tile", "accepted, but must be refused with bad_group_record"),
+    "key_references_unchecked": ("error/key-references-without", "accepted, but must be refused"),
+    "sections_unchecked": ("error/section-crc-tile", "accepted, but must be refused with bad_section_crc"),
+}
+
+# How samples of more than 8 bits are stored, on a vector of 10 bits.
+STORED = {
+    "big_endian_raw": ("fail", "more than 10 bits"),
+    "low_bits_of_png": ("fail", "instead of"),
+    "png_without_depth": ("fail", "of 12 bits instead of"),
+    "high_bits_of_png": ("pass", ""),
+}
+
 # Each planted fault of the process, and what must come of it on any vector that decodes.
 PROCESS_RESULTS = {
     "missing_output": ("fail", "wrong output"),
@@ -79,9 +106,9 @@ PROCESS_RESULTS = {
 
 
 class Faults(ConformTest):
-    def run_on(self, fault, vector, *arguments):
+    def run_on(self, fault, vector, *arguments, dut=None):
         status, report = self.conform(
-            faulty(fault), "--filter", vector, *arguments, suite=SUITE, output=fault
+            dut or faulty(fault), "--filter", vector, *arguments, suite=SUITE, output=fault
         )
         result = self.results(report)[vector]
         self.assertEqual(status, 1 if result["status"] not in ("pass", "skipped") else 5)
@@ -90,12 +117,13 @@ class Faults(ConformTest):
     def test_every_fault_is_run(self):
         self.assertEqual(set(HUNTED_BY), set(ARITHMETIC))
         self.assertEqual(set(CODESTREAM_HUNTED_BY), set(CODESTREAM))
-        self.assertEqual(set(PROCESS_RESULTS) | {"accepts_everything"}, set(PROCESS))
+        self.assertEqual(set(CHECKED_BY), set(CHECKS))
+        self.assertEqual(set(PROCESS_RESULTS) | set(STORED) | {"accepts_everything"}, set(PROCESS))
 
     def test_without_a_fault(self):
         vectors = set(HUNTED_BY.values()) | set(CODESTREAM_HUNTED_BY.values())
         filters = [word for vector in sorted(vectors) for word in ("--filter", vector)]
-        _, report = self.conform(self.named("none"), *filters, suite=SUITE)
+        _, report = self.conform(self.declaration("none"), *filters, suite=SUITE)
         results = self.results(report)
         for vector in sorted(vectors):
             with self.subTest(vector=vector):
@@ -119,16 +147,41 @@ class Faults(ConformTest):
                     ["actual.png", "difference.png", "expected.png", "heat.png"],
                 )
 
-    def named(self, fault):
-        """A declaration of the decoder with this fault, which names its errors."""
-        dut = self.folder / f"{fault}.json"
-        dut.write_text(json.dumps({"name": fault, "command": faulty(fault), "error_names": True}))
-        return dut
+    def declaration(self, fault, **claims):
+        file = self.folder / f"{fault}.json"
+        file.write_text(json.dumps({"name": fault, "command": faulty(fault), "error_names": True, **claims}))
+        return file
+
+    def test_checks(self):
+        for fault, (vector, reason) in CHECKED_BY.items():
+            with self.subTest(fault=fault):
+                dut = self.declaration(fault, checks_sections=True)
+                result = self.run_on(fault, vector, dut=dut)
+                self.assertEqual(result["status"], "fail", result)
+                self.assertIn(reason, result["reason"])
+
+    def test_checks_without_a_fault(self):
+        vectors = [argument for vector, _ in CHECKED_BY.values() for argument in ("--filter", vector)]
+        dut = self.declaration("none", checks_sections=True)
+        _, report = self.conform(dut, *vectors, suite=SUITE, output="none")
+        results = [result["status"] for result in self.results(report).values() if result["status"] != "skipped"]
+        self.assertEqual(results, ["pass"] * len(CHECKED_BY))
+
+    def test_sections_may_be_unchecked_without_the_claim(self):
+        result = self.run_on("sections_unchecked", "error/section-crc-tile", dut=self.declaration("sections_unchecked"))
+        self.assertEqual(result["status"], "pass", result)
+
+    def test_stored_samples(self):
+        for fault, (status, reason) in STORED.items():
+            with self.subTest(fault=fault):
+                result = self.run_on(fault, "real/glass-depth10")
+                self.assertEqual(result["status"], status, result)
+                self.assertIn(reason, result.get("reason", ""))
 
     def test_codestreams(self):
         for fault, vector in CODESTREAM_HUNTED_BY.items():
             with self.subTest(fault=fault):
-                _, report = self.conform(self.named(fault), "--filter", vector, suite=SUITE)
+                _, report = self.conform(self.declaration(fault), "--filter", vector, suite=SUITE)
                 result = self.results(report)[vector]
                 self.assertEqual(result["status"], "fail", result)
                 self.assertRegex(

@@ -3,7 +3,7 @@
 
     faulty_decoder.py FAULT FILE -o FOLDER
 
-FAULT is a name of ARITHMETIC or CODESTREAM, planted in the naive decoder (tests/naive_decoder), or of
+FAULT is a name of ARITHMETIC, CHECKS or CODESTREAM, planted in the naive decoder (tests/naive_decoder), or of
 PROCESS, a right decoder that behaves wrongly as a program. `none` is without a fault.
 """
 
@@ -11,8 +11,10 @@ import os
 import pathlib
 import signal
 import subprocess
+import struct
 import sys
 import time
+import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "naive_decoder"))
 
@@ -23,6 +25,7 @@ import decode  # noqa: E402
 import light_field  # noqa: E402
 import references  # noqa: E402
 import residual  # noqa: E402
+from faulty_checks import CHECKS  # noqa: E402
 from faulty_jpeg2000 import CODESTREAM  # noqa: E402
 
 ARITHMETIC, PROCESS = {}, {}
@@ -165,6 +168,11 @@ def golden(file, folder):
     return subprocess.run(command, stdout=subprocess.DEVNULL, check=False).returncode
 
 
+def naive(file, folder):
+    """The same by the naive decoder, as views.raw."""
+    return decode.main([file, "-o", folder])
+
+
 def last_view(folder):
     return sorted(pathlib.Path(folder).iterdir())[-1]
 
@@ -193,6 +201,54 @@ def truncated_picture(file, folder):
 def short_raw(file, folder):
     (pathlib.Path(folder) / "views.raw").write_bytes(b"\0" * 17)
     return 0
+
+
+@process
+def big_endian_raw(file, folder):
+    """Samples of more than 8 bits with the high byte first."""
+    status = naive(file, folder)
+    raw = pathlib.Path(folder) / "views.raw"
+    data = raw.read_bytes()
+    raw.write_bytes(struct.pack(f">{len(data) // 2}H", *struct.unpack(f"<{len(data) // 2}H", data)))
+    return status
+
+
+def rewrite_png(file, folder, value, significant):
+    """The views of a decoder as PNG files with value(sample, depth), and sBIT where `significant`."""
+    status = naive(file, folder)
+    raw = pathlib.Path(folder) / "views.raw"
+    fields, data = decode.Stream(pathlib.Path(file).read_bytes()).header, raw.read_bytes()
+    raw.unlink()
+    samples = struct.unpack(f"<{len(data) // 2}H", data)
+    row, view = 3 * fields.width, 3 * fields.width * fields.height
+    chunks = [(b"IHDR", struct.pack(">IIBBBBB", fields.width, fields.height, 16, 2, 0, 0, 0))]
+    chunks += [(b"sBIT", bytes([fields.depth] * 3))] if significant else []
+    for number in range(len(samples) // view):
+        words = [value(sample, fields.depth) for sample in samples[number * view : (number + 1) * view]]
+        lines = b"".join(b"\0" + struct.pack(f">{row}H", *words[at : at + row]) for at in range(0, view, row))
+        png = b"\x89PNG\r\n\x1a\n"
+        for name, body in [*chunks, (b"IDAT", zlib.compress(lines)), (b"IEND", b"")]:
+            png += struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+        (pathlib.Path(folder) / f"{number // fields.cols:02}_{number % fields.cols:02}.png").write_bytes(png)
+    return status
+
+
+@process
+def low_bits_of_png(file, folder):
+    """Samples of more than 8 bits in the low bits of 16, not the high ones."""
+    return rewrite_png(file, folder, lambda sample, depth: sample, True)
+
+
+@process
+def png_without_depth(file, folder):
+    """PNG files of 16 bits without sBIT."""
+    return rewrite_png(file, folder, lambda sample, depth: sample << (16 - depth), False)
+
+
+@process
+def high_bits_of_png(file, folder):
+    """No fault: PNG files as they may be, with zeros in the low bits."""
+    return rewrite_png(file, folder, lambda sample, depth: sample << (16 - depth), True)
 
 
 @process
@@ -243,8 +299,8 @@ def main():
     if name in PROCESS:
         return PROCESS[name](file, folder)
     if name != "none":
-        (ARITHMETIC | CODESTREAM)[name]()
-    return decode.main([file, "-o", folder])
+        (ARITHMETIC | CHECKS | CODESTREAM)[name]()
+    return naive(file, folder)
 
 
 if __name__ == "__main__":

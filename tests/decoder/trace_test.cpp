@@ -61,7 +61,7 @@ class Checker final : public TraceSink {
     ASSERT_EQ(record.values.size(), samples);
     const Values values(record.values.begin(), record.values.end());
     if (record.stage == "parent") {
-      ASSERT_EQ(values, values_.contains("sample") ? values_["sample"] : Values(samples));
+      parent_ = values_.contains("sample") ? values_["sample"] : Values(samples);
       values_.clear();
     }
     values_[std::string(record.stage)] = values;
@@ -96,12 +96,13 @@ class Checker final : public TraceSink {
     }
   }
 
-  // DEC-3 with either sign, and EXT-5.
+  // DEC-3 with either sign; P of EXT-5 (TRC-1).
   void check_level(const BlockSite& site) {
     const PlaneShape& plane = geometry_.plane(site.plane);
     const SampleRange range = sample_range(site.plane, header_.depth);
     const uint32_t side = header_.block_size();
     const bool from_key = geometry_.level(site.level).keyed && values_.contains("reference");
+    ASSERT_EQ(values_["parent"], from_key ? Values(parent_.size()) : parent_);
     for (uint32_t i = 0; i < side * side; ++i) {
       if (site.bx * side + i % side >= plane.width || site.by * side + i / side >= plane.height) {
         continue;
@@ -111,10 +112,9 @@ class Checker final : public TraceSink {
       };
       const auto clamped = [&](int32_t x) { return std::clamp(x, range.lo, range.hi); };
       const int32_t prediction = value("prediction");
-      const int32_t base = from_key ? 0 : value("parent");
       ASSERT_EQ(value("sample"), clamped(prediction + value("residual")));
-      const int32_t plus = base + value("reference");
-      const int32_t minus = base - value("reference");
+      const int32_t plus = value("parent") + value("reference");
+      const int32_t minus = value("parent") - value("reference");
       ASSERT_TRUE(prediction == clamped(plus) || prediction == clamped(minus));
       if (prediction != plus && prediction != minus) ++told_.clamped;
     }
@@ -125,6 +125,7 @@ class Checker final : public TraceSink {
   const NaiveBits& file_;
   Told& told_;
   std::map<std::string, Values> values_;
+  Values parent_;
 };
 
 // What 40 random blocks of each of `streams` random streams tell.

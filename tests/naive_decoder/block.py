@@ -53,17 +53,16 @@ class BlockDecoder:
         if len(images) > 1:
             stages.parent = self.decode_image_block(images[:-1], plane, block_x, block_y).sample
         entry = self.entry(image, plane, block_x, block_y)
+        if entry.parts and geometry.is_keyed(image[0]):
+            stages.parent = [[0] * side for _ in range(side)]  # EXT-5
         stages.residual = entry.residual
         lo, hi = geometry.interval(plane)
         stages.prediction = stages.parent
         if entry.parts:
             stages.reference = self._reference(entry.parts, plane, block_x, block_y)
-            base = stages.parent
-            if self.stream.header.level_keys and geometry.is_keyed(image[0]):
-                base = [[0] * side for _ in range(side)]  # EXT-5
             stages.prediction = [
                 [clamp(p + entry.sign * r, lo, hi) for p, r in zip(*rows)]
-                for rows in zip(base, stages.reference)
+                for rows in zip(stages.parent, stages.reference)
             ]
         stages.sample = stages.prediction
         if entry.residual:

@@ -1,4 +1,4 @@
-"""Stages of a block as the records of a trace file: one JSON object a line."""
+"""Stages of a block (TRC-1) as the records of a trace file: one JSON object a line."""
 
 PLANE_NAMES = ("Y", "Co", "Cg")
 STAGES = ("parent", "reference", "prediction", "residual", "sample")

@@ -194,7 +194,7 @@ class Lint(CopiedSuite):
 class Recipes(CopiedSuite):
     """The generator must not take an expectation that the golden model contradicts."""
 
-    def generate(self, recipe, name="one"):
+    def generate(self, recipe, name="one", pairs=()):
         shutil.rmtree(self.suite / "recipes")
         (self.suite / "recipes").mkdir()
         base = {
@@ -204,7 +204,7 @@ class Recipes(CopiedSuite):
             "stream": {"kind": "fields", "header": {"rows": 1, "cols": 2, "levels": [[1, 2]]}},
         }
         recipe = {"name": name, "clauses": ["FIL-1"], "comment": "planted", **recipe}
-        recipes = {"group": "error", "vectors": [base, recipe]}
+        recipes = {"group": "error", "vectors": [base, recipe], "pairs": [*pairs]}
         (self.suite / "recipes/planted.json").write_text(json.dumps(recipes))
         before = (self.suite / "manifest.json").read_bytes()
         command = [PROGRAM, "vectors", "generate", "--suite", self.suite]
@@ -269,6 +269,34 @@ class Recipes(CopiedSuite):
 
     def test_unknown_key(self):
         self.assert_refused({"stream": {}, "comments": "x"}, "a recipe has no")
+
+    MAGIC = {"name": "magic", "comment": "x", "error": "bad_magic", "offset": 0,
+             "edits": [{"header": "magic", "value": 0, "mend": False}]}
+
+    def generate_pair(self, *errors):
+        family = {"name": "pair", "base": "error/base", "clauses": ["FIL-4"], "errors": [*errors]}
+        result = self.generate(self.edit(self.VERSION, "bad_version", 8), pairs=[family])
+        manifest = json.loads((self.suite / "manifest.json").read_text())
+        return result, {v["id"]: v["expect"]["error"] for v in manifest["vectors"] if "pair" in v["id"]}
+
+    def version(self, **more):
+        return {"name": "version", "comment": "x", "error": "bad_version", "offset": 8, "edits": [self.VERSION], **more}
+
+    def test_pairs(self):
+        result, pairs = self.generate_pair(self.MAGIC, self.version())
+        self.assertEqual((result.returncode, pairs), (0, {"error/pair-magic-version": "bad_magic"}), result.stderr)
+        for left_out in (self.version(without=["magic"]), {**self.MAGIC, "name": "again"}):
+            self.assertEqual(self.generate_pair(self.MAGIC, left_out)[1], {})
+
+    def test_pairs_in_another_order(self):
+        result, _ = self.generate_pair(self.version(), self.MAGIC)
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("error/pair-version-magic: the recipe expects bad_version", result.stderr)
+
+    def test_pair_whose_second_error_is_not_there(self):
+        result, _ = self.generate_pair(self.MAGIC, self.version(edits=[]))
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("error/pair-version: the recipe expects bad_version", result.stderr)
 
     def test_second_of_one_name(self):
         self.assert_refused({"stream": {}}, "a second error/base", name="base")

@@ -183,13 +183,14 @@ Dut read_declaration(const std::filesystem::path& file, Places places) {
   if (json.is_discarded()) throw WrongValue{"is not JSON"};
   allow_keys(json, "the declaration",
              {"name", "command", "library", "by_block", "trace", "profile", "level", "limits",
-              "error_names", "waivers", "comment"});
+              "error_names", "checks_sections", "waivers", "comment"});
   places["dut"] = std::filesystem::absolute(file).parent_path().string();
   Dut dut;
   dut.name = value_of<std::string>(json, "name");
   read_program(dut, json, places);
   if (json.contains("profile")) dut.profile = read_profile(json);
   read_number(json, "level", dut.level, 0, 3);
+  read_if_there(json, "checks_sections", dut.checks_sections);
   if (json.contains("limits")) dut.limits = read_limits(json.at("limits"));
   if (json.contains("waivers")) dut.waivers = read_waivers(json);
   return dut;

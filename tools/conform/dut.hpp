@@ -49,7 +49,8 @@ struct Dut {
   Profile profile = Profile::kExtended;  ///< extended includes main (LVL-2)
   int level = 3;                         ///< the conformance level that it claims (LVL-1), [0, 3]
   DutLimits limits;
-  bool error_names = false;  ///< it names the error of annex A on standard error
+  bool error_names = false;      ///< it names the error of annex A on standard error
+  bool checks_sections = false;  ///< it checks the crc of every section (FIL-6)
   std::vector<Waiver> waivers;
 
   /// The waiver of vector `id`, or null.

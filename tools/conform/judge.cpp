@@ -182,9 +182,11 @@ void judge(const Trial& trial, const ProcessOutcome& outcome, const vectors::Exp
   result.seconds = outcome.seconds;
   result.messages = outcome.messages;
   using vectors::Outcome;
+  // FIL-6: a decoder that reads whole sections may not leave their crc unchecked.
+  const bool must_refuse = trial.dut.checks_sections || outcome.value != 0;
   if (judge_process(outcome, result)) {
   } else if (expect.outcome == Outcome::kReject ||
-             (expect.outcome == Outcome::kAcceptable && outcome.value != 0)) {
+             (expect.outcome == Outcome::kAcceptable && must_refuse)) {
     judge_refusal(trial, outcome, expect, result);
   } else if (outcome.value != 0) {
     set(result, Status::kFail,

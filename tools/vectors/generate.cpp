@@ -156,13 +156,12 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
   }
   std::vector<std::string> ids;
   for (const auto& [id, recipe] : recipes) ids.push_back(id);
-  Manifest manifest{kVectorsVersion, kVersion, "hmlfc vectors generate", kSeed, {}};
-  manifest.vectors.resize(ids.size());
+  std::vector<Vector> vectors(ids.size());
   std::vector<SuiteFiles> parts(ids.size());
   std::vector<std::string> failures(ids.size());
   io::for_each_index(ids.size(), threads, progress, [&](size_t i) {
     try {
-      manifest.vectors[i] = make_vector(recipes, ids[i], parts[i]);
+      vectors[i] = make_vector(recipes, ids[i], parts[i]);
     } catch (const std::exception& error) {
       failures[i] = error.what();
     }
@@ -172,7 +171,12 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
     return tl::unexpected(io::IoError{fmt::format("{}", fmt::join(failures, "\n"))});
   }
   SuiteFiles files;
-  for (SuiteFiles& part : parts) files.merge(part);
+  Manifest manifest{kVectorsVersion, kVersion, "hmlfc vectors generate", kSeed, {}};
+  for (size_t i = 0; i < ids.size(); ++i) {
+    if (!recipes.at(ids[i]).listed) continue;
+    files.merge(parts[i]);
+    manifest.vectors.push_back(std::move(vectors[i]));
+  }
   const std::string text = manifest_text(manifest);
   files["manifest.json"] = {text.begin(), text.end()};
   return files;

@@ -27,6 +27,7 @@ struct Recipe {
   std::vector<BlockAddress> trace;  ///< traced blocks
   Expectation expect;               ///< stated by hand, from the specification; its offset is
   Json offset;                      ///< how: vectors/README.md, expectations
+  bool listed = true;               ///< false: checked with the others, but no vector of the suite
 };
 
 /// Recipes by id.

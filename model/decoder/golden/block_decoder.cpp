@@ -136,19 +136,21 @@ void LevelDecoder::report_vectors(const BlockMotion& motion) const {
   }
 }
 
-// A of DEC-3.
+// A of DEC-3; reports its stages (TRC-1).
 Result<BlockValues> LevelDecoder::predict(const BlockValues& parent,
                                           const BlockMotion& motion) const {
-  probe_.stage("parent", "DEC-3", parent.span());
-  BlockValues prediction = parent;
-  if (motion.count != 0) {
+  const bool has_motion = motion.count != 0;
+  // EXT-5
+  const BlockValues p = has_motion && keyed_ ? BlockValues(block_size()) : parent;
+  probe_.stage("parent", "DEC-3", p.span());
+  BlockValues prediction = p;
+  if (has_motion) {
     const auto ref = reference(motion);
     if (!ref) return ref;
     const bool motion_tiles = stream_.header.has(Feature::kMotionTiles);
     probe_.stage("reference", motion_tiles ? "MOT-9" : "DEC-4", ref->span());
-    for (size_t i = 0; i < parent.size(); ++i) {
-      const int32_t base = keyed_ ? 0 : parent[i];  // EXT-5
-      prediction[i] = motion_prediction(base, motion.negative, (*ref)[i], range_);
+    for (size_t i = 0; i < p.size(); ++i) {
+      prediction[i] = motion_prediction(p[i], motion.negative, (*ref)[i], range_);
     }
   }
   probe_.stage("prediction", "DEC-3", prediction.span());
