@@ -57,23 +57,19 @@ Claim limits_of(const DutLimits& limits) {
           {"block_log2", limits.block_log2}};
 }
 
-// The first place below `where` at which the two differ.
+// The first place at or below `where` at which the two differ.
 std::optional<std::string> difference_at(const std::string& where, const Claim& claimed,
                                          const Claim& found) {
   if (claimed == found) return std::nullopt;
-  if (claimed.is_structured() && claimed.type() == found.type()) {
-    const Claim left = claimed.flatten();
-    const Claim right = found.flatten();
-    for (const auto& [key, value] : left.items()) {
-      if (!right.contains(key)) return fmt::format("{}{}: {} is missing", where, key, value.dump());
-      if (right[key] == value) continue;
-      return fmt::format("{}{}: {} instead of {}", where, key, right[key].dump(), value.dump());
-    }
-    for (const auto& [key, value] : right.items()) {
-      if (!left.contains(key)) return fmt::format("{}{}: {} is new", where, key, value.dump());
+  if (!claimed.is_object() || !found.is_object()) {
+    return fmt::format("{}: {} instead of {}", where, found.dump(), claimed.dump());
+  }
+  for (const auto& [key, value] : claimed.items()) {
+    if (auto place = difference_at(where + "/" + key, value, found.value(key, Claim()))) {
+      return place;
     }
   }
-  return fmt::format("{}: {} instead of {}", where, found.dump(), claimed.dump());
+  return fmt::format("{}: more than {}", where, claimed.dump());
 }
 
 }  // namespace
