@@ -75,6 +75,11 @@ TEST(Manifest, SaysWhatIsWrong) {
   EXPECT_NE(message("\"count\": 2", "\"count\": 3").find("count"), std::string::npos);
   EXPECT_NE(message("\"outcome\": \"ok\"", "\"outcome\": \"fine\"").find("outcome"),
             std::string::npos);
+  EXPECT_NE(message("\"base\": \"syntax/one\"", "\"base\": \"error/two\"").find("its base"),
+            std::string::npos);
+  EXPECT_NE(message("\"base\"", "\"basis\"").find("its base do not fit"), std::string::npos);
+  EXPECT_NE(message("\"milestone\": \"motion\"", "\"milestone\": \"emotion\"").find("emotion"),
+            std::string::npos);
   EXPECT_NE(message("{", "").find("manifest.json"), std::string::npos);
 }
 

@@ -151,11 +151,11 @@ Results: pass, fail, error (did not start, crashed), timeout, not_supported (bey
 claims), skipped (required but not run; never a pass). The output folder gets report.html, report.json
 and junit.xml.
 
-A vector of group error counts only if its base, the valid stream that it is made from, passes; bases are
-run with every selection.
+A vector of group error counts only if its base, the valid stream that it is made from, passes; bases
+are run with every selection.
 
-Exit status 0: all required vectors pass; 1: a required vector fails, or a claim differs; 5: no failures, but required
-vectors were skipped.
+Exit status 0: all required vectors pass; 1: a required vector fails, or a claim differs; 5: no
+failures, but required vectors were skipped.
 
 Example:
   hmlfc conform --dut '{hmlfc} decode {input} -o {output}' --suite vectors -o report)";
