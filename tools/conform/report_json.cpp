@@ -74,7 +74,8 @@ Json to_json(const Summary& summary) {
     milestones.push_back({{"name", count.name},
                           {"claimed", count.claimed},
                           {"pass", count.pass},
-                          {"bad", count.bad}});
+                          {"bad", count.bad},
+                          {"skipped", count.skipped}});
   }
   Json& causes = json["causes"] = Json::array();
   for (const Cause& cause : summary.causes) {

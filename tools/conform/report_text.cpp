@@ -30,11 +30,13 @@ std::string line_of(const VectorResult& result) {
 }
 
 std::string where_to_begin(const Summary& summary) {
+  const size_t skipped = summary.first->skipped;
   std::string text = fmt::format(
-      "  Begin with milestone {}, the first that is not whole: {} of {} vectors pass\n"
+      "  Begin with milestone {}, the first that is not whole: {} of {} vectors pass{}\n"
       "  Look first at {}: {}\n"
       "    {}\n",
-      summary.first->name, summary.first->pass, summary.first->claimed, summary.look_at->id,
+      summary.first->name, summary.first->pass, summary.first->claimed,
+      skipped == 0 ? "" : fmt::format(", {} were not run", skipped), summary.look_at->id,
       summary.look_at->reason, summary.look_at->inspect);
   if (!summary.clauses.empty()) {
     text += fmt::format("  Clauses that fail in all their vectors: {}\n",

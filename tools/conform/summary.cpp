@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "vectors/milestone.hpp"
 
@@ -37,6 +38,7 @@ std::vector<MilestoneCount> count_milestones(const Run& run) {
   for (const VectorResult& result : run.results) {
     MilestoneCount& count = counts[number_of(result)];
     count.claimed += result.status != Status::kNotSupported;
+    count.skipped += result.status == Status::kSkipped;
     count.pass += result.status == Status::kPass;
     count.bad += counts_as_bad(result);
   }
@@ -76,6 +78,11 @@ std::string most_suspect(const VectorResult& result, const ClauseCounts& counts)
   };
   const std::string& clause = *std::ranges::max_element(result.clauses, less_suspect);
   const ClauseCount& count = counts.at(clause);
+  if (count.bad == 1) {
+    std::vector<std::string_view> planes;
+    for (const Plane plane : result.difference->planes) planes.push_back(plane_name(plane));
+    return fmt::format("wrong samples, planes {}", fmt::join(planes, ", "));
+  }
   return fmt::format("wrong samples, perhaps {}, which fails in {} of {} vectors", clause,
                      count.bad, count.run);
 }

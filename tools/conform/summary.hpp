@@ -15,6 +15,7 @@ struct MilestoneCount {
   std::string claim;
   size_t claimed = 0;  ///< vectors that are required of the decoder
   size_t pass = 0;
+  size_t skipped = 0;
   size_t bad = 0;  ///< failures that are not waived
 
   bool whole() const { return pass == claimed; }
@@ -40,8 +41,8 @@ struct Summary {
 
 /// Failures have one cause if they have the same first wrong stage and clause; or if samples are
 /// wrong without a stage, and the same clause is the most suspect of those that they exercise (the
-/// one with the greatest share of failures, then with the most); or the same message but for
-/// numbers.
+/// one with the greatest share of failures, then with the most), or no other vector fails with these
+/// clauses and the same planes are wrong; or the same message but for numbers.
 Summary summarise(const Run& run);
 
 }  // namespace hmlfc::conform
