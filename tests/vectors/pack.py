@@ -21,7 +21,7 @@ def pack(root, folder):
 def copy(root, target):
     """The sources of the archive with other times and modes."""
     target.mkdir()
-    for name in ("run", "LICENSE", "tools/demo.sh", "tests/evidence.sh"):
+    for name in ("run", "LICENSE", "tools/demo.sh", "tools/release.sh", "tests/evidence.sh"):
         (target / name).parent.mkdir(exist_ok=True)
         shutil.copyfile(root / name, target / name)
     shutil.copytree(root / "vectors", target / "vectors", copy_function=shutil.copyfile)
