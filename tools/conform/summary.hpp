@@ -41,8 +41,8 @@ struct Summary {
 
 /// Failures have one cause if they have the same first wrong stage and clause; or if samples are
 /// wrong without a stage, and the same clause is the most suspect of those that they exercise (the
-/// one with the greatest share of failures, then with the most), or no other vector fails with these
-/// clauses and the same planes are wrong; or the same message but for numbers.
+/// one with the greatest share of failures, then with the most), or no other vector fails with
+/// these clauses and the same planes are wrong; or the same message but for numbers.
 Summary summarise(const Run& run);
 
 }  // namespace hmlfc::conform
