@@ -1,5 +1,5 @@
 # cmake --install: headers, static and shared library, binary, CMake package and pkg-config file,
-# the decode unit with its integration kit, and the checker for simulators.
+# the conformance suite, the decode unit with its integration kit, and the checker for simulators.
 
 include(CMakePackageConfigHelpers)
 
@@ -22,6 +22,9 @@ install(DIRECTORY model/include/hmlfc
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 if(TARGET hmlfc_cli)
   install(TARGETS hmlfc_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  # The conformance suite, which the program finds there.
+  install(DIRECTORY vectors DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc")
+  install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/vectors")
 endif()
 
 # For simulators (docs/checker.md): the golden model behind DPI-C, the checker and its example.

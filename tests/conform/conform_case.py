@@ -26,14 +26,28 @@ def faulty(name):
     return f"{sys.executable} -B {FAULTY} {name} {{input}} -o {{output}}"
 
 
-# Vectors of the small suite: both profiles, two depths, a refusal when opening and one of a block.
+# Vectors of the small suite: both profiles, two depths, a refusal when opening and one of a block, and
+# the base of both.
 SMALL = (
     "error/magic",
     "error/sign-mode-3",
     "real/cards-main",
     "real/glass-depth10",
     "real/knights-extended",
+    "syntax/base-main",
 )
+
+
+def make_suite(folder, ids):
+    """Makes a suite of some of the vectors in a new folder; its manifest."""
+    folder.mkdir()
+    for group in {name.split("/")[0] for name in ids}:
+        (folder / group).symlink_to(SUITE / group)
+    part = manifest()
+    part["vectors"] = [vector for vector in part["vectors"] if vector["id"] in ids]
+    part["count"] = len(ids)
+    (folder / "manifest.json").write_text(json.dumps(part))
+    return part
 
 
 class ConformTest(CliTest):
@@ -41,13 +55,7 @@ class ConformTest(CliTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.small = cls.folder / "small"
-        cls.small.mkdir()
-        for group in ("error", "real"):
-            (cls.small / group).symlink_to(SUITE / group)
-        cls.manifest = manifest()
-        cls.manifest["vectors"] = [v for v in cls.manifest["vectors"] if v["id"] in SMALL]
-        cls.manifest["count"] = len(SMALL)
-        (cls.small / "manifest.json").write_text(json.dumps(cls.manifest))
+        cls.manifest = make_suite(cls.small, SMALL)
 
     def conform(self, dut, *arguments, suite=None, output="report"):
         """Exit status and report of a run on the small suite, or on another."""

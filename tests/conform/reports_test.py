@@ -1,5 +1,6 @@
 """The reports of `hmlfc conform`: JUnit XML, HTML, text."""
 
+import struct
 import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
 
@@ -67,14 +68,24 @@ class Reports(ConformTest):
         self.assertEqual(len(page.pictures), 4)
         for address in page.addresses:
             self.assertTrue(address.startswith("data:image/png;base64,"))
-        for text in ("real/cards-main", "COL-3", "SHA-256", "Failures of"):
+        for text in ("real/cards-main", "COL-3", "SHA-256", "Look first at real/cards-main", "128 or more"):
             self.assertIn(text, page.text)
+
+    def test_heat_map(self):
+        """Four pixels a block and a grey one between views; black where a block is right."""
+        (vector,) = [v for v in self.manifest["vectors"] if v["id"] == "real/cards-main"]
+        shape = vector["output"]
+        (picture,) = (self.folder / "failing").glob("*/failures/real/cards-main/heat.png")
+        columns, rows = (-(-shape[side] // 4) for side in ("width", "height"))
+        size = struct.unpack(">II", picture.read_bytes()[16:24])
+        self.assertEqual(size, (shape["cols"] * (4 * columns + 1) - 1, shape["rows"] * (4 * rows + 1) - 1))
 
     def test_text(self):
         self.assertRegex(self.text, r"fail +real/cards-main: view \d+,\d+ block \d+,\d+ \(pixel ")
         self.assertIn("clauses", self.text)
         self.assertRegex(self.text, r"fails: 1 fail, \d+ skipped, of \d+ vectors")
         self.assertIn("report.html", self.text)
+        self.assertRegex(self.text, r"Look first at real/cards-main: view .*\n +hmlfc inspect .* --plane Co --block")
 
 
 if __name__ == "__main__":

@@ -154,8 +154,28 @@ def check_driver(installation):
     run("cc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", *flags, driver / "hmlfc_openjpeg.c")
 
 
+def check_suite(installation):
+    """The installed program finds the installed suite, in a folder that has neither suite nor source."""
+    elsewhere = installation.work / "elsewhere"
+    elsewhere.mkdir()
+    hmlfc = installation.prefix / "bin" / "hmlfc"
+    suite = installation.prefix / "share" / "hmlfc" / "vectors"
+    manifest = json.loads((VECTORS / "manifest.json").read_text())
+    assert "no problems" in run(hmlfc, "vectors", "lint", cwd=elsewhere)
+    assert f"{manifest['count']} of" in run(hmlfc, "vectors", "list", cwd=elsewhere)
+    assert "base-main" in run(hmlfc, "vectors", "explain", "error/magic", cwd=elsewhere)
+    for name in ("README.md", "CHANGES.md", "LICENSE"):
+        assert (suite / name).is_file(), name
+    command = [hmlfc, "conform", "--filter", "error/magic", "-o", "report", "--json", "--dut"]
+    report = json.loads(run(*command, suite / "duts" / "model.json", cwd=elsewhere, code=5))
+    assert report["runs"][0]["counts"]["pass"] == 2, report["runs"][0]["counts"]
+    report = json.loads(run(*command, "false {input} {output}", cwd=elsewhere, code=1))
+    assert str(suite) in report["runs"][0]["begin"]["inspect"], report["runs"][0]["begin"]
+
+
 def main():
     installation = Installation(*sys.argv[1:])
+    check_suite(installation)
     check_decode_unit(installation)
     check_driver(installation)
     installation.check_headers()

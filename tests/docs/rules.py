@@ -58,6 +58,7 @@ COMMANDS = rules(
     (r"\./run vectors generate", r"\g<0> -o made", "writes into the repository"),
     (r"\./run render .*--camera .*", r"\g<0> >said && ! grep outside said", "the example's frame is filled"),
     (r"\./run compare .*", r"\g<0>; test $? = 1", "the views differ"),
+    (r"(\./run conform) .*--(?:claim|verify) .*", HELP, "conform.claim runs both; the whole suite takes a minute"),
     (r"(\./run|hmlfc) conform (?!.*--filter|.*--merge)(.*--dut.*)",
      r"\1 conform --filter 'syntax/base-*' \2; test $? = 5", "the whole suite takes a minute"),
     (r"sim/.* \+fault=.*", r"\g<0>; test $? != 0", "a difference ends it"),

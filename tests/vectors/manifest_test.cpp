@@ -24,6 +24,7 @@ Manifest sample_manifest() {
   ok.clauses = {"BISE-3"};
   ok.flags = {"depth8"};
   ok.comment = "hunts";
+  ok.milestone = "motion";
   ok.input = {"syntax/one.hmlfc", 99, std::string(64, 'a')};
   ok.output = ViewSum{std::string(64, 'b'), 1, 2, 3, 4, 12, ChromaFormat::k444};
   ok.blocks = SuiteFile{"syntax/one.blocks", 0, std::string(64, 'c')};
@@ -37,6 +38,7 @@ Manifest sample_manifest() {
                 1234,
                 Operation::kBlock,
                 {{{1, 2}, Plane::kCg, 3, 4}}};
+  bad.base = ok.id;
   bad.output.reset();
   bad.trace.reset();
   manifest.vectors = {bad, ok};
@@ -72,6 +74,11 @@ TEST(Manifest, SaysWhatIsWrong) {
   EXPECT_NE(message("bad_levels", "bad_thing").find("error/two"), std::string::npos);
   EXPECT_NE(message("\"count\": 2", "\"count\": 3").find("count"), std::string::npos);
   EXPECT_NE(message("\"outcome\": \"ok\"", "\"outcome\": \"fine\"").find("outcome"),
+            std::string::npos);
+  EXPECT_NE(message("\"base\": \"syntax/one\"", "\"base\": \"error/two\"").find("its base"),
+            std::string::npos);
+  EXPECT_NE(message("\"base\"", "\"basis\"").find("its base do not fit"), std::string::npos);
+  EXPECT_NE(message("\"milestone\": \"motion\"", "\"milestone\": \"emotion\"").find("emotion"),
             std::string::npos);
   EXPECT_NE(message("{", "").find("manifest.json"), std::string::npos);
 }

@@ -19,16 +19,20 @@ from program import PROGRAM, ROOT, main  # noqa: E402
 
 SUITE = ROOT / "vectors"
 FIRST = "real/cards-main"
+BASE = "syntax/base-main"
 
 
 def copy_part(target):
-    """Copies the vectors of group real and one of group error: enough to plant faults in."""
+    """Copies the vectors of group real, one of group error and its base: enough to plant faults in."""
     manifest = json.loads((SUITE / "manifest.json").read_text())
-    kept = [v for v in manifest["vectors"] if v["group"] == "real" or v["id"] == "error/version-0"]
+    kept = [v for v in manifest["vectors"] if v["group"] == "real" or v["id"] in ("error/version-0", BASE)]
     manifest.update(vectors=kept, count=len(kept))
     shutil.copytree(SUITE / "real", target / "real")
     (target / "error").mkdir()
     shutil.copy(SUITE / "error/version-0.hmlfc", target / "error")
+    (target / "syntax").mkdir()
+    for path in SUITE.glob(f"{BASE}.*"):
+        shutil.copy(path, target / "syntax")
     shutil.copytree(SUITE / "recipes", target / "recipes")
     (target / "manifest.json").write_text(json.dumps(manifest))
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "io/view_name.hpp"
+#include "vectors/milestone.hpp"
 
 namespace hmlfc::cli {
 
@@ -22,6 +23,15 @@ std::optional<io::IndexRange> parse_range(std::string_view text) {
   const auto step = colon == text.npos ? 1 : parse_integer<uint32_t>(text.substr(colon + 1));
   if (!last || *last < *first || !step || *step < 1) return std::nullopt;
   return io::IndexRange{*first, *last, *step};
+}
+
+std::filesystem::path default_suite() {
+  std::error_code ignored;
+  const std::filesystem::path here = "vectors";
+  if (std::filesystem::exists(here / "manifest.json", ignored)) return here;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const auto installed = (program.parent_path() / HMLFC_SUITE_FROM_BIN).lexically_normal();
+  return std::filesystem::exists(installed / "manifest.json", ignored) ? installed : here;
 }
 
 }  // namespace
@@ -146,10 +156,21 @@ CLI::Option* add_path(CLI::App& app, const std::string& name, std::filesystem::p
 
 CLI::Option* add_suite(CLI::App& app, std::filesystem::path& target,
                        const std::string& description) {
+  target = default_suite();
   return add_path(app, "--suite", target, description)
       ->required(false)
       ->type_name("DIR")
-      ->default_str("vectors");
+      ->default_str("vectors, else the installed one");
+}
+
+CLI::Option* add_milestone(CLI::App& app, std::string& target) {
+  const auto reader = [&target](const std::string& text) {
+    target = text;
+    return vectors::milestone_number(text).has_value();
+  };
+  return add_value(app, "--milestone", "NAME",
+                   "Only the vectors of one milestone; hmlfc vectors milestones lists them",
+                   "a milestone", reader);
 }
 
 CLI::Option* add_stream(CLI::App& app, std::filesystem::path& target) {

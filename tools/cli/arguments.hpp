@@ -167,9 +167,13 @@ CLI::Option* add_output(CLI::App& app, std::filesystem::path& target, const std:
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::filesystem::path& target,
                       const std::string& description);
 
-/// --suite: the folder of the conformance suite.
+/// --suite: the folder of the conformance suite. Without it `target` becomes the folder vectors, or
+/// where there is no suite, the one that is installed with this program.
 CLI::Option* add_suite(CLI::App& app, std::filesystem::path& target,
                        const std::string& description);
+
+/// --milestone: only the vectors of one (tools/vectors/milestone.hpp).
+CLI::Option* add_milestone(CLI::App& app, std::string& target);
 
 /// A positional FILE: an .hmlfc file.
 CLI::Option* add_stream(CLI::App& app, std::filesystem::path& target);

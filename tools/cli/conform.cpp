@@ -1,16 +1,17 @@
 // hmlfc conform: runs decoders under test on the conformance suite.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <hmlfc/version.hpp>
 
 #include "cli/arguments.hpp"
 #include "cli/dut_options.hpp"
+#include "conform/claim.hpp"
 #include "conform/report.hpp"
 #include "conform/runner.hpp"
 #include "terminal/progress_bar.hpp"
@@ -18,40 +19,17 @@
 namespace hmlfc::cli {
 namespace {
 
+constexpr const char* kProgram = "hmlfc " HMLFC_VERSION;
+
 struct ConformOptions {
-  std::filesystem::path suite = "vectors";
+  std::filesystem::path suite;
   DutOptions dut;
   conform::RunOptions run;
   std::vector<std::string> merge;
+  std::filesystem::path claim;   // to write; empty: none
+  std::filesystem::path verify;  // to check; empty: none
   bool json = false;
 };
-
-// The line of a vector that did not pass.
-std::string line_of(const conform::VectorResult& result) {
-  std::string line =
-      fmt::format("  {:<13} {}: {}\n", status_name(result.status), result.id, result.reason);
-  if (!result.stage.empty()) line += fmt::format("                {}\n", result.stage);
-  if (result.bad() && !result.clauses.empty()) {
-    line += fmt::format("                clauses {}\n", fmt::join(result.clauses, " "));
-  }
-  if (result.waived()) line += fmt::format("                waived: {}\n", result.waiver);
-  return line;
-}
-
-void print_run(const conform::Run& run) {
-  for (const conform::VectorResult& result : run.results) {
-    if (result.bad()) print(line_of(result));
-  }
-  const conform::Tally counts = tally(run);
-  std::string line = fmt::format("{}: {}:", run.dut, verdict_text(run));
-  for (size_t i = 0; i < conform::kStatusCount; ++i) {
-    if (counts.count[i] == 0) continue;
-    line += fmt::format(" {} {},", counts.count[i], status_name(static_cast<conform::Status>(i)));
-  }
-  if (counts.waived != 0) line += fmt::format(" {} waived,", counts.waived);
-  line += fmt::format(" of {} vectors\n", run.results.size());
-  print(line);
-}
 
 // Writes the reports; the exit status is that of the worst decoder.
 ExitCode finish(const conform::Report& report, const ConformOptions& options) {
@@ -59,7 +37,7 @@ ExitCode finish(const conform::Report& report, const ConformOptions& options) {
   if (options.json) {
     print_json(conform::to_json(report));
   } else {
-    for (const conform::Run& run : report.runs) print_run(run);
+    for (const conform::Run& run : report.runs) print(terminal_text(run));
     print(fmt::format("Report: {}\n", (options.run.folder / "report.html").string()));
   }
   auto worst = conform::Verdict::kConforms;
@@ -80,23 +58,85 @@ ExitCode run_merge(const ConformOptions& options) {
                 options);
 }
 
+// A claim is about one decoder and the whole suite.
+void check_whole(const ConformOptions& options, const std::string& option) {
+  const conform::Selection& selection = options.run.selection;
+  if (options.dut.names.size() != 1 || !selection.filters.empty() || !selection.milestone.empty() ||
+      selection.shards != 1) {
+    throw Failure(ExitCode::kUsage,
+                  option + " takes one --dut and no --filter, --milestone or --shard");
+  }
+}
+
+conform::Claim claim_on(const conform::Suite& suite, const conform::Dut& dut,
+                        const std::string& dut_text) {
+  return value_or_throw(conform::claim_of(suite, dut, dut_text), ExitCode::kInput);
+}
+
+// What differs from the claim; before the run as far as it is known then.
+std::optional<std::string> verify_again(const conform::Claim& claimed,
+                                        const ConformOptions& options) {
+  const auto dut = options.dut.read().front();
+  const auto suite = value_or_throw(conform::open_suite(options.suite), ExitCode::kInput);
+  auto found = claim_on(suite, dut, claimed.at("decoder").at("dut").get<std::string>());
+  if (auto difference = conform::claim_difference(claimed, found)) return difference;
+  make_output_folder(options.run.folder);
+  terminal::ProgressBar progress(dut.name, "vectors");
+  const auto run =
+      value_or_throw(run_suite(suite, dut, options.run, progress.callback()), ExitCode::kOutput);
+  const auto system = conform::this_system(kProgram);
+  value_or_throw(
+      conform::write_report({suite.manifest.vectors_version, suite.manifest_sha256, system, {run}},
+                            options.run.folder),
+      ExitCode::kOutput);
+  add_results(found, run, system);
+  return conform::claim_difference(claimed, found);
+}
+
+ExitCode run_verify(ConformOptions options) {
+  const auto claimed = value_or_throw(conform::read_claim(options.verify), ExitCode::kInput);
+  if (options.dut.names.empty()) options.dut.names = {claimed.at("decoder").at("dut")};
+  check_whole(options, "--verify");
+  const auto difference = verify_again(claimed, options);
+  if (options.json) {
+    print_json({{"verified", !difference}, {"difference", difference.value_or("")}});
+  } else if (difference) {
+    print(fmt::format("{}: differs: {}\n", options.verify.string(), *difference));
+  } else {
+    print(fmt::format("{}: verified, {} results\n", options.verify.string(),
+                      claimed.at("results").size()));
+  }
+  return difference ? ExitCode::kDifferent : ExitCode::kDone;
+}
+
 ExitCode run_conform(const ConformOptions& given) {
   ConformOptions options = given;
   if (!options.merge.empty()) return run_merge(options);
   options.run.limits = options.dut.limits();
+  if (!options.verify.empty()) return run_verify(options);
   const auto duts = options.dut.read();
+  if (!options.claim.empty()) check_whole(options, "--claim");
   const auto suite = value_or_throw(conform::open_suite(options.suite), ExitCode::kInput);
   make_output_folder(options.run.folder);
-  conform::Report report{suite.manifest.vectors_version,
-                         suite.manifest_sha256,
-                         conform::this_system("hmlfc " HMLFC_VERSION),
-                         {}};
+  conform::Report report{
+      suite.manifest.vectors_version, suite.manifest_sha256, conform::this_system(kProgram), {}};
   for (const conform::Dut& dut : duts) {
     terminal::ProgressBar progress(dut.name, "vectors");
     report.runs.push_back(
         value_or_throw(run_suite(suite, dut, options.run, progress.callback()), ExitCode::kOutput));
   }
-  return finish(report, options);
+  const ExitCode code = finish(report, options);
+  if (!options.claim.empty()) {
+    if (code != ExitCode::kDone) {
+      throw Failure(code, "no claim is written: the verdict is \"" +
+                              verdict_text(report.runs.front()) + "\"");
+    }
+    auto claim = claim_on(suite, duts.front(), options.dut.names.front());
+    conform::add_results(claim, report.runs.front(), report.system);
+    value_or_throw(conform::write_claim(options.claim, claim), ExitCode::kOutput);
+    if (!options.json) print(fmt::format("Claim: {}\n", options.claim.string()));
+  }
+  return code;
 }
 
 constexpr const char* kConformFooter =
@@ -111,8 +151,11 @@ Results: pass, fail, error (did not start, crashed), timeout, not_supported (bey
 claims), skipped (required but not run; never a pass). The output folder gets report.html, report.json
 and junit.xml.
 
-Exit status 0: all required vectors pass; 1: a required vector fails; 5: no failures, but required
-vectors were skipped.
+A vector of group error counts only if its base, the valid stream that it is made from, passes; bases
+are run with every selection.
+
+Exit status 0: all required vectors pass; 1: a required vector fails, or a claim differs; 5: no
+failures, but required vectors were skipped.
 
 Example:
   hmlfc conform --dut '{hmlfc} decode {input} -o {output}' --suite vectors -o report)";
@@ -127,9 +170,10 @@ void add_conform(CLI::App& program, Task& task) {
   options.run.jobs = std::max(1u, std::thread::hardware_concurrency());
   options.dut.add_to(app, true);
   app.add_option("--filter", options.run.selection.filters,
-                 "Only vectors whose id, clause or flag matches, with * and ?")
+                 "Only vectors whose id, profile, clause or flag matches, with * and ?")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
+  add_milestone(app, options.run.selection.milestone);
   add_integer(app, "-j,--jobs", options.run.jobs, 1, 1024, "Vectors to run in parallel");
   const auto set_shard = [&run = options.run.selection](const std::array<uint32_t, 2>& numbers) {
     run.shard = numbers[0];
@@ -142,6 +186,12 @@ void add_conform(CLI::App& program, Task& task) {
       ->type_name("DIR");
   app.add_flag("--resume", options.run.resume, "Keep the results of an interrupted run");
   app.add_flag("--keep", options.run.keep, "Keep the decoder's output for vectors that fail");
+  add_path(app, "--claim", options.claim, "Write what a conforming decoder claims to this file")
+      ->required(false)
+      ->type_name("FILE");
+  add_path(app, "--verify", options.verify, "Check a claim by running its decoder again")
+      ->required(false)
+      ->type_name("FILE");
   add_json(app, options.json);
   add_output(app, options.run.folder, "DIR", "Folder for the report, created if missing");
 }

@@ -17,6 +17,7 @@
 #include "terminal/progress_bar.hpp"
 #include "vectors/examine.hpp"
 #include "vectors/generate.hpp"
+#include "vectors/milestone.hpp"
 #include "vectors/recipe.hpp"
 
 namespace hmlfc::cli {
@@ -25,9 +26,10 @@ namespace {
 
 // Every command uses a part of these.
 struct SuiteOptions {
-  std::filesystem::path suite = "vectors";
+  std::filesystem::path suite;
   std::string id;
   std::string group;
+  std::string milestone;
   std::string clause;
   std::filesystem::path output;
   int threads = 0;
@@ -54,6 +56,7 @@ std::string expectation(const vectors::Expectation& expect) {
 
 bool is_chosen(const vectors::Vector& vector, const SuiteOptions& options) {
   if (!options.group.empty() && vector.group != options.group) return false;
+  if (!options.milestone.empty() && vector.milestone != options.milestone) return false;
   if (options.clause.empty()) return true;
   return std::ranges::find(vector.clauses, options.clause) != vector.clauses.end();
 }
@@ -70,15 +73,35 @@ ExitCode run_list(const SuiteOptions& options) {
                     {"profile", profile_name(vector.profile)},
                     {"level", vector.level},
                     {"bytes", vector.input.bytes},
+                    {"milestone", vector.milestone},
                     {"outcome", vectors::outcome_name(vector.expect.outcome)}});
-    text += fmt::format("{:44} {:9} {} {:>9}  {}\n", vector.id, profile_name(vector.profile),
-                        vector.level, grouped(vector.input.bytes), expectation(vector.expect));
+    text += fmt::format("{:44} {:9} {} {:>9}  {:16} {}\n", vector.id, profile_name(vector.profile),
+                        vector.level, grouped(vector.input.bytes), vector.milestone,
+                        expectation(vector.expect));
   }
   if (options.json) {
     print_json(rows);
   } else {
     print(fmt::format("{}{} of {} vectors, version {}\n", text, count, manifest.vectors.size(),
                       manifest.vectors_version));
+  }
+  return ExitCode::kDone;
+}
+
+ExitCode run_milestones(const SuiteOptions& options) {
+  const vectors::Manifest manifest = manifest_of(options.suite);
+  Json rows = Json::array();
+  std::string text;
+  for (const vectors::MilestoneRow& row : vectors::milestones()) {
+    const auto count =
+        std::ranges::count(manifest.vectors, std::string(row.name), &vectors::Vector::milestone);
+    rows.push_back({{"name", row.name}, {"vectors", count}, {"claim", row.claim}});
+    text += fmt::format("{:16} {:>4}  {}\n", row.name, count, row.claim);
+  }
+  if (options.json) {
+    print_json(rows);
+  } else {
+    print(text);
   }
   return ExitCode::kDone;
 }
@@ -91,6 +114,8 @@ ExitCode run_explain(const SuiteOptions& options) {
       "{}\n  {}\n  clauses  {}\n  flags    {}\n  stream   {}, {} bytes, profile {}, level {}\n",
       vector.id, vector.comment, fmt::join(vector.clauses, ", "), fmt::join(vector.flags, ", "),
       vector.input.file, vector.input.bytes, profile_name(vector.profile), vector.level);
+  text += fmt::format("  growth   milestone {}{}\n", vector.milestone,
+                      vector.base ? ", counts only if " + *vector.base + " passes" : "");
   text += "  expected " + expectation(expect);
   if (expect.outcome != vectors::Outcome::kOk) {
     text +=
@@ -191,12 +216,13 @@ Command<SuiteOptions> add_suite_command(CLI::App& vectors, Task& task, const std
 void add_list(CLI::App& vectors, Task& task) {
   const auto [app, options] = add_suite_command(
       vectors, task, "list", "List the vectors", false, run_list,
-      R"(Columns: id, profile, conformance level, bytes of the stream, expected outcome.
-JSON: a list of {id, profile, level, bytes, outcome}; manifest.json has everything.
+      R"(Columns: id, profile, conformance level, bytes of the stream, milestone, expected outcome.
+JSON: a list of {id, profile, level, bytes, milestone, outcome}; manifest.json has everything.
 
 Example:
   hmlfc vectors list --clause BISE-10)");
   app.add_option("--group", options.group, "Only the vectors of one group")->type_name("NAME");
+  add_milestone(app, options.milestone);
   app.add_option("--clause", options.clause, "Only the vectors that exercise one clause")
       ->type_name("CLAUSE");
   add_json(app, options.json);
@@ -219,7 +245,17 @@ Example:
   add_output(generate, generated.output, "DIR", "Write to this folder instead")->required(false);
   add_threads(generate, generated.threads);
 
+  generated.suite = "vectors";  // never the installed suite
   add_list(*app, task);
+  const auto [steps, stepped] = add_suite_command(
+      *app, task, "milestones", "List the milestones of a growing decoder", false, run_milestones,
+      R"(Columns: name, number of vectors, what a decoder can do that passes them. Each vector belongs to the
+first milestone at which all that it needs is there.
+JSON: a list of {name, vectors, claim}.
+
+Example:
+  hmlfc vectors milestones)");
+  add_json(steps, stepped.json);
   add_suite_command(
       *app, task, "explain", "Say what one vector tests", true, run_explain,
       R"(Prints the mistake that the vector hunts, what a decoder must do, and the recipe.

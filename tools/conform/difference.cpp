@@ -1,6 +1,7 @@
 #include "conform/difference.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -69,19 +70,12 @@ RgbImage to_8_bits(RgbImage image) {
   return image;
 }
 
-// From dark red for a difference of 1 through orange to yellow for half of the range or more.
-void set_heat(RgbImage& image, size_t at, uint32_t worst, int depth) {
-  uint16_t* pixel = image.samples.data() + at * 3;
-  if (worst == 0) {
-    std::fill_n(pixel, 3, uint16_t{0});
-    return;
+// Fills the square of a block whose upper left pixel is (x, y).
+void fill_block(RgbImage& image, uint32_t x, uint32_t y, const std::array<uint8_t, 3>& colour) {
+  for (uint32_t row = y; row < y + kHeatSide; ++row) {
+    uint16_t* pixel = image.samples.data() + (size_t{row} * image.width + x) * 3;
+    for (uint32_t i = 0; i < kHeatSide; ++i) pixel = std::ranges::copy(colour, pixel).out;
   }
-  unsigned steps = 0;  // floor(log2(worst)), [0, depth - 1]
-  while (worst >> (steps + 1) != 0) ++steps;
-  const auto heat = static_cast<uint16_t>(255 * (steps + 1) / static_cast<unsigned>(depth));
-  pixel[0] = static_cast<uint16_t>(128 + heat / 2);
-  pixel[1] = heat;
-  pixel[2] = 0;
 }
 
 }  // namespace
@@ -150,26 +144,34 @@ std::string to_string(const Difference& d) {
       d.wrong_views == 1 ? "" : "s");
 }
 
-RgbImage heat_map(const std::vector<BlockMap>& maps, uint32_t cols, size_t first, int depth) {
+std::array<uint8_t, 3> heat_colour(uint32_t worst) {
+  if (worst == 0) return {0, 0, 0};
+  constexpr unsigned kSteps = 8;
+  const unsigned step = std::min(static_cast<unsigned>(std::bit_width(worst)), kSteps);
+  const unsigned heat = 255 * step / kSteps;
+  return {static_cast<uint8_t>(128 + heat / 2), static_cast<uint8_t>(heat), 0};
+}
+
+RgbImage heat_map(const std::vector<BlockMap>& maps, uint32_t cols, size_t first) {
   const uint32_t columns = maps.front().columns;
   const uint32_t rows = maps.front().rows;
+  const uint32_t width = columns * kHeatSide;
+  const uint32_t height = rows * kHeatSide;
   auto grid_rows = static_cast<uint32_t>(maps.size()) / cols;
   uint32_t grid_cols = cols;
   size_t begin = 0;
-  if (grid_cols * (columns + 1) > kMaxSide || grid_rows * (rows + 1) > kMaxSide) {
+  if (grid_cols * (width + 1) > kMaxSide || grid_rows * (height + 1) > kMaxSide) {
     grid_rows = grid_cols = 1;
     begin = first;
   }
-  RgbImage image{grid_cols * (columns + 1) - 1, grid_rows * (rows + 1) - 1, 8, {}};
+  RgbImage image{grid_cols * (width + 1) - 1, grid_rows * (height + 1) - 1, 8, {}};
   image.samples.assign(size_t{image.width} * image.height * 3, kGap);
   for (uint32_t view = 0; view < grid_rows * grid_cols; ++view) {
-    const uint32_t left = view % grid_cols * (columns + 1);
-    const uint32_t top = view / grid_cols * (rows + 1);
-    for (uint32_t by = 0; by < rows; ++by) {
-      for (uint32_t bx = 0; bx < columns; ++bx) {
-        set_heat(image, size_t{top + by} * image.width + left + bx,
-                 maps[begin + view].worst[size_t{by} * columns + bx], depth);
-      }
+    const uint32_t left = view % grid_cols * (width + 1);
+    const uint32_t top = view / grid_cols * (height + 1);
+    for (uint32_t block = 0; block < rows * columns; ++block) {
+      fill_block(image, left + block % columns * kHeatSide, top + block / columns * kHeatSide,
+                 heat_colour(maps[begin + view].worst[block]));
     }
   }
   return image;

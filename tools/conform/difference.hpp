@@ -54,10 +54,15 @@ std::string to_string(const Difference& difference);
 inline constexpr const char* kFailurePictures[] = {"expected.png", "actual.png", "difference.png",
                                                    "heat.png"};
 
-/// One pixel per block, all views in their grid with a grey pixel between them. Black means equal;
-/// dark red to yellow shows the block's largest difference. If the grid is wider or higher than
-/// 2048 pixels, only the view of number `first` is drawn.
-RgbImage heat_map(const std::vector<BlockMap>& maps, uint32_t cols, size_t first, int depth);
+/// The colour of a block in a heat map: black where `worst`, its largest difference, is 0; from
+/// dark red for 1 to yellow for 128 or more, a step for each power of 2.
+std::array<uint8_t, 3> heat_colour(uint32_t worst);
+
+/// kHeatSide x kHeatSide pixels a block, all views in their grid with a grey line of a pixel
+/// between them. If the grid is wider or higher than 2048 pixels, only the view of number `first`
+/// is drawn.
+RgbImage heat_map(const std::vector<BlockMap>& maps, uint32_t cols, size_t first);
+inline constexpr uint32_t kHeatSide = 4;
 
 /// Writes the four pictures into `folder`, which is created if missing: the first wrong view and
 /// the heat map of all. Of samples over 8 bits, the upper 8 bits are shown. Errors: cannot write.

@@ -3,6 +3,7 @@
 #include <regex>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "conform/difference.hpp"
 #include "conform/output_views.hpp"
@@ -80,31 +81,33 @@ void judge_refusal(const Trial& trial, const ProcessOutcome& outcome,
   set(result, Status::kPass, {});
 }
 
-// The first wrong stage, from another run of the decoder that traces the block.
-std::string wrong_stage(const Trial& trial, const Decoder& golden, const Difference& difference) {
+// What another run of the decoder, which traces the block, shows of its stages in one plane.
+std::string wrong_stage(const Trial& trial, const Decoder& golden, const BlockAddress& block) {
+  const Places places{{"input", trial.input.string()},
+                      {"view_row", std::to_string(block.view.row)},
+                      {"view_col", std::to_string(block.view.col)},
+                      {"plane", std::to_string(static_cast<unsigned>(block.plane))},
+                      {"block_x", std::to_string(block.bx)},
+                      {"block_y", std::to_string(block.by)}};
+  const ProcessOutcome outcome = run_process(fill_in(trial.dut.trace, places), trial.limits);
+  const auto stages = parse_stages(outcome.output);
+  if (stages.empty()) return "no trace: " + to_string(outcome);
+  if (auto stage = first_wrong_stage(golden, block, stages)) return *stage;
+  return fmt::format("all stages of plane {} agree in the decoder's trace",
+                     plane_name(block.plane));
+}
+
+// The first wrong stage in each plane that differs.
+std::string wrong_stages(const Trial& trial, const Decoder& golden, const Difference& difference) {
   if (trial.dut.trace.empty()) return {};
-  std::string said;
+  std::vector<std::string> said;
   for (const Plane plane : difference.planes) {
     const bool halved = plane != Plane::kY && golden.header().chroma_format == ChromaFormat::k420;
-    const BlockAddress block{difference.view, plane, difference.block_x >> (halved ? 1 : 0),
-                             difference.block_y >> (halved ? 1 : 0)};
-    const Places places{{"input", trial.input.string()},
-                        {"view_row", std::to_string(block.view.row)},
-                        {"view_col", std::to_string(block.view.col)},
-                        {"plane", std::to_string(static_cast<unsigned>(plane))},
-                        {"block_x", std::to_string(block.bx)},
-                        {"block_y", std::to_string(block.by)}};
-    const ProcessOutcome outcome = run_process(fill_in(trial.dut.trace, places), trial.limits);
-    const auto stages = parse_stages(outcome.output);
-    if (stages.empty()) {
-      said = "no trace: " + to_string(outcome);
-    } else if (auto stage = first_wrong_stage(golden, block, stages)) {
-      return *stage;
-    } else {
-      said = fmt::format("all stages of plane {} agree in the decoder's trace", plane_name(plane));
-    }
+    said.push_back(wrong_stage(trial, golden,
+                               {difference.view, plane, difference.block_x >> (halved ? 1 : 0),
+                                difference.block_y >> (halved ? 1 : 0)}));
   }
-  return said;
+  return fmt::format("{}", fmt::join(said, "; "));
 }
 
 std::vector<RgbImage> golden_views(const Decoder& golden) {
@@ -139,10 +142,10 @@ void describe_difference(const Trial& trial, const Decoder& golden,
   if (!result.difference) return;
   const Difference& difference = *result.difference;
   result.reason = to_string(difference);
-  result.stage = wrong_stage(trial, golden, difference);
+  result.stage = wrong_stages(trial, golden, difference);
   if (trial.pictures.empty()) return;
   const size_t view = size_t{difference.view.row} * header.cols + difference.view.col;
-  const RgbImage heat = heat_map(maps, header.cols, view, header.depth);
+  const RgbImage heat = heat_map(maps, header.cols, view);
   const auto written = write_failure_pictures(trial.pictures, expected[view], actual[view], heat);
   if (!written) result.messages += "\n" + written.error().message;
 }

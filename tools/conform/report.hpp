@@ -22,6 +22,9 @@ std::string junit_text(const Report& report);
 /// by decoder, all results.
 std::string html_text(const Report& report, const std::filesystem::path& folder);
 
+/// What a terminal shows of one decoder: the verdict, where to begin, failures by probable cause.
+std::string terminal_text(const Run& run);
+
 /// Writes report.json, junit.xml and report.html into `folder`.
 io::IoResult<void> write_report(const Report& report, const std::filesystem::path& folder);
 

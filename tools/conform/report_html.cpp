@@ -6,6 +6,7 @@
 
 #include "conform/difference.hpp"
 #include "conform/report.hpp"
+#include "conform/summary.hpp"
 #include "io/files.hpp"
 
 namespace hmlfc::conform {
@@ -23,6 +24,7 @@ td.n{text-align:right}code,pre{font:13px/1.4 ui-monospace,monospace}pre{backgrou
 .not_supported{background:#e8e8e8;color:#555}.waived{background:#e3d8f3}
 .pictures{display:flex;flex-wrap:wrap;gap:1em}figure{margin:0}figcaption{font-size:.85em;color:#555}
 img{image-rendering:pixelated;min-width:12em;max-width:20em;border:1px solid #999}
+.heat{display:inline-block;width:1em;height:1em;border:1px solid #999;margin-left:.8em}
 .grid{display:block;max-height:40em;overflow:auto}
 </style></head><body>
 )";
@@ -70,10 +72,24 @@ std::string system_table(const Report& report) {
   return text + "</table>\n";
 }
 
+// Which colour of a heat map is which difference.
+std::string heat_legend() {
+  std::string text = "<p>Colours of wrong blocks, by the largest difference of a sample:";
+  for (uint32_t from = 0; from <= 128; from = from == 0 ? 1 : 2 * from) {
+    const auto [r, g, b] = heat_colour(from);
+    const std::string to = from == 128 ? " or more"
+                           : from > 1  ? fmt::format("-{}", 2 * from - 1)
+                                       : "";
+    text += fmt::format(" <span class=heat style=\"background:rgb({},{},{})\"></span>&nbsp;{}{}", r,
+                        g, b, from, to);
+  }
+  return text + "</p>\n";
+}
+
 std::string pictures(const VectorResult& result, const std::filesystem::path& folder) {
   std::string text = "<div class=pictures>";
   constexpr const char* kCaptions[] = {"expected", "actual", "difference times 16, grey if equal",
-                                       "wrong blocks of all views"};
+                                       "wrong blocks, by their largest difference"};
   for (size_t i = 0; i < std::size(kFailurePictures); ++i) {
     const auto file = io::MappedFile::open(folder / result.pictures / kFailurePictures[i]);
     if (!file) continue;
@@ -98,14 +114,55 @@ std::string failure(const VectorResult& result, const std::filesystem::path& fol
   return text;
 }
 
-std::string failures(const Run& run, const std::filesystem::path& folder) {
+// Milestones of a decoder: what it claims of each, and what passes.
+std::string milestone_table(const Summary& summary) {
+  std::string text = "<table><tr><th>milestone</th><th>a decoder</th><th>vectors</th></tr>\n";
+  for (const MilestoneCount& count : summary.milestones) {
+    const char* kind = count.bad != 0       ? "fail"
+                       : count.claimed == 0 ? "not_supported"
+                       : count.whole()      ? "pass"
+                                            : "skipped";
+    const std::string vectors =
+        count.claimed == 0 ? "not claimed" : fmt::format("{} / {}", count.pass, count.claimed);
+    text += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n {}\">{}</td></tr>\n",
+                        escaped(count.name), escaped(count.claim), kind, vectors);
+  }
+  return text + "</table>\n";
+}
+
+// What to look at first.
+std::string where_to_begin(const Run& run, const Summary& summary) {
+  std::string text = fmt::format("<h2>Where {} stands</h2>\n", escaped(run.dut));
+  if (summary.first != nullptr) {
+    text += fmt::format(
+        "<p>The first milestone that is not whole is <b>{}</b>. Look first at <b>{}</b>: {}</p>"
+        "<pre>{}</pre>\n",
+        escaped(summary.first->name), escaped(summary.look_at->id),
+        escaped(summary.look_at->reason), escaped(summary.look_at->inspect));
+  }
+  if (!summary.clauses.empty()) {
+    text += "<p>Clauses that fail in all their vectors: " + list(summary.clauses) + "</p>\n";
+  }
+  return text + milestone_table(summary);
+}
+
+// Failures by their probable causes, then those that are waived.
+std::string failures(const Run& run, const Summary& summary, const std::filesystem::path& folder) {
   std::string text;
   size_t count = 0;
-  for (const VectorResult& result : run.results) {
-    if (result.bad()) text += failure(result, folder, count++ < kPicturedFailures);
+  for (const Cause& cause : summary.causes) {
+    text += fmt::format("<h2>{}: {} x {}</h2>\n", escaped(run.dut), cause.results.size(),
+                        escaped(cause.text));
+    for (const VectorResult* result : cause.results) {
+      text += failure(*result, folder, count++ < kPicturedFailures);
+    }
   }
-  if (text.empty()) return text;
-  return fmt::format("<h2>Failures of {}</h2>\n", escaped(run.dut)) + text;
+  std::string waived;
+  for (const VectorResult& result : run.results) {
+    if (result.waived()) waived += failure(result, folder, count++ < kPicturedFailures);
+  }
+  if (!waived.empty()) text += fmt::format("<h2>{}: waived</h2>\n", escaped(run.dut)) + waived;
+  return text.empty() ? text : heat_legend() + text;
 }
 
 // Clauses in rows, decoders in columns: how many of the vectors that exercise a clause pass.
@@ -121,6 +178,7 @@ std::string clause_grid(const Report& report) {
       for (const std::string& clause : result.clauses) {
         auto& row = rows[clause];
         row.resize(report.runs.size());
+        if (result.status == Status::kNotSupported) continue;
         ++row[r].all;
         row[r].pass += result.status == Status::kPass;
         row[r].bad += result.bad();
@@ -128,13 +186,17 @@ std::string clause_grid(const Report& report) {
     }
   }
   std::string text =
-      "<h2>Clauses</h2><p>Vectors passed, of those that exercise each clause.</p>"
+      "<h2>Clauses</h2><p>Vectors passed, of those that exercise each clause and are claimed.</p>"
       "<div class=grid><table><tr><th>clause</th>";
   for (const Run& run : report.runs) text += "<th>" + escaped(run.dut) + "</th>";
   text += "</tr>\n";
   for (const auto& [clause, cells] : rows) {
     text += "<tr><td>" + escaped(clause) + "</td>";
     for (const Cell& cell : cells) {
+      if (cell.all == 0) {
+        text += "<td class=\"n not_supported\">not claimed</td>";
+        continue;
+      }
       const char* kind = cell.bad != 0 ? "fail" : cell.pass == cell.all ? "pass" : "skipped";
       text += fmt::format("<td class=\"n {}\">{} / {}</td>", kind, cell.pass, cell.all);
     }
@@ -166,7 +228,11 @@ std::string html_text(const Report& report, const std::filesystem::path& folder)
   std::string text = kHead;
   text += fmt::format("<h1>HMLFC conformance, vectors {}</h1>\n", escaped(report.vectors_version));
   text += summary(report);
-  for (const Run& run : report.runs) text += failures(run, folder);
+  for (const Run& run : report.runs) {
+    const Summary found = summarise(run);
+    text += where_to_begin(run, found);
+    text += failures(run, found, folder);
+  }
   text += clause_grid(report);
   if (!report.runs.empty()) text += all_results(report);
   text += system_table(report);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "conform/summary.hpp"
+
 namespace hmlfc::conform {
 namespace {
 
@@ -59,6 +61,31 @@ SystemInfo system_from(const Json& json) {
           json.at("processor"), json.at("threads"), json.at("memory_mib")};
 }
 
+Json to_json(const Summary& summary) {
+  Json json;
+  if (summary.first != nullptr) {
+    json["milestone"] = summary.first->name;
+    json["vector"] = summary.look_at->id;
+    json["inspect"] = summary.look_at->inspect;
+    json["clauses"] = summary.clauses;
+  }
+  Json& milestones = json["milestones"] = Json::array();
+  for (const MilestoneCount& count : summary.milestones) {
+    milestones.push_back({{"name", count.name},
+                          {"claimed", count.claimed},
+                          {"pass", count.pass},
+                          {"bad", count.bad},
+                          {"skipped", count.skipped}});
+  }
+  Json& causes = json["causes"] = Json::array();
+  for (const Cause& cause : summary.causes) {
+    Json ids = Json::array();
+    for (const VectorResult* result : cause.results) ids.push_back(result->id);
+    causes.push_back({{"cause", cause.text}, {"vectors", ids}});
+  }
+  return json;
+}
+
 Json to_json(const Run& run) {
   Json json;
   json["dut"] = run.dut;
@@ -72,6 +99,7 @@ Json to_json(const Run& run) {
     counted[std::string(status_name(static_cast<Status>(i)))] = counts.count[i];
   }
   counted["waived"] = counts.waived;
+  json["begin"] = to_json(summarise(run));
   Json& results = json["results"] = Json::array();
   for (const VectorResult& result : run.results) results.push_back(conform::to_json(result));
   return json;
@@ -102,6 +130,10 @@ Json to_json(const VectorResult& result) {
   set_text(json, "waiver", result.waiver);
   json["clauses"] = result.clauses;
   set_text(json, "comment", result.comment);
+  json["milestone"] = result.milestone;
+  json["bytes"] = result.bytes;
+  set_text(json, "inspect", result.inspect);
+  if (result.not_counted) json["not_counted"] = true;
   return json;
 }
 
@@ -121,6 +153,10 @@ std::optional<VectorResult> result_from_json(const Json& json) {
     result.waiver = json.value("waiver", "");
     result.clauses = json.at("clauses").get<std::vector<std::string>>();
     result.comment = json.value("comment", "");
+    result.milestone = json.at("milestone");
+    result.bytes = json.at("bytes");
+    result.inspect = json.value("inspect", "");
+    result.not_counted = json.value("not_counted", false);
     return result;
   } catch (const std::exception&) {
     return std::nullopt;

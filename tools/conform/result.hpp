@@ -45,7 +45,11 @@ struct VectorResult {
   std::string pictures;  ///< folder of the failure's pictures, relative to the report, or empty
   std::string waiver;    ///< why a failure is accepted, or empty
   std::vector<std::string> clauses;
-  std::string comment;  ///< the mistake that the vector hunts
+  std::string comment;       ///< the mistake that the vector hunts
+  std::string milestone;     ///< of the manifest
+  uint64_t bytes = 0;        ///< of the stream
+  std::string inspect;       ///< the command that shows what the decoder gets wrong, or empty
+  bool not_counted = false;  ///< a refusal whose base does not pass
 
   bool bad() const {
     return status == Status::kFail || status == Status::kError || status == Status::kTimeout;

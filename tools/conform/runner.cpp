@@ -5,16 +5,17 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
-#include <fnmatch.h>
 #include <hmlfc/stream_info.hpp>
 
 #include "conform/judge.hpp"
 #include "conform/result.hpp"
 #include "io/files.hpp"
 #include "vectors/digest.hpp"
+#include "vectors/milestone.hpp"
 
 namespace hmlfc::conform {
 
@@ -58,31 +59,83 @@ void fail_in_suite(VectorResult& result, std::string reason) {
   result.reason = std::move(reason);
 }
 
-// Whether a pattern with * and ? matches the vector's id, one of its clauses or one of its flags.
-bool matches(const vectors::Vector& vector, const std::string& pattern) {
-  const auto fits = [&](const std::string& text) {
-    return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
-  };
-  return fits(vector.id) || std::ranges::any_of(vector.clauses, fits) ||
-         std::ranges::any_of(vector.flags, fits);
-}
-
 // Why vector number `index` of the manifest is left out; empty if it is not.
 std::string why_left_out(const Selection& selection, const vectors::Vector& vector, size_t index) {
   const auto& filters = selection.filters;
-  const auto fits = [&](const std::string& pattern) { return matches(vector, pattern); };
+  const auto fits = [&](const std::string& pattern) { return vectors::matches(vector, pattern); };
   if (!filters.empty() && std::ranges::none_of(filters, fits)) return "left out by --filter";
+  if (!selection.milestone.empty() && vector.milestone != selection.milestone) {
+    return "left out by --milestone";
+  }
   if (index % selection.shards + 1 != selection.shard) {
     return fmt::format("not in shard {}/{}", selection.shard, selection.shards);
   }
   return {};
 }
 
+// Why each vector is left out; empty where it is run, for itself or as the base of another.
+std::vector<std::string> reasons_to_leave_out(const Selection& selection,
+                                              const std::vector<vectors::Vector>& all) {
+  std::vector<std::string> reasons;
+  std::set<std::string> bases;
+  for (size_t i = 0; i < all.size(); ++i) {
+    reasons.push_back(why_left_out(selection, all[i], i));
+    if (reasons.back().empty() && all[i].base) bases.insert(*all[i].base);
+  }
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (bases.contains(all[i].id)) reasons[i].clear();
+  }
+  return reasons;
+}
+
+// The command that shows the block or the stream that the decoder gets wrong.
+std::string inspect_command(const Suite& suite, const vectors::Vector& vector,
+                            const VectorResult& result) {
+  if (!result.difference) {
+    return fmt::format("hmlfc vectors inspect {} --suite {}", vector.id, suite.folder.string());
+  }
+  const Difference& d = *result.difference;
+  const Plane plane = d.planes.empty() ? Plane::kY : d.planes.front();
+  const bool halved = plane != Plane::kY && vector.output->chroma == ChromaFormat::k420;
+  return fmt::format("hmlfc inspect {} --view {},{} --plane {} --block {},{}",
+                     (suite.folder / vector.input.file).string(), d.view.row, d.view.col,
+                     plane_name(plane), d.block_x >> (halved ? 1 : 0),
+                     d.block_y >> (halved ? 1 : 0));
+}
+
+// A refusal that is right by itself counts only if the stream that it is made from passes.
+void settle_base(const VectorResult& base, const Waiver* waiver, VectorResult& result) {
+  if (result.status != Status::kPass || base.status == Status::kPass) return;
+  result.status = base.bad() ? Status::kFail : base.status;
+  result.not_counted = base.bad();
+  result.reason = fmt::format("not counted: the result of its base {} is {}", base.id,
+                              status_name(base.status));
+  result.inspect = base.inspect;
+  result.waiver = waiver != nullptr && base.bad() ? waiver->reason : base.waiver;
+}
+
+void settle_bases(const vectors::Manifest& manifest, const Dut& dut, Run& run) {
+  std::map<std::string, const VectorResult*> by_id;
+  for (VectorResult& result : run.results) {
+    const Waiver* waiver = dut.waiver(result.id);
+    if (waiver != nullptr && result.bad()) result.waiver = waiver->reason;
+    by_id[result.id] = &result;
+  }
+  for (size_t i = 0; i < run.results.size(); ++i) {
+    const auto& base = manifest.vectors[i].base;
+    if (base) settle_base(*by_id.at(*base), dut.waiver(run.results[i].id), run.results[i]);
+  }
+}
+
 // One decoder on one suite.
 class SuiteRun {
  public:
   SuiteRun(const Suite& suite, const Dut& dut, const RunOptions& options, fs::path folder)
-      : suite_(suite), dut_(dut), options_(options), folder_(std::move(folder)) {}
+      : suite_(suite),
+        dut_(dut),
+        options_(options),
+        folder_(std::move(folder)),
+        left_out_(reasons_to_leave_out(options.selection, suite.manifest.vectors)) {}
 
   VectorResult result_of(size_t index) const {
     const vectors::Vector& vector = suite_.manifest.vectors[index];
@@ -90,6 +143,8 @@ class SuiteRun {
     result.id = vector.id;
     result.clauses = vector.clauses;
     result.comment = vector.comment;
+    result.milestone = vector.milestone;
+    result.bytes = vector.input.bytes;
     const fs::path input = fs::absolute(suite_.folder / vector.input.file);
     const auto file = io::MappedFile::open(input);
     if (!file) {
@@ -99,9 +154,7 @@ class SuiteRun {
     } else {
       run(vector, index, input, file->bytes(), result);
     }
-    if (const Waiver* waiver = dut_.waiver(vector.id); waiver != nullptr && result.bad()) {
-      result.waiver = waiver->reason;
-    }
+    if (result.bad()) result.inspect = inspect_command(suite_, vector, result);
     return result;
   }
 
@@ -115,7 +168,7 @@ class SuiteRun {
       result.reason = *what;
       return;
     }
-    result.reason = why_left_out(options_.selection, vector, index);
+    result.reason = left_out_[index];
     if (!result.reason.empty()) return;
     WorkFolder work(folder_ / "work" / vector.id);
     if (work.error()) {
@@ -136,6 +189,7 @@ class SuiteRun {
   const Dut& dut_;
   const RunOptions& options_;
   fs::path folder_;
+  std::vector<std::string> left_out_;
 };
 
 }  // namespace
@@ -187,6 +241,7 @@ io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions
   std::error_code ignored;
   if (!options.keep) fs::remove_all(folder / "work", ignored);
   if (first_error) return tl::unexpected(*first_error);
+  settle_bases(suite.manifest, dut, run);
   return run;
 }
 

@@ -24,10 +24,11 @@ struct Suite {
 /// Errors: those of vectors::read_manifest().
 io::IoResult<Suite> open_suite(const std::filesystem::path& folder);
 
-/// Which vectors to run, of those that a decoder claims. Shard I of N has the vectors of the
-/// manifest whose number is I - 1 modulo N.
+/// Which vectors to run, of those that a decoder claims; their bases are run, too. Shard I of N has
+/// the vectors of the manifest whose number is I - 1 modulo N.
 struct Selection {
-  std::vector<std::string> filters;  ///< any of them must match; none: all do
+  std::vector<std::string> filters;  ///< any of them must match (vectors::matches); none: all do
+  std::string milestone;             ///< only its vectors; empty: all
   unsigned shard = 1;                ///< [1, shards]
   unsigned shards = 1;
 };
@@ -42,8 +43,8 @@ struct RunOptions {
 };
 
 /// Runs `dut` on each vector of `suite` that it claims and `options` select, and compares. Each
-/// result is written at once (results.jsonl). Errors: the folder cannot be written, or has results
-/// of another suite or decoder.
+/// result is written at once (results.jsonl). A refusal counts only if the vector's base passes.
+/// Errors: the folder cannot be written, or has results of another suite or decoder.
 io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions& options,
                             const io::Progress& progress);
 

@@ -12,9 +12,11 @@
 #include "decoder/key_images.hpp"
 #include "io/files.hpp"
 #include "syntax/header.hpp"
+#include "vectors/base_vector.hpp"
 #include "vectors/digest.hpp"
 #include "vectors/expected.hpp"
 #include "vectors/header_recipe.hpp"
+#include "vectors/milestone.hpp"
 
 namespace hmlfc::vectors {
 
@@ -90,9 +92,23 @@ void require_golden(const std::string& id, const Decoder& decoder) {
   });
 }
 
+// Flags for the states of blocks that the stream has: zero, residual, motion.
+void add_state_flags(const Decoder& decoder, Vector& vector) {
+  const auto statistics = decoder.statistics();
+  if (!statistics) return;
+  const auto count = [&](BlockState state) {
+    return statistics->states[static_cast<size_t>(state)];
+  };
+  const uint64_t both = count(BlockState::kMotionResidual);
+  if (count(BlockState::kZero) != 0) vector.flags.emplace_back("zero");
+  if (count(BlockState::kResidual) + both != 0) vector.flags.emplace_back("residual");
+  if (count(BlockState::kMotion) + both != 0) vector.flags.emplace_back("motion");
+}
+
 // Sets the golden model's results for a stream that it opens.
 void add_expected(const Recipe& recipe, const Decoder& decoder, SuiteFiles& files, Vector& vector) {
   require_golden(recipe.id, decoder);
+  add_state_flags(decoder, vector);
   ExpectedViews expected = expected_views(decoder);
   const bool all = recipe.expect.operation == Operation::kOpen;
   if (all != expected.raw.has_value()) {
@@ -169,6 +185,15 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
   std::erase(failures, "");
   if (!failures.empty()) {
     return tl::unexpected(io::IoError{fmt::format("{}", fmt::join(failures, "\n"))});
+  }
+  try {
+    for (Vector& vector : manifest.vectors) {
+      vector.milestone = milestone_of(vector);
+      if (vector.expect.outcome == Outcome::kOk) continue;
+      vector.base = base_of(vector, recipes, manifest.vectors);
+    }
+  } catch (const std::exception& error) {
+    return tl::unexpected(io::IoError{error.what()});
   }
   SuiteFiles files;
   Manifest manifest{kVectorsVersion, kVersion, "hmlfc vectors generate", kSeed, {}};

@@ -20,7 +20,8 @@ inline constexpr const char* kVectorsVersion = "2.0.0";
 /// Files of a suite by their name in its folder.
 using SuiteFiles = std::map<std::string, std::vector<uint8_t>>;
 
-/// One vector with its files. Throws TextError where the golden model contradicts the recipe.
+/// One vector with its files, without milestone and base. Throws TextError where the golden model
+/// contradicts the recipe.
 Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& files);
 
 /// Makes all vectors of `recipes` in memory, and manifest.json, on `threads` threads (0: all

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "vectors/json.hpp"
+#include "vectors/milestone.hpp"
 
 namespace hmlfc::vectors {
 namespace {
@@ -120,11 +121,16 @@ void visit(const Fields& f, Vector& vector) {
   f("clauses", vector.clauses);
   f("flags", vector.flags);
   f("comment", vector.comment);
+  f("milestone", vector.milestone);
+  if (f.reading && !milestone_number(vector.milestone)) {
+    throw TextError("\"" + vector.milestone + "\" is not a milestone");
+  }
   const Fields input = f.at("input");
   input("file", vector.input.file);
   input("bytes", vector.input.bytes);
   input("sha256", vector.input.sha256);
   f("expect", vector.expect);
+  f("base", vector.base);
   f("output", vector.output);
   f("blocks", vector.blocks);
   f("trace", vector.trace);
@@ -135,6 +141,21 @@ void visit(const Fields& f, Manifest& manifest) {
   f("stream_version", manifest.stream_version);
   f("generator", manifest.generator);
   f("seed", manifest.seed);
+}
+
+// Throws unless exactly the vectors that need not decode have a base, which decodes.
+void check_bases(const Manifest& manifest) {
+  for (const Vector& vector : manifest.vectors) {
+    if (vector.base.has_value() != (vector.expect.outcome != Outcome::kOk)) {
+      throw TextError("vector " + vector.id + ": its outcome and its base do not fit");
+    }
+    if (!vector.base) continue;
+    const auto base = std::ranges::find(manifest.vectors, *vector.base, &Vector::id);
+    if (base == manifest.vectors.end() || base->expect.outcome != Outcome::kOk) {
+      throw TextError("vector " + vector.id + ": its base " + *vector.base +
+                      " is not a vector of outcome ok");
+    }
+  }
 }
 
 Manifest manifest_from(Json json) {
@@ -151,6 +172,7 @@ Manifest manifest_from(Json json) {
   if (json.at("count") != manifest.vectors.size()) {
     throw TextError("count is not the number of vectors");
   }
+  check_bases(manifest);
   return manifest;
 }
 
@@ -180,6 +202,10 @@ std::string manifest_text(Manifest manifest) {
   Json json;
   visit(Fields{json, false}, manifest);
   json["count"] = manifest.vectors.size();
+  Json& steps = json["milestones"] = Json::array();
+  for (const MilestoneRow& row : milestones()) {
+    steps.push_back({{"name", row.name}, {"claim", row.claim}});
+  }
   Json& vectors = json["vectors"] = Json::array();
   for (Vector& vector : manifest.vectors) visit(Fields{vectors.emplace_back(), false}, vector);
   return json.dump(2) + "\n";

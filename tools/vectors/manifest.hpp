@@ -67,8 +67,10 @@ struct Vector {
   std::vector<std::string> clauses;
   std::vector<std::string> flags;
   std::string comment;
+  std::string milestone;  ///< milestone.hpp
   SuiteFile input;
   Expectation expect;
+  std::optional<std::string> base;  ///< unless ok: the vector that must pass before this counts
   std::optional<ViewSum> output;    ///< where all views decode
   std::optional<SuiteFile> blocks;  ///< where the stream can be opened
   std::optional<TraceFiles> trace;
@@ -88,8 +90,8 @@ std::string_view outcome_name(Outcome outcome);
 /// The error of annex A with this name, or nothing.
 std::optional<ErrorCode> error_from_name(std::string_view name);
 
-/// manifest.json of the suite in `folder`. Errors: missing, not JSON, or not a manifest, with the
-/// place.
+/// manifest.json of the suite in `folder`. Errors: missing, not JSON, not a manifest, or a base
+/// that is not a vector of outcome ok, with the place.
 io::IoResult<Manifest> read_manifest(const std::filesystem::path& folder);
 
 /// The text of manifest.json.

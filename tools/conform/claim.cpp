@@ -1,0 +1,137 @@
+#include "conform/claim.hpp"
+
+#include <cstdlib>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/files.hpp"
+#include "vectors/digest.hpp"
+
+namespace hmlfc::conform {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string sum_of_text(const std::string& text) {
+  return vectors::sha256({reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+}
+
+// The program that a command line starts; its first word if there is none.
+fs::path program_of(const std::string& word) {
+  const char* path = std::getenv("PATH");
+  if (word.find('/') != std::string::npos || path == nullptr) return word;
+  std::istringstream folders{std::string(path)};
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::error_code ignored;
+    if (fs::is_regular_file(fs::path(folder) / word, ignored)) return fs::path(folder) / word;
+  }
+  return word;
+}
+
+// The files that a command names: the decoder, and what runs it. This program, which runs
+// libraries, counts only where it is the decoder.
+std::vector<fs::path> files_of(const std::vector<std::string>& command) {
+  std::error_code ignored;
+  const fs::path self = fs::read_symlink("/proc/self/exe", ignored);
+  std::vector<fs::path> files;
+  for (size_t i = 0; i < command.size(); ++i) {
+    const fs::path file = i == 0 ? program_of(command[i]) : fs::path(command[i]);
+    if (fs::is_regular_file(file, ignored)) files.push_back(file);
+  }
+  if (files.size() > 1) {
+    std::erase_if(files, [&](const fs::path& file) { return fs::equivalent(file, self, ignored); });
+  }
+  return files;
+}
+
+Claim limits_of(const DutLimits& limits) {
+  return {{"rows", limits.rows},
+          {"cols", limits.cols},
+          {"width", limits.width},
+          {"height", limits.height},
+          {"depth", limits.depth},
+          {"tree_height", limits.tree_height},
+          {"block_log2", limits.block_log2}};
+}
+
+// The first place at or below `where` at which the two differ.
+std::optional<std::string> difference_at(const std::string& where, const Claim& claimed,
+                                         const Claim& found) {
+  if (claimed == found) return std::nullopt;
+  if (!claimed.is_object() || !found.is_object()) {
+    return fmt::format("{}: {} instead of {}", where, found.dump(), claimed.dump());
+  }
+  for (const auto& [key, value] : claimed.items()) {
+    if (auto place = difference_at(where + "/" + key, value, found.value(key, Claim()))) {
+      return place;
+    }
+  }
+  return fmt::format("{}: more than {}", where, claimed.dump());
+}
+
+}  // namespace
+
+io::IoResult<Claim> claim_of(const Suite& suite, const Dut& dut, const std::string& dut_text) {
+  Claim files = Claim::array();
+  for (const fs::path& file : files_of(dut.command)) {
+    const auto mapped = io::MappedFile::open(file);
+    if (!mapped) return tl::unexpected(mapped.error());
+    files.push_back(
+        {{"name", file.filename().string()}, {"sha256", vectors::sha256(mapped->bytes())}});
+  }
+  Claim waivers = Claim::object();
+  for (const Waiver& waiver : dut.waivers) waivers[waiver.vector] = waiver.reason;
+  return Claim{
+      {"suite",
+       {{"version", suite.manifest.vectors_version}, {"manifest_sha256", suite.manifest_sha256}}},
+      {"decoder", {{"name", dut.name}, {"dut", dut_text}, {"files", files}}},
+      {"claims",
+       {{"profile", profile_name(dut.profile)},
+        {"level", dut.level},
+        {"limits", limits_of(dut.limits)},
+        {"error_names", dut.error_names}}},
+      {"waivers", waivers}};
+}
+
+void add_results(Claim& claim, const Run& run, const SystemInfo& system) {
+  claim["verdict"] = verdict_text(run);
+  claim["program"] = system.program;
+  claim["date"] = system.date;
+  Claim& results = claim["results"] = Claim::object();
+  for (const VectorResult& result : run.results) results[result.id] = status_name(result.status);
+}
+
+io::IoResult<void> write_claim(const fs::path& file, const Claim& claim) {
+  const nlohmann::ordered_json whole{{"sha256", sum_of_text(claim.dump())}, {"claim", claim}};
+  const std::string text = whole.dump(2) + "\n";
+  return io::write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+}
+
+io::IoResult<Claim> read_claim(const fs::path& file) {
+  const auto mapped = io::MappedFile::open(file);
+  if (!mapped) return tl::unexpected(mapped.error());
+  const Claim whole = Claim::parse(mapped->bytes().begin(), mapped->bytes().end(), nullptr, false);
+  const bool good = whole.is_object() && whole.contains("claim") && whole.contains("sha256") &&
+                    whole["claim"].is_object() && whole["claim"].contains("results") &&
+                    whole["claim"].value("/decoder/dut"_json_pointer, Claim()).is_string();
+  if (!good) return io::file_error(file, "is not a claim of hmlfc conform");
+  if (whole["sha256"] != sum_of_text(whole["claim"].dump())) {
+    return io::file_error(file, "has been changed: its SHA-256 is not that of the claim");
+  }
+  return whole["claim"];
+}
+
+std::optional<std::string> claim_difference(const Claim& claimed, const Claim& found) {
+  for (const char* key : {"suite", "decoder", "claims", "waivers", "results", "verdict"}) {
+    if (!found.contains(key)) continue;
+    if (auto difference = difference_at(key, claimed.value(key, Claim()), found[key])) {
+      return difference;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace hmlfc::conform

@@ -1,0 +1,35 @@
+// The order in which a decoder grows: each vector of the suite belongs to one milestone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vectors/manifest.hpp"
+
+namespace hmlfc::vectors {
+
+/// One step of the table in milestone.cpp, which is the only place that defines them.
+struct MilestoneRow {
+  std::string_view name;
+  std::string_view claim;  ///< what a decoder can do whose vectors of it pass
+  std::vector<std::string_view>
+      needed;  ///< patterns of matches(); any of them: the vector needs it
+};
+
+/// All milestones in their order. The first needs nothing.
+const std::vector<MilestoneRow>& milestones();
+
+/// The number of the milestone with this name, or nothing.
+std::optional<size_t> milestone_number(std::string_view name);
+
+/// The first milestone at which all that `vector` needs is there: the last one that it needs.
+std::string milestone_of(const Vector& vector);
+
+/// Whether a pattern with * and ? matches the vector's id, profile, one of its clauses or flags.
+bool matches(const Vector& vector, std::string_view pattern);
+
+}  // namespace hmlfc::vectors
