@@ -21,7 +21,7 @@ std::string base_of(const Vector& refused, const Recipes& recipes, const std::ve
   const Recipe* recipe = &recipes.at(refused.id);
   while (recipe->stream.value("kind", "") == "edit") {
     recipe = &recipes.at(recipe->stream.at("base").get<std::string>());
-    if (recipe->expect.outcome == Outcome::kOk) return recipe->id;
+    if (recipe->expect.outcome == Outcome::kOk && recipe->listed) return recipe->id;
   }
   const auto distance = [&](const Vector& vector) {
     return std::tuple(missing(refused.flags, vector.flags),

@@ -186,6 +186,13 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
   if (!failures.empty()) {
     return tl::unexpected(io::IoError{fmt::format("{}", fmt::join(failures, "\n"))});
   }
+  SuiteFiles files;
+  Manifest manifest{kVectorsVersion, kVersion, "hmlfc vectors generate", kSeed, {}};
+  for (size_t i = 0; i < ids.size(); ++i) {
+    if (!recipes.at(ids[i]).listed) continue;
+    files.merge(parts[i]);
+    manifest.vectors.push_back(std::move(vectors[i]));
+  }
   try {
     for (Vector& vector : manifest.vectors) {
       vector.milestone = milestone_of(vector);
@@ -194,13 +201,6 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
     }
   } catch (const std::exception& error) {
     return tl::unexpected(io::IoError{error.what()});
-  }
-  SuiteFiles files;
-  Manifest manifest{kVectorsVersion, kVersion, "hmlfc vectors generate", kSeed, {}};
-  for (size_t i = 0; i < ids.size(); ++i) {
-    if (!recipes.at(ids[i]).listed) continue;
-    files.merge(parts[i]);
-    manifest.vectors.push_back(std::move(vectors[i]));
   }
   const std::string text = manifest_text(manifest);
   files["manifest.json"] = {text.begin(), text.end()};
