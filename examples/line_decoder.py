@@ -55,7 +55,7 @@ def serve(server):
     for line in sys.stdin:
         number, request, *words = line.rstrip("\r\n").split(" ")
         try:
-            answer = "ok " + getattr(server, request)(*words)
+            answer = ("ok " + getattr(server, request)(*words)).rstrip()
         except StreamError as error:
             answer = "error " + error.name
         print(number, answer, flush=True)

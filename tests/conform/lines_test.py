@@ -1,6 +1,7 @@
 """The line protocol: what it alone catches, and decoders that break it."""
 
 import json
+import subprocess
 import sys
 
 from conform_case import ROOT, SUITE, ConformTest, main
@@ -91,6 +92,16 @@ class Lines(ConformTest):
         """At a stop level as well: the values of another level are not those of this one's sample."""
         result = self.run_on(lines("stop_level_ignored"), "real/cards-main")
         self.assertRegex(result["stage"], r"^stage |agree in the decoder's trace")
+
+    def test_session_of_the_document(self):
+        """The example answers as docs/line_protocol.md shows."""
+        text = (ROOT / "docs" / "line_protocol.md").read_text().replace("/suite/", f"{SUITE}/")
+        session = text[text.index("0 hello 1") :].partition("```")[0].splitlines()
+        command = [sys.executable, "-B", ROOT / "examples" / "line_decoder.py"]
+        requests = "".join(line + "\n" for line in session[::2])
+        done = subprocess.run(command, input=requests, stdout=subprocess.PIPE, text=True, check=True)
+        self.assertEqual(done.stdout.splitlines(), session[1::2])
+        self.assertGreater(len(session), 8)
 
     def test_small_suite(self):
         for dut in ("naive-lines", "model-library"):
