@@ -104,7 +104,7 @@ class Lines(ConformTest):
         self.assertGreater(len(session), 8)
 
     def test_small_suite(self):
-        for dut in ("naive-lines", "model-library"):
+        for dut in ("naive", "model-library"):
             with self.subTest(dut=dut):
                 status, report = self.conform(SUITE / "duts" / f"{dut}.json")
                 self.assertEqual(status, 0, report)
