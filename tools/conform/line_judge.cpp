@@ -17,8 +17,8 @@
 namespace hmlfc::conform {
 namespace {
 
-constexpr size_t kBlocksOfFailingStream = 256;  // at each stop level above 0
-constexpr size_t kBlocksOfValidStream = 16;     // at each stop level
+constexpr uint64_t kBlocksOfFailingStream = 256;  // at each stop level above 0
+constexpr uint64_t kBlocksOfValidStream = 16;     // at each stop level
 
 // "bad_mode", or `samples` where there is no error.
 template <class T>
@@ -49,6 +49,47 @@ std::optional<std::string> difference_of(const Decoder& golden, const BlockAddre
   }
   return std::nullopt;
 }
+
+// All blocks of a stream by number: view by view, plane by plane, row by row.
+class BlockNumbers {
+ public:
+  explicit BlockNumbers(const Decoder& golden) : cols_(golden.header().cols) {
+    const uint32_t b = golden.header().block_size();
+    for (const Plane plane : kPlanes) {
+      const PlaneSize size = golden.plane_size(plane);
+      shapes_.push_back({(size.width + b - 1) / b, (size.height + b - 1) / b});
+      of_view_ += uint64_t{shapes_.back().cols} * shapes_.back().rows;
+    }
+    count_ = of_view_ * cols_ * golden.header().rows;
+  }
+
+  uint64_t count() const { return count_; }
+
+  // `number` is taken modulo count().
+  BlockAddress at(uint64_t number) const {
+    const auto view = static_cast<uint32_t>(number % count_ / of_view_);
+    uint64_t in_view = number % of_view_;
+    size_t plane = 0;
+    for (; in_view >= uint64_t{shapes_[plane].cols} * shapes_[plane].rows; ++plane) {
+      in_view -= uint64_t{shapes_[plane].cols} * shapes_[plane].rows;
+    }
+    const uint32_t cols = shapes_[plane].cols;
+    return {{view / cols_, view % cols_},
+            kPlanes[plane],
+            static_cast<uint32_t>(in_view % cols),
+            static_cast<uint32_t>(in_view / cols)};
+  }
+
+ private:
+  struct Shape {
+    uint32_t cols;
+    uint32_t rows;
+  };
+  uint32_t cols_;
+  std::vector<Shape> shapes_;
+  uint64_t of_view_ = 0;
+  uint64_t count_ = 0;
+};
 
 // One stream in one process.
 class LineJudge {
@@ -89,7 +130,7 @@ class LineJudge {
     if (const auto what = wrong_geometry(golden.header(), geometry)) {
       return fail("wrong answer to 'open': " + *what);
     }
-    const auto blocks = all_blocks(golden);
+    const BlockNumbers blocks(golden);
     if (expect_.outcome == vectors::Outcome::kReject) {
       if (!suite_agrees(golden)) {
         return set(Status::kError,
@@ -97,7 +138,7 @@ class LineJudge {
                    "damaged");
       }
       set(Status::kPass, {});
-      if (dut_.blocks()) judge_blocks(golden, blocks, blocks.size(), kBlocksOfFailingStream);
+      if (dut_.blocks()) judge_blocks(golden, blocks, blocks.count(), kBlocksOfFailingStream);
       if (passes()) judge_failing_views(golden);
       return;
     }
@@ -123,12 +164,6 @@ class LineJudge {
     for (uint32_t row = 0; row < header.rows; ++row) {
       for (uint32_t col = 0; col < header.cols; ++col) body(ViewPos{row, col});
     }
-  }
-
-  static std::vector<BlockAddress> all_blocks(const Decoder& golden) {
-    std::vector<BlockAddress> blocks;
-    vectors::for_each_block(golden, [&](const BlockAddress& block) { blocks.push_back(block); });
-    return blocks;
   }
 
   // Whether the golden model has the errors that the manifest states by hand, and the checksums of
@@ -158,17 +193,16 @@ class LineJudge {
 
   // Compares `count` of `blocks`, spread evenly, at stop level 0, and `count_above` at each of the
   // others.
-  void judge_blocks(const Decoder& golden, const std::vector<BlockAddress>& blocks, size_t count,
-                    size_t count_above) {
+  void judge_blocks(const Decoder& golden, const BlockNumbers& blocks, uint64_t count,
+                    uint64_t count_above) {
     const int top = dut_.levels() ? golden.header().tree_height : 0;
     uint64_t asked = 0;
     uint64_t wrong = 0;
     std::string first;
     for (int level = 0; level <= top; ++level) {
-      const size_t n = std::min(blocks.size(), level == 0 ? count : count_above);
-      for (size_t i = 0; i < n; ++i, ++asked) {
-        const BlockAddress& block =
-            blocks[(i * blocks.size() / n + static_cast<size_t>(level)) % blocks.size()];
+      const uint64_t n = std::min(blocks.count(), level == 0 ? count : count_above);
+      for (uint64_t i = 0; i < n; ++i, ++asked) {
+        const BlockAddress block = blocks.at(i * blocks.count() / n + static_cast<uint64_t>(level));
         const auto expected = golden.decode_block(block, {.stop_level = level});
         const auto actual = dut_.block(block, level);
         const auto what = difference_of(golden, block, expected, actual);
