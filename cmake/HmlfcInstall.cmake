@@ -35,6 +35,11 @@ if(TARGET hmlfc_dpi_shared)
   install(DIRECTORY testbench/checker/ DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/checker")
 endif()
 
+# A decoder behind the line protocol (docs/line_protocol.md), and the slow one that it runs.
+install(PROGRAMS examples/line_decoder.py DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/examples")
+install(DIRECTORY tests/naive_decoder DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/examples"
+  FILES_MATCHING PATTERN "*.py" PATTERN "tests" EXCLUDE PATTERN "__pycache__" EXCLUDE)
+
 configure_package_config_file(cmake/hmlfc-config.cmake.in
   "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config.cmake"
   INSTALL_DESTINATION "${package_dir}")

@@ -19,7 +19,6 @@ using hmlfc::gpu::GpuDecoder;
 using hmlfc::gpu::LevelStages;
 
 struct hmlfc_dut {
-  Device device;
   hmlfc::StreamView stream;
   std::optional<GpuDecoder> decoder;
 };
@@ -30,6 +29,16 @@ namespace {
 int machine_failure(const hmlfc::gpu::Failure& failure) {
   std::fprintf(stderr, "%s\n", failure.message.c_str());
   return HMLFC_DUT_CANNOT_RUN;
+}
+
+// Opened once for all streams: it takes as long as to decode a small one.
+hmlfc::gpu::Outcome<Device>& the_device() {
+  static hmlfc::gpu::Outcome<Device> device = [] {
+    hmlfc::gpu::DeviceOptions options;
+    if (const char* name = std::getenv("HMLFC_GPU_DEVICE")) options.device = name;
+    return Device::open(options);
+  }();
+  return device;
 }
 
 BlockArea one_block(uint32_t row, uint32_t col, uint32_t plane, uint32_t block_x, uint32_t block_y,
@@ -124,13 +133,10 @@ int hmlfc_dut_open(const uint8_t* bytes, size_t size, hmlfc_dut** dut) {
   *dut = nullptr;
   auto stream = hmlfc::open_stream({bytes, size}, {});
   if (!stream) return hmlfc::dut_status(stream.error());
-  hmlfc::gpu::DeviceOptions options;
-  if (const char* name = std::getenv("HMLFC_GPU_DEVICE")) options.device = name;
-  auto device = Device::open(options);
+  auto& device = the_device();
   if (!device) return machine_failure(device.error());
-  auto opened =
-      std::make_unique<hmlfc_dut>(hmlfc_dut{std::move(*device), std::move(*stream), std::nullopt});
-  auto decoder = GpuDecoder::open(opened->device, opened->stream);
+  auto opened = std::make_unique<hmlfc_dut>(hmlfc_dut{std::move(*stream), std::nullopt});
+  auto decoder = GpuDecoder::open(*device, opened->stream);
   if (!decoder) return machine_failure(decoder.error());
   opened->decoder.emplace(std::move(*decoder));
   *dut = opened.release();

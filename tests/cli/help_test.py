@@ -32,7 +32,7 @@ COMMANDS = {
     "picture difference": ["--view", "--gain", "--output"],
     "conform": ["--suite", "--dut", "--timeout", "--memory", "--filter", "--milestone", "--jobs", "--shard",
                 "--merge", "--resume", "--keep", "--claim", "--verify", "--json", "--output"],
-    "decode-with": ["LIBRARY", "FILE", "--by-block", "--trace", "--output"],
+    "serve": ["LIBRARY"],
     "minimise": ["--dut", "--timeout", "--memory", "--trials", "--output"],
     "primitives": ["list", "gen", "check"],
     "primitives list": ["NAME", "--json"],

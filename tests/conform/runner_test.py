@@ -4,11 +4,10 @@ import json
 import shutil
 from pathlib import Path
 
-from conform_case import INCOMPLETE, PROGRAM, SUITE, ConformTest, faulty, main
+from conform_case import INCOMPLETE, ROOT, SUITE, ConformTest, faulty, main
 from program import DONE, INPUT, USAGE
 
 GOLDEN = "{hmlfc} decode {input} -o {output}"
-MODEL_LIBRARY = PROGRAM.parent / "libhmlfc_dut_model.so"
 
 
 class Runner(ConformTest):
@@ -143,13 +142,14 @@ class Runner(ConformTest):
 
     def test_first_wrong_stage(self):
         """A decoder with a wrong view whose trace is right, and one whose trace is wrong, too."""
-        trace = f"{PROGRAM} decode-with {MODEL_LIBRARY} {{input}} --trace {{view_row}},{{view_col}},{{plane}},{{block_x}},{{block_y}}"
+        naive = ROOT / "tests" / "naive_decoder" / "decode.py"
+        trace = f"python3 {naive} {{input}} --trace {{view_row}},{{view_col}},{{plane}},{{block_x}},{{block_y}}"
         broken = Path(self.folder / "trace.py")
         broken.write_text(
             "import subprocess, sys, json\n"
             "for line in subprocess.run(sys.argv[1:], stdout=subprocess.PIPE).stdout.splitlines():\n"
             "    record = json.loads(line)\n"
-            "    if record['stage'] == 'residual': record['values'][0] += 1\n"
+            "    if record.get('stage') == 'residual': record['values'][0] += 1\n"
             "    print(json.dumps(record))\n"
         )
         for name, command, says in (

@@ -104,6 +104,17 @@ def check_frame(installation, folder):
     run(folder / "render_frame", STREAM, "9999", "0", folder / "none.ppm", code=1)
 
 
+def check_line_decoder(installation):
+    """It passes vectors that must decode and such that must be refused."""
+    example = installation.prefix / "share" / "hmlfc" / "examples" / "line_decoder.py"
+    vectors = ["--suite", VECTORS, "--filter", "syntax/base-main", "--filter", "error/cut-*"]
+    report = installation.work / "lines"
+    installation.hmlfc("conform", "--dut", f"lines: python3 -B {example}", *vectors, "-o", report, code=5)
+    results = json.loads((report / "report.json").read_text())["runs"][0]["results"]
+    ran = {result["id"]: result["status"] for result in results if result["status"] != "skipped"}
+    assert len(ran) > 2 and set(ran.values()) == {"pass"}, ran
+
+
 def check_wrapper(installation, folder):
     """It passes vectors that must decode and such that must be refused; with a fault it fails them."""
     library = folder / "libwrap_decoder.so"
@@ -178,6 +189,7 @@ def main():
     check_suite(installation)
     check_decode_unit(installation)
     check_driver(installation)
+    check_line_decoder(installation)
     installation.check_headers()
     installation.check_exports()
     for name, options in {"static": (), "shared": ("-DBUILD_SHARED_LIBS=ON",)}.items():

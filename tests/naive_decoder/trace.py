@@ -4,12 +4,12 @@ PLANE_NAMES = ("Y", "Co", "Cg")
 STAGES = ("parent", "reference", "prediction", "residual", "sample")
 
 
-def trace_block(decoder, row, col, plane, block_x, block_y):
+def trace_block(decoder, row, col, plane, block_x, block_y, stop_level=0):
     """A record that names the block, then one for each stage of each level, from the first that is decoded.
 
     Values are those of the B * B positions of the block, row by row.
     """
-    stages_of_levels = decoder.decode(row, col, plane, block_x, block_y)
+    stages_of_levels = decoder.decode(row, col, plane, block_x, block_y, stop_level)
     place = {"plane": PLANE_NAMES[plane], "block": [block_x, block_y]}
     records = [{"record": "block", "view": [row, col], **place}]
     for stages in stages_of_levels:

@@ -26,7 +26,7 @@ void add_render(CLI::App& program, Task& task);
 void add_picture(CLI::App& program, Task& task);
 void add_vectors(CLI::App& program, Task& task);
 void add_conform(CLI::App& program, Task& task);
-void add_decode_with(CLI::App& program, Task& task);
+void add_serve(CLI::App& program, Task& task);
 void add_minimise(CLI::App& program, Task& task);
 void add_fuzz_dut(CLI::App& program, Task& task);
 void add_primitives(CLI::App& program, Task& task);

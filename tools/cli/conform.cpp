@@ -143,8 +143,9 @@ constexpr const char* kConformFooter =
     R"(A decoder is one of
   - a command line with {input} and {output}: it writes the views to the folder {output}, either as
     `hmlfc decode` does or as views.raw;
+  - "lines:" and a command line: a program that speaks the line protocol (docs/line_protocol.md);
   - a shared library *.so with the functions of hmlfc_dut.h;
-  - a file *.json that declares a command or library with name, profile, level, limits, trace, waivers.
+  - a file *.json that declares one of these with name, profile, level, limits, trace, waivers.
 {hmlfc} stands for this program. docs/conformance.md is a guided tour.
 
 Results: pass, fail, error (did not start, crashed), timeout, not_supported (beyond what the decoder

@@ -81,7 +81,7 @@ void add_commands(CLI::App& program, Task& task) {
   add_picture(program, task);
   add_vectors(program, task);
   add_conform(program, task);
-  add_decode_with(program, task);
+  add_serve(program, task);
   add_minimise(program, task);
   add_fuzz_dut(program, task);
   add_primitives(program, task);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "conform/line_decoder.hpp"
 #include "conform/report.hpp"
 
 namespace hmlfc::conform {
@@ -145,29 +146,35 @@ std::vector<std::string> words_of(std::string_view text, const Places& places,
   return fill_in(words, places);
 }
 
+constexpr std::string_view kLines = "lines:";
 constexpr const char* kCommandPlaces[] = {"{input}", "{output}"};
 constexpr const char* kTracePlaces[] = {"{input}", "{view_row}", "{view_col}",
                                         "{plane}", "{block_x}",  "{block_y}"};
 
-// This program's command decode-with runs libraries, so that a crash ends another process.
-void set_library(Dut& dut, const std::string& library, bool by_block, const Places& places) {
-  dut.command = {places.at("hmlfc"), "decode-with", library, "{input}", "-o", "{output}"};
-  if (by_block) dut.command.push_back("--by-block");
-  dut.trace = {
-      places.at("hmlfc"), "decode-with", library,
-      "{input}",          "--trace",     "{view_row},{view_col},{plane},{block_x},{block_y}"};
+// A program that speaks the line protocol.
+void set_lines(Dut& dut, std::vector<std::string> command) {
+  dut.command = std::move(command);
+  dut.lines = std::make_shared<LineDecoders>();
   dut.error_names = true;
 }
 
+// This program's command serve runs libraries, so that a crash ends another process.
+void set_library(Dut& dut, const std::string& library, const Places& places) {
+  set_lines(dut, {places.at("hmlfc"), "serve", library});
+}
+
 void read_program(Dut& dut, const Json& json, const Places& places) {
-  if (json.contains("library") == json.contains("command")) {
-    throw WrongValue{"exactly one of \"command\" and \"library\" is needed"};
+  const auto count = json.contains("command") + json.contains("lines") + json.contains("library");
+  if (count != 1) {
+    throw WrongValue{"exactly one of \"command\", \"lines\" and \"library\" is needed"};
   }
+  read_if_there(json, "by_block", dut.by_block);
   if (json.contains("library")) {
-    const auto library = fill_in({value_of<std::string>(json, "library")}, places).front();
-    bool by_block = false;
-    read_if_there(json, "by_block", by_block);
-    return set_library(dut, library, by_block, places);
+    return set_library(dut, fill_in({value_of<std::string>(json, "library")}, places).front(),
+                       places);
+  }
+  if (json.contains("lines")) {
+    return set_lines(dut, words_of(value_of<std::string>(json, "lines"), places, {}));
   }
   dut.command = words_of(value_of<std::string>(json, "command"), places, kCommandPlaces);
   if (json.contains("trace")) {
@@ -182,8 +189,8 @@ Dut read_declaration(const std::filesystem::path& file, Places places) {
   if (!stream.is_open()) throw WrongValue{"cannot be read"};
   if (json.is_discarded()) throw WrongValue{"is not JSON"};
   allow_keys(json, "the declaration",
-             {"name", "command", "library", "by_block", "trace", "profile", "level", "limits",
-              "error_names", "checks_sections", "waivers", "comment"});
+             {"name", "command", "lines", "library", "by_block", "trace", "profile", "level",
+              "limits", "error_names", "checks_sections", "waivers", "comment"});
   places["dut"] = std::filesystem::absolute(file).parent_path().string();
   Dut dut;
   dut.name = value_of<std::string>(json, "name");
@@ -257,7 +264,9 @@ io::IoResult<Dut> read_dut(const std::string& text, const std::filesystem::path&
     if (path.extension() == ".so") {
       std::error_code ignored;
       if (!std::filesystem::is_regular_file(path, ignored)) throw WrongValue{"no such library"};
-      set_library(dut, std::filesystem::absolute(path).string(), false, names);
+      set_library(dut, std::filesystem::absolute(path).string(), names);
+    } else if (text.starts_with(kLines)) {
+      set_lines(dut, words_of(std::string_view(text).substr(kLines.size()), names, {}));
     } else {
       dut.command = words_of(text, names, kCommandPlaces);
     }

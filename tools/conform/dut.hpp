@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,11 +39,16 @@ struct DutLimits {
   std::vector<unsigned> block_log2 = {1, 2, 3};
 };
 
+class LineDecoders;
+
 /// How a decoder is run, and what it claims to support.
 struct Dut {
   std::string name;
-  /// Decodes the stream {input} into the folder {output}, which exists and is empty.
+  /// Decodes the stream {input} into the folder {output}, which exists and is empty; with `lines`,
+  /// speaks the line protocol.
   std::vector<std::string> command;
+  std::shared_ptr<LineDecoders> lines;  ///< its processes; null without the line protocol
+  bool by_block = false;                ///< with `lines`: views are put together from blocks
   /// Prints the stages of one block as JSON lines; empty if the decoder cannot. Placeholders:
   /// {input}, {view_row}, {view_col}, {plane} (0, 1, 2), {block_x}, {block_y}.
   std::vector<std::string> trace;
@@ -59,7 +65,8 @@ struct Dut {
 
 /// The decoder that `text` names:
 /// - a file *.json: a declaration (docs/conformance.md has its keys);
-/// - a file *.so: a library with the interface of hmlfc_dut.h;
+/// - a file *.so: a library with the interface of hmlfc_dut.h, which `hmlfc serve` runs;
+/// - "lines: " and a command line: a program that speaks the line protocol (docs/line_protocol.md);
 /// - else a command line with {input} and {output}: words separated by blanks; quotes ("..." or
 ///   '...') and a backslash before a character keep blanks in a word, as in a shell. No other shell
 ///   syntax is supported: no variables, no pipes (use sh -c '...').

@@ -3,12 +3,10 @@
 #include <regex>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "conform/difference.hpp"
+#include "conform/line_judge.hpp"
 #include "conform/output_views.hpp"
-#include "conform/stage_trace.hpp"
-#include "vectors/digest.hpp"
+#include "conform/view_judge.hpp"
 
 namespace hmlfc::conform {
 namespace {
@@ -20,15 +18,6 @@ constexpr int kNotFound = 127;
 void set(VectorResult& result, Status status, std::string reason) {
   result.status = status;
   result.reason = std::move(reason);
-}
-
-// ": " and the last line of the decoder's messages, if there is one.
-std::string last_words(std::string_view text) {
-  const size_t end = text.find_last_not_of(" \r\n");
-  if (end == std::string_view::npos) return {};
-  const size_t line_break = text.find_last_of('\n', end);
-  const size_t begin = line_break == std::string_view::npos ? 0 : line_break + 1;
-  return ": " + std::string(text.substr(begin, end + 1 - begin));
 }
 
 // Whether `text` contains `word` without a letter, digit or underscore next to it.
@@ -81,107 +70,36 @@ void judge_refusal(const Trial& trial, const ProcessOutcome& outcome,
   set(result, Status::kPass, {});
 }
 
-// What another run of the decoder, which traces the block, shows of its stages in one plane.
-std::string wrong_stage(const Trial& trial, const Decoder& golden, const BlockAddress& block) {
-  const Places places{{"input", trial.input.string()},
-                      {"view_row", std::to_string(block.view.row)},
-                      {"view_col", std::to_string(block.view.col)},
-                      {"plane", std::to_string(static_cast<unsigned>(block.plane))},
-                      {"block_x", std::to_string(block.bx)},
-                      {"block_y", std::to_string(block.by)}};
-  const ProcessOutcome outcome = run_process(fill_in(trial.dut.trace, places), trial.limits);
-  const auto stages = parse_stages(outcome.output);
-  if (stages.empty()) return "no trace: " + to_string(outcome);
-  if (auto stage = first_wrong_stage(golden, block, stages)) return *stage;
-  return fmt::format("all stages of plane {} agree in the decoder's trace",
-                     plane_name(block.plane));
-}
-
-// The first wrong stage in each plane that differs.
-std::string wrong_stages(const Trial& trial, const Decoder& golden, const Difference& difference) {
+// The stages of a block from another run of the decoder.
+Tracer tracer_of(const Trial& trial) {
   if (trial.dut.trace.empty()) return {};
-  std::vector<std::string> said;
-  for (const Plane plane : difference.planes) {
-    const bool halved = plane != Plane::kY && golden.header().chroma_format == ChromaFormat::k420;
-    said.push_back(wrong_stage(trial, golden,
-                               {difference.view, plane, difference.block_x >> (halved ? 1 : 0),
-                                difference.block_y >> (halved ? 1 : 0)}));
-  }
-  return fmt::format("{}", fmt::join(said, "; "));
+  return [&trial](const BlockAddress& block, int) -> tl::expected<std::string, std::string> {
+    const Places places{{"input", trial.input.string()},
+                        {"view_row", std::to_string(block.view.row)},
+                        {"view_col", std::to_string(block.view.col)},
+                        {"plane", std::to_string(static_cast<unsigned>(block.plane))},
+                        {"block_x", std::to_string(block.bx)},
+                        {"block_y", std::to_string(block.by)}};
+    ProcessOutcome outcome = run_process(fill_in(trial.dut.trace, places), trial.limits);
+    if (outcome.output.empty()) return tl::unexpected(to_string(outcome));
+    return std::move(outcome.output);
+  };
 }
 
-std::vector<RgbImage> golden_views(const Decoder& golden) {
-  const StreamHeader& header = golden.header();
-  std::vector<RgbImage> views;
-  for (uint32_t row = 0; row < header.rows; ++row) {
-    for (uint32_t col = 0; col < header.cols; ++col) {
-      auto view = golden.decode_view({row, col});
-      if (!view) return {};
-      views.push_back(std::move(*view));
-    }
-  }
-  return views;
-}
-
-std::string sum_of(const std::vector<RgbImage>& views) {
-  std::vector<uint8_t> raw;
-  for (const RgbImage& view : views) {
-    const auto bytes = vectors::picture_bytes(view);
-    raw.insert(raw.end(), bytes.begin(), bytes.end());
-  }
-  return vectors::sha256(raw);
-}
-
-// Where the views differ from the golden model's.
-void describe_difference(const Trial& trial, const Decoder& golden,
-                         const std::vector<RgbImage>& expected, const std::vector<RgbImage>& actual,
-                         VectorResult& result) {
-  const StreamHeader& header = golden.header();
-  std::vector<BlockMap> maps;
-  result.difference = first_difference(expected, actual, header.cols, header.block_size(), maps);
-  if (!result.difference) return;
-  const Difference& difference = *result.difference;
-  result.reason = to_string(difference);
-  result.stage = wrong_stages(trial, golden, difference);
-  if (trial.pictures.empty()) return;
-  const size_t view = size_t{difference.view.row} * header.cols + difference.view.col;
-  const RgbImage heat = heat_map(maps, header.cols, view);
-  const auto written = write_failure_pictures(trial.pictures, expected[view], actual[view], heat);
-  if (!written) result.messages += "\n" + written.error().message;
-}
-
-void judge_views(const Trial& trial, const vectors::ViewSum* output, VectorResult& result) {
-  OpenOptions options;
-  options.check_sections = false;  // the decoder may have left CRCs unchecked (FIL-6)
-  const auto golden = Decoder::open(trial.stream, options);
-  if (!golden) {
-    return set(result, Status::kError,
-               "the golden model cannot open the stream: " + to_string(golden.error()));
-  }
+void judge_output(const Trial& trial, const vectors::ViewSum* output, VectorResult& result) {
+  const auto golden = golden_decoder(trial, result);
+  if (!golden) return;
   const StreamHeader& header = golden->header();
   const LightFieldShape shape{header.rows, header.cols, header.width, header.height, header.depth};
   const auto actual = read_output_views(trial.output, shape);
   if (!actual) return set(result, Status::kFail, "wrong output: " + actual.error().message);
-  if (output != nullptr && sum_of(*actual) == output->sha256) {
-    return set(result, Status::kPass, {});
-  }
-  const auto expected = golden_views(*golden);
-  if (expected.empty()) {
-    return set(result, Status::kError, "the golden model cannot decode the stream");
-  }
-  set(result, Status::kFail, {});
-  describe_difference(trial, *golden, expected, *actual, result);
-  if (result.difference) return;
-  if (output == nullptr) return set(result, Status::kPass, {});
-  set(result, Status::kError,
-      "equal to the golden model, which differs from the manifest: the suite is of another version "
-      "or damaged");
+  judge_views(trial, *golden, *actual, output, tracer_of(trial), result);
 }
 
-}  // namespace
-
-void judge(const Trial& trial, const ProcessOutcome& outcome, const vectors::Expectation& expect,
-           const vectors::ViewSum* output, VectorResult& result) {
+void judge_command(const Trial& trial, const vectors::Expectation& expect,
+                   const vectors::ViewSum* output, VectorResult& result) {
+  const Places places{{"input", trial.input.string()}, {"output", trial.output.string()}};
+  const ProcessOutcome outcome = run_process(fill_in(trial.dut.command, places), trial.limits);
   result.seconds = outcome.seconds;
   result.messages = outcome.messages;
   using vectors::Outcome;
@@ -196,7 +114,18 @@ void judge(const Trial& trial, const ProcessOutcome& outcome, const vectors::Exp
         fmt::format("refused a valid stream with {}{}", to_string(outcome),
                     last_words(outcome.messages)));
   } else {
-    judge_views(trial, output, result);
+    judge_output(trial, output, result);
+  }
+}
+
+}  // namespace
+
+void judge(const Trial& trial, const vectors::Expectation& expect, const vectors::ViewSum* output,
+           VectorResult& result) {
+  if (trial.dut.lines != nullptr) {
+    judge_lines(trial, expect, output, result);
+  } else {
+    judge_command(trial, expect, output, result);
   }
   if (result.status == Status::kPass) result.messages.clear();
 }

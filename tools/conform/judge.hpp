@@ -1,4 +1,4 @@
-// Judges a decoder's outcome on a vector by the manifest.
+// Runs a decoder on a vector and judges what it does by the manifest.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,16 @@ struct Trial {
   std::filesystem::path input;      ///< the stream's file
   std::span<const uint8_t> stream;  ///< its bytes
   std::filesystem::path output;     ///< the folder that the decoder was told to write into
-  ProcessLimits limits;             ///< for another run with a trace
-  std::filesystem::path pictures;   ///< folder for the pictures of a failure; empty: none
+  ProcessLimits limits;
+  std::filesystem::path pictures;  ///< folder for the pictures of a failure; empty: none
+  std::filesystem::path blocks;    ///< the vector's blocks file; empty: none
 };
 
-/// Compares the outcome of a trial with `expect` and, where the stream must decode, its views with
-/// `output` (null: with the golden model's views alone). Sets status, reason, difference, stage and
+/// Runs the decoder and compares what it does with `expect` and, where the stream must decode, its
+/// views with `output` (null: with the golden model's views alone). A decoder that speaks the line
+/// protocol is judged by block, too. Sets status, reason, difference, stage, messages, seconds and
 /// pictures.
-void judge(const Trial& trial, const ProcessOutcome& outcome, const vectors::Expectation& expect,
-           const vectors::ViewSum* output, VectorResult& result);
+void judge(const Trial& trial, const vectors::Expectation& expect, const vectors::ViewSum* output,
+           VectorResult& result);
 
 }  // namespace hmlfc::conform

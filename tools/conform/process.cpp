@@ -13,10 +13,9 @@
 #include <csignal>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
-
-#include "io/files.hpp"
 
 // Without C linkage of its own in glibc 2.36.
 extern "C" {
@@ -31,6 +30,7 @@ using io::FileDescriptor;
 
 constexpr size_t kOutputBytes = size_t{16} << 20;
 constexpr size_t kMessageBytes = 8192;
+constexpr int kBuffersAtATime = 16;  // so that no program keeps the reader from its deadline
 constexpr rlim_t kFileBytes = rlim_t{4} << 30;  // of each file that the program writes
 constexpr int kCannotExec = 127;
 
@@ -47,40 +47,6 @@ Pipe make_pipe() {
   return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
 
-// The last `keep` bytes read from a pipe.
-class Tail {
- public:
-  Tail(const FileDescriptor& pipe, size_t keep) : pipe_(pipe), keep_(keep) {
-    ::fcntl(pipe_.get(), F_SETFL, O_NONBLOCK);
-  }
-
-  // Reads what is available; false once the other end is closed.
-  bool read() {
-    std::array<char, 65536> buffer;
-    while (open_) {
-      const ssize_t count = ::read(pipe_.get(), buffer.data(), buffer.size());
-      if (count < 0) return errno == EAGAIN || errno == EINTR;
-      if (count == 0) open_ = false;
-      text_.append(buffer.data(), static_cast<size_t>(count));
-      if (text_.size() > 2 * keep_) text_.erase(0, text_.size() - keep_);
-    }
-    return false;
-  }
-
-  pollfd poll_entry() const { return {open_ ? pipe_.get() : -1, POLLIN, 0}; }
-
-  std::string take() {
-    if (text_.size() > keep_) text_.erase(0, text_.size() - keep_);
-    return std::move(text_);
-  }
-
- private:
-  const FileDescriptor& pipe_;
-  size_t keep_;
-  bool open_ = true;
-  std::string text_;
-};
-
 void limit(__rlimit_resource resource, rlim_t value) {
   const rlimit both{value, value};
   ::setrlimit(resource, &both);
@@ -88,7 +54,7 @@ void limit(__rlimit_resource resource, rlim_t value) {
 
 // Runs in the child, so it calls only async-signal-safe functions. Writes the errno of a failed
 // exec to `failure`.
-[[noreturn]] void become(char* const* arguments, const ProcessLimits& limits, int output,
+[[noreturn]] void become(char* const* arguments, uint64_t memory_bytes, int input, int output,
                          int messages, int failure) {
   ::setpgid(0, 0);
   std::signal(SIGPIPE, SIG_DFL);
@@ -98,9 +64,8 @@ void limit(__rlimit_resource resource, rlim_t value) {
   sigprocmask(SIG_SETMASK, &none, nullptr);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, kFileBytes);
-  if (limits.memory_bytes != 0) limit(RLIMIT_AS, limits.memory_bytes);
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  ::dup2(nothing, STDIN_FILENO);
+  if (memory_bytes != 0) limit(RLIMIT_AS, memory_bytes);
+  ::dup2(input, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
   ::dup2(messages, STDERR_FILENO);
   ::execvp(arguments[0], arguments);
@@ -114,60 +79,107 @@ int milliseconds_until(Clock::time_point deadline) {
   return static_cast<int>(std::clamp<int64_t>(left, 0, 1000));
 }
 
-// Reads until the child ends; false if the deadline comes first.
-bool wait_for_end(pid_t child, Tail& output, Tail& messages, Clock::time_point deadline) {
-  const FileDescriptor process(::pidfd_open(child, 0));
-  for (;;) {
-    std::array<pollfd, 3> entries{output.poll_entry(), messages.poll_entry(),
-                                  pollfd{process.get(), POLLIN, 0}};
-    ::poll(entries.data(), entries.size(), milliseconds_until(deadline));
-    output.read();
-    messages.read();
-    if ((entries[2].revents & POLLIN) != 0) return true;
-    if (Clock::now() >= deadline) return false;
+// Writes what the pipe takes of `text` and removes it; closes a pipe that nobody reads.
+void write_some(FileDescriptor& pipe, std::string_view& text) {
+  const ssize_t count = ::write(pipe.get(), text.data(), text.size());
+  if (count > 0) text.remove_prefix(static_cast<size_t>(count));
+  if (count < 0 && errno != EAGAIN && errno != EINTR) {
+    pipe = {};
+    text = {};
   }
 }
 
 }  // namespace
 
-ProcessOutcome run_process(const std::vector<std::string>& command, const ProcessLimits& limits) {
+void Process::Tail::read() {
+  std::array<char, 65536> buffer;
+  for (int i = 0; open && i < kBuffersAtATime; ++i) {
+    const ssize_t count = ::read(pipe.get(), buffer.data(), buffer.size());
+    if (count < 0) return;
+    if (count == 0) open = false;
+    text.append(buffer.data(), static_cast<size_t>(count));
+    if (text.size() / 2 > keep) cut();
+  }
+}
+
+void Process::Tail::cut() {
+  if (text.size() > keep) text.erase(0, text.size() - keep);
+}
+
+Process::Process(const std::vector<std::string>& command, uint64_t memory_bytes,
+                 size_t output_bytes)
+    : begin_(Clock::now()), output_{{}, output_bytes}, messages_{{}, kMessageBytes} {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  Pipe input = make_pipe();
   Pipe output = make_pipe();
   Pipe messages = make_pipe();
   Pipe failure = make_pipe();
-  const auto begin = Clock::now();
-  const pid_t child = ::fork();
-  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (child == 0) {
-    become(arguments.data(), limits, output.write.get(), messages.write.get(), failure.write.get());
+  child_ = ::fork();
+  if (child_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child_ == 0) {
+    become(arguments.data(), memory_bytes, input.read.get(), output.write.get(),
+           messages.write.get(), failure.write.get());
   }
-  ::setpgid(child, child);  // parent and child both do it: either may run first
-  output.write = {};
-  messages.write = {};
-  failure.write = {};
-  Tail output_tail(output.read, kOutputBytes);
-  Tail message_tail(messages.read, kMessageBytes);
-  const auto allowed =
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.seconds));
-  const bool ended = wait_for_end(child, output_tail, message_tail, begin + allowed);
-  ::kill(-child, SIGKILL);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  ::setpgid(child_, child_);  // parent and child both do it: either may run first
+  for (const FileDescriptor* end : {&input.write, &output.read, &messages.read}) {
+    ::fcntl(end->get(), F_SETFL, O_NONBLOCK);
   }
-  output_tail.read();
-  message_tail.read();
+  input_ = std::move(input.write);
+  failure_ = std::move(failure.read);
+  output_.pipe = std::move(output.read);
+  messages_.pipe = std::move(messages.read);
+  handle_ = FileDescriptor(::pidfd_open(child_, 0));
+}
 
+Process::~Process() {
+  if (child_ > 0) end(false);
+}
+
+Process::Stop Process::exchange(std::string_view text, Time deadline, const Suffices& suffices) {
+  const auto entry = [](const Tail& tail) {
+    return pollfd{tail.open ? tail.pipe.get() : -1, POLLIN, 0};
+  };
+  for (;;) {
+    if (text.empty() && suffices(output_.text)) return Stop::kSuffices;
+    std::array<pollfd, 4> entries{entry(output_), entry(messages_),
+                                  pollfd{handle_.get(), POLLIN, 0},
+                                  pollfd{text.empty() ? -1 : input_.get(), POLLOUT, 0}};
+    ::poll(entries.data(), entries.size(), milliseconds_until(deadline));
+    if (entries[3].revents != 0) write_some(input_, text);
+    output_.read();
+    messages_.read();
+    if ((entries[2].revents & POLLIN) != 0) {
+      return suffices(output_.text) ? Stop::kSuffices : Stop::kEnded;
+    }
+    if (Clock::now() >= deadline) return Stop::kTimeout;
+  }
+}
+
+std::string Process::take_messages() {
+  messages_.read();
+  messages_.cut();
+  return std::exchange(messages_.text, {});
+}
+
+ProcessOutcome Process::end(bool timed_out) {
+  ::kill(-child_, SIGKILL);
+  int status = 0;
+  while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+  }
+  child_ = -1;
+  output_.read();
+  output_.cut();
   ProcessOutcome outcome;
-  outcome.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  outcome.output = output_tail.take();
-  outcome.messages = message_tail.take();
+  outcome.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+  outcome.output = std::move(output_.text);
+  outcome.messages = take_messages();
   int reason = 0;
-  if (::read(failure.read.get(), &reason, sizeof reason) == sizeof reason) {
+  if (::read(failure_.get(), &reason, sizeof reason) == sizeof reason) {
     outcome.end = ProcessEnd::kNotStarted;
     outcome.value = reason;
-  } else if (!ended) {
+  } else if (timed_out) {
     outcome.end = ProcessEnd::kTimeout;
   } else if (WIFSIGNALED(status)) {
     outcome.end = ProcessEnd::kSignal;
@@ -177,6 +189,16 @@ ProcessOutcome run_process(const std::vector<std::string>& command, const Proces
     outcome.value = WEXITSTATUS(status);
   }
   return outcome;
+}
+
+ProcessOutcome run_process(const std::vector<std::string>& command, const ProcessLimits& limits) {
+  Process process(command, limits.memory_bytes, kOutputBytes);
+  process.close_input();
+  const auto allowed =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.seconds));
+  const auto stop =
+      process.exchange({}, Clock::now() + allowed, [](const std::string&) { return false; });
+  return process.end(stop == Process::Stop::kTimeout);
 }
 
 std::string to_string(const ProcessOutcome& outcome) {
@@ -191,6 +213,14 @@ std::string to_string(const ProcessOutcome& outcome) {
       return fmt::format("cannot be started: {}", std::generic_category().message(outcome.value));
   }
   return {};
+}
+
+std::string last_words(std::string_view messages) {
+  const size_t end = messages.find_last_not_of(" \r\n");
+  if (end == std::string_view::npos) return {};
+  const size_t line_break = messages.find_last_of('\n', end);
+  const size_t begin = line_break == std::string_view::npos ? 0 : line_break + 1;
+  return ": " + std::string(messages.substr(begin, end + 1 - begin));
 }
 
 }  // namespace hmlfc::conform

@@ -48,12 +48,6 @@ class WorkFolder {
   bool kept_ = false;
 };
 
-ProcessOutcome decode(const Dut& dut, const fs::path& input, const fs::path& output,
-                      const ProcessLimits& limits) {
-  return run_process(fill_in(dut.command, {{"input", input.string()}, {"output", output.string()}}),
-                     limits);
-}
-
 void fail_in_suite(VectorResult& result, std::string reason) {
   result.status = Status::kError;
   result.reason = std::move(reason);
@@ -178,9 +172,14 @@ class SuiteRun {
     const fs::path pictures = fs::path("failures") / vector.id;
     std::error_code ignored;
     fs::remove_all(folder_ / pictures, ignored);
-    const Trial trial{dut_, input, stream, work.path(), options_.limits, folder_ / pictures};
-    const ProcessOutcome outcome = decode(dut_, input, work.path(), options_.limits);
-    judge(trial, outcome, vector.expect, vector.output ? &*vector.output : nullptr, result);
+    const Trial trial{dut_,
+                      input,
+                      stream,
+                      work.path(),
+                      options_.limits,
+                      folder_ / pictures,
+                      vector.blocks ? suite_.folder / vector.blocks->file : fs::path()};
+    judge(trial, vector.expect, vector.output ? &*vector.output : nullptr, result);
     if (result.difference) result.pictures = (folder_.filename() / pictures).string();
     if (result.bad() && options_.keep) work.keep();
   }
@@ -264,15 +263,16 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
     return result;
   }
   vectors::Expectation expect;
-  const auto decoded = Decoder::open(stream).and_then([](const Decoder& golden) {
-    return golden.decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1});
-  });
+  const auto golden = Decoder::open(stream);
+  const auto decoded = golden ? golden->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1})
+                              : tl::unexpected(golden.error());
   if (!decoded) {
+    if (golden) expect.operation = vectors::Operation::kBlock;
     expect.outcome = vectors::Outcome::kReject;
     expect.error = decoded.error().code;
   }
-  const Trial trial{dut, input, stream, output, limits, {}};
-  judge(trial, decode(dut, input, output, limits), expect, nullptr, result);
+  const Trial trial{dut, input, stream, output, limits, {}, {}};
+  judge(trial, expect, nullptr, result);
   return result;
 }
 

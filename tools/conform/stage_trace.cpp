@@ -55,10 +55,11 @@ std::vector<RecordedStage> parse_stages(std::string_view text) {
 }
 
 std::optional<std::string> first_wrong_stage(const Decoder& decoder, const BlockAddress& block,
+                                             int stop_level,
                                              const std::vector<RecordedStage>& actual) {
   const uint32_t b = decoder.header().block_size();
   vectors::BlockRecorder recorder;
-  static_cast<void>(decoder.decode_block(block, {.trace = &recorder}));
+  static_cast<void>(decoder.decode_block(block, {.stop_level = stop_level, .trace = &recorder}));
   for (const auto& record : recorder.records) {
     const auto* golden = std::get_if<RecordedStage>(&record);
     if (golden == nullptr) continue;

@@ -27,6 +27,7 @@ std::vector<vectors::RecordedStage> parse_stages(std::string_view text);
 /// instead of -2". Nothing if all reported stages agree. Stages that `actual` lacks are skipped,
 /// values outside the plane are not compared. An error of the block ends the comparison.
 std::optional<std::string> first_wrong_stage(const Decoder& decoder, const BlockAddress& block,
+                                             int stop_level,
                                              const std::vector<vectors::RecordedStage>& actual);
 
 }  // namespace hmlfc::conform

@@ -2,8 +2,8 @@
  *
  * Implement the functions below, build a shared library, and run
  *   hmlfc conform --dut ./libmydec.so -o report
- * The library is loaded in a process of its own, by one thread, for one stream at a time. A crash
- * or a hang is a result of the test, not its end. docs/conformance.md leads through it.
+ * The library is loaded in a process of its own, by one thread, for one stream after the other. A
+ * crash or a hang is a result of the test, not its end. docs/conformance.md leads through it.
  *
  * Statuses are the numbers of annex A of the specification: 0 for success, else the first error.
  * A function that fails leaves its outputs without meaning. */

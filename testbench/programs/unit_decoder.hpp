@@ -1,0 +1,58 @@
+// One stream in a Verilated decode unit, and the unit behind hmlfc_dut.h.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <hmlfc/hmlfc_dut.h>
+#include <hmlfc/image.hpp>
+
+#include "conform/dut_library.hpp"
+#include "systemc/stream_image.hpp"
+#include "unit/unit_host.hpp"
+#include "unit/units.hpp"
+
+namespace hmlfc::tb {
+
+/// A nonzero status of annex A, or HMLFC_DUT_CANNOT_RUN.
+template <class T>
+using UnitResult = tl::expected<T, int>;
+
+/// The unit decodes, software does what the unit leaves to it: CRCs of sections (FIL-6), the TOP
+/// table (KEY-1), key images. Functions throw UnitHangs.
+class UnitDecoder {
+ public:
+  /// The unit that takes the stream. Without a sound header, any: each must refuse it. Null if this
+  /// build has no Verilated unit.
+  static const UnitMaker* maker_for(std::span<const uint8_t> stream);
+
+  /// `stream` must outlive the decoder. With `paused` the memory pauses (UnitHost::set_pauses).
+  static UnitResult<std::unique_ptr<UnitDecoder>> open(std::span<const uint8_t> stream,
+                                                       UnitHost::OnClock on_clock = {},
+                                                       bool paused = false);
+
+  const StreamHeader& header() const { return image_.golden()->header(); }
+  UnitResult<RgbImage> view(ViewPos view);
+  UnitResult<std::vector<int32_t>> block(const Request& request);
+
+  /// Gives the stages of a block to `sink` from the unit's trace port.
+  int trace(const Request& request, hmlfc_dut_stage_sink sink, void* context);
+
+ private:
+  UnitDecoder(std::span<const uint8_t> stream, const UnitMaker& maker, UnitHost::OnClock on_clock)
+      : image_(stream, maker.parameters),
+        unit_(maker.make(maker.parameters), stream, image_.area().bytes, std::move(on_clock)) {}
+
+  int error_of_view(ViewPos view, int status);
+
+  StreamImage image_;
+  UnitHost unit_;
+};
+
+/// The functions of hmlfc_dut.h for it.
+conform::DutFunctions unit_functions();
+
+}  // namespace hmlfc::tb
