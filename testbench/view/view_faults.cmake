@@ -9,7 +9,7 @@ hmlfc_plant_fault(line_not_written_at_the_end hmlfc_view_writer.sv
 hmlfc_plant_fault(line_of_the_row_above hmlfc_view_writer.sv
   "numbers[row_entry] == put_line" "numbers[row_entry][5:0] == put_line[5:0]" "destination: " 0)
 hmlfc_plant_fault(second_line_is_the_first hmlfc_view_writer.sv
-  "(ADDRESS_BITS - 6)'(second)" "(ADDRESS_BITS - 6)'(0)" "destination: " 0)
+  "second ? row_line_next : row_line" "row_line" "destination: " 0)
 hmlfc_plant_fault(bitmap_bit_shifted hmlfc_view_writer.sv
   "{place.tile_y, place.tile_x}" "{place.tile_y, place.tile_x + 3'd1}" "destination: " 0)
 hmlfc_plant_fault(tile_of_the_bitmap_not_counted hmlfc_view_place.sv
