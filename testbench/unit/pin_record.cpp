@@ -31,11 +31,6 @@ void PinLine::in(const Beat& beat, unsigned beat_bytes) {
   in(beat[0], 64);
 }
 
-void PinLine::out(bool valid, const Beat& beat, unsigned beat_bytes) {
-  if (beat_bytes == 16) out(valid, beat[1], 64);
-  out(valid, beat[0], 64);
-}
-
 void PinLine::shared(const UnitInputs& in, const UnitOutputs& out, unsigned beat_bytes) {
   this->in(in.ar_ready, 1);
   this->in(in.r_valid, 1);

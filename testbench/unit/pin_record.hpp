@@ -21,9 +21,8 @@ class PinLine {
   /// The next output, which has a meaning where `valid` is and there is no reset.
   void out(bool valid, uint64_t value, unsigned bits);
 
-  /// Beats, the higher word first.
+  /// A beat, the higher word first.
   void in(const Beat& beat, unsigned beat_bytes);
-  void out(bool valid, const Beat& beat, unsigned beat_bytes);
 
   /// The read master and the registers, which every unit has.
   void shared(const UnitInputs& in, const UnitOutputs& out, unsigned beat_bytes);

@@ -6,7 +6,7 @@
 
 namespace hmlfc::tb {
 
-/// Writes the line of a clock.
+/// Writes the line of a clock. Written bytes without a strobe have no meaning.
 inline void write_pins(const ViewInputs& in, const ViewOutputs& out, unsigned beat_bytes,
                        std::ostream& stream) {
   PinLine line(in.rst_n);
@@ -21,7 +21,10 @@ inline void write_pins(const ViewInputs& in, const ViewOutputs& out, unsigned be
   line.out(out.write_aw_valid, out.write_aw_size, 3);
   line.out(out.write_aw_valid, out.write_aw_burst, 2);
   line.out(true, out.write_w_valid, 1);
-  line.out(out.write_w_valid, out.write_w_data, beat_bytes);
+  for (unsigned k = beat_bytes; k-- > 0;) {
+    line.out(out.write_w_valid && (out.write_w_strb >> k & 1) != 0,
+             out.write_w_data[k / 8] >> 8 * (k % 8), 8);
+  }
   line.out(out.write_w_valid, out.write_w_strb, beat_bytes);
   line.out(out.write_w_valid, out.write_w_last, 1);
   line.out(true, out.write_b_ready, 1);
