@@ -75,5 +75,7 @@ install(FILES
   rtl/kit/hmlfc_decode_unit.xml
   rtl/kit/hmlfc_view_queue.rdl
   rtl/kit/hmlfc_view_unit.xml
+  rtl/kit/pin_player.sv
   rtl/kit/pin_replay.sv
+  rtl/kit/view_pin_replay.sv
   DESTINATION "${rtl_dir}/kit")

@@ -31,6 +31,7 @@ module hmlfc_view_rows #(
     input logic out_ready,
     output logic [BLOCK_LOG2:0] out_entry,  // the row in its quad
     output logic [ADDRESS_BITS-7:0] out_line,
+    output logic [ADDRESS_BITS-7:0] out_line_next,  // the one behind it
     output logic [511:0] out_data,
     output logic [63:0] out_strobe,
     output logic [63:0] out_strobe_next,
@@ -146,6 +147,7 @@ module hmlfc_view_rows #(
     if (line_ready) begin
       out_entry <= packed_entry;
       out_line <= packed_address[ADDRESS_BITS-1:6];
+      out_line_next <= packed_address[ADDRESS_BITS-1:6] + 1'b1;
       out_data <= twice[511:0] | twice[1023:512];
       out_strobe <= turned_strobe & ~below_start;
       out_strobe_next <= turned_strobe & below_start;

@@ -43,7 +43,7 @@ module hmlfc_view_writer #(
 
   logic row_valid, row_ready, row_wraps, rows_empty;
   logic [BLOCK_LOG2:0] row_entry;
-  logic [ADDRESS_BITS-7:0] row_line;
+  logic [ADDRESS_BITS-7:0] row_line, row_line_next;
   logic [511:0] row_data;
   logic [63:0] row_strobe, row_strobe_next;
   hmlfc_view_rows #(
@@ -66,6 +66,7 @@ module hmlfc_view_writer #(
       .out_ready(row_ready),
       .out_entry(row_entry),
       .out_line(row_line),
+      .out_line_next(row_line_next),
       .out_data(row_data),
       .out_strobe(row_strobe),
       .out_strobe_next(row_strobe_next),
@@ -105,7 +106,7 @@ module hmlfc_view_writer #(
   logic [ENTRIES-1:0] held;
   logic [BLOCK_LOG2:0] flushed;  // the entry that leaves next with `flush`
   wire [63:0] put_strobe = second ? row_strobe_next : row_strobe;
-  wire [ADDRESS_BITS-7:0] put_line = row_line + (ADDRESS_BITS - 6)'(second);
+  wire [ADDRESS_BITS-7:0] put_line = second ? row_line_next : row_line;
   wire all_leave = flush && rows_empty;
   wire [BLOCK_LOG2:0] entry = all_leave ? flushed : row_entry;
   wire same = held[row_entry] && numbers[row_entry] == put_line;

@@ -73,7 +73,7 @@ def add_buses(component: ElementTree.Element, unit: str, names: list[str]) -> No
             add(role, "addressSpaceRef", addressSpaceRef="memory")
     space = add(add(component, "addressSpaces"), "addressSpace")
     add(space, "name", "memory")
-    add(space, "range", "2**40")
+    add(space, "range", 1 << 40)
     add(space, "width", "AXI_DATA_BITS")
     add(space, "addressUnitBits", 8)
 
@@ -92,6 +92,8 @@ def add_field(parent: ElementTree.Element, register: Register, field: Field, wor
     add(node, "bitWidth", high - low)
     add(node, "volatile", register.volatile)
     add(node, "access", ACCESS[register.access])
+    if register.one_clears:
+        add(node, "modifiedWriteValue", "oneToClear")
 
 
 def add_registers(component: ElementTree.Element, blocks: list[Block]) -> None:

@@ -1,10 +1,6 @@
-// Plays a record of pins to a decode unit, such as a netlist after synthesis, and compares its outputs clock by clock.
+// Plays a record of pins to a decode unit, such as a netlist after synthesis, and compares its outputs clock by clock (pin_player.sv).
 //
-// A line of the record has inputs, outputs and a mask of the outputs that have a meaning then, as hexadecimal numbers; the order of the pins is that
-// of the concatenations below. An unknown output that has a meaning is a difference. The netlist has the parameters of the unit that was recorded.
-//
-// Plusarg: +pins=FILE. Prints "pin_replay: N clocks equal", or the first difference, and ends; the exit status is 0 in both cases, where the simulator
-// knows only $finish.
+// The order of the pins is that of the concatenations below. The netlist has the parameters of the unit that was recorded.
 module pin_replay #(
     parameter int BLOCK_LOG2 = 1,
     parameter int AXI_DATA_BITS = 64,
@@ -13,7 +9,7 @@ module pin_replay #(
     localparam int INPUTS = 139 + AXI_DATA_BITS,
     localparam int OUTPUTS = 66 + ANSWER_BITS + ADDRESS_BITS
 );
-  logic clk = 0;
+  logic clk;
   logic rst_n, request_valid, request_last, response_ready, ar_ready, r_valid, r_last, r_id;
   logic [63:0] request_data;
   logic [1:0] r_resp;
@@ -78,7 +74,7 @@ module pin_replay #(
   );
 
   logic [INPUTS-1:0] inputs;
-  logic [OUTPUTS-1:0] outputs, expected, mask;
+  logic [OUTPUTS-1:0] outputs;
   assign {rst_n, request_valid, request_last, request_data, response_ready, ar_ready, r_valid, r_last, r_resp, r_id, r_data, aw_valid, aw_addr, w_valid,
           w_data, w_strb, b_ready, lite_ar_valid, lite_ar_addr, lite_r_ready} = inputs;
   assign outputs = {
@@ -86,31 +82,12 @@ module pin_replay #(
     w_ready, b_valid, b_resp, lite_ar_ready, lite_r_valid, lite_r_data, lite_r_resp
   };
 
-  string name;
-  int file, fields;
-  int clocks = 0;
-  logic [INPUTS-1:0] next;
-  initial begin
-    if ($value$plusargs("pins=%s", name) == 0) $fatal(1, "pin_replay: +pins=FILE is missing");
-    file = $fopen(name, "r");
-    if (file == 0) $fatal(1, "pin_replay: cannot open the record");
-    inputs = '0;
-    fields = $fscanf(file, "%h %h %h", next, expected, mask);
-    while (fields == 3) begin
-      clk = 1;
-      #1 inputs = next;
-      #4 clk = 0;
-      #4;
-      if ((outputs & mask) !== (expected & mask)) begin
-        $display("pin_replay: difference at clock %0d\n  expected %h\n  actual   %h\n  mask     %h", clocks, expected, outputs, mask);
-        $finish;
-        fields = 0;
-      end else begin
-        clocks = clocks + 1;
-        fields = $fscanf(file, "%h %h %h", next, expected, mask);
-        if (fields != 3) $display("pin_replay: %0d clocks equal", clocks);
-      end
-    end
-    $finish;
-  end
+  pin_player #(
+      .INPUTS(INPUTS),
+      .OUTPUTS(OUTPUTS)
+  ) player (
+      .clk(clk),
+      .inputs(inputs),
+      .outputs(outputs)
+  );
 endmodule

@@ -6,6 +6,7 @@ A register has:
   offset       in bytes, a multiple of its size
   bits         32, or 64: two words, the low one first
   access       ro, wo or rw: what software may do
+  one_clears   true: a 1 written clears its bit
   volatile     true: it changes without being written
   reset        the value that is read after reset, of the default parameters
   fields       bits "high:low" or "bit", name, description; bits of no field are 0
@@ -41,6 +42,7 @@ class Register:
     offset: int
     bits: int
     access: str
+    one_clears: bool
     volatile: bool
     reset: int
     fields: tuple[Field, ...]
@@ -65,11 +67,11 @@ def field_of(entry: dict) -> Field:
 
 
 def register_of(entry: dict) -> Register:
-    known = {"name", "description", "offset", "bits", "access", "volatile", "reset", "fields"}
+    known = {"name", "description", "offset", "bits", "access", "one_clears", "volatile", "reset", "fields"}
     if set(entry) - known:
         raise ValueError(f"{entry['name']}: unknown {', '.join(set(entry) - known)}")
     return Register(entry["name"], entry["description"], int(entry["offset"], 0), entry["bits"], entry["access"],
-                    entry.get("volatile", False), int(entry["reset"], 0), tuple(map(field_of, entry["fields"])))
+                    entry.get("one_clears", False), entry.get("volatile", False), int(entry["reset"], 0), tuple(map(field_of, entry["fields"])))
 
 
 def check(block: Block) -> None:
@@ -161,10 +163,10 @@ def table(block: Block) -> str:
 def rdl_field(register: Register, field: Field) -> str:
     """Hardware writes what changes by itself, reads what software writes, and does neither with constants."""
     hardware = "w" if register.volatile else "na" if register.access == "ro" else "r"
-    pulse = " singlepulse;" if register.access == "wo" else ""
+    effect = " singlepulse;" if register.access == "wo" else " woclr;" if register.one_clears else ""
     reset = (register.reset & field.mask) >> field.low
     quoted = field.description.replace('"', '\\"')
-    return (f"    field {{ desc = \"{quoted}\"; sw = {RDL_ACCESS[register.access]}; hw = {hardware};{pulse} }}"
+    return (f"    field {{ desc = \"{quoted}\"; sw = {RDL_ACCESS[register.access]}; hw = {hardware};{effect} }}"
             f" {field.name}[{field.low + field.width - 1}:{field.low}] = {field.width}'h{reset:x};")
 
 

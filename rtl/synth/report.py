@@ -24,6 +24,7 @@ from timing import in_cells, placed
 from tools import LIBERTY, RTL, file_list, read, run
 
 TARGET_MHZ = 100.0
+UNITS = ("decode_unit", "view_unit")
 DATA_PATH = ["bise_unpack", "bise_element", "residual", "vector", "interpolate", "reconstruct", "colour", "compose", "answer"]
 CELLS = {
     "ice40": {"LUT": r"SB_LUT4", "FF": r"SB_DFF.*", "LUT RAM": r"(?!)", "BRAM": r"SB_RAM40.*", "DSP": r"SB_MAC16"},
@@ -46,9 +47,10 @@ def all_modules() -> list[str]:
 def size(target: str, spec: str) -> list[str]:
     commands, top = read(spec)
     synth = SYNTH[target].format(top=top, lib=LIBERTY)
-    if spec.startswith("decode_unit"):
-        # Each module in it is flattened, and the unit is not: as one piece it did not end within 25 minutes.
-        synth = f"setattr -set keep_hierarchy 1 {top}/t:*hmlfc_*; {synth}"
+    if spec.startswith(UNITS):
+        # Each module in them is flattened, and the units are not: as one piece the decode unit did not end within 25 minutes.
+        inside = " ".join(f"*hmlfc_{unit}*/t:*hmlfc_*" for unit in UNITS)
+        synth = f"setattr -set keep_hierarchy 1 {inside}; {synth}"
     if target == "osu035":
         text = run(["yosys", "-p", f"{commands}{synth}; stat -liberty {LIBERTY}"])
         cells = re.findall(r"Number of cells: +(\d+)", text)
@@ -71,7 +73,7 @@ def speed(spec: str, seeds: int, cells_alone: bool) -> list[str]:
         smaller = placed(f"{spec},BLOCK_LOG2=1", seeds)
         if smaller[1] != "does not fit":
             columns = [f"{column}*" for column in smaller]
-    return columns + in_cells(spec, whole=spec.startswith("decode_unit"))
+    return columns + in_cells(spec, whole=spec.startswith(UNITS))
 
 
 def slow(columns: list[str]) -> bool:

@@ -156,6 +156,7 @@ Json check(const Options& o, std::span<const uint8_t> file, const UnitMaker& mak
   const uint64_t seed = o.plan.plan.seed;
   bench.attach(maker.make(maker.parameters.with_state(seed)));
   if (o.answers_only) bench.compare_answers_only();
+  if (o.random_conditions) bench.draw_places(seed);
   image.load_into(bench);
   if (!bench.findings().first()) {
     bench.begin_counting();

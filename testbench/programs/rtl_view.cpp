@@ -93,7 +93,7 @@ int decode(const Options& o, std::span<const uint8_t> file, const StreamHeader& 
   fmt::print("status {}, blocks with errors {}\n", static_cast<unsigned>(status.result),
              status.block_errors);
   if (!o.output.empty() && d.format >= ViewFormat::kRgb888) {
-    const auto saved = io::write_ppm(o.output, read_pixels(d, host.memory().bytes, header.depth));
+    const auto saved = io::write_ppm(o.output, read_pixels(d, host.memory().content, header.depth));
     if (!saved) {
       fmt::print(stderr, "rtl-view: {}\n", saved.error().message);
       return kExitOutput;

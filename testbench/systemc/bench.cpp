@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <utility>
 
 namespace hmlfc::tb {
 namespace {
@@ -44,7 +45,7 @@ Bench::Bench(const std::string& prefix)
     : clock_((prefix + "clock").c_str(), wires_, unit_),
       scoreboard_((prefix + "scoreboard").c_str(), findings_, coverage_),
       monitor_((prefix + "stream_monitor").c_str(), wires_, scoreboard_, findings_),
-      read_monitor_((prefix + "read_monitor").c_str(), wires_, findings_),
+      read_monitor_((prefix + "read_monitor").c_str(), wires_, findings_, coverage_),
       driver_((prefix + "driver").c_str(), wires_),
       memory_((prefix + "memory").c_str(), wires_),
       registers_((prefix + "registers").c_str(), wires_, findings_) {}
@@ -68,13 +69,33 @@ void Bench::compare_answers_only() {
 }
 
 void Bench::set_image(const MemoryImage& image) {
-  image_ = image;
-  if (image_.reference_base == 0) {
-    const uint64_t stream_end = image_.stream_base + image_.stream.size() + Memory::kSlackBytes;
+  const MemoryImage before = std::exchange(image_, image);
+  if (places_) {
+    AddressSpace space(places_->next());
+    const auto place_of = [&](std::span<const uint8_t> bytes) {
+      return space.take(std::max<uint64_t>(bytes.size(), 1), 16, AddressSpace::kReadBehind);
+    };
+    image_.stream_base = place_of(image_.stream);
+    image_.reference_base = place_of(image_.reference_area);
+  } else if (keeps_places_) {
+    image_.stream_base = before.stream_base;
+    image_.reference_base = before.reference_base;
+  } else if (image_.reference_base == 0) {
+    const uint64_t stream_end =
+        image_.stream_base + image_.stream.size() + AddressSpace::kReadBehind;
     image_.reference_base = align(stream_end, 4096);
   }
+  coverage_.on_places(image_.stream_base, image_.stream.size(), image_.reference_base,
+                      image_.reference_area.size());
   memory_.set_regions(
       {{image_.stream_base, image_.stream}, {image_.reference_base, image_.reference_area}});
+}
+
+void Bench::draw_places(uint64_t seed) { places_.emplace(seed); }
+
+void Bench::keep_places() {
+  keeps_places_ = true;
+  places_.reset();
 }
 
 void Bench::begin_faults(std::vector<FaultyRange> faults, const BlockReads& reads) {

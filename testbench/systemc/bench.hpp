@@ -44,6 +44,12 @@ class Bench {
 
   void set_image(const MemoryImage& image);
 
+  /// From now on set_image() draws, by `seed`, new places over the whole width of addresses.
+  void draw_places(uint64_t seed);
+
+  /// From now on every image lies where the last one lay.
+  void keep_places();
+
   /// Lets `faults` fail. From now on a request may be answered with bus_error if a beat with bytes
   /// that it depends on, by `reads`, has come with an error since.
   void begin_faults(std::vector<FaultyRange> faults, const BlockReads& reads);
@@ -130,6 +136,8 @@ class Bench {
   Coverage coverage_;
   std::unique_ptr<DecodeUnit> unit_;
   MemoryImage image_;
+  std::optional<Random> places_;  // draws seeds of an AddressSpace
+  bool keeps_places_ = false;
   Clock clock_;
   Scoreboard scoreboard_;
   StreamMonitor monitor_;

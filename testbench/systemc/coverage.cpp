@@ -1,6 +1,7 @@
 #include "systemc/coverage.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -126,6 +127,21 @@ void Coverage::on_stream(const StreamHeader& header) {
   if (header.depth > 8) hit(Point::kDepthAboveEight);
 }
 
+void Coverage::on_places(uint64_t stream_base, uint64_t stream_bytes, uint64_t area_base,
+                         uint64_t area_bytes) {
+  stream_.begin = stream_base;
+  stream_.bytes = stream_bytes;
+  area_.begin = area_base;
+  area_.bytes = area_bytes;
+}
+
+void Coverage::on_burst(uint64_t address, uint64_t bytes) {
+  for (Place* place : {&stream_, &area_}) {
+    if (address < place->begin || address - place->begin >= place->bytes) continue;
+    place->bursts.on_burst(place->begin, address, bytes);
+  }
+}
+
 void Coverage::on_error(uint8_t error) {
   if (error < kErrorCodeCount) ++errors_[error];
 }
@@ -136,6 +152,8 @@ std::vector<NamedCount> Coverage::all() const {
   for (const ErrorCode code : kNamedByUnit) {
     all.push_back({"error " + std::string(error_name(code)), errors_[static_cast<size_t>(code)]});
   }
+  std::ranges::move(stream_.bursts.all("read of the stream"), std::back_inserter(all));
+  std::ranges::move(area_.bursts.all("read of the reference area"), std::back_inserter(all));
   return all;
 }
 

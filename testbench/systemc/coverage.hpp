@@ -70,7 +70,7 @@ enum class Point : uint8_t { HMLFC_POINTS(HMLFC_POINT) kCount };
 inline constexpr size_t kPointCount = static_cast<size_t>(Point::kCount);
 
 /// Counts how often each point was met. Besides the points above, each error that the unit may
-/// name is a point.
+/// name is a point, and those of AddressCoverage are, for the stream and for the reference area.
 class Coverage {
  public:
   void hit(Point point) { ++hits_[static_cast<size_t>(point)]; }
@@ -80,6 +80,11 @@ class Coverage {
   void on_answer(const ExpectedAnswer& expected, const Answer& answer);
   void on_conditions(const Conditions& conditions);
   void on_stream(const StreamHeader& header);
+
+  /// From now on bursts are of a stream of `stream_bytes` and of a reference area of `area_bytes`.
+  void on_places(uint64_t stream_base, uint64_t stream_bytes, uint64_t area_base,
+                 uint64_t area_bytes);
+  void on_burst(uint64_t address, uint64_t bytes);
 
   /// The unit named `error`, a status of STATUS or of an answer, and rightly.
   void on_error(uint8_t error);
@@ -104,6 +109,12 @@ class Coverage {
 
   std::array<uint64_t, kPointCount> hits_{};
   std::array<uint64_t, kErrorCodeCount> errors_{};
+  struct Place {
+    uint64_t begin = 0;
+    uint64_t bytes = 0;
+    AddressCoverage bursts;
+  };
+  Place stream_, area_;
   CrossCoverage crosses_;
   Request previous_;
   bool has_previous_ = false;

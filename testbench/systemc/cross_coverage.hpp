@@ -3,18 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "oracle/level_record.hpp"
+#include "unit/address_coverage.hpp"
 
 namespace hmlfc::tb {
-
-/// A point and how often it was met.
-struct NamedCount {
-  std::string name;
-  uint64_t hits;
-};
 
 /// Kinds of blocks, a bit each: five states, of Y and of chroma.
 using BlockKinds = uint16_t;

@@ -51,6 +51,7 @@ std::filesystem::path keep_failure(Bench& bench, const UnitMaker& maker, StreamI
                                    const Failure& failure, const std::filesystem::path& root) {
   const std::filesystem::path folder = root / "failure" / failure.id;
   std::filesystem::create_directories(folder);
+  bench.keep_places();
   const auto& request = failure.mismatch.request;
   std::optional<Mismatch> again;
   std::string which = "the block alone";

@@ -87,7 +87,7 @@ void Memory::fill(Beat& beat, uint64_t address) {
   }
   for (const MemoryRegion& region : regions_) {
     const uint64_t at = address - region.base;
-    if (address < region.base || at >= region.bytes.size() + kSlackBytes) continue;
+    if (address < region.base || at >= region.bytes.size() + AddressSpace::kReadBehind) continue;
     beat = {random_.next(), random_.next()};
     if (at < region.bytes.size()) {
       const size_t held = std::min<size_t>(beat_bytes_, region.bytes.size() - at);

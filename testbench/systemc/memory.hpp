@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "stimulus/conditions.hpp"
+#include "stimulus/address_space.hpp"
 #include "systemc/dram.hpp"
 #include "systemc/wires.hpp"
 
@@ -35,8 +35,6 @@ struct MemoryCounts {
 /// random; what lies further outside gives DECERR.
 class Memory final : public EdgeModule {
  public:
-  static constexpr uint64_t kSlackBytes = 31;  ///< that may be read past the end of a region
-
   Memory(const sc_core::sc_module_name& name, Wires& wires) : EdgeModule(name, wires) {}
 
   void set_beat_bytes(unsigned bytes) { beat_bytes_ = bytes; }

@@ -68,6 +68,7 @@ void ReadMonitor::edge() {
   }
   if (out.ar_valid && in.ar_ready) {
     check_address(address);
+    coverage_.on_burst(address.addr, (uint64_t{address.len} + 1) * unit_.beat_bytes);
     ++outstanding_;
   }
 }

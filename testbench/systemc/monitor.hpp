@@ -42,8 +42,9 @@ class StreamMonitor final : public EdgeModule {
 /// while they wait, and at most UnitParameters::outstanding in flight.
 class ReadMonitor final : public EdgeModule {
  public:
-  ReadMonitor(const sc_core::sc_module_name& name, Wires& wires, Findings& findings)
-      : EdgeModule(name, wires), findings_(findings) {}
+  ReadMonitor(const sc_core::sc_module_name& name, Wires& wires, Findings& findings,
+              Coverage& coverage)
+      : EdgeModule(name, wires), findings_(findings), coverage_(coverage) {}
 
   void set_unit(const UnitParameters& unit) { unit_ = unit; }
 
@@ -65,6 +66,7 @@ class ReadMonitor final : public EdgeModule {
   void broken(const std::string& rule, const std::string& detail);
 
   Findings& findings_;
+  Coverage& coverage_;
   UnitParameters unit_;
   uint64_t beats_ = 0;
   unsigned outstanding_ = 0;

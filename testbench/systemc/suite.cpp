@@ -84,9 +84,11 @@ class CaseRun {
   // it met one, what is asked for afterwards may not.
   bool faulty_memory() {
     if (image_.golden() == nullptr) return good();
-    const uint64_t base = bench_.image().stream_base;
-    const uint64_t end = bench_.image().reference_base + bench_.image().reference_area.size();
-    const uint64_t begin = base + random_.below(end - base);
+    const MemoryImage& image = bench_.image();
+    const uint64_t at = random_.below(image.stream.size() + image.reference_area.size());
+    const uint64_t begin = at < image.stream.size()
+                               ? image.stream_base + at
+                               : image.reference_base + at - image.stream.size();
     faults({begin, begin + 16 + random_.below(4096), static_cast<uint8_t>(random_.within(2, 3))});
     return good();
   }
@@ -165,6 +167,7 @@ class CaseRun {
 
 SuiteResult run_case(Bench& bench, const UnitMaker& maker, StreamImage& image, uint64_t seed) {
   bench.attach(maker.make(maker.parameters.with_state(seed)));
+  bench.draw_places(seed);
   CaseRun run(bench, image, seed);
   run.run();
   return {run.total(), bench.findings().first(), run.history()};

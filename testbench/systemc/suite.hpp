@@ -18,7 +18,8 @@ struct SuiteResult {
   std::vector<Request> history;  ///< the last requests
 };
 
-/// Runs `image` in a fresh unit of `maker`: directed and random requests, conditions by `seed`, a
+/// Runs `image` in a fresh unit of `maker`: directed and random requests, conditions and
+/// places in memory by `seed`, a
 /// reset with requests in flight, faulty memory and its recovery, and the counters. Stops at the
 /// first finding.
 SuiteResult run_case(Bench& bench, const UnitMaker& maker, StreamImage& image, uint64_t seed);

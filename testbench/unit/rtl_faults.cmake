@@ -28,6 +28,15 @@ hmlfc_plant_fault(disparity_left_of_border hmlfc_disparity_place.sv
 hmlfc_plant_fault(record_of_the_next_tile hmlfc_tile_walk.sv
   "count == 7'd0 ? 7'd0 : count - 7'd1" "count" "stage: " 0)
 
+# The width of addresses.
+hmlfc_plant_fault(read_address_cut_to_32_bits hmlfc_read_port.sv
+  "chosen_address[ADDRESS_BITS-1:BEAT_LOG2]" "{8'd0, chosen_address[31:BEAT_LOG2]}" "registers: error of LOAD" 0)
+hmlfc_plant_fault(bit_39_of_the_area_dropped hmlfc_geometry.sv
+  "sum[ADDRESS_BITS-1:0]" "{1'b0, sum[ADDRESS_BITS-2:0]}" "stage: " 6)
+hmlfc_plant_fault(carry_to_bit_32_of_the_records_lost hmlfc_geometry.sv
+  "stream_base + tile_offset[ADDRESS_BITS-1:0]"
+  "{stream_base[ADDRESS_BITS-1:32], stream_base[31:0] + tile_offset[31:0]}" "stage: " 0)
+
 # What is kept, and what moves.
 hmlfc_plant_fault(root_entry_of_a_bus_error_kept hmlfc_tile_walk.sv
   "!read_error" "1'b1" "stage: error" 0)

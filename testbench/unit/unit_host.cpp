@@ -2,30 +2,33 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
-#include "arithmetic/rounding.hpp"
+#include "bits/crc32c.hpp"
+#include "stimulus/address_space.hpp"
 #include "unit/registers.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
-constexpr uint64_t kStreamBase = 0x10000;
 constexpr size_t kMaxWaitingBursts = 64;
 // Clocks in 1000 that are paused, and for how many clocks it is so.
 constexpr unsigned kPause = 250;
 constexpr unsigned kLongPause = 937;
 constexpr uint64_t kTurn = 512;
-constexpr uint64_t kAlignment = 4096;  // of the reference area
+constexpr uint64_t kAlignment = 16;  // of stream and reference area
 
 }  // namespace
 
 UnitHost::UnitHost(std::unique_ptr<DecodeUnit> unit, std::span<const uint8_t> stream,
                    std::span<const uint8_t> area, OnClock on_clock)
-    : unit_(std::move(unit)),
-      on_clock_(std::move(on_clock)),
-      stream_(stream),
-      area_(area),
-      area_base_(ceil_div(kStreamBase + stream.size() + 32, kAlignment) * kAlignment) {
+    : unit_(std::move(unit)), on_clock_(std::move(on_clock)), stream_(stream), area_(area) {
+  AddressSpace space(crc32c(stream) ^ unit_->parameters().state_seed);
+  const auto place_of = [&](std::span<const uint8_t> bytes) {
+    return space.take(std::max<uint64_t>(bytes.size(), 1), kAlignment, AddressSpace::kReadBehind);
+  };
+  stream_base_ = place_of(stream);
+  area_base_ = place_of(area);
   for (int i = 0; i < 4; ++i) clock();
   next_.rst_n = true;
   clock();
@@ -60,10 +63,9 @@ void UnitHost::read_channel(UnitInputs& next) {
 
 Beat UnitHost::beat_at(uint64_t address) const {
   Beat beat{};
-  const bool area = address >= area_base_;
-  const auto& bytes = area ? area_ : stream_;
-  const uint64_t at = address - (area ? area_base_ : kStreamBase);
-  if (at < bytes.size()) {
+  for (const auto& [bytes, base] : {std::pair{stream_, stream_base_}, {area_, area_base_}}) {
+    const uint64_t at = address - base;
+    if (address < base || at >= bytes.size()) continue;
     const size_t held = std::min<size_t>(unit_->parameters().beat_bytes, bytes.size() - at);
     std::memcpy(beat.data(), bytes.data() + at, held);
   }
@@ -104,7 +106,7 @@ uint32_t UnitHost::read(uint32_t address) {
 }
 
 uint8_t UnitHost::load() {
-  reg::write_stream([&](uint32_t address, uint32_t word) { write(address, word); }, kStreamBase,
+  reg::write_stream([&](uint32_t address, uint32_t word) { write(address, word); }, stream_base_,
                     stream_.size(), area_base_);
   write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
   for (uint64_t reads = 0; reads < patience_; ++reads) {

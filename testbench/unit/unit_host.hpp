@@ -21,8 +21,8 @@ class UnitHangs : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One unit with one stream in memory. An example of how software drives the unit
-/// (docs/hardware.md, "Using it").
+/// One unit with one stream in memory, at addresses that the stream's bytes and the state of the
+/// unit draw. An example of how software drives the unit (docs/hardware.md, "Using it").
 class UnitHost {
  public:
   /// Called after every clock with the inputs from then on and the outputs that follow.
@@ -70,7 +70,8 @@ class UnitHost {
   OnClock on_clock_;
   std::span<const uint8_t> stream_;
   std::span<const uint8_t> area_;
-  uint64_t area_base_;
+  uint64_t stream_base_ = 0;
+  uint64_t area_base_ = 0;
   UnitInputs in_;  ///< as the unit sees them now
   UnitInputs next_;
   UnitOutputs out_;

@@ -59,8 +59,9 @@ StripSamples strip_of(Oracle& oracle, const Descriptor& d, unsigned b, uint32_t 
 }
 
 // The strips of a plane, in columns of 16 blocks.
-void write_strips(Oracle& oracle, const Descriptor& d, unsigned b, std::span<uint8_t> memory,
+void write_strips(Oracle& oracle, const Descriptor& d, unsigned b, SparseBytes& memory,
                   ViewStatus& status) {
+  const std::span<uint8_t> strips = memory.at(d.destination);
   const uint32_t blocks_x = ceil_div(d.width, b);
   const uint32_t in_strip = kStripSamples / (b * b);
   for (uint32_t column = 0; column < blocks_x; column += kStripColumn) {
@@ -70,9 +71,8 @@ void write_strips(Oracle& oracle, const Descriptor& d, unsigned b, std::span<uin
         const auto place = pack_strip(strip_of(oracle, d, b, bx, by, status));
         const unsigned width = place[0] & 15;
         const unsigned words = ceil_div(20 + kStripSamples * (width == 15 ? 16 : width), 64u);
-        const uint64_t at =
-            d.destination + uint64_t{by} * d.pitch + uint64_t{bx / in_strip} * kStripBytes;
-        std::copy_n(place.begin(), 8 * words, memory.begin() + static_cast<ptrdiff_t>(at));
+        const uint64_t at = uint64_t{by} * d.pitch + uint64_t{bx / in_strip} * kStripBytes;
+        std::copy_n(place.begin(), 8 * words, strips.begin() + static_cast<ptrdiff_t>(at));
       }
     }
   }
@@ -97,8 +97,7 @@ uint64_t bitmap_bytes(const Descriptor& d, unsigned block_size) {
   return 8 * columns * rows;
 }
 
-ViewStatus write_expected(Oracle& oracle, const Descriptor& d, unsigned b,
-                          std::span<uint8_t> memory) {
+ViewStatus write_expected(Oracle& oracle, const Descriptor& d, unsigned b, SparseBytes& memory) {
   ViewStatus status{.tag = d.tag};
   if (!is_accepted(d, b)) {
     status.result = ViewResult::kRefused;
@@ -108,7 +107,10 @@ ViewStatus write_expected(Oracle& oracle, const Descriptor& d, unsigned b,
     write_strips(oracle, d, b, memory, status);
     return status;
   }
-  if (d.bitmap != 0) std::ranges::fill(memory.subspan(d.bitmap, bitmap_bytes(d, b)), uint8_t{0});
+  const std::span<uint8_t> pixels = memory.at(d.destination);
+  std::span<uint8_t> bitmap;
+  if (d.bitmap != 0) bitmap = memory.at(d.bitmap).first(bitmap_bytes(d, b));
+  std::ranges::fill(bitmap, uint8_t{0});
   const uint32_t end_x = d.x + d.width;
   const uint32_t end_y = d.y + d.height;
   const uint64_t tiles_x = (end_x - 1) / (kTileBlocks * b) - d.x / (kTileBlocks * b) + 1;
@@ -133,11 +135,11 @@ ViewStatus write_expected(Oracle& oracle, const Descriptor& d, unsigned b,
     }
     for (size_t i = 0; i < lane; ++i) {
       if (i % b >= columns || i / b >= rows) continue;
-      const uint64_t at = d.destination + (block->by * b + i / b - d.y) * uint64_t{d.pitch} +
+      const uint64_t at = (block->by * b + i / b - d.y) * uint64_t{d.pitch} +
                           (block->bx * b + i % b - d.x) * uint64_t{bytes};
       const uint64_t value = error == 0 ? pixel(answer, d.format, i, lane) : 0;
       for (unsigned k = 0; k < bytes; ++k) {
-        memory[at + k] = static_cast<uint8_t>(value >> 8 * k);
+        pixels[at + k] = static_cast<uint8_t>(value >> 8 * k);
       }
     }
     if (error == 0) continue;
@@ -146,7 +148,7 @@ ViewStatus write_expected(Oracle& oracle, const Descriptor& d, unsigned b,
     if (d.bitmap == 0) continue;
     const uint64_t tile = (block->by / kTileBlocks - d.y / b / kTileBlocks) * tiles_x +
                           block->bx / kTileBlocks - d.x / b / kTileBlocks;
-    memory[d.bitmap + 8 * tile + block->by % kTileBlocks] |=
+    bitmap[8 * tile + block->by % kTileBlocks] |=
         static_cast<uint8_t>(1u << block->bx % kTileBlocks);
   }
   return status;

@@ -5,6 +5,7 @@
 
 #include "oracle/oracle.hpp"
 #include "view/descriptor.hpp"
+#include "view/sparse_bytes.hpp"
 
 namespace hmlfc::tb {
 
@@ -36,6 +37,6 @@ uint64_t bitmap_bytes(const Descriptor& descriptor, unsigned block_size);
 /// Writes pixels and bitmap into `memory`, as the unit must, and returns the status that it must
 /// write. The descriptor's rectangle ends within the plane, or with a whole block outside.
 ViewStatus write_expected(Oracle& oracle, const Descriptor& descriptor, unsigned block_size,
-                          std::span<uint8_t> memory);
+                          SparseBytes& memory);
 
 }  // namespace hmlfc::tb

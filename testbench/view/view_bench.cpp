@@ -19,8 +19,9 @@ ViewBench::ViewBench(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> st
   std::ranges::copy(std::span(area_).first(std::min(area_.size(), host_.area().size())),
                     host_.area().begin());
   host_.write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_DISABLE_MASK);
-  host_.write(HMLFC_REG_RING_BASE_HIGH, 1u << 18);  // bit 50 is not there
-  expect_register(HMLFC_REG_RING_BASE_HIGH, ~0u, 0, "RING_BASE");
+  const auto high = static_cast<uint32_t>(host_.ring_base() >> 32);
+  host_.write(HMLFC_REG_RING_BASE_HIGH, high | 1u << 18);  // bit 50 is not there
+  expect_register(HMLFC_REG_RING_BASE_HIGH, ~0u, high, "RING_BASE");
   expect_register(HMLFC_REG_RING_SIZE, ~0u, ring_size, "RING_SIZE");
 }
 
@@ -43,11 +44,11 @@ void ViewBench::fill_area() {
 void ViewBench::give(std::span<const Descriptor> descriptors) {
   host_.take_events();
   host_.write(HMLFC_REG_INTERRUPT_STATUS, ~0u);
-  expected_ = host_.memory().bytes;
+  expected_ = host_.memory().content;
   for (const Descriptor& d : descriptors) {
     const unsigned place = host_.driver()->producer % host_.ring_size();
     const auto words = d.words();
-    std::memcpy(expected_.data() + host_.ring_base() + place * kDescriptorBytes, words.data(),
+    std::memcpy(expected_.at(host_.ring_base() + place * kDescriptorBytes).data(), words.data(),
                 kDescriptorBytes);
     host_.give(d);
   }
@@ -59,7 +60,8 @@ uint64_t ViewBench::status_address(uint16_t place) const {
 
 ViewStatus ViewBench::status_at(uint16_t place) const {
   std::array<uint32_t, 4> words{};
-  std::memcpy(words.data(), host_.memory().bytes.data() + status_address(place), kViewStatusBytes);
+  std::memcpy(words.data(), host_.memory().content.at(status_address(place)).data(),
+              kViewStatusBytes);
   return ViewStatus::of_words(words);
 }
 
@@ -72,22 +74,22 @@ void ViewBench::take() {
 
 void ViewBench::expect(const Descriptor& descriptor, uint16_t place) {
   const ViewStatus status = write_expected(oracle_, descriptor, block_size(), expected_);
-  std::memcpy(expected_.data() + status_address(place), status.words().data(), kViewStatusBytes);
+  std::memcpy(expected_.at(status_address(place)).data(), status.words().data(), kViewStatusBytes);
 }
 
 void ViewBench::compare() {
   if (!finding().empty()) return;
-  const std::vector<uint8_t>& memory = host_.memory().bytes;
-  const auto [actual, expected] = std::ranges::mismatch(memory, expected_);
+  const std::vector<uint8_t>& memory = host_.memory().content.bytes;
+  const auto [actual, expected] = std::ranges::mismatch(memory, expected_.bytes);
   if (actual == memory.end()) return;
-  const auto at = static_cast<uint64_t>(actual - memory.begin());
-  const bool status =
-      at >= host_.status_base() && at < status_address(0) + host_.ring_size() * kViewStatusBytes;
-  host_.find((status                    ? "status: byte "
-              : at >= host_.free_base() ? "destination: byte "
-                                        : "outside: byte ") +
-             std::to_string(at) + ": expected " + std::to_string(*expected) + ", actual " +
-             std::to_string(*actual));
+  const auto index = static_cast<uint64_t>(actual - memory.begin());
+  const uint64_t statuses = uint64_t{host_.ring_size()} * kDescriptorBytes;
+  const bool status = index >= statuses && index < HMLFC_RINGS_BYTES(host_.ring_size());
+  host_.find((status                        ? "status: "
+              : index >= host_.free_bytes() ? "destination: "
+                                            : "outside: ") +
+             std::string("byte ") + std::to_string(index) + ": expected " +
+             std::to_string(*expected) + ", actual " + std::to_string(*actual));
 }
 
 void ViewBench::wait_and_compare(std::span<const Descriptor> descriptors) {
@@ -135,17 +137,18 @@ void ViewBench::expect_stopped(const Descriptor& descriptor, uint16_t place) {
   if (status.result != ViewResult::kAborted) return expect(descriptor, place);
   ++aborted_;
   if (status.tag != descriptor.tag) host_.find("status: of an aborted descriptor");
-  const std::vector<uint8_t>& memory = host_.memory().bytes;
-  const std::vector<uint8_t> old = expected_;
+  const std::vector<uint8_t>& memory = host_.memory().content.bytes;
+  const std::vector<uint8_t> old = expected_.bytes;
   expect(descriptor, place);
-  std::memcpy(expected_.data() + status_address(place), status.words().data(), kViewStatusBytes);
-  for (size_t i = 0; i < expected_.size(); ++i) {
-    if (memory[i] == old[i]) expected_[i] = old[i];
+  std::memcpy(expected_.at(status_address(place)).data(), status.words().data(), kViewStatusBytes);
+  for (size_t i = 0; i < memory.size(); ++i) {
+    if (memory[i] == old[i]) expected_.bytes[i] = old[i];
   }
   if (descriptor.bitmap == 0) return;
-  const uint64_t bytes = bitmap_bytes(descriptor, block_size());
-  for (uint64_t i = descriptor.bitmap; i < descriptor.bitmap + bytes; ++i) {
-    expected_[i] &= memory[i];
+  const std::span<const uint8_t> bitmap =
+      std::as_const(host_.memory().content).at(descriptor.bitmap);
+  for (uint64_t i = 0; i < bitmap_bytes(descriptor, block_size()); ++i) {
+    expected_.at(descriptor.bitmap)[i] &= bitmap[i];
   }
 }
 
@@ -166,7 +169,7 @@ void ViewBench::run_aborted(const Descriptor& descriptor, uint64_t clocks, const
     expect_stopped(both[i], static_cast<uint16_t>(first + i));
   }
   compare();
-  expected_ = host_.memory().bytes;
+  expected_ = host_.memory().content;
   hmlfc_unit_resume(host_.driver());
   wait_and_compare(std::span(both).subspan(done));
 }
@@ -192,7 +195,7 @@ void ViewBench::run_with_fault(const Descriptor& descriptor, ViewMemory::Fault f
   if (write_errors != 0) status = write_expected(oracle_, descriptor, block_size(), expected_);
   status.result = ViewResult::kBus;
   status.write_errors = write_errors;
-  std::memcpy(expected_.data() + status_address(place), status.words().data(), kViewStatusBytes);
+  std::memcpy(expected_.at(status_address(place)).data(), status.words().data(), kViewStatusBytes);
   compare();
   const uint32_t events = host_.take_events() | host_.read(HMLFC_REG_INTERRUPT_STATUS);
   if ((events & HMLFC_REG_INTERRUPT_STATUS_ERROR_MASK) == 0)

@@ -68,7 +68,7 @@ class ViewBench {
   ViewHost host_;
   Oracle& oracle_;
   std::vector<uint8_t> area_;
-  std::vector<uint8_t> expected_;
+  SparseBytes expected_;
   ViewStatus last_status_;
   uint64_t aborted_ = 0;
 };

@@ -9,13 +9,13 @@ hmlfc_plant_fault(line_not_written_at_the_end hmlfc_view_writer.sv
 hmlfc_plant_fault(line_of_the_row_above hmlfc_view_writer.sv
   "numbers[row_entry] == put_line" "numbers[row_entry][5:0] == put_line[5:0]" "destination: " 0)
 hmlfc_plant_fault(second_line_is_the_first hmlfc_view_writer.sv
-  "(ADDRESS_BITS - 6)'(second)" "(ADDRESS_BITS - 6)'(0)" "destination: " 0)
+  "second ? row_line_next : row_line" "row_line" "destination: " 0)
 hmlfc_plant_fault(bitmap_bit_shifted hmlfc_view_writer.sv
   "{place.tile_y, place.tile_x}" "{place.tile_y, place.tile_x + 3'd1}" "destination: " 0)
 hmlfc_plant_fault(tile_of_the_bitmap_not_counted hmlfc_view_place.sv
   "{10'd0, tiles_x, 2'd0}" "{11'd0, tiles_x, 1'b0}" "destination: " 0)
 hmlfc_plant_fault(macro_row_starts_at_the_rectangle hmlfc_view_place.sv
-  "above[0]" "1'b0" "destination: " 0)
+  "above[0]" "1'b0" "protocol: a write is outside" 0)
 hmlfc_plant_fault(errors_of_pixels_that_do_not_fit_ignored hmlfc_view_rows.sv
   "in_samples[16*i+8+:8] != 0" "1'b0" "status: " 0)
 hmlfc_plant_fault(status_with_the_tag_of_the_next hmlfc_view_queue.sv
@@ -27,6 +27,18 @@ hmlfc_plant_fault(write_errors_ignored hmlfc_write_port.sv
   "m_axi_bresp[1]" "1'b0" "status: " 0)
 hmlfc_plant_fault(pages_of_bursts_not_trimmed hmlfc_write_port.sv
   "8'(more)" "8'(more + 1'b1)" "" 0)
+hmlfc_plant_fault(write_address_cut_to_32_bits hmlfc_write_port.sv
+  "{line, first, (6 - BEAT_BITS)'(0)}" "{8'd0, line[25:0], first, (6 - BEAT_BITS)'(0)}"
+  "protocol: a write is outside" 0)
+hmlfc_plant_fault(bit_39_of_the_ring_dropped hmlfc_view_queue.sv
+  "ring_base + {18'd0, place, 6'd0}" "{1'b0, (ADDRESS_BITS - 1)'(ring_base + {18'd0, place, 6'd0})}" "status: " 0)
+hmlfc_plant_fault(bitmap_with_high_bits_of_the_pixels hmlfc_view_writer.sv
+  "view.bitmap[ADDRESS_BITS-1:3]" "{view.destination[ADDRESS_BITS-1:32], view.bitmap[31:3]}"
+  "protocol: a write is outside" 0)
+hmlfc_plant_fault(carry_to_bit_32_of_the_pixels_lost hmlfc_view_place.sv
+  "base_2 + rows_2 + ADDRESS_BITS'({units_2, BLOCK_LOG2'(0)})"
+  "{base_2[ADDRESS_BITS-1:32], 32'(base_2 + rows_2 + ADDRESS_BITS'({units_2, BLOCK_LOG2'(0)}))}"
+  "protocol: a write is outside" 0)
 hmlfc_plant_fault(last_row_of_strips_left_out hmlfc_strip_scan.sv
   "by == view.blocks.last_y" "by + 1'b1 >= view.blocks.last_y" "" 0)
 hmlfc_plant_fault(least_of_the_strip_before hmlfc_strip_collect.sv

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "arithmetic/rounding.hpp"
+#include "bits/crc32c.hpp"
 #include "driver/hmlfc_openjpeg.h"
 #include "driver/hmlfc_registers.h"
 #include "unit/registers.hpp"
@@ -11,33 +12,36 @@
 namespace hmlfc::tb {
 namespace {
 
-constexpr uint64_t kRingBase = 0x1040;
-constexpr uint64_t kAlignment = 4096;
+constexpr uint64_t kRingAlignment = 64;
+constexpr uint64_t kAlignment = 16;  // of stream, area and destinations
+constexpr uint64_t kBitmapAlignment = 8;
 constexpr uint64_t kPatience = 400'000;  // clocks without the end of a descriptor
 constexpr uint64_t kPatienceOfByte = 50;
 constexpr uint64_t kAccessPatience = 10'000;
-constexpr uint64_t kSlack = 64;   // between two places, which nothing may write
 constexpr uint64_t kTurn = 1024;  // clocks of one wait without an interrupt
-
-uint64_t aligned(uint64_t address) { return ceil_div(address, kAlignment) * kAlignment; }
 
 ViewHost& host_of(void* context) { return *static_cast<ViewHost*>(context); }
 
 }  // namespace
 
 ViewHost::ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream,
-                   unsigned ring_size)
-    : unit_(std::move(unit)), ring_size_(ring_size) {
-  stream_base_ = aligned(kRingBase + HMLFC_RINGS_BYTES(ring_size));
-  memory_.bytes.resize(stream_base_);
+                   unsigned ring_size, OnClock on_clock)
+    : unit_(std::move(unit)),
+      on_clock_(std::move(on_clock)),
+      ring_size_(ring_size),
+      space_(crc32c(stream) ^ unit_->parameters().state_seed) {
+  ring_base_ = take_place(PlaceKind::kRings, HMLFC_RINGS_BYTES(ring_size), kRingAlignment, 0);
   set_conditions({}, 0);
   open_unit();
   hmlfc_stream_open(&stream_, stream.data(), stream.size(), &driver_.limits, &stream_error_);
   if (stream_error_.code != HMLFC_OK) stream_.area_bytes = 0;
-  area_base_ = aligned(stream_base_ + stream.size() + kSlack);
-  free_base_ = free_ = aligned(area_base_ + stream_.area_bytes + kSlack);
-  memory_.bytes.insert(memory_.bytes.end(), stream.begin(), stream.end());
-  memory_.bytes.resize(free_base_);
+  stream_base_ =
+      take_place(PlaceKind::kStream, stream.size(), kAlignment, AddressSpace::kReadBehind);
+  if (!stream.empty()) std::ranges::copy(stream, memory_.content.at(stream_base_).begin());
+  area_base_ =
+      take_place(PlaceKind::kArea, stream_.area_bytes, kAlignment, AddressSpace::kReadBehind);
+  places_ = space_.size();
+  free_bytes_ = memory_.content.bytes.size();
   load();
 }
 
@@ -54,12 +58,18 @@ void ViewHost::set_conditions(const Conditions& conditions, uint64_t seed) {
   memory_.start(conditions, seed, parameters().beat_bytes);
 }
 
-hmlfc_buffer ViewHost::buffer(uint64_t base, uint64_t bytes) {
-  return {memory_.bytes.data() + base, base, bytes};
+uint64_t ViewHost::take_place(PlaceKind kind, uint64_t bytes, uint64_t alignment, uint64_t behind) {
+  const uint64_t address = space_.take(std::max<uint64_t>(bytes, 1), alignment, behind);
+  memory_.content.add(kind, address, std::max<uint64_t>(bytes, 1));
+  return address;
+}
+
+hmlfc_buffer ViewHost::buffer(uint64_t address, uint64_t bytes) {
+  return {memory_.content.at(address).data(), address, bytes};
 }
 
 std::span<uint8_t> ViewHost::area() {
-  return std::span(memory_.bytes).subspan(area_base_, stream_.area_bytes);
+  return memory_.content.at(area_base_).first(stream_.area_bytes);
 }
 
 // A rising edge: the unit samples its inputs, then next_ becomes its inputs.
@@ -68,6 +78,7 @@ void ViewHost::clock() {
   unit_->clock(next_, out_);
   in_ = next_;
   ++clocks_;
+  if (on_clock_) on_clock_(in_, out_);
   if (!memory_.finding.empty()) find(memory_.finding);
 }
 
@@ -140,8 +151,8 @@ void ViewHost::idle_until_interrupt() {
 uint32_t ViewHost::take_events() { return std::exchange(events_, 0); }
 
 hmlfc_unit* ViewHost::driver() {
-  driver_.rings = buffer(kRingBase, HMLFC_RINGS_BYTES(ring_size_));
-  deadline_ = clocks_ + kPatience + kPatienceOfByte * memory_.bytes.size();
+  driver_.rings = buffer(ring_base_, HMLFC_RINGS_BYTES(ring_size_));
+  deadline_ = clocks_ + kPatience + kPatienceOfByte * memory_.content.bytes.size();
   return &driver_;
 }
 
@@ -162,7 +173,7 @@ void ViewHost::open_unit() {
       [](void* host) { return host_of(host).wait_for_interrupt(); },
       nullptr,
       nullptr};
-  const hmlfc_buffer rings = buffer(kRingBase, HMLFC_RINGS_BYTES(ring_size_));
+  const hmlfc_buffer rings = buffer(ring_base_, HMLFC_RINGS_BYTES(ring_size_));
   check(hmlfc_unit_open(&driver_, &io, &rings, ring_size_), "opens no unit");
   hmlfc_unit_enable_events(&driver_, HMLFC_REG_INTERRUPT_ENABLE_MASK);
 }
@@ -191,19 +202,22 @@ void ViewHost::allocate(Descriptor& d, uint32_t gap, bool bitmap) {
   const uint32_t blocks_x = ceil_div(d.width, uint32_t{b});
   d.pitch = gap + (strips ? ceil_div(blocks_x, 64u / (b * b)) * HMLFC_STRIP_BYTES
                           : ceil_div(d.width * bytes_of(d.format), 16u) * 16);
-  d.destination = free_ + kSlack;
-  free_ = ceil_div(d.destination + uint64_t{d.pitch} * rows + kSlack, uint64_t{16}) * 16;
+  const uint64_t first = memory_.content.bytes.size();
+  d.destination = take_place(PlaceKind::kPixels, uint64_t{d.pitch} * rows, kAlignment, 0);
   if (bitmap && !strips) {
-    d.bitmap = free_ + 8;
-    free_ = ceil_div(d.bitmap + bitmap_bytes(d, b) + kSlack, uint64_t{16}) * 16;
+    // Not at address 0, which says that there is none.
+    const uint64_t bytes = kBitmapAlignment + bitmap_bytes(d, b);
+    d.bitmap = take_place(PlaceKind::kBitmap, bytes, kBitmapAlignment, 0) + kBitmapAlignment;
   }
-  Random random(free_);
-  while (memory_.bytes.size() < free_) memory_.bytes.push_back(static_cast<uint8_t>(random.next()));
+  Random random(d.destination);
+  for (uint8_t& byte : std::span(memory_.content.bytes).subspan(first)) {
+    byte = static_cast<uint8_t>(random.next());
+  }
 }
 
 void ViewHost::free_all() {
-  free_ = free_base_;
-  memory_.bytes.resize(free_base_);
+  space_.resize(places_);
+  memory_.content.cut(free_bytes_);
 }
 
 void ViewHost::give(const Descriptor& d) {

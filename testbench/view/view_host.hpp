@@ -1,28 +1,35 @@
 // The view unit with a memory, behind the C driver; no SystemC, no golden model.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "driver/hmlfc_driver.h"
+#include "stimulus/address_space.hpp"
 #include "view/descriptor.hpp"
 #include "view/view_memory.hpp"
 
 namespace hmlfc::tb {
 
-/// One unit and one stream. From address 0 on, memory holds the rings, the stream, its reference
-/// area, and behind them a free part that starts with random bytes: destinations and bitmaps are
-/// allocated there.
+/// One unit and one stream. The rings, the stream, its reference area, and each destination and
+/// bitmap with random bytes lie at places of their own, which the stream's bytes and the state of
+/// the unit draw over the whole width of addresses.
 ///
 /// The first thing that goes wrong becomes the finding; what follows has no meaning.
 class ViewHost {
  public:
+  /// Called after every clock with the inputs from then on and the outputs that follow; null:
+  /// nothing is called.
+  using OnClock = std::function<void(const ViewInputs&, const ViewOutputs&)>;
+
   /// Rings of `ring_size` descriptors, a power of two. A stream that the driver refuses has an
   /// empty area and is not loaded. Of a DMA alone, registers of the decode unit are those of a
   /// stand-in.
-  ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream, unsigned ring_size);
+  ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream, unsigned ring_size,
+           OnClock on_clock = {});
   ViewHost(const ViewHost&) = delete;
   ViewHost& operator=(const ViewHost&) = delete;
 
@@ -38,11 +45,11 @@ class ViewHost {
   /// Lets the driver fill the reference area: key images by OpenJPEG, residuals by the unit.
   void fill_area();
 
-  /// A place of the free part for the descriptor's pixels (with `gap` bytes more a row, a multiple
+  /// A place for the descriptor's pixels (with `gap` bytes more a row, a multiple
   /// of 16), or strips, and its bitmap, if `bitmap`; strips have none.
   void allocate(Descriptor& descriptor, uint32_t gap, bool bitmap);
 
-  /// Forgets all places: the free part is random again.
+  /// Forgets all such places.
   void free_all();
 
   /// Writes a descriptor into the ring; the unit sees it.
@@ -83,22 +90,28 @@ class ViewHost {
   std::span<uint8_t> area();
   uint64_t ring_base() const { return driver_.rings.bus; }
   uint64_t status_base() const { return ring_base() + uint64_t{ring_size_} * kDescriptorBytes; }
-  uint64_t free_base() const { return free_base_; }
+  /// Where the places that can be forgotten begin in the bytes of the memory; rings come first.
+  uint64_t free_bytes() const { return free_bytes_; }
 
  private:
   void open_unit();
   void load();
-  hmlfc_buffer buffer(uint64_t base, uint64_t bytes);
+  uint64_t take_place(PlaceKind kind, uint64_t bytes, uint64_t alignment, uint64_t behind);
+  hmlfc_buffer buffer(uint64_t address, uint64_t bytes);
   int wait_for_interrupt();
   uint32_t decode_unit_stand_in(uint32_t address) const;
   void check(int code, const char* what);
 
   std::unique_ptr<ViewUnit> unit_;
+  OnClock on_clock_;
   unsigned ring_size_;
   hmlfc_stream stream_{};
   hmlfc_error stream_error_{};
   hmlfc_unit driver_{};
-  uint64_t stream_base_ = 0, area_base_ = 0, free_base_ = 0, free_ = 0;
+  AddressSpace space_;
+  uint64_t ring_base_ = 0, stream_base_ = 0, area_base_ = 0;
+  size_t places_ = 0;        // of these
+  uint64_t free_bytes_ = 0;  // index of the first byte behind these
   ViewMemory memory_;
   ViewInputs in_, next_;
   ViewOutputs out_;

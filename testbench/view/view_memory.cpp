@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace hmlfc::tb {
 namespace {
@@ -10,6 +11,7 @@ constexpr size_t kMaxBursts = 16;  // that wait in a channel
 constexpr uint64_t kLineBytes = 64;
 constexpr uint64_t kPageBytes = 4096;
 constexpr uint8_t kSlaveError = 2;
+constexpr uint8_t kDecodeError = 3;
 
 bool overlaps(const std::optional<ViewMemory::Fault>& fault, uint64_t begin, uint64_t bytes) {
   return fault && begin < fault->end && begin + bytes > fault->begin;
@@ -89,6 +91,7 @@ void ViewMemory::take(const ViewInputs& in, const ViewOutputs& out) {
     check(out.ar_addr / kPageBytes == (out.ar_addr + beats * beat_bytes_ - 1) / kPageBytes,
           "a read burst crosses 4 KiB");
     reads_[out.ar_id & 1].push_back({out.ar_addr, beats, later()});
+    cover(out.ar_addr, uint64_t{beats} * beat_bytes_);
   }
   if (out.write_aw_valid && in.write_aw_ready) {
     const unsigned beats = out.write_aw_len + 1u;
@@ -113,6 +116,7 @@ void ViewMemory::write_bursts() {
     const auto [begin, count] = addresses_.front();
     addresses_.pop_front();
     const bool failed = overlaps(fault, begin, uint64_t{count} * beat_bytes_);
+    cover(begin, uint64_t{count} * beat_bytes_);
     for (unsigned i = 0; i < count; ++i) {
       const Beats beat = beats_.front();
       beats_.pop_front();
@@ -123,8 +127,9 @@ void ViewMemory::write_bursts() {
       for (unsigned k = 0; k < beat_bytes_; ++k) {
         const uint64_t at = begin + i * beat_bytes_ + k;
         if ((beat.strobe >> k & 1) == 0) continue;
-        check(at < bytes.size(), "a write is outside the memory");
-        if (at < bytes.size()) bytes[at] = data[k];
+        const bool there = content.find(at) != nullptr;
+        check(there, "a write is outside the memory");
+        if (there) content.at(at)[0] = data[k];
         ++bytes_written;
       }
     }
@@ -143,18 +148,35 @@ void ViewMemory::show_beat(ViewInputs& next) {
     Read& read = reads.front();
     next.r_valid = true;
     next.r_id = static_cast<uint8_t>(id);
-    next.r_resp = overlaps(fault, read.address, beat_bytes_) ? kSlaveError : 0;
     next.r_last = read.beats_left == 1;
-    next.r_data = {random_.next(), beat_bytes_ == 16 ? random_.next() : 0};
-    if (next.r_resp == 0 && read.address < bytes.size()) {
-      const size_t held = std::min<size_t>(beat_bytes_, bytes.size() - read.address);
-      std::memcpy(next.r_data.data(), bytes.data() + read.address, held);
-    }
+    this->read(read.address, next);
     bytes_read += beat_bytes_;
     read.address += beat_bytes_;
     if (--read.beats_left == 0) reads.pop_front();
     return;
   }
+}
+
+// A beat's data and response.
+void ViewMemory::read(uint64_t address, ViewInputs& next) {
+  next.r_data = {random_.next(), beat_bytes_ == 16 ? random_.next() : 0};
+  next.r_resp = 0;
+  if (overlaps(fault, address, beat_bytes_)) {
+    next.r_resp = kSlaveError;
+  } else if (content.find(address) != nullptr) {
+    const std::span<const uint8_t> bytes = std::as_const(content).at(address);
+    std::memcpy(next.r_data.data(), bytes.data(), std::min<size_t>(beat_bytes_, bytes.size()));
+  } else if (address < AddressSpace::kReadBehind ||
+             content.find(address - AddressSpace::kReadBehind) == nullptr) {
+    next.r_resp = kDecodeError;
+  }
+}
+
+// A burst that begins in no place is of none.
+void ViewMemory::cover(uint64_t address, uint64_t bytes) {
+  const SparseBytes::Place* place = content.find(address);
+  if (place == nullptr) return;
+  coverage[static_cast<size_t>(place->kind)].on_burst(place->address, address, bytes);
 }
 
 }  // namespace hmlfc::tb

@@ -1,18 +1,21 @@
-// The memory behind the view unit: bytes from address 0 on, which it reads and writes.
+// The memory behind the view unit, which it reads and writes.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "stimulus/conditions.hpp"
+#include "unit/address_coverage.hpp"
+#include "view/sparse_bytes.hpp"
 #include "view/view_pins.hpp"
 
 namespace hmlfc::tb {
 
 /// AXI slave with random latencies and stalls on every channel. Bursts of different IDs answer in
-/// any order, beat by beat. It checks the unit's bursts and that what waits does not change.
+/// any order, beat by beat. It checks the unit's bursts and that what waits does not change. Bytes
+/// up to 31 behind a place are random; reads further outside give DECERR, writes are a finding.
 class ViewMemory {
  public:
   /// Addresses [begin, end): reads give SLVERR and other data, writes happen and give SLVERR.
@@ -26,13 +29,14 @@ class ViewMemory {
   /// Sets the inputs of the memory's channels for the next clock, from what has just passed.
   void edge(const ViewInputs& in, const ViewOutputs& out, ViewInputs& next);
 
-  std::vector<uint8_t> bytes;
+  SparseBytes content;
   std::optional<Fault> fault;
   uint64_t failed_writes = 0;  ///< bursts
   uint64_t bytes_read = 0;     ///< of beats
   uint64_t bytes_written = 0;  ///< with a strobe
   uint64_t write_beats = 0;
   std::string finding;  ///< the first breach of the protocol; empty for none
+  std::array<AddressCoverage, size_t(PlaceKind::kCount)> coverage;  ///< of all bursts
 
  private:
   struct Read {
@@ -59,6 +63,8 @@ class ViewMemory {
   void take(const ViewInputs& in, const ViewOutputs& out);
   void write_bursts();
   void show_beat(ViewInputs& next);
+  void read(uint64_t address, ViewInputs& next);
+  void cover(uint64_t address, uint64_t bytes);
   uint64_t later();
 
   Conditions conditions_;

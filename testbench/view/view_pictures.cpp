@@ -29,7 +29,7 @@ bool is_bad(const ViewHost& host, const Descriptor& d, uint32_t bx, uint32_t by)
   const uint32_t b = host.parameters().block_size();
   const uint32_t tiles_x = ceil_div(d.width, kTileBlocks * b);
   const uint64_t tile = uint64_t{by / kTileBlocks} * tiles_x + bx / kTileBlocks;
-  const auto word = load_le<uint64_t>(host.memory().bytes, d.bitmap + 8 * tile);
+  const auto word = load_le<uint64_t>(host.memory().content.at(d.bitmap), 8 * tile);
   return (word >> (8 * (by % kTileBlocks) + bx % kTileBlocks) & 1) != 0;
 }
 
@@ -62,15 +62,16 @@ unsigned error_of_view(ViewHost& host, ViewPos view, unsigned error) {
 
 }  // namespace
 
-RgbImage read_pixels(const Descriptor& d, std::span<const uint8_t> memory, int depth) {
+RgbImage read_pixels(const Descriptor& d, const SparseBytes& memory, int depth) {
+  const std::span<const uint8_t> pixels = memory.at(d.destination);
   RgbImage image{d.width, d.height, depth, {}};
   const unsigned bytes = bytes_of(d.format);
   const unsigned bits = bits_of(d.format);
   for (uint32_t y = 0; y < d.height; ++y) {
     for (uint32_t x = 0; x < d.width; ++x) {
       uint64_t pixel = 0;
-      const uint64_t at = d.destination + uint64_t{y} * d.pitch + uint64_t{x} * bytes;
-      for (unsigned k = 0; k < bytes; ++k) pixel |= uint64_t{memory[at + k]} << 8 * k;
+      const uint64_t at = uint64_t{y} * d.pitch + uint64_t{x} * bytes;
+      for (unsigned k = 0; k < bytes; ++k) pixel |= uint64_t{pixels[at + k]} << 8 * k;
       for (unsigned c = 0; c < 3; ++c) {
         image.samples.push_back(static_cast<uint16_t>(pixel >> c * bits & ((1u << bits) - 1)));
       }
@@ -82,7 +83,8 @@ RgbImage read_pixels(const Descriptor& d, std::span<const uint8_t> memory, int d
 tl::expected<RgbImage, unsigned> decode_view(ViewHost& host, ViewPos view) {
   Descriptor d = whole(host, view, ViewFormat::kRgb161616);
   const hmlfc_status status = run(host, d);
-  if (status.result == HMLFC_DONE) return read_pixels(d, host.memory().bytes, host.stream().depth);
+  if (status.result == HMLFC_DONE)
+    return read_pixels(d, host.memory().content, host.stream().depth);
   if (status.result != HMLFC_BLOCK_ERRORS) return tl::unexpected<unsigned>(kBusError);
   return tl::unexpected(error_of_view(host, view, status.first_error));
 }

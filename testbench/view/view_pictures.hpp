@@ -11,7 +11,7 @@
 namespace hmlfc::tb {
 
 /// The pixels that a descriptor of an RGB format has written.
-RgbImage read_pixels(const Descriptor& descriptor, std::span<const uint8_t> memory, int depth);
+RgbImage read_pixels(const Descriptor& descriptor, const SparseBytes& memory, int depth);
 
 /// The view, or the status of its first block with an error in the order of DEC-7. A finding of
 /// `host` makes either meaningless. Forgets all places of the host.

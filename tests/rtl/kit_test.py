@@ -4,7 +4,7 @@
 kit_test.py generated|read_back|file_list ROOT [--self-test]
   generated   the generated files are what rtl/kit/generate.py writes
   read_back   what kit_readers.py finds in each format is what the descriptions of the registers say; buses have the units'
-              ports; the header compiles as C99
+              ports; the header compiles as C99; elements of IP-XACT are in the order of the standard
   file_list   rtl/hmlfc_decode_unit.f names every file of the folder, in an order that compiles; core and IP-XACT have its files
 --self-test: each planted fault must be found, by its file.
 
@@ -55,6 +55,11 @@ FAULTS = {
         (f"rtl/{VIEW_XML}", "<ipxact:name>m_axi_awid<", "<ipxact:name>m_axi_arid<", VIEW_XML),
         (f"rtl/{VIEW_XML}", "'h82c", "'h830", VIEW_XML),
         (f"rtl/{VIEW_RDL}", "@ 0x82c", "@ 0x830", VIEW_RDL),
+        (f"rtl/{VIEW_RDL}", " woclr;", "", VIEW_RDL),
+        (f"rtl/{VIEW_XML}", ">oneToClear<", ">oneToSet<", VIEW_XML),
+        (f"rtl/{XML}", "<ipxact:right>0</ipxact:right></ipxact:vector>", "</ipxact:vector><ipxact:right>0</ipxact:right>", "vectors has"),
+        (f"rtl/{XML}", "<ipxact:addressUnitBits>8</ipxact:addressUnitBits>", "<ipxact:bitsInLau>8</ipxact:bitsInLau>", "addressSpace has"),
+        (f"rtl/{XML}", '<ipxact:memoryMapRef memoryMapRef="registers"', '<ipxact:memoryMapRef memoryMapRef="register"', "there is no memoryMap"),
         ("rtl/registers.json", '"reset": "0x00000004"', '"reset": "0x00000000"', RDL),
     ],
     "file_list": [
@@ -113,6 +118,7 @@ def read_back(root):
             lines += difference(name, reader(text[name]), registers)
             if name.endswith(".xml"):
                 lines += bus_ports(root, name, text[name])
+                lines += [f"{name}: {line}" for line in kit_readers.misplaced(text[name])]
         except (AssertionError, ElementTree.ParseError) as error:
             lines.append(f"{name}: {error}")
     if lines:

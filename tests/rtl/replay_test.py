@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""replay_test.py RTL_DECODE SUITE [--gates]: the decode unit as Yosys understands it, against the pins of the Verilated unit.
+"""replay_test.py RTL_DECODE SUITE [--view] [--gates]: a unit as Yosys understands it, against the pins of the Verilated unit.
 
-Streams of the suite are decoded by the Verilated unit, with pauses of the memory, and its pins are recorded. Yosys writes
-the unit as a netlist, of words or, with --gates, of gates as after synthesis; pin_replay.sv plays the records to it in
-Icarus. All registers and memories are unknown at first, and no output may be unknown that has a meaning. A record
+Streams of the suite are decoded by the Verilated decode unit or, with --view, view unit, with pauses of the memory, and its
+pins are recorded. Yosys writes the unit as a netlist, of words or, with --gates, of gates as after synthesis; pin_replay.sv
+or view_pin_replay.sv plays the records to it in Icarus. All registers and memories are unknown at first, and no output may be unknown that has a meaning. A record
 with one wrong bit must fail. Exit status 77: a tool is missing.
 """
 
@@ -16,9 +16,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 RTL = ROOT / "rtl"
-STREAMS = ("stress/random-main-06", "stress/random-extended-09")
-PARAMETERS = {"BLOCK_LOG2": 1, "MAX_DEPTH": 12, "AXI_DATA_BITS": 64, "OUTSTANDING": 5, "TRACE": 0}  # as of the Verilated unit
-GATES = "synth -top hmlfc_decode_unit -run begin:fine; opt -fast -full; techmap; opt -fast; abc -fast; opt_clean; "
+# Unit: its player, streams, options of rtl_decode, parameters as of the Verilated unit for these streams.
+UNITS = {
+    "hmlfc_decode_unit": ("pin_replay", ("stress/random-main-06", "stress/random-extended-09"), [],
+                          {"BLOCK_LOG2": 1, "MAX_DEPTH": 12, "AXI_DATA_BITS": 64, "OUTSTANDING": 5, "TRACE": 0}),
+    "hmlfc_view_unit": ("view_pin_replay", ("stress/random-main-01", "stress/random-extended-10"), ["--views"],
+                        {"BLOCK_LOG2": 2, "MAX_DEPTH": 12, "AXI_DATA_BITS": 128, "OUTSTANDING": 32, "TRACE": 0}),
+}
+GATES = "synth -top {unit} -run begin:fine; opt -fast -full; techmap; opt -fast; abc -fast; opt_clean; "
 
 sys.path.insert(0, str(RTL / "kit"))
 import file_list  # noqa: E402
@@ -30,20 +35,22 @@ def must(*command):
     return done.stdout
 
 
-def netlist(folder, gates):
+def netlist(folder, unit, gates):
     files = " ".join(str(RTL / path.name) for path in file_list.sources(RTL))
-    parameters = " ".join(f"-set {name} {value}" for name, value in PARAMETERS.items())
+    parameters = " ".join(f"-set {name} {value}" for name, value in UNITS[unit][-1].items())
     target = folder / "netlist.v"
-    must("yosys", "-q", "-p", f"read_verilog -sv -DSYNTHESIS -I{RTL} {files}; chparam {parameters} hmlfc_decode_unit; "
-         f"hierarchy -check -top hmlfc_decode_unit; proc; {GATES if gates else ''}write_verilog -noattr {target}")
+    must("yosys", "-q", "-p", f"read_verilog -sv -DSYNTHESIS -I{RTL} {files}; chparam {parameters} {unit}; "
+         f"hierarchy -check -top {unit}; proc; {GATES.format(unit=unit) if gates else ''}write_verilog -noattr {target}")
     return target.read_text()
 
 
-def replay(folder, text, pins):
+def replay(folder, unit, text, pins):
     """What the simulation of a netlist says of a record."""
     source, program = folder / "played.v", folder / "played.vvp"
     source.write_text(text)
-    must("iverilog", "-g2012", "-s", "pin_replay", "-o", program, RTL / "kit" / "pin_replay.sv", source)
+    player, *_, parameters = UNITS[unit]
+    kit = (RTL / "kit" / name for name in ("pin_player.sv", f"{player}.sv"))
+    must("iverilog", "-g2012", "-s", player, f"-P{player}.AXI_DATA_BITS={parameters['AXI_DATA_BITS']}", "-o", program, *kit, source)
     return must("vvp", "-n", program, f"+pins={pins}")
 
 
@@ -51,18 +58,21 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("rtl_decode")
     parser.add_argument("suite", type=Path)
+    parser.add_argument("--view", action="store_true")
     parser.add_argument("--gates", action="store_true")
     options = parser.parse_args()
     if not all(map(shutil.which, ("yosys", "iverilog"))):
         sys.exit(77)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        text = netlist(folder, options.gates)
-        for stream in STREAMS:
+        unit = "hmlfc_view_unit" if options.view else "hmlfc_decode_unit"
+        _, streams, by, _ = UNITS[unit]
+        text = netlist(folder, unit, options.gates)
+        for stream in streams:
             pins = folder / "pins"
-            must(options.rtl_decode, options.suite / f"{stream}.hmlfc", "-o", folder, "--pins", pins)
+            must(options.rtl_decode, options.suite / f"{stream}.hmlfc", "-o", folder, "--pins", pins, *by)
             clocks = len(pins.read_text().splitlines())
-            said = replay(folder, text, pins)
+            said = replay(folder, unit, text, pins)
             print(f"{stream}: {said.splitlines()[0]}", flush=True)
             assert clocks > 1000 and f"pin_replay: {clocks} clocks equal" in said, said
         inputs, outputs, mask = pins.read_text().splitlines()[clocks // 2].split()
@@ -70,7 +80,7 @@ def main():
         lines = pins.read_text().splitlines()
         lines[clocks // 2] = f"{inputs} {int(outputs, 16) ^ bit:x} {mask}"
         pins.write_text("\n".join(lines) + "\n")
-        assert f"difference at clock {clocks // 2}" in replay(folder, text, pins), "a wrong pin is not noticed"
+        assert f"difference at clock {clocks // 2}" in replay(folder, unit, text, pins), "a wrong pin is not noticed"
 
 
 if __name__ == "__main__":

@@ -67,6 +67,31 @@ TEST(ViewDma, CountsBlocksThatDoNotDecodeOrFit) {
   EXPECT_EQ(errors_of(ViewFormat::kRgb161616).first_error, 0);
 }
 
+// What the places of many runs reach: the ends of the addresses, a carry into bit 32, all high
+// bits.
+TEST(ViewDma, MeetsTheWidthOfAddresses) {
+  constexpr std::array<std::string_view, size_t(PlaceKind::kCount)> kNames{
+      "rings", "stream", "reference area", "pixels", "bitmap"};
+  const ViewMaker maker = view_dmas().front();
+  std::array<AddressCoverage, size_t(PlaceKind::kCount)> met;
+  for (uint32_t seed = 0; seed < 96; ++seed) {
+    const auto bytes = stream(seed % 8, maker.parameters.block_size());
+    ViewRun run(bytes, maker, seed);
+    run.rectangles(6);
+    run.area();
+    ASSERT_EQ(run.finding(), "") << "seed " << seed;
+    for (size_t kind = 0; kind < met.size(); ++kind) {
+      met[kind] += run.bench().host().memory().coverage[kind];
+    }
+  }
+  for (size_t kind = 0; kind < met.size(); ++kind) {
+    if (kind == size_t(PlaceKind::kStream)) continue;  // the model reads it, not the DMA
+    for (const NamedCount& point : met[kind].all(std::string(kNames[kind]))) {
+      EXPECT_NE(point.hits, 0u) << point.name;
+    }
+  }
+}
+
 TEST(ViewUnit, EqualsTheModel) {
   for (const ViewMaker& maker : view_units()) {
     for (const uint32_t seed : {0u, 1u, 3u}) {

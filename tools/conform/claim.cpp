@@ -92,7 +92,8 @@ io::IoResult<Claim> claim_of(const Suite& suite, const Dut& dut, const std::stri
        {{"profile", profile_name(dut.profile)},
         {"level", dut.level},
         {"limits", limits_of(dut.limits)},
-        {"error_names", dut.error_names}}},
+        {"error_names", dut.error_names},
+        {"checks_sections", dut.checks_sections}}},
       {"waivers", waivers}};
 }
 
