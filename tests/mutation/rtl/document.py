@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes and checks docs/results/rtl_mutants.md: what became of the mutants of the decode unit, by
-recorded.json and survivors.json.
+"""Writes and checks docs/results/rtl_mutants.md: what became of the mutants of the decode unit and the
+view unit, by recorded.json and survivors.json.
 
 Exit status 1: with --check, the written tables are others.
 """
@@ -12,14 +12,15 @@ import re
 import sys
 from pathlib import Path
 
-import plant
-import units
+import record
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parents[2] / "bench/common"))
 
 import result_file  # noqa: E402  (found only now)
 
+COLUMNS = ("module", "mutants", "found by a vector", "by a test of the bench", "equivalent", "other clocks alone",
+           "survive, explained", "not explained", "not run")
 COMMAND = re.compile(
     r"mutate -mode (?P<mode>\w+) -module top -cell (?P<cell>\S+) -port (?P<port>\S+)"
     r" -portbit (?P<bit>\d+)(?: -ctrlbit (?P<control>\d+))?"
@@ -47,35 +48,38 @@ def survivor(entry):
 
 
 def outcomes(recorded, survivors):
-    """Rows of module, mutants, found, equivalent, surviving. What no vector finds and has no reason to
-    survive is proved equivalent, or `./run mutate rtl` fails."""
-    of_number = [unit.module for unit, share in zip(units.VARIANTS, plant.shares(recorded["mutants"]))
-                 for _ in range(share)]
-    made = collections.Counter(of_number)
-    found = collections.Counter(
-        of_number[number - 1] for numbers in recorded["found"].values() for number in numbers
-    )
-    alive = collections.Counter(entry["module"] for entry in survivors)
-    for counts in (made, found, alive):
-        counts["all"] = counts.total()
-    return [(name, made[name], found[name], made[name] - found[name] - alive[name], alive[name])
-            for name in made]
+    """Rows of module, mutants, found by a vector, by a test of the bench, equivalent, of other clocks,
+    surviving with a reason, without one, and not run."""
+    explained = collections.Counter(entry["module"] for entry in survivors)
+    rows, total = [], collections.Counter()
+    for kept in recorded.values():
+        by_check = record.found_by(kept)
+        for module, made in kept["made"].items():
+            checks = [by_check[number] for number in made if number in by_check]
+            equivalent, clocks, survived = (
+                len(set(made) & set(kept[key])) for key in ("equivalent", "other_clocks", "survived")
+            )
+            vectors = sum("." not in check for check in checks)  # the names of tests have one
+            counts = [len(made), vectors, len(checks) - vectors, equivalent, clocks,
+                      explained[module], survived - explained[module],
+                      len(made) - len(checks) - equivalent - clocks - survived]
+            rows.append((module, *counts))
+            total.update(dict(enumerate(counts)))
+    return rows + [("all", *(total[at] for at in range(len(COLUMNS) - 1)))]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     result_file.add_arguments(parser)
     options = parser.parse_args()
-    recorded, survivors = (
-        json.loads((FOLDER / f"{name}.json").read_text(encoding="utf-8")) for name in ("recorded", "survivors")
-    )
-    head = ("module", "mutants", "found by a vector", "equivalent", "survive")
+    recorded = record.read()
+    survivors = json.loads((FOLDER / "survivors.json").read_text(encoding="utf-8"))
     why = ("module", "line", "bit of a cell's port", "is", "why it survives")
     tables = [
-        ("Mutants by module", result_file.table(head, outcomes(recorded, survivors))),
+        ("Mutants by module", result_file.table(COLUMNS, outcomes(recorded, survivors))),
         ("Survivors", result_file.table(why, map(survivor, survivors))),
     ]
-    text = result_file.result_text("Mutants of the decode unit", "tests/mutation/rtl/document.py --update", tables)
+    text = result_file.result_text("Mutants of the decode unit and the view unit", "tests/mutation/rtl/document.py --update", tables)
     return result_file.settle(options.results / "rtl_mutants.md", text, options.update)
 
 
