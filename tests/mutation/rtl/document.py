@@ -20,7 +20,7 @@ sys.path.insert(0, str(FOLDER.parents[2] / "bench/common"))
 import result_file  # noqa: E402  (found only now)
 
 COLUMNS = ("module", "mutants", "found by a vector", "by a test of the bench", "equivalent", "other clocks alone",
-           "survive, explained", "not explained", "not run")
+           "survive, explained", "not explained", "no result yet")
 COMMAND = re.compile(
     r"mutate -mode (?P<mode>\w+) -module top -cell (?P<cell>\S+) -port (?P<port>\S+)"
     r" -portbit (?P<bit>\d+)(?: -ctrlbit (?P<control>\d+))?"
@@ -47,22 +47,17 @@ def survivor(entry):
     return entry["module"], lines[-1] if lines else "", bit, mode, entry["reason"]
 
 
-def outcomes(recorded, survivors):
+def outcomes(recorded):
     """Rows of module, mutants, found by a vector, by a test of the bench, equivalent, of other clocks,
-    surviving with a reason, without one, and not run."""
-    explained = collections.Counter(entry["module"] for entry in survivors)
+    surviving with a reason, without one, and without a result yet."""
     rows, total = [], collections.Counter()
     for kept in recorded.values():
         by_check = record.found_by(kept)
         for module, made in kept["made"].items():
             checks = [by_check[number] for number in made if number in by_check]
-            equivalent, clocks, survived = (
-                len(set(made) & set(kept[key])) for key in ("equivalent", "other_clocks", "survived")
-            )
-            vectors = sum("." not in check for check in checks)  # the names of tests have one
-            counts = [len(made), vectors, len(checks) - vectors, equivalent, clocks,
-                      explained[module], survived - explained[module],
-                      len(made) - len(checks) - equivalent - clocks - survived]
+            tests = sum("." in check for check in checks)  # no vector has one in its name
+            ends = [len(set(made) & set(kept[end])) for end in record.ENDS]
+            counts = [len(made), len(checks) - tests, tests, *ends, len(made) - len(checks) - sum(ends)]
             rows.append((module, *counts))
             total.update(dict(enumerate(counts)))
     return rows + [("all", *(total[at] for at in range(len(COLUMNS) - 1)))]
@@ -76,7 +71,7 @@ def main():
     survivors = json.loads((FOLDER / "survivors.json").read_text(encoding="utf-8"))
     why = ("module", "line", "bit of a cell's port", "is", "why it survives")
     tables = [
-        ("Mutants by module", result_file.table(COLUMNS, outcomes(recorded, survivors))),
+        ("Mutants by module", result_file.table(COLUMNS, outcomes(recorded))),
         ("Survivors", result_file.table(why, map(survivor, survivors))),
     ]
     text = result_file.result_text("Mutants of the decode unit and the view unit", "tests/mutation/rtl/document.py --update", tables)

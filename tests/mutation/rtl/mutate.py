@@ -116,7 +116,6 @@ class Campaign:
         for found in in_parallel("clocks", lambda name: lines(speed, [name]), alone, self.options.jobs):
             for shown in found:
                 self.results[shown["number"]]["speed"] = f"{shown['clocks']} clocks of {shown['vector']} in place of {shown['unmutated']}"
-        self.keep(self.results)
 
 
 def explain(mutants: list[dict], results: dict[int, dict]) -> None:
@@ -176,7 +175,10 @@ def run_group(group: str, options: argparse.Namespace) -> tuple[int, int]:
     campaign = Campaign(program, folder, options, known, keep)
     campaign.run(mutants)
     explain(mutants, campaign.results)
+    keep(campaign.results)
     print_table(mutants, campaign.results)
+    if options.first:
+        print(f"{len(campaign.left(mutants))} of {group} have no result yet")
     return len(mutants), sum(survives(result) and "reason" not in result for result in campaign.results.values())
 
 

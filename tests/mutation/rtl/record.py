@@ -10,8 +10,9 @@ import prove
 HERE = pathlib.Path(__file__).resolve().parent
 RECORDED = HERE / "recorded.json"
 # Of a group: the checksum of its mutants.json, which gives the numbers their meaning; module to its numbers; check to numbers of
-# those that it found; numbers of those that are proved equivalent, that take other clocks, and that survive.
-EMPTY = {"mutants_sha256": "", "made": {}, "found": {}, "equivalent": [], "other_clocks": [], "survived": []}
+# those that it found; numbers of those that are proved equivalent, that take other clocks, that survive for a reason, and without one.
+ENDS = ("equivalent", "other_clocks", "explained", "unexplained")
+EMPTY = {"mutants_sha256": "", "made": {}, "found": {}} | {end: [] for end in ENDS}
 
 
 def read() -> dict[str, dict]:
@@ -21,7 +22,7 @@ def read() -> dict[str, dict]:
 def of_group(group: str, listed: bytes) -> dict:
     """What is recorded of a group, if that is of the very mutants of `listed`."""
     digest = hashlib.sha256(listed).hexdigest()
-    kept = read().get(group, EMPTY)
+    kept = EMPTY | read().get(group, {})
     if kept["mutants_sha256"] == digest:
         return kept
     made = collections.defaultdict(list)
@@ -37,24 +38,30 @@ def found_by(kept: dict) -> dict[int, str]:
 
 def numbers(kept: dict) -> set[int]:
     """Mutants with a result."""
-    return {*found_by(kept), *kept["equivalent"], *kept["other_clocks"], *kept["survived"]}
+    return {*found_by(kept), *(number for end in ENDS for number in kept[end])}
+
+
+def end_of(result: dict) -> str:
+    """Of what no check finds."""
+    if result["proof"] == prove.EQUIVALENT:
+        return "equivalent"
+    return "other_clocks" if "speed" in result else "explained" if "reason" in result else "unexplained"
 
 
 def write(group: str, kept: dict, results: dict[int, dict]) -> None:
     """Puts `results` in the place of what is recorded of their mutants; those without an end yet are left out."""
     found = {number: check for number, check in found_by(kept).items() if number not in results}
-    others = {key: set(kept[key]) - set(results) for key in ("equivalent", "other_clocks", "survived")}
+    others = {end: set(kept[end]) - set(results) for end in ENDS}
     for number, result in results.items():
         if "vector" in result:
             found[number] = result["vector"]
         elif "proof" in result:
-            key = "equivalent" if result["proof"] == prove.EQUIVALENT else "other_clocks" if "speed" in result else "survived"
-            others[key].add(number)
+            others[end_of(result)].add(number)
     by_check = collections.defaultdict(list)
     for number, check in sorted(found.items()):
         by_check[check].append(number)
     all_groups = read()
-    all_groups[group] = kept | {"found": dict(sorted(by_check.items()))} | {key: sorted(value) for key, value in others.items()}
+    all_groups[group] = kept | {"found": dict(sorted(by_check.items()))} | {end: sorted(value) for end, value in others.items()}
     RECORDED.write_text(text(all_groups), encoding="utf-8")
 
 

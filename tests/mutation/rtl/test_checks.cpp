@@ -14,7 +14,7 @@ namespace {
 
 // A test says no clocks: as if it had so many.
 constexpr uint64_t kClocks = 6'000;
-constexpr rlim_t kSeconds = 60;  // of CPU time; the longest takes a tenth of that
+constexpr rlim_t kSeconds = 20;  // of CPU time; the longest takes a third of that
 
 class TestCheck final : public Check {
  public:
