@@ -67,26 +67,25 @@ mutate_shaders() {
     --program "$build/tests/mutation/shaders/decode_vectors" "$@"
 }
 
-# mutate_rtl [--count N] [--seed S] [ARG...]: mutants other than those of the tests get their own build.
+# mutate_rtl [--count N] [--seed S] [--group NAME] [ARG...]: mutants other than those of the tests get their own build.
 mutate_rtl() {
-  local count='' seed='' rest=()
+  local count='' seed='' groups=(datapath loading tiles references memories dma view) rest=()
   while (($# > 0)); do
     case $1 in
       --count) count=${2:?"--count takes a number"} && shift 2 ;;
       --seed) seed=${2:?"--seed takes a number"} && shift 2 ;;
+      --group) groups=("${2:?"--group takes a name"}") && rest+=(--group "$2") && shift 2 ;;
       *) rest+=("$1") && shift ;;
     esac
   done
   install_packages build test
   if [[ -n $count$seed ]]; then
     use_build rtl-mutants
-    export HMLFC_RTL_MUTANTS=${count:-1092} HMLFC_RTL_MUTANT_SEED=${seed:-1}
+    export HMLFC_RTL_MUTANTS=${count:-42} HMLFC_RTL_MUTANT_SEED=${seed:-1}
     rm -f "$build/settings"  # so that CMake sees them
   fi
-  soak=ON build rtl_mutants
-  local folder=$build/tests/mutation/rtl
-  exec "$(debian_python)" -B "$root/tests/mutation/rtl/mutate.py" \
-    "$folder/rtl_mutants" "$folder/mutants/mutants.json" "$root/vectors" \
+  soak=ON build "${groups[@]/#/rtl_mutants_}"
+  exec "$(debian_python)" -B "$root/tests/mutation/rtl/mutate.py" "$build/tests/mutation/rtl/" "$root/vectors" \
     --jobs "$(nproc)" "${rest[@]}"
 }
 

@@ -60,8 +60,11 @@ void get_shared_outputs(const Model& m, ViewOutputs& out) {
 template <class Model>
 class VerilatedView final : public ViewUnit {
  public:
-  explicit VerilatedView(const UnitParameters& parameters)
+  /// `plusarg` is what $value$plusargs sees.
+  explicit VerilatedView(const UnitParameters& parameters, const std::string& plusarg = {})
       : parameters_(parameters), state_(context_, parameters.state_seed) {
+    const char* arguments[]{"unit", plusarg.c_str()};
+    context_.commandArgs(2, arguments);
     model_ = std::make_unique<Model>(&context_, state_.setting().c_str());
     set_inputs(ViewInputs{});
     model_->clk = 0;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes and checks docs/results/rtl_mutants.md: what became of the mutants of the decode unit, by
-recorded.json and survivors.json.
+"""Writes and checks docs/results/rtl_mutants.md: what became of the mutants of the decode unit and the
+view unit, by recorded.json and survivors.json.
 
 Exit status 1: with --check, the written tables are others.
 """
@@ -12,14 +12,15 @@ import re
 import sys
 from pathlib import Path
 
-import plant
-import units
+import record
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parents[2] / "bench/common"))
 
 import result_file  # noqa: E402  (found only now)
 
+COLUMNS = ("module", "mutants", "found by a vector", "by a test of the bench", "equivalent", "other clocks alone",
+           "survive, explained", "not explained", "no result yet")
 COMMAND = re.compile(
     r"mutate -mode (?P<mode>\w+) -module top -cell (?P<cell>\S+) -port (?P<port>\S+)"
     r" -portbit (?P<bit>\d+)(?: -ctrlbit (?P<control>\d+))?"
@@ -46,36 +47,34 @@ def survivor(entry):
     return entry["module"], lines[-1] if lines else "", bit, mode, entry["reason"]
 
 
-def outcomes(recorded, survivors):
-    """Rows of module, mutants, found, equivalent, surviving. What no vector finds and has no reason to
-    survive is proved equivalent, or `./run mutate rtl` fails."""
-    of_number = [unit.module for unit, share in zip(units.VARIANTS, plant.shares(recorded["mutants"]))
-                 for _ in range(share)]
-    made = collections.Counter(of_number)
-    found = collections.Counter(
-        of_number[number - 1] for numbers in recorded["found"].values() for number in numbers
-    )
-    alive = collections.Counter(entry["module"] for entry in survivors)
-    for counts in (made, found, alive):
-        counts["all"] = counts.total()
-    return [(name, made[name], found[name], made[name] - found[name] - alive[name], alive[name])
-            for name in made]
+def outcomes(recorded):
+    """Rows of module, mutants, found by a vector, by a test of the bench, equivalent, of other clocks,
+    surviving with a reason, without one, and without a result yet."""
+    rows, total = [], collections.Counter()
+    for kept in recorded.values():
+        by_check = record.found_by(kept)
+        for module, made in kept["made"].items():
+            checks = [by_check[number] for number in made if number in by_check]
+            tests = sum("." in check for check in checks)  # no vector has one in its name
+            ends = [len(set(made) & set(kept[end])) for end in record.ENDS]
+            counts = [len(made), len(checks) - tests, tests, *ends, len(made) - len(checks) - sum(ends)]
+            rows.append((module, *counts))
+            total.update(dict(enumerate(counts)))
+    return rows + [("all", *(total[at] for at in range(len(COLUMNS) - 1)))]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     result_file.add_arguments(parser)
     options = parser.parse_args()
-    recorded, survivors = (
-        json.loads((FOLDER / f"{name}.json").read_text(encoding="utf-8")) for name in ("recorded", "survivors")
-    )
-    head = ("module", "mutants", "found by a vector", "equivalent", "survive")
+    recorded = record.read()
+    survivors = json.loads((FOLDER / "survivors.json").read_text(encoding="utf-8"))
     why = ("module", "line", "bit of a cell's port", "is", "why it survives")
     tables = [
-        ("Mutants by module", result_file.table(head, outcomes(recorded, survivors))),
+        ("Mutants by module", result_file.table(COLUMNS, outcomes(recorded))),
         ("Survivors", result_file.table(why, map(survivor, survivors))),
     ]
-    text = result_file.result_text("Mutants of the decode unit", "tests/mutation/rtl/document.py --update", tables)
+    text = result_file.result_text("Mutants of the decode unit and the view unit", "tests/mutation/rtl/document.py --update", tables)
     return result_file.settle(options.results / "rtl_mutants.md", text, options.update)
 
 

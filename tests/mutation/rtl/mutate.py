@@ -1,23 +1,29 @@
 #!/usr/bin/env python3
-"""Which mutants of the decode unit's datapath the conformance vectors find.
+"""Which mutants of the decode unit and the view unit the conformance vectors and the tests of the bench find.
 
-usage: ./run mutate rtl [--count N] [--seed S] [--module NAME] [--sample N]
+usage: ./run mutate rtl [--count N] [--seed S] [--group NAME] [--module NAME] [--sample N]
 
-Yosys `mutate` makes N mutants (1092) of the modules of the datapath: a bit of a cell's port inverted, stuck, or changed where another bit
-is set. Each is switched on in a Verilated unit, on which the vectors for blocks of 4 x 4 run until one finds it: a block or an error of one
-that is not the golden model's, an error of the stream that is not the manifest's, or no answer. What the first vectors miss is
-compared with its module by Yosys and ABC; what is not equivalent goes through all vectors, and what these miss must be in
-survivors.json, each with the reason.
+Yosys `mutate` makes N mutants (42) of each module: a bit of a cell's port inverted, stuck, or changed where another bit is set. Groups
+of modules (units.py) are Verilated with their mutants in them, each of which is switched on alone. Checks run until one finds it:
 
---module NAME   only mutants of hmlfc_NAME        --sample N   only N of them, spread evenly
---record        writes recorded.json: which vector found a mutant; it is tried first from then on
+- datapath: the vectors for blocks of 4 x 4: a block or an error of one that is not the golden model's, an error of the stream that is
+  not the manifest's, or no answer;
+- loading, tiles, references, memories (the rest of the decode unit): these, then the tests of registers and two random streams of the regression;
+- dma, view (the modules around it): the tests of the view unit.
+
+What the first checks miss is compared with its module by Yosys and ABC; what is not equivalent goes through all checks. What these miss
+as well either takes other clocks for a vector, or must be in survivors.json, with the reason.
+
+--group NAME    only mutants of the group         --module NAME   only mutants of hmlfc_NAME
+--sample N      only N of them, spread evenly
+--first         only the first checks: what they miss gets no result
+--record        writes recorded.json: what became of them; what found one is tried first from then on
 --found         only mutants that were found then
+--new           only mutants of which it has no result, so that a campaign can go on
 """
 
 import argparse
-import collections
 import concurrent.futures
-import hashlib
 import itertools
 import json
 import pathlib
@@ -25,11 +31,13 @@ import subprocess
 import sys
 
 import prove
+import record
+import units
 
 HERE = pathlib.Path(__file__).resolve().parent
-RECORDED = HERE / "recorded.json"
 FOUND = ("killed", "hangs")
-FIRST_CLOCKS = 300_000
+FIRST_CLOCKS = 20_000
+SPEED_CLOCKS = 300_000
 
 
 def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[dict]:
@@ -40,144 +48,163 @@ def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[
     return [rest[index * len(rest) // sample] for index in range(sample)]
 
 
-def recorded_vectors(listed: bytes) -> dict[int, str]:
-    """Which vector found a mutant when recorded.json was last written. It serves only the very mutants that it is of."""
-    recorded = json.loads(RECORDED.read_text(encoding="utf-8"))
-    if recorded["mutants_sha256"] != hashlib.sha256(listed).hexdigest():
-        return {}
-    return {number: vector for vector, numbers in recorded["found"].items() for number in numbers}
-
-
-def write_record(listed: bytes, results: dict[int, dict]) -> None:
-    """`results`: of all mutants that are listed."""
-    found = collections.defaultdict(list)
-    for number, result in sorted(results.items()):
-        if result["result"] in FOUND:
-            found[result["vector"]].append(number)
-    rows = ",\n".join(f"  {json.dumps(vector)}: {numbers}" for vector, numbers in sorted(found.items()))
-    RECORDED.write_text(f'{{"mutants_sha256": "{hashlib.sha256(listed).hexdigest()}",\n'
-                        f' "mutants": {len(results)},\n "found": {{\n{rows}}}}}\n', encoding="utf-8")
-
-
-def run_groups(program: list[str], groups: list[list[dict]], recorded: dict[int, str]) -> list[dict]:
-    """The result of each mutant of groups that rtl_mutants tries. Raises RuntimeError where it fails."""
-    names = []
-    for group in groups:
-        vector = recorded.get(group[0]["number"], "") if len(group) == 1 else ""
-        names.append("+".join(f"{mutant['number']}/{mutant['variant']}" for mutant in group) + f":{vector}")
-    done = subprocess.run([*program, "--mutants", ",".join(names)], stdout=subprocess.PIPE, text=True, check=False)
+def lines(program: list[str], groups: list[str]) -> list[dict]:
+    """What rtl_mutants prints for these. Raises RuntimeError where it fails."""
+    done = subprocess.run([*program, "--mutants", ",".join(groups)], stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError("rtl_mutants has failed")
     return list(map(json.loads, done.stdout.splitlines()))
 
 
-def in_parallel(step: str, function, items: list, jobs: int) -> list:
-    """function(item) of each; a terminal sees how many are done."""
-    results = []
+def run_groups(program: list[str], groups: list[list[dict]], recorded: dict[int, str]) -> list[dict]:
+    """The result of each mutant of groups that rtl_mutants tries."""
+    names = []
+    for group in groups:
+        check = recorded.get(group[0]["number"], "") if len(group) == 1 else ""
+        names.append("+".join(f"{mutant['number']}/{mutant['variant']}" for mutant in group) + f":{check}")
+    return lines(program, names)
+
+
+def in_parallel(step: str, function, items: list, jobs: int):
+    """function(item) of each, as they end in turn; a terminal sees how many are done."""
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for result in pool.map(function, items):
-            results.append(result)
+        for done, result in enumerate(pool.map(function, items), 1):
+            yield result
             if sys.stderr.isatty():
-                print(f"{step}: {len(results)} of {len(items)}", file=sys.stderr)
-    return results
+                print(f"{step}: {done} of {len(items)}", file=sys.stderr)
 
 
 def by_variant(mutants: list[dict]) -> list[list[dict]]:
     return [list(group) for _, group in itertools.groupby(mutants, lambda mutant: mutant["variant"])]
 
 
-def campaign(program: list[str], mutants: list[dict], options: argparse.Namespace, recorded: dict[int, str]) -> dict[int, dict]:
-    """The result of each mutant by number, with a `proof` for those that no vector finds.
+class Campaign:
+    """One of a group of modules. `results` has what became of each mutant so far, by number: `result` of rtl_mutants, the `proof` of
+    those that no check finds, and the `speed` of those that show in clocks."""
 
-    Most are found by the first vectors. What is not found by then is proved equivalent, if it can be, before all vectors are tried on
-    the others, several of which are switched on at once."""
-    results = {}
+    def __init__(self, program: list[str], folder: pathlib.Path, options: argparse.Namespace, known: dict[int, str], keep):
+        self.program, self.folder, self.options, self.known, self.keep = program, folder, options, known, keep
+        self.results = {}
 
-    def run_vectors(step: str, command: list[str], shards: list[list[list[dict]]]) -> None:
-        found = in_parallel(step, lambda groups: run_groups(command, groups, recorded), shards, options.jobs)
-        results.update({result["number"]: result for result in itertools.chain(*found)})
+    def run_checks(self, step: str, command: list[str], shards: list[list[list[dict]]]) -> None:
+        for found in in_parallel(step, lambda groups: run_groups(command, groups, self.known), shards, self.options.jobs):
+            self.results.update({result["number"]: result for result in found})
+            self.keep(self.results)
 
-    first = [*program, "--clocks", str(FIRST_CLOCKS)]
-    run_vectors("variants, first vectors", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
-    missed = [mutant for mutant in mutants if results[mutant["number"]]["result"] not in FOUND]
-    folder = pathlib.Path(options.mutants).resolve().parent
-    proofs = in_parallel("proofs", lambda mutant: prove.prove(mutant, folder, options.seconds), missed, options.jobs)
-    rest = [mutant for mutant, proof in zip(missed, proofs) if proof != prove.EQUIVALENT]
-    # One of each variant together: what no vector finds together takes the time of one.
-    groups = [[mutant for mutant in group if mutant] for group in itertools.zip_longest(*by_variant(rest))]
-    run_vectors("groups, all vectors", program, [[group] for group in groups])
-    for mutant, proof in zip(missed, proofs):
-        if results[mutant["number"]]["result"] not in FOUND:
-            results[mutant["number"]]["proof"] = proof
-    return results
+    def left(self, mutants: list[dict]) -> list[dict]:
+        return [mutant for mutant in mutants if self.results[mutant["number"]]["result"] not in FOUND]
+
+    def run(self, mutants: list[dict]) -> None:
+        """Most are found by the first checks. What is not found by then is proved equivalent, if it can be, before all checks are
+        tried on the others, several of which are switched on at once."""
+        first = [*self.program, "--clocks", str(FIRST_CLOCKS)]
+        self.run_checks("variants, first checks", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
+        if self.options.first:
+            return
+        missed = self.left(mutants)
+        proofs = dict(zip([mutant["number"] for mutant in missed],
+                          in_parallel("proofs", lambda mutant: prove.prove(mutant, self.folder, self.options.seconds), missed, self.options.jobs)))
+        rest = [mutant for mutant in missed if proofs[mutant["number"]] != prove.EQUIVALENT]
+        # One of each variant together: what no check finds together takes the time of one.
+        groups = [[mutant for mutant in group if mutant] for group in itertools.zip_longest(*by_variant(rest))]
+        self.run_checks("groups, all checks", self.program, [[group] for group in groups])
+        rest = self.left(rest)
+        for mutant in self.left(missed):
+            self.results[mutant["number"]]["proof"] = proofs[mutant["number"]]
+        speed = [*self.program, "--speed", "--clocks", str(SPEED_CLOCKS)]
+        alone = [f"{mutant['number']}/{mutant['variant']}" for mutant in rest]
+        for found in in_parallel("clocks", lambda name: lines(speed, [name]), alone, self.options.jobs):
+            for shown in found:
+                self.results[shown["number"]]["speed"] = f"{shown['clocks']} clocks of {shown['vector']} in place of {shown['unmutated']}"
 
 
 def explain(mutants: list[dict], results: dict[int, dict]) -> None:
     """Gives survivors that are not equivalent their `reason` of survivors.json, which names a mutant whatever its number is."""
-    def identity(mutant: dict) -> tuple[str, str, str]:
-        return mutant["module"], json.dumps(mutant["parameters"]), mutant["command"]
-
-    listed = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
-    reasons = {identity(entry): entry["reason"] for entry in listed}
+    reasons = record.reasons()
     for mutant in mutants:
         result = results[mutant["number"]]
-        if result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT and identity(mutant) in reasons:
-            result["reason"] = reasons[identity(mutant)]
+        if survives(result) and record.identity(mutant) in reasons:
+            result["reason"] = reasons[record.identity(mutant)]
+
+
+def survives(result: dict) -> bool:
+    """Neither found nor equivalent, and the clocks are the same."""
+    return result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT and "speed" not in result
 
 
 def counts(results: list[dict]) -> list[int]:
-    """Mutants, killed, without an answer, equivalent, differing, unproved."""
+    """Mutants, killed, without an answer, equivalent, of other clocks, differing, unproved."""
     def number(key: str, value: str) -> int:
         return sum(result.get(key) == value for result in results)
+    left = [result for result in results if survives(result)]
     return [len(results), number("result", "killed"), number("result", "hangs"), number("proof", prove.EQUIVALENT),
-            number("proof", prove.DIFFERS), number("proof", prove.UNPROVED)]
+            sum("speed" in result for result in results), sum(result["proof"] == prove.DIFFERS for result in left),
+            sum(result["proof"] == prove.UNPROVED for result in left)]
 
 
 def print_table(mutants: list[dict], results: dict[int, dict]) -> None:
-    print("| module | mutants | wrong output | no answer | equivalent | survived: differ | survived: unproved |\n|---|---|---|---|---|---|---|")
+    print("| module | mutants | wrong output | no answer | equivalent | other clocks | survived: differ | survived: unproved |\n"
+          "|---|---|---|---|---|---|---|---|")
     for module in dict.fromkeys(mutant["module"] for mutant in mutants):
         own = [results[mutant["number"]] for mutant in mutants if mutant["module"] == module]
         print("| " + " | ".join([module, *map(str, counts(own))]) + " |")
     print("| " + " | ".join(["all", *map(str, counts(list(results.values())))]) + " |\n")
     for mutant in mutants:
         result = results[mutant["number"]]
-        if result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT:
-            print(f"mutant {mutant['number']} {result['proof']}: hmlfc_{mutant['module']} {mutant['parameters']}\n  {mutant['command']}\n"
-                  f"  {result.get('reason', 'no reason is listed in survivors.json')}")
+        if "speed" in result or survives(result):
+            print(f"mutant {mutant['number']} {result['proof']}: hmlfc_{mutant['module']} {mutant['parameters']}\n  {mutant['command']}\n  "
+                  + result.get("speed", result.get("reason", "no reason is listed in survivors.json")))
+
+
+def run_group(group: str, options: argparse.Namespace) -> tuple[int, int]:
+    """Of a group: how many mutants were run, and how many survive without a reason."""
+    folder = pathlib.Path(options.folder).resolve() / group
+    text = (folder / "mutants.json").read_bytes()
+    kept = record.of_group(group, text)
+    known = record.found_by(kept)
+    mutants = json.loads(text)["mutants"]
+    if options.found:
+        mutants = [mutant for mutant in mutants if mutant["number"] in known]
+    if options.new:
+        mutants = [mutant for mutant in mutants if mutant["number"] not in record.numbers(kept)]
+    mutants = chosen(mutants, options.module, options.sample)
+    if not mutants:
+        return 0, 0
+    program = [str(folder.parent / f"rtl_mutants_{group}"), options.suite] + (["--vectors", options.vectors] if options.vectors else [])
+    keep = (lambda results: record.write(group, kept, results)) if options.record else (lambda results: None)
+    campaign = Campaign(program, folder, options, known, keep)
+    campaign.run(mutants)
+    explain(mutants, campaign.results)
+    keep(campaign.results)
+    print_table(mutants, campaign.results)
+    if options.first:
+        print(f"{len(campaign.left(mutants))} of {group} have no result yet")
+    return len(mutants), sum(survives(result) and "reason" not in result for result in campaign.results.values())
 
 
 def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program", help="rtl_mutants")
-    parser.add_argument("mutants", help="mutants.json that it was made with")
+    parser.add_argument("folder", help="with rtl_mutants_GROUP and GROUP/mutants.json that it was made with")
     parser.add_argument("suite", help="the folder of the vectors")
+    parser.add_argument("--group", choices=units.GROUPS)
     parser.add_argument("--module")
     parser.add_argument("--sample", type=int)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seconds", type=int, default=60, help="of CPU time for each search of a proof")
-    parser.add_argument("--vectors", help="only these vectors, with commas between them")
-    parser.add_argument("--found", action="store_true", help="only mutants that a vector found when recorded.json was written")
+    parser.add_argument("--vectors", help="only these checks, with commas between them")
+    parser.add_argument("--found", action="store_true", help="only mutants that a check found when recorded.json was written")
+    parser.add_argument("--new", action="store_true", help="only mutants of which recorded.json has no result")
+    parser.add_argument("--first", action="store_true", help="only the first checks: what they miss gets no result")
     parser.add_argument("--record", action="store_true", help="write recorded.json")
     options = parser.parse_args(arguments)
-    text = pathlib.Path(options.mutants).read_bytes()
-    listed = json.loads(text)
-    recorded = recorded_vectors(text)
-    known = [mutant for mutant in listed["mutants"] if mutant["number"] in recorded] if options.found else listed["mutants"]
-    mutants = chosen(known, options.module, options.sample)
-    if not mutants:
+    ran = [run_group(group, options) for group in ([options.group] if options.group else units.GROUPS)]
+    count, unexplained = map(sum, zip(*ran))
+    if count == 0:
         why = "; recorded.json is of other mutants, of another Yosys or RTL: --record makes it anew" if options.found else ""
         print(f"mutate.py: no such mutant{why}", file=sys.stderr)
         return 2
-    program = [options.program, options.suite] + (["--vectors", options.vectors] if options.vectors else [])
-    results = campaign(program, mutants, options, recorded)
-    if options.record:
-        write_record(text, results)
-    explain(mutants, results)
-    print_table(mutants, results)
-    unexplained = [result for result in results.values()
-                   if result.get("proof", prove.EQUIVALENT) != prove.EQUIVALENT and "reason" not in result]
     if unexplained:
-        print(f"{len(unexplained)} mutants survive without a reason in survivors.json", file=sys.stderr)
+        print(f"{unexplained} mutants survive without a reason in survivors.json", file=sys.stderr)
     return 1 if unexplained else 0
 
 

@@ -29,18 +29,23 @@ def ports(variant: int, folder: pathlib.Path) -> list[tuple[str, str, str]]:
     return [port for port in found if port[2] != "mutsel"]
 
 
+def variant_of(mutant: dict) -> units.Variant:
+    """What is known of it, without the group that it is in: of modules that are not of the datapath, that proofs know nothing."""
+    known = [variant for variant in units.DATAPATH if (variant.module, variant.parameters) == (mutant["module"], mutant["parameters"])]
+    return known[0] if known else units.Variant(mutant["module"], mutant["parameters"], closed=True)
+
+
 def flows(mutant: dict) -> bool:
     """Whether outputs of module and mutant depend on the last `latency` inputs alone, and a clock without advance only holds both:
     then clocks with advance alone are a proof. A mutant where the pipeline holds may differ by the hold."""
-    return units.VARIANTS[mutant["variant"]].latency is not None and "$procmux$" not in mutant["command"]
+    return variant_of(mutant).latency is not None and "$procmux$" not in mutant["command"]
 
 
 def legal_inputs(mutant: dict, folder: pathlib.Path) -> str:
     """A module with the ports of a variant that gives it only what its comment allows: `legal` of units.py."""
-    variant = mutant["variant"]
-    unit = units.VARIANTS[variant]
+    unit = variant_of(mutant)
     legal = unit.legal | ({"advance": "1'b1"} if flows(mutant) else {})
-    listed = [port for port in ports(variant, folder) if port[2] not in unit.traced]
+    listed = [port for port in ports(mutant["variant"], folder) if port[2] not in unit.traced]
     values = "".join(f"  wire {width}legal_{name} = {legal.get(name, name)};\n" for direction, width, name in listed
                      if direction == "input")
     connections = ", ".join(f".{name}({'legal_' if direction == 'input' else ''}{name})" for direction, _, name in listed)
@@ -51,15 +56,18 @@ def legal_inputs(mutant: dict, folder: pathlib.Path) -> str:
 def both(mutant: dict, folder: pathlib.Path, scratch: pathlib.Path) -> str:
     """The module as `gold` and the mutant as `gate`, with all that is in them, for legal inputs; outputs of the trace alone are left
     out. `folder` is that of plant.py."""
-    variant = mutant["variant"]
+    variant = variant_of(mutant)
     (scratch / "outside.v").write_text(legal_inputs(mutant, folder), encoding="utf-8")
-    inner = "".join(f"read_verilog -sv -overwrite {file}\n" for file in units.all_inner_modules(variant))
+    files = units.inner_modules(variant) if variant.closed else units.all_inner_modules(variant)
+    inner = "".join(f"read_verilog -sv {'-lib' if variant.closed else '-overwrite'} {file}\n" for file in files)
+    # Outputs of closed modules become inputs, and the other way round.
+    opened = "expose -evert t:hmlfc_* %m\n" if variant.closed else ""
     text = []
     for copy in ("gold", "gate"):
         planted = mutant["command"] + "\n" if copy == "gate" else ""
-        text.append(f"design -reset\nread_rtlil {folder}/{variant}.il\n{planted}read_verilog -sv hmlfc_pkg.sv\n{inner}"
+        text.append(f"design -reset\nread_rtlil {folder}/{mutant['variant']}.il\n{planted}read_verilog -sv hmlfc_pkg.sv\n{inner}"
                     f"read_verilog -sv {scratch}/outside.v\nhierarchy -check -top outside\nproc\nflatten\n"
-                    f"memory_map\nopt_clean\nrename outside {copy}\ndesign -stash {copy}\n")
+                    f"memory_map\n{opened}opt_clean\nrename outside {copy}\ndesign -stash {copy}\n")
     return "".join(text) + "design -reset\ndesign -copy-from gold gold\ndesign -copy-from gate gate\n"
 
 
@@ -106,8 +114,8 @@ def prove(mutant: dict, folder: pathlib.Path, seconds: int) -> str:
 
 def planted(module: str, cell: str, port: str, bit: int) -> dict:
     """A mutant with a bit of a port of a cell inverted, in the first variant of a module."""
-    variant = next(number for number, unit in enumerate(units.VARIANTS) if unit.module == module)
-    return {"variant": variant, "command": f"mutate -mode inv -module top -cell {cell} -port {port} -portbit {bit}"}
+    variant = next(number for number, unit in enumerate(units.DATAPATH) if unit.module == module)
+    return {"module": module, "parameters": units.DATAPATH[variant].parameters, "variant": variant, "command": f"mutate -mode inv -module top -cell {cell} -port {port} -portbit {bit}"}
 
 
 # What registers hold before they are first written must not count as a difference, nor a bit of the stream's shape that the module

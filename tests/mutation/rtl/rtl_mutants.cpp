@@ -1,36 +1,27 @@
-// rtl_mutants: which mutants of the decode unit the conformance vectors find.
+// rtl_mutants: which mutants of a unit its checks find.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <span>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <MutatedUnit.h>
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <systemc>
 
-#include "unit/verilated_unit.hpp"
-#include "unit_vector.hpp"
+#include "check.hpp"
+#include "mutated_unit.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
 constexpr int kExitFailed = 1;
-// Without an answer. The unit itself needs some thousand clocks for LOAD and a thousand for a
-// block.
-constexpr uint64_t kPatience = 20'000;
-// Streams that are refused take little time but find nothing in the datapath: as if they were
-// large.
-constexpr uint64_t kPixelsOfRefused = 100'000;
-
-// The parameters of the unit with mutants in it (plant.py); units.py and CMakeLists.txt have them
-// as well.
-constexpr UnitParameters kMutatedUnit{2, 12, 8, 4};
 
 // A mutant of mutants.json: its number, from 1 on, and the variant of units.py that it is in.
 struct Mutant {
@@ -38,89 +29,74 @@ struct Mutant {
   unsigned variant = 0;
 };
 
-// The unit with these mutants switched on, at most one in a variant: a plusarg of 16 bits for each
-// variant, in hexadecimal, the first variant last.
-std::unique_ptr<DecodeUnit> make_mutated_unit(std::span<const Mutant> mutants) {
+// These mutants switched on, at most one in a variant: 16 bits for each variant, in hexadecimal,
+// the first variant last.
+std::string plusarg_of(std::span<const Mutant> mutants) {
   std::string digits = "0";
   for (const Mutant& mutant : mutants) {
     const size_t end = 4 * (size_t{mutant.variant} + 1);
     if (digits.size() < end) digits.insert(0, end - digits.size(), '0');
     digits.replace(digits.size() - end, 4, fmt::format("{:04x}", mutant.number));
   }
-  return std::make_unique<VerilatedUnit<MutatedUnit>>(kMutatedUnit, "+mutants=" + digits);
+  return "+mutants=" + digits;
 }
 
 struct Options {
   std::filesystem::path suite;
   std::vector<std::string> filters;
   std::vector<std::string> mutants;
-  uint64_t clocks = UINT64_MAX;  // for a mutant: after these no other vector is begun
+  uint64_t clocks = UINT64_MAX;  // for a mutant: after these no other check is begun
+  bool speed = false;
 };
 
-// A vector of the suite; its stream is decoded and the unit without a mutant is tried on it when
-// that is needed first.
+// A check with what it says of the unit without a mutant, once that is needed.
 class Candidate {
  public:
-  Candidate(const Options& options, const vectors::Vector& vector)
-      : suite_(options.suite), entry_(vector) {
-    if (vector.output) {
-      pixels_ = uint64_t{vector.output->rows} * vector.output->cols * vector.output->width *
-                vector.output->height;
-    }
-  }
+  explicit Candidate(std::unique_ptr<Check> check) : check_(std::move(check)) {}
 
   // With `mutants` switched on. A mutant is only found where the unit without a mutant passes: else
   // throws.
   Verdict try_on(std::span<const Mutant> mutants, uint64_t& clocks) {
-    if (!vector_) vector_ = std::make_unique<UnitVector>(suite_, entry_, kMutatedUnit);
-    const Verdict verdict = vector_->try_on(make_mutated_unit(mutants), kPatience, clocks);
-    if (verdict.pass()) return verdict;
-    if (!checked_) check_unit();
-    checked_ = true;
+    mutants_plusarg() = plusarg_of(mutants);
+    Verdict verdict = check_->run(clocks);
+    if (!verdict.pass()) unmutated_clocks();
     return verdict;
   }
 
-  const std::string& id() const { return entry_.id; }
-  uint64_t pixels() const { return pixels_; }
+  uint64_t unmutated_clocks() {
+    if (clocks_ != 0) return clocks_;
+    mutants_plusarg() = plusarg_of({});
+    const Verdict verdict = check_->run(clocks_);
+    if (verdict.pass()) return clocks_;
+    throw std::runtime_error(
+        fmt::format("the unit without a mutant fails {}: {}", id(), verdict.difference));
+  }
+
+  const std::string& id() const { return check_->id(); }
+  uint64_t size() const { return check_->size(); }
 
  private:
-  void check_unit() const {
-    uint64_t clocks = 0;
-    const Verdict verdict = vector_->try_on(make_mutated_unit({}), kPatience, clocks);
-    if (verdict.pass()) return;
-    throw std::runtime_error(
-        fmt::format("the unit without a mutant fails {}: {}", entry_.id, verdict.difference));
-  }
-
-  std::filesystem::path suite_;
-  vectors::Vector entry_;
-  std::unique_ptr<UnitVector> vector_;
-  uint64_t pixels_ = kPixelsOfRefused;
-  bool checked_ = false;  // that the unit without a mutant passes
+  std::unique_ptr<Check> check_;
+  uint64_t clocks_ = 0;  // of the unit without a mutant, which passes; 0: not tried
 };
 
-// Small streams first.
+// Short ones first.
 std::vector<Candidate> candidates(const Options& options) {
-  const auto manifest = vectors::read_manifest(options.suite);
-  if (!manifest) throw std::runtime_error(manifest.error().message);
   std::vector<Candidate> found;
-  for (const vectors::Vector& vector : manifest->vectors) {
+  for (auto& check : checks(options.suite)) {
     const bool chosen = options.filters.empty() ||
-                        std::ranges::find(options.filters, vector.id) != options.filters.end();
-    if (!chosen) continue;
-    const auto file = io::MappedFile::open(options.suite / vector.input.file);
-    if (!file) throw std::runtime_error(file.error().message);
-    if (UnitVector::is_for(kMutatedUnit, file->bytes())) found.emplace_back(options, vector);
+                        std::ranges::find(options.filters, check->id()) != options.filters.end();
+    if (chosen) found.emplace_back(std::move(check));
   }
-  if (found.empty()) throw std::runtime_error("no vector of the suite is for this unit");
-  std::ranges::stable_sort(found, {}, &Candidate::pixels);
+  if (found.empty()) throw std::runtime_error("no check is for this unit");
+  std::ranges::stable_sort(found, {}, &Candidate::size);
   return found;
 }
 
-// NUMBER/VARIANT, several of them with + between them; then perhaps :VECTOR.
+// NUMBER/VARIANT, several of them with + between them; then perhaps :CHECK.
 struct Group {
   std::vector<Mutant> mutants;
-  std::string first;  // the vector to be tried first
+  std::string first;  // the check to be tried first
 };
 
 Group parse_group(const std::string& text) {
@@ -142,10 +118,10 @@ void print(const nlohmann::ordered_json& result) {
   std::fflush(stdout);
 }
 
-// Tries a group on the vectors, and each of its mutants alone where the group is found: vector
-// `first`, then those that found the last mutants: mutants of a module come one after the other,
-// and what finds one often finds the next. After `limit` clocks no other is begun. What is left at
-// the end, no vector finds: alone, or together with others that none finds.
+// Tries a group on the checks, and halves of it where the group is found, down to each mutant
+// alone: check `first`, then those that found the last mutants: mutants of a module come one after
+// the other, and what finds one often finds the next. After `limit` clocks no other is begun. What
+// is left at the end, no check finds: alone, or together with others that none finds.
 class Trial {
  public:
   Trial(Group group, std::vector<Candidate>& suite, uint64_t limit)
@@ -167,9 +143,33 @@ class Trial {
  private:
   Verdict tried(Candidate& candidate, std::span<const Mutant> mutants) {
     uint64_t taken = 0;
-    const Verdict verdict = candidate.try_on(mutants, taken);
+    Verdict verdict = candidate.try_on(mutants, taken);
     clocks_ += taken;
     return verdict;
+  }
+
+  // Those of `mutants` that the candidate does not find alone; the others are printed. The
+  // candidate finds all together.
+  std::vector<Mutant> left_of(Candidate& candidate, std::span<const Mutant> mutants,
+                              const Verdict& together) {
+    if (mutants.size() == 1) {
+      print({{"number", mutants.front().number},
+             {"result", together.hangs ? "hangs" : "killed"},
+             {"vector", candidate.id()},
+             {"difference", together.difference},
+             {"clocks", clocks_}});
+      return {};
+    }
+    std::vector<Mutant> left;
+    const size_t half = mutants.size() / 2;
+    for (const auto part : {mutants.first(half), mutants.subspan(half)}) {
+      const Verdict verdict = tried(candidate, part);
+      const std::vector<Mutant> rest = verdict.pass()
+                                           ? std::vector<Mutant>(part.begin(), part.end())
+                                           : left_of(candidate, part, verdict);
+      left.insert(left.end(), rest.begin(), rest.end());
+    }
+    return left;
   }
 
   // Whether the candidate finds one of the mutants by itself.
@@ -177,22 +177,13 @@ class Trial {
     const Verdict verdict = tried(candidate, group_.mutants);
     if (verdict.pass()) return false;
     const size_t before = group_.mutants.size();
-    const bool alone = before == 1;
-    std::erase_if(group_.mutants, [&](const Mutant& mutant) {
-      const Verdict own = alone ? verdict : tried(candidate, std::span(&mutant, 1));
-      if (own.pass()) return false;
-      print({{"number", mutant.number},
-             {"result", own.hangs ? "hangs" : "killed"},
-             {"vector", candidate.id()},
-             {"difference", own.difference},
-             {"clocks", clocks_}});
-      return true;
-    });
-    // The vector finds only several together: what it takes to find them is not known by the group.
+    group_.mutants = left_of(candidate, group_.mutants, verdict);
     if (group_.mutants.size() < before) return true;
-    for (const Mutant& mutant : std::exchange(group_.mutants, {})) {
-      Trial({{mutant}, group_.first}, suite_, limit_).run();
-    }
+    // The check finds only several together: what it takes to find them is not known by the group.
+    const std::vector<Mutant> all = std::exchange(group_.mutants, {});
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    Trial({{all.begin(), middle}, group_.first}, suite_, limit_).run();
+    Trial({{middle, all.end()}, group_.first}, suite_, limit_).run();
     return false;
   }
 
@@ -202,24 +193,50 @@ class Trial {
   uint64_t clocks_ = 0;
 };
 
+// Which of the checks takes other clocks with a mutant, that none has found, until `limit` clocks
+// have passed.
+void compare_clocks(const Group& group, std::vector<Candidate>& suite, uint64_t limit) {
+  uint64_t clocks = 0;
+  for (Candidate& candidate : suite) {
+    if (clocks >= limit) break;
+    const uint64_t unmutated = candidate.unmutated_clocks();
+    uint64_t taken = 0;
+    static_cast<void>(candidate.try_on(group.mutants, taken));
+    clocks += taken;
+    if (taken == unmutated) continue;
+    print({{"number", group.mutants.front().number},
+           {"vector", candidate.id()},
+           {"clocks", taken},
+           {"unmutated", unmutated}});
+    return;
+  }
+}
+
 int main_of(int argc, char** argv) {
-  CLI::App app{
-      "Runs the conformance vectors on mutants of the decode unit; a JSON object a line for each"};
+  CLI::App app{"Runs the checks of a unit on its mutants; a JSON object a line for each"};
   Options options;
   app.add_option("SUITE", options.suite, "The folder of manifest.json")->required();
   app.add_option("--mutants", options.mutants,
                  "NUMBER/VARIANT as in mutants.json; with + between them several of different "
-                 "variants, tried together; with :VECTOR behind it that vector comes first")
+                 "variants, tried together; with :CHECK behind it that check comes first")
       ->delimiter(',')
       ->required();
-  app.add_option("--vectors", options.filters, "Only these vectors")->delimiter(',');
+  app.add_option("--vectors", options.filters, "Only these checks")->delimiter(',');
   app.add_option("--clocks", options.clocks,
-                 "After so many clocks no other vector is tried: \"missed\", not \"survived\"");
+                 "After so many clocks no other check is tried: \"missed\", not \"survived\"");
+  app.add_flag(
+      "--speed", options.speed,
+      "Print only the first check that takes other clocks than without the mutant, if any");
   CLI11_PARSE(app, argc, argv);
   try {
     std::vector<Candidate> suite = candidates(options);
     for (const std::string& text : options.mutants) {
-      Trial(parse_group(text), suite, options.clocks).run();
+      const Group group = parse_group(text);
+      if (options.speed) {
+        compare_clocks(group, suite, options.clocks);
+      } else {
+        Trial(group, suite, options.clocks).run();
+      }
     }
     return 0;
   } catch (const std::exception& error) {

@@ -8,6 +8,7 @@
 
 #include <hmlfc/decoder.hpp>
 
+#include "check.hpp"
 #include "io/files.hpp"
 #include "oracle/oracle.hpp"
 #include "systemc/stream_image.hpp"
@@ -15,14 +16,6 @@
 #include "vectors/manifest.hpp"
 
 namespace hmlfc::tb {
-
-/// What the suite says of a unit.
-struct Verdict {
-  bool hangs = false;
-  std::string difference;  ///< from what is expected; empty for none
-
-  bool pass() const { return difference.empty(); }
-};
 
 /// One vector with its stream and its reference area.
 class UnitVector {

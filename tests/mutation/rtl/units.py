@@ -1,15 +1,17 @@
-"""The modules of the datapath that are mutated, as the mutated unit has them."""
+"""The modules that are mutated, as the mutated units have them."""
 
 import dataclasses
 import pathlib
 import subprocess
 import sys
+import tempfile
+import xml.etree.ElementTree
 
 RTL = pathlib.Path(__file__).resolve().parents[3] / "rtl"
 sys.path.insert(0, str(RTL / "kit"))
 import file_list  # noqa: E402
 
-# Of the unit; rtl_mutants.cpp has the first four as well. Blocks of 4 x 4 are those of most vectors.
+# Of the decode unit; mutated_unit.cpp has the first four as well. Blocks of 4 x 4 are those of most vectors.
 UNIT = {"BLOCK_LOG2": 2, "MAX_DEPTH": 12, "AXI_DATA_BITS": 64, "OUTSTANDING": 4, "TILE_CONTEXTS": 2, "CACHE_STRIPS": 64}
 
 
@@ -25,6 +27,13 @@ class Variant:
     legal: dict[str, str] = dataclasses.field(default_factory=dict)
     # Clocks with advance from inputs to outputs of a pipeline without feedback.
     latency: int | None = None
+    # The mutants of a module are spread over so many variants.
+    shared_by: int = 1
+    # Proofs take the modules in it for black boxes, whose outputs may be anything.
+    closed: bool = False
+
+    def mutants(self, of_module: int) -> int:
+        return max(LEAST, -(-of_module // self.shared_by))
 
 
 def at_most(port: str, bound: int) -> dict[str, str]:
@@ -50,12 +59,15 @@ def element(value_bits: int, largest_code: int) -> Variant:
     return Variant("bise_element", {"VALUE_BITS": value_bits}, legal=legal | at_most("level_code", largest_code) | SLOT)
 
 
+LEAST = 4  # mutants of a variant
+
 BLOCK = {"BLOCK_LOG2": 2}
 SAMPLES = {"BLOCK_LOG2": 2, "MAX_DEPTH": 12}
 DEPTH = between("depth", 8, 12)
 
-# A module that has instances of several kinds is there once for each, with mutants of its own.
-VARIANTS = [
+# The datapath, of which proofs know what inputs are legal. A module that has instances of several kinds is there once for each, with
+# mutants of its own.
+DATAPATH = [
     Variant("bise_unpack", {"COUNT": 16, "VALUE_BITS": 14, "WINDOW_BITS": 224}, legal=at_most("level_code", 39), latency=3),
     element(10, 27),
     element(4, 5),  # the choice among at most 8 entries of a palette
@@ -86,12 +98,66 @@ VARIANTS = [
 ]
 
 
-def inner_modules(variant: int) -> list[str]:
+def decode_unit(modules: str) -> tuple[str, dict[str, int], tuple[str, ...]]:
+    return "decode_unit", UNIT, tuple(modules.split())
+
+
+# Modules that are mutated in one Verilated unit: name to the top module, its parameters, and the modules. More in one group would make
+# the unit too slow to compile.
+GROUPS = {
+    "datapath": decode_unit(" ".join(dict.fromkeys(variant.module for variant in DATAPATH))),
+    "loading": decode_unit("activity aligned_read control decode_unit divide geometry group_axis header images loader multiply_add plane_size "
+                           "read_port registers requests skid_buffer view"),
+    "tiles": decode_unit("disparity_ask disparity_parser disparity_store element_reader motion_parser motion_store motion_tile residual_blocks "
+                         "residual_parser residual_store tile_ask tile_contexts tile_fetch tile_loader tile_number tile_stores tile_walk"),
+    "references": decode_unit("reference_ask reference_cache reference_lines reference_lookup references strip_fill"),
+    "memories": decode_unit("fifo ram record_ram"),
+    # With the parameters of its tests.
+    "dma": ("view_dma", {"BLOCK_LOG2": 1, "AXI_DATA_BITS": 64},
+            ("strip_collect", "strip_pack", "strip_scan", "strip_writer", "view_dma", "view_fetch", "view_place", "view_queue", "view_registers",
+             "view_rows", "view_scan", "view_writer", "write_port")),
+    "view": ("view_unit", UNIT, ("axil_split", "view_unit")),
+}
+WITHOUT_LOGIC = ("widths",)
+
+
+def number(constant: str) -> int:
+    """Of a parameter as Verilator writes it, such as 32'sh10."""
+    return int(constant.split("h")[1], 16)
+
+
+def instances(top: str, parameters: dict[str, int]) -> list[tuple[str, dict[str, int]]]:
+    """Each module of a top with the parameters of each kind of instances, by name, as Verilator elaborates them."""
+    with tempfile.TemporaryDirectory(prefix="hmlfc-mutant-") as folder:
+        command = ["verilator", "--xml-only", "--xml-output", f"{folder}/top.xml", "--Mdir", folder, "-Wno-lint", "--top-module", f"hmlfc_{top}"]
+        subprocess.run([*command, *(f"-G{key}={value}" for key, value in parameters.items()), "-F", str(RTL / file_list.NAME)], check=True)
+        tree = xml.etree.ElementTree.parse(f"{folder}/top.xml")
+    found = []
+    for module in tree.iter("module"):
+        own = {var.get("name"): number(var.find("const").get("name")) for var in module.findall("var") if var.get("param") == "true"}
+        found.append((module.get("origName").removeprefix("hmlfc_"), own))
+    return sorted(found, key=lambda instance: (instance[0], *instance[1].values()))
+
+
+def variants(group: str) -> list[Variant]:
+    """Those of a group. Raises RuntimeError where a module is in no group, or in two."""
+    listed = [*WITHOUT_LOGIC, *(module for _, _, modules in GROUPS.values() for module in modules)]
+    if sorted(listed) != sorted(path.stem.removeprefix("hmlfc_") for path in file_list.modules(RTL)):
+        raise RuntimeError("units.py: GROUPS has not each module of the file list once")
+    if group == "datapath":
+        return DATAPATH
+    top, parameters, modules = GROUPS[group]
+    found = [(module, own) for module, own in instances(top, parameters) if module in modules]
+    names = [module for module, _ in found]
+    return [Variant(module, own, shared_by=names.count(module), closed=True) for module, own in found]
+
+
+def inner_modules(variant: Variant) -> list[str]:
     """The files of the modules that a variant has in it, directly."""
-    return modules_in(f"hmlfc_{VARIANTS[variant].module}")
+    return modules_in(f"hmlfc_{variant.module}")
 
 
-def all_inner_modules(variant: int) -> list[str]:
+def all_inner_modules(variant: Variant) -> list[str]:
     """The files of all modules below a variant."""
     found, left = set(), inner_modules(variant)
     while left:
@@ -107,16 +173,18 @@ def modules_in(name: str) -> list[str]:
     return [path.name for path in sorted(file_list.modules(RTL)) if path.stem != name and f"  {path.stem} " in text]
 
 
-def read_commands(variant: int) -> str:
+def read_commands(variant: Variant) -> str:
     """The commands of Yosys that read a variant as module `top`; the modules in it stay closed."""
-    name = f"hmlfc_{VARIANTS[variant].module}"
+    name = f"hmlfc_{variant.module}"
     commands = ["design -reset", "read_verilog -sv hmlfc_pkg.sv"]
     commands += [f"read_verilog -sv -lib {file}" for file in inner_modules(variant)]
     commands += [f"read_verilog -sv {name}.sv"]
-    commands += [f"chparam -set {key} {value} {name}" for key, value in VARIANTS[variant].parameters.items()]
+    commands += [f"chparam -set {key} {value} {name}" for key, value in variant.parameters.items()]
     # Without wreduce most mutants would be of the upper bits that 32-bit integers of the source bring.
-    commands += [f"hierarchy -top {name}", "proc", "opt_expr -full", "opt_merge", "wreduce", "opt_expr -full", "opt_clean",
-                 f"rename {name} top"]
+    commands += [f"hierarchy -top {name}", "proc", "opt_expr -full", "opt_merge", "wreduce", "opt_expr -full", "opt_clean"]
+    if variant.closed:
+        commands.append("memory -nomap")  # one port for the bytes of a word
+    commands.append(f"rename {name} top")
     return "\n".join(commands) + "\n"
 
 
