@@ -47,8 +47,9 @@ run_mutate() {
     model) mutate_model "$@" ;;
     shaders) mutate_shaders "$@" ;;
     rtl) mutate_rtl "$@" ;;
+    naive) exec "$(debian_python)" -B "$root/tests/mutation/naive/mutate.py" "$@" ;;
     *)
-      say "mutate: model, shaders or rtl"
+      say "mutate: model, shaders, rtl or naive"
       exit 2
       ;;
   esac
