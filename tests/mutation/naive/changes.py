@@ -174,11 +174,12 @@ def of_calls(source, node):
 
 
 def of_order(source, node):
-    """Checks that follow one another, exchanged: the first that fails decides the error's name."""
+    """Checks of two errors that follow one another, exchanged: the first that fails decides the error's name."""
     statements = getattr(node, "body", [])
     for first, second in zip(statements, statements[1:]) if isinstance(statements, list) else ():
         pair = [each.value for each in (first, second) if isinstance(each, ast.Expr)]
-        if len(pair) == 2 and all(is_called(each, ("require",)) for each in pair):
+        names = {source.code(each.args[1]) for each in pair if is_called(each, ("require",))}
+        if len(names) == 2:
             begin, end = source.span(first)[0], source.span(second)[1]
             between = source.text[source.span(first)[1] : source.span(second)[0]]
             yield "order", begin, end, between.join((source.code(second), source.code(first)))

@@ -5,6 +5,7 @@ import ast
 import hashlib
 import importlib
 import sys
+from functools import cache
 from importlib.abc import Loader, MetaPathFinder
 from importlib.util import spec_from_loader
 from pathlib import Path
@@ -27,6 +28,19 @@ def decoder_files():
 def module_name(file):
     """The name under which a file is imported."""
     return file.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+
+
+@cache
+def modules_of(name):
+    """The modules of the decoder that a module needs, itself too."""
+    file = next(file for file in decoder_files() if module_name(file) == name)
+    package, needed = name.rpartition(".")[0], {name}
+    for node in ast.walk(ast.parse((FOLDER / file).read_text())):
+        if isinstance(node, ast.ImportFrom):
+            imported = f"{package}.{node.module}" if node.level else node.module
+            if imported in map(module_name, decoder_files()):
+                needed |= modules_of(imported)
+    return frozenset(needed)
 
 
 class Modules(MetaPathFinder, Loader):
@@ -57,28 +71,32 @@ class Modules(MetaPathFinder, Loader):
 
 class Decoder:
     """Loaded modules. Checksums and planes of codestreams are kept in `known`. They are taken from there, but those
-    of the file `changed`; None: of no file."""
+    that need the file `changed`; None: none."""
 
     def __init__(self, modules, known, changed):
-        self.modules, self.known, self.fresh = modules, known, changed is None
-        changed = changed or ""
+        self.modules, self.known = modules, known
         self.StreamError = modules["stream_error"].StreamError
-        if changed != "crc32c.py":
-            for name in ("header", "opening", "key_images"):
-                modules[name].crc32c = self._kept(modules["crc32c"].crc32c)
-        if not changed.startswith("jpeg2000/"):
-            modules["key_images"].decode = self._kept(modules["jpeg2000.decoder"].decode)
+        for name in ("header", "opening", "key_images"):
+            modules[name].crc32c = self._kept(modules["crc32c"].crc32c, lambda data: data, changed)
+        modules["key_images"].decode = self._kept(modules["jpeg2000.decoder"].decode, self._shape, changed)
 
-    def _kept(self, function):
-        def asked(*arguments):
-            key = function.__name__, arguments
-            if self.fresh or key not in self.known:
+    @staticmethod
+    def _shape(codestream):
+        return codestream.data, codestream.width, codestream.height, codestream.depth, codestream.signed
+
+    def _kept(self, function, key_of, changed):
+        CodestreamError = self.modules["key_images"].CodestreamError
+        fresh = changed is None or module_name(changed) in modules_of(function.__module__)
+
+        def asked(argument):
+            key = function.__name__, key_of(argument)
+            if fresh or key not in self.known:
                 try:
-                    self.known[key] = function(*arguments)
-                except self.modules["key_images"].CodestreamError as error:
+                    self.known[key] = function(argument)
+                except CodestreamError as error:
                     self.known[key] = str(error)
             if isinstance(self.known[key], str):
-                raise self.modules["key_images"].CodestreamError(self.known[key])
+                raise CodestreamError(self.known[key])
             return self.known[key]
 
         return asked
