@@ -159,7 +159,7 @@ def of_calls(source, node):
     for first, second in zip(node.args, node.args[1:]):
         texts = source.code(first), source.code(second)
         between = source.text[source.span(first)[1] : source.span(second)[0]]
-        if "*" not in texts[0][0] + texts[1][0] and not is_called(node, CHECKS):
+        if "*" not in texts[0][0] + texts[1][0] and not is_called(node, (*CHECKS, "min", "max")):
             yield "argument", source.span(first)[0], source.span(second)[1], between.join(texts[::-1])
     if is_called(node, ("clamp",)):
         x, low, high = map(source.code, node.args)

@@ -34,7 +34,7 @@ CHANGES = {
         *("return -min(a, 1) -> pass", 'require(x in a, "bad_mode") -> pass', "b -= x[True] -> pass"),
         'require(x is b, "bad_levels") -> pass',
     ],
-    "argument": ["a, 1 -> 1, a", "g(a, b), 0 -> 0, g(a, b)", "0, b -> b, 0", "a, b -> b, a"],
+    "argument": ["g(a, b), 0 -> 0, g(a, b)", "0, b -> b, 0", "a, b -> b, a"],
     "clamp": [
         *("min -> max", "min(a, 1) -> (a)", "min(a, 1) -> (1)", "clamp(g(a, b), 0, b) -> (g(a, b))"),
         *("clamp(g(a, b), 0, b) -> max(g(a, b), 0)", "clamp(g(a, b), 0, b) -> min(g(a, b), b)"),
