@@ -70,8 +70,8 @@ class Modules(MetaPathFinder, Loader):
 
 
 class Decoder:
-    """Loaded modules. Checksums and planes of codestreams are kept in `known`. They are taken from there, but those
-    that need the file `changed`; None: none."""
+    """Loaded modules. Checksums and planes of codestreams that do not need the file `changed` are taken from `known`;
+    None: each is computed, and noted there."""
 
     def __init__(self, modules, known, changed):
         self.modules, self.known = modules, known
@@ -86,18 +86,19 @@ class Decoder:
 
     def _kept(self, function, key_of, changed):
         CodestreamError = self.modules["key_images"].CodestreamError
-        fresh = changed is None or module_name(changed) in modules_of(function.__module__)
+        ours = changed is not None and module_name(changed) in modules_of(function.__module__)
+        known = {} if ours else self.known
 
         def asked(argument):
             key = function.__name__, key_of(argument)
-            if fresh or key not in self.known:
+            if changed is None or key not in known:
                 try:
-                    self.known[key] = function(argument)
+                    known[key] = function(argument)
                 except CodestreamError as error:
-                    self.known[key] = str(error)
-            if isinstance(self.known[key], str):
-                raise CodestreamError(self.known[key])
-            return self.known[key]
+                    known[key] = str(error)
+            if isinstance(known[key], str):
+                raise CodestreamError(known[key])
+            return known[key]
 
         return asked
 

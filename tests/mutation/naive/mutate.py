@@ -116,10 +116,10 @@ class Judge:
         vector = vectors[0]
         try:
             modules = Modules({**self.codes, mutant.file: code}).load()
+            changed = Decoder(modules, self.suite.known, mutant.file)
             for vector in vectors:
                 say("begins", vector.name)
                 allow(LEAST_SECONDS + TIME_FACTOR * vector.seconds)
-                changed = Decoder(modules, self.suite.known, mutant.file)
                 good = vector.blocks_fit(changed) if by_block else vector.fits(changed.whole_views(vector.data))
                 if not good:
                     return say("killed", vector.name)

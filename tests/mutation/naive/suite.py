@@ -63,11 +63,12 @@ class Suite:
         codes = {file: counted(file, (FOLDER / file).read_text()) for file in decoder_files()}
         self.modules = Modules(codes, HITS=self.hits).load()
 
-    def batch(self, number, size=40):
-        """The vectors number * size and those that follow, [] after the last."""
-        while self.waiting and len(self.tried) < (number + 1) * size:
+    def batch(self, number):
+        """The vectors 2^number * 40 - 40 and those that follow, each time twice as many; [] after the last."""
+        begin, end = ((40 << exponent) - 40 for exponent in (number, number + 1))
+        while self.waiting and len(self.tried) < end:
             self.tried.append(self.try_out(self.waiting.pop()))
-        return self.tried[number * size : (number + 1) * size]
+        return self.tried[begin:end]
 
     def try_out(self, entry):
         """Runs the decoder as it is. ValueError if it fails the vector."""
