@@ -32,7 +32,7 @@ from mutants import reasons_of, shuffled  # noqa: E402
 from session import Verdict  # noqa: E402
 from suite import Suite  # noqa: E402
 
-KEPT_KILLERS = 40
+KEPT_KILLERS, QUICK_SECONDS = 40, 0.02
 MEMORY_BYTES = 4 << 30
 TIME_FACTOR, LEAST_SECONDS = 10, 3
 
@@ -63,7 +63,7 @@ def equivalents(mutants):
 
 
 class Judge:
-    """Tries mutants, each in a process of its own, beginning with the vectors that told the last ones."""
+    """Tries mutants, each in a process of its own, beginning with quick vectors that told the last ones."""
 
     def __init__(self, suite):
         self.suite, self.killers, self.lock = suite, [], Lock()
@@ -103,10 +103,11 @@ class Judge:
             return Verdict("survived")
         if result == "begins":  # and nothing more: it ended from outside
             result = "timeout"
+        vector = next(vector for vector in vectors if vector.name == name)
         with self.lock:
-            vector = next(vector for vector in vectors if vector.name == name)
-            others = [killer for killer in self.killers if killer is not vector]
-            self.killers = [vector, *others][:KEPT_KILLERS]
+            if vector.seconds < QUICK_SECONDS:
+                others = [killer for killer in self.killers if killer is not vector]
+                self.killers = [vector, *others][:KEPT_KILLERS]
         return Verdict(result, f"{name} by block" if by_block else name)
 
     def _ask(self, mutant, code, vectors, by_block, say):
