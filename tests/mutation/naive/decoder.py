@@ -69,6 +69,13 @@ class Modules(MetaPathFinder, Loader):
             sys.meta_path.remove(self)
 
 
+def plain(argument):
+    """What an argument is known by: itself, or the bytes and numbers that an object has."""
+    if isinstance(argument, (bytes, int)):
+        return argument
+    return tuple(value for value in vars(argument).values() if isinstance(value, (bytes, int)))
+
+
 class Decoder:
     """Loaded modules. Checksums and planes of codestreams that do not need the file `changed` are taken from `known`;
     None: each is computed, and noted there."""
@@ -77,23 +84,19 @@ class Decoder:
         self.modules, self.known = modules, known
         self.StreamError = modules["stream_error"].StreamError
         for name in ("header", "opening", "key_images"):
-            modules[name].crc32c = self._kept(modules["crc32c"].crc32c, lambda data: data, changed)
-        modules["key_images"].decode = self._kept(modules["jpeg2000.decoder"].decode, self._shape, changed)
+            modules[name].crc32c = self._kept(modules["crc32c"].crc32c, changed)
+        modules["key_images"].decode = self._kept(modules["jpeg2000.decoder"].decode, changed)
 
-    @staticmethod
-    def _shape(codestream):
-        return codestream.data, codestream.width, codestream.height, codestream.depth, codestream.signed
-
-    def _kept(self, function, key_of, changed):
+    def _kept(self, function, changed):
         CodestreamError = self.modules["key_images"].CodestreamError
         ours = changed is not None and module_name(changed) in modules_of(function.__module__)
         known = {} if ours else self.known
 
-        def asked(argument):
-            key = function.__name__, key_of(argument)
+        def asked(*arguments):
+            key = function.__name__, *map(plain, arguments)
             if changed is None or key not in known:
                 try:
-                    known[key] = function(argument)
+                    known[key] = function(*arguments)
                 except CodestreamError as error:
                     known[key] = str(error)
             if isinstance(known[key], str):
