@@ -61,7 +61,7 @@ CASES = [
     ("colour.py", "t = y - (cg >> 1)", "t = y\n    while t == y: pass", "timeout", "syntax/depth-8"),
     ("colour.py", "t = y - (cg >> 1)", "t = bytes(2**40)", "crash", "syntax/depth-8"),
     ("colour.py", "t = y - (cg >> 1)", "t = y - (cg >> 1", "not compiled", ""),
-    ("groups.py", "from integers import ceil_div", "import nothing", "crash", "syntax/depth-8"),
+    ("groups.py", "from integers import ceil_div", "import nothing", "crash", "error/reference-late-block"),
 ]
 
 

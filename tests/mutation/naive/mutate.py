@@ -32,7 +32,7 @@ from mutants import reasons_of, shuffled  # noqa: E402
 from session import Verdict  # noqa: E402
 from suite import Suite  # noqa: E402
 
-KEPT_KILLERS, QUICK_SECONDS = 40, 0.02
+KEPT_KILLERS, SMALL_BYTES = 40, 1300
 MEMORY_BYTES = 4 << 30
 TIME_FACTOR, LEAST_SECONDS = 10, 3
 
@@ -63,7 +63,7 @@ def equivalents(mutants):
 
 
 class Judge:
-    """Tries mutants, each in a process of its own, beginning with quick vectors that told the last ones."""
+    """Tries mutants, each in a process of its own, beginning with small vectors that told the last ones."""
 
     def __init__(self, suite):
         self.suite, self.killers, self.lock = suite, [], Lock()
@@ -105,7 +105,7 @@ class Judge:
             result = "timeout"
         vector = next(vector for vector in vectors if vector.name == name)
         with self.lock:
-            if vector.seconds < QUICK_SECONDS:
+            if len(vector.data) <= SMALL_BYTES:
                 others = [killer for killer in self.killers if killer is not vector]
                 self.killers = [vector, *others][:KEPT_KILLERS]
         return Verdict(result, f"{name} by block" if by_block else name)
