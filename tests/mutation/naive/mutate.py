@@ -169,7 +169,7 @@ def report_blocks(results):
 
 def main():
     parser = argparse.ArgumentParser(prog="./run mutate naive", description=__doc__.splitlines()[0])
-    session.add_arguments(parser, 600)
+    session.add_arguments(parser, 320)
     parser.add_argument("--file", help="only mutants of this file, relative to tests/naive_decoder/")
     options = parser.parse_args()
     mutants = all_mutants()
