@@ -78,8 +78,7 @@ int list() {
   if (!devices) return usage_error(devices.error().message);
   for (size_t i = 0; i < devices->size(); ++i) {
     const DeviceInfo& info = (*devices)[i];
-    fmt::print("{}: {} ({}), bindings of {} MiB{}\n", i, info.name, info.kind,
-               info.max_binding >> 20,
+    fmt::print("{}: {} ({}){}\n", i, info.name, info.kind,
                info.missing.empty() ? "" : ", cannot run the decoder: no " + info.missing);
   }
   return 0;

@@ -105,7 +105,7 @@ def prove(mutant: dict, folder: pathlib.Path, seconds: int) -> str:
     with tempfile.TemporaryDirectory(prefix="hmlfc-mutant-") as name:
         miter = write_miter(mutant, folder, pathlib.Path(name))
         if flows(mutant):
-            latency = units.VARIANTS[mutant["variant"]].latency
+            latency = variant_of(mutant).latency
             return decided(miter, f"frames -F {latency + 1}; cone -O {latency}; iprove", seconds)
         # Equal registers of both become one; what is left is searched from reset, then proved by invariants.
         found = decided(miter, f"scorr; bmc3 -F {CLOCKS}", seconds)

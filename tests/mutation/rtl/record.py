@@ -62,7 +62,9 @@ def write(group: str, kept: dict, results: dict[int, dict]) -> None:
         by_check[check].append(number)
     all_groups = read()
     all_groups[group] = kept | {"found": dict(sorted(by_check.items()))} | {end: sorted(value) for end, value in others.items()}
-    RECORDED.write_text(text(all_groups), encoding="utf-8")
+    fresh = RECORDED.with_suffix(".new")  # campaigns of other groups read it meanwhile
+    fresh.write_text(text(all_groups), encoding="utf-8")
+    fresh.replace(RECORDED)
 
 
 def text(groups: dict[str, dict]) -> str:
