@@ -10,9 +10,13 @@ namespace {
 
 constexpr uint64_t kAnswerSeed = 5;
 
+// The DMA alone shows the port on which it reads samples.
+template <class Model>
+constexpr bool kIsDma = requires(Model model) { model.fetch_arvalid; };
+
 template <class Model>
 std::unique_ptr<ViewUnit> make_unit(const UnitParameters& parameters, Oracle& oracle, unsigned) {
-  if constexpr (requires(Model model) { model.fetch_arvalid; }) {
+  if constexpr (kIsDma<Model>) {
     return std::make_unique<VerilatedDma<Model>>(parameters, oracle, kAnswerSeed,
                                                  mutants_plusarg());
   } else {
@@ -21,7 +25,7 @@ std::unique_ptr<ViewUnit> make_unit(const UnitParameters& parameters, Oracle& or
 }
 
 // units.py has these parameters as well.
-constexpr bool kDma = requires(HMLFC_MUTATED model) { model.fetch_arvalid; };
+constexpr bool kDma = kIsDma<HMLFC_MUTATED>;
 constexpr UnitParameters kParameters{kDma ? 1U : 2U, 12, 8, 4};
 
 std::vector<ViewMaker> only(bool made) {
