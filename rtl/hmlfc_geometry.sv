@@ -3,7 +3,7 @@
 // Derives the geometry of the stream from its header: planes, tiles, levels, addresses.
 //
 // `start` when the header's fields are valid; `done` is high for one clock when `error`, `stream` and `levels` are valid, which then hold.
-// Errors: limit_exceeded (FIL-7) for streams beyond this unit's limits, then bad_section_size (IDX-4, IDX-5).
+// Errors, in the order of FIL-8: limit_exceeded (FIL-7) for streams beyond this unit's limits, then bad_section_size (IDX-4, IDX-5).
 // Level l is at levels[l * $bits(level_t) +: ...], its entry in the header at level_entries[24 * l +: 24].
 // Only LOAD waits for it: products and quotients come one after the other from one multiplier and one divider, fewer
 // than 1300 clocks for a tree of 8 levels.

@@ -1,4 +1,4 @@
-// Every check that is made when a stream is opened (FIL-4, FIL-6, IDX-4, IDX-5, KEY-1).
+// Every check that is made when a stream is opened (FIL-8).
 #pragma once
 
 #include <span>

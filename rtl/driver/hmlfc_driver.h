@@ -111,7 +111,7 @@ struct hmlfc_limits {
 };
 
 /* Checks everything but checksums of sections and content of tiles: the header, `limits` (null:
- * those of the format), the sizes of ROOT and GROUP, the TOP table, in the order of FIL-4. With an
+ * those of the format), the sizes of ROOT and GROUP, the TOP table, in the order of FIL-8. With an
  * error, `error` says where, and the stream must not be used. */
 int hmlfc_stream_open(struct hmlfc_stream* stream, const uint8_t* file, size_t bytes,
                       const struct hmlfc_limits* limits, struct hmlfc_error* error);

@@ -6,6 +6,7 @@ import index
 import key_images
 import motion
 import opening
+import residual
 import tile_head
 from bit_string import Cursor
 from stream_error import StreamError, require
@@ -114,6 +115,56 @@ def vectors_with_head():
         right(self, cursor, fields)
 
     tile_head.TileHead._read_residual_widths = read_residual_widths
+
+
+@check
+def crc_before_sizes():
+    """FIL-8 with the crc of the sections first."""
+    right = opening.read_sections
+
+    def read_sections(fields, data):
+        sections = right(fields, data)
+        for (_, crc, _, _), section in zip(fields.sections, sections):
+            require(opening.crc32c(section) == crc, "bad_section_crc")
+        return sections
+
+    opening.read_sections = read_sections
+
+
+@check
+def levels_with_head():
+    """TIL-1 with the level codes of all block headers (TIL-8) before the record's end."""
+    right = tile_head.TileHead._read_residual_widths
+
+    def read_residual_widths(self, cursor, fields):
+        right(self, cursor, fields)
+        headers = Cursor(self.record, cursor.position)
+        width = self.level_bits + self.step_bits + self.bias_bits
+        while headers.position + width <= self.record.length:
+            require(self.level_base + headers.take(self.level_bits) <= 27 + 3 * (fields.depth - 8), "bad_levels")
+            headers.skip(width - self.level_bits)
+            if headers.position >= cursor.position + width * tile_head.popcount(self.residual_mask):
+                break
+
+    tile_head.TileHead._read_residual_widths = read_residual_widths
+
+
+@check
+def steps_with_values():
+    """STP-1 with the step code after the block's values were read."""
+    report_late(residual, "bad_levels", block, "read_residual")
+
+
+@check
+def data_of_empty_groups():
+    """IDX-6 with data that must lie in TILE, in streams of one tile group, for empty tiles too."""
+    right = block.find_record
+
+    def find_record(stream, tile):
+        require(int.from_bytes(stream.group[8:14], "little") <= len(stream.tile), "bad_group_record")
+        return right(stream, tile)
+
+    block.find_record = find_record
 
 
 @check

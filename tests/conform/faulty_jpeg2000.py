@@ -6,7 +6,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "naive_decoder"))
 
 import key_images  # noqa: E402
-from jpeg2000 import code_block, decoder, markers, packets, wavelet  # noqa: E402
+from jpeg2000 import code_block, decoder, markers, mq_decoder, packets, wavelet  # noqa: E402
 
 CODESTREAM = {}
 
@@ -117,6 +117,13 @@ def irreversible_allowed():
         wavelet.synthesize = right if segment[9] == 1 else synthesize_9_7
 
     markers.Codestream._cod = read
+
+
+@codestream
+def last_state_stays():
+    """State 45 of the arithmetic decoder, which the improbable symbol does not leave."""
+    estimate, after_more, _, switches = mq_decoder.STATES[45]
+    mq_decoder.STATES[45] = (estimate, after_more, after_more, switches)
 
 
 @codestream

@@ -67,6 +67,14 @@ def error_spreads(decoder, *place):
 
 
 @blocks
+def table_of_empty_tiles(decoder, *place):
+    """An end table past TILE is an error of empty tiles too (IDX-6), in streams of one tile group."""
+    if int.from_bytes(decoder.stream.group[8:14], "little") > len(decoder.stream.tile):
+        raise StreamError("bad_group_record")
+    return RIGHT(decoder, *place)
+
+
+@blocks
 def later_errors_hidden(decoder, *place):
     """The blocks that fail after the first give zeros."""
     try:

@@ -1,4 +1,4 @@
-"""Opening a stream: header, sections and their sizes (FIL-4, FIL-6, IDX-4, IDX-5, KEY-1)."""
+"""Opening a stream: header, sections and their sizes (FIL-4, FIL-6, FIL-8, IDX-4, IDX-5, KEY-1)."""
 
 from crc32c import crc32c
 from geometry import Geometry
@@ -18,10 +18,12 @@ class Stream:
         require(len(self.root) == 16 * ceil_div(groups, 64), "bad_section_size")
         require(len(self.group) % 16 == 0, "bad_section_size")
         self.codestreams = read_top_table(self.geometry, self.top)
+        for (_, crc, _, _), section in zip(self.header.sections, (self.top, self.root, self.group, self.tile)):
+            require(crc32c(section) == crc, "bad_section_crc")
 
 
 def read_sections(header, data):
-    """The bytes of the four sections, after the checks of FIL-4 and FIL-6."""
+    """The bytes of the four sections, after the checks of FIL-4."""
     end = header.header_bytes
     for i, (kind, _, offset, size) in enumerate(header.sections):
         require(kind == i + 1 and offset == end, "bad_section_table")
@@ -29,10 +31,7 @@ def read_sections(header, data):
     for _, _, offset, size in header.sections:
         require(offset + size <= len(data), "truncated")
     require(end == len(data), "trailing_bytes")
-    sections = [data[offset : offset + size] for _, _, offset, size in header.sections]
-    for (_, crc, _, _), section in zip(header.sections, sections):
-        require(crc32c(section) == crc, "bad_section_crc")
-    return sections
+    return [data[offset : offset + size] for _, _, offset, size in header.sections]
 
 
 def read_top_table(geometry, top):

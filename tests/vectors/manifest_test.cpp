@@ -98,6 +98,12 @@ TEST(FieldRule, TakesItsTermsInTurn) {
   EXPECT_EQ(picked, (std::vector<int64_t>{-2, 3, 8, -2, -2, 3, 8, -1, -2, 3, 8, 0}));
 }
 
+TEST(FieldRule, RepeatsATermOfARun) {
+  Random random(1);
+  FieldRule rule = FieldRule::from(Json::parse(R"({"of": [{"run": [3, "max"]}, 4]})"));
+  for (const int64_t expected : {9, 9, 9, 4, 9}) EXPECT_EQ(rule.pick(0, 9, random), expected);
+}
+
 TEST(FieldRule, StaysInItsInterval) {
   Random random(5);
   FieldRule whole;

@@ -60,7 +60,14 @@ FieldRule FieldRule::from(const Json& json) {
     return rule;
   }
   rule.terms_.clear();
-  for (const Json& term : json.at("of")) rule.terms_.push_back(term_from(term));
+  for (const Json& term : json.at("of")) {
+    if (term.is_object()) {
+      const Json& run = term.at("run");
+      rule.terms_.insert(rule.terms_.end(), run.at(0).get<uint16_t>(), term_from(run.at(1)));
+    } else {
+      rule.terms_.push_back(term_from(term));
+    }
+  }
   if (rule.terms_.empty()) throw TextError("\"of\" lists no rule");
   return rule;
 }

@@ -18,7 +18,8 @@ namespace hmlfc::vectors {
 ///   "random"             uniform in the field's whole interval
 ///   "min", "max"         the ends of the interval
 ///   "ramp"               lo, lo + 1, ... hi, lo, ...
-///   {"of": [0, "max"]}   each in turn, then from the start again
+///   {"of": [0, "max"]}   each in turn, then from the start again; {"run": [9, 0]} among them is
+///                        the same as 0 nine times
 class FieldRule {
  public:
   FieldRule() = default;  ///< "random"

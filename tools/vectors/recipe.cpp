@@ -1,6 +1,7 @@
 #include "vectors/recipe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -85,11 +86,15 @@ Json edited_recipe(const Json& family, const std::string& name, const Json& firs
 }
 
 // The recipe of a stream with both errors of `family`. The later one is edited in first, so that
-// fields before it are still read when the other is. If other views meet it too, they get the first
-// error before it, so that a decoder of whole views has no other name to give.
+// fields before it are still read when the other is; a wrong checksum, which the mending behind the
+// other's edits would correct, after the errors that it names in "after". If other views meet it
+// too, they get the first error before it, so that a decoder of whole views has no other name to
+// give.
 Json pair_recipe(const Json& family, const Json& first, const Json& second) {
   Json edits = second.value("elsewhere", false) ? first.at("cover") : Json::array();
-  for (const Json* error : {&second, &first}) {
+  std::array order{&second, &first};
+  if (names_of(second, "after").contains(first.at("name"))) std::ranges::reverse(order);
+  for (const Json* error : order) {
     const Json& own = error->at("edits");
     edits.insert(edits.end(), own.begin(), own.end());
   }

@@ -63,7 +63,7 @@ using ViewConsumer = std::function<void(ViewPos, RgbImage&&)>;
 class HMLFC_EXPORT Decoder {
  public:
   /// Opens the stream in `file`, the bytes of a whole file, which must outlive the decoder. Errors:
-  /// those of FIL-4 to FIL-7, IDX-4, IDX-5 and KEY-1.
+  /// those of FIL-8.
   static Result<Decoder> open(std::span<const uint8_t> file, const OpenOptions& options = {});
 
   /// The decoder moved from may only be assigned to or destroyed.

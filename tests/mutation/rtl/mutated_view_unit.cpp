@@ -12,7 +12,9 @@ constexpr uint64_t kAnswerSeed = 5;
 
 // The DMA alone shows the port on which it reads samples.
 template <class Model>
-constexpr bool kIsDma = requires(Model model) { model.fetch_arvalid; };
+constexpr bool kIsDma = requires(Model model) {
+  model.fetch_arvalid;
+};
 
 template <class Model>
 std::unique_ptr<ViewUnit> make_unit(const UnitParameters& parameters, Oracle& oracle, unsigned) {
