@@ -94,6 +94,17 @@ class Campaign:
     def left(self, mutants: list[dict]) -> list[dict]:
         return [mutant for mutant in mutants if self.results[mutant["number"]]["result"] not in FOUND]
 
+    def prove(self, mutants: list[dict]) -> dict[int, str]:
+        """What Yosys and ABC say of each; those that are equivalent have a result by that."""
+        proofs = {}
+        said = in_parallel("proofs", lambda mutant: prove.prove(mutant, self.folder, self.options.seconds), mutants, self.options.jobs)
+        for mutant, proof in zip(mutants, said):
+            proofs[mutant["number"]] = proof
+            if proof == prove.EQUIVALENT:
+                self.results[mutant["number"]]["proof"] = proof
+                self.keep(self.results)
+        return proofs
+
     def run(self, mutants: list[dict]) -> None:
         """Most are found by the first checks. What is not found by then is proved equivalent, if it can be, before all checks are
         tried on the others, several of which are switched on at once."""
@@ -102,8 +113,7 @@ class Campaign:
         if self.options.first:
             return
         missed = self.left(mutants)
-        proofs = dict(zip([mutant["number"] for mutant in missed],
-                          in_parallel("proofs", lambda mutant: prove.prove(mutant, self.folder, self.options.seconds), missed, self.options.jobs)))
+        proofs = self.prove(missed)
         rest = [mutant for mutant in missed if proofs[mutant["number"]] != prove.EQUIVALENT]
         # One of each variant together: what no check finds together takes the time of one.
         groups = [[mutant for mutant in group if mutant] for group in itertools.zip_longest(*by_variant(rest))]
