@@ -62,6 +62,9 @@ struct DeviceOptions {
   double timeout_seconds = 600;
   /// For tests: each submission is refused where a barrier is missing or idle (hazards.hpp).
   bool check_barriers = false;
+  /// For tests: the driver keeps what it knows of each kernel (Kernels::statistics), with
+  /// VK_KHR_pipeline_executable_properties.
+  bool kernel_statistics = false;
   /// For tests: kernels that run in place of the library's own. Nothing checks the code.
   KernelCode kernels;
 };

@@ -119,7 +119,7 @@ void DeviceStream::upload_keys(Device::State& device, const StreamView& stream) 
 
 // Residuals of the reference images at levels that are not keyed (DEC-4).
 void DeviceStream::decode_references(Device::State& device, const StreamView& stream) {
-  const Variant variant{.chunked = chunked(), .reference_pass = true};
+  const Variant variant = variant_of(KernelUse::kReferences, chunked());
   const BlockSizes sizes = block_sizes(stream.header);
   BatchBuffers buffers;
   const uint64_t limit = std::max<uint64_t>(1, max_requests(device, sizes, false));

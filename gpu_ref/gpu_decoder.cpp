@@ -104,17 +104,16 @@ struct GpuDecoder::State {
   // One submission. `collect(commands)` adds the copies to the readback buffer.
   template <class Collect>
   void submit(const Batch& batch, Want want, const Collect& collect) {
-    const Variant variant{.chunked = stream.chunked(), .stages = want == Want::kStages};
-    const Arguments arguments =
-        buffers.prepare(device, batch, sizes, variant.stages, stream.arguments());
+    const bool stages = want == Want::kStages;
+    const Variant plain = variant_of(KernelUse::kBlocks, stream.chunked());
+    const Variant last = variant_of(stages ? KernelUse::kStages : KernelUse::kBlocks, plain.chunked);
+    const Arguments arguments = buffers.prepare(device, batch, sizes, stages, stream.arguments());
     Commands commands(device);
-    // The debug variant alone has a variant of its own for its last kernel.
-    const Variant plain{.chunked = variant.chunked};
     commands.dispatch("expand", plain, arguments, batch.requests);
     commands.barrier(kCompute, kCompute);
     commands.dispatch("walk", plain, arguments, batch.requests * sizes.levels);
     commands.barrier(kCompute, kCompute);
-    commands.dispatch("samples", variant, arguments, batch.requests * sizes.sample_words);
+    commands.dispatch("samples", last, arguments, batch.requests * sizes.sample_words);
     if (want == Want::kPixels) {
       commands.barrier(kCompute, kCompute);
       commands.dispatch("colour", plain, arguments, batch.pixels * sizes.sample_words);

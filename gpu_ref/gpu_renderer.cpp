@@ -125,8 +125,7 @@ struct GpuRenderer::State {
                       Commands& commands) const {
     const uint64_t words = words_of_level(stop_level);
     const uint64_t pixels = image_pixels(record);
-    const Variant variant{
-        .chunked = stream.chunked(), .counted = true, .pool_chunked = pool.chunked()};
+    const Variant variant = variant_of(KernelUse::kFrames, stream.chunked(), pool.chunked());
     const Buffer& counts = counters.get();
     const Buffer& groups = dispatches.get();
     commands.fill(needed.get(), 0, 4 * words, 0);

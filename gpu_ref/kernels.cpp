@@ -57,7 +57,8 @@ vk::raii::PipelineLayout make_layout(const vk::raii::Device& device) {
 }
 
 vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
-                                 std::span<const uint32_t> code, const Variant& variant) {
+                                 std::span<const uint32_t> code, const Variant& variant,
+                                 vk::PipelineCreateFlags flags) {
   const vk::raii::ShaderModule shader(
       device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
   const std::array<vk::Bool32, 5> values{variant.chunked, variant.reference_pass, variant.stages,
@@ -71,16 +72,51 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
                                          sizeof(values), values.data());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader,
                                                 "main", &constants);
-  return {device, nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
+  return {device, nullptr, vk::ComputePipelineCreateInfo(flags, stage, layout)};
+}
+
+uint64_t number_of(const vk::PipelineExecutableStatisticKHR& statistic) {
+  using Format = vk::PipelineExecutableStatisticFormatKHR;
+  if (statistic.format == Format::eBool32) return statistic.value.b32;
+  if (statistic.format == Format::eFloat64) return static_cast<uint64_t>(statistic.value.f64);
+  return statistic.value.u64;
 }
 
 }  // namespace
 
-Kernels::Kernels(const vk::raii::Device& device, KernelCode replaced)
+Variant variant_of(KernelUse use, bool chunked, bool pool_chunked) {
+  return {.chunked = chunked,
+          .reference_pass = use == KernelUse::kReferences,
+          .stages = use == KernelUse::kStages,
+          .counted = use == KernelUse::kFrames,
+          .pool_chunked = use == KernelUse::kFrames && pool_chunked};
+}
+
+std::span<const std::string_view> kernels_of(KernelUse use) {
+  static constexpr std::string_view kReferences[] = {"expand", "walk", "residuals"};
+  static constexpr std::string_view kBlocks[] = {"expand", "walk", "samples", "colour"};
+  static constexpr std::string_view kStages[] = {"samples"};
+  static constexpr std::string_view kFrames[] = {"mark", "count",   "plan",   "compact",
+                                                 "walk", "samples", "errors", "render"};
+  switch (use) {
+    case KernelUse::kReferences:
+      return kReferences;
+    case KernelUse::kBlocks:
+      return kBlocks;
+    case KernelUse::kStages:
+      return kStages;
+    case KernelUse::kFrames:
+      return kFrames;
+  }
+  return {};
+}
+
+Kernels::Kernels(const vk::raii::Device& device, const DeviceOptions& options)
     : device_(&device),
       layout_(make_layout(device)),
       code_(built_kernels()),
-      replaced_(std::move(replaced)) {
+      replaced_(options.kernels) {
+  if (options.kernel_statistics) flags_ |= vk::PipelineCreateFlagBits::eCaptureStatisticsKHR;
   for (const auto& [name, code] : replaced_) {
     if (!code_.contains(name))
       throw MachineError(FailureKind::kUnusable, "no kernel is named \"" + name + "\"");
@@ -93,9 +129,26 @@ vk::Pipeline Kernels::pipeline(const std::string& kernel, const Variant& variant
   auto found = pipelines_.find(key);
   if (found == pipelines_.end()) {
     found =
-        pipelines_.emplace(key, make_pipeline(*device_, *layout_, code_.at(kernel), variant)).first;
+        pipelines_
+            .emplace(key, make_pipeline(*device_, *layout_, code_.at(kernel), variant, flags_))
+            .first;
   }
   return *found->second;
+}
+
+void Kernels::prepare(KernelUse use, bool chunked, bool pool_chunked) {
+  for (const std::string_view kernel : kernels_of(use)) {
+    pipeline(std::string(kernel), variant_of(use, chunked, pool_chunked));
+  }
+}
+
+KernelStatistics Kernels::statistics(const std::string& kernel, const Variant& variant) {
+  const vk::PipelineExecutableInfoKHR executable(pipeline(kernel, variant), 0);
+  KernelStatistics numbers;
+  for (const auto& statistic : device_->getPipelineExecutableStatisticsKHR(executable)) {
+    numbers[statistic.name.data()] = number_of(statistic);
+  }
+  return numbers;
 }
 
 }  // namespace hmlfc::gpu
