@@ -1,58 +1,15 @@
-// A frame on the device: its arguments (shaders/frame.glsl), and the decoded blocks that frames
-// leave to the next one.
+// The decoded blocks that frames leave to the next one.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
-#include <hmlfc/camera.hpp>
-
 #include "batch_buffers.hpp"
 #include "buffer.hpp"
 #include "commands.hpp"
+#include "frame_shape.hpp"
 
 namespace hmlfc::gpu {
-
-struct FrameShape {
-  uint64_t needed = 0;
-  uint64_t held = 0;
-  uint64_t pages = 0;
-  uint64_t slots = 0;
-  uint64_t counters = 0;
-  uint64_t dispatches = 0;
-  uint64_t drawn = 0;
-  uint64_t pool = 0;
-  uint32_t pool_chunk_log2 = 0;
-  uint32_t pool_pages = 0;
-  uint32_t kept_pages = 0;
-  uint32_t stop_level = 0;
-  uint32_t capacity = 0;
-  uint32_t needed_words = 0;
-  FrameRecord record;
-};
-
-/// Words of the counters that the host uses.
-enum FrameCounter : uint32_t {
-  kCountNeeded = 0,
-  kCountMode = 4,
-  kCountDecoded = 5,
-  kCountPages = 6,
-  kCountFirstError = 9,
-  kCountStatus = 10,
-  kFrameCounters = 11,  ///< those before are of one frame
-  kCountUsedPages = 11,
-  kAllCounters = 12,
-};
-
-/// Words of the sizes of dispatches that plan.comp decides, three each.
-enum FrameDispatch : uint32_t {
-  kDispatchWalk = 0,
-  kDispatchSamples = 3,
-  kDispatchErrors = 6,
-  kAllDispatches = 9,
-};
-
-inline constexpr uint32_t kModeNoRoom = 0;  ///< of kCountMode
 
 /// The samples of blocks in pages, each with a slot for every block of a word of bits
 /// (shaders/block_bits.glsl), and which blocks are held. The kernels of a frame say what is held

@@ -9,6 +9,7 @@
 #include "block_pool.hpp"
 #include "commands.hpp"
 #include "device_stream.hpp"
+#include "frame_shape.hpp"
 #include "render/shown_image.hpp"
 
 namespace hmlfc::gpu {
