@@ -106,7 +106,8 @@ struct GpuDecoder::State {
   void submit(const Batch& batch, Want want, const Collect& collect) {
     const bool stages = want == Want::kStages;
     const Variant plain = variant_of(KernelUse::kBlocks, stream.chunked());
-    const Variant last = variant_of(stages ? KernelUse::kStages : KernelUse::kBlocks, plain.chunked);
+    const Variant last =
+        variant_of(stages ? KernelUse::kStages : KernelUse::kBlocks, plain.chunked);
     const Arguments arguments = buffers.prepare(device, batch, sizes, stages, stream.arguments());
     Commands commands(device);
     commands.dispatch("expand", plain, arguments, batch.requests);

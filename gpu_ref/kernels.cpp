@@ -128,10 +128,9 @@ vk::Pipeline Kernels::pipeline(const std::string& kernel, const Variant& variant
   const auto key = std::pair{kernel, variant};
   auto found = pipelines_.find(key);
   if (found == pipelines_.end()) {
-    found =
-        pipelines_
-            .emplace(key, make_pipeline(*device_, *layout_, code_.at(kernel), variant, flags_))
-            .first;
+    found = pipelines_
+                .emplace(key, make_pipeline(*device_, *layout_, code_.at(kernel), variant, flags_))
+                .first;
   }
   return *found->second;
 }

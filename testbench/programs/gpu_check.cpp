@@ -168,8 +168,14 @@ int show_frames(const Options& o, std::span<const uint8_t> file, const StreamVie
   if (o.speed) {
     const auto speed = measure_frames(*renderer, view, o.camera, o.frames);
     if (!speed) return usage_error(speed.error().message);
-    fmt::print("{}\ncold: {}warm: {}", device.info().name, to_text(speed->cold),
-               to_text(speed->warm));
+    if (view.header.rows > 1 && view.header.cols > 1 && speed->views < kLeastViews) {
+      return usage_error(
+          fmt::format("pixels of these frames read only {:.2f} views of the {} that "
+                      "frames must, to be worth measuring",
+                      speed->views, kLeastViews));
+    }
+    fmt::print("{}, {:.2f} views a pixel\ncold: {}warm: {}", device.info().name, speed->views,
+               to_text(speed->cold), to_text(speed->warm));
     return 0;
   }
   const auto path = check_frames(*renderer, file, view, o.camera, o.frames);

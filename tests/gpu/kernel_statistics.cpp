@@ -18,8 +18,8 @@ constexpr const char* kUseNames[] = {"references", "blocks", "stages", "frames"}
 std::string driver_of(Device& device) {
   const auto properties =
       device.state()
-          .physical->getProperties2<vk::PhysicalDeviceProperties2,
-                                    vk::PhysicalDeviceDriverProperties>();
+          .physical
+          ->getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
   return properties.get<vk::PhysicalDeviceDriverProperties>().driverInfo.data();
 }
 
