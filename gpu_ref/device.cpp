@@ -167,7 +167,7 @@ void make_device(Device::State& state, const DeviceOptions& options) {
                        vk::DeviceCreateInfo({}, queue, {}, extensions, {}, &addresses));
   state.queue.emplace(*state.device, family, 0);
   state.pool.emplace(*state.device, vk::CommandPoolCreateInfo({}, family));
-  state.kernels.emplace(*state.device, options);
+  state.kernels.emplace(*state.physical, *state.device, options);
   const auto limits = state.physical->getProperties().limits;
   state.max_workgroups = limits.maxComputeWorkGroupCount[0];
   const auto family_properties = state.physical->getQueueFamilyProperties()[family];

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,10 @@ struct DeviceOptions {
   /// Largest buffer in bytes for stream and reference area; 0: the device's own limit. Else a power
   /// of two, at least 64.
   uint64_t chunk_bytes = 0;
+  /// The folder where compiled kernels are kept for the next process; empty: none. Not set: hmlfc
+  /// in $XDG_CACHE_HOME or in ~/.cache. A file that is not there, damaged or of another driver is
+  /// as none, and a folder that cannot be written is no error.
+  std::optional<std::string> cache_folder;
   /// For tests: every buffer ends at a page that nobody may touch, so that an access past its end
   /// ends the process. Of devices on the host, with VK_EXT_external_memory_host.
   bool guard_pages = false;

@@ -123,7 +123,9 @@ void DeviceStream::decode_references(Device::State& device, const StreamView& st
   const BlockSizes sizes = block_sizes(stream.header);
   BatchBuffers buffers;
   const uint64_t limit = std::max<uint64_t>(1, max_requests(device, sizes, false));
-  for (const Batch& batch : reference_batches(stream.geometry, limit)) {
+  const auto batches = reference_batches(stream.geometry, limit);
+  if (!batches.empty()) device.kernels->prepare(KernelUse::kReferences, chunked());
+  for (const Batch& batch : batches) {
     const Arguments all = buffers.prepare(device, batch, sizes, false, arguments());
     Commands commands(device);
     commands.dispatch("expand", variant, all, batch.requests);

@@ -94,7 +94,9 @@ struct GpuDecoder::State {
       : device(d),
         stream(d, view),
         chroma_format(view.header.chroma_format),
-        sizes(block_sizes(view.header)) {}
+        sizes(block_sizes(view.header)) {
+    device.kernels->prepare(KernelUse::kBlocks, stream.chunked());
+  }
 
   // Most requests of a submission that leaves stages or not.
   uint64_t limit(bool trace) const {
@@ -209,6 +211,7 @@ Outcome<PixelBlocks> GpuDecoder::decode_rgb(std::span<const PixelArea> areas) {
 Outcome<std::vector<BlockStages>> GpuDecoder::trace(std::span<const BlockArea> areas) {
   return guard_device([&] {
     state_->times.clear();
+    state_->device.kernels->prepare(KernelUse::kStages, state_->stream.chunked());
     std::vector<BlockStages> blocks;
     for (const Batch& batch : batches_of(areas, state_->limit(true))) state_->trace(batch, blocks);
     return blocks;

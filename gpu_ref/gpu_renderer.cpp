@@ -44,6 +44,8 @@ struct GpuRenderer::State {
       throw MachineError(FailureKind::kLimit,
                          "limit_exceeded: frames need fewer than 2^32 - 1 blocks in all views");
     }
+    pool.reserve(device, 0);
+    device.kernels->prepare(KernelUse::kFrames, stream.chunked(), pool.chunked());
   }
 
   GpuFrame render(const FrameRecord& record, int stop_level) {

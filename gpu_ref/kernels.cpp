@@ -56,7 +56,8 @@ vk::raii::PipelineLayout make_layout(const vk::raii::Device& device) {
   return {device, vk::PipelineLayoutCreateInfo({}, {}, range)};
 }
 
-vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
+vk::raii::Pipeline make_pipeline(const vk::raii::Device& device,
+                                 const vk::raii::PipelineCache& cache, vk::PipelineLayout layout,
                                  std::span<const uint32_t> code, const Variant& variant,
                                  vk::PipelineCreateFlags flags) {
   const vk::raii::ShaderModule shader(
@@ -72,7 +73,12 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
                                          sizeof(values), values.data());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader,
                                                 "main", &constants);
-  return {device, nullptr, vk::ComputePipelineCreateInfo(flags, stage, layout)};
+  return {device, cache, vk::ComputePipelineCreateInfo(flags, stage, layout)};
+}
+
+std::filesystem::path cache_folder(const DeviceOptions& options) {
+  return options.cache_folder ? std::filesystem::path(*options.cache_folder)
+                              : default_cache_folder();
 }
 
 uint64_t number_of(const vk::PipelineExecutableStatisticKHR& statistic) {
@@ -111,11 +117,15 @@ std::span<const std::string_view> kernels_of(KernelUse use) {
   return {};
 }
 
-Kernels::Kernels(const vk::raii::Device& device, const DeviceOptions& options)
+Kernels::Kernels(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+                 const DeviceOptions& options)
     : device_(&device),
       layout_(make_layout(device)),
       code_(built_kernels()),
-      replaced_(options.kernels) {
+      replaced_(options.kernels),
+      file_(cache_folder(options), physical.getProperties()),
+      kept_(file_.read()),
+      cache_(device, vk::PipelineCacheCreateInfo({}, kept_.size(), kept_.data())) {
   if (options.kernel_statistics) flags_ |= vk::PipelineCreateFlagBits::eCaptureStatisticsKHR;
   for (const auto& [name, code] : replaced_) {
     if (!code_.contains(name))
@@ -129,16 +139,23 @@ vk::Pipeline Kernels::pipeline(const std::string& kernel, const Variant& variant
   auto found = pipelines_.find(key);
   if (found == pipelines_.end()) {
     found = pipelines_
-                .emplace(key, make_pipeline(*device_, *layout_, code_.at(kernel), variant, flags_))
+                .emplace(key, make_pipeline(*device_, cache_, *layout_, code_.at(kernel), variant,
+                                            flags_))
                 .first;
   }
   return *found->second;
 }
 
 void Kernels::prepare(KernelUse use, bool chunked, bool pool_chunked) {
+  const size_t before = pipelines_.size();
   for (const std::string_view kernel : kernels_of(use)) {
     pipeline(std::string(kernel), variant_of(use, chunked, pool_chunked));
   }
+  if (pipelines_.size() == before) return;
+  auto data = cache_.getData();
+  if (data == kept_) return;
+  file_.write(data);
+  kept_ = std::move(data);
 }
 
 KernelStatistics Kernels::statistics(const std::string& kernel, const Variant& variant) {

@@ -12,6 +12,7 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include "device.hpp"
+#include "kernel_cache.hpp"
 
 namespace hmlfc::gpu {
 
@@ -51,14 +52,16 @@ using KernelStatistics = std::map<std::string, uint64_t>;
 class Kernels {
  public:
   /// Throws MachineError where DeviceOptions::kernels has a name that is no kernel's.
-  Kernels(const vk::raii::Device& device, const DeviceOptions& options);
+  Kernels(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+          const DeviceOptions& options);
 
   vk::PipelineLayout layout() const { return *layout_; }
 
   /// `kernel`: the name of its file in shaders/.
   vk::Pipeline pipeline(const std::string& kernel, const Variant& variant);
 
-  /// Makes the pipelines of `use`, so that no call waits for a compiler.
+  /// Makes the pipelines of `use`, so that no call waits for a compiler, and keeps what was
+  /// compiled for the next process.
   void prepare(KernelUse use, bool chunked, bool pool_chunked = false);
 
   /// With DeviceOptions::kernel_statistics.
@@ -70,6 +73,9 @@ class Kernels {
   std::map<std::string, std::span<const uint32_t>> code_;
   KernelCode replaced_;
   vk::PipelineCreateFlags flags_;
+  KernelCacheFile file_;
+  std::vector<uint8_t> kept_;  // what the file has, as far as is known
+  vk::raii::PipelineCache cache_;
   std::map<std::pair<std::string, Variant>, vk::raii::Pipeline> pipelines_;
 };
 

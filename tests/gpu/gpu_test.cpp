@@ -11,6 +11,7 @@ DeviceOptions with_environment(DeviceOptions options) {
   const char* name = std::getenv("HMLFC_GPU_DEVICE");
   if (name != nullptr) options.device = name;
   options.check_barriers = true;
+  options.cache_folder = "";  // tests leave nothing behind
   return options;
 }
 

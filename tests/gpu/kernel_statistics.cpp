@@ -39,6 +39,7 @@ int run(const std::string& name) {
   DeviceOptions options;
   options.device = name;
   options.kernel_statistics = true;
+  options.cache_folder = "";
   auto device = Device::open(options);
   if (!device) {
     fmt::print("{}\n", device.error().message);
