@@ -6,22 +6,23 @@
 
 #include "batch_buffers.hpp"
 #include "buffer.hpp"
-#include "commands.hpp"
 #include "frame_shape.hpp"
 
 namespace hmlfc::gpu {
 
 /// The samples of blocks in pages, each with a slot for every block of a word of bits
 /// (shaders/block_bits.glsl), and which blocks are held. The kernels of a frame say what is held
-/// and where; the host forgets it where that is not true of the next frame.
+/// and where.
 class BlockPool {
  public:
   /// For frames of up to `words` words of bits; pages of up to `budget` bytes are kept between
   /// them.
   BlockPool(const BlockSizes& sizes, uint64_t words, uint64_t budget);
 
-  /// Makes room for `pages` pages, or for those that may be kept. Nothing is held where there was
-  /// less room. Throws MachineError beyond what a frame may take.
+  /// Makes room for `pages` pages, or for those that may be kept, and more than before where it
+  /// makes some: a camera that needs ever more must not come back each frame. Nothing is held where
+  /// there was less room. The device must not be using the pool. Throws MachineError beyond what a
+  /// frame may take.
   void reserve(Device::State& device, uint64_t pages);
 
   /// Writes its part of `shape`, after reserve().
@@ -30,10 +31,13 @@ class BlockPool {
   /// The pool is in more than one buffer.
   bool chunked() const { return samples_->chunked(); }
 
-  /// Begins a frame of level `stop_level`. Blocks of another level are forgotten; those of this
-  /// frame too, unless end_frame() says that all of them have decoded.
-  void begin_frame(int stop_level, Commands& commands, const Buffer& counters);
-  void end_frame(int stop_level) { held_level_ = stop_level; }
+  /// A frame of level `stop_level` is submitted: whether it must forget what is held, since that is
+  /// of another level. The device itself forgets after a frame with an error.
+  bool begin_frame(int stop_level) {
+    const bool forgets = held_level_ != stop_level;
+    held_level_ = stop_level;
+    return forgets;
+  }
 
   void forget() { held_level_.reset(); }
 
@@ -45,6 +49,7 @@ class BlockPool {
   std::optional<ChunkedWords> samples_;
   GrowingBuffer held_{Memory::kDevice};
   GrowingBuffer page_numbers_{Memory::kDevice};
+  GrowingBuffer used_pages_{Memory::kDevice};
   std::optional<int> held_level_;
 };
 

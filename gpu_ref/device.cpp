@@ -166,7 +166,9 @@ void make_device(Device::State& state, const DeviceOptions& options) {
   state.device.emplace(*state.physical,
                        vk::DeviceCreateInfo({}, queue, {}, extensions, {}, &addresses));
   state.queue.emplace(*state.device, family, 0);
-  state.pool.emplace(*state.device, vk::CommandPoolCreateInfo({}, family));
+  state.pool.emplace(
+      *state.device,
+      vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family));
   state.kernels.emplace(*state.physical, *state.device, options);
   const auto limits = state.physical->getProperties().limits;
   state.max_workgroups = limits.maxComputeWorkGroupCount[0];

@@ -128,6 +128,7 @@ void DeviceStream::decode_references(Device::State& device, const StreamView& st
   for (const Batch& batch : batches) {
     const Arguments all = buffers.prepare(device, batch, sizes, false, arguments());
     Commands commands(device);
+    commands.barrier(kTransfer, kCompute);  // the stream's upload
     commands.dispatch("expand", variant, all, batch.requests);
     commands.barrier(kCompute, kCompute);
     commands.dispatch("walk", variant, all, batch.requests);

@@ -13,6 +13,8 @@ struct FrameShape {
   uint64_t pages = 0;
   uint64_t slots = 0;
   uint64_t counters = 0;
+  uint64_t used_pages = 0;
+  uint64_t results = 0;
   uint64_t dispatches = 0;
   uint64_t drawn = 0;
   uint64_t pool = 0;
@@ -22,6 +24,7 @@ struct FrameShape {
   uint32_t stop_level = 0;
   uint32_t capacity = 0;
   uint32_t needed_words = 0;
+  uint32_t forget = 0;
   FrameRecord record;
 };
 
@@ -38,17 +41,20 @@ enum FrameCounter : uint32_t {
   kCountNextPage = 8,
   kCountFirstError = 9,
   kCountStatus = 10,
-  kFrameCounters = 11,  ///< those before are of one frame
-  kCountUsedPages = 11,
-  kAllCounters = 12,
+  kCountWorkgroups = 11,
+  kFrameCounters = 12,
 };
 
-/// Words of the sizes of dispatches that plan.comp decides, three each.
+inline constexpr uint32_t kNoError = ~0u;  ///< of kCountFirstError
+
+/// Pixels that an invocation of render.comp draws.
+inline constexpr uint64_t kPixelsOfRender = 2;
+
+/// Words of the sizes of dispatches that frame_plan.glsl decides, three each.
 enum FrameDispatch : uint32_t {
   kDispatchWalk = 0,
   kDispatchSamples = 3,
-  kDispatchErrors = 6,
-  kAllDispatches = 9,
+  kAllDispatches = 6,
 };
 
 /// Values of kCountMode.

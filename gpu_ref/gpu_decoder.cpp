@@ -112,6 +112,7 @@ struct GpuDecoder::State {
         variant_of(stages ? KernelUse::kStages : KernelUse::kBlocks, plain.chunked);
     const Arguments arguments = buffers.prepare(device, batch, sizes, stages, stream.arguments());
     Commands commands(device);
+    commands.barrier(kTransfer, kCompute);  // the stream's upload
     commands.dispatch("expand", plain, arguments, batch.requests);
     commands.barrier(kCompute, kCompute);
     commands.dispatch("walk", plain, arguments, batch.requests * sizes.levels);

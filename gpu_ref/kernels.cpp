@@ -28,17 +28,8 @@ constexpr uint32_t kColourCode[] =
 constexpr uint32_t kMarkCode[] =
 #include "shaders/mark.inc"
     ;
-constexpr uint32_t kCountCode[] =
-#include "shaders/count.inc"
-    ;
-constexpr uint32_t kPlanCode[] =
-#include "shaders/plan.inc"
-    ;
 constexpr uint32_t kCompactCode[] =
 #include "shaders/compact.inc"
-    ;
-constexpr uint32_t kErrorsCode[] =
-#include "shaders/errors.inc"
     ;
 constexpr uint32_t kRenderCode[] =
 #include "shaders/render.inc"
@@ -47,8 +38,7 @@ constexpr uint32_t kRenderCode[] =
 std::map<std::string, std::span<const uint32_t>> built_kernels() {
   return {{"expand", kExpandCode},   {"walk", kWalkCode},     {"residuals", kResidualsCode},
           {"samples", kSamplesCode}, {"colour", kColourCode}, {"mark", kMarkCode},
-          {"count", kCountCode},     {"plan", kPlanCode},     {"compact", kCompactCode},
-          {"errors", kErrorsCode},   {"render", kRenderCode}};
+          {"compact", kCompactCode}, {"render", kRenderCode}};
 }
 
 vk::raii::PipelineLayout make_layout(const vk::raii::Device& device) {
@@ -102,8 +92,7 @@ std::span<const std::string_view> kernels_of(KernelUse use) {
   static constexpr std::string_view kReferences[] = {"expand", "walk", "residuals"};
   static constexpr std::string_view kBlocks[] = {"expand", "walk", "samples", "colour"};
   static constexpr std::string_view kStages[] = {"samples"};
-  static constexpr std::string_view kFrames[] = {"mark", "count",   "plan",   "compact",
-                                                 "walk", "samples", "errors", "render"};
+  static constexpr std::string_view kFrames[] = {"mark", "compact", "walk", "samples", "render"};
   switch (use) {
     case KernelUse::kReferences:
       return kReferences;

@@ -46,6 +46,11 @@ struct GpuRenderer::State {
 
 Outcome<GpuRenderer> GpuRenderer::open(Device&, const StreamView&, uint64_t) { return missing(); }
 Outcome<GpuFrame> GpuRenderer::render(const FrameRecord&, int) { return missing(); }
+Outcome<void> GpuRenderer::begin(const FrameRecord&, int, FrameOutput) { return missing(); }
+unsigned GpuRenderer::under_way() const { return 0; }
+Outcome<bool> GpuRenderer::ready() { return missing(); }
+Outcome<void> GpuRenderer::finish(GpuFrame&) { return missing(); }
+uint64_t GpuRenderer::picture_address() const { return 0; }
 void GpuRenderer::forget() {}
 const std::vector<StageTime>& GpuRenderer::stage_times() const { return state_->times; }
 

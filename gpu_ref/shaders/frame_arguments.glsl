@@ -3,7 +3,7 @@
 
 Frame frame() { return Frame(arguments.frame); }
 
-/// The requests of this dispatch: the host says how many, or with kCounted plan.comp does.
+/// The requests of this dispatch: the host says how many, or with kCounted frame_plan.glsl does.
 layout(constant_id = 3) const bool kCounted = false;
 
 /// The pool is in more than one buffer.

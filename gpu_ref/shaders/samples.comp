@@ -6,6 +6,7 @@
 #include "requests.glsl"
 #include "frame.glsl"
 #include "frame_arguments.glsl"
+#include "block_bits.glsl"
 #include "stream_words.glsl"
 #include "bise.glsl"
 #include "block_entry.glsl"
@@ -85,6 +86,14 @@ ivec2 decode(Request request, uint q, uint i, out uint status) {
   return samples;
 }
 
+/// The first needed block that does not decode (NED-2). It is in the pool like the others: the next
+/// frame must not find it.
+void note_error(Request request) {
+  const uint bit = bit_of_block(image_of(request), plane_of(request), block_of(request));
+  atomicMin(frame().counters.word[kCountFirstError], bit);
+  atomicMax(frame().used_pages.word[0], kUsedNothingHeld);
+}
+
 void main() {
   const uint words_log2 = 2u * arguments.shape.block_log2 - 1u;
   const uint number = invocation();
@@ -96,5 +105,10 @@ void main() {
   ivec2 samples = ivec2(0);
   if (is_valid(request)) samples = decode(request, q, 2u * word, status);
   write_samples(q, word, sample_pair(samples), status);
-  if (word == 0u) arguments.statuses.word[q] = status;
+  if (word != 0u) return;
+  if (kCounted) {
+    if (status != ERROR_OK) note_error(request);
+  } else {
+    arguments.statuses.word[q] = status;
+  }
 }

@@ -10,7 +10,7 @@
 namespace hmlfc::gpu {
 namespace {
 
-// plan.comp with a fault each, as SPIR-V (tests/CMakeLists.txt).
+// mark.comp with a fault each in its frame_plan.glsl, as SPIR-V (tests/gpu/CMakeLists.txt).
 constexpr uint32_t kNeverFlushes[] =
 #include "faults/never_flushes.inc"
     ;
@@ -188,9 +188,9 @@ TEST_F(GpuFrameCacheOfOneStream, AFrameAboveTheBudgetLeavesNothing) {
 }
 
 /// The first difference of a walk on a device with a kernel of its own.
-std::string difference_with(std::span<const uint32_t> plan, uint64_t cache_bytes) {
+std::string difference_with(std::span<const uint32_t> mark, uint64_t cache_bytes) {
   DeviceOptions options;
-  options.kernels["plan"] = {plan.begin(), plan.end()};
+  options.kernels["mark"] = {mark.begin(), mark.end()};
   auto device = Device::open(options);
   if (!device) return device.error().message;
   FrameTally tally;
