@@ -114,7 +114,7 @@ struct GpuRenderer::State {
     // More than is needed now: a camera that needs ever more must not come back each frame.
     if (requests > capacity) capacity = std::max(requests, std::min(2 * capacity, most));
     arguments = buffers.prepare_requests(device, capacity, sizes, stream.arguments());
-    slot_numbers.reserve(device, 4 * capacity);
+    slot_numbers.reserve(device, 8 * capacity);
     dispatches.reserve(device, 4 * kAllDispatches);
   }
 

@@ -18,7 +18,7 @@ layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Fra
   OutWords needed;     // one bit a block (block_bits.glsl); 0 between frames
   OutWords held;       // as many: the blocks whose samples are in the pool
   OutWords pages;      // by word of bits: the page of the pool for its 32 blocks; if one is held
-  OutWords slots;      // by request: the slot of the pool for its samples
+  OutWords slots;      // by request: the slot of the pool for its samples, and its bit
   OutWords counters;   // kCount..., of this frame
   OutWords used_pages; // pages that the frames before use, or kUsedNothingHeld
   OutWords results;    // for the host: the counters

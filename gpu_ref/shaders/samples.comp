@@ -6,7 +6,6 @@
 #include "requests.glsl"
 #include "frame.glsl"
 #include "frame_arguments.glsl"
-#include "block_bits.glsl"
 #include "stream_words.glsl"
 #include "bise.glsl"
 #include "block_entry.glsl"
@@ -88,9 +87,8 @@ ivec2 decode(Request request, uint q, uint i, out uint status) {
 
 /// The first needed block that does not decode (NED-2). It is in the pool like the others: the next
 /// frame must not find it.
-void note_error(Request request) {
-  const uint bit = bit_of_block(image_of(request), plane_of(request), block_of(request));
-  atomicMin(frame().counters.word[kCountFirstError], bit);
+void note_error(uint q) {
+  atomicMin(frame().counters.word[kCountFirstError], frame().slots.word[2u * q + 1u]);
   atomicMax(frame().used_pages.word[0], kUsedNothingHeld);
 }
 
@@ -107,7 +105,7 @@ void main() {
   write_samples(q, word, sample_pair(samples), status);
   if (word != 0u) return;
   if (kCounted) {
-    if (status != ERROR_OK) note_error(request);
+    if (status != ERROR_OK) note_error(q);
   } else {
     arguments.statuses.word[q] = status;
   }

@@ -1,8 +1,10 @@
 // Frames that reuse blocks of the frames before: the golden renderer's bytes and errors, and the
 // blocks that the rule of docs/gpu.md predicts, with budgets from nothing to everything.
+#include <algorithm>
 #include <array>
 #include <iterator>
 
+#include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "gpu/render_pair.hpp"
 #include "stimulus/random_stream.hpp"
@@ -185,6 +187,33 @@ TEST_F(GpuFrameCacheOfOneStream, AFrameAboveTheBudgetLeavesNothing) {
     EXPECT_EQ(pair.last().blocks_decoded, missing * blocks);
     EXPECT_EQ(tally.repeated, 1u) << "the room is kept";
   }
+}
+
+// A camera that opens up: each frame needs more blocks than the one before. Room for twice as many is
+// made at a time, from 16384 to 90000 blocks and from 512 to 2813 pages: three times each at most.
+TEST_F(GpuFrameCacheOfOneStream, ACameraThatNeedsEverMoreIsSubmittedAgainRarely) {
+  const auto stream = bytes();
+  const auto view = open_stream(stream, {});
+  ASSERT_TRUE(view);
+  auto renderer = GpuRenderer::open(device(), *view, 0);
+  ASSERT_TRUE(renderer);
+  Camera camera;
+  camera.position = WorldPoint{0.5, 0.5, 0};
+  uint64_t most = 0;
+  unsigned larger = 0;
+  unsigned repeated = 0;
+  for (int step = 0; step <= 20; ++step) {
+    camera.tan_half = 0.2 + 0.015 * step;
+    const auto frame = renderer->render(*frame_record(camera, view->header), 0);
+    ASSERT_TRUE(frame);
+    if (frame->blocks_needed > most) ++larger;
+    most = std::max(most, frame->blocks_needed);
+    repeated += frame->submissions - 1;
+  }
+  EXPECT_EQ(larger, 21u);
+  EXPECT_GT(most, 80000u);
+  EXPECT_GE(repeated, 3u);
+  EXPECT_LE(repeated, 6u);
 }
 
 /// The first difference of a walk on a device with a kernel of its own.
