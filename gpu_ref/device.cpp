@@ -268,6 +268,8 @@ Outcome<Device> Device::open(const DeviceOptions& options) {
 
 const DeviceInfo& Device::info() const { return state_->info; }
 
+const SubmissionCounts& Device::counts() const { return state_->counts; }
+
 const std::vector<std::string>& Device::validation_messages() const { return state_->messages; }
 
 }  // namespace hmlfc::gpu

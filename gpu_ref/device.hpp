@@ -77,6 +77,15 @@ struct DeviceOptions {
 /// All devices of this machine, in the driver's order. Fails where there is no Vulkan.
 Outcome<std::vector<DeviceInfo>> list_devices();
 
+/// What was done since the device was opened.
+struct SubmissionCounts {
+  uint64_t made = 0;      ///< command buffers with their query pools and fences
+  uint64_t recorded = 0;  ///< command buffers, each time anew
+  uint64_t barriers = 0;  ///< recorded
+  uint64_t submitted = 0;
+  uint64_t waits = 0;  ///< of the host for the device
+};
+
 /// An open device; copies are the same device. Not to be used by two threads at once.
 class Device {
  public:
@@ -86,6 +95,8 @@ class Device {
 
   /// What the validation layer has said so far, one message an entry; empty without validation.
   const std::vector<std::string>& validation_messages() const;
+
+  const SubmissionCounts& counts() const;
 
   struct State;
   State& state() { return *state_; }

@@ -39,15 +39,6 @@ struct BarrierFault {
   unsigned after = 0;
 };
 
-/// What was done since the device was opened, for tests and benches.
-struct SubmissionCounts {
-  uint64_t made = 0;      ///< command buffers with their query pools and fences
-  uint64_t recorded = 0;  ///< command buffers, each time anew
-  uint64_t barriers = 0;  ///< recorded
-  uint64_t submitted = 0;
-  uint64_t waits = 0;  ///< of the host for the device
-};
-
 struct Device::State {
   ~State();
 

@@ -18,12 +18,14 @@ tl::unexpected<Failure> missing() {
 struct Device::State {
   DeviceInfo info;
   std::vector<std::string> messages;
+  SubmissionCounts counts;
 };
 
 Outcome<std::vector<DeviceInfo>> list_devices() { return missing(); }
 
 Outcome<Device> Device::open(const DeviceOptions&) { return missing(); }
 const DeviceInfo& Device::info() const { return state_->info; }
+const SubmissionCounts& Device::counts() const { return state_->counts; }
 const std::vector<std::string>& Device::validation_messages() const { return state_->messages; }
 
 struct GpuDecoder::State {

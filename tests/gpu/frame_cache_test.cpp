@@ -189,8 +189,9 @@ TEST_F(GpuFrameCacheOfOneStream, AFrameAboveTheBudgetLeavesNothing) {
   }
 }
 
-// A camera that opens up: each frame needs more blocks than the one before. Room for twice as many is
-// made at a time, from 16384 to 90000 blocks and from 512 to 2813 pages: three times each at most.
+// A camera that opens up: each frame needs more blocks than the one before. Room for twice as many
+// is made at a time, from 16384 to 90000 blocks and from 512 to 2813 pages: three times each at
+// most.
 TEST_F(GpuFrameCacheOfOneStream, ACameraThatNeedsEverMoreIsSubmittedAgainRarely) {
   const auto stream = bytes();
   const auto view = open_stream(stream, {});

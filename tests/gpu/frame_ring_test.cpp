@@ -5,7 +5,6 @@
 #include <new>
 
 #include "decoder/open_stream.hpp"
-#include "device_state.hpp"
 #include "gpu/gpu_test.hpp"
 #include "gpu_renderer.hpp"
 #include "render/render_cases.hpp"
@@ -169,11 +168,11 @@ TEST_F(GpuFrameRing, CostsTheHostNothingInTheSteadyState) {
   auto renderer = open_renderer(*device);
   GpuFrame frame;
   EXPECT_GT(run_frames(renderer, records_, records_.size(), frame), 0u);
-  const SubmissionCounts before = device->state().counts;
+  const SubmissionCounts before = device->counts();
   const uint64_t allocated = allocations;
   EXPECT_EQ(run_frames(renderer, records_, 60, frame), 0u) << "nothing is missing";
   EXPECT_EQ(allocations - allocated, 0u);
-  const SubmissionCounts& after = device->state().counts;
+  const SubmissionCounts& after = device->counts();
   EXPECT_EQ(after.submitted - before.submitted, 60u);
   EXPECT_EQ(after.waits - before.waits, 0u);
   EXPECT_EQ(after.made - before.made, 0u);
@@ -187,14 +186,14 @@ TEST_F(GpuFrameRing, CountsWhatItCosts) {
   auto renderer = open_renderer(*device);
   GpuFrame frame;
   run_frames(renderer, records_, records_.size(), frame);
-  const SubmissionCounts before = device->state().counts;
+  const SubmissionCounts before = device->counts();
   const uint64_t allocated = allocations;
   ASSERT_TRUE(renderer.begin(records_[0], 0, FrameOutput::kHost));
   ASSERT_TRUE(renderer.finish(frame));
   EXPECT_GT(allocations - allocated, 0u);
-  EXPECT_EQ(device->state().counts.recorded - before.recorded, 1u);
-  EXPECT_EQ(device->state().counts.waits - before.waits, 1u);
-  EXPECT_EQ(device->state().counts.barriers - before.barriers, 7u);
+  EXPECT_EQ(device->counts().recorded - before.recorded, 1u);
+  EXPECT_EQ(device->counts().waits - before.waits, 1u);
+  EXPECT_EQ(device->counts().barriers - before.barriers, 7u);
   EXPECT_EQ(frame.image.samples, renderer.render(records_[0], 0)->image.samples);
 }
 
