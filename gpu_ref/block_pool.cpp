@@ -27,28 +27,23 @@ void BlockPool::reserve(Device::State& device, uint64_t pages) {
   }
   held_.reserve(device, 4 * words_);
   page_numbers_.reserve(device, 4 * words_);
+  used_pages_.reserve(device, 4);
   if (samples_ && pages <= pages_) return;
+  const uint64_t ahead = samples_ ? std::min({2 * pages_, most, words_}) : kFirstPages;
   samples_.reset();
   forget();
-  pages_ = std::max({pages, kept_pages_, std::min(words_, kFirstPages)});
+  pages_ = std::max({pages, kept_pages_, std::min(words_, ahead)});
   samples_.emplace(device, pages_ * page_words_);
 }
 
 void BlockPool::describe(FrameShape& shape) const {
   shape.held = held_.get().address();
   shape.pages = page_numbers_.get().address();
+  shape.used_pages = used_pages_.get().address();
   shape.pool = samples_->address(chunked());
   shape.pool_chunk_log2 = samples_->chunk_log2();
   shape.pool_pages = static_cast<uint32_t>(pages_);
   shape.kept_pages = static_cast<uint32_t>(kept_pages_);
-}
-
-void BlockPool::begin_frame(int stop_level, Commands& commands, const Buffer& counters) {
-  if (held_level_ != stop_level) {
-    commands.fill(held_.get(), 0, 4 * words_, 0);
-    commands.fill(counters, 4 * kCountUsedPages, 4, 0);
-  }
-  forget();
 }
 
 }  // namespace hmlfc::gpu

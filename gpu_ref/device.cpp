@@ -140,25 +140,36 @@ bool has_extension(const vk::raii::PhysicalDevice& physical, const std::string& 
   });
 }
 
-void make_device(Device::State& state, const KernelCode& kernels) {
+// The extensions that `options` take.
+std::vector<const char*> extensions_of(const Device::State& state, const DeviceOptions& options) {
   std::vector<const char*> extensions;
-  if (state.guard_pages) {
-    extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
-    if (!has_extension(*state.physical, extensions.front())) {
-      throw MachineError(FailureKind::kUnusable,
-                         state.info.name + " cannot guard its buffers: no " + extensions.front());
-    }
+  if (options.guard_pages) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
+  if (options.kernel_statistics) {
+    extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
   }
+  for (const char* extension : extensions) {
+    if (has_extension(*state.physical, extension)) continue;
+    throw MachineError(FailureKind::kUnusable, state.info.name + " has no " + extension);
+  }
+  return extensions;
+}
+
+void make_device(Device::State& state, const DeviceOptions& options) {
+  const auto extensions = extensions_of(state, options);
   const uint32_t family = *compute_family(*state.physical);
   const float priority = 1;
   const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
   // Everything but addresses stays off, robustBufferAccess too: no kernel leans on it.
-  const vk::PhysicalDeviceBufferDeviceAddressFeatures addresses(VK_TRUE);
+  vk::PhysicalDeviceBufferDeviceAddressFeatures addresses(VK_TRUE);
+  vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR statistics(VK_TRUE);
+  if (options.kernel_statistics) addresses.setPNext(&statistics);
   state.device.emplace(*state.physical,
                        vk::DeviceCreateInfo({}, queue, {}, extensions, {}, &addresses));
   state.queue.emplace(*state.device, family, 0);
-  state.pool.emplace(*state.device, vk::CommandPoolCreateInfo({}, family));
-  state.kernels.emplace(*state.device, kernels);
+  state.pool.emplace(
+      *state.device,
+      vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family));
+  state.kernels.emplace(*state.physical, *state.device, options);
   const auto limits = state.physical->getProperties().limits;
   state.max_workgroups = limits.maxComputeWorkGroupCount[0];
   const auto family_properties = state.physical->getQueueFamilyProperties()[family];
@@ -208,7 +219,7 @@ std::shared_ptr<Device::State> open_state(const DeviceOptions& options) {
   state->guard_pages = options.guard_pages;
   state->timeout_nanoseconds = static_cast<uint64_t>(options.timeout_seconds * 1e9);
   if (options.check_barriers) state->hazards.emplace();
-  make_device(*state, options.kernels);
+  make_device(*state, options);
   set_limits(*state, options.chunk_bytes);
   return state;
 }
@@ -256,6 +267,8 @@ Outcome<Device> Device::open(const DeviceOptions& options) {
 }
 
 const DeviceInfo& Device::info() const { return state_->info; }
+
+const SubmissionCounts& Device::counts() const { return state_->counts; }
 
 const std::vector<std::string>& Device::validation_messages() const { return state_->messages; }
 

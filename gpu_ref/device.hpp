@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,10 @@ struct DeviceOptions {
   /// Largest buffer in bytes for stream and reference area; 0: the device's own limit. Else a power
   /// of two, at least 64.
   uint64_t chunk_bytes = 0;
+  /// The folder where compiled kernels are kept for the next process; empty: none. Not set: hmlfc
+  /// in $XDG_CACHE_HOME or in ~/.cache. A file that is not there, damaged or of another driver is
+  /// as none, and a folder that cannot be written is no error.
+  std::optional<std::string> cache_folder;
   /// For tests: every buffer ends at a page that nobody may touch, so that an access past its end
   /// ends the process. Of devices on the host, with VK_EXT_external_memory_host.
   bool guard_pages = false;
@@ -62,12 +67,24 @@ struct DeviceOptions {
   double timeout_seconds = 600;
   /// For tests: each submission is refused where a barrier is missing or idle (hazards.hpp).
   bool check_barriers = false;
+  /// For tests: the driver keeps what it knows of each kernel (Kernels::statistics), with
+  /// VK_KHR_pipeline_executable_properties.
+  bool kernel_statistics = false;
   /// For tests: kernels that run in place of the library's own. Nothing checks the code.
   KernelCode kernels;
 };
 
 /// All devices of this machine, in the driver's order. Fails where there is no Vulkan.
 Outcome<std::vector<DeviceInfo>> list_devices();
+
+/// What was done since the device was opened.
+struct SubmissionCounts {
+  uint64_t made = 0;      ///< command buffers with their query pools and fences
+  uint64_t recorded = 0;  ///< command buffers, each time anew
+  uint64_t barriers = 0;  ///< recorded
+  uint64_t submitted = 0;
+  uint64_t waits = 0;  ///< of the host for the device
+};
 
 /// An open device; copies are the same device. Not to be used by two threads at once.
 class Device {
@@ -78,6 +95,8 @@ class Device {
 
   /// What the validation layer has said so far, one message an entry; empty without validation.
   const std::vector<std::string>& validation_messages() const;
+
+  const SubmissionCounts& counts() const;
 
   struct State;
   State& state() { return *state_; }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <vulkan/vulkan_raii.hpp>
@@ -62,13 +63,15 @@ struct Device::State {
   std::optional<Hazards> hazards;  ///< with DeviceOptions::check_barriers
   std::optional<BarrierFault> barrier_fault;
 
-  /// What a submission without an answer may still use.
-  struct Abandoned {
+  /// What a submission has beside its commands, for later ones to use again.
+  struct Submission {
     vk::raii::CommandBuffer commands;
     vk::raii::QueryPool queries;
     vk::raii::Fence fence;
   };
-  std::vector<Abandoned> abandoned;
+  std::vector<Submission> idle;
+  std::vector<Submission> abandoned;  ///< without an answer: the device may still use them
+  SubmissionCounts counts;
 
   /// Before memory of a lost device is freed: waits for what the device may still be doing.
   void settle() noexcept;
@@ -78,7 +81,12 @@ struct Device::State {
 template <class Body>
 auto guard_device(const Body& body) -> Outcome<decltype(body())> {
   try {
-    return body();
+    if constexpr (std::is_void_v<decltype(body())>) {
+      body();
+      return {};
+    } else {
+      return body();
+    }
   } catch (const MachineError& error) {
     return tl::unexpected(Failure{error.kind(), error.what()});
   } catch (const vk::OutOfDeviceMemoryError&) {

@@ -119,13 +119,16 @@ void DeviceStream::upload_keys(Device::State& device, const StreamView& stream) 
 
 // Residuals of the reference images at levels that are not keyed (DEC-4).
 void DeviceStream::decode_references(Device::State& device, const StreamView& stream) {
-  const Variant variant{.chunked = chunked(), .reference_pass = true};
+  const Variant variant = variant_of(KernelUse::kReferences, chunked());
   const BlockSizes sizes = block_sizes(stream.header);
   BatchBuffers buffers;
   const uint64_t limit = std::max<uint64_t>(1, max_requests(device, sizes, false));
-  for (const Batch& batch : reference_batches(stream.geometry, limit)) {
+  const auto batches = reference_batches(stream.geometry, limit);
+  if (!batches.empty()) device.kernels->prepare(KernelUse::kReferences, chunked());
+  for (const Batch& batch : batches) {
     const Arguments all = buffers.prepare(device, batch, sizes, false, arguments());
     Commands commands(device);
+    commands.barrier(kTransfer, kCompute);  // the stream's upload
     commands.dispatch("expand", variant, all, batch.requests);
     commands.barrier(kCompute, kCompute);
     commands.dispatch("walk", variant, all, batch.requests);

@@ -94,7 +94,9 @@ struct GpuDecoder::State {
       : device(d),
         stream(d, view),
         chroma_format(view.header.chroma_format),
-        sizes(block_sizes(view.header)) {}
+        sizes(block_sizes(view.header)) {
+    device.kernels->prepare(KernelUse::kBlocks, stream.chunked());
+  }
 
   // Most requests of a submission that leaves stages or not.
   uint64_t limit(bool trace) const {
@@ -104,17 +106,18 @@ struct GpuDecoder::State {
   // One submission. `collect(commands)` adds the copies to the readback buffer.
   template <class Collect>
   void submit(const Batch& batch, Want want, const Collect& collect) {
-    const Variant variant{.chunked = stream.chunked(), .stages = want == Want::kStages};
-    const Arguments arguments =
-        buffers.prepare(device, batch, sizes, variant.stages, stream.arguments());
+    const bool stages = want == Want::kStages;
+    const Variant plain = variant_of(KernelUse::kBlocks, stream.chunked());
+    const Variant last =
+        variant_of(stages ? KernelUse::kStages : KernelUse::kBlocks, plain.chunked);
+    const Arguments arguments = buffers.prepare(device, batch, sizes, stages, stream.arguments());
     Commands commands(device);
-    // The debug variant alone has a variant of its own for its last kernel.
-    const Variant plain{.chunked = variant.chunked};
+    commands.barrier(kTransfer, kCompute);  // the stream's upload
     commands.dispatch("expand", plain, arguments, batch.requests);
     commands.barrier(kCompute, kCompute);
     commands.dispatch("walk", plain, arguments, batch.requests * sizes.levels);
     commands.barrier(kCompute, kCompute);
-    commands.dispatch("samples", variant, arguments, batch.requests * sizes.sample_words);
+    commands.dispatch("samples", last, arguments, batch.requests * sizes.sample_words);
     if (want == Want::kPixels) {
       commands.barrier(kCompute, kCompute);
       commands.dispatch("colour", plain, arguments, batch.pixels * sizes.sample_words);
@@ -209,6 +212,7 @@ Outcome<PixelBlocks> GpuDecoder::decode_rgb(std::span<const PixelArea> areas) {
 Outcome<std::vector<BlockStages>> GpuDecoder::trace(std::span<const BlockArea> areas) {
   return guard_device([&] {
     state_->times.clear();
+    state_->device.kernels->prepare(KernelUse::kStages, state_->stream.chunked());
     std::vector<BlockStages> blocks;
     for (const Batch& batch : batches_of(areas, state_->limit(true))) state_->trace(batch, blocks);
     return blocks;

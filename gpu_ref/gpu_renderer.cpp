@@ -1,7 +1,7 @@
 #include "gpu_renderer.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 #include <span>
 
 #include "arithmetic/rounding.hpp"
@@ -9,15 +9,15 @@
 #include "block_pool.hpp"
 #include "commands.hpp"
 #include "device_stream.hpp"
+#include "frame_shape.hpp"
+#include "frame_slot.hpp"
 #include "render/shown_image.hpp"
 
 namespace hmlfc::gpu {
 namespace {
 
 constexpr uint64_t kFirstCapacity = uint64_t{1} << 14;  // blocks
-constexpr uint32_t kNoError = ~0u;
 constexpr uint64_t kBitsOfWord = 32;
-constexpr uint64_t kPixelsAtOnce = 2;  // of render.comp
 
 // Blocks of all planes of one image.
 uint64_t blocks_of_image(const Geometry& geometry) {
@@ -38,26 +38,61 @@ struct GpuRenderer::State {
         header(view.header),
         geometry(view.geometry),
         sizes(block_sizes(view.header)),
-        pool(sizes, words_of_level(0), cache_bytes) {
+        pool(sizes, words_of_level(0), cache_bytes),
+        slots{FrameSlot(d), FrameSlot(d), FrameSlot(d)} {
     if (blocks_of_image(geometry) * geometry.level(0).images() >= kNoError) {
       throw MachineError(FailureKind::kLimit,
                          "limit_exceeded: frames need fewer than 2^32 - 1 blocks in all views");
     }
+    needed.reserve(device, 4 * words_of_level(0));
+    Commands commands(device);
+    commands.fill(needed.get(), 0, needed.get().size(), 0);
+    commands.run();
+    make_room(kFirstCapacity, 0);
+    device.kernels->prepare(KernelUse::kFrames, stream.chunked(), pool.chunked());
   }
 
   GpuFrame render(const FrameRecord& record, int stop_level) {
     GpuFrame frame;
-    if (!fits(record, header, stop_level)) {
-      frame.status = ErrorCode::kBadRequest;
-      return frame;
+    begin(record, stop_level, FrameOutput::kHost);
+    finish(frame);
+    return frame;
+  }
+
+  void begin(const FrameRecord& record, int stop_level, FrameOutput output) {
+    if (under_way == kFramesUnderWay) {
+      throw MachineError(FailureKind::kLimit, std::to_string(kFramesUnderWay) +
+                                                  " frames are under way: finish one first");
     }
+    const unsigned number = (first + under_way) % kFramesUnderWay;
+    refused[number] = !fits(record, header, stop_level);
+    if (!refused[number]) {
+      FrameSlot& slot = slots[number];
+      slot.shape().record = record;
+      submit(slot, {record.frame_width, record.frame_height, static_cast<uint32_t>(stop_level),
+                    output, room});
+    }
+    ++under_way;
+  }
+
+  bool ready() { return under_way == 0 || refused[first] || slots[first].commands().done(); }
+
+  void finish(GpuFrame& frame) {
+    if (under_way == 0) throw MachineError(FailureKind::kLimit, "no frame is under way");
+    last = first;
+    first = (first + 1) % kFramesUnderWay;
+    --under_way;
+    frame.status = ErrorCode::kBadRequest;
+    frame.image.samples.clear();
+    frame.blocks_needed = frame.blocks_decoded = 0;
+    frame.submissions = 0;
+    if (refused[last]) return;
     try {
-      if (submit(record, stop_level, frame) || submit(record, stop_level, frame)) return frame;
+      finish(slots[last], frame);
     } catch (...) {
-      capacity = kFirstCapacity;  // what the next frame finds room for
+      pool.forget();
       throw;
     }
-    throw MachineError(FailureKind::kInternal, "the device counts other blocks for the same frame");
   }
 
   // Words of one bit for each block of a level.
@@ -65,111 +100,105 @@ struct GpuRenderer::State {
     return ceil_div(geometry.level(level).images() * blocks_of_image(geometry), kBitsOfWord);
   }
 
-  // The arguments of a submission with room for `capacity` requests.
-  Arguments prepare(const FrameRecord& record, int stop_level) {
-    Arguments arguments = buffers.prepare_requests(device, capacity, sizes, stream.arguments());
-    shape.needed = needed.reserve(device, 4 * words_of_level(0)).address();
-    shape.slots = slots.reserve(device, 4 * capacity).address();
-    shape.counters = counters.reserve(device, 4 * kAllCounters).address();
-    shape.dispatches = dispatches.reserve(device, 4 * kAllDispatches).address();
-    shape.drawn =
-        drawn.reserve(device, 12 * ceil_div(image_pixels(record), kPixelsAtOnce)).address();
-    shape.stop_level = static_cast<uint32_t>(stop_level);
-    shape.capacity = static_cast<uint32_t>(capacity);
-    shape.needed_words = static_cast<uint32_t>(words_of_level(stop_level));
-    shape.record = record;
-    pool.describe(shape);
-    arguments.frame = shapes.reserve(device, sizeof(FrameShape)).address();
-    return arguments;
-  }
-
-  // Room for `requests` requests and `pages` pages of the pool.
+  // Makes room for `requests` requests and `pages` pages of the pool. No frame may be under way on
+  // the device.
   void make_room(uint64_t requests, uint64_t pages) {
-    if (requests > max_requests(device, sizes, false)) {
+    const uint64_t most = max_requests(device, sizes, false);
+    if (requests > most) {
       throw MachineError(FailureKind::kLimit,
                          "the frame needs " + std::to_string(requests) +
                              " blocks, more than the device has room for in one submission");
     }
+    ++room;
     pool.reserve(device, pages);
-    capacity = std::max(capacity, requests);
+    // More than is needed now: a camera that needs ever more must not come back each frame.
+    if (requests > capacity) capacity = std::max(requests, std::min(2 * capacity, most));
+    arguments = buffers.prepare_requests(device, capacity, sizes, stream.arguments());
+    slot_numbers.reserve(device, 8 * capacity);
+    dispatches.reserve(device, 4 * kAllDispatches);
   }
 
-  // Marks, decodes and draws; without room for that it only makes some, and returns false.
-  bool submit(const FrameRecord& record, int stop_level, GpuFrame& frame) {
-    pool.reserve(device, 0);
-    const Arguments arguments = prepare(record, stop_level);
-    Commands commands(device, &shape);
-    commands.write(shapes.get(), bytes_of(std::span(&shape, 1)));
-    pool.begin_frame(stop_level, commands, counters.get());
-    record_kernels(record, stop_level, arguments, commands);
-    const uint64_t counter_bytes = 4 * kFrameCounters;
-    const uint64_t pixel_bytes = 6 * image_pixels(record);
-    Buffer& readback = buffers.readback.reserve(device, counter_bytes + pixel_bytes);
-    commands.copy(counters.get(), 0, readback, 0, counter_bytes);
-    commands.copy(drawn.get(), 0, readback, counter_bytes, pixel_bytes);
-    commands.barrier(kTransfer, kHost);
-    commands.read_by_host(readback);
-    times = commands.run();
-    ++frame.submissions;
-    const auto words = readback.records<const uint32_t>();
-    if (words[kCountFirstError] == kNoError) pool.end_frame(stop_level);
-    if (words[kCountMode] == kModeNoRoom) {
-      make_room(words[kCountDecoded], words[kCountPages]);
-      return false;
-    }
-    collect(record, words, frame);
-    return true;
+  // Submits a frame whose record is in `slot`.
+  void submit(FrameSlot& slot, const FrameForm& form) {
+    if (slot.prepare(form)) record(slot, form);
+    slot.shape().forget = pool.begin_frame(static_cast<int>(form.stop_level)) ? 1 : 0;
+    slot.submit();
   }
 
-  void record_kernels(const FrameRecord& record, int stop_level, const Arguments& arguments,
-                      Commands& commands) const {
-    const uint64_t words = words_of_level(stop_level);
-    const uint64_t pixels = image_pixels(record);
-    const Variant variant{
-        .chunked = stream.chunked(), .counted = true, .pool_chunked = pool.chunked()};
-    const Buffer& counts = counters.get();
+  void describe(FrameShape& shape, uint32_t stop_level) const {
+    shape.needed = needed.get().address();
+    shape.slots = slot_numbers.get().address();
+    shape.dispatches = dispatches.get().address();
+    shape.stop_level = stop_level;
+    shape.capacity = static_cast<uint32_t>(capacity);
+    shape.needed_words = static_cast<uint32_t>(words_of_level(static_cast<int>(stop_level)));
+    pool.describe(shape);
+  }
+
+  // The commands of a frame in `slot`.
+  void record(FrameSlot& slot, const FrameForm& form) {
+    describe(slot.shape(), form.stop_level);
+    arguments.frame = slot.shape_buffer().address();
+    const Variant variant = variant_of(KernelUse::kFrames, stream.chunked(), pool.chunked());
     const Buffer& groups = dispatches.get();
-    commands.fill(needed.get(), 0, 4 * words, 0);
-    commands.fill(counts, 0, 4 * kCountFirstError, 0);
-    commands.fill(counts, 4 * kCountFirstError, 4, kNoError);
-    commands.fill(counts, 4 * kCountStatus, 4 * (kFrameCounters - kCountStatus), 0);
-    commands.barrier(kTransfer, kCompute);
-    commands.dispatch("mark", variant, arguments, pixels);
-    commands.barrier(kCompute, kCompute);
-    commands.dispatch("count", variant, arguments, words);
-    commands.barrier(kCompute, kCompute);
-    commands.dispatch("plan", variant, arguments, 1);
+    Commands& commands = slot.commands();
+    slot.record_upload();
+    // Frames before this one may still be under way.
+    commands.barrier(kCompute | kTransfer | kIndirect, kCompute);
+    commands.dispatch("mark", variant, arguments, form.pixels());
     commands.barrier(kCompute, kCompute | kIndirect);
-    commands.dispatch("compact", variant, arguments, words);
+    commands.dispatch("compact", variant, arguments, slot.shape().needed_words);
     commands.barrier(kCompute, kCompute);
     commands.dispatch_counted("walk", variant, arguments, groups, 4 * kDispatchWalk);
     commands.barrier(kCompute, kCompute);
     commands.dispatch_counted("samples", variant, arguments, groups, 4 * kDispatchSamples);
     commands.barrier(kCompute, kCompute);
-    commands.dispatch_counted("errors", variant, arguments, groups, 4 * kDispatchErrors);
-    commands.barrier(kCompute, kCompute);
-    commands.dispatch("render", variant, arguments, ceil_div(pixels, kPixelsAtOnce));
-    commands.barrier(kCompute, kTransfer);
+    commands.dispatch("render", variant, arguments, ceil_div(form.pixels(), kPixelsOfRender));
+    slot.record_output();
+    commands.end();
   }
 
-  void collect(const FrameRecord& record, std::span<const uint32_t> words, GpuFrame& frame) const {
+  // Waits for the frame in `slot`; where it had no room, makes some and submits it once more.
+  void finish(FrameSlot& slot, GpuFrame& frame) {
+    slot.commands().wait();
+    frame.submissions = 1;
+    if (slot.counters()[kCountMode] == kModeNoRoom) {
+      for (FrameSlot& other : slots) other.wait();
+      make_room(slot.counters()[kCountDecoded], slot.counters()[kCountPages]);
+      FrameForm form = slot.form();
+      form.room = room;
+      submit(slot, form);
+      slot.commands().wait();
+      frame.submissions = 2;
+    }
+    slot.commands().read_times();
+    if (slot.counters()[kCountMode] == kModeNoRoom) {
+      throw MachineError(FailureKind::kInternal,
+                         "the device counts other blocks for the same frame");
+    }
+    collect(slot, frame);
+  }
+
+  const std::vector<StageTime>& stage_times() const {
+    times = slots[last].times();
+    return times;
+  }
+
+  void collect(const FrameSlot& slot, GpuFrame& frame) const {
+    const auto words = slot.counters();
     frame.blocks_needed = words[kCountNeeded];
     frame.blocks_decoded = words[kCountDecoded];
+    frame.status = ErrorCode::kOk;
     if (words[kCountFirstError] != kNoError) {
       frame.status = static_cast<ErrorCode>(words[kCountStatus]);
       return;
     }
-    frame.image = {static_cast<uint32_t>(record.frame_width),
-                   static_cast<uint32_t>(record.frame_height),
-                   header.depth,
-                   {}};
-    frame.image.samples.resize(3 * static_cast<size_t>(image_pixels(record)));
-    std::memcpy(frame.image.samples.data(), words.data() + kFrameCounters,
-                frame.image.samples.size() * sizeof(uint16_t));
-  }
-
-  static uint64_t image_pixels(const FrameRecord& record) {
-    return static_cast<uint64_t>(record.frame_width) * static_cast<uint64_t>(record.frame_height);
+    frame.image.width = static_cast<uint32_t>(slot.form().width);
+    frame.image.height = static_cast<uint32_t>(slot.form().height);
+    frame.image.depth = header.depth;
+    if (slot.form().output == FrameOutput::kDevice) return;
+    const auto samples = slot.samples();
+    frame.image.samples.assign(samples.begin(), samples.end());
   }
 
   Device::State& device;
@@ -178,16 +207,21 @@ struct GpuRenderer::State {
   Geometry geometry;
   BlockSizes sizes;
   BlockPool pool;
-  uint64_t capacity = kFirstCapacity;
+  uint64_t capacity = 0;
+  uint64_t room = 0;  // counts make_room()
   BatchBuffers buffers;
-  FrameShape shape;  // of the last frame, as `shapes` has it
-  GrowingBuffer shapes{Memory::kDevice};
+  Arguments arguments;
   GrowingBuffer needed{Memory::kDevice};
-  GrowingBuffer slots{Memory::kDevice};
-  GrowingBuffer counters{Memory::kDevice};
+  GrowingBuffer slot_numbers{Memory::kDevice};
   GrowingBuffer dispatches{Memory::kDevice};
-  GrowingBuffer drawn{Memory::kDevice};
-  std::vector<StageTime> times;
+
+  // Frames under way: `under_way` from slot `first` on.
+  std::array<FrameSlot, kFramesUnderWay> slots;
+  std::array<bool, kFramesUnderWay> refused{};  // nothing was submitted: they do not fit
+  unsigned first = 0;
+  unsigned under_way = 0;
+  unsigned last = 0;  // slot of the last frame finished
+  mutable std::vector<StageTime> times;
 };
 
 Outcome<GpuRenderer> GpuRenderer::open(Device& device, const StreamView& stream,
@@ -200,8 +234,26 @@ Outcome<GpuFrame> GpuRenderer::render(const FrameRecord& record, int stop_level)
   return guard_device([&] { return state_->render(record, stop_level); });
 }
 
+Outcome<void> GpuRenderer::begin(const FrameRecord& record, int stop_level, FrameOutput output) {
+  return guard_device([&] { state_->begin(record, stop_level, output); });
+}
+
+unsigned GpuRenderer::under_way() const { return state_->under_way; }
+
+Outcome<bool> GpuRenderer::ready() {
+  return guard_device([&] { return state_->ready(); });
+}
+
+Outcome<void> GpuRenderer::finish(GpuFrame& frame) {
+  return guard_device([&] { state_->finish(frame); });
+}
+
+uint64_t GpuRenderer::picture_address() const {
+  return state_->slots[state_->last].drawn().address();
+}
+
 void GpuRenderer::forget() { state_->pool.forget(); }
 
-const std::vector<StageTime>& GpuRenderer::stage_times() const { return state_->times; }
+const std::vector<StageTime>& GpuRenderer::stage_times() const { return state_->stage_times(); }
 
 }  // namespace hmlfc::gpu

@@ -28,7 +28,16 @@ struct GpuFrame {
   unsigned submissions = 0;     ///< 1, or 2 where the frame took more room than any before
 };
 
-/// Renders frames of one stream, one at a time. The device must outlive it.
+/// Where the picture of a frame goes.
+enum class FrameOutput : uint8_t {
+  kHost,    ///< to GpuFrame::image
+  kDevice,  ///< it stays in a buffer of the device, and GpuFrame::image is empty
+};
+
+/// Frames that may be under way at once.
+inline constexpr unsigned kFramesUnderWay = 3;
+
+/// Renders frames of one stream. The device must outlive it.
 class GpuRenderer {
  public:
   /// Uploads the stream as GpuDecoder::open does. Between frames the device keeps up to
@@ -41,6 +50,24 @@ class GpuRenderer {
   /// of them that it does not hold and no others, and draws, in one submission. After a frame with
   /// an error, and before one of another stop level, nothing is held.
   Outcome<GpuFrame> render(const FrameRecord& record, int stop_level);
+
+  /// Submits a frame as render() does, and does not wait for it. kLimit where kFramesUnderWay
+  /// frames have begun and not been finished.
+  Outcome<void> begin(const FrameRecord& record, int stop_level, FrameOutput output);
+
+  /// Frames begun and not yet finished.
+  unsigned under_way() const;
+
+  /// Whether finish() would not wait: the first of them is done.
+  Outcome<bool> ready();
+
+  /// Finishes the first of the frames under way; waits for it. `frame` is written over, and its
+  /// memory used again. After a failure the frame is no longer under way.
+  Outcome<void> finish(GpuFrame& frame);
+
+  /// The device address of the picture that finish() finished last: three samples of 16 bits a
+  /// pixel, row by row. It stays there until kFramesUnderWay more frames have begun.
+  uint64_t picture_address() const;
 
   /// Nothing is held any more: the next frame decodes all that it needs.
   void forget();

@@ -21,9 +21,8 @@ void Hazards::add_buffer(uint64_t buffer) {
   accesses_.erase(buffer);
 }
 
-void Hazards::begin() {
+uint64_t Hazards::begin() {
   for (auto& [buffer, list] : accesses_) {
-    std::erase_if(list, [](const Access& access) { return !access.writes; });
     for (Access& access : list) {
       access.number = 0;
       access.barriers = 0;
@@ -33,6 +32,17 @@ void Hazards::begin() {
   hazard_.clear();
   command_ = "the beginning";
   number_ = 0;
+  return ++submission_;
+}
+
+void Hazards::finished(uint64_t number) {
+  for (auto& [buffer, list] : accesses_) {
+    for (Access& access : list) {
+      if (access.submission <= number) access.submission = 0;
+    }
+    std::erase_if(list,
+                  [](const Access& access) { return !access.writes && access.submission == 0; });
+  }
 }
 
 void Hazards::barrier(unsigned before, unsigned after) {
@@ -55,10 +65,12 @@ void Hazards::access(Work work, const BufferAccess& access) {
                      at + access.begin,
                      at + std::min(access.end, UINT64_MAX - at),
                      access.writes,
-                     barriers_.size()};
+                     barriers_.size(),
+                     submission_};
   for (const Access& first : list) {
     const bool same_bytes = first.begin < added.end && added.begin < first.end;
     if (first.number == added.number) continue;
+    if (first.submission == 0 && added.writes) continue;
     if (same_bytes && (first.writes || added.writes)) order(first, added, access.name);
   }
   // Whatever comes later and conflicts with what this writes over conflicts with this, too.

@@ -28,9 +28,9 @@ struct BufferAccess {
 };
 
 /// Two accesses to the same bytes, of which one writes, are a *hazard* unless a barrier between
-/// them waits for the work of the first and makes the second wait. All submissions go to one queue,
-/// and the host waits for each before it makes the next. So a barrier must still make what an
-/// earlier submission wrote visible, but no write has to wait for an earlier submission's reads.
+/// them waits for the work of the first and makes the second wait. All submissions go to one queue.
+/// Where the host has waited for an earlier one, a barrier must still make what it wrote visible to
+/// reads, but no write has to wait for what it did.
 class Hazards {
  public:
   /// A buffer was made: what is known of another one with its address is forgotten.
@@ -39,8 +39,11 @@ class Hazards {
   /// The buffer `part` holds the bytes from `at` on of what kernels reach through `whole`.
   void join(uint64_t part, uint64_t whole, uint64_t at) { parts_[part] = {whole, at}; }
 
-  /// A submission begins.
-  void begin();
+  /// A submission begins; its number.
+  uint64_t begin();
+
+  /// The host has waited for submission `number`, and so for those before it.
+  void finished(uint64_t number);
 
   /// A barrier: work of `before` recorded so far ends, and is visible, before work of `after`.
   void barrier(unsigned before, unsigned after);
@@ -71,7 +74,8 @@ class Hazards {
     Work work;
     uint64_t begin, end;
     bool writes;
-    size_t barriers;  ///< recorded before it in this submission
+    size_t barriers;      ///< recorded before it in this submission
+    uint64_t submission;  ///< 0: the host has waited for it
   };
   struct Barrier {
     Scope scope;
@@ -90,6 +94,7 @@ class Hazards {
   std::vector<Barrier> barriers_;
   std::string command_;
   size_t number_ = 0;
+  uint64_t submission_ = 0;
   std::string hazard_;
 };
 

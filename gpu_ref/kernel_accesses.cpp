@@ -29,16 +29,15 @@ constexpr KernelBuffers kKernels[] = {
     {"samples", Kind::kPlain, "shape stream references requests entries", "statuses samples"},
     {"samples", Kind::kStages, "shape stream references requests entries",
      "statuses samples stages"},
-    {"samples", Kind::kCounted, "shape stream references requests entries frame counters slots",
-     "statuses pool"},
+    {"samples", Kind::kCounted,
+     "shape stream references requests entries frame counters slots used_pages",
+     "pool counters used_pages"},
     {"colour", Kind::kPlain, "shape colour_areas statuses samples", "pixels pixel_statuses"},
-    {"mark", Kind::kCounted, "shape frame needed", "needed"},
-    {"count", Kind::kCounted, "frame needed held counters", "counters"},
-    {"plan", Kind::kCounted, "shape frame counters", "counters dispatches"},
+    {"mark", Kind::kCounted, "shape frame needed held counters used_pages",
+     "needed counters used_pages dispatches"},
     {"compact", Kind::kCounted, "shape frame needed held pages counters",
-     "requests held pages slots counters"},
-    {"errors", Kind::kCounted, "shape requests statuses frame counters", "counters"},
-    {"render", Kind::kCounted, "shape frame pages counters pool", "drawn counters"},
+     "requests needed held pages slots counters"},
+    {"render", Kind::kCounted, "shape frame pages counters pool", "drawn results"},
 };
 
 Kind kind_of(const Variant& variant) {
@@ -85,7 +84,8 @@ struct NamedFrameBuffer {
 constexpr NamedFrameBuffer kFrameBuffers[] = {
     {"needed", &FrameShape::needed},     {"held", &FrameShape::held},
     {"pages", &FrameShape::pages},       {"slots", &FrameShape::slots},
-    {"counters", &FrameShape::counters}, {"dispatches", &FrameShape::dispatches},
+    {"counters", &FrameShape::counters}, {"used_pages", &FrameShape::used_pages},
+    {"results", &FrameShape::results},   {"dispatches", &FrameShape::dispatches},
     {"drawn", &FrameShape::drawn},       {"pool", &FrameShape::pool}};
 
 uint64_t address_of(std::string_view name, const Arguments& arguments, const FrameShape* frame) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "block_pool.hpp"
+#include "frame_shape.hpp"
 #include "hazards.hpp"
 #include "kernels.hpp"
 

@@ -28,17 +28,8 @@ constexpr uint32_t kColourCode[] =
 constexpr uint32_t kMarkCode[] =
 #include "shaders/mark.inc"
     ;
-constexpr uint32_t kCountCode[] =
-#include "shaders/count.inc"
-    ;
-constexpr uint32_t kPlanCode[] =
-#include "shaders/plan.inc"
-    ;
 constexpr uint32_t kCompactCode[] =
 #include "shaders/compact.inc"
-    ;
-constexpr uint32_t kErrorsCode[] =
-#include "shaders/errors.inc"
     ;
 constexpr uint32_t kRenderCode[] =
 #include "shaders/render.inc"
@@ -47,8 +38,7 @@ constexpr uint32_t kRenderCode[] =
 std::map<std::string, std::span<const uint32_t>> built_kernels() {
   return {{"expand", kExpandCode},   {"walk", kWalkCode},     {"residuals", kResidualsCode},
           {"samples", kSamplesCode}, {"colour", kColourCode}, {"mark", kMarkCode},
-          {"count", kCountCode},     {"plan", kPlanCode},     {"compact", kCompactCode},
-          {"errors", kErrorsCode},   {"render", kRenderCode}};
+          {"compact", kCompactCode}, {"render", kRenderCode}};
 }
 
 vk::raii::PipelineLayout make_layout(const vk::raii::Device& device) {
@@ -56,8 +46,10 @@ vk::raii::PipelineLayout make_layout(const vk::raii::Device& device) {
   return {device, vk::PipelineLayoutCreateInfo({}, {}, range)};
 }
 
-vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
-                                 std::span<const uint32_t> code, const Variant& variant) {
+vk::raii::Pipeline make_pipeline(const vk::raii::Device& device,
+                                 const vk::raii::PipelineCache& cache, vk::PipelineLayout layout,
+                                 std::span<const uint32_t> code, const Variant& variant,
+                                 vk::PipelineCreateFlags flags) {
   const vk::raii::ShaderModule shader(
       device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
   const std::array<vk::Bool32, 5> values{variant.chunked, variant.reference_pass, variant.stages,
@@ -71,16 +63,59 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
                                          sizeof(values), values.data());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader,
                                                 "main", &constants);
-  return {device, nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
+  return {device, cache, vk::ComputePipelineCreateInfo(flags, stage, layout)};
+}
+
+std::filesystem::path cache_folder(const DeviceOptions& options) {
+  return options.cache_folder ? std::filesystem::path(*options.cache_folder)
+                              : default_cache_folder();
+}
+
+uint64_t number_of(const vk::PipelineExecutableStatisticKHR& statistic) {
+  using Format = vk::PipelineExecutableStatisticFormatKHR;
+  if (statistic.format == Format::eBool32) return statistic.value.b32;
+  if (statistic.format == Format::eFloat64) return static_cast<uint64_t>(statistic.value.f64);
+  return statistic.value.u64;
 }
 
 }  // namespace
 
-Kernels::Kernels(const vk::raii::Device& device, KernelCode replaced)
+Variant variant_of(KernelUse use, bool chunked, bool pool_chunked) {
+  return {.chunked = chunked,
+          .reference_pass = use == KernelUse::kReferences,
+          .stages = use == KernelUse::kStages,
+          .counted = use == KernelUse::kFrames,
+          .pool_chunked = use == KernelUse::kFrames && pool_chunked};
+}
+
+std::span<const std::string_view> kernels_of(KernelUse use) {
+  static constexpr std::string_view kReferences[] = {"expand", "walk", "residuals"};
+  static constexpr std::string_view kBlocks[] = {"expand", "walk", "samples", "colour"};
+  static constexpr std::string_view kStages[] = {"samples"};
+  static constexpr std::string_view kFrames[] = {"mark", "compact", "walk", "samples", "render"};
+  switch (use) {
+    case KernelUse::kReferences:
+      return kReferences;
+    case KernelUse::kBlocks:
+      return kBlocks;
+    case KernelUse::kStages:
+      return kStages;
+    case KernelUse::kFrames:
+      return kFrames;
+  }
+  return {};
+}
+
+Kernels::Kernels(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+                 const DeviceOptions& options)
     : device_(&device),
       layout_(make_layout(device)),
       code_(built_kernels()),
-      replaced_(std::move(replaced)) {
+      replaced_(options.kernels),
+      file_(cache_folder(options), physical.getProperties()),
+      kept_(file_.read()),
+      cache_(device, vk::PipelineCacheCreateInfo({}, kept_.size(), kept_.data())) {
+  if (options.kernel_statistics) flags_ |= vk::PipelineCreateFlagBits::eCaptureStatisticsKHR;
   for (const auto& [name, code] : replaced_) {
     if (!code_.contains(name))
       throw MachineError(FailureKind::kUnusable, "no kernel is named \"" + name + "\"");
@@ -92,10 +127,33 @@ vk::Pipeline Kernels::pipeline(const std::string& kernel, const Variant& variant
   const auto key = std::pair{kernel, variant};
   auto found = pipelines_.find(key);
   if (found == pipelines_.end()) {
-    found =
-        pipelines_.emplace(key, make_pipeline(*device_, *layout_, code_.at(kernel), variant)).first;
+    found = pipelines_
+                .emplace(key, make_pipeline(*device_, cache_, *layout_, code_.at(kernel), variant,
+                                            flags_))
+                .first;
   }
   return *found->second;
+}
+
+void Kernels::prepare(KernelUse use, bool chunked, bool pool_chunked) {
+  const size_t before = pipelines_.size();
+  for (const std::string_view kernel : kernels_of(use)) {
+    pipeline(std::string(kernel), variant_of(use, chunked, pool_chunked));
+  }
+  if (pipelines_.size() == before) return;
+  auto data = cache_.getData();
+  if (data == kept_) return;
+  file_.write(data);
+  kept_ = std::move(data);
+}
+
+KernelStatistics Kernels::statistics(const std::string& kernel, const Variant& variant) {
+  const vk::PipelineExecutableInfoKHR executable(pipeline(kernel, variant), 0);
+  KernelStatistics numbers;
+  for (const auto& statistic : device_->getPipelineExecutableStatisticsKHR(executable)) {
+    numbers[statistic.name.data()] = number_of(statistic);
+  }
+  return numbers;
 }
 
 }  // namespace hmlfc::gpu

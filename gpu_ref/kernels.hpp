@@ -5,11 +5,14 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <vector>
 
 #include <vulkan/vulkan_raii.hpp>
 
 #include "device.hpp"
+#include "kernel_cache.hpp"
 
 namespace hmlfc::gpu {
 
@@ -27,21 +30,52 @@ struct Variant {
 /// Invocations of a workgroup of every kernel (arguments.glsl).
 inline constexpr uint32_t kWorkgroupSize = 64;
 
+/// What kernels are dispatched for.
+enum class KernelUse : uint8_t {
+  kReferences,  ///< reference images, when a stream is opened
+  kBlocks,      ///< blocks and pixels
+  kStages,      ///< stages of blocks, beside kBlocks
+  kFrames,      ///< frames of a renderer
+};
+inline constexpr KernelUse kKernelUses[] = {KernelUse::kReferences, KernelUse::kBlocks,
+                                            KernelUse::kStages, KernelUse::kFrames};
+
+/// The variant of every kernel of `use`; `pool_chunked` counts for frames alone.
+Variant variant_of(KernelUse use, bool chunked, bool pool_chunked = false);
+
+/// The names of the kernels that `use` dispatches.
+std::span<const std::string_view> kernels_of(KernelUse use);
+
+/// What the driver says of a pipeline, by its own names.
+using KernelStatistics = std::map<std::string, uint64_t>;
+
 class Kernels {
  public:
-  /// `replaced`: DeviceOptions::kernels. Throws MachineError where a name is no kernel's.
-  Kernels(const vk::raii::Device& device, KernelCode replaced);
+  /// Throws MachineError where DeviceOptions::kernels has a name that is no kernel's.
+  Kernels(const vk::raii::PhysicalDevice& physical, const vk::raii::Device& device,
+          const DeviceOptions& options);
 
   vk::PipelineLayout layout() const { return *layout_; }
 
   /// `kernel`: the name of its file in shaders/.
   vk::Pipeline pipeline(const std::string& kernel, const Variant& variant);
 
+  /// Makes the pipelines of `use`, so that no call waits for a compiler, and keeps what was
+  /// compiled for the next process.
+  void prepare(KernelUse use, bool chunked, bool pool_chunked = false);
+
+  /// With DeviceOptions::kernel_statistics.
+  KernelStatistics statistics(const std::string& kernel, const Variant& variant);
+
  private:
   const vk::raii::Device* device_;
   vk::raii::PipelineLayout layout_;
   std::map<std::string, std::span<const uint32_t>> code_;
   KernelCode replaced_;
+  vk::PipelineCreateFlags flags_;
+  KernelCacheFile file_;
+  std::vector<uint8_t> kept_;  // what the file has, as far as is known
+  vk::raii::PipelineCache cache_;
   std::map<std::pair<std::string, Variant>, vk::raii::Pipeline> pipelines_;
 };
 

@@ -18,12 +18,14 @@ tl::unexpected<Failure> missing() {
 struct Device::State {
   DeviceInfo info;
   std::vector<std::string> messages;
+  SubmissionCounts counts;
 };
 
 Outcome<std::vector<DeviceInfo>> list_devices() { return missing(); }
 
 Outcome<Device> Device::open(const DeviceOptions&) { return missing(); }
 const DeviceInfo& Device::info() const { return state_->info; }
+const SubmissionCounts& Device::counts() const { return state_->counts; }
 const std::vector<std::string>& Device::validation_messages() const { return state_->messages; }
 
 struct GpuDecoder::State {
@@ -46,6 +48,11 @@ struct GpuRenderer::State {
 
 Outcome<GpuRenderer> GpuRenderer::open(Device&, const StreamView&, uint64_t) { return missing(); }
 Outcome<GpuFrame> GpuRenderer::render(const FrameRecord&, int) { return missing(); }
+Outcome<void> GpuRenderer::begin(const FrameRecord&, int, FrameOutput) { return missing(); }
+unsigned GpuRenderer::under_way() const { return 0; }
+Outcome<bool> GpuRenderer::ready() { return missing(); }
+Outcome<void> GpuRenderer::finish(GpuFrame&) { return missing(); }
+uint64_t GpuRenderer::picture_address() const { return 0; }
 void GpuRenderer::forget() {}
 const std::vector<StageTime>& GpuRenderer::stage_times() const { return state_->times; }
 

@@ -11,8 +11,10 @@
 void main() {
   const uint at = invocation();
   const uint mode = frame().counters.word[kCountMode];
-  if (at >= frame().needed_words || mode == kModeNoRoom) return;
+  if (at >= frame().needed_words) return;
   const uint needed = frame().needed.word[at];
+  frame().needed.word[at] = 0u;  // for the next frame
+  if (mode == kModeNoRoom) return;
   const uint held = mode == kModeFlush ? 0u : frame().held.word[at];
   frame().held.word[at] = held | needed;
   uint missing = needed & ~held;
@@ -22,7 +24,8 @@ void main() {
   for (; missing != 0u; missing &= missing - 1u) {
     const uint bit = 32u * at + uint(findLSB(missing));
     arguments.requests.request[q] = request_of_bit(bit);
-    frame().slots.word[q] = slot_of_bit(bit);
+    frame().slots.word[2u * q] = slot_of_bit(bit);
+    frame().slots.word[2u * q + 1u] = bit;
     ++q;
   }
 }

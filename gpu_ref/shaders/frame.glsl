@@ -15,11 +15,13 @@ struct FrameRecord {
 };
 
 layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Frame {
-  OutWords needed;     // one bit a block (block_bits.glsl)
+  OutWords needed;     // one bit a block (block_bits.glsl); 0 between frames
   OutWords held;       // as many: the blocks whose samples are in the pool
   OutWords pages;      // by word of bits: the page of the pool for its 32 blocks; if one is held
-  OutWords slots;      // by request: the slot of the pool for its samples
-  OutWords counters;   // kCount...
+  OutWords slots;      // by request: the slot of the pool for its samples, and its bit
+  OutWords counters;   // kCount..., of this frame
+  OutWords used_pages; // pages that the frames before use, or kUsedNothingHeld
+  OutWords results;    // for the host: the counters
   OutWords dispatches; // kDispatch..., three words each
   OutWords drawn;      // three samples of 16 bits a pixel, row by row
   uvec2 pool;          // pages of 32 slots, of a block each: OutWords, or OutChunks with kPoolChunked
@@ -29,6 +31,7 @@ layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Fra
   uint stop_level;
   uint capacity;       // requests that there is room for
   uint needed_words;
+  uint forget;         // 1: what frames before hold is not used
   FrameRecord record;
 };
 
@@ -44,14 +47,17 @@ const uint kCountRequests = 7u;      // requests written so far
 const uint kCountNextPage = 8u;      // the next page to be given away
 const uint kCountFirstError = 9u;    // the least bit of a block with an error, or all ones
 const uint kCountStatus = 10u;       // that block's error
-const uint kCountUsedPages = 11u;    // of the frames before: the only one that is kept
+const uint kCountWorkgroups = 11u;   // of mark.comp that are done
+const uint kFrameCounters = 12u;
 
-// The sizes of the dispatches that plan.comp decides.
+/// In the place of the number of used pages: the next frame decodes all that it needs.
+const uint kUsedNothingHeld = 0xFFFFFFFFu;
+
+// The sizes of the dispatches that frame_plan.glsl decides.
 const uint kDispatchWalk = 0u;
 const uint kDispatchSamples = 3u;
-const uint kDispatchErrors = 6u;
 
-// What a frame does (plan.comp).
+// What a frame does (frame_plan.glsl).
 const uint kModeNoRoom = 0u;  // nothing: the host makes room
 const uint kModeAdd = 1u;     // decodes the needed blocks that are not held
 const uint kModeFlush = 2u;   // forgets what is held and decodes all needed blocks

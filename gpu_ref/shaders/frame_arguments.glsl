@@ -3,7 +3,7 @@
 
 Frame frame() { return Frame(arguments.frame); }
 
-/// The requests of this dispatch: the host says how many, or with kCounted plan.comp does.
+/// The requests of this dispatch: the host says how many, or with kCounted frame_plan.glsl does.
 layout(constant_id = 3) const bool kCounted = false;
 
 /// The pool is in more than one buffer.
@@ -37,7 +37,7 @@ void write_pool_word(uint at, uint value) {
 /// has that in their place: no frame is drawn from it.
 void write_samples(uint q, uint word, uint samples, uint status) {
   if (kCounted) {
-    write_pool_word(word_of_slot(frame().slots.word[q], word),
+    write_pool_word(word_of_slot(frame().slots.word[2u * q], word),
                     status == ERROR_OK ? samples : status);
   } else {
     arguments.samples.word[word_of_slot(q, word)] = samples;

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_memory_scope_semantics : require
-// The blocks that a frame needs (NED-1): one invocation a pixel.
+// The blocks that a frame needs (NED-1), and what it therefore decodes: one invocation a pixel.
 #include "decode.glsl"
 #include "requests.glsl"
 #include "frame.glsl"
@@ -9,6 +9,7 @@
 #include "block_bits.glsl"
 #include "rays.glsl"
 #include "frame_taps.glsl"
+#include "frame_plan.glsl"
 
 /// Most bits are set already: an atomic operation only where that is not so.
 void mark(uint bit) {
@@ -16,7 +17,7 @@ void mark(uint bit) {
   const uint marked = atomicLoad(frame().needed.word[bit >> 5], gl_ScopeDevice,
                                  gl_StorageSemanticsBuffer, gl_SemanticsRelaxed);
   if ((marked & mask) == 0u) {
-    atomicOr(frame().needed.word[bit >> 5], mask);
+    count_marked(bit >> 5, atomicOr(frame().needed.word[bit >> 5], mask), mask);
   }
 }
 
@@ -37,9 +38,7 @@ void mark_view(FrameRecord f, Ray ray, int row, int col) {
   }
 }
 
-void main() {
-  const FrameRecord f = frame().record;
-  const uint number = invocation();
+void mark_pixel_of_frame(FrameRecord f, uint number) {
   if (number >= uint(f.frame_width) * uint(f.frame_height)) return;
   const Ray ray = trace(f, int(number % uint(f.frame_width)), int(number / uint(f.frame_width)));
   if (!ray.inside) return;
@@ -52,4 +51,10 @@ void main() {
       mark_view(f, ray, clamp(rows.first + i, 0, f.rows - 1), clamp(cols.first + j, 0, f.cols - 1));
     }
   }
+}
+
+void main() {
+  begin_marking();
+  mark_pixel_of_frame(frame().record, invocation());
+  end_marking();
 }

@@ -65,19 +65,23 @@ uvec3 frame_pixel(FrameRecord f, uint number) {
   return sum >> 20;
 }
 
+/// The counters of the frame to the host, and the error of its first block that has one.
+void write_results(uint first_error) {
+  for (uint i = 0u; i < kFrameCounters; ++i) {
+    frame().results.word[i] = frame().counters.word[i];
+  }
+  if (first_error != 0xFFFFFFFFu) {
+    frame().results.word[kCountStatus] = pool_word(word_of_slot(slot_of_bit(first_error), 0u));
+  }
+}
+
 void main() {
   const FrameRecord f = frame().record;
   const uint number = invocation();
-  if (2u * number >= uint(f.frame_width) * uint(f.frame_height)) return;
-  if (frame().counters.word[kCountMode] == kModeNoRoom) return;
   const uint first_error = frame().counters.word[kCountFirstError];
-  if (first_error != 0xFFFFFFFFu) {  // no frame is returned
-    if (number == 0u) {
-      const uint status = pool_word(word_of_slot(slot_of_bit(first_error), 0u));
-      frame().counters.word[kCountStatus] = status;
-    }
-    return;
-  }
+  if (number == 0u) write_results(first_error);
+  if (2u * number >= uint(f.frame_width) * uint(f.frame_height)) return;
+  if (frame().counters.word[kCountMode] == kModeNoRoom || first_error != 0xFFFFFFFFu) return;
   const uvec3 first = frame_pixel(f, 2u * number);
   const uvec3 second = frame_pixel(f, 2u * number + 1u);
   frame().drawn.word[3u * number] = first.x | first.y << 16;

@@ -85,6 +85,13 @@ ivec2 decode(Request request, uint q, uint i, out uint status) {
   return samples;
 }
 
+/// The first needed block that does not decode (NED-2). It is in the pool like the others: the next
+/// frame must not find it.
+void note_error(uint q) {
+  atomicMin(frame().counters.word[kCountFirstError], frame().slots.word[2u * q + 1u]);
+  atomicMax(frame().used_pages.word[0], kUsedNothingHeld);
+}
+
 void main() {
   const uint words_log2 = 2u * arguments.shape.block_log2 - 1u;
   const uint number = invocation();
@@ -96,5 +103,10 @@ void main() {
   ivec2 samples = ivec2(0);
   if (is_valid(request)) samples = decode(request, q, 2u * word, status);
   write_samples(q, word, sample_pair(samples), status);
-  if (word == 0u) arguments.statuses.word[q] = status;
+  if (word != 0u) return;
+  if (kCounted) {
+    if (status != ERROR_OK) note_error(q);
+  } else {
+    arguments.statuses.word[q] = status;
+  }
 }

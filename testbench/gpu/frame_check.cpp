@@ -2,22 +2,36 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include <hmlfc/renderer.hpp>
 
 #include "gpu/speed.hpp"
+#include "render/taps.hpp"
 
 namespace hmlfc::gpu {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Every so many pixels of a frame, in both directions, are asked which views they read.
+constexpr int32_t kPixelStep = 8;
+
+// Place `part`, in [0, 1], of the way along `views` views, in the middle half between two of them.
+double between_views(double part, int views) {
+  if (views <= 1) return 0;
+  const double place = part * (views - 1);
+  const double first = std::min(std::floor(place), views - 2.0);
+  return first + 0.25 + 0.5 * (place - first);
+}
+
 // The camera of frame `i` of `frames`.
 Camera moved(Camera camera, const StreamHeader& header, uint64_t i, uint64_t frames) {
   const double part = frames <= 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(frames - 1);
-  camera.position = WorldPoint{part * (header.cols - 1), 0.5 * (header.rows - 1), 0};
+  camera.position =
+      WorldPoint{between_views(part, header.cols), between_views(0.5, header.rows), 0};
   return camera;
 }
 
@@ -59,6 +73,8 @@ Outcome<GpuFrame> add_frame(GpuRenderer& renderer, const FrameRecord& record, Fr
   return frame;
 }
 
+}  // namespace
+
 Outcome<std::vector<FrameRecord>> records_of_path(const Camera& camera, const StreamHeader& header,
                                                   uint64_t frames) {
   std::vector<FrameRecord> records;
@@ -70,7 +86,21 @@ Outcome<std::vector<FrameRecord>> records_of_path(const Camera& camera, const St
   return records;
 }
 
-}  // namespace
+double mean_views(std::span<const FrameRecord> records) {
+  uint64_t pixels = 0;
+  uint64_t views = 0;
+  for (const FrameRecord& record : records) {
+    for (int32_t j = 0; j < record.frame_height; j += kPixelStep) {
+      for (int32_t i = 0; i < record.frame_width; i += kPixelStep) {
+        const auto ray = trace(record, i, j);
+        if (!ray) continue;
+        ++pixels;
+        for_each_view_taps(record, *ray, [&](const ViewTaps&) { ++views; });
+      }
+    }
+  }
+  return static_cast<double>(views) / static_cast<double>(std::max<uint64_t>(pixels, 1));
+}
 
 Outcome<FramePath> check_frames(GpuRenderer& renderer, std::span<const uint8_t> file,
                                 const StreamView& stream, const Camera& camera, uint64_t frames) {
@@ -105,6 +135,7 @@ Outcome<FrameSpeed> measure_frames(GpuRenderer& renderer, const StreamView& stre
   }
   renderer.forget();
   FrameSpeed speed;
+  speed.views = mean_views(*records);
   for (FramePath* path : {&speed.cold, &speed.warm}) {
     for (const FrameRecord& record : *records) {
       const auto frame = add_frame(renderer, record, *path);

@@ -8,6 +8,7 @@
 #include "decoder/open_stream.hpp"
 #include "gpu/frame_check.hpp"
 #include "gpu/gpu_answers.hpp"
+#include "gpu/host_cost.hpp"
 #include "gpu/speed.hpp"
 #include "gpu/stream_check.hpp"
 #include "io/files.hpp"
@@ -168,8 +169,19 @@ int show_frames(const Options& o, std::span<const uint8_t> file, const StreamVie
   if (o.speed) {
     const auto speed = measure_frames(*renderer, view, o.camera, o.frames);
     if (!speed) return usage_error(speed.error().message);
-    fmt::print("{}\ncold: {}warm: {}", device.info().name, to_text(speed->cold),
-               to_text(speed->warm));
+    if (view.header.rows > 1 && view.header.cols > 1 && speed->views < kLeastViews) {
+      return usage_error(
+          fmt::format("pixels of these frames read only {:.2f} views of the {} that "
+                      "frames must, to be worth measuring",
+                      speed->views, kLeastViews));
+    }
+    fmt::print("{}, {:.2f} views a pixel\ncold: {}warm: {}", device.info().name, speed->views,
+               to_text(speed->cold), to_text(speed->warm));
+    const auto records = records_of_path(o.camera, view.header, o.frames);
+    if (!records) return usage_error(records.error().message);
+    const auto cost = measure_host(*renderer, device, *records, o.frames);
+    if (!cost) return usage_error(cost.error().message);
+    fmt::print("{}", to_text(*cost));
     return 0;
   }
   const auto path = check_frames(*renderer, file, view, o.camera, o.frames);

@@ -89,11 +89,30 @@ TEST(Hazards, OfEarlierSubmissionsAreThoseOfTheirWrites) {
     add(hazards, "a", kCompute, reads(kOther));
     add(hazards, "a", kCompute, writes(kBuffer));
     EXPECT_EQ(hazards.end(), "");
+    hazards.finished(1);
     hazards.begin();
     hazards.barrier(visible ? kCompute : kTransfer, kCompute);
     add(hazards, "b", kCompute, writes(kOther));
     add(hazards, "b", kCompute, reads(kBuffer));
     EXPECT_EQ(hazards.end().empty(), visible);
+  }
+}
+
+// What was read, and what was written, by a submission that may still be under way.
+TEST(Hazards, OfWritesAfterSubmissionsUnderWay) {
+  for (const BufferAccess& before : {reads(kBuffer), writes(kBuffer)}) {
+    for (const bool finished : {false, true}) {
+      for (const bool ordered : {false, true}) {
+        Hazards hazards = begun();
+        add(hazards, "a", kCompute, before);
+        EXPECT_EQ(hazards.end(), "");
+        if (finished) hazards.finished(1);
+        hazards.begin();
+        hazards.barrier(ordered ? kCompute : kTransfer, kCompute);
+        add(hazards, "b", kCompute, writes(kBuffer));
+        EXPECT_EQ(hazards.end().empty(), finished || ordered);
+      }
+    }
   }
 }
 
@@ -202,22 +221,37 @@ TEST_F(GpuBarriers, OfStagesAreAllNeeded) {
       0, 5);
 }
 
-TEST_F(GpuBarriers, OfFramesAreAllNeeded) {
+// The second of two frames under way, after one that was finished in the second's place.
+std::string frames(Device& device, const StreamView& view, FrameOutput output) {
+  auto renderer = GpuRenderer::open(device, view, 1u << 20);
+  if (!renderer) return renderer.error().message;
+  test::Random random(1);
+  GpuFrame frame;
+  for (int begun = 0; begun < 5;) {
+    const auto record = frame_record(test::random_camera(random, view.header), view.header);
+    if (!record) continue;
+    const auto started = renderer->begin(*record, 0, output);
+    if (!started) return started.error().message;
+    ++begun;
+    if (renderer->under_way() < 2 || begun == 5) continue;
+    const auto finished = renderer->finish(frame);
+    if (!finished) return finished.error().message;
+  }
+  return {};
+}
+
+TEST_F(GpuBarriers, OfFramesForTheDeviceAreAllNeededAndSix) {
   expect_all_needed(
       [](Device& device, const StreamView& view) {
-        auto renderer = GpuRenderer::open(device, view, 1u << 20);
-        if (!renderer) return renderer.error().message;
-        test::Random random(1);
-        for (int frames = 0; frames < 2;) {
-          const auto record = frame_record(test::random_camera(random, view.header), view.header);
-          if (!record) continue;
-          const auto frame = renderer->render(*record, 0);
-          if (!frame) return frame.error().message;
-          ++frames;
-        }
-        return std::string();
+        return frames(device, view, FrameOutput::kDevice);
       },
-      0, 11);
+      0, 6);
+}
+
+TEST_F(GpuBarriers, OfFramesForTheHostAreAllNeeded) {
+  expect_all_needed([](Device& device,
+                       const StreamView& view) { return frames(device, view, FrameOutput::kHost); },
+                    0, 7);
 }
 
 }  // namespace

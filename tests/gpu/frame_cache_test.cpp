@@ -1,8 +1,10 @@
 // Frames that reuse blocks of the frames before: the golden renderer's bytes and errors, and the
 // blocks that the rule of docs/gpu.md predicts, with budgets from nothing to everything.
+#include <algorithm>
 #include <array>
 #include <iterator>
 
+#include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "gpu/render_pair.hpp"
 #include "stimulus/random_stream.hpp"
@@ -10,7 +12,7 @@
 namespace hmlfc::gpu {
 namespace {
 
-// plan.comp with a fault each, as SPIR-V (tests/CMakeLists.txt).
+// mark.comp with a fault each in its frame_plan.glsl, as SPIR-V (tests/gpu/CMakeLists.txt).
 constexpr uint32_t kNeverFlushes[] =
 #include "faults/never_flushes.inc"
     ;
@@ -187,10 +189,38 @@ TEST_F(GpuFrameCacheOfOneStream, AFrameAboveTheBudgetLeavesNothing) {
   }
 }
 
+// A camera that opens up: each frame needs more blocks than the one before. Room for twice as many
+// is made at a time, from 16384 to 90000 blocks and from 512 to 2813 pages: three times each at
+// most.
+TEST_F(GpuFrameCacheOfOneStream, ACameraThatNeedsEverMoreIsSubmittedAgainRarely) {
+  const auto stream = bytes();
+  const auto view = open_stream(stream, {});
+  ASSERT_TRUE(view);
+  auto renderer = GpuRenderer::open(device(), *view, 0);
+  ASSERT_TRUE(renderer);
+  Camera camera;
+  camera.position = WorldPoint{0.5, 0.5, 0};
+  uint64_t most = 0;
+  unsigned larger = 0;
+  unsigned repeated = 0;
+  for (int step = 0; step <= 10; ++step) {
+    camera.tan_half = 0.2 + 0.03 * step;
+    const auto frame = renderer->render(*frame_record(camera, view->header), 0);
+    ASSERT_TRUE(frame);
+    if (frame->blocks_needed > most) ++larger;
+    most = std::max(most, frame->blocks_needed);
+    repeated += frame->submissions - 1;
+  }
+  EXPECT_EQ(larger, 11u);
+  EXPECT_GT(most, 80000u);
+  EXPECT_GE(repeated, 3u);
+  EXPECT_LE(repeated, 6u);
+}
+
 /// The first difference of a walk on a device with a kernel of its own.
-std::string difference_with(std::span<const uint32_t> plan, uint64_t cache_bytes) {
+std::string difference_with(std::span<const uint32_t> mark, uint64_t cache_bytes) {
   DeviceOptions options;
-  options.kernels["plan"] = {plan.begin(), plan.end()};
+  options.kernels["mark"] = {mark.begin(), mark.end()};
   auto device = Device::open(options);
   if (!device) return device.error().message;
   FrameTally tally;

@@ -7,15 +7,23 @@
 namespace hmlfc::gpu {
 namespace {
 
-DeviceOptions with_environment(DeviceOptions options) {
+DeviceOptions with_environment(DeviceOptions options, bool check_barriers) {
   const char* name = std::getenv("HMLFC_GPU_DEVICE");
   if (name != nullptr) options.device = name;
-  options.check_barriers = true;
+  options.check_barriers = check_barriers;
+  options.cache_folder = "";  // tests leave nothing behind
   return options;
 }
 
+std::optional<Device> opened(const DeviceOptions& options) {
+  auto device = Device::open(options);
+  if (device) return std::move(*device);
+  ADD_FAILURE() << device.error().message;
+  return std::nullopt;
+}
+
 Outcome<Device>& shared_device() {
-  static Outcome<Device> device = Device::open(with_environment({}));
+  static Outcome<Device> device = Device::open(with_environment({}, true));
   return device;
 }
 
@@ -41,12 +49,11 @@ void GpuTest::SetUp() {
 }
 
 std::optional<Device> GpuTest::open(DeviceOptions options) {
-  auto opened = Device::open(with_environment(std::move(options)));
-  if (!opened) {
-    ADD_FAILURE() << opened.error().message;
-    return std::nullopt;
-  }
-  return std::move(*opened);
+  return opened(with_environment(std::move(options), true));
+}
+
+std::optional<Device> GpuTest::open_unchecked(DeviceOptions options) {
+  return opened(with_environment(std::move(options), false));
 }
 
 Device& GpuTest::device() { return *shared_device(); }

@@ -23,6 +23,9 @@ class GpuTest : public testing::Test {
   /// Opens a device; a failure of the test where there is none with these options.
   static std::optional<Device> open(DeviceOptions options);
 
+  /// The same without the check of barriers, for which each frame is recorded anew.
+  static std::optional<Device> open_unchecked(DeviceOptions options);
+
   /// The device that most tests share.
   static Device& device();
 };

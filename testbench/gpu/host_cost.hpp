@@ -1,0 +1,26 @@
+// What frames cost the host while the device draws others.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "gpu_renderer.hpp"
+
+namespace hmlfc::gpu {
+
+/// Of frames that stay on the device, with kFramesUnderWay under way.
+struct HostCost {
+  uint64_t frames = 0;
+  double cpu_seconds = 0;     ///< of the calling thread, in begin() and finish() alone
+  SubmissionCounts counts{};  ///< of these frames
+};
+
+/// Draws the frames of `records` once to begin with, and counts `frames` more of them. Waits, which
+/// are none of the renderer's, are for ready() to be true.
+Outcome<HostCost> measure_host(GpuRenderer& renderer, const Device& device,
+                               std::span<const FrameRecord> records, uint64_t frames);
+
+std::string to_text(const HostCost& cost);
+
+}  // namespace hmlfc::gpu
