@@ -106,7 +106,7 @@ class LineJudge {
     const std::string error(error_name(expect_.error));
     const auto geometry = dut_.open(std::filesystem::absolute(trial_.input));
     if (!geometry) {
-      if (!at_open) return fail("refused a valid stream at 'open': " + geometry.error());
+      if (!at_open) return fail_at_open(geometry.error());
       if (geometry.error() == error) return set(Status::kPass, {});
       return fail(fmt::format("refused with another error than {}: {}", error, geometry.error()));
     }
@@ -126,6 +126,15 @@ class LineJudge {
   }
   void fail(std::string reason) { set(Status::kFail, std::move(reason)); }
   bool passes() const { return result_.status == Status::kPass; }
+
+  // Refuses a stream that opens.
+  void fail_at_open(const std::string& error) {
+    if (expect_.outcome == vectors::Outcome::kOk) {
+      return fail("refused a valid stream at 'open': " + error);
+    }
+    fail("refused at 'open', but only blocks fail: " + error);
+    result_.kind = "refused at 'open' where only blocks fail";
+  }
 
   void compare(const Decoder& golden, const hmlfc_dut_geometry& geometry) {
     if (const auto what = wrong_geometry(golden.header(), geometry)) {
