@@ -203,6 +203,14 @@ class Runner(ConformTest):
             with self.subTest(keys=keys):
                 self.refused(USAGE, *suite, "--dut", self.declaration("bad", **keys), says=says)
 
+    def test_program_that_is_none(self):
+        """A program that is not there is named."""
+        for dut in ("missing-decoder {input} {output}", "lines: missing-decoder"):
+            _, report = self.conform(dut, "--filter", "syntax/base-main", output="missing")
+            result = self.results(report)["syntax/base-main"]
+            self.assertEqual(result["status"], "error")
+            self.assertIn("missing-decoder cannot be started: No such file or directory", result["reason"])
+
     def test_library_that_is_none(self):
         path = self.folder / "empty.so"
         path.write_bytes(b"no library")
