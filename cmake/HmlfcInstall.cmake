@@ -1,5 +1,5 @@
 # cmake --install: headers, static and shared library, binary, CMake package and pkg-config file,
-# the conformance suite, the decode unit with its integration kit, and the checker for simulators.
+# the conformance suite with its documents, the decode unit with its integration kit, and the checker for simulators.
 
 include(CMakePackageConfigHelpers)
 
@@ -35,10 +35,20 @@ if(TARGET hmlfc_dpi_shared)
   install(DIRECTORY testbench/checker/ DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/checker")
 endif()
 
-# A decoder behind the line protocol (docs/line_protocol.md), and the slow one that it runs.
-install(PROGRAMS examples/line_decoder.py DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/examples")
-install(DIRECTORY tests/naive_decoder DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/examples"
+# From nothing to a claim (docs/conformance.md): documents, examples of decoders, and the slow decoder
+# that one of them runs. The folders are those of the repository, so that links lead somewhere.
+install(PROGRAMS examples/line_decoder.py examples/primitives.py
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/examples")
+install(FILES examples/other_decoder.cpp examples/other_decoder.h examples/wrap_decoder.c
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/examples")
+install(FILES
+  docs/conformance.md docs/line_protocol.md docs/primitives.md docs/specification.md
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/docs")
+install(DIRECTORY tests/naive_decoder DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/tests"
   FILES_MATCHING PATTERN "*.py" PATTERN "tests" EXCLUDE PATTERN "__pycache__" EXCLUDE)
+install(CODE "get_filename_component(DATA
+  \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/hmlfc\" ABSOLUTE)")
+install(SCRIPT cmake/UnlinkMissing.cmake)
 
 configure_package_config_file(cmake/hmlfc-config.cmake.in
   "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config.cmake"

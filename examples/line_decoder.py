@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / "naive_decoder"), str(HERE.parent / "tests" / "naive_decoder")]
+sys.path.insert(0, str(HERE.parent / "tests" / "naive_decoder"))
 
 from block import BlockDecoder  # noqa: E402
 from light_field import decode_view  # noqa: E402

@@ -7,6 +7,7 @@ FAULT is a name of BLOCKS, planted in the naive decoder's answers for blocks, or
 decoder that breaks the protocol. `none` is without a fault.
 """
 
+import itertools
 import os
 import signal
 import sys
@@ -226,6 +227,18 @@ class Sample_too_wide(Server):
 class Other_shape(Server):
     def open(self, *words):
         return "1 " + super().open(*words)
+
+
+@answers
+class Decodes_at_open(Server):
+    """Refuses at open what fails in a view."""
+
+    def open(self, *words):
+        shape = super().open(*words)
+        rows, cols = map(int, shape.split()[:2])
+        for place in itertools.product(range(rows), range(cols)):
+            self.view(*place)
+        return shape
 
 
 @answers

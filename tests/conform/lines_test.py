@@ -39,6 +39,7 @@ ANSWER_RESULTS = {
     "Not_hexadecimal": ("fail", "\"x\" is not a hexadecimal digit"),
     "Sample_too_wide": ("fail", "wrong answer to 'view 0 0': sample 0 is 256, not of 8 bits"),
     "Other_shape": ("fail", "wrong answer to 'open': cols"),
+    "Decodes_at_open": ("pass", ""),  # but not on a stream in which blocks fail
     "Crashes_once": ("error", "but passes as the first stream of a process"),
     "Something_stays": ("fail", "but passes as the first stream of a process"),
 }
@@ -81,6 +82,25 @@ class Lines(ConformTest):
                 result = self.run_on(lines(fault), SMALLEST, NEXT, arguments=limits)
                 self.assertEqual(result["status"], status, result)
                 self.assertIn(reason, result.get("reason", ""))
+
+    def test_errors_of_blocks_at_open(self):
+        """Whatever the error, it is one cause."""
+        ids = ("error/sign-mode-3", "error/level-delta-28")
+        filters = [word for vector in ids for word in ("--filter", vector)]
+        _, report = self.conform(lines("Decodes_at_open"), *filters, suite=SUITE)
+        causes = report["runs"][0]["begin"]["causes"]
+        self.assertEqual([(c["cause"], len(c["vectors"])) for c in causes], [("refused at 'open' where only blocks fail", 2)])
+
+    def test_failures_cost_few_processes(self):
+        """Only some of many are run again in a new one."""
+        starts = self.folder / "starts"
+        program = f"{sys.executable} -B {FAULTY} Other_shape"
+        dut = f"lines: sh -c 'echo >>{starts}; exec {program}'"
+        _, report = self.conform(dut, "--filter", "syntax/bise-*", "--jobs", "1", suite=SUITE)
+        reasons = [result["reason"] for result in self.results(report).values() if result["status"] == "fail"]
+        self.assertGreater(len(reasons), 20)
+        self.assertEqual({reason.partition("cols")[0] for reason in reasons}, {"wrong answer to 'open': "})
+        self.assertIn(len(starts.read_text()), range(9, 16))
 
     def test_a_crash_is_one_result(self):
         _, report = self.conform(

@@ -165,6 +165,24 @@ class Runner(ConformTest):
                 self.assertEqual(stage.count(says), 2, stage)  # of both planes that differ
                 self.assertTrue("plane Co" in stage and "plane Cg" in stage, stage)
 
+    def test_progress_off_a_terminal(self):
+        """Some lines, and none with --json."""
+        command = ("conform", "--suite", self.small, "--dut", "sh -c 'sleep 0.8; exit 1' {input} {output}", "--jobs", "1", "-o", "slow")
+        lines = self.run_hmlfc(*command).stderr.decode().splitlines()
+        self.assertIn(len(lines), range(1, 6))
+        for line in lines:
+            self.assertRegex(line, rf"  [1-6]/{len(self.manifest['vectors'])} vectors$")
+        self.assertEqual(self.run_hmlfc(*command, "--json").stderr, b"")
+
+    def test_first_error_name_counts(self):
+        """A decoder that lists all names does not name the error."""
+        names = "bad_version bad_magic"
+        for order, status in ((names, "fail"), ("bad_magic bad_version", "pass")):
+            script = f'{{hmlfc}} decode "$0" -o "$1" 2>/dev/null || {{ echo {order} >&2; exit 1; }}'
+            dut = self.declaration("names", command=f"sh -c '{script}' {{input}} {{output}}")
+            _, report = self.conform(dut, "--filter", "error/magic")
+            self.assertEqual(self.results(report)["error/magic"]["status"], status)
+
     def test_wrong_arguments(self):
         suite = ("conform", "--suite", self.small, "-o", "report")
         self.refused(USAGE, *suite, says="--dut")
@@ -184,6 +202,14 @@ class Runner(ConformTest):
         ):
             with self.subTest(keys=keys):
                 self.refused(USAGE, *suite, "--dut", self.declaration("bad", **keys), says=says)
+
+    def test_program_that_is_none(self):
+        """A program that is not there is named."""
+        for dut in ("missing-decoder {input} {output}", "lines: missing-decoder"):
+            _, report = self.conform(dut, "--filter", "syntax/base-main", output="missing")
+            result = self.results(report)["syntax/base-main"]
+            self.assertEqual(result["status"], "error")
+            self.assertIn("missing-decoder cannot be started: No such file or directory", result["reason"])
 
     def test_library_that_is_none(self):
         path = self.folder / "empty.so"

@@ -19,6 +19,10 @@ from PIL import Image
 import exports
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "docs"))
+
+import links  # noqa: E402
+
 EXAMPLES = ROOT / "examples"
 VECTORS = ROOT / "vectors"
 STREAM = VECTORS / "real" / "knights-extended.hmlfc"
@@ -185,9 +189,25 @@ def check_suite(installation):
     assert str(suite) in report["runs"][0]["begin"]["inspect"], report["runs"][0]["begin"]
 
 
+def check_documents(installation):
+    """Links lead somewhere, and the page for newcomers needs nothing but what is installed."""
+    data = installation.prefix / "share" / "hmlfc"
+    documents = [file.relative_to(data) for folder in ("docs", "vectors") for file in (data / folder).rglob("*.md")]
+    dead = [complaint for name in documents for complaint in links.dead_links(data, name)]
+    assert len(documents) > 5 and not dead, dead
+    page = (data / "docs" / "conformance.md").read_text()
+    for target in ("../vectors/README.md", "line_protocol.md", "../examples/wrap_decoder.c", "specification.md#annex-a-errors"):
+        assert f"]({target})" in page, target
+    assert "`gpu_dut.cpp`" in page and "gpu_ref" not in page, "a link to a file that is not installed"
+    assert page.count("./run") == 1, "commands that need the repository"
+    for name in re.findall(r"(?<![\w/])(?:examples|vectors)/[\w./-]+\w", page):
+        assert (data / name).exists(), name
+
+
 def main():
     installation = Installation(*sys.argv[1:])
     check_suite(installation)
+    check_documents(installation)
     check_decode_unit(installation)
     check_driver(installation)
     check_line_decoder(installation)

@@ -14,8 +14,8 @@ def anchors(text):
     return {re.sub(r"[^\w\- ]", "", head.lower()).replace(" ", "-") for head in heads}
 
 
-def dead(root, name):
-    """A complaint for each link and path of document `name` that leads nowhere."""
+def dead_links(root, name):
+    """A complaint for each link of document `name` that leads nowhere."""
     text = (root / name).read_text(encoding="utf-8")
     for target in LINK.findall(FENCED.sub("", text)):
         if re.match(r"[a-z]+:", target):
@@ -26,6 +26,12 @@ def dead(root, name):
             yield f"{name}: no file {target}"
         elif anchor and file.suffix == ".md" and anchor not in anchors(file.read_text(encoding="utf-8")):
             yield f"{name}: no heading {target}"
+
+
+def dead(root, name):
+    """A complaint for each link of document `name`, and each path in it, that leads nowhere."""
+    yield from dead_links(root, name)
+    text = (root / name).read_text(encoding="utf-8")
     for path in PATH.findall(text):
         # A name in capitals stands for others; a program has no suffix, its source has one.
         if not re.search(r"[A-Z]{2}", path.rpartition("/")[2]) and not any(root.glob(path + "*")):

@@ -164,13 +164,17 @@ CLI::Option* add_suite(CLI::App& app, std::filesystem::path& target,
 }
 
 CLI::Option* add_milestone(CLI::App& app, std::string& target) {
+  std::string names;
+  for (const vectors::MilestoneRow& row : vectors::milestones()) {
+    names += (names.empty() ? "one of " : ", ") + std::string(row.name);
+  }
   const auto reader = [&target](const std::string& text) {
     target = text;
     return vectors::milestone_number(text).has_value();
   };
   return add_value(app, "--milestone", "NAME",
-                   "Only the vectors of one milestone; hmlfc vectors milestones lists them",
-                   "a milestone", reader);
+                   "Only the vectors of one milestone; hmlfc vectors milestones lists them", names,
+                   reader);
 }
 
 CLI::Option* add_stream(CLI::App& app, std::filesystem::path& target) {

@@ -1,4 +1,7 @@
 // hmlfc conform: runs decoders under test on the conformance suite.
+#include <unistd.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,18 +34,25 @@ struct ConformOptions {
   bool json = false;
 };
 
+terminal::OffTerminal off_terminal(const ConformOptions& options) {
+  return options.json ? terminal::OffTerminal::kSilent : terminal::OffTerminal::kLines;
+}
+
 // Writes the reports; the exit status is that of the worst decoder.
 ExitCode finish(const conform::Report& report, const ConformOptions& options) {
   value_or_throw(write_report(report, options.run.folder), ExitCode::kOutput);
   if (options.json) {
     print_json(conform::to_json(report));
   } else {
-    for (const conform::Run& run : report.runs) print(terminal_text(run));
+    for (const conform::Run& run : report.runs) {
+      print(terminal_text(run, std::clamp<size_t>(terminal::columns(STDOUT_FILENO), 80, 120)));
+    }
     print(fmt::format("Report: {}\n", (options.run.folder / "report.html").string()));
   }
   auto worst = conform::Verdict::kConforms;
   for (const conform::Run& run : report.runs) worst = std::max(worst, verdict(run));
-  constexpr ExitCode kCodes[] = {ExitCode::kDone, ExitCode::kIncomplete, ExitCode::kDifferent};
+  constexpr ExitCode kCodes[] = {ExitCode::kDone, ExitCode::kDone, ExitCode::kIncomplete,
+                                 ExitCode::kDifferent};
   return kCodes[static_cast<size_t>(worst)];
 }
 
@@ -81,7 +91,7 @@ std::optional<std::string> verify_again(const conform::Claim& claimed,
   auto found = claim_on(suite, dut, claimed.at("decoder").at("dut").get<std::string>());
   if (auto difference = conform::claim_difference(claimed, found)) return difference;
   make_output_folder(options.run.folder);
-  terminal::ProgressBar progress(dut.name, "vectors");
+  terminal::ProgressBar progress(dut.name, "vectors", off_terminal(options));
   const auto run =
       value_or_throw(run_suite(suite, dut, options.run, progress.callback()), ExitCode::kOutput);
   const auto system = conform::this_system(kProgram);
@@ -121,7 +131,7 @@ ExitCode run_conform(const ConformOptions& given) {
   conform::Report report{
       suite.manifest.vectors_version, suite.manifest_sha256, conform::this_system(kProgram), {}};
   for (const conform::Dut& dut : duts) {
-    terminal::ProgressBar progress(dut.name, "vectors");
+    terminal::ProgressBar progress(dut.name, "vectors", off_terminal(options));
     report.runs.push_back(
         value_or_throw(run_suite(suite, dut, options.run, progress.callback()), ExitCode::kOutput));
   }
@@ -155,8 +165,8 @@ and junit.xml.
 A vector of group error counts only if its base, the valid stream that it is made from, passes; bases
 are run with every selection.
 
-Exit status 0: all required vectors pass; 1: a required vector fails, or a claim differs; 5: no
-failures, but required vectors were skipped.
+Exit status 0: all required vectors pass, those of --milestone if it is given; 1: a required vector
+fails, or a claim differs; 5: no failures, but required vectors were skipped.
 
 Example:
   hmlfc conform --dut '{hmlfc} decode {input} -o {output}' --suite vectors -o report)";

@@ -172,7 +172,7 @@ ExitCode run_fuzz(const FuzzOptions& options) {
   make_output_folder(options.folder);
   const auto begin = Clock::now();
   const auto allowed = std::chrono::minutes(options.minutes);
-  terminal::ProgressBar progress("Fuzzing", "seconds");
+  terminal::ProgressBar progress("Fuzzing", "seconds", terminal::OffTerminal::kLines);
   uint64_t streams = 0;
   uint64_t failures = 0;
   for (uint64_t seed = options.seed; failures < options.failures; ++seed) {

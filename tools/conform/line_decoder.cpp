@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <chrono>
 #include <limits>
@@ -257,6 +258,16 @@ std::unique_ptr<LineDecoder> LineDecoders::take() {
 void LineDecoders::give_back(std::unique_ptr<LineDecoder> decoder) {
   const std::scoped_lock lock(mutex_);
   waiting_.push_back(std::move(decoder));
+}
+
+bool LineDecoders::is_run_again() {
+  const std::scoped_lock lock(mutex_);
+  return failed_again_ < kEnough || std::has_single_bit(++failures_);
+}
+
+void LineDecoders::was_run_again(bool failed) {
+  const std::scoped_lock lock(mutex_);
+  failed_again_ = failed ? failed_again_ + 1 : 0;
 }
 
 }  // namespace hmlfc::conform

@@ -83,15 +83,26 @@ class LineDecoder {
   hmlfc_dut_geometry geometry_{};
 };
 
-/// The processes of one decoder that wait for a stream. Thread-safe.
+/// The processes of one decoder that wait for a stream, and what its failures are worth.
+/// Thread-safe.
 class LineDecoders {
  public:
   /// One that waits, or null.
   std::unique_ptr<LineDecoder> take();
   void give_back(std::unique_ptr<LineDecoder> decoder);
 
+  /// Whether a vector that failed in a process that has served others is to be run again in a new
+  /// one: always, until kEnough in a row have failed there again; then ever more rarely.
+  bool is_run_again();
+  /// What came of that.
+  void was_run_again(bool failed);
+
  private:
+  static constexpr uint64_t kEnough = 8;
+
   std::mutex mutex_;
+  uint64_t failures_ = 0;
+  uint64_t failed_again_ = 0;  // in a row
   std::vector<std::unique_ptr<LineDecoder>> waiting_;
 };
 

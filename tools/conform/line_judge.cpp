@@ -106,7 +106,7 @@ class LineJudge {
     const std::string error(error_name(expect_.error));
     const auto geometry = dut_.open(std::filesystem::absolute(trial_.input));
     if (!geometry) {
-      if (!at_open) return fail("refused a valid stream at 'open': " + geometry.error());
+      if (!at_open) return fail_at_open(geometry.error());
       if (geometry.error() == error) return set(Status::kPass, {});
       return fail(fmt::format("refused with another error than {}: {}", error, geometry.error()));
     }
@@ -126,6 +126,15 @@ class LineJudge {
   }
   void fail(std::string reason) { set(Status::kFail, std::move(reason)); }
   bool passes() const { return result_.status == Status::kPass; }
+
+  // Refuses a stream that opens.
+  void fail_at_open(const std::string& error) {
+    if (expect_.outcome == vectors::Outcome::kOk) {
+      return fail("refused a valid stream at 'open': " + error);
+    }
+    fail("refused at 'open', but only blocks fail: " + error);
+    result_.kind = "refused at 'open' where only blocks fail";
+  }
 
   void compare(const Decoder& golden, const hmlfc_dut_geometry& geometry) {
     if (const auto what = wrong_geometry(golden.header(), geometry)) {
@@ -200,6 +209,7 @@ class LineJudge {
     uint64_t asked = 0;
     uint64_t wrong = 0;
     std::string first;
+    std::string kind;
     for (int level = 0; level <= top; ++level) {
       const uint64_t n = std::min(blocks.count(), level == 0 ? count : count_above);
       for (uint64_t i = 0; i < n; ++i, ++asked) {
@@ -211,10 +221,17 @@ class LineJudge {
         first =
             fmt::format("view {},{} plane {} block {},{} at stop level {}: {}", block.view.row,
                         block.view.col, plane_name(block.plane), block.bx, block.by, level, *what);
+        kind = fmt::format(
+            "{} of plane {} at {}",
+            expected && actual ? "wrong samples"
+                               : outcome_name(actual) + " instead of " + outcome_name(expected),
+            plane_name(block.plane), level == 0 ? "stop level 0" : "stop levels above 0");
         if (expected && actual) result_.stage = wrong_stage(golden, block, level, tracer());
       }
     }
-    if (wrong != 0) fail(fmt::format("{}; {} of {} blocks asked for", first, wrong, asked));
+    if (wrong == 0) return;
+    fail(fmt::format("{}; {} of {} blocks asked for", first, wrong, asked));
+    result_.kind = std::move(kind);
   }
 
   // Views of a stream in which blocks fail: a view fails with the error of DEC-7, or decodes.
@@ -228,8 +245,10 @@ class LineJudge {
       auto right = golden.decode_view(view);
       auto answer = view_of(golden, view);
       if (outcome_name(right) != outcome_name(answer) && passes()) {
-        fail(fmt::format("view {},{}: {} instead of {}", view.row, view.col, outcome_name(answer),
-                         outcome_name(right)));
+        const auto what =
+            fmt::format("{} instead of {}", outcome_name(answer), outcome_name(right));
+        fail(fmt::format("view {},{}: {}", view.row, view.col, what));
+        result_.kind = what + " of a view";
       }
       const bool both = right && answer;
       expected.push_back(both ? std::move(*right) : blank);
@@ -251,7 +270,8 @@ void judge_lines(const Trial& trial, const vectors::Expectation& expect,
                  const vectors::ViewSum* output, VectorResult& result) {
   using Clock = std::chrono::steady_clock;
   const VectorResult before = result;
-  auto dut = trial.dut.lines->take();
+  LineDecoders& decoders = *trial.dut.lines;
+  auto dut = decoders.take();
   const auto judge_in = [&](std::unique_ptr<LineDecoder>& process, VectorResult& judged) {
     const auto begin = Clock::now();
     try {
@@ -272,13 +292,14 @@ void judge_lines(const Trial& trial, const vectors::Expectation& expect,
   };
   const bool used = dut != nullptr;
   judge_in(dut, result);
-  if (used && result.bad() && result.status != Status::kTimeout) {
+  if (used && result.bad() && result.status != Status::kTimeout && decoders.is_run_again()) {
     VectorResult again = before;
     dut.reset();
     judge_in(dut, again);
+    decoders.was_run_again(again.bad());
     if (!again.bad()) result.reason += " (but passes as the first stream of a process)";
   }
-  if (dut != nullptr) trial.dut.lines->give_back(std::move(dut));
+  if (dut != nullptr) decoders.give_back(std::move(dut));
 }
 
 }  // namespace hmlfc::conform

@@ -108,7 +108,10 @@ void Process::Tail::cut() {
 
 Process::Process(const std::vector<std::string>& command, uint64_t memory_bytes,
                  size_t output_bytes)
-    : begin_(Clock::now()), output_{{}, output_bytes}, messages_{{}, kMessageBytes} {
+    : program_(command.front()),
+      begin_(Clock::now()),
+      output_{{}, output_bytes},
+      messages_{{}, kMessageBytes} {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -172,6 +175,7 @@ ProcessOutcome Process::end(bool timed_out) {
   output_.read();
   output_.cut();
   ProcessOutcome outcome;
+  outcome.program = program_;
   outcome.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   outcome.output = std::move(output_.text);
   outcome.messages = take_messages();
@@ -210,7 +214,8 @@ std::string to_string(const ProcessOutcome& outcome) {
     case ProcessEnd::kTimeout:
       return fmt::format("timed out after {:.1f} s", outcome.seconds);
     case ProcessEnd::kNotStarted:
-      return fmt::format("cannot be started: {}", std::generic_category().message(outcome.value));
+      return fmt::format("{} cannot be started: {}", outcome.program,
+                         std::generic_category().message(outcome.value));
   }
   return {};
 }

@@ -33,6 +33,7 @@ struct ProcessOutcome {
   double seconds = 0;
   std::string output;    ///< standard output, its last 16 MiB
   std::string messages;  ///< standard error, its last 8 KiB
+  std::string program;   ///< of its command
 };
 
 /// A program that runs in a process group of its own, with a pipe to each of its standard streams.
@@ -82,6 +83,7 @@ class Process {
     void cut();
   };
 
+  std::string program_;
   Time begin_;
   io::FileDescriptor input_;
   io::FileDescriptor failure_;  // gives the errno of a program that cannot be started
@@ -94,8 +96,8 @@ class Process {
 /// Runs `command` in `limits` with an empty standard input until it ends. Thread-safe.
 ProcessOutcome run_process(const std::vector<std::string>& command, const ProcessLimits& limits);
 
-/// "exit status 3", "signal 11 (Segmentation fault)", "timed out after 60.0 s", "cannot be started:
-/// No such file or directory".
+/// "exit status 3", "signal 11 (Segmentation fault)", "timed out after 60.0 s", "mydec
+/// cannot be started: No such file or directory".
 std::string to_string(const ProcessOutcome& outcome);
 
 /// ": " and the last line of a program's messages; empty if there is none.

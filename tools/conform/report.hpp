@@ -23,7 +23,8 @@ std::string junit_text(const Report& report);
 std::string html_text(const Report& report, const std::filesystem::path& folder);
 
 /// What a terminal shows of one decoder: the verdict, where to begin, failures by probable cause.
-std::string terminal_text(const Run& run);
+/// Lists are wrapped to `columns`.
+std::string terminal_text(const Run& run, size_t columns);
 
 /// Writes report.json, junit.xml and report.html into `folder`.
 io::IoResult<void> write_report(const Report& report, const std::filesystem::path& folder);

@@ -108,6 +108,7 @@ io::IoResult<void> copy_pictures(const Run& run, const fs::path& from, const fs:
 }
 
 void merge_run(Run& into, const Run& run) {
+  if (run.milestone != into.milestone) into.milestone.clear();
   for (size_t i = 0; i < into.results.size(); ++i) {
     if (weight(run.results[i].status) > weight(into.results[i].status)) {
       into.results[i] = run.results[i];

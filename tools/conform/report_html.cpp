@@ -44,7 +44,7 @@ std::string summary(const Report& report) {
     text += fmt::format("<th>{}</th>", status_name(static_cast<Status>(i)));
   }
   text += "<th>waived</th></tr>\n";
-  constexpr const char* kClasses[] = {"pass", "skipped", "fail"};  // by verdict
+  constexpr const char* kClasses[] = {"pass", "pass", "skipped", "fail"};  // by verdict
   for (const Run& run : report.runs) {
     const Tally counts = tally(run);
     text += fmt::format("<tr><td>{}</td><td class=\"{}\">{}</td><td>{}</td><td class=n>{}</td>",
@@ -141,7 +141,7 @@ std::string where_to_begin(const Run& run, const Summary& summary) {
         escaped(summary.look_at->reason), escaped(summary.look_at->inspect));
   }
   if (!summary.clauses.empty()) {
-    text += "<p>Clauses that fail in all their vectors: " + list(summary.clauses) + "</p>\n";
+    text += "<p>Its clauses that fail in all vectors: " + list(summary.clauses) + "</p>\n";
   }
   return text + milestone_table(summary);
 }

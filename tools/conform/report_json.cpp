@@ -92,6 +92,7 @@ Json to_json(const Run& run) {
   json["command"] = run.command;
   json["profile"] = run.profile;
   json["level"] = run.level;
+  set_text(json, "milestone", run.milestone);
   json["verdict"] = verdict_text(run);
   const Tally counts = tally(run);
   Json& counted = json["counts"];
@@ -106,7 +107,8 @@ Json to_json(const Run& run) {
 }
 
 Run run_from(const Json& json) {
-  Run run{json.at("dut"), json.at("command"), json.at("profile"), json.at("level"), {}};
+  Run run{json.at("dut"),   json.at("command"),          json.at("profile"),
+          json.at("level"), json.value("milestone", ""), {}};
   for (const Json& entry : json.at("results")) {
     auto result = result_from_json(entry);
     if (!result) throw Json::other_error::create(501, "not a result", nullptr);
@@ -122,6 +124,7 @@ Json to_json(const VectorResult& result) {
   json["id"] = result.id;
   json["status"] = status_name(result.status);
   set_text(json, "reason", result.reason);
+  set_text(json, "kind", result.kind);
   if (result.difference) json["difference"] = to_json(*result.difference);
   set_text(json, "stage", result.stage);
   set_text(json, "messages", result.messages);
@@ -133,6 +136,7 @@ Json to_json(const VectorResult& result) {
   json["milestone"] = result.milestone;
   json["bytes"] = result.bytes;
   set_text(json, "inspect", result.inspect);
+  if (result.telling) json["telling"] = true;
   if (result.not_counted) json["not_counted"] = true;
   return json;
 }
@@ -145,6 +149,7 @@ std::optional<VectorResult> result_from_json(const Json& json) {
     if (!status) return std::nullopt;
     result.status = *status;
     result.reason = json.value("reason", "");
+    result.kind = json.value("kind", "");
     if (json.contains("difference")) result.difference = difference_from(json.at("difference"));
     result.stage = json.value("stage", "");
     result.messages = json.value("messages", "");
@@ -156,6 +161,7 @@ std::optional<VectorResult> result_from_json(const Json& json) {
     result.milestone = json.at("milestone");
     result.bytes = json.at("bytes");
     result.inspect = json.value("inspect", "");
+    result.telling = json.value("telling", false);
     result.not_counted = json.value("not_counted", false);
     return result;
   } catch (const std::exception&) {

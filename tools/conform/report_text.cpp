@@ -7,29 +7,47 @@
 namespace hmlfc::conform {
 namespace {
 
+constexpr size_t kShownClauses = 8;
 constexpr size_t kShown = 3;  // failures of each cause; report.html has all
 
-std::string verdict_line(const Run& run) {
+std::string count_text(const Run& run) {
   const Tally counts = tally(run);
-  std::string line = fmt::format("{}: {}:", run.dut, verdict_text(run));
+  std::string text;
   for (size_t i = 0; i < kStatusCount; ++i) {
     if (counts.count[i] == 0) continue;
-    line += fmt::format(" {} {},", counts.count[i], status_name(static_cast<Status>(i)));
+    text += fmt::format("{} {}, ", counts.count[i], status_name(static_cast<Status>(i)));
   }
-  if (counts.waived != 0) line += fmt::format(" {} waived,", counts.waived);
-  return line + fmt::format(" of {} vectors\n", run.results.size());
+  if (counts.waived != 0) text += fmt::format("{} waived, ", counts.waived);
+  return text + fmt::format("of {} vectors", run.results.size());
 }
 
-std::string line_of(const VectorResult& result) {
+// `first`, then words behind it, in lines of at most `columns`; further ones begin below the first
+// word.
+std::string wrapped(const std::string& first, const std::vector<std::string>& words,
+                    size_t columns) {
+  std::string text = first;
+  size_t used = first.size();
+  for (const std::string& word : words) {
+    if (used != first.size() && used + 1 + word.size() > columns) {
+      text += "\n" + std::string(first.size(), ' ');
+      used = first.size();
+    }
+    text += " " + word;
+    used += 1 + word.size();
+  }
+  return text + "\n";
+}
+
+std::string line_of(const VectorResult& result, size_t columns) {
   std::string line =
       fmt::format("  {:<13} {}: {}\n", status_name(result.status), result.id, result.reason);
   if (!result.stage.empty()) line += fmt::format("                {}\n", result.stage);
-  line += fmt::format("                clauses {}\n", fmt::join(result.clauses, " "));
+  line += wrapped("                clauses", result.clauses, columns);
   if (result.waived()) line += fmt::format("                waived: {}\n", result.waiver);
   return line;
 }
 
-std::string where_to_begin(const Summary& summary) {
+std::string where_to_begin(const Summary& summary, size_t columns) {
   const size_t skipped = summary.first->skipped;
   std::string text = fmt::format(
       "  Begin with milestone {}, the first that is not whole: {} of {} vectors pass{}\n"
@@ -39,29 +57,47 @@ std::string where_to_begin(const Summary& summary) {
       skipped == 0 ? "" : fmt::format(", {} were not run", skipped), summary.look_at->id,
       summary.look_at->reason, summary.look_at->inspect);
   if (!summary.clauses.empty()) {
-    text += fmt::format("  Clauses that fail in all their vectors: {}\n",
-                        fmt::join(summary.clauses, " "));
+    std::vector<std::string> words = summary.clauses;
+    if (words.size() > kShownClauses) {
+      words[kShownClauses] = fmt::format("and {} more", words.size() - kShownClauses);
+      words.resize(kShownClauses + 1);
+    }
+    text += wrapped("  Its clauses that fail in all vectors:", words, columns);
   }
   return text;
 }
 
+// What follows a milestone that is whole.
+std::string where_to_go_on(const Run& run, const Summary& summary) {
+  const auto others = tally(run).of(Status::kSkipped);
+  std::string text =
+      others == 0 ? ""
+                  : fmt::format("  Of the other milestones {} vectors were not run.\n", others);
+  if (summary.next == nullptr) {
+    return text + "  It is the last one: now run all without --milestone.\n";
+  }
+  return text + fmt::format("  Next: --milestone {}, a decoder that {}\n", summary.next->name,
+                            summary.next->claim);
+}
+
 }  // namespace
 
-std::string terminal_text(const Run& run) {
+std::string terminal_text(const Run& run, size_t columns) {
   const Summary summary = summarise(run);
-  std::string text = verdict_line(run);
-  if (summary.first != nullptr) text += where_to_begin(summary);
+  std::string text = fmt::format("{}: {}: {}\n", run.dut, verdict_text(run), count_text(run));
+  if (summary.first != nullptr) text += where_to_begin(summary, columns);
+  if (verdict(run) == Verdict::kWhole) text += where_to_go_on(run, summary);
   for (const Cause& cause : summary.causes) {
     text += fmt::format("\n  {} x {}\n", cause.results.size(), cause.text);
     for (size_t i = 0; i < std::min(kShown, cause.results.size()); ++i) {
-      text += line_of(*cause.results[i]);
+      text += line_of(*cause.results[i], columns);
     }
     if (cause.results.size() > kShown) {
       text += fmt::format("  and {} more\n", cause.results.size() - kShown);
     }
   }
   for (const VectorResult& result : run.results) {
-    if (result.waived()) text += line_of(result);
+    if (result.waived()) text += line_of(result, columns);
   }
   return text;
 }

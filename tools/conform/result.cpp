@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fstream>
@@ -50,17 +51,24 @@ Tally tally(const Run& run) {
 }
 
 Verdict verdict(const Run& run) {
-  const Tally counts = tally(run);
-  if (counts.bad() != 0) return Verdict::kFails;
-  const bool complete = counts.of(Status::kSkipped) == 0 && counts.of(Status::kPass) != 0;
-  return complete ? Verdict::kConforms : Verdict::kIncomplete;
+  if (tally(run).bad() != 0) return Verdict::kFails;
+  const auto has = [&](Status status) {
+    return std::ranges::any_of(run.results, [&](const VectorResult& result) {
+      return result.status == status &&
+             (run.milestone.empty() || result.milestone == run.milestone);
+    });
+  };
+  if (!has(Status::kPass) || has(Status::kSkipped)) return Verdict::kIncomplete;
+  return run.milestone.empty() ? Verdict::kConforms : Verdict::kWhole;
 }
 
 std::string verdict_text(const Run& run) {
-  constexpr const char* kTexts[] = {"conforms", "incomplete", "fails"};
   const Verdict found = verdict(run);
-  if (found == Verdict::kConforms && tally(run).waived != 0) return "conforms, with waivers";
-  return kTexts[static_cast<size_t>(found)];
+  if (found == Verdict::kFails) return "fails";
+  if (found == Verdict::kIncomplete) return "incomplete";
+  const std::string text =
+      found == Verdict::kConforms ? "conforms" : "milestone " + run.milestone + " is whole";
+  return tally(run).waived == 0 ? text : text + ", with waivers";
 }
 
 io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,

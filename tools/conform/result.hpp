@@ -38,6 +38,7 @@ struct VectorResult {
   std::string id;
   Status status = Status::kSkipped;
   std::string reason;  ///< one sentence; empty for a pass
+  std::string kind;    ///< the reason without places and values, or empty
   std::optional<Difference> difference;
   std::string stage;     ///< the first wrong stage where the decoder gives traces, or empty
   std::string messages;  ///< the end of its standard error; not kept for a pass
@@ -48,6 +49,7 @@ struct VectorResult {
   std::string comment;       ///< the mistake that the vector hunts
   std::string milestone;     ///< of the manifest
   uint64_t bytes = 0;        ///< of the stream
+  bool telling = false;      ///< several views and blocks show what is wrong (runner.cpp)
   std::string inspect;       ///< the command that shows what the decoder gets wrong, or empty
   bool not_counted = false;  ///< a refusal whose base does not pass
 
@@ -63,6 +65,7 @@ struct Run {
   std::vector<std::string> command;
   std::string profile;  ///< that the decoder claims
   int level = 0;
+  std::string milestone;  ///< the only one that was to be run; empty: all
   std::vector<VectorResult> results;
 };
 
@@ -97,12 +100,13 @@ Tally tally(const Run& run);
 /// The verdict on a decoder.
 enum class Verdict : uint8_t {
   kConforms,    ///< every required vector passes, but for waived ones
+  kWhole,       ///< the same of the one milestone that was to be run
   kIncomplete,  ///< no failures, but required vectors were skipped, or there were none
   kFails,       ///< a required vector failed
 };
 Verdict verdict(const Run& run);
 
-/// "conforms", "conforms, with waivers", "incomplete" or "fails".
+/// "conforms", "milestone NAME is whole", either "..., with waivers"; "incomplete" or "fails".
 std::string verdict_text(const Run& run);
 
 /// The file results.jsonl of a decoder's folder: a line that names the suite and the decoder, then

@@ -82,6 +82,14 @@ std::vector<std::string> reasons_to_leave_out(const Selection& selection,
   return reasons;
 }
 
+// Whether its failure shows more than that there is one: in several views and blocks, of a stream
+// that is neither extreme nor damaged.
+bool is_telling(const vectors::Vector& vector, const StreamHeader& header) {
+  const uint32_t side = 2 * header.block_size();
+  return (vector.group == "syntax" || vector.group == "real") && header.rows * header.cols > 1 &&
+         header.width >= side && header.height >= side;
+}
+
 // The command that shows the block or the stream that the decoder gets wrong.
 std::string inspect_command(const Suite& suite, const vectors::Vector& vector,
                             const VectorResult& result) {
@@ -156,6 +164,7 @@ class SuiteRun {
   void run(const vectors::Vector& vector, size_t index, const fs::path& input,
            std::span<const uint8_t> stream, VectorResult& result) const {
     const auto header = parse_header(stream);
+    result.telling = header && is_telling(vector, *header);
     if (auto what =
             beyond_claims(dut_, vector.profile, vector.level, header ? &*header : nullptr)) {
       result.status = Status::kNotSupported;
@@ -220,7 +229,12 @@ io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions
   const fs::path folder = fs::absolute(options.folder) / folder_name(dut.name);
   auto log = ResultLog::open(folder, suite.manifest_sha256, dut, options.resume);
   if (!log) return tl::unexpected(log.error());
-  Run run{dut.name, dut.command, std::string(profile_name(dut.profile)), dut.level, {}};
+  Run run{dut.name,
+          dut.command,
+          std::string(profile_name(dut.profile)),
+          dut.level,
+          options.selection.milestone,
+          {}};
   run.results.resize(suite.manifest.vectors.size());
   const SuiteRun suite_run(suite, dut, options, folder);
   std::mutex mutex;

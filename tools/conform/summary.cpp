@@ -1,8 +1,11 @@
 #include "conform/summary.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <regex>
+#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -18,7 +21,18 @@ struct ClauseCount {
   size_t run = 0;
   size_t milestone = 0;  // the first of its vectors
 };
-using ClauseCounts = std::map<std::string, ClauseCount>;
+
+struct ClauseCounts {
+  std::map<std::string, ClauseCount> of;
+  ClauseCount all;  // vectors
+
+  // Whether vectors with the clause fail at least twice as often as those without it.
+  bool explain(const ClauseCount& count) const {
+    const size_t other_bad = all.bad - count.bad;
+    const size_t other_run = all.run - count.run;
+    return count.bad > 1 && count.bad * other_run >= 2 * other_bad * count.run;
+  }
+};
 
 size_t number_of(const VectorResult& result) {
   return vectors::milestone_number(result.milestone).value_or(0);
@@ -27,7 +41,10 @@ size_t number_of(const VectorResult& result) {
 bool counts_as_bad(const VectorResult& result) { return result.bad() && !result.waived(); }
 
 bool simpler(const VectorResult* a, const VectorResult* b) {
-  return std::tuple(number_of(*a), a->bytes, a->id) < std::tuple(number_of(*b), b->bytes, b->id);
+  const auto rank = [](const VectorResult& result) {
+    return std::tuple(number_of(result), result.not_counted, !result.telling, result.bytes);
+  };
+  return std::tuple(rank(*a), a->id) < std::tuple(rank(*b), b->id);
 }
 
 std::vector<MilestoneCount> count_milestones(const Run& run) {
@@ -49,8 +66,10 @@ ClauseCounts count_clauses(const Run& run) {
   ClauseCounts counts;
   for (const VectorResult& result : run.results) {
     if (result.status != Status::kPass && !result.bad()) continue;
+    ++counts.all.run;
+    counts.all.bad += counts_as_bad(result);
     for (const std::string& clause : result.clauses) {
-      ClauseCount& count = counts[clause];
+      ClauseCount& count = counts.of[clause];
       count.milestone =
           count.run == 0 ? number_of(result) : std::min(count.milestone, number_of(result));
       ++count.run;
@@ -60,66 +79,107 @@ ClauseCounts count_clauses(const Run& run) {
   return counts;
 }
 
-std::vector<std::string> always_failing(const ClauseCounts& counts) {
+bool is_general(std::string_view clause) {
+  constexpr std::string_view kGeneral[] = {"BND", "CNV", "LVL", "STR"};
+  return std::ranges::find(kGeneral, clause.substr(0, clause.find('-'))) != std::end(kGeneral);
+}
+
+// Of the clauses that begin with milestone number `milestone`, those of most vectors first.
+std::vector<std::string> always_failing(const ClauseCounts& counts, size_t milestone) {
   std::vector<std::string> clauses;
-  for (const auto& [clause, count] : counts) {
-    if (count.bad == count.run) clauses.push_back(clause);
+  for (const auto& [clause, count] : counts.of) {
+    if (count.bad == count.run && count.milestone == milestone) clauses.push_back(clause);
   }
-  std::ranges::stable_sort(clauses, {},
-                           [&](const std::string& clause) { return counts.at(clause).milestone; });
+  if (!std::ranges::all_of(clauses, is_general)) std::erase_if(clauses, is_general);
+  std::ranges::stable_sort(clauses, std::greater(),
+                           [&](const std::string& clause) { return counts.of.at(clause).run; });
   return clauses;
 }
 
-std::string most_suspect(const VectorResult& result, const ClauseCounts& counts) {
-  const auto less_suspect = [&](const std::string& a, const std::string& b) {
-    const ClauseCount& x = counts.at(a);
-    const ClauseCount& y = counts.at(b);
-    return std::tuple(x.bad * y.run, x.bad) < std::tuple(y.bad * x.run, y.bad);
-  };
-  const std::string& clause = *std::ranges::max_element(result.clauses, less_suspect);
-  const ClauseCount& count = counts.at(clause);
-  if (count.bad == 1) {
-    std::vector<std::string_view> planes;
-    for (const Plane plane : result.difference->planes) planes.push_back(plane_name(plane));
-    return fmt::format("wrong samples, planes {}", fmt::join(planes, ", "));
-  }
-  return fmt::format("wrong samples, perhaps {}, which fails in {} of {} vectors", clause,
-                     count.bad, count.run);
+const std::string& most_suspect(const VectorResult& result, const ClauseCounts& counts) {
+  return *std::ranges::max_element(result.clauses, [&](const std::string& a, const std::string& b) {
+    const ClauseCount& x = counts.of.at(a);
+    const ClauseCount& y = counts.of.at(b);
+    return std::tuple(x.bad * y.run, !is_general(a), x.bad) <
+           std::tuple(y.bad * x.run, !is_general(b), y.bad);
+  });
 }
 
-std::string cause_of(const VectorResult& result, const ClauseCounts& counts) {
-  if (!result.difference) {
-    static const std::regex number("\\b[0-9]+\\b");
-    if (result.not_counted) return result.reason;
-    return std::regex_replace(result.reason, number, "N");
-  }
+std::string planes_text(const std::set<Plane>& planes) {
+  std::vector<std::string_view> names;
+  for (const Plane plane : planes) names.push_back(plane_name(plane));
+  return fmt::format("plane{} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", "));
+}
+
+// What failures have in common, and what the title of their group says.
+struct CauseKey {
+  std::string what;
+  std::string why;         // behind the planes that are wrong
+  std::set<Plane> planes;  // only where nothing else tells causes apart
+
+  auto operator<=>(const CauseKey&) const = default;
+};
+
+CauseKey cause_of(const VectorResult& result, const ClauseCounts& counts) {
   static const std::regex stage("stage (\\w+) \\(([A-Z]+-[0-9]+)\\)");
+  static const std::regex number("\\b[0-9]+\\b");
+  if (result.not_counted) return {"not counted: the base does not pass", {}, {}};
+  CauseKey key{result.difference ? "wrong samples" : result.kind, {}, {}};
+  if (key.what.empty()) key.what = std::regex_replace(result.reason, number, "N");
   std::smatch found;
   if (std::regex_search(result.stage, found, stage)) {
-    return fmt::format("first wrong stage {} ({})", found[1].str(), found[2].str());
+    key.why = fmt::format("; first wrong stage {} ({})", found[1].str(), found[2].str());
+  } else if (result.difference) {
+    const std::string& clause = most_suspect(result, counts);
+    const ClauseCount& count = counts.of.at(clause);
+    if (counts.explain(count)) {
+      key.why = fmt::format("; perhaps {}, which fails in {} of {} vectors", clause, count.bad,
+                            count.run);
+    } else {
+      key.planes = {result.difference->planes.begin(), result.difference->planes.end()};
+    }
   }
-  return most_suspect(result, counts);
+  return key;
+}
+
+std::string title(const CauseKey& key, const std::vector<const VectorResult*>& results) {
+  std::set<Plane> planes;
+  for (const VectorResult* result : results) {
+    if (result->difference && !result->not_counted) {
+      planes.insert(result->difference->planes.begin(), result->difference->planes.end());
+    }
+  }
+  return key.what + (planes.empty() ? "" : " in " + planes_text(planes)) + key.why;
 }
 
 std::vector<Cause> causes_of(const Run& run, const ClauseCounts& counts) {
-  std::map<std::string, Cause> by_text;
+  std::map<CauseKey, std::vector<const VectorResult*>> by_key;
   for (const VectorResult& result : run.results) {
-    if (!counts_as_bad(result)) continue;
-    const std::string text = cause_of(result, counts);
-    Cause& cause = by_text[text];
-    cause.text = text;
-    cause.results.push_back(&result);
+    if (counts_as_bad(result)) by_key[cause_of(result, counts)].push_back(&result);
   }
   std::vector<Cause> causes;
-  for (auto& [text, cause] : by_text) {
-    std::ranges::sort(cause.results, simpler);
-    causes.push_back(std::move(cause));
+  for (auto& [key, results] : by_key) {
+    std::ranges::sort(results, simpler);
+    std::string text = title(key, results);
+    causes.push_back({std::move(text), std::move(results)});
   }
   std::ranges::sort(causes, [](const Cause& a, const Cause& b) {
-    if (a.results.size() != b.results.size()) return a.results.size() > b.results.size();
-    return simpler(a.results.front(), b.results.front());
+    const VectorResult* x = a.results.front();
+    const VectorResult* y = b.results.front();
+    const auto order = std::tuple(x->not_counted, b.results.size());
+    const auto other = std::tuple(y->not_counted, a.results.size());
+    return order != other ? order < other : simpler(x, y);
   });
   return causes;
+}
+
+// The first milestone behind the one with this name of which the decoder claims vectors, or null.
+const MilestoneCount* next_claimed(const std::vector<MilestoneCount>& milestones,
+                                   const std::string& name) {
+  auto next = std::ranges::find(milestones, name, &MilestoneCount::name);
+  if (next != milestones.end()) ++next;
+  next = std::find_if(next, milestones.end(), [](const auto& count) { return count.claimed != 0; });
+  return next == milestones.end() ? nullptr : &*next;
 }
 
 }  // namespace
@@ -127,12 +187,13 @@ std::vector<Cause> causes_of(const Run& run, const ClauseCounts& counts) {
 Summary summarise(const Run& run) {
   Summary summary;
   summary.milestones = count_milestones(run);
+  if (!run.milestone.empty()) summary.next = next_claimed(summary.milestones, run.milestone);
   const auto first =
       std::ranges::find_if(summary.milestones, [](const auto& count) { return count.bad != 0; });
   if (first == summary.milestones.end()) return summary;
   summary.first = &*first;
   const ClauseCounts counts = count_clauses(run);
-  summary.clauses = always_failing(counts);
+  summary.clauses = always_failing(counts, static_cast<size_t>(first - summary.milestones.begin()));
   summary.causes = causes_of(run, counts);
   for (const VectorResult& result : run.results) {
     if (!counts_as_bad(result)) continue;

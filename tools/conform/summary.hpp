@@ -24,7 +24,8 @@ struct MilestoneCount {
 /// Failures that probably have one cause.
 struct Cause {
   std::string text;
-  std::vector<const VectorResult*> results;  ///< the simplest first: by milestone, then by bytes
+  /// The simplest first: by milestone, those that are telling, then by bytes.
+  std::vector<const VectorResult*> results;
 };
 
 /// What a report of one decoder begins with. Points into the run.
@@ -32,17 +33,23 @@ struct Summary {
   std::vector<MilestoneCount> milestones;  ///< in their order
   /// The first milestone with a failure that is not waived, or null.
   const MilestoneCount* first = nullptr;
-  /// Clauses of which every vector that was run fails, by the milestone in which they begin.
+  /// Clauses that begin with milestone `first` and of which every vector that was run fails, those
+  /// of most vectors first. General ones are left out if there are others.
   std::vector<std::string> clauses;
-  /// The vector to look at first: the smallest failure of milestone `first`, or null.
+  /// The vector to look at first: the simplest failure of milestone `first`, or null.
   const VectorResult* look_at = nullptr;
-  std::vector<Cause> causes;  ///< of failures that are not waived, the largest first
+  /// Of failures that are not waived, the largest first; refusals that do not count are the last.
+  std::vector<Cause> causes;
+  /// Of the milestones that the decoder claims, the one after the only one to be run, or null.
+  const MilestoneCount* next = nullptr;
 };
 
 /// Failures have one cause if they have the same first wrong stage and clause; or if samples are
 /// wrong without a stage, and the same clause is the most suspect of those that they exercise (the
-/// one with the greatest share of failures, then with the most), or no other vector fails with
-/// these clauses and the same planes are wrong; or the same message but for numbers.
+/// one with the greatest share of failures; of these, one that is not general, then the one with
+/// the most failures), provided that vectors without it fail at most half as often; else if the
+/// same planes are wrong; or the same kind; or the same reason but for numbers. General clauses say
+/// what a stream and a decoder are (BND, CNV, LVL, STR), not what is done for a block.
 Summary summarise(const Run& run);
 
 }  // namespace hmlfc::conform

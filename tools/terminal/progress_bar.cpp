@@ -12,13 +12,8 @@ namespace hmlfc::terminal {
 namespace {
 
 constexpr auto kRedrawEvery = std::chrono::milliseconds(100);
+constexpr auto kPrintEvery = std::chrono::seconds(2);
 constexpr size_t kBarWidth = 24;
-
-size_t terminal_columns() {
-  winsize size{};
-  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
-}
 
 // "1:02:03" or "2:03".
 std::string clock_time(double seconds) {
@@ -29,16 +24,23 @@ std::string clock_time(double seconds) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::string label, std::string unit)
+size_t columns(int file) {
+  winsize size{};
+  const bool known = ::ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 100;
+}
+
+ProgressBar::ProgressBar(std::string label, std::string unit, OffTerminal off_terminal)
     : label_(std::move(label)),
       unit_(std::move(unit)),
+      off_terminal_(off_terminal),
       on_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::update(uint64_t done, uint64_t total) {
-  if (!on_terminal_) return;
   const auto now = Clock::now();
+  if (!on_terminal_) return print(done, total, now);
   if (done < last_done_) {
     ++attempts_;
     begin_ = now;
@@ -69,9 +71,18 @@ std::string ProgressBar::line(double seconds, uint64_t done, uint64_t total) con
 }
 
 void ProgressBar::draw(const std::string& text) {
-  std::fputs(("\r\033[K" + text.substr(0, terminal_columns() - 1)).c_str(), stderr);
+  std::fputs(("\r\033[K" + text.substr(0, columns(STDERR_FILENO) - 1)).c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;
+}
+
+void ProgressBar::print(uint64_t done, uint64_t total, Clock::time_point now) {
+  if (off_terminal_ == OffTerminal::kSilent || total == 0) return;
+  const uint64_t tenths = done * 10 / total;
+  if (tenths == printed_tenths_ || now < begin_ + kPrintEvery) return;
+  printed_tenths_ = tenths;
+  begin_ = now;
+  std::fputs(fmt::format("{}  {}/{} {}\n", label_, done, total, unit_).c_str(), stderr);
 }
 
 void ProgressBar::clear() {

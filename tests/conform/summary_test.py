@@ -1,0 +1,132 @@
+"""What a report begins with, on results that are made up: `conform --merge` reads and reports them."""
+
+import json
+import re
+
+from conform_case import ConformTest, main
+
+COLUMNS = 100  # where standard output is no terminal
+
+
+def passing(name, clauses, milestone="motion", **keys):
+    return {"id": name, "status": "pass", "seconds": 0, "clauses": clauses, "milestone": milestone, "bytes": 100, **keys}
+
+
+def failing(name, clauses, **keys):
+    return {**passing(name, clauses), "status": "fail", "reason": "wrong", "inspect": "hmlfc inspect", **keys}
+
+
+def differing(name, clauses, *planes, **keys):
+    """A vector with wrong samples in some planes."""
+    difference = dict.fromkeys(("view_row", "view_col", "block_x", "block_y", "x", "y", "expected", "actual"), 0)
+    difference |= {"channel": "R", "planes": planes, "wrong_blocks": 1, "blocks": 2, "wrong_views": 1}
+    return failing(name, clauses, difference=difference, **keys)
+
+
+class Summaries(ConformTest):
+    def report(self, *results, name="given", **keys):
+        folder = self.folder / name
+        folder.mkdir(exist_ok=True)
+        run = {"dut": "made", "command": ["made"], "profile": "extended", "level": 3, "results": results, **keys}
+        system = {"program": "", "date": "", "host": "", "processor": "", "threads": 1, "memory_mib": 1}
+        report = {"vectors_version": "1", "manifest_sha256": "0", "system": system, "runs": [run]}
+        (folder / "report.json").write_text(json.dumps(report))
+        return folder
+
+    def merged(self, *folders):
+        """Exit status, JSON and text of the reports put together."""
+        command = ("conform", "--merge", *folders, "-o", "merged")
+        done = self.run_hmlfc(*command, "--json")
+        self.assertEqual(done.stderr, b"")
+        return done.returncode, json.loads(done.stdout)["runs"][0], self.run_hmlfc(*command).stdout.decode()
+
+    def summary(self, *results, **keys):
+        return self.merged(self.report(*results, **keys))[1]["begin"]
+
+    def causes(self, *results):
+        return [cause["cause"] for cause in self.summary(*results)["causes"]]
+
+    def test_hint_is_specific(self):
+        right = [passing(f"a/{i}", ["CNV-7"] if i == 0 else ["TIL-1"]) for i in range(9)]
+        both = [differing(f"b/{i}", ["CNV-1", "MOT-3", "STR-1"], "Co", "Cg") for i in range(3)]
+        title = "wrong samples in planes Co, Cg; perhaps {}, which fails in 3 of 3 vectors"
+        self.assertEqual(self.causes(*right, *both), [title.format("MOT-3")])
+        general = [{**result, "clauses": ["CNV-1"]} for result in both]
+        self.assertEqual(self.causes(*right, *general), [title.format("CNV-1")])
+        also_right = [passing(f"c/{i}", ["MOT-3"]) for i in range(3)]
+        self.assertEqual(self.causes(*right, *both, *also_right)[0].split(", ")[1], "Cg; perhaps CNV-1")
+
+    def test_no_hint_where_all_fails(self):
+        bad = [differing(f"b/{i}", [f"TIL-{i % 3}"], *("Co", "Cg")[: 1 + i % 2]) for i in range(9)]
+        self.assertEqual(self.causes(*bad), ["wrong samples in plane Co", "wrong samples in planes Co, Cg"])
+
+    def test_titles(self):
+        stage = "stage residual (DEC-3) at level 0 image 0,0 plane Y block 0,0: value 0 (x 0, y 0) is 1 instead of 2"
+        self.assertEqual(
+            self.causes(differing("a/a", ["TIL-1"], "Y", stage=stage), differing("a/b", ["TIL-1"], "Co", stage=stage)),
+            ["wrong samples in planes Y, Co; first wrong stage residual (DEC-3)"],
+        )
+        kind = "wrong samples of plane Y at stop level 0"
+        self.assertEqual(self.causes(failing("a/a", ["TIL-1"], kind=kind, stage=stage)), [kind + "; first wrong stage residual (DEC-3)"])
+        self.assertEqual(self.causes(failing("a/a", ["TIL-1"], reason="exit status 3")), ["exit status N"])
+
+    def test_not_counted_is_last(self):
+        none = [failing(f"error/{i}", ["FIL-1"], milestone="errors", not_counted=True) for i in range(5)]
+        causes = self.causes(*none, failing("syntax/a", ["TIL-1"]))
+        self.assertEqual(causes, ["wrong", "not counted: the base does not pass"])
+
+    def test_vector_to_look_at(self):
+        small = failing("boundary/small", ["TIL-1"], bytes=1)
+        telling = failing("syntax/telling", ["TIL-1"], bytes=500, telling=True)
+        larger = failing("syntax/larger", ["TIL-1"], bytes=600, telling=True)
+        later = failing("syntax/later", ["TIL-1"], bytes=2, telling=True, milestone="tree")
+        self.assertEqual(self.summary(small, larger, telling, later)["vector"], "syntax/telling")
+        self.assertEqual(self.summary(small, later)["vector"], "boundary/small")
+
+    def test_clauses_that_always_fail(self):
+        """Of the first milestone that is not whole, the most frequent first, without general ones."""
+        begin = self.summary(
+            passing("a/0", ["TIL-2"], milestone="blocks"),
+            failing("a/1", ["CNV-7", "TIL-1", "TIL-2", "MOT-3"]),
+            failing("a/2", ["CNV-7", "TIL-2", "MOT-3"]),
+            failing("a/3", ["DEC-1"], milestone="tree"),
+        )
+        self.assertEqual(begin["clauses"], ["MOT-3", "TIL-1"])
+        self.assertEqual(self.summary(failing("a/1", ["CNV-7"]))["clauses"], ["CNV-7"])
+
+    def test_lists_are_wrapped(self):
+        clauses = [f"TIL-{i}" for i in range(60)]
+        text = self.merged(self.report(failing("a/1", clauses)))[2]
+        found = re.findall(r"TIL-\d+", text)
+        self.assertEqual(found[-60:], clauses)
+        self.assertIn("and 52 more", text)
+        lines = [line for line in text.splitlines() if "TIL" in line]
+        self.assertLessEqual(max(map(len, lines)), COLUMNS)
+        self.assertGreater(min(map(len, lines[1:-1])), COLUMNS - 10)
+
+    def test_milestone_is_whole(self):
+        rest = [passing("a/2", ["TIL-1"], milestone="tree", status="skipped")]
+        one = self.report(passing("a/1", ["TIL-1"]), *rest, milestone="motion")
+        status, run, text = self.merged(one)
+        self.assertEqual((status, run["verdict"]), (0, "milestone motion is whole"))
+        self.assertIn("1 vectors were not run", text)
+        self.assertIn("Next: --milestone tree", text)
+        status, run, text = self.merged(self.report(*rest, passing("a/1", ["TIL-1"], status="skipped"), milestone="motion"))
+        self.assertEqual((status, run["verdict"]), (5, "incomplete"))
+        self.assertNotIn("Next", text)
+        self.assertEqual(self.merged(self.report(passing("a/1", ["TIL-1"]), *rest))[0], 5)
+
+    def test_milestone_of_another_is_not_whole(self):
+        base = passing("a/1", ["TIL-1"])
+        none = passing("a/2", ["TIL-1"], milestone="errors", status="not_supported")
+        self.assertEqual(self.merged(self.report(base, none, milestone="errors"))[1]["verdict"], "incomplete")
+
+    def test_milestones_together(self):
+        skipped = {"status": "skipped"}
+        first = self.report(passing("a/1", ["TIL-1"]), passing("a/2", ["TIL-1"], milestone="tree") | skipped, milestone="motion")
+        second = self.report(passing("a/1", ["TIL-1"]) | skipped, passing("a/2", ["TIL-1"], milestone="tree"), name="second", milestone="tree")
+        self.assertEqual(self.merged(first, second)[1]["verdict"], "conforms")
+
+
+if __name__ == "__main__":
+    main()
