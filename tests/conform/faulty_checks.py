@@ -196,14 +196,14 @@ def motion_block_at_once():
 
 def change_root_entries(change):
     """Replaces each root entry of an opened stream by change(entry, group records)."""
-    right = opening.read_sections
+    right = opening.Stream.__init__
 
-    def read_sections(fields, data):
-        top, root, group, tile = right(fields, data)
-        entries = [root[at : at + 16] for at in range(0, len(root), 16)]
-        return top, b"".join(change(entry, len(group) // 16) for entry in entries), group, tile
+    def opened(self, *data):
+        right(self, *data)
+        entries = [self.root[at : at + 16] for at in range(0, len(self.root), 16)]
+        self.root = b"".join(change(entry, len(self.group) // 16) for entry in entries)
 
-    opening.read_sections = read_sections
+    opening.Stream.__init__ = opened
 
 
 @check
