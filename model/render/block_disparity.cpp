@@ -10,15 +10,15 @@ namespace {
 
 using Told = std::optional<BlockDisparity>;
 
-// What the block of a reference image tells: that of its own grid block.
-Result<Told> told_by_reference(const StreamView& stream, const ToldDisparity& told, Probe probe) {
+// What the block of a reference image tells: that of its own grid block, if it can be read.
+Told told_by_reference(const StreamView& stream, const ToldDisparity& told, Probe probe) {
   const MotionPlace place = motion_place(stream, probe.site);
   const GridBlock block =
       grid_block(place.x, place.y, kChoiceOwn, stream.header.disparity_grid_log2,
                  stream.geometry.motion_planes()[place.motion_plane]);
   probe.site.tile = TileKind::kDisparity;
   const auto disparity = walk_to_disparity(stream, place.motion_plane, block, probe);
-  if (!disparity) return tl::unexpected(disparity.error());
+  if (!disparity) return std::nullopt;
   return told.shared(*disparity);
 }
 

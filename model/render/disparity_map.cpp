@@ -37,7 +37,9 @@ class AncestorMotion {
     if (told_.source() == DisparitySource::kNone) return {};
     const MotionPlace place =
         motion_place(stream_, {level_, image_.row, image_.col, Plane::kY, bx, by});
-    if (told_.source() == DisparitySource::kShared) return find_shared(place, kChoiceOwn);
+    if (told_.source() == DisparitySource::kShared) {
+      return {true, find_shared(place, kChoiceOwn).told};
+    }
     const PaletteEntry* entry = entry_at(place);
     if (entry == nullptr) return {false};
     if (entry->shares_disparity()) return find_shared(place, entry->choice);

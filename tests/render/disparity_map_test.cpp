@@ -98,6 +98,22 @@ TEST(DisparityMap, OfALoneImageThereIsNone) {
   EXPECT_EQ(corners(stream.file(), {0, 1}), (Four{kNothing, kNothing, kNothing, kNothing}));
 }
 
+// No block uses what the record of the reference image cannot give.
+TEST(DisparityMap, OfAReferenceImageThatCannotBeReadThereIsNone) {
+  StreamParts stream(row_of_views(0));
+  stream.motion_tile(0, {0, 1}) = {0xFF};
+  stream.motion_tile(0, {0, 2}) =
+      four_entries({entry(0, 10, 7), entry(0, 10, 7), entry(0, 10, 7), entry(0, 10, 7)}, true);
+  const Bytes file = stream.file();
+  const auto decoder = Decoder::open(file);
+  EXPECT_EQ(corners(file, {0, 1}), (Four{kNothing, kNothing, kNothing, kNothing}));
+  EXPECT_EQ(disparity_map(*decoder, {0, 1})->at(39, 39), kNothing);
+  EXPECT_EQ(corners(file, {0, 2}), (Four{{448, 2}, {448, 2}, {448, 2}, {448, 2}}));
+  // A block that uses it has its error.
+  EXPECT_EQ(block_disparity(*decoder, {0, 0}, 0, 0).error().code, ErrorCode::kTileOverrun);
+  EXPECT_EQ(disparity_map(*decoder, {0, 0}).error().code, ErrorCode::kTileOverrun);
+}
+
 TEST(DisparityMap, OfATree) {
   StreamParts stream(row_of_views(1));
   // Level 1 has three images, a column of which is two views; its reference is in column 1.
