@@ -42,9 +42,9 @@ void set_layers(opj_cparameters_t& parameters, unsigned layers, float psnr) {
   constexpr float kStep = 6;
   parameters.tcp_numlayers = static_cast<int>(layers);
   float quality = psnr > 0 ? psnr : kFinest;
-  for (unsigned layer = layers - 1; layer-- > 0;) {
+  for (unsigned layer = layers - 1; layer > 0; --layer) {
     quality = std::max(quality - kStep, 1.0F);
-    parameters.tcp_distoratio[layer] = quality;
+    parameters.tcp_distoratio[layer - 1] = quality;
   }
   parameters.tcp_distoratio[layers - 1] = psnr;
   parameters.tcp_rates[0] = 0;  // 0 means lossless

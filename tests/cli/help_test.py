@@ -12,11 +12,12 @@ from program import PROGRAM, ROOT, CliTest, main
 
 COMMANDS = {
     "": ["--help", "--version"],
-    "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--output"],
+    "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--disparity", "--output"],
     "encode": ["--grid", "--views", "--profile", "--method", "--cluster", "--height", "--block", "--window",
                "--threshold-ref", "--threshold-pred", "--quality", "--preset", "--target-psnr", "--target-bpp", "--max-bytes", "--chroma", "--lossless",
                "--references", "--threads", "--json", "--output"],
     "decode": ["--view", "--rect", "--levels", "--threads", "--output"],
+    "disparity": ["--view", "--output"],
     "info": ["--json"],
     "compare": ["--json"],
     "inspect": ["--view", "--plane", "--block", "--json"],

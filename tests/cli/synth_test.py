@@ -3,7 +3,7 @@
 import os
 
 from pictures import read_png
-from program import CliTest, main
+from program import USAGE, CliTest, main
 
 
 class Synth(CliTest):
@@ -52,6 +52,20 @@ class Synth(CliTest):
         self.assertGreater(max(samples), 255)
         # Ten bits fill sixteen: the low six repeat the high six.
         self.assertTrue(all(sample & 63 == sample >> 10 for sample in samples))
+
+    def test_disparity(self):
+        text, files = self.synth("known", "--disparity", "truth", "--threads", "2")
+        self.assertEqual(files, self.synth("unknown")[1])
+        truth = self.contents("truth")
+        self.assertEqual(list(truth), [name.replace(".png", ".pfm") for name in files])
+        for content in truth.values():
+            self.assertTrue(content.startswith(b"Pf\n32 20\n-1.0\n"))
+            self.assertEqual(len(content), 14 + 4 * 32 * 20)
+
+    def test_noise_has_no_disparity(self):
+        arguments = "synth --scene noise --grid 1x1 --size 4x4 -o noisy --disparity none".split()
+        self.refused(USAGE, *arguments, says=["--disparity", "noise"])
+        self.assertFalse((self.folder / "noisy").exists())
 
 
 if __name__ == "__main__":

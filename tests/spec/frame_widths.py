@@ -7,7 +7,7 @@ import re
 from functools import cache
 from itertools import product
 
-from extremes import ends, interpolated_sums, negated, products, shifted, sums, union
+from extremes import DISPARITIES, eighths, ends, interpolated_sums, negated, products, shifted, sums, union
 from specification import RENDERING, read, rows_after, table_after
 from widths import DEPTHS, evaluate, interval, needed_bits, table_violations
 
@@ -56,6 +56,32 @@ def quantities(text, n):
         "sum of four taps": taps,
         "q": colour,
         "sum over views": tuple(2**16 * q + 2**19 for q in colour),  # weights sum to 2^16
+        **geometry_quantities(),
+    }
+
+
+def geometry_quantities():
+    """Those of section 8, from the grid's side (FIL-1), row_scale (EXT-2) and MOT-6."""
+    side = 4096
+    scaled = products(DISPARITIES, (1, 2**8))
+    vector = eighths()
+    across = products((-(side - 1), side - 1), (16, 16))
+    down = products((-(side - 1), side - 1), (127, 127))
+    along = sums(products(vector, across), products(vector, down))  # u * gy - v * gx likewise
+    num = products(along, (512, 512))
+    den = 1, across[1] ** 2 + down[1] ** 2
+    return {
+        "d * 2^(8 - disparity_precision)": scaled,
+        "2 * abs(d * 2^(8 - disparity_precision)) + kc": (1, -2 * scaled[0] + side),
+        "u, v": vector,
+        "gx": across,
+        "gy": down,
+        "num": num,
+        "den": den,
+        "2 * abs(num) + den": (den[0], 2 * num[1] + den[1]),
+        "u * gy - v * gx": along,
+        "(u * gy - v * gx)^2": (0, along[1] ** 2),
+        "D": (-(2**15), 2**15 - 1),
     }
 
 

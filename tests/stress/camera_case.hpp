@@ -43,7 +43,8 @@ vectors::Json describe(const CameraCase& made);
 /// Runs cameras before light fields of all sizes, and records that keep to REC-2 and REC-3 but that
 /// no camera has. Each drives quantities of docs/rendering.md, section 6, to an end of their
 /// intervals. Computes rays, weights and taps at the corners and the middle of the frame, but no
-/// samples: no stream is needed. Calls done(name) after each.
+/// samples: no stream is needed. Then vectors and disparities of section 8 alike. Calls done(name)
+/// after each.
 void run_frame_extremes(const std::function<void(const std::string& name)>& done);
 
 }  // namespace hmlfc::stress

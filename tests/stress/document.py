@@ -17,7 +17,7 @@ from reached import Reached
 import result_file  # found by the path that reached adds
 
 RECORDED = Path(__file__).resolve().with_name("recorded.json")
-FRAME_CLAUSES = ("RAY", "REC", "SMP")  # of docs/rendering.md
+FRAME_CLAUSES = ("GEO", "RAY", "REC", "SMP")  # of docs/rendering.md
 
 
 def merged(reports):

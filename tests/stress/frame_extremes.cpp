@@ -4,6 +4,7 @@
 #include <hmlfc/camera.hpp>
 
 #include "camera_case.hpp"
+#include "render/disparity_value.hpp"
 #include "render/taps.hpp"
 
 namespace hmlfc::stress {
@@ -136,6 +137,23 @@ void take_samples(Extremes& extremes) {
   }
 }
 
+// GEO-4 to GEO-6: the largest vectors and baselines, the longest and the shortest.
+void take_geometry(const std::function<void(const std::string&)>& done) {
+  for (const int32_t d : {-4096, 4095}) static_cast<void>(scaled_disparity(d, 0, 4096));
+  for (const int32_t d : {-4096, 0}) static_cast<void>(scaled_disparity(d, 5, d == 0 ? 1 : 4096));
+  done("disparities at the ends of their interval");
+  const Span longest{16 * 4095, 127 * 4095};
+  for (const int32_t u : {-1016, 1016}) {
+    for (const Span& baseline : {longest, Span{-longest.x, -longest.y}, Span{0, 1}}) {
+      static_cast<void>(vector_disparity({u, u}, baseline));
+      static_cast<void>(is_along({u, -u}, baseline));
+    }
+  }
+  static_cast<void>(vector_disparity({0, 0}, {0, 1}));
+  static_cast<void>(is_along({0, 0}, {0, 1}));
+  done("vectors along the longest and the shortest baseline");
+}
+
 }  // namespace
 
 void run_frame_extremes(const std::function<void(const std::string& name)>& done) {
@@ -145,6 +163,7 @@ void run_frame_extremes(const std::function<void(const std::string& name)>& done
   take_places(extremes, one_pixel);
   take_records(extremes);
   take_samples(extremes);
+  take_geometry(done);
 }
 
 }  // namespace hmlfc::stress

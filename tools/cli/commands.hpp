@@ -19,6 +19,7 @@ void add_synth(CLI::App& program, Task& task);
 void add_encode(CLI::App& program, Task& task);
 void add_decode(CLI::App& program, Task& task);
 void add_info(CLI::App& program, Task& task);
+void add_disparity(CLI::App& program, Task& task);
 void add_compare(CLI::App& program, Task& task);
 void add_inspect(CLI::App& program, Task& task);
 void add_bise(CLI::App& program, Task& task);

@@ -9,6 +9,7 @@
 #include <hmlfc/stream_info.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/disparity_range.hpp"
 #include "cli/stream_report.hpp"
 #include "cli/view_source.hpp"
 
@@ -57,12 +58,25 @@ std::string states_text(const StreamStatistics& statistics) {
   return text;
 }
 
+Json range_json(const DisparityRange& range) {
+  Json json{{"known", range.known}, {"blocks", range.blocks}};
+  if (range.known == 0) return json;
+  json["least"] = static_cast<double>(range.least) / kDisparityUnits;
+  json["greatest"] = static_cast<double>(range.greatest) / kDisparityUnits;
+  return json;
+}
+
+std::string geometry_text(const DisparityRange& range) {
+  return fmt::format("Geometry      {}\n", describe(range));
+}
+
 ExitCode run_info(const InfoOptions& options) {
   const StreamFile file(options.file);
   const StreamReport report = report_on(file);
   if (options.json) {
     Json json = report_json(report);
     add_structure(report, json);
+    json["disparity"] = range_json(disparity_range(file));
     print_json(json);
     return ExitCode::kDone;
   }
@@ -70,7 +84,7 @@ ExitCode run_info(const InfoOptions& options) {
   print(fmt::format("Light field   {}\nCoding        {}\n", describe(shape_of(header)),
                     describe_coding(header)) +
         tools_text(header) + size_text(report) + tree_text(header) +
-        states_text(report.statistics));
+        states_text(report.statistics) + geometry_text(disparity_range(file)));
   return ExitCode::kDone;
 }
 
@@ -85,7 +99,8 @@ residual are rounded down from bits, and index takes the rest.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
 motion, residual, top, other}, depth, chroma, block, window, cluster, tree_height, tools (feature
-flags), levels (from the top), states (block counts).
+flags), levels (from the top), states (block counts), disparity{known, blocks (counts over all views),
+least, greatest (pixels a column; negative is nearer; absent where none is known)}.
 
 Example:
   hmlfc info chess.hmlfc)");

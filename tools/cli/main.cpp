@@ -74,6 +74,7 @@ void add_commands(CLI::App& program, Task& task) {
   add_encode(program, task);
   add_decode(program, task);
   add_info(program, task);
+  add_disparity(program, task);
   add_compare(program, task);
   add_inspect(program, task);
   add_bise(program, task);

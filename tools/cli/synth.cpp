@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
+#include "cli/for_each_view.hpp"
 #include "cli/view_source.hpp"
+#include "io/disparity_files.hpp"
 #include "io/light_field_files.hpp"
 #include "io/view_name.hpp"
 #include "scenes/scene.hpp"
@@ -24,11 +26,35 @@ struct SynthOptions {
   std::optional<double> baseline;
   int threads = 0;
   std::filesystem::path folder;
+  std::filesystem::path disparity;
 };
+
+// The disparities of all views as PFM files.
+void write_disparities(const SynthOptions& options, const scenes::SceneParams& params) {
+  FirstFailure first;
+  terminal::ProgressBar progress("Disparities", "views");
+  const auto write = [&](uint32_t row, uint32_t col, std::span<const float> pixels) {
+    guard(first, size_t{row} * params.cols + col, [&] {
+      const auto file =
+          options.disparity / (io::view_stem(row, col, params.rows, params.cols) + ".pfm");
+      value_or_throw(io::write_pfm(file, params.width, params.height, pixels), ExitCode::kOutput);
+    });
+  };
+  scenes::render_disparities(params, static_cast<unsigned>(options.threads), progress.callback(),
+                             write);
+  progress.clear();
+  rethrow(first);
+}
 
 ExitCode run_synth(const SynthOptions& options) {
   scenes::SceneParams params = options.scene;
   params.baseline_px = options.baseline.value_or(params.baseline_px);
+  if (!options.disparity.empty()) {
+    if (params.scene == Scene::kNoise) {
+      throw Failure(ExitCode::kUsage, "--disparity: scene noise has none; choose another scene");
+    }
+    make_output_folder(options.disparity);
+  }
   make_output_folder(options.folder);
   const Clock clock;
   const auto threads = static_cast<unsigned>(options.threads);
@@ -40,6 +66,7 @@ ExitCode run_synth(const SynthOptions& options) {
   value_or_throw(io::save_views(options.folder, field, threads, writing.callback()),
                  ExitCode::kOutput);
   writing.clear();
+  if (!options.disparity.empty()) write_disparities(options, params);
 
   print(fmt::format("{}: {}, {:.1f} s\n", options.folder.string(), describe(field.shape()),
                     clock.wall_seconds()));
@@ -52,7 +79,9 @@ void add_synth(CLI::App& program, Task& task) {
   const auto [app, options] = add_command(
       program, task, "synth", "Render a synthetic light field", run_synth,
       R"(Writes one PNG per view, named by row and column: 00_00.png, 00_01.png ... The same arguments give
-the same images on every machine.
+the same images on every machine. --disparity also writes what a decoder has to guess: 00_00.pfm ...
+with the true disparity of every pixel, in pixels a column, negative for what is nearer than the middle
+of the scene (hmlfc disparity --help).
 
 Example:
   hmlfc synth --scene cards --grid 9x9 --size 512x384 -o views)");
@@ -80,6 +109,12 @@ Example:
       ->default_str(fmt::format("{}", scene.baseline_px));
   add_integer(app, "--seed", scene.seed, 0, ~uint64_t{0}, "Varies positions, colours and textures");
   add_integer(app, "--depth", scene.depth, 8, 12, "Bits per sample");
+  add_value(app, "--disparity", "DIR",
+            "Folder for the true disparity of each view, created if missing", "a folder",
+            [&disparity = options.disparity](const std::string& text) {
+              disparity = text;
+              return !text.empty();
+            });
   add_threads(app, options.threads);
   add_output(app, options.folder, "DIR", "Folder for the views, created if missing");
 }

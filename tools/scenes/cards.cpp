@@ -58,6 +58,7 @@ class Cards : public TracedPainter {
 
  protected:
   Vec3 light(const Ray& ray, const Hit& hit) const override;
+  double background(const Ray& ray) const override;
 
  private:
   void add_panels(HashStream& random);
@@ -141,13 +142,17 @@ void Cards::add_fan(HashStream& random) {
   }
 }
 
-Vec3 Cards::cloth_light(const Ray& ray) const {
-  const Vec3 out = normalize({0, kClothSlope, -1});
+// Where a ray meets the cloth.
+double Cards::background(const Ray& ray) const {
   const double reach = kClothDistance - ray.origin.z + kClothSlope * ray.origin.y;
   // Only the outermost cameras of extreme grids have rays that miss the cloth.
   const double approach = std::max(0.01, ray.direction.z - kClothSlope * ray.direction.y);
-  const double t = reach / approach;
-  const Vec3 p = ray.at(t);
+  return reach / approach;
+}
+
+Vec3 Cards::cloth_light(const Ray& ray) const {
+  const Vec3 out = normalize({0, kClothSlope, -1});
+  const Vec3 p = ray.at(background(ray));
   const double broad = layered_noise(params().seed, p.x * 0.5, p.y * 0.5, 3);
   const double thread = value_noise(params().seed + 31, p.x * 9.0, p.y * 9.0);
   const Vec3 cloth = from_rgb(0x2F7A55) * (0.62 + 0.5 * broad + 0.14 * thread);

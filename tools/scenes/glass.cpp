@@ -54,6 +54,11 @@ class Glass : public TracedPainter {
     if (hit.shape == nullptr) return room_light(ray, 0);
     return ball_light(balls_[hit.shape->material], ray.at(hit.t), normalize(ray.direction), 0);
   }
+  double background(const Ray& ray) const override {
+    const GlassRoom::End end = room_.end(ray);
+    if (end.place == GlassRoom::Place::kCeiling) return TracedPainter::background(ray);
+    return dot(end.point - ray.origin, kRig.forward);
+  }
 
  private:
   void add_balls(HashStream& random);

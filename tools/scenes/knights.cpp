@@ -43,12 +43,20 @@ class Knights : public TracedPainter {
 
  protected:
   Vec3 light(const Ray& ray, const Hit& hit) const override;
+  double background(const Ray& ray) const override;
 
  private:
   void add_army(HashStream& random);
   Vec3 ground_light(Vec3 p) const;
   Vec3 backdrop_light(Vec3 p) const;
   Vec3 shape_light(const Ray& ray, const Hit& hit) const;
+
+  // Which of the planes behind the shapes a ray meets first, and where: t <= 0, none.
+  struct Planes {
+    bool is_ground;
+    double t;
+  };
+  Planes planes(const Ray& ray) const;
   Vec3 base_colour(const Shape& shape, Vec3 point, Vec3 own) const;
 
   std::optional<ShadowMap> shadows_;
@@ -193,14 +201,25 @@ Vec3 Knights::shape_light(const Ray& ray, const Hit& hit) const {
 }
 
 /// Extreme grids put cameras below the ground; their rays may hit neither plane.
-Vec3 Knights::light(const Ray& ray, const Hit& hit) const {
-  if (hit.shape != nullptr) return shape_light(ray, hit);
+Knights::Planes Knights::planes(const Ray& ray) const {
   constexpr double kLeastSlope = 1e-4;
   const Vec3 d = ray.direction;
   const double ground = d.y < -kLeastSlope ? -ray.origin.y / d.y : -1.0;
   const double backdrop = d.z > kLeastSlope ? (kBackdrop - ray.origin.z) / d.z : -1.0;
-  if (ground > 0 && (backdrop <= 0 || ground < backdrop)) return ground_light(ray.at(ground));
-  return backdrop > 0 ? backdrop_light(ray.at(backdrop)) : kSkyLow;
+  const bool is_ground = ground > 0 && (backdrop <= 0 || ground < backdrop);
+  return {is_ground, is_ground ? ground : backdrop};
+}
+
+double Knights::background(const Ray& ray) const {
+  const double t = planes(ray).t;
+  return t > 0 ? t : TracedPainter::background(ray);
+}
+
+Vec3 Knights::light(const Ray& ray, const Hit& hit) const {
+  if (hit.shape != nullptr) return shape_light(ray, hit);
+  const Planes planes = this->planes(ray);
+  if (planes.is_ground) return ground_light(ray.at(planes.t));
+  return planes.t > 0 ? backdrop_light(ray.at(planes.t)) : kSkyLow;
 }
 
 }  // namespace

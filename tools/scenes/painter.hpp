@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
 
 #include <hmlfc/image.hpp>
 
@@ -19,6 +21,13 @@ class Painter {
   /// Renders view (row, col) into `view`, which has the size and depth of the scene's parameters.
   /// Thread-safe.
   virtual void paint(uint32_t row, uint32_t col, RgbImage& view) const = 0;
+
+  /// Writes the disparity of each pixel of view (row, col), row by row, as render_disparities()
+  /// has it. False: the scene has none. Thread-safe.
+  virtual bool disparities([[maybe_unused]] uint32_t row, [[maybe_unused]] uint32_t col,
+                           [[maybe_unused]] std::span<float> pixels) const {
+    return false;
+  }
 };
 
 std::unique_ptr<Painter> make_cards(const SceneParams& params);
@@ -31,11 +40,19 @@ class TracedPainter : public Painter {
  public:
   void paint(uint32_t row, uint32_t col, RgbImage& view) const final;
 
+  /// Of what the ray through the middle of a pixel meets first.
+  bool disparities(uint32_t row, uint32_t col, std::span<float> pixels) const final;
+
  protected:
   TracedPainter(const SceneParams& params, const CameraRig& rig) : params_(params), rig_(rig) {}
 
   /// The linear light that arrives along a camera ray whose first hit is `hit`.
   virtual Vec3 light(const Ray& ray, const Hit& hit) const = 0;
+
+  /// The t at which a ray that hits no shape meets what is behind them, > 0; infinity: nothing.
+  virtual double background([[maybe_unused]] const Ray& ray) const {
+    return std::numeric_limits<double>::infinity();
+  }
 
   const SceneParams& params() const { return params_; }
   World& world() { return world_; }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "scenes/hash_noise.hpp"
 #include "scenes/painter.hpp"
@@ -24,23 +25,46 @@ class Flat : public Painter {
   explicit Flat(const SceneParams& params) : params_(params) {}
 
   void paint(uint32_t row, uint32_t col, RgbImage& view) const override {
-    const double step = params_.baseline_px * kDiscDisparity;
-    const double centre_x = 0.5 * view.width - step * (col - (params_.cols - 1) / 2.0);
-    const double centre_y = 0.5 * view.height - step * (row - (params_.rows - 1) / 2.0);
-    const double radius = std::max(1.0, std::min(view.width, view.height) / 40.0);
+    const Disc disc = disc_in(row, col);
     uint16_t* pixel = view.samples.data();
     for (uint32_t y = 0; y < view.height; ++y) {
       const Vec3 backdrop = mix(kTop, kBottom, (y + 0.5) / view.height);
       for (uint32_t x = 0; x < view.width; ++x, pixel += 3) {
-        const double right = (x + 0.5 - centre_x) / radius;
-        const double down = (y + 0.5 - centre_y) / radius;
-        const double inside = std::max(0.0, 1.0 - (right * right + down * down));
+        const double inside = disc.inside(x, y);
         store(mix(backdrop, kDisc, inside * inside), params_.depth, pixel);
       }
     }
   }
 
+  bool disparities(uint32_t row, uint32_t col, std::span<float> pixels) const override {
+    const Disc disc = disc_in(row, col);
+    for (size_t i = 0; i < pixels.size(); ++i) {
+      const bool inside = disc.inside(static_cast<uint32_t>(i % params_.width),
+                                      static_cast<uint32_t>(i / params_.width)) > 0;
+      pixels[i] = static_cast<float>(inside ? -params_.baseline_px * kDiscDisparity : 0.0);
+    }
+    return true;
+  }
+
  private:
+  struct Disc {
+    double centre_x, centre_y, radius;
+
+    // 1 in the middle, 0 outside.
+    double inside(uint32_t x, uint32_t y) const {
+      const double right = (x + 0.5 - centre_x) / radius;
+      const double down = (y + 0.5 - centre_y) / radius;
+      return std::max(0.0, 1.0 - (right * right + down * down));
+    }
+  };
+
+  Disc disc_in(uint32_t row, uint32_t col) const {
+    const double step = params_.baseline_px * kDiscDisparity;
+    return {0.5 * params_.width - step * (col - (params_.cols - 1) / 2.0),
+            0.5 * params_.height - step * (row - (params_.rows - 1) / 2.0),
+            std::max(1.0, std::min(params_.width, params_.height) / 40.0)};
+  }
+
   static constexpr Vec3 kTop = from_rgb(0x7E97AE);
   static constexpr Vec3 kBottom = from_rgb(0xA9B4B4);
   static constexpr Vec3 kDisc = from_rgb(0xD8C48A);
@@ -111,6 +135,20 @@ LightField render_scene(const SceneParams& params, unsigned threads, const io::P
   };
   io::for_each_index(size_t{params.rows} * params.cols, threads, progress, paint_view);
   return field;
+}
+
+bool render_disparities(const SceneParams& params, unsigned threads, const io::Progress& progress,
+                        const DisparityConsumer& consumer) {
+  if (params.scene == Scene::kNoise) return false;
+  const std::unique_ptr<Painter> painter = make_painter(params);
+  const auto render_view = [&](size_t index) {
+    const auto row = static_cast<uint32_t>(index / params.cols);
+    const auto col = static_cast<uint32_t>(index % params.cols);
+    std::vector<float> pixels(size_t{params.width} * params.height);
+    if (painter->disparities(row, col, pixels)) consumer(row, col, pixels);
+  };
+  io::for_each_index(size_t{params.rows} * params.cols, threads, progress, render_view);
+  return true;
 }
 
 }  // namespace hmlfc::scenes

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include <hmlfc/light_field.hpp>
@@ -45,5 +47,16 @@ struct SceneParams {
 /// std::bad_alloc if the light field does not fit in memory.
 LightField render_scene(const SceneParams& params, unsigned threads,
                         const io::Progress& progress = {});
+
+/// Receives the disparities of one view, row by row; called by several threads at once.
+using DisparityConsumer =
+    std::function<void(uint32_t row, uint32_t col, std::span<const float> pixels)>;
+
+/// Gives `consumer` the disparities of every view: of each pixel by how many pixels what is seen in
+/// its middle moves from a column to the next, baseline_px * (1 / z_focus - 1 / z), negative where
+/// it is nearer than the middle; of glass and mirrors that of their surface. False, and nothing is
+/// given, where the scene has none ("noise").
+bool render_disparities(const SceneParams& params, unsigned threads, const io::Progress& progress,
+                        const DisparityConsumer& consumer);
 
 }  // namespace hmlfc::scenes

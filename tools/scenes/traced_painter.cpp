@@ -73,4 +73,20 @@ void TracedPainter::paint(uint32_t row, uint32_t col, RgbImage& view) const {
   }
 }
 
+bool TracedPainter::disparities(uint32_t row, uint32_t col, std::span<float> pixels) const {
+  const TwoPlaneCamera camera(rig_, params_, row, col);
+  const TileBins bins(world_, camera, params_.width, params_.height);
+  const double scale = params_.baseline_px * rig_.depth_unit;
+  for (uint32_t y = 0; y < params_.height; ++y) {
+    for (uint32_t x = 0; x < params_.width; ++x) {
+      const Ray ray = camera.ray(x + 0.5, y + 0.5);
+      const Hit hit = bins.first_hit(ray, x, y);
+      const double distance = hit.shape != nullptr ? hit.t : background(ray);
+      pixels[size_t{y} * params_.width + x] =
+          static_cast<float>(scale * (1.0 / rig_.focus - 1.0 / distance));
+    }
+  }
+  return true;
+}
+
 }  // namespace hmlfc::scenes

@@ -47,28 +47,6 @@ Result<PaletteEntry> walk_to_entry(const StreamView& stream, const MotionPlace& 
   return read_motion_entry(cursor, *head, context, place.x & in_tile, place.y & in_tile);
 }
 
-// The disparity of grid block `block` of the reference image at `probe.site` (MOT-6).
-Result<int32_t> walk_to_disparity(const StreamView& stream, size_t motion_plane,
-                                  const GridBlock& block, const Probe& probe) {
-  const BlockSite& site = probe.site;
-  const unsigned log2 = stream.header.motion_tile_log2 - stream.header.disparity_grid_log2;
-  const MotionTilePlace tile{site.level,
-                             {site.image_row, site.image_col},
-                             motion_plane,
-                             block.gx >> log2,
-                             block.gy >> log2};
-  probe.walk();
-  const auto record = find_motion_record(stream, tile, probe);
-  if (!record) return tl::unexpected(record.error());
-  if (!*record) return 0;
-  FieldCursor cursor((*record)->bits, (*record)->file_bit, probe);
-  const DisparityContext context = disparity_context(stream, tile);
-  const auto head = read_disparity_head(cursor, context);
-  if (!head) return tl::unexpected(head.error());
-  const uint32_t in_tile = (1u << log2) - 1;
-  return read_disparity(cursor, *head, context, block.gx & in_tile, block.gy & in_tile);
-}
-
 }  // namespace
 
 Result<CodedBlock> walk_to_block(const StreamView& stream, const Probe& probe) {
@@ -101,25 +79,50 @@ MotionPlace motion_place(const StreamView& stream, const BlockSite& site) {
   return {motion_plane, site.bx << shift, site.by << shift};
 }
 
-Result<BlockMotion> walk_to_motion(const StreamView& stream, const Probe& probe) {
+Result<CodedMotion> walk_to_coded_motion(const StreamView& stream, const Probe& probe) {
   const BlockSite& site = probe.site;
   const ImagePos image{site.image_row, site.image_col};
   const MotionPlace place = motion_place(stream, site);
   const auto entry = walk_to_entry(stream, place, probe_of(probe, image, TileKind::kMotion));
   if (!entry) return tl::unexpected(entry.error());
-  const MotionResolver resolver(stream, site.level, image, site.plane);
-  int32_t disparity = 0;
-  if (entry->shares_disparity()) {
-    const GridBlock block =
-        grid_block(place.x, place.y, entry->choice, stream.header.disparity_grid_log2,
-                   stream.geometry.motion_planes()[place.motion_plane]);
-    const auto read =
-        walk_to_disparity(stream, place.motion_plane, block,
-                          probe_of(probe, resolver.images()[0], TileKind::kDisparity));
-    if (!read) return tl::unexpected(read.error());
-    disparity = *read;
-  }
-  return resolver.resolve(*entry, disparity);
+  if (!entry->shares_disparity()) return CodedMotion{*entry};
+  const GridBlock block =
+      grid_block(place.x, place.y, entry->choice, stream.header.disparity_grid_log2,
+                 stream.geometry.motion_planes()[place.motion_plane]);
+  const ImagePos reference = stream.geometry.reference_of(site.level, image);
+  const auto disparity = walk_to_disparity(stream, place.motion_plane, block,
+                                           probe_of(probe, reference, TileKind::kDisparity));
+  if (!disparity) return tl::unexpected(disparity.error());
+  return CodedMotion{*entry, *disparity};
+}
+
+Result<BlockMotion> walk_to_motion(const StreamView& stream, const Probe& probe) {
+  const BlockSite& site = probe.site;
+  const auto coded = walk_to_coded_motion(stream, probe);
+  if (!coded) return tl::unexpected(coded.error());
+  const MotionResolver resolver(stream, site.level, {site.image_row, site.image_col}, site.plane);
+  return resolver.resolve(coded->entry, coded->disparity);
+}
+
+Result<int32_t> walk_to_disparity(const StreamView& stream, size_t motion_plane,
+                                  const GridBlock& block, const Probe& probe) {
+  const BlockSite& site = probe.site;
+  const unsigned log2 = stream.header.motion_tile_log2 - stream.header.disparity_grid_log2;
+  const MotionTilePlace tile{site.level,
+                             {site.image_row, site.image_col},
+                             motion_plane,
+                             block.gx >> log2,
+                             block.gy >> log2};
+  probe.walk();
+  const auto record = find_motion_record(stream, tile, probe);
+  if (!record) return tl::unexpected(record.error());
+  if (!*record) return 0;
+  FieldCursor cursor((*record)->bits, (*record)->file_bit, probe);
+  const DisparityContext context = disparity_context(stream, tile);
+  const auto head = read_disparity_head(cursor, context);
+  if (!head) return tl::unexpected(head.error());
+  const uint32_t in_tile = (1u << log2) - 1;
+  return read_disparity(cursor, *head, context, block.gx & in_tile, block.gy & in_tile);
 }
 
 }  // namespace hmlfc

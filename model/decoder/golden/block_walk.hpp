@@ -8,6 +8,7 @@
 
 #include "decoder/block_motion.hpp"
 #include "decoder/sample_plane.hpp"
+#include "syntax/motion_tile.hpp"
 #include "syntax/probe.hpp"
 #include "syntax/stream_view.hpp"
 #include "syntax/tile_record.hpp"
@@ -34,9 +35,24 @@ struct MotionPlace {
 /// (X, Y) of MOT-4 for block `site` of a stream with motion tiles.
 MotionPlace motion_place(const StreamView& stream, const BlockSite& site);
 
+/// The motion of a block as motion tiles hold it.
+struct CodedMotion {
+  PaletteEntry entry;
+  int32_t disparity = 0;  ///< [-4096, 4095]; 0 unless the entry shares one
+};
+
 /// Finds and reads the motion of the block at `probe.site`, which exists in a predictive image of a
 /// stream with motion tiles: its motion tile, then its disparity (MOT-10). Errors: those of
 /// find_tile, read_motion_head, read_motion_entry, read_disparity_head and read_disparity.
+Result<CodedMotion> walk_to_coded_motion(const StreamView& stream, const Probe& probe);
+
+/// The same with the vectors that follow from it (MOT-7 to MOT-9).
 Result<BlockMotion> walk_to_motion(const StreamView& stream, const Probe& probe);
+
+/// Finds and reads the disparity of grid block `block` of a motion plane of the reference image at
+/// `probe.site` (MOT-6), in [-4096, 4095]. Errors: those of find_tile, read_disparity_head and
+/// read_disparity.
+Result<int32_t> walk_to_disparity(const StreamView& stream, size_t motion_plane,
+                                  const GridBlock& block, const Probe& probe);
 
 }  // namespace hmlfc

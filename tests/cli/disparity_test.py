@@ -1,0 +1,90 @@
+"""disparity: the same numbers in each format, near those that synth knows; and what info says of them."""
+
+import struct
+
+from pictures import read_png
+from program import CORRUPT, USAGE, CliTest, main
+
+
+def read_pfm(path):
+    """(width, height, numbers row by row from the top) of a grey little-endian PFM."""
+    kind, sides, scale, numbers = path.read_bytes().split(b"\n", 3)
+    assert (kind, scale) == (b"Pf", b"-1.0")
+    width, height = map(int, sides.split())
+    rows = [struct.unpack_from(f"<{width}f", numbers, 4 * width * y) for y in range(height)]
+    assert len(numbers) == 4 * width * height
+    return width, height, [number for row in reversed(rows) for number in row]
+
+
+class Disparity(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.hmlfc(*"synth --scene cards --grid 3x5 --size 96x64 --baseline 4 -o views --disparity truth".split())
+        cls.hmlfc(*"encode views -o a.hmlfc --references 3x5 --quality 80".split())
+        cls.hmlfc(*"encode views -o main.hmlfc --profile main --method mc --references 3x5 --quality 60".split())
+
+    def numbers(self, *arguments, name="map.pfm"):
+        text = self.hmlfc("disparity", *arguments, "-o", name)
+        self.assertTrue(text.startswith(f"{name}: view "), text)
+        width, height, numbers = read_pfm(self.folder / name)
+        self.assertEqual((width, height), (96, 64))
+        return numbers
+
+    def truth(self, name):
+        return read_pfm(self.folder / "truth" / name)[2]
+
+    def test_near_the_truth(self):
+        for view in ("0,0", "1,2", "2,4"):
+            with self.subTest(view=view):
+                row, col = view.split(",")
+                true = self.truth(f"0{row}_0{col}.pfm")
+                found = self.numbers("a.hmlfc", "--view", view)
+                self.assertGreater(max(true) - min(true), 1.5)
+                near = sum(abs(a - b) < 0.3 for a, b in zip(found, true))
+                self.assertGreater(near / len(true), 0.7)
+
+    def test_the_middle_view_is_the_default(self):
+        self.assertEqual(self.numbers("a.hmlfc"), self.numbers("a.hmlfc", "--view", "1,2"))
+
+    def test_formats(self):
+        numbers = self.numbers("a.hmlfc")
+        self.hmlfc("disparity", "a.hmlfc", "-o", "map.16.PNG")
+        wide = read_png(self.folder / "map.16.PNG").samples
+        self.assertEqual(wide[::3], [round(32768 + 256 * number) for number in numbers])
+        self.assertEqual(wide[::3], wide[1::3])
+        self.hmlfc("disparity", "a.hmlfc", "-o", "map.png")
+        grey = read_png(self.folder / "map.png").samples
+        nearest, farthest = min(numbers), max(numbers)
+        for value, number in zip(grey[::3], numbers):
+            self.assertAlmostEqual(value, 255 * (farthest - number) / (farthest - nearest), delta=0.51)
+        self.assertEqual((min(grey), max(grey)), (0, 255))
+
+    def test_profile_main_knows_some(self):
+        self.assertEqual(set(self.numbers("main.hmlfc", "--view", "1,2")), {0})  # the key image
+        self.assertIn("unknown", self.hmlfc("disparity", "main.hmlfc", "--view", "1,2", "-o", "none.png"))
+        self.assertEqual(set(read_png(self.folder / "none.png").samples), {0})
+        self.assertGreater(len(set(self.numbers("main.hmlfc", "--view", "1,3"))), 3)
+
+    def test_info(self):
+        numbers = [n for r in range(3) for c in range(5) for n in self.numbers("a.hmlfc", "--view", f"{r},{c}")]
+        range_ = self.hmlfc_json("info", "a.hmlfc")["disparity"]
+        self.assertEqual((range_["least"], range_["greatest"]), (min(numbers), max(numbers)))
+        self.assertEqual(range_["known"], range_["blocks"])
+        self.assertEqual(range_["blocks"], 15 * 96 * 64 // 16)
+        text = self.hmlfc("info", "a.hmlfc")
+        self.assertIn(f"disparity {min(numbers):.2f} to {max(numbers):.2f} pixels a column, known for 100.0 %", text)
+        partly = self.hmlfc_json("info", "main.hmlfc")["disparity"]
+        self.assertLess(partly["known"], partly["blocks"])
+
+    def test_refused(self):
+        self.refused(USAGE, "disparity", "a.hmlfc", "-o", "map.txt", says=["map.txt", "*.pfm"])
+        self.refused(USAGE, "disparity", "a.hmlfc", "-o", "map.pfm", "--view", "3,0", says="3,0")
+        self.refused(USAGE, "disparity", "a.hmlfc", "-o", "nowhere/map.pfm", says="nowhere")
+        damaged = bytearray((self.folder / "a.hmlfc").read_bytes())
+        damaged[-1] ^= 1
+        (self.folder / "bad.hmlfc").write_bytes(damaged)
+        self.refused(CORRUPT, "disparity", "bad.hmlfc", "-o", "map.pfm", says="bad_section_crc")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,126 @@
+// hmlfc disparity: where a stream says that things are, as a picture or as numbers.
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <hmlfc/disparity.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/disparity_range.hpp"
+#include "cli/view_source.hpp"
+#include "io/disparity_files.hpp"
+#include "io/image_files.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+struct DisparityOptions {
+  std::filesystem::path file;
+  std::filesystem::path output;
+  std::optional<ViewPos> view;
+};
+
+enum class Format { kGrey, kGrey16, kPfm };
+
+Format format_of(const std::filesystem::path& output) {
+  const std::string extension = io::lower_case_extension(output);
+  if (extension == ".pfm") return Format::kPfm;
+  if (extension != ".png") {
+    throw Failure(ExitCode::kUsage,
+                  output.string() + ": name it *.png, *.16.png or *.pfm; --help tells them apart");
+  }
+  return io::lower_case_extension(output.stem()) == ".16" ? Format::kGrey16 : Format::kGrey;
+}
+
+// Grey of each pixel: near is white, far is black.
+RgbImage grey_picture(const DisparityMap& map, const DisparityRange& range) {
+  RgbImage picture{map.width, map.height, 8, {}};
+  const int32_t steps = std::max(1, range.greatest - range.least);
+  for (uint32_t y = 0; y < map.height; ++y) {
+    for (uint32_t x = 0; x < map.width; ++x) {
+      const BlockDisparity& at = map.at(x, y);
+      const int32_t nearer = range.greatest - at.disparity;
+      const int32_t grey = at.confidence == 0 ? 0 : (510 * nearer + steps) / (2 * steps);
+      picture.samples.insert(picture.samples.end(), 3, static_cast<uint16_t>(grey));
+    }
+  }
+  return picture;
+}
+
+RgbImage numbers_picture(const DisparityMap& map) {
+  RgbImage picture{map.width, map.height, 16, {}};
+  for (uint32_t y = 0; y < map.height; ++y) {
+    for (uint32_t x = 0; x < map.width; ++x) {
+      const int32_t number = 32768 + map.at(x, y).disparity;
+      picture.samples.insert(picture.samples.end(), 3, static_cast<uint16_t>(number));
+    }
+  }
+  return picture;
+}
+
+std::vector<float> pixels_a_column(const DisparityMap& map) {
+  std::vector<float> pixels;
+  for (uint32_t y = 0; y < map.height; ++y) {
+    for (uint32_t x = 0; x < map.width; ++x) {
+      pixels.push_back(static_cast<float>(map.at(x, y).disparity) / kDisparityUnits);
+    }
+  }
+  return pixels;
+}
+
+io::IoResult<void> write_map(const DisparityOptions& options, const DisparityMap& map,
+                             const DisparityRange& range) {
+  switch (format_of(options.output)) {
+    case Format::kGrey:
+      return io::write_png(options.output, grey_picture(map, range));
+    case Format::kGrey16:
+      return io::write_png(options.output, numbers_picture(map));
+    case Format::kPfm:
+      break;
+  }
+  return io::write_pfm(options.output, map.width, map.height, pixels_a_column(map));
+}
+
+ExitCode run_disparity(const DisparityOptions& options) {
+  format_of(options.output);
+  check_output_file(options.output);
+  const StreamFile file(options.file);
+  const StreamHeader& header = file.header();
+  const ViewPos view = options.view.value_or(ViewPos{(header.rows - 1) / 2, (header.cols - 1) / 2});
+  file.check_view(view);
+  const DisparityMap map = value_or_throw(disparity_map(file.decoder(), view), file.path());
+  DisparityRange range;
+  range.add(map);
+  value_or_throw(write_map(options, map, range), ExitCode::kOutput);
+  print(fmt::format("{}: view {},{}, {}\n", options.output.string(), view.row, view.col,
+                    describe(range)));
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_disparity(CLI::App& program, Task& task) {
+  const auto [app, options] = add_command(
+      program, task, "disparity", "Write where a stream says that things are", run_disparity,
+      R"(The disparity of a pixel is by how many pixels what it shows moves from a column of views to the
+next: negative is nearer than what stands still, positive farther, as in render --focus. Streams of
+profile extended hold it for blocks; it is 0 where a stream says nothing, as for key images of profile
+main. The benchmark HCI 4D has the other sign.
+
+The name of FILE chooses the format:
+  *.pfm     32-bit floating point, pixels a column
+  *.16.png  16 bits: 32768 + 256 times the disparity
+  *.png     8 bits to look at: the nearest is white, the farthest and what is unknown black
+
+Example:
+  hmlfc disparity chess.hmlfc --view 3,5 -o chess.pfm)");
+  add_stream(app, options.file);
+  add_output(app, options.output, "FILE", "The *.png, *.16.png or *.pfm file to write");
+  add_view(app, options.view, "The view; counted from 0,0")->default_str("the middle one");
+}
+
+}  // namespace hmlfc::cli
