@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int32_t kPixelStep = 8;
 
 // Place `part`, in [0, 1], of the way along `views` views, in the middle half between two of them.
-double between_views(double part, int views) {
+double between_views(double part, uint32_t views) {
   if (views <= 1) return 0;
   const double place = part * (views - 1);
   const double first = std::min(std::floor(place), views - 2.0);
