@@ -56,8 +56,10 @@ class FrameSlot {
     if (commands_) commands_->wait();
   }
 
-  std::vector<StageTime> times() const {
-    return commands_ ? commands_->times() : std::vector<StageTime>();
+  std::vector<StageTime> times() {
+    if (!commands_) return {};
+    commands_->read_times();
+    return commands_->times();
   }
 
   /// Of a frame that is done: its counters and, with FrameOutput::kHost, its samples.

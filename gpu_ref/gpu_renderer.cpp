@@ -171,7 +171,6 @@ struct GpuRenderer::State {
       slot.commands().wait();
       frame.submissions = 2;
     }
-    slot.commands().read_times();
     if (slot.counters()[kCountMode] == kModeNoRoom) {
       throw MachineError(FailureKind::kInternal,
                          "the device counts other blocks for the same frame");
@@ -179,7 +178,7 @@ struct GpuRenderer::State {
     collect(slot, frame);
   }
 
-  const std::vector<StageTime>& stage_times() const {
+  const std::vector<StageTime>& stage_times() {
     times = slots[last].times();
     return times;
   }
@@ -221,7 +220,7 @@ struct GpuRenderer::State {
   unsigned first = 0;
   unsigned under_way = 0;
   unsigned last = 0;  // slot of the last frame finished
-  mutable std::vector<StageTime> times;
+  std::vector<StageTime> times;
 };
 
 Outcome<GpuRenderer> GpuRenderer::open(Device& device, const StreamView& stream,

@@ -72,7 +72,8 @@ class GpuRenderer {
   /// Nothing is held any more: the next frame decodes all that it needs.
   void forget();
 
-  /// Of the last submission; empty where the device has no timestamps.
+  /// Of the frame finished last; empty where the device has no timestamps, and once another frame
+  /// has begun in its place.
   const std::vector<StageTime>& stage_times() const;
 
  private:
