@@ -2,7 +2,10 @@
 // registers of the decode unit and to those of the DMA.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <deque>
+#include <utility>
 
 #include "driver/hmlfc_registers.h"
 #include "oracle/oracle.hpp"
@@ -31,8 +34,9 @@ constexpr std::array<Kept, 8> kKept{
      {HMLFC_REG_STATUS_BASE, low(HMLFC_REG_STATUS_BASE_MASK)},
      {HMLFC_REG_STATUS_BASE_HIGH, high(HMLFC_REG_STATUS_BASE_MASK)}}};
 
-// One write and one read at a time, each channel after a wait of its own, and never both of the
-// same register, so that the value that is read is known.
+// Each channel offers its next access after a wait of its own, whether or not those before it are
+// answered. No read is under way together with a write of the same register, so that the value that
+// is read is known.
 class Traffic {
  public:
   Traffic(ViewUnit& unit, uint64_t seed) : unit_(unit), random_(seed) {
@@ -43,68 +47,89 @@ class Traffic {
 
   void run(int clocks) {
     for (int i = 0; i < clocks && !testing::Test::HasFailure(); ++i) {
-      offer_write();
-      offer_read();
+      begin();
+      offer();
+      const bool answer_stays = out_.b_valid && !took_answer_;
+      const bool data_stay = out_.lite_r_valid && !took_data_;
       unit_.clock(in_, out_);
+      EXPECT_TRUE(out_.b_valid || !answer_stays) << "BVALID falls";
+      EXPECT_TRUE(out_.lite_r_valid || !data_stay) << "RVALID falls";
       take_write();
       take_read();
     }
   }
 
-  int writes() const { return writes_; }
-  int reads() const { return reads_; }
+  int writes() const { return answered_; }
+  int reads() const { return read_; }
 
  private:
-  enum class Access : uint8_t { kNone, kUnderWay, kAnswered };
+  static constexpr size_t kMost = 3;  // accesses under way in each direction
 
-  void offer_write() {
-    if (!writing_ && random_.chance(500)) {
-      written_ = random_.below(kKept.size());
-      writing_ = !reading_ || written_ != read_;
-      address_passed_ = data_passed_ = false;
-      in_.aw_addr = kKept[written_].offset;
-      in_.w_data = static_cast<uint32_t>(random_.next());
-    }
-    in_.aw_valid = writing_ && !address_passed_ && (in_.aw_valid || random_.chance(300));
-    in_.w_valid = writing_ && !data_passed_ && (in_.w_valid || random_.chance(300));
-    in_.b_ready = random_.chance(300);
+  struct Access {
+    size_t index = 0;  // in kKept
+    uint32_t data = 0;
+    bool addressed = false;
+    bool sent = false;
+  };
+  using Accesses = std::deque<Access>;
+
+  static bool holds(const Accesses& accesses, size_t index) {
+    return std::ranges::find(accesses, index, &Access::index) != accesses.end();
   }
 
-  void offer_read() {
-    if (!reading_ && random_.chance(500)) {
-      read_ = random_.below(kKept.size());
-      reading_ = !writing_ || read_ != written_;
-      asked_ = false;
-      in_.lite_ar_addr = kKept[read_].offset;
+  void begin() {
+    for (auto [own, other] : {std::pair{&writes_, &reads_}, std::pair{&reads_, &writes_}}) {
+      const Access access{random_.below(kKept.size()), static_cast<uint32_t>(random_.next())};
+      if (own->size() < kMost && random_.chance(300) && !holds(*other, access.index)) {
+        own->push_back(access);
+      }
     }
-    in_.lite_ar_valid = reading_ && !asked_ && (in_.lite_ar_valid || random_.chance(300));
+  }
+
+  // What is offered stays until it is taken.
+  void offer() {
+    aw_ = std::ranges::find(writes_, false, &Access::addressed);
+    w_ = std::ranges::find(writes_, false, &Access::sent);
+    ar_ = std::ranges::find(reads_, false, &Access::addressed);
+    in_.aw_valid = aw_ != writes_.end() && (in_.aw_valid || random_.chance(300));
+    in_.w_valid = w_ != writes_.end() && (in_.w_valid || random_.chance(300));
+    in_.lite_ar_valid = ar_ != reads_.end() && (in_.lite_ar_valid || random_.chance(300));
+    if (in_.aw_valid) in_.aw_addr = kKept[aw_->index].offset;
+    if (in_.w_valid) in_.w_data = w_->data;
+    if (in_.lite_ar_valid) in_.lite_ar_addr = kKept[ar_->index].offset;
+    in_.b_ready = random_.chance(300);
     in_.lite_r_ready = random_.chance(300);
   }
 
   // What is shown and taken now passes at the next edge.
   void take_write() {
-    if (out_.b_valid) {
-      EXPECT_TRUE(address_passed_ && data_passed_) << "an answer to no write";
-      if (in_.b_ready) {
-        values_[written_] = in_.w_data & kKept[written_].mask;
-        writing_ = false;
-        ++writes_;
-      }
-    }
-    if (in_.aw_valid && out_.aw_ready) address_passed_ = true;
-    if (in_.w_valid && out_.w_ready) data_passed_ = true;
+    took_answer_ = out_.b_valid && in_.b_ready;
+    if (in_.aw_valid && out_.aw_ready) aw_->addressed = true;
+    if (in_.w_valid && out_.w_ready) w_->sent = true;
+    in_.aw_valid = in_.aw_valid && !out_.aw_ready;
+    in_.w_valid = in_.w_valid && !out_.w_ready;
+    if (!out_.b_valid) return;
+    ASSERT_FALSE(writes_.empty()) << "an answer to no write";
+    const Access write = writes_.front();
+    EXPECT_TRUE(write.addressed && write.sent) << "an answer to no write";
+    if (!took_answer_) return;
+    values_[write.index] = write.data & kKept[write.index].mask;
+    writes_.pop_front();
+    ++answered_;
   }
 
   void take_read() {
-    if (out_.lite_r_valid) {
-      EXPECT_TRUE(reading_ && asked_) << "an answer to no read";
-      EXPECT_EQ(out_.lite_r_data, values_[read_]) << std::hex << kKept[read_].offset;
-      if (in_.lite_r_ready) {
-        reading_ = false;
-        ++reads_;
-      }
-    }
-    if (in_.lite_ar_valid && out_.lite_ar_ready) asked_ = true;
+    took_data_ = out_.lite_r_valid && in_.lite_r_ready;
+    if (in_.lite_ar_valid && out_.lite_ar_ready) ar_->addressed = true;
+    in_.lite_ar_valid = in_.lite_ar_valid && !out_.lite_ar_ready;
+    if (!out_.lite_r_valid) return;
+    ASSERT_FALSE(reads_.empty()) << "an answer to no read";
+    const Access read = reads_.front();
+    EXPECT_TRUE(read.addressed) << "an answer to no read";
+    EXPECT_EQ(out_.lite_r_data, values_[read.index]) << std::hex << kKept[read.index].offset;
+    if (!took_data_) return;
+    reads_.pop_front();
+    ++read_;
   }
 
   ViewUnit& unit_;
@@ -112,15 +137,13 @@ class Traffic {
   ViewInputs in_;
   ViewOutputs out_;
   std::array<uint32_t, kKept.size()> values_{};
-  size_t written_ = 0;
-  size_t read_ = 0;
-  bool writing_ = false;
-  bool address_passed_ = false;
-  bool data_passed_ = false;
-  bool reading_ = false;
-  bool asked_ = false;
-  int writes_ = 0;
-  int reads_ = 0;
+  Accesses writes_;
+  Accesses reads_;
+  Accesses::iterator aw_, w_, ar_;
+  bool took_answer_ = false;
+  bool took_data_ = false;
+  int answered_ = 0;
+  int read_ = 0;
 };
 
 TEST(ViewUnit, RegistersByIndependentChannels) {
