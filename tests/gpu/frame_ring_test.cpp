@@ -1,27 +1,11 @@
 // Frames under way: the same frames as one at a time, in their order, and in the steady state
 // without anything that costs the host.
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "decoder/open_stream.hpp"
+#include "gpu/allocation_count.hpp"
 #include "gpu/gpu_test.hpp"
 #include "gpu_renderer.hpp"
 #include "render/render_cases.hpp"
 #include "stimulus/random_stream.hpp"
-
-namespace {
-std::atomic<uint64_t> allocations = 0;
-}  // namespace
-
-// Every allocation of this program is counted.
-void* operator new(size_t bytes) {
-  ++allocations;
-  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, size_t) noexcept { std::free(memory); }
 
 namespace hmlfc::gpu {
 namespace {
@@ -169,9 +153,9 @@ TEST_F(GpuFrameRing, CostsTheHostNothingInTheSteadyState) {
   GpuFrame frame;
   EXPECT_GT(run_frames(renderer, records_, records_.size(), frame), 0u);
   const SubmissionCounts before = device->counts();
-  const uint64_t allocated = allocations;
+  const uint64_t allocated = test::allocation_count();
   EXPECT_EQ(run_frames(renderer, records_, 60, frame), 0u) << "nothing is missing";
-  EXPECT_EQ(allocations - allocated, 0u);
+  EXPECT_EQ(test::allocation_count() - allocated, 0u);
   const SubmissionCounts& after = device->counts();
   EXPECT_EQ(after.submitted - before.submitted, 60u);
   EXPECT_EQ(after.waits - before.waits, 0u);
@@ -187,10 +171,10 @@ TEST_F(GpuFrameRing, CountsWhatItCosts) {
   GpuFrame frame;
   run_frames(renderer, records_, records_.size(), frame);
   const SubmissionCounts before = device->counts();
-  const uint64_t allocated = allocations;
+  const uint64_t allocated = test::allocation_count();
   ASSERT_TRUE(renderer.begin(records_[0], 0, FrameOutput::kHost));
   ASSERT_TRUE(renderer.finish(frame));
-  EXPECT_GT(allocations - allocated, 0u);
+  EXPECT_GT(test::allocation_count() - allocated, 0u);
   EXPECT_EQ(device->counts().recorded - before.recorded, 1u);
   EXPECT_EQ(device->counts().waits - before.waits, 1u);
   EXPECT_EQ(device->counts().barriers - before.barriers, 7u);

@@ -55,7 +55,7 @@ class GpuKernelCache : public testing::Test {
 
 TEST_F(GpuKernelCache, GivesWhatWasWrittenAndLeavesOneFile) {
   EXPECT_TRUE(file_.read().empty());
-  for (const uint8_t value : {1, 2}) {
+  for (const uint8_t value : {uint8_t{1}, uint8_t{2}}) {
     const auto data = data_of(device_, 1000, value);
     EXPECT_TRUE(file_.write(data));
     EXPECT_EQ(file_.read(), data);
