@@ -136,7 +136,7 @@ DigitGroup read_group(uint word, uint bit, Levels levels, Grouping grouping, uin
   if (levels.digit == DIGIT_NONE) return group;
   const uint n = levels.plain_bits;
   uint code = 0u;
-  for (uint k = 0u; k < grouping.values; ++k) {
+  [[dont_unroll]] for (uint k = 0u; k < grouping.values; ++k) {
     const uint before = code_bits_before(grouping, k);
     const uint bits = code_bits_before(grouping, k + 1u) - before;
     code |= window_bits(group.window, n * (k + 1u) + before, bits) << before;

@@ -19,7 +19,11 @@ ivec2 weighted_sums(Reference reference, PlaneShape plane, int x, int y) {
 /// R(x, y) of MOT-9 at the same samples, which for vectors of whole samples and one reference is
 /// ref(x + dx, y + dy).
 ivec2 reference_pair(BlockEntry entry, PlaneShape plane, int x, int y) {
-  const ivec2 first = weighted_sums(entry.references[0], plane, x, y);
-  if (entry.count == 1u) return (first + 32) >> 6;
-  return (first + weighted_sums(entry.references[1], plane, x, y) + 64) >> 7;
+  ivec2 sum = ivec2(0);
+  Reference reference = entry.references[0];
+  [[dont_unroll]] for (uint i = 0u; i < entry.count; ++i) {
+    sum += weighted_sums(reference, plane, x, y);
+    reference = entry.references[1];
+  }
+  return entry.count == 1u ? (sum + 32) >> 6 : (sum + 64) >> 7;
 }

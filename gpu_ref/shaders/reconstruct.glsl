@@ -19,7 +19,7 @@ uvec4 residual_pairs(BlockEntry entry, PlaneShape plane, uint first) {
   DigitGroup group = read_group(entry.values_word, entry.values_bit, levels, grouping, count, number);
   uvec4 pairs = uvec4(0u);
   int even = 0;
-  for (uint i = 0u; i < SAMPLES_OF_LANE; ++i) {
+  [[dont_unroll]] for (uint i = 0u; i < SAMPLES_OF_LANE; ++i) {
     if (k == grouping.values) {
       k = 0u;
       ++number;

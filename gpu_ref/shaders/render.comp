@@ -109,7 +109,7 @@ uvec3 view_colour(Passes passes, WindowSize size, TapLine col, TapLine row) {
   return uint(weight) * uvec3((sum + (1 << 11)) >> 12);
 }
 
-/// What the views of pass `pass` give the invocation's pixel, 2 x 2 views at a time.
+/// What the views of pass `pass` give the invocation's pixel, two rows of views at a time.
 uvec3 pass_colour(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pass,
                   WindowSize size) {
   uvec3 sum = uvec3(0u);
@@ -117,13 +117,9 @@ uvec3 pass_colour(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint p
   for (int i = range.first.y; i < range.end.y; i += 2) {
     const TapLine row0 = tap_row(pixel_row(f, rows, passes, ray, pass, range, i));
     const TapLine row1 = tap_row(pixel_row(f, rows, passes, ray, pass, range, i + 1));
-    for (int j = range.first.x; j < range.end.x; j += 2) {
-      const TapLine col0 = tap_col(pixel_col(f, cols, passes, ray, range, j));
-      const TapLine col1 = tap_col(pixel_col(f, cols, passes, ray, range, j + 1));
-      sum += view_colour(passes, size, col0, row0) +
-             view_colour(passes, size, col1, row0) +
-             view_colour(passes, size, col0, row1) +
-             view_colour(passes, size, col1, row1);
+    [[dont_unroll]] for (int j = range.first.x; j < range.end.x; ++j) {
+      const TapLine col = tap_col(pixel_col(f, cols, passes, ray, range, j));
+      sum += view_colour(passes, size, col, row0) + view_colour(passes, size, col, row1);
     }
   }
   return sum;

@@ -77,7 +77,7 @@ uvec4 decode(Request request, uint q, uint first, out uint status) {
     const bool keyed = arguments.shape.levels[l].keyed != 0u;
     uvec4 residuals = uvec4(0u);
     if (entry.residual) residuals = residual_pairs(entry, plane, first);
-    for (uint k = 0u; k < SAMPLES_OF_LANE / 2u; ++k) {
+    [[dont_unroll]] for (uint k = 0u; k < SAMPLES_OF_LANE / 2u; ++k) {
       const ivec2 samples =
           entry.kind == kKindKey
               ? key_samples(entry, plane, place, k)
