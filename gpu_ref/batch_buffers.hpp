@@ -64,6 +64,9 @@ struct BlockSizes {
   uint32_t levels = 1;        ///< entries of a request
   uint32_t sample_words = 8;  ///< words of a block's samples
 
+  /// Invocations that make its samples (block_lanes.glsl).
+  uint32_t lanes() const { return sample_words < 4 ? 1 : sample_words / 4; }
+
   uint64_t entry_bytes() const { return uint64_t{levels} * kEntryWords * 4; }
   uint64_t sample_bytes() const { return uint64_t{sample_words} * 4; }
   uint64_t stage_bytes() const { return levels * kStageCount * sample_bytes(); }

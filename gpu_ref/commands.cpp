@@ -142,8 +142,12 @@ void Commands::dispatch(const std::string& kernel, const Variant& variant,
   if (invocations == 0) return;
   const auto workgroups = static_cast<uint32_t>(ceil_div(invocations, uint64_t{kWorkgroupSize}));
   const uint32_t columns = std::min(workgroups, device_->max_workgroups);
-  stage(kernel, variant, arguments,
-        [&] { submission_->commands.dispatch(columns, ceil_div(workgroups, columns), 1); });
+  dispatch_groups(kernel, variant, arguments, columns, ceil_div(workgroups, columns));
+}
+
+void Commands::dispatch_groups(const std::string& kernel, const Variant& variant,
+                               const Arguments& arguments, uint32_t columns, uint32_t rows) {
+  stage(kernel, variant, arguments, [&] { submission_->commands.dispatch(columns, rows, 1); });
 }
 
 void Commands::dispatch_counted(const std::string& kernel, const Variant& variant,

@@ -41,6 +41,10 @@ class Commands {
   void dispatch(const std::string& kernel, const Variant& variant, const Arguments& arguments,
                 uint64_t invocations);
 
+  /// `columns` times `rows` workgroups, each at most 65535.
+  void dispatch_groups(const std::string& kernel, const Variant& variant,
+                       const Arguments& arguments, uint32_t columns, uint32_t rows);
+
   /// As many workgroups as the three words of `sizes` from byte `offset` on say.
   void dispatch_counted(const std::string& kernel, const Variant& variant,
                         const Arguments& arguments, const Buffer& sizes, uint64_t offset);

@@ -133,7 +133,7 @@ void DeviceStream::decode_references(Device::State& device, const StreamView& st
     commands.barrier(kCompute, kCompute);
     commands.dispatch("walk", variant, all, batch.requests);
     commands.barrier(kCompute, kCompute);
-    commands.dispatch("residuals", variant, all, batch.requests * sizes.sample_words);
+    commands.dispatch("residuals", variant, all, batch.requests * sizes.lanes());
     commands.run();
   }
 }

@@ -17,6 +17,7 @@ struct FrameShape {
   uint64_t results = 0;
   uint64_t dispatches = 0;
   uint64_t drawn = 0;
+  uint64_t rays = 0;
   uint64_t pool = 0;
   uint32_t pool_chunk_log2 = 0;
   uint32_t pool_pages = 0;
@@ -47,8 +48,8 @@ enum FrameCounter : uint32_t {
 
 inline constexpr uint32_t kNoError = ~0u;  ///< of kCountFirstError
 
-/// Pixels that an invocation of render.comp draws.
-inline constexpr uint64_t kPixelsOfRender = 2;
+/// Pixels of a group of mark.comp and render.comp, each way (shaders/pixel_group.glsl).
+inline constexpr uint32_t kGroupPixels = 8;
 
 /// Words of the sizes of dispatches that frame_plan.glsl decides, three each.
 enum FrameDispatch : uint32_t {

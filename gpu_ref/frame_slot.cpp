@@ -2,13 +2,11 @@
 
 #include <cstring>
 
-#include "arithmetic/rounding.hpp"
-
 namespace hmlfc::gpu {
 namespace {
 
 constexpr uint64_t kCounterBytes = uint64_t{4} * kFrameCounters;
-constexpr uint64_t kPieceBytes = 12;  // of kPixelsOfRender pixels
+constexpr uint64_t kRayBytes = 16;  // of a pixel of a group
 constexpr uint64_t kPixelBytes = 6;
 
 }  // namespace
@@ -31,9 +29,11 @@ bool FrameSlot::prepare(const FrameForm& form) {
   recorded_.reset();
   shape_.counters = counters_.address();
   shape_.results = results_.address();
-  const uint64_t pieces = ceil_div(form.pixels(), kPixelsOfRender);
-  shape_.drawn = drawn_.reserve(*device_, kPieceBytes * pieces).address();
-  if (form.output == FrameOutput::kHost) readback_.reserve(*device_, kPixelBytes * form.pixels());
+  const uint64_t drawn_bytes = kPixelBytes * form.drawn_pixels();
+  shape_.drawn = drawn_.reserve(*device_, drawn_bytes).address();
+  const uint64_t groups = uint64_t{form.columns()} * form.rows();
+  shape_.rays = rays_.reserve(*device_, kRayBytes * groups * kGroupPixels * kGroupPixels).address();
+  if (form.output == FrameOutput::kHost) readback_.reserve(*device_, drawn_bytes);
   if (commands_) {
     commands_->restart();
   } else {
@@ -50,7 +50,7 @@ void FrameSlot::record_upload() {
 void FrameSlot::record_output() {
   if (form_.output == FrameOutput::kHost) {
     commands_->barrier(kCompute, kTransfer);
-    commands_->copy(drawn_.get(), 0, readback_.get(), 0, kPixelBytes * form_.pixels());
+    commands_->copy(drawn_.get(), 0, readback_.get(), 0, kPixelBytes * form_.drawn_pixels());
     commands_->barrier(kCompute | kTransfer, kHost);
     commands_->read_by_host(readback_.get());
   } else {
@@ -66,7 +66,8 @@ void FrameSlot::submit() {
 }
 
 std::span<const uint16_t> FrameSlot::samples() const {
-  return readback_.get().records<const uint16_t>().first(3 * static_cast<size_t>(form_.pixels()));
+  return readback_.get().records<const uint16_t>().first(3 *
+                                                         static_cast<size_t>(form_.drawn_pixels()));
 }
 
 }  // namespace hmlfc::gpu

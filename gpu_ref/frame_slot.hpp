@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "arithmetic/rounding.hpp"
 #include "batch_buffers.hpp"
 #include "commands.hpp"
 #include "frame_shape.hpp"
@@ -23,7 +24,13 @@ struct FrameForm {
 
   friend bool operator==(const FrameForm&, const FrameForm&) = default;
 
-  uint64_t pixels() const { return static_cast<uint64_t>(width) * static_cast<uint64_t>(height); }
+  /// Groups of pixels of mark.comp and render.comp.
+  uint32_t columns() const { return ceil_div(static_cast<uint32_t>(width), kGroupPixels); }
+  uint32_t rows() const { return ceil_div(static_cast<uint32_t>(height), kGroupPixels); }
+
+  /// The picture as render.comp writes it: rows of an even number of pixels.
+  uint64_t row_pixels() const { return 2 * ceil_div(static_cast<uint64_t>(width), uint64_t{2}); }
+  uint64_t drawn_pixels() const { return row_pixels() * static_cast<uint64_t>(height); }
 };
 
 class FrameSlot {
@@ -62,7 +69,8 @@ class FrameSlot {
     return commands_->times();
   }
 
-  /// Of a frame that is done: its counters and, with FrameOutput::kHost, its samples.
+  /// Of a frame that is done: its counters and, with FrameOutput::kHost, its samples, in rows of
+  /// FrameForm::row_pixels pixels.
   std::span<const uint32_t> counters() const { return results_.records<const uint32_t>(); }
   std::span<const uint16_t> samples() const;
 
@@ -79,6 +87,7 @@ class FrameSlot {
   Buffer counters_;
   Buffer results_;
   GrowingBuffer drawn_{Memory::kDevice};
+  GrowingBuffer rays_{Memory::kDevice};
   GrowingBuffer readback_{Memory::kReadback};
   std::optional<Commands> commands_;  // the first to go
 };

@@ -117,10 +117,10 @@ struct GpuDecoder::State {
     commands.barrier(kCompute, kCompute);
     commands.dispatch("walk", plain, arguments, batch.requests * sizes.levels);
     commands.barrier(kCompute, kCompute);
-    commands.dispatch("samples", last, arguments, batch.requests * sizes.sample_words);
+    commands.dispatch("samples", last, arguments, batch.requests * sizes.lanes());
     if (want == Want::kPixels) {
       commands.barrier(kCompute, kCompute);
-      commands.dispatch("colour", plain, arguments, batch.pixels * sizes.sample_words);
+      commands.dispatch("colour", plain, arguments, batch.pixels * sizes.lanes());
     }
     commands.barrier(kCompute, kTransfer);
     collect(commands);

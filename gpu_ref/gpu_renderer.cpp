@@ -145,7 +145,7 @@ struct GpuRenderer::State {
     slot.record_upload();
     // Frames before this one may still be under way.
     commands.barrier(kCompute | kTransfer | kIndirect, kCompute);
-    commands.dispatch("mark", variant, arguments, form.pixels());
+    commands.dispatch_groups("mark", variant, arguments, form.columns(), form.rows());
     commands.barrier(kCompute, kCompute | kIndirect);
     commands.dispatch("compact", variant, arguments, slot.shape().needed_words);
     commands.barrier(kCompute, kCompute);
@@ -153,7 +153,7 @@ struct GpuRenderer::State {
     commands.barrier(kCompute, kCompute);
     commands.dispatch_counted("samples", variant, arguments, groups, 4 * kDispatchSamples);
     commands.barrier(kCompute, kCompute);
-    commands.dispatch("render", variant, arguments, ceil_div(form.pixels(), kPixelsOfRender));
+    commands.dispatch_groups("render", variant, arguments, form.columns(), form.rows());
     slot.record_output();
     commands.end();
   }
@@ -196,8 +196,13 @@ struct GpuRenderer::State {
     frame.image.height = static_cast<uint32_t>(slot.form().height);
     frame.image.depth = header.depth;
     if (slot.form().output == FrameOutput::kDevice) return;
-    const auto samples = slot.samples();
-    frame.image.samples.assign(samples.begin(), samples.end());
+    const size_t row = size_t{3} * frame.image.width;
+    frame.image.samples.resize(row * frame.image.height);
+    const uint16_t* from = slot.samples().data();
+    for (uint32_t y = 0; y < frame.image.height; ++y) {
+      std::copy_n(from, row, frame.image.samples.begin() + static_cast<ptrdiff_t>(y * row));
+      from += 3 * static_cast<size_t>(slot.form().row_pixels());
+    }
   }
 
   Device::State& device;

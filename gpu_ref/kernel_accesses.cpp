@@ -34,10 +34,10 @@ constexpr KernelBuffers kKernels[] = {
      "pool counters used_pages"},
     {"colour", Kind::kPlain, "shape colour_areas statuses samples", "pixels pixel_statuses"},
     {"mark", Kind::kCounted, "shape frame needed held counters used_pages",
-     "needed counters used_pages dispatches"},
+     "needed rays counters used_pages dispatches"},
     {"compact", Kind::kCounted, "shape frame needed held pages counters",
      "requests needed held pages slots counters"},
-    {"render", Kind::kCounted, "shape frame pages counters pool", "drawn results"},
+    {"render", Kind::kCounted, "shape frame pages rays counters pool", "drawn results"},
 };
 
 Kind kind_of(const Variant& variant) {
@@ -86,7 +86,8 @@ constexpr NamedFrameBuffer kFrameBuffers[] = {
     {"pages", &FrameShape::pages},       {"slots", &FrameShape::slots},
     {"counters", &FrameShape::counters}, {"used_pages", &FrameShape::used_pages},
     {"results", &FrameShape::results},   {"dispatches", &FrameShape::dispatches},
-    {"drawn", &FrameShape::drawn},       {"pool", &FrameShape::pool}};
+    {"drawn", &FrameShape::drawn},       {"rays", &FrameShape::rays},
+    {"pool", &FrameShape::pool}};
 
 uint64_t address_of(std::string_view name, const Arguments& arguments, const FrameShape* frame) {
   for (const NamedBuffer& buffer : kArgumentBuffers) {

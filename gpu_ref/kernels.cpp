@@ -5,6 +5,7 @@
 
 #include "arguments.hpp"
 #include "device_state.hpp"
+#include "kernel_code.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -34,12 +35,6 @@ constexpr uint32_t kCompactCode[] =
 constexpr uint32_t kRenderCode[] =
 #include "shaders/render.inc"
     ;
-
-std::map<std::string, std::span<const uint32_t>> built_kernels() {
-  return {{"expand", kExpandCode},   {"walk", kWalkCode},     {"residuals", kResidualsCode},
-          {"samples", kSamplesCode}, {"colour", kColourCode}, {"mark", kMarkCode},
-          {"compact", kCompactCode}, {"render", kRenderCode}};
-}
 
 vk::raii::PipelineLayout make_layout(const vk::raii::Device& device) {
   const vk::PushConstantRange range(vk::ShaderStageFlagBits::eCompute, 0, sizeof(Arguments));
@@ -79,6 +74,12 @@ uint64_t number_of(const vk::PipelineExecutableStatisticKHR& statistic) {
 }
 
 }  // namespace
+
+std::map<std::string, std::span<const uint32_t>> built_kernels() {
+  return {{"expand", kExpandCode},   {"walk", kWalkCode},     {"residuals", kResidualsCode},
+          {"samples", kSamplesCode}, {"colour", kColourCode}, {"mark", kMarkCode},
+          {"compact", kCompactCode}, {"render", kRenderCode}};
+}
 
 Variant variant_of(KernelUse use, bool chunked, bool pool_chunked) {
   return {.chunked = chunked,

@@ -2,6 +2,7 @@
 #include "device.hpp"
 #include "gpu_decoder.hpp"
 #include "gpu_renderer.hpp"
+#include "kernel_code.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -14,6 +15,8 @@ tl::unexpected<Failure> missing() {
 }
 
 }  // namespace
+
+std::map<std::string, std::span<const uint32_t>> built_kernels() { return {}; }
 
 struct Device::State {
   DeviceInfo info;

@@ -50,13 +50,16 @@ layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer Co
 
 layout(buffer_reference, std430, buffer_reference_align = 4) buffer Requests { Request request[]; };
 
+/// Entries of blocks, as block_entry.glsl packs them: two halves each.
+layout(buffer_reference, std430, buffer_reference_align = 16) buffer Entries { uvec4 half_entry[]; };
+
 layout(push_constant, std430) uniform Arguments {
   StreamShape shape;
   uvec2 stream;          // ROOT, GROUP and TILE: Words, or Chunks with kChunked
   uvec2 references;      // the reference area: OutWords, or OutChunks with kChunked
   Areas areas;
   Requests requests;
-  OutWords entries;      // tree_height + 1 of ENTRY_WORDS words a request
+  Entries entries;       // tree_height + 1 of ENTRY_WORDS words a request
   OutWords statuses;     // one a request
   OutWords samples;      // two samples a word, B * B / 2 words a request
   OutWords stages;       // of the debug variant: four stages a level a request

@@ -13,11 +13,6 @@ Levels levels_of_code(uint code) {
   return Levels(entry & 0xFFFFu, (entry >> 16) & 0xFu, entry >> 20);
 }
 
-/// Bits of T and of Q that follow plain value k of a digit group: 2, 2, 1, 2, 1 and 3, 2, 2 (BISE-5,
-/// BISE-6).
-uint trit_code_bits(uint k) { return (0x12122u >> (4u * k)) & 15u; }
-uint quint_code_bits(uint k) { return (0x223u >> (4u * k)) & 15u; }
-
 /// Bits of a sequence of `count` values (BISE-3).
 uint bise_bits(Levels levels, uint count) {
   uint bits = levels.plain_bits * count;
@@ -26,8 +21,8 @@ uint bise_bits(Levels levels, uint count) {
   return bits;
 }
 
-/// Trit i in [0, 4] of code T (BISE-8). Every code is valid (BISE-10).
-uint trit_of_code(uint T, uint i) {
+/// The five trits of code T, trit i in bits [4i, 4i + 3] (BISE-8). Every code is valid (BISE-10).
+uint trits_of_code(uint T) {
   uint C, t4, t3;
   if (((T >> 2) & 7u) == 7u) {
     C = ((T >> 3) & 0x1Cu) | (T & 3u);
@@ -54,11 +49,11 @@ uint trit_of_code(uint T, uint i) {
     t1 = (C >> 2) & 3u;
     t0 = (C & 2u) | (C & 1u & ~(C >> 1));
   }
-  return i < 2u ? (i == 0u ? t0 : t1) : i == 2u ? t2 : i == 3u ? t3 : t4;
+  return t0 | t1 << 4 | t2 << 8 | t3 << 12 | t4 << 16;
 }
 
-/// Quint i in [0, 2] of code Q (BISE-9). Every code is valid (BISE-10).
-uint quint_of_code(uint Q, uint i) {
+/// The three quints of code Q, quint i in bits [4i, 4i + 3] (BISE-9). Every code is valid (BISE-10).
+uint quints_of_code(uint Q) {
   uint q2, q1, q0;
   const uint low = Q & 1u;
   if (((Q >> 1) & 3u) == 3u && (Q >> 5) == 0u) {
@@ -78,17 +73,18 @@ uint quint_of_code(uint Q, uint i) {
     q1 = five ? 4u : C >> 3;
     q0 = five ? C >> 3 : C & 7u;
   }
-  return i == 0u ? q0 : i == 1u ? q1 : q2;
+  return q0 | q1 << 4 | q2 << 8;
 }
 
-/// Bits [position, position + count) of a window of 96 bits; count in [0, 32], their end in [0, 96].
+/// Bits [position, position + count) of a window of 96 bits; count in [0, 31], their end in [0, 96].
 uint window_bits(uvec3 window, uint position, uint count) {
+  const uint mask = (1u << count) - 1u;
+  if (position + count <= 32u) return (window.x >> min(position, 31u)) & mask;
   const bool second = position >= 32u;
   const uint low = position >= 64u ? window.z : second ? window.y : window.x;
   const uint high = second ? window.z : window.y;
   const uint at = position & 31u;
-  const uint value = (low >> at) | (at == 0u ? 0u : high << (32u - at));
-  return value & low_bits(count);
+  return ((low >> at) | (at == 0u ? 0u : high << (32u - at))) & mask;
 }
 
 /// The `count` bits, count in [0, 96], from bit `start` of the bit string on that begins with bit
@@ -103,28 +99,64 @@ uvec3 read_window(uint word, uint bit, uint length, uint start, uint count) {
   return window;
 }
 
-/// Value i of a sequence of `count` values that begins with bit `bit` of stream word `word`
-/// (BISE-4 to BISE-7, BISE-11). The stream holds the whole sequence; i < count.
-uint bise_value(uint word, uint bit, Levels levels, uint count, uint i) {
+/// How the values of a sequence lie in groups: those without digits in fives, too.
+struct Grouping {
+  uint values;  // of a group
+  uint bits;    // of a group
+  uint before;  // bits of the code before plain value k, in bits [4k, 4k + 3] (BISE-5, BISE-6)
+};
+
+Grouping grouping_of(Levels levels) {
   const uint n = levels.plain_bits;
-  const uint length = bise_bits(levels, count);
-  if (levels.digit == DIGIT_NONE) return read_window(word, bit, length, n * i, n).x;
-  const bool trits = levels.digit == DIGIT_TRIT;
-  const uint in_group = trits ? TRITS_IN_GROUP : QUINTS_IN_GROUP;
-  const uint group_bits = n * in_group + (trits ? TRIT_GROUP_BITS : QUINT_GROUP_BITS);
-  const uint digit_group = i / in_group;
-  const uint own = i - digit_group * in_group;
-  const uvec3 window = read_window(word, bit, length, digit_group * group_bits, group_bits);
-  uint code = 0u;
-  uint plain_at = 0u;
-  uint before = 0u;  // bits of the code that have been read
-  for (uint k = 0u; k < in_group; ++k) {
-    const uint at = n * k + before;
-    if (k == own) plain_at = at;
-    const uint bits = trits ? trit_code_bits(k) : quint_code_bits(k);
-    code |= window_bits(window, at + n, bits) << before;
-    before += bits;
+  if (levels.digit == DIGIT_TRIT) {
+    return Grouping(TRITS_IN_GROUP, n * TRITS_IN_GROUP + TRIT_GROUP_BITS, 0x875420u);
   }
-  const uint digit = trits ? trit_of_code(code, own) : quint_of_code(code, own);
-  return (digit << n) | window_bits(window, plain_at, n);
+  if (levels.digit == DIGIT_QUINT) {
+    return Grouping(QUINTS_IN_GROUP, n * QUINTS_IN_GROUP + QUINT_GROUP_BITS, 0x7530u);
+  }
+  return Grouping(TRITS_IN_GROUP, n * TRITS_IN_GROUP, 0u);
+}
+
+uint code_bits_before(Grouping grouping, uint k) { return (grouping.before >> (4u * k)) & 15u; }
+
+/// One group of a sequence: its bits, and its digits, digit k in bits [4k, 4k + 3].
+struct DigitGroup {
+  uvec3 window;
+  uint digits;
+};
+
+/// Group `number` of a sequence of `count` values that begins with bit `bit` of stream word `word`
+/// (BISE-4 to BISE-7). The stream holds the whole sequence; a group past its end is 0.
+DigitGroup read_group(uint word, uint bit, Levels levels, Grouping grouping, uint count, uint number) {
+  const uint length = bise_bits(levels, count);
+  const uint start = min(number * grouping.bits, length);
+  DigitGroup group;
+  group.window = read_window(word, bit, length, start, grouping.bits);
+  group.digits = 0u;
+  if (levels.digit == DIGIT_NONE) return group;
+  const uint n = levels.plain_bits;
+  uint code = 0u;
+  [[dont_unroll]] for (uint k = 0u; k < grouping.values; ++k) {
+    const uint before = code_bits_before(grouping, k);
+    const uint bits = code_bits_before(grouping, k + 1u) - before;
+    code |= window_bits(group.window, n * (k + 1u) + before, bits) << before;
+  }
+  group.digits = levels.digit == DIGIT_TRIT ? trits_of_code(code) : quints_of_code(code);
+  return group;
+}
+
+/// Value k of a group (BISE-2).
+uint value_of_group(DigitGroup group, Levels levels, Grouping grouping, uint k) {
+  const uint n = levels.plain_bits;
+  return ((group.digits >> (4u * k)) & 15u) << n |
+         window_bits(group.window, n * k + code_bits_before(grouping, k), n);
+}
+
+/// Value i of a sequence of `count` values that begins with bit `bit` of stream word `word`
+/// (BISE-11). The stream holds the whole sequence; i < count.
+uint bise_value(uint word, uint bit, Levels levels, uint count, uint i) {
+  const Grouping grouping = grouping_of(levels);
+  const uint number = i / grouping.values;
+  const DigitGroup group = read_group(word, bit, levels, grouping, count, number);
+  return value_of_group(group, levels, grouping, i - number * grouping.values);
 }

@@ -32,8 +32,10 @@ Request request_of_bit(uint bit) {
                  p | frame().stop_level << 8 | 1u << 16);
 }
 
-/// The slot of the block of a bit, if it is held.
-uint slot_of_bit(uint bit) { return frame().pages.word[bit >> 5] << 5 | (bit & 31u); }
+/// The slot of the block of a bit, if it is held; else any slot that there is.
+uint slot_of_bit(uint bit) {
+  return min(frame().pages.word[bit >> 5], frame().pool_pages - 1u) << 5 | (bit & 31u);
+}
 
 /// The image shown in the place of a view, and where sample (x, y) of plane p lies in it.
 struct SamplePlace {

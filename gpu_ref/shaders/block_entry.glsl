@@ -44,36 +44,31 @@ Reference reference_of_words(uint base, uint vector) {
 }
 
 void write_entry(uint number, BlockEntry entry) {
-  const uint at = number * ENTRY_WORDS;
-  arguments.entries.word[at] = entry.status | entry.kind << 8 | entry.count << 10 |
-                               uint(entry.negative) << 12 | uint(entry.residual) << 13 |
-                               entry.level_code << 16 | entry.step_code << 24;
-  arguments.entries.word[at + 1u] = entry.values_word;
-  arguments.entries.word[at + 2u] = entry.values_bit | (uint(entry.bias) & 0xFFFFu) << 16;
-  for (uint i = 0u; i < 2u; ++i) {
-    arguments.entries.word[at + 3u + 2u * i] = entry.references[i].base;
-    arguments.entries.word[at + 4u + 2u * i] = vector_word(entry.references[i]);
-  }
+  arguments.entries.half_entry[2u * number] =
+      uvec4(entry.status | entry.kind << 8 | entry.count << 10 | uint(entry.negative) << 12 |
+                uint(entry.residual) << 13 | entry.level_code << 16 | entry.step_code << 24,
+            entry.values_word, entry.values_bit | (uint(entry.bias) & 0xFFFFu) << 16,
+            entry.references[0].base);
+  arguments.entries.half_entry[2u * number + 1u] =
+      uvec4(vector_word(entry.references[0]), entry.references[1].base,
+            vector_word(entry.references[1]), 0u);
 }
 
 BlockEntry read_entry(uint number) {
-  const uint at = number * ENTRY_WORDS;
-  const uint head = arguments.entries.word[at];
-  const uint place = arguments.entries.word[at + 2u];
+  const uvec4 first = arguments.entries.half_entry[2u * number];
+  const uvec4 second = arguments.entries.half_entry[2u * number + 1u];
   BlockEntry entry;
-  entry.status = head & 0xFFu;
-  entry.kind = (head >> 8) & 3u;
-  entry.count = (head >> 10) & 3u;
-  entry.negative = ((head >> 12) & 1u) != 0u;
-  entry.residual = ((head >> 13) & 1u) != 0u;
-  entry.level_code = (head >> 16) & 0xFFu;
-  entry.step_code = head >> 24;
-  entry.values_word = arguments.entries.word[at + 1u];
-  entry.values_bit = place & 31u;
-  entry.bias = int(place) >> 16;
-  for (uint i = 0u; i < 2u; ++i) {
-    entry.references[i] = reference_of_words(arguments.entries.word[at + 3u + 2u * i],
-                                             arguments.entries.word[at + 4u + 2u * i]);
-  }
+  entry.status = first.x & 0xFFu;
+  entry.kind = (first.x >> 8) & 3u;
+  entry.count = (first.x >> 10) & 3u;
+  entry.negative = ((first.x >> 12) & 1u) != 0u;
+  entry.residual = ((first.x >> 13) & 1u) != 0u;
+  entry.level_code = (first.x >> 16) & 0xFFu;
+  entry.step_code = first.x >> 24;
+  entry.values_word = first.y;
+  entry.values_bit = first.z & 31u;
+  entry.bias = int(first.z) >> 16;
+  entry.references[0] = reference_of_words(first.w, second.x);
+  entry.references[1] = reference_of_words(second.y, second.z);
   return entry;
 }

@@ -1,7 +1,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// From decoded planes to pixels (COL-2, COL-3): one invocation for two pixels of a block.
+// From decoded planes to pixels (COL-2, COL-3): one invocation for up to 8 pixels of a
+// block.
 #include "decode.glsl"
+#include "block_lanes.glsl"
 #include "colour.glsl"
 
 /// The area that holds block `number`: the last that begins at it or before it.
@@ -15,11 +17,9 @@ ColourArea colour_area_of(uint number) {
   return arguments.colour_areas.area[low];
 }
 
-/// Sample `at` of request q.
-int decoded_sample(uint q, uint at) {
-  const uint words_log2 = 2u * arguments.shape.block_log2 - 1u;
-  const uint word = arguments.samples.word[(q << words_log2) + (at >> 1)];
-  return bitfieldExtract(int(word), int(16u * (at & 1u)), 16);
+/// Samples `at`, which is even, and at + 1 of request q.
+ivec2 decoded_pair(uint q, uint at) {
+  return samples_of_pair(arguments.samples.word[(q << words_of_block_log2()) + (at >> 1)]);
 }
 
 /// The requests of Y, Co and Cg that a block needs, and where in the chroma blocks it lies.
@@ -39,22 +39,27 @@ Sources sources_of(ColourArea area, uint at) {
   return Sources(area.luma + at, area.co + in_area, area.cg + in_area, corner, halved);
 }
 
-/// The pixel at position (x, y) of the block (COL-2).
-ivec3 pixel(Sources sources, uint x, uint y) {
-  const uint log2 = arguments.shape.block_log2;
-  const uvec2 c = sources.chroma + (uvec2(x, y) >> sources.halved);
-  const uint chroma_at = (c.y << log2) + c.x;
-  return inverse_colour(ivec3(decoded_sample(sources.luma, (y << log2) + x),
-                              decoded_sample(sources.co, chroma_at),
-                              decoded_sample(sources.cg, chroma_at)),
-                        arguments.shape.depth);
+/// Chroma of two pixels, from sample `at` of request q on; with `halved` it is the same of both.
+ivec2 chroma_pair(uint q, uint at, uint halved) {
+  const ivec2 pair = decoded_pair(q, at & ~1u);
+  return halved == 0u ? pair : ivec2((at & 1u) == 0u ? pair.x : pair.y);
+}
+
+/// The pixels at positions i, which is even, and i + 1 of the block (COL-2).
+ivec3[2] pixels(Sources sources, uint i) {
+  const uvec2 c = sources.chroma + (place_in_block(i) >> sources.halved);
+  const uint chroma_at = (c.y << arguments.shape.block_log2) + c.x;
+  const ivec2 luma = decoded_pair(sources.luma, i);
+  const ivec2 co = chroma_pair(sources.co, chroma_at, sources.halved);
+  const ivec2 cg = chroma_pair(sources.cg, chroma_at, sources.halved);
+  const uint depth = arguments.shape.depth;
+  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), depth),
+                  inverse_colour(ivec3(luma.y, co.y, cg.y), depth));
 }
 
 void main() {
-  const uint log2 = arguments.shape.block_log2;
-  const uint words_log2 = 2u * log2 - 1u;
   const uint number = invocation();
-  const uint b = number >> words_log2;
+  const uint b = number >> lanes_of_block_log2();
   if (b >= arguments.pixel_count) return;
   const ColourArea area = colour_area_of(b);
   const Sources sources = sources_of(area, b - area.first_block);
@@ -62,18 +67,18 @@ void main() {
   if (status == ERROR_OK) status = arguments.statuses.word[sources.co];
   if (status == ERROR_OK) status = arguments.statuses.word[sources.cg];
 
-  const uint word = number & low_bits(words_log2);
-  const uint x = (2u * word) & low_bits(log2);
-  const uint y = (2u * word) >> log2;
-  ivec3 first = ivec3(0);
-  ivec3 second = ivec3(0);
-  if (status == ERROR_OK) {
-    first = pixel(sources, x, y);
-    second = pixel(sources, x + 1u, y);
+  const uint lane = number & low_bits(lanes_of_block_log2());
+  for (uint k = 0u; k < 1u << words_of_lane_log2(); ++k) {
+    const uint word = (lane << 2) + k;
+    uvec3 pairs = uvec3(0u);
+    if (status == ERROR_OK) {
+      const ivec3 both[2] = pixels(sources, 2u * word);
+      pairs = uvec3(both[0]) | uvec3(both[1]) << 16;
+    }
+    const uint first = ((3u * b) << words_of_block_log2()) + word;
+    arguments.pixels.word[first] = pairs.x;
+    arguments.pixels.word[first + (1u << words_of_block_log2())] = pairs.y;
+    arguments.pixels.word[first + (2u << words_of_block_log2())] = pairs.z;
   }
-  for (uint lane = 0u; lane < 3u; ++lane) {
-    const uint pair = (uint(first[lane]) & 0xFFFFu) | uint(second[lane]) << 16;
-    arguments.pixels.word[((3u * b + lane) << words_log2) + word] = pair;
-  }
-  if (word == 0u) arguments.pixel_statuses.word[b] = status;
+  if (lane == 0u) arguments.pixel_statuses.word[b] = status;
 }

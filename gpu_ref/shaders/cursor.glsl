@@ -22,3 +22,9 @@ void skip(inout Cursor cursor, uint count) {
   cursor.overrun = cursor.overrun || !holds(cursor.record, cursor.position, count);
   cursor.position += count;
 }
+
+/// The next 32 bits, which stay; those past the end are 0.
+uint peek(Cursor cursor) {
+  const uint left = cursor.record.bits - min(cursor.position, cursor.record.bits);
+  return record_bits(cursor.record, cursor.position, min(left, 32u));
+}

@@ -14,6 +14,8 @@ struct FrameRecord {
   int width, height;
 };
 
+layout(buffer_reference, std430, buffer_reference_align = 16) buffer Rays { ivec4 ray[]; };
+
 layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Frame {
   OutWords needed;     // one bit a block (block_bits.glsl); 0 between frames
   OutWords held;       // as many: the blocks whose samples are in the pool
@@ -23,7 +25,8 @@ layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Fra
   OutWords used_pages; // pages that the frames before use, or kUsedNothingHeld
   OutWords results;    // for the host: the counters
   OutWords dispatches; // kDispatch..., three words each
-  OutWords drawn;      // three samples of 16 bits a pixel, row by row
+  OutWords drawn;      // three samples of 16 bits a pixel, rows of an even number of pixels
+  Rays rays;           // of each pixel, group by group (pixel_group.glsl)
   uvec2 pool;          // pages of 32 slots, of a block each: OutWords, or OutChunks with kPoolChunked
   uint pool_chunk_log2;
   uint pool_pages;     // that there is room for

@@ -53,7 +53,7 @@ void plan_frame() {
   if (room || forget) frame().used_pages.word[0] = room ? pages : kUsedNothingHeld;
   const uint count = room ? decoded : 0u;
   write_dispatch(kDispatchWalk, count * (arguments.shape.top + 1u));
-  write_dispatch(kDispatchSamples, count << (2u * arguments.shape.block_log2 - 1u));
+  write_dispatch(kDispatchSamples, count << lanes_of_block_log2());
 }
 
 /// Adds what the workgroup has counted; the last workgroup plans the frame.

@@ -1,60 +1,151 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_memory_scope_semantics : require
-// The blocks that a frame needs (NED-1), and what it therefore decodes: one invocation a pixel.
+// The blocks that a frame needs (NED-1), and what it therefore decodes: one workgroup for 8 x 8
+// pixels. In each view they need blocks of a small window, which has bits in shared memory; a row of
+// those is marked at once.
 #include "decode.glsl"
 #include "requests.glsl"
+#include "u64.glsl"
 #include "frame.glsl"
 #include "frame_arguments.glsl"
 #include "block_bits.glsl"
 #include "rays.glsl"
 #include "frame_taps.glsl"
+#include "pixel_group.glsl"
+#include "block_lanes.glsl"
 #include "frame_plan.glsl"
 
-/// Most bits are set already: an atomic operation only where that is not so.
-void mark(uint bit) {
-  const uint mask = 1u << (bit & 31u);
-  const uint marked = atomicLoad(frame().needed.word[bit >> 5], gl_ScopeDevice,
+/// A window has 8 x 8 blocks of plane Y, 8 bits for each row. Blocks of chroma planes are needed that
+/// hold samples of the same pixels: those below blocks of plane Y (COL-3).
+const uint kWindow = 8u;
+shared uint window_bits[kWindows * kWindow];
+
+/// The bits `bits` of word `word`. Most are set already: an atomic operation only where that is not so.
+void mark_word(uint word, uint bits) {
+  const uint marked = atomicLoad(frame().needed.word[word], gl_ScopeDevice,
                                  gl_StorageSemanticsBuffer, gl_SemanticsRelaxed);
-  if ((marked & mask) == 0u) {
-    count_marked(bit >> 5, atomicOr(frame().needed.word[bit >> 5], mask), mask);
+  if ((bits & ~marked) != 0u) {
+    count_marked(word, atomicOr(frame().needed.word[word], bits), bits);
   }
 }
 
-void mark_pixel(uvec2 image, int x, int y) {
-  for (uint p = 0u; p < 3u; ++p) {
-    mark(bit_of_block(image, p, place_of_sample(p, uint(x), uint(y)).block));
-  }
+/// Marks blocks of a row of plane p of `image` from `first` on, as `row`, of up to 8 bits, says.
+void mark_row(uvec2 image, uint p, uvec2 first, uint row) {
+  const uint bit = bit_of_block(image, p, first);
+  const uint at = bit & 31u;
+  mark_word(bit >> 5, row << at);
+  if (at > 24u && row >> (32u - at) != 0u) mark_word((bit >> 5) + 1u, row >> (32u - at));
 }
 
-void mark_view(FrameRecord f, Ray ray, int row, int col) {
-  const uvec2 image = shown_image(row, col);
-  const AxisTaps x = axis_taps(f, x_in_view(f, ray.xb, col), f.width);
-  const AxisTaps y = axis_taps(f, y_in_view(f, ray.yb, row), f.height);
-  const int last_x = x.first + (x.fraction != 0 ? 1 : 0);
-  const int last_y = y.first + (y.fraction != 0 ? 1 : 0);
-  for (int py = y.first; py <= last_y; ++py) {
-    for (int px = x.first; px <= last_x; ++px) mark_pixel(image, px, py);
-  }
+/// Row y of window `window`, as bits from the column on that is a whole number of chroma blocks.
+uint even_row(uint window, uint y, uint odd) {
+  return y < kWindow ? window_bits[window * kWindow + y] << odd : 0u;
 }
 
-void mark_pixel_of_frame(FrameRecord f, uint number) {
-  if (number >= uint(f.frame_width) * uint(f.frame_height)) return;
-  const Ray ray = trace(f, int(number % uint(f.frame_width)), int(number / uint(f.frame_width)));
-  if (!ray.inside) return;
-  const ViewRange cols = view_range(f, ray.u);
-  const ViewRange rows = view_range(f, ray.v);
-  for (int i = 0; i < rows.count; ++i) {
-    if (view_weight(f, rows, rows.first + i) == 0) continue;
-    for (int j = 0; j < cols.count; ++j) {
-      if (view_weight(f, cols, cols.first + j) == 0) continue;
-      mark_view(f, ray, clamp(rows.first + i, 0, f.rows - 1), clamp(cols.first + j, 0, f.cols - 1));
+/// One bit for each two of the 10 bits of `row`.
+uint halved_row(uint row) {
+  const uint pairs = (row | row >> 1) & 0x155u;
+  const uint fours = (pairs | pairs >> 1) & 0x333u;
+  return (fours & 3u) | ((fours >> 2) & 0xCu) | ((fours >> 4) & 0x30u);
+}
+
+/// Marks the blocks of row `y` of a window, and those of the chroma planes below it: where they are
+/// halved, with the next row, once for both.
+void mark_blocks(uvec2 lines, uint window, uint y) {
+  const Line col = window_cols[lines.x];
+  const Line line = window_rows[lines.y];
+  const uvec2 image = shown_image(ivec2(col.view, line.view));
+  const uvec2 corner = uvec2(col.first, line.first) >> arguments.shape.block_log2;
+  const uvec2 first = corner + uvec2(0u, y);
+  uint row = window_bits[window * kWindow + y];
+  if (row != 0u) mark_row(image, 0u, first, row);
+  uvec2 chroma = first;
+  if (arguments.shape.chroma_halved != 0u) {
+    const uint odd = corner.x & 1u;
+    if ((first.y & 1u) != 0u && y != 0u) return;  // with the row before
+    row = even_row(window, y, odd);
+    if ((first.y & 1u) == 0u) row |= even_row(window, y + 1u, odd);
+    row = halved_row(row);
+    chroma >>= 1;
+  }
+  if (row == 0u) return;
+  mark_row(image, 1u, chroma, row);
+  mark_row(image, 2u, chroma, row);
+}
+
+/// The blocks of plane Y that a pixel needs along an axis, from the first of the windows on.
+struct BlockLine {
+  PixelLine line;
+  uint first, last;
+};
+
+BlockLine block_line(PixelLine line, int window_first) {
+  const uint log2 = arguments.shape.block_log2;
+  const uint corner = uint(window_first) >> log2;
+  return BlockLine(line, (uint(first_pixel(line.tap)) >> log2) - corner,
+                   (uint(last_pixel(line.tap)) >> log2) - corner);
+}
+BlockLine block_col(PixelLine line) { return block_line(line, window_cols[line.line].first); }
+BlockLine block_row(PixelLine line) { return block_line(line, window_rows[line.line].first); }
+
+/// Sets the bits of what a pixel needs of one view: one or two rows.
+void mark_view(Passes passes, BlockLine col, BlockLine row) {
+  if (col.line.weight * row.line.weight == 0) return;
+  const uint rows = window_of_pixel(passes, col.line, row.line) * kWindow;
+  const uint bits = (2u << col.last) - (1u << col.first);
+  atomicOr(window_bits[rows + row.first], bits);
+  if (row.last != row.first) atomicOr(window_bits[rows + row.last], bits);
+}
+
+/// Marks what the invocation's pixel needs in pass `pass`, 2 x 2 views at a time.
+void mark_pixel(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pass) {
+  const PixelRange range = range_of_pass(f, passes, pass);
+  for (int i = range.first.y; i < range.end.y; i += 2) {
+    const BlockLine row0 = block_row(pixel_row(f, rows, passes, ray, pass, range, i));
+    const BlockLine row1 = block_row(pixel_row(f, rows, passes, ray, pass, range, i + 1));
+    for (int j = range.first.x; j < range.end.x; j += 2) {
+      const BlockLine col0 = block_col(pixel_col(f, cols, passes, ray, range, j));
+      const BlockLine col1 = block_col(pixel_col(f, cols, passes, ray, range, j + 1));
+      mark_view(passes, col0, row0);
+      mark_view(passes, col1, row0);
+      mark_view(passes, col0, row1);
+      mark_view(passes, col1, row1);
     }
   }
 }
 
 void main() {
   begin_marking();
-  mark_pixel_of_frame(frame().record, invocation());
+  const uint lane = gl_LocalInvocationIndex;
+  const Filter f = filter_of_frame();
+  const Axis cols = column_axis();
+  const Axis rows = row_axis();
+  const ivec2 at = pixel_of_invocation();
+  const Ray ray = trace(frame().record, at.x, at.y);
+  write_ray(ray);
+  find_bounds(ray);
+  barrier();
+  if (lane == 0u) {
+    const ivec2 blocks = (most_pixels_of_group() >> arguments.shape.block_log2) + 2;
+    const bool room = max(blocks.x, blocks.y) <= int(kWindow);
+    group_passes = passes_of_group(f, cols, rows, room ? kWindowsLog2 : -1);
+  }
+  barrier();
+  const Passes passes = group_passes;
+  for (uint pass = 0u; pass < passes.count; ++pass) {
+    const uint windows = windows_of_pass(passes, pass);
+    write_lines(f, cols, rows, passes, ray, pass);
+    for (uint i = lane; i < windows * kWindow; i += gl_WorkGroupSize.x) window_bits[i] = 0u;
+    barrier();
+    if (ray.inside) mark_pixel(f, cols, rows, passes, ray, pass);
+    barrier();
+    for (uint i = lane; i < windows * kWindow; i += gl_WorkGroupSize.x) {
+      uvec2 lines;
+      if (!lines_of_window(passes, pass, i / kWindow, lines)) continue;
+      mark_blocks(lines, i / kWindow, i % kWindow);
+    }
+    barrier();
+  }
   end_marking();
 }

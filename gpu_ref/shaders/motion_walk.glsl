@@ -13,18 +13,22 @@ struct PaletteEntry {
   int explicit_x, explicit_y;
 };
 
-/// The next palette entry (MOT-3).
+/// The next palette entry, of at most 32 bits (MOT-3).
 PaletteEntry read_palette_entry(inout Cursor cursor, bool keyed, uint explicit_bits) {
-  PaletteEntry entry = PaletteEntry(0u, 0u, false, 0, 0);
-  if (has_feature(FEATURE_TWO_REFERENCES)) entry.reference_set = take(cursor, 3u);
-  entry.choice = take(cursor, 4u);
-  if (!keyed) entry.negative = take(cursor, 1u) != 0u;
-  if (entry.choice == kChoiceDisparity || entry.choice == kChoiceVector) {
-    entry.explicit_x = sign_extend(take(cursor, explicit_bits), explicit_bits);
-  }
-  if (entry.choice == kChoiceVector) {
-    entry.explicit_y = sign_extend(take(cursor, explicit_bits), explicit_bits);
-  }
+  const uint fields = peek(cursor);
+  const uint set_bits = has_feature(FEATURE_TWO_REFERENCES) ? 3u : 0u;
+  PaletteEntry entry;
+  entry.reference_set = fields & low_bits(set_bits);
+  entry.choice = (fields >> set_bits) & 15u;
+  uint bits = set_bits + 4u;
+  entry.negative = !keyed && ((fields >> bits) & 1u) != 0u;
+  bits += keyed ? 0u : 1u;
+  const uint x_bits = entry.choice == kChoiceDisparity || entry.choice == kChoiceVector
+                          ? explicit_bits : 0u;
+  const uint y_bits = entry.choice == kChoiceVector ? explicit_bits : 0u;
+  entry.explicit_x = sign_extend(fields >> bits, x_bits);
+  entry.explicit_y = sign_extend(fields >> (bits + x_bits), y_bits);
+  skip(cursor, bits + x_bits + y_bits);
   return entry;
 }
 
@@ -71,7 +75,12 @@ uint walk_to_palette(uint image, MotionPlaneShape plane, uvec2 place, bool keyed
     return ERROR_BAD_MODE;
   }
   Cursor palette = cursor;
-  for (uint e = 0u; e <= size; ++e) read_palette_entry(cursor, keyed, explicit_bits);
+  uvec2 places = uvec2(0u);  // of entries, in bits from the first, 8 bits each
+  for (uint e = 0u; e <= size; ++e) {
+    const uint place = (cursor.position - palette.position) << (8u * (e & 3u));
+    if (e < 4u) places.x |= place; else places.y |= place;
+    read_palette_entry(cursor, keyed, explicit_bits);
+  }
   const uvec2 blocks = (motion_tile_size(plane, tile) + ((1u << block_log2) - 1u)) >> block_log2;
   const uint count = blocks.x * blocks.y;
   const Levels levels = levels_of_code(kPaletteLevelCode[size]);
@@ -81,7 +90,8 @@ uint walk_to_palette(uint image, MotionPlaneShape plane, uvec2 place, bool keyed
   const uvec2 block = (place - (tile << log2)) >> block_log2;
   const uint index = record_value(record, indices, levels, count, block.y * blocks.x + block.x);
   if (index > size) return ERROR_BAD_MODE;
-  for (uint e = 0u; e <= index; ++e) entry = read_palette_entry(palette, keyed, explicit_bits);
+  palette.position += ((index < 4u ? places.x : places.y) >> (8u * (index & 3u))) & 0xFFu;
+  entry = read_palette_entry(palette, keyed, explicit_bits);
   return is_usable(entry) ? ERROR_OK : ERROR_BAD_MODE;
 }
 

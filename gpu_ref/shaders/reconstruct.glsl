@@ -1,4 +1,4 @@
-// The arithmetic of one sample (TIL-10, STP-2, STP-3, DEC-3).
+// The arithmetic of samples (TIL-10, STP-2, STP-3, DEC-3).
 
 /// The step of a step code in [0, MAX_STEP_CODE] (STP-2).
 int step_of_code(uint code) {
@@ -6,22 +6,41 @@ int step_of_code(uint code) {
   return (code & 1u) != 0u ? 1 << ((code + 1u) >> 1) : 3 << ((code - 2u) >> 1);
 }
 
-/// The residual at position i of a block (TIL-9, TIL-10, STP-3).
-int residual_value(BlockEntry entry, PlaneShape plane, uint i) {
+/// The residuals at positions `first` to first + 7 of a block, as pairs of samples (TIL-9, TIL-10,
+/// STP-3); anything behind its last. Reads each digit group once.
+uvec4 residual_pairs(BlockEntry entry, PlaneShape plane, uint first) {
   const Levels levels = levels_of_code(entry.level_code);
-  const uint samples = 1u << (2u * arguments.shape.block_log2);
-  const uint value = bise_value(entry.values_word, entry.values_bit, levels, samples, i);
-  const int centred = int(value) - int(levels.count >> 1) + entry.bias;
-  const int unstepped = clamp(centred, -plane.bound, plane.bound);
-  return clamp(step_of_code(entry.step_code) * unstepped, -plane.bound, plane.bound);
+  const Grouping grouping = grouping_of(levels);
+  const uint count = 1u << (2u * arguments.shape.block_log2);
+  const int offset = entry.bias - int(levels.count >> 1);
+  const int step = step_of_code(entry.step_code);
+  uint number = first / grouping.values;
+  uint k = first - number * grouping.values;
+  DigitGroup group = read_group(entry.values_word, entry.values_bit, levels, grouping, count, number);
+  uvec4 pairs = uvec4(0u);
+  int even = 0;
+  [[dont_unroll]] for (uint i = 0u; i < SAMPLES_OF_LANE; ++i) {
+    if (k == grouping.values) {
+      k = 0u;
+      ++number;
+      group = read_group(entry.values_word, entry.values_bit, levels, grouping, count, number);
+    }
+    const int centred = int(value_of_group(group, levels, grouping, k)) + offset;
+    const int unstepped = clamp(centred, -plane.bound, plane.bound);
+    const int residual = clamp(step * unstepped, -plane.bound, plane.bound);
+    if ((i & 1u) != 0u) pairs = uvec4(pairs.yzw, sample_pair(ivec2(even, residual)));
+    even = residual;
+    ++k;
+  }
+  return pairs;
 }
 
 /// A(x, y) of DEC-3 with motion; `parent` is P(x, y), 0 at keyed levels (EXT-5).
-int motion_prediction(int parent, bool negative, int reference, PlaneShape plane) {
-  return clamp(negative ? parent - reference : parent + reference, plane.lo, plane.hi);
+ivec2 motion_prediction(ivec2 parent, bool negative, ivec2 reference, PlaneShape plane) {
+  return clamp(negative ? parent - reference : parent + reference, ivec2(plane.lo), ivec2(plane.hi));
 }
 
-/// The sample of DEC-3 from A(x, y) and its residual.
-int add_residual(int prediction, int residual, PlaneShape plane) {
-  return clamp(prediction + residual, plane.lo, plane.hi);
+/// The samples of DEC-3 from A(x, y) and their residuals.
+ivec2 add_residual(ivec2 prediction, ivec2 residual, PlaneShape plane) {
+  return clamp(prediction + residual, ivec2(plane.lo), ivec2(plane.hi));
 }

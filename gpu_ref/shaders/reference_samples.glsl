@@ -19,15 +19,14 @@ void write_reference_word(uint at, uint value) {
   }
 }
 
-/// Samples 2k and 2k + 1 as one word.
-uint sample_pair(ivec2 samples) {
-  return (uint(samples.x) & 0xFFFFu) | uint(samples.y) << 16;
+/// Sample x of the row that begins with word `first`.
+int row_sample(uint first, int x) {
+  return bitfieldExtract(int(reference_word(first + (uint(x) >> 1))), 16 * (x & 1), 16);
 }
 
 /// Sample (x, y) of the plane at `base`; inside the plane.
 int reference_sample(uint base, PlaneShape plane, int x, int y) {
-  const uint word = reference_word(base + uint(y) * plane.row_words + (uint(x) >> 1));
-  return bitfieldExtract(int(word), 16 * (x & 1), 16);
+  return row_sample(base + uint(y) * plane.row_words, x);
 }
 
 /// ref(x, y) of DEC-4 with the border rule of DEC-5.

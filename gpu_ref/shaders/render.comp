@@ -1,68 +1,170 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// The pixels of a frame (SMP-2, SMP-3): one invocation for two pixels, three words.
+// The pixels of a frame (SMP-2, SMP-3): one workgroup for 8 x 8 pixels. It fetches the pixels of
+// views that they need into shared memory, each once, and draws from there.
 #include "decode.glsl"
 #include "requests.glsl"
+#include "u64.glsl"
 #include "frame.glsl"
 #include "frame_arguments.glsl"
 #include "block_bits.glsl"
 #include "rays.glsl"
 #include "frame_taps.glsl"
+#include "block_lanes.glsl"
 #include "colour.glsl"
+#include "pixel_group.glsl"
 
-/// Sample (x, y) of plane p of the picture in the place of `image`.
-int decoded_sample(uvec2 image, uint p, int x, int y) {
-  const SamplePlace place = place_of_sample(p, uint(x), uint(y));
+/// Pairs of pixels in shared memory: red and green in a word, then blue. A view's window has rows of
+/// 2^columns_log2 pairs that begin at an even column, and 2^rows_log2 rows.
+const int kPairsLog2 = 9;
+const uint kPairs = 1u << kPairsLog2;
+shared uvec2 fetched[2u * kPairs + 2u];
+
+struct WindowSize {
+  uint columns_log2, rows_log2;
+};
+
+WindowSize window_size(ivec2 pixels) {
+  return WindowSize(uint(findMSB((pixels.x & ~1) + 1)), uint(findMSB(2 * pixels.y - 1)));
+}
+
+uint pairs_log2(WindowSize size) { return size.columns_log2 + size.rows_log2; }
+
+/// The word of the pool with the samples of pixels x, which is even, and x + 1 in row y, in plane p of
+/// `image`; with chroma_halved that of the one sample of both, and in `side` which half it is. Where
+/// the frame does not need the block it is any word.
+uint word_of_pixels(uvec2 image, uint p, uvec2 pixel, out uint side) {
+  const SamplePlace place = place_of_sample(p, pixel.x, pixel.y);
   const uint slot = slot_of_bit(bit_of_block(image, p, place.block));
-  const uint word = pool_word(word_of_slot(slot, place.at >> 1));
-  return bitfieldExtract(int(word), int(16u * (place.at & 1u)), 16);
+  side = place.at & 1u;
+  return pool_word(word_of_slot(slot, place.at >> 1));
 }
 
-/// pixel(x, y) of SMP-2.
-ivec3 pixel(uvec2 image, int x, int y) {
-  return inverse_colour(ivec3(decoded_sample(image, 0u, x, y), decoded_sample(image, 1u, x, y),
-                              decoded_sample(image, 2u, x, y)),
-                        arguments.shape.depth);
+/// Both samples of chroma of two pixels.
+ivec2 chroma_of_pixels(uvec2 image, uint p, uvec2 pixel) {
+  uint side;
+  const ivec2 pair = samples_of_pair(word_of_pixels(image, p, pixel, side));
+  return arguments.shape.chroma_halved == 0u ? pair : ivec2(side == 0u ? pair.x : pair.y);
 }
 
-/// q of SMP-2 in view (row, col). A pixel of weight 0 is not read.
-ivec3 view_colour(FrameRecord f, Ray ray, int row, int col) {
-  const uvec2 image = shown_image(row, col);
-  const AxisTaps x = axis_taps(f, x_in_view(f, ray.xb, col), f.width);
-  const AxisTaps y = axis_taps(f, y_in_view(f, ray.yb, row), f.height);
-  ivec3 sum = (256 - y.fraction) * (256 - x.fraction) * pixel(image, x.first, y.first);
-  if (x.fraction != 0) {
-    sum += (256 - y.fraction) * x.fraction * pixel(image, x.first + 1, y.first);
-  }
-  if (y.fraction != 0) {
-    sum += y.fraction * (256 - x.fraction) * pixel(image, x.first, y.first + 1);
-  }
-  if (x.fraction != 0 && y.fraction != 0) {
-    sum += y.fraction * x.fraction * pixel(image, x.first + 1, y.first + 1);
-  }
-  return (sum + (1 << 11)) >> 12;
+/// pixel(x, y) of SMP-2 for x = pixel.x, which is even, and the next.
+ivec3[2] view_pixels(uvec2 image, uvec2 pixel) {
+  uint side;
+  const ivec2 luma = samples_of_pair(word_of_pixels(image, 0u, pixel, side));
+  const ivec2 co = chroma_of_pixels(image, 1u, pixel);
+  const ivec2 cg = chroma_of_pixels(image, 2u, pixel);
+  const uint depth = arguments.shape.depth;
+  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), depth),
+                  inverse_colour(ivec3(luma.y, co.y, cg.y), depth));
 }
 
-/// Pixel `number` of the frame, row by row (SMP-3); black outside (RAY-6).
-uvec3 frame_pixel(FrameRecord f, uint number) {
-  if (number >= uint(f.frame_width) * uint(f.frame_height)) return uvec3(0u);
-  const Ray ray = trace(f, int(number % uint(f.frame_width)), int(number / uint(f.frame_width)));
-  if (!ray.inside) return uvec3(0u);
-  const ViewRange cols = view_range(f, ray.u);
-  const ViewRange rows = view_range(f, ray.v);
-  uvec3 sum = uvec3(1u << 19);
-  for (int i = 0; i < rows.count; ++i) {
-    const int row_weight = view_weight(f, rows, rows.first + i);
-    if (row_weight == 0) continue;
-    const int row = clamp(rows.first + i, 0, f.rows - 1);
-    for (int j = 0; j < cols.count; ++j) {
-      const int weight = row_weight * view_weight(f, cols, cols.first + j);
-      if (weight == 0) continue;
-      const int col = clamp(cols.first + j, 0, f.cols - 1);
-      sum += uint(weight) * uvec3(view_colour(f, ray, row, col));
+uvec2 packed(ivec3 colour) { return uvec2(uint(colour.x) | uint(colour.y) << 16, uint(colour.z)); }
+ivec3 unpacked(uvec2 colour) { return ivec3(colour.x & 0xFFFFu, colour.x >> 16, colour.y); }
+
+/// Fetches the windows of pass `pass`.
+void fetch(Passes passes, uint pass, WindowSize size) {
+  const uint log2 = pairs_log2(size);
+  const uint end = windows_of_pass(passes, pass) << log2;
+  for (uint i = gl_LocalInvocationIndex; i < end; i += gl_WorkGroupSize.x) {
+    uvec2 lines;
+    if (!lines_of_window(passes, pass, i >> log2, lines)) continue;
+    const Line col = window_cols[lines.x];
+    const Line row = window_rows[lines.y];
+    const int x = (col.first & ~1) + 2 * int(i & low_bits(size.columns_log2));
+    const int y = row.first + int((i >> size.columns_log2) & low_bits(size.rows_log2));
+    if (x > col.last || y > row.last) continue;
+    const ivec3 pixels[2] = view_pixels(shown_image(ivec2(col.view, row.view)), uvec2(x, y));
+    fetched[2u * i] = packed(pixels[0]);
+    fetched[2u * i + 1u] = packed(pixels[1]);
+  }
+}
+
+/// A column or row of views as a pixel takes it: its place in the window and the fraction.
+struct TapLine {
+  PixelLine line;
+  int first, fraction;
+};
+
+TapLine tap_col(PixelLine line) {
+  return TapLine(line, first_pixel(line.tap) - (window_cols[line.line].first & ~1), line.tap & 255);
+}
+TapLine tap_row(PixelLine line) {
+  return TapLine(line, first_pixel(line.tap) - window_rows[line.line].first, line.tap & 255);
+}
+
+/// What a view gives a pixel: its weight times q of SMP-2. A pixel of weight 0 may have any value.
+uvec3 view_colour(Passes passes, WindowSize size, TapLine col, TapLine row) {
+  const int weight = col.line.weight * row.line.weight;
+  if (weight == 0) return uvec3(0u);
+  const uint window = window_of_pixel(passes, col.line, row.line);
+  const uint stride_log2 = size.columns_log2 + 1u;
+  const uint first = (((window << size.rows_log2) + uint(row.first)) << stride_log2) + uint(col.first);
+  const uint next = min(first + (1u << stride_log2), 2u * kPairs);  // of weight 0 behind the last window
+  const int both = col.fraction * row.fraction;
+  const int right = (col.fraction << 8) - both;
+  const int below = (row.fraction << 8) - both;
+  const ivec3 sum = (65536 - right - below - both) * unpacked(fetched[first]) +
+                    right * unpacked(fetched[first + 1u]) + below * unpacked(fetched[next]) +
+                    both * unpacked(fetched[next + 1u]);
+  return uint(weight) * uvec3((sum + (1 << 11)) >> 12);
+}
+
+/// What the views of pass `pass` give the invocation's pixel, two rows of views at a time.
+uvec3 pass_colour(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pass,
+                  WindowSize size) {
+  uvec3 sum = uvec3(0u);
+  const PixelRange range = range_of_pass(f, passes, pass);
+  for (int i = range.first.y; i < range.end.y; i += 2) {
+    const TapLine row0 = tap_row(pixel_row(f, rows, passes, ray, pass, range, i));
+    const TapLine row1 = tap_row(pixel_row(f, rows, passes, ray, pass, range, i + 1));
+    [[dont_unroll]] for (int j = range.first.x; j < range.end.x; ++j) {
+      const TapLine col = tap_col(pixel_col(f, cols, passes, ray, range, j));
+      sum += view_colour(passes, size, col, row0) + view_colour(passes, size, col, row1);
     }
   }
-  return sum >> 20;
+  return sum;
+}
+
+/// The pixel of the invocation, which all of a workgroup call (SMP-3); black outside (RAY-6).
+uvec3 frame_pixel(ivec2 at) {
+  const Filter f = filter_of_frame();
+  const Axis cols = column_axis();
+  const Axis rows = row_axis();
+  const Ray ray = read_ray();
+  find_bounds(ray);
+  barrier();
+  if (gl_LocalInvocationIndex == 0u) {
+    const int windows_log2 = kPairsLog2 - int(pairs_log2(window_size(most_pixels_of_group())));
+    group_passes = passes_of_group(f, cols, rows, windows_log2);
+  }
+  barrier();
+  const Passes passes = group_passes;
+  const WindowSize size = window_size(passes.far ? ivec2(2) : most_pixels_of_group());
+  uvec3 sum = uvec3(1u << 19);
+  for (uint pass = 0u; pass < passes.count; ++pass) {
+    write_lines(f, cols, rows, passes, ray, pass);
+    barrier();
+    fetch(passes, pass, size);
+    barrier();
+    if (ray.inside) sum += pass_colour(f, cols, rows, passes, ray, pass, size);
+    barrier();
+  }
+  return ray.inside ? sum >> 20 : uvec3(0u);
+}
+
+/// Writes pixels of 48 bits, two in three words: rows of an even number of pixels. The invocation of
+/// an even column writes its own and the next one's, which it finds in shared memory.
+void write_pixel(ivec2 at, uvec3 pixel) {
+  const uint lane = gl_LocalInvocationIndex;
+  fetched[lane] = packed(ivec3(pixel));
+  barrier();
+  const ivec2 size = ivec2(frame().record.frame_width, frame().record.frame_height);
+  if ((at.x & 1) != 0 || at.x >= size.x || at.y >= size.y) return;
+  const uvec2 next = fetched[lane + 1u];
+  const uint pair = (uint(at.y) * uint(size.x + 1 >> 1)) + (uint(at.x) >> 1);
+  frame().drawn.word[3u * pair] = fetched[lane].x;
+  frame().drawn.word[3u * pair + 1u] = pixel.z | next.x << 16;
+  frame().drawn.word[3u * pair + 2u] = next.x >> 16 | next.y << 16;
 }
 
 /// The counters of the frame to the host, and the error of its first block that has one.
@@ -76,15 +178,9 @@ void write_results(uint first_error) {
 }
 
 void main() {
-  const FrameRecord f = frame().record;
-  const uint number = invocation();
   const uint first_error = frame().counters.word[kCountFirstError];
-  if (number == 0u) write_results(first_error);
-  if (2u * number >= uint(f.frame_width) * uint(f.frame_height)) return;
+  const ivec2 at = pixel_of_invocation();
+  if (at == ivec2(0)) write_results(first_error);
   if (frame().counters.word[kCountMode] == kModeNoRoom || first_error != 0xFFFFFFFFu) return;
-  const uvec3 first = frame_pixel(f, 2u * number);
-  const uvec3 second = frame_pixel(f, 2u * number + 1u);
-  frame().drawn.word[3u * number] = first.x | first.y << 16;
-  frame().drawn.word[3u * number + 1u] = first.z | second.x << 16;
-  frame().drawn.word[3u * number + 2u] = second.y | second.z << 16;
+  write_pixel(at, frame_pixel(at));
 }

@@ -25,17 +25,20 @@ uint read_residual_header(Record record, TileHead head, uint k, inout BlockEntry
   const uint samples = 1u << (2u * arguments.shape.block_log2);
   const uint most = MAX_LEVEL_CODE_OF_DEPTH_8 + 3u * (arguments.shape.depth - 8u);
   const uint m = rank(head.residual_mask, k);
+  const uint trit_bits = ceil_div(TRIT_GROUP_BITS * samples, TRITS_IN_GROUP);
+  const uint quint_bits = ceil_div(QUINT_GROUP_BITS * samples, QUINTS_IN_GROUP);
   uint header = head.headers;
   uint values = head.values;
   uint bits = 0u;
   for (uint i = 0u; i <= m; ++i) {
     values += bits;
-    entry.level_code = head.level_base + record_bits(record, header, head.level_bits);
-    if (entry.level_code > most) return ERROR_BAD_LEVELS;
-    entry.step_code =
-        head.step_base + record_bits(record, header + head.level_bits, head.step_bits);
-    if (entry.step_code > MAX_STEP_CODE) return ERROR_BAD_LEVELS;
-    bits = bise_bits(levels_of_code(entry.level_code), samples);
+    const uint fields = record_bits(record, header, head.level_bits + head.step_bits);
+    entry.level_code = head.level_base + (fields & low_bits(head.level_bits));
+    entry.step_code = head.step_base + (fields >> head.level_bits);
+    if (entry.level_code > most || entry.step_code > MAX_STEP_CODE) return ERROR_BAD_LEVELS;
+    const Levels levels = levels_of_code(entry.level_code);
+    bits = levels.plain_bits * samples;  // bise_bits
+    if (levels.digit != DIGIT_NONE) bits += levels.digit == DIGIT_TRIT ? trit_bits : quint_bits;
     header += header_bits(head);
   }
   entry.bias = sign_extend(record_bits(record, header - head.bias_bits, head.bias_bits),

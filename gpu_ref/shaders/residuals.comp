@@ -1,36 +1,37 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// The residuals of reference images into the reference area (DEC-4): one invocation for two samples
-// of a request of the reference pass.
+// The residuals of reference images into the reference area (DEC-4): one invocation for some
+// samples of a request of the reference pass.
 #include "decode.glsl"
 #include "requests.glsl"
 #include "stream_words.glsl"
+#include "block_lanes.glsl"
 #include "bise.glsl"
 #include "block_entry.glsl"
 #include "reconstruct.glsl"
 #include "reference_samples.glsl"
 
 void main() {
-  const uint words_log2 = 2u * arguments.shape.block_log2 - 1u;
   const uint number = invocation();
-  const uint q = number >> words_log2;
+  const uint q = number >> lanes_of_block_log2();
   if (q >= arguments.request_count) return;
   const Request request = arguments.requests.request[q];
   const PlaneShape plane = arguments.shape.planes[plane_of(request)];
   const BlockEntry entry = read_entry(q);
-  const uint i = 2u * (number & low_bits(words_log2));  // position in the block
-  if (i == 0u && entry.status != ERROR_OK) atomicAdd(arguments.damage.word[0], 1u);
-
-  const uvec2 place = block_of(request) << arguments.shape.block_log2;
-  const uint x = place.x + (i & low_bits(arguments.shape.block_log2));
-  const uint y = place.y + (i >> arguments.shape.block_log2);
-  if (x >= plane.width || y >= plane.height) return;
-  ivec2 samples = ivec2(0);
+  const uint lane = number & low_bits(lanes_of_block_log2());
+  if (lane == 0u && entry.status != ERROR_OK) atomicAdd(arguments.damage.word[0], 1u);
+  const uint first = lane * SAMPLES_OF_LANE;
+  uvec4 pairs = uvec4(0u);
   if (entry.status != ERROR_OK) {
-    samples = ivec2(kErrorSample + int(entry.status));
+    pairs = uvec4(sample_pair(ivec2(kErrorSample + int(entry.status))));
   } else if (entry.residual) {
-    samples = ivec2(residual_value(entry, plane, i), residual_value(entry, plane, i + 1u));
+    pairs = residual_pairs(entry, plane, first);
   }
-  write_reference_word(entry.references[0].base + y * plane.row_words + (x >> 1),
-                       sample_pair(samples));
+  for (uint k = 0u; k < 1u << words_of_lane_log2(); ++k) {
+    const uvec2 at = (block_of(request) << arguments.shape.block_log2) + place_in_block(first + 2u * k);
+    if (at.x < plane.width && at.y < plane.height) {
+      write_reference_word(entry.references[0].base + at.y * plane.row_words + (at.x >> 1), pairs.x);
+    }
+    pairs = pairs.yzwx;
+  }
 }

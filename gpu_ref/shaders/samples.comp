@@ -1,12 +1,13 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// From entries to samples (DEC-3): one invocation for two samples of a request, from its first
-// level down to its stop level. Neighbouring invocations write neighbouring words.
+// From entries to samples (DEC-3): one invocation for up to 8 samples of a request, from its
+// first level down to its stop level. Neighbouring invocations write neighbouring words.
 #include "decode.glsl"
 #include "requests.glsl"
 #include "frame.glsl"
 #include "frame_arguments.glsl"
 #include "stream_words.glsl"
+#include "block_lanes.glsl"
 #include "bise.glsl"
 #include "block_entry.glsl"
 #include "reconstruct.glsl"
@@ -21,68 +22,72 @@ const uint kStageReference = 1u;
 const uint kStagePrediction = 2u;
 const uint kStageSample = 3u;
 
-/// Where in the block the invocation's samples are: positions i and i + 1 of entry `number`.
+/// Where the invocation's samples are: from position `first` on in the block of entry `number`, whose
+/// first sample is `corner` in the plane.
 struct Place {
   uint number;
-  uint i;
-  int x, y;  // of the first, in the plane
+  uint first;
+  ivec2 corner;
 };
 
-void write_stage(Place place, uint stage, ivec2 samples) {
-  if (!kStages) return;
-  const uint words_log2 = 2u * arguments.shape.block_log2 - 1u;
-  const uint at = ((place.number * 4u + stage) << words_log2) + (place.i >> 1);
-  arguments.stages.word[at] = sample_pair(samples);
+/// Leaves pair k of the invocation.
+void write_stage(Place place, uint stage, uint k, uint pair) {
+  if (!kStages || k >> words_of_lane_log2() != 0u) return;
+  const uint at = ((place.number * 4u + stage) << words_of_block_log2()) + (place.first >> 1) + k;
+  arguments.stages.word[at] = pair;
 }
 
-/// The samples of one level on top of its parent's `samples` (DEC-3).
-ivec2 add_level(BlockEntry entry, PlaneShape plane, bool keyed, Place place, ivec2 samples) {
+/// Pair k of one level on top of its parent's `samples` (DEC-3).
+ivec2 add_level(BlockEntry entry, PlaneShape plane, bool keyed, Place place, uint k, uint residuals,
+                ivec2 samples) {
   if (entry.count != 0u) {
-    const ivec2 reference = ivec2(reference_value(entry, plane, place.x, place.y),
-                                  reference_value(entry, plane, place.x + 1, place.y));
+    const ivec2 at = place.corner + ivec2(place_in_block(place.first + 2u * k));
+    const ivec2 reference = reference_pair(entry, plane, at.x, at.y);
     const ivec2 parent = keyed ? ivec2(0) : samples;  // EXT-5
-    samples.x = motion_prediction(parent.x, entry.negative, reference.x, plane);
-    samples.y = motion_prediction(parent.y, entry.negative, reference.y, plane);
-    write_stage(place, kStageReference, reference);
+    samples = motion_prediction(parent, entry.negative, reference, plane);
+    write_stage(place, kStageReference, k, sample_pair(reference));
   }
-  write_stage(place, kStagePrediction, samples);
-  if (entry.residual) {
-    const ivec2 residual = ivec2(residual_value(entry, plane, place.i),
-                                 residual_value(entry, plane, place.i + 1u));
-    samples.x = add_residual(samples.x, residual.x, plane);
-    samples.y = add_residual(samples.y, residual.y, plane);
-    write_stage(place, kStageResidual, residual);
-  }
-  return samples;
+  write_stage(place, kStagePrediction, k, sample_pair(samples));
+  if (!entry.residual) return samples;
+  write_stage(place, kStageResidual, k, residuals);
+  return add_residual(samples, samples_of_pair(residuals), plane);
 }
 
-/// Two samples of a key image's plane (DEC-2).
-ivec2 key_samples(BlockEntry entry, PlaneShape plane, Place place) {
+/// Pair k of a key image's plane (DEC-2).
+ivec2 key_samples(BlockEntry entry, PlaneShape plane, Place place, uint k) {
   const uint base = entry.references[0].base;
-  return ivec2(ref(base, plane, place.x, place.y), ref(base, plane, place.x + 1, place.y));
+  const ivec2 at = place.corner + ivec2(place_in_block(place.first + 2u * k));
+  return ivec2(ref(base, plane, at.x, at.y), ref(base, plane, at.x + 1, at.y));
 }
 
-/// The samples of a request, or 0 with the error of its first level that has one (CNV-7).
-ivec2 decode(Request request, uint q, uint i, out uint status) {
-  const uint log2 = arguments.shape.block_log2;
+/// The pairs of a request from position `first` on, or 0 with the error of its first level that has
+/// one (CNV-7).
+uvec4 decode(Request request, uint q, uint first, out uint status) {
   const PlaneShape plane = arguments.shape.planes[plane_of(request)];
-  const uvec2 first = block_of(request) << log2;
+  const ivec2 corner = ivec2(block_of(request) << arguments.shape.block_log2);
   const uint entries = entries_of_request();
-  ivec2 samples = ivec2(0);  // DEC-6
+  uvec4 pairs = uvec4(0u);  // DEC-6
   status = ERROR_OK;
   for (int l = int(arguments.shape.top); l >= int(level_of(request)); --l) {
-    const Place place = Place(q * entries + uint(l), i, int(first.x + (i & low_bits(log2))),
-                              int(first.y + (i >> log2)));
+    const Place place = Place(q * entries + uint(l), first, corner);
     const BlockEntry entry = read_entry(place.number);
     if (entry.kind == kKindNone) continue;
     status = entry.status;
-    if (status != ERROR_OK) return ivec2(0);
+    if (status != ERROR_OK) return uvec4(0u);
     const bool keyed = arguments.shape.levels[l].keyed != 0u;
-    samples = entry.kind == kKindKey ? key_samples(entry, plane, place)
-                                     : add_level(entry, plane, keyed, place, samples);
-    write_stage(place, kStageSample, samples);
+    uvec4 residuals = uvec4(0u);
+    if (entry.residual) residuals = residual_pairs(entry, plane, first);
+    [[dont_unroll]] for (uint k = 0u; k < SAMPLES_OF_LANE / 2u; ++k) {
+      const ivec2 samples =
+          entry.kind == kKindKey
+              ? key_samples(entry, plane, place, k)
+              : add_level(entry, plane, keyed, place, k, residuals.x, samples_of_pair(pairs.x));
+      write_stage(place, kStageSample, k, sample_pair(samples));
+      pairs = uvec4(pairs.yzw, sample_pair(samples));
+      residuals = residuals.yzwx;
+    }
   }
-  return samples;
+  return pairs;
 }
 
 /// The first needed block that does not decode (NED-2). It is in the pool like the others: the next
@@ -93,17 +98,19 @@ void note_error(uint q) {
 }
 
 void main() {
-  const uint words_log2 = 2u * arguments.shape.block_log2 - 1u;
   const uint number = invocation();
-  const uint q = number >> words_log2;
+  const uint q = number >> lanes_of_block_log2();
   if (q >= request_count()) return;
-  const uint word = number & low_bits(words_log2);
+  const uint lane = number & low_bits(lanes_of_block_log2());
   const Request request = arguments.requests.request[q];
   uint status = ERROR_BAD_REQUEST;
-  ivec2 samples = ivec2(0);
-  if (is_valid(request)) samples = decode(request, q, 2u * word, status);
-  write_samples(q, word, sample_pair(samples), status);
-  if (word != 0u) return;
+  uvec4 pairs = uvec4(0u);
+  if (is_valid(request)) pairs = decode(request, q, lane * SAMPLES_OF_LANE, status);
+  for (uint k = 0u; k < 1u << words_of_lane_log2(); ++k) {
+    write_samples(q, (lane << 2) + k, pairs.x, status);
+    pairs = pairs.yzwx;
+  }
+  if (lane != 0u) return;
   if (kCounted) {
     if (status != ERROR_OK) note_error(q);
   } else {

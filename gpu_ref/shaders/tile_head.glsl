@@ -33,6 +33,7 @@ uint block_number(uint i, uint j) {
 uvec2 blocks_inside(PlaneShape plane, uint tx, uint ty) {
   const uint columns = min(8u, plane.blocks_x - 8u * tx);
   const uint rows = min(8u, plane.blocks_y - 8u * ty);
+  if (min(columns, rows) == 8u) return uvec2(~0u);
   uint in_columns = 0u;  // of the 16 blocks of a row of quads
   uvec2 mask = uvec2(0u);
   for (uint q = 0u; q < 4u; ++q) {
@@ -55,12 +56,16 @@ uvec2 read_mask(inout Cursor cursor, uint mode, uvec2 inside) {
     const uint low = take(cursor, 32u);
     return uvec2(low, take(cursor, 32u));
   }
-  const uint quads = take(cursor, 16u);
+  uint quads = take(cursor, 16u);
+  const uint count = 4u * uint(bitCount(quads));
+  uvec2 blocks = uvec2(take(cursor, min(count, 32u)), 0u);
+  if (count > 32u) blocks.y = take(cursor, count - 32u);
   uvec2 mask = uvec2(0u);
-  for (uint q = 0u; q < 16u; ++q) {
-    if (((quads >> q) & 1u) == 0u) continue;
-    const uint blocks = take(cursor, 4u) << (4u * (q & 7u));
-    if (q < 8u) mask.x |= blocks; else mask.y |= blocks;
+  for (; quads != 0u; quads &= quads - 1u) {
+    const uint q = uint(findLSB(quads));
+    const uint own = (blocks.x & 15u) << (4u * (q & 7u));
+    if (q < 8u) mask.x |= own; else mask.y |= own;
+    blocks = u64_shift_right(blocks, 4u);
   }
   return mask;
 }

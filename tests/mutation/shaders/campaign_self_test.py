@@ -41,10 +41,10 @@ CHANGES = {
 STATUS = "if (status == ERROR_OK) status = arguments.statuses.word[sources.cg];"
 CASES = [
     ("colour.comp", STATUS, "", "survived"),
-    ("colour.comp", "16u * (at & 1u)", "16u * (at & 0u)", "killed"),
+    ("colour.comp", "(at & 1u) == 0u", "(at & 0u) == 0u", "killed"),
     ("colour.comp", "return;", ";", "crash"),
-    ("colour.comp", "word == 0u", "word = 0u", "not compiled"),
-    ("colour.comp", "0xFFFFu", "65535u", "same code"),
+    ("colour.comp", "lane == 0u", "lane = 0u", "not compiled"),
+    ("colour.comp", "<< 16;", "<< 16u;", "same code"),
     ("samples.comp", "place.number * 4u", "place.number * 5u", "same code"),
 ]
 

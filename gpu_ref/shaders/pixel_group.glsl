@@ -1,0 +1,191 @@
+// A workgroup takes 8 x 8 pixels of a frame, one an invocation. Their rays lie close together: in each
+// of a few views their taps fill a small *window* of pixels. Columns of views and rows of views have
+// lines of such windows. Where the taps lie too far apart for windows, each pixel has one of its own,
+// for one view at a time.
+
+const uint kGroupLog2 = 3u;
+const int kWindowsLog2 = 6;
+const uint kWindows = 1u << kWindowsLog2;  // as many as invocations
+
+/// A column or row of views, and the first and the last pixel of the windows in it.
+struct Line {
+  int view, first, last;
+};
+shared Line window_cols[kWindows];
+shared Line window_rows[kWindows];
+
+/// Column and row of the invocation's pixel in the frame.
+ivec2 pixel_of_invocation() {
+  const uint lane = gl_LocalInvocationIndex;
+  return ivec2((gl_WorkGroupID.xy << kGroupLog2) +
+               uvec2(lane & low_bits(kGroupLog2), lane >> kGroupLog2));
+}
+
+// Least and greatest u, v, x and y of the group's rays inside.
+shared int group_bounds[8];
+
+bool has_rays() { return group_bounds[0] <= group_bounds[4]; }
+
+/// Finds the bounds of the group; all invocations call it, before a barrier.
+void find_bounds(Ray ray) {
+  const uint lane = gl_LocalInvocationIndex;
+  if (lane < 8u) group_bounds[lane] = lane < 4u ? 0x7FFFFFFF : -0x7FFFFFFF;
+  barrier();
+  if (!ray.inside) return;
+  atomicMin(group_bounds[0], ray.u);
+  atomicMin(group_bounds[1], ray.v);
+  atomicMin(group_bounds[2], ray.x);
+  atomicMin(group_bounds[3], ray.y);
+  atomicMax(group_bounds[4], ray.u);
+  atomicMax(group_bounds[5], ray.v);
+  atomicMax(group_bounds[6], ray.x);
+  atomicMax(group_bounds[7], ray.y);
+}
+
+// mark.comp leaves the rays for render.comp: the u, v, x and y of each pixel of a group, u = kOutside
+// for a ray that is not inside.
+const int kOutside = -0x7FFFFFFF - 1;
+
+uint place_of_ray() {
+  return (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * kWindows +
+         gl_LocalInvocationIndex;
+}
+
+void write_ray(Ray ray) {
+  frame().rays.ray[place_of_ray()] = ivec4(ray.inside ? ray.u : kOutside, ray.v, ray.x, ray.y);
+}
+
+Ray read_ray() {
+  const ivec4 words = frame().rays.ray[place_of_ray()];
+  return Ray(words.x != kOutside, words.x, words.y, words.z, words.w);
+}
+
+/// How a group goes through its views.
+struct Passes {
+  bool far;         // each pixel has a window of its own, for view number `pass` of its own
+  uint count;       // 0 without rays inside
+  ivec2 first;      // else: column and row of the first view with taps
+  ivec2 views;      // and how many columns and rows of them
+  uint cols_log2;   // 2^cols_log2 windows of a row of views, 2^rows_log2 rows a pass
+  uint rows_log2;
+};
+
+/// Pixels that the taps along an axis reach at most in any view, from the bounds: views differ by a
+/// shift.
+int most_pixels(int low, int high) { return ((high - low) >> 12) + 3; }
+ivec2 most_pixels_of_group() {
+  return ivec2(most_pixels(group_bounds[2], group_bounds[6]),
+               most_pixels(group_bounds[3], group_bounds[7]));
+}
+
+/// `windows_log2`: 2^windows_log2 windows have room; less than 0 where a window has too little.
+Passes passes_of_group(Filter f, Axis cols, Axis rows, int windows_log2) {
+  const ivec2 last = ivec2(cols.last_view, rows.last_view);
+  const ivec2 low = ivec2(first_view(f, view_place(f, group_bounds[0])),
+                          first_view(f, view_place(f, group_bounds[1])));
+  const ivec2 high = ivec2(first_view(f, view_place(f, group_bounds[4])),
+                           first_view(f, view_place(f, group_bounds[5]))) +
+                     int(low_bits(f.views_log2));
+  Passes passes;
+  passes.first = clamp(low, ivec2(0), last);
+  passes.views = clamp(high, ivec2(0), last) - passes.first + 1;
+  passes.cols_log2 = uint(findMSB(2 * passes.views.x - 1));
+  const int rows_log2 = min(windows_log2, kWindowsLog2) - int(passes.cols_log2);
+  passes.far = rows_log2 < 0 || passes.views.y > int(kWindows);
+  passes.rows_log2 = passes.far ? 0u : uint(rows_log2);
+  passes.count = passes.far ? 1u << (2u * f.views_log2)
+                            : ((uint(passes.views.y) - 1u) >> passes.rows_log2) + 1u;
+  if (!has_rays()) passes.count = 0u;
+  return passes;
+}
+
+shared Passes group_passes;  // which one invocation finds
+
+/// Column and row of the view of a far pass, of those of a pixel.
+ivec2 view_of_pass(Filter f, uint pass) {
+  return ivec2(int(pass & low_bits(f.views_log2)), int(pass >> f.views_log2));
+}
+
+/// The lines of the group's windows, or those of pass `pass`; all invocations call it, before a barrier.
+void write_lines(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pass) {
+  const uint lane = gl_LocalInvocationIndex;
+  if (passes.far) {
+    const ivec2 own = view_of_pass(f, pass) +
+                      ivec2(first_view(f, view_place(f, ray.u)), first_view(f, view_place(f, ray.v)));
+    const ivec2 view = clamp(own, ivec2(0), ivec2(cols.last_view, rows.last_view));
+    const int x = tap_place(f, cols, ray.x, view.x);
+    const int y = tap_place(f, rows, ray.y, view.y);
+    window_cols[lane] = Line(view.x, first_pixel(x), ray.inside ? last_pixel(x) : -1);
+    window_rows[lane] = Line(view.y, first_pixel(y), last_pixel(y));
+    return;
+  }
+  if (int(lane) < passes.views.x) {
+    const int view = passes.first.x + int(lane);
+    window_cols[lane] = Line(view, first_pixel(tap_place(f, cols, group_bounds[2], view)),
+                             last_pixel(tap_place(f, cols, group_bounds[6], view)));
+  }
+  if (int(lane) < passes.views.y) {
+    const int view = passes.first.y + int(lane);
+    window_rows[lane] = Line(view, first_pixel(tap_place(f, rows, group_bounds[3], view)),
+                             last_pixel(tap_place(f, rows, group_bounds[7], view)));
+  }
+}
+
+/// Windows of a pass, some of which may not be used.
+uint windows_of_pass(Passes passes, uint pass) {
+  const uint rows = uint(passes.views.y) - (pass << passes.rows_log2);
+  return passes.far ? kWindows : min(rows, 1u << passes.rows_log2) << passes.cols_log2;
+}
+
+/// The lines, column and row, of window `number` of pass `pass`; whether there is such a window.
+bool lines_of_window(Passes passes, uint pass, uint number, out uvec2 lines) {
+  lines = passes.far ? uvec2(number)
+                     : uvec2(number & low_bits(passes.cols_log2),
+                             (pass << passes.rows_log2) + (number >> passes.cols_log2));
+  return passes.far || (int(lines.x) < passes.views.x && int(lines.y) < passes.views.y);
+}
+
+/// The views of a pixel along each axis in a pass: [first, end).
+struct PixelRange {
+  ivec2 first, end;  // column, row
+};
+
+PixelRange range_of_pass(Filter f, Passes passes, uint pass) {
+  if (!passes.far) return PixelRange(ivec2(0), ivec2(1 << f.views_log2));
+  return PixelRange(view_of_pass(f, pass), view_of_pass(f, pass) + 1);
+}
+
+/// A column or row of views as a pixel needs it.
+struct PixelLine {
+  uint line;
+  int weight;  // 0: not at all
+  int tap;
+};
+
+/// Number i of those of a pixel along an axis; beyond `end` it is not needed. `group_first` is the
+/// view of line 0.
+PixelLine pixel_line(Filter f, Axis axis, bool far, int place, int at, int group_first, int i, int end) {
+  const int number = first_view(f, place) + i;
+  const int view = clamp(number, 0, axis.last_view);
+  return PixelLine(far ? gl_LocalInvocationIndex : uint(view - group_first),
+                   i < end ? view_weight(f, place, number) : 0, tap_place(f, axis, at, view));
+}
+
+PixelLine pixel_col(Filter f, Axis axis, Passes passes, Ray ray, PixelRange range, int i) {
+  return pixel_line(f, axis, passes.far, view_place(f, ray.u), ray.x, passes.first.x, i,
+                    range.end.x);
+}
+
+/// Not needed either where the windows of the row are not in pass `pass`.
+PixelLine pixel_row(Filter f, Axis axis, Passes passes, Ray ray, uint pass, PixelRange range, int i) {
+  PixelLine row = pixel_line(f, axis, passes.far, view_place(f, ray.v), ray.y, passes.first.y, i,
+                             range.end.y);
+  if (!passes.far && row.line >> passes.rows_log2 != pass) row.weight = 0;
+  return row;
+}
+
+/// The window, of those of the row's pass, of a pixel's column and row.
+uint window_of_pixel(Passes passes, PixelLine col, PixelLine row) {
+  return passes.far ? row.line
+                    : ((row.line & low_bits(passes.rows_log2)) << passes.cols_log2) + col.line;
+}
