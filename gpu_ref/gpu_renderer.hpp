@@ -66,7 +66,8 @@ class GpuRenderer {
   Outcome<void> finish(GpuFrame& frame);
 
   /// The device address of the picture that finish() finished last: three samples of 16 bits a
-  /// pixel, row by row. It stays there until kFramesUnderWay more frames have begun.
+  /// pixel, row by row, with a pixel without meaning behind each row of an odd width. It stays
+  /// there until kFramesUnderWay more frames have begun.
   uint64_t picture_address() const;
 
   /// Nothing is held any more: the next frame decodes all that it needs.

@@ -64,7 +64,7 @@ COMMANDS = rules(
      r"\1 conform --filter 'syntax/base-*' \2; test $? = 5", "the whole suite takes a minute"),
     (r"sim/.* \+fault=.*", r"\g<0>; test $? != 0", "a difference ends it"),
     (r"\./run conform .*-o out/planted", r"\g<0>; test $? = 5", "one vector alone is not the suite"),
-    (r"hmlfc conform --merge .*", r"\g<0>; test $? = 5", "the shards have a part of the suite"),
+    (r"(?:\./run|hmlfc) conform --merge .*", r"\g<0>; test $? = 5", "the shards have a part of the suite"),
     (r"\./run bench methods", r"\g<0> 30 FOLDER", "a small light field"),
     (r"\./run bench render", "./run bench | grep -w render", "measures for minutes; the list of benchmarks has it"),
     (r"\./run bench motion_search", r"\g<0> --benchmark_list_tests", "measures for minutes"),

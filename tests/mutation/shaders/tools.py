@@ -27,7 +27,7 @@ class Compiler:
         if not self.tool or not shutil.which("spirv-opt"):
             raise Unusable("glslc or spirv-opt is missing (Debian: glslc spirv-tools)")
         text = (root / "gpu_ref" / "CMakeLists.txt").read_text()
-        self.options = re.search(r"set\(options (.*)\)", text).group(1).split()
+        self.options = re.search(r'COMMAND "\$\{HMLFC_GLSLC\}" (.*)', text).group(1).split()
 
     def compile(self, folder, kernel, out):
         """Whether the kernel of a folder of shaders compiles; its SPIR-V is in `out`."""
