@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "driver/hmlfc_registers.h"
 #include "testbench/view_scenarios.hpp"
 
 namespace hmlfc::tb {
@@ -117,6 +118,20 @@ TEST(ViewUnit, ClockStopsWhileIdle) {
   run.bench().host().idle(1000);
   EXPECT_EQ(run.bench().host().stopped_clocks(), after);
   EXPECT_EQ(run.finding(), "");
+}
+
+// The DMA reads a descriptor while the decode unit reads the header: each takes its own answers.
+TEST(ViewUnit, FetchesDescriptorsDuringLoad) {
+  for (const ViewMaker& maker : view_units()) {
+    const auto bytes = stream(0, maker.parameters.block_size());
+    ViewRun run(bytes, maker, 0);
+    for (int i = 0; i < 8; ++i) {
+      run.bench().host().write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
+      run.bench().host().idle(static_cast<uint64_t>(i));
+      run.rectangles(1);
+    }
+    ASSERT_EQ(run.finding(), "") << "B " << maker.parameters.block_size();
+  }
 }
 
 std::vector<std::vector<uint8_t>> streams_for_faults() {
