@@ -29,12 +29,6 @@ int reference_sample(uint base, PlaneShape plane, int x, int y) {
   return row_sample(base + uint(y) * plane.row_words, x);
 }
 
-/// ref(x, y) of DEC-4 with the border rule of DEC-5.
-int ref(uint base, PlaneShape plane, int x, int y) {
-  return reference_sample(base, plane, clamp(x, 0, int(plane.width) - 1),
-                          clamp(y, 0, int(plane.height) - 1));
-}
-
 /// The error of a sample of the area, or ok.
 uint error_of_sample(int value) {
   return value < kErrorSample / 2 ? uint(value - kErrorSample) : ERROR_OK;

@@ -53,11 +53,14 @@ ivec2 add_level(BlockEntry entry, PlaneShape plane, bool keyed, Place place, uin
   return add_residual(samples, samples_of_pair(residuals), plane);
 }
 
-/// Pair k of a key image's plane (DEC-2).
+/// Pair k of a key image's plane (DEC-2). What lies outside the plane has no meaning, and is read inside.
 ivec2 key_samples(BlockEntry entry, PlaneShape plane, Place place, uint k) {
   const uint base = entry.references[0].base;
   const ivec2 at = place.corner + ivec2(place_in_block(place.first + 2u * k));
-  return ivec2(ref(base, plane, at.x, at.y), ref(base, plane, at.x + 1, at.y));
+  const ivec2 cols = min(ivec2(at.x, at.x + 1), int(plane.width) - 1);
+  const int row = min(at.y, int(plane.height) - 1);
+  return ivec2(reference_sample(base, plane, cols.x, row),
+               reference_sample(base, plane, cols.y, row));
 }
 
 /// The pairs of a request from position `first` on, or 0 with the error of its first level that has

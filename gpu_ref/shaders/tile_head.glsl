@@ -113,8 +113,7 @@ uint read_residuals_head(inout Cursor cursor, inout TileHead head) {
   head.level_bits = take(cursor, 3u);
   if (cursor.overrun) return ERROR_TILE_OVERRUN;
   if (head.level_bits > 6u) return ERROR_BAD_MODE;
-  head.bias_bits = take(cursor, 4u);
-  if (cursor.overrun) return ERROR_TILE_OVERRUN;
+  head.bias_bits = take(cursor, 4u);  // 0 behind the end
   if (head.bias_bits > arguments.shape.depth + 2u) return ERROR_BAD_MODE;
   if (has_feature(FEATURE_RESIDUAL_STEP)) {
     head.step_base = take(cursor, 4u);
