@@ -1,6 +1,6 @@
 // The samples that a displaced block is predicted from (DEC-4, MOT-9).
 
-/// I(x, y) of MOT-9 at samples (x, y) and (x + 1, y) of the plane.
+/// I(x, y) of MOT-9, with ref of DEC-4, at samples (x, y) and (x + 1, y) of the plane.
 ivec2 weighted_sums(Reference reference, PlaneShape plane, int x, int y) {
   const ivec2 last = ivec2(plane.width, plane.height) - 1;
   const ivec3 cols = clamp(ivec3(0, 1, 2) + (x + reference.ix), ivec3(0), ivec3(last.x));  // DEC-5
