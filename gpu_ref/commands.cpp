@@ -217,7 +217,7 @@ bool Commands::done() {
 }
 
 void Commands::wait() {
-  if (done()) return;
+  if (!pending_) return;
   ++device_->counts.waits;
   vk::Result result = vk::Result::eTimeout;
   try {

@@ -83,7 +83,7 @@ struct SubmissionCounts {
   uint64_t recorded = 0;  ///< command buffers, each time anew
   uint64_t barriers = 0;  ///< recorded
   uint64_t submitted = 0;
-  uint64_t waits = 0;  ///< of the host for the device
+  uint64_t waits = 0;  ///< for work that the host did not know to be done, however short
 };
 
 /// An open device; copies are the same device. Not to be used by two threads at once.
