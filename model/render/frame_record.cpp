@@ -71,6 +71,7 @@ Checked check_inputs(const Camera& camera, double row_pitch) {
       {"focus", camera.focus, -256, 256},
       {"aperture", static_cast<double>(camera.aperture), 0, kMaxAperture},
       {"filter", static_cast<double>(camera.filter), 0, 2},
+      {"geometry", static_cast<double>(camera.geometry), 0, 1},
   };
   for (const auto& input : inputs) {
     if (auto ok = check_input(input.name, input.value, input.lo, input.hi); !ok) return ok;
@@ -209,6 +210,9 @@ tl::expected<FrameRecord, CameraError> frame_record(const Camera& camera,
   record.c0 = nearest_view(full.position->u, record.cols);
   record.r0 = nearest_view(full.position->v, record.rows);
   if (auto ok = set_pictures(full, row_pitch, record); !ok) return tl::unexpected(ok.error());
+  record.geometry = full.aperture == 0 ? static_cast<int32_t>(full.geometry) : 0;
+  record.focus = fix32(full.focus, 8);
+  record.pitch = fix32(row_pitch, 8);
   return record;
 }
 

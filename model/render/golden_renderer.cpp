@@ -8,6 +8,7 @@
 #include "arithmetic/colour.hpp"
 #include "arithmetic/widths.hpp"
 #include "decoder/memory_guard.hpp"
+#include "render/cell_displacements.hpp"
 #include "render/shown_image.hpp"
 #include "render/taps.hpp"
 
@@ -101,12 +102,14 @@ class GoldenRenderer final : public FrameRenderer {
   Result<void> render_checked(const FrameRecord& record, int stop_level, Frame& frame) const {
     frame.seconds = {};
     frame.counts = {};
-    const BlockSet needed = needed_blocks(record, stop_level, frame.counts);
+    const CellDisplacements displaced = golden_displacements(decoder_, record, stop_level);
+    frame.counts.disparities_looked_up = displaced.blocks_looked_up;
+    const BlockSet needed = needed_blocks(record, stop_level, displaced, frame.counts);
     Blocks blocks(decoder_, stop_level);
     if (auto ok = blocks.decode(needed); !ok) return ok;
     frame.counts.blocks_needed = needed.size();
     frame.counts.blocks_decoded = needed.size();
-    draw(record, stop_level, blocks, frame.image);
+    draw(record, stop_level, displaced, blocks, frame.image);
     return {};
   }
 
@@ -121,13 +124,14 @@ class GoldenRenderer final : public FrameRenderer {
     }
   }
 
-  BlockSet needed_blocks(const FrameRecord& record, int stop_level, FrameCounts& counts) const {
+  BlockSet needed_blocks(const FrameRecord& record, int stop_level,
+                         const CellDisplacements& displaced, FrameCounts& counts) const {
     const StreamHeader& header = decoder_.header();
     BlockSet needed;
     for_each_pixel(record, [&](int32_t i, int32_t j) {
       const auto ray = trace(record, i, j);
       if (!ray) return;
-      for_each_view_taps(record, *ray, [&](const ViewTaps& taps) {
+      for_each_view_taps(record, *ray, displaced.at(i, j), [&](const ViewTaps& taps) {
         for (int32_t y = taps.y.first; y <= taps.y.last(); ++y) {
           for (int32_t x = taps.x.first; x <= taps.x.last(); ++x) {
             counts.samples_interpolated += 3;
@@ -142,8 +146,8 @@ class GoldenRenderer final : public FrameRenderer {
     return needed;
   }
 
-  void draw(const FrameRecord& record, int stop_level, const Blocks& blocks,
-            RgbImage& image) const {
+  void draw(const FrameRecord& record, int stop_level, const CellDisplacements& displaced,
+            const Blocks& blocks, RgbImage& image) const {
     image = {static_cast<uint32_t>(record.frame_width),
              static_cast<uint32_t>(record.frame_height),
              decoder_.header().depth,
@@ -154,7 +158,7 @@ class GoldenRenderer final : public FrameRenderer {
       uint32_t b = 0;
       const auto ray = trace(record, i, j);
       if (ray) {
-        for_each_view_taps(record, *ray, [&](ViewTaps taps) {
+        for_each_view_taps(record, *ray, displaced.at(i, j), [&](ViewTaps taps) {
           taps.view = shown(taps.view, stop_level);
           const Rgb q = view_colour(blocks, taps);
           r += taps.weight * static_cast<uint32_t>(q.r);

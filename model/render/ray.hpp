@@ -21,6 +21,8 @@ struct Slopes {
 struct Ray {
   int32_t u = 0;   ///< [0, (cols - 1) * 2^16], units of 2^-16 steps
   int32_t v = 0;   ///< [0, (rows - 1) * 2^16]
+  int32_t us = 0;  ///< Us of SRF-2: [-2^15, (cols - 1) * 2^16 + 2^15]
+  int32_t vs = 0;  ///< [-2^15, (rows - 1) * 2^16 + 2^15]
   int32_t xb = 0;  ///< units of 2^-12 pixels
   int32_t yb = 0;
 };
@@ -39,10 +41,8 @@ constexpr int32_t direction(int32_t n0_hi, int32_t n0_lo, int32_t na_hi, int32_t
   return n;
 }
 
-/// The direction of pixel (i, j) (RAY-1).
-constexpr IntVector direction(const FrameRecord& f, int32_t i, int32_t j) {
-  const int32_t a = 2 * i + 1 - f.frame_width;
-  const int32_t b = 2 * j + 1 - f.frame_height;
+/// The direction at `a`, `b` in [-4095, 4095] (RAY-1).
+constexpr IntVector direction(const FrameRecord& f, int32_t a, int32_t b) {
   watch("a, b", a);
   watch("a, b", b);
   return {direction(f.n0_hi.x, f.n0_lo.x, f.na_hi.x, f.na_lo.x, f.nb_hi.x, f.nb_lo.x, a, b),
@@ -83,12 +83,18 @@ constexpr std::optional<Slopes> slopes(const IntVector& n) {
   return Slopes{slope_of(n.x, r), slope_of(n.y, r)};
 }
 
-/// The place on one axis of the grid of `views` views (RAY-3); nothing outside it.
-constexpr std::optional<int32_t> place_among_views(int32_t place, int32_t views) {
+/// U or V on an axis of `views` views (RAY-3).
+struct AxisPlace {
+  int32_t inside = 0;     ///< in the grid: [0, (views - 1) * 2^16]
+  int32_t displaced = 0;  ///< Us or Vs of SRF-2, up to half a step beyond it
+};
+
+/// The place on one axis of the grid of `views` views (RAY-3, SRF-2); nothing outside it.
+constexpr std::optional<AxisPlace> place_among_views(int32_t place, int32_t views) {
   watch("U, V before their clamp", place);
   const int32_t last = (views - 1) << 16;
   if (views > 1 && (place < -kHalfStep || place > last + kHalfStep)) return std::nullopt;
-  return clamp(place, 0, last);
+  return AxisPlace{clamp(place, 0, last), clamp(place, -kHalfStep, last + kHalfStep)};
 }
 
 /// Whether a coordinate lies in a picture of `size` pixels along its axis (RAY-5).
@@ -113,14 +119,19 @@ constexpr int32_t y_in_view(const FrameRecord& f, int32_t yb, int32_t row) {
   return y;
 }
 
-/// The ray of pixel (i, j); nothing if the pixel is outside (RAY-6).
-constexpr std::optional<Ray> trace(const FrameRecord& f, int32_t i, int32_t j) {
-  const auto slope = slopes(direction(f, i, j));
+/// The ray of direction `n`; nothing if it is outside (RAY-2 to RAY-5).
+constexpr std::optional<Ray> trace(const FrameRecord& f, const IntVector& n) {
+  const auto slope = slopes(n);
   if (!slope) return std::nullopt;
   const auto u = place_among_views(f.u0 - shift_along(f.zu, slope->x), f.cols);
   const auto v = place_among_views(f.v0 - shift_along(f.zv, slope->y), f.rows);
   if (!u || !v) return std::nullopt;
-  const Ray ray{*u, *v, f.x0 + shift_along(f.gain, slope->x), f.y0 + shift_along(f.gain, slope->y)};
+  const Ray ray{u->inside,
+                v->inside,
+                u->displaced,
+                v->displaced,
+                f.x0 + shift_along(f.gain, slope->x),
+                f.y0 + shift_along(f.gain, slope->y)};
   watch("xb, yb", ray.xb);
   watch("xb, yb", ray.yb);
   if (!is_in_picture(x_in_view(f, ray.xb, nearest_view(ray.u)), f.width) ||
@@ -128,6 +139,11 @@ constexpr std::optional<Ray> trace(const FrameRecord& f, int32_t i, int32_t j) {
     return std::nullopt;
   }
   return ray;
+}
+
+/// The ray of pixel (i, j); nothing if the pixel is outside (RAY-6).
+constexpr std::optional<Ray> trace(const FrameRecord& f, int32_t i, int32_t j) {
+  return trace(f, direction(f, 2 * i + 1 - f.frame_width, 2 * j + 1 - f.frame_height));
 }
 
 }  // namespace hmlfc

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "decoder/memory_guard.hpp"
+#include "render/cell_displacements.hpp"
 #include "render/shown_image.hpp"
 
 namespace hmlfc {
@@ -36,6 +37,11 @@ class RealRenderer {
 
   Result<RealFrame> run() {
     RealFrame frame;
+    displaced_ = golden_displacements(decoder_, *frame_record(camera_, header_), stop_level_);
+    for (const int32_t e : displaced_.cells) {
+      frame.max_displacement =
+          std::max(frame.max_displacement, std::abs(e) / double{kDisparityUnits});
+    }
     frame.width = *camera_.frame_width;
     frame.height = *camera_.frame_height;
     for (uint32_t j = 0; j < frame.height; ++j) {
@@ -43,7 +49,7 @@ class RealRenderer {
         const auto ray = trace(i, j);
         Colour colour{};
         if (ray) {
-          auto mixed = mix(*ray);
+          auto mixed = mix(*ray, pixels_displacement(i, j));
           if (!mixed) return tl::unexpected(mixed.error());
           colour = *mixed;
         }
@@ -59,6 +65,7 @@ class RealRenderer {
 
   struct Ray {
     double u, v;    // clamped to the grid
+    double us, vs;  // up to half a step beyond it (SRF-2)
     double sx, sy;  // slopes
   };
 
@@ -78,10 +85,10 @@ class RealRenderer {
     const double ny = fy_ + b * (fz_ * rx - fx_ * rz);
     const double nz = fz_ + a * rz - b * fy_ * rx;
     if (nz < 0.25 || std::abs(nx) >= 4 * nz || std::abs(ny) >= 4 * nz) return std::nullopt;
-    Ray ray{0, 0, nx / nz, ny / nz};
+    Ray ray{0, 0, 0, 0, nx / nz, ny / nz};
     const WorldPoint& p = *camera_.position;
-    if (!place(p.u - p.z * ray.sx, header_.cols, ray.u)) return std::nullopt;
-    if (!place(p.v - p.z / pitch_ * ray.sy, header_.rows, ray.v)) return std::nullopt;
+    if (!place(p.u - p.z * ray.sx, header_.cols, ray.u, ray.us)) return std::nullopt;
+    if (!place(p.v - p.z / pitch_ * ray.sy, header_.rows, ray.v, ray.vs)) return std::nullopt;
     const double x = x_in(ray, std::floor(ray.u + 0.5));
     const double y = y_in(ray, std::floor(ray.v + 0.5));
     if (x < -0.5 || x >= header_.width - 0.5 || y < -0.5 || y >= header_.height - 0.5) {
@@ -90,9 +97,10 @@ class RealRenderer {
     return ray;
   }
 
-  static bool place(double at, uint32_t views, double& out) {
+  static bool place(double at, uint32_t views, double& inside, double& displaced) {
     if (views > 1 && (at < -0.5 || at > views - 0.5)) return false;
-    out = std::clamp(at, 0.0, views - 1.0);
+    inside = std::clamp(at, 0.0, views - 1.0);
+    displaced = std::clamp(at, -0.5, views - 0.5);
     return true;
   }
 
@@ -139,15 +147,22 @@ class RealRenderer {
     return taps;
   }
 
-  // SMP-3.
-  Result<Colour> mix(const Ray& ray) {
+  // That of a pixel's cell, in pixels a column.
+  double pixels_displacement(uint32_t i, uint32_t j) const {
+    return displaced_.at(static_cast<int32_t>(i), static_cast<int32_t>(j)) /
+           double{kDisparityUnits};
+  }
+
+  // SMP-3, with SRF-2 for displacement `e`.
+  Result<Colour> mix(const Ray& ray, double e) {
     Colour sum{};
     for (const Tap& row : views_at(ray.v, header_.rows)) {
       for (const Tap& col : views_at(ray.u, header_.cols)) {
         const auto view = view_at({row.at, col.at});
         if (!view) return tl::unexpected(view.error());
-        for (const Tap& y : pixels_at(y_in(ray, row.at), header_.height)) {
-          for (const Tap& x : pixels_at(x_in(ray, col.at), header_.width)) {
+        for (const Tap& y :
+             pixels_at(y_in(ray, row.at) + pitch_ * e * (row.at - ray.vs), header_.height)) {
+          for (const Tap& x : pixels_at(x_in(ray, col.at) + e * (col.at - ray.us), header_.width)) {
             const uint16_t* pixel =
                 (*view)->samples.data() + (size_t{y.at} * header_.width + x.at) * 3;
             const double weight = row.weight * col.weight * y.weight * x.weight;
@@ -176,6 +191,7 @@ class RealRenderer {
   double pitch_;
   double kappa_;
   double fx_, fy_, fz_, h_;
+  CellDisplacements displaced_;
   std::map<uint64_t, RgbImage> views_;
 };
 
@@ -185,7 +201,8 @@ Result<RealFrame> render_real(const Decoder& decoder, const Camera& camera, int 
   return guard_memory([&] { return RealRenderer(decoder, camera, stop_level).run(); });
 }
 
-double fixed_point_bound(const Camera& camera, const StreamHeader& header) {
+double fixed_point_bound(const Camera& camera, const StreamHeader& header,
+                         double max_displacement) {
   const Camera full = with_defaults(camera, header);
   const WorldPoint& p = *full.position;
   const double pitch = *full.row_pitch;
@@ -194,9 +211,13 @@ double fixed_point_bound(const Camera& camera, const StreamHeader& header) {
   const double max_distance = std::max(header.rows, header.cols) - 1.0;
   const double place = 7 * 0x1p-17 + std::abs(p.z) * std::max(1.0, std::abs(1 / pitch)) * ds;
   const double ex = (7 + max_distance) * 0x1p-13 + std::abs(*full.focal - kappa * p.z) * ds;
+  const double displaced = max_displacement == 0 ? 0
+                                                 : std::max(1.0, std::abs(pitch)) *
+                                                           max_displacement * (0x1p-11 + place) +
+                                                       0x1p-8 * (max_displacement + 1) + 0x1p-12;
   const double eu = std::ldexp(1.0, full.aperture - 9) + place;
   const double peak = (1 << header.depth) - 1;
-  return 0.5 + 1.0 / 32 + peak * (2 * eu + 2 * (0x1p-9 + ex));
+  return 0.5 + 1.0 / 32 + peak * (2 * eu + 2 * (0x1p-9 + ex + displaced));
 }
 
 double mean_squared_error(const RgbImage& frame, const RealFrame& real) {

@@ -3,17 +3,22 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 
 #include <hmlfc/camera.hpp>
 #include <hmlfc/decoder.hpp>
 
 namespace hmlfc {
 
+inline constexpr int32_t kMaxRecordPitch = 127 * 16;  ///< of FrameRecord::pitch (CAM-3)
+
 /// Whether `record` and `stop_level` belong to a light field of this header.
 inline bool fits(const FrameRecord& record, const StreamHeader& header, int stop_level) {
   const auto is_side = [](int32_t pixels) { return pixels >= 1 && pixels <= kMaxFrameSide; };
   return is_side(record.frame_width) && is_side(record.frame_height) && record.filter >= 0 &&
          record.filter <= 2 && record.aperture >= 0 && record.aperture <= kMaxAperture &&
+         record.geometry >= 0 && record.geometry <= (record.aperture == 0 ? 1 : 0) &&
+         std::abs(record.focus) <= 1 << 16 && std::abs(record.pitch) <= kMaxRecordPitch &&
          stop_level >= 0 && stop_level <= header.tree_height &&
          record.cols == static_cast<int32_t>(header.cols) &&
          record.rows == static_cast<int32_t>(header.rows) &&

@@ -9,6 +9,7 @@
 #include "arithmetic/rounding.hpp"
 #include "arithmetic/widths.hpp"
 #include "render/ray.hpp"
+#include "render/surface.hpp"
 
 namespace hmlfc {
 
@@ -94,17 +95,24 @@ struct AxisTaps {
   constexpr int32_t last() const { return first + (fraction == 0 ? 0 : 1); }
 };
 
+/// The pixel nearest to coordinate `x` in a picture of `size` pixels along this axis (SMP-2).
+constexpr int32_t nearest_pixel(int32_t x, int32_t size) {
+  const int32_t inside = clamp(x, 0, (size - 1) << 12);
+  watch("x, y after their clamp", inside);
+  return (inside + kHalfPixel) >> 12;
+}
+
 /// The taps at coordinate `x`, x(c) or y(r) of RAY-4, in a picture of `size` pixels along this
 /// axis.
 ///
 /// Example: x = 3.5 pixels: pixels 3 and 4, fraction 128; at filters without interpolation of
 /// pixels pixel 4.
 constexpr AxisTaps axis_taps(const FrameRecord& record, int32_t x, int32_t size) {
+  if (record.filter != static_cast<int32_t>(Filter::kQuadrilinear)) {
+    return {nearest_pixel(x, size), 0};
+  }
   const int32_t inside = clamp(x, 0, (size - 1) << 12);
   watch("x, y after their clamp", inside);
-  if (record.filter != static_cast<int32_t>(Filter::kQuadrilinear)) {
-    return {(inside + kHalfPixel) >> 12, 0};
-  }
   const int32_t rounded = (inside + 8) >> 4;
   return {rounded >> 8, rounded & 255};
 }
@@ -137,15 +145,17 @@ struct ViewTaps {
   AxisTaps y;
 };
 
-/// Calls visit(const ViewTaps&) for each view with a weight in the pixel of `ray`, each view once.
+/// Calls visit(const ViewTaps&) for each view with a weight in the pixel of `ray`, whose cell has
+/// displacement `e` (SRF-4; 0 without geometry), each view once.
 template <class Visit>
-void for_each_view_taps(const FrameRecord& record, const Ray& ray, const Visit& visit) {
+void for_each_view_taps(const FrameRecord& record, const Ray& ray, int32_t e, const Visit& visit) {
+  const int32_t g = displacement_a_row(e, record.pitch);
   const GridWeights rows(axis_weights(record, ray.v), record.rows);
   const GridWeights cols(axis_weights(record, ray.u), record.cols);
   for (int32_t row = rows.first(); row <= rows.last(); ++row) {
-    const AxisTaps y = axis_taps(record, y_in_view(record, ray.yb, row), record.height);
+    const AxisTaps y = axis_taps(record, y_in_view(record, ray, g, row), record.height);
     for (int32_t col = cols.first(); col <= cols.last(); ++col) {
-      const AxisTaps x = axis_taps(record, x_in_view(record, ray.xb, col), record.width);
+      const AxisTaps x = axis_taps(record, x_in_view(record, ray, e, col), record.width);
       const auto weight = static_cast<uint32_t>(rows.weight(row) * cols.weight(col));
       watch("weight of a view", weight);
       visit(ViewTaps{{static_cast<uint32_t>(row), static_cast<uint32_t>(col)}, weight, x, y});

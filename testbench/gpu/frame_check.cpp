@@ -95,7 +95,7 @@ double mean_views(std::span<const FrameRecord> records) {
         const auto ray = trace(record, i, j);
         if (!ray) continue;
         ++pixels;
-        for_each_view_taps(record, *ray, [&](const ViewTaps&) { ++views; });
+        for_each_view_taps(record, *ray, 0, [&](const ViewTaps&) { ++views; });
       }
     }
   }

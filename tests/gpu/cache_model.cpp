@@ -55,7 +55,7 @@ CacheModel::Blocks CacheModel::needed_blocks(const FrameRecord& record) const {
     for (int32_t i = 0; i < record.frame_width; ++i) {
       const auto ray = trace(record, i, j);
       if (!ray) continue;
-      for_each_view_taps(record, *ray, [&](const ViewTaps& taps) {
+      for_each_view_taps(record, *ray, 0, [&](const ViewTaps& taps) {
         const ImagePos image = geometry_.ancestor({taps.view.row, taps.view.col}, 0, stop_level_);
         for (int32_t y = taps.y.first; y <= taps.y.last(); ++y) {
           for (int32_t x = taps.x.first; x <= taps.x.last(); ++x) {

@@ -147,7 +147,8 @@ TEST(FrameRecord, RaysStayWithinTheirWidths) {
     for (int corner = 0; corner < 8; ++corner) {
       const int32_t i = corner % 2 == 0 ? 0 : record->frame_width - 1;
       const int32_t j = corner / 2 % 2 == 0 ? 0 : record->frame_height - 1;
-      const IntVector d = direction(*record, i, j);
+      const IntVector d =
+          direction(*record, 2 * i + 1 - record->frame_width, 2 * j + 1 - record->frame_height);
       for (const int32_t part : {d.x, d.y, d.z}) ASSERT_LE(std::abs(part), 805131609);
       const auto slope = slopes(d);
       if (!slope) continue;

@@ -32,6 +32,7 @@ TEST(GoldenRenderer, AtAPlaceOfTheGridItTakesTheView) {
       Camera camera;
       camera.filter = static_cast<Filter>(filter);
       camera.focus = random() % 2 == 0 ? 0 : 1.75;
+      camera.geometry = static_cast<GeometrySource>(random() % 2);
       const ViewPos view{random() % header.rows, random() % header.cols};
       camera.position = {static_cast<double>(view.col), static_cast<double>(view.row), 0};
       const int level = static_cast<int>(random() % static_cast<uint32_t>(header.tree_height + 1));
@@ -71,6 +72,7 @@ TEST(GoldenRenderer, RaysOfAPlaceOfTheGridMeetPixelsExactly) {
 TEST(GoldenRenderer, StaysWithinTheBoundOfTheRealFrame) {
   double worst_part = 0;
   uint64_t compared = 0;
+  int displaced = 0;
   for (uint32_t seed = 0; seed < 60; ++seed) {
     const test::OpenedStream stream(test::random_stream(seed));
     const Decoder& decoder = *stream.decoder;
@@ -78,10 +80,12 @@ TEST(GoldenRenderer, StaysWithinTheBoundOfTheRealFrame) {
     for (int n = 0; n < 4; ++n) {
       Camera camera = test::random_camera(random, decoder.header());
       camera.filter = Filter::kQuadrilinear;
+      if (n % 2 == 1) camera.geometry = GeometrySource::kStream;
       const Frame frame = golden_frame(decoder, camera);
       const auto real = render_real(decoder, camera, 0);
       ASSERT_TRUE(real.has_value());
-      const double bound = fixed_point_bound(camera, decoder.header());
+      displaced += real->max_displacement > 0 ? 1 : 0;
+      const double bound = fixed_point_bound(camera, decoder.header(), real->max_displacement);
       for (size_t i = 0; i < real->samples.size(); ++i) {
         const auto record = *frame_record(camera, decoder.header());
         const auto pixel = static_cast<int32_t>(i / 3);
@@ -96,6 +100,7 @@ TEST(GoldenRenderer, StaysWithinTheBoundOfTheRealFrame) {
     }
   }
   EXPECT_GT(compared, 100000u);
+  EXPECT_GT(displaced, 20);
   EXPECT_GT(worst_part, 0.1) << "the bound is far above what occurs";
 }
 

@@ -57,6 +57,29 @@ def quantities(text, n):
         "q": colour,
         "sum over views": tuple(2**16 * q + 2**19 for q in colour),  # weights sum to 2^16
         **geometry_quantities(),
+        **surface_quantities(inputs, sums(picture, parallax)),
+    }
+
+
+def surface_quantities(inputs, places):
+    """Those of section 9: `places` of x(c) and y(r), and the views with a weight of SMP-1."""
+    disparity = -(2**15), 2**15 - 1  # GEO-1
+    focus = [end << 8 for end in intervals_in(inputs["focus"])[0]]
+    pitch = int(intervals_in(inputs["row_pitch"])[0][1] * 2**8)
+    rows = shifted(sums(products(disparity, (-pitch, pitch)), (2**7, 2**7)), 8)
+    # A view with weight has abs(m * 2^8 - A) <= 255; Us is at most half a step outside the grid.
+    steps = ends(
+        (m << 12) - (place >> 4) for m in (0, 1) for place in range(-(2**15), 2**17)
+        if abs((m << 8) - ((place + 2**7) >> 8)) <= 255
+    )
+    moved = union(products(disparity, steps), products(rows, steps))
+    return {
+        "focus, D - focus": union(focus, sums(disparity, negated(focus))),
+        "E": disparity,
+        "G": rows,
+        "c * 2^12 - (Us >> 4)": steps,
+        "E * (c * 2^12 - (Us >> 4))": moved,
+        "x(c, E), y(r, E)": sums(places, shifted(moved, 8)),
     }
 
 

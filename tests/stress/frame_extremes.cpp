@@ -69,7 +69,10 @@ class Extremes {
     for (const int32_t j : {0, record.frame_height / 2, record.frame_height - 1}) {
       for (const int32_t i : {0, record.frame_width / 2, record.frame_width - 1}) {
         const auto ray = trace(record, i, j);
-        if (ray) for_each_view_taps(record, *ray, [](const ViewTaps&) {});
+        if (!ray) continue;
+        for (const int32_t e : {kLeastD, 0, kGreatestD}) {
+          for_each_view_taps(record, *ray, e, [](const ViewTaps&) {});
+        }
       }
     }
     done_(name);

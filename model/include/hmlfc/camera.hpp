@@ -22,6 +22,12 @@ enum class Filter : uint8_t {
   kQuadrilinear = 2,  ///< four pixels of each of the views around the ray
 };
 
+/// Where a frame takes the scene to be (section 9).
+enum class GeometrySource : uint8_t {
+  kPlane = 0,   ///< in the focal plane
+  kStream = 1,  ///< where the disparity maps of the stream say
+};
+
 inline constexpr int kMaxAperture = 3;      ///< of Camera::aperture
 inline constexpr int kMaxFrameSide = 4096;  ///< of frame_width and frame_height, pixels
 
@@ -53,7 +59,8 @@ struct Camera {
                                        ///< [2^-10, 2]; else the largest frame that a view fills
   double focus = 0;                    ///< disparity of the focal plane, [-256, 256]
   int aperture = 0;  ///< log2 of the steps of views over which a weight falls to 0, [0, 3]
-  Filter filter = Filter::kQuadrilinear;  ///< of the frame's pixels
+  Filter filter = Filter::kQuadrilinear;             ///< of the frame's pixels
+  GeometrySource geometry = GeometrySource::kPlane;  ///< of frames with aperture 0
 };
 
 /// `camera` with every input set, for a light field of this header: inputs not given take the last
@@ -97,10 +104,13 @@ struct FrameRecord {
   int32_t rows = 1;          ///< of views
   int32_t width = 1;         ///< of a view, pixels
   int32_t height = 1;        ///< of a view, pixels
+  int32_t geometry = 0;      ///< 1: the frame has geometry (SRF-1)
+  int32_t focus = 0;         ///< of the focal plane, 2^-8 pixels a column
+  int32_t pitch = 256;       ///< of the rows of views, 2^-8 columns
 
   friend bool operator==(const FrameRecord&, const FrameRecord&) = default;
 };
-static_assert(sizeof(FrameRecord) == 148);
+static_assert(sizeof(FrameRecord) == 160);
 
 /// Why a camera takes no frame.
 struct CameraError {

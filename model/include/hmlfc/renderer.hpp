@@ -15,10 +15,11 @@ namespace hmlfc {
 
 /// The work of one frame. Blocks are those of NED-1.
 struct FrameCounts {
-  uint64_t blocks_needed = 0;         ///< decoded + reused
-  uint64_t blocks_decoded = 0;        ///< for this frame
-  uint64_t blocks_reused = 0;         ///< from the cache
-  uint64_t samples_interpolated = 0;  ///< samples R, G and B of views with a weight above 0
+  uint64_t blocks_needed = 0;          ///< decoded + reused
+  uint64_t blocks_decoded = 0;         ///< for this frame
+  uint64_t blocks_reused = 0;          ///< from the cache
+  uint64_t samples_interpolated = 0;   ///< samples R, G and B of views with a weight above 0
+  uint64_t disparities_looked_up = 0;  ///< blocks whose disparity geometry looks up (SRF-5)
 
   friend bool operator==(const FrameCounts&, const FrameCounts&) = default;
 };
@@ -76,6 +77,7 @@ struct RealFrame {
   uint32_t height = 0;          ///< [1, 4096] pixels
   std::vector<uint8_t> inside;  ///< 1 for each pixel that is inside (RAY-5), row by row, else 0
   std::vector<double> samples;  ///< R, G, B of each pixel in [0, 2^depth - 1]; 0 outside
+  double max_displacement = 0;  ///< the largest displacement of a cell (SRF-6), pixels a column
 };
 
 /// The real frame of `camera`, which frame_record accepts for this light field, from views decoded
@@ -84,8 +86,10 @@ HMLFC_EXPORT Result<RealFrame> render_real(const Decoder& decoder, const Camera&
                                            int stop_level = 0);
 
 /// The bound of ERR-1 on |frame - real frame| for filter quadrilinear at pixels that are inside in
-/// both, in samples of the light field's depth.
-HMLFC_EXPORT double fixed_point_bound(const Camera& camera, const StreamHeader& header);
+/// both, in samples of the light field's depth. For a frame with geometry `max_displacement` is
+/// that of its real frame (SRF-6).
+HMLFC_EXPORT double fixed_point_bound(const Camera& camera, const StreamHeader& header,
+                                      double max_displacement = 0);
 
 /// The mean squared difference of the samples of `frame` from those of `real`, a frame of the same
 /// size, over all pixels.
