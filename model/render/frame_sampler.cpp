@@ -17,37 +17,53 @@ class RowSampler {
   RowSampler(const FrameRecord& record, int stop_level, const StreamHeader& header,
              ViewCache& cache)
       : record_(record),
-        two_bytes_(cache.shape().sample_bytes == 2),
         interpolated_(record.filter == static_cast<int32_t>(Filter::kQuadrilinear)),
         views_(cache, header, stop_level),
         rays_(static_cast<size_t>(record.frame_width)),
+        runs_(static_cast<size_t>(record.frame_width)),
         taps_(static_cast<size_t>(record.frame_width)),
-        sums_(static_cast<size_t>(record.frame_width) * 4) {}
+        samples_(static_cast<size_t>(record.frame_width) * 3 + kRowSpare) {
+    pixels_.two_bytes = cache.shape().sample_bytes == 2;
+  }
 
   void sample(int32_t j, uint16_t* out) {
     trace_row(record_, j, rays_);
-    std::fill(sums_.begin(), sums_.end(), 0u);  // RAY-6
-    for_each_run(record_, rays_, [&](const RayRun& run) {
-      find_taps(record_, rays_, run, taps_);
-      find_weights(record_, rays_, run, taps_);
-      for (int32_t row = 0; row < taps_.rows.views; ++row) {
-        for (int32_t col = 0; col < taps_.cols.views; ++col) {
-          const CachedView& view = views_.at(run.first_row + row, run.first_col + col);
-          add_view({view.rows(), two_bytes_}, run, taps_, interpolated_, col, row, sums_.data());
-        }
-      }
-    });
-    round_row(sums_.data(), record_.frame_width, out);
+    int32_t done = 0;
+    const auto clear_to = [&](int32_t i) {  // RAY-6
+      std::fill(samples_.begin() + 3 * done, samples_.begin() + 3 * i, uint16_t{0});
+    };
+    const int32_t runs = find_runs(record_, rays_, runs_.data());
+    for (int32_t k = 0; k < runs; ++k) {
+      const RayRun& run = runs_[static_cast<size_t>(k)];
+      clear_to(run.begin);
+      sample(run);
+      done = run.end;
+    }
+    clear_to(record_.frame_width);
+    std::copy(samples_.begin(), samples_.end() - kRowSpare, out);
   }
 
  private:
+  void sample(const RayRun& run) {
+    find_taps(record_, rays_, run, taps_);
+    find_weights(record_, rays_, run, taps_);
+    size_t count = 0;
+    for (int32_t row = run.first_row; row <= run.last_row; ++row) {
+      for (int32_t col = run.first_col; col <= run.last_col; ++col) {
+        pixels_.rows[count++] = views_.at(row, col).rows();
+      }
+    }
+    sample_run(run, taps_, pixels_, interpolated_, samples_.data() + ptrdiff_t{3} * run.begin);
+  }
+
   const FrameRecord& record_;
-  bool two_bytes_;
   bool interpolated_;
   ViewLookup views_;
   RowRays rays_;
+  std::vector<RayRun> runs_;
   RunTaps taps_;
-  std::vector<uint32_t> sums_;
+  RunViews pixels_;
+  std::vector<uint16_t> samples_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <hwy/highway.h>
 
 #include "render/row_rays-inl.hpp"
-#include "render/row_sums-inl.hpp"
+#include "render/run_samples-inl.hpp"
 #include "render/run_taps-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,16 +25,21 @@ HWY_AFTER_NAMESPACE();
 namespace hmlfc {
 
 HWY_EXPORT(trace_row_here);
+HWY_EXPORT(find_runs_here);
 HWY_EXPORT(find_taps_here);
 HWY_EXPORT(find_weights_here);
 HWY_EXPORT(count_reads_here);
+HWY_EXPORT(is_steady_here);
 HWY_EXPORT(find_steps_here);
-HWY_EXPORT(add_view_here);
-HWY_EXPORT(round_row_here);
+HWY_EXPORT(sample_run_here);
 HWY_EXPORT(render_set_here);
 
 void trace_row(const FrameRecord& record, int32_t j, RowRays& rays) {
   HWY_DYNAMIC_DISPATCH(trace_row_here)(record, j, rays);
+}
+
+int32_t find_runs(const FrameRecord& record, const RowRays& rays, RayRun* runs) {
+  return HWY_DYNAMIC_DISPATCH(find_runs_here)(record, rays, runs);
 }
 
 void find_taps(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps) {
@@ -50,18 +55,18 @@ uint64_t count_reads(const RayRun& run, const RunTaps& taps) {
   return HWY_DYNAMIC_DISPATCH(count_reads_here)(run, taps);
 }
 
-int32_t find_steps(const int32_t* first, const int32_t* fraction, const RayRun& run, unsigned log2,
+bool is_steady(const AxisRun& axis, int32_t k, const RayRun& run, int32_t step) {
+  return HWY_DYNAMIC_DISPATCH(is_steady_here)(axis, k, run, step);
+}
+
+int32_t find_steps(const AxisRun& axis, int32_t k, const RayRun& run, unsigned log2,
                    int32_t* steps) {
-  return HWY_DYNAMIC_DISPATCH(find_steps_here)(first, fraction, run, log2, steps);
+  return HWY_DYNAMIC_DISPATCH(find_steps_here)(axis, k, run, log2, steps);
 }
 
-void add_view(const ViewPixels& pixels, const RayRun& run, const RunTaps& taps, bool interpolated,
-              int32_t col, int32_t row, uint32_t* sums) {
-  HWY_DYNAMIC_DISPATCH(add_view_here)(pixels, run, taps, interpolated, col, row, sums);
-}
-
-void round_row(const uint32_t* sums, int32_t pixels, uint16_t* out) {
-  HWY_DYNAMIC_DISPATCH(round_row_here)(sums, pixels, out);
+void sample_run(const RayRun& run, const RunTaps& taps, const RunViews& views, bool interpolated,
+                uint16_t* out) {
+  HWY_DYNAMIC_DISPATCH(sample_run_here)(run, taps, views, interpolated, out);
 }
 
 const char* render_instruction_set() { return HWY_DYNAMIC_DISPATCH(render_set_here)(); }

@@ -1,8 +1,9 @@
-// The rays, taps and sums of a row of a frame. The kernels are the renderer's inner loops, compiled
-// once for each instruction set and chosen at run time; each equals the golden functions on every
-// pixel.
+// The rays, taps and samples of a row of a frame. The kernels are the renderer's inner loops,
+// compiled once for each instruction set and chosen at run time; each equals the golden functions
+// on every pixel.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -40,62 +41,42 @@ struct RayRun {
   int32_t last_row = 0;
 };
 
-/// Calls visit(const RayRun&) for the runs of a row, from left to right.
-template <class Visit>
-void for_each_run(const FrameRecord& record, const RowRays& rays, const Visit& visit) {
-  const auto run_at = [&](int32_t i) {
-    const auto at = static_cast<size_t>(i);
-    const GridWeights cols(axis_weights(record, rays.u[at]), record.cols);
-    const GridWeights rows(axis_weights(record, rays.v[at]), record.rows);
-    return RayRun{i, i, cols.first(), cols.last(), rows.first(), rows.last()};
-  };
-  const auto same_place = [&](int32_t i, int32_t j) {
-    return rays.u[static_cast<size_t>(i)] == rays.u[static_cast<size_t>(j)] &&
-           rays.v[static_cast<size_t>(i)] == rays.v[static_cast<size_t>(j)];
-  };
-  int32_t i = 0;
-  while (i < record.frame_width) {
-    if (rays.u[static_cast<size_t>(i)] == RowRays::kOutside) {
-      ++i;
-      continue;
-    }
-    RayRun run = run_at(i);
-    for (++i; i < record.frame_width && rays.u[static_cast<size_t>(i)] != RowRays::kOutside; ++i) {
-      if (same_place(i - 1, i)) continue;
-      const RayRun next = run_at(i);
-      if (next.first_col != run.first_col || next.last_col != run.last_col ||
-          next.first_row != run.first_row || next.last_row != run.last_row) {
-        break;
-      }
-    }
-    run.end = i;
-    visit(run);
-  }
-}
-
 /// One axis of a run: for each view of the axis and each pixel of the row its taps (SMP-2) and its
-/// weight (SMP-1). Only the run's pixels are set.
+/// weight (SMP-1). Only the run's pixels are set, and kSpare first taps after them.
 struct AxisRun {
-  explicit AxisRun(size_t row_pixels) : row_pixels_(row_pixels) {}
+  explicit AxisRun(size_t row_pixels) : array_size_(row_pixels + kSpare) {}
+
+  /// What vectors read after the last pixel.
+  static constexpr size_t kSpare = 4;
+
+  /// Pixel weights of a tap whose second pixel is not read.
+  static constexpr int32_t kFirstAlone = 256;
 
   int32_t first_view = 0;
   int32_t views = 0;  ///< [1, kMaxAxisViews]
 
-  /// Of view first_view + k: the first tap of each pixel, the fraction of the second, the weight.
+  /// Of view first_view + k: the first tap of each pixel; the weight of this tap in the lower and
+  /// that of the second tap in the upper 16 bits, of 256; the weight of the view.
   std::vector<int32_t> first[kMaxAxisViews];
-  std::vector<int32_t> fraction[kMaxAxisViews];
+  std::vector<int32_t> pixel_weights[kMaxAxisViews];
   std::vector<int32_t> weight[kMaxAxisViews];
+
+  /// The last pixel that a tap of pixel `i` reads in view first_view + k.
+  int32_t last(int32_t k, int32_t i) const {
+    const auto at = static_cast<size_t>(i);
+    return first[k][at] + (pixel_weights[k][at] != kFirstAlone ? 1 : 0);
+  }
 
   /// Allocates the arrays of `count` views.
   void reserve(int32_t count) {
     for (int32_t k = 0; k < count; ++k) {
       if (!first[k].empty()) continue;
-      for (auto* array : {&first[k], &fraction[k], &weight[k]}) array->resize(row_pixels_);
+      for (auto* array : {&first[k], &pixel_weights[k], &weight[k]}) array->resize(array_size_);
     }
   }
 
  private:
-  size_t row_pixels_;
+  size_t array_size_;
 };
 
 /// Both axes of a run.
@@ -109,6 +90,10 @@ struct RunTaps {
 /// The rays of row `j`: trace() of each pixel.
 void trace_row(const FrameRecord& record, int32_t j, RowRays& rays);
 
+/// The runs of a row, from left to right. Writes to `runs`, which has room for one a pixel, and
+/// returns their number.
+int32_t find_runs(const FrameRecord& record, const RowRays& rays, RayRun* runs);
+
 /// The taps of `run` in all its views: axis_taps() of each pixel.
 void find_taps(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps);
 
@@ -118,26 +103,29 @@ void find_weights(const FrameRecord& record, const RowRays& rays, const RayRun& 
 /// The number of pixels of views that the run's pixels read.
 uint64_t count_reads(const RayRun& run, const RunTaps& taps);
 
-/// Finds where along a run the blocks of 2^log2 pixels change that the taps `first` and `fraction`
-/// (AxisRun) of one column, or row, of views read: writes these pixels to `steps`, always with the
-/// run's first, and returns their number. `steps` has room for the run and one more.
-int32_t find_steps(const int32_t* first, const int32_t* fraction, const RayRun& run, unsigned log2,
+/// Whether the first taps of view `k` of `axis` (AxisRun) only rise along a run, or only fall, by
+/// at most `step` from pixel to pixel.
+bool is_steady(const AxisRun& axis, int32_t k, const RayRun& run, int32_t step);
+
+/// Finds where along a run the blocks of 2^log2 pixels change that the taps of view `k` of `axis`
+/// read: writes these pixels to `steps`, always with the run's first, and returns their number.
+/// `steps` has room for the run and one more.
+int32_t find_steps(const AxisRun& axis, int32_t k, const RayRun& run, unsigned log2,
                    int32_t* steps);
 
-/// The pixels of a view in memory (ViewPage).
-struct ViewPixels {
-  const uint8_t* const* rows = nullptr;
+/// The pixels of the views of a run in memory.
+struct RunViews {
   bool two_bytes = false;  ///< a sample
+  /// CachedView::rows() of the views, row by row; those of the run's rows and columns of views.
+  std::array<const uint8_t* const*, size_t{kMaxAxisViews} * kMaxAxisViews> rows;
 };
 
-/// Adds weight * q (SMP-3) of one view to the sums of the run's pixels: four sums a pixel, the
-/// fourth without meaning. The view is column taps.cols.first_view + col, row likewise;
-/// `interpolated` as SMP-2 has it for filter quadrilinear.
-void add_view(const ViewPixels& pixels, const RayRun& run, const RunTaps& taps, bool interpolated,
-              int32_t col, int32_t row, uint32_t* sums);
-
-/// Converts the sums of a row's pixels to its samples of R, G, B (SMP-3).
-void round_row(const uint32_t* sums, int32_t pixels, uint16_t* out);
+/// Writes the samples R, G, B of the pixels of `run` (SMP-2, SMP-3), whose taps and weights are
+/// found, to `out`, and anything to kRowSpare samples after them. `interpolated`: pixels of views
+/// are, as with filter quadrilinear.
+void sample_run(const RayRun& run, const RunTaps& taps, const RunViews& views, bool interpolated,
+                uint16_t* out);
+inline constexpr size_t kRowSpare = 16;
 
 /// The name of the instruction set chosen, such as "AVX2".
 const char* render_instruction_set();

@@ -24,13 +24,13 @@ namespace HWY_NAMESPACE {
 /// SMP-2 on one axis: from coordinates base + offset of pixels [begin, end).
 inline void fill_taps(const int32_t* HWY_RESTRICT base, int32_t offset, int32_t size,
                       bool interpolated, int32_t begin, int32_t end, int32_t* HWY_RESTRICT first,
-                      int32_t* HWY_RESTRICT fraction) {
+                      int32_t* HWY_RESTRICT pixel_weights) {
   const int32_t last = (size - 1) << 12;
   if (!interpolated) {
     for (int32_t i = begin; i < end; ++i) {
       const int32_t x = base[i] + offset;
       first[i] = ((x < 0 ? 0 : x > last ? last : x) + kHalfPixel) >> 12;
-      fraction[i] = 0;
+      pixel_weights[i] = AxisRun::kFirstAlone;
     }
     return;
   }
@@ -38,7 +38,8 @@ inline void fill_taps(const int32_t* HWY_RESTRICT base, int32_t offset, int32_t 
     const int32_t x = base[i] + offset;
     const int32_t rounded = ((x < 0 ? 0 : x > last ? last : x) + 8) >> 4;
     first[i] = rounded >> 8;
-    fraction[i] = rounded & 255;
+    const int32_t fraction = rounded & 255;
+    pixel_weights[i] = (fraction << 16) + (256 - fraction);
   }
 }
 
@@ -64,9 +65,11 @@ inline void find_axis_taps(const FrameRecord& f, const std::vector<int32_t>& bas
   out.views = last - first + 1;
   out.reserve(out.views);
   const bool interpolated = f.filter == static_cast<int32_t>(Filter::kQuadrilinear);
+  const auto last_pixel = static_cast<size_t>(run.end - 1);
   for (int32_t k = 0; k < out.views; ++k) {
     fill_taps(base.data(), step * (first + k - origin), size, interpolated, run.begin, run.end,
-              out.first[k].data(), out.fraction[k].data());
+              out.first[k].data(), out.pixel_weights[k].data());
+    std::fill_n(out.first[k].begin() + run.end, AxisRun::kSpare, out.first[k][last_pixel]);
   }
 }
 
@@ -109,8 +112,8 @@ inline uint64_t count_reads_here(const RayRun& run, const RunTaps& taps) {
   const auto count_taps = [](const AxisRun& axis, int32_t begin, int32_t count, int32_t* out) {
     for (int32_t i = 0; i < count; ++i) out[i] = axis.views;
     for (int32_t k = 0; k < axis.views; ++k) {
-      const int32_t* fraction = axis.fraction[k].data() + begin;
-      for (int32_t i = 0; i < count; ++i) out[i] += fraction[i] != 0 ? 1 : 0;
+      const int32_t* weights = axis.pixel_weights[k].data() + begin;
+      for (int32_t i = 0; i < count; ++i) out[i] += weights[i] != AxisRun::kFirstAlone ? 1 : 0;
     }
   };
   uint64_t reads = 0;
@@ -127,32 +130,105 @@ inline uint64_t count_reads_here(const RayRun& run, const RunTaps& taps) {
   return reads;
 }
 
-/// Writes the pixels of `run` at which the blocks of 2^log2 pixels change that taps `first`,
-/// `fraction` read, the first pixel always; returns how many.
-inline int32_t find_steps_here(const int32_t* HWY_RESTRICT first,
-                               const int32_t* HWY_RESTRICT fraction, const RayRun& run,
-                               unsigned log2, int32_t* HWY_RESTRICT steps) {
+inline bool is_steady_here(const AxisRun& axis, int32_t k, const RayRun& run, int32_t step) {
+  const int32_t* HWY_RESTRICT first = axis.first[k].data();
+  int32_t least = 0;
+  int32_t most = 0;
+  for (int32_t i = run.begin + 1; i < run.end; ++i) {
+    const int32_t rise = first[i] - first[i - 1];
+    least = std::min(least, rise);
+    most = std::max(most, rise);
+  }
+  return (least == 0 && most <= step) || (most == 0 && least >= -step);
+}
+
+/// Calls visit(i) for each i of [begin, end) whose key differs from the one before, and for
+/// `begin`. Keys are compared in blocks, which mostly have no change.
+template <class KeyOf, class Visit>
+HWY_INLINE void for_each_change(int32_t begin, int32_t end, const KeyOf& key_of,
+                                const Visit& visit) {
   constexpr int32_t kCompared = 64;
-  int32_t count = 0;
-  int32_t key = -1;
-  for (int32_t begin = run.begin; begin < run.end; begin += kCompared) {
-    const int32_t pixels = run.end - begin < kCompared ? run.end - begin : kCompared;
-    int32_t keys[kCompared + 1];
-    keys[0] = key;
-    for (int32_t i = 0; i < pixels; ++i) {
-      const int32_t at = first[begin + i];
-      keys[i + 1] = (at >> log2) + ((at + (fraction[begin + i] != 0 ? 1 : 0)) >> log2);
-    }
+  using Key = decltype(key_of(begin));
+  Key before = ~key_of(begin);
+  for (; begin < end; begin += kCompared) {
+    const int32_t pixels = end - begin < kCompared ? end - begin : kCompared;
+    Key keys[kCompared + 1];
+    keys[0] = before;
+    for (int32_t i = 0; i < pixels; ++i) keys[i + 1] = key_of(begin + i);
     int32_t changes = 0;
     for (int32_t i = 0; i < pixels; ++i) changes += keys[i + 1] != keys[i] ? 1 : 0;
-    key = keys[pixels];
-    if (changes == 0) continue;
-    for (int32_t i = 0; i < pixels; ++i) {
-      steps[count] = begin + i;
-      count += keys[i + 1] != keys[i] ? 1 : 0;
+    before = keys[pixels];
+    for (int32_t i = 0; changes != 0; ++i) {
+      if (keys[i + 1] == keys[i]) continue;
+      visit(begin + i);
+      --changes;
     }
   }
+}
+
+inline int32_t find_steps_here(const AxisRun& axis, int32_t k, const RayRun& run, unsigned log2,
+                               int32_t* steps) {
+  const int32_t* HWY_RESTRICT first = axis.first[k].data();
+  const int32_t* HWY_RESTRICT weights = axis.pixel_weights[k].data();
+  int32_t count = 0;
+  for_each_change(
+      run.begin, run.end,
+      [&](int32_t i) {
+        const int32_t last = first[i] + (weights[i] != AxisRun::kFirstAlone ? 1 : 0);
+        return (first[i] >> log2) + (last >> log2);
+      },
+      [&](int32_t i) { steps[count++] = i; });
   return count;
+}
+
+/// The views with a weight on one axis in 16 bits: the first in the upper 12, how many follow it in
+/// the lower 4. Grids have at most 4096 columns and rows.
+inline uint32_t views_key(const GridWeights& weights) {
+  return static_cast<uint32_t>(weights.first() << 4 | (weights.last() - weights.first()));
+}
+
+template <class WeightsAt>
+HWY_INLINE int32_t find_runs_of(const FrameRecord& f, const RowRays& rays,
+                                const WeightsAt& weights_at, RayRun* runs) {
+  constexpr uint32_t kOutside = ~0u;  // no view follows the last, 4095
+  const int32_t* HWY_RESTRICT u = rays.u.data();
+  const int32_t* HWY_RESTRICT v = rays.v.data();
+  const int32_t cols = f.cols;
+  const int32_t rows = f.rows;
+  const auto key_of = [&](int32_t i) {
+    const uint32_t key = views_key(GridWeights(weights_at(u[i]), cols)) << 16 |
+                         views_key(GridWeights(weights_at(v[i]), rows));
+    return u[i] == RowRays::kOutside ? kOutside : key;
+  };
+  int32_t count = 0;
+  bool open = false;
+  const auto close = [&](int32_t end) {
+    if (open) runs[count++].end = end;
+    open = false;
+  };
+  for_each_change(0, f.frame_width, key_of, [&](int32_t i) {
+    close(i);
+    const uint32_t key = key_of(i);
+    if (key == kOutside) return;
+    const auto first_col = static_cast<int32_t>(key >> 20);
+    const auto first_row = static_cast<int32_t>(key >> 4 & 4095);
+    runs[count] = {i,         i,
+                   first_col, first_col + static_cast<int32_t>(key >> 16 & 15),
+                   first_row, first_row + static_cast<int32_t>(key & 15)};
+    open = true;
+  });
+  close(f.frame_width);
+  return count;
+}
+
+inline int32_t find_runs_here(const FrameRecord& f, const RowRays& rays, RayRun* runs) {
+  if (f.filter == static_cast<int32_t>(Filter::kNearest)) {
+    return find_runs_of(
+        f, rays, [](int32_t place) { return nearest_weights(place); }, runs);
+  }
+  const int aperture = f.aperture;
+  return find_runs_of(
+      f, rays, [aperture](int32_t place) { return axis_weights(place, aperture); }, runs);
 }
 
 }  // namespace HWY_NAMESPACE

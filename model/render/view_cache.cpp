@@ -39,7 +39,7 @@ size_t ViewPage::bytes(const ViewShape& shape) {
   return shape.row_bytes() * kPageRows + sizeof(int16_t) * (luma + chroma);
 }
 
-CachedView::CachedView(ViewPos place, const ViewShape& shape)
+CachedView::CachedView(ViewPos place, const ViewShape& shape, const uint8_t* missing_row)
     : needed(shape.blocks_x, shape.blocks_y),
       held(shape.blocks_x, shape.blocks_y),
       needed_chroma(shape.chroma_blocks_x, shape.chroma_blocks_y),
@@ -48,7 +48,8 @@ CachedView::CachedView(ViewPos place, const ViewShape& shape)
       place_(place),
       shape_(shape),
       pages_(shape.pages),
-      rows_(shape.height) {}
+      missing_row_(missing_row),
+      rows_(size_t{shape.height} + 1, missing_row) {}
 
 void CachedView::derive_chroma() {
   needed_chroma.clear();
@@ -82,7 +83,7 @@ bool CachedView::has_pages() const {
 void CachedView::drop_page(uint32_t page) {
   pages_[page].reset();
   const uint32_t end = std::min((page + 1) * kPageRows, shape_.height);
-  std::fill(rows_.begin() + page * kPageRows, rows_.begin() + end, nullptr);
+  std::fill(rows_.begin() + page * kPageRows, rows_.begin() + end, missing_row_);
   const auto drop_rows = [page](BlockBits& bits, uint32_t page_rows, uint32_t rows) {
     bits.clear_rows(page * page_rows, std::min((page + 1) * page_rows, rows));
   };
@@ -115,7 +116,7 @@ CachedView& ViewCache::use(ViewPos place, int stop_level) {
   }
   const std::unique_lock lock(mutex_);
   auto& view = views_[key];
-  if (!view) view = std::make_unique<CachedView>(place, shape_);
+  if (!view) view = std::make_unique<CachedView>(place, shape_, missing_row_.data());
   if (view->frame != frame_) {
     view->needed.clear();
     view->frame = frame_;

@@ -69,7 +69,8 @@ struct ViewPage {
 /// pixels. A block of Y stands for its pixels; Co and Cg share their sets of blocks.
 class CachedView {
  public:
-  CachedView(ViewPos place, const ViewShape& shape);
+  /// `missing_row` stands for the rows of pages that do not exist.
+  CachedView(ViewPos place, const ViewShape& shape, const uint8_t* missing_row);
 
   ViewPos place() const { return place_; }
 
@@ -96,7 +97,8 @@ class CachedView {
   /// Whether the frame needs a block in page `page` that is not held.
   bool misses_in_page(uint32_t page) const;
 
-  /// The pixel rows of the view; null where their page does not exist.
+  /// The pixel rows of the view and one after the last: where their page does not exist, and after
+  /// the last, a row whose pixels have no meaning, so that kernels may load what has weight 0.
   const uint8_t* const* rows() const { return rows_.data(); }
 
   uint64_t frame = 0;                ///< the last frame that used the view
@@ -106,6 +108,7 @@ class CachedView {
   ViewPos place_;
   const ViewShape& shape_;
   std::vector<std::unique_ptr<ViewPage>> pages_;
+  const uint8_t* missing_row_;
   std::vector<const uint8_t*> rows_;
 };
 
@@ -114,7 +117,7 @@ class CachedView {
 class ViewCache {
  public:
   ViewCache(const StreamHeader& header, size_t budget, bool keeps_luma)
-      : shape_(header, keeps_luma), budget_(budget) {}
+      : shape_(header, keeps_luma), budget_(budget), missing_row_(shape_.row_bytes()) {}
 
   const ViewShape& shape() const { return shape_; }
 
@@ -156,6 +159,7 @@ class ViewCache {
 
   const ViewShape shape_;
   size_t budget_;
+  const std::vector<uint8_t> missing_row_;
   uint64_t frame_ = 0;
   std::shared_mutex mutex_;
   std::unordered_map<uint64_t, std::unique_ptr<CachedView>> views_;
