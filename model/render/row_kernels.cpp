@@ -38,7 +38,7 @@ void trace_row(const FrameRecord& record, int32_t j, RowRays& rays) {
   HWY_DYNAMIC_DISPATCH(trace_row_here)(record, j, rays);
 }
 
-int32_t find_runs(const FrameRecord& record, const RowRays& rays, RayRun* runs) {
+int32_t find_runs(const FrameRecord& record, RowRays& rays, RayRun* runs) {
   return HWY_DYNAMIC_DISPATCH(find_runs_here)(record, rays, runs);
 }
 

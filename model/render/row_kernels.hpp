@@ -21,7 +21,11 @@ struct RowRays {
 
   /// Room for `pixels` pixels and those that vectors write after them.
   explicit RowRays(size_t pixels)
-      : u(pixels + kSpare), v(pixels + kSpare), xb(pixels + kSpare), yb(pixels + kSpare) {}
+      : u(pixels + kSpare),
+        v(pixels + kSpare),
+        xb(pixels + kSpare),
+        yb(pixels + kSpare),
+        view_keys(pixels) {}
 
   static constexpr size_t kSpare = 64;
 
@@ -29,6 +33,7 @@ struct RowRays {
   std::vector<int32_t> v;
   std::vector<int32_t> xb;
   std::vector<int32_t> yb;
+  std::vector<int32_t> view_keys;  ///< scratch of find_runs()
 };
 
 /// Pixels [begin, end) of a row, all inside, with weights for the same views.
@@ -92,7 +97,7 @@ void trace_row(const FrameRecord& record, int32_t j, RowRays& rays);
 
 /// The runs of a row, from left to right. Writes to `runs`, which has room for one a pixel, and
 /// returns their number.
-int32_t find_runs(const FrameRecord& record, const RowRays& rays, RayRun* runs);
+int32_t find_runs(const FrameRecord& record, RowRays& rays, RayRun* runs);
 
 /// The taps of `run` in all its views: axis_taps() of each pixel.
 void find_taps(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps);

@@ -52,105 +52,122 @@ inline IntVec multiply_shift_lanes(IntVec a, IntVec b) {
                      hn::BitCast(ints, hn::ShiftRight<kShift>(even)));
 }
 
-/// One row of a frame.
-class RowTracer {
- public:
-  RowTracer(const FrameRecord& record, int32_t j)
-      : f_(record), b_(2 * j + 1 - record.frame_height) {}
+/// r of RAY-2 for divisors in [2^26, 2^30 - 1]: one division in binary64, made exact. A quotient
+/// rounded to the nearest and then towards 0 is at most one too large, and is so exactly where its
+/// product with the divisor reaches 2^57.
+inline IntVec reciprocals(IntVec nz) {
+  const Ints ints;
+  const hn::RepartitionToWide<Ints> wide;
+  const hn::Repartition<double, Ints> reals;
+  const hn::Half<Ints> half;
+  const auto quotient = [&](auto part) {
+    const auto dividend = hn::Set(reals, 144115188075855872.0);  // 2^57
+    return hn::DemoteTo(half, hn::Div(dividend, hn::PromoteTo(reals, part)));
+  };
+  const IntVec r =
+      hn::Combine(ints, quotient(hn::UpperHalf(half, nz)), quotient(hn::LowerHalf(half, nz)));
+  const auto upper = [&](IntVec v) {
+    return hn::BitCast(ints, hn::ShiftRight<32>(hn::BitCast(wide, v)));
+  };
+  const auto even = hn::ShiftRight<57>(hn::MulEven(r, nz));
+  const auto odd = hn::ShiftRight<57>(hn::MulEven(upper(r), upper(nz)));
+  return hn::Sub(r, hn::BitCast(ints, hn::Or(even, hn::ShiftLeft<32>(odd))));
+}
 
-  /// Traces the pixels of one vector from `begin` on; those past the row's end repeat its last.
-  void trace(int32_t begin, RowRays& rays) {
-    const IntVec last = set(f_.frame_width - 1);
-    const IntVec a = hn::Min(
-        hn::Add(set(2 * begin + 1 - f_.frame_width), hn::ShiftLeft<1>(hn::Iota(d_, 0))), last);
-    IntVec nx =
-        direction(a, f_.n0_hi.x, f_.n0_lo.x, f_.na_hi.x, f_.na_lo.x, f_.nb_hi.x, f_.nb_lo.x);
-    IntVec ny =
-        direction(a, f_.n0_hi.y, f_.n0_lo.y, f_.na_hi.y, f_.na_lo.y, f_.nb_hi.y, f_.nb_lo.y);
-    IntVec nz =
-        direction(a, f_.n0_hi.z, f_.n0_lo.z, f_.na_hi.z, f_.na_lo.z, f_.nb_hi.z, f_.nb_lo.z);
-    // RAY-2.
-    auto outside = hn::Lt(nz, set(1 << 26));
-    outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(nx)), nz)));
-    outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(ny)), nz)));
-    nz = hn::IfThenElse(outside, set(1 << 28), nz);  // any valid divisor
-    const IntVec r = reciprocals(nz);
-    place(begin, multiply_shift_lanes<29>(nx, r), multiply_shift_lanes<29>(ny, r), outside, rays);
+/// RAY-1 along a row.
+struct RowDirection {
+  HWY_INLINE RowDirection(int32_t b, int32_t n0_hi, int32_t n0_lo, int32_t na_hi, int32_t na_lo,
+                          int32_t nb_hi, int32_t nb_lo)
+      : high(hn::Set(Ints(), n0_hi + b * nb_hi)),
+        low(hn::Set(Ints(), n0_lo + b * nb_lo)),
+        step_high(hn::Set(Ints(), na_hi)),
+        step_low(hn::Set(Ints(), na_lo)) {}
+
+  HWY_INLINE IntVec at(IntVec a) const {
+    const IntVec fraction = hn::Add(low, hn::Mul(a, step_low));
+    return hn::Add(hn::Add(high, hn::Mul(a, step_high)), hn::ShiftRight<12>(fraction));
   }
 
- private:
-  IntVec set(int32_t value) const { return hn::Set(d_, value); }
-
-  // RAY-1.
-  IntVec direction(IntVec a, int32_t n0_hi, int32_t n0_lo, int32_t na_hi, int32_t na_lo,
-                   int32_t nb_hi, int32_t nb_lo) const {
-    const IntVec low = hn::Add(set(n0_lo + b_ * nb_lo), hn::Mul(a, set(na_lo)));
-    const IntVec high = hn::Add(set(n0_hi + b_ * nb_hi), hn::Mul(a, set(na_hi)));
-    return hn::Add(high, hn::ShiftRight<12>(low));
-  }
-
-  // r of RAY-2. Cameras that look straight ahead have one n.z for all pixels.
-  IntVec reciprocals(IntVec nz) {
-    HWY_ALIGN int32_t values[hn::MaxLanes(Ints())];
-    hn::Store(nz, d_, values);
-    if (hn::AllTrue(d_, hn::Eq(nz, set(values[0])))) {
-      if (values[0] != last_nz_) last_r_ = reciprocal(values[0]);
-      last_nz_ = values[0];
-      return set(last_r_);
-    }
-    for (size_t k = 0; k < hn::Lanes(d_); ++k) values[k] = reciprocal(values[k]);
-    return hn::Load(d_, values);
-  }
-
-  // RAY-3 on one axis: the place, clamped; adds rays beside the grid to `outside`.
-  template <class Mask>
-  IntVec place_on_axis(int32_t origin, int32_t z, IntVec slope, int32_t views,
-                       Mask& outside) const {
-    const IntVec last = set((views - 1) << 16);
-    const IntVec at = hn::Sub(set(origin), multiply_shift_lanes<28>(set(z), slope));
-    if (views > 1) {
-      const IntVec half = set(kHalfStep);
-      outside = hn::Or(outside, hn::Lt(at, set(-kHalfStep)));
-      outside = hn::Or(outside, hn::Gt(at, hn::Add(last, half)));
-    }
-    return hn::Min(hn::Max(at, hn::Zero(d_)), last);
-  }
-
-  // RAY-4 and RAY-5 on one axis: xb or yb.
-  template <class Mask>
-  IntVec picture_on_axis(int32_t origin, IntVec slope, IntVec place, int32_t step, int32_t first,
-                         int32_t size, Mask& outside) const {
-    const IntVec base = hn::Add(set(origin), multiply_shift_lanes<28>(set(f_.gain), slope));
-    const IntVec nearest = hn::ShiftRight<16>(hn::Add(place, set(kHalfStep)));
-    const IntVec at = hn::Add(base, hn::Mul(set(step), hn::Sub(nearest, set(first))));
-    outside = hn::Or(outside, hn::Lt(at, set(-kHalfPixel)));
-    outside = hn::Or(outside, hn::Gt(at, set((size << 12) - kHalfPixel - 1)));
-    return base;
-  }
-
-  template <class Mask>
-  void place(int32_t begin, IntVec sx, IntVec sy, Mask outside, RowRays& rays) const {
-    const IntVec u = place_on_axis(f_.u0, f_.zu, sx, f_.cols, outside);
-    const IntVec v = place_on_axis(f_.v0, f_.zv, sy, f_.rows, outside);
-    const IntVec xb = picture_on_axis(f_.x0, sx, u, f_.dx, f_.c0, f_.width, outside);
-    const IntVec yb = picture_on_axis(f_.y0, sy, v, f_.dy, f_.r0, f_.height, outside);
-    hn::StoreU(hn::IfThenElse(outside, set(RowRays::kOutside), u), d_, rays.u.data() + begin);
-    hn::StoreU(v, d_, rays.v.data() + begin);
-    hn::StoreU(xb, d_, rays.xb.data() + begin);
-    hn::StoreU(yb, d_, rays.yb.data() + begin);
-  }
-
-  const Ints d_{};
-  const FrameRecord& f_;
-  int32_t b_;
-  int32_t last_nz_ = 0;
-  int32_t last_r_ = 0;
+  IntVec high;
+  IntVec low;
+  IntVec step_high;
+  IntVec step_low;
 };
 
-inline void trace_row_here(const FrameRecord& record, int32_t j, RowRays& rays) {
-  RowTracer tracer(record, j);
-  const auto lanes = static_cast<int32_t>(hn::Lanes(Ints()));
-  for (int32_t begin = 0; begin < record.frame_width; begin += lanes) tracer.trace(begin, rays);
+/// RAY-3 to RAY-5 along one axis.
+struct AxisTracer {
+  HWY_INLINE AxisTracer(int32_t place, int32_t z, int32_t views, int32_t base, int32_t gain_,
+                        int32_t step_, int32_t first_, int32_t size)
+      : place_0(hn::Set(Ints(), place)),
+        shift(hn::Set(Ints(), z)),
+        last(hn::Set(Ints(), (views - 1) << 16)),
+        margin(hn::Set(Ints(), views > 1 ? kHalfStep : INT32_MAX)),
+        base_0(hn::Set(Ints(), base)),
+        gain(hn::Set(Ints(), gain_)),
+        step(hn::Set(Ints(), step_)),
+        first(hn::Set(Ints(), first_)),
+        end(hn::Set(Ints(), (size << 12) - kHalfPixel - 1)) {}
+
+  template <class Mask>
+  HWY_INLINE void trace(IntVec slope, IntVec& place, IntVec& base, Mask& outside) const {
+    const Ints ints;
+    const IntVec zero = hn::Zero(ints);
+    const IntVec at = hn::Sub(place_0, multiply_shift_lanes<28>(shift, slope));
+    place = hn::Min(hn::Max(at, zero), last);
+    base = hn::Add(base_0, multiply_shift_lanes<28>(gain, slope));
+    const IntVec nearest = hn::ShiftRight<16>(hn::Add(place, hn::Set(ints, kHalfStep)));
+    const IntVec x = hn::Add(base, hn::Mul(step, hn::Sub(nearest, first)));
+    outside = hn::Or(outside, hn::Gt(hn::Abs(hn::Sub(at, place)), margin));
+    outside = hn::Or(outside, hn::Lt(x, hn::Set(ints, -kHalfPixel)));
+    outside = hn::Or(outside, hn::Gt(x, end));
+  }
+
+  IntVec place_0;
+  IntVec shift;
+  IntVec last;
+  IntVec margin;
+  IntVec base_0;
+  IntVec gain;
+  IntVec step;
+  IntVec first;
+  IntVec end;
+};
+
+inline void trace_row_here(const FrameRecord& f, int32_t j, RowRays& rays) {
+  const Ints ints;
+  const int32_t b = 2 * j + 1 - f.frame_height;
+  const RowDirection x(b, f.n0_hi.x, f.n0_lo.x, f.na_hi.x, f.na_lo.x, f.nb_hi.x, f.nb_lo.x);
+  const RowDirection y(b, f.n0_hi.y, f.n0_lo.y, f.na_hi.y, f.na_lo.y, f.nb_hi.y, f.nb_lo.y);
+  const RowDirection z(b, f.n0_hi.z, f.n0_lo.z, f.na_hi.z, f.na_lo.z, f.nb_hi.z, f.nb_lo.z);
+  const AxisTracer cols(f.u0, f.zu, f.cols, f.x0, f.gain, f.dx, f.c0, f.width);
+  const AxisTracer rows(f.v0, f.zv, f.rows, f.y0, f.gain, f.dy, f.r0, f.height);
+  const IntVec least_z = hn::Set(ints, 1 << 26);
+  // Cameras that do not turn sideways have one n.z in all pixels of a row.
+  const bool one_z = f.na_hi.z == 0 && f.na_lo.z == 0;
+  const IntVec row_r = reciprocals(hn::Max(z.at(hn::Zero(ints)), least_z));
+  // Pixels of the last vector past the row's end repeat its last.
+  const IntVec last_a = hn::Set(ints, f.frame_width - 1);
+  const auto lanes = static_cast<int32_t>(hn::Lanes(ints));
+  for (int32_t begin = 0; begin < f.frame_width; begin += lanes) {
+    const IntVec a = hn::Min(last_a, hn::Add(hn::Set(ints, 2 * begin + 1 - f.frame_width),
+                                             hn::ShiftLeft<1>(hn::Iota(ints, 0))));
+    const IntVec nx = x.at(a);
+    const IntVec ny = y.at(a);
+    const IntVec nz = z.at(a);
+    // RAY-2.
+    auto outside = hn::Lt(nz, least_z);
+    outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(nx)), nz)));
+    outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(ny)), nz)));
+    const IntVec r = one_z ? row_r : reciprocals(hn::Max(nz, least_z));
+    IntVec u, v, xb, yb;
+    cols.trace(multiply_shift_lanes<29>(nx, r), u, xb, outside);
+    rows.trace(multiply_shift_lanes<29>(ny, r), v, yb, outside);
+    const IntVec none = hn::Set(ints, RowRays::kOutside);
+    hn::StoreU(hn::IfThenElse(outside, none, u), ints, rays.u.data() + begin);
+    hn::StoreU(v, ints, rays.v.data() + begin);
+    hn::StoreU(xb, ints, rays.xb.data() + begin);
+    hn::StoreU(yb, ints, rays.yb.data() + begin);
+  }
 }
 
 #endif  // HWY_TARGET == HWY_SCALAR

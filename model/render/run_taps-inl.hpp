@@ -144,23 +144,18 @@ inline bool is_steady_here(const AxisRun& axis, int32_t k, const RayRun& run, in
 
 /// Calls visit(i) for each i of [begin, end) whose key differs from the one before, and for
 /// `begin`. Keys are compared in blocks, which mostly have no change.
-template <class KeyOf, class Visit>
-HWY_INLINE void for_each_change(int32_t begin, int32_t end, const KeyOf& key_of,
+template <class KeyAt, class Visit>
+HWY_INLINE void for_each_change(int32_t begin, int32_t end, const KeyAt& key_at,
                                 const Visit& visit) {
   constexpr int32_t kCompared = 64;
-  using Key = decltype(key_of(begin));
-  Key before = ~key_of(begin);
+  if (begin < end) visit(begin++);
   for (; begin < end; begin += kCompared) {
-    const int32_t pixels = end - begin < kCompared ? end - begin : kCompared;
-    Key keys[kCompared + 1];
-    keys[0] = before;
-    for (int32_t i = 0; i < pixels; ++i) keys[i + 1] = key_of(begin + i);
+    const int32_t block_end = end - begin < kCompared ? end : begin + kCompared;
     int32_t changes = 0;
-    for (int32_t i = 0; i < pixels; ++i) changes += keys[i + 1] != keys[i] ? 1 : 0;
-    before = keys[pixels];
-    for (int32_t i = 0; changes != 0; ++i) {
-      if (keys[i + 1] == keys[i]) continue;
-      visit(begin + i);
+    for (int32_t i = begin; i < block_end; ++i) changes += key_at(i) != key_at(i - 1) ? 1 : 0;
+    for (int32_t i = begin; changes != 0; ++i) {
+      if (key_at(i) == key_at(i - 1)) continue;
+      visit(i);
       --changes;
     }
   }
@@ -181,54 +176,70 @@ inline int32_t find_steps_here(const AxisRun& axis, int32_t k, const RayRun& run
   return count;
 }
 
-/// The views with a weight on one axis in 16 bits: the first in the upper 12, how many follow it in
-/// the lower 4. Grids have at most 4096 columns and rows.
-inline uint32_t views_key(const GridWeights& weights) {
-  return static_cast<uint32_t>(weights.first() << 4 | (weights.last() - weights.first()));
-}
+/// first() and last() of GridWeights in a form that the compiler vectorises.
+struct ViewsOnAxis {
+  ViewsOnAxis(const FrameRecord& f, int32_t views) : last(views - 1) {
+    if (f.filter == static_cast<int32_t>(Filter::kNearest)) return;
+    const AxisWeights axis = axis_weights(0, f.aperture);
+    log2 = axis.log2;
+    steps = 1 << f.aperture;
+  }
 
-template <class WeightsAt>
-HWY_INLINE int32_t find_runs_of(const FrameRecord& f, const RowRays& rays,
-                                const WeightsAt& weights_at, RayRun* runs) {
-  constexpr uint32_t kOutside = ~0u;  // no view follows the last, 4095
+  /// In 16 bits: the first view with a weight in the upper 12, how many follow it in the lower 4.
+  /// Grids have at most 4096 columns and rows.
+  HWY_INLINE int32_t key(int32_t place) const {
+    const int32_t at = (place + (1 << (15 - log2))) >> (16 - log2);
+    const int32_t below = at >> log2;
+    const int32_t between = at - (below << log2) != 0 ? 1 : 0;
+    const int32_t low = std::min(std::max(below - steps + 1, 0), last);
+    const int32_t high = std::min(std::max(below + steps - 1 + between, 0), last);
+    return (low << 4) + (high - low);
+  }
+
+  int32_t last;
+  int32_t log2 = 0;  ///< k of SMP-1
+  int32_t steps = 1;
+};
+
+inline constexpr int32_t kNoViews = -1;  // no view follows the last, 4095
+
+inline void find_view_keys(const FrameRecord& f, RowRays& rays) {
   const int32_t* HWY_RESTRICT u = rays.u.data();
   const int32_t* HWY_RESTRICT v = rays.v.data();
-  const int32_t cols = f.cols;
-  const int32_t rows = f.rows;
-  const auto key_of = [&](int32_t i) {
-    const uint32_t key = views_key(GridWeights(weights_at(u[i]), cols)) << 16 |
-                         views_key(GridWeights(weights_at(v[i]), rows));
-    return u[i] == RowRays::kOutside ? kOutside : key;
-  };
-  int32_t count = 0;
-  bool open = false;
-  const auto close = [&](int32_t end) {
-    if (open) runs[count++].end = end;
-    open = false;
-  };
-  for_each_change(0, f.frame_width, key_of, [&](int32_t i) {
-    close(i);
-    const uint32_t key = key_of(i);
-    if (key == kOutside) return;
-    const auto first_col = static_cast<int32_t>(key >> 20);
-    const auto first_row = static_cast<int32_t>(key >> 4 & 4095);
-    runs[count] = {i,         i,
-                   first_col, first_col + static_cast<int32_t>(key >> 16 & 15),
-                   first_row, first_row + static_cast<int32_t>(key & 15)};
-    open = true;
-  });
-  close(f.frame_width);
-  return count;
+  int32_t* HWY_RESTRICT keys = rays.view_keys.data();
+  const ViewsOnAxis cols(f, f.cols);
+  const ViewsOnAxis rows(f, f.rows);
+  const int32_t pixels = f.frame_width;
+  for (int32_t i = 0; i < pixels; ++i) {
+    const auto col_key = static_cast<uint32_t>(cols.key(u[i]));
+    const auto key = static_cast<int32_t>(col_key << 16 | static_cast<uint32_t>(rows.key(v[i])));
+    keys[i] = u[i] == RowRays::kOutside ? kNoViews : key;
+  }
 }
 
-inline int32_t find_runs_here(const FrameRecord& f, const RowRays& rays, RayRun* runs) {
-  if (f.filter == static_cast<int32_t>(Filter::kNearest)) {
-    return find_runs_of(
-        f, rays, [](int32_t place) { return nearest_weights(place); }, runs);
-  }
-  const int aperture = f.aperture;
-  return find_runs_of(
-      f, rays, [aperture](int32_t place) { return axis_weights(place, aperture); }, runs);
+inline int32_t find_runs_here(const FrameRecord& f, RowRays& rays, RayRun* runs) {
+  find_view_keys(f, rays);
+  const int32_t* keys = rays.view_keys.data();
+  int32_t count = 0;
+  RayRun* open = nullptr;
+  const auto key_at = [keys](int32_t i) { return keys[i]; };
+  for_each_change(0, f.frame_width, key_at, [&](int32_t i) {
+    if (open != nullptr) open->end = i;
+    open = nullptr;
+    if (keys[i] == kNoViews) return;
+    const auto key = static_cast<uint32_t>(keys[i]);
+    const auto bits = [key](unsigned at, uint32_t mask) {
+      return static_cast<int32_t>(key >> at & mask);
+    };
+    open = &runs[count++];
+    open->begin = i;
+    open->first_col = bits(20, 4095);
+    open->last_col = open->first_col + bits(16, 15);
+    open->first_row = bits(4, 4095);
+    open->last_row = open->first_row + bits(0, 15);
+  });
+  if (open != nullptr) open->end = f.frame_width;
+  return count;
 }
 
 }  // namespace HWY_NAMESPACE
