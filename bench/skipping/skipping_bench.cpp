@@ -91,7 +91,7 @@ struct NeededBlocks {
 NeededBlocks needed_blocks(const Decoder& decoder, const FrameRecord& record) {
   ViewCache cache(decoder.header(), 0, false);
   cache.begin_frame();
-  plan_frame(record, 0, decoder.header(), cache);
+  plan_frame(record, 0, decoder.header(), CellDisplacements{}, cache);
   NeededBlocks counts;
   for (CachedView* view : cache.used()) {
     view->derive_chroma();

@@ -1,4 +1,5 @@
-// The displacement of each cell of a frame with geometry (SRF-1, SRF-3).
+// The displacement of each cell of a frame with geometry (SRF-1, SRF-3): golden, from single
+// blocks, and fast, from maps.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,7 @@
 #include <hmlfc/camera.hpp>
 #include <hmlfc/decoder.hpp>
 
+#include "render/disparity_cache.hpp"
 #include "render/surface.hpp"
 #include "render/taps.hpp"
 
@@ -46,7 +48,7 @@ int32_t cell_displacement(const FrameRecord& f, int32_t ci, int32_t cj, const Lo
   return proposals.chosen();
 }
 
-/// The displacements of a frame, by the golden disparities of single blocks.
+/// The displacements of a frame.
 struct CellDisplacements {
   int32_t columns = 0;            ///< of cells
   std::vector<int32_t> cells;     ///< E, row by row; empty without geometry
@@ -59,8 +61,14 @@ struct CellDisplacements {
   }
 };
 
-/// Those of the frame of `record` with `stop_level`, which fit the light field.
+/// Those of the frame of `record` with `stop_level`, which fit the light field, by the disparities
+/// of single blocks.
 CellDisplacements golden_displacements(const Decoder& decoder, const FrameRecord& record,
                                        int stop_level);
+
+/// The same by the maps of `cache`, which has begun a frame, into `found`, whose memory is reused.
+/// Uses all threads of the caller's run_on_threads().
+void find_displacements(const FrameRecord& record, int stop_level, unsigned block_log2,
+                        DisparityCache& cache, CellDisplacements& found);
 
 }  // namespace hmlfc

@@ -8,6 +8,8 @@
 
 #include "bits/parallel.hpp"
 #include "decoder/memory_guard.hpp"
+#include "render/cell_displacements.hpp"
+#include "render/disparity_cache.hpp"
 #include "render/frame_stages.hpp"
 #include "render/shown_image.hpp"
 
@@ -28,12 +30,17 @@ class Laps {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+// Of RenderOptions::cache_bytes, the part for disparity maps: 4 bytes a block, where pixels take 16
+// to 512.
+constexpr size_t kMapShare = 16;
+
 class CpuRenderer final : public FrameRenderer {
  public:
   CpuRenderer(const Decoder& decoder, const RenderOptions& options)
       : decoder_(decoder),
         progressive_(options.progressive),
         cache_(decoder.header(), options.cache_bytes, options.progressive),
+        disparities_(decoder, options.cache_bytes / kMapShare),
         threads_(options.threads) {}
 
   Result<void> render(const FrameRecord& record, int stop_level, Frame& frame) override {
@@ -50,9 +57,14 @@ class CpuRenderer final : public FrameRenderer {
  private:
   Result<void> render_here(const FrameRecord& record, int stop_level, Frame& frame) {
     Laps laps;
+    const StreamHeader& header = decoder_.header();
     cache_.begin_frame();
+    disparities_.begin_frame();
+    find_displacements(record, stop_level, header.block_log2, disparities_, displaced_);
+    disparities_.end_frame();
     frame.counts = {};
-    frame.counts.samples_interpolated = plan_frame(record, stop_level, decoder_.header(), cache_);
+    frame.counts.disparities_looked_up = displaced_.blocks_looked_up;
+    frame.counts.samples_interpolated = plan_frame(record, stop_level, header, displaced_, cache_);
     count_blocks(frame.counts);
     frame.seconds.plan = laps.next();
     if (auto ok = load(stop_level); !ok) {
@@ -60,7 +72,7 @@ class CpuRenderer final : public FrameRenderer {
       return ok;
     }
     frame.seconds.decode = laps.next();
-    sample_frame(record, stop_level, decoder_.header(), cache_, frame.image);
+    sample_frame(record, stop_level, header, displaced_, cache_, frame.image);
     cache_.end_frame();
     frame.seconds.sample = laps.next();
     return {};
@@ -152,6 +164,8 @@ class CpuRenderer final : public FrameRenderer {
   const Decoder& decoder_;
   bool progressive_;
   ViewCache cache_;
+  DisparityCache disparities_;
+  CellDisplacements displaced_;  // of the frame
   int threads_;
 };
 

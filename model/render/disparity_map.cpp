@@ -1,4 +1,4 @@
-// Disparity maps of whole views, tile by tile: equal to walk_to_block_disparity on each block.
+// Disparity maps, tile by tile: equal to walk_to_block_disparity on each block.
 #include <hmlfc/disparity.hpp>
 
 #include <memory>
@@ -11,6 +11,7 @@
 #include "decoder/memory_guard.hpp"
 #include "decoder/open_stream.hpp"
 #include "render/block_disparity.hpp"
+#include "render/disparity_rows.hpp"
 #include "render/told_disparity.hpp"
 
 namespace hmlfc {
@@ -88,7 +89,7 @@ class AncestorMotion {
   std::vector<TileField> fields_;         // of one row of motion tiles
 };
 
-// The map of one view, whose blocks are asked for row by row.
+// The map of one view, or rows of it, whose blocks are asked for row by row.
 class MapReader {
  public:
   MapReader(const StreamView& stream, ViewPos view) : stream_(stream), view_(view) {
@@ -119,6 +120,20 @@ class MapReader {
 };
 
 }  // namespace
+
+std::vector<BlockDisparity> disparity_rows(const StreamView& stream, ViewPos view, uint32_t begin,
+                                           uint32_t end) {
+  const uint32_t columns = stream.geometry.plane(Plane::kY).blocks_x;
+  std::vector<BlockDisparity> rows;
+  rows.reserve(size_t{columns} * (end - begin));
+  MapReader reader(stream, view);
+  for (uint32_t by = begin; by < end; ++by) {
+    for (uint32_t bx = 0; bx < columns; ++bx) {
+      rows.push_back(reader.block(bx, by).value_or(BlockDisparity{}));
+    }
+  }
+  return rows;
+}
 
 Result<DisparityMap> disparity_map(const Decoder& decoder, ViewPos view) {
   const StreamView& stream = DecoderAccess::stream(decoder);

@@ -111,8 +111,9 @@ void mark(const AxisBlocks& x, const AxisBlocks& y, int32_t run_end, BlockRow& r
 class RowPlanner {
  public:
   RowPlanner(const FrameRecord& record, int stop_level, const StreamHeader& header,
-             ViewCache& cache)
+             const CellDisplacements& displaced, ViewCache& cache)
       : record_(record),
+        displaced_(displaced),
         views_(cache, header, stop_level),
         rays_(static_cast<size_t>(record.frame_width)),
         runs_(static_cast<size_t>(record.frame_width)),
@@ -125,6 +126,7 @@ class RowPlanner {
   uint64_t plan(int32_t j) {
     uint64_t reads = 0;
     trace_row(record_, j, rays_);
+    rays_.displace(displaced_, j);
     const int32_t runs = find_runs(record_, rays_, runs_.data());
     for (int32_t k = 0; k < runs; ++k) {
       const RayRun& run = runs_[static_cast<size_t>(k)];
@@ -154,6 +156,7 @@ class RowPlanner {
   }
 
   const FrameRecord& record_;
+  const CellDisplacements& displaced_;
   ViewLookup views_;
   RowRays rays_;
   std::vector<RayRun> runs_;
@@ -166,11 +169,11 @@ class RowPlanner {
 }  // namespace
 
 uint64_t plan_frame(const FrameRecord& record, int stop_level, const StreamHeader& header,
-                    ViewCache& cache) {
+                    const CellDisplacements& displaced, ViewCache& cache) {
   std::atomic<uint64_t> reads = 0;
   const auto rows = static_cast<size_t>(record.frame_height);
   parallel_for_parts(rows, kTaskRows, [&](size_t begin, size_t end) {
-    RowPlanner planner(record, stop_level, header, cache);
+    RowPlanner planner(record, stop_level, header, displaced, cache);
     uint64_t part_reads = 0;
     for (size_t j = begin; j < end; ++j) part_reads += planner.plan(static_cast<int32_t>(j));
     reads += part_reads;

@@ -15,8 +15,9 @@ constexpr size_t kRowsPerTask = 16;
 class RowSampler {
  public:
   RowSampler(const FrameRecord& record, int stop_level, const StreamHeader& header,
-             ViewCache& cache)
+             const CellDisplacements& displaced, ViewCache& cache)
       : record_(record),
+        displaced_(displaced),
         interpolated_(record.filter == static_cast<int32_t>(Filter::kQuadrilinear)),
         views_(cache, header, stop_level),
         rays_(static_cast<size_t>(record.frame_width)),
@@ -28,6 +29,7 @@ class RowSampler {
 
   void sample(int32_t j, uint16_t* out) {
     trace_row(record_, j, rays_);
+    rays_.displace(displaced_, j);
     int32_t done = 0;
     const auto clear_to = [&](int32_t i) {  // RAY-6
       std::fill(samples_.begin() + 3 * done, samples_.begin() + 3 * i, uint16_t{0});
@@ -57,6 +59,7 @@ class RowSampler {
   }
 
   const FrameRecord& record_;
+  const CellDisplacements& displaced_;
   bool interpolated_;
   ViewLookup views_;
   RowRays rays_;
@@ -69,14 +72,14 @@ class RowSampler {
 }  // namespace
 
 void sample_frame(const FrameRecord& record, int stop_level, const StreamHeader& header,
-                  ViewCache& cache, RgbImage& image) {
+                  const CellDisplacements& displaced, ViewCache& cache, RgbImage& image) {
   image.width = static_cast<uint32_t>(record.frame_width);
   image.height = static_cast<uint32_t>(record.frame_height);
   image.depth = header.depth;
   image.samples.resize(size_t{image.width} * image.height * 3);
   const auto rows = static_cast<size_t>(record.frame_height);
   parallel_for_parts(rows, kRowsPerTask, [&](size_t begin, size_t end) {
-    RowSampler sampler(record, stop_level, header, cache);
+    RowSampler sampler(record, stop_level, header, displaced, cache);
     for (size_t j = begin; j < end; ++j) {
       sampler.sample(static_cast<int32_t>(j), image.samples.data() + j * image.width * 3);
     }

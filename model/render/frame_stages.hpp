@@ -8,14 +8,16 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/image.hpp>
 
+#include "render/cell_displacements.hpp"
 #include "render/view_cache.hpp"
 
 namespace hmlfc {
 
-/// Sets `needed` of every view of the cache that the frame uses (NED-1); `cache` has begun a frame.
+/// Sets `needed` of every view of the cache that the frame uses (NED-1); `cache` has begun a frame,
+/// whose cells have the displacements `displaced`.
 /// Returns the samples that the frame reads, three a pixel (FrameCounts::samples_interpolated).
 uint64_t plan_frame(const FrameRecord& record, int stop_level, const StreamHeader& header,
-                    ViewCache& cache);
+                    const CellDisplacements& displaced, ViewCache& cache);
 
 /// Decodes the missing blocks of page `page` of `view`, whose needed blocks are set, and converts
 /// them to pixels. Where `coarser` is not null it is the view's parent, of stop level + 1, with
@@ -25,9 +27,9 @@ uint64_t plan_frame(const FrameRecord& record, int stop_level, const StreamHeade
 Result<void> load_page(const Decoder& decoder, const ViewShape& shape, int stop_level,
                        const CachedView* coarser, CachedView& view, uint32_t page);
 
-/// Fills `image` with the frame (sections 3 and 4 of docs/rendering.md); `cache` holds every block
-/// that the frame needs.
+/// Fills `image` with the frame (sections 3, 4 and 9 of docs/rendering.md); `cache` holds every
+/// block that the frame needs.
 void sample_frame(const FrameRecord& record, int stop_level, const StreamHeader& header,
-                  ViewCache& cache, RgbImage& image);
+                  const CellDisplacements& displaced, ViewCache& cache, RgbImage& image);
 
 }  // namespace hmlfc

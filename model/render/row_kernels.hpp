@@ -10,6 +10,7 @@
 
 #include <hmlfc/camera.hpp>
 
+#include "render/cell_displacements.hpp"
 #include "render/taps.hpp"
 
 namespace hmlfc {
@@ -23,17 +24,32 @@ struct RowRays {
   explicit RowRays(size_t pixels)
       : u(pixels + kSpare),
         v(pixels + kSpare),
+        us(pixels + kSpare),
+        vs(pixels + kSpare),
         xb(pixels + kSpare),
         yb(pixels + kSpare),
-        view_keys(pixels) {}
+        view_keys(pixels),
+        e(pixels) {}
 
   static constexpr size_t kSpare = 64;
 
   std::vector<int32_t> u;
   std::vector<int32_t> v;
+  std::vector<int32_t> us;  ///< in records with geometry alone, like vs
+  std::vector<int32_t> vs;
   std::vector<int32_t> xb;
   std::vector<int32_t> yb;
   std::vector<int32_t> view_keys;  ///< scratch of find_runs()
+
+  bool displaced = false;  ///< whether the frame has geometry
+  std::vector<int32_t> e;  ///< then the displacement of each pixel's cell
+
+  /// Sets the displacements of row `j` of a frame.
+  void displace(const CellDisplacements& cells, int32_t j) {
+    displaced = !cells.cells.empty();
+    if (!displaced) return;
+    for (size_t i = 0; i < e.size(); ++i) e[i] = cells.at(static_cast<int32_t>(i), j);
+  }
 };
 
 /// Pixels [begin, end) of a row, all inside, with weights for the same views.
@@ -65,6 +81,7 @@ struct AxisRun {
   std::vector<int32_t> first[kMaxAxisViews];
   std::vector<int32_t> pixel_weights[kMaxAxisViews];
   std::vector<int32_t> weight[kMaxAxisViews];
+  std::vector<int32_t> places;  ///< of displaced pixels in one view, in between
 
   /// The last pixel that a tap of pixel `i` reads in view first_view + k.
   int32_t last(int32_t k, int32_t i) const {
@@ -74,6 +91,7 @@ struct AxisRun {
 
   /// Allocates the arrays of `count` views.
   void reserve(int32_t count) {
+    places.resize(array_size_);
     for (int32_t k = 0; k < count; ++k) {
       if (!first[k].empty()) continue;
       for (auto* array : {&first[k], &pixel_weights[k], &weight[k]}) array->resize(array_size_);
@@ -99,7 +117,7 @@ void trace_row(const FrameRecord& record, int32_t j, RowRays& rays);
 /// returns their number.
 int32_t find_runs(const FrameRecord& record, RowRays& rays, RayRun* runs);
 
-/// The taps of `run` in all its views: axis_taps() of each pixel.
+/// The taps of `run` in all its views: axis_taps() of each pixel, displaced where the row is.
 void find_taps(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps);
 
 /// The weights of the views of `run`, whose taps are found: GridWeights of each pixel.

@@ -27,6 +27,8 @@ inline void trace_row_here(const FrameRecord& record, int32_t j, RowRays& rays) 
     rays.v[at] = ray ? ray->v : 0;
     rays.xb[at] = ray ? ray->xb : 0;
     rays.yb[at] = ray ? ray->yb : 0;
+    rays.us[at] = ray ? ray->us : 0;
+    rays.vs[at] = ray ? ray->vs : 0;
   }
 }
 
@@ -109,10 +111,11 @@ struct AxisTracer {
         end(hn::Set(Ints(), (size << 12) - kHalfPixel - 1)) {}
 
   template <class Mask>
-  HWY_INLINE void trace(IntVec slope, IntVec& place, IntVec& base, Mask& outside) const {
+  HWY_INLINE void trace(IntVec slope, IntVec& at, IntVec& place, IntVec& base,
+                        Mask& outside) const {
     const Ints ints;
     const IntVec zero = hn::Zero(ints);
-    const IntVec at = hn::Sub(place_0, multiply_shift_lanes<28>(shift, slope));
+    at = hn::Sub(place_0, multiply_shift_lanes<28>(shift, slope));
     place = hn::Min(hn::Max(at, zero), last);
     base = hn::Add(base_0, multiply_shift_lanes<28>(gain, slope));
     const IntVec nearest = hn::ShiftRight<16>(hn::Add(place, hn::Set(ints, kHalfStep)));
@@ -120,6 +123,12 @@ struct AxisTracer {
     outside = hn::Or(outside, hn::Gt(hn::Abs(hn::Sub(at, place)), margin));
     outside = hn::Or(outside, hn::Lt(x, hn::Set(ints, -kHalfPixel)));
     outside = hn::Or(outside, hn::Gt(x, end));
+  }
+
+  /// Us or Vs of SRF-2 from the place before it is clamped.
+  HWY_INLINE IntVec displaced(IntVec at) const {
+    const IntVec half = hn::Set(Ints(), kHalfStep);
+    return hn::Min(hn::Max(at, hn::Neg(half)), hn::Add(last, half));
   }
 
   IntVec place_0;
@@ -159,9 +168,13 @@ inline void trace_row_here(const FrameRecord& f, int32_t j, RowRays& rays) {
     outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(nx)), nz)));
     outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(ny)), nz)));
     const IntVec r = one_z ? row_r : reciprocals(hn::Max(nz, least_z));
-    IntVec u, v, xb, yb;
-    cols.trace(multiply_shift_lanes<29>(nx, r), u, xb, outside);
-    rows.trace(multiply_shift_lanes<29>(ny, r), v, yb, outside);
+    IntVec at_u, at_v, u, v, xb, yb;
+    cols.trace(multiply_shift_lanes<29>(nx, r), at_u, u, xb, outside);
+    rows.trace(multiply_shift_lanes<29>(ny, r), at_v, v, yb, outside);
+    if (f.geometry != 0) {
+      hn::StoreU(cols.displaced(at_u), ints, rays.us.data() + begin);
+      hn::StoreU(rows.displaced(at_v), ints, rays.vs.data() + begin);
+    }
     const IntVec none = hn::Set(ints, RowRays::kOutside);
     hn::StoreU(hn::IfThenElse(outside, none, u), ints, rays.u.data() + begin);
     hn::StoreU(v, ints, rays.v.data() + begin);

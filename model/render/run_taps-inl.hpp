@@ -56,27 +56,58 @@ inline void add_weights(const int32_t* HWY_RESTRICT places, int aperture, int32_
   }
 }
 
-/// One axis of find_taps: coordinates `base`, xb or yb, with `step` for each view from view
-/// `origin`.
-inline void find_axis_taps(const FrameRecord& f, const std::vector<int32_t>& base, int32_t step,
-                           int32_t origin, int32_t size, int32_t first, int32_t last,
-                           const RayRun& run, AxisRun& out) {
+/// What one axis of find_taps takes: coordinates `base`, xb or yb, with `step` for each view from
+/// view `origin`; Us or Vs, and the pitch of the views, for what is displaced.
+struct TapAxis {
+  const int32_t* base;
+  int32_t step;
+  int32_t origin;
+  int32_t size;
+  const int32_t* displaced_place;
+  int32_t pitch;
+};
+
+/// x(c, E) or y(r, E) of SRF-2 in view `view`, of pixels [begin, end) with displacements `e`.
+inline void displace(const TapAxis& axis, const int32_t* HWY_RESTRICT e, int32_t view,
+                     int32_t begin, int32_t end, int32_t* HWY_RESTRICT places) {
+  const int32_t offset = axis.step * (view - axis.origin);
+  const int32_t pitch = axis.pitch;
+  const int32_t* HWY_RESTRICT base = axis.base;
+  const int32_t* HWY_RESTRICT us = axis.displaced_place;
+  for (int32_t i = begin; i < end; ++i) {
+    const int32_t g = (e[i] * pitch + (1 << 7)) >> 8;
+    places[i] = base[i] + offset + ((g * (view * (1 << 12) - (us[i] >> 4))) >> 8);
+  }
+}
+
+inline void find_axis_taps(const FrameRecord& f, const RowRays& rays, const TapAxis& axis,
+                           int32_t first, int32_t last, const RayRun& run, AxisRun& out) {
   out.first_view = first;
   out.views = last - first + 1;
   out.reserve(out.views);
   const bool interpolated = f.filter == static_cast<int32_t>(Filter::kQuadrilinear);
   const auto last_pixel = static_cast<size_t>(run.end - 1);
   for (int32_t k = 0; k < out.views; ++k) {
-    fill_taps(base.data(), step * (first + k - origin), size, interpolated, run.begin, run.end,
-              out.first[k].data(), out.pixel_weights[k].data());
+    const int32_t* places = axis.base;
+    int32_t offset = axis.step * (first + k - axis.origin);
+    if (rays.displaced) {
+      displace(axis, rays.e.data(), first + k, run.begin, run.end, out.places.data());
+      places = out.places.data();
+      offset = 0;
+    }
+    fill_taps(places, offset, axis.size, interpolated, run.begin, run.end, out.first[k].data(),
+              out.pixel_weights[k].data());
     std::fill_n(out.first[k].begin() + run.end, AxisRun::kSpare, out.first[k][last_pixel]);
   }
 }
 
 inline void find_taps_here(const FrameRecord& f, const RowRays& rays, const RayRun& run,
                            RunTaps& taps) {
-  find_axis_taps(f, rays.xb, f.dx, f.c0, f.width, run.first_col, run.last_col, run, taps.cols);
-  find_axis_taps(f, rays.yb, f.dy, f.r0, f.height, run.first_row, run.last_row, run, taps.rows);
+  constexpr int32_t kColumns = 1 << 8;  // the pitch of columns
+  const TapAxis x{rays.xb.data(), f.dx, f.c0, f.width, rays.us.data(), kColumns};
+  const TapAxis y{rays.yb.data(), f.dy, f.r0, f.height, rays.vs.data(), f.pitch};
+  find_axis_taps(f, rays, x, run.first_col, run.last_col, run, taps.cols);
+  find_axis_taps(f, rays, y, run.first_row, run.last_row, run, taps.rows);
 }
 
 /// One axis of find_weights: places U or V in a grid of `views` views.

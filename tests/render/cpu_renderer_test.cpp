@@ -39,6 +39,7 @@ void expect_same(const Golden& golden, FrameRenderer& fast, const FrameRecord& r
   ASSERT_EQ(frame.image.samples, expected.image.samples) << what;
   EXPECT_EQ(frame.counts.samples_interpolated, expected.counts.samples_interpolated) << what;
   EXPECT_EQ(frame.counts.blocks_needed, expected.counts.blocks_needed) << what;
+  EXPECT_EQ(frame.counts.disparities_looked_up, expected.counts.disparities_looked_up) << what;
   EXPECT_EQ(frame.counts.blocks_decoded + frame.counts.blocks_reused, frame.counts.blocks_needed);
 }
 
@@ -54,8 +55,8 @@ TEST(CpuRenderer, ColdFramesEqualTheGoldenRenderer) {
     const Decoder& decoder = *stream.decoder;
     test::Random random(seed);
     for (int n = 0; n < 4; ++n) {
-      const auto record =
-          frame_record(test::random_camera(random, decoder.header()), decoder.header());
+      const auto record = frame_record(test::random_camera_with_geometry(random, decoder.header()),
+                                       decoder.header());
       ASSERT_TRUE(record.has_value()) << record.error().message;
       const int level = random_level(random, decoder);
       const Golden golden(decoder, *record, level);
@@ -84,7 +85,7 @@ TEST(CpuRenderer, RowsNeedTheBlocksOfTheGoldenRenderer) {
     const Decoder& decoder = *stream.decoder;
     test::Random random(seed);
     for (int n = 0; n < 40; ++n) {
-      Camera camera = test::random_camera(random, decoder.header());
+      Camera camera = test::random_camera_with_geometry(random, decoder.header());
       camera.frame_height = 1;
       camera.frame_width = 64;
       camera.filter = Filter::kQuadrilinear;
@@ -110,8 +111,8 @@ TEST(CpuRenderer, SequencesOfFramesEqualTheGoldenRenderer) {
     options.cache_bytes = std::array<size_t, 4>{0, 20000, 100000, size_t{1} << 30}[seed % 4];
     const auto fast = make_cpu_renderer(decoder, options);
     for (int n = 0; n < 12; ++n) {
-      const auto record =
-          frame_record(test::random_camera(random, decoder.header()), decoder.header());
+      const auto record = frame_record(test::random_camera_with_geometry(random, decoder.header()),
+                                       decoder.header());
       const int level = random_level(random, decoder);
       expect_same(Golden(decoder, *record, level), *fast, *record, level,
                   "seed " + std::to_string(seed) + ", frame " + std::to_string(n));
@@ -137,9 +138,9 @@ TEST(CpuRenderer, ProgressiveFramesEqualTheGoldenRenderer) {
     options.cache_bytes = std::array<size_t, 3>{size_t{1} << 30, 60000, 0}[seed % 3];
     const auto fast = make_cpu_renderer(decoder, options);
     for (int n = 0; n < 4; ++n) {
-      Camera camera = test::random_camera(random, decoder.header());
+      Camera camera = test::random_camera_with_geometry(random, decoder.header());
       for (int level = decoder.header().tree_height; level >= 0; --level) {
-        if (n % 2 == 1) camera = test::random_camera(random, decoder.header());
+        if (n % 2 == 1) camera = test::random_camera_with_geometry(random, decoder.header());
         const auto record = frame_record(camera, decoder.header());
         const Golden golden(decoder, *record, level);
         expect_same(golden, *fast, *record, level,
@@ -163,7 +164,7 @@ TEST(CpuRenderer, LargeFramesEqualTheGoldenRenderer) {
   const Decoder& decoder = *stream.decoder;
   test::Random random(9);
   for (int n = 0; n < 3; ++n) {
-    Camera camera = test::random_camera(random, decoder.header());
+    Camera camera = test::random_camera_with_geometry(random, decoder.header());
     camera.filter = Filter::kQuadrilinear;
     camera.frame_width = 301;
     camera.frame_height = 203;
@@ -199,8 +200,8 @@ TEST(CpuRendererErrors, DamagedStreamsEqualTheGoldenRenderer) {
     const Decoder& decoder = *stream.decoder;
     const auto fast = make_cpu_renderer(decoder);
     for (int n = 0; n < 3; ++n) {
-      const auto record =
-          frame_record(test::random_camera(random, decoder.header()), decoder.header());
+      const auto record = frame_record(test::random_camera_with_geometry(random, decoder.header()),
+                                       decoder.header());
       const Golden golden(decoder, *record, 0);
       expect_same(golden, *fast, *record, 0, "seed " + std::to_string(seed));
       ++(golden.done.has_value() ? drawn : failed);

@@ -68,4 +68,11 @@ inline Camera random_camera(Random& random, const StreamHeader& header) {
   return camera;
 }
 
+/// The same, every other one with geometry.
+inline Camera random_camera_with_geometry(Random& random, const StreamHeader& header) {
+  Camera camera = random_camera(random, header);
+  camera.geometry = static_cast<GeometrySource>(random() % 2);
+  return camera;
+}
+
 }  // namespace hmlfc::test
