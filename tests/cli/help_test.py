@@ -24,7 +24,7 @@ COMMANDS = {
     "bise": ["enc", "dec"],
     "bise enc": ["LEVELS", "V"],
     "bise dec": ["LEVELS", "COUNT", "HEX"],
-    "render": ["--camera", "--look-at", "--fov", "--size", "--filter", "--focus", "--aperture", "--path",
+    "render": ["--camera", "--look-at", "--fov", "--size", "--filter", "--focus", "--focus-at", "--aperture", "--path",
                "--frames", "--focal", "--shear", "--row-pitch", "--levels", "--backend", "--device", "--cache",
                "--preview", "--quality-vs-time", "--threads", "--json", "--output"],
     "picture": ["view", "sheet", "difference"],

@@ -203,7 +203,7 @@ class Render(CliTest):
         for name in ("r.jpg", "r.JPEG", "r.mp4", "r.hmlfc"):
             self.refused(USAGE, "render", "a.hmlfc", "-o", name, says=[name, "PNG"])
             self.assertFalse((self.folder / name).exists())
-        self.refused(USAGE, "render", "a.hmlfc", "-o", "v1.0", "--preview", "p.gif", says="p.gif")
+        self.refused(USAGE, "render", "a.hmlfc", "-o", "v1.0", "--preview", "p.avi", says="p.avi")
         self.render("-o", "v1.0")
         self.assertEqual(os.listdir(self.folder / "v1.0"), ["frame_0000.png"])
         self.render("-o", "big.PNG")

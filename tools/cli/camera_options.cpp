@@ -1,113 +1,14 @@
 #include "cli/camera_options.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <numbers>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/camera_path.hpp"
 
 namespace hmlfc::cli {
 
 namespace {
-
-// x rounded to a multiple of 2^-20.
-double on_grid(double x) { return std::floor(x * 0x1p20 + 0.5) * 0x1p-20; }
-
-// tan(degrees / 2) as a multiple of 2^-20, so that every library gives the same (CAM-3).
-double tan_half_of(double degrees) { return on_grid(std::tan(degrees / 360 * std::numbers::pi)); }
-
-WorldPoint middle_of(const StreamHeader& header) {
-  return {(header.cols - 1) / 2.0, (header.rows - 1) / 2.0, 0};
-}
-
-double distance_of(const Camera& camera) { return camera.position ? camera.position->z : 0; }
-
-// Cameras that look straight ahead from an ellipse around the middle of the grid with radii of
-// three eighths of the grid; the rest as in `camera`.
-std::vector<Camera> orbit(const Camera& camera, const StreamHeader& header, int frames) {
-  const WorldPoint middle = middle_of(header);
-  std::vector<Camera> cameras(static_cast<size_t>(frames), camera);
-  for (int k = 0; k < frames; ++k) {
-    const double angle = 2 * std::numbers::pi * k / frames;
-    cameras[static_cast<size_t>(k)].position = {
-        middle.u + 0.375 * (header.cols - 1) * on_grid(std::cos(angle)),
-        middle.v + 0.375 * (header.rows - 1) * on_grid(std::sin(angle)), distance_of(camera)};
-  }
-  return cameras;
-}
-
-// Cameras from the first column to the last in the middle row.
-std::vector<Camera> line(const Camera& camera, const StreamHeader& header, int frames) {
-  std::vector<Camera> cameras(static_cast<size_t>(frames), camera);
-  for (int k = 0; k < frames; ++k) {
-    const double part = frames == 1 ? 0.5 : static_cast<double>(k) / (frames - 1);
-    cameras[static_cast<size_t>(k)].position = {(header.cols - 1) * part, middle_of(header).v,
-                                                distance_of(camera)};
-  }
-  return cameras;
-}
-
-// What is wrong with one camera of a path; read_path() says where.
-struct BadCamera {
-  std::string what;
-};
-
-double number(const std::string& key, const nlohmann::json& value) {
-  if (!value.is_number()) throw BadCamera{key + " is not a number"};
-  return value.get<double>();
-}
-
-WorldPoint point(const std::string& key, const nlohmann::json& value) {
-  if (value.is_array() && value.size() == 3) {
-    return {number(key, value[0]), number(key, value[1]), number(key, value[2])};
-  }
-  throw BadCamera{key + " is not [column, row, distance]"};
-}
-
-// Sets what `json` has of `camera`.
-void read_camera(const nlohmann::json& json, Camera& camera) {
-  if (!json.is_object()) throw BadCamera{"not an object"};
-  for (const auto& [key, value] : json.items()) {
-    if (key == "position") {
-      camera.position = point(key, value);
-    } else if (key == "look_at") {
-      camera.look_at = point(key, value);
-    } else if (key == "fov") {
-      camera.tan_half = tan_half_of(number(key, value));
-    } else if (key == "focus") {
-      camera.focus = number(key, value);
-    } else if (key == "aperture") {
-      if (!value.is_number_integer()) throw BadCamera{"aperture is not an integer"};
-      camera.aperture = value.get<int>();
-    } else {
-      throw BadCamera{"unknown key " + key};
-    }
-  }
-}
-
-// The cameras in `file`; what it leaves out is as in `standard`.
-std::vector<Camera> read_path(const std::string& file, const Camera& standard) {
-  std::ifstream stream(file);
-  const auto refuse = [&](const std::string& what) {
-    return Failure(ExitCode::kInput, file + ": " + what);
-  };
-  if (!stream) throw refuse("cannot open for reading; --path takes orbit, line or a JSON file");
-  const auto json = nlohmann::json::parse(stream, nullptr, false);
-  if (!json.is_array() || json.empty()) throw refuse("not a JSON array of cameras");
-  std::vector<Camera> cameras(json.size(), standard);
-  for (size_t frame = 0; frame < json.size(); ++frame) {
-    try {
-      read_camera(json[frame], cameras[frame]);
-    } catch (const BadCamera& bad) {
-      throw refuse(fmt::format("frame {}: {}", frame, bad.what));
-    }
-  }
-  return cameras;
-}
 
 void add_point(CLI::App& app, const std::string& name, std::optional<WorldPoint>& target,
                const std::string& description) {
@@ -121,6 +22,7 @@ void add_point(CLI::App& app, const std::string& name, std::optional<WorldPoint>
             "column,row or column,row,distance, such as 7.5,7.5,-2", reader);
 }
 
+// --focus and --focus-at.
 void add_focus(CLI::App& app, CameraOptions& options) {
   const auto reader = [&options](const std::string& text) {
     options.focus_at_infinity = text == "inf";
@@ -130,9 +32,16 @@ void add_focus(CLI::App& app, CameraOptions& options) {
     options.camera.focus = (*disparity)[0];
     return true;
   };
-  add_value(app, "--focus", "D|inf", "Disparity in focus, pixels per column",
-            "a number in [-256, 256], or inf", reader)
-      ->default_str("0");
+  CLI::Option* focus = add_value(app, "--focus", "D|inf",
+                                 "Disparity in focus, pixels per column; negative is nearer",
+                                 "a number in [-256, 256], or inf", reader)
+                           ->default_str("0");
+  add_numbers<2>(app, "--focus-at", "X,Y", ',', "x,y, such as 120,80",
+                 "Focus on what this pixel of the (first) frame shows",
+                 [&options](const auto& n) {
+                   options.focus_at = FramePixel{n[0], n[1]};
+                 })
+      ->excludes(focus);
 }
 
 // A number of the light field's geometry; frame_record checks its interval.
@@ -179,15 +88,6 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
   add_number(app, "--shear", camera.shear, "Disparity at infinity, pixels per column", "0");
   add_number(app, "--row-pitch", camera.row_pitch, "Distance between rows of views, columns",
              "the stream's");
-}
-
-std::vector<Camera> cameras_of(const CameraOptions& options, const StreamHeader& header) {
-  Camera camera = options.camera;
-  if (options.focus_at_infinity) camera.focus = camera.shear;
-  if (options.path.empty()) return {camera};
-  if (options.path == "orbit") return orbit(camera, header, options.frames);
-  if (options.path == "line") return line(camera, header, options.frames);
-  return read_path(options.path, camera);
 }
 
 }  // namespace hmlfc::cli

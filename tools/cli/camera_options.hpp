@@ -1,32 +1,33 @@
-// The options of cameras, and the paths that they describe.
+// The options of cameras.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include <hmlfc/camera.hpp>
-#include <hmlfc/format.hpp>
 
 #include "cli/commands.hpp"
 
 namespace hmlfc::cli {
 
+/// A pixel of a frame.
+struct FramePixel {
+  uint32_t x = 0;
+  uint32_t y = 0;
+};
+
 /// The camera options of a command.
 struct CameraOptions {
   Camera camera;
   bool focus_at_infinity = false;
-  std::string path;  ///< "", "orbit", "line" or a JSON file
+  std::optional<FramePixel> focus_at;  ///< instead of a focus
+  std::string path;                    ///< "", "orbit", "line" or a JSON file
   int frames = 60;
 };
 
-/// Adds --camera, --look-at, --fov, --size, --filter, --focus, --aperture, --path, --frames and
-/// those of the light field's own geometry.
+/// Adds --camera, --look-at, --fov, --size, --filter, --focus, --focus-at, --aperture, --path,
+/// --frames and those of the light field's own geometry.
 void add_camera_options(CLI::App& app, CameraOptions& options);
-
-/// The camera of each frame, for a light field with this header. A JSON file holds an array with
-/// one object per frame, with the keys position and look_at (arrays: column, row, distance), fov
-/// (degrees), focus and aperture; missing keys take the options' values. Failures (kInput): the
-/// file cannot be read, or its content is not that.
-std::vector<Camera> cameras_of(const CameraOptions& options, const StreamHeader& header);
 
 }  // namespace hmlfc::cli

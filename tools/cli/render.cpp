@@ -12,12 +12,13 @@
 
 #include "bits/parallel.hpp"
 #include "cli/arguments.hpp"
-#include "cli/camera_options.hpp"
+#include "cli/camera_path.hpp"
+#include "cli/outside_share.hpp"
+#include "cli/preview.hpp"
 #include "cli/render_backend.hpp"
 #include "cli/view_source.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
-#include "render/ray.hpp"
 #include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
@@ -36,9 +37,6 @@ struct RenderArguments {
   bool sweep = false;
   bool json = false;
 };
-
-constexpr size_t kPreviewFrames = 240;  // at most in a preview
-constexpr unsigned kPreviewRate = 20;   // frames per second
 
 std::string frame_name(size_t frame) { return fmt::format("frame_{:04}.png", frame); }
 
@@ -83,19 +81,6 @@ bool is_other_format(const std::filesystem::path& output) {
   return std::ranges::find(kOthers, io::lower_case_extension(output)) != kOthers.end();
 }
 
-// The share of pixels that see nothing of the light field (RAY-6); these are black.
-double share_outside(const FrameRecord& record, const RgbImage& image) {
-  uint64_t outside = 0;
-  const uint16_t* pixel = image.samples.data();
-  for (int32_t j = 0; j < record.frame_height; ++j) {
-    for (int32_t i = 0; i < record.frame_width; ++i, pixel += 3) {
-      if ((pixel[0] | pixel[1] | pixel[2]) == 0 && !trace(record, i, j)) ++outside;
-    }
-  }
-  return static_cast<double>(outside) /
-         (static_cast<double>(record.frame_width) * record.frame_height);
-}
-
 // Renders the frames of one stream.
 class RenderRun {
  public:
@@ -103,13 +88,15 @@ class RenderRun {
       : arguments_(arguments),
         touched_(file_size(arguments.file)),
         file_(arguments.file, open_options()),
-        cameras_(cameras_of(arguments.cameras, file_.header())),
+        path_(cameras_of(arguments.cameras, file_)),
+        cameras_(path_.cameras),
         stop_level_(arguments.levels ? file_.stop_level(*arguments.levels) : 0) {
     for (size_t k = 0; k < cameras_.size(); ++k) record_of(k);
   }
 
   ExitCode frames() {
     const bool one_file = prepare_output();
+    Preview preview(arguments_.preview);
     if (arguments_.progressive && stop_level_ == file_.header().tree_height) {
       note(fmt::format(
           "--progressive writes no coarse frames: the frames use one level of the tree; "
@@ -120,12 +107,11 @@ class RenderRun {
     terminal::ProgressBar progress("Rendering", "frames");
     for (size_t k = 0; k < cameras_.size(); ++k) {
       render_one(*renderer, k, one_file ? arguments_.output : arguments_.output / frame_name(k));
+      preview.add(frame_.image);
       progress.update(k + 1, cameras_.size());
     }
     progress.clear();
-    if (!arguments_.preview.empty()) {
-      value_or_throw(io::write_apng(arguments_.preview, preview_, kPreviewRate), ExitCode::kOutput);
-    }
+    preview.write(arguments_.output);
     report();
     return ExitCode::kDone;
   }
@@ -159,7 +145,6 @@ class RenderRun {
     } else {
       make_output_folder(output);
     }
-    if (!arguments_.preview.empty()) check_picture_file(arguments_.preview);
     return one_file;
   }
 
@@ -200,18 +185,9 @@ class RenderRun {
     }
     Json frame = render_pass(renderer, k, stop_level_, name);
     frame["camera"] = camera_json(with_defaults(cameras_[k], file_.header()));
-    const double outside = share_outside(record_of(k), frame_.image);
-    frame["outside"] = outside;
-    outside_sum_ += outside;
-    if (outside > most_outside_) {
-      most_outside_ = outside;
-      emptiest_ = k;
-    }
+    frame["outside"] = outside_.add(record_of(k), frame_.image);
     if (arguments_.progressive) frame["coarse"] = std::move(coarse);
     frames_.push_back(std::move(frame));
-    if (!arguments_.preview.empty() && preview_.size() < kPreviewFrames) {
-      preview_.push_back(frame_.image);
-    }
   }
 
   void report() const {
@@ -221,7 +197,8 @@ class RenderRun {
                         arguments_.output.string(), cameras_.size(),
                         cameras_.size() == 1 ? "" : "s", frame_.image.width, frame_.image.height,
                         seconds_ / count * 1e3));
-      if (most_outside_ > 0) print(outside_text());
+      if (path_.focus) print(focus_text());
+      print(outside_.text());
       return;
     }
     print_json({{"width", frame_.image.width},
@@ -234,27 +211,21 @@ class RenderRun {
                 {"frames", frames_}});
   }
 
-  std::string outside_text() const {
-    const auto percent = [](double share) { return fmt::format("{:.2f} %", 100 * share); };
-    std::string text = percent(outside_sum_ / static_cast<double>(cameras_.size())) +
-                       " of the pixels lie outside the light field and are black";
-    if (cameras_.size() > 1) {
-      text += fmt::format(", at most {} in frame {}", percent(most_outside_), emptiest_);
-    }
-    return text + "\n";
+  // What --focus takes for the frames that --focus-at gave their focus.
+  std::string focus_text() const {
+    const FramePixel at = *arguments_.cameras.focus_at;
+    return fmt::format("focus {} at {},{}\n", *path_.focus, at.x, at.y);
   }
 
   const RenderArguments& arguments_;
   TouchedBytes touched_;
   StreamFile file_;
-  std::vector<Camera> cameras_;
+  CameraPath path_;
+  const std::vector<Camera>& cameras_;
   int stop_level_;
   Frame frame_;
-  std::vector<RgbImage> preview_;
   double seconds_ = 0;
-  double outside_sum_ = 0;
-  double most_outside_ = 0;
-  size_t emptiest_ = 0;  // the frame of most_outside_
+  OutsideShare outside_;
   Json frames_ = Json::array();
 };
 
@@ -276,7 +247,9 @@ ExitCode run_render(const RenderArguments& given) {
 void add_render(CLI::App& program, Task& task) {
   const auto [app, options] = add_command(
       program, task, "render", "Render novel views of a stream", run_render,
-      R"(Positions are in columns and rows of views; Z is the distance beyond the view plane, in columns.
+      R"(Positions are in columns and rows of views; Z is the distance beyond the view plane, in columns
+(docs/aiming.md draws it). Along a path --focus-at looks at the first frame, and what it finds stays in
+focus. A PNG of --preview has the first 240 frames.
 Pixels outside the light field are black; their share is printed, and is "outside" in the JSON.
 Frames are the same bytes on every machine (docs/rendering.md). Only the parts of the stream that the
 frames need are read. --backend gpu loads the whole stream into the device's memory, and its JSON has
@@ -299,9 +272,10 @@ Example:
       ->type_name("NAME");
   add_integer(app, "--cache", options.cache_mib, 0, 1u << 20,
               "MiB of decoded blocks kept between frames");
-  add_path(app, "--preview", options.preview, "Also all frames as one animated PNG")
+  add_path(app, "--preview", options.preview,
+           "Also an animation: *.png, or *.gif or *.mp4 by the program ffmpeg")
       ->required(false)
-      ->type_name("FILE.png");
+      ->type_name("FILE");
   CLI::Option* progressive =
       app.add_flag("--progressive", options.progressive,
                    "First write each frame with 1, 2, ... levels of the tree");

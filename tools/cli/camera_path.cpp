@@ -1,0 +1,188 @@
+#include "cli/camera_path.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <hmlfc/focus.hpp>
+
+namespace hmlfc::cli {
+namespace {
+
+// x rounded to a multiple of 2^-20.
+double on_grid(double x) { return std::floor(x * 0x1p20 + 0.5) * 0x1p-20; }
+
+// A frame of a path, whose focus may have to be found.
+struct PathFrame {
+  Camera camera;
+  std::optional<FramePixel> focus_at{};
+  bool has_focus = false;  // of its own
+};
+
+WorldPoint middle_of(const StreamHeader& header) {
+  return {(header.cols - 1) / 2.0, (header.rows - 1) / 2.0, 0};
+}
+
+double distance_of(const Camera& camera) { return camera.position ? camera.position->z : 0; }
+
+// Cameras that look straight ahead from an ellipse around the middle of the grid with radii of
+// three eighths of the grid; the rest as in `camera`.
+std::vector<PathFrame> orbit(const Camera& camera, const StreamHeader& header, int frames) {
+  const WorldPoint middle = middle_of(header);
+  std::vector<PathFrame> path(static_cast<size_t>(frames), PathFrame{camera});
+  for (int k = 0; k < frames; ++k) {
+    const double angle = 2 * std::numbers::pi * k / frames;
+    path[static_cast<size_t>(k)].camera.position = {
+        middle.u + 0.375 * (header.cols - 1) * on_grid(std::cos(angle)),
+        middle.v + 0.375 * (header.rows - 1) * on_grid(std::sin(angle)), distance_of(camera)};
+  }
+  return path;
+}
+
+// Cameras from the first column to the last in the middle row.
+std::vector<PathFrame> line(const Camera& camera, const StreamHeader& header, int frames) {
+  std::vector<PathFrame> path(static_cast<size_t>(frames), PathFrame{camera});
+  for (int k = 0; k < frames; ++k) {
+    const double part = frames == 1 ? 0.5 : static_cast<double>(k) / (frames - 1);
+    path[static_cast<size_t>(k)].camera.position = {(header.cols - 1) * part, middle_of(header).v,
+                                                    distance_of(camera)};
+  }
+  return path;
+}
+
+// What is wrong with one camera of a path; read_path() says where.
+struct BadCamera {
+  std::string what;
+};
+
+double number(const std::string& key, const nlohmann::json& value) {
+  if (!value.is_number()) throw BadCamera{key + " is not a number"};
+  return value.get<double>();
+}
+
+WorldPoint point(const std::string& key, const nlohmann::json& value) {
+  if (value.is_array() && value.size() == 3) {
+    return {number(key, value[0]), number(key, value[1]), number(key, value[2])};
+  }
+  throw BadCamera{key + " is not [column, row, distance]"};
+}
+
+FramePixel pixel(const std::string& key, const nlohmann::json& value) {
+  const auto is_side = [](const nlohmann::json& n) {
+    return n.is_number_unsigned() && n.get<uint64_t>() < kMaxFrameSide;
+  };
+  if (value.is_array() && value.size() == 2 && is_side(value[0]) && is_side(value[1])) {
+    return {value[0].get<uint32_t>(), value[1].get<uint32_t>()};
+  }
+  throw BadCamera{key + " is not [x, y], a pixel of the frame"};
+}
+
+// Sets what `json` has of `frame`.
+void read_frame(const nlohmann::json& json, PathFrame& frame) {
+  if (!json.is_object()) throw BadCamera{"not an object"};
+  Camera& camera = frame.camera;
+  for (const auto& [key, value] : json.items()) {
+    if (key == "position") {
+      camera.position = point(key, value);
+    } else if (key == "look_at") {
+      camera.look_at = point(key, value);
+    } else if (key == "fov") {
+      camera.tan_half = tan_half_of(number(key, value));
+    } else if (key == "focus") {
+      camera.focus = number(key, value);
+      frame.has_focus = true;
+    } else if (key == "focus_at") {
+      frame.focus_at = pixel(key, value);
+    } else if (key == "aperture") {
+      if (!value.is_number_integer()) throw BadCamera{"aperture is not an integer"};
+      camera.aperture = value.get<int>();
+    } else {
+      throw BadCamera{"unknown key " + key};
+    }
+  }
+  if (frame.has_focus && frame.focus_at) throw BadCamera{"has both focus and focus_at"};
+}
+
+// The frames in `file`; what it leaves out is as in `standard`.
+std::vector<PathFrame> read_path(const std::string& file, const Camera& standard) {
+  std::ifstream stream(file);
+  const auto refuse = [&](const std::string& what) {
+    return Failure(ExitCode::kInput, file + ": " + what);
+  };
+  if (!stream) throw refuse("cannot open for reading; --path takes orbit, line or a JSON file");
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  if (!json.is_array() || json.empty()) throw refuse("not a JSON array of cameras");
+  std::vector<PathFrame> path(json.size(), PathFrame{standard});
+  for (size_t frame = 0; frame < json.size(); ++frame) {
+    try {
+      read_frame(json[frame], path[frame]);
+    } catch (const BadCamera& bad) {
+      throw refuse(fmt::format("frame {}: {}", frame, bad.what));
+    }
+  }
+  return path;
+}
+
+std::vector<PathFrame> path_of(const CameraOptions& options, const StreamHeader& header) {
+  Camera camera = options.camera;
+  if (options.focus_at_infinity) camera.focus = camera.shear;
+  if (options.path.empty()) return {{camera}};
+  if (options.path == "orbit") return orbit(camera, header, options.frames);
+  if (options.path == "line") return line(camera, header, options.frames);
+  return read_path(options.path, camera);
+}
+
+// The focus for what pixel `at` of the frame of `camera` shows; `frame` begins messages.
+double focus_of(const StreamFile& file, const Camera& camera, FramePixel at,
+                const std::string& frame) {
+  const auto refuse = [&](ExitCode code, const std::string& what) {
+    return Failure(code, fmt::format("{}focus at {},{}: {}", frame, at.x, at.y, what));
+  };
+  const Camera full = with_defaults(camera, file.header());
+  if (at.x >= *full.frame_width || at.y >= *full.frame_height) {
+    throw refuse(ExitCode::kUsage, fmt::format("not a pixel of the frame, which has {} x {}",
+                                               *full.frame_width, *full.frame_height));
+  }
+  const auto record = frame_record(full, file.header());
+  if (!record) throw Failure(ExitCode::kUsage, frame + record.error().message);
+  const FocusPoint point = value_or_throw(focus_at(file.decoder(), full, at.x, at.y), file.path());
+  switch (point.sight) {
+    case PixelSight::kOutside:
+      throw refuse(ExitCode::kUsage, "this pixel sees nothing of the light field; choose another");
+    case PixelSight::kUnknown:
+      throw refuse(ExitCode::kInput,
+                   file.path().string() +
+                       " does not say how far away this is; choose another pixel or a --focus "
+                       "(hmlfc disparity draws what is known)");
+    case PixelSight::kSurface:
+      break;
+  }
+  return point.focus();
+}
+
+}  // namespace
+
+double tan_half_of(double degrees) { return on_grid(std::tan(degrees / 360 * std::numbers::pi)); }
+
+CameraPath cameras_of(const CameraOptions& options, const StreamFile& file) {
+  const std::vector<PathFrame> path = path_of(options, file.header());
+  CameraPath made;
+  for (size_t k = 0; k < path.size(); ++k) {
+    const std::string frame = path.size() == 1 ? "" : fmt::format("frame {}: ", k);
+    Camera camera = path[k].camera;
+    if (path[k].focus_at) {
+      camera.focus = focus_of(file, camera, *path[k].focus_at, frame);
+    } else if (options.focus_at && !path[k].has_focus) {
+      if (!made.focus) made.focus = focus_of(file, camera, *options.focus_at, frame);
+      camera.focus = *made.focus;
+    }
+    made.cameras.push_back(camera);
+  }
+  return made;
+}
+
+}  // namespace hmlfc::cli
