@@ -2,7 +2,8 @@
 
 It has a small light field FOLDER, streams of the suite (FILE, FILE.hmlfc and my.hmlfc of profile
 extended, bad.hmlfc of profile main), a decoder ./mydec with its declaration mydec.json, links to the
-folders of the repository that commands name, and a ./run that builds and installs nothing.
+folders of the repository that commands name, a stand-in for ffmpeg, and a ./run that builds and installs
+nothing.
 """
 
 import os
@@ -41,6 +42,7 @@ class Sandbox:
             (folder / name).symlink_to(root / name)
         self._script("run", RUN.format(root=root, build=build))
         (folder / "bin" / "hmlfc").symlink_to(program)
+        (folder / "bin" / "ffmpeg").symlink_to(root / "tests/support/ffmpeg")
         self._script("mydec", MYDEC)
         (folder / "mydec.json").write_text(DECLARATION, encoding="utf-8")
         self.environment = dict(os.environ, PATH=f"{folder}/bin:{os.environ['PATH']}", BUILD=str(build))
