@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "arithmetic/rounding.hpp"
 #include "decoder/open_stream.hpp"
 #include "render/disparity_rows.hpp"
 
@@ -13,20 +14,17 @@ ViewDisparities::ViewDisparities(const StreamView& stream, ViewPos view)
       stream_(stream),
       view_(view),
       columns_(stream.geometry.plane(Plane::kY).blocks_x),
-      rows_(stream.geometry.plane(Plane::kY).blocks_y) {
-  pages_.resize((rows_ + kPageBlockRows - 1) / kPageBlockRows);
-  for (auto& page : pages_) page = std::make_unique<Page>();
-}
+      rows_(stream.geometry.plane(Plane::kY).blocks_y),
+      pages_(ceil_div(rows_, kPageBlockRows)) {}
 
-const BlockDisparity& ViewDisparities::look_up(uint32_t bx, uint32_t by) {
-  looked_up.set(bx, by);
-  const uint32_t first = by / kPageBlockRows * kPageBlockRows;
-  Page& page = *pages_[by / kPageBlockRows];
-  std::call_once(page.read, [&] {
-    page.blocks = disparity_rows(stream_, view_, first, std::min(first + kPageBlockRows, rows_));
-    bytes_read += page.blocks.size() * sizeof(BlockDisparity);
-  });
-  return page.blocks[size_t{by - first} * columns_ + bx];
+const BlockDisparity* ViewDisparities::read(Page& page, uint32_t first) {
+  const std::lock_guard lock(reading_);
+  if (page.rows.empty()) {
+    page.rows = disparity_rows(stream_, view_, first, std::min(first + kPageBlockRows, rows_));
+    bytes_read += page.rows.size() * sizeof(BlockDisparity);
+    page.blocks.store(page.rows.data(), std::memory_order_release);
+  }
+  return page.rows.data();
 }
 
 DisparityCache::DisparityCache(const Decoder& decoder, size_t budget)

@@ -27,7 +27,13 @@ class ViewDisparities {
 
   /// What block (`bx`, `by`) of plane Y tells, of confidence 0 where it has an error; notes that
   /// the frame looks it up (SRF-5).
-  const BlockDisparity& look_up(uint32_t bx, uint32_t by);
+  const BlockDisparity& look_up(uint32_t bx, uint32_t by) {
+    looked_up.set(bx, by);
+    Page& page = pages_[by / kPageBlockRows];
+    const BlockDisparity* blocks = page.blocks.load(std::memory_order_acquire);
+    if (blocks == nullptr) blocks = read(page, by / kPageBlockRows * kPageBlockRows);
+    return blocks[size_t{by % kPageBlockRows} * columns_ + bx];
+  }
 
   BlockBits looked_up;                 ///< by the frame
   uint64_t frame = 0;                  ///< the last one that used the map
@@ -37,15 +43,19 @@ class ViewDisparities {
   static constexpr uint32_t kPageBlockRows = 16;
 
   struct Page {
-    std::once_flag read;
-    std::vector<BlockDisparity> blocks;
+    std::atomic<const BlockDisparity*> blocks = nullptr;  // of `rows`, when they are there
+    std::vector<BlockDisparity> rows;
   };
+
+  // Reads the rows of `page` from `first` on, unless another thread has; returns its blocks.
+  const BlockDisparity* read(Page& page, uint32_t first);
 
   const StreamView& stream_;
   ViewPos view_;
   uint32_t columns_;
   uint32_t rows_;
-  std::vector<std::unique_ptr<Page>> pages_;
+  std::vector<Page> pages_;
+  std::mutex reading_;
 };
 
 /// Disparity maps of one light field. Over its budget it drops those that a frame did not use.

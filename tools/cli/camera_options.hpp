@@ -20,13 +20,15 @@ struct FramePixel {
 /// The camera options of a command.
 struct CameraOptions {
   Camera camera;
+  std::optional<GeometrySource> geometry;  ///< else suitable_geometry()
   bool focus_at_infinity = false;
   std::optional<FramePixel> focus_at;  ///< instead of a focus
   std::string path;                    ///< "", "orbit", "line" or a JSON file
   int frames = 60;
 };
 
-/// Adds --camera, --look-at, --fov, --size, --filter, --focus, --focus-at, --aperture, --path,
+/// Adds --camera, --look-at, --fov, --size, --filter, --geometry, --focus, --focus-at, --aperture,
+/// --path,
 /// --frames and those of the light field's own geometry.
 void add_camera_options(CLI::App& app, CameraOptions& options);
 

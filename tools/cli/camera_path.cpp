@@ -129,6 +129,7 @@ std::vector<PathFrame> read_path(const std::string& file, const Camera& standard
 
 std::vector<PathFrame> path_of(const CameraOptions& options, const StreamHeader& header) {
   Camera camera = options.camera;
+  camera.geometry = options.geometry.value_or(suitable_geometry(header));
   if (options.focus_at_infinity) camera.focus = camera.shear;
   if (options.path.empty()) return {{camera}};
   if (options.path == "orbit") return orbit(camera, header, options.frames);

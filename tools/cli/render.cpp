@@ -41,10 +41,12 @@ struct RenderArguments {
 std::string frame_name(size_t frame) { return fmt::format("frame_{:04}.png", frame); }
 
 Json camera_json(const Camera& camera) {
-  return {{"position", {camera.position->u, camera.position->v, camera.position->z}},
-          {"look_at", {camera.look_at->u, camera.look_at->v, camera.look_at->z}},
-          {"tan_half", *camera.tan_half},
-          {"focus", camera.focus}};
+  return {
+      {"position", {camera.position->u, camera.position->v, camera.position->z}},
+      {"look_at", {camera.look_at->u, camera.look_at->v, camera.look_at->z}},
+      {"tan_half", *camera.tan_half},
+      {"focus", camera.focus},
+      {"geometry", geometry_name(camera.aperture == 0 ? camera.geometry : GeometrySource::kPlane)}};
 }
 
 // The file of a coarse pass with `levels` levels of the tree, next to the frame's.
@@ -64,7 +66,8 @@ Json pass_json(const std::string& name, int levels, const Frame& frame,
               {"sample", frame.seconds.sample}}},
             {"blocks_needed", frame.counts.blocks_needed},
             {"blocks_decoded", frame.counts.blocks_decoded},
-            {"blocks_reused", frame.counts.blocks_reused}};
+            {"blocks_reused", frame.counts.blocks_reused},
+            {"disparities_looked_up", frame.counts.disparities_looked_up}};
   if (touched != nullptr) {
     json["bytes_touched"] = touched->bytes();
     json["key_samples_decoded"] = touched->key_samples();
@@ -250,6 +253,8 @@ void add_render(CLI::App& program, Task& task) {
       R"(Positions are in columns and rows of views; Z is the distance beyond the view plane, in columns
 (docs/aiming.md draws it). Along a path --focus-at looks at the first frame, and what it finds stays in
 focus. A PNG of --preview has the first 240 frames.
+With --geometry stream a surface is drawn where the stream says that it is, with plane only what lies in
+the plane of --focus is sharp; apertures above 0 take the plane.
 Pixels outside the light field are black; their share is printed, and is "outside" in the JSON.
 Frames are the same bytes on every machine (docs/rendering.md). Only the parts of the stream that the
 frames need are read. --backend gpu loads the whole stream into the device's memory, and its JSON has

@@ -28,6 +28,17 @@ enum class GeometrySource : uint8_t {
   kStream = 1,  ///< where the disparity maps of the stream say
 };
 
+/// "plane" or "stream".
+constexpr std::string_view geometry_name(GeometrySource geometry) {
+  return geometry == GeometrySource::kPlane ? "plane" : "stream";
+}
+
+/// What suits a light field of this header: its maps where the stream has shared disparities, which
+/// say most of where things are (GEO-6), else the plane.
+inline GeometrySource suitable_geometry(const StreamHeader& header) {
+  return header.has(Feature::kSharedDisparity) ? GeometrySource::kStream : GeometrySource::kPlane;
+}
+
 inline constexpr int kMaxAperture = 3;      ///< of Camera::aperture
 inline constexpr int kMaxFrameSide = 4096;  ///< of frame_width and frame_height, pixels
 
