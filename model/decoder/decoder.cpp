@@ -69,7 +69,7 @@ Result<SamplePlane> decode_samples(const FastSources& fast, const DecodeSources&
   const BlockRect blocks = blocks_of(rect, block_size);
   const ImagePos at{image.image_row, image.image_col};
   auto region = decode_region(fast, image.level, at, image.plane, blocks);
-  if (!region) {
+  if (!region && fast.requests == nullptr) {
     // The golden path finds which block fails, and whether it is one of those asked for.
     region = decode_region_by_blocks(golden, image.level, at, image.plane, blocks);
   }
@@ -122,18 +122,7 @@ Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block,
 
 Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, const Rect& rect,
                                                   int stop_level) const {
-  const Geometry& geometry = state_->stream.geometry;
-  const PlaneShape& shape = geometry.plane(plane);
-  if (!has_view(header(), view, stop_level) || !contains(shape.width, shape.height, rect)) {
-    return bad_request();
-  }
-  const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
-  return guard_memory([&]() -> Result<std::vector<int16_t>> {
-    auto samples = decode_samples(state_->fast(), state_->golden(),
-                                  {stop_level, image.row, image.col, plane}, rect, true);
-    if (!samples) return tl::unexpected(samples.error());
-    return std::move(samples->samples);
-  });
+  return DecoderAccess::decode_rect(*this, view, plane, rect, stop_level, nullptr);
 }
 
 Result<void> Decoder::refine_rect(ViewPos view, Plane plane, const Rect& rect, int stop_level,
@@ -196,6 +185,29 @@ Result<RgbImage> Decoder::decode_view(ViewPos view, int stop_level) const {
 }
 
 const StreamView& DecoderAccess::stream(const Decoder& decoder) { return decoder.state_->stream; }
+
+Result<std::vector<int16_t>> DecoderAccess::decode_rect(const Decoder& decoder, ViewPos view,
+                                                        Plane plane, const Rect& rect,
+                                                        int stop_level, KeyRequests* requests) {
+  const Decoder::State& state = *decoder.state_;
+  const Geometry& geometry = state.stream.geometry;
+  const PlaneShape& shape = geometry.plane(plane);
+  if (!has_view(state.stream.header, view, stop_level) ||
+      !contains(shape.width, shape.height, rect)) {
+    return bad_request();
+  }
+  const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
+  return guard_memory([&]() -> Result<std::vector<int16_t>> {
+    auto samples = decode_samples(state.fast(requests), state.golden(),
+                                  {stop_level, image.row, image.col, plane}, rect, true);
+    if (!samples) return tl::unexpected(samples.error());
+    return std::move(samples->samples);
+  });
+}
+
+void DecoderAccess::decode_keys(const Decoder& decoder, std::span<const KeyRequests> requests) {
+  decoder.state_->keys.decode(requests);
+}
 
 size_t Decoder::reference_bytes() const { return state_->references.bytes(); }
 

@@ -23,7 +23,9 @@ struct Decoder::State {
   DecodeSources golden() const { return {stream, keys}; }
   /// For the golden path with the reference blocks that the fast path holds.
   DecodeSources golden_held() const { return {stream, keys, &references}; }
-  FastSources fast() const { return {stream, keys, references}; }
+  FastSources fast(KeyRequests* requests = nullptr) const {
+    return {stream, keys, references, requests};
+  }
 };
 
 }  // namespace hmlfc

@@ -1,12 +1,15 @@
 #include "decoder/key_images.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "arithmetic/rounding.hpp"
 #include "arithmetic/widths.hpp"
 #include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
+#include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
+#include "decoder/memory_guard.hpp"
 
 namespace hmlfc {
 namespace {
@@ -65,18 +68,50 @@ Result<void> check_top_table(const StreamView& stream) {
   return {};
 }
 
+uint64_t KeyImages::entry_of(int level, ImagePos at, Plane plane) const {
+  return stream_.geometry.key_number(level, at) * kPlaneCount + static_cast<uint64_t>(plane);
+}
+
 Result<std::shared_ptr<const SamplePlane>> KeyImages::plane(int level, ImagePos at,
                                                             Plane plane) const {
-  const uint64_t entry =
-      stream_.geometry.key_number(level, at) * kPlaneCount + static_cast<uint64_t>(plane);
+  return this->plane(entry_of(level, at, plane));
+}
+
+Result<std::shared_ptr<const SamplePlane>> KeyImages::plane(uint64_t entry) const {
   return planes_.get(entry, [&]() -> Result<std::shared_ptr<const SamplePlane>> {
-    auto decoded = decode(entry, plane);
+    auto decoded = decode(entry);
     if (!decoded) return tl::unexpected(decoded.error());
     return std::make_shared<const SamplePlane>(std::move(*decoded));
   });
 }
 
-Result<SamplePlane> KeyImages::decode(uint64_t entry, Plane plane) const {
+std::shared_ptr<const SamplePlane> KeyImages::plane_or_request(int level, ImagePos at, Plane plane,
+                                                               KeyRequests& requests) const {
+  const uint64_t entry = entry_of(level, at, plane);
+  if (auto held = planes_.find(entry)) return held;
+  requests.entries_.push_back(entry);
+  return *zeros_.get(static_cast<uint64_t>(plane), [&]() -> Result<LazyMap<SamplePlane>::Pointer> {
+    const PlaneShape& shape = stream_.geometry.plane(plane);
+    return std::make_shared<const SamplePlane>(shape.width, shape.height);
+  });
+}
+
+void KeyImages::decode(std::span<const KeyRequests> requests) const {
+  std::vector<uint64_t> entries;
+  for (const KeyRequests& some : requests) {
+    entries.insert(entries.end(), some.entries_.begin(), some.entries_.end());
+  }
+  // Y, which takes longest, first.
+  std::ranges::sort(entries, {},
+                    [](uint64_t entry) { return std::pair(entry % kPlaneCount, entry); });
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  parallel_for(entries.size(), [&](size_t i) {
+    static_cast<void>(guard_memory([&] { return plane(entries[i]); }));
+  });
+}
+
+Result<SamplePlane> KeyImages::decode(uint64_t entry) const {
+  const auto plane = static_cast<Plane>(entry % kPlaneCount);
   const auto top = stream_.bytes(Section::kTop);
   const TopEntry place = load_entry(top, entry);
   const auto codestream = top.subspan(static_cast<size_t>(place.offset), place.size);

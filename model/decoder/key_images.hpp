@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include <hmlfc/error.hpp>
 
@@ -21,6 +23,16 @@ uint32_t sample_crc(const SamplePlane& plane);
 /// Checks the whole TOP table (KEY-1): bad_section_size, bad_top_entry.
 Result<void> check_top_table(const StreamView& stream);
 
+/// Planes of key images that are needed and not decoded yet.
+class KeyRequests {
+ public:
+  bool empty() const { return entries_.empty(); }
+
+ private:
+  friend class KeyImages;
+  std::vector<uint64_t> entries_;  // of the TOP table
+};
+
 /// Decodes planes of key images on first use and keeps them. A plane is always decoded whole: its
 /// errors are those of all its samples (KEY-3). Thread-safe.
 class KeyImages {
@@ -31,11 +43,23 @@ class KeyImages {
   /// Errors: bad_top_image, bad_top_crc, top_sample_range.
   Result<std::shared_ptr<const SamplePlane>> plane(int level, ImagePos at, Plane plane) const;
 
+  /// The same of a plane that is held. Another is not decoded: it is added to `requests`, and a
+  /// plane of zeros takes its place.
+  std::shared_ptr<const SamplePlane> plane_or_request(int level, ImagePos at, Plane plane,
+                                                      KeyRequests& requests) const;
+
+  /// Decodes the planes of all `requests`, each once, on all threads of the caller's
+  /// run_on_threads(). A plane that does not decode has its error when plane() is called.
+  void decode(std::span<const KeyRequests> requests) const;
+
  private:
-  Result<SamplePlane> decode(uint64_t entry, Plane plane) const;
+  uint64_t entry_of(int level, ImagePos at, Plane plane) const;
+  Result<std::shared_ptr<const SamplePlane>> plane(uint64_t entry) const;
+  Result<SamplePlane> decode(uint64_t entry) const;
 
   const StreamView& stream_;
-  mutable LazyMap<SamplePlane> planes_;
+  mutable LazyMap<SamplePlane> planes_;  // by entry
+  mutable LazyMap<SamplePlane> zeros_;   // by Plane
 };
 
 }  // namespace hmlfc

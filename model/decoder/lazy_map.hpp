@@ -34,6 +34,13 @@ class LazyMap {
     return slot->value;
   }
 
+  /// The value of `key`, or null if it is not made yet.
+  Pointer find(uint64_t key) {
+    const std::shared_ptr<Slot> slot = slot_of(key);
+    const std::scoped_lock lock(slot->mutex);
+    return slot->value;
+  }
+
   /// Calls `visit(const Value&)` for every value made so far.
   template <class Visit>
   void for_each(const Visit& visit) {

@@ -8,6 +8,7 @@
 
 #include "bits/parallel.hpp"
 #include "decoder/memory_guard.hpp"
+#include "decoder/open_stream.hpp"
 #include "render/cell_displacements.hpp"
 #include "render/disparity_cache.hpp"
 #include "render/frame_stages.hpp"
@@ -112,22 +113,35 @@ class CpuRenderer final : public FrameRenderer {
     return missing;
   }
 
+  // Loads what the frame needs. Pages whose key images are all decoded come first; then the key
+  // images that the others need are decoded, all at once, and those pages after them. An error of
+  // a key image shows where a page reads it, as all errors of pages do in first_error().
   Result<void> load(int stop_level) {
     cache_.make_room();
-    const std::vector<Missing> missing = missing_pages();
+    std::vector<Missing> missing = missing_pages();
     // One thread creates the pages: the pages of a view share its table of rows.
     for (const Missing& at : missing) at.view->page(at.page);
-    std::atomic<bool> failed = false;
-    parallel_for(missing.size(), [&](size_t i) {
-      const Missing& at = missing[i];
+    std::vector<KeyRequests> requests(missing.size());
+    load_pages(missing, stop_level, requests.data());
+    std::erase_if(missing, [](const Missing& at) { return !at.view->misses_in_page(at.page); });
+    if (missing.empty()) return {};
+    DecoderAccess::decode_keys(decoder_, requests);
+    if (load_pages(missing, stop_level, nullptr)) return {};
+    return tl::unexpected(first_error(stop_level));
+  }
+
+  // Loads pages; where `requests` is not null page i has requests[i]. Returns whether none failed.
+  bool load_pages(const std::vector<Missing>& pages, int stop_level, KeyRequests* requests) {
+    std::atomic<bool> loaded = true;
+    parallel_for(pages.size(), [&](size_t i) {
+      const Missing& at = pages[i];
       const auto ok = guard_memory([&] {
         return load_page(decoder_, cache_.shape(), stop_level, coarser(*at.view, stop_level),
-                         *at.view, at.page);
+                         *at.view, at.page, requests == nullptr ? nullptr : requests + i);
       });
-      if (!ok) failed = true;
+      if (!ok) loaded = false;
     });
-    if (!failed) return {};
-    return tl::unexpected(first_error(stop_level));
+    return loaded;
   }
 
   // The error of the first needed block that does not decode (NED-2).

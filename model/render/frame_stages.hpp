@@ -8,6 +8,7 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/image.hpp>
 
+#include "decoder/key_images.hpp"
 #include "render/cell_displacements.hpp"
 #include "render/view_cache.hpp"
 
@@ -23,9 +24,11 @@ uint64_t plan_frame(const FrameRecord& record, int stop_level, const StreamHeade
 /// them to pixels. Where `coarser` is not null it is the view's parent, of stop level + 1, with
 /// samples of Y: blocks that it holds are decoded from there. Several threads may load different
 /// pages of a view. Errors: a block does not decode; the page then holds no more blocks than
-/// before.
+/// before. With `requests` not null, planes of key images that are needed and not decoded yet are
+/// added to it in place of being decoded; if there are any, the page holds no more blocks either.
 Result<void> load_page(const Decoder& decoder, const ViewShape& shape, int stop_level,
-                       const CachedView* coarser, CachedView& view, uint32_t page);
+                       const CachedView* coarser, CachedView& view, uint32_t page,
+                       KeyRequests* requests);
 
 /// Fills `image` with the frame (sections 3, 4 and 9 of docs/rendering.md); `cache` holds every
 /// block that the frame needs.

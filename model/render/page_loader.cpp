@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "decoder/colour_row.hpp"
+#include "decoder/open_stream.hpp"
 #include "decoder/sample_plane.hpp"
 
 namespace hmlfc {
@@ -52,14 +53,15 @@ std::vector<BlockRect> missing_rects(const BlockBits& needed, const BlockBits& h
 class PageLoader {
  public:
   PageLoader(const Decoder& decoder, const ViewShape& shape, int stop_level,
-             const CachedView* coarser, CachedView& view, uint32_t page)
+             const CachedView* coarser, CachedView& view, uint32_t page, KeyRequests* requests)
       : decoder_(decoder),
         shape_(shape),
         stop_level_(stop_level),
         coarser_(coarser),
         view_(view),
         number_(page),
-        page_(view.page(page)) {}
+        page_(view.page(page)),
+        requests_(requests) {}
 
   Result<void> run() {
     const auto chroma = missing_rects(
@@ -74,12 +76,16 @@ class PageLoader {
     for (const BlockRect& rect : luma) {
       if (auto ok = load_luma(rect); !ok) return ok;
     }
+    if (has_requests()) return {};
     for (const BlockRect& rect : chroma) hold(rect, view_.held_chroma);
     for (const BlockRect& rect : luma) hold(rect, view_.held);
     return {};
   }
 
  private:
+  // Whether samples have no meaning.
+  bool has_requests() const { return requests_ != nullptr && !requests_->empty(); }
+
   // The samples of `blocks` that lie in a plane of this size.
   Rect samples_of(const BlockRect& blocks, uint32_t width, uint32_t height) const {
     const unsigned log2 = shape_.block_log2;
@@ -109,7 +115,7 @@ class PageLoader {
       }
       if (decoder_.refine_rect(view_.place(), plane, rect, stop_level_, samples)) return samples;
     }
-    return decoder_.decode_rect(view_.place(), plane, rect, stop_level_);
+    return DecoderAccess::decode_rect(decoder_, view_.place(), plane, rect, stop_level_, requests_);
   }
 
   void keep(Plane plane, const Rect& rect, const std::vector<int16_t>& samples) {
@@ -133,6 +139,7 @@ class PageLoader {
     const Rect rect = samples_of(blocks, shape_.width, shape_.height);
     const auto samples = decode(Plane::kY, blocks, rect);
     if (!samples) return tl::unexpected(samples.error());
+    if (has_requests()) return {};
     if (shape_.keeps_luma) keep(Plane::kY, rect, *samples);
     for (uint32_t j = 0; j < rect.height; ++j) {
       write_pixels(rect, rect.y + j, samples->data() + size_t{j} * rect.width);
@@ -173,13 +180,15 @@ class PageLoader {
   CachedView& view_;
   uint32_t number_;
   ViewPage& page_;
+  KeyRequests* requests_;
 };
 
 }  // namespace
 
 Result<void> load_page(const Decoder& decoder, const ViewShape& shape, int stop_level,
-                       const CachedView* coarser, CachedView& view, uint32_t page) {
-  return PageLoader(decoder, shape, stop_level, coarser, view, page).run();
+                       const CachedView* coarser, CachedView& view, uint32_t page,
+                       KeyRequests* requests) {
+  return PageLoader(decoder, shape, stop_level, coarser, view, page, requests).run();
 }
 
 }  // namespace hmlfc

@@ -1,6 +1,8 @@
 // Frames do not touch views, pixels and bytes that they do not need (NED-1).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <hmlfc/renderer.hpp>
 
 #include "render/render_cases.hpp"
@@ -147,6 +149,40 @@ TEST(Skipping, AKeyImageHasOneErrorForAllOfItsSamples) {
     ASSERT_FALSE(done.has_value());
     EXPECT_EQ(done.error().code, ErrorCode::kBadTopCrc);
   }
+}
+
+// Planes of key images are found before they are decoded, all at once: those that blocks need, each
+// once, and no others.
+TEST(Skipping, KeyPlanesAreThoseOfTheGoldenRenderer) {
+  uint64_t all = 0;
+  uint64_t most = 0;
+  for (uint32_t seed = 400; seed < 440; ++seed) {
+    const std::vector<uint8_t> file = test::random_stream(seed);
+    test::Random random(seed);
+    TouchedBytes touched(file.size());
+    OpenOptions options;
+    options.reads = &touched;
+    for (int n = 0; n < 3; ++n) {
+      const StreamHeader header = Decoder::open(file)->header();
+      const auto record = frame_record(test::random_camera(random, header), header);
+      ASSERT_TRUE(record.has_value()) << record.error().message;
+      const auto key_samples_of = [&](const auto& make) {
+        const auto decoder = Decoder::open(file, options);
+        touched.reset();
+        Frame frame;
+        EXPECT_TRUE(make(*decoder)->render(*record, 0, frame).has_value());
+        return touched.key_samples();
+      };
+      const uint64_t golden = key_samples_of(make_golden_renderer);
+      const uint64_t fast =
+          key_samples_of([](const Decoder& decoder) { return make_cpu_renderer(decoder); });
+      EXPECT_EQ(fast, golden) << "seed " << seed << ", frame " << n;
+      all += golden;
+      most = std::max(most, golden / (uint64_t{header.width} * header.height));
+    }
+  }
+  EXPECT_GT(all, 0u);
+  EXPECT_GT(most, 4u) << "planes of several key images";
 }
 
 // Each pass of a progressive frame reads its own level; key images and coarser levels are held.

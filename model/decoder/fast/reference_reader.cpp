@@ -18,7 +18,7 @@ Result<ReferenceReader> ReferenceReader::open(const FastSources& sources, int le
   const Geometry& geometry = sources.stream.geometry;
   ReferenceReader reader(geometry.plane(plane), geometry.block_size());
   if (geometry.level(level).keyed) {
-    auto key = sources.keys.plane(level, reference, plane);
+    auto key = sources.key_plane(level, reference, plane);
     if (!key) return tl::unexpected(key.error());
     reader.key_ = *key;
   } else {

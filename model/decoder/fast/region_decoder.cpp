@@ -145,7 +145,7 @@ Result<void> add_level(const FastSources& sources, int level, ImagePos image, Pl
   if (!geometry.is_key(level, image)) {
     return LevelPass(sources, level, image, plane, rect, samples).run();
   }
-  const auto key = sources.keys.plane(level, image, plane);
+  const auto key = sources.key_plane(level, image, plane);
   if (!key) return tl::unexpected(key.error());
   copy_key(**key, rect, geometry.block_size(), samples);
   return {};

@@ -85,6 +85,15 @@ struct FastSources {
   const StreamView& stream;
   const KeyImages& keys;
   const SparseReferences& references;
+  /// Where not null, key images that are not decoded yet are only requested, and what is decoded
+  /// from them has no meaning.
+  KeyRequests* requests = nullptr;
+
+  /// Plane `plane` of key image `at` of level `level`; errors as for KeyImages::plane.
+  Result<std::shared_ptr<const SamplePlane>> key_plane(int level, ImagePos at, Plane plane) const {
+    if (requests != nullptr) return keys.plane_or_request(level, at, plane, *requests);
+    return keys.plane(level, at, plane);
+  }
 };
 
 }  // namespace hmlfc
