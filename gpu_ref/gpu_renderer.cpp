@@ -12,6 +12,7 @@
 #include "frame_shape.hpp"
 #include "frame_slot.hpp"
 #include "render/shown_image.hpp"
+#include "render/surface.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -66,6 +67,11 @@ struct GpuRenderer::State {
     }
     const unsigned number = (first + under_way) % kFramesUnderWay;
     refused[number] = !fits(record, header, stop_level);
+    if (!refused[number] && has_geometry(record, stop_level)) {
+      throw MachineError(FailureKind::kLimit,
+                         "limit_exceeded: the GPU renderer draws no frame with geometry: use the "
+                         "CPU's (--backend cpu)");
+    }
     if (!refused[number]) {
       FrameSlot& slot = slots[number];
       slot.shape().record = record;

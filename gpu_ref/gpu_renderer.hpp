@@ -48,7 +48,8 @@ class GpuRenderer {
   /// Renders the frame of `record`, made by frame_record for this light field, from views decoded
   /// down to `stop_level` (DEC-1): the device marks the blocks that the frame needs, decodes those
   /// of them that it does not hold and no others, and draws, in one submission. After a frame with
-  /// an error, and before one of another stop level, nothing is held.
+  /// an error, and before one of another stop level, nothing is held. kLimit for a frame with
+  /// geometry (SRF-1).
   Outcome<GpuFrame> render(const FrameRecord& record, int stop_level);
 
   /// Submits a frame as render() does, and does not wait for it. kLimit where kFramesUnderWay

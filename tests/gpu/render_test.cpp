@@ -99,5 +99,17 @@ TEST_F(GpuRendering, RefusesAFrameOfAnotherLightField) {
   EXPECT_EQ(tally.failed, 2u);
 }
 
+TEST_F(GpuRendering, RefusesAFrameWithGeometry) {
+  RenderPair pair(device(), test::random_stream(3), 0);
+  ASSERT_FALSE(pair.closed());
+  Camera camera;
+  camera.geometry = GeometrySource::kStream;
+  const auto record = frame_record(camera, pair.header());
+  ASSERT_TRUE(record);
+  FrameTally tally;
+  EXPECT_NE(pair.difference(*record, 0, tally).find("--backend cpu"), std::string::npos);
+  if (pair.header().tree_height > 0) pair.compare(*record, 1, tally);
+}
+
 }  // namespace
 }  // namespace hmlfc::gpu
