@@ -29,7 +29,7 @@ class GpuFrameRenderer final : public FrameRenderer {
     if (drawn->status != ErrorCode::kOk) return fail(drawn->status, Section::kTile, 0);
     frame.image = std::move(drawn->image);
     frame.counts = {drawn->blocks_needed, drawn->blocks_decoded,
-                    drawn->blocks_needed - drawn->blocks_decoded, 0};
+                    drawn->blocks_needed - drawn->blocks_decoded, 0, drawn->disparities_looked_up};
     frame.seconds = {0, 0, std::chrono::duration<double>(Clock::now() - begin).count()};
     return {};
   }

@@ -18,6 +18,9 @@ struct FrameShape {
   uint64_t dispatches = 0;
   uint64_t drawn = 0;
   uint64_t rays = 0;
+  uint64_t displacements = 0;
+  uint64_t disparities = 0;
+  uint64_t looked_up = 0;
   uint64_t pool = 0;
   uint32_t pool_chunk_log2 = 0;
   uint32_t pool_pages = 0;
@@ -43,7 +46,8 @@ enum FrameCounter : uint32_t {
   kCountFirstError = 9,
   kCountStatus = 10,
   kCountWorkgroups = 11,
-  kFrameCounters = 12,
+  kCountLookedUp = 12,
+  kFrameCounters = 13,
 };
 
 inline constexpr uint32_t kNoError = ~0u;  ///< of kCountFirstError

@@ -6,7 +6,8 @@ namespace hmlfc::gpu {
 namespace {
 
 constexpr uint64_t kCounterBytes = uint64_t{4} * kFrameCounters;
-constexpr uint64_t kRayBytes = 16;  // of a pixel of a group
+constexpr uint64_t kRayBytes = 16;          // of a pixel of a group
+constexpr uint64_t kDisplacementBytes = 4;  // of a cell
 constexpr uint64_t kPixelBytes = 6;
 
 }  // namespace
@@ -33,6 +34,8 @@ bool FrameSlot::prepare(const FrameForm& form) {
   shape_.drawn = drawn_.reserve(*device_, drawn_bytes).address();
   const uint64_t groups = uint64_t{form.columns()} * form.rows();
   shape_.rays = rays_.reserve(*device_, kRayBytes * groups * kGroupPixels * kGroupPixels).address();
+  shape_.displacements =
+      displacements_.reserve(*device_, kDisplacementBytes * form.cells()).address();
   if (form.output == FrameOutput::kHost) readback_.reserve(*device_, drawn_bytes);
   if (commands_) {
     commands_->restart();

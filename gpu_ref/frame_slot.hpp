@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "frame_shape.hpp"
 #include "gpu_renderer.hpp"
+#include "render/surface.hpp"
 
 namespace hmlfc::gpu {
 
@@ -19,6 +20,7 @@ struct FrameForm {
   int32_t width = 0;
   int32_t height = 0;
   uint32_t stop_level = 0;
+  bool geometry = false;
   FrameOutput output = FrameOutput::kHost;
   uint64_t room = 0;  ///< counts how often the buffers that frames share were made anew
 
@@ -27,6 +29,12 @@ struct FrameForm {
   /// Groups of pixels of mark.comp and render.comp.
   uint32_t columns() const { return ceil_div(static_cast<uint32_t>(width), kGroupPixels); }
   uint32_t rows() const { return ceil_div(static_cast<uint32_t>(height), kGroupPixels); }
+
+  /// Cells of surface.comp.
+  uint64_t cells() const {
+    return uint64_t{static_cast<uint32_t>(cells_along(width))} *
+           static_cast<uint32_t>(cells_along(height));
+  }
 
   /// The picture as render.comp writes it: rows of an even number of pixels.
   uint64_t row_pixels() const { return 2 * ceil_div(static_cast<uint64_t>(width), uint64_t{2}); }
@@ -88,6 +96,7 @@ class FrameSlot {
   Buffer results_;
   GrowingBuffer drawn_{Memory::kDevice};
   GrowingBuffer rays_{Memory::kDevice};
+  GrowingBuffer displacements_{Memory::kDevice};
   GrowingBuffer readback_{Memory::kReadback};
   std::optional<Commands> commands_;  // the first to go
 };

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 
 #include "arithmetic/rounding.hpp"
 #include "batch_buffers.hpp"
 #include "block_pool.hpp"
 #include "commands.hpp"
+#include "device_disparities.hpp"
 #include "device_stream.hpp"
 #include "frame_shape.hpp"
 #include "frame_slot.hpp"
@@ -36,6 +38,7 @@ struct GpuRenderer::State {
   State(Device::State& d, const StreamView& view, uint64_t cache_bytes)
       : device(d),
         stream(d, view),
+        source(view),
         header(view.header),
         geometry(view.geometry),
         sizes(block_sizes(view.header)),
@@ -45,9 +48,12 @@ struct GpuRenderer::State {
       throw MachineError(FailureKind::kLimit,
                          "limit_exceeded: frames need fewer than 2^32 - 1 blocks in all views");
     }
-    needed.reserve(device, 4 * words_of_level(0));
+    source.reads = nullptr;
     Commands commands(device);
-    commands.fill(needed.get(), 0, needed.get().size(), 0);
+    for (GrowingBuffer* bits : {&needed, &looked_up}) {
+      const Buffer& buffer = bits->reserve(device, 4 * words_of_level(0));
+      commands.fill(buffer, 0, buffer.size(), 0);
+    }
     commands.run();
     make_room(kFirstCapacity, 0);
     device.kernels->prepare(KernelUse::kFrames, stream.chunked(), pool.chunked());
@@ -67,16 +73,13 @@ struct GpuRenderer::State {
     }
     const unsigned number = (first + under_way) % kFramesUnderWay;
     refused[number] = !fits(record, header, stop_level);
-    if (!refused[number] && has_geometry(record, stop_level)) {
-      throw MachineError(FailureKind::kLimit,
-                         "limit_exceeded: the GPU renderer draws no frame with geometry: use the "
-                         "CPU's (--backend cpu)");
-    }
     if (!refused[number]) {
+      const bool geometric = has_geometry(record, stop_level);
+      if (geometric && !disparities) disparities.emplace(upload_disparities(device, source));
       FrameSlot& slot = slots[number];
       slot.shape().record = record;
       submit(slot, {record.frame_width, record.frame_height, static_cast<uint32_t>(stop_level),
-                    output, room});
+                    geometric, output, room});
     }
     ++under_way;
   }
@@ -90,7 +93,7 @@ struct GpuRenderer::State {
     --under_way;
     frame.status = ErrorCode::kBadRequest;
     frame.image.samples.clear();
-    frame.blocks_needed = frame.blocks_decoded = 0;
+    frame.blocks_needed = frame.blocks_decoded = frame.disparities_looked_up = 0;
     frame.submissions = 0;
     if (refused[last]) return;
     try {
@@ -133,6 +136,8 @@ struct GpuRenderer::State {
 
   void describe(FrameShape& shape, uint32_t stop_level) const {
     shape.needed = needed.get().address();
+    shape.looked_up = looked_up.get().address();
+    shape.disparities = disparities ? disparities->address() : 0;
     shape.slots = slot_numbers.get().address();
     shape.dispatches = dispatches.get().address();
     shape.stop_level = stop_level;
@@ -151,6 +156,10 @@ struct GpuRenderer::State {
     slot.record_upload();
     // Frames before this one may still be under way.
     commands.barrier(kCompute | kTransfer | kIndirect, kCompute);
+    if (form.geometry) {
+      commands.dispatch("surface", variant, arguments, form.cells());
+      commands.barrier(kCompute, kCompute);
+    }
     commands.dispatch_groups("mark", variant, arguments, form.columns(), form.rows());
     commands.barrier(kCompute, kCompute | kIndirect);
     commands.dispatch("compact", variant, arguments, slot.shape().needed_words);
@@ -193,6 +202,7 @@ struct GpuRenderer::State {
     const auto words = slot.counters();
     frame.blocks_needed = words[kCountNeeded];
     frame.blocks_decoded = words[kCountDecoded];
+    frame.disparities_looked_up = words[kCountLookedUp];
     frame.status = ErrorCode::kOk;
     if (words[kCountFirstError] != kNoError) {
       frame.status = static_cast<ErrorCode>(words[kCountStatus]);
@@ -213,6 +223,7 @@ struct GpuRenderer::State {
 
   Device::State& device;
   DeviceStream stream;
+  StreamView source;
   StreamHeader header;
   Geometry geometry;
   BlockSizes sizes;
@@ -222,6 +233,8 @@ struct GpuRenderer::State {
   BatchBuffers buffers;
   Arguments arguments;
   GrowingBuffer needed{Memory::kDevice};
+  GrowingBuffer looked_up{Memory::kDevice};
+  std::optional<Buffer> disparities;  // once a frame has geometry
   GrowingBuffer slot_numbers{Memory::kDevice};
   GrowingBuffer dispatches{Memory::kDevice};
 

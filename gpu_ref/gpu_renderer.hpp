@@ -22,10 +22,11 @@ struct GpuFrame {
   /// The error of NED-2, or bad_request where record or stop level do not fit the light field; then
   /// there is no image.
   ErrorCode status = ErrorCode::kOk;
-  RgbImage image;               ///< frame_width x frame_height, of the light field's depth
-  uint64_t blocks_needed = 0;   ///< NED-1
-  uint64_t blocks_decoded = 0;  ///< of them, each once; the others are held of frames before
-  unsigned submissions = 0;     ///< 1, or 2 where the frame took more room than any before
+  RgbImage image;                      ///< frame_width x frame_height, of the light field's depth
+  uint64_t blocks_needed = 0;          ///< NED-1
+  uint64_t blocks_decoded = 0;         ///< of them, each once; the others are held of frames before
+  uint64_t disparities_looked_up = 0;  ///< SRF-5
+  unsigned submissions = 0;            ///< 1, or 2 where the frame took more room than any before
 };
 
 /// Where the picture of a frame goes.
@@ -34,25 +35,30 @@ enum class FrameOutput : uint8_t {
   kDevice,  ///< it stays in a buffer of the device, and GpuFrame::image is empty
 };
 
+/// Device memory of the disparity maps: 4 bytes for each block of plane Y of each view.
+inline constexpr uint64_t kMostDisparityBytes = uint64_t{256} << 20;
+
 /// Frames that may be under way at once.
 inline constexpr unsigned kFramesUnderWay = 3;
 
 /// Renders frames of one stream. The device must outlive it.
 class GpuRenderer {
  public:
-  /// Uploads the stream as GpuDecoder::open does. Between frames the device keeps up to
-  /// `cache_bytes` bytes of decoded samples, in pages of 32 blocks; 0 keeps nothing. No frame
-  /// depends on it.
+  /// Uploads the stream as GpuDecoder::open does; its bytes must outlive the renderer. Between
+  /// frames the device keeps up to `cache_bytes` bytes of decoded samples, in pages of 32 blocks; 0
+  /// keeps nothing. No frame depends on it.
   static Outcome<GpuRenderer> open(Device& device, const StreamView& stream, uint64_t cache_bytes);
 
   /// Renders the frame of `record`, made by frame_record for this light field, from views decoded
   /// down to `stop_level` (DEC-1): the device marks the blocks that the frame needs, decodes those
   /// of them that it does not hold and no others, and draws, in one submission. After a frame with
-  /// an error, and before one of another stop level, nothing is held. kLimit for a frame with
-  /// geometry (SRF-1).
+  /// an error, and before one of another stop level, nothing is held. The first frame with
+  /// geometry reads the disparity maps of all views and uploads them; kLimit where they take more
+  /// than kMostDisparityBytes.
   Outcome<GpuFrame> render(const FrameRecord& record, int stop_level);
 
-  /// Submits a frame as render() does, and does not wait for it. kLimit where kFramesUnderWay
+  /// Submits a frame as render() does, and does not wait for it, but for the maps of the first one
+  /// with geometry. kLimit where kFramesUnderWay
   /// frames have begun and not been finished.
   Outcome<void> begin(const FrameRecord& record, int stop_level, FrameOutput output);
 

@@ -33,11 +33,14 @@ constexpr KernelBuffers kKernels[] = {
      "shape stream references requests entries frame counters slots used_pages",
      "pool counters used_pages"},
     {"colour", Kind::kPlain, "shape colour_areas statuses samples", "pixels pixel_statuses"},
-    {"mark", Kind::kCounted, "shape frame needed held counters used_pages",
+    {"surface", Kind::kCounted, "shape frame disparities looked_up counters",
+     "displacements looked_up counters"},
+    {"mark", Kind::kCounted, "shape frame needed held displacements counters used_pages",
      "needed rays counters used_pages dispatches"},
     {"compact", Kind::kCounted, "shape frame needed held pages counters",
-     "requests needed held pages slots counters"},
-    {"render", Kind::kCounted, "shape frame pages rays counters pool", "drawn results"},
+     "requests needed looked_up held pages slots counters"},
+    {"render", Kind::kCounted, "shape frame pages rays displacements counters pool",
+     "drawn results"},
 };
 
 Kind kind_of(const Variant& variant) {
@@ -81,13 +84,20 @@ struct NamedFrameBuffer {
   uint64_t FrameShape::*member;
 };
 
-constexpr NamedFrameBuffer kFrameBuffers[] = {
-    {"needed", &FrameShape::needed},     {"held", &FrameShape::held},
-    {"pages", &FrameShape::pages},       {"slots", &FrameShape::slots},
-    {"counters", &FrameShape::counters}, {"used_pages", &FrameShape::used_pages},
-    {"results", &FrameShape::results},   {"dispatches", &FrameShape::dispatches},
-    {"drawn", &FrameShape::drawn},       {"rays", &FrameShape::rays},
-    {"pool", &FrameShape::pool}};
+constexpr NamedFrameBuffer kFrameBuffers[] = {{"needed", &FrameShape::needed},
+                                              {"held", &FrameShape::held},
+                                              {"pages", &FrameShape::pages},
+                                              {"slots", &FrameShape::slots},
+                                              {"counters", &FrameShape::counters},
+                                              {"used_pages", &FrameShape::used_pages},
+                                              {"results", &FrameShape::results},
+                                              {"dispatches", &FrameShape::dispatches},
+                                              {"drawn", &FrameShape::drawn},
+                                              {"rays", &FrameShape::rays},
+                                              {"displacements", &FrameShape::displacements},
+                                              {"disparities", &FrameShape::disparities},
+                                              {"looked_up", &FrameShape::looked_up},
+                                              {"pool", &FrameShape::pool}};
 
 uint64_t address_of(std::string_view name, const Arguments& arguments, const FrameShape* frame) {
   for (const NamedBuffer& buffer : kArgumentBuffers) {

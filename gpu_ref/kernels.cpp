@@ -26,6 +26,9 @@ constexpr uint32_t kSamplesCode[] =
 constexpr uint32_t kColourCode[] =
 #include "shaders/colour.inc"
     ;
+constexpr uint32_t kSurfaceCode[] =
+#include "shaders/surface.inc"
+    ;
 constexpr uint32_t kMarkCode[] =
 #include "shaders/mark.inc"
     ;
@@ -76,9 +79,9 @@ uint64_t number_of(const vk::PipelineExecutableStatisticKHR& statistic) {
 }  // namespace
 
 std::map<std::string, std::span<const uint32_t>> built_kernels() {
-  return {{"expand", kExpandCode},   {"walk", kWalkCode},     {"residuals", kResidualsCode},
-          {"samples", kSamplesCode}, {"colour", kColourCode}, {"mark", kMarkCode},
-          {"compact", kCompactCode}, {"render", kRenderCode}};
+  return {{"expand", kExpandCode},   {"walk", kWalkCode},       {"residuals", kResidualsCode},
+          {"samples", kSamplesCode}, {"colour", kColourCode},   {"surface", kSurfaceCode},
+          {"mark", kMarkCode},       {"compact", kCompactCode}, {"render", kRenderCode}};
 }
 
 Variant variant_of(KernelUse use, bool chunked, bool pool_chunked) {
@@ -93,7 +96,8 @@ std::span<const std::string_view> kernels_of(KernelUse use) {
   static constexpr std::string_view kReferences[] = {"expand", "walk", "residuals"};
   static constexpr std::string_view kBlocks[] = {"expand", "walk", "samples", "colour"};
   static constexpr std::string_view kStages[] = {"samples"};
-  static constexpr std::string_view kFrames[] = {"mark", "compact", "walk", "samples", "render"};
+  static constexpr std::string_view kFrames[] = {"surface", "mark",    "compact",
+                                                 "walk",    "samples", "render"};
   switch (use) {
     case KernelUse::kReferences:
       return kReferences;

@@ -12,6 +12,7 @@ struct FrameRecord {
   int x0, y0, gain, dx, dy;
   int c0, r0, cols, rows;
   int width, height;
+  int geometry, focus, pitch;
 };
 
 layout(buffer_reference, std430, buffer_reference_align = 16) buffer Rays { ivec4 ray[]; };
@@ -27,6 +28,9 @@ layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Fra
   OutWords dispatches; // kDispatch..., three words each
   OutWords drawn;      // three samples of 16 bits a pixel, rows of an even number of pixels
   Rays rays;           // of each pixel, group by group (pixel_group.glsl)
+  OutWords displacements; // E of each cell (SRF-1), row by row; with geometry
+  Words disparities;   // of the blocks of plane Y of all views, view by view: D, and 2^16 if there is one
+  OutWords looked_up;  // bits as in needed: the blocks whose disparity the frame looks up (SRF-5)
   uvec2 pool;          // pages of 32 slots, of a block each: OutWords, or OutChunks with kPoolChunked
   uint pool_chunk_log2;
   uint pool_pages;     // that there is room for
@@ -51,7 +55,8 @@ const uint kCountNextPage = 8u;      // the next page to be given away
 const uint kCountFirstError = 9u;    // the least bit of a block with an error, or all ones
 const uint kCountStatus = 10u;       // that block's error
 const uint kCountWorkgroups = 11u;   // of mark.comp that are done
-const uint kFrameCounters = 12u;
+const uint kCountLookedUp = 12u;     // blocks whose disparity the frame looks up
+const uint kFrameCounters = 13u;
 
 /// In the place of the number of used pages: the next frame decodes all that it needs.
 const uint kUsedNothingHeld = 0xFFFFFFFFu;

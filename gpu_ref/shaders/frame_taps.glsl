@@ -27,19 +27,15 @@ Filter filter_of_frame() {
 struct Axis {
   int last_view;
   int last_place;  // of the last pixel, in units of 2^-12
-  int step;        // dx or dy
 };
 
-Axis column_axis() {
-  return Axis(frame().record.cols - 1, (frame().record.width - 1) << 12, frame().record.dx);
-}
-Axis row_axis() {
-  return Axis(frame().record.rows - 1, (frame().record.height - 1) << 12, frame().record.dy);
-}
+Axis column_axis() { return Axis(frame().record.cols - 1, (frame().record.width - 1) << 12); }
+Axis row_axis() { return Axis(frame().record.rows - 1, (frame().record.height - 1) << 12); }
 
-/// A of SMP-1; `place`: U or V of RAY-3.
-int view_place(Filter f, int place) {
-  return ((place + f.place_round) >> f.place_shift) & f.place_mask;
+/// A of SMP-1; `place`: Us or Vs of SRF-2.
+int view_place(Filter f, Axis axis, int place) {
+  const int inside = clamp(place, 0, axis.last_view << 16);
+  return ((inside + f.place_round) >> f.place_shift) & f.place_mask;
 }
 
 /// The first of the views along an axis; they may lie outside the grid.
@@ -53,9 +49,9 @@ int view_weight(Filter f, int view_place, int view) {
 }
 
 /// The tap along an axis in view `view`, in pixels and their fraction of 256: pixel floor and, with a
-/// fraction, the next one. `at`: x(c) or y(r) of RAY-4 in view 0. Not less for a greater `at`.
-int tap_place(Filter f, Axis axis, int at, int view) {
-  return ((clamp(at + axis.step * view, 0, axis.last_place) + f.tap_round) >> 4) & f.tap_mask;
+/// fraction, the next one. `at`: x(c) or y(r) there. Not less for a greater `at`.
+int tap_place(Filter f, Axis axis, int at) {
+  return ((clamp(at, 0, axis.last_place) + f.tap_round) >> 4) & f.tap_mask;
 }
 int first_pixel(int tap) { return tap >> 8; }
 int last_pixel(int tap) { return (tap + 255) >> 8; }

@@ -11,6 +11,7 @@
 #include "frame_arguments.glsl"
 #include "block_bits.glsl"
 #include "rays.glsl"
+#include "cells.glsl"
 #include "frame_taps.glsl"
 #include "pixel_group.glsl"
 #include "block_lanes.glsl"
@@ -122,9 +123,11 @@ void main() {
   const Axis cols = column_axis();
   const Axis rows = row_axis();
   const ivec2 at = pixel_of_invocation();
-  const Ray ray = trace(frame().record, at.x, at.y);
+  Ray ray = ray_of_pixel(at);
   write_ray(ray);
-  find_bounds(ray);
+  const int e = ray.inside ? displacement_at(at) : 0;
+  find_bounds(ray, e);
+  ray = displaced(frame().record, ray, e);
   barrier();
   if (lane == 0u) {
     const ivec2 blocks = (most_pixels_of_group() >> arguments.shape.block_log2) + 2;

@@ -21,25 +21,62 @@ ivec2 pixel_of_invocation() {
                uvec2(lane & low_bits(kGroupLog2), lane >> kGroupLog2));
 }
 
-// Least and greatest u, v, x and y of the group's rays inside.
-shared int group_bounds[8];
+// Of the group's rays inside, which are not displaced: u, v, x, y, and the displacement.
+const uint kU = 0u, kV = 1u, kX = 2u, kY = 3u, kE = 4u, kBounds = 5u;
+shared int group_least[kBounds], group_most[kBounds];
 
-bool has_rays() { return group_bounds[0] <= group_bounds[4]; }
+bool has_rays() { return group_least[kU] <= group_most[kU]; }
 
 /// Finds the bounds of the group; all invocations call it, before a barrier.
-void find_bounds(Ray ray) {
+void find_bounds(Ray ray, int e) {
   const uint lane = gl_LocalInvocationIndex;
-  if (lane < 8u) group_bounds[lane] = lane < 4u ? 0x7FFFFFFF : -0x7FFFFFFF;
+  if (lane < kBounds) {
+    const bool known = lane == kE && !has_geometry();
+    group_least[lane] = known ? 0 : 0x7FFFFFFF;
+    group_most[lane] = known ? 0 : -0x7FFFFFFF;
+  }
   barrier();
   if (!ray.inside) return;
-  atomicMin(group_bounds[0], ray.u);
-  atomicMin(group_bounds[1], ray.v);
-  atomicMin(group_bounds[2], ray.x);
-  atomicMin(group_bounds[3], ray.y);
-  atomicMax(group_bounds[4], ray.u);
-  atomicMax(group_bounds[5], ray.v);
-  atomicMax(group_bounds[6], ray.x);
-  atomicMax(group_bounds[7], ray.y);
+  atomicMin(group_least[kU], ray.u);
+  atomicMin(group_least[kV], ray.v);
+  atomicMin(group_least[kX], ray.x);
+  atomicMin(group_least[kY], ray.y);
+  atomicMax(group_most[kU], ray.u);
+  atomicMax(group_most[kV], ray.v);
+  atomicMax(group_most[kX], ray.x);
+  atomicMax(group_most[kY], ray.y);
+  if (!has_geometry()) return;
+  atomicMin(group_least[kE], e);
+  atomicMax(group_most[kE], e);
+}
+
+/// The bounds along an axis.
+struct Extent {
+  ivec2 place;         // u or v; the least and the greatest
+  ivec2 at;            // x or y
+  int step;            // dx or dy
+  ivec2 displacement;  // E or G
+};
+
+Extent column_extent() {
+  return Extent(ivec2(group_least[kU], group_most[kU]), ivec2(group_least[kX], group_most[kX]),
+                frame().record.dx, ivec2(group_least[kE], group_most[kE]));
+}
+
+Extent row_extent() {
+  const int g0 = displacement_a_row(frame().record, group_least[kE]);
+  const int g1 = displacement_a_row(frame().record, group_most[kE]);
+  return Extent(ivec2(group_least[kV], group_most[kV]), ivec2(group_least[kY], group_most[kY]),
+                frame().record.dy, ivec2(min(g0, g1), max(g0, g1)));
+}
+
+/// The least and the most that displacements add in view `view` to rays for which it has weight: so it
+/// is less than a step, 2^12, away from them.
+ivec2 displaced_by(Extent extent, int view) {
+  const ivec2 steps = clamp((view << 12) - (extent.place >> 4), -(1 << 12), 1 << 12);
+  const ivec2 a = extent.displacement.x * steps;
+  const ivec2 b = extent.displacement.y * steps;
+  return ivec2(min(min(a.x, a.y), min(b.x, b.y)), max(max(a.x, a.y), max(b.x, b.y))) >> 8;
 }
 
 // mark.comp leaves the rays for render.comp: the u, v, x and y of each pixel of a group, u = kOutside
@@ -57,7 +94,8 @@ void write_ray(Ray ray) {
 
 Ray read_ray() {
   const ivec4 words = frame().rays.ray[place_of_ray()];
-  return Ray(words.x != kOutside, words.x, words.y, words.z, words.w);
+  return Ray(words.x != kOutside, words.x, words.y, words.z, words.w, frame().record.dx,
+             frame().record.dy);
 }
 
 /// How a group goes through its views.
@@ -70,21 +108,25 @@ struct Passes {
   uint rows_log2;
 };
 
-/// Pixels that the taps along an axis reach at most in any view, from the bounds: views differ by a
-/// shift.
-int most_pixels(int low, int high) { return ((high - low) >> 12) + 3; }
+/// Pixels that the taps along an axis reach at most in any view. Views differ by a shift, and by what
+/// displacements add: products of those and of steps, which differ by at most so much in both.
+int most_pixels(Extent extent) {
+  const ivec2 e = extent.displacement;
+  const int steps = min((extent.place.y >> 4) - (extent.place.x >> 4), 2 << 12);
+  const int added = ((e.y - e.x) << 4) + ((steps * max(abs(e.x), abs(e.y))) >> 8) + 2;
+  return ((extent.at.y - extent.at.x + added) >> 12) + 3;
+}
 ivec2 most_pixels_of_group() {
-  return ivec2(most_pixels(group_bounds[2], group_bounds[6]),
-               most_pixels(group_bounds[3], group_bounds[7]));
+  return ivec2(most_pixels(column_extent()), most_pixels(row_extent()));
 }
 
 /// `windows_log2`: 2^windows_log2 windows have room; less than 0 where a window has too little.
 Passes passes_of_group(Filter f, Axis cols, Axis rows, int windows_log2) {
   const ivec2 last = ivec2(cols.last_view, rows.last_view);
-  const ivec2 low = ivec2(first_view(f, view_place(f, group_bounds[0])),
-                          first_view(f, view_place(f, group_bounds[1])));
-  const ivec2 high = ivec2(first_view(f, view_place(f, group_bounds[4])),
-                           first_view(f, view_place(f, group_bounds[5]))) +
+  const ivec2 low = ivec2(first_view(f, view_place(f, cols, group_least[kU])),
+                          first_view(f, view_place(f, rows, group_least[kV])));
+  const ivec2 high = ivec2(first_view(f, view_place(f, cols, group_most[kU])),
+                           first_view(f, view_place(f, rows, group_most[kV]))) +
                      int(low_bits(f.views_log2));
   Passes passes;
   passes.first = clamp(low, ivec2(0), last);
@@ -106,28 +148,32 @@ ivec2 view_of_pass(Filter f, uint pass) {
   return ivec2(int(pass & low_bits(f.views_log2)), int(pass >> f.views_log2));
 }
 
+/// The line of view `view` along an axis, with the taps of all rays that it has weight for.
+Line line_of_view(Filter f, Axis axis, Extent extent, int view) {
+  const ivec2 at = extent.at + extent.step * view + displaced_by(extent, view);
+  return Line(view, first_pixel(tap_place(f, axis, at.x)), last_pixel(tap_place(f, axis, at.y)));
+}
+
 /// The lines of the group's windows, or those of pass `pass`; all invocations call it, before a barrier.
+/// `ray` is displaced.
 void write_lines(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pass) {
   const uint lane = gl_LocalInvocationIndex;
   if (passes.far) {
     const ivec2 own = view_of_pass(f, pass) +
-                      ivec2(first_view(f, view_place(f, ray.u)), first_view(f, view_place(f, ray.v)));
+                      ivec2(first_view(f, view_place(f, cols, ray.u)),
+                            first_view(f, view_place(f, rows, ray.v)));
     const ivec2 view = clamp(own, ivec2(0), ivec2(cols.last_view, rows.last_view));
-    const int x = tap_place(f, cols, ray.x, view.x);
-    const int y = tap_place(f, rows, ray.y, view.y);
+    const int x = tap_place(f, cols, ray.x + ray.dx * view.x);
+    const int y = tap_place(f, rows, ray.y + ray.dy * view.y);
     window_cols[lane] = Line(view.x, first_pixel(x), ray.inside ? last_pixel(x) : -1);
     window_rows[lane] = Line(view.y, first_pixel(y), last_pixel(y));
     return;
   }
   if (int(lane) < passes.views.x) {
-    const int view = passes.first.x + int(lane);
-    window_cols[lane] = Line(view, first_pixel(tap_place(f, cols, group_bounds[2], view)),
-                             last_pixel(tap_place(f, cols, group_bounds[6], view)));
+    window_cols[lane] = line_of_view(f, cols, column_extent(), passes.first.x + int(lane));
   }
   if (int(lane) < passes.views.y) {
-    const int view = passes.first.y + int(lane);
-    window_rows[lane] = Line(view, first_pixel(tap_place(f, rows, group_bounds[3], view)),
-                             last_pixel(tap_place(f, rows, group_bounds[7], view)));
+    window_rows[lane] = line_of_view(f, rows, row_extent(), passes.first.y + int(lane));
   }
 }
 
@@ -163,23 +209,24 @@ struct PixelLine {
 };
 
 /// Number i of those of a pixel along an axis; beyond `end` it is not needed. `group_first` is the
-/// view of line 0.
-PixelLine pixel_line(Filter f, Axis axis, bool far, int place, int at, int group_first, int i, int end) {
+/// view of line 0; the ray is at `at` in view 0 and goes on by `step` a view.
+PixelLine pixel_line(Filter f, Axis axis, bool far, int place, int at, int step, int group_first,
+                     int i, int end) {
   const int number = first_view(f, place) + i;
   const int view = clamp(number, 0, axis.last_view);
   return PixelLine(far ? gl_LocalInvocationIndex : uint(view - group_first),
-                   i < end ? view_weight(f, place, number) : 0, tap_place(f, axis, at, view));
+                   i < end ? view_weight(f, place, number) : 0, tap_place(f, axis, at + step * view));
 }
 
 PixelLine pixel_col(Filter f, Axis axis, Passes passes, Ray ray, PixelRange range, int i) {
-  return pixel_line(f, axis, passes.far, view_place(f, ray.u), ray.x, passes.first.x, i,
-                    range.end.x);
+  return pixel_line(f, axis, passes.far, view_place(f, axis, ray.u), ray.x, ray.dx,
+                    passes.first.x, i, range.end.x);
 }
 
 /// Not needed either where the windows of the row are not in pass `pass`.
 PixelLine pixel_row(Filter f, Axis axis, Passes passes, Ray ray, uint pass, PixelRange range, int i) {
-  PixelLine row = pixel_line(f, axis, passes.far, view_place(f, ray.v), ray.y, passes.first.y, i,
-                             range.end.y);
+  PixelLine row = pixel_line(f, axis, passes.far, view_place(f, axis, ray.v), ray.y, ray.dy,
+                             passes.first.y, i, range.end.y);
   if (!passes.far && row.line >> passes.rows_log2 != pass) row.weight = 0;
   return row;
 }

@@ -2,8 +2,9 @@
 
 struct Ray {
   bool inside;
-  int u, v;    // units of 2^-16 steps (RAY-3)
-  int x, y;    // x(0) and y(0) of RAY-4: units of 2^-12 pixels
+  int u, v;    // Us and Vs of SRF-2: units of 2^-16 steps
+  int x, y;    // in view (r, c) it is at (x + dx * c, y + dy * r): units of 2^-12 pixels (RAY-4)
+  int dx, dy;
 };
 
 const int kHalfStep = 1 << 15;
@@ -50,12 +51,9 @@ int direction(FrameRecord f, int axis, int a, int b) {
          ((f.n0_lo[axis] + a * f.na_lo[axis] + b * f.nb_lo[axis]) >> 12);
 }
 
-/// The ray of pixel (i, j); not inside where the frame has no such pixel.
-Ray trace(FrameRecord f, int i, int j) {
-  Ray ray = Ray(false, 0, 0, 0, 0);
-  if (i >= f.frame_width || j >= f.frame_height) return ray;
-  const int a = 2 * i + 1 - f.frame_width;
-  const int b = 2 * j + 1 - f.frame_height;
+/// The ray of direction a, b of RAY-1.
+Ray trace(FrameRecord f, int a, int b) {
+  Ray ray = Ray(false, 0, 0, 0, 0, f.dx, f.dy);
   const ivec3 n = ivec3(direction(f, 0, a, b), direction(f, 1, a, b), direction(f, 2, a, b));
   if (n.z < (1 << 26) || (abs(n.x) >> 2) >= n.z || (abs(n.y) >> 2) >= n.z) return ray;
   const int r = reciprocal(n.z);
@@ -64,11 +62,27 @@ Ray trace(FrameRecord f, int i, int j) {
   const int u = f.u0 - multiply_shift(f.zu, sx, 28);
   const int v = f.v0 - multiply_shift(f.zv, sy, 28);
   if (!is_among_views(u, f.cols) || !is_among_views(v, f.rows)) return ray;
-  ray.u = clamp(u, 0, (f.cols - 1) << 16);
-  ray.v = clamp(v, 0, (f.rows - 1) << 16);
+  ray.u = clamp(u, -kHalfStep, ((f.cols - 1) << 16) + kHalfStep);
+  ray.v = clamp(v, -kHalfStep, ((f.rows - 1) << 16) + kHalfStep);
   ray.x = f.x0 + multiply_shift(f.gain, sx, 28) - f.dx * f.c0;
   ray.y = f.y0 + multiply_shift(f.gain, sy, 28) - f.dy * f.r0;
-  ray.inside = is_in_picture(ray.x + f.dx * ((ray.u + kHalfStep) >> 16), f.width) &&
-               is_in_picture(ray.y + f.dy * ((ray.v + kHalfStep) >> 16), f.height);
+  const int col = min((ray.u + kHalfStep) >> 16, f.cols - 1);
+  const int row = min((ray.v + kHalfStep) >> 16, f.rows - 1);
+  ray.inside = is_in_picture(ray.x + f.dx * col, f.width) &&
+               is_in_picture(ray.y + f.dy * row, f.height);
+  return ray;
+}
+
+/// G of SRF-2.
+int displacement_a_row(FrameRecord f, int e) { return (e * f.pitch + (1 << 7)) >> 8; }
+
+/// What has displacement `e` on the ray (SRF-2). A view number times 2^12 is a whole number of 2^-8, so
+/// that the shift rounds what is left alone.
+Ray displaced(FrameRecord f, Ray ray, int e) {
+  const int g = displacement_a_row(f, e);
+  ray.x += multiply_shift(-e, ray.u >> 4, 8);
+  ray.y += multiply_shift(-g, ray.v >> 4, 8);
+  ray.dx += 16 * e;
+  ray.dy += 16 * g;
   return ray;
 }

@@ -9,6 +9,7 @@
 #include "frame_arguments.glsl"
 #include "block_bits.glsl"
 #include "rays.glsl"
+#include "cells.glsl"
 #include "frame_taps.glsl"
 #include "block_lanes.glsl"
 #include "colour.glsl"
@@ -130,8 +131,10 @@ uvec3 frame_pixel(ivec2 at) {
   const Filter f = filter_of_frame();
   const Axis cols = column_axis();
   const Axis rows = row_axis();
-  const Ray ray = read_ray();
-  find_bounds(ray);
+  Ray ray = read_ray();
+  const int e = ray.inside ? displacement_at(at) : 0;
+  find_bounds(ray, e);
+  ray = displaced(frame().record, ray, e);
   barrier();
   if (gl_LocalInvocationIndex == 0u) {
     const int windows_log2 = kPairsLog2 - int(pairs_log2(window_size(most_pixels_of_group())));

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "render/taps.hpp"
+#include "decoder/open_stream.hpp"
+#include "render/cell_displacements.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -28,10 +29,11 @@ std::set<uint64_t> pages_of(const std::set<uint64_t>& blocks) {
 
 }  // namespace
 
-CacheModel::CacheModel(const StreamView& stream, uint64_t budget)
-    : header_(stream.header),
-      geometry_(stream.geometry),
-      kept_pages_(budget / page_bytes(stream.header)) {}
+CacheModel::CacheModel(const Decoder& decoder, uint64_t budget)
+    : decoder_(decoder),
+      header_(decoder.header()),
+      geometry_(DecoderAccess::stream(decoder).geometry),
+      kept_pages_(budget / page_bytes(decoder.header())) {}
 
 uint64_t CacheModel::take(const FrameRecord& record, int stop_level) {
   if (stop_level != stop_level_) forget();
@@ -50,12 +52,13 @@ uint64_t CacheModel::take(const FrameRecord& record, int stop_level) {
 }
 
 CacheModel::Blocks CacheModel::needed_blocks(const FrameRecord& record) const {
+  const CellDisplacements displaced = golden_displacements(decoder_, record, stop_level_);
   Blocks needed;
   for (int32_t j = 0; j < record.frame_height; ++j) {
     for (int32_t i = 0; i < record.frame_width; ++i) {
       const auto ray = trace(record, i, j);
       if (!ray) continue;
-      for_each_view_taps(record, *ray, 0, [&](const ViewTaps& taps) {
+      for_each_view_taps(record, *ray, displaced.at(i, j), [&](const ViewTaps& taps) {
         const ImagePos image = geometry_.ancestor({taps.view.row, taps.view.col}, 0, stop_level_);
         for (int32_t y = taps.y.first; y <= taps.y.last(); ++y) {
           for (int32_t x = taps.x.first; x <= taps.x.last(); ++x) {

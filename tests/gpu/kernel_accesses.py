@@ -29,7 +29,7 @@ VARIANTS = {
     "residuals": {"kReferencePass": {REFERENCE_PASS}},
     "samples": {"kPlain": set(), "kStages": {STAGES}, "kCounted": {COUNTED}},
     "colour": {"kPlain": set()},
-    **{kernel: {"kCounted": {COUNTED}} for kernel in ("mark", "compact", "render")},
+    **{kernel: {"kCounted": {COUNTED}} for kernel in ("surface", "mark", "compact", "render")},
 }
 # These change where something lies, not what.
 LAYOUTS = [set(), {CHUNKED, POOL_CHUNKED}]

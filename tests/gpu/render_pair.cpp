@@ -42,7 +42,7 @@ RenderPair::RenderPair(Device& device, std::vector<uint8_t> bytes, uint64_t cach
     return;
   }
   gpu_.emplace(std::move(*opened));
-  model_.emplace(*view_, cache_bytes);
+  model_.emplace(*stream_.decoder, cache_bytes);
 }
 
 std::string RenderPair::difference(const FrameRecord& record, int stop_level, FrameTally& tally) {
@@ -72,6 +72,11 @@ std::string RenderPair::difference(const FrameRecord& record, int stop_level, Fr
   if (last_.blocks_decoded != decoded) {
     return differs("blocks decoded", decoded, last_.blocks_decoded);
   }
+  if (last_.disparities_looked_up != expected.counts.disparities_looked_up) {
+    return differs("disparities looked up", expected.counts.disparities_looked_up,
+                   last_.disparities_looked_up);
+  }
+  if (last_.disparities_looked_up > 0) ++tally.geometric;
   tally.needed += last_.blocks_needed;
   tally.decoded += last_.blocks_decoded;
   const auto& samples = expected.image.samples;

@@ -18,12 +18,13 @@ namespace hmlfc::gpu {
 /// Counts of what was compared.
 struct FrameTally {
   uint64_t frames = 0;
-  uint64_t failed = 0;    ///< with an error, equal in both
-  uint64_t lit = 0;       ///< with a sample above 0
-  uint64_t coarse = 0;    ///< of a stop level above 0
-  uint64_t repeated = 0;  ///< that took two submissions
-  uint64_t needed = 0;    ///< blocks
-  uint64_t decoded = 0;   ///< of them
+  uint64_t failed = 0;     ///< with an error, equal in both
+  uint64_t lit = 0;        ///< with a sample above 0
+  uint64_t coarse = 0;     ///< of a stop level above 0
+  uint64_t geometric = 0;  ///< that looked up disparities
+  uint64_t repeated = 0;   ///< that took two submissions
+  uint64_t needed = 0;     ///< blocks
+  uint64_t decoded = 0;    ///< of them
 };
 
 /// Frames of both renderers, one after the other, and what a cache of `cache_bytes` holds of them.
