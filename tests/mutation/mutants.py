@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 # In a report: "survived: MUTANT    LINE"; in the progress of a run: "1/9 MUTANT: survived".
 SURVIVOR = re.compile(r"^survived: (.+?)    |^\d+/\d+ (.+): survived$", re.M)
+PROGRESS = re.compile(r"^\d+/\d+ (.+?): (killed|crash|timeout|same code|equivalent|survived|not compiled)(?: (.*))?$", re.M)
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,12 @@ def survivors_in(report, mutants):
         if name not in known:
             raise ValueError(f"{name}: not a mutant of the present source")
     return [known[name] for name in dict.fromkeys(names)]
+
+
+def results_in(progress, mutants):
+    """Maps those of `mutants` that `progress`, of an earlier run, names to their result and its detail."""
+    told = {name: (result, detail) for name, result, detail in PROGRESS.findall(progress)}
+    return {mutant: told[str(mutant)] for mutant in mutants if str(mutant) in told}
 
 
 def reasons_of(entries, mutants):

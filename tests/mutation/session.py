@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from threading import Lock
 
-from mutants import survivors_in
+from mutants import results_in, survivors_in
 
 SKIPPED = 77
 KILLED = ("killed", "crash", "timeout")
@@ -75,6 +75,10 @@ def add_arguments(parser, count):
     parser.add_argument(
         "--again", type=Path, metavar="REPORT", help="the survivors of REPORT, the output of an earlier run"
     )
+    parser.add_argument(
+        "--resume", type=Path, metavar="PROGRESS",
+        help="keep the results in PROGRESS, the standard error of a run of the same source and suite",
+    )
     parser.add_argument("--list", action="store_true", help="print the mutants, run none")
 
 
@@ -88,13 +92,25 @@ def selected(parser, options, mutants, drawn):
         parser.error(f"--again: {error}")
 
 
-def run(mutants, judge, reasons, jobs):
+def kept(options, mutants):
+    """Mutant to verdict as the progress of an earlier run has them; a reason for a survivor may be new."""
+    if not options.resume:
+        return {}
+    found = results_in(options.resume.read_text(), mutants)
+    return {
+        mutant: Verdict("survived") if result == "equivalent" else Verdict(result, detail)
+        for mutant, (result, detail) in found.items()
+    }
+
+
+def run(mutants, judge, reasons, options):
     """Pairs of mutant and judge(mutant), in the order of `mutants`; survivors that have a reason are
     equivalent. Tells each as soon as it is known."""
+    known = kept(options, mutants)
     lock, done = Lock(), itertools.count(1)
 
     def one(mutant):
-        verdict = judge(mutant)
+        verdict = known.get(mutant) or judge(mutant)
         if verdict.result == "survived" and mutant in reasons:
             verdict = Verdict("equivalent", reasons[mutant])
         with lock:
@@ -102,7 +118,7 @@ def run(mutants, judge, reasons, jobs):
             print(line.rstrip(), file=sys.stderr, flush=True)
         return mutant, verdict
 
-    with ThreadPoolExecutor(jobs) as pool:
+    with ThreadPoolExecutor(options.jobs) as pool:
         return list(pool.map(one, mutants))
 
 

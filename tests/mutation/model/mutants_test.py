@@ -1,11 +1,18 @@
 #!/usr/bin/env python3
 """The mutants of a source, their choice, and the reasons of the survivors."""
 
+import argparse
+import contextlib
+import io
+import tempfile
 import unittest
+from pathlib import Path
 
 import mutate  # makes the folders of the others known
+import session
 from cpp import mutants_of
 from mutants import Mutant, reasons_of, survivors_in
+from session import Verdict
 
 SOURCE = """\
 // a + b
@@ -63,6 +70,33 @@ survived: f.cpp:3:16: ! -> nothing    if (a < b && !c) return x - 1u;
         )
         with self.assertRaisesRegex(ValueError, "f.cpp:9:9"):
             survivors_in("survived: f.cpp:9:9: < -> >    x\n", mutants)
+
+    def test_results_of_a_run_that_was_cut_off(self):
+        mutants = mutants_of("f.cpp", SOURCE)
+        progress = """\
+1/3 f.cpp:3:16: ! -> nothing: survived
+2/3 f.cpp:3:9: < -> <=: killed syntax/levels
+3/3 f.cpp:3:31: 1 -> 2: equivalent a reason: it survived
+f.cpp:3:31: 1 -> 0: killed
+4/3 f.cpp:9:9: < -> <=: killed of another source
+"""
+        tried = []
+        with tempfile.NamedTemporaryFile("w") as file:
+            file.write(progress)
+            file.flush()
+            options = argparse.Namespace(resume=Path(file.name), jobs=1)
+            with contextlib.redirect_stderr(io.StringIO()):
+                results = session.run(mutants, lambda m: tried.append(m) or Verdict("crash"), {}, options)
+        kept = {str(m): (v.result, v.detail) for m, v in results if m not in tried}
+        self.assertEqual(
+            kept,
+            {
+                "f.cpp:3:16: ! -> nothing": ("survived", ""),
+                "f.cpp:3:9: < -> <=": ("killed", "syntax/levels"),
+                "f.cpp:3:31: 1 -> 2": ("survived", ""),
+            },
+        )
+        self.assertEqual(len(tried), len(mutants) - len(kept))
 
     def reasons(self, *entries):
         text = "  a = b < c && d < e;\n  a = 1;\n  b = 1;\n  a = 1;\n"

@@ -121,7 +121,7 @@ def main():
         judge = Judge(options.build.resolve(), scratch)
         if options.self_test:
             return self_test(judge)
-        results = session.run(chosen, judge.of_mutant, equivalents(), options.jobs)
+        results = session.run(chosen, judge.of_mutant, equivalents(), options)
     session.report(results, lambda mutant: mutant.file)
     return session.exit_status(results)
 

@@ -179,7 +179,7 @@ def main():
     if options.list:
         print(*chosen, sep="\n")
         return 0
-    results = session.run(chosen, Judge(Suite()).of_mutant, reasons, options.jobs)
+    results = session.run(chosen, Judge(Suite()).of_mutant, reasons, options)
     session.report(results, lambda mutant: mutant.kind)
     report_blocks(results)
     return session.exit_status(results)

@@ -143,7 +143,7 @@ def run(parser, options, work):
     chosen = session.selected(parser, options, mutants, compiling)
     if options.list:
         return print(*chosen, sep="\n")
-    return session.run(chosen, campaign.judge, reasons, options.jobs)
+    return session.run(chosen, campaign.judge, reasons, options)
 
 
 def main():
