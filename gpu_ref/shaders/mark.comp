@@ -127,7 +127,7 @@ void main() {
   write_ray(ray);
   const int e = ray.inside ? displacement_at(at) : 0;
   find_bounds(ray, e);
-  ray = displaced(frame().record, ray, e);
+  if (has_geometry()) ray = displaced(frame().record, ray, e);
   barrier();
   if (lane == 0u) {
     const ivec2 blocks = (most_pixels_of_group() >> arguments.shape.block_log2) + 2;

@@ -73,6 +73,7 @@ Extent row_extent() {
 /// The least and the most that displacements add in view `view` to rays for which it has weight: so it
 /// is less than a step, 2^12, away from them.
 ivec2 displaced_by(Extent extent, int view) {
+  if (!has_geometry()) return ivec2(0);
   const ivec2 steps = clamp((view << 12) - (extent.place >> 4), -(1 << 12), 1 << 12);
   const ivec2 a = extent.displacement.x * steps;
   const ivec2 b = extent.displacement.y * steps;
@@ -111,6 +112,7 @@ struct Passes {
 /// Pixels that the taps along an axis reach at most in any view. Views differ by a shift, and by what
 /// displacements add: products of those and of steps, which differ by at most so much in both.
 int most_pixels(Extent extent) {
+  if (!has_geometry()) return ((extent.at.y - extent.at.x) >> 12) + 3;
   const ivec2 e = extent.displacement;
   const int steps = min((extent.place.y >> 4) - (extent.place.x >> 4), 2 << 12);
   const int added = ((e.y - e.x) << 4) + ((steps * max(abs(e.x), abs(e.y))) >> 8) + 2;

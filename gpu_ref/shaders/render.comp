@@ -134,7 +134,7 @@ uvec3 frame_pixel(ivec2 at) {
   Ray ray = read_ray();
   const int e = ray.inside ? displacement_at(at) : 0;
   find_bounds(ray, e);
-  ray = displaced(frame().record, ray, e);
+  if (has_geometry()) ray = displaced(frame().record, ray, e);
   barrier();
   if (gl_LocalInvocationIndex == 0u) {
     const int windows_log2 = kPairsLog2 - int(pairs_log2(window_size(most_pixels_of_group())));
