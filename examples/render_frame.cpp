@@ -37,6 +37,7 @@ int main(int count, char** arguments) {
   }
   hmlfc::Camera camera;
   camera.position = {std::atof(arguments[2]), std::atof(arguments[3]), 0};
+  camera.geometry = suitable_geometry(decoder->header());
   const auto record = frame_record(camera, decoder->header());
   if (!record) {
     std::fprintf(stderr, "%s\n", record.error().message.c_str());

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Depth that streams hold, against the truth that synth knows.
+"""Depth that streams hold, and views rendered with it, against the truth.
 
-Encodes synthetic scenes and takes the disparity map of the middle view out of the streams. Measures are those of the 4D Light Field Benchmark (Honauer et al. 2016), which leaves
+Depth: encodes synthetic scenes and takes the disparity map of the middle view out of the streams. Measures are those of the 4D Light Field Benchmark (Honauer et al. 2016), which leaves
 out 15 pixels at the borders: the share of pixels that are off by more than 0.07 pixels, and 100 times the
 mean squared error. Of real light fields, Antinous is measured where its folder has the benchmark's
 gt_disp_lowres.pfm, which has the other sign.
+
+Withheld views: encodes the views of even rows and columns, renders those between with one focal plane, the
+best of all, and with the geometry of the stream, and compares both with the views. --picture draws one.
 
 Exit status: 0 done, 1 a figure differs from the recorded run, 2 something cannot be measured.
 """
@@ -22,10 +25,11 @@ try:
     from depth import measures, read_pfm
     from process import HMLFC, BenchError, require, run, say
     from sources import real_sources
+    import withheld
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy and python3-pil")
 
-SCENES = ("cards", "knights", "glass", "flat")
+SCENES = ("cards", "knights", "glass", "flat", "noise")  # noise has no depth
 GRID, SIZE, BASELINE = "9x9", {False: "320x240", True: "80x60"}, "4"
 CODINGS = {
     "extended, quality 60": ["--quality", "60"],
@@ -38,19 +42,38 @@ HEAD = ("light field", "coding", "bytes", "known, %", "off, %", "100 * MSE", "pl
 
 def measure(hmlfc, work, quick):
     """A row for each light field and coding."""
-    require("geometry", hmlfc)
-    for scene in SCENES[:1] if quick else SCENES:
-        views, truth = work / scene, work / f"{scene}-truth"
-        run([hmlfc, "synth", "--scene", scene, "--grid", GRID, "--size", SIZE[quick], "--baseline", BASELINE,
-             "-o", views, "--disparity", truth])
-        yield from codings(hmlfc, work, scene, views, read_pfm(truth / "04_04.pfm"))
-    for source in [] if quick else real_sources(lambda name, why: say(f"{name}: {why}")):
+    for scene, views, truth in scenes(hmlfc, work, quick):
+        if scene != "noise":
+            yield from codings(hmlfc, work, scene, views, read_pfm(truth / "04_04.pfm"))
+    for source in real(quick):
         if source.name != "antinous":
             continue
         if (source.folder / TRUTH).exists():
             yield from codings(hmlfc, work, source.name, source.folder, -read_pfm(source.folder / TRUTH))
         else:
             say(f"antinous is skipped: its folder has no {TRUTH}")
+
+
+def scenes(hmlfc, work, quick):
+    """(name, folder of views, folder of disparities) of each scene."""
+    for scene in SCENES[:1] if quick else SCENES:
+        views, truth = work / scene, work / f"{scene}-truth"
+        if not views.exists():
+            disparity = [] if scene == "noise" else ["--disparity", truth]
+            run([hmlfc, "synth", "--scene", scene, "--grid", GRID, "--size", SIZE[quick], "--baseline", BASELINE,
+                 "-o", views, *disparity])
+        yield scene, views, truth
+
+
+def real(quick):
+    return [] if quick else list(real_sources(lambda name, why: say(f"{name}: {why}")))
+
+
+def measure_withheld(hmlfc, work, quick):
+    made = [(f"scene {scene}", views) for scene, views, _ in scenes(hmlfc, work, quick)]
+    taken = [(source.name, source.folder) for source in real(quick)]
+    yield from withheld.measure(hmlfc, work, taken, withheld.QUALITIES)
+    yield from withheld.measure(hmlfc, work, made, withheld.QUALITIES[:1])
 
 
 def codings(hmlfc, work, name, views, truth):
@@ -71,7 +94,7 @@ def codings(hmlfc, work, name, views, truth):
         }
 
 
-def tables(rows):
+def depth_table(rows):
     lines = [
         (row["light_field"], row["coding"], row['bytes'], f"{100 * row['known']:.1f}",
          f"{row['bad']:.1f}", f"{row['mse']:.2f}", f"{row['without']['bad']:.1f}", f"{row['without']['mse']:.2f}")
@@ -82,7 +105,20 @@ def tables(rows):
             "views with a disparity; *off*: pixels that are off by more than 0.07 pixels a column; *plane*: a map "
             "that is 0 everywhere. Both measures leave out 15 pixels at the borders, as those of the 4D Light Field "
             "Benchmark (Honauer et al. 2016) do.")
-    return [(title, [note, "", *result_file.table(HEAD, lines)])]
+    return title, [note, "", *result_file.table(HEAD, lines)]
+
+
+def withheld_table(rows):
+    title = "Views that the stream does not have, rendered"
+    note = (f"Only the views of even rows and columns are encoded; up to {withheld.MOST_VIEWS} of those of odd rows and "
+            "columns are rendered, and compared with the views. *Best plane*: the focus with the least error of all "
+            "from -16 to 16, found with the views themselves; geometry takes it too, and in the last column 0. "
+            f"{withheld.MARGIN} pixels at the borders are left out, since the focal plane moves them out of the views.")
+    return title, [note, "", *result_file.table(*withheld.tables(rows))]
+
+
+def tables(recorded):
+    return [depth_table(recorded["depth"]), withheld_table(recorded["withheld"])]
 
 
 def rounded(rows):
@@ -95,6 +131,8 @@ def parse_arguments():
         prog="geometry", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     result_file.add_bench_arguments(parser, "geometry", "one small scene; compared with nothing")
+    parser.add_argument("--picture", type=Path, metavar="FILE",
+        help="only draw a withheld view of the scene knights: plane, geometry, truth")
     parser.add_argument("--program", type=Path, default=HMLFC, help="hmlfc (default: that of ./run)")
     return parser.parse_args()
 
@@ -106,21 +144,37 @@ def read(path):
         raise BenchError(f"{path}: {error}") from error
 
 
+def key(row):
+    return row["light_field"], row.get("coding"), row.get("quality")
+
+
 def run_bench(options):
-    with tempfile.TemporaryDirectory() as work:
-        rows = rounded(list(measure(options.program, Path(work), options.quick)))
+    require("geometry", options.program)
+    with tempfile.TemporaryDirectory() as folder:
+        work = Path(folder)
+        if options.picture:
+            views = next(views for scene, views, _ in scenes(options.program, work, False) if scene == "knights")
+            withheld.picture(options.program, work, views, options.picture)
+            return 0
+        found = {
+            "depth": rounded(list(measure(options.program, work, options.quick))),
+            "withheld": rounded(list(measure_withheld(options.program, work, options.quick))),
+        }
     if options.json:
-        print(json.dumps(rows, indent=2))
+        print(json.dumps(found, indent=2))
     else:
-        print("\n".join(tables(rows)[0][1]))
+        for title, lines in tables(found):
+            print("\n".join([title, "", *lines, ""]))
     if options.record:
-        options.recorded.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n", encoding="utf-8")
+        groups = (f'"{name}": [\n' + ",\n".join(map(json.dumps, rows)) + "\n]" for name, rows in found.items())
+        options.recorded.write_text("{" + ",\n".join(groups) + "}\n", encoding="utf-8")
     if options.record or options.quick:
         return 0
-    recorded = {(row["light_field"], row["coding"]): row for row in read(options.recorded)}
-    differing = [row for row in rows if recorded.get((row["light_field"], row["coding"])) != row]
-    for row in differing:
-        say(f"differs from the recorded run: {row['light_field']}, {row['coding']}")
+    recorded = read(options.recorded)
+    known = {(name, key(row)): row for name, rows in recorded.items() for row in rows}
+    differing = [(name, row) for name, rows in found.items() for row in rows if known.get((name, key(row))) != row]
+    for name, row in differing:
+        say(f"differs from the recorded run: {name}, {' '.join(str(part) for part in key(row) if part)}")
     return 1 if differing else 0
 
 

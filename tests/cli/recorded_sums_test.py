@@ -75,7 +75,7 @@ class RecordedSums(CliTest):
             sums[f"decode {scene} {CODINGS[index]}"] = self.pixels(f"{file}.views")
             for number, frames in enumerate(FRAMES):
                 folder = f"{file}.frames{number}"
-                self.hmlfc("render", file, "-o", folder, *frames.split())
+                self.hmlfc("render", file, "-o", folder, "--geometry", "plane", *frames.split())
                 sums[f"render {scene} {CODINGS[index]} {frames}"] = self.pixels(folder)
         return sums
 

@@ -51,12 +51,15 @@ class Measures(unittest.TestCase):
 class Report(unittest.TestCase):
     def test_quick(self):
         command = [sys.executable, "-B", BENCH, "--quick", "--json", "--program", PROGRAM]
-        rows = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
+        report = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
+        rows = report["depth"]
         self.assertEqual(len(rows), 3)
         for row in rows[:2]:
             self.assertEqual(row["known"], 1)
             self.assertLess(row["bad"], row["without"]["bad"])
             self.assertLess(row["mse"], row["without"]["mse"])
+        self.assertEqual([row["views"] for row in report["withheld"]], [12])
+        self.assertGreater(report["withheld"][0]["geometry"], report["withheld"][0]["plane"] + 1)
 
     def test_a_recorded_figure_that_differs_is_named(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -79,9 +79,8 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       ->default_str("quadrilinear");
   add_choice<std::optional<GeometrySource>>(
       app, "--geometry", options.geometry,
-      {{"stream", GeometrySource::kStream}, {"plane", GeometrySource::kPlane}},
-      "Where things are, at aperture 0")
-      ->default_str("stream where its disparities are shared");
+      {{"stream", GeometrySource::kStream}, {"plane", GeometrySource::kPlane}}, "Where things are")
+      ->default_str("stream if its disparities are shared");
   add_focus(app, options);
   add_integer(app, "--aperture", camera.aperture, 0, kMaxAperture,
               "2^N views on each side are blended");
