@@ -113,7 +113,7 @@ def picture(hmlfc, work, folder, file):
         crop = Image.fromarray(part[y:y + CROP[1], x:x + CROP[0]]).resize((width, height), Image.LANCZOS)
         sheet.paste(crop, (k * (width + 8), 18))
         ImageDraw.Draw(sheet).text((k * (width + 8), 3), title, "black")
-    sheet.save(file, optimize=True)
+    sheet.save(file, format="PNG", optimize=True)
 
 
 def crop_of(error):
