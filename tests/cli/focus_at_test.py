@@ -78,6 +78,13 @@ class FocusAt(CliTest):
         aimed = ["--focus-at", f"{x},{y}"]
         (first,) = self.focuses("--camera", "1.75,1", *aimed)
         self.assertEqual(self.focuses(*"--path orbit --frames 4".split(), *aimed), [first] * 4)
+        # The second camera looks aside: the pixel shows something else.
+        frames = [{"position": [1, 1, 0]}, {"position": [1, 1, 0], "look_at": [1.15, 1, 1]}]
+        (self.folder / "aside.json").write_text(json.dumps(frames))
+        (self.folder / "turned.json").write_text(json.dumps(frames[::-1]))
+        here, there = (self.focuses("--path", name, *aimed) for name in ("aside.json", "turned.json"))
+        self.assertEqual((here[1], there[1]), (here[0], there[0]))
+        self.assertNotEqual(here, there)
 
     def test_a_file_aims_each_frame(self):
         (x, y, near), (far_x, far_y, far) = self.nearest_and_farthest()

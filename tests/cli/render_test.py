@@ -192,7 +192,8 @@ class Render(CliTest):
         whole = ["render", "bright.hmlfc", "--camera", "1,1", "-o", "whole.png"]
         self.assertEqual(self.hmlfc_json(*whole)["frames"][0]["outside"], 0)
         self.assertNotIn("outside", self.hmlfc(*whole))
-        path = "--path line --frames 3 --camera 0,0,-3 -o path".split()
+        (self.folder / "share.json").write_text('[{}, {"position": [1, 1, -4]}, {"position": [1, 1, -3]}]')
+        path = "--path share.json -o path".split()
         report = self.hmlfc_json("render", "bright.hmlfc", *path)
         shares = [frame["outside"] for frame in report["frames"]]
         self.assertIn(f"{100 * sum(shares) / 3:.2f} % of the pixels lie outside the light field and are "
