@@ -140,9 +140,9 @@ class StaticTest(unittest.TestCase):
     def test_long_readme_is_found(self):
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "docs").mkdir()
-            (Path(folder) / "README.md").write_text("word\n" * 131, encoding="utf-8")
+            (Path(folder) / "README.md").write_text("word\n" * (check_rules.README_LINES + 1), encoding="utf-8")
             self.assertEqual(len(list(check_rules.sizes(Path(folder)))), 1)
-            (Path(folder) / "docs/a.md").write_text("word " * 29870, encoding="utf-8")
+            (Path(folder) / "docs/a.md").write_text("word " * (check_rules.WORDS - check_rules.README_LINES), encoding="utf-8")
             self.assertEqual(len(list(check_rules.sizes(Path(folder)))), 2)
 
 
