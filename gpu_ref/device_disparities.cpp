@@ -1,27 +1,22 @@
 #include "device_disparities.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "bits/parallel.hpp"
 #include "gpu_renderer.hpp"
-#include "render/block_disparity.hpp"
+#include "render/disparity_rows.hpp"
 
 namespace hmlfc::gpu {
 namespace {
 
-uint32_t word_of(const BlockDisparity& told) {
-  return static_cast<uint16_t>(told.disparity) | (told.confidence == 0 ? 0u : 1u << 16);
-}
-
+// The map of one view, and 0 for a block that has an error (SRF-3).
 void read_map(const StreamView& stream, ViewPos view, std::span<uint32_t> words) {
-  const PlaneShape& plane = stream.geometry.plane(Plane::kY);
-  for (size_t i = 0; i < words.size(); ++i) {
-    const auto number = static_cast<uint32_t>(i);
-    const auto told = walk_to_block_disparity(stream, view, number % plane.blocks_x,
-                                              number / plane.blocks_x, nullptr);
-    if (told) words[i] = word_of(*told);
-  }
+  const auto blocks = disparity_rows(stream, view, 0, stream.geometry.plane(Plane::kY).blocks_y);
+  std::ranges::transform(blocks, words.begin(), [](const BlockDisparity& told) {
+    return static_cast<uint16_t>(told.disparity) | (told.confidence == 0 ? 0u : 1u << 16);
+  });
 }
 
 }  // namespace

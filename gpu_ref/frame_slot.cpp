@@ -34,8 +34,10 @@ bool FrameSlot::prepare(const FrameForm& form) {
   shape_.drawn = drawn_.reserve(*device_, drawn_bytes).address();
   const uint64_t groups = uint64_t{form.columns()} * form.rows();
   shape_.rays = rays_.reserve(*device_, kRayBytes * groups * kGroupPixels * kGroupPixels).address();
-  shape_.displacements =
-      displacements_.reserve(*device_, kDisplacementBytes * form.cells()).address();
+  if (form.geometry) {
+    shape_.displacements =
+        displacements_.reserve(*device_, kDisplacementBytes * form.cells()).address();
+  }
   if (form.output == FrameOutput::kHost) readback_.reserve(*device_, drawn_bytes);
   if (commands_) {
     commands_->restart();

@@ -49,12 +49,7 @@ struct GpuRenderer::State {
                          "limit_exceeded: frames need fewer than 2^32 - 1 blocks in all views");
     }
     source.reads = nullptr;
-    Commands commands(device);
-    for (GrowingBuffer* bits : {&needed, &looked_up}) {
-      const Buffer& buffer = bits->reserve(device, 4 * words_of_level(0));
-      commands.fill(buffer, 0, buffer.size(), 0);
-    }
-    commands.run();
+    make_bits(needed);
     make_room(kFirstCapacity, 0);
     device.kernels->prepare(KernelUse::kFrames, stream.chunked(), pool.chunked());
   }
@@ -75,7 +70,7 @@ struct GpuRenderer::State {
     refused[number] = !fits(record, header, stop_level);
     if (!refused[number]) {
       const bool geometric = has_geometry(record, stop_level);
-      if (geometric && !disparities) disparities.emplace(upload_disparities(device, source));
+      if (geometric && !disparities) prepare_geometry();
       FrameSlot& slot = slots[number];
       slot.shape().record = record;
       submit(slot, {record.frame_width, record.frame_height, static_cast<uint32_t>(stop_level),
@@ -102,6 +97,21 @@ struct GpuRenderer::State {
       pool.forget();
       throw;
     }
+  }
+
+  // A bit for each block, all 0.
+  void make_bits(GrowingBuffer& bits) {
+    const Buffer& buffer = bits.reserve(device, 4 * words_of_level(0));
+    Commands commands(device);
+    commands.fill(buffer, 0, buffer.size(), 0);
+    commands.run();
+  }
+
+  // What the first frame with geometry waits for.
+  void prepare_geometry() {
+    device.kernels->prepare(KernelUse::kGeometry, stream.chunked(), pool.chunked());
+    make_bits(looked_up);
+    disparities.emplace(upload_disparities(device, source));
   }
 
   // Words of one bit for each block of a level.
@@ -136,8 +146,10 @@ struct GpuRenderer::State {
 
   void describe(FrameShape& shape, uint32_t stop_level) const {
     shape.needed = needed.get().address();
-    shape.looked_up = looked_up.get().address();
-    shape.disparities = disparities ? disparities->address() : 0;
+    if (disparities) {
+      shape.looked_up = looked_up.get().address();
+      shape.disparities = disparities->address();
+    }
     shape.slots = slot_numbers.get().address();
     shape.dispatches = dispatches.get().address();
     shape.stop_level = stop_level;
@@ -151,24 +163,27 @@ struct GpuRenderer::State {
     describe(slot.shape(), form.stop_level);
     arguments.frame = slot.shape_buffer().address();
     const Variant variant = variant_of(KernelUse::kFrames, stream.chunked(), pool.chunked());
+    // Of the kernels that know of pixels.
+    const Variant drawing = variant_of(form.geometry ? KernelUse::kGeometry : KernelUse::kFrames,
+                                       stream.chunked(), pool.chunked());
     const Buffer& groups = dispatches.get();
     Commands& commands = slot.commands();
     slot.record_upload();
     // Frames before this one may still be under way.
     commands.barrier(kCompute | kTransfer | kIndirect, kCompute);
     if (form.geometry) {
-      commands.dispatch("surface", variant, arguments, form.cells());
+      commands.dispatch("surface", drawing, arguments, form.cells());
       commands.barrier(kCompute, kCompute);
     }
-    commands.dispatch_groups("mark", variant, arguments, form.columns(), form.rows());
+    commands.dispatch_groups("mark", drawing, arguments, form.columns(), form.rows());
     commands.barrier(kCompute, kCompute | kIndirect);
-    commands.dispatch("compact", variant, arguments, slot.shape().needed_words);
+    commands.dispatch("compact", drawing, arguments, slot.shape().needed_words);
     commands.barrier(kCompute, kCompute);
     commands.dispatch_counted("walk", variant, arguments, groups, 4 * kDispatchWalk);
     commands.barrier(kCompute, kCompute);
     commands.dispatch_counted("samples", variant, arguments, groups, 4 * kDispatchSamples);
     commands.barrier(kCompute, kCompute);
-    commands.dispatch_groups("render", variant, arguments, form.columns(), form.rows());
+    commands.dispatch_groups("render", drawing, arguments, form.columns(), form.rows());
     slot.record_output();
     commands.end();
   }

@@ -9,7 +9,7 @@ namespace hmlfc::gpu {
 namespace {
 
 // The variants that differ in the buffers they use; those without a line are as kPlain.
-enum class Kind : uint8_t { kPlain, kReferencePass, kStages, kCounted };
+enum class Kind : uint8_t { kPlain, kReferencePass, kStages, kCounted, kGeometry };
 
 struct KernelBuffers {
   const char* kernel;
@@ -33,17 +33,23 @@ constexpr KernelBuffers kKernels[] = {
      "shape stream references requests entries frame counters slots used_pages",
      "pool counters used_pages"},
     {"colour", Kind::kPlain, "shape colour_areas statuses samples", "pixels pixel_statuses"},
-    {"surface", Kind::kCounted, "shape frame disparities looked_up counters",
-     "displacements looked_up counters"},
-    {"mark", Kind::kCounted, "shape frame needed held displacements counters used_pages",
+    {"mark", Kind::kCounted, "shape frame needed held counters used_pages",
      "needed rays counters used_pages dispatches"},
     {"compact", Kind::kCounted, "shape frame needed held pages counters",
+     "requests needed held pages slots counters"},
+    {"render", Kind::kCounted, "shape frame pages rays counters pool", "drawn results"},
+    {"surface", Kind::kGeometry, "shape frame disparities looked_up counters",
+     "displacements looked_up counters"},
+    {"mark", Kind::kGeometry, "shape frame needed held displacements counters used_pages",
+     "needed rays counters used_pages dispatches"},
+    {"compact", Kind::kGeometry, "shape frame needed held pages counters",
      "requests needed looked_up held pages slots counters"},
-    {"render", Kind::kCounted, "shape frame pages rays displacements counters pool",
+    {"render", Kind::kGeometry, "shape frame pages rays displacements counters pool",
      "drawn results"},
 };
 
 Kind kind_of(const Variant& variant) {
+  if (variant.geometry) return Kind::kGeometry;
   if (variant.counted) return Kind::kCounted;
   if (variant.reference_pass) return Kind::kReferencePass;
   return variant.stages ? Kind::kStages : Kind::kPlain;

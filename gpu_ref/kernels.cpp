@@ -50,9 +50,9 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device,
                                  vk::PipelineCreateFlags flags) {
   const vk::raii::ShaderModule shader(
       device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
-  const std::array<vk::Bool32, 5> values{variant.chunked, variant.reference_pass, variant.stages,
-                                         variant.counted, variant.pool_chunked};
-  std::array<vk::SpecializationMapEntry, 5> entries;
+  const std::array<vk::Bool32, 6> values{variant.chunked, variant.reference_pass, variant.stages,
+                                         variant.counted, variant.pool_chunked,   variant.geometry};
+  std::array<vk::SpecializationMapEntry, values.size()> entries;
   for (uint32_t i = 0; i < entries.size(); ++i) {
     entries[i] =
         vk::SpecializationMapEntry(i, i * uint32_t{sizeof(vk::Bool32)}, sizeof(vk::Bool32));
@@ -85,19 +85,21 @@ std::map<std::string, std::span<const uint32_t>> built_kernels() {
 }
 
 Variant variant_of(KernelUse use, bool chunked, bool pool_chunked) {
+  const bool frames = use == KernelUse::kFrames || use == KernelUse::kGeometry;
   return {.chunked = chunked,
           .reference_pass = use == KernelUse::kReferences,
           .stages = use == KernelUse::kStages,
-          .counted = use == KernelUse::kFrames,
-          .pool_chunked = use == KernelUse::kFrames && pool_chunked};
+          .counted = frames,
+          .pool_chunked = frames && pool_chunked,
+          .geometry = use == KernelUse::kGeometry};
 }
 
 std::span<const std::string_view> kernels_of(KernelUse use) {
   static constexpr std::string_view kReferences[] = {"expand", "walk", "residuals"};
   static constexpr std::string_view kBlocks[] = {"expand", "walk", "samples", "colour"};
   static constexpr std::string_view kStages[] = {"samples"};
-  static constexpr std::string_view kFrames[] = {"surface", "mark",    "compact",
-                                                 "walk",    "samples", "render"};
+  static constexpr std::string_view kFrames[] = {"mark", "compact", "walk", "samples", "render"};
+  static constexpr std::string_view kGeometry[] = {"surface", "mark", "compact", "render"};
   switch (use) {
     case KernelUse::kReferences:
       return kReferences;
@@ -107,6 +109,8 @@ std::span<const std::string_view> kernels_of(KernelUse use) {
       return kStages;
     case KernelUse::kFrames:
       return kFrames;
+    case KernelUse::kGeometry:
+      return kGeometry;
   }
   return {};
 }

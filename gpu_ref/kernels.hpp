@@ -23,6 +23,7 @@ struct Variant {
   bool stages = false;          ///< kStages of samples.comp
   bool counted = false;         ///< kCounted of frame_arguments.glsl
   bool pool_chunked = false;    ///< kPoolChunked of frame_arguments.glsl
+  bool geometry = false;        ///< kGeometry of frame_arguments.glsl
 
   friend auto operator<=>(const Variant&, const Variant&) = default;
 };
@@ -36,11 +37,13 @@ enum class KernelUse : uint8_t {
   kBlocks,      ///< blocks and pixels
   kStages,      ///< stages of blocks, beside kBlocks
   kFrames,      ///< frames of a renderer
+  kGeometry,    ///< frames with geometry, beside kFrames
 };
 inline constexpr KernelUse kKernelUses[] = {KernelUse::kReferences, KernelUse::kBlocks,
-                                            KernelUse::kStages, KernelUse::kFrames};
+                                            KernelUse::kStages, KernelUse::kFrames,
+                                            KernelUse::kGeometry};
 
-/// The variant of every kernel of `use`; `pool_chunked` counts for frames alone.
+/// The variant of every kernel of `use`; `pool_chunked` counts for kernels of frames alone.
 Variant variant_of(KernelUse use, bool chunked, bool pool_chunked = false);
 
 /// The names of the kernels that `use` dispatches.

@@ -22,7 +22,7 @@ Ray ray_of_cell(ivec2 cell) {
 
 /// E of the cell of pixel `at` of the frame; 0 without geometry.
 int displacement_at(ivec2 at) {
-  if (!has_geometry()) return 0;
+  if (!kGeometry) return 0;
   const ivec2 cell = at >> kCellLog2;
   return int(frame().displacements.word[cell.y * cells_along(frame().record.frame_width) + cell.x]);
 }

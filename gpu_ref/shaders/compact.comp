@@ -14,7 +14,7 @@ void main() {
   if (at >= frame().needed_words) return;
   const uint needed = frame().needed.word[at];
   frame().needed.word[at] = 0u;  // for the next frame
-  if (has_geometry()) frame().looked_up.word[at] = 0u;
+  if (kGeometry) frame().looked_up.word[at] = 0u;
   if (mode == kModeNoRoom) return;
   const uint held = mode == kModeFlush ? 0u : frame().held.word[at];
   frame().held.word[at] = held | needed;

@@ -9,8 +9,8 @@ layout(constant_id = 3) const bool kCounted = false;
 /// The pool is in more than one buffer.
 layout(constant_id = 4) const bool kPoolChunked = false;
 
-/// Whether the frame has geometry (docs/rendering.md, section 9).
-bool has_geometry() { return frame().record.geometry != 0 && frame().stop_level == 0u; }
+/// The frame has geometry (docs/rendering.md, section 9).
+layout(constant_id = 5) const bool kGeometry = false;
 
 uint request_count() {
   return kCounted ? frame().counters.word[kCountDecoded] : arguments.request_count;

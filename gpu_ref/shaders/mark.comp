@@ -127,12 +127,13 @@ void main() {
   write_ray(ray);
   const int e = ray.inside ? displacement_at(at) : 0;
   find_bounds(ray, e);
-  if (has_geometry()) ray = displaced(frame().record, ray, e);
+  if (kGeometry) ray = displaced(frame().record, ray, e);
   barrier();
   if (lane == 0u) {
-    const ivec2 blocks = (most_pixels_of_group() >> arguments.shape.block_log2) + 2;
+    const ivec2 pixels = most_pixels_of_group();
+    const ivec2 blocks = (pixels >> arguments.shape.block_log2) + 2;
     const bool room = max(blocks.x, blocks.y) <= int(kWindow);
-    group_passes = passes_of_group(f, cols, rows, room ? kWindowsLog2 : -1);
+    group_passes = passes_of_group(f, cols, rows, pixels, room ? kWindowsLog2 : -1);
   }
   barrier();
   const Passes passes = group_passes;

@@ -31,7 +31,7 @@ bool has_rays() { return group_least[kU] <= group_most[kU]; }
 void find_bounds(Ray ray, int e) {
   const uint lane = gl_LocalInvocationIndex;
   if (lane < kBounds) {
-    const bool known = lane == kE && !has_geometry();
+    const bool known = lane == kE && !kGeometry;
     group_least[lane] = known ? 0 : 0x7FFFFFFF;
     group_most[lane] = known ? 0 : -0x7FFFFFFF;
   }
@@ -45,7 +45,7 @@ void find_bounds(Ray ray, int e) {
   atomicMax(group_most[kV], ray.v);
   atomicMax(group_most[kX], ray.x);
   atomicMax(group_most[kY], ray.y);
-  if (!has_geometry()) return;
+  if (!kGeometry) return;
   atomicMin(group_least[kE], e);
   atomicMax(group_most[kE], e);
 }
@@ -73,7 +73,7 @@ Extent row_extent() {
 /// The least and the most that displacements add in view `view` to rays for which it has weight: so it
 /// is less than a step, 2^12, away from them.
 ivec2 displaced_by(Extent extent, int view) {
-  if (!has_geometry()) return ivec2(0);
+  if (!kGeometry) return ivec2(0);
   const ivec2 steps = clamp((view << 12) - (extent.place >> 4), -(1 << 12), 1 << 12);
   const ivec2 a = extent.displacement.x * steps;
   const ivec2 b = extent.displacement.y * steps;
@@ -107,12 +107,13 @@ struct Passes {
   ivec2 views;      // and how many columns and rows of them
   uint cols_log2;   // 2^cols_log2 windows of a row of views, 2^rows_log2 rows a pass
   uint rows_log2;
+  ivec2 pixels;     // that the taps reach at most in a view, if not far
 };
 
 /// Pixels that the taps along an axis reach at most in any view. Views differ by a shift, and by what
 /// displacements add: products of those and of steps, which differ by at most so much in both.
 int most_pixels(Extent extent) {
-  if (!has_geometry()) return ((extent.at.y - extent.at.x) >> 12) + 3;
+  if (!kGeometry) return ((extent.at.y - extent.at.x) >> 12) + 3;
   const ivec2 e = extent.displacement;
   const int steps = min((extent.place.y >> 4) - (extent.place.x >> 4), 2 << 12);
   const int added = ((e.y - e.x) << 4) + ((steps * max(abs(e.x), abs(e.y))) >> 8) + 2;
@@ -122,8 +123,8 @@ ivec2 most_pixels_of_group() {
   return ivec2(most_pixels(column_extent()), most_pixels(row_extent()));
 }
 
-/// `windows_log2`: 2^windows_log2 windows have room; less than 0 where a window has too little.
-Passes passes_of_group(Filter f, Axis cols, Axis rows, int windows_log2) {
+/// `windows_log2`: 2^windows_log2 windows of `pixels` have room; less than 0 where one has too little.
+Passes passes_of_group(Filter f, Axis cols, Axis rows, ivec2 pixels, int windows_log2) {
   const ivec2 last = ivec2(cols.last_view, rows.last_view);
   const ivec2 low = ivec2(first_view(f, view_place(f, cols, group_least[kU])),
                           first_view(f, view_place(f, rows, group_least[kV])));
@@ -140,6 +141,7 @@ Passes passes_of_group(Filter f, Axis cols, Axis rows, int windows_log2) {
   passes.count = passes.far ? 1u << (2u * f.views_log2)
                             : ((uint(passes.views.y) - 1u) >> passes.rows_log2) + 1u;
   if (!has_rays()) passes.count = 0u;
+  passes.pixels = pixels;
   return passes;
 }
 

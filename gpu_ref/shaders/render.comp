@@ -134,15 +134,16 @@ uvec3 frame_pixel(ivec2 at) {
   Ray ray = read_ray();
   const int e = ray.inside ? displacement_at(at) : 0;
   find_bounds(ray, e);
-  if (has_geometry()) ray = displaced(frame().record, ray, e);
+  if (kGeometry) ray = displaced(frame().record, ray, e);
   barrier();
   if (gl_LocalInvocationIndex == 0u) {
-    const int windows_log2 = kPairsLog2 - int(pairs_log2(window_size(most_pixels_of_group())));
-    group_passes = passes_of_group(f, cols, rows, windows_log2);
+    const ivec2 pixels = most_pixels_of_group();
+    const int windows_log2 = kPairsLog2 - int(pairs_log2(window_size(pixels)));
+    group_passes = passes_of_group(f, cols, rows, pixels, windows_log2);
   }
   barrier();
   const Passes passes = group_passes;
-  const WindowSize size = window_size(passes.far ? ivec2(2) : most_pixels_of_group());
+  const WindowSize size = window_size(passes.far ? ivec2(2) : passes.pixels);
   uvec3 sum = uvec3(1u << 19);
   for (uint pass = 0u; pass < passes.count; ++pass) {
     write_lines(f, cols, rows, passes, ray, pass);

@@ -140,7 +140,7 @@ TEST(Hazards, NameIdleBarriers) {
 }
 
 class GpuBarriers : public GpuTest {
- protected:
+ public:
   /// Makes submissions of one kind last; what is wrong, or nothing.
   using Body = std::function<std::string(Device&, const StreamView&)>;
 
@@ -222,13 +222,17 @@ TEST_F(GpuBarriers, OfStagesAreAllNeeded) {
 }
 
 // The second of two frames under way, after one that was finished in the second's place.
-std::string frames(Device& device, const StreamView& view, FrameOutput output) {
+std::string frames(Device& device, const StreamView& view, FrameOutput output,
+                   GeometrySource geometry) {
   auto renderer = GpuRenderer::open(device, view, 1u << 20);
   if (!renderer) return renderer.error().message;
   test::Random random(1);
   GpuFrame frame;
   for (int begun = 0; begun < 5;) {
-    const auto record = frame_record(test::random_camera(random, view.header), view.header);
+    Camera camera = test::random_camera(random, view.header);
+    camera.aperture = 0;
+    camera.geometry = geometry;
+    const auto record = frame_record(camera, view.header);
     if (!record) continue;
     const auto started = renderer->begin(*record, 0, output);
     if (!started) return started.error().message;
@@ -240,18 +244,24 @@ std::string frames(Device& device, const StreamView& view, FrameOutput output) {
   return {};
 }
 
-TEST_F(GpuBarriers, OfFramesForTheDeviceAreAllNeededAndSix) {
-  expect_all_needed(
-      [](Device& device, const StreamView& view) {
-        return frames(device, view, FrameOutput::kDevice);
+void expect_barriers_of_frames(FrameOutput output, GeometrySource geometry, size_t barriers) {
+  GpuBarriers::expect_all_needed(
+      [=](Device& device, const StreamView& view) {
+        return frames(device, view, output, geometry);
       },
-      0, 6);
+      0, barriers);
+}
+
+TEST_F(GpuBarriers, OfFramesForTheDeviceAreAllNeededAndSix) {
+  expect_barriers_of_frames(FrameOutput::kDevice, GeometrySource::kPlane, 6);
 }
 
 TEST_F(GpuBarriers, OfFramesForTheHostAreAllNeeded) {
-  expect_all_needed([](Device& device,
-                       const StreamView& view) { return frames(device, view, FrameOutput::kHost); },
-                    0, 7);
+  expect_barriers_of_frames(FrameOutput::kHost, GeometrySource::kPlane, 7);
+}
+
+TEST_F(GpuBarriers, OfFramesWithGeometryAreAllNeededAndSeven) {
+  expect_barriers_of_frames(FrameOutput::kDevice, GeometrySource::kStream, 7);
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ class Walk {
     camera_.look_at.reset();
     camera_.frame_width = 40;
     camera_.frame_height = 30;
+    camera_.geometry = static_cast<GeometrySource>(random_() % 2);
   }
 
   test::Random random_;
@@ -96,6 +97,7 @@ TEST_F(GpuFrameCache, NeverChangesAFrameWhateverItsBudget) {
   EXPECT_LT(plenty.decoded, plenty.needed / 2);
   EXPECT_GT(plenty.lit, 40u);
   EXPECT_GT(plenty.coarse, 10u);
+  EXPECT_GT(plenty.geometric, 15u);
 }
 
 TEST_F(GpuFrameCache, NeverHoldsABlockWithAnError) {

@@ -1,5 +1,8 @@
 // Frames under way: the same frames as one at a time, in their order, and in the steady state
 // without anything that costs the host.
+#include <algorithm>
+#include <iterator>
+
 #include "decoder/open_stream.hpp"
 #include "gpu/allocation_count.hpp"
 #include "gpu/gpu_test.hpp"
@@ -24,6 +27,7 @@ class GpuFrameRing : public GpuTest {
       Camera camera = test::random_camera(random, view_->header);
       camera.frame_width = 40;
       camera.frame_height = 30;
+      camera.geometry = static_cast<GeometrySource>(records_.size() % 2);
       const auto record = frame_record(camera, view_->header);
       if (record) records_.push_back(*record);
     }
@@ -55,6 +59,7 @@ TEST_F(GpuFrameRing, GivesTheFramesOfOneAtATimeInTheirOrder) {
       EXPECT_EQ(frame.image.samples, one.image.samples);
       EXPECT_EQ(frame.blocks_needed, one.blocks_needed);
       EXPECT_EQ(frame.blocks_decoded, one.blocks_decoded);
+      EXPECT_EQ(frame.disparities_looked_up, one.disparities_looked_up);
     }
     EXPECT_EQ(renderer.under_way(), 0u);
   }
@@ -149,18 +154,24 @@ TEST_F(GpuFrameRing, CostsTheHostNothingInTheSteadyState) {
   DeviceOptions options;
   auto device = open_unchecked(options);
   ASSERT_TRUE(device);
-  auto renderer = open_renderer(*device);
-  GpuFrame frame;
-  EXPECT_GT(run_frames(renderer, records_, records_.size(), frame), 0u);
-  const SubmissionCounts before = device->counts();
-  const uint64_t allocated = test::allocation_count();
-  EXPECT_EQ(run_frames(renderer, records_, 60, frame), 0u) << "nothing is missing";
-  EXPECT_EQ(test::allocation_count() - allocated, 0u);
-  const SubmissionCounts& after = device->counts();
-  EXPECT_EQ(after.submitted - before.submitted, 60u);
-  EXPECT_EQ(after.waits - before.waits, 0u);
-  EXPECT_EQ(after.made - before.made, 0u);
-  EXPECT_EQ(after.recorded - before.recorded, 0u);
+  for (const int32_t geometry : {0, 1}) {
+    std::vector<FrameRecord> records;
+    std::ranges::copy_if(records_, std::back_inserter(records),
+                         [&](const FrameRecord& record) { return record.geometry == geometry; });
+    ASSERT_GT(records.size(), 2u);
+    auto renderer = open_renderer(*device);
+    GpuFrame frame;
+    EXPECT_GT(run_frames(renderer, records, records.size() + kFramesUnderWay, frame), 0u);
+    const SubmissionCounts before = device->counts();
+    const uint64_t allocated = test::allocation_count();
+    EXPECT_EQ(run_frames(renderer, records, 60, frame), 0u) << "nothing is missing";
+    EXPECT_EQ(test::allocation_count() - allocated, 0u);
+    const SubmissionCounts& after = device->counts();
+    EXPECT_EQ(after.submitted - before.submitted, 60u);
+    EXPECT_EQ(after.waits - before.waits, 0u);
+    EXPECT_EQ(after.made - before.made, 0u);
+    EXPECT_EQ(after.recorded - before.recorded, 0u);
+  }
 }
 
 // The counts above do count: a frame of another size is recorded, and one that waits waits.

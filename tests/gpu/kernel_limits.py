@@ -27,7 +27,7 @@ BEGIN, END = "<!-- kernels begin -->\n", "<!-- kernels end -->\n"
 MOST_VGPRS = 64
 RATCHET = {"walk": 72, "samples": 84}
 NONE_OF = ("Spilled SGPRs", "Spilled VGPRs", "Scratch size")
-LEAST_ROWS = 20  # kernels and variants
+LEAST_ROWS = 30  # kernels and variants
 
 
 def measure(program: Path) -> list[dict] | str:
