@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "decoder/open_stream.hpp"
-#include "render/cell_displacements.hpp"
-
 namespace hmlfc::gpu {
 namespace {
 
@@ -29,16 +26,16 @@ std::set<uint64_t> pages_of(const std::set<uint64_t>& blocks) {
 
 }  // namespace
 
-CacheModel::CacheModel(const Decoder& decoder, uint64_t budget)
-    : decoder_(decoder),
-      header_(decoder.header()),
-      geometry_(DecoderAccess::stream(decoder).geometry),
-      kept_pages_(budget / page_bytes(decoder.header())) {}
+CacheModel::CacheModel(const StreamView& stream, uint64_t budget)
+    : header_(stream.header),
+      geometry_(stream.geometry),
+      kept_pages_(budget / page_bytes(stream.header)) {}
 
-uint64_t CacheModel::take(const FrameRecord& record, int stop_level) {
+uint64_t CacheModel::take(const FrameRecord& record, int stop_level,
+                          const CellDisplacements& displaced) {
   if (stop_level != stop_level_) forget();
   stop_level_ = stop_level;
-  const Blocks needed = needed_blocks(record);
+  const Blocks needed = needed_blocks(record, displaced);
   Blocks missing = without(needed, held_);
   uint64_t new_pages = without(pages_of(missing), pages_of(held_)).size();
   if (used_pages_ + new_pages > kept_pages_) {
@@ -51,8 +48,8 @@ uint64_t CacheModel::take(const FrameRecord& record, int stop_level) {
   return missing.size();
 }
 
-CacheModel::Blocks CacheModel::needed_blocks(const FrameRecord& record) const {
-  const CellDisplacements displaced = golden_displacements(decoder_, record, stop_level_);
+CacheModel::Blocks CacheModel::needed_blocks(const FrameRecord& record,
+                                             const CellDisplacements& displaced) const {
   Blocks needed;
   for (int32_t j = 0; j < record.frame_height; ++j) {
     for (int32_t i = 0; i < record.frame_width; ++i) {

@@ -5,20 +5,21 @@
 #include <set>
 
 #include <hmlfc/camera.hpp>
-#include <hmlfc/decoder.hpp>
 
-#include "syntax/geometry.hpp"
+#include "render/cell_displacements.hpp"
+#include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
 
 /// Predicts what frames decode. Blocks are numbered in the order of NED-2, 32 of them to a page.
 class CacheModel {
  public:
-  /// `decoder` must outlive it; `budget`: bytes of pages that are kept between frames.
-  CacheModel(const Decoder& decoder, uint64_t budget);
+  /// `budget`: bytes of pages that are kept between frames.
+  CacheModel(const StreamView& stream, uint64_t budget);
 
-  /// Takes a frame down to `stop_level` and says how many blocks it decodes.
-  uint64_t take(const FrameRecord& record, int stop_level);
+  /// Takes a frame down to `stop_level`, with these displacements, and says how many blocks it
+  /// decodes.
+  uint64_t take(const FrameRecord& record, int stop_level, const CellDisplacements& displaced);
 
   /// Nothing is held any more.
   void forget() {
@@ -29,10 +30,9 @@ class CacheModel {
  private:
   using Blocks = std::set<uint64_t>;
 
-  Blocks needed_blocks(const FrameRecord& record) const;
+  Blocks needed_blocks(const FrameRecord& record, const CellDisplacements& displaced) const;
   uint64_t block_number(ImagePos image, Plane plane, int32_t x, int32_t y) const;
 
-  const Decoder& decoder_;
   const StreamHeader header_;
   const Geometry geometry_;
   const uint64_t kept_pages_;

@@ -97,7 +97,7 @@ TEST_F(GpuFrameCache, NeverChangesAFrameWhateverItsBudget) {
   EXPECT_LT(plenty.decoded, plenty.needed / 2);
   EXPECT_GT(plenty.lit, 40u);
   EXPECT_GT(plenty.coarse, 10u);
-  EXPECT_GT(plenty.geometric, 15u);
+  EXPECT_GT(plenty.displaced, 5u);
 }
 
 TEST_F(GpuFrameCache, NeverHoldsABlockWithAnError) {

@@ -42,7 +42,7 @@ RenderPair::RenderPair(Device& device, std::vector<uint8_t> bytes, uint64_t cach
     return;
   }
   gpu_.emplace(std::move(*opened));
-  model_.emplace(*stream_.decoder, cache_bytes);
+  model_.emplace(*view_, cache_bytes);
 }
 
 std::string RenderPair::difference(const FrameRecord& record, int stop_level, FrameTally& tally) {
@@ -65,7 +65,9 @@ std::string RenderPair::difference(const FrameRecord& record, int stop_level, Fr
     return {};
   }
   if (auto found = image_difference(expected.image, last_.image); !found.empty()) return found;
-  const uint64_t decoded = model_->take(record, stop_level);
+  const auto displaced = golden_displacements(*stream_.decoder, record, stop_level);
+  if (std::ranges::any_of(displaced.cells, [](int32_t e) { return e != 0; })) ++tally.displaced;
+  const uint64_t decoded = model_->take(record, stop_level, displaced);
   if (last_.blocks_needed != expected.counts.blocks_needed) {
     return differs("blocks needed", expected.counts.blocks_needed, last_.blocks_needed);
   }
@@ -76,7 +78,6 @@ std::string RenderPair::difference(const FrameRecord& record, int stop_level, Fr
     return differs("disparities looked up", expected.counts.disparities_looked_up,
                    last_.disparities_looked_up);
   }
-  if (last_.disparities_looked_up > 0) ++tally.geometric;
   tally.needed += last_.blocks_needed;
   tally.decoded += last_.blocks_decoded;
   const auto& samples = expected.image.samples;

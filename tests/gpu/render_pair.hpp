@@ -21,7 +21,7 @@ struct FrameTally {
   uint64_t failed = 0;     ///< with an error, equal in both
   uint64_t lit = 0;        ///< with a sample above 0
   uint64_t coarse = 0;     ///< of a stop level above 0
-  uint64_t geometric = 0;  ///< that looked up disparities
+  uint64_t displaced = 0;  ///< with a displacement that is not 0
   uint64_t repeated = 0;   ///< that took two submissions
   uint64_t needed = 0;     ///< blocks
   uint64_t decoded = 0;    ///< of them

@@ -41,7 +41,7 @@ TEST_F(GpuRendering, EqualsTheGoldenRenderer) {
   }
   EXPECT_GT(tally.frames, 300u);
   EXPECT_GT(tally.lit, 150u);
-  EXPECT_GT(tally.geometric, 50u);
+  EXPECT_GT(tally.displaced, 15u);
 }
 
 TEST_F(GpuRendering, NamesTheErrorOfTheFirstNeededBlock) {
