@@ -27,11 +27,11 @@ Buffer upload_disparities(Device::State& device, const StreamView& stream) {
   const uint64_t views = stream.geometry.level(0).images();
   const uint64_t bytes = 4 * blocks * views;
   if (bytes > kMostDisparityBytes) {
-    throw MachineError(FailureKind::kLimit,
-                       "limit_exceeded: the disparities of all views take " +
-                           std::to_string(bytes >> 20) + " MiB on the device, more than " +
-                           std::to_string(kMostDisparityBytes >> 20) +
-                           ": draw frames with geometry on the CPU (--backend cpu)");
+    throw MachineError(
+        FailureKind::kLimit,
+        "limit_exceeded: the disparities of all views take " + std::to_string(bytes >> 20) +
+            " MiB on the device, more than " + std::to_string(kMostDisparityBytes >> 20) +
+            ": draw without geometry (--geometry plane) or on the CPU (--backend cpu)");
   }
   std::vector<uint32_t> words(static_cast<size_t>(blocks * views));
   parallel_for(static_cast<size_t>(views), [&](size_t i) {

@@ -72,11 +72,11 @@ TEST_F(GpuInstructions, APixelTakesNoMoreThanBefore) {
   EXPECT_EQ(16 * decoded->kernels.at("colour").stores, 25 * decoded->pixels);
   expect_within(report->decode(*main_view, 3), {790, 21, 0});
   const auto cold = report->frames(*view, camera_of(128), true);
-  expect_within(cold, {2200, 27, 0.6});
+  expect_within(cold, {2010, 27, 0.6});
   const auto pixels = static_cast<double>(cold->pixels);
   EXPECT_NEAR(static_cast<double>(cold->kernels.at("mark").stores), pixels, 100);
   EXPECT_NEAR(static_cast<double>(cold->kernels.at("render").stores), 1.5 * pixels, 100);
-  expect_within(report->frames(*view, camera_of(256), false), {1440, 4, 0.4});
+  expect_within(report->frames(*view, camera_of(256), false), {1290, 4, 0.4});
 }
 
 }  // namespace
