@@ -19,24 +19,10 @@ using test::Bytes;
 using test::NaiveBits;
 using test::StreamParts;
 
-// Views in one row, groups of 1 x 3 with their references in columns 1 and 4.
+// One parent for all views.
 StreamHeader row_of_views(int tree_height) {
-  StreamHeader header = test::some_header(tree_height);
-  header.profile = Profile::kExtended;
-  header.feature_flags = 511;
-  header.rows = 1;
-  header.cols = 6;
-  header.width = header.height = 40;
-  header.window = 127;
-  header.cluster_rows = 1;
+  StreamHeader header = test::row_of_views(tree_height);
   header.cluster_cols = 255;
-  header.vector_precision = 1;
-  header.disparity_precision = 2;
-  header.motion_tile_log2 = 6;
-  header.disparity_grid_log2 = 5;
-  header.row_scale = 16;
-  header.levels.assign(static_cast<size_t>(tree_height) + 1, {1, 1, 0});
-  header.levels[0] = {1, 3, 0};
   return header;
 }
 

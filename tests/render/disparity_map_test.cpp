@@ -20,24 +20,10 @@ namespace {
 using test::Bytes;
 using test::StreamParts;
 
-// Six views of 40 x 40 in one row, groups of 1 x 3 with their references in columns 1 and 4;
-// vectors in half samples, disparities in quarters, grid blocks and motion blocks of 32 x 32.
+// Groups of 1 x 3 at every level, with their references in columns 1 and 4.
 StreamHeader row_of_views(int tree_height) {
-  StreamHeader header = test::some_header(tree_height);
-  header.profile = Profile::kExtended;
-  header.feature_flags = 511;
-  header.rows = 1;
-  header.cols = 6;
-  header.width = header.height = 40;
-  header.window = 127;
-  header.cluster_rows = 1;
-  header.cluster_cols = 2;
-  header.vector_precision = 1;
-  header.disparity_precision = 2;
-  header.motion_tile_log2 = 6;
-  header.disparity_grid_log2 = 5;
-  header.row_scale = 16;
-  header.levels.assign(static_cast<size_t>(tree_height) + 1, {1, 3, 0});
+  StreamHeader header = test::row_of_views(tree_height);
+  header.levels.assign(header.levels.size(), {1, 3, 0});
   return header;
 }
 

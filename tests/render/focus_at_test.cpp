@@ -29,20 +29,8 @@ struct Strip {
 };
 
 test::OpenedStream strips(const std::vector<Strip>& strips) {
-  StreamHeader header = test::some_header(0);
-  header.profile = Profile::kExtended;
-  header.feature_flags = 511;
-  header.rows = 1;
-  header.cols = 6;
-  header.width = header.height = 40;
-  header.window = 127;
-  header.cluster_rows = 1;
-  header.cluster_cols = 2;
-  header.vector_precision = 1;
-  header.disparity_precision = 2;
-  header.motion_tile_log2 = 6;
+  StreamHeader header = test::row_of_views(0);
   header.disparity_grid_log2 = 2;
-  header.row_scale = 16;
   header.levels = {{1, 6, 0}};
   test::StreamParts stream(header);
   std::vector<int16_t> grid;

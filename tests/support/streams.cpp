@@ -73,6 +73,26 @@ StreamHeader some_header(int tree_height) {
   return header;
 }
 
+StreamHeader row_of_views(int tree_height) {
+  StreamHeader header = some_header(tree_height);
+  header.profile = Profile::kExtended;
+  header.feature_flags = 511;
+  header.rows = 1;
+  header.cols = 6;
+  header.width = header.height = 40;
+  header.window = 127;
+  header.cluster_rows = 1;
+  header.cluster_cols = 2;
+  header.vector_precision = 1;
+  header.disparity_precision = 2;
+  header.motion_tile_log2 = 6;
+  header.disparity_grid_log2 = 5;
+  header.row_scale = 16;
+  header.levels.assign(static_cast<size_t>(tree_height) + 1, {1, 1, 0});
+  header.levels[0] = {1, 3, 0};
+  return header;
+}
+
 Bytes file_of(StreamHeader header, const SectionBytes& sections) {
   uint64_t offset = header_size(header.tree_height);
   for (uint32_t i = 0; i < 4; ++i) {

@@ -32,6 +32,11 @@ void seal(Bytes& file);
 /// with reference groups of (l + 1) x (l + 2).
 StreamHeader some_header(int tree_height);
 
+/// A valid header of profile extended with all its tools: six views of 40 x 40 in one row, groups
+/// of 1 x 3 at level 0 and of one image above; vectors in half samples, disparities in quarters,
+/// grid blocks and motion blocks of 32 x 32.
+StreamHeader row_of_views(int tree_height);
+
 /// The contents of TOP, ROOT, GROUP and TILE.
 using SectionBytes = std::array<Bytes, 4>;
 
