@@ -72,7 +72,7 @@ void add_viewer(CLI::App& program, Task& task) {
 machine reach it, and only with that address. A corrupt stream is shown as far as it can be.
 
 Example:
-  hmlfc view chess.hmlfc --original chess)");
+  hmlfc view chess.hmlfc --original views)");
   add_stream(app, options.file);
   add_path(app, "--original", options.original, "The views it was made of, to compare with")
       ->required(false)
