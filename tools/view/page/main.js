@@ -1,23 +1,31 @@
 // The page: what it shows of which stream, and the link to it in the address.
 import { announcePage, askJson } from "./ask.js";
 import { any, say } from "./dom.js";
+import { Into } from "./into.js";
 import { Look } from "./look.js";
 
-/** @param {string} mode "look" or "into" */
-function showMode(mode) {
-  for (const name of ["look", "into"]) {
-    any(name).hidden = name !== mode;
-    any(`mode-${name}`).setAttribute("aria-pressed", String(name === mode));
+const MODES = ["look", "into"];
+
+/**
+ * @param {string} shown one of MODES
+ */
+function showMode(shown) {
+  for (const mode of MODES) {
+    any(mode).hidden = mode !== shown;
+    any(`mode-${mode}`).setAttribute("aria-pressed", String(mode === shown));
   }
 }
 
-/** @param {string} mode @param {import("./ask.js").Query} query */
-function setLink(mode, query) {
-  const pairs = Object.entries({ mode, ...query }).map(([name, value]) => `${name}=${value}`);
-  history.replaceState(null, "", `#${pairs.join("&")}`);
-}
+/**
+ * The address with a link to what is shown.
+ * @param {string} mode @param {import("./ask.js").Query} query
+ */
+const linkTo = (mode, query) =>
+  `#${Object.entries({ mode, ...query }).map(([name, value]) => `${name}=${value}`).join("&")}`;
 
-/** @param {any} stream */
+/**
+ * @param {any} stream
+ */
 function describe(stream) {
   document.title = `${stream.name} – hmlfc view`;
   any("name").textContent = stream.name;
@@ -32,13 +40,22 @@ async function begin() {
   const stream = await askJson("stream");
   describe(stream);
   if (stream.error) return;
-  const look = new Look(stream, (query) => setLink("look", query));
+  /** @type {Record<string, string>} */
+  const links = { look: "#mode=look", into: "#mode=into" };
+  const keep = (/** @type {string} */ mode) => (/** @type {import("./ask.js").Query} */ query) => {
+    links[mode] = linkTo(mode, query);
+    if (!any(mode).hidden) history.replaceState(null, "", links[mode]);
+  };
+  for (const mode of MODES) showMode(mode); // both have to be seen once, to be laid out
+  const shows = { look: new Look(stream, keep("look")), into: new Into(stream, keep("into")) };
   const open = () => {
     const link = new URLSearchParams(location.hash.slice(1));
-    showMode("look");
-    look.open(link);
+    const mode = link.get("mode") === "into" ? "into" : "look";
+    showMode(mode);
+    shows[mode].open(link);
   };
   addEventListener("hashchange", open);
+  for (const mode of MODES) any(`mode-${mode}`).addEventListener("click", () => (location.hash = links[mode]));
   open();
 }
 
