@@ -82,7 +82,10 @@ export class BlockCanvas {
       held = { x: event.clientX, y: event.clientY, far: 0 };
     });
     target.addEventListener("pointermove", (event) => {
-      if (held === null) return void hover(...sample(event));
+      if (held === null) {
+        hover(...sample(event));
+        return;
+      }
       const [dx, dy] = [event.clientX - held.x, event.clientY - held.y];
       held = { x: event.clientX, y: event.clientY, far: held.far + Math.hypot(dx, dy) };
       if (held.far <= 4) return;
