@@ -116,6 +116,33 @@ class Look(PageCase):
             self.assertEqual(self.browser.frame(), query)
             self.assertEqual(self.browser.pixels("frame"), pixels)
 
+    def test_only_the_newest_frame_is_asked_for_and_moving_ones_are_coarse(self):
+        """With a server that takes 60 ms for a frame."""
+        self.open()
+        self.browser.frame()
+        self.browser.script(
+            "const ask = window.fetch; window.asked = []; window.pending = window.most = 0;"
+            "window.fetch = async (address) => {"
+            "  if (!address.startsWith('frame?')) return ask(address);"
+            "  window.asked.push(address); window.most = Math.max(window.most, ++window.pending);"
+            "  await new Promise((done) => setTimeout(done, 60));"
+            "  return ask(address).finally(() => --window.pending);"
+            "}")
+        canvas = self.browser.element("frame")
+        actions = self.browser.actions().move_to_element(canvas).click_and_hold()
+        for _ in range(60):
+            actions.move_by_offset(2, 0)
+        actions.release().perform()
+        query = self.browser.until("the last", lambda: self.place(self.browser.frame())[0] < 1.5 and self.browser.frame())
+        asked, most = self.browser.script("return [window.asked, window.most]")
+        self.assertEqual(most, 1)
+        self.assertLess(len(asked), 50)  # of 60 movements
+        sizes = [re.search(r"size=(\w+)", address)[1] for address in asked]
+        self.assertIn(f"{WIDTH // 2}x{HEIGHT // 2}", sizes)
+        self.assertEqual(sizes[-1], f"{WIDTH}x{HEIGHT}")
+        self.assertAlmostEqual(self.place(query)[0], 2 - 4 * 120 / self.box()[2], delta=0.03)
+        self.frame_is_that_of_render()
+
     def test_levels_of_the_tree(self):
         self.open("#levels=1", "tree.hmlfc")
         self.assertEqual(self.frame_is_that_of_render("tree.hmlfc")["levels"], "1")
@@ -190,6 +217,9 @@ class Window(PageCase):
                     "const box = document.getElementById(arguments[0]).getBoundingClientRect();"
                     "return [box.left, box.right]", name)
                 self.assertTrue(0 <= left < right <= 360, name)
+            stage = self.browser.script(
+                "return document.querySelector('main:not([hidden]) .stage').getBoundingClientRect().width")
+            self.assertEqual(stage, 360)
 
     def test_once_ends_when_the_tab_closes(self):
         with PageServer(self.folder, "a.hmlfc", "--once") as server:
@@ -201,7 +231,7 @@ class Window(PageCase):
             self.browser.frame()
             self.browser.page.close()
             self.browser.page.switch_to.window(first)
-            self.assertEqual(server.process.wait(timeout=20), DONE)
+            self.assertEqual(server.process.wait(timeout=120), DONE)
 
 
 

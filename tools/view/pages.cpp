@@ -1,17 +1,24 @@
 #include "view/pages.hpp"
 
+#include <algorithm>
+
 namespace hmlfc::view {
 
 void Pages::opened(uint32_t id, Time now) {
   const std::lock_guard lock(mutex_);
   if (heard_.size() >= kMost && !heard_.contains(id)) return;
+  if (std::ranges::find(gone_, id) != gone_.end()) return;
   heard_[id] = now;
   any_ = true;
 }
 
 void Pages::closed(uint32_t id, Time now) {
   const std::lock_guard lock(mutex_);
-  if (heard_.erase(id) > 0) last_closed_ = now;
+  heard_.erase(id);
+  any_ = true;
+  last_closed_ = now;
+  gone_.push_back(id);
+  if (gone_.size() > kMost) gone_.pop_front();
 }
 
 bool Pages::all_closed(Time now) {

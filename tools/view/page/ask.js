@@ -56,10 +56,14 @@ export async function askSamples(query) {
 
 /** Tells the server that this page is open, again and again, and when it closes. */
 export function announcePage() {
-  const query = { page: crypto.getRandomValues(new Uint32Array(1))[0] };
+  const query = { page: 0 };
   const opened = () => void fetch(address("opened", query), { method: "POST" }).catch(() => {});
-  opened();
-  setInterval(opened, 30000);
-  addEventListener("pageshow", (event) => event.persisted && opened());
+  const arrive = () => {
+    query.page = crypto.getRandomValues(new Uint32Array(1))[0];
+    opened();
+  };
+  arrive();
+  setInterval(opened, 10000);
+  addEventListener("pageshow", (event) => event.persisted && arrive());
   addEventListener("pagehide", () => navigator.sendBeacon(address("closed", query)));
 }
