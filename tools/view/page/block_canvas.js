@@ -2,7 +2,7 @@
 import { context } from "./dom.js";
 
 const MOST = 64; // pixels of the screen for a sample
-const DRAWN = 9; // pixels of the screen for a block, from which lines between blocks are drawn
+const DRAWN = 9; // pixels of the screen for a block, from which lines between blocks and heads of arrows are drawn
 
 /**
  * @typedef {object} Layers
@@ -202,7 +202,8 @@ export class BlockCanvas {
   vectors(draw, { blocks, side, picture }) {
     const unit = picture.width / blocks.width; // of the plane's samples in the picture
     draw.lineWidth = 1 / this.scale;
-    draw.strokeStyle = draw.fillStyle = "#7dffb0";
+    const heads = side * this.scale >= DRAWN;
+    draw.strokeStyle = heads ? "#7dffb0" : "#7dffb0a0";
     draw.beginPath();
     for (const [block, , , dx, dy] of blocks.vectors) {
       const x = ((block % blocks.columns) + 0.5) * side;
@@ -211,7 +212,7 @@ export class BlockCanvas {
       draw.moveTo(x, y);
       draw.lineTo(toX, toY);
       const length = Math.hypot(toX - x, toY - y);
-      if (length * this.scale < 4) continue;
+      if (!heads || length * this.scale < 4) continue;
       const head = Math.min(length, 5 / this.scale) / length;
       const [backX, backY] = [(x - toX) * head, (y - toY) * head];
       draw.moveTo(toX + backX - backY / 2, toY + backY + backX / 2);

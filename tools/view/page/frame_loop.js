@@ -6,7 +6,8 @@ import { askPicture } from "./ask.js";
 /** @typedef {{pixels: ImageData, cost: any, exact: boolean, query: Query}} Drawn */
 
 const STILL = 120; // milliseconds without input
-const SLOW = 24; // milliseconds for a whole frame, above which moving frames are coarse
+const SLOW = 24; // milliseconds for a whole frame, above which moving ones are coarse
+const COARSE = 40; // times as long as that frame took
 
 export class FrameLoop {
   /**
@@ -21,7 +22,7 @@ export class FrameLoop {
     this.running = false;
     this.dirty = false;
     this.inputAt = 0;
-    this.wholeTakes = 0;
+    this.coarseUntil = 0;
     this.timer = 0;
     /** @type {number[]} */
     this.drawnAt = [];
@@ -35,7 +36,6 @@ export class FrameLoop {
     this.dirty = true;
     const now = performance.now();
     if (moving) this.inputAt = now;
-    performance.mark("input", { startTime: now });
     this.pending = this.pending ?? now;
     clearTimeout(this.timer);
     if (!this.running) void this.run();
@@ -44,11 +44,15 @@ export class FrameLoop {
   async run() {
     this.running = true;
     while (this.dirty) {
-      const half = this.wholeTakes > SLOW && performance.now() - this.inputAt < STILL;
+      const begin = performance.now();
+      const moving = begin - this.inputAt < STILL;
+      const half = moving && begin < this.coarseUntil;
       const input = this.pending ?? performance.now();
       this.dirty = false;
       this.pending = undefined;
       await this.frame(half, input);
+      const took = performance.now() - begin;
+      if (moving && !half && took > SLOW) this.coarseUntil = begin + COARSE * took;
       if (half && !this.dirty) this.timer = setTimeout(() => this.want(), STILL);
     }
     this.running = false;
@@ -56,7 +60,6 @@ export class FrameLoop {
 
   /** @param {boolean} half @param {number} input when its input came */
   async frame(half, input) {
-    const begin = performance.now();
     const query = this.wanted(half);
     try {
       const { pixels, cost } = await askPicture("frame", query);
@@ -66,8 +69,7 @@ export class FrameLoop {
       return;
     }
     const end = performance.now();
-    if (!half) this.wholeTakes = this.wholeTakes === 0 ? end - begin : (this.wholeTakes + end - begin) / 2;
-    performance.measure("input to picture", { start: input, end });
+    performance.measure("input to picture", { start: input, end, detail: { half } });
     this.drawnAt = [...this.drawnAt.filter((at) => end - at < 1000), end];
   }
 
