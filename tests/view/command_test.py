@@ -1,15 +1,16 @@
 """hmlfc view: the server by HTTP; what it gives is what the other commands give."""
 
 import json
-import re
+import math
 import signal
 import socket
+import struct
 import time
-import unittest
 from urllib.parse import urlsplit
 
 from page_server import PageServer
-from program import CORRUPT, DONE, INPUT, USAGE, CliTest, main
+from pictures import read_png
+from program import DONE, INPUT, USAGE, CliTest, main
 
 
 class View(CliTest):
@@ -110,13 +111,19 @@ class View(CliTest):
                 else:
                     self.assertEqual(arrays["steps"][at], 0)
 
+    def test_disparities_are_those_of_the_command(self):
+        self.hmlfc("disparity", "a.hmlfc", "--view", "2,0", "-o", "map.pfm")
+        numbers = struct.unpack(f"<{72 * 48}f", (self.folder / "map.pfm").read_bytes()[-4 * 72 * 48 :])
+        found = self.serve("a.hmlfc").json("blocks", {"view": "2,0", "plane": "Y"})["disparities"]
+        expected = [numbers[72 * (47 - 4 * y) + 4 * x] for y in range(12) for x in range(18)]
+        self.assertGreater(len(set(found)), 2)
+        self.assertEqual([number or 0 for number in found], expected)
+
     def test_differences_from_the_original(self):
         server = self.serve("a.hmlfc", "--original", "views")
         self.hmlfc("decode", "a.hmlfc", "-o", "decoded")
         status, headers, pixels = server.ask("difference", {"view": "1,2", "gain": 4})
         self.assertEqual((status, headers["Picture-Size"]), (200, "72,48"))
-        from pictures import read_png
-
         a, b = (read_png(self.folder / name / "01_02.png").samples for name in ("views", "decoded"))
         expected = [max(0, min(255, 128 + 4 * (x - y))) for x, y in zip(a, b)]
         self.assertEqual([value for at, value in enumerate(pixels) if at % 4 < 3], expected)
@@ -124,8 +131,6 @@ class View(CliTest):
         block = [3 * (72 * y + x) + k for y in range(8, 12) for x in range(4, 8) for k in range(3)]
         squares = sum((a[at] - b[at]) ** 2 for at in block)
         if squares:
-            import math
-
             self.assertAlmostEqual(psnr[2 * 18 + 1], 10 * math.log10(255**2 * len(block) / squares), delta=0.01)
 
     def test_originals_that_do_not_fit(self):

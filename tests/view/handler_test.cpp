@@ -274,6 +274,48 @@ void ask_anything(const test::Bytes& bytes, vectors::Random& random, int count) 
   }
 }
 
+// The conformance suite has streams of every shape, and a damaged one for every error.
+TEST(ViewHandler, ShowsEveryVectorAsFarAsItGoes) {
+  size_t opened = 0;
+  size_t refused = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(HMLFC_VECTORS)) {
+    if (entry.path().extension() != ".hmlfc") continue;
+    OpenStream stream(entry.path(), {});
+    Handler handler({80, "token"}, stream);
+    const auto get = [&handler](const std::string& path, const Query& query) {
+      return handler.answer({"GET", "/token/" + path, query, "127.0.0.1:80", "", ""});
+    };
+    const json facts = json::parse(get("stream", {}).body);
+    const bool opens = facts["error"] == "";
+    ++(opens ? opened : refused);
+    const Response frame = get("frame", {{"size", "6x4"}, {"geometry", "plane"}});
+    const Query plane{{"view", "0,0"}, {"plane", "Cg"}};
+    const Response blocks = get("blocks", plane);
+    if (!opens) {
+      EXPECT_EQ(frame.status, 422) << entry.path();
+      EXPECT_EQ(blocks.status, 422) << entry.path();
+      continue;
+    }
+    const bool thin = frame.body.find("tan_half") != std::string::npos;  // no camera fits the view
+    EXPECT_TRUE(frame.status == 200 || frame.status == 422 || thin) << entry.path() << frame.body;
+    ASSERT_EQ(blocks.status, 200) << entry.path() << blocks.body;
+    const Decoder& decoder = stream.for_blocks().decoder();
+    const auto decoded = decoder.decode_plane({0, 0}, Plane::kCg);
+    const json arrays = json::parse(blocks.body);
+    EXPECT_EQ(decoded.has_value(), arrays["errors"].empty()) << entry.path();
+    Query sample = plane;
+    sample.emplace_back("stage", "sample");
+    const Response stage = get("stage", sample);
+    ASSERT_EQ(stage.status, 200) << entry.path();
+    if (!decoded) continue;
+    ASSERT_EQ(stage.body.size(), 2 * decoded->size()) << entry.path();
+    EXPECT_EQ(std::memcmp(stage.body.data(), decoded->data(), stage.body.size()), 0)
+        << entry.path();
+  }
+  EXPECT_GT(opened, 500u);
+  EXPECT_GT(refused, 50u);
+}
+
 RC_GTEST_PROP(ViewHandler, AnswersAnyQuery, ()) {
   vectors::Random random(*rc::gen::arbitrary<uint64_t>());
   ask_anything(some_stream(), random, 20);

@@ -2,12 +2,14 @@
 Frames are compared byte for byte with those of `hmlfc render`, blocks with `hmlfc inspect`.
 """
 
+import json
 import re
 import sys
 
 import browser
 from page_case import HEIGHT, WIDTH, PageCase
 from page_server import PageServer
+from pictures import read_png
 from program import DONE, main
 
 class Look(PageCase):
@@ -142,6 +144,25 @@ class Look(PageCase):
         self.assertEqual(sizes[-1], f"{WIDTH}x{HEIGHT}")
         self.assertAlmostEqual(self.place(query)[0], 2 - 4 * 120 / self.box()[2], delta=0.03)
         self.frame_is_that_of_render()
+
+    def test_a_recorded_path_renders_the_same_frames(self):
+        self.browser.page.execute_cdp_cmd(
+            "Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(self.folder)})
+        self.open("#camera=1,1,0&focus=0.5&geometry=plane&aperture=1")
+        self.browser.frame()
+        self.browser.element("record").click()
+        self.drag(-40, 20)
+        self.drag(30, 0, shift=True)
+        self.browser.until("a turn", lambda: "look-at" in self.browser.frame())
+        self.browser.element("record").click()
+        path = self.folder / "path.json"
+        self.browser.until("the file", path.exists)
+        command = re.search(r"hmlfc (render .*)$", self.browser.text("look-status"))[1]
+        self.hmlfc(*command.split())
+        frames = sorted((self.folder / "frames").glob("*.png"))
+        self.assertEqual(len(frames), len(json.loads(path.read_text())))
+        self.assertGreater(len(frames), 2)
+        self.assertEqual(self.browser.pixels("frame"), bytes(read_png(frames[-1]).samples))
 
     def test_levels_of_the_tree(self):
         self.open("#levels=1", "tree.hmlfc")

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <hmlfc/disparity.hpp>
 #include <hmlfc/measure.hpp>
 
 #include "cli/arguments.hpp"
@@ -75,6 +76,19 @@ Json psnr_of_blocks(const PlaneTrace& trace, const RgbImage& a, const RgbImage& 
       const double db = psnr(sums.rgb_squares, uint64_t{3} * rect.width * rect.height, a.depth);
       all.push_back(std::isinf(db) ? Json(nullptr) : Json(std::round(db * 100) / 100));
     }
+  }
+  return all;
+}
+
+// In pixels a column; null where the stream says nothing, or for the whole view where it is
+// corrupt.
+Json disparities_of_blocks(const Decoder& decoder, ViewPos view) {
+  const auto map = disparity_map(decoder, view);
+  if (!map) return nullptr;
+  Json all = Json::array();
+  for (const BlockDisparity& block : map->blocks) {
+    const bool known = block.confidence > 0;
+    all.push_back(known ? Json(static_cast<double>(block.disparity) / kDisparityUnits) : nullptr);
   }
   return all;
 }
@@ -163,6 +177,9 @@ Response Blocks::blocks(const Query& query) {
   const int level = stop_level(file, request);
   const auto traced = trace({request.view->row, request.view->col, request.plane, level});
   Json json = trace_json(*traced);
+  if (request.plane == Plane::kY && level == 0) {
+    json["disparities"] = disparities_of_blocks(file.decoder(), *request.view);
+  }
   if (stream_.original() != nullptr && traced->errors.empty()) {
     const bool half =
         request.plane != Plane::kY && file.header().chroma_format == ChromaFormat::k420;

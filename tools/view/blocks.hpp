@@ -30,7 +30,8 @@ class Blocks {
   /// A stage of a plane: 16 bits a sample, little-endian; -32768 where the block has none.
   Response stage(const Query& query);
 
-  /// The arrays of PlaneTrace in JSON; with an original, also the PSNR of each block in RGB.
+  /// The arrays of PlaneTrace in JSON; for plane Y with all levels also the disparities of its
+  /// blocks, and with an original the PSNR of each block in RGB.
   Response blocks(const Query& query);
 
   /// The block as `inspect --json` has it ("report"), its fields as `inspect` prints them, with

@@ -260,6 +260,7 @@ export class Into {
     for (const [number, row, col, dx, dy] of blocks.vectors) {
       if (number === at) parts.push(`(${dx}, ${dy}) to image ${row},${col}`);
     }
+    if (blocks.disparities?.[at] != null) parts.push(`disparity ${blocks.disparities[at]}`);
     if (blocks.psnr) parts.push(blocks.psnr[at] === null ? "equal to the original" : `${blocks.psnr[at]} dB`);
     return parts.join(" · ");
   }

@@ -5,6 +5,9 @@ import { any, canvas, context, grouped, input, numberIn, say, select } from "./d
 import { FrameLoop } from "./frame_loop.js";
 import { listen } from "./gestures.js";
 import { GridMap } from "./grid_map.js";
+import { PathRecorder } from "./path_recorder.js";
+
+const WIDEST = 2048; // pixels of a frame
 
 /** @param {number} x @param {number} lo @param {number} hi */
 const within = (x, lo, hi) => Math.max(lo, Math.min(hi, x));
@@ -16,12 +19,16 @@ export class Look {
     this.moved = moved;
     this.camera = middleCamera(stream);
     this.canvas = canvas("frame");
-    this.canvas.width = stream.width;
-    this.canvas.height = stream.height;
+    const reduced = Math.min(1, WIDEST / Math.max(stream.width, stream.height));
+    this.width = Math.max(1, Math.round(stream.width * reduced)); // of a frame
+    this.height = Math.max(1, Math.round(stream.height * reduced));
+    this.canvas.width = this.width;
+    this.canvas.height = this.height;
     this.half = document.createElement("canvas");
     this.views = [0, -1, 0, -1];
     this.map = new GridMap(canvas("look-map"), stream, (row, col) => this.change({ u: col, v: row }));
     this.loop = new FrameLoop((half) => this.query(half), (frame) => this.draw(frame), (error) => this.fail(error));
+    this.recorder = new PathRecorder(stream.file, `${this.width}x${this.height}`);
     this.prepareControls();
     this.listen();
     new ResizeObserver(() => this.fit()).observe(/** @type {HTMLElement} */ (this.canvas.parentElement));
@@ -31,9 +38,9 @@ export class Look {
   /** Fills the stage, in the frame's proportions. */
   fit() {
     const stage = /** @type {HTMLElement} */ (this.canvas.parentElement);
-    const scale = Math.min(stage.clientWidth / this.stream.width, stage.clientHeight / this.stream.height);
-    this.canvas.style.width = `${this.stream.width * scale}px`;
-    this.canvas.style.height = `${this.stream.height * scale}px`;
+    const scale = Math.min(stage.clientWidth / this.width, stage.clientHeight / this.height);
+    this.canvas.style.width = `${this.width * scale}px`;
+    this.canvas.style.height = `${this.height * scale}px`;
   }
 
   prepareControls() {
@@ -67,7 +74,7 @@ export class Look {
       move: (dx, dy) => this.move(-dx * (this.stream.cols - 1), -dy * (this.stream.rows - 1)),
       turn: (dx, dy) => this.turn(-dx, -dy),
       advance: (steps) => this.advance(steps / 4),
-      click: (x, y) => void this.focusAt(Math.floor(x * this.stream.width), Math.floor(y * this.stream.height)),
+      click: (x, y) => void this.focusAt(Math.floor(x * this.width), Math.floor(y * this.height)),
     });
     this.canvas.addEventListener("keydown", (event) => {
       if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -113,10 +120,10 @@ export class Look {
    * @param {number} x @param {number} y
    */
   turn(x, y) {
-    const longer = Math.max(this.stream.width, this.stream.height);
+    const longer = Math.max(this.width, this.height);
     this.change({
-      turnX: within(this.camera.turnX + (x * this.stream.width) / longer, -1, 1),
-      turnY: within(this.camera.turnY + (y * this.stream.height) / longer, -1, 1),
+      turnX: within(this.camera.turnX + (x * this.width) / longer, -1, 1),
+      turnY: within(this.camera.turnY + (y * this.height) / longer, -1, 1),
     }, true);
   }
 
@@ -145,7 +152,7 @@ export class Look {
 
   /** @param {boolean} half */
   query(half) {
-    const { width, height } = this.stream;
+    const { width, height } = this;
     if (!half) return cameraQuery(this.camera, width, height);
     return cameraQuery(this.camera, Math.ceil(width / 2), Math.ceil(height / 2));
   }
@@ -176,6 +183,7 @@ export class Look {
       context(this.half).putImageData(pixels, 0, 0);
       draw.drawImage(this.half, 0, 0, this.canvas.width, this.canvas.height);
     }
+    this.recorder.add(query);
     this.views = cost.views;
     this.showNumbers(cost);
     this.map.draw({ used: this.views, camera: this.camera });

@@ -73,6 +73,7 @@ export function overlayOf(name, blocks) {
     case "read": return heatMap(notKey(blocks.read), "bits");
     case "level_counts": return heatMap(blocks.level_counts, "levels", positive);
     case "steps": return heatMap(blocks.steps, "", positive);
+    case "disparities": return heatMap(blocks.disparities ?? [], "pixels a column");
     case "psnr": return heatMap(blocks.psnr ?? [], "dB");
     case "references": return referenceImages(blocks);
     default: return { colours: [] };

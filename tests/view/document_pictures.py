@@ -1,6 +1,6 @@
 """The pictures of docs/view.md, drawn by the page itself.
 
-usage: pictures.py PROGRAM VERSION [--update]
+usage: document_pictures.py PROGRAM VERSION [--update]
 
 Without --update the pictures are drawn, and those of the repository have to have their size.
 """
