@@ -179,6 +179,15 @@ class Look(PageCase):
             "fetch(arguments[0]).then((answer) => answer.arrayBuffer()).then((bytes) => done([...new Uint8Array(bytes)]))", href)
         self.assertEqual(bytes(saved), (self.folder / "frame.png").read_bytes())
 
+    def test_look_into_begins_with_the_nearest_view(self):
+        self.open("#camera=3.3,0.8,0")
+        self.browser.frame()
+        self.browser.element("mode-into").click()
+        self.browser.until("the view", lambda: "view=1,3" in self.browser.script("return location.hash"))
+        self.browser.until("its picture", lambda: "1,3" in (self.browser.element("picture").get_attribute("data-shown") or ""))
+        self.browser.element("mode-look").click()
+        self.assertEqual(self.place(self.browser.frame()), [3.3, 0.8, 0])
+
     def test_two_tabs(self):
         self.open("#camera=1,1,0")
         first = self.browser.page.current_window_handle

@@ -141,6 +141,15 @@ export class Look {
   }
 
   /**
+   * The view that is nearest to the camera.
+   * @returns {import("./ask.js").Query}
+   */
+  nearestView() {
+    const row = within(Math.round(this.camera.v), 0, this.stream.rows - 1);
+    return { view: `${row},${within(Math.round(this.camera.u), 0, this.stream.cols - 1)}` };
+  }
+
+  /**
    * The camera of a link.
    * @param {URLSearchParams} query
    */

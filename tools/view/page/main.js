@@ -41,13 +41,14 @@ async function begin() {
   describe(stream);
   if (stream.error) return;
   /** @type {Record<string, string>} */
-  const links = { look: "#mode=look", into: "#mode=into" };
+  const links = { look: "#mode=look" };
   const keep = (/** @type {string} */ mode) => (/** @type {import("./ask.js").Query} */ query) => {
     links[mode] = linkTo(mode, query);
     if (!any(mode).hidden) history.replaceState(null, "", links[mode]);
   };
   for (const mode of MODES) showMode(mode); // both have to be seen once, to be laid out
-  const shows = { look: new Look(stream, keep("look")), into: new Into(stream, keep("into")) };
+  const look = new Look(stream, keep("look"));
+  const shows = { look, into: new Into(stream, keep("into")) };
   const open = () => {
     const link = new URLSearchParams(location.hash.slice(1));
     const mode = link.get("mode") === "into" ? "into" : "look";
@@ -55,7 +56,11 @@ async function begin() {
     shows[mode].open(link);
   };
   addEventListener("hashchange", open);
-  for (const mode of MODES) any(`mode-${mode}`).addEventListener("click", () => (location.hash = links[mode]));
+  any("mode-look").addEventListener("click", () => (location.hash = links.look));
+  any("mode-into").addEventListener("click", () => {
+    links.into ??= linkTo("into", look.nearestView());
+    location.hash = links.into;
+  });
   open();
 }
 
