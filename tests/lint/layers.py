@@ -49,6 +49,7 @@ ALLOWED = {
     "tools/primitives": {*SYNTAX, "model/decoder", "tools/vectors"},
     "tools/dut": set(),
     "tools/tables": SYNTAX,
+    "tools/python": {"tools/io"},
     "tools/cli": APPLICATIONS - {"tools/view"},
     "tools/view": APPLICATIONS,
     "testbench/oracle": DECODER,
