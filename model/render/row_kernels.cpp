@@ -22,6 +22,8 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
+#include <algorithm>
+
 namespace hmlfc {
 
 HWY_EXPORT(trace_row_here);
@@ -34,12 +36,34 @@ HWY_EXPORT(find_steps_here);
 HWY_EXPORT(sample_run_here);
 HWY_EXPORT(render_set_here);
 
-void trace_row(const FrameRecord& record, int32_t j, RowRays& rays) {
-  HWY_DYNAMIC_DISPATCH(trace_row_here)(record, j, rays);
+namespace {
+
+// trace_row() where the row has the columns of the row before: the rays of all its pixels are the
+// same in y.
+void trace_same_columns(const FrameRecord& record, int32_t j, RowRays& rays) {
+  const auto ray = trace(record, rays.all_runs.front().begin, j);
+  rays.inside = ray.has_value();
+  if (!ray) return;
+  std::fill(rays.v.begin(), rays.v.end(), ray->v);
+  std::fill(rays.vs.begin(), rays.vs.end(), ray->vs);
+  std::fill(rays.yb.begin(), rays.yb.end(), ray->yb);
+  const GridWeights rows(axis_weights(record, ray->v), record.rows);
+  for (RayRun& run : rays.all_runs) {
+    run.first_row = rows.first();
+    run.last_row = rows.last();
+  }
 }
 
-int32_t find_runs(const FrameRecord& record, RowRays& rays, RayRun* runs) {
-  return HWY_DYNAMIC_DISPATCH(find_runs_here)(record, rays, runs);
+}  // namespace
+
+void trace_row(const FrameRecord& record, int32_t j, RowRays& rays) {
+  rays.same_columns = looks_along_z(record) && !rays.all_runs.empty();
+  if (rays.same_columns) {
+    trace_same_columns(record, j, rays);
+  } else {
+    HWY_DYNAMIC_DISPATCH(trace_row_here)(record, j, rays);
+    HWY_DYNAMIC_DISPATCH(find_runs_here)(record, rays);
+  }
 }
 
 void find_taps(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps) {
