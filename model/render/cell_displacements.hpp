@@ -11,6 +11,7 @@
 #include <hmlfc/decoder.hpp>
 
 #include "render/disparity_cache.hpp"
+#include "render/displaced_cells.hpp"
 #include "render/surface.hpp"
 #include "render/taps.hpp"
 
@@ -25,7 +26,6 @@ constexpr std::optional<Ray> trace_cell(const FrameRecord& f, int32_t ci, int32_
 /// of plane Y that holds pixel (x, y) of a view, of confidence 0 where it has an error.
 template <class LookUp>
 int32_t cell_displacement(const FrameRecord& f, int32_t ci, int32_t cj, const LookUp& look_up) {
-  constexpr int kSteps = 2;
   const auto ray = trace_cell(f, ci, cj);
   if (!ray) return 0;
   const GridWeights rows(axis_weights(f, ray->v), f.rows);
@@ -35,7 +35,7 @@ int32_t cell_displacement(const FrameRecord& f, int32_t ci, int32_t cj, const Lo
     for (int32_t col = cols.first(); col <= cols.last(); ++col) {
       const ViewPos view{static_cast<uint32_t>(row), static_cast<uint32_t>(col)};
       int32_t e = 0;
-      for (int step = 0; step < kSteps; ++step) {
+      for (int step = 0; step < kDisplacementSteps; ++step) {
         const int32_t g = displacement_a_row(e, f.pitch);
         const int32_t x = nearest_pixel(x_in_view(f, *ray, e, col), f.width);
         const int32_t y = nearest_pixel(y_in_view(f, *ray, g, row), f.height);
@@ -47,19 +47,6 @@ int32_t cell_displacement(const FrameRecord& f, int32_t ci, int32_t cj, const Lo
   }
   return proposals.chosen();
 }
-
-/// The displacements of a frame.
-struct CellDisplacements {
-  int32_t columns = 0;            ///< of cells
-  std::vector<int32_t> cells;     ///< E, row by row; empty without geometry
-  uint64_t blocks_looked_up = 0;  ///< SRF-5
-
-  /// E of the cell of pixel (`i`, `j`); 0 without geometry.
-  int32_t at(int32_t i, int32_t j) const {
-    if (cells.empty()) return 0;
-    return cells[static_cast<size_t>((j >> kCellLog2) * columns + (i >> kCellLog2))];
-  }
-};
 
 /// Those of the frame of `record` with `stop_level`, which fit the light field, by the disparities
 /// of single blocks.

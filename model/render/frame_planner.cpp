@@ -124,7 +124,7 @@ class RowPlanner {
   // Returns the number of pixels of views that row `j` reads.
   uint64_t plan(int32_t j) {
     uint64_t reads = 0;
-    trace_row(record_, j, rays_);
+    trace_row(record_, row_of_pixels(record_, j), rays_);
     rays_.displace(displaced_, j);
     for (const RayRun& run : rays_.runs()) {
       find_taps(record_, rays_, run, taps_);

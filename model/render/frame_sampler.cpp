@@ -27,7 +27,7 @@ class RowSampler {
   }
 
   void sample(int32_t j, uint16_t* out) {
-    trace_row(record_, j, rays_);
+    trace_row(record_, row_of_pixels(record_, j), rays_);
     rays_.displace(displaced_, j);
     int32_t done = 0;
     const auto clear_to = [&](int32_t i) {  // RAY-6

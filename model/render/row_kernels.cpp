@@ -40,13 +40,14 @@ namespace {
 
 // trace_row() where the row has the columns of the row before: the rays of all its pixels are the
 // same in y.
-void trace_same_columns(const FrameRecord& record, int32_t j, RowRays& rays) {
-  const auto ray = trace(record, rays.all_runs.front().begin, j);
+void trace_same_columns(const FrameRecord& record, const RayRow& row, RowRays& rays) {
+  const int32_t a = row.a_of(rays.all_runs.front().begin);
+  const auto ray = trace(record, direction(record, a, row.b));
   rays.inside = ray.has_value();
   if (!ray) return;
-  std::fill(rays.v.begin(), rays.v.end(), ray->v);
-  std::fill(rays.vs.begin(), rays.vs.end(), ray->vs);
-  std::fill(rays.yb.begin(), rays.yb.end(), ray->yb);
+  std::fill_n(rays.v.begin(), row.count, ray->v);
+  std::fill_n(rays.yb.begin(), row.count, ray->yb);
+  if (record.geometry != 0) std::fill_n(rays.vs.begin(), row.count, ray->vs);
   const GridWeights rows(axis_weights(record, ray->v), record.rows);
   for (RayRun& run : rays.all_runs) {
     run.first_row = rows.first();
@@ -56,13 +57,13 @@ void trace_same_columns(const FrameRecord& record, int32_t j, RowRays& rays) {
 
 }  // namespace
 
-void trace_row(const FrameRecord& record, int32_t j, RowRays& rays) {
+void trace_row(const FrameRecord& record, const RayRow& row, RowRays& rays) {
   rays.same_columns = looks_along_z(record) && !rays.all_runs.empty();
   if (rays.same_columns) {
-    trace_same_columns(record, j, rays);
+    trace_same_columns(record, row, rays);
   } else {
-    HWY_DYNAMIC_DISPATCH(trace_row_here)(record, j, rays);
-    HWY_DYNAMIC_DISPATCH(find_runs_here)(record, rays);
+    HWY_DYNAMIC_DISPATCH(trace_row_here)(record, row, rays);
+    HWY_DYNAMIC_DISPATCH(find_runs_here)(record, row.count, rays);
   }
 }
 

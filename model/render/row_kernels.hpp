@@ -11,7 +11,7 @@
 
 #include <hmlfc/camera.hpp>
 
-#include "render/cell_displacements.hpp"
+#include "render/displaced_cells.hpp"
 #include "render/taps.hpp"
 
 namespace hmlfc {
@@ -26,8 +26,29 @@ struct RayRun {
   int32_t last_row = 0;
 };
 
-/// The rays of a row, pixel by pixel; outside the runs they have no meaning. Equal to trace() on
-/// each.
+/// A row of rays: those of RAY-1 at b and at a, a + step and so on.
+struct RayRow {
+  int32_t count;  ///< [1, 4096]
+  int32_t a;
+  int32_t step;
+  int32_t b;
+
+  /// a of ray `i`.
+  constexpr int32_t a_of(int32_t i) const { return a + step * i; }
+};
+
+/// Row `j` of the pixels of a frame.
+constexpr RayRow row_of_pixels(const FrameRecord& f, int32_t j) {
+  return {f.frame_width, 1 - f.frame_width, 2, 2 * j + 1 - f.frame_height};
+}
+
+/// Row `cj` of its cells (SRF-1).
+constexpr RayRow row_of_cells(const FrameRecord& f, int32_t cj) {
+  return {cells_along(f.frame_width), 4 - f.frame_width, 8, 8 * cj + 4 - f.frame_height};
+}
+
+/// The rays of a row, of pixels or of cells, which are called pixels here; outside the
+/// runs they have no meaning. Equal to trace() on each.
 struct RowRays {
   static constexpr int32_t kOutside = -1;  ///< u of pixels that are outside
 
@@ -60,8 +81,9 @@ struct RowRays {
   bool inside = true;  ///< whether any pixel is
   std::vector<RayRun> all_runs;
 
-  bool displaced = false;  ///< whether the frame has geometry
-  std::vector<int32_t> e;  ///< then the displacement of each pixel's cell
+  bool displaced = false;   ///< whether the frame has geometry
+  std::vector<int32_t> e;   ///< then the displacement of each pixel's cell
+  int32_t cells_of_e = -1;  ///< and the row of cells that they are of
 
   /// The runs of the row, from left to right.
   std::span<const RayRun> runs() const {
@@ -71,8 +93,10 @@ struct RowRays {
   /// Sets the displacements of row `j` of a frame.
   void displace(const CellDisplacements& cells, int32_t j) {
     displaced = !cells.cells.empty();
-    if (!displaced) return;
-    for (size_t i = 0; i < e.size(); ++i) e[i] = cells.at(static_cast<int32_t>(i), j);
+    if (!displaced || cells_of_e == j >> kCellLog2) return;
+    cells_of_e = j >> kCellLog2;
+    const int32_t* row = cells.row(cells_of_e);
+    for (size_t i = 0; i < e.size(); ++i) e[i] = row[i >> kCellLog2];
   }
 };
 
@@ -122,18 +146,24 @@ struct AxisRun {
 struct RunTaps {
   explicit RunTaps(size_t row_pixels) : cols(row_pixels), rows(row_pixels) {}
 
+  /// Makes the views of `run` those of the axes.
+  void choose(const RayRun& run) {
+    cols.choose(run.first_col, run.last_col);
+    rows.choose(run.first_row, run.last_row);
+  }
+
   AxisRun cols;
   AxisRun rows;
 };
 
-/// The rays of row `j`, and their runs. `rays` has no rows of another frame before.
-void trace_row(const FrameRecord& record, int32_t j, RowRays& rays);
+/// The rays of `row`, and their runs. The rows before in `rays` differ in b alone.
+void trace_row(const FrameRecord& record, const RayRow& row, RowRays& rays);
 
 /// The taps of `run` in all its views: axis_taps() of each pixel, displaced where the row is.
-/// `taps` has those of all runs of the row traced before, if any, as find_weights() has.
+/// `taps` has those of all runs of the row traced before, if any, as in find_weights().
 void find_taps(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps);
 
-/// The weights of the views of `run`, whose taps are found: GridWeights of each pixel.
+/// The weights of the views of `run`, which are those of `taps`: GridWeights of each pixel.
 void find_weights(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps);
 
 /// The number of pixels of views that the run's pixels read.

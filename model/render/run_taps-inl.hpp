@@ -103,8 +103,7 @@ inline void find_taps_here(const FrameRecord& f, const RowRays& rays, const RayR
   constexpr int32_t kColumns = 1 << 8;  // the pitch of columns
   const TapAxis x{rays.xb.data(), f.dx, f.c0, f.width, rays.us.data(), kColumns};
   const TapAxis y{rays.yb.data(), f.dy, f.r0, f.height, rays.vs.data(), f.pitch};
-  taps.cols.choose(run.first_col, run.last_col);
-  taps.rows.choose(run.first_row, run.last_row);
+  taps.choose(run);
   if (!rays.same_columns || rays.displaced) find_axis_taps(f, rays, x, run, taps.cols);
   find_axis_taps(f, rays, y, run, taps.rows);
 }
@@ -132,6 +131,7 @@ inline void find_axis_weights(const FrameRecord& f, const std::vector<int32_t>& 
 
 inline void find_weights_here(const FrameRecord& f, const RowRays& rays, const RayRun& run,
                               RunTaps& taps) {
+  taps.choose(run);
   if (!rays.same_columns) find_axis_weights(f, rays.u, f.cols, run, taps.cols);
   find_axis_weights(f, rays.v, f.rows, run, taps.rows);
 }
@@ -233,13 +233,12 @@ struct ViewsOnAxis {
 
 inline constexpr int32_t kNoViews = -1;  // no view follows the last, 4095
 
-inline void find_view_keys(const FrameRecord& f, RowRays& rays) {
+inline void find_view_keys(const FrameRecord& f, int32_t pixels, RowRays& rays) {
   const int32_t* HWY_RESTRICT u = rays.u.data();
   const int32_t* HWY_RESTRICT v = rays.v.data();
   int32_t* HWY_RESTRICT keys = rays.view_keys.data();
   const ViewsOnAxis cols(f, f.cols);
   const ViewsOnAxis rows(f, f.rows);
-  const int32_t pixels = f.frame_width;
   for (int32_t i = 0; i < pixels; ++i) {
     const auto col_key = static_cast<uint32_t>(cols.key(u[i]));
     const auto key = static_cast<int32_t>(col_key << 16 | static_cast<uint32_t>(rows.key(v[i])));
@@ -247,14 +246,14 @@ inline void find_view_keys(const FrameRecord& f, RowRays& rays) {
   }
 }
 
-inline void find_runs_here(const FrameRecord& f, RowRays& rays) {
-  find_view_keys(f, rays);
+inline void find_runs_here(const FrameRecord& f, int32_t pixels, RowRays& rays) {
+  find_view_keys(f, pixels, rays);
   const int32_t* keys = rays.view_keys.data();
   std::vector<RayRun>& runs = rays.all_runs;
   runs.clear();
   bool open = false;
   const auto key_at = [keys](int32_t i) { return keys[i]; };
-  for_each_change(0, f.frame_width, key_at, [&](int32_t i) {
+  for_each_change(0, pixels, key_at, [&](int32_t i) {
     if (open) runs.back().end = i;
     open = keys[i] != kNoViews;
     if (!open) return;
@@ -270,7 +269,7 @@ inline void find_runs_here(const FrameRecord& f, RowRays& rays) {
     run.last_row = run.first_row + bits(0, 15);
     runs.push_back(run);
   });
-  if (open) runs.back().end = f.frame_width;
+  if (open) runs.back().end = pixels;
 }
 
 }  // namespace HWY_NAMESPACE
