@@ -3,6 +3,7 @@
 // on every pixel.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,25 +27,27 @@ struct RayRun {
   int32_t last_row = 0;
 };
 
-/// A row of rays: those of RAY-1 at b and at a, a + step and so on.
+/// A row of rays: those of RAY-1 at b and at a, a + step and so on, but at `last` at most.
 struct RayRow {
   int32_t count;  ///< [1, 4096]
   int32_t a;
   int32_t step;
+  int32_t last;
   int32_t b;
 
   /// a of ray `i`.
-  constexpr int32_t a_of(int32_t i) const { return a + step * i; }
+  constexpr int32_t a_of(int32_t i) const { return std::min(a + step * i, last); }
 };
 
 /// Row `j` of the pixels of a frame.
 constexpr RayRow row_of_pixels(const FrameRecord& f, int32_t j) {
-  return {f.frame_width, 1 - f.frame_width, 2, 2 * j + 1 - f.frame_height};
+  return {f.frame_width, 1 - f.frame_width, 2, f.frame_width - 1, 2 * j + 1 - f.frame_height};
 }
 
 /// Row `cj` of its cells (SRF-1).
 constexpr RayRow row_of_cells(const FrameRecord& f, int32_t cj) {
-  return {cells_along(f.frame_width), 4 - f.frame_width, 8, 8 * cj + 4 - f.frame_height};
+  return {cells_along(f.frame_width), 4 - f.frame_width, 8, f.frame_width - 1,
+          ray_of_cell(cj, f.frame_height)};
 }
 
 /// The rays of a row, of pixels or of cells, which are called pixels here; outside the

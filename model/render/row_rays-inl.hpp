@@ -154,12 +154,12 @@ inline void trace_row_here(const FrameRecord& f, const RayRow& row, RowRays& ray
   // Cameras that do not turn sideways have one n.z in all pixels of a row.
   const bool one_z = f.na_hi.z == 0 && f.na_lo.z == 0;
   const IntVec row_r = reciprocals(hn::Max(z.at(hn::Zero(ints)), least_z));
-  // Pixels of the last vector past the row's end repeat its last.
-  const IntVec last_a = hn::Set(ints, row.a_of(row.count - 1));
+  // Pixels past the row's end repeat its last.
+  const IntVec last_a = hn::Set(ints, row.last);
   const IntVec steps = hn::Mul(hn::Set(ints, row.step), hn::Iota(ints, 0));
   const auto lanes = static_cast<int32_t>(hn::Lanes(ints));
   for (int32_t begin = 0; begin < row.count; begin += lanes) {
-    const IntVec a = hn::Min(last_a, hn::Add(hn::Set(ints, row.a_of(begin)), steps));
+    const IntVec a = hn::Min(last_a, hn::Add(hn::Set(ints, row.a + row.step * begin), steps));
     const IntVec nx = x.at(a);
     const IntVec ny = y.at(a);
     const IntVec nz = z.at(a);

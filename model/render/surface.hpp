@@ -20,6 +20,14 @@ namespace hmlfc {
 /// A cell holds 2^kCellLog2 pixels each way (SRF-1).
 inline constexpr int kCellLog2 = 2;
 
+/// a or b of the ray of cell `cell` in a frame of `pixels` pixels along this axis (SRF-1).
+///
+/// Example: of 5 pixels, at a = -4, -2, 0, 2 and 4, the cells' are at -1 and 4.
+constexpr int32_t ray_of_cell(int32_t cell, int32_t pixels) {
+  const int32_t middle = 8 * cell + 4 - pixels;
+  return middle < pixels - 1 ? middle : pixels - 1;
+}
+
 /// Steps of a view's proposal (SRF-3).
 inline constexpr int kDisplacementSteps = 2;
 
@@ -67,15 +75,18 @@ constexpr int32_t displacement_in_view(int32_t e, int32_t view, int32_t us) {
   return floor_shift(product, 8);
 }
 
-/// x(c, E) of SRF-2, with E = `e`.
+/// x(c, E) of SRF-2, with E = `e`; x(c) where that is 0, as in frames without geometry, in which
+/// views of any distance have weight.
 constexpr int32_t x_in_view(const FrameRecord& f, const Ray& ray, int32_t e, int32_t col) {
+  if (e == 0) return x_in_view(f, ray.xb, col);
   const int32_t x = x_in_view(f, ray.xb, col) + displacement_in_view(e, col, ray.us);
   watch("x(c, E), y(r, E)", x);
   return x;
 }
 
-/// y(r, E) of SRF-2, with G = `g`.
+/// y(r, E) of SRF-2, with G = `g`, likewise.
 constexpr int32_t y_in_view(const FrameRecord& f, const Ray& ray, int32_t g, int32_t row) {
+  if (g == 0) return y_in_view(f, ray.yb, row);
   const int32_t y = y_in_view(f, ray.yb, row) + displacement_in_view(g, row, ray.vs);
   watch("x(c, E), y(r, E)", y);
   return y;
