@@ -1,4 +1,5 @@
 /* Wraps a decoder as a library that the conformance suite can test, in C99:
+ *   cc -shared -fPIC -I installed/include wrap_decoder.c other_decoder.c -o libwrap_decoder.so
  *   hmlfc conform --dut ./libwrap_decoder.so -o report
  * Each function translates one call of hmlfc_dut.h into calls of other_decoder.h. */
 #include <hmlfc/hmlfc_dut.h>

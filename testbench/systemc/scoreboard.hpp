@@ -119,6 +119,9 @@ class Scoreboard final : public sc_core::sc_module {
   bool is_bus_error(uint8_t status, const Request& request) const;
   bool is_refusal(const LevelRecord& record) const;
   bool comes_later(const BlockSite& site) const;
+  void skip_to_match(const LevelRecord& record);
+  std::optional<Difference> difference_of(const PendingRecord& pending,
+                                          const LevelRecord& record) const;
   void compare_record(const PendingRecord& pending, const LevelRecord& record, uint64_t cycle);
   void compare_answer(const ExpectedAnswer& expected, const Answer& answer, uint64_t cycle,
                       bool waited);

@@ -84,6 +84,13 @@ CHECKED_BY = {
     "tiles_that_exist_alone": ("boundary/index-tiles-beyond", "0 instead of"),
     "empty_tiles_unchecked": ("error/group-empty-tile", "accepted, but must be refused with bad_group_record"),
     "key_references_unchecked": ("error/key-references-without", "accepted, but must be refused"),
+    "end_before_vector_ranges": ("error/order-min-y-end", "another error than vector_range: tile_overrun"),
+    "end_before_residual_widths": ("error/order-level-bits-end", "another error than bad_mode: tile_overrun"),
+    "values_one_bit_short": ("error/overrun-values-one-bit", "accepted, but must be refused with tile_overrun"),
+    "record_number_of_64_bits": ("error/root-entry-sum", "accepted, but must be refused with bad_root_entry"),
+    "top_bit_of_place_ignored": ("error/group-place-bit-63", "accepted, but must be refused with bad_group_record"),
+    "last_reserved_byte_ignored": ("error/field-reserved-last-byte", "accepted, but must be refused with bad_header_field"),
+    "features_before_profile": ("error/profile-feature-unknown", "another error than bad_profile: bad_feature"),
     "sections_unchecked": ("error/section-crc-tile", "accepted, but must be refused with bad_section_crc"),
 }
 

@@ -1,15 +1,13 @@
-"""Faults of a decoder's checks, planted in the naive decoder: the samples are right, the errors are not."""
+"""Faults of the checks of images and records, planted in the naive decoder: the samples are right, the errors are not."""
 
 import block
-import header
 import index
 import key_images
 import motion
-import opening
 import residual
 import tile_head
 from bit_string import Cursor
-from stream_error import StreamError, require
+from stream_error import require
 
 CHECKS = {}
 
@@ -49,19 +47,6 @@ def range_before_crc():
 def codes_before_vectors():
     """TIL-6 with codes_x and codes_y before min_x and min_y."""
     report_late(tile_head, "vector_range", tile_head.TileHead, "_read_vector_ranges")
-
-
-@check
-def top_before_sizes():
-    """The TOP table (KEY-1) before the sizes of ROOT and GROUP (IDX-4, IDX-5)."""
-    right = opening.read_sections
-
-    def read_sections(fields, data):
-        sections = right(fields, data)
-        opening.read_top_table(opening.Geometry(fields), sections[0])
-        return sections
-
-    opening.read_sections = read_sections
 
 
 @check
@@ -118,20 +103,6 @@ def vectors_with_head():
 
 
 @check
-def crc_before_sizes():
-    """FIL-8 with the crc of the sections first."""
-    right = opening.read_sections
-
-    def read_sections(fields, data):
-        sections = right(fields, data)
-        for (_, crc, _, _), section in zip(fields.sections, sections):
-            require(opening.crc32c(section) == crc, "bad_section_crc")
-        return sections
-
-    opening.read_sections = read_sections
-
-
-@check
 def levels_with_head():
     """TIL-1 with the level codes of all block headers (TIL-8) before the record's end."""
     right = tile_head.TileHead._read_residual_widths
@@ -153,18 +124,6 @@ def levels_with_head():
 def steps_with_values():
     """STP-1 with the step code after the block's values were read."""
     report_late(residual, "bad_levels", block, "read_residual")
-
-
-@check
-def data_of_empty_groups():
-    """IDX-6 with data that must lie in TILE, in streams of one tile group, for empty tiles too."""
-    right = block.find_record
-
-    def find_record(stream, tile):
-        require(int.from_bytes(stream.group[8:14], "little") <= len(stream.tile), "bad_group_record")
-        return right(stream, tile)
-
-    block.find_record = find_record
 
 
 @check
@@ -194,89 +153,42 @@ def motion_block_at_once():
     motion.read_motion_tile = read_motion_tile
 
 
-def change_root_entries(change):
-    """Replaces each root entry of an opened stream by change(entry, group records)."""
-    right = opening.Stream.__init__
+def end_first(name, bits):
+    """TIL-1 with the end of all `bits` that function `name` of the head reads checked before the first value."""
+    right = getattr(tile_head.TileHead, name)
 
-    def opened(self, *data):
-        right(self, *data)
-        entries = [self.root[at : at + 16] for at in range(0, len(self.root), 16)]
-        self.root = b"".join(change(entry, len(self.group) // 16) for entry in entries)
+    def read(self, cursor, argument):
+        require(cursor.position + bits(argument) <= self.record.length, "tile_overrun")
+        right(self, cursor, argument)
 
-    opening.Stream.__init__ = opened
-
-
-@check
-def first_of_32_bits():
-    """IDX-4 with `first` cut to 32 bits."""
-    change_root_entries(lambda entry, _: entry[:12] + bytes(len(entry[12:])))
+    setattr(tile_head.TileHead, name, read)
 
 
 @check
-def record_for_each_mask_bit():
-    """IDX-4 with a record required for each bit of mask, when the stream is opened."""
+def end_before_vector_ranges():
+    """TIL-1 with the end of codes_y before the values of sign_mode to codes_y."""
 
-    def checked(entry, records):
-        mask, first = header.number(entry, 0, 8), header.number(entry, 8, 8)
-        require(first + mask.bit_count() <= records, "bad_root_entry")
-        return entry
+    def bits(window):
+        code_bits = tile_head.least_bits(tile_head.least_code(2 * window + 1) + 1)
+        return 2 + 2 * (tile_head.least_bits(2 * window + 1) + code_bits)
 
-    change_root_entries(checked)
-
-
-@check
-def tiles_that_exist_alone():
-    """IDX-5 with tile_mask bits of tiles that do not exist taken for 0, in streams of one tile group."""
-    right = opening.Stream.__init__
-
-    def open_stream(self, data):
-        right(self, data)
-        tiles = self.geometry.image_count() * self.geometry.tiles_of_image()
-        if tiles < 64 and self.group:
-            mask = header.number(self.group, 0, 8) % 2**tiles
-            self.group = mask.to_bytes(8, "little") + self.group[8:]
-
-    opening.Stream.__init__ = open_stream
+    end_first("_read_vector_ranges", bits)
 
 
 @check
-def empty_tiles_unchecked():
-    """IDX-5 with the group record checked for tiles that are not empty alone."""
-    right = block.find_record
-
-    def find_record(stream, tile):
-        try:
-            return right(stream, tile)
-        except StreamError as error:
-            mask = header.number(stream.group, 0, 8)
-            if error.name == "bad_group_record" and tile < 64 and mask >> tile & 1 == 0:
-                return None
-            raise
-
-    block.find_record = find_record
+def end_before_residual_widths():
+    """TIL-1 with the end of bias_bits before the value of level_bits."""
+    end_first("_read_residual_widths", lambda fields: 6 + 3 + 4)
 
 
 @check
-def key_references_unchecked():
-    """EXT-4 with key_references ignored without level_keys."""
-    right = header.read_level_entries
+def values_one_bit_short():
+    """TIL-9 with block values that may end one bit past their record."""
+    right = residual.bise.read
 
-    def read_level_entries(fields, data):
-        flag, fields.level_keys = fields.level_keys, True
-        right(fields, data)
-        fields.level_keys = flag
-        if not flag:
-            fields.levels = {level: (*entry[:2], 0) for level, entry in fields.levels.items()}
+    def read(record, position, count, levels):
+        if position + residual.bise.sequence_bits(count, levels) == record.length + 1:
+            record.length += 1
+        return right(record, position, count, levels)
 
-    header.read_level_entries = read_level_entries
-
-
-@check
-def sections_unchecked():
-    """FIL-6 by a decoder that reads whole sections and claims to check them."""
-
-    def require_others(condition, which):
-        if which != "bad_section_crc":
-            require(condition, which)
-
-    opening.require = require_others
+    residual.bise.read = read

@@ -25,6 +25,7 @@ import decode  # noqa: E402
 import light_field  # noqa: E402
 import references  # noqa: E402
 import residual  # noqa: E402
+import faulty_opening  # noqa: E402, F401  (adds to CHECKS)
 from faulty_checks import CHECKS  # noqa: E402
 from faulty_jpeg2000 import CODESTREAM  # noqa: E402
 

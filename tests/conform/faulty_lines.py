@@ -14,17 +14,20 @@ import sys
 import time
 from pathlib import Path
 from types import SimpleNamespace
+from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "examples"), str(ROOT / "tests" / "naive_decoder")]
 
 import decode  # noqa: E402
 import line_decoder  # noqa: E402
+import tile_head  # noqa: E402
 from block import BlockDecoder  # noqa: E402
-from stream_error import StreamError  # noqa: E402
+from stream_error import StreamError, require  # noqa: E402
 
 BLOCKS, ANSWERS = {}, {}
 RIGHT = BlockDecoder.decode
+RIGHT_HEAD = tile_head.TileHead.__init__
 
 
 def blocks(fault):
@@ -73,6 +76,23 @@ def table_of_empty_tiles(decoder, *place):
     if int.from_bytes(decoder.stream.group[8:14], "little") > len(decoder.stream.tile):
         raise StreamError("bad_group_record")
     return RIGHT(decoder, *place)
+
+
+def read_head_with_vectors_cut(head, *arguments):
+    """The end of the head is checked in records with a residual alone."""
+
+    def require_with_residual(condition, which):
+        require(condition or which == "tile_overrun" and not head.residual_mask, which)
+
+    with mock.patch.object(tile_head, "require", require_with_residual):
+        RIGHT_HEAD(head, *arguments)
+
+
+@blocks
+def end_of_vectors_unchecked(decoder, *place):
+    """A record without a residual need not hold all its vectors (TIL-1)."""
+    with mock.patch.object(tile_head.TileHead, "__init__", read_head_with_vectors_cut):
+        return RIGHT(decoder, *place)
 
 
 @blocks

@@ -15,6 +15,7 @@ HUNTED_BY = {
     "error_spreads": ("error/level-delta-28", "bad_levels instead of samples"),
     "later_errors_hidden": ("error/level-delta-28", "samples instead of bad_levels"),
     "table_of_empty_tiles": ("error/group-table-cut-empty", "bad_group_record instead of samples"),
+    "end_of_vectors_unchecked": ("error/overrun-vectors-alone", "samples instead of tile_overrun"),
     "stop_level_ignored": ("real/cards-main", "at stop level 1: value"),
     "stop_level_beyond": ("syntax/tree-3", "at stop level 1: value"),
     "errors_below_stop_level": ("error/reference-last-block", "at stop level 1: bad_levels instead of samples"),

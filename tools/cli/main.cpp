@@ -139,7 +139,7 @@ ExitCode guarded_run(int count, char** arguments) {
     flush_output();
     return code;
   } catch (const Failure& failure) {
-    note(failure.what());
+    if (*failure.what() != '\0') note(failure.what());
     return failure.code();
   } catch (const gpu::DeviceError& error) {
     note(std::string("--backend gpu: ") + error.what());

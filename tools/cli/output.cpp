@@ -27,7 +27,9 @@ ExitCode exit_code_of(ErrorCode code) {
   }
 }
 
+// A reader that has seen enough (`hmlfc vectors list | head`) needs no message.
 [[noreturn]] void throw_output_failure() {
+  if (errno == EPIPE) throw Failure(ExitCode::kOutput, "");
   throw Failure(ExitCode::kOutput,
                 "standard output: cannot write: " + std::generic_category().message(errno));
 }

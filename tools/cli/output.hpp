@@ -26,7 +26,7 @@ enum class ExitCode : int {
   kMissed = 6,        ///< an encoding that misses its target was written
   kInternal = 70,     ///< a bug in this program
   kOutOfMemory = 71,  ///< not enough memory
-  kOutput = 74,       ///< writing failed: full disk, closed pipe
+  kOutput = 74,       ///< writing failed: full disk; closed pipe, without a message
   kCannotRun = 77,    ///< a decoder under test cannot run on this machine
   kNoDecoder = 126,   ///< a library cannot be loaded or is no decoder; a shell's "not executable"
 };

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +12,17 @@ namespace {
 constexpr size_t kShownClauses = 8;
 constexpr size_t kShown = 3;  // failures of each cause; report.html has all
 
+// How many vectors of other milestones were run as bases of the chosen one.
+std::string bases_text(const Run& run) {
+  if (run.milestone.empty()) return {};
+  const auto bases = std::ranges::count_if(run.results, [&](const VectorResult& result) {
+    return result.milestone != run.milestone && result.status != Status::kSkipped &&
+           result.status != Status::kNotSupported;
+  });
+  if (bases == 0) return {};
+  return fmt::format("; {} were run as bases of refusals", bases);
+}
+
 std::string count_text(const Run& run) {
   const Tally counts = tally(run);
   std::string text;
@@ -18,7 +31,7 @@ std::string count_text(const Run& run) {
     text += fmt::format("{} {}, ", counts.count[i], status_name(static_cast<Status>(i)));
   }
   if (counts.waived != 0) text += fmt::format("{} waived, ", counts.waived);
-  return text + fmt::format("of {} vectors", run.results.size());
+  return text + fmt::format("of {} vectors", run.results.size()) + bases_text(run);
 }
 
 // `first`, then words behind it, in lines of at most `columns`; further ones begin below the first

@@ -1,4 +1,6 @@
 // Vectors and the values between samples.
+#include <utility>
+
 #include "arithmetic/motion.hpp"
 #include "primitives/planes.hpp"
 
@@ -33,8 +35,8 @@ Primitive disparity_vector_primitive() {
             }},
            within("row_scale", -127, 127),
            within("d", kMinDisparity, kMaxDisparity),
-           within("rows", -kMaxOffset, kMaxOffset),
-           within("cols", -kMaxOffset, kMaxOffset)},
+           within("rows", -kMaxOffset, kMaxOffset, "rk - r"),
+           within("cols", -kMaxOffset, kMaxOffset, "ck - c")},
           {},
           "vx vy",
           2 * kDrawn,
@@ -60,7 +62,7 @@ Primitive displacement() {
   return {"displacement",
           "MOT-9",
           {within("vector_precision", 0, 3),
-           within("halved", 0, 1),
+           within("halved", 0, 1, "1 for Co and Cg in format 4:2:0 with motion plane 3"),
            {"v", "[-V, V] of the largest window",
             [](const Inputs& in) {
               const int64_t bound = int64_t{kMaxWindow} << int{in["vector_precision"]};
@@ -80,8 +82,13 @@ Primitive displacement() {
 // Inputs of one reference: a fraction, then ref at (0, 0), (1, 0), (0, 1) and (1, 1).
 std::vector<Column> reference_columns(const std::string& name) {
   std::vector<Column> columns{within("fx" + name, 0, 7), within("fy" + name, 0, 7)};
-  for (const char* place : {"00", "10", "01", "11"}) {
-    columns.push_back(residual_column("ref" + name + "_" + place));
+  const std::pair<const char*, const char*> places[] = {{"00", "x + ix, y + iy"},
+                                                        {"10", "x + ix + 1, y + iy"},
+                                                        {"01", "x + ix, y + iy + 1"},
+                                                        {"11", "x + ix + 1, y + iy + 1"}};
+  for (const auto& [place, position] : places) {
+    columns.push_back(
+        residual_column("ref" + name + "_" + place, std::string("ref(") + position + ")"));
   }
   return columns;
 }

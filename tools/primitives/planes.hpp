@@ -24,9 +24,10 @@ inline Column sample_column(std::string name) {
           }};
 }
 
-/// A residual or ref of the plane, in [-M, M].
-inline Column residual_column(std::string name) {
-  return {std::move(name), "[-M, M]", [](const Inputs& in) {
+/// A residual or ref of the plane, in [-M, M]; `meaning` as of within().
+inline Column residual_column(std::string name, const std::string& meaning = {}) {
+  return {std::move(name), meaning.empty() ? "[-M, M]" : "[-M, M]: " + meaning,
+          [](const Inputs& in) {
             const SampleRange range = range_of(in);
             return Interval{-range.bound, range.bound};
           }};

@@ -5,8 +5,9 @@
 
 namespace hmlfc::primitives {
 
-Column within(std::string name, int64_t lo, int64_t hi) {
+Column within(std::string name, int64_t lo, int64_t hi, const std::string& meaning) {
   std::string range = "[" + std::to_string(lo) + ", " + std::to_string(hi) + "]";
+  if (!meaning.empty()) range += ": " + meaning;
   return {std::move(name), std::move(range), [lo, hi](const Inputs&) { return Interval{lo, hi}; }};
 }
 

@@ -87,8 +87,9 @@ struct Primitive {
 inline constexpr uint32_t kDrawn = 2000;
 inline constexpr uint32_t kAll = 0;
 
-/// A column with the same interval in every case.
-Column within(std::string name, int64_t lo, int64_t hi);
+/// A column with the same interval in every case. `meaning`: what a reader may not find under that
+/// name in the clause, or empty.
+Column within(std::string name, int64_t lo, int64_t hi, const std::string& meaning = {});
 
 /// As many random bytes as `count` says; sometimes all 0 or all 1 bits.
 Bytes random_bytes(std::string range, std::function<size_t(const Inputs&)> count);
