@@ -15,7 +15,6 @@ class Stream:
         self.geometry = Geometry(self.header)
         sections = read_sections(self.header, data)
         self.top, self.root, self.group, self.tile = sections[-4:]
-        self.rig = sections[0] if self.header.camera_rig else None
         groups = ceil_div(self.geometry.image_count() * self.geometry.tiles_of_image(), 64)
         require(len(self.root) == 16 * ceil_div(groups, 64), "bad_section_size")
         require(len(self.group) % 16 == 0, "bad_section_size")

@@ -13,6 +13,12 @@ def demand(condition, what):
         raise RigError(what)
 
 
+def rig_section(header, data):
+    """The bytes of section RIG of an opened stream, which has one (RIG-1)."""
+    _, _, offset, size = header.sections[0]
+    return data[offset : offset + size]
+
+
 def read_rig(section, rows, cols):
     """{member: value}: arrays of 1 are repeated for each view, members that are missing get their meaning or None."""
     demand(len(section) <= 2**24, "too long")

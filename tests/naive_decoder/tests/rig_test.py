@@ -10,7 +10,7 @@ from crc32c import crc32c
 from header import number
 from opening import Stream
 from program import DONE, INPUT, CliTest, main
-from rig import RigError, read_rig
+from rig import RigError, read_rig, rig_section
 from stream_error import StreamError
 from vector_check import FOLDER, load_vectors
 
@@ -32,11 +32,12 @@ def rigs_of_vectors():
     found = {}
     for vector in load_vectors():
         if "camera_rig" in vector["flags"]:
+            data = (FOLDER / vector["input"]["file"]).read_bytes()
             try:
-                stream = Stream((FOLDER / vector["input"]["file"]).read_bytes())
+                header = Stream(data).header
             except StreamError:
                 continue
-            found[vector["id"]] = stream.rig, stream.header.rows, stream.header.cols
+            found[vector["id"]] = rig_section(header, data), header.rows, header.cols
     return found
 
 
