@@ -65,7 +65,7 @@ mutate_shaders() {
   install_packages build test
   soak=ON build decode_vectors
   exec "$(debian_python)" -B "$root/tests/mutation/shaders/campaign.py" \
-    --program "$build/tests/mutation/shaders/decode_vectors" "$@"
+    --program "$build/tests/gpu/decode_vectors" "$@"
 }
 
 # mutate_rtl [--count N] [--seed S] [--group NAME] [ARG...]: mutants other than those of the tests get their own build.
