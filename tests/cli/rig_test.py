@@ -86,6 +86,15 @@ class Rig(CliTest):
         self.refused(INPUT, *"encode views -o x.hmlfc --rig transforms.json".split(),
                      says=["transforms.json", "frames: no file_path names the view 01_01"])
 
+    def test_cameras_of_a_scene(self):
+        self.hmlfc(*"synth --scene cards --grid 2x2 --size 40x30 -o scene --rig scene.json".split())
+        self.hmlfc(*"encode scene -o scene.hmlfc --rig scene.json".split())
+        text = (self.folder / "scene.json").read_text()
+        self.assertEqual(self.hmlfc("info", "scene.hmlfc", "--rig"), text)
+        (left, top, _), (right, bottom, _) = json.loads(text)["positions"][0::3]
+        self.assertEqual((left, top), (-right, -bottom))
+        self.refused(USAGE, *"synth --scene flat --grid 2x2 --size 40x30 -o flat --rig x.json".split(), says=["--rig"])
+
     def test_files_that_hold_no_rig(self):
         encode = "encode views -o x.hmlfc --rig bad.json".split()
         self.write("bad.json", {**RIG, "positions": POSITIONS[:3]})
