@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import signal
 import socket
 import struct
@@ -111,13 +112,31 @@ class View(CliTest):
                 else:
                     self.assertEqual(arrays["steps"][at], 0)
 
+    def test_key_images_are_known(self):
+        server = self.serve("a.hmlfc")
+        keys = server.json("stream")["levels"][-1]["keys"]
+        self.assertTrue(0 < len(keys) < 12)
+        for row in range(3):
+            for col in range(4):
+                place = ["--view", f"{row},{col}", "--plane", "Y", "--block", "0,0"]
+                kind = self.hmlfc_json("inspect", "a.hmlfc", *place)["levels"][-1]["kind"]
+                self.assertEqual(kind == "key", [row, col] in keys)
+                states = set(server.json("blocks", {"view": f"{row},{col}", "plane": "Y"})["states"])
+                self.assertEqual(states == {4}, kind == "key")
+
     def test_disparities_are_those_of_the_command(self):
-        self.hmlfc("disparity", "a.hmlfc", "--view", "2,0", "-o", "map.pfm")
-        numbers = struct.unpack(f"<{72 * 48}f", (self.folder / "map.pfm").read_bytes()[-4 * 72 * 48 :])
-        found = self.serve("a.hmlfc").json("blocks", {"view": "2,0", "plane": "Y"})["disparities"]
-        expected = [numbers[72 * (47 - 4 * y) + 4 * x] for y in range(12) for x in range(18)]
-        self.assertGreater(len(set(found)), 2)
-        self.assertEqual([number or 0 for number in found], expected)
+        shares = set()
+        for file in "a.hmlfc", "tree.hmlfc":
+            said = self.hmlfc("disparity", file, "--view", "2,0", "-o", "map.pfm")
+            numbers = struct.unpack(f"<{72 * 48}f", (self.folder / "map.pfm").read_bytes()[-4 * 72 * 48 :])
+            found = self.serve(file).json("blocks", {"view": "2,0", "plane": "Y"})["disparities"]
+            expected = [numbers[72 * (47 - 4 * y) + 4 * x] for y in range(12) for x in range(18)]
+            self.assertEqual([number or 0 for number in found], expected)
+            share = 100 * sum(number is not None for number in found) / len(found)
+            known = re.search(r"known for (\S+) %|disparity unknown", said)
+            self.assertEqual(f"{share:.1f}", known[1] or "0.0")
+            shares.add(share)
+        self.assertEqual(len(shares), 2)
 
     def test_differences_from_the_original(self):
         server = self.serve("a.hmlfc", "--original", "views")
