@@ -43,7 +43,7 @@ def encode(
     threads: int = 0,
     progress: Optional[Callable[[int, int], None]] = None,
 ) -> bytes:
-    """A stream of `views`: the bytes that `hmlfc encode` writes, for any number of threads.
+    """A stream of `views`: the bytes that `hmlfc encode --no-rig` writes, for any number of threads.
 
     views: array (rows, cols, height, width, 3) of uint8, or of uint16 with `depth`; or a folder of images
     depth: bits a sample, [8, 12]
