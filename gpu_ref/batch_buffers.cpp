@@ -161,7 +161,7 @@ uint64_t max_requests(const Device::State& device, const BlockSizes& sizes, bool
   // A status and the samples twice, on the device and on the host; three lanes of pixels.
   const uint64_t bytes = kRequestBytes + sizes.entry_bytes() + 8 + 4 * sizes.sample_bytes() +
                          (trace ? 2 * sizes.stage_bytes() : 0);
-  const uint64_t budget = std::min(kSubmissionBytes, device.max_buffer_bytes);
+  const uint64_t budget = std::min(device.submission_bytes, device.max_buffer_bytes);
   const uint64_t invocations = kMaxInvocations / std::max(sizes.sample_words, sizes.levels);
   return std::min({budget / bytes, invocations, kMaxRequests});
 }

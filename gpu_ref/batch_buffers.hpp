@@ -6,9 +6,10 @@
 #include <span>
 #include <vector>
 
+#include <hmlfc/gpu/decoder.hpp>
+
 #include "arguments.hpp"
 #include "buffer.hpp"
-#include "gpu_decoder.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
@@ -55,9 +56,6 @@ class GrowingBuffer {
   Memory memory_;
   std::optional<Buffer> buffer_;
 };
-
-/// Device memory that a submission may take beside the stream.
-inline constexpr uint64_t kSubmissionBytes = uint64_t{512} << 20;
 
 /// Sizes that follow from the stream.
 struct BlockSizes {

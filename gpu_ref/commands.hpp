@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include <hmlfc/gpu/decoder.hpp>
+
 #include "arguments.hpp"
 #include "buffer.hpp"
 #include "device_state.hpp"
-#include "gpu_decoder.hpp"
 
 namespace hmlfc::gpu {
 

@@ -1,4 +1,4 @@
-#include "gpu_decoder.hpp"
+#include <hmlfc/gpu/decoder.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -7,8 +7,11 @@
 
 #include "arithmetic/rounding.hpp"
 #include "batch_buffers.hpp"
+#include "block_stages.hpp"
 #include "commands.hpp"
+#include "decoder/open_stream.hpp"
 #include "device_stream.hpp"
+#include "stage_times.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -185,6 +188,10 @@ struct GpuDecoder::State {
 
 Outcome<GpuDecoder> GpuDecoder::open(Device& device, const StreamView& stream) {
   return guard_device([&] { return GpuDecoder(std::make_shared<State>(device.state(), stream)); });
+}
+
+Outcome<GpuDecoder> GpuDecoder::open(Device& device, const Decoder& stream) {
+  return open(device, DecoderAccess::stream(stream));
 }
 
 Outcome<Blocks> GpuDecoder::decode(std::span<const BlockArea> areas) {

@@ -11,7 +11,8 @@
 
 #include <vulkan/vulkan_raii.hpp>
 
-#include "device.hpp"
+#include <hmlfc/gpu/device.hpp>
+
 #include "kernel_cache.hpp"
 
 namespace hmlfc::gpu {

@@ -3,11 +3,13 @@
 #include <string>
 #include <vector>
 
+#include <hmlfc/gpu/renderer.hpp>
+
 #include "batch_buffers.hpp"
+#include "block_stages.hpp"
 #include "decoder/open_stream.hpp"
 #include "device_state.hpp"
 #include "gpu/gpu_test.hpp"
-#include "gpu_renderer.hpp"
 #include "hazards.hpp"
 #include "render/render_cases.hpp"
 #include "stimulus/random_stream.hpp"
