@@ -86,6 +86,7 @@ class GpuDecoder {
   void limit_submissions(uint64_t blocks);
 
  private:
+  friend struct GpuDecoderAccess;
   struct State;
   explicit GpuDecoder(std::shared_ptr<State> state) : state_(std::move(state)) {}
   std::shared_ptr<State> state_;  // of all copies
