@@ -36,9 +36,9 @@ def run(*command, code=0, **options):
 
 
 class Installation:
-    def __init__(self, cmake, build, compiler, libdir):
+    def __init__(self, cmake, build, compiler, libdir, work="consumer"):
         self.cmake, self.compiler = cmake, compiler
-        self.work = Path(build).resolve() / "consumer"
+        self.work = Path(build).resolve() / work
         shutil.rmtree(self.work, ignore_errors=True)
         first = self.work / "prefix"
         run(cmake, "--install", build, "--prefix", first)
