@@ -34,6 +34,14 @@ if(TARGET hmlfc_cli)
   install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/vectors")
 endif()
 
+# The package for Python, where Debian's interpreter looks for it if the prefix is /usr.
+if(TARGET hmlfc_python)
+  set(python_dir "lib/python3/dist-packages/hmlfc")
+  install(TARGETS hmlfc_python LIBRARY DESTINATION "${python_dir}")
+  install(DIRECTORY tools/python/hmlfc/ DESTINATION "${python_dir}"
+    FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+endif()
+
 # For simulators (docs/checker.md): the golden model behind DPI-C, the checker and its example.
 if(TARGET hmlfc_dpi_shared)
   install(TARGETS hmlfc_dpi_shared LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")

@@ -118,6 +118,21 @@ void write_ppm(const char* path, const hmlfc::StreamHeader& header, const uint8_
   }
 }
 
+// Submits both, the second for when the first is done, and waits.
+void run(const Vulkan& vulkan, const vk::raii::CommandBuffers& commands) {
+  const vk::SemaphoreTypeCreateInfo timeline(vk::SemaphoreType::eTimeline, 0);
+  const vk::raii::Semaphore done(*vulkan.device, vk::SemaphoreCreateInfo({}, &timeline));
+  const uint64_t steps[] = {1, 2};  // decoded, copied
+  const vk::PipelineStageFlags waiting = Stage::eTransfer;
+  const vk::TimelineSemaphoreSubmitInfo first(0, nullptr, 1, &steps[0]);
+  const vk::TimelineSemaphoreSubmitInfo second(1, &steps[0], 1, &steps[1]);
+  vulkan.queue->submit({vk::SubmitInfo(0, nullptr, nullptr, 1, &*commands[0], 1, &*done, &first),
+                        vk::SubmitInfo(1, &*done, &waiting, 1, &*commands[1], 1, &*done, &second)});
+  if (vulkan.device->waitSemaphores({{}, *done, steps[1]}, UINT64_MAX) != vk::Result::eSuccess) {
+    throw std::runtime_error("the device does not answer");
+  }
+}
+
 void decode(const Vulkan& vulkan, const hmlfc::Decoder& stream, hmlfc::ViewPos view,
             const char* path) {
   const hmlfc::StreamHeader& header = stream.header();
@@ -154,17 +169,7 @@ void decode(const Vulkan& vulkan, const hmlfc::Decoder& stream, hmlfc::ViewPos v
                               vk::MemoryBarrier(Access::eTransferWrite, Access::eHostRead), {}, {});
   commands[1].end();
 
-  const vk::SemaphoreTypeCreateInfo timeline(vk::SemaphoreType::eTimeline, 0);
-  const vk::raii::Semaphore done(device, vk::SemaphoreCreateInfo({}, &timeline));
-  const uint64_t steps[] = {1, 2};  // decoded, copied
-  const vk::PipelineStageFlags waiting = Stage::eTransfer;
-  const vk::TimelineSemaphoreSubmitInfo first(0, nullptr, 1, &steps[0]);
-  const vk::TimelineSemaphoreSubmitInfo second(1, &steps[0], 1, &steps[1]);
-  vulkan.queue->submit({vk::SubmitInfo(0, nullptr, nullptr, 1, &*commands[0], 1, &*done, &first),
-                        vk::SubmitInfo(1, &*done, &waiting, 1, &*commands[1], 1, &*done, &second)});
-  if (device.waitSemaphores({{}, *done, steps[1]}, UINT64_MAX) != vk::Result::eSuccess) {
-    throw std::runtime_error("the device does not answer");
-  }
+  run(vulkan, commands);
   for (const uint8_t status : recording.statuses()) {
     if (status != 0) throw std::runtime_error(error_name(hmlfc::ErrorCode{status}).data());
   }

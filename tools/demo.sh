@@ -31,6 +31,7 @@ run_demo() {
   demo_table_row main "$out/cards-main.json" "${microseconds[0]}"
   demo_table_row extended "$out/cards-extended.json" "${microseconds[1]}"
   printf '\n%s\n' "$(cat "$out/orbit.txt")"
+  printf 'Look through it in a browser: ./run view %s\n' "${out#"$root/"}/cards-extended.hmlfc"
 }
 
 demo_table_head() {

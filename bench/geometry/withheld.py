@@ -13,6 +13,7 @@ SEARCHED = 3  # of these, on which the best plane is searched
 MARGIN = 16  # pixels at each border, which the focal plane may move out of the views (RAY-5)
 CROP = 96, 72  # pixels of each part of the picture
 SCALE = 3
+FLAT = "scene flat"  # blank: its true plane is 0
 
 
 class Withheld:
@@ -69,10 +70,13 @@ class Withheld:
                 (cameras, "plane"), (cameras, "stream"), ([(k, 0) for k in views], "stream")
             )
         )
-        return {
+        row = {
             "light_field": self.name, "quality": quality, "views": len(self.views), "focus": focus,
             "plane": plane, "geometry": stream, "geometry_focus_0": unfocused,
         }
+        if self.name == FLAT:
+            row["plane_focus_0"] = self.psnr(self.errors([(k, 0) for k in views], "plane"), views)
+        return row
 
 
 def inner(view):

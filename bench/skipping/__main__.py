@@ -26,17 +26,18 @@ except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy, python3-pil and python3-matplotlib")
 
 PROGRAMS = (HMLFC, built("bench_skipping"), built("bench_skipping_exhaustive"))
-GROUPS = ("paths", "costs", "effort")
+GROUPS = ("paths", "geometry", "costs", "effort")
 
 
 def measure(programs, work, quick):
     require("skipping", *programs)
     measuring = Measure(programs, work, quick)
-    results = {"machine": machine(), "paths": []}
+    results = {"machine": machine(), "paths": [], "geometry": []}
     for scene in ("cards", "flat") if quick else SCENES:
         for profile in PROFILES:
             say(f"frames of {scene}, profile {profile}")
             results["paths"] += measuring.frames(scene, profile)
+            results["geometry"] += measuring.geometry(scene, profile)
     say("cost of one request")
     results["costs"] = list(measuring.costs())
     say("effort of encoding")

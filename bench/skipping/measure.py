@@ -10,6 +10,7 @@ SCENES = ("cards", "knights", "glass", "flat", "noise")
 PROFILES = {"main": ["--profile", "main"], "extended": ["--preset", "fast"]}
 PATHS = ("orbit", "line", "dolly")
 GAPS = (0, 1024, 16384)  # bytes between ranges that one request may span
+GEOMETRY_COUNTS = ("looked_up", "needed", "decoded", "bytes")
 FRAMES = {False: 16, True: 4}
 GRID, SIZE = "9x9", (96, 64)
 GRIDS = {False: ("9x9", "17x17", "33x33", "64x64"), True: ("9x9", "17x17")}
@@ -42,18 +43,25 @@ class Measure:
         command = [program, "encode", folder, "-o", stream, "--threads", 1, "--json", *options]
         return stream, json.loads(run(command)[0])
 
-    def frames(self, scene, profile):
+    def frames(self, scene, profile, geometry="plane"):
         """For each path, cold and warm: what its frames need and what is skipped."""
         stream, facts = self.encode(self.synth(scene, GRID, *SIZE), PROFILES[profile])
         rows = []
         for path in PATHS:
             for client in ("cold", "warm"):
-                found = self.drawn(stream, path, FRAMES[self.quick], min(SIZE), client)
+                found = self.drawn(stream, path, FRAMES[self.quick], min(SIZE), client, geometry)
                 rows.append({
                     "scene": scene, "profile": profile, "path": path, "client": client,
                     "file_bytes": facts["bytes"], "blocks": self.blocks(stream, facts),
                     "frames": columns(list(traced(found, client))),
                 })
+        return rows
+
+    def geometry(self, scene, profile):
+        """The same frames with geometry."""
+        rows = self.frames(scene, profile, "stream")
+        for row in rows:
+            row["frames"] = {key: row["frames"][key] for key in GEOMETRY_COUNTS}
         return rows
 
     def blocks(self, stream, facts):
@@ -102,8 +110,8 @@ class Measure:
             "view": {**_request(views, key_end), "decoded": views[0]["decoded"]},
         }
 
-    def drawn(self, stream, path, frames, side, client):
-        command = [self.bench, "frames", stream, path, frames, side, client]
+    def drawn(self, stream, path, frames, side, client, geometry="plane"):
+        command = [self.bench, "frames", stream, path, frames, side, client, geometry]
         found = json.loads(run(command)[0])
         check(client, found)
         return found

@@ -1,10 +1,10 @@
 // What frames and single blocks need of a stream, and what is skipped
 // (bench/skipping/__main__.py runs it).
 //
-// Usage: bench_skipping frames FILE.hmlfc PATH FRAMES SIDE cold|warm
+// Usage: bench_skipping frames FILE.hmlfc PATH FRAMES SIDE cold|warm plane|stream
 //          draws FRAMES square frames along PATH: orbit, line, dolly (forwards from the middle of
 //          the grid) or view (the middle view). cold: each frame with a new decoder and renderer;
-//          warm: all with the same.
+//          warm: all with the same. plane, stream: as --geometry of `hmlfc render`.
 //        bench_skipping block FILE.hmlfc RUNS
 //          decodes the middle block of Y of the middle view RUNS times, each with a new decoder.
 // Both run on one thread and print JSON. `reads` are the distinct reads of the file, [offset,
@@ -25,6 +25,7 @@
 #include "common/program.hpp"
 #include "io/files.hpp"
 #include "render/frame_stages.hpp"
+#include "render/golden_displacements.hpp"
 #include "render/view_cache.hpp"
 #include "terminal/clock.hpp"
 
@@ -91,7 +92,7 @@ struct NeededBlocks {
 NeededBlocks needed_blocks(const Decoder& decoder, const FrameRecord& record) {
   ViewCache cache(decoder.header(), 0, false);
   cache.begin_frame();
-  plan_frame(record, 0, decoder.header(), CellDisplacements{}, cache);
+  plan_frame(record, 0, decoder.header(), golden_displacements(decoder, record, 0), cache);
   NeededBlocks counts;
   for (CachedView* view : cache.used()) {
     view->derive_chroma();
@@ -153,14 +154,16 @@ Json draw_frames(const std::vector<std::string>& arguments) {
   const int frames = std::stoi(arguments[3]);
   const auto side = static_cast<uint32_t>(std::stoi(arguments[4]));
   const bool warm = arguments[5] == "warm";
+  const bool geometry = arguments[6] == "stream";
   const Decoder golden = open(file);
   const StreamHeader& header = golden.header();
   Reads reads;
   std::unique_ptr<Client> client;
   Json rows = Json::array();
   for (int k = 0; k < frames; ++k) {
-    const auto record =
-        value_of(frame_record(camera_of(arguments[2], header, k, frames, side), header));
+    Camera camera = camera_of(arguments[2], header, k, frames, side);
+    camera.geometry = geometry ? GeometrySource::kStream : GeometrySource::kPlane;
+    const FrameRecord record = value_of(frame_record(camera, header));
     const NeededBlocks needed = needed_blocks(golden, record);
     if (!client || !warm) client = std::make_unique<Client>(open(file, &reads));
     reads.reset();
@@ -178,6 +181,7 @@ Json draw_frames(const std::vector<std::string>& arguments) {
                     {"reused", frame.counts.blocks_reused},
                     {"zero", needed.zero},
                     {"cpu_seconds", seconds}});
+    if (geometry) rows.back()["looked_up"] = frame.counts.disparities_looked_up;
     reads.add_to(rows.back());
   }
   return rows;
@@ -215,13 +219,13 @@ Json decode_block(const std::vector<std::string>& arguments) {
 
 int run(const std::vector<std::string>& arguments) {
   Json made;
-  if (arguments.size() == 6 && arguments[0] == "frames") {
+  if (arguments.size() == 7 && arguments[0] == "frames") {
     made = draw_frames(arguments);
   } else if (arguments.size() == 3 && arguments[0] == "block") {
     made = decode_block(arguments);
   } else {
     throw std::invalid_argument(
-        "usage: frames FILE PATH FRAMES SIDE cold|warm, or block FILE RUNS");
+        "usage: frames FILE PATH FRAMES SIDE cold|warm plane|stream, or block FILE RUNS");
   }
   fmt::print("{}\n", made.dump());
   return 0;

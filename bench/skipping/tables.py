@@ -47,6 +47,15 @@ def _frames(results):
     return table((*head, "decoded", "reused", "zero", "bytes touched", "% of file", "CPU ms"), rows)
 
 
+def _geometry(results):
+    rows = []
+    for plane, path in zip(results["paths"], results["geometry"]):
+        pairs = [f"{mean(of, key):.0f}" for key in ("needed", "bytes") for of in (plane, path)]
+        rows.append((*(path[key] for key in PATH), f"{mean(path, 'looked_up'):.0f}", *pairs))
+    head = [f"{what}, {of}" for what in ("needed", "bytes touched") for of in ("plane", "geometry")]
+    return table((*PATH[:-1], "renderer", "disparities looked up", *head), rows)
+
+
 def _cost(results):
     rows = []
     for cost in results["costs"]:
@@ -104,6 +113,7 @@ def _latency(results):
 TITLES = {
     "The recorded run": _run,
     "Frames, mean of a path": _frames,
+    "The same frames with geometry, mean of a path": _geometry,
     "Cost of one request": _cost,
     "The encoder's search": _effort,
     "Range requests of a frame, mean of a path": _requests,

@@ -14,10 +14,11 @@ Ray ray_of_pixel(ivec2 at) {
   return ray;
 }
 
-/// The ray through the middle of cell `cell`.
+/// The ray of cell `cell`, through its middle, or the last pixel where that is beyond it.
 Ray ray_of_cell(ivec2 cell) {
   const FrameRecord f = frame().record;
-  return trace(f, 8 * cell.x + 4 - f.frame_width, 8 * cell.y + 4 - f.frame_height);
+  return trace(f, min(8 * cell.x + 4 - f.frame_width, f.frame_width - 1),
+               min(8 * cell.y + 4 - f.frame_height, f.frame_height - 1));
 }
 
 /// E of the cell of pixel `at` of the frame; 0 without geometry.

@@ -36,6 +36,35 @@ class BlockBits {
     return (words_[size_t{by} * row_words_ + bx / 64] >> (bx % 64) & 1) != 0;
   }
 
+  /// Adds blocks [begin, end) of row `by`, at least one.
+  void set_range(uint32_t begin, uint32_t end, uint32_t by) {
+    for (uint32_t word = begin / 64; word <= (end - 1) / 64; ++word) {
+      add(size_t{by} * row_words_ + word, bits_of_range(word, begin, end));
+    }
+  }
+
+  /// Whether blocks [begin, end) of row `by`, at least one, are all there.
+  bool has_range(uint32_t begin, uint32_t end, uint32_t by) const {
+    for (uint32_t word = begin / 64; word <= (end - 1) / 64; ++word) {
+      if ((bits_of_range(word, begin, end) & ~words_[size_t{by} * row_words_ + word]) != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Makes this the set of blocks (bx >> 1, by >> 1) of the blocks of `finer`, which has at most
+  /// twice as many columns and rows.
+  void set_halves(const BlockBits& finer) {
+    clear();
+    for (size_t at = 0; at < finer.words_.size(); ++at) {
+      if (finer.words_[at] == 0) continue;
+      const size_t by = at / finer.row_words_;
+      const size_t word = at % finer.row_words_;
+      words_[by / 2 * row_words_ + word / 2] |= halves(finer.words_[at]) << (word % 2 * 32);
+    }
+  }
+
   /// Removes all blocks.
   void clear() { std::fill(words_.begin(), words_.end(), uint64_t{0}); }
 
@@ -101,6 +130,24 @@ class BlockBits {
   }
 
  private:
+  // The bits of columns [begin, end) that lie in word `word` of a row, which has some of them.
+  static constexpr uint64_t bits_of_range(uint32_t word, uint32_t begin, uint32_t end) {
+    uint64_t bits = ~uint64_t{0};
+    if (word == begin / 64) bits &= bits << (begin % 64);
+    if (word == (end - 1) / 64) bits &= ~uint64_t{0} >> (63 - (end - 1) % 64);
+    return bits;
+  }
+
+  // Bit k, in [0, 31]: whether bit 2k or 2k + 1 of `bits` is set.
+  static constexpr uint64_t halves(uint64_t bits) {
+    bits = (bits | bits >> 1) & 0x5555555555555555;
+    bits = (bits | bits >> 1) & 0x3333333333333333;
+    bits = (bits | bits >> 2) & 0x0F0F0F0F0F0F0F0F;
+    bits = (bits | bits >> 4) & 0x00FF00FF00FF00FF;
+    bits = (bits | bits >> 8) & 0x0000FFFF0000FFFF;
+    return (bits | bits >> 16) & 0x00000000FFFFFFFF;
+  }
+
   void add(size_t at, uint64_t bits) {
     const std::atomic_ref<uint64_t> word(words_[at]);
     if ((bits & ~word.load(std::memory_order_relaxed)) != 0) {

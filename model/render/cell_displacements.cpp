@@ -1,11 +1,12 @@
 #include "render/cell_displacements.hpp"
 
-#include <map>
-#include <tuple>
-
-#include <hmlfc/disparity.hpp>
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
 
 #include "bits/parallel.hpp"
+#include "render/cell_kernels.hpp"
 
 namespace hmlfc {
 namespace {
@@ -38,33 +39,59 @@ class MapLookup {
   std::array<Entry, size_t{kSide} * kSide> entries_;
 };
 
-}  // namespace
+// Finds rows of cells for one task.
+class CellRows {
+ public:
+  CellRows(const FrameRecord& record, unsigned block_log2, DisparityCache& cache)
+      : record_(record),
+        block_log2_(block_log2),
+        maps_(cache),
+        rays_(static_cast<size_t>(cells_along(record.frame_width))),
+        weights_(static_cast<size_t>(cells_along(record.frame_width))),
+        blocks_(static_cast<size_t>(cells_along(record.frame_width))) {
+    for (auto& told : told_) told.resize(static_cast<size_t>(cells_along(record.frame_width)));
+  }
 
-CellDisplacements golden_displacements(const Decoder& decoder, const FrameRecord& record,
-                                       int stop_level) {
-  CellDisplacements found;
-  if (!has_geometry(record, stop_level)) return found;
-  const unsigned log2 = decoder.header().block_log2;
-  using Block = std::tuple<uint32_t, uint32_t, uint32_t, uint32_t>;
-  std::map<Block, BlockDisparity> told;  // of each block that is looked up
-  const auto look_up = [&](ViewPos view, uint32_t x, uint32_t y) {
-    const auto [at, is_new] =
-        told.try_emplace({view.row, view.col, y >> log2, x >> log2}, BlockDisparity{});
-    if (is_new) {
-      const auto disparity = block_disparity(decoder, view, x >> log2, y >> log2);
-      if (disparity) at->second = *disparity;
-    }
-    return at->second;
-  };
-  found.columns = cells_along(record.frame_width);
-  for (int32_t cj = 0; cj < cells_along(record.frame_height); ++cj) {
-    for (int32_t ci = 0; ci < found.columns; ++ci) {
-      found.cells.push_back(cell_displacement(record, ci, cj, look_up));
+  // Writes E of the cells of row `cj`, which are 0, to `cells`.
+  void find(int32_t cj, int32_t* cells) {
+    trace_row(record_, row_of_cells(record_, cj), rays_);
+    for (const RayRun& run : rays_.runs()) {
+      find_weights(record_, rays_, run, weights_);
+      size_t view = 0;
+      for (int32_t row = run.first_row; row <= run.last_row; ++row) {
+        for (int32_t col = run.first_col; col <= run.last_col; ++col) {
+          ask({static_cast<uint32_t>(row), static_cast<uint32_t>(col)}, run, told_[view++]);
+        }
+      }
+      choose_displacements(record_, run, weights_, told_, cells);
     }
   }
-  found.blocks_looked_up = told.size();
-  return found;
-}
+
+ private:
+  // What `view` proposes to the cells of `run`.
+  void ask(ViewPos view, const RayRun& run, std::vector<int32_t>& told) {
+    const auto begin = static_cast<size_t>(run.begin);
+    const auto cells = static_cast<size_t>(run.end - run.begin);
+    const auto part = [&](std::vector<int32_t>& row) {
+      return std::span(row).subspan(begin, cells);
+    };
+    std::ranges::fill(part(told), kNoDisparity);
+    for (int step = 0; step < kDisplacementSteps; ++step) {
+      locate_blocks(record_, rays_, run, view, block_log2_, told, blocks_);
+      maps_.at(view).look_up(part(blocks_.bx), part(blocks_.by), part(told));
+    }
+  }
+
+  const FrameRecord& record_;
+  unsigned block_log2_;
+  MapLookup maps_;
+  RowRays rays_;
+  RunTaps weights_;  // without taps
+  CellBlocks blocks_;
+  ToldByViews told_;
+};
+
+}  // namespace
 
 void find_displacements(const FrameRecord& record, int stop_level, unsigned block_log2,
                         DisparityCache& cache, CellDisplacements& found) {
@@ -73,16 +100,12 @@ void find_displacements(const FrameRecord& record, int stop_level, unsigned bloc
   if (!has_geometry(record, stop_level)) return;
   found.columns = cells_along(record.frame_width);
   const auto rows = static_cast<size_t>(cells_along(record.frame_height));
-  const auto columns = static_cast<size_t>(found.columns);
-  found.cells.resize(columns * rows);
+  found.cells.resize(static_cast<size_t>(found.columns) * rows);
   parallel_for_parts(rows, kTaskCellRows, [&](size_t begin, size_t end) {
-    MapLookup maps(cache);
-    const auto look_up = [&](ViewPos view, uint32_t x, uint32_t y) {
-      return maps.at(view).look_up(x >> block_log2, y >> block_log2);
-    };
-    for (size_t at = begin * columns; at < end * columns; ++at) {
-      found.cells[at] = cell_displacement(record, static_cast<int32_t>(at % columns),
-                                          static_cast<int32_t>(at / columns), look_up);
+    CellRows finder(record, block_log2, cache);
+    for (size_t cj = begin; cj < end; ++cj) {
+      finder.find(static_cast<int32_t>(cj),
+                  found.cells.data() + cj * static_cast<size_t>(found.columns));
     }
   });
   found.blocks_looked_up = cache.blocks_looked_up();

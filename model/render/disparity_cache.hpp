@@ -7,54 +7,47 @@
 #include <memory>
 #include <mutex>
 #include <shared_mutex>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include <hmlfc/decoder.hpp>
-#include <hmlfc/disparity.hpp>
-
-#include "render/block_bits.hpp"
 
 namespace hmlfc {
 
 struct StreamView;
 
 /// The disparity map of one view. It is read in pages of rows, each when one of its blocks is first
-/// looked up. Thread-safe.
+/// looked up. Several threads may look up at once.
 class ViewDisparities {
  public:
   ViewDisparities(const StreamView& stream, ViewPos view);
 
-  /// What block (`bx`, `by`) of plane Y tells, of confidence 0 where it has an error; notes that
-  /// the frame looks it up (SRF-5).
-  const BlockDisparity& look_up(uint32_t bx, uint32_t by) {
-    looked_up.set(bx, by);
-    Page& page = pages_[by / kPageBlockRows];
-    const BlockDisparity* blocks = page.blocks.load(std::memory_order_acquire);
-    if (blocks == nullptr) blocks = read(page, by / kPageBlockRows * kPageBlockRows);
-    return blocks[size_t{by % kPageBlockRows} * columns_ + bx];
-  }
+  /// Writes to `told` what blocks (bx[i], by[i]) of plane Y tell, or kNoDisparity where that is
+  /// nothing or an error; notes that the frame looks them up (SRF-5). All spans have one length.
+  void look_up(std::span<const int32_t> bx, std::span<const int32_t> by, std::span<int32_t> told);
 
-  BlockBits looked_up;                 ///< by the frame
-  uint64_t frame = 0;                  ///< the last one that used the map
-  std::atomic<size_t> bytes_read = 0;  ///< of pages in memory
+  /// Begins frame `number`, unless that has begun: it has looked up nothing yet.
+  void begin_frame(uint64_t number);
+
+  uint64_t frame() const { return frame_; }  ///< the last one begun
+  uint64_t blocks_looked_up() const;         ///< by that frame
+  size_t bytes_read() const { return bytes_read_; }
 
  private:
   static constexpr uint32_t kPageBlockRows = 16;
 
-  struct Page {
-    std::atomic<const BlockDisparity*> blocks = nullptr;  // of `rows`, when they are there
-    std::vector<BlockDisparity> rows;
-  };
-
-  // Reads the rows of `page` from `first` on, unless another thread has; returns its blocks.
-  const BlockDisparity* read(Page& page, uint32_t first);
+  // The disparities of row `by`, read with its page unless another thread has.
+  const int32_t* read(uint32_t by);
 
   const StreamView& stream_;
   ViewPos view_;
   uint32_t columns_;
-  uint32_t rows_;
-  std::vector<Page> pages_;
+  uint64_t frame_ = 0;
+  std::vector<uint8_t> looked_up_;                 // by block; 1 or 0
+  std::vector<std::atomic<const int32_t*>> rows_;  // null before they are read
+  std::vector<std::vector<int32_t>> pages_;        // the rows of each page
+  std::atomic<size_t> bytes_read_ = 0;
   std::mutex reading_;
 };
 

@@ -116,7 +116,6 @@ class RowPlanner {
         displaced_(displaced),
         views_(cache, header, stop_level),
         rays_(static_cast<size_t>(record.frame_width)),
-        runs_(static_cast<size_t>(record.frame_width)),
         taps_(static_cast<size_t>(record.frame_width)),
         x_(kMaxAxisViews, AxisBlocks(header.block_log2)),
         y_(header.block_log2),
@@ -125,11 +124,9 @@ class RowPlanner {
   // Returns the number of pixels of views that row `j` reads.
   uint64_t plan(int32_t j) {
     uint64_t reads = 0;
-    trace_row(record_, j, rays_);
+    trace_row(record_, row_of_pixels(record_, j), rays_);
     rays_.displace(displaced_, j);
-    const int32_t runs = find_runs(record_, rays_, runs_.data());
-    for (int32_t k = 0; k < runs; ++k) {
-      const RayRun& run = runs_[static_cast<size_t>(k)];
+    for (const RayRun& run : rays_.runs()) {
       find_taps(record_, rays_, run, taps_);
       mark_run(run);
       reads += count_reads(run, taps_);
@@ -159,7 +156,6 @@ class RowPlanner {
   const CellDisplacements& displaced_;
   ViewLookup views_;
   RowRays rays_;
-  std::vector<RayRun> runs_;
   RunTaps taps_;
   std::vector<AxisBlocks> x_;
   AxisBlocks y_;

@@ -21,22 +21,19 @@ class RowSampler {
         interpolated_(record.filter == static_cast<int32_t>(Filter::kQuadrilinear)),
         views_(cache, header, stop_level),
         rays_(static_cast<size_t>(record.frame_width)),
-        runs_(static_cast<size_t>(record.frame_width)),
         taps_(static_cast<size_t>(record.frame_width)),
         samples_(static_cast<size_t>(record.frame_width) * 3 + kRowSpare) {
     pixels_.two_bytes = cache.shape().sample_bytes == 2;
   }
 
   void sample(int32_t j, uint16_t* out) {
-    trace_row(record_, j, rays_);
+    trace_row(record_, row_of_pixels(record_, j), rays_);
     rays_.displace(displaced_, j);
     int32_t done = 0;
     const auto clear_to = [&](int32_t i) {  // RAY-6
       std::fill(samples_.begin() + 3 * done, samples_.begin() + 3 * i, uint16_t{0});
     };
-    const int32_t runs = find_runs(record_, rays_, runs_.data());
-    for (int32_t k = 0; k < runs; ++k) {
-      const RayRun& run = runs_[static_cast<size_t>(k)];
+    for (const RayRun& run : rays_.runs()) {
       clear_to(run.begin);
       sample(run);
       done = run.end;
@@ -63,7 +60,6 @@ class RowSampler {
   bool interpolated_;
   ViewLookup views_;
   RowRays rays_;
-  std::vector<RayRun> runs_;
   RunTaps taps_;
   RunViews pixels_;
   std::vector<uint16_t> samples_;

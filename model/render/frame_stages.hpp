@@ -9,7 +9,7 @@
 #include <hmlfc/image.hpp>
 
 #include "decoder/key_images.hpp"
-#include "render/cell_displacements.hpp"
+#include "render/displaced_cells.hpp"
 #include "render/view_cache.hpp"
 
 namespace hmlfc {

@@ -8,7 +8,7 @@
 #include "arithmetic/colour.hpp"
 #include "arithmetic/widths.hpp"
 #include "decoder/memory_guard.hpp"
-#include "render/cell_displacements.hpp"
+#include "render/golden_displacements.hpp"
 #include "render/shown_image.hpp"
 #include "render/taps.hpp"
 

@@ -12,9 +12,7 @@ namespace {
 
 bool has_all(const BlockBits& held, const BlockRect& rect) {
   for (uint32_t by = rect.by0; by < rect.by1; ++by) {
-    for (uint32_t bx = rect.bx0; bx < rect.bx1; ++bx) {
-      if (!held.has(bx, by)) return false;
-    }
+    if (!held.has_range(rect.bx0, rect.bx1, by)) return false;
   }
   return true;
 }
@@ -169,7 +167,7 @@ class PageLoader {
 
   static void hold(const BlockRect& rect, BlockBits& held) {
     for (uint32_t by = rect.by0; by < rect.by1; ++by) {
-      for (uint32_t bx = rect.bx0; bx < rect.bx1; ++bx) held.set(bx, by);
+      held.set_range(rect.bx0, rect.bx1, by);
     }
   }
 

@@ -50,6 +50,13 @@ constexpr IntVector direction(const FrameRecord& f, int32_t a, int32_t b) {
           direction(f.n0_hi.z, f.n0_lo.z, f.na_hi.z, f.na_lo.z, f.nb_hi.z, f.nb_lo.z, a, b)};
 }
 
+/// Whether the camera looks along Z: the rays of a column of pixels are then the same in x, those
+/// of a row the same in y.
+constexpr bool looks_along_z(const FrameRecord& f) {
+  return f.na_hi.y == 0 && f.na_lo.y == 0 && f.na_hi.z == 0 && f.na_lo.z == 0 && f.nb_hi.x == 0 &&
+         f.nb_lo.x == 0 && f.nb_hi.z == 0 && f.nb_lo.z == 0;
+}
+
 /// r of RAY-2: the reciprocal of n.z in [2^26, 805131608].
 constexpr int32_t reciprocal(int32_t nz) {
   const auto r = static_cast<int32_t>(((uint64_t{1} << 57) - 1) / static_cast<uint64_t>(nz));

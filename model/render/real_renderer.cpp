@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "decoder/memory_guard.hpp"
-#include "render/cell_displacements.hpp"
+#include "render/golden_displacements.hpp"
 #include "render/shown_image.hpp"
 
 namespace hmlfc {

@@ -22,6 +22,8 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
+#include <algorithm>
+
 namespace hmlfc {
 
 HWY_EXPORT(trace_row_here);
@@ -34,12 +36,35 @@ HWY_EXPORT(find_steps_here);
 HWY_EXPORT(sample_run_here);
 HWY_EXPORT(render_set_here);
 
-void trace_row(const FrameRecord& record, int32_t j, RowRays& rays) {
-  HWY_DYNAMIC_DISPATCH(trace_row_here)(record, j, rays);
+namespace {
+
+// trace_row() where the row has the columns of the row before: the rays of all its pixels are the
+// same in y.
+void trace_same_columns(const FrameRecord& record, const RayRow& row, RowRays& rays) {
+  const int32_t a = row.a_of(rays.all_runs.front().begin);
+  const auto ray = trace(record, direction(record, a, row.b));
+  rays.inside = ray.has_value();
+  if (!ray) return;
+  std::fill_n(rays.v.begin(), row.count, ray->v);
+  std::fill_n(rays.yb.begin(), row.count, ray->yb);
+  if (record.geometry != 0) std::fill_n(rays.vs.begin(), row.count, ray->vs);
+  const GridWeights rows(axis_weights(record, ray->v), record.rows);
+  for (RayRun& run : rays.all_runs) {
+    run.first_row = rows.first();
+    run.last_row = rows.last();
+  }
 }
 
-int32_t find_runs(const FrameRecord& record, RowRays& rays, RayRun* runs) {
-  return HWY_DYNAMIC_DISPATCH(find_runs_here)(record, rays, runs);
+}  // namespace
+
+void trace_row(const FrameRecord& record, const RayRow& row, RowRays& rays) {
+  rays.same_columns = looks_along_z(record) && !rays.all_runs.empty();
+  if (rays.same_columns) {
+    trace_same_columns(record, row, rays);
+  } else {
+    HWY_DYNAMIC_DISPATCH(trace_row_here)(record, row, rays);
+    HWY_DYNAMIC_DISPATCH(find_runs_here)(record, row.count, rays);
+  }
 }
 
 void find_taps(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps) {

@@ -3,22 +3,57 @@
 // on every pixel.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <hmlfc/camera.hpp>
 
-#include "render/cell_displacements.hpp"
+#include "render/displaced_cells.hpp"
 #include "render/taps.hpp"
 
 namespace hmlfc {
 
-/// The rays of a row, pixel by pixel; where a pixel is outside, u is kOutside and the others have
-/// no meaning. Equal to trace() on each.
+/// Pixels [begin, end) of a row, all inside, with weights for the same views.
+struct RayRun {
+  int32_t begin = 0;
+  int32_t end = 0;
+  int32_t first_col = 0;  ///< views with a weight: [first_col, last_col] x [first_row, last_row]
+  int32_t last_col = 0;
+  int32_t first_row = 0;
+  int32_t last_row = 0;
+};
+
+/// A row of rays: those of RAY-1 at b and at a, a + step and so on, but at `last` at most.
+struct RayRow {
+  int32_t count;  ///< [1, 4096]
+  int32_t a;
+  int32_t step;
+  int32_t last;
+  int32_t b;
+
+  /// a of ray `i`.
+  constexpr int32_t a_of(int32_t i) const { return std::min(a + step * i, last); }
+};
+
+/// Row `j` of the pixels of a frame.
+constexpr RayRow row_of_pixels(const FrameRecord& f, int32_t j) {
+  return {f.frame_width, 1 - f.frame_width, 2, f.frame_width - 1, 2 * j + 1 - f.frame_height};
+}
+
+/// Row `cj` of its cells (SRF-1).
+constexpr RayRow row_of_cells(const FrameRecord& f, int32_t cj) {
+  return {cells_along(f.frame_width), 4 - f.frame_width, 8, f.frame_width - 1,
+          ray_of_cell(cj, f.frame_height)};
+}
+
+/// The rays of a row, of pixels or of cells, which are called pixels here; outside the
+/// runs they have no meaning. Equal to trace() on each.
 struct RowRays {
-  static constexpr int32_t kOutside = -1;
+  static constexpr int32_t kOutside = -1;  ///< u of pixels that are outside
 
   /// Room for `pixels` pixels and those that vectors write after them.
   explicit RowRays(size_t pixels)
@@ -29,7 +64,9 @@ struct RowRays {
         xb(pixels + kSpare),
         yb(pixels + kSpare),
         view_keys(pixels),
-        e(pixels) {}
+        e(pixels) {
+    all_runs.reserve(pixels);
+  }
 
   static constexpr size_t kSpare = 64;
 
@@ -39,27 +76,31 @@ struct RowRays {
   std::vector<int32_t> vs;
   std::vector<int32_t> xb;
   std::vector<int32_t> yb;
-  std::vector<int32_t> view_keys;  ///< scratch of find_runs()
+  std::vector<int32_t> view_keys;  ///< scratch of trace_row()
 
-  bool displaced = false;  ///< whether the frame has geometry
-  std::vector<int32_t> e;  ///< then the displacement of each pixel's cell
+  /// Whether the row has the columns of the row traced before it: u, us, xb, and the pixels and
+  /// columns of views of its runs.
+  bool same_columns = false;
+  bool inside = true;  ///< whether any pixel is
+  std::vector<RayRun> all_runs;
+
+  bool displaced = false;   ///< whether the frame has geometry
+  std::vector<int32_t> e;   ///< then the displacement of each pixel's cell
+  int32_t cells_of_e = -1;  ///< and the row of cells that they are of
+
+  /// The runs of the row, from left to right.
+  std::span<const RayRun> runs() const {
+    return inside ? std::span<const RayRun>(all_runs) : std::span<const RayRun>();
+  }
 
   /// Sets the displacements of row `j` of a frame.
   void displace(const CellDisplacements& cells, int32_t j) {
     displaced = !cells.cells.empty();
-    if (!displaced) return;
-    for (size_t i = 0; i < e.size(); ++i) e[i] = cells.at(static_cast<int32_t>(i), j);
+    if (!displaced || cells_of_e == j >> kCellLog2) return;
+    cells_of_e = j >> kCellLog2;
+    const int32_t* row = cells.row(cells_of_e);
+    for (size_t i = 0; i < e.size(); ++i) e[i] = row[i >> kCellLog2];
   }
-};
-
-/// Pixels [begin, end) of a row, all inside, with weights for the same views.
-struct RayRun {
-  int32_t begin = 0;
-  int32_t end = 0;
-  int32_t first_col = 0;  ///< views with a weight: [first_col, last_col] x [first_row, last_row]
-  int32_t last_col = 0;
-  int32_t first_row = 0;
-  int32_t last_row = 0;
 };
 
 /// One axis of a run: for each view of the axis and each pixel of the row its taps (SMP-2) and its
@@ -89,10 +130,12 @@ struct AxisRun {
     return first[k][at] + (pixel_weights[k][at] != kFirstAlone ? 1 : 0);
   }
 
-  /// Allocates the arrays of `count` views.
-  void reserve(int32_t count) {
+  /// Makes views [first, last] those of the axis.
+  void choose(int32_t first_of_axis, int32_t last_of_axis) {
+    first_view = first_of_axis;
+    views = last_of_axis - first_of_axis + 1;
     places.resize(array_size_);
-    for (int32_t k = 0; k < count; ++k) {
+    for (int32_t k = 0; k < views; ++k) {
       if (!first[k].empty()) continue;
       for (auto* array : {&first[k], &pixel_weights[k], &weight[k]}) array->resize(array_size_);
     }
@@ -106,21 +149,24 @@ struct AxisRun {
 struct RunTaps {
   explicit RunTaps(size_t row_pixels) : cols(row_pixels), rows(row_pixels) {}
 
+  /// Makes the views of `run` those of the axes.
+  void choose(const RayRun& run) {
+    cols.choose(run.first_col, run.last_col);
+    rows.choose(run.first_row, run.last_row);
+  }
+
   AxisRun cols;
   AxisRun rows;
 };
 
-/// The rays of row `j`: trace() of each pixel.
-void trace_row(const FrameRecord& record, int32_t j, RowRays& rays);
-
-/// The runs of a row, from left to right. Writes to `runs`, which has room for one a pixel, and
-/// returns their number.
-int32_t find_runs(const FrameRecord& record, RowRays& rays, RayRun* runs);
+/// The rays of `row`, and their runs. The rows before in `rays` differ in b alone.
+void trace_row(const FrameRecord& record, const RayRow& row, RowRays& rays);
 
 /// The taps of `run` in all its views: axis_taps() of each pixel, displaced where the row is.
+/// `taps` has those of all runs of the row traced before, if any, as in find_weights().
 void find_taps(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps);
 
-/// The weights of the views of `run`, whose taps are found: GridWeights of each pixel.
+/// The weights of the views of `run`, which are those of `taps`: GridWeights of each pixel.
 void find_weights(const FrameRecord& record, const RowRays& rays, const RayRun& run, RunTaps& taps);
 
 /// The number of pixels of views that the run's pixels read.

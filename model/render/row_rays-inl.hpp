@@ -19,9 +19,9 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
-inline void trace_row_here(const FrameRecord& record, int32_t j, RowRays& rays) {
-  for (int32_t i = 0; i < record.frame_width; ++i) {
-    const auto ray = trace(record, i, j);
+inline void trace_row_here(const FrameRecord& record, const RayRow& row, RowRays& rays) {
+  for (int32_t i = 0; i < row.count; ++i) {
+    const auto ray = trace(record, direction(record, row.a_of(i), row.b));
     const auto at = static_cast<size_t>(i);
     rays.u[at] = ray ? ray->u : RowRays::kOutside;
     rays.v[at] = ray ? ray->v : 0;
@@ -142,9 +142,9 @@ struct AxisTracer {
   IntVec end;
 };
 
-inline void trace_row_here(const FrameRecord& f, int32_t j, RowRays& rays) {
+inline void trace_row_here(const FrameRecord& f, const RayRow& row, RowRays& rays) {
   const Ints ints;
-  const int32_t b = 2 * j + 1 - f.frame_height;
+  const int32_t b = row.b;
   const RowDirection x(b, f.n0_hi.x, f.n0_lo.x, f.na_hi.x, f.na_lo.x, f.nb_hi.x, f.nb_lo.x);
   const RowDirection y(b, f.n0_hi.y, f.n0_lo.y, f.na_hi.y, f.na_lo.y, f.nb_hi.y, f.nb_lo.y);
   const RowDirection z(b, f.n0_hi.z, f.n0_lo.z, f.na_hi.z, f.na_lo.z, f.nb_hi.z, f.nb_lo.z);
@@ -154,12 +154,12 @@ inline void trace_row_here(const FrameRecord& f, int32_t j, RowRays& rays) {
   // Cameras that do not turn sideways have one n.z in all pixels of a row.
   const bool one_z = f.na_hi.z == 0 && f.na_lo.z == 0;
   const IntVec row_r = reciprocals(hn::Max(z.at(hn::Zero(ints)), least_z));
-  // Pixels of the last vector past the row's end repeat its last.
-  const IntVec last_a = hn::Set(ints, f.frame_width - 1);
+  // Pixels past the row's end repeat its last.
+  const IntVec last_a = hn::Set(ints, row.last);
+  const IntVec steps = hn::Mul(hn::Set(ints, row.step), hn::Iota(ints, 0));
   const auto lanes = static_cast<int32_t>(hn::Lanes(ints));
-  for (int32_t begin = 0; begin < f.frame_width; begin += lanes) {
-    const IntVec a = hn::Min(last_a, hn::Add(hn::Set(ints, 2 * begin + 1 - f.frame_width),
-                                             hn::ShiftLeft<1>(hn::Iota(ints, 0))));
+  for (int32_t begin = 0; begin < row.count; begin += lanes) {
+    const IntVec a = hn::Min(last_a, hn::Add(hn::Set(ints, row.a + row.step * begin), steps));
     const IntVec nx = x.at(a);
     const IntVec ny = y.at(a);
     const IntVec nz = z.at(a);

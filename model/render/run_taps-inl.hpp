@@ -81,17 +81,14 @@ inline void displace(const TapAxis& axis, const int32_t* HWY_RESTRICT e, int32_t
 }
 
 inline void find_axis_taps(const FrameRecord& f, const RowRays& rays, const TapAxis& axis,
-                           int32_t first, int32_t last, const RayRun& run, AxisRun& out) {
-  out.first_view = first;
-  out.views = last - first + 1;
-  out.reserve(out.views);
+                           const RayRun& run, AxisRun& out) {
   const bool interpolated = f.filter == static_cast<int32_t>(Filter::kQuadrilinear);
   const auto last_pixel = static_cast<size_t>(run.end - 1);
   for (int32_t k = 0; k < out.views; ++k) {
     const int32_t* places = axis.base;
-    int32_t offset = axis.step * (first + k - axis.origin);
+    int32_t offset = axis.step * (out.first_view + k - axis.origin);
     if (rays.displaced) {
-      displace(axis, rays.e.data(), first + k, run.begin, run.end, out.places.data());
+      displace(axis, rays.e.data(), out.first_view + k, run.begin, run.end, out.places.data());
       places = out.places.data();
       offset = 0;
     }
@@ -106,8 +103,9 @@ inline void find_taps_here(const FrameRecord& f, const RowRays& rays, const RayR
   constexpr int32_t kColumns = 1 << 8;  // the pitch of columns
   const TapAxis x{rays.xb.data(), f.dx, f.c0, f.width, rays.us.data(), kColumns};
   const TapAxis y{rays.yb.data(), f.dy, f.r0, f.height, rays.vs.data(), f.pitch};
-  find_axis_taps(f, rays, x, run.first_col, run.last_col, run, taps.cols);
-  find_axis_taps(f, rays, y, run.first_row, run.last_row, run, taps.rows);
+  taps.choose(run);
+  if (!rays.same_columns || rays.displaced) find_axis_taps(f, rays, x, run, taps.cols);
+  find_axis_taps(f, rays, y, run, taps.rows);
 }
 
 /// One axis of find_weights: places U or V in a grid of `views` views.
@@ -133,7 +131,8 @@ inline void find_axis_weights(const FrameRecord& f, const std::vector<int32_t>& 
 
 inline void find_weights_here(const FrameRecord& f, const RowRays& rays, const RayRun& run,
                               RunTaps& taps) {
-  find_axis_weights(f, rays.u, f.cols, run, taps.cols);
+  taps.choose(run);
+  if (!rays.same_columns) find_axis_weights(f, rays.u, f.cols, run, taps.cols);
   find_axis_weights(f, rays.v, f.rows, run, taps.rows);
 }
 
@@ -234,13 +233,12 @@ struct ViewsOnAxis {
 
 inline constexpr int32_t kNoViews = -1;  // no view follows the last, 4095
 
-inline void find_view_keys(const FrameRecord& f, RowRays& rays) {
+inline void find_view_keys(const FrameRecord& f, int32_t pixels, RowRays& rays) {
   const int32_t* HWY_RESTRICT u = rays.u.data();
   const int32_t* HWY_RESTRICT v = rays.v.data();
   int32_t* HWY_RESTRICT keys = rays.view_keys.data();
   const ViewsOnAxis cols(f, f.cols);
   const ViewsOnAxis rows(f, f.rows);
-  const int32_t pixels = f.frame_width;
   for (int32_t i = 0; i < pixels; ++i) {
     const auto col_key = static_cast<uint32_t>(cols.key(u[i]));
     const auto key = static_cast<int32_t>(col_key << 16 | static_cast<uint32_t>(rows.key(v[i])));
@@ -248,29 +246,30 @@ inline void find_view_keys(const FrameRecord& f, RowRays& rays) {
   }
 }
 
-inline int32_t find_runs_here(const FrameRecord& f, RowRays& rays, RayRun* runs) {
-  find_view_keys(f, rays);
+inline void find_runs_here(const FrameRecord& f, int32_t pixels, RowRays& rays) {
+  find_view_keys(f, pixels, rays);
   const int32_t* keys = rays.view_keys.data();
-  int32_t count = 0;
-  RayRun* open = nullptr;
+  std::vector<RayRun>& runs = rays.all_runs;
+  runs.clear();
+  bool open = false;
   const auto key_at = [keys](int32_t i) { return keys[i]; };
-  for_each_change(0, f.frame_width, key_at, [&](int32_t i) {
-    if (open != nullptr) open->end = i;
-    open = nullptr;
-    if (keys[i] == kNoViews) return;
+  for_each_change(0, pixels, key_at, [&](int32_t i) {
+    if (open) runs.back().end = i;
+    open = keys[i] != kNoViews;
+    if (!open) return;
     const auto key = static_cast<uint32_t>(keys[i]);
     const auto bits = [key](unsigned at, uint32_t mask) {
       return static_cast<int32_t>(key >> at & mask);
     };
-    open = &runs[count++];
-    open->begin = i;
-    open->first_col = bits(20, 4095);
-    open->last_col = open->first_col + bits(16, 15);
-    open->first_row = bits(4, 4095);
-    open->last_row = open->first_row + bits(0, 15);
+    RayRun run;
+    run.begin = i;
+    run.first_col = bits(20, 4095);
+    run.last_col = run.first_col + bits(16, 15);
+    run.first_row = bits(4, 4095);
+    run.last_row = run.first_row + bits(0, 15);
+    runs.push_back(run);
   });
-  if (open != nullptr) open->end = f.frame_width;
-  return count;
+  if (open) runs.back().end = pixels;
 }
 
 }  // namespace HWY_NAMESPACE

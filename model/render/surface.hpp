@@ -20,6 +20,17 @@ namespace hmlfc {
 /// A cell holds 2^kCellLog2 pixels each way (SRF-1).
 inline constexpr int kCellLog2 = 2;
 
+/// a or b of the ray of cell `cell` in a frame of `pixels` pixels along this axis (SRF-1).
+///
+/// Example: of 5 pixels, at a = -4, -2, 0, 2 and 4, the cells' are at -1 and 4.
+constexpr int32_t ray_of_cell(int32_t cell, int32_t pixels) {
+  const int32_t middle = 8 * cell + 4 - pixels;
+  return middle < pixels - 1 ? middle : pixels - 1;
+}
+
+/// Steps of a view's proposal (SRF-3).
+inline constexpr int kDisplacementSteps = 2;
+
 /// Whether the frame of `record` with `stop_level` has geometry.
 constexpr bool has_geometry(const FrameRecord& record, int stop_level) {
   return record.geometry != 0 && stop_level == 0;
@@ -29,6 +40,9 @@ constexpr bool has_geometry(const FrameRecord& record, int stop_level) {
 constexpr int32_t cells_along(int32_t pixels) {
   return (pixels + (1 << kCellLog2) - 1) >> kCellLog2;
 }
+
+/// What a block without a disparity tells, where disparities are plain integers.
+inline constexpr int32_t kNoDisparity = INT32_MIN;
 
 /// The displacement that a block of disparity `told` tells (SRF-3): [-2^15, 2^15 - 1]; `focus` in
 /// [-2^16, 2^16].
@@ -61,15 +75,18 @@ constexpr int32_t displacement_in_view(int32_t e, int32_t view, int32_t us) {
   return floor_shift(product, 8);
 }
 
-/// x(c, E) of SRF-2, with E = `e`.
+/// x(c, E) of SRF-2, with E = `e`; x(c) where that is 0, as in frames without geometry, in which
+/// views of any distance have weight.
 constexpr int32_t x_in_view(const FrameRecord& f, const Ray& ray, int32_t e, int32_t col) {
+  if (e == 0) return x_in_view(f, ray.xb, col);
   const int32_t x = x_in_view(f, ray.xb, col) + displacement_in_view(e, col, ray.us);
   watch("x(c, E), y(r, E)", x);
   return x;
 }
 
-/// y(r, E) of SRF-2, with G = `g`.
+/// y(r, E) of SRF-2, with G = `g`, likewise.
 constexpr int32_t y_in_view(const FrameRecord& f, const Ray& ray, int32_t g, int32_t row) {
+  if (g == 0) return y_in_view(f, ray.yb, row);
   const int32_t y = y_in_view(f, ray.yb, row) + displacement_in_view(g, row, ray.vs);
   watch("x(c, E), y(r, E)", y);
   return y;
@@ -78,7 +95,12 @@ constexpr int32_t y_in_view(const FrameRecord& f, const Ray& ray, int32_t g, int
 /// The displacements that the views with weight propose to a cell (SRF-3).
 class Proposals {
  public:
-  /// `weight` in [1, 65536]; at most 4 proposals, whose weights sum to 65536.
+  static constexpr size_t kMost = 4;         ///< proposals
+  static constexpr int32_t kHalf = 32768;    ///< of the weight, which the median has
+  static constexpr int32_t kEnough = 40960;  ///< of the weight, which has to agree
+  static constexpr int32_t kAgreeing = 4 * kDisparityUnits;  ///< largest distance from the median
+
+  /// `weight` in [1, 65536]; at most kMost proposals, whose weights sum to 65536.
   constexpr void add(int32_t displacement, int32_t weight) {
     given_[count_++] = {displacement, weight};
   }
@@ -95,10 +117,6 @@ class Proposals {
   }
 
  private:
-  static constexpr int32_t kHalf = 32768;
-  static constexpr int32_t kEnough = 40960;
-  static constexpr int32_t kAgreeing = 4 * kDisparityUnits;
-
   struct Proposal {
     int32_t displacement = 0;
     int32_t weight = 0;
@@ -119,7 +137,7 @@ class Proposals {
     return least;
   }
 
-  std::array<Proposal, 4> given_{};
+  std::array<Proposal, kMost> given_{};
   size_t count_ = 0;
 };
 

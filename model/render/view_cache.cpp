@@ -52,15 +52,10 @@ CachedView::CachedView(ViewPos place, const ViewShape& shape, const uint8_t* mis
       rows_(size_t{shape.height} + 1, missing_row) {}
 
 void CachedView::derive_chroma() {
-  needed_chroma.clear();
-  const BlockBits none(shape_.blocks_x, shape_.blocks_y);
-  for (uint32_t by = 0; by < shape_.blocks_y; ++by) {
-    needed.for_each_run_without(none, by, [&](uint32_t begin, uint32_t end) {
-      const unsigned shift = shape_.chroma_shift;
-      for (uint32_t bx = begin >> shift; bx <= (end - 1) >> shift; ++bx) {
-        needed_chroma.set(bx, by >> shift);
-      }
-    });
+  if (shape_.chroma_shift == 0) {
+    needed_chroma = needed;
+  } else {
+    needed_chroma.set_halves(needed);
   }
 }
 

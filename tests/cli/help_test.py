@@ -5,6 +5,7 @@ import os
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -27,6 +28,7 @@ COMMANDS = {
     "render": ["--camera", "--look-at", "--fov", "--size", "--filter", "--focus", "--focus-at", "--aperture", "--path",
                "--frames", "--focal", "--shear", "--row-pitch", "--levels", "--backend", "--device", "--cache",
                "--preview", "--quality-vs-time", "--threads", "--json", "--output"],
+    "view": ["--original", "--port", "--no-browser", "--once"],
     "picture": ["view", "sheet", "difference"],
     "picture view": ["--view", "--output"],
     "picture sheet": ["--max-width", "--output"],
@@ -90,6 +92,12 @@ class Help(CliTest):
         for code in (0, 1, 2, 3, 4, 5, 77):
             self.assertRegex(self.help_of(""), rf"(?m)^  {code} ")
 
+    def serve_until_interrupted(self, arguments):
+        with subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.PIPE) as server:
+            self.assertTrue(server.stdout.readline().startswith(b"http://127.0.0.1:"))
+            server.send_signal(signal.SIGINT)
+            self.assertEqual(server.wait(timeout=60), 0)
+
     def test_examples_work(self):
         for command in COMMANDS:
             text = self.help_of(command)
@@ -100,6 +108,9 @@ class Help(CliTest):
                 arguments = shlex.split(example.replace("512x384", "136x72"))
                 self.assertEqual(arguments[: 1 + len(command.split())], ["hmlfc", *command.split()])
                 with self.subTest(example=example):
+                    if command == "view":
+                        self.serve_until_interrupted(arguments[1:])
+                        continue
                     end = arguments.index("<") if "<" in arguments else len(arguments)
                     source = arguments[-1] if "<" in arguments else os.devnull
                     with open(self.folder / source, "rb") as stdin:

@@ -38,7 +38,8 @@ def run(*command, code=0, **options):
 class Installation:
     def __init__(self, cmake, build, compiler, libdir, work="consumer"):
         self.cmake, self.compiler = cmake, compiler
-        self.work = Path(build).resolve() / work
+        self.build = Path(build).resolve()
+        self.work = self.build / work
         shutil.rmtree(self.work, ignore_errors=True)
         first = self.work / "prefix"
         run(cmake, "--install", build, "--prefix", first)
@@ -229,8 +230,22 @@ def check_components(installation):
         file.write_bytes(content)
 
 
+def check_python(installation):
+    """The installed package decodes a view; what the build cannot make is not there."""
+    package = installation.prefix / "lib" / "python3" / "dist-packages"
+    if not package.exists():
+        assert not (installation.build / "tools" / "python").exists()
+        return
+    program = f"import hmlfc; print(hmlfc.__file__, hmlfc.open('{STREAM}')[1, 2].sum())"
+    where, total = run("/usr/bin/python3", "-B", "-c", program, env={"PYTHONPATH": str(package)}).split()
+    assert where == str(package / "hmlfc" / "__init__.py"), where
+    installation.hmlfc("decode", STREAM, "--view", "1,2", "-o", installation.work / "view")
+    assert int(total) == int(np.asarray(Image.open(installation.work / "view" / "01_02.png")).sum())
+
+
 def main():
     installation = Installation(*sys.argv[1:])
+    check_python(installation)
     check_suite(installation)
     check_documents(installation)
     check_decode_unit(installation)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "render/taps.hpp"
+
 namespace hmlfc::gpu {
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include <hmlfc/camera.hpp>
 
-#include "render/cell_displacements.hpp"
+#include "render/displaced_cells.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {

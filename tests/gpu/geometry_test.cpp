@@ -29,6 +29,9 @@ constexpr uint32_t kNeverForgets[] =
 constexpr uint32_t kFirstCell[] =
 #include "faults/first_cell.inc"
     ;
+constexpr uint32_t kPastTheFrame[] =
+#include "faults/past_the_frame.inc"
+    ;
 constexpr uint32_t kNotBeside[] =
 #include "faults/not_beside.inc"
     ;
@@ -138,6 +141,7 @@ TEST_F(GpuGeometry, ChecksFindPlantedFaults) {
       {"counts again", "surface", kCountsAgain, "disparities looked up: "},
       {"never forgets", "compact", kNeverForgets, "disparities looked up: "},
       {"first cell", "render", kFirstCell, ": sample "},
+      {"past the frame", "surface", kPastTheFrame, ""},
       {"not beside", "render", kNotBeside, ": sample "},
       {"one window", "render", kOneWindow, ": sample "},
       {"not below", "mark", kNotBelow, ""},

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "decoder/open_stream.hpp"
+#include "render/golden_displacements.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -21,7 +21,7 @@ MAX_LINES = 320
 SYNTAX = {"model/bits", "model/arithmetic", "model/syntax"}
 DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast"}
 CODEC = {*DECODER, "model/render", "model/encoder"}
-TOOLS = {f"tools/{name}" for name in ("terminal", "io", "scenes", "vectors", "conform", "primitives", "cli")}
+TOOLS = {f"tools/{name}" for name in ("terminal", "io", "scenes", "vectors", "conform", "primitives", "cli", "view")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
 CHECKS = {*DECODER, "rtl/driver", "tools/io", "testbench/oracle", "testbench/stimulus"}
 TESTBENCH = {"rtl/driver", *(f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu", "view"))}
@@ -50,7 +50,9 @@ ALLOWED = {
     "tools/primitives": {*SYNTAX, "model/decoder", "tools/vectors"},
     "tools/dut": set(),
     "tools/tables": SYNTAX,
-    "tools/cli": APPLICATIONS,
+    "tools/python": {"tools/io"},
+    "tools/cli": APPLICATIONS - {"tools/view"},
+    "tools/view": APPLICATIONS,
     "testbench/oracle": DECODER,
     "testbench/stimulus": {*DECODER, "testbench/oracle", "tools/scenes", "tools/vectors"},
     "testbench/unit": CHECKS,

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 CPP_SUFFIXES = {".cpp", ".hpp", ".h"}
-SCRIPT_SUFFIXES = {".py", ".sh", ".cmake"}
+SCRIPT_SUFFIXES = {".py", ".sh", ".cmake", ".js", ".css"}
 SCRIPT_NAMES = {"run", "CMakeLists.txt"}
 GENERATED = {"build", "out", "__pycache__"}
 

@@ -101,6 +101,29 @@ TEST(CpuRenderer, RowsNeedTheBlocksOfTheGoldenRenderer) {
   }
 }
 
+// Rows of a camera that looks along Z have their columns in common; those of no other record have.
+TEST(CpuRenderer, RecordsTurnedInOneComponentEqualTheGoldenRenderer) {
+  const test::OpenedStream stream(test::random_stream(3));
+  const Decoder& decoder = *stream.decoder;
+  Camera camera;
+  camera.frame_width = 40;
+  camera.frame_height = 33;
+  const FrameRecord straight = *frame_record(camera, decoder.header());
+  const auto turned = [&](int32_t IntVector::*component, IntVector FrameRecord::*vector) {
+    FrameRecord record = straight;
+    record.*vector.*component = 1 << 21;
+    return record;
+  };
+  for (const FrameRecord& record :
+       {straight, turned(&IntVector::y, &FrameRecord::na_hi),
+        turned(&IntVector::z, &FrameRecord::na_hi), turned(&IntVector::x, &FrameRecord::nb_hi),
+        turned(&IntVector::z, &FrameRecord::nb_hi)}) {
+    const Golden golden(decoder, record, 0);
+    EXPECT_GT(golden.frame.counts.samples_interpolated, 0u);
+    expect_same(golden, *make_cpu_renderer(decoder), record, 0, "turned");
+  }
+}
+
 // A warm cache, with budgets from nothing to all: its contents never change a frame.
 TEST(CpuRenderer, SequencesOfFramesEqualTheGoldenRenderer) {
   for (uint32_t seed = 100; seed < 130; ++seed) {

@@ -15,6 +15,17 @@ int32_t chosen(std::initializer_list<std::pair<int32_t, int32_t>> proposals) {
   return all.chosen();
 }
 
+// SRF-1: the ray of a cell leads through its middle, and never past the last pixel.
+TEST(Surface, RaysOfCellsStayInTheFrame) {
+  EXPECT_EQ(ray_of_cell(0, 1), 0);
+  EXPECT_EQ(ray_of_cell(0, 2), 1);
+  EXPECT_EQ(ray_of_cell(0, 3), 1);
+  EXPECT_EQ(ray_of_cell(0, 4), 0);
+  EXPECT_EQ(ray_of_cell(0, 5), -1);
+  EXPECT_EQ(ray_of_cell(1, 5), 4);
+  EXPECT_EQ(ray_of_cell(127, 512), 508);
+}
+
 // SRF-3.
 TEST(Surface, TheMedianIsTheLeastProposalWithHalfOfTheWeight) {
   EXPECT_EQ(chosen({{-700, 65536}}), -700);

@@ -4,6 +4,7 @@ and REC-3, nothing from the width table itself."""
 
 import math
 import re
+from fractions import Fraction
 from functools import cache
 from itertools import product
 
@@ -27,8 +28,11 @@ def quantities(text, n):
     gain, origin = limit(text, "abs(gain)"), limit(text, "abs(x0)")
     parallax = limit(text, "abs(dx) * (cols - 1)")
     u0, zu = ([end << 16 for end in span] for span in (places, distances))
-    pixel = ends(2 * i + 1 - side for side in range(sides[0], sides[1] + 1) for i in (0, side - 1))
+    pixel = ends(a for side in range(sides[0], sides[1] + 1) for a in places_of_rays(side))
     low = (0, 2**12 - 1)
+    # No ray is further from the middle of its frame, in sides of it, than in the largest.
+    reach = max(Fraction(abs(a), side) for side in range(sides[0], sides[1] + 1) for a in places_of_rays(side))
+    assert reach == Fraction(sides[1] - 1, sides[1])
     normal = component(sides[1], tan_half[1])
     reciprocals = ends((2**57 - 1) // nz for nz in (2**26, normal[1]))  # not outside (RAY-2)
     slopes = shifted(aside(normal), 29)
@@ -59,6 +63,11 @@ def quantities(text, n):
         **geometry_quantities(),
         **surface_quantities(inputs, sums(picture, parallax)),
     }
+
+
+def places_of_rays(side):
+    """a of the first and the last pixel, and of the last cell (SRF-1), of a frame of `side` pixels."""
+    return 1 - side, side - 1, min(8 * ((side - 1) // 4) + 4 - side, side - 1)
 
 
 def surface_quantities(inputs, places):

@@ -39,6 +39,10 @@ class CameraDraw {
     draw_lens();
     draw_place();
     if (random_.below(8) == 0) spoil();
+    if (one_in(2)) {
+      camera_.geometry = GeometrySource::kStream;
+      camera_.aperture = 0;
+    }
     return camera_;
   }
 
@@ -137,10 +141,12 @@ std::string wrong_record(const FrameRecord& record, const StreamHeader& header) 
   return good ? "" : "a frame record beyond the limits of REC-3";
 }
 
-// ERR-1.
+// ERR-1 and SRF-6.
 void compare(const CameraCase& made, const FrameRecord& record, const RgbImage& frame,
              const RealFrame& real, double scale, CameraOutcome& outcome) {
-  const double bound = scale * fixed_point_bound(made.camera, decoder_of(made.stream).header());
+  const StreamHeader& header = decoder_of(made.stream).header();
+  const double bound = scale * fixed_point_bound(made.camera, header, real.max_displacement);
+  outcome.displaced = real.max_displacement > 0;
   for (size_t i = 0; i < real.samples.size(); ++i) {
     const auto pixel = static_cast<int32_t>(i / 3);
     const bool inside =
@@ -215,7 +221,8 @@ vectors::Json describe(const CameraCase& made) {
           {"tan_half", number(c.tan_half)},
           {"focus", c.focus},
           {"aperture", c.aperture},
-          {"filter", filter_name(c.filter)}};
+          {"filter", filter_name(c.filter)},
+          {"geometry", c.geometry == GeometrySource::kStream ? "stream" : "plane"}};
 }
 
 }  // namespace hmlfc::stress

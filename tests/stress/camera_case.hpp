@@ -19,7 +19,8 @@ struct CameraCase {
 
 /// Camera `number` of `seed`: on, near, behind and far from the view plane, straight, grazing,
 /// outside the grid, fields of view from the narrowest to the widest, focus at 0, near and at
-/// infinity. One in eight has an input that is not finite or outside its interval (CAM-3).
+/// infinity; every other one with geometry. One in eight has an input that is not finite or outside
+/// its interval (CAM-3).
 CameraCase camera_case(uint64_t seed, uint64_t number);
 
 /// A camera at the first view of random_stream(stream), which gives that view unchanged (SMP-4).
@@ -30,11 +31,12 @@ struct CameraOutcome {
   std::string refused;  ///< the error of frame_record; empty: there is a frame
   std::string failure;  ///< what is wrong; empty: nothing
   uint64_t samples_compared = 0;
-  double worst_part = 0;  ///< largest error, in parts of the bound
+  bool displaced = false;  ///< geometry displaces a cell of the frame
+  double worst_part = 0;   ///< largest error, in parts of the bound
 };
 
 /// Draws the golden frame and, with filter quadrilinear, compares it with the frame in double
-/// precision wherever both are inside (ERR-1); the bound is multiplied by `scale`.
+/// precision wherever both are inside (ERR-1, SRF-6); the bound is multiplied by `scale`.
 CameraOutcome try_camera(const CameraCase& made, double scale);
 
 /// The case as JSON, for readers and to run it alone.

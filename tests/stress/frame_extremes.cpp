@@ -5,6 +5,7 @@
 
 #include "camera_case.hpp"
 #include "render/disparity_value.hpp"
+#include "render/surface.hpp"
 #include "render/taps.hpp"
 
 namespace hmlfc::stress {
@@ -157,6 +158,28 @@ void take_geometry(const std::function<void(const std::string&)>& done) {
   done("vectors along the longest and the shortest baseline");
 }
 
+// SRF-2 and SRF-3: what a view with the least weight of all adds to the places at the limits of
+// REC-3, one step of rows away.
+void take_surfaces(const std::function<void(const std::string&)>& done) {
+  constexpr int32_t kFocus = 1 << 16;
+  constexpr int32_t kPitch = 127 << 4;
+  constexpr int32_t kRow = 512;
+  constexpr int32_t kSteps = 4088;  // of 2^-12
+  static_cast<void>(displacement_of({kLeastD, 1}, kFocus));
+  static_cast<void>(displacement_of({kGreatestD, 1}, -kFocus));
+  static_cast<void>(displacement_in_view(0, 0, (kSteps - 1) * 16));
+  FrameRecord record{};
+  Ray ray;
+  ray.vs = (kRow * 4096 - kSteps) * 16;
+  for (const int32_t sign : {1, -1}) {
+    record.dy = sign * (1 << 20);
+    ray.yb = sign * ((1 << 28) + (1 << 30) - 1);
+    const int32_t g = displacement_a_row(kLeastD, -sign * kPitch);
+    static_cast<void>(y_in_view(record, ray, g, kRow));
+  }
+  done("surfaces farthest from the focal plane");
+}
+
 }  // namespace
 
 void run_frame_extremes(const std::function<void(const std::string& name)>& done) {
@@ -167,6 +190,7 @@ void run_frame_extremes(const std::function<void(const std::string& name)>& done
   take_records(extremes);
   take_samples(extremes);
   take_geometry(done);
+  take_surfaces(done);
 }
 
 }  // namespace hmlfc::stress

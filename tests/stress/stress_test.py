@@ -106,10 +106,11 @@ class CamerasTest(Streams):
             self.assertRegex(what, r", outside \[.*\].*, at model/render/\w+\.[ch]pp:\d+$")
 
     def test_cameras_give_frames_within_the_bound_or_errors(self):
-        report, _ = self.run_program("--count", "2000", program="stress_cameras")
+        report, _ = self.run_program("--count", "10000", program="stress_cameras")
         self.assertEqual(report["findings"], [])
-        self.assertGreater(report["frames"], 1000)
-        self.assertGreater(report["samples_compared"], 5000)
+        self.assertGreater(report["frames"], 5000)
+        self.assertGreater(report["displaced"], 100)
+        self.assertGreater(report["samples_compared"], 25000)
         self.assertLess(report["worst_part_of_bound"], 1)
         for name in ("position", "look_at", "focal", "tan_half", "frame_width"):
             self.assertIn(name, report["refused"])

@@ -88,6 +88,26 @@ Json level_json(const TracedLevel& level, const StreamHeader& header) {
 
 }  // namespace
 
+std::optional<int64_t> TracedWalk::last_value(std::string_view name) const {
+  std::optional<int64_t> value;
+  for (const FieldRecord& field : fields) {
+    if (field.name == name) value = field.value;
+  }
+  return value;
+}
+
+std::optional<unsigned> TracedWalk::level_code() const {
+  const auto base = last_value("level_base");
+  if (!base) return std::nullopt;
+  return static_cast<unsigned>(*base + last_value("level_delta").value_or(0));
+}
+
+std::optional<unsigned> TracedWalk::step_code() const {
+  const auto base = last_value("step_base");
+  if (!base) return std::nullopt;
+  return static_cast<unsigned>(*base + last_value("step_delta").value_or(0));
+}
+
 const TracedWalk* TracedLevel::own_walk() const {
   const auto found = std::ranges::find(walks, site, &TracedWalk::site);
   return found == walks.end() ? nullptr : &*found;

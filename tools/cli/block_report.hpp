@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <hmlfc/decoder.hpp>
@@ -17,6 +19,15 @@ namespace hmlfc::cli {
 struct TracedWalk {
   BlockSite site;
   std::vector<FieldRecord> fields;  ///< their names live as long as the program
+
+  /// The value of the last field of this name.
+  std::optional<int64_t> last_value(std::string_view name) const;
+
+  /// The level code of the block at which the walk ends (TIL-8); none without residual.
+  std::optional<unsigned> level_code() const;
+
+  /// The step code of that block (STP-1); none without residual_step or residual.
+  std::optional<unsigned> step_code() const;
 };
 
 using vectors::RecordedStage;
@@ -77,6 +88,33 @@ struct BlockReport {
 /// The unit of the value of `field`, one of `walk`, such as "samples" or "1/4 sample"; empty for a
 /// pure number.
 std::string unit_of(const TracedWalk& walk, const FieldRecord& field, const StreamHeader& header);
+
+/// A field as people read it, or several in a row with the same name.
+struct FieldRow {
+  std::string section;
+  uint64_t first_bit = 0;  ///< from the start of the file (CNV-4)
+  uint64_t bit_count = 0;  ///< of all its fields
+  std::string bits;        ///< "64", or "33 x 3"
+  std::string name;
+  std::string value;  ///< with what it means in brackets
+  std::string clause;
+
+  /// "0x0001f4.3": byte in hexadecimal, bit.
+  std::string address() const;
+};
+
+/// A row of `walk` for each field, or for a run of repeated ones.
+std::vector<FieldRow> field_rows(const TracedWalk& walk, const StreamHeader& header);
+
+/// What kind of image a level of a trace is, and the block's state in it.
+std::string describe_image(const TracedLevel& level, const StreamHeader& header);
+
+/// Which tile `walk`, one of `level`, reads.
+std::string describe_walk(const TracedLevel& level, const TracedWalk& walk);
+
+/// The arithmetic of DEC-3 and TIL-10 with the numbers of a block of `plane`, a formula a line;
+/// empty where there is none.
+std::string formulas(const TracedLevel& level, const StreamHeader& header, Plane plane);
 
 /// The fields of `walk` as a table for people, each line after `indent` spaces: masks in
 /// hexadecimal, codes with their meaning, the values of a residual block as one row.

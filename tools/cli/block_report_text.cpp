@@ -21,27 +21,19 @@ namespace {
 constexpr size_t kLineColumns = 112;
 constexpr size_t kGap = 2;
 
-std::optional<int64_t> last_value(const TracedWalk& walk, std::string_view name) {
-  std::optional<int64_t> value;
-  for (const FieldRecord& field : walk.fields) {
-    if (field.name == name) value = field.value;
-  }
-  return value;
-}
-
 // "+ 3" or "- 3".
 std::string signed_term(int64_t value) {
   return value < 0 ? fmt::format("- {}", -value) : fmt::format("+ {}", value);
 }
 
 bool is_negative(const TracedWalk& walk) {
-  const auto mode = last_value(walk, "sign_mode");
-  return mode == 1 || last_value(walk, "sign").value_or(0) == 1;
+  const auto mode = walk.last_value("sign_mode");
+  return mode == 1 || walk.last_value("sign").value_or(0) == 1;
 }
 
 // The sign of the palette entry that the block's index names (MOT-3); + in an empty tile.
 bool is_negative_entry(const TracedWalk& motion) {
-  const int64_t index = last_value(motion, "index").value_or(-1);
+  const int64_t index = motion.last_value("index").value_or(-1);
   int64_t entry = -1;
   for (const FieldRecord& field : motion.fields) {
     if (field.name == "choice") ++entry;
@@ -66,31 +58,14 @@ std::string prediction_formula(const TracedLevel& level, bool keyed, const Sampl
 
 // TIL-10 or STP-3.
 std::string residual_formula(const TracedWalk& own, const SampleRange& range) {
-  const int64_t code =
-      last_value(own, "level_base").value_or(0) + last_value(own, "level_delta").value_or(0);
-  const uint32_t count = levels_of_code(static_cast<unsigned>(code)).count;
+  const uint32_t count = levels_of_code(own.level_code().value_or(0)).count;
   const std::string coded =
       fmt::format("clamp(value - {} {}, {}, {})", count >> 1,
-                  signed_term(last_value(own, "bias").value_or(0)), -range.bound, range.bound);
-  const auto base = last_value(own, "step_base");
-  if (!base) return fmt::format("  residual   = {}\n", coded);
-  const int64_t step_code = *base + last_value(own, "step_delta").value_or(0);
-  return fmt::format("  residual   = clamp({} * {}, {}, {})\n",
-                     step_of_code(static_cast<unsigned>(step_code)), coded, -range.bound,
-                     range.bound);
-}
-
-// The arithmetic of DEC-3 and TIL-10 with this block's numbers.
-std::string formulas(const TracedLevel& level, bool keyed, const SampleRange& range) {
-  std::string text;
-  if (level.own_walk() == nullptr) return text;
-  if (level.stage("reference") != nullptr) text += prediction_formula(level, keyed, range);
-  if (level.stage("residual") != nullptr) {
-    text += residual_formula(*level.own_walk(), range);
-    text +=
-        fmt::format("  sample     = clamp(prediction + residual, {}, {})\n", range.lo, range.hi);
-  }
-  return text;
+                  signed_term(own.last_value("bias").value_or(0)), -range.bound, range.bound);
+  const auto step_code = own.step_code();
+  if (!step_code) return fmt::format("  residual   = {}\n", coded);
+  return fmt::format("  residual   = clamp({} * {}, {}, {})\n", step_of_code(*step_code), coded,
+                     -range.bound, range.bound);
 }
 
 // A titled square of numbers.
@@ -168,43 +143,18 @@ std::string square_table(std::span<const Square> squares, size_t side, size_t ce
   return text;
 }
 
-std::string describe_image(const TracedLevel& level, const StreamHeader& header) {
-  const ImageInfo image =
-      image_info(header, level.site.level, level.site.image_row, level.site.image_col);
-  if (image.kind == ImageKind::kKey) return "key image";
-  if (image.kind == ImageKind::kReference) {
-    return fmt::format("reference image: {}", state_name(level.state()));
-  }
-  return fmt::format("predictive image of reference {},{}: {}", image.ref_row, image.ref_col,
-                     state_name(level.state()));
-}
-
-std::string walk_title(const TracedLevel& level, const TracedWalk& walk) {
-  const BlockSite& site = walk.site;
-  if (level.is_reference(walk)) {
-    const bool residual = last_value(walk, "value").has_value();
-    return fmt::format("  Block {},{} of reference image {},{}: {}\n", site.bx, site.by,
-                       site.image_row, site.image_col,
-                       state_name(residual ? BlockState::kResidual : BlockState::kZero));
-  }
-  if (site.tile == TileKind::kDisparity) {
-    return fmt::format("  The {} of reference image {},{}\n", tile_kind_name(site.tile),
-                       site.image_row, site.image_col);
-  }
-  return fmt::format("  Its {}\n", tile_kind_name(site.tile));
-}
-
-std::string level_text(const TracedLevel& level, const StreamHeader& header,
-                       const SampleRange& range) {
+std::string level_text(const TracedLevel& level, const StreamHeader& header, Plane plane) {
   std::string text =
       fmt::format("\nLevel {}, image {},{}, {}\n", level.site.level, level.site.image_row,
                   level.site.image_col, describe_image(level, header));
   for (const TracedWalk& walk : level.walks) {
     const bool own = walk.site == level.site;
-    if (!own || level.walks.front().site != level.site) text += walk_title(level, walk);
+    if (!own || level.walks.front().site != level.site) {
+      text += "  " + describe_walk(level, walk) + "\n";
+    }
     text += field_table(walk, header, own ? 2 : 4);
   }
-  text += formulas(level, level_info(header, level.site.level).key_images > 0, range);
+  text += formulas(level, header, plane);
   const std::vector<Square> squares = squares_of(level);
   return text + square_table(squares, header.block_size(), cell_width(squares));
 }
@@ -223,11 +173,52 @@ std::string heading(const BlockReport& report) {
 
 }  // namespace
 
+std::string describe_image(const TracedLevel& level, const StreamHeader& header) {
+  const ImageInfo image =
+      image_info(header, level.site.level, level.site.image_row, level.site.image_col);
+  if (image.kind == ImageKind::kKey) return "key image";
+  if (image.kind == ImageKind::kReference) {
+    return fmt::format("reference image: {}", state_name(level.state()));
+  }
+  return fmt::format("predictive image of reference {},{}: {}", image.ref_row, image.ref_col,
+                     state_name(level.state()));
+}
+
+std::string describe_walk(const TracedLevel& level, const TracedWalk& walk) {
+  const BlockSite& site = walk.site;
+  if (level.is_reference(walk)) {
+    const bool residual = walk.last_value("value").has_value();
+    return fmt::format("Block {},{} of reference image {},{}: {}", site.bx, site.by, site.image_row,
+                       site.image_col,
+                       state_name(residual ? BlockState::kResidual : BlockState::kZero));
+  }
+  if (site.tile == TileKind::kDisparity) {
+    return fmt::format("The {} of reference image {},{}", tile_kind_name(site.tile), site.image_row,
+                       site.image_col);
+  }
+  return fmt::format("Its {}", tile_kind_name(site.tile));
+}
+
+std::string formulas(const TracedLevel& level, const StreamHeader& header, Plane plane) {
+  std::string text;
+  if (level.own_walk() == nullptr) return text;
+  const SampleRange range = sample_range(plane, header.depth);
+  if (level.stage("reference") != nullptr) {
+    const bool keyed = level_info(header, level.site.level).key_images > 0;
+    text += prediction_formula(level, keyed, range);
+  }
+  if (level.stage("residual") != nullptr) {
+    text += residual_formula(*level.own_walk(), range);
+    text +=
+        fmt::format("  sample     = clamp(prediction + residual, {}, {})\n", range.lo, range.hi);
+  }
+  return text;
+}
+
 std::string to_text(const BlockReport& report) {
-  const SampleRange range = sample_range(report.block.plane, report.header.depth);
   std::string text = heading(report);
   for (const TracedLevel& level : report.trace.levels()) {
-    text += level_text(level, report.header, range);
+    text += level_text(level, report.header, report.block.plane);
   }
   const AccessCounts& counts = report.counts;
   const bool motion_tiles = report.header.has(Feature::kMotionTiles);

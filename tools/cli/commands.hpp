@@ -24,6 +24,7 @@ void add_compare(CLI::App& program, Task& task);
 void add_inspect(CLI::App& program, Task& task);
 void add_bise(CLI::App& program, Task& task);
 void add_render(CLI::App& program, Task& task);
+void add_convert(CLI::App& program, Task& task);
 void add_picture(CLI::App& program, Task& task);
 void add_vectors(CLI::App& program, Task& task);
 void add_conform(CLI::App& program, Task& task);
@@ -31,5 +32,7 @@ void add_serve(CLI::App& program, Task& task);
 void add_minimise(CLI::App& program, Task& task);
 void add_fuzz_dut(CLI::App& program, Task& task);
 void add_primitives(CLI::App& program, Task& task);
+/// `hmlfc view`; it is in tools/view/.
+void add_viewer(CLI::App& program, Task& task);
 
 }  // namespace hmlfc::cli

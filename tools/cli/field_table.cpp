@@ -1,6 +1,5 @@
 #include "cli/block_report.hpp"
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
@@ -15,16 +14,6 @@ namespace {
 
 constexpr size_t kValueColumns = 52;
 constexpr int64_t kChoiceDisparity = 10;  // MOT-5: explicit_x is a disparity
-
-// One line of the table: a field, or several in a row with the same name.
-struct FieldRow {
-  std::string section;
-  std::string address;  // "0x0001f4.3": byte in hexadecimal, bit
-  std::string bits;
-  std::string name;
-  std::string value;
-  std::string clause;
-};
 
 std::string levels_meaning(int64_t code) {
   if (code < 0 || code > int64_t{kMaxLevelCode}) return "";
@@ -81,29 +70,21 @@ bool is_repeated(const FieldRecord& field) {
   return field.name == "quad_blocks" || field.name == "level_delta" || field.name == "value";
 }
 
-// The level code of the block whose header ends `walk`, or -1.
-int64_t level_code(const TracedWalk& walk) {
-  int64_t base = -1;
-  int64_t delta = 0;
-  for (const FieldRecord& field : walk.fields) {
-    if (field.name == "level_base") base = field.value;
-    if (field.name == "level_delta") delta = field.value;
-  }
-  return base < 0 ? -1 : base + delta;
-}
-
-FieldRow row_of(const TracedWalk& walk, std::span<const FieldRecord> fields, int64_t code,
+FieldRow row_of(const TracedWalk& walk, std::span<const FieldRecord> fields,
                 const StreamHeader& header) {
   const FieldRecord& first = fields.front();
+  const unsigned code = walk.level_code().value_or(0);
   FieldRow row;
   row.section = section_name(first.section);
-  row.address = fmt::format("0x{:06x}.{}", first.bit >> 3, first.bit & 7);
+  row.first_bit = first.bit;
+  row.bit_count = first.bits * fields.size();
   row.bits = std::to_string(first.bits);
   row.name = first.name;
   row.clause = first.clause;
   if (first.name == "value") {
-    const auto levels = levels_of_code(static_cast<unsigned>(std::max<int64_t>(code, 0)));
-    row.bits = std::to_string(bise_bits(levels, fields.size()));
+    const auto levels = levels_of_code(code);
+    row.bit_count = bise_bits(levels, fields.size());
+    row.bits = std::to_string(row.bit_count);
     row.value = fmt::format("{} values of {} levels, below", fields.size(), levels.count);
     return row;
   }
@@ -133,9 +114,9 @@ std::vector<std::string> broken(const std::string& text) {
   return lines;
 }
 
-// A row of `walk` for each field, or for a run of repeated ones.
+}  // namespace
+
 std::vector<FieldRow> field_rows(const TracedWalk& walk, const StreamHeader& header) {
-  const int64_t code = level_code(walk);
   const std::span<const FieldRecord> fields(walk.fields);
   std::vector<FieldRow> rows;
   for (size_t begin = 0; begin < fields.size();) {
@@ -144,13 +125,15 @@ std::vector<FieldRow> field_rows(const TracedWalk& walk, const StreamHeader& hea
            fields[end].name == fields[begin].name) {
       ++end;
     }
-    rows.push_back(row_of(walk, fields.subspan(begin, end - begin), code, header));
+    rows.push_back(row_of(walk, fields.subspan(begin, end - begin), header));
     begin = end;
   }
   return rows;
 }
 
-}  // namespace
+std::string FieldRow::address() const {
+  return fmt::format("0x{:06x}.{}", first_bit >> 3, first_bit & 7);
+}
 
 std::string unit_of(const TracedWalk& walk, const FieldRecord& field, const StreamHeader& header) {
   const std::string_view name = field.name;
@@ -177,7 +160,7 @@ std::string field_table(const TracedWalk& walk, const StreamHeader& header, size
                                  "field", "clause", "value");
   for (const FieldRow& row : field_rows(walk, header)) {
     const auto lines = broken(row.value);
-    text += fmt::format(fmt::runtime(kLine), margin, row.section, row.address, row.bits, row.name,
+    text += fmt::format(fmt::runtime(kLine), margin, row.section, row.address(), row.bits, row.name,
                         row.clause, lines[0]);
     for (size_t i = 1; i < lines.size(); ++i) {
       text += fmt::format(fmt::runtime(kLine), margin, "", "", "", "", "", lines[i]);

@@ -1,14 +1,11 @@
 // hmlfc inspect: shows how one block is decoded, field by field and stage by stage.
-#include <array>
 #include <filesystem>
-#include <optional>
-#include <string>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
 #include "cli/block_report.hpp"
+#include "cli/block_request.hpp"
 #include "cli/view_source.hpp"
 
 namespace hmlfc::cli {
@@ -16,39 +13,14 @@ namespace {
 
 struct InspectOptions {
   std::filesystem::path file;
-  std::optional<ViewPos> view;
-  Plane plane = Plane::kY;
-  std::array<uint32_t, 2> block{};
-  std::optional<int> levels;
+  BlockRequest request;
   bool json = false;
 };
 
-void check_block(const StreamFile& file, const InspectOptions& options) {
-  const PlaneSize size = file.decoder().plane_size(options.plane);
-  const uint32_t side = file.header().block_size();
-  const uint32_t columns = (size.width + side - 1) / side;
-  const uint32_t rows = (size.height + side - 1) / side;
-  if (options.block[0] < columns && options.block[1] < rows) return;
-  throw Failure(
-      ExitCode::kUsage,
-      fmt::format("--block {},{} is outside the {} columns and {} rows of blocks of plane {}",
-                  options.block[0], options.block[1], columns, rows, plane_name(options.plane)));
-}
-
 ExitCode run_inspect(const InspectOptions& options) {
   const StreamFile file(options.file);
-  file.check_view(*options.view);
-  check_block(file, options);
-  const int stop_level = options.levels ? file.stop_level(*options.levels) : 0;
   BlockReport report;
-  report.file = options.file.string();
-  report.header = file.header();
-  report.plane_size = file.decoder().plane_size(options.plane);
-  report.block = {*options.view, options.plane, options.block[0], options.block[1]};
-  value_or_throw(file.decoder().decode_block(
-                     report.block,
-                     {.stop_level = stop_level, .trace = &report.trace, .counts = &report.counts}),
-                 options.file);
+  value_or_throw(report_on_block(file, options.request, report), options.file);
   if (options.json) {
     print_json(to_json(report));
   } else {
@@ -75,15 +47,7 @@ level may also have motion_fields[] and disparity{image, fields[]}.
 Example:
   hmlfc inspect chess.hmlfc --view 3,5 --plane Y --block 10,7)");
   add_stream(app, options.file);
-  add_view(app, options.view, "The view; counted from 0,0")->required();
-  add_choice(app, "--plane", options.plane,
-             {{"Y", Plane::kY}, {"Co", Plane::kCo}, {"Cg", Plane::kCg}}, "The plane")
-      ->required();
-  add_numbers<2>(app, "--block", "BX,BY", ',', "block column,block row, such as 3,5",
-                 "Column and row of the block; counted from 0,0",
-                 [&block = options.block](const auto& numbers) { block = numbers; })
-      ->required();
-  add_levels(app, options.levels);
+  add_block_options(app, options.request);
   add_json(app, options.json);
 }
 

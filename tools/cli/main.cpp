@@ -79,6 +79,8 @@ void add_commands(CLI::App& program, Task& task) {
   add_inspect(program, task);
   add_bise(program, task);
   add_render(program, task);
+  add_convert(program, task);
+  add_viewer(program, task);
   add_picture(program, task);
   add_vectors(program, task);
   add_conform(program, task);

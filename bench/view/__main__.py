@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Frames a second and the time from input to picture of `hmlfc view` in Chromium.
+
+A pointer drags the camera of a light field along a circle, an input every 16 ms, in Chromium without a
+window: everything runs on this machine. Frames count when they are drawn on the canvas; the time of each is that from
+the oldest input that it shows. With --stream an encoded light field is measured, else Chess is encoded.
+
+Exit status: 0 done, 1 a target is missed (with --check), 2 something cannot be measured.
+"""
+
+import argparse
+import math
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / name) for name in ("bench/common", "tests/view", "tests/cli")]
+
+from process import HMLFC, BenchError, require, run, say
+from sources import real_sources
+
+RATE, LATENCY = 30, 60  # frames a second; milliseconds, 95th percentile
+INTERVAL = 0.016
+RADIUS = 0.3  # of the frame's height
+
+
+def chess(work):
+    for source in real_sources(lambda name, why: None):
+        if source.name == "chess":
+            say("Encoding Chess")
+            stream = work / "chess.hmlfc"
+            run([HMLFC, "encode", source.folder, "-o", stream, "--preset", "fast", "--quality", "60"])
+            return stream
+    raise BenchError("Chess is not in the folder of light fields; name a --stream")
+
+
+def drag(page, seconds):
+    """Real mouse events around the middle of the frame."""
+    left, top, width, height = page.script(
+        "const box = document.getElementById('frame').getBoundingClientRect();"
+        "return [box.left, box.top, box.width, box.height]")
+    send = lambda kind, x, y: page.page.execute_cdp_cmd("Input.dispatchMouseEvent", {
+        "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1})
+    place = lambda angle: (left + width / 2 + RADIUS * height * math.cos(angle), top + height / 2 + RADIUS * height * math.sin(angle))
+    send("mousePressed", *place(0))
+    begin = next_at = time.monotonic()
+    events = 0
+    while time.monotonic() - begin < seconds:
+        send("mouseMoved", *place(2 * math.pi * (time.monotonic() - begin) / 4))
+        events += 1
+        next_at += INTERVAL
+        time.sleep(max(0, next_at - time.monotonic()))
+    send("mouseReleased", *place(0))
+    return events
+
+
+def measure(stream, seconds):
+    import program
+
+    program.PROGRAM = Path(HMLFC)
+    import page_server
+    from browser import Browser, missing
+
+    if missing():
+        raise BenchError(missing())
+    page_server.PROGRAM = Path(HMLFC)
+    with tempfile.TemporaryDirectory() as profile, page_server.PageServer(".", stream.resolve()) as server:
+        page = Browser(profile)
+        try:
+            page.open(server.address)
+            page.frame()
+            drag(page, 1)  # key images are decoded, code is compiled
+            page.frame()
+            page.script("performance.clearMeasures()")
+            begin = time.monotonic()
+            events = drag(page, seconds)
+            took = time.monotonic() - begin
+            measures = page.script(
+                "return performance.getEntriesByName('input to picture').map((entry) => [entry.duration, entry.detail.half])")
+            sizes = page.script("const c = document.getElementById('frame'); return [c.width, c.height]")
+        finally:
+            page.end()
+    times = sorted(duration for duration, _ in measures)
+    coarse = sum(half for _, half in measures)
+    return {"events": events, "frames": len(times), "coarse": coarse, "rate": len(times) / took, "size": sizes,
+            "median": times[len(times) // 2], "p95": times[math.ceil(0.95 * len(times)) - 1]}
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="./run bench view", description=__doc__.splitlines()[0])
+    parser.add_argument("--stream", type=Path, help="an .hmlfc file; else Chess is encoded")
+    parser.add_argument("--seconds", type=float, default=8, help="of dragging (default 8)")
+    parser.add_argument("--check", action="store_true", help=f"fail below {RATE} frames a second or above {LATENCY} ms")
+    arguments = parser.parse_args()
+    require("view", HMLFC)
+    with tempfile.TemporaryDirectory() as work:
+        got = measure(arguments.stream or chess(Path(work)), arguments.seconds)
+    width, height = got["size"]
+    print(f"{got['frames']} frames of {width} x {height} pixels, {got['coarse']} of them coarse, for {got['events']} "
+          f"inputs: {got['rate']:.1f} frames a second; input to picture {got['median']:.0f} ms, 95th percentile {got['p95']:.0f} ms")
+    return 1 if arguments.check and (got["rate"] < RATE or got["p95"] > LATENCY) else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except BenchError as error:
+        say(str(error))
+        sys.exit(2)

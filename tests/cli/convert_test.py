@@ -1,0 +1,84 @@
+"""hmlfc convert."""
+
+import pictures
+from program import INPUT, ROOT, USAGE, CliTest, main
+
+DEEP = ROOT / "vectors" / "real" / "glass-depth10.hmlfc"
+
+
+def read_png(file):
+    """Width, height and samples."""
+    found = pictures.read_png(file)
+    return found.width, found.height, found.samples
+
+
+class ConvertTest(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.hmlfc("synth", "--scene", "cards", "--grid", "3x4", "--size", "24x16", "-o", "views")
+
+    def same_views(self, a, b):
+        names = sorted(path.name for path in (self.folder / a).iterdir())
+        self.assertEqual(names, sorted(path.name for path in (self.folder / b).iterdir()))
+        for name in names:
+            self.assertEqual(read_png(self.folder / a / name), read_png(self.folder / b / name), name)
+
+    def test_there_and_back(self):
+        for layout in "tiles", "lenslets":
+            for file in f"{layout}.png", f"{layout}.ppm":
+                with self.subTest(file=file):
+                    told = self.hmlfc("convert", "views", file, "--to", layout)
+                    self.assertEqual(told, f"{file}: 3 x 4 views of 24 x 16 pixels, 8 bits\n")
+                    self.hmlfc("convert", file, f"from-{layout}-{file[-3:]}", "--from", layout, "--grid", "3x4")
+                    self.same_views("views", f"from-{layout}-{file[-3:]}")
+
+    def test_a_quilt(self):
+        self.hmlfc("convert", "views", "row_qs2x2a1.5.png", "--row", "1")
+        width, height, samples = read_png(self.folder / "row_qs2x2a1.5.png")
+        self.assertEqual((width, height), (48, 32))
+        left = read_png(self.folder / "views/01_00.png")[2]
+        self.assertEqual(samples[3 * 48 * 16 : 3 * 48 * 16 + 72], left[:72])
+        self.hmlfc("convert", "row_qs2x2a1.5.png", "row")
+        for col in range(4):
+            self.assertEqual(
+                read_png(self.folder / f"row/00_0{col}.png"), read_png(self.folder / f"views/01_0{col}.png")
+            )
+
+    def test_a_quilt_that_is_read_as_tiles(self):
+        self.hmlfc("convert", "views", "again_qs2x2a1.5.png", "--row", "0")
+        self.hmlfc("convert", "again_qs2x2a1.5.png", "tiles", "--from", "tiles", "--grid", "2x2")
+        self.assertEqual(read_png(self.folder / "tiles/01_00.png"), read_png(self.folder / "views/00_00.png"))
+
+    def test_streams_and_depths(self):
+        self.hmlfc("decode", DEEP, "-o", "decoded")
+        self.hmlfc("convert", DEEP, "deep.png", "--to", "lenslets")
+        views = sorted((self.folder / "decoded").iterdir())
+        rows, cols = (int(part) + 1 for part in views[-1].stem.split("_"))
+        self.hmlfc("convert", "deep.png", "deep", "--from", "lenslets", "--grid", f"{rows}x{cols}")
+        self.same_views("decoded", "deep")
+        self.assertEqual((self.folder / "deep/00_00.png").read_bytes(), views[0].read_bytes())
+
+    def test_what_does_not_fit(self):
+        self.hmlfc("convert", "views", "all.png", "--to", "tiles")
+        for arguments, says in [
+            (("views", "a_qs2x2a1.5.png"), "one row of views"),
+            (("views", "a_qs3x1a1.5.png", "--row", "0"), "the views are 4 of aspect 1.5"),
+            (("views", "a_qs2x2a1.6.png", "--row", "0"), "aspect 1.6"),
+            (("views", "a.png"), "--to"),
+            (("views", "a.jpg"), "folder, .png or .ppm"),
+            (("views", "a.hmlfc"), "hmlfc encode"),
+            (("views", "a", "--to", "tiles"), "--to"),
+            (("views", "a", "--from", "tiles"), "--from"),
+            (("views", "a", "--row", "3"), "3,0 is outside"),
+            (("all.png", "a"), "--from and --grid"),
+            (("views", "nowhere/a.png", "--to", "tiles"), "nowhere"),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, "convert", *arguments, says=says)
+        self.refused(INPUT, "convert", "all.png", "a", "--from", "tiles", "--grid", "5x4", says="cannot be divided")
+        self.refused(INPUT, "convert", "nothing.png", "a", "--from", "tiles", "--grid", "1x1", says="nothing.png")
+        self.assertFalse((self.folder / "a").exists())
+
+
+if __name__ == "__main__":
+    main()

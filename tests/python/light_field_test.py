@@ -1,0 +1,186 @@
+"""hmlfc.open and what a light field gives, against the program."""
+
+import json
+import pickle
+import threading
+
+import numpy as np
+from python_case import DEEP, STREAM, VECTORS, CliTest, hmlfc, main, picture
+
+
+class LightFieldTest(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.hmlfc("decode", STREAM, "-o", "views")
+        cls.lf = hmlfc.open(STREAM)
+        rows, cols = cls.lf.shape[:2]
+        cls.views = np.array(
+            [[picture(cls.folder / f"views/{r:02}_{c:02}.png") for c in range(cols)] for r in range(rows)]
+        )
+
+    def test_what_it_is(self):
+        self.assertEqual((self.lf.shape, self.lf.dtype, self.lf.depth), ((5, 5, 40, 40, 3), np.uint8, 8))
+        info = json.loads(self.hmlfc("info", STREAM, "--json"))
+        self.assertEqual(self.lf.profile, info["profile"])
+        self.assertEqual(repr(self.lf), "<hmlfc.LightField of shape (5, 5, 40, 40, 3), depth 8, profile extended>")
+
+    def test_indices_give_what_numpy_gives(self):
+        for key in [
+            np.s_[3, 4],
+            np.s_[-1, -5],
+            np.s_[3, 4, 10:33, 8:39],
+            np.s_[2, 1, 7],
+            np.s_[2, 1, 7, -3],
+            np.s_[0, 0, ::-1, ::-1],
+            np.s_[0, 0, 30:3:-4, 5::7],
+            np.s_[1:4, ::2, 5:6, 7],
+            np.s_[:, 2, 20],
+            np.s_[0, 0, 9:9],
+            np.s_[4:1, 0],
+            np.s_[np.int64(3), np.uint8(1), 39:99],
+        ]:
+            with self.subTest(key=key):
+                found = self.lf[key]
+                np.testing.assert_array_equal(found, self.views[key])
+                self.assertEqual(found.dtype, np.uint8)
+
+    def test_indices_outside(self):
+        for key in [np.s_[5, 0], np.s_[0, -6], np.s_[0, 0, 40], np.s_[0, 0, 0, -41], np.s_[0], np.s_[0, 0, 0, 0, 0]]:
+            with self.subTest(key=key), self.assertRaises(IndexError):
+                self.lf[key]
+        with self.assertRaises(TypeError):
+            self.lf[0.5, 0]
+
+    def test_a_part_needs_its_blocks_alone(self):
+        lf = hmlfc.open(VECTORS / "error/level-delta-28.hmlfc")  # the first blocks of view 0,1 decode
+        self.assertEqual(lf[0, 1, :4, :4].shape, (4, 4, 3))
+        with self.assertRaises(hmlfc.Error):
+            lf[0, 1]
+
+    def test_depths_above_8(self):
+        lf = hmlfc.open(DEEP)
+        self.hmlfc("decode", DEEP, "-o", "deep")
+        self.assertEqual((lf.dtype, lf.depth, lf[0, 0].dtype), (np.uint16, 10, np.uint16))
+        np.testing.assert_array_equal(lf[0, 1], picture(self.folder / "deep/00_01.png") >> 6)
+
+    def test_stop_levels(self):
+        self.hmlfc("decode", STREAM, "--levels", "1", "--view", "0,1", "-o", "top")
+        np.testing.assert_array_equal(
+            self.lf.read((0, 1), stop_level=self.lf.tree_height), picture(self.folder / "top/00_01.png")
+        )
+        with self.assertRaises(hmlfc.Error) as raised:
+            self.lf.read((0, 1), stop_level=16)
+        self.assertEqual(raised.exception.name, "bad_request")
+
+    def test_a_block_and_its_trace(self):
+        lines = (VECTORS / "syntax/all-flags.trace.jsonl").read_text().splitlines()
+        head, *records = list(map(json.loads, lines))
+        end = next((at for at, record in enumerate(records) if record["record"] == "block"), len(records))
+        lf, place = hmlfc.open(VECTORS / "syntax/all-flags.hmlfc"), (*head["view"], head["plane"], *head["block"])
+        block = lf.trace(*place)
+        np.testing.assert_array_equal(block.samples, lf.block(*place))
+        for kind, found in ("field", block.fields), ("stage", block.stages):
+            told = [{**record, "record": None} for record in records[:end] if record["record"] == kind]
+            self.assertEqual([as_json(record) for record in found], told)
+        self.assertGreater(len(block.vectors), 0)
+        masks = [f["value"] for f in self.lf.trace(0, 1, "Y", 1, 1).fields if f["name"] == "tile_mask"]
+        self.assertGreater(max(masks), 2**63)
+        self.assertGreater(min(masks), 0)
+        with self.assertRaisesRegex(ValueError, "plane is 'Y', 'Co' or 'Cg'"):
+            lf.block(0, 0, "Cb", 0, 0)
+
+    def test_disparity(self):
+        disparity, confidence = self.lf.disparity(2, 3)
+        self.hmlfc("disparity", STREAM, "--view", "2,3", "-o", "map.pfm")
+        map_of_pixels = read_pfm(self.folder / "map.pfm")
+        size = self.lf.block_size
+        per_pixel = np.repeat(np.repeat(disparity, size, 0), size, 1)[:40, :40]
+        np.testing.assert_array_equal(per_pixel, map_of_pixels)
+        self.assertEqual(confidence.shape, disparity.shape)
+        self.assertGreater(np.ptp(disparity), 0)
+
+    def test_frames(self):
+        self.hmlfc("render", STREAM, *"--camera 1.5,2.25,0 --focus -1 --size 33x21 -o frame.png".split())
+        frame = self.lf.render((1.5, 2.25, 0), focus=-1, width=33, height=21)
+        np.testing.assert_array_equal(frame, picture(self.folder / "frame.png"))
+        self.hmlfc("render", STREAM, *"--camera 1.5,2.25,0 --geometry plane --aperture 1 -o wide.png".split())
+        frame = self.lf.render((1.5, 2.25, 0), geometry="plane", aperture=1)
+        np.testing.assert_array_equal(frame, picture(self.folder / "wide.png"))
+        for wrong in [{"focus": 999}, {"filter": "sharp"}, {"geometry": "mesh"}, {"width": 0}]:
+            with self.subTest(wrong=wrong), self.assertRaises(ValueError):
+                self.lf.render(**wrong)
+
+    def test_bytes_in_memory(self):
+        data = STREAM.read_bytes()
+        for source in [data, bytearray(data), memoryview(data)]:
+            np.testing.assert_array_equal(hmlfc.open(source)[1, 1], self.views[1, 1])
+        with self.assertRaises(TypeError):
+            hmlfc.open(memoryview(data)[::2])
+
+    def test_bytes_are_kept(self):
+        lf = hmlfc.open(bytes(bytearray(STREAM.read_bytes())))
+        np.testing.assert_array_equal(lf[0, 0], self.views[0, 0])
+
+    def test_errors_have_names(self):
+        manifest = json.loads((VECTORS / "manifest.json").read_text())
+        wanted = {vector["id"]: vector for vector in manifest["vectors"]}
+        for name in ["error/magic", "error/version-2", "error/top-entry-bit-32"]:
+            with self.subTest(vector=name), self.assertRaises(hmlfc.Error) as raised:
+                hmlfc.open(VECTORS / f"{name}.hmlfc")
+            expect, error = wanted[name]["expect"], raised.exception
+            self.assertEqual((error.name, error.offset), (expect["error"], expect["offset"]))
+            self.assertIsInstance(error, ValueError)
+            again = pickle.loads(pickle.dumps(error))
+            self.assertEqual((str(again), again.name, again.section), (str(error), error.name, error.section))
+        lf = hmlfc.open(VECTORS / "error/sign-mode-3.hmlfc")
+        self.assertEqual(lf[0, 0].shape, (16, 16, 3))
+        with self.assertRaises(hmlfc.Error) as raised:
+            lf[0, 1]
+        self.assertEqual((raised.exception.name, raised.exception.section), ("bad_mode", "TILE"))
+
+    def test_sections(self):
+        damaged = VECTORS / "error/section-crc-tile.hmlfc"
+        with self.assertRaises(hmlfc.Error):
+            hmlfc.open(damaged)
+        self.assertEqual(hmlfc.open(damaged, check_sections=False).shape, (1, 2, 16, 16, 3))
+
+    def test_no_such_file(self):
+        with self.assertRaisesRegex(OSError, "nowhere.hmlfc"):
+            hmlfc.open("nowhere.hmlfc")
+
+    def test_threads(self):
+        found = {}
+
+        def work(number):
+            row, col = divmod(number, 5)
+            found[number] = (self.lf[row, col], self.lf.render((row, col, 0), geometry="plane"))
+
+        threads = [threading.Thread(target=work, args=(number,)) for number in range(25)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for number, (view, frame) in found.items():
+            np.testing.assert_array_equal(view, self.views[divmod(number, 5)])
+            np.testing.assert_array_equal(frame, self.lf.render((*divmod(number, 5), 0), geometry="plane"))
+        self.assertEqual(len(found), 25)
+
+
+def as_json(record):
+    """A record of a trace as vectors/README.md has it."""
+    listed = {key: list(value) if isinstance(value, tuple) else value for key, value in record.items()}
+    if "values" in listed:
+        listed["values"] = listed["values"].ravel().tolist()
+    return {"record": None, **listed}
+
+
+def read_pfm(file):
+    """The values of a PFM file, the top row first."""
+    kind, size, scale, data = file.read_bytes().split(b"\n", 3)
+    width, height = map(int, size.split())
+    assert kind == b"Pf"
+    return np.frombuffer(data, "<f4" if float(scale) < 0 else ">f4").reshape(height, width)[::-1]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,23 @@
+"""What the tests of the package hmlfc share: the program to compare with, and streams."""
+
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [sys.argv[2], str(ROOT / "tests" / "cli")]
+
+import numpy as np  # noqa: E402
+from pictures import read_png  # noqa: E402
+from program import CliTest, main  # noqa: E402, F401
+
+import hmlfc  # noqa: E402, F401
+
+VECTORS = ROOT / "vectors"
+STREAM = VECTORS / "real" / "knights-extended.hmlfc"
+DEEP = VECTORS / "real" / "glass-depth10.hmlfc"
+
+
+def picture(file):
+    """The samples of a PNG file, (height, width, 3), as they are stored."""
+    found = read_png(file)
+    return np.array(found.samples, np.uint16).reshape(found.height, found.width, 3)

@@ -1,0 +1,240 @@
+"""hmlfc view: the page looks into streams whose numbers are known: from `hmlfc inspect`, or damaged on purpose."""
+
+import re
+import sys
+
+import browser
+from page_case import HEIGHT, WIDTH, PageCase
+from pictures import read_png
+from program import main
+
+COLUMNS, ROWS = WIDTH // 4, HEIGHT // 4
+STATE_COLOURS = {
+    "zero": (0x5B, 0x64, 0x73),
+    "motion only": (0x3F, 0x8F, 0xD6),
+    "motion and residual": (0x9A, 0x6F, 0xD0),
+    "residual only": (0xE0, 0x9A, 0x3E),
+}
+OPACITY = 0.62
+VIEW = 1, 3  # a predictive image
+
+
+class Blocks(PageCase):
+    def shown(self, **wanted):
+        """Waits until the picture is that of the link."""
+
+        def settled():
+            link = self.browser.script(
+                "return Object.fromEntries(new URLSearchParams(location.hash.slice(1)));")
+            shown = self.browser.script("return document.getElementById('picture').dataset.shown")
+            return shown and all(link.get(name) == value for name, value in wanted.items())
+
+        self.browser.until(f"the picture {wanted}", settled)
+
+    def look(self, file="a.hmlfc", *arguments, **link):
+        pairs = {"mode": "into", "view": ",".join(map(str, VIEW)), **link}
+        address = self.open("#" + "&".join(f"{name}={value}" for name, value in pairs.items()), file, *arguments)
+        self.shown(**link)
+        return address
+
+    def inspect(self, block, *options, file="a.hmlfc"):
+        place = ["--view", ",".join(map(str, VIEW)), "--plane", "Y", "--block", ",".join(map(str, block))]
+        return self.hmlfc_json("inspect", file, *place, *options)
+
+    def at(self, x, y):
+        """R, G, B on the screen at the middle of a sample of the picture."""
+        scale, left, top = self.placement()
+        return tuple(self.browser.pixels("picture", int(left + (x + 0.5) * scale), int(top + (y + 0.5) * scale), 1, 1))
+
+    def placement(self):
+        data = self.browser.script("return {...document.getElementById('picture').dataset}")
+        return float(data["scale"]), float(data["x"]), float(data["y"])
+
+    def close_to(self, got, expected, what):
+        for a, b in zip(got, expected):
+            self.assertLessEqual(abs(a - b), 2, f"{what}: {got}, not {expected}")
+
+    def move_to(self, x, y):
+        """The pointer, to a sample."""
+        scale, left, top = self.placement()
+        canvas = self.browser.element("picture")
+        width, height = canvas.size["width"], canvas.size["height"]
+        return self.browser.actions().move_to_element_with_offset(
+            canvas, round(left + (x + 0.5) * scale - width / 2), round(top + (y + 0.5) * scale - height / 2))
+
+    def test_the_picture_is_the_decoded_view(self):
+        self.hmlfc("decode", "a.hmlfc", "--view", "1,3", "-o", "decoded")
+        decoded = read_png(self.folder / "decoded" / "01_03.png").samples
+        self.look()
+        for x, y in (0, 0), (50, 30), (95, 63), (17, 40):
+            at = 3 * (WIDTH * y + x)
+            self.assertEqual(self.at(x, y), tuple(decoded[at : at + 3]))
+
+    def test_stages_are_those_of_inspect(self):
+        block = 10, 6
+        stages = self.inspect(block)["levels"][-1]["stages"]
+        for stage in "sample", "prediction", "reference":
+            self.look(stage=stage)
+            for x, y in (0, 0), (3, 2):
+                grey = stages[stage]["values"][y][x]
+                self.assertEqual(self.at(4 * block[0] + x, 4 * block[1] + y), (grey, grey, grey), stage)
+
+    def test_states_are_drawn(self):
+        self.look(overlay="state")
+        self.hmlfc("decode", "a.hmlfc", "--view", "1,3", "-o", "decoded")
+        decoded = read_png(self.folder / "decoded" / "01_03.png").samples
+        seen = set()
+        for block in [(x, y) for y in range(0, ROWS, 5) for x in range(1, COLUMNS, 5)]:
+            state = self.inspect(block)["levels"][-1]["state"]
+            seen.add(state)
+            x, y = 4 * block[0] + 2, 4 * block[1] + 2
+            under = decoded[3 * (WIDTH * y + x) :][:3]
+            mixed = [OPACITY * over + (1 - OPACITY) * below for over, below in zip(STATE_COLOURS[state], under)]
+            self.close_to(self.at(x, y), mixed, f"block {block}, {state}")
+        self.assertGreater(len(seen), 1)
+        self.assertLessEqual(seen, {line for line in STATE_COLOURS if line in self.browser.text("legend")})
+
+    def test_bits_of_blocks_are_a_heat_map_with_its_ends(self):
+        address = self.look(overlay="bits", stage="residual")
+        bits = self.blocks(address)["bits"]
+        self.assertIn(f"{min(bits)}{max(bits)} bits", self.browser.text("legend"))
+        self.hmlfc("decode", "a.hmlfc", "--view", "1,3", "-o", "decoded")
+        most = bits.index(max(bits))
+        x, y = 4 * (most % COLUMNS) + 2, 4 * (most // COLUMNS) + 2
+        block = most % COLUMNS, most // COLUMNS
+        grey = 128 + self.inspect(block)["levels"][-1]["stages"]["residual"]["values"][2][2]
+        mixed = [OPACITY * over + (1 - OPACITY) * grey for over in (250, 235, 140)]
+        self.close_to(self.at(x, y), mixed, "the block of the most bits")
+
+    def blocks(self, address):
+        for server in self.servers.values():
+            if server.address == address:
+                return server.json("blocks", {"view": ",".join(map(str, VIEW)), "plane": "Y"})
+        raise AssertionError(address)
+
+    def test_vectors_are_drawn_where_they_point(self):
+        address = self.look(stage="parent", show="vectors")
+        longest = max(self.blocks(address)["vectors"], key=lambda vector: abs(vector[3]) + abs(vector[4]))
+        block, _, _, dx, dy = longest
+        self.assertGreater(abs(dx) + abs(dy), 1)
+        x, y = 4 * (block % COLUMNS) + 2, 4 * (block // COLUMNS) + 2
+        scale, left, top = self.placement()
+        along = [self.browser.pixels("picture", int(left + (x + part * dx) * scale) - 1, int(top + (y + part * dy) * scale) - 1, 3, 3)
+                 for part in (0.25, 0.5, 0.75)]
+        for pixels in along:
+            greenest = max(pixels[1::3])
+            self.assertGreater(greenest, 90, "no arrow there")
+
+    def test_reference_images_have_colours(self):
+        address = self.look(overlay="references")
+        images = {f"image {row},{col}" for _, row, col, *_ in self.blocks(address)["vectors"]}
+        for image in images:
+            self.assertIn(image, self.browser.text("legend"))
+
+    def test_hover_shows_the_values(self):
+        self.look(stage="sample")
+        block = 10, 6
+        level = self.inspect(block)["levels"][-1]
+        self.move_to(41, 26).perform()
+        text = self.browser.until("values", lambda: self.browser.text("hover"))
+        self.assertIn("block 10,6 · sample 41,26", text)
+        self.assertIn(f"sample {level['stages']['sample']['values'][2][1]}", text)
+        self.assertIn(level["state"], text)
+        for vector in level["vectors"]:
+            image = vector["image"]
+            self.assertIn(f"({vector['x']:g}, {vector['y']:g}) to image {image['row']},{image['col']}", text)
+
+    def test_a_click_pins_the_block_with_all_its_fields(self):
+        for file in "a.hmlfc", "tree.hmlfc":
+            self.look(file)
+            self.move_to(41, 26).click().perform()
+            self.shown(block="10,6")
+            self.browser.until("the block", lambda: self.browser.text("block"))
+            printed = self.hmlfc("inspect", file, "--view", "1,3", "--plane", "Y", "--block", "10,6")
+            lines = re.findall(r"(?m)^ +(\w+) +(0x\w+\.\d) +(\d+(?: x \d+)?)  (\w+) +([A-Z]+-\d+)  (.*)$", printed)
+            rows = self.browser.script(
+                "return [...document.querySelectorAll('.fields tbody tr')].map((row) =>"
+                "  [...row.cells].map((cell) => cell.textContent))")
+            self.assertEqual([(row[0], row[1], row[2], row[3], row[6]) for row in rows], [line[:5] for line in lines])
+            for row, line in zip(rows, lines):
+                self.assertTrue(row[5].startswith(line[5].strip()), (row, line))
+            numbers = [int(number) for number in self.browser.script(
+                "return [...document.querySelectorAll('.matrix:last-of-type td')].slice(-16).map((cell) => cell.textContent)")]
+            sample = self.inspect((10, 6), file=file)["levels"][-1]["stages"]["sample"]["values"]
+            self.assertEqual(numbers, sum(sample, []))
+
+    def test_keys_move_the_pin_and_its_reference_is_a_click_away(self):
+        from selenium.webdriver.common.keys import Keys
+
+        self.look(block="10,6")
+        self.browser.element("picture").send_keys(Keys.ARROW_RIGHT)
+        self.shown(block="11,6")
+        self.browser.until("its panel", lambda: "Block 11,6" in self.browser.text("block"))
+        vectors = self.inspect((11, 6))["levels"][-1]["vectors"]
+        self.assertTrue(vectors)
+        image = f"{vectors[0]['image']['row']},{vectors[0]['image']['col']}"
+        button = self.browser.page.find_element("xpath", f"//button[contains(., 'reference image {image}')]")
+        button.click()
+        self.shown(view=image, block="11,6")
+
+    def test_clauses_have_their_text(self):
+        self.look(block="10,6")
+        self.browser.until("the block", lambda: self.browser.text("block"))
+        self.browser.page.find_element("xpath", "//button[.='IDX-4']").click()
+        text = self.browser.until("the clause", lambda: self.browser.text("clause-text"))
+        self.assertTrue(text.startswith("[IDX-4]"), text)
+        self.assertNotIn("[IDX-5]", text)
+
+    def test_levels_show_ancestors(self):
+        self.look("tree.hmlfc", levels="1", stage="sample", block="3,4")
+        report = self.inspect((3, 4), "--levels", "1", file="tree.hmlfc")
+        grey = report["levels"][-1]["stages"]["sample"]["values"][1][2]
+        self.assertEqual(self.at(14, 17), (grey, grey, grey))
+
+    def test_chroma_of_half_the_size(self):
+        self.look("tree.hmlfc", plane="Co", stage="sample", block="2,3")
+        report = self.hmlfc_json("inspect", "tree.hmlfc", "--view", "1,3", "--plane", "Co", "--block", "2,3")
+        grey = 128 + report["levels"][-1]["stages"]["sample"]["values"][0][1]
+        self.assertEqual(self.at(9, 12), (grey, grey, grey))
+
+    def test_the_original_is_compared(self):
+        self.look("a.hmlfc", "--original", "views", stage="difference", overlay="psnr")
+        self.assertIn("dB", self.browser.text("legend"))
+        self.look("a.hmlfc")
+        self.assertEqual(self.browser.page.find_elements("css selector", "option[value=difference]"), [])
+
+    def test_a_stream_that_does_not_open(self):
+        stream = (self.folder / "a.hmlfc").read_bytes()
+        (self.folder / "head.hmlfc").write_bytes(stream[:8] + b"\xff" + stream[9:])
+        self.open("", "head.hmlfc")
+        text = self.browser.until("the error", lambda: self.browser.text("notice"))
+        self.assertRegex(text, r"head\.hmlfc: bad_\w+ in header at byte \d+")
+
+    def test_error_blocks_are_in_the_picture(self):
+        stream = bytearray((self.folder / "a.hmlfc").read_bytes())
+        for at in range(len(stream) - 600, len(stream)):
+            stream[at] ^= 0xFF
+        (self.folder / "tiles.hmlfc").write_bytes(stream)
+        address = self.open("#mode=into&view=4,4&plane=Y", "tiles.hmlfc")
+        self.assertIn("bad_section_crc", self.browser.until("a notice", lambda: self.browser.text("notice")))
+        self.shown(view="4,4")
+        server = self.servers["tiles.hmlfc",]
+        self.assertEqual(server.address, address)
+        errors = server.json("blocks", {"view": "4,4", "plane": "Y"})["errors"]
+        self.assertTrue(errors)
+        block, text = errors[0]
+        x, y = 4 * (block % COLUMNS), 4 * (block // COLUMNS)
+        self.assertGreater(self.at(x + 1.6, y + 1.5)[0], 200, "no red cross")
+        self.move_to(x + 2, y + 2).click().perform()
+        self.browser.until("the error", lambda: text in self.browser.text("block"))
+        self.open("#mode=look&camera=4,4,0&geometry=plane", "tiles.hmlfc")
+        self.browser.until("the error", lambda: re.search(r" in \w+ at byte ", self.browser.text("look-error")))
+        self.browser.page.get_log("browser")  # the status 422 of errors
+
+
+if __name__ == "__main__":
+    reason = browser.missing()
+    if reason:
+        print(f"skipped: {reason}")
+        sys.exit(77)
+    main()

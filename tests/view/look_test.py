@@ -1,0 +1,274 @@
+"""hmlfc view: the page in a browser, with real input events.
+Frames are compared byte for byte with those of `hmlfc render`, blocks with `hmlfc inspect`.
+"""
+
+import json
+import re
+import sys
+
+import browser
+from page_case import HEIGHT, WIDTH, PageCase
+from page_server import PageServer
+from pictures import read_png
+from program import DONE, main
+
+class Look(PageCase):
+    def place(self, query):
+        return [float(number) for number in query["camera"].split(",")]
+
+    def drag(self, dx, dy, **keys):
+        from selenium.webdriver.common.keys import Keys
+
+        canvas = self.browser.element("frame")
+        actions = self.browser.actions()
+        if keys.get("shift"):
+            actions.key_down(Keys.SHIFT)
+        actions.move_to_element(canvas).click_and_hold().move_by_offset(dx // 2, dy // 2)
+        actions.move_by_offset(dx - dx // 2, dy - dy // 2).release()
+        if keys.get("shift"):
+            actions.key_up(Keys.SHIFT)
+        actions.perform()
+
+    def box(self, name="frame"):
+        return self.browser.script(
+            "const box = document.getElementById(arguments[0]).getBoundingClientRect();"
+            "return [box.left, box.top, box.width, box.height]", name)
+
+    def press(self, name, *keys):
+        self.browser.element(name).send_keys(*keys)
+
+    def test_a_drag_moves_the_camera_and_the_frame_is_exact(self):
+        self.open()
+        before = self.frame_is_that_of_render()
+        self.assertEqual(self.place(before), [2, 2, 0])
+        self.drag(-80, 40)
+        after = self.browser.until("a move", lambda: self.place(self.browser.frame()) != [2, 2, 0] and self.browser.frame())
+        _, _, width, height = self.box()
+        u, v, z = self.place(after)
+        self.assertAlmostEqual(u, 2 + 4 * 80 / width, delta=0.02)
+        self.assertAlmostEqual(v, 2 - 4 * 40 / height, delta=0.02)
+        self.assertEqual(z, 0)
+        self.frame_is_that_of_render()
+
+    def test_wheel_shift_and_keys(self):
+        from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
+        from selenium.webdriver.common.keys import Keys
+
+        self.open()
+        self.browser.frame()
+        origin = ScrollOrigin.from_element(self.browser.element("frame"))
+        self.browser.actions().scroll_from_origin(origin, 0, -80).perform()
+        query = self.browser.until("in", lambda: self.place(self.browser.frame())[2] > 0 and self.browser.frame())
+        self.assertNotIn("look-at", query)
+        self.drag(60, 0, shift=True)
+        query = self.browser.until("a turn", lambda: "look-at" in self.browser.frame() and self.browser.frame())
+        self.assertLess(float(query["look-at"].split(",")[0]), 2)
+        self.frame_is_that_of_render()
+        self.press("frame", "0", Keys.ARROW_RIGHT, Keys.ARROW_UP, "a", "]", "g")
+        query = self.browser.until("keys", lambda: self.place(self.browser.frame()) == [2.25, 1.75, 0] and self.browser.frame())
+        self.assertEqual((query["aperture"], query["focus"], query["geometry"]), ("1", "0.05", "plane"))
+        self.frame_is_that_of_render()
+
+    def test_a_finger_moves_it(self):
+        self.open()
+        self.browser.frame()
+        left, top, width, height = self.box()
+        x, y = left + width / 2, top + height / 2
+        self.browser.touch((x, y), (x - 30, y), (x - 60, y))
+        query = self.browser.until("a move", lambda: self.place(self.browser.frame())[0] > 2 and self.browser.frame())
+        self.assertAlmostEqual(self.place(query)[0], 2 + 4 * 60 / width, delta=0.02)
+
+    def test_controls_by_keyboard(self):
+        from selenium.webdriver.common.keys import Keys
+
+        self.open()
+        self.browser.frame()
+        self.press("aperture", Keys.ARROW_RIGHT)
+        self.press("focus", Keys.END)
+        self.press("camera-u", Keys.CONTROL + "a", Keys.NULL, "1.5", Keys.TAB)
+        self.press("filter", "b")
+        query = self.browser.until("controls", lambda: self.browser.frame()["filter"] == "bilinear" and self.browser.frame())
+        self.assertEqual(self.place(query), [1.5, 2, 0])
+        self.assertEqual(query["aperture"], "1")
+        self.assertEqual(query["focus"], self.browser.element("focus").get_attribute("max"))
+        self.frame_is_that_of_render()
+
+    def test_a_click_sets_the_focus_there(self):
+        self.open("#aperture=1&geometry=plane")
+        self.browser.frame()
+        left, top, width, height = self.box()
+        for x, y in (60, 40), (30, 22):
+            self.browser.actions().move_to_element_with_offset(
+                self.browser.element("frame"),
+                round((x + 0.5) * width / WIDTH - width / 2), round((y + 0.5) * height / HEIGHT - height / 2),
+            ).click().perform()
+            status = self.browser.until("a focus", lambda: re.search(rf"Focus (\S+) at {x},{y}", self.browser.text("look-status")))
+            found = self.hmlfc("render", "a.hmlfc", "--focus-at", f"{x},{y}", "-o", "focus.png")
+            self.assertIn(f"\nfocus {status[1]} at {x},{y}\n", found)
+            query = self.frame_is_that_of_render()
+            self.assertAlmostEqual(float(query["focus"]), float(status[1]), delta=1e-4)
+
+    def test_a_link_gives_the_same_frame(self):
+        self.open("#mode=look&camera=0.75,3.1,-0.5&look-at=1.2,3,15.5&focus=0.4&aperture=1&geometry=plane&filter=nearest")
+        query = self.frame_is_that_of_render()
+        pixels = self.browser.pixels("frame")
+        address = self.browser.until("the link", lambda: self.browser.script("return location.href") if "camera=" in self.browser.script("return location.hash") else None)
+        for again in (lambda: self.browser.open(address), self.browser.page.refresh):
+            again()
+            self.assertEqual(self.browser.frame(), query)
+            self.assertEqual(self.browser.pixels("frame"), pixels)
+
+    def test_only_the_newest_frame_is_asked_for_and_moving_ones_are_coarse(self):
+        """With a server that takes 60 ms for a frame."""
+        self.open()
+        self.browser.frame()
+        self.browser.script(
+            "const ask = window.fetch; window.asked = []; window.pending = window.most = 0;"
+            "window.fetch = async (address) => {"
+            "  if (!address.startsWith('frame?')) return ask(address);"
+            "  window.asked.push(address); window.most = Math.max(window.most, ++window.pending);"
+            "  await new Promise((done) => setTimeout(done, 60));"
+            "  return ask(address).finally(() => --window.pending);"
+            "}")
+        canvas = self.browser.element("frame")
+        actions = self.browser.actions().move_to_element(canvas).click_and_hold()
+        for _ in range(60):
+            actions.move_by_offset(2, 0)
+        actions.release().perform()
+        query = self.browser.until("the last", lambda: self.place(self.browser.frame())[0] < 1.5 and self.browser.frame())
+        asked, most = self.browser.script("return [window.asked, window.most]")
+        self.assertEqual(most, 1)
+        self.assertLess(len(asked), 50)  # of 60 movements
+        sizes = [re.search(r"size=(\w+)", address)[1] for address in asked]
+        self.assertIn(f"{WIDTH // 2}x{HEIGHT // 2}", sizes)
+        self.assertEqual(sizes[-1], f"{WIDTH}x{HEIGHT}")
+        self.assertAlmostEqual(self.place(query)[0], 2 - 4 * 120 / self.box()[2], delta=0.03)
+        self.frame_is_that_of_render()
+
+    def test_a_recorded_path_renders_the_same_frames(self):
+        self.browser.page.execute_cdp_cmd(
+            "Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(self.folder)})
+        self.open("#camera=1,1,0&focus=0.5&geometry=plane&aperture=1")
+        self.browser.frame()
+        self.browser.element("record").click()
+        self.drag(-40, 20)
+        self.drag(30, 0, shift=True)
+        self.browser.until("a turn", lambda: "look-at" in self.browser.frame())
+        self.browser.element("record").click()
+        path = self.folder / "path.json"
+        self.browser.until("the file", path.exists)
+        command = re.search(r"hmlfc (render .*)$", self.browser.text("look-status"))[1]
+        self.hmlfc(*command.split())
+        frames = sorted((self.folder / "frames").glob("*.png"))
+        self.assertEqual(len(frames), len(json.loads(path.read_text())))
+        self.assertGreater(len(frames), 2)
+        self.assertEqual(self.browser.pixels("frame"), bytes(read_png(frames[-1]).samples))
+
+    def test_levels_of_the_tree(self):
+        self.open("#levels=1", "tree.hmlfc")
+        self.assertEqual(self.frame_is_that_of_render("tree.hmlfc")["levels"], "1")
+
+    def test_the_png_is_that_of_render(self):
+        self.open("#camera=1,1.5,0")
+        query = self.browser.frame()
+        self.render(query)
+        href = self.browser.element("save").get_attribute("href")
+        self.assertEqual(self.browser.element("save").get_attribute("download"), "frame.png")
+        saved = self.browser.page.execute_async_script(
+            "const done = arguments[1];"
+            "fetch(arguments[0]).then((answer) => answer.arrayBuffer()).then((bytes) => done([...new Uint8Array(bytes)]))", href)
+        self.assertEqual(bytes(saved), (self.folder / "frame.png").read_bytes())
+
+    def test_look_into_begins_with_the_nearest_view(self):
+        self.open("#camera=3.3,0.8,0")
+        self.browser.frame()
+        self.browser.element("mode-into").click()
+        self.browser.until("the view", lambda: "view=1,3" in self.browser.script("return location.hash"))
+        self.browser.until("its picture", lambda: "1,3" in (self.browser.element("picture").get_attribute("data-shown") or ""))
+        self.browser.element("mode-look").click()
+        self.assertEqual(self.place(self.browser.frame()), [3.3, 0.8, 0])
+
+    def test_two_tabs(self):
+        self.open("#camera=1,1,0")
+        first = self.browser.page.current_window_handle
+        self.browser.frame()
+        self.browser.page.switch_to.new_window("tab")
+        self.open("#camera=3,3,0")
+        self.frame_is_that_of_render()
+        second = self.browser.page.current_window_handle
+        self.browser.page.switch_to.window(first)
+        self.drag(-30, 0)
+        query = self.browser.until("a move", lambda: self.place(self.browser.frame())[0] > 1 and self.browser.frame())
+        self.assertEqual(self.place(query)[1], 1)
+        self.frame_is_that_of_render()
+        self.browser.page.switch_to.window(second)
+        self.assertEqual(self.place(self.browser.frame()), [3, 3, 0])
+        self.browser.page.close()
+        self.browser.page.switch_to.window(first)
+
+    def test_numbers_of_the_frame(self):
+        self.open("#camera=1,1,0&geometry=plane&focus=0.25")
+        query = self.browser.frame()
+        options = [word for name, value in query.items() for word in (f"--{name}", value)]
+        frame = self.hmlfc_json("render", "a.hmlfc", *options, "-o", "frame.png")["frames"][0]
+        self.assertEqual(int(re.sub(r"\s", "", self.browser.text("needed"))), frame["blocks_needed"])
+
+    def test_nothing_comes_from_elsewhere(self):
+        address = self.open("#mode=into&block=3,4")
+        self.browser.until("a block", lambda: self.browser.text("block"))
+        names = self.browser.script("return performance.getEntriesByType('resource').map((entry) => entry.name)")
+        self.assertGreater(len(names), 10)
+        for name in names:
+            self.assertTrue(name.startswith((address, "data:")), name)
+
+
+class Window(PageCase):
+    def test_every_control_has_a_name(self):
+        for link in "#mode=look", "#mode=into&block=3,4":
+            self.open(link, "tree.hmlfc")
+            self.browser.until("the page", lambda: self.browser.text("look-command") or self.browser.text("block"))
+            controls = self.browser.page.find_elements(
+                "css selector", "input, select, button, a, summary, canvas, dialog")
+            shown = [control for control in controls if self.browser.script("return arguments[0].checkVisibility()", control)]
+            named = [(control.get_attribute("id"), control.accessible_name) for control in shown]
+            self.assertGreater(len(named), 10)
+            self.assertEqual([identifier for identifier, name in named if not name], [])
+
+    def test_a_narrow_window(self):
+        self.browser.narrow(360, 640)
+        self.addCleanup(self.browser.wide)
+        for link in "#mode=look", "#mode=into&block=3,4":
+            self.open(link)
+            self.browser.until("the page", lambda: self.browser.script(
+                "return document.querySelector('main:not([hidden])') !== null"))
+            self.assertLessEqual(self.browser.script("return document.scrollingElement.scrollWidth"), 360)
+            for name in ("frame", "focus", "save") if "look" in link else ("picture", "overlay", "view-row"):
+                left, right = self.browser.script(
+                    "const box = document.getElementById(arguments[0]).getBoundingClientRect();"
+                    "return [box.left, box.right]", name)
+                self.assertTrue(0 <= left < right <= 360, name)
+            stage = self.browser.script(
+                "return document.querySelector('main:not([hidden]) .stage').getBoundingClientRect().width")
+            self.assertEqual(stage, 360)
+
+    def test_once_ends_when_the_tab_closes(self):
+        with PageServer(self.folder, "a.hmlfc", "--once") as server:
+            first = self.browser.page.current_window_handle
+            self.browser.page.switch_to.new_window("tab")
+            self.browser.open(server.address)
+            self.browser.frame()
+            self.browser.page.refresh()
+            self.browser.frame()
+            self.browser.page.close()
+            self.browser.page.switch_to.window(first)
+            self.assertEqual(server.process.wait(timeout=120), DONE)
+
+
+
+
+if __name__ == "__main__":
+    reason = browser.missing()
+    if reason:
+        print(f"skipped: {reason}")
+        sys.exit(77)
+    main()

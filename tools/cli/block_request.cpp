@@ -1,0 +1,54 @@
+#include "cli/block_request.hpp"
+
+#include <fmt/format.h>
+
+namespace hmlfc::cli {
+
+namespace {
+
+void check_block(const StreamFile& file, const BlockRequest& request) {
+  const PlaneSize size = file.decoder().plane_size(request.plane);
+  const uint32_t side = file.header().block_size();
+  const uint32_t columns = (size.width + side - 1) / side;
+  const uint32_t rows = (size.height + side - 1) / side;
+  if (request.block[0] < columns && request.block[1] < rows) return;
+  throw Failure(
+      ExitCode::kUsage,
+      fmt::format("--block {},{} is outside the {} columns and {} rows of blocks of plane {}",
+                  request.block[0], request.block[1], columns, rows, plane_name(request.plane)));
+}
+
+}  // namespace
+
+CLI::Option* add_plane(CLI::App& app, Plane& plane) {
+  return add_choice(app, "--plane", plane,
+                    {{"Y", Plane::kY}, {"Co", Plane::kCo}, {"Cg", Plane::kCg}}, "The plane")
+      ->required();
+}
+
+void add_block_options(CLI::App& app, BlockRequest& request) {
+  add_view(app, request.view, "The view; counted from 0,0")->required();
+  add_plane(app, request.plane);
+  add_numbers<2>(app, "--block", "BX,BY", ',', "block column,block row, such as 3,5",
+                 "Column and row of the block; counted from 0,0",
+                 [&block = request.block](const auto& numbers) { block = numbers; })
+      ->required();
+  add_levels(app, request.levels);
+}
+
+Result<void> report_on_block(const StreamFile& file, const BlockRequest& request,
+                             BlockReport& report) {
+  file.check_view(*request.view);
+  check_block(file, request);
+  const int stop_level = request.levels ? file.stop_level(*request.levels) : 0;
+  report.file = file.path().string();
+  report.header = file.header();
+  report.plane_size = file.decoder().plane_size(request.plane);
+  report.block = {*request.view, request.plane, request.block[0], request.block[1]};
+  const auto block = file.decoder().decode_block(
+      report.block, {.stop_level = stop_level, .trace = &report.trace, .counts = &report.counts});
+  if (!block) return tl::unexpected(block.error());
+  return {};
+}
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,63 @@
+// A stream opened from Python.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <hmlfc/camera.hpp>
+#include <hmlfc/decoder.hpp>
+#include <hmlfc/renderer.hpp>
+
+#include "io/files.hpp"
+
+namespace hmlfc::python {
+
+/// The bytes of a stream, its decoder and its renderer. Functions release the GIL while they
+/// decode; several threads may call them, and frames are rendered one after another.
+class Stream {
+ public:
+  /// The stream in a file, mapped, or in an object with contiguous bytes, which is kept and must
+  /// not change. Raises OSError, TypeError, hmlfc.Error.
+  static std::unique_ptr<Stream> from_file(const std::string& path, bool check_sections);
+  static std::unique_ptr<Stream> from_buffer(const pybind11::buffer& buffer, bool check_sections);
+
+  const StreamHeader& header() const { return decoder_->header(); }
+
+  /// Pixels of `rect`, which lies in the view: (height, width, 3).
+  pybind11::array pixels(ViewPos view, const Rect& rect, int stop_level) const;
+
+  /// (B, B) int32 samples of a block; with `traced` also what was read and computed: lists of
+  /// fields, vectors and stages, each a dict.
+  pybind11::object block(const BlockAddress& block, int stop_level, bool traced) const;
+
+  /// Disparities of the blocks of plane Y in units of 1/256 pixel a column, int16, and their
+  /// confidence, uint8: each (rows of blocks, columns of blocks).
+  pybind11::tuple disparity(ViewPos view) const;
+
+  /// The frame of `camera`: (height, width, 3). Raises ValueError for a camera that takes none.
+  pybind11::array render(const Camera& camera, int stop_level);
+
+ private:
+  using Bytes = std::variant<io::MappedFile, pybind11::buffer_info>;
+
+  Stream(Bytes bytes, bool check_sections);
+
+  Bytes bytes_;
+  std::optional<Decoder> decoder_;
+  std::mutex rendering_;
+  std::unique_ptr<FrameRenderer> renderer_;
+  Frame frame_;
+};
+
+/// Adds class Stream to the module.
+void add_stream(pybind11::module_& module);
+
+}  // namespace hmlfc::python

@@ -1,0 +1,207 @@
+#include "view/blocks.hpp"
+
+#include <bit>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include <hmlfc/disparity.hpp>
+#include <hmlfc/measure.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/block_request.hpp"
+#include "io/pictures.hpp"
+#include "view/block_page.hpp"
+#include "view/pixels.hpp"
+#include "view/query.hpp"
+
+namespace hmlfc::view {
+
+using cli::ExitCode;
+using cli::Failure;
+using cli::Json;
+
+namespace {
+
+constexpr size_t kKeptTraces = 4;
+
+// A plane of a view, or a view alone.
+struct PlaneRequest {
+  std::optional<ViewPos> view;
+  Plane plane = Plane::kY;
+  std::optional<int> levels;
+  size_t stage = 0;
+  int32_t gain = 4;
+};
+
+// Adds --view and --levels.
+void add_view_options(CLI::App& app, PlaneRequest& request) {
+  cli::add_view(app, request.view, "")->required();
+  cli::add_levels(app, request.levels);
+}
+
+int stop_level(const cli::StreamFile& file, const PlaneRequest& request) {
+  file.check_view(*request.view);
+  return request.levels ? file.stop_level(*request.levels) : 0;
+}
+
+RgbImage decoded(const cli::StreamFile& file, const PlaneRequest& request) {
+  const int level = stop_level(file, request);
+  return cli::value_or_throw(file.decoder().decode_view(*request.view, level), file.path());
+}
+
+const cli::ViewSource& original_of(const OpenStream& stream) {
+  if (stream.original() != nullptr) return *stream.original();
+  throw Failure(ExitCode::kUsage, "there is no original; start with --original FOLDER");
+}
+
+// The pixels of `rect` of `image`.
+RgbImage cut(const RgbImage& image, const Rect& rect) {
+  RgbImage part{rect.width, rect.height, image.depth, {}};
+  for (uint32_t y = rect.y; y < rect.y + rect.height; ++y) {
+    const auto row = image.samples.begin() + 3 * (ptrdiff_t{y} * image.width + rect.x);
+    part.samples.insert(part.samples.end(), row, row + 3 * ptrdiff_t{rect.width});
+  }
+  return part;
+}
+
+// PSNR over RGB of the pixels of each block, in dB; null where they are equal.
+Json psnr_of_blocks(const PlaneTrace& trace, const RgbImage& a, const RgbImage& b, uint32_t side) {
+  Json all = Json::array();
+  for (uint32_t by = 0; by < trace.rows; ++by) {
+    for (uint32_t bx = 0; bx < trace.columns; ++bx) {
+      const Rect rect{bx * side, by * side, std::min(side, a.width - bx * side),
+                      std::min(side, a.height - by * side)};
+      const ErrorSums sums = measure(cut(a, rect), cut(b, rect));
+      const double db = psnr(sums.rgb_squares, uint64_t{3} * rect.width * rect.height, a.depth);
+      all.push_back(std::isinf(db) ? Json(nullptr) : Json(std::round(db * 100) / 100));
+    }
+  }
+  return all;
+}
+
+// In pixels a column; null where the stream says nothing, or for the whole view where it is
+// corrupt.
+Json disparities_of_blocks(const Decoder& decoder, ViewPos view) {
+  const auto map = disparity_map(decoder, view);
+  if (!map) return nullptr;
+  Json all = Json::array();
+  for (const BlockDisparity& block : map->blocks) {
+    const bool known = block.confidence > 0;
+    all.push_back(known ? Json(static_cast<double>(block.disparity) / kDisparityUnits) : nullptr);
+  }
+  return all;
+}
+
+Json trace_json(const PlaneTrace& trace) {
+  Json vectors = Json::array();
+  for (const PlaneVector& v : trace.vectors) {
+    vectors.push_back({v.block, v.image_row, v.image_col, v.x / 8.0, v.y / 8.0});
+  }
+  Json errors = Json::array();
+  for (const PlaneError& error : trace.errors) errors.push_back({error.block, error.text});
+  return {{"width", trace.size.width},  {"height", trace.size.height},
+          {"columns", trace.columns},   {"rows", trace.rows},
+          {"states", trace.states},     {"bits", trace.bits},
+          {"read", trace.read},         {"level_counts", trace.level_counts},
+          {"steps", trace.steps},       {"vectors", std::move(vectors)},
+          {"errors", std::move(errors)}};
+}
+
+PlaneRequest plane_request(const Query& query, bool with_stage) {
+  PlaneRequest request;
+  read_query(query, [&request, with_stage](CLI::App& app) {
+    add_view_options(app, request);
+    cli::add_plane(app, request.plane);
+    if (!with_stage) return;
+    std::vector<std::pair<std::string, size_t>> names;
+    for (size_t k = 0; k < kStageNames.size(); ++k) names.emplace_back(kStageNames[k], k);
+    cli::add_choice(app, "--stage", request.stage, std::move(names), "")->required();
+  });
+  return request;
+}
+
+}  // namespace
+
+std::shared_ptr<const PlaneTrace> Blocks::trace(const Key& key) {
+  const std::lock_guard lock(mutex_);
+  const auto found = std::ranges::find(kept_, key, &Kept::key);
+  if (found != kept_.end()) return found->trace;
+  const auto& [row, col, plane, level] = key;
+  const Decoder& decoder = stream_.for_blocks().decoder();
+  const PlaneSize size = decoder.plane_size(plane);
+  if (uint64_t{size.width} * size.height > kMaxTracedSamples) {
+    throw Failure(ExitCode::kInput,
+                  "this plane has too many samples to look into all of it; hmlfc inspect shows a "
+                  "block");
+  }
+  auto made = std::make_shared<const PlaneTrace>(trace_plane(decoder, {row, col}, plane, level));
+  kept_.push_back({key, made});
+  if (kept_.size() > kKeptTraces) kept_.pop_front();
+  return made;
+}
+
+Response Blocks::picture(const Query& query) const {
+  PlaneRequest request;
+  read_query(query, [&request](CLI::App& app) { add_view_options(app, request); });
+  return picture_answer(decoded(stream_.for_blocks(), request));
+}
+
+Response Blocks::difference(const Query& query) const {
+  PlaneRequest request;
+  read_query(query, [&request](CLI::App& app) {
+    add_view_options(app, request);
+    cli::add_integer(app, "--gain", request.gain, 1, 64, "");
+  });
+  const RgbImage image = decoded(stream_.for_blocks(), request);
+  const RgbImage original = original_of(stream_).view(*request.view);
+  return picture_answer(
+      cli::value_or_throw(io::difference_picture(original, image, request.gain), ExitCode::kInput));
+}
+
+Response Blocks::stage(const Query& query) {
+  const PlaneRequest request = plane_request(query, true);
+  const int level = stop_level(stream_.for_blocks(), request);
+  const auto traced = trace({request.view->row, request.view->col, request.plane, level});
+  const std::vector<int16_t>& samples = traced->stages[request.stage];
+  static_assert(std::endian::native == std::endian::little);
+  Response response;
+  response.type = "application/octet-stream";
+  response.body.assign(reinterpret_cast<const char*>(samples.data()), 2 * samples.size());
+  return response;
+}
+
+Response Blocks::blocks(const Query& query) {
+  const PlaneRequest request = plane_request(query, false);
+  const cli::StreamFile& file = stream_.for_blocks();
+  const int level = stop_level(file, request);
+  const auto traced = trace({request.view->row, request.view->col, request.plane, level});
+  Json json = trace_json(*traced);
+  if (request.plane == Plane::kY && level == 0) {
+    json["disparities"] = disparities_of_blocks(file.decoder(), *request.view);
+  }
+  if (stream_.original() != nullptr && traced->errors.empty()) {
+    const bool half =
+        request.plane != Plane::kY && file.header().chroma_format == ChromaFormat::k420;
+    json["psnr"] = psnr_of_blocks(*traced, stream_.original()->view(*request.view),
+                                  decoded(file, request), file.header().block_size() << half);
+  }
+  Response response;
+  response.body = json.dump();
+  return response;
+}
+
+Response Blocks::block(const Query& query) const {
+  cli::BlockRequest request;
+  read_query(query, [&request](CLI::App& app) { add_block_options(app, request); });
+  const cli::StreamFile& file = stream_.for_blocks();
+  cli::BlockReport report;
+  const auto decoded = report_on_block(file, request, report);
+  Json json = block_page(report, file.bytes());
+  json["error"] = decoded ? Json(nullptr) : Json(to_string(decoded.error()));
+  Response response;
+  response.body = json.dump();
+  return response;
+}
+
+}  // namespace hmlfc::view

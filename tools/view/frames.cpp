@@ -1,0 +1,67 @@
+#include "view/frames.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "cli/camera_path.hpp"
+#include "io/image_files.hpp"
+#include "view/pixels.hpp"
+#include "view/query.hpp"
+#include "view/views_in_use.hpp"
+
+namespace hmlfc::view {
+
+using cli::ExitCode;
+using cli::Failure;
+using cli::Json;
+
+FrameRecord Frames::render(const Query& query) {
+  const LookQuery look = read_look_query(query);
+  const cli::StreamFile& file = stream_.for_frames();
+  const Camera camera = cameras_of(look.cameras, file).cameras.front();
+  const auto record = frame_record(camera, file.header());
+  if (!record) throw Failure(ExitCode::kUsage, record.error().message);
+  const int stop_level = look.levels ? file.stop_level(*look.levels) : 0;
+  if (renderer_ == nullptr) renderer_ = make_cpu_renderer(file.decoder());
+  stream_.touched().reset();
+  cli::value_or_throw(renderer_->render(*record, stop_level, frame_), file.path());
+  return *record;
+}
+
+Response Frames::frame(const Query& query) {
+  const std::lock_guard lock(mutex_);
+  const FrameRecord record = render(query);
+  const Json cost{{"width", frame_.image.width},
+                  {"height", frame_.image.height},
+                  {"seconds", frame_.seconds.total()},
+                  {"needed", frame_.counts.blocks_needed},
+                  {"decoded", frame_.counts.blocks_decoded},
+                  {"reused", frame_.counts.blocks_reused},
+                  {"touched", stream_.touched().bytes()},
+                  {"views", views_in_use(record)}};
+  Response response = picture_answer(frame_.image);
+  response.headers.emplace_back("Frame", cost.dump());
+  return response;
+}
+
+Response Frames::png(const Query& query) {
+  const std::lock_guard lock(mutex_);
+  render(query);
+  const std::vector<uint8_t> bytes = io::encode_png(frame_.image);
+  if (bytes.empty()) throw Failure(ExitCode::kOutOfMemory, "not enough memory for a PNG file");
+  Response response;
+  response.type = "image/png";
+  response.headers.emplace_back("Content-Disposition", "attachment; filename=\"frame.png\"");
+  response.body.assign(bytes.begin(), bytes.end());
+  return response;
+}
+
+Response Frames::focus(const Query& query) const {
+  const LookQuery look = read_look_query(query);
+  if (!look.cameras.focus_at) throw Failure(ExitCode::kUsage, "focus-at is missing");
+  const Camera camera = cameras_of(look.cameras, stream_.for_blocks()).cameras.front();
+  Response response;
+  response.body = Json{{"focus", camera.focus}}.dump();
+  return response;
+}
+
+}  // namespace hmlfc::view

@@ -1,0 +1,43 @@
+// Frames of novel views for the page.
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include <hmlfc/renderer.hpp>
+
+#include "view/exchange.hpp"
+#include "view/open_stream.hpp"
+
+namespace hmlfc::view {
+
+/// Renders what queries with the options of `hmlfc render` ask for, one frame at a time. All
+/// functions may be called at the same time. Failures: those of the query, cameras that take no
+/// frame (kUsage), a corrupt stream (kCorrupt).
+class Frames {
+ public:
+  /// `stream` must outlive it.
+  explicit Frames(OpenStream& stream) : stream_(stream) {}
+
+  /// The frame's pixels; the header Frame says what it cost, in JSON: width, height, seconds,
+  /// needed, decoded, reused (blocks), touched (bytes of the file), views (first and last row and
+  /// column).
+  Response frame(const Query& query);
+
+  /// The PNG file that `hmlfc render` writes.
+  Response png(const Query& query);
+
+  /// The focus for what the pixel focus-at shows: {"focus": 1.25}.
+  Response focus(const Query& query) const;
+
+ private:
+  // The last frame and its record, while `mutex_` is held.
+  FrameRecord render(const Query& query);
+
+  OpenStream& stream_;
+  std::mutex mutex_;
+  std::unique_ptr<FrameRenderer> renderer_;  // made for the first frame
+  Frame frame_;
+};
+
+}  // namespace hmlfc::view

@@ -1,0 +1,120 @@
+#include "view/handler.hpp"
+
+#include <new>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.hpp"
+#include "view/assets.hpp"
+#include "view/query.hpp"
+#include "view/stream_facts.hpp"
+
+namespace hmlfc::view {
+
+using cli::ExitCode;
+using cli::Failure;
+using cli::Json;
+
+namespace {
+
+// Text of any bytes as JSON.
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+Response refusal(int status, const std::string& text) {
+  Response response;
+  response.status = status;
+  response.body = dump({{"error", text}});
+  return response;
+}
+
+int status_of(ExitCode code) {
+  switch (code) {
+    case ExitCode::kUsage:
+    case ExitCode::kInput:
+      return 400;
+    case ExitCode::kCorrupt:
+      return 422;
+    case ExitCode::kOutOfMemory:
+      return 503;
+    default:
+      return 500;
+  }
+}
+
+Response json_answer(const Json& json) {
+  Response response;
+  response.body = dump(json);
+  return response;
+}
+
+}  // namespace
+
+Handler::Handler(Site site, OpenStream& stream)
+    : site_(std::move(site)), stream_(stream), frames_(stream), blocks_(stream) {}
+
+Response Handler::answer(const Request& request) {
+  Response response;
+  const auto path = asked_for(request, site_);
+  if (!path) {
+    response = refusal(404, "Nothing here. Use the address that hmlfc view printed");
+  } else {
+    try {
+      response = answer_page(*path, request);
+    } catch (const Failure& failure) {
+      response = refusal(status_of(failure.code()), failure.what());
+    } catch (const std::bad_alloc&) {
+      response = refusal(503, "Not enough memory");
+    } catch (const std::exception& error) {
+      response = refusal(500, std::string("Internal error: ") + error.what());
+    }
+  }
+  add_safety_headers(response);
+  return response;
+}
+
+Response Handler::answer_page(std::string_view path, const Request& request) {
+  if (path == "opened" || path == "closed") {
+    if (request.method != "POST") return refusal(405, "POST alone");
+    return note_page(path, request.query);
+  }
+  if (request.method != "GET" && request.method != "HEAD") return refusal(405, "GET alone");
+  return answer_get(path, request.query);
+}
+
+Response Handler::answer_get(std::string_view path, const Query& query) {
+  if (path == "frame") return frames_.frame(query);
+  if (path == "frame.png") return frames_.png(query);
+  if (path == "focus") return frames_.focus(query);
+  if (path == "picture") return blocks_.picture(query);
+  if (path == "difference") return blocks_.difference(query);
+  if (path == "stage") return blocks_.stage(query);
+  if (path == "blocks") return blocks_.blocks(query);
+  if (path == "block") return blocks_.block(query);
+  if (path == "stream") return json_answer(stream_facts(stream_));
+  if (path == "totals") return json_answer(stream_totals(stream_));
+  const Asset* asset = find_asset(path.empty() ? "index.html" : path);
+  if (asset == nullptr) return refusal(404, "No such address");
+  Response response;
+  response.type = asset->type;
+  response.body = asset->content;
+  return response;
+}
+
+Response Handler::note_page(std::string_view path, const Query& query) {
+  uint32_t id = 0;
+  read_query(query, [&id](CLI::App& app) {
+    cli::add_integer(app, "--page", id, 0, UINT32_MAX, "")->required();
+  });
+  const auto now = std::chrono::steady_clock::now();
+  if (path == "opened") {
+    pages_.opened(id, now);
+  } else {
+    pages_.closed(id, now);
+  }
+  return json_answer(Json::object());
+}
+
+}  // namespace hmlfc::view

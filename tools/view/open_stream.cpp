@@ -1,0 +1,47 @@
+#include "view/open_stream.hpp"
+
+#include "cli/output.hpp"
+#include "io/files.hpp"
+
+namespace hmlfc::view {
+
+using cli::ExitCode;
+using cli::Failure;
+using cli::StreamFile;
+
+OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem::path& original)
+    : path_(file) {
+  open(cli::value_or_throw(io::MappedFile::open(file), ExitCode::kInput).bytes().size());
+  if (original.empty()) return;
+  original_ = cli::ViewSource::open(original, std::nullopt);
+  if (for_blocks_ == nullptr) return;
+  const LightFieldShape shape = cli::shape_of(for_blocks_->header());
+  if (original_->shape() == shape) return;
+  throw Failure(ExitCode::kInput, "--original: " + original.string() + " has " +
+                                      cli::describe(original_->shape()) + ", but " + file.string() +
+                                      " has " + cli::describe(shape));
+}
+
+void OpenStream::open(uint64_t bytes) {
+  touched_ = std::make_unique<TouchedBytes>(bytes);
+  OpenOptions options;
+  options.check_sections = false;
+  try {
+    for_blocks_ = std::make_unique<StreamFile>(path_, options);
+    options.reads = touched_.get();
+    for_frames_ = std::make_unique<StreamFile>(path_, options);
+  } catch (const Failure& failure) {
+    if (failure.code() == ExitCode::kOutOfMemory) throw;
+    error_ = failure.what();
+    return;
+  }
+  const auto checked = Decoder::open(for_blocks_->bytes());
+  if (!checked) warning_ = path_.string() + ": " + to_string(checked.error());
+}
+
+const StreamFile& OpenStream::opened(const std::unique_ptr<StreamFile>& file) const {
+  if (file == nullptr) throw Failure(ExitCode::kCorrupt, error_);
+  return *file;
+}
+
+}  // namespace hmlfc::view

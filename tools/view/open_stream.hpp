@@ -1,0 +1,51 @@
+// The light field that a page shows, intact or not.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/view_source.hpp"
+
+namespace hmlfc::view {
+
+/// A stream opened as far as it can be, and the views that it was made of.
+class OpenStream {
+ public:
+  /// `original` is a folder of views or a stream, or empty. Failures: a file that cannot be read,
+  /// or an original of another shape (kInput). A corrupt stream is no failure.
+  OpenStream(const std::filesystem::path& file, const std::filesystem::path& original);
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Why the stream does not open; empty if it does.
+  const std::string& error() const { return error_; }
+
+  /// What is wrong with sections of a stream that opens; empty if nothing is.
+  const std::string& warning() const { return warning_; }
+
+  /// For frames: what they read is counted in touched(). Failure (kCorrupt) with error().
+  const cli::StreamFile& for_frames() const { return opened(for_frames_); }
+
+  /// For everything else; at the same time as frames. Failure (kCorrupt) with error().
+  const cli::StreamFile& for_blocks() const { return opened(for_blocks_); }
+
+  TouchedBytes& touched() { return *touched_; }
+
+  /// Null where there is none.
+  const cli::ViewSource* original() const { return original_.get(); }
+
+ private:
+  const cli::StreamFile& opened(const std::unique_ptr<cli::StreamFile>& file) const;
+  void open(uint64_t bytes);
+
+  std::filesystem::path path_;
+  std::unique_ptr<TouchedBytes> touched_;
+  std::unique_ptr<cli::StreamFile> for_frames_;
+  std::unique_ptr<cli::StreamFile> for_blocks_;
+  std::unique_ptr<cli::ViewSource> original_;
+  std::string error_;
+  std::string warning_;
+};
+
+}  // namespace hmlfc::view

@@ -1,0 +1,298 @@
+// Look into: any view at any level, its blocks and their fields.
+import { askJson, askPicture, askSamples } from "./ask.js";
+import { BlockCanvas } from "./block_canvas.js";
+import { showBlock } from "./block_panel.js";
+import { any, canvas, context, grouped, input, make, numberIn, say, select } from "./dom.js";
+import { GridMap } from "./grid_map.js";
+import { overlayOf, showLegend, STATES } from "./overlays.js";
+import { sampleAt, stagePicture } from "./stage_picture.js";
+
+/** @typedef {import("./ask.js").Query} Query */
+
+/**
+ * @typedef {object} Place
+ * @property {number} row of the view
+ * @property {number} col
+ * @property {string} plane
+ * @property {number} levels of the tree
+ * @property {string} stage
+ * @property {string} overlay
+ * @property {boolean} blocks lines between blocks
+ * @property {boolean} tiles
+ * @property {boolean} vectors
+ * @property {[number, number] | null} block column, row
+ */
+
+const CHECKS = /** @type {const} */ (["blocks", "tiles", "vectors"]);
+
+/** @param {ImageData} pixels */
+function picture(pixels) {
+  const made = document.createElement("canvas");
+  made.width = pixels.width;
+  made.height = pixels.height;
+  context(made).putImageData(pixels, 0, 0);
+  return made;
+}
+
+export class Into {
+  /** @param {any} stream @param {(query: Query) => void} moved */
+  constructor(stream, moved) {
+    this.stream = stream;
+    this.moved = moved;
+    this.all = stream.tree_height + 1;
+    this.place = this.firstPlace();
+    this.map = new GridMap(canvas("into-map"), stream, (row, col) => this.change({ row: Math.round(row), col: Math.round(col) }));
+    this.canvas = new BlockCanvas(canvas("picture"), (x, y) => this.hover(x, y), (x, y) => this.pin(x, y));
+    /** @type {Map<string, Promise<any>>} */
+    this.kept = new Map();
+    this.blocks = null;
+    /** @type {Int16Array | null} */
+    this.samples = null;
+    this.number = 0; // of the change that is shown
+    this.prepareControls();
+  }
+
+  /** @returns {Place} */
+  firstPlace() {
+    return {
+      row: Math.floor((this.stream.rows - 1) / 2), col: Math.floor((this.stream.cols - 1) / 2), plane: "Y",
+      levels: this.all, stage: "picture", overlay: "none", blocks: false, tiles: false, vectors: false, block: null,
+    };
+  }
+
+  prepareControls() {
+    input("view-row").max = String(this.stream.rows - 1);
+    input("view-col").max = String(this.stream.cols - 1);
+    input("into-levels").max = String(this.all);
+    any("into-levels-label").hidden = this.all === 1;
+    for (const list of [select("stage"), select("overlay")]) {
+      for (const option of [...list.options]) {
+        if (["difference", "psnr"].includes(option.value) && !this.stream.original) option.remove();
+      }
+    }
+    const last = { row: this.stream.rows - 1, col: this.stream.cols - 1 };
+    for (const side of /** @type {const} */ (["row", "col"])) {
+      input(`view-${side}`).addEventListener("change", () => {
+        const value = Math.round(numberIn(`view-${side}`) ?? this.place[side]);
+        this.change({ [side]: Math.max(0, Math.min(last[side], value)) });
+      });
+    }
+    for (const name of /** @type {const} */ (["plane", "stage", "overlay"])) {
+      select(name).addEventListener("change", () => this.change({ [name]: select(name).value, ...(name === "plane" ? { block: null } : {}) }));
+    }
+    input("into-levels").addEventListener("input", () => this.change({ levels: Number(input("into-levels").value) }));
+    input("blend").addEventListener("input", () => void this.show());
+    for (const name of CHECKS) {
+      input(`show-${name}`).addEventListener("change", () => this.change({ [name]: input(`show-${name}`).checked }));
+    }
+    canvas("picture").addEventListener("keydown", (event) => {
+      if (this.press(event.key)) event.preventDefault();
+    });
+    any("totals").addEventListener("toggle", () => void this.showTotals(), { once: true });
+  }
+
+  /** @param {string} key */
+  press(key) {
+    /** @type {Record<string, [number, number]>} */
+    const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    if (key === "+" || key === "=") this.canvas.zoom(1.25);
+    else if (key === "-") this.canvas.zoom(0.8);
+    else if (key in arrows && this.blocks) {
+      const [x, y] = this.place.block ?? [0, 0];
+      const [right, down] = arrows[key];
+      const column = Math.max(0, Math.min(this.blocks.columns - 1, x + right));
+      this.change({ block: [column, Math.max(0, Math.min(this.blocks.rows - 1, y + down))] });
+    } else return false;
+    return true;
+  }
+
+  /** @param {Partial<Place>} changes */
+  change(changes) {
+    Object.assign(this.place, changes);
+    void this.show();
+  }
+
+  /** @param {URLSearchParams} link */
+  open(link) {
+    const place = this.firstPlace();
+    const pair = (/** @type {string} */ name, /** @type {number} */ endX, /** @type {number} */ endY) => {
+      const [x, y] = (link.get(name) ?? "").split(",").map(Number);
+      const good = link.has(name) && Number.isInteger(x) && Number.isInteger(y) && x >= 0 && x < endX && y >= 0 && y < endY;
+      return good ? /** @type {[number, number]} */ ([x, y]) : null;
+    };
+    const view = pair("view", this.stream.rows, this.stream.cols);
+    if (view) [place.row, place.col] = view;
+    place.block = pair("block", 65536, 65536);
+    const levels = Number(link.get("levels"));
+    if (Number.isInteger(levels) && levels >= 1 && levels <= this.all) place.levels = levels;
+    for (const name of /** @type {const} */ (["plane", "stage", "overlay"])) {
+      const words = [...select(name).options].map((option) => option.value);
+      if (words.includes(link.get(name) ?? "")) place[name] = link.get(name) ?? "";
+    }
+    for (const name of CHECKS) place[name] = (link.get("show") ?? "").split(",").includes(name);
+    this.place = place;
+    void this.show();
+  }
+
+  /** @returns {Query} */
+  view() {
+    const query = { view: `${this.place.row},${this.place.col}` };
+    return this.place.levels === this.all ? query : { ...query, levels: this.place.levels };
+  }
+
+  /** @returns {Query} */
+  link() {
+    const { plane, stage, overlay, block } = this.place;
+    const shown = CHECKS.filter((name) => this.place[name]).join(",");
+    return {
+      ...this.view(), plane, stage, overlay, ...(shown ? { show: shown } : {}), ...(block ? { block: block.join(",") } : {}),
+    };
+  }
+
+  /**
+   * The answer to a question, asked once; the last twelve are kept.
+   * @template T @param {string} name @param {Query} query @param {(query: Query) => Promise<T>} ask @returns {Promise<T>}
+   */
+  once(name, query, ask) {
+    const key = name + JSON.stringify(query);
+    const made = this.kept.get(key) ?? ask(query);
+    this.kept.delete(key);
+    this.kept.set(key, made);
+    made.catch(() => this.kept.delete(key));
+    if (this.kept.size > 12) this.kept.delete([...this.kept.keys()][0]);
+    return made;
+  }
+
+  /** Asks for what is missing and draws it, unless there is a newer change by then. */
+  async show() {
+    const number = ++this.number;
+    this.showControls();
+    const place = { ...this.place };
+    const view = this.view();
+    const plane = { ...view, plane: place.plane };
+    try {
+      const blocks = await this.once("blocks", plane, (query) => askJson("blocks", query));
+      const rgb = await this.once("picture", view, (query) => askPicture("picture", query).then(({ pixels }) => picture(pixels)))
+        .catch(() => null);
+      const stage = rgb === null && place.stage === "picture" ? "sample" : place.stage;
+      const { shown, samples } = await this.stageOf(stage, rgb, view, plane, blocks);
+      const block = place.block && place.block[0] < blocks.columns && place.block[1] < blocks.rows ? place.block : null;
+      const answer = block && (await this.once("block", { ...plane, block: block.join(",") }, (query) => askJson("block", query)));
+      if (number !== this.number) return;
+      this.blocks = blocks;
+      this.samples = samples;
+      this.draw(shown, rgb, blocks, block);
+      showBlock(answer, (row, col) => this.change({ row, col }));
+      say("into-error", "");
+    } catch (error) {
+      if (number === this.number) say("into-error", /** @type {Error} */ (error).message);
+    }
+  }
+
+  /**
+   * @param {string} stage @param {HTMLCanvasElement | null} rgb @param {Query} view @param {Query} plane @param {any} blocks
+   * @returns {Promise<{shown: HTMLCanvasElement, samples: Int16Array | null}>}
+   */
+  async stageOf(stage, rgb, view, plane, blocks) {
+    if (stage === "picture" && rgb) return { shown: rgb, samples: null };
+    if (stage === "difference") {
+      const ask = (/** @type {Query} */ query) => askPicture("difference", query).then(({ pixels }) => picture(pixels));
+      return { shown: await this.once("difference", { ...view, gain: 4 }, ask), samples: null };
+    }
+    const samples = await this.once("stage", { ...plane, stage }, askSamples);
+    const signed = this.place.plane !== "Y" || stage === "residual";
+    return { shown: picture(stagePicture(samples, blocks.width, blocks.height, signed, this.stream.depth)), samples };
+  }
+
+  /**
+   * @param {HTMLCanvasElement} shown @param {HTMLCanvasElement | null} rgb @param {any} blocks @param {[number, number] | null} block
+   */
+  draw(shown, rgb, blocks, block) {
+    const overlay = overlayOf(this.place.overlay, blocks);
+    showLegend(overlay);
+    // A plane of chroma may have half the samples of the picture.
+    const double = shown.width > blocks.width ? 2 : 1;
+    this.canvas.show({
+      picture: shown, under: rgb, blend: Number(input("blend").value) / 100, blocks, side: this.stream.block * double,
+      colours: overlay.colours, showBlocks: this.place.blocks, showTiles: this.place.tiles, showVectors: this.place.vectors,
+      pinned: block === null ? null : block[1] * blocks.columns + block[0],
+    });
+    canvas("picture").dataset.shown = JSON.stringify(this.link());
+    this.moved(this.link());
+  }
+
+  /**
+   * The block at a sample of the picture, or null.
+   * @param {number} x @param {number} y @returns {[number, number] | null}
+   */
+  blockAt(x, y) {
+    const layers = this.canvas.layers;
+    if (!layers || x < 0 || y < 0 || x >= layers.picture.width || y >= layers.picture.height) return null;
+    return [Math.floor(x / layers.side), Math.floor(y / layers.side)];
+  }
+
+  /** @param {number} x @param {number} y */
+  pin(x, y) {
+    this.change({ block: this.blockAt(x, y) });
+  }
+
+  /** @param {number} x @param {number} y */
+  hover(x, y) {
+    const block = this.blockAt(x, y);
+    any("hover").textContent = block === null ? "" : this.describe(block, x, y);
+  }
+
+  /** @param {[number, number]} block @param {number} x @param {number} y */
+  describe(block, x, y) {
+    const { blocks, stream } = this;
+    const layers = /** @type {import("./block_canvas.js").Layers} */ (this.canvas.layers);
+    const unit = layers.side / stream.block;
+    const [sampleX, sampleY] = [Math.floor(x / unit), Math.floor(y / unit)];
+    const at = block[1] * blocks.columns + block[0];
+    const error = blocks.errors.find((/** @type {[number, string]} */ [number]) => number === at);
+    const parts = [`block ${block.join(",")}`, `sample ${sampleX},${sampleY}`];
+    const value = this.samples && sampleAt(this.samples, sampleY * blocks.width + sampleX);
+    if (this.samples) parts.push(`${this.place.stage} ${value ?? "none"}`);
+    parts.push(error ? error[1] : STATES[blocks.states[at]]);
+    if (blocks.states[at] < 4) parts.push(`${blocks.bits[at]} bits, ${blocks.read[at]} read`);
+    if (blocks.level_counts[at] > 0) parts.push(`${blocks.level_counts[at]} levels`);
+    if (blocks.steps[at] > 0) parts.push(`step ${blocks.steps[at]}`);
+    for (const [number, row, col, dx, dy] of blocks.vectors) {
+      if (number === at) parts.push(`(${dx}, ${dy}) to image ${row},${col}`);
+    }
+    if (blocks.disparities?.[at] != null) parts.push(`disparity ${blocks.disparities[at]}`);
+    if (blocks.psnr) parts.push(blocks.psnr[at] === null ? "equal to the original" : `${blocks.psnr[at]} dB`);
+    return parts.join(" · ");
+  }
+
+  showControls() {
+    const { place } = this;
+    input("view-row").value = String(place.row);
+    input("view-col").value = String(place.col);
+    input("into-levels").value = String(place.levels);
+    any("into-levels-value").textContent = `${place.levels} of ${this.all}`;
+    any("blend-value").textContent = `${input("blend").value} %`;
+    any("blend-label").hidden = place.stage === "picture";
+    for (const name of /** @type {const} */ (["plane", "stage", "overlay"])) select(name).value = place[name];
+    for (const name of CHECKS) input(`show-${name}`).checked = place[name];
+    this.map.draw({ view: { row: place.row, col: place.col } });
+    const query = { ...this.view(), plane: place.plane, block: (place.block ?? [0, 0]).join(",") };
+    const options = Object.entries(query).map(([name, value]) => `--${name} ${value}`);
+    any("into-command").textContent = `hmlfc inspect ${this.stream.file} ${options.join(" ")}`;
+  }
+
+  async showTotals() {
+    const body = any("totals-body");
+    body.textContent = "…";
+    try {
+      const totals = await askJson("totals");
+      const rows = [...Object.entries(totals.sections).map(([name, bytes]) => [name, `${grouped(bytes)} bytes`]),
+        ...Object.entries(totals.states).map(([name, count]) => [`blocks: ${name.replaceAll("_", " and ")}`, grouped(count)])];
+      const list = make("dl", { class: "numbers" });
+      for (const [name, text] of rows) list.append(make("dt", {}, name), make("dd", {}, text));
+      body.replaceChildren(list);
+    } catch (error) {
+      body.textContent = /** @type {Error} */ (error).message;
+    }
+  }
+}

@@ -1,0 +1,67 @@
+// The page: what it shows of which stream, and the link to it in the address.
+import { announcePage, askJson } from "./ask.js";
+import { any, say } from "./dom.js";
+import { Into } from "./into.js";
+import { Look } from "./look.js";
+
+const MODES = ["look", "into"];
+
+/**
+ * @param {string} shown one of MODES
+ */
+function showMode(shown) {
+  for (const mode of MODES) {
+    any(mode).hidden = mode !== shown;
+    any(`mode-${mode}`).setAttribute("aria-pressed", String(mode === shown));
+  }
+}
+
+/**
+ * The address with a link to what is shown.
+ * @param {string} mode @param {import("./ask.js").Query} query
+ */
+const linkTo = (mode, query) =>
+  `#${Object.entries({ mode, ...query }).map(([name, value]) => `${name}=${value}`).join("&")}`;
+
+/**
+ * @param {any} stream
+ */
+function describe(stream) {
+  document.title = `${stream.name} – hmlfc view`;
+  any("name").textContent = stream.name;
+  say("notice", [stream.error, stream.warning].filter(Boolean).join("\n"));
+  if (stream.error) return;
+  any("shape").textContent =
+    `${stream.rows} × ${stream.cols} views of ${stream.width} × ${stream.height}, ${stream.depth} bits · ${stream.coding}`;
+}
+
+async function begin() {
+  announcePage();
+  const stream = await askJson("stream");
+  describe(stream);
+  if (stream.error) return;
+  /** @type {Record<string, string>} */
+  const links = { look: "#mode=look" };
+  const keep = (/** @type {string} */ mode) => (/** @type {import("./ask.js").Query} */ query) => {
+    links[mode] = linkTo(mode, query);
+    if (!any(mode).hidden) history.replaceState(null, "", links[mode]);
+  };
+  for (const mode of MODES) showMode(mode); // both have to be seen once, to be laid out
+  const look = new Look(stream, keep("look"));
+  const shows = { look, into: new Into(stream, keep("into")) };
+  const open = () => {
+    const link = new URLSearchParams(location.hash.slice(1));
+    const mode = link.get("mode") === "into" ? "into" : "look";
+    showMode(mode);
+    shows[mode].open(link);
+  };
+  addEventListener("hashchange", open);
+  any("mode-look").addEventListener("click", () => (location.hash = links.look));
+  any("mode-into").addEventListener("click", () => {
+    links.into ??= linkTo("into", look.nearestView());
+    location.hash = links.into;
+  });
+  open();
+}
+
+begin().catch((error) => say("notice", error.message));

@@ -1,0 +1,99 @@
+// Colours of blocks, and what they mean.
+import { any, make } from "./dom.js";
+
+/**
+ * @typedef {object} Overlay
+ * @property {(string | null)[]} colours of each block; null: none
+ * @property {[string, string][]} [words] colour and meaning
+ * @property {[number, number, string]} [ramp] least, greatest, unit
+ */
+
+export const STATES = ["zero", "motion only", "motion and residual", "residual only", "key image", "error"];
+const STATE_COLOURS = ["#5b6473", "#3f8fd6", "#9a6fd0", "#e09a3e", "#d8c23f", "#ff3b30"];
+const IMAGE_COLOURS = ["#3f8fd6", "#e09a3e", "#49a86b", "#c95d8d", "#9a6fd0", "#d8c23f", "#45b5b0", "#b0663c"];
+// From dark violet over red to light yellow: brighter is more.
+const HEAT = [[30, 12, 70], [120, 28, 109], [196, 62, 75], [242, 130, 32], [250, 235, 140]];
+
+/**
+ * A colour for `part` in [0, 1].
+ * @param {number} part
+ */
+export function heat(part) {
+  const place = Math.max(0, Math.min(1, part)) * (HEAT.length - 1);
+  const first = Math.min(HEAT.length - 2, Math.floor(place));
+  const mixed = HEAT[first].map((low, k) => Math.round(low + (HEAT[first + 1][k] - low) * (place - first)));
+  return `rgb(${mixed.join(", ")})`;
+}
+
+/**
+ * @param {(number | null)[]} values
+ * @param {string} unit
+ * @param {(value: number) => boolean} shown
+ * @returns {Overlay}
+ */
+function heatMap(values, unit, shown = () => true) {
+  const counted = values.flatMap((value) => (value !== null && shown(value) ? [value] : []));
+  const least = counted.reduce((a, b) => Math.min(a, b), Infinity);
+  const greatest = counted.reduce((a, b) => Math.max(a, b), -Infinity);
+  const span = Math.max(1e-9, greatest - least);
+  const colours = values.map((value) => (value === null || !shown(value) ? null : heat((value - least) / span)));
+  return counted.length === 0 ? { colours, words: [] } : { colours, ramp: [least, greatest, unit] };
+}
+
+/**
+ * @param {any} blocks @returns {Overlay}
+ */
+function referenceImages(blocks) {
+  /** @type {Map<string, string>} */
+  const colourOf = new Map();
+  const colours = new Array(blocks.states.length).fill(null);
+  for (const [block, row, col] of blocks.vectors) {
+    const image = `${row},${col}`;
+    if (!colourOf.has(image)) colourOf.set(image, IMAGE_COLOURS[colourOf.size % IMAGE_COLOURS.length]);
+    colours[block] ??= colourOf.get(image) ?? null;
+  }
+  return { colours, words: [...colourOf].map(([image, colour]) => [colour, `image ${image}`]) };
+}
+
+/**
+ * The overlay of this name.
+ * @param {string} name @param {any} blocks what the server says of the plane @returns {Overlay}
+ */
+export function overlayOf(name, blocks) {
+  const positive = (/** @type {number} */ value) => value > 0;
+  const notKey = (/** @type {number[]} */ values) =>
+    values.map((value, at) => (blocks.states[at] >= 4 ? null : value));
+  switch (name) {
+    case "state": {
+      const colours = blocks.states.map((/** @type {number} */ state) => STATE_COLOURS[state]);
+      const found = [...new Set(blocks.states)].sort();
+      return { colours, words: found.map((state) => [STATE_COLOURS[state], STATES[state]]) };
+    }
+    case "bits": return heatMap(notKey(blocks.bits), "bits");
+    case "read": return heatMap(notKey(blocks.read), "bits");
+    case "level_counts": return heatMap(blocks.level_counts, "levels", positive);
+    case "steps": return heatMap(blocks.steps, "", positive);
+    case "disparities": return heatMap(blocks.disparities ?? [], "pixels a column");
+    case "psnr": return heatMap(blocks.psnr ?? [], "dB");
+    case "references": return referenceImages(blocks);
+    default: return { colours: [] };
+  }
+}
+
+/**
+ * @param {Overlay} overlay
+ */
+export function showLegend(overlay) {
+  const legend = any("legend");
+  legend.replaceChildren();
+  for (const [colour, word] of overlay.words ?? []) {
+    const swatch = make("span", { class: "swatch" });
+    swatch.style.background = colour;
+    legend.append(swatch, make("span", {}, word));
+  }
+  if (!overlay.ramp) return;
+  const [least, greatest, unit] = overlay.ramp;
+  const ramp = make("span", { class: "ramp" });
+  ramp.style.background = `linear-gradient(to right, ${[0, 0.25, 0.5, 0.75, 1].map(heat).join(", ")})`;
+  legend.append(ramp, make("span", { class: "ends" }, make("span", {}, `${least}`), make("span", {}, `${greatest} ${unit}`)));
+}
