@@ -1,6 +1,6 @@
 `include "hmlfc_tables.svh"
 
-// Reads and checks the header of a stream (FIL-1 to FIL-4, EXT-1, EXT-2, EXT-4).
+// Reads and checks the header of a stream (FIL-1 to FIL-4, EXT-1, EXT-2, EXT-4). Section RIG is skipped: only its entry is checked (RIG-1).
 //
 // `start` begins; `done` is high for one clock when `error` (annex A, 0 for none) and the fields are valid, which then hold. The checks
 // are made in the order of FIL-4. Bytes come 16 at a time and are looked at one a clock; fields are little-endian (CNV-3).
@@ -16,7 +16,7 @@ module hmlfc_header #(
     output logic done,
     output logic [5:0] error,
 
-    output logic [8:0] features,
+    output logic [8:0] features,  // without camera_rig
     output logic [12:0] rows,
     output logic [12:0] cols,
     output logic [16:0] width,
@@ -102,7 +102,7 @@ module hmlfc_header #(
 
   logic [FIXED*8-1:0] fixed;
   logic [23:0] level;  // the last bytes of level entries that came
-  logic [SECTION_BYTES*8-1:0] section_bytes;  // the last of them that came
+  logic [SECTION_BYTES*8-1:0] section_bytes;  // the last of them that came: TOP to TILE in the end
   logic [31:0] crc, stored_crc;
   wire [7:0] next_byte = piece[7:0];
   wire [15:0] header_bytes = fixed[HMLFC_HEADER_BYTES*8+:16];
@@ -112,6 +112,7 @@ module hmlfc_header #(
   wire extended = profile == 8'd1;
   wire motion_tiles = flags[HMLFC_FEATURE_MOTION_TILES];
   wire shared = flags[HMLFC_FEATURE_SHARED_DISPARITY];
+  wire rig = flags[HMLFC_FEATURE_CAMERA_RIG];
   wire [7:0] window_field = fixed[HMLFC_HEADER_WINDOW*8+:8];
   wire [7:0] height_field = fixed[HMLFC_HEADER_TREE_HEIGHT*8+:8];
   wire [31:0] width_field = fixed[HMLFC_HEADER_WIDTH*8+:32];
@@ -147,7 +148,7 @@ module hmlfc_header #(
       if (bad(shared, grid_field, 8'd2, 8'd5) || bad(shared, row_scale, 8'd0, 8'd255) || row_scale == 8'h80) bad_field = 1'b1;
     end else if (fixed[RESERVED*8-1:HMLFC_HEADER_VECTOR_PRECISION*8] != 0) bad_field = 1'b1;
     if (fixed[FIXED*8-1:RESERVED*8] != 0) bad_field = 1'b1;
-    if (header_bytes != 16'(HMLFC_HEADER_BYTES_OF_ONE_LEVEL) + (16'(height_field) << 2)) bad_field = 1'b1;
+    if (header_bytes != 16'(HMLFC_HEADER_BYTES_OF_ONE_LEVEL) + (rig ? 16'(HMLFC_HEADER_SECTION_BYTES) : 16'd0) + (16'(height_field) << 2)) bad_field = 1'b1;
   end
   wire bad_feature = extended ? flags[31:HMLFC_FEATURE_COUNT] != 0 || (!motion_tiles && (flags[HMLFC_FEATURE_COUNT-1:0] & NEEDS_MOTION_TILES) != 0) : flags != 0;
 
@@ -162,7 +163,7 @@ module hmlfc_header #(
   // Section entries, each when its last byte has come. Each section begins where the one before ends: the last end is the greatest.
   wire in_sections = at >= levels_end && at < header_bytes - 16'd4;
   logic [4:0] section_byte;
-  logic [1:0] entry;
+  logic [2:0] entry_type;  // of the entry that comes
   logic entry_came, bad_table;
   wire [191:0] section = section_bytes[SECTION_BYTES*8-1-:192];
   wire [63:0] section_offset = section[127:64];
@@ -216,8 +217,8 @@ module hmlfc_header #(
     high_halves <= {section_offset[63:32], section_size[63:32]};
     if (half_came) expected_offset <= {{1'b0, high_halves[63:32]} + {1'b0, high_halves[31:0]} + 33'(low_half[32]), low_half[31:0]};
     if (entry_came) begin
-      entry <= entry + 2'd1;
-      if (section[31:0] != 32'(entry) + 32'd1 || {1'b0, section_offset} != expected_offset) bad_table <= 1'b1;
+      entry_type <= entry_type == 3'd5 ? 3'd1 : entry_type + 3'd1;
+      if (section[31:0] != 32'(entry_type) || {1'b0, section_offset} != expected_offset) bad_table <= 1'b1;
     end
     case (state)
       IDLE:
@@ -255,7 +256,7 @@ module hmlfc_header #(
           entry_came <= section_byte == 5'd23;
         end else if (at < levels_end) begin
           section_byte <= '0;
-          entry <= '0;
+          entry_type <= rig ? 3'd5 : 3'd1;
           bad_table <= 1'b0;
           expected_offset <= 65'(header_bytes);
         end

@@ -44,7 +44,8 @@ localparam integer HMLFC_FEATURE_CHROMA_MOTION = 5;
 localparam integer HMLFC_FEATURE_LOSSY_KEYS = 6;
 localparam integer HMLFC_FEATURE_LEVEL_KEYS = 7;
 localparam integer HMLFC_FEATURE_BALANCED_GROUPS = 8;
-localparam integer HMLFC_FEATURE_COUNT = 9;
+localparam integer HMLFC_FEATURE_CAMERA_RIG = 9;
+localparam integer HMLFC_FEATURE_COUNT = 10;
 
 // Offsets of the header's fields in bytes (FIL-1, EXT-2).
 localparam integer HMLFC_HEADER_VERSION = 8;

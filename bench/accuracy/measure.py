@@ -68,7 +68,7 @@ class Measure:
             path.unlink()
 
     def _encode(self, coding, stream):
-        command = [self.hmlfc, "encode", self.scene.folder, "-o", stream, "--json"]
+        command = [self.hmlfc, "encode", self.scene.folder, "-o", stream, "--no-rig", "--json"]
         said, cost = run_measured([*command, *coding.options()])
         report = json.loads(said)
         if (report["rows"], report["cols"]) != (self.scene.rows, self.scene.cols):

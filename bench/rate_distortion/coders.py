@@ -54,7 +54,8 @@ def hmlfc(program, options, light_field, work):
     stream, decoded = work / "stream.hmlfc", work / "decoded"
 
     def encode(value):
-        command = [program, "encode", light_field.folder, "-o", stream, *options]
+        # Other coders do not say where cameras stand either.
+        command = [program, "encode", light_field.folder, "-o", stream, "--no-rig", *options]
         report = json.loads(run([*command, "--quality", f"{value:g}", "--json"])[0])
         if (report["rows"], report["cols"]) != (light_field.rows, light_field.cols):
             raise BenchError(f"hmlfc sees {report['rows']}x{report['cols']} views")

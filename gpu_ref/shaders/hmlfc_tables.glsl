@@ -41,6 +41,7 @@ const uint FEATURE_CHROMA_MOTION = 5u;
 const uint FEATURE_LOSSY_KEYS = 6u;
 const uint FEATURE_LEVEL_KEYS = 7u;
 const uint FEATURE_BALANCED_GROUPS = 8u;
+const uint FEATURE_CAMERA_RIG = 9u;
 
 // Limits of fields (TIL-8, STP-1, MOT-3, MOT-6).
 const uint MAX_LEVEL_CODE_OF_DEPTH_8 = 27u;

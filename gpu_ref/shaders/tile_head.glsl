@@ -70,16 +70,17 @@ uvec2 read_mask(inout Cursor cursor, uint mode, uvec2 inside) {
   return mask;
 }
 
+// A field behind the end is 0, which no check below refuses: so each looks at the values alone, and
+// the end, which comes first for every field (TIL-1), is asked for once, at the end.
+
 /// min_x and codes_x, or min_y and codes_y; an error of annex A, or ok (TIL-6).
 uint read_axis(inout Cursor cursor, out VectorAxis axis) {
   const uint window = arguments.shape.window;
   axis = VectorAxis(0, levels_of_code(0u), 0u);
   const uint field = take(cursor, arguments.shape.component_bits);
-  if (cursor.overrun) return ERROR_TILE_OVERRUN;
   if (field > 2u * window) return ERROR_VECTOR_RANGE;
   axis.least = int(field) - int(window);
   const uint code = take(cursor, arguments.shape.code_bits);
-  if (cursor.overrun) return ERROR_TILE_OVERRUN;
   if (code > arguments.shape.max_code) return ERROR_BAD_LEVELS;
   axis.levels = levels_of_code(code);
   return ERROR_OK;
@@ -89,7 +90,6 @@ uint read_axis(inout Cursor cursor, out VectorAxis axis) {
 uint read_vectors_head(inout Cursor cursor, inout TileHead head) {
   const uint count = popcount(head.motion_mask);
   head.sign_mode = take(cursor, 2u);
-  if (cursor.overrun) return ERROR_TILE_OVERRUN;
   if (head.sign_mode > kSignsMixed) return ERROR_BAD_MODE;
   uint status = read_axis(cursor, head.x);
   if (status != ERROR_OK) return status;
@@ -111,9 +111,8 @@ uint header_bits(TileHead head) { return head.level_bits + head.step_bits + head
 uint read_residuals_head(inout Cursor cursor, inout TileHead head) {
   head.level_base = take(cursor, 6u);
   head.level_bits = take(cursor, 3u);
-  if (cursor.overrun) return ERROR_TILE_OVERRUN;
   if (head.level_bits > 6u) return ERROR_BAD_MODE;
-  head.bias_bits = take(cursor, 4u);  // 0 behind the end
+  head.bias_bits = take(cursor, 4u);
   if (head.bias_bits > arguments.shape.depth + 2u) return ERROR_BAD_MODE;
   if (has_feature(FEATURE_RESIDUAL_STEP)) {
     head.step_base = take(cursor, 4u);

@@ -41,7 +41,8 @@ constexpr std::array<ErrorText, kErrorCodeCount> kErrorTexts{{
     {"bus_error", "a read of memory failed, in hardware"},
 }};
 
-constexpr std::array<std::string_view, 5> kSectionNames{"header", "TOP", "ROOT", "GROUP", "TILE"};
+constexpr std::array<std::string_view, 6> kSectionNames{"header", "TOP",  "ROOT",
+                                                        "GROUP",  "TILE", "RIG"};
 
 }  // namespace
 

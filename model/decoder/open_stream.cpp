@@ -9,8 +9,9 @@ namespace hmlfc {
 namespace {
 
 Result<void> check_section_crcs(const StreamView& stream) {
-  for (const Section section : {Section::kTop, Section::kRoot, Section::kGroup, Section::kTile}) {
-    if (crc32c(stream.bytes(section)) != stream.entry(section).crc) {
+  for (const SectionEntry* entry : section_entries(stream.header)) {
+    const auto section = static_cast<Section>(entry->type);
+    if (crc32c(stream.bytes(section)) != entry->crc) {
       return stream.error(ErrorCode::kBadSectionCrc, section, 0);
     }
   }

@@ -160,10 +160,11 @@ class StatisticsCollector {
 
   void finish() {
     SectionBytes& sections = statistics_.sections;
-    sections.header = header_size(stream_.header.tree_height);
+    sections.header = header_size(stream_.header);
     sections.top = stream_.entry(Section::kTop).size;
     sections.motion = motion_bits_ / 8;
     sections.residual = residual_bits_ / 8;
+    sections.other = stream_.header.rig.size;
     sections.index = stream_.file.size() - sections.total();
   }
 

@@ -24,18 +24,23 @@ std::vector<uint8_t> top_section(std::span<const std::vector<uint8_t>> codestrea
 }
 
 std::vector<uint8_t> assemble_stream(const StreamHeader& header, const std::vector<uint8_t>& top,
-                                     const IndexWriter& index) {
+                                     const IndexWriter& index, std::span<const uint8_t> rig) {
   StreamHeader complete = header;
-  const std::vector<uint8_t>* sections[] = {&top, &index.root, &index.groups, &index.tiles};
-  uint64_t offset = header_size(header.tree_height);
-  for (size_t i = 0; i < complete.sections.size(); ++i) {
-    const auto type = static_cast<uint32_t>(i + 1);
-    complete.sections[i] = {type, crc32c(*sections[i]), offset, sections[i]->size()};
-    offset += sections[i]->size();
+  const std::span<const uint8_t> sections[] = {top, index.root, index.groups, index.tiles, rig};
+  uint64_t offset = header_size(header);
+  for (SectionEntry* entry : section_entries(complete)) {
+    const bool is_rig = entry == &complete.rig;
+    const auto place = is_rig ? 4 : entry - complete.sections.data();
+    const std::span<const uint8_t> section = sections[place];
+    *entry = {static_cast<uint32_t>(place + 1), crc32c(section), offset, section.size()};
+    offset += section.size();
   }
   std::vector<uint8_t> bytes = write_header(complete);
   bytes.reserve(static_cast<size_t>(offset));
-  for (const auto* section : sections) bytes.insert(bytes.end(), section->begin(), section->end());
+  for (const SectionEntry* entry : section_entries(complete)) {
+    const auto section = sections[entry->type - 1];
+    bytes.insert(bytes.end(), section.begin(), section.end());
+  }
   return bytes;
 }
 

@@ -16,8 +16,9 @@ namespace hmlfc {
 std::vector<uint8_t> top_section(std::span<const std::vector<uint8_t>> codestreams,
                                  std::span<const uint32_t> sample_crcs);
 
-/// The whole file; `header` without its section table, `index` finished.
+/// The whole file; `header` without its section table, `index` finished, `rig` the section RIG
+/// where `header` has camera_rig.
 std::vector<uint8_t> assemble_stream(const StreamHeader& header, const std::vector<uint8_t>& top,
-                                     const IndexWriter& index);
+                                     const IndexWriter& index, std::span<const uint8_t> rig = {});
 
 }  // namespace hmlfc

@@ -23,7 +23,6 @@ constexpr size_t kAtReserved = 35;
 constexpr size_t kAtReservedExtended = 40;
 constexpr size_t kAtLevels = 44;
 constexpr size_t kLevelEntryBytes = 4;
-constexpr size_t kSectionEntryBytes = 24;
 constexpr size_t kCrcBytes = 4;
 
 // Flags that need motion tiles (EXT-1).
@@ -154,9 +153,9 @@ Result<void> load_levels(std::span<const uint8_t> file, StreamHeader& header) {
 
 // A size whose sum with the offset would wrap is past the end as well.
 Result<void> check_section_ends(uint64_t file_size, const StreamHeader& header) {
-  for (const SectionEntry& entry : header.sections) {
-    if (entry.size > file_size || entry.offset > file_size - entry.size) {
-      return fail(ErrorCode::kTruncated, static_cast<Section>(entry.type), file_size);
+  for (const SectionEntry* entry : section_entries(header)) {
+    if (entry->size > file_size || entry->offset > file_size - entry->size) {
+      return fail(ErrorCode::kTruncated, static_cast<Section>(entry->type), file_size);
     }
   }
   const SectionEntry& last = header.sections.back();
@@ -167,20 +166,22 @@ Result<void> check_section_ends(uint64_t file_size, const StreamHeader& header) 
 }
 
 Result<void> load_sections(std::span<const uint8_t> file, StreamHeader& header) {
-  const size_t size = header_size(header.tree_height);
-  const size_t table = size - kCrcBytes - header.sections.size() * kSectionEntryBytes;
+  const size_t size = header_size(header);
+  size_t at = header_size(header.tree_height) - kCrcBytes - 4 * size_t{kSectionEntryBytes};
   uint64_t expected_offset = size;
   bool ends = true;  // the section before ends below 2^64; past it no other begins (CNV-1)
-  for (size_t i = 0; i < header.sections.size(); ++i) {
-    const size_t at = table + i * kSectionEntryBytes;
-    SectionEntry& entry = header.sections[i];
+  uint32_t type = header.has(Feature::kCameraRig) ? static_cast<uint32_t>(Section::kRig) : 1;
+  for (SectionEntry* place : section_entries(header)) {
+    SectionEntry& entry = *place;
     entry.type = load_le<uint32_t>(file, at);
     entry.crc = load_le<uint32_t>(file, at + 4);
     entry.offset = load_le<uint64_t>(file, at + 8);
     entry.size = load_le<uint64_t>(file, at + 16);
-    if (entry.type != i + 1 || !ends || entry.offset != expected_offset) {
+    if (entry.type != type || !ends || entry.offset != expected_offset) {
       return header_error(ErrorCode::kBadSectionTable, at);
     }
+    type = place == &header.rig ? 1 : type + 1;
+    at += kSectionEntryBytes;
     ends = entry.size <= std::numeric_limits<uint64_t>::max() - entry.offset;
     expected_offset = ends ? entry.offset + entry.size : 0;
   }
@@ -207,7 +208,7 @@ Result<StreamHeader> parse_header(std::span<const uint8_t> file) {
   if (std::ranges::any_of(reserved, [](uint8_t byte) { return byte != 0; })) {
     return bad_field(at_reserved);
   }
-  if (load_le<uint16_t>(file, kAtHeaderBytes) != header_size(header.tree_height)) {
+  if (load_le<uint16_t>(file, kAtHeaderBytes) != header_size(header)) {
     return bad_field(kAtHeaderBytes);
   }
   if (auto ok = load_levels(file, header); !ok) return tl::unexpected(ok.error());
@@ -219,7 +220,7 @@ std::vector<uint8_t> write_header(const StreamHeader& header) {
   std::vector<uint8_t> bytes(kMagic.begin(), kMagic.end());
   append_le(bytes, kVersion);
   append_le(bytes, static_cast<uint8_t>(header.profile));
-  append_le(bytes, static_cast<uint16_t>(header_size(header.tree_height)));
+  append_le(bytes, static_cast<uint16_t>(header_size(header)));
   append_le(bytes, header.feature_flags);
   const auto put = [&](auto field, size_t count, int64_t, int64_t) {
     const auto value = static_cast<uint32_t>(field);
@@ -231,11 +232,11 @@ std::vector<uint8_t> write_header(const StreamHeader& header) {
   for (auto level = header.levels.rbegin(); level != header.levels.rend(); ++level) {
     bytes.insert(bytes.end(), {level->ref_rows, level->ref_cols, level->key_references, 0});
   }
-  for (const SectionEntry& entry : header.sections) {
-    append_le(bytes, entry.type);
-    append_le(bytes, entry.crc);
-    append_le(bytes, entry.offset);
-    append_le(bytes, entry.size);
+  for (const SectionEntry* entry : section_entries(header)) {
+    append_le(bytes, entry->type);
+    append_le(bytes, entry->crc);
+    append_le(bytes, entry->offset);
+    append_le(bytes, entry->size);
   }
   append_le(bytes, crc32c(bytes));
   return bytes;

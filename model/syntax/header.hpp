@@ -11,9 +11,27 @@
 namespace hmlfc {
 inline constexpr uint8_t kVersion = 1;
 
-/// Bytes of a header with tree_height in [0, 15] (FIL-1).
+/// Bytes of a section entry (FIL-3).
+inline constexpr uint32_t kSectionEntryBytes = 24;
+
+/// Bytes of a header with tree_height in [0, 15] and no section RIG (FIL-1).
 constexpr uint32_t header_size(int tree_height) {
-  return 44 + 4 * static_cast<uint32_t>(tree_height + 1) + 96 + 4;
+  return 44 + 4 * static_cast<uint32_t>(tree_height + 1) + 4 * kSectionEntryBytes + 4;
+}
+
+/// Bytes of `header` (FIL-1).
+inline uint32_t header_size(const StreamHeader& header) {
+  return header_size(header.tree_height) +
+         (header.has(Feature::kCameraRig) ? kSectionEntryBytes : 0);
+}
+
+/// The section entries of `header`, a StreamHeader or a const one, in their order (FIL-1).
+template <class Header>
+auto section_entries(Header& header) {
+  std::vector<decltype(&header.rig)> entries;
+  if (header.has(Feature::kCameraRig)) entries.push_back(&header.rig);
+  for (auto& entry : header.sections) entries.push_back(&entry);
+  return entries;
 }
 
 /// Checks every field but the section table against its interval (FIL-4), in the order of FIL-1.

@@ -20,10 +20,11 @@ struct StreamView {
   ReadSink* reads = nullptr;
 
   const SectionEntry& entry(Section section) const {
+    if (section == Section::kRig) return header.rig;
     return header.sections[static_cast<size_t>(section) - 1];
   }
 
-  /// The bytes of TOP, ROOT, GROUP or TILE.
+  /// The bytes of TOP, ROOT, GROUP, TILE or RIG; of RIG none without camera_rig.
   std::span<const uint8_t> bytes(Section section) const {
     const SectionEntry& e = entry(section);
     return file.subspan(static_cast<size_t>(e.offset), static_cast<size_t>(e.size));

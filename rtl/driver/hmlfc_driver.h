@@ -52,7 +52,7 @@ enum { HMLFC_MAX_LEVELS = 16, HMLFC_PLANES = 3, HMLFC_STRIP_BYTES = 144 };
 /* Where an error was found. */
 struct hmlfc_error {
   int code;
-  int section;     /* 0 header, 1 TOP, 2 ROOT, 3 GROUP, 4 TILE */
+  int section;     /* 0 header, 1 TOP, 2 ROOT, 3 GROUP, 4 TILE, 5 RIG */
   uint64_t offset; /* bytes from the start of the file */
 };
 
@@ -95,7 +95,7 @@ struct hmlfc_stream {
   int8_t row_scale;
   struct hmlfc_level levels[HMLFC_MAX_LEVELS]; /* [0, tree_height] */
   struct hmlfc_plane planes[HMLFC_PLANES];     /* Y, Co, Cg */
-  struct hmlfc_section sections[4];            /* TOP, ROOT, GROUP, TILE */
+  struct hmlfc_section sections[5];            /* TOP, ROOT, GROUP, TILE, RIG if there is one */
   uint64_t images, tiles_per_image, key_images;
   uint64_t area_image_bytes; /* of the three planes of one reference image */
   uint64_t area_bytes;       /* of the reference area */

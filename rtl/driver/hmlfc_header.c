@@ -1,4 +1,4 @@
-/* The header: FIL-1 to FIL-4, EXT-1, EXT-2. */
+/* The header: FIL-1 to FIL-4, EXT-1, EXT-2, RIG-1. */
 #include "hmlfc_internal.h"
 
 enum {
@@ -16,8 +16,17 @@ enum {
   CRC_BYTES = 4
 };
 
-static uint32_t header_bytes(unsigned tree_height) {
-  return AT_LEVELS + LEVEL_BYTES * (tree_height + 1) + 4 * SECTION_BYTES + CRC_BYTES;
+/* Up to the section entries. */
+static uint32_t table_offset(unsigned tree_height) {
+  return AT_LEVELS + LEVEL_BYTES * (tree_height + 1);
+}
+
+static uint32_t header_bytes(unsigned tree_height, unsigned sections) {
+  return table_offset(tree_height) + sections * SECTION_BYTES + CRC_BYTES;
+}
+
+static unsigned section_count(const struct hmlfc_stream* s) {
+  return hmlfc_has(s, HMLFC_CAMERA_RIG) ? 5 : 4;
 }
 
 /* FIL-4 up to the checksum, and the profile. */
@@ -30,7 +39,7 @@ static int check_envelope(const uint8_t* file, size_t bytes, struct hmlfc_error*
   }
   if (file[AT_VERSION] != 1) return hmlfc_fail(error, HMLFC_BAD_VERSION, 0, AT_VERSION);
   size = (size_t)hmlfc_load(file + AT_HEADER_BYTES, 2);
-  if (size < header_bytes(0)) return hmlfc_fail(error, HMLFC_TRUNCATED, 0, AT_HEADER_BYTES);
+  if (size < header_bytes(0, 4)) return hmlfc_fail(error, HMLFC_TRUNCATED, 0, AT_HEADER_BYTES);
   if (size > bytes) return hmlfc_fail(error, HMLFC_TRUNCATED, 0, bytes);
   if (hmlfc_load32(file + size - CRC_BYTES) != hmlfc_crc32c(file, size - CRC_BYTES, 0)) {
     return hmlfc_fail(error, HMLFC_BAD_HEADER_CRC, 0, size - CRC_BYTES);
@@ -110,7 +119,7 @@ static int check_fields(const struct hmlfc_stream* s, struct hmlfc_error* error)
   for (unsigned at = reserved; at < AT_LEVELS; ++at) {
     if (s->file[at] != 0) return hmlfc_fail(error, HMLFC_BAD_HEADER_FIELD, 0, reserved);
   }
-  if (hmlfc_load(s->file + AT_HEADER_BYTES, 2) != header_bytes(s->tree_height)) {
+  if (hmlfc_load(s->file + AT_HEADER_BYTES, 2) != header_bytes(s->tree_height, section_count(s))) {
     return hmlfc_fail(error, HMLFC_BAD_HEADER_FIELD, 0, AT_HEADER_BYTES);
   }
   return HMLFC_OK;
@@ -138,26 +147,26 @@ static int load_levels(struct hmlfc_stream* s, struct hmlfc_error* error) {
 /* FIL-3: sections follow each other without gaps, up to the end of the file. An end past 2^64 is
  * past the end of the file; no section begins after it. */
 static int load_sections(struct hmlfc_stream* s, struct hmlfc_error* error) {
-  const uint32_t size = header_bytes(s->tree_height);
-  uint64_t expected = size;
+  uint32_t at = table_offset(s->tree_height);
+  uint64_t expected = header_bytes(s->tree_height, section_count(s));
   int ends = 1;
-  for (unsigned i = 0; i < 4; ++i) {
-    const uint32_t at = size - CRC_BYTES - (4 - i) * SECTION_BYTES;
+  for (int i = hmlfc_first_section(s); i != 0; i = hmlfc_next_section(i)) {
     const uint8_t* entry = s->file + at;
-    struct hmlfc_section* section = &s->sections[i];
+    struct hmlfc_section* section = &s->sections[i - 1];
     section->crc = hmlfc_load32(entry + 4);
     section->offset = hmlfc_load(entry + 8, 8);
     section->size = hmlfc_load(entry + 16, 8);
-    if (hmlfc_load32(entry) != i + 1 || !ends || section->offset != expected) {
+    if (hmlfc_load32(entry) != (uint32_t)i || !ends || section->offset != expected) {
       return hmlfc_fail(error, HMLFC_BAD_SECTION_TABLE, 0, at);
     }
     ends = section->size <= UINT64_MAX - section->offset;
     expected = ends ? section->offset + section->size : 0;
+    at += SECTION_BYTES;
   }
-  for (unsigned i = 0; i < 4; ++i) {
-    const struct hmlfc_section* section = &s->sections[i];
+  for (int i = hmlfc_first_section(s); i != 0; i = hmlfc_next_section(i)) {
+    const struct hmlfc_section* section = &s->sections[i - 1];
     if (section->size > s->bytes || section->offset > s->bytes - section->size) {
-      return hmlfc_fail(error, HMLFC_TRUNCATED, (int)i + 1, s->bytes);
+      return hmlfc_fail(error, HMLFC_TRUNCATED, i, s->bytes);
     }
   }
   if (expected != s->bytes) return hmlfc_fail(error, HMLFC_TRAILING_BYTES, 4, expected);

@@ -14,7 +14,8 @@ enum {
   HMLFC_LOSSY_KEYS = 6,
   HMLFC_LEVEL_KEYS = 7,
   HMLFC_BALANCED_GROUPS = 8,
-  HMLFC_FEATURE_COUNT = 9
+  HMLFC_CAMERA_RIG = 9,
+  HMLFC_FEATURE_COUNT = 10
 };
 
 /* Bytes of an entry of the TOP table (KEY-1). */
@@ -37,6 +38,16 @@ static inline uint32_t hmlfc_divide_up(uint32_t a, uint32_t b) { return a / b + 
 
 static inline int hmlfc_has(const struct hmlfc_stream* stream, unsigned feature) {
   return (stream->feature_flags >> feature & 1) != 0;
+}
+
+/* Types of sections in the order of the file: 5 (RIG) if there is one, 1, 2, 3, 4, then 0 (FIL-1).
+ */
+static inline int hmlfc_first_section(const struct hmlfc_stream* stream) {
+  return hmlfc_has(stream, HMLFC_CAMERA_RIG) ? 5 : 1;
+}
+
+static inline int hmlfc_next_section(int section) {
+  return section == 5 ? 1 : section == 4 ? 0 : section + 1;
 }
 
 static inline int hmlfc_fail(struct hmlfc_error* error, int code, int section, uint64_t offset) {

@@ -133,10 +133,10 @@ static int check_top_table(const struct hmlfc_stream* s, struct hmlfc_error* err
 }
 
 int hmlfc_stream_check_sections(const struct hmlfc_stream* stream, struct hmlfc_error* error) {
-  for (int i = 0; i < 4; ++i) {
-    const struct hmlfc_section* section = &stream->sections[i];
+  for (int i = hmlfc_first_section(stream); i != 0; i = hmlfc_next_section(i)) {
+    const struct hmlfc_section* section = &stream->sections[i - 1];
     if (hmlfc_crc32c(stream->file + section->offset, (size_t)section->size, 0) != section->crc) {
-      return hmlfc_fail_in(stream, error, HMLFC_BAD_SECTION_CRC, i + 1, 0);
+      return hmlfc_fail_in(stream, error, HMLFC_BAD_SECTION_CRC, i, 0);
     }
   }
   return HMLFC_OK;

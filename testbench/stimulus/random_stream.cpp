@@ -182,7 +182,7 @@ void corrupt(std::vector<uint8_t>& stream, Damage damage, uint64_t seed) {
   Random random(seed);
   const auto header = parse_header(stream);
   if (!header) return;
-  const size_t header_bytes = header_size(header->tree_height);
+  const size_t header_bytes = header_size(*header);
   const auto& top = header->sections[0];
   switch (damage) {
     case Damage::kNone:

@@ -13,13 +13,13 @@ from program import PROGRAM, ROOT, CliTest, main
 
 COMMANDS = {
     "": ["--help", "--version"],
-    "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--disparity", "--output"],
+    "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--disparity", "--rig", "--output"],
     "encode": ["--grid", "--views", "--profile", "--method", "--cluster", "--height", "--block", "--window",
                "--threshold-ref", "--threshold-pred", "--quality", "--preset", "--target-psnr", "--target-bpp", "--max-bytes", "--chroma", "--lossless",
-               "--references", "--threads", "--json", "--output"],
+               "--references", "--rig", "--no-rig", "--threads", "--json", "--output"],
     "decode": ["--view", "--rect", "--levels", "--threads", "--output"],
     "disparity": ["--view", "--output"],
-    "info": ["--json"],
+    "info": ["--rig", "--json"],
     "compare": ["--json"],
     "inspect": ["--view", "--plane", "--block", "--json"],
     "bise": ["enc", "dec"],
@@ -50,6 +50,9 @@ class Help(CliTest):
     def prepare(cls):
         cls.hmlfc(*"synth --scene cards --grid 9x9 --size 136x72 -o views".split())
         cls.hmlfc("encode", "views", "-o", "chess.hmlfc")
+        rig = {"schema": 1, "positions": [[col, row, 0] for row in range(9) for col in range(9)]}
+        (cls.folder / "rig.json").write_text(json.dumps(rig))
+        cls.hmlfc("encode", "views", "-o", "posed.hmlfc", "--rig", "rig.json")
         cls.make_small_suite()
         (cls.folder / "libhmlfc_dut_model.so").symlink_to(PROGRAM.parent / "libhmlfc_dut_model.so")
         cases = cls.hmlfc("primitives", "gen", "colour")

@@ -9,6 +9,7 @@ from header import read_header
 KEYS = [
     "bytes", "bpp", "ratio", "rows", "cols", "width", "height", "profile", "method", "sections",
     "depth", "chroma", "block", "window", "cluster", "tree_height", "tools", "levels", "states", "disparity",
+    "rig",
 ]  # fmt: skip
 SECTIONS = ["header", "index", "motion", "residual", "top", "other"]
 

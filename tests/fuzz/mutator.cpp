@@ -14,7 +14,7 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max
 namespace {
 
 constexpr size_t kMaxGrowth = 64;
-constexpr unsigned kPartCount = 5;  // fields of the header and four sections
+constexpr unsigned kPartCount = 6;  // fields of the header and five sections
 constexpr size_t kEnvelope = 12;    // magic to header_bytes
 
 // The number of fields after the envelope changes only by level entries.
@@ -49,6 +49,8 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max
   const unsigned part = (choice / 8) % kPartCount;
   if (part == 0) {
     mutate_head(parts->head, choice / 64);
+  } else if (part == 5) {
+    if (parts->rig) mutate_section(*parts->rig, (choice / 64) % 4 == 0);
   } else {
     mutate_section(parts->sections[part - 1], (choice / 64) % 4 == 0);
   }

@@ -11,10 +11,11 @@
 
 namespace hmlfc::fuzz {
 
-/// The header of a file up to its section table, and the four sections.
+/// The header of a file up to its section table, and the sections.
 struct StreamParts {
   std::vector<uint8_t> head;
   std::array<std::vector<uint8_t>, 4> sections;  ///< TOP, ROOT, GROUP, TILE
+  std::optional<std::vector<uint8_t>> rig;       ///< RIG, where the flag camera_rig is set
 };
 
 /// The parts of `file`, split as its header says, whatever else is wrong; sections are cut at the

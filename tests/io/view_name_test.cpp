@@ -39,6 +39,17 @@ TEST(ViewName, RefusesOtherNames) {
   }
 }
 
+TEST(ViewName, ReadsCameraPlaces) {
+  EXPECT_EQ(parse_camera_place("out_00_01_-382.679993_1095.175903"),
+            (CameraPlace{-382.679993, 1095.175903}));
+  EXPECT_EQ(parse_camera_place("out_00_01_+1._-.5_"), (CameraPlace{1, -0.5}));
+  const std::string beyond_all_numbers = "out_00_01_1_" + std::string(400, '9');
+  for (const std::string& stem : {std::string("out_00_01"), std::string("pic_00_01_1_2"),
+                                  std::string("00_01"), beyond_all_numbers}) {
+    EXPECT_FALSE(parse_camera_place(stem).has_value()) << stem;
+  }
+}
+
 TEST(ViewName, ReadsCameraNumbers) {
   EXPECT_EQ(parse_camera_name("input_Cam000"), 0u);
   EXPECT_EQ(parse_camera_name("input_Cam080"), 80u);

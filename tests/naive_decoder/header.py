@@ -32,6 +32,7 @@ FLAGS = [
     ("lossy_keys", None),
     ("level_keys", None),
     ("balanced_groups", None),
+    ("camera_rig", None),
 ]
 
 
@@ -39,7 +40,7 @@ class Header:
     """Every field of the header and every flag, by name.
 
     `levels[l]` is (ref_rows, ref_cols, key_references) of level l; `sections` is a list of
-    (type, crc, offset, size).
+    (type, crc, offset, size) in the order of the file, RIG first where there is one.
     """
 
 
@@ -66,12 +67,13 @@ def read_header(data):
     many = header.cluster_rows * header.cluster_cols >= 2
     require(many or header.tree_height == 0, "bad_header_field")
     read_extended_fields(header, data)
-    require(size == 44 + 4 * (header.tree_height + 1) + 96 + 4, "bad_header_field")
+    count = 5 if header.camera_rig else 4
+    require(size == 44 + 4 * (header.tree_height + 1) + 24 * count + 4, "bad_header_field")
     read_level_entries(header, data)
-    table = size - 100
+    table = size - 4 - 24 * count
     header.sections = [
         tuple(number(data, table + 24 * i + at, width) for at, width in ((0, 4), (4, 4), (8, 8), (16, 8)))
-        for i in range(4)
+        for i in range(count)
     ]
     return header
 

@@ -1,4 +1,4 @@
-"""Opening a stream: header, sections and their sizes (FIL-4, FIL-6, FIL-8, IDX-4, IDX-5, KEY-1)."""
+"""Opening a stream: header, sections and their sizes (FIL-4, FIL-6, FIL-8, IDX-4, IDX-5, KEY-1, RIG-1)."""
 
 from crc32c import crc32c
 from geometry import Geometry
@@ -8,25 +8,27 @@ from stream_error import require
 
 
 class Stream:
-    """An opened stream: header, geometry, the four sections as bytes, the codestreams."""
+    """An opened stream: header, geometry, the sections as bytes, the codestreams."""
 
     def __init__(self, data):
         self.header = read_header(data)
         self.geometry = Geometry(self.header)
-        self.top, self.root, self.group, self.tile = read_sections(self.header, data)
+        sections = read_sections(self.header, data)
+        self.top, self.root, self.group, self.tile = sections[-4:]
         groups = ceil_div(self.geometry.image_count() * self.geometry.tiles_of_image(), 64)
         require(len(self.root) == 16 * ceil_div(groups, 64), "bad_section_size")
         require(len(self.group) % 16 == 0, "bad_section_size")
         self.codestreams = read_top_table(self.geometry, self.top)
-        for (_, crc, _, _), section in zip(self.header.sections, (self.top, self.root, self.group, self.tile)):
+        for (_, crc, _, _), section in zip(self.header.sections, sections):
             require(crc32c(section) == crc, "bad_section_crc")
 
 
 def read_sections(header, data):
-    """The bytes of the four sections, after the checks of FIL-4."""
+    """The bytes of all sections, after the checks of FIL-4."""
     end = header.header_bytes
-    for i, (kind, _, offset, size) in enumerate(header.sections):
-        require(kind == i + 1 and offset == end, "bad_section_table")
+    kinds = ([5] if header.camera_rig else []) + [1, 2, 3, 4]
+    for expected, (kind, _, offset, size) in zip(kinds, header.sections):
+        require(kind == expected and offset == end, "bad_section_table")
         end = offset + size
     for _, _, offset, size in header.sections:
         require(offset + size <= len(data), "truncated")

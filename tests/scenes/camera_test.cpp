@@ -57,6 +57,35 @@ TEST(TwoPlaneCamera, PointsMoveByTheStatedDisparity) {
   }
 }
 
+// RIG-3 and RIG-4 see a point where the camera sees it, half a pixel apart as they count.
+TEST(TwoPlaneCamera, TheRigSeesTheSame) {
+  constexpr CameraRig kTurned = {.centre = {3, -2, 1},
+                                 .right = {0.6, 0, 0.8},
+                                 .down = {0, -1, 0},
+                                 .forward = {-0.8, 0, 0.6},
+                                 .focus = 10.0,
+                                 .depth_unit = 5.0,
+                                 .focal_sides = 1.5};
+  const SceneParams params = params_of(3, 4);
+  const Rig rig = rig_of(kTurned, params);
+  ASSERT_EQ(rig.positions.size(), 12u);
+  ASSERT_EQ(rig.intrinsics.size(), 12u);
+  EXPECT_TRUE(rig.rotations.empty());
+  for (const Vec3 point : {Vec3{-2, -1.5, 4}, Vec3{-9, -2, 12}, Vec3{1, -1, 2.5}}) {
+    const Vec3 seen = point - kTurned.centre;
+    for (size_t view = 0; view < 12; ++view) {
+      const auto& [x, y, z] = rig.positions[view];
+      const auto& [fx, fy, cx, cy] = rig.intrinsics[view];
+      const double depth = dot(seen, kTurned.forward) - z;
+      const TwoPlaneCamera camera(kTurned, params, static_cast<uint32_t>(view / 4),
+                                  static_cast<uint32_t>(view % 4));
+      const PixelBox box = camera.bounds(std::array{point});
+      EXPECT_NEAR(cx + fx * (dot(seen, kTurned.right) - x) / depth, box.left - 0.5, 1e-9);
+      EXPECT_NEAR(cy + fy * (dot(seen, kTurned.down) - y) / depth, box.top - 0.5, 1e-9);
+    }
+  }
+}
+
 TEST(TwoPlaneCamera, NearPointsMoveAgainstTheGridAndFarOnesWithIt) {
   const SceneParams params = params_of(2, 2);
   EXPECT_LT(project(params, 0, 1, {0, 0, 5}).left, project(params, 0, 0, {0, 0, 5}).left);

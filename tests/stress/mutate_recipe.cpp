@@ -115,7 +115,8 @@ void change_features(Json& header, Random& random) {
     if (on) features.push_back(name);
     return on;
   };
-  for (const char* name : {"residual_step", "lossy_keys", "level_keys", "balanced_groups"}) {
+  for (const char* name :
+       {"residual_step", "lossy_keys", "level_keys", "balanced_groups", "camera_rig"}) {
     maybe(name);
   }
   for (const char* name : {"vector_precision", "disparity_precision", "motion_tile_log2",

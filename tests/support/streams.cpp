@@ -93,19 +93,24 @@ StreamHeader row_of_views(int tree_height) {
   return header;
 }
 
-Bytes file_of(StreamHeader header, const SectionBytes& sections) {
-  uint64_t offset = header_size(header.tree_height);
+Bytes file_of(StreamHeader header, const SectionBytes& sections, const Bytes& rig) {
+  uint64_t offset = header_size(header);
+  if (header.has(Feature::kCameraRig)) {
+    header.rig = {5, crc32c(rig), offset, rig.size()};
+    offset += rig.size();
+  }
   for (uint32_t i = 0; i < 4; ++i) {
     header.sections[i] = {i + 1, crc32c(sections[i]), offset, sections[i].size()};
     offset += sections[i].size();
   }
   Bytes file = write_header(header);
+  if (header.has(Feature::kCameraRig)) file.insert(file.end(), rig.begin(), rig.end());
   for (const Bytes& section : sections) file.insert(file.end(), section.begin(), section.end());
   return file;
 }
 
 Bytes drawn_stream(const StreamHeader& header, uint64_t seed) {
-  return vectors::field_stream({header, {}, {}, {}, 0, {}}, seed);
+  return vectors::field_stream({header, {}, {}, {}, 0, {}, {}}, seed);
 }
 
 StreamParts::StreamParts(const StreamHeader& h)

@@ -40,8 +40,9 @@ StreamHeader row_of_views(int tree_height);
 /// The contents of TOP, ROOT, GROUP and TILE.
 using SectionBytes = std::array<Bytes, 4>;
 
-/// A whole file: `header` with the section table of `sections`, then the sections.
-Bytes file_of(StreamHeader header, const SectionBytes& sections);
+/// A whole file: `header` with the section table of `sections`, then the sections, with camera_rig
+/// first `rig`.
+Bytes file_of(StreamHeader header, const SectionBytes& sections, const Bytes& rig = {});
 
 /// A valid stream with this header: random key images, and records of any fields (field_stream).
 Bytes drawn_stream(const StreamHeader& header, uint64_t seed);

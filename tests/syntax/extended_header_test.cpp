@@ -17,9 +17,9 @@ using test::Bytes;
 
 constexpr size_t kAtLevels = 44;
 
-// The flags that each of the nine needs, by bit (EXT-1): subpel_vectors, shared_disparity,
+// The flags that each of the ten needs, by bit (EXT-1): subpel_vectors, shared_disparity,
 // two_references and chroma_motion need motion_tiles.
-constexpr uint32_t kNeeds[] = {0, 0, 2, 2, 2, 2, 0, 0, 0};
+constexpr uint32_t kNeeds[] = {0, 0, 2, 2, 2, 2, 0, 0, 0, 0};
 
 /// The fields of EXT-2 and whether their flags are set.
 struct HeaderField {
@@ -52,7 +52,7 @@ StreamHeader header_with(uint32_t flags, int vector_precision = 1) {
 }
 
 bool fits(uint32_t flags) {
-  for (unsigned bit = 0; bit < 9; ++bit) {
+  for (unsigned bit = 0; bit < 10; ++bit) {
     const bool set = (flags >> bit & 1) != 0;
     if (set && (flags & kNeeds[bit]) != kNeeds[bit]) return false;
   }
@@ -68,7 +68,7 @@ std::string outcome(const Bytes& file, size_t* offset = nullptr) {
 
 TEST(ExtendedHeader, EveryCombinationOfFlags) {
   int valid = 0;
-  for (uint32_t flags = 0; flags < 512; ++flags) {
+  for (uint32_t flags = 0; flags < 1024; ++flags) {
     const StreamHeader header = header_with(flags);
     size_t offset = 0;
     ASSERT_EQ(outcome(test::file_of(header, {}), &offset), fits(flags) ? "ok" : "bad_feature")
@@ -79,12 +79,12 @@ TEST(ExtendedHeader, EveryCombinationOfFlags) {
     }
     valid += fits(flags) ? 1 : 0;
   }
-  EXPECT_EQ(valid, 272) << "16 without motion tiles, 256 with them";
+  EXPECT_EQ(valid, 544) << "32 without motion tiles, 512 with them";
 }
 
 TEST(ExtendedHeader, UnknownFlags) {
-  for (unsigned bit = 9; bit < 32; ++bit) {
-    for (const uint32_t others : {0u, 511u}) {
+  for (unsigned bit = 10; bit < 32; ++bit) {
+    for (const uint32_t others : {0u, 1023u}) {
       EXPECT_EQ(outcome(test::file_of(header_with(others | uint32_t{1} << bit), {})), "bad_feature")
           << bit;
     }
@@ -133,7 +133,7 @@ TEST(ExtendedHeader, EveryValueOfEveryField) {
 }
 
 TEST(ExtendedHeader, ReservedBytes) {
-  for (const uint32_t flags : {0u, 511u}) {
+  for (const uint32_t flags : {0u, 1023u}) {
     for (size_t at = 40; at < 44; ++at) {
       Bytes file = test::file_of(header_with(flags), {});
       test::patch(file, at, 1, 0x80);
@@ -159,7 +159,7 @@ TEST(ExtendedHeader, OrderOfChecks) {
                                   {41, 1, 40},  {10, 160, 10}, {46, 1, 46}};
   for (size_t i = 0; i < faults.size(); ++i) {
     for (size_t j = i; j < faults.size(); ++j) {
-      Bytes file = test::file_of(header_with(511), {Bytes(8), Bytes(8), Bytes(8), Bytes(8)});
+      Bytes file = test::file_of(header_with(1023), {Bytes(8), Bytes(8), Bytes(8), Bytes(8)});
       for (const Fault& fault : {faults[i], faults[j]}) {
         test::patch(file, fault.offset, 1, fault.value);
       }
@@ -173,7 +173,7 @@ TEST(ExtendedHeader, OrderOfChecks) {
 
 TEST(ExtendedHeader, KeyReferences) {
   constexpr uint32_t kLevelKeys = 128;
-  for (const uint32_t flags : {0u, 511u - kLevelKeys, kLevelKeys, 511u}) {
+  for (const uint32_t flags : {0u, 1023u - kLevelKeys, kLevelKeys, 1023u}) {
     for (size_t entry = 0; entry < 3; ++entry) {  // from the top down
       for (int value = 0; value < 256; ++value) {
         Bytes file = test::file_of(header_with(flags), {});
@@ -191,14 +191,14 @@ TEST(ExtendedHeader, KeyReferences) {
         }
         const StreamHeader header = parse_header(file).value();
         ASSERT_EQ(header.levels[2 - entry].key_references, value);
-        ASSERT_EQ(write_header(header), Bytes(file.begin(), file.begin() + 156));
+        ASSERT_EQ(write_header(header), Bytes(file.begin(), file.begin() + header_size(header)));
       }
     }
   }
 }
 
 RC_GTEST_PROP(ExtendedHeader, RoundTrip, ()) {
-  uint32_t flags = *rc::gen::inRange(0u, 512u);
+  uint32_t flags = *rc::gen::inRange(0u, 1024u);
   if ((flags & 60) != 0) flags |= 2;
   StreamHeader header = header_with(flags, *rc::gen::inRange(1, 4));
   if (header.has(Feature::kMotionTiles)) header.motion_tile_log2 = *rc::gen::inRange(5u, 8u);
@@ -215,6 +215,7 @@ RC_GTEST_PROP(ExtendedHeader, RoundTrip, ()) {
   const auto parsed = parse_header(test::file_of(header, {}));
   RC_ASSERT(parsed.has_value());
   header.sections = parsed->sections;
+  header.rig = parsed->rig;
   RC_ASSERT(*parsed == header);
   RC_ASSERT(check_fields(header).has_value());
 }

@@ -28,7 +28,7 @@ namespace {
 using test::Bytes;
 using vectors::Random;
 
-constexpr std::array kParts{"HEADER", "TOP", "ROOT", "GROUP", "TILE"};
+constexpr std::array kParts{"HEADER", "TOP", "ROOT", "GROUP", "TILE", "RIG"};
 constexpr size_t kAtLevels = 44;
 
 // All streams of the suite, those that must be refused as well.
@@ -61,10 +61,9 @@ Error model_error(std::span<const uint8_t> file, const UnitParameters* parameter
   const StreamView view{file, *header, Geometry(*header)};
   if (auto ok = check_index_sizes(view); !ok) return ok.error();
   if (auto ok = check_top_table(view); !ok) return ok.error();
-  for (const Section section : {Section::kTop, Section::kRoot, Section::kGroup, Section::kTile}) {
-    if (crc32c(view.bytes(section)) != view.entry(section).crc) {
-      return {ErrorCode::kBadSectionCrc, section, view.entry(section).offset};
-    }
+  for (const SectionEntry* entry : section_entries(*header)) {
+    if (crc32c(file.subspan(entry->offset, entry->size)) == entry->crc) continue;
+    return {ErrorCode::kBadSectionCrc, static_cast<Section>(entry->type), entry->offset};
   }
   return {};
 }

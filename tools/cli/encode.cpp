@@ -1,7 +1,10 @@
 // hmlfc encode: a folder of views to a stream, with the quality measured on the decoded stream.
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +15,7 @@
 #include "cli/arguments.hpp"
 #include "cli/coding_options.hpp"
 #include "cli/comparison.hpp"
+#include "cli/rig_options.hpp"
 #include "cli/stream_report.hpp"
 #include "cli/view_source.hpp"
 #include "io/files.hpp"
@@ -29,8 +33,15 @@ struct EncodeOptions {
   std::optional<io::GridShape> grid;
   std::optional<io::ViewPart> part;
   CodingOptions coding;
+  RigOptions rig;
   bool json = false;
   const CLI::App* app = nullptr;  ///< tells which options were given
+};
+
+// What is encoded.
+struct Input {
+  LightField field;
+  std::optional<ChosenRig> rig;
 };
 
 // The result of encoding, and its cost.
@@ -38,11 +49,12 @@ struct EncodeOutcome {
   StreamReport stream;
   Quality quality;
   EncodeParams params;
+  std::string rig;  ///< rig_line()
   double wall_seconds = 0;
   double cpu_seconds = 0;  ///< of all threads of the process
 };
 
-LightField load(const EncodeOptions& options) {
+Input load(const EncodeOptions& options) {
   terminal::ProgressBar progress("Reading", "views");
   auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
   if (options.part) {
@@ -55,17 +67,22 @@ LightField load(const EncodeOptions& options) {
       ExitCode::kInput);
   progress.clear();
   note_losses(options.input, losses);
-  return field;
+  auto rig = rig_for(options.rig, options.coding.params.profile, views, field.shape());
+  return {std::move(field), std::move(rig)};
 }
 
-EncodedStream encode_field(const LightField& field, const EncodeOptions& options) {
+EncodedStream encode_input(const Input& input, const EncodeOptions& options) {
   terminal::ProgressBar progress("Encoding", "images");
   const EncodeParams& params = options.coding.params;
-  const auto target = target_of(options.coding, field.shape());
-  auto stream = target ? encode_to(field, params, *target, progress.callback())
-                       : encode(field, params, progress.callback());
+  auto target = target_of(options.coding, input.field.shape());
+  if (auto* most = target ? std::get_if<TargetBytes>(&*target) : nullptr; most && input.rig) {
+    most->bytes -= std::min(most->bytes - 1, most_rig_bytes(*input.rig));
+  }
+  auto stream = target ? encode_to(input.field, params, *target, progress.callback())
+                       : encode(input.field, params, progress.callback());
   if (!stream)
     throw Failure(ExitCode::kInput, options.input.string() + ": " + stream.error().message);
+  if (input.rig) stream->bytes = stream_with_rig(stream->bytes, *input.rig);
   return std::move(*stream);
 }
 
@@ -84,12 +101,13 @@ void check_promise(const ErrorSums& promised, const ErrorSums& measured, const s
 }
 
 EncodeOutcome encode_and_measure(const EncodeOptions& options) {
-  const LightField field = load(options);
+  const Input input = load(options);
+  const LightField& field = input.field;
   EncodeOutcome outcome;
   ErrorSums promised;
   {
     const Clock clock;
-    const EncodedStream stream = encode_field(field, options);
+    const EncodedStream stream = encode_input(input, options);
     outcome.wall_seconds = clock.wall_seconds();
     outcome.cpu_seconds = clock.cpu_seconds();
     outcome.params = stream.params;
@@ -103,6 +121,7 @@ EncodeOutcome encode_and_measure(const EncodeOptions& options) {
   check_promise(promised, measured, options.output.string());
   outcome.quality = quality_of(measured, field.shape());
   outcome.stream = report_on(file);
+  outcome.rig = rig_line(file);
   return outcome;
 }
 
@@ -127,7 +146,7 @@ void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outco
   const StreamHeader& header = outcome.stream.header;
   print(fmt::format("File          {}\nLight field   {}\nCoding        {}\n",
                     options.output.string(), describe(shape_of(header)), describe_coding(header)));
-  print(size_text(outcome.stream));
+  print(size_text(outcome.stream) + outcome.rig);
   print(fmt::format("Quality       PSNR RGB {}, Y {}, largest error {}\n",
                     psnr_text(outcome.quality.psnr_rgb), psnr_text(outcome.quality.psnr_y),
                     outcome.quality.max_abs_error));
@@ -204,27 +223,33 @@ a subset of a grid, such as every second row. The stream is the same bytes for a
 from 0. :STEP may be left out (1), and one number is one row or column: --views 4,0..16. The folder must
 hold the whole grid, but only the files of this part are read.
 
+A stream of profile extended may hold where the cameras stand, its rig, on which no sample depends.
+Names out_RR_CC_Y_X_ give positions. --rig takes JSON as `hmlfc info --rig` prints it, or the
+transforms.json of NeRF and instant-ngp, in which the names in frames[].file_path are those of views.
+
 After encoding, the file is decoded and compared with the views: the PSNR is that of the decoded file,
 from the mean squared error over all views; "inf" (a string in JSON) means no difference. If a target
 cannot be met, the nearest stream is kept and the exit status is 6.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
-motion, residual, top, other}, seconds, psnr_rgb, psnr_y, max_abs_error, cpu_seconds; for profile main
-threshold_ref and threshold_pred, for profile extended quality and preset. seconds is the encoding time
-without reading, writing and checking.
+motion, residual, top, other (the rig)}, seconds, psnr_rgb, psnr_y, max_abs_error, cpu_seconds; for
+profile main threshold_ref and threshold_pred, for profile extended quality and preset. seconds is the
+encoding time without reading, writing and checking.
 
 Examples:
   hmlfc encode views -o chess.hmlfc --target-psnr 40
   hmlfc encode views -o small.hmlfc --target-bpp 0.05
   hmlfc encode views -o paper.hmlfc --profile main --method hmlfc --threshold-pred 50
   hmlfc encode views -o sparse.hmlfc --views 0..8:2,0..8:2
-  hmlfc encode lytro -o lytro.hmlfc --grid 9x9 --lossless)");
+  hmlfc encode lytro -o lytro.hmlfc --grid 9x9 --lossless
+  hmlfc encode views -o posed.hmlfc --rig rig.json)");
   options.app = &app;
   add_path(app, "INPUT", options.input, "Folder of PNG, PPM, PGM or JPEG views");
   add_output(app, options.output, "FILE", "The .hmlfc file to write");
   add_grid(app, options.grid);
   add_views(app, options.part);
   add_coding_options(app, options.coding);
+  add_rig_options(app, options.rig);
   add_threads(app, options.coding.params.threads);
   add_json(app, options.json);
 }

@@ -10,6 +10,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/disparity_range.hpp"
+#include "cli/rig_options.hpp"
 #include "cli/stream_report.hpp"
 #include "cli/view_source.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 struct InfoOptions {
   std::filesystem::path file;
   bool json = false;
+  bool rig = false;
 };
 
 std::string tools_text(const StreamHeader& header) {
@@ -72,11 +74,16 @@ std::string geometry_text(const DisparityRange& range) {
 
 ExitCode run_info(const InfoOptions& options) {
   const StreamFile file(options.file);
+  if (options.rig) {
+    print(rig_text_of(file) + "\n");
+    return ExitCode::kDone;
+  }
   const StreamReport report = report_on(file);
   if (options.json) {
     Json json = report_json(report);
     add_structure(report, json);
     json["disparity"] = range_json(disparity_range(file));
+    json["rig"] = rig_json(file);
     print_json(json);
     return ExitCode::kDone;
   }
@@ -84,7 +91,7 @@ ExitCode run_info(const InfoOptions& options) {
   print(fmt::format("Light field   {}\nCoding        {}\n", describe(shape_of(header)),
                     describe_coding(header)) +
         tools_text(header) + size_text(report) + tree_text(header) +
-        states_text(report.statistics) + geometry_text(disparity_range(file)));
+        states_text(report.statistics) + geometry_text(disparity_range(file)) + rig_line(file));
   return ExitCode::kDone;
 }
 
@@ -98,14 +105,18 @@ bits per pixel, divided by the file size. sections are in bytes and add up to th
 residual are rounded down from bits, and index takes the rest.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
-motion, residual, top, other}, depth, chroma, block, window, cluster, tree_height, tools (feature
-flags), levels (from the top), states (block counts), disparity{known, blocks (counts over all views),
-least, greatest (pixels a column; negative is nearer; absent where none is known)}.
+motion, residual, top, other (the rig)}, depth, chroma, block, window, cluster, tree_height, tools
+(feature flags), levels (from the top), states (block counts), disparity{known, blocks (counts over all
+views), least, greatest (pixels a column; negative is nearer; absent where none is known)}, rig (as
+--rig prints it, null without one, {error} where it cannot be read).
 
-Example:
-  hmlfc info chess.hmlfc)");
+Examples:
+  hmlfc info chess.hmlfc
+  hmlfc info posed.hmlfc --rig)");
   add_stream(app, options.file);
-  add_json(app, options.json);
+  auto* json = add_json(app, options.json);
+  app.add_flag("--rig", options.rig, "Print where the cameras stand, for encode --rig")
+      ->excludes(json);
 }
 
 }  // namespace hmlfc::cli

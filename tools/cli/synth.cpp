@@ -10,7 +10,9 @@
 #include "cli/for_each_view.hpp"
 #include "cli/view_source.hpp"
 #include "io/disparity_files.hpp"
+#include "io/files.hpp"
 #include "io/light_field_files.hpp"
+#include "io/rig_text.hpp"
 #include "io/view_name.hpp"
 #include "scenes/scene.hpp"
 #include "terminal/clock.hpp"
@@ -27,6 +29,7 @@ struct SynthOptions {
   int threads = 0;
   std::filesystem::path folder;
   std::filesystem::path disparity;
+  std::filesystem::path rig;
 };
 
 // The disparities of all views as PFM files.
@@ -46,6 +49,14 @@ void write_disparities(const SynthOptions& options, const scenes::SceneParams& p
   rethrow(first);
 }
 
+void write_rig(const std::filesystem::path& file, const scenes::SceneParams& params) {
+  const auto rig = scenes::scene_rig(params);
+  if (!rig) throw Failure(ExitCode::kUsage, "--rig: no cameras take this scene; choose another");
+  const std::string text = io::rig_text(*rig) + "\n";
+  value_or_throw(io::write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()}),
+                 ExitCode::kOutput);
+}
+
 ExitCode run_synth(const SynthOptions& options) {
   scenes::SceneParams params = options.scene;
   params.baseline_px = options.baseline.value_or(params.baseline_px);
@@ -55,6 +66,7 @@ ExitCode run_synth(const SynthOptions& options) {
     }
     make_output_folder(options.disparity);
   }
+  if (!options.rig.empty()) write_rig(options.rig, params);
   make_output_folder(options.folder);
   const Clock clock;
   const auto threads = static_cast<unsigned>(options.threads);
@@ -81,7 +93,7 @@ void add_synth(CLI::App& program, Task& task) {
       R"(Writes one PNG per view, named by row and column: 00_00.png, 00_01.png ... The same arguments give
 the same images on every machine. --disparity also writes what a decoder has to guess: 00_00.pfm ...
 with the true disparity of every pixel, in pixels a column, negative for what is nearer than the middle
-of the scene (hmlfc disparity --help).
+of the scene (hmlfc disparity --help). --rig writes where the cameras stand, for encode --rig.
 
 Example:
   hmlfc synth --scene cards --grid 9x9 --size 512x384 -o views)");
@@ -113,6 +125,11 @@ Example:
             "Folder for the true disparity of each view, created if missing", "a folder",
             [&disparity = options.disparity](const std::string& text) {
               disparity = text;
+              return !text.empty();
+            });
+  add_value(app, "--rig", "FILE.json", "File for the positions and intrinsics of all cameras",
+            "a path", [&rig = options.rig](const std::string& text) {
+              rig = text;
               return !text.empty();
             });
   add_threads(app, options.threads);

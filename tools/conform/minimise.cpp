@@ -75,12 +75,20 @@ std::optional<StreamParts> without_top_level(const StreamParts& parts, const Dec
 
 // Without tile records `begin` to `end` - 1.
 StreamParts without_tiles(const StreamParts& parts, size_t begin, size_t end) {
-  StreamParts smaller{parts.header, parts.keys, {}};
+  StreamParts smaller{parts.header, parts.keys, {}, parts.rig};
   size_t number = 0;
   for (const auto& tile : parts.tiles) {
     if (number < begin || number >= end) smaller.tiles.insert(tile);
     ++number;
   }
+  return smaller;
+}
+
+// Without section RIG.
+StreamParts without_rig(const StreamParts& parts) {
+  StreamParts smaller = parts;
+  smaller.header.feature_flags &= ~feature_bit(Feature::kCameraRig);
+  smaller.rig.clear();
   return smaller;
 }
 
@@ -104,6 +112,7 @@ class Search {
       shrink(&StreamHeader::width, parts_.header.block_size());
       shrink(&StreamHeader::height, parts_.header.block_size());
       drop_tiles();
+      if (parts_.header.has(Feature::kCameraRig)) keep_if_failing(without_rig(parts_));
     } while (result_.steps != before && result_.trials < max_trials_);
     return std::move(result_);
   }

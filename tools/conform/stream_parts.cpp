@@ -58,7 +58,8 @@ void for_each_key(const Geometry& geometry, const Body& body) {
 std::optional<StreamParts> take_apart(const StreamView& stream) {
   const Geometry& geometry = stream.geometry;
   if (geometry.tile_count() > kMaxTiles) return std::nullopt;
-  StreamParts parts{stream.header, {}, {}};
+  const auto rig = stream.bytes(Section::kRig);
+  StreamParts parts{stream.header, {}, {}, {rig.begin(), rig.end()}};
   const auto top = stream.bytes(Section::kTop);
   for_each_key(geometry, [&](const KeyPlace& place, uint64_t number) {
     const auto entry = static_cast<size_t>(number * kTopEntryBytes);
@@ -100,7 +101,7 @@ std::optional<std::vector<uint8_t>> put_together(const StreamParts& parts) {
     index.add(record == parts.tiles.end() ? std::span<const uint8_t>() : record->second);
   });
   index.finish();
-  return assemble_stream(parts.header, top_section(codestreams, crcs), index);
+  return assemble_stream(parts.header, top_section(codestreams, crcs), index, parts.rig);
 }
 
 SamplePrecision key_precision(const StreamHeader& header, unsigned plane) {

@@ -48,6 +48,7 @@ struct StreamParts {
   StreamHeader header;  ///< its section table has no meaning
   std::map<KeyPlace, KeyCode> keys;
   std::map<TilePlace, std::vector<uint8_t>> tiles;  ///< records that are not empty
+  std::vector<uint8_t> rig;                         ///< section RIG
 };
 
 /// The parts of `stream`; nothing if its index is damaged or it has more than 2^20 tiles.

@@ -136,13 +136,6 @@ IoResult<ViewList> place_in_order(const fs::path& folder, GridShape grid,
   return ViewList{grid.rows, grid.cols, std::move(files)};
 }
 
-bool is_picture_name(const fs::path& file) {
-  constexpr std::array<std::string_view, 6> kExtensions = {".png", ".ppm", ".pgm",
-                                                           ".pnm", ".jpg", ".jpeg"};
-  return file.filename().string().front() != '.' &&
-         std::ranges::find(kExtensions, lower_case_extension(file)) != kExtensions.end();
-}
-
 /// The folder's picture files in natural order.
 IoResult<std::vector<fs::path>> find_pictures(const fs::path& folder) {
   std::error_code failure;
@@ -291,6 +284,13 @@ IoResult<ViewList> list_by_camera_name(const fs::path& folder, std::optional<Gri
 }
 
 }  // namespace
+
+bool is_picture_name(const fs::path& file) {
+  constexpr std::array<std::string_view, 6> kExtensions = {".png", ".ppm", ".pgm",
+                                                           ".pnm", ".jpg", ".jpeg"};
+  return !file.filename().string().starts_with('.') &&
+         std::ranges::find(kExtensions, lower_case_extension(file)) != kExtensions.end();
+}
 
 IoResult<ViewList> list_views(const fs::path& folder, std::optional<GridShape> grid) {
   if (grid && (grid->rows < 1 || grid->cols < 1 || grid->rows > kMaxGridSide ||

@@ -23,8 +23,12 @@ struct ViewList {
   std::vector<std::filesystem::path> files;  ///< rows * cols paths, row-major
 };
 
-/// Finds the views in `folder`: all files named *.png, .ppm, .pgm, .pnm, .jpg or .jpeg (in any
-/// case) that do not begin with a dot; other files are ignored, subfolders are not searched.
+/// Whether `file` is named *.png, .ppm, .pgm, .pnm, .jpg or .jpeg (in any case), without a dot in
+/// front.
+bool is_picture_name(const std::filesystem::path& file);
+
+/// Finds the views in `folder`: all files of which is_picture_name() is true; other files are
+/// ignored, subfolders are not searched.
 /// The form of most names decides:
 /// - row and column in the name (see parse_grid_name); without `grid` the grid is their greatest
 ///   values + 1; with it the names may be a subset of a larger grid, `grid`.rows of its rows and

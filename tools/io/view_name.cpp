@@ -1,7 +1,10 @@
 #include "io/view_name.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace hmlfc::io {
@@ -35,6 +38,14 @@ bool is_decimal(std::string_view text) {
   const auto points = std::ranges::count(text, '.');
   const auto digits = std::ranges::count_if(text, is_digit);
   return points <= 1 && digits >= 1 && static_cast<size_t>(points + digits) == text.size();
+}
+
+/// The number nearest to `text`, for which is_decimal() is true; infinite beyond all numbers.
+double decimal_value(std::string_view text) {
+  if (text.front() == '+') text.remove_prefix(1);
+  double value = std::numeric_limits<double>::infinity();
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 std::vector<std::string_view> split_at_underscores(std::string_view text) {
@@ -92,6 +103,14 @@ std::optional<GridPosition> parse_grid_name(std::string_view stem) {
   if (has_camera_position(parts)) return parse_position(parts[1], parts[2]);
   if (parts.size() < 2) return std::nullopt;
   return parse_position(parts[parts.size() - 2], parts.back());
+}
+
+std::optional<CameraPlace> parse_camera_place(std::string_view stem) {
+  const auto parts = split_at_underscores(stem);
+  if (!has_camera_position(parts)) return std::nullopt;
+  const CameraPlace place{decimal_value(parts[3]), decimal_value(parts[4])};
+  if (!std::isfinite(place.y) || !std::isfinite(place.x)) return std::nullopt;
+  return place;
 }
 
 std::optional<uint32_t> parse_camera_name(std::string_view stem) {

@@ -29,6 +29,17 @@ struct GridPosition {
 /// camera positions of the Stanford archive, ignored). Nothing for any other name.
 std::optional<GridPosition> parse_grid_name(std::string_view stem);
 
+/// A camera's place as the Stanford archive states it.
+struct CameraPlace {
+  double y = 0;
+  double x = 0;
+
+  friend bool operator==(const CameraPlace&, const CameraPlace&) = default;
+};
+
+/// Y and X from a name of the form out_RR_CC_Y_X or out_RR_CC_Y_X_. Nothing for any other name.
+std::optional<CameraPlace> parse_camera_place(std::string_view stem);
+
 /// NNN from "input_CamNNN" (HCI benchmark), 1 to 8 digits. Nothing for any other name.
 std::optional<uint32_t> parse_camera_name(std::string_view stem);
 

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include <hmlfc/image.hpp>
+#include <hmlfc/rig.hpp>
 
 #include "scenes/scene.hpp"
 #include "scenes/two_plane_camera.hpp"
@@ -28,6 +30,9 @@ class Painter {
                            [[maybe_unused]] std::span<float> pixels) const {
     return false;
   }
+
+  /// The cameras of all views; nothing: the scene has none.
+  virtual std::optional<Rig> rig() const { return std::nullopt; }
 };
 
 std::unique_ptr<Painter> make_cards(const SceneParams& params);
@@ -42,6 +47,8 @@ class TracedPainter : public Painter {
 
   /// Of what the ray through the middle of a pixel meets first.
   bool disparities(uint32_t row, uint32_t col, std::span<float> pixels) const final;
+
+  std::optional<Rig> rig() const final { return rig_of(rig_, params_); }
 
  protected:
   TracedPainter(const SceneParams& params, const CameraRig& rig) : params_(params), rig_(rig) {}

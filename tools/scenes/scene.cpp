@@ -137,6 +137,8 @@ LightField render_scene(const SceneParams& params, unsigned threads, const io::P
   return field;
 }
 
+std::optional<Rig> scene_rig(const SceneParams& params) { return make_painter(params)->rig(); }
+
 bool render_disparities(const SceneParams& params, unsigned threads, const io::Progress& progress,
                         const DisparityConsumer& consumer) {
   if (params.scene == Scene::kNoise) return false;

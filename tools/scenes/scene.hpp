@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <hmlfc/light_field.hpp>
+#include <hmlfc/rig.hpp>
 
 #include "io/parallel.hpp"
 
@@ -58,5 +59,9 @@ using DisparityConsumer =
 /// given, where the scene has none ("noise").
 bool render_disparities(const SceneParams& params, unsigned threads, const io::Progress& progress,
                         const DisparityConsumer& consumer);
+
+/// Where the cameras of all views stand (RIG-2), in the scene's units. Nothing where pictures are
+/// not taken by cameras ("flat", "noise").
+std::optional<Rig> scene_rig(const SceneParams& params);
 
 }  // namespace hmlfc::scenes

@@ -38,4 +38,17 @@ PixelBox TwoPlaneCamera::bounds(std::span<const Vec3> points) const {
   return box;
 }
 
+Rig rig_of(const CameraRig& rig, const SceneParams& params) {
+  Rig cameras;
+  for (uint32_t row = 0; row < params.rows; ++row) {
+    for (uint32_t col = 0; col < params.cols; ++col) {
+      const TwoPlaneCamera camera(rig, params, row, col);
+      const Vec3 offset = camera.origin() - rig.centre;
+      cameras.positions.push_back({dot(offset, rig.right), dot(offset, rig.down), 0});
+      cameras.intrinsics.push_back(camera.intrinsics());
+    }
+  }
+  return cameras;
+}
+
 }  // namespace hmlfc::scenes

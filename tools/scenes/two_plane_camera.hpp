@@ -1,7 +1,10 @@
 // The cameras of a light field: in one plane, parallel, sheared to one focal plane.
 #pragma once
 
+#include <array>
 #include <span>
+
+#include <hmlfc/rig.hpp>
 
 #include "scenes/scene.hpp"
 #include "scenes/vec3.hpp"
@@ -27,6 +30,10 @@ struct CameraRig {
   double focal_sides;  ///< focal length over the longer side of the picture
 };
 
+/// The cameras of all views as a stream may hold them (RIG-2): in the scene's units, with the axes
+/// right, down and forward, from the middle of the grid.
+Rig rig_of(const CameraRig& rig, const SceneParams& params);
+
 /// A rectangle of pixels in real coordinates.
 struct PixelBox {
   double left;
@@ -46,6 +53,14 @@ class TwoPlaneCamera {
 
   /// The bounding box of the projections of `points`, which must lie in front of the camera plane.
   PixelBox bounds(std::span<const Vec3> points) const;
+
+  /// fx, fy, cx, cy of RIG-4, where the middle of pixel (0, 0) is at (0, 0).
+  std::array<double, 4> intrinsics() const {
+    return {focal_, focal_, axis_x_ - 0.5, axis_y_ - 0.5};
+  }
+
+  /// Where the camera is.
+  const Vec3& origin() const { return origin_; }
 
   /// Distance of a point from the camera plane.
   double distance(Vec3 point) const { return dot(point - origin_, forward_); }

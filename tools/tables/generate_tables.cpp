@@ -52,11 +52,11 @@ void put_features() {
   put_number("FEATURE_COUNT", kFeatureCount);
 }
 
-// A header with every field in use, and one level of the tree.
+// A header with every field in use, one level of the tree and no section RIG.
 StreamHeader probe_header() {
   StreamHeader header;
   header.profile = Profile::kExtended;
-  header.feature_flags = (1u << kFeatureCount) - 2;
+  header.feature_flags = ((1u << kFeatureCount) - 2) & ~feature_bit(Feature::kCameraRig);
   header.levels.resize(1);
   uint64_t offset = header_size(0);
   for (uint32_t i = 0; i < 4; ++i) {

@@ -76,8 +76,8 @@ class Dump {
       add_bytes(at + 2, 1, fmt::format("level {} key_references", level), "EXT-4");
       add_bytes(at + 3, 1, "reserved", "FIL-2");
     }
-    for (const SectionEntry& entry : header.sections) {
-      const std::string name(section_name(static_cast<Section>(entry.type)));
+    for (const SectionEntry* entry : section_entries(header)) {
+      const std::string name(section_name(static_cast<Section>(entry->type)));
       add_bytes(at, 4, name + " type", "FIL-3");
       add_bytes(at + 4, 4, name + " crc", "FIL-3");
       add_bytes(at + 8, 8, name + " offset", "FIL-3");
@@ -85,6 +85,7 @@ class Dump {
       at += 24;
     }
     add_bytes(at, 4, "header_crc", "FIL-5");
+    if (header.rig.size > 0) add(header.rig.offset * 8, header.rig.size * 8, "rig", "RIG-2");
   }
 
   void note_keys(const StreamHeader& header) {

@@ -37,7 +37,7 @@ class FieldStream {
       }
     }
     index_.finish();
-    return assemble_stream(rules_.header, top_section(codestreams_, crcs_), index_);
+    return assemble_stream(rules_.header, top_section(codestreams_, crcs_), index_, rules_.rig);
   }
 
  private:
@@ -203,6 +203,16 @@ class HeaderDraw {
   StreamHeader header_;
 };
 
+// From numbers of its own, so that a seed gives the same stream with and without it. Decoders of
+// samples do not look at its bytes (RIG-1).
+void draw_rig(StreamRules& rules, uint64_t seed) {
+  Random random(~seed);
+  if (rules.header.profile == Profile::kMain || random.below(2) == 0) return;
+  rules.header.feature_flags |= feature_bit(Feature::kCameraRig);
+  rules.rig.resize(random.below(40));
+  for (uint8_t& byte : rules.rig) byte = static_cast<uint8_t>(random.below(256));
+}
+
 }  // namespace
 
 std::vector<uint8_t> field_stream(StreamRules rules, uint64_t seed) {
@@ -213,11 +223,15 @@ std::vector<uint8_t> field_stream(const Json& json, uint64_t seed) {
   const Json fields = json.value("fields", Json::object());
   Json reference = fields;
   reference.merge_patch(json.value("reference", Json::object()));
-  return field_stream(
-      {header_from(json.at("header")), index_from(json.value("index", Json::object())),
-       FieldRules(fields), FieldRules(reference), json.value("key_error", 0.0),
-       key_coding_from(json.value("key_coding", Json::object()))},
-      seed);
+  const auto rig = json.value("rig", std::string());
+  return field_stream({header_from(json.at("header")),
+                       index_from(json.value("index", Json::object())),
+                       FieldRules(fields),
+                       FieldRules(reference),
+                       json.value("key_error", 0.0),
+                       key_coding_from(json.value("key_coding", Json::object())),
+                       {rig.begin(), rig.end()}},
+                      seed);
 }
 
 Limits limits_from(const Json& json) {
@@ -230,6 +244,7 @@ Limits limits_from(const Json& json) {
   limits.main = json.value("main", limits.main);
   limits.extended = json.value("extended", limits.extended);
   limits.block_sizes = json.value("block_sizes", limits.block_sizes);
+  limits.rig = json.value("rig", false);
   return limits;
 }
 
@@ -247,6 +262,7 @@ std::vector<uint8_t> random_stream(uint64_t seed, const Limits& limits) {
     rules.fields = FieldRules(codes);
     rules.reference_fields = FieldRules(codes);
   }
+  if (limits.rig) draw_rig(rules, seed);
   return field_stream(std::move(rules), random.next());
 }
 

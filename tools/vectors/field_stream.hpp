@@ -21,14 +21,15 @@ struct StreamRules {
   FieldRules reference_fields;   ///< of reference images and key images
   double key_error = 0;          ///< with lossy_keys: about the mean squared error of key images
   CodestreamOptions key_coding;  ///< of key images
+  std::vector<uint8_t> rig;      ///< section RIG, with camera_rig
 };
 
 /// The stream that `rules` give with the numbers of `seed`.
 std::vector<uint8_t> field_stream(StreamRules rules, uint64_t seed);
 
 /// The stream of a recipe: {"header": {...}, "index": {...}, "fields": {...}, "reference": {...},
-/// "key_error": e, "key_coding": {...}}, the last as in key_coding.hpp. "reference" has the rules
-/// of reference images that differ from "fields". Throws TextError.
+/// "key_error": e, "key_coding": {...}, "rig": text}, key_coding as in key_coding.hpp. "reference"
+/// has the rules of reference images that differ from "fields". Throws TextError.
 std::vector<uint8_t> field_stream(const Json& json, uint64_t seed);
 
 /// Limits of random streams; each number is an inclusive maximum.
@@ -41,6 +42,7 @@ struct Limits {
   bool main = true;          ///< whether streams may be of profile main
   bool extended = true;      ///< whether streams may be of profile extended
   unsigned block_sizes = 7;  ///< bit i: blocks of 2 << i may occur, not 0
+  bool rig = true;           ///< whether streams of profile extended may have camera_rig
 };
 
 /// The limits that a recipe names, with defaults for the others.

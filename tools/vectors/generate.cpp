@@ -47,10 +47,10 @@ uint64_t offset_of(const Json& json, const MadeStream& made) {
   if (json.contains("end")) {
     return made.bytes.size() - json["end"].get<uint64_t>();
   }
-  for (const SectionEntry& entry : made.header.sections) {
-    if (json.at("section") != section_name(static_cast<Section>(entry.type))) continue;
-    if (json.contains("codestream")) return entry.offset + codestream_offset(entry, json, made);
-    return entry.offset + json.value("plus", uint64_t{0});
+  for (const SectionEntry* entry : section_entries(made.header)) {
+    if (json.at("section") != section_name(static_cast<Section>(entry->type))) continue;
+    if (json.contains("codestream")) return entry->offset + codestream_offset(*entry, json, made);
+    return entry->offset + json.value("plus", uint64_t{0});
   }
   throw TextError(json["section"].dump() + " is not a section");
 }

@@ -26,6 +26,7 @@ const std::vector<MilestoneRow>& milestones() {
       {"lossy-keys", "decodes with lossy_keys", {"lossy_keys"}},
       {"level-keys", "decodes with level_keys", {"level_keys"}},
       {"balanced-groups", "decodes with balanced_groups", {"balanced_groups"}},
+      {"camera-rig", "opens streams with camera_rig", {"camera_rig"}},
       {"errors", "refuses damaged streams, and decodes the blocks that are not", {"error/*"}},
       {"limits", "decodes the largest values and sizes", {"stress/*", "performance/*"}},
   };

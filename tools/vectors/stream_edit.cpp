@@ -51,6 +51,7 @@ const ByteField& field_of(std::span<const ByteField> fields, const std::string& 
 }
 
 constexpr size_t kAtHeaderBytes = 10;
+constexpr size_t kAtFlags = 12;
 constexpr size_t kAtLevels = 44;
 constexpr size_t kLevelBytes = 4;
 constexpr size_t kSectionBytes = 24;
@@ -79,8 +80,9 @@ class Editor {
     if (bytes_.size() < kAtHeaderBytes + 2) return;
     const size_t header_bytes = load(kAtHeaderBytes, 2);
     if (header_bytes < kTableAndCrc || header_bytes > bytes_.size()) return;
-    for (size_t section = 0; sections && section < 4; ++section) {
-      const size_t entry = header_bytes - kTableAndCrc + section * kSectionBytes;
+    const size_t others = has_rig() && header_bytes >= kTableAndCrc + kSectionBytes ? 1 : 0;
+    for (size_t section = 0; sections && section < 4 + others; ++section) {
+      const size_t entry = header_bytes - kTableAndCrc + (section - others) * kSectionBytes;
       const uint64_t offset = load(entry + 8, 8);
       const uint64_t size = load(entry + 16, 8);
       if (offset > bytes_.size() || size > bytes_.size() - offset) continue;
@@ -98,8 +100,13 @@ class Editor {
     for (size_t i = 0; i < size; ++i) bytes_.at(at + i) = static_cast<uint8_t>(value >> (8 * i));
   }
 
-  // The byte of section entry `name` in the header.
+  bool has_rig() const { return (load(kAtFlags, 4) & feature_bit(Feature::kCameraRig)) != 0; }
+
+  // The byte of section entry `name` in the header. RIG is in front of the others.
   size_t entry_of(const Json& name) const {
+    if (name == section_name(Section::kRig) && has_rig()) {
+      return load(kAtHeaderBytes, 2) - kTableAndCrc - kSectionBytes;
+    }
     for (size_t i = 0; i < 4; ++i) {
       if (name == section_name(static_cast<Section>(i + 1))) {
         return load(kAtHeaderBytes, 2) - kTableAndCrc + i * kSectionBytes;

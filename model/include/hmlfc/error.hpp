@@ -45,8 +45,8 @@ enum class ErrorCode : uint8_t {
 
 inline constexpr int kErrorCodeCount = 28;
 
-/// Where in the file an error was found. The values 1 to 4 are the section types of FIL-3.
-enum class Section : uint8_t { kHeader = 0, kTop = 1, kRoot = 2, kGroup = 3, kTile = 4 };
+/// Where in the file an error was found. The values 1 to 5 are the section types of FIL-3.
+enum class Section : uint8_t { kHeader = 0, kTop = 1, kRoot = 2, kGroup = 3, kTile = 4, kRig = 5 };
 
 /// What went wrong and where.
 struct Error {
@@ -61,7 +61,7 @@ HMLFC_EXPORT std::string_view error_name(ErrorCode code);
 /// The meaning of annex A, one line without full stop.
 HMLFC_EXPORT std::string_view error_meaning(ErrorCode code);
 
-/// "header", "TOP", "ROOT", "GROUP" or "TILE".
+/// "header", "TOP", "ROOT", "GROUP", "TILE" or "RIG".
 HMLFC_EXPORT std::string_view section_name(Section section);
 
 /// One line for people: "bad_levels in TILE at byte 1234: a level code beyond ...".

@@ -62,14 +62,15 @@ enum class Feature : uint8_t {
   kLossyKeys = 6,
   kLevelKeys = 7,
   kBalancedGroups = 8,
+  kCameraRig = 9,
 };
-inline constexpr unsigned kFeatureCount = 9;
+inline constexpr unsigned kFeatureCount = 10;
 
 /// The specification's name of `feature`.
 constexpr std::string_view feature_name(Feature feature) {
   constexpr std::array<std::string_view, kFeatureCount> kNames{
       "residual_step", "motion_tiles", "subpel_vectors", "shared_disparity", "two_references",
-      "chroma_motion", "lossy_keys",   "level_keys",     "balanced_groups"};
+      "chroma_motion", "lossy_keys",   "level_keys",     "balanced_groups",  "camera_rig"};
   return kNames[static_cast<size_t>(feature)];
 }
 
@@ -114,7 +115,7 @@ struct LevelEntry {
 
 /// One section of the file (FIL-3).
 struct SectionEntry {
-  uint32_t type = 0;    ///< 1 TOP, 2 ROOT, 3 GROUP, 4 TILE
+  uint32_t type = 0;    ///< 1 TOP, 2 ROOT, 3 GROUP, 4 TILE, 5 RIG
   uint32_t crc = 0;     ///< CRC-32C of the section
   uint64_t offset = 0;  ///< bytes from the start of the file
   uint64_t size = 0;    ///< bytes
@@ -144,6 +145,7 @@ struct StreamHeader {
   int row_scale = 0;                       ///< distance of rows in 1/16 columns, [-127, 127]
   std::vector<LevelEntry> levels;          ///< index = level, [0, tree_height]
   std::array<SectionEntry, 4> sections{};  ///< TOP, ROOT, GROUP, TILE
+  SectionEntry rig{};                      ///< RIG, or zeros without camera_rig
 
   /// Samples along a block's side: 2, 4 or 8.
   unsigned block_size() const { return 1u << block_log2; }

@@ -14,7 +14,7 @@ struct SectionBytes {
   uint64_t motion = 0;    ///< sign_mode to vectors_y of all tiles, and all fields of motion tiles
   uint64_t residual = 0;  ///< level_base to the last block value of all tiles
   uint64_t top = 0;       ///< key images
-  uint64_t other = 0;     ///< nothing in this version
+  uint64_t other = 0;     ///< RIG
 
   /// The file's size.
   uint64_t total() const { return header + index + motion + residual + top + other; }

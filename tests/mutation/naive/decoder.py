@@ -15,8 +15,8 @@ from changes import Source, function_of
 ROOT = Path(__file__).resolve().parents[3]
 FOLDER = ROOT / "tests/naive_decoder"
 PLANES = ("Y", "Co", "Cg")
-# The command line, traces and file formats are around the decoder, not in it.
-AROUND = {"decode.py", "trace.py"}
+# The command line, traces, rigs and file formats are around the decoder, not in it.
+AROUND = {"decode.py", "rig.py", "trace.py"}
 
 
 def decoder_files():

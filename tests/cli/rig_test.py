@@ -1,0 +1,120 @@
+"""Rigs: encode --rig and --no-rig, positions in file names, what info says and writes."""
+
+import json
+import shutil
+
+from program import INPUT, ROOT, USAGE, CliTest, main
+
+POSITIONS = [[0, 0, 0], [1, 0.5, 0], [0, 1, 0], [1, 1, 0.25]]
+RIG = {"schema": 1, "metres_per_unit": 0.5, "positions": POSITIONS, "intrinsics": [[40, 40, 19.5, 14.5]]}
+
+
+def camera(path, x, **more):
+    return {"file_path": path, "transform_matrix": [[1, 0, 0, x], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], **more}
+
+
+class Rig(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.hmlfc(*"synth --scene cards --grid 2x2 --size 40x30 -o views".split())
+        cls.hmlfc(*"encode views -o plain.hmlfc".split())
+        cls.write("rig.json", RIG)
+        cls.hmlfc(*"encode views -o posed.hmlfc --rig rig.json".split())
+        (cls.folder / "named").mkdir()
+        for row in range(2):
+            for col in range(2):
+                name = f"out_{row:02}_{col:02}_{-380.5 - 8 * row}_{1100 - 9 * col}.png"
+                shutil.copy(cls.folder / f"views/{row:02}_{col:02}.png", cls.folder / "named" / name)
+
+    @classmethod
+    def write(cls, name, content):
+        (cls.folder / name).write_text(json.dumps(content))
+
+    def bytes_of(self, name):
+        return (self.folder / name).read_bytes()
+
+    def test_what_info_writes_encode_reads(self):
+        text = self.hmlfc("info", "posed.hmlfc", "--rig")
+        self.assertEqual(json.loads(text), RIG)
+        self.assertEqual(self.hmlfc_json("info", "posed.hmlfc")["rig"], RIG)
+        (self.folder / "again.json").write_text(text)
+        self.hmlfc(*"encode views -o again.hmlfc --rig again.json".split())
+        self.assertEqual(self.bytes_of("again.hmlfc"), self.bytes_of("posed.hmlfc"))
+
+    def test_a_rig_is_a_section_and_24_bytes_of_header(self):
+        plain, posed = self.bytes_of("plain.hmlfc"), self.bytes_of("posed.hmlfc")
+        rig = len(self.hmlfc("info", "posed.hmlfc", "--rig")) - 1
+        self.assertEqual(len(posed), len(plain) + 24 + rig)
+        self.assertTrue(posed.endswith(plain[148:]))
+        sections = self.hmlfc_json("info", "posed.hmlfc")["sections"]
+        self.assertEqual((sections["header"], sections["other"]), (172, rig))
+        self.assertIn("camera_rig", self.hmlfc_json("info", "posed.hmlfc")["tools"])
+        self.hmlfc(*"compare plain.hmlfc posed.hmlfc".split())
+
+    def test_names_state_positions(self):
+        self.hmlfc(*"encode named -o named.hmlfc".split())
+        rig = self.hmlfc_json("info", "named.hmlfc")["rig"]
+        self.assertEqual(rig["positions"], [[-1100, 380.5, 0], [-1091, 380.5, 0], [-1100, 388.5, 0], [-1091, 388.5, 0]])
+        line = "4 cameras at x -1100 to -1091, y 380.5 to 388.5, z 0; rotations: none; intrinsics: not known"
+        self.assertIn(f"Rig           {line}\n", self.hmlfc("info", "named.hmlfc"))
+        self.hmlfc(*"encode named -o part.hmlfc --views 0..1,1".split())
+        self.assertEqual(len(self.hmlfc_json("info", "part.hmlfc")["rig"]["positions"]), 2)
+
+    def test_without_a_rig(self):
+        self.hmlfc(*"encode named -o left.hmlfc --no-rig".split())
+        self.assertEqual(self.bytes_of("left.hmlfc"), self.bytes_of("plain.hmlfc"))
+        self.hmlfc(*"encode named -o main.hmlfc --profile main".split())
+        self.assertIsNone(self.hmlfc_json("info", "main.hmlfc")["rig"])
+        self.assertNotIn("Rig", self.hmlfc("info", "plain.hmlfc"))
+        self.refused(INPUT, *"info plain.hmlfc --rig".split(), says=["plain.hmlfc", "has no rig"])
+
+    def test_a_target_counts_the_rig(self):
+        self.hmlfc(*"encode views -o most.hmlfc --max-bytes 4000 --rig rig.json".split())
+        self.assertLessEqual(len(self.bytes_of("most.hmlfc")), 4000)
+
+    def test_transforms(self):
+        names = ["00_00", "00_01", "01_00", "01_01"]
+        frames = [camera(f"images/{name}", i) for i, name in enumerate(names)]
+        self.write("transforms.json", {"fl_x": 50, "frames": frames[::-1]})
+        self.hmlfc(*"encode views -o nerf.hmlfc --rig transforms.json".split())
+        expected = {
+            "schema": 1, "positions": [[i, 0, 0] for i in range(4)], "rotations": [[0, 1, 0, 0]],
+            "intrinsics": [[50, 50, 19.5, 14.5]],
+        }  # fmt: skip
+        self.assertEqual(self.hmlfc_json("info", "nerf.hmlfc")["rig"], expected)
+        self.write("transforms.json", {"frames": frames[:3]})
+        self.refused(INPUT, *"encode views -o x.hmlfc --rig transforms.json".split(),
+                     says=["transforms.json", "frames: no file_path names the view 01_01"])
+
+    def test_cameras_of_a_scene(self):
+        self.hmlfc(*"synth --scene cards --grid 2x2 --size 40x30 -o scene --rig scene.json".split())
+        self.hmlfc(*"encode scene -o scene.hmlfc --rig scene.json".split())
+        text = (self.folder / "scene.json").read_text()
+        self.assertEqual(self.hmlfc("info", "scene.hmlfc", "--rig"), text)
+        (left, top, _), (right, bottom, _) = json.loads(text)["positions"][0::3]
+        self.assertEqual((left, top), (-right, -bottom))
+        self.refused(USAGE, *"synth --scene flat --grid 2x2 --size 40x30 -o flat --rig x.json".split(), says=["--rig"])
+
+    def test_files_that_hold_no_rig(self):
+        encode = "encode views -o x.hmlfc --rig bad.json".split()
+        self.write("bad.json", {**RIG, "positions": POSITIONS[:3]})
+        self.refused(INPUT, *encode, says=["bad.json", "positions has 3 entries; 4 are needed"])
+        self.write("bad.json", {**RIG, "lens": 1})
+        self.refused(INPUT, *encode, says=["bad.json", "lens"])
+        (self.folder / "bad.json").write_text("{")
+        self.refused(INPUT, *encode, says=["bad.json", "no JSON text: byte 2"])
+        self.refused(INPUT, *"encode views -o x.hmlfc --rig none.json".split(), says=["none.json"])
+        self.refused(USAGE, *"encode views -o x.hmlfc --profile main --rig rig.json".split(),
+                     says=["--rig needs --profile extended"])
+        self.refused(USAGE, *"encode views -o x.hmlfc --no-rig --rig rig.json".split(), says=["--rig"])
+
+    def test_a_stream_whose_rig_cannot_be_read(self):
+        vector = ROOT / "vectors/boundary/rig-positions-one.hmlfc"
+        what = "section RIG at byte 172: positions has 1 entries; 2 are needed, one for each view"
+        self.assertIn(f"Rig           cannot be read: {what}\n", self.hmlfc("info", vector))
+        self.assertEqual(self.hmlfc_json("info", vector)["rig"], {"error": what})
+        self.refused(INPUT, "info", vector, "--rig", says=[str(vector), what])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,136 @@
+#include "cli/rig_options.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <hmlfc/stream_info.hpp>
+
+#include "cli/arguments.hpp"
+#include "io/rig_files.hpp"
+#include "io/rig_text.hpp"
+#include "syntax/header.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+std::span<const uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
+}
+
+Rig with_rows_upside_down(Rig rig) {
+  for (auto& position : rig.positions) position[1] = -position[1];
+  return rig;
+}
+
+// The section's text and what it says.
+struct FoundRig {
+  std::string text;
+  tl::expected<Rig, std::string> rig;
+};
+
+// Nothing without a section RIG.
+std::optional<FoundRig> find_rig(const StreamFile& file) {
+  const StreamHeader& header = file.header();
+  if (!header.has(Feature::kCameraRig)) return std::nullopt;
+  const auto bytes = rig_of(file.bytes(), header);
+  auto rig = io::parse_rig(bytes, uint64_t{header.rows} * header.cols);
+  if (!rig) {
+    rig = tl::unexpected(fmt::format("section RIG at byte {}: {}", header.rig.offset, rig.error()));
+  }
+  return FoundRig{{bytes.begin(), bytes.end()}, std::move(rig)};
+}
+
+// "x -1.5 to 3".
+std::string extent(const Rig& rig, size_t coordinate) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const auto& position : rig.positions) {
+    least = std::min(least, position[coordinate]);
+    greatest = std::max(greatest, position[coordinate]);
+  }
+  const char name = "xyz"[coordinate];
+  if (least == greatest) return fmt::format("{} {:.6g}", name, least);
+  return fmt::format("{} {:.6g} to {:.6g}", name, least, greatest);
+}
+
+std::string count_text(size_t entries, const char* none) {
+  return entries == 0 ? none : entries == 1 ? "one for all" : "one for each";
+}
+
+std::string describe_rig(const Rig& rig) {
+  const std::string unit =
+      rig.metres_per_unit ? fmt::format(" (unit {} m)", *rig.metres_per_unit) : "";
+  return fmt::format("{} cameras at {}, {}, {}{}; rotations: {}; intrinsics: {}",
+                     rig.positions.size(), extent(rig, 0), extent(rig, 1), extent(rig, 2), unit,
+                     count_text(rig.rotations.size(), "none"),
+                     count_text(rig.intrinsics.size(), "not known"));
+}
+
+}  // namespace
+
+void add_rig_options(CLI::App& app, RigOptions& options) {
+  const auto reader = [&options](const std::string& text) {
+    options.file = text;
+    return !text.empty();
+  };
+  auto* rig =
+      add_value(app, "--rig", "FILE.json", "Where the cameras stand; see below", "a path", reader);
+  app.add_flag("--no-rig", options.none, "Leave out positions that file names state")
+      ->excludes(rig);
+}
+
+std::optional<ChosenRig> rig_for(const RigOptions& options, Profile profile,
+                                 const io::ViewList& views, const LightFieldShape& shape) {
+  if (options.file) {
+    if (profile == Profile::kMain) {
+      throw Failure(ExitCode::kUsage, "--rig needs --profile extended");
+    }
+    return ChosenRig{value_or_throw(io::read_rig(*options.file, views, shape), ExitCode::kInput)};
+  }
+  if (options.none || profile == Profile::kMain) return std::nullopt;
+  auto rig = value_or_throw(io::rig_of_names(views), ExitCode::kInput);
+  if (!rig) return std::nullopt;
+  return ChosenRig{std::move(*rig), true};
+}
+
+uint64_t most_rig_bytes(const ChosenRig& rig) {
+  const size_t text = io::rig_text(rig.rig).size();
+  const size_t turned = io::rig_text(with_rows_upside_down(rig.rig)).size();
+  return kSectionEntryBytes + std::max(text, rig.from_names ? turned : 0);
+}
+
+std::vector<uint8_t> stream_with_rig(std::span<const uint8_t> bytes, const ChosenRig& rig) {
+  const bool turn = rig.from_names && parse_header(bytes).value().row_scale < 0;
+  const std::string text = io::rig_text(turn ? with_rows_upside_down(rig.rig) : rig.rig);
+  return with_rig(bytes, bytes_of(text)).value();
+}
+
+std::string rig_line(const StreamFile& file) {
+  const auto found = find_rig(file);
+  if (!found) return "";
+  const std::string text =
+      found->rig ? describe_rig(*found->rig) : "cannot be read: " + found->rig.error();
+  return fmt::format("Rig           {}\n", text);
+}
+
+Json rig_json(const StreamFile& file) {
+  const auto found = find_rig(file);
+  if (!found) return nullptr;
+  if (!found->rig) return {{"error", found->rig.error()}};
+  return Json::parse(found->text);
+}
+
+std::string rig_text_of(const StreamFile& file) {
+  const auto found = find_rig(file);
+  const auto fail = [&](const std::string& what) {
+    throw Failure(ExitCode::kInput, file.path().string() + ": " + what);
+  };
+  if (!found) fail("the stream has no rig; encode it with --rig");
+  if (!found->rig) fail(found->rig.error());
+  return found->text;
+}
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,76 @@
+#include "io/rig_files.hpp"
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "io/files.hpp"
+#include "io/rig_text.hpp"
+#include "io/transforms.hpp"
+#include "io/view_name.hpp"
+
+namespace hmlfc::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::span<const uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
+}
+
+// `rig`, if a stream may hold it.
+IoResult<Rig> checked(const std::filesystem::path& file, const Rig& rig, const ViewList& views) {
+  auto read = parse_rig(bytes_of(rig_text(rig)), views.files.size());
+  if (!read) return file_error(file, read.error());
+  return std::move(*read);
+}
+
+// The sum over all views of coordinate * (row or column less the middle one): above 0 where the
+// coordinate grows along them.
+double trend(const Rig& rig, uint32_t cols, size_t coordinate, bool along_rows) {
+  double sum = 0;
+  const auto last = rig.positions.size() - 1;
+  for (size_t i = 0; i <= last; ++i) {
+    const size_t at = along_rows ? i / cols : i % cols;
+    const size_t end = along_rows ? last / cols : cols - 1;
+    const double from_middle = static_cast<double>(at) - static_cast<double>(end) / 2;
+    sum += from_middle * rig.positions[i][coordinate];
+  }
+  return sum;
+}
+
+}  // namespace
+
+IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
+                       const LightFieldShape& shape) {
+  const auto mapped = MappedFile::open(file);
+  if (!mapped) return tl::unexpected(mapped.error());
+  const Json json = Json::parse(mapped->bytes().begin(), mapped->bytes().end(), nullptr, false);
+  if (!is_transforms(json)) {
+    auto rig = parse_rig(mapped->bytes(), views.files.size());
+    if (!rig) return file_error(file, rig.error());
+    return std::move(*rig);
+  }
+  CameraPictures pictures{{}, shape.width, shape.height};
+  for (const auto& view : views.files) pictures.stems.push_back(view.stem().string());
+  const auto rig = rig_of_transforms(json, pictures);
+  if (!rig) return file_error(file, rig.error());
+  return checked(file, *rig, views);
+}
+
+IoResult<std::optional<Rig>> rig_of_names(const ViewList& views) {
+  Rig rig;
+  for (const auto& file : views.files) {
+    const auto place = parse_camera_place(file.stem().string());
+    if (!place) return std::nullopt;
+    rig.positions.push_back({place->x, place->y, 0});
+  }
+  const double x = trend(rig, views.cols, 0, false) < 0 ? -1 : 1;
+  const double y = trend(rig, views.cols, 1, true) < 0 ? -1 : 1;
+  for (auto& position : rig.positions) position = {x * position[0], y * position[1], 0};
+  auto good = checked(views.files.front().parent_path(), rig, views);
+  if (!good) return tl::unexpected(good.error());
+  return std::move(*good);
+}
+
+}  // namespace hmlfc::io

@@ -1,0 +1,27 @@
+// Where the cameras of a folder of views stand.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include <hmlfc/light_field.hpp>
+#include <hmlfc/rig.hpp>
+
+#include "io/io_error.hpp"
+#include "io/view_list.hpp"
+
+namespace hmlfc::io {
+
+/// The rig of `views`, of the size in `shape`, in `file`: a rig in JSON as in a stream (RIG-2), or
+/// a transforms.json (rig_of_transforms). Errors name file and member.
+IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
+                       const LightFieldShape& shape);
+
+/// The positions that the file names of the Stanford archive state, out_RR_CC_Y_X; nothing where a
+/// view has another name. x is X or -X, whichever grows with the columns, y is Y or -Y, whichever
+/// grows with the rows: the archive does not say how its axes lie in the pictures. z is 0, the unit
+/// is not known. Error: a position outside the range of RIG-2.
+IoResult<std::optional<Rig>> rig_of_names(const ViewList& views);
+
+}  // namespace hmlfc::io

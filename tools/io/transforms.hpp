@@ -1,0 +1,40 @@
+// Cameras from the transforms.json of NeRF, instant-ngp and nerfstudio.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+#include <tl/expected.hpp>
+
+#include <hmlfc/rig.hpp>
+
+namespace hmlfc::io {
+
+/// The pictures that cameras are wanted for.
+struct CameraPictures {
+  std::vector<std::string> stems;  ///< file names without extension, row by row
+  uint32_t width = 1;              ///< of each, pixels
+  uint32_t height = 1;
+};
+
+/// Whether `json` is a transforms.json and no rig of its own: it has "frames".
+bool is_transforms(const nlohmann::ordered_json& json);
+
+/// The cameras of `pictures` in the transforms.json `json`. Members read, of the file or of a
+/// frame:
+///
+///   frames[].file_path         its file name, with or without extension, is that of a picture
+///   frames[].transform_matrix  3 or 4 rows of 4: camera to world; X right, Y up, Z backwards
+///   fl_x, fl_y, cx, cy         pixels of a picture of w x h, from its upper left corner
+///   camera_angle_x, _y         field of view, radians, where fl_x, fl_y are missing
+///
+/// Intrinsics are scaled from w x h to the size of `pictures`; without fl_x and camera_angle_x they
+/// are not known. Rotations are turned to the axes of RIG-3, the world stays. Error: which member
+/// is wrong and why; also where k1 to k4, p1, p2 or is_fisheye say that pictures are distorted.
+tl::expected<Rig, std::string> rig_of_transforms(const nlohmann::ordered_json& json,
+                                                 const CameraPictures& pictures);
+
+}  // namespace hmlfc::io
