@@ -17,6 +17,13 @@ foreach(kind static shared)
     INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
   install(EXPORT hmlfc-${kind} NAMESPACE hmlfc:: DESTINATION "${package_dir}")
 endforeach()
+if(HMLFC_GPU)
+  install(TARGETS hmlfc_gpu EXPORT hmlfc-gpu
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  install(EXPORT hmlfc-gpu NAMESPACE hmlfc:: DESTINATION "${package_dir}")
+  install(DIRECTORY gpu_ref/include/hmlfc DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
 install(DIRECTORY model/include/hmlfc
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")

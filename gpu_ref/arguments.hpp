@@ -54,7 +54,8 @@ struct ColourAreaRecord {
   uint32_t chroma_bx = 0;
   uint32_t chroma_by = 0;
   uint32_t chroma_columns = 1;
-  uint32_t pad[2] = {};
+  uint32_t first_texel = 0;
+  uint32_t pad = 0;
 };
 
 inline constexpr uint32_t kRequestBytes = 12;  ///< Request of arguments.glsl

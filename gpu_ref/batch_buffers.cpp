@@ -138,6 +138,23 @@ std::vector<Batch> batches_of(std::span<const PixelArea> areas, ChromaFormat for
   return batches;
 }
 
+std::array<uint32_t, 2> pixels_of(const PixelArea& area, const StreamHeader& header) {
+  const uint64_t side = header.block_size();
+  const auto inside = [side](uint32_t first, uint32_t blocks, uint32_t size) {
+    const uint64_t begin = std::min<uint64_t>(first * side, size);
+    return static_cast<uint32_t>(std::min<uint64_t>(blocks * side, size - begin));
+  };
+  return {inside(area.bx, area.columns, header.width), inside(area.by, area.rows, header.height)};
+}
+
+void number_texels(std::span<const PixelArea> areas, const StreamHeader& header, Batch& batch) {
+  for (size_t i = 0; i < areas.size(); ++i) {
+    batch.colour_areas[i].first_texel = static_cast<uint32_t>(batch.texels);
+    const auto [columns, rows] = pixels_of(areas[i], header);
+    batch.texels += uint64_t{columns} * rows;
+  }
+}
+
 std::vector<Batch> reference_batches(const Geometry& geometry, uint64_t limit) {
   std::vector<Batch> batches;
   for (int l = 0; l <= geometry.top(); ++l) {
@@ -154,14 +171,14 @@ std::vector<Batch> reference_batches(const Geometry& geometry, uint64_t limit) {
 
 BlockSizes block_sizes(const StreamHeader& header) {
   return {static_cast<uint32_t>(header.tree_height) + 1,
-          header.block_size() * header.block_size() / 2};
+          header.block_size() * header.block_size() / 2, header.depth == 8 ? 4u : 8u};
 }
 
 uint64_t max_requests(const Device::State& device, const BlockSizes& sizes, bool trace) {
   // A status and the samples twice, on the device and on the host; three lanes of pixels.
   const uint64_t bytes = kRequestBytes + sizes.entry_bytes() + 8 + 4 * sizes.sample_bytes() +
                          (trace ? 2 * sizes.stage_bytes() : 0);
-  const uint64_t budget = std::min(kSubmissionBytes, device.max_buffer_bytes);
+  const uint64_t budget = std::min(device.submission_bytes, device.max_buffer_bytes);
   const uint64_t invocations = kMaxInvocations / std::max(sizes.sample_words, sizes.levels);
   return std::min({budget / bytes, invocations, kMaxRequests});
 }
@@ -176,19 +193,21 @@ Arguments BatchBuffers::prepare_requests(Device::State& device, uint64_t count,
 }
 
 Arguments BatchBuffers::prepare(Device::State& device, const Batch& batch, const BlockSizes& sizes,
-                                bool trace, Arguments arguments) {
+                                KernelUse use, Arguments arguments) {
   arguments = prepare_requests(device, batch.requests, sizes, arguments);
   arguments.areas = write_records(device, areas, batch.areas);
   arguments.area_count = static_cast<uint32_t>(batch.areas.size());
   arguments.samples = samples.reserve(device, batch.requests * sizes.sample_bytes()).address();
-  if (trace) {
+  if (use == KernelUse::kStages) {
     arguments.stages = stages.reserve(device, batch.requests * sizes.stage_bytes()).address();
   }
   if (batch.pixels != 0) {
     arguments.colour_areas = write_records(device, colour_areas, batch.colour_areas);
     arguments.colour_area_count = static_cast<uint32_t>(batch.colour_areas.size());
     arguments.pixel_count = static_cast<uint32_t>(batch.pixels);
-    arguments.pixels = pixels.reserve(device, batch.pixels * 3 * sizes.sample_bytes()).address();
+    const uint64_t bytes = use == KernelUse::kTexels ? batch.texels * sizes.texel_bytes
+                                                     : batch.pixels * 3 * sizes.sample_bytes();
+    arguments.pixels = pixels.reserve(device, bytes).address();
     arguments.pixel_statuses = pixel_statuses.reserve(device, batch.pixels * 4).address();
   }
   return arguments;

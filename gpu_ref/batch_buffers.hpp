@@ -1,14 +1,16 @@
 // Submissions: which blocks they decode, and their buffers.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include <hmlfc/gpu/decoder.hpp>
+
 #include "arguments.hpp"
 #include "buffer.hpp"
-#include "gpu_decoder.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
@@ -19,6 +21,7 @@ struct Batch {
   uint64_t requests = 0;
   std::vector<ColourAreaRecord> colour_areas;
   uint64_t pixels = 0;  ///< blocks in RGB
+  uint64_t texels = 0;  ///< after number_texels()
 
   /// Appends `rows` rows of blocks.
   void add(const AreaRecord& area, uint32_t rows);
@@ -31,6 +34,13 @@ std::vector<Batch> batches_of(std::span<const BlockArea> areas, uint64_t limit);
 /// The same for pixels, with the chroma blocks that they need; limit >= 3.
 std::vector<Batch> batches_of(std::span<const PixelArea> areas, ChromaFormat format,
                               uint64_t limit);
+
+/// The pixels of `area` inside its view: columns, rows.
+std::array<uint32_t, 2> pixels_of(const PixelArea& area, const StreamHeader& header);
+
+/// Numbers the texels of `areas`, of which `batch` was made alone and not cut: area by area, each
+/// row by row (texels.glsl).
+void number_texels(std::span<const PixelArea> areas, const StreamHeader& header, Batch& batch);
 
 /// The blocks of all reference images of levels that are not keyed (DEC-4), cut in the same way.
 std::vector<Batch> reference_batches(const Geometry& geometry, uint64_t limit);
@@ -56,13 +66,11 @@ class GrowingBuffer {
   std::optional<Buffer> buffer_;
 };
 
-/// Device memory that a submission may take beside the stream.
-inline constexpr uint64_t kSubmissionBytes = uint64_t{512} << 20;
-
 /// Sizes that follow from the stream.
 struct BlockSizes {
   uint32_t levels = 1;        ///< entries of a request
   uint32_t sample_words = 8;  ///< words of a block's samples
+  uint32_t texel_bytes = 4;   ///< texels.glsl
 
   /// Invocations that make its samples (block_lanes.glsl).
   uint32_t lanes() const { return sample_words < 4 ? 1 : sample_words / 4; }
@@ -96,8 +104,9 @@ struct BatchBuffers {
                              Arguments arguments);
 
   /// Writes the areas of `batch`, makes room for its results, and returns `arguments` completed.
-  Arguments prepare(Device::State& device, const Batch& batch, const BlockSizes& sizes, bool trace,
-                    Arguments arguments);
+  /// `use`: kBlocks, or kStages or kTexels for these results beside or in place of those.
+  Arguments prepare(Device::State& device, const Batch& batch, const BlockSizes& sizes,
+                    KernelUse use, Arguments arguments);
 };
 
 }  // namespace hmlfc::gpu

@@ -18,7 +18,7 @@ BlockPool::BlockPool(const BlockSizes& sizes, uint64_t words, uint64_t budget)
       kept_pages_(std::min({words, budget / (4 * page_words_), kMaxWords / page_words_})) {}
 
 void BlockPool::reserve(Device::State& device, uint64_t pages) {
-  const uint64_t most = std::max(kept_pages_, kSubmissionBytes / (4 * page_words_));
+  const uint64_t most = std::max(kept_pages_, device.submission_bytes / (4 * page_words_));
   if (pages > most) {
     throw MachineError(FailureKind::kLimit, "the frame's blocks take " + std::to_string(pages) +
                                                 " pages of " + std::to_string(4 * page_words_) +

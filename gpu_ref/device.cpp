@@ -1,4 +1,4 @@
-#include "device.hpp"
+#include <hmlfc/gpu/device.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,15 +23,6 @@ std::string lower(std::string text) {
 constexpr const char* kNoVulkan =
     "no Vulkan on this machine: install a driver (on Debian mesa-vulkan-drivers, which needs no "
     "GPU)";
-
-// Without the loader's library the context throws.
-std::shared_ptr<Device::State> make_state() {
-  try {
-    return std::make_shared<Device::State>();
-  } catch (const std::exception&) {
-    throw MachineError(FailureKind::kUnusable, kNoVulkan);
-  }
-}
 
 VKAPI_ATTR VkBool32 VKAPI_CALL keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                             VkDebugUtilsMessageTypeFlagsEXT,
@@ -112,15 +103,6 @@ size_t kind_rank(Type type) {
   return found == kKinds.end() ? kKinds.size() - 1 : static_cast<size_t>(found - kKinds.begin());
 }
 
-DeviceInfo info_of(const vk::raii::PhysicalDevice& physical) {
-  const vk::PhysicalDeviceProperties properties = physical.getProperties();
-  DeviceInfo info;
-  info.name = properties.deviceName.data();
-  info.kind = kKinds[kind_rank(properties.deviceType)].second;
-  info.missing = missing_of(physical);
-  return info;
-}
-
 size_t rank_of(const DeviceInfo& device) {
   const auto found =
       std::ranges::find_if(kKinds, [&](const auto& kind) { return device.kind == kind.second; });
@@ -166,17 +148,7 @@ void make_device(Device::State& state, const DeviceOptions& options) {
   state.device.emplace(*state.physical,
                        vk::DeviceCreateInfo({}, queue, {}, extensions, {}, &addresses));
   state.queue.emplace(*state.device, family, 0);
-  state.pool.emplace(
-      *state.device,
-      vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family));
-  state.kernels.emplace(*state.physical, *state.device, options);
-  const auto limits = state.physical->getProperties().limits;
-  state.max_workgroups = limits.maxComputeWorkGroupCount[0];
-  const auto family_properties = state.physical->getQueueFamilyProperties()[family];
-  if (family_properties.timestampValidBits != 0) {
-    state.timestamp_seconds = static_cast<double>(limits.timestampPeriod) * 1e-9;
-    state.timestamp_mask = ~uint64_t{0} >> (64 - family_properties.timestampValidBits);
-  }
+  complete(state, family, options);
 }
 
 void set_limits(Device::State& state, uint64_t chunk_bytes) {
@@ -217,14 +189,49 @@ std::shared_ptr<Device::State> open_state(const DeviceOptions& options) {
   state->physical.emplace(std::move(devices[chosen]));
   state->info = list[chosen];
   state->guard_pages = options.guard_pages;
-  state->timeout_nanoseconds = static_cast<uint64_t>(options.timeout_seconds * 1e9);
-  if (options.check_barriers) state->hazards.emplace();
   make_device(*state, options);
-  set_limits(*state, options.chunk_bytes);
   return state;
 }
 
 }  // namespace
+
+// Without the loader's library the context throws.
+std::shared_ptr<Device::State> make_state() {
+  try {
+    return std::make_shared<Device::State>();
+  } catch (const std::exception&) {
+    throw MachineError(FailureKind::kUnusable, kNoVulkan);
+  }
+}
+
+DeviceInfo info_of(const vk::raii::PhysicalDevice& physical) {
+  const vk::PhysicalDeviceProperties properties = physical.getProperties();
+  DeviceInfo info;
+  info.name = properties.deviceName.data();
+  info.kind = kKinds[kind_rank(properties.deviceType)].second;
+  info.missing = missing_of(physical);
+  return info;
+}
+
+void complete(Device::State& state, uint32_t family, const DeviceOptions& options) {
+  state.family = family;
+  state.timeout_nanoseconds = static_cast<uint64_t>(options.timeout_seconds * 1e9);
+  state.submission_bytes = options.submission_bytes;
+  state.disparity_bytes = options.disparity_bytes;
+  if (options.check_barriers) state.hazards.emplace();
+  state.pool.emplace(
+      *state.device,
+      vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family));
+  state.kernels.emplace(*state.physical, *state.device, options);
+  const auto limits = state.physical->getProperties().limits;
+  state.max_workgroups = limits.maxComputeWorkGroupCount[0];
+  const auto family_properties = state.physical->getQueueFamilyProperties()[family];
+  if (family_properties.timestampValidBits != 0) {
+    state.timestamp_seconds = static_cast<double>(limits.timestampPeriod) * 1e-9;
+    state.timestamp_mask = ~uint64_t{0} >> (64 - family_properties.timestampValidBits);
+  }
+  set_limits(state, options.chunk_bytes);
+}
 
 size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& wanted) {
   size_t number = devices.size();

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bits/parallel.hpp"
-#include "gpu_renderer.hpp"
 #include "render/disparity_rows.hpp"
 
 namespace hmlfc::gpu {
@@ -26,11 +25,11 @@ Buffer upload_disparities(Device::State& device, const StreamView& stream) {
   const size_t blocks = size_t{plane.blocks_x} * plane.blocks_y;
   const uint64_t views = stream.geometry.level(0).images();
   const uint64_t bytes = 4 * blocks * views;
-  if (bytes > kMostDisparityBytes) {
+  if (bytes > device.disparity_bytes) {
     throw MachineError(
         FailureKind::kLimit,
         "limit_exceeded: the disparities of all views take " + std::to_string(bytes >> 20) +
-            " MiB on the device, more than " + std::to_string(kMostDisparityBytes >> 20) +
+            " MiB on the device, more than " + std::to_string(device.disparity_bytes >> 20) +
             ": draw without geometry (--geometry plane) or on the CPU (--backend cpu)");
   }
   std::vector<uint32_t> words(static_cast<size_t>(blocks * views));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -10,7 +11,8 @@
 
 #include <vulkan/vulkan_raii.hpp>
 
-#include "device.hpp"
+#include <hmlfc/gpu/device.hpp>
+
 #include "hazards.hpp"
 #include "kernels.hpp"
 
@@ -52,8 +54,11 @@ struct Device::State {
   std::optional<vk::raii::CommandPool> pool;
   std::optional<Kernels> kernels;
   DeviceInfo info;
+  uint32_t family = 0;              ///< of the queue
   uint64_t chunk_bytes = 0;         ///< largest buffer of stream and reference area
   uint64_t max_buffer_bytes = 0;    ///< largest buffer of anything else
+  uint64_t submission_bytes = 0;    ///< DeviceOptions::submission_bytes
+  uint64_t disparity_bytes = 0;     ///< DeviceOptions::disparity_bytes
   uint32_t max_workgroups = 65535;  ///< in one dimension
   double timestamp_seconds = 0;     ///< of one tick; 0: no timestamps
   uint64_t timestamp_mask = 0;      ///< the bits of a tick that are valid
@@ -76,6 +81,15 @@ struct Device::State {
   /// Before memory of a lost device is freed: waits for what the device may still be doing.
   void settle() noexcept;
 };
+
+/// A state in which nothing is open yet.
+std::shared_ptr<Device::State> make_state();
+
+DeviceInfo info_of(const vk::raii::PhysicalDevice& physical);
+
+/// What follows once instance, physical device, device and queue of `state` are there: the pool of
+/// commands for the queue's `family`, the kernels, the limits, and what `options` say of them.
+void complete(Device::State& state, uint32_t family, const DeviceOptions& options);
 
 /// Runs `body() -> T` and turns what it throws into a Failure.
 template <class Body>

@@ -126,7 +126,7 @@ void DeviceStream::decode_references(Device::State& device, const StreamView& st
   const auto batches = reference_batches(stream.geometry, limit);
   if (!batches.empty()) device.kernels->prepare(KernelUse::kReferences, chunked());
   for (const Batch& batch : batches) {
-    const Arguments all = buffers.prepare(device, batch, sizes, false, arguments());
+    const Arguments all = buffers.prepare(device, batch, sizes, KernelUse::kBlocks, arguments());
     Commands commands(device);
     commands.barrier(kTransfer, kCompute);  // the stream's upload
     commands.dispatch("expand", variant, all, batch.requests);

@@ -4,8 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include <hmlfc/gpu/renderer.hpp>
+
 #include "decoder/open_stream.hpp"
-#include "gpu_renderer.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -4,9 +4,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include <hmlfc/gpu/device.hpp>
 #include <hmlfc/renderer.hpp>
-
-#include "device.hpp"
 
 namespace hmlfc::gpu {
 

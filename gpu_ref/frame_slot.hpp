@@ -6,14 +6,18 @@
 #include <span>
 #include <vector>
 
+#include <hmlfc/gpu/renderer.hpp>
+
 #include "arithmetic/rounding.hpp"
 #include "batch_buffers.hpp"
 #include "commands.hpp"
 #include "frame_shape.hpp"
-#include "gpu_renderer.hpp"
 #include "render/surface.hpp"
 
 namespace hmlfc::gpu {
+
+/// Frames that may be under way at once.
+inline constexpr unsigned kFramesUnderWay = 3;
 
 /// What the commands of a frame depend on: they are recorded anew where it changes.
 struct FrameForm {

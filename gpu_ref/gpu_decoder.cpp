@@ -1,4 +1,4 @@
-#include "gpu_decoder.hpp"
+#include <hmlfc/gpu/decoder.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -6,16 +6,14 @@
 #include <hmlfc/error.hpp>
 
 #include "arithmetic/rounding.hpp"
-#include "batch_buffers.hpp"
+#include "block_stages.hpp"
 #include "commands.hpp"
-#include "device_stream.hpp"
+#include "decoder/open_stream.hpp"
+#include "stage_times.hpp"
+#include "stream_decoder.hpp"
 
 namespace hmlfc::gpu {
 namespace {
-
-constexpr uint64_t kMinBlocks = 3;  // a block in RGB
-
-enum class Want : uint8_t { kSamples, kPixels, kStages };
 
 // Statuses of `words`, one a word, to `out`.
 void append_statuses(std::span<const uint32_t> words, std::vector<uint8_t>& out) {
@@ -89,39 +87,16 @@ BlockStages block_stages(uint32_t status, std::span<const uint32_t> entries,
 
 }  // namespace
 
-struct GpuDecoder::State {
-  State(Device::State& d, const StreamView& view)
-      : device(d),
-        stream(d, view),
-        chroma_format(view.header.chroma_format),
-        sizes(block_sizes(view.header)) {
-    device.kernels->prepare(KernelUse::kBlocks, stream.chunked());
-  }
-
-  // Most requests of a submission that leaves stages or not.
-  uint64_t limit(bool trace) const {
-    return std::max(kMinBlocks, std::min(max_requests(device, sizes, trace), max_blocks));
-  }
+struct GpuDecoder::State : StreamDecoder {
+  using StreamDecoder::StreamDecoder;
 
   // One submission. `collect(commands)` adds the copies to the readback buffer.
   template <class Collect>
-  void submit(const Batch& batch, Want want, const Collect& collect) {
-    const bool stages = want == Want::kStages;
-    const Variant plain = variant_of(KernelUse::kBlocks, stream.chunked());
-    const Variant last =
-        variant_of(stages ? KernelUse::kStages : KernelUse::kBlocks, plain.chunked);
-    const Arguments arguments = buffers.prepare(device, batch, sizes, stages, stream.arguments());
+  void submit(const Batch& batch, KernelUse use, const Collect& collect) {
+    const Arguments arguments = buffers.prepare(device, batch, sizes, use, stream.arguments());
     Commands commands(device);
     commands.barrier(kTransfer, kCompute);  // the stream's upload
-    commands.dispatch("expand", plain, arguments, batch.requests);
-    commands.barrier(kCompute, kCompute);
-    commands.dispatch("walk", plain, arguments, batch.requests * sizes.levels);
-    commands.barrier(kCompute, kCompute);
-    commands.dispatch("samples", last, arguments, batch.requests * sizes.lanes());
-    if (want == Want::kPixels) {
-      commands.barrier(kCompute, kCompute);
-      commands.dispatch("colour", plain, arguments, batch.pixels * sizes.lanes());
-    }
+    record(commands, batch, use, arguments);
     commands.barrier(kCompute, kTransfer);
     collect(commands);
     commands.barrier(kTransfer, kHost);
@@ -130,14 +105,13 @@ struct GpuDecoder::State {
   }
 
   // Runs `batch` and appends its statuses and samples, of blocks or of pixels.
-  template <class Result>
-  void decode(const Batch& batch, Want want, Result& result) {
-    const bool rgb = want == Want::kPixels;
+  void decode(const Batch& batch, Blocks& result) {
+    const bool rgb = batch.pixels != 0;
     const uint64_t count = rgb ? batch.pixels : batch.requests;
     const uint64_t status_bytes = 4 * count;
     const uint64_t sample_bytes = count * sizes.sample_bytes() * (rgb ? 3 : 1);
     Buffer& readback = buffers.readback.reserve(device, status_bytes + sample_bytes);
-    submit(batch, want, [&](Commands& commands) {
+    submit(batch, KernelUse::kBlocks, [&](Commands& commands) {
       const auto& statuses = rgb ? buffers.pixel_statuses : buffers.statuses;
       const auto& samples = rgb ? buffers.pixels : buffers.samples;
       commands.copy(statuses.get(), 0, readback, 0, status_bytes);
@@ -158,7 +132,7 @@ struct GpuDecoder::State {
     const uint64_t entry_bytes = batch.requests * sizes.entry_bytes();
     const uint64_t stage_bytes = batch.requests * sizes.stage_bytes();
     Buffer& readback = buffers.readback.reserve(device, status_bytes + entry_bytes + stage_bytes);
-    submit(batch, Want::kStages, [&](Commands& commands) {
+    submit(batch, KernelUse::kStages, [&](Commands& commands) {
       commands.copy(buffers.statuses.get(), 0, readback, 0, status_bytes);
       commands.copy(buffers.entries.get(), 0, readback, status_bytes, entry_bytes);
       commands.copy(buffers.stages.get(), 0, readback, status_bytes + entry_bytes, stage_bytes);
@@ -174,11 +148,6 @@ struct GpuDecoder::State {
     }
   }
 
-  Device::State& device;
-  DeviceStream stream;
-  ChromaFormat chroma_format;
-  BlockSizes sizes;
-  uint64_t max_blocks = ~uint64_t{0};
   BatchBuffers buffers;
   std::vector<StageTime> times;
 };
@@ -187,12 +156,16 @@ Outcome<GpuDecoder> GpuDecoder::open(Device& device, const StreamView& stream) {
   return guard_device([&] { return GpuDecoder(std::make_shared<State>(device.state(), stream)); });
 }
 
+Outcome<GpuDecoder> GpuDecoder::open(Device& device, const Decoder& stream) {
+  return open(device, DecoderAccess::stream(stream));
+}
+
 Outcome<Blocks> GpuDecoder::decode(std::span<const BlockArea> areas) {
   return guard_device([&] {
     state_->times.clear();
     Blocks blocks;
     for (const Batch& batch : batches_of(areas, state_->limit(false))) {
-      state_->decode(batch, Want::kSamples, blocks);
+      state_->decode(batch, blocks);
     }
     return blocks;
   });
@@ -202,8 +175,9 @@ Outcome<PixelBlocks> GpuDecoder::decode_rgb(std::span<const PixelArea> areas) {
   return guard_device([&] {
     state_->times.clear();
     PixelBlocks blocks;
-    for (const Batch& batch : batches_of(areas, state_->chroma_format, state_->limit(false))) {
-      state_->decode(batch, Want::kPixels, blocks);
+    for (const Batch& batch :
+         batches_of(areas, state_->header.chroma_format, state_->limit(false))) {
+      state_->decode(batch, blocks);
     }
     return blocks;
   });
@@ -224,5 +198,9 @@ const std::vector<StageTime>& GpuDecoder::stage_times() const { return state_->t
 uint64_t GpuDecoder::reference_bytes() const { return state_->stream.reference_bytes(); }
 
 void GpuDecoder::limit_submissions(uint64_t blocks) { state_->max_blocks = blocks; }
+
+std::shared_ptr<const StreamDecoder> GpuDecoderAccess::stream(const GpuDecoder& decoder) {
+  return decoder.state_;
+}
 
 }  // namespace hmlfc::gpu

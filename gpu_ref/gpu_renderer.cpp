@@ -1,4 +1,4 @@
-#include "gpu_renderer.hpp"
+#include <hmlfc/gpu/renderer.hpp>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,7 @@
 #include "batch_buffers.hpp"
 #include "block_pool.hpp"
 #include "commands.hpp"
+#include "decoder/open_stream.hpp"
 #include "device_disparities.hpp"
 #include "device_stream.hpp"
 #include "frame_shape.hpp"
@@ -268,6 +269,11 @@ Outcome<GpuRenderer> GpuRenderer::open(Device& device, const StreamView& stream,
       [&] { return GpuRenderer(std::make_shared<State>(device.state(), stream, cache_bytes)); });
 }
 
+Outcome<GpuRenderer> GpuRenderer::open(Device& device, const Decoder& stream,
+                                       uint64_t cache_bytes) {
+  return open(device, DecoderAccess::stream(stream), cache_bytes);
+}
+
 Outcome<GpuFrame> GpuRenderer::render(const FrameRecord& record, int stop_level) {
   return guard_device([&] { return state_->render(record, stop_level); });
 }
@@ -275,6 +281,8 @@ Outcome<GpuFrame> GpuRenderer::render(const FrameRecord& record, int stop_level)
 Outcome<void> GpuRenderer::begin(const FrameRecord& record, int stop_level, FrameOutput output) {
   return guard_device([&] { state_->begin(record, stop_level, output); });
 }
+
+unsigned GpuRenderer::most_under_way() { return kFramesUnderWay; }
 
 unsigned GpuRenderer::under_way() const { return state_->under_way; }
 

@@ -2,14 +2,14 @@
 
 #include <unistd.h>
 
+#include <cinttypes>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <system_error>
-
-#include <fmt/format.h>
 
 #include "bits/crc32c.hpp"
 
@@ -46,8 +46,10 @@ KernelCacheFile::KernelCacheFile(const std::filesystem::path& folder,
                                  const vk::PhysicalDeviceProperties& properties)
     : properties_(properties) {
   if (folder.empty()) return;
-  path_ =
-      folder / fmt::format("kernels-{:04x}-{:04x}.bin", properties.vendorID, properties.deviceID);
+  char name[32] = {};
+  std::snprintf(name, sizeof(name), "kernels-%04" PRIx32 "-%04" PRIx32 ".bin", properties.vendorID,
+                properties.deviceID);
+  path_ = folder / name;
 }
 
 // Whether the driver that wrote `data` is the one at hand.

@@ -50,8 +50,9 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device,
                                  vk::PipelineCreateFlags flags) {
   const vk::raii::ShaderModule shader(
       device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
-  const std::array<vk::Bool32, 6> values{variant.chunked, variant.reference_pass, variant.stages,
-                                         variant.counted, variant.pool_chunked,   variant.geometry};
+  const std::array<vk::Bool32, 7> values{variant.chunked, variant.reference_pass, variant.stages,
+                                         variant.counted, variant.pool_chunked,   variant.geometry,
+                                         variant.texels};
   std::array<vk::SpecializationMapEntry, values.size()> entries;
   for (uint32_t i = 0; i < entries.size(); ++i) {
     entries[i] =
@@ -91,7 +92,8 @@ Variant variant_of(KernelUse use, bool chunked, bool pool_chunked) {
           .stages = use == KernelUse::kStages,
           .counted = frames,
           .pool_chunked = frames && pool_chunked,
-          .geometry = use == KernelUse::kGeometry};
+          .geometry = use == KernelUse::kGeometry,
+          .texels = use == KernelUse::kTexels};
 }
 
 std::span<const std::string_view> kernels_of(KernelUse use) {
@@ -100,6 +102,7 @@ std::span<const std::string_view> kernels_of(KernelUse use) {
   static constexpr std::string_view kStages[] = {"samples"};
   static constexpr std::string_view kFrames[] = {"mark", "compact", "walk", "samples", "render"};
   static constexpr std::string_view kGeometry[] = {"surface", "mark", "compact", "render"};
+  static constexpr std::string_view kTexels[] = {"colour"};
   switch (use) {
     case KernelUse::kReferences:
       return kReferences;
@@ -111,6 +114,8 @@ std::span<const std::string_view> kernels_of(KernelUse use) {
       return kFrames;
     case KernelUse::kGeometry:
       return kGeometry;
+    case KernelUse::kTexels:
+      return kTexels;
   }
   return {};
 }

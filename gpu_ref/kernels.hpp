@@ -11,7 +11,8 @@
 
 #include <vulkan/vulkan_raii.hpp>
 
-#include "device.hpp"
+#include <hmlfc/gpu/device.hpp>
+
 #include "kernel_cache.hpp"
 
 namespace hmlfc::gpu {
@@ -24,6 +25,7 @@ struct Variant {
   bool counted = false;         ///< kCounted of frame_arguments.glsl
   bool pool_chunked = false;    ///< kPoolChunked of frame_arguments.glsl
   bool geometry = false;        ///< kGeometry of frame_arguments.glsl
+  bool texels = false;          ///< kTexels of texels.glsl
 
   friend auto operator<=>(const Variant&, const Variant&) = default;
 };
@@ -38,10 +40,11 @@ enum class KernelUse : uint8_t {
   kStages,      ///< stages of blocks, beside kBlocks
   kFrames,      ///< frames of a renderer
   kGeometry,    ///< frames with geometry, beside kFrames
+  kTexels,      ///< pixels as texels, beside kBlocks
 };
 inline constexpr KernelUse kKernelUses[] = {KernelUse::kReferences, KernelUse::kBlocks,
-                                            KernelUse::kStages, KernelUse::kFrames,
-                                            KernelUse::kGeometry};
+                                            KernelUse::kStages,     KernelUse::kFrames,
+                                            KernelUse::kGeometry,   KernelUse::kTexels};
 
 /// The variant of every kernel of `use`; `pool_chunked` counts for kernels of frames alone.
 Variant variant_of(KernelUse use, bool chunked, bool pool_chunked = false);

@@ -1,7 +1,8 @@
 // Stands for the decoder in builds without the Vulkan headers or the shader compiler.
-#include "device.hpp"
-#include "gpu_decoder.hpp"
-#include "gpu_renderer.hpp"
+#include <hmlfc/gpu/decoder.hpp>
+#include <hmlfc/gpu/renderer.hpp>
+
+#include "block_stages.hpp"
 #include "kernel_code.hpp"
 
 namespace hmlfc::gpu {
@@ -36,6 +37,7 @@ struct GpuDecoder::State {
 };
 
 Outcome<GpuDecoder> GpuDecoder::open(Device&, const StreamView&) { return missing(); }
+Outcome<GpuDecoder> GpuDecoder::open(Device&, const Decoder&) { return missing(); }
 Outcome<Blocks> GpuDecoder::decode(std::span<const BlockArea>) { return missing(); }
 Outcome<PixelBlocks> GpuDecoder::decode_rgb(std::span<const PixelArea>) { return missing(); }
 Outcome<std::vector<BlockStages>> GpuDecoder::trace(std::span<const BlockArea>) {
@@ -50,8 +52,10 @@ struct GpuRenderer::State {
 };
 
 Outcome<GpuRenderer> GpuRenderer::open(Device&, const StreamView&, uint64_t) { return missing(); }
+Outcome<GpuRenderer> GpuRenderer::open(Device&, const Decoder&, uint64_t) { return missing(); }
 Outcome<GpuFrame> GpuRenderer::render(const FrameRecord&, int) { return missing(); }
 Outcome<void> GpuRenderer::begin(const FrameRecord&, int, FrameOutput) { return missing(); }
+unsigned GpuRenderer::most_under_way() { return 0; }
 unsigned GpuRenderer::under_way() const { return 0; }
 Outcome<bool> GpuRenderer::ready() { return missing(); }
 Outcome<void> GpuRenderer::finish(GpuFrame&) { return missing(); }

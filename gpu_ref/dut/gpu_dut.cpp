@@ -1,6 +1,7 @@
 // The GPU decoder behind hmlfc_dut.h. The device is the one that HMLFC_GPU_DEVICE names, else the
 // first that can run it.
 #include <hmlfc/dut.hpp>
+#include <hmlfc/gpu/decoder.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -10,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "block_stages.hpp"
 #include "decoder/open_stream.hpp"
-#include "gpu_decoder.hpp"
 
 using hmlfc::gpu::BlockArea;
 using hmlfc::gpu::Device;

@@ -41,7 +41,8 @@ struct ColourArea {
   uint co, cg;             // requests of its first blocks of planes Co and Cg
   uint chroma_bx, chroma_by;
   uint chroma_columns;
-  uint pad0, pad1;
+  uint first_texel;        // with kTexels: number of its first texel among all
+  uint pad0;
 };
 
 layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer ColourAreas {
@@ -65,7 +66,7 @@ layout(push_constant, std430) uniform Arguments {
   OutWords stages;       // of the debug variant: four stages a level a request
   OutWords damage;       // word 0: not 0 where blocks of the reference area did not decode
   ColourAreas colour_areas;
-  OutWords pixels;       // three lanes of B * B / 2 words a block in RGB
+  OutWords pixels;       // three lanes of B * B / 2 words a block in RGB; with kTexels: texels.glsl
   OutWords pixel_statuses;
   uint area_count;
   uint request_count;

@@ -5,6 +5,7 @@
 #include "decode.glsl"
 #include "block_lanes.glsl"
 #include "colour.glsl"
+#include "texels.glsl"
 
 /// The area that holds block `number`: the last that begins at it or before it.
 ColourArea colour_area_of(uint number) {
@@ -70,11 +71,13 @@ void main() {
   const uint lane = number & low_bits(lanes_of_block_log2());
   for (uint k = 0u; k < 1u << words_of_lane_log2(); ++k) {
     const uint word = (lane << 2) + k;
-    uvec3 pairs = uvec3(0u);
-    if (status == ERROR_OK) {
-      const ivec3 both[2] = pixels(sources, 2u * word);
-      pairs = uvec3(both[0]) | uvec3(both[1]) << 16;
+    ivec3 both[2] = ivec3[2](ivec3(0), ivec3(0));
+    if (status == ERROR_OK) both = pixels(sources, 2u * word);
+    if (kTexels) {
+      write_texels(area, b - area.first_block, 2u * word, both, status == ERROR_OK);
+      continue;
     }
+    const uvec3 pairs = uvec3(both[0]) | uvec3(both[1]) << 16;
     const uint first = ((3u * b) << words_of_block_log2()) + word;
     arguments.pixels.word[first] = pairs.x;
     arguments.pixels.word[first + (1u << words_of_block_log2())] = pairs.y;

@@ -10,6 +10,7 @@
 
 #include "gpu/speed.hpp"
 #include "render/taps.hpp"
+#include "stage_times.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu_renderer.hpp"
+#include <hmlfc/gpu/renderer.hpp>
+
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "block_stages.hpp"
+
 namespace hmlfc::gpu {
 namespace {
 

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "gpu_decoder.hpp"
+#include <hmlfc/gpu/decoder.hpp>
+
 #include "oracle/level_record.hpp"
 #include "oracle/request.hpp"
 

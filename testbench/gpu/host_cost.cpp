@@ -30,7 +30,7 @@ Outcome<double> draw(GpuRenderer& renderer, std::span<const FrameRecord> records
   double seconds = 0;
   GpuFrame frame;
   for (uint64_t begun = 0, finished = 0; finished < frames;) {
-    if (begun < frames && renderer.under_way() < kFramesUnderWay) {
+    if (begun < frames && renderer.under_way() < GpuRenderer::most_under_way()) {
       const FrameRecord& record = records[begun++ % records.size()];
       const auto done =
           timed([&] { return renderer.begin(record, 0, FrameOutput::kDevice); }, seconds);
@@ -60,7 +60,8 @@ SubmissionCounts difference(const SubmissionCounts& after, const SubmissionCount
 
 Outcome<HostCost> measure_host(GpuRenderer& renderer, const Device& device,
                                std::span<const FrameRecord> records, uint64_t frames) {
-  const auto first = draw(renderer, records, std::max<uint64_t>(records.size(), kFramesUnderWay));
+  const auto first =
+      draw(renderer, records, std::max<uint64_t>(records.size(), GpuRenderer::most_under_way()));
   if (!first) return tl::unexpected(first.error());
   const SubmissionCounts before = device.counts();
   const auto seconds = draw(renderer, records, frames);
@@ -73,7 +74,7 @@ std::string to_text(const HostCost& cost) {
       "host: {} frames that stay on the device, {} under way\n"
       "  {:<10} {:10.1f} us of CPU a frame\n"
       "  {} submissions, {} recordings, {} waits\n",
-      cost.frames, kFramesUnderWay, "calls",
+      cost.frames, GpuRenderer::most_under_way(), "calls",
       1e6 * cost.cpu_seconds / static_cast<double>(std::max<uint64_t>(cost.frames, 1)),
       cost.counts.submitted, cost.counts.recorded, cost.counts.waits);
 }

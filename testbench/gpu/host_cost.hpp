@@ -5,11 +5,11 @@
 #include <span>
 #include <string>
 
-#include "gpu_renderer.hpp"
+#include <hmlfc/gpu/renderer.hpp>
 
 namespace hmlfc::gpu {
 
-/// Of frames that stay on the device, with kFramesUnderWay under way.
+/// Of frames that stay on the device, with GpuRenderer::most_under_way() under way.
 struct HostCost {
   uint64_t frames = 0;
   double cpu_seconds = 0;     ///< of the calling thread, in begin() and finish() alone

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include <hmlfc/camera.hpp>
+#include <hmlfc/gpu/decoder.hpp>
 
 #include "gpu/kernel_counter.hpp"
-#include "gpu_decoder.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "device.hpp"
+#include <hmlfc/gpu/device.hpp>
 
 namespace hmlfc::gpu {
 

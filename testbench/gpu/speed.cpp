@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "stage_times.hpp"
+
 namespace hmlfc::gpu {
 namespace {
 

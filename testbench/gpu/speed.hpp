@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu_decoder.hpp"
+#include <hmlfc/gpu/decoder.hpp>
+
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {

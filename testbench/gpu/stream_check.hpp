@@ -6,7 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "gpu_decoder.hpp"
+#include <hmlfc/gpu/decoder.hpp>
+
 #include "oracle/golden_stream.hpp"
 #include "oracle/request.hpp"
 

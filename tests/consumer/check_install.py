@@ -36,10 +36,10 @@ def run(*command, code=0, **options):
 
 
 class Installation:
-    def __init__(self, cmake, build, compiler, libdir):
+    def __init__(self, cmake, build, compiler, libdir, work="consumer"):
         self.cmake, self.compiler = cmake, compiler
         self.build = Path(build).resolve()
-        self.work = self.build / "consumer"
+        self.work = self.build / work
         shutil.rmtree(self.work, ignore_errors=True)
         first = self.work / "prefix"
         run(cmake, "--install", build, "--prefix", first)
@@ -48,16 +48,18 @@ class Installation:
         self.lib = self.prefix / libdir
         for file in (*self.lib.glob("cmake/**/*.cmake"), *self.lib.glob("pkgconfig/*")):
             assert str(first) not in file.read_text(), f"{file} names the folder it was installed to"
-        self.headers = sorted((self.prefix / "include" / "hmlfc").iterdir())
+        include = self.prefix / "include" / "hmlfc"
+        self.headers = sorted(file for file in include.iterdir() if file.is_file())
+        self.gpu_headers = sorted(include.glob("gpu/*"))
         os.environ["PKG_CONFIG_PATH"] = str(self.lib / "pkgconfig")
 
     def check_headers(self):
         """Each compiles by itself and needs no header that is not installed."""
         flags = run("pkg-config", "--cflags", "hmlfc").split()
-        for header in self.headers:
+        for header in self.headers + self.gpu_headers:
             quoted = re.findall(r'#\s*include\s*"[^"]*"', header.read_text())
             assert not quoted, f"{header.name} includes {quoted}"
-            source = f"#include <hmlfc/{header.name}>\n"
+            source = f"#include <{header.relative_to(self.prefix / 'include')}>\n"
             strict = ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c++", "-"]
             run(self.compiler, *flags, *strict, input=source)
 
@@ -72,6 +74,17 @@ class Installation:
         run(self.cmake, "-G", "Ninja", "-S", EXAMPLES, "-B", folder, f"-DCMAKE_PREFIX_PATH={self.prefix}", *options)
         run(self.cmake, "--build", folder)
         return folder
+
+    def refused_components(self, name, *components):
+        """Why find_package does not find them."""
+        folder = self.work / name
+        folder.mkdir()
+        text = f"project(p CXX)\nfind_package(hmlfc CONFIG REQUIRED COMPONENTS {' '.join(components)})\n"
+        (folder / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\n" + text)
+        command = [self.cmake, "-G", "Ninja", "-S", folder, "-B", folder / "out", f"-DCMAKE_PREFIX_PATH={self.prefix}"]
+        done = subprocess.run(command, text=True, capture_output=True)
+        assert done.returncode != 0, f"{components} were found"
+        return " ".join(done.stderr.split())
 
     def pkg_config_program(self, name, *library, static=()):
         """Example decode_block by pkg-config."""
@@ -205,6 +218,18 @@ def check_documents(installation):
         assert (data / name).exists(), name
 
 
+def check_components(installation):
+    """Component gpu is refused beside the shared library, and where it was not built, by name."""
+    assert "takes the static library" in installation.refused_components("both", "gpu", "shared")
+    package = installation.lib / "cmake" / "hmlfc"
+    kept = {file: file.read_bytes() for file in package.glob("hmlfc-gpu*")}
+    for file in kept:
+        file.unlink()
+    assert "was built without component gpu" in installation.refused_components("none", "gpu")
+    for file, content in kept.items():
+        file.write_bytes(content)
+
+
 def check_python(installation):
     """The installed package decodes a view; what the build cannot make is not there."""
     package = installation.prefix / "lib" / "python3" / "dist-packages"
@@ -226,6 +251,7 @@ def main():
     check_decode_unit(installation)
     check_driver(installation)
     check_line_decoder(installation)
+    check_components(installation)
     installation.check_headers()
     installation.check_exports()
     for name, options in {"static": (), "shared": ("-DBUILD_SHARED_LIBS=ON",)}.items():

@@ -3,11 +3,14 @@
 #include <string>
 #include <vector>
 
+#include <hmlfc/gpu/recording.hpp>
+#include <hmlfc/gpu/renderer.hpp>
+
 #include "batch_buffers.hpp"
+#include "block_stages.hpp"
 #include "decoder/open_stream.hpp"
 #include "device_state.hpp"
 #include "gpu/gpu_test.hpp"
-#include "gpu_renderer.hpp"
 #include "hazards.hpp"
 #include "render/render_cases.hpp"
 #include "stimulus/random_stream.hpp"
@@ -202,6 +205,26 @@ TEST_F(GpuBarriers, OfPixelsAreAllNeeded) {
           if (!blocks) return blocks.error().message;
         }
         return std::string();
+      },
+      0, 6);
+}
+
+// Commands that may run again before they are done.
+TEST_F(GpuBarriers, OfRecordingsAreAllNeeded) {
+  expect_all_needed(
+      [](Device& device, const StreamView& view) {
+        const auto decoder = GpuDecoder::open(device, view);
+        if (!decoder) return decoder.error().message;
+        Device::State& state = device.state();
+        const Buffer target(state, 1024, Memory::kDevice);
+        const vk::raii::CommandBuffers buffers(
+            *state.device,
+            vk::CommandBufferAllocateInfo(**state.pool, vk::CommandBufferLevel::ePrimary, 1));
+        buffers.front().begin(vk::CommandBufferBeginInfo());
+        const PixelArea area{{0, 0}};
+        const auto recording =
+            record(*decoder, *buffers.front(), {&area, 1}, BufferTarget{target.handle(), 0});
+        return recording ? std::string() : recording.error().message;
       },
       0, 6);
 }

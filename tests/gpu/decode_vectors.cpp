@@ -13,9 +13,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <hmlfc/gpu/decoder.hpp>
+
 #include "bits/crc32c.hpp"
 #include "decoder/open_stream.hpp"
-#include "gpu_decoder.hpp"
 #include "io/files.hpp"
 #include "vectors/digest.hpp"
 #include "vectors/manifest.hpp"

@@ -1,10 +1,11 @@
 // Choosing a device, and the validation layer's messages.
 #include <algorithm>
 
+#include <hmlfc/gpu/renderer.hpp>
+
 #include "decoder/open_stream.hpp"
 #include "device_state.hpp"
 #include "gpu/gpu_test.hpp"
-#include "gpu_renderer.hpp"
 #include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
@@ -55,6 +56,52 @@ TEST_F(GpuDevice, ThatIsNotThereIsNamedWithThoseThatAre) {
     EXPECT_NE(device.error().message.find(name), std::string::npos) << device.error().message;
     EXPECT_NE(device.error().message.find(list_devices()->front().name), std::string::npos);
   }
+}
+
+// Smaller submissions are more of them, with the same blocks.
+TEST_F(GpuDevice, SplitsWhatTakesMoreThanItsSubmissions) {
+  const auto bytes = tb::suite_stream(2, 4);
+  const auto view = open_stream(bytes, {});
+  ASSERT_TRUE(view);
+  const PlaneShape& shape = view->geometry.plane(Plane::kY);
+  const PixelArea area{{0, 0}, 0, 0, shape.blocks_x, shape.blocks_y, 0};
+  uint64_t submitted[2];
+  std::vector<int16_t> samples[2];
+  for (const bool small : {false, true}) {
+    DeviceOptions options;
+    if (small) options.submission_bytes = 1;
+    auto device = open(options);
+    ASSERT_TRUE(device);
+    auto decoder = GpuDecoder::open(*device, *view);
+    ASSERT_TRUE(decoder);
+    submitted[small] = device->counts().submitted;
+    const auto pixels = decoder->decode_rgb({&area, 1});
+    ASSERT_TRUE(pixels) << pixels.error().message;
+    submitted[small] = device->counts().submitted - submitted[small];
+    samples[small] = pixels->samples;
+  }
+  EXPECT_EQ(submitted[0], 1u);
+  EXPECT_GT(submitted[1], 1u);
+  EXPECT_EQ(samples[0], samples[1]);
+}
+
+TEST_F(GpuDevice, RefusesDisparitiesBeyondItsBytes) {
+  const auto bytes = tb::suite_stream(2, 4);
+  const auto view = open_stream(bytes, {});
+  ASSERT_TRUE(view);
+  Camera camera;
+  camera.geometry = GeometrySource::kStream;
+  const auto record = frame_record(camera, view->header);
+  ASSERT_TRUE(record);
+  DeviceOptions options;
+  options.disparity_bytes = 3;
+  auto device = open(options);
+  ASSERT_TRUE(device);
+  auto renderer = GpuRenderer::open(*device, *view, 0);
+  ASSERT_TRUE(renderer);
+  const auto frame = renderer->render(*record, 0);
+  ASSERT_FALSE(frame);
+  EXPECT_EQ(frame.error().kind, FailureKind::kLimit) << frame.error().message;
 }
 
 TEST_F(GpuDevice, RefusesChunksThatAreNoPowerOfTwo) {

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <iterator>
 
+#include <hmlfc/gpu/renderer.hpp>
+
 #include "decoder/open_stream.hpp"
 #include "gpu/allocation_count.hpp"
 #include "gpu/gpu_test.hpp"
-#include "gpu_renderer.hpp"
 #include "render/render_cases.hpp"
 #include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {
 
-constexpr uint64_t kPlenty = uint64_t{1} << 24;
+constexpr uint64_t kCacheBytes = uint64_t{1} << 24;
 
 class GpuFrameRing : public GpuTest {
  protected:
@@ -34,7 +35,7 @@ class GpuFrameRing : public GpuTest {
   }
 
   GpuRenderer open_renderer(Device& device) const {
-    return std::move(*GpuRenderer::open(device, *view_, kPlenty));
+    return std::move(*GpuRenderer::open(device, *view_, kCacheBytes));
   }
 
   std::vector<uint8_t> bytes_;
@@ -46,7 +47,7 @@ TEST_F(GpuFrameRing, GivesTheFramesOfOneAtATimeInTheirOrder) {
   std::vector<GpuFrame> expected;
   auto alone = open_renderer(device());
   for (const FrameRecord& record : records_) expected.push_back(*alone.render(record, 0));
-  for (unsigned under_way = 1; under_way <= kFramesUnderWay; ++under_way) {
+  for (unsigned under_way = 1; under_way <= GpuRenderer::most_under_way(); ++under_way) {
     auto renderer = open_renderer(device());
     GpuFrame frame;
     size_t begun = 0;
@@ -81,15 +82,15 @@ TEST_F(GpuFrameRing, ForgetsAfterErrorsThatTheHostDoesNotKnowYet) {
       const auto record = frame_record(test::random_camera(random, view->header), view->header);
       if (record) records.push_back(*record);
     }
-    auto alone = GpuRenderer::open(device(), *view, kPlenty);
-    auto ring = GpuRenderer::open(device(), *view, kPlenty);
+    auto alone = GpuRenderer::open(device(), *view, kCacheBytes);
+    auto ring = GpuRenderer::open(device(), *view, kCacheBytes);
     ASSERT_TRUE(alone && ring);
     GpuFrame frame;
-    for (size_t i = 0; i < records.size(); i += kFramesUnderWay) {
-      for (size_t k = i; k < i + kFramesUnderWay; ++k) {
+    for (size_t i = 0; i < records.size(); i += GpuRenderer::most_under_way()) {
+      for (size_t k = i; k < i + GpuRenderer::most_under_way(); ++k) {
         ASSERT_TRUE(ring->begin(records[k], 0, FrameOutput::kHost));
       }
-      for (size_t k = i; k < i + kFramesUnderWay; ++k) {
+      for (size_t k = i; k < i + GpuRenderer::most_under_way(); ++k) {
         const auto expected = alone->render(records[k], 0);
         ASSERT_TRUE(expected && ring->finish(frame));
         EXPECT_EQ(frame.status, expected->status);
@@ -110,13 +111,13 @@ TEST_F(GpuFrameRing, RefusesAFrameTooManyAndFinishesNone) {
   const auto none = renderer.finish(frame);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().kind, FailureKind::kLimit);
-  for (unsigned i = 0; i < kFramesUnderWay; ++i) {
+  for (unsigned i = 0; i < GpuRenderer::most_under_way(); ++i) {
     ASSERT_TRUE(renderer.begin(records_[i], i == 1 ? 99 : 0, FrameOutput::kDevice));
   }
   const auto late = renderer.begin(records_[0], 0, FrameOutput::kDevice);
   ASSERT_FALSE(late);
   EXPECT_EQ(late.error().kind, FailureKind::kLimit);
-  for (unsigned i = 0; i < kFramesUnderWay; ++i) {
+  for (unsigned i = 0; i < GpuRenderer::most_under_way(); ++i) {
     ASSERT_TRUE(renderer.finish(frame));
     EXPECT_EQ(frame.status, i == 1 ? ErrorCode::kBadRequest : ErrorCode::kOk);
     EXPECT_TRUE(frame.image.samples.empty());
@@ -126,7 +127,7 @@ TEST_F(GpuFrameRing, RefusesAFrameTooManyAndFinishesNone) {
 TEST_F(GpuFrameRing, MayBeClosedWithFramesUnderWay) {
   for (int i = 0; i < 3; ++i) {
     auto renderer = open_renderer(device());
-    for (unsigned k = 0; k < kFramesUnderWay; ++k) {
+    for (unsigned k = 0; k < GpuRenderer::most_under_way(); ++k) {
       ASSERT_TRUE(renderer.begin(records_[k], 0, FrameOutput::kHost));
     }
   }
@@ -139,7 +140,7 @@ uint64_t run_frames(GpuRenderer& renderer, const std::vector<FrameRecord>& recor
                     GpuFrame& frame) {
   uint64_t decoded = 0;
   for (size_t begun = 0, finished = 0; finished < frames;) {
-    if (begun < frames && renderer.under_way() < kFramesUnderWay) {
+    if (begun < frames && renderer.under_way() < GpuRenderer::most_under_way()) {
       if (!renderer.begin(records[begun++ % records.size()], 0, FrameOutput::kDevice)) return 0;
     }
     if (!*renderer.ready()) continue;
@@ -161,7 +162,8 @@ TEST_F(GpuFrameRing, CostsTheHostNothingInTheSteadyState) {
     ASSERT_GT(records.size(), 2u);
     auto renderer = open_renderer(*device);
     GpuFrame frame;
-    EXPECT_GT(run_frames(renderer, records, records.size() + kFramesUnderWay, frame), 0u);
+    EXPECT_GT(run_frames(renderer, records, records.size() + GpuRenderer::most_under_way(), frame),
+              0u);
     const SubmissionCounts before = device->counts();
     const uint64_t allocated = test::allocation_count();
     EXPECT_EQ(run_frames(renderer, records, 60, frame), 0u) << "nothing is missing";

@@ -8,8 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <hmlfc/gpu/decoder.hpp>
+
 #include "gpu/stream_check.hpp"
-#include "gpu_decoder.hpp"
 #include "stimulus/sequences.hpp"
 
 namespace hmlfc::gpu {

@@ -22,13 +22,13 @@ from check_spirv import spirv_of
 SKIPPED = 77
 
 # Numbers of specialisation constants (Variant of kernels.hpp) that are true.
-CHUNKED, REFERENCE_PASS, STAGES, COUNTED, POOL_CHUNKED, GEOMETRY = range(6)
+CHUNKED, REFERENCE_PASS, STAGES, COUNTED, POOL_CHUNKED, GEOMETRY, TEXELS = range(7)
 VARIANTS = {
     "expand": {"kPlain": set(), "kReferencePass": {REFERENCE_PASS}},
     "walk": {"kPlain": set(), "kReferencePass": {REFERENCE_PASS}, "kCounted": {COUNTED}},
     "residuals": {"kReferencePass": {REFERENCE_PASS}},
     "samples": {"kPlain": set(), "kStages": {STAGES}, "kCounted": {COUNTED}},
-    "colour": {"kPlain": set()},
+    "colour": {"kPlain": set(), "kTexels": {TEXELS}},
     **{kernel: {"kCounted": {COUNTED}, "kGeometry": {COUNTED, GEOMETRY}} for kernel in ("mark", "compact", "render")},
     "surface": {"kGeometry": {COUNTED, GEOMETRY}},
 }
@@ -49,7 +49,7 @@ def members(text: str, head: str) -> list[str]:
 
 def specialised(spirv: bytes, constants: set[int]) -> str:
     """The module with these constants true and the others false, without what is then dead, as text."""
-    values = " ".join(f"{number}:{'true' if number in constants else 'false'}" for number in range(6))
+    values = " ".join(f"{number}:{'true' if number in constants else 'false'}" for number in range(7))
     passes = ["--set-spec-const-default-value", values, "--freeze-spec-const", "--fold-spec-const-op-composite", "-O"]
     folded = subprocess.run(["spirv-opt", "--target-env=vulkan1.2", *passes, "-", "-o", "-"], input=spirv, capture_output=True, check=True)
     return subprocess.run(["spirv-dis", "--raw-id", "-"], input=folded.stdout, capture_output=True, check=True).stdout.decode()

@@ -12,7 +12,8 @@ namespace hmlfc::gpu {
 namespace {
 
 constexpr int kSkipped = 77;
-constexpr const char* kUseNames[] = {"references", "blocks", "stages", "frames", "geometry"};
+constexpr const char* kUseNames[] = {"references", "blocks",   "stages",
+                                     "frames",     "geometry", "texels"};
 
 // The driver's name of its version, such as "Mesa 22.3.6".
 std::string driver_of(Device& device) {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include <hmlfc/gpu/renderer.hpp>
 #include <hmlfc/renderer.hpp>
 
 #include "gpu/cache_model.hpp"
-#include "gpu_renderer.hpp"
 #include "render/render_cases.hpp"
 
 namespace hmlfc::gpu {

@@ -40,6 +40,7 @@ ALLOWED = {
     "model/decoder/fast": DECODER,
     "model/render": DECODER,
     "model/encoder": DECODER,
+    "gpu_ref/include": set(),
     "gpu_ref": CODEC - {"model/encoder"},
     "tools/terminal": set(),
     "tools/io": {"model/bits"},
@@ -117,7 +118,7 @@ def include_violation(root, path, folder, name):
         known = folder.split("/")[0] in ("model", "tools")
         return f'"{name}" is no file: write <...> for public headers and libraries' if known else None
     layer = folder_of(target)
-    if layer == "model/include" and folder != layer:
+    if layer.endswith("/include") and folder != layer:
         return f'"{name}" is a public header: write <...>'
     if layer not in {folder, *ALLOWED[folder]}:
         return f'{folder} may not include {layer} ("{name}")'

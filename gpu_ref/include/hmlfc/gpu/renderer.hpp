@@ -4,16 +4,14 @@
 
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <hmlfc/camera.hpp>
+#include <hmlfc/decoder.hpp>
 #include <hmlfc/error.hpp>
+#include <hmlfc/gpu/decoder.hpp>
+#include <hmlfc/gpu/device.hpp>
 #include <hmlfc/image.hpp>
-
-#include "device.hpp"
-#include "gpu_decoder.hpp"
-#include "syntax/stream_view.hpp"
 
 namespace hmlfc::gpu {
 
@@ -35,18 +33,15 @@ enum class FrameOutput : uint8_t {
   kDevice,  ///< it stays in a buffer of the device, and GpuFrame::image is empty
 };
 
-/// Device memory of the disparity maps: 4 bytes for each block of plane Y of each view.
-inline constexpr uint64_t kMostDisparityBytes = uint64_t{256} << 20;
-
-/// Frames that may be under way at once.
-inline constexpr unsigned kFramesUnderWay = 3;
-
 /// Renders frames of one stream. The device must outlive it.
 class GpuRenderer {
  public:
   /// Uploads the stream as GpuDecoder::open does; its bytes must outlive the renderer. Between
   /// frames the device keeps up to `cache_bytes` bytes of decoded samples, in pages of 32 blocks; 0
   /// keeps nothing. No frame depends on it.
+  static Outcome<GpuRenderer> open(Device& device, const Decoder& stream, uint64_t cache_bytes);
+
+  /// The same, for this project's own programs.
   static Outcome<GpuRenderer> open(Device& device, const StreamView& stream, uint64_t cache_bytes);
 
   /// Renders the frame of `record`, made by frame_record for this light field, from views decoded
@@ -54,16 +49,18 @@ class GpuRenderer {
   /// of them that it does not hold and no others, and draws, in one submission. After a frame with
   /// an error, and before one of another stop level, nothing is held. The first frame with
   /// geometry reads the disparity maps of all views and uploads them; kLimit where they take more
-  /// than kMostDisparityBytes.
+  /// than DeviceOptions::disparity_bytes.
   Outcome<GpuFrame> render(const FrameRecord& record, int stop_level);
 
   /// Submits a frame as render() does, and does not wait for it, but for the maps of the first one
-  /// with geometry. kLimit where kFramesUnderWay
-  /// frames have begun and not been finished.
+  /// with geometry. kLimit where most_under_way() frames have begun and not been finished.
   Outcome<void> begin(const FrameRecord& record, int stop_level, FrameOutput output);
 
   /// Frames begun and not yet finished.
   unsigned under_way() const;
+
+  /// Frames that may be under way at once, 1 or more.
+  static unsigned most_under_way();
 
   /// Whether finish() would not wait: the first of them is done.
   Outcome<bool> ready();
@@ -74,7 +71,7 @@ class GpuRenderer {
 
   /// The device address of the picture that finish() finished last: three samples of 16 bits a
   /// pixel, row by row, with a pixel without meaning behind each row of an odd width. It stays
-  /// there until kFramesUnderWay more frames have begun.
+  /// there until most_under_way() more frames have begun.
   uint64_t picture_address() const;
 
   /// Nothing is held any more: the next frame decodes all that it needs.

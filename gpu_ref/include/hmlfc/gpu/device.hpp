@@ -56,6 +56,11 @@ struct DeviceOptions {
   /// Largest buffer in bytes for stream and reference area; 0: the device's own limit. Else a power
   /// of two, at least 64.
   uint64_t chunk_bytes = 0;
+  /// Device memory that a submission may take beside the stream, in bytes; larger calls are split.
+  uint64_t submission_bytes = uint64_t{512} << 20;
+  /// Device memory that the disparity maps of a renderer may take, in bytes: 4 for each block of
+  /// plane Y of each view.
+  uint64_t disparity_bytes = uint64_t{256} << 20;
   /// The folder where compiled kernels are kept for the next process; empty: none. Not set: hmlfc
   /// in $XDG_CACHE_HOME or in ~/.cache. A file that is not there, damaged or of another driver is
   /// as none, and a folder that cannot be written is no error.
@@ -98,11 +103,12 @@ class Device {
 
   const SubmissionCounts& counts() const;
 
+  /// For this project's own files (device_state.hpp).
   struct State;
+  explicit Device(std::shared_ptr<State> state) : state_(std::move(state)) {}
   State& state() { return *state_; }
 
  private:
-  explicit Device(std::shared_ptr<State> state) : state_(std::move(state)) {}
   std::shared_ptr<State> state_;  // of all copies
 };
 

@@ -1,22 +1,22 @@
 // The decoder on a Vulkan device: areas of blocks in, samples or pixels out.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <hmlfc/decoder.hpp>
+#include <hmlfc/gpu/device.hpp>
 
-#include "arithmetic/motion.hpp"
-#include "device.hpp"
-#include "syntax/stream_view.hpp"
+namespace hmlfc {
+struct StreamView;
+}
 
 namespace hmlfc::gpu {
+
+struct BlockStages;
 
 /// A rectangle of blocks of one plane of one view; one block is 1 x 1. A block that the stream does
 /// not have gets bad_request.
@@ -49,53 +49,21 @@ struct Blocks {
 /// Decoded pixels: three lanes of B * B a block, R, G and B.
 using PixelBlocks = Blocks;
 
-/// What the debug variant reports of one level of one block. Without an error and not `key`,
-/// `prediction` is present; `residual` and `reference` are present where the flags say so.
-struct LevelStages {
-  int level = 0;
-  bool key = false;         ///< a block of a key image: only `sample`
-  unsigned references = 0;  ///< 0 without motion, 1 or 2
-  bool negative = false;
-  std::array<SubpelVector, 2> vectors{};
-  bool has_residual = false;
-  uint8_t status = 0;
-  std::vector<int16_t> residual;  ///< B * B values
-  std::vector<int16_t> reference;
-  std::vector<int16_t> prediction;
-  std::vector<int16_t> sample;
-};
-
-/// One block from the first level that is decoded down to its stop level, or to the first with an
-/// error.
-struct BlockStages {
-  uint8_t status = 0;
-  std::vector<LevelStages> levels;
-};
-
 /// Time on the device of one stage of the last call, all submissions together.
 struct StageTime {
   std::string stage;  ///< "expand", "walk", "samples" or "colour"
   double seconds = 0;
 };
 
-/// Adds `more` to the times of the same stages in `times`, new stages behind them.
-inline void add_times(const std::vector<StageTime>& more, std::vector<StageTime>& times) {
-  for (const StageTime& time : more) {
-    const auto found = std::ranges::find(times, time.stage, &StageTime::stage);
-    if (found == times.end()) {
-      times.push_back(time);
-    } else {
-      found->seconds += time.seconds;
-    }
-  }
-}
-
 /// Decodes one stream. The device must outlive it.
 class GpuDecoder {
  public:
   /// Uploads the stream, decodes its key images on the host and its other reference images on the
-  /// device. Blocks of key images that do not decode have the error of their image. The bytes
-  /// behind `stream` are not needed afterwards.
+  /// device. Blocks of key images that do not decode have the error of their image. Nothing of
+  /// `stream`, nor the bytes behind it, is needed afterwards.
+  static Outcome<GpuDecoder> open(Device& device, const Decoder& stream);
+
+  /// The same, for this project's own programs.
   static Outcome<GpuDecoder> open(Device& device, const StreamView& stream);
 
   /// Decodes all blocks of `areas`: one submission, or several where they do not fit in one.
@@ -104,7 +72,8 @@ class GpuDecoder {
   /// The same to pixels. The status is that of Y, Co or Cg, in this order.
   Outcome<PixelBlocks> decode_rgb(std::span<const PixelArea> areas);
 
-  /// The same with every stage, by the debug variant of the kernels.
+  /// The same with every stage, by the debug variant of the kernels, for this project's own
+  /// programs (block_stages.hpp).
   Outcome<std::vector<BlockStages>> trace(std::span<const BlockArea> areas);
 
   /// Of the last call; empty where the device has no timestamps.
@@ -117,6 +86,7 @@ class GpuDecoder {
   void limit_submissions(uint64_t blocks);
 
  private:
+  friend struct GpuDecoderAccess;
   struct State;
   explicit GpuDecoder(std::shared_ptr<State> state) : state_(std::move(state)) {}
   std::shared_ptr<State> state_;  // of all copies

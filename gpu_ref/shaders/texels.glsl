@@ -1,0 +1,33 @@
+// Pixels as textures have them: R, G, B and A side by side, in rows. 8 bits each at depth 8, else 16.
+
+/// colour.comp writes texels in place of lanes.
+layout(constant_id = 6) const bool kTexels = false;
+
+/// The texel of a pixel of `area` at `at` in its view, if it is inside. A is the greatest sample; of
+/// a pixel that did not decode all four are 0.
+void write_texel(ColourArea area, uvec2 at, ivec3 rgb, bool decoded) {
+  const uint log2 = arguments.shape.block_log2;
+  const PlaneShape plane = arguments.shape.planes[0];
+  if (at.x >= plane.width || at.y >= plane.height) return;
+  const uvec2 corner = uvec2(area.bx, area.by) << log2;
+  const uint width = min(area.columns << log2, plane.width - corner.x);
+  const uint texel = area.first_texel + (at.y - corner.y) * width + at.x - corner.x;
+  const uint depth = arguments.shape.depth;
+  const uvec4 rgba = decoded ? uvec4(uvec3(rgb), low_bits(depth)) : uvec4(0u);
+  if (depth == 8u) {
+    arguments.pixels.word[texel] = rgba.r | rgba.g << 8 | rgba.b << 16 | rgba.a << 24;
+  } else {
+    arguments.pixels.word[2u * texel] = rgba.r | rgba.g << 16;
+    arguments.pixels.word[2u * texel + 1u] = rgba.b | rgba.a << 16;
+  }
+}
+
+/// The texels of positions i, which is even, and i + 1 of block `at` of `area`.
+void write_texels(ColourArea area, uint at, uint i, ivec3[2] rgb, bool decoded) {
+  const uvec2 block = uvec2(area.bx, area.by) + uvec2(at % area.columns, at / area.columns);
+  const PlaneShape plane = arguments.shape.planes[0];
+  if (block.x >= plane.blocks_x || block.y >= plane.blocks_y) return;
+  const uvec2 place = (block << arguments.shape.block_log2) + place_in_block(i);
+  write_texel(area, place, rgb[0], decoded);
+  write_texel(area, place + uvec2(1u, 0u), rgb[1], decoded);
+}
