@@ -48,6 +48,7 @@ Json levels_json(const StreamHeader& header) {
 Json disparities(const cli::StreamFile& file) {
   const StreamHeader& header = file.header();
   const auto map = disparity_map(file.decoder(), {(header.rows - 1) / 2, (header.cols - 1) / 2});
+  file.check_readable();
   if (!map) return nullptr;
   cli::DisparityRange range;
   range.add(*map);
