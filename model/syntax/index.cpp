@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "arithmetic/rounding.hpp"
 #include "bits/bit_string.hpp"
@@ -193,6 +194,11 @@ void IndexWriter::add(std::span<const uint8_t> record) {
   if (lane == kGroupTiles - 1) flush_group();
 }
 
+std::vector<uint8_t> IndexWriter::take_tiles() {
+  tiles_taken_ += tiles.size();
+  return std::exchange(tiles, {});
+}
+
 void IndexWriter::finish() {
   if (lane_of(next_tile_) != 0) flush_group();
   if (lane_of(groups_done_) != 0) flush_root_entry();
@@ -205,7 +211,7 @@ void IndexWriter::flush_group() {
         std::max(layout_.least_offset_bits, static_cast<unsigned>(std::bit_width(last)));
     tiles.insert(tiles.end(), layout_.spare_bytes, 0xA5);
     append_le(groups, tile_mask_);
-    append_le(groups, uint64_t{tiles.size()} | (uint64_t{offset_bits} << kDataOffsetBits));
+    append_le(groups, (tiles_taken_ + tiles.size()) | (uint64_t{offset_bits} << kDataOffsetBits));
     BitWriter table;
     for (const uint64_t end : ends_) table.put(static_cast<uint32_t>(end), offset_bits);
     tiles.insert(tiles.end(), table.bytes().begin(), table.bytes().end());

@@ -70,6 +70,9 @@ class IndexWriter {
   /// Appends tile number 0, 1, 2, ...; an empty record stands for an empty tile.
   void add(std::span<const uint8_t> record);
 
+  /// The bytes of `tiles` so far, which are taken out: later ones follow them in the section.
+  std::vector<uint8_t> take_tiles();
+
   /// Ends the last tile group. Afterwards the sections are complete.
   void finish();
 
@@ -83,6 +86,7 @@ class IndexWriter {
 
   IndexLayout layout_;
   uint64_t next_tile_ = 0;
+  uint64_t tiles_taken_ = 0;  // bytes
   uint64_t groups_done_ = 0;
 
   uint64_t tile_mask_ = 0;

@@ -40,6 +40,7 @@ ALLOWED = {
     "model/decoder/fast": DECODER,
     "model/render": DECODER,
     "model/encoder": DECODER,
+    "model/capi": {"model/bits"},
     "gpu_ref/include": set(),
     "gpu_ref": CODEC - {"model/encoder"},
     "tools/terminal": set(),

@@ -87,13 +87,12 @@ class MappedFile final : public ByteSource {
   ~MappedFile() override;
 
   /// All bytes of the file; an empty span for an empty file.
-  std::span<const uint8_t> bytes() const override { return {data_, size_}; }
+  std::span<const uint8_t> bytes() const override { return bytes_; }
 
  private:
-  MappedFile(const uint8_t* data, size_t size) : data_(data), size_(size) {}
+  explicit MappedFile(std::span<const uint8_t> bytes) : bytes_(bytes) {}
 
-  const uint8_t* data_ = nullptr;
-  size_t size_ = 0;
+  std::span<const uint8_t> bytes_;
 };
 
 }  // namespace hmlfc::io
