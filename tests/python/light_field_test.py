@@ -5,7 +5,7 @@ import pickle
 import threading
 
 import numpy as np
-from python_case import DEEP, STREAM, VECTORS, CliTest, hmlfc, main, picture
+from python_case import DEEP, STREAM, VECTORS, CliTest, RangeServer, hmlfc, main, picture
 
 
 class LightFieldTest(CliTest):
@@ -56,6 +56,17 @@ class LightFieldTest(CliTest):
         self.assertEqual(lf[0, 1, :4, :4].shape, (4, 4, 3))
         with self.assertRaises(hmlfc.Error):
             lf[0, 1]
+
+    def test_an_address(self):
+        with RangeServer(STREAM) as server:
+            lf = hmlfc.open(server.address)
+            np.testing.assert_array_equal(lf[3, 4], self.views[3, 4])
+            np.testing.assert_array_equal(lf.render(width=24, height=16), self.lf.render(width=24, height=16))
+            server.fault = "gone"
+            with self.assertRaisesRegex(OSError, "is the server there"):
+                lf[:, :]
+        with RangeServer(STREAM, fault=404) as server, self.assertRaisesRegex(OSError, "no such file"):
+            hmlfc.open(server.address)
 
     def test_depths_above_8(self):
         lf = hmlfc.open(DEEP)
