@@ -25,6 +25,7 @@ struct ViewOptions {
   DutOptions dut;
   BlockRequest block;
   uint16_t port = 0;
+  bool no_ahead = false;
   bool no_browser = false;
   bool once = false;
 };
@@ -78,7 +79,7 @@ ExitCode run_view(const ViewOptions& options) {
   if (!stream.warning().empty()) note(stream.warning());
   view::Server server(options.port);
   const view::Site site{server.port(), view::random_token()};
-  view::Handler handler(site, stream, other.get());
+  view::Handler handler(site, stream, other.get(), !options.no_ahead);
   server.start(handler);
   const std::string address = site.address() + link;
   print(address + "\n");
@@ -115,6 +116,8 @@ Examples:
   options.dut.add_to(app, false);
   add_block_options(app, options.block, false);
   add_integer(app, "--port", options.port, 0, 65535, "Port of 127.0.0.1, 0 for any that is free");
+  app.add_flag("--no-ahead", options.no_ahead,
+               "Decode key images when a frame needs them, not ahead of the motion");
   app.add_flag("--no-browser", options.no_browser, "Only print the address");
   app.add_flag("--once", options.once, "End when the page is closed");
 }

@@ -52,8 +52,8 @@ Response json_answer(const Json& json) {
 
 }  // namespace
 
-Handler::Handler(Site site, OpenStream& stream, OtherDecoder* other)
-    : site_(std::move(site)), stream_(stream), frames_(stream), blocks_(stream) {
+Handler::Handler(Site site, OpenStream& stream, OtherDecoder* other, bool ahead)
+    : site_(std::move(site)), stream_(stream), frames_(stream, ahead), blocks_(stream) {
   if (other == nullptr) return;
   other_name_ = other->name();
   other_.emplace(stream, *other);

@@ -20,10 +20,14 @@ namespace hmlfc::view {
 /// request names a file. Several threads may ask at the same time.
 class Handler {
  public:
-  /// `stream`, and `other`, the decoder under test if there is one, must outlive it.
-  Handler(Site site, OpenStream& stream, OtherDecoder* other = nullptr);
+  /// `stream`, and `other`, the decoder under test if there is one, must outlive it; `ahead` as for
+  /// Frames.
+  Handler(Site site, OpenStream& stream, OtherDecoder* other = nullptr, bool ahead = true);
 
   Response answer(const Request& request);
+
+  /// For tests: waits until nothing is decoded ahead any more.
+  void finish_ahead() { frames_.finish_ahead(); }
 
   /// The pages that have said that they are open.
   Pages& pages() { return pages_; }

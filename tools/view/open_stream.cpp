@@ -23,7 +23,7 @@ OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem:
 }
 
 void OpenStream::open(uint64_t bytes) {
-  touched_ = std::make_unique<TouchedBytes>(bytes);
+  touched_ = std::make_unique<FrameReads>(bytes);
   OpenOptions options;
   options.check_sections = false;
   try {
