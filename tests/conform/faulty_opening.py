@@ -9,31 +9,33 @@ from integers import rank
 from stream_error import StreamError, require
 
 
-@check
-def top_before_sizes():
-    """The TOP table (KEY-1) before the sizes of ROOT and GROUP (IDX-4, IDX-5)."""
+def check_sections_early(check_sections):
+    """Adds check_sections(fields, sections) before all checks that follow FIL-4."""
     right = opening.read_sections
 
     def read_sections(fields, data):
         sections = right(fields, data)
-        opening.read_top_table(opening.Geometry(fields), sections[0])
+        check_sections(fields, sections)
         return sections
 
     opening.read_sections = read_sections
+
+
+@check
+def top_before_sizes():
+    """The TOP table (KEY-1) before the sizes of ROOT and GROUP (IDX-4, IDX-5)."""
+    check_sections_early(lambda fields, sections: opening.read_top_table(opening.Geometry(fields), sections[-4]))
 
 
 @check
 def crc_before_sizes():
     """FIL-8 with the crc of the sections first."""
-    right = opening.read_sections
 
-    def read_sections(fields, data):
-        sections = right(fields, data)
+    def check_crcs(fields, sections):
         for (_, crc, _, _), section in zip(fields.sections, sections):
             require(opening.crc32c(section) == crc, "bad_section_crc")
-        return sections
 
-    opening.read_sections = read_sections
+    check_sections_early(check_crcs)
 
 
 @check
