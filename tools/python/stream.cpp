@@ -6,7 +6,9 @@
 #include <vector>
 
 #include <hmlfc/disparity.hpp>
+#include <hmlfc/rig.hpp>
 
+#include "io/rig_text.hpp"
 #include "python/arrays.hpp"
 #include "python/block_trace.hpp"
 #include "python/raise.hpp"
@@ -16,20 +18,19 @@ namespace py = pybind11;
 namespace hmlfc::python {
 
 Stream::Stream(Bytes bytes, bool check_sections) : bytes_(std::move(bytes)) {
-  std::span<const uint8_t> file;
-  if (const auto* mapped = std::get_if<io::MappedFile>(&bytes_)) {
-    file = mapped->bytes();
-  } else {
-    const auto& buffer = std::get<py::buffer_info>(bytes_);
-    file = {static_cast<const uint8_t*>(buffer.ptr), static_cast<size_t>(buffer.size)};
-  }
   OpenOptions options;
   options.check_sections = check_sections;
   auto opened = [&] {
     const py::gil_scoped_release unlocked;
-    return Decoder::open(file, options);
+    return Decoder::open(file(), options);
   }();
   decoder_ = value_or_raise(std::move(opened));
+}
+
+std::span<const uint8_t> Stream::file() const {
+  if (const auto* mapped = std::get_if<io::MappedFile>(&bytes_)) return mapped->bytes();
+  const auto& buffer = std::get<py::buffer_info>(bytes_);
+  return {static_cast<const uint8_t*>(buffer.ptr), static_cast<size_t>(buffer.size)};
 }
 
 std::unique_ptr<Stream> Stream::from_file(const std::string& path, bool check_sections) {
@@ -93,6 +94,14 @@ py::tuple Stream::disparity(ViewPos view) const {
   const py::ssize_t columns = found.columns;
   return py::make_tuple(array_of(std::move(disparities), {rows, columns}),
                         array_of(std::move(confidences), {rows, columns}));
+}
+
+py::object Stream::rig() const {
+  if (!header().has(Feature::kCameraRig)) return py::none();
+  const uint64_t views = uint64_t{header().rows} * header().cols;
+  const auto read = io::parse_rig(rig_of(file(), header()), views);
+  if (!read) throw py::value_error("section RIG: " + read.error());
+  return py::make_tuple(read->metres_per_unit, read->positions, read->rotations, read->intrinsics);
 }
 
 py::array Stream::render(const Camera& camera, int stop_level) {
@@ -192,6 +201,7 @@ void add_stream(py::module_& module) {
       .def_property_readonly("profile",
                              [](const Stream& s) { return profile_name(s.header().profile); })
       .def_property_readonly("features", &features_of)
+      .def("rig", &Stream::rig)
       .def("pixels",
            [](const Stream& s, uint32_t row, uint32_t col, uint32_t x, uint32_t y, uint32_t width,
               uint32_t height, int stop_level) {
