@@ -13,7 +13,8 @@ from program import PROGRAM, ROOT, CliTest, main
 
 COMMANDS = {
     "": ["--help", "--version"],
-    "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--disparity", "--rig", "--output"],
+    "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--cameras", "--disparity", "--rig",
+              "--output"],
     "encode": ["--grid", "--views", "--profile", "--method", "--cluster", "--height", "--block", "--window",
                "--threshold-ref", "--threshold-pred", "--quality", "--preset", "--target-psnr", "--target-bpp", "--max-bytes", "--chroma", "--lossless",
                "--references", "--rig", "--no-rig", "--threads", "--json", "--output"],

@@ -1,12 +1,9 @@
 """hmlfc view: the page looks into streams whose numbers are known: from `hmlfc inspect`, or damaged on purpose."""
 
 import re
-import sys
 
-import browser
-from page_case import HEIGHT, WIDTH, PageCase
+from page_case import HEIGHT, WIDTH, PageCase, run_in_browser
 from pictures import read_png
-from program import main
 
 COLUMNS, ROWS = WIDTH // 4, HEIGHT // 4
 STATE_COLOURS = {
@@ -233,8 +230,4 @@ class Blocks(PageCase):
 
 
 if __name__ == "__main__":
-    reason = browser.missing()
-    if reason:
-        print(f"skipped: {reason}")
-        sys.exit(77)
-    main()
+    run_in_browser()

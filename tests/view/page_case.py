@@ -1,11 +1,22 @@
 """A test with a browser and small streams."""
 
-from browser import Browser
+import sys
+
+from browser import Browser, missing
 from page_server import PageServer
 from pictures import read_png
-from program import CliTest
+from program import CliTest, main
 
 WIDTH, HEIGHT = 96, 64
+
+
+def run_in_browser():
+    """Runs the tests of the program, or skips them where there is no browser."""
+    reason = missing()
+    if reason:
+        print(f"skipped: {reason}")
+        sys.exit(77)
+    main()
 
 
 class PageCase(CliTest):

@@ -47,7 +47,7 @@ int stop_level(const cli::StreamFile& file, const PlaneRequest& request) {
 
 RgbImage decoded(const cli::StreamFile& file, const PlaneRequest& request) {
   const int level = stop_level(file, request);
-  return cli::value_or_throw(file.decoder().decode_view(*request.view, level), file.path());
+  return file.value(file.decoder().decode_view(*request.view, level));
 }
 
 const cli::ViewSource& original_of(const OpenStream& stream) {
@@ -128,14 +128,18 @@ std::shared_ptr<const PlaneTrace> Blocks::trace(const Key& key) {
   const auto found = std::ranges::find(kept_, key, &Kept::key);
   if (found != kept_.end()) return found->trace;
   const auto& [row, col, plane, level] = key;
-  const Decoder& decoder = stream_.for_blocks().decoder();
+  const cli::StreamFile& file = stream_.for_blocks();
+  const Decoder& decoder = file.decoder();
   const PlaneSize size = decoder.plane_size(plane);
   if (uint64_t{size.width} * size.height > kMaxTracedSamples) {
     throw Failure(ExitCode::kInput,
                   "this plane has too many samples to look into all of it; hmlfc inspect shows a "
                   "block");
   }
+  // Block by block, each would wait for the server.
+  if (file.is_remote()) static_cast<void>(decoder.decode_plane({row, col}, plane, level));
   auto made = std::make_shared<const PlaneTrace>(trace_plane(decoder, {row, col}, plane, level));
+  file.check_readable();
   kept_.push_back({key, made});
   if (kept_.size() > kKeptTraces) kept_.pop_front();
   return made;
@@ -179,6 +183,7 @@ Response Blocks::blocks(const Query& query) {
   Json json = trace_json(*traced);
   if (request.plane == Plane::kY && level == 0) {
     json["disparities"] = disparities_of_blocks(file.decoder(), *request.view);
+    file.check_readable();
   }
   if (stream_.original() != nullptr && traced->errors.empty()) {
     const bool half =
@@ -197,7 +202,8 @@ Response Blocks::block(const Query& query) const {
   const cli::StreamFile& file = stream_.for_blocks();
   cli::BlockReport report;
   const auto decoded = report_on_block(file, request, report);
-  Json json = block_page(report, file.bytes());
+  file.check_readable();
+  Json json = block_page(report, file);
   json["error"] = decoded ? Json(nullptr) : Json(to_string(decoded.error()));
   Response response;
   response.body = json.dump();

@@ -23,7 +23,7 @@ FrameRecord Frames::render(const Query& query) {
   const int stop_level = look.levels ? file.stop_level(*look.levels) : 0;
   if (renderer_ == nullptr) renderer_ = make_cpu_renderer(file.decoder());
   stream_.touched().reset();
-  cli::value_or_throw(renderer_->render(*record, stop_level, frame_), file.path());
+  file.value(renderer_->render(*record, stop_level, frame_));
   return *record;
 }
 

@@ -95,6 +95,7 @@ Response Handler::answer_get(std::string_view path, const Query& query) {
   if (path == "block") return blocks_.block(query);
   if (path == "stream") return json_answer(stream_facts(stream_));
   if (path == "totals") return json_answer(stream_totals(stream_));
+  if (path.empty()) pages_.sent(std::chrono::steady_clock::now());
   const Asset* asset = find_asset(path.empty() ? "index.html" : path);
   if (asset == nullptr) return refusal(404, "No such address");
   Response response;

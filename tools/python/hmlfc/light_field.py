@@ -45,12 +45,12 @@ class Rig(NamedTuple):
 
 
 def open(source: Union[str, os.PathLike, bytes, bytearray, memoryview], *, check_sections: bool = True) -> LightField:
-    """The light field in a file, which is mapped, or in memory.
+    """The light field in a file, which is mapped, at an http:// address, or in memory.
 
-    source: a path, or the bytes of a stream, which must not change while the light field is in use
-    check_sections: check the CRC of every section, which reads the whole file (FIL-6)
+    source: a path, an address, or the bytes of a stream, which must not change while the light field is in use
+    check_sections: check the CRC of every section, which reads the whole file (FIL-6); not at an address
 
-    Raises OSError where the file cannot be read, Error where it is no stream (FIL-8).
+    Raises OSError where the file cannot be read, also later at an address, Error where it is no stream (FIL-8).
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
         return LightField(_core.Stream.from_buffer(source, check_sections))
