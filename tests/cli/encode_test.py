@@ -81,7 +81,7 @@ class Encode(CliTest):
         info = self.hmlfc_json("info", "a.hmlfc")
         got = [info[key] for key in ("cluster", "tree_height", "block", "window", "chroma")]
         self.assertEqual(got, [[3, 2], 1, 8, 5, "444"])
-        level = {"level": 0, "rows": 3, "cols": 4, "ref_rows": 2, "ref_cols": 3}
+        level = {"level": 0, "rows": 3, "cols": 4, "ref_rows": 2, "ref_cols": 3, "key_images": 0, "keys": []}
         self.assertEqual(info["levels"][1], level)
 
     def test_thresholds(self):

@@ -43,7 +43,10 @@ class Info(CliTest):
         for level in range(header.tree_height + 1):
             references = header.levels[level]
             shape = {"level": level, "rows": rows, "cols": cols}
-            expected.insert(0, {**shape, "ref_rows": references[0], "ref_cols": references[1]})
+            top = level == header.tree_height  # its images are the key images (STR-5)
+            keys = [[row, col] for row in range(rows) for col in range(cols)] if top else []
+            groups = {"ref_rows": references[0], "ref_cols": references[1]}
+            expected.insert(0, {**shape, **groups, "key_images": len(keys), "keys": keys})
             rows, cols = -(-rows // header.cluster_rows), -(-cols // header.cluster_cols)
         self.assertEqual(self.info["levels"], expected)
         self.assertEqual(len(expected), 4)

@@ -103,6 +103,12 @@ class Browser:
     def wide(self):
         self.page.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
+    def delay(self, milliseconds):
+        """Lets every request wait as long."""
+        self.page.execute_cdp_cmd("Network.enable", {})
+        self.page.execute_cdp_cmd("Network.emulateNetworkConditions", {
+            "offline": False, "latency": milliseconds, "downloadThroughput": -1, "uploadThroughput": -1})
+
     def touch(self, *positions):
         """One finger along positions (x, y) of the window."""
         send = lambda kind, points: self.page.execute_cdp_cmd("Input.dispatchTouchEvent", {

@@ -71,5 +71,22 @@ TEST(ViewPages, EndsAfterTheLastPage) {
   EXPECT_TRUE(pages.all_closed(at(1011 + 94)));
 }
 
+TEST(ViewPages, WaitsForThePageThatWasSent) {
+  Pages pages;
+  const Pages::Time begin{};
+  const auto at = [begin](int seconds) { return begin + std::chrono::seconds(seconds); };
+  pages.sent(at(0));
+  pages.opened(1, at(1));
+  pages.sent(at(10));  // the page is loaded again
+  pages.closed(1, at(11));
+  EXPECT_FALSE(pages.all_closed(at(30))) << "a busy machine takes long to show a page";
+  pages.opened(2, at(31));
+  pages.closed(2, at(32));
+  EXPECT_TRUE(pages.all_closed(at(35)));
+  pages.sent(at(36));  // and never opens
+  EXPECT_FALSE(pages.all_closed(at(36 + 90)));
+  EXPECT_TRUE(pages.all_closed(at(36 + 91)));
+}
+
 }  // namespace
 }  // namespace hmlfc::view

@@ -4,13 +4,11 @@ Frames are compared byte for byte with those of `hmlfc render`, blocks with `hml
 
 import json
 import re
-import sys
 
-import browser
-from page_case import HEIGHT, WIDTH, PageCase
+from page_case import HEIGHT, WIDTH, PageCase, run_in_browser
 from page_server import PageServer
 from pictures import read_png
-from program import DONE, main
+from program import DONE
 
 class Look(PageCase):
     def place(self, query):
@@ -263,12 +261,21 @@ class Window(PageCase):
             self.browser.page.switch_to.window(first)
             self.assertEqual(server.process.wait(timeout=120), DONE)
 
-
+    def test_once_waits_for_a_page_that_loads_slowly(self):
+        """A page that is loaded again over a line that takes 1.5 s for each of several requests."""
+        with PageServer(self.folder, "a.hmlfc", "--once") as server:
+            first = self.browser.page.current_window_handle
+            self.browser.page.switch_to.new_window("tab")
+            self.browser.open(server.address)
+            self.browser.frame()
+            self.browser.delay(1500)
+            self.browser.page.refresh()
+            self.browser.frame()
+            self.browser.delay(0)
+            self.browser.page.close()
+            self.browser.page.switch_to.window(first)
+            self.assertEqual(server.process.wait(timeout=120), DONE)
 
 
 if __name__ == "__main__":
-    reason = browser.missing()
-    if reason:
-        print(f"skipped: {reason}")
-        sys.exit(77)
-    main()
+    run_in_browser()

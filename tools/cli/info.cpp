@@ -106,9 +106,10 @@ residual are rounded down from bits, and index takes the rest.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
 motion, residual, top, other (the rig)}, depth, chroma, block, window, cluster, tree_height, tools
-(feature flags), levels (from the top), states (block counts), disparity{known, blocks (counts over all
-views), least, greatest (pixels a column; negative is nearer; absent where none is known)}, rig (as
---rig prints it, null without one, {error} where it cannot be read).
+(feature flags), levels (from the top; keys: rows and columns of key images, of levels of at most 4096
+images), states (block counts), disparity{known, blocks (counts over all views), least, greatest (pixels
+a column; negative is nearer; absent where none is known)}, rig (as --rig prints it, null without one,
+{error} where it cannot be read).
 
 Examples:
   hmlfc info chess.hmlfc

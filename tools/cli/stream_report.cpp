@@ -29,17 +29,15 @@ double pixels(const StreamHeader& header) {
   return static_cast<double>(header.rows) * header.cols * header.width * header.height;
 }
 
-Json levels_json(const StreamHeader& header) {
-  Json levels = Json::array();
-  for (int level = header.tree_height; level >= 0; --level) {
-    const LevelInfo shape = level_info(header, level);
-    levels.push_back({{"level", level},
-                      {"rows", shape.rows},
-                      {"cols", shape.cols},
-                      {"ref_rows", shape.ref_rows},
-                      {"ref_cols", shape.ref_cols}});
+Json key_images(const StreamHeader& header, int level, const LevelInfo& shape) {
+  Json images = Json::array();
+  for (uint32_t row = 0; row < shape.rows; ++row) {
+    for (uint32_t col = 0; col < shape.cols; ++col) {
+      if (image_info(header, level, row, col).kind != ImageKind::kKey) continue;
+      images.push_back({row, col});
+    }
   }
-  return levels;
+  return images;
 }
 
 }  // namespace
@@ -51,7 +49,7 @@ double StreamReport::bits_per_pixel() const {
 double StreamReport::ratio() const { return 3 * header.depth / bits_per_pixel(); }
 
 StreamReport report_on(const StreamFile& file) {
-  return {file.size(), file.header(), value_or_throw(file.decoder().statistics(), file.path())};
+  return {file.size(), file.header(), file.value(file.decoder().statistics())};
 }
 
 Json report_json(const StreamReport& report) {
@@ -81,6 +79,24 @@ void add_structure(const StreamReport& report, Json& json) {
                     {"motion", states[1]},
                     {"motion_residual", states[2]},
                     {"residual", states[3]}};
+}
+
+Json levels_json(const StreamHeader& header) {
+  Json levels = Json::array();
+  for (int level = header.tree_height; level >= 0; --level) {
+    const LevelInfo shape = level_info(header, level);
+    Json json{{"level", level},
+              {"rows", shape.rows},
+              {"cols", shape.cols},
+              {"ref_rows", shape.ref_rows},
+              {"ref_cols", shape.ref_cols},
+              {"key_images", shape.key_images},
+              {"keys", Json::array()}};
+    const bool few = uint64_t{shape.rows} * shape.cols <= kMostListedImages;
+    if (few && shape.key_images > 0) json["keys"] = key_images(header, level, shape);
+    levels.push_back(std::move(json));
+  }
+  return levels;
 }
 
 std::vector<std::string> tools_of(const StreamHeader& header) {

@@ -37,6 +37,14 @@ Json report_json(const StreamReport& report);
 /// tools, levels and the states of the blocks.
 void add_structure(const StreamReport& report, Json& json);
 
+/// Images of a level of which levels_json() looks for key images at most.
+inline constexpr uint64_t kMostListedImages = 4096;
+
+/// The levels of the tree from the top: level, rows, cols, ref_rows, ref_cols, key_images (their
+/// number) and keys, their rows and columns: empty where the level has over kMostListedImages
+/// images.
+Json levels_json(const StreamHeader& header);
+
 /// Names of the feature flags that are set.
 std::vector<std::string> tools_of(const StreamHeader& header);
 

@@ -4,10 +4,19 @@
 
 namespace hmlfc::view {
 
+void Pages::sent(Time now) {
+  const std::lock_guard lock(mutex_);
+  coming_.push_back(now);
+  if (coming_.size() > kMost) coming_.pop_front();
+}
+
 void Pages::opened(uint32_t id, Time now) {
   const std::lock_guard lock(mutex_);
-  if (heard_.size() >= kMost && !heard_.contains(id)) return;
   if (std::ranges::find(gone_, id) != gone_.end()) return;
+  if (!heard_.contains(id)) {
+    if (heard_.size() >= kMost) return;
+    if (!coming_.empty()) coming_.pop_front();
+  }
   heard_[id] = now;
   any_ = true;
 }
@@ -25,7 +34,8 @@ bool Pages::all_closed(Time now) {
   const std::lock_guard lock(mutex_);
   const auto silent = [now](const auto& page) { return now - page.second > kSilence; };
   if (std::erase_if(heard_, silent) > 0) last_closed_ = now;
-  return any_ && heard_.empty() && now - last_closed_ >= kReload;
+  std::erase_if(coming_, [now](Time sent) { return now - sent > kSilence; });
+  return any_ && heard_.empty() && coming_.empty() && now - last_closed_ >= kReload;
 }
 
 }  // namespace hmlfc::view

@@ -10,7 +10,7 @@
 
 namespace hmlfc::view {
 
-/// Pages that have said that they are open and not that they close.
+/// Pages that have been sent or have said that they are open, and not that they close.
 class Pages {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -18,6 +18,10 @@ class Pages {
   static constexpr std::chrono::seconds kSilence{90};  ///< after which a page counts as closed
   static constexpr std::chrono::seconds kReload{2};    ///< in which a reloaded page comes back
   static constexpr size_t kMost = 256;                 ///< pages that are told apart
+
+  /// A page has been sent: it counts as open until it says so, which may take long where the
+  /// machine is busy, or for kSilence. A page that is loaded again is sent before it closes.
+  void sent(Time now);
 
   /// Page `id` is open, unless it has closed: a browser's requests may change their order.
   void opened(uint32_t id, Time now);
@@ -30,6 +34,7 @@ class Pages {
 
  private:
   std::mutex mutex_;
+  std::deque<Time> coming_;         // when pages were sent that have not said that they are open
   std::map<uint32_t, Time> heard_;  // of each open page, when last
   std::deque<uint32_t> gone_;       // the last kMost that closed
   bool any_ = false;

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include <hmlfc/camera.hpp>
-#include <hmlfc/stream_info.hpp>
 #include <hmlfc/version.hpp>
 
 #include "cli/disparity_range.hpp"
@@ -15,39 +14,11 @@ using cli::Json;
 
 namespace {
 
-constexpr uint64_t kMostImages = 4096;  // that are looked at for key images
-
-Json key_images(const StreamHeader& header, int level, const LevelInfo& shape) {
-  Json images = Json::array();
-  if (shape.key_images == 0 || uint64_t{shape.rows} * shape.cols > kMostImages) return images;
-  for (uint32_t row = 0; row < shape.rows; ++row) {
-    for (uint32_t col = 0; col < shape.cols; ++col) {
-      if (image_info(header, level, row, col).kind != ImageKind::kKey) continue;
-      images.push_back({row, col});
-    }
-  }
-  return images;
-}
-
-Json levels_json(const StreamHeader& header) {
-  Json levels = Json::array();
-  for (int level = header.tree_height; level >= 0; --level) {
-    const LevelInfo shape = level_info(header, level);
-    levels.push_back({{"level", level},
-                      {"rows", shape.rows},
-                      {"cols", shape.cols},
-                      {"ref_rows", shape.ref_rows},
-                      {"ref_cols", shape.ref_cols},
-                      {"key_images", shape.key_images},
-                      {"keys", key_images(header, level, shape)}});
-  }
-  return levels;
-}
-
 // Disparities of the middle view in pixels a column, or null.
 Json disparities(const cli::StreamFile& file) {
   const StreamHeader& header = file.header();
   const auto map = disparity_map(file.decoder(), {(header.rows - 1) / 2, (header.cols - 1) / 2});
+  file.check_readable();
   if (!map) return nullptr;
   cli::DisparityRange range;
   range.add(*map);
@@ -79,7 +50,7 @@ Json stream_facts(const OpenStream& stream) {
   json["tools"] = cli::tools_of(header);
   json["tree_height"] = header.tree_height;
   json["cluster"] = {header.cluster_rows, header.cluster_cols};
-  json["levels"] = levels_json(header);
+  json["levels"] = cli::levels_json(header);
   json["geometry"] = geometry_name(suitable_geometry(header));
   json["disparity"] = disparities(file);
   return json;

@@ -6,9 +6,9 @@
 
 namespace hmlfc::view {
 
-/// Name, error and warning; of a stream that opens also its shape, coding, tools, levels from the
-/// top with their key images (as far as there are at most 4096 images), what geometry suits it, the
-/// disparities of the middle view, and whether there is an original.
+/// Name, error and warning; of a stream that opens also its shape, coding, tools, levels as
+/// `info --json` has them, what geometry suits it, the disparities of the middle view, and whether
+/// there is an original.
 cli::Json stream_facts(const OpenStream& stream);
 
 /// What `info --json` says, without disparities; reads every tile. Failure (kCorrupt).
