@@ -56,7 +56,7 @@ def drag(page, seconds):
     return events
 
 
-def measure(stream, seconds):
+def measure(stream, seconds, *options):
     import program
 
     program.PROGRAM = Path(HMLFC)
@@ -66,25 +66,26 @@ def measure(stream, seconds):
     if missing():
         raise BenchError(missing())
     page_server.PROGRAM = Path(HMLFC)
-    with tempfile.TemporaryDirectory() as profile, page_server.PageServer(".", stream.resolve()) as server:
+    with tempfile.TemporaryDirectory() as profile, page_server.PageServer(".", stream.resolve(), *options) as server:
         page = Browser(profile)
         try:
             page.open(server.address)
             page.frame()
-            drag(page, 1)  # key images are decoded, code is compiled
+            drag(page, 1)  # code is compiled
             page.frame()
             page.script("performance.clearMeasures()")
             begin = time.monotonic()
             events = drag(page, seconds)
             took = time.monotonic() - begin
             measures = page.script(
-                "return performance.getEntriesByName('input to picture').map((entry) => [entry.duration, entry.detail.half])")
+                "return performance.getEntriesByName('input to picture').map((entry) => [entry.duration, entry.detail.half, entry.detail.keySamples])")
             sizes = page.script("const c = document.getElementById('frame'); return [c.width, c.height]")
         finally:
             page.end()
-    times = sorted(duration for duration, _ in measures)
-    coarse = sum(half for _, half in measures)
-    return {"events": events, "frames": len(times), "coarse": coarse, "rate": len(times) / took, "size": sizes,
+    times = sorted(duration for duration, _, _ in measures)
+    coarse = sum(half for _, half, _ in measures)
+    waits = sum(samples > 0 for _, _, samples in measures)
+    return {"events": events, "frames": len(times), "coarse": coarse, "waits": waits, "rate": len(times) / took, "size": sizes,
             "median": times[len(times) // 2], "p95": times[math.ceil(0.95 * len(times)) - 1]}
 
 
@@ -96,10 +97,13 @@ def main():
     arguments = parser.parse_args()
     require("view", HMLFC)
     with tempfile.TemporaryDirectory() as work:
-        got = measure(arguments.stream or chess(Path(work)), arguments.seconds)
+        stream = arguments.stream or chess(Path(work))
+        got = measure(stream, arguments.seconds)
+        without = measure(stream, arguments.seconds, "--no-ahead")["waits"]
     width, height = got["size"]
     print(f"{got['frames']} frames of {width} x {height} pixels, {got['coarse']} of them coarse, for {got['events']} "
           f"inputs: {got['rate']:.1f} frames a second; input to picture {got['median']:.0f} ms, 95th percentile {got['p95']:.0f} ms")
+    print(f"{got['waits']} frames waited for key images; without decoding them ahead, {without}")
     return 1 if arguments.check and (got["rate"] < RATE or got["p95"] > LATENCY) else 0
 
 

@@ -11,7 +11,7 @@ sys.path[:0] = [str(ROOT / name) for name in ("tests/support", "bench/skipping",
 
 import sparse
 from page_server import PageServer
-from program import CORRUPT, INPUT, PROGRAM, CliTest, main
+from program import CORRUPT, INPUT, PROGRAM, USAGE, CliTest, main
 from range_server import RangeServer
 
 VECTORS = ("boundary/disparities-many", "boundary/balanced-uneven", "boundary/block8-motion-block8", "syntax/base-palettes")
@@ -199,6 +199,10 @@ class Remote(CliTest):
                         self.assertEqual((status, other), (200, 200), found)
                         plain = found.replace(server.address.encode(), str(self.path(name)).encode())
                         self.assertEqual(plain, expected, path)
+
+    def test_no_other_decoder_of_an_address(self):
+        with RangeServer(self.path("main")) as server:
+            self.refused(USAGE, "view", server.address, "--no-browser", "--dut", ROOT / "vectors/duts/naive.json", says=("--dut", server.address))
 
     def test_the_page_says_that_the_server_is_gone(self):
         with RangeServer(self.path("main")) as server, PageServer(self.folder, server.address) as page:

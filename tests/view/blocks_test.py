@@ -2,7 +2,7 @@
 
 import re
 
-from page_case import HEIGHT, WIDTH, PageCase, run_in_browser
+from page_case import HEIGHT, WIDTH, IntoCase, run_in_browser
 from pictures import read_png
 
 COLUMNS, ROWS = WIDTH // 4, HEIGHT // 4
@@ -16,48 +16,8 @@ OPACITY = 0.62
 VIEW = 1, 3  # a predictive image
 
 
-class Blocks(PageCase):
-    def shown(self, **wanted):
-        """Waits until the picture is that of the link."""
-
-        def settled():
-            link = self.browser.script(
-                "return Object.fromEntries(new URLSearchParams(location.hash.slice(1)));")
-            shown = self.browser.script("return document.getElementById('picture').dataset.shown")
-            return shown and all(link.get(name) == value for name, value in wanted.items())
-
-        self.browser.until(f"the picture {wanted}", settled)
-
-    def look(self, file="a.hmlfc", *arguments, **link):
-        pairs = {"mode": "into", "view": ",".join(map(str, VIEW)), **link}
-        address = self.open("#" + "&".join(f"{name}={value}" for name, value in pairs.items()), file, *arguments)
-        self.shown(**link)
-        return address
-
-    def inspect(self, block, *options, file="a.hmlfc"):
-        place = ["--view", ",".join(map(str, VIEW)), "--plane", "Y", "--block", ",".join(map(str, block))]
-        return self.hmlfc_json("inspect", file, *place, *options)
-
-    def at(self, x, y):
-        """R, G, B on the screen at the middle of a sample of the picture."""
-        scale, left, top = self.placement()
-        return tuple(self.browser.pixels("picture", int(left + (x + 0.5) * scale), int(top + (y + 0.5) * scale), 1, 1))
-
-    def placement(self):
-        data = self.browser.script("return {...document.getElementById('picture').dataset}")
-        return float(data["scale"]), float(data["x"]), float(data["y"])
-
-    def close_to(self, got, expected, what):
-        for a, b in zip(got, expected):
-            self.assertLessEqual(abs(a - b), 2, f"{what}: {got}, not {expected}")
-
-    def move_to(self, x, y):
-        """The pointer, to a sample."""
-        scale, left, top = self.placement()
-        canvas = self.browser.element("picture")
-        width, height = canvas.size["width"], canvas.size["height"]
-        return self.browser.actions().move_to_element_with_offset(
-            canvas, round(left + (x + 0.5) * scale - width / 2), round(top + (y + 0.5) * scale - height / 2))
+class Blocks(IntoCase):
+    VIEW = VIEW
 
     def test_the_picture_is_the_decoded_view(self):
         self.hmlfc("decode", "a.hmlfc", "--view", "1,3", "-o", "decoded")

@@ -4,9 +4,28 @@
 
 namespace hmlfc::cli {
 
-namespace {
+CLI::Option* add_plane(CLI::App& app, Plane& plane) {
+  return add_choice(app, "--plane", plane,
+                    {{"Y", Plane::kY}, {"Co", Plane::kCo}, {"Cg", Plane::kCg}}, "The plane")
+      ->required();
+}
 
-void check_block(const StreamFile& file, const BlockRequest& request) {
+void add_block_options(CLI::App& app, BlockRequest& request, bool required) {
+  CLI::Option* view = add_view(app, request.view, "The view; counted from 0,0");
+  CLI::Option* plane = add_plane(app, request.plane)->required(required);
+  CLI::Option* block =
+      add_numbers<2>(app, "--block", "BX,BY", ',', "block column,block row, such as 3,5",
+                     "Column and row of the block; counted from 0,0",
+                     [&at = request.block](const auto& numbers) { at = numbers; });
+  CLI::Option* levels = add_levels(app, request.levels);
+  view->required(required)->needs(block);
+  block->required(required)->needs(view);
+  plane->needs(view);
+  levels->needs(view);
+}
+
+void check_place(const StreamFile& file, const BlockRequest& request) {
+  file.check_view(*request.view);
   const PlaneSize size = file.decoder().plane_size(request.plane);
   const uint32_t side = file.header().block_size();
   const uint32_t columns = (size.width + side - 1) / side;
@@ -18,28 +37,9 @@ void check_block(const StreamFile& file, const BlockRequest& request) {
                   request.block[0], request.block[1], columns, rows, plane_name(request.plane)));
 }
 
-}  // namespace
-
-CLI::Option* add_plane(CLI::App& app, Plane& plane) {
-  return add_choice(app, "--plane", plane,
-                    {{"Y", Plane::kY}, {"Co", Plane::kCo}, {"Cg", Plane::kCg}}, "The plane")
-      ->required();
-}
-
-void add_block_options(CLI::App& app, BlockRequest& request) {
-  add_view(app, request.view, "The view; counted from 0,0")->required();
-  add_plane(app, request.plane);
-  add_numbers<2>(app, "--block", "BX,BY", ',', "block column,block row, such as 3,5",
-                 "Column and row of the block; counted from 0,0",
-                 [&block = request.block](const auto& numbers) { block = numbers; })
-      ->required();
-  add_levels(app, request.levels);
-}
-
 Result<void> report_on_block(const StreamFile& file, const BlockRequest& request,
                              BlockReport& report) {
-  file.check_view(*request.view);
-  check_block(file, request);
+  check_place(file, request);
   const int stop_level = request.levels ? file.stop_level(*request.levels) : 0;
   report.file = file.path().string();
   report.header = file.header();

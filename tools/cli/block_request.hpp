@@ -24,8 +24,12 @@ struct BlockRequest {
 /// Adds --plane: Y, Co or Cg.
 CLI::Option* add_plane(CLI::App& app, Plane& plane);
 
-/// Adds --view, --plane, --block and --levels.
-void add_block_options(CLI::App& app, BlockRequest& request);
+/// Adds --view, --plane, --block and --levels. Unless `required`, none need be given; then
+/// `request.view` stays empty.
+void add_block_options(CLI::App& app, BlockRequest& request, bool required = true);
+
+/// Usage failure unless the view is in the grid and the block in its plane.
+void check_place(const StreamFile& file, const BlockRequest& request);
 
 /// Decodes the block into `report`. Usage failures: the place is not in the stream. Returns the
 /// error of a corrupt block; `report` then has what was read before it.

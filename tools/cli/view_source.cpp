@@ -15,8 +15,7 @@ namespace {
 
 class FolderSource final : public ViewSource {
  public:
-  FolderSource(const fs::path& folder, std::optional<io::GridShape> grid)
-      : views_(value_or_throw(io::list_views(folder, grid), ExitCode::kInput)) {
+  FolderSource(const fs::path& folder, io::ViewList views) : views_(std::move(views)) {
     io::ImageLosses losses;
     const RgbImage first = read(0, &losses);
     note_losses(folder, losses);
@@ -131,8 +130,12 @@ int StreamFile::stop_level(int levels) const {
 std::unique_ptr<ViewSource> ViewSource::open(const fs::path& path,
                                              std::optional<io::GridShape> grid) {
   std::error_code failure;
-  if (fs::is_directory(path, failure)) return std::make_unique<FolderSource>(path, grid);
-  return std::make_unique<StreamSource>(path);
+  if (!fs::is_directory(path, failure)) return std::make_unique<StreamSource>(path);
+  return of_files(path, value_or_throw(io::list_views(path, grid), ExitCode::kInput));
+}
+
+std::unique_ptr<ViewSource> ViewSource::of_files(const fs::path& folder, io::ViewList files) {
+  return std::make_unique<FolderSource>(folder, std::move(files));
 }
 
 void ViewSource::check_view(ViewPos view) const {

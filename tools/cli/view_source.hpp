@@ -95,6 +95,10 @@ class ViewSource {
   static std::unique_ptr<ViewSource> open(const std::filesystem::path& path,
                                           std::optional<io::GridShape> grid);
 
+  /// The views in `files` of `folder`. Notes and failures as above.
+  static std::unique_ptr<ViewSource> of_files(const std::filesystem::path& folder,
+                                              io::ViewList files);
+
   /// Usage failure unless `view` is in the grid.
   void check_view(ViewPos view) const;
 };

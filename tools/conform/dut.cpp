@@ -258,9 +258,13 @@ io::IoResult<Dut> read_dut(const std::string& text, const std::filesystem::path&
   const Places names{{"hmlfc", hmlfc.string()}, {"bin", hmlfc.parent_path().string()}};
   const std::filesystem::path path(text);
   try {
-    if (path.extension() == ".json") return read_declaration(path, names);
     Dut dut;
-    dut.name = text;
+    if (path.extension() == ".json") {
+      dut = read_declaration(path, names);
+      dut.text = text;
+      return dut;
+    }
+    dut.name = dut.text = text;
     if (path.extension() == ".so") {
       std::error_code ignored;
       if (!std::filesystem::is_regular_file(path, ignored)) throw WrongValue{"no such library"};

@@ -44,6 +44,7 @@ class LineDecoders;
 /// How a decoder is run, and what it claims to support.
 struct Dut {
   std::string name;
+  std::string text;  ///< what read_dut() read it from
   /// Decodes the stream {input} into the folder {output}, which exists and is empty; with `lines`,
   /// speaks the line protocol.
   std::vector<std::string> command;

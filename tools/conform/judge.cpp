@@ -82,16 +82,8 @@ void judge_refusal(const Trial& trial, const ProcessOutcome& outcome,
 // The stages of a block from another run of the decoder.
 Tracer tracer_of(const Trial& trial) {
   if (trial.dut.trace.empty()) return {};
-  return [&trial](const BlockAddress& block, int) -> tl::expected<std::string, std::string> {
-    const Places places{{"input", trial.input.string()},
-                        {"view_row", std::to_string(block.view.row)},
-                        {"view_col", std::to_string(block.view.col)},
-                        {"plane", std::to_string(static_cast<unsigned>(block.plane))},
-                        {"block_x", std::to_string(block.bx)},
-                        {"block_y", std::to_string(block.by)}};
-    ProcessOutcome outcome = run_process(fill_in(trial.dut.trace, places), trial.limits);
-    if (outcome.output.empty()) return tl::unexpected(to_string(outcome));
-    return std::move(outcome.output);
+  return [&trial](const BlockAddress& block, int) {
+    return trace_by_command(trial.dut, trial.input, block, trial.limits);
   };
 }
 
@@ -128,6 +120,21 @@ void judge_command(const Trial& trial, const vectors::Expectation& expect,
 }
 
 }  // namespace
+
+tl::expected<std::string, std::string> trace_by_command(const Dut& dut,
+                                                        const std::filesystem::path& input,
+                                                        const BlockAddress& block,
+                                                        const ProcessLimits& limits) {
+  const Places places{{"input", input.string()},
+                      {"view_row", std::to_string(block.view.row)},
+                      {"view_col", std::to_string(block.view.col)},
+                      {"plane", std::to_string(static_cast<unsigned>(block.plane))},
+                      {"block_x", std::to_string(block.bx)},
+                      {"block_y", std::to_string(block.by)}};
+  ProcessOutcome outcome = run_process(fill_in(dut.trace, places), limits);
+  if (outcome.output.empty()) return tl::unexpected(to_string(outcome));
+  return std::move(outcome.output);
+}
 
 void judge(const Trial& trial, const vectors::Expectation& expect, const vectors::ViewSum* output,
            VectorResult& result) {

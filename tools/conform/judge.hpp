@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
+
+#include <hmlfc/decoder.hpp>
 
 #include "conform/dut.hpp"
 #include "conform/process.hpp"
@@ -26,6 +29,13 @@ struct Trial {
   std::filesystem::path pictures;  ///< folder for the pictures of a failure; empty: none
   std::filesystem::path blocks;    ///< the vector's blocks file; empty: none
 };
+
+/// What the decoder's command `trace`, which it has, prints of a block (stage_trace.hpp), or why it
+/// prints nothing.
+tl::expected<std::string, std::string> trace_by_command(const Dut& dut,
+                                                        const std::filesystem::path& input,
+                                                        const BlockAddress& block,
+                                                        const ProcessLimits& limits);
 
 /// Runs the decoder and compares what it does with `expect` and, where the stream must decode, its
 /// views with `output` (null: with the golden model's views alone). A decoder that speaks the line

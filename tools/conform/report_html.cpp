@@ -109,6 +109,7 @@ std::string failure(const VectorResult& result, const std::filesystem::path& fol
   if (!result.waiver.empty()) text += "<p>Waived: " + escaped(result.waiver) + "</p>\n";
   if (!result.stage.empty()) text += "<p>First wrong stage: " + escaped(result.stage) + "</p>\n";
   text += fmt::format("<p>Clauses: {}. {}</p>\n", list(result.clauses), escaped(result.comment));
+  if (!result.view.empty()) text += "<pre>" + escaped(result.view) + "</pre>\n";
   if (!result.pictures.empty() && with_pictures) text += pictures(result, folder);
   if (!result.messages.empty()) text += "<pre>" + escaped(result.messages) + "</pre>\n";
   return text;
@@ -136,9 +137,10 @@ std::string where_to_begin(const Run& run, const Summary& summary) {
   if (summary.first != nullptr) {
     text += fmt::format(
         "<p>The first milestone that is not whole is <b>{}</b>. Look first at <b>{}</b>: {}</p>"
-        "<pre>{}</pre>\n",
+        "<pre>{}\n{}</pre>\n",
         escaped(summary.first->name), escaped(summary.look_at->id),
-        escaped(summary.look_at->reason), escaped(summary.look_at->inspect));
+        escaped(summary.look_at->reason), escaped(summary.look_at->inspect),
+        escaped(summary.look_at->view));
   }
   if (!summary.clauses.empty()) {
     text += "<p>Its clauses that fail in all vectors: " + list(summary.clauses) + "</p>\n";

@@ -67,6 +67,7 @@ Json to_json(const Summary& summary) {
     json["milestone"] = summary.first->name;
     json["vector"] = summary.look_at->id;
     json["inspect"] = summary.look_at->inspect;
+    json["view"] = summary.look_at->view;
     json["clauses"] = summary.clauses;
   }
   Json& milestones = json["milestones"] = Json::array();
@@ -136,6 +137,7 @@ Json to_json(const VectorResult& result) {
   json["milestone"] = result.milestone;
   json["bytes"] = result.bytes;
   set_text(json, "inspect", result.inspect);
+  set_text(json, "view", result.view);
   if (result.telling) json["telling"] = true;
   if (result.not_counted) json["not_counted"] = true;
   return json;
@@ -161,6 +163,7 @@ std::optional<VectorResult> result_from_json(const Json& json) {
     result.milestone = json.at("milestone");
     result.bytes = json.at("bytes");
     result.inspect = json.value("inspect", "");
+    result.view = json.value("view", "");
     result.telling = json.value("telling", false);
     result.not_counted = json.value("not_counted", false);
     return result;

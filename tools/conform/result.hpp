@@ -51,6 +51,7 @@ struct VectorResult {
   uint64_t bytes = 0;        ///< of the stream
   bool telling = false;      ///< several views and blocks show what is wrong (runner.cpp)
   std::string inspect;       ///< the command that shows what the decoder gets wrong, or empty
+  std::string view;          ///< the command that opens the page on it beside the model, or empty
   bool not_counted = false;  ///< a refusal whose base does not pass
 
   bool bad() const {

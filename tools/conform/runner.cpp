@@ -11,8 +11,10 @@
 
 #include <hmlfc/stream_info.hpp>
 
+#include "conform/block_commands.hpp"
 #include "conform/judge.hpp"
 #include "conform/result.hpp"
+#include "conform/work_folder.hpp"
 #include "io/files.hpp"
 #include "vectors/digest.hpp"
 #include "vectors/milestone.hpp"
@@ -22,31 +24,6 @@ namespace hmlfc::conform {
 namespace fs = std::filesystem;
 
 namespace {
-
-// An empty folder, removed at the end unless kept.
-class WorkFolder {
- public:
-  explicit WorkFolder(fs::path path) : path_(std::move(path)) {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-    fs::create_directories(path_, error_);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder() {
-    std::error_code ignored;
-    if (!kept_) fs::remove_all(path_, ignored);
-  }
-
-  const fs::path& path() const { return path_; }
-  const std::error_code& error() const { return error_; }
-  void keep() { kept_ = true; }
-
- private:
-  fs::path path_;
-  std::error_code error_;
-  bool kept_ = false;
-};
 
 void fail_in_suite(VectorResult& result, std::string reason) {
   result.status = Status::kError;
@@ -90,21 +67,6 @@ bool is_telling(const vectors::Vector& vector, const StreamHeader& header) {
          header.width >= side && header.height >= side;
 }
 
-// The command that shows the block or the stream that the decoder gets wrong.
-std::string inspect_command(const Suite& suite, const vectors::Vector& vector,
-                            const VectorResult& result) {
-  if (!result.difference) {
-    return fmt::format("hmlfc vectors inspect {} --suite {}", vector.id, suite.folder.string());
-  }
-  const Difference& d = *result.difference;
-  const Plane plane = d.planes.empty() ? Plane::kY : d.planes.front();
-  const bool halved = plane != Plane::kY && vector.output->chroma == ChromaFormat::k420;
-  return fmt::format("hmlfc inspect {} --view {},{} --plane {} --block {},{}",
-                     (suite.folder / vector.input.file).string(), d.view.row, d.view.col,
-                     plane_name(plane), d.block_x >> (halved ? 1 : 0),
-                     d.block_y >> (halved ? 1 : 0));
-}
-
 // A refusal that is right by itself counts only if the stream that it is made from passes.
 void settle_base(const VectorResult& base, const Waiver* waiver, VectorResult& result) {
   if (result.status != Status::kPass || base.status == Status::kPass) return;
@@ -113,6 +75,7 @@ void settle_base(const VectorResult& base, const Waiver* waiver, VectorResult& r
   result.reason = fmt::format("not counted: the result of its base {} is {}", base.id,
                               status_name(base.status));
   result.inspect = base.inspect;
+  result.view = base.view;
   result.waiver = waiver != nullptr && base.bad() ? waiver->reason : base.waiver;
 }
 
@@ -156,7 +119,9 @@ class SuiteRun {
     } else {
       run(vector, index, input, file->bytes(), result);
     }
-    if (result.bad()) result.inspect = inspect_command(suite_, vector, result);
+    if (!result.bad()) return result;
+    result.inspect = inspect_command(suite_, vector, result);
+    result.view = view_command(suite_, vector, dut_, result);
     return result;
   }
 

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include <hmlfc/disparity.hpp>
+#include <hmlfc/rig.hpp>
 
+#include "io/rig_text.hpp"
 #include "python/arrays.hpp"
 #include "python/block_trace.hpp"
 
@@ -101,6 +103,24 @@ py::tuple Stream::disparity(ViewPos view) const {
   const py::ssize_t columns = found.columns;
   return py::make_tuple(array_of(std::move(disparities), {rows, columns}),
                         array_of(std::move(confidences), {rows, columns}));
+}
+
+py::object Stream::rig() const {
+  if (!header().has(Feature::kCameraRig)) return py::none();
+  const uint64_t views = uint64_t{header().rows} * header().cols;
+  const ByteRange range{header().rig.offset, header().rig.size};
+  tl::expected<Rig, std::string> read;
+  const bool loaded = [&] {
+    const py::gil_scoped_release unlocked;
+    source_->begin_request();
+    const bool is_there = !source_->is_partial() || source_->load({&range, 1});
+    if (is_there) read = io::parse_rig(rig_of(source_->bytes(), header()), views);
+    source_->end_request();
+    return is_there;
+  }();
+  if (!loaded) raise_failure();
+  if (!read) throw py::value_error("section RIG: " + read.error());
+  return py::make_tuple(read->metres_per_unit, read->positions, read->rotations, read->intrinsics);
 }
 
 py::array Stream::render(const Camera& camera, int stop_level) {
@@ -200,6 +220,7 @@ void add_stream(py::module_& module) {
       .def_property_readonly("profile",
                              [](const Stream& s) { return profile_name(s.header().profile); })
       .def_property_readonly("features", &features_of)
+      .def("rig", &Stream::rig)
       .def("pixels",
            [](const Stream& s, uint32_t row, uint32_t col, uint32_t x, uint32_t y, uint32_t width,
               uint32_t height, int stop_level) {

@@ -44,6 +44,11 @@ class Stream {
   /// confidence, uint8: each (rows of blocks, columns of blocks).
   pybind11::tuple disparity(ViewPos view) const;
 
+  /// What section RIG says: metres a unit or None, then positions, rotations and intrinsics as
+  /// lists (RIG-2); None without the section. Raises ValueError that names the member that is
+  /// wrong.
+  pybind11::object rig() const;
+
   /// The frame of `camera`: (height, width, 3). Raises ValueError for a camera that takes none.
   pybind11::array render(const Camera& camera, int stop_level);
 

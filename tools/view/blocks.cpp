@@ -11,8 +11,10 @@
 #include "cli/arguments.hpp"
 #include "cli/block_request.hpp"
 #include "io/pictures.hpp"
+#include "syntax/geometry.hpp"
 #include "view/block_page.hpp"
 #include "view/pixels.hpp"
+#include "view/plane_request.hpp"
 #include "view/query.hpp"
 
 namespace hmlfc::view {
@@ -24,31 +26,6 @@ using cli::Json;
 namespace {
 
 constexpr size_t kKeptTraces = 4;
-
-// A plane of a view, or a view alone.
-struct PlaneRequest {
-  std::optional<ViewPos> view;
-  Plane plane = Plane::kY;
-  std::optional<int> levels;
-  size_t stage = 0;
-  int32_t gain = 4;
-};
-
-// Adds --view and --levels.
-void add_view_options(CLI::App& app, PlaneRequest& request) {
-  cli::add_view(app, request.view, "")->required();
-  cli::add_levels(app, request.levels);
-}
-
-int stop_level(const cli::StreamFile& file, const PlaneRequest& request) {
-  file.check_view(*request.view);
-  return request.levels ? file.stop_level(*request.levels) : 0;
-}
-
-RgbImage decoded(const cli::StreamFile& file, const PlaneRequest& request) {
-  const int level = stop_level(file, request);
-  return file.value(file.decoder().decode_view(*request.view, level));
-}
 
 const cli::ViewSource& original_of(const OpenStream& stream) {
   if (stream.original() != nullptr) return *stream.original();
@@ -93,6 +70,13 @@ Json disparities_of_blocks(const Decoder& decoder, ViewPos view) {
   return all;
 }
 
+// The number of the plane's first tile (IDX-2).
+uint64_t first_tile(const StreamHeader& header, const PlaneRequest& request, int level) {
+  const Geometry geometry(header);
+  const ImagePos image = geometry.ancestor({request.view->row, request.view->col}, 0, level);
+  return geometry.tile_number(geometry.image_number(level, image), request.plane, 0, 0);
+}
+
 Json trace_json(const PlaneTrace& trace) {
   Json vectors = Json::array();
   for (const PlaneVector& v : trace.vectors) {
@@ -106,19 +90,6 @@ Json trace_json(const PlaneTrace& trace) {
           {"read", trace.read},         {"level_counts", trace.level_counts},
           {"steps", trace.steps},       {"vectors", std::move(vectors)},
           {"errors", std::move(errors)}};
-}
-
-PlaneRequest plane_request(const Query& query, bool with_stage) {
-  PlaneRequest request;
-  read_query(query, [&request, with_stage](CLI::App& app) {
-    add_view_options(app, request);
-    cli::add_plane(app, request.plane);
-    if (!with_stage) return;
-    std::vector<std::pair<std::string, size_t>> names;
-    for (size_t k = 0; k < kStageNames.size(); ++k) names.emplace_back(kStageNames[k], k);
-    cli::add_choice(app, "--stage", request.stage, std::move(names), "")->required();
-  });
-  return request;
 }
 
 }  // namespace
@@ -146,17 +117,12 @@ std::shared_ptr<const PlaneTrace> Blocks::trace(const Key& key) {
 }
 
 Response Blocks::picture(const Query& query) const {
-  PlaneRequest request;
-  read_query(query, [&request](CLI::App& app) { add_view_options(app, request); });
+  const PlaneRequest request = read_plane_request(query, false);
   return picture_answer(decoded(stream_.for_blocks(), request));
 }
 
 Response Blocks::difference(const Query& query) const {
-  PlaneRequest request;
-  read_query(query, [&request](CLI::App& app) {
-    add_view_options(app, request);
-    cli::add_integer(app, "--gain", request.gain, 1, 64, "");
-  });
+  const PlaneRequest request = read_plane_request(query, false, add_gain);
   const RgbImage image = decoded(stream_.for_blocks(), request);
   const RgbImage original = original_of(stream_).view(*request.view);
   return picture_answer(
@@ -164,10 +130,15 @@ Response Blocks::difference(const Query& query) const {
 }
 
 Response Blocks::stage(const Query& query) {
-  const PlaneRequest request = plane_request(query, true);
+  size_t stage = 0;
+  const PlaneRequest request = read_plane_request(query, true, [&](CLI::App& app, PlaneRequest&) {
+    std::vector<std::pair<std::string, size_t>> names;
+    for (size_t k = 0; k < kStageNames.size(); ++k) names.emplace_back(kStageNames[k], k);
+    cli::add_choice(app, "--stage", stage, std::move(names), "")->required();
+  });
   const int level = stop_level(stream_.for_blocks(), request);
   const auto traced = trace({request.view->row, request.view->col, request.plane, level});
-  const std::vector<int16_t>& samples = traced->stages[request.stage];
+  const std::vector<int16_t>& samples = traced->stages[stage];
   static_assert(std::endian::native == std::endian::little);
   Response response;
   response.type = "application/octet-stream";
@@ -176,20 +147,20 @@ Response Blocks::stage(const Query& query) {
 }
 
 Response Blocks::blocks(const Query& query) {
-  const PlaneRequest request = plane_request(query, false);
+  const PlaneRequest request = read_plane_request(query, true);
   const cli::StreamFile& file = stream_.for_blocks();
   const int level = stop_level(file, request);
   const auto traced = trace({request.view->row, request.view->col, request.plane, level});
   Json json = trace_json(*traced);
+  json["first_tile"] = first_tile(file.header(), request, level);
   if (request.plane == Plane::kY && level == 0) {
     json["disparities"] = disparities_of_blocks(file.decoder(), *request.view);
     file.check_readable();
   }
   if (stream_.original() != nullptr && traced->errors.empty()) {
-    const bool half =
-        request.plane != Plane::kY && file.header().chroma_format == ChromaFormat::k420;
-    json["psnr"] = psnr_of_blocks(*traced, stream_.original()->view(*request.view),
-                                  decoded(file, request), file.header().block_size() << half);
+    json["psnr"] =
+        psnr_of_blocks(*traced, stream_.original()->view(*request.view), decoded(file, request),
+                       block_pixels(file.header(), request.plane));
   }
   Response response;
   response.body = json.dump();

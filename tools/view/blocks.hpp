@@ -30,8 +30,9 @@ class Blocks {
   /// A stage of a plane: 16 bits a sample, little-endian; -32768 where the block has none.
   Response stage(const Query& query);
 
-  /// The arrays of PlaneTrace in JSON; for plane Y with all levels also the disparities of its
-  /// blocks, and with an original the PSNR of each block in RGB.
+  /// The arrays of PlaneTrace in JSON, and the number of the plane's first tile (IDX-2); for plane
+  /// Y with all levels also the disparities of its blocks, and with an original the PSNR of each
+  /// block in RGB.
   Response blocks(const Query& query);
 
   /// The block as `inspect --json` has it ("report"), its fields as `inspect` prints them, with

@@ -2,12 +2,17 @@
 #include <csignal>
 #include <ctime>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
+#include "cli/block_request.hpp"
 #include "cli/commands.hpp"
+#include "cli/dut_options.hpp"
 #include "view/browser.hpp"
 #include "view/server.hpp"
 
@@ -17,7 +22,10 @@ namespace {
 struct ViewOptions {
   std::filesystem::path file;
   std::filesystem::path original;
+  DutOptions dut;
+  BlockRequest block;
   uint16_t port = 0;
+  bool no_ahead = false;
   bool no_browser = false;
   bool once = false;
 };
@@ -41,20 +49,47 @@ class HeldSignals {
   sigset_t signals_{};
 };
 
+// What stands behind the address of the page to open the block that the options name, or nothing.
+std::string link_to(const BlockRequest& block, const view::OpenStream& stream, bool with_other) {
+  if (!block.view) return "";
+  if (stream.error().empty()) check_place(stream.for_blocks(), block);
+  const std::string levels = block.levels ? fmt::format("&levels={}", *block.levels) : "";
+  return fmt::format("#mode=into&view={},{}&plane={}&block={},{}{}{}", block.view->row,
+                     block.view->col, plane_name(block.plane), block.block[0], block.block[1],
+                     levels, with_other ? "&overlay=dut&beside=dut-picture" : "");
+}
+
+// The decoder of --dut, or null.
+std::unique_ptr<view::OtherDecoder> other_decoder(const DutOptions& options,
+                                                  const view::OpenStream& stream) {
+  if (options.names.empty()) return nullptr;
+  auto duts = options.read();
+  if (!stream.error().empty()) return nullptr;
+  const StreamFile& file = stream.for_blocks();
+  if (file.is_remote()) {
+    throw Failure(ExitCode::kUsage, "--dut reads a file: download " + file.path().string());
+  }
+  return std::make_unique<view::OtherDecoder>(std::move(duts.front()), options.limits(),
+                                              file.path(), file.decoder());
+}
+
 ExitCode run_view(const ViewOptions& options) {
   const HeldSignals signals;
   view::OpenStream stream(options.file, options.original);
+  const auto other = other_decoder(options.dut, stream);
+  const std::string link = link_to(options.block, stream, other != nullptr);
   if (!stream.error().empty()) note(stream.error());
   if (!stream.warning().empty()) note(stream.warning());
   view::Server server(options.port);
   const view::Site site{server.port(), view::random_token()};
-  view::Handler handler(site, stream);
+  view::Handler handler(site, stream, other.get(), !options.no_ahead);
   server.start(handler);
-  print(fmt::format("{}\n", site.address()));
+  const std::string address = site.address() + link;
+  print(address + "\n");
   flush_output();
   note("Ctrl-C ends it");
   std::optional<view::Browser> browser;
-  if (!options.no_browser) browser.emplace(site.address());
+  if (!options.no_browser) browser.emplace(address);
   while (!signals.came()) {
     if (options.once && handler.pages().all_closed(std::chrono::steady_clock::now())) break;
   }
@@ -71,13 +106,21 @@ void add_viewer(CLI::App& program, Task& task) {
       R"(Prints the address of a page and opens it in a browser, where there is one. Only programs of this
 machine reach it, and only with that address. A corrupt stream is shown as far as it can be.
 
-Example:
-  hmlfc view chess.hmlfc --original views)");
+With --dut the page shows a decoder beside this one, as hmlfc conform runs it. --view, --plane and
+--block open a block; a report of hmlfc conform has the command for each failure.
+
+Examples:
+  hmlfc view chess.hmlfc --original views
+  hmlfc view chess.hmlfc --dut './mydec {input} -o {output}' --view 3,4 --plane Y --block 10,7)");
   add_stream(app, options.file);
   add_path(app, "--original", options.original, "The views it was made of, to compare with")
       ->required(false)
       ->type_name("DIR");
+  options.dut.add_to(app, false);
+  add_block_options(app, options.block, false);
   add_integer(app, "--port", options.port, 0, 65535, "Port of 127.0.0.1, 0 for any that is free");
+  app.add_flag("--no-ahead", options.no_ahead,
+               "Decode key images when a frame needs them, not ahead of the motion");
   app.add_flag("--no-browser", options.no_browser, "Only print the address");
   app.add_flag("--once", options.once, "End when the page is closed");
 }

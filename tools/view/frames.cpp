@@ -21,9 +21,16 @@ FrameRecord Frames::render(const Query& query) {
   const auto record = frame_record(camera, file.header());
   if (!record) throw Failure(ExitCode::kUsage, record.error().message);
   const int stop_level = look.levels ? file.stop_level(*look.levels) : 0;
-  if (renderer_ == nullptr) renderer_ = make_cpu_renderer(file.decoder());
+  if (renderer_ == nullptr) {
+    renderer_ = make_cpu_renderer(file.decoder());
+    if (looks_ahead_) ahead_.emplace(file.decoder());
+  }
   stream_.touched().reset();
   file.value(renderer_->render(*record, stop_level, frame_));
+  if (ahead_) {
+    constexpr double kUnit = 65536;  // of places in the grid (CAM-1)
+    ahead_->rendered(views_in_use(*record), record->u0 / kUnit, record->v0 / kUnit, stop_level);
+  }
   return *record;
 }
 
@@ -37,6 +44,7 @@ Response Frames::frame(const Query& query) {
                   {"decoded", frame_.counts.blocks_decoded},
                   {"reused", frame_.counts.blocks_reused},
                   {"touched", stream_.touched().bytes()},
+                  {"key_samples", stream_.touched().key_samples()},
                   {"views", views_in_use(record)}};
   Response response = picture_answer(frame_.image);
   response.headers.emplace_back("Frame", cost.dump());
@@ -62,6 +70,11 @@ Response Frames::focus(const Query& query) const {
   Response response;
   response.body = Json{{"focus", camera.focus}}.dump();
   return response;
+}
+
+void Frames::finish_ahead() {
+  const std::lock_guard lock(mutex_);
+  if (ahead_) ahead_->finish();
 }
 
 }  // namespace hmlfc::view

@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include <hmlfc/renderer.hpp>
 
+#include "view/ahead.hpp"
 #include "view/exchange.hpp"
 #include "view/open_stream.hpp"
 
@@ -16,12 +18,12 @@ namespace hmlfc::view {
 /// frame (kUsage), a corrupt stream (kCorrupt).
 class Frames {
  public:
-  /// `stream` must outlive it.
-  explicit Frames(OpenStream& stream) : stream_(stream) {}
+  /// `stream` must outlive it. With `ahead` the next key images are decoded ahead of the motion.
+  Frames(OpenStream& stream, bool ahead) : stream_(stream), looks_ahead_(ahead) {}
 
   /// The frame's pixels; the header Frame says what it cost, in JSON: width, height, seconds,
-  /// needed, decoded, reused (blocks), touched (bytes of the file), views (first and last row and
-  /// column).
+  /// needed, decoded, reused (blocks), touched (bytes of the file), key_samples (of key images that
+  /// it had to wait for), views (first and last row and column).
   Response frame(const Query& query);
 
   /// The PNG file that `hmlfc render` writes.
@@ -29,6 +31,9 @@ class Frames {
 
   /// The focus for what the pixel focus-at shows: {"focus": 1.25}.
   Response focus(const Query& query) const;
+
+  /// Waits until nothing is decoded ahead any more.
+  void finish_ahead();
 
  private:
   // The last frame and its record, while `mutex_` is held.
@@ -38,6 +43,8 @@ class Frames {
   std::mutex mutex_;
   std::unique_ptr<FrameRenderer> renderer_;  // made for the first frame
   Frame frame_;
+  bool looks_ahead_;
+  std::optional<Ahead> ahead_;  // made for the first frame
 };
 
 }  // namespace hmlfc::view

@@ -52,8 +52,12 @@ Response json_answer(const Json& json) {
 
 }  // namespace
 
-Handler::Handler(Site site, OpenStream& stream)
-    : site_(std::move(site)), stream_(stream), frames_(stream), blocks_(stream) {}
+Handler::Handler(Site site, OpenStream& stream, OtherDecoder* other, bool ahead)
+    : site_(std::move(site)), stream_(stream), frames_(stream, ahead), blocks_(stream) {
+  if (other == nullptr) return;
+  other_name_ = other->name();
+  other_.emplace(stream, *other);
+}
 
 Response Handler::answer(const Request& request) {
   Response response;
@@ -93,7 +97,12 @@ Response Handler::answer_get(std::string_view path, const Query& query) {
   if (path == "stage") return blocks_.stage(query);
   if (path == "blocks") return blocks_.blocks(query);
   if (path == "block") return blocks_.block(query);
-  if (path == "stream") return json_answer(stream_facts(stream_));
+  if (path.starts_with("dut-")) return answer_other(path, query);
+  if (path == "stream") {
+    Json facts = stream_facts(stream_);
+    facts["dut"] = other_name_;
+    return json_answer(facts);
+  }
   if (path == "totals") return json_answer(stream_totals(stream_));
   if (path.empty()) pages_.sent(std::chrono::steady_clock::now());
   const Asset* asset = find_asset(path.empty() ? "index.html" : path);
@@ -102,6 +111,17 @@ Response Handler::answer_get(std::string_view path, const Query& query) {
   response.type = asset->type;
   response.body = asset->content;
   return response;
+}
+
+Response Handler::answer_other(std::string_view path, const Query& query) {
+  if (!other_) {
+    return refusal(400, "there is no decoder under test; start with --dut DUT");
+  }
+  if (path == "dut-picture") return other_->picture(query);
+  if (path == "dut-difference") return other_->difference(query);
+  if (path == "dut-blocks") return other_->blocks(query);
+  if (path == "dut-block") return other_->block(query);
+  return refusal(404, "No such address");
 }
 
 Response Handler::note_page(std::string_view path, const Query& query) {

@@ -22,7 +22,7 @@ OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem:
 }
 
 void OpenStream::open(const std::shared_ptr<const remote::OpenSource>& source) {
-  touched_ = std::make_unique<TouchedBytes>(source->bytes->bytes().size());
+  touched_ = std::make_unique<FrameReads>(source->bytes->bytes().size());
   OpenOptions options;
   options.check_sections = false;
   try {

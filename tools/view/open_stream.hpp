@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/view_source.hpp"
+#include "view/frame_reads.hpp"
 
 namespace hmlfc::view {
 
@@ -30,7 +31,7 @@ class OpenStream {
   /// For everything else; at the same time as frames. Failure (kCorrupt) with error().
   const cli::StreamFile& for_blocks() const { return opened(for_blocks_); }
 
-  TouchedBytes& touched() { return *touched_; }
+  FrameReads& touched() { return *touched_; }
 
   /// Null where there is none.
   const cli::ViewSource* original() const { return original_.get(); }
@@ -40,7 +41,7 @@ class OpenStream {
   void open(const std::shared_ptr<const remote::OpenSource>& source);
 
   std::filesystem::path path_;
-  std::unique_ptr<TouchedBytes> touched_;
+  std::unique_ptr<FrameReads> touched_;
   std::unique_ptr<cli::StreamFile> for_frames_;
   std::unique_ptr<cli::StreamFile> for_blocks_;
   std::unique_ptr<cli::ViewSource> original_;

@@ -19,8 +19,8 @@ class Pages {
   static constexpr std::chrono::seconds kReload{2};    ///< in which a reloaded page comes back
   static constexpr size_t kMost = 256;                 ///< pages that are told apart
 
-  /// A page has been sent: it counts as open until it says so, which may take long where the machine
-  /// is busy, or for kSilence. A page that is loaded again is sent before it closes.
+  /// A page has been sent: it counts as open until it says so, which may take long where the
+  /// machine is busy, or for kSilence. A page that is loaded again is sent before it closes.
   void sent(Time now);
 
   /// Page `id` is open, unless it has closed: a browser's requests may change their order.

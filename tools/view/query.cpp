@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "cli/arguments.hpp"
 
 namespace hmlfc::view {
@@ -23,7 +25,7 @@ void read_query(const Query& query, const std::function<void(CLI::App&)>& add) {
       throw Failure(ExitCode::kUsage, "'" + name + "' is not a name that this address takes");
     }
     if (value.empty()) throw Failure(ExitCode::kUsage, "'" + name + "' has no value");
-    arguments.push_back("--" + name + "=" + value);
+    arguments.push_back(fmt::format("--{}={}", name, value));
   }
   std::ranges::reverse(arguments);  // as CLI11 takes them
   try {

@@ -1,4 +1,5 @@
-/* HMLFC light fields from C99: open a stream, decode a block, a rectangle or a view, render frames.
+/** @file
+ * HMLFC light fields from C99: open a stream, decode a block, a rectangle or a view, render frames.
  *
  * Structures. Those with the member struct_size can grow in later versions: set it to the size of
  * the structure as you compiled it, and every other member; 0 is always the default. A library that
@@ -22,8 +23,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(__GNUC__) || defined(__clang__)
 /** In front of each function of this interface. */
+#if defined(__GNUC__) || defined(__clang__)
 #define HMLFC_C_EXPORT __attribute__((visibility("default")))
 #else
 #define HMLFC_C_EXPORT

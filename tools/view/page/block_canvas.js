@@ -30,6 +30,8 @@ export class BlockCanvas {
     this.scale = 0; // pixels of the screen for a sample; 0: not placed yet
     this.x = 0; // of the picture's left edge on the screen
     this.y = 0;
+    /** @type {BlockCanvas | null} */
+    this.twin = null; // shows the same blocks beside it
     this.listen(hover, click);
     new ResizeObserver(() => this.draw()).observe(target);
   }
@@ -124,6 +126,19 @@ export class BlockCanvas {
     }
     if (this.layers.blocks) this.drawBlocks(draw, this.layers);
     Object.assign(this.target.dataset, { scale: this.scale, x: this.x, y: this.y });
+    this.twin?.follow(this);
+  }
+
+  /**
+   * Shows the part that `other` shows, whose picture may have another number of samples.
+   * @param {BlockCanvas} other
+   */
+  follow(other) {
+    if (this.layers === null || other.layers === null) return;
+    const scale = (other.scale * other.layers.picture.width) / this.layers.picture.width;
+    if (this.scale === scale && this.x === other.x && this.y === other.y) return;
+    Object.assign(this, { scale, x: other.x, y: other.y });
+    this.draw();
   }
 
   /**

@@ -21,11 +21,40 @@ function fieldTable(rows) {
 }
 
 /**
- * @param {string} title @param {number[][]} rows
+ * @param {string} title @param {any[][]} rows
+ * @param {any[][]} right what they should be; others are marked
  */
-function matrix(title, rows) {
-  const lines = rows.map((row) => make("tr", {}, ...row.map((value) => make("td", {}, String(value)))));
+function matrix(title, rows, right = rows) {
+  const lines = rows.map((row, y) => make("tr", {}, ...row.map((value, x) =>
+    make("td", String(value) === String(right[y]?.[x]) ? {} : { class: "wrong" }, String(value)))));
   return make("table", { class: "matrix" }, make("caption", {}, title), make("tbody", {}, ...lines));
+}
+
+/**
+ * Puts what a decoder under test makes of the pinned block beside it: its stages below those of their level, or its
+ * pixels; wrong values are marked.
+ * @param {any} other what the server says of it @param {any} answer the pinned block
+ */
+export function addOther(other, answer) {
+  const panel = any("block");
+  const place = make("section", { id: "other", "aria-label": `The block by ${other.name}` }, make("h3", {}, `By ${other.name}`));
+  panel.querySelector("h2")?.after(place);
+  if (other.error) place.append(make("p", { class: "error" }, other.error));
+  const matrices = make("div", { class: "matrices" });
+  let wrong = 0;
+  for (const { level, image, stage, values } of other.stages) {
+    const golden = answer.report.levels.find((/** @type {any} */ one) =>
+      one.level === level && one.image.row === image.row && one.image.col === image.col)?.stages[stage];
+    if (golden && String(golden.values) === String(values)) continue;
+    wrong += 1;
+    if (golden) matrices.append(matrix(`level ${level}: ${stage}, right`, golden.values));
+    matrices.append(matrix(`level ${level}: ${stage}, ${other.name}`, values, golden?.values ?? []));
+  }
+  if (other.stages.length > 0) {
+    place.append(make("p", {}, wrong === 0 ? `All ${other.stages.length} stages that it reports are right` : `${wrong} of ${other.stages.length} stages differ`));
+  }
+  if (other.pixels) matrices.append(matrix("R,G,B of the golden model", other.golden), matrix(`R,G,B, ${other.name}`, other.pixels, other.golden));
+  place.append(matrices);
 }
 
 /**

@@ -61,15 +61,17 @@ export class FrameLoop {
   /** @param {boolean} half @param {number} input when its input came */
   async frame(half, input) {
     const query = this.wanted(half);
+    let cost;
     try {
-      const { pixels, cost } = await askPicture("frame", query);
+      const { pixels, cost: told } = await askPicture("frame", query);
+      cost = told;
       this.draw({ pixels, cost, exact: !half, query });
     } catch (error) {
       this.fail(/** @type {Error} */ (error));
       return;
     }
     const end = performance.now();
-    performance.measure("input to picture", { start: input, end, detail: { half } });
+    performance.measure("input to picture", { start: input, end, detail: { half, keySamples: cost.key_samples } });
     this.drawnAt = [...this.drawnAt.filter((at) => end - at < 1000), end];
   }
 

@@ -1,11 +1,13 @@
 // Look into: any view at any level, its blocks and their fields.
-import { askJson, askPicture, askSamples } from "./ask.js";
+import { askJson } from "./ask.js";
 import { BlockCanvas } from "./block_canvas.js";
-import { showBlock } from "./block_panel.js";
-import { any, canvas, context, grouped, input, make, numberIn, say, select } from "./dom.js";
+import { addOther, showBlock } from "./block_panel.js";
+import { any, canvas, input, numberIn, say, select } from "./dom.js";
 import { GridMap } from "./grid_map.js";
 import { overlayOf, showLegend, STATES } from "./overlays.js";
-import { sampleAt, stagePicture } from "./stage_picture.js";
+import { PlanePictures } from "./plane_pictures.js";
+import { sampleAt } from "./stage_picture.js";
+import { showTotals } from "./totals.js";
 
 /** @typedef {import("./ask.js").Query} Query */
 
@@ -16,6 +18,7 @@ import { sampleAt, stagePicture } from "./stage_picture.js";
  * @property {string} plane
  * @property {number} levels of the tree
  * @property {string} stage
+ * @property {string} beside a stage, or "none"
  * @property {string} overlay
  * @property {boolean} blocks lines between blocks
  * @property {boolean} tiles
@@ -23,16 +26,8 @@ import { sampleAt, stagePicture } from "./stage_picture.js";
  * @property {[number, number] | null} block column, row
  */
 
+const LISTS = /** @type {const} */ (["plane", "stage", "beside", "overlay"]);
 const CHECKS = /** @type {const} */ (["blocks", "tiles", "vectors"]);
-
-/** @param {ImageData} pixels */
-function picture(pixels) {
-  const made = document.createElement("canvas");
-  made.width = pixels.width;
-  made.height = pixels.height;
-  context(made).putImageData(pixels, 0, 0);
-  return made;
-}
 
 export class Into {
   /** @param {any} stream @param {(query: Query) => void} moved */
@@ -43,8 +38,8 @@ export class Into {
     this.place = this.firstPlace();
     this.map = new GridMap(canvas("into-map"), stream, (row, col) => this.change({ row: Math.round(row), col: Math.round(col) }));
     this.canvas = new BlockCanvas(canvas("picture"), (x, y) => this.hover(x, y), (x, y) => this.pin(x, y));
-    /** @type {Map<string, Promise<any>>} */
-    this.kept = new Map();
+    this.beside = new BlockCanvas(canvas("picture-beside"), (x, y) => this.hover(x, y), (x, y) => this.pin(x, y));
+    this.pictures = new PlanePictures(stream.depth);
     this.blocks = null;
     /** @type {Int16Array | null} */
     this.samples = null;
@@ -56,7 +51,7 @@ export class Into {
   firstPlace() {
     return {
       row: Math.floor((this.stream.rows - 1) / 2), col: Math.floor((this.stream.cols - 1) / 2), plane: "Y",
-      levels: this.all, stage: "picture", overlay: "none", blocks: false, tiles: false, vectors: false, block: null,
+      levels: this.all, stage: "picture", beside: "none", overlay: "none", blocks: false, tiles: false, vectors: false, block: null,
     };
   }
 
@@ -68,8 +63,11 @@ export class Into {
     for (const list of [select("stage"), select("overlay")]) {
       for (const option of [...list.options]) {
         if (["difference", "psnr"].includes(option.value) && !this.stream.original) option.remove();
+        if (option.value.startsWith("dut") && !this.stream.dut) option.remove();
+        option.text = option.text.replace("the decoder under test", this.stream.dut);
       }
     }
+    for (const option of select("stage").options) select("beside").add(new Option(option.text, option.value));
     const last = { row: this.stream.rows - 1, col: this.stream.cols - 1 };
     for (const side of /** @type {const} */ (["row", "col"])) {
       input(`view-${side}`).addEventListener("change", () => {
@@ -77,7 +75,7 @@ export class Into {
         this.change({ [side]: Math.max(0, Math.min(last[side], value)) });
       });
     }
-    for (const name of /** @type {const} */ (["plane", "stage", "overlay"])) {
+    for (const name of LISTS) {
       select(name).addEventListener("change", () => this.change({ [name]: select(name).value, ...(name === "plane" ? { block: null } : {}) }));
     }
     input("into-levels").addEventListener("input", () => this.change({ levels: Number(input("into-levels").value) }));
@@ -85,10 +83,12 @@ export class Into {
     for (const name of CHECKS) {
       input(`show-${name}`).addEventListener("change", () => this.change({ [name]: input(`show-${name}`).checked }));
     }
-    canvas("picture").addEventListener("keydown", (event) => {
-      if (this.press(event.key)) event.preventDefault();
-    });
-    any("totals").addEventListener("toggle", () => void this.showTotals(), { once: true });
+    for (const name of ["picture", "picture-beside"]) {
+      canvas(name).addEventListener("keydown", (event) => {
+        if (this.press(event.key)) event.preventDefault();
+      });
+    }
+    any("totals").addEventListener("toggle", () => void showTotals(), { once: true });
   }
 
   /** @param {string} key */
@@ -125,7 +125,7 @@ export class Into {
     place.block = pair("block", 65536, 65536);
     const levels = Number(link.get("levels"));
     if (Number.isInteger(levels) && levels >= 1 && levels <= this.all) place.levels = levels;
-    for (const name of /** @type {const} */ (["plane", "stage", "overlay"])) {
+    for (const name of LISTS) {
       const words = [...select(name).options].map((option) => option.value);
       if (words.includes(link.get(name) ?? "")) place[name] = link.get(name) ?? "";
     }
@@ -142,25 +142,11 @@ export class Into {
 
   /** @returns {Query} */
   link() {
-    const { plane, stage, overlay, block } = this.place;
+    const { plane, stage, beside, overlay, block } = this.place;
     const shown = CHECKS.filter((name) => this.place[name]).join(",");
     return {
-      ...this.view(), plane, stage, overlay, ...(shown ? { show: shown } : {}), ...(block ? { block: block.join(",") } : {}),
+      ...this.view(), plane, stage, ...(beside === "none" ? {} : { beside }), overlay, ...(shown ? { show: shown } : {}), ...(block ? { block: block.join(",") } : {}),
     };
-  }
-
-  /**
-   * The answer to a question, asked once; the last twelve are kept.
-   * @template T @param {string} name @param {Query} query @param {(query: Query) => Promise<T>} ask @returns {Promise<T>}
-   */
-  once(name, query, ask) {
-    const key = name + JSON.stringify(query);
-    const made = this.kept.get(key) ?? ask(query);
-    this.kept.delete(key);
-    this.kept.set(key, made);
-    made.catch(() => this.kept.delete(key));
-    if (this.kept.size > 12) this.kept.delete([...this.kept.keys()][0]);
-    return made;
   }
 
   /** Asks for what is missing and draws it, unless there is a newer change by then. */
@@ -171,52 +157,60 @@ export class Into {
     const view = this.view();
     const plane = { ...view, plane: place.plane };
     try {
-      const blocks = await this.once("blocks", plane, (query) => askJson("blocks", query));
-      const rgb = await this.once("picture", view, (query) => askPicture("picture", query).then(({ pixels }) => picture(pixels)))
-        .catch(() => null);
+      const { pictures } = this;
+      const told = await pictures.once("blocks", plane, (query) => askJson("blocks", query));
+      const blocks = place.overlay === "dut"
+        ? { ...told, ...await pictures.once("dut-blocks", plane, (query) => askJson("dut-blocks", query)) } : told;
+      const rgb = await pictures.rgb("picture", view).catch(() => null);
       const stage = rgb === null && place.stage === "picture" ? "sample" : place.stage;
-      const { shown, samples } = await this.stageOf(stage, rgb, view, plane, blocks);
+      const { shown, samples } = await pictures.stage(stage, plane, blocks);
+      const beside = place.beside === "none" ? null : (await pictures.stage(place.beside, plane, blocks)).shown;
       const block = place.block && place.block[0] < blocks.columns && place.block[1] < blocks.rows ? place.block : null;
-      const answer = block && (await this.once("block", { ...plane, block: block.join(",") }, (query) => askJson("block", query)));
+      const query = { ...plane, block: block?.join(",") ?? "" };
+      const answer = block && (await pictures.once("block", query, (asked) => askJson("block", asked)));
       if (number !== this.number) return;
       this.blocks = blocks;
       this.samples = samples;
-      this.draw(shown, rgb, blocks, block);
+      this.draw(shown, beside, rgb, blocks, block);
       showBlock(answer, (row, col) => this.change({ row, col }));
       say("into-error", "");
+      if (answer && this.stream.dut) await this.showOther(number, query, answer);
     } catch (error) {
       if (number === this.number) say("into-error", /** @type {Error} */ (error).message);
     }
   }
 
   /**
-   * @param {string} stage @param {HTMLCanvasElement | null} rgb @param {Query} view @param {Query} plane @param {any} blocks
-   * @returns {Promise<{shown: HTMLCanvasElement, samples: Int16Array | null}>}
+   * Adds the block by the decoder under test, which may take long, to the panel.
+   * @param {number} number of the change @param {Query} query @param {any} answer the block
    */
-  async stageOf(stage, rgb, view, plane, blocks) {
-    if (stage === "picture" && rgb) return { shown: rgb, samples: null };
-    if (stage === "difference") {
-      const ask = (/** @type {Query} */ query) => askPicture("difference", query).then(({ pixels }) => picture(pixels));
-      return { shown: await this.once("difference", { ...view, gain: 4 }, ask), samples: null };
-    }
-    const samples = await this.once("stage", { ...plane, stage }, askSamples);
-    const signed = this.place.plane !== "Y" || stage === "residual";
-    return { shown: picture(stagePicture(samples, blocks.width, blocks.height, signed, this.stream.depth)), samples };
+  async showOther(number, query, answer) {
+    const other = await this.pictures.once("dut-block", query, (asked) => askJson("dut-block", asked))
+      .catch((error) => ({ name: this.stream.dut, error: error.message, stages: [], pixels: null }));
+    if (number === this.number) addOther(other, answer);
   }
 
   /**
-   * @param {HTMLCanvasElement} shown @param {HTMLCanvasElement | null} rgb @param {any} blocks @param {[number, number] | null} block
+   * @param {HTMLCanvasElement} shown @param {HTMLCanvasElement | null} beside @param {HTMLCanvasElement | null} rgb
+   * @param {any} blocks @param {[number, number] | null} block
    */
-  draw(shown, rgb, blocks, block) {
+  draw(shown, beside, rgb, blocks, block) {
     const overlay = overlayOf(this.place.overlay, blocks);
     showLegend(overlay);
-    // A plane of chroma may have half the samples of the picture.
-    const double = shown.width > blocks.width ? 2 : 1;
-    this.canvas.show({
-      picture: shown, under: rgb, blend: Number(input("blend").value) / 100, blocks, side: this.stream.block * double,
-      colours: overlay.colours, showBlocks: this.place.blocks, showTiles: this.place.tiles, showVectors: this.place.vectors,
+    const layers = (/** @type {HTMLCanvasElement} */ picture) => ({
+      // A plane of chroma may have half the samples of the picture.
+      picture, under: rgb, blend: Number(input("blend").value) / 100, blocks,
+      side: this.stream.block * (picture.width > blocks.width ? 2 : 1), colours: overlay.colours,
+      showBlocks: this.place.blocks, showTiles: this.place.tiles, showVectors: this.place.vectors,
       pinned: block === null ? null : block[1] * blocks.columns + block[0],
     });
+    const stage = /** @type {HTMLElement} */ (this.canvas.target.parentElement);
+    stage.classList.toggle("two", beside !== null);
+    this.beside.target.hidden = beside === null;
+    [this.canvas.twin, this.beside.twin] = beside === null ? [null, null] : [this.beside, this.canvas];
+    if (beside !== null) this.beside.layers = layers(beside);
+    this.canvas.show(layers(shown));
+    this.beside.draw();
     canvas("picture").dataset.shown = JSON.stringify(this.link());
     this.moved(this.link());
   }
@@ -261,6 +255,7 @@ export class Into {
       if (number === at) parts.push(`(${dx}, ${dy}) to image ${row},${col}`);
     }
     if (blocks.disparities?.[at] != null) parts.push(`disparity ${blocks.disparities[at]}`);
+    if (blocks.worst?.[at] > 0) parts.push(`${this.stream.dut} differs by up to ${blocks.worst[at]}`);
     if (blocks.psnr) parts.push(blocks.psnr[at] === null ? "equal to the original" : `${blocks.psnr[at]} dB`);
     return parts.join(" · ");
   }
@@ -273,26 +268,11 @@ export class Into {
     any("into-levels-value").textContent = `${place.levels} of ${this.all}`;
     any("blend-value").textContent = `${input("blend").value} %`;
     any("blend-label").hidden = place.stage === "picture";
-    for (const name of /** @type {const} */ (["plane", "stage", "overlay"])) select(name).value = place[name];
+    for (const name of LISTS) select(name).value = place[name];
     for (const name of CHECKS) input(`show-${name}`).checked = place[name];
     this.map.draw({ view: { row: place.row, col: place.col } });
     const query = { ...this.view(), plane: place.plane, block: (place.block ?? [0, 0]).join(",") };
     const options = Object.entries(query).map(([name, value]) => `--${name} ${value}`);
     any("into-command").textContent = `hmlfc inspect ${this.stream.file} ${options.join(" ")}`;
-  }
-
-  async showTotals() {
-    const body = any("totals-body");
-    body.textContent = "…";
-    try {
-      const totals = await askJson("totals");
-      const rows = [...Object.entries(totals.sections).map(([name, bytes]) => [name, `${grouped(bytes)} bytes`]),
-        ...Object.entries(totals.states).map(([name, count]) => [`blocks: ${name.replaceAll("_", " and ")}`, grouped(count)])];
-      const list = make("dl", { class: "numbers" });
-      for (const [name, text] of rows) list.append(make("dt", {}, name), make("dd", {}, text));
-      body.replaceChildren(list);
-    } catch (error) {
-      body.textContent = /** @type {Error} */ (error).message;
-    }
   }
 }

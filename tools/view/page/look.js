@@ -212,7 +212,7 @@ export class Look {
     const rate = this.loop.rate();
     any("fps").textContent = rate === null ? "–" : rate.toFixed(0);
     any("seconds").textContent = `${(cost.seconds * 1000).toFixed(1)} ms`;
-    for (const name of ["needed", "decoded", "reused", "touched"]) any(name).textContent = grouped(cost[name]);
+    for (const name of ["needed", "decoded", "reused", "touched", "key_samples"]) any(name).textContent = grouped(cost[name]);
   }
 
   showControls() {

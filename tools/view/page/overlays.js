@@ -56,6 +56,21 @@ function referenceImages(blocks) {
 }
 
 /**
+ * Tiles of 8 x 8 blocks, 64 consecutive ones a group (IDX-3).
+ * @param {any} blocks @returns {Overlay}
+ */
+function tileGroups(blocks) {
+  const across = Math.ceil(blocks.columns / 8);
+  const groups = blocks.states.map((/** @type {number} */ _, /** @type {number} */ at) => {
+    const [x, y] = [at % blocks.columns, Math.floor(at / blocks.columns)];
+    return Math.floor((blocks.first_tile + Math.floor(y / 8) * across + Math.floor(x / 8)) / 64);
+  });
+  const colourOf = (/** @type {number} */ group) => IMAGE_COLOURS[group % IMAGE_COLOURS.length];
+  const words = [...new Set(groups)].map((group) => /** @type {[string, string]} */ ([colourOf(group), `group ${group}`]));
+  return { colours: groups.map(colourOf), words };
+}
+
+/**
  * The overlay of this name.
  * @param {string} name @param {any} blocks what the server says of the plane @returns {Overlay}
  */
@@ -76,6 +91,8 @@ export function overlayOf(name, blocks) {
     case "disparities": return heatMap(blocks.disparities ?? [], "pixels a column");
     case "psnr": return heatMap(blocks.psnr ?? [], "dB");
     case "references": return referenceImages(blocks);
+    case "groups": return tileGroups(blocks);
+    case "dut": return heatMap(blocks.worst ?? [], "the largest difference", positive);
     default: return { colours: [] };
   }
 }

@@ -1,0 +1,54 @@
+#include "conform/block_commands.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace hmlfc::conform {
+
+namespace {
+
+std::string stream_of(const Suite& suite, const vectors::Vector& vector) {
+  return (suite.folder / vector.input.file).string();
+}
+
+// " --view 0,1 --plane Co --block 3,2", or nothing where no block is known to be wrong.
+std::string block_options(const vectors::Vector& vector, const VectorResult& result) {
+  if (!result.difference) return "";
+  const Difference& d = *result.difference;
+  const Plane plane = d.planes.empty() ? Plane::kY : d.planes.front();
+  const bool halved = plane != Plane::kY && vector.output->chroma == ChromaFormat::k420;
+  return fmt::format(" --view {},{} --plane {} --block {},{}", d.view.row, d.view.col,
+                     plane_name(plane), d.block_x >> (halved ? 1 : 0),
+                     d.block_y >> (halved ? 1 : 0));
+}
+
+// `word` as a shell reads it again.
+std::string quoted(const std::string& word) {
+  const auto is_plain = [](char c) {
+    const std::string_view others = "/._-+=:@%,";
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           others.find(c) != others.npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+std::string inspect_command(const Suite& suite, const vectors::Vector& vector,
+                            const VectorResult& result) {
+  const std::string block = block_options(vector, result);
+  if (!block.empty()) return fmt::format("hmlfc inspect {}{}", stream_of(suite, vector), block);
+  return fmt::format("hmlfc vectors inspect {} --suite {}", vector.id, suite.folder.string());
+}
+
+std::string view_command(const Suite& suite, const vectors::Vector& vector, const Dut& dut,
+                         const VectorResult& result) {
+  return fmt::format("hmlfc view {} --dut {}{}", quoted(stream_of(suite, vector)), quoted(dut.text),
+                     block_options(vector, result));
+}
+
+}  // namespace hmlfc::conform

@@ -1,0 +1,66 @@
+// A decoder under test beside the golden model, for --dut.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <hmlfc/decoder.hpp>
+
+#include "conform/dut.hpp"
+#include "conform/line_decoder.hpp"
+#include "conform/process.hpp"
+#include "vectors/expected.hpp"
+
+namespace hmlfc::view {
+
+/// Asks a decoder under test about one stream, as the conformance runner does: a command line once
+/// for all views, a decoder with the line protocol for each view and block. A process that fails is
+/// started again for the next question. All functions may be called at the same time; the decoder
+/// is asked one question after the other. SIGPIPE must be ignored.
+class OtherDecoder {
+ public:
+  /// `golden`, the golden model of the stream in `file`, must outlive it. Starts nothing.
+  OtherDecoder(conform::Dut dut, const conform::ProcessLimits& limits,
+               const std::filesystem::path& file, const Decoder& golden);
+  ~OtherDecoder();
+  OtherDecoder(const OtherDecoder&) = delete;
+  OtherDecoder& operator=(const OtherDecoder&) = delete;
+
+  const std::string& name() const { return dut_.name; }
+
+  /// View `view` of the grid, with all levels. Failure (kCorrupt): what the decoder says instead.
+  RgbImage view(ViewPos view);
+
+  /// The stages that it reports of a block, in its order; the block's samples alone where it gives
+  /// no traces, nothing where it gives no blocks or not at this stop level. Failures: as for
+  /// view().
+  std::vector<vectors::RecordedStage> stages(const BlockAddress& block, int stop_level);
+
+ private:
+  struct Kept {
+    ViewPos place;
+    RgbImage image;
+  };
+
+  RgbImage ask_for_view(ViewPos view);
+  conform::LineDecoder& line();
+  const std::vector<RgbImage>& output();
+  template <class Question>
+  auto asked(const std::string& what, const Question& question);
+
+  conform::Dut dut_;
+  conform::ProcessLimits limits_;
+  std::filesystem::path file_;  // absolute
+  const Decoder& golden_;
+  std::mutex mutex_;
+  std::unique_ptr<conform::LineDecoder> line_;  // with the stream open
+  std::optional<std::vector<RgbImage>> output_;
+  std::deque<Kept> kept_;  // the views asked for last
+};
+
+}  // namespace hmlfc::view

@@ -1,0 +1,40 @@
+// A plane of a view that a query asks for, or a view alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "cli/block_request.hpp"
+#include "view/exchange.hpp"
+
+namespace hmlfc::view {
+
+struct PlaneRequest {
+  std::optional<ViewPos> view;
+  Plane plane = Plane::kY;
+  std::optional<int> levels;  ///< of the tree, from the top; else all
+  int32_t gain = 4;           ///< of differences
+};
+
+/// Reads a query with view and levels, with `plane` or without, and what `add` adds. Failures:
+/// those of read_query().
+PlaneRequest read_plane_request(const Query& query, bool plane,
+                                const std::function<void(CLI::App&, PlaneRequest&)>& add = nullptr);
+
+/// Adds --gain in [1, 64].
+void add_gain(CLI::App& app, PlaneRequest& request);
+
+/// The stop level of `request`, whose view is in the grid. Usage failures: it is not, or levels
+/// that the stream has not.
+int stop_level(const cli::StreamFile& file, const PlaneRequest& request);
+
+/// The view in RGB, down to its stop level. Failures: those of stop_level(), a corrupt stream.
+RgbImage decoded(const cli::StreamFile& file, const PlaneRequest& request);
+
+/// Pixels of a view that are a side of a block of the plane: B, or 2 B where chroma has half the
+/// size.
+uint32_t block_pixels(const StreamHeader& header, Plane plane);
+
+}  // namespace hmlfc::view
