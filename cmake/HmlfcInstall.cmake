@@ -25,6 +25,9 @@ if(HMLFC_GPU)
   install(EXPORT hmlfc-gpu NAMESPACE hmlfc:: DESTINATION "${package_dir}" COMPONENT dev)
   install(DIRECTORY gpu_ref/include/hmlfc DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev)
 endif()
+if(HMLFC_WGSL)
+  install(DIRECTORY "${HMLFC_WGSL}/" DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/wgsl" COMPONENT dev)
+endif()
 install(DIRECTORY model/include/hmlfc
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")

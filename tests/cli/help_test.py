@@ -29,6 +29,7 @@ COMMANDS = {
     "render": ["--camera", "--look-at", "--fov", "--size", "--filter", "--focus", "--focus-at", "--aperture", "--path",
                "--frames", "--focal", "--shear", "--row-pitch", "--levels", "--backend", "--device", "--cache",
                "--preview", "--quality-vs-time", "--threads", "--json", "--output"],
+    "reference-area": ["--output"],
     "view": ["--original", "--dut", "--view", "--plane", "--block", "--port", "--no-ahead", "--no-browser", "--once"],
     "picture": ["view", "sheet", "difference"],
     "picture view": ["--view", "--output"],

@@ -260,8 +260,20 @@ def check_python(installation):
     assert int(total) == int(np.asarray(Image.open(installation.work / "view" / "01_02.png")).sum())
 
 
+def check_wgsl(installation):
+    """The decoder for WebGPU is there as built: its kernels, and what each of its modules imports."""
+    built = installation.build / "gpu_ref" / "wgsl"
+    folder = installation.prefix / "share" / "hmlfc" / "wgsl"
+    names = sorted(file.name for file in built.iterdir()) if built.exists() else []
+    assert names == (sorted(file.name for file in folder.iterdir()) if folder.exists() else []), names
+    for module in folder.glob("*.js"):
+        imported = re.findall(r'from "\./([^"]*)"', module.read_text())
+        assert all(name in names for name in imported), f"{module.name} imports {imported}"
+
+
 def main():
     installation = Installation(*sys.argv[1:])
+    check_wgsl(installation)
     check_python(installation)
     check_suite(installation)
     check_documents(installation)

@@ -60,6 +60,7 @@ class HMLFC_EXPORT ByteSource {
 /// Bytes in memory, which must outlive the source.
 class MemorySource final : public ByteSource {
  public:
+  /// The file `bytes`, as they stay.
   explicit MemorySource(std::span<const uint8_t> bytes) : bytes_(bytes) {}
   std::span<const uint8_t> bytes() const override { return bytes_; }
 
