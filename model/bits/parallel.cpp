@@ -93,14 +93,16 @@ ThreadLimit::ThreadLimit(int threads) {
 #else
 
 void parallel_for(size_t count, const std::function<void(size_t)>& body) {
-  tbb::parallel_for(size_t{0}, count, body);
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(size_t{0}, count, body); });
 }
 
 void parallel_for_parts(size_t count, size_t grain,
                         const std::function<void(size_t, size_t)>& body) {
   const tbb::blocked_range<size_t> all(0, count, grain);
-  tbb::parallel_for(
-      all, [&](const tbb::blocked_range<size_t>& part) { body(part.begin(), part.end()); });
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(
+        all, [&](const tbb::blocked_range<size_t>& part) { body(part.begin(), part.end()); });
+  });
 }
 
 void run_on_threads(int threads, const std::function<void()>& body) {

@@ -9,7 +9,8 @@
 namespace hmlfc {
 
 /// Calls body(i) once for each i in [0, count - 1], in any order, on several threads, and returns
-/// when all calls have. `body` must be safe to run concurrently for different i. Loops may nest. If
+/// when all calls have. `body` must be safe to run concurrently for different i. Loops may nest: a
+/// thread that waits for an inner loop does not begin another call of the outer one. If
 /// a call throws, calls not yet begun are left out and one of the exceptions is thrown again.
 void parallel_for(size_t count, const std::function<void(size_t)>& body);
 

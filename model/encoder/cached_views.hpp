@@ -22,8 +22,8 @@ class FieldViews final : public ViewProvider {
   const LightField& field_;
 };
 
-/// One rectangle of all views of another provider, which must outlive this. What was fetched last is
-/// kept.
+/// One rectangle of all views of another provider, which must outlive this. What was fetched last
+/// is kept.
 class CachedViews final : public ViewProvider {
  public:
   static constexpr uint64_t kUnlimited = ~uint64_t{0};

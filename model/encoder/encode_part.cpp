@@ -67,8 +67,7 @@ class PartFinder {
         groups.insert(own);
         const ReferenceImages places = reference_images(geometry_, level, at);
         if (motion_) references.insert(places.begin(), places.end());
-      } else if (owns(views_, header_, level, at) &&
-                 !members_of(geometry_, level, at).empty()) {
+      } else if (owns(views_, header_, level, at) && !members_of(geometry_, level, at).empty()) {
         groups.insert(at);
       }
     }

@@ -27,8 +27,8 @@ class EncodeSession {
  public:
   /// `views`, `probe` and `storage` must outlive the session. `header` comes from header_for(); its
   /// row_scale is that of `probe`. `storage` takes what is coded; null: memory does.
-  EncodeSession(const ViewProvider& views, const StreamHeader& header,
-                const LightFieldProbe& probe, CodeStorage* storage = nullptr);
+  EncodeSession(const ViewProvider& views, const StreamHeader& header, const LightFieldProbe& probe,
+                CodeStorage* storage = nullptr);
 
   const StreamHeader& header() const { return header_; }
 

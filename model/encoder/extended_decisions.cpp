@@ -47,9 +47,8 @@ class ExtendedLevel final : public LevelDecisions {
     const LevelPart& part = images_.part();
     const auto& references = part.references;
     parallel_for(keys.size(), [&](size_t i) { take_key(references[i], keys[i]); });
-    parallel_for(part.context.size(), [&](size_t i) {
-      take_key(part.context[i], images_.original(part.context[i]));
-    });
+    parallel_for(part.context.size(),
+                 [&](size_t i) { take_key(part.context[i], images_.original(part.context[i])); });
     for (size_t i = 0; i < keys.size(); ++i) {
       const auto& groups = part.groups;
       const bool needed = std::ranges::find(groups, references[i]) != groups.end();

@@ -192,8 +192,8 @@ ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
   if (!header || params.lossless) return ChromaFormat::k444;
   const Geometry geometry(*header);
   const ImagePos middle{header->rows / 2, header->cols / 2};
-  const ErrorSums error = view_error(
-      views, middle, view_planes(views, geometry, middle), ChromaFormat::k420);
+  const ErrorSums error =
+      view_error(views, middle, view_planes(views, geometry, middle), ChromaFormat::k420);
   const double samples = static_cast<double>(header->width) * header->height * 3;
   const bool costly = static_cast<double>(error.rgb_squares) / samples >
                       max_chroma_error(views.shape(), params, goal);
@@ -201,9 +201,8 @@ ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
 }
 
 // Settles by trial what is open in `asked`; for a target the quality, too.
-void search_coding(const ViewProvider& views, const StreamHeader& header,
-                   const EncodeParams& asked, const EncodeGoal* goal, uint64_t cache_bytes,
-                   SettledCoding& settled) {
+void search_coding(const ViewProvider& views, const StreamHeader& header, const EncodeParams& asked,
+                   const EncodeGoal* goal, uint64_t cache_bytes, SettledCoding& settled) {
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
   const CachedViews part(views, trial_part(views, header), cache_bytes);

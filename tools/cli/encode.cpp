@@ -15,6 +15,9 @@
 #include "cli/arguments.hpp"
 #include "cli/coding_options.hpp"
 #include "cli/comparison.hpp"
+#include "cli/divided_encode.hpp"
+#include "cli/encode_outcome.hpp"
+#include "cli/encode_shards.hpp"
 #include "cli/rig_options.hpp"
 #include "cli/stream_report.hpp"
 #include "cli/view_source.hpp"
@@ -27,31 +30,10 @@
 namespace hmlfc::cli {
 namespace {
 
-struct EncodeOptions {
-  std::filesystem::path input;
-  std::filesystem::path output;
-  std::optional<io::GridShape> grid;
-  std::optional<io::ViewPart> part;
-  CodingOptions coding;
-  RigOptions rig;
-  bool json = false;
-  const CLI::App* app = nullptr;  ///< tells which options were given
-};
-
 // What is encoded.
 struct Input {
   LightField field;
   std::optional<ChosenRig> rig;
-};
-
-// The result of encoding, and its cost.
-struct EncodeOutcome {
-  StreamReport stream;
-  Quality quality;
-  EncodeParams params;
-  std::string rig;  ///< rig_line()
-  double wall_seconds = 0;
-  double cpu_seconds = 0;  ///< of all threads of the process
 };
 
 Input load(const EncodeOptions& options) {
@@ -86,20 +68,6 @@ EncodedStream encode_input(const Input& input, const EncodeOptions& options) {
   return std::move(*stream);
 }
 
-// Fails unless the stream decodes to the encoder's own reconstruction.
-void check_promise(const ErrorSums& promised, const ErrorSums& measured, const std::string& file) {
-  if (promised.rgb_squares == measured.rgb_squares && promised.y_squares == measured.y_squares &&
-      promised.max_abs == measured.max_abs) {
-    return;
-  }
-  throw Failure(ExitCode::kInternal,
-                fmt::format("Internal error: {} does not decode to the encoder's reconstruction "
-                            "(squared error over RGB {} instead of {}, over Y {} instead of {}, "
-                            "largest error {} instead of {}). The file was kept; please report it.",
-                            file, measured.rgb_squares, promised.rgb_squares, measured.y_squares,
-                            promised.y_squares, measured.max_abs, promised.max_abs));
-}
-
 EncodeOutcome encode_and_measure(const EncodeOptions& options) {
   const Input input = load(options);
   const LightField& field = input.field;
@@ -125,83 +93,17 @@ EncodeOutcome encode_and_measure(const EncodeOptions& options) {
   return outcome;
 }
 
-void print_outcome_json(const EncodeOutcome& outcome) {
-  Json json = report_json(outcome.stream);
-  json["seconds"] = outcome.wall_seconds;
-  json["psnr_rgb"] = psnr_json(outcome.quality.psnr_rgb);
-  json["psnr_y"] = psnr_json(outcome.quality.psnr_y);
-  json["max_abs_error"] = outcome.quality.max_abs_error;
-  json["cpu_seconds"] = outcome.cpu_seconds;
-  if (outcome.params.profile == Profile::kMain) {
-    json["threshold_ref"] = outcome.params.main.threshold_ref;
-    json["threshold_pred"] = outcome.params.main.threshold_pred;
-  } else {
-    json["quality"] = outcome.params.extended.quality;
-    json["preset"] = preset_name(outcome.params.extended.preset);
-  }
-  print_json(json);
-}
-
-void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outcome) {
-  const StreamHeader& header = outcome.stream.header;
-  print(fmt::format("File          {}\nLight field   {}\nCoding        {}\n",
-                    options.output.string(), describe(shape_of(header)), describe_coding(header)));
-  print(size_text(outcome.stream) + outcome.rig);
-  print(fmt::format("Quality       PSNR RGB {}, Y {}, largest error {}\n",
-                    psnr_text(outcome.quality.psnr_rgb), psnr_text(outcome.quality.psnr_y),
-                    outcome.quality.max_abs_error));
-  if (outcome.params.profile == Profile::kMain) {
-    print(fmt::format("Thresholds    {} reference, {} predictive images\n",
-                      outcome.params.main.threshold_ref, outcome.params.main.threshold_pred));
-  } else if (!outcome.params.lossless) {
-    print(fmt::format("Coded at      quality {}, preset {}\n", outcome.params.extended.quality,
-                      preset_name(outcome.params.extended.preset)));
-  }
-  print(fmt::format("Encoding      {:.2f} s, CPU {:.2f} s\n", outcome.wall_seconds,
-                    outcome.cpu_seconds));
-}
-
-// Says that and why --target-psnr was not reached.
-void note_missed_psnr(double target, const EncodeOutcome& outcome) {
-  const bool main = outcome.params.profile == Profile::kMain;
-  note(fmt::format("--target-psnr {} was not reached: even {} {} only{}", target,
-                   main ? "thresholds of 0 give" : "quality 100 gives",
-                   psnr_text(outcome.quality.psnr_rgb),
-                   outcome.stream.header.chroma_format == ChromaFormat::k420
-                       ? "; half-size chroma limits it, try --chroma 444"
-                       : "; --lossless keeps every value"));
-}
-
-// Whether the target was met, if there is one; says how far the encoding got if not.
-bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
-  const auto target = target_of(options.coding, shape_of(outcome.stream.header));
-  if (!target) return true;
-  if (const auto* least = std::get_if<TargetPsnr>(&*target)) {
-    if (outcome.quality.psnr_rgb >= least->db) return true;
-    note_missed_psnr(least->db, outcome);
-    return false;
-  }
-  const uint64_t most = std::get<TargetBytes>(*target).bytes;
-  if (outcome.stream.bytes <= most) return true;
-  note(
-      fmt::format("{} bytes were not enough: the smallest stream has {}; encode fewer or smaller "
-                  "views, or try larger --references",
-                  most, outcome.stream.bytes));
-  return false;
-}
-
 ExitCode run_encode(const EncodeOptions& given) {
   EncodeOptions options = given;
   settle_coding_options(*options.app, options.coding);
+  check_division(options);
   const ThreadLimit limit(options.coding.params.threads);
   check_output_file(options.output);
-  const EncodeOutcome outcome = encode_and_measure(options);
-  if (options.json) {
-    print_outcome_json(outcome);
-  } else {
-    print_outcome_text(options, outcome);
-  }
-  return is_on_target(options, outcome) ? ExitCode::kDone : ExitCode::kMissed;
+  if (options.plan) return write_plan(options);
+  if (options.shard) return encode_shard(options);
+  if (!options.shards.empty()) return tell_outcome(options, assemble_shards(options));
+  return tell_outcome(options,
+                      options.memory ? encode_in_parts(options) : encode_and_measure(options));
 }
 
 }  // namespace
@@ -231,6 +133,12 @@ After encoding, the file is decoded and compared with the views: the PSNR is tha
 from the mean squared error over all views; "inf" (a string in JSON) means no difference. If a target
 cannot be met, the nearest stream is kept and the exit status is 6.
 
+--memory bounds what the command holds, whatever the number of views: the light field is encoded part by
+part, to the same bytes. What is coded waits in a nameless file beside FILE. Many machines share work
+with a plan: --plan settles everything and writes it as JSON, which takes the place of INPUT in --shard
+I/N, run for each I from 1 to N, and in --assemble, which puts the shards together. A shard keeps to the
+version and the views of its plan.
+
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
 motion, residual, top, other (the rig)}, seconds, psnr_rgb, psnr_y, max_abs_error, cpu_seconds; for
 profile main threshold_ref and threshold_pred, for profile extended quality and preset. seconds is the
@@ -242,14 +150,19 @@ Examples:
   hmlfc encode views -o paper.hmlfc --profile main --method hmlfc --threshold-pred 50
   hmlfc encode views -o sparse.hmlfc --views 0..8:2,0..8:2
   hmlfc encode lytro -o lytro.hmlfc --grid 9x9 --lossless
-  hmlfc encode views -o posed.hmlfc --rig rig.json)");
+  hmlfc encode views -o posed.hmlfc --rig rig.json
+  hmlfc encode views -o large.hmlfc --memory 512M
+  hmlfc encode views -o job.json --plan
+  hmlfc encode job.json -o 1.part --shard 1/2; hmlfc encode job.json -o 2.part --shard 2/2
+  hmlfc encode job.json -o chess.hmlfc --assemble 1.part 2.part)");
   options.app = &app;
-  add_path(app, "INPUT", options.input, "Folder of PNG, PPM, PGM or JPEG views");
-  add_output(app, options.output, "FILE", "The .hmlfc file to write");
+  add_path(app, "INPUT", options.input, "Folder of PNG, PPM, PGM or JPEG views, or a plan");
+  add_output(app, options.output, "FILE", "The .hmlfc file, plan or shard to write");
   add_grid(app, options.grid);
   add_views(app, options.part);
   add_coding_options(app, options.coding);
   add_rig_options(app, options.rig);
+  add_division_options(app, options);
   add_threads(app, options.coding.params.threads);
   add_json(app, options.json);
 }

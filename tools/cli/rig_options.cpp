@@ -105,9 +105,13 @@ uint64_t most_rig_bytes(const ChosenRig& rig) {
   return kSectionEntryBytes + std::max(text, rig.from_names ? turned : 0);
 }
 
+std::string rig_section(const StreamHeader& header, const ChosenRig& rig) {
+  const bool turn = rig.from_names && header.row_scale < 0;
+  return io::rig_text(turn ? with_rows_upside_down(rig.rig) : rig.rig);
+}
+
 std::vector<uint8_t> stream_with_rig(std::span<const uint8_t> bytes, const ChosenRig& rig) {
-  const bool turn = rig.from_names && parse_header(bytes).value().row_scale < 0;
-  const std::string text = io::rig_text(turn ? with_rows_upside_down(rig.rig) : rig.rig);
+  const std::string text = rig_section(parse_header(bytes).value(), rig);
   return with_rig(bytes, bytes_of(text)).value();
 }
 

@@ -42,8 +42,11 @@ std::optional<ChosenRig> rig_for(const RigOptions& options, Profile profile,
 /// The most bytes by which stream_with_rig() makes a stream longer.
 uint64_t most_rig_bytes(const ChosenRig& rig);
 
-/// The stream `bytes` with `rig`. Where row_scale is negative, its rows go against the pixels' y
-/// (CAM-2), and y of positions from file names with them.
+/// The section RIG of a stream with `header`. Where row_scale is negative, its rows go against the
+/// pixels' y (CAM-2), and y of positions from file names with them.
+std::string rig_section(const StreamHeader& header, const ChosenRig& rig);
+
+/// The stream `bytes` with `rig`.
 std::vector<uint8_t> stream_with_rig(std::span<const uint8_t> bytes, const ChosenRig& rig);
 
 /// "Rig           ...": the cameras of `file` in a line for people; what is wrong with a rig that

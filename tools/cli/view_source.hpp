@@ -12,6 +12,7 @@
 
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/light_field.hpp>
+#include <hmlfc/view_provider.hpp>
 
 #include "cli/output.hpp"
 #include "io/image_files.hpp"
@@ -80,15 +81,11 @@ class StreamFile {
 };
 
 /// A folder of images or an .hmlfc stream. Const functions may be called concurrently.
-class ViewSource {
+class ViewSource : public ViewProvider {
  public:
-  virtual ~ViewSource() = default;
-
-  virtual const LightFieldShape& shape() const = 0;
-
   /// View `view`, which lies in the grid. Failures: an image that cannot be read, or whose size or
   /// depth differs from the first (kInput); a corrupt stream (kCorrupt).
-  virtual RgbImage view(ViewPos view) const = 0;
+  RgbImage view(ViewPos view) const override = 0;
 
   /// Opens `path`; `grid` as for io::list_views. Notes what the format cannot hold of a folder's
   /// images. Failures: nothing there, not a light field (kInput), a corrupt stream (kCorrupt).

@@ -86,6 +86,9 @@ class MappedFile final : public ByteSource {
   MappedFile& operator=(MappedFile&& other) noexcept;
   ~MappedFile() override;
 
+  /// Takes the pages read so far out of memory; they are read again when they are needed.
+  void drop_pages() const;
+
   /// All bytes of the file; an empty span for an empty file.
   std::span<const uint8_t> bytes() const override { return bytes_; }
 

@@ -9,8 +9,8 @@
 
 namespace hmlfc {
 
-/// Bytes that grow at the end and are read anywhere: a temporary file, say. What its functions throw
-/// reaches the caller of the encoder.
+/// Bytes that grow at the end and are read anywhere: a temporary file, say. What its functions
+/// throw reaches the caller of the encoder.
 class HMLFC_EXPORT CodeStorage {
  public:
   virtual ~CodeStorage() = default;

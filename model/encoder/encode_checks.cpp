@@ -1,0 +1,33 @@
+#include "encoder/encode_checks.hpp"
+
+#include "encoder/coding_params.hpp"
+
+namespace hmlfc {
+namespace {
+
+// Whether what trials may settle is open or in its interval.
+bool has_known_extended_choices(const ExtendedParams& params) {
+  const auto one_of = [](unsigned value, unsigned a, unsigned b) {
+    return value == 0 || value == a || value == b;
+  };
+  return one_of(params.disparity_grid, 4, 8) && one_of(params.motion_tile, 64, 128) &&
+         (params.key_weight == 0 || (params.key_weight >= 0.25 && params.key_weight <= 4));
+}
+
+}  // namespace
+
+const char* problem_of(const LightFieldShape& shape, const EncodeParams& params) {
+  const EncodeParams complete = with_defaults(params);
+  EncodeParams checked = complete;  // what is left to a trial passes any check
+  checked.ref_rows = std::max(1u, complete.ref_rows);
+  checked.ref_cols = std::max(1u, complete.ref_cols);
+  checked.chroma = complete.chroma.value_or(ChromaFormat::k420);
+  if (!(params.extended.quality >= 0 && params.extended.quality <= 100)) {
+    return "the quality is outside [0, 100]";
+  }
+  if (!has_known_extended_choices(params.extended)) return kOutsideInterval;
+  if (!header_for(shape, checked)) return kOutsideInterval;
+  return nullptr;
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,43 @@
+// What all ways to encode refuse, and how they report progress.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <mutex>
+
+#include <hmlfc/encoder.hpp>
+
+namespace hmlfc {
+
+inline constexpr const char* kOutsideInterval =
+    "an encoding parameter is outside its interval (see hmlfc encode --help)";
+inline constexpr const char* kMemoryIsOut =
+    "out of memory: encode fewer or smaller views, or free some memory";
+
+/// What is wrong with `params` for a light field of `shape`; null: nothing.
+const char* problem_of(const LightFieldShape& shape, const EncodeParams& params);
+
+/// Counts finished images and reports them, one thread at a time.
+class ProgressCounter {
+ public:
+  /// `progress` may be empty and must outlive the counter.
+  /// `done` of `total` were finished before.
+  ProgressCounter(const Progress& progress, uint64_t total, uint64_t done = 0)
+      : progress_(progress), total_(total), done_(done) {}
+
+  void add() {
+    const std::scoped_lock lock(mutex_);
+    done_ = std::min(done_ + 1, total_);
+    if (progress_) progress_(done_, total_);
+  }
+
+  uint64_t done() const { return done_; }
+
+ private:
+  const Progress& progress_;
+  uint64_t total_;
+  uint64_t done_;
+  std::mutex mutex_;
+};
+
+}  // namespace hmlfc

@@ -1,0 +1,102 @@
+#include "cli/encode_outcome.hpp"
+
+#include <variant>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/view_source.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+void print_outcome_json(const EncodeOutcome& outcome) {
+  Json json = report_json(outcome.stream);
+  json["seconds"] = outcome.wall_seconds;
+  json["psnr_rgb"] = psnr_json(outcome.quality.psnr_rgb);
+  json["psnr_y"] = psnr_json(outcome.quality.psnr_y);
+  json["max_abs_error"] = outcome.quality.max_abs_error;
+  json["cpu_seconds"] = outcome.cpu_seconds;
+  if (outcome.params.profile == Profile::kMain) {
+    json["threshold_ref"] = outcome.params.main.threshold_ref;
+    json["threshold_pred"] = outcome.params.main.threshold_pred;
+  } else {
+    json["quality"] = outcome.params.extended.quality;
+    json["preset"] = preset_name(outcome.params.extended.preset);
+  }
+  print_json(json);
+}
+
+void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outcome) {
+  const StreamHeader& header = outcome.stream.header;
+  print(fmt::format("File          {}\nLight field   {}\nCoding        {}\n",
+                    options.output.string(), describe(shape_of(header)), describe_coding(header)));
+  print(size_text(outcome.stream) + outcome.rig);
+  print(fmt::format("Quality       PSNR RGB {}, Y {}, largest error {}\n",
+                    psnr_text(outcome.quality.psnr_rgb), psnr_text(outcome.quality.psnr_y),
+                    outcome.quality.max_abs_error));
+  if (outcome.params.profile == Profile::kMain) {
+    print(fmt::format("Thresholds    {} reference, {} predictive images\n",
+                      outcome.params.main.threshold_ref, outcome.params.main.threshold_pred));
+  } else if (!outcome.params.lossless) {
+    print(fmt::format("Coded at      quality {}, preset {}\n", outcome.params.extended.quality,
+                      preset_name(outcome.params.extended.preset)));
+  }
+  print(fmt::format("Encoding      {:.2f} s, CPU {:.2f} s\n", outcome.wall_seconds,
+                    outcome.cpu_seconds));
+}
+
+// Says that and why --target-psnr was not reached.
+void note_missed_psnr(double target, const EncodeOutcome& outcome) {
+  const bool main = outcome.params.profile == Profile::kMain;
+  note(fmt::format("--target-psnr {} was not reached: even {} {} only{}", target,
+                   main ? "thresholds of 0 give" : "quality 100 gives",
+                   psnr_text(outcome.quality.psnr_rgb),
+                   outcome.stream.header.chroma_format == ChromaFormat::k420
+                       ? "; half-size chroma limits it, try --chroma 444"
+                       : "; --lossless keeps every value"));
+}
+
+// Whether the target was met, if there is one; says how far the encoding got if not.
+bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
+  const auto target = target_of(options.coding, shape_of(outcome.stream.header));
+  if (!target) return true;
+  if (const auto* least = std::get_if<TargetPsnr>(&*target)) {
+    if (outcome.quality.psnr_rgb >= least->db) return true;
+    note_missed_psnr(least->db, outcome);
+    return false;
+  }
+  const uint64_t most = std::get<TargetBytes>(*target).bytes;
+  if (outcome.stream.bytes <= most) return true;
+  note(
+      fmt::format("{} bytes were not enough: the smallest stream has {}; encode fewer or smaller "
+                  "views, or try larger --references",
+                  most, outcome.stream.bytes));
+  return false;
+}
+
+}  // namespace
+
+void check_promise(const ErrorSums& promised, const ErrorSums& measured, const std::string& file) {
+  if (promised.rgb_squares == measured.rgb_squares && promised.y_squares == measured.y_squares &&
+      promised.max_abs == measured.max_abs) {
+    return;
+  }
+  throw Failure(ExitCode::kInternal,
+                fmt::format("Internal error: {} does not decode to the encoder's reconstruction "
+                            "(squared error over RGB {} instead of {}, over Y {} instead of {}, "
+                            "largest error {} instead of {}). The file was kept; please report it.",
+                            file, measured.rgb_squares, promised.rgb_squares, measured.y_squares,
+                            promised.y_squares, measured.max_abs, promised.max_abs));
+}
+
+ExitCode tell_outcome(const EncodeOptions& options, const EncodeOutcome& outcome) {
+  if (options.json) {
+    print_outcome_json(outcome);
+  } else {
+    print_outcome_text(options, outcome);
+  }
+  return is_on_target(options, outcome) ? ExitCode::kDone : ExitCode::kMissed;
+}
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,18 @@
+// Encoding on several machines: the plan, its shards, and what they make.
+#pragma once
+
+#include "cli/encode_outcome.hpp"
+
+namespace hmlfc::cli {
+
+/// Settles the encoding that `options` ask for and writes its plan.
+ExitCode write_plan(const EncodeOptions& options);
+
+/// Encodes the parts of options.shard of the plan options.input.
+ExitCode encode_shard(const EncodeOptions& options);
+
+/// Puts options.shards together. Failure (kInput): a shard is damaged, of another plan or version,
+/// twice there or missing; each missing one is named.
+EncodeOutcome assemble_shards(const EncodeOptions& options);
+
+}  // namespace hmlfc::cli
