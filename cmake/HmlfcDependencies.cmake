@@ -73,6 +73,7 @@ hmlfc_require(LIBJPEG PKGCONFIG libjpeg DEBIAN libjpeg62-turbo-dev PURPOSE "JPEG
 hmlfc_require(LIBCRYPTO PKGCONFIG libcrypto DEBIAN libssl-dev PURPOSE "SHA-256 of the vectors")
 hmlfc_require(CLI11 DEBIAN libcli11-dev PURPOSE "command line")
 hmlfc_require(HTTPLIB PKGCONFIG cpp-httplib DEBIAN libcpp-httplib-dev PURPOSE "server of hmlfc view")
+hmlfc_require(LIBCURL PKGCONFIG libcurl DEBIAN libcurl4-openssl-dev PURPOSE "streams at an http:// address")
 hmlfc_require(fmt DEBIAN libfmt-dev PURPOSE "text output")
 hmlfc_require(nlohmann_json DEBIAN nlohmann-json3-dev PURPOSE "JSON output")
 

@@ -1,5 +1,6 @@
 // Stands for the decoder in builds without the Vulkan headers or the shader compiler.
 #include <hmlfc/gpu/decoder.hpp>
+#include <hmlfc/gpu/reference_area.hpp>
 #include <hmlfc/gpu/renderer.hpp>
 
 #include "block_stages.hpp"
@@ -46,6 +47,9 @@ Outcome<std::vector<BlockStages>> GpuDecoder::trace(std::span<const BlockArea>) 
 const std::vector<StageTime>& GpuDecoder::stage_times() const { return state_->times; }
 uint64_t GpuDecoder::reference_bytes() const { return 0; }
 void GpuDecoder::limit_submissions(uint64_t) {}
+
+Outcome<std::vector<uint8_t>> reference_area(const StreamView&) { return missing(); }
+Outcome<std::vector<uint8_t>> reference_area(const Decoder&) { return missing(); }
 
 struct GpuRenderer::State {
   std::vector<StageTime> times;

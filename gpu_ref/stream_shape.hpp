@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "syntax/stream_view.hpp"
 
@@ -61,6 +62,9 @@ struct StreamShapeRecord {
   std::array<PlaneShapeRecord, 3> planes;
   std::array<MotionPlaneShapeRecord, 2> motion_planes;
 };
+
+/// The sections ROOT, GROUP and TILE, which follow each other in the file.
+std::span<const uint8_t> coded_bytes(const StreamView& stream);
 
 /// Whether blocks of level `l` read its reference images: it is keyed, or some of its images are
 /// predictive. Only these levels are in the reference area.

@@ -20,3 +20,26 @@ pack_vectors() {
     vectors LICENSE | gzip -n9 >"$folder/$name.tar.gz"
   (cd "$folder" && sha256sum "$name.tar.gz" | tee "$name.tar.gz.sha256")
 }
+
+# run_package [FOLDER]: the Debian packages (cmake/HmlfcPackages.cmake).
+run_package() {
+  local folder=${1:-$root/out/packages} made=$build/packages
+  install_packages build package
+  build hmlfc_installed
+  rm -rf "$made"
+  (cd "$build" && stage cpack "$build/cpack.log" cpack -B "$made")
+  mkdir -p "$folder"
+  cp "$made"/*.deb "$folder"
+  ls "$folder"/*.deb
+}
+
+# run_sbom [FILE]: what a build uses, with versions and purpose.
+run_sbom() {
+  exec "$(debian_python)" -B "$root/tools/release/sbom.py" "$root" "${1:-$root/out/sbom.json}"
+}
+
+# run_docs [FOLDER]: the reference of the API and the documents as a site.
+run_docs() {
+  install_packages docs
+  exec "$(debian_python)" -B "$root/tools/release/site_pages.py" "$root" "${1:-$root/out/site}"
+}

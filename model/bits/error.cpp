@@ -38,7 +38,7 @@ constexpr std::array<ErrorText, kErrorCodeCount> kErrorTexts{{
     {"limit_exceeded", "beyond this decoder's stated limits"},
     {"bad_request", "the caller asked for a view, plane, block or level that is not there"},
     {"out_of_memory", "the decoder could not get the memory it needs"},
-    {"bus_error", "a read of memory failed, in hardware"},
+    {"bus_error", "a read failed: of memory, in hardware, or of the stream's source"},
 }};
 
 constexpr std::array<std::string_view, 6> kSectionNames{"header", "TOP",  "ROOT",

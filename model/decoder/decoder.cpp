@@ -7,8 +7,8 @@
 #include "decoder/decoder_state.hpp"
 #include "decoder/fast/region_decoder.hpp"
 #include "decoder/golden/block_decoder.hpp"
-#include "decoder/memory_guard.hpp"
 #include "decoder/open_stream.hpp"
+#include "decoder/request_guard.hpp"
 
 namespace hmlfc {
 namespace {
@@ -85,8 +85,13 @@ Decoder& Decoder::operator=(Decoder&&) noexcept = default;
 Decoder::~Decoder() = default;
 
 Result<Decoder> Decoder::open(std::span<const uint8_t> file, const OpenOptions& options) {
-  return guard_memory([&]() -> Result<Decoder> {
-    auto stream = open_stream(file, options);
+  MemorySource source(file);
+  return open(source, options);
+}
+
+Result<Decoder> Decoder::open(ByteSource& source, const OpenOptions& options) {
+  return guard_request(source.is_partial() ? &source : nullptr, [&]() -> Result<Decoder> {
+    auto stream = open_stream(source, options);
     if (!stream) return tl::unexpected(stream.error());
     return Decoder(std::make_unique<State>(std::move(*stream)));
   });
@@ -112,7 +117,10 @@ Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block,
   const BlockSite site{stop_level, image.row, image.col, block.plane, block.bx, block.by};
   const DecodeSources sources =
       options.references == ReferenceMode::kSparse ? state_->golden_held() : state_->golden();
-  return guard_memory([&]() -> Result<std::vector<int32_t>> {
+  return guard_request(state_->stream.source, [&]() -> Result<std::vector<int32_t>> {
+    const ImagePart part{
+        stop_level, image, block.plane, {block.bx, block.by, block.bx + 1, block.by + 1}};
+    state_->load({&part, 1});
     const auto values =
         hmlfc::decode_block(sources, site, Probe{options.trace, options.counts, site});
     if (!values) return tl::unexpected(values.error());
@@ -122,6 +130,14 @@ Result<std::vector<int32_t>> Decoder::decode_block(const BlockAddress& block,
 
 Result<std::vector<int16_t>> Decoder::decode_rect(ViewPos view, Plane plane, const Rect& rect,
                                                   int stop_level) const {
+  const HeldBytes held(state_->stream.source);
+  const PlaneSize size = plane_size(plane);
+  if (has_view(header(), view, stop_level) && contains(size.width, size.height, rect)) {
+    const Geometry& geometry = state_->stream.geometry;
+    const ImagePart part{stop_level, geometry.ancestor({view.row, view.col}, 0, stop_level), plane,
+                         blocks_of(rect, geometry.block_size())};
+    state_->load({&part, 1});
+  }
   return DecoderAccess::decode_rect(*this, view, plane, rect, stop_level, nullptr);
 }
 
@@ -136,7 +152,7 @@ Result<void> Decoder::refine_rect(ViewPos view, Plane plane, const Rect& rect, i
     return bad_request();
   }
   const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
-  return guard_memory([&]() -> Result<void> {
+  return guard_request(state_->stream.source, [&]() -> Result<void> {
     const BlockRect blocks = blocks_of(rect, block_size);
     SamplePlane region((blocks.bx1 - blocks.bx0) * block_size,
                        (blocks.by1 - blocks.by0) * block_size);
@@ -166,8 +182,15 @@ Result<RgbImage> Decoder::decode_rgb(ViewPos view, const Rect& rect, int stop_le
     return bad_request();
   }
   const bool halved = header().chroma_format == ChromaFormat::k420;
+  const uint32_t block_size = state_->stream.geometry.block_size();
   const ImagePos image = state_->stream.geometry.ancestor({view.row, view.col}, 0, stop_level);
-  return guard_memory([&]() -> Result<RgbImage> {
+  return guard_request(state_->stream.source, [&]() -> Result<RgbImage> {
+    std::vector<ImagePart> parts;
+    for (const Plane plane : kPlanes) {
+      parts.push_back({stop_level, image, plane,
+                       blocks_of(chroma_rect(rect, halved && plane != Plane::kY), block_size)});
+    }
+    state_->load(parts);
     std::array<SamplePlane, kPlaneCount> planes;
     for (const Plane plane : kPlanes) {
       auto samples = decode_samples(state_->fast(), state_->golden(),
@@ -197,12 +220,16 @@ Result<std::vector<int16_t>> DecoderAccess::decode_rect(const Decoder& decoder, 
     return bad_request();
   }
   const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
-  return guard_memory([&]() -> Result<std::vector<int16_t>> {
+  return guard_request(state.stream.source, [&]() -> Result<std::vector<int16_t>> {
     auto samples = decode_samples(state.fast(requests), state.golden(),
                                   {stop_level, image.row, image.col, plane}, rect, true);
     if (!samples) return tl::unexpected(samples.error());
     return std::move(samples->samples);
   });
+}
+
+void DecoderAccess::load(const Decoder& decoder, std::span<const ImagePart> parts) {
+  decoder.state_->load(parts);
 }
 
 void DecoderAccess::decode_keys(const Decoder& decoder, std::span<const KeyRequests> requests) {

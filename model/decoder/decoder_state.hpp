@@ -1,8 +1,12 @@
 // What an open decoder holds.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include <hmlfc/decoder.hpp>
 
+#include "decoder/fast/part_loader.hpp"
 #include "decoder/fast/sparse_plane.hpp"
 #include "decoder/golden/block_decoder.hpp"
 #include "decoder/key_images.hpp"
@@ -25,6 +29,14 @@ struct Decoder::State {
   DecodeSources golden_held() const { return {stream, keys, &references}; }
   FastSources fast(KeyRequests* requests = nullptr) const {
     return {stream, keys, references, requests};
+  }
+
+  /// Loads what decoding `parts` with their ancestors reads, where the source is partial.
+  void load(std::span<const ImagePart> parts) const {
+    if (stream.source == nullptr) return;
+    std::vector<ImagePart> all;
+    for (const ImagePart& part : parts) add_with_ancestors(stream.geometry, part, all);
+    load_parts(fast(), all);
   }
 };
 

@@ -58,7 +58,7 @@ void set_layers(opj_cparameters_t& parameters, unsigned layers, float psnr) {
 void set_options(opj_cparameters_t& parameters, const CodestreamOptions& options) {
   constexpr int kSop = 2;
   constexpr int kEph = 4;
-  constexpr int kOwnPrecincts = 1;
+  constexpr int kGivenPrecincts = 1;
   parameters.mode = static_cast<int>(options.style);
   parameters.prog_order = static_cast<OPJ_PROG_ORDER>(options.progression);
   parameters.csty = (options.sop ? kSop : 0) | (options.eph ? kEph : 0);
@@ -66,7 +66,7 @@ void set_options(opj_cparameters_t& parameters, const CodestreamOptions& options
   parameters.cblockh_init = static_cast<int>(options.block_height);
   if (options.decompositions) parameters.numresolution = *options.decompositions + 1;
   if (options.precinct_log2 == 0) return;
-  parameters.csty |= kOwnPrecincts;
+  parameters.csty |= kGivenPrecincts;
   parameters.res_spec = parameters.numresolution;
   for (int i = 0; i < parameters.res_spec; ++i) {
     parameters.prcw_init[i] = parameters.prch_init[i] = 1 << options.precinct_log2;

@@ -26,6 +26,13 @@ TopEntry load_entry(std::span<const uint8_t> top, uint64_t entry) {
           load_le<uint32_t>(top, at + 12)};
 }
 
+// StreamView::will_read for the entry and its codestream.
+bool will_read_key(const StreamView& stream, uint64_t entry) {
+  if (!stream.will_read(Section::kTop, entry * kTopEntryBytes, kTopEntryBytes)) return false;
+  const TopEntry place = load_entry(stream.bytes(Section::kTop), entry);
+  return stream.will_read(Section::kTop, place.offset, place.size);
+}
+
 uint64_t entry_count(const StreamView& stream) { return stream.geometry.key_count() * kPlaneCount; }
 
 // Loss can move samples out of their interval (EXT-6).
@@ -70,6 +77,10 @@ Result<void> check_top_table(const StreamView& stream) {
   if (entries > top.size() / kTopEntryBytes) {
     return stream.error(ErrorCode::kBadSectionSize, Section::kTop, 0);
   }
+  const ByteRange table{stream.entry(Section::kTop).offset, entries * kTopEntryBytes};
+  if (stream.source != nullptr && !is_loaded(*stream.source, table)) {
+    return stream.unread(Section::kTop, 0);
+  }
   uint64_t expected_offset = entries * kTopEntryBytes;
   for (uint64_t i = 0; i < entries; ++i) {
     const TopEntry entry = load_entry(top, i);
@@ -112,6 +123,11 @@ std::shared_ptr<const SamplePlane> KeyImages::plane_or_request(int level, ImageP
   });
 }
 
+void KeyImages::load(const StreamView& stream, int level, ImagePos at, Plane plane) const {
+  const uint64_t entry = entry_of(level, at, plane);
+  if (!planes_.find(entry)) will_read_key(stream, entry);
+}
+
 void KeyImages::decode(std::span<const KeyRequests> requests) const {
   std::vector<uint64_t> entries;
   for (const KeyRequests& some : requests) {
@@ -129,10 +145,9 @@ void KeyImages::decode(std::span<const KeyRequests> requests) const {
 Result<SamplePlane> KeyImages::decode(uint64_t entry) const {
   const auto plane = static_cast<Plane>(entry % kPlaneCount);
   const auto top = stream_.bytes(Section::kTop);
+  if (!will_read_key(stream_, entry)) return stream_.unread(Section::kTop, entry * kTopEntryBytes);
   const TopEntry place = load_entry(top, entry);
   const auto codestream = top.subspan(static_cast<size_t>(place.offset), place.size);
-  stream_.note_read(Section::kTop, entry * kTopEntryBytes, kTopEntryBytes);
-  stream_.note_read(Section::kTop, place.offset, place.size);
   const PlaneShape& shape = stream_.geometry.plane(plane);
   if (stream_.reads != nullptr) stream_.reads->on_key_plane(shape.samples());
   const bool chroma = plane != Plane::kY;

@@ -52,6 +52,10 @@ class KeyImages {
   std::shared_ptr<const SamplePlane> plane_or_request(int level, ImagePos at, Plane plane,
                                                       KeyRequests& requests) const;
 
+  /// Loads the codestream of a plane, unless the plane is held, as far as the source of `stream`
+  /// can.
+  void load(const StreamView& stream, int level, ImagePos at, Plane plane) const;
+
   /// Decodes the planes of all `requests`, each once, on all threads of the caller's
   /// run_on_threads(). A plane that does not decode has its error when plane() is called.
   void decode(std::span<const KeyRequests> requests) const;

@@ -8,13 +8,20 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/error.hpp>
 
+#include "decoder/fast/part_loader.hpp"
 #include "decoder/key_images.hpp"
 #include "syntax/stream_view.hpp"
 
 namespace hmlfc {
 
-/// The stream in `file`, checked.
-Result<StreamView> open_stream(std::span<const uint8_t> file, const OpenOptions& options);
+/// The stream in `source`, checked; a partial source must outlive it.
+Result<StreamView> open_stream(ByteSource& source, const OpenOptions& options);
+
+/// The same in memory.
+inline Result<StreamView> open_stream(std::span<const uint8_t> file, const OpenOptions& options) {
+  MemorySource source(file);
+  return open_stream(source, options);
+}
 
 /// What a Decoder offers to the other parts of this project alone.
 struct DecoderAccess {
@@ -27,6 +34,10 @@ struct DecoderAccess {
   static Result<std::vector<int16_t>> decode_rect(const Decoder& decoder, ViewPos view, Plane plane,
                                                   const Rect& rect, int stop_level,
                                                   KeyRequests* requests);
+
+  /// Loads what decoding `parts` with their ancestors reads, where the source is partial: for
+  /// requests of many parts, before decode_rect.
+  static void load(const Decoder& decoder, std::span<const ImagePart> parts);
 
   /// Decodes the planes of `requests` on all threads of the caller's run_on_threads().
   static void decode_keys(const Decoder& decoder, std::span<const KeyRequests> requests);

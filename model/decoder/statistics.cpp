@@ -7,6 +7,7 @@
 #include "decoder/decoder_state.hpp"
 #include "decoder/fast/motion_field.hpp"
 #include "decoder/golden/block_walk.hpp"
+#include "decoder/request_guard.hpp"
 #include "syntax/header.hpp"
 #include "syntax/index.hpp"
 #include "syntax/motion_tile.hpp"
@@ -179,7 +180,10 @@ class StatisticsCollector {
 }  // namespace
 
 Result<StreamStatistics> Decoder::statistics() const {
-  return StatisticsCollector(state_->stream).run();
+  return guard_request(state_->stream.source, [&] {
+    load_images(state_->fast(), 0, false);
+    return StatisticsCollector(state_->stream).run();
+  });
 }
 
 }  // namespace hmlfc

@@ -27,8 +27,9 @@ struct SettledCoding {
 
 /// Settles by trial what with_defaults() leaves open: the chroma format, and the reference groups
 /// and the grid of disparities that cost least at params.extended.quality. For `goal`, if there is
-/// one, the quality becomes the one with which trials meet it.
-SettledCoding settle_coding(const LightField& light_field, const EncodeParams& params,
-                            const EncodeGoal* goal = nullptr);
+/// one, the quality becomes the one with which trials meet it. Trials keep at most `cache_bytes` of
+/// views.
+SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& params,
+                            const EncodeGoal* goal = nullptr, uint64_t cache_bytes = ~uint64_t{0});
 
 }  // namespace hmlfc

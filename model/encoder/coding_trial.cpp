@@ -87,13 +87,13 @@ struct Share {
 
 class Trial {
  public:
-  Trial(const LightField& part, const StreamHeader& header, const EncodeParams& params,
+  Trial(const ViewProvider& part, const StreamHeader& header, const EncodeParams& params,
         const LightFieldProbe& probe, size_t images)
       : part_(part),
         header_(header),
         geometry_(header),
         session_(part, header, probe),
-        sample_(spread_images(geometry_, images)) {
+        sample_(sampled_part(geometry_, spread_images(geometry_, images))) {
     EncodeObserver observer;
     observer.reconstructed = [&](int level, ImagePos at, const ImagePlanes& planes) {
       if (level > 0 || geometry_.is_reference(0, at)) return;
@@ -102,7 +102,8 @@ class Trial {
       error_.add(error);  // integers: threads may add in any order
       ++predictive_.images;
     };
-    coded_ = session_.encode(params, true, observer, &sample_);
+    coded_ = session_.no_images();
+    session_.encode_part(params, sample_, observer, coded_);
   }
 
   // `scale`: pixels of a whole view to one of the part. The key images are those of whole views.
@@ -130,23 +131,24 @@ class Trial {
   void add_bits(Share& disparities) {
     for (uint32_t r = 0; r < header_.rows; ++r) {
       for (uint32_t c = 0; c < header_.cols; ++c) {
-        const ImageCode& image =
-            coded_.codes[static_cast<size_t>(geometry_.image_number(0, {r, c}))];
-        if (geometry_.is_reference(0, {r, c})) {
-          const PlaneCode& records = image[kMotionPlane];
-          if (!records.record_sizes.empty()) disparities.add_bits(bits_of(records));
-        } else {
-          for (const PlaneCode& plane : image) predictive_.sum.bits += bits_of(plane);
-        }
+        const auto number = static_cast<size_t>(geometry_.image_number(0, {r, c}));
+        coded_.records.visit(number, [&](const ImageCode& image) {
+          if (geometry_.is_reference(0, {r, c})) {
+            const PlaneCode& records = image[kMotionPlane];
+            if (!records.record_sizes.empty()) disparities.add_bits(bits_of(records));
+          } else {
+            for (const PlaneCode& plane : image) predictive_.sum.bits += bits_of(plane);
+          }
+        });
       }
     }
   }
 
-  const LightField& part_;
+  const ViewProvider& part_;
   const StreamHeader& header_;
   Geometry geometry_;
   EncodeSession session_;
-  std::vector<ImagePos> sample_;
+  EncodePart sample_;
   CodedImages coded_;
   Share predictive_;
   ErrorSums error_;  // of the predictive images
@@ -171,11 +173,11 @@ TrialResult key_image(const StreamHeader& header, const EncodeParams& params,
 
 }  // namespace
 
-TrialResult try_coding(const LightField& light_field, const LightField& part,
+TrialResult try_coding(const LightFieldShape& whole, const ViewProvider& part,
                        const EncodeParams& params, const LightFieldProbe& probe, size_t images) {
-  const auto whole = header_for(light_field.shape(), params);
+  const auto whole_header = header_for(whole, params);
   const auto header = header_for(part.shape(), params);
-  if (!header || !whole) {
+  if (!header || !whole_header) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     return {kInfinite, kInfinite};
   }
@@ -183,7 +185,7 @@ TrialResult try_coding(const LightField& light_field, const LightField& part,
     return static_cast<double>(shape.width) * shape.height;
   };
   return Trial(part, *header, params, probe, images)
-      .result(pixels(light_field.shape()) / pixels(part.shape()), key_image(*whole, params, probe));
+      .result(pixels(whole) / pixels(part.shape()), key_image(*whole_header, params, probe));
 }
 
 }  // namespace hmlfc

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hmlfc/encoder.hpp>
-#include <hmlfc/light_field.hpp>
+#include <hmlfc/view_provider.hpp>
 
 #include "encoder/light_field_probe.hpp"
 #include "encoder/rate_distortion.hpp"
@@ -20,10 +20,10 @@ struct TrialResult {
   }
 };
 
-/// Estimates for `light_field` an encoding with `params` of profile extended, nothing open, from
+/// Estimates for views of `whole` an encoding with `params` of profile extended, nothing open, from
 /// about `images` images of `part`: every one with all it refers to. Infinite
 /// where the header does not allow `params`.
-TrialResult try_coding(const LightField& light_field, const LightField& part,
+TrialResult try_coding(const LightFieldShape& whole, const ViewProvider& part,
                        const EncodeParams& params, const LightFieldProbe& probe, size_t images);
 
 }  // namespace hmlfc

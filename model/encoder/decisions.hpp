@@ -5,34 +5,19 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include <hmlfc/encoder.hpp>
-#include <hmlfc/light_field.hpp>
+#include <hmlfc/view_provider.hpp>
 
+#include "encoder/coded_images.hpp"
+#include "encoder/encode_part.hpp"
 #include "encoder/light_field_probe.hpp"
 #include "encoder/rkv_tree.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 
 namespace hmlfc {
-
-/// The tile records of one plane, in tile order, one after another.
-struct PlaneCode {
-  std::vector<uint32_t> record_sizes;  ///< bytes of each tile's record, 0 where it is empty
-  std::vector<uint8_t> records;
-
-  void append(std::span<const uint8_t> record) {
-    record_sizes.push_back(static_cast<uint32_t>(record.size()));
-    records.insert(records.end(), record.begin(), record.end());
-  }
-};
-
-/// The records of one image: Y, Co, Cg, then the motion plane. A plane without any record has empty
-/// tiles alone.
-using ImageCode = std::array<PlaneCode, kPlaneCount + 1>;
-inline constexpr size_t kMotionPlane = kPlaneCount;
 
 /// An image as it is coded.
 struct EncodedImage {
@@ -43,11 +28,16 @@ struct EncodedImage {
 /// One level of the tree, as the walk offers it. Any number of threads may read it.
 class LevelImages {
  public:
-  /// The arguments must outlive it. `tree` holds the reconstructed images of the levels above
-  /// `level` and the originals of `level`. `sample`: the predictive images that a
-  /// trial codes of level 0; null: all.
-  LevelImages(const LightField& light_field, const StreamHeader& header, const Geometry& geometry,
-              const RkvTree& tree, int level, const std::vector<ImagePos>* sample);
+  /// The arguments must outlive it. `tree` holds what `part` needs of the reconstructed images of
+  /// the levels above `level` and of the originals of `level`.
+  LevelImages(const ViewProvider& views, const StreamHeader& header, const Geometry& geometry,
+              const RkvTree& tree, int level, const EncodePart& part)
+      : views_(views),
+        header_(header),
+        geometry_(geometry),
+        tree_(tree),
+        level_(level),
+        part_(part.levels[static_cast<size_t>(level)]) {}
 
   int level() const { return level_; }
   const StreamHeader& header() const { return header_; }
@@ -61,39 +51,40 @@ class LevelImages {
     return size_t{g.row} * shape().group_cols() + g.col;
   }
 
-  /// The images to code (STR-4), row by row.
-  const std::vector<ImagePos>& references() const { return references_; }
-  const std::vector<ImagePos>& predictive() const { return predictive_; }
+  /// What is worked on: images to code (STR-4), and images that are looked at.
+  const LevelPart& part() const { return part_; }
+  const std::vector<ImagePos>& references() const { return part_.references; }
+  const std::vector<ImagePos>& predictive() const { return part_.predictive; }
 
   /// All predictive images of the group of `reference`, also those that are not to be coded.
-  std::vector<ImagePos> members(ImagePos reference) const;
+  std::vector<ImagePos> members(ImagePos reference) const {
+    return members_of(geometry_, level_, reference);
+  }
 
-  /// The original of image `at`, which is not coded yet. A copy; at level 0 converted from the
-  /// light field by each call.
+  /// The original of image `at`, which is not coded yet. A copy; at level 0 converted from its
+  /// view by each call.
   ImagePlanes original(ImagePos at) const;
 
   /// Plane `plane` of the image above `at`, reconstructed; null at the top, where it counts as 0.
   const SamplePlane* parent(ImagePos at, Plane plane) const;
 
  private:
-  const LightField& light_field_;
+  const ViewProvider& views_;
   const StreamHeader& header_;
   const Geometry& geometry_;
   const RkvTree& tree_;
   int level_;
-  std::vector<ImagePos> references_;
-  std::vector<ImagePos> predictive_;
+  const LevelPart& part_;
 };
 
 /// The decisions of one level. The walk calls, in this order:
 ///
 ///  1. refine_keys() once, at a keyed level;
 ///  2. take_key() or encode_reference() for each reference image, from many threads;
-///  3. decide_group() for each reference image whose group has images to predict, from one thread;
+///  3. decide_group() for each of part().groups, from one thread;
 ///  4. encode_predictive() for each predictive image, from many threads.
 ///
-/// All but 2 are left out where the level has no predictive images: references need not be kept
-/// then.
+/// All but 2 are left out where part().predicts is false: references need not be kept then.
 /// Decisions must not depend on the order of concurrent calls: a stream is the same for any number
 /// of threads.
 class LevelDecisions {
@@ -101,7 +92,7 @@ class LevelDecisions {
   virtual ~LevelDecisions() = default;
 
   /// `keys` are the originals of the images that references() names, in this order. What they
-  /// become is coded in their place.
+  /// become is coded in their place, except for those that are known (LevelPart).
   virtual void refine_keys(std::vector<ImagePlanes>& keys) = 0;
 
   /// Key image `at`, in whole blocks, as a decoder has it.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bits/parallel.hpp"
+#include "encoder/cached_views.hpp"
 #include "encoder/coding_params.hpp"
 #include "encoder/encode_session.hpp"
 #include "encoder/target_search.hpp"
@@ -41,7 +42,7 @@ class ProgressCounter {
 EncodedStream encode_once(EncodeSession& session, const EncodeParams& params, bool last,
                           const Progress& progress) {
   ProgressCounter counter(progress, session.geometry().image_count());
-  CodedImages images = session.encode(params, last, {[&] { counter.add(); }, {}});
+  const CodedImages images = session.encode(params, last, {[&] { counter.add(); }, {}});
   return {session.stream(images), images.error, params};
 }
 
@@ -74,13 +75,14 @@ Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
   try {
     Encoded encoded;
     run_on_threads(params.threads, [&] {
-      const SettledCoding settled = settle_coding(light_field, complete, goal);
+      const FieldViews views(light_field);
+      const SettledCoding settled = settle_coding(views, complete, goal);
       const auto header = header_for(light_field.shape(), settled.params);
       if (!header) {
         encoded = refused(kOutside);
         return;
       }
-      EncodeSession session(light_field, *header, settled.probe);
+      EncodeSession session(views, *header, settled.probe);
       encoded = body(session, settled.params);
     });
     return encoded;

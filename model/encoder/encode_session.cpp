@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "arithmetic/rounding.hpp"
@@ -10,22 +11,23 @@
 #include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
-#include "encoder/stream_assembly.hpp"
-#include "syntax/index.hpp"
+#include "encoder/stream_writer.hpp"
 
 namespace hmlfc {
 namespace {
 
-// Codes plane `plane` of a key image, in place of `samples`, into `codestream`, unless it is there
-// from before (KEY-2, EXT-6).
-void code_key_plane(SamplePlane& samples, SamplePrecision precision, SampleRange range,
-                    double error, std::vector<uint8_t>& codestream) {
-  if (!codestream.empty()) return;
+// Codes a plane of a key image (KEY-2, EXT-6).
+std::vector<uint8_t> code_key_plane(const SamplePlane& samples, SamplePrecision precision,
+                                    double error) {
   auto coded = error > 0 ? encode_jpeg2000_lossy(samples, precision, error)
                          : encode_jpeg2000(samples, precision);
   if (!coded) throw std::bad_alloc();
-  codestream = std::move(*coded);
-  if (error == 0) return;
+  return std::move(*coded);
+}
+
+// What a decoder makes of a lossy plane of a key image.
+void decode_key_plane(const std::vector<uint8_t>& codestream, SampleRange range,
+                      SamplePlane& samples) {
   auto decoded = decode_jpeg2000(codestream, samples.width, samples.height);
   if (!decoded) throw std::bad_alloc();
   samples = std::move(*decoded);
@@ -36,14 +38,14 @@ void code_key_plane(SamplePlane& samples, SamplePrecision precision, SampleRange
 
 // Everything that the levels of one encoding share.
 struct Walk {
-  const LightField& light_field;
+  const ViewProvider& views;
   const StreamHeader& header;
   const Geometry& geometry;
   const DecisionStrategy& strategy;
   const EncodeObserver& observer;
   RkvTree& tree;
   CodedImages& coded;
-  const std::vector<ImagePos>* sample;
+  const EncodePart& part;
   std::mutex error_mutex;
 };
 
@@ -53,34 +55,35 @@ class LevelWalk {
   LevelWalk(Walk& walk, int level)
       : walk_(walk),
         geometry_(walk.geometry),
-        images_(walk.light_field, walk.header, walk.geometry, walk.tree, level, walk.sample),
+        images_(walk.views, walk.header, walk.geometry, walk.tree, level, walk.part),
         decisions_(walk.strategy.begin_level(images_)) {}
 
   void run() {
-    const auto& references = images_.references();
-    const auto& predictive = images_.predictive();
-    if (images_.shape().keyed && !predictive.empty()) refine_keys();
-    parallel_for(references.size(), [&](size_t i) { encode_reference(i); });
-    if (predictive.empty()) return;
-    for (const ImagePos at : references) {
-      if (has_predictive(at)) code(at)[kMotionPlane] = decisions_->decide_group(at);
+    const LevelPart& part = images_.part();
+    if (images_.shape().keyed && part.predicts) refine_keys();
+    parallel_for(part.references.size(), [&](size_t i) { encode_reference(i); });
+    for (const ImagePos at : part.groups) {
+      PlaneCode records = decisions_->decide_group(at);
+      if (owned(at)) walk_.coded.records.open(number(at))[kMotionPlane] = std::move(records);
     }
-    parallel_for(predictive.size(), [&](size_t i) {
-      const ImagePos at = predictive[i];
+    parallel_for(part.predictive.size(), [&](size_t i) {
+      const ImagePos at = part.predictive[i];
       finish(at, decisions_->encode_predictive(at, images_.original(at)));
+      if (owned(at)) walk_.coded.records.close(number(at));
     });
+    for (const ImagePos at : part.references) {
+      if (owned(at)) walk_.coded.records.close(number(at));
+    }
   }
 
  private:
-  ImageCode& code(ImagePos at) const {
-    return walk_.coded.codes[static_cast<size_t>(geometry_.image_number(images_.level(), at))];
+  size_t number(ImagePos at) const {
+    return static_cast<size_t>(geometry_.image_number(images_.level(), at));
   }
 
-  bool has_predictive(ImagePos reference) const {
-    const auto& predictive = images_.predictive();
-    return std::any_of(predictive.begin(), predictive.end(), [&](ImagePos at) {
-      return geometry_.reference_of(images_.level(), at) == reference;
-    });
+  // Whether the code of image `at` is the part's own, and not coded to refer to it alone.
+  bool owned(ImagePos at) const {
+    return !walk_.part.views || owns(*walk_.part.views, walk_.header, images_.level(), at);
   }
 
   void refine_keys() {
@@ -111,26 +114,31 @@ class LevelWalk {
     const bool chroma = plane != Plane::kY;
     const uint64_t key = geometry_.key_number(images_.level(), at);
     const size_t entry = static_cast<size_t>(key) * kPlaneCount + static_cast<size_t>(plane);
+    CodedKeys& keys = walk_.coded.keys;
+    const double error = walk_.strategy.key_error(plane);
+    const bool known = keys.has(entry);  // by an encoding without loss, or by a part before
     SamplePlane inside = cropped(samples, shape.width, shape.height);
-    code_key_plane(inside, {depth + (chroma ? 1 : 0), chroma}, sample_range(plane, depth),
-                   walk_.strategy.key_error(plane), walk_.coded.keys.codestreams[entry]);
-    walk_.coded.keys.crcs[entry] = sample_crc(inside);
+    std::vector<uint8_t> codestream;
+    if (known && error > 0) codestream = keys.codestream(entry);
+    if (!known) codestream = code_key_plane(inside, {depth + (chroma ? 1 : 0), chroma}, error);
+    if (error > 0) decode_key_plane(codestream, sample_range(plane, depth), inside);
+    if (!known) keys.set(entry, std::move(codestream), sample_crc(inside));
     samples = in_whole_blocks(inside, shape, geometry_.block_size());
   }
 
   void finish(ImagePos at, EncodedImage image) {
     const int level = images_.level();
-    code(at) = std::move(image.code);
+    if (owned(at)) walk_.coded.records.open(number(at)) = std::move(image.code);
     if (walk_.observer.reconstructed) walk_.observer.reconstructed(level, at, image.samples);
     if (level > 0) {
       walk_.tree.at(geometry_, level, at) = std::move(image.samples);
-    } else if (walk_.sample == nullptr) {
+    } else if (!walk_.part.trial && owned(at)) {
       const ErrorSums error =
-          view_error(walk_.light_field, at, image.samples, walk_.header.chroma_format);
+          view_error(walk_.views, at, image.samples, walk_.header.chroma_format);
       const std::scoped_lock lock(walk_.error_mutex);
       walk_.coded.error.add(error);
     }
-    if (walk_.observer.image_done) walk_.observer.image_done();
+    if (walk_.observer.image_done && owned(at)) walk_.observer.image_done();
   }
 
   Walk& walk_;
@@ -140,53 +148,10 @@ class LevelWalk {
   std::vector<ImagePlanes> keys_;  // refined, as references() names them; none: as they are
 };
 
-// Appends the tile records of one plane to the index.
-void add_records(IndexWriter& index, PlaneCode& code, uint64_t tiles) {
-  code.record_sizes.resize(static_cast<size_t>(tiles), 0);
-  size_t at = 0;
-  for (const uint32_t size : code.record_sizes) {
-    index.add(std::span(code.records).subspan(at, size));
-    at += size;
-  }
-  code = {};
-}
-
 }  // namespace
 
-LevelImages::LevelImages(const LightField& light_field, const StreamHeader& header,
-                         const Geometry& geometry, const RkvTree& tree, int level,
-                         const std::vector<ImagePos>* sample)
-    : light_field_(light_field), header_(header), geometry_(geometry), tree_(tree), level_(level) {
-  if (sample != nullptr && level == 0) {
-    predictive_ = *sample;
-    for (const ImagePos at : predictive_) {
-      for (const ImagePos place : reference_images(geometry, level, at)) {
-        const auto found = std::find(references_.begin(), references_.end(), place);
-        if (found == references_.end()) references_.push_back(place);
-      }
-    }
-    return;
-  }
-  for (uint32_t r = 0; r < shape().rows; ++r) {
-    for (uint32_t c = 0; c < shape().cols; ++c) {
-      (geometry.is_reference(level, {r, c}) ? references_ : predictive_).push_back({r, c});
-    }
-  }
-}
-
-std::vector<ImagePos> LevelImages::members(ImagePos reference) const {
-  std::vector<ImagePos> members;
-  for (uint32_t r = 0; r < shape().rows; ++r) {
-    for (uint32_t c = 0; c < shape().cols; ++c) {
-      const ImagePos at{r, c};
-      if (at != reference && geometry_.reference_of(level_, at) == reference) members.push_back(at);
-    }
-  }
-  return members;
-}
-
 ImagePlanes LevelImages::original(ImagePos at) const {
-  if (level_ == 0) return view_planes(light_field_, geometry_, at);
+  if (level_ == 0) return view_planes(views_, geometry_, at);
   return tree_.at(geometry_, level_, at);
 }
 
@@ -196,49 +161,68 @@ const SamplePlane* LevelImages::parent(ImagePos at, Plane plane) const {
   return &tree_.at(geometry_, level_ + 1, above)[static_cast<size_t>(plane)];
 }
 
-EncodeSession::EncodeSession(const LightField& light_field, const StreamHeader& header,
-                             const LightFieldProbe& probe)
-    : light_field_(light_field), header_(header), probe_(probe), geometry_(header) {
+EncodeSession::EncodeSession(const ViewProvider& views, const StreamHeader& header,
+                             const LightFieldProbe& probe, CodeStorage* storage)
+    : views_(views), header_(header), probe_(probe), storage_(storage), geometry_(header) {
   if (header.has(Feature::kSharedDisparity)) header_.row_scale = probe.row_scale;
-  originals_ = build_rkv_tree(light_field, geometry_, header.cluster_rows, header.cluster_cols);
-  lossless_keys_.codestreams.resize(static_cast<size_t>(geometry_.key_count()) * kPlaneCount);
-  lossless_keys_.crcs.resize(lossless_keys_.codestreams.size());
+  lossless_keys_ = no_images().keys;
+}
+
+CodedImages EncodeSession::no_images() const {
+  const auto images = static_cast<size_t>(geometry_.image_count());
+  const auto keys = static_cast<size_t>(geometry_.key_count()) * kPlaneCount;
+  return {CodedRecords(images, storage_), CodedKeys(keys, storage_), {}};
 }
 
 CodedImages EncodeSession::encode(const EncodeParams& params, bool last,
-                                  const EncodeObserver& observer,
-                                  const std::vector<ImagePos>* sample) {
-  const auto strategy = params.profile == Profile::kMain
-                            ? main_decisions(params)
-                            : extended_decisions(header_, params, probe_);
-  CodedImages coded;
-  coded.codes.resize(static_cast<size_t>(geometry_.image_count()));
+                                  const EncodeObserver& observer) {
+  if (!whole_) {
+    whole_ = whole_part(geometry_);
+    originals_ = tree_of(*whole_);
+  }
+  CodedImages coded = no_images();
   coded.keys = lossless_keys_;
   RkvTree tree = last ? std::move(originals_) : originals_;
-  Walk walk{light_field_, header_, geometry_, *strategy, observer, tree, coded, sample, {}};
-  for (int level = geometry_.top(); level >= 0; --level) {
-    LevelWalk(walk, level).run();
-    // The level above has served as parent for the last time.
-    if (level < geometry_.top()) tree.levels[static_cast<size_t>(level)].clear();
-  }
+  walk(params, *whole_, tree, observer, coded);
+  const auto strategy = strategy_of(params);
   const bool lossless = std::all_of(kPlanes.begin(), kPlanes.end(),
                                     [&](Plane plane) { return strategy->key_error(plane) == 0; });
   if (lossless && !last) lossless_keys_ = coded.keys;
   return coded;
 }
 
-std::vector<uint8_t> EncodeSession::stream(CodedImages& images) const {
-  IndexWriter index;
-  for (ImageCode& image : images.codes) {
-    for (const Plane plane : kPlanes) {
-      add_records(index, image[static_cast<size_t>(plane)], geometry_.plane(plane).tiles());
-    }
-    if (!geometry_.motion_planes().empty()) {
-      add_records(index, image[kMotionPlane], geometry_.motion_planes()[0].tiles());
-    }
+void EncodeSession::encode_part(const EncodeParams& params, const EncodePart& part,
+                                const EncodeObserver& observer, CodedImages& coded) const {
+  RkvTree tree = tree_of(part);
+  walk(params, part, tree, observer, coded);
+}
+
+RkvTree EncodeSession::tree_of(const EncodePart& part) const {
+  return build_rkv_tree(views_, geometry_, header_.cluster_rows, header_.cluster_cols, part);
+}
+
+std::unique_ptr<DecisionStrategy> EncodeSession::strategy_of(const EncodeParams& params) const {
+  return params.profile == Profile::kMain ? main_decisions(params)
+                                          : extended_decisions(header_, params, probe_);
+}
+
+void EncodeSession::walk(const EncodeParams& params, const EncodePart& part, RkvTree& tree,
+                         const EncodeObserver& observer, CodedImages& coded) const {
+  const auto strategy = strategy_of(params);
+  Walk walk{views_, header_, geometry_, *strategy, observer, tree, coded, part, {}};
+  for (int level = geometry_.top(); level >= 0; --level) {
+    LevelWalk(walk, level).run();
+    // The level above has served as parent for the last time.
+    if (level < geometry_.top()) tree.levels[static_cast<size_t>(level)].clear();
   }
-  index.finish();
-  return assemble_stream(header_, top_section(images.keys.codestreams, images.keys.crcs), index);
+}
+
+std::vector<uint8_t> EncodeSession::stream(const CodedImages& images) const {
+  std::vector<uint8_t> bytes;
+  write_stream(header_, images, {}, [&](std::span<const uint8_t> more) {
+    bytes.insert(bytes.end(), more.begin(), more.end());
+  });
+  return bytes;
 }
 
 }  // namespace hmlfc

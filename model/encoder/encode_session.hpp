@@ -3,10 +3,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <hmlfc/encoder.hpp>
 
+#include "encoder/coded_images.hpp"
 #include "encoder/decisions.hpp"
 
 namespace hmlfc {
@@ -18,44 +21,45 @@ struct EncodeObserver {
   std::function<void(int level, ImagePos at, const ImagePlanes&)> reconstructed;
 };
 
-/// The planes of the key images in the order of KEY-1: codestreams and CRCs of their samples.
-struct CodedKeys {
-  std::vector<std::vector<uint8_t>> codestreams;
-  std::vector<uint32_t> crcs;
-};
-
-/// All images of a light field, coded.
-struct CodedImages {
-  std::vector<ImageCode> codes;  ///< by image number
-  CodedKeys keys;
-  ErrorSums error;  ///< of all views
-};
-
 /// The pipeline of both profiles: views to planes, planes to the tree of originals, levels from the
 /// top down, key images, stream. What does not depend on thresholds and quality is made once.
 class EncodeSession {
  public:
-  /// `light_field` and `probe` must outlive the session. `header` comes from header_for(); its
-  /// row_scale is that of `probe`.
-  EncodeSession(const LightField& light_field, const StreamHeader& header,
-                const LightFieldProbe& probe);
+  /// `views`, `probe` and `storage` must outlive the session. `header` comes from header_for(); its
+  /// row_scale is that of `probe`. `storage` takes what is coded; null: memory does.
+  EncodeSession(const ViewProvider& views, const StreamHeader& header,
+                const LightFieldProbe& probe, CodeStorage* storage = nullptr);
+
+  const StreamHeader& header() const { return header_; }
 
   const Geometry& geometry() const { return geometry_; }
 
   /// Codes all images with `params`, from which the header was made except for thresholds and
-  /// quality. `last`: the originals may be used up. `sample`: of level 0 only these predictive
-  /// images, for a trial, which gives no stream and leaves `error` 0; null: everything.
-  CodedImages encode(const EncodeParams& params, bool last, const EncodeObserver& observer,
-                     const std::vector<ImagePos>* sample = nullptr);
+  /// quality. `last`: the originals may be used up.
+  CodedImages encode(const EncodeParams& params, bool last, const EncodeObserver& observer);
 
-  /// The whole stream; uses up `images`.
-  std::vector<uint8_t> stream(CodedImages& images) const;
+  /// Nothing coded yet.
+  CodedImages no_images() const;
+
+  /// Likewise codes the images of `part`, and adds those that it owns to `coded`, with their error.
+  void encode_part(const EncodeParams& params, const EncodePart& part,
+                   const EncodeObserver& observer, CodedImages& coded) const;
+
+  /// The whole stream.
+  std::vector<uint8_t> stream(const CodedImages& images) const;
 
  private:
-  const LightField& light_field_;
+  RkvTree tree_of(const EncodePart& part) const;
+  std::unique_ptr<DecisionStrategy> strategy_of(const EncodeParams& params) const;
+  void walk(const EncodeParams& params, const EncodePart& part, RkvTree& tree,
+            const EncodeObserver& observer, CodedImages& coded) const;
+
+  const ViewProvider& views_;
   StreamHeader header_;
   const LightFieldProbe& probe_;
+  CodeStorage* storage_;
   Geometry geometry_;
+  std::optional<EncodePart> whole_;  // with originals_, once they are needed
   RkvTree originals_;
   CodedKeys lossless_keys_;  // once coded, they serve every encoding
 };

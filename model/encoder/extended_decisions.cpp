@@ -44,11 +44,23 @@ class ExtendedLevel final : public LevelDecisions {
   // serve the refinement, too.
   void refine_keys(std::vector<ImagePlanes>& keys) override {
     if (!motion_) return;
-    const auto& references = images_.references();
+    const LevelPart& part = images_.part();
+    const auto& references = part.references;
     parallel_for(keys.size(), [&](size_t i) { take_key(references[i], keys[i]); });
-    for (const ImagePos at : references) find_disparities(at);
-    if (!header_.has(Feature::kLossyKeys)) return;
-    parallel_for(keys.size(), [&](size_t i) { refine(references[i], keys[i]); });
+    parallel_for(part.context.size(), [&](size_t i) {
+      take_key(part.context[i], images_.original(part.context[i]));
+    });
+    for (size_t i = 0; i < keys.size(); ++i) {
+      const auto& groups = part.groups;
+      const bool needed = std::ranges::find(groups, references[i]) != groups.end();
+      if (needed || !part.known[i]) find_disparities(references[i]);
+    }
+    if (header_.has(Feature::kLossyKeys)) {
+      parallel_for(keys.size(), [&](size_t i) {
+        if (!part.known[i]) refine(references[i], keys[i]);
+      });
+    }
+    for (const ImagePos at : part.context) group(at).planes = {};
   }
 
   void take_key(ImagePos at, const ImagePlanes& decoded) override {
@@ -138,7 +150,7 @@ class ExtendedLevel final : public LevelDecisions {
 
   // Keeps what images of the group of `at` and of its neighbours refer to, if there are any.
   void keep(ImagePos at, Plane plane, const SamplePlane& samples) {
-    if (images_.predictive().empty()) return;
+    if (!images_.part().predicts) return;
     const PlaneShape& shape = geometry_.plane(plane);
     // Vectors reach `window` samples, interpolation one more, a block B - 1 beyond the plane.
     group(at).planes[static_cast<size_t>(plane)].emplace(samples, shape.width, shape.height,

@@ -31,8 +31,8 @@ std::vector<int32_t> moves(uint32_t count) {
 
 class DisparityProbe {
  public:
-  DisparityProbe(const LightField& light_field, const StreamHeader& header)
-      : light_field_(light_field), header_(header), geometry_(header) {
+  DisparityProbe(const ViewProvider& views, const StreamHeader& header)
+      : views_(views), header_(header), geometry_(header) {
     for (const int32_t rows : moves(header.rows)) {
       for (const int32_t cols : moves(header.cols)) add_view(rows, cols);
     }
@@ -56,8 +56,8 @@ class DisparityProbe {
   }
 
  private:
-  ImagePos middle() const { return middle_of(light_field_.shape()); }
-  SamplePlane luma(ImagePos at) const { return view_planes(light_field_, geometry_, at)[0]; }
+  ImagePos middle() const { return middle_of(views_.shape()); }
+  SamplePlane luma(ImagePos at) const { return view_planes(views_, geometry_, at)[0]; }
 
   // The view that is `rows` below and `cols` to the right of the middle.
   void add_view(int32_t rows, int32_t cols) {
@@ -68,7 +68,7 @@ class DisparityProbe {
                             static_cast<uint32_t>(static_cast<int32_t>(middle().col) + cols)}));
   }
 
-  const LightField& light_field_;
+  const ViewProvider& views_;
   const StreamHeader& header_;
   Geometry geometry_;
   std::vector<SearchTarget> targets_;
@@ -76,9 +76,9 @@ class DisparityProbe {
   int32_t farthest_ = 1;
 };
 
-void probe_disparities(const LightField& light_field, const StreamHeader& header,
+void probe_disparities(const ViewProvider& views, const StreamHeader& header,
                        LightFieldProbe& found) {
-  const DisparityProbe probe(light_field, header);
+  const DisparityProbe probe(views, header);
   const CoarseResult down = probe.search(16);
   found.disparities = down.range;
   if (header.rows == 1) return;
@@ -88,9 +88,9 @@ void probe_disparities(const LightField& light_field, const StreamHeader& header
   found.row_scale = -16;
 }
 
-void probe_keys(const LightField& light_field, const StreamHeader& header, LightFieldProbe& found) {
+void probe_keys(const ViewProvider& views, const StreamHeader& header, LightFieldProbe& found) {
   const Geometry geometry(header);
-  const ImagePlanes planes = view_planes(light_field, geometry, middle_of(light_field.shape()));
+  const ImagePlanes planes = view_planes(views, geometry, middle_of(views.shape()));
   parallel_for(planes.size(), [&](size_t p) {
     const PlaneShape& shape = geometry.plane(kPlanes[p]);
     found.keys[p] = KeyCurve(cropped(planes[p], shape.width, shape.height),
@@ -100,10 +100,10 @@ void probe_keys(const LightField& light_field, const StreamHeader& header, Light
 
 }  // namespace
 
-LightFieldProbe probe_light_field(const LightField& light_field, const StreamHeader& header) {
+LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header) {
   LightFieldProbe found;
-  if (header.has(Feature::kSharedDisparity)) probe_disparities(light_field, header, found);
-  if (header.has(Feature::kLossyKeys)) probe_keys(light_field, header, found);
+  if (header.has(Feature::kSharedDisparity)) probe_disparities(views, header, found);
+  if (header.has(Feature::kLossyKeys)) probe_keys(views, header, found);
   return found;
 }
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <hmlfc/light_field.hpp>
+#include <hmlfc/view_provider.hpp>
 
 #include "encoder/disparity_search.hpp"
 #include "encoder/key_curve.hpp"
@@ -21,6 +21,6 @@ struct LightFieldProbe {
 
 /// Looks at the views around the middle of the grid, up to 12 samples of disparity per view. What
 /// the feature flags of `header` have no use for is left out. Throws std::bad_alloc.
-LightFieldProbe probe_light_field(const LightField& light_field, const StreamHeader& header);
+LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header);
 
 }  // namespace hmlfc

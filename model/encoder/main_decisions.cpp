@@ -215,7 +215,7 @@ class MainLevel final : public LevelDecisions {
 
   // Keeps what the images of the group of `at` refer to, if there are any.
   void keep(ImagePos at, Plane plane, const SamplePlane& samples) {
-    if (images_.predictive().empty()) return;
+    if (!images_.part().predicts) return;
     const PlaneShape& shape = images_.geometry().plane(plane);
     groups_[images_.group_of(at)][static_cast<size_t>(plane)].emplace(
         cropped(samples, shape.width, shape.height).samples, shape.width, shape.height,

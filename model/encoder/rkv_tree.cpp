@@ -41,23 +41,22 @@ class ClusterMean {
 
 }  // namespace
 
-RkvTree build_rkv_tree(const LightField& light_field, const Geometry& geometry,
-                       uint32_t cluster_rows, uint32_t cluster_cols) {
+RkvTree build_rkv_tree(const ViewProvider& views, const Geometry& geometry, uint32_t cluster_rows,
+                       uint32_t cluster_cols, const EncodePart& part) {
   RkvTree tree;
   for (int level = 1; level <= geometry.top(); ++level) {
-    const LevelShape& shape = geometry.level(level);
     const LevelShape& below = geometry.level(level - 1);
-    tree.levels.emplace_back(static_cast<size_t>(shape.images()));
-    parallel_for(static_cast<size_t>(shape.images()), [&](size_t i) {
-      const auto row = static_cast<uint32_t>(i / shape.cols);
-      const auto col = static_cast<uint32_t>(i % shape.cols);
+    tree.levels.emplace_back(static_cast<size_t>(geometry.level(level).images()));
+    const std::vector<ImagePos>& images = part.levels[static_cast<size_t>(level)].originals;
+    parallel_for(images.size(), [&](size_t i) {
+      const auto [row, col] = images[i];
       ClusterMean mean;
       for (uint32_t r = row * cluster_rows; r < std::min((row + 1) * cluster_rows, below.rows);
            ++r) {
         for (uint32_t c = col * cluster_cols; c < std::min((col + 1) * cluster_cols, below.cols);
              ++c) {
           if (level == 1) {
-            mean.add(view_planes(light_field, geometry, {r, c}));
+            mean.add(view_planes(views, geometry, {r, c}));
           } else {
             mean.add(tree.at(geometry, level - 1, {r, c}));
           }

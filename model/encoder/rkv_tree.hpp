@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include <hmlfc/light_field.hpp>
-
+#include "encoder/encode_part.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 
@@ -25,8 +24,9 @@ struct RkvTree {
   }
 };
 
-/// Reduces each cluster to its mean, sample by sample, halves rounded up, level by level.
-RkvTree build_rkv_tree(const LightField& light_field, const Geometry& geometry,
-                       uint32_t cluster_rows, uint32_t cluster_cols);
+/// Reduces each cluster to its mean, sample by sample, halves rounded up, level by level: the
+/// originals of `part`; the rest stays empty.
+RkvTree build_rkv_tree(const ViewProvider& views, const Geometry& geometry, uint32_t cluster_rows,
+                       uint32_t cluster_cols, const EncodePart& part);
 
 }  // namespace hmlfc

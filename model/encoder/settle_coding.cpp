@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arithmetic/rounding.hpp"
+#include "encoder/cached_views.hpp"
 #include "encoder/coding_trial.hpp"
 #include "encoder/plane_targets.hpp"
 #include "encoder/trial_part.hpp"
@@ -62,15 +63,15 @@ std::vector<uint32_t> group_sizes(uint32_t count) {
 // so far until there is none.
 class CodingSearch {
  public:
-  CodingSearch(const LightField& light_field, const LightField& part, const EncodeParams& params,
+  CodingSearch(const LightFieldShape& shape, const ViewProvider& part, const EncodeParams& params,
                const LightFieldProbe& probe)
-      : light_field_(light_field),
+      : shape_(shape),
         part_(part),
         probe_(probe),
         effort_(trial_effort(params.extended.preset)),
         lambda_(lambda_of_quality(params.extended.quality)),
-        rows_(group_sizes(light_field.shape().rows)),
-        cols_(group_sizes(light_field.shape().cols)),
+        rows_(group_sizes(shape.rows)),
+        cols_(group_sizes(shape.cols)),
         best_(params) {
     best_result_ = trial(best_);
     least_ = best_result_.cost(lambda_);
@@ -120,13 +121,12 @@ class CodingSearch {
  private:
   // Over RGB.
   double psnr_db() const {
-    const LightFieldShape& shape = light_field_.shape();
-    const uint64_t samples = uint64_t{shape.rows} * shape.cols * shape.width * shape.height * 3;
-    return psnr(static_cast<uint64_t>(best_result_.rgb_squares), samples, shape.depth);
+    const uint64_t samples = uint64_t{shape_.rows} * shape_.cols * shape_.width * shape_.height * 3;
+    return psnr(static_cast<uint64_t>(best_result_.rgb_squares), samples, shape_.depth);
   }
 
   TrialResult trial(const EncodeParams& params) const {
-    return try_coding(light_field_, part_, params, probe_, effort_.images);
+    return try_coding(shape_, part_, params, probe_, effort_.images);
   }
 
   bool attempt(const EncodeParams& params) {
@@ -155,8 +155,8 @@ class CodingSearch {
         std::clamp<ptrdiff_t>(at, 0, static_cast<ptrdiff_t>(sizes.size()) - 1))];
   }
 
-  const LightField& light_field_;
-  const LightField& part_;
+  const LightFieldShape& shape_;
+  const ViewProvider& part_;
   const LightFieldProbe& probe_;
   TrialEffort effort_;
   Lambda lambda_;
@@ -184,31 +184,32 @@ double max_chroma_error(const LightFieldShape& shape, const EncodeParams& params
   return static_cast<double>(lambda_of_quality(params.extended.quality).scaled) / 256 / 10;
 }
 
-ChromaFormat chroma_for(const LightField& light_field, const EncodeParams& params,
+ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
                         const EncodeGoal* goal) {
   EncodeParams halved = params;
   halved.chroma = ChromaFormat::k420;
-  const auto header = header_for(light_field.shape(), halved);
+  const auto header = header_for(views.shape(), halved);
   if (!header || params.lossless) return ChromaFormat::k444;
   const Geometry geometry(*header);
   const ImagePos middle{header->rows / 2, header->cols / 2};
   const ErrorSums error = view_error(
-      light_field, middle, view_planes(light_field, geometry, middle), ChromaFormat::k420);
+      views, middle, view_planes(views, geometry, middle), ChromaFormat::k420);
   const double samples = static_cast<double>(header->width) * header->height * 3;
   const bool costly = static_cast<double>(error.rgb_squares) / samples >
-                      max_chroma_error(light_field.shape(), params, goal);
+                      max_chroma_error(views.shape(), params, goal);
   return costly ? ChromaFormat::k444 : ChromaFormat::k420;
 }
 
 // Settles by trial what is open in `asked`; for a target the quality, too.
-void search_coding(const LightField& light_field, const StreamHeader& header,
-                   const EncodeParams& asked, const EncodeGoal* goal, SettledCoding& settled) {
+void search_coding(const ViewProvider& views, const StreamHeader& header,
+                   const EncodeParams& asked, const EncodeGoal* goal, uint64_t cache_bytes,
+                   SettledCoding& settled) {
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
-  const LightField part = trial_part(light_field, header);
+  const CachedViews part(views, trial_part(views, header), cache_bytes);
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
   for (int round = 0; round < kMaxRounds; ++round) {
-    CodingSearch search(light_field, part, found, settled.probe);
+    CodingSearch search(views.shape(), part, found, settled.probe);
     const bool far = round == 0 && std::abs(search.quality_off(goal)) > kNearQuality;
     if (!far && std::abs(found.extended.quality - searched) > kNearQuality) {
       if (open_groups) search.find_groups();
@@ -227,9 +228,9 @@ void search_coding(const LightField& light_field, const StreamHeader& header,
 
 }  // namespace
 
-SettledCoding settle_coding(const LightField& light_field, const EncodeParams& params,
-                            const EncodeGoal* goal) {
-  const LightFieldShape& shape = light_field.shape();
+SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& params,
+                            const EncodeGoal* goal, uint64_t cache_bytes) {
+  const LightFieldShape& shape = views.shape();
   SettledCoding settled{params, {}};
   EncodeParams& found = settled.params;
   const bool open_groups = params.ref_rows == 0 || params.ref_cols == 0;
@@ -240,10 +241,10 @@ SettledCoding settle_coding(const LightField& light_field, const EncodeParams& p
   if (found.extended.disparity_grid == 0) found.extended.disparity_grid = 8;
   if (found.extended.motion_tile == 0) found.extended.motion_tile = 64;
   if (found.extended.key_weight == 0) found.extended.key_weight = 1;
-  if (!found.chroma) found.chroma = chroma_for(light_field, found, goal);
+  if (!found.chroma) found.chroma = chroma_for(views, found, goal);
   const auto header = header_for(shape, found);
   if (!header || params.profile == Profile::kMain) return settled;
-  settled.probe = probe_light_field(light_field, *header);
+  settled.probe = probe_light_field(views, *header);
   if (params.lossless || !header->has(Feature::kMotionTiles) || header->tree_height > 0) {
     return settled;
   }
@@ -252,12 +253,12 @@ SettledCoding settle_coding(const LightField& light_field, const EncodeParams& p
       !(open_grid && trial_effort(params.extended.preset).grid)) {
     return settled;
   }
-  search_coding(light_field, *header, params, goal, settled);
+  search_coding(views, *header, params, goal, cache_bytes, settled);
   if (goal != nullptr && !params.chroma) {
     // A number of bytes says only now what chroma may cost.
     EncodeParams again = params;
-    again.chroma = chroma_for(light_field, found, goal);
-    if (*again.chroma != *found.chroma) return settle_coding(light_field, again, goal);
+    again.chroma = chroma_for(views, found, goal);
+    if (*again.chroma != *found.chroma) return settle_coding(views, again, goal, cache_bytes);
   }
   return settled;
 }

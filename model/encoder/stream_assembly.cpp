@@ -1,6 +1,5 @@
 #include "encoder/stream_assembly.hpp"
 
-#include "bits/crc32c.hpp"
 #include "bits/little_endian.hpp"
 #include "decoder/key_images.hpp"
 #include "syntax/header.hpp"
@@ -23,20 +22,27 @@ std::vector<uint8_t> top_section(std::span<const std::vector<uint8_t>> codestrea
   return section;
 }
 
-std::vector<uint8_t> assemble_stream(const StreamHeader& header, const std::vector<uint8_t>& top,
-                                     const IndexWriter& index, std::span<const uint8_t> rig) {
+StreamHeader with_sections(const StreamHeader& header, const SectionSums& sections) {
   StreamHeader complete = header;
-  const std::span<const uint8_t> sections[] = {top, index.root, index.groups, index.tiles, rig};
   uint64_t offset = header_size(header);
   for (SectionEntry* entry : section_entries(complete)) {
     const bool is_rig = entry == &complete.rig;
     const auto place = is_rig ? 4 : entry - complete.sections.data();
-    const std::span<const uint8_t> section = sections[place];
-    *entry = {static_cast<uint32_t>(place + 1), crc32c(section), offset, section.size()};
-    offset += section.size();
+    const SectionSum& sum = sections[static_cast<size_t>(place)];
+    *entry = {static_cast<uint32_t>(place + 1), sum.crc, offset, sum.size};
+    offset += sum.size;
   }
+  return complete;
+}
+
+std::vector<uint8_t> assemble_stream(const StreamHeader& header, const std::vector<uint8_t>& top,
+                                     const IndexWriter& index, std::span<const uint8_t> rig) {
+  const std::array<std::span<const uint8_t>, 5> sections{top, index.root, index.groups, index.tiles,
+                                                         rig};
+  SectionSums sums;
+  for (size_t i = 0; i < sums.size(); ++i) sums[i].add(sections[i]);
+  StreamHeader complete = with_sections(header, sums);
   std::vector<uint8_t> bytes = write_header(complete);
-  bytes.reserve(static_cast<size_t>(offset));
   for (const SectionEntry* entry : section_entries(complete)) {
     const auto section = sections[entry->type - 1];
     bytes.insert(bytes.end(), section.begin(), section.end());

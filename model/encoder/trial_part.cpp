@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -92,28 +91,16 @@ std::pair<uint32_t, uint32_t> typical_place(const SamplePlane& luma, const Light
 
 }  // namespace
 
-LightField trial_part(const LightField& light_field, const StreamHeader& header) {
-  const LightFieldShape whole = light_field.shape();
+Rect trial_part(const ViewProvider& views, const StreamHeader& header) {
+  const LightFieldShape& whole = views.shape();
   LightFieldShape shape = whole;
   shape.width = std::min(whole.width, kTrialWidth);
   shape.height = std::min(whole.height, kTrialHeight);
   const ImagePos middle{whole.rows / 2, whole.cols / 2};
-  const auto place = typical_place(view_planes(light_field, Geometry(header), middle)[0], shape);
+  const auto place = typical_place(view_planes(views, Geometry(header), middle)[0], shape);
   // The plane is that of whole blocks, which may be larger than the view.
-  const uint32_t x = std::min(place.first, whole.width - shape.width);
-  const uint32_t y = std::min(place.second, whole.height - shape.height);
-  LightField part(shape);
-  std::vector<uint16_t> pixels(size_t{whole.width} * 3);
-  for (uint32_t row = 0; row < shape.rows; ++row) {
-    for (uint32_t col = 0; col < shape.cols; ++col) {
-      for (uint32_t j = 0; j < shape.height; ++j) {
-        light_field.read_row(row, col, y + j, pixels);
-        part.write_row(row, col, j,
-                       std::span(pixels).subspan(size_t{x} * 3, size_t{shape.width} * 3));
-      }
-    }
-  }
-  return part;
+  return {std::min(place.first, whole.width - shape.width),
+          std::min(place.second, whole.height - shape.height), shape.width, shape.height};
 }
 
 }  // namespace hmlfc

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <hmlfc/format.hpp>
-#include <hmlfc/light_field.hpp>
+#include <hmlfc/view_provider.hpp>
 
 namespace hmlfc {
 
-/// The part of `light_field` on which parameters are tried: all views, of each the same rectangle
-/// of at most 384x256 pixels, the one most like the whole. `header` is one for `light_field`.
-LightField trial_part(const LightField& light_field, const StreamHeader& header);
+/// The part of `views` on which parameters are tried: of each the same rectangle of at most 384x256
+/// pixels, the one most like the whole. `header` is one for `views`.
+Rect trial_part(const ViewProvider& views, const StreamHeader& header);
 
 }  // namespace hmlfc

@@ -25,15 +25,12 @@ SamplePlane halved(const SamplePlane& full) {
   return half;
 }
 
-ImagePlanes full_planes(const LightField& light_field, ImagePos at) {
-  const LightFieldShape& shape = light_field.shape();
+ImagePlanes full_planes(const RgbImage& view) {
   ImagePlanes planes;
-  for (SamplePlane& plane : planes) plane = SamplePlane(shape.width, shape.height);
-  std::vector<uint16_t> pixels(size_t{shape.width} * 3);
-  for (uint32_t y = 0; y < shape.height; ++y) {
-    light_field.read_row(at.row, at.col, y, pixels);
-    for (uint32_t x = 0; x < shape.width; ++x) {
-      const uint16_t* pixel = pixels.data() + size_t{x} * 3;
+  for (SamplePlane& plane : planes) plane = SamplePlane(view.width, view.height);
+  const uint16_t* pixel = view.samples.data();
+  for (uint32_t y = 0; y < view.height; ++y) {
+    for (uint32_t x = 0; x < view.width; ++x, pixel += 3) {
       const YCoCg colour = forward_colour({pixel[0], pixel[1], pixel[2]});
       planes[0].row(y)[x] = static_cast<int16_t>(colour.y);
       planes[1].row(y)[x] = static_cast<int16_t>(colour.co);
@@ -57,8 +54,8 @@ void extend_borders(SamplePlane& plane, uint32_t width, uint32_t height) {
 
 }  // namespace
 
-ImagePlanes view_planes(const LightField& light_field, const Geometry& geometry, ImagePos at) {
-  ImagePlanes planes = full_planes(light_field, at);
+ImagePlanes view_planes(const ViewProvider& views, const Geometry& geometry, ImagePos at) {
+  ImagePlanes planes = full_planes(views.view({at.row, at.col}));
   for (const Plane p : kPlanes) {
     SamplePlane& plane = planes[static_cast<size_t>(p)];
     const PlaneShape& shape = geometry.plane(p);
@@ -88,12 +85,12 @@ SamplePlane cropped(const SamplePlane& plane, uint32_t width, uint32_t height) {
   return part;
 }
 
-ErrorSums view_error(const LightField& original, ImagePos at, const ImagePlanes& planes,
+ErrorSums view_error(const ViewProvider& original, ImagePos at, const ImagePlanes& planes,
                      ChromaFormat chroma) {
   const LightFieldShape& shape = original.shape();
   const Rect all{0, 0, shape.width, shape.height};
   const RgbImage decoded = rgb_picture(planes, all, chroma == ChromaFormat::k420, shape.depth);
-  return measure(original.view(at.row, at.col), decoded);
+  return measure(original.view({at.row, at.col}), decoded);
 }
 
 }  // namespace hmlfc

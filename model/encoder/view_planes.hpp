@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include <hmlfc/light_field.hpp>
 #include <hmlfc/measure.hpp>
+#include <hmlfc/view_provider.hpp>
 
 #include "decoder/sample_plane.hpp"
 #include "syntax/geometry.hpp"
@@ -18,7 +18,7 @@ using ImagePlanes = std::array<SamplePlane, kPlaneCount>;
 
 /// View (at.row, at.col) in YCoCg-R (COL-1); chroma of 4:2:0 is the mean of each 2 x 2 square,
 /// halves rounded up.
-ImagePlanes view_planes(const LightField& light_field, const Geometry& geometry, ImagePos at);
+ImagePlanes view_planes(const ViewProvider& views, const Geometry& geometry, ImagePos at);
 
 /// `plane`, of the size of `shape`, enlarged to whole blocks: the nearest sample inside is
 /// repeated.
@@ -28,7 +28,7 @@ SamplePlane in_whole_blocks(const SamplePlane& plane, const PlaneShape& shape, u
 SamplePlane cropped(const SamplePlane& plane, uint32_t width, uint32_t height);
 
 /// The error of view `at` of `original` decoded to `planes`, in RGB as a decoder returns it.
-ErrorSums view_error(const LightField& original, ImagePos at, const ImagePlanes& planes,
+ErrorSums view_error(const ViewProvider& original, ImagePos at, const ImagePlanes& planes,
                      ChromaFormat chroma);
 
 }  // namespace hmlfc

@@ -3,6 +3,7 @@
 #include "decoder/golden/block_decoder.hpp"
 #include "decoder/golden/block_walk.hpp"
 #include "decoder/open_stream.hpp"
+#include "decoder/request_guard.hpp"
 #include "render/told_disparity.hpp"
 
 namespace hmlfc {
@@ -70,7 +71,8 @@ Result<BlockDisparity> block_disparity(const Decoder& decoder, ViewPos view, uin
       by >= plane.blocks_y) {
     return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
   }
-  return walk_to_block_disparity(stream, view, bx, by, counts);
+  return guard_request(stream.source,
+                       [&] { return walk_to_block_disparity(stream, view, bx, by, counts); });
 }
 
 }  // namespace hmlfc

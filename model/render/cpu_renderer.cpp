@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "bits/parallel.hpp"
-#include "decoder/memory_guard.hpp"
+#include "decoder/missing_ranges.hpp"
 #include "decoder/open_stream.hpp"
+#include "decoder/request_guard.hpp"
 #include "render/cell_displacements.hpp"
 #include "render/disparity_cache.hpp"
 #include "render/frame_stages.hpp"
@@ -48,7 +49,7 @@ class CpuRenderer final : public FrameRenderer {
     if (!fits(record, decoder_.header(), stop_level)) {
       return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
     }
-    return guard_memory([&] {
+    return guard_request(DecoderAccess::stream(decoder_).source, [&] {
       Result<void> rendered;
       run_on_threads(threads_, [&] { rendered = render_here(record, stop_level, frame); });
       return rendered;
@@ -60,9 +61,7 @@ class CpuRenderer final : public FrameRenderer {
     Laps laps;
     const StreamHeader& header = decoder_.header();
     cache_.begin_frame();
-    disparities_.begin_frame();
-    find_displacements(record, stop_level, header.block_log2, disparities_, displaced_);
-    disparities_.end_frame();
+    find_displaced(record, stop_level);
     frame.counts = {};
     frame.counts.disparities_looked_up = displaced_.blocks_looked_up;
     frame.counts.samples_interpolated = plan_frame(record, stop_level, header, displaced_, cache_);
@@ -77,6 +76,20 @@ class CpuRenderer final : public FrameRenderer {
     cache_.end_frame();
     frame.seconds.sample = laps.next();
     return {};
+  }
+
+  void find_displaced(const FrameRecord& record, int stop_level) {
+    const StreamView& stream = DecoderAccess::stream(decoder_);
+    const auto find = [&](const StreamView& view) {
+      disparities_.begin_frame(view);
+      find_displacements(record, stop_level, view.header.block_log2, disparities_, displaced_);
+    };
+    if (stream.source == nullptr) {
+      find(stream);
+    } else {
+      load_by_trials(stream, [&](const StreamView& view, const MissingRanges&) { find(view); });
+    }
+    disparities_.end_frame();
   }
 
   // Counts the needed blocks and how many of them are held.
@@ -119,6 +132,7 @@ class CpuRenderer final : public FrameRenderer {
   Result<void> load(int stop_level) {
     cache_.make_room();
     std::vector<Missing> missing = missing_pages();
+    load_bytes(missing, stop_level);
     // One thread creates the pages: the pages of a view share its table of rows.
     for (const Missing& at : missing) at.view->page(at.page);
     std::vector<KeyRequests> requests(missing.size());
@@ -128,6 +142,17 @@ class CpuRenderer final : public FrameRenderer {
     DecoderAccess::decode_keys(decoder_, requests);
     if (load_pages(missing, stop_level, nullptr)) return {};
     return tl::unexpected(first_error(stop_level));
+  }
+
+  // From a partial source, in few rounds for all pages.
+  void load_bytes(const std::vector<Missing>& missing, int stop_level) const {
+    const StreamView& stream = DecoderAccess::stream(decoder_);
+    if (stream.source == nullptr) return;
+    std::vector<ImagePart> parts;
+    for (const Missing& at : missing) {
+      add_missing_parts(stream, cache_.shape(), stop_level, *at.view, at.page, parts);
+    }
+    DecoderAccess::load(decoder_, parts);
   }
 
   // Loads pages; where `requests` is not null page i has requests[i]. Returns whether none failed.

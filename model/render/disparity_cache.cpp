@@ -11,7 +11,7 @@
 namespace hmlfc {
 
 ViewDisparities::ViewDisparities(const StreamView& stream, ViewPos view)
-    : stream_(stream),
+    : stream_(&stream),
       view_(view),
       columns_(stream.geometry.plane(Plane::kY).blocks_x),
       looked_up_(size_t{columns_} * stream.geometry.plane(Plane::kY).blocks_y),
@@ -37,11 +37,12 @@ const int32_t* ViewDisparities::read(uint32_t by) {
     const uint32_t end = std::min(first + kPageBlockRows, static_cast<uint32_t>(rows_.size()));
     std::vector<int32_t>& page = pages_[by / kPageBlockRows];
     page.resize(size_t{columns_} * (end - first));
-    std::ranges::transform(disparity_rows(stream_, view_, first, end), page.begin(),
+    std::ranges::transform(disparity_rows(*stream_, view_, first, end), page.begin(),
                            [](const BlockDisparity& block) {
                              return block.confidence == 0 ? kNoDisparity : block.disparity;
                            });
     bytes_read_ += page.size() * sizeof(int32_t);
+    new_pages_.push_back(by / kPageBlockRows);
     for (uint32_t row = first; row < end; ++row) {
       rows_[row].store(page.data() + size_t{row - first} * columns_, std::memory_order_release);
     }
@@ -49,10 +50,22 @@ const int32_t* ViewDisparities::read(uint32_t by) {
   return rows_[by];
 }
 
-void ViewDisparities::begin_frame(uint64_t number) {
+void ViewDisparities::begin_frame(uint64_t number, const StreamView& stream) {
   if (frame_ == number) return;
   frame_ = number;
+  stream_ = &stream;
   std::fill(looked_up_.begin(), looked_up_.end(), uint8_t{0});
+}
+
+void ViewDisparities::drop_pages() {
+  for (const uint32_t page : new_pages_) {
+    const size_t first = size_t{page} * kPageBlockRows;
+    const size_t end = std::min<size_t>(first + kPageBlockRows, rows_.size());
+    for (size_t row = first; row < end; ++row) rows_[row] = nullptr;
+    bytes_read_ -= pages_[page].size() * sizeof(int32_t);
+    pages_[page] = {};
+  }
+  new_pages_.clear();
 }
 
 uint64_t ViewDisparities::blocks_looked_up() const {
@@ -60,9 +73,13 @@ uint64_t ViewDisparities::blocks_looked_up() const {
 }
 
 DisparityCache::DisparityCache(const Decoder& decoder, size_t budget)
-    : decoder_(decoder), budget_(budget) {}
+    : stream_(&DecoderAccess::stream(decoder)), budget_(budget) {}
 
-void DisparityCache::begin_frame() { ++frame_; }
+void DisparityCache::begin_frame(const StreamView& stream) {
+  ++frame_;
+  stream_ = &stream;
+  for (const auto& [key, view] : views_) view->drop_pages();
+}
 
 ViewDisparities& DisparityCache::use(ViewPos view) {
   const uint64_t key = uint64_t{view.row} << 32 | view.col;
@@ -73,8 +90,8 @@ ViewDisparities& DisparityCache::use(ViewPos view) {
   }
   const std::unique_lock lock(mutex_);
   auto& used = views_[key];
-  if (!used) used = std::make_unique<ViewDisparities>(DecoderAccess::stream(decoder_), view);
-  used->begin_frame(frame_);
+  if (!used) used = std::make_unique<ViewDisparities>(*stream_, view);
+  used->begin_frame(frame_, *stream_);
   return *used;
 }
 
@@ -88,7 +105,10 @@ uint64_t DisparityCache::blocks_looked_up() const {
 
 void DisparityCache::end_frame() {
   size_t bytes = 0;
-  for (const auto& [key, view] : views_) bytes += view->bytes_read();
+  for (const auto& [key, view] : views_) {
+    view->keep_pages();
+    bytes += view->bytes_read();
+  }
   for (auto view = views_.begin(); view != views_.end() && bytes > budget_;) {
     if (view->second->frame() == frame_) {
       ++view;

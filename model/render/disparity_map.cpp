@@ -8,8 +8,9 @@
 #include "decoder/fast/motion_field.hpp"
 #include "decoder/golden/block_decoder.hpp"
 #include "decoder/golden/block_walk.hpp"
-#include "decoder/memory_guard.hpp"
+#include "decoder/missing_ranges.hpp"
 #include "decoder/open_stream.hpp"
+#include "decoder/request_guard.hpp"
 #include "render/block_disparity.hpp"
 #include "render/disparity_rows.hpp"
 #include "render/told_disparity.hpp"
@@ -119,6 +120,14 @@ class MapReader {
   std::vector<std::unique_ptr<AncestorMotion>> ancestors_;  // from level 0 up; with motion tiles
 };
 
+// Loads what the map of `view` reads of a partial source.
+void load_map(const StreamView& stream, ViewPos view) {
+  const uint32_t rows = stream.geometry.plane(Plane::kY).blocks_y;
+  load_by_trials(stream, [&](const StreamView& trial, const MissingRanges&) {
+    disparity_rows(trial, view, 0, rows);
+  });
+}
+
 }  // namespace
 
 std::vector<BlockDisparity> disparity_rows(const StreamView& stream, ViewPos view, uint32_t begin,
@@ -141,10 +150,11 @@ Result<DisparityMap> disparity_map(const Decoder& decoder, ViewPos view) {
   if (view.row >= header.rows || view.col >= header.cols) {
     return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
   }
-  return guard_memory([&]() -> Result<DisparityMap> {
+  return guard_request(stream.source, [&]() -> Result<DisparityMap> {
     const PlaneShape& plane = stream.geometry.plane(Plane::kY);
     DisparityMap map{header.width, header.height, header.block_size(), plane.blocks_x, {}};
     map.blocks.reserve(size_t{plane.blocks_x} * plane.blocks_y);
+    if (stream.source != nullptr) load_map(stream, view);
     MapReader reader(stream, view);
     for (uint32_t by = 0; by < plane.blocks_y; ++by) {
       for (uint32_t bx = 0; bx < plane.blocks_x; ++bx) {

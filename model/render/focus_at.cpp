@@ -5,6 +5,10 @@
 #include <optional>
 #include <tuple>
 
+#include "decoder/missing_ranges.hpp"
+#include "decoder/open_stream.hpp"
+#include "decoder/request_guard.hpp"
+#include "render/block_disparity.hpp"
 #include "render/ray.hpp"
 #include "render/taps.hpp"
 
@@ -24,8 +28,8 @@ struct Meeting {
 // The ray of one pixel of a frame, which may be followed to any disparity.
 class PixelRay {
  public:
-  PixelRay(const Decoder& decoder, const Camera& camera, uint32_t x, uint32_t y)
-      : decoder_(decoder),
+  PixelRay(const StreamView& stream, const Camera& camera, uint32_t x, uint32_t y)
+      : stream_(stream),
         camera_(camera),
         i_(static_cast<int32_t>(x)),
         j_(static_cast<int32_t>(y)) {}
@@ -34,7 +38,7 @@ class PixelRay {
   std::optional<FrameRecord> record(int disparity) const {
     Camera camera = camera_;
     camera.focus = static_cast<double>(disparity) / kDisparityUnits;
-    const auto made = frame_record(camera, decoder_.header());
+    const auto made = frame_record(camera, stream_.header);
     return made ? std::optional(*made) : std::nullopt;
   }
 
@@ -78,7 +82,7 @@ class PixelRay {
  private:
   // The median around picture position (x, y) of a view, which is clamped into the picture.
   Result<std::optional<int16_t>> told_around(ViewPos view, int32_t x, int32_t y) const {
-    const StreamHeader& header = decoder_.header();
+    const StreamHeader& header = stream_.header;
     const auto block = [&](int32_t at, uint32_t size) {
       return static_cast<uint32_t>(nearest_pixel(at, static_cast<int32_t>(size))) >>
              header.block_log2;
@@ -91,7 +95,7 @@ class PixelRay {
     size_t count = 0;
     for (uint32_t row = by - std::min(by, 1u); row <= std::min(by + 1, last_y); ++row) {
       for (uint32_t col = bx - std::min(bx, 1u); col <= std::min(bx + 1, last_x); ++col) {
-        const auto found = block_disparity(decoder_, view, col, row);
+        const auto found = walk_to_block_disparity(stream_, view, col, row, nullptr);
         if (!found) return tl::unexpected(found.error());
         if (found->confidence > 0) told[count++] = found->disparity;
       }
@@ -101,7 +105,7 @@ class PixelRay {
     return told[(count - 1) / 2];
   }
 
-  const Decoder& decoder_;
+  const StreamView& stream_;
   const Camera& camera_;
   int32_t i_;
   int32_t j_;
@@ -136,10 +140,9 @@ size_t views_near(const FrameRecord& f, const Meeting& at, std::array<Candidate,
   return count;
 }
 
-}  // namespace
-
-Result<FocusPoint> focus_at(const Decoder& decoder, const Camera& camera, uint32_t x, uint32_t y) {
-  const PixelRay ray(decoder, camera, x, y);
+Result<FocusPoint> find_focus(const StreamView& stream, const Camera& camera, uint32_t x,
+                              uint32_t y) {
+  const PixelRay ray(stream, camera, x, y);
   const auto flat = ray.record(0);
   if (!flat || x >= static_cast<uint32_t>(flat->frame_width) ||
       y >= static_cast<uint32_t>(flat->frame_height)) {
@@ -158,6 +161,20 @@ Result<FocusPoint> focus_at(const Decoder& decoder, const Camera& camera, uint32
     return FocusPoint{PixelSight::kSurface, **found, views[k].view};
   }
   return FocusPoint{is_seen ? PixelSight::kUnknown : PixelSight::kOutside, 0, {}};
+}
+
+}  // namespace
+
+Result<FocusPoint> focus_at(const Decoder& decoder, const Camera& camera, uint32_t x, uint32_t y) {
+  const StreamView& stream = DecoderAccess::stream(decoder);
+  return guard_request(stream.source, [&] {
+    if (stream.source != nullptr) {
+      load_by_trials(stream, [&](const StreamView& view, const MissingRanges&) {
+        static_cast<void>(find_focus(view, camera, x, y));
+      });
+    }
+    return find_focus(stream, camera, x, y);
+  });
 }
 
 }  // namespace hmlfc

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <hmlfc/camera.hpp>
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/image.hpp>
 
+#include "decoder/fast/part_loader.hpp"
 #include "decoder/key_images.hpp"
 #include "render/displaced_cells.hpp"
 #include "render/view_cache.hpp"
@@ -19,6 +21,10 @@ namespace hmlfc {
 /// Returns the samples that the frame reads, three a pixel (FrameCounts::samples_interpolated).
 uint64_t plan_frame(const FrameRecord& record, int stop_level, const StreamHeader& header,
                     const CellDisplacements& displaced, ViewCache& cache);
+
+/// Appends the missing blocks of page `page` of `view`, of stop level `stop_level`, plane by plane.
+void add_missing_parts(const StreamView& stream, const ViewShape& shape, int stop_level,
+                       const CachedView& view, uint32_t page, std::vector<ImagePart>& parts);
 
 /// Decodes the missing blocks of page `page` of `view`, whose needed blocks are set, and converts
 /// them to pixels. Where `coarser` is not null it is the view's parent, of stop level + 1, with

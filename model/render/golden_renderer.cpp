@@ -7,7 +7,8 @@
 
 #include "arithmetic/colour.hpp"
 #include "arithmetic/widths.hpp"
-#include "decoder/memory_guard.hpp"
+#include "decoder/open_stream.hpp"
+#include "decoder/request_guard.hpp"
 #include "render/golden_displacements.hpp"
 #include "render/shown_image.hpp"
 #include "render/taps.hpp"
@@ -95,7 +96,8 @@ class GoldenRenderer final : public FrameRenderer {
     if (!fits(record, decoder_.header(), stop_level)) {
       return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
     }
-    return guard_memory([&] { return render_checked(record, stop_level, frame); });
+    return guard_request(DecoderAccess::stream(decoder_).source,
+                         [&] { return render_checked(record, stop_level, frame); });
   }
 
  private:

@@ -48,6 +48,19 @@ std::vector<BlockRect> missing_rects(const BlockBits& needed, const BlockBits& h
   return rects;
 }
 
+std::vector<BlockRect> missing_luma(const ViewShape& shape, const CachedView& view, uint32_t page) {
+  const uint32_t rows = shape.page_block_rows();
+  return missing_rects(view.needed, view.held, page * rows,
+                       std::min((page + 1) * rows, shape.blocks_y));
+}
+
+std::vector<BlockRect> missing_chroma(const ViewShape& shape, const CachedView& view,
+                                      uint32_t page) {
+  const uint32_t rows = shape.page_chroma_block_rows();
+  return missing_rects(view.needed_chroma, view.held_chroma, page * rows,
+                       std::min((page + 1) * rows, shape.chroma_blocks_y));
+}
+
 class PageLoader {
  public:
   PageLoader(const Decoder& decoder, const ViewShape& shape, int stop_level,
@@ -62,15 +75,11 @@ class PageLoader {
         requests_(requests) {}
 
   Result<void> run() {
-    const auto chroma = missing_rects(
-        view_.needed_chroma, view_.held_chroma, number_ * shape_.page_chroma_block_rows(),
-        std::min((number_ + 1) * shape_.page_chroma_block_rows(), shape_.chroma_blocks_y));
+    const auto chroma = missing_chroma(shape_, view_, number_);
     for (const BlockRect& rect : chroma) {
       if (auto ok = load_chroma(rect); !ok) return ok;
     }
-    const auto luma =
-        missing_rects(view_.needed, view_.held, number_ * shape_.page_block_rows(),
-                      std::min((number_ + 1) * shape_.page_block_rows(), shape_.blocks_y));
+    const auto luma = missing_luma(shape_, view_, number_);
     for (const BlockRect& rect : luma) {
       if (auto ok = load_luma(rect); !ok) return ok;
     }
@@ -182,6 +191,20 @@ class PageLoader {
 };
 
 }  // namespace
+
+void add_missing_parts(const StreamView& stream, const ViewShape& shape, int stop_level,
+                       const CachedView& view, uint32_t page, std::vector<ImagePart>& parts) {
+  const ImagePos image =
+      stream.geometry.ancestor({view.place().row, view.place().col}, 0, stop_level);
+  for (const BlockRect& rect : missing_luma(shape, view, page)) {
+    parts.push_back({stop_level, image, Plane::kY, rect});
+  }
+  for (const BlockRect& rect : missing_chroma(shape, view, page)) {
+    for (const Plane plane : {Plane::kCo, Plane::kCg}) {
+      parts.push_back({stop_level, image, plane, rect});
+    }
+  }
+}
 
 Result<void> load_page(const Decoder& decoder, const ViewShape& shape, int stop_level,
                        const CachedView* coarser, CachedView& view, uint32_t page,

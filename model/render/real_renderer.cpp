@@ -6,7 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "decoder/memory_guard.hpp"
+#include "decoder/open_stream.hpp"
+#include "decoder/request_guard.hpp"
 #include "render/golden_displacements.hpp"
 #include "render/shown_image.hpp"
 
@@ -198,7 +199,8 @@ class RealRenderer {
 }  // namespace
 
 Result<RealFrame> render_real(const Decoder& decoder, const Camera& camera, int stop_level) {
-  return guard_memory([&] { return RealRenderer(decoder, camera, stop_level).run(); });
+  return guard_request(DecoderAccess::stream(decoder).source,
+                       [&] { return RealRenderer(decoder, camera, stop_level).run(); });
 }
 
 double fixed_point_bound(const Camera& camera, const StreamHeader& header,

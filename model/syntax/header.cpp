@@ -16,7 +16,6 @@ constexpr std::array<uint8_t, 8> kMagic{0x89, 'H', 'M', 'L', 'F', 'C', 0x0D, 0x0
 // Byte offsets of FIL-1.
 constexpr size_t kAtVersion = 8;
 constexpr size_t kAtProfile = 9;
-constexpr size_t kAtHeaderBytes = 10;
 constexpr size_t kAtFeatureFlags = 12;
 constexpr size_t kAtFields = 16;  // rows and the fields after it: each_field
 constexpr size_t kAtReserved = 35;

@@ -11,6 +11,9 @@
 namespace hmlfc {
 inline constexpr uint8_t kVersion = 1;
 
+/// Byte offset of header_bytes (FIL-1).
+inline constexpr size_t kAtHeaderBytes = 10;
+
 /// Bytes of a section entry (FIL-3).
 inline constexpr uint32_t kSectionEntryBytes = 24;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "arithmetic/rounding.hpp"
 #include "bits/bit_string.hpp"
@@ -31,12 +32,14 @@ uint64_t bit_address(const StreamView& stream, Section section, uint64_t byte) {
   return (stream.entry(section).offset + byte) * 8;
 }
 
+// The root entry of tile group `group`, a byte in the ROOT section.
+uint64_t root_entry_at(uint64_t group) { return group / kGroupTiles * kRootEntryBytes; }
+
 // The record number of tile group `group`; nothing where all its tiles are empty (IDX-4).
 std::optional<GroupNumber> find_group(const StreamView& stream, uint64_t group,
                                       const Probe& probe) {
   const auto root = stream.bytes(Section::kRoot);
-  const uint64_t at = group / kGroupTiles * kRootEntryBytes;
-  stream.note_read(Section::kRoot, at, kRootEntryBytes);
+  const uint64_t at = root_entry_at(group);
   const uint64_t mask = load_le<uint64_t>(root, static_cast<size_t>(at));
   const uint64_t address = bit_address(stream, Section::kRoot, at);
   probe.field(Section::kRoot, address, 64, "mask", "IDX-4", static_cast<int64_t>(mask));
@@ -52,12 +55,13 @@ Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNu
   const auto groups = stream.bytes(Section::kGroup);
   const uint64_t records = groups.size() / kGroupRecordBytes;
   if (number.rank >= records || number.first >= records - number.rank) {
-    return stream.error(ErrorCode::kBadRootEntry, Section::kRoot,
-                        group / kGroupTiles * kRootEntryBytes);
+    return stream.error(ErrorCode::kBadRootEntry, Section::kRoot, root_entry_at(group));
   }
   GroupRecord record;
   record.at = (number.first + number.rank) * kGroupRecordBytes;
-  stream.note_read(Section::kGroup, record.at, kGroupRecordBytes);
+  if (!stream.will_read(Section::kGroup, record.at, kGroupRecordBytes)) {
+    return stream.unread(Section::kGroup, record.at);
+  }
   record.tile_mask = load_le<uint64_t>(groups, static_cast<size_t>(record.at));
   const uint64_t place = load_le<uint64_t>(groups, static_cast<size_t>(record.at) + 8);
   record.data = place & ((uint64_t{1} << kDataOffsetBits) - 1);
@@ -71,6 +75,13 @@ Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNu
     return stream.error(ErrorCode::kBadGroupRecord, Section::kGroup, record.at);
   }
   return record;
+}
+
+// StreamView::will_read for entry `entry` of the end table and the one before.
+bool will_read_ends(const StreamView& stream, const GroupRecord& group, unsigned entry) {
+  const uint64_t begin = uint64_t{entry == 0 ? 0 : entry - 1} * group.offset_bits / 8;
+  const uint64_t end = ceil_div(uint64_t{entry + 1} * group.offset_bits, uint64_t{8});
+  return stream.will_read(Section::kTile, group.data + begin, end - begin);
 }
 
 // Reads where the record before ends, and this one, from the end table (IDX-6).
@@ -88,19 +99,22 @@ Result<TileExtent> load_extent(const StreamView& stream, const GroupRecord& grou
   const auto end_of = [&](unsigned entry) {
     const uint64_t at = uint64_t{entry} * group.offset_bits;
     const uint32_t end = table.field(at, group.offset_bits);
-    stream.note_read(Section::kTile, group.data + at / 8,
-                     ceil_div(at % 8 + group.offset_bits, uint64_t{8}));
     probe.field(Section::kTile, address + at, group.offset_bits, "end", "IDX-6", end);
     return end;
   };
   const unsigned entry = rank(group.tile_mask, lane);
+  if (stream.is_watched() && !will_read_ends(stream, group, entry)) {
+    return stream.unread(Section::kTile, group.data);
+  }
   const uint64_t records = group.data + table_bytes;
   const uint64_t begin = records + (entry == 0 ? 0 : end_of(entry - 1));
   const uint64_t end = records + end_of(entry);
   if (end <= begin || end > tiles.size()) {
     return stream.error(ErrorCode::kBadTileOffset, Section::kTile, group.data);
   }
-  stream.note_read(Section::kTile, begin, end - begin);
+  if (!stream.will_read(Section::kTile, begin, end - begin)) {
+    return stream.unread(Section::kTile, begin);
+  }
   return TileExtent{begin, end};
 }
 
@@ -120,6 +134,10 @@ Result<void> check_index_sizes(const StreamView& stream) {
 Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t tile,
                                             const Probe& probe) {
   const uint64_t group = tile / kGroupTiles;
+  const uint64_t entry = root_entry_at(group);
+  if (!stream.will_read(Section::kRoot, entry, kRootEntryBytes)) {
+    return stream.unread(Section::kRoot, entry);
+  }
   const auto number = find_group(stream, group, probe);
   if (!number) return std::nullopt;
   const auto record = load_group(stream, group, *number, probe);
@@ -176,6 +194,11 @@ void IndexWriter::add(std::span<const uint8_t> record) {
   if (lane == kGroupTiles - 1) flush_group();
 }
 
+std::vector<uint8_t> IndexWriter::take_tiles() {
+  tiles_taken_ += tiles.size();
+  return std::exchange(tiles, {});
+}
+
 void IndexWriter::finish() {
   if (lane_of(next_tile_) != 0) flush_group();
   if (lane_of(groups_done_) != 0) flush_root_entry();
@@ -188,7 +211,7 @@ void IndexWriter::flush_group() {
         std::max(layout_.least_offset_bits, static_cast<unsigned>(std::bit_width(last)));
     tiles.insert(tiles.end(), layout_.spare_bytes, 0xA5);
     append_le(groups, tile_mask_);
-    append_le(groups, uint64_t{tiles.size()} | (uint64_t{offset_bits} << kDataOffsetBits));
+    append_le(groups, (tiles_taken_ + tiles.size()) | (uint64_t{offset_bits} << kDataOffsetBits));
     BitWriter table;
     for (const uint64_t end : ends_) table.put(static_cast<uint32_t>(end), offset_bits);
     tiles.insert(tiles.end(), table.bytes().begin(), table.bytes().end());

@@ -33,7 +33,7 @@ struct TileExtent {
 
 /// The place of the record of tile `tile` in [0, tile_count() - 1]; nothing where the tile is empty
 /// (IDX-7). Four dependent reads at most. Errors: bad_root_entry, bad_group_record,
-/// bad_tile_offset.
+/// bad_tile_offset; bus_error where bytes cannot be read.
 Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t tile,
                                             const Probe& probe);
 
@@ -70,6 +70,9 @@ class IndexWriter {
   /// Appends tile number 0, 1, 2, ...; an empty record stands for an empty tile.
   void add(std::span<const uint8_t> record);
 
+  /// The bytes of `tiles` so far, which are taken out: later ones follow them in the section.
+  std::vector<uint8_t> take_tiles();
+
   /// Ends the last tile group. Afterwards the sections are complete.
   void finish();
 
@@ -83,6 +86,7 @@ class IndexWriter {
 
   IndexLayout layout_;
   uint64_t next_tile_ = 0;
+  uint64_t tiles_taken_ = 0;  // bytes
   uint64_t groups_done_ = 0;
 
   uint64_t tile_mask_ = 0;

@@ -58,6 +58,47 @@ class ConvertTest(CliTest):
         self.same_views("decoded", "deep")
         self.assertEqual((self.folder / "deep/00_00.png").read_bytes(), views[0].read_bytes())
 
+    def test_a_video(self):
+        self.hmlfc("decode", DEEP, "-o", "deep-views")
+        for source, views, bits in (("views", "views", 10), (DEEP, "deep-views", 12)):
+            for order in "raster", "serpentine":
+                with self.subTest(source=source, order=order):
+                    self.hmlfc("convert", source, "all.y4m", "--order", order)
+                    video = (self.folder / "all.y4m").read_bytes()
+                    self.assertIn(f" C444p{bits} ".encode(), video.split(b"\n")[0])
+                    self.hmlfc("convert", "all.y4m", f"from-{bits}-{order}")
+                    self.same_views(views, f"from-{bits}-{order}")
+        self.hmlfc("convert", "views", "eight.y4m", "--bits", "8")
+        self.hmlfc("convert", "eight.y4m", "nearly")
+        told = self.run_hmlfc("compare", "views", "nearly").stdout.decode()
+        self.assertRegex(told, "Largest error +[12]\n")
+
+    def test_a_stream(self):
+        self.hmlfc("decode", DEEP, "-o", "decoded-deep")
+        for views in "views", "decoded-deep":
+            with self.subTest(views=views):
+                self.hmlfc("convert", views, "all.hmlfc")
+                self.hmlfc("convert", "all.hmlfc", f"again-{views}")
+                self.same_views(views, f"again-{views}")
+
+    def test_names_of_jpeg_pleno(self):
+        self.hmlfc("decode", DEEP, "-o", "ten")
+        for views in "views", "ten":
+            with self.subTest(views=views):
+                self.hmlfc("convert", views, f"pleno-{views}", "--to", "pleno")
+                self.hmlfc("convert", f"pleno-{views}", f"from-pleno-{views}", "--from", "pleno")
+                self.same_views(views, f"from-pleno-{views}")
+        names = sorted(path.name for path in (self.folder / "pleno-views").iterdir())
+        self.assertEqual(names, [f"{col:03}_{row:03}.ppm" for col in range(4) for row in range(3)])
+        deep = (self.folder / "pleno-ten/000_001.ppm").read_bytes()
+        self.assertTrue(deep.startswith(b"P6\n33 25\n1023\n"), deep[:20])
+        # A part of the grid, whose size is given as rows x columns.
+        for name in names:
+            if not name.endswith("000.ppm"):
+                (self.folder / "pleno-views" / name).unlink()
+        self.hmlfc("convert", "pleno-views", "top", "--from", "pleno", "--grid", "1x4")
+        self.assertEqual(len(list((self.folder / "top").iterdir())), 4)
+
     def test_what_does_not_fit(self):
         self.hmlfc("convert", "views", "all.png", "--to", "tiles")
         for arguments, says in [
@@ -65,12 +106,18 @@ class ConvertTest(CliTest):
             (("views", "a_qs3x1a1.5.png", "--row", "0"), "the views are 4 of aspect 1.5"),
             (("views", "a_qs2x2a1.6.png", "--row", "0"), "aspect 1.6"),
             (("views", "a.png"), "--to"),
-            (("views", "a.jpg"), "folder, .png or .ppm"),
-            (("views", "a.hmlfc"), "hmlfc encode"),
+            (("views", "a.jpg"), "JPEG loses samples"),
+            (("views", "a.hmlfc", "--to", "tiles"), "--to"),
+            (("views", "a.y4m", "--to", "pleno"), "a picture or a folder"),
+            (("views", "a.png", "--to", "pleno"), "--to pleno"),
+            (("all.png", "a", "--from", "pleno", "--grid", "3x4"), "--from tiles or lenslets"),
+            (("views", "a", "--bits", "8"), "--bits is for"),
+            (("views", "a", "--order", "raster"), "--order is for"),
+            ((DEEP, "a.y4m", "--bits", "8"), "--bits 8 is less than the 10 bits"),
             (("views", "a", "--to", "tiles"), "--to"),
             (("views", "a", "--from", "tiles"), "--from"),
             (("views", "a", "--row", "3"), "3,0 is outside"),
-            (("all.png", "a"), "--from and --grid"),
+            (("all.png", "a"), "--from tiles or lenslets and --grid"),
             (("views", "nowhere/a.png", "--to", "tiles"), "nowhere"),
         ]:
             with self.subTest(arguments=arguments):

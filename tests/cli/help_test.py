@@ -13,7 +13,8 @@ from program import PROGRAM, ROOT, CliTest, main
 
 COMMANDS = {
     "": ["--help", "--version"],
-    "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--disparity", "--rig", "--output"],
+    "synth": ["--scene", "--grid", "--size", "--baseline", "--seed", "--cameras", "--disparity", "--rig",
+              "--output"],
     "encode": ["--grid", "--views", "--profile", "--method", "--cluster", "--height", "--block", "--window",
                "--threshold-ref", "--threshold-pred", "--quality", "--preset", "--target-psnr", "--target-bpp", "--max-bytes", "--chroma", "--lossless",
                "--references", "--rig", "--no-rig", "--threads", "--json", "--output"],
@@ -28,6 +29,7 @@ COMMANDS = {
     "render": ["--camera", "--look-at", "--fov", "--size", "--filter", "--focus", "--focus-at", "--aperture", "--path",
                "--frames", "--focal", "--shear", "--row-pitch", "--levels", "--backend", "--device", "--cache",
                "--preview", "--quality-vs-time", "--threads", "--json", "--output"],
+    "reference-area": ["--output"],
     "view": ["--original", "--dut", "--view", "--plane", "--block", "--port", "--no-ahead", "--no-browser", "--once"],
     "picture": ["view", "sheet", "difference"],
     "picture view": ["--view", "--output"],

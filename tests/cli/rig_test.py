@@ -95,6 +95,24 @@ class Rig(CliTest):
         self.assertEqual((left, top), (-right, -bottom))
         self.refused(USAGE, *"synth --scene flat --grid 2x2 --size 40x30 -o flat --rig x.json".split(), says=["--rig"])
 
+    def test_scenes_from_rigs(self):
+        synth = "synth --scene cards --grid 2x3 --size 40x30 --baseline 40 -o {0} --rig {0}.json --cameras {0}"
+        seen = set()
+        for cameras in ("grid", "plane", "sphere", "path"):
+            self.hmlfc(*synth.format(cameras).split())
+            rig = json.loads((self.folder / f"{cameras}.json").read_text())
+            self.assertEqual("rotations" in rig, cameras in ("sphere", "path"), cameras)
+            self.assertEqual(len({z for _, _, z in rig["positions"]}) > 1, cameras in ("sphere", "path"))
+            seen.add((self.folder / cameras / "00_00.png").read_bytes())
+        self.assertEqual(len(seen), 4)
+        again = synth.format("sphere").replace("sphere --rig", "again --threads 1 --rig").split()
+        self.hmlfc(*again)
+        for name in ("00_00.png", "01_02.png"):
+            self.assertEqual((self.folder / "again" / name).read_bytes(), (self.folder / "sphere" / name).read_bytes())
+        scene = "synth --scene {} --grid 2x2 --size 40x30 -o x --cameras sphere"
+        self.refused(USAGE, *scene.format("flat").split(), says=["--cameras", "choose another"])
+        self.refused(USAGE, *scene.format("cards --disparity y").split(), says=["--disparity needs --cameras grid"])
+
     def test_files_that_hold_no_rig(self):
         encode = "encode views -o x.hmlfc --rig bad.json".split()
         self.write("bad.json", {**RIG, "positions": POSITIONS[:3]})

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "encoder/cached_views.hpp"
 #include "encoder/coding_params.hpp"
 #include "encoder/key_curve.hpp"
 #include "encoder/trial_part.hpp"
@@ -18,15 +19,25 @@ namespace {
 constexpr LightFieldShape kTrialShape{6, 6, 112, 96, 8};
 
 EncodeParams settled_params(const LightField& field) {
-  return settle_coding(field, with_defaults({})).params;
+  return settle_coding(FieldViews(field), with_defaults({})).params;
+}
+
+// The part of `views` on which `params` are tried.
+CachedViews part_of(const ViewProvider& views, const EncodeParams& params) {
+  const Rect part = trial_part(views, *header_for(views.shape(), params));
+  return {views, part, CachedViews::kUnlimited};
+}
+
+TrialResult trial_of(const LightField& field, const SettledCoding& settled, size_t images) {
+  const FieldViews views(field);
+  return try_coding(views.shape(), part_of(views, settled.params), settled.params, settled.probe,
+                    images);
 }
 
 TEST(CodingTrial, IsNearTheWholeEncoding) {
   const LightField field = test::textured_light_field(kTrialShape, 3, 6);
-  const SettledCoding settled = settle_coding(field, with_defaults({}));
-  const auto header = header_for(field.shape(), settled.params);
-  const TrialResult trial =
-      try_coding(field, trial_part(field, *header), settled.params, settled.probe, 100);
+  const SettledCoding settled = settle_coding(FieldViews(field), with_defaults({}));
+  const TrialResult trial = trial_of(field, settled, 100);
   const auto encoded = encode(field, settled.params);
   ASSERT_TRUE(encoded.has_value());
   const double bits = 8 * static_cast<double>(encoded->bytes.size());
@@ -45,10 +56,8 @@ TEST(CodingTrial, SeesAllRows) {
       if (y / 64 != 1) field.write_row(view / shape.cols, view % shape.cols, y, grey);
     }
   }
-  const SettledCoding settled = settle_coding(field, with_defaults({}));
-  const auto header = header_for(field.shape(), settled.params);
-  const TrialResult trial =
-      try_coding(field, trial_part(field, *header), settled.params, settled.probe, 10);
+  const SettledCoding settled = settle_coding(FieldViews(field), with_defaults({}));
+  const TrialResult trial = trial_of(field, settled, 10);
   const auto encoded = encode(field, settled.params);
   ASSERT_TRUE(encoded.has_value());
   EXPECT_NEAR(trial.bits / (8 * static_cast<double>(encoded->bytes.size())), 1, 0.15);
@@ -74,10 +83,11 @@ TEST(CodingTrial, ThePartLiesInTheViews) {
   EncodeParams params = with_defaults({});
   params.ref_rows = params.ref_cols = 2;
   params.chroma = ChromaFormat::k444;
-  const LightField part = trial_part(field, *header_for(shape, params));
+  const FieldViews views(field);
+  const CachedViews part = part_of(views, params);
   ASSERT_EQ(part.shape().width, 384u);
   ASSERT_EQ(part.shape().height, 256u);
-  const RgbImage view = part.view(0, 1);
+  const RgbImage view = part.view({0, 1});
   const uint32_t left = view.samples[0];
   const uint32_t top = view.samples[1];
   EXPECT_LE(left + 384, shape.width);

@@ -9,6 +9,7 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/encoder.hpp>
 
+#include "encoder/cached_views.hpp"
 #include "encoder/coding_params.hpp"
 #include "encoder/encode_session.hpp"
 #include "scenes/test_light_fields.hpp"
@@ -32,8 +33,9 @@ Encoding encode_watched(const LightField& field, const EncodeParams& params) {
     const std::scoped_lock lock(mutex);
     encoding.images[{level, at.row, at.col}] = planes;
   };
-  const SettledCoding settled = settle_coding(field, with_defaults(params));
-  EncodeSession session(field, *header_for(field.shape(), settled.params), settled.probe);
+  const FieldViews views(field);
+  const SettledCoding settled = settle_coding(views, with_defaults(params));
+  EncodeSession session(views, *header_for(field.shape(), settled.params), settled.probe);
   CodedImages coded = session.encode(settled.params, true, observer);
   encoding.bytes = session.stream(coded);
   return encoding;

@@ -25,7 +25,8 @@ import decode  # noqa: E402
 import light_field  # noqa: E402
 import references  # noqa: E402
 import residual  # noqa: E402
-import faulty_opening  # noqa: E402, F401  (adds to CHECKS)
+import faulty_index  # noqa: E402, F401  (adds to CHECKS)
+import faulty_opening  # noqa: E402, F401  (likewise)
 from faulty_checks import CHECKS  # noqa: E402
 from faulty_jpeg2000 import CODESTREAM  # noqa: E402
 

@@ -218,3 +218,23 @@ def tile_part_markers_skipped():
         return right(kept[: sot + 6] + length.to_bytes(4, "big") + kept[sot + 10 :], *shape)
 
     key_images.Codestream = read
+
+
+@codestream
+def quantization_of_four_bits():
+    """KEY-2 with bit 4 of Sqcd ignored."""
+    right = markers.Codestream._qcd
+    markers.Codestream._qcd = lambda self, segment: right(self, bytes([segment[0] & 0xEF]) + segment[1:])
+
+
+@codestream
+def psot_with_eoc():
+    """KEY-2 with a Psot that may count EOC."""
+    right = markers.Codestream._tile_part
+
+    def tile_part(self, begin):
+        if int.from_bytes(self.data[begin + 6 : begin + 10], "big") == len(self.data) - begin:
+            self.data = self.data[: begin + 6] + bytes(4) + self.data[begin + 10 :]
+        right(self, begin)
+
+    markers.Codestream._tile_part = tile_part

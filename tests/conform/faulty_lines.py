@@ -21,6 +21,7 @@ sys.path[:0] = [str(ROOT / "examples"), str(ROOT / "tests" / "naive_decoder")]
 
 import decode  # noqa: E402
 import line_decoder  # noqa: E402
+import motion  # noqa: E402
 import tile_head  # noqa: E402
 from block import BlockDecoder  # noqa: E402
 from stream_error import StreamError, require  # noqa: E402
@@ -28,6 +29,7 @@ from stream_error import StreamError, require  # noqa: E402
 BLOCKS, ANSWERS = {}, {}
 RIGHT = BlockDecoder.decode
 RIGHT_HEAD = tile_head.TileHead.__init__
+RIGHT_MOTION_TILE = motion.read_motion_tile
 
 
 def blocks(fault):
@@ -92,6 +94,22 @@ def read_head_with_vectors_cut(head, *arguments):
 def end_of_vectors_unchecked(decoder, *place):
     """A record without a residual need not hold all its vectors (TIL-1)."""
     with mock.patch.object(tile_head.TileHead, "__init__", read_head_with_vectors_cut):
+        return RIGHT(decoder, *place)
+
+
+def read_motion_tile_with_choices(*place):
+    """The choices of all palette entries that blocks of the tile use are checked."""
+    tile = RIGHT_MOTION_TILE(*place)
+    if tile is not None:
+        _, _, indices, palette = tile
+        require(all(palette[index].choice <= 11 for index in indices if index < len(palette)), "bad_mode")
+    return tile
+
+
+@blocks
+def choices_of_others(decoder, *place):
+    """A reserved choice is an error of all blocks of the motion tile (MOT-3)."""
+    with mock.patch.object(motion, "read_motion_tile", read_motion_tile_with_choices):
         return RIGHT(decoder, *place)
 
 

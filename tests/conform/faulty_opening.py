@@ -1,113 +1,39 @@
-"""Faults of the checks of header, sections and index, planted in the naive decoder."""
+"""Faults of the checks of header and sections, planted in the naive decoder."""
 
-import block
 import header
-import index
 import opening
 from faulty_checks import check
-from integers import rank
-from stream_error import StreamError, require
+from integers import signed
+from stream_error import require
+
+
+def check_sections_early(check_sections):
+    """Adds check_sections(fields, sections) before all checks that follow FIL-4."""
+    right = opening.read_sections
+
+    def read_sections(fields, data):
+        sections = right(fields, data)
+        check_sections(fields, sections)
+        return sections
+
+    opening.read_sections = read_sections
 
 
 @check
 def top_before_sizes():
     """The TOP table (KEY-1) before the sizes of ROOT and GROUP (IDX-4, IDX-5)."""
-    right = opening.read_sections
-
-    def read_sections(fields, data):
-        sections = right(fields, data)
-        opening.read_top_table(opening.Geometry(fields), sections[0])
-        return sections
-
-    opening.read_sections = read_sections
+    check_sections_early(lambda fields, sections: opening.read_top_table(opening.Geometry(fields), sections[-4]))
 
 
 @check
 def crc_before_sizes():
     """FIL-8 with the crc of the sections first."""
-    right = opening.read_sections
 
-    def read_sections(fields, data):
-        sections = right(fields, data)
+    def check_crcs(fields, sections):
         for (_, crc, _, _), section in zip(fields.sections, sections):
             require(opening.crc32c(section) == crc, "bad_section_crc")
-        return sections
 
-    opening.read_sections = read_sections
-
-
-@check
-def data_of_empty_groups():
-    """IDX-6 with data that must lie in TILE, in streams of one tile group, for empty tiles too."""
-    right = block.find_record
-
-    def find_record(stream, tile):
-        require(int.from_bytes(stream.group[8:14], "little") <= len(stream.tile), "bad_group_record")
-        return right(stream, tile)
-
-    block.find_record = find_record
-
-
-def change_root_entries(change):
-    """Replaces each root entry of an opened stream by change(entry, group records)."""
-    right = opening.Stream.__init__
-
-    def opened(self, *data):
-        right(self, *data)
-        entries = [self.root[at : at + 16] for at in range(0, len(self.root), 16)]
-        self.root = b"".join(change(entry, len(self.group) // 16) for entry in entries)
-
-    opening.Stream.__init__ = opened
-
-
-@check
-def first_of_32_bits():
-    """IDX-4 with `first` cut to 32 bits."""
-    change_root_entries(lambda entry, _: entry[:12] + bytes(len(entry[12:])))
-
-
-@check
-def record_for_each_mask_bit():
-    """IDX-4 with a record required for each bit of mask, when the stream is opened."""
-
-    def checked(entry, records):
-        mask, first = header.number(entry, 0, 8), header.number(entry, 8, 8)
-        require(first + mask.bit_count() <= records, "bad_root_entry")
-        return entry
-
-    change_root_entries(checked)
-
-
-@check
-def tiles_that_exist_alone():
-    """IDX-5 with tile_mask bits of tiles that do not exist taken for 0, in streams of one tile group."""
-    right = opening.Stream.__init__
-
-    def open_stream(self, data):
-        right(self, data)
-        tiles = self.geometry.image_count() * self.geometry.tiles_of_image()
-        if tiles < 64 and self.group:
-            mask = header.number(self.group, 0, 8) % 2**tiles
-            self.group = mask.to_bytes(8, "little") + self.group[8:]
-
-    opening.Stream.__init__ = open_stream
-
-
-@check
-def empty_tiles_unchecked():
-    """IDX-5 with the group record checked for tiles that are not empty alone."""
-    right = block.find_record
-
-    def find_record(stream, tile):
-        try:
-            return right(stream, tile)
-        except StreamError as error:
-            mask = header.number(stream.group, 0, 8)
-            if error.name == "bad_group_record" and tile < 64 and mask >> tile & 1 == 0:
-                return None
-            raise
-
-    block.find_record = find_record
+    check_sections_early(check_crcs)
 
 
 @check
@@ -136,40 +62,119 @@ def sections_unchecked():
     opening.require = require_others
 
 
-@check
-def record_number_of_64_bits():
-    """IDX-4 with first + rank cut to 64 bits, in streams of one root entry."""
-    right, entry = opening.Stream.__init__, []
-
-    def open_stream(self, *data):
-        right(self, *data)
-        entry[:] = [header.number(self.root, at, 8) for at in (0, 8)]
-
-    def cut_rank(mask, position):
-        found = rank(mask, position)
-        return (entry[1] + found) % 2**64 - entry[1] if mask == entry[0] else found
-
-    opening.Stream.__init__ = open_stream
-    index.rank = cut_rank
+def ignore_reserved_byte(at):
+    right = header.read_extended_fields
+    header.read_extended_fields = lambda fields, data: right(fields, data[:at] + bytes(1) + data[at + 1 :])
 
 
 @check
-def top_bit_of_place_ignored():
-    """IDX-5 with bit 63 of place ignored."""
-    right = opening.Stream.__init__
+def second_reserved_byte_ignored():
+    """EXT-2 with the second of the four reserved bytes ignored."""
+    ignore_reserved_byte(41)
 
-    def open_stream(self, *data):
-        right(self, *data)
-        self.group = bytes(byte & 127 if at % 16 == 15 else byte for at, byte in enumerate(self.group))
 
-    opening.Stream.__init__ = open_stream
+@check
+def third_reserved_byte_ignored():
+    """EXT-2 with the third of the four reserved bytes ignored."""
+    ignore_reserved_byte(42)
 
 
 @check
 def last_reserved_byte_ignored():
     """EXT-2 with the first three of the four reserved bytes checked."""
+    ignore_reserved_byte(43)
+
+
+@check
+def magic_of_seven_bytes():
+    """FIL-4 with the last byte of the magic ignored."""
+    right = opening.read_header
+
+    def read_header(data):
+        header.MAGIC = header.MAGIC[:7] + data[7:8]
+        return right(data)
+
+    opening.read_header = read_header
+
+
+@check
+def features_of_31_bits():
+    """EXT-1 with bit 31 of feature_flags ignored."""
+    right = header.read_flags
+    header.read_flags = lambda fields, flags: right(fields, flags % 2**31)
+
+
+def limit_field(name, greatest):
+    header.FIELDS[:] = [(*field[:4], greatest) if field[0] == name else field for field in header.FIELDS]
+
+
+@check
+def tree_height_16():
+    """FIL-1 with trees of height 16."""
+    limit_field("tree_height", 16)
+
+
+@check
+def rows_4095():
+    """LVL-1 with a grid of at most 4095 rows."""
+    limit_field("rows", 4095)
+
+
+@check
+def height_65535():
+    """LVL-1 with views of at most 65535 rows."""
+    limit_field("height", 65535)
+
+
+@check
+def vector_precision_4():
+    """EXT-2 with vectors in sixteenths of samples."""
     right = header.read_extended_fields
-    header.read_extended_fields = lambda fields, data: right(fields, data[:43] + bytes(1))
+
+    def read_extended_fields(fields, data):
+        right(fields, data[:35] + bytes([3]) + data[36:] if data[35] == 4 else data)
+
+    header.read_extended_fields = read_extended_fields
+
+
+@check
+def types_of_31_bits():
+    """FIL-3 with bit 31 of a section's type ignored."""
+    right = opening.read_sections
+
+    def read_sections(fields, data):
+        fields.sections = [(kind % 2**31, *entry) for kind, *entry in fields.sections]
+        return right(fields, data)
+
+    opening.read_sections = read_sections
+
+
+@check
+def top_sizes_signed():
+    """KEY-1 with sizes of codestreams as signed numbers."""
+    right = opening.number
+
+    def number(data, at, size):
+        return signed(right(data, at, size), 32) if at % 16 == 8 else right(data, at, size)
+
+    opening.number = number
+
+
+@check
+def tiles_of_32_bits():
+    """IDX-3 with the number of tiles cut to 32 bits."""
+    right = opening.ceil_div
+    opening.ceil_div = lambda tiles, share: right(tiles % 2**32, share)
+
+
+@check
+def rig_of_16_bits():
+    """RIG-1 with at most 65535 bytes in RIG."""
+
+    def check_rig(fields, sections):
+        require(not fields.camera_rig or len(sections[0]) < 2**16, "bad_section_size")
+
+    check_sections_early(check_rig)
 
 
 @check

@@ -11,6 +11,7 @@ FAULTY = ROOT / "tests" / "conform" / "faulty_lines.py"
 
 # Each planted fault of single blocks, a vector that must catch it, and what the report says.
 HUNTED_BY = {
+    "choices_of_others": ("error/motion-choice-of-others", "bad_mode instead of samples"),
     "wrong_later_error": ("error/level-delta-28", "tile_overrun instead of bad_levels"),
     "error_spreads": ("error/level-delta-28", "bad_levels instead of samples"),
     "later_errors_hidden": ("error/level-delta-28", "samples instead of bad_levels"),

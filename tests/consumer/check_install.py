@@ -64,7 +64,7 @@ class Installation:
             run(self.compiler, *flags, *strict, input=source)
 
     def check_exports(self):
-        found = exports.check(self.lib / "libhmlfc.so", [file for file in self.headers if file.suffix == ".hpp"])
+        found = exports.check(self.lib / "libhmlfc.so", [file for file in self.headers if not file.name.startswith("hmlfc_")])
         assert not found, "\n".join(found)
 
     def build_examples(self, name, *options):
@@ -120,6 +120,23 @@ def check_frame(installation, folder):
     assert ours.shape == theirs.shape and ours.max() > 0 and (ours == theirs).all()
     assert (ours[:, :, 0] != ours[:, :, 2]).any(), "a grey frame would not show swapped channels"
     run(folder / "render_frame", STREAM, "9999", "0", folder / "none.ppm", code=1)
+
+
+def check_c_program(installation, folder):
+    """The C99 example, with the compiler's strictest words: its pictures are those of the program."""
+    program = folder / "strict_c"
+    flags = run("pkg-config", "--cflags", "--libs", "hmlfc").split()
+    strict = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Werror"]
+    run("cc", *strict, EXAMPLES / "decode_view.c", "-o", program, f"-Wl,-rpath,{installation.lib}", *flags)
+    assert "GLIBCXX" not in run("objdump", "-T", program), "the C program needs the C++ library by itself"
+    run(program, STREAM, "1", "2", folder / "view.ppm", folder / "middle.ppm")
+    installation.hmlfc("decode", STREAM, "--view", "1,2", "-o", folder / "views")
+    installation.hmlfc("render", STREAM, "-o", folder / "middle.png")
+    for ours, theirs in (("view.ppm", "views/01_02.png"), ("middle.ppm", "middle.png")):
+        ours, theirs = (np.asarray(Image.open(folder / name)) for name in (ours, theirs))
+        assert ours.shape == theirs.shape and (ours == theirs).all()
+    done = subprocess.run([program, VECTORS / "error/magic.hmlfc", "1", "2", "-", "-"], text=True, capture_output=True)
+    assert done.returncode == 1 and "bad_magic in header at byte 0" in done.stderr, done
 
 
 def check_line_decoder(installation):
@@ -243,8 +260,20 @@ def check_python(installation):
     assert int(total) == int(np.asarray(Image.open(installation.work / "view" / "01_02.png")).sum())
 
 
+def check_wgsl(installation):
+    """The decoder for WebGPU is there as built: its kernels, and what each of its modules imports."""
+    built = installation.build / "gpu_ref" / "wgsl"
+    folder = installation.prefix / "share" / "hmlfc" / "wgsl"
+    names = sorted(file.name for file in built.iterdir()) if built.exists() else []
+    assert names == (sorted(file.name for file in folder.iterdir()) if folder.exists() else []), names
+    for module in folder.glob("*.js"):
+        imported = re.findall(r'from "\./([^"]*)"', module.read_text())
+        assert all(name in names for name in imported), f"{module.name} imports {imported}"
+
+
 def main():
     installation = Installation(*sys.argv[1:])
+    check_wgsl(installation)
     check_python(installation)
     check_suite(installation)
     check_documents(installation)
@@ -260,6 +289,7 @@ def main():
         assert ("libhmlfc.so" in needed) == (name == "shared"), f"{name}: {needed}"
         check_block(installation, folder / "decode_block")
     check_frame(installation, folder)
+    check_c_program(installation, folder)
     check_wrapper(installation, folder)
     check_block(installation, installation.pkg_config_program("pkg_shared"))
     archive = ["-Wl,--whole-archive", installation.lib / "libhmlfc.a", "-Wl,--no-whole-archive"]

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Checks that a shared library exports what the public headers mark with HMLFC_EXPORT, no more, no less."""
+"""Checks that a shared library exports what the public headers mark with HMLFC_EXPORT and HMLFC_C_EXPORT, no more, no less."""
 
 import re
 import subprocess
 import sys
 
 MARK = re.compile(r"(?P<before>\S+)\s+HMLFC_EXPORT\s+(?P<head>[^;{]*)")
+C_MARK = re.compile(r"^HMLFC_C_EXPORT ([^;(]+)", re.M)
 
 
 def marked_names(header):
-    """The classes and the functions that a header marks, as sets of 'hmlfc::name'."""
+    """The classes and the functions that a header marks, as sets of 'hmlfc::name'; of C 'name'."""
     text = re.sub(r"//[^\n]*|#[^\n]*|/\*.*?\*/", "", header, flags=re.DOTALL)
     classes, functions = set(), set()
     for match in MARK.finditer("; " + text):
@@ -17,6 +18,7 @@ def marked_names(header):
             classes.add("hmlfc::" + match["head"].split()[0])
         else:
             functions.add("hmlfc::" + match["head"].split("(")[0].split()[-1])
+    functions |= {declared.split()[-1].lstrip("*") for declared in C_MARK.findall(header)}
     return classes, functions
 
 
@@ -52,14 +54,16 @@ def check(library, headers):
 
 
 def self_test():
-    headers = ["class HMLFC_EXPORT Decoder {\n};\n", "HMLFC_EXPORT Result<int>\nparse(int a,\n          int b);\n"]
-    good = ["hmlfc::Decoder::open(int)", "vtable for hmlfc::Decoder", "hmlfc::parse[abi:cxx11](int, int)"]
+    headers = ["class HMLFC_EXPORT Decoder {\n};\n", "HMLFC_C_EXPORT const char* hmlfc_name(int);\n", "HMLFC_EXPORT Result<int>\nparse(int a,\n          int b);\n"]
+    good = ["hmlfc_name", "hmlfc::Decoder::open(int)", "vtable for hmlfc::Decoder", "hmlfc::parse[abi:cxx11](int, int)"]
     assert violations(good, headers) == [], violations(good, headers)
     faults = {
         "hmlfc::read_window(int)": good + ["hmlfc::read_window(int)"],
         "std::vector<int>::size()": good + ["std::vector<int>::size()"],
         "typeinfo for hmlfc::Geometry": good + ["typeinfo for hmlfc::Geometry"],
-        "hmlfc::parse": good[:2],
+        "hmlfc::parse": good[:3],
+        "hmlfc_crc32c": good + ["hmlfc_crc32c"],
+        "hmlfc_name": good[1:],
     }
     for name, symbols in faults.items():
         found = violations(symbols, headers)

@@ -45,11 +45,12 @@ WORDS = rules(
 
 COMMANDS = rules(
     (r"\./run (demo|soak.*)", NAMED_ONLY, "runs for minutes"),
+    (r"\./run (package|docs|sbom)", NAMED_ONLY, "tests of label release run it"),
     (r"\./run test( --require-all)?", NAMED_ONLY, "runs this test"),
     (r"(?:\./run test|ctest --test-dir \S+) (.*)", r"ctest --test-dir $BUILD -N \1 | grep 'Total Tests: [1-9]'", "lists the tests"),
     (r"cmake (?:--preset |--build build/)(\w+)(?: -D\S+)?", r"""cmake --list-presets | grep -F '"\1"'""", "a build takes minutes"),
     (r"cmake --install build/release --prefix \S+", "cmake --install $BUILD --prefix installed", "into the sandbox"),
-    (r"(\./run (?:bench (?:accuracy|rate_distortion|skipping|view)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
+    (r"(\./run (?:bench (?:accuracy|rate_distortion|remote|skipping|view)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),
     (r"(\./run view) .*", HELP, "serves until Ctrl-C; viewer.command runs it"),
     (r"(\./run rtl-clocks)", HELP, "tlm.latencies runs it, for 16 seconds"),

@@ -21,7 +21,7 @@ MAX_LINES = 320
 SYNTAX = {"model/bits", "model/arithmetic", "model/syntax"}
 DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast"}
 CODEC = {*DECODER, "model/render", "model/encoder"}
-TOOLS = {f"tools/{name}" for name in ("terminal", "io", "scenes", "vectors", "conform", "primitives", "cli", "view")}
+TOOLS = {f"tools/{name}" for name in ("terminal", "io", "remote", "scenes", "vectors", "conform", "primitives", "cli", "view")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
 CHECKS = {*DECODER, "rtl/driver", "tools/io", "testbench/oracle", "testbench/stimulus"}
 TESTBENCH = {"rtl/driver", *(f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu", "view"))}
@@ -40,17 +40,19 @@ ALLOWED = {
     "model/decoder/fast": DECODER,
     "model/render": DECODER,
     "model/encoder": DECODER,
+    "model/capi": {"model/bits"},
     "gpu_ref/include": set(),
     "gpu_ref": CODEC - {"model/encoder"},
     "tools/terminal": set(),
     "tools/io": {"model/bits"},
+    "tools/remote": {"tools/io"},
     "tools/scenes": {"tools/io"},
     "tools/vectors": {*CODEC, "tools/io", "tools/scenes"} - {"model/render"},
     "tools/conform": {*CODEC, "tools/io", "tools/vectors"} - {"model/render"},
     "tools/primitives": {*SYNTAX, "model/decoder", "tools/vectors"},
     "tools/dut": set(),
     "tools/tables": SYNTAX,
-    "tools/python": {"tools/io"},
+    "tools/python": {"tools/io", "tools/remote"},
     "tools/cli": APPLICATIONS - {"tools/view"},
     "tools/view": APPLICATIONS,
     "testbench/oracle": DECODER,

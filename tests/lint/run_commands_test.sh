@@ -50,6 +50,8 @@ expect 0 "*python3 $root/testbench/programs/rtl_coverage.py /build/testbench/rtl
 expect 0 '*tests/mutation/shaders/campaign.py --program /build/tests/gpu/decode_vectors' \
   mutate shaders
 expect 0 '*tests/mutation/rtl/mutate.py /build/tests/mutation/rtl/ *' mutate rtl --count 5
+expect 0 "*python3 -B $root/tools/release/sbom.py $root out.json" sbom out.json
+expect 0 "*python3 -B $root/tools/release/site_pages.py $root $root/out/site" docs
 expect 0 '*tests/mutation/naive/mutate.py --list' mutate naive --list
 expect 0 '*tests/stress/stress.py --build /build --hmlfc /build/tools/hmlfc *' stress --minutes 1
 expect 0 '/build/bench/bench_methods 40' bench methods 40

@@ -5,7 +5,7 @@ import pickle
 import threading
 
 import numpy as np
-from python_case import DEEP, STREAM, VECTORS, CliTest, hmlfc, main, picture
+from python_case import DEEP, STREAM, VECTORS, CliTest, RangeServer, hmlfc, main, picture
 
 
 class LightFieldTest(CliTest):
@@ -56,6 +56,35 @@ class LightFieldTest(CliTest):
         self.assertEqual(lf[0, 1, :4, :4].shape, (4, 4, 3))
         with self.assertRaises(hmlfc.Error):
             lf[0, 1]
+
+    def test_rigs(self):
+        self.assertIsNone(self.lf.rig)
+        positions = [[r, c / 4, 0.5] for r in range(5) for c in range(5)]
+        rig = {"schema": 1, "metres_per_unit": 0.5, "positions": positions, "intrinsics": [[40, 41, 19.5, 14.5]]}
+        (self.folder / "rig.json").write_text(json.dumps(rig))
+        self.hmlfc("encode", "views", "--rig", "rig.json", "-o", "posed.hmlfc")
+        found = hmlfc.open(self.folder / "posed.hmlfc").rig
+        with RangeServer(self.folder / "posed.hmlfc") as server:
+            np.testing.assert_array_equal(hmlfc.open(server.address).rig.positions, found.positions)
+        self.assertEqual(found.metres_per_unit, 0.5)
+        np.testing.assert_array_equal(found.positions, np.reshape(positions, (5, 5, 3)))
+        np.testing.assert_array_equal(found.rotations, np.tile([1, 0, 0, 0], (5, 5, 1)))
+        np.testing.assert_array_equal(found.intrinsics[3, 2], [40, 41, 19.5, 14.5])
+        stream = bytearray((self.folder / "posed.hmlfc").read_bytes())
+        stream[stream.index(b"positions")] = ord("q")
+        with self.assertRaisesRegex(ValueError, "qositions"):
+            hmlfc.open(stream, check_sections=False).rig
+
+    def test_an_address(self):
+        with RangeServer(STREAM) as server:
+            lf = hmlfc.open(server.address)
+            np.testing.assert_array_equal(lf[3, 4], self.views[3, 4])
+            np.testing.assert_array_equal(lf.render(width=24, height=16), self.lf.render(width=24, height=16))
+            server.fault = "gone"
+            with self.assertRaisesRegex(OSError, "is the server there"):
+                lf[:, :]
+        with RangeServer(STREAM, fault=404) as server, self.assertRaisesRegex(OSError, "no such file"):
+            hmlfc.open(server.address)
 
     def test_depths_above_8(self):
         lf = hmlfc.open(DEEP)

@@ -4,11 +4,12 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [sys.argv[2], str(ROOT / "tests" / "cli")]
+sys.path[:0] = [sys.argv[2], str(ROOT / "tests" / "cli"), str(ROOT / "tests" / "support")]
 
 import numpy as np  # noqa: E402
 from pictures import read_png  # noqa: E402
 from program import CliTest, main  # noqa: E402, F401
+from range_server import RangeServer  # noqa: E402, F401
 
 import hmlfc  # noqa: E402, F401
 

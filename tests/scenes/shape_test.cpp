@@ -124,7 +124,7 @@ TEST(TileBins, FindTheSameShapeAsASearchThroughAll) {
   params.rows = params.cols = 3;
   params.width = 90;
   params.height = 70;
-  const TwoPlaneCamera camera(rig, params, 2, 0);
+  const ViewCamera camera(rig, params, 2, 0);
   const TileBins bins(world, camera, params.width, params.height);
   size_t hits = 0;
   for (uint32_t y = 0; y < params.height; ++y) {

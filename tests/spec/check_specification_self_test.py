@@ -105,7 +105,7 @@ FAULTS = {
         (error_table.HEADER, "kBadMagic", "kBadMajic", "error.hpp: error 2"),
         (error_table.HEADER, "kBadMagic = 2,\n  kBadVersion = 3", "kBadMagic = 3,\n  kBadVersion = 2",
          "error 2 is bad_version", "error 3 is bad_magic"),
-        (SPECIFICATION, "| 27 | bus_error | a read of memory failed, in hardware |\n", "", "", "", ""),
+        (SPECIFICATION, "| 27 | bus_error | a read failed: of memory, in hardware, or of the stream's source |\n", "", "", "", ""),
         (error_table.HEADER, "Count = 28", "Count = 29", "kErrorCodeCount is 29"),
     ],
     width_probes: [

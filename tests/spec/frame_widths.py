@@ -17,9 +17,13 @@ DEEPEST = 12
 BITS = re.compile(r"(\d+)(?: unsigned)?( \(n = 12\))?")
 
 
-@cache
 def quantities(text, n):
     """{row of the table: (least, greatest)} at depth n, in the order of the clauses."""
+    return quantities_of_clauses(text[: text.index(HEADING)], n)  # the table is compared with them, never read
+
+
+@cache
+def quantities_of_clauses(text, n):
     inputs = {row[0]: row[1] for row in table_after(text, "**[CAM-3]**")}
     sides = intervals_in(inputs["frame_width, frame_height"])[0]
     places, distances = intervals_in(inputs["position: pu, pv, pz"])

@@ -6,8 +6,13 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "docs"))
+
+from links import dead_links  # noqa: E402
 
 
 def pack(root, folder):
@@ -45,6 +50,9 @@ def check(program, root, work):
     suite = work / f"hmlfc-vectors-{version}"
     for name in ("README.md", "CHANGES.md", "LICENSE", "manifest.json", "manifest.schema.json"):
         assert (suite / name).is_file(), f"{name} is missing"
+    for name in ("README.md", "CHANGES.md"):
+        dead = list(dead_links(suite, name))
+        assert not dead, f"links that the archive does not have: {dead}"
     assert f"## {version}" in (suite / "CHANGES.md").read_text(), "CHANGES.md does not have this version"
     subprocess.run([program, "vectors", "lint", "--suite", suite], check=True, stdout=subprocess.DEVNULL)
     command = [program, "conform", "--suite", suite, "--dut", suite / "duts/model.json", "--filter", "syntax/base-*"]

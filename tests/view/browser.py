@@ -15,10 +15,15 @@ def missing():
     return f"{' and '.join(lacking)} missing" if lacking else None
 
 
+# WebGPU on the browser's own software device, where there is no GPU too.
+WEBGPU = ("--enable-unsafe-webgpu", "--enable-features=Vulkan,WebGPU", "--use-vulkan=swiftshader",
+          "--use-webgpu-adapter=swiftshader", "--disable-vulkan-surface", "--ignore-gpu-blocklist")
+
+
 class Browser:
     """One Chromium with one tab. `page` is selenium's driver."""
 
-    def __init__(self, cache):
+    def __init__(self, cache, gpu=("--disable-gpu",)):
         from selenium import webdriver
         from selenium.webdriver.chrome.service import Service
 
@@ -26,7 +31,7 @@ class Browser:
         options.binary_location = shutil.which("chromium")
         width, height = SIZE
         for argument in (
-            *("--headless=new", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars"),
+            *("--headless=new", *gpu, "--disable-dev-shm-usage", "--hide-scrollbars"),
             *("--no-sandbox", "--disable-extensions", "--disable-background-networking", "--disable-component-update"),
             *(f"--window-size={width},{height}", f"--user-data-dir={cache}"),
         ):

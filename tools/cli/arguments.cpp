@@ -178,7 +178,7 @@ CLI::Option* add_milestone(CLI::App& app, std::string& target) {
 }
 
 CLI::Option* add_stream(CLI::App& app, std::filesystem::path& target) {
-  return add_path(app, "FILE", target, "An .hmlfc file");
+  return add_path(app, "FILE", target, "An .hmlfc file, or its http:// address");
 }
 
 }  // namespace hmlfc::cli

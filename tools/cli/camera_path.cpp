@@ -150,7 +150,7 @@ double focus_of(const StreamFile& file, const Camera& camera, FramePixel at,
   }
   const auto record = frame_record(full, file.header());
   if (!record) throw Failure(ExitCode::kUsage, frame + record.error().message);
-  const FocusPoint point = value_or_throw(focus_at(file.decoder(), full, at.x, at.y), file.path());
+  const FocusPoint point = file.value(focus_at(file.decoder(), full, at.x, at.y));
   switch (point.sight) {
     case PixelSight::kOutside:
       throw refuse(ExitCode::kUsage, "this pixel sees nothing of the light field; choose another");

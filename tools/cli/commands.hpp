@@ -23,6 +23,7 @@ void add_disparity(CLI::App& program, Task& task);
 void add_compare(CLI::App& program, Task& task);
 void add_inspect(CLI::App& program, Task& task);
 void add_bise(CLI::App& program, Task& task);
+void add_reference_area(CLI::App& program, Task& task);
 void add_render(CLI::App& program, Task& task);
 void add_convert(CLI::App& program, Task& task);
 void add_picture(CLI::App& program, Task& task);

@@ -91,7 +91,7 @@ ErrorSums measure_stream(const StreamFile& file, const LightField& original, int
     sums.add(error);
     if (progress) progress(++done, count);
   };
-  value_or_throw(file.decoder().decode_all(add_view, {.threads = threads}), file.path());
+  file.value(file.decoder().decode_all(add_view, {.threads = threads}));
   return sums;
 }
 

@@ -55,7 +55,7 @@ void decode_everything(const StreamFile& file, const ViewWriter& writer, int sto
     const std::scoped_lock lock(mutex);
     progress(++done, count);
   };
-  value_or_throw(file.decoder().decode_all(write_view, {stop_level, threads}), file.path());
+  file.value(file.decoder().decode_all(write_view, {stop_level, threads}));
   rethrow(first);
 }
 
@@ -66,7 +66,7 @@ void decode_parts(const StreamFile& file, const ViewWriter& writer, int stop_lev
   const Rect rect = options.rect.value_or(Rect{0, 0, header.width, header.height});
   const auto decode_view = [&](ViewPos view) {
     const auto image = file.decoder().decode_rgb(view, rect, stop_level);
-    writer.write(view, value_or_throw(image, file.path()));
+    writer.write(view, file.value(image));
   };
   if (options.view) return decode_view(*options.view);
   for_each_view({header.rows, header.cols}, options.threads, progress, decode_view);

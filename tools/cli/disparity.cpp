@@ -92,7 +92,7 @@ ExitCode run_disparity(const DisparityOptions& options) {
   const StreamHeader& header = file.header();
   const ViewPos view = options.view.value_or(ViewPos{(header.rows - 1) / 2, (header.cols - 1) / 2});
   file.check_view(view);
-  const DisparityMap map = value_or_throw(disparity_map(file.decoder(), view), file.path());
+  const DisparityMap map = file.value(disparity_map(file.decoder(), view));
   DisparityRange range;
   range.add(map);
   value_or_throw(write_map(options, map, range), ExitCode::kOutput);

@@ -29,7 +29,7 @@ DisparityRange disparity_range(const StreamFile& file) {
   std::mutex mutex;
   for_each_view({file.header().rows, file.header().cols}, 0, {}, [&](ViewPos view) {
     DisparityRange own;
-    own.add(value_or_throw(disparity_map(file.decoder(), view), file.path()));
+    own.add(file.value(disparity_map(file.decoder(), view)));
     const std::scoped_lock lock(mutex);
     range.add(own);
   });

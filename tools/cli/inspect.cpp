@@ -20,7 +20,7 @@ struct InspectOptions {
 ExitCode run_inspect(const InspectOptions& options) {
   const StreamFile file(options.file);
   BlockReport report;
-  value_or_throw(report_on_block(file, options.request, report), options.file);
+  file.value(report_on_block(file, options.request, report));
   if (options.json) {
     print_json(to_json(report));
   } else {

@@ -78,6 +78,7 @@ void add_commands(CLI::App& program, Task& task) {
   add_compare(program, task);
   add_inspect(program, task);
   add_bise(program, task);
+  add_reference_area(program, task);
   add_render(program, task);
   add_convert(program, task);
   add_viewer(program, task);

@@ -51,13 +51,6 @@ T value_or_throw(io::IoResult<T> result, ExitCode code) {
   if constexpr (!std::is_void_v<T>) return std::move(*result);
 }
 
-/// The value of `result`, decoded from stream `file`.
-template <class T>
-T value_or_throw(Result<T> result, const std::filesystem::path& file) {
-  if (!result) throw stream_failure(file, result.error());
-  if constexpr (!std::is_void_v<T>) return std::move(*result);
-}
-
 /// JSON whose keys keep the order in which they were set.
 using Json = nlohmann::ordered_json;
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -89,8 +90,9 @@ class RenderRun {
  public:
   explicit RenderRun(const RenderArguments& arguments)
       : arguments_(arguments),
-        touched_(file_size(arguments.file)),
-        file_(arguments.file, open_options()),
+        source_(open_source(arguments.file)),
+        touched_(source_->bytes->bytes().size()),
+        file_(arguments.file, source_, open_options()),
         path_(cameras_of(arguments.cameras, file_)),
         cameras_(path_.cameras),
         stop_level_(arguments.levels ? file_.stop_level(*arguments.levels) : 0) {
@@ -125,12 +127,6 @@ class RenderRun {
   }
 
  private:
-  static uint64_t file_size(const std::filesystem::path& file) {
-    std::error_code error;
-    const auto size = std::filesystem::file_size(file, error);
-    return error ? 0 : size;  // opening it says why
-  }
-
   // Makes the folder, or checks that the one PNG file can be written; returns whether it is a file.
   bool prepare_output() const {
     const std::filesystem::path& output = arguments_.output;
@@ -166,17 +162,28 @@ class RenderRun {
     throw Failure(ExitCode::kUsage, frame + record.error().message);
   }
 
+  // What was fetched since the last pass, with the first one also to open the stream.
+  Json fetched_since(const remote::FetchCounts& now) {
+    const remote::FetchCounts before = std::exchange(fetched_, now);
+    return {{"bytes", now.bytes - before.bytes},
+            {"requests", now.requests - before.requests},
+            {"rounds", now.rounds - before.rounds}};
+  }
+
   int levels_of(int stop_level) const { return file_.header().tree_height + 1 - stop_level; }
 
   // Renders frame k down to `stop_level` and writes it.
   Json render_pass(FrameRenderer& renderer, size_t k, int stop_level,
                    const std::filesystem::path& name) {
     touched_.reset();
-    value_or_throw(renderer.render(record_of(k), stop_level, frame_), file_.path());
+    file_.value(renderer.render(record_of(k), stop_level, frame_));
     value_or_throw(io::write_png(name, frame_.image), ExitCode::kOutput);
     seconds_ += frame_.seconds.total();
     const bool counted = arguments_.backend.backend == Backend::kCpu;
-    return pass_json(name.string(), levels_of(stop_level), frame_, counted ? &touched_ : nullptr);
+    Json json =
+        pass_json(name.string(), levels_of(stop_level), frame_, counted ? &touched_ : nullptr);
+    if (const auto now = file_.fetched()) json["fetched"] = fetched_since(*now);
+    return json;
   }
 
   void render_one(FrameRenderer& renderer, size_t k, const std::filesystem::path& name) {
@@ -221,6 +228,7 @@ class RenderRun {
   }
 
   const RenderArguments& arguments_;
+  std::shared_ptr<const remote::OpenSource> source_;
   TouchedBytes touched_;
   StreamFile file_;
   CameraPath path_;
@@ -228,6 +236,7 @@ class RenderRun {
   int stop_level_;
   Frame frame_;
   double seconds_ = 0;
+  remote::FetchCounts fetched_;
   OutsideShare outside_;
   Json frames_ = Json::array();
 };
@@ -257,7 +266,7 @@ With --geometry stream a surface is drawn where the stream says that it is, with
 the plane of --focus is sharp; apertures above 0 take the plane.
 Pixels outside the light field are black; their share is printed, and is "outside" in the JSON.
 Frames are the same bytes on every machine (docs/rendering.md). Only the parts of the stream that the
-frames need are read. --backend gpu loads the whole stream into the device's memory, and its JSON has
+frames need are read; the JSON of one at an address says what was fetched. --backend gpu loads the whole stream into the device's memory, and its JSON has
 no bytes_touched, key_samples_decoded and samples_interpolated. The coarse frames of --progressive are
 named after the frame and its levels: frame_0000_levels_1.png. Each is decoded from the one before.
 --quality-vs-time compares with frames computed in real numbers, filter quadrilinear and all levels.

@@ -33,8 +33,12 @@ std::unique_ptr<FrameRenderer> make_renderer(const BackendChoice& choice, const 
   if (choice.backend == Backend::kGpu) {
     gpu::DeviceOptions options;
     options.device = choice.device;
-    return device_value(gpu::make_gpu_renderer(device_value(gpu::Device::open(options)),
-                                               file.decoder(), choice.options));
+    std::unique_ptr<FrameRenderer> renderer;
+    file.with_bytes({0, file.size()}, [&](std::span<const uint8_t>) {
+      renderer = device_value(gpu::make_gpu_renderer(device_value(gpu::Device::open(options)),
+                                                     file.decoder(), choice.options));
+    });
+    return renderer;
   }
   if (!choice.device.empty()) throw Failure(ExitCode::kUsage, "--device needs --backend gpu");
   return make_cpu_renderer(file.decoder(), choice.options);
@@ -60,7 +64,7 @@ std::vector<SweepPoint> sweep_quality(const StreamFile& file, std::vector<Camera
   for (Camera& camera : cameras) {
     camera.filter = Filter::kQuadrilinear;
     record_of(camera, file.header());
-    real.push_back(value_or_throw(render_real(file.decoder(), camera, 0), file.path()));
+    real.push_back(file.value(render_real(file.decoder(), camera, 0)));
     progress.update(real.size(), cameras.size() + points);
   }
   std::vector<SweepPoint> sweep;
@@ -76,7 +80,7 @@ std::vector<SweepPoint> sweep_quality(const StreamFile& file, std::vector<Camera
         for (size_t k = 0; k < cameras.size(); ++k) {
           cameras[k].filter = filter;
           const FrameRecord record = record_of(cameras[k], file.header());
-          value_or_throw(renderer->render(record, file.stop_level(levels), frame), file.path());
+          file.value(renderer->render(record, file.stop_level(levels), frame));
           point.seconds += frame.seconds.total() / static_cast<double>(cameras.size());
           squares += mean_squared_error(frame.image, real[k]) / static_cast<double>(cameras.size());
         }

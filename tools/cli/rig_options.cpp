@@ -35,12 +35,15 @@ struct FoundRig {
 std::optional<FoundRig> find_rig(const StreamFile& file) {
   const StreamHeader& header = file.header();
   if (!header.has(Feature::kCameraRig)) return std::nullopt;
-  const auto bytes = rig_of(file.bytes(), header);
-  auto rig = io::parse_rig(bytes, uint64_t{header.rows} * header.cols);
+  std::string text;
+  file.with_bytes({header.rig.offset, header.rig.size}, [&text](std::span<const uint8_t> bytes) {
+    text.assign(bytes.begin(), bytes.end());
+  });
+  auto rig = io::parse_rig(bytes_of(text), uint64_t{header.rows} * header.cols);
   if (!rig) {
     rig = tl::unexpected(fmt::format("section RIG at byte {}: {}", header.rig.offset, rig.error()));
   }
-  return FoundRig{{bytes.begin(), bytes.end()}, std::move(rig)};
+  return FoundRig{std::move(text), std::move(rig)};
 }
 
 // "x -1.5 to 3".

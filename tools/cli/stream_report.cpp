@@ -49,7 +49,7 @@ double StreamReport::bits_per_pixel() const {
 double StreamReport::ratio() const { return 3 * header.depth / bits_per_pixel(); }
 
 StreamReport report_on(const StreamFile& file) {
-  return {file.size(), file.header(), value_or_throw(file.decoder().statistics(), file.path())};
+  return {file.size(), file.header(), file.value(file.decoder().statistics())};
 }
 
 Json report_json(const StreamReport& report) {

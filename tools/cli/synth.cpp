@@ -21,6 +21,7 @@
 namespace hmlfc::cli {
 namespace {
 
+using scenes::Cameras;
 using scenes::Scene;
 
 struct SynthOptions {
@@ -64,7 +65,14 @@ ExitCode run_synth(const SynthOptions& options) {
     if (params.scene == Scene::kNoise) {
       throw Failure(ExitCode::kUsage, "--disparity: scene noise has none; choose another scene");
     }
+    if (params.cameras != Cameras::kGrid) {
+      throw Failure(ExitCode::kUsage,
+                    "--disparity needs --cameras grid: it counts pixels a column");
+    }
     make_output_folder(options.disparity);
+  }
+  if (params.cameras != Cameras::kGrid && !scenes::scene_rig(params)) {
+    throw Failure(ExitCode::kUsage, "--cameras: no cameras take this scene; choose another");
   }
   if (!options.rig.empty()) write_rig(options.rig, params);
   make_output_folder(options.folder);
@@ -93,7 +101,9 @@ void add_synth(CLI::App& program, Task& task) {
       R"(Writes one PNG per view, named by row and column: 00_00.png, 00_01.png ... The same arguments give
 the same images on every machine. --disparity also writes what a decoder has to guess: 00_00.pfm ...
 with the true disparity of every pixel, in pixels a column, negative for what is nearer than the middle
-of the scene (hmlfc disparity --help). --rig writes where the cameras stand, for encode --rig.
+of the scene (hmlfc disparity --help). --rig writes where the cameras stand, for encode --rig. They are
+on a regular grid, with --cameras plane a little off it, or turned to the scene's middle: on a sphere
+around it, or along a path through all views, row by row.
 
 Example:
   hmlfc synth --scene cards --grid 9x9 --size 512x384 -o views)");
@@ -119,6 +129,13 @@ Example:
   add_decimal(app, "--baseline", "PX", options.baseline, 0, 64,
               "Parallax between neighbouring views at depth 1, in pixels")
       ->default_str(fmt::format("{}", scene.baseline_px));
+  add_choice(app, "--cameras", scene.cameras,
+             {{"grid", Cameras::kGrid},
+              {"plane", Cameras::kPlane},
+              {"sphere", Cameras::kSphere},
+              {"path", Cameras::kPath}},
+             "Where the cameras stand")
+      ->default_str("grid");
   add_integer(app, "--seed", scene.seed, 0, ~uint64_t{0}, "Varies positions, colours and textures");
   add_integer(app, "--depth", scene.depth, 8, 12, "Bits per sample");
   add_value(app, "--disparity", "DIR",

@@ -156,7 +156,7 @@ ExitCode run_show(const SuiteOptions& options) {
   LightField views({header.rows, header.cols, header.width, header.height, header.depth});
   for (uint32_t row = 0; row < header.rows; ++row) {
     for (uint32_t col = 0; col < header.cols; ++col) {
-      views.set_view(row, col, value_or_throw(file.decoder().decode_view({row, col}), file.path()));
+      views.set_view(row, col, file.value(file.decoder().decode_view({row, col})));
     }
   }
   const RgbImage sheet = io::contact_sheet(views, kSheetWidth);

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/output.hpp"
+#include "decoder/request_guard.hpp"
 #include "io/image_files.hpp"
 
 namespace hmlfc::cli {
@@ -15,8 +15,7 @@ namespace {
 
 class FolderSource final : public ViewSource {
  public:
-  FolderSource(const fs::path& folder, std::optional<io::GridShape> grid)
-      : views_(value_or_throw(io::list_views(folder, grid), ExitCode::kInput)) {
+  FolderSource(const fs::path& folder, io::ViewList views) : views_(std::move(views)) {
     io::ImageLosses losses;
     const RgbImage first = read(0, &losses);
     note_losses(folder, losses);
@@ -55,7 +54,7 @@ class StreamSource final : public ViewSource {
   const LightFieldShape& shape() const override { return shape_; }
 
   RgbImage view(ViewPos view) const override {
-    return value_or_throw(file_.decoder().decode_view(view), file_.path());
+    return file_.value(file_.decoder().decode_view(view));
   }
 
  private:
@@ -65,10 +64,52 @@ class StreamSource final : public ViewSource {
 
 }  // namespace
 
+std::shared_ptr<const remote::OpenSource> open_source(const std::filesystem::path& path) {
+  return std::make_shared<const remote::OpenSource>(
+      value_or_throw(remote::open_source(path), ExitCode::kInput));
+}
+
 StreamFile::StreamFile(std::filesystem::path path, const OpenOptions& options)
-    : path_(std::move(path)),
-      file_(value_or_throw(io::MappedFile::open(path_), ExitCode::kInput)),
-      decoder_(value_or_throw(Decoder::open(file_.bytes(), options), path_)) {}
+    : StreamFile(path, open_source(path), options) {}
+
+StreamFile::StreamFile(std::filesystem::path path, std::shared_ptr<const remote::OpenSource> source,
+                       const OpenOptions& options)
+    : path_(std::move(path)), source_(std::move(source)), decoder_(value(open(options))) {}
+
+Result<Decoder> StreamFile::open(OpenOptions options) const {
+  options.check_sections = options.check_sections && !is_remote();
+  return Decoder::open(*source_->bytes, options);
+}
+
+Failure StreamFile::failure(const Error& error) const {
+  const std::string reason = source_->bytes->failure();
+  if (reason.empty()) return stream_failure(path_, error);
+  return Failure(ExitCode::kInput, reason);
+}
+
+std::optional<remote::FetchCounts> StreamFile::fetched() const {
+  if (!is_remote()) return std::nullopt;
+  return source_->http->counts();
+}
+
+void StreamFile::check_readable() const {
+  const std::string reason = source_->bytes->failure();
+  if (!reason.empty()) throw Failure(ExitCode::kInput, reason);
+}
+
+void StreamFile::with_bytes(ByteRange range,
+                            const std::function<void(std::span<const uint8_t>)>& use) const {
+  ByteSource& source = *source_->bytes;
+  const HeldBytes held(source.is_partial() ? &source : nullptr);
+  if (source.is_partial() && !source.load({&range, 1})) check_readable();
+  use(source.bytes().subspan(static_cast<size_t>(range.offset), static_cast<size_t>(range.bytes)));
+}
+
+Result<void> StreamFile::check_sections() const {
+  const auto checked = open({});
+  if (!checked) return tl::unexpected(checked.error());
+  return {};
+}
 
 void StreamFile::check_view(ViewPos view) const {
   if (view.row < header().rows && view.col < header().cols) return;
@@ -89,8 +130,12 @@ int StreamFile::stop_level(int levels) const {
 std::unique_ptr<ViewSource> ViewSource::open(const fs::path& path,
                                              std::optional<io::GridShape> grid) {
   std::error_code failure;
-  if (fs::is_directory(path, failure)) return std::make_unique<FolderSource>(path, grid);
-  return std::make_unique<StreamSource>(path);
+  if (!fs::is_directory(path, failure)) return std::make_unique<StreamSource>(path);
+  return of_files(path, value_or_throw(io::list_views(path, grid), ExitCode::kInput));
+}
+
+std::unique_ptr<ViewSource> ViewSource::of_files(const fs::path& folder, io::ViewList files) {
+  return std::make_unique<FolderSource>(folder, std::move(files));
 }
 
 void ViewSource::check_view(ViewPos view) const {

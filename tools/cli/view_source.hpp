@@ -3,31 +3,65 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/light_field.hpp>
 
-#include "io/files.hpp"
+#include "cli/output.hpp"
 #include "io/image_files.hpp"
 #include "io/view_list.hpp"
+#include "remote/open_source.hpp"
 
 namespace hmlfc::cli {
 
-/// A mapped stream with its decoder. All functions throw a Failure that names the file.
+/// The bytes of the file or the address `path`. Failure: they cannot be read (kInput).
+std::shared_ptr<const remote::OpenSource> open_source(const std::filesystem::path& path);
+
+/// A stream in a file or at an address, with its decoder. All functions throw a Failure that names
+/// it. Sections of a stream at an address are not checked: that would fetch all of it.
 class StreamFile {
  public:
   /// Failures: the file cannot be read (kInput), or is not an intact stream (kCorrupt).
   explicit StreamFile(std::filesystem::path path, const OpenOptions& options = {});
 
+  /// Decodes `source`, which is that of `path`.
+  StreamFile(std::filesystem::path path, std::shared_ptr<const remote::OpenSource> source,
+             const OpenOptions& options);
+
   const std::filesystem::path& path() const { return path_; }
   const Decoder& decoder() const { return decoder_; }
   const StreamHeader& header() const { return decoder_.header(); }
-  std::span<const uint8_t> bytes() const { return file_.bytes(); }
-  uint64_t size() const { return file_.bytes().size(); }
+  uint64_t size() const { return source_->bytes->bytes().size(); }
+
+  /// Whether it is at an address.
+  bool is_remote() const { return source_->http != nullptr; }
+
+  /// What was fetched until now; nothing of a file.
+  std::optional<remote::FetchCounts> fetched() const;
+
+  /// The value of `result`, an answer of the decoder. Failures: a corrupt stream (kCorrupt), a
+  /// server that does not give the bytes (kInput), and others by the error.
+  template <class T>
+  T value(Result<T> result) const {
+    if (!result) throw failure(result.error());
+    if constexpr (!std::is_void_v<T>) return std::move(*result);
+  }
+
+  /// Failure (kInput) once the server has not given bytes: for answers in which blocks may have
+  /// errors.
+  void check_readable() const;
+
+  /// Calls use(bytes of `range`), which lies in the file. Failure: it cannot be read (kInput).
+  void with_bytes(ByteRange range, const std::function<void(std::span<const uint8_t>)>& use) const;
+
+  /// Checks the crc of every section, of a file alone.
+  Result<void> check_sections() const;
 
   /// Usage failure unless `view` is in the grid.
   void check_view(ViewPos view) const;
@@ -37,8 +71,11 @@ class StreamFile {
   int stop_level(int levels) const;
 
  private:
+  Result<Decoder> open(OpenOptions options) const;
+  Failure failure(const Error& error) const;
+
   std::filesystem::path path_;
-  io::MappedFile file_;
+  std::shared_ptr<const remote::OpenSource> source_;
   Decoder decoder_;
 };
 
@@ -57,6 +94,10 @@ class ViewSource {
   /// images. Failures: nothing there, not a light field (kInput), a corrupt stream (kCorrupt).
   static std::unique_ptr<ViewSource> open(const std::filesystem::path& path,
                                           std::optional<io::GridShape> grid);
+
+  /// The views in `files` of `folder`. Notes and failures as above.
+  static std::unique_ptr<ViewSource> of_files(const std::filesystem::path& folder,
+                                              io::ViewList files);
 
   /// Usage failure unless `view` is in the grid.
   void check_view(ViewPos view) const;

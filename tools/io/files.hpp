@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include <hmlfc/byte_source.hpp>
+
 #include "io/io_error.hpp"
 
 namespace hmlfc::io {
@@ -75,23 +77,22 @@ IoResult<void> write_file(const std::filesystem::path& target, std::span<const u
 
 /// Read-only view of a whole regular file for the lifetime of the object. The file must not be
 /// truncated meanwhile (the system would kill the process); replacing it by rename is safe.
-class MappedFile {
+class MappedFile final : public ByteSource {
  public:
   /// Errors: the file does not exist, cannot be read, or is not a regular file.
   static IoResult<MappedFile> open(const std::filesystem::path& path);
 
   MappedFile(MappedFile&& other) noexcept;
   MappedFile& operator=(MappedFile&& other) noexcept;
-  ~MappedFile();
+  ~MappedFile() override;
 
   /// All bytes of the file; an empty span for an empty file.
-  std::span<const uint8_t> bytes() const { return {data_, size_}; }
+  std::span<const uint8_t> bytes() const override { return bytes_; }
 
  private:
-  MappedFile(const uint8_t* data, size_t size) : data_(data), size_(size) {}
+  explicit MappedFile(std::span<const uint8_t> bytes) : bytes_(bytes) {}
 
-  const uint8_t* data_ = nullptr;
-  size_t size_ = 0;
+  std::span<const uint8_t> bytes_;
 };
 
 }  // namespace hmlfc::io

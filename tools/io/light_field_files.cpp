@@ -99,7 +99,7 @@ IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
 }
 
 IoResult<void> save_views(const fs::path& folder, GridShape grid, const ViewProducer& produce,
-                          unsigned threads, const Progress& progress) {
+                          unsigned threads, const Progress& progress, FileNames names) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) return system_error(folder, "cannot create this folder", failure.value());
@@ -109,9 +109,12 @@ IoResult<void> save_views(const fs::path& folder, GridShape grid, const ViewProd
     if (first_error.makes_pointless(index)) return;
     const auto row = static_cast<uint32_t>(index / grid.cols);
     const auto col = static_cast<uint32_t>(index % grid.cols);
-    const fs::path file = folder / view_file_name(row, col, grid.rows, grid.cols);
-    const auto saved =
-        produce(row, col).and_then([&](const RgbImage& image) { return write_png(file, image); });
+    const bool pleno = names == FileNames::kPleno;
+    const fs::path file = folder / (pleno ? pleno_file_name(row, col)
+                                          : view_file_name(row, col, grid.rows, grid.cols));
+    const auto saved = produce(row, col).and_then([&](const RgbImage& image) {
+      return pleno ? write_ppm(file, image) : write_png(file, image);
+    });
     if (!saved) first_error.add(index, saved.error());
   };
   for_each_index(size_t{grid.rows} * grid.cols, threads, progress, save_view);

@@ -26,12 +26,18 @@ IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
 /// The picture of view (row, col); called from several threads at once.
 using ViewProducer = std::function<IoResult<RgbImage>(uint32_t row, uint32_t col)>;
 
-/// Makes `folder` if it is missing and writes rows x cols views there as PNG files named by
-/// view_file_name(); each file appears complete or not at all, other files stay. Errors: cannot
-/// write, or what `produce` returned (the first in row-major order).
+/// How files of views are named, and their format.
+enum class FileNames : uint8_t {
+  kRowCol,  ///< PNG, view_file_name()
+  kPleno,   ///< PPM, pleno_file_name()
+};
+
+/// Makes `folder` if it is missing and writes rows x cols views there; each file appears complete
+/// or not at all, other files stay. Errors: cannot write, or what `produce` returned (the first in
+/// row-major order).
 IoResult<void> save_views(const std::filesystem::path& folder, GridShape grid,
                           const ViewProducer& produce, unsigned threads,
-                          const Progress& progress = {});
+                          const Progress& progress = {}, FileNames names = FileNames::kRowCol);
 
 /// Writes all views of `field`, as above.
 IoResult<void> save_views(const std::filesystem::path& folder, const LightField& field,

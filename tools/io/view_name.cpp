@@ -128,4 +128,8 @@ std::string view_file_name(uint32_t row, uint32_t col, uint32_t rows, uint32_t c
   return view_stem(row, col, rows, cols) + ".png";
 }
 
+std::string pleno_file_name(uint32_t row, uint32_t col) {
+  return padded(col, 3) + "_" + padded(row, 3) + ".ppm";
+}
+
 }  // namespace hmlfc::io

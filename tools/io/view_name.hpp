@@ -50,4 +50,7 @@ std::string view_stem(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols);
 /// view_stem(...) + ".png"; list_views() reads a folder of such names back.
 std::string view_file_name(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols);
 
+/// "CCC_RRR.ppm" as JPEG Pleno's test data: the column first, at least 3 digits each.
+std::string pleno_file_name(uint32_t row, uint32_t col);
+
 }  // namespace hmlfc::io

@@ -38,4 +38,14 @@ IoResult<ViewList> part_of(const std::filesystem::path& folder, const ViewList& 
   return result;
 }
 
+ViewList transposed(const ViewList& views) {
+  ViewList result{views.cols, views.rows, {}};
+  for (size_t row = 0; row < result.rows; ++row) {
+    for (size_t col = 0; col < result.cols; ++col) {
+      result.files.push_back(views.files[col * views.cols + row]);
+    }
+  }
+  return result;
+}
+
 }  // namespace hmlfc::io

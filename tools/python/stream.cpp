@@ -6,39 +6,46 @@
 #include <vector>
 
 #include <hmlfc/disparity.hpp>
+#include <hmlfc/rig.hpp>
 
+#include "io/rig_text.hpp"
 #include "python/arrays.hpp"
 #include "python/block_trace.hpp"
-#include "python/raise.hpp"
 
 namespace py = pybind11;
 
 namespace hmlfc::python {
 
-Stream::Stream(Bytes bytes, bool check_sections) : bytes_(std::move(bytes)) {
-  std::span<const uint8_t> file;
-  if (const auto* mapped = std::get_if<io::MappedFile>(&bytes_)) {
-    file = mapped->bytes();
-  } else {
-    const auto& buffer = std::get<py::buffer_info>(bytes_);
-    file = {static_cast<const uint8_t*>(buffer.ptr), static_cast<size_t>(buffer.size)};
-  }
+Stream::Stream(std::optional<py::buffer_info> buffer, std::unique_ptr<ByteSource> source,
+               bool check_sections)
+    : buffer_(std::move(buffer)), source_(std::move(source)) {
   OpenOptions options;
   options.check_sections = check_sections;
   auto opened = [&] {
     const py::gil_scoped_release unlocked;
-    return Decoder::open(file, options);
+    return Decoder::open(*source_, options);
   }();
-  decoder_ = value_or_raise(std::move(opened));
+  decoder_ = value(std::move(opened));
+}
+
+void Stream::raise_failure() const {
+  const std::string reason = source_->failure();
+  if (reason.empty()) return;
+  PyErr_SetString(PyExc_OSError, reason.c_str());
+  throw py::error_already_set();
 }
 
 std::unique_ptr<Stream> Stream::from_file(const std::string& path, bool check_sections) {
-  auto mapped = io::MappedFile::open(path);
-  if (!mapped) {
-    PyErr_SetString(PyExc_OSError, mapped.error().message.c_str());
+  auto opened = [&] {
+    const py::gil_scoped_release unlocked;
+    return remote::open_source(path);
+  }();
+  if (!opened) {
+    PyErr_SetString(PyExc_OSError, opened.error().message.c_str());
     throw py::error_already_set();
   }
-  return std::unique_ptr<Stream>(new Stream(std::move(*mapped), check_sections));
+  const bool check = check_sections && opened->http == nullptr;
+  return std::unique_ptr<Stream>(new Stream(std::nullopt, std::move(opened->bytes), check));
 }
 
 std::unique_ptr<Stream> Stream::from_buffer(const py::buffer& buffer, bool check_sections) {
@@ -46,7 +53,10 @@ std::unique_ptr<Stream> Stream::from_buffer(const py::buffer& buffer, bool check
   if (info.ndim != 1 || info.itemsize != 1 || info.strides.front() != 1) {
     throw py::type_error("a stream in memory is one contiguous sequence of bytes");
   }
-  return std::unique_ptr<Stream>(new Stream(std::move(info), check_sections));
+  const std::span<const uint8_t> bytes(static_cast<const uint8_t*>(info.ptr),
+                                       static_cast<size_t>(info.size));
+  return std::unique_ptr<Stream>(
+      new Stream(std::move(info), std::make_unique<MemorySource>(bytes), check_sections));
 }
 
 py::array Stream::pixels(ViewPos view, const Rect& rect, int stop_level) const {
@@ -57,7 +67,7 @@ py::array Stream::pixels(ViewPos view, const Rect& rect, int stop_level) const {
     if (decoded && decoded->depth == 8) bytes = bytes_of(*decoded);
     return decoded;
   }();
-  return array_of(value_or_raise(std::move(image)), std::move(bytes));
+  return array_of(value(std::move(image)), std::move(bytes));
 }
 
 py::object Stream::block(const BlockAddress& block, int stop_level, bool traced) const {
@@ -70,7 +80,7 @@ py::object Stream::block(const BlockAddress& block, int stop_level, bool traced)
     return decoder_->decode_block(block, options);
   }();
   const py::ssize_t side = header().block_size();
-  py::array samples = array_of(value_or_raise(std::move(decoded)), {side, side});
+  py::array samples = array_of(value(std::move(decoded)), {side, side});
   if (!traced) return samples;
   return py::make_tuple(samples, trace.fields(), trace.vectors(), trace.stages(side));
 }
@@ -88,11 +98,29 @@ py::tuple Stream::disparity(ViewPos view) const {
     }
     return found;
   }();
-  const DisparityMap found = value_or_raise(std::move(map));
+  const DisparityMap found = value(std::move(map));
   const auto rows = static_cast<py::ssize_t>(found.blocks.size() / found.columns);
   const py::ssize_t columns = found.columns;
   return py::make_tuple(array_of(std::move(disparities), {rows, columns}),
                         array_of(std::move(confidences), {rows, columns}));
+}
+
+py::object Stream::rig() const {
+  if (!header().has(Feature::kCameraRig)) return py::none();
+  const uint64_t views = uint64_t{header().rows} * header().cols;
+  const ByteRange range{header().rig.offset, header().rig.size};
+  tl::expected<Rig, std::string> read;
+  const bool loaded = [&] {
+    const py::gil_scoped_release unlocked;
+    source_->begin_request();
+    const bool is_there = !source_->is_partial() || source_->load({&range, 1});
+    if (is_there) read = io::parse_rig(rig_of(source_->bytes(), header()), views);
+    source_->end_request();
+    return is_there;
+  }();
+  if (!loaded) raise_failure();
+  if (!read) throw py::value_error("section RIG: " + read.error());
+  return py::make_tuple(read->metres_per_unit, read->positions, read->rotations, read->intrinsics);
 }
 
 py::array Stream::render(const Camera& camera, int stop_level) {
@@ -110,7 +138,7 @@ py::array Stream::render(const Camera& camera, int stop_level) {
     if (image.depth == 8) bytes = bytes_of(image);
     return result;
   }();
-  value_or_raise(std::move(rendered));
+  value(std::move(rendered));
   return array_of(std::move(image), std::move(bytes));
 }
 
@@ -192,6 +220,7 @@ void add_stream(py::module_& module) {
       .def_property_readonly("profile",
                              [](const Stream& s) { return profile_name(s.header().profile); })
       .def_property_readonly("features", &features_of)
+      .def("rig", &Stream::rig)
       .def("pixels",
            [](const Stream& s, uint32_t row, uint32_t col, uint32_t x, uint32_t y, uint32_t width,
               uint32_t height, int stop_level) {

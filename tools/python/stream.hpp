@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <variant>
+#include <utility>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -16,7 +16,8 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/renderer.hpp>
 
-#include "io/files.hpp"
+#include "python/raise.hpp"
+#include "remote/open_source.hpp"
 
 namespace hmlfc::python {
 
@@ -24,8 +25,9 @@ namespace hmlfc::python {
 /// decode; several threads may call them, and frames are rendered one after another.
 class Stream {
  public:
-  /// The stream in a file, mapped, or in an object with contiguous bytes, which is kept and must
-  /// not change. Raises OSError, TypeError, hmlfc.Error.
+  /// The stream in a file, mapped, at an http:// address, of which sections are never checked, or
+  /// in an object with contiguous bytes, which is kept and must not change. Raises OSError,
+  /// TypeError, hmlfc.Error.
   static std::unique_ptr<Stream> from_file(const std::string& path, bool check_sections);
   static std::unique_ptr<Stream> from_buffer(const pybind11::buffer& buffer, bool check_sections);
 
@@ -42,15 +44,28 @@ class Stream {
   /// confidence, uint8: each (rows of blocks, columns of blocks).
   pybind11::tuple disparity(ViewPos view) const;
 
+  /// What section RIG says: metres a unit or None, then positions, rotations and intrinsics as
+  /// lists (RIG-2); None without the section. Raises ValueError that names the member that is
+  /// wrong.
+  pybind11::object rig() const;
+
   /// The frame of `camera`: (height, width, 3). Raises ValueError for a camera that takes none.
   pybind11::array render(const Camera& camera, int stop_level);
 
  private:
-  using Bytes = std::variant<io::MappedFile, pybind11::buffer_info>;
+  Stream(std::optional<pybind11::buffer_info> buffer, std::unique_ptr<ByteSource> source,
+         bool check_sections);
 
-  Stream(Bytes bytes, bool check_sections);
+  // The value of `result`; raises its error, or OSError where the file could not be read.
+  template <class T>
+  T value(Result<T> result) const {
+    if (!result) raise_failure();
+    return value_or_raise(std::move(result));
+  }
+  void raise_failure() const;
 
-  Bytes bytes_;
+  std::optional<pybind11::buffer_info> buffer_;  // of a stream in memory
+  std::unique_ptr<ByteSource> source_;
   std::optional<Decoder> decoder_;
   std::mutex rendering_;
   std::unique_ptr<FrameRenderer> renderer_;

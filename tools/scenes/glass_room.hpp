@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "scenes/two_plane_camera.hpp"
 #include "scenes/vec3.hpp"
+#include "scenes/view_camera.hpp"
 
 namespace hmlfc::scenes {
 

@@ -11,7 +11,7 @@
 #include <hmlfc/rig.hpp>
 
 #include "scenes/scene.hpp"
-#include "scenes/two_plane_camera.hpp"
+#include "scenes/view_camera.hpp"
 #include "scenes/world.hpp"
 
 namespace hmlfc::scenes {

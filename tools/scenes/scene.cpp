@@ -141,7 +141,7 @@ std::optional<Rig> scene_rig(const SceneParams& params) { return make_painter(pa
 
 bool render_disparities(const SceneParams& params, unsigned threads, const io::Progress& progress,
                         const DisparityConsumer& consumer) {
-  if (params.scene == Scene::kNoise) return false;
+  if (params.scene == Scene::kNoise || params.cameras != Cameras::kGrid) return false;
   const std::unique_ptr<Painter> painter = make_painter(params);
   const auto render_view = [&](size_t index) {
     const auto row = static_cast<uint32_t>(index / params.cols);

@@ -25,21 +25,31 @@ enum class Scene {
 /// The scene of this name ("cards" ...), or nothing.
 std::optional<Scene> scene_from_name(std::string_view name);
 
+/// Where the cameras of the views stand.
+enum class Cameras {
+  kGrid,    ///< on a regular grid in a plane, parallel, sheared to the plane of the scene's middle
+  kPlane,   ///< the same, each off its place by up to 0.35 steps of the grid each way
+  kSphere,  ///< the grid as seen from the scene's middle, on a sphere around it; turned to it
+  kPath,    ///< row by row along a wave through space as long as all steps; turned to the middle
+};
+
 /// What to render.
 ///
 /// A point at depth z (in the scene's unit of depth) moves by baseline_px * (1 / z - 1 / z_focus)
 /// pixels from each view to the next, where z_focus is the depth of the scene's middle: nearer
 /// points move to the left as the column rises and up as the row rises, as in light fields
-/// photographed from left to right and from top to bottom.
+/// photographed from left to right and from top to bottom. Cameras that are not on the grid have
+/// the same distance of neighbours, roughly.
 struct SceneParams {
   Scene scene = Scene::kCards;
-  uint32_t rows = 8;         ///< [1, 4096]
-  uint32_t cols = 8;         ///< [1, 4096]
-  uint32_t width = 512;      ///< pixels, [1, 65536]
-  uint32_t height = 512;     ///< pixels, [1, 65536]
-  double baseline_px = 2.0;  ///< parallax between neighbouring views at depth 1, [0, 64]
-  uint64_t seed = 1;         ///< varies positions, colours and textures; "flat" ignores it
-  int depth = 8;             ///< bits per sample, [8, 12]
+  uint32_t rows = 8;                 ///< [1, 4096]
+  uint32_t cols = 8;                 ///< [1, 4096]
+  uint32_t width = 512;              ///< pixels, [1, 65536]
+  uint32_t height = 512;             ///< pixels, [1, 65536]
+  double baseline_px = 2.0;          ///< parallax between neighbouring views at depth 1, [0, 64]
+  uint64_t seed = 1;                 ///< varies positions, colours and textures; "flat" ignores it
+  int depth = 8;                     ///< bits per sample, [8, 12]
+  Cameras cameras = Cameras::kGrid;  ///< "flat" and "noise" have kGrid alone
 };
 
 /// Renders all views on `threads` threads (0: all cores). The result depends only on `params`, not
@@ -56,7 +66,7 @@ using DisparityConsumer =
 /// Gives `consumer` the disparities of every view: of each pixel by how many pixels what is seen in
 /// its middle moves from a column to the next, baseline_px * (1 / z_focus - 1 / z), negative where
 /// it is nearer than the middle; of glass and mirrors that of their surface. False, and nothing is
-/// given, where the scene has none ("noise").
+/// given, where the scene has none ("noise", cameras that are not on the grid).
 bool render_disparities(const SceneParams& params, unsigned threads, const io::Progress& progress,
                         const DisparityConsumer& consumer);
 

@@ -47,7 +47,7 @@ void trace_corners(const Trace& trace, uint32_t y, uint32_t width, uint32_t heig
 }  // namespace
 
 void TracedPainter::paint(uint32_t row, uint32_t col, RgbImage& view) const {
-  const TwoPlaneCamera camera(rig_, params_, row, col);
+  const ViewCamera camera(rig_, params_, row, col);
   const TileBins bins(world_, camera, view.width, view.height);
   const auto trace = [&](double x, double y, uint32_t px, uint32_t py) {
     const Ray ray = camera.ray(x, y);
@@ -74,7 +74,7 @@ void TracedPainter::paint(uint32_t row, uint32_t col, RgbImage& view) const {
 }
 
 bool TracedPainter::disparities(uint32_t row, uint32_t col, std::span<float> pixels) const {
-  const TwoPlaneCamera camera(rig_, params_, row, col);
+  const ViewCamera camera(rig_, params_, row, col);
   const TileBins bins(world_, camera, params_.width, params_.height);
   const double scale = params_.baseline_px * rig_.depth_unit;
   for (uint32_t y = 0; y < params_.height; ++y) {

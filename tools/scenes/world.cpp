@@ -18,8 +18,7 @@ uint32_t clamped_tile(double coordinate, uint32_t tiles) {
 
 }  // namespace
 
-TileBins::TileBins(const World& world, const TwoPlaneCamera& camera, uint32_t width,
-                   uint32_t height)
+TileBins::TileBins(const World& world, const ViewCamera& camera, uint32_t width, uint32_t height)
     : tiles_across_(tile_count(width)) {
   const uint32_t tiles_down = tile_count(height);
   struct Placed {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scenes/shape.hpp"
-#include "scenes/two_plane_camera.hpp"
+#include "scenes/view_camera.hpp"
 
 namespace hmlfc::scenes {
 
@@ -24,7 +24,7 @@ using World = std::vector<Shape>;
 /// For one camera, the shapes that each 16 x 16 tile of its picture may show.
 class TileBins {
  public:
-  TileBins(const World& world, const TwoPlaneCamera& camera, uint32_t width, uint32_t height);
+  TileBins(const World& world, const ViewCamera& camera, uint32_t width, uint32_t height);
 
   /// The first shape on the camera's ray `ray`, which passes through pixel (px, py).
   Hit first_hit(const Ray& ray, uint32_t px, uint32_t py) const;

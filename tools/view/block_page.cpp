@@ -11,18 +11,29 @@ using cli::Json;
 
 namespace {
 
-Json row_json(const cli::FieldRow& row, std::span<const uint8_t> file) {
+// raw_bits of the file, which may end before.
+std::string raw_bits_of(const cli::StreamFile& file, uint64_t first, uint64_t count) {
+  const uint64_t begin = std::min(first / 8, file.size());
+  const uint64_t end = std::min((first + count + 7) / 8, file.size());
+  std::string bits;
+  file.with_bytes({begin, end - begin}, [&](std::span<const uint8_t> bytes) {
+    bits = raw_bits(bytes, first - 8 * begin, count);
+  });
+  return bits;
+}
+
+Json row_json(const cli::FieldRow& row, const cli::StreamFile& file) {
   return {{"section", row.section},
           {"address", row.address()},
           {"bits", row.bits},
           {"name", row.name},
-          {"raw", raw_bits(file, row.first_bit, row.bit_count)},
+          {"raw", raw_bits_of(file, row.first_bit, row.bit_count)},
           {"value", row.value},
           {"clause", row.clause}};
 }
 
 Json level_page(const cli::TracedLevel& level, const cli::BlockReport& report,
-                std::span<const uint8_t> file) {
+                const cli::StreamFile& file) {
   Json walks = Json::array();
   for (const cli::TracedWalk& walk : level.walks) {
     Json rows = Json::array();
@@ -38,9 +49,9 @@ Json level_page(const cli::TracedLevel& level, const cli::BlockReport& report,
 
 }  // namespace
 
-std::string raw_bits(std::span<const uint8_t> file, uint64_t first, uint64_t count) {
-  const auto bit = [file](uint64_t at) {
-    return at >> 3 < file.size() ? file[at >> 3] >> (at & 7) & 1u : 0u;
+std::string raw_bits(std::span<const uint8_t> bytes, uint64_t first, uint64_t count) {
+  const auto bit = [bytes](uint64_t at) {
+    return at >> 3 < bytes.size() ? bytes[at >> 3] >> (at & 7) & 1u : 0u;
   };
   if (count == 0) return "";
   const bool binary = count <= 16;
@@ -55,7 +66,7 @@ std::string raw_bits(std::span<const uint8_t> file, uint64_t first, uint64_t cou
   return (binary ? "0b" : "0x") + digits;
 }
 
-Json block_page(const cli::BlockReport& report, std::span<const uint8_t> file) {
+Json block_page(const cli::BlockReport& report, const cli::StreamFile& file) {
   Json levels = Json::array();
   for (const cli::TracedLevel& level : report.trace.levels()) {
     levels.push_back(level_page(level, report, file));

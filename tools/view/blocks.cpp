@@ -99,14 +99,18 @@ std::shared_ptr<const PlaneTrace> Blocks::trace(const Key& key) {
   const auto found = std::ranges::find(kept_, key, &Kept::key);
   if (found != kept_.end()) return found->trace;
   const auto& [row, col, plane, level] = key;
-  const Decoder& decoder = stream_.for_blocks().decoder();
+  const cli::StreamFile& file = stream_.for_blocks();
+  const Decoder& decoder = file.decoder();
   const PlaneSize size = decoder.plane_size(plane);
   if (uint64_t{size.width} * size.height > kMaxTracedSamples) {
     throw Failure(ExitCode::kInput,
                   "this plane has too many samples to look into all of it; hmlfc inspect shows a "
                   "block");
   }
+  // Block by block, each would wait for the server.
+  if (file.is_remote()) static_cast<void>(decoder.decode_plane({row, col}, plane, level));
   auto made = std::make_shared<const PlaneTrace>(trace_plane(decoder, {row, col}, plane, level));
+  file.check_readable();
   kept_.push_back({key, made});
   if (kept_.size() > kKeptTraces) kept_.pop_front();
   return made;
@@ -151,6 +155,7 @@ Response Blocks::blocks(const Query& query) {
   json["first_tile"] = first_tile(file.header(), request, level);
   if (request.plane == Plane::kY && level == 0) {
     json["disparities"] = disparities_of_blocks(file.decoder(), *request.view);
+    file.check_readable();
   }
   if (stream_.original() != nullptr && traced->errors.empty()) {
     json["psnr"] =
@@ -168,7 +173,8 @@ Response Blocks::block(const Query& query) const {
   const cli::StreamFile& file = stream_.for_blocks();
   cli::BlockReport report;
   const auto decoded = report_on_block(file, request, report);
-  Json json = block_page(report, file.bytes());
+  file.check_readable();
+  Json json = block_page(report, file);
   json["error"] = decoded ? Json(nullptr) : Json(to_string(decoded.error()));
   Response response;
   response.body = json.dump();

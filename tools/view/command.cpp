@@ -66,6 +66,9 @@ std::unique_ptr<view::OtherDecoder> other_decoder(const DutOptions& options,
   auto duts = options.read();
   if (!stream.error().empty()) return nullptr;
   const StreamFile& file = stream.for_blocks();
+  if (file.is_remote()) {
+    throw Failure(ExitCode::kUsage, "--dut reads a file: download " + file.path().string());
+  }
   return std::make_unique<view::OtherDecoder>(std::move(duts.front()), options.limits(),
                                               file.path(), file.decoder());
 }

@@ -26,7 +26,7 @@ FrameRecord Frames::render(const Query& query) {
     if (looks_ahead_) ahead_.emplace(file.decoder());
   }
   stream_.touched().reset();
-  cli::value_or_throw(renderer_->render(*record, stop_level, frame_), file.path());
+  file.value(renderer_->render(*record, stop_level, frame_));
   if (ahead_) {
     constexpr double kUnit = 65536;  // of places in the grid (CAM-1)
     ahead_->rendered(views_in_use(*record), record->u0 / kUnit, record->v0 / kUnit, stop_level);

@@ -1,7 +1,6 @@
 #include "view/open_stream.hpp"
 
 #include "cli/output.hpp"
-#include "io/files.hpp"
 
 namespace hmlfc::view {
 
@@ -11,7 +10,7 @@ using cli::StreamFile;
 
 OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem::path& original)
     : path_(file) {
-  open(cli::value_or_throw(io::MappedFile::open(file), ExitCode::kInput).bytes().size());
+  open(cli::open_source(file));
   if (original.empty()) return;
   original_ = cli::ViewSource::open(original, std::nullopt);
   if (for_blocks_ == nullptr) return;
@@ -22,20 +21,20 @@ OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem:
                                       " has " + cli::describe(shape));
 }
 
-void OpenStream::open(uint64_t bytes) {
-  touched_ = std::make_unique<FrameReads>(bytes);
+void OpenStream::open(const std::shared_ptr<const remote::OpenSource>& source) {
+  touched_ = std::make_unique<FrameReads>(source->bytes->bytes().size());
   OpenOptions options;
   options.check_sections = false;
   try {
-    for_blocks_ = std::make_unique<StreamFile>(path_, options);
+    for_blocks_ = std::make_unique<StreamFile>(path_, source, options);
     options.reads = touched_.get();
-    for_frames_ = std::make_unique<StreamFile>(path_, options);
+    for_frames_ = std::make_unique<StreamFile>(path_, source, options);
   } catch (const Failure& failure) {
     if (failure.code() == ExitCode::kOutOfMemory) throw;
     error_ = failure.what();
     return;
   }
-  const auto checked = Decoder::open(for_blocks_->bytes());
+  const auto checked = for_blocks_->check_sections();
   if (!checked) warning_ = path_.string() + ": " + to_string(checked.error());
 }
 

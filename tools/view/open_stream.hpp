@@ -38,7 +38,7 @@ class OpenStream {
 
  private:
   const cli::StreamFile& opened(const std::unique_ptr<cli::StreamFile>& file) const;
-  void open(uint64_t bytes);
+  void open(const std::shared_ptr<const remote::OpenSource>& source);
 
   std::filesystem::path path_;
   std::unique_ptr<FrameReads> touched_;

@@ -27,7 +27,7 @@ int stop_level(const cli::StreamFile& file, const PlaneRequest& request) {
 
 RgbImage decoded(const cli::StreamFile& file, const PlaneRequest& request) {
   const int level = stop_level(file, request);
-  return cli::value_or_throw(file.decoder().decode_view(*request.view, level), file.path());
+  return file.value(file.decoder().decode_view(*request.view, level));
 }
 
 uint32_t block_pixels(const StreamHeader& header, Plane plane) {

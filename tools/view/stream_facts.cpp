@@ -19,6 +19,7 @@ namespace {
 Json disparities(const cli::StreamFile& file) {
   const StreamHeader& header = file.header();
   const auto map = disparity_map(file.decoder(), {(header.rows - 1) / 2, (header.cols - 1) / 2});
+  file.check_readable();
   if (!map) return nullptr;
   cli::DisparityRange range;
   range.add(*map);

@@ -12,7 +12,7 @@
 #include "decoder/colour_row.hpp"
 #include "decoder/decoder_state.hpp"
 #include "decoder/fast/region_decoder.hpp"
-#include "decoder/memory_guard.hpp"
+#include "decoder/request_guard.hpp"
 
 namespace hmlfc {
 namespace {
@@ -172,7 +172,7 @@ Result<void> Decoder::decode_all(const ViewConsumer& consumer,
   const FastSources sources = state_->fast();
   const FamilyDecoder family(sources, stop_level, consumer);
   FirstError first;
-  parallel_tasks(shape.images(), options.threads, [&](size_t i) {
+  const auto run = [&](size_t i) {
     if (first.failed_before(i)) return;
     const ImagePos parent{static_cast<uint32_t>(i / shape.cols),
                           static_cast<uint32_t>(i % shape.cols)};
@@ -181,28 +181,36 @@ Result<void> Decoder::decode_all(const ViewConsumer& consumer,
       return tl::unexpected(first_view_error(*this, parent_level, parent, stop_level));
     });
     if (!done) first.add(i, done.error());
+  };
+  return guard_request(state_->stream.source, [&] {
+    load_images(sources, stop_level);
+    parallel_tasks(shape.images(), options.threads, run);
+    return first.result();
   });
-  return first.result();
 }
 
 Result<void> Decoder::load_references(int threads) const {
   const Geometry& geometry = state_->stream.geometry;
   FirstError first;
-  for (int level = geometry.top() - 1; level >= 0; --level) {
-    const LevelShape& shape = geometry.level(level);
-    if (shape.keyed || (shape.ref_rows == 1 && shape.ref_cols == 1)) continue;
-    parallel_tasks(shape.images(), threads, [&](size_t i) {
-      const ImagePos image{static_cast<uint32_t>(i / shape.cols),
-                           static_cast<uint32_t>(i % shape.cols)};
-      if (!geometry.is_reference(level, image)) return;
-      const auto read = guard_memory([&]() -> Result<void> {
-        for (const Plane plane : kPlanes) state_->references.plane(level, image, plane)->read_all();
-        return {};
+  return guard_request(state_->stream.source, [&] {
+    for (int level = geometry.top() - 1; level >= 0; --level) {
+      const LevelShape& shape = geometry.level(level);
+      if (shape.keyed || (shape.ref_rows == 1 && shape.ref_cols == 1)) continue;
+      parallel_tasks(shape.images(), threads, [&](size_t i) {
+        const ImagePos image{static_cast<uint32_t>(i / shape.cols),
+                             static_cast<uint32_t>(i % shape.cols)};
+        if (!geometry.is_reference(level, image)) return;
+        const auto read = guard_memory([&]() -> Result<void> {
+          for (const Plane plane : kPlanes) {
+            state_->references.plane(level, image, plane)->read_all();
+          }
+          return {};
+        });
+        if (!read) first.add(geometry.image_number(level, image), read.error());
       });
-      if (!read) first.add(geometry.image_number(level, image), read.error());
-    });
-  }
-  return first.result();
+    }
+    return first.result();
+  });
 }
 
 }  // namespace hmlfc

@@ -7,7 +7,6 @@
 #include "arithmetic/widths.hpp"
 #include "bits/bit_string.hpp"
 #include "decoder/fast/reference_reader.hpp"
-#include "decoder/fast/region_decoder.hpp"
 #include "decoder/fast/tile_blocks.hpp"
 #include "decoder/golden/block_decoder.hpp"
 #include "syntax/tile_masks.hpp"
@@ -40,7 +39,7 @@ class LevelPass {
       for (uint32_t tx = rect_.bx0 / kTileBlocks; tx * kTileBlocks < rect_.bx1; ++tx) {
         site_.bx = tx * kTileBlocks;
         site_.by = ty * kTileBlocks;
-        const uint64_t wanted = wanted_blocks();
+        const uint64_t wanted = blocks_of_rect(rect_, site_.bx, site_.by);
         if (auto ok = read_tile_blocks(sources_.stream, site_, wanted, *blocks); !ok) return ok;
         if (auto ok = add_tile(*blocks, wanted); !ok) return ok;
       }
@@ -49,17 +48,6 @@ class LevelPass {
   }
 
  private:
-  uint64_t wanted_blocks() const {
-    uint64_t mask = 0;
-    for (unsigned k = 0; k < kBlocksInTile; ++k) {
-      const uint32_t bx = site_.bx + block_column(k);
-      const uint32_t by = site_.by + block_row(k);
-      const bool wanted = bx >= rect_.bx0 && bx < rect_.bx1 && by >= rect_.by0 && by < rect_.by1;
-      mask |= uint64_t{wanted} << k;
-    }
-    return mask;
-  }
-
   Result<void> add_tile(const TileBlocks& blocks, uint64_t wanted) {
     uint64_t left = (blocks.motion_mask | blocks.residual_mask) & wanted;
     for (; left != 0; left &= left - 1) {

@@ -9,6 +9,7 @@
 #include "decoder/sample_plane.hpp"
 #include "syntax/probe.hpp"
 #include "syntax/stream_view.hpp"
+#include "syntax/tile_masks.hpp"
 
 namespace hmlfc {
 
@@ -27,6 +28,18 @@ struct TileBlocks {
   /// The B * B residuals of block k, which has a residual and was wanted.
   const int16_t* residual(unsigned k) const { return values.data() + size_t{k} * block_samples; }
 };
+
+/// The blocks of `rect` in the tile whose first block is (bx, by), by block number.
+inline uint64_t blocks_of_rect(const BlockRect& rect, uint32_t bx, uint32_t by) {
+  uint64_t mask = 0;
+  for (unsigned k = 0; k < kBlocksInTile; ++k) {
+    const uint32_t x = bx + block_column(k);
+    const uint32_t y = by + block_row(k);
+    const bool inside = x >= rect.bx0 && x < rect.bx1 && y >= rect.by0 && y < rect.by1;
+    mask |= uint64_t{inside} << k;
+  }
+  return mask;
+}
 
 /// Reads the tile that holds block `site`; values of residuals are unpacked for the blocks of
 /// `wanted` alone. On failure some block of the tile does not decode, not necessarily a wanted one.

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include <hmlfc/byte_source.hpp>
 #include <hmlfc/error.hpp>
 #include <hmlfc/export.hpp>
 #include <hmlfc/format.hpp>
@@ -25,8 +26,8 @@ struct DecoderLimits {
 
 /// How to open a stream.
 struct OpenOptions {
-  /// Check the CRC of every section (FIL-6), which reads the whole file. Without it a damaged
-  /// section is found only where a structural check fails.
+  /// Check the CRC of every section (FIL-6), which reads, and of a partial source loads, the whole
+  /// file. Without it a damaged section is found only where a structural check fails.
   bool check_sections = true;
   DecoderLimits limits{};     ///< of what this decoder accepts
   ReadSink* reads = nullptr;  ///< receives what requests read; must outlive the decoder
@@ -65,6 +66,11 @@ class HMLFC_EXPORT Decoder {
   /// Opens the stream in `file`, the bytes of a whole file, which must outlive the decoder. Errors:
   /// those of FIL-8.
   static Result<Decoder> open(std::span<const uint8_t> file, const OpenOptions& options = {});
+
+  /// The same of the file in `source`, which must outlive the decoder. Whatever a request needs of
+  /// a partial source is loaded first, in few calls of load(). Where it cannot be loaded, this and
+  /// every later request give bus_error, and no samples.
+  static Result<Decoder> open(ByteSource& source, const OpenOptions& options = {});
 
   /// The decoder moved from may only be assigned to or destroyed.
   Decoder(Decoder&&) noexcept;

@@ -20,7 +20,7 @@ enum class PixelSight : uint8_t {
 
 /// The answer of focus_at.
 struct FocusPoint {
-  PixelSight sight = PixelSight::kUnknown;
+  PixelSight sight = PixelSight::kUnknown;  ///< what is known
   int16_t disparity = 0;  ///< of the surface, units of 2^-8 pixels a column; 0 if there is none
   ViewPos view;           ///< the view whose blocks told it
 

@@ -1,4 +1,5 @@
-/* A decoder as a shared library that `hmlfc conform` can test: plain C99.
+/** @file
+ * A decoder as a shared library that `hmlfc conform` can test: plain C99.
  *
  * Implement the functions below, build a shared library, and run
  *   hmlfc conform --dut ./libmydec.so -o report

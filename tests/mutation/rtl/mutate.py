@@ -36,7 +36,8 @@ import units
 
 HERE = pathlib.Path(__file__).resolve().parent
 FOUND = ("killed", "hangs")
-FIRST_CLOCKS = 500_000  # simulated in less time than a proof takes
+FIRST_CLOCKS = 60_000
+GROUP_CLOCKS = 500_000  # simulated in less time than the proofs of a group take
 SPEED_CLOCKS = 300_000
 
 
@@ -78,6 +79,11 @@ def by_variant(mutants: list[dict]) -> list[list[dict]]:
     return [list(group) for _, group in itertools.groupby(mutants, lambda mutant: mutant["variant"])]
 
 
+def together(mutants: list[dict]) -> list[list[list[dict]]]:
+    """For run_checks: groups with one mutant of each variant. What no check finds together takes the time of one."""
+    return [[[mutant for mutant in group if mutant]] for group in itertools.zip_longest(*by_variant(mutants))]
+
+
 class Campaign:
     """One of a group of modules. `results` has what became of each mutant so far, by number: `result` of rtl_mutants, the `proof` of
     those that no check finds, and the `speed` of those that show in clocks."""
@@ -106,18 +112,18 @@ class Campaign:
         return proofs
 
     def run(self, mutants: list[dict]) -> None:
-        """Most are found by the first checks. What is not found by then is proved equivalent, if it can be, before all checks are
-        tried on the others, several of which are switched on at once."""
+        """Most are found by the first checks, alone or with several switched on at once. What is not found by then is proved equivalent,
+        if it can be, before all checks are tried on the others."""
         first = [*self.program, "--clocks", str(FIRST_CLOCKS)]
         self.run_checks("variants, first checks", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
+        first[-1] = str(GROUP_CLOCKS)
+        self.run_checks("groups, first checks", first, together(self.left(mutants)))
         if self.options.first:
             return
         missed = self.left(mutants)
         proofs = self.prove(missed)
         rest = [mutant for mutant in missed if proofs[mutant["number"]] != prove.EQUIVALENT]
-        # One of each variant together: what no check finds together takes the time of one.
-        groups = [[mutant for mutant in group if mutant] for group in itertools.zip_longest(*by_variant(rest))]
-        self.run_checks("groups, all checks", self.program, [[group] for group in groups])
+        self.run_checks("groups, all checks", self.program, together(rest))
         rest = self.left(rest)
         for mutant in self.left(missed):
             self.results[mutant["number"]]["proof"] = proofs[mutant["number"]]
@@ -169,10 +175,9 @@ def print_table(mutants: list[dict], results: dict[int, dict]) -> None:
 def run_group(group: str, options: argparse.Namespace) -> tuple[int, int]:
     """Of a group: how many mutants were run, and how many survive without a reason."""
     folder = pathlib.Path(options.folder).resolve() / group
-    text = (folder / "mutants.json").read_bytes()
-    kept = record.of_group(group, text)
+    mutants = json.loads((folder / "mutants.json").read_text(encoding="utf-8"))["mutants"]
+    kept = record.of_group(group, folder, mutants)
     known = record.found_by(kept)
-    mutants = json.loads(text)["mutants"]
     if options.found:
         mutants = [mutant for mutant in mutants if mutant["number"] in known]
     if options.new:

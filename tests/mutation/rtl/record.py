@@ -4,31 +4,48 @@ import collections
 import hashlib
 import json
 import pathlib
+import re
 
 import prove
 
 HERE = pathlib.Path(__file__).resolve().parent
 RECORDED = HERE / "recorded.json"
-# Of a group: the checksum of its mutants.json, which gives the numbers their meaning; module to its numbers; check to numbers of
-# those that it found; numbers of those that are proved equivalent, that take other clocks, that survive for a reason, and without one.
+# Of a group: module to the checksum of its netlists and mutants, and to its numbers in mutants.json; check to numbers of those that it
+# found; numbers of those that are proved equivalent, that take other clocks, that survive for a reason, and without one.
 ENDS = ("equivalent", "other_clocks", "explained", "unexplained")
-EMPTY = {"mutants_sha256": "", "made": {}, "found": {}} | {end: [] for end in ENDS}
+EMPTY = {"sha256": {}, "made": {}, "found": {}} | {end: [] for end in ENDS}
+POSITION = re.compile(r"hmlfc_\w+\.svh?:[\d.-]+")  # of a source, which a comment above it changes
 
 
 def read() -> dict[str, dict]:
     return json.loads(RECORDED.read_text(encoding="utf-8"))
 
 
-def of_group(group: str, listed: bytes) -> dict:
-    """What is recorded of a group, if that is of the very mutants of `listed`."""
-    digest = hashlib.sha256(listed).hexdigest()
+def digests(folder: pathlib.Path, mutants: list[dict]) -> dict[str, str]:
+    """Of each module the checksum of its netlists, in the folder of plant.py, and its mutants; no position in a source counts."""
+    texts = collections.defaultdict(list)
+    for mutant in mutants:
+        texts[mutant["module"]].append(POSITION.sub("", mutant["command"]))
+    for module, variant in dict.fromkeys((mutant["module"], mutant["variant"]) for mutant in mutants):
+        netlist = (folder / f"{variant}.il").read_text(encoding="utf-8").splitlines()
+        texts[module] += [POSITION.sub("", line) for line in netlist if not line.lstrip().startswith("attribute \\src")]
+    return {module: hashlib.sha256("\n".join(text).encode()).hexdigest() for module, text in texts.items()}
+
+
+def of_group(group: str, folder: pathlib.Path, mutants: list[dict]) -> dict:
+    """What is recorded of modules of a group that are still the same, of their mutants with the numbers that they have now."""
     kept = EMPTY | read().get(group, {})
-    if kept["mutants_sha256"] == digest:
-        return kept
     made = collections.defaultdict(list)
-    for mutant in json.loads(listed)["mutants"]:
+    for mutant in mutants:
         made[mutant["module"]].append(mutant["number"])
-    return EMPTY | {"mutants_sha256": digest, "made": made}
+    now = digests(folder, mutants)
+    number = {}  # from what is recorded
+    for module in made:
+        if kept["sha256"].get(module) == now[module]:
+            number |= zip(kept["made"][module], made[module])
+    still = {key: [number[one] for one in kept[key] if one in number] for key in ENDS}
+    found = {check: [number[one] for one in ones if one in number] for check, ones in kept["found"].items()}
+    return {"sha256": now, "made": made, "found": {check: ones for check, ones in found.items() if ones}} | still
 
 
 def found_by(kept: dict) -> dict[int, str]:
@@ -78,7 +95,7 @@ def text(groups: dict[str, dict]) -> str:
 
 
 def identity(mutant: dict) -> tuple[str, str, str]:
-    return mutant["module"], json.dumps(mutant["parameters"]), mutant["command"]
+    return mutant["module"], json.dumps(mutant["parameters"]), POSITION.sub("", mutant["command"])
 
 
 def reasons() -> dict[tuple[str, str, str], str]:

@@ -1,7 +1,9 @@
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <stdexcept>
 
@@ -14,7 +16,11 @@ namespace {
 
 // A test says no clocks: as if it had so many.
 constexpr uint64_t kClocks = 6'000;
-constexpr rlim_t kSeconds = 20;  // of CPU time; the longest takes a third of that
+// CPU time after which a test hangs: this, until it has passed; then so many times what that took,
+// and the least.
+constexpr double kSeconds = 20;
+constexpr double kTimesAsLong = 4;
+constexpr double kLeastSeconds = 0.5;
 
 class TestCheck final : public Check {
  public:
@@ -25,21 +31,36 @@ class TestCheck final : public Check {
 
   Verdict run(uint64_t& clocks) override {
     clocks = kClocks;
+    const double before = seconds_of_children();
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("a process for " + name_ + " cannot be started");
     if (child == 0) run_test();
     int status = 0;
     waitpid(child, &status, 0);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-    const bool hangs = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+      limit_ = std::min(limit_, kTimesAsLong * (seconds_of_children() - before) + kLeastSeconds);
+      return {};
+    }
+    const bool hangs = WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF;
     return {hangs, hangs ? "takes too long" : "fails"};
   }
 
  private:
+  static double seconds_of_children() {
+    rusage used{};
+    getrusage(RUSAGE_CHILDREN, &used);
+    const auto seconds = [](const timeval& time) {
+      return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
+  }
+
   // In the child.
   [[noreturn]] void run_test() const {
-    const rlimit limit{kSeconds, kSeconds + 1};
-    setrlimit(RLIMIT_CPU, &limit);
+    const auto whole = static_cast<time_t>(limit_);
+    const itimerval limit{
+        {}, {whole, static_cast<suseconds_t>(1e6 * (limit_ - static_cast<double>(whole)))}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
     auto& listeners = testing::UnitTest::GetInstance()->listeners();
     delete listeners.Release(listeners.default_result_printer());
     GTEST_FLAG_SET(filter, name_);
@@ -47,6 +68,7 @@ class TestCheck final : public Check {
   }
 
   std::string name_;
+  double limit_ = kSeconds;
 };
 
 }  // namespace

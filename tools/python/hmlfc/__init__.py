@@ -13,6 +13,6 @@ Samples are exactly those of the specification. Arrays are row by row, the pixel
 from hmlfc._core import version as __version__
 from hmlfc.encoding import Views, encode, read_views
 from hmlfc.error import Error
-from hmlfc.light_field import Block, LightField, open
+from hmlfc.light_field import Block, LightField, Rig, open
 
-__all__ = ["Block", "Error", "LightField", "Views", "__version__", "encode", "open", "read_views"]
+__all__ = ["Block", "Error", "LightField", "Rig", "Views", "__version__", "encode", "open", "read_views"]

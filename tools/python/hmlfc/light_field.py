@@ -29,13 +29,28 @@ class Block(NamedTuple):
     stages: list[dict]
 
 
+class Rig(NamedTuple):
+    """Where the cameras of the views stand (RIG-2): arrays by row and column of views.
+
+    metres_per_unit: length of a unit of positions, or None
+    positions: (rows, cols, 3), x, y, z of each camera's centre in the world (RIG-3)
+    rotations: (rows, cols, 4), quaternions w, x, y, z
+    intrinsics: (rows, cols, 4), fx, fy, cx, cy in pixels (RIG-4), or None
+    """
+
+    metres_per_unit: Optional[float]
+    positions: np.ndarray
+    rotations: np.ndarray
+    intrinsics: Optional[np.ndarray]
+
+
 def open(source: Union[str, os.PathLike, bytes, bytearray, memoryview], *, check_sections: bool = True) -> LightField:
-    """The light field in a file, which is mapped, or in memory.
+    """The light field in a file, which is mapped, at an http:// address, or in memory.
 
-    source: a path, or the bytes of a stream, which must not change while the light field is in use
-    check_sections: check the CRC of every section, which reads the whole file (FIL-6)
+    source: a path, an address, or the bytes of a stream, which must not change while the light field is in use
+    check_sections: check the CRC of every section, which reads the whole file (FIL-6); not at an address
 
-    Raises OSError where the file cannot be read, Error where it is no stream (FIL-8).
+    Raises OSError where the file cannot be read, also later at an address, Error where it is no stream (FIL-8).
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
         return LightField(_core.Stream.from_buffer(source, check_sections))
@@ -88,6 +103,21 @@ class LightField:
     def features(self) -> list[str]:
         """The flags of profile extended that are set (EXT-1)."""
         return self._stream.features
+
+    @property
+    def rig(self) -> Optional[Rig]:
+        """Where the cameras stand; None where the stream does not say. Raises ValueError for a rig that RIG-2 forbids."""
+        told = self._stream.rig()
+        if told is None:
+            return None
+        grid = self.shape[:2]
+        metres, positions, rotations, intrinsics = told
+        return Rig(
+            metres,
+            by_view(positions, grid),
+            by_view(rotations or [(1, 0, 0, 0)], grid),
+            by_view(intrinsics, grid) if intrinsics else None,
+        )
 
     def __repr__(self) -> str:
         return f"<hmlfc.LightField of shape {self.shape}, depth {self.depth}, profile {self.profile}>"
@@ -177,6 +207,12 @@ class LightField:
     def _view(self, row: int, col: int) -> Tuple[int, int]:
         rows, cols = self.shape[:2]
         return range_of(row, rows)[0], range_of(col, cols)[0]
+
+
+def by_view(entries: list, grid: Tuple[int, int]) -> np.ndarray:
+    """One entry for all views, or one for each in their order, as (rows, cols, numbers of an entry)."""
+    values = np.array(entries, np.float64)
+    return np.tile(values, (*grid, 1)) if len(entries) == 1 else values.reshape(*grid, -1)
 
 
 def range_of(key: Index, size: int) -> range:

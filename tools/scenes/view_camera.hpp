@@ -1,4 +1,4 @@
-// The cameras of a light field: in one plane, parallel, sheared to one focal plane.
+// The cameras of a light field: parallel and sheared to one focal plane, or turned to its middle.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct CameraRig {
 };
 
 /// The cameras of all views as a stream may hold them (RIG-2): in the scene's units, with the axes
-/// right, down and forward, from the middle of the grid.
+/// right, down and forward, from the middle of the grid. Without rotations where none is turned.
 Rig rig_of(const CameraRig& rig, const SceneParams& params);
 
 /// A rectangle of pixels in real coordinates.
@@ -43,15 +43,16 @@ struct PixelBox {
 };
 
 /// The camera of one view. Pixel (i, j) covers [i, i + 1] x [j, j + 1].
-class TwoPlaneCamera {
+class ViewCamera {
  public:
-  TwoPlaneCamera(const CameraRig& rig, const SceneParams& params, uint32_t row, uint32_t col);
+  ViewCamera(const CameraRig& rig, const SceneParams& params, uint32_t row, uint32_t col);
 
-  /// The ray through a point of the picture. Its direction advances by 1 along the rig's `forward`,
-  /// so that t is the distance from the camera plane.
+  /// The ray through a point of the picture. Its direction advances by 1 along the camera's own
+  /// forward axis, so that t is the distance from its plane.
   Ray ray(double x, double y) const;
 
-  /// The bounding box of the projections of `points`, which must lie in front of the camera plane.
+  /// The bounding box of the projections of `points`; without end where one of them does not lie in
+  /// front of the camera.
   PixelBox bounds(std::span<const Vec3> points) const;
 
   /// fx, fy, cx, cy of RIG-4, where the middle of pixel (0, 0) is at (0, 0).
@@ -62,10 +63,23 @@ class TwoPlaneCamera {
   /// Where the camera is.
   const Vec3& origin() const { return origin_; }
 
-  /// Distance of a point from the camera plane.
+  /// Unit vectors along the pixels' x, along their y and into the scene.
+  const Vec3& right() const { return right_; }
+  const Vec3& down() const { return down_; }
+  const Vec3& forward() const { return forward_; }
+
+  /// Distance of a point from the plane of the camera, along its forward axis.
   double distance(Vec3 point) const { return dot(point - origin_, forward_); }
 
  private:
+  /// Puts the camera at steps_right, steps_down of the plane of `rig`, parallel to its axes.
+  void place_in_plane(const CameraRig& rig, const SceneParams& params, double steps_right,
+                      double steps_down);
+
+  /// Puts the camera at `place`, in the axes of `rig` from its centre, turned to the middle of the
+  /// focal plane and upright.
+  void turn_to_middle(const CameraRig& rig, const SceneParams& params, Vec3 place);
+
   Vec3 origin_;
   Vec3 right_;
   Vec3 down_;

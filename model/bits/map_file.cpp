@@ -1,0 +1,42 @@
+#include "bits/map_file.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+
+namespace hmlfc {
+namespace {
+
+tl::expected<std::span<const uint8_t>, MapFailure> map_descriptor(int file) {
+  struct stat status = {};
+  if (::fstat(file, &status) != 0) return tl::unexpected(MapFailure{"cannot read", errno});
+  if (!S_ISREG(status.st_mode)) {
+    return tl::unexpected(MapFailure{"not a regular file; give a file's name", 0});
+  }
+  const auto size = static_cast<size_t>(status.st_size);
+  if (size == 0) return std::span<const uint8_t>();
+  const void* data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
+  if (data == MAP_FAILED) return tl::unexpected(MapFailure{"cannot map into memory", errno});
+  return std::span(static_cast<const uint8_t*>(data), size);
+}
+
+}  // namespace
+
+tl::expected<std::span<const uint8_t>, MapFailure> map_file(const char* path) {
+  // Without O_NONBLOCK, opening a named pipe would wait for a writer.
+  const int file = ::open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return tl::unexpected(MapFailure{"cannot open for reading", errno});
+  auto mapped = map_descriptor(file);
+  ::close(file);
+  return mapped;
+}
+
+void unmap_file(std::span<const uint8_t> bytes) {
+  if (!bytes.empty()) ::munmap(const_cast<uint8_t*>(bytes.data()), bytes.size());
+}
+
+}  // namespace hmlfc

@@ -1,0 +1,234 @@
+#include "encoder/encode_part.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+
+namespace hmlfc {
+namespace {
+
+struct RowByRow {
+  bool operator()(ImagePos a, ImagePos b) const {
+    return std::tuple(a.row, a.col) < std::tuple(b.row, b.col);
+  }
+};
+
+using Images = std::set<ImagePos, RowByRow>;
+
+std::vector<ImagePos> listed(const Images& images) { return {images.begin(), images.end()}; }
+
+std::vector<ImagePos> all_images(const LevelShape& shape) {
+  std::vector<ImagePos> images;
+  for (uint32_t r = 0; r < shape.rows; ++r) {
+    for (uint32_t c = 0; c < shape.cols; ++c) images.push_back({r, c});
+  }
+  return images;
+}
+
+// Finds, from the views up, what coding a range of views depends on.
+class PartFinder {
+ public:
+  PartFinder(const StreamHeader& header, const Geometry& geometry, const ViewRange& views,
+             const std::function<bool(int, ImagePos)>& known)
+      : header_(header),
+        geometry_(geometry),
+        views_(views),
+        known_(known),
+        motion_(header.has(Feature::kMotionTiles)),
+        needed_(static_cast<size_t>(geometry.top()) + 1),
+        originals_(needed_.size()) {}
+
+  EncodePart run() {
+    EncodePart part;
+    part.views = views_;
+    for (int level = 0; level <= geometry_.top(); ++level) part.levels.push_back(find(level));
+    for (size_t level = needed_.size(); level-- > 1;) {
+      part.levels[level].originals = listed(originals_[level]);
+      for (const ImagePos at : originals_[level]) add_children(at, level);
+    }
+    return part;
+  }
+
+ private:
+  LevelPart find(int level) {
+    const auto l = static_cast<size_t>(level);
+    const LevelShape& shape = geometry_.level(level);
+    add_owned(level);
+    Images references;
+    LevelPart part;
+    part.predicts = uint64_t{shape.group_rows()} * shape.group_cols() < shape.images();
+    Images groups;
+    for (const ImagePos at : needed_[l]) {
+      const ImagePos own = geometry_.reference_of(level, at);
+      references.insert(own);
+      if (own != at) {
+        part.predictive.push_back(at);
+        groups.insert(own);
+        const ReferenceImages places = reference_images(geometry_, level, at);
+        if (motion_) references.insert(places.begin(), places.end());
+      } else if (owns(views_, header_, level, at) &&
+                 !members_of(geometry_, level, at).empty()) {
+        groups.insert(at);
+      }
+    }
+    part.references = listed(references);
+    part.groups = listed(groups);
+    for (const ImagePos at : part.references) {
+      part.known.push_back(shape.keyed && known_(level, at));
+    }
+    originals_[l].insert(references.begin(), references.end());
+    originals_[l].insert(part.predictive.begin(), part.predictive.end());
+    add_parents(level, part.predictive);
+    if (!shape.keyed) add_parents(level, part.references);
+    if (motion_) add_searched(level, groups, part);
+    return part;
+  }
+
+  void add_owned(int level) {
+    for (const ImagePos at : descend_from(level)) {
+      if (owns(views_, header_, level, at)) needed_[static_cast<size_t>(level)].insert(at);
+    }
+  }
+
+  // The images of `level` with views in the range below them.
+  std::vector<ImagePos> descend_from(int level) const {
+    const ImagePos first = geometry_.ancestor({views_.row0, views_.col0}, 0, level);
+    const ImagePos last = geometry_.ancestor({views_.row1 - 1, views_.col1 - 1}, 0, level);
+    std::vector<ImagePos> images;
+    for (uint32_t r = first.row; r <= last.row; ++r) {
+      for (uint32_t c = first.col; c <= last.col; ++c) images.push_back({r, c});
+    }
+    return images;
+  }
+
+  void add_parents(int level, const std::vector<ImagePos>& images) {
+    if (level == geometry_.top()) return;
+    for (const ImagePos at : images) {
+      needed_[static_cast<size_t>(level) + 1].insert(geometry_.ancestor(at, level, level + 1));
+    }
+  }
+
+  // What the search of disparities and the refinement of key images look at: other images of the
+  // groups, at keyed levels also the second references of these.
+  void add_searched(int level, const Images& groups, LevelPart& part) {
+    const bool keyed = geometry_.level(level).keyed;
+    const Images references(part.references.begin(), part.references.end());
+    Images context;
+    for (size_t i = 0; i < part.references.size(); ++i) {
+      const ImagePos reference = part.references[i];
+      const bool refined = keyed && !part.known[i];
+      if (!refined && !groups.contains(reference)) continue;
+      const std::vector<ImagePos> members = members_of(geometry_, level, reference);
+      originals_[static_cast<size_t>(level)].insert(members.begin(), members.end());
+      if (!keyed) add_parents(level, members);
+      for (const ImagePos at : members) {
+        const ImagePos other = reference_images(geometry_, level, at)[1];
+        if (keyed && !references.contains(other)) context.insert(other);
+      }
+    }
+    originals_[static_cast<size_t>(level)].insert(context.begin(), context.end());
+    part.context = listed(context);
+  }
+
+  void add_children(ImagePos at, size_t level) {
+    if (level == 1) return;  // views are fetched
+    const LevelShape& below = geometry_.level(static_cast<int>(level) - 1);
+    const uint32_t last_row = std::min((at.row + 1) * header_.cluster_rows, below.rows);
+    const uint32_t last_col = std::min((at.col + 1) * header_.cluster_cols, below.cols);
+    for (uint32_t r = at.row * header_.cluster_rows; r < last_row; ++r) {
+      for (uint32_t c = at.col * header_.cluster_cols; c < last_col; ++c) {
+        originals_[level - 1].insert({r, c});
+      }
+    }
+  }
+
+  const StreamHeader& header_;
+  const Geometry& geometry_;
+  ViewRange views_;
+  const std::function<bool(int, ImagePos)>& known_;
+  bool motion_;
+  std::vector<Images> needed_;
+  std::vector<Images> originals_;
+};
+
+// Members of the whole level, predictive or not.
+LevelPart whole_level(const Geometry& geometry, int level) {
+  LevelPart part;
+  for (const ImagePos at : all_images(geometry.level(level))) {
+    (geometry.is_reference(level, at) ? part.references : part.predictive).push_back(at);
+  }
+  part.known.resize(part.references.size());
+  part.predicts = !part.predictive.empty();
+  for (const ImagePos at : part.references) {
+    if (!members_of(geometry, level, at).empty()) part.groups.push_back(at);
+  }
+  if (level > 0) part.originals = all_images(geometry.level(level));
+  return part;
+}
+
+}  // namespace
+
+bool owns(const ViewRange& views, const StreamHeader& header, int level, ImagePos at) {
+  uint64_t row = at.row;
+  uint64_t col = at.col;
+  for (int l = 0; l < level; ++l) {
+    row *= header.cluster_rows;
+    col *= header.cluster_cols;
+  }
+  return row >= views.row0 && row < views.row1 && col >= views.col0 && col < views.col1;
+}
+
+EncodePart whole_part(const Geometry& geometry) {
+  EncodePart part;
+  for (int level = 0; level <= geometry.top(); ++level) {
+    part.levels.push_back(whole_level(geometry, level));
+  }
+  return part;
+}
+
+EncodePart sampled_part(const Geometry& geometry, const std::vector<ImagePos>& sample) {
+  EncodePart part;
+  part.trial = true;
+  LevelPart& level = part.levels.emplace_back();
+  level.predictive = sample;
+  for (const ImagePos at : sample) {
+    for (const ImagePos place : reference_images(geometry, 0, at)) {
+      if (std::ranges::find(level.references, place) == level.references.end()) {
+        level.references.push_back(place);
+      }
+    }
+  }
+  level.known.resize(level.references.size());
+  level.predicts = !sample.empty();
+  for (const ImagePos at : level.references) {
+    const auto is_member = [&](ImagePos member) { return geometry.reference_of(0, member) == at; };
+    if (std::ranges::any_of(sample, is_member)) level.groups.push_back(at);
+  }
+  return part;
+}
+
+EncodePart part_of_views(const StreamHeader& header, const Geometry& geometry,
+                         const ViewRange& views,
+                         const std::function<bool(int level, ImagePos at)>& known) {
+  return PartFinder(header, geometry, views, known).run();
+}
+
+std::vector<ImagePos> members_of(const Geometry& geometry, int level, ImagePos reference) {
+  const LevelShape& shape = geometry.level(level);
+  const ImagePos group = geometry.group_of(level, reference);
+  std::vector<uint32_t> rows;
+  for (uint32_t r = 0; r < shape.rows; ++r) {
+    if (geometry.group_of(level, {r, reference.col}).row == group.row) rows.push_back(r);
+  }
+  std::vector<ImagePos> members;
+  for (const uint32_t r : rows) {
+    for (uint32_t c = 0; c < shape.cols; ++c) {
+      const ImagePos at{r, c};
+      if (at != reference && geometry.group_of(level, at).col == group.col) members.push_back(at);
+    }
+  }
+  return members;
+}
+
+}  // namespace hmlfc

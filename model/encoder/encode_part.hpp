@@ -1,0 +1,59 @@
+// Which images an encoding works on: all, those of a trial, or those that a range of views takes,
+// so that a light field can be encoded part by part, in any order and on many machines.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "syntax/geometry.hpp"
+
+namespace hmlfc {
+
+/// The images of one level, each list row by row.
+struct LevelPart {
+  std::vector<ImagePos> references;  ///< to code, also those that other parts code, too
+  std::vector<bool> known;           ///< of references: key images that a part before has coded
+  std::vector<ImagePos> predictive;  ///< likewise to code
+  std::vector<ImagePos> groups;      ///< references whose group's shared decisions are needed
+  std::vector<ImagePos> context;     ///< key images that are looked at and not coded
+  std::vector<ImagePos> originals;   ///< all whose original is looked at; empty at level 0
+  bool predicts = false;             ///< the level has predictive images, here or in other parts
+};
+
+/// Views [row0, row1) x [col0, col1).
+struct ViewRange {
+  uint32_t row0 = 0;
+  uint32_t row1 = 0;
+  uint32_t col0 = 0;
+  uint32_t col1 = 0;
+};
+
+struct EncodePart {
+  std::vector<LevelPart> levels;   ///< from level 0 on
+  std::optional<ViewRange> views;  ///< the part that it is; none: the whole, or a trial
+  bool trial = false;              ///< gives no stream, and its error is not measured
+};
+
+/// Whether image `at` of level `level` belongs to `views`: the first view below it does. Each image
+/// belongs to one of the ranges that make up a grid.
+bool owns(const ViewRange& views, const StreamHeader& header, int level, ImagePos at);
+
+/// Everything.
+EncodePart whole_part(const Geometry& geometry);
+
+/// Of level 0 only the images `sample`, which are predictive, and what they refer to. The tree has
+/// one level.
+EncodePart sampled_part(const Geometry& geometry, const std::vector<ImagePos>& sample);
+
+/// The images that belong to `views`, and all that coding them depends on. `known`: whether a key
+/// image of a level has been coded before.
+EncodePart part_of_views(const StreamHeader& header, const Geometry& geometry,
+                         const ViewRange& views,
+                         const std::function<bool(int level, ImagePos at)>& known);
+
+/// All predictive images of the group of `reference`, row by row.
+std::vector<ImagePos> members_of(const Geometry& geometry, int level, ImagePos reference);
+
+}  // namespace hmlfc

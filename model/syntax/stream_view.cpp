@@ -1,0 +1,10 @@
+#include "syntax/stream_view.hpp"
+
+namespace hmlfc {
+
+bool StreamView::announce(ByteRange range) const {
+  if (reads != nullptr) reads->on_read(range.offset, range.bytes);
+  return source == nullptr || is_loaded(*source, range);
+}
+
+}  // namespace hmlfc

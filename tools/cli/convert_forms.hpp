@@ -1,0 +1,53 @@
+// The forms of a light field that hmlfc convert reads and writes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "cli/view_source.hpp"
+#include "io/parallel.hpp"
+#include "io/view_list.hpp"
+#include "io/y4m.hpp"
+
+namespace hmlfc::cli {
+
+/// What the name of a file or folder does not tell.
+enum class Form : uint8_t {
+  kTiles,     ///< of a picture
+  kLenslets,  ///< of a picture
+  kPleno,     ///< of a folder: names as JPEG Pleno's
+};
+
+struct ConvertOptions {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::optional<io::GridShape> grid;
+  std::optional<Form> from;
+  std::optional<Form> to;
+  std::optional<uint32_t> row;
+  std::optional<io::FrameOrder> order;  ///< of a video
+  std::optional<int> bits;              ///< of a video that is written
+  int threads = 0;
+};
+
+/// Whether the name is that of a picture: .png, .ppm, .jpg or .jpeg.
+bool is_picture(const std::filesystem::path& file);
+
+/// Whether the name is that of a video: .y4m.
+bool is_video(const std::filesystem::path& file);
+
+/// The light field of options.input. Failures: options that its form does not have (kUsage), and
+/// those of ViewSource::open.
+std::unique_ptr<ViewSource> open_input(const ConvertOptions& options);
+
+/// Usage failure where options.output is of no form that is written, or options are not its own.
+void check_output(const ConvertOptions& options);
+
+/// Writes the views of `source` to options.output, which check_output accepts. Failures: what does
+/// not fit into the form (kUsage), cannot write (kOutput), and those of ViewSource::view.
+void write_output(const ConvertOptions& options, const ViewSource& source,
+                  const io::Progress& progress);
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,151 @@
+// The forms that hmlfc convert writes.
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <hmlfc/encoder.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/convert_forms.hpp"
+#include "cli/for_each_view.hpp"
+#include "io/files.hpp"
+#include "io/image_files.hpp"
+#include "io/light_field_files.hpp"
+#include "io/view_mosaic.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+using io::Mosaic;
+using io::MosaicLayout;
+
+// The quilt that the output's name states, which must be that of the views.
+Mosaic quilt_of(const std::filesystem::path& file, const LightFieldShape& shape) {
+  if (shape.rows != 1) {
+    throw Failure(ExitCode::kUsage,
+                  fmt::format("{}: a quilt has one row of views, not {}; choose one by --row",
+                              file.string(), shape.rows));
+  }
+  const auto quilt = *io::parse_quilt_name(file);
+  const double aspect = static_cast<double>(shape.width) / shape.height;
+  if (quilt.mosaic.grid().cols != shape.cols || std::abs(quilt.aspect - aspect) > 0.01) {
+    throw Failure(ExitCode::kUsage,
+                  fmt::format("{}: the views are {} of aspect {:.4g}; the name says {} x {} of "
+                              "aspect {:.4g}",
+                              file.string(), shape.cols, aspect, quilt.mosaic.cols,
+                              quilt.mosaic.rows, quilt.aspect));
+  }
+  return quilt.mosaic;
+}
+
+Mosaic output_mosaic(const ConvertOptions& options, const LightFieldShape& shape) {
+  if (options.to) {
+    const auto layout = options.to == Form::kTiles ? MosaicLayout::kTiles : MosaicLayout::kLenslets;
+    return {layout, shape.rows, shape.cols};
+  }
+  if (io::parse_quilt_name(options.output)) return quilt_of(options.output, shape);
+  throw Failure(ExitCode::kUsage, options.output.string() +
+                                      ": a picture needs --to, or the name of a quilt (_qsCxRaA)");
+}
+
+void write_picture(const ConvertOptions& options, const ViewSource& source,
+                   const io::Progress& progress) {
+  const LightFieldShape& shape = source.shape();
+  const Mosaic mosaic = output_mosaic(options, shape);
+  RgbImage picture =
+      value_or_throw(io::empty_mosaic(options.output, shape, mosaic), ExitCode::kUsage);
+  for_each_view({shape.rows, shape.cols}, options.threads, progress, [&](ViewPos view) {
+    io::put_into_mosaic(picture, mosaic, view.row, view.col, source.view(view));
+  });
+  const bool ppm = io::lower_case_extension(options.output) == ".ppm";
+  value_or_throw(
+      ppm ? io::write_ppm(options.output, picture) : io::write_png(options.output, picture),
+      ExitCode::kOutput);
+}
+
+void write_folder(const ConvertOptions& options, const ViewSource& source,
+                  const io::Progress& progress) {
+  const LightFieldShape& shape = source.shape();
+  const auto produce = [&source](uint32_t row, uint32_t col) -> io::IoResult<RgbImage> {
+    return source.view({row, col});
+  };
+  value_or_throw(io::save_views(options.output, {shape.rows, shape.cols}, produce,
+                                static_cast<unsigned>(options.threads), progress,
+                                options.to ? io::FileNames::kPleno : io::FileNames::kRowCol),
+                 ExitCode::kOutput);
+}
+
+void write_video(const ConvertOptions& options, const ViewSource& source,
+                 const io::Progress& progress) {
+  const LightFieldShape& shape = source.shape();
+  const int bits = options.bits.value_or(io::exact_video_bits(shape.depth));
+  if (bits < shape.depth) {
+    throw Failure(ExitCode::kUsage, fmt::format("--bits {} is less than the {} bits of the views",
+                                                bits, shape.depth));
+  }
+  const io::FrameOrder order = options.order.value_or(io::FrameOrder::kSerpentine);
+  auto video =
+      value_or_throw(io::Y4mWriter::create(options.output, shape, order, bits), ExitCode::kOutput);
+  const size_t count = size_t{shape.rows} * shape.cols;
+  for (size_t i = 0; i < count; ++i) {
+    const auto [row, col] = io::view_of_frame(i, {shape.rows, shape.cols}, order);
+    value_or_throw(video.add(source.view({row, col})), ExitCode::kOutput);
+    if (progress) progress(i + 1, count);
+  }
+  value_or_throw(video.commit(), ExitCode::kOutput);
+}
+
+// Every sample is kept.
+void write_stream(const ConvertOptions& options, const ViewSource& source,
+                  const io::Progress& progress) {
+  LightField field(source.shape());
+  for_each_view({field.shape().rows, field.shape().cols}, options.threads, {},
+                [&](ViewPos view) { field.set_view(view.row, view.col, source.view(view)); });
+  EncodeParams params;
+  params.profile = Profile::kExtended;
+  params.lossless = true;
+  params.threads = options.threads;
+  const auto stream = encode(field, params, progress);
+  if (!stream) {
+    throw Failure(ExitCode::kInput, options.input.string() + ": " + stream.error().message);
+  }
+  value_or_throw(io::write_file(options.output, stream->bytes), ExitCode::kOutput);
+}
+
+bool is_stream(const std::filesystem::path& file) {
+  return io::lower_case_extension(file) == ".hmlfc";
+}
+
+}  // namespace
+
+void check_output(const ConvertOptions& options) {
+  const std::filesystem::path& file = options.output;
+  const auto usage = [](const std::string& what) { throw Failure(ExitCode::kUsage, what); };
+  const std::string extension = io::lower_case_extension(file);
+  if (extension == ".jpg" || extension == ".jpeg") {
+    usage(file.string() + ": JPEG loses samples; write a folder, .png, .ppm, .y4m or .hmlfc");
+  }
+  const bool is_folder = !is_picture(file) && !is_video(file) && !is_stream(file);
+  if (options.to && is_picture(file) == (options.to == Form::kPleno)) {
+    usage("--to pleno is for an output that is a folder, tiles and lenslets for a picture");
+  }
+  if (options.to && !is_picture(file) && !is_folder) {
+    usage("--to is for an output that is a picture or a folder");
+  }
+  if (options.bits && !is_video(file)) usage("--bits is for an output that is a video");
+  if (options.order && !is_video(file) && !is_video(options.input)) {
+    usage("--order is for videos");
+  }
+  if (!is_folder) check_output_file(file);
+}
+
+void write_output(const ConvertOptions& options, const ViewSource& source,
+                  const io::Progress& progress) {
+  if (is_picture(options.output)) return write_picture(options, source, progress);
+  if (is_video(options.output)) return write_video(options, source, progress);
+  if (is_stream(options.output)) return write_stream(options, source, progress);
+  write_folder(options, source, progress);
+}
+
+}  // namespace hmlfc::cli

@@ -1,0 +1,80 @@
+// The views of a light field as the frames of a video: Y4M (YUV4MPEG2), 4:4:4, BT.709.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <hmlfc/image.hpp>
+#include <hmlfc/light_field.hpp>
+
+#include "io/files.hpp"
+#include "io/io_error.hpp"
+#include "io/view_list.hpp"
+#include "io/view_name.hpp"
+#include "io/ycbcr.hpp"
+
+namespace hmlfc::io {
+
+/// In which order views follow each other.
+enum class FrameOrder : uint8_t {
+  kRaster,      ///< row by row, each from the left
+  kSerpentine,  ///< likewise, but odd rows from the right
+};
+
+/// The view that frame `index` in [0, rows * cols - 1] shows.
+GridPosition view_of_frame(size_t index, GridShape grid, FrameOrder order);
+
+/// The least bits of a video that keeps views of `depth` in [8, 12] bits exactly: 10, 12 or 14.
+int exact_video_bits(int depth);
+
+/// A video opened for reading. Const functions may be called concurrently.
+class Y4mReader {
+ public:
+  /// Opens `file`: 4:4:4 of 8, 10, 12 or 14 bits, with frames of rows * cols views. Grid, order and
+  /// depth are those that Y4mWriter has noted in the header, unless they are given; without a note
+  /// the order is raster and the depth that of the video, at most 12. Errors: not readable, another
+  /// format, damaged, no grid, a grid of another number of views.
+  static IoResult<Y4mReader> open(const std::filesystem::path& file, std::optional<GridShape> grid,
+                                  std::optional<FrameOrder> order);
+
+  const LightFieldShape& shape() const { return shape_; }
+
+  /// View (row, col), which lies in the grid.
+  RgbImage view(uint32_t row, uint32_t col) const;
+
+ private:
+  explicit Y4mReader(MappedFile file) : file_(std::move(file)) {}
+
+  MappedFile file_;
+  LightFieldShape shape_;
+  FrameOrder order_ = FrameOrder::kRaster;
+  VideoLevels levels_;
+  std::vector<size_t> frames_;  // where the samples of each begin
+};
+
+/// A video being written, frame after frame.
+class Y4mWriter {
+ public:
+  /// For a light field of `shape`; `bits` is 8, 10, 12 or 14, `shape.depth` at least. Views come
+  /// back exactly where bits >= exact_video_bits(depth). Errors: cannot write.
+  static IoResult<Y4mWriter> create(const std::filesystem::path& file, const LightFieldShape& shape,
+                                    FrameOrder order, int bits);
+
+  /// Appends a view of the shape; views come in the order of view_of_frame. Errors: cannot write.
+  IoResult<void> add(const RgbImage& view);
+
+  /// After the last view. Errors: cannot write.
+  IoResult<void> commit() { return file_.commit(); }
+
+ private:
+  Y4mWriter(AtomicFile file, VideoLevels levels) : file_(std::move(file)), levels_(levels) {}
+
+  AtomicFile file_;
+  VideoLevels levels_;
+};
+
+}  // namespace hmlfc::io

@@ -1,0 +1,193 @@
+#include "remote/range_client.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "remote/transfer.hpp"
+
+namespace hmlfc::remote {
+namespace {
+
+constexpr uint64_t kMostBytes = uint64_t{1} << 46;  // below every address space of 64-bit systems
+constexpr std::array<std::chrono::milliseconds, RangeClient::kTries - 1> kPauses{
+    std::chrono::milliseconds(200), std::chrono::milliseconds(1000)};
+
+// A failed transfer: what happened and what to do, and whether asking again may help.
+struct Problem {
+  std::string text;
+  bool passing = false;
+};
+
+}  // namespace
+
+struct RangeClient::State {
+  std::string address;
+  Multi multi;
+  std::vector<Easy> idle;
+  uint64_t size = 0;    // 0 until it is known
+  std::string version;  // of the file (AnswerHead)
+  std::vector<uint8_t> first;
+
+  bool begin(Transfer& transfer);
+  std::optional<Problem> run(std::vector<Transfer*>& transfers);
+  std::optional<Problem> fetch(std::span<Transfer> transfers);
+  std::optional<Problem> judge(const Transfer& transfer, CURLcode code) const;
+  Problem judge_status(long status) const;
+  io::IoResult<void> open(size_t first_bytes);
+
+  tl::unexpected<io::IoError> error(const std::string& text) const {
+    return tl::unexpected(io::IoError{address + ": " + text});
+  }
+};
+
+// Sends the request.
+bool RangeClient::State::begin(Transfer& transfer) {
+  if (!transfer.easy && !idle.empty()) {
+    transfer.easy = std::move(idle.back());
+    idle.pop_back();
+  }
+  if (!transfer.easy) transfer.easy = make_easy(address);
+  if (!transfer.easy) return false;
+  prepare(transfer);
+  return curl_multi_add_handle(multi.get(), transfer.easy.get()) == CURLM_OK;
+}
+
+Problem RangeClient::State::judge_status(long status) const {
+  switch (status) {
+    case 200:
+      return {
+          "the server does not send parts of files (status 200 in place of 206); "
+          "download the file and open that"};
+    case 401:
+    case 403:
+      return Problem{fmt::format("the server refuses it (status {})", status)};
+    case 404:
+    case 410:
+      return Problem{fmt::format("there is no such file (status {}); check the address", status)};
+    case 416:
+      return Problem{size == 0 ? "the file is empty"
+                               : "the file has become shorter (status 416); open it again"};
+    default:
+      return Problem{fmt::format("the server answers with status {}", status),
+                     status == 429 || status >= 500};
+  }
+}
+
+std::optional<Problem> RangeClient::State::judge(const Transfer& transfer, CURLcode code) const {
+  const AnswerHead& head = transfer.head;
+  const size_t wanted = transfer.request.room.size();
+  if (code != CURLE_OK && code != CURLE_WRITE_ERROR && code != CURLE_PARTIAL_FILE) {
+    const char* reason =
+        transfer.reason[0] != 0 ? transfer.reason.data() : curl_easy_strerror(code);
+    return Problem{fmt::format("{}; is the server there?", reason), true};
+  }
+  if (head.status != 206) return judge_status(head.status);
+  if (!head.range || head.range->first != transfer.request.offset) {
+    return Problem{
+        "the server sends other bytes than those asked for, or does not say which "
+        "(Content-Range)"};
+  }
+  if (size != 0 && head.range->total != size) {
+    return Problem{fmt::format("the file has changed: it had {} bytes and has {}; open it again",
+                               size, head.range->total)};
+  }
+  if (size != 0 && head.version() != version) {
+    return Problem{fmt::format("the file has changed: its version was {} and is {}; open it again",
+                               version, head.version())};
+  }
+  const uint64_t sent = transfer.whole ? wanted : std::min<uint64_t>(wanted, head.range->total);
+  if (code != CURLE_OK || transfer.received != sent) {
+    return Problem{fmt::format("the answer has {} bytes in place of {}", transfer.received, sent),
+                   true};
+  }
+  return std::nullopt;
+}
+
+// Runs the transfers, kAtOnce at a time. Leaves those that may be tried again; returns the problem
+// of one of them, or the one that made the others pointless.
+std::optional<Problem> RangeClient::State::run(std::vector<Transfer*>& transfers) {
+  std::optional<Problem> problem;
+  std::vector<Transfer*> again;
+  UnderWay under_way(multi.get());
+  const auto is_hopeless = [&] { return problem && !problem->passing; };
+  const auto end = [&](Transfer& transfer, CURLcode code) {
+    auto found = judge(transfer, code);
+    idle.push_back(std::move(transfer.easy));
+    if (!found) return;
+    if (found->passing) again.push_back(&transfer);
+    if (!is_hopeless()) problem = std::move(found);
+  };
+  size_t begun = 0;
+  while (!is_hopeless() && (begun < transfers.size() || under_way.count() > 0)) {
+    while (begun < transfers.size() && under_way.count() < kAtOnce) {
+      Transfer& next = *transfers[begun++];
+      if (!begin(next)) return Problem{"libcurl cannot begin a request"};
+      under_way.add(next);
+    }
+    under_way.wait(end);
+  }
+  transfers = std::move(again);
+  return problem;
+}
+
+std::optional<Problem> RangeClient::State::fetch(std::span<Transfer> transfers) {
+  std::vector<Transfer*> left;
+  for (Transfer& transfer : transfers) left.push_back(&transfer);
+  for (size_t tries = 0;; ++tries) {
+    auto problem = run(left);
+    if (!problem || !problem->passing || tries == kPauses.size()) return problem;
+    std::this_thread::sleep_for(kPauses[tries]);
+  }
+}
+
+io::IoResult<void> RangeClient::State::open(size_t first_bytes) {
+  static std::once_flag once;
+  std::call_once(once, [] { curl_global_init(CURL_GLOBAL_DEFAULT); });
+  multi.reset(curl_multi_init());
+  if (!multi) return error("libcurl cannot be used");
+  first.resize(first_bytes);
+  std::array<Transfer, 1> transfers;
+  Transfer& transfer = transfers.front();
+  transfer.request = {0, first};
+  transfer.whole = false;
+  if (const auto problem = fetch(transfers)) return error(problem->text);
+  if (transfer.head.range->total > kMostBytes) return error("the file is too long for a stream");
+  size = transfer.head.range->total;
+  version = transfer.head.version();
+  first.resize(transfer.received);
+  return {};
+}
+
+RangeClient::RangeClient(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RangeClient::RangeClient(RangeClient&&) noexcept = default;
+RangeClient& RangeClient::operator=(RangeClient&&) noexcept = default;
+RangeClient::~RangeClient() = default;
+
+io::IoResult<RangeClient> RangeClient::open(const std::string& address, size_t first_bytes) {
+  auto state = std::make_unique<State>();
+  state->address = address;
+  if (auto ok = state->open(first_bytes); !ok) return tl::unexpected(ok.error());
+  return RangeClient(std::move(state));
+}
+
+uint64_t RangeClient::size() const { return state_->size; }
+
+std::span<const uint8_t> RangeClient::first_bytes() const { return state_->first; }
+
+io::IoResult<void> RangeClient::fetch(std::span<const RangeRequest> requests) {
+  std::vector<Transfer> transfers(requests.size());
+  for (size_t i = 0; i < requests.size(); ++i) transfers[i].request = requests[i];
+  const auto problem = state_->fetch(transfers);
+  if (problem) return state_->error(problem->text);
+  return {};
+}
+
+}  // namespace hmlfc::remote

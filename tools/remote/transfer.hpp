@@ -1,0 +1,81 @@
+// One range on its way from a web server, by libcurl.
+#pragma once
+
+#include <curl/curl.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "remote/answer.hpp"
+#include "remote/range_client.hpp"
+
+namespace hmlfc::remote {
+
+struct EasyCleaner {
+  void operator()(CURL* easy) const { curl_easy_cleanup(easy); }
+};
+struct MultiCleaner {
+  void operator()(CURLM* multi) const { curl_multi_cleanup(multi); }
+};
+using Easy = std::unique_ptr<CURL, EasyCleaner>;
+using Multi = std::unique_ptr<CURLM, MultiCleaner>;
+
+/// A range that is asked for. It stays at its place: libcurl has its address.
+struct Transfer {
+  Easy easy;
+  RangeRequest request;
+  bool whole = true;  ///< the range lies in the file; else its beginning may
+  AnswerHead head;
+  size_t received = 0;
+  std::array<char, CURL_ERROR_SIZE> reason{};
+};
+
+/// A handle for requests to `address`: http and https alone, few redirections, no waiting without
+/// end. Certificates are checked as libcurl does by itself. Null: want of memory.
+Easy make_easy(const std::string& address);
+
+/// Makes the handle of `transfer` ask for its range and report to it.
+void prepare(Transfer& transfer);
+
+/// The transfers that libcurl runs at this time.
+class UnderWay {
+ public:
+  explicit UnderWay(CURLM* multi) : multi_(multi) {}
+  UnderWay(const UnderWay&) = delete;
+  UnderWay& operator=(const UnderWay&) = delete;
+  ~UnderWay() {
+    for (const Transfer* transfer : transfers_) {
+      curl_multi_remove_handle(multi_, transfer->easy.get());
+    }
+  }
+
+  size_t count() const { return transfers_.size(); }
+  void add(Transfer& transfer) { transfers_.push_back(&transfer); }
+
+  /// Waits for the next events; calls `end(transfer, code)` for each that has ended.
+  template <class End>
+  void wait(const End& end) {
+    int running = 0;
+    curl_multi_perform(multi_, &running);
+    if (running == static_cast<int>(count())) curl_multi_poll(multi_, nullptr, 0, 1000, nullptr);
+    int left = 0;
+    while (const CURLMsg* message = curl_multi_info_read(multi_, &left)) {
+      if (message->msg != CURLMSG_DONE) continue;
+      const CURLcode code = message->data.result;
+      Transfer* transfer = nullptr;
+      curl_easy_getinfo(message->easy_handle, CURLINFO_PRIVATE, &transfer);
+      curl_multi_remove_handle(multi_, message->easy_handle);
+      std::erase(transfers_, transfer);
+      end(*transfer, code);
+    }
+  }
+
+ private:
+  CURLM* multi_;
+  std::vector<Transfer*> transfers_;
+};
+
+}  // namespace hmlfc::remote
