@@ -55,6 +55,11 @@ bool is_within(std::span<const int16_t> samples, const SampleRange& range) {
 
 }  // namespace
 
+uint64_t codestream_bytes(const StreamView& stream, uint64_t key, Plane plane) {
+  const uint64_t entry = key * kPlaneCount + static_cast<uint64_t>(plane);
+  return load_entry(stream.bytes(Section::kTop), entry).size;
+}
+
 uint32_t sample_crc(const SamplePlane& plane) {
   uint32_t crc = 0;
   std::vector<uint8_t> bytes;

@@ -154,6 +154,45 @@ class Blocks(IntoCase):
         grey = 128 + report["levels"][-1]["stages"]["sample"]["values"][0][1]
         self.assertEqual(self.at(9, 12), (grey, grey, grey))
 
+    def test_where_the_bytes_go(self):
+        self.look("tree.hmlfc")
+        self.browser.page.find_element("css selector", "#totals summary").click()
+        self.browser.until("the totals", lambda: "Blocks by step" in self.browser.text("totals-body"))
+        info = self.hmlfc_json("info", "tree.hmlfc")
+        text = re.sub(r"\s", "", self.browser.text("totals-body"))
+        for name, size in info["sections"].items():
+            self.assertIn(f"{name}{size}bytes", text)
+        rows = self.browser.script(
+            "return [...document.querySelectorAll('.histogram')].map((table) => [table.caption.textContent,"
+            "  [...table.rows].map((row) => [row.cells[0].textContent, Number(row.cells[2].textContent.replace(/\\s/g, ''))])])")
+        states = dict(dict(rows)["Blocks by state"])
+        self.assertEqual(list(states.values()), list(info["states"].values()))
+        residuals = info["states"]["residual"] + info["states"]["motion_residual"]
+        self.assertEqual(sum(count for _, count in dict(rows)["Blocks by levels of their values"]), residuals)
+        maps = self.browser.page.find_elements("css selector", "canvas.rates")
+        self.assertEqual(len(maps), len(info["levels"]))
+        images = self.serve("tree.hmlfc").json("totals")["images"]["levels"][-1]["images"]
+        brightest = images.index(max(images))
+        place = [16 * (brightest % 5) + 8, 16 * (brightest // 5) + 8]
+        colour = self.browser.script(
+            "const all = document.querySelectorAll('canvas.rates'); const [x, y] = arguments[0];"
+            "return [...all[all.length - 1].getContext('2d').getImageData(x, y, 1, 1).data]", place)
+        self.assertEqual(colour[:3], [250, 235, 140])
+
+    def test_tile_groups_are_those_of_the_tiles_numbers(self):
+        """IDX-1 to IDX-3, for a stream without motion tiles."""
+        info = self.hmlfc_json("info", "tree.hmlfc")
+        half = info["chroma"] == "420"
+        tiles = 6 + 2 * (2 * 1 if half else 6)  # 96 x 64 samples are 3 x 2 tiles of Y
+        above = sum(level["rows"] * level["cols"] for level in info["levels"][:-1])
+        first = (above + 5 * VIEW[0] + VIEW[1]) * tiles
+        self.look("tree.hmlfc", overlay="groups")
+        groups = {(first + tile) // 64 for tile in range(6)}
+        self.assertEqual({int(word) for word in re.findall(r"group (\d+)", self.browser.text("legend"))}, groups)
+        self.look("tree.hmlfc", overlay="groups", plane="Cg", stage="sample")
+        last = first + tiles - 1
+        self.assertIn(f"group {last // 64}", self.browser.text("legend"))
+
     def test_the_original_is_compared(self):
         self.look("a.hmlfc", "--original", "views", stage="difference", overlay="psnr")
         self.assertIn("dB", self.browser.text("legend"))

@@ -7,6 +7,7 @@
 
 #include "cli/disparity_range.hpp"
 #include "cli/stream_report.hpp"
+#include "view/image_bytes.hpp"
 
 namespace hmlfc::view {
 
@@ -25,6 +26,29 @@ Json disparities(const cli::StreamFile& file) {
   if (range.known == 0) return nullptr;
   return {static_cast<double>(range.least) / kDisparityUnits,
           static_cast<double>(range.greatest) / kDisparityUnits};
+}
+
+Json counts_json(const std::map<uint32_t, uint64_t>& counts) {
+  Json json = Json::object();
+  for (const auto& [number, blocks] : counts) json[std::to_string(number)] = blocks;
+  return json;
+}
+
+Json images_json(const ImageBytes& bytes) {
+  Json levels = Json::array();
+  for (const LevelBytes& level : bytes.levels) {
+    const bool few = level.images.size() <= cli::kMostListedImages;
+    levels.push_back({{"level", level.level},
+                      {"rows", level.rows},
+                      {"cols", level.cols},
+                      {"images", few ? Json(level.images) : Json(nullptr)},
+                      {"planes", level.planes},
+                      {"key_planes", level.key_planes},
+                      {"motion_tiles", level.motion_tiles}});
+  }
+  return {{"levels", std::move(levels)},
+          {"level_counts", counts_json(bytes.level_counts)},
+          {"steps", counts_json(bytes.steps)}};
 }
 
 }  // namespace
@@ -57,9 +81,11 @@ Json stream_facts(const OpenStream& stream) {
 }
 
 Json stream_totals(const OpenStream& stream) {
-  const cli::StreamReport report = report_on(stream.for_blocks());
+  const cli::StreamFile& file = stream.for_blocks();
+  const cli::StreamReport report = report_on(file);
   Json json = report_json(report);
   add_structure(report, json);
+  json["images"] = images_json(cli::value_or_throw(image_bytes(file.decoder()), file.path()));
   return json;
 }
 

@@ -11,7 +11,8 @@ namespace hmlfc::view {
 /// there is an original.
 cli::Json stream_facts(const OpenStream& stream);
 
-/// What `info --json` says, without disparities; reads every tile. Failure (kCorrupt).
+/// What `info --json` says, without disparities, and ImageBytes as "images", without bytes by image
+/// for levels of over kMostListedImages images; reads every tile. Failure (kCorrupt).
 cli::Json stream_totals(const OpenStream& stream);
 
 }  // namespace hmlfc::view
