@@ -55,8 +55,11 @@ bool is_within(std::span<const int16_t> samples, const SampleRange& range) {
 
 }  // namespace
 
-uint64_t codestream_bytes(const StreamView& stream, uint64_t key, Plane plane) {
+Result<uint64_t> codestream_bytes(const StreamView& stream, uint64_t key, Plane plane) {
   const uint64_t entry = key * kPlaneCount + static_cast<uint64_t>(plane);
+  if (!stream.will_read(Section::kTop, entry * kTopEntryBytes, kTopEntryBytes)) {
+    return stream.unread(Section::kTop, entry * kTopEntryBytes);
+  }
   return load_entry(stream.bytes(Section::kTop), entry).size;
 }
 

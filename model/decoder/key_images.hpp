@@ -21,8 +21,8 @@ inline constexpr uint64_t kTopEntryBytes = 16;
 uint32_t sample_crc(const SamplePlane& plane);
 
 /// Bytes of the codestream of plane `plane` of key image number `key` (KEY-1). The table has passed
-/// check_top_table.
-uint64_t codestream_bytes(const StreamView& stream, uint64_t key, Plane plane);
+/// check_top_table. Error: the bytes of the table cannot be read.
+Result<uint64_t> codestream_bytes(const StreamView& stream, uint64_t key, Plane plane);
 
 /// Checks the whole TOP table (KEY-1): bad_section_size, bad_top_entry.
 Result<void> check_top_table(const StreamView& stream);

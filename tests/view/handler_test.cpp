@@ -8,55 +8,18 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
 #include <hmlfc/stream_info.hpp>
 
-#include "support/streams.hpp"
-#include "view/ahead.hpp"
-#include "view/image_bytes.hpp"
+#include "handler_fixture.hpp"
 
 namespace hmlfc::view {
 namespace {
 
 using nlohmann::json;
-
-// A stream in a file of its own.
-class StreamOnDisk {
- public:
-  explicit StreamOnDisk(const test::Bytes& bytes) {
-    std::ofstream file(path_, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
-  }
-  ~StreamOnDisk() { std::filesystem::remove(path_); }
-  StreamOnDisk(const StreamOnDisk&) = delete;
-  StreamOnDisk& operator=(const StreamOnDisk&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_ = testing::TempDir() + "hmlfc-view-" + random_token() + ".hmlfc";
-};
-
-test::Bytes some_stream() { return test::drawn_stream(test::row_of_views(1), 7); }
-
-// A handler and what it needs. Its token is "token", its port 80.
-struct Fixture {
-  explicit Fixture(const test::Bytes& bytes = some_stream())
-      : file(bytes), stream(file.path(), {}) {}
-
-  Response get(const std::string& path, const Query& query = {}) {
-    return handler.answer({"GET", "/token/" + path, query, "127.0.0.1:80", "", ""});
-  }
-
-  StreamOnDisk file;
-  OpenStream stream;
-  Handler handler{{80, "token"}, stream};
-};
 
 TEST(ViewHandler, FramesAreThoseOfTheRenderer) {
   Fixture fixture;
@@ -99,7 +62,7 @@ TEST(ViewHandler, RawBitsAreThoseOfTheFile) {
   const Response response =
       fixture.get("block", {{"view", "0,4"}, {"plane", "Y"}, {"block", "2,3"}});
   ASSERT_EQ(response.status, 200) << response.body;
-  const auto bytes = fixture.stream.for_blocks().bytes();
+  const test::Bytes bytes = bytes_of(fixture.stream);
   size_t rows = 0;
   const json page = json::parse(response.body);
   for (const json& level : page["levels"]) {
@@ -123,103 +86,6 @@ TEST(ViewHandler, RawBitsAreThoseOfTheFile) {
     }
   }
   EXPECT_GT(rows, 8u);
-}
-
-// With those key images decoded, all blocks of a view decode without another one.
-TEST(ViewAhead, KeyImagesAreThoseThatAViewReads) {
-  for (const uint64_t seed : {2u, 3u, 4u, 5u}) {
-    const StreamOnDisk file(
-        test::drawn_stream(test::row_of_views(static_cast<int>(seed % 2)), seed));
-    for (uint32_t col = 0; col < 6; ++col) {
-      OpenStream stream(file.path(), {});
-      const Decoder& decoder = stream.for_frames().decoder();
-      const StreamHeader& header = decoder.header();
-      const auto keys = key_images_of(header, {0, col}, 0);
-      EXPECT_FALSE(keys.empty());
-      for (const KeyImage& key : keys) {
-        EXPECT_EQ(image_info(header, key.level, key.row, key.col).kind, ImageKind::kKey);
-        const uint32_t first = key.level == 0 ? key.col : key.col * header.cluster_cols;
-        for (const Plane plane : kPlanes) {
-          ASSERT_TRUE(decoder.decode_plane({0, first}, plane, key.level));
-        }
-      }
-      stream.touched().reset();
-      ASSERT_TRUE(decoder.decode_view({0, col}));
-      EXPECT_EQ(stream.touched().key_samples(), 0u) << "view " << col << " needs another one";
-    }
-  }
-}
-
-// What the last of three frames waits for, with and without looking ahead.
-TEST(ViewAhead, TheNextKeyImagesAreDecodedAheadOfTheMotion) {
-  StreamHeader header = test::row_of_views(0);
-  header.cols = 24;
-  const StreamOnDisk file(test::drawn_stream(header, 7));
-  const auto waits = [&file](bool ahead, const std::vector<const char*>& cameras) {
-    OpenStream stream(file.path(), {});
-    Handler handler({80, "token"}, stream, nullptr, ahead);
-    uint64_t samples = 0;
-    for (const char* camera : cameras) {
-      const Query query{{"camera", camera}, {"size", "8x6"}, {"geometry", "plane"}};
-      const Response response =
-          handler.answer({"GET", "/token/frame", query, "127.0.0.1:80", "", ""});
-      EXPECT_EQ(response.status, 200) << response.body;
-      handler.finish_ahead();
-      for (const auto& [name, value] : response.headers) {
-        if (name == "Frame") samples = json::parse(value).at("key_samples");
-      }
-    }
-    return samples;
-  };
-  EXPECT_GT(waits(false, {"12,0", "12.5,0", "15,0"}), 0u);
-  EXPECT_EQ(waits(true, {"12,0", "12.5,0", "15,0"}), 0u);
-  EXPECT_EQ(waits(true, {"12,0", "11.5,0", "9,0"}), 0u);
-  EXPECT_GT(waits(true, {"12,0", "12,0", "15,0"}), 0u) << "nothing is decoded without motion";
-  EXPECT_GT(waits(true, {"12,0", "12.5,0", "6,0"}), 0u) << "the other way";
-}
-
-// Bytes of records as they were written; residuals as each block's trace has them.
-TEST(ViewImageBytes, AreThoseOfTheRecordsAndBlocks) {
-  for (const int height : {0, 1}) {
-    const StreamOnDisk file(test::drawn_stream(test::row_of_views(height), 11));
-    OpenStream stream(file.path(), {});
-    const Decoder& decoder = stream.for_blocks().decoder();
-    const test::StreamParts parts(
-        {stream.for_blocks().bytes().begin(), stream.for_blocks().bytes().end()});
-    const auto counted = image_bytes(decoder);
-    ASSERT_TRUE(counted);
-    std::map<uint32_t, uint64_t> level_counts;
-    std::map<uint32_t, uint64_t> steps;
-    uint64_t tile = 0;
-    uint64_t keys = 0;
-    for (const LevelBytes& level : counted->levels) {
-      for (size_t image = 0; image < level.images.size(); ++image) {
-        uint64_t expected = 0;
-        for (uint64_t t = 0; t < parts.geometry.tiles_per_image(); ++t) {
-          expected += parts.records[tile++].size();
-        }
-        const auto col = static_cast<uint32_t>(image);
-        const bool key = parts.geometry.is_key(level.level, {0, col});
-        EXPECT_EQ(level.images[image] > expected, key);
-        if (key) keys += level.images[image] - expected;
-        if (!key) {
-          EXPECT_EQ(level.images[image], expected);
-        }
-        const uint32_t view = level.level == 0 ? col : 2 * col;
-        for (const Plane plane : kPlanes) {
-          const PlaneTrace trace = trace_plane(decoder, {0, view}, plane, level.level);
-          for (const uint32_t count : trace.level_counts) level_counts[count] += count > 0;
-          for (const uint32_t step : trace.steps) steps[step] += step > 0;
-        }
-      }
-    }
-    level_counts.erase(0);
-    steps.erase(0);
-    EXPECT_EQ(counted->level_counts, level_counts);
-    EXPECT_EQ(counted->steps, steps);
-    const uint64_t table = 3 * 16 * parts.geometry.key_count();
-    EXPECT_EQ(keys + table, parts.top.size());
-  }
 }
 
 TEST(ViewHandler, RefusalsNameWhatIsWrong) {

@@ -249,6 +249,21 @@ class Window(PageCase):
                 "return document.querySelector('main:not([hidden]) .stage').getBoundingClientRect().width")
             self.assertEqual(stage, 360)
 
+    def test_windows_of_any_width(self):
+        self.addCleanup(self.browser.wide)
+        for width in 360, 480, 760, 761, 1024, 1920:
+            self.browser.narrow(width, 700)
+            for link in "#mode=look", "#mode=into&block=3,4&beside=sample":
+                self.open(link)
+                self.browser.until("the page", lambda: self.browser.script(
+                    "return document.querySelector('main:not([hidden])') !== null"))
+                self.assertLessEqual(self.browser.script("return document.scrollingElement.scrollWidth"), width, link)
+                if "beside" in link:
+                    self.browser.until("two pictures", lambda: self.browser.element("picture-beside").is_displayed())
+                    boxes = [self.browser.element(name).rect for name in ("picture", "picture-beside")]
+                    self.assertLessEqual(boxes[0]["x"] + boxes[0]["width"], boxes[1]["x"])
+                    self.assertLessEqual(boxes[1]["x"] + boxes[1]["width"], width)
+
     def test_once_ends_when_the_tab_closes(self):
         with PageServer(self.folder, "a.hmlfc", "--once") as server:
             first = self.browser.page.current_window_handle

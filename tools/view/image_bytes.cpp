@@ -50,7 +50,9 @@ class Counter {
       const auto p = static_cast<size_t>(plane);
       if (key) {
         const uint64_t number = geometry.key_number(level.level, image);
-        add(level, level.key_planes[p], codestream_bytes(stream_, number, plane));
+        const auto bytes = codestream_bytes(stream_, number, plane);
+        if (!bytes) return tl::unexpected(bytes.error());
+        add(level, level.key_planes[p], *bytes);
       } else if (auto ok = add_plane(level, image, plane); !ok) {
         return ok;
       }

@@ -85,7 +85,7 @@ Json stream_totals(const OpenStream& stream) {
   const cli::StreamReport report = report_on(file);
   Json json = report_json(report);
   add_structure(report, json);
-  json["images"] = images_json(cli::value_or_throw(image_bytes(file.decoder()), file.path()));
+  json["images"] = images_json(file.value(image_bytes(file.decoder())));
   return json;
 }
 

@@ -1,0 +1,61 @@
+// Bytes of a stream by image, plane and level.
+#include "view/image_bytes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <map>
+
+#include <hmlfc/stream_info.hpp>
+
+#include "handler_fixture.hpp"
+#include "view/plane_trace.hpp"
+
+namespace hmlfc::view {
+namespace {
+
+// Bytes of records as they were written; residuals as each block's trace has them.
+TEST(ViewImageBytes, AreThoseOfTheRecordsAndBlocks) {
+  for (const int height : {0, 1}) {
+    const StreamOnDisk file(test::drawn_stream(test::row_of_views(height), 11));
+    OpenStream stream(file.path(), {});
+    const Decoder& decoder = stream.for_blocks().decoder();
+    const test::StreamParts parts(bytes_of(stream));
+    const auto counted = image_bytes(decoder);
+    ASSERT_TRUE(counted);
+    std::map<uint32_t, uint64_t> level_counts;
+    std::map<uint32_t, uint64_t> steps;
+    uint64_t tile = 0;
+    uint64_t keys = 0;
+    for (const LevelBytes& level : counted->levels) {
+      for (size_t image = 0; image < level.images.size(); ++image) {
+        uint64_t expected = 0;
+        for (uint64_t t = 0; t < parts.geometry.tiles_per_image(); ++t) {
+          expected += parts.records[tile++].size();
+        }
+        const auto col = static_cast<uint32_t>(image);
+        const bool key = parts.geometry.is_key(level.level, {0, col});
+        EXPECT_EQ(level.images[image] > expected, key);
+        if (key) keys += level.images[image] - expected;
+        if (!key) {
+          EXPECT_EQ(level.images[image], expected);
+        }
+        const uint32_t view = level.level == 0 ? col : 2 * col;
+        for (const Plane plane : kPlanes) {
+          const PlaneTrace trace = trace_plane(decoder, {0, view}, plane, level.level);
+          for (const uint32_t count : trace.level_counts) level_counts[count] += count > 0;
+          for (const uint32_t step : trace.steps) steps[step] += step > 0;
+        }
+      }
+    }
+    level_counts.erase(0);
+    steps.erase(0);
+    EXPECT_EQ(counted->level_counts, level_counts);
+    EXPECT_EQ(counted->steps, steps);
+    const uint64_t table = 3 * 16 * parts.geometry.key_count();
+    EXPECT_EQ(keys + table, parts.top.size());
+  }
+}
+
+}  // namespace
+}  // namespace hmlfc::view
