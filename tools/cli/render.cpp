@@ -266,9 +266,10 @@ With --geometry stream a surface is drawn where the stream says that it is, with
 the plane of --focus is sharp; apertures above 0 take the plane.
 Pixels outside the light field are black; their share is printed, and is "outside" in the JSON.
 Frames are the same bytes on every machine (docs/rendering.md). Only the parts of the stream that the
-frames need are read; the JSON of one at an address says what was fetched. --backend gpu loads the whole stream into the device's memory, and its JSON has
-no bytes_touched, key_samples_decoded and samples_interpolated. The coarse frames of --progressive are
-named after the frame and its levels: frame_0000_levels_1.png. Each is decoded from the one before.
+frames need are read; the JSON of one at an address says what was fetched. --backend gpu loads the
+whole stream into the device's memory, and its JSON has no bytes_touched, key_samples_decoded and
+samples_interpolated. The coarse frames of --progressive are named after the frame and its levels:
+frame_0000_levels_1.png. Each is decoded from the one before.
 --quality-vs-time compares with frames computed in real numbers, filter quadrilinear and all levels.
 
 Example:
