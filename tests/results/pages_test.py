@@ -31,7 +31,7 @@ class PagesTest(unittest.TestCase):
         for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))):
             counts[page.stem], others = quoted(page.read_text(encoding="utf-8"), results)
             self.assertEqual(others, [], page)
-        for page in ("accuracy", "skipping", "stress"):
+        for page in ("accuracy", "skipping"):
             self.assertGreater(counts[page], 0, f"{page}.md takes no table from docs/results")
 
     def test_a_changed_digit_is_found(self):

@@ -153,7 +153,8 @@ Examples:
   hmlfc encode views -o posed.hmlfc --rig rig.json
   hmlfc encode views -o large.hmlfc --memory 512M
   hmlfc encode views -o job.json --plan
-  hmlfc encode job.json -o 1.part --shard 1/2; hmlfc encode job.json -o 2.part --shard 2/2
+  hmlfc encode job.json -o 1.part --shard 1/2
+  hmlfc encode job.json -o 2.part --shard 2/2
   hmlfc encode job.json -o chess.hmlfc --assemble 1.part 2.part)");
   options.app = &app;
   add_path(app, "INPUT", options.input, "Folder of PNG, PPM, PGM or JPEG views, or a plan");
