@@ -25,6 +25,7 @@ struct PartGrid {
   std::vector<uint32_t> row_ends;  ///< ascending; the last is the number of view rows
   std::vector<uint32_t> col_ends;  ///< likewise of columns
 
+  /// How many parts.
   size_t count() const { return row_ends.size() * col_ends.size(); }
 
   friend bool operator==(const PartGrid&, const PartGrid&) = default;
@@ -58,7 +59,9 @@ class HMLFC_EXPORT DividedEncoder {
                                                           const Division& division,
                                                           CodeStorage& storage);
 
+  /// The encoder moved from may only be assigned to or destroyed.
   DividedEncoder(DividedEncoder&&) noexcept;
+  /// The encoder moved from may only be assigned to or destroyed.
   DividedEncoder& operator=(DividedEncoder&&) noexcept;
   ~DividedEncoder();
 
