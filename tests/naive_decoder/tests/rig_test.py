@@ -17,6 +17,7 @@ from vector_check import FOLDER, load_vectors
 REFUSED = {
     "boundary/rig-empty": "no JSON text",
     "boundary/rig-no-text": "no JSON text",
+    "boundary/rig-zeros": "no JSON text",
     "boundary/rig-not-utf-8": "no UTF-8",
     "boundary/rig-schema-2": "another schema",
     "boundary/rig-member": "an unknown member",
