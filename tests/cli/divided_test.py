@@ -111,12 +111,13 @@ class Divided(CliTest):
             ("longer", good + b"x"),
             ("head", good[: line - 4]),
             ("empty", b""),
+            ("number", good.replace(b'"of":1', b'"of":4294967295', 1)),
             ("stream", self.bytes_of("whole.hmlfc")),
         ]:
             (self.folder / name).write_bytes(bytes_)
         for name, says in [
             ("other", "another plan"), ("version", "9.9.9"), ("damaged", "damaged"), ("cut", "damaged"),
-            ("longer", "damaged"), ("head", "damaged"), ("empty", "not a shard"), ("stream", "not a shard"),
+            ("longer", "damaged"), ("head", "damaged"), ("empty", "not a shard"), ("stream", "not a shard"), ("number", "damaged"),
         ]:  # fmt: skip
             with self.subTest(name=name):
                 self.refused(INPUT, "encode", "job.json", "-o", "a.hmlfc", "--assemble", name, says=[name, says])

@@ -132,7 +132,7 @@ void add_division_options(CLI::App& app, EncodeOptions& options) {
                  [&options](const std::array<uint32_t, 2>& numbers) {
                    const auto [index, count] = numbers;
                    options.shard = ShardNumber{index, count};
-                   return index >= 1 && index <= count && count <= (1u << 24);
+                   return index >= 1 && index <= count && count <= kMostShards;
                  });
   app.add_option("--assemble", options.shards, "Put the shards of the plan INPUT together")
       ->type_name("SHARD...");

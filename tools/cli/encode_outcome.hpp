@@ -20,7 +20,9 @@
 
 namespace hmlfc::cli {
 
-/// Shard `index` of `count`, index in [1, count].
+inline constexpr uint32_t kMostShards = 1u << 24;
+
+/// Shard `index` of `count`: count in [1, kMostShards], index in [1, count].
 struct ShardNumber {
   uint32_t index = 1;
   uint32_t count = 1;

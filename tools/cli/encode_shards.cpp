@@ -88,15 +88,11 @@ struct Shard {
     if (!std::ranges::equal(bytes.first(std::min(bytes.size(), kShardMagic.size())), kShardMagic)) {
       refuse_shard(file, "not a shard; `hmlfc encode PLAN -o FILE --shard I/N` writes one");
     }
-    const auto end = std::ranges::find(bytes.subspan(kShardMagic.size()), uint8_t{'\n'});
-    const auto begin = bytes.begin() + static_cast<ptrdiff_t>(kShardMagic.size());
-    head = Json::parse(begin,
-                       bytes.begin() + (end - bytes.subspan(kShardMagic.size()).begin()) +
-                           static_cast<ptrdiff_t>(kShardMagic.size()),
-                       nullptr, false);
+    const auto text = bytes.subspan(kShardMagic.size());
+    const auto end = std::ranges::find(text, uint8_t{'\n'});
+    head = Json::parse(text.begin(), end, nullptr, false);
     if (!head.is_object()) damaged();
-    data = static_cast<size_t>(end - bytes.subspan(kShardMagic.size()).begin()) +
-           kShardMagic.size() + 1;
+    data = kShardMagic.size() + static_cast<size_t>(end - text.begin()) + 1;
   }
 
   [[noreturn]] void damaged() const { refuse_shard(file, "a damaged shard; run it again"); }
@@ -111,8 +107,11 @@ struct Shard {
     if (head.value("plan", "") != plan.id) refuse_shard(file, "a shard of another plan");
   }
 
+  // I and N of --shard I/N.
   ShardNumber number() const {
-    return {head.at("shard").get<uint32_t>(), head.at("of").get<uint32_t>()};
+    const ShardNumber number{head.at("shard").get<uint32_t>(), head.at("of").get<uint32_t>()};
+    if (number.index < 1 || number.index > number.count || number.count > kMostShards) damaged();
+    return number;
   }
 };
 
