@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <httplib.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <thread>
@@ -23,8 +25,8 @@ class FileServer {
   explicit FileServer(uint64_t size) : content_(size, '\0') {
     for (uint64_t i = 0; i < size; ++i) content_[i] = byte_at(i);
     server_.Get("/a", [this](const httplib::Request&, httplib::Response& answer) {
-      const std::string tag = name_.load();
-      answer.set_header(header_.load(), tag);
+      wait_for_the_others();
+      answer.set_header(header_.load(), std::string(name_.load()));
       answer.set_content(content_, "application/octet-stream");
     });
     port_ = server_.bind_to_any_port("127.0.0.1");
@@ -44,6 +46,12 @@ class FileServer {
     name_ = version;
   }
 
+  /// From now on answers wait for a while until as many requests are there.
+  void wait_for(int requests) { together_ = requests; }
+
+  /// Requests that were there at once.
+  int most() const { return most_; }
+
   std::unique_ptr<HttpSource> open(const HttpOptions& options = {}) const {
     auto source = HttpSource::open("http://127.0.0.1:" + std::to_string(port_) + "/a", options);
     EXPECT_TRUE(source) << source.error().message;
@@ -51,7 +59,18 @@ class FileServer {
   }
 
  private:
+  void wait_for_the_others() {
+    most_ = std::max(most_.load(), ++there_);
+    for (int tries = 0; most_ < together_ && tries < 5000; ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    --there_;
+  }
+
   std::string content_;
+  std::atomic<int> together_ = 1;
+  std::atomic<int> there_ = 0;
+  std::atomic<int> most_ = 0;
   std::atomic<const char*> header_ = "ETag";
   std::atomic<const char*> name_ = "\"1\"";
   httplib::Server server_;
@@ -94,10 +113,12 @@ TEST(HttpSource, RangesAGapApartAreOneRequest) {
 
 TEST(HttpSource, LongRangesAreRequestsSideBySide) {
   constexpr uint64_t kMebi = uint64_t{1} << 20;
-  const FileServer server(9 * kMebi);
+  FileServer server(9 * kMebi);
   const auto source = server.open();
+  server.wait_for(3);
   EXPECT_TRUE(source->load(std::vector<ByteRange>{{0, 9 * kMebi}}));
   expect_fetched(source->counts(), 4, 9 * kMebi, 2);
+  EXPECT_EQ(server.most(), 3);
   EXPECT_EQ(static_cast<char>(source->bytes()[9 * kMebi - 1]), byte_at(9 * kMebi - 1));
 }
 
@@ -129,9 +150,9 @@ TEST(HttpSource, AFileOfAnotherVersionIsNoneOfThisOne) {
     server.name(header, "\"1\"");
     const auto source = server.open();
     expect_fetched(fetched(*source, {{2 * kPageSize, 64}}), 1, 64, 1);
-    server.name(header, "\"1 \"");
+    server.name(header, "\"2\"");
     EXPECT_FALSE(source->load(std::vector<ByteRange>{{4 * kPageSize, 64}}));
-    EXPECT_NE(source->failure().find("its version was \"1\" and is \"1 \""), std::string::npos)
+    EXPECT_NE(source->failure().find("its version was \"1\" and is \"2\""), std::string::npos)
         << source->failure();
     EXPECT_FALSE(source->holds({4 * kPageSize, 64}));
     server.name(header, "\"1\"");
