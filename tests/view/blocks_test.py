@@ -229,8 +229,8 @@ class Blocks(IntoCase):
         self.look(stage="sample")
         scale, left, top = self.placement()
         column = lambda at: [[int(left + at * scale), int(top + (y + 0.5) * scale)] for y in range(1, HEIGHT, 7)]
-        plain = {at: self.browser.colours("picture", column(at)) for at in (4, 12, 32, 64)}
-        for show, drawn in ("blocks", {4, 12, 32, 64}), ("tiles", {32, 64}):
+        plain = {at: self.browser.colours("picture", column(at)) for at in (4, 12, 16, 32, 64)}
+        for show, drawn in ("blocks", {4, 12, 16, 32, 64}), ("tiles", {32, 64}):
             self.look(stage="sample", show=show)
             changed = {at for at, before in plain.items() if self.browser.colours("picture", column(at)) != before}
             self.assertEqual(changed, drawn, show)
