@@ -6,13 +6,14 @@ usage: ./run mutate rtl [--count N] [--seed S] [--group NAME] [--module NAME] [-
 Yosys `mutate` makes N mutants (42) of each module: a bit of a cell's port inverted, stuck, or changed where another bit is set. Groups
 of modules (units.py) are Verilated with their mutants in them, each of which is switched on alone. Checks run until one finds it:
 
-- datapath: the vectors for blocks of 4 x 4: a block or an error of one that is not the golden model's, an error of the stream that is
-  not the manifest's, or no answer;
+- datapath: the vectors for blocks of 4 x 4: a block, an error or the tlast of one that is not the golden model's, an error of the stream
+  that is not the manifest's, or no answer;
 - loading, tiles, references, memories (the rest of the decode unit): these, then the tests of registers and 16 random streams of the regression;
 - dma, view (the modules around it): the tests of the view unit.
 
-A failing assertion of rtl/kit finds a mutant too. What all checks miss is compared with its module by Yosys and ABC. What is not
-equivalent either takes other clocks for a vector, or must be in survivors.json, with the reason.
+A failing assertion of rtl/kit finds a mutant too. What the first checks miss is compared with its module by Yosys and ABC; what is not
+equivalent goes through all checks. What these miss as well either takes other clocks for a vector, or must be in survivors.json, with
+the reason.
 
 --group NAME    only mutants of the group         --module NAME   only mutants of hmlfc_NAME
 --sample N      only N of them, spread evenly
@@ -100,33 +101,35 @@ class Campaign:
     def left(self, mutants: list[dict]) -> list[dict]:
         return [mutant for mutant in mutants if self.results[mutant["number"]]["result"] not in FOUND]
 
-    def prove(self, mutants: list[dict]) -> None:
-        """Gives each what Yosys and ABC say of it: at once where it is equivalent, which is a result."""
-        others = {}
+    def prove(self, mutants: list[dict]) -> dict[int, str]:
+        """What Yosys and ABC say of each; those that are equivalent have a result by that."""
+        proofs = {}
         said = in_parallel("proofs", lambda mutant: prove.prove(mutant, self.folder, self.options.seconds), mutants, self.options.jobs)
         for mutant, proof in zip(mutants, said):
+            proofs[mutant["number"]] = proof
             if proof == prove.EQUIVALENT:
                 self.results[mutant["number"]]["proof"] = proof
                 self.keep(self.results)
-            else:
-                others[mutant["number"]] = proof
-        for number, proof in others.items():
-            self.results[number]["proof"] = proof
+        return proofs
 
     def run(self, mutants: list[dict]) -> None:
-        """Most are found by the first checks, alone or with several switched on at once. With several all checks take two minutes; a
-        proof that does not end takes as long for one mutant, so that proofs come last."""
+        """Most are found by the first checks, alone or with several switched on at once. What is not found by then is proved equivalent,
+        if it can be, before all checks are tried on the others."""
         first = [*self.program, "--clocks", str(FIRST_CLOCKS)]
         self.run_checks("variants, first checks", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
         first[-1] = str(GROUP_CLOCKS)
         self.run_checks("groups, first checks", first, together(self.left(mutants)))
         if self.options.first:
             return
-        self.run_checks("groups, all checks", self.program, together(self.left(mutants)))
         missed = self.left(mutants)
-        self.prove(missed)
+        proofs = self.prove(missed)
+        rest = [mutant for mutant in missed if proofs[mutant["number"]] != prove.EQUIVALENT]
+        self.run_checks("groups, all checks", self.program, together(rest))
+        rest = self.left(rest)
+        for mutant in self.left(missed):
+            self.results[mutant["number"]]["proof"] = proofs[mutant["number"]]
         speed = [*self.program, "--speed", "--clocks", str(SPEED_CLOCKS)]
-        alone = [f"{mutant['number']}/{mutant['variant']}" for mutant in missed if survives(self.results[mutant["number"]])]
+        alone = [f"{mutant['number']}/{mutant['variant']}" for mutant in rest]
         for found in in_parallel("clocks", lambda name: lines(speed, [name]), alone, self.options.jobs):
             for shown in found:
                 self.results[shown["number"]]["speed"] = f"{shown['clocks']} clocks of {shown['vector']} in place of {shown['unmutated']}"
@@ -203,7 +206,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--module")
     parser.add_argument("--sample", type=int)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--seconds", type=int, default=60, help="of CPU time for each search of a proof")
+    parser.add_argument("--seconds", type=int, default=10, help="of CPU time for each search of a proof; few that take longer end")
     parser.add_argument("--vectors", help="only these checks, with commas between them")
     parser.add_argument("--found", action="store_true", help="only mutants that a check found when recorded.json was written")
     parser.add_argument("--new", action="store_true", help="only mutants of which recorded.json has no result")

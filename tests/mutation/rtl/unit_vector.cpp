@@ -75,6 +75,9 @@ std::string UnitVector::wrong_plane(UnitHost& host, Oracle& oracle, ViewPos view
     if (answers[i].status != wanted.status) {
       return fmt::format("{}: status {}", to_string(requests[i]), answers[i].status);
     }
+    if (answers[i].last != (i + 1 == requests.size())) {
+      return fmt::format("{}: wrong tlast", to_string(requests[i]));
+    }
     for (size_t at = 0; at < (plane == kRgb ? kLanes : 1) * side * side; at += side * side) {
       const auto difference =
           first_difference(&wanted.samples[at], &answers[i].samples[at], "sample", side,
