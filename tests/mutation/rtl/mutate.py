@@ -9,7 +9,7 @@ of modules (units.py) are Verilated with their mutants in them, each of which is
 - datapath: the vectors for blocks of 4 x 4: a block, an error or the tlast of one that is not the golden model's, an error of the stream
   that is not the manifest's, or no answer;
 - loading, tiles, references, memories (the rest of the decode unit): these, then the tests of registers and 16 random streams of the regression;
-- dma, view (the modules around it): the tests of the view unit.
+- dma, view (the modules around it): the tests of the view unit, those of the DMA on 64 random streams.
 
 A failing assertion of rtl/kit finds a mutant too. What the first checks miss is compared with its module by Yosys and ABC; what is not
 equivalent goes through all checks. What these miss as well either takes other clocks for a vector, or must be in survivors.json, with
