@@ -127,35 +127,10 @@ module hmlfc_decode_unit #(
   logic [CLIENTS*10-1:0] request_beats;
   logic [AXI_DATA_BITS-1:0] data;
   logic data_last, data_error, reading, stray;
-  hmlfc_read_port #(
-      .CLIENTS(CLIENTS),
-      .DATA_BITS(AXI_DATA_BITS),
-      .ADDRESS_BITS(ADDRESS_BITS),
-      .OUTSTANDING(OUTSTANDING)
-  ) port (
-      .clk,
-      .rst_n,
-      .request_valid,
-      .request_ready,
-      .request_address,
-      .request_beats,
-      .data_valid,
-      .data,
-      .data_last,
-      .data_error,
-      .reading,
-      .stray,
-      .m_axi_arvalid,
-      .m_axi_arready,
-      .m_axi_araddr,
-      .m_axi_arlen,
-      .m_axi_arsize,
-      .m_axi_arburst,
-      .m_axi_rvalid,
-      .m_axi_rready,
-      .m_axi_rdata,
-      .m_axi_rresp,
-      .m_axi_rlast
+  hmlfc_read_port #(.CLIENTS(CLIENTS), .DATA_BITS(AXI_DATA_BITS), .ADDRESS_BITS(ADDRESS_BITS), .OUTSTANDING(OUTSTANDING)) port (
+      .clk, .rst_n, .request_valid, .request_ready, .request_address, .request_beats, .data_valid, .data, .data_last, .data_error, .reading, .stray,
+      .m_axi_arvalid, .m_axi_arready, .m_axi_araddr, .m_axi_arlen, .m_axi_arsize, .m_axi_arburst, .m_axi_rvalid, .m_axi_rready, .m_axi_rdata,
+      .m_axi_rresp, .m_axi_rlast
   );
   assign m_axi_arid = 1'b0;
 
@@ -167,66 +142,20 @@ module hmlfc_decode_unit #(
   logic [LEVELS*LEVEL_BITS-1:0] levels;
   wire asked = s_request_tvalid && s_request_tready;
   wire answered = m_response_tvalid && m_response_tready;
-  hmlfc_control #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .MAX_DEPTH(MAX_DEPTH),
-      .DATA_BITS(AXI_DATA_BITS)
-  ) control (
-      .clk,
-      .rst_n,
-      .s_axil_awvalid,
-      .s_axil_awready,
-      .s_axil_awaddr,
-      .s_axil_wvalid,
-      .s_axil_wready,
-      .s_axil_wdata,
-      .s_axil_wstrb,
-      .s_axil_bvalid,
-      .s_axil_bready,
-      .s_axil_bresp,
-      .s_axil_arvalid,
-      .s_axil_arready,
-      .s_axil_araddr,
-      .s_axil_rvalid,
-      .s_axil_rready,
-      .s_axil_rdata,
-      .s_axil_rresp,
-      .idle,
-      .reading,
-      .stray,
-      .loading,
-      .enable,
-      .load_error,
-      .flush,
-      .stream,
-      .levels,
-      .block_done,
-      .answered,
-      .answer_error(m_response_tuser),
-      .answered_request(first_request),
-      .stalled(m_response_tvalid && !m_response_tready),
-      .beat(m_axi_rvalid && m_axi_rready),
-      .request_valid(request_valid[0]),
-      .request_ready(request_ready[0]),
-      .request_address(request_address[0+:ADDRESS_BITS]),
-      .request_beats(request_beats[0+:10]),
-      .data_valid(data_valid[0]),
-      .data,
-      .data_last,
-      .data_error
+  hmlfc_control #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS)) control (
+      .clk, .rst_n, .s_axil_awvalid, .s_axil_awready, .s_axil_awaddr, .s_axil_wvalid, .s_axil_wready, .s_axil_wdata, .s_axil_wstrb, .s_axil_bvalid,
+      .s_axil_bready, .s_axil_bresp, .s_axil_arvalid, .s_axil_arready, .s_axil_araddr, .s_axil_rvalid, .s_axil_rready, .s_axil_rdata, .s_axil_rresp,
+      .idle, .reading, .stray, .loading, .enable, .load_error, .flush, .stream, .levels, .block_done, .answered, .answer_error(m_response_tuser),
+      .answered_request(first_request), .stalled(m_response_tvalid && !m_response_tready), .beat(m_axi_rvalid && m_axi_rready),
+      .request_valid(request_valid[0]), .request_ready(request_ready[0]), .request_address(request_address[0+:ADDRESS_BITS]),
+      .request_beats(request_beats[0+:10]), .data_valid(data_valid[0]), .data, .data_last, .data_error
   );
 
   // ---- Whether the clock is needed.
   wire accessed = !s_axil_awready || !s_axil_wready || s_axil_bvalid || s_axil_rvalid;
-  hmlfc_activity #(
-      .CHANNELS(5),
-      .PARTS(4)
-  ) activity (
-      .clk,
-      .rst_n,
-      .offered({s_request_tvalid, m_axi_rvalid, s_axil_awvalid, s_axil_wvalid, s_axil_arvalid}),
-      .busy({accessed, loading, !idle, reading}),
-      .active
+  hmlfc_activity #(.CHANNELS(5), .PARTS(4)) activity (
+      .clk, .rst_n, .offered({s_request_tvalid, m_axi_rvalid, s_axil_awvalid, s_axil_wvalid, s_axil_arvalid}),
+      .busy({accessed, loading, !idle, reading}), .active
   );
 
   // ---- Requests in flight.
@@ -234,19 +163,9 @@ module hmlfc_decode_unit #(
   logic done_valid, done_ready;
   hmlfc_pkg::pending_t done_pending;  // the job that leaves
   /* verilator lint_off PINCONNECTEMPTY */
-  hmlfc_fifo #(
-      .WIDTH(64),
-      .DEPTH(REQUESTS)
-  ) requested (
-      .clk,
-      .rst_n,
-      .in_valid(asked),
-      .in_ready(list_ready),
-      .in_data(s_request_tdata),
-      .out_valid(requests_valid),
-      .out_ready(answered),
-      .out_data(first_request),
-      .count()
+  hmlfc_fifo #(.WIDTH(64), .DEPTH(REQUESTS)) requested (
+      .clk, .rst_n, .in_valid(asked), .in_ready(list_ready), .in_data(s_request_tdata), .out_valid(requests_valid), .out_ready(answered),
+      .out_data(first_request), .count()
   );
   /* verilator lint_on PINCONNECTEMPTY */
   assign idle = !requests_valid;
@@ -264,42 +183,13 @@ module hmlfc_decode_unit #(
   logic job_valid, job_ready, chroma_spoiled;
   hmlfc_pkg::job_t job;
   hmlfc_requests requests (
-      .clk,
-      .rst_n,
-      .stream,
-      .enable,
-      .load_error,
-      .flush,
-      .s_valid(s_request_tvalid && list_ready),
-      .s_ready(requests_ready),
-      .s_data(s_request_tdata),
-      .s_last(s_request_tlast),
-      .view_start,
-      .view_row,
-      .view_col,
-      .view_slot,
-      .view_done,
-      .view_keys,
-      .job_valid,
-      .job_ready,
-      .job,
-      .chroma_spoiled,
-      .finished_valid(block_done),
-      .finished_slot(done_pending.job.id[3+:VIEW_BITS])
+      .clk, .rst_n, .stream, .enable, .load_error, .flush, .s_valid(s_request_tvalid && list_ready), .s_ready(requests_ready),
+      .s_data(s_request_tdata), .s_last(s_request_tlast), .view_start, .view_row, .view_col, .view_slot, .view_done, .view_keys, .job_valid,
+      .job_ready, .job, .chroma_spoiled, .finished_valid(block_done), .finished_slot(done_pending.job.id[3+:VIEW_BITS])
   );
   hmlfc_view view (
-      .clk,
-      .rst_n,
-      .stream,
-      .levels,
-      .start(view_start),
-      .view_row,
-      .view_col,
-      .done(view_done),
-      .keys(view_keys),
-      .write(image_write),
-      .write_level(image_level),
-      .write_image(view_image)
+      .clk, .rst_n, .stream, .levels, .start(view_start), .view_row, .view_col, .done(view_done), .keys(view_keys), .write(image_write),
+      .write_level(image_level), .write_image(view_image)
   );
 
   // ---- The block's records.
@@ -310,49 +200,19 @@ module hmlfc_decode_unit #(
   hmlfc_pkg::flow_t flow;
   logic [RESIDUAL_BITS-1:0] residual;
   // Whether the contexts take a job is known late in a clock; `requests` needs a clock of its own.
-  hmlfc_skid_buffer #(
-      .WIDTH(hmlfc_pkg::JOB_BITS + hmlfc_pkg::IMAGE_TILES_BITS)
-  ) jobs (
-      .clk,
-      .rst_n,
-      .in_valid(job_valid),
-      .in_ready(job_ready),
-      .in_data({job, ask_image}),
-      .out_valid(tiles_valid),
-      .out_ready(tiles_ready),
+  hmlfc_skid_buffer #(.WIDTH(hmlfc_pkg::JOB_BITS + hmlfc_pkg::IMAGE_TILES_BITS)) jobs (
+      .clk, .rst_n, .in_valid(job_valid), .in_ready(job_ready), .in_data({job, ask_image}), .out_valid(tiles_valid), .out_ready(tiles_ready),
       .out_data({tiles_job, tiles_image})
   );
   hmlfc_tile_stores #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .MAX_DEPTH(MAX_DEPTH),
-      .DATA_BITS(AXI_DATA_BITS),
-      .TILE_CONTEXTS(TILE_CONTEXTS),
-      .RESIDUAL_LOADERS(TILE_LOADERS),
+      .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS), .TILE_CONTEXTS(TILE_CONTEXTS), .RESIDUAL_LOADERS(TILE_LOADERS),
       .OTHER_LOADERS(OTHER_LOADERS)
   ) tiles (
-      .clk,
-      .rst_n,
-      .stream,
-      .flush,
-      .in_valid(tiles_valid),
-      .in_ready(tiles_ready),
-      .in_job(tiles_job),
-      .in_image(tiles_image),
-      .disparity_id,
-      .disparity_first_tile,
-      .out_valid(flow_valid),
-      .out_ready(flow_ready),
-      .out_flow(flow),
-      .out_has_residual(has_residual),
-      .out_residual(residual),
-      .request_valid(request_valid[1+:TILE_CLIENTS]),
-      .request_ready(request_ready[1+:TILE_CLIENTS]),
-      .request_address(request_address[1*ADDRESS_BITS+:TILE_CLIENTS*ADDRESS_BITS]),
-      .request_beats(request_beats[1*10+:TILE_CLIENTS*10]),
-      .data_valid(data_valid[1+:TILE_CLIENTS]),
-      .data,
-      .data_last,
-      .data_error
+      .clk, .rst_n, .stream, .flush, .in_valid(tiles_valid), .in_ready(tiles_ready), .in_job(tiles_job), .in_image(tiles_image), .disparity_id,
+      .disparity_first_tile, .out_valid(flow_valid), .out_ready(flow_ready), .out_flow(flow), .out_has_residual(has_residual),
+      .out_residual(residual), .request_valid(request_valid[1+:TILE_CLIENTS]), .request_ready(request_ready[1+:TILE_CLIENTS]),
+      .request_address(request_address[1*ADDRESS_BITS+:TILE_CLIENTS*ADDRESS_BITS]), .request_beats(request_beats[1*10+:TILE_CLIENTS*10]),
+      .data_valid(data_valid[1+:TILE_CLIENTS]), .data, .data_last, .data_error
   );
 
   // ---- The block's references.
@@ -362,112 +222,37 @@ module hmlfc_decode_unit #(
   logic [1:0] window_valid, window_ready;
   logic [2*6-1:0] window_error;
   logic [2*WINDOW_BITS-1:0] window;
-  hmlfc_references #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .MAX_DEPTH(MAX_DEPTH),
-      .DATA_BITS(AXI_DATA_BITS),
-      .CACHE_STRIPS(CACHE_STRIPS)
-  ) references (
-      .clk,
-      .rst_n,
-      .stream,
-      .flush,
-      .in_valid(flow_valid),
-      .in_ready(flow_ready),
-      .in_flow(flow),
-      .in_image(reference_image),
-      .in_has_residual(has_residual),
-      .in_residual(residual),
-      .out_valid(pending_valid),
-      .out_ready(pending_ready),
-      .out_pending(pending),
-      .out_residual(pending_residual),
-      .window_valid,
-      .window_ready,
-      .window_error,
-      .window,
-      .request_valid(request_valid[1+TILE_CLIENTS+:2]),
-      .request_ready(request_ready[1+TILE_CLIENTS+:2]),
-      .request_address(request_address[(1+TILE_CLIENTS)*ADDRESS_BITS+:2*ADDRESS_BITS]),
-      .request_beats(request_beats[(1+TILE_CLIENTS)*10+:2*10]),
-      .data_valid(data_valid[1+TILE_CLIENTS+:2]),
-      .data,
-      .data_last,
-      .data_error
+  hmlfc_references #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS), .CACHE_STRIPS(CACHE_STRIPS)) references (
+      .clk, .rst_n, .stream, .flush, .in_valid(flow_valid), .in_ready(flow_ready), .in_flow(flow), .in_image(reference_image),
+      .in_has_residual(has_residual), .in_residual(residual), .out_valid(pending_valid), .out_ready(pending_ready), .out_pending(pending),
+      .out_residual(pending_residual), .window_valid, .window_ready, .window_error, .window, .request_valid(request_valid[1+TILE_CLIENTS+:2]),
+      .request_ready(request_ready[1+TILE_CLIENTS+:2]), .request_address(request_address[(1+TILE_CLIENTS)*ADDRESS_BITS+:2*ADDRESS_BITS]),
+      .request_beats(request_beats[(1+TILE_CLIENTS)*10+:2*10]), .data_valid(data_valid[1+TILE_CLIENTS+:2]), .data, .data_last, .data_error
   );
 
   // ---- Samples and answers.
   logic [5:0] done_error;
   logic [SAMPLES*SAMPLE_BITS-1:0] done_sample, done_prediction;
   logic [SAMPLES*VALUE_BITS-1:0] done_residual, done_reference;
-  hmlfc_compose #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .MAX_DEPTH(MAX_DEPTH),
-      .TRACE(TRACE)
-  ) compose (
-      .clk,
-      .rst_n,
-      .depth(stream.depth),
-      .in_valid(pending_valid),
-      .in_ready(pending_ready),
-      .in_pending(pending),
-      .in_residual(pending_residual),
-      .a_valid(window_valid[0]),
-      .a_ready(window_ready[0]),
-      .a_error(window_error[0+:6]),
-      .a_window(window[0+:WINDOW_BITS]),
-      .b_valid(window_valid[1]),
-      .b_ready(window_ready[1]),
-      .b_error(window_error[6+:6]),
-      .b_window(window[WINDOW_BITS+:WINDOW_BITS]),
-      .out_valid(done_valid),
-      .out_ready(done_ready),
-      .out_pending(done_pending),
-      .out_error(done_error),
-      .out_sample(done_sample),
-      .out_residual(done_residual),
-      .out_reference(done_reference),
-      .out_prediction(done_prediction)
+  hmlfc_compose #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .TRACE(TRACE)) compose (
+      .clk, .rst_n, .depth(stream.depth), .in_valid(pending_valid), .in_ready(pending_ready), .in_pending(pending), .in_residual(pending_residual),
+      .a_valid(window_valid[0]), .a_ready(window_ready[0]), .a_error(window_error[0+:6]), .a_window(window[0+:WINDOW_BITS]),
+      .b_valid(window_valid[1]), .b_ready(window_ready[1]), .b_error(window_error[6+:6]), .b_window(window[WINDOW_BITS+:WINDOW_BITS]),
+      .out_valid(done_valid), .out_ready(done_ready), .out_pending(done_pending), .out_error(done_error), .out_sample(done_sample),
+      .out_residual(done_residual), .out_reference(done_reference), .out_prediction(done_prediction)
   );
   assign block_done = done_valid && done_ready;
-  hmlfc_answer #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .MAX_DEPTH(MAX_DEPTH)
-  ) answers (
-      .clk,
-      .rst_n,
-      .depth(stream.depth),
-      .chroma_444(stream.chroma_444),
-      .in_valid(done_valid),
-      .in_ready(done_ready),
-      .in_job(done_pending.job),
-      .in_error(done_error),
-      .in_sample(done_sample),
-      .in_has_residual(done_pending.has_residual),
-      .in_residual(done_residual),
-      .chroma_spoiled,
-      .out_valid(m_response_tvalid),
-      .out_ready(m_response_tready),
-      .out_data(m_response_tdata),
-      .out_error(m_response_tuser),
+  hmlfc_answer #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH)) answers (
+      .clk, .rst_n, .depth(stream.depth), .chroma_444(stream.chroma_444), .in_valid(done_valid), .in_ready(done_ready), .in_job(done_pending.job),
+      .in_error(done_error), .in_sample(done_sample), .in_has_residual(done_pending.has_residual), .in_residual(done_residual), .chroma_spoiled,
+      .out_valid(m_response_tvalid), .out_ready(m_response_tready), .out_data(m_response_tdata), .out_error(m_response_tuser),
       .out_last(m_response_tlast)
   );
 
   logic [hmlfc_pkg::GRID_BITS-1:0] done_row, done_col;
-  hmlfc_images #(
-      .TRACE(TRACE)
-  ) images (
-      .clk,
-      .write(image_write),
-      .write_id({view_slot, image_level}),
-      .write_image(view_image),
-      .tiles_id(job.id),
-      .tiles(ask_image),
-      .disparity_id,
-      .disparity_tile(disparity_first_tile),
-      .references_id(flow.job.id),
-      .references(reference_image),
-      .place_id(done_pending.job.id),
+  hmlfc_images #(.TRACE(TRACE)) images (
+      .clk, .write(image_write), .write_id({view_slot, image_level}), .write_image(view_image), .tiles_id(job.id), .tiles(ask_image), .disparity_id,
+      .disparity_tile(disparity_first_tile), .references_id(flow.job.id), .references(reference_image), .place_id(done_pending.job.id),
       .place({done_row, done_col})
   );
 

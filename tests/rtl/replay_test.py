@@ -35,22 +35,21 @@ def must(*command):
     return done.stdout
 
 
-def netlist(folder, unit, gates):
+def player(folder, unit, gates):
+    """The program of Icarus that plays records to the netlist of a unit."""
     files = " ".join(str(RTL / path.name) for path in file_list.sources(RTL))
-    parameters = " ".join(f"-set {name} {value}" for name, value in UNITS[unit][-1].items())
-    target = folder / "netlist.v"
-    must("yosys", "-q", "-p", f"read_verilog -sv -DSYNTHESIS -I{RTL} {files}; chparam {parameters} {unit}; "
-         f"hierarchy -check -top {unit}; proc; {GATES.format(unit=unit) if gates else ''}write_verilog -noattr {target}")
-    return target.read_text()
+    module, *_, parameters = UNITS[unit]
+    netlist, program = folder / "netlist.v", folder / "player.vvp"
+    must("yosys", "-q", "-p", f"read_verilog -sv -DSYNTHESIS -I{RTL} {files}; "
+         f"chparam {' '.join(f'-set {name} {value}' for name, value in parameters.items())} {unit}; "
+         f"hierarchy -check -top {unit}; proc; {GATES.format(unit=unit) if gates else ''}write_verilog -noattr {netlist}")
+    kit = (RTL / "kit" / name for name in ("pin_player.sv", f"{module}.sv"))
+    must("iverilog", "-g2012", "-s", module, f"-P{module}.AXI_DATA_BITS={parameters['AXI_DATA_BITS']}", "-o", program, *kit, netlist)
+    return program
 
 
-def replay(folder, unit, text, pins):
-    """What the simulation of a netlist says of a record."""
-    source, program = folder / "played.v", folder / "played.vvp"
-    source.write_text(text)
-    player, *_, parameters = UNITS[unit]
-    kit = (RTL / "kit" / name for name in ("pin_player.sv", f"{player}.sv"))
-    must("iverilog", "-g2012", "-s", player, f"-P{player}.AXI_DATA_BITS={parameters['AXI_DATA_BITS']}", "-o", program, *kit, source)
+def replay(program, pins):
+    """What the simulation says of a record."""
     return must("vvp", "-n", program, f"+pins={pins}")
 
 
@@ -67,12 +66,12 @@ def main():
         folder = Path(name)
         unit = "hmlfc_view_unit" if options.view else "hmlfc_decode_unit"
         _, streams, by, _ = UNITS[unit]
-        text = netlist(folder, unit, options.gates)
+        program = player(folder, unit, options.gates)
         for stream in streams:
             pins = folder / "pins"
             must(options.rtl_decode, options.suite / f"{stream}.hmlfc", "-o", folder, "--pins", pins, *by)
             clocks = len(pins.read_text().splitlines())
-            said = replay(folder, unit, text, pins)
+            said = replay(program, pins)
             print(f"{stream}: {said.splitlines()[0]}", flush=True)
             assert clocks > 1000 and f"pin_replay: {clocks} clocks equal" in said, said
         inputs, outputs, mask = pins.read_text().splitlines()[clocks // 2].split()
@@ -80,7 +79,7 @@ def main():
         lines = pins.read_text().splitlines()
         lines[clocks // 2] = f"{inputs} {int(outputs, 16) ^ bit:x} {mask}"
         pins.write_text("\n".join(lines) + "\n")
-        assert f"difference at clock {clocks // 2}" in replay(folder, unit, text, pins), "a wrong pin is not noticed"
+        assert f"difference at clock {clocks // 2}" in replay(program, pins), "a wrong pin is not noticed"
 
 
 if __name__ == "__main__":

@@ -62,11 +62,13 @@ def chooser(module: str, variants: list[units.Variant]) -> str:
 
 
 def verilator_arguments(folder: pathlib.Path, parameters: dict[str, int]) -> list[str]:
-    """The parameters of the unit; its files, the package of the number first, each mutated where there is such a copy."""
+    """The parameters of the unit; its files, the package of the number first, each mutated where there is such a copy; the rules of the
+    channels."""
     files = [folder / "hmlfc_mutant_pkg.sv"]
     for path in units.file_list.sources(units.RTL):
         files.append(folder / path.name if (folder / path.name).exists() else path)
-    return [*(f"-G{key}={value}" for key, value in parameters.items()), *map(str, files + sorted(folder.glob("mutated_*.v")))]
+    files += sorted(folder.glob("mutated_*.v")) + sorted(units.RTL.glob("kit/*_assertions.sv"))
+    return [*(f"-G{key}={value}" for key, value in parameters.items()), *map(str, files)]
 
 
 def mutants(folder: pathlib.Path, index: int, variant: units.Variant, first: int) -> list[dict]:

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "mutated_unit.hpp"
 #include "oracle/golden_stream.hpp"
 #include "oracle/level_record.hpp"
 #include "syntax/header.hpp"
@@ -16,6 +17,10 @@ io::MappedFile map(const std::filesystem::path& path) {
   if (!file) throw std::runtime_error(file.error().message);
   return std::move(*file);
 }
+
+class AssertionFails : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // All blocks of a plane of `shape`; of `plane` kRgb, of plane Y.
 std::vector<Request> view_requests(const PlaneShape& shape, ViewPos view, unsigned plane) {
@@ -70,6 +75,9 @@ std::string UnitVector::wrong_plane(UnitHost& host, Oracle& oracle, ViewPos view
     if (answers[i].status != wanted.status) {
       return fmt::format("{}: status {}", to_string(requests[i]), answers[i].status);
     }
+    if (answers[i].last != (i + 1 == requests.size())) {
+      return fmt::format("{}: wrong tlast", to_string(requests[i]));
+    }
     for (size_t at = 0; at < (plane == kRgb ? kLanes : 1) * side * side; at += side * side) {
       const auto difference =
           first_difference(&wanted.samples[at], &answers[i].samples[at], "sample", side,
@@ -99,11 +107,17 @@ std::string UnitVector::wrong_views(UnitHost& host) const {
 
 Verdict UnitVector::try_on(std::unique_ptr<DecodeUnit> unit, uint64_t patience,
                            uint64_t& clocks) const {
+  outlive_assertions();
+  clocks = 0;
+  const auto on_clock = [&](const UnitInputs&, const UnitOutputs&) {
+    ++clocks;
+    if (assertion_fails()) throw AssertionFails("an assertion fails");
+  };
   Verdict verdict;
-  UnitHost host(std::move(unit), file_.bytes(), image_.area().bytes);
-  host.set_patience(patience);
-  host.set_pauses(1);
   try {
+    UnitHost host(std::move(unit), file_.bytes(), image_.area().bytes, on_clock);
+    host.set_patience(patience);
+    host.set_pauses(1);
     unsigned error = host.load();
     if (error == 0) error = software_error_;
     verdict.difference = wrong_error(error);
@@ -111,8 +125,9 @@ Verdict UnitVector::try_on(std::unique_ptr<DecodeUnit> unit, uint64_t patience,
     if (error == 0 && decoded && verdict.pass()) verdict.difference = wrong_views(host);
   } catch (const UnitHangs& hang) {
     verdict = {true, hang.what()};
+  } catch (const AssertionFails& failure) {
+    verdict = {false, failure.what()};
   }
-  clocks = host.clocks();
   return verdict;
 }
 
