@@ -74,8 +74,8 @@ ExitCode run_synth(const SynthOptions& options) {
   if (params.cameras != Cameras::kGrid && !scenes::scene_rig(params)) {
     throw Failure(ExitCode::kUsage, "--cameras: no cameras take this scene; choose another");
   }
-  if (!options.rig.empty()) write_rig(options.rig, params);
   make_output_folder(options.folder);
+  if (!options.rig.empty()) write_rig(options.rig, params);
   const Clock clock;
   const auto threads = static_cast<unsigned>(options.threads);
   const LightFieldShape shape{params.rows, params.cols, params.width, params.height, params.depth};
