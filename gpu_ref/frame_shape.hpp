@@ -32,37 +32,7 @@ struct FrameShape {
   FrameRecord record;
 };
 
-/// Words of the counters.
-enum FrameCounter : uint32_t {
-  kCountNeeded = 0,
-  kCountNeededPages = 1,
-  kCountMissing = 2,
-  kCountMissingPages = 3,
-  kCountMode = 4,
-  kCountDecoded = 5,
-  kCountPages = 6,
-  kCountRequests = 7,
-  kCountNextPage = 8,
-  kCountFirstError = 9,
-  kCountStatus = 10,
-  kCountWorkgroups = 11,
-  kCountLookedUp = 12,
-  kFrameCounters = 13,
-};
-
-inline constexpr uint32_t kNoError = ~0u;  ///< of kCountFirstError
-
-/// Pixels of a group of mark.comp and render.comp, each way (shaders/pixel_group.glsl).
-inline constexpr uint32_t kGroupPixels = 8;
-
-/// Words of the sizes of dispatches that frame_plan.glsl decides, three each.
-enum FrameDispatch : uint32_t {
-  kDispatchWalk = 0,
-  kDispatchSamples = 3,
-  kAllDispatches = 6,
-};
-
-/// Values of kCountMode.
-enum FrameMode : uint32_t { kModeNoRoom = 0, kModeAdd = 1, kModeFlush = 2 };
+using uint = uint32_t;
+#include "shaders/shared_numbers.glsl"
 
 }  // namespace hmlfc::gpu

@@ -7,14 +7,12 @@
 #include "arithmetic/rounding.hpp"
 #include "bits/parallel.hpp"
 #include "decoder/key_images.hpp"
+#include "frame_shape.hpp"
 
 namespace hmlfc::gpu {
 namespace {
 
 constexpr size_t kPlanesAtOnce = 48;  // that are decoded and held
-
-// Samples of an error: the number less 2^15 (reference_samples.glsl).
-constexpr int32_t kErrorSample = -32768;
 
 // One plane of one key image.
 struct KeyPlane {

@@ -6,4 +6,5 @@
 #include "hmlfc_tables.glsl"
 
 #include "integers.glsl"
+#include "shared_numbers.glsl"
 #include "arguments.glsl"

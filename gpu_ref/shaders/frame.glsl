@@ -1,5 +1,5 @@
 // A frame to be rendered (docs/rendering.md, REC-2) and the buffers of its blocks.
-// FrameShape of gpu_ref/block_pool.hpp has the same members in the same order.
+// FrameShape of gpu_ref/frame_shape.hpp has the same members in the same order.
 
 struct FrameRecord {
   int frame_width, frame_height;
@@ -41,31 +41,3 @@ layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Fra
   uint forget;         // 1: what frames before hold is not used
   FrameRecord record;
 };
-
-// Words of the counters.
-const uint kCountNeeded = 0u;        // blocks that the frame needs
-const uint kCountNeededPages = 1u;   // words of bits with such a block
-const uint kCountMissing = 2u;       // needed blocks that are not held
-const uint kCountMissingPages = 3u;  // words with such a block of which no block is held
-const uint kCountMode = 4u;          // kMode...
-const uint kCountDecoded = 5u;       // blocks that the frame decodes, or would with room
-const uint kCountPages = 6u;         // pages in use after it, likewise
-const uint kCountRequests = 7u;      // requests written so far
-const uint kCountNextPage = 8u;      // the next page to be given away
-const uint kCountFirstError = 9u;    // the least bit of a block with an error, or all ones
-const uint kCountStatus = 10u;       // that block's error
-const uint kCountWorkgroups = 11u;   // of mark.comp that are done
-const uint kCountLookedUp = 12u;     // blocks whose disparity the frame looks up
-const uint kFrameCounters = 13u;
-
-/// In the place of the number of used pages: the next frame decodes all that it needs.
-const uint kUsedNothingHeld = 0xFFFFFFFFu;
-
-// The sizes of the dispatches that frame_plan.glsl decides.
-const uint kDispatchWalk = 0u;
-const uint kDispatchSamples = 3u;
-
-// What a frame does (frame_plan.glsl).
-const uint kModeNoRoom = 0u;  // nothing: the host makes room
-const uint kModeAdd = 1u;     // decodes the needed blocks that are not held
-const uint kModeFlush = 2u;   // forgets what is held and decodes all needed blocks

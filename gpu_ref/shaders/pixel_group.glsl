@@ -3,7 +3,6 @@
 // lines of such windows. Where the taps lie too far apart for windows, each pixel has one of its own,
 // for one view at a time.
 
-const uint kGroupLog2 = 3u;
 const int kWindowsLog2 = 6;
 const uint kWindows = 1u << kWindowsLog2;  // as many as invocations
 

@@ -1,8 +1,6 @@
 // The reference area: planes of key images (STR-5), and residuals of the other reference images that
 // motion refers to (DEC-2, DEC-4). Two samples a word, rows of whole words. Every sample of a block that
-// did not decode is its error: the number less 2^15, below any sample.
-
-const int kErrorSample = -32768;
+// did not decode is its error (kErrorSample).
 
 uint reference_word(uint at) {
   if (!kChunked) return OutWords(arguments.references).word[at];

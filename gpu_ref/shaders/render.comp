@@ -176,7 +176,7 @@ void write_results(uint first_error) {
   for (uint i = 0u; i < kFrameCounters; ++i) {
     frame().results.word[i] = frame().counters.word[i];
   }
-  if (first_error != 0xFFFFFFFFu) {
+  if (first_error != kNoError) {
     frame().results.word[kCountStatus] = pool_word(word_of_slot(slot_of_bit(first_error), 0u));
   }
 }
@@ -185,6 +185,6 @@ void main() {
   const uint first_error = frame().counters.word[kCountFirstError];
   const ivec2 at = pixel_of_invocation();
   if (at == ivec2(0)) write_results(first_error);
-  if (frame().counters.word[kCountMode] == kModeNoRoom || first_error != 0xFFFFFFFFu) return;
+  if (frame().counters.word[kCountMode] == kModeNoRoom || first_error != kNoError) return;
   write_pixel(at, frame_pixel(at));
 }

@@ -33,8 +33,9 @@ void ResidualCosts::weigh(int32_t step, std::array<LevelCosts, kTriedBiasBits.si
     for (int32_t bias = biases.first; bias <= biases.last; ++bias) {
       const int32_t lo = lowest_level(levels.count) + bias;
       const int64_t cost = lambda_.cost(error(lo, lo + n - 1), bits);
-      for (size_t b = kTriedBiasBits.size(); b-- > 0 && fits_signed(bias, kTriedBiasBits[b]);) {
-        costs[b][code] = std::min(costs[b][code], cost);
+      for (size_t b = kTriedBiasBits.size(); b > 0 && fits_signed(bias, kTriedBiasBits[b - 1]);
+           --b) {
+        costs[b - 1][code] = std::min(costs[b - 1][code], cost);
       }
       least = std::min(least, cost);
     }

@@ -141,7 +141,8 @@ Result<void> check_level(const StreamHeader& header, size_t level) {
 
 Result<void> load_levels(std::span<const uint8_t> file, StreamHeader& header) {
   header.levels.resize(static_cast<size_t>(header.tree_height) + 1);
-  for (size_t level = header.levels.size(); level-- > 0;) {
+  for (size_t end = header.levels.size(); end > 0; --end) {  // the top level's entry comes first
+    const size_t level = end - 1;
     const size_t at = level_offset(header, level);
     header.levels[level] = {file[at], file[at + 1], file[at + 2]};
     if (auto ok = check_level(header, level); !ok) return ok;
@@ -191,8 +192,8 @@ Result<void> load_sections(std::span<const uint8_t> file, StreamHeader& header) 
 
 Result<void> check_fields(const StreamHeader& header) {
   if (auto ok = check_fixed_fields(header); !ok) return ok;
-  for (size_t level = header.levels.size(); level-- > 0;) {
-    if (auto ok = check_level(header, level); !ok) return ok;
+  for (size_t end = header.levels.size(); end > 0; --end) {
+    if (auto ok = check_level(header, end - 1); !ok) return ok;
   }
   return {};
 }

@@ -7,7 +7,7 @@ import motion
 import residual
 import tile_head
 from bit_string import Cursor
-from stream_error import require
+from stream_error import StreamError, require
 
 CHECKS = {}
 
@@ -84,6 +84,28 @@ def second_reference_first():
     """MOT-10 with the second of two references first."""
     right = block.BlockDecoder._reference
     block.BlockDecoder._reference = lambda self, parts, *place: right(self, parts[::-1], *place)
+
+
+def exchange_references(reference_set):
+    right = block.references_of
+
+    def references_of(geometry, image, found):
+        images = right(geometry, image, found)
+        return images[::-1] if found.reference_set == reference_set else images
+
+    block.references_of = references_of
+
+
+@check
+def k2_before_k1():
+    """MOT-10 with K2 before K1 in reference_set 5."""
+    exchange_references(5)
+
+
+@check
+def k3_before_k0():
+    """MOT-10 with K3 before K0 in reference_set 6."""
+    exchange_references(6)
 
 
 @check
@@ -179,6 +201,23 @@ def end_before_vector_ranges():
 def end_before_residual_widths():
     """TIL-1 with the end of bias_bits before the value of level_bits."""
     end_first("_read_residual_widths", lambda fields: 6 + 3 + 4)
+
+
+@check
+def bias_bits_after_steps():
+    """TIL-8 with bias_bits checked when step_base and step_bits are read."""
+    right = tile_head.TileHead._read_residual_widths
+
+    def read_residual_widths(self, cursor, fields):
+        try:
+            right(self, cursor, fields)
+        except StreamError:
+            if self.level_bits <= 6 and fields.residual_step:
+                cursor.skip(4 + 2)
+                require(cursor.position <= self.record.length, "tile_overrun")
+            raise
+
+    tile_head.TileHead._read_residual_widths = read_residual_widths
 
 
 @check

@@ -228,6 +228,31 @@ def quantization_of_four_bits():
 
 
 @codestream
+def equal_qcds_allowed():
+    """KEY-2 with a second QCD that may stand there if it says the same."""
+    right = markers.Codestream._qcd
+
+    def read(self, segment):
+        if segment != getattr(self, "qcd", None):
+            right(self, segment)
+        self.qcd = segment
+
+    markers.Codestream._qcd = read
+
+
+@codestream
+def precincts_left_over():
+    """KEY-2 with stated precinct sizes of more resolutions than there are."""
+    right = markers.Codestream._cod
+
+    def read(self, segment):
+        stated = segment[0] & 1 == 1
+        right(self, segment[: 11 + segment[5]] if stated else segment)
+
+    markers.Codestream._cod = read
+
+
+@codestream
 def psot_with_eoc():
     """KEY-2 with a Psot that may count EOC."""
     right = markers.Codestream._tile_part

@@ -2,7 +2,7 @@
 """Writes the layouts of the records that host and kernels share, and the numbers that both know, as the shaders have them.
 
 SHADERS is gpu_ref/shaders; each line of the file OUT is a macro for record_layout_test.cpp: MEMBER(record of C++, member, offset, bytes),
-SIZE(record, bytes) or NUMBER(name, value). Layouts are those of the SPIR-V, numbers those of frame.glsl and block_entry.glsl.
+SIZE(record, bytes) or NUMBER(name, value). Layouts are those of the SPIR-V, numbers those of block_entry.glsl.
 """
 
 import argparse
@@ -24,7 +24,6 @@ RECORDS = {
 }
 MEMBERS = {("FrameRecord", "filter_kind"): "filter"}  # those of another name in C++
 KERNELS = ("expand", "colour", "mark")  # these have them all
-NUMBER = re.compile(r"^const uint (k(?:Count|Dispatch|Mode)\w+) = (\d+)u;", re.M)
 
 
 class Module:
@@ -86,9 +85,8 @@ def main() -> None:
     parser.add_argument("shaders", type=Path)
     parser.add_argument("out", type=Path)
     options = parser.parse_args()
-    lines = {f"NUMBER({name}, {value})" for name, value in NUMBER.findall((options.shaders / "frame.glsl").read_text())}
     words = re.search(r"ENTRY_WORDS = (\d+)u;", (options.shaders / "block_entry.glsl").read_text()).group(1)
-    lines.add(f"NUMBER(kEntryWords, {words})")
+    lines = {f"NUMBER(kEntryWords, {words})"}
     for kernel in KERNELS:
         command = ["glslc", "--target-env=vulkan1.2", "-O0", options.shaders / f"{kernel}.comp", "-o", "-"]
         spirv = subprocess.run(command, capture_output=True, check=True).stdout

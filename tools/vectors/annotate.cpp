@@ -70,7 +70,8 @@ class Dump {
 
   void note_header(const StreamHeader& header) {
     uint64_t at = 44;
-    for (size_t level = header.levels.size(); level-- > 0; at += 4) {
+    for (size_t end = header.levels.size(); end > 0; --end, at += 4) {
+      const size_t level = end - 1;
       add_bytes(at, 1, fmt::format("level {} ref_rows", level), "FIL-2");
       add_bytes(at + 1, 1, fmt::format("level {} ref_cols", level), "FIL-2");
       add_bytes(at + 2, 1, fmt::format("level {} key_references", level), "EXT-4");

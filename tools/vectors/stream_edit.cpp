@@ -267,7 +267,7 @@ std::span<const ByteField> header_fields() { return kHeaderFields; }
 uint64_t load_number(std::span<const uint8_t> bytes, uint64_t at, size_t size) {
   if (at > bytes.size() || size > bytes.size() - at) throw std::out_of_range("load_number");
   uint64_t value = 0;
-  for (size_t i = size; i-- > 0;) value = value << 8 | bytes[static_cast<size_t>(at) + i];
+  for (size_t i = size; i > 0; --i) value = value << 8 | bytes[static_cast<size_t>(at) + i - 1];
   return value;
 }
 

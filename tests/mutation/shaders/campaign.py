@@ -35,7 +35,7 @@ SHADERS = ROOT / "gpu_ref/shaders"
 # The kernels that decode; the others belong to the renderer, which has no vectors.
 KERNELS = ["expand", "walk", "residuals", "samples", "colour"]
 # Included by them, but generated, or of the renderer or recorded decoding, which have no vectors.
-LEFT_OUT = {"hmlfc_tables.glsl", "frame.glsl", "frame_arguments.glsl", "texels.glsl"}
+LEFT_OUT = {"hmlfc_tables.glsl", "shared_numbers.glsl", "frame.glsl", "frame_arguments.glsl", "texels.glsl"}
 # Options of the decoder. Chunks are so small that most vectors' streams and reference areas are in several.
 RUNS = [[], ["--chunk-bytes", "1024"]]
 # Groups of vectors, those first that tell most mutants by a stream.
