@@ -31,6 +31,7 @@ for index in options.get("--array", "0").split(","):
 PROGRAM = """#!/usr/bin/env python3
 import json, os, signal, sys
 from pathlib import Path
+NODE_GONE = -99  # the task dies with its program
 words = sys.argv[1:]
 output = Path(words[words.index("-o") + 1])
 if "--assemble" in words:
@@ -45,8 +46,10 @@ number = len(tries.read_text()) if tries.exists() else 0
 tries.write_text("x" * (number + 1))
 output.write_text(index + " ")
 status = fails[number] if number < len(fails) else 0
+if status == NODE_GONE:
+    os.kill(os.getppid(), signal.SIGKILL)
 if status < 0:
-    os.kill(os.getpid(), -status)
+    os.kill(os.getpid(), -max(status, -9))
 sys.exit(status)
 """
 
@@ -81,6 +84,11 @@ class Retry(unittest.TestCase):
         self.assertEqual(arrays, ["1,2,3", "2,3", "3"])
         self.assertEqual((summary["status"], summary["attempts"], summary["lost"]), (0, 3, []))
         self.assertEqual(self.output.read_text(), "1 2 3 ")
+
+    def test_a_task_that_dies_whole_leaves_its_output(self):
+        summary, arrays = self.run_job({"2": [-99]})
+        self.assertEqual(arrays, ["1,2,3", "2"])
+        self.assertEqual((summary["status"], summary["lost"], summary["failed"]), (0, [], []))
 
     def test_a_failure_is_no_loss(self):
         summary, arrays = self.run_job({"1": [2]})
