@@ -1,4 +1,4 @@
-#include "remote/sparse_bytes.hpp"
+#include "bits/sparse_bytes.hpp"
 
 #include <sys/mman.h>
 
@@ -6,7 +6,7 @@
 #include <atomic>
 #include <bit>
 
-namespace hmlfc::remote {
+namespace hmlfc {
 namespace {
 
 constexpr uint64_t kPageLines = SparseBytes::kPageBytes / SparseBytes::kLineBytes;
@@ -123,4 +123,4 @@ void SparseBytes::drop_to(uint64_t bytes) {
   pages_.erase(kept, pages_.end());
 }
 
-}  // namespace hmlfc::remote
+}  // namespace hmlfc
