@@ -52,8 +52,8 @@ class FileServer {
   /// Requests that were there at once.
   int most() const { return most_; }
 
-  std::unique_ptr<HttpSource> open(const HttpOptions& options = {}) const {
-    auto source = HttpSource::open("http://127.0.0.1:" + std::to_string(port_) + "/a", options);
+  std::unique_ptr<HttpSource> open(const SparseSource::Keeping& keeping = {}) const {
+    auto source = HttpSource::open("http://127.0.0.1:" + std::to_string(port_) + "/a", keeping);
     EXPECT_TRUE(source) << source.error().message;
     return std::move(*source);
   }
