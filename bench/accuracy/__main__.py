@@ -23,7 +23,7 @@ try:
     import result_file
     import studies
     from comparison import compare
-    from process import HMLFC, BenchError, built, require, say
+    from process import HMLFC, built, require, run_main
     from results import read_json, write_csv, write_json
     from run import Run
     from tables import TITLES, Tables
@@ -113,19 +113,15 @@ def parse_arguments():
 
 def main():
     options = parse_arguments()
-    try:
-        if options.check or options.update:
-            return settle(options)
-        require("accuracy", options.hmlfc, options.bench)
-        options.output.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=options.output) as work:
-            run = Run(options, Path(work))
-            run.measure()
-            return report(run)
-    except BenchError as error:
-        say(f"accuracy: {error}")
-        return 2
+    if options.check or options.update:
+        return settle(options)
+    require("accuracy", options.hmlfc, options.bench)
+    options.output.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=options.output) as work:
+        run = Run(options, Path(work))
+        run.measure()
+        return report(run)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_main("accuracy", main)

@@ -36,6 +36,15 @@ def say(text):
     print(f"{clear}{text}", file=sys.stderr, flush=True)
 
 
+def run_main(bench, main):
+    """Ends the process with the exit status of main(), or with a message and 2 where it raises BenchError."""
+    try:
+        sys.exit(main())
+    except BenchError as error:
+        say(f"{bench}: {error}")
+        sys.exit(2)
+
+
 @dataclass
 class Cost:
     """cpu_seconds: user and system time of all threads; peak_bytes: largest resident memory."""

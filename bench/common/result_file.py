@@ -1,11 +1,21 @@
 """Files of docs/results: tables that a program makes from recorded data."""
 
+import json
 import sys
 from pathlib import Path
 
+from process import BenchError
 from sources import ROOT
 
 RESULTS = ROOT / "docs" / "results"
+
+
+def read(path):
+    """The results that a bench recorded."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise BenchError(f"{path}: {error}") from error
 
 
 def table(head, rows):

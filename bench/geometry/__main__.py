@@ -23,7 +23,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "common"))
 try:
     import result_file
     from depth import measures, read_pfm
-    from process import HMLFC, BenchError, require, run, say
+    from process import HMLFC, require, run, run_main, say
     from sources import real_sources
     import withheld
 except ImportError as error:
@@ -141,13 +141,6 @@ def parse_arguments():
     return parser.parse_args()
 
 
-def read(path):
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise BenchError(f"{path}: {error}") from error
-
-
 def key(row):
     return row["light_field"], row.get("coding"), row.get("quality")
 
@@ -174,7 +167,7 @@ def run_bench(options):
         options.recorded.write_text("{" + ",\n".join(groups) + "}\n", encoding="utf-8")
     if options.record or options.quick:
         return 0
-    recorded = read(options.recorded)
+    recorded = result_file.read(options.recorded)
     known = {(name, key(row)): row for name, rows in recorded.items() for row in rows}
     differing = [(name, row) for name, rows in found.items() for row in rows if known.get((name, key(row))) != row]
     for name, row in differing:
@@ -184,15 +177,11 @@ def run_bench(options):
 
 def main():
     options = parse_arguments()
-    try:
-        if options.check or options.update:
-            text = result_file.result_text("Geometry", "./run bench geometry --update", tables(read(options.recorded)))
-            return result_file.settle(options.results / "geometry.md", text, options.update)
-        return run_bench(options)
-    except BenchError as error:
-        say(f"geometry: {error}")
-        return 2
+    if options.check or options.update:
+        text = result_file.result_text("Geometry", "./run bench geometry --update", tables(result_file.read(options.recorded)))
+        return result_file.settle(options.results / "geometry.md", text, options.update)
+    return run_bench(options)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_main("geometry", main)

@@ -22,7 +22,7 @@ try:
     import coders
     import report
     from light_field import load
-    from process import HMLFC, BenchError, require, run, say
+    from process import HMLFC, BenchError, require, run, run_main, say
     from sources import REAL, ROOT, Source, real_sources
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy and python3-pil")
@@ -183,19 +183,15 @@ def parse_arguments():
 
 def main():
     options = parse_arguments()
-    try:
-        require("rate_distortion", options.hmlfc)
-        options.output.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=options.output) as work:
-            bench = Bench(options, Path(work))
-            for source in find_sources(bench):
-                bench.measure(source)
-            bench.report()
-    except BenchError as error:
-        say(f"rate_distortion: {error}")
-        return 2
+    require("rate_distortion", options.hmlfc)
+    options.output.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=options.output) as work:
+        bench = Bench(options, Path(work))
+        for source in find_sources(bench):
+            bench.measure(source)
+        bench.report()
     return 1 if bench.failed else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_main("rate_distortion", main)

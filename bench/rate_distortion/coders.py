@@ -1,7 +1,8 @@
 """The codecs of the rate-distortion bench.
 
 A codec is made for one light field: a function from a parameter to (name of the parameter, bytes, PSNR
-in dB, CPU seconds of encoding on all threads).
+in dB, CPU seconds of encoding on all threads). Of codecs of pictures and videos, its picture_bytes are the
+bytes of each picture of the last encoding, in coding order.
 """
 
 import io
@@ -83,6 +84,7 @@ def video(keyint, encoder):
 
     def encode(value):
         size, error, seconds, chroma = encoder.encode(keyint, value)
+        encode.picture_bytes = encoder.picture_bytes
         return f"crf={value:g} chroma={chroma}", size, encoder.light_field.psnr(error), seconds
 
     return encode
@@ -92,16 +94,17 @@ def pictures(label, options, light_field):
     """A still-picture codec of Pillow, view by view."""
 
     def encode(value):
-        size = error = 0
+        encode.picture_bytes = []
+        error = 0
         seconds = 0.0
         for view in light_field.views:
             file = io.BytesIO()
             begin = time.process_time()
             Image.fromarray(view).save(file, **options(value))
             seconds += time.process_time() - begin
-            size += file.tell()
+            encode.picture_bytes.append(file.tell())
             with Image.open(file) as image:
                 error += squared_error(view, np.asarray(image))
-        return f"{label}={value:g}", size, light_field.psnr(error), seconds
+        return f"{label}={value:g}", sum(encode.picture_bytes), light_field.psnr(error), seconds
 
     return encode

@@ -5,6 +5,7 @@ that of the whole HEVC stream. --no-info leaves out the text about its options t
 into each key picture, some 2300 bytes: with it, all-intra would look much worse than it is.
 """
 
+import re
 import shutil
 
 import numpy as np
@@ -26,13 +27,14 @@ ENLARGERS = {
 class X265:
     """Encodes one light field; the video is made once and kept in `folder`.
 
-    chroma: "420" or "444".
+    chroma: "420" or "444". picture_bytes: of the last stream, in coding order.
     """
 
     def __init__(self, light_field, chroma, folder):
         self.light_field = light_field
         self.chroma = chroma
         self.order = light_field.serpentine()
+        self.picture_bytes = []
         self.video = folder / f"{light_field.name}-{chroma}.y4m"
         self.stream = folder / "x265.hevc"
         self.reconstruction = folder / "x265.yuv"
@@ -45,6 +47,7 @@ class X265:
         command += ["--recon", self.reconstruction, "--keyint", str(keyint), "--crf", str(crf)]
         _, seconds = run([*command, *FIXED_OPTIONS])
         error, enlarger = self._error_of_reconstruction()
+        self.picture_bytes = picture_bytes(self.stream.read_bytes())
         size = self.stream.stat().st_size
         self.stream.unlink()
         self.reconstruction.unlink()
@@ -86,6 +89,15 @@ class X265:
             np.frombuffer(reconstruction.read(rows * cols), np.uint8).reshape(rows, cols)
             for rows, cols in shapes
         ]
+
+
+def picture_bytes(stream):
+    """Bytes of each picture of an HEVC byte stream, in coding order; what stands before the first one counts
+    to it, what stands between two to the one before."""
+    starts = [match.start() for match in re.finditer(rb"\x00\x00\x01", stream)]
+    # The type is in bits 1 to 6; below 32 it is a slice, whose first bit tells a picture's first (H.265, 7.3.1, 7.3.6).
+    first = [at for at in starts if stream[at + 3] >> 1 < 32 and stream[at + 5] >> 7]
+    return [end - begin for begin, end in zip([0, *first[1:]], [*first[1:], len(stream)])]
 
 
 def require():

@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / name) for name in ("bench/common", "bench/skipping", "tests/support")]
 
 import sparse
-from process import HMLFC, BenchError, machine, require, run, say
+from process import HMLFC, machine, require, run, run_main, say
 from range_server import RangeServer
 
 PROFILES = {"main": ["--profile", "main"], "extended": ["--preset", "fast"]}
@@ -93,8 +93,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except BenchError as error:
-        say(str(error))
-        sys.exit(2)
+    run_main("remote", main)

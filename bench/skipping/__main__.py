@@ -20,7 +20,7 @@ try:
     import plots
     import result_file
     from measure import PROFILES, SCENES, Measure
-    from process import HMLFC, BenchError, built, machine, require, say
+    from process import HMLFC, built, machine, require, run_main, say
     from tables import tables
 except ImportError as error:
     sys.exit(f"{error}: install the Debian packages python3-numpy, python3-pil and python3-matplotlib")
@@ -64,13 +64,6 @@ def differences(old, new, place=""):
     return [] if old == new else [f"{place.lstrip('.')}: {old} -> {new}"]
 
 
-def read(path):
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise BenchError(f"{path}: {error}") from error
-
-
 def write(results, path):
     """JSON, a path or a request a line."""
     lines = [f'"machine": {json.dumps(results["machine"])}']
@@ -80,7 +73,7 @@ def write(results, path):
 
 def settle(options):
     """Writes the recorded run's tables and pictures, or checks the tables. Returns the exit status."""
-    results = read(options.recorded)
+    results = result_file.read(options.recorded)
     text = result_file.result_text("Skipping", "./run bench skipping --update", tables(results))
     if options.update:
         plots.draw(results, options.results.parent / "images", "skipping_")
@@ -114,7 +107,7 @@ def run_bench(options):
         write(results, options.recorded)
     if options.record or options.quick:
         return 0
-    found = differences(counts(read(options.recorded)), counts(results))
+    found = differences(counts(result_file.read(options.recorded)), counts(results))
     for difference in found:
         say(f"differs from the recorded run: {difference}")
     return 1 if found else 0
@@ -122,12 +115,8 @@ def run_bench(options):
 
 def main():
     options = parse_arguments()
-    try:
-        return settle(options) if options.check or options.update else run_bench(options)
-    except BenchError as error:
-        say(f"skipping: {error}")
-        return 2
+    return settle(options) if options.check or options.update else run_bench(options)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_main("skipping", main)

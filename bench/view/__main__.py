@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / name) for name in ("bench/common", "tests/view", "tests/cli")]
 
-from process import HMLFC, BenchError, require, run, say
+from process import HMLFC, BenchError, require, run, run_main, say
 from sources import real_sources
 
 RATE, LATENCY = 30, 60  # frames a second; milliseconds, 95th percentile
@@ -108,8 +108,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except BenchError as error:
-        say(str(error))
-        sys.exit(2)
+    run_main("view", main)

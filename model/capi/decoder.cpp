@@ -11,6 +11,7 @@
 #include <hmlfc/hmlfc.h>
 
 #include "bits/map_file.hpp"
+#include "capi/callback_source.hpp"
 #include "capi/handles.hpp"
 #include "capi/outcome.hpp"
 #include "capi/pixels.hpp"
@@ -32,7 +33,7 @@ tl::expected<OpenOptions, Refusal> read_open_options(const hmlfc_open_options* o
 
 Outcome open_stream(std::shared_ptr<OpenedStream> stream, const OpenOptions& options,
                     hmlfc_decoder** decoder) {
-  if (const auto opened = stream->open(options); !opened) return refuse(opened.error());
+  if (const auto opened = stream->open(options); !opened) return stream->refuse(opened.error());
   *decoder = new hmlfc_decoder{std::move(stream)};
   return {};
 }
@@ -44,7 +45,9 @@ Outcome open_memory(const uint8_t* bytes, size_t size, const hmlfc_open_options*
   if (bytes == nullptr && size > 0) return bad_argument("bytes", "is null");
   const auto read = read_open_options(options);
   if (!read) return tl::unexpected(read.error());
-  return open_stream(std::make_shared<OpenedStream>(std::span(bytes, size), false), *read, decoder);
+  return open_stream(
+      std::make_shared<OpenedStream>(std::make_unique<MemorySource>(std::span(bytes, size))), *read,
+      decoder);
 }
 
 tl::unexpected<Refusal> no_file(const char* path, const MapFailure& failure) {
@@ -63,14 +66,30 @@ Outcome open_file(const char* path, const hmlfc_open_options* options, hmlfc_dec
   if (!read) return tl::unexpected(read.error());
   const auto mapped = map_file(path);
   if (!mapped) return no_file(path, mapped.error());
-  std::shared_ptr<OpenedStream> stream;
+  std::unique_ptr<ByteSource> source;
   try {
-    stream = std::make_shared<OpenedStream>(*mapped, true);
+    source = std::make_unique<MappedSource>(*mapped);
   } catch (...) {
     unmap_file(*mapped);
     throw;
   }
-  return open_stream(std::move(stream), *read, decoder);
+  return open_stream(std::make_shared<OpenedStream>(std::move(source)), *read, decoder);
+}
+
+Outcome open_source(const hmlfc_source* source, const hmlfc_open_options* options,
+                    hmlfc_decoder** decoder) {
+  if (auto ok = check_pointer(decoder, "decoder"); !ok) return ok;
+  *decoder = nullptr;
+  const auto given = read_struct(source, &hmlfc_source::cache_bytes, "source");
+  if (!given) return tl::unexpected(given.error());
+  if (given->read == nullptr) return bad_argument("source", "has null as read");
+  const auto read = read_open_options(options);
+  if (!read) return tl::unexpected(read.error());
+  auto made = std::make_unique<CallbackSource>(*given);
+  if (!made->is_reserved()) {
+    return refuse(HMLFC_STATUS_OUT_OF_MEMORY, "out_of_memory: no address space for the stream");
+  }
+  return open_stream(std::make_shared<OpenedStream>(std::move(made)), *read, decoder);
 }
 
 Outcome get_header(const hmlfc_decoder* decoder, hmlfc_header* header) {
@@ -111,13 +130,15 @@ Outcome decode_block(const hmlfc_decoder* decoder, const hmlfc_block* block, int
       {asked->row, asked->col}, static_cast<Plane>(asked->plane), asked->block_x, asked->block_y};
   const auto decoded =
       from.decode_block(address, {.stop_level = static_cast<int>(asked->stop_level)});
-  if (!decoded) return refuse(decoded.error());
+  if (!decoded) return decoder->stream->refuse(decoded.error());
   std::copy(decoded->begin(), decoded->end(), samples);
   return {};
 }
 
 // `asked` may be of any size; memory is asked for only where it lies in the view.
-Outcome decode_rect(const Decoder& from, const hmlfc_rect& asked, const hmlfc_pixels* pixels) {
+Outcome decode_rect(const OpenedStream& stream, const hmlfc_rect& asked,
+                    const hmlfc_pixels* pixels) {
+  const Decoder& from = stream.decoder();
   const StreamHeader& header = from.header();
   const bool is_inside = asked.width >= 1 && asked.height >= 1 && asked.x < header.width &&
                          asked.y < header.height && asked.width <= header.width - asked.x &&
@@ -128,7 +149,7 @@ Outcome decode_rect(const Decoder& from, const hmlfc_rect& asked, const hmlfc_pi
   const auto decoded =
       from.decode_rgb({asked.row, asked.col}, {asked.x, asked.y, asked.width, asked.height},
                       static_cast<int>(asked.stop_level));
-  if (!decoded) return refuse(decoded.error());
+  if (!decoded) return stream.refuse(decoded.error());
   store(*decoded, *into);
   return {};
 }
@@ -138,19 +159,19 @@ Outcome decode_rect(const hmlfc_decoder* decoder, const hmlfc_rect* rect,
   if (auto ok = check_pointer(decoder, "decoder"); !ok) return ok;
   const auto asked = read_struct(rect, &hmlfc_rect::stop_level, "rect");
   if (!asked) return tl::unexpected(asked.error());
-  return decode_rect(decoder->stream->decoder(), *asked, pixels);
+  return decode_rect(*decoder->stream, *asked, pixels);
 }
 
 Outcome decode_view(const hmlfc_decoder* decoder, uint32_t row, uint32_t col,
                     const hmlfc_pixels* pixels) {
   if (auto ok = check_pointer(decoder, "decoder"); !ok) return ok;
-  const Decoder& from = decoder->stream->decoder();
+  const StreamHeader& header = decoder->stream->decoder().header();
   hmlfc_rect all{};
   all.row = row;
   all.col = col;
-  all.width = from.header().width;
-  all.height = from.header().height;
-  return decode_rect(from, all, pixels);
+  all.width = header.width;
+  all.height = header.height;
+  return decode_rect(*decoder->stream, all, pixels);
 }
 
 }  // namespace
@@ -166,6 +187,11 @@ int hmlfc_open_memory(const uint8_t* bytes, size_t size, const hmlfc_open_option
 int hmlfc_open_file(const char* path, const hmlfc_open_options* options, hmlfc_decoder** decoder,
                     hmlfc_failure* failure) {
   return capi::answer(failure, [&] { return capi::open_file(path, options, decoder); });
+}
+
+int hmlfc_open_source(const hmlfc_source* source, const hmlfc_open_options* options,
+                      hmlfc_decoder** decoder, hmlfc_failure* failure) {
+  return capi::answer(failure, [&] { return capi::open_source(source, options, decoder); });
 }
 
 void hmlfc_close(hmlfc_decoder* decoder) { delete decoder; }

@@ -5,31 +5,41 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 #include <hmlfc/hmlfc.h>
+#include <hmlfc/byte_source.hpp>
 #include <hmlfc/decoder.hpp>
 
 #include "bits/map_file.hpp"
+#include "capi/outcome.hpp"
 
 namespace hmlfc::capi {
 
-/// The bytes of a stream, of the caller or of a mapped file, and its decoder. Decoder and renderers
-/// share it.
+/// A mapped file.
+class MappedSource final : public ByteSource {
+ public:
+  /// Takes over what map_file() gave.
+  explicit MappedSource(std::span<const uint8_t> bytes) : bytes_(bytes) {}
+  MappedSource(const MappedSource&) = delete;
+  MappedSource& operator=(const MappedSource&) = delete;
+  ~MappedSource() override { unmap_file(bytes_); }
+
+  std::span<const uint8_t> bytes() const override { return bytes_; }
+
+ private:
+  std::span<const uint8_t> bytes_;
+};
+
+/// Where the bytes of a stream come from, and its decoder. Decoder and renderers share it.
 class OpenedStream {
  public:
-  OpenedStream(std::span<const uint8_t> bytes, bool is_mapped)
-      : bytes_(bytes), is_mapped_(is_mapped) {}
-  OpenedStream(const OpenedStream&) = delete;
-  OpenedStream& operator=(const OpenedStream&) = delete;
-  ~OpenedStream() {
-    decoder_.reset();
-    if (is_mapped_) unmap_file(bytes_);
-  }
+  explicit OpenedStream(std::unique_ptr<ByteSource> source) : source_(std::move(source)) {}
 
   /// Errors: those of Decoder::open.
   Result<void> open(const OpenOptions& options) {
-    auto opened = Decoder::open(bytes_, options);
+    auto opened = Decoder::open(*source_, options);
     if (!opened) return tl::unexpected(opened.error());
     decoder_ = std::move(*opened);
     return {};
@@ -38,9 +48,14 @@ class OpenedStream {
   /// After open() has succeeded.
   const Decoder& decoder() const { return *decoder_; }
 
+  /// Refuses for `error`, an answer of the decoder: of a source that failed with what it says.
+  tl::unexpected<Refusal> refuse(const Error& error) const {
+    const std::string failure = source_->is_partial() ? source_->failure() : "";
+    return failure.empty() ? capi::refuse(error) : capi::refuse(HMLFC_STATUS_BUS_ERROR, failure);
+  }
+
  private:
-  std::span<const uint8_t> bytes_;
-  bool is_mapped_;
+  std::unique_ptr<ByteSource> source_;
   std::optional<Decoder> decoder_;
 };
 

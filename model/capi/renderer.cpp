@@ -88,7 +88,7 @@ Outcome render(hmlfc_renderer* renderer, const hmlfc_camera* camera, const hmlfc
   Frame& frame = renderer->frame;
   const auto rendered =
       renderer->renderer->render(*record, static_cast<int>(given->stop_level), frame);
-  if (!rendered) return refuse(rendered.error());
+  if (!rendered) return renderer->stream->refuse(rendered.error());
   store(frame.image, *into);
   return {};
 }

@@ -1,5 +1,9 @@
 """hmlfc convert."""
 
+import configparser
+import json
+import shutil
+
 import pictures
 from program import INPUT, ROOT, USAGE, CliTest, main
 
@@ -99,6 +103,70 @@ class ConvertTest(CliTest):
         self.hmlfc("convert", "pleno-views", "top", "--from", "pleno", "--grid", "1x4")
         self.assertEqual(len(list((self.folder / "top").iterdir())), 4)
 
+    def rig_of(self, stream):
+        return self.hmlfc_json("info", stream)["rig"]
+
+    def test_rigs_go_along(self):
+        synth = "synth --scene cards --grid 3x4 --size 24x16 -o posed --rig"
+        self.hmlfc(*synth.split(), "posed-rig.json")
+        self.hmlfc(*synth.split(), "posed/rig.json")
+        self.hmlfc("convert", "posed", "posed.hmlfc")
+        rig = json.loads((self.folder / "posed-rig.json").read_text())
+        self.assertEqual(self.rig_of("posed.hmlfc"), rig)
+        self.hmlfc("convert", "posed.hmlfc", "again.hmlfc")
+        self.assertEqual(self.rig_of("again.hmlfc"), rig)
+        for to in [], ["--to", "pleno"]:
+            self.hmlfc("convert", "posed.hmlfc", "folder", *to)
+            self.assertEqual(json.loads((self.folder / "folder/rig.json").read_text()), rig)
+            shutil.rmtree(self.folder / "folder")
+        self.hmlfc("convert", "posed.hmlfc", "none.hmlfc", "--no-rig")
+        self.assertIsNone(self.rig_of("none.hmlfc"))
+        self.hmlfc("convert", "posed", "none.hmlfc", "--no-rig")
+        self.assertIsNone(self.rig_of("none.hmlfc"))
+        self.hmlfc("convert", "posed", "row.hmlfc", "--row", "1")
+        row = {"schema": 1, "positions": rig["positions"][4:8], "intrinsics": rig["intrinsics"][4:8]}
+        self.assertEqual(self.rig_of("row.hmlfc"), row)
+        told = self.run_hmlfc("convert", "posed", "posed.y4m")
+        self.assertIn(b"posed.y4m: holds no rig", told.stderr)
+        damaged = ROOT / "vectors/boundary/rig-positions-one.hmlfc"
+        told = self.run_hmlfc("convert", damaged, "damaged.hmlfc")
+        self.assertIn(b"positions has 1 entries; 2 are needed, one for each view; it is left out", told.stderr)
+        self.assertIsNone(self.rig_of("damaged.hmlfc"))
+
+    def test_folders_of_the_hci_benchmark(self):
+        self.hmlfc(*"synth --scene cards --grid 3x4 --size 24x16 -o hci-from --rig hci-from/rig.json".split())
+        self.hmlfc("convert", "hci-from", "hci", "--to", "hci")
+        names = [f"input_Cam{number:03}.png" for number in range(12)]
+        self.assertEqual(sorted(path.name for path in (self.folder / "hci").iterdir()), [*names, "parameters.cfg"])
+        found = configparser.ConfigParser()
+        found.read(self.folder / "hci/parameters.cfg")
+        rig = json.loads((self.folder / "hci-from/rig.json").read_text())
+        step = rig["positions"][1][0] - rig["positions"][0][0]
+        focal, _, first, _ = rig["intrinsics"][0]
+        shift = rig["intrinsics"][1][2] - first
+        for section, key, value in [
+            ("intrinsics", "focal_length_mm", focal * 35 / 24), ("intrinsics", "sensor_size_mm", 35),
+            ("extrinsics", "num_cams_x", 4), ("extrinsics", "num_cams_y", 3),
+            ("extrinsics", "baseline_mm", 1000 * step), ("extrinsics", "focus_distance_m", focal * step / shift),
+        ]:  # fmt: skip
+            self.assertAlmostEqual(float(found[section][key]), value, 6, key)
+        # The grid is not square: the file tells it.
+        self.hmlfc("convert", "hci", "hci.hmlfc")
+        back = self.rig_of("hci.hmlfc")
+        for member in "positions", "intrinsics":
+            for a, b in zip(back[member], rig[member], strict=True):
+                for one, other in zip(a, b, strict=True):
+                    self.assertAlmostEqual(one, other, 9)
+        self.hmlfc("convert", "hci.hmlfc", "hci-again")
+        (self.folder / "hci-again/rig.json").unlink()
+        self.same_views("views", "hci-again")
+        (self.folder / "hci/parameters.cfg").unlink()
+        self.refused(INPUT, "convert", "hci", "x.hmlfc", says="give --grid")
+        self.hmlfc(*"synth --scene cards --grid 2x2 --size 24x16 --cameras sphere -o s --rig s/rig.json".split())
+        self.refused(USAGE, "convert", "s", "hci-s", "--to", "hci", says=["parameters.cfg cannot hold", "rotations[0]"])
+        self.hmlfc("convert", "s", "hci-s", "--to", "hci", "--no-rig")
+        self.assertEqual(len(list((self.folder / "hci-s").iterdir())), 4)
+
     def test_what_does_not_fit(self):
         self.hmlfc("convert", "views", "all.png", "--to", "tiles")
         for arguments, says in [
@@ -110,6 +178,7 @@ class ConvertTest(CliTest):
             (("views", "a.hmlfc", "--to", "tiles"), "--to"),
             (("views", "a.y4m", "--to", "pleno"), "a picture or a folder"),
             (("views", "a.png", "--to", "pleno"), "--to pleno"),
+            (("views", "a.png", "--to", "hci"), "hci are for an output that is a folder"),
             (("all.png", "a", "--from", "pleno", "--grid", "3x4"), "--from tiles or lenslets"),
             (("views", "a", "--bits", "8"), "--bits is for"),
             (("views", "a", "--order", "raster"), "--order is for"),

@@ -5,13 +5,14 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / name) for name in ("tests/support", "bench/skipping", "bench/common", "tests/view")]
 
 import sparse
 from page_server import PageServer
-from program import CORRUPT, INPUT, PROGRAM, USAGE, CliTest, main
+from program import CORRUPT, INPUT, PROGRAM, CliTest, main
 from range_server import RangeServer
 
 VECTORS = ("boundary/disparities-many", "boundary/balanced-uneven", "boundary/block8-motion-block8", "syntax/base-palettes")
@@ -200,9 +201,29 @@ class Remote(CliTest):
                         plain = found.replace(server.address.encode(), str(self.path(name)).encode())
                         self.assertEqual(plain, expected, path)
 
-    def test_no_other_decoder_of_an_address(self):
-        with RangeServer(self.path("main")) as server:
-            self.refused(USAGE, "view", server.address, "--no-browser", "--dut", ROOT / "vectors/duts/naive.json", says=("--dut", server.address))
+    def test_a_decoder_under_test_gets_a_copy(self):
+        dut = f"{PROGRAM} decode {{input}} -o {{output}}"
+        scratch = self.folder / "scratch"
+        scratch.mkdir()
+        self.enterContext(mock.patch.dict(os.environ, TMPDIR=str(scratch)))
+        with RangeServer(self.path("main")) as server, PageServer(self.folder, server.address, "--dut", dut) as page:
+            self.assertLess(server.sent, self.path("main").stat().st_size)
+            self.assertEqual(page.ask("dut-picture", {"view": "1,2"})[2], page.ask("picture", {"view": "1,2"})[2])
+            (copy,) = scratch.iterdir()
+            self.assertEqual((copy / "stream.hmlfc").read_bytes(), self.path("main").read_bytes())
+            requests = len(server.requests)
+            page.ask("dut-picture", {"view": "0,3"})
+            self.assertEqual(len(server.requests), requests)
+            status, message = page.end()
+            self.assertEqual(status, 0)
+            self.assertRegex(message, "--dut reads a file: all .* bytes of " + server.address)
+        self.assertEqual(os.listdir(scratch), [])
+        with RangeServer(self.path("main")) as server, PageServer(self.folder, server.address, "--dut", dut) as page:
+            server.fault = "gone"
+            status, _, body = page.ask("dut-picture", {"view": "1,2"})
+            self.assertEqual(status, 400)
+            self.assertIn(f"{server.address}: ", json.loads(body)["error"])
+        self.assertEqual(os.listdir(scratch), [])
 
     def test_the_page_says_that_the_server_is_gone(self):
         with RangeServer(self.path("main")) as server, PageServer(self.folder, server.address) as page:

@@ -60,6 +60,44 @@ class Rig(CliTest):
         self.hmlfc(*"encode named -o part.hmlfc --views 0..1,1".split())
         self.assertEqual(len(self.hmlfc_json("info", "part.hmlfc")["rig"]["positions"]), 2)
 
+    def folder_with(self, name, file, text):
+        """A copy of the views, with `file` beside them."""
+        shutil.copytree(self.folder / "views", self.folder / name)
+        (self.folder / name / file).write_text(text)
+
+    def test_what_lies_beside_the_views(self):
+        self.folder_with("both", "rig.json", json.dumps(RIG))
+        (self.folder / "both" / "parameters.cfg").write_text("rig.json comes first")
+        self.hmlfc(*"encode both -o both.hmlfc".split())
+        self.assertEqual(self.bytes_of("both.hmlfc"), self.bytes_of("posed.hmlfc"))
+        self.hmlfc(*"encode both -o bare.hmlfc --no-rig".split())
+        self.assertEqual(self.bytes_of("bare.hmlfc"), self.bytes_of("plain.hmlfc"))
+        (self.folder / "both" / "rig.json").unlink()
+        self.refused(INPUT, *"encode both -o x.hmlfc".split(),
+                     says=["both/parameters.cfg: line 1", "(--no-rig leaves it out)"])
+        self.folder_with("old", "rig.json", json.dumps({**RIG, "positions": POSITIONS[:3]}))
+        self.refused(INPUT, *"encode old -o x.hmlfc".split(), says=["old/rig.json: positions has 3 entries", "--no-rig"])
+
+    def test_parameters_of_the_hci_benchmark(self):
+        text = (
+            "[intrinsics]\nfocal_length_mm = 100.0\nimage_resolution_x_px = 40\nimage_resolution_y_px = 30\n"
+            "sensor_size_mm = 20.0\n[extrinsics]\nnum_cams_x = 2\nnum_cams_y = 2\nbaseline_mm = 500\n"
+            "focus_distance_m = 50\n"
+        )
+        (self.folder / "hci.cfg").write_text(text)
+        self.hmlfc(*"encode views -o hci.hmlfc --rig hci.cfg".split())
+        # 200 pixels of focal length; 200 * 0.5 / 50 = 2 pixels from view to view.
+        lenses = [[200, 200, x, y] for y in (13.5, 15.5) for x in (18.5, 20.5)]
+        places = [[x, y, 0] for y in (-0.25, 0.25) for x in (-0.25, 0.25)]
+        expected = {"schema": 1, "metres_per_unit": 1, "positions": places, "intrinsics": lenses}
+        self.assertEqual(self.hmlfc_json("info", "hci.hmlfc")["rig"], expected)
+        self.folder_with("benchmark", "parameters.cfg", text)
+        self.hmlfc(*"encode benchmark -o beside.hmlfc".split())
+        self.assertEqual(self.bytes_of("beside.hmlfc"), self.bytes_of("hci.hmlfc"))
+        (self.folder / "hci.cfg").write_text(text.replace("500", "none"))
+        self.refused(INPUT, *"encode views -o x.hmlfc --rig hci.cfg".split(),
+                     says=['hci.cfg: extrinsics.baseline_mm is "none"; it must be a number'])
+
     def test_without_a_rig(self):
         self.hmlfc(*"encode named -o left.hmlfc --no-rig".split())
         self.assertEqual(self.bytes_of("left.hmlfc"), self.bytes_of("plain.hmlfc"))

@@ -15,7 +15,7 @@ from pathlib import Path
 
 TARGETS = [
     *("open", "block", "header", "index"),
-    *("tile_record", "motion_record", "disparity_record", "codestream", "bise"),
+    *("tile_record", "motion_record", "disparity_record", "codestream", "bise", "view"),
 ]
 MAX_BYTES = 32768  # of an input; few vectors are larger
 UNIT_SECONDS = 20  # for one input; more is a finding
@@ -33,14 +33,17 @@ def cpu_seconds_of_children():
     return usage.ru_utime + usage.ru_stime
 
 
-def run_target(program, corpus, findings, seconds, seed):
-    """Runs `program` for `seconds` of wall clock. Returns (its log, CPU seconds, whether it found something)."""
+def run_target(target, program, corpus, findings, seconds, seed):
+    """Runs `program` of `target` for `seconds` of wall clock. Returns (its log, CPU seconds, whether it found something)."""
     findings.mkdir(parents=True, exist_ok=True)
     command = [
         *(str(program), str(corpus), f"-max_total_time={seconds}", f"-seed={seed}"),
         *(f"-max_len={MAX_BYTES}", f"-timeout={UNIT_SECONDS}", f"-rss_limit_mb={MEMORY_MB}"),
         *("-print_final_stats=1", f"-artifact_prefix={findings}/"),
     ]
+    words = Path(__file__).with_name(f"{target}.dict")
+    if words.exists():
+        command.append(f"-dict={words}")
     before = cpu_seconds_of_children()
     result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     log = result.stdout.decode(errors="replace")
@@ -67,7 +70,7 @@ def fuzz(arguments, root):
     for target in targets:
         write_seeds(arguments.build, target, root / "vectors", corpora / target)
         program = arguments.build / f"tests/fuzz/{'fault' if planted else 'fuzz'}_{target}"
-        log, cpu, found = run_target(program, corpora / target, folder / target, seconds, arguments.seed)
+        log, cpu, found = run_target(target, program, corpora / target, folder / target, seconds, arguments.seed)
         failed += found != planted
         executions = last_number(r"stat::number_of_executed_units: (\d+)", log) or last_number(r"#(\d+)\t", log)
         edges = last_number(r"cov: (\d+)", log)

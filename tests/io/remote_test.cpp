@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "bits/sparse_bytes.hpp"
 #include "remote/answer.hpp"
 #include "remote/http_source.hpp"
-#include "remote/sparse_bytes.hpp"
 
 namespace hmlfc::remote {
 namespace {

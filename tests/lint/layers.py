@@ -45,7 +45,7 @@ ALLOWED = {
     "gpu_ref": CODEC - {"model/encoder"},
     "tools/terminal": set(),
     "tools/io": {"model/bits"},
-    "tools/remote": {"tools/io"},
+    "tools/remote": {"model/bits", "tools/io"},
     "tools/scenes": {"tools/io"},
     "tools/vectors": {*CODEC, "tools/io", "tools/scenes"} - {"model/render"},
     "tools/conform": {*CODEC, "tools/io", "tools/vectors"} - {"model/render"},

@@ -21,10 +21,9 @@ using nlohmann::json;
 // With those key images decoded, all blocks of a view decode without another one.
 TEST(ViewAhead, KeyImagesAreThoseThatAViewReads) {
   for (const uint64_t seed : {2u, 3u, 4u, 5u}) {
-    const StreamOnDisk file(
-        test::drawn_stream(test::row_of_views(static_cast<int>(seed % 2)), seed));
+    const auto bytes = test::drawn_stream(test::row_of_views(static_cast<int>(seed % 2)), seed);
     for (uint32_t col = 0; col < 6; ++col) {
-      OpenStream stream(file.path(), {});
+      OpenStream stream("a.hmlfc", bytes);
       const Decoder& decoder = stream.for_frames().decoder();
       const StreamHeader& header = decoder.header();
       const auto keys = key_images_of(header, {0, col}, 0);
@@ -47,9 +46,9 @@ TEST(ViewAhead, KeyImagesAreThoseThatAViewReads) {
 TEST(ViewAhead, TheNextKeyImagesAreDecodedAheadOfTheMotion) {
   StreamHeader header = test::row_of_views(0);
   header.cols = 24;
-  const StreamOnDisk file(test::drawn_stream(header, 7));
-  const auto waits = [&file](bool ahead, const std::vector<const char*>& cameras) {
-    OpenStream stream(file.path(), {});
+  const auto bytes = test::drawn_stream(header, 7);
+  const auto waits = [&bytes](bool ahead, const std::vector<const char*>& cameras) {
+    OpenStream stream("a.hmlfc", bytes);
     Handler handler({80, "token"}, stream, nullptr, ahead);
     uint64_t samples = 0;
     for (const char* camera : cameras) {

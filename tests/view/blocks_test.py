@@ -13,11 +13,25 @@ STATE_COLOURS = {
     "residual only": (0xE0, 0x9A, 0x3E),
 }
 OPACITY = 0.62
+HEAT = (30, 12, 70), (120, 28, 109), (196, 62, 75), (242, 130, 32), (250, 235, 140)
+IMAGES = (0x3F, 0x8F, 0xD6), (0xE0, 0x9A, 0x3E), (0x49, 0xA8, 0x6B), (0xC9, 0x5D, 0x8D), (0x9A, 0x6F, 0xD0), (0xD8, 0xC2, 0x3F), (0x45, 0xB5, 0xB0), (0xB0, 0x66, 0x3C)
 VIEW = 1, 3  # a predictive image
+
+
+def heat(part):
+    """The colour of a part in [0, 1] of the way from the least to the greatest number."""
+    first = min(3, int(4 * part))
+    return tuple(low + (high - low) * (4 * part - first) for low, high in zip(HEAT[first], HEAT[first + 1]))
 
 
 class Blocks(IntoCase):
     VIEW = VIEW
+
+    @classmethod
+    def prepare(cls):
+        super().prepare()
+        cls.hmlfc(*f"synth --scene cards --grid 3x6 --size {WIDTH}x{HEIGHT} --baseline 3 -o wide".split())
+        cls.hmlfc(*"encode wide -o wide.hmlfc --profile main --height 1 --quality 60".split())
 
     def test_the_picture_is_the_decoded_view(self):
         self.hmlfc("decode", "a.hmlfc", "--view", "1,3", "-o", "decoded")
@@ -51,17 +65,24 @@ class Blocks(IntoCase):
         self.assertGreater(len(seen), 1)
         self.assertLessEqual(seen, {line for line in STATE_COLOURS if line in self.browser.text("legend")})
 
-    def test_bits_of_blocks_are_a_heat_map_with_its_ends(self):
-        address = self.look(overlay="bits", stage="residual")
-        bits = self.blocks(address)["bits"]
-        self.assertIn(f"{min(bits)}{max(bits)} bits", self.browser.text("legend"))
-        self.hmlfc("decode", "a.hmlfc", "--view", "1,3", "-o", "decoded")
-        most = bits.index(max(bits))
-        x, y = 4 * (most % COLUMNS) + 2, 4 * (most // COLUMNS) + 2
-        block = most % COLUMNS, most // COLUMNS
-        grey = 128 + self.inspect(block)["levels"][-1]["stages"]["residual"]["values"][2][2]
-        mixed = [OPACITY * over + (1 - OPACITY) * grey for over in (250, 235, 140)]
-        self.close_to(self.at(x, y), mixed, "the block of the most bits")
+    def test_numbers_of_blocks_are_heat_maps_with_their_ends(self):
+        """Those that viewer.command compares with `hmlfc inspect`, and disparities and PSNR."""
+        middles = [(4 * x + 2, 4 * y + 2) for y in range(ROWS) for x in range(COLUMNS)]
+        original = "--original", "views"
+        address = self.look("a.hmlfc", *original, stage="sample")
+        arrays, under = self.blocks(address), self.colours(middles)
+        units = {"bits": "bits", "read": "bits", "level_counts": "levels", "steps": "", "disparities": "pixels a column", "psnr": "dB"}
+        for name, unit in units.items():
+            self.look("a.hmlfc", *original, stage="sample", overlay=name)
+            numbers = [None if number == 0 and name in ("level_counts", "steps") else number for number in arrays[name]]
+            known = [number for number in numbers if number is not None]
+            least, most = min(known), max(known)
+            self.assertGreater(most, least, name)
+            self.assertIn(f"{least:g}{most:g} {unit}", self.browser.text("legend"))
+            for place, (number, colour, below) in enumerate(zip(numbers, self.colours(middles), under)):
+                over = below if number is None else heat((number - least) / (most - least))
+                mixed = [OPACITY * a + (1 - OPACITY) * b for a, b in zip(over, below)]
+                self.close_to(colour, mixed, f"{name} of block {place}")
 
     def blocks(self, address):
         for server in self.servers.values():
@@ -87,6 +108,16 @@ class Blocks(IntoCase):
         images = {f"image {row},{col}" for _, row, col, *_ in self.blocks(address)["vectors"]}
         for image in images:
             self.assertIn(image, self.browser.text("legend"))
+        first = {}
+        for block, row, col, *_ in self.blocks(address)["vectors"]:
+            first.setdefault(block, (row, col))
+        order = list(dict.fromkeys((row, col) for _, row, col, *_ in self.blocks(address)["vectors"]))
+        middles = [(4 * (block % COLUMNS) + 2, 4 * (block // COLUMNS) + 2) for block in first]
+        drawn = self.colours(middles)
+        self.look()
+        for image, colour, below in zip(first.values(), drawn, self.colours(middles)):
+            mixed = [OPACITY * a + (1 - OPACITY) * b for a, b in zip(IMAGES[order.index(image) % 8], below)]
+            self.close_to(colour, mixed, f"image {image}")
 
     def test_hover_shows_the_values(self):
         self.look(stage="sample")
@@ -169,15 +200,53 @@ class Blocks(IntoCase):
         self.assertEqual(list(states.values()), list(info["states"].values()))
         residuals = info["states"]["residual"] + info["states"]["motion_residual"]
         self.assertEqual(sum(count for _, count in dict(rows)["Blocks by levels of their values"]), residuals)
-        maps = self.browser.page.find_elements("css selector", "canvas.rates")
-        self.assertEqual(len(maps), len(info["levels"]))
-        images = self.serve("tree.hmlfc").json("totals")["images"]["levels"][-1]["images"]
-        brightest = images.index(max(images))
-        place = [16 * (brightest % 5) + 8, 16 * (brightest // 5) + 8]
-        colour = self.browser.script(
-            "const all = document.querySelectorAll('canvas.rates'); const [x, y] = arguments[0];"
-            "return [...all[all.length - 1].getContext('2d').getImageData(x, y, 1, 1).data]", place)
-        self.assertEqual(colour[:3], [250, 235, 140])
+
+    def test_rate_maps_have_the_bytes_of_every_image(self):
+        """On a grid that has not as many rows as columns; viewer.ViewImageBytes checks the bytes."""
+        self.look("wide.hmlfc")
+        self.browser.page.find_element("css selector", "#totals summary").click()
+        levels = self.serve("wide.hmlfc").json("totals")["images"]["levels"]
+        self.assertEqual([(level["rows"], level["cols"]) for level in levels], [(2, 3), (3, 6)])
+        maps = self.browser.until("the maps", lambda: self.browser.page.find_elements("css selector", "canvas.rates"))
+        self.assertEqual(len(maps), len(levels))
+        for canvas, level in zip(maps, levels):
+            rows, cols, images = level["rows"], level["cols"], level["images"]
+            self.assertEqual(canvas.size, {"width": 16 * cols, "height": 16 * rows})
+            least, most = min(images), max(images)
+            self.assertGreater(most, least)
+            grouped = lambda number: f"{number:,}".replace(",", " ")
+            said = re.sub(r"\s", " ", canvas.accessible_name)
+            self.assertEqual(said, f"Level {level['level']}: {grouped(least)} to {grouped(most)} bytes an image")
+            colours = self.browser.colours(canvas, [[16 * (at % cols) + 8, 16 * (at // cols) + 8] for at in range(rows * cols)])
+            for at, (colour, size) in enumerate(zip(colours, images)):
+                self.close_to(colour, heat((size - least) / (most - least)), f"image {at} of level {level['level']}")
+            row, col = rows - 1, 1
+            self.browser.actions().move_to_element_with_offset(canvas, 16 * col + 8 - 8 * cols, 16 * row + 8 - 8 * rows).perform()
+            title = self.browser.until("the bytes", lambda: canvas.get_attribute("title"))
+            self.assertEqual(re.sub(r"\s", " ", title), f"image {row},{col}: {grouped(images[cols * row + col])} bytes")
+
+    def test_lines_between_blocks_and_tiles(self):
+        self.look(stage="sample")
+        scale, left, top = self.placement()
+        column = lambda at: [[int(left + at * scale), int(top + (y + 0.5) * scale)] for y in range(1, HEIGHT, 7)]
+        plain = {at: self.browser.colours("picture", column(at)) for at in (4, 12, 16, 32, 64)}
+        for show, drawn in ("blocks", {4, 12, 16, 32, 64}), ("tiles", {32, 64}):
+            self.look(stage="sample", show=show)
+            changed = {at for at, before in plain.items() if self.browser.colours("picture", column(at)) != before}
+            self.assertEqual(changed, drawn, show)
+
+    def test_stages_are_blended_with_the_picture(self):
+        from selenium.webdriver.common.keys import Keys
+
+        places = [(x, y) for y in range(2, HEIGHT, 9) for x in range(1, WIDTH, 13)]
+        self.look()
+        picture = self.colours(places)
+        self.look(stage="residual")
+        residual = self.colours(places)
+        self.browser.element("blend").send_keys(*[Keys.ARROW_RIGHT] * 5)
+        self.browser.until("a blend", lambda: self.browser.text("blend-value") == "25 %" and self.colours(places) != residual)
+        for mixed, stage, view in zip(self.colours(places), residual, picture):
+            self.close_to(mixed, [0.75 * a + 0.25 * b for a, b in zip(stage, view)], "a blended sample")
 
     def test_tile_groups_are_those_of_the_tiles_numbers(self):
         """IDX-1 to IDX-3, for a stream without motion tiles."""
@@ -194,8 +263,13 @@ class Blocks(IntoCase):
         self.assertIn(f"group {last // 64}", self.browser.text("legend"))
 
     def test_the_original_is_compared(self):
-        self.look("a.hmlfc", "--original", "views", stage="difference", overlay="psnr")
-        self.assertIn("dB", self.browser.text("legend"))
+        self.look("a.hmlfc", "--original", "views", stage="difference")
+        self.hmlfc("decode", "a.hmlfc", "--view", "1,3", "-o", "decoded")
+        made, original = (read_png(self.folder / folder / "01_03.png").samples for folder in ("decoded", "views"))
+        for x, y in (5, 7), (40, 30), (95, 63):
+            at = 3 * (WIDTH * y + x)
+            expected = tuple(max(0, min(255, 128 + 4 * (original[at + k] - made[at + k]))) for k in range(3))
+            self.assertEqual(self.at(x, y), expected)
         self.look("a.hmlfc")
         self.assertEqual(self.browser.page.find_elements("css selector", "option[value=difference]"), [])
 

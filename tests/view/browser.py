@@ -95,6 +95,14 @@ class Browser:
             "const all = canvas.getContext('2d').getImageData(x, y, w, h).data;"
             "return Array.from(all).filter((_, at) => at % 4 < 3)", name, rectangle))
 
+    def colours(self, name, places):
+        """(R, G, B) of pixels x, y of a canvas, by its name or the element."""
+        canvas = self.element(name) if isinstance(name, str) else name
+        return [tuple(pixel) for pixel in self.script(
+            "const [canvas, places] = arguments;"
+            "const { width, data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);"
+            "return places.map(([x, y]) => [...data.slice(4 * (width * y + x), 4 * (width * y + x) + 3)])", canvas, places)]
+
     def actions(self):
         from selenium.webdriver.common.action_chains import ActionChains
 

@@ -87,6 +87,7 @@ class View(CliTest):
                     self.assertEqual(server.json("block", query)["report"], expected)
 
     def test_the_arrays_are_those_of_inspect(self):
+        steps = set()
         for file in "a.hmlfc", "tree.hmlfc":
             server = self.serve(file)
             arrays = server.json("blocks", {"view": "0,3", "plane": "Y"})
@@ -102,15 +103,43 @@ class View(CliTest):
                 self.assertEqual(names[arrays["states"][at]], level["state"])
                 found = [[v["image"]["row"], v["image"]["col"], v["x"], v["y"]] for v in level["vectors"]]
                 self.assertEqual(vectors.get(at, []), found)
-                own = {field["name"]: field["value"] for field in level["fields"]}
+                own = {field["name"]: field for field in level["fields"]}
+                bits = sum(field["bits"] for field in own.values() if field["name"] in ("sign", "dx", "dy"))
                 coded = "residual" in level["stages"]
                 self.assertEqual(arrays["level_counts"][at] > 0, coded)
                 if coded:
-                    code = own["level_base"] + own.get("level_delta", 0)
-                    first = [1, 2, 3][code] if code < 3 else [4, 5, 6][(code - 3) % 3] << (code - 3) // 3
-                    self.assertEqual(arrays["level_counts"][at], first)
+                    count = self.levels(own["level_base"]["value"] + own.get("level_delta", {"value": 0})["value"])
+                    self.assertEqual(arrays["level_counts"][at], count)
+                    header = [own[name]["bits"] for name in ("level_delta", "step_delta", "bias") if name in own]
+                    bits += sum(header) + self.sequence_bits(count, 16)
+                    steps.add(arrays["steps"][at])
+                    if "step_base" in own:
+                        code = own["step_base"]["value"] + own.get("step_delta", {"value": 0})["value"]
+                        self.assertEqual(arrays["steps"][at], self.step(code))
                 else:
                     self.assertEqual(arrays["steps"][at], 0)
+                motion = [field for field in level.get("motion_fields", []) if field["name"] == "index"]
+                self.assertEqual(arrays["bits"][at], bits + sum(field["bits"] for field in motion[-1:]))
+                read = level["fields"] + level.get("motion_fields", []) + level.get("disparity", {"fields": []})["fields"]
+                self.assertEqual(arrays["read"][at], sum(field["bits"] for field in read))
+        self.assertGreater(len(steps), 1)
+
+    @staticmethod
+    def levels(code):
+        """BISE-1."""
+        return [1, 2, 3][code] if code < 3 else [4, 5, 6][(code - 3) % 3] << (code - 3) // 3
+
+    @staticmethod
+    def step(code):
+        """STP-2."""
+        return 1 if code == 0 else 3 << (code - 2) // 2 if code % 2 == 0 else 1 << (code + 1) // 2
+
+    @staticmethod
+    def sequence_bits(levels, count):
+        """Of a bounded integer sequence (BISE-2): whole bits, and trits by five or quints by three."""
+        shift = (levels & -levels).bit_length() - 1
+        digit = {1: 0, 3: -(-8 * count // 5), 5: -(-7 * count // 3)}
+        return count * shift + digit[levels >> shift]
 
     def test_key_images_are_known(self):
         server = self.serve("a.hmlfc")

@@ -62,7 +62,6 @@ TEST(ViewHandler, RawBitsAreThoseOfTheFile) {
   const Response response =
       fixture.get("block", {{"view", "0,4"}, {"plane", "Y"}, {"block", "2,3"}});
   ASSERT_EQ(response.status, 200) << response.body;
-  const test::Bytes bytes = bytes_of(fixture.stream);
   size_t rows = 0;
   const json page = json::parse(response.body);
   for (const json& level : page["levels"]) {
@@ -76,10 +75,10 @@ TEST(ViewHandler, RawBitsAreThoseOfTheFile) {
         const bool binary = raw.starts_with("0b");
         const uint64_t last = binary ? raw.size() - 3 : 0;  // the lowest digit stands last
         const uint64_t low = std::stoull(raw.substr(raw.size() - 1), nullptr, 16);
-        EXPECT_EQ(low & 1, bytes[bit >> 3] >> (bit & 7) & 1u) << row;
+        EXPECT_EQ(low & 1, fixture.bytes[bit >> 3] >> (bit & 7) & 1u) << row;
         if (binary) {
           const uint64_t top = bit + last;
-          EXPECT_EQ(raw[2] - '0', bytes[top >> 3] >> (top & 7) & 1) << row;
+          EXPECT_EQ(raw[2] - '0', fixture.bytes[top >> 3] >> (top & 7) & 1) << row;
         }
         ++rows;
       }
@@ -186,7 +185,7 @@ TEST(ViewHandler, ShowsEveryVectorAsFarAsItGoes) {
   size_t refused = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(HMLFC_VECTORS)) {
     if (entry.path().extension() != ".hmlfc") continue;
-    OpenStream stream(entry.path(), {});
+    OpenStream stream(entry.path());
     Handler handler({80, "token"}, stream);
     const auto get = [&handler](const std::string& path, const Query& query) {
       return handler.answer({"GET", "/token/" + path, query, "127.0.0.1:80", "", ""});

@@ -211,6 +211,29 @@ class Look(PageCase):
         frame = self.hmlfc_json("render", "a.hmlfc", *options, "-o", "frame.png")["frames"][0]
         self.assertEqual(int(re.sub(r"\s", "", self.browser.text("needed"))), frame["blocks_needed"])
 
+    def test_the_map_has_the_views_in_use_and_the_key_images(self):
+        step = 22  # pixels of a view
+        keys = [tuple(key) for key in self.serve("a.hmlfc").json("stream")["levels"][-1]["keys"]]
+        self.assertTrue(0 < len(keys) < 25)
+        views = [(row, col) for row in range(5) for col in range(5)]
+        for aperture, rows, cols in (0, (1, 2), (3, 4)), (1, (0, 1, 2, 3), (2, 3, 4)):
+            self.open(f"#camera=3.4,1.2,0&geometry=plane&focus=0.5&aperture={aperture}")
+            self.browser.frame()
+            inside = self.browser.colours("look-map", [[step * col + 5, step * row + 5] for row, col in views])
+            for (row, col), colour in zip(views, inside):
+                used = row in rows and col in cols
+                self.assertEqual(colour, (0x4F, 0x79, 0xB3) if used else (0x2B, 0x2E, 0x35), (row, col))
+            outline = self.browser.colours("look-map", [[step * col + 1, step * row + 11] for row, col in views])
+            self.assertEqual([view for view, colour in zip(views, outline) if colour == (0xE0, 0xB4, 0x5C)], keys)
+
+    def test_full_screen(self):
+        self.open()
+        self.browser.frame()
+        self.browser.element("full").click()
+        self.browser.until("it", lambda: self.browser.script("return document.fullscreenElement?.id") == "look")
+        self.frame_is_that_of_render()
+        self.browser.script("return document.exitFullscreen()")
+
     def test_nothing_comes_from_elsewhere(self):
         address = self.open("#mode=into&block=3,4")
         self.browser.until("a block", lambda: self.browser.text("block"))

@@ -84,10 +84,14 @@ class IntoCase(PageCase):
         place = ["--view", ",".join(map(str, self.VIEW)), "--plane", "Y", "--block", ",".join(map(str, block))]
         return self.hmlfc_json("inspect", file, *place, *options)
 
-    def at(self, x, y, name="picture"):
-        """R, G, B on the screen at the middle of a sample of the picture."""
+    def colours(self, samples, name="picture"):
+        """(R, G, B) on the screen at the middle of each sample x, y of the picture."""
         scale, left, top = self.placement(name)
-        return tuple(self.browser.pixels(name, int(left + (x + 0.5) * scale), int(top + (y + 0.5) * scale), 1, 1))
+        places = [[int(left + (x + 0.5) * scale), int(top + (y + 0.5) * scale)] for x, y in samples]
+        return self.browser.colours(name, places)
+
+    def at(self, x, y, name="picture"):
+        return self.colours([(x, y)], name)[0]
 
     def placement(self, name="picture"):
         data = self.browser.script("return {...document.getElementById(arguments[0]).dataset}", name)

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,29 +32,36 @@ class RowSource final : public ViewSource {
   LightFieldShape shape_;
 };
 
-std::unique_ptr<ViewSource> chosen_row(std::unique_ptr<ViewSource> source,
-                                       const ConvertOptions& options) {
-  if (!options.row) return source;
-  source->check_view({*options.row, 0});
-  return std::make_unique<RowSource>(std::move(source), *options.row);
+// Of `entries`, one for each view or one for all, those of row `row`.
+template <class Entry>
+void keep_row(std::vector<Entry>& entries, const LightFieldShape& shape, uint32_t row) {
+  if (entries.size() != size_t{shape.rows} * shape.cols) return;
+  const auto first = entries.begin() + static_cast<ptrdiff_t>(size_t{row} * shape.cols);
+  entries = std::vector<Entry>(first, first + static_cast<ptrdiff_t>(shape.cols));
+}
+
+// Row `row` of `input` alone.
+ConvertInput row_of(ConvertInput input, uint32_t row) {
+  input.views->check_view({row, 0});
+  if (input.rig) {
+    keep_row(input.rig->rig.positions, input.views->shape(), row);
+    keep_row(input.rig->rig.rotations, input.views->shape(), row);
+    keep_row(input.rig->rig.intrinsics, input.views->shape(), row);
+  }
+  input.views = std::make_unique<RowSource>(std::move(input.views), row);
+  return input;
 }
 
 ExitCode run_convert(const ConvertOptions& options) {
   check_output(options);
   const ThreadLimit limit(options.threads);
-  const auto source = chosen_row(open_input(options), options);
+  ConvertInput input = open_input(options);
+  if (options.row) input = row_of(std::move(input), *options.row);
   terminal::ProgressBar progress("Converting", "views");
-  write_output(options, *source, progress.callback());
+  write_output(options, input, progress.callback());
   progress.clear();
-  print(fmt::format("{}: {}\n", options.output.string(), describe(source->shape())));
+  print(fmt::format("{}: {}\n", options.output.string(), describe(input.views->shape())));
   return ExitCode::kDone;
-}
-
-void add_form(CLI::App& app, const std::string& name, std::optional<Form>& target,
-              const std::string& description) {
-  add_choice(app, name, target,
-             {{"tiles", Form::kTiles}, {"lenslets", Form::kLenslets}, {"pleno", Form::kPleno}},
-             description);
 }
 
 }  // namespace
@@ -62,15 +70,19 @@ void add_convert(CLI::App& program, Task& task) {
   const auto [app, options] = add_command(
       program, task, "convert", "Turn a light field into another form, sample for sample",
       run_convert,
-      R"(A form is a folder of views, an .hmlfc file (written without loss, with no rig), a video, or a
-picture of all views, PNG or PPM:
+      R"(A form is a folder of views, an .hmlfc file (written without loss), a video, or a picture of
+all views, PNG or PPM:
   quilt     by its name, NAME_qsCxRaA.png: C columns and R rows of tiles, from the bottom left, with
             the views of one row of cameras; A is the aspect of a view
   tiles     view R,C is the tile in row R and column C
   lenslets  pixel X,Y of view R,C is pixel X * COLS + C, Y * ROWS + R
 
 --from pleno and --to pleno are for folders whose files say the column first, CCC_RRR.ppm, as those of
-JPEG Pleno.
+JPEG Pleno. --to hci writes a folder as the HCI 4D Light Field Benchmark's: input_CamNNN.png and, where
+the cameras stand on a square grid, parameters.cfg; what no rig tells is nan there.
+
+Where the cameras stand, the rig, goes from .hmlfc files and folders to such: a folder holds it as
+rig.json, as parameters.cfg or in names (hmlfc encode --help).
 
 A video is a Y4M file of 4:4:4 samples by ITU-R BT.709, in limited range: R, G and B come back exactly
 where it has two bits more than the views. --bits gives its bits (10 for views of 8, 12 up to 10, else
@@ -80,11 +92,19 @@ Examples:
   hmlfc convert chess.hmlfc chess_qs3x3a1.33.png --row 4
   hmlfc convert chess.hmlfc lenslets.png --to lenslets
   hmlfc convert lenslets.png views --from lenslets --grid 9x9
-  hmlfc convert views chess.y4m --order raster)");
+  hmlfc convert views chess.y4m --order raster
+  hmlfc convert chess.hmlfc benchmark --to hci)");
   add_path(app, "INPUT", options.input, "Folder of views, .hmlfc file, picture or .y4m video");
   add_path(app, "OUTPUT", options.output, "Folder, .png, .ppm, .y4m or .hmlfc file to write");
-  add_form(app, "--from", options.from, "Layout of a picture (with --grid) or folder that is read");
-  add_form(app, "--to", options.to, "Layout of a picture or folder that is written");
+  add_choice(app, "--from", options.from,
+             {{"tiles", Form::kTiles}, {"lenslets", Form::kLenslets}, {"pleno", Form::kPleno}},
+             "Layout of a picture (with --grid) or folder that is read");
+  add_choice(app, "--to", options.to,
+             {{"tiles", Form::kTiles},
+              {"lenslets", Form::kLenslets},
+              {"pleno", Form::kPleno},
+              {"hci", Form::kHci}},
+             "Layout of a picture or folder that is written");
   add_grid(app, options.grid);
   add_integer(app, "--row", options.row, 0, 4095, "Take this row of views alone");
   add_choice(app, "--order", options.order,
@@ -92,6 +112,7 @@ Examples:
              "Order of the views in a video; written: serpentine");
   add_choice(app, "--bits", options.bits, {{"8", 8}, {"10", 10}, {"12", 12}, {"14", 14}},
              "Bits of a sample in a video that is written");
+  app.add_flag("--no-rig", options.rig.none, "Leave out where the cameras stand");
   add_threads(app, options.threads);
 }
 

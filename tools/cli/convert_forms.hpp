@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/rig_options.hpp"
 #include "cli/view_source.hpp"
 #include "io/parallel.hpp"
 #include "io/view_list.hpp"
@@ -18,6 +19,7 @@ enum class Form : uint8_t {
   kTiles,     ///< of a picture
   kLenslets,  ///< of a picture
   kPleno,     ///< of a folder: names as JPEG Pleno's
+  kHci,       ///< of a folder: names and parameters.cfg as the HCI benchmark's; written alone
 };
 
 struct ConvertOptions {
@@ -29,6 +31,7 @@ struct ConvertOptions {
   std::optional<uint32_t> row;
   std::optional<io::FrameOrder> order;  ///< of a video
   std::optional<int> bits;              ///< of a video that is written
+  RigOptions rig;                       ///< --no-rig alone
   int threads = 0;
 };
 
@@ -38,16 +41,22 @@ bool is_picture(const std::filesystem::path& file);
 /// Whether the name is that of a video: .y4m.
 bool is_video(const std::filesystem::path& file);
 
+/// A light field in any form, and where its cameras stand, if that is known.
+struct ConvertInput {
+  std::unique_ptr<ViewSource> views;
+  std::optional<ChosenRig> rig;
+};
+
 /// The light field of options.input. Failures: options that its form does not have (kUsage), and
-/// those of ViewSource::open.
-std::unique_ptr<ViewSource> open_input(const ConvertOptions& options);
+/// those of ViewSource::open and rig_for().
+ConvertInput open_input(const ConvertOptions& options);
 
 /// Usage failure where options.output is of no form that is written, or options are not its own.
 void check_output(const ConvertOptions& options);
 
-/// Writes the views of `source` to options.output, which check_output accepts. Failures: what does
-/// not fit into the form (kUsage), cannot write (kOutput), and those of ViewSource::view.
-void write_output(const ConvertOptions& options, const ViewSource& source,
+/// Writes `input` to options.output, which check_output accepts. Failures: what does not fit into
+/// the form (kUsage), cannot write (kOutput), and those of ViewSource::view.
+void write_output(const ConvertOptions& options, const ConvertInput& input,
                   const io::Progress& progress);
 
 }  // namespace hmlfc::cli

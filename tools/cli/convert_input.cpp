@@ -49,15 +49,24 @@ class VideoSource final : public ViewSource {
   io::Y4mReader video_;
 };
 
-std::unique_ptr<ViewSource> open_folder(const ConvertOptions& options) {
-  if (!options.from) return ViewSource::open(options.input, options.grid);
-  if (options.from != Form::kPleno) {
+ConvertInput open_folder(const ConvertOptions& options) {
+  const bool pleno = options.from == Form::kPleno;
+  if (options.from && !pleno) {
     throw Failure(ExitCode::kUsage, "--from tiles and lenslets are for an input that is a picture");
   }
-  std::optional<io::GridShape> grid;
-  if (options.grid) grid = io::GridShape{options.grid->cols, options.grid->rows};
-  const auto files = value_or_throw(io::list_views(options.input, grid), ExitCode::kInput);
-  return ViewSource::of_files(options.input, io::transposed(files));
+  auto grid = options.grid;
+  if (pleno && grid) std::swap(grid->rows, grid->cols);
+  auto files = value_or_throw(io::list_views(options.input, grid), ExitCode::kInput);
+  if (pleno) files = io::transposed(files);
+  ConvertInput input{ViewSource::of_files(options.input, files), std::nullopt};
+  input.rig = rig_for(options.rig, Profile::kExtended, files, input.views->shape());
+  return input;
+}
+
+ConvertInput open_stream(const ConvertOptions& options) {
+  ConvertInput input{ViewSource::open(options.input, std::nullopt), std::nullopt};
+  if (!options.rig.none) input.rig = rig_in(StreamFile(options.input, {.check_sections = false}));
+  return input;
 }
 
 std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options) {
@@ -84,17 +93,18 @@ bool is_video(const std::filesystem::path& file) {
   return io::lower_case_extension(file) == ".y4m";
 }
 
-std::unique_ptr<ViewSource> open_input(const ConvertOptions& options) {
+ConvertInput open_input(const ConvertOptions& options) {
   if (std::filesystem::is_directory(options.input)) return open_folder(options);
-  if (is_picture(options.input)) return open_picture(options);
+  if (is_picture(options.input)) return {open_picture(options), std::nullopt};
   if (options.from) {
     throw Failure(ExitCode::kUsage, "--from is for an input that is a picture or a folder");
   }
   if (is_video(options.input)) {
-    return std::make_unique<VideoSource>(value_or_throw(
-        io::Y4mReader::open(options.input, options.grid, options.order), ExitCode::kInput));
+    auto video = value_or_throw(io::Y4mReader::open(options.input, options.grid, options.order),
+                                ExitCode::kInput);
+    return {std::make_unique<VideoSource>(std::move(video)), std::nullopt};
   }
-  return ViewSource::open(options.input, options.grid);
+  return open_stream(options);
 }
 
 }  // namespace hmlfc::cli

@@ -1,6 +1,8 @@
 // The forms that hmlfc convert writes.
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,8 +12,11 @@
 #include "cli/convert_forms.hpp"
 #include "cli/for_each_view.hpp"
 #include "io/files.hpp"
+#include "io/hci_parameters.hpp"
 #include "io/image_files.hpp"
 #include "io/light_field_files.hpp"
+#include "io/rig_files.hpp"
+#include "io/rig_text.hpp"
 #include "io/view_mosaic.hpp"
 
 namespace hmlfc::cli {
@@ -64,15 +69,40 @@ void write_picture(const ConvertOptions& options, const ViewSource& source,
       ExitCode::kOutput);
 }
 
-void write_folder(const ConvertOptions& options, const ViewSource& source,
+io::FileNames names_of(const std::optional<Form>& form) {
+  if (!form) return io::FileNames::kRowCol;
+  return form == Form::kPleno ? io::FileNames::kPleno : io::FileNames::kHci;
+}
+
+// The file that says where the cameras of `shape` stand, and its text.
+std::pair<std::string_view, std::string> rig_file(const ConvertOptions& options, const Rig& rig,
+                                                  const LightFieldShape& shape) {
+  if (options.to != Form::kHci) return {io::kRigName, io::rig_text(rig) + "\n"};
+  const auto parameters = io::hci_parameters_of(rig, shape);
+  if (!parameters) {
+    throw Failure(ExitCode::kUsage,
+                  fmt::format("{}: {} cannot hold the rig: {}; --no-rig leaves it out",
+                              options.output.string(), io::kHciParametersName, parameters.error()));
+  }
+  return {io::kHciParametersName, io::hci_parameters_text(*parameters)};
+}
+
+void write_folder(const ConvertOptions& options, const ConvertInput& input,
                   const io::Progress& progress) {
-  const LightFieldShape& shape = source.shape();
-  const auto produce = [&source](uint32_t row, uint32_t col) -> io::IoResult<RgbImage> {
-    return source.view({row, col});
+  const LightFieldShape& shape = input.views->shape();
+  std::pair<std::string_view, std::string> beside;
+  if (input.rig) beside = rig_file(options, input.rig->rig, shape);
+  const auto produce = [&input](uint32_t row, uint32_t col) -> io::IoResult<RgbImage> {
+    return input.views->view({row, col});
   };
-  value_or_throw(io::save_views(options.output, {shape.rows, shape.cols}, produce,
-                                static_cast<unsigned>(options.threads), progress,
-                                options.to ? io::FileNames::kPleno : io::FileNames::kRowCol),
+  value_or_throw(
+      io::save_views(options.output, {shape.rows, shape.cols}, produce,
+                     static_cast<unsigned>(options.threads), progress, names_of(options.to)),
+      ExitCode::kOutput);
+  const auto& [name, text] = beside;
+  if (!input.rig) return;
+  value_or_throw(io::write_file(options.output / name,
+                                {reinterpret_cast<const uint8_t*>(text.data()), text.size()}),
                  ExitCode::kOutput);
 }
 
@@ -97,8 +127,9 @@ void write_video(const ConvertOptions& options, const ViewSource& source,
 }
 
 // Every sample is kept.
-void write_stream(const ConvertOptions& options, const ViewSource& source,
+void write_stream(const ConvertOptions& options, const ConvertInput& input,
                   const io::Progress& progress) {
+  const ViewSource& source = *input.views;
   LightField field(source.shape());
   for_each_view({field.shape().rows, field.shape().cols}, options.threads, {},
                 [&](ViewPos view) { field.set_view(view.row, view.col, source.view(view)); });
@@ -106,10 +137,11 @@ void write_stream(const ConvertOptions& options, const ViewSource& source,
   params.profile = Profile::kExtended;
   params.lossless = true;
   params.threads = options.threads;
-  const auto stream = encode(field, params, progress);
+  auto stream = encode(field, params, progress);
   if (!stream) {
     throw Failure(ExitCode::kInput, options.input.string() + ": " + stream.error().message);
   }
+  if (input.rig) stream->bytes = stream_with_rig(stream->bytes, *input.rig);
   value_or_throw(io::write_file(options.output, stream->bytes), ExitCode::kOutput);
 }
 
@@ -127,8 +159,10 @@ void check_output(const ConvertOptions& options) {
     usage(file.string() + ": JPEG loses samples; write a folder, .png, .ppm, .y4m or .hmlfc");
   }
   const bool is_folder = !is_picture(file) && !is_video(file) && !is_stream(file);
-  if (options.to && is_picture(file) == (options.to == Form::kPleno)) {
-    usage("--to pleno is for an output that is a folder, tiles and lenslets for a picture");
+  const bool for_folder = options.to == Form::kPleno || options.to == Form::kHci;
+  if (options.to && is_picture(file) == for_folder) {
+    usage(
+        "--to pleno and hci are for an output that is a folder, tiles and lenslets for a picture");
   }
   if (options.to && !is_picture(file) && !is_folder) {
     usage("--to is for an output that is a picture or a folder");
@@ -140,12 +174,13 @@ void check_output(const ConvertOptions& options) {
   if (!is_folder) check_output_file(file);
 }
 
-void write_output(const ConvertOptions& options, const ViewSource& source,
+void write_output(const ConvertOptions& options, const ConvertInput& input,
                   const io::Progress& progress) {
-  if (is_picture(options.output)) return write_picture(options, source, progress);
-  if (is_video(options.output)) return write_video(options, source, progress);
-  if (is_stream(options.output)) return write_stream(options, source, progress);
-  write_folder(options, source, progress);
+  if (is_stream(options.output)) return write_stream(options, input, progress);
+  const bool picture = is_picture(options.output);
+  if (!picture && !is_video(options.output)) return write_folder(options, input, progress);
+  if (input.rig) note(options.output.string() + ": holds no rig; that of the input is left out");
+  (picture ? write_picture : write_video)(options, *input.views, progress);
 }
 
 }  // namespace hmlfc::cli

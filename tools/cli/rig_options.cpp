@@ -81,7 +81,7 @@ void add_rig_options(CLI::App& app, RigOptions& options) {
   };
   auto* rig =
       add_value(app, "--rig", "FILE.json", "Where the cameras stand; see below", "a path", reader);
-  app.add_flag("--no-rig", options.none, "Leave out positions that file names state")
+  app.add_flag("--no-rig", options.none, "Leave out what folder and file names say of it")
       ->excludes(rig);
 }
 
@@ -94,6 +94,9 @@ std::optional<ChosenRig> rig_for(const RigOptions& options, Profile profile,
     return ChosenRig{value_or_throw(io::read_rig(*options.file, views, shape), ExitCode::kInput)};
   }
   if (options.none || profile == Profile::kMain) return std::nullopt;
+  if (auto beside = value_or_throw(io::rig_beside(views, shape), ExitCode::kInput)) {
+    return ChosenRig{std::move(*beside)};
+  }
   auto rig = value_or_throw(io::rig_of_names(views), ExitCode::kInput);
   if (!rig) return std::nullopt;
   return ChosenRig{std::move(*rig), true};
@@ -128,6 +131,14 @@ Json rig_json(const StreamFile& file) {
   if (!found) return nullptr;
   if (!found->rig) return {{"error", found->rig.error()}};
   return Json::parse(found->text);
+}
+
+std::optional<ChosenRig> rig_in(const StreamFile& file) {
+  auto found = find_rig(file);
+  if (!found) return std::nullopt;
+  if (found->rig) return ChosenRig{std::move(*found->rig)};
+  note(fmt::format("{}: {}; it is left out", file.path().string(), found->rig.error()));
+  return std::nullopt;
 }
 
 std::string rig_text_of(const StreamFile& file) {

@@ -33,9 +33,9 @@ struct ChosenRig {
   bool from_names = false;  ///< y grows with the rows; else it is what a file says
 };
 
-/// The rig for `views`: that of --rig, else that of the file names, where they state positions and
-/// `profile` is extended. Failures: --rig with profile main (kUsage); a file that holds no rig of
-/// these views (kInput).
+/// The rig for `views`: that of --rig, else, where `profile` is extended, that which lies beside
+/// them, else that of file names that state positions. Failures: --rig with profile main (kUsage);
+/// a file that holds no rig of these views (kInput).
 std::optional<ChosenRig> rig_for(const RigOptions& options, Profile profile,
                                  const io::ViewList& views, const LightFieldShape& shape);
 
@@ -55,6 +55,9 @@ std::string rig_line(const StreamFile& file);
 
 /// For info --json: the rig as an object, {"error": what is wrong}, or null without one.
 Json rig_json(const StreamFile& file);
+
+/// The rig of `file`, nothing without one; one that cannot be read is noted and left out.
+std::optional<ChosenRig> rig_in(const StreamFile& file);
 
 /// The text of the rig of `file`. Failure (kInput): it has none, or one that cannot be read.
 std::string rig_text_of(const StreamFile& file);

@@ -74,21 +74,20 @@ ExitCode run_synth(const SynthOptions& options) {
   if (params.cameras != Cameras::kGrid && !scenes::scene_rig(params)) {
     throw Failure(ExitCode::kUsage, "--cameras: no cameras take this scene; choose another");
   }
-  if (!options.rig.empty()) write_rig(options.rig, params);
   make_output_folder(options.folder);
+  if (!options.rig.empty()) write_rig(options.rig, params);
   const Clock clock;
   const auto threads = static_cast<unsigned>(options.threads);
+  const LightFieldShape shape{params.rows, params.cols, params.width, params.height, params.depth};
 
   terminal::ProgressBar rendering("Rendering", "views");
-  const LightField field = scenes::render_scene(params, threads, rendering.callback());
-  rendering.clear();
-  terminal::ProgressBar writing("Writing", "views");
-  value_or_throw(io::save_views(options.folder, field, threads, writing.callback()),
+  value_or_throw(io::save_views(options.folder, {params.rows, params.cols},
+                                scenes::view_renderer(params), threads, rendering.callback()),
                  ExitCode::kOutput);
-  writing.clear();
+  rendering.clear();
   if (!options.disparity.empty()) write_disparities(options, params);
 
-  print(fmt::format("{}: {}, {:.1f} s\n", options.folder.string(), describe(field.shape()),
+  print(fmt::format("{}: {}, {:.1f} s\n", options.folder.string(), describe(shape),
                     clock.wall_seconds()));
   return ExitCode::kDone;
 }

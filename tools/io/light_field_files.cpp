@@ -61,6 +61,18 @@ IoResult<LightField> allocate_field(const ViewList& views, const ViewShape& shap
   }
 }
 
+std::string file_name(FileNames names, uint32_t row, uint32_t col, GridShape grid) {
+  switch (names) {
+    case FileNames::kPleno:
+      return pleno_file_name(row, col);
+    case FileNames::kHci:
+      return camera_file_name(row * grid.cols + col);
+    case FileNames::kRowCol:
+      break;
+  }
+  return view_file_name(row, col, grid.rows, grid.cols);
+}
+
 }  // namespace
 
 IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
@@ -109,11 +121,9 @@ IoResult<void> save_views(const fs::path& folder, GridShape grid, const ViewProd
     if (first_error.makes_pointless(index)) return;
     const auto row = static_cast<uint32_t>(index / grid.cols);
     const auto col = static_cast<uint32_t>(index % grid.cols);
-    const bool pleno = names == FileNames::kPleno;
-    const fs::path file = folder / (pleno ? pleno_file_name(row, col)
-                                          : view_file_name(row, col, grid.rows, grid.cols));
+    const fs::path file = folder / file_name(names, row, col, grid);
     const auto saved = produce(row, col).and_then([&](const RgbImage& image) {
-      return pleno ? write_ppm(file, image) : write_png(file, image);
+      return names == FileNames::kPleno ? write_ppm(file, image) : write_png(file, image);
     });
     if (!saved) first_error.add(index, saved.error());
   };

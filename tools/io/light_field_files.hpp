@@ -30,6 +30,7 @@ using ViewProducer = std::function<IoResult<RgbImage>(uint32_t row, uint32_t col
 enum class FileNames : uint8_t {
   kRowCol,  ///< PNG, view_file_name()
   kPleno,   ///< PPM, pleno_file_name()
+  kHci,     ///< PNG, camera_file_name()
 };
 
 /// Makes `folder` if it is missing and writes rows x cols views there; each file appears complete

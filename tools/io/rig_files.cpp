@@ -1,10 +1,12 @@
 #include "io/rig_files.hpp"
 
 #include <string>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
 #include "io/files.hpp"
+#include "io/hci_parameters.hpp"
 #include "io/rig_text.hpp"
 #include "io/transforms.hpp"
 #include "io/view_name.hpp"
@@ -43,6 +45,13 @@ double trend(const Rig& rig, uint32_t cols, size_t coordinate, bool along_rows) 
 
 IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
                        const LightFieldShape& shape) {
+  if (lower_case_extension(file) == ".cfg") {
+    const auto parameters = read_hci_parameters(file);
+    if (!parameters) return tl::unexpected(parameters.error());
+    const auto rig = rig_of_hci(*parameters, views, shape);
+    if (!rig) return file_error(file, rig.error());
+    return checked(file, *rig, views);
+  }
   const auto mapped = MappedFile::open(file);
   if (!mapped) return tl::unexpected(mapped.error());
   const Json json = Json::parse(mapped->bytes().begin(), mapped->bytes().end(), nullptr, false);
@@ -56,6 +65,18 @@ IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
   const auto rig = rig_of_transforms(json, pictures);
   if (!rig) return file_error(file, rig.error());
   return checked(file, *rig, views);
+}
+
+IoResult<std::optional<Rig>> rig_beside(const ViewList& views, const LightFieldShape& shape) {
+  for (const std::string_view name : {kRigName, kHciParametersName}) {
+    const auto file = views.files.front().parent_path() / name;
+    std::error_code failure;
+    if (!std::filesystem::exists(file, failure)) continue;
+    auto rig = read_rig(file, views, shape);
+    if (!rig) return tl::unexpected(IoError{rig.error().message + " (--no-rig leaves it out)"});
+    return std::move(*rig);
+  }
+  return std::nullopt;
 }
 
 IoResult<std::optional<Rig>> rig_of_names(const ViewList& views) {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "io/files.hpp"
+#include "io/hci_parameters.hpp"
 #include "io/view_name.hpp"
 
 namespace hmlfc::io {
@@ -307,7 +308,7 @@ IoResult<ViewList> list_views(const fs::path& folder, std::optional<GridShape> g
     return list_by_grid_name(folder, grid, std::move(grid_names));
   }
   if (camera_names.views.size() >= others) {
-    return list_by_camera_name(folder, grid, std::move(camera_names));
+    return list_by_camera_name(folder, grid ? grid : hci_grid(folder), std::move(camera_names));
   }
   if (!grid) {
     return file_error(folder, "the names of the pictures (" + files->front().filename().string() +

@@ -33,7 +33,8 @@ bool is_picture_name(const std::filesystem::path& file);
 /// - row and column in the name (see parse_grid_name); without `grid` the grid is their greatest
 ///   values + 1; with it the names may be a subset of a larger grid, `grid`.rows of its rows and
 ///   `grid`.cols of its columns, which are numbered anew from 0;
-/// - input_CamNNN, NNN = row * columns + column; without `grid` a square grid is assumed; with it
+/// - input_CamNNN, NNN = row * columns + column; without `grid` it is that of a parameters.cfg in
+///   the folder, else a square grid; with it
 ///   the names may be a subset of as many views as `grid` has, taken in order;
 /// - anything else, in natural order row by row; `grid` is needed.
 ///

@@ -11,6 +11,8 @@ namespace hmlfc::io {
 
 namespace {
 
+constexpr std::string_view kCameraPrefix = "input_Cam";
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Removes the digits at the front of `text` and returns them without leading zeros.
@@ -114,9 +116,8 @@ std::optional<CameraPlace> parse_camera_place(std::string_view stem) {
 }
 
 std::optional<uint32_t> parse_camera_name(std::string_view stem) {
-  constexpr std::string_view kPrefix = "input_Cam";
-  if (!stem.starts_with(kPrefix)) return std::nullopt;
-  return parse_digits(stem.substr(kPrefix.size()), 8);
+  if (!stem.starts_with(kCameraPrefix)) return std::nullopt;
+  return parse_digits(stem.substr(kCameraPrefix.size()), 8);
 }
 
 std::string view_stem(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols) {
@@ -126,6 +127,10 @@ std::string view_stem(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols) 
 
 std::string view_file_name(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols) {
   return view_stem(row, col, rows, cols) + ".png";
+}
+
+std::string camera_file_name(uint32_t index) {
+  return std::string(kCameraPrefix) + padded(index, 3) + ".png";
 }
 
 std::string pleno_file_name(uint32_t row, uint32_t col) {

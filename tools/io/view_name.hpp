@@ -50,6 +50,9 @@ std::string view_stem(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols);
 /// view_stem(...) + ".png"; list_views() reads a folder of such names back.
 std::string view_file_name(uint32_t row, uint32_t col, uint32_t rows, uint32_t cols);
 
+/// "input_CamNNN.png" (HCI benchmark) of the view `index`, counted row by row, at least 3 digits.
+std::string camera_file_name(uint32_t index);
+
 /// "CCC_RRR.ppm" as JPEG Pleno's test data: the column first, at least 3 digits each.
 std::string pleno_file_name(uint32_t row, uint32_t col);
 

@@ -121,17 +121,24 @@ std::optional<Scene> scene_from_name(std::string_view name) {
   return std::nullopt;
 }
 
-LightField render_scene(const SceneParams& params, unsigned threads, const io::Progress& progress) {
-  const LightFieldShape shape{params.rows, params.cols, params.width, params.height, params.depth};
-  LightField field(shape);
-  const std::unique_ptr<Painter> painter = make_painter(params);
-  const auto paint_view = [&](size_t index) {
-    const auto row = static_cast<uint32_t>(index / params.cols);
-    const auto col = static_cast<uint32_t>(index % params.cols);
+ViewRenderer view_renderer(const SceneParams& params) {
+  const std::shared_ptr<const Painter> painter = make_painter(params);
+  return [params, painter](uint32_t row, uint32_t col) {
     RgbImage view{params.width, params.height, params.depth, {}};
     view.samples.resize(size_t{params.width} * params.height * 3);
     painter->paint(row, col, view);
-    field.set_view(row, col, view);
+    return view;
+  };
+}
+
+LightField render_scene(const SceneParams& params, unsigned threads, const io::Progress& progress) {
+  const LightFieldShape shape{params.rows, params.cols, params.width, params.height, params.depth};
+  LightField field(shape);
+  const ViewRenderer render = view_renderer(params);
+  const auto paint_view = [&](size_t index) {
+    const auto row = static_cast<uint32_t>(index / params.cols);
+    const auto col = static_cast<uint32_t>(index % params.cols);
+    field.set_view(row, col, render(row, col));
   };
   io::for_each_index(size_t{params.rows} * params.cols, threads, progress, paint_view);
   return field;

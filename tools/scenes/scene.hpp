@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include <hmlfc/image.hpp>
 #include <hmlfc/light_field.hpp>
 #include <hmlfc/rig.hpp>
 
@@ -52,10 +53,17 @@ struct SceneParams {
   Cameras cameras = Cameras::kGrid;  ///< "flat" and "noise" have kGrid alone
 };
 
-/// Renders all views on `threads` threads (0: all cores). The result depends only on `params`, not
-/// on threads or machine: the renderer uses the IEEE operations + - * / and sqrt in double
-/// precision, without fused multiply-add, and an integer hash for random numbers. Throws
-/// std::bad_alloc if the light field does not fit in memory.
+/// Gives the picture of view (row, col); several threads may call it at once. It depends only on
+/// the scene's parameters, not on threads or machine: the renderer uses the IEEE operations + - * /
+/// and sqrt in double precision, without fused multiply-add, and an integer hash for random
+/// numbers.
+using ViewRenderer = std::function<RgbImage(uint32_t row, uint32_t col)>;
+
+/// The renderer of the views of a scene.
+ViewRenderer view_renderer(const SceneParams& params);
+
+/// Renders all views by view_renderer() on `threads` threads (0: all cores). Throws std::bad_alloc
+/// if the light field does not fit in memory.
 LightField render_scene(const SceneParams& params, unsigned threads,
                         const io::Progress& progress = {});
 

@@ -67,10 +67,10 @@ std::unique_ptr<view::OtherDecoder> other_decoder(const DutOptions& options,
   if (!stream.error().empty()) return nullptr;
   const StreamFile& file = stream.for_blocks();
   if (file.is_remote()) {
-    throw Failure(ExitCode::kUsage, "--dut reads a file: download " + file.path().string());
+    note(fmt::format("--dut reads a file: all {} bytes of {} are fetched for its first answer",
+                     grouped(file.size()), file.path().string()));
   }
-  return std::make_unique<view::OtherDecoder>(std::move(duts.front()), options.limits(),
-                                              file.path(), file.decoder());
+  return std::make_unique<view::OtherDecoder>(std::move(duts.front()), options.limits(), file);
 }
 
 ExitCode run_view(const ViewOptions& options) {

@@ -21,6 +21,12 @@ OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem:
                                       " has " + cli::describe(shape));
 }
 
+OpenStream::OpenStream(const std::filesystem::path& name, std::span<const uint8_t> bytes)
+    : path_(name) {
+  open(std::make_shared<const remote::OpenSource>(
+      remote::OpenSource{std::make_unique<MemorySource>(bytes)}));
+}
+
 void OpenStream::open(const std::shared_ptr<const remote::OpenSource>& source) {
   touched_ = std::make_unique<FrameReads>(source->bytes->bytes().size());
   OpenOptions options;

@@ -1,8 +1,10 @@
 // The light field that a page shows, intact or not.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "cli/view_source.hpp"
@@ -15,7 +17,10 @@ class OpenStream {
  public:
   /// `original` is a folder of views or a stream, or empty. Failures: a file that cannot be read,
   /// or an original of another shape (kInput). A corrupt stream is no failure.
-  OpenStream(const std::filesystem::path& file, const std::filesystem::path& original);
+  OpenStream(const std::filesystem::path& file, const std::filesystem::path& original = {});
+
+  /// A stream in memory, which must outlive it, under a name.
+  OpenStream(const std::filesystem::path& name, std::span<const uint8_t> bytes);
 
   const std::filesystem::path& path() const { return path_; }
 

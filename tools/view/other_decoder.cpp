@@ -6,12 +6,11 @@
 #include <fmt/format.h>
 
 #include "cli/output.hpp"
-#include "cli/view_source.hpp"
 #include "conform/judge.hpp"
 #include "conform/output_views.hpp"
 #include "conform/stage_trace.hpp"
 #include "conform/view_assembly.hpp"
-#include "conform/work_folder.hpp"
+#include "io/files.hpp"
 #include "syntax/geometry.hpp"
 #include "view/guard.hpp"
 
@@ -23,9 +22,14 @@ using cli::Failure;
 namespace {
 
 constexpr size_t kKeptViews = 4;
+constexpr uint64_t kCopiedBytes = uint64_t{64} << 20;  // at a time
 
 Failure failure_of(const std::string& decoder, const std::string& what, const std::string& why) {
   return {ExitCode::kCorrupt, fmt::format("{}: {}: {}", decoder, what, why)};
+}
+
+std::filesystem::path new_folder() {
+  return std::filesystem::temp_directory_path() / ("hmlfc-view-" + random_token());
 }
 
 // The site of a block's own stages at its stop level.
@@ -37,13 +41,29 @@ BlockSite site_of(const StreamHeader& header, const BlockAddress& block, int sto
 }  // namespace
 
 OtherDecoder::OtherDecoder(conform::Dut dut, const conform::ProcessLimits& limits,
-                           const std::filesystem::path& file, const Decoder& golden)
-    : dut_(std::move(dut)),
-      limits_(limits),
-      file_(std::filesystem::absolute(file)),
-      golden_(golden) {}
+                           const cli::StreamFile& stream)
+    : dut_(std::move(dut)), limits_(limits), stream_(stream), golden_(stream.decoder()) {
+  if (!stream.is_remote()) file_ = std::filesystem::absolute(stream.path());
+}
 
 OtherDecoder::~OtherDecoder() = default;
+
+// Fetches a stream at an address, unless that is done. Failure: as for StreamFile::with_bytes, or
+// there is no room for it.
+void OtherDecoder::copy_stream() {
+  if (!file_.empty()) return;
+  copy_.emplace(new_folder());
+  const std::filesystem::path path = copy_->path() / "stream.hmlfc";
+  auto copy = cli::value_or_throw(io::AtomicFile::create(path), ExitCode::kInput);
+  for (uint64_t at = 0; at < stream_.size(); at += kCopiedBytes) {
+    const ByteRange range{at, std::min(kCopiedBytes, stream_.size() - at)};
+    stream_.with_bytes(range, [&copy](std::span<const uint8_t> bytes) {
+      cli::value_or_throw(copy.write(bytes), ExitCode::kInput);
+    });
+  }
+  cli::value_or_throw(copy.commit(), ExitCode::kInput);
+  file_ = path;
+}
 
 // The process, with the stream open. Throws LineFailure, and std::string where it refuses the
 // stream.
@@ -64,8 +84,7 @@ conform::LineDecoder& OtherDecoder::line() {
 // The views that a command line writes.
 const std::vector<RgbImage>& OtherDecoder::output() {
   if (output_) return *output_;
-  const conform::WorkFolder folder(std::filesystem::temp_directory_path() /
-                                   ("hmlfc-view-" + random_token()));
+  const conform::WorkFolder folder(new_folder());
   if (folder.error()) throw Failure(ExitCode::kCorrupt, folder.error().message());
   const conform::Places places{{"input", file_.string()}, {"output", folder.path().string()}};
   const auto outcome = conform::run_process(conform::fill_in(dut_.command, places), limits_);
@@ -81,6 +100,7 @@ const std::vector<RgbImage>& OtherDecoder::output() {
 // The answer to a question; a decoder that does not answer ends, and is named.
 template <class Question>
 auto OtherDecoder::asked(const std::string& what, const Question& question) {
+  copy_stream();
   try {
     return question();
   } catch (const conform::LineFailure& failed) {

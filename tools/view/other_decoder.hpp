@@ -11,9 +11,11 @@
 
 #include <hmlfc/decoder.hpp>
 
+#include "cli/view_source.hpp"
 #include "conform/dut.hpp"
 #include "conform/line_decoder.hpp"
 #include "conform/process.hpp"
+#include "conform/work_folder.hpp"
 #include "vectors/expected.hpp"
 
 namespace hmlfc::view {
@@ -21,12 +23,13 @@ namespace hmlfc::view {
 /// Asks a decoder under test about one stream, as the conformance runner does: a command line once
 /// for all views, a decoder with the line protocol for each view and block. A process that fails is
 /// started again for the next question. All functions may be called at the same time; the decoder
-/// is asked one question after the other. SIGPIPE must be ignored.
+/// is asked one question after the other. Of a stream at an address it gets a copy, fetched before
+/// the first question and removed at the end. SIGPIPE must be ignored.
 class OtherDecoder {
  public:
-  /// `golden`, the golden model of the stream in `file`, must outlive it. Starts nothing.
+  /// `stream`, open with the golden model, must outlive it. Starts nothing.
   OtherDecoder(conform::Dut dut, const conform::ProcessLimits& limits,
-               const std::filesystem::path& file, const Decoder& golden);
+               const cli::StreamFile& stream);
   ~OtherDecoder();
   OtherDecoder(const OtherDecoder&) = delete;
   OtherDecoder& operator=(const OtherDecoder&) = delete;
@@ -47,6 +50,7 @@ class OtherDecoder {
     RgbImage image;
   };
 
+  void copy_stream();
   RgbImage ask_for_view(ViewPos view);
   conform::LineDecoder& line();
   const std::vector<RgbImage>& output();
@@ -55,9 +59,11 @@ class OtherDecoder {
 
   conform::Dut dut_;
   conform::ProcessLimits limits_;
-  std::filesystem::path file_;  // absolute
-  const Decoder& golden_;
+  const cli::StreamFile& stream_;
+  const Decoder& golden_;  // of stream_
   std::mutex mutex_;
+  std::optional<conform::WorkFolder> copy_;
+  std::filesystem::path file_;                  // absolute; empty until there is a copy
   std::unique_ptr<conform::LineDecoder> line_;  // with the stream open
   std::optional<std::vector<RgbImage>> output_;
   std::deque<Kept> kept_;  // the views asked for last

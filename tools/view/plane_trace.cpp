@@ -36,11 +36,12 @@ uint32_t bits_alone(const cli::TracedLevel& level, size_t samples) {
   }
   const cli::TracedWalk* own = level.own_walk();
   if (own == nullptr) return bits;
-  for (const std::string_view name : {"dx", "dy"}) bits += bits_of_last(*own, name);
+  for (const std::string_view name : {"sign", "dx", "dy"}) bits += bits_of_last(*own, name);
   const auto code = own->level_code();
   if (level.stage("residual") == nullptr || !code) return bits;
-  for (const std::string_view name : {"level_delta", "step_delta"})
+  for (const std::string_view name : {"level_delta", "step_delta", "bias"}) {
     bits += bits_of_last(*own, name);
+  }
   return bits + static_cast<uint32_t>(bise_bits(levels_of_code(*code), samples));
 }
 

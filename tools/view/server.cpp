@@ -8,6 +8,7 @@
 #include <httplib.h>
 
 #include "cli/output.hpp"
+#include "view/routes.hpp"
 
 namespace hmlfc::view {
 
@@ -16,18 +17,6 @@ namespace {
 constexpr size_t kThreads = 16;          // a connection keeps one; a browser opens six
 constexpr time_t kIdleSeconds = 1;       // after which a connection ends: stop() waits as long
 constexpr size_t kRequests = 1'000'000;  // on one connection
-constexpr size_t kMaxBody = 1024;        // bytes
-
-Request request_of(const httplib::Request& http) {
-  Request request;
-  request.method = http.method;
-  request.path = http.path;
-  request.query.assign(http.params.begin(), http.params.end());
-  request.host = http.get_header_value("Host");
-  request.origin = http.get_header_value("Origin");
-  request.site = http.get_header_value("Sec-Fetch-Site");
-  return request;
-}
 
 }  // namespace
 
@@ -47,7 +36,6 @@ Server::Server(uint16_t port) : http_(std::make_unique<Http>()) {
   server.set_tcp_nodelay(true);
   server.set_keep_alive_max_count(kRequests);
   server.set_keep_alive_timeout(kIdleSeconds);
-  server.set_payload_max_length(kMaxBody);
   const int taken = port == 0                                ? server.bind_to_any_port("127.0.0.1")
                     : server.bind_to_port("127.0.0.1", port) ? port
                                                              : -1;
@@ -63,15 +51,7 @@ Server::Server(uint16_t port) : http_(std::make_unique<Http>()) {
 Server::~Server() { stop(); }
 
 void Server::start(Handler& handler) {
-  const auto answer = [&handler](const httplib::Request& http, httplib::Response& out) {
-    Response response = handler.answer(request_of(http));
-    out.status = response.status;
-    for (const auto& [name, value] : response.headers) out.set_header(name, value);
-    out.body = std::move(response.body);
-    out.set_header("Content-Type", response.type);
-  };
-  http_->server.Get(".*", answer);
-  http_->server.Post(".*", answer);
+  add_routes(http_->server, handler);
   http_->thread = std::thread([http = http_.get()] { http->server.listen_after_bind(); });
 }
 

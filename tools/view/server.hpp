@@ -8,8 +8,7 @@
 
 namespace hmlfc::view {
 
-/// A port of this machine alone, then the answers of a Handler on it. Requests are at most 8 KiB of
-/// address and 1 KiB of body.
+/// A port of this machine alone, then the answers of a Handler on it.
 class Server {
  public:
   /// Takes `port` of 127.0.0.1, 0: any that is free. Failure (kUsage): it is taken.

@@ -63,7 +63,7 @@ typedef enum hmlfc_status {
   HMLFC_STATUS_LIMIT_EXCEEDED = 24,
   HMLFC_STATUS_BAD_REQUEST = 25, /**< a place, rectangle or stop level that the stream lacks */
   HMLFC_STATUS_OUT_OF_MEMORY = 26,
-  HMLFC_STATUS_BUS_ERROR = 27,    /**< of hardware; never from this library */
+  HMLFC_STATUS_BUS_ERROR = 27,    /**< the function of a hmlfc_source failed; else of hardware */
   HMLFC_STATUS_BAD_ARGUMENT = 64, /**< null, too small a buffer, a value outside its range */
   HMLFC_STATUS_NO_FILE = 65,      /**< the file cannot be read; the text has the reason */
   HMLFC_STATUS_BAD_CAMERA = 66,   /**< an input of the camera; the text names it (CAM-3) */
@@ -114,6 +114,33 @@ HMLFC_C_EXPORT int hmlfc_open_memory(const uint8_t* bytes, size_t size,
  * `options` may be null. Errors: no_file; those of FIL-8. */
 HMLFC_C_EXPORT int hmlfc_open_file(const char* path, const hmlfc_open_options* options,
                                    hmlfc_decoder** decoder, hmlfc_failure* failure);
+
+/** Bytes of a stream that are wanted: [offset, offset + size), to be written to `data`. */
+typedef struct hmlfc_read {
+  uint64_t offset; /**< from the start of the stream */
+  size_t size;     /**< above 0 */
+  uint8_t* data;   /**< room for them */
+} hmlfc_read;
+
+/** Writes all `count` reads, ascending and apart, and returns 0; anything else is a failure. */
+typedef int (*hmlfc_read_function)(void* user, const hmlfc_read* reads, size_t count);
+
+/** A stream whose bytes a function of the caller fetches. */
+typedef struct hmlfc_source {
+  size_t struct_size;       /**< sizeof(hmlfc_source) */
+  uint64_t size;            /**< bytes of the stream */
+  hmlfc_read_function read; /**< never null */
+  void* user;               /**< its first argument */
+  uint64_t cache_bytes;     /**< of the stream kept between calls of this interface; 0: 2^28 */
+} hmlfc_source;
+
+/** Opens the stream of `source`; with skip_sections it fetches only what a call needs. source->read
+ * is called within the functions of the decoder and its renderers, by any thread of theirs, but by
+ * one at a time, until all are closed. It must return, and call no function on these handles. Once
+ * it has failed it is called no more: this and later calls give bus_error, and the text its value.
+ * Errors: those of FIL-8; bus_error; out_of_memory also for want of `size` bytes of addresses. */
+HMLFC_C_EXPORT int hmlfc_open_source(const hmlfc_source* source, const hmlfc_open_options* options,
+                                     hmlfc_decoder** decoder, hmlfc_failure* failure);
 
 /** Ends the use of `decoder`; null is allowed. Renderers on it work on. */
 HMLFC_C_EXPORT void hmlfc_close(hmlfc_decoder* decoder);

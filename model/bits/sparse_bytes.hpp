@@ -9,7 +9,7 @@
 
 #include <hmlfc/byte_source.hpp>
 
-namespace hmlfc::remote {
+namespace hmlfc {
 
 /// Address space that takes memory once it is written to.
 class Reservation {
@@ -82,4 +82,4 @@ class SparseBytes {
   uint32_t now_ = 1;
 };
 
-}  // namespace hmlfc::remote
+}  // namespace hmlfc

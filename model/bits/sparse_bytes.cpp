@@ -1,11 +1,12 @@
-#include "remote/sparse_bytes.hpp"
+#include "bits/sparse_bytes.hpp"
 
 #include <sys/mman.h>
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 
-namespace hmlfc::remote {
+namespace hmlfc {
 namespace {
 
 constexpr uint64_t kPageLines = SparseBytes::kPageBytes / SparseBytes::kLineBytes;
@@ -122,4 +123,4 @@ void SparseBytes::drop_to(uint64_t bytes) {
   pages_.erase(kept, pages_.end());
 }
 
-}  // namespace hmlfc::remote
+}  // namespace hmlfc

@@ -1,0 +1,299 @@
+#include "io/hci_parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "io/files.hpp"
+#include "io/view_name.hpp"
+
+namespace hmlfc::io {
+namespace {
+
+using Members = std::map<std::string, std::string, std::less<>>;  // "section.key" to its value
+
+tl::unexpected<std::string> no_rig(std::string what) { return tl::unexpected(std::move(what)); }
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpaces = " \t\r";
+  const size_t begin = text.find_first_not_of(kSpaces);
+  if (begin == text.npos) return {};
+  return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
+}
+
+// As Python's configparser reads it: [SECTION], KEY = VALUE or KEY: VALUE; # and ; begin comments;
+// a line that begins with a space goes on with the value before.
+tl::expected<Members, std::string> read_members(std::string_view text) {
+  Members members;
+  std::string section;
+  for (int number = 1; !text.empty(); ++number) {
+    const size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view whole = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view line = trimmed(whole);
+    if (line.empty() || line.front() == '#' || line.front() == ';') continue;
+    if (whole.front() == ' ' || whole.front() == '\t') continue;
+    if (line.front() == '[' && line.back() == ']') {
+      section = line.substr(1, line.size() - 2);
+      continue;
+    }
+    const size_t sign = line.find_first_of("=:");
+    if (sign == line.npos || section.empty()) {
+      return no_rig(fmt::format("line {} is no [SECTION] and, in one, no KEY = VALUE", number));
+    }
+    const std::string name = fmt::format("{}.{}", section, trimmed(line.substr(0, sign)));
+    if (!members.emplace(name, trimmed(line.substr(sign + 1))).second) {
+      return no_rig(fmt::format("line {}: {} is there twice", number, name));
+    }
+  }
+  return members;
+}
+
+// Reads members until one is wrong.
+class Reader {
+ public:
+  explicit Reader(const Members& members) : members_(members) {}
+
+  // A number in [least, most].
+  double number(const char* name, double least, double most) {
+    const auto found = members_.find(name);
+    if (found == members_.end()) return fail(fmt::format("{} is missing", name));
+    const std::string& text = found->second;
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) {
+      return fail(fmt::format("{} is \"{}\"; it must be a number", name, text));
+    }
+    if (!(value >= least && value <= most)) {
+      return fail(fmt::format("{} is {}; it must lie in [{}, {}]", name, text, least, most));
+    }
+    return value;
+  }
+
+  uint32_t integer(const char* name, uint32_t most) {
+    const double value = number(name, 1, most);
+    if (value != std::floor(value)) fail(fmt::format("{} must be an integer", name));
+    return static_cast<uint32_t>(value);
+  }
+
+  const std::optional<std::string>& failure() const { return failure_; }
+
+ private:
+  double fail(std::string what) {
+    if (!failure_) failure_ = std::move(what);
+    return 1;
+  }
+
+  const Members& members_;
+  std::optional<std::string> failure_;
+};
+
+double middle(uint32_t count) { return (static_cast<double>(count) - 1) / 2; }
+
+// Pixels of a view that is `from` wide or high, of a picture that has `to`.
+double scale(uint32_t from, uint32_t to) { return static_cast<double>(to) / from; }
+
+// The place in the file's grid of each view.
+tl::expected<std::vector<GridPosition>, std::string> places_of(const GridShape& grid,
+                                                               const ViewList& views) {
+  std::vector<GridPosition> places;
+  for (const auto& file : views.files) {
+    const auto number = parse_camera_name(file.stem().string());
+    if (!number) break;
+    const GridPosition place{*number / grid.cols, *number % grid.cols};
+    if (place.row >= grid.rows) {
+      return no_rig(fmt::format("it has {} x {} cameras, and none of the view {}", grid.rows,
+                                grid.cols, file.filename().string()));
+    }
+    places.push_back(place);
+  }
+  if (places.size() == views.files.size()) return places;
+  if (views.rows != grid.rows || views.cols != grid.cols) {
+    return no_rig(fmt::format("it has {} x {} cameras, but there are {} x {} views", grid.rows,
+                              grid.cols, views.rows, views.cols));
+  }
+  places.clear();
+  for (uint32_t i = 0; i < grid.rows * grid.cols; ++i) {
+    places.push_back({i / grid.cols, i % grid.cols});
+  }
+  return places;
+}
+
+// What a regular rig has from each view to the next.
+struct Steps {
+  double position = 0;  // metres or another unit
+  double shift = 0;     // pixels
+};
+
+// The steps from view 0 to the last; none: one view, or steps against the pixels' axes.
+std::optional<Steps> steps_of(const Rig& rig, const LightFieldShape& shape) {
+  const bool along_x = shape.cols > 1;
+  const double count = (along_x ? shape.cols : shape.rows) - 1;
+  const size_t axis = along_x ? 0 : 1;
+  if (count == 0) return std::nullopt;
+  Steps steps;
+  steps.position = (rig.positions.back()[axis] - rig.positions.front()[axis]) / count;
+  steps.shift = (rig.intrinsics.back()[axis + 2] - rig.intrinsics.front()[axis + 2]) / count;
+  if (!(steps.position > 0) || steps.shift < 0) return std::nullopt;
+  return steps;
+}
+
+bool is_near(double a, double b, double slack) { return std::abs(a - b) <= slack; }
+
+// Why the camera of view (row, col) is not one of the grid; "" if it is.
+std::string misfit(const Rig& rig, const LightFieldShape& shape, const Steps& steps, uint32_t row,
+                   uint32_t col) {
+  constexpr double kPixels = 1e-3;
+  const size_t i = size_t{row} * shape.cols + col;
+  const auto& lens = rig.intrinsics[rig.intrinsics.size() == 1 ? 0 : i];
+  const auto& first = rig.positions.front();
+  const double slack = steps.position * 1e-6;
+  const double right = col - middle(shape.cols);
+  const double down = row - middle(shape.rows);
+  const bool stands = is_near(rig.positions[i][0], first[0] + col * steps.position, slack) &&
+                      is_near(rig.positions[i][1], first[1] + row * steps.position, slack) &&
+                      is_near(rig.positions[i][2], first[2], slack);
+  if (!stands) return "does not stand on a square grid in a plane";
+  if (!is_near(lens[0], rig.intrinsics[0][0], kPixels) || !is_near(lens[0], lens[1], kPixels)) {
+    return "has another focal length than the first, or two";
+  }
+  const bool aims = is_near(lens[2], middle(shape.width) + right * steps.shift, kPixels) &&
+                    is_near(lens[3], middle(shape.height) + down * steps.shift, kPixels);
+  return aims ? "" : "has a principal point that no distance of focus gives";
+}
+
+}  // namespace
+
+tl::expected<HciParameters, std::string> parse_hci_parameters(std::string_view text) {
+  constexpr double kLeast = 1e-6;
+  constexpr double kMost = 1e6;
+  const auto members = read_members(text);
+  if (!members) return tl::unexpected(members.error());
+  Reader reader(*members);
+  HciParameters read;
+  read.focal_length_mm = reader.number("intrinsics.focal_length_mm", kLeast, kMost);
+  read.width = reader.integer("intrinsics.image_resolution_x_px", 65536);
+  read.height = reader.integer("intrinsics.image_resolution_y_px", 65536);
+  read.sensor_size_mm = reader.number("intrinsics.sensor_size_mm", kLeast, kMost);
+  read.grid.cols = reader.integer("extrinsics.num_cams_x", kMaxGridSide);
+  read.grid.rows = reader.integer("extrinsics.num_cams_y", kMaxGridSide);
+  read.baseline_mm = reader.number("extrinsics.baseline_mm", kLeast, kMost);
+  read.focus_distance_m = reader.number("extrinsics.focus_distance_m", 0, kMost);
+  if (reader.failure()) return no_rig(*reader.failure());
+  return read;
+}
+
+IoResult<HciParameters> read_hci_parameters(const std::filesystem::path& file) {
+  const auto mapped = MappedFile::open(file);
+  if (!mapped) return tl::unexpected(mapped.error());
+  const auto* text = reinterpret_cast<const char*>(mapped->bytes().data());
+  const auto read = parse_hci_parameters({text, mapped->bytes().size()});
+  if (!read) return file_error(file, read.error());
+  return *read;
+}
+
+std::optional<GridShape> hci_grid(const std::filesystem::path& folder) {
+  const auto read = read_hci_parameters(folder / kHciParametersName);
+  if (!read) return std::nullopt;
+  return read->grid;
+}
+
+tl::expected<Rig, std::string> rig_of_hci(const HciParameters& parameters, const ViewList& views,
+                                          const LightFieldShape& shape) {
+  const auto places = places_of(parameters.grid, views);
+  if (!places) return tl::unexpected(places.error());
+  const double focal = parameters.focal_length_mm / parameters.sensor_size_mm *
+                       std::max(parameters.width, parameters.height);
+  const double step = parameters.baseline_mm / 1000;
+  const double distance = parameters.focus_distance_m;
+  const double shift = distance > 0 ? focal * step / distance : 0;
+  const double to_x = scale(parameters.width, shape.width);
+  const double to_y = scale(parameters.height, shape.height);
+  Rig rig;
+  rig.metres_per_unit = 1;
+  for (const GridPosition& place : *places) {
+    const double right = place.col - middle(parameters.grid.cols);
+    const double down = place.row - middle(parameters.grid.rows);
+    rig.positions.push_back({right * step, down * step, 0});
+    rig.intrinsics.push_back({focal * to_x, focal * to_y,
+                              middle(shape.width) + right * shift * to_x,
+                              middle(shape.height) + down * shift * to_y});
+  }
+  if (shift == 0) rig.intrinsics.resize(1);
+  return rig;
+}
+
+tl::expected<HciParameters, std::string> hci_parameters_of(const Rig& rig,
+                                                           const LightFieldShape& shape) {
+  constexpr std::array<double, 4> kStraight{1, 0, 0, 0};
+  if (rig.intrinsics.empty()) return no_rig("the rig does not know the intrinsics");
+  for (size_t i = 0; i < rig.rotations.size(); ++i) {
+    if (rig.rotations[i] != kStraight)
+      return no_rig(fmt::format("rotations[{}] turns a camera", i));
+  }
+  const auto steps = steps_of(rig, shape);
+  if (!steps) return no_rig("the cameras do not go to the right and down");
+  for (uint32_t row = 0; row < shape.rows; ++row) {
+    for (uint32_t col = 0; col < shape.cols; ++col) {
+      const std::string what = misfit(rig, shape, *steps, row, col);
+      if (!what.empty()) return no_rig(fmt::format("the camera of view {},{} {}", row, col, what));
+    }
+  }
+  constexpr double kSensor = 35;
+  const double focal = rig.intrinsics.front()[0];
+  const double step = steps->position * rig.metres_per_unit.value_or(1);
+  HciParameters found;
+  found.grid = {shape.rows, shape.cols};
+  found.width = shape.width;
+  found.height = shape.height;
+  found.focal_length_mm = focal * kSensor / std::max(shape.width, shape.height);
+  found.sensor_size_mm = kSensor;
+  found.baseline_mm = step * 1000;
+  found.focus_distance_m = steps->shift > 0 ? focal * step / steps->shift : 0;
+  return found;
+}
+
+std::string hci_parameters_text(const HciParameters& parameters) {
+  constexpr const char* kText = R"([intrinsics]
+focal_length_mm = {}
+image_resolution_x_px = {}
+image_resolution_y_px = {}
+sensor_size_mm = {}
+fstop = nan
+
+[extrinsics]
+num_cams_x = {}
+num_cams_y = {}
+baseline_mm = {}
+focus_distance_m = {}
+center_cam_x_m = 0
+center_cam_y_m = 0
+center_cam_z_m = 0
+center_cam_rx_rad = 0
+center_cam_ry_rad = 0
+center_cam_rz_rad = 0
+
+[meta]
+scene =
+category =
+date =
+version =
+authors =
+contact =
+disp_min = nan
+disp_max = nan
+frustum_disp_min = nan
+frustum_disp_max = nan
+depth_map_scale = nan
+)";
+  return fmt::format(kText, parameters.focal_length_mm, parameters.width, parameters.height,
+                     parameters.sensor_size_mm, parameters.grid.cols, parameters.grid.rows,
+                     parameters.baseline_mm, parameters.focus_distance_m);
+}
+
+}  // namespace hmlfc::io
