@@ -12,8 +12,8 @@ def limit_memory():
 
 
 class Memory(CliTest):
-    def test_synth(self):
-        options = "--scene flat --grid 64x64 --size 1024x1024 --threads 1 -o views".split()
+    def test_one_view(self):
+        options = "--scene flat --grid 1x1 --size 32768x32768 --threads 1 -o views".split()
         self.refused(
             OUT_OF_MEMORY, "synth", *options, preexec_fn=limit_memory, says="Not enough memory"
         )
