@@ -5,19 +5,19 @@ import sys
 import tempfile
 from pathlib import Path
 
-FAULTS = {
-    "LOST = {71, 74}": "LOST = {71}",
-    'found["status"] in LOST or found["status"] < 0': 'found["status"] in LOST',
-    'None if found is None or found["status"]': 'found if found is None or found["status"]',
-    'options.attempt < job.fields["retries"]': 'options.attempt <= job.fields["retries"]',
-    "job.submit(lost, options.attempt + 1)": "job.submit(range(1, job.tasks + 1), options.attempt + 1)",
-    "for index in range(1, self.tasks + 1) if self.status(index) is None": "for index in range(1, self.tasks) if self.status(index) is None",
-    "if job.kind in MERGES and not lost": "if job.kind in MERGES",
-    "5 if lost else 0": "0",
-    '"attempts": options.attempt + 1': '"attempts": options.attempt',
-    "for left in (partial, job.output(index))": "for left in (job.output(index),)",
-    'found["status"] != 0]': 'found["status"] > 2]',
-    "seed + (index - 1) * count": "seed + (index - 1)",
+FAULTS = {  # old text: new text, the test that finds it
+    "LOST = {71, 74}": ("LOST = {71}", "lost_tasks_run_again_and_no_others"),
+    'found["status"] in LOST or found["status"] < 0': ('found["status"] in LOST', "lost_tasks_run_again_and_no_others"),
+    'None if found is None or found["status"]': ('found if found is None or found["status"]', "lost_tasks_run_again_and_no_others"),
+    'options.attempt < job.fields["retries"]': ('options.attempt <= job.fields["retries"]', "a_task_without_a_status"),
+    "job.submit(lost, options.attempt + 1)": ("job.submit(range(1, job.tasks + 1), options.attempt + 1)", "a_task_that_dies_whole_leaves_its_output"),
+    "for index in range(1, self.tasks + 1) if self.status(index) is None": ("for index in range(1, self.tasks) if self.status(index) is None", "a_task_without_a_status"),
+    "if job.kind in MERGES and not lost": ("if job.kind in MERGES", "what_stays_lost_is_named"),
+    "5 if lost else 0": ("0", "a_task_without_a_status"),
+    '"attempts": options.attempt + 1': ('"attempts": options.attempt', "lost_tasks_run_again_and_no_others"),
+    "for left in (partial, job.output(index))": ("for left in (job.output(index),)", "a_task_that_dies_whole_leaves_its_output"),
+    'found["status"] != 0]': ('found["status"] > 2]', "a_failure_is_no_loss"),
+    "seed + (index - 1) * count": ("seed + (index - 1)", "seeds"),
 }
 
 
@@ -28,10 +28,11 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "tools/cluster/cluster.py"
         copy.parent.mkdir(parents=True)
-        for old, new in FAULTS.items():
+        for old, (new, test) in FAULTS.items():
             assert text.count(old) == 1, old
             copy.write_text(text.replace(old, new))
-            ran = subprocess.run([sys.executable, Path(__file__).with_name("retry_test.py"), copy], capture_output=True)
+            command = [sys.executable, Path(__file__).with_name("retry_test.py"), copy, f"Retry.test_{test}"]
+            ran = subprocess.run(command, capture_output=True)
             if ran.returncode == 0:
                 missed.append(f"{new!r} in place of {old!r} is not found")
     print(*missed, sep="\n")

@@ -1,5 +1,6 @@
 """Lost tasks of tools/cluster/cluster.py: run again, counted, named. An sbatch of our own runs each task at once, and
-a program of our own in place of hmlfc fails as told. Argument: cluster.py, or a copy with a fault in it."""
+a program of our own in place of hmlfc fails as told. Arguments: cluster.py, or a copy with a fault in it; the tests,
+else all."""
 
 import importlib.util
 import json
@@ -117,4 +118,4 @@ class Retry(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], failfast=True)
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
