@@ -7,15 +7,6 @@
 
 enum { BAD = HMLFC_STATUS_BAD_ARGUMENT, OK = HMLFC_STATUS_OK };
 
-/* Arguments that are good. */
-struct context {
-  const char* path;
-  const hmlfc_decoder* decoder;
-  hmlfc_renderer* renderer;
-  hmlfc_pixels pixels;
-  hmlfc_rect rect;
-};
-
 static void check_statuses(void) {
   CHECK(strcmp(hmlfc_status_name(0), "ok") == 0);
   CHECK(strcmp(hmlfc_status_name(HMLFC_STATUS_VECTOR_RANGE), "vector_range") == 0);

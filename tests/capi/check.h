@@ -13,6 +13,15 @@
 void check(int holds, const char* condition, const char* file, int line);
 void check_status(int status, int expected, const char* call, const char* file, int line);
 
+/* Arguments that are good; what is under test takes the place of one of them. */
+struct context {
+  const char* path;
+  const hmlfc_decoder* decoder;
+  hmlfc_renderer* renderer;
+  hmlfc_pixels pixels;
+  hmlfc_rect rect;
+};
+
 /* The stream in `path`, opened. */
 hmlfc_decoder* opened(const char* path);
 

@@ -8,15 +8,6 @@
 enum { BAD = HMLFC_STATUS_BAD_ARGUMENT, OK = HMLFC_STATUS_OK };
 enum { REQUEST = HMLFC_STATUS_BAD_REQUEST, CAMERA = HMLFC_STATUS_BAD_CAMERA };
 
-/* What the calls of the tables need; the structure under test takes the place of one of these. */
-struct context {
-  const char* path;
-  const hmlfc_decoder* decoder;
-  hmlfc_renderer* renderer;
-  hmlfc_pixels pixels;
-  hmlfc_rect rect;
-};
-
 /* Calls a function with `structure` and all else good. */
 typedef int (*call_function)(const struct context* context, const void* structure);
 
