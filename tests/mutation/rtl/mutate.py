@@ -31,6 +31,7 @@ import pathlib
 import subprocess
 import sys
 
+import differing
 import prove
 import record
 import units
@@ -38,8 +39,8 @@ import units
 HERE = pathlib.Path(__file__).resolve().parent
 FOUND = ("killed", "hangs")
 FIRST_CLOCKS = 60_000
-GROUP_CLOCKS = 2_000_000  # a seventh of all checks
 SPEED_CLOCKS = 300_000
+SHOWN = 3  # mutants of a variant that are found, and must differ in the check that finds them
 
 
 def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[dict]:
@@ -80,6 +81,10 @@ def by_variant(mutants: list[dict]) -> list[list[dict]]:
     return [list(group) for _, group in itertools.groupby(mutants, lambda mutant: mutant["variant"])]
 
 
+def numbers_of(mutants: list[dict]) -> set[int]:
+    return {mutant["number"] for mutant in mutants}
+
+
 def together(mutants: list[dict]) -> list[list[list[dict]]]:
     """For run_checks: groups with one mutant of each variant. What no check finds together takes the time of one."""
     return [[[mutant for mutant in group if mutant]] for group in itertools.zip_longest(*by_variant(mutants))]
@@ -89,8 +94,8 @@ class Campaign:
     """One of a group of modules. `results` has what became of each mutant so far, by number: `result` of rtl_mutants, the `proof` of
     those that no check finds, and the `speed` of those that show in clocks."""
 
-    def __init__(self, program: list[str], folder: pathlib.Path, options: argparse.Namespace, known: dict[int, str], keep):
-        self.program, self.folder, self.options, self.known, self.keep = program, folder, options, known, keep
+    def __init__(self, program: list[str], folder: pathlib.Path, options: argparse.Namespace, planted: list[dict], known: dict[int, str], keep):
+        self.program, self.folder, self.options, self.planted, self.known, self.keep = program, folder, options, planted, known, keep
         self.results = {}
 
     def run_checks(self, step: str, command: list[str], shards: list[list[list[dict]]]) -> None:
@@ -112,27 +117,40 @@ class Campaign:
                 self.keep(self.results)
         return proofs
 
+    def observe(self, mutants: list[dict]) -> pathlib.Path:
+        """In which checks they differ, so that no others need be tried. Some that are found show that it is so."""
+        found = self.known | {number: result["vector"] for number, result in self.results.items() if "vector" in result}
+        shown = []
+        for variant in by_variant(self.planted):
+            shown += [mutant["number"] for mutant in variant if mutant["number"] in found][:SHOWN]
+        return differing.observe(self.folder, self.options.suite, numbers_of(mutants), {number: found[number] for number in shown}, self.options.jobs)
+
     def run(self, mutants: list[dict]) -> None:
-        """Most are found by the first checks, alone or with several switched on at once. What is not found by then is proved equivalent,
-        if it can be, before all checks are tried on the others."""
-        first = [*self.program, "--clocks", str(FIRST_CLOCKS)]
-        self.run_checks("variants, first checks", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
-        first[-1] = str(GROUP_CLOCKS)
-        self.run_checks("groups, first checks", first, together(self.left(mutants)))
-        if self.options.first:
+        """Most are found by the first checks. What is not found by then is tried on the checks in which it differs; what no check finds is
+        proved equivalent, if it can be."""
+        missed = mutants
+        if not self.options.new:
+            first = [*self.program, "--clocks", str(FIRST_CLOCKS)]
+            self.run_checks("first checks", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
+            missed = self.left(mutants)
+        if self.options.first or not missed:
             return
-        missed = self.left(mutants)
+        command, shown = self.program, numbers_of(missed)
+        if not self.options.vectors:
+            observed = self.observe(missed)
+            command = [*command, "--observed", str(observed)]
+            shown = {number for numbers in differing.read(observed).values() for number in numbers}
+        self.run_checks("all checks", command, together(missed))
+        missed = self.left(missed)
         proofs = self.prove(missed)
-        rest = [mutant for mutant in missed if proofs[mutant["number"]] != prove.EQUIVALENT]
-        self.run_checks("groups, all checks", self.program, together(rest))
-        rest = self.left(rest)
-        for mutant in self.left(missed):
-            self.results[mutant["number"]]["proof"] = proofs[mutant["number"]]
+        for number, proof in proofs.items():
+            self.results[number] |= {"proof": proof} | ({} if number in shown else {"hidden": "shows at no pin of its module in any check"})
         speed = [*self.program, "--speed", "--clocks", str(SPEED_CLOCKS)]
-        alone = [f"{mutant['number']}/{mutant['variant']}" for mutant in rest]
+        alone = [f"{mutant['number']}/{mutant['variant']}" for mutant in missed
+                 if mutant["number"] in shown and proofs[mutant["number"]] != prove.EQUIVALENT]
         for found in in_parallel("clocks", lambda name: lines(speed, [name]), alone, self.options.jobs):
-            for shown in found:
-                self.results[shown["number"]]["speed"] = f"{shown['clocks']} clocks of {shown['vector']} in place of {shown['unmutated']}"
+            for slower in found:
+                self.results[slower["number"]]["speed"] = f"{slower['clocks']} clocks of {slower['vector']} in place of {slower['unmutated']}"
 
 
 def explain(mutants: list[dict], results: dict[int, dict]) -> None:
@@ -170,13 +188,13 @@ def print_table(mutants: list[dict], results: dict[int, dict]) -> None:
         result = results[mutant["number"]]
         if "speed" in result or survives(result):
             print(f"mutant {mutant['number']} {result['proof']}: hmlfc_{mutant['module']} {mutant['parameters']}\n  {mutant['command']}\n  "
-                  + result.get("speed", result.get("reason", "no reason is listed in survivors.json")))
+                  + next((result[key] for key in ("speed", "reason", "hidden") if key in result), "no reason is listed in survivors.json"))
 
 
 def run_group(group: str, options: argparse.Namespace) -> tuple[int, int]:
     """Of a group: how many mutants were run, and how many survive without a reason."""
     folder = pathlib.Path(options.folder).resolve() / group
-    mutants = json.loads((folder / "mutants.json").read_text(encoding="utf-8"))["mutants"]
+    mutants = planted = json.loads((folder / "mutants.json").read_text(encoding="utf-8"))["mutants"]
     kept = record.of_group(group, folder, mutants)
     known = record.found_by(kept)
     if options.found:
@@ -188,7 +206,7 @@ def run_group(group: str, options: argparse.Namespace) -> tuple[int, int]:
         return 0, 0
     program = [str(folder.parent / f"rtl_mutants_{group}"), options.suite] + (["--vectors", options.vectors] if options.vectors else [])
     keep = (lambda results: record.write(group, kept, results)) if options.record else (lambda results: None)
-    campaign = Campaign(program, folder, options, known, keep)
+    campaign = Campaign(program, folder, options, planted, known, keep)
     campaign.run(mutants)
     explain(mutants, campaign.results)
     keep(campaign.results)
