@@ -11,16 +11,16 @@ of modules (units.py) are Verilated with their mutants in them, each of which is
 - loading, tiles, references, memories (the rest of the decode unit): these, then the tests of registers and 16 random streams of the regression;
 - dma, view (the modules around it): the tests of the view unit, those of the DMA on 64 random streams.
 
-A failing assertion of rtl/kit finds a mutant too. What the first checks miss is compared with its module by Yosys and ABC; what is not
-equivalent goes through all checks. What these miss as well either takes other clocks for a vector, or must be in survivors.json, with
-the reason.
+A failing assertion of rtl/kit finds a mutant too. What the first checks miss is observed in all of them (observe.py), then tried on those
+in which it shows at a pin of its module. What these miss as well is equivalent by a proof of Yosys and ABC, or takes other clocks for a
+vector, or must be in survivors.json, with the reason.
 
 --group NAME    only mutants of the group         --module NAME   only mutants of hmlfc_NAME
 --sample N      only N of them, spread evenly
 --first         only the first checks: what they miss gets no result
 --record        writes recorded.json: what became of them; what found one is tried first from then on
 --found         only mutants that were found then
---new           only mutants of which it has no result, so that a campaign can go on
+--new           only mutants of which it has no result, without the first checks, so that a campaign can go on
 """
 
 import argparse
@@ -40,6 +40,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 FOUND = ("killed", "hangs")
 FIRST_CLOCKS = 60_000
 SPEED_CLOCKS = 300_000
+TOGETHER = 48  # mutants that are switched on at once, if no check finds them
 SHOWN = 3  # mutants of a variant that are found, and must differ in the check that finds them
 
 
@@ -64,7 +65,7 @@ def run_groups(program: list[str], groups: list[list[dict]], recorded: dict[int,
     names = []
     for group in groups:
         check = recorded.get(group[0]["number"], "") if len(group) == 1 else ""
-        names.append("+".join(f"{mutant['number']}/{mutant['variant']}" for mutant in group) + f":{check}")
+        names.append("+".join(str(mutant["number"]) for mutant in group) + f":{check}")
     return lines(program, names)
 
 
@@ -86,8 +87,9 @@ def numbers_of(mutants: list[dict]) -> set[int]:
 
 
 def together(mutants: list[dict]) -> list[list[list[dict]]]:
-    """For run_checks: groups with one mutant of each variant. What no check finds together takes the time of one."""
-    return [[[mutant for mutant in group if mutant]] for group in itertools.zip_longest(*by_variant(mutants))]
+    """For run_checks: groups of mutants of as many variants as there are. What no check finds together takes the time of one."""
+    mixed = [mutant for group in itertools.zip_longest(*by_variant(mutants)) for mutant in group if mutant]
+    return [[mixed[begin:begin + TOGETHER]] for begin in range(0, len(mixed), TOGETHER)]
 
 
 class Campaign:
@@ -146,8 +148,7 @@ class Campaign:
         for number, proof in proofs.items():
             self.results[number] |= {"proof": proof} | ({} if number in shown else {"hidden": "shows at no pin of its module in any check"})
         speed = [*self.program, "--speed", "--clocks", str(SPEED_CLOCKS)]
-        alone = [f"{mutant['number']}/{mutant['variant']}" for mutant in missed
-                 if mutant["number"] in shown and proofs[mutant["number"]] != prove.EQUIVALENT]
+        alone = [str(mutant["number"]) for mutant in missed if mutant["number"] in shown and proofs[mutant["number"]] != prove.EQUIVALENT]
         for found in in_parallel("clocks", lambda name: lines(speed, [name]), alone, self.options.jobs):
             for slower in found:
                 self.results[slower["number"]]["speed"] = f"{slower['clocks']} clocks of {slower['vector']} in place of {slower['unmutated']}"

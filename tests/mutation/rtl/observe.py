@@ -185,7 +185,7 @@ def main(arguments: list[str]) -> int:
             numbers = [mutant["number"] for mutant in observed if mutant["variant"] == index]
             write_netlist(folder, index, variant, numbers)
             instances[index] = instance(index, numbers)
-    plant.write_unit(out, listed["group"], variants, instances, "  import \"DPI-C\" function void hmlfc_differs(input int number);\n")
+    plant.write_unit(out, listed["group"], variants, instances, len(listed["mutants"]), "  import \"DPI-C\" function void hmlfc_differs(input int number);\n")
     (out / "mutants.json").write_text(json.dumps(observed) + "\n", encoding="utf-8")
     return 0
 

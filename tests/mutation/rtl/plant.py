@@ -4,7 +4,7 @@
 usage: plant.py FOLDER GROUP COUNT SEED
 
 GROUP is one of units.py, whose modules get about COUNT mutants each, spread evenly over their variants; SEED says which. FOLDER gets NAME.v, the netlists with the mutants of Yosys `mutate`, and N.il, the modules without; hmlfc_NAME.sv, which have the ports and parameters of the modules and
-choose the netlist; hmlfc_mutant_pkg.sv with the numbers, 0 for none; the top module, which takes them from the plusarg +mutants=;
+choose the netlist; hmlfc_mutant_pkg.sv with a bit for each mutant, by number; the top module, which takes them from the plusarg +mutants=;
 unit.f, what Verilator needs for the unit; and mutants.json, the list.
 """
 
@@ -45,13 +45,25 @@ def plant(folder: pathlib.Path, variants: list[units.Variant], of_module: int, s
         script = folder / f"{index}.ys"
         script.write_text(plant_script(folder, index, variant, variant.mutants(of_module), len(found) + 1, seed), encoding="utf-8")
         units.yosys(script)
-        found += mutants(folder, index, variant, len(found) + 1)
+        made = mutants(folder, index, variant, len(found) + 1)
+        give_bits(folder / f"mutated_{index}.v", len(found) + 1, len(made))
+        found += made
     return found
 
 
-def instance(variant: int) -> str:
+def give_bits(netlist: pathlib.Path, first: int, count: int) -> None:
+    """Each mutant gets a bit of its own that switches it on in the place of a number, so that several can be on in a module."""
+    text, changed = re.subn(rf"mutsel == {SELECT_BITS}'h([0-9a-f]+)", lambda found: f"mutsel[{int(found[1], 16) - first}]",
+                            netlist.read_text(encoding="utf-8"))
+    if changed != count:
+        raise RuntimeError(f"{netlist}: {changed} comparisons in place of {count}")
+    netlist.write_text(text.replace(f"[{SELECT_BITS - 1}:0] mutsel;", f"[{count - 1}:0] mutsel;"), encoding="utf-8")
+
+
+def instance(variant: int, planted: list[dict]) -> str:
+    numbers = [mutant["number"] for mutant in planted if mutant["variant"] == variant]
     # Verilator 5.006 does not take a variable of a package as what a port is connected to.
-    return (f"    wire [{SELECT_BITS - 1}:0] mutsel = hmlfc_mutant_pkg::mutants[{SELECT_BITS * variant} +: {SELECT_BITS}];\n"
+    return (f"    wire [{len(numbers) - 1}:0] mutsel = hmlfc_mutant_pkg::mutants[{numbers[0]} +: {len(numbers)}];\n"
             f"    hmlfc_mutated_{variant} mutated (.*);\n")
 
 
@@ -92,13 +104,12 @@ def mutants(folder: pathlib.Path, index: int, variant: units.Variant, first: int
     return found
 
 
-def write_unit(folder: pathlib.Path, group: str, variants: list[units.Variant], instances: dict[int, str], functions: str = "") -> None:
-    """The files of a unit with `instances` in the place of variants, by index; `functions` are for them to call."""
+def write_unit(folder: pathlib.Path, group: str, variants: list[units.Variant], instances: dict[int, str], count: int, functions: str = "") -> None:
+    """The files of a unit of `count` mutants with `instances` in the place of variants, by index; `functions` are for them to call."""
     top, parameters, _ = units.GROUPS[group]
     for module in {variants[index].module for index in instances}:
         (folder / f"hmlfc_{module}.sv").write_text(chooser(module, variants, instances), encoding="utf-8")
-    bits = SELECT_BITS * len(variants)
-    (folder / "hmlfc_mutant_pkg.sv").write_text(f"package hmlfc_mutant_pkg;\n  logic [{bits - 1}:0] mutants;\n{functions}endpackage\n",
+    (folder / "hmlfc_mutant_pkg.sv").write_text(f"package hmlfc_mutant_pkg;\n  logic [{count}:0] mutants;\n{functions}endpackage\n",
                                                 encoding="utf-8")
     mutated = folder / f"hmlfc_{top}.sv"
     text = (mutated if mutated.exists() else units.RTL / mutated.name).read_text(encoding="utf-8")
@@ -119,7 +130,7 @@ def main(arguments: list[str]) -> int:
     folder.mkdir(parents=True)
     variants = units.variants(group)
     planted = plant(folder, variants, count, seed)
-    write_unit(folder, group, variants, {index: instance(index) for index in range(len(variants))})
+    write_unit(folder, group, variants, {index: instance(index, planted) for index in range(len(variants))}, len(planted))
     listed = {"group": group, "seed": seed, "mutants": planted}
     (folder / "mutants.json").write_text(json.dumps(listed, indent=1) + "\n", encoding="utf-8")
     return 0
