@@ -50,19 +50,16 @@ def prove_sound(observed: Observed, found: dict[int, str]) -> None:
             raise RuntimeError(f"differing.py: mutant {number} is found by {check}, but its shadow does not differ there")
 
 
-def observe(folder: pathlib.Path, suite: str, numbers: set[int], found: dict[int, str], jobs: int) -> pathlib.Path:
-    """A file with Observed of `numbers` and of the mutants of `found`, which must differ in the check that found them."""
+def observe(folder: pathlib.Path, suite: str, numbers: set[int], found: dict[int, str], jobs: int) -> Observed:
+    """Of `numbers` and of the mutants of `found`, which must differ in the check that found them. What was observed is kept in `folder`."""
     program, out = build(folder, numbers | found.keys()), folder / "observed.json"
     if not out.exists() or out.stat().st_mtime < program.stat().st_mtime:
         fresh = out.with_suffix(".new")
         fresh.write_text(json.dumps(run(program, suite, jobs)), encoding="utf-8")
         fresh.replace(out)
-    prove_sound(read(out), found)
-    return out
-
-
-def read(path: pathlib.Path) -> Observed:
-    return json.loads(path.read_text(encoding="utf-8"))
+    observed = json.loads(out.read_text(encoding="utf-8"))
+    prove_sound(observed, found)
+    return observed
 
 
 def self_test(folder: pathlib.Path, suite: str) -> int:

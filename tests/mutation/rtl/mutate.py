@@ -11,9 +11,9 @@ of modules (units.py) are Verilated with their mutants in them, each of which is
 - loading, tiles, references, memories (the rest of the decode unit): these, then the tests of registers and 16 random streams of the regression;
 - dma, view (the modules around it): the tests of the view unit, those of the DMA on 64 random streams.
 
-A failing assertion of rtl/kit finds a mutant too. What the first checks miss is observed in all of them (observe.py), then tried on those
-in which it shows at a pin of its module. What these miss as well is equivalent by a proof of Yosys and ABC, or takes other clocks for a
-vector, or must be in survivors.json, with the reason.
+A failing assertion of rtl/kit finds a mutant too. What no check finds is equivalent by a proof of Yosys and ABC, or takes other clocks for
+a vector, or must be in survivors.json, with the reason. Those without are told apart: do they show at a pin of their module in any check
+(observe.py)? Where not, the checks lack a stimulus, or the unit cannot give one.
 
 --group NAME    only mutants of the group         --module NAME   only mutants of hmlfc_NAME
 --sample N      only N of them, spread evenly
@@ -30,6 +30,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import threading
 
 import differing
 import prove
@@ -41,7 +42,7 @@ FOUND = ("killed", "hangs")
 FIRST_CLOCKS = 60_000
 SPEED_CLOCKS = 300_000
 TOGETHER = 48  # mutants that are switched on at once, if no check finds them
-SHOWN = 3  # mutants of a variant that are found, and must differ in the check that finds them
+SURE = 3  # mutants of a variant that are found, and must differ in the check that finds them
 
 
 def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[dict]:
@@ -52,15 +53,16 @@ def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[
     return [rest[index * len(rest) // sample] for index in range(sample)]
 
 
-def lines(program: list[str], groups: list[str]) -> list[dict]:
-    """What rtl_mutants prints for these. Raises RuntimeError where it fails."""
-    done = subprocess.run([*program, "--mutants", ",".join(groups)], stdout=subprocess.PIPE, text=True, check=False)
-    if done.returncode != 0:
+def lines(program: list[str], groups: list[str]):
+    """What rtl_mutants prints for these, as it does. Raises RuntimeError where it fails."""
+    with subprocess.Popen([*program, "--mutants", ",".join(groups)], stdout=subprocess.PIPE, text=True) as running:
+        # Verilator tells of assertions in between.
+        yield from (json.loads(line) for line in running.stdout if line.startswith("{"))
+    if running.returncode != 0:
         raise RuntimeError("rtl_mutants has failed")
-    return [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]  # without what Verilator says of assertions
 
 
-def run_groups(program: list[str], groups: list[list[dict]], recorded: dict[int, str]) -> list[dict]:
+def run_groups(program: list[str], groups: list[list[dict]], recorded: dict[int, str]):
     """The result of each mutant of groups that rtl_mutants tries."""
     names = []
     for group in groups:
@@ -98,12 +100,17 @@ class Campaign:
 
     def __init__(self, program: list[str], folder: pathlib.Path, options: argparse.Namespace, planted: list[dict], known: dict[int, str], keep):
         self.program, self.folder, self.options, self.planted, self.known, self.keep = program, folder, options, planted, known, keep
-        self.results = {}
+        self.results, self.lock = {}, threading.Lock()
 
     def run_checks(self, step: str, command: list[str], shards: list[list[list[dict]]]) -> None:
-        for found in in_parallel(step, lambda groups: run_groups(command, groups, self.known), shards, self.options.jobs):
-            self.results.update({result["number"]: result for result in found})
-            self.keep(self.results)
+        def run_shard(groups: list[list[dict]]) -> None:
+            for result in run_groups(command, groups, self.known):
+                with self.lock:
+                    self.results[result["number"]] = result
+                    self.keep(self.results)
+
+        for _ in in_parallel(step, run_shard, shards, self.options.jobs):
+            pass
 
     def left(self, mutants: list[dict]) -> list[dict]:
         return [mutant for mutant in mutants if self.results[mutant["number"]]["result"] not in FOUND]
@@ -119,17 +126,20 @@ class Campaign:
                 self.keep(self.results)
         return proofs
 
-    def observe(self, mutants: list[dict]) -> pathlib.Path:
-        """In which checks they differ, so that no others need be tried. Some that are found show that it is so."""
+    def shown(self, mutants: list[dict]) -> set[int]:
+        """Those that show at a pin of their module in some check. Some that are found must show in the check that finds them."""
+        if self.options.vectors or not mutants:
+            return numbers_of(mutants)
         found = self.known | {number: result["vector"] for number, result in self.results.items() if "vector" in result}
-        shown = []
+        sure = []
         for variant in by_variant(self.planted):
-            shown += [mutant["number"] for mutant in variant if mutant["number"] in found][:SHOWN]
-        return differing.observe(self.folder, self.options.suite, numbers_of(mutants), {number: found[number] for number in shown}, self.options.jobs)
+            sure += [mutant["number"] for mutant in variant if mutant["number"] in found][:SURE]
+        observed = differing.observe(self.folder, self.options.suite, numbers_of(mutants), {number: found[number] for number in sure}, self.options.jobs)
+        return {number for numbers in observed.values() for number in numbers}
 
     def run(self, mutants: list[dict]) -> None:
-        """Most are found by the first checks. What is not found by then is tried on the checks in which it differs; what no check finds is
-        proved equivalent, if it can be."""
+        """Most are found by the first checks, alone, the others with many switched on at once. What no check finds is proved equivalent, if it
+        can be; of the rest it is told which show anywhere."""
         missed = mutants
         if not self.options.new:
             first = [*self.program, "--clocks", str(FIRST_CLOCKS)]
@@ -137,19 +147,16 @@ class Campaign:
             missed = self.left(mutants)
         if self.options.first or not missed:
             return
-        command, shown = self.program, numbers_of(missed)
-        if not self.options.vectors:
-            observed = self.observe(missed)
-            command = [*command, "--observed", str(observed)]
-            shown = {number for numbers in differing.read(observed).values() for number in numbers}
-        self.run_checks("all checks", command, together(missed))
+        self.run_checks("all checks", self.program, together(missed))
         missed = self.left(missed)
         proofs = self.prove(missed)
-        for number, proof in proofs.items():
-            self.results[number] |= {"proof": proof} | ({} if number in shown else {"hidden": "shows at no pin of its module in any check"})
+        missed = [mutant for mutant in missed if proofs[mutant["number"]] != prove.EQUIVALENT]
+        shown = self.shown(missed)
+        for number in numbers_of(missed):
+            self.results[number] |= {"proof": proofs[number]} | ({} if number in shown else {"hidden": "shows at no pin of its module in any check"})
         speed = [*self.program, "--speed", "--clocks", str(SPEED_CLOCKS)]
-        alone = [str(mutant["number"]) for mutant in missed if mutant["number"] in shown and proofs[mutant["number"]] != prove.EQUIVALENT]
-        for found in in_parallel("clocks", lambda name: lines(speed, [name]), alone, self.options.jobs):
+        alone = [str(number) for number in sorted(numbers_of(missed) & shown)]
+        for found in in_parallel("clocks", lambda name: list(lines(speed, [name])), alone, self.options.jobs):
             for slower in found:
                 self.results[slower["number"]]["speed"] = f"{slower['clocks']} clocks of {slower['vector']} in place of {slower['unmutated']}"
 

@@ -19,7 +19,7 @@ POSITION = re.compile(r"hmlfc_\w+\.svh?:[\d.-]+")  # of a source, which a commen
 
 
 def read() -> dict[str, dict]:
-    return json.loads(RECORDED.read_text(encoding="utf-8"))
+    return {group: EMPTY | kept for group, kept in json.loads(RECORDED.read_text(encoding="utf-8")).items()}
 
 
 def digests(folder: pathlib.Path, mutants: list[dict]) -> dict[str, str]:

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <optional>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -45,8 +43,7 @@ struct Options {
   std::filesystem::path suite;
   std::vector<std::string> filters;
   std::vector<std::string> mutants;
-  std::filesystem::path observed;  // of rtl_observed; empty: nothing is known
-  uint64_t clocks = UINT64_MAX;    // for a mutant: after these no other check is begun
+  uint64_t clocks = UINT64_MAX;  // for a mutant: after these no other check is begun
   bool speed = false;
 };
 
@@ -54,13 +51,6 @@ struct Options {
 class Candidate {
  public:
   explicit Candidate(std::unique_ptr<Check> check) : check_(std::move(check)) {}
-
-  // From now on it may find these mutants alone.
-  void limit_to(std::vector<Mutant> numbers) { mutants_ = std::move(numbers); }
-
-  bool may_find(Mutant mutant) const {
-    return !mutants_ || std::ranges::find(*mutants_, mutant) != mutants_->end();
-  }
 
   // With `mutants` switched on. A mutant is only found where the unit without a mutant passes: else
   // throws.
@@ -85,17 +75,8 @@ class Candidate {
 
  private:
   std::unique_ptr<Check> check_;
-  std::optional<std::vector<Mutant>> mutants_;
   uint64_t clocks_ = 0;  // of the unit without a mutant, which passes; 0: not tried
 };
-
-// Which mutants each check may find. Throws where a check is missing.
-void limit(std::vector<Candidate>& suite, const std::filesystem::path& observed) {
-  const auto listed = nlohmann::json::parse(std::ifstream(observed));
-  for (Candidate& candidate : suite) {
-    candidate.limit_to(listed.at(candidate.id()).get<std::vector<Mutant>>());
-  }
-}
 
 // Short ones first.
 std::vector<Candidate> candidates(const Options& options) {
@@ -107,7 +88,6 @@ std::vector<Candidate> candidates(const Options& options) {
   }
   if (found.empty()) throw std::runtime_error("no check is for this unit");
   std::ranges::stable_sort(found, {}, &Candidate::size);
-  if (!options.observed.empty()) limit(found, options.observed);
   return found;
 }
 
@@ -133,11 +113,10 @@ void print(const nlohmann::ordered_json& result) {
   std::fflush(stdout);
 }
 
-// Tries a group on the checks that may find it, and halves of it where the group is found, down to
-// each mutant alone: check `first`, then those that found the last mutants: mutants of a module
-// come one after the other, and what finds one often finds the next. After `limit` clocks no other
-// is begun. What is left at the end, no check finds: alone, or together with others that none
-// finds.
+// Tries a group on the checks, and halves of it where the group is found, down to each mutant
+// alone: check `first`, then those that found the last mutants: mutants of a module come one after
+// the other, and what finds one often finds the next. After `limit` clocks no other is begun. What
+// is left at the end, no check finds: alone, or together with others that none finds.
 class Trial {
  public:
   Trial(Group group, std::vector<Candidate>& suite, uint64_t limit)
@@ -198,18 +177,11 @@ class Trial {
   // Whether the check at this place finds one of the mutants by itself.
   bool try_on(size_t place) {
     Candidate& candidate = suite_[place];
-    const auto others = std::ranges::stable_partition(
-        group_.mutants, [&](Mutant mutant) { return candidate.may_find(mutant); });
-    const std::span<const Mutant> candidates(group_.mutants.begin(), others.begin());
-    if (candidates.empty()) return false;
-    const Verdict verdict = tried(candidate, candidates);
+    const Verdict verdict = tried(candidate, group_.mutants);
     if (verdict.pass()) return false;
-    std::vector<Mutant> left = left_of(candidate, candidates, verdict);
-    if (left.size() < candidates.size()) {
-      left.insert(left.end(), others.begin(), others.end());
-      group_.mutants = std::move(left);
-      return true;
-    }
+    const size_t before = group_.mutants.size();
+    group_.mutants = left_of(candidate, group_.mutants, verdict);
+    if (group_.mutants.size() < before) return true;
     // The check finds only several together: what it takes to find them is not known by the group.
     const std::vector<Mutant> all = std::exchange(group_.mutants, {});
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
@@ -254,9 +226,6 @@ int main_of(int argc, char** argv) {
       ->delimiter(',')
       ->required();
   app.add_option("--vectors", options.filters, "Only these checks")->delimiter(',');
-  app.add_option(
-      "--observed", options.observed,
-      "A JSON object: a check to the numbers that it may find; it is not tried on others");
   app.add_option("--clocks", options.clocks,
                  "After so many clocks no other check is tried: \"missed\", not \"survived\"");
   app.add_flag(
