@@ -1,17 +1,9 @@
-#!/usr/bin/env python3
-"""In which checks mutants show at a pin of their module: no other check can find them (observe.py).
-
-usage: differing.py FOLDER SUITE    whether all mutants of a group that recorded.json has as found show where they were found; FOLDER is
-                                    that of plant.py. Exit: 0 they do, 1 not.
-"""
+"""In which checks mutants show at a pin of their module: no other check can find them (observe.py)."""
 
 import concurrent.futures
 import json
 import pathlib
 import subprocess
-import sys
-
-import record
 
 Observed = dict[str, list[int]]  # check to mutants
 
@@ -60,15 +52,3 @@ def observe(folder: pathlib.Path, suite: str, numbers: set[int], found: dict[int
     observed = json.loads(out.read_text(encoding="utf-8"))
     prove_sound(observed, found)
     return observed
-
-
-def self_test(folder: pathlib.Path, suite: str) -> int:
-    mutants = json.loads((folder / "mutants.json").read_text(encoding="utf-8"))["mutants"]
-    found = record.found_by(record.of_group(folder.name, folder, mutants))
-    observe(folder, suite, set(), found, jobs=2)
-    print(f"{len(found)} mutants differ in the check that finds them")
-    return 0 if found else 1
-
-
-if __name__ == "__main__":
-    sys.exit(self_test(pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]))
