@@ -138,8 +138,7 @@ def run_bench(options):
 def main():
     options = parse_arguments()
     if options.check or options.update:
-        text = result_file.result_text("Cost of access", "./run bench access --update", tables(result_file.read(options.recorded)))
-        return result_file.settle(options.results / "access.md", text, options.update)
+        return result_file.settle_bench(options, "access", "Cost of access", tables(result_file.read(options.recorded)))
     return run_bench(options)
 
 
