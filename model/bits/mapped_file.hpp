@@ -1,10 +1,12 @@
-// Files mapped to memory for reading (POSIX).
+// A file mapped to memory for reading (POSIX).
 #pragma once
 
 #include <cstdint>
 #include <span>
 
 #include <tl/expected.hpp>
+
+#include <hmlfc/byte_source.hpp>
 
 namespace hmlfc {
 
@@ -14,12 +16,27 @@ struct MapFailure {
   int system_error = 0;     ///< errno, or 0 where it says nothing
 };
 
-/// The bytes of the regular file `path`, which must not be shortened meanwhile (the system would
-/// kill the process); no bytes of an empty file. Errors: the file does not exist, cannot be read,
-/// or is not a regular file.
-tl::expected<std::span<const uint8_t>, MapFailure> map_file(const char* path);
+/// Read-only view of a whole regular file for the lifetime of the object. The file must not be
+/// shortened meanwhile (the system would kill the process); replacing it by rename is safe.
+class MappedFile final : public ByteSource {
+ public:
+  /// Errors: the file does not exist, cannot be read, or is not a regular file.
+  static tl::expected<MappedFile, MapFailure> open(const char* path);
 
-/// Ends the mapping of what map_file gave.
-void unmap_file(std::span<const uint8_t> bytes);
+  MappedFile(MappedFile&& other) noexcept;
+  MappedFile& operator=(MappedFile&& other) noexcept;
+  ~MappedFile() override;
+
+  /// Takes the pages read so far out of memory; they are read again when they are needed.
+  void drop_pages() const;
+
+  /// All bytes of the file; an empty span for an empty file.
+  std::span<const uint8_t> bytes() const override { return bytes_; }
+
+ private:
+  explicit MappedFile(std::span<const uint8_t> bytes) : bytes_(bytes) {}
+
+  std::span<const uint8_t> bytes_;
+};
 
 }  // namespace hmlfc
