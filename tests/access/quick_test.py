@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from report_bench import find, main  # noqa: E402
 
-BENCH = find("access", "numpy", "PIL")
+BENCH = find("access", "numpy", "PIL", "hmlfc")
 PROGRAMS = ["--hmlfc", sys.argv[1], "--bench", sys.argv[2]]
 METHODS = ["extended", "main", "rlfc", "mc", "haar", "jpeg", *(["x265-inter"] if shutil.which("x265") else []), "vq"]
 # Stands in for the reference software: keeps the views as they are.
