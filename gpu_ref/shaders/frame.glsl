@@ -12,7 +12,7 @@ struct FrameRecord {
   int x0, y0, gain, dx, dy;
   int c0, r0, cols, rows;
   int width, height;
-  int geometry, focus, pitch;
+  int geometry, focus, pitch, fine;
 };
 
 layout(buffer_reference, std430, buffer_reference_align = 16) buffer Rays { ivec4 ray[]; };

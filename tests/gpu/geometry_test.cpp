@@ -17,6 +17,9 @@ constexpr uint32_t kAboveHalf[] =
 constexpr uint32_t kHalfAgrees[] =
 #include "faults/half_agrees.inc"
     ;
+constexpr uint32_t kTakesFine[] =
+#include "faults/takes_fine.inc"
+    ;
 constexpr uint32_t kOneStep[] =
 #include "faults/one_step.inc"
     ;
@@ -76,6 +79,10 @@ Camera geometry_camera(test::Random& random, const StreamHeader& header) {
   camera.position->z = random() % 2 == 0 ? 0 : between(-1, 1);
   camera.focus = between(-4, 4);
   camera.tan_half.reset();
+  if (random() % 2 == 0) {  // with the pixels of views
+    camera.frame_width.reset();
+    camera.frame_height.reset();
+  }
   return camera;
 }
 
@@ -137,6 +144,7 @@ TEST_F(GpuGeometry, ChecksFindPlantedFaults) {
   const Fault faults[] = {
       {"above half", "surface", kAboveHalf, ""},
       {"half agrees", "surface", kHalfAgrees, ""},
+      {"takes fine", "surface", kTakesFine, ""},
       {"one step", "surface", kOneStep, ""},
       {"counts again", "surface", kCountsAgain, "disparities looked up: "},
       {"never forgets", "compact", kNeverForgets, "disparities looked up: "},
