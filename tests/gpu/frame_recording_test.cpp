@@ -14,6 +14,7 @@
 #include "buffer.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu/allocation_count.hpp"
+#include "gpu/callers_frames.hpp"
 #include "gpu/callers_memory.hpp"
 #include "gpu/callers_test.hpp"
 #include "gpu/frame_cases.hpp"
@@ -25,80 +26,6 @@ namespace {
 
 constexpr uint64_t kHeldBytes = uint64_t{1} << 24;
 constexpr uint32_t kMostSide = 48;  // no frame of a test is wider or higher
-
-/// A program that draws frames into its buffers, three under way: a timeline semaphore counts those
-/// that are done.
-class Program {
- public:
-  Program(const CallersDevice& callers, uint64_t bytes)
-      : callers_(&callers),
-        pool_(callers.device(),
-              {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, callers.family()}),
-        commands_(callers.device(), {*pool_, vk::CommandBufferLevel::ePrimary, kUnderWay}),
-        targets_{CallersBuffer(callers, bytes), CallersBuffer(callers, bytes),
-                 CallersBuffer(callers, bytes)} {
-    const vk::SemaphoreTypeCreateInfo timeline(vk::SemaphoreType::eTimeline, 0);
-    done_.emplace(callers.device(), vk::SemaphoreCreateInfo({}, &timeline));
-  }
-
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
-  ~Program() { wait(number_); }
-
-  static constexpr uint32_t kUnderWay = 3;
-
-  /// Records and submits a frame; the number of frames so far, or a failure. Waits, with the
-  /// program's own means, where three are under way.
-  Outcome<uint64_t> draw(GpuRenderer& renderer, const FrameRecord& frame, int stop_level) {
-    const size_t slot = number_ % kUnderWay;
-    wait(number_ < kUnderWay ? 0 : number_ - kUnderWay + 1);
-    const vk::raii::CommandBuffer& commands = commands_[slot];
-    commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
-    const auto recorded = record(renderer, *commands, frame, stop_level,
-                                 BufferTarget{targets_[slot].handle(), 0}, recordings_[slot]);
-    if (!recorded) return tl::unexpected(recorded.error());
-    const vk::MemoryBarrier host(vk::AccessFlagBits::eTransferWrite, vk::AccessFlagBits::eHostRead);
-    commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer, vk::PipelineStageFlagBits::eHost,
-                             {}, host, {}, {});
-    commands.end();
-    ++number_;
-    submit(*commands);
-    return number_;
-  }
-
-  /// The result and the texels of one of the last three frames, which it waits for.
-  RecordedFrame result(uint64_t number) {
-    wait(number);
-    return recordings_[(number - 1) % kUnderWay].result();
-  }
-  std::span<const uint8_t> texels(uint64_t number) const {
-    return targets_[(number - 1) % kUnderWay].bytes();
-  }
-
-  void wait(uint64_t number) const {
-    const vk::SemaphoreWaitInfo all({}, **done_, number);
-    if (callers_->device().waitSemaphores(all, UINT64_MAX) != vk::Result::eSuccess) std::abort();
-  }
-
-  void fill(uint8_t byte) {
-    for (const CallersBuffer& target : targets_) std::ranges::fill(target.bytes(), byte);
-  }
-
- private:
-  void submit(vk::CommandBuffer commands) const {
-    const vk::TimelineSemaphoreSubmitInfo values(0, nullptr, 1, &number_);
-    const vk::Semaphore done = **done_;
-    callers_->queue().submit(vk::SubmitInfo(0, nullptr, nullptr, 1, &commands, 1, &done, &values));
-  }
-
-  const CallersDevice* callers_;
-  vk::raii::CommandPool pool_;
-  vk::raii::CommandBuffers commands_;
-  std::optional<vk::raii::Semaphore> done_;
-  std::array<CallersBuffer, kUnderWay> targets_;
-  std::array<FrameRecording, kUnderWay> recordings_;
-  uint64_t number_ = 0;
-};
 
 class GpuFrameRecording : public CallersTest {
  protected:
@@ -118,7 +45,7 @@ class GpuFrameRecording : public CallersTest {
     auto renderer = GpuRenderer::open(shared(), *stream.decoder, kHeldBytes);
     ASSERT_TRUE(renderer) << renderer.error().message;
     const auto golden = make_golden_renderer(*stream.decoder);
-    Program program(callers(), uint64_t{8} * kMostSide * kMostSide);
+    CallersFrames program(callers(), uint64_t{8} * kMostSide * kMostSide);
     test::Random random(seed);
     std::vector<std::pair<FrameRecord, int>> frames;
     for (uint64_t number = 1; number <= 9; ++number) {
@@ -131,7 +58,7 @@ class GpuFrameRecording : public CallersTest {
       frames.emplace_back(*frame, random() % 3 == 0 ? static_cast<int>(random() % levels) : 0);
       const auto drawn = program.draw(*renderer, frames.back().first, frames.back().second);
       ASSERT_TRUE(drawn) << drawn.error().message;
-      if (number % Program::kUnderWay != 0) continue;
+      if (number % CallersFrames::kUnderWay != 0) continue;
       for (uint64_t k = number - 2; k <= number; ++k) {
         expect_golden(program, k, *golden, frames[k - 1], header, tally);
       }
@@ -140,7 +67,7 @@ class GpuFrameRecording : public CallersTest {
   }
 
  private:
-  static void expect_golden(Program& program, uint64_t number, FrameRenderer& golden,
+  static void expect_golden(CallersFrames& program, uint64_t number, FrameRenderer& golden,
                             const std::pair<FrameRecord, int>& frame, const StreamHeader& header,
                             Tally& tally) {
     Frame expected;
@@ -288,7 +215,7 @@ TEST_F(GpuFrameRecordingOfOneStream, CostsTheHostNothingInTheSteadyState) {
   auto device = open_device(unvalidated.handles(), options);
   ASSERT_TRUE(device);
   auto renderer = open_renderer(*device);
-  Program program(unvalidated, uint64_t{8} * kMostSide * kMostSide);
+  CallersFrames program(unvalidated, uint64_t{8} * kMostSide * kMostSide);
   for (const FrameRecord& record : records()) ASSERT_TRUE(program.draw(renderer, record, 0));
   const SubmissionCounts before = device->counts();
   const uint64_t allocated = test::allocation_count();
@@ -325,7 +252,7 @@ TEST_F(GpuFrameRecordingOfOneStream, KeepsItsBounds) {
 
 TEST_F(GpuFrameRecordingOfOneStream, ThatDoesNotFitRecordsNothing) {
   auto renderer = open_renderer(shared());
-  Program program(callers(), uint64_t{8} * kMostSide * kMostSide);
+  CallersFrames program(callers(), uint64_t{8} * kMostSide * kMostSide);
   EXPECT_EQ(FrameRecording().result().status, ErrorCode::kBadRequest);
   program.fill(0xEE);
   const auto number = program.draw(renderer, records()[0], 99);
@@ -342,7 +269,7 @@ TEST_F(GpuFrameRecording, WithoutRoomDrawsNothingUntilRenderMakesSome) {
   const FrameRecord frame = *frame_record(camera, header);
   auto renderer = GpuRenderer::open(shared(), *stream.decoder, kHeldBytes);
   ASSERT_TRUE(renderer);
-  Program program(callers(), uint64_t{4} * 300 * 200);
+  CallersFrames program(callers(), uint64_t{4} * 300 * 200);
   program.fill(0xEE);
   const auto first = program.draw(*renderer, frame, 0);
   ASSERT_TRUE(first);
