@@ -90,23 +90,20 @@ mutate_rtl() {
     --jobs "$(nproc)" "${rest[@]}"
 }
 
-# run_soak --minutes N [--seed S]: the tests with label soak, then random streams, intact and damaged,
-# on every Verilated unit. The default seed is the time, so that each soak is different.
+# run_soak --minutes N [--seed S] [--shard I/N] [CTEST-ARG...]: the tests with label soak, of N shards the I-th, then
+# random streams, intact and damaged, on every Verilated unit. The default seed is the time, so that each soak is different.
 run_soak() {
-  local minutes='' seed=$((EPOCHSECONDS % 1000000000)) status=0
+  local minutes='' seed=$((EPOCHSECONDS % 1000000000)) shard=1/1 status=0 rest=()
   while (($# > 0)); do
     case $1 in
-      --minutes) minutes=${2:?"--minutes takes a number"} ;;
-      --seed) seed=${2:?"--seed takes a number"} ;;
-      *)
-        say "soak: unknown argument $1; it takes --minutes N and --seed S"
-        exit 2
-        ;;
+      --minutes) minutes=${2:?"--minutes takes a number"} && shift 2 ;;
+      --seed) seed=${2:?"--seed takes a number"} && shift 2 ;;
+      --shard) shard=${2:?"--shard takes I/N"} && shift 2 ;;
+      *) rest+=("$1") && shift ;;
     esac
-    shift 2
   done
-  if [[ ! $minutes =~ ^[1-9][0-9]*$ || ! $seed =~ ^[0-9]+$ ]]; then
-    say "soak: --minutes takes a number from 1 on, --seed a number"
+  if [[ ! $minutes =~ ^[1-9][0-9]*$ || ! $seed =~ ^[0-9]+$ || ! $shard =~ ^[1-9][0-9]*/[1-9][0-9]*$ ]]; then
+    say "soak: --minutes takes a number from 1 on, --seed a number, --shard I/N"
     exit 2
   fi
   install_packages build test
@@ -114,7 +111,8 @@ run_soak() {
   local begin=$SECONDS left
   say "Tests with label soak, for $minutes minutes at most"
   timeout --signal=INT $((60 * minutes)) \
-    ctest --test-dir "$build" -L soak --output-on-failure -j "$(nproc)" >&2 || status=$?
+    ctest --test-dir "$build" -L soak -I "${shard%/*},,${shard#*/}" --output-on-failure -j "$(nproc)" "${rest[@]}" >&2 ||
+    status=$?
   if ((status == 124)); then
     say "the time is up before all of them have run"
     exit 1

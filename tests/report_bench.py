@@ -12,6 +12,7 @@ PACKAGES = {
     "PIL": "python3-pil",
     "skimage": "python3-skimage",
     "matplotlib": "python3-matplotlib",
+    "hmlfc": "pybind11-dev (and build)",
 }
 
 
@@ -20,6 +21,7 @@ def find(name, *modules):
     skipped where one of `modules`, of PACKAGES, is not installed."""
     folder = ROOT / "bench" / name
     sys.path[:0] = [str(ROOT / "bench" / "common"), str(folder)]
+    sys.path.append(str(ROOT / "build/release/tools/python"))
     missing = [PACKAGES[module] for module in modules if not importlib.util.find_spec(module)]
     if missing:
         print(f"skipped: install the Debian packages {' '.join(missing)}")

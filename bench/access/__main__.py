@@ -22,8 +22,9 @@ BENCH = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(BENCH / "common"), str(BENCH / "rate_distortion")]
 
 try:
+    import numpy as np
     import result_file
-    from light_field import load, read_view, view_files
+    from light_field import load, read_views
     from methods import AS_VQ, METHODS
     from PIL import Image
     from process import HMLFC, BenchError, built, machine, require, run, run_main, say
@@ -57,12 +58,11 @@ def sources(options, work):
 def crop(source, folder, grid, side):
     """A folder of the middle grid x grid views, of each the middle side x side pixels."""
     folder.mkdir()
-    rows, cols, files = view_files(source.folder)
-    for row in range(grid):
-        for col in range(grid):
-            view = read_view(files[((rows - grid) // 2 + row) * cols + (cols - grid) // 2 + col])
-            top, left = (view.shape[0] - side) // 2, (view.shape[1] - side) // 2
-            Image.fromarray(view[top : top + side, left : left + side]).save(folder / f"{row:02}_{col:02}.png")
+    views = read_views(source.folder)
+    row, col, top, left = ((size - part) // 2 for size, part in zip(views.shape, (grid, grid, side, side)))
+    part = views[row : row + grid, col : col + grid, top : top + side, left : left + side]
+    for row, col in np.ndindex(grid, grid):
+        Image.fromarray(part[row, col]).save(folder / f"{row:02}_{col:02}.png")
     return folder
 
 
@@ -138,8 +138,7 @@ def run_bench(options):
 def main():
     options = parse_arguments()
     if options.check or options.update:
-        text = result_file.result_text("Cost of access", "./run bench access --update", tables(result_file.read(options.recorded)))
-        return result_file.settle(options.results / "access.md", text, options.update)
+        return result_file.settle_bench(options, "access", "Cost of access", tables(result_file.read(options.recorded)))
     return run_bench(options)
 
 

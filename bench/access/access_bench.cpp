@@ -87,7 +87,7 @@ class Client {
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() != 1) throw std::invalid_argument("usage: bench_access FILE.hmlfc");
-  const auto file = value_of(io::MappedFile::open(arguments[0]));
+  const auto file = value_of(io::map_file(arguments[0]));
   const Clock clock;
   value_of(value_of(Decoder::open(file.bytes())).decode_all([](ViewPos, RgbImage&&) {}, {0, 1}));
   Json made{{"decode_seconds", clock.cpu_seconds()}, {"requests", Json::array()}};

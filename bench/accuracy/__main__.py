@@ -42,8 +42,7 @@ def settle(options):
     """Writes the recorded run's tables and pictures, or checks the tables. Returns the exit status."""
     recorded = read_json(options.recorded)
     tables = Tables(recorded, quick=False).all()
-    text = result_file.result_text("Time against error", "./run bench accuracy --update", tables)
-    status = result_file.settle(options.results / "accuracy.md", text, options.update)
+    status = result_file.settle_bench(options, "accuracy", "Time against error", tables)
     if options.update:
         plots.draw(recorded, False, options.results.parent / "images", "accuracy_")
     return status

@@ -43,7 +43,7 @@ void write_view(const Decoder& decoder, const std::string& folder, const std::st
 
 // A decoder of its own for each run, so that nothing is decoded already.
 nlohmann::ordered_json decode_all(const std::vector<std::string>& arguments) {
-  const auto file = value_of(io::MappedFile::open(arguments[1]));
+  const auto file = value_of(io::map_file(arguments[1]));
   double least = std::numeric_limits<double>::infinity();
   std::optional<Decoder> decoder;
   for (int run = 0; run < std::max(std::stoi(arguments[2]), 1); ++run) {

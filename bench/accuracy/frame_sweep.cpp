@@ -82,10 +82,9 @@ void add_errors(const RgbImage& image, Filter filter, int stop_level, RealFrames
 
 struct OpenFile {
   explicit OpenFile(const std::string& path)
-      : file(value_of(io::MappedFile::open(path))),
-        decoder(value_of(Decoder::open(file.bytes()))) {}
+      : file(value_of(io::map_file(path))), decoder(value_of(Decoder::open(file.bytes()))) {}
 
-  io::MappedFile file;
+  MappedFile file;
   Decoder decoder;
 };
 

@@ -3,7 +3,7 @@ tree, or another view, as by motion."""
 
 import numpy as np
 
-from light_field import read_view, view_files
+from light_field import read_views
 from similarity import chosen_views, luma
 from tables import psnr_of_mse
 
@@ -18,12 +18,10 @@ def measure(folder):
 
     mean_N: each by the mean of its cluster of NxN; vectors: each by the view in the middle, with the
     best vector of whole pixels for each block."""
-    rows, cols, files = view_files(folder)
-    clusters = [side for side in SIDES if side <= min(rows, cols)]
+    views = read_views(folder)
+    clusters = [side for side in SIDES if side <= min(views.shape[:2])]
     largest = clusters[-1]
-    views = np.array([
-        [luma(read_view(files[row * cols + col])) for col in range(largest)] for row in range(largest)
-    ])
+    views = luma(views[:largest, :largest])
     middle = ((largest - 1) // 2, (largest - 1) // 2)
     targets = [place for place in chosen_views(largest, largest) if place != middle]
     errors = {f"mean_{side}": [_of_mean(views, place, side) for place in targets] for side in clusters}

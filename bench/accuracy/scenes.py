@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from light_field import read_view, view_files
+from light_field import read_views
 from process import run
 from sources import real_sources
 from store import digest
@@ -61,7 +61,6 @@ def find_scenes(hmlfc, work, quick, names, skip):
 
 
 def _scene(name, folder, at, chroma):
-    rows, cols, files = view_files(folder)
-    height, width = read_view(files[0]).shape[:2]
-    identity = digest([[path.name, path.stat().st_size] for path in files])
+    rows, cols, height, width, _ = read_views(folder).shape
+    identity = digest([[path.name, path.stat().st_size] for path in sorted(folder.iterdir())])
     return Scene(name, folder, identity, at, chroma, rows, cols, width, height)

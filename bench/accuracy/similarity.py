@@ -3,7 +3,7 @@
 import numpy as np
 from skimage.metrics import structural_similarity
 
-from light_field import read_view, view_files
+from light_field import read_view, read_views
 
 # That of Wang, Bovik, Sheikh and Simoncelli: weights of a Gaussian of 1.5 pixels.
 PARAMETERS = {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False}
@@ -21,7 +21,7 @@ def chosen_views(rows, cols):
 
 def luma(view):
     """Y of YCoCg-R, as float64."""
-    red, green, blue = (view[:, :, k].astype(np.int32) for k in range(3))
+    red, green, blue = (view[..., k].astype(np.int32) for k in range(3))
     difference = red - blue
     base = blue + (difference >> 1)
     return (base + ((green - base) >> 1)).astype(np.float64)
@@ -31,11 +31,8 @@ class Similarity:
     """Compares decoded views with those of a folder."""
 
     def __init__(self, folder):
-        rows, cols, files = view_files(folder)
-        self.views = {
-            (row, col): luma(read_view(files[row * cols + col]))
-            for row, col in chosen_views(rows, cols)
-        }
+        views = read_views(folder)
+        self.views = {place: luma(views[place]) for place in chosen_views(*views.shape[:2])}
 
     def mean(self, folder):
         """Mean SSIM of the luma of the chosen views, decoded in a folder as RR_CC.png."""

@@ -1,21 +1,18 @@
-"""Light fields for benchmarks: folders of 8-bit RGB views, their order, PSNR and rates."""
+"""Light fields for benchmarks: folders of 8-bit RGB views, PSNR and rates."""
 
 import math
-import re
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from PIL import Image, UnidentifiedImageError
 
-from process import BenchError
+from process import BenchError, built_package
 
-SUFFIXES = {".png", ".ppm", ".jpg", ".jpeg"}
-GRID_NAMES = (
-    re.compile(r"out_(\d{1,4})_(\d{1,4})_[-+\d.]+_[-+\d.]+_?"),
-    re.compile(r"(?:.*_)?(\d{1,4})_(\d{1,4})"),
-)
-CAMERA_NAME = re.compile(r"input_Cam(\d{1,8})")
+sys.path.append(str(built_package()))
+
+import hmlfc  # noqa: E402
 
 
 @dataclass
@@ -66,17 +63,21 @@ def squared_error(view, decoded):
     return int(np.sum(difference * difference, dtype=np.int64))
 
 
+def read_views(folder):
+    """The views of a folder, whose file names give their positions: uint8 [row, col, y, x, RGB]."""
+    try:
+        views = hmlfc.read_views(folder)
+    except OSError as error:
+        raise BenchError(str(error)) from error
+    if views.depth != 8:
+        raise BenchError(f"{folder}: {views.depth} bits a sample; this bench takes 8")
+    return views.pixels
+
+
 def load(name, folder):
-    """Reads all views of a folder, whose file names give their positions."""
-    rows, cols, ordered = view_files(folder)
-    first = read_view(ordered[0])
-    views = np.empty((len(ordered), *first.shape), np.uint8)
-    for index, path in enumerate(ordered):
-        view = read_view(path)
-        if view.shape != first.shape:
-            raise BenchError(f"{path} differs in size from {ordered[0].name}")
-        views[index] = view
-    return LightField(name, Path(folder), rows, cols, views)
+    views = read_views(folder)
+    rows, cols = views.shape[:2]
+    return LightField(name, Path(folder), rows, cols, views.reshape(rows * cols, *views.shape[2:]))
 
 
 def read_view(path):
@@ -88,32 +89,6 @@ def read_view(path):
             return np.asarray(image)
     except (UnidentifiedImageError, OSError) as error:
         raise BenchError(f"{path}: {error}") from error
-
-
-def view_files(folder):
-    """(rows, cols, files in row-major order), parsed from file names as `hmlfc encode` does."""
-    files = sorted(path for path in Path(folder).iterdir() if path.suffix.lower() in SUFFIXES)
-    if not files:
-        raise BenchError(f"{folder} holds no PNG, PPM or JPEG views")
-    cameras = [CAMERA_NAME.fullmatch(path.stem) for path in files]
-    if all(cameras):
-        side = math.isqrt(len(files))
-        places = {divmod(int(match[1]), side): path for match, path in zip(cameras, files)}
-    else:
-        places = {_grid_position(path): path for path in files}
-    rows = 1 + max(row for row, _ in places)
-    cols = 1 + max(col for _, col in places)
-    if len(places) != len(files) or len(files) != rows * cols:
-        raise BenchError(f"{folder}: {len(files)} views do not fill {rows}x{cols} places once each")
-    return rows, cols, [places[place] for place in sorted(places)]
-
-
-def _grid_position(path):
-    for pattern in GRID_NAMES:
-        match = pattern.fullmatch(path.stem)
-        if match:
-            return int(match[1]), int(match[2])
-    raise BenchError(f"{path}: the name has no row and column (RR_CC, out_RR_CC_Y_X, input_CamN)")
 
 
 def bpp_at(curve, psnr):

@@ -64,3 +64,9 @@ def settle(path, text, update):
         print(f"{path} does not hold the recorded tables; --update writes them", file=sys.stderr)
         return 1
     return 0
+
+
+def settle_bench(options, name, title, tables):
+    """settle() for the recorded tables of bench/NAME."""
+    text = result_text(title, f"./run bench {name} --update", tables)
+    return settle(options.results / f"{name}.md", text, options.update)

@@ -178,8 +178,7 @@ def run_bench(options):
 def main():
     options = parse_arguments()
     if options.check or options.update:
-        text = result_file.result_text("Geometry", "./run bench geometry --update", tables(result_file.read(options.recorded)))
-        return result_file.settle(options.results / "geometry.md", text, options.update)
+        return result_file.settle_bench(options, "geometry", "Geometry", tables(result_file.read(options.recorded)))
     return run_bench(options)
 
 

@@ -3,7 +3,7 @@
 import json
 
 import numpy as np
-from light_field import read_view, squared_error, view_files
+from light_field import read_view, read_views, squared_error
 from PIL import Image, ImageDraw
 from process import run, say
 
@@ -21,11 +21,12 @@ class Withheld:
 
     def __init__(self, hmlfc, work, name, folder):
         self.hmlfc, self.work, self.name, self.folder = hmlfc, work, name, folder
-        rows, cols, files = view_files(folder)
+        views = read_views(folder)
+        rows, cols = views.shape[:2]
         places = [(row, col) for row in range(1, rows - 1, 2) for col in range(1, cols - 1, 2)]
         chosen = np.linspace(0, len(places) - 1, min(MOST_VIEWS, len(places))).astype(int)
         self.places = [places[k] for k in chosen]
-        self.views = [read_view(files[row * cols + col]) for row, col in self.places]
+        self.views = [views[place] for place in self.places]
         self.even = f"0..{rows - 1}:2,0..{cols - 1}:2"
         self.stream = work / "even.hmlfc"
 

@@ -175,7 +175,7 @@ int run(const std::vector<std::string>& arguments) {
   if (arguments.empty()) {
     file = encoded_chess(field);
   } else {
-    const auto mapped = value_of(io::MappedFile::open(arguments[0]));
+    const auto mapped = value_of(io::map_file(arguments[0]));
     file.assign(mapped.bytes().begin(), mapped.bytes().end());
   }
   print_frames(file);

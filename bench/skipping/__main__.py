@@ -74,10 +74,9 @@ def write(results, path):
 def settle(options):
     """Writes the recorded run's tables and pictures, or checks the tables. Returns the exit status."""
     results = result_file.read(options.recorded)
-    text = result_file.result_text("Skipping", "./run bench skipping --update", tables(results))
     if options.update:
         plots.draw(results, options.results.parent / "images", "skipping_")
-    return result_file.settle(options.results / "skipping.md", text, options.update)
+    return result_file.settle_bench(options, "skipping", "Skipping", tables(results))
 
 
 def parse_arguments():

@@ -131,7 +131,7 @@ Camera camera_of(const std::string& path, const StreamHeader& header, int frame,
   return camera;
 }
 
-Decoder open(const io::MappedFile& file, Reads* reads = nullptr) {
+Decoder open(const MappedFile& file, Reads* reads = nullptr) {
   OpenOptions options;
   options.check_sections = false;
   options.reads = reads;
@@ -150,7 +150,7 @@ struct Client {
 };
 
 Json draw_frames(const std::vector<std::string>& arguments) {
-  const auto file = value_of(io::MappedFile::open(arguments[1]));
+  const auto file = value_of(io::map_file(arguments[1]));
   const int frames = std::stoi(arguments[3]);
   const auto side = static_cast<uint32_t>(std::stoi(arguments[4]));
   const bool warm = arguments[5] == "warm";
@@ -188,7 +188,7 @@ Json draw_frames(const std::vector<std::string>& arguments) {
 }
 
 Json decode_block(const std::vector<std::string>& arguments) {
-  const auto file = value_of(io::MappedFile::open(arguments[1]));
+  const auto file = value_of(io::map_file(arguments[1]));
   Reads reads;
   double opening = 1e9;
   double decoding = 1e9;

@@ -10,7 +10,7 @@
 
 #include <hmlfc/hmlfc.h>
 
-#include "bits/map_file.hpp"
+#include "bits/mapped_file.hpp"
 #include "capi/callback_source.hpp"
 #include "capi/handles.hpp"
 #include "capi/outcome.hpp"
@@ -64,15 +64,9 @@ Outcome open_file(const char* path, const hmlfc_open_options* options, hmlfc_dec
   if (auto ok = check_pointer(path, "path"); !ok) return ok;
   const auto read = read_open_options(options);
   if (!read) return tl::unexpected(read.error());
-  const auto mapped = map_file(path);
+  auto mapped = MappedFile::open(path);
   if (!mapped) return no_file(path, mapped.error());
-  std::unique_ptr<ByteSource> source;
-  try {
-    source = std::make_unique<MappedSource>(*mapped);
-  } catch (...) {
-    unmap_file(*mapped);
-    throw;
-  }
+  auto source = std::make_unique<MappedFile>(std::move(*mapped));
   return open_stream(std::make_shared<OpenedStream>(std::move(source)), *read, decoder);
 }
 

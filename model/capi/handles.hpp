@@ -12,25 +12,9 @@
 #include <hmlfc/byte_source.hpp>
 #include <hmlfc/decoder.hpp>
 
-#include "bits/map_file.hpp"
 #include "capi/outcome.hpp"
 
 namespace hmlfc::capi {
-
-/// A mapped file.
-class MappedSource final : public ByteSource {
- public:
-  /// Takes over what map_file() gave.
-  explicit MappedSource(std::span<const uint8_t> bytes) : bytes_(bytes) {}
-  MappedSource(const MappedSource&) = delete;
-  MappedSource& operator=(const MappedSource&) = delete;
-  ~MappedSource() override { unmap_file(bytes_); }
-
-  std::span<const uint8_t> bytes() const override { return bytes_; }
-
- private:
-  std::span<const uint8_t> bytes_;
-};
 
 /// Where the bytes of a stream come from, and its decoder. Decoder and renderers share it.
 class OpenedStream {

@@ -36,16 +36,18 @@ class PartFinder {
         views_(views),
         known_(known),
         motion_(header.has(Feature::kMotionTiles)),
-        needed_(static_cast<size_t>(geometry.top()) + 1),
-        originals_(needed_.size()) {}
+        needed_(static_cast<size_t>(geometry.top()) + 1) {}
 
   EncodePart run() {
     EncodePart part;
     part.views = views_;
     for (int level = 0; level <= geometry_.top(); ++level) part.levels.push_back(find(level));
-    for (size_t level = needed_.size(); level-- > 1;) {
-      part.levels[level].originals = listed(originals_[level]);
-      for (const ImagePos at : originals_[level]) add_children(at, level);
+    // The top level of a tree consists of key images: what is needed of it needs no image beside
+    // it, and every image that is looked at below has its parent among what is needed.
+    Images originals = needed_.back();
+    for (int level = geometry_.top(); level > 0; --level) {
+      part.levels[static_cast<size_t>(level)].originals = listed(originals);
+      originals = children(originals, level);
     }
     return part;
   }
@@ -76,8 +78,6 @@ class PartFinder {
     for (const ImagePos at : part.references) {
       part.known.push_back(shape.keyed && known_(level, at));
     }
-    originals_[l].insert(references.begin(), references.end());
-    originals_[l].insert(part.predictive.begin(), part.predictive.end());
     add_parents(level, part.predictive);
     if (!shape.keyed) add_parents(level, part.references);
     if (motion_) add_searched(level, groups, part);
@@ -119,27 +119,27 @@ class PartFinder {
       const bool refined = keyed && !part.known[i];
       if (!refined && !groups.contains(reference)) continue;
       const std::vector<ImagePos> members = members_of(geometry_, level, reference);
-      originals_[static_cast<size_t>(level)].insert(members.begin(), members.end());
       if (!keyed) add_parents(level, members);
       for (const ImagePos at : members) {
         const ImagePos other = reference_images(geometry_, level, at)[1];
         if (keyed && !references.contains(other)) context.insert(other);
       }
     }
-    originals_[static_cast<size_t>(level)].insert(context.begin(), context.end());
     part.context = listed(context);
   }
 
-  void add_children(ImagePos at, size_t level) {
-    if (level == 1) return;  // views are fetched
-    const LevelShape& below = geometry_.level(static_cast<int>(level) - 1);
-    const uint32_t last_row = std::min((at.row + 1) * header_.cluster_rows, below.rows);
-    const uint32_t last_col = std::min((at.col + 1) * header_.cluster_cols, below.cols);
-    for (uint32_t r = at.row * header_.cluster_rows; r < last_row; ++r) {
-      for (uint32_t c = at.col * header_.cluster_cols; c < last_col; ++c) {
-        originals_[level - 1].insert({r, c});
+  // The images of `level` - 1, in [0, top - 1], that `images` of `level` are the means of.
+  Images children(const Images& images, int level) const {
+    const LevelShape& below = geometry_.level(level - 1);
+    Images found;
+    for (const ImagePos at : images) {
+      const uint32_t last_row = std::min((at.row + 1) * header_.cluster_rows, below.rows);
+      const uint32_t last_col = std::min((at.col + 1) * header_.cluster_cols, below.cols);
+      for (uint32_t r = at.row * header_.cluster_rows; r < last_row; ++r) {
+        for (uint32_t c = at.col * header_.cluster_cols; c < last_col; ++c) found.insert({r, c});
       }
     }
+    return found;
   }
 
   const StreamHeader& header_;
@@ -148,7 +148,6 @@ class PartFinder {
   const std::function<bool(int, ImagePos)>& known_;
   bool motion_;
   std::vector<Images> needed_;
-  std::vector<Images> originals_;
 };
 
 // Members of the whole level, predictive or not.

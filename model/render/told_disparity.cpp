@@ -15,7 +15,8 @@ bool has_company(const Geometry& geometry, int level, ImagePos image) {
     return row < shape.rows && col < shape.cols && geometry.group_of(level, {row, col}) == group;
   };
   return is_member(image.row + 1, image.col) || is_member(image.row, image.col + 1) ||
-         is_member(image.row - 1, image.col) || is_member(image.row, image.col - 1);
+         (image.row > 0 && is_member(image.row - 1, image.col)) ||
+         (image.col > 0 && is_member(image.row, image.col - 1));
 }
 
 DisparitySource source_of(const StreamView& stream, int level, ImagePos image) {

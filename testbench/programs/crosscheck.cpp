@@ -180,7 +180,7 @@ int run(int argc, char** argv) {
   std::string device;
   app.add_option("--device", device, "Number or part of the name of a Vulkan device");
   CLI11_PARSE(app, argc, argv);
-  const auto file = io::MappedFile::open(path);
+  const auto file = io::map_file(path);
   if (!file) {
     fmt::print(stderr, "crosscheck: {}\n", file.error().message);
     return kExitUsage;

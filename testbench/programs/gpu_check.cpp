@@ -212,7 +212,7 @@ int show_frames(const Options& o, std::span<const uint8_t> file, const StreamVie
 }
 
 int run_on_stream(const Options& o) {
-  const auto file = io::MappedFile::open(o.file);
+  const auto file = io::map_file(o.file);
   if (!file) return usage_error(file.error().message);
   OpenOptions open_options;
   open_options.check_sections = false;  // damaged streams are checked too

@@ -111,7 +111,7 @@ std::string changes(const Json& before, const Json& now) {
 
 // The report in file `path`, or what is wrong with it.
 tl::expected<Json, std::string> report_in(const std::string& path) {
-  const auto file = io::MappedFile::open(path);
+  const auto file = io::map_file(path);
   if (!file) return tl::unexpected(file.error().message);
   Json report = Json::parse(file->bytes(), nullptr, false);
   try {
@@ -175,7 +175,7 @@ int run(int argc, char** argv) {
   }
   Json streams = Json::array();
   for (const std::string& path : o.files) {
-    const auto file = io::MappedFile::open(path);
+    const auto file = io::map_file(path);
     if (!file) return usage_error(file.error().message);
     Measurement measurement(benches, *maker, o.size, file->bytes());
     Json report = measurement.run();

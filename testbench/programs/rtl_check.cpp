@@ -181,7 +181,7 @@ int run(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   if (!o.plan.apply()) return usage_error("--views is a number or all");
   if (o.random_conditions) o.conditions = random_conditions(o.plan.plan.seed);
-  const auto file = io::MappedFile::open(o.file);
+  const auto file = io::map_file(o.file);
   if (!file) return usage_error(file.error().message);
   const auto maker = choose_unit(o, file->bytes());
   if (!maker) return usage_error("this build has no Verilated unit (Verilator is missing)");

@@ -112,7 +112,7 @@ void serve() {
 
 void run(const Options& options) {
   if (options.serve) return serve();
-  const auto file = io::MappedFile::open(options.file);
+  const auto file = io::map_file(options.file);
   if (!file) throw Stop{kExitUsage, file.error().message};
   if (options.views) return run_views(options, file->bytes());
   const UnitMaker* maker = UnitDecoder::maker_for(file->bytes());

@@ -97,7 +97,7 @@ std::vector<vectors::Vector> vectors_of(const Options& o) {
 // A vector on the unit for its block size; without a sound header on the first.
 bool run_vector(Bench& bench, const std::vector<UnitMaker>& makers, const Options& o,
                 const vectors::Vector& vector, uint32_t seed, ScoreCounts& total) {
-  const auto file = io::MappedFile::open(std::filesystem::path(o.suite) / vector.input.file);
+  const auto file = io::map_file(std::filesystem::path(o.suite) / vector.input.file);
   if (!file) throw std::runtime_error(file.error().message);
   const auto header = parse_header(file->bytes());
   const UnitMaker* maker =

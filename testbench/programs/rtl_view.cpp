@@ -119,7 +119,7 @@ int run(int argc, char** argv) {
   app.add_flag("--random-conditions", o.random_conditions, "Latencies and stalls by the seed");
   app.add_option("--seed", o.seed)->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  const auto file = io::MappedFile::open(o.file);
+  const auto file = io::map_file(o.file);
   if (!file) return usage_error(file.error().message);
   const auto header = parse_header(file->bytes());
   if (!header) return usage_error("the stream's header is damaged");

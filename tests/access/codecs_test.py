@@ -10,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from report_bench import find, main  # noqa: E402  (here and below: found only now)
 
-find("rate_distortion", "numpy", "PIL")
+find("rate_distortion", "numpy", "PIL", "hmlfc")
 find("access")
 
 import haar  # noqa: E402

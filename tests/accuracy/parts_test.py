@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from report_bench import find, main  # noqa: E402  (here and below: found only now)
 
-BENCH = find("accuracy", "numpy", "PIL", "skimage", "matplotlib")
+BENCH = find("accuracy", "numpy", "PIL", "skimage", "matplotlib", "hmlfc")
 
 import numpy as np  # noqa: E402
 from PIL import Image  # noqa: E402

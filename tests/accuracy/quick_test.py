@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from report_bench import find, main  # noqa: E402  (here and below: found only now)
 
-BENCH = find("accuracy", "numpy", "PIL", "skimage", "matplotlib")
+BENCH = find("accuracy", "numpy", "PIL", "skimage", "matplotlib", "hmlfc")
 
 import studies  # noqa: E402
 from results import read_json, write_json  # noqa: E402

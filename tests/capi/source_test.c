@@ -1,13 +1,18 @@
 /* source_test STREAM: a stream whose bytes a function fetches decodes as from a file, by few bytes
  * and in one thread at a time; a function that fails is named and called no more. */
+#define _POSIX_C_SOURCE 200112L
+
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "check.h"
 
 enum { THREADS = 4, GONE = -7, OK = HMLFC_STATUS_OK, BUS = HMLFC_STATUS_BUS_ERROR };
+
+static const struct timespec kLong = {0, 200000};
 
 /* A file in memory that is handed out read by read. */
 struct store {
@@ -22,7 +27,8 @@ struct store {
 static int fetch(void* user, const hmlfc_read* reads, size_t count) {
   struct store* store = user;
   uint64_t end = 0;
-  CHECK(pthread_mutex_trylock(&store->alone) == 0); /* one thread at a time */
+  CHECK(pthread_mutex_trylock(&store->alone) == 0); /* one thread at a time: */
+  nanosleep(&kLong, NULL);                          /* long enough for another to come */
   if (store->calls++ == store->failing) return GONE;
   for (size_t i = 0; i < count; ++i) {
     CHECK(reads[i].size > 0 && (i == 0 || reads[i].offset > end));

@@ -77,15 +77,20 @@ class Divided(CliTest):
             self.assertEqual(sorted(os.listdir(self.folder)), before)
 
     def test_shards_make_the_bytes_of_one_machine(self):
-        for profile in (FAST, ["--profile", "main"], ["--height", "2", *FAST], ["--lossless", "--views", "0..6:2,1..7"]):
-            with self.subTest(profile=profile):
-                self.hmlfc("encode", "views", "-o", "one.hmlfc", *profile)
-                self.hmlfc("encode", "views", "-o", "plan.json", "--plan", *profile)
-                names = [f"{i}.part" for i in (3, 1, 2)]
-                for name in names:
-                    self.shard(f"{name[0]}/3", name, plan="plan.json")
-                self.hmlfc("encode", "plan.json", "-o", "many.hmlfc", "--assemble", *names)
-                self.assertEqual(self.bytes_of("many.hmlfc"), self.bytes_of("one.hmlfc"))
+        for profile in (FAST, ["--profile", "main", "--height", "2"], ["--height", "2", *FAST], ["--lossless", "--views", "0..6:2,1..7"]):
+            self.hmlfc("encode", "views", "-o", "one.hmlfc", *profile)
+            self.hmlfc("encode", "views", "-o", "plan.json", "--plan", *profile)
+            plan = json.loads((self.folder / "plan.json").read_text())
+            # As planned; across the groups of the tree; each view alone.
+            for division in ({}, {"row_ends": [1, 3], "col_ends": [1, 3, 6]}, {"row_ends": range(1, 9), "col_ends": range(1, 8)}):
+                with self.subTest(profile=profile, division=division):
+                    ends = {name: [end for end in some if end < plan[name][-1]] + plan[name][-1:] for name, some in division.items()}
+                    (self.folder / "plan.json").write_text(json.dumps({**plan, **ends}))
+                    names = [f"{i}.part" for i in (3, 1, 2)]
+                    for name in names:
+                        self.shard(f"{name[0]}/3", name, plan="plan.json")
+                    self.hmlfc("encode", "plan.json", "-o", "many.hmlfc", "--assemble", *names)
+                    self.assertEqual(self.bytes_of("many.hmlfc"), self.bytes_of("one.hmlfc"))
 
     def test_a_lost_shard_is_named_and_can_be_run_again(self):
         self.shard("1/2", "first")

@@ -17,7 +17,9 @@ FAULTS = {  # old text: new text, the test that finds it
     '"attempts": options.attempt + 1': ('"attempts": options.attempt', "lost_tasks_run_again_and_no_others"),
     "for left in (partial, job.output(index))": ("for left in (job.output(index),)", "a_task_that_dies_whole_leaves_its_output"),
     'found["status"] != 0]': ('found["status"] > 2]', "a_failure_is_no_loss"),
-    "seed + (index - 1) * count": ("seed + (index - 1)", "seeds"),
+    "seed + (index - 1) * count": ("seed + (index - 1)", "tasks_share_neither_seeds_nor_folders"),
+    '[*seeded("stress", a, i), "--out", o]': ('seeded("stress", a, i)', "tasks_share_neither_seeds_nor_folders"),
+    'f"{i}/{n}"],\n}': ('f"1/{n}"],\n}', "tasks_share_neither_seeds_nor_folders"),
 }
 
 

@@ -107,7 +107,7 @@ class Retry(unittest.TestCase):
         self.assertEqual(arrays, ["1,2,3", "3", "3"])
         self.assertEqual((summary["status"], summary["lost"]), (5, [3]))
 
-    def test_seeds(self):
+    def test_tasks_share_neither_seeds_nor_folders(self):
         spec = importlib.util.spec_from_file_location("cluster", CLUSTER)
         cluster = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(cluster)
@@ -115,6 +115,10 @@ class Retry(unittest.TestCase):
         self.assertEqual(fuzz[1:], ["fuzz-dut", "--dut", "d", "--seed", "25", "--count", "10", "-o", "out"])
         with self.assertRaises(SystemExit):
             cluster.TASKS["fuzz"](["--dut", "d"], 1, 4, "out")
+        stress = cluster.TASKS["stress"](["--minutes", "2"], 3, 4, "out")
+        self.assertEqual(stress[1:], "stress --minutes 2 --seed 3 --out out".split())
+        soak = cluster.TASKS["soak"](["--minutes", "2"], 3, 4, "out")
+        self.assertEqual(soak[1:], "soak --minutes 2 --seed 3 --shard 3/4".split())
 
 
 if __name__ == "__main__":

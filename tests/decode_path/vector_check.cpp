@@ -211,7 +211,7 @@ void check_opened(const std::filesystem::path& folder, const Vector& vector,
 }
 
 void check(const std::filesystem::path& folder, const Vector& vector) {
-  const auto file = io::MappedFile::open(folder / vector.input.file);
+  const auto file = io::map_file(folder / vector.input.file);
   demand(file.has_value(), "the file cannot be read");
   const Expectation& expect = vector.expect;
   const bool opens = expect.outcome == Outcome::kOk || expect.operation == Operation::kBlock;

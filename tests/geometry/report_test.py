@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from report_bench import find, main  # noqa: E402  (here and below: found only now)
 
-BENCH = find("geometry", "numpy", "PIL")
+BENCH = find("geometry", "numpy", "PIL", "hmlfc")
 
 import numpy as np  # noqa: E402
 from depth import measures, read_pfm  # noqa: E402

@@ -51,7 +51,7 @@ struct Options {
 void read_kernels(Options& options) {
   for (const std::string& argument : options.kernels) {
     const size_t equals = argument.find('=');
-    const auto file = hmlfc::io::MappedFile::open(argument.substr(equals + 1));
+    const auto file = hmlfc::io::map_file(argument.substr(equals + 1));
     if (!file) throw std::runtime_error(file.error().message);
     auto& words = options.device.kernels[argument.substr(0, equals)];
     words.resize(file->bytes().size() / 4);
@@ -130,7 +130,7 @@ std::string check_errors(GpuDecoder& decoder, const Vector& vector) {
 
 // What is wrong with the vector's decoded form; empty where nothing is.
 std::string check(Device& device, const std::filesystem::path& suite, const Vector& vector) {
-  const auto file = hmlfc::io::MappedFile::open(suite / vector.input.file);
+  const auto file = hmlfc::io::map_file(suite / vector.input.file);
   if (!file) return file.error().message;
   const auto stream = hmlfc::open_stream(file->bytes(), {});
   // What opening refuses never comes to a shader.

@@ -80,8 +80,7 @@ Value value_or_throw(tl::expected<Value, Error> result) {
 int run(const std::filesystem::path& suite, const std::filesystem::path& folder) {
   const auto manifest = value_or_throw(hmlfc::vectors::read_manifest(suite));
   for (size_t i = 0; i < manifest.vectors.size(); ++i) {
-    const auto file =
-        value_or_throw(hmlfc::io::MappedFile::open(suite / manifest.vectors[i].input.file));
+    const auto file = value_or_throw(hmlfc::io::map_file(suite / manifest.vectors[i].input.file));
     const auto decoder = Decoder::open(file.bytes());
     if (!decoder) continue;
     const auto area = hmlfc::gpu::reference_area(*decoder);

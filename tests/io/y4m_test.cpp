@@ -85,7 +85,7 @@ TEST(Y4m, GridAndOrderThatAreGiven) {
 TEST(Y4m, BytesOfAFrame) {
   const test::TempFolder folder;
   const auto file = written(folder, {1, 1, 1, 1, 8}, FrameOrder::kRaster, 10);
-  const auto mapped = MappedFile::open(file);
+  const auto mapped = map_file(file);
   const std::string text(mapped->bytes().begin(), mapped->bytes().end());
   // R, G, B are 0, 239, 222 (7919 and 2 * 7919 modulo 256): Y' 706, Cb 578, Cr 95.
   EXPECT_EQ(text, std::string("YUV4MPEG2 W1 H1 F30:1 Ip A1:1 C444p10 XCOLORRANGE=LIMITED "

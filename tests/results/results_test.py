@@ -51,5 +51,5 @@ class ResultsTest(unittest.TestCase):
 
 if __name__ == "__main__":
     if PROGRAM[0].endswith(("accuracy", "skipping")):
-        find("accuracy", "numpy", "PIL", "skimage", "matplotlib")
+        find("accuracy", "numpy", "PIL", "skimage", "matplotlib", "hmlfc")
     main()

@@ -38,7 +38,7 @@ const std::vector<Bytes>& suite() {
     std::vector<Bytes> all;
     const auto manifest = vectors::read_manifest(folder);
     for (const auto& vector : manifest->vectors) {
-      const auto file = io::MappedFile::open(folder / vector.input.file);
+      const auto file = io::map_file(folder / vector.input.file);
       all.emplace_back(file->bytes().begin(), file->bytes().end());
     }
     return all;

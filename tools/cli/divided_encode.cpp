@@ -46,7 +46,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 // Forgets the pages of a stream now and then while it is read.
 class PageLimit final : public ReadSink {
  public:
-  explicit PageLimit(const io::MappedFile& file) : file_(file) {}
+  explicit PageLimit(const MappedFile& file) : file_(file) {}
 
   void on_read(uint64_t, uint64_t bytes) override {
     if ((read_ += bytes) < kKeptBytes) return;
@@ -55,7 +55,7 @@ class PageLimit final : public ReadSink {
   }
 
  private:
-  const io::MappedFile& file_;
+  const MappedFile& file_;
   std::atomic<uint64_t> read_ = 0;
 };
 
@@ -96,7 +96,7 @@ ErrorSums measure_in_parts(const std::filesystem::path& stream, const ViewSource
 }
 
 StreamReport report_in_bounds(const std::filesystem::path& stream) {
-  const auto mapped = value_or_throw(io::MappedFile::open(stream), ExitCode::kInput);
+  const auto mapped = value_or_throw(io::map_file(stream), ExitCode::kInput);
   PageLimit pages(mapped);
   const auto decoder =
       Decoder::open(mapped.bytes(), {.check_sections = false, .limits = {}, .reads = &pages});

@@ -135,7 +135,7 @@ std::string plan_text(const EncodeOptions& options, const EncodeParams& params,
 }
 
 EncodePlan read_plan(const fs::path& file) {
-  const auto mapped = value_or_throw(io::MappedFile::open(file), ExitCode::kInput);
+  const auto mapped = value_or_throw(io::map_file(file), ExitCode::kInput);
   const auto bytes = mapped.bytes();
   const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
   const auto is_plan = [&] { return json.is_object() && json.value("format", "") == kFormat; };

@@ -78,12 +78,12 @@ Json sum_json(const DividedEncoder& encoder, size_t part) {
 // A shard that was read: intact, of this version.
 struct Shard {
   fs::path file;
-  io::MappedFile mapped;
+  MappedFile mapped;
   Json head;
   size_t data = 0;  // where the first part begins
 
   explicit Shard(const fs::path& path)
-      : file(path), mapped(value_or_throw(io::MappedFile::open(path), ExitCode::kInput)) {
+      : file(path), mapped(value_or_throw(io::map_file(path), ExitCode::kInput)) {
     const auto bytes = mapped.bytes();
     if (!std::ranges::equal(bytes.first(std::min(bytes.size(), kShardMagic.size())), kShardMagic)) {
       refuse_shard(file, "not a shard; `hmlfc encode PLAN -o FILE --shard I/N` writes one");

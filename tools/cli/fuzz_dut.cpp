@@ -39,7 +39,7 @@ std::string shape(std::span<const uint8_t> stream) {
 
 ExitCode run_minimise(const MinimiseOptions& options) {
   const conform::Dut dut = options.dut.read().front();
-  const auto file = value_or_throw(io::MappedFile::open(options.file), ExitCode::kInput);
+  const auto file = value_or_throw(io::map_file(options.file), ExitCode::kInput);
   check_output_file(options.output);
   auto work = options.output;
   work += ".work";

@@ -168,7 +168,7 @@ ExitCode run_show(const SuiteOptions& options) {
 ExitCode run_inspect(const SuiteOptions& options) {
   const vectors::Manifest manifest = manifest_of(options.suite);
   const auto path = options.suite / vector_of(manifest, options).input.file;
-  const auto file = value_or_throw(io::MappedFile::open(path), ExitCode::kInput);
+  const auto file = value_or_throw(io::map_file(path), ExitCode::kInput);
   print(vectors::annotated_dump(file.bytes()));
   return ExitCode::kDone;
 }

@@ -10,9 +10,9 @@ which has to be built before:
   encode PLAN OUT   hmlfc encode PLAN --shard I/N, then --assemble to OUT
   conform ARG...    hmlfc conform ARG... --shard I/N, then --merge to FOLDER/report
   fuzz ARG...       hmlfc fuzz-dut ARG... (with --count C), on seeds from S + (I - 1) * C on, S of --seed
-  stress ARG...     ./run stress ARG... --seed I
+  stress ARG...     ./run stress ARG... --seed I --out FOLDER/tasks/I
   mutants ARG...    ./run mutate ARG... --seed I, where ARG begins with model, shaders or naive
-  soak ARG...       ./run soak ARG... --seed I
+  soak ARG...       ./run soak ARG... --seed I --shard I/N
 
 A task that ends without a status (killed, its node lost), or for want of memory or disk, is lost and runs
 again, up to R times. Exit status of the merge and of the summary: the worst of the tasks.
@@ -53,8 +53,8 @@ def fuzz(arguments, index, output):
     return [hmlfc(), "fuzz-dut", *rest, "--seed", str(first), "--count", str(count), "-o", output]
 
 
-def seeded(command):
-    return lambda arguments, index, count, output: [str(ROOT / "run"), command, *arguments, "--seed", str(index)]
+def seeded(command, arguments, index):
+    return [str(ROOT / "run"), command, *arguments, "--seed", str(index)]
 
 
 # The command of task `index` of `count`, which writes to `output`.
@@ -62,9 +62,9 @@ TASKS = {
     "encode": lambda a, i, n, o: [hmlfc(), "encode", a[0], "-o", o, "--shard", f"{i}/{n}", "--threads", "1"],
     "conform": lambda a, i, n, o: [hmlfc(), "conform", *a, "--shard", f"{i}/{n}", "-o", o],
     "fuzz": lambda a, i, n, o: fuzz(a, i, o),
-    "stress": seeded("stress"),
-    "mutants": seeded("mutate"),
-    "soak": seeded("soak"),
+    "stress": lambda a, i, n, o: [*seeded("stress", a, i), "--out", o],
+    "mutants": lambda a, i, n, o: seeded("mutate", a, i),
+    "soak": lambda a, i, n, o: [*seeded("soak", a, i), "--shard", f"{i}/{n}"],
 }
 # What makes one result of `outputs`; kinds without it are summed up by their statuses.
 MERGES = {

@@ -77,7 +77,7 @@ std::optional<std::string> difference_at(const std::string& where, const Claim& 
 io::IoResult<Claim> claim_of(const Suite& suite, const Dut& dut, const std::string& dut_text) {
   Claim files = Claim::array();
   for (const fs::path& file : files_of(dut.command)) {
-    const auto mapped = io::MappedFile::open(file);
+    const auto mapped = io::map_file(file);
     if (!mapped) return tl::unexpected(mapped.error());
     files.push_back(
         {{"name", file.filename().string()}, {"sha256", vectors::sha256(mapped->bytes())}});
@@ -112,7 +112,7 @@ io::IoResult<void> write_claim(const fs::path& file, const Claim& claim) {
 }
 
 io::IoResult<Claim> read_claim(const fs::path& file) {
-  const auto mapped = io::MappedFile::open(file);
+  const auto mapped = io::map_file(file);
   if (!mapped) return tl::unexpected(mapped.error());
   const Claim whole = Claim::parse(mapped->bytes().begin(), mapped->bytes().end(), nullptr, false);
   const bool good = whole.is_object() && whole.contains("claim") && whole.contains("sha256") &&

@@ -69,7 +69,7 @@ class LineServer {
   // Each sets `text`, what follows "ok", and returns the library's status.
   int open(const std::string& path, std::string& text) {
     stream_.reset();
-    auto file = io::MappedFile::open(path);
+    auto file = io::map_file(path);
     if (!file) {
       std::fprintf(stderr, "%s\n", file.error().message.c_str());
       end = ServeEnd::kNoFile;
@@ -147,7 +147,7 @@ class LineServer {
   }
 
   const DutFunctions& functions_;
-  std::optional<io::MappedFile> file_;
+  std::optional<MappedFile> file_;
   Handle stream_{nullptr, functions_.close};
   hmlfc_dut_geometry geometry_{};
 };

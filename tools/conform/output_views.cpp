@@ -13,7 +13,7 @@ size_t sample_bytes(int depth) { return depth > 8 ? 2 : 1; }
 
 io::IoResult<std::vector<RgbImage>> read_raw(const std::filesystem::path& path,
                                              const LightFieldShape& shape) {
-  const auto file = io::MappedFile::open(path);
+  const auto file = io::map_file(path);
   if (!file) return tl::unexpected(file.error());
   const size_t count = size_t{shape.width} * shape.height * 3;
   const size_t views = size_t{shape.rows} * shape.cols;

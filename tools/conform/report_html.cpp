@@ -91,7 +91,7 @@ std::string pictures(const VectorResult& result, const std::filesystem::path& fo
   constexpr const char* kCaptions[] = {"expected", "actual", "difference times 16, grey if equal",
                                        "wrong blocks, by their largest difference"};
   for (size_t i = 0; i < std::size(kFailurePictures); ++i) {
-    const auto file = io::MappedFile::open(folder / result.pictures / kFailurePictures[i]);
+    const auto file = io::map_file(folder / result.pictures / kFailurePictures[i]);
     if (!file) continue;
     const auto bytes = file->bytes();
     text +=

@@ -111,7 +111,7 @@ class SuiteRun {
     result.milestone = vector.milestone;
     result.bytes = vector.input.bytes;
     const fs::path input = fs::absolute(suite_.folder / vector.input.file);
-    const auto file = io::MappedFile::open(input);
+    const auto file = io::map_file(input);
     if (!file) {
       fail_in_suite(result, file.error().message);
     } else if (vectors::sha256(file->bytes()) != vector.input.sha256) {
@@ -170,7 +170,7 @@ class SuiteRun {
 io::IoResult<Suite> open_suite(const std::filesystem::path& folder) {
   auto manifest = vectors::read_manifest(folder);
   if (!manifest) return tl::unexpected(manifest.error());
-  const auto file = io::MappedFile::open(folder / "manifest.json");
+  const auto file = io::map_file(folder / "manifest.json");
   if (!file) return tl::unexpected(file.error());
   return Suite{folder, std::move(*manifest), vectors::sha256(file->bytes())};
 }

@@ -1,7 +1,6 @@
 #include "io/files.hpp"
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,8 +10,6 @@
 #include <string>
 #include <system_error>
 #include <utility>
-
-#include "bits/map_file.hpp"
 
 namespace hmlfc::io {
 
@@ -82,26 +79,11 @@ IoResult<void> write_file(const fs::path& target, std::span<const uint8_t> bytes
   });
 }
 
-IoResult<MappedFile> MappedFile::open(const std::filesystem::path& path) {
-  const auto mapped = map_file(path.c_str());
-  if (mapped) return MappedFile(*mapped);
+IoResult<MappedFile> map_file(const fs::path& path) {
+  auto mapped = MappedFile::open(path.c_str());
+  if (mapped) return std::move(*mapped);
   const auto [reason, number] = mapped.error();
   return number == 0 ? file_error(path, reason) : system_error(path, reason, number);
 }
-
-MappedFile::MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
-
-MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
-  std::swap(bytes_, other.bytes_);
-  return *this;
-}
-
-void MappedFile::drop_pages() const {
-  if (!bytes_.empty()) {
-    ::madvise(const_cast<uint8_t*>(bytes_.data()), bytes_.size(), MADV_DONTNEED);
-  }
-}
-
-MappedFile::~MappedFile() { unmap_file(bytes_); }
 
 }  // namespace hmlfc::io

@@ -10,8 +10,7 @@
 #include <string>
 #include <utility>
 
-#include <hmlfc/byte_source.hpp>
-
+#include "bits/mapped_file.hpp"
 #include "io/io_error.hpp"
 
 namespace hmlfc::io {
@@ -75,27 +74,7 @@ class AtomicFile {
 /// The whole file at once: create, write, commit.
 IoResult<void> write_file(const std::filesystem::path& target, std::span<const uint8_t> bytes);
 
-/// Read-only view of a whole regular file for the lifetime of the object. The file must not be
-/// truncated meanwhile (the system would kill the process); replacing it by rename is safe.
-class MappedFile final : public ByteSource {
- public:
-  /// Errors: the file does not exist, cannot be read, or is not a regular file.
-  static IoResult<MappedFile> open(const std::filesystem::path& path);
-
-  MappedFile(MappedFile&& other) noexcept;
-  MappedFile& operator=(MappedFile&& other) noexcept;
-  ~MappedFile() override;
-
-  /// Takes the pages read so far out of memory; they are read again when they are needed.
-  void drop_pages() const;
-
-  /// All bytes of the file; an empty span for an empty file.
-  std::span<const uint8_t> bytes() const override { return bytes_; }
-
- private:
-  explicit MappedFile(std::span<const uint8_t> bytes) : bytes_(bytes) {}
-
-  std::span<const uint8_t> bytes_;
-};
+/// As MappedFile::open; the error says so in words.
+IoResult<MappedFile> map_file(const std::filesystem::path& path);
 
 }  // namespace hmlfc::io

@@ -189,7 +189,7 @@ tl::expected<HciParameters, std::string> parse_hci_parameters(std::string_view t
 }
 
 IoResult<HciParameters> read_hci_parameters(const std::filesystem::path& file) {
-  const auto mapped = MappedFile::open(file);
+  const auto mapped = map_file(file);
   if (!mapped) return tl::unexpected(mapped.error());
   const auto* text = reinterpret_cast<const char*>(mapped->bytes().data());
   const auto read = parse_hci_parameters({text, mapped->bytes().size()});

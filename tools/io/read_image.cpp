@@ -31,7 +31,7 @@ IoResult<RgbImage> allocate_image(const ImageSource& source, uint64_t width, uin
 
 IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimits& limits,
                               ImageLosses* losses) {
-  const auto file = MappedFile::open(path);
+  const auto file = map_file(path);
   if (!file) return tl::unexpected(file.error());
   ImageLosses ignored;
   const ImageSource source{path, file->bytes(), limits, losses != nullptr ? *losses : ignored};

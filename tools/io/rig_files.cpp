@@ -52,7 +52,7 @@ IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
     if (!rig) return file_error(file, rig.error());
     return checked(file, *rig, views);
   }
-  const auto mapped = MappedFile::open(file);
+  const auto mapped = map_file(file);
   if (!mapped) return tl::unexpected(mapped.error());
   const Json json = Json::parse(mapped->bytes().begin(), mapped->bytes().end(), nullptr, false);
   if (!is_transforms(json)) {

@@ -73,7 +73,7 @@ int exact_video_bits(int depth) { return depth <= 8 ? 10 : depth <= 10 ? 12 : 14
 IoResult<Y4mReader> Y4mReader::open(const std::filesystem::path& file,
                                     std::optional<GridShape> grid,
                                     std::optional<FrameOrder> order) {
-  auto mapped = MappedFile::open(file);
+  auto mapped = map_file(file);
   if (!mapped) return tl::unexpected(mapped.error());
   Y4mReader video(std::move(*mapped));
   const auto bytes = video.file_.bytes();

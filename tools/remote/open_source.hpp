@@ -24,9 +24,9 @@ inline io::IoResult<OpenSource> open_source(const std::filesystem::path& path) {
     const HttpSource* http = opened->get();
     return OpenSource{std::move(*opened), http};
   }
-  auto mapped = io::MappedFile::open(path);
+  auto mapped = io::map_file(path);
   if (!mapped) return tl::unexpected(mapped.error());
-  return OpenSource{std::make_unique<io::MappedFile>(std::move(*mapped))};
+  return OpenSource{std::make_unique<MappedFile>(std::move(*mapped))};
 }
 
 }  // namespace hmlfc::remote

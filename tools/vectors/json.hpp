@@ -23,7 +23,7 @@ class TextError : public std::runtime_error {
 
 /// The JSON in `file`. Throws TextError naming the file and the place.
 inline Json read_json(const std::filesystem::path& file) {
-  const auto mapped = io::MappedFile::open(file);
+  const auto mapped = io::map_file(file);
   if (!mapped) throw TextError(mapped.error().message);
   try {
     return Json::parse(mapped->bytes().begin(), mapped->bytes().end());

@@ -72,9 +72,9 @@ class VectorLint {
   }
 
   // The file, if its sum is that of the manifest; otherwise nothing, and a complaint.
-  std::optional<io::MappedFile> read(const SuiteFile& file) {
+  std::optional<MappedFile> read(const SuiteFile& file) {
     named_.insert(file.file);
-    auto mapped = io::MappedFile::open(folder_ / file.file);
+    auto mapped = io::map_file(folder_ / file.file);
     if (!mapped) {
       complain(mapped.error().message);
       return std::nullopt;

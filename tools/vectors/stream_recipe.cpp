@@ -86,7 +86,7 @@ MadeStream edited(const Recipes& recipes, const Recipe& recipe, int depth) {
 }
 
 std::vector<uint8_t> stored_stream(const Json& json) {
-  const auto file = io::MappedFile::open(json.at("file").get<std::string>());
+  const auto file = io::map_file(json.at("file").get<std::string>());
   if (!file) throw TextError(file.error().message);
   return {file->bytes().begin(), file->bytes().end()};
 }

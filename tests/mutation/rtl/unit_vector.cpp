@@ -12,8 +12,8 @@
 namespace hmlfc::tb {
 namespace {
 
-io::MappedFile map(const std::filesystem::path& path) {
-  auto file = io::MappedFile::open(path);
+MappedFile map(const std::filesystem::path& path) {
+  auto file = io::map_file(path);
   if (!file) throw std::runtime_error(file.error().message);
   return std::move(*file);
 }

@@ -42,7 +42,7 @@ class UnitVector {
   std::string wrong_views(UnitHost& host) const;
 
   vectors::Vector vector_;
-  io::MappedFile file_;
+  MappedFile file_;
   StreamImage image_;
   unsigned software_error_ = 0;  ///< of what the unit leaves to software (FIL-6, KEY-1)
 };

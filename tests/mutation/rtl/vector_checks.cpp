@@ -49,7 +49,7 @@ std::vector<std::unique_ptr<Check>> vector_checks(const std::filesystem::path& s
   const UnitParameters unit = rtl_units().front().parameters;
   std::vector<std::unique_ptr<Check>> found;
   for (const vectors::Vector& vector : manifest->vectors) {
-    const auto file = io::MappedFile::open(suite / vector.input.file);
+    const auto file = io::map_file(suite / vector.input.file);
     if (!file) throw std::runtime_error(file.error().message);
     if (UnitVector::is_for(unit, file->bytes())) {
       found.push_back(std::make_unique<VectorCheck>(suite, vector));

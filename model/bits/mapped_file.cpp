@@ -1,4 +1,4 @@
-#include "bits/map_file.hpp"
+#include "bits/mapped_file.hpp"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <utility>
 
 namespace hmlfc {
 namespace {
@@ -26,17 +27,31 @@ tl::expected<std::span<const uint8_t>, MapFailure> map_descriptor(int file) {
 
 }  // namespace
 
-tl::expected<std::span<const uint8_t>, MapFailure> map_file(const char* path) {
+tl::expected<MappedFile, MapFailure> MappedFile::open(const char* path) {
   // Without O_NONBLOCK, opening a named pipe would wait for a writer.
   const int file = ::open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) return tl::unexpected(MapFailure{"cannot open for reading", errno});
-  auto mapped = map_descriptor(file);
+  const auto bytes = map_descriptor(file);
   ::close(file);
-  return mapped;
+  if (!bytes) return tl::unexpected(bytes.error());
+  return MappedFile(*bytes);
 }
 
-void unmap_file(std::span<const uint8_t> bytes) {
-  if (!bytes.empty()) ::munmap(const_cast<uint8_t*>(bytes.data()), bytes.size());
+MappedFile::MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
+
+MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
+  std::swap(bytes_, other.bytes_);
+  return *this;
+}
+
+void MappedFile::drop_pages() const {
+  if (!bytes_.empty()) {
+    ::madvise(const_cast<uint8_t*>(bytes_.data()), bytes_.size(), MADV_DONTNEED);
+  }
+}
+
+MappedFile::~MappedFile() {
+  if (!bytes_.empty()) ::munmap(const_cast<uint8_t*>(bytes_.data()), bytes_.size());
 }
 
 }  // namespace hmlfc
