@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SKIPPED = 77
 COMPILER = "x86_64-w64-mingw32-g++-posix"
 HEADERS = ("tl", "vulkan", "vk_video", "hwy", "tbb", "oneapi", "openjpeg-2.5")
-POSIX_ONLY = {"model/bits/map_file.cpp", "model/bits/sparse_bytes.cpp"}
+POSIX_ONLY = {"model/bits/mapped_file.cpp", "model/bits/sparse_bytes.cpp"}
 # Builds without Vulkan, and the DUT, a module of POSIX's dlopen.
 LEFT_OUT = {"gpu_ref/no_vulkan.cpp", "gpu_ref/dut/gpu_dut.cpp"}
 
