@@ -23,7 +23,7 @@ layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Fra
   OutWords pages;      // by word of bits: the page of the pool for its 32 blocks; if one is held
   OutWords slots;      // by request: the slot of the pool for its samples, and its bit
   OutWords counters;   // kCount..., of this frame
-  OutWords used_pages; // pages that the frames before use, or kUsedNothingHeld
+  OutWords used_pages; // pages that the frames before use, or kUsedNothingHeld; the level of their blocks
   OutWords results;    // for the host: the counters
   OutWords dispatches; // kDispatch..., three words each
   OutWords drawn;      // three samples of 16 bits a pixel, rows of an even number of pixels
