@@ -37,7 +37,10 @@ class Check {
 std::vector<std::unique_ptr<Check>> vector_checks(const std::filesystem::path& suite);
 
 /// The tests of GoogleTest that this program is linked with, of suites with `part` in their names,
-/// each in a process of its own; one that takes far longer than it did when it passed hangs.
+/// each in a process of its own; one that takes far longer than it did when it passed hangs, and
+/// one that has not passed yet after test_seconds() of CPU time.
 std::vector<std::unique_ptr<Check>> test_checks(std::string_view part);
+
+double& test_seconds();
 
 }  // namespace hmlfc::tb

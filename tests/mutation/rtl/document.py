@@ -20,7 +20,7 @@ sys.path.insert(0, str(FOLDER.parents[2] / "bench/common"))
 import result_file  # noqa: E402  (found only now)
 
 COLUMNS = ("module", "mutants", "found by a vector", "by a test of the bench", "equivalent", "other clocks alone",
-           "survive, explained", "not explained", "no result yet")
+           "survive, explained", "at no pin of the module", "not explained", "no result yet")
 COMMAND = re.compile(
     r"mutate -mode (?P<mode>\w+) -module top -cell (?P<cell>\S+) -port (?P<port>\S+)"
     r" -portbit (?P<bit>\d+)(?: -ctrlbit (?P<control>\d+))?"
@@ -49,7 +49,8 @@ def survivor(entry):
 
 def outcomes(recorded):
     """Rows of module, mutants, found by a vector, by a test of the bench, equivalent, of other clocks,
-    surviving with a reason, without one, and without a result yet."""
+    surviving with a reason, because they show at no pin of their module, without a reason, and without a
+    result yet."""
     rows, total = [], collections.Counter()
     for kept in recorded.values():
         by_check = record.found_by(kept)

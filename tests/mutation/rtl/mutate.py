@@ -11,16 +11,16 @@ of modules (units.py) are Verilated with their mutants in them, each of which is
 - loading, tiles, references, memories (the rest of the decode unit): these, then the tests of registers and 16 random streams of the regression;
 - dma, view (the modules around it): the tests of the view unit, those of the DMA on 64 random streams.
 
-A failing assertion of rtl/kit finds a mutant too. What the first checks miss is compared with its module by Yosys and ABC; what is not
-equivalent goes through all checks. What these miss as well either takes other clocks for a vector, or must be in survivors.json, with
-the reason.
+A failing assertion of rtl/kit finds a mutant too. What no check finds is equivalent by a proof of Yosys and ABC, or takes other clocks for
+a vector, or must be in survivors.json, with the reason. Those without are told apart: do they show at a pin of their module in any check
+(observe.py)? Where not, the checks lack a stimulus, or the unit cannot give one.
 
 --group NAME    only mutants of the group         --module NAME   only mutants of hmlfc_NAME
 --sample N      only N of them, spread evenly
 --first         only the first checks: what they miss gets no result
 --record        writes recorded.json: what became of them; what found one is tried first from then on
 --found         only mutants that were found then
---new           only mutants of which it has no result, so that a campaign can go on
+--new           only mutants of which it has no result, without the first checks, so that a campaign can go on
 """
 
 import argparse
@@ -30,7 +30,9 @@ import json
 import pathlib
 import subprocess
 import sys
+import threading
 
+import differing
 import prove
 import record
 import units
@@ -38,8 +40,9 @@ import units
 HERE = pathlib.Path(__file__).resolve().parent
 FOUND = ("killed", "hangs")
 FIRST_CLOCKS = 60_000
-GROUP_CLOCKS = 2_000_000  # a seventh of all checks
 SPEED_CLOCKS = 300_000
+TOGETHER = 48  # mutants that are switched on at once, if no check finds them
+SURE = 3  # mutants of a variant that are found, and must differ in the check that finds them
 
 
 def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[dict]:
@@ -50,20 +53,21 @@ def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[
     return [rest[index * len(rest) // sample] for index in range(sample)]
 
 
-def lines(program: list[str], groups: list[str]) -> list[dict]:
-    """What rtl_mutants prints for these. Raises RuntimeError where it fails."""
-    done = subprocess.run([*program, "--mutants", ",".join(groups)], stdout=subprocess.PIPE, text=True, check=False)
-    if done.returncode != 0:
+def lines(program: list[str], groups: list[str]):
+    """What rtl_mutants prints for these, as it does. Raises RuntimeError where it fails."""
+    with subprocess.Popen([*program, "--mutants", ",".join(groups)], stdout=subprocess.PIPE, text=True) as running:
+        # Verilator tells of assertions in between.
+        yield from (json.loads(line) for line in running.stdout if line.startswith("{"))
+    if running.returncode != 0:
         raise RuntimeError("rtl_mutants has failed")
-    return [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]  # without what Verilator says of assertions
 
 
-def run_groups(program: list[str], groups: list[list[dict]], recorded: dict[int, str]) -> list[dict]:
+def run_groups(program: list[str], groups: list[list[dict]], recorded: dict[int, str]):
     """The result of each mutant of groups that rtl_mutants tries."""
     names = []
     for group in groups:
         check = recorded.get(group[0]["number"], "") if len(group) == 1 else ""
-        names.append("+".join(f"{mutant['number']}/{mutant['variant']}" for mutant in group) + f":{check}")
+        names.append("+".join(str(mutant["number"]) for mutant in group) + f":{check}")
     return lines(program, names)
 
 
@@ -80,23 +84,33 @@ def by_variant(mutants: list[dict]) -> list[list[dict]]:
     return [list(group) for _, group in itertools.groupby(mutants, lambda mutant: mutant["variant"])]
 
 
+def numbers_of(mutants: list[dict]) -> set[int]:
+    return {mutant["number"] for mutant in mutants}
+
+
 def together(mutants: list[dict]) -> list[list[list[dict]]]:
-    """For run_checks: groups with one mutant of each variant. What no check finds together takes the time of one."""
-    return [[[mutant for mutant in group if mutant]] for group in itertools.zip_longest(*by_variant(mutants))]
+    """For run_checks: groups of mutants of as many variants as there are. What no check finds together takes the time of one."""
+    mixed = [mutant for group in itertools.zip_longest(*by_variant(mutants)) for mutant in group if mutant]
+    return [[mixed[begin:begin + TOGETHER]] for begin in range(0, len(mixed), TOGETHER)]
 
 
 class Campaign:
     """One of a group of modules. `results` has what became of each mutant so far, by number: `result` of rtl_mutants, the `proof` of
     those that no check finds, and the `speed` of those that show in clocks."""
 
-    def __init__(self, program: list[str], folder: pathlib.Path, options: argparse.Namespace, known: dict[int, str], keep):
-        self.program, self.folder, self.options, self.known, self.keep = program, folder, options, known, keep
-        self.results = {}
+    def __init__(self, program: list[str], folder: pathlib.Path, options: argparse.Namespace, planted: list[dict], known: dict[int, str], keep):
+        self.program, self.folder, self.options, self.planted, self.known, self.keep = program, folder, options, planted, known, keep
+        self.results, self.lock = {}, threading.Lock()
 
     def run_checks(self, step: str, command: list[str], shards: list[list[list[dict]]]) -> None:
-        for found in in_parallel(step, lambda groups: run_groups(command, groups, self.known), shards, self.options.jobs):
-            self.results.update({result["number"]: result for result in found})
-            self.keep(self.results)
+        def run_shard(groups: list[list[dict]]) -> None:
+            for result in run_groups(command, groups, self.known):
+                with self.lock:
+                    self.results[result["number"]] = result
+                    self.keep(self.results)
+
+        for _ in in_parallel(step, run_shard, shards, self.options.jobs):
+            pass
 
     def left(self, mutants: list[dict]) -> list[dict]:
         return [mutant for mutant in mutants if self.results[mutant["number"]]["result"] not in FOUND]
@@ -112,27 +126,39 @@ class Campaign:
                 self.keep(self.results)
         return proofs
 
+    def shown(self, mutants: list[dict]) -> set[int]:
+        """Those that show at a pin of their module in some check. Some that are found must show in the check that finds them."""
+        if self.options.vectors or not mutants:
+            return numbers_of(mutants)
+        found = self.known | {number: result["vector"] for number, result in self.results.items() if "vector" in result}
+        sure = []
+        for variant in by_variant(self.planted):
+            sure += [mutant["number"] for mutant in variant if mutant["number"] in found][:SURE]
+        observed = differing.observe(self.folder, self.options.suite, numbers_of(mutants), {number: found[number] for number in sure}, self.options.jobs)
+        return {number for numbers in observed.values() for number in numbers}
+
     def run(self, mutants: list[dict]) -> None:
-        """Most are found by the first checks, alone or with several switched on at once. What is not found by then is proved equivalent,
-        if it can be, before all checks are tried on the others."""
-        first = [*self.program, "--clocks", str(FIRST_CLOCKS)]
-        self.run_checks("variants, first checks", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
-        first[-1] = str(GROUP_CLOCKS)
-        self.run_checks("groups, first checks", first, together(self.left(mutants)))
-        if self.options.first:
+        """Most are found by the first checks, alone, the others with many switched on at once. What no check finds is proved equivalent, if it
+        can be; of the rest it is told which show anywhere."""
+        missed = mutants
+        if not self.options.new:
+            first = [*self.program, "--clocks", str(FIRST_CLOCKS)]
+            self.run_checks("first checks", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
+            missed = self.left(mutants)
+        if self.options.first or not missed:
             return
-        missed = self.left(mutants)
+        self.run_checks("all checks", self.program, together(missed))
+        missed = self.left(missed)
         proofs = self.prove(missed)
-        rest = [mutant for mutant in missed if proofs[mutant["number"]] != prove.EQUIVALENT]
-        self.run_checks("groups, all checks", self.program, together(rest))
-        rest = self.left(rest)
-        for mutant in self.left(missed):
-            self.results[mutant["number"]]["proof"] = proofs[mutant["number"]]
+        missed = [mutant for mutant in missed if proofs[mutant["number"]] != prove.EQUIVALENT]
+        shown = self.shown(missed)
+        for number in numbers_of(missed):
+            self.results[number] |= {"proof": proofs[number]} | ({} if number in shown else {"hidden": "shows at no pin of its module in any check"})
         speed = [*self.program, "--speed", "--clocks", str(SPEED_CLOCKS)]
-        alone = [f"{mutant['number']}/{mutant['variant']}" for mutant in rest]
-        for found in in_parallel("clocks", lambda name: lines(speed, [name]), alone, self.options.jobs):
-            for shown in found:
-                self.results[shown["number"]]["speed"] = f"{shown['clocks']} clocks of {shown['vector']} in place of {shown['unmutated']}"
+        alone = [str(number) for number in sorted(numbers_of(missed) & shown)]
+        for found in in_parallel("clocks", lambda name: list(lines(speed, [name])), alone, self.options.jobs):
+            for slower in found:
+                self.results[slower["number"]]["speed"] = f"{slower['clocks']} clocks of {slower['vector']} in place of {slower['unmutated']}"
 
 
 def explain(mutants: list[dict], results: dict[int, dict]) -> None:
@@ -170,13 +196,13 @@ def print_table(mutants: list[dict], results: dict[int, dict]) -> None:
         result = results[mutant["number"]]
         if "speed" in result or survives(result):
             print(f"mutant {mutant['number']} {result['proof']}: hmlfc_{mutant['module']} {mutant['parameters']}\n  {mutant['command']}\n  "
-                  + result.get("speed", result.get("reason", "no reason is listed in survivors.json")))
+                  + next((result[key] for key in ("speed", "reason", "hidden") if key in result), "no reason is listed in survivors.json"))
 
 
 def run_group(group: str, options: argparse.Namespace) -> tuple[int, int]:
     """Of a group: how many mutants were run, and how many survive without a reason."""
     folder = pathlib.Path(options.folder).resolve() / group
-    mutants = json.loads((folder / "mutants.json").read_text(encoding="utf-8"))["mutants"]
+    mutants = planted = json.loads((folder / "mutants.json").read_text(encoding="utf-8"))["mutants"]
     kept = record.of_group(group, folder, mutants)
     known = record.found_by(kept)
     if options.found:
@@ -188,7 +214,7 @@ def run_group(group: str, options: argparse.Namespace) -> tuple[int, int]:
         return 0, 0
     program = [str(folder.parent / f"rtl_mutants_{group}"), options.suite] + (["--vectors", options.vectors] if options.vectors else [])
     keep = (lambda results: record.write(group, kept, results)) if options.record else (lambda results: None)
-    campaign = Campaign(program, folder, options, known, keep)
+    campaign = Campaign(program, folder, options, planted, known, keep)
     campaign.run(mutants)
     explain(mutants, campaign.results)
     keep(campaign.results)

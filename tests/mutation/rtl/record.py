@@ -11,14 +11,15 @@ import prove
 HERE = pathlib.Path(__file__).resolve().parent
 RECORDED = HERE / "recorded.json"
 # Of a group: module to the checksum of its netlists and mutants, and to its numbers in mutants.json; check to numbers of those that it
-# found; numbers of those that are proved equivalent, that take other clocks, that survive for a reason, and without one.
-ENDS = ("equivalent", "other_clocks", "explained", "unexplained")
+# found; numbers of those that are proved equivalent, that take other clocks, that survive for a reason, because no check shows them at a
+# pin of their module, and without a reason.
+ENDS = ("equivalent", "other_clocks", "explained", "hidden", "unexplained")
 EMPTY = {"sha256": {}, "made": {}, "found": {}} | {end: [] for end in ENDS}
 POSITION = re.compile(r"hmlfc_\w+\.svh?:[\d.-]+")  # of a source, which a comment above it changes
 
 
 def read() -> dict[str, dict]:
-    return json.loads(RECORDED.read_text(encoding="utf-8"))
+    return {group: EMPTY | kept for group, kept in json.loads(RECORDED.read_text(encoding="utf-8")).items()}
 
 
 def digests(folder: pathlib.Path, mutants: list[dict]) -> dict[str, str]:
@@ -62,7 +63,7 @@ def end_of(result: dict) -> str:
     """Of what no check finds."""
     if result["proof"] == prove.EQUIVALENT:
         return "equivalent"
-    return "other_clocks" if "speed" in result else "explained" if "reason" in result else "unexplained"
+    return next((end for end, key in (("other_clocks", "speed"), ("explained", "reason"), ("hidden", "hidden")) if key in result), "unexplained")
 
 
 def write(group: str, kept: dict, results: dict[int, dict]) -> None:

@@ -23,22 +23,20 @@ namespace {
 
 constexpr int kExitFailed = 1;
 
-// A mutant of mutants.json: its number, from 1 on, and the variant of units.py that it is in.
-struct Mutant {
-  unsigned number = 0;
-  unsigned variant = 0;
-};
+// A mutant of mutants.json, by its number, from 1 on.
+using Mutant = unsigned;
 
-// These mutants switched on, at most one in a variant: 16 bits for each variant, in hexadecimal,
-// the first variant last.
+// These mutants switched on: a bit for each, by its number, in hexadecimal.
 std::string plusarg_of(std::span<const Mutant> mutants) {
-  std::string digits = "0";
-  for (const Mutant& mutant : mutants) {
-    const size_t end = 4 * (size_t{mutant.variant} + 1);
-    if (digits.size() < end) digits.insert(0, end - digits.size(), '0');
-    digits.replace(digits.size() - end, 4, fmt::format("{:04x}", mutant.number));
+  constexpr unsigned kBitsOfDigit = 4;
+  std::vector<unsigned> digits(1);
+  for (const Mutant mutant : mutants) {
+    const size_t place = mutant / kBitsOfDigit;
+    digits.resize(std::max(digits.size(), place + 1));
+    digits[place] |= 1U << mutant % kBitsOfDigit;
   }
-  return "+mutants=" + digits;
+  std::ranges::reverse(digits);
+  return fmt::format("+mutants={:x}", fmt::join(digits, ""));
 }
 
 struct Options {
@@ -93,7 +91,7 @@ std::vector<Candidate> candidates(const Options& options) {
   return found;
 }
 
-// NUMBER/VARIANT, several of them with + between them; then perhaps :CHECK.
+// A number, or several with + between them; then perhaps :CHECK.
 struct Group {
   std::vector<Mutant> mutants;
   std::string first;  // the check to be tried first
@@ -105,10 +103,7 @@ Group parse_group(const std::string& text) {
   if (colon != std::string::npos) group.first = text.substr(colon + 1);
   std::istringstream words(text.substr(0, colon));
   for (std::string word; std::getline(words, word, '+');) {
-    const size_t slash = word.find('/');
-    if (slash == std::string::npos) throw std::runtime_error(word + " is not NUMBER/VARIANT");
-    group.mutants.push_back({static_cast<unsigned>(std::stoul(word.substr(0, slash))),
-                             static_cast<unsigned>(std::stoul(word.substr(slash + 1)))});
+    group.mutants.push_back(static_cast<Mutant>(std::stoul(word)));
   }
   return group;
 }
@@ -130,17 +125,24 @@ class Trial {
   void run() {
     std::ranges::stable_partition(suite_,
                                   [&](const Candidate& one) { return one.id() == group_.first; });
-    for (size_t i = 0; i < suite_.size() && !group_.mutants.empty() && clocks_ < limit_; ++i) {
-      const auto at = suite_.begin() + static_cast<std::ptrdiff_t>(i);
-      if (try_on(*at)) std::rotate(suite_.begin(), at, at + 1);
-    }
-    const char* result = clocks_ >= limit_ ? "missed" : "survived";
-    for (const Mutant& mutant : group_.mutants) {
-      print({{"number", mutant.number}, {"result", result}, {"clocks", clocks_}});
-    }
+    run_from(0);
   }
 
  private:
+  // From the check at this place on. Checks before it have been tried; others stay behind it.
+  void run_from(size_t begin) {
+    for (size_t i = begin; i < suite_.size() && !group_.mutants.empty() && clocks_ < limit_; ++i) {
+      if (try_on(i) && begin == 0) {
+        const auto at = suite_.begin() + static_cast<std::ptrdiff_t>(i);
+        std::rotate(suite_.begin(), at, at + 1);
+      }
+    }
+    const char* result = clocks_ >= limit_ ? "missed" : "survived";
+    for (const Mutant mutant : group_.mutants) {
+      print({{"number", mutant}, {"result", result}, {"clocks", clocks_}});
+    }
+  }
+
   Verdict tried(Candidate& candidate, std::span<const Mutant> mutants) {
     uint64_t taken = 0;
     Verdict verdict = candidate.try_on(mutants, taken);
@@ -153,7 +155,7 @@ class Trial {
   std::vector<Mutant> left_of(Candidate& candidate, std::span<const Mutant> mutants,
                               const Verdict& together) {
     if (mutants.size() == 1) {
-      print({{"number", mutants.front().number},
+      print({{"number", mutants.front()},
              {"result", together.hangs ? "hangs" : "killed"},
              {"vector", candidate.id()},
              {"difference", together.difference},
@@ -172,8 +174,9 @@ class Trial {
     return left;
   }
 
-  // Whether the candidate finds one of the mutants by itself.
-  bool try_on(Candidate& candidate) {
+  // Whether the check at this place finds one of the mutants by itself.
+  bool try_on(size_t place) {
+    Candidate& candidate = suite_[place];
     const Verdict verdict = tried(candidate, group_.mutants);
     if (verdict.pass()) return false;
     const size_t before = group_.mutants.size();
@@ -182,8 +185,8 @@ class Trial {
     // The check finds only several together: what it takes to find them is not known by the group.
     const std::vector<Mutant> all = std::exchange(group_.mutants, {});
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-    Trial({{all.begin(), middle}, group_.first}, suite_, limit_).run();
-    Trial({{middle, all.end()}, group_.first}, suite_, limit_).run();
+    Trial({{all.begin(), middle}, group_.first}, suite_, limit_).run_from(place);
+    Trial({{middle, all.end()}, group_.first}, suite_, limit_).run_from(place);
     return false;
   }
 
@@ -204,7 +207,7 @@ void compare_clocks(const Group& group, std::vector<Candidate>& suite, uint64_t 
     static_cast<void>(candidate.try_on(group.mutants, taken));
     clocks += taken;
     if (taken == unmutated) continue;
-    print({{"number", group.mutants.front().number},
+    print({{"number", group.mutants.front()},
            {"vector", candidate.id()},
            {"clocks", taken},
            {"unmutated", unmutated}});
@@ -216,9 +219,10 @@ int main_of(int argc, char** argv) {
   CLI::App app{"Runs the checks of a unit on its mutants; a JSON object a line for each"};
   Options options;
   app.add_option("SUITE", options.suite, "The folder of manifest.json")->required();
-  app.add_option("--mutants", options.mutants,
-                 "NUMBER/VARIANT as in mutants.json; with + between them several of different "
-                 "variants, tried together; with :CHECK behind it that check comes first")
+  app.add_option(
+         "--mutants", options.mutants,
+         "Numbers of mutants.json; with + between them they are tried together; with :CHECK "
+         "behind it that check comes first")
       ->delimiter(',')
       ->required();
   app.add_option("--vectors", options.filters, "Only these checks")->delimiter(',');
