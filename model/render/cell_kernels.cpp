@@ -18,9 +18,9 @@ namespace HWY_NAMESPACE {
 HWY_INLINE int32_t displacement_by(int32_t told, int32_t focus, int32_t fine) {
   constexpr int32_t kLeast = -(1 << 15);
   constexpr int32_t kGreatest = (1 << 15) - 1;
-  const int32_t e = (told > -fine && told < fine ? 0 : told) - focus;
-  const int32_t clamped = e < kLeast ? kLeast : e > kGreatest ? kGreatest : e;
-  return told == kNoDisparity ? 0 : clamped;
+  const int32_t seen = told > -fine && told < fine ? 0 : told;
+  const int32_t e = (told == kNoDisparity ? focus : seen) - focus;
+  return e < kLeast ? kLeast : e > kGreatest ? kGreatest : e;
 }
 
 // What locate_axis takes of an axis: coordinates `base` of RAY-4, with `step` for each view from
