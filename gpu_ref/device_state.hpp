@@ -9,13 +9,12 @@
 #include <type_traits>
 #include <vector>
 
-#include <vulkan/vulkan_raii.hpp>
-
 #include <hmlfc/gpu/device.hpp>
 #include <hmlfc/gpu/vulkan_device.hpp>
 
 #include "hazards.hpp"
 #include "kernels.hpp"
+#include "vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include <vulkan/vulkan_raii.hpp>
-
 #include <hmlfc/gpu/recording.hpp>
+
+#include "vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
 

@@ -9,11 +9,10 @@
 #include <tuple>
 #include <vector>
 
-#include <vulkan/vulkan_raii.hpp>
-
 #include <hmlfc/gpu/device.hpp>
 
 #include "kernel_cache.hpp"
+#include "vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
 

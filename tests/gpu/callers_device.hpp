@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <vulkan/vulkan_raii.hpp>
-
 #include <hmlfc/gpu/vulkan_device.hpp>
+
+#include "vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
 

@@ -73,8 +73,8 @@ class Recording {
 ///
 /// `commands` is a primary command buffer of the queue family of the decoder's Device, being
 /// recorded, outside a render pass. It may be submitted to that Device's queue and no other, again
-/// and again. Its bound compute
-/// pipeline and its push constants are others afterwards. Device and decoder outlive its last run.
+/// and again. Its bound compute pipeline and its push constants are others afterwards. Device and
+/// decoder outlive its last run.
 ///
 /// Synchronisation: the commands are ordered among themselves and after all compute and transfer
 /// commands before them on the queue. The target is written by transfer commands:
