@@ -4,78 +4,21 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
-#include <vulkan/vulkan_raii.hpp>
-
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/gpu/recording.hpp>
-#include <hmlfc/gpu/vulkan_device.hpp>
 
 #include "mapped_file.hpp"
+#include "vulkan_program.hpp"
 
 namespace {
 
-namespace gpu = hmlfc::gpu;
 using Access = vk::AccessFlagBits;
 using Layout = vk::ImageLayout;
 using Stage = vk::PipelineStageFlagBits;
 using Texture = vk::raii::Image;
-
-// The value of a result, or an exception with the message of its failure.
-template <class T>
-T value_of(gpu::Outcome<T>&& outcome) {
-  if (!outcome) throw std::runtime_error(outcome.error().message);
-  return std::move(*outcome);
-}
-
-// Device and queue of a program: instance, device and feature are what open_device asks for.
-struct Vulkan {
-  Vulkan() {
-    const vk::ApplicationInfo application("gpu_tiles", 1, nullptr, 0, VK_API_VERSION_1_2);
-    instance.emplace(context, vk::InstanceCreateInfo({}, &application));
-    physical.emplace(std::move(instance->enumeratePhysicalDevices().front()));
-    const auto families = physical->getQueueFamilyProperties();
-    while (!(families.at(family).queueFlags & vk::QueueFlagBits::eCompute)) ++family;
-    const float priority = 1;
-    const vk::DeviceQueueCreateInfo queues({}, family, 1, &priority);
-    vk::PhysicalDeviceVulkan12Features features;
-    features.bufferDeviceAddress = VK_TRUE;  // for the decoder
-    features.timelineSemaphore = VK_TRUE;    // for this program
-    const vk::DeviceCreateInfo info({}, queues, {}, {}, {}, &features);
-    device.emplace(*physical, info);
-    queue.emplace(*device, family, 0);
-    const VkDeviceCreateInfo& created = info;
-    decoder_device.emplace(
-        value_of(gpu::open_device({**instance, **physical, **device, &created, family, **queue})));
-  }
-
-  // Memory for a buffer or an image, bound to it.
-  template <class Resource>
-  vk::raii::DeviceMemory allocate(Resource& resource, vk::MemoryPropertyFlags wanted) const {
-    const vk::MemoryRequirements needs = resource.getMemoryRequirements();
-    const auto types = physical->getMemoryProperties();
-    uint32_t type = 0;
-    while ((needs.memoryTypeBits >> type & 1u) == 0 ||
-           (types.memoryTypes.at(type).propertyFlags & wanted) != wanted) {
-      ++type;
-    }
-    vk::raii::DeviceMemory memory(*device, vk::MemoryAllocateInfo(needs.size, type));
-    resource.bindMemory(*memory, 0);
-    return memory;
-  }
-
-  vk::raii::Context context;
-  std::optional<vk::raii::Instance> instance;
-  std::optional<vk::raii::PhysicalDevice> physical;
-  uint32_t family = 0;
-  std::optional<vk::raii::Device> device;
-  std::optional<vk::raii::Queue> queue;
-  std::optional<gpu::Device> decoder_device;  // the first to go
-};
 
 // A texture turns from one layout to another, between transfers.
 void turn(const vk::raii::CommandBuffer& commands, const Texture& texture, Layout from, Layout to) {
@@ -105,17 +48,6 @@ gpu::Recording record_tiles(const gpu::GpuDecoder& decoder, const hmlfc::StreamH
   }
   return value_of(
       record(decoder, *commands, tiles, gpu::ImageTarget{.image = *texture, .places = places}));
-}
-
-// Texels as binary PPM: one byte a sample at depth 8, else two, the higher first.
-void write_ppm(const char* path, const hmlfc::StreamHeader& header, const uint8_t* texels) {
-  std::ofstream file(path, std::ios::binary);
-  file << "P6\n" << header.width << ' ' << header.height << '\n' << (1 << header.depth) - 1 << '\n';
-  const size_t bytes = gpu::texel_bytes(header) / 4;  // of a sample
-  for (size_t i = 0; i < size_t{4} * header.width * header.height; ++i) {
-    if (i % 4 == 3) continue;  // A
-    for (size_t k = bytes; k-- > 0;) file.put(static_cast<char>(texels[i * bytes + k]));
-  }
 }
 
 // Submits both, the second for when the first is done, and waits.
@@ -173,7 +105,8 @@ void decode(const Vulkan& vulkan, const hmlfc::Decoder& stream, hmlfc::ViewPos v
   for (const uint8_t status : recording.statuses()) {
     if (status != 0) throw std::runtime_error(error_name(hmlfc::ErrorCode{status}).data());
   }
-  write_ppm(path, header, static_cast<const uint8_t*>(memory.mapMemory(0, bytes)));
+  write_ppm(path, {header.width, header.height}, header,
+            static_cast<const uint8_t*>(memory.mapMemory(0, bytes)));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "commands.hpp"
+
 namespace hmlfc::gpu {
 namespace {
 
@@ -27,13 +29,15 @@ void BlockPool::reserve(Device::State& device, uint64_t pages) {
   }
   held_.reserve(device, 4 * words_);
   page_numbers_.reserve(device, 4 * words_);
-  used_pages_.reserve(device, 4);
+  const Buffer& used = used_pages_.reserve(device, 8);
   if (samples_ && pages <= pages_) return;
   const uint64_t ahead = samples_ ? std::min({2 * pages_, most, words_}) : kFirstPages;
   samples_.reset();
-  forget();
   pages_ = std::max({pages, kept_pages_, std::min(words_, ahead)});
   samples_.emplace(device, pages_ * page_words_);
+  Commands commands(device);
+  commands.fill(used, 0, used.size(), kUsedNothingHeld);
+  commands.run();
 }
 
 void BlockPool::describe(FrameShape& shape) const {

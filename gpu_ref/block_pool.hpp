@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "batch_buffers.hpp"
 #include "buffer.hpp"
@@ -31,15 +32,12 @@ class BlockPool {
   /// The pool is in more than one buffer.
   bool chunked() const { return samples_->chunked(); }
 
-  /// A frame of level `stop_level` is submitted: whether it must forget what is held, since that is
-  /// of another level. The device itself forgets after a frame with an error.
-  bool begin_frame(int stop_level) {
-    const bool forgets = held_level_ != stop_level;
-    held_level_ = stop_level;
-    return forgets;
-  }
+  /// What is held is not to be used any more.
+  void forget() { forget_ = true; }
 
-  void forget() { held_level_.reset(); }
+  /// FrameShape::forget of the next frame: whether forget() was called since the last one. Without
+  /// it the device forgets after a frame with an error, and before one of another level.
+  uint32_t take_forget() { return std::exchange(forget_, false) ? 1 : 0; }
 
  private:
   uint64_t words_;
@@ -49,8 +47,8 @@ class BlockPool {
   std::optional<ChunkedWords> samples_;
   GrowingBuffer held_{Memory::kDevice};
   GrowingBuffer page_numbers_{Memory::kDevice};
-  GrowingBuffer used_pages_{Memory::kDevice};
-  std::optional<int> held_level_;
+  GrowingBuffer used_pages_{Memory::kDevice};  // and the level of what is held
+  bool forget_ = false;
 };
 
 }  // namespace hmlfc::gpu

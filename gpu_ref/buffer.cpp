@@ -1,14 +1,10 @@
 #include "buffer.hpp"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <new>
 #include <utility>
 
 #include "arithmetic/rounding.hpp"
@@ -16,8 +12,6 @@
 
 namespace hmlfc::gpu {
 namespace {
-
-size_t page_size() { return static_cast<size_t>(sysconf(_SC_PAGESIZE)); }
 
 using Property = vk::MemoryPropertyFlagBits;
 
@@ -64,26 +58,21 @@ constexpr uint64_t kStagingBytes = uint64_t{16} << 20;
 
 }  // namespace
 
-GuardedPages::GuardedPages(size_t bytes)
-    : size_(page_size() * ceil_div(bytes, page_size())), mapping_(nullptr) {
-  void* const mapping =
-      mmap(nullptr, size_ + 2 * page_size(), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (mapping == MAP_FAILED) throw std::bad_alloc();
-  mapping_ = mapping;
-  if (mprotect(data(), size_, PROT_READ | PROT_WRITE) != 0) {
-    munmap(mapping_, size_ + 2 * page_size());
-    throw std::bad_alloc();
-  }
+BorrowedMemory::BorrowedMemory(const MemoryCallbacks& callbacks, const VkMemoryRequirements& needs,
+                               vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred)
+    : callbacks_(callbacks) {
+  const VkResult result =
+      callbacks_.allocate(callbacks_.user, needs, static_cast<VkMemoryPropertyFlags>(required),
+                          static_cast<VkMemoryPropertyFlags>(preferred), piece_);
+  if (result != VK_SUCCESS) throw vk::OutOfDeviceMemoryError("MemoryCallbacks::allocate");
 }
 
-GuardedPages::GuardedPages(GuardedPages&& other) noexcept
-    : size_(other.size_), mapping_(std::exchange(other.mapping_, nullptr)) {}
+BorrowedMemory::BorrowedMemory(BorrowedMemory&& other) noexcept
+    : callbacks_(std::exchange(other.callbacks_, {})), piece_(other.piece_) {}
 
-GuardedPages::~GuardedPages() {
-  if (mapping_ != nullptr) munmap(mapping_, size_ + 2 * page_size());
+BorrowedMemory::~BorrowedMemory() {
+  if (callbacks_.free != nullptr) callbacks_.free(callbacks_.user, piece_);
 }
-
-void* GuardedPages::data() const { return static_cast<uint8_t*>(mapping_) + page_size(); }
 
 Buffer::Buffer(Device::State& device, uint64_t bytes, Memory memory)
     : device_(&device),
@@ -101,6 +90,14 @@ Buffer::Buffer(Device::State& device, uint64_t bytes, Memory memory)
 }
 
 void Buffer::allocate(Device::State& device, const vk::MemoryRequirements& needs, Memory memory) {
+  if (device.memory.allocate != nullptr) {
+    const auto [preferred, required] = wanted_properties(memory);
+    borrowed_.emplace(device.memory, needs, required, preferred);
+    const MemoryPiece& piece = borrowed_->piece();
+    buffer_.bindMemory(piece.memory, piece.offset);
+    if (memory != Memory::kDevice) mapped_ = static_cast<uint8_t*>(piece.mapped);
+    return;
+  }
   const vk::MemoryAllocateFlagsInfo flags(vk::MemoryAllocateFlagBits::eDeviceAddress);
   memory_ = vk::raii::DeviceMemory(
       *device.device, vk::MemoryAllocateInfo(

@@ -8,24 +8,25 @@
 #include <vector>
 
 #include "device_state.hpp"
+#include "guarded_pages.hpp"
 
 namespace hmlfc::gpu {
 
-/// Zeroed pages with an inaccessible page before and after them. Throws std::bad_alloc.
-class GuardedPages {
+/// A piece of the program's memory.
+class BorrowedMemory {
  public:
-  /// At least `bytes` bytes, rounded up to whole pages.
-  explicit GuardedPages(size_t bytes);
-  GuardedPages(GuardedPages&& other) noexcept;
-  GuardedPages& operator=(GuardedPages&&) = delete;
-  ~GuardedPages();
+  /// Throws vk::OutOfDeviceMemoryError where the program has none.
+  BorrowedMemory(const MemoryCallbacks& callbacks, const VkMemoryRequirements& needs,
+                 vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred);
+  BorrowedMemory(BorrowedMemory&& other) noexcept;
+  BorrowedMemory& operator=(BorrowedMemory&&) = delete;
+  ~BorrowedMemory();
 
-  void* data() const;
-  size_t size() const { return size_; }
+  const MemoryPiece& piece() const { return piece_; }
 
  private:
-  size_t size_;
-  void* mapping_;  // with both guards; null after a move
+  MemoryCallbacks callbacks_;  // without functions after a move
+  MemoryPiece piece_;
 };
 
 enum class Memory : uint8_t {
@@ -63,6 +64,7 @@ class Buffer {
   Device::State* device_;
   uint64_t size_;
   std::optional<GuardedPages> pages_;
+  std::optional<BorrowedMemory> borrowed_;
   vk::raii::DeviceMemory memory_;
   vk::raii::Buffer buffer_;
   uint8_t* mapped_ = nullptr;

@@ -81,7 +81,7 @@ bool Commands::done() {
     throw;
   }
   pending_ = false;
-  if (device_->hazards) device_->hazards->finished(checked_);
+  finished();
   return true;
 }
 

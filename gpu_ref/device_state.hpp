@@ -9,12 +9,12 @@
 #include <type_traits>
 #include <vector>
 
-#include <vulkan/vulkan_raii.hpp>
-
 #include <hmlfc/gpu/device.hpp>
+#include <hmlfc/gpu/vulkan_device.hpp>
 
 #include "hazards.hpp"
 #include "kernels.hpp"
+#include "vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
 
@@ -63,6 +63,7 @@ struct Device::State {
   double timestamp_seconds = 0;     ///< of one tick; 0: no timestamps
   uint64_t timestamp_mask = 0;      ///< the bits of a tick that are valid
   uint64_t timeout_nanoseconds = 0;
+  MemoryCallbacks memory;          ///< VulkanDevice::memory
   bool lost = false;               ///< FailureKind::kLost or kTimeout has been given
   bool guard_pages = false;        ///< DeviceOptions::guard_pages
   std::optional<Hazards> hazards;  ///< with DeviceOptions::check_barriers

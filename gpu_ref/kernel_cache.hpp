@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <vulkan/vulkan.hpp>
+#include "vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
 

@@ -86,14 +86,16 @@ std::map<std::string, std::span<const uint32_t>> built_kernels() {
 }
 
 Variant variant_of(KernelUse use, bool chunked, bool pool_chunked) {
-  const bool frames = use == KernelUse::kFrames || use == KernelUse::kGeometry;
+  const bool geometry = use == KernelUse::kGeometry || use == KernelUse::kGeometryTexels;
+  const bool frames = geometry || use == KernelUse::kFrames || use == KernelUse::kFrameTexels;
   return {.chunked = chunked,
           .reference_pass = use == KernelUse::kReferences,
           .stages = use == KernelUse::kStages,
           .counted = frames,
           .pool_chunked = frames && pool_chunked,
-          .geometry = use == KernelUse::kGeometry,
-          .texels = use == KernelUse::kTexels};
+          .geometry = geometry,
+          .texels = use == KernelUse::kTexels || use == KernelUse::kFrameTexels ||
+                    use == KernelUse::kGeometryTexels};
 }
 
 std::span<const std::string_view> kernels_of(KernelUse use) {
@@ -103,6 +105,7 @@ std::span<const std::string_view> kernels_of(KernelUse use) {
   static constexpr std::string_view kFrames[] = {"mark", "compact", "walk", "samples", "render"};
   static constexpr std::string_view kGeometry[] = {"surface", "mark", "compact", "render"};
   static constexpr std::string_view kTexels[] = {"colour"};
+  static constexpr std::string_view kFrameTexels[] = {"render"};
   switch (use) {
     case KernelUse::kReferences:
       return kReferences;
@@ -116,6 +119,9 @@ std::span<const std::string_view> kernels_of(KernelUse use) {
       return kGeometry;
     case KernelUse::kTexels:
       return kTexels;
+    case KernelUse::kFrameTexels:
+    case KernelUse::kGeometryTexels:
+      return kFrameTexels;
   }
   return {};
 }

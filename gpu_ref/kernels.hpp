@@ -9,11 +9,10 @@
 #include <tuple>
 #include <vector>
 
-#include <vulkan/vulkan_raii.hpp>
-
 #include <hmlfc/gpu/device.hpp>
 
 #include "kernel_cache.hpp"
+#include "vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
 
@@ -35,16 +34,19 @@ inline constexpr uint32_t kWorkgroupSize = 64;
 
 /// What kernels are dispatched for.
 enum class KernelUse : uint8_t {
-  kReferences,  ///< reference images, when a stream is opened
-  kBlocks,      ///< blocks and pixels
-  kStages,      ///< stages of blocks, beside kBlocks
-  kFrames,      ///< frames of a renderer
-  kGeometry,    ///< frames with geometry, beside kFrames
-  kTexels,      ///< pixels as texels, beside kBlocks
+  kReferences,      ///< reference images, when a stream is opened
+  kBlocks,          ///< blocks and pixels
+  kStages,          ///< stages of blocks, beside kBlocks
+  kFrames,          ///< frames of a renderer
+  kGeometry,        ///< frames with geometry, beside kFrames
+  kTexels,          ///< pixels as texels, beside kBlocks
+  kFrameTexels,     ///< frames as texels, beside kFrames
+  kGeometryTexels,  ///< the same with geometry, beside kGeometry
 };
-inline constexpr KernelUse kKernelUses[] = {KernelUse::kReferences, KernelUse::kBlocks,
-                                            KernelUse::kStages,     KernelUse::kFrames,
-                                            KernelUse::kGeometry,   KernelUse::kTexels};
+inline constexpr KernelUse kKernelUses[] = {KernelUse::kReferences,  KernelUse::kBlocks,
+                                            KernelUse::kStages,      KernelUse::kFrames,
+                                            KernelUse::kGeometry,    KernelUse::kTexels,
+                                            KernelUse::kFrameTexels, KernelUse::kGeometryTexels};
 
 /// The variant of every kernel of `use`; `pool_chunked` counts for kernels of frames alone.
 Variant variant_of(KernelUse use, bool chunked, bool pool_chunked = false);

@@ -71,6 +71,10 @@ void Recorder::begin(vk::CommandBuffer commands, vk::QueryPool queries) {
   if (device_->hazards) checked_ = device_->hazards->begin();
 }
 
+void Recorder::finished() {
+  if (device_->hazards) device_->hazards->finished(checked_);
+}
+
 void Recorder::check() const {
   if (!device_->hazards) return;
   const std::string problem = device_->hazards->end();

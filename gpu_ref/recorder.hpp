@@ -25,6 +25,14 @@ class Recorder {
   /// follows.
   Recorder(Device::State& device, vk::CommandBuffer commands);
 
+  /// Has not begun. `frame` is what arguments.frame points to, for the kernels of a frame. It
+  /// outlives this.
+  Recorder(Device::State& device, const FrameShape* frame);
+
+  /// Begins, once more or for the first time: times of stages go to `queries`, 2 * kMaxStages of
+  /// them; null: nowhere.
+  void begin(vk::CommandBuffer commands, vk::QueryPool queries);
+
   /// Work of `before` so far ends, and what it wrote is visible, before work of `after` that
   /// follows: sums of Work.
   void barrier(unsigned before, unsigned after);
@@ -58,22 +66,16 @@ class Recorder {
   void copy_out(const Buffer& from, vk::Image to, vk::ImageLayout layout,
                 std::span<const vk::BufferImageCopy> regions);
 
+  /// The host has waited for the last run of what was recorded, and so for those before it.
+  void finished();
+
   /// No more follows. Throws MachineError where barriers are checked and are not right.
   void check() const;
 
  protected:
   static constexpr uint32_t kMaxStages = 16;
-
-  /// Has not begun. `frame` is what arguments.frame points to, for the kernels of a frame. It
-  /// outlives this.
-  Recorder(Device::State& device, const FrameShape* frame);
-
-  /// Begins anew: times of stages go to `queries`, 2 * kMaxStages of them; null: nowhere.
-  void begin(vk::CommandBuffer commands, vk::QueryPool queries);
-
   Device::State* device_;
   std::vector<std::string> stages_;  // stage k has queries 2k and 2k + 1
-  uint64_t checked_ = 0;             // number of the submission for Hazards
 
  private:
   template <class Dispatch>
@@ -86,6 +88,7 @@ class Recorder {
   vk::CommandBuffer commands_;
   vk::QueryPool queries_;
   unsigned barriers_ = 0;
+  uint64_t checked_ = 0;  // number of the submission for Hazards
 };
 
 }  // namespace hmlfc::gpu

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "image_region.hpp"
 #include "stream_decoder.hpp"
 
 namespace hmlfc::gpu {
@@ -84,11 +85,7 @@ std::vector<vk::BufferImageCopy> regions_of(std::span<const PixelArea> areas,
   for (size_t i = 0; i < areas.size(); ++i) {
     const VkExtent2D extent = texel_extent(areas[i], header);
     if (extent.width == 0 || extent.height == 0) continue;
-    const TexelPlace& place = target.places[i];
-    const vk::ImageSubresourceLayers layer(vk::ImageAspectFlagBits::eColor, target.mip_level,
-                                           place.layer, 1);
-    const vk::Offset3D corner(static_cast<int32_t>(place.x), static_cast<int32_t>(place.y), 0);
-    regions.emplace_back(offset, 0, 0, layer, corner, vk::Extent3D(extent.width, extent.height, 1));
+    regions.push_back(region_of(target, i, offset, extent));
     offset += uint64_t{texel_bytes(header)} * extent.width * extent.height;
   }
   return regions;

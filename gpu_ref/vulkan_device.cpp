@@ -34,6 +34,9 @@ void check_handles(const VulkanDevice& handles) {
   for (const auto& [name, is_missing] : missing) {
     if (is_missing) throw unusable(std::string(name) + " is null");
   }
+  if ((handles.memory.allocate == nullptr) != (handles.memory.free == nullptr)) {
+    throw unusable("memory has one of allocate and free without the other");
+  }
 }
 
 void check_options(const DeviceOptions& options) {
@@ -110,6 +113,7 @@ std::shared_ptr<Device::State> open_state(const VulkanDevice& handles,
   }
   check_queue(*state, handles);
   state->queue.emplace(*state->device, handles.queue);
+  state->memory = handles.memory;
   complete(*state, handles.queue_family, options);
   return state;
 }
@@ -122,7 +126,8 @@ Outcome<Device> open_device(const VulkanDevice& handles, const DeviceOptions& op
 
 VulkanDevice vulkan_device(Device& device) {
   const Device::State& state = device.state();
-  return {**state.instance, **state.physical, **state.device, nullptr, state.family, **state.queue};
+  return {**state.instance, **state.physical, **state.device, nullptr,
+          state.family,     **state.queue,    state.memory};
 }
 
 }  // namespace hmlfc::gpu

@@ -14,6 +14,7 @@ MARGIN = 16  # pixels at each border, which the focal plane may move out of the 
 CROP = 96, 72  # pixels of each part of the picture
 SCALE = 3
 FLAT = "scene flat"  # blank: its true plane is 0
+LOSSLESS = "lossless"  # a quality
 
 
 class Withheld:
@@ -31,7 +32,8 @@ class Withheld:
         self.stream = work / "even.hmlfc"
 
     def encode(self, quality):
-        run([self.hmlfc, "encode", self.folder, "-o", self.stream, "--quality", quality, "--views", self.even])
+        coding = ["--lossless"] if quality == LOSSLESS else ["--quality", quality]
+        run([self.hmlfc, "encode", self.folder, "-o", self.stream, *coding, "--views", self.even])
 
     def frames(self, cameras, geometry):
         """The frames of [(number of a view, focus)]."""
@@ -88,7 +90,7 @@ def measure(hmlfc, work, folders, qualities):
     """A row for each light field of (name, folder) and quality."""
     for name, folder in folders:
         withheld = Withheld(hmlfc, work, name, folder)
-        for quality in qualities:
+        for quality in (*qualities, LOSSLESS) if name == FLAT else qualities:
             say(f"withheld views of {name}, quality {quality}")
             yield withheld.row(quality)
 

@@ -12,7 +12,7 @@ struct FrameRecord {
   int x0, y0, gain, dx, dy;
   int c0, r0, cols, rows;
   int width, height;
-  int geometry, focus, pitch;
+  int geometry, focus, pitch, fine;
 };
 
 layout(buffer_reference, std430, buffer_reference_align = 16) buffer Rays { ivec4 ray[]; };
@@ -23,7 +23,7 @@ layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Fra
   OutWords pages;      // by word of bits: the page of the pool for its 32 blocks; if one is held
   OutWords slots;      // by request: the slot of the pool for its samples, and its bit
   OutWords counters;   // kCount..., of this frame
-  OutWords used_pages; // pages that the frames before use, or kUsedNothingHeld
+  OutWords used_pages; // pages that the frames before use, or kUsedNothingHeld; the level of their blocks
   OutWords results;    // for the host: the counters
   OutWords dispatches; // kDispatch..., three words each
   OutWords drawn;      // three samples of 16 bits a pixel, rows of an even number of pixels

@@ -40,7 +40,7 @@ uint total(uint counter) {
 void plan_frame() {
   const uint used = frame().used_pages.word[0];
   const uint kept = frame().kept_pages;
-  const bool forget = frame().forget != 0u;
+  const bool forget = frame().forget != 0u || frame().used_pages.word[1] != frame().stop_level;
   const bool flush = forget || used > kept || total(kCountMissingPages) > kept - used;
   const uint decoded = total(flush ? kCountNeeded : kCountMissing);
   const uint first_page = flush ? 0u : used;
@@ -51,6 +51,7 @@ void plan_frame() {
   frame().counters.word[kCountNextPage] = first_page;
   frame().counters.word[kCountMode] = !room ? kModeNoRoom : flush ? kModeFlush : kModeAdd;
   if (room || forget) frame().used_pages.word[0] = room ? pages : kUsedNothingHeld;
+  frame().used_pages.word[1] = frame().stop_level;
   const uint count = room ? decoded : 0u;
   write_dispatch(kDispatchWalk, count * (arguments.shape.top + 1u));
   write_dispatch(kDispatchSamples, count << lanes_of_block_log2());

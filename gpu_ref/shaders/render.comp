@@ -14,6 +14,7 @@
 #include "block_lanes.glsl"
 #include "colour.glsl"
 #include "pixel_group.glsl"
+#include "texels.glsl"
 
 /// Pairs of pixels in shared memory: red and green in a word, then blue. A view's window has rows of
 /// 2^columns_log2 pairs that begin at an even column, and 2^rows_log2 rows.
@@ -171,6 +172,20 @@ void write_pixel(ivec2 at, uvec3 pixel) {
   frame().drawn.word[3u * pair + 2u] = next.x >> 16 | next.y << 16;
 }
 
+/// With kTexels: the texels are in rows without gaps, all 0 where no frame is drawn.
+void write_frame_texel(ivec2 at, uvec3 pixel, bool drawn) {
+  const ivec2 size = ivec2(frame().record.frame_width, frame().record.frame_height);
+  if (at.x >= size.x || at.y >= size.y) return;
+  const uint texel = uint(at.y) * uint(size.x) + uint(at.x);
+  const uvec2 words = words_of_texel(ivec3(pixel), drawn);
+  if (arguments.shape.depth == 8u) {
+    frame().drawn.word[texel] = words.x;
+  } else {
+    frame().drawn.word[2u * texel] = words.x;
+    frame().drawn.word[2u * texel + 1u] = words.y;
+  }
+}
+
 /// The counters of the frame to the host, and the error of its first block that has one.
 void write_results(uint first_error) {
   for (uint i = 0u; i < kFrameCounters; ++i) {
@@ -185,6 +200,11 @@ void main() {
   const uint first_error = frame().counters.word[kCountFirstError];
   const ivec2 at = pixel_of_invocation();
   if (at == ivec2(0)) write_results(first_error);
-  if (frame().counters.word[kCountMode] == kModeNoRoom || first_error != kNoError) return;
-  write_pixel(at, frame_pixel(at));
+  const bool drawn = frame().counters.word[kCountMode] != kModeNoRoom && first_error == kNoError;
+  const uvec3 pixel = drawn ? frame_pixel(at) : uvec3(0u);
+  if (kTexels) {
+    write_frame_texel(at, pixel, drawn);
+  } else if (drawn) {
+    write_pixel(at, pixel);
+  }
 }

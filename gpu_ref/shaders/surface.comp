@@ -15,7 +15,7 @@
 
 const int kHalfWeight = 32768;
 const int kEnoughWeight = 40960;
-const int kAgreeing = 1 << 10;  // 4 pixels
+const int kAgreeing = 1 << 11;  // 8 pixels
 
 /// Of this workgroup.
 shared uint looked_up;
@@ -39,7 +39,9 @@ int told_displacement(ivec2 view, ivec2 pixel) {
   const uint word = frame().disparities.word[number * blocks_of_plane(0u) +
                                              block.y * arguments.shape.planes[0].blocks_x + block.x];
   if (word >> 16 == 0u) return 0;
-  return clamp(bitfieldExtract(int(word), 0, 16) - frame().record.focus, -(1 << 15), (1 << 15) - 1);
+  const int d = bitfieldExtract(int(word), 0, 16);
+  const int seen = abs(d) < frame().record.fine ? 0 : d;
+  return clamp(seen - frame().record.focus, -(1 << 15), (1 << 15) - 1);
 }
 
 /// The pixel nearest to `at`, x(c) or y(r), along an axis.

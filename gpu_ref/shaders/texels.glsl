@@ -1,10 +1,18 @@
 // Pixels as textures have them: R, G, B and A side by side, in rows. 8 bits each at depth 8, else 16.
 
-/// colour.comp writes texels in place of lanes.
+/// colour.comp and render.comp write texels in place of lanes.
 layout(constant_id = 6) const bool kTexels = false;
 
-/// The texel of a pixel of `area` at `at` in its view, if it is inside. A is the greatest sample; of
-/// a pixel that did not decode all four are 0.
+/// The words of a texel, at depth 8 the first alone. A is the greatest sample; of a pixel that did not
+/// decode all four are 0.
+uvec2 words_of_texel(ivec3 rgb, bool decoded) {
+  const uint depth = arguments.shape.depth;
+  const uvec4 rgba = decoded ? uvec4(uvec3(rgb), low_bits(depth)) : uvec4(0u);
+  return depth == 8u ? uvec2(rgba.r | rgba.g << 8 | rgba.b << 16 | rgba.a << 24, 0u)
+                     : uvec2(rgba.r | rgba.g << 16, rgba.b | rgba.a << 16);
+}
+
+/// The texel of a pixel of `area` at `at` in its view, if it is inside.
 void write_texel(ColourArea area, uvec2 at, ivec3 rgb, bool decoded) {
   const uint log2 = arguments.shape.block_log2;
   const PlaneShape plane = arguments.shape.planes[0];
@@ -12,13 +20,12 @@ void write_texel(ColourArea area, uvec2 at, ivec3 rgb, bool decoded) {
   const uvec2 corner = uvec2(area.bx, area.by) << log2;
   const uint width = min(area.columns << log2, plane.width - corner.x);
   const uint texel = area.first_texel + (at.y - corner.y) * width + at.x - corner.x;
-  const uint depth = arguments.shape.depth;
-  const uvec4 rgba = decoded ? uvec4(uvec3(rgb), low_bits(depth)) : uvec4(0u);
-  if (depth == 8u) {
-    arguments.pixels.word[texel] = rgba.r | rgba.g << 8 | rgba.b << 16 | rgba.a << 24;
+  const uvec2 words = words_of_texel(rgb, decoded);
+  if (arguments.shape.depth == 8u) {
+    arguments.pixels.word[texel] = words.x;
   } else {
-    arguments.pixels.word[2u * texel] = rgba.r | rgba.g << 16;
-    arguments.pixels.word[2u * texel + 1u] = rgba.b | rgba.a << 16;
+    arguments.pixels.word[2u * texel] = words.x;
+    arguments.pixels.word[2u * texel + 1u] = words.y;
   }
 }
 

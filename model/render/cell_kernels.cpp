@@ -15,12 +15,12 @@ namespace HWY_NAMESPACE {
 // The loops are plain: the compiler vectorises them.
 
 // displacement_of().
-HWY_INLINE int32_t displacement_by(int32_t told, int32_t focus) {
+HWY_INLINE int32_t displacement_by(int32_t told, int32_t focus, int32_t fine) {
   constexpr int32_t kLeast = -(1 << 15);
   constexpr int32_t kGreatest = (1 << 15) - 1;
-  const int32_t e = told - focus;
-  const int32_t clamped = e < kLeast ? kLeast : e > kGreatest ? kGreatest : e;
-  return told == kNoDisparity ? 0 : clamped;
+  const int32_t seen = told > -fine && told < fine ? 0 : told;
+  const int32_t e = (told == kNoDisparity ? focus : seen) - focus;
+  return e < kLeast ? kLeast : e > kGreatest ? kGreatest : e;
 }
 
 // What locate_axis takes of an axis: coordinates `base` of RAY-4, with `step` for each view from
@@ -36,8 +36,9 @@ struct LocatedAxis {
 };
 
 // The blocks along one axis.
-inline void locate_axis(const LocatedAxis& axis, const RayRun& run, int32_t focus, unsigned log2,
-                        const int32_t* HWY_RESTRICT told, int32_t* HWY_RESTRICT blocks) {
+inline void locate_axis(const LocatedAxis& axis, const RayRun& run, int32_t focus, int32_t fine,
+                        unsigned log2, const int32_t* HWY_RESTRICT told,
+                        int32_t* HWY_RESTRICT blocks) {
   const int32_t* HWY_RESTRICT base = axis.base;
   const int32_t* HWY_RESTRICT place = axis.place;
   const int32_t offset = axis.step * (axis.view - axis.origin);
@@ -46,7 +47,7 @@ inline void locate_axis(const LocatedAxis& axis, const RayRun& run, int32_t focu
   const int32_t pitch = axis.pitch;
   const auto shift = static_cast<int32_t>(12 + log2);
   for (int32_t i = run.begin; i < run.end; ++i) {
-    const int32_t g = (displacement_by(told[i], focus) * pitch + (1 << 7)) >> 8;
+    const int32_t g = (displacement_by(told[i], focus, fine) * pitch + (1 << 7)) >> 8;
     const int32_t x = base[i] + offset + ((g * (at - (place[i] >> 4))) >> 8);
     blocks[i] = ((x < 0 ? 0 : x > last ? last : x) + kHalfPixel) >> shift;
   }
@@ -69,8 +70,8 @@ inline void locate_here(const FrameRecord& f, const RowRays& rays, const RayRun&
                       f.height,
                       f.pitch,
                       static_cast<int32_t>(view.row)};
-  locate_axis(x, run, f.focus, log2, told, blocks.bx.data());
-  locate_axis(y, run, f.focus, log2, told, blocks.by.data());
+  locate_axis(x, run, f.focus, f.fine, log2, told, blocks.bx.data());
+  locate_axis(y, run, f.focus, f.fine, log2, told, blocks.by.data());
 }
 
 // What a view of a run says: as ToldByViews, with the weights of its column and row.
@@ -83,12 +84,12 @@ struct ViewWords {
 // Proposals::chosen() of kViews views.
 template <size_t kViews>
 inline void choose(const std::array<ViewWords, Proposals::kMost>& views, const RayRun& run,
-                   int32_t focus, int32_t* HWY_RESTRICT cells) {
+                   int32_t focus, int32_t fine, int32_t* HWY_RESTRICT cells) {
   for (int32_t i = run.begin; i < run.end; ++i) {
     int32_t e[kViews];
     int32_t weight[kViews];
     for (size_t k = 0; k < kViews; ++k) {
-      e[k] = displacement_by(views[k].told[i], focus);
+      e[k] = displacement_by(views[k].told[i], focus, fine);
       weight[k] = views[k].col_weight[i] * views[k].row_weight[i];
     }
     int32_t median = INT32_MAX;
@@ -120,11 +121,11 @@ inline void choose_here(const FrameRecord& f, const RayRun& run, const RunTaps& 
   }
   switch (count) {
     case 1:
-      return choose<1>(views, run, f.focus, cells);
+      return choose<1>(views, run, f.focus, f.fine, cells);
     case 2:
-      return choose<2>(views, run, f.focus, cells);
+      return choose<2>(views, run, f.focus, f.fine, cells);
     default:
-      return choose<4>(views, run, f.focus, cells);
+      return choose<4>(views, run, f.focus, f.fine, cells);
   }
 }
 

@@ -124,6 +124,17 @@ void set_directions(const Pose& pose, double tan_half, FrameRecord& record) {
   split(scaled(pose.down, tan_half / longer), record.nb_hi, record.nb_lo);
 }
 
+// fine of REC-2: above 0 where what has disparity 0 lies on whole pixels of all views.
+int32_t fine_of(const Camera& camera, const Pose& pose, const StreamHeader& header) {
+  const uint32_t width = *camera.frame_width;
+  const uint32_t height = *camera.frame_height;
+  const bool whole =
+      pose.forward.z == 1 && camera.shear == 0 &&
+      fix(2 * *camera.focal * *camera.tan_half, 12) == int64_t{std::max(width, height)} << 12 &&
+      (width - header.width) % 2 == 0 && (height - header.height) % 2 == 0;
+  return whole ? static_cast<int32_t>(256 / std::max(1.0, std::abs(*camera.row_pitch))) : 0;
+}
+
 int32_t nearest_view(double place, int32_t views) {
   return static_cast<int32_t>(std::clamp(std::floor(place + 0.5), 0.0, views - 1.0));
 }
@@ -213,6 +224,7 @@ tl::expected<FrameRecord, CameraError> frame_record(const Camera& camera,
   record.geometry = full.aperture == 0 ? static_cast<int32_t>(full.geometry) : 0;
   record.focus = fix32(full.focus, 8);
   record.pitch = fix32(row_pitch, 8);
+  record.fine = fine_of(full, *pose, header);
   return record;
 }
 

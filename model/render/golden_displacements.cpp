@@ -43,7 +43,7 @@ int32_t proposed(const FrameRecord& f, const Ray& ray, ViewPos view, ToldBlocks&
     const int32_t g = displacement_a_row(e, f.pitch);
     const int32_t x = nearest_pixel(x_in_view(f, ray, e, static_cast<int32_t>(view.col)), f.width);
     const int32_t y = nearest_pixel(y_in_view(f, ray, g, static_cast<int32_t>(view.row)), f.height);
-    e = displacement_of(told.at(view, x, y), f.focus);
+    e = displacement_of(told.at(view, x, y), f);
   }
   return e;
 }

@@ -19,8 +19,8 @@ inline bool fits(const FrameRecord& record, const StreamHeader& header, int stop
          record.filter <= 2 && record.aperture >= 0 && record.aperture <= kMaxAperture &&
          record.geometry >= 0 && record.geometry <= (record.aperture == 0 ? 1 : 0) &&
          std::abs(record.focus) <= 1 << 16 && std::abs(record.pitch) <= kMaxRecordPitch &&
-         stop_level >= 0 && stop_level <= header.tree_height &&
-         record.cols == static_cast<int32_t>(header.cols) &&
+         record.fine >= 0 && record.fine <= 1 << 8 && stop_level >= 0 &&
+         stop_level <= header.tree_height && record.cols == static_cast<int32_t>(header.cols) &&
          record.rows == static_cast<int32_t>(header.rows) &&
          record.width == static_cast<int32_t>(header.width) &&
          record.height == static_cast<int32_t>(header.height);

@@ -44,12 +44,12 @@ constexpr int32_t cells_along(int32_t pixels) {
 /// What a block without a disparity tells, where disparities are plain integers.
 inline constexpr int32_t kNoDisparity = INT32_MIN;
 
-/// The displacement that a block of disparity `told` tells (SRF-3): [-2^15, 2^15 - 1]; `focus` in
-/// [-2^16, 2^16].
-constexpr int32_t displacement_of(const BlockDisparity& told, int32_t focus) {
+/// The displacement that a block of disparity `told` tells (SRF-3): [-2^15, 2^15 - 1].
+constexpr int32_t displacement_of(const BlockDisparity& told, const FrameRecord& f) {
   if (told.confidence == 0) return 0;
-  const int32_t difference = told.disparity - focus;
-  watch("focus, D - focus", focus);
+  const int32_t d = told.disparity;
+  const int32_t difference = (d < 0 ? -d : d) < f.fine ? -f.focus : d - f.focus;
+  watch("focus, D - focus", f.focus);
   watch("focus, D - focus", difference);
   const int32_t e = clamp(difference, -(1 << 15), (1 << 15) - 1);
   watch("E", e);
@@ -98,7 +98,7 @@ class Proposals {
   static constexpr size_t kMost = 4;         ///< proposals
   static constexpr int32_t kHalf = 32768;    ///< of the weight, which the median has
   static constexpr int32_t kEnough = 40960;  ///< of the weight, which has to agree
-  static constexpr int32_t kAgreeing = 4 * kDisparityUnits;  ///< largest distance from the median
+  static constexpr int32_t kAgreeing = 8 * kDisparityUnits;  ///< largest distance from the median
 
   /// `weight` in [1, 65536]; at most kMost proposals, whose weights sum to 65536.
   constexpr void add(int32_t displacement, int32_t weight) {

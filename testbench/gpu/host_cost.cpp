@@ -1,29 +1,15 @@
 #include "gpu/host_cost.hpp"
 
-#include <time.h>
-
 #include <algorithm>
+#include <chrono>
 #include <thread>
 
 #include <fmt/format.h>
 
+#include "gpu/cpu_time.hpp"
+
 namespace hmlfc::gpu {
 namespace {
-
-double thread_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-// Calls `call`, which gives an Outcome, and adds its CPU time.
-template <class Call>
-auto timed(const Call& call, double& seconds) {
-  const double begin = thread_seconds();
-  auto outcome = call();
-  seconds += thread_seconds() - begin;
-  return outcome;
-}
 
 // The CPU time of `frames` frames.
 Outcome<double> draw(GpuRenderer& renderer, std::span<const FrameRecord> records, uint64_t frames) {
@@ -50,12 +36,6 @@ Outcome<double> draw(GpuRenderer& renderer, std::span<const FrameRecord> records
   return seconds;
 }
 
-SubmissionCounts difference(const SubmissionCounts& after, const SubmissionCounts& before) {
-  return {after.made - before.made, after.recorded - before.recorded,
-          after.barriers - before.barriers, after.submitted - before.submitted,
-          after.waits - before.waits};
-}
-
 }  // namespace
 
 Outcome<HostCost> measure_host(GpuRenderer& renderer, const Device& device,
@@ -66,15 +46,15 @@ Outcome<HostCost> measure_host(GpuRenderer& renderer, const Device& device,
   const SubmissionCounts before = device.counts();
   const auto seconds = draw(renderer, records, frames);
   if (!seconds) return tl::unexpected(seconds.error());
-  return HostCost{frames, *seconds, difference(device.counts(), before)};
+  return HostCost{frames, *seconds, counted_since(before, device)};
 }
 
-std::string to_text(const HostCost& cost) {
+std::string to_text(const HostCost& cost, const std::string& what) {
   return fmt::format(
-      "host: {} frames that stay on the device, {} under way\n"
+      "host: {} frames {}, {} under way\n"
       "  {:<10} {:10.1f} us of CPU a frame\n"
       "  {} submissions, {} recordings, {} waits\n",
-      cost.frames, GpuRenderer::most_under_way(), "calls",
+      cost.frames, what, GpuRenderer::most_under_way(), "calls",
       1e6 * cost.cpu_seconds / static_cast<double>(std::max<uint64_t>(cost.frames, 1)),
       cost.counts.submitted, cost.counts.recorded, cost.counts.waits);
 }

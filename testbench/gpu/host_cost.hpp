@@ -12,7 +12,7 @@ namespace hmlfc::gpu {
 /// Of frames that stay on the device, with GpuRenderer::most_under_way() under way.
 struct HostCost {
   uint64_t frames = 0;
-  double cpu_seconds = 0;     ///< of the calling thread, in begin() and finish() alone
+  double cpu_seconds = 0;     ///< of the calling thread, in what makes frames alone
   SubmissionCounts counts{};  ///< of these frames
 };
 
@@ -21,6 +21,11 @@ struct HostCost {
 Outcome<HostCost> measure_host(GpuRenderer& renderer, const Device& device,
                                std::span<const FrameRecord> records, uint64_t frames);
 
-std::string to_text(const HostCost& cost);
+/// The same of frames recorded into command buffers of a program: CPU time in record() alone.
+Outcome<HostCost> measure_recording(GpuRenderer& renderer, Device& device,
+                                    std::span<const FrameRecord> records, uint64_t frames);
+
+/// `what`: of which frames.
+std::string to_text(const HostCost& cost, const std::string& what);
 
 }  // namespace hmlfc::gpu

@@ -198,7 +198,10 @@ int show_frames(const Options& o, std::span<const uint8_t> file, const StreamVie
     if (!records) return usage_error(records.error().message);
     const auto cost = measure_host(*renderer, device, *records, o.frames);
     if (!cost) return usage_error(cost.error().message);
-    fmt::print("{}", to_text(*cost));
+    const auto recording = measure_recording(*renderer, device, *records, o.frames);
+    if (!recording) return usage_error(recording.error().message);
+    fmt::print("{}{}", to_text(*cost, "that stay on the device"),
+               to_text(*recording, "recorded for the program's own command buffers"));
     return 0;
   }
   const auto path = check_frames(*renderer, file, view, o.camera, o.frames);

@@ -1,4 +1,5 @@
 // Barriers: the check of hazards itself, and that no barrier of the library can be left out.
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -225,6 +226,31 @@ TEST_F(GpuBarriers, OfRecordingsAreAllNeeded) {
         const auto recording =
             record(*decoder, *buffers.front(), {&area, 1}, BufferTarget{target.handle(), 0});
         return recording ? std::string() : recording.error().message;
+      },
+      0, 6);
+}
+
+// The second of two recorded frames that may be under way at once.
+TEST_F(GpuBarriers, OfRecordedFramesAreAllNeededAndSix) {
+  expect_all_needed(
+      [](Device& device, const StreamView& view) {
+        auto renderer = GpuRenderer::open(device, view, 1u << 20);
+        if (!renderer) return renderer.error().message;
+        Device::State& state = device.state();
+        const FrameRecord frame = *frame_record(Camera{}, view.header);
+        const uint64_t bytes = uint64_t{8} * view.header.width * view.header.height;
+        const Buffer targets[] = {{state, bytes, Memory::kDevice}, {state, bytes, Memory::kDevice}};
+        const vk::raii::CommandBuffers buffers(
+            *state.device,
+            vk::CommandBufferAllocateInfo(**state.pool, vk::CommandBufferLevel::ePrimary, 2));
+        std::array<FrameRecording, 2> recordings;
+        for (size_t i = 0; i < 2; ++i) {
+          buffers[i].begin(vk::CommandBufferBeginInfo());
+          const auto recorded = record(*renderer, *buffers[i], frame, 0,
+                                       BufferTarget{targets[i].handle(), 0}, recordings[i]);
+          if (!recorded) return recorded.error().message;
+        }
+        return std::string();
       },
       0, 6);
 }

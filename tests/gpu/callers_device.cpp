@@ -19,7 +19,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL keep(VkDebugUtilsMessageSeverityFlagBitsEXT,
 }  // namespace
 
 CallersDevice::CallersDevice(const std::string& name, const CallersOptions& options) {
-  make_instance(options.version);
+  make_instance(options);
   for (vk::raii::PhysicalDevice& physical : instance_->enumeratePhysicalDevices()) {
     if (name == physical.getProperties().deviceName.data()) physical_.emplace(std::move(physical));
   }
@@ -27,12 +27,13 @@ CallersDevice::CallersDevice(const std::string& name, const CallersOptions& opti
   make_device(options);
 }
 
-void CallersDevice::make_instance(uint32_t version) {
-  const vk::ApplicationInfo application("caller", 1, nullptr, 0, version);
+void CallersDevice::make_instance(const CallersOptions& options) {
+  const vk::ApplicationInfo application("caller", 1, nullptr, 0, options.version);
   const auto layers = context_.enumerateInstanceLayerProperties();
-  const bool validated = std::ranges::any_of(layers, [](const vk::LayerProperties& layer) {
-    return std::string(kValidationLayer) == layer.layerName.data();
-  });
+  const bool validated =
+      options.validated && std::ranges::any_of(layers, [](const vk::LayerProperties& layer) {
+        return std::string(kValidationLayer) == layer.layerName.data();
+      });
   std::vector<const char*> names;
   std::vector<const char*> extensions;
   const auto synchronisation = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
@@ -59,6 +60,7 @@ void CallersDevice::make_device(const CallersOptions& options) {
   info_ = vk::DeviceCreateInfo({}, queue_info_);
   addresses_.bufferDeviceAddress = options.addresses ? VK_TRUE : VK_FALSE;
   features12_.bufferDeviceAddress = addresses_.bufferDeviceAddress;
+  features12_.timelineSemaphore = VK_TRUE;
   if (options.features12) {
     info_.setPNext(&features12_);
   } else {

@@ -6,21 +6,22 @@
 #include <string>
 #include <vector>
 
-#include <vulkan/vulkan_raii.hpp>
-
 #include <hmlfc/gpu/vulkan_device.hpp>
+
+#include "vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
 
 /// How it is made.
 struct CallersOptions {
   uint32_t version = VK_API_VERSION_1_2;
-  bool addresses = true;    ///< the feature bufferDeviceAddress is on
-  bool features12 = false;  ///< it stands in VkPhysicalDeviceVulkan12Features
+  bool addresses = true;  ///< the feature bufferDeviceAddress is on
+  /// It stands in VkPhysicalDeviceVulkan12Features, beside that of timeline semaphores.
+  bool features12 = false;
+  bool validated = true;  ///< by the validation layer, where it is installed
 };
 
-/// Instance, device and a queue of the physical device called `name`, under the validation layer
-/// where it is installed. Throws vk::Error.
+/// Instance, device and a queue of the physical device called `name`. Throws vk::Error.
 class CallersDevice {
  public:
   explicit CallersDevice(const std::string& name, const CallersOptions& options = {});
@@ -40,7 +41,7 @@ class CallersDevice {
   const std::vector<std::string>& messages() const { return messages_; }
 
  private:
-  void make_instance(uint32_t version);
+  void make_instance(const CallersOptions& options);
   void make_device(const CallersOptions& options);
 
   vk::raii::Context context_;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "decoder/open_stream.hpp"
+#include "gpu/frame_cases.hpp"
 #include "gpu/gpu_test.hpp"
 #include "gpu/render_pair.hpp"
 #include "stimulus/random_stream.hpp"
@@ -24,51 +25,6 @@ constexpr uint64_t kPlenty = uint64_t{1} << 24;  // bytes; more than a small str
 
 class GpuFrameCache : public GpuTest {};
 
-/// A camera that moves on a little, stays or goes elsewhere.
-class Walk {
- public:
-  Walk(uint32_t seed, const StreamHeader& header) : random_(seed), header_(header) { jump(); }
-
-  FrameRecord next() {
-    const uint32_t step = random_() % 8;
-    if (step == 0) jump();
-    if (step >= 2) {
-      camera_.position->u += 0.3 * between();
-      camera_.position->v += 0.3 * between();
-    }
-    return *frame_record(camera_, header_);
-  }
-
- private:
-  double between() { return random_() / 2147483648.0 - 1; }
-
-  void jump() {
-    camera_ = test::random_camera(random_, header_);
-    camera_.look_at.reset();
-    camera_.frame_width = 40;
-    camera_.frame_height = 30;
-    camera_.geometry = static_cast<GeometrySource>(random_() % 2);
-  }
-
-  test::Random random_;
-  const StreamHeader& header_;
-  Camera camera_;
-};
-
-/// A walk of `frames` frames, now and then down to another level; the first difference, or nothing.
-std::string walk(RenderPair& pair, uint32_t seed, int frames, FrameTally& tally) {
-  Walk walk(seed, pair.header());
-  test::Random random(seed + 1000);
-  int stop_level = 0;
-  for (int i = 0; i < frames; ++i) {
-    const auto levels = static_cast<uint32_t>(pair.header().tree_height) + 1;
-    if (random() % 4 == 0) stop_level = static_cast<int>(random() % levels);
-    const std::string found = pair.difference(walk.next(), stop_level, tally);
-    if (!found.empty()) return "frame " + std::to_string(i) + ": " + found;
-  }
-  return {};
-}
-
 /// Walks before the streams of `seeds` with a cache of `bytes` bytes.
 FrameTally walk_all(Device& device, uint64_t cache_bytes, uint32_t first, uint32_t last,
                     bool damaged) {
@@ -78,7 +34,8 @@ FrameTally walk_all(Device& device, uint64_t cache_bytes, uint32_t first, uint32
     if (damaged) tb::corrupt(bytes, tb::Damage::kIndexAndTiles, seed);
     RenderPair pair(device, std::move(bytes), cache_bytes);
     if (pair.closed()) continue;
-    EXPECT_EQ(walk(pair, seed, 10, tally), "") << "seed " << seed << ", cache " << cache_bytes;
+    EXPECT_EQ(difference_of_walk(pair, seed, 10, tally), "")
+        << "seed " << seed << ", cache " << cache_bytes;
     if (testing::Test::HasFailure()) break;
   }
   return tally;
@@ -123,17 +80,6 @@ TEST_F(GpuFrameCache, KeepsItsBoundsInSmallChunks) {
 
 class GpuFrameCacheOfOneStream : public GpuFrameCache {
  protected:
-  /// 2 x 2 views of 300 x 200 pixels in blocks of 2 x 2: more blocks in a frame than there is room
-  /// for at first.
-  static std::vector<uint8_t> bytes() {
-    EncodeParams params;
-    params.profile = Profile::kMain;
-    params.block_size = 2;
-    params.tree_height = 1;
-    params.threads = 1;
-    return encode(test::textured_light_field({2, 2, 300, 200, 8}, 1, 4), params)->bytes;
-  }
-
   /// Between the four views, which all have weight.
   static FrameRecord record(const StreamHeader& header) {
     Camera camera;
@@ -143,7 +89,7 @@ class GpuFrameCacheOfOneStream : public GpuFrameCache {
 };
 
 TEST_F(GpuFrameCacheOfOneStream, ARepeatedFrameDecodesNothing) {
-  RenderPair pair(device(), bytes(), kPlenty);
+  RenderPair pair(device(), stream_of_many_blocks(), kPlenty);
   ASSERT_FALSE(pair.closed());
   const FrameRecord frame = record(pair.header());
   FrameTally tally;
@@ -162,7 +108,7 @@ TEST_F(GpuFrameCacheOfOneStream, ARepeatedFrameDecodesNothing) {
 }
 
 TEST_F(GpuFrameCacheOfOneStream, AnotherStopLevelBeginsAnew) {
-  RenderPair pair(device(), bytes(), kPlenty);
+  RenderPair pair(device(), stream_of_many_blocks(), kPlenty);
   ASSERT_FALSE(pair.closed());
   const FrameRecord frame = record(pair.header());
   FrameTally tally;
@@ -179,7 +125,7 @@ TEST_F(GpuFrameCacheOfOneStream, AFrameAboveTheBudgetLeavesNothing) {
   const uint64_t blocks = uint64_t{4} * (150 * 100 + 2 * 75 * 50);
   const uint64_t frame_bytes = (blocks + 31) / 32 * 32 * 4 * sizeof(int16_t);
   for (const uint64_t missing : {0u, 1u}) {
-    RenderPair pair(device(), bytes(), frame_bytes - missing);
+    RenderPair pair(device(), stream_of_many_blocks(), frame_bytes - missing);
     ASSERT_FALSE(pair.closed());
     const FrameRecord frame = record(pair.header());
     FrameTally tally;
@@ -195,7 +141,7 @@ TEST_F(GpuFrameCacheOfOneStream, AFrameAboveTheBudgetLeavesNothing) {
 // is made at a time, from 16384 to 90000 blocks and from 512 to 2813 pages: three times each at
 // most.
 TEST_F(GpuFrameCacheOfOneStream, ACameraThatNeedsEverMoreIsSubmittedAgainRarely) {
-  const auto stream = bytes();
+  const auto stream = stream_of_many_blocks();
   const auto view = open_stream(stream, {});
   ASSERT_TRUE(view);
   auto renderer = GpuRenderer::open(device(), *view, 0);
@@ -228,7 +174,7 @@ std::string difference_with(std::span<const uint32_t> mark, uint64_t cache_bytes
   FrameTally tally;
   for (uint32_t seed = 0; seed < 6; ++seed) {
     RenderPair pair(*device, test::random_stream(seed), cache_bytes);
-    const std::string found = walk(pair, seed, 10, tally);
+    const std::string found = difference_of_walk(pair, seed, 10, tally);
     if (!found.empty()) return found;
   }
   return {};

@@ -12,8 +12,8 @@ namespace hmlfc::gpu {
 namespace {
 
 constexpr int kSkipped = 77;
-constexpr const char* kUseNames[] = {"references", "blocks",   "stages",
-                                     "frames",     "geometry", "texels"};
+constexpr const char* kUseNames[] = {"references", "blocks", "stages",       "frames",
+                                     "geometry",   "texels", "frame texels", "geometry texels"};
 
 // The driver's name of its version, such as "Mesa 22.3.6".
 std::string driver_of(Device& device) {

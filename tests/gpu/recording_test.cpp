@@ -14,22 +14,11 @@
 #include "buffer.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu/callers_memory.hpp"
-#include "gpu/gpu_test.hpp"
+#include "gpu/callers_test.hpp"
 #include "stimulus/random_stream.hpp"
-#include "vectors/field_stream.hpp"
 
 namespace hmlfc::gpu {
 namespace {
-
-// The samples of texels, R, G, B and A in turn.
-std::vector<uint16_t> samples_of(std::span<const uint8_t> texels, const StreamHeader& header) {
-  std::vector<uint16_t> samples;
-  const size_t step = texel_bytes(header) / 4;
-  for (size_t i = 0; i < texels.size(); i += step) {
-    samples.push_back(static_cast<uint16_t>(texels[i] | (step == 2 ? texels[i + 1] << 8 : 0)));
-  }
-  return samples;
-}
 
 // What the texels of an area are, by what the decoder itself gives for its blocks from `first` on.
 void append_expected(const PixelArea& area, const PixelBlocks& blocks, size_t first,
@@ -60,11 +49,6 @@ std::vector<uint16_t> expected(std::span<const PixelArea> areas, const PixelBloc
   return samples;
 }
 
-// Of the encoder, or with random fields: of any depth, in both chroma formats.
-std::vector<uint8_t> stream_of(uint32_t seed) {
-  return seed % 2 == 0 ? tb::suite_stream(seed, 2u << seed % 3) : vectors::random_stream(seed, {});
-}
-
 PixelArea whole_view(const StreamView& stream, ViewPos view) {
   const PlaneShape& plane = stream.geometry.plane(Plane::kY);
   return {view, 0, 0, plane.blocks_x, plane.blocks_y, 0};
@@ -82,32 +66,8 @@ std::vector<PixelArea> some_areas(const StreamView& stream) {
           {{0, 0}, 0, 0, 2, plane.blocks_y + 1, stream.header.tree_height}};
 }
 
-class GpuRecording : public GpuTest {
+class GpuRecording : public CallersTest {
  protected:
-  void SetUp() override {
-    GpuTest::SetUp();
-    if (IsSkipped()) return;
-    callers_.emplace(device().info().name);
-    shared_ = open_shared({});
-  }
-
-  void TearDown() override {
-    if (!callers_) return;
-    for (const std::string& message : callers_->messages()) ADD_FAILURE() << message;
-  }
-
-  std::optional<Device> open_shared(DeviceOptions options) {
-    options.cache_folder = "";
-    options.check_barriers = true;
-    auto opened = open_device(callers_->handles(), options);
-    if (opened) return *opened;
-    ADD_FAILURE() << opened.error().message;
-    return std::nullopt;
-  }
-
-  const CallersDevice& callers() const { return *callers_; }
-  Device& shared() { return *shared_; }
-
   // Records to a buffer behind 16 other bytes, and runs twice.
   void expect_recorded(GpuDecoder& decoder, std::span<const PixelArea> areas,
                        const StreamHeader& header) {
@@ -134,10 +94,6 @@ class GpuRecording : public GpuTest {
       }
     }
   }
-
- private:
-  std::optional<CallersDevice> callers_;
-  std::optional<Device> shared_;
 };
 
 TEST_F(GpuRecording, OfAWholeViewIsTheModels) {
@@ -239,7 +195,6 @@ TEST_F(GpuRecording, KeepsItsBounds) {
   options.guard_pages = true;
   auto own = open(options);
   ASSERT_TRUE(own);
-  Device::State& state = own->state();
   for (uint32_t seed = 0; seed < 12; ++seed) {
     const auto bytes = stream_of(seed);
     const auto view = open_stream(bytes, {});
@@ -250,18 +205,14 @@ TEST_F(GpuRecording, KeepsItsBounds) {
     const auto blocks = decoder->decode_rgb(areas);
     ASSERT_TRUE(blocks);
     const auto samples = expected(areas, *blocks, view->header);
-    const Buffer target(state, samples.size() * texel_bytes(view->header) / 4, Memory::kReadback);
-    const vk::raii::CommandBuffers commands(
-        *state.device,
-        vk::CommandBufferAllocateInfo(**state.pool, vk::CommandBufferLevel::ePrimary, 1));
-    commands.front().begin(vk::CommandBufferBeginInfo());
-    const auto recording =
-        record(*decoder, *commands.front(), areas, BufferTarget{target.handle(), 0});
-    ASSERT_TRUE(recording) << recording.error().message;
-    commands.front().end();
-    const vk::CommandBuffer handle = *commands.front();
-    state.queue->submit(vk::SubmitInfo({}, {}, handle));
-    state.queue->waitIdle();
+    const Buffer target(own->state(), samples.size() * texel_bytes(view->header) / 4,
+                        Memory::kReadback);
+    std::optional<Recording> recording;
+    run_alone(*own, [&](VkCommandBuffer commands) {
+      auto recorded = record(*decoder, commands, areas, BufferTarget{target.handle(), 0});
+      ASSERT_TRUE(recorded) << recorded.error().message;
+      recording.emplace(std::move(*recorded));
+    });
     EXPECT_EQ(recording->statuses(), blocks->statuses);
     EXPECT_EQ(samples_of(target.bytes(), view->header), samples);
   }

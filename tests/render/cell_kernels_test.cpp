@@ -31,7 +31,8 @@ void draw_weights(test::Random& random, int32_t views, AxisRun& axis) {
 }
 
 // Proposals::chosen() of a cell.
-int32_t chosen(const RunTaps& weights, const ToldByViews& told, int32_t focus, size_t cell) {
+int32_t chosen(const RunTaps& weights, const ToldByViews& told, const FrameRecord& record,
+               size_t cell) {
   Proposals proposals;
   size_t view = 0;
   for (int32_t row = 0; row < weights.rows.views; ++row) {
@@ -39,7 +40,7 @@ int32_t chosen(const RunTaps& weights, const ToldByViews& told, int32_t focus, s
       const int32_t d = told[view++][cell];
       const BlockDisparity block{static_cast<int16_t>(d == kNoDisparity ? 0 : d),
                                  static_cast<uint8_t>(d == kNoDisparity ? 0 : 1)};
-      proposals.add(displacement_of(block, focus),
+      proposals.add(displacement_of(block, record),
                     weights.cols.weight[col][cell] * weights.rows.weight[row][cell]);
     }
   }
@@ -47,9 +48,10 @@ int32_t chosen(const RunTaps& weights, const ToldByViews& told, int32_t focus, s
 }
 
 TEST(CellKernels, ChooseWhatProposalsChoose) {
-  constexpr std::array kTold{kNoDisparity, 50,  50 + 1024, 50 + 1025, 50 - 1024,
-                             50 - 1025,    300, -32768,    32767};
+  constexpr std::array kTold{kNoDisparity, 50,        -50, 49,  50 + 2048, 50 + 2049,
+                             50 - 2048,    50 - 2049, 300, -49, -32768,    32767};
   constexpr std::array kFocus{0, 50, -7, 65536, -65536};
+  constexpr std::array kFine{0, 1, 50, 256};
   test::Random random(5);
   for (int n = 0; n < 200; ++n) {
     RayRun run;
@@ -65,6 +67,7 @@ TEST(CellKernels, ChooseWhatProposalsChoose) {
     }
     FrameRecord record{};
     record.focus = one_of(random, kFocus);
+    record.fine = one_of(random, kFine);
     for (const int64_t target : test::instruction_sets()) {
       const test::ChosenInstructionSet chosen_set(target);
       std::vector<int32_t> cells(kCells, 12345);
@@ -72,7 +75,7 @@ TEST(CellKernels, ChooseWhatProposalsChoose) {
       for (int32_t i = 0; i < kCells; ++i) {
         const auto at = static_cast<size_t>(i);
         const bool inside = i >= run.begin && i < run.end;
-        ASSERT_EQ(cells[at], inside ? chosen(weights, told, record.focus, at) : 12345)
+        ASSERT_EQ(cells[at], inside ? chosen(weights, told, record, at) : 12345)
             << test::instruction_set_name(target) << ", case " << n << ", cell " << i;
       }
     }

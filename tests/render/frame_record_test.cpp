@@ -45,6 +45,26 @@ TEST(FrameRecord, StraightAheadByHand) {
   EXPECT_EQ(record->r0, 1);
 }
 
+// REC-2: fine is above 0 where frames have the pixels of views.
+TEST(FrameRecord, FineByHand) {
+  const auto fine = [](const auto& set) {
+    Camera camera;
+    set(camera);
+    return frame_record(camera, small_header())->fine;
+  };
+  EXPECT_EQ(fine([](Camera&) {}), 256);
+  EXPECT_EQ(fine([](Camera& c) { c.row_pitch = 1.0 / 16; }), 256);
+  EXPECT_EQ(fine([](Camera& c) { c.row_pitch = -2.5; }), 102);
+  EXPECT_EQ(fine([](Camera& c) { c.position = WorldPoint{1.3, 0.7, 2.5}; }), 256);
+  EXPECT_EQ(fine([](Camera& c) { c.frame_width = 32, c.tan_half = 0.375; }), 256);
+  EXPECT_EQ(fine([](Camera& c) { c.frame_width = 63, c.tan_half = 63 / 128.0; }), 0);
+  EXPECT_EQ(fine([](Camera& c) { c.frame_height = 47; }), 0);
+  EXPECT_EQ(fine([](Camera& c) { c.tan_half = 0.5 + 0x1p-21; }), 256);
+  EXPECT_EQ(fine([](Camera& c) { c.tan_half = 0.5 + 0x1p-20; }), 0);
+  EXPECT_EQ(fine([](Camera& c) { c.shear = 1; }), 0);
+  EXPECT_EQ(fine([](Camera& c) { c.look_at = WorldPoint{2.01, 1, 1}; }), 0);
+}
+
 // CAM-3.
 TEST(FrameRecord, EveryInputIsChecked) {
   const double nan = std::numeric_limits<double>::quiet_NaN();

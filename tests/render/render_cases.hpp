@@ -72,6 +72,12 @@ inline Camera random_camera(Random& random, const StreamHeader& header) {
 inline Camera random_camera_with_geometry(Random& random, const StreamHeader& header) {
   Camera camera = random_camera(random, header);
   camera.geometry = static_cast<GeometrySource>(random() % 2);
+  if (random() % 4 == 0) {  // with the pixels of views, where disparities are fine (REC-2)
+    camera.frame_width = camera.frame_height = {};
+    camera.look_at.reset();
+    camera.tan_half.reset();
+    camera.shear = 0;
+  }
   return camera;
 }
 

@@ -35,23 +35,32 @@ TEST(Surface, TheMedianIsTheLeastProposalWithHalfOfTheWeight) {
   EXPECT_EQ(chosen({{200, 20000}, {100, 20000}, {200, 20000}, {900, 5536}}), 200);
 }
 
-// SRF-3: 5/8 of the weight, up to 4 pixels away.
+// SRF-3: 5/8 of the weight, up to 8 pixels away.
 TEST(Surface, WhereViewsDisagreeThePlaneHolds) {
   EXPECT_EQ(chosen({{50, 40960}, {5000, 24576}}), 50);
   EXPECT_EQ(chosen({{50, 40959}, {5000, 24577}}), 0);
-  EXPECT_EQ(chosen({{50, 32768}, {50 + 1024, 8192}, {5000, 24576}}), 50);
-  EXPECT_EQ(chosen({{50, 32768}, {50 + 1025, 8192}, {5000, 24576}}), 0);
-  EXPECT_EQ(chosen({{-974 - 1, 8192}, {50, 32768}, {5000, 24576}}), 0);
+  EXPECT_EQ(chosen({{50, 32768}, {50 + 2048, 8192}, {5000, 24576}}), 50);
+  EXPECT_EQ(chosen({{50, 32768}, {50 + 2049, 8192}, {5000, 24576}}), 0);
+  EXPECT_EQ(chosen({{-1998 - 1, 8192}, {50, 32768}, {5000, 24576}}), 0);
 }
 
 // SRF-3: what a block tells.
 TEST(Surface, DisplacementsAreDisparitiesLessTheFocus) {
-  EXPECT_EQ(displacement_of({-300, 1}, 256), -556);
-  EXPECT_EQ(displacement_of({-300, 0}, 256), 0);
+  FrameRecord record;
+  record.focus = 256;
+  EXPECT_EQ(displacement_of({-300, 1}, record), -556);
+  EXPECT_EQ(displacement_of({-300, 0}, record), 0);
+  record.fine = 20;
+  EXPECT_EQ(displacement_of({-19, 1}, record), -256);
+  EXPECT_EQ(displacement_of({19, 1}, record), -256);
+  EXPECT_EQ(displacement_of({-20, 1}, record), -276);
+  EXPECT_EQ(displacement_of({20, 1}, record), -236);
   constexpr auto kLeast = std::numeric_limits<int16_t>::min();
   constexpr auto kGreatest = std::numeric_limits<int16_t>::max();
-  EXPECT_EQ(displacement_of({kLeast, 3}, 1), kLeast);
-  EXPECT_EQ(displacement_of({kGreatest, 3}, -65536), kGreatest);
+  record.focus = 1;
+  EXPECT_EQ(displacement_of({kLeast, 3}, record), kLeast);
+  record.focus = -65536;
+  EXPECT_EQ(displacement_of({kGreatest, 3}, record), kGreatest);
 }
 
 // SRF-2: 2 pixels a column, half a column to the right of the ray, are a pixel.

@@ -165,10 +165,12 @@ void take_surfaces(const std::function<void(const std::string&)>& done) {
   constexpr int32_t kPitch = 127 << 4;
   constexpr int32_t kRow = 512;
   constexpr int32_t kSteps = 4088;  // of 2^-12
-  static_cast<void>(displacement_of({kLeastD, 1}, kFocus));
-  static_cast<void>(displacement_of({kGreatestD, 1}, -kFocus));
   static_cast<void>(displacement_in_view(0, 0, (kSteps - 1) * 16));
   FrameRecord record{};
+  record.focus = kFocus;
+  static_cast<void>(displacement_of({kLeastD, 1}, record));
+  record.focus = -kFocus;
+  static_cast<void>(displacement_of({kGreatestD, 1}, record));
   Ray ray;
   ray.vs = (kRow * 4096 - kSteps) * 16;
   for (const int32_t sign : {1, -1}) {

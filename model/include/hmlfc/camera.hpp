@@ -118,10 +118,11 @@ struct FrameRecord {
   int32_t geometry = 0;      ///< 1: the frame has geometry (SRF-1)
   int32_t focus = 0;         ///< of the focal plane, 2^-8 pixels a column
   int32_t pitch = 256;       ///< of the rows of views, 2^-8 columns
+  int32_t fine = 0;          ///< disparities nearer to 0 count as 0, 2^-8 pixels a column, [0, 256]
 
   friend bool operator==(const FrameRecord&, const FrameRecord&) = default;
 };
-static_assert(sizeof(FrameRecord) == 160);
+static_assert(sizeof(FrameRecord) == 164);
 
 /// Why a camera takes no frame.
 struct CameraError {

@@ -1,4 +1,5 @@
-// Decoding recorded into a command buffer of the caller, to one of the caller's buffers or images.
+// Decoding, and frames, recorded into a command buffer of the caller, to one of the caller's
+// buffers or images.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <hmlfc/format.hpp>
 #include <hmlfc/gpu/decoder.hpp>
 #include <hmlfc/gpu/device.hpp>
+#include <hmlfc/gpu/renderer.hpp>
 
 namespace hmlfc::gpu {
 
@@ -43,7 +45,7 @@ struct ImageTarget {
   VkImage image = VK_NULL_HANDLE;
   VkImageLayout layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;  ///< or VK_IMAGE_LAYOUT_GENERAL
   uint32_t mip_level = 0;
-  std::span<const TexelPlace> places;  ///< one an area, in their order
+  std::span<const TexelPlace> places;  ///< one an area, in their order; one for a frame
 };
 
 /// What recorded commands use on the device. It outlives their last run.
@@ -71,8 +73,8 @@ class Recording {
 ///
 /// `commands` is a primary command buffer of the queue family of the decoder's Device, being
 /// recorded, outside a render pass. It may be submitted to that Device's queue and no other, again
-/// and again. Its bound compute
-/// pipeline and its push constants are others afterwards. Device and decoder outlive its last run.
+/// and again. Its bound compute pipeline and its push constants are others afterwards. Device and
+/// decoder outlive its last run.
 ///
 /// Synchronisation: the commands are ordered among themselves and after all compute and transfer
 /// commands before them on the queue. The target is written by transfer commands:
@@ -88,5 +90,58 @@ Outcome<Recording> record(const GpuDecoder& decoder, VkCommandBuffer commands,
 /// The same to an image.
 Outcome<Recording> record(const GpuDecoder& decoder, VkCommandBuffer commands,
                           std::span<const PixelArea> areas, const ImageTarget& target);
+
+/// What became of a recorded frame.
+struct RecordedFrame {
+  /// The error of NED-2, or bad_request where record or stop level do not fit the light field.
+  ErrorCode status = ErrorCode::kOk;
+  bool had_room = true;        ///< for its blocks on the device
+  uint64_t blocks_needed = 0;  ///< as in GpuFrame
+  uint64_t blocks_decoded = 0;
+  uint64_t disparities_looked_up = 0;
+};
+
+/// What a recorded frame uses on the device, for one run at a time: a program with three frames
+/// under way has three, which it uses in turn. It outlives the last run.
+class FrameRecording {
+ public:
+  FrameRecording();
+  FrameRecording(FrameRecording&&) noexcept;
+  FrameRecording& operator=(FrameRecording&&) noexcept;
+  ~FrameRecording();
+
+  /// Of the last run, once the host has waited for it. Where it had no room or its status is not
+  /// kOk, all texels are 0.
+  RecordedFrame result() const;
+
+  /// For this project's own files.
+  struct State;
+  std::unique_ptr<State>& state() { return state_; }
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+/// Records into `commands` that `renderer` draws the frame of `record` to `target`, as
+/// GpuRenderer::render would: its texels row by row, or at the place of an image. With what is held
+/// of earlier frames, in the order in which the device runs them, whoever has submitted them. A
+/// frame with a status of bad_request records nothing.
+///
+/// Allocates and waits for nothing once `recording` has recorded a frame of this size, but for the
+/// maps of the renderer's first frame with geometry. The last run of `recording` is over, also for
+/// the host; the next one may be submitted again once it is over. `commands`, their synchronisation
+/// and the target are as with the areas of a decoder.
+///
+/// A frame that finds no room on the device draws nothing: with no recorded frame under way, render
+/// it with GpuRenderer::render, which makes room, and record anew what was recorded before. So does
+/// any frame that the renderer submits itself and that has no room.
+///
+/// kLimit: places that are not one, and as with GpuRenderer::begin.
+Outcome<void> record(GpuRenderer& renderer, VkCommandBuffer commands, const FrameRecord& record,
+                     int stop_level, const BufferTarget& target, FrameRecording& recording);
+
+/// The same to an image.
+Outcome<void> record(GpuRenderer& renderer, VkCommandBuffer commands, const FrameRecord& record,
+                     int stop_level, const ImageTarget& target, FrameRecording& recording);
 
 }  // namespace hmlfc::gpu

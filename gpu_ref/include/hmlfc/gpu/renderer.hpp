@@ -82,6 +82,7 @@ class GpuRenderer {
   const std::vector<StageTime>& stage_times() const;
 
  private:
+  friend struct GpuRendererAccess;
   struct State;
   explicit GpuRenderer(std::shared_ptr<State> state) : state_(std::move(state)) {}
   std::shared_ptr<State> state_;  // of all copies

@@ -1,0 +1,24 @@
+// Streams and cameras before which frames of the GPU renderer are compared.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gpu/render_pair.hpp"
+#include "stimulus/random_stream.hpp"
+
+namespace hmlfc::gpu {
+
+/// A walk of `frames` frames, now and then down to another level; the first difference, or nothing.
+std::string difference_of_walk(RenderPair& pair, uint32_t seed, int frames, FrameTally& tally);
+
+/// Frames with geometry before scenes in depth of `seeds` seeds; the first difference, or nothing.
+std::string difference_of_scenes(Device& device, uint32_t seeds, tb::Damage damage,
+                                 uint64_t cache_bytes, FrameTally& tally);
+
+/// 2 x 2 views of 300 x 200 pixels in blocks of 2 x 2: more blocks in a frame than there is room
+/// for at first.
+std::vector<uint8_t> stream_of_many_blocks();
+
+}  // namespace hmlfc::gpu
