@@ -131,7 +131,7 @@ int32_t fine_of(const Camera& camera, const Pose& pose, const StreamHeader& head
   const bool whole =
       pose.forward.z == 1 && camera.shear == 0 &&
       fix(2 * *camera.focal * *camera.tan_half, 12) == int64_t{std::max(width, height)} << 12 &&
-      (width - header.width) % 2 == 0 && (height - header.height) % 2 == 0;
+      width % 2 == header.width % 2 && height % 2 == header.height % 2;
   return whole ? static_cast<int32_t>(256 / std::max(1.0, std::abs(*camera.row_pitch))) : 0;
 }
 
