@@ -12,7 +12,6 @@
 #include <hmlfc/gpu/recording.hpp>
 #include <hmlfc/gpu/renderer.hpp>
 
-#include "mapped_file.hpp"
 #include "vulkan_program.hpp"
 
 namespace {
@@ -135,20 +134,7 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "usage: gpu_frames FILE FRAMES FOLDER, FRAMES at least 3\n");
     return 2;
   }
-  const MappedFile file(arguments[1]);  // outlives the stream
-  const auto stream = hmlfc::Decoder::open(file.bytes());
-  if (!stream) {
-    std::fprintf(stderr, "%s\n", to_string(stream.error()).c_str());
-    return 1;
-  }
-  try {
-    draw_path(*stream, static_cast<uint64_t>(frames), arguments[3]);
-  } catch (const vk::IncompatibleDriverError&) {
-    std::fprintf(stderr, "no Vulkan device\n");
-    return 3;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return run_on_stream(arguments[1], [&](const hmlfc::Decoder& stream) {
+    draw_path(stream, static_cast<uint64_t>(frames), arguments[3]);
+  });
 }

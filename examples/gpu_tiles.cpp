@@ -10,7 +10,6 @@
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/gpu/recording.hpp>
 
-#include "mapped_file.hpp"
 #include "vulkan_program.hpp"
 
 namespace {
@@ -116,23 +115,10 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "usage: gpu_tiles FILE ROW COL PICTURE.ppm\n");
     return 2;
   }
-  const MappedFile file(arguments[1]);  // outlives the stream
-  const auto stream = hmlfc::Decoder::open(file.bytes());
-  if (!stream) {
-    std::fprintf(stderr, "%s\n", to_string(stream.error()).c_str());
-    return 1;
-  }
-  try {
+  return run_on_stream(arguments[1], [&](const hmlfc::Decoder& stream) {
     const Vulkan vulkan;
     const auto row = static_cast<uint32_t>(std::atoi(arguments[2]));
     const auto col = static_cast<uint32_t>(std::atoi(arguments[3]));
-    decode(vulkan, *stream, {row, col}, arguments[4]);
-  } catch (const vk::IncompatibleDriverError&) {
-    std::fprintf(stderr, "no Vulkan device\n");
-    return 3;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+    decode(vulkan, stream, {row, col}, arguments[4]);
+  });
 }

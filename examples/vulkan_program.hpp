@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
@@ -11,8 +12,11 @@
 
 #include <vulkan/vulkan_raii.hpp>
 
+#include <hmlfc/decoder.hpp>
 #include <hmlfc/gpu/recording.hpp>
 #include <hmlfc/gpu/vulkan_device.hpp>
+
+#include "mapped_file.hpp"
 
 namespace gpu = hmlfc::gpu;
 
@@ -81,4 +85,26 @@ inline void write_ppm(const std::string& path, VkExtent2D size, const hmlfc::Str
     if (i % 4 == 3) continue;  // A
     for (size_t k = bytes; k-- > 0;) file.put(static_cast<char>(texels[i * bytes + k]));
   }
+}
+
+// Calls `work` with the stream in the file `path`. Returns the exit status: 1 an error, 3 no Vulkan
+// device, each with a message.
+template <class Work>
+int run_on_stream(const char* path, const Work& work) {
+  const MappedFile file(path);  // outlives the stream
+  const auto stream = hmlfc::Decoder::open(file.bytes());
+  if (!stream) {
+    std::fprintf(stderr, "%s\n", to_string(stream.error()).c_str());
+    return 1;
+  }
+  try {
+    work(*stream);
+  } catch (const vk::IncompatibleDriverError&) {
+    std::fprintf(stderr, "no Vulkan device\n");
+    return 3;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
 }
