@@ -102,8 +102,9 @@ run_soak() {
       *) rest+=("$1") && shift ;;
     esac
   done
-  if [[ ! $minutes =~ ^[1-9][0-9]*$ || ! $seed =~ ^[0-9]+$ || ! $shard =~ ^[1-9][0-9]*/[1-9][0-9]*$ ]]; then
-    say "soak: --minutes takes a number from 1 on, --seed a number, --shard I/N"
+  if [[ ! $minutes =~ ^[1-9][0-9]*$ || ! $seed =~ ^[0-9]+$ || ! $shard =~ ^[1-9][0-9]*/[1-9][0-9]*$ ]] ||
+    ((${shard%/*} > ${shard#*/})); then
+    say "soak: --minutes takes a number from 1 on, --seed a number, --shard I/N with I from 1 to N"
     exit 2
   fi
   install_packages build test

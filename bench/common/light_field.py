@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, UnidentifiedImageError
 
-from process import BenchError, built_package
+from process import BUILT, BenchError
 
-sys.path.append(str(built_package()))
+sys.path.append(str(BUILT / "tools" / "python"))
 
 import hmlfc  # noqa: E402
 

@@ -23,11 +23,6 @@ def built(name):
     return BUILT / "bench" / name
 
 
-def built_package():
-    """The folder of the package hmlfc in the build of ./run."""
-    return BUILT / "tools" / "python"
-
-
 def require(bench, *programs):
     """Raises BenchError where one of the programs is not there."""
     for program in programs:
