@@ -210,6 +210,12 @@ DeviceInfo info_of(const vk::raii::PhysicalDevice& physical) {
   info.name = properties.deviceName.data();
   info.kind = kKinds[kind_rank(properties.deviceType)].second;
   info.missing = missing_of(physical);
+  if (properties.apiVersion >= VK_API_VERSION_1_2) {
+    const auto driver =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
+            .get<vk::PhysicalDeviceDriverProperties>();
+    info.driver = std::string(driver.driverName.data()) + " " + driver.driverInfo.data();
+  }
   return info;
 }
 

@@ -37,9 +37,10 @@ using Outcome = tl::expected<T, Failure>;
 
 /// A device of this machine.
 struct DeviceInfo {
-  std::string name;     ///< as the driver gives it
-  std::string kind;     ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
-  std::string missing;  ///< what it lacks for the decoder, or empty
+  std::string name;      ///< as the driver gives it
+  std::string kind;      ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
+  std::string missing;   ///< what it lacks for the decoder, or empty
+  std::string driver{};  ///< its name and version as the driver gives them
 };
 
 /// Kernels as SPIR-V, by the names of their files in shaders/ without .comp.
