@@ -223,6 +223,7 @@ void complete(Device::State& state, uint32_t family, const DeviceOptions& option
   state.family = family;
   state.timeout_nanoseconds = static_cast<uint64_t>(options.timeout_seconds * 1e9);
   state.submission_bytes = options.submission_bytes;
+  state.upload_bytes = 4 * std::max<uint64_t>(1, options.upload_bytes / 4);
   state.disparity_bytes = options.disparity_bytes;
   if (options.check_barriers) state.hazards.emplace();
   state.pool.emplace(

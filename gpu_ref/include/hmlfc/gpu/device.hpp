@@ -20,6 +20,7 @@ enum class FailureKind : uint8_t {
   kOutOfMemory,  ///< of the device or the host; smaller streams and calls work
   kLost,         ///< the device was lost, or did not answer in an earlier call
   kTimeout,      ///< the device has not answered in time
+  kSource,       ///< the ByteSource of the stream has failed; streams of others work
   kInternal,     ///< a fault of this library or of the driver
 };
 
@@ -57,6 +58,8 @@ struct DeviceOptions {
   /// Largest buffer in bytes for stream and reference area; 0: the device's own limit. Else a power
   /// of two, at least 64.
   uint64_t chunk_bytes = 0;
+  /// Bytes of a stream that wait on the host for their copy to the device, in whole words.
+  uint64_t upload_bytes = uint64_t{16} << 20;
   /// Device memory that a submission may take beside the stream, in bytes; larger calls are split.
   uint64_t submission_bytes = uint64_t{512} << 20;
   /// Device memory that the disparity maps of a renderer may take, in bytes: 4 for each block of
