@@ -30,7 +30,9 @@ Request request_of_bit(uint bit) {
   }
   const uint cols = arguments.shape.levels[frame().stop_level].cols;
   const uint blocks_x = arguments.shape.planes[p].blocks_x;
-  return Request(number / cols | (number % cols) << 16, at % blocks_x | (at / blocks_x) << 16,
+  const uint image_row = number / cols;
+  const uint by = at / blocks_x;
+  return Request(image_row | (number - image_row * cols) << 16, (at - by * blocks_x) | by << 16,
                  p | frame().stop_level << 8 | 1u << 16);
 }
 

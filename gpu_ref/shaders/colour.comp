@@ -31,7 +31,8 @@ struct Sources {
 };
 
 Sources sources_of(ColourArea area, uint at) {
-  const uvec2 own = uvec2(at % area.columns, at / area.columns);
+  const uint row = at / area.columns;
+  const uvec2 own = uvec2(at - row * area.columns, row);
   const uint halved = arguments.shape.chroma_halved;
   const uvec2 block = uvec2(area.bx, area.by) + own;
   const uvec2 chroma = block >> halved;

@@ -158,33 +158,31 @@ Reference split_vector(ivec2 vector, bool halved, uint base) {
 /// second in bits 2-3, how many in bits 4-5.
 const uint kReferenceSets[8] = uint[8](0x10u, 0x24u, 0x28u, 0x11u, 0x12u, 0x29u, 0x2Cu, 0x13u);
 
-/// The motion of block (bx, by) of predictive image `at` (row, column) into `entry`; an error of
-/// annex A, or ok (MOT-4, MOT-10).
-uint walk_to_motion(LevelShape level, PlaneShape plane, uvec2 at, uint bx, uint by,
-                    inout BlockEntry entry) {
+/// The motion of block (bx, by) of predictive image `at` (row, column), which is in reference group
+/// `own`, into `entry`; an error of annex A, or ok (MOT-4, MOT-10).
+uint walk_to_motion(LevelShape level, PlaneShape plane, uvec2 at, ReferenceGroup own, uint bx,
+                    uint by, inout BlockEntry entry) {
   const MotionPlaneShape motion_plane = arguments.shape.motion_planes[plane.motion_plane];
   const uvec2 place = uvec2(bx, by) << (arguments.shape.block_log2 + plane.halved);
   const uint image = level.first_image + at.x * level.cols + at.y;
   PaletteEntry palette;
   uint status = walk_to_palette(image, motion_plane, place, level.keyed != 0u, palette);
   if (status != ERROR_OK || palette.choice == kChoiceNone) return status;
-  const uvec2 groups[4] = reference_groups(level, at, reference_group_of(level, at));
   int disparity = palette.explicit_x;
   if (palette.choice <= kChoiceLastNeighbour) {
-    const uvec2 own = reference_of_group(level, groups[0]);
-    status = walk_to_disparity(level.first_image + own.x * level.cols + own.y, motion_plane,
-                               grid_block(motion_plane, place, palette.choice), disparity);
+    status = walk_to_disparity(level.first_image + own.image.x * level.cols + own.image.y,
+                               motion_plane, grid_block(motion_plane, place, palette.choice),
+                               disparity);
     if (status != ERROR_OK) return status;
   }
   const uint set = kReferenceSets[palette.reference_set];
   entry.count = set >> 4;
   entry.negative = palette.negative;
   for (uint i = 0u; i < entry.count; ++i) {
-    const uvec2 group = groups[(set >> (2u * i)) & 3u];
-    const ivec2 vector =
-        motion_vector(palette, disparity, at, reference_of_group(level, group));
+    const ReferenceGroup k = reference_group(level, at, own, (set >> (2u * i)) & 3u);
+    const ivec2 vector = motion_vector(palette, disparity, at, k.image);
     entry.references[i] =
-        split_vector(vector, plane.halved != 0u, reference_base(level, plane, group));
+        split_vector(vector, plane.halved != 0u, reference_base(level, plane, k.group));
   }
   return ERROR_OK;
 }

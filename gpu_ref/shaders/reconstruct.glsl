@@ -14,7 +14,7 @@ uvec4 residual_pairs(BlockEntry entry, PlaneShape plane, uint first) {
   const uint count = 1u << (2u * arguments.shape.block_log2);
   const int offset = entry.bias - int(levels.count >> 1);
   const int step = step_of_code(entry.step_code);
-  uint number = first / grouping.values;
+  uint number = group_of_value(grouping, first);
   uint k = first - number * grouping.values;
   DigitGroup group = read_group(entry.values_word, entry.values_bit, levels, grouping, count, number);
   uvec4 pairs = uvec4(0u);
