@@ -18,5 +18,5 @@ ivec2 samples_of_pair(uint pair) { return ivec2(bitfieldExtract(int(pair), 0, 16
 /// Column and row in its block of sample i.
 uvec2 place_in_block(uint i) {
   const uint log2 = arguments.shape.block_log2;
-  return uvec2(i & low_bits(log2), i >> log2);
+  return uvec2(low_bits(i, log2), i >> log2);
 }

@@ -20,5 +20,5 @@ int sign_extend(uint field, uint bits) {
   return bitfieldExtract(int(field), 0, int(bits));
 }
 
-/// The low `bits` bits set; bits in [0, 32].
-uint low_bits(uint bits) { return bits >= 32u ? 0xFFFFFFFFu : (1u << bits) - 1u; }
+/// The low `bits` bits of x; bits in [0, 32].
+uint low_bits(uint x, uint bits) { return bitfieldExtract(x, 0, int(bits)); }

@@ -1,17 +1,20 @@
 // The samples that a displaced block is predicted from (DEC-4, MOT-9).
 
+/// ref of DEC-4 at x, x + 1 and x + 2 of row y of the plane at `base`.
+ivec3 reference_taps(uint base, PlaneShape plane, int x, int y) {
+  const uint first = base + uint(clamp(y, 0, int(plane.height) - 1)) * plane.row_words;
+  const int last = int(plane.width) - 1;
+  if (uint(x) < uint(max(last - 1, 0))) return row_samples(first, x);
+  const ivec3 cols = clamp(ivec3(x, x + 1, x + 2), ivec3(0), ivec3(last));  // DEC-5
+  return ivec3(row_sample(first, cols.x), row_sample(first, cols.y), row_sample(first, cols.z));
+}
+
 /// I(x, y) of MOT-9, with ref of DEC-4, at samples (x, y) and (x + 1, y) of the plane.
 ivec2 weighted_sums(Reference reference, PlaneShape plane, int x, int y) {
-  const ivec2 last = ivec2(plane.width, plane.height) - 1;
-  const ivec3 cols = clamp(ivec3(0, 1, 2) + (x + reference.ix), ivec3(0), ivec3(last.x));  // DEC-5
-  const ivec2 rows = clamp(ivec2(0, 1) + (y + reference.iy), ivec2(0), ivec2(last.y));
-  const uint first = reference.base + uint(rows.x) * plane.row_words;
-  const ivec2 upper = ivec2(row_sample(first, cols.x), row_sample(first, cols.y));
-  if ((reference.fx | reference.fy) == 0) return upper << 6;
-  const uint next = reference.base + uint(rows.y) * plane.row_words;
-  const ivec3 above = ivec3(upper, row_sample(first, cols.z));
-  const ivec3 below =
-      ivec3(row_sample(next, cols.x), row_sample(next, cols.y), row_sample(next, cols.z));
+  const ivec2 at = ivec2(x + reference.ix, y + reference.iy);
+  const ivec3 above = reference_taps(reference.base, plane, at.x, at.y);
+  if ((reference.fx | reference.fy) == 0) return above.xy << 6;
+  const ivec3 below = reference_taps(reference.base, plane, at.x, at.y + 1);
   const ivec3 between = (above << 3) + reference.fy * (below - above);
   return (between.xy << 3) + reference.fx * (between.yz - between.xy);
 }

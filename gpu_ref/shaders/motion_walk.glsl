@@ -18,7 +18,7 @@ PaletteEntry read_palette_entry(inout Cursor cursor, bool keyed, uint explicit_b
   const uint fields = peek(cursor);
   const uint set_bits = has_feature(FEATURE_TWO_REFERENCES) ? 3u : 0u;
   PaletteEntry entry;
-  entry.reference_set = fields & low_bits(set_bits);
+  entry.reference_set = low_bits(fields, set_bits);
   entry.choice = (fields >> set_bits) & 15u;
   uint bits = set_bits + 4u;
   entry.negative = !keyed && ((fields >> bits) & 1u) != 0u;

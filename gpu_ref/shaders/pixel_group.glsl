@@ -19,7 +19,7 @@ shared Line window_rows[kWindows];
 ivec2 pixel_of_invocation() {
   const uint lane = gl_LocalInvocationIndex;
   return ivec2((gl_WorkGroupID.xy << kGroupLog2) +
-               uvec2(lane & low_bits(kGroupLog2), lane >> kGroupLog2));
+               uvec2(low_bits(lane, kGroupLog2), lane >> kGroupLog2));
 }
 
 // Of the group's rays inside, which are not displaced: u, v, x, y, and the displacement.
@@ -135,7 +135,7 @@ Passes passes_of_group(Filter f, Axis cols, Axis rows, ivec2 pixels, int windows
                           first_view(f, view_place(f, rows, group_least[kV])));
   const ivec2 high = ivec2(first_view(f, view_place(f, cols, group_most[kU])),
                            first_view(f, view_place(f, rows, group_most[kV]))) +
-                     int(low_bits(f.views_log2));
+                     (1 << f.views_log2) - 1;
   Passes passes;
   passes.first = clamp(low, ivec2(0), last);
   passes.views = clamp(high, ivec2(0), last) - passes.first + 1;
@@ -154,7 +154,7 @@ shared Passes group_passes;  // which one invocation finds
 
 /// Column and row of the view of a far pass, of those of a pixel.
 ivec2 view_of_pass(Filter f, uint pass) {
-  return ivec2(int(pass & low_bits(f.views_log2)), int(pass >> f.views_log2));
+  return ivec2(int(low_bits(pass, f.views_log2)), int(pass >> f.views_log2));
 }
 
 /// The line of view `view` along an axis, with the taps of all rays that it has weight for.
@@ -199,7 +199,7 @@ uint windows_of_pass(Passes passes, uint pass) {
 /// The lines, column and row, of window `number` of pass `pass`; whether there is such a window.
 bool lines_of_window(Passes passes, uint pass, uint number, out uvec2 lines) {
   lines = passes.far ? uvec2(number)
-                     : uvec2(number & low_bits(passes.cols_log2),
+                     : uvec2(low_bits(number, passes.cols_log2),
                              (pass << passes.rows_log2) + (number >> passes.cols_log2));
   return passes.far || (int(lines.x) < passes.views.x && int(lines.y) < passes.views.y);
 }
@@ -247,5 +247,5 @@ PixelLine pixel_row(Filter f, Axis axis, Passes passes, Ray ray, uint pass, Pixe
 /// The window, of those of the row's pass, of a pixel's column and row.
 uint window_of_pixel(Passes passes, PixelLine col, PixelLine row) {
   return passes.far ? row.line
-                    : ((row.line & low_bits(passes.rows_log2)) << passes.cols_log2) + col.line;
+                    : (low_bits(row.line, passes.rows_log2) << passes.cols_log2) + col.line;
 }

@@ -5,13 +5,13 @@
 uint reference_word(uint at) {
   if (!kChunked) return OutWords(arguments.references).word[at];
   const uint log2 = arguments.shape.reference_chunk_log2;
-  return OutChunks(arguments.references).chunk[at >> log2].word[at & low_bits(log2)];
+  return OutChunks(arguments.references).chunk[at >> log2].word[low_bits(at, log2)];
 }
 
 void write_reference_word(uint at, uint value) {
   if (kChunked) {
     const uint log2 = arguments.shape.reference_chunk_log2;
-    OutChunks(arguments.references).chunk[at >> log2].word[at & low_bits(log2)] = value;
+    OutChunks(arguments.references).chunk[at >> log2].word[low_bits(at, log2)] = value;
   } else {
     OutWords(arguments.references).word[at] = value;
   }
@@ -20,6 +20,17 @@ void write_reference_word(uint at, uint value) {
 /// Sample x of the row that begins with word `first`.
 int row_sample(uint first, int x) {
   return bitfieldExtract(int(reference_word(first + (uint(x) >> 1))), 16 * (x & 1), 16);
+}
+
+/// Samples x, x + 1 and x + 2 of the row that begins with word `first`; the row has all three.
+ivec3 row_samples(uint first, int x) {
+  const uint at = first + (uint(x) >> 1);
+  const int shift = (x & 1) << 4;
+  const int low = int(reference_word(at));
+  const int high = int(reference_word(at + 1u));
+  return ivec3(bitfieldExtract(low, shift, 16),
+               bitfieldExtract(shift == 0 ? low : high, 16 - shift, 16),
+               bitfieldExtract(high, shift, 16));
 }
 
 /// Sample (x, y) of the plane at `base`; inside the plane.

@@ -33,7 +33,7 @@ uint read_residual_header(Record record, TileHead head, uint k, inout BlockEntry
   for (uint i = 0u; i <= m; ++i) {
     values += bits;
     const uint fields = record_bits(record, header, head.level_bits + head.step_bits);
-    entry.level_code = head.level_base + (fields & low_bits(head.level_bits));
+    entry.level_code = head.level_base + low_bits(fields, head.level_bits);
     entry.step_code = head.step_base + (fields >> head.level_bits);
     if (entry.level_code > most || entry.step_code > MAX_STEP_CODE) return ERROR_BAD_LEVELS;
     const Levels levels = levels_of_code(entry.level_code);

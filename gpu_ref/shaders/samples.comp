@@ -104,13 +104,17 @@ void main() {
   const uint number = invocation();
   const uint q = number >> lanes_of_block_log2();
   if (q >= request_count()) return;
-  const uint lane = number & low_bits(lanes_of_block_log2());
+  const uint lane = low_bits(number, lanes_of_block_log2());
   const Request request = arguments.requests.request[q];
   uint status = ERROR_BAD_REQUEST;
   uvec4 pairs = uvec4(0u);
   if (is_valid(request)) pairs = decode(request, q, lane * SAMPLES_OF_LANE, status);
-  for (uint k = 0u; k < 1u << words_of_lane_log2(); ++k) {
-    write_samples(q, (lane << 2) + k, pairs.x, status);
+  // In the pool a block with an error has that in place of samples: no frame is drawn from it.
+  if (kCounted && status != ERROR_OK) pairs = uvec4(status);
+  const uint first_word = word_of_request(q, lane << 2);
+  const uint words = 1u << words_of_lane_log2();
+  for (uint k = 0u; k < words; ++k) {
+    write_samples(first_word + k, pairs.x);
     pairs = pairs.yzwx;
   }
   if (lane != 0u) return;
