@@ -10,9 +10,7 @@ uint words_of_lane_log2() { return min(words_of_block_log2(), 2u); }
 uint lanes_of_block_log2() { return words_of_block_log2() - words_of_lane_log2(); }
 
 /// Samples 2k and 2k + 1 as one word.
-uint sample_pair(ivec2 samples) {
-  return (uint(samples.x) & 0xFFFFu) | uint(samples.y) << 16;
-}
+uint sample_pair(ivec2 samples) { return uint(bitfieldInsert(samples.x, samples.y, 16, 16)); }
 ivec2 samples_of_pair(uint pair) { return ivec2(bitfieldExtract(int(pair), 0, 16), int(pair) >> 16); }
 
 /// Column and row in its block of sample i.

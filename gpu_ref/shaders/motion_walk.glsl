@@ -146,12 +146,10 @@ ivec2 motion_vector(PaletteEntry entry, int disparity, uvec2 at, uvec2 reference
 }
 
 /// MOT-9: whole samples and eighths of a vector.
-Reference split_vector(ivec2 vector, bool halved, uint base) {
+uint split_vector(ivec2 vector, bool halved) {
   ivec2 u = vector * (1 << (3u - arguments.shape.vector_precision));
   if (halved) u = (u + 1) >> 1;
-  const ivec2 whole = u >> 3;
-  const ivec2 eighths = u - 8 * whole;
-  return Reference(base, whole.x, whole.y, eighths.x, eighths.y);
+  return vector_word(u >> 3, u & 7);
 }
 
 /// References of each reference_set, as numbers of K0 to K3 (MOT-7): the first in bits 0-1, the
@@ -181,8 +179,8 @@ uint walk_to_motion(LevelShape level, PlaneShape plane, uvec2 at, ReferenceGroup
   for (uint i = 0u; i < entry.count; ++i) {
     const ReferenceGroup k = reference_group(level, at, own, (set >> (2u * i)) & 3u);
     const ivec2 vector = motion_vector(palette, disparity, at, k.image);
-    entry.references[i] =
-        split_vector(vector, plane.halved != 0u, reference_base(level, plane, k.group));
+    entry.references[i] = PackedReference(reference_base(level, plane, k.group),
+                                          split_vector(vector, plane.halved != 0u));
   }
   return ERROR_OK;
 }

@@ -22,15 +22,14 @@ int row_sample(uint first, int x) {
   return bitfieldExtract(int(reference_word(first + (uint(x) >> 1))), 16 * (x & 1), 16);
 }
 
-/// Samples x, x + 1 and x + 2 of the row that begins with word `first`; the row has all three.
-ivec3 row_samples(uint first, int x) {
-  const uint at = first + (uint(x) >> 1);
-  const int shift = (x & 1) << 4;
+/// Three samples from the first of word `at` on, or with `odd` from its second; the row has them all.
+ivec3 word_samples(uint at, bool odd) {
   const int low = int(reference_word(at));
   const int high = int(reference_word(at + 1u));
-  return ivec3(bitfieldExtract(low, shift, 16),
-               bitfieldExtract(shift == 0 ? low : high, 16 - shift, 16),
-               bitfieldExtract(high, shift, 16));
+  const int first = bitfieldExtract(low, 0, 16);
+  const int last = high >> 16;
+  return odd ? ivec3(low >> 16, bitfieldExtract(high, 0, 16), last)
+             : ivec3(first, low >> 16, bitfieldExtract(high, 0, 16));
 }
 
 /// Sample (x, y) of the plane at `base`; inside the plane.

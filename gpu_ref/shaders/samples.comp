@@ -32,20 +32,19 @@ struct Place {
 
 /// Leaves pair k of the invocation.
 void write_stage(Place place, uint stage, uint k, uint pair) {
-  if (!kStages || k >> words_of_lane_log2() != 0u) return;
+  if (!kStages) return;
+  if (k >> words_of_lane_log2() != 0u) return;
   const uint at = ((place.number * 4u + stage) << words_of_block_log2()) + (place.first >> 1) + k;
   arguments.stages.word[at] = pair;
 }
 
 /// Pair k of one level on top of its parent's `samples` (DEC-3).
-ivec2 add_level(BlockEntry entry, PlaneShape plane, bool keyed, Place place, uint k, uint residuals,
-                ivec2 samples) {
+ivec2 add_level(BlockEntry entry, PlaneShape plane, bool keyed, Place place, uint k, uint references,
+                uint residuals, ivec2 samples) {
   if (entry.count != 0u) {
-    const ivec2 at = place.corner + ivec2(place_in_block(place.first + 2u * k));
-    const ivec2 reference = reference_pair(entry, plane, at.x, at.y);
     const ivec2 parent = keyed ? ivec2(0) : samples;  // EXT-5
-    samples = motion_prediction(parent, entry.negative, reference, plane);
-    write_stage(place, kStageReference, k, sample_pair(reference));
+    samples = motion_prediction(parent, entry.negative, samples_of_pair(references), plane);
+    write_stage(place, kStageReference, k, references);
   }
   write_stage(place, kStagePrediction, k, sample_pair(samples));
   if (!entry.residual) return samples;
@@ -80,13 +79,17 @@ uvec4 decode(Request request, uint q, uint first, out uint status) {
     const bool keyed = arguments.shape.levels[l].keyed != 0u;
     uvec4 residuals = uvec4(0u);
     if (entry.residual) residuals = residual_pairs(entry, plane, first);
+    uvec4 references = uvec4(0u);
+    if (entry.count != 0u) references = reference_pairs(entry, plane, corner, first);
     [[dont_unroll]] for (uint k = 0u; k < SAMPLES_OF_LANE / 2u; ++k) {
       const ivec2 samples =
           entry.kind == kKindKey
               ? key_samples(entry, plane, place, k)
-              : add_level(entry, plane, keyed, place, k, residuals.x, samples_of_pair(pairs.x));
+              : add_level(entry, plane, keyed, place, k, references.x, residuals.x,
+                          samples_of_pair(pairs.x));
       write_stage(place, kStageSample, k, sample_pair(samples));
       pairs = uvec4(pairs.yzw, sample_pair(samples));
+      references = references.yzwx;
       residuals = residuals.yzwx;
     }
   }

@@ -46,7 +46,7 @@ BlockEntry coded_entry(LevelShape level, PlaneShape plane, uvec2 at, ReferenceGr
       walk_to_residual(image, plane, block.x, block.y, predictive && !motion_tiles, entry);
   if (arguments.damage.word[0] == 0u || kReferencePass) return entry;
   for (uint i = 0u; i < entry.count && entry.status == ERROR_OK; ++i) {
-    entry.status = touched_error(entry.references[i], plane, block.x, block.y);
+    entry.status = touched_error(unpacked_reference(entry.references[i]), plane, block.x, block.y);
   }
   return entry;
 }
