@@ -60,5 +60,5 @@ uvec4 reference_pairs(BlockEntry entry, PlaneShape plane, ivec2 corner, uint fir
   }
   const int shift = int(5u + entry.count);
   const int half_unit = 1 << (shift - 1);
-  return uvec4(bitfieldInsert((even + half_unit) >> shift, (odd + half_unit) >> shift, 16, 16));
+  return sample_pairs((even + half_unit) >> shift, (odd + half_unit) >> shift);
 }

@@ -179,8 +179,9 @@ uint walk_to_motion(LevelShape level, PlaneShape plane, uvec2 at, ReferenceGroup
   for (uint i = 0u; i < entry.count; ++i) {
     const ReferenceGroup k = reference_group(level, at, own, (set >> (2u * i)) & 3u);
     const ivec2 vector = motion_vector(palette, disparity, at, k.image);
-    entry.references[i] = PackedReference(reference_base(level, plane, k.group),
-                                          split_vector(vector, plane.halved != 0u));
+    const PackedReference found = PackedReference(reference_base(level, plane, k.group),
+                                                  split_vector(vector, plane.halved != 0u));
+    if (i == 0u) entry.references[0] = found; else entry.references[1] = found;
   }
   return ERROR_OK;
 }

@@ -45,8 +45,10 @@ BlockEntry coded_entry(LevelShape level, PlaneShape plane, uvec2 at, ReferenceGr
   entry.status =
       walk_to_residual(image, plane, block.x, block.y, predictive && !motion_tiles, entry);
   if (arguments.damage.word[0] == 0u || kReferencePass) return entry;
+  PackedReference reference = entry.references[0];
   for (uint i = 0u; i < entry.count && entry.status == ERROR_OK; ++i) {
-    entry.status = touched_error(unpacked_reference(entry.references[i]), plane, block.x, block.y);
+    entry.status = touched_error(unpacked_reference(reference), plane, block.x, block.y);
+    reference = entry.references[1];
   }
   return entry;
 }
