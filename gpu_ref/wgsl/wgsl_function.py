@@ -213,7 +213,7 @@ class Body:
                 return self.typed(operands[0], result)
             case "BitFieldInsert" if first == result:
                 return call("insertBits", *map(self.value, operands[:2]), *(self.typed(one, "u32") for one in operands[2:]))
-            case "BitFieldSExtract" | "BitFieldUExtract" if first == ("i32" if "S" in name else "u32"):
+            case "BitFieldSExtract" | "BitFieldUExtract" if ("i32" if "S" in name else "u32") in first:
                 return call("extractBits", self.value(operands[0]), *(self.typed(one, "u32") for one in operands[1:]))
             case _ if name in PLAIN:
                 return call(PLAIN[name], *map(self.value, operands))
