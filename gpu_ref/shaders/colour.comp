@@ -24,6 +24,7 @@ struct Sources {
   uint words_log2;    // of the words of each
   uvec2 chroma;  // first chroma sample of the block in its chroma blocks
   uint halved;   // 1 in format 4:2:0
+  int greatest;
 };
 
 Sources sources_of(ColourArea area, uint at) {
@@ -35,7 +36,7 @@ Sources sources_of(ColourArea area, uint at) {
   const uint in_area = (chroma.y - area.chroma_by) * area.chroma_columns + chroma.x - area.chroma_bx;
   const uvec2 corner = (block & halved) << (arguments.shape.block_log2 - 1u);
   return Sources(area.luma + at, area.co + in_area, area.cg + in_area, words_of_block_log2(), corner,
-                 halved);
+                 halved, greatest_sample());
 }
 
 /// The word with sample `at` of request q.
@@ -57,9 +58,8 @@ ivec3[2] pixels(Sources sources, uint i) {
   const ivec2 luma = samples_of_pair(decoded_word(sources, sources.luma, i));
   const ivec2 co = chroma_pair(sources, sources.co, chroma_at);
   const ivec2 cg = chroma_pair(sources, sources.cg, chroma_at);
-  const uint depth = arguments.shape.depth;
-  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), depth),
-                  inverse_colour(ivec3(luma.y, co.y, cg.y), depth));
+  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), sources.greatest),
+                  inverse_colour(ivec3(luma.y, co.y, cg.y), sources.greatest));
 }
 
 void main() {

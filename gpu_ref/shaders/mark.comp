@@ -31,10 +31,8 @@ void mark_word(uint word, uint bits) {
   }
 }
 
-/// Marks blocks of a row of plane p of an image, that of bit `image`, from `first` on, as `row`, of up
-/// to 8 bits, says.
-void mark_row(uint image, uint p, uvec2 first, uint row) {
-  const uint bit = bit_of_block(image, p, first);
+/// Marks blocks of a row from that of bit `bit` on, as `row`, of up to 8 bits, says.
+void mark_row(uint bit, uint row) {
   const uint at = bit & 31u;
   mark_word(bit >> 5, row << at);
   if (at > 24u && row >> (32u - at) != 0u) mark_word((bit >> 5) + 1u, row >> (32u - at));
@@ -61,7 +59,8 @@ void mark_blocks(uvec2 lines, uint window, uint y) {
   const uvec2 corner = uvec2(col.first, line.first) >> arguments.shape.block_log2;
   const uvec2 first = corner + uvec2(0u, y);
   uint row = window_bits[window * kWindow + y];
-  if (row != 0u) mark_row(image, 0u, first, row);
+  const BlockBits bits = block_bits();
+  if (row != 0u) mark_row(luma_bit(bits, image, first), row);
   uvec2 chroma = first;
   if (arguments.shape.chroma_halved != 0u) {
     const uint odd = corner.x & 1u;
@@ -72,8 +71,9 @@ void mark_blocks(uvec2 lines, uint window, uint y) {
     chroma >>= 1;
   }
   if (row == 0u) return;
-  mark_row(image, 1u, chroma, row);
-  mark_row(image, 2u, chroma, row);
+  const uint bit = chroma_bit(bits, image, chroma);
+  mark_row(bit, row);
+  mark_row(bit + bits.chroma, row);
 }
 
 /// The blocks of plane Y that a pixel needs along an axis, from the first of the windows on.

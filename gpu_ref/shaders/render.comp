@@ -46,29 +46,46 @@ int windows_log2(ivec2 pixels) {
   return findMSB(int(kPairs) / (((pixels.x >> 1) + 1) * pixels.y));
 }
 
+/// How the pixels of views are found and made.
+struct Source {
+  BlockBits bits;
+  HeldBlocks held;
+  uvec2 pool;
+  uint block_log2, halved;
+  int greatest;
+};
+
+Source source() {
+  return Source(block_bits(), held_blocks(), frame().pool, arguments.shape.block_log2,
+                arguments.shape.chroma_halved, greatest_sample());
+}
+
 /// The word of the pool with position `at` of the block of bit `bit`. Where the frame does not need the
 /// block it is any word.
-uint word_of_block(uint bit, uint at) { return pool_word(word_of_slot(slot_of_bit(bit), at >> 1)); }
+uint word_of_block(Source from, uint bit, uint at) {
+  const uint slot = slot_of_bit(from.held, bit);
+  return pool_word(from.pool, ((slot << (2u * from.block_log2)) + at) >> 1);
+}
 
 /// Both samples of chroma of two pixels: those of a word, or with chroma_halved its half `side` twice.
-ivec2 chroma_of_pixels(uint word, uint side) {
-  return arguments.shape.chroma_halved == 0u
-             ? samples_of_pair(word)
-             : ivec2(bitfieldExtract(int(word), int(side << 4), 16));
+ivec2 chroma_of_pixels(Source from, uint word, uint side) {
+  return from.halved == 0u ? samples_of_pair(word)
+                           : ivec2(bitfieldExtract(int(word), int(side << 4), 16));
 }
 
 /// pixel(x, y) of SMP-2 for x = pixel.x, which is even, and the next, in the image of bit `image`.
-ivec3[2] view_pixels(uint image, uvec2 pixel) {
-  const SamplePlace own = place_of_sample(pixel);
-  const ivec2 luma = samples_of_pair(word_of_block(bit_of_block(image, 0u, own.block), own.at));
-  const SamplePlace place = place_of_sample(pixel >> arguments.shape.chroma_halved);  // COL-3
-  const uint bit = bit_of_block(image, 1u, place.block);
+ivec3[2] view_pixels(Source from, uint image, uvec2 pixel) {
+  const SamplePlace own = place_of_sample(pixel, from.block_log2);
+  const ivec2 luma =
+      samples_of_pair(word_of_block(from, luma_bit(from.bits, image, own.block), own.at));
+  const SamplePlace place = place_of_sample(pixel >> from.halved, from.block_log2);  // COL-3
+  const uint bit = chroma_bit(from.bits, image, place.block);
   const uint side = place.at & 1u;
-  const ivec2 co = chroma_of_pixels(word_of_block(bit, place.at), side);
-  const ivec2 cg = chroma_of_pixels(word_of_block(bit + blocks_of_plane(1u), place.at), side);
-  const uint depth = arguments.shape.depth;
-  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), depth),
-                  inverse_colour(ivec3(luma.y, co.y, cg.y), depth));
+  const ivec2 co = chroma_of_pixels(from, word_of_block(from, bit, place.at), side);
+  const ivec2 cg =
+      chroma_of_pixels(from, word_of_block(from, bit + from.bits.chroma, place.at), side);
+  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), from.greatest),
+                  inverse_colour(ivec3(luma.y, co.y, cg.y), from.greatest));
 }
 
 uvec2 packed(ivec3 colour) { return uvec2(uint(colour.x) | uint(colour.y) << 16, uint(colour.z)); }
@@ -76,6 +93,7 @@ ivec3 unpacked(uvec2 colour) { return ivec3(colour.x & 0xFFFFu, colour.x >> 16, 
 
 /// Fetches the windows of pass `pass`.
 void fetch(Passes passes, uint pass, WindowSize size) {
+  Source from = source();
   const uint end = windows_of_pass(passes, pass) * size.pairs;
   for (uint i = gl_LocalInvocationIndex; i < end; i += gl_WorkGroupSize.x) {
     const uint window = quotient(i, size.pair_inverse);
@@ -88,7 +106,7 @@ void fetch(Passes passes, uint pass, WindowSize size) {
     const int x = (col.first & ~1) + 2 * int(in_window - window_row * size.columns);
     const int y = row.first + int(window_row);
     if (x > col.last || y > row.last) continue;
-    const ivec3 pixels[2] = view_pixels(col.bit + row.bit, uvec2(x, y));
+    const ivec3 pixels[2] = view_pixels(from, col.bit + row.bit, uvec2(x, y));
     fetched[2u * i] = packed(pixels[0]);
     fetched[2u * i + 1u] = packed(pixels[1]);
   }
@@ -204,7 +222,8 @@ void write_results(uint first_error) {
     frame().results.word[i] = frame().counters.word[i];
   }
   if (first_error != kNoError) {
-    frame().results.word[kCountStatus] = pool_word(word_of_slot(slot_of_bit(first_error), 0u));
+    const uint slot = slot_of_bit(held_blocks(), first_error);
+    frame().results.word[kCountStatus] = pool_word(frame().pool, word_of_slot(slot, 0u));
   }
 }
 
