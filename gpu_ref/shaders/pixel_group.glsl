@@ -217,7 +217,8 @@ PixelRange range_of_pass(Filter f, Passes passes, uint pass) {
 /// A column or row of views as a pixel needs it.
 struct PixelLine {
   uint line;
-  int weight;  // 0: not at all
+  uint window;  // its part of the number of a window: those of column and row add up to it
+  int weight;   // 0: not at all
   int tap;
 };
 
@@ -227,25 +228,25 @@ PixelLine pixel_line(Filter f, Axis axis, bool far, int place, int at, int step,
                      int i, int end) {
   const int number = first_view(f, place) + i;
   const int view = clamp(number, 0, axis.last_view);
-  return PixelLine(far ? gl_LocalInvocationIndex : uint(view - group_first),
+  return PixelLine(far ? gl_LocalInvocationIndex : uint(view - group_first), 0u,
                    i < end ? view_weight(f, place, number) : 0, tap_place(f, axis, at + step * view));
 }
 
 PixelLine pixel_col(Filter f, Axis axis, Passes passes, Ray ray, PixelRange range, int i) {
-  return pixel_line(f, axis, passes.far, view_place(f, axis, ray.u), ray.x, ray.dx,
-                    passes.first.x, i, range.end.x);
+  PixelLine col = pixel_line(f, axis, passes.far, view_place(f, axis, ray.u), ray.x, ray.dx,
+                             passes.first.x, i, range.end.x);
+  if (!passes.far) col.window = col.line;
+  return col;
 }
 
 /// Not needed either where the windows of the row are not in pass `pass`.
 PixelLine pixel_row(Filter f, Axis axis, Passes passes, Ray ray, uint pass, PixelRange range, int i) {
   PixelLine row = pixel_line(f, axis, passes.far, view_place(f, axis, ray.v), ray.y, ray.dy,
                              passes.first.y, i, range.end.y);
-  if (!passes.far && row.line >> passes.rows_log2 != pass) row.weight = 0;
+  row.window = row.line;
+  if (!passes.far) {
+    if (row.line >> passes.rows_log2 != pass) row.weight = 0;
+    row.window = low_bits(row.line, passes.rows_log2) << passes.cols_log2;
+  }
   return row;
-}
-
-/// The window, of those of the row's pass, of a pixel's column and row.
-uint window_of_pixel(Passes passes, PixelLine col, PixelLine row) {
-  return passes.far ? row.line
-                    : (low_bits(row.line, passes.rows_log2) << passes.cols_log2) + col.line;
 }

@@ -34,6 +34,8 @@ struct WindowSize {
   uint column_inverse, pair_inverse;
 };
 
+shared WindowSize group_size;  // which one invocation finds
+
 WindowSize window_size(Passes passes) {
   const uvec2 pixels = uvec2(passes.far ? ivec2(2) : passes.pixels);
   const uint columns = (pixels.x >> 1) + 1u;
@@ -112,25 +114,28 @@ void fetch(Passes passes, uint pass, WindowSize size) {
   }
 }
 
-/// A column or row of views as a pixel takes it: its place in the window and the fraction.
+/// A column or row of views as a pixel takes it: its part of the place in `fetched`, and the fraction.
 struct TapLine {
-  PixelLine line;
-  int first, fraction;
+  int weight;
+  uint first;
+  int fraction;
 };
 
-TapLine tap_col(PixelLine line) {
-  return TapLine(line, first_pixel(line.tap) - (window_cols[line.line].first & ~1), line.tap & 255);
+TapLine tap_col(WindowSize size, PixelLine line) {
+  const int column = first_pixel(line.tap) - (window_cols[line.line].first & ~1);
+  return TapLine(line.weight, 2u * line.window * size.pairs + uint(column), line.tap & 255);
 }
-TapLine tap_row(PixelLine line) {
-  return TapLine(line, first_pixel(line.tap) - window_rows[line.line].first, line.tap & 255);
+TapLine tap_row(WindowSize size, PixelLine line) {
+  const int row = first_pixel(line.tap) - window_rows[line.line].first;
+  return TapLine(line.weight, 2u * (line.window * size.pairs + uint(row) * size.columns),
+                 line.tap & 255);
 }
 
 /// What a view gives a pixel: its weight times q of SMP-2. A pixel of weight 0 may have any value.
-uvec3 view_colour(Passes passes, WindowSize size, TapLine col, TapLine row) {
-  const int weight = col.line.weight * row.line.weight;
+uvec3 view_colour(WindowSize size, TapLine col, TapLine row) {
+  const int weight = col.weight * row.weight;
   if (weight == 0) return uvec3(0u);
-  const uint window = window_of_pixel(passes, col.line, row.line);
-  const uint first = 2u * (window * size.pairs + uint(row.first) * size.columns) + uint(col.first);
+  const uint first = row.first + col.first;
   if ((col.fraction | row.fraction) == 0) return uint(weight << 4) * uvec3(unpacked(fetched[first]));
   const uint next = min(first + 2u * size.columns, 2u * kPairs);  // of weight 0 behind the last window
   const int both = col.fraction * row.fraction;
@@ -148,11 +153,12 @@ uvec3 pass_colour(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint p
   uvec3 sum = uvec3(0u);
   const PixelRange range = range_of_pass(f, passes, pass);
   for (int i = range.first.y; i < range.end.y; i += 2) {
-    const TapLine row0 = tap_row(pixel_row(f, rows, passes, ray, pass, range, i));
-    const TapLine row1 = tap_row(pixel_row(f, rows, passes, ray, pass, range, i + 1));
+    const TapLine row0 = tap_row(size, pixel_row(f, rows, passes, ray, pass, range, i));
+    const TapLine row1 =
+        tap_row(size, pixel_row(f, rows, passes, ray, pass, range, i + 1));
     [[dont_unroll]] for (int j = range.first.x; j < range.end.x; ++j) {
-      const TapLine col = tap_col(pixel_col(f, cols, passes, ray, range, j));
-      sum += view_colour(passes, size, col, row0) + view_colour(passes, size, col, row1);
+      const TapLine col = tap_col(size, pixel_col(f, cols, passes, ray, range, j));
+      sum += view_colour(size, col, row0) + view_colour(size, col, row1);
     }
   }
   return sum;
@@ -171,10 +177,11 @@ uvec3 frame_pixel(ivec2 at) {
   if (gl_LocalInvocationIndex == 0u) {
     const ivec2 pixels = most_pixels_of_group();
     group_passes = passes_of_group(f, cols, rows, pixels, windows_log2(pixels));
+    group_size = window_size(group_passes);
   }
   barrier();
   const Passes passes = group_passes;
-  const WindowSize size = window_size(passes);
+  const WindowSize size = group_size;
   uvec3 sum = uvec3(1u << 19);
   for (uint pass = 0u; pass < passes.count; ++pass) {
     write_lines(f, cols, rows, passes, ray, pass);
