@@ -25,7 +25,7 @@ void main() {
   for (; missing != 0u; missing &= missing - 1u) {
     const uint bit = 32u * at + uint(findLSB(missing));
     arguments.requests.request[q] = request_of_bit(bit);
-    frame().slots.word[2u * q] = slot_of_bit(bit);
+    frame().slots.word[2u * q] = slot_of_bit(held_blocks(), bit);
     frame().slots.word[2u * q + 1u] = bit;
     ++q;
   }

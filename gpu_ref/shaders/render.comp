@@ -17,47 +17,77 @@
 #include "texels.glsl"
 
 /// Pairs of pixels in shared memory: red and green in a word, then blue. A view's window has rows of
-/// 2^columns_log2 pairs that begin at an even column, and 2^rows_log2 rows.
-const int kPairsLog2 = 9;
+/// pairs that begin at an even column.
+const uint kPairsLog2 = 9u;
 const uint kPairs = 1u << kPairsLog2;
 shared uvec2 fetched[2u * kPairs + 2u];
 
+/// What divides a number of a pair, below kPairs, by `divisor`, in [1, kPairs], as a product: the
+/// quotient is too great by less than kPairs / 2^kInverseLog2 <= 1 / divisor.
+const uint kInverseLog2 = 2u * kPairsLog2 + 1u;
+uint inverse_of(uint divisor) { return ((1u << kInverseLog2) + divisor - 1u) / divisor; }
+uint quotient(uint number, uint inverse) { return (number * inverse) >> kInverseLog2; }
+
+/// Pairs of a row of a window, and of a window, with their inverses; a far window has 2 x 2.
 struct WindowSize {
-  uint columns_log2, rows_log2;
+  uint columns, pairs;
+  uint column_inverse, pair_inverse;
 };
 
-WindowSize window_size(ivec2 pixels) {
-  return WindowSize(uint(findMSB((pixels.x & ~1) + 1)), uint(findMSB(2 * pixels.y - 1)));
+shared WindowSize group_size;  // which one invocation finds
+
+WindowSize window_size(Passes passes) {
+  const uvec2 pixels = uvec2(passes.far ? ivec2(2) : passes.pixels);
+  const uint columns = (pixels.x >> 1) + 1u;
+  const uint pairs = columns * pixels.y;
+  return WindowSize(columns, pairs, inverse_of(columns), inverse_of(pairs));
 }
 
-uint pairs_log2(WindowSize size) { return size.columns_log2 + size.rows_log2; }
-
-/// The word of the pool with the samples of pixels x, which is even, and x + 1 in row y, in plane p of
-/// `image`; with chroma_halved that of the one sample of both, and in `side` which half it is. Where
-/// the frame does not need the block it is any word.
-uint word_of_pixels(uvec2 image, uint p, uvec2 pixel, out uint side) {
-  const SamplePlace place = place_of_sample(p, pixel.x, pixel.y);
-  const uint slot = slot_of_bit(bit_of_block(image, p, place.block));
-  side = place.at & 1u;
-  return pool_word(word_of_slot(slot, place.at >> 1));
+/// log2 of the windows of `pixels` that have room; less than 0 where one has too little.
+int windows_log2(ivec2 pixels) {
+  return findMSB(int(kPairs) / (((pixels.x >> 1) + 1) * pixels.y));
 }
 
-/// Both samples of chroma of two pixels.
-ivec2 chroma_of_pixels(uvec2 image, uint p, uvec2 pixel) {
-  uint side;
-  const ivec2 pair = samples_of_pair(word_of_pixels(image, p, pixel, side));
-  return arguments.shape.chroma_halved == 0u ? pair : ivec2(side == 0u ? pair.x : pair.y);
+/// How the pixels of views are found and made.
+struct Source {
+  BlockBits bits;
+  HeldBlocks held;
+  uvec2 pool;
+  uint block_log2, halved;
+  int greatest;
+};
+
+Source source() {
+  return Source(block_bits(), held_blocks(), frame().pool, arguments.shape.block_log2,
+                arguments.shape.chroma_halved, greatest_sample());
 }
 
-/// pixel(x, y) of SMP-2 for x = pixel.x, which is even, and the next.
-ivec3[2] view_pixels(uvec2 image, uvec2 pixel) {
-  uint side;
-  const ivec2 luma = samples_of_pair(word_of_pixels(image, 0u, pixel, side));
-  const ivec2 co = chroma_of_pixels(image, 1u, pixel);
-  const ivec2 cg = chroma_of_pixels(image, 2u, pixel);
-  const uint depth = arguments.shape.depth;
-  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), depth),
-                  inverse_colour(ivec3(luma.y, co.y, cg.y), depth));
+/// The word of the pool with position `at` of the block of bit `bit`. Where the frame does not need the
+/// block it is any word.
+uint word_of_block(Source from, uint bit, uint at) {
+  const uint slot = slot_of_bit(from.held, bit);
+  return pool_word(from.pool, ((slot << (2u * from.block_log2)) + at) >> 1);
+}
+
+/// Both samples of chroma of two pixels: those of a word, or with chroma_halved its half `side` twice.
+ivec2 chroma_of_pixels(Source from, uint word, uint side) {
+  return from.halved == 0u ? samples_of_pair(word)
+                           : ivec2(bitfieldExtract(int(word), int(side << 4), 16));
+}
+
+/// pixel(x, y) of SMP-2 for x = pixel.x, which is even, and the next, in the image of bit `image`.
+ivec3[2] view_pixels(Source from, uint image, uvec2 pixel) {
+  const SamplePlace own = place_of_sample(pixel, from.block_log2);
+  const ivec2 luma =
+      samples_of_pair(word_of_block(from, luma_bit(from.bits, image, own.block), own.at));
+  const SamplePlace place = place_of_sample(pixel >> from.halved, from.block_log2);  // COL-3
+  const uint bit = chroma_bit(from.bits, image, place.block);
+  const uint side = place.at & 1u;
+  const ivec2 co = chroma_of_pixels(from, word_of_block(from, bit, place.at), side);
+  const ivec2 cg =
+      chroma_of_pixels(from, word_of_block(from, bit + from.bits.chroma, place.at), side);
+  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), from.greatest),
+                  inverse_colour(ivec3(luma.y, co.y, cg.y), from.greatest));
 }
 
 uvec2 packed(ivec3 colour) { return uvec2(uint(colour.x) | uint(colour.y) << 16, uint(colour.z)); }
@@ -65,43 +95,49 @@ ivec3 unpacked(uvec2 colour) { return ivec3(colour.x & 0xFFFFu, colour.x >> 16, 
 
 /// Fetches the windows of pass `pass`.
 void fetch(Passes passes, uint pass, WindowSize size) {
-  const uint log2 = pairs_log2(size);
-  const uint end = windows_of_pass(passes, pass) << log2;
+  Source from = source();
+  const uint end = windows_of_pass(passes, pass) * size.pairs;
   for (uint i = gl_LocalInvocationIndex; i < end; i += gl_WorkGroupSize.x) {
+    const uint window = quotient(i, size.pair_inverse);
     uvec2 lines;
-    if (!lines_of_window(passes, pass, i >> log2, lines)) continue;
+    if (!lines_of_window(passes, pass, window, lines)) continue;
     const Line col = window_cols[lines.x];
     const Line row = window_rows[lines.y];
-    const int x = (col.first & ~1) + 2 * int(i & low_bits(size.columns_log2));
-    const int y = row.first + int((i >> size.columns_log2) & low_bits(size.rows_log2));
+    const uint in_window = i - window * size.pairs;
+    const uint window_row = quotient(in_window, size.column_inverse);
+    const int x = (col.first & ~1) + 2 * int(in_window - window_row * size.columns);
+    const int y = row.first + int(window_row);
     if (x > col.last || y > row.last) continue;
-    const ivec3 pixels[2] = view_pixels(shown_image(ivec2(col.view, row.view)), uvec2(x, y));
+    const ivec3 pixels[2] = view_pixels(from, col.bit + row.bit, uvec2(x, y));
     fetched[2u * i] = packed(pixels[0]);
     fetched[2u * i + 1u] = packed(pixels[1]);
   }
 }
 
-/// A column or row of views as a pixel takes it: its place in the window and the fraction.
+/// A column or row of views as a pixel takes it: its part of the place in `fetched`, and the fraction.
 struct TapLine {
-  PixelLine line;
-  int first, fraction;
+  int weight;
+  uint first;
+  int fraction;
 };
 
-TapLine tap_col(PixelLine line) {
-  return TapLine(line, first_pixel(line.tap) - (window_cols[line.line].first & ~1), line.tap & 255);
+TapLine tap_col(WindowSize size, PixelLine line) {
+  const int column = first_pixel(line.tap) - (window_cols[line.line].first & ~1);
+  return TapLine(line.weight, 2u * line.window * size.pairs + uint(column), line.tap & 255);
 }
-TapLine tap_row(PixelLine line) {
-  return TapLine(line, first_pixel(line.tap) - window_rows[line.line].first, line.tap & 255);
+TapLine tap_row(WindowSize size, PixelLine line) {
+  const int row = first_pixel(line.tap) - window_rows[line.line].first;
+  return TapLine(line.weight, 2u * (line.window * size.pairs + uint(row) * size.columns),
+                 line.tap & 255);
 }
 
 /// What a view gives a pixel: its weight times q of SMP-2. A pixel of weight 0 may have any value.
-uvec3 view_colour(Passes passes, WindowSize size, TapLine col, TapLine row) {
-  const int weight = col.line.weight * row.line.weight;
+uvec3 view_colour(WindowSize size, TapLine col, TapLine row) {
+  const int weight = col.weight * row.weight;
   if (weight == 0) return uvec3(0u);
-  const uint window = window_of_pixel(passes, col.line, row.line);
-  const uint stride_log2 = size.columns_log2 + 1u;
-  const uint first = (((window << size.rows_log2) + uint(row.first)) << stride_log2) + uint(col.first);
-  const uint next = min(first + (1u << stride_log2), 2u * kPairs);  // of weight 0 behind the last window
+  const uint first = row.first + col.first;
+  if ((col.fraction | row.fraction) == 0) return uint(weight << 4) * uvec3(unpacked(fetched[first]));
+  const uint next = min(first + 2u * size.columns, 2u * kPairs);  // of weight 0 behind the last window
   const int both = col.fraction * row.fraction;
   const int right = (col.fraction << 8) - both;
   const int below = (row.fraction << 8) - both;
@@ -117,11 +153,12 @@ uvec3 pass_colour(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint p
   uvec3 sum = uvec3(0u);
   const PixelRange range = range_of_pass(f, passes, pass);
   for (int i = range.first.y; i < range.end.y; i += 2) {
-    const TapLine row0 = tap_row(pixel_row(f, rows, passes, ray, pass, range, i));
-    const TapLine row1 = tap_row(pixel_row(f, rows, passes, ray, pass, range, i + 1));
+    const TapLine row0 = tap_row(size, pixel_row(f, rows, passes, ray, pass, range, i));
+    const TapLine row1 =
+        tap_row(size, pixel_row(f, rows, passes, ray, pass, range, i + 1));
     [[dont_unroll]] for (int j = range.first.x; j < range.end.x; ++j) {
-      const TapLine col = tap_col(pixel_col(f, cols, passes, ray, range, j));
-      sum += view_colour(passes, size, col, row0) + view_colour(passes, size, col, row1);
+      const TapLine col = tap_col(size, pixel_col(f, cols, passes, ray, range, j));
+      sum += view_colour(size, col, row0) + view_colour(size, col, row1);
     }
   }
   return sum;
@@ -139,12 +176,12 @@ uvec3 frame_pixel(ivec2 at) {
   barrier();
   if (gl_LocalInvocationIndex == 0u) {
     const ivec2 pixels = most_pixels_of_group();
-    const int windows_log2 = kPairsLog2 - int(pairs_log2(window_size(pixels)));
-    group_passes = passes_of_group(f, cols, rows, pixels, windows_log2);
+    group_passes = passes_of_group(f, cols, rows, pixels, windows_log2(pixels));
+    group_size = window_size(group_passes);
   }
   barrier();
   const Passes passes = group_passes;
-  const WindowSize size = window_size(passes.far ? ivec2(2) : passes.pixels);
+  const WindowSize size = group_size;
   uvec3 sum = uvec3(1u << 19);
   for (uint pass = 0u; pass < passes.count; ++pass) {
     write_lines(f, cols, rows, passes, ray, pass);
@@ -192,7 +229,8 @@ void write_results(uint first_error) {
     frame().results.word[i] = frame().counters.word[i];
   }
   if (first_error != kNoError) {
-    frame().results.word[kCountStatus] = pool_word(word_of_slot(slot_of_bit(first_error), 0u));
+    const uint slot = slot_of_bit(held_blocks(), first_error);
+    frame().results.word[kCountStatus] = pool_word(frame().pool, word_of_slot(slot, 0u));
   }
 }
 
