@@ -37,8 +37,6 @@ from tools import Compiler, Program, prepare_device  # noqa: E402
 SHADERS = ROOT / "gpu_ref/shaders"
 # Included by kernels, but generated, or of what programs record.
 LEFT_OUT = {"hmlfc_tables.glsl", "shared_numbers.glsl", "texels.glsl"}
-# Options of the programs. Chunks are so small that most streams, reference areas and pools are in several.
-RUNS = [[], ["--chunk-bytes", "1024"]]
 BOTH = ("false", "true")
 
 
@@ -49,6 +47,7 @@ class Subject:
     kernels: tuple
     left_out: frozenset  # files that they include
     constants: tuple  # of the variants that are run
+    runs: tuple  # options of the program
     reasons: str
     lines: tuple = ()  # pairs of a file and what a line of it that is mutated has; of other files all are
 
@@ -58,6 +57,8 @@ DECODER = Subject(
     ("expand", "walk", "residuals", "samples", "colour"),
     frozenset(LEFT_OUT | {"frame.glsl", "frame_arguments.glsl"}),
     tuple(f"0:{chunked} 1:{pass_} 2:false 3:false" for chunked in BOTH for pass_ in BOTH),
+    # Chunks are so small that most vectors' streams and reference areas are in several.
+    ((), ("--chunk-bytes", "1024")),
     "equivalent.json",
 )
 # Groups of vectors, those first that tell most mutants by a stream.
@@ -89,6 +90,7 @@ RENDERER = Subject(
     ("surface", "mark", "compact", "walk", "samples", "render"),
     frozenset((LEFT_OUT | set(kernels_by_file(DECODER))) - {"samples.comp"}),
     tuple(f"0:{chunked} 1:false 2:false 3:true 4:{chunked} 5:{geometry} 6:false" for chunked in BOTH for geometry in BOTH),
+    ((),),
     "renderer.json",
     (("samples.comp", "frame()"), ("samples.comp", "kCounted"), ("samples.comp", "note_error")),
 )
@@ -127,7 +129,7 @@ class Campaign:
             if not self.compiler.compile(SHADERS, kernel, spirv):
                 raise Broken(f"{kernel}.comp does not compile")
             self.base[kernel] = self.compiler.variants(spirv)
-        for options in RUNS:
+        for options in subject.runs:
             program.measure(options)
 
     def compiles(self, mutant):
@@ -147,7 +149,7 @@ class Campaign:
         changed = {name: file for name, file in kernels.items() if self.compiler.variants(file) != self.base[name]}
         if not changed:
             return Verdict("same code")
-        verdicts = (self.program.run(changed, options) for options in RUNS)
+        verdicts = (self.program.run(changed, options) for options in self.subject.runs)
         return next((v for v in verdicts if v.result != "survived"), Verdict("survived"))
 
     def compiled(self, mutant):
