@@ -28,7 +28,7 @@ const uint kInverseLog2 = 2u * kPairsLog2 + 1u;
 uint inverse_of(uint divisor) { return ((1u << kInverseLog2) + divisor - 1u) / divisor; }
 uint quotient(uint number, uint inverse) { return (number * inverse) >> kInverseLog2; }
 
-/// Pairs of a row of a window, and of a window, with their inverses; a far window has 2 x 2.
+/// Pairs of a row of a window, and of a window, with their inverses.
 struct WindowSize {
   uint columns, pairs;
   uint column_inverse, pair_inverse;
@@ -36,14 +36,12 @@ struct WindowSize {
 
 shared WindowSize group_size;  // which one invocation finds
 
-WindowSize window_size(Passes passes) {
-  const uvec2 pixels = uvec2(passes.far ? ivec2(2) : passes.pixels);
-  const uint columns = (pixels.x >> 1) + 1u;
-  const uint pairs = columns * pixels.y;
-  return WindowSize(columns, pairs, inverse_of(columns), inverse_of(pairs));
+WindowSize window_size() {
+  const uint pairs = most_of_windows.x * most_of_windows.y;
+  return WindowSize(most_of_windows.x, pairs, inverse_of(most_of_windows.x), inverse_of(pairs));
 }
 
-/// log2 of the windows of `pixels` that have room; less than 0 where one has too little.
+/// log2 of the windows of up to `pixels` that have room; less than 0 where one has too little.
 int windows_log2(ivec2 pixels) {
   return findMSB(int(kPairs) / (((pixels.x >> 1) + 1) * pixels.y));
 }
@@ -175,17 +173,17 @@ uvec3 frame_pixel(ivec2 at) {
   if (kGeometry) ray = displaced(frame().record, ray, e);
   barrier();
   if (gl_LocalInvocationIndex == 0u) {
-    const ivec2 pixels = most_pixels_of_group();
-    group_passes = passes_of_group(f, cols, rows, pixels, windows_log2(pixels));
-    group_size = window_size(group_passes);
+    group_passes = passes_of_group(f, cols, rows, windows_log2(most_pixels_of_group()));
   }
   barrier();
   const Passes passes = group_passes;
-  const WindowSize size = group_size;
   uvec3 sum = uvec3(1u << 19);
   for (uint pass = 0u; pass < passes.count; ++pass) {
     write_lines(f, cols, rows, passes, ray, pass);
     barrier();
+    if (gl_LocalInvocationIndex == 0u) group_size = window_size();
+    barrier();
+    const WindowSize size = group_size;
     fetch(passes, pass, size);
     barrier();
     if (ray.inside) sum += pass_colour(f, cols, rows, passes, ray, pass, size);
