@@ -129,26 +129,42 @@ TapLine tap_row(WindowSize size, PixelLine line) {
                  line.tap & 255);
 }
 
+/// The sum of four taps of SMP-2 of samples of 8 bits: products with a fraction fit 16 bits, red beside
+/// green.
+uvec3 sum_of_bytes(uvec2 upper[2], uvec2 lower[2], uint x, uint y) {
+  const uvec2 above = (256u - x) * upper[0] + x * upper[1];
+  const uvec2 below = (256u - x) * lower[0] + x * lower[1];
+  return (256u - y) * uvec3(unpacked(above)) + y * uvec3(unpacked(below));
+}
+
+/// The same of samples of up to 12 bits.
+uvec3 sum_of_taps(uvec2 upper[2], uvec2 lower[2], int x, int y) {
+  const int both = x * y;
+  const int right = (x << 8) - both;
+  const int below = (y << 8) - both;
+  return uvec3((65536 - right - below - both) * unpacked(upper[0]) + right * unpacked(upper[1]) +
+               below * unpacked(lower[0]) + both * unpacked(lower[1]));
+}
+
 /// What a view gives a pixel: its weight times q of SMP-2. A pixel of weight 0 may have any value.
-uvec3 view_colour(WindowSize size, TapLine col, TapLine row) {
+uvec3 view_colour(WindowSize size, bool bytes, TapLine col, TapLine row) {
   const int weight = col.weight * row.weight;
   if (weight == 0) return uvec3(0u);
   const uint first = row.first + col.first;
   if ((col.fraction | row.fraction) == 0) return uint(weight << 4) * uvec3(unpacked(fetched[first]));
   const uint next = min(first + 2u * size.columns, 2u * kPairs);  // of weight 0 behind the last window
-  const int both = col.fraction * row.fraction;
-  const int right = (col.fraction << 8) - both;
-  const int below = (row.fraction << 8) - both;
-  const ivec3 sum = (65536 - right - below - both) * unpacked(fetched[first]) +
-                    right * unpacked(fetched[first + 1u]) + below * unpacked(fetched[next]) +
-                    both * unpacked(fetched[next + 1u]);
-  return uint(weight) * uvec3((sum + (1 << 11)) >> 12);
+  const uvec2 upper[2] = uvec2[2](fetched[first], fetched[first + 1u]);
+  const uvec2 lower[2] = uvec2[2](fetched[next], fetched[next + 1u]);
+  const uvec3 sum = bytes ? sum_of_bytes(upper, lower, uint(col.fraction), uint(row.fraction))
+                          : sum_of_taps(upper, lower, col.fraction, row.fraction);
+  return uint(weight) * ((sum + (1u << 11)) >> 12);
 }
 
 /// What the views of pass `pass` give the invocation's pixel, two rows of views at a time.
 uvec3 pass_colour(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pass,
                   WindowSize size) {
   uvec3 sum = uvec3(0u);
+  const bool bytes = arguments.shape.depth == 8u;
   const PixelRange range = range_of_pass(f, passes, pass);
   for (int i = range.first.y; i < range.end.y; i += 2) {
     const TapLine row0 = tap_row(size, pixel_row(f, rows, passes, ray, pass, range, i));
@@ -156,7 +172,7 @@ uvec3 pass_colour(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint p
         tap_row(size, pixel_row(f, rows, passes, ray, pass, range, i + 1));
     [[dont_unroll]] for (int j = range.first.x; j < range.end.x; ++j) {
       const TapLine col = tap_col(size, pixel_col(f, cols, passes, ray, range, j));
-      sum += view_colour(size, col, row0) + view_colour(size, col, row1);
+      sum += view_colour(size, bytes, col, row0) + view_colour(size, bytes, col, row1);
     }
   }
   return sum;
