@@ -7,16 +7,10 @@
 #include "colour.glsl"
 #include "texels.glsl"
 
-/// The area that holds block `number`: the last that begins at it or before it.
-ColourArea colour_area_of(uint number) {
-  uint low = 0u;
-  uint high = arguments.colour_area_count;
-  while (high - low > 1u) {
-    const uint middle = (low + high) >> 1;
-    if (arguments.colour_areas.area[middle].first_block <= number) low = middle; else high = middle;
-  }
-  return arguments.colour_areas.area[low];
-}
+#define AREA ColourArea
+#define AREAS arguments.colour_areas
+#define FIRST first_block
+#include "area_search.glsl"
 
 /// The requests of Y, Co and Cg that a block needs, and where in the chroma blocks it lies.
 struct Sources {
@@ -66,7 +60,7 @@ void main() {
   const uint number = invocation();
   const uint b = number >> lanes_of_block_log2();
   if (b >= arguments.pixel_count) return;
-  const ColourArea area = colour_area_of(b);
+  const ColourArea area = area_of(b, arguments.colour_area_count);
   const Sources sources = sources_of(area, b - area.first_block);
   uint status = arguments.statuses.word[sources.luma];
   if (status == ERROR_OK) status = arguments.statuses.word[sources.co];

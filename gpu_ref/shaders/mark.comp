@@ -147,7 +147,7 @@ void main() {
     const ivec2 pixels = most_pixels_of_group();
     const ivec2 blocks = (pixels >> arguments.shape.block_log2) + 2;
     const bool room = max(blocks.x, blocks.y) <= int(kWindow);
-    group_passes = passes_of_group(f, cols, rows, pixels, room ? kWindowsLog2 : -1);
+    group_passes = passes_of_group(f, cols, rows, room ? kWindowsLog2 : -1);
   }
   barrier();
   const Passes passes = group_passes;

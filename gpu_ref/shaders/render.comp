@@ -28,7 +28,7 @@ const uint kInverseLog2 = 2u * kPairsLog2 + 1u;
 uint inverse_of(uint divisor) { return ((1u << kInverseLog2) + divisor - 1u) / divisor; }
 uint quotient(uint number, uint inverse) { return (number * inverse) >> kInverseLog2; }
 
-/// Pairs of a row of a window, and of a window, with their inverses; a far window has 2 x 2.
+/// Pairs of a row of a window, and of a window, with their inverses.
 struct WindowSize {
   uint columns, pairs;
   uint column_inverse, pair_inverse;
@@ -36,14 +36,12 @@ struct WindowSize {
 
 shared WindowSize group_size;  // which one invocation finds
 
-WindowSize window_size(Passes passes) {
-  const uvec2 pixels = uvec2(passes.far ? ivec2(2) : passes.pixels);
-  const uint columns = (pixels.x >> 1) + 1u;
-  const uint pairs = columns * pixels.y;
-  return WindowSize(columns, pairs, inverse_of(columns), inverse_of(pairs));
+WindowSize window_size() {
+  const uint pairs = most_of_windows.x * most_of_windows.y;
+  return WindowSize(most_of_windows.x, pairs, inverse_of(most_of_windows.x), inverse_of(pairs));
 }
 
-/// log2 of the windows of `pixels` that have room; less than 0 where one has too little.
+/// log2 of the windows of up to `pixels` that have room; less than 0 where one has too little.
 int windows_log2(ivec2 pixels) {
   return findMSB(int(kPairs) / (((pixels.x >> 1) + 1) * pixels.y));
 }
@@ -131,26 +129,42 @@ TapLine tap_row(WindowSize size, PixelLine line) {
                  line.tap & 255);
 }
 
+/// The sum of four taps of SMP-2 of samples of 8 bits: products with a fraction fit 16 bits, red beside
+/// green.
+uvec3 sum_of_bytes(uvec2 upper[2], uvec2 lower[2], uint x, uint y) {
+  const uvec2 above = (256u - x) * upper[0] + x * upper[1];
+  const uvec2 below = (256u - x) * lower[0] + x * lower[1];
+  return (256u - y) * uvec3(unpacked(above)) + y * uvec3(unpacked(below));
+}
+
+/// The same of samples of up to 12 bits.
+uvec3 sum_of_taps(uvec2 upper[2], uvec2 lower[2], int x, int y) {
+  const int both = x * y;
+  const int right = (x << 8) - both;
+  const int below = (y << 8) - both;
+  return uvec3((65536 - right - below - both) * unpacked(upper[0]) + right * unpacked(upper[1]) +
+               below * unpacked(lower[0]) + both * unpacked(lower[1]));
+}
+
 /// What a view gives a pixel: its weight times q of SMP-2. A pixel of weight 0 may have any value.
-uvec3 view_colour(WindowSize size, TapLine col, TapLine row) {
+uvec3 view_colour(WindowSize size, bool bytes, TapLine col, TapLine row) {
   const int weight = col.weight * row.weight;
   if (weight == 0) return uvec3(0u);
   const uint first = row.first + col.first;
   if ((col.fraction | row.fraction) == 0) return uint(weight << 4) * uvec3(unpacked(fetched[first]));
   const uint next = min(first + 2u * size.columns, 2u * kPairs);  // of weight 0 behind the last window
-  const int both = col.fraction * row.fraction;
-  const int right = (col.fraction << 8) - both;
-  const int below = (row.fraction << 8) - both;
-  const ivec3 sum = (65536 - right - below - both) * unpacked(fetched[first]) +
-                    right * unpacked(fetched[first + 1u]) + below * unpacked(fetched[next]) +
-                    both * unpacked(fetched[next + 1u]);
-  return uint(weight) * uvec3((sum + (1 << 11)) >> 12);
+  const uvec2 upper[2] = uvec2[2](fetched[first], fetched[first + 1u]);
+  const uvec2 lower[2] = uvec2[2](fetched[next], fetched[next + 1u]);
+  const uvec3 sum = bytes ? sum_of_bytes(upper, lower, uint(col.fraction), uint(row.fraction))
+                          : sum_of_taps(upper, lower, col.fraction, row.fraction);
+  return uint(weight) * ((sum + (1u << 11)) >> 12);
 }
 
 /// What the views of pass `pass` give the invocation's pixel, two rows of views at a time.
 uvec3 pass_colour(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pass,
                   WindowSize size) {
   uvec3 sum = uvec3(0u);
+  const bool bytes = arguments.shape.depth == 8u;
   const PixelRange range = range_of_pass(f, passes, pass);
   for (int i = range.first.y; i < range.end.y; i += 2) {
     const TapLine row0 = tap_row(size, pixel_row(f, rows, passes, ray, pass, range, i));
@@ -158,7 +172,7 @@ uvec3 pass_colour(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint p
         tap_row(size, pixel_row(f, rows, passes, ray, pass, range, i + 1));
     [[dont_unroll]] for (int j = range.first.x; j < range.end.x; ++j) {
       const TapLine col = tap_col(size, pixel_col(f, cols, passes, ray, range, j));
-      sum += view_colour(size, col, row0) + view_colour(size, col, row1);
+      sum += view_colour(size, bytes, col, row0) + view_colour(size, bytes, col, row1);
     }
   }
   return sum;
@@ -175,17 +189,17 @@ uvec3 frame_pixel(ivec2 at) {
   if (kGeometry) ray = displaced(frame().record, ray, e);
   barrier();
   if (gl_LocalInvocationIndex == 0u) {
-    const ivec2 pixels = most_pixels_of_group();
-    group_passes = passes_of_group(f, cols, rows, pixels, windows_log2(pixels));
-    group_size = window_size(group_passes);
+    group_passes = passes_of_group(f, cols, rows, windows_log2(most_pixels_of_group()));
   }
   barrier();
   const Passes passes = group_passes;
-  const WindowSize size = group_size;
   uvec3 sum = uvec3(1u << 19);
   for (uint pass = 0u; pass < passes.count; ++pass) {
     write_lines(f, cols, rows, passes, ray, pass);
     barrier();
+    if (gl_LocalInvocationIndex == 0u) group_size = window_size();
+    barrier();
+    const WindowSize size = group_size;
     fetch(passes, pass, size);
     barrier();
     if (ray.inside) sum += pass_colour(f, cols, rows, passes, ray, pass, size);
