@@ -68,6 +68,7 @@ Case turned(uint32_t seed) {
     for (int i = 0; i < kFrames; ++i) {
       Camera camera = test::random_camera_with_geometry(random, pair.header());
       WorldPoint& at = *camera.position;
+      camera.focal = between(2, 12);  // so that views hold steep rays
       at.z = between(-0.5, 0.5);
       camera.look_at = WorldPoint{at.u + between(-3, 3), at.v + between(-3, 3), at.z + 1};
       const auto record = frame_record(camera, pair.header());
