@@ -54,8 +54,6 @@ vk::BufferCreateInfo buffer_info(uint64_t size,
 constexpr auto kHostPages = vk::ExternalMemoryHandleTypeFlagBits::eHostAllocationEXT;
 const vk::ExternalMemoryBufferCreateInfo kExternal(kHostPages);
 
-constexpr uint64_t kStagingBytes = uint64_t{16} << 20;
-
 }  // namespace
 
 BorrowedMemory::BorrowedMemory(const MemoryCallbacks& callbacks, const VkMemoryRequirements& needs,
@@ -151,9 +149,10 @@ ChunkedWords::ChunkedWords(Device::State& device, uint64_t words)
 
 void ChunkedWords::upload(Device::State& device, uint64_t at, std::span<const uint8_t> bytes) {
   const uint64_t chunk_bytes = uint64_t{4} << chunk_log2_;
-  const Buffer staging(device, std::min<uint64_t>(kStagingBytes, bytes.size()), Memory::kUpload);
+  const uint64_t most = std::min<uint64_t>(device.upload_bytes, bytes.size());
+  const Buffer staging(device, most, Memory::kUpload);
   while (!bytes.empty()) {
-    const auto part = std::min<size_t>(bytes.size(), kStagingBytes);
+    const auto part = static_cast<size_t>(std::min<uint64_t>(bytes.size(), most));
     std::memcpy(staging.bytes().data(), bytes.data(), part);
     Commands commands(device);
     for (uint64_t done = 0; done < part;) {

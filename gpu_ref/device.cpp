@@ -210,6 +210,12 @@ DeviceInfo info_of(const vk::raii::PhysicalDevice& physical) {
   info.name = properties.deviceName.data();
   info.kind = kKinds[kind_rank(properties.deviceType)].second;
   info.missing = missing_of(physical);
+  if (properties.apiVersion >= VK_API_VERSION_1_2) {
+    const auto driver =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
+            .get<vk::PhysicalDeviceDriverProperties>();
+    info.driver = std::string(driver.driverName.data()) + " " + driver.driverInfo.data();
+  }
   return info;
 }
 
@@ -217,6 +223,7 @@ void complete(Device::State& state, uint32_t family, const DeviceOptions& option
   state.family = family;
   state.timeout_nanoseconds = static_cast<uint64_t>(options.timeout_seconds * 1e9);
   state.submission_bytes = options.submission_bytes;
+  state.upload_bytes = 4 * std::max<uint64_t>(1, options.upload_bytes / 4);
   state.disparity_bytes = options.disparity_bytes;
   if (options.check_barriers) state.hazards.emplace();
   state.pool.emplace(

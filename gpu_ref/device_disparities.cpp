@@ -6,6 +6,7 @@
 
 #include "bits/parallel.hpp"
 #include "render/disparity_rows.hpp"
+#include "source_parts.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -33,11 +34,14 @@ Buffer upload_disparities(Device::State& device, const StreamView& stream) {
             ": draw without geometry (--geometry plane) or on the CPU (--backend cpu)");
   }
   std::vector<uint32_t> words(static_cast<size_t>(blocks * views));
-  parallel_for(static_cast<size_t>(views), [&](size_t i) {
-    const auto number = static_cast<uint32_t>(i);
-    read_map(stream, {number / stream.header.cols, number % stream.header.cols},
-             std::span(words).subspan(i * blocks, blocks));
-  });
+  for (uint32_t row = 0; row < stream.header.rows; ++row) {
+    read_part(stream, [&](const StreamView& view) {
+      parallel_for(stream.header.cols, [&](size_t col) {
+        read_map(view, {row, static_cast<uint32_t>(col)},
+                 std::span(words).subspan((row * stream.header.cols + col) * blocks, blocks));
+      });
+    });
+  }
   Buffer buffer(device, bytes, Memory::kDevice);
   upload(device, bytes_of(words), buffer);
   return buffer;

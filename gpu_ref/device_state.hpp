@@ -56,6 +56,7 @@ struct Device::State {
   DeviceInfo info;
   uint32_t family = 0;              ///< of the queue
   uint64_t chunk_bytes = 0;         ///< largest buffer of stream and reference area
+  uint64_t upload_bytes = 0;        ///< a multiple of 4
   uint64_t max_buffer_bytes = 0;    ///< largest buffer of anything else
   uint64_t submission_bytes = 0;    ///< DeviceOptions::submission_bytes
   uint64_t disparity_bytes = 0;     ///< DeviceOptions::disparity_bytes

@@ -6,17 +6,18 @@
 #include "batch_buffers.hpp"
 #include "commands.hpp"
 #include "key_planes.hpp"
+#include "source_parts.hpp"
 #include "stream_shape.hpp"
 
 namespace hmlfc::gpu {
 
 DeviceStream::DeviceStream(Device::State& device, const StreamView& stream)
-    : words_(device, ceil_div<uint64_t>(coded_bytes(stream).size(), 4)),
+    : words_(device, ceil_div<uint64_t>(coded_range(stream).bytes, 4)),
       references_(device, reference_count(stream.geometry) * reference_words(stream.geometry)),
       shape_record_(stream_shape(stream, words_.chunk_log2(), references_.chunk_log2())),
       shape_(device, sizeof(StreamShapeRecord), Memory::kDevice),
       damage_(device, sizeof(uint32_t), Memory::kDevice) {
-  words_.upload(device, 0, coded_bytes(stream));
+  upload_coded(device, stream);
   upload(device, bytes_of(std::span(&shape_record_, 1)), shape_);
   upload_keys(device, stream);
   decode_references(device, stream);
@@ -29,6 +30,20 @@ Arguments DeviceStream::arguments() const {
   arguments.references = references_.address(chunked());
   arguments.damage = damage_.address();
   return arguments;
+}
+
+// So that neither a partial source nor the host holds more than a part.
+void DeviceStream::upload_coded(Device::State& device, const StreamView& stream) {
+  const ByteRange coded = coded_range(stream);
+  for (uint64_t at = 0; at < coded.bytes; at += device.upload_bytes) {
+    const ByteRange part{coded.offset + at, std::min(device.upload_bytes, coded.bytes - at)};
+    read_part(stream, [&](const StreamView& view) {
+      if (view.source != nullptr && !is_loaded(*view.source, part)) return;
+      words_.upload(
+          device, at,
+          view.file.subspan(static_cast<size_t>(part.offset), static_cast<size_t>(part.bytes)));
+    });
+  }
 }
 
 void DeviceStream::upload_keys(Device::State& device, const StreamView& stream) {

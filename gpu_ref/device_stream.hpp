@@ -27,6 +27,7 @@ class DeviceStream {
   uint64_t reference_bytes() const { return references_.bytes(); }
 
  private:
+  void upload_coded(Device::State& device, const StreamView& stream);
   void upload_keys(Device::State& device, const StreamView& stream);
   void decode_references(Device::State& device, const StreamView& stream);
 

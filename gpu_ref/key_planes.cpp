@@ -8,6 +8,7 @@
 #include "bits/parallel.hpp"
 #include "decoder/key_images.hpp"
 #include "frame_shape.hpp"
+#include "source_parts.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -72,12 +73,14 @@ size_t pack_key_planes(
   size_t damaged = 0;
   for (size_t begin = 0; begin < planes.size(); begin += kPlanesAtOnce) {
     const size_t count = std::min(kPlanesAtOnce, planes.size() - begin);
-    const KeyImages keys(stream);
     std::vector<PackedPlane> packed(count);
-    parallel_for(count, [&](size_t i) {
-      const KeyPlane& key = planes[begin + i];
-      packed[i] =
-          pack(keys.plane(key.level, key.image, key.plane), stream.geometry.plane(key.plane));
+    read_part(stream, [&](const StreamView& view) {
+      const KeyImages keys(view);
+      parallel_for(count, [&](size_t i) {
+        const KeyPlane& key = planes[begin + i];
+        packed[i] =
+            pack(keys.plane(key.level, key.image, key.plane), stream.geometry.plane(key.plane));
+      });
     });
     for (size_t i = 0; i < count; ++i) {
       if (packed[i].damaged) ++damaged;

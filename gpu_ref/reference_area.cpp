@@ -52,12 +52,12 @@ void append(std::vector<uint8_t>& bytes, const Record& record) {
 Header header_of(const StreamView& stream, size_t batches) {
   const StreamHeader& header = stream.header;
   const PlaneShape& luma = stream.geometry.plane(Plane::kY);
-  const auto coded = coded_bytes(stream);
   Header record{};
   record.header_bytes = header_size(header);
   record.header_crc = load_le<uint32_t>(stream.file, record.header_bytes - 4);
-  record.coded_offset = checked(stream.entry(Section::kRoot).offset, "the stream");
-  record.coded_bytes = checked(coded.size() + 4, "the stream") - 4;
+  const ByteRange coded = coded_range(stream);
+  record.coded_offset = checked(coded.offset, "the stream");
+  record.coded_bytes = checked(coded.bytes + 4, "the stream") - 4;
   record.area_words =
       checked(4 * reference_count(stream.geometry) * reference_words(stream.geometry),
               "the reference area") /

@@ -84,11 +84,10 @@ void fill_sections(const StreamView& stream, StreamShapeRecord& shape) {
 
 }  // namespace
 
-std::span<const uint8_t> coded_bytes(const StreamView& stream) {
+ByteRange coded_range(const StreamView& stream) {
   const SectionEntry& root = stream.entry(Section::kRoot);
   const SectionEntry& tile = stream.entry(Section::kTile);
-  return stream.file.subspan(static_cast<size_t>(root.offset),
-                             static_cast<size_t>(tile.offset + tile.size - root.offset));
+  return {root.offset, tile.offset + tile.size - root.offset};
 }
 
 bool has_references(const LevelShape& level) {

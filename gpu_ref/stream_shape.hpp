@@ -64,7 +64,7 @@ struct StreamShapeRecord {
 };
 
 /// The sections ROOT, GROUP and TILE, which follow each other in the file.
-std::span<const uint8_t> coded_bytes(const StreamView& stream);
+ByteRange coded_range(const StreamView& stream);
 
 /// Whether blocks of level `l` read its reference images: it is keyed, or some of its images are
 /// predictive. Only these levels are in the reference area.

@@ -46,15 +46,17 @@ class MissingRanges final : public ByteSource {
 /// Calls `trial(view, missing)` until it misses nothing or what it missed cannot be loaded. `view`
 /// is `stream`, which has a partial source; a read of bytes that are missing gives bus_error there
 /// and is noted in `missing`. What one call missed is loaded at once: reads that do not depend on
-/// each other take one round.
+/// each other take one round. Returns whether the last call missed nothing.
 template <class Trial>
-void load_by_trials(const StreamView& stream, const Trial& trial) {
+bool load_by_trials(const StreamView& stream, const Trial& trial) {
   MissingRanges missing(*stream.source);
   StreamView view = stream;
   view.source = &missing;
-  do {
+  for (;;) {
     trial(std::as_const(view), std::as_const(missing));
-  } while (missing.count() > 0 && stream.source->load(missing.take()));
+    if (missing.count() == 0) return true;
+    if (!stream.source->load(missing.take())) return false;
+  }
 }
 
 }  // namespace hmlfc

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "gpu/frame_check.hpp"
-#include "gpu/speed.hpp"
+#include <hmlfc/gpu/renderer.hpp>
+
+#include "gpu/frame_path.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -58,10 +59,12 @@ Outcome<InstructionTable> InstructionReport::decode(const StreamView& stream, ui
   auto decoder = GpuDecoder::open(device_, stream);
   if (!decoder) return tl::unexpected(decoder.error());
   counter_.take();  // of the reference area
-  const auto speed = measure_speed(*decoder, device_, stream, views);
-  if (!speed) return tl::unexpected(speed.error());
+  const auto areas = whole_views(stream, views + 1);
+  if (const auto pixels = decoder->decode_rgb(areas); !pixels) {
+    return tl::unexpected(pixels.error());
+  }
   const PlaneShape& luma = stream.geometry.plane(Plane::kY);
-  return InstructionTable{"decode", (views + 1) * luma.width * luma.height, counter_.take()};
+  return InstructionTable{"decode", areas.size() * luma.width * luma.height, counter_.take()};
 }
 
 Outcome<InstructionTable> InstructionReport::frames(const StreamView& stream, const Camera& camera,

@@ -28,10 +28,10 @@ class InstructionReport {
   /// Of kind CPU, such as lavapipe; fails on others.
   static Outcome<InstructionReport> open(DeviceOptions options);
 
-  /// Of `views` whole views in RGB, at least 1, spread over the grid of `stream`.
+  /// Of the first view and `views` more, whole and in RGB, spread over the grid of `stream`.
   Outcome<InstructionTable> decode(const StreamView& stream, uint64_t views);
 
-  /// Of three frames of the path of check_frames(), each with nothing held before it (`cold`), or
+  /// Of three frames of records_of_path(), each with nothing held before it (`cold`), or
   /// with all that it needs held.
   Outcome<InstructionTable> frames(const StreamView& stream, const Camera& camera, bool cold);
 

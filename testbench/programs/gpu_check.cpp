@@ -8,9 +8,7 @@
 #include "decoder/open_stream.hpp"
 #include "gpu/frame_check.hpp"
 #include "gpu/gpu_answers.hpp"
-#include "gpu/host_cost.hpp"
 #include "gpu/instruction_report.hpp"
-#include "gpu/speed.hpp"
 #include "gpu/stream_check.hpp"
 #include "io/files.hpp"
 #include "oracle/oracle.hpp"
@@ -33,7 +31,6 @@ struct Options {
   bool list = false;
   bool json = false;
   bool answers_only = false;
-  bool speed = false;
   bool instructions = false;
   uint64_t frames = 0;
   uint32_t cache_mib = 256;
@@ -52,7 +49,6 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--block", o.block,
                  "Print the stages of one block instead: ROW COL PLANE BX BY [STOP]")
       ->expected(5, 6);
-  app.add_flag("--speed", o.speed, "Decode --views whole views and say how long it takes instead");
   app.add_flag("--instructions", o.instructions,
                "Count what --views whole views and three frames of --size execute a pixel instead");
   app.add_option("--frames", o.frames,
@@ -83,7 +79,7 @@ int list() {
   if (!devices) return usage_error(devices.error().message);
   for (size_t i = 0; i < devices->size(); ++i) {
     const DeviceInfo& info = (*devices)[i];
-    fmt::print("{}: {} ({}){}\n", i, info.name, info.kind,
+    fmt::print("{}: {} ({}), driver {}{}\n", i, info.name, info.kind, info.driver,
                info.missing.empty() ? "" : ", cannot run the decoder: no " + info.missing);
   }
   return 0;
@@ -157,15 +153,6 @@ int check(const Options& o, const tb::GoldenStream& stream, Device& device, GpuD
   return passed ? 0 : kExitDifferent;
 }
 
-int show_speed(const Options& o, const StreamView& view, const Device& device,
-               GpuDecoder& decoder) {
-  const uint64_t grid = uint64_t{view.header.rows} * view.header.cols;
-  const auto report = measure_speed(decoder, device, view, std::min(o.plan.plan.views, grid));
-  if (!report) return usage_error(report.error().message);
-  fmt::print("{}", o.json ? to_json(*report) : to_text(*report));
-  return 0;
-}
-
 int show_instructions(const Options& o, const StreamView& view) {
   auto report = InstructionReport::open(o.device);
   if (!report) return usage_error(report.error().message);
@@ -183,32 +170,13 @@ int show_frames(const Options& o, std::span<const uint8_t> file, const StreamVie
                 Device& device) {
   auto renderer = GpuRenderer::open(device, view, uint64_t{o.cache_mib} << 20);
   if (!renderer) return usage_error(renderer.error().message);
-  if (o.speed) {
-    const auto speed = measure_frames(*renderer, view, o.camera, o.frames);
-    if (!speed) return usage_error(speed.error().message);
-    if (view.header.rows > 1 && view.header.cols > 1 && speed->views < kLeastViews) {
-      return usage_error(
-          fmt::format("pixels of these frames read only {:.2f} views of the {} that "
-                      "frames must, to be worth measuring",
-                      speed->views, kLeastViews));
-    }
-    fmt::print("{}, {:.2f} views a pixel\ncold: {}warm: {}", device.info().name, speed->views,
-               to_text(speed->cold), to_text(speed->warm));
-    const auto records = records_of_path(o.camera, view.header, o.frames);
-    if (!records) return usage_error(records.error().message);
-    const auto cost = measure_host(*renderer, device, *records, o.frames);
-    if (!cost) return usage_error(cost.error().message);
-    const auto recording = measure_recording(*renderer, device, *records, o.frames);
-    if (!recording) return usage_error(recording.error().message);
-    fmt::print("{}{}", to_text(*cost, "that stay on the device"),
-               to_text(*recording, "recorded for the program's own command buffers"));
-    return 0;
-  }
-  const auto path = check_frames(*renderer, file, view, o.camera, o.frames);
-  if (!path) return usage_error(path.error().message);
-  fmt::print("{}: {}", device.info().name, to_text(*path));
-  fmt::print("{}\n", path->mismatch ? "FAILED" : "equal to the golden renderer");
-  return path->mismatch ? kExitDifferent : 0;
+  const auto checked = check_frames(*renderer, file, view, o.camera, o.frames);
+  if (!checked) return usage_error(checked.error().message);
+  fmt::print("{}: {} frames, {} blocks needed, {} decoded\n", device.info().name, checked->frames,
+             checked->needed, checked->decoded);
+  if (checked->mismatch) fmt::print("MISMATCH: {}\n", *checked->mismatch);
+  fmt::print("{}\n", checked->mismatch ? "FAILED" : "equal to the golden renderer");
+  return checked->mismatch ? kExitDifferent : 0;
 }
 
 int run_on_stream(const Options& o) {
@@ -226,7 +194,6 @@ int run_on_stream(const Options& o) {
   if (o.frames != 0) return show_frames(o, file->bytes(), *view, *device);
   auto decoder = GpuDecoder::open(*device, *view);
   if (!decoder) return usage_error(decoder.error().message);
-  if (o.speed) return show_speed(o, *view, *device, *decoder);
   if (!o.block.empty()) return show_block(o, **stream, *decoder);
   const std::string head =
       fmt::format("seed {}, replay: {}\n", o.plan.plan.seed, replay_command(o));

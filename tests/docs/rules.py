@@ -50,7 +50,7 @@ COMMANDS = rules(
     (r"(?:\./run test|ctest --test-dir \S+) (.*)", r"ctest --test-dir $BUILD -N \1 | grep 'Total Tests: [1-9]'", "lists the tests"),
     (r"cmake (?:--preset |--build build/)(\w+)(?: -D\S+)?", r"""cmake --list-presets | grep -F '"\1"'""", "a build takes minutes"),
     (r"cmake --install build/release --prefix \S+", "cmake --install $BUILD --prefix installed", "into the sandbox"),
-    (r"(\./run (?:bench (?:access|accuracy|rate_distortion|remote|skipping|view)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
+    (r"(\./run (?:bench (?:access|accuracy|gpu|rate_distortion|remote|skipping|view)|mutate \w+|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),
     (r"(\./run view) .*", HELP, "serves until Ctrl-C; viewer.command runs it"),
     (r"(\./run rtl-clocks)", HELP, "tlm.latencies runs it, for 16 seconds"),

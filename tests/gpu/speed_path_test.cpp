@@ -1,7 +1,7 @@
 // The frames that speed is measured with lie between four views.
 #include <gtest/gtest.h>
 
-#include "gpu/frame_check.hpp"
+#include "gpu/frame_path.hpp"
 
 namespace hmlfc::gpu {
 namespace {

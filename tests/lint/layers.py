@@ -64,7 +64,7 @@ ALLOWED = {
     "testbench/gpu": {*CHECKS, "model/render", "gpu_ref"},
     "testbench/dpi": set(),
     "testbench/programs": {*APPLICATIONS, *TESTBENCH},
-    "bench": APPLICATIONS,
+    "bench": {*APPLICATIONS, "testbench/gpu"},
     "tests": {*APPLICATIONS, *TESTBENCH},
     "examples": set(),
 }

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <hmlfc/byte_source.hpp>
@@ -44,6 +45,8 @@ class LazySource final : public ByteSource {
       std::fill_n(loaded_.begin() + static_cast<ptrdiff_t>(range.offset), range.bytes, uint8_t{1});
     }
     most_loaded_ = loaded_;
+    const auto held = std::count(loaded_.begin(), loaded_.end(), uint8_t{1});
+    most_held_ = std::max(most_held_, static_cast<size_t>(held));
     return true;
   }
 
@@ -64,6 +67,9 @@ class LazySource final : public ByteSource {
 
   size_t loads() const { return loads_; }
 
+  /// Most bytes that were there at once since the last call, or since the beginning.
+  size_t take_most_held() { return std::exchange(most_held_, 0); }
+
   /// 1 for each byte that was there after the last load().
   const std::vector<uint8_t>& loaded() const { return most_loaded_; }
 
@@ -81,6 +87,7 @@ class LazySource final : public ByteSource {
   std::vector<uint8_t> most_loaded_;
   size_t failing_;
   size_t loads_ = 0;
+  size_t most_held_ = 0;
   size_t requests_ = 0;
   bool failed_ = false;
   mutable std::mutex mutex_;

@@ -61,6 +61,10 @@ class GpuDecoder {
   /// Uploads the stream, decodes its key images on the host and its other reference images on the
   /// device. Blocks of key images that do not decode have the error of their image. Nothing of
   /// `stream`, nor the bytes behind it, is needed afterwards.
+  ///
+  /// A partial ByteSource is asked for parts of DeviceOptions::upload_bytes, and for 16 key images
+  /// at a time, and may drop each before the next; Decoder::open asks it for all bytes at once
+  /// unless OpenOptions::check_sections is false. kSource where it fails.
   static Outcome<GpuDecoder> open(Device& device, const Decoder& stream);
 
   /// The same, for this project's own programs.

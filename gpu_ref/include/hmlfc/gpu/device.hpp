@@ -20,6 +20,7 @@ enum class FailureKind : uint8_t {
   kOutOfMemory,  ///< of the device or the host; smaller streams and calls work
   kLost,         ///< the device was lost, or did not answer in an earlier call
   kTimeout,      ///< the device has not answered in time
+  kSource,       ///< the ByteSource of the stream has failed; streams of others work
   kInternal,     ///< a fault of this library or of the driver
 };
 
@@ -37,9 +38,10 @@ using Outcome = tl::expected<T, Failure>;
 
 /// A device of this machine.
 struct DeviceInfo {
-  std::string name;     ///< as the driver gives it
-  std::string kind;     ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
-  std::string missing;  ///< what it lacks for the decoder, or empty
+  std::string name;      ///< as the driver gives it
+  std::string kind;      ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
+  std::string missing;   ///< what it lacks for the decoder, or empty
+  std::string driver{};  ///< its name and version as the driver gives them
 };
 
 /// Kernels as SPIR-V, by the names of their files in shaders/ without .comp.
@@ -56,6 +58,8 @@ struct DeviceOptions {
   /// Largest buffer in bytes for stream and reference area; 0: the device's own limit. Else a power
   /// of two, at least 64.
   uint64_t chunk_bytes = 0;
+  /// Bytes of a stream that wait on the host for their copy to the device, in whole words.
+  uint64_t upload_bytes = uint64_t{16} << 20;
   /// Device memory that a submission may take beside the stream, in bytes; larger calls are split.
   uint64_t submission_bytes = uint64_t{512} << 20;
   /// Device memory that the disparity maps of a renderer may take, in bytes: 4 for each block of

@@ -36,7 +36,8 @@ enum class FrameOutput : uint8_t {
 /// Renders frames of one stream. The device must outlive it.
 class GpuRenderer {
  public:
-  /// Uploads the stream as GpuDecoder::open does; its bytes must outlive the renderer. Between
+  /// Uploads the stream as GpuDecoder::open does; its bytes, or their source, must outlive the
+  /// renderer: the first frame with geometry reads them, a row of views at a time. Between
   /// frames the device keeps up to `cache_bytes` bytes of decoded samples, in pages of 32 blocks; 0
   /// keeps nothing. No frame depends on it.
   static Outcome<GpuRenderer> open(Device& device, const Decoder& stream, uint64_t cache_bytes);
