@@ -21,7 +21,10 @@ uint32_t checked_words(uint64_t bytes, const char* what) {
   return static_cast<uint32_t>(bytes / 4);
 }
 
-void fill_levels(const Geometry& geometry, StreamShapeRecord& shape) {
+// What divided() of shaders/integers.glsl takes for `divisor`, at least 1.
+uint32_t inverse_of(uint32_t divisor) { return UINT32_MAX / divisor; }
+
+void fill_levels(const Geometry& geometry, bool balanced, StreamShapeRecord& shape) {
   uint32_t references = 0;
   for (int l = 0; l <= geometry.top(); ++l) {
     const LevelShape& level = geometry.level(l);
@@ -33,7 +36,11 @@ void fill_levels(const Geometry& geometry, StreamShapeRecord& shape) {
                                             level.group_cols(),
                                             static_cast<uint32_t>(level.first_image),
                                             references,
-                                            level.keyed ? 1u : 0u};
+                                            level.keyed ? 1u : 0u,
+                                            inverse_of(balanced ? level.rows : level.ref_rows),
+                                            inverse_of(balanced ? level.cols : level.ref_cols),
+                                            inverse_of(level.group_rows()),
+                                            inverse_of(level.group_cols())};
     if (has_references(level)) references += level.group_rows() * level.group_cols();
   }
 }
@@ -140,7 +147,9 @@ StreamShapeRecord stream_shape(const StreamView& stream, uint32_t stream_chunk_l
   shape.reference_chunk_log2 = reference_chunk_log2;
   shape.reference_words = static_cast<uint32_t>(reference_words(stream.geometry));
   shape.chroma_halved = header.chroma_format == ChromaFormat::k420 ? 1 : 0;
-  fill_levels(stream.geometry, shape);
+  shape.cluster_row_inverse = inverse_of(shape.cluster_rows);
+  shape.cluster_col_inverse = inverse_of(shape.cluster_cols);
+  fill_levels(stream.geometry, header.has(Feature::kBalancedGroups), shape);
   fill_planes(stream, shape);
   fill_sections(stream, shape);
   return shape;

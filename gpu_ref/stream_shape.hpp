@@ -16,6 +16,8 @@ struct LevelShapeRecord {
   uint32_t first_image;
   uint32_t first_reference;
   uint32_t keyed;
+  uint32_t row_inverse, col_inverse;
+  uint32_t group_row_inverse, group_col_inverse;
   uint32_t pad[3] = {};
 };
 
@@ -57,7 +59,8 @@ struct StreamShapeRecord {
   uint32_t reference_chunk_log2;
   uint32_t reference_words;
   uint32_t chroma_halved;
-  uint32_t pad[3];
+  uint32_t cluster_row_inverse, cluster_col_inverse;
+  uint32_t pad;
   std::array<LevelShapeRecord, 16> levels;
   std::array<PlaneShapeRecord, 3> planes;
   std::array<MotionPlaneShapeRecord, 2> motion_planes;

@@ -117,6 +117,11 @@ Grouping grouping_of(Levels levels) {
   return Grouping(TRITS_IN_GROUP, n * TRITS_IN_GROUP, 0u);
 }
 
+/// Group of value i; values are 5 or 3.
+uint group_of_value(Grouping grouping, uint i) {
+  return grouping.values == QUINTS_IN_GROUP ? i / QUINTS_IN_GROUP : i / TRITS_IN_GROUP;
+}
+
 uint code_bits_before(Grouping grouping, uint k) { return (grouping.before >> (4u * k)) & 15u; }
 
 /// One group of a sequence: its bits, and its digits, digit k in bits [4k, 4k + 3].
@@ -156,7 +161,7 @@ uint value_of_group(DigitGroup group, Levels levels, Grouping grouping, uint k) 
 /// (BISE-11). The stream holds the whole sequence; i < count.
 uint bise_value(uint word, uint bit, Levels levels, uint count, uint i) {
   const Grouping grouping = grouping_of(levels);
-  const uint number = i / grouping.values;
+  const uint number = group_of_value(grouping, i);
   const DigitGroup group = read_group(word, bit, levels, grouping, count, number);
   return value_of_group(group, levels, grouping, i - number * grouping.values);
 }

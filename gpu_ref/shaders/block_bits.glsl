@@ -5,14 +5,16 @@ uint blocks_of_plane(uint p) {
   return arguments.shape.planes[p].blocks_x * arguments.shape.planes[p].blocks_y;
 }
 
-/// The bit of block (bx, by) of plane p of image (row, column).
-uint bit_of_block(uvec2 image, uint p, uvec2 block) {
-  const uint luma = blocks_of_plane(0u);
-  const uint chroma = blocks_of_plane(1u);
+/// The first bit of image (row, column): the sum of those of (row, 0) and (0, column).
+uint first_bit(uvec2 image) {
   const uint number = image.x * arguments.shape.levels[frame().stop_level].cols + image.y;
-  const uint before = p == 0u ? 0u : luma + (p - 1u) * chroma;
-  return number * (luma + 2u * chroma) + before + block.y * arguments.shape.planes[p].blocks_x +
-         block.x;
+  return number * (blocks_of_plane(0u) + 2u * blocks_of_plane(1u));
+}
+
+/// The bit of block (bx, by) of plane p of the image whose first bit is `first`.
+uint bit_of_block(uint first, uint p, uvec2 block) {
+  const uint before = p == 0u ? 0u : blocks_of_plane(0u) + (p - 1u) * blocks_of_plane(1u);
+  return first + before + block.y * arguments.shape.planes[p].blocks_x + block.x;
 }
 
 /// The request of a bit: the inverse of bit_of_block.
@@ -28,7 +30,9 @@ Request request_of_bit(uint bit) {
   }
   const uint cols = arguments.shape.levels[frame().stop_level].cols;
   const uint blocks_x = arguments.shape.planes[p].blocks_x;
-  return Request(number / cols | (number % cols) << 16, at % blocks_x | (at / blocks_x) << 16,
+  const uint image_row = number / cols;
+  const uint by = at / blocks_x;
+  return Request(image_row | (number - image_row * cols) << 16, (at - by * blocks_x) | by << 16,
                  p | frame().stop_level << 8 | 1u << 16);
 }
 
@@ -37,16 +41,15 @@ uint slot_of_bit(uint bit) {
   return min(frame().pages.word[bit >> 5], frame().pool_pages - 1u) << 5 | (bit & 31u);
 }
 
-/// The image shown in the place of a view, and where sample (x, y) of plane p lies in it.
+/// Where sample (x, y) of a plane lies in its image.
 struct SamplePlace {
   uvec2 block;
   uint at;  // position in the block
 };
 
-SamplePlace place_of_sample(uint p, uint x, uint y) {
-  const uint shift = p == 0u ? 0u : arguments.shape.chroma_halved;
+SamplePlace place_of_sample(uvec2 sample_at) {
   const uint log2 = arguments.shape.block_log2;
-  const uvec2 sample_at = uvec2(x, y) >> shift;  // COL-3
-  const uvec2 in_block = sample_at & low_bits(log2);
-  return SamplePlace(sample_at >> log2, (in_block.y << log2) + in_block.x);
+  const uvec2 block = sample_at >> log2;
+  const uvec2 in_block = sample_at - (block << log2);
+  return SamplePlace(block, (in_block.y << log2) + in_block.x);
 }

@@ -12,6 +12,11 @@ struct Reference {
   int ix, iy, fx, fy;
 };
 
+/// The same in two words.
+struct PackedReference {
+  uint base, vector;
+};
+
 struct BlockEntry {
   uint status;     // an error of annex A, or ok
   uint kind;
@@ -22,25 +27,27 @@ struct BlockEntry {
   uint step_code;
   int bias;
   uint values_word, values_bit;  // where the block's values begin in the stream
-  Reference references[2];       // of a key image, its plane is that of the first
+  PackedReference references[2];  // of a key image, its plane is that of the first
 };
 
 const uint ENTRY_WORDS = 8u;
 
 BlockEntry empty_entry(uint kind) {
-  const Reference none = Reference(0u, 0, 0, 0, 0);
+  const PackedReference none = PackedReference(0u, 0u);
   return BlockEntry(ERROR_OK, kind, 0u, false, false, 0u, 0u, 0, 0u, 0u,
-                    Reference[2](none, none));
+                    PackedReference[2](none, none));
 }
 
-uint vector_word(Reference reference) {
-  return (uint(reference.ix) & 0x3FFu) | (uint(reference.iy) & 0x3FFu) << 10 |
-         uint(reference.fx) << 20 | uint(reference.fy) << 24;
+uint vector_word(ivec2 whole, ivec2 eighths) {
+  return (uint(whole.x) & 0x3FFu) | (uint(whole.y) & 0x3FFu) << 10 | uint(eighths.x) << 20 |
+         uint(eighths.y) << 24;
 }
 
-Reference reference_of_words(uint base, uint vector) {
-  return Reference(base, bitfieldExtract(int(vector), 0, 10), bitfieldExtract(int(vector), 10, 10),
-                   int((vector >> 20) & 7u), int((vector >> 24) & 7u));
+Reference unpacked_reference(PackedReference packed_reference) {
+  const uint vector = packed_reference.vector;
+  return Reference(packed_reference.base, bitfieldExtract(int(vector), 0, 10),
+                   bitfieldExtract(int(vector), 10, 10), int((vector >> 20) & 7u),
+                   int(vector >> 24));
 }
 
 void write_entry(uint number, BlockEntry entry) {
@@ -50,8 +57,7 @@ void write_entry(uint number, BlockEntry entry) {
             entry.values_word, entry.values_bit | (uint(entry.bias) & 0xFFFFu) << 16,
             entry.references[0].base);
   arguments.entries.half_entry[2u * number + 1u] =
-      uvec4(vector_word(entry.references[0]), entry.references[1].base,
-            vector_word(entry.references[1]), 0u);
+      uvec4(entry.references[0].vector, entry.references[1].base, entry.references[1].vector, 0u);
 }
 
 BlockEntry read_entry(uint number) {
@@ -68,7 +74,7 @@ BlockEntry read_entry(uint number) {
   entry.values_word = first.y;
   entry.values_bit = first.z & 31u;
   entry.bias = int(first.z) >> 16;
-  entry.references[0] = reference_of_words(first.w, second.x);
-  entry.references[1] = reference_of_words(second.y, second.z);
+  entry.references[0] = PackedReference(first.w, second.x);
+  entry.references[1] = PackedReference(second.y, second.z);
   return entry;
 }

@@ -10,13 +10,11 @@ uint words_of_lane_log2() { return min(words_of_block_log2(), 2u); }
 uint lanes_of_block_log2() { return words_of_block_log2() - words_of_lane_log2(); }
 
 /// Samples 2k and 2k + 1 as one word.
-uint sample_pair(ivec2 samples) {
-  return (uint(samples.x) & 0xFFFFu) | uint(samples.y) << 16;
-}
+uint sample_pair(ivec2 samples) { return uint(bitfieldInsert(samples.x, samples.y, 16, 16)); }
 ivec2 samples_of_pair(uint pair) { return ivec2(bitfieldExtract(int(pair), 0, 16), int(pair) >> 16); }
 
 /// Column and row in its block of sample i.
 uvec2 place_in_block(uint i) {
   const uint log2 = arguments.shape.block_log2;
-  return uvec2(i & low_bits(log2), i >> log2);
+  return uvec2(low_bits(i, log2), i >> log2);
 }

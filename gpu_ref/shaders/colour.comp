@@ -18,41 +18,45 @@ ColourArea colour_area_of(uint number) {
   return arguments.colour_areas.area[low];
 }
 
-/// Samples `at`, which is even, and at + 1 of request q.
-ivec2 decoded_pair(uint q, uint at) {
-  return samples_of_pair(arguments.samples.word[(q << words_of_block_log2()) + (at >> 1)]);
-}
-
 /// The requests of Y, Co and Cg that a block needs, and where in the chroma blocks it lies.
 struct Sources {
-  uint luma, co, cg;
+  uint luma, co, cg;  // requests
+  uint words_log2;    // of the words of each
   uvec2 chroma;  // first chroma sample of the block in its chroma blocks
   uint halved;   // 1 in format 4:2:0
 };
 
 Sources sources_of(ColourArea area, uint at) {
-  const uvec2 own = uvec2(at % area.columns, at / area.columns);
+  const uint row = at / area.columns;
+  const uvec2 own = uvec2(at - row * area.columns, row);
   const uint halved = arguments.shape.chroma_halved;
   const uvec2 block = uvec2(area.bx, area.by) + own;
   const uvec2 chroma = block >> halved;
   const uint in_area = (chroma.y - area.chroma_by) * area.chroma_columns + chroma.x - area.chroma_bx;
   const uvec2 corner = (block & halved) << (arguments.shape.block_log2 - 1u);
-  return Sources(area.luma + at, area.co + in_area, area.cg + in_area, corner, halved);
+  return Sources(area.luma + at, area.co + in_area, area.cg + in_area, words_of_block_log2(), corner,
+                 halved);
 }
 
-/// Chroma of two pixels, from sample `at` of request q on; with `halved` it is the same of both.
-ivec2 chroma_pair(uint q, uint at, uint halved) {
-  const ivec2 pair = decoded_pair(q, at & ~1u);
-  return halved == 0u ? pair : ivec2((at & 1u) == 0u ? pair.x : pair.y);
+/// The word with sample `at` of request q.
+uint decoded_word(Sources sources, uint q, uint at) {
+  return arguments.samples.word[(q << sources.words_log2) + (at >> 1)];
+}
+
+/// Chroma of two pixels, from sample `at` of request q on; with chroma_halved it is the same of both.
+ivec2 chroma_pair(Sources sources, uint q, uint at) {
+  const uint word = decoded_word(sources, q, at);
+  return sources.halved == 0u ? samples_of_pair(word)
+                              : ivec2(bitfieldExtract(int(word), int((at & 1u) << 4), 16));
 }
 
 /// The pixels at positions i, which is even, and i + 1 of the block (COL-2).
 ivec3[2] pixels(Sources sources, uint i) {
   const uvec2 c = sources.chroma + (place_in_block(i) >> sources.halved);
   const uint chroma_at = (c.y << arguments.shape.block_log2) + c.x;
-  const ivec2 luma = decoded_pair(sources.luma, i);
-  const ivec2 co = chroma_pair(sources.co, chroma_at, sources.halved);
-  const ivec2 cg = chroma_pair(sources.cg, chroma_at, sources.halved);
+  const ivec2 luma = samples_of_pair(decoded_word(sources, sources.luma, i));
+  const ivec2 co = chroma_pair(sources, sources.co, chroma_at);
+  const ivec2 cg = chroma_pair(sources, sources.cg, chroma_at);
   const uint depth = arguments.shape.depth;
   return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), depth),
                   inverse_colour(ivec3(luma.y, co.y, cg.y), depth));
@@ -68,8 +72,10 @@ void main() {
   if (status == ERROR_OK) status = arguments.statuses.word[sources.co];
   if (status == ERROR_OK) status = arguments.statuses.word[sources.cg];
 
-  const uint lane = number & low_bits(lanes_of_block_log2());
-  for (uint k = 0u; k < 1u << words_of_lane_log2(); ++k) {
+  const uint lane = low_bits(number, lanes_of_block_log2());
+  const uint words = 1u << words_of_lane_log2();
+  const uint first_word = ((3u * b) << sources.words_log2) + (lane << 2);
+  for (uint k = 0u; k < words; ++k) {
     const uint word = (lane << 2) + k;
     ivec3 both[2] = ivec3[2](ivec3(0), ivec3(0));
     if (status == ERROR_OK) both = pixels(sources, 2u * word);
@@ -78,10 +84,9 @@ void main() {
       continue;
     }
     const uvec3 pairs = uvec3(both[0]) | uvec3(both[1]) << 16;
-    const uint first = ((3u * b) << words_of_block_log2()) + word;
-    arguments.pixels.word[first] = pairs.x;
-    arguments.pixels.word[first + (1u << words_of_block_log2())] = pairs.y;
-    arguments.pixels.word[first + (2u << words_of_block_log2())] = pairs.z;
+    arguments.pixels.word[first_word + k] = pairs.x;
+    arguments.pixels.word[first_word + k + (1u << sources.words_log2)] = pairs.y;
+    arguments.pixels.word[first_word + k + (2u << sources.words_log2)] = pairs.z;
   }
   if (lane == 0u) arguments.pixel_statuses.word[b] = status;
 }

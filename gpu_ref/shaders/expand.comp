@@ -30,7 +30,8 @@ void main() {
   if (number >= arguments.request_count) return;
   const Area area = area_of(number);
   const uint at = number - area.first_request;
-  const uvec2 block = uvec2(area.bx + at % area.columns, area.by + at / area.columns);
+  const uint row = at / area.columns;
+  const uvec2 block = uvec2(area.bx + at - row * area.columns, area.by + row);
   Request request = Request(0u, 0u, 0u);
   if (exists(area, block)) {
     const uvec2 image = ancestor(uvec2(area.row, area.col), area.exact != 0u ? 0u : area.level);

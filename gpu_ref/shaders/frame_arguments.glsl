@@ -24,25 +24,27 @@ uint word_of_slot(uint slot, uint word) {
 uint pool_word(uint at) {
   if (!kPoolChunked) return OutWords(frame().pool).word[at];
   const uint log2 = frame().pool_chunk_log2;
-  return OutChunks(frame().pool).chunk[at >> log2].word[at & low_bits(log2)];
+  return OutChunks(frame().pool).chunk[at >> log2].word[low_bits(at, log2)];
 }
 
 void write_pool_word(uint at, uint value) {
   if (kPoolChunked) {
     const uint log2 = frame().pool_chunk_log2;
-    OutChunks(frame().pool).chunk[at >> log2].word[at & low_bits(log2)] = value;
+    OutChunks(frame().pool).chunk[at >> log2].word[low_bits(at, log2)] = value;
   } else {
     OutWords(frame().pool).word[at] = value;
   }
 }
 
-/// Word `word` of the samples of request q with status `status`. In the pool a block with an error
-/// has that in their place: no frame is drawn from it.
-void write_samples(uint q, uint word, uint samples, uint status) {
+/// The word for word `word` of the samples of request q.
+uint word_of_request(uint q, uint word) {
+  return word_of_slot(kCounted ? frame().slots.word[2u * q] : q, word);
+}
+
+void write_samples(uint at, uint samples) {
   if (kCounted) {
-    write_pool_word(word_of_slot(frame().slots.word[2u * q], word),
-                    status == ERROR_OK ? samples : status);
+    write_pool_word(at, samples);
   } else {
-    arguments.samples.word[word_of_slot(q, word)] = samples;
+    arguments.samples.word[at] = samples;
   }
 }

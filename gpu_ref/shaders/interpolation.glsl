@@ -1,29 +1,64 @@
 // The samples that a displaced block is predicted from (DEC-4, MOT-9).
 
-/// I(x, y) of MOT-9, with ref of DEC-4, at samples (x, y) and (x + 1, y) of the plane.
-ivec2 weighted_sums(Reference reference, PlaneShape plane, int x, int y) {
-  const ivec2 last = ivec2(plane.width, plane.height) - 1;
-  const ivec3 cols = clamp(ivec3(0, 1, 2) + (x + reference.ix), ivec3(0), ivec3(last.x));  // DEC-5
-  const ivec2 rows = clamp(ivec2(0, 1) + (y + reference.iy), ivec2(0), ivec2(last.y));
-  const uint first = reference.base + uint(rows.x) * plane.row_words;
-  const ivec2 upper = ivec2(row_sample(first, cols.x), row_sample(first, cols.y));
-  if ((reference.fx | reference.fy) == 0) return upper << 6;
-  const uint next = reference.base + uint(rows.y) * plane.row_words;
-  const ivec3 above = ivec3(upper, row_sample(first, cols.z));
-  const ivec3 below =
-      ivec3(row_sample(next, cols.x), row_sample(next, cols.y), row_sample(next, cols.z));
-  const ivec3 between = (above << 3) + reference.fy * (below - above);
-  return (between.xy << 3) + reference.fx * (between.yz - between.xy);
+/// A reference and where its block lies in a plane.
+struct Displaced {
+  Reference reference;
+  ivec2 origin;  // of the block's first sample
+  bool inside;   // so are all columns and rows that its samples are made of
+  bool odd;      // origin.x is
+  bool whole;    // fx and fy are 0
+};
+
+Displaced displaced_block(Reference reference, PlaneShape plane, ivec2 corner) {
+  const ivec2 origin = corner + ivec2(reference.ix, reference.iy);
+  const ivec2 room = ivec2(plane.width, plane.height) - (1 << arguments.shape.block_log2);
+  const bool inside = uint(origin.x) < uint(max(room.x, 0)) && uint(origin.y) < uint(max(room.y, 0));
+  return Displaced(reference, origin, inside, (origin.x & 1) != 0,
+                   (reference.fx | reference.fy) == 0);
 }
 
-/// R(x, y) of MOT-9 at the same samples, which for vectors of whole samples and one reference is
-/// ref(x + dx, y + dy).
-ivec2 reference_pair(BlockEntry entry, PlaneShape plane, int x, int y) {
-  ivec2 sum = ivec2(0);
-  Reference reference = entry.references[0];
-  [[dont_unroll]] for (uint i = 0u; i < entry.count; ++i) {
-    sum += weighted_sums(reference, plane, x, y);
+/// ref of DEC-4 at x, x + 1 and x + 2 of row y of the plane.
+ivec3 clamped_taps(uint base, PlaneShape plane, int x, int y) {
+  const ivec2 last = ivec2(plane.width, plane.height) - 1;
+  const uint first = base + uint(clamp(y, 0, last.y)) * plane.row_words;
+  const ivec3 cols = clamp(ivec3(x, x + 1, x + 2), ivec3(0), ivec3(last.x));  // DEC-5
+  return ivec3(row_sample(first, cols.x), row_sample(first, cols.y), row_sample(first, cols.z));
+}
+
+/// I of MOT-9 at column and row `place` of the block, and at the next column.
+ivec2 weighted_sums(Displaced block, PlaneShape plane, ivec2 place) {
+  const ivec2 at = block.origin + place;
+  const uint word = block.reference.base + uint(at.y) * plane.row_words + (uint(at.x) >> 1);
+  ivec3 above, below;
+  if (block.inside) {
+    above = word_samples(word, block.odd);
+    if (block.whole) return above.xy << 6;
+    below = word_samples(word + plane.row_words, block.odd);
+  } else {
+    above = clamped_taps(block.reference.base, plane, at.x, at.y);
+    below = clamped_taps(block.reference.base, plane, at.x, at.y + 1);
+  }
+  const ivec3 between = (8 - block.reference.fy) * above + block.reference.fy * below;
+  return (8 - block.reference.fx) * between.xy + block.reference.fx * between.yz;
+}
+
+/// R of MOT-9 at positions `first` to first + 7 of the block whose first sample is `corner`, as pairs of
+/// samples; for vectors of whole samples and one reference it is ref(x + dx, y + dy).
+uvec4 reference_pairs(BlockEntry entry, PlaneShape plane, ivec2 corner, uint first) {
+  const uint log2 = arguments.shape.block_log2;
+  ivec4 even = ivec4(0);
+  ivec4 odd = ivec4(0);
+  PackedReference reference = entry.references[0];
+  [[dont_unroll]] for (uint n = 0u; n < entry.count; ++n) {
+    const Displaced block = displaced_block(unpacked_reference(reference), plane, corner);
+    [[dont_unroll]] for (uint i = first; i < first + SAMPLES_OF_LANE; i += 2u) {
+      const ivec2 sums = weighted_sums(block, plane, ivec2(low_bits(i, log2), i >> log2));
+      even = ivec4(even.yzw, even.x + sums.x);
+      odd = ivec4(odd.yzw, odd.x + sums.y);
+    }
     reference = entry.references[1];
   }
-  return entry.count == 1u ? (sum + 32) >> 6 : (sum + 64) >> 7;
+  const int shift = int(5u + entry.count);
+  const int half_unit = 1 << (shift - 1);
+  return sample_pairs((even + half_unit) >> shift, (odd + half_unit) >> shift);
 }

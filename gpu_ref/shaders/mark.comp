@@ -31,8 +31,9 @@ void mark_word(uint word, uint bits) {
   }
 }
 
-/// Marks blocks of a row of plane p of `image` from `first` on, as `row`, of up to 8 bits, says.
-void mark_row(uvec2 image, uint p, uvec2 first, uint row) {
+/// Marks blocks of a row of plane p of an image, that of bit `image`, from `first` on, as `row`, of up
+/// to 8 bits, says.
+void mark_row(uint image, uint p, uvec2 first, uint row) {
   const uint bit = bit_of_block(image, p, first);
   const uint at = bit & 31u;
   mark_word(bit >> 5, row << at);
@@ -56,7 +57,7 @@ uint halved_row(uint row) {
 void mark_blocks(uvec2 lines, uint window, uint y) {
   const Line col = window_cols[lines.x];
   const Line line = window_rows[lines.y];
-  const uvec2 image = shown_image(ivec2(col.view, line.view));
+  const uint image = col.bit + line.bit;
   const uvec2 corner = uvec2(col.first, line.first) >> arguments.shape.block_log2;
   const uvec2 first = corner + uvec2(0u, y);
   uint row = window_bits[window * kWindow + y];

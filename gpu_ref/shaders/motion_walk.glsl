@@ -18,7 +18,7 @@ PaletteEntry read_palette_entry(inout Cursor cursor, bool keyed, uint explicit_b
   const uint fields = peek(cursor);
   const uint set_bits = has_feature(FEATURE_TWO_REFERENCES) ? 3u : 0u;
   PaletteEntry entry;
-  entry.reference_set = fields & low_bits(set_bits);
+  entry.reference_set = low_bits(fields, set_bits);
   entry.choice = (fields >> set_bits) & 15u;
   uint bits = set_bits + 4u;
   entry.negative = !keyed && ((fields >> bits) & 1u) != 0u;
@@ -146,45 +146,42 @@ ivec2 motion_vector(PaletteEntry entry, int disparity, uvec2 at, uvec2 reference
 }
 
 /// MOT-9: whole samples and eighths of a vector.
-Reference split_vector(ivec2 vector, bool halved, uint base) {
+uint split_vector(ivec2 vector, bool halved) {
   ivec2 u = vector * (1 << (3u - arguments.shape.vector_precision));
   if (halved) u = (u + 1) >> 1;
-  const ivec2 whole = u >> 3;
-  const ivec2 eighths = u - 8 * whole;
-  return Reference(base, whole.x, whole.y, eighths.x, eighths.y);
+  return vector_word(u >> 3, u & 7);
 }
 
 /// References of each reference_set, as numbers of K0 to K3 (MOT-7): the first in bits 0-1, the
 /// second in bits 2-3, how many in bits 4-5.
 const uint kReferenceSets[8] = uint[8](0x10u, 0x24u, 0x28u, 0x11u, 0x12u, 0x29u, 0x2Cu, 0x13u);
 
-/// The motion of block (bx, by) of predictive image `at` (row, column) into `entry`; an error of
-/// annex A, or ok (MOT-4, MOT-10).
-uint walk_to_motion(LevelShape level, PlaneShape plane, uvec2 at, uint bx, uint by,
-                    inout BlockEntry entry) {
+/// The motion of block (bx, by) of predictive image `at` (row, column), which is in reference group
+/// `own`, into `entry`; an error of annex A, or ok (MOT-4, MOT-10).
+uint walk_to_motion(LevelShape level, PlaneShape plane, uvec2 at, ReferenceGroup own, uint bx,
+                    uint by, inout BlockEntry entry) {
   const MotionPlaneShape motion_plane = arguments.shape.motion_planes[plane.motion_plane];
   const uvec2 place = uvec2(bx, by) << (arguments.shape.block_log2 + plane.halved);
   const uint image = level.first_image + at.x * level.cols + at.y;
   PaletteEntry palette;
   uint status = walk_to_palette(image, motion_plane, place, level.keyed != 0u, palette);
   if (status != ERROR_OK || palette.choice == kChoiceNone) return status;
-  const uvec2 groups[4] = reference_groups(level, at, reference_group_of(level, at));
   int disparity = palette.explicit_x;
   if (palette.choice <= kChoiceLastNeighbour) {
-    const uvec2 own = reference_of_group(level, groups[0]);
-    status = walk_to_disparity(level.first_image + own.x * level.cols + own.y, motion_plane,
-                               grid_block(motion_plane, place, palette.choice), disparity);
+    status = walk_to_disparity(level.first_image + own.image.x * level.cols + own.image.y,
+                               motion_plane, grid_block(motion_plane, place, palette.choice),
+                               disparity);
     if (status != ERROR_OK) return status;
   }
   const uint set = kReferenceSets[palette.reference_set];
   entry.count = set >> 4;
   entry.negative = palette.negative;
   for (uint i = 0u; i < entry.count; ++i) {
-    const uvec2 group = groups[(set >> (2u * i)) & 3u];
-    const ivec2 vector =
-        motion_vector(palette, disparity, at, reference_of_group(level, group));
-    entry.references[i] =
-        split_vector(vector, plane.halved != 0u, reference_base(level, plane, group));
+    const ReferenceGroup k = reference_group(level, at, own, (set >> (2u * i)) & 3u);
+    const ivec2 vector = motion_vector(palette, disparity, at, k.image);
+    const PackedReference found = PackedReference(reference_base(level, plane, k.group),
+                                                  split_vector(vector, plane.halved != 0u));
+    if (i == 0u) entry.references[0] = found; else entry.references[1] = found;
   }
   return ERROR_OK;
 }

@@ -6,9 +6,11 @@
 const int kWindowsLog2 = 6;
 const uint kWindows = 1u << kWindowsLog2;  // as many as invocations
 
-/// A column or row of views, and the first and the last pixel of the windows in it.
+/// A column or row of views: the first bit of the image shown in the place of its first view, and the
+/// first and the last pixel of the windows in it.
 struct Line {
-  int view, first, last;
+  uint bit;
+  int first, last;
 };
 shared Line window_cols[kWindows];
 shared Line window_rows[kWindows];
@@ -17,7 +19,7 @@ shared Line window_rows[kWindows];
 ivec2 pixel_of_invocation() {
   const uint lane = gl_LocalInvocationIndex;
   return ivec2((gl_WorkGroupID.xy << kGroupLog2) +
-               uvec2(lane & low_bits(kGroupLog2), lane >> kGroupLog2));
+               uvec2(low_bits(lane, kGroupLog2), lane >> kGroupLog2));
 }
 
 // Of the group's rays inside, which are not displaced: u, v, x, y, and the displacement.
@@ -109,14 +111,18 @@ struct Passes {
   ivec2 pixels;     // that the taps reach at most in a view, if not far
 };
 
+/// Pixels between and below taps that are at most `distance` apart, in units of 2^-12: taps are then at
+/// most distance / 2^4 + 1 of 256ths apart, and the first is up to 255 of these behind its pixel.
+int pixels_of_taps(int distance) { return (((distance >> 4) + 511) >> 8) + 1; }
+
 /// Pixels that the taps along an axis reach at most in any view. Views differ by a shift, and by what
 /// displacements add: products of those and of steps, which differ by at most so much in both.
 int most_pixels(Extent extent) {
-  if (!kGeometry) return ((extent.at.y - extent.at.x) >> 12) + 3;
+  if (!kGeometry) return pixels_of_taps(extent.at.y - extent.at.x);
   const ivec2 e = extent.displacement;
   const int steps = min((extent.place.y >> 4) - (extent.place.x >> 4), 2 << 12);
   const int added = ((e.y - e.x) << 4) + ((steps * max(abs(e.x), abs(e.y))) >> 8) + 2;
-  return ((extent.at.y - extent.at.x + added) >> 12) + 3;
+  return pixels_of_taps(extent.at.y - extent.at.x + added);
 }
 ivec2 most_pixels_of_group() {
   return ivec2(most_pixels(column_extent()), most_pixels(row_extent()));
@@ -129,7 +135,7 @@ Passes passes_of_group(Filter f, Axis cols, Axis rows, ivec2 pixels, int windows
                           first_view(f, view_place(f, rows, group_least[kV])));
   const ivec2 high = ivec2(first_view(f, view_place(f, cols, group_most[kU])),
                            first_view(f, view_place(f, rows, group_most[kV]))) +
-                     int(low_bits(f.views_log2));
+                     (1 << f.views_log2) - 1;
   Passes passes;
   passes.first = clamp(low, ivec2(0), last);
   passes.views = clamp(high, ivec2(0), last) - passes.first + 1;
@@ -148,14 +154,16 @@ shared Passes group_passes;  // which one invocation finds
 
 /// Column and row of the view of a far pass, of those of a pixel.
 ivec2 view_of_pass(Filter f, uint pass) {
-  return ivec2(int(pass & low_bits(f.views_log2)), int(pass >> f.views_log2));
+  return ivec2(int(low_bits(pass, f.views_log2)), int(pass >> f.views_log2));
 }
 
 /// The line of view `view` along an axis, with the taps of all rays that it has weight for.
-Line line_of_view(Filter f, Axis axis, Extent extent, int view) {
+Line line_of_view(Filter f, Axis axis, Extent extent, int view, uint bit) {
   const ivec2 at = extent.at + extent.step * view + displaced_by(extent, view);
-  return Line(view, first_pixel(tap_place(f, axis, at.x)), last_pixel(tap_place(f, axis, at.y)));
+  return Line(bit, first_pixel(tap_place(f, axis, at.x)), last_pixel(tap_place(f, axis, at.y)));
 }
+uint bit_of_col(int view) { return first_bit(shown_image(ivec2(view, 0))); }
+uint bit_of_row(int view) { return first_bit(shown_image(ivec2(0, view))); }
 
 /// The lines of the group's windows, or those of pass `pass`; all invocations call it, before a barrier.
 /// `ray` is displaced.
@@ -168,15 +176,17 @@ void write_lines(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pa
     const ivec2 view = clamp(own, ivec2(0), ivec2(cols.last_view, rows.last_view));
     const int x = tap_place(f, cols, ray.x + ray.dx * view.x);
     const int y = tap_place(f, rows, ray.y + ray.dy * view.y);
-    window_cols[lane] = Line(view.x, first_pixel(x), ray.inside ? last_pixel(x) : -1);
-    window_rows[lane] = Line(view.y, first_pixel(y), last_pixel(y));
+    window_cols[lane] = Line(bit_of_col(view.x), first_pixel(x), ray.inside ? last_pixel(x) : -1);
+    window_rows[lane] = Line(bit_of_row(view.y), first_pixel(y), last_pixel(y));
     return;
   }
   if (int(lane) < passes.views.x) {
-    window_cols[lane] = line_of_view(f, cols, column_extent(), passes.first.x + int(lane));
+    const int view = passes.first.x + int(lane);
+    window_cols[lane] = line_of_view(f, cols, column_extent(), view, bit_of_col(view));
   }
   if (int(lane) < passes.views.y) {
-    window_rows[lane] = line_of_view(f, rows, row_extent(), passes.first.y + int(lane));
+    const int view = passes.first.y + int(lane);
+    window_rows[lane] = line_of_view(f, rows, row_extent(), view, bit_of_row(view));
   }
 }
 
@@ -189,7 +199,7 @@ uint windows_of_pass(Passes passes, uint pass) {
 /// The lines, column and row, of window `number` of pass `pass`; whether there is such a window.
 bool lines_of_window(Passes passes, uint pass, uint number, out uvec2 lines) {
   lines = passes.far ? uvec2(number)
-                     : uvec2(number & low_bits(passes.cols_log2),
+                     : uvec2(low_bits(number, passes.cols_log2),
                              (pass << passes.rows_log2) + (number >> passes.cols_log2));
   return passes.far || (int(lines.x) < passes.views.x && int(lines.y) < passes.views.y);
 }
@@ -237,5 +247,5 @@ PixelLine pixel_row(Filter f, Axis axis, Passes passes, Ray ray, uint pass, Pixe
 /// The window, of those of the row's pass, of a pixel's column and row.
 uint window_of_pixel(Passes passes, PixelLine col, PixelLine row) {
   return passes.far ? row.line
-                    : ((row.line & low_bits(passes.rows_log2)) << passes.cols_log2) + col.line;
+                    : (low_bits(row.line, passes.rows_log2) << passes.cols_log2) + col.line;
 }

@@ -6,6 +6,18 @@ int step_of_code(uint code) {
   return (code & 1u) != 0u ? 1 << ((code + 1u) >> 1) : 3 << ((code - 2u) >> 1);
 }
 
+ivec4 first_samples(uvec4 pairs) { return bitfieldExtract(ivec4(pairs), 0, 16); }
+ivec4 second_samples(uvec4 pairs) { return ivec4(pairs) >> 16; }
+uvec4 sample_pairs(ivec4 first, ivec4 second) {
+  return uvec4(bitfieldInsert(first, second, 16, 16));
+}
+
+/// Pairs of samples of a plane, clamped to what it allows.
+uvec4 clamped_pairs(ivec4 first, ivec4 second, PlaneShape plane) {
+  return sample_pairs(clamp(first, ivec4(plane.lo), ivec4(plane.hi)),
+                      clamp(second, ivec4(plane.lo), ivec4(plane.hi)));
+}
+
 /// The residuals at positions `first` to first + 7 of a block, as pairs of samples (TIL-9, TIL-10,
 /// STP-3); anything behind its last. Reads each digit group once.
 uvec4 residual_pairs(BlockEntry entry, PlaneShape plane, uint first) {
@@ -14,7 +26,7 @@ uvec4 residual_pairs(BlockEntry entry, PlaneShape plane, uint first) {
   const uint count = 1u << (2u * arguments.shape.block_log2);
   const int offset = entry.bias - int(levels.count >> 1);
   const int step = step_of_code(entry.step_code);
-  uint number = first / grouping.values;
+  uint number = group_of_value(grouping, first);
   uint k = first - number * grouping.values;
   DigitGroup group = read_group(entry.values_word, entry.values_bit, levels, grouping, count, number);
   uvec4 pairs = uvec4(0u);
@@ -35,12 +47,16 @@ uvec4 residual_pairs(BlockEntry entry, PlaneShape plane, uint first) {
   return pairs;
 }
 
-/// A(x, y) of DEC-3 with motion; `parent` is P(x, y), 0 at keyed levels (EXT-5).
-ivec2 motion_prediction(ivec2 parent, bool negative, ivec2 reference, PlaneShape plane) {
-  return clamp(negative ? parent - reference : parent + reference, ivec2(plane.lo), ivec2(plane.hi));
+/// A(x, y) of DEC-3 with motion; `parents` are P(x, y), 0 at keyed levels (EXT-5).
+uvec4 motion_prediction(uvec4 parents, bool negative, uvec4 references, PlaneShape plane) {
+  const ivec4 even = first_samples(references);
+  const ivec4 odd = second_samples(references);
+  return clamped_pairs(first_samples(parents) + (negative ? -even : even),
+                       second_samples(parents) + (negative ? -odd : odd), plane);
 }
 
 /// The samples of DEC-3 from A(x, y) and their residuals.
-ivec2 add_residual(ivec2 prediction, ivec2 residual, PlaneShape plane) {
-  return clamp(prediction + residual, ivec2(plane.lo), ivec2(plane.hi));
+uvec4 add_residuals(uvec4 predictions, uvec4 residuals, PlaneShape plane) {
+  return clamped_pairs(first_samples(predictions) + first_samples(residuals),
+                       second_samples(predictions) + second_samples(residuals), plane);
 }

@@ -1,32 +1,51 @@
 // Reference groups of a level and their reference images (STR-4, EXT-3, MOT-7).
 
-// A line is a row or column of a level's `count` images, in `groups` reference groups of `size`.
+/// The rows or the columns of a level's images, which are in `groups` reference groups of `size`.
+struct ImageLine {
+  uint count, size, groups;
+  uint inverse, group_inverse;  // for divided()
+};
+
+ImageLine image_rows(LevelShape level) {
+  return ImageLine(level.rows, level.ref_rows, level.group_rows, level.row_inverse,
+                   level.group_row_inverse);
+}
+ImageLine image_cols(LevelShape level) {
+  return ImageLine(level.cols, level.ref_cols, level.group_cols, level.col_inverse,
+                   level.group_col_inverse);
+}
 
 /// The reference group of place `at` in a line.
-uint group_in_line(uint at, uint count, uint size, uint groups) {
-  return has_feature(FEATURE_BALANCED_GROUPS) ? ((at + 1u) * groups - 1u) / count : at / size;
+uint group_in_line(ImageLine line, uint at) {
+  return has_feature(FEATURE_BALANCED_GROUPS)
+             ? divided((at + 1u) * line.groups - 1u, line.count, line.inverse)
+             : divided(at, line.size, line.inverse);
 }
 
 /// The first place of reference group `group` in a line; `groups` gives `count`.
-uint group_begin(uint group, uint count, uint size, uint groups) {
-  return has_feature(FEATURE_BALANCED_GROUPS) ? group * count / groups : min(group * size, count);
+uint group_begin(ImageLine line, uint group) {
+  return has_feature(FEATURE_BALANCED_GROUPS)
+             ? divided(group * line.count, line.groups, line.group_inverse)
+             : min(group * line.size, line.count);
 }
 
-uint reference_in_line(uint group, uint count, uint size, uint groups) {
-  const uint first = group_begin(group, count, size, groups);
-  return first + ((group_begin(group + 1u, count, size, groups) - first - 1u) >> 1);
+uint reference_in_line(ImageLine line, uint group) {
+  const uint first = group_begin(line, group);
+  return first + ((group_begin(line, group + 1u) - first - 1u) >> 1);
 }
 
-/// Row and column of the reference group of image `at` (row, column).
-uvec2 reference_group_of(LevelShape level, uvec2 at) {
-  return uvec2(group_in_line(at.x, level.rows, level.ref_rows, level.group_rows),
-               group_in_line(at.y, level.cols, level.ref_cols, level.group_cols));
-}
+/// A reference group and its reference image, row and column of each.
+struct ReferenceGroup {
+  uvec2 group, image;
+};
 
-/// Row and column of the reference image of group `group` (row, column).
-uvec2 reference_of_group(LevelShape level, uvec2 group) {
-  return uvec2(reference_in_line(group.x, level.rows, level.ref_rows, level.group_rows),
-               reference_in_line(group.y, level.cols, level.ref_cols, level.group_cols));
+/// The reference group of image `at` (row, column).
+ReferenceGroup reference_group_of(LevelShape level, uvec2 at) {
+  const ImageLine rows = image_rows(level);
+  const ImageLine cols = image_cols(level);
+  const uvec2 group = uvec2(group_in_line(rows, at.x), group_in_line(cols, at.y));
+  return ReferenceGroup(group,
+                        uvec2(reference_in_line(rows, group.x), reference_in_line(cols, group.y)));
 }
 
 /// i' of MOT-7 in one coordinate: the reference group beside `group` on the side of place `at`, or
@@ -37,16 +56,23 @@ uint group_beside(uint group, uint groups, uint at, uint reference) {
   return up ? group + 1u : group - 1u;
 }
 
-/// The reference groups of K0 to K3 of image `at`, which is in reference group `own` (MOT-7).
-uvec2[4] reference_groups(LevelShape level, uvec2 at, uvec2 own) {
-  const uvec2 k0 = reference_of_group(level, own);
-  const uint row = group_beside(own.x, level.group_rows, at.x, k0.x);
-  const uint col = group_beside(own.y, level.group_cols, at.y, k0.y);
-  const uvec2 h = uvec2(own.x, col);
-  const uvec2 v = uvec2(row, own.y);
-  const ivec2 distance = abs(ivec2(at) - ivec2(k0));
+/// The reference group of K0 to K3 of image `at`, which is in reference group `own` (MOT-7): K1 lies
+/// beside it along one axis, K2 along the other, K3 along both.
+ReferenceGroup reference_group(LevelShape level, uvec2 at, ReferenceGroup own, uint k) {
+  const ivec2 distance = abs(ivec2(at) - ivec2(own.image));
   const bool h_first = distance.y >= distance.x;
-  return uvec2[4](own, h_first ? h : v, h_first ? v : h, uvec2(row, col));
+  ReferenceGroup found = own;
+  if (k == 3u || k == (h_first ? 2u : 1u)) {
+    const ImageLine rows = image_rows(level);
+    found.group.x = group_beside(own.group.x, rows.groups, at.x, own.image.x);
+    found.image.x = reference_in_line(rows, found.group.x);
+  }
+  if (k == 3u || k == (h_first ? 1u : 2u)) {
+    const ImageLine cols = image_cols(level);
+    found.group.y = group_beside(own.group.y, cols.groups, at.y, own.image.y);
+    found.image.y = reference_in_line(cols, found.group.y);
+  }
+  return found;
 }
 
 /// First word, in the reference area, of a plane of the reference image of group `group`.

@@ -5,13 +5,13 @@
 uint reference_word(uint at) {
   if (!kChunked) return OutWords(arguments.references).word[at];
   const uint log2 = arguments.shape.reference_chunk_log2;
-  return OutChunks(arguments.references).chunk[at >> log2].word[at & low_bits(log2)];
+  return OutChunks(arguments.references).chunk[at >> log2].word[low_bits(at, log2)];
 }
 
 void write_reference_word(uint at, uint value) {
   if (kChunked) {
     const uint log2 = arguments.shape.reference_chunk_log2;
-    OutChunks(arguments.references).chunk[at >> log2].word[at & low_bits(log2)] = value;
+    OutChunks(arguments.references).chunk[at >> log2].word[low_bits(at, log2)] = value;
   } else {
     OutWords(arguments.references).word[at] = value;
   }
@@ -20,6 +20,16 @@ void write_reference_word(uint at, uint value) {
 /// Sample x of the row that begins with word `first`.
 int row_sample(uint first, int x) {
   return bitfieldExtract(int(reference_word(first + (uint(x) >> 1))), 16 * (x & 1), 16);
+}
+
+/// Three samples from the first of word `at` on, or with `odd` from its second; the row has them all.
+ivec3 word_samples(uint at, bool odd) {
+  const int low = int(reference_word(at));
+  const int high = int(reference_word(at + 1u));
+  const int first = bitfieldExtract(low, 0, 16);
+  const int last = high >> 16;
+  return odd ? ivec3(low >> 16, bitfieldExtract(high, 0, 16), last)
+             : ivec3(first, low >> 16, bitfieldExtract(high, 0, 16));
 }
 
 /// Sample (x, y) of the plane at `base`; inside the plane.

@@ -17,44 +17,55 @@
 #include "texels.glsl"
 
 /// Pairs of pixels in shared memory: red and green in a word, then blue. A view's window has rows of
-/// 2^columns_log2 pairs that begin at an even column, and 2^rows_log2 rows.
-const int kPairsLog2 = 9;
+/// pairs that begin at an even column.
+const uint kPairsLog2 = 9u;
 const uint kPairs = 1u << kPairsLog2;
 shared uvec2 fetched[2u * kPairs + 2u];
 
+/// What divides a number of a pair, below kPairs, by `divisor`, in [1, kPairs], as a product: the
+/// quotient is too great by less than kPairs / 2^kInverseLog2 <= 1 / divisor.
+const uint kInverseLog2 = 2u * kPairsLog2 + 1u;
+uint inverse_of(uint divisor) { return ((1u << kInverseLog2) + divisor - 1u) / divisor; }
+uint quotient(uint number, uint inverse) { return (number * inverse) >> kInverseLog2; }
+
+/// Pairs of a row of a window, and of a window, with their inverses; a far window has 2 x 2.
 struct WindowSize {
-  uint columns_log2, rows_log2;
+  uint columns, pairs;
+  uint column_inverse, pair_inverse;
 };
 
-WindowSize window_size(ivec2 pixels) {
-  return WindowSize(uint(findMSB((pixels.x & ~1) + 1)), uint(findMSB(2 * pixels.y - 1)));
+WindowSize window_size(Passes passes) {
+  const uvec2 pixels = uvec2(passes.far ? ivec2(2) : passes.pixels);
+  const uint columns = (pixels.x >> 1) + 1u;
+  const uint pairs = columns * pixels.y;
+  return WindowSize(columns, pairs, inverse_of(columns), inverse_of(pairs));
 }
 
-uint pairs_log2(WindowSize size) { return size.columns_log2 + size.rows_log2; }
-
-/// The word of the pool with the samples of pixels x, which is even, and x + 1 in row y, in plane p of
-/// `image`; with chroma_halved that of the one sample of both, and in `side` which half it is. Where
-/// the frame does not need the block it is any word.
-uint word_of_pixels(uvec2 image, uint p, uvec2 pixel, out uint side) {
-  const SamplePlace place = place_of_sample(p, pixel.x, pixel.y);
-  const uint slot = slot_of_bit(bit_of_block(image, p, place.block));
-  side = place.at & 1u;
-  return pool_word(word_of_slot(slot, place.at >> 1));
+/// log2 of the windows of `pixels` that have room; less than 0 where one has too little.
+int windows_log2(ivec2 pixels) {
+  return findMSB(int(kPairs) / (((pixels.x >> 1) + 1) * pixels.y));
 }
 
-/// Both samples of chroma of two pixels.
-ivec2 chroma_of_pixels(uvec2 image, uint p, uvec2 pixel) {
-  uint side;
-  const ivec2 pair = samples_of_pair(word_of_pixels(image, p, pixel, side));
-  return arguments.shape.chroma_halved == 0u ? pair : ivec2(side == 0u ? pair.x : pair.y);
+/// The word of the pool with position `at` of the block of bit `bit`. Where the frame does not need the
+/// block it is any word.
+uint word_of_block(uint bit, uint at) { return pool_word(word_of_slot(slot_of_bit(bit), at >> 1)); }
+
+/// Both samples of chroma of two pixels: those of a word, or with chroma_halved its half `side` twice.
+ivec2 chroma_of_pixels(uint word, uint side) {
+  return arguments.shape.chroma_halved == 0u
+             ? samples_of_pair(word)
+             : ivec2(bitfieldExtract(int(word), int(side << 4), 16));
 }
 
-/// pixel(x, y) of SMP-2 for x = pixel.x, which is even, and the next.
-ivec3[2] view_pixels(uvec2 image, uvec2 pixel) {
-  uint side;
-  const ivec2 luma = samples_of_pair(word_of_pixels(image, 0u, pixel, side));
-  const ivec2 co = chroma_of_pixels(image, 1u, pixel);
-  const ivec2 cg = chroma_of_pixels(image, 2u, pixel);
+/// pixel(x, y) of SMP-2 for x = pixel.x, which is even, and the next, in the image of bit `image`.
+ivec3[2] view_pixels(uint image, uvec2 pixel) {
+  const SamplePlace own = place_of_sample(pixel);
+  const ivec2 luma = samples_of_pair(word_of_block(bit_of_block(image, 0u, own.block), own.at));
+  const SamplePlace place = place_of_sample(pixel >> arguments.shape.chroma_halved);  // COL-3
+  const uint bit = bit_of_block(image, 1u, place.block);
+  const uint side = place.at & 1u;
+  const ivec2 co = chroma_of_pixels(word_of_block(bit, place.at), side);
+  const ivec2 cg = chroma_of_pixels(word_of_block(bit + blocks_of_plane(1u), place.at), side);
   const uint depth = arguments.shape.depth;
   return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), depth),
                   inverse_colour(ivec3(luma.y, co.y, cg.y), depth));
@@ -65,17 +76,19 @@ ivec3 unpacked(uvec2 colour) { return ivec3(colour.x & 0xFFFFu, colour.x >> 16, 
 
 /// Fetches the windows of pass `pass`.
 void fetch(Passes passes, uint pass, WindowSize size) {
-  const uint log2 = pairs_log2(size);
-  const uint end = windows_of_pass(passes, pass) << log2;
+  const uint end = windows_of_pass(passes, pass) * size.pairs;
   for (uint i = gl_LocalInvocationIndex; i < end; i += gl_WorkGroupSize.x) {
+    const uint window = quotient(i, size.pair_inverse);
     uvec2 lines;
-    if (!lines_of_window(passes, pass, i >> log2, lines)) continue;
+    if (!lines_of_window(passes, pass, window, lines)) continue;
     const Line col = window_cols[lines.x];
     const Line row = window_rows[lines.y];
-    const int x = (col.first & ~1) + 2 * int(i & low_bits(size.columns_log2));
-    const int y = row.first + int((i >> size.columns_log2) & low_bits(size.rows_log2));
+    const uint in_window = i - window * size.pairs;
+    const uint window_row = quotient(in_window, size.column_inverse);
+    const int x = (col.first & ~1) + 2 * int(in_window - window_row * size.columns);
+    const int y = row.first + int(window_row);
     if (x > col.last || y > row.last) continue;
-    const ivec3 pixels[2] = view_pixels(shown_image(ivec2(col.view, row.view)), uvec2(x, y));
+    const ivec3 pixels[2] = view_pixels(col.bit + row.bit, uvec2(x, y));
     fetched[2u * i] = packed(pixels[0]);
     fetched[2u * i + 1u] = packed(pixels[1]);
   }
@@ -99,9 +112,9 @@ uvec3 view_colour(Passes passes, WindowSize size, TapLine col, TapLine row) {
   const int weight = col.line.weight * row.line.weight;
   if (weight == 0) return uvec3(0u);
   const uint window = window_of_pixel(passes, col.line, row.line);
-  const uint stride_log2 = size.columns_log2 + 1u;
-  const uint first = (((window << size.rows_log2) + uint(row.first)) << stride_log2) + uint(col.first);
-  const uint next = min(first + (1u << stride_log2), 2u * kPairs);  // of weight 0 behind the last window
+  const uint first = 2u * (window * size.pairs + uint(row.first) * size.columns) + uint(col.first);
+  if ((col.fraction | row.fraction) == 0) return uint(weight << 4) * uvec3(unpacked(fetched[first]));
+  const uint next = min(first + 2u * size.columns, 2u * kPairs);  // of weight 0 behind the last window
   const int both = col.fraction * row.fraction;
   const int right = (col.fraction << 8) - both;
   const int below = (row.fraction << 8) - both;
@@ -139,12 +152,11 @@ uvec3 frame_pixel(ivec2 at) {
   barrier();
   if (gl_LocalInvocationIndex == 0u) {
     const ivec2 pixels = most_pixels_of_group();
-    const int windows_log2 = kPairsLog2 - int(pairs_log2(window_size(pixels)));
-    group_passes = passes_of_group(f, cols, rows, pixels, windows_log2);
+    group_passes = passes_of_group(f, cols, rows, pixels, windows_log2(pixels));
   }
   barrier();
   const Passes passes = group_passes;
-  const WindowSize size = window_size(passes.far ? ivec2(2) : passes.pixels);
+  const WindowSize size = window_size(passes);
   uvec3 sum = uvec3(1u << 19);
   for (uint pass = 0u; pass < passes.count; ++pass) {
     write_lines(f, cols, rows, passes, ray, pass);

@@ -14,7 +14,9 @@ uint entries_of_request() { return kReferencePass ? 1u : arguments.shape.top + 1
 
 /// The ancestor `steps` levels above image `at` (row, column).
 uvec2 ancestor(uvec2 at, uint steps) {
-  const uvec2 cluster = uvec2(arguments.shape.cluster_rows, arguments.shape.cluster_cols);
-  for (uint k = 0u; k < steps; ++k) at /= cluster;
+  for (uint k = 0u; k < steps; ++k) {
+    at.x = divided(at.x, arguments.shape.cluster_rows, arguments.shape.cluster_row_inverse);
+    at.y = divided(at.y, arguments.shape.cluster_cols, arguments.shape.cluster_col_inverse);
+  }
   return at;
 }

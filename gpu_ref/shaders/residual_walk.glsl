@@ -12,11 +12,11 @@ uint read_vector(Record record, TileHead head, uint k, inout BlockEntry entry) {
   entry.count = 1u;
   entry.negative = head.sign_mode == kSignsMixed ? record_bits(record, head.signs + m, 1u) != 0u
                                                  : head.sign_mode == kSignsMinus;
-  entry.references[0].ix = vector_component(record, head.x, count, m);
-  entry.references[0].iy = vector_component(record, head.y, count, m);
+  const ivec2 vector = ivec2(vector_component(record, head.x, count, m),
+                             vector_component(record, head.y, count, m));
+  entry.references[0].vector = vector_word(vector, ivec2(0));
   const int window = int(arguments.shape.window);
-  const bool inside = abs(entry.references[0].ix) <= window && abs(entry.references[0].iy) <= window;
-  return inside ? ERROR_OK : ERROR_VECTOR_RANGE;
+  return max(abs(vector.x), abs(vector.y)) <= window ? ERROR_OK : ERROR_VECTOR_RANGE;
 }
 
 /// The header and the place of the values of block k, which has a residual; an error of annex A, or
@@ -33,7 +33,7 @@ uint read_residual_header(Record record, TileHead head, uint k, inout BlockEntry
   for (uint i = 0u; i <= m; ++i) {
     values += bits;
     const uint fields = record_bits(record, header, head.level_bits + head.step_bits);
-    entry.level_code = head.level_base + (fields & low_bits(head.level_bits));
+    entry.level_code = head.level_base + low_bits(fields, head.level_bits);
     entry.step_code = head.step_base + (fields >> head.level_bits);
     if (entry.level_code > most || entry.step_code > MAX_STEP_CODE) return ERROR_BAD_LEVELS;
     const Levels levels = levels_of_code(entry.level_code);

@@ -18,7 +18,7 @@ void main() {
   const Request request = arguments.requests.request[q];
   const PlaneShape plane = arguments.shape.planes[plane_of(request)];
   const BlockEntry entry = read_entry(q);
-  const uint lane = number & low_bits(lanes_of_block_log2());
+  const uint lane = low_bits(number, lanes_of_block_log2());
   if (lane == 0u && entry.status != ERROR_OK) atomicAdd(arguments.damage.word[0], 1u);
   const uint first = lane * SAMPLES_OF_LANE;
   uvec4 pairs = uvec4(0u);

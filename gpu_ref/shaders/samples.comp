@@ -30,37 +30,40 @@ struct Place {
   ivec2 corner;
 };
 
-/// Leaves pair k of the invocation.
-void write_stage(Place place, uint stage, uint k, uint pair) {
-  if (!kStages || k >> words_of_lane_log2() != 0u) return;
-  const uint at = ((place.number * 4u + stage) << words_of_block_log2()) + (place.first >> 1) + k;
-  arguments.stages.word[at] = pair;
+/// Leaves the invocation's pairs.
+void write_stage(Place place, uint stage, uvec4 pairs) {
+  if (!kStages) return;
+  const uint at = ((place.number * 4u + stage) << words_of_block_log2()) + (place.first >> 1);
+  for (uint k = 0u; k < 1u << words_of_lane_log2(); ++k) arguments.stages.word[at + k] = pairs[k];
 }
 
-/// Pair k of one level on top of its parent's `samples` (DEC-3).
-ivec2 add_level(BlockEntry entry, PlaneShape plane, bool keyed, Place place, uint k, uint residuals,
-                ivec2 samples) {
+/// The pairs of one level on top of its parent's `pairs` (DEC-3).
+uvec4 add_level(BlockEntry entry, PlaneShape plane, bool keyed, Place place, uvec4 pairs) {
   if (entry.count != 0u) {
-    const ivec2 at = place.corner + ivec2(place_in_block(place.first + 2u * k));
-    const ivec2 reference = reference_pair(entry, plane, at.x, at.y);
-    const ivec2 parent = keyed ? ivec2(0) : samples;  // EXT-5
-    samples = motion_prediction(parent, entry.negative, reference, plane);
-    write_stage(place, kStageReference, k, sample_pair(reference));
+    const uvec4 references = reference_pairs(entry, plane, place.corner, place.first);
+    write_stage(place, kStageReference, references);
+    if (keyed) pairs = uvec4(0u);  // EXT-5
+    pairs = motion_prediction(pairs, entry.negative, references, plane);
   }
-  write_stage(place, kStagePrediction, k, sample_pair(samples));
-  if (!entry.residual) return samples;
-  write_stage(place, kStageResidual, k, residuals);
-  return add_residual(samples, samples_of_pair(residuals), plane);
+  write_stage(place, kStagePrediction, pairs);
+  if (!entry.residual) return pairs;
+  const uvec4 residuals = residual_pairs(entry, plane, place.first);
+  write_stage(place, kStageResidual, residuals);
+  return add_residuals(pairs, residuals, plane);
 }
 
-/// Pair k of a key image's plane (DEC-2). What lies outside the plane has no meaning, and is read inside.
-ivec2 key_samples(BlockEntry entry, PlaneShape plane, Place place, uint k) {
+/// Pairs of a key image's plane (DEC-2). What lies outside the plane has no meaning, and is read inside.
+uvec4 key_pairs(BlockEntry entry, PlaneShape plane, Place place) {
   const uint base = entry.references[0].base;
-  const ivec2 at = place.corner + ivec2(place_in_block(place.first + 2u * k));
-  const ivec2 cols = min(ivec2(at.x, at.x + 1), int(plane.width) - 1);
-  const int row = min(at.y, int(plane.height) - 1);
-  return ivec2(reference_sample(base, plane, cols.x, row),
-               reference_sample(base, plane, cols.y, row));
+  uvec4 pairs = uvec4(0u);
+  [[dont_unroll]] for (uint i = place.first; i < place.first + SAMPLES_OF_LANE; i += 2u) {
+    const ivec2 at = place.corner + ivec2(place_in_block(i));
+    const ivec2 cols = min(ivec2(at.x, at.x + 1), int(plane.width) - 1);
+    const int row = min(at.y, int(plane.height) - 1);
+    pairs = uvec4(pairs.yzw, sample_pair(ivec2(reference_sample(base, plane, cols.x, row),
+                                               reference_sample(base, plane, cols.y, row))));
+  }
+  return pairs;
 }
 
 /// The pairs of a request from position `first` on, or 0 with the error of its first level that has
@@ -77,18 +80,12 @@ uvec4 decode(Request request, uint q, uint first, out uint status) {
     if (entry.kind == kKindNone) continue;
     status = entry.status;
     if (status != ERROR_OK) return uvec4(0u);
-    const bool keyed = arguments.shape.levels[l].keyed != 0u;
-    uvec4 residuals = uvec4(0u);
-    if (entry.residual) residuals = residual_pairs(entry, plane, first);
-    [[dont_unroll]] for (uint k = 0u; k < SAMPLES_OF_LANE / 2u; ++k) {
-      const ivec2 samples =
-          entry.kind == kKindKey
-              ? key_samples(entry, plane, place, k)
-              : add_level(entry, plane, keyed, place, k, residuals.x, samples_of_pair(pairs.x));
-      write_stage(place, kStageSample, k, sample_pair(samples));
-      pairs = uvec4(pairs.yzw, sample_pair(samples));
-      residuals = residuals.yzwx;
+    if (entry.kind == kKindKey) {
+      pairs = key_pairs(entry, plane, place);
+    } else {
+      pairs = add_level(entry, plane, arguments.shape.levels[l].keyed != 0u, place, pairs);
     }
+    write_stage(place, kStageSample, pairs);
   }
   return pairs;
 }
@@ -104,13 +101,17 @@ void main() {
   const uint number = invocation();
   const uint q = number >> lanes_of_block_log2();
   if (q >= request_count()) return;
-  const uint lane = number & low_bits(lanes_of_block_log2());
+  const uint lane = low_bits(number, lanes_of_block_log2());
   const Request request = arguments.requests.request[q];
   uint status = ERROR_BAD_REQUEST;
   uvec4 pairs = uvec4(0u);
   if (is_valid(request)) pairs = decode(request, q, lane * SAMPLES_OF_LANE, status);
-  for (uint k = 0u; k < 1u << words_of_lane_log2(); ++k) {
-    write_samples(q, (lane << 2) + k, pairs.x, status);
+  // In the pool a block with an error has that in place of samples: no frame is drawn from it.
+  if (kCounted && status != ERROR_OK) pairs = uvec4(status);
+  const uint first_word = word_of_request(q, lane << 2);
+  const uint words = 1u << words_of_lane_log2();
+  for (uint k = 0u; k < words; ++k) {
+    write_samples(first_word + k, pairs.x);
     pairs = pairs.yzwx;
   }
   if (lane != 0u) return;

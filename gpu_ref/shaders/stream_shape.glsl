@@ -8,6 +8,8 @@ struct LevelShape {
   uint first_image;             // F_l of IDX-1
   uint first_reference;         // number of its first reference image in the reference area
   uint keyed;                   // 1: its reference images are key images (EXT-4)
+  uint row_inverse, col_inverse;              // what divided() takes for the divisors of group_in_line
+  uint group_row_inverse, group_col_inverse;  // and for group_rows and group_cols
   uint pad0, pad1, pad2;
 };
 
@@ -49,7 +51,8 @@ layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer St
   uint reference_chunk_log2;                   // and of the reference area
   uint reference_words;                        // words of one reference image in the area
   uint chroma_halved;                          // 1 in format 4:2:0 (STR-2)
-  uint pad0, pad1, pad2;
+  uint cluster_row_inverse, cluster_col_inverse;  // what divided() takes for cluster_rows, cluster_cols
+  uint pad0;
   LevelShape levels[16];
   PlaneShape planes[3];
   MotionPlaneShape motion_planes[2];

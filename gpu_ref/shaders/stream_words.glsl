@@ -4,7 +4,7 @@
 uint stream_word(uint at) {
   if (!kChunked) return Words(arguments.stream).word[at];
   const uint log2 = arguments.shape.stream_chunk_log2;
-  return Chunks(arguments.stream).chunk[at >> log2].word[at & low_bits(log2)];
+  return Chunks(arguments.stream).chunk[at >> log2].word[low_bits(at, log2)];
 }
 
 /// The `count` bits, count in [0, 32], that begin with bit `bit` in [0, 31] of word `at`.
@@ -12,5 +12,5 @@ uint stream_bits(uint at, uint bit, uint count) {
   if (count == 0u) return 0u;
   uint value = stream_word(at) >> bit;
   if (bit + count > 32u) value |= stream_word(at + 1u) << (32u - bit);
-  return value & low_bits(count);
+  return low_bits(value, count);
 }

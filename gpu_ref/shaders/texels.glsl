@@ -7,7 +7,7 @@ layout(constant_id = 6) const bool kTexels = false;
 /// decode all four are 0.
 uvec2 words_of_texel(ivec3 rgb, bool decoded) {
   const uint depth = arguments.shape.depth;
-  const uvec4 rgba = decoded ? uvec4(uvec3(rgb), low_bits(depth)) : uvec4(0u);
+  const uvec4 rgba = decoded ? uvec4(uvec3(rgb), (1u << depth) - 1u) : uvec4(0u);
   return depth == 8u ? uvec2(rgba.r | rgba.g << 8 | rgba.b << 16 | rgba.a << 24, 0u)
                      : uvec2(rgba.r | rgba.g << 16, rgba.b | rgba.a << 16);
 }

@@ -32,6 +32,6 @@ uint popcount(uvec2 mask) { return uint(bitCount(mask.x) + bitCount(mask.y)); }
 
 /// The number of 1 bits below bit i, i in [0, 63] (CNV-6).
 uint rank(uvec2 mask, uint i) {
-  return i < 32u ? uint(bitCount(mask.x & low_bits(i)))
-                 : uint(bitCount(mask.x) + bitCount(mask.y & low_bits(i - 32u)));
+  return i < 32u ? uint(bitCount(low_bits(mask.x, i)))
+                 : uint(bitCount(mask.x) + bitCount(low_bits(mask.y, i - 32u)));
 }

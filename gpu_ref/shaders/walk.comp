@@ -20,15 +20,10 @@
 #include "motion_walk.glsl"
 #include "reference_samples.glsl"
 
-/// Whether image `at` of a level is a key image (EXT-4).
-bool is_key(LevelShape level, uvec2 at) {
-  return level.keyed != 0u && reference_of_group(level, reference_group_of(level, at)) == at;
-}
-
 /// The block of a key image: the place of its plane, and its error (DEC-2).
-BlockEntry key_entry(LevelShape level, PlaneShape plane, uvec2 at, uvec2 block) {
+BlockEntry key_entry(LevelShape level, PlaneShape plane, uvec2 group, uvec2 block) {
   BlockEntry entry = empty_entry(kKindKey);
-  const uint base = reference_base(level, plane, reference_group_of(level, at));
+  const uint base = reference_base(level, plane, group);
   entry.references[0].base = base;
   const uvec2 first = block << arguments.shape.block_log2;
   entry.status = error_of_sample(reference_sample(base, plane, int(first.x), int(first.y)));
@@ -36,23 +31,24 @@ BlockEntry key_entry(LevelShape level, PlaneShape plane, uvec2 at, uvec2 block) 
 }
 
 /// The block of any other image: motion, then residual, then the reference blocks (DEC-7, MOT-10).
-BlockEntry coded_entry(LevelShape level, PlaneShape plane, uvec2 at, uvec2 block) {
+BlockEntry coded_entry(LevelShape level, PlaneShape plane, uvec2 at, ReferenceGroup own, uvec2 block) {
   BlockEntry entry = empty_entry(kKindCoded);
   const uint image = level.first_image + at.x * level.cols + at.y;
-  const uvec2 group = reference_group_of(level, at);
   const bool motion_tiles = has_feature(FEATURE_MOTION_TILES);
-  const bool predictive = !kReferencePass && reference_of_group(level, group) != at;
+  const bool predictive = !kReferencePass && own.image != at;
   if (motion_tiles && predictive) {
-    entry.status = walk_to_motion(level, plane, at, block.x, block.y, entry);
+    entry.status = walk_to_motion(level, plane, at, own, block.x, block.y, entry);
     if (entry.status != ERROR_OK) return entry;
   }
   entry.references[0].base =
-      entry.count == 0u ? reference_base(level, plane, group) : entry.references[0].base;
+      entry.count == 0u ? reference_base(level, plane, own.group) : entry.references[0].base;
   entry.status =
       walk_to_residual(image, plane, block.x, block.y, predictive && !motion_tiles, entry);
   if (arguments.damage.word[0] == 0u || kReferencePass) return entry;
+  PackedReference reference = entry.references[0];
   for (uint i = 0u; i < entry.count && entry.status == ERROR_OK; ++i) {
-    entry.status = touched_error(entry.references[i], plane, block.x, block.y);
+    entry.status = touched_error(unpacked_reference(reference), plane, block.x, block.y);
+    reference = entry.references[1];
   }
   return entry;
 }
@@ -63,14 +59,18 @@ BlockEntry entry_of_level(Request request, uint l) {
   if (l < stop) return empty_entry(kKindNone);
   uvec2 at = image_of(request);
   for (uint k = stop; k < l; ++k) {
-    if (is_key(arguments.shape.levels[k], at)) return empty_entry(kKindNone);  // EXT-5
+    const LevelShape below = arguments.shape.levels[k];
+    if (below.keyed != 0u && reference_group_of(below, at).image == at) {
+      return empty_entry(kKindNone);  // EXT-5
+    }
     at = ancestor(at, 1u);
   }
   const LevelShape level = arguments.shape.levels[l];
   const PlaneShape plane = arguments.shape.planes[plane_of(request)];
   const uvec2 block = block_of(request);
-  if (is_key(level, at)) return key_entry(level, plane, at, block);
-  return coded_entry(level, plane, at, block);
+  const ReferenceGroup own = reference_group_of(level, at);
+  if (level.keyed != 0u && own.image == at) return key_entry(level, plane, own.group, block);  // EXT-4
+  return coded_entry(level, plane, at, own, block);
 }
 
 void main() {

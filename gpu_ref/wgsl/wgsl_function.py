@@ -29,7 +29,8 @@ PLAIN = {
 }
 KNOWN = {
     *BINARY, *COMPARISONS, *CALLS, *PLAIN, "FunctionCall", "AtomicIAdd", "CompositeConstruct", "VectorShuffle",
-    "Select", "CopyLogical", "Bitcast", "BitFieldSExtract",
+    "Select", "CopyLogical", "Bitcast", "BitFieldInsert", "BitFieldSExtract",
+    "BitFieldUExtract",
 }
 WRITES = ("OpStore", "OpAtomicIAdd", "OpFunctionCall")
 STATEMENTS = (
@@ -210,7 +211,9 @@ class Body:
                 return call("select", *map(self.value, reversed(operands[1:])), self.value(operands[0]))
             case "CopyLogical" | "Bitcast":
                 return self.typed(operands[0], result)
-            case "BitFieldSExtract" if first == "i32":
+            case "BitFieldInsert" if first == result:
+                return call("insertBits", *map(self.value, operands[:2]), *(self.typed(one, "u32") for one in operands[2:]))
+            case "BitFieldSExtract" | "BitFieldUExtract" if ("i32" if "S" in name else "u32") in first:
                 return call("extractBits", self.value(operands[0]), *(self.typed(one, "u32") for one in operands[1:]))
             case _ if name in PLAIN:
                 return call(PLAIN[name], *map(self.value, operands))
