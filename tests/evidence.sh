@@ -63,9 +63,11 @@ mutate_model() {
 
 mutate_shaders() {
   install_packages build test
-  soak=ON build decode_vectors
+  local program=decode_vectors
+  if [[ " $* " == *" --renderer "* ]]; then program=draw_frames; fi
+  soak=ON build "$program"
   exec "$(debian_python)" -B "$root/tests/mutation/shaders/campaign.py" \
-    --program "$build/tests/gpu/decode_vectors" "$@"
+    --program "$build/tests/gpu/$program" "$@"
 }
 
 # mutate_rtl [--count N] [--seed S] [--group NAME] [ARG...]: mutants other than those of the tests get their own build.

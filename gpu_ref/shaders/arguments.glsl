@@ -86,4 +86,4 @@ uint invocation() {
          gl_LocalInvocationIndex;
 }
 
-bool has_feature(uint feature) { return ((arguments.shape.features >> feature) & 1u) != 0u; }
+bool has_feature(uint feature) { return (arguments.shape.features & (1u << feature)) != 0u; }

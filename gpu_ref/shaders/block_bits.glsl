@@ -11,13 +11,27 @@ uint first_bit(uvec2 image) {
   return number * (blocks_of_plane(0u) + 2u * blocks_of_plane(1u));
 }
 
-/// The bit of block (bx, by) of plane p of the image whose first bit is `first`.
-uint bit_of_block(uint first, uint p, uvec2 block) {
-  const uint before = p == 0u ? 0u : blocks_of_plane(0u) + (p - 1u) * blocks_of_plane(1u);
-  return first + before + block.y * arguments.shape.planes[p].blocks_x + block.x;
+/// Where the bits of an image's blocks lie.
+struct BlockBits {
+  uint luma_columns, chroma_columns;  // blocks a row
+  uint luma, chroma;                  // blocks of plane Y, of Co and of Cg
+};
+
+BlockBits block_bits() {
+  return BlockBits(arguments.shape.planes[0].blocks_x, arguments.shape.planes[1].blocks_x,
+                   blocks_of_plane(0u), blocks_of_plane(1u));
 }
 
-/// The request of a bit: the inverse of bit_of_block.
+/// The bit of block (bx, by) of plane Y, or of plane Co, of the image whose first bit is `first`. That of
+/// Cg is bits.chroma behind that of Co.
+uint luma_bit(BlockBits bits, uint first, uvec2 block) {
+  return first + block.y * bits.luma_columns + block.x;
+}
+uint chroma_bit(BlockBits bits, uint first, uvec2 block) {
+  return first + bits.luma + block.y * bits.chroma_columns + block.x;
+}
+
+/// The request of a bit: the inverse of luma_bit and chroma_bit.
 Request request_of_bit(uint bit) {
   const uint luma = blocks_of_plane(0u);
   const uint chroma = blocks_of_plane(1u);
@@ -36,9 +50,17 @@ Request request_of_bit(uint bit) {
                  p | frame().stop_level << 8 | 1u << 16);
 }
 
+/// Where the slots of held blocks are found.
+struct HeldBlocks {
+  OutWords pages;
+  uint last_page;
+};
+
+HeldBlocks held_blocks() { return HeldBlocks(frame().pages, frame().pool_pages - 1u); }
+
 /// The slot of the block of a bit, if it is held; else any slot that there is.
-uint slot_of_bit(uint bit) {
-  return min(frame().pages.word[bit >> 5], frame().pool_pages - 1u) << 5 | (bit & 31u);
+uint slot_of_bit(HeldBlocks held, uint bit) {
+  return min(held.pages.word[bit >> 5], held.last_page) << 5 | (bit & 31u);
 }
 
 /// Where sample (x, y) of a plane lies in its image.
@@ -47,8 +69,7 @@ struct SamplePlace {
   uint at;  // position in the block
 };
 
-SamplePlace place_of_sample(uvec2 sample_at) {
-  const uint log2 = arguments.shape.block_log2;
+SamplePlace place_of_sample(uvec2 sample_at, uint log2) {
   const uvec2 block = sample_at >> log2;
   const uvec2 in_block = sample_at - (block << log2);
   return SamplePlace(block, (in_block.y << log2) + in_block.x);

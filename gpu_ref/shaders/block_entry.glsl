@@ -60,21 +60,32 @@ void write_entry(uint number, BlockEntry entry) {
       uvec4(entry.references[0].vector, entry.references[1].base, entry.references[1].vector, 0u);
 }
 
-BlockEntry read_entry(uint number) {
-  const uvec4 first = arguments.entries.half_entry[2u * number];
-  const uvec4 second = arguments.entries.half_entry[2u * number + 1u];
-  BlockEntry entry;
-  entry.status = first.x & 0xFFu;
-  entry.kind = (first.x >> 8) & 3u;
-  entry.count = (first.x >> 10) & 3u;
-  entry.negative = ((first.x >> 12) & 1u) != 0u;
-  entry.residual = ((first.x >> 13) & 1u) != 0u;
-  entry.level_code = (first.x >> 16) & 0xFFu;
-  entry.step_code = first.x >> 24;
-  entry.values_word = first.y;
-  entry.values_bit = first.z & 31u;
-  entry.bias = int(first.z) >> 16;
-  entry.references[0] = PackedReference(first.w, second.x);
-  entry.references[1] = PackedReference(second.y, second.z);
-  return entry;
+/// An entry as write_entry leaves it. What it says is unpacked where it is used: so it takes few
+/// registers until then.
+struct KeptEntry {
+  uvec4 first, second;
+};
+
+KeptEntry read_entry(uint number) {
+  return KeptEntry(arguments.entries.half_entry[2u * number],
+                   arguments.entries.half_entry[2u * number + 1u]);
+}
+
+uint status_of(KeptEntry entry) { return entry.first.x & 0xFFu; }
+uint kind_of(KeptEntry entry) { return (entry.first.x >> 8) & 3u; }
+uint reference_count(KeptEntry entry) { return (entry.first.x >> 10) & 3u; }
+bool is_negative(KeptEntry entry) { return (entry.first.x & (1u << 12)) != 0u; }
+bool has_residual(KeptEntry entry) { return (entry.first.x & (1u << 13)) != 0u; }
+uint level_code_of(KeptEntry entry) { return (entry.first.x >> 16) & 0xFFu; }
+uint step_code_of(KeptEntry entry) { return entry.first.x >> 24; }
+int bias_of(KeptEntry entry) { return int(entry.first.z) >> 16; }
+uint values_word_of(KeptEntry entry) { return entry.first.y; }
+uint values_bit_of(KeptEntry entry) { return entry.first.z & 31u; }
+uint base_of(KeptEntry entry) { return entry.first.w; }
+
+PackedReference first_reference(KeptEntry entry) {
+  return PackedReference(entry.first.w, entry.second.x);
+}
+PackedReference second_reference(KeptEntry entry) {
+  return PackedReference(entry.second.y, entry.second.z);
 }

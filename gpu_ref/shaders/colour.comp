@@ -7,16 +7,10 @@
 #include "colour.glsl"
 #include "texels.glsl"
 
-/// The area that holds block `number`: the last that begins at it or before it.
-ColourArea colour_area_of(uint number) {
-  uint low = 0u;
-  uint high = arguments.colour_area_count;
-  while (high - low > 1u) {
-    const uint middle = (low + high) >> 1;
-    if (arguments.colour_areas.area[middle].first_block <= number) low = middle; else high = middle;
-  }
-  return arguments.colour_areas.area[low];
-}
+#define AREA ColourArea
+#define AREAS arguments.colour_areas
+#define FIRST first_block
+#include "area_search.glsl"
 
 /// The requests of Y, Co and Cg that a block needs, and where in the chroma blocks it lies.
 struct Sources {
@@ -24,6 +18,7 @@ struct Sources {
   uint words_log2;    // of the words of each
   uvec2 chroma;  // first chroma sample of the block in its chroma blocks
   uint halved;   // 1 in format 4:2:0
+  int greatest;
 };
 
 Sources sources_of(ColourArea area, uint at) {
@@ -35,7 +30,7 @@ Sources sources_of(ColourArea area, uint at) {
   const uint in_area = (chroma.y - area.chroma_by) * area.chroma_columns + chroma.x - area.chroma_bx;
   const uvec2 corner = (block & halved) << (arguments.shape.block_log2 - 1u);
   return Sources(area.luma + at, area.co + in_area, area.cg + in_area, words_of_block_log2(), corner,
-                 halved);
+                 halved, greatest_sample());
 }
 
 /// The word with sample `at` of request q.
@@ -57,16 +52,15 @@ ivec3[2] pixels(Sources sources, uint i) {
   const ivec2 luma = samples_of_pair(decoded_word(sources, sources.luma, i));
   const ivec2 co = chroma_pair(sources, sources.co, chroma_at);
   const ivec2 cg = chroma_pair(sources, sources.cg, chroma_at);
-  const uint depth = arguments.shape.depth;
-  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), depth),
-                  inverse_colour(ivec3(luma.y, co.y, cg.y), depth));
+  return ivec3[2](inverse_colour(ivec3(luma.x, co.x, cg.x), sources.greatest),
+                  inverse_colour(ivec3(luma.y, co.y, cg.y), sources.greatest));
 }
 
 void main() {
   const uint number = invocation();
   const uint b = number >> lanes_of_block_log2();
   if (b >= arguments.pixel_count) return;
-  const ColourArea area = colour_area_of(b);
+  const ColourArea area = area_of(b, arguments.colour_area_count);
   const Sources sources = sources_of(area, b - area.first_block);
   uint status = arguments.statuses.word[sources.luma];
   if (status == ERROR_OK) status = arguments.statuses.word[sources.co];

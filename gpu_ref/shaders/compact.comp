@@ -22,10 +22,23 @@ void main() {
   if (missing == 0u) return;
   if (held == 0u) frame().pages.word[at] = atomicAdd(frame().counters.word[kCountNextPage], 1u);
   uint q = atomicAdd(frame().counters.word[kCountRequests], uint(bitCount(missing)));
+  const uint first_slot = slot_of_bit(held_blocks(), 32u * at);
+  Request request = Request(0u, 0u, 0u);
+  uint last = 0u;
+  uint left = 0u;  // blocks from that of bit `last` to the end of its row
   for (; missing != 0u; missing &= missing - 1u) {
-    const uint bit = 32u * at + uint(findLSB(missing));
-    arguments.requests.request[q] = request_of_bit(bit);
-    frame().slots.word[2u * q] = slot_of_bit(bit);
+    const uint in_word = uint(findLSB(missing));
+    const uint bit = 32u * at + in_word;
+    if (bit - last < left) {
+      left -= bit - last;
+      request.block += bit - last;
+    } else {
+      request = request_of_bit(bit);
+      left = arguments.shape.planes[plane_of(request)].blocks_x - block_of(request).x;
+    }
+    last = bit;
+    arguments.requests.request[q] = request;
+    frame().slots.word[2u * q] = first_slot + in_word;
     frame().slots.word[2u * q + 1u] = bit;
     ++q;
   }

@@ -4,16 +4,10 @@
 #include "decode.glsl"
 #include "requests.glsl"
 
-/// The area that holds request `number`: the last that begins at it or before it.
-Area area_of(uint number) {
-  uint low = 0u;
-  uint high = arguments.area_count;
-  while (high - low > 1u) {
-    const uint middle = (low + high) >> 1;
-    if (arguments.areas.area[middle].first_request <= number) low = middle; else high = middle;
-  }
-  return arguments.areas.area[low];
-}
+#define AREA Area
+#define AREAS arguments.areas
+#define FIRST first_request
+#include "area_search.glsl"
 
 /// Whether the stream has the block.
 bool exists(Area area, uvec2 block) {
@@ -28,7 +22,7 @@ bool exists(Area area, uvec2 block) {
 void main() {
   const uint number = invocation();
   if (number >= arguments.request_count) return;
-  const Area area = area_of(number);
+  const Area area = area_of(number, arguments.area_count);
   const uint at = number - area.first_request;
   const uint row = at / area.columns;
   const uvec2 block = uvec2(area.bx + at - row * area.columns, area.by + row);

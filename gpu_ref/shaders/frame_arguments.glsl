@@ -21,10 +21,11 @@ uint word_of_slot(uint slot, uint word) {
   return (slot << (2u * arguments.shape.block_log2 - 1u)) + word;
 }
 
-uint pool_word(uint at) {
-  if (!kPoolChunked) return OutWords(frame().pool).word[at];
+/// Word `at` of the pool at address `pool`.
+uint pool_word(uvec2 pool, uint at) {
+  if (!kPoolChunked) return OutWords(pool).word[at];
   const uint log2 = frame().pool_chunk_log2;
-  return OutChunks(frame().pool).chunk[at >> log2].word[low_bits(at, log2)];
+  return OutChunks(pool).chunk[at >> log2].word[low_bits(at, log2)];
 }
 
 void write_pool_word(uint at, uint value) {

@@ -31,10 +31,8 @@ void mark_word(uint word, uint bits) {
   }
 }
 
-/// Marks blocks of a row of plane p of an image, that of bit `image`, from `first` on, as `row`, of up
-/// to 8 bits, says.
-void mark_row(uint image, uint p, uvec2 first, uint row) {
-  const uint bit = bit_of_block(image, p, first);
+/// Marks blocks of a row from that of bit `bit` on, as `row`, of up to 8 bits, says.
+void mark_row(uint bit, uint row) {
   const uint at = bit & 31u;
   mark_word(bit >> 5, row << at);
   if (at > 24u && row >> (32u - at) != 0u) mark_word((bit >> 5) + 1u, row >> (32u - at));
@@ -61,7 +59,8 @@ void mark_blocks(uvec2 lines, uint window, uint y) {
   const uvec2 corner = uvec2(col.first, line.first) >> arguments.shape.block_log2;
   const uvec2 first = corner + uvec2(0u, y);
   uint row = window_bits[window * kWindow + y];
-  if (row != 0u) mark_row(image, 0u, first, row);
+  const BlockBits bits = block_bits();
+  if (row != 0u) mark_row(luma_bit(bits, image, first), row);
   uvec2 chroma = first;
   if (arguments.shape.chroma_halved != 0u) {
     const uint odd = corner.x & 1u;
@@ -72,47 +71,61 @@ void mark_blocks(uvec2 lines, uint window, uint y) {
     chroma >>= 1;
   }
   if (row == 0u) return;
-  mark_row(image, 1u, chroma, row);
-  mark_row(image, 2u, chroma, row);
+  const uint bit = chroma_bit(bits, image, chroma);
+  mark_row(bit, row);
+  mark_row(bit + bits.chroma, row);
 }
 
-/// The blocks of plane Y that a pixel needs along an axis, from the first of the windows on.
-struct BlockLine {
-  PixelLine line;
+/// The first and the last block of plane Y that a pixel needs along an axis, from the first of the
+/// window that begins with pixel `window_first` on.
+uvec2 blocks_of_line(PixelLine line, int window_first) {
+  const uint log2 = arguments.shape.block_log2;
+  return (uvec2(first_pixel(line.tap), last_pixel(line.tap)) >> log2) - (uint(window_first) >> log2);
+}
+
+/// What a pixel needs of a column of views: the first word of the windows in it, and the bits.
+struct BlockCol {
+  bool needed;
+  uint word, bits;
+};
+
+BlockCol block_col(PixelLine line) {
+  const uvec2 blocks = blocks_of_line(line, window_cols[line.line].first);
+  return BlockCol(line.weight != 0, line.window * kWindow, (2u << blocks.y) - (1u << blocks.x));
+}
+
+/// And of a row: the words of the first and the last row of blocks.
+struct BlockRow {
+  bool needed;
   uint first, last;
 };
 
-BlockLine block_line(PixelLine line, int window_first) {
-  const uint log2 = arguments.shape.block_log2;
-  const uint corner = uint(window_first) >> log2;
-  return BlockLine(line, (uint(first_pixel(line.tap)) >> log2) - corner,
-                   (uint(last_pixel(line.tap)) >> log2) - corner);
+BlockRow block_row(PixelLine line) {
+  const uvec2 blocks =
+      blocks_of_line(line, window_rows[line.line].first) + line.window * kWindow;
+  return BlockRow(line.weight != 0, blocks.x, blocks.y);
 }
-BlockLine block_col(PixelLine line) { return block_line(line, window_cols[line.line].first); }
-BlockLine block_row(PixelLine line) { return block_line(line, window_rows[line.line].first); }
 
 /// Sets the bits of what a pixel needs of one view: one or two rows.
-void mark_view(Passes passes, BlockLine col, BlockLine row) {
-  if (col.line.weight * row.line.weight == 0) return;
-  const uint rows = window_of_pixel(passes, col.line, row.line) * kWindow;
-  const uint bits = (2u << col.last) - (1u << col.first);
-  atomicOr(window_bits[rows + row.first], bits);
-  if (row.last != row.first) atomicOr(window_bits[rows + row.last], bits);
+void mark_view(BlockCol col, BlockRow row) {
+  if (!(col.needed && row.needed)) return;
+  atomicOr(window_bits[col.word + row.first], col.bits);
+  if (row.last != row.first) atomicOr(window_bits[col.word + row.last], col.bits);
 }
 
 /// Marks what the invocation's pixel needs in pass `pass`, 2 x 2 views at a time.
 void mark_pixel(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pass) {
   const PixelRange range = range_of_pass(f, passes, pass);
   for (int i = range.first.y; i < range.end.y; i += 2) {
-    const BlockLine row0 = block_row(pixel_row(f, rows, passes, ray, pass, range, i));
-    const BlockLine row1 = block_row(pixel_row(f, rows, passes, ray, pass, range, i + 1));
+    const BlockRow row0 = block_row(pixel_row(f, rows, passes, ray, pass, range, i));
+    const BlockRow row1 = block_row(pixel_row(f, rows, passes, ray, pass, range, i + 1));
     for (int j = range.first.x; j < range.end.x; j += 2) {
-      const BlockLine col0 = block_col(pixel_col(f, cols, passes, ray, range, j));
-      const BlockLine col1 = block_col(pixel_col(f, cols, passes, ray, range, j + 1));
-      mark_view(passes, col0, row0);
-      mark_view(passes, col1, row0);
-      mark_view(passes, col0, row1);
-      mark_view(passes, col1, row1);
+      const BlockCol col0 = block_col(pixel_col(f, cols, passes, ray, range, j));
+      const BlockCol col1 = block_col(pixel_col(f, cols, passes, ray, range, j + 1));
+      mark_view(col0, row0);
+      mark_view(col1, row0);
+      mark_view(col0, row1);
+      mark_view(col1, row1);
     }
   }
 }
@@ -134,7 +147,7 @@ void main() {
     const ivec2 pixels = most_pixels_of_group();
     const ivec2 blocks = (pixels >> arguments.shape.block_log2) + 2;
     const bool room = max(blocks.x, blocks.y) <= int(kWindow);
-    group_passes = passes_of_group(f, cols, rows, pixels, room ? kWindowsLog2 : -1);
+    group_passes = passes_of_group(f, cols, rows, room ? kWindowsLog2 : -1);
   }
   barrier();
   const Passes passes = group_passes;

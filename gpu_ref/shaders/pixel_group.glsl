@@ -15,6 +15,9 @@ struct Line {
 shared Line window_cols[kWindows];
 shared Line window_rows[kWindows];
 
+/// The most columns, in pairs that begin at even ones, and the most rows of a window.
+shared uvec2 most_of_windows;
+
 /// Column and row of the invocation's pixel in the frame.
 ivec2 pixel_of_invocation() {
   const uint lane = gl_LocalInvocationIndex;
@@ -108,7 +111,6 @@ struct Passes {
   ivec2 views;      // and how many columns and rows of them
   uint cols_log2;   // 2^cols_log2 windows of a row of views, 2^rows_log2 rows a pass
   uint rows_log2;
-  ivec2 pixels;     // that the taps reach at most in a view, if not far
 };
 
 /// Pixels between and below taps that are at most `distance` apart, in units of 2^-12: taps are then at
@@ -128,8 +130,8 @@ ivec2 most_pixels_of_group() {
   return ivec2(most_pixels(column_extent()), most_pixels(row_extent()));
 }
 
-/// `windows_log2`: 2^windows_log2 windows of `pixels` have room; less than 0 where one has too little.
-Passes passes_of_group(Filter f, Axis cols, Axis rows, ivec2 pixels, int windows_log2) {
+/// `windows_log2`: 2^windows_log2 windows have room; less than 0 where one has too little.
+Passes passes_of_group(Filter f, Axis cols, Axis rows, int windows_log2) {
   const ivec2 last = ivec2(cols.last_view, rows.last_view);
   const ivec2 low = ivec2(first_view(f, view_place(f, cols, group_least[kU])),
                           first_view(f, view_place(f, rows, group_least[kV])));
@@ -146,11 +148,11 @@ Passes passes_of_group(Filter f, Axis cols, Axis rows, ivec2 pixels, int windows
   passes.count = passes.far ? 1u << (2u * f.views_log2)
                             : ((uint(passes.views.y) - 1u) >> passes.rows_log2) + 1u;
   if (!has_rays()) passes.count = 0u;
-  passes.pixels = pixels;
+  most_of_windows = passes.far ? uvec2(2u) : uvec2(0u);
   return passes;
 }
 
-shared Passes group_passes;  // which one invocation finds
+shared Passes group_passes;  // which one invocation finds, with most_of_windows
 
 /// Column and row of the view of a far pass, of those of a pixel.
 ivec2 view_of_pass(Filter f, uint pass) {
@@ -182,11 +184,15 @@ void write_lines(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pa
   }
   if (int(lane) < passes.views.x) {
     const int view = passes.first.x + int(lane);
-    window_cols[lane] = line_of_view(f, cols, column_extent(), view, bit_of_col(view));
+    const Line line = line_of_view(f, cols, column_extent(), view, bit_of_col(view));
+    window_cols[lane] = line;
+    atomicMax(most_of_windows.x, uint((line.last >> 1) - (line.first >> 1)) + 1u);
   }
   if (int(lane) < passes.views.y) {
     const int view = passes.first.y + int(lane);
-    window_rows[lane] = line_of_view(f, rows, row_extent(), view, bit_of_row(view));
+    const Line line = line_of_view(f, rows, row_extent(), view, bit_of_row(view));
+    window_rows[lane] = line;
+    atomicMax(most_of_windows.y, uint(line.last - line.first) + 1u);
   }
 }
 
@@ -217,7 +223,8 @@ PixelRange range_of_pass(Filter f, Passes passes, uint pass) {
 /// A column or row of views as a pixel needs it.
 struct PixelLine {
   uint line;
-  int weight;  // 0: not at all
+  uint window;  // its part of the number of a window: those of column and row add up to it
+  int weight;   // 0: not at all
   int tap;
 };
 
@@ -227,25 +234,25 @@ PixelLine pixel_line(Filter f, Axis axis, bool far, int place, int at, int step,
                      int i, int end) {
   const int number = first_view(f, place) + i;
   const int view = clamp(number, 0, axis.last_view);
-  return PixelLine(far ? gl_LocalInvocationIndex : uint(view - group_first),
+  return PixelLine(far ? gl_LocalInvocationIndex : uint(view - group_first), 0u,
                    i < end ? view_weight(f, place, number) : 0, tap_place(f, axis, at + step * view));
 }
 
 PixelLine pixel_col(Filter f, Axis axis, Passes passes, Ray ray, PixelRange range, int i) {
-  return pixel_line(f, axis, passes.far, view_place(f, axis, ray.u), ray.x, ray.dx,
-                    passes.first.x, i, range.end.x);
+  PixelLine col = pixel_line(f, axis, passes.far, view_place(f, axis, ray.u), ray.x, ray.dx,
+                             passes.first.x, i, range.end.x);
+  if (!passes.far) col.window = col.line;
+  return col;
 }
 
 /// Not needed either where the windows of the row are not in pass `pass`.
 PixelLine pixel_row(Filter f, Axis axis, Passes passes, Ray ray, uint pass, PixelRange range, int i) {
   PixelLine row = pixel_line(f, axis, passes.far, view_place(f, axis, ray.v), ray.y, ray.dy,
                              passes.first.y, i, range.end.y);
-  if (!passes.far && row.line >> passes.rows_log2 != pass) row.weight = 0;
+  row.window = row.line;
+  if (!passes.far) {
+    if (row.line >> passes.rows_log2 != pass) row.weight = 0;
+    row.window = low_bits(row.line, passes.rows_log2) << passes.cols_log2;
+  }
   return row;
-}
-
-/// The window, of those of the row's pass, of a pixel's column and row.
-uint window_of_pixel(Passes passes, PixelLine col, PixelLine row) {
-  return passes.far ? row.line
-                    : (low_bits(row.line, passes.rows_log2) << passes.cols_log2) + col.line;
 }

@@ -20,29 +20,33 @@ uvec4 clamped_pairs(ivec4 first, ivec4 second, PlaneShape plane) {
 
 /// The residuals at positions `first` to first + 7 of a block, as pairs of samples (TIL-9, TIL-10,
 /// STP-3); anything behind its last. Reads each digit group once.
-uvec4 residual_pairs(BlockEntry entry, PlaneShape plane, uint first) {
-  const Levels levels = levels_of_code(entry.level_code);
+uvec4 residual_pairs(KeptEntry entry, PlaneShape plane, uint first) {
+  const Levels levels = levels_of_code(level_code_of(entry));
   const Grouping grouping = grouping_of(levels);
+  const uint word = values_word_of(entry);
+  const uint bit = values_bit_of(entry);
   const uint count = 1u << (2u * arguments.shape.block_log2);
-  const int offset = entry.bias - int(levels.count >> 1);
-  const int step = step_of_code(entry.step_code);
+  const int offset = bias_of(entry) - int(levels.count >> 1);
+  const int step = step_of_code(step_code_of(entry));
   uint number = group_of_value(grouping, first);
   uint k = first - number * grouping.values;
-  DigitGroup group = read_group(entry.values_word, entry.values_bit, levels, grouping, count, number);
+  bool wanted = true;  // the group of the next value
+  DigitGroup group;
   uvec4 pairs = uvec4(0u);
   int even = 0;
   [[dont_unroll]] for (uint i = 0u; i < SAMPLES_OF_LANE; ++i) {
-    if (k == grouping.values) {
-      k = 0u;
-      ++number;
-      group = read_group(entry.values_word, entry.values_bit, levels, grouping, count, number);
-    }
+    if (wanted) group = read_group(word, bit, levels, grouping, count, number);
     const int centred = int(value_of_group(group, levels, grouping, k)) + offset;
     const int unstepped = clamp(centred, -plane.bound, plane.bound);
     const int residual = clamp(step * unstepped, -plane.bound, plane.bound);
     if ((i & 1u) != 0u) pairs = uvec4(pairs.yzw, sample_pair(ivec2(even, residual)));
     even = residual;
     ++k;
+    wanted = k == grouping.values;
+    if (wanted) {
+      k = 0u;
+      ++number;
+    }
   }
   return pairs;
 }

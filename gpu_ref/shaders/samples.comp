@@ -38,23 +38,23 @@ void write_stage(Place place, uint stage, uvec4 pairs) {
 }
 
 /// The pairs of one level on top of its parent's `pairs` (DEC-3).
-uvec4 add_level(BlockEntry entry, PlaneShape plane, bool keyed, Place place, uvec4 pairs) {
-  if (entry.count != 0u) {
+uvec4 add_level(KeptEntry entry, PlaneShape plane, bool keyed, Place place, uvec4 pairs) {
+  if (reference_count(entry) != 0u) {
     const uvec4 references = reference_pairs(entry, plane, place.corner, place.first);
     write_stage(place, kStageReference, references);
     if (keyed) pairs = uvec4(0u);  // EXT-5
-    pairs = motion_prediction(pairs, entry.negative, references, plane);
+    pairs = motion_prediction(pairs, is_negative(entry), references, plane);
   }
   write_stage(place, kStagePrediction, pairs);
-  if (!entry.residual) return pairs;
+  if (!has_residual(entry)) return pairs;
   const uvec4 residuals = residual_pairs(entry, plane, place.first);
   write_stage(place, kStageResidual, residuals);
   return add_residuals(pairs, residuals, plane);
 }
 
 /// Pairs of a key image's plane (DEC-2). What lies outside the plane has no meaning, and is read inside.
-uvec4 key_pairs(BlockEntry entry, PlaneShape plane, Place place) {
-  const uint base = entry.references[0].base;
+uvec4 key_pairs(KeptEntry entry, PlaneShape plane, Place place) {
+  const uint base = base_of(entry);
   uvec4 pairs = uvec4(0u);
   [[dont_unroll]] for (uint i = place.first; i < place.first + SAMPLES_OF_LANE; i += 2u) {
     const ivec2 at = place.corner + ivec2(place_in_block(i));
@@ -76,11 +76,11 @@ uvec4 decode(Request request, uint q, uint first, out uint status) {
   status = ERROR_OK;
   for (int l = int(arguments.shape.top); l >= int(level_of(request)); --l) {
     const Place place = Place(q * entries + uint(l), first, corner);
-    const BlockEntry entry = read_entry(place.number);
-    if (entry.kind == kKindNone) continue;
-    status = entry.status;
+    const KeptEntry entry = read_entry(place.number);
+    if (kind_of(entry) == kKindNone) continue;
+    status = status_of(entry);
     if (status != ERROR_OK) return uvec4(0u);
-    if (entry.kind == kKindKey) {
+    if (kind_of(entry) == kKindKey) {
       pairs = key_pairs(entry, plane, place);
     } else {
       pairs = add_level(entry, plane, arguments.shape.levels[l].keyed != 0u, place, pairs);

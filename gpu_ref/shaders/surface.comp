@@ -22,7 +22,7 @@ shared uint looked_up;
 
 /// Counts block `block` of plane Y of view `image` (row, column), once a frame.
 void count_looked_up(uvec2 image, uvec2 block) {
-  const uint bit = bit_of_block(first_bit(image), 0u, block);
+  const uint bit = luma_bit(block_bits(), first_bit(image), block);
   const uint mask = 1u << (bit & 31u);
   const uint before = atomicLoad(frame().looked_up.word[bit >> 5], gl_ScopeDevice,
                                  gl_StorageSemanticsBuffer, gl_SemanticsRelaxed);

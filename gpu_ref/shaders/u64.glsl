@@ -26,7 +26,9 @@ uvec2 u64_product(uint a, uint b) {
 uvec2 u64_shift_right(uvec2 a, uint k) { return uvec2((a.x >> k) | (a.y << (32u - k)), a.y >> k); }
 
 /// Bit i of a mask; i in [0, 63].
-bool has_bit(uvec2 mask, uint i) { return ((i < 32u ? mask.x >> i : mask.y >> (i - 32u)) & 1u) != 0u; }
+bool has_bit(uvec2 mask, uint i) {
+  return ((i < 32u ? mask.x : mask.y) & (1u << (i & 31u))) != 0u;
+}
 
 uint popcount(uvec2 mask) { return uint(bitCount(mask.x) + bitCount(mask.y)); }
 

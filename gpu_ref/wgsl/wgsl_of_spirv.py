@@ -158,16 +158,21 @@ class Shader:
         for name, table in self.tables.items():
             yield f"const {name} = {table};"
 
+    def pairs(self):
+        """PAIRS, if they are used. Their type is any structure of two u32: a module has one of each."""
+        made = (one for one in self.all.values() if one.op in ("OpUMulExtended", "OpIAddCarry", "OpISubBorrow"))
+        pair = next((self.types.text(one.operands[0]) for one in made), None)
+        return PAIRS.replace("ResType", pair) if pair else ""
+
     def text(self):
         functions = [translate(self, function) for function in self.module.functions.values()]
-        declarations = "\n".join(self.declarations())
+        declarations, pairs = "\n".join(self.declarations()), self.pairs()
         structures = "".join(f"struct {name} {{\n{members}}}\n\n" for name, members in self.types.structures.items())
         built_in = [(name, *BUILT_IN[one]) for name, one in self.inputs.items()]
         parameters = ", ".join(f"@builtin({one}) {one}: {kind}" for _, one, kind in built_in)
         copies = "".join(f"  {name} = {one};\n" for name, one, _ in built_in)
         functions.append(f"@compute @workgroup_size({self.module.local_size})\n"
                          f"fn main({parameters}) {{\n{copies}  main_();\n}}\n")
-        pairs = PAIRS if "ResType" in self.types.structures else ""
         return f"{structures}{declarations}\n{pairs}\n" + "\n".join(functions)
 
 

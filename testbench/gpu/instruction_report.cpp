@@ -60,8 +60,10 @@ Outcome<InstructionTable> InstructionReport::decode(const StreamView& stream, ui
   if (!decoder) return tl::unexpected(decoder.error());
   counter_.take();  // of the reference area
   const auto areas = whole_views(stream, views + 1);
-  if (const auto pixels = decoder->decode_rgb(areas); !pixels) {
-    return tl::unexpected(pixels.error());
+  for (const PixelArea& area : areas) {
+    if (const auto pixels = decoder->decode_rgb({&area, 1}); !pixels) {
+      return tl::unexpected(pixels.error());
+    }
   }
   const PlaneShape& luma = stream.geometry.plane(Plane::kY);
   return InstructionTable{"decode", areas.size() * luma.width * luma.height, counter_.take()};

@@ -6,7 +6,6 @@
 // buffers; those of CLI11 for wrong usage.
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@
 
 #include "bits/crc32c.hpp"
 #include "decoder/open_stream.hpp"
+#include "gpu/kernel_files.hpp"
 #include "io/files.hpp"
 #include "vectors/digest.hpp"
 #include "vectors/manifest.hpp"
@@ -47,17 +47,6 @@ struct Options {
   std::vector<std::string> kernels;  // NAME=FILE
   std::vector<std::string> ids;      // none: all vectors
 };
-
-void read_kernels(Options& options) {
-  for (const std::string& argument : options.kernels) {
-    const size_t equals = argument.find('=');
-    const auto file = hmlfc::io::map_file(argument.substr(equals + 1));
-    if (!file) throw std::runtime_error(file.error().message);
-    auto& words = options.device.kernels[argument.substr(0, equals)];
-    words.resize(file->bytes().size() / 4);
-    std::memcpy(words.data(), file->bytes().data(), 4 * words.size());
-  }
-}
 
 // Block `number` of the pixels as an image, cropped to width x height.
 RgbImage block_image(const PixelBlocks& pixels, size_t number, const StreamHeader& header,
@@ -182,7 +171,7 @@ int main(int argc, char** argv) {
   app.add_option("--chunk-bytes", options.device.chunk_bytes);
   CLI11_PARSE(app, argc, argv);
   try {
-    read_kernels(options);
+    options.device.kernels = hmlfc::gpu::read_kernels(options.kernels);
     return run(options);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

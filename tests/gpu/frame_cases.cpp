@@ -112,6 +112,23 @@ std::string difference_of_scenes(Device& device, uint32_t seeds, tb::Damage dama
   return {};
 }
 
+std::vector<FrameRecord> small_frames(const Decoder& stream) {
+  const auto golden = make_golden_renderer(stream);
+  std::vector<FrameRecord> records;
+  test::Random random(5);
+  while (records.size() < 12) {
+    Camera camera = test::random_camera(random, stream.header());
+    camera.frame_width = 40;
+    camera.frame_height = 30;
+    camera.geometry = static_cast<GeometrySource>(records.size() % 2);
+    const auto record = frame_record(camera, stream.header());
+    Frame frame;
+    if (!record || !golden->render(*record, 0, frame)) continue;
+    if (frame.counts.blocks_needed > 20) records.push_back(*record);
+  }
+  return records;
+}
+
 std::vector<uint8_t> stream_of_many_blocks() {
   EncodeParams params;
   params.profile = Profile::kMain;

@@ -123,17 +123,7 @@ class GpuFrameRecordingOfOneStream : public GpuFrameRecording {
     for (uint32_t seed = 0; !stream_ || header().tree_height == 0; ++seed) {
       stream_.emplace(test::random_stream(seed));
     }
-    test::Random random(5);
-    while (records_.size() < 12) {
-      Camera camera = test::random_camera(random, header());
-      camera.frame_width = 40;
-      camera.frame_height = 30;
-      camera.geometry = static_cast<GeometrySource>(records_.size() % 2);
-      const auto record = frame_record(camera, header());
-      Frame frame;
-      if (!record || !make_golden_renderer(*stream_->decoder)->render(*record, 0, frame)) continue;
-      if (frame.counts.blocks_needed > 20) records_.push_back(*record);
-    }
+    records_ = small_frames(*stream_->decoder);
   }
 
   const StreamHeader& header() const { return stream_->decoder->header(); }

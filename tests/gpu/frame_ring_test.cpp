@@ -7,6 +7,7 @@
 
 #include "decoder/open_stream.hpp"
 #include "gpu/allocation_count.hpp"
+#include "gpu/frame_cases.hpp"
 #include "gpu/gpu_test.hpp"
 #include "render/render_cases.hpp"
 #include "stimulus/random_stream.hpp"
@@ -21,25 +22,15 @@ class GpuFrameRing : public GpuTest {
   void SetUp() override {
     GpuTest::SetUp();
     if (IsSkipped()) return;
-    bytes_ = test::random_stream(3);
-    view_ = open_stream(bytes_, {}).value();
-    test::Random random(5);
-    while (records_.size() < 12) {
-      Camera camera = test::random_camera(random, view_->header);
-      camera.frame_width = 40;
-      camera.frame_height = 30;
-      camera.geometry = static_cast<GeometrySource>(records_.size() % 2);
-      const auto record = frame_record(camera, view_->header);
-      if (record) records_.push_back(*record);
-    }
+    stream_.emplace(test::random_stream(3));
+    records_ = small_frames(*stream_->decoder);
   }
 
   GpuRenderer open_renderer(Device& device) const {
-    return std::move(*GpuRenderer::open(device, *view_, kCacheBytes));
+    return std::move(*GpuRenderer::open(device, *stream_->decoder, kCacheBytes));
   }
 
-  std::vector<uint8_t> bytes_;
-  std::optional<StreamView> view_;
+  std::optional<test::OpenedStream> stream_;
   std::vector<FrameRecord> records_;
 };
 

@@ -68,15 +68,15 @@ TEST_F(GpuInstructions, APixelTakesNoMoreThanBefore) {
   const auto main_view = open_stream(main, {});
   ASSERT_TRUE(view && main_view);
   const auto decoded = report->decode(*view, 3);
-  expect_within(decoded, {1090, 36, 0});
+  expect_within(decoded, {810, 32, 0});
   EXPECT_EQ(16 * decoded->kernels.at("colour").stores, 25 * decoded->pixels);
-  expect_within(report->decode(*main_view, 3), {790, 21, 0});
+  expect_within(report->decode(*main_view, 3), {640, 21, 0});
   const auto cold = report->frames(*view, camera_of(128), true);
-  expect_within(cold, {2010, 27, 0.6});
+  expect_within(cold, {1630, 22, 0.6});
   const auto pixels = static_cast<double>(cold->pixels);
   EXPECT_NEAR(static_cast<double>(cold->kernels.at("mark").stores), pixels, 100);
   EXPECT_NEAR(static_cast<double>(cold->kernels.at("render").stores), 1.5 * pixels, 100);
-  expect_within(report->frames(*view, camera_of(256), false), {1290, 4, 0.4});
+  expect_within(report->frames(*view, camera_of(256), false), {1170, 4, 0.4});
 }
 
 }  // namespace

@@ -49,6 +49,8 @@ expect 0 '/build/testbench/rtl_view FILE' rtl-view FILE
 expect 0 "*python3 $root/testbench/programs/rtl_coverage.py /build/testbench/rtl_random" rtl-coverage
 expect 0 '*tests/mutation/shaders/campaign.py --program /build/tests/gpu/decode_vectors' \
   mutate shaders
+expect 0 '*tests/mutation/shaders/campaign.py --program /build/tests/gpu/draw_frames --renderer' \
+  mutate shaders --renderer
 expect 0 '*tests/mutation/rtl/mutate.py /build/tests/mutation/rtl/ *' mutate rtl --count 5
 expect 0 "*python3 -B $root/tools/release/sbom.py $root out.json" sbom out.json
 expect 0 "*python3 -B $root/tools/release/site_pages.py $root $root/out/site" docs

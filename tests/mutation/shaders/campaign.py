@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Mutants of the decode shaders: changes one place of a shader, compiles it as the build does, and
-lets the GPU decoder decode the conformance vectors with it. A mutant that no vector tells from the
-shader survives, and is printed.
+"""Mutants of the shaders: changes one place of a shader, compiles it as the build does, and lets the
+GPU decoder decode the conformance vectors with it; with --renderer, the GPU renderer draw frames. A
+mutant that no vector or no frame tells from the shader survives, and is printed.
 
-A mutant that compiles to the same code in every variant that decoding uses is equivalent; so is one
-of equivalent.json, which states why no stream can tell it. A process each: one that crashes (an
+A mutant that compiles to the same code in every variant that is used is equivalent; so is one of
+equivalent.json (renderer.json), which states why nothing can tell it. A process each: one that crashes (an
 access past a buffer does) or takes too long is killed, and counted by name. Mutants that do not
 compile are left out.
 
@@ -13,11 +13,14 @@ no shader compiler or no device.
 """
 
 import argparse
+import itertools
 import json
 import re
 import shutil
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -29,15 +32,35 @@ import session  # noqa: E402  (its folder is known only now)
 from changes import KINDS, mutants_of  # noqa: E402
 from mutants import reasons_of, shuffled  # noqa: E402
 from session import SKIPPED, Broken, Unusable, Verdict  # noqa: E402
-from tools import Compiler, Decoder, prepare_device  # noqa: E402
+from tools import Compiler, Program, prepare_device  # noqa: E402
 
 SHADERS = ROOT / "gpu_ref/shaders"
-# The kernels that decode; the others belong to the renderer, which has no vectors.
-KERNELS = ["expand", "walk", "residuals", "samples", "colour"]
-# Included by them, but generated, or of the renderer or recorded decoding, which have no vectors.
-LEFT_OUT = {"hmlfc_tables.glsl", "shared_numbers.glsl", "frame.glsl", "frame_arguments.glsl", "texels.glsl"}
-# Options of the decoder. Chunks are so small that most vectors' streams and reference areas are in several.
-RUNS = [[], ["--chunk-bytes", "1024"]]
+# Included by kernels, but generated, or of what programs record.
+LEFT_OUT = {"hmlfc_tables.glsl", "shared_numbers.glsl", "texels.glsl"}
+BOTH = ("false", "true")
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What is mutated."""
+
+    kernels: tuple
+    left_out: frozenset  # files that they include
+    constants: tuple  # of the variants that are run
+    runs: tuple  # options of the program
+    reasons: str
+    lines: tuple = ()  # pairs of a file and what a line of it that is mutated has; of other files all are
+
+
+# The decoder leaves kStages and kCounted off.
+DECODER = Subject(
+    ("expand", "walk", "residuals", "samples", "colour"),
+    frozenset(LEFT_OUT | {"frame.glsl", "frame_arguments.glsl"}),
+    tuple(f"0:{chunked} 1:{pass_} 2:false 3:false" for chunked in BOTH for pass_ in BOTH),
+    # Chunks are so small that most vectors' streams and reference areas are in several.
+    ((), ("--chunk-bytes", "1024")),
+    "equivalent.json",
+)
 # Groups of vectors, those first that tell most mutants by a stream.
 GROUPS = ["stress", "error", "boundary", "real", "syntax", "performance"]
 
@@ -53,20 +76,33 @@ def included(file, seen=None):
 
 
 @cache
-def kernels_by_file():
+def kernels_by_file(subject):
     """For each source that is mutated, the kernels that include it."""
     kernels = {}
-    for kernel in KERNELS:
-        for file in included(f"{kernel}.comp") - LEFT_OUT:
+    for kernel in subject.kernels:
+        for file in included(f"{kernel}.comp") - subject.left_out:
             kernels.setdefault(file, []).append(kernel)
     return kernels
 
 
-def all_mutants():
+# What the decoder has, too, is mutated there, but for the lines that are for frames.
+RENDERER = Subject(
+    ("surface", "mark", "compact", "walk", "samples", "render"),
+    frozenset((LEFT_OUT | set(kernels_by_file(DECODER))) - {"samples.comp"}),
+    tuple(f"0:{chunked} 1:false 2:false 3:true 4:{chunked} 5:{geometry} 6:false" for chunked in BOTH for geometry in BOTH),
+    ((),),
+    "renderer.json",
+    (("samples.comp", "frame()"), ("samples.comp", "kCounted"), ("samples.comp", "note_error")),
+)
+
+
+def all_mutants(subject):
+    partly = {file for file, _ in subject.lines}
     return [
         mutant
-        for file in sorted(kernels_by_file())
+        for file in sorted(kernels_by_file(subject))
         for mutant in mutants_of(file, (SHADERS / file).read_text())
+        if file not in partly or any(file == name and text in mutant.code for name, text in subject.lines)
     ]
 
 
@@ -81,47 +117,55 @@ def drawn(mutants, seed):
 
 
 class Campaign:
-    """Judges mutants of the shaders."""
+    """Judges mutants of `subject` by `program`."""
 
-    def __init__(self, decoder, work):
-        self.compiler, self.decoder, self.work = Compiler(ROOT), decoder, work
+    def __init__(self, subject, program, work):
+        self.subject, self.program, self.work = subject, program, work
+        self.compiler = Compiler(ROOT, subject.constants)
         self.base = {}
-        for kernel in KERNELS:
+        self.known = {}
+        for kernel in subject.kernels:
             spirv = work / f"{kernel}.spv"
             if not self.compiler.compile(SHADERS, kernel, spirv):
                 raise Broken(f"{kernel}.comp does not compile")
             self.base[kernel] = self.compiler.variants(spirv)
-        for options in RUNS:
-            decoder.measure(options)
+        for options in subject.runs:
+            program.measure(options)
 
     def compiles(self, mutant):
-        with tempfile.TemporaryDirectory(dir=self.work) as name:
-            return self.changed_kernels(mutant, Path(name)) is not None
+        return self.compiled(mutant) is not None
+
+    def those_that_compile(self, mutants, jobs):
+        """Those of the iterator `mutants`, in their order."""
+        with ThreadPoolExecutor(jobs) as pool:
+            while some := list(itertools.islice(mutants, 2 * jobs)):
+                yield from (mutant for mutant, good in zip(some, pool.map(self.compiles, some)) if good)
 
     def judge(self, mutant):
         """The verdict on a mutant."""
-        with tempfile.TemporaryDirectory(dir=self.work) as name:
-            changed = self.changed_kernels(mutant, Path(name))
-            if changed is None:
-                return Verdict("not compiled")
-            if not changed:
-                return Verdict("same code")
-            verdicts = (self.decoder.run(changed, options) for options in RUNS)
-            return next((v for v in verdicts if v.result != "survived"), Verdict("survived"))
+        kernels = self.compiled(mutant)
+        if kernels is None:
+            return Verdict("not compiled")
+        changed = {name: file for name, file in kernels.items() if self.compiler.variants(file) != self.base[name]}
+        if not changed:
+            return Verdict("same code")
+        verdicts = (self.program.run(changed, options) for options in self.subject.runs)
+        return next((v for v in verdicts if v.result != "survived"), Verdict("survived"))
 
-    def changed_kernels(self, mutant, folder):
-        """The SPIR-V files of the kernels that decode otherwise, by name; None: one does not compile."""
-        shutil.copytree(SHADERS, folder / "shaders")
+    def compiled(self, mutant):
+        """The SPIR-V files of the kernels that have the mutant, by name; None: one does not compile."""
+        if mutant not in self.known:
+            self.known[mutant] = self.compile(mutant, Path(tempfile.mkdtemp(dir=self.work)))
+        return self.known[mutant]
+
+    def compile(self, mutant, folder):
+        shaders = shutil.copytree(SHADERS, folder / "shaders")
         text = (SHADERS / mutant.file).read_text()
-        (folder / "shaders" / mutant.file).write_text(mutant.apply(text))
-        changed = {}
-        for kernel in kernels_by_file()[mutant.file]:
-            out = folder / f"{kernel}.spv"
-            if not self.compiler.compile(folder / "shaders", kernel, out):
-                return None
-            if self.compiler.variants(out) != self.base[kernel]:
-                changed[kernel] = out
-        return changed
+        (shaders / mutant.file).write_text(mutant.apply(text))
+        kernels = {name: folder / f"{name}.spv" for name in kernels_by_file(self.subject)[mutant.file]}
+        good = all(self.compiler.compile(shaders, name, file) for name, file in kernels.items())
+        shutil.rmtree(shaders)
+        return kernels if good else None
 
 
 def vectors_in_order(suite):
@@ -132,14 +176,23 @@ def vectors_in_order(suite):
     return [v["id"] for v in vectors]
 
 
+def decoder(program, vectors):
+    """decode_vectors on these vectors."""
+    return Program(program, ROOT / "vectors", *(word for vector in vectors for word in ("--vector", vector)))
+
+
 def run(parser, options, work):
     """The results, or None where the mutants are only listed."""
-    mutants = all_mutants()
-    reasons = reasons_of(json.loads((FOLDER / "equivalent.json").read_text()), mutants)
+    subject = RENDERER if options.renderer else DECODER
+    mutants = all_mutants(subject)
+    reasons = reasons_of(json.loads((FOLDER / subject.reasons).read_text()), mutants)
     prepare_device(work)
-    vectors = vectors_in_order(ROOT / "vectors")
-    campaign = Campaign(Decoder(options.program, ROOT / "vectors", vectors), Path(work))
-    compiling = filter(campaign.compiles, drawn(mutants, options.seed))
+    if options.renderer:
+        program = Program(options.program)
+    else:
+        program = decoder(options.program, vectors_in_order(ROOT / "vectors"))
+    campaign = Campaign(subject, program, Path(work))
+    compiling = campaign.those_that_compile(drawn(mutants, options.seed), options.jobs)
     chosen = session.selected(parser, options, mutants, compiling)
     if options.list:
         return print(*chosen, sep="\n")
@@ -149,6 +202,7 @@ def run(parser, options, work):
 def main():
     parser = argparse.ArgumentParser(prog="./run mutate shaders", description=__doc__)
     session.add_arguments(parser, 200)
+    parser.add_argument("--renderer", action="store_true", help="of the renderer's kernels")
     parser.add_argument("--program", type=Path, required=True, help=argparse.SUPPRESS)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as work:

@@ -16,6 +16,7 @@ from changes import mutants_of
 from mutants import Mutant
 
 ONE_VECTOR = ["syntax/depth-8"]
+ONE_CASE = ["--case", "walk-0"]  # of an intact stream
 SOURCE = """#version 450
 // 1 + 1
 const uint kOne = 1u;
@@ -37,7 +38,7 @@ CHANGES = {
 }  # fmt: skip
 
 
-# File, old text, new text, and what the campaign must say of it when only ONE_VECTOR is decoded.
+# File, old text, new text, and what the campaign must say of it when only ONE_VECTOR is decoded or ONE_CASE is drawn.
 STATUS = "if (status == ERROR_OK) status = arguments.statuses.word[sources.cg];"
 CASES = [
     ("colour.comp", STATUS, "", "survived"),
@@ -45,6 +46,13 @@ CASES = [
     ("colour.comp", "return;", ";", "crash"),
     ("colour.comp", "lane == 0u", "lane = 0u", "not compiled"),
     ("samples.comp", "place.number * 4u", "place.number * 5u", "same code"),
+]
+FRAME_CASES = [
+    ("samples.comp", "note_error(q)", "", "survived"),
+    ("compact.comp", "kCountNextPage], 1u", "kCountNextPage], 0u", "killed"),
+    ("compact.comp", "if (kGeometry)", "if (!kGeometry)", "crash"),
+    ("compact.comp", "if (kGeometry)", "if (kNoSuchName)", "not compiled"),
+    ("render.comp", "kTexels", "(kTexels && true)", "same code"),
 ]
 
 
@@ -56,22 +64,28 @@ def endless(work):
     return program
 
 
-def complaints(program, work):
-    """One line for each wrong answer."""
-    found = {(m.kind, m.old, m.new) for m in mutants_of("source", SOURCE)}
-    for change in sorted(CHANGES ^ found):
-        yield f"{change}: {'missed' if change in CHANGES else 'no such place'}"
-    decoder = tools.Decoder(program, campaign.ROOT / "vectors", ONE_VECTOR)
-    judge = campaign.Campaign(decoder, work)
-    results = []
-    for file, old, new, expected in CASES:
+def wrong_verdicts(judge, cases, results):
+    """One line for each; all go to `results`."""
+    for file, old, new, expected in cases:
         source = (campaign.SHADERS / file).read_text()
-        mutant = Mutant.of("operator", file, source, source.index(old), old, new)
+        mutant = Mutant.of("operator", file, source, source.rindex(old), old, new)
         verdict = judge.judge(mutant)
         results.append((mutant, verdict))
         if verdict.result != expected or judge.compiles(mutant) != (expected != "not compiled"):
             yield f"{mutant}: {verdict.result} ({verdict.detail}) instead of {expected}"
-    hung = tools.Decoder(endless(work), work, [])
+
+
+def complaints(program, renderer, work):
+    """One line for each wrong answer."""
+    found = {(m.kind, m.old, m.new) for m in mutants_of("source", SOURCE)}
+    for change in sorted(CHANGES ^ found):
+        yield f"{change}: {'missed' if change in CHANGES else 'no such place'}"
+    frames = tools.Program(renderer, *ONE_CASE)
+    yield from wrong_verdicts(campaign.Campaign(campaign.RENDERER, frames, work), FRAME_CASES, [])
+    results = []
+    judge = campaign.Campaign(campaign.DECODER, campaign.decoder(program, ONE_VECTOR), work)
+    yield from wrong_verdicts(judge, CASES, results)
+    hung = tools.Program(endless(work))
     hung.cpu_limit = 1
     if hung.run({}).result != "timeout":
         yield "a decoder without an end is no timeout"
@@ -82,11 +96,12 @@ def complaints(program, work):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=Path, help="decode_vectors")
+    parser.add_argument("renderer", type=Path, help="draw_frames")
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as work:
         tools.prepare_device(work)
         try:
-            wrong = list(complaints(args.program, Path(work)))
+            wrong = list(complaints(args.program, args.renderer, Path(work)))
         except session.Unusable as reason:
             print(reason, file=sys.stderr)
             return session.SKIPPED

@@ -1,4 +1,4 @@
-"""The shader compiler and the GPU decoder, as the campaign runs them."""
+"""The shader compiler and the programs that run kernels, as the campaign runs them."""
 
 import os
 import re
@@ -8,11 +8,9 @@ import subprocess
 
 from session import Broken, Unusable, tried
 
-# CPU seconds that a decoder of all vectors may take before it hangs, for each that it should.
+# CPU seconds that a program may take before it hangs, for each that it should.
 HANG_FACTOR = 4
 HANG_LEAST = 20
-# Both of kChunked and kReferencePass; decoding leaves kStages and kCounted off.
-VARIANTS = [f"0:{chunked} 1:{pass_} 2:false 3:false" for chunked in ("false", "true") for pass_ in ("false", "true")]
 # The passes that make the code of one variant: its constants set, what they switch off removed.
 FOLD = """--freeze-spec-const --fold-spec-const-op-composite --ccp --simplify-instructions
     --eliminate-dead-branches --merge-blocks --eliminate-dead-code-aggressive --strip-debug
@@ -20,9 +18,10 @@ FOLD = """--freeze-spec-const --fold-spec-const-op-composite --ccp --simplify-in
 
 
 class Compiler:
-    """Compiles kernels as gpu_ref/CMakeLists.txt does."""
+    """Compiles kernels as gpu_ref/CMakeLists.txt does. `constants`: those of each variant that is run."""
 
-    def __init__(self, root):
+    def __init__(self, root, constants):
+        self.constants = constants
         self.tool = shutil.which("glslc")
         if not self.tool or not shutil.which("spirv-opt"):
             raise Unusable("glslc or spirv-opt is missing (Debian: glslc spirv-tools)")
@@ -35,8 +34,8 @@ class Compiler:
         return subprocess.run(command, capture_output=True).returncode == 0
 
     def variants(self, spirv):
-        """The code of a kernel in every variant that decodes."""
-        return [self.variant(spirv, constants) for constants in VARIANTS]
+        """The code of a kernel in every variant that is run."""
+        return [self.variant(spirv, constants) for constants in self.constants]
 
     def variant(self, spirv, constants):
         out = spirv.with_suffix(".variant")
@@ -47,24 +46,22 @@ class Compiler:
         return out.read_bytes()
 
 
-class Decoder:
-    """The GPU decoder on the vectors, in a process of its own."""
+class Program:
+    """A program that runs kernels and checks what they make, in a process of its own."""
 
-    def __init__(self, program, suite, vectors):
-        self.program, self.suite, self.vectors = program, suite, vectors
+    def __init__(self, program, *arguments):
+        self.command = [program, *arguments]
         self.cpu_limit = None
 
     def run(self, kernels, options=()):
         """The verdict on a set of kernels, a dictionary of SPIR-V files by name."""
-        command = [self.program, self.suite, *options]
+        command = [*self.command, *options]
         for name, path in kernels.items():
             command += ["--kernel", f"{name}={path}"]
-        for vector in self.vectors:
-            command += ["--vector", vector]
         return tried(command, self.cpu_limit)
 
     def measure(self, options):
-        """Decodes with the library's own kernels, and sets the limit by the time it took."""
+        """Runs the library's own kernels, and sets the limit by the time it took."""
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         known, self.cpu_limit = self.cpu_limit, None
         verdict = self.run({}, options)

@@ -1,0 +1,156 @@
+// Draws frames with the GPU renderer, kernels replaced where asked, until one is not the golden
+// renderer's: prints `CASE: REASON`. Where nothing else is said every buffer ends at a page that
+// nobody may touch, so a kernel that reads or writes past its buffers ends the process.
+//
+// Exit: 0 all frames are equal, 1 one is not, 2 nothing can be read, 77 no device can guard its
+// buffers; those of CLI11 for wrong usage.
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "gpu/frame_cases.hpp"
+#include "gpu/kernel_files.hpp"
+#include "gpu/render_pair.hpp"
+
+namespace {
+
+using namespace hmlfc;
+using namespace hmlfc::gpu;
+
+constexpr int kEqual = 0;
+constexpr int kDifferent = 1;
+constexpr int kUnreadable = 2;
+constexpr int kSkipped = 77;
+constexpr uint64_t kLittle = uint64_t{1} << 14;  // bytes of decoded blocks that are kept
+constexpr uint64_t kPlenty = uint64_t{1} << 24;
+
+constexpr uint64_t kChunkBytes = 1024;  // so that streams and pools are in several chunks
+constexpr int kFrames = 60;             // of a walk
+
+struct Case {
+  std::string name;
+  std::function<std::string(Device&)> difference;
+  bool chunked = false;  // in chunks, and without these pages
+};
+
+std::string difference_before(Device& device, std::vector<uint8_t> bytes, uint64_t cache_bytes,
+                              uint32_t seed, int frames = kFrames) {
+  RenderPair pair(device, std::move(bytes), cache_bytes);
+  if (pair.closed()) return "it does not open";
+  FrameTally tally;
+  return difference_of_walk(pair, seed, frames, tally);
+}
+
+// Walks of a camera before random streams, with and without geometry.
+Case walk(uint32_t seed, bool chunked) {
+  const uint64_t cache_bytes = seed % 2 == 0 ? kLittle : kPlenty;
+  const auto difference = [=](Device& device) {
+    return difference_before(device, test::random_stream(seed), cache_bytes, seed);
+  };
+  return {fmt::format("{}-{}", chunked ? "chunks" : "walk", seed), difference, chunked};
+}
+
+// Cameras turned far from straight ahead, near the views. Lavapipe may load past a buffer there,
+// for invocations that take another branch.
+Case turned(uint32_t seed) {
+  const auto difference = [=](Device& device) -> std::string {
+    RenderPair pair(device, test::random_stream(seed), kPlenty);
+    if (pair.closed()) return "it does not open";
+    test::Random random(seed);
+    FrameTally tally;
+    const auto between = [&](double lo, double hi) {
+      return lo + (hi - lo) * random() / 4294967296.0;
+    };
+    for (int i = 0; i < kFrames; ++i) {
+      Camera camera = test::random_camera_with_geometry(random, pair.header());
+      WorldPoint& at = *camera.position;
+      at.z = between(-0.5, 0.5);
+      camera.look_at = WorldPoint{at.u + between(-3, 3), at.v + between(-3, 3), at.z + 1};
+      const auto record = frame_record(camera, pair.header());
+      if (!record) continue;
+      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
+    }
+    return tally.lit == 0 ? "no frame shows anything" : "";
+  };
+  return {fmt::format("turned-{}", seed), difference, true};
+}
+
+Case damaged_walk(uint32_t seed) {
+  return {fmt::format("damaged-{}", seed), [=](Device& device) {
+            auto bytes = test::random_stream(seed);
+            tb::corrupt(bytes, tb::Damage::kIndexAndTiles, seed);
+            return difference_before(device, std::move(bytes), kPlenty, seed);
+          }};
+}
+
+// Frames with geometry.
+Case scenes(const char* name, tb::Damage damage) {
+  return {name, [=](Device& device) {
+            FrameTally tally;
+            return difference_of_scenes(device, 3, damage, kLittle, tally);
+          }};
+}
+
+Case many_blocks() {
+  return {"many-blocks", [](Device& device) {
+            return difference_before(device, stream_of_many_blocks(), kPlenty, 1, 8);
+          }};
+}
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  for (uint32_t seed = 0; seed < 6; ++seed) cases.push_back(walk(seed, false));
+  for (uint32_t seed = 6; seed < 10; ++seed) cases.push_back(walk(seed, true));
+  for (uint32_t seed = 10; seed < 14; ++seed) cases.push_back(turned(seed));
+  cases.push_back(scenes("scenes", tb::Damage::kNone));
+  for (uint32_t seed = 200; seed < 203; ++seed) cases.push_back(damaged_walk(seed));
+  cases.push_back(scenes("damaged-scenes", tb::Damage::kTiles));
+  cases.push_back(many_blocks());
+  return cases;
+}
+
+int run(const DeviceOptions& options, const std::vector<std::string>& names) {
+  DeviceOptions in_chunks = options;
+  in_chunks.chunk_bytes = kChunkBytes;
+  in_chunks.guard_pages = false;
+  auto device = Device::open(options);
+  auto chunked = Device::open(in_chunks);
+  if (!device || !chunked) {
+    fmt::print(stderr, "{}\n", (device ? chunked : device).error().message);
+    return kSkipped;
+  }
+  for (const Case& one : all_cases()) {
+    if (!names.empty() && std::ranges::find(names, one.name) == names.end()) continue;
+    const std::string found = one.difference(one.chunked ? *chunked : *device);
+    if (found.empty()) continue;
+    fmt::print("{}: {}\n", one.name, found);
+    return kDifferent;
+  }
+  return kEqual;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  DeviceOptions options;
+  std::vector<std::string> kernels;
+  std::vector<std::string> cases;
+  options.guard_pages = true;
+  options.cache_folder = "";
+  if (const char* name = std::getenv("HMLFC_GPU_DEVICE")) options.device = name;
+  CLI::App app{"Draws frames with the GPU renderer, until one is not the golden renderer's"};
+  app.add_option("--kernel", kernels, "NAME=FILE.spv, in place of the library's own");
+  app.add_option("--case", cases, "Only these");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    options.kernels = read_kernels(kernels);
+    return run(options, cases);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return kUnreadable;
+  }
+}
