@@ -12,9 +12,14 @@ set(HMLFC_PROOFS
   compose
   divide
   fifo
+  fifo_order
+  images
   interpolate
+  motion_tile
   multiply_add
+  plane_size
   quints
+  ram
   read_port
   reconstruct
   reference_lookup
@@ -22,8 +27,12 @@ set(HMLFC_PROOFS
   requests
   residual
   skid_buffer
+  strip_scan
   tile_contexts
-  trits)
+  tile_number
+  trits
+  view_registers
+  view_scan)
 set(HMLFC_LONG_PROOFS answer bise_unpack interpolate reconstruct reference_lookup residual tile_contexts)
 set(HMLFC_SMOKE_TESTS trits)
 
