@@ -18,7 +18,7 @@ HMLFC_BASE_CASE is defined where no induction follows.
 Exit status 0: proved; with --fault: each fault, planted alone in a copy, has a counterexample, or the induction fails.
 1: not so. 77: a tool is missing. 2: anything else, a tool's own error among them.
 
---module: of the module of FILE, hmlfc_NAME as RTLIL with these values of its parameters, in the place of the RTL's. Those of the
+--module: of the module of FILE, hmlfc_MODULE.il, RTLIL with these values of its parameters, in the place of the RTL's. Those of the
 proof's module are set likewise. Exit status 1: a counterexample, of a run that is legal: from reset, or of a pipeline that is full. 0: none in the clocks of
 engine and cover, which proves nothing, as no induction is tried. 3: the proof is for other parameters.
 """
@@ -70,13 +70,13 @@ def read_proof(name: str) -> Proof | None:
 
 def model(proof: Proof, rtl: pathlib.Path, options: str) -> list[str]:
     """The commands that read the proof, its parameters by `options`, with the modules of `rtl`, hmlfc_ram as in a simulation."""
-    memory = ["memory_collect"] if proof.arrays else ["memory_map"]
+    memory = ["memory_collect", "memory_nordff"] if proof.arrays else ["memory_dff", "memory_map"]
     own_ram = f"{rtl}/hmlfc_ram.sv" if (rtl / "hmlfc_ram.sv").exists() else ""
     script = [
         f"read_verilog -sv -formal {proof.define} -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {own_ram} {proof.file}",
         f"hierarchy -check -top prove_{proof.name} {options} -libdir {rtl}",
         "proc", "opt_expr", "opt_dff", "setattr -set keep 1 t:$*ff*", "opt_clean", "setattr -unset keep t:$*ff*",  # all registers stay
-        "memory_dff", *memory, "opt_expr", "flatten", "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
+        *memory, "opt_expr", "flatten", "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
     if proof.engine[0] == "sat":
         script.append("simplemap t:$dff t:$dffe")  # bit by bit: registers that are equal become one
     return [*script, "opt_merge", "opt_clean", "check -assert"]
@@ -190,16 +190,17 @@ def without_parameters(text: str, module: str, values: dict[str, str]) -> tuple[
 
 def refute(proof: Proof, netlist: pathlib.Path, values: dict[str, str], work: pathlib.Path) -> int:
     """REFUTED: the base case has a counterexample with the module of `netlist`."""
-    given = without_parameters(proof.file.read_text(encoding="utf-8"), proof.name, values)
+    module = netlist.stem.removeprefix("hmlfc_")
+    given = without_parameters(proof.file.read_text(encoding="utf-8"), module, values)
     if given is None:
         return OTHER
     text, options = given
     rtl = work / "rtl"
     rtl.mkdir()
     for path in RTL.glob("hmlfc_*.sv*"):
-        if path.stem != f"hmlfc_{proof.name}":
+        if path.stem != netlist.stem:
             (rtl / path.name).symlink_to(path)
-    shutil.copy(netlist, rtl / f"hmlfc_{proof.name}.il")
+    shutil.copy(netlist, rtl)
     proof.file = work / f"{proof.name}.sv"
     proof.file.write_text(text, encoding="utf-8")
     proof.define = "-DHMLFC_BASE_CASE"

@@ -4,7 +4,7 @@
 usage: refute.py FOLDER    refutes mutants whose end is known; FOLDER is that of plant.py for the datapath. Exit: 0 all as known, 1 not.
 
 The proof is made with the parameters that the module has in the mutated unit; where it is for others, it finds nothing. So it does within the
-CPU time, and where the module without a mutant is not as the proof has it.
+CPU time, and where the module without a mutant is not proved within 30 times that.
 """
 
 import functools
@@ -19,7 +19,7 @@ import prove
 import units
 
 FORMAL = units.RTL / "formal"
-COUNTEREXAMPLE = 1  # as prove.py exits
+HOLDS, COUNTEREXAMPLE, OTHER = 0, 1, 3  # as prove.py exits
 PREFIX = "formal."  # of the names of their tests
 
 
@@ -43,14 +43,14 @@ def netlist(folder: pathlib.Path, variant: int, module: str, command: str, scrat
     return out
 
 
-def has_counterexample(proof: str, file: pathlib.Path, parameters: dict[str, int], seconds: int) -> bool:
+def searched(proof: str, file: pathlib.Path, parameters: dict[str, int], seconds: int) -> int:
+    """How prove.py ends for the module of `file`."""
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
     command = [sys.executable, "-B", FORMAL / "prove.py", proof, "--module", file, *(f"{key}={value}" for key, value in parameters.items())]
-    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=limit, check=False)
-    return done.returncode == COUNTEREXAMPLE
+    return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=limit, check=False).returncode
 
 
 def refuted_by(mutant: dict, folder: pathlib.Path, seconds: int) -> str | None:
@@ -58,8 +58,8 @@ def refuted_by(mutant: dict, folder: pathlib.Path, seconds: int) -> str | None:
     with tempfile.TemporaryDirectory(prefix="hmlfc-mutant-") as name:
         file = netlist(folder, mutant["variant"], mutant["module"], mutant["command"], pathlib.Path(name))
         for proof in proofs(mutant["module"]):
-            if has_counterexample(proof, file, mutant["parameters"], seconds) and holds(proof, folder, mutant["variant"], mutant["module"],
-                                                                                       tuple(mutant["parameters"].items()), seconds):
+            sound = holds(proof, folder, mutant["variant"], mutant["module"], tuple(mutant["parameters"].items()), seconds)
+            if sound and searched(proof, file, mutant["parameters"], seconds) == COUNTEREXAMPLE:
                 return proof
     return None
 
@@ -69,7 +69,10 @@ def holds(proof: str, folder: pathlib.Path, variant: int, module: str, parameter
     """Whether a proof finds nothing in the netlist without a mutant."""
     with tempfile.TemporaryDirectory(prefix="hmlfc-mutant-") as name:
         file = netlist(folder, variant, module, "", pathlib.Path(name))
-        return not has_counterexample(proof, file, dict(parameters), 10 * seconds)
+        status = searched(proof, file, dict(parameters), 30 * seconds)
+    if status not in (HOLDS, OTHER):
+        print(f"refute.py: {proof} is not proved of {module} {dict(parameters)}, and not tried on its mutants", file=sys.stderr)
+    return status == HOLDS
 
 
 # A value of a sequence is wrong; so is the same in a module whose proof is for other parameters.
