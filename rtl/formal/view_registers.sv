@@ -3,7 +3,7 @@
 // CONTROL acts for one clock; an event sets its bit of INTERRUPT_STATUS, a 1 written clears it, and irq follows a clock later, with irq_changes before.
 //
 // Clauses: Registers (docs/view_unit.md)
-// Engine: induction 2 5
+// Engine: induction 2 9
 // Complete: what is held of a write is bound to the module's registers, so the induction needs no reachability.
 // Fault: hmlfc_view_registers.sv / ~mask[3:0]) | written[3:0] / ~mask[3:0]) | write_data[3:0]
 // Fault: hmlfc_view_registers.sv / 4'd0)) | events / 4'd0))

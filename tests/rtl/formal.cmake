@@ -25,6 +25,7 @@ set(HMLFC_PROOFS
   ram
   read_port
   reconstruct
+  record_ram
   reference_lookup
   registers
   requests
