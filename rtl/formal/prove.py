@@ -12,6 +12,7 @@ NAME.sv states what it proves in its first comment, and how in these lines of it
   Parts: N                N runs, with the parameter PART = 0 to N - 1
   Still: MODULE SIGNAL    no register of MODULE changes where its input SIGNAL is 0
   Memories: arrays        the solver takes a memory as a whole, not word by word
+  Mutants: N              of these, runs of N clocks (else of engine or cover, whichever has more)
 HMLFC_BASE_CASE is defined where no induction follows.
   Fault: FILE / OLD / NEW text OLD of module FILE for which the self-test puts NEW
 
@@ -19,8 +20,8 @@ Exit status 0: proved; with --fault: each fault, planted alone in a copy, has a 
 1: not so. 77: a tool is missing. 2: anything else, a tool's own error among them.
 
 --module: of the module of FILE, hmlfc_MODULE.il, RTLIL with these values of its parameters, in the place of the RTL's. Those of the
-proof's module are set likewise. Exit status 1: a counterexample, of a run that is legal: from reset, or of a pipeline that is full. 0: none in the clocks of
-engine and cover, which proves nothing, as no induction is tried. 3: the proof is for other parameters.
+proof's module are set likewise. Exit status 1: a counterexample, of a legal run: from reset, from a state that the proof says is legal, or of a
+pipeline that is full. 0: none in those clocks, which proves nothing, as no induction is tried. 3: the proof is for other parameters.
 """
 
 import dataclasses
@@ -48,6 +49,7 @@ class Proof:
     name: str
     file: pathlib.Path
     arrays: bool
+    mutants: str       # clocks, or empty
     define: str        # an option of Yosys, or empty
     engine: list[str]  # its name and bounds
     parts: list[str]   # options of Yosys for each run
@@ -63,7 +65,8 @@ def read_proof(name: str) -> Proof | None:
         return None
     count = re.search(r"^// Parts: +(\d+)$", text, re.M)
     cover = re.search(r"^// Cover: +(\d+)$", text, re.M)
-    return Proof(name, HERE / f"{name}.sv", "\n// Memories: arrays\n" in text, "", engine[1].split(), [f"-chparam PART {k}" for k in range(int(count[1]))] if count else [""],
+    mutants = re.search(r"^// Mutants: +(\d+)$", text, re.M)
+    return Proof(name, HERE / f"{name}.sv", "\n// Memories: arrays\n" in text, mutants[1] if mutants else "", "", engine[1].split(), [f"-chparam PART {k}" for k in range(int(count[1]))] if count else [""],
                  cover[1] if cover else "", re.findall(r"^// Still: +(\S+) (\S+)$", text, re.M),
                  re.findall(r"^// Fault: +(\S+) / (.+) / (.+)$", text, re.M))
 
@@ -204,7 +207,7 @@ def refute(proof: Proof, netlist: pathlib.Path, values: dict[str, str], work: pa
     proof.file = work / f"{proof.name}.sv"
     proof.file.write_text(text, encoding="utf-8")
     proof.define = "-DHMLFC_BASE_CASE"
-    clocks = max(proof.engine[-1], proof.cover, key=lambda number: int(number or 0))
+    clocks = proof.mutants or max(proof.engine[-1], proof.cover, key=lambda number: int(number or 0))
     for part in proof.parts:
         # All clocks in one search: where there is none, each alone takes longer.
         status = base_case(proof, rtl, f"{part} {options}", ["-t", f"0:{clocks}:{clocks}"], work / "model.smt2")

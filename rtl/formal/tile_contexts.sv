@@ -8,6 +8,7 @@
 // Clauses: Prefetching (docs/pipeline.md)
 // Engine: induction 2 5
 // Cover: 11
+// Mutants: 5
 // Complete: the context's state and its entry on the list are bound to the module's registers, so the induction needs no reachability.
 // Fault: hmlfc_tile_contexts.sv / && !(counts && counted == CONTEXT_BITS'(i)) / && 1'b1
 // Fault: hmlfc_tile_contexts.sv / ready[free_context] <= 1'b0 / ready[free_context] <= 1'b1
