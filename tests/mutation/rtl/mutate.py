@@ -42,6 +42,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 FOUND = ("killed", "hangs")
 FIRST_CLOCKS = 60_000
 SPEED_CLOCKS = 300_000
+LONGER = 3  # times the CPU time of a search for equivalence, for a proof of a module
 TOGETHER = 48  # mutants that are switched on at once, if no check finds them
 
 
@@ -115,7 +116,7 @@ class Campaign:
     def refute(self, mutants: list[dict]) -> None:
         """Those that a proof of their module finds have a result by that."""
         tried = [mutant for mutant in mutants if refute.proofs(mutant["module"])]
-        said = in_parallel("proofs of modules", lambda mutant: refute.refuted_by(mutant, self.folder, self.options.seconds), tried, self.options.jobs)
+        said = in_parallel("proofs of modules", lambda mutant: refute.refuted_by(mutant, self.folder, LONGER * self.options.seconds), tried, self.options.jobs)
         for mutant, proof in zip(tried, said):
             if proof:
                 self.results[mutant["number"]] = {"number": mutant["number"], "result": "killed", "vector": refute.test_of(proof)}
