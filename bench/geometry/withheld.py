@@ -1,6 +1,7 @@
 """Withheld views: of a light field only the views of even rows and columns are encoded, and those between are rendered."""
 
 import json
+import re
 
 import numpy as np
 from light_field import read_view, read_views, squared_error
@@ -15,6 +16,7 @@ CROP = 96, 72  # pixels of each part of the picture
 SCALE = 3
 FLAT = "scene flat"  # blank: its true plane is 0
 LOSSLESS = "lossless"  # a quality
+STATED = re.compile(r".*_(\d+)_(\d+)_(-?[\d.]+)_(-?[\d.]+)")  # names of the Stanford archive: row, column, y, x
 
 
 class Withheld:
@@ -30,21 +32,23 @@ class Withheld:
         self.views = [views[place] for place in self.places]
         self.even = f"0..{rows - 1}:2,0..{cols - 1}:2"
         self.stream = work / "even.hmlfc"
+        stated = stated_places(folder)
+        self.stated = [stated[place] for place in self.places] if stated else None
 
     def encode(self, quality):
         coding = ["--lossless"] if quality == LOSSLESS else ["--quality", quality]
         run([self.hmlfc, "encode", self.folder, "-o", self.stream, *coding, "--views", self.even])
 
-    def frames(self, cameras, geometry):
-        """The frames of [(number of a view, focus)]."""
+    def frames(self, cameras, geometry, places=None):
+        """The frames of [(number of a view, focus)], with cameras at `places` or on the grid."""
         path, out = self.work / "path.json", self.work / "frames"
-        places = [(self.places[k], focus) for k, focus in cameras]
+        places = [((places or self.places)[k], focus) for k, focus in cameras]
         path.write_text(json.dumps([{"position": [col / 2, row / 2, 0], "focus": focus} for (row, col), focus in places]))
         run([self.hmlfc, "render", self.stream, "--path", path, "--geometry", geometry, "-o", out])
         return [read_view(out / f"frame_{k:04}.png") for k in range(len(cameras))]
 
-    def errors(self, cameras, geometry):
-        frames = self.frames(cameras, geometry)
+    def errors(self, cameras, geometry, places=None):
+        frames = self.frames(cameras, geometry, places)
         return [squared_error(inner(self.views[k]), inner(frame)) for (k, _), frame in zip(cameras, frames)]
 
     def psnr(self, errors, views):
@@ -79,7 +83,20 @@ class Withheld:
         }
         if self.name == FLAT:
             row["plane_focus_0"] = self.psnr(self.errors([(k, 0) for k in views], "plane"), views)
+        if self.stated:
+            row["stated_places"] = self.psnr(self.errors([(k, 0) for k in views], "stream", self.stated), views)
         return row
+
+
+def stated_places(folder):
+    """{(row, column) of a view: where its file name says that its camera stood, in rows and columns of the even grid
+    that fits all names best}; empty where no name says it."""
+    names = [name for path in folder.iterdir() if (name := STATED.fullmatch(path.stem))]
+    if not names:
+        return {}
+    rows, cols, ys, xs = np.array([name.groups() for name in names], float).T
+    places = (np.polyval(np.polyfit(at, numbers, 1), at) for numbers, at in ((rows, ys), (cols, xs)))
+    return dict(zip(zip(rows.astype(int), cols.astype(int)), zip(*places)))
 
 
 def inner(view):

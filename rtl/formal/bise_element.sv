@@ -8,10 +8,12 @@
 // Complete: combinational; one instance for each level code and slot.
 // Fault: hmlfc_bise_element.sv / 3'd2: digits_before = 3'd4 / 3'd2: digits_before = 3'd5
 // Fault: hmlfc_bise_element.sv / present[3*k+4] / present[3*k+5]
-module prove_bise_element (input logic [63:0] window, input logic [6:0] bits_left);
+module prove_bise_element #(
+  parameter integer VALUE_BITS = 10
+) (input logic [63:0] window, input logic [6:0] bits_left);
   wire [63:0] present = window & ~({64{1'b1}} << bits_left);
   generate
-    for (genvar code = 0; code <= 27; code = code + 1) begin : each
+    for (genvar code = 0; code <= 3 * VALUE_BITS - 3; code = code + 1) begin : each
       localparam [14:0] LEVELS = spec_levels(code);
       localparam [2:0] DIGIT = spec_digit(LEVELS);
       localparam integer n = spec_plain(LEVELS);
@@ -29,13 +31,13 @@ module prove_bise_element (input logic [63:0] window, input logic [6:0] bits_lef
       for (genvar slot = 0; slot < IN_GROUP; slot = slot + 1) begin : at
         wire [2:0]   d = DIGIT == 3 ? {1'b0, trits[2*slot +: 2]} : DIGIT == 5 ? quints[3*slot +: 3] : 3'd0;
         wire [9:0]   m = s[M[8*slot +: 8] +: 10] & 10'((1 << n) - 1);
-        logic [9:0]  value;
-        hmlfc_bise_element #(.VALUE_BITS(10)) dut (
+        logic [VALUE_BITS-1:0] value;
+        hmlfc_bise_element #(.VALUE_BITS(VALUE_BITS)) dut (
           .window(window), .bits_left(bits_left), .level_code(6'(code)), .slot(3'(slot)), .value(value));
         always @* begin
           if (bits_left <= 64) begin
-            assert ({22'd0, value} == (d << n) + {22'd0, m});
-            assert ({5'd0, value} < LEVELS);
+            assert (32'(value) == (d << n) + {22'd0, m});
+            assert (15'(value) < LEVELS);
           end
         end
       end

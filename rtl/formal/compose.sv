@@ -7,7 +7,10 @@
 // Complete: the list is bound to the stages' registers, so the induction needs no reachability.
 // Fault: hmlfc_compose.sv / assign in_ready = first_there && second_there && advance / assign in_ready = first_there && advance
 // Fault: hmlfc_compose.sv / if (!rst_n || go) kept_valid <= 1'b0 / if (!rst_n) kept_valid <= 1'b0
-module prove_compose (
+module prove_compose #(
+  parameter integer BLOCK_LOG2 = 1,
+  parameter integer MAX_DEPTH = 8
+) (
   input logic clk, input logic rst_n, input logic in_valid, input logic [hmlfc_pkg::PENDING_BITS-1:0] in_pending, input logic a_valid, input logic b_valid,
   input logic out_ready
 );
@@ -15,10 +18,10 @@ module prove_compose (
   assign pending = in_pending;
   logic        in_ready, a_ready, b_ready, out_valid;
   logic [hmlfc_pkg::PENDING_BITS-1:0] out_pending;
-  hmlfc_compose #(.BLOCK_LOG2(1), .MAX_DEPTH(8)) dut (
-    .clk(clk), .rst_n(rst_n), .depth(4'd8), .in_valid(in_valid), .in_ready(in_ready), .in_pending(pending), .in_residual(40'd0),
-    .a_valid(a_valid), .a_ready(a_ready), .a_error(6'd0), .a_window(90'd0), .b_valid(b_valid), .b_ready(b_ready), .b_error(6'd0),
-    .b_window(90'd0), .out_valid(out_valid), .out_ready(out_ready), .out_pending(out_pending), .out_error(), .out_sample(),
+  hmlfc_compose #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH)) dut (
+    .clk(clk), .rst_n(rst_n), .depth(4'd8), .in_valid(in_valid), .in_ready(in_ready), .in_pending(pending), .in_residual('0),
+    .a_valid(a_valid), .a_ready(a_ready), .a_error(6'd0), .a_window('0), .b_valid(b_valid), .b_ready(b_ready), .b_error(6'd0),
+    .b_window('0), .out_valid(out_valid), .out_ready(out_ready), .out_pending(out_pending), .out_error(), .out_sample(),
     .out_residual(), .out_reference(), .out_prediction());
   (* hierconn *) wire [7:1] \dut.valid ;
   (* hierconn *) wire [7*hmlfc_pkg::PENDING_BITS-1:0] \dut.pendings ;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs one proof of rtl/formal with Yosys and z3.
 
-usage: prove.py NAME [--fault]
+usage: prove.py NAME [--fault | --module FILE [PARAMETER=VALUE ...]]
 
 NAME.sv states what it proves in its first comment, and how in these lines of it:
 
@@ -11,10 +11,17 @@ NAME.sv states what it proves in its first comment, and how in these lines of it
   Cover: N                each cover statement is reached within N clocks, by z3
   Parts: N                N runs, with the parameter PART = 0 to N - 1
   Still: MODULE SIGNAL    no register of MODULE changes where its input SIGNAL is 0
+  Memories: arrays        the solver takes a memory as a whole, not word by word
+  Mutants: N              of these, runs of N clocks (else of engine or cover, whichever has more)
+HMLFC_BASE_CASE is defined where no induction follows.
   Fault: FILE / OLD / NEW text OLD of module FILE for which the self-test puts NEW
 
 Exit status 0: proved; with --fault: each fault, planted alone in a copy, has a counterexample, or the induction fails.
 1: not so. 77: a tool is missing. 2: anything else, a tool's own error among them.
+
+--module: of the module of FILE, hmlfc_MODULE.il, RTLIL with these values of its parameters, in the place of the RTL's. Those of the
+proof's module are set likewise. Exit status 1: a counterexample, of a legal run: from reset, from a state that the proof says is legal, or of a
+pipeline that is full. 0: none in those clocks, which proves nothing, as no induction is tried. 3: the proof is for other parameters.
 """
 
 import dataclasses
@@ -28,7 +35,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent
-PROVED, REFUTED, FAILED, SKIPPED = 0, 1, 2, 77
+PROVED, REFUTED, FAILED, OTHER, SKIPPED = 0, 1, 2, 3, 77
 
 
 def run(command: list[str]) -> tuple[int, str]:
@@ -40,6 +47,10 @@ def run(command: list[str]) -> tuple[int, str]:
 class Proof:
     """What the first comment of rtl/formal/NAME.sv says."""
     name: str
+    file: pathlib.Path
+    arrays: bool
+    mutants: str       # clocks, or empty
+    define: str        # an option of Yosys, or empty
     engine: list[str]  # its name and bounds
     parts: list[str]   # options of Yosys for each run
     cover: str         # clocks, or empty
@@ -54,32 +65,40 @@ def read_proof(name: str) -> Proof | None:
         return None
     count = re.search(r"^// Parts: +(\d+)$", text, re.M)
     cover = re.search(r"^// Cover: +(\d+)$", text, re.M)
-    return Proof(name, engine[1].split(), [f"-chparam PART {k}" for k in range(int(count[1]))] if count else [""],
+    mutants = re.search(r"^// Mutants: +(\d+)$", text, re.M)
+    return Proof(name, HERE / f"{name}.sv", "\n// Memories: arrays\n" in text, mutants[1] if mutants else "", "", engine[1].split(), [f"-chparam PART {k}" for k in range(int(count[1]))] if count else [""],
                  cover[1] if cover else "", re.findall(r"^// Still: +(\S+) (\S+)$", text, re.M),
                  re.findall(r"^// Fault: +(\S+) / (.+) / (.+)$", text, re.M))
 
 
-def check(proof: Proof, rtl: pathlib.Path, part: str, faulty: bool, work: pathlib.Path) -> int:
-    """Reads the proof with the modules of `rtl`, hmlfc_ram as in a simulation, and runs its engine."""
-    engine = proof.engine[0]
+def model(proof: Proof, rtl: pathlib.Path, options: str) -> list[str]:
+    """The commands that read the proof, its parameters by `options`, with the modules of `rtl`, hmlfc_ram as in a simulation."""
+    memory = ["memory_collect", "memory_nordff"] if proof.arrays else ["memory_dff", "memory_map"]
+    own_ram = f"{rtl}/hmlfc_ram.sv" if (rtl / "hmlfc_ram.sv").exists() else ""
     script = [
-        f"read_verilog -sv -formal -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {rtl}/hmlfc_ram.sv {HERE}/{proof.name}.sv",
-        f"hierarchy -check -top prove_{proof.name} {part} -libdir {rtl}",
+        f"read_verilog -sv -formal {proof.define} -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {own_ram} {proof.file}",
+        f"hierarchy -check -top prove_{proof.name} {options} -libdir {rtl}",
         "proc", "opt_expr", "opt_dff", "setattr -set keep 1 t:$*ff*", "opt_clean", "setattr -unset keep t:$*ff*",  # all registers stay
-        "memory_dff", "memory_map", "opt_expr", "flatten", "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
-    if engine == "sat":
+        *memory, "opt_expr", "flatten", "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
+    if proof.engine[0] == "sat":
         script.append("simplemap t:$dff t:$dffe")  # bit by bit: registers that are equal become one
-    script += ["opt_merge", "opt_clean", "check -assert"]
-    if engine == "sat":
-        return solve_sat(proof, script)
+    return [*script, "opt_merge", "opt_clean", "check -assert"]
 
+
+def base_case(proof: Proof, rtl: pathlib.Path, options: str, steps: list[str], smt2: pathlib.Path) -> int:
+    """The runs of N clocks. `steps` are options of the search by z3."""
+    script = model(proof, rtl, options)
+    if proof.engine[0] == "sat":
+        return solve_sat(proof, script)
+    status, text = run(["yosys", "-q", "-p", "; ".join([*script, "async2sync", "dffunmap", "opt_clean", f"write_smt2 -wires {smt2}"])])
+    return solve_smt(smt2, steps) if status == 0 else fail(f"yosys: {text}")
+
+
+def check(proof: Proof, rtl: pathlib.Path, part: str, faulty: bool, work: pathlib.Path) -> int:
+    """Runs the proof's engine on the modules of `rtl`."""
     smt2 = work / "model.smt2"
-    script += ["async2sync", "dffunmap", "opt_clean", f"write_smt2 -wires {smt2}"]
-    status, text = run(["yosys", "-q", "-p", "; ".join(script)])
-    if status != 0:
-        return fail(f"yosys: {text}")
-    status = solve_smt(smt2, ["-t", proof.engine[-1]] + ([] if faulty else ["--presat"]))
-    if status == PROVED and engine == "induction":
+    status = base_case(proof, rtl, part, ["-t", proof.engine[-1]] + ([] if faulty else ["--presat"]), smt2)
+    if status == PROVED and proof.engine[0] == "induction":
         status = solve_smt(smt2, ["-i", "-t", proof.engine[1]])
         if status == REFUTED and not faulty:
             status = FAILED  # nothing is refuted: the proof lacks an invariant
@@ -157,13 +176,54 @@ def find_faults(proof: Proof, work: pathlib.Path) -> int:
     return PROVED
 
 
+def without_parameters(text: str, module: str, values: dict[str, str]) -> tuple[str, str] | None:
+    """The text of a proof whose instances of `module` set no parameters, and options that set those of the proof's module; None where an instance
+    is of other values."""
+    own = set(re.findall(r"^  parameter \w+ (\w+) =", text, re.M))
+    for _, given in re.findall(rf"(hmlfc_{module}) #\((.*?)\) \w+ \(", text):
+        for name, value in re.findall(r"\.(\w+)\((\w+)\)", given):
+            if value != values.get(name) and not (name in values and value in own):
+                return None
+    names = set(re.findall(r"\.(\w+)\(", " ".join(re.findall(rf"hmlfc_{module} #\((.*?)\) \w+ \(", text))))
+    if names != set(values):
+        return None
+    options = " ".join(f"-chparam {name} {value}" for name, value in values.items() if name in own)
+    return re.sub(rf"(hmlfc_{module}) #\(.*?\) (\w+ \()", r"\1 \2", text), options
+
+
+def refute(proof: Proof, netlist: pathlib.Path, values: dict[str, str], work: pathlib.Path) -> int:
+    """REFUTED: the base case has a counterexample with the module of `netlist`."""
+    module = netlist.stem.removeprefix("hmlfc_")
+    given = without_parameters(proof.file.read_text(encoding="utf-8"), module, values)
+    if given is None:
+        return OTHER
+    text, options = given
+    rtl = work / "rtl"
+    rtl.mkdir()
+    for path in RTL.glob("hmlfc_*.sv*"):
+        if path.stem != netlist.stem:
+            (rtl / path.name).symlink_to(path)
+    shutil.copy(netlist, rtl)
+    proof.file = work / f"{proof.name}.sv"
+    proof.file.write_text(text, encoding="utf-8")
+    proof.define = "-DHMLFC_BASE_CASE"
+    clocks = proof.mutants or max(proof.engine[-1], proof.cover, key=lambda number: int(number or 0))
+    for part in proof.parts:
+        # All clocks in one search: where there is none, each alone takes longer.
+        status = base_case(proof, rtl, f"{part} {options}", ["-t", f"0:{clocks}:{clocks}"], work / "model.smt2")
+        if status != PROVED:
+            return status
+    return PROVED
+
+
 def fail(text: str) -> int:
     print(text, file=sys.stderr)
     return FAILED
 
 
 def main(arguments: list[str]) -> int:
-    if len(arguments) not in (1, 2) or arguments[1:] not in ([], ["--fault"]):
+    module = arguments[1:2] == ["--module"] and len(arguments) > 2
+    if not arguments or (arguments[1:] not in ([], ["--fault"]) and not module):
         return fail(__doc__)
     for tool in ("yosys", "yosys-smtbmc", "z3"):
         if shutil.which(tool) is None:
@@ -174,6 +234,8 @@ def main(arguments: list[str]) -> int:
         return fail(f"{arguments[0]}.sv names no engine")
     with tempfile.TemporaryDirectory(prefix="hmlfc_formal_") as folder:
         work = pathlib.Path(folder)
+        if module:
+            return refute(proof, pathlib.Path(arguments[2]), dict(value.split("=") for value in arguments[3:]), work)
         return find_faults(proof, work) if arguments[1:] else prove(proof, RTL, False, work)
 
 

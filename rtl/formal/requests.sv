@@ -11,10 +11,12 @@
 // Fault: hmlfc_requests.sv / job.tlast = last / job.tlast = next_last
 // Fault: hmlfc_requests.sv / busy <= next_valid || !next_ready / busy <= next_valid
 // Fault: hmlfc_requests.sv / view_level = of_residuals ? now_stop[2:0] : / view_level =
-module prove_requests (
+module prove_requests #(
+  parameter integer VIEWS = 4  // of the unit's 16: slots differ in number alone, and their pairs make the proof long
+) (
   input logic clk, input logic rst_n, input logic enable, input logic flush, input logic s_valid, input logic [63:0] s_data,
   input logic s_last, input logic view_done, input logic [7:0] view_keys, input logic job_ready, input logic chroma_spoiled,
-  input logic finished_valid, input logic [1:0] finished_slot
+  input logic finished_valid, input logic [$clog2(VIEWS)-1:0] finished_slot
 );
   (* anyconst *) logic [10:0] rows;
   (* anyconst *) logic [10:0] cols;
@@ -34,9 +36,8 @@ module prove_requests (
     stream.chroma.blocks_x = blocks;
     stream.chroma.blocks_y = blocks;
   end
-  localparam VIEWS = 4;  // of the unit's 16: slots differ in number alone, and their pairs make the proof long
   logic s_ready, view_start, job_valid;
-  logic [1:0] view_slot;
+  logic [$clog2(VIEWS)-1:0] view_slot;
   logic [9:0] view_row, view_col;
   logic [hmlfc_pkg::JOB_BITS-1:0] job_bits;
   hmlfc_pkg::job_t job;
@@ -64,7 +65,7 @@ module prove_requests (
   (* hierconn *) wire [2:0] \dut.first_level ;
   (* hierconn *) wire [3:0] \dut.now_stop ;
   (* hierconn *) wire [VIEWS-1:0] \dut.held ;
-  (* hierconn *) wire [1:0] \dut.slot ;
+  (* hierconn *) wire [$clog2(VIEWS)-1:0] \dut.slot ;
   (* hierconn *) wire [8*VIEWS-1:0] \dut.held_keys ;
   (* hierconn *) wire [1:0] \dut.now_plane ;
   (* hierconn *) wire [10*VIEWS-1:0] \dut.held_rows ;

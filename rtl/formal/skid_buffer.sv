@@ -6,18 +6,20 @@
 // Complete: the list is bound to the slice's second register, so the induction needs no reachability.
 // Fault: hmlfc_skid_buffer.sv / in_ready ? in_data : skid / in_data
 // Fault: hmlfc_skid_buffer.sv / out_valid <= in_valid || !in_ready / out_valid <= in_valid
-module prove_skid_buffer (
-  input logic clk, input logic rst_n, input logic in_valid, input logic [7:0] in_data, input logic out_ready
+module prove_skid_buffer #(
+  parameter integer WIDTH = 8
+) (
+  input logic clk, input logic rst_n, input logic in_valid, input logic [WIDTH-1:0] in_data, input logic out_ready
 );
   logic       in_ready, out_valid;
-  logic [7:0] out_data;
-  hmlfc_skid_buffer #(.WIDTH(8)) dut (
+  logic [WIDTH-1:0] out_data;
+  hmlfc_skid_buffer #(.WIDTH(WIDTH)) dut (
     .clk(clk), .rst_n(rst_n), .in_valid(in_valid), .in_ready(in_ready), .in_data(in_data),
     .out_valid(out_valid), .out_ready(out_ready), .out_data(out_data));
 
   logic       reset_done = 1'b0;
   logic [1:0] held;
-  logic [7:0] word_0, word_1;
+  logic [WIDTH-1:0] word_0, word_1;
   wire        put = in_valid && in_ready;
   wire        take = out_valid && out_ready;
   wire  [1:0] rest = held - {1'b0, take};
@@ -28,10 +30,10 @@ module prove_skid_buffer (
     word_1 <= put && rest == 1 ? in_data : word_1;
   end
 
-  (* hierconn *) wire [7:0] \dut.skid ;
+  (* hierconn *) wire [WIDTH-1:0] \dut.skid ;
 
   logic       waiting;
-  logic [7:0] waiting_data;
+  logic [WIDTH-1:0] waiting_data;
   always @(posedge clk) begin
     waiting <= rst_n && out_valid && !out_ready;
     waiting_data <= out_data;

@@ -3,11 +3,12 @@
 //   - a block gets it only for its own tile; a tile is never kept in two contexts;
 //   - each taking puts it once on the list of loads, with its tile and information; it is ready just when that load has ended;
 //   - after a load without loaded_keep no block gets it for that tile before it is loaded anew.
-// CONTEXTS = 4, INFO_BITS = 2.
+// CONTEXTS = 4.
 //
 // Clauses: Prefetching (docs/pipeline.md)
 // Engine: induction 2 5
 // Cover: 11
+// Mutants: 5
 // Complete: the context's state and its entry on the list are bound to the module's registers, so the induction needs no reachability.
 // Fault: hmlfc_tile_contexts.sv / && !(counts && counted == CONTEXT_BITS'(i)) / && 1'b1
 // Fault: hmlfc_tile_contexts.sv / ready[free_context] <= 1'b0 / ready[free_context] <= 1'b1
@@ -17,38 +18,37 @@
 // Fault: hmlfc_tile_contexts.sv / load = ask && !hit && found / load = ask && !hit && 1'b1
 // Fault: hmlfc_tile_contexts.sv / counts <= ask && granted; / counts <= 1'b0;
 // Fault: hmlfc_tile_contexts.sv / .out_ready(load_ready) / .out_ready(1'b0)
-module prove_tile_contexts (
+module prove_tile_contexts #(
+  parameter integer CONTEXTS = 4,
+  parameter integer INFO_BITS = 2,
+  localparam integer C = $clog2(CONTEXTS)
+) (
   input logic clk, input logic rst_n, input logic flush, input logic ask, input logic [hmlfc_pkg::TILE_BITS-1:0] tile,
-  input logic [1:0] info, input logic load_ready, input logic loaded_valid, input logic [1:0] loaded_context, input logic loaded_keep,
-  input logic release_valid, input logic [1:0] release_context
+  input logic [INFO_BITS-1:0] info, input logic load_ready, input logic loaded_valid, input logic [C-1:0] loaded_context, input logic loaded_keep,
+  input logic release_valid, input logic [C-1:0] release_context
 );
   localparam integer T = hmlfc_pkg::TILE_BITS;
   logic         granted, load_valid;
-  logic [1:0]   number, load_context, load_info;
+  logic [C-1:0] number, load_context;
+  logic [INFO_BITS-1:0] load_info;
   logic [T-1:0] load_tile;
-  logic [3:0]   ready;
-  hmlfc_tile_contexts #(.CONTEXTS(4), .INFO_BITS(2)) dut (
+  logic [CONTEXTS-1:0] ready;
+  hmlfc_tile_contexts #(.CONTEXTS(CONTEXTS), .INFO_BITS(INFO_BITS)) dut (
     .clk(clk), .rst_n(rst_n), .flush(flush), .ask(ask), .tile(tile), .info(info), .granted(granted), .context_number(number),
     .load_valid(load_valid), .load_ready(load_ready), .load_context(load_context), .load_tile(load_tile), .load_info(load_info),
     .loaded_valid(loaded_valid), .loaded_context(loaded_context), .loaded_keep(loaded_keep), .ready(ready),
     .release_valid(release_valid), .release_context(release_context));
 
   (* hierconn *) wire \dut.hit ;
-  (* hierconn *) wire [3:0] \dut.kept ;
-  (* hierconn *) wire [4*T-1:0] \dut.tiles ;
-  (* hierconn *) wire [39:0] \dut.users ;
+  (* hierconn *) wire [CONTEXTS-1:0] \dut.kept ;
+  (* hierconn *) wire [CONTEXTS*T-1:0] \dut.tiles ;
+  (* hierconn *) wire [10*CONTEXTS-1:0] \dut.users ;
   (* hierconn *) wire \dut.counts ;
-  (* hierconn *) wire [1:0] \dut.counted ;
-  (* hierconn *) wire [T+3:0] \dut.loads.storage.words[0] ;
-  (* hierconn *) wire [T+3:0] \dut.loads.storage.words[1] ;
-  (* hierconn *) wire [T+3:0] \dut.loads.storage.words[2] ;
-  (* hierconn *) wire [T+3:0] \dut.loads.storage.words[3] ;
-  (* hierconn *) wire [2:0] \dut.loads.taken ;
-  (* hierconn *) wire [2:0] \dut.loads.written ;
+  (* hierconn *) wire [C-1:0] \dut.counted ;
 
   // The context that is watched, and another.
-  (* anyconst *) logic [1:0] c;
-  (* anyconst *) logic [1:0] other;
+  (* anyconst *) logic [C-1:0] c;
+  (* anyconst *) logic [C-1:0] other;
 
   // What it is for, and since when.
   localparam logic [1:0] IDLE = 2'd0, LISTED = 2'd1, LOADING = 2'd2;
@@ -57,7 +57,7 @@ module prove_tile_contexts (
   logic [10:0]  inside;  // blocks that got it and are not done
   logic         spoiled, used_before;
   logic [T-1:0] own;
-  logic [1:0]   own_info;
+  logic [INFO_BITS-1:0] own_info;
   wire          gets = ask && granted && number == c;
   wire          taken = gets && !\dut.hit ;
   wire          handed_out = load_valid && load_ready && load_context == c;
@@ -83,12 +83,25 @@ module prove_tile_contexts (
     end
   end
 
-  // The list of loads, the oldest low.
-  wire [4*(T+4)-1:0] storage = {\dut.loads.storage.words[3] , \dut.loads.storage.words[2] , \dut.loads.storage.words[1] , \dut.loads.storage.words[0] };
-  wire [4*(T+4)-1:0] turned = {storage, storage} >> ((T + 4) * \dut.loads.taken [1:0]);
-  wire [2:0]         count = \dut.loads.written - \dut.loads.taken ;
-  logic [3:0]        is_own;
-  always @* for (integer k = 0; k < 4; k = k + 1) is_own[k] = k < count && turned[(T+4)*k+T+2 +: 2] == c;
+`ifndef HMLFC_BASE_CASE  // the induction needs it
+  // The list of loads, the oldest low, of four contexts.
+  localparam integer L = C + T + INFO_BITS;
+  (* hierconn *) wire [L-1:0] \dut.loads.storage.words[0] ;
+  (* hierconn *) wire [L-1:0] \dut.loads.storage.words[1] ;
+  (* hierconn *) wire [L-1:0] \dut.loads.storage.words[2] ;
+  (* hierconn *) wire [L-1:0] \dut.loads.storage.words[3] ;
+  (* hierconn *) wire [2:0] \dut.loads.taken ;
+  (* hierconn *) wire [2:0] \dut.loads.written ;
+  wire [4*L-1:0] storage = {\dut.loads.storage.words[3] , \dut.loads.storage.words[2] , \dut.loads.storage.words[1] , \dut.loads.storage.words[0] };
+  wire [4*L-1:0] turned = {storage, storage} >> (L * \dut.loads.taken [1:0]);
+  wire [2:0]     count = \dut.loads.written - \dut.loads.taken ;
+  logic [3:0]    is_own;
+  always @* for (integer k = 0; k < 4; k = k + 1) is_own[k] = k < count && turned[L*k+T+INFO_BITS +: 2] == c;
+  always @* if (started) begin
+    assert (count <= 4 && is_own == (is_own & -is_own) && (is_own != 0) == (state == LISTED));
+    for (integer k = 0; k < 4; k = k + 1) if (is_own[k]) assert (turned[L*k +: T+INFO_BITS] == {own, own_info});
+  end
+`endif
 
   always @* begin
     if (!started) assume (!rst_n);
@@ -104,9 +117,6 @@ module prove_tile_contexts (
       if (inside != 0 || \dut.kept [c]) assert (\dut.tiles [T*c +: T] == own);
       if (\dut.kept [c] && state == IDLE) assert (ready[c] && !spoiled);
       if (c != other && \dut.kept [c] && \dut.kept [other]) assert (\dut.tiles [T*c +: T] != \dut.tiles [T*other +: T]);
-
-      assert (count <= 4 && is_own == (is_own & -is_own) && (is_own != 0) == (state == LISTED));
-      for (integer k = 0; k < 4; k = k + 1) if (is_own[k]) assert ({turned[(T+4)*k +: 2], turned[(T+4)*k+2 +: T]} == {own_info, own});
 
       if (taken) assert (inside == 0 && state == IDLE);
       if (gets && !taken) assert (tile == own && !(spoiled && state == IDLE));

@@ -18,6 +18,7 @@ BENCH = find("geometry", "numpy", "PIL", "hmlfc")
 import numpy as np  # noqa: E402
 from depth import measures, read_pfm  # noqa: E402
 from process import BenchError  # noqa: E402
+from withheld import stated_places  # noqa: E402
 
 PROGRAM = Path(sys.argv.pop(1)).resolve()
 
@@ -46,6 +47,22 @@ class Measures(unittest.TestCase):
                 path.write_bytes(content)
                 with self.assertRaises(BenchError):
                     read_pfm(path)
+
+
+class StatedPlaces(unittest.TestCase):
+    def test_names_of_the_stanford_archive(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(stated_places(Path(folder)), {})
+            for row, y in ((0, -5), (1, -7.5)):
+                for col, x in ((0, 30), (1, 20), (2, 4)):  # y and x fall; the steps of x are 10 and 16
+                    (Path(folder) / f"out_{row:02}_{col:02}_{y:.6f}_{x:.6f}.jpg").touch()
+            (Path(folder) / "rig.json").touch()
+            places = stated_places(Path(folder))
+        # Of columns: mean x is 18; the sum of (x - 18) * (col - 1) is -26, that of (x - 18)^2 is 344.
+        self.assertEqual(sorted(places), [(row, col) for row in (0, 1) for col in (0, 1, 2)])
+        for (row, col), place in places.items():
+            for found, known in zip(place, (row, 1 - 26 / 344 * ((30, 20, 4)[col] - 18))):
+                self.assertAlmostEqual(found, known)
 
 
 class Report(unittest.TestCase):

@@ -10,21 +10,35 @@ set(HMLFC_PROOFS
   bise_unpack
   colour
   compose
+  disparity_ask
   divide
+  element_reader
   fifo
+  fifo_order
+  images
   interpolate
+  motion_tile
   multiply_add
+  multiply_add_step
+  plane_size
   quints
+  ram
   read_port
   reconstruct
+  record_ram
   reference_lookup
   registers
   requests
   residual
   skid_buffer
+  strip_scan
+  tile_ask
   tile_contexts
-  trits)
-set(HMLFC_LONG_PROOFS answer bise_unpack interpolate reconstruct reference_lookup residual tile_contexts)
+  tile_number
+  trits
+  view_registers
+  view_scan)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader interpolate reconstruct reference_lookup residual tile_contexts)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)

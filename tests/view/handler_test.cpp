@@ -44,6 +44,31 @@ TEST(ViewHandler, FramesAreThoseOfTheRenderer) {
   }
 }
 
+// What the last of three frames of a moving camera waits for; --no-ahead.
+TEST(ViewHandler, KeyImagesAreDecodedAheadOfTheMotion) {
+  StreamHeader header = test::row_of_views(0);
+  header.cols = 24;
+  const auto bytes = test::drawn_stream(header, 7);
+  const auto waits = [&bytes](bool ahead) {
+    OpenStream stream("a.hmlfc", bytes);
+    Handler handler({80, "token"}, stream, nullptr, ahead);
+    uint64_t samples = 0;
+    for (const char* camera : {"12,0", "12.5,0", "15,0"}) {
+      const Query query{{"camera", camera}, {"size", "8x6"}, {"geometry", "plane"}};
+      const Response response =
+          handler.answer({"GET", "/token/frame", query, "127.0.0.1:80", "", ""});
+      EXPECT_EQ(response.status, 200) << response.body;
+      handler.finish_ahead();
+      for (const auto& [name, value] : response.headers) {
+        if (name == "Frame") samples = json::parse(value).at("key_samples");
+      }
+    }
+    return samples;
+  };
+  EXPECT_GT(waits(false), 0u);
+  EXPECT_EQ(waits(true), 0u);
+}
+
 TEST(ViewHandler, StagesAreThoseOfTheDecoder) {
   Fixture fixture;
   const Decoder& decoder = fixture.stream.for_blocks().decoder();

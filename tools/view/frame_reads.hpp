@@ -1,24 +1,22 @@
 // What frames read of a stream, apart from what is decoded ahead of them.
 #pragma once
 
+#include <hmlfc/key_prefetcher.hpp>
 #include <hmlfc/read_sink.hpp>
 
 namespace hmlfc::view {
 
-/// TouchedBytes without the reads of threads that are marked as ahead. Functions of TouchedBytes
-/// that may not be called while another thread decodes may be called while such a thread does.
+/// TouchedBytes without the reads of prefetchers. Functions of TouchedBytes that may not be called
+/// while another thread decodes may be called while a prefetcher does.
 class FrameReads final : public ReadSink {
  public:
   explicit FrameReads(uint64_t file_bytes) : touched_(file_bytes) {}
 
-  /// The calling thread decodes ahead from now on.
-  static void mark_thread() { is_ahead = true; }
-
   void on_read(uint64_t offset, uint64_t bytes) override {
-    if (!is_ahead) touched_.on_read(offset, bytes);
+    if (!KeyPrefetcher::is_this_thread()) touched_.on_read(offset, bytes);
   }
   void on_key_plane(uint64_t samples) override {
-    if (!is_ahead) touched_.on_key_plane(samples);
+    if (!KeyPrefetcher::is_this_thread()) touched_.on_key_plane(samples);
   }
 
   /// As TouchedBytes has them.
@@ -27,7 +25,6 @@ class FrameReads final : public ReadSink {
   void reset() { touched_.reset(); }
 
  private:
-  static inline thread_local bool is_ahead = false;
   TouchedBytes touched_;
 };
 

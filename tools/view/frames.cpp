@@ -6,7 +6,6 @@
 #include "io/image_files.hpp"
 #include "view/pixels.hpp"
 #include "view/query.hpp"
-#include "view/views_in_use.hpp"
 
 namespace hmlfc::view {
 
@@ -23,14 +22,11 @@ FrameRecord Frames::render(const Query& query) {
   const int stop_level = look.levels ? file.stop_level(*look.levels) : 0;
   if (renderer_ == nullptr) {
     renderer_ = make_cpu_renderer(file.decoder());
-    if (looks_ahead_) ahead_.emplace(file.decoder());
+    if (looks_ahead_) prefetcher_.emplace(file.decoder());
   }
   stream_.touched().reset();
   file.value(renderer_->render(*record, stop_level, frame_));
-  if (ahead_) {
-    constexpr double kUnit = 65536;  // of places in the grid (CAM-1)
-    ahead_->rendered(views_in_use(*record), record->u0 / kUnit, record->v0 / kUnit, stop_level);
-  }
+  if (prefetcher_) prefetcher_->rendered(*record, stop_level);
   return *record;
 }
 
@@ -74,7 +70,7 @@ Response Frames::focus(const Query& query) const {
 
 void Frames::finish_ahead() {
   const std::lock_guard lock(mutex_);
-  if (ahead_) ahead_->finish();
+  if (prefetcher_) prefetcher_->finish();
 }
 
 }  // namespace hmlfc::view

@@ -5,9 +5,9 @@
 #include <mutex>
 #include <optional>
 
+#include <hmlfc/key_prefetcher.hpp>
 #include <hmlfc/renderer.hpp>
 
-#include "view/ahead.hpp"
 #include "view/exchange.hpp"
 #include "view/open_stream.hpp"
 
@@ -44,7 +44,7 @@ class Frames {
   std::unique_ptr<FrameRenderer> renderer_;  // made for the first frame
   Frame frame_;
   bool looks_ahead_;
-  std::optional<Ahead> ahead_;  // made for the first frame
+  std::optional<KeyPrefetcher> prefetcher_;  // made for the first frame
 };
 
 }  // namespace hmlfc::view

@@ -2,6 +2,7 @@
 // (docs/rendering.md, sections 1 and 2).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -134,5 +135,10 @@ struct CameraError {
 /// along the columns of views, or one too far away.
 HMLFC_EXPORT tl::expected<FrameRecord, CameraError> frame_record(const Camera& camera,
                                                                  const StreamHeader& header);
+
+/// First and last row, first and last column, of the views that the rays through the corners of the
+/// frame of `record` take pixels from (RAY-3, SMP-1), and all between them. In floating point, for
+/// a map on the screen or for decoding ahead; geometry may need further views.
+HMLFC_EXPORT std::array<int, 4> views_in_use(const FrameRecord& record);
 
 }  // namespace hmlfc

@@ -13,14 +13,15 @@ import sys
 from pathlib import Path
 
 import record
+import refute
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parents[2] / "bench/common"))
 
 import result_file  # noqa: E402  (found only now)
 
-COLUMNS = ("module", "mutants", "found by a vector", "by a test of the bench", "equivalent", "other clocks alone",
-           "survive, explained", "at no pin of the module", "not explained", "no result yet")
+COLUMNS = ("module", "mutants", "found by a vector", "by a test of the bench", "by a proof of the module", "equivalent",
+           "other clocks alone", "survive, explained", "not explained", "no result yet")
 COMMAND = re.compile(
     r"mutate -mode (?P<mode>\w+) -module top -cell (?P<cell>\S+) -port (?P<port>\S+)"
     r" -portbit (?P<bit>\d+)(?: -ctrlbit (?P<control>\d+))?"
@@ -48,17 +49,17 @@ def survivor(entry):
 
 
 def outcomes(recorded):
-    """Rows of module, mutants, found by a vector, by a test of the bench, equivalent, of other clocks,
-    surviving with a reason, because they show at no pin of their module, without a reason, and without a
-    result yet."""
+    """Rows of module, mutants, found by a vector, by a test of the bench, by a proof of the module,
+    equivalent, of other clocks, surviving with a reason, without a reason, and without a result yet."""
     rows, total = [], collections.Counter()
     for kept in recorded.values():
         by_check = record.found_by(kept)
         for module, made in kept["made"].items():
             checks = [by_check[number] for number in made if number in by_check]
-            tests = sum("." in check for check in checks)  # no vector has one in its name
+            proofs = sum(check.startswith(refute.PREFIX) for check in checks)
+            tests = sum("." in check for check in checks) - proofs  # no vector has one in its name
             ends = [len(set(made) & set(kept[end])) for end in record.ENDS]
-            counts = [len(made), len(checks) - tests, tests, *ends, len(made) - len(checks) - sum(ends)]
+            counts = [len(made), len(checks) - tests - proofs, tests, proofs, *ends, len(made) - len(checks) - sum(ends)]
             rows.append((module, *counts))
             total.update(dict(enumerate(counts)))
     return rows + [("all", *(total[at] for at in range(len(COLUMNS) - 1)))]

@@ -11,9 +11,9 @@ of modules (units.py) are Verilated with their mutants in them, each of which is
 - loading, tiles, references, memories (the rest of the decode unit): these, then the tests of registers and 16 random streams of the regression;
 - dma, view (the modules around it): the tests of the view unit, those of the DMA on 64 random streams.
 
-A failing assertion of rtl/kit finds a mutant too. What no check finds is equivalent by a proof of Yosys and ABC, or takes other clocks for
-a vector, or must be in survivors.json, with the reason. Those without are told apart: do they show at a pin of their module in any check
-(observe.py)? Where not, the checks lack a stimulus, or the unit cannot give one.
+A failing assertion of rtl/kit finds a mutant too. What the first of these checks miss is tried on the proofs of its module, if it has any
+(refute.py), before the others. What nothing finds is equivalent by a proof of Yosys and ABC, or takes other clocks for a vector, or must be in
+survivors.json, with the reason.
 
 --group NAME    only mutants of the group         --module NAME   only mutants of hmlfc_NAME
 --sample N      only N of them, spread evenly
@@ -21,6 +21,7 @@ a vector, or must be in survivors.json, with the reason. Those without are told 
 --record        writes recorded.json: what became of them; what found one is tried first from then on
 --found         only mutants that were found then
 --new           only mutants of which it has no result, without the first checks, so that a campaign can go on
+--proofs        only the proofs, of modules and of equivalence, no other check
 """
 
 import argparse
@@ -32,17 +33,17 @@ import subprocess
 import sys
 import threading
 
-import differing
 import prove
 import record
+import refute
 import units
 
 HERE = pathlib.Path(__file__).resolve().parent
 FOUND = ("killed", "hangs")
 FIRST_CLOCKS = 60_000
 SPEED_CLOCKS = 300_000
+LONGER = 3  # times the CPU time of a search for equivalence, for a proof of a module
 TOGETHER = 48  # mutants that are switched on at once, if no check finds them
-SURE = 3  # mutants of a variant that are found, and must differ in the check that finds them
 
 
 def chosen(mutants: list[dict], module: str | None, sample: int | None) -> list[dict]:
@@ -98,8 +99,8 @@ class Campaign:
     """One of a group of modules. `results` has what became of each mutant so far, by number: `result` of rtl_mutants, the `proof` of
     those that no check finds, and the `speed` of those that show in clocks."""
 
-    def __init__(self, program: list[str], folder: pathlib.Path, options: argparse.Namespace, planted: list[dict], known: dict[int, str], keep):
-        self.program, self.folder, self.options, self.planted, self.known, self.keep = program, folder, options, planted, known, keep
+    def __init__(self, program: list[str], folder: pathlib.Path, options: argparse.Namespace, known: dict[int, str], keep):
+        self.program, self.folder, self.options, self.known, self.keep = program, folder, options, known, keep
         self.results, self.lock = {}, threading.Lock()
 
     def run_checks(self, step: str, command: list[str], shards: list[list[list[dict]]]) -> None:
@@ -111,6 +112,15 @@ class Campaign:
 
         for _ in in_parallel(step, run_shard, shards, self.options.jobs):
             pass
+
+    def refute(self, mutants: list[dict]) -> None:
+        """Those that a proof of their module finds have a result by that."""
+        tried = [mutant for mutant in mutants if refute.proofs(mutant["module"])]
+        said = in_parallel("proofs of modules", lambda mutant: refute.refuted_by(mutant, self.folder, LONGER * self.options.seconds), tried, self.options.jobs)
+        for mutant, proof in zip(tried, said):
+            if proof:
+                self.results[mutant["number"]] = {"number": mutant["number"], "result": "killed", "vector": refute.test_of(proof)}
+                self.keep(self.results)
 
     def left(self, mutants: list[dict]) -> list[dict]:
         return [mutant for mutant in mutants if self.results[mutant["number"]]["result"] not in FOUND]
@@ -126,36 +136,28 @@ class Campaign:
                 self.keep(self.results)
         return proofs
 
-    def shown(self, mutants: list[dict]) -> set[int]:
-        """Those that show at a pin of their module in some check. Some that are found must show in the check that finds them."""
-        if self.options.vectors or not mutants:
-            return numbers_of(mutants)
-        found = self.known | {number: result["vector"] for number, result in self.results.items() if "vector" in result}
-        sure = []
-        for variant in by_variant(self.planted):
-            sure += [mutant["number"] for mutant in variant if mutant["number"] in found][:SURE]
-        observed = differing.observe(self.folder, self.options.suite, numbers_of(mutants), {number: found[number] for number in sure}, self.options.jobs)
-        return {number for numbers in observed.values() for number in numbers}
-
     def run(self, mutants: list[dict]) -> None:
         """Most are found by the first checks, alone, the others with many switched on at once. What no check finds is proved equivalent, if it
-        can be; of the rest it is told which show anywhere."""
-        missed = mutants
-        if not self.options.new:
+        can be."""
+        self.results = {mutant["number"]: {"number": mutant["number"], "result": "missed"} for mutant in mutants}
+        if not (self.options.new or self.options.proofs):
             first = [*self.program, "--clocks", str(FIRST_CLOCKS)]
             self.run_checks("first checks", first, [[[mutant] for mutant in variant] for variant in by_variant(mutants)])
-            missed = self.left(mutants)
-        if self.options.first or not missed:
+        if self.options.first:
             return
-        self.run_checks("all checks", self.program, together(missed))
-        missed = self.left(missed)
+        if not self.options.vectors:
+            self.refute(self.left(mutants))
+        if self.options.proofs:
+            self.prove(self.left(mutants))
+            return
+        self.run_checks("all checks", self.program, together(self.left(mutants)))
+        missed = self.left(mutants)
         proofs = self.prove(missed)
         missed = [mutant for mutant in missed if proofs[mutant["number"]] != prove.EQUIVALENT]
-        shown = self.shown(missed)
         for number in numbers_of(missed):
-            self.results[number] |= {"proof": proofs[number]} | ({} if number in shown else {"hidden": "shows at no pin of its module in any check"})
+            self.results[number]["proof"] = proofs[number]
         speed = [*self.program, "--speed", "--clocks", str(SPEED_CLOCKS)]
-        alone = [str(number) for number in sorted(numbers_of(missed) & shown)]
+        alone = [str(number) for number in sorted(numbers_of(missed))]
         for found in in_parallel("clocks", lambda name: list(lines(speed, [name])), alone, self.options.jobs):
             for slower in found:
                 self.results[slower["number"]]["speed"] = f"{slower['clocks']} clocks of {slower['vector']} in place of {slower['unmutated']}"
@@ -196,13 +198,13 @@ def print_table(mutants: list[dict], results: dict[int, dict]) -> None:
         result = results[mutant["number"]]
         if "speed" in result or survives(result):
             print(f"mutant {mutant['number']} {result['proof']}: hmlfc_{mutant['module']} {mutant['parameters']}\n  {mutant['command']}\n  "
-                  + next((result[key] for key in ("speed", "reason", "hidden") if key in result), "no reason is listed in survivors.json"))
+                  + next((result[key] for key in ("speed", "reason") if key in result), "no reason is listed in survivors.json"))
 
 
 def run_group(group: str, options: argparse.Namespace) -> tuple[int, int]:
     """Of a group: how many mutants were run, and how many survive without a reason."""
     folder = pathlib.Path(options.folder).resolve() / group
-    mutants = planted = json.loads((folder / "mutants.json").read_text(encoding="utf-8"))["mutants"]
+    mutants = json.loads((folder / "mutants.json").read_text(encoding="utf-8"))["mutants"]
     kept = record.of_group(group, folder, mutants)
     known = record.found_by(kept)
     if options.found:
@@ -214,12 +216,12 @@ def run_group(group: str, options: argparse.Namespace) -> tuple[int, int]:
         return 0, 0
     program = [str(folder.parent / f"rtl_mutants_{group}"), options.suite] + (["--vectors", options.vectors] if options.vectors else [])
     keep = (lambda results: record.write(group, kept, results)) if options.record else (lambda results: None)
-    campaign = Campaign(program, folder, options, planted, known, keep)
+    campaign = Campaign(program, folder, options, known, keep)
     campaign.run(mutants)
     explain(mutants, campaign.results)
     keep(campaign.results)
     print_table(mutants, campaign.results)
-    if options.first:
+    if options.first or options.proofs:
         print(f"{len(campaign.left(mutants))} of {group} have no result yet")
     return len(mutants), sum(survives(result) and "reason" not in result for result in campaign.results.values())
 
@@ -237,6 +239,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--found", action="store_true", help="only mutants that a check found when recorded.json was written")
     parser.add_argument("--new", action="store_true", help="only mutants of which recorded.json has no result")
     parser.add_argument("--first", action="store_true", help="only the first checks: what they miss gets no result")
+    parser.add_argument("--proofs", action="store_true", help="only the proofs: what they miss gets no result")
     parser.add_argument("--record", action="store_true", help="write recorded.json")
     options = parser.parse_args(arguments)
     ran = [run_group(group, options) for group in ([options.group] if options.group else units.GROUPS)]

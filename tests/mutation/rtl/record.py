@@ -11,9 +11,8 @@ import prove
 HERE = pathlib.Path(__file__).resolve().parent
 RECORDED = HERE / "recorded.json"
 # Of a group: module to the checksum of its netlists and mutants, and to its numbers in mutants.json; check to numbers of those that it
-# found; numbers of those that are proved equivalent, that take other clocks, that survive for a reason, because no check shows them at a
-# pin of their module, and without a reason.
-ENDS = ("equivalent", "other_clocks", "explained", "hidden", "unexplained")
+# found; numbers of those that are proved equivalent, that take other clocks, that survive for a reason, and without a reason.
+ENDS = ("equivalent", "other_clocks", "explained", "unexplained")
 EMPTY = {"sha256": {}, "made": {}, "found": {}} | {end: [] for end in ENDS}
 POSITION = re.compile(r"hmlfc_\w+\.svh?:[\d.-]+")  # of a source, which a comment above it changes
 
@@ -63,17 +62,18 @@ def end_of(result: dict) -> str:
     """Of what no check finds."""
     if result["proof"] == prove.EQUIVALENT:
         return "equivalent"
-    return next((end for end, key in (("other_clocks", "speed"), ("explained", "reason"), ("hidden", "hidden")) if key in result), "unexplained")
+    return next((end for end, key in (("other_clocks", "speed"), ("explained", "reason")) if key in result), "unexplained")
 
 
 def write(group: str, kept: dict, results: dict[int, dict]) -> None:
-    """Puts `results` in the place of what is recorded of their mutants; those without an end yet are left out."""
-    found = {number: check for number, check in found_by(kept).items() if number not in results}
-    others = {end: set(kept[end]) - set(results) for end in ENDS}
-    for number, result in results.items():
+    """Puts `results` in the place of what is recorded of their mutants; those without an end yet change nothing."""
+    ended = {number: result for number, result in results.items() if "vector" in result or "proof" in result}
+    found = {number: check for number, check in found_by(kept).items() if number not in ended}
+    others = {end: set(kept[end]) - set(ended) for end in ENDS}
+    for number, result in ended.items():
         if "vector" in result:
             found[number] = result["vector"]
-        elif "proof" in result:
+        else:
             others[end_of(result)].add(number)
     by_check = collections.defaultdict(list)
     for number, check in sorted(found.items()):

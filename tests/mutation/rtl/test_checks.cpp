@@ -19,6 +19,7 @@ constexpr uint64_t kClocks = 6'000;
 // CPU time after which a test hangs that has passed: so many times what that took, and the least.
 constexpr double kTimesAsLong = 4;
 constexpr double kLeastSeconds = 0.5;
+constexpr double kFirstSeconds = 60;
 
 class TestCheck final : public Check {
  public:
@@ -66,15 +67,10 @@ class TestCheck final : public Check {
   }
 
   std::string name_;
-  double limit_ = test_seconds();
+  double limit_ = kFirstSeconds;
 };
 
 }  // namespace
-
-double& test_seconds() {
-  static double seconds = 60;
-  return seconds;
-}
 
 std::vector<std::unique_ptr<Check>> test_checks(std::string_view part) {
   int count = 1;

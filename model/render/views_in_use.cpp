@@ -1,9 +1,10 @@
-#include "view/views_in_use.hpp"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-namespace hmlfc::view {
+#include <hmlfc/camera.hpp>
+
+namespace hmlfc {
 
 namespace {
 
@@ -44,4 +45,4 @@ std::array<int, 4> views_in_use(const FrameRecord& record) {
   return {rows[0], rows[1], cols[0], cols[1]};
 }
 
-}  // namespace hmlfc::view
+}  // namespace hmlfc
