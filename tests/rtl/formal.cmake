@@ -10,6 +10,7 @@ set(HMLFC_PROOFS
   bise_unpack
   colour
   compose
+  control
   disparity_ask
   divide
   element_reader
@@ -17,6 +18,7 @@ set(HMLFC_PROOFS
   fifo_order
   images
   interpolate
+  loader
   motion_tile
   multiply_add
   multiply_add_step
