@@ -11,6 +11,7 @@ set(HMLFC_PROOFS
   colour
   compose
   control
+  decode_unit
   disparity_ask
   divide
   element_reader
