@@ -171,7 +171,7 @@ module hmlfc_loader #(
       enable <= 1'b0;
       state <= WAIT;
     end
-    if (disable_unit) enable <= 1'b0;
+    if (disable_unit && !load) enable <= 1'b0;
     wanted <= still_wanted;
     if (!rst_n) begin
       state <= IDLE;

@@ -10,6 +10,8 @@ set(HMLFC_PROOFS
   bise_unpack
   colour
   compose
+  control
+  decode_unit
   disparity_ask
   divide
   element_reader
@@ -17,6 +19,7 @@ set(HMLFC_PROOFS
   fifo_order
   images
   interpolate
+  loader
   motion_tile
   multiply_add
   multiply_add_step

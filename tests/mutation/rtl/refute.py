@@ -36,9 +36,9 @@ def proofs(module: str) -> tuple[str, ...]:
 
 
 def netlist(folder: pathlib.Path, variant: int, module: str, command: str, scratch: pathlib.Path) -> pathlib.Path:
-    """The module with the mutant of a command of Yosys, none for an empty one."""
+    """The module with the mutant of a command of Yosys, none for an empty one. The command needs the modules in it, to know which ports are inputs."""
     script, out = scratch / "netlist.ys", scratch / f"hmlfc_{module}.il"
-    script.write_text(f"read_rtlil {folder}/{variant}.il\ndelete =A:blackbox\n{command}\nrename top hmlfc_{module}\nwrite_rtlil {out}\n", encoding="utf-8")
+    script.write_text(f"read_rtlil {folder}/{variant}.il\n{command}\ndelete =A:blackbox\nrename top hmlfc_{module}\nwrite_rtlil {out}\n", encoding="utf-8")
     units.yosys(script)
     return out
 
