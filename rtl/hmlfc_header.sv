@@ -266,7 +266,8 @@ module hmlfc_header #(
         end
         stored_crc <= {next_byte, stored_crc[31:8]};
         if (at[3:0] == 4'd15) state <= READ;
-        if (at == 16'(PRELUDE + 1)) begin
+        if (at > 16'(PRELUDE) && at == header_bytes - 16'd1) state <= FIELDS;
+        if (at == 16'(PRELUDE + 1)) begin  // also where header_bytes ends here
           if (fixed[63:0] != HMLFC_MAGIC) begin
             error <= HMLFC_ERROR_BAD_MAGIC;
             state <= FINISH;
@@ -278,7 +279,6 @@ module hmlfc_header #(
             state <= FINISH;
           end
         end
-        if (at > 16'(PRELUDE) && at == header_bytes - 16'd1) state <= FIELDS;
       end
       FIELDS: begin
         state <= ENDS;

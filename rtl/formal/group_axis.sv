@@ -1,124 +1,130 @@
-// Of an image's row or column: the group that it is in, this group's reference image, the neighbouring group of MOT-7 with its reference image, and
-// the parent's place, for all grids; when they come, and that they hold.
+// Groups of one row or column of images, from any state, step by step: divisions for the parent and the group, then for the begins of the groups around
+// it, then the reference images in the middle of them, and the neighbour of MOT-7 with its own.
 //
 // Clauses: STR-3, STR-4, EXT-3, MOT-7
-// Engine: bmc 14
-// Cover: 12
-// Complete: one operation, whose inputs hold. Divisions (proof divide) end after 2 clocks in place of 11; of their quotients group is exact, begins of
-// groups are any that go up and have the image in its group.
+// Engine: bmc 2
+// Complete: any state and one step from it; the four divisions go together and may give anything (proof divide).
 // Fault: hmlfc_group_axis.sv / 22'(groups) - 22'd1 / 22'(groups)
 // Fault: hmlfc_group_axis.sv / at >= middles[11+:10] / at > middles[11+:10]
 // Fault: hmlfc_group_axis.sv / > 22'(count) ? count : / > 22'(count) ? count - 11'd1 :
 // Fault: hmlfc_group_axis.sv / up ? middles[22+:10] / up ? middles[11+:10]
 // Fault: hmlfc_group_axis.sv / group == 0; / 1'b0;
+// Fault: hmlfc_group_axis.sv / (22'(unit) << 1) / 22'(unit)
 
-// In the place of the divisions.
-module hmlfc_divide #(parameter integer WIDTH = 1, parameter integer DIVISOR_BITS = 1, parameter integer QUOTIENT_BITS = 1) (
+// In the place of a division.
+module hmlfc_divide #(parameter integer WIDTH = 22, parameter integer DIVISOR_BITS = 11, parameter integer QUOTIENT_BITS = 11) (
   input logic clk, input logic rst_n, input logic start, input logic [WIDTH-1:0] dividend, input logic [DIVISOR_BITS-1:0] divisor,
   output logic idle, output logic done, output logic [QUOTIENT_BITS-1:0] quotient
 );
-  (* anyseq *) logic [QUOTIENT_BITS-1:0] value;
-  logic [1:0] left;
-  logic [WIDTH-1:0] n;
-  logic [DIVISOR_BITS-1:0] d;
-  assign idle = left == 0;
-  always @(posedge clk) begin
-    done <= left == 1 && rst_n;
-    if (start) {n, d} <= {dividend, divisor};
-    if (left == 1) quotient <= value;
-    left <= !rst_n ? 2'd0 : start ? 2'd2 : left - 2'(left != 0);
-  end
+  (* anyseq *) logic [QUOTIENT_BITS+1:0] any;
+  wire [WIDTH+DIVISOR_BITS+1:0] given = {rst_n, start, dividend, divisor};
+  assign {idle, done, quotient} = any;
 endmodule
 
-module prove_group_axis (input logic clk, input logic start);
-  (* anyconst *) logic [9:0] at;
-  (* anyconst *) logic [10:0] count;
-  (* anyconst *) logic [7:0] size;
-  (* anyconst *) logic [10:0] groups;
-  (* anyconst *) logic balanced;
-  (* anyconst *) logic [7:0] cluster;
-  logic        started = 1'b0;
+module prove_group_axis (
+  input logic clk, input logic start, input logic [9:0] at, input logic [10:0] count, input logic [7:0] size, input logic [10:0] groups,
+  input logic balanced, input logic [7:0] cluster
+);
   logic        done;
   logic [10:0] group, next_group;
   logic [9:0]  reference_at, next_reference_at, parent;
   hmlfc_group_axis dut (
-    .clk(clk), .rst_n(started), .start(start), .at(at), .count(count), .size(size), .groups(groups), .balanced(balanced), .cluster(cluster),
+    .clk(clk), .rst_n(1'b1), .start(start), .at(at), .count(count), .size(size), .groups(groups), .balanced(balanced), .cluster(cluster),
     .done(done), .group(group), .reference_at(reference_at), .next_group(next_group), .next_reference_at(next_reference_at), .parent(parent));
-  (* hierconn *) wire \dut.g_divide[0].divide_one.done ;
-  (* hierconn *) wire [10:0] \dut.g_divide[0].divide_one.quotient ;
-  (* hierconn *) wire [10:0] \dut.g_divide[1].divide_one.quotient ;
-  (* hierconn *) wire [10:0] \dut.g_divide[2].divide_one.quotient ;
-  (* hierconn *) wire [10:0] \dut.g_divide[3].divide_one.quotient ;
-  (* hierconn *) wire [21:0] \dut.g_divide[0].divide_one.n ;
-  (* hierconn *) wire [21:0] \dut.g_divide[1].divide_one.n ;
-  (* hierconn *) wire [21:0] \dut.g_divide[2].divide_one.n ;
-  (* hierconn *) wire [21:0] \dut.g_divide[3].divide_one.n ;
-  (* hierconn *) wire [10:0] \dut.g_divide[0].divide_one.d ;
-  (* hierconn *) wire [10:0] \dut.g_divide[1].divide_one.d ;
-  (* hierconn *) wire [10:0] \dut.g_divide[2].divide_one.d ;
-  (* hierconn *) wire [10:0] \dut.g_divide[3].divide_one.d ;
-  wire         divided = started && \dut.g_divide[0].divide_one.done ;
+  (* hierconn *) wire [12:0] \dut.g_divide[0].divide_one.any ;
+  (* hierconn *) wire [12:0] \dut.g_divide[1].divide_one.any ;
+  (* hierconn *) wire [12:0] \dut.g_divide[2].divide_one.any ;
+  (* hierconn *) wire [12:0] \dut.g_divide[3].divide_one.any ;
+  (* hierconn *) wire [34:0] \dut.g_divide[0].divide_one.given ;
+  (* hierconn *) wire [34:0] \dut.g_divide[1].divide_one.given ;
+  (* hierconn *) wire [34:0] \dut.g_divide[2].divide_one.given ;
+  (* hierconn *) wire [34:0] \dut.g_divide[3].divide_one.given ;
+  (* hierconn *) wire [2:0] \dut.state ;
+  (* hierconn *) wire \dut.started ;
+  (* hierconn *) wire [21:0] \dut.product ;
+  (* hierconn *) wire [43:0] \dut.firsts ;
+  localparam logic [2:0] IDLE = 0, PLACE = 1, PRODUCT = 2, BEGINS = 3, MIDDLES = 4;
+  wire [2:0]  state = \dut.state ;
+  wire        free = \dut.g_divide[0].divide_one.any [12];
+  wire        divided = \dut.g_divide[0].divide_one.any [11];
+  wire [10:0] quotient_0 = \dut.g_divide[0].divide_one.any [10:0];
+  wire [10:0] quotient_1 = \dut.g_divide[1].divide_one.any [10:0];
+  wire [10:0] quotient_2 = \dut.g_divide[2].divide_one.any [10:0];
+  wire [10:0] quotient_3 = \dut.g_divide[3].divide_one.any [10:0];
+  wire [32:0] asked_0 = \dut.g_divide[0].divide_one.given [32:0];
+  wire [32:0] asked_1 = \dut.g_divide[1].divide_one.given [32:0];
+  wire [32:0] asked_2 = \dut.g_divide[2].divide_one.given [32:0];
+  wire [32:0] asked_3 = \dut.g_divide[3].divide_one.given [32:0];
 
-  // The row of groups that holds the image: EXT-3, STR-4; their begins times `groups` where they are balanced.
-  logic [10:0] own;
-  logic [9:0]  above;
-  wire [10:0]  unit = balanced ? count : 11'(size);
-  wire [21:0]  own_begin = 22'(group) * 22'(unit);
-  wire [21:0]  place = balanced ? (22'(at) + 22'd1) * 22'(groups) - 22'd1 : 22'(at);
-  // Begins of the groups from the one before it to the second after it. With groups of one size the last ends with the grid.
-  logic [10:0] before, first, second, third;
-  logic [4:0]  age = 5'd0;  // clocks since the start
-  logic [1:0]  rounds;      // of divisions that are done
+  // Row k of groups begins at k * unit, with balanced groups a groups-th of that: of the image's group, and of those around it.
+  wire [10:0] unit = balanced ? count : 11'(size);
+  wire [21:0] place = balanced ? (22'(at) + 22'd1) * 22'(groups) - 22'd1 : 22'(at);
+  wire [21:0] own = \dut.product , before = own - 22'(unit), after = own + 22'(unit), second = own + (22'(unit) << 1);
+  function automatic [10:0] within(input [21:0] begins, input [10:0] end_of_grid);
+    within = begins < 22'(end_of_grid) ? begins[10:0] : end_of_grid;
+  endfunction
+  // The middle of a group that begins at `first` and ends before `end_of`.
+  function automatic [10:0] middle(input [10:0] first, input [10:0] end_of);
+    reg [10:0] rows;
+    rows = end_of - first;
+    middle = first + ((rows - 11'd1) >> 1);
+  endfunction
+  wire [10:0] first_before = \dut.firsts [10:0], first = \dut.firsts [21:11], first_after = \dut.firsts [32:22], first_second = \dut.firsts [43:33];
+  wire [9:0]  own_middle = 10'(middle(first, first_after));
+  wire        is_after = group + 11'd1 < groups, is_before = group != 0;
+  wire        up = at >= own_middle ? is_after : !is_before && is_after;
+  wire        down = !up && is_before;
+  wire        asks = ((state == PLACE) || (state == BEGINS && balanced)) && !\dut.started ;
+
+  function automatic ordered(input [10:0] b0, input [10:0] b1, input [10:0] b2, input [10:0] b3);
+    ordered = b1 <= at && at < b2 && b2 <= count && (!is_before || b0 < b1) && (!is_after || (b2 < b3 && b3 <= count));
+  endfunction
+  logic        was = 1'b0;
+  logic [2:0]  next_state;
+  logic        next_started, next_done;
+  logic [9:0]  next_parent, next_own, next_other;
+  logic [10:0] next_own_group, next_other_group;
+  logic [21:0] next_product;
+  logic [43:0] next_firsts;
   always @(posedge clk) begin
-    started <= 1'b1;
-    if (start) {age, rounds} <= {5'd1, 2'd0};
-    else if (age != 0 && age != 31) age <= age + 5'd1;
-    if (divided) begin
-      rounds <= rounds + 2'd1;
-      if (rounds == 0) {above, own} <= {\dut.g_divide[0].divide_one.quotient [9:0], \dut.g_divide[1].divide_one.quotient };
-      else {before, first, second, third} <= {\dut.g_divide[0].divide_one.quotient , \dut.g_divide[1].divide_one.quotient ,
-                                              \dut.g_divide[2].divide_one.quotient , \dut.g_divide[3].divide_one.quotient };
-    end
-    if (!balanced) begin
-      before <= 11'(own_begin - unit);
-      first <= own_begin[10:0];
-      second <= own_begin + unit > count ? count : 11'(own_begin + unit);
-      third <= own_begin + 2 * unit > count ? count : 11'(own_begin + 2 * unit);
+    was <= 1'b1;
+    next_state <= start ? PLACE : state == PLACE && divided ? PRODUCT : state == PRODUCT ? BEGINS : state == BEGINS && (divided || !balanced) ? MIDDLES :
+                  state == MIDDLES ? IDLE : state;
+    next_started <= !start && state != PRODUCT && (\dut.started || (asks && free));
+    next_done <= state == MIDDLES;
+    {next_own_group, next_parent} <= state == PLACE && divided ? {quotient_1, quotient_0[9:0]} : {group, parent};
+    next_product <= state == PRODUCT ? 22'(group) * 22'(unit) : \dut.product ;
+    next_firsts <= \dut.firsts ;
+    if (state == BEGINS && balanced && divided) next_firsts <= {quotient_3, quotient_2, quotient_1, quotient_0};
+    if (state == BEGINS && !balanced) next_firsts <= {within(second, count), within(after, count), within(own, count), within(before, count)};
+    {next_own, next_other_group, next_other} <= {reference_at, next_group, next_reference_at};
+    if (state == MIDDLES) begin
+      next_own <= own_middle;
+      next_other_group <= up ? group + 11'd1 : down ? group - 11'd1 : group;
+      next_other <= 10'(up ? middle(first_after, first_second) : down ? middle(first_before, first) : 11'(own_middle));
     end
   end
-  wire [9:0] own_reference = 10'(first + ((second - first - 11'd1) >> 1));
-  wire       goes_up = at >= own_reference;
-  wire       is_above = own + 11'd1 < groups;
-  wire       is_below = own != 0;
-  wire       up = goes_up ? is_above : !is_below && is_above;
-  wire       down = goes_up ? !is_above && is_below : is_below;
-  wire       over = age >= (balanced ? 5'd11 : 5'd8);
   always @* begin
-    assume (count >= 1 && count <= 1024 && at < count && size != 0 && cluster != 0 && groups <= count);
-    if (!started || age != 0) assume (!start);
-    if (started) assert (done == (age == (balanced ? 5'd11 : 5'd8)));
-    if (age > 5) begin
-      assume (own < groups && own_begin <= place && place < own_begin + unit && above <= at);
-      if (!balanced) assume (is_above == (own_begin + unit < count));
-    end
-    if (rounds == 2) assume (first <= at && at < second && second <= count && (!is_below || before < first) && (!is_above || (second < third && third <= count)));
-    if (age > 5) assert (group == own);
-    if (divided && rounds == 0) begin
-      assert (\dut.g_divide[0].divide_one.n == at && \dut.g_divide[0].divide_one.d == cluster);
-      assert (\dut.g_divide[1].divide_one.n == place && \dut.g_divide[1].divide_one.d == unit);
-    end
-    if (divided && rounds == 1) begin
-      assert (balanced && \dut.g_divide[1].divide_one.n == own_begin && \dut.g_divide[1].divide_one.d == groups);
-      assert (!is_below || (\dut.g_divide[0].divide_one.n == own_begin - unit && \dut.g_divide[0].divide_one.d == groups));
-      assert (\dut.g_divide[2].divide_one.n == own_begin + unit && \dut.g_divide[2].divide_one.d == groups);
-      assert (!is_above || (\dut.g_divide[3].divide_one.n == own_begin + 2 * unit && \dut.g_divide[3].divide_one.d == groups));
-    end
-    if (over) begin
-      assert (parent == above && group == own && reference_at == own_reference);
-      assert (next_group == (up ? own + 11'd1 : down ? own - 11'd1 : own));
-      assert (next_reference_at == (up ? 10'(second + ((third - second - 11'd1) >> 1)) : down ? 10'(before + ((first - before - 11'd1) >> 1)) : own_reference));
-      cover (balanced && up);
-      cover (!balanced && down);
+    // What groups of a grid are; a group holds the image.
+    assume (count >= 1 && count <= 1024 && at < count && size != 0 && cluster != 0 && groups >= 1 && groups <= count);
+    if (!was) assume (state <= MIDDLES);
+    if (!was && state > PLACE) assume (group < groups && parent <= at);
+    if (!was && state == BEGINS) assume (own <= place && place < after && (!is_before || own >= 22'(unit)));
+    if (!was && state == BEGINS && !balanced) assume (is_after == (after < 22'(count)));
+    if (!was && state == BEGINS && divided) assume (ordered(quotient_0, quotient_1, quotient_2, quotient_3));
+    if (!was && state == MIDDLES) assume (ordered(first_before, first, first_after, first_second));
+    if (!was && state == PLACE && divided) assume (quotient_1 < groups && quotient_0 <= at);
+    assume (\dut.g_divide[1].divide_one.any [12:11] == {free, divided} && \dut.g_divide[2].divide_one.any [12:11] == {free, divided});
+    assume (\dut.g_divide[3].divide_one.any [12:11] == {free, divided});
+    assert (\dut.g_divide[0].divide_one.given [34:33] == {1'b1, asks && free} && \dut.g_divide[1].divide_one.given [34:33] == {1'b1, asks && free});
+    assert (\dut.g_divide[2].divide_one.given [34:33] == {1'b1, asks && free} && \dut.g_divide[3].divide_one.given [34:33] == {1'b1, asks && free});
+    if (asks && state == PLACE) assert (asked_0 == {22'(at), 11'(cluster)} && asked_1 == {place, unit});
+    if (asks && state == BEGINS) assert (asked_0 == {before, groups} && asked_1 == {own, groups} && asked_2 == {after, groups} && asked_3 == {second, groups});
+    if (was) begin
+      assert ({state, \dut.started , done, group, parent} == {next_state, next_started, next_done, next_own_group, next_parent});
+      assert (\dut.product == next_product);
+      assert (\dut.firsts == next_firsts);
+      assert ({reference_at, next_group, next_reference_at} == {next_own, next_other_group, next_other});
     end
   end
 endmodule

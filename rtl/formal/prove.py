@@ -74,12 +74,13 @@ def read_proof(name: str) -> Proof | None:
 def model(proof: Proof, rtl: pathlib.Path, options: str) -> list[str]:
     """The commands that read the proof, its parameters by `options`, with the modules of `rtl`, hmlfc_ram as in a simulation."""
     memory = ["memory_collect", "memory_nordff"] if proof.arrays else ["memory_dff", "memory_map"]
+    narrow = ["wreduce t:$add t:$sub t:$mul", "opt_expr"] if proof.define else []  # a netlist's are; multipliers of the same shape are one for the solver
     own_ram = f"{rtl}/hmlfc_ram.sv" if (rtl / "hmlfc_ram.sv").exists() else ""
     script = [
         f"read_verilog -sv -formal {proof.define} -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {own_ram} {proof.file}",
         f"hierarchy -check -top prove_{proof.name} {options} -libdir {rtl}",
         "proc", "opt_expr", "opt_dff", "setattr -set keep 1 t:$*ff*", "opt_clean", "setattr -unset keep t:$*ff*",  # all registers stay
-        *memory, "opt_expr", "flatten", "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
+        *memory, "opt_expr", "flatten", *narrow, "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
     if proof.engine[0] == "sat":
         script.append("simplemap t:$dff t:$dffe")  # bit by bit: registers that are equal become one
     return [*script, "opt_merge", "opt_clean", "check -assert"]

@@ -17,6 +17,8 @@ set(HMLFC_PROOFS
   element_reader
   fifo
   fifo_order
+  group_axis
+  header
   images
   interpolate
   loader
@@ -39,9 +41,10 @@ set(HMLFC_PROOFS
   tile_contexts
   tile_number
   trits
+  view
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader interpolate reconstruct reference_lookup residual tile_contexts)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader header interpolate reconstruct reference_lookup residual tile_contexts)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)

@@ -16,6 +16,7 @@ namespace {
 
 constexpr size_t kVersionByte = 8;  // FIL-1
 constexpr size_t kProfileByte = 9;
+constexpr size_t kHeaderBytesByte = 10;
 constexpr size_t kFeatureByte = 12;
 constexpr size_t kRowsByte = 16;
 constexpr size_t kCrcBytes = 4;
@@ -193,6 +194,27 @@ TEST(HeaderModule, RefusesWhatTheModelRefuses) {
        code = static_cast<ErrorCode>(static_cast<uint8_t>(code) + 1)) {
     EXPECT_TRUE(refusals.seen.contains(code)) << error_name(code);
   }
+}
+
+/// FIL-4: magic, version and header_bytes come before all that lies behind them, wherever the
+/// header says that it ends.
+TEST(HeaderModule, RefusesEveryShortHeader) {
+  Header dut;
+  reset(dut);
+  Random random(4);
+  Counts counts;
+  for (int size = 0; size < 148; ++size) {
+    for (const size_t broken : {kHeaderBytesByte, kVersionByte, size_t{0}}) {
+      Bytes file = some_file(random);
+      file[kHeaderBytesByte] = static_cast<uint8_t>(size);
+      file[kHeaderBytesByte + 1] = 0;
+      if (broken != kHeaderBytesByte) file[broken] ^= 0xFF;
+      ReadPort port(file, random);
+      counts.compare(parse(dut, port, file.size()),
+                     static_cast<uint8_t>(parse_header(file).error().code));
+    }
+  }
+  expect_equal(counts, 3 * 148);
 }
 
 TEST(HeaderModule, FaultIsFound) {
