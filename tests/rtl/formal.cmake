@@ -25,6 +25,7 @@ set(HMLFC_PROOFS
   ram
   read_port
   reconstruct
+  record_ram
   reference_lookup
   registers
   requests
@@ -37,7 +38,7 @@ set(HMLFC_PROOFS
   trits
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader interpolate reconstruct reference_lookup residual tile_contexts)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader interpolate reconstruct record_ram reference_lookup residual tile_contexts)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
