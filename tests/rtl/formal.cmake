@@ -11,6 +11,7 @@ set(HMLFC_PROOFS
   colour
   compose
   disparity_ask
+  disparity_place
   divide
   element_reader
   fifo
