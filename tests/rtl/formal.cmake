@@ -35,6 +35,7 @@ set(HMLFC_PROOFS
   strip_scan
   tile_ask
   tile_contexts
+  tile_headers
   tile_number
   trits
   view_registers
