@@ -13,6 +13,7 @@ set(HMLFC_PROOFS
   control
   decode_unit
   disparity_ask
+  disparity_place
   divide
   element_reader
   fifo
@@ -39,6 +40,7 @@ set(HMLFC_PROOFS
   strip_scan
   tile_ask
   tile_contexts
+  tile_headers
   tile_number
   trits
   view
