@@ -38,7 +38,8 @@ def proofs(module: str) -> tuple[str, ...]:
 def netlist(folder: pathlib.Path, variant: int, module: str, command: str, scratch: pathlib.Path) -> pathlib.Path:
     """The module with the mutant of a command of Yosys, none for an empty one."""
     script, out = scratch / "netlist.ys", scratch / f"hmlfc_{module}.il"
-    script.write_text(f"read_rtlil {folder}/{variant}.il\ndelete =A:blackbox\n{command}\nrename top hmlfc_{module}\nwrite_rtlil {out}\n", encoding="utf-8")
+    # `mutate` tells inputs of a module inside from its outputs by the closed module.
+    script.write_text(f"read_rtlil {folder}/{variant}.il\n{command}\ndelete =A:blackbox\nrename top hmlfc_{module}\nwrite_rtlil {out}\n", encoding="utf-8")
     units.yosys(script)
     return out
 
