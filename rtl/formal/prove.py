@@ -12,6 +12,7 @@ NAME.sv states what it proves in its first comment, and how in these lines of it
   Parts: N                N runs, with the parameter PART = 0 to N - 1
   Still: MODULE SIGNAL    no register of MODULE changes where its input SIGNAL is 0
   Memories: arrays        the solver takes a memory as a whole, not word by word
+  Cut: MODULE ...         outputs of these modules may be anything at any time
   Mutants: N              of these, runs of N clocks (else of engine or cover, whichever has more)
 HMLFC_BASE_CASE is defined where no induction follows.
   Fault: FILE / OLD / NEW text OLD of module FILE for which the self-test puts NEW
@@ -49,6 +50,7 @@ class Proof:
     name: str
     file: pathlib.Path
     arrays: bool
+    cut: str           # a command of Yosys, or empty
     mutants: str       # clocks, or empty
     define: str        # an option of Yosys, or empty
     engine: list[str]  # its name and bounds
@@ -66,7 +68,9 @@ def read_proof(name: str) -> Proof | None:
     count = re.search(r"^// Parts: +(\d+)$", text, re.M)
     cover = re.search(r"^// Cover: +(\d+)$", text, re.M)
     mutants = re.search(r"^// Mutants: +(\d+)$", text, re.M)
-    return Proof(name, HERE / f"{name}.sv", "\n// Memories: arrays\n" in text, mutants[1] if mutants else "", "", engine[1].split(), [f"-chparam PART {k}" for k in range(int(count[1]))] if count else [""],
+    cut = re.search(r"^// Cut: +(.+)$", text, re.M)
+    cutpoint = "cutpoint " + " ".join(f"*hmlfc_{module}*" for module in cut[1].split()) + "; hierarchy" if cut else ""
+    return Proof(name, HERE / f"{name}.sv", "\n// Memories: arrays\n" in text, cutpoint, mutants[1] if mutants else "", "", engine[1].split(), [f"-chparam PART {k}" for k in range(int(count[1]))] if count else [""],
                  cover[1] if cover else "", re.findall(r"^// Still: +(\S+) (\S+)$", text, re.M),
                  re.findall(r"^// Fault: +(\S+) / (.+) / (.+)$", text, re.M))
 
@@ -79,7 +83,7 @@ def model(proof: Proof, rtl: pathlib.Path, options: str) -> list[str]:
     script = [
         f"read_verilog -sv -formal {proof.define} -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {own_ram} {proof.file}",
         f"hierarchy -check -top prove_{proof.name} {options} -libdir {rtl}",
-        "proc", "opt_expr", "opt_dff", "setattr -set keep 1 t:$*ff*", "opt_clean", "setattr -unset keep t:$*ff*",  # all registers stay
+        "proc", *([proof.cut] if proof.cut else []), "opt_expr", "opt_dff", "setattr -set keep 1 t:$*ff*", "opt_clean", "setattr -unset keep t:$*ff*",  # all registers stay
         *memory, "opt_expr", "flatten", *narrow, "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
     if proof.engine[0] == "sat":
         script.append("simplemap t:$dff t:$dffe")  # bit by bit: registers that are equal become one

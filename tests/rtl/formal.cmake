@@ -37,6 +37,7 @@ set(HMLFC_PROOFS
   requests
   residual
   skid_buffer
+  stores
   strip_scan
   tile_ask
   tile_contexts
