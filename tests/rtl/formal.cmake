@@ -36,6 +36,7 @@ set(HMLFC_PROOFS
   tile_contexts
   tile_number
   trits
+  view_queue
   view_registers
   view_scan)
 set(HMLFC_LONG_PROOFS answer bise_unpack element_reader interpolate reconstruct reference_lookup residual tile_contexts)
