@@ -36,6 +36,7 @@ set(HMLFC_PROOFS
   tile_contexts
   tile_number
   trits
+  view_place
   view_queue
   view_registers
   view_scan)
