@@ -36,11 +36,12 @@ set(HMLFC_PROOFS
   tile_contexts
   tile_number
   trits
+  view_fetch
   view_place
   view_queue
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader interpolate reconstruct reference_lookup residual tile_contexts)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader interpolate reconstruct reference_lookup residual tile_contexts view_fetch)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
