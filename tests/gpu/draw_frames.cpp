@@ -79,6 +79,52 @@ Case turned(uint32_t seed) {
   return {fmt::format("turned-{}", seed), difference};
 }
 
+// Cameras in the plane of the views, between the first columns of them: eighths of a step, where
+// views have weights that are equal to bounds of SRF-3, and focal planes so far away that views
+// disagree; then less, and so far that displacements reach both their bounds.
+Case between_columns(uint32_t seed) {
+  const auto difference = [=](Device& device) -> std::string {
+    RenderPair pair(device, test::random_stream(seed), kPlenty);
+    if (pair.closed()) return "it does not open";
+    FrameTally tally;
+    for (int i = 0; i < 24; ++i) {
+      Camera camera;
+      camera.position = WorldPoint{i % 8 / (i < 8 ? 8.0 : 64.0), 0, 0};
+      camera.geometry = GeometrySource::kStream;
+      camera.focus = i < 8 ? 12 : i < 16 ? 200 : -200;
+      const auto record = frame_record(camera, pair.header());
+      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
+    }
+    return tally.displaced == 0 ? "no displacement" : "";
+  };
+  return {fmt::format("between-{}", seed), difference};
+}
+
+// Small frames with rays of slope 4, the least that is outside (RAY-2): direction (0.6, 0, 0.8) and
+// 13/16 of (0.8, 0, -0.6) to its right are (1.25, 0, 0.3125). A focal length of one pixel keeps
+// such rays in the picture.
+Case steep(uint32_t seed) {
+  const auto difference = [=](Device& device) -> std::string {
+    RenderPair pair(device, test::random_stream(seed), kPlenty);
+    if (pair.closed()) return "it does not open";
+    FrameTally tally;
+    for (int i = 0; i < 12; ++i) {
+      Camera camera;
+      camera.focal = 1;
+      camera.tan_half = 1.625;
+      camera.frame_width = camera.frame_height = 2 + 4 * (static_cast<uint32_t>(i) / 4);
+      camera.row_pitch = 1;
+      camera.position = WorldPoint{0, 0, 0};
+      const double aside = i % 2 == 0 ? 3 : -3;
+      camera.look_at = i % 4 < 2 ? WorldPoint{aside, 0, 4} : WorldPoint{0, aside, 4};
+      const auto record = frame_record(camera, pair.header());
+      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
+    }
+    return tally.lit == 0 ? "no frame shows anything" : "";
+  };
+  return {fmt::format("steep-{}", seed), difference};
+}
+
 Case damaged_walk(uint32_t seed) {
   return {fmt::format("damaged-{}", seed), [=](Device& device) {
             auto bytes = test::random_stream(seed);
@@ -106,6 +152,8 @@ std::vector<Case> all_cases() {
   for (uint32_t seed = 0; seed < 6; ++seed) cases.push_back(walk(seed, false));
   for (uint32_t seed = 6; seed < 10; ++seed) cases.push_back(walk(seed, true));
   for (uint32_t seed = 10; seed < 14; ++seed) cases.push_back(turned(seed));
+  for (uint32_t seed = 0; seed < 1; ++seed) cases.push_back(steep(seed));
+  for (uint32_t seed = 6; seed < 7; ++seed) cases.push_back(between_columns(seed));
   cases.push_back(scenes("scenes", tb::Damage::kNone));
   for (uint32_t seed = 200; seed < 203; ++seed) cases.push_back(damaged_walk(seed));
   cases.push_back(scenes("damaged-scenes", tb::Damage::kTiles));
