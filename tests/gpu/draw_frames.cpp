@@ -5,6 +5,7 @@
 // Exit: 0 all frames are equal, 1 one is not, 2 nothing can be read, 77 no device can guard its
 // buffers; those of CLI11 for wrong usage.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <utility>
@@ -79,6 +80,104 @@ Case turned(uint32_t seed) {
   return {fmt::format("turned-{}", seed), difference};
 }
 
+// Cameras in the plane of the views, between the first columns of them. First by eighths of a step,
+// where views have weights that are equal to bounds of SRF-3, and with a focal plane so far away
+// that views disagree; then closer to the first one, where a little more shows, with displacements
+// at their bounds.
+Case between_columns(uint32_t seed) {
+  const auto difference = [=](Device& device) -> std::string {
+    RenderPair pair(device, test::random_stream(seed), kPlenty);
+    if (pair.closed()) return "it does not open";
+    FrameTally tally;
+    for (int i = 0; i < 24; ++i) {
+      Camera camera;
+      camera.position = WorldPoint{i < 8 ? i / 8.0 : i % 8 / 64.0 + 1 / 4096.0, 0, 0};
+      camera.geometry = GeometrySource::kStream;
+      camera.focus = i < 8 ? 12 : i < 16 ? 200 : -200;
+      const auto record = frame_record(camera, pair.header());
+      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
+    }
+    return tally.displaced == 0 ? "no displacement" : "";
+  };
+  return {fmt::format("between-{}", seed), difference};
+}
+
+// Cameras beside a grid of one column or one row: their rays take its border (RAY-3).
+Case aside(uint32_t seed) {
+  const auto difference = [=](Device& device) -> std::string {
+    RenderPair pair(device, test::random_stream(seed), kPlenty);
+    if (pair.closed()) return "it does not open";
+    FrameTally tally;
+    for (int i = -3; i < 4; ++i) {
+      Camera camera;
+      camera.position = WorldPoint{0.25 + i, 0.25, 0};
+      if (pair.header().rows == 1) std::swap(camera.position->u, camera.position->v);
+      camera.geometry = GeometrySource::kStream;
+      const auto record = frame_record(camera, pair.header());
+      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
+    }
+    return tally.displaced == 0 ? "no displacement" : "";
+  };
+  return {fmt::format("aside-{}", seed), difference};
+}
+
+// Cameras whose rays meet about a point of the focal plane: a group of pixels shows few pixels of
+// many views, or of what lies `outside` the first one, and displacements move them far apart.
+Case gathered(uint32_t seed, bool outside) {
+  const auto difference = [=](Device& device) -> std::string {
+    RenderPair pair(device, test::random_stream(seed), kPlenty);
+    if (pair.closed()) return "it does not open";
+    test::Random random(seed);
+    FrameTally tally;
+    const auto between = [&](double lo, double hi) {
+      return lo + (hi - lo) * random() / 4294967296.0;
+    };
+    const StreamHeader& header = pair.header();
+    for (int i = 0; i < 12; ++i) {
+      Camera camera;
+      camera.geometry = GeometrySource::kStream;
+      camera.frame_width = 1 + random() % 16;
+      camera.frame_height = 1 + random() % 16;
+      camera.focal = between(2, 30);
+      camera.focus = (i % 2 == 0 ? 1 : -1) * between(0.2, 4) * (outside ? 10 : 1);
+      const double z = -*camera.focal / camera.focus * between(0.8, 1.2);
+      camera.position = WorldPoint{between(0, header.cols - 1), between(0, header.rows - 1), z};
+      if (outside) camera.position = WorldPoint{-0.25, -0.25, z};
+      const double steps = outside ? 0.5 : header.cols;
+      camera.tan_half = std::clamp(steps / std::abs(z) * between(0.25, 1), 0.001, 2.0);
+      const auto record = frame_record(camera, header);
+      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
+    }
+    return tally.displaced == 0 ? "no displacement" : "";
+  };
+  return {fmt::format("{}-{}", outside ? "outside" : "gathered", seed), difference};
+}
+
+// Small frames with rays of slope 4, the least that is outside (RAY-2): direction (0.6, 0, 0.8) and
+// 13/16 of (0.8, 0, -0.6) to its right are (1.25, 0, 0.3125). A focal length of one pixel keeps
+// such rays in the picture.
+Case steep(uint32_t seed) {
+  const auto difference = [=](Device& device) -> std::string {
+    RenderPair pair(device, test::random_stream(seed), kPlenty);
+    if (pair.closed()) return "it does not open";
+    FrameTally tally;
+    for (int i = 0; i < 12; ++i) {
+      Camera camera;
+      camera.focal = 1;
+      camera.tan_half = 1.625;
+      camera.frame_width = camera.frame_height = 2 + 4 * (static_cast<uint32_t>(i) / 4);
+      camera.row_pitch = 1;
+      camera.position = WorldPoint{0, 0, 0};
+      const double aside = i % 2 == 0 ? 3 : -3;
+      camera.look_at = i % 4 < 2 ? WorldPoint{aside, 0, 4} : WorldPoint{0, aside, 4};
+      const auto record = frame_record(camera, pair.header());
+      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
+    }
+    return tally.lit == 0 ? "no frame shows anything" : "";
+  };
+  return {fmt::format("steep-{}", seed), difference};
+}
+
 Case damaged_walk(uint32_t seed) {
   return {fmt::format("damaged-{}", seed), [=](Device& device) {
             auto bytes = test::random_stream(seed);
@@ -95,6 +194,18 @@ Case scenes(const char* name, tb::Damage damage) {
           }};
 }
 
+// Two views of more than twice the blocks that there is room for at first: then there is room for
+// just as many.
+Case whole_views() {
+  return {"whole-views", [](Device& device) {
+            RenderPair pair(device, stream_of_many_blocks(), kPlenty);
+            Camera camera;
+            camera.position = WorldPoint{0.5, 0, 0};
+            FrameTally tally;
+            return pair.difference(*frame_record(camera, pair.header()), 0, tally);
+          }};
+}
+
 Case many_blocks() {
   return {"many-blocks", [](Device& device) {
             return difference_before(device, stream_of_many_blocks(), kPlenty, 1, 8);
@@ -106,10 +217,16 @@ std::vector<Case> all_cases() {
   for (uint32_t seed = 0; seed < 6; ++seed) cases.push_back(walk(seed, false));
   for (uint32_t seed = 6; seed < 10; ++seed) cases.push_back(walk(seed, true));
   for (uint32_t seed = 10; seed < 14; ++seed) cases.push_back(turned(seed));
+  cases.push_back(steep(0));
+  for (const uint32_t seed : {11u, 84u}) cases.push_back(aside(seed));
+  cases.push_back(gathered(57, false));
+  cases.push_back(gathered(15, true));
+  cases.push_back(between_columns(6));
   cases.push_back(scenes("scenes", tb::Damage::kNone));
   for (uint32_t seed = 200; seed < 203; ++seed) cases.push_back(damaged_walk(seed));
   cases.push_back(scenes("damaged-scenes", tb::Damage::kTiles));
   cases.push_back(many_blocks());
+  cases.push_back(whole_views());
   return cases;
 }
 

@@ -42,7 +42,7 @@ CHANGES = {
 STATUS = "if (status == ERROR_OK) status = arguments.statuses.word[sources.cg];"
 CASES = [
     ("colour.comp", STATUS, "", "survived"),
-    ("colour.comp", "(at & 1u) == 0u", "(at & 0u) == 0u", "killed"),
+    ("colour.comp", "(at & 1u) << 4", "(at & 0u) << 4", "killed"),
     ("colour.comp", "return;", ";", "crash"),
     ("colour.comp", "lane == 0u", "lane = 0u", "not compiled"),
     ("samples.comp", "place.number * 4u", "place.number * 5u", "same code"),
