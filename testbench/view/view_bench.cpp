@@ -112,6 +112,9 @@ void ViewBench::run(std::span<const Descriptor> descriptors) {
   const uint32_t events = host_.take_events() | host_.read(HMLFC_REG_INTERRUPT_STATUS);
   if ((events & HMLFC_REG_INTERRUPT_STATUS_DONE_MASK) == 0)
     host_.find("registers: the interrupt DONE is missing");
+  host_.write(HMLFC_REG_INTERRUPT_STATUS, HMLFC_REG_INTERRUPT_STATUS_MASK);
+  expect_register(HMLFC_REG_INTERRUPT_STATUS, HMLFC_REG_INTERRUPT_STATUS_MASK, 0,
+                  "INTERRUPT_STATUS, cleared");
   expect_register(HMLFC_REG_VIEW_STATUS, HMLFC_REG_VIEW_STATUS_MASK,
                   HMLFC_REG_VIEW_STATUS_ENABLED_MASK | HMLFC_REG_VIEW_STATUS_EMPTY_MASK, "STATUS");
 }
