@@ -55,127 +55,102 @@ Case walk(uint32_t seed, bool chunked) {
   return {fmt::format("{}-{}", chunked ? "chunks" : "walk", seed), difference, chunked};
 }
 
-// Cameras turned far from straight ahead, near the views.
-Case turned(uint32_t seed) {
+double between(test::Random& random, double lo, double hi) {
+  return lo + (hi - lo) * random() / 4294967296.0;
+}
+
+// The camera of frame `i`.
+using CameraOf = std::function<Camera(test::Random&, const StreamHeader&, int)>;
+
+// `frames` frames before random stream `seed`, of which some must have what `shown` counts.
+// Cameras that take no frame are left out.
+Case cameras(const char* name, uint32_t seed, int frames, uint64_t FrameTally::*shown,
+             const CameraOf& camera_of) {
   const auto difference = [=](Device& device) -> std::string {
     RenderPair pair(device, test::random_stream(seed), kPlenty);
     if (pair.closed()) return "it does not open";
     test::Random random(seed);
     FrameTally tally;
-    const auto between = [&](double lo, double hi) {
-      return lo + (hi - lo) * random() / 4294967296.0;
-    };
-    for (int i = 0; i < kFrames; ++i) {
-      Camera camera = test::random_camera_with_geometry(random, pair.header());
-      WorldPoint& at = *camera.position;
-      camera.focal = between(2, 12);  // so that views hold steep rays
-      at.z = between(-0.5, 0.5);
-      camera.look_at = WorldPoint{at.u + between(-3, 3), at.v + between(-3, 3), at.z + 1};
-      const auto record = frame_record(camera, pair.header());
+    for (int i = 0; i < frames; ++i) {
+      const auto record = frame_record(camera_of(random, pair.header(), i), pair.header());
       if (!record) continue;
       if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
     }
-    return tally.lit == 0 ? "no frame shows anything" : "";
+    return tally.*shown == 0 ? "no frame shows what it is for" : "";
   };
-  return {fmt::format("turned-{}", seed), difference};
+  return {fmt::format("{}-{}", name, seed), difference};
 }
 
-// Cameras in the plane of the views, between the first columns of them. First by eighths of a step,
-// where views have weights that are equal to bounds of SRF-3, and with a focal plane so far away
-// that views disagree; then closer to the first one, where a little more shows, with displacements
-// at their bounds.
-Case between_columns(uint32_t seed) {
-  const auto difference = [=](Device& device) -> std::string {
-    RenderPair pair(device, test::random_stream(seed), kPlenty);
-    if (pair.closed()) return "it does not open";
-    FrameTally tally;
-    for (int i = 0; i < 24; ++i) {
-      Camera camera;
-      camera.position = WorldPoint{i < 8 ? i / 8.0 : i % 8 / 64.0 + 1 / 4096.0, 0, 0};
-      camera.geometry = GeometrySource::kStream;
-      camera.focus = i < 8 ? 12 : i < 16 ? 200 : -200;
-      const auto record = frame_record(camera, pair.header());
-      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
-    }
-    return tally.displaced == 0 ? "no displacement" : "";
-  };
-  return {fmt::format("between-{}", seed), difference};
+// Turned far from straight ahead, near the views.
+Camera turned(test::Random& random, const StreamHeader& header, int) {
+  Camera camera = test::random_camera_with_geometry(random, header);
+  WorldPoint& at = *camera.position;
+  camera.focal = between(random, 2, 12);  // so that views hold steep rays
+  at.z = between(random, -0.5, 0.5);
+  const double u = at.u + between(random, -3, 3);
+  camera.look_at = WorldPoint{u, at.v + between(random, -3, 3), at.z + 1};
+  return camera;
 }
 
-// Cameras beside a grid of one column or one row: their rays take its border (RAY-3).
-Case aside(uint32_t seed) {
-  const auto difference = [=](Device& device) -> std::string {
-    RenderPair pair(device, test::random_stream(seed), kPlenty);
-    if (pair.closed()) return "it does not open";
-    FrameTally tally;
-    for (int i = -3; i < 4; ++i) {
-      Camera camera;
-      camera.position = WorldPoint{0.25 + i, 0.25, 0};
-      if (pair.header().rows == 1) std::swap(camera.position->u, camera.position->v);
-      camera.geometry = GeometrySource::kStream;
-      const auto record = frame_record(camera, pair.header());
-      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
-    }
-    return tally.displaced == 0 ? "no displacement" : "";
-  };
-  return {fmt::format("aside-{}", seed), difference};
+// In the plane of the views, between the first columns of them. First by eighths of a step, where
+// views have weights that are equal to bounds of SRF-3, and with a focal plane so far away that
+// views disagree; then closer to the first one, where a little more shows, with displacements at
+// their bounds.
+Camera between_columns(test::Random&, const StreamHeader&, int i) {
+  Camera camera;
+  camera.position = WorldPoint{i < 8 ? i / 8.0 : i % 8 / 64.0 + 1 / 4096.0, 0, 0};
+  camera.geometry = GeometrySource::kStream;
+  camera.focus = i < 8 ? 12 : i < 16 ? 200 : -200;
+  return camera;
 }
 
-// Cameras whose rays meet about a point of the focal plane: a group of pixels shows few pixels of
-// many views, or of what lies `outside` the first one, and displacements move them far apart.
-Case gathered(uint32_t seed, bool outside) {
-  const auto difference = [=](Device& device) -> std::string {
-    RenderPair pair(device, test::random_stream(seed), kPlenty);
-    if (pair.closed()) return "it does not open";
-    test::Random random(seed);
-    FrameTally tally;
-    const auto between = [&](double lo, double hi) {
-      return lo + (hi - lo) * random() / 4294967296.0;
-    };
-    const StreamHeader& header = pair.header();
-    for (int i = 0; i < 12; ++i) {
-      Camera camera;
-      camera.geometry = GeometrySource::kStream;
-      camera.frame_width = 1 + random() % 16;
-      camera.frame_height = 1 + random() % 16;
-      camera.focal = between(2, 30);
-      camera.focus = (i % 2 == 0 ? 1 : -1) * between(0.2, 4) * (outside ? 10 : 1);
-      const double z = -*camera.focal / camera.focus * between(0.8, 1.2);
-      camera.position = WorldPoint{between(0, header.cols - 1), between(0, header.rows - 1), z};
-      if (outside) camera.position = WorldPoint{-0.25, -0.25, z};
-      const double steps = outside ? 0.5 : header.cols;
-      camera.tan_half = std::clamp(steps / std::abs(z) * between(0.25, 1), 0.001, 2.0);
-      const auto record = frame_record(camera, header);
-      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
-    }
-    return tally.displaced == 0 ? "no displacement" : "";
-  };
-  return {fmt::format("{}-{}", outside ? "outside" : "gathered", seed), difference};
+// Beside a grid of one column or one row: rays take its border (RAY-3).
+Camera aside(test::Random&, const StreamHeader& header, int i) {
+  Camera camera;
+  camera.position = WorldPoint{i - 2.75, 0.25, 0};
+  if (header.rows == 1) std::swap(camera.position->u, camera.position->v);
+  camera.geometry = GeometrySource::kStream;
+  return camera;
 }
 
-// Small frames with rays of slope 4, the least that is outside (RAY-2): direction (0.6, 0, 0.8) and
-// 13/16 of (0.8, 0, -0.6) to its right are (1.25, 0, 0.3125). A focal length of one pixel keeps
+// Its rays meet about a point of the focal plane: a group of pixels shows few pixels of many views,
+// or of what lies `outside` the first one, and displacements move them far apart.
+Camera gathered(test::Random& random, const StreamHeader& header, int i, bool outside) {
+  Camera camera;
+  camera.geometry = GeometrySource::kStream;
+  camera.frame_width = 1 + random() % 16;
+  camera.frame_height = 1 + random() % 16;
+  camera.focal = between(random, 2, 30);
+  camera.focus = (i % 2 == 0 ? 1 : -1) * between(random, 0.2, 4) * (outside ? 10 : 1);
+  const double z = -*camera.focal / camera.focus * between(random, 0.8, 1.2);
+  const double u = between(random, 0, header.cols - 1);
+  const double v = between(random, 0, header.rows - 1);
+  camera.position = outside ? WorldPoint{-0.25, -0.25, z} : WorldPoint{u, v, z};
+  const double steps = outside ? 0.5 : header.cols;
+  camera.tan_half = std::clamp(steps / std::abs(z) * between(random, 0.25, 1), 0.001, 2.0);
+  return camera;
+}
+
+// A small frame with rays of slope 4, the least that is outside (RAY-2): direction (0.6, 0, 0.8)
+// and 13/16 of (0.8, 0, -0.6) to its right are (1.25, 0, 0.3125). A focal length of one pixel keeps
 // such rays in the picture.
-Case steep(uint32_t seed) {
-  const auto difference = [=](Device& device) -> std::string {
-    RenderPair pair(device, test::random_stream(seed), kPlenty);
-    if (pair.closed()) return "it does not open";
-    FrameTally tally;
-    for (int i = 0; i < 12; ++i) {
-      Camera camera;
-      camera.focal = 1;
-      camera.tan_half = 1.625;
-      camera.frame_width = camera.frame_height = 2 + 4 * (static_cast<uint32_t>(i) / 4);
-      camera.row_pitch = 1;
-      camera.position = WorldPoint{0, 0, 0};
-      const double aside = i % 2 == 0 ? 3 : -3;
-      camera.look_at = i % 4 < 2 ? WorldPoint{aside, 0, 4} : WorldPoint{0, aside, 4};
-      const auto record = frame_record(camera, pair.header());
-      if (auto found = pair.difference(*record, 0, tally); !found.empty()) return found;
-    }
-    return tally.lit == 0 ? "no frame shows anything" : "";
-  };
-  return {fmt::format("steep-{}", seed), difference};
+Camera steep(test::Random&, const StreamHeader&, int i) {
+  Camera camera;
+  camera.focal = 1;
+  camera.tan_half = 1.625;
+  camera.frame_width = camera.frame_height = 2 + 4 * (static_cast<uint32_t>(i) / 4);
+  camera.row_pitch = 1;
+  camera.position = WorldPoint{0, 0, 0};
+  const double away = i % 2 == 0 ? 3 : -3;
+  camera.look_at = i % 4 < 2 ? WorldPoint{away, 0, 4} : WorldPoint{0, away, 4};
+  return camera;
+}
+
+Case gathered_rays(uint32_t seed, bool outside) {
+  return cameras(outside ? "outside" : "gathered", seed, 12, &FrameTally::displaced,
+                 [=](test::Random& random, const StreamHeader& header, int i) {
+                   return gathered(random, header, i, outside);
+                 });
 }
 
 Case damaged_walk(uint32_t seed) {
@@ -216,12 +191,14 @@ std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (uint32_t seed = 0; seed < 6; ++seed) cases.push_back(walk(seed, false));
   for (uint32_t seed = 6; seed < 10; ++seed) cases.push_back(walk(seed, true));
-  for (uint32_t seed = 10; seed < 14; ++seed) cases.push_back(turned(seed));
-  cases.push_back(steep(0));
-  for (const uint32_t seed : {11u, 84u}) cases.push_back(aside(seed));
-  cases.push_back(gathered(57, false));
-  cases.push_back(gathered(15, true));
-  cases.push_back(between_columns(6));
+  for (uint32_t seed = 10; seed < 14; ++seed)
+    cases.push_back(cameras("turned", seed, kFrames, &FrameTally::lit, turned));
+  cases.push_back(cameras("steep", 0, 12, &FrameTally::lit, steep));
+  for (const uint32_t seed : {11u, 84u})
+    cases.push_back(cameras("aside", seed, 7, &FrameTally::displaced, aside));
+  cases.push_back(gathered_rays(57, false));
+  cases.push_back(gathered_rays(15, true));
+  cases.push_back(cameras("between", 6, 24, &FrameTally::displaced, between_columns));
   cases.push_back(scenes("scenes", tb::Damage::kNone));
   for (uint32_t seed = 200; seed < 203; ++seed) cases.push_back(damaged_walk(seed));
   cases.push_back(scenes("damaged-scenes", tb::Damage::kTiles));
