@@ -78,6 +78,12 @@ module prove_view (
   (* hierconn *) wire [27:0] \dut.product_hh_3 ;
   assign level = \dut.level ;
   localparam logic [1:0] IDLE = 0, AXES = 1, ADDRESSES = 2;
+  // Bits of the upper products: as the module computes them, as a netlist of it does, where the address needs no more.
+`ifdef HMLFC_BASE_CASE
+  localparam integer LH = 27, HH = 16;
+`else
+  localparam integer LH = 28, HH = 28;
+`endif
 
   // K0 is in group (i, j), the neighbour in (i', j'): MOT-7.
   wire [10:0] i = \dut.rows.any [51:41], i_other = \dut.rows.any [30:20], j = \dut.cols.any [51:41], j_other = \dut.cols.any [30:20];
@@ -115,7 +121,9 @@ module prove_view (
   logic [33:0]  next_unit, was_unit_1;
   logic [39:0]  next_base, was_base_1, was_base_2;
   logic [17:0]  next_rows_2, was_rows_2;
-  logic [27:0]  next_ll, next_hl, next_lh, next_hh;
+  logic [27:0]  next_ll, next_hl;
+  logic [LH-1:0] next_lh;
+  logic [HH-1:0] next_hh;
   logic [23:0]  next_place;  // row, column, and twice whether it is keyed and the reference
   logic [67:0]  next_0, next_1, next_2, next_3;  // address, columns and rows of each reference
   logic [43:0]  next_tile, next_disparity;
@@ -150,8 +158,8 @@ module prove_view (
     next_rows_2 <= $signed(\dut.step_rows_1 ) * $signed(stream.row_scale);
     next_ll <= 28'(\dut.number_2 [10:0]) * 28'(\dut.unit_2 [16:0]);
     next_hl <= 28'(\dut.number_2 [21:11]) * 28'(\dut.unit_2 [16:0]);
-    next_lh <= 28'(\dut.number_2 [10:0]) * 28'(\dut.unit_2 [33:17]);
-    next_hh <= 28'(\dut.number_2 [21:11]) * 28'(\dut.unit_2 [33:17]);
+    next_lh <= LH'(\dut.number_2 [10:0]) * LH'(\dut.unit_2 [33:17]);
+    next_hh <= HH'(\dut.number_2 [21:11]) * HH'(\dut.unit_2 [33:17]);
     {was_unit_1, was_base_1, was_base_2, was_cols_1, was_cols_2, was_rows_2} <= {\dut.unit_1 , \dut.base_1 , \dut.base_2 , \dut.step_cols_1 , \dut.step_cols_2 ,
                                                                            \dut.step_rows_2 };
     next_write <= \dut.valid_3 && \dut.k_3 == 5;
