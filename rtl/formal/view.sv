@@ -23,7 +23,7 @@ module hmlfc_group_axis (
 endmodule
 
 module prove_view (
-  input logic clk, input logic [750:0] stream_bits, input logic [983:0] levels, input logic start, input logic [9:0] view_row,
+  input logic clk, input logic rst_n, input logic [750:0] stream_bits, input logic [983:0] levels, input logic start, input logic [9:0] view_row,
   input logic [9:0] view_col
 );
   hmlfc_pkg::config_t stream;
@@ -36,7 +36,7 @@ module prove_view (
   logic [383:0] write_image;
   assign image = write_image;
   hmlfc_view dut (
-    .clk(clk), .rst_n(1'b1), .stream(stream_bits), .levels(levels), .start(start), .view_row(view_row), .view_col(view_col), .done(done), .keys(keys),
+    .clk(clk), .rst_n(rst_n), .stream(stream_bits), .levels(levels), .start(start), .view_row(view_row), .view_col(view_col), .done(done), .keys(keys),
     .write(write), .write_level(write_level), .write_image(write_image));
   (* hierconn *) wire [52:0] \dut.rows.any ;
   (* hierconn *) wire [50:0] \dut.rows.given ;
@@ -109,7 +109,7 @@ module prove_view (
   wire [67:0] reference_1 = {image.references.address_1, image.references.cols_1, image.references.rows_1};
   wire [67:0] reference_2 = {image.references.address_2, image.references.cols_2, image.references.rows_2};
   wire [67:0] reference_3 = {image.references.address_3, image.references.cols_3, image.references.rows_3};
-  logic         was = 1'b0;
+  logic         was = 1'b0, was_reset = 1'b0;
   logic [1:0]   next_state;
   logic [2:0]   next_l, next_k, next_write_level, was_k_1, was_k_2, was_k;
   logic [9:0]   next_row, next_col, next_cols_1, next_rows_1, was_cols_1, was_cols_2;
@@ -128,7 +128,8 @@ module prove_view (
   logic [67:0]  next_0, next_1, next_2, next_3;  // address, columns and rows of each reference
   logic [43:0]  next_tile, next_disparity;
   always @(posedge clk) begin
-    was <= 1'b1;
+    was <= rst_n;
+    was_reset <= !rst_n;
     next_level_bits <= levels >> (123 * \dut.l );
     next_start <= (\dut.state == IDLE && start) || (last && !top);
     next_done <= write && \dut.ends ;
@@ -174,8 +175,9 @@ module prove_view (
   end
   always @* begin
     assume (\dut.state <= ADDRESSES && (\dut.state != ADDRESSES || \dut.k <= 5));
-    assert (\dut.rows.given == {1'b1, \dut.axes_start , r, level.rows, level.ref_rows, level.group_rows, stream.features.balanced_groups, stream.cluster_rows});
-    assert (\dut.cols.given == {1'b1, \dut.axes_start , c, level.cols, level.ref_cols, level.group_cols, stream.features.balanced_groups, stream.cluster_cols});
+    assert (\dut.rows.given == {rst_n, \dut.axes_start , r, level.rows, level.ref_rows, level.group_rows, stream.features.balanced_groups, stream.cluster_rows});
+    assert (\dut.cols.given == {rst_n, \dut.axes_start , c, level.cols, level.ref_cols, level.group_cols, stream.features.balanced_groups, stream.cluster_cols});
+    if (was_reset) assert (\dut.state == IDLE && {\dut.valid_1 , \dut.valid_2 , \dut.valid_3 , write, done, \dut.axes_start } == 0);
     if (was) begin
       assert ({\dut.state , \dut.l , \dut.k , r, c, keys} == {next_state, next_l, next_k, next_row, next_col, next_keys});
       assert (\dut.level == next_level_bits && {\dut.axes_start , \dut.ends , done, write} == {next_start, next_ends, next_done, next_write});
