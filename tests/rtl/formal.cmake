@@ -18,6 +18,7 @@ set(HMLFC_PROOFS
   element_reader
   fifo
   fifo_order
+  geometry
   group_axis
   header
   images
@@ -50,7 +51,7 @@ set(HMLFC_PROOFS
   view_queue
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader header interpolate reconstruct reference_lookup residual tile_contexts view_fetch)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader geometry header interpolate reconstruct reference_lookup residual tile_contexts view_fetch)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
