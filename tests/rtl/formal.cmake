@@ -42,6 +42,7 @@ set(HMLFC_PROOFS
   strip_scan
   tile_ask
   tile_contexts
+  tile_contexts_step
   tile_headers
   tile_number
   trits
