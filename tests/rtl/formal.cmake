@@ -36,6 +36,7 @@ set(HMLFC_PROOFS
   reference_lookup
   registers
   requests
+  requests_jobs
   residual
   skid_buffer
   stores
@@ -43,8 +44,11 @@ set(HMLFC_PROOFS
   tile_ask
   tile_contexts
   tile_contexts_step
+  tile_fetch
   tile_headers
+  tile_loader
   tile_number
+  tile_walk
   trits
   view
   view_fetch
