@@ -48,6 +48,7 @@ set(HMLFC_PROOFS
   tile_headers
   tile_loader
   tile_number
+  tile_stores
   tile_walk
   trits
   view
