@@ -32,7 +32,9 @@ set(HMLFC_PROOFS
   read_port
   reconstruct
   record_ram
+  reference_cache
   reference_lookup
+  references
   registers
   requests
   residual
