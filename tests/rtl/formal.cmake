@@ -33,6 +33,7 @@ set(HMLFC_PROOFS
   reconstruct
   record_ram
   reference_cache
+  reference_lines
   reference_lookup
   references
   registers
