@@ -41,6 +41,7 @@ set(HMLFC_PROOFS
   residual
   skid_buffer
   stores
+  strip_fill
   strip_scan
   tile_ask
   tile_contexts
@@ -53,7 +54,7 @@ set(HMLFC_PROOFS
   view_queue
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader header interpolate reconstruct reference_lookup residual tile_contexts view_fetch)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader header interpolate reconstruct reference_lookup residual strip_fill tile_contexts view_fetch)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
