@@ -33,13 +33,17 @@ set(HMLFC_PROOFS
   read_port
   reconstruct
   record_ram
+  reference_cache
+  reference_lines
   reference_lookup
+  references
   registers
   requests
   requests_jobs
   residual
   skid_buffer
   stores
+  strip_fill
   strip_scan
   tile_ask
   tile_contexts
@@ -57,7 +61,7 @@ set(HMLFC_PROOFS
   view_queue
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader geometry header interpolate reconstruct reference_lookup residual tile_contexts view_fetch)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader geometry header interpolate reconstruct reference_lookup residual strip_fill tile_contexts view_fetch)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
