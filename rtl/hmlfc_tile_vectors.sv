@@ -107,9 +107,9 @@ module hmlfc_tile_vectors #(
 
   logic [3:0] valid;  // what the readers hold
   logic [4*6-1:0] numbers;
-  wire signed [8:0] dx = min_x + $signed({1'b0, value_x});
-  wire signed [8:0] dy = min_y + $signed({1'b0, value_y});
-  wire signed [8:0] limit = 9'(search_window);
+  wire signed [9:0] dx = 10'(min_x) + $signed({2'b00, value_x});
+  wire signed [9:0] dy = 10'(min_y) + $signed({2'b00, value_y});
+  wire signed [9:0] limit = 10'(search_window);
   assign vector_write = valid[3];
   assign vector_number = numbers[18+:6];
   assign vector_data = {dx > limit || dy > limit, signs[vector_number], dy[7:0], dx[7:0]};
