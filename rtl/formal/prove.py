@@ -70,7 +70,7 @@ def read_proof(name: str) -> Proof | None:
     mutants = re.search(r"^// Mutants: +(\d+)$", text, re.M)
     cut = re.search(r"^// Cut: +(.+)$", text, re.M)
     cutpoint = "cutpoint " + " ".join(f"*hmlfc_{module}*" for module in cut[1].split()) + "; hierarchy" if cut else ""
-    return Proof(name, HERE / f"{name}.sv", "\n// Memories: arrays\n" in text, cutpoint, mutants[1] if mutants else "", "", engine[1].split(), [f"-chparam PART {k}" for k in range(int(count[1]))] if count else [""],
+    return Proof(name, HERE / f"{name}.sv", "\n// Memories: arrays\n" in text, cutpoint, mutants[1] if mutants else "", "", engine[1].split(), [f"-set PART {k}" for k in range(int(count[1]))] if count else [""],
                  cover[1] if cover else "", re.findall(r"^// Still: +(\S+) (\S+)$", text, re.M),
                  re.findall(r"^// Fault: +(\S+) / (.+) / (.+)$", text, re.M))
 
@@ -82,7 +82,8 @@ def model(proof: Proof, rtl: pathlib.Path, options: str) -> list[str]:
     own_ram = f"{rtl}/hmlfc_ram.sv" if (rtl / "hmlfc_ram.sv").exists() else ""
     script = [
         f"read_verilog -sv -formal {proof.define} -I{rtl} -I{HERE} {rtl}/hmlfc_pkg.sv {own_ram} {proof.file}",
-        f"hierarchy -check -top prove_{proof.name} {options} -libdir {rtl}",
+        *([f"chparam {options} prove_{proof.name}"] if options.strip() else []),  # of hierarchy, Yosys 0.23 fails on some netlists
+        f"hierarchy -check -top prove_{proof.name} -libdir {rtl}",
         "proc", *([proof.cut] if proof.cut else []), "opt_expr", "opt_dff", "setattr -set keep 1 t:$*ff*", "opt_clean", "setattr -unset keep t:$*ff*",  # all registers stay
         *memory, "opt_expr", "flatten", *narrow, "opt_expr", "opt_clean", "opt_dff", "opt_expr"]
     if proof.engine[0] == "sat":
@@ -192,7 +193,7 @@ def without_parameters(text: str, module: str, values: dict[str, str]) -> tuple[
     names = set(re.findall(r"\.(\w+)\(", " ".join(re.findall(rf"hmlfc_{module} #\((.*?)\) \w+ \(", text))))
     if names != set(values):
         return None
-    options = " ".join(f"-chparam {name} {value}" for name, value in values.items() if name in own)
+    options = " ".join(f"-set {name} {value}" for name, value in values.items() if name in own)
     return re.sub(rf"(hmlfc_{module}) #\(.*?\) (\w+ \()", r"\1 \2", text), options
 
 
