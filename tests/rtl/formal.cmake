@@ -41,8 +41,11 @@ set(HMLFC_PROOFS
   strip_scan
   tile_ask
   tile_contexts
+  tile_contexts_step
+  tile_fetch
   tile_headers
   tile_number
+  tile_stores
   trits
   view
   view_fetch
