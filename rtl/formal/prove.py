@@ -22,7 +22,7 @@ Exit status 0: proved; with --fault: each fault, planted alone in a copy, has a 
 
 --module: of the module of FILE, hmlfc_MODULE.il, RTLIL with these values of its parameters, in the place of the RTL's. Those of the
 proof's module are set likewise. Exit status 1: a counterexample, of a legal run: from reset, from a state that the proof says is legal, or of a
-pipeline that is full. 0: none in those clocks, which proves nothing, as no induction is tried. 3: the proof is for other parameters.
+pipeline that is full; or a register that is not still. 0: none in those clocks, which proves nothing, as no induction is tried. 3: the proof is for other parameters.
 """
 
 import dataclasses
@@ -135,7 +135,9 @@ def solve_smt(smt2: pathlib.Path, options: list[str]) -> int:
 def still(module: str, signal: str, rtl: pathlib.Path, work: pathlib.Path) -> int:
     """With 0 in place of the input each register of the netlist has its own output as its next value."""
     netlist = work / "still.json"
-    status, text = run(["yosys", "-q", "-p", f"read_verilog -sv -I{rtl} {rtl}/hmlfc_pkg.sv {rtl}/{module}.sv; hierarchy -check -top {module} -libdir {rtl}; "
+    mutated = rtl / f"{module}.il"
+    read = f"read_rtlil {mutated}" if mutated.exists() else f"read_verilog -sv -I{rtl} {rtl}/{module}.sv"
+    status, text = run(["yosys", "-q", "-p", f"read_verilog -sv -I{rtl} {rtl}/hmlfc_pkg.sv; {read}; hierarchy -check -top {module} -libdir {rtl}; "
                         f"proc; flatten; opt_expr; opt_clean; memory_dff; memory_map; dffunmap; setattr -set keep 1 t:$*ff*; "
                         f"select -assert-any {module}/i:{signal}; delete -input {module}/i:{signal}; connect -set {signal} 1'b0; "
                         f"opt_expr; opt_clean; write_json {netlist}"])
@@ -213,6 +215,11 @@ def refute(proof: Proof, netlist: pathlib.Path, values: dict[str, str], work: pa
     proof.file = work / f"{proof.name}.sv"
     proof.file.write_text(text, encoding="utf-8")
     proof.define = "-DHMLFC_BASE_CASE"
+    for name, signal in proof.stills:
+        if name == netlist.stem:
+            status = still(name, signal, rtl, work)
+            if status != PROVED:
+                return status
     clocks = proof.mutants or max(proof.engine[-1], proof.cover, key=lambda number: int(number or 0))
     for part in proof.parts:
         # All clocks in one search: where there is none, each alone takes longer.

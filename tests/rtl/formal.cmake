@@ -16,6 +16,7 @@ set(HMLFC_PROOFS
   disparity_parser
   disparity_place
   divide
+  divide_step
   element_reader
   fifo
   fifo_order
@@ -52,6 +53,7 @@ set(HMLFC_PROOFS
   tile_fetch
   tile_headers
   tile_loader
+  tile_mask
   tile_number
   tile_stores
   tile_walk
