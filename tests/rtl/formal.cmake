@@ -35,6 +35,7 @@ set(HMLFC_PROOFS
   reference_cache
   reference_lines
   reference_lookup
+  reference_lookup_step
   references
   registers
   requests
