@@ -32,6 +32,7 @@ set(HMLFC_PROOFS
   read_port
   reconstruct
   record_ram
+  reference_ask
   reference_cache
   reference_lines
   reference_lookup
