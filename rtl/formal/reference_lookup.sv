@@ -2,7 +2,7 @@
 //   - a window leaves only when the strip that it needs there is the one asked for last there, by itself or since all were forgotten;
 //   - a strip is asked for only by a window that needs it, at its place, once, and not when it is kept;
 //   - a window asks or leaves whenever the other side is ready; out_missed is the number that it asked for.
-// Which strips a window needs, and their addresses and places, are compared with the model by simulation.
+// Which strips a window needs, and their addresses and places: proof reference_lookup_step.
 // BLOCK_LOG2 = 2, STRIPS = 64, SECTIONS = 1.
 //
 // Clauses: Prefetching (docs/pipeline.md)

@@ -35,9 +35,11 @@ set(HMLFC_PROOFS
   read_port
   reconstruct
   record_ram
+  reference_ask
   reference_cache
   reference_lines
   reference_lookup
+  reference_lookup_step
   references
   registers
   requests
