@@ -24,6 +24,7 @@ set(HMLFC_PROOFS
   images
   interpolate
   loader
+  motion_parser
   motion_tile
   multiply_add
   multiply_add_step
@@ -51,7 +52,7 @@ set(HMLFC_PROOFS
   view_queue
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader header interpolate reconstruct reference_lookup residual tile_contexts view_fetch)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader header interpolate motion_parser reconstruct reference_lookup residual tile_contexts view_fetch)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
