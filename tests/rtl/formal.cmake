@@ -26,6 +26,7 @@ set(HMLFC_PROOFS
   images
   interpolate
   loader
+  motion_parser
   motion_tile
   multiply_add
   multiply_add_step
@@ -66,7 +67,7 @@ set(HMLFC_PROOFS
   view_queue
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader geometry header interpolate reconstruct reference_lookup residual strip_fill tile_contexts view_fetch)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader geometry header interpolate motion_parser reconstruct reference_lookup residual strip_fill tile_contexts view_fetch)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
