@@ -43,6 +43,7 @@ set(HMLFC_PROOFS
   tile_contexts
   tile_headers
   tile_number
+  tile_vectors
   trits
   view
   view_fetch
