@@ -23,6 +23,7 @@ set(HMLFC_PROOFS
   images
   interpolate
   loader
+  motion_blocks
   motion_tile
   multiply_add
   multiply_add_step
@@ -36,6 +37,8 @@ set(HMLFC_PROOFS
   registers
   requests
   residual
+  residual_blocks
+  residual_parser
   skid_buffer
   stores
   strip_scan
@@ -51,7 +54,7 @@ set(HMLFC_PROOFS
   view_queue
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader header interpolate reconstruct reference_lookup residual tile_contexts view_fetch)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader header interpolate motion_blocks reconstruct reference_lookup residual residual_blocks tile_contexts view_fetch)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
