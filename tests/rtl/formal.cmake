@@ -26,6 +26,8 @@ set(HMLFC_PROOFS
   images
   interpolate
   loader
+  motion_blocks
+  motion_parser
   motion_tile
   multiply_add
   multiply_add_step
@@ -45,6 +47,8 @@ set(HMLFC_PROOFS
   requests
   requests_jobs
   residual
+  residual_blocks
+  residual_parser
   skid_buffer
   stores
   strip_fill
@@ -58,6 +62,7 @@ set(HMLFC_PROOFS
   tile_mask
   tile_number
   tile_stores
+  tile_vectors
   tile_walk
   trits
   view
@@ -66,7 +71,7 @@ set(HMLFC_PROOFS
   view_queue
   view_registers
   view_scan)
-set(HMLFC_LONG_PROOFS answer bise_unpack element_reader geometry header interpolate reconstruct reference_lookup residual strip_fill tile_contexts view_fetch)
+set(HMLFC_LONG_PROOFS answer bise_unpack element_reader geometry header interpolate motion_blocks motion_parser reconstruct reference_lookup residual residual_blocks strip_fill tile_contexts view_fetch)
 set(HMLFC_SMOKE_TESTS trits)
 
 foreach(proof IN LISTS HMLFC_PROOFS)
