@@ -32,6 +32,7 @@ set(HMLFC_PROOFS
   read_port
   reconstruct
   record_ram
+  record_ram_banks
   reference_lookup
   registers
   requests
