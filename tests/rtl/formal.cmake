@@ -37,6 +37,7 @@ set(HMLFC_PROOFS
   read_port
   reconstruct
   record_ram
+  record_ram_banks
   reference_ask
   reference_cache
   reference_lines
