@@ -34,6 +34,7 @@ set(HMLFC_PROOFS
   record_ram
   reference_lookup
   registers
+  registers_step
   requests
   residual
   skid_buffer
