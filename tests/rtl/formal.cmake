@@ -45,6 +45,7 @@ set(HMLFC_PROOFS
   reference_lookup_step
   references
   registers
+  registers_step
   requests
   requests_jobs
   residual
