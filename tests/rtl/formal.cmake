@@ -37,6 +37,7 @@ set(HMLFC_PROOFS
   reference_lines
   reference_lookup
   reference_lookup_step
+  reference_window
   references
   registers
   requests
