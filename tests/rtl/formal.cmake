@@ -43,6 +43,7 @@ set(HMLFC_PROOFS
   reference_lines
   reference_lookup
   reference_lookup_step
+  reference_window
   references
   registers
   registers_step
