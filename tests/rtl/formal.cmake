@@ -69,6 +69,7 @@ set(HMLFC_PROOFS
   tile_walk
   trits
   view
+  view_dma
   view_fetch
   view_place
   view_queue

@@ -70,7 +70,7 @@ DEPTH = between("depth", 8, 12)
 DATAPATH = [
     Variant("bise_unpack", {"COUNT": 16, "VALUE_BITS": 14, "WINDOW_BITS": 224}, legal=at_most("level_code", 39), latency=3),
     element(10, 27),
-    element(4, 5),  # the choice among at most 8 entries of a palette
+    element(4, 6),  # the choice among at most 8 entries of a palette
     # Vectors, disparities and indices: the levels of residuals, up to code 39, do not come to these two.
     Variant("bise_place", {}, legal=at_most("level_code", 27)),
     Variant("bise_bits", {}, legal=at_most("count", 1024) | at_most("level_code", 27)),
