@@ -54,6 +54,7 @@ set(HMLFC_PROOFS
   residual_parser
   skid_buffer
   stores
+  strip_collect
   strip_fill
   strip_scan
   tile_ask
