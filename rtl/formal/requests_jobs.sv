@@ -11,7 +11,7 @@
 // Fault: hmlfc_requests.sv / users[32'(oldest)*10+:10] == 0 / users[32'(slot)*10+:10] == 0
 // Fault: hmlfc_requests.sv / if (chroma_spoiled) chroma_left_out <= 1'b0; / if (chroma_spoiled) chroma_left_out <= 1'b1;
 `include "hmlfc_tables.svh"
-`define SEEN(width, name) (* hierconn *) wire [width-1:0] name ;
+`include "inside.svh"
 
 // In the place of the queue.
 module hmlfc_fifo #(parameter integer WIDTH = 8, parameter integer DEPTH = 4) (
@@ -113,7 +113,6 @@ module prove_requests_jobs #(
   logic [2:0]  next_level, view_level;
   logic        found, view_found;
   always @* begin
-    {next_level, view_level, found, view_found} = {2{stream.tree_height, 1'b0}};
     next_level = stream.tree_height;
     view_level = stream.tree_height;
     {found, view_found} = 2'b00;

@@ -10,8 +10,7 @@
 // Fault: hmlfc_residual_store.sv / .window(window[3*WINDOW_BITS-1:2*WINDOW_BITS]) / .window(window[3*WINDOW_BITS-2:2*WINDOW_BITS-1])
 // Fault: hmlfc_motion_store.sv / .parsed_context(loaded_context) / .parsed_context(parse_context)
 // Fault: hmlfc_disparity_store.sv / .head_write(loaded_valid) / .head_write(loaded_keep)
-`define LINK(width, a, b) (* hierconn *) wire [width-1:0] a , b ; always @* assert (a == b );
-`define PORT(width, port, b) (* hierconn *) wire [width-1:0] b ; always @* assert (port == b );
+`include "inside.svh"
 module prove_stores #(
   parameter integer PART = 0,
   parameter integer L = PART == 0 ? 4 : 2,                        // loaders

@@ -9,8 +9,7 @@
 // Fault: hmlfc_tile_fetch.sv / .load_valid(load_valid && taking[i]) / .load_valid(load_valid && idle[i])
 // Fault: hmlfc_tile_fetch.sv / .data_valid(data_valid[i]) / .data_valid(data_valid[0])
 // Fault: hmlfc_tile_fetch.sv / .write(writes != 0) / .write(writes[0])
-`define SEEN(width, name) (* hierconn *) wire [width-1:0] name ;
-`define PORT(width, port, name) (* hierconn *) wire [width-1:0] name ; always @* assert (port == name );
+`include "inside.svh"
 // In the place of a loader.
 module hmlfc_tile_loader #(parameter integer DATA_BITS = 128, parameter integer CONTEXTS = 4, parameter integer RECORD_BEATS = 128,
   parameter integer INFO_BITS = 8, localparam integer C = $clog2(CONTEXTS), localparam integer BEAT = C + $clog2(RECORD_BEATS)

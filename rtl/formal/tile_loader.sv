@@ -12,7 +12,7 @@
 // Fault: hmlfc_tile_loader.sv / if (data_error) parse_error / if (data_error && data_last) parse_error
 // Fault: hmlfc_tile_loader.sv / .request_ready(request_ready && !fetching) / .request_ready(request_ready)
 `include "hmlfc_tables.svh"
-`define SEEN(width, name) (* hierconn *) wire [width-1:0] name ;
+`include "inside.svh"
 module prove_tile_loader #(
   parameter integer DATA_BITS = 64,
   parameter integer CONTEXTS = 4,

@@ -9,8 +9,7 @@
 // Fault: hmlfc_tile_stores.sv / .in_flow(disparity_flow) / .in_flow(disparity_in_flow)
 // Fault: hmlfc_tile_stores.sv / .data_valid(data_valid[MOTION_CLIENT+:OTHER_LOADERS]) / .data_valid(data_valid[0+:OTHER_LOADERS])
 // Fault: hmlfc_tile_stores.sv / disparity_id = motion_flow.job.id / disparity_id = shared_flow.job.id
-`define LINK(width, a, b) (* hierconn *) wire [width-1:0] a , b ; always @* assert (a == b );
-`define PORT(width, port, b) (* hierconn *) wire [width-1:0] b ; always @* assert (port == b );
+`include "inside.svh"
 module prove_tile_stores #(
   parameter integer BLOCK_LOG2 = 2,
   parameter integer MAX_DEPTH = 12,

@@ -12,7 +12,7 @@
 // Fault: hmlfc_tile_walk.sv / end_at > 50'(stream.tile_bytes) / end_at >= 50'(stream.tile_bytes)
 // Fault: hmlfc_tile_walk.sv / none <= end_offset <= begin_offset / none <= end_offset < begin_offset
 `include "hmlfc_tables.svh"
-`define SEEN(width, name) (* hierconn *) wire [width-1:0] name ;
+`include "inside.svh"
 module prove_tile_walk #(
   parameter integer DATA_BITS = 64,
   parameter integer GROUPS = 16,

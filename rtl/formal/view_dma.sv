@@ -10,9 +10,7 @@
 // Fault: hmlfc_view_dma.sv / .place_valid(place_valid && !view.residuals) / .place_valid(place_valid)
 // Fault: hmlfc_view_dma.sv / .line_ready(port_ready && !status_valid) / .line_ready(port_ready)
 // Fault: hmlfc_view_dma.sv / written = writer_empty && strip_empty && port_idle / written = writer_empty && port_idle
-`define LINK(width, a, b) (* hierconn *) wire [width-1:0] a , b ; always @* assert (a == b );
-`define PORT(width, port, b) (* hierconn *) wire [width-1:0] b ; always @* assert (port == b );
-`define SEEN(width, a) (* hierconn *) wire [width-1:0] a ;
+`include "inside.svh"
 `define RESET(name) (* hierconn *) wire name ; always @* assert (name == rst_n);
 module prove_view_dma #(
   parameter integer BLOCK_LOG2 = 1,
