@@ -34,7 +34,9 @@ struct Transfer {
 };
 
 /// A handle for requests to `address`: http and https alone, few redirections, no waiting without
-/// end. Certificates are checked as libcurl does by itself. Null: want of memory.
+/// end. Certificates are checked as libcurl does by itself. Null: want of memory. CURLOPT_PIPEWAIT
+/// stays off: with it libcurl 7.88 waits without end for a connection that failed before its first
+/// answer.
 Easy make_easy(const std::string& address);
 
 /// Makes the handle of `transfer` ask for its range and report to it.
