@@ -13,6 +13,7 @@ set(HMLFC_PROOFS
   control
   decode_unit
   disparity_ask
+  disparity_blocks
   disparity_parser
   disparity_place
   divide
