@@ -34,6 +34,7 @@ set(HMLFC_PROOFS
   plane_size
   quints
   ram
+  ram_clock
   read_port
   reconstruct
   record_ram
