@@ -36,6 +36,7 @@ set(HMLFC_PROOFS
   ram
   ram_clock
   read_port
+  read_port_step
   reconstruct
   record_ram
   record_ram_banks
