@@ -40,6 +40,7 @@ set(HMLFC_PROOFS
   reconstruct
   record_ram
   record_ram_banks
+  record_ram_window
   reference_ask
   reference_cache
   reference_lines
