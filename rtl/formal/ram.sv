@@ -4,6 +4,7 @@
 // Clauses: Taking it into your chip (docs/decode_unit.md)
 // Engine: bmc 6
 // Memories: arrays
+// Mutants: 4
 // Complete: what a word holds and what was read last are all the state there is.
 // Fault: hmlfc_ram.sv / if (read) read_data <= / read_data <=
 // Fault: hmlfc_ram.sv / words[write_address] <= write_data / words[read_address] <= write_data
@@ -32,4 +33,10 @@ module prove_ram #(
     end
   end
   always @* if (was_read) assert (read_data == expected);
+
+  // What it was, read or not.
+  logic             stays = 1'b0;
+  logic [WIDTH-1:0] before;
+  always @(posedge clk) {stays, before} <= {!read, read_data};
+  always @* if (stays) assert (read_data == before);
 endmodule

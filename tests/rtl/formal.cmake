@@ -35,10 +35,13 @@ set(HMLFC_PROOFS
   plane_size
   quints
   ram
+  ram_clock
   read_port
+  read_port_step
   reconstruct
   record_ram
   record_ram_banks
+  record_ram_window
   reference_ask
   reference_cache
   reference_lines

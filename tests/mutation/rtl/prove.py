@@ -62,7 +62,7 @@ def both(mutant: dict, folder: pathlib.Path, scratch: pathlib.Path) -> str:
     inner = "delete =A:blackbox\n" + "".join(f"read_verilog -sv {file}\n" for file in units.all_inner_modules(variant))
     # Closed are modules with their own parameters, not with those that a library has of them: their outputs become inputs, and the other way round.
     closed = "blackbox *hmlfc_*\n" if variant.closed else ""
-    opened = "expose -evert t:*hmlfc_* %m\n" if variant.closed else ""
+    opened = "expose -evert t:*hmlfc_*\n" if variant.closed else ""
     text = []
     for copy in ("gold", "gate"):
         planted = mutant["command"] + "\n" if copy == "gate" else ""
@@ -153,21 +153,26 @@ KNOWN = [
 ]
 
 
-def in_closed_memory(folder: pathlib.Path) -> dict:
-    """A mutant of the upper bits of a queue's memory, in a folder of its own."""
+def of_queue(folder: pathlib.Path) -> list[tuple[dict, str]]:
+    """Mutants of a queue, whose memory is closed, in a folder of its own: of the memory's upper bits, and of the word kept beside where it is not
+    put, which differs inside alone."""
     unit = units.Variant("fifo", {"WIDTH": 20, "DEPTH": 4}, closed=True)
     script = folder / "0.ys"
     script.write_text(f"{units.read_commands(unit)}write_rtlil {folder}/0.il\nwrite_verilog -noattr {folder}/mutated_0.v\n", encoding="utf-8")
     units.yosys(script)
-    return {"module": unit.module, "parameters": unit.parameters, "variant": 0,
-            "command": "mutate -mode const0 -module top -cell storage -port read_data -portbit 19"}
+    holds = re.search(r"cell \$mux (\S+)\n(?:    parameter .*\n)*    connect \\A \\latest\n", (folder / "0.il").read_text(encoding="utf-8"))
+    if holds is None:
+        raise RuntimeError("prove.py: the queue's netlist is not as the self-test expects")
+    places = [("storage -port read_data -portbit 19", DIFFERS), (f"{holds[1]} -port A -portbit 7", EQUIVALENT), (f"{holds[1]} -port B -portbit 7", DIFFERS)]
+    return [({"module": unit.module, "parameters": unit.parameters, "variant": 0, "command": f"mutate -mode inv -module top -cell {place}"}, known)
+            for place, known in places]
 
 
 def self_test(folder: pathlib.Path) -> int:
     wrong = 0
     with tempfile.TemporaryDirectory(prefix="hmlfc-mutant-") as name:
         scratch = pathlib.Path(name)
-        for mutant, known, ignored, where in [*((*one, folder) for one in KNOWN), (in_closed_memory(scratch), DIFFERS, False, scratch)]:
+        for mutant, known, ignored, where in [*((*one, folder) for one in KNOWN), *((*one, False, scratch) for one in of_queue(scratch))]:
             wrong += is_ignored(mutant, where, scratch) != ignored
             found = prove(mutant, where, 60)
             wrong += found != known
