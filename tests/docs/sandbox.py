@@ -11,7 +11,7 @@ import shutil
 import subprocess
 
 LINKS = ("docs", "examples", "vectors", "tests", "CMakeLists.txt", "CMakePresets.json")
-CPU_LIMIT = 15  # seconds of CPU time of a program
+CPU_LIMIT = 60  # seconds of CPU time of a program, on a busy machine, too
 TIMEOUT = 300  # seconds of a command, on a busy machine
 
 RUN = """#!/usr/bin/env bash
