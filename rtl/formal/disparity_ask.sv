@@ -47,11 +47,14 @@ module prove_disparity_ask #(
     if (in_ready) {needs, flows} <= {needs[3:1], shares, flows[3*F-1:0], in_flow};
     valid <= !started || !shared ? 4'd0 : in_ready ? {valid[3:1], in_valid} : valid;
   end
+  (* hierconn *) wire [4:1] \dut.valid ;
+  (* hierconn *) wire [4:1] \dut.needed ;
   always @* begin
     expected = flows[3*F +: F];
     expected.disparity_asked = needs[4];
     expected.disparity_context = granted_context;
     if (started && shared) begin
+      assert (\dut.valid == valid && (\dut.needed & valid) == (needs & valid));
       assert (out_valid == (valid[4] && (!needs[4] || granted)) && in_ready == (!valid[4] || (out_valid && out_ready)) && in_ready == \dut.advance );
       assert (ask == (out_valid && out_ready && needs[4]));
       if (out_valid) assert (flow == expected);

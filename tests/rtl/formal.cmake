@@ -77,6 +77,7 @@ set(HMLFC_PROOFS
   view_dma
   view_fetch
   view_place
+  view_place_address
   view_queue
   view_registers
   view_scan)
