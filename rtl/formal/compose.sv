@@ -6,6 +6,7 @@
 //
 // Clauses: DEC-3 for its order, DEC-7, CNV-7, MOT-10
 // Engine: induction 1 6
+// Cut: interpolate reconstruct
 // Complete: the block that is followed is bound to the stages' registers, so the induction needs no reachability.
 // Fault: hmlfc_compose.sv / assign in_ready = first_there && second_there && advance / assign in_ready = first_there && advance
 // Fault: hmlfc_compose.sv / if (!rst_n || go) kept_valid <= 1'b0 / if (!rst_n) kept_valid <= 1'b0
@@ -65,7 +66,11 @@ module prove_compose #(
   wire [5:0] own_error = pending.job.error != 0 ? pending.job.error : first_error != 0 ? first_error : pending.two ? b_error : 6'd0;
 
   // A block that is followed, any that enters while there is none, and how many are in front of it.
+`ifdef HMLFC_BASE_CASE
+  wire follow = 1'b1;
+`else
   (* anyseq *) logic follow;
+`endif
   logic         started = 1'b0;
   logic [2:0]   held, ahead;
   logic         following;
