@@ -6,6 +6,7 @@
 //
 // Clauses: DEC-3 for its order, DEC-7, CNV-7, MOT-10
 // Engine: induction 1 6
+// Mutants: 7
 // Cut: interpolate reconstruct
 // Complete: the block that is followed is bound to the stages' registers, so the induction needs no reachability.
 // Fault: hmlfc_compose.sv / assign in_ready = first_there && second_there && advance / assign in_ready = first_there && advance
