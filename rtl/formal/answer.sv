@@ -19,6 +19,7 @@
 // Fault: hmlfc_answer.sv / && !y_now && in_error == / && in_error ==
 // Fault: hmlfc_answer.sv / in_has_residual ? in_residual / 1'b1 ? in_residual
 `include "hmlfc_tables.svh"
+`include "inside.svh"
 module prove_answer #(
   parameter integer BLOCK_LOG2 = 1,
   parameter integer MAX_DEPTH = 8,
@@ -115,26 +116,11 @@ module prove_answer #(
   wire [2:0] at_2 = at_3 + {2'd0, \dut.valid [3]};
   wire [2:0] at_1 = at_2 + {2'd0, \dut.valid [2]};
 
-  // A block that is followed, any that enters while there is none, how many are in front of it, and what the transform gave for it.
-`ifdef HMLFC_BASE_CASE
-  wire follow = 1'b1;
-`else
-  (* anyseq *) logic follow;
-`endif
-  logic         started = 1'b0;
-  logic [2:0]   held, ahead;
-  logic         following;
-  logic [E-1:0] e;
+  // The block that is followed, and what the transform gave for it.
+  `FOLLOW(E, entry)
+  wire  [E-1:0] e = followed;
   logic [L-1:0] transformed;
-  wire [2:0]    rest = held - {2'd0, take};
-  always @(posedge clk) begin
-    started <= 1'b1;
-    held <= rst_n ? rest + {2'd0, put} : 3'd0;
-    if (put && follow && !following) {ahead, e} <= {rest, entry};
-    else if (take) ahead <= ahead - 3'd1;
-    following <= rst_n && (following ? !(take && ahead == 0) : put && follow);
-    if (\dut.valid [3] && \dut.advance_out && ahead == at_3) transformed <= \dut.lanes_3 ;
-  end
+  always @(posedge clk) if (\dut.valid [3] && \dut.advance_out && ahead == at_3) transformed <= \dut.lanes_3 ;
   reg [L-1:0] lanes;
   always @* begin
     lanes = e[P+7] ? transformed : {L{1'b0}};

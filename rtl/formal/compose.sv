@@ -66,24 +66,8 @@ module prove_compose #(
   wire [5:0] first_error = needs_a ? a_error : !needs_first ? 6'd0 : pending.two ? b_taken_error : b_error;
   wire [5:0] own_error = pending.job.error != 0 ? pending.job.error : first_error != 0 ? first_error : pending.two ? b_error : 6'd0;
 
-  // A block that is followed, any that enters while there is none, and how many are in front of it.
-`ifdef HMLFC_BASE_CASE
-  wire follow = 1'b1;
-`else
-  (* anyseq *) logic follow;
-`endif
-  logic         started = 1'b0;
-  logic [2:0]   held, ahead;
-  logic         following;
-  logic [E-1:0] followed;
-  wire [2:0]    rest = held - {2'd0, take};
-  always @(posedge clk) begin
-    started <= 1'b1;
-    held <= rst_n ? rest + {2'd0, put} : 3'd0;
-    if (put && follow && !following) {ahead, followed} <= {rest, own_error, in_residual, in_pending};
-    else if (take) ahead <= ahead - 3'd1;
-    following <= rst_n && (following ? !(take && ahead == 0) : put && follow);
-  end
+  wire [E-1:0] entry = {own_error, in_residual, in_pending};
+  `FOLLOW(E, entry)
 
   // The error of the level before.
   logic       any;
