@@ -45,13 +45,6 @@ BufferAccess written(const Buffer& buffer, uint64_t begin, uint64_t bytes) {
   return {buffer.address(), "a buffer", false, true, begin, begin + bytes};
 }
 
-// A buffer or an image of the caller, all of it: it has no address, but a handle of its own.
-template <class Handle>
-BufferAccess written_outside(Handle target) {
-  const auto handle = reinterpret_cast<uint64_t>(static_cast<typename Handle::CType>(target));
-  return {handle, "the target", false, true};
-}
-
 }  // namespace
 
 Recorder::Recorder(Device::State& device, const FrameShape* frame)
@@ -178,7 +171,6 @@ void Recorder::copy_out(const Buffer& from, uint64_t bytes, vk::Buffer to, uint6
   if (!device_->hazards) return;
   device_->hazards->command("copy");
   device_->hazards->access(kTransfer, read(from, 0, bytes));
-  device_->hazards->access(kTransfer, written_outside(to));
 }
 
 void Recorder::copy_out(const Buffer& from, vk::Image to, vk::ImageLayout layout,
@@ -191,7 +183,6 @@ void Recorder::copy_out(const Buffer& from, vk::Image to, vk::ImageLayout layout
   if (!device_->hazards) return;
   device_->hazards->command("copy");
   device_->hazards->access(kTransfer, read(from, 0, from.size()));
-  device_->hazards->access(kTransfer, written_outside(to));
 }
 
 }  // namespace hmlfc::gpu

@@ -104,7 +104,8 @@ std::shared_ptr<Device::State> open_state(const VulkanDevice& handles,
   }
   state->info = info_of(*state->physical);
   if (!state->info.missing.empty()) {
-    throw unusable(state->info.name + " has no " + state->info.missing);
+    throw unusable(state->info.name + " has no " + state->info.missing +
+                   ", or the instance was made for a Vulkan below 1.2");
   }
   if (!has_addresses(*handles.created)) {
     throw unusable(

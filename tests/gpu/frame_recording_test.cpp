@@ -233,8 +233,9 @@ TEST_F(GpuFrameRecordingOfOneStream, KeepsItsBounds) {
     const Buffer target(own->state(), uint64_t{37} * 19 * texel_bytes(header()), Memory::kReadback);
     FrameRecording recording;
     run_alone(*own, [&](VkCommandBuffer commands) {
-      ASSERT_TRUE(
-          record(renderer, commands, frame, 0, BufferTarget{target.handle(), 0}, recording));
+      const auto recorded =
+          record(renderer, commands, frame, 0, BufferTarget{target.handle(), 0}, recording);
+      ASSERT_TRUE(recorded) << recorded.error().message;
     });
     EXPECT_EQ(samples_of(target.bytes(), header()), golden_texels(frame, 0));
   }
