@@ -65,16 +65,29 @@ bool SparseBytes::all_words(ByteRange range, const Visit& visit) {
   return true;
 }
 
+bool SparseBytes::contains(ByteRange range) const {
+  return range.offset <= size_ && range.bytes <= size_ - range.offset;
+}
+
 bool SparseBytes::holds(ByteRange range) const {
+  if (!contains(range)) return false;
   return all_words(range, [this](uint64_t page, uint64_t mask) {
     std::atomic_ref(used_of(page)).store(now_, std::memory_order_relaxed);
     return (std::atomic_ref(lines_of(page)).load(std::memory_order_acquire) & mask) == mask;
   });
 }
 
+bool SparseBytes::holds_any(uint64_t begin, uint64_t end) const {
+  for (uint64_t at = begin; at < end; at += kLineBytes) {
+    if ((lines_of(at / kPageBytes) >> (at / kLineBytes % kPageLines) & 1u) != 0) return true;
+  }
+  return false;
+}
+
 std::vector<ByteRange> SparseBytes::missing(std::span<const ByteRange> ranges, uint64_t gap) const {
   std::vector<ByteRange> lines;
   for (const ByteRange& range : ranges) {
+    if (!contains(range)) continue;
     all_words(range, [&](uint64_t page, uint64_t mask) {
       for (uint64_t left = mask & ~lines_of(page); left != 0; left &= left - 1) {
         const auto line = static_cast<uint64_t>(std::countr_zero(left));
@@ -88,7 +101,7 @@ std::vector<ByteRange> SparseBytes::missing(std::span<const ByteRange> ranges, u
   std::vector<ByteRange> merged;
   for (const ByteRange& line : lines) {
     const uint64_t end = merged.empty() ? 0 : merged.back().offset + merged.back().bytes;
-    if (!merged.empty() && line.offset <= end + gap) {
+    if (!merged.empty() && line.offset <= end + gap && !holds_any(end, line.offset)) {
       merged.back().bytes = std::max(end, line.offset + line.bytes) - merged.back().offset;
     } else {
       merged.push_back(line);
@@ -98,10 +111,12 @@ std::vector<ByteRange> SparseBytes::missing(std::span<const ByteRange> ranges, u
 }
 
 std::span<uint8_t> SparseBytes::room(ByteRange range) {
+  if (!contains(range)) return {};
   return {file_.data() + range.offset, static_cast<size_t>(range.bytes)};
 }
 
 void SparseBytes::set_loaded(ByteRange range) {
+  if (!contains(range)) return;
   all_words(range, [this](uint64_t page, uint64_t mask) {
     const std::atomic_ref lines(lines_of(page));
     if (lines.load(std::memory_order_relaxed) == 0) pages_.push_back(page);

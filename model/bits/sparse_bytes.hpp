@@ -44,14 +44,19 @@ class SparseBytes {
 
   std::span<const uint8_t> bytes() const { return {file_.data(), static_cast<size_t>(size_)}; }
 
+  /// Whether `range` lies in the file. One that does not is never loaded: where a range comes from
+  /// the bytes of the file, these may be anything.
+  bool contains(ByteRange range) const;
+
   /// Whether all lines of `range` are loaded; notes that they are used.
   bool holds(ByteRange range) const;
 
   /// The lines of `ranges` that are not loaded, as ascending and disjoint ranges of whole lines, or
-  /// up to the end of the file. Those at most `gap` bytes apart are one, with what lies between.
+  /// up to the end of the file. Those at most `gap` bytes apart are one, with what lies between;
+  /// but none has a line that is loaded: somebody may be reading it, and it may come back changed.
   std::vector<ByteRange> missing(std::span<const ByteRange> ranges, uint64_t gap) const;
 
-  /// Where to write the bytes of `range`.
+  /// Where to write the bytes of `range`; no room where it does not lie in the file.
   std::span<uint8_t> room(ByteRange range);
 
   /// `range`, one of those that missing() gave, has been written.
@@ -70,6 +75,9 @@ class SparseBytes {
  private:
   template <class Visit>
   static bool all_words(ByteRange range, const Visit& visit);
+
+  // Whether a line is loaded that begins in [begin, end), whole lines.
+  bool holds_any(uint64_t begin, uint64_t end) const;
 
   uint64_t& lines_of(uint64_t page) const;
   uint32_t& used_of(uint64_t page) const;

@@ -1,10 +1,14 @@
 #include "bits/sparse_source.hpp"
 
+#include <algorithm>
+
 namespace hmlfc {
 
 bool SparseSource::load(std::span<const ByteRange> ranges) {
   const std::lock_guard lock(fetching_);
   if (failed_.load(std::memory_order_relaxed)) return false;
+  const auto lies_in = [this](ByteRange range) { return file_.contains(range); };
+  if (!std::ranges::all_of(ranges, lies_in)) return false;
   const auto missing = file_.missing(ranges, keeping_.gap);
   if (missing.empty()) return true;
   failure_ = fetch(missing);

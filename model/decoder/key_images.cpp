@@ -26,11 +26,28 @@ TopEntry load_entry(std::span<const uint8_t> top, uint64_t entry) {
           load_le<uint32_t>(top, at + 12)};
 }
 
-// StreamView::will_read for the entry and its codestream.
-bool will_read_key(const StreamView& stream, uint64_t entry) {
-  if (!stream.will_read(Section::kTop, entry * kTopEntryBytes, kTopEntryBytes)) return false;
-  const TopEntry place = load_entry(stream.bytes(Section::kTop), entry);
-  return stream.will_read(Section::kTop, place.offset, place.size);
+// The entry, whose codestream lies in TOP. Opening has checked the table, but a partial source may
+// have dropped these bytes since, and fetched others.
+Result<TopEntry> read_entry(const StreamView& stream, uint64_t entry) {
+  const uint64_t at = entry * kTopEntryBytes;
+  if (!stream.will_read(Section::kTop, at, kTopEntryBytes)) {
+    return stream.unread(Section::kTop, at);
+  }
+  const auto top = stream.bytes(Section::kTop);
+  const TopEntry place = load_entry(top, entry);
+  if (place.offset > top.size() || place.size > top.size() - place.offset) {
+    return stream.error(ErrorCode::kBadTopEntry, Section::kTop, at);
+  }
+  return place;
+}
+
+// The same, and its codestream can be read.
+Result<TopEntry> read_key(const StreamView& stream, uint64_t entry) {
+  auto place = read_entry(stream, entry);
+  if (place && !stream.will_read(Section::kTop, place->offset, place->size)) {
+    return stream.unread(Section::kTop, entry * kTopEntryBytes);
+  }
+  return place;
 }
 
 uint64_t entry_count(const StreamView& stream) { return stream.geometry.key_count() * kPlaneCount; }
@@ -56,11 +73,7 @@ bool is_within(std::span<const int16_t> samples, const SampleRange& range) {
 }  // namespace
 
 Result<uint64_t> codestream_bytes(const StreamView& stream, uint64_t key, Plane plane) {
-  const uint64_t entry = key * kPlaneCount + static_cast<uint64_t>(plane);
-  if (!stream.will_read(Section::kTop, entry * kTopEntryBytes, kTopEntryBytes)) {
-    return stream.unread(Section::kTop, entry * kTopEntryBytes);
-  }
-  return load_entry(stream.bytes(Section::kTop), entry).size;
+  return read_entry(stream, key * kPlaneCount + static_cast<uint64_t>(plane)).map(&TopEntry::size);
 }
 
 uint32_t sample_crc(const SamplePlane& plane) {
@@ -128,7 +141,7 @@ std::shared_ptr<const SamplePlane> KeyImages::plane_or_request(int level, ImageP
 
 void KeyImages::load(const StreamView& stream, int level, ImagePos at, Plane plane) const {
   const uint64_t entry = entry_of(level, at, plane);
-  if (!planes_.find(entry)) will_read_key(stream, entry);
+  if (!planes_.find(entry)) static_cast<void>(read_key(stream, entry));
 }
 
 void KeyImages::decode(std::span<const KeyRequests> requests) const {
@@ -147,16 +160,16 @@ void KeyImages::decode(std::span<const KeyRequests> requests) const {
 
 Result<SamplePlane> KeyImages::decode(uint64_t entry) const {
   const auto plane = static_cast<Plane>(entry % kPlaneCount);
-  const auto top = stream_.bytes(Section::kTop);
-  if (!will_read_key(stream_, entry)) return stream_.unread(Section::kTop, entry * kTopEntryBytes);
-  const TopEntry place = load_entry(top, entry);
-  const auto codestream = top.subspan(static_cast<size_t>(place.offset), place.size);
+  const auto place = read_key(stream_, entry);
+  if (!place) return tl::unexpected(place.error());
+  const auto codestream =
+      stream_.bytes(Section::kTop).subspan(static_cast<size_t>(place->offset), place->size);
   const PlaneShape& shape = stream_.geometry.plane(plane);
   if (stream_.reads != nullptr) stream_.reads->on_key_plane(shape.samples());
   const bool chroma = plane != Plane::kY;
   const SamplePrecision precision{stream_.header.depth + (chroma ? 1 : 0), chroma};
   if (!has_key_image_head(codestream, shape.width, shape.height, precision)) {
-    return stream_.error(ErrorCode::kBadTopImage, Section::kTop, place.offset);
+    return stream_.error(ErrorCode::kBadTopImage, Section::kTop, place->offset);
   }
   const auto bad_crc = [&] {
     return stream_.error(ErrorCode::kBadTopCrc, Section::kTop, entry * kTopEntryBytes);
@@ -165,9 +178,9 @@ Result<SamplePlane> KeyImages::decode(uint64_t entry) const {
   if (!samples) return bad_crc();
   const SampleRange range = sample_range(plane, stream_.header.depth);
   if (stream_.header.has(Feature::kLossyKeys)) clamp_samples(*samples, range);
-  if (sample_crc(*samples) != place.sample_crc) return bad_crc();
+  if (sample_crc(*samples) != place->sample_crc) return bad_crc();
   if (!is_within(samples->samples, range)) {
-    return stream_.error(ErrorCode::kTopSampleRange, Section::kTop, place.offset);
+    return stream_.error(ErrorCode::kTopSampleRange, Section::kTop, place->offset);
   }
   return std::move(*samples);
 }

@@ -21,7 +21,7 @@ inline constexpr uint64_t kTopEntryBytes = 16;
 uint32_t sample_crc(const SamplePlane& plane);
 
 /// Bytes of the codestream of plane `plane` of key image number `key` (KEY-1). The table has passed
-/// check_top_table. Error: the bytes of the table cannot be read.
+/// check_top_table. Errors: bus_error; bad_top_entry where the entry has changed since.
 Result<uint64_t> codestream_bytes(const StreamView& stream, uint64_t key, Plane plane);
 
 /// Checks the whole TOP table (KEY-1): bad_section_size, bad_top_entry.
@@ -44,7 +44,8 @@ class KeyImages {
   explicit KeyImages(const StreamView& stream) : stream_(stream) {}
 
   /// Plane `plane` of key image `at` of keyed level `level`. Its table has passed check_top_table.
-  /// Errors: bad_top_image, bad_top_crc, top_sample_range.
+  /// Errors: bad_top_image, bad_top_crc, top_sample_range; bus_error; bad_top_entry where a partial
+  /// source gave another entry than at first.
   Result<std::shared_ptr<const SamplePlane>> plane(int level, ImagePos at, Plane plane) const;
 
   /// The same of a plane that is held. Another is not decoded: it is added to `requests`, and a

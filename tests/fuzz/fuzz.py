@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 TARGETS = [
-    *("open", "block", "header", "index"),
+    *("open", "block", "header", "index", "refetch"),
     *("tile_record", "motion_record", "disparity_record", "codestream", "bise", "view"),
 ]
 MAX_BYTES = 32768  # of an input; few vectors are larger

@@ -6,6 +6,7 @@
 #include "decoder/open_stream.hpp"
 #include "gpu/gpu_test.hpp"
 #include "scenes/scene.hpp"
+#include "support/changing_source.hpp"
 #include "support/lazy_source.hpp"
 
 namespace hmlfc::gpu {
@@ -174,6 +175,25 @@ TEST_F(GpuPartialSource, ThatFailsLaterLeavesFramesWithoutGeometry) {
     const auto again = renderer->render(record(stream->header(), GeometrySource::kPlane), 0);
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again->image.samples, plain->image.samples);
+  }
+}
+
+// Whatever is uploaded, blocks and frames end with samples or errors, and the device stays whole.
+TEST_F(GpuPartialSource, MayLie) {
+  for (const Profile profile : {Profile::kMain, Profile::kExtended}) {
+    const auto bytes = views_of_knights(profile, 3, 1);
+    for (uint32_t seed = 0; seed < 6; ++seed) {
+      test::ChangingSource source(bytes, seed, 1u << seed);
+      const auto stream = Decoder::open(source, kUnchecked);
+      ASSERT_TRUE(stream);
+      source.lie();
+      const auto decoder = GpuDecoder::open(*small_, *stream);
+      auto renderer = GpuRenderer::open(*small_, *stream, uint64_t{1} << 20);
+      ASSERT_TRUE(decoder && renderer);
+      EXPECT_TRUE(pixels_of(*decoder, open_stream(bytes, {}).value()));
+      EXPECT_TRUE(renderer->render(record(stream->header(), GeometrySource::kStream), 0));
+    }
+    expect_works(bytes);
   }
 }
 

@@ -52,6 +52,7 @@ TEST(SparseBytes, LinesAgainstASetOfBytes) {
   }
 }
 
+// But not across line 640, which is loaded.
 TEST(SparseBytes, MissingLinesJoinAcrossGaps) {
   SparseBytes file(10000);
   load(file, {640, 64});
@@ -59,9 +60,29 @@ TEST(SparseBytes, MissingLinesJoinAcrossGaps) {
   using Ranges = std::vector<ByteRange>;
   EXPECT_EQ(file.missing(ranges, 0), (Ranges{{576, 64}, {704, 128}, {1280, 64}, {9984, 16}}));
   EXPECT_EQ(file.missing(ranges, 63), (Ranges{{576, 64}, {704, 128}, {1280, 64}, {9984, 16}}));
-  EXPECT_EQ(file.missing(ranges, 64), (Ranges{{576, 256}, {1280, 64}, {9984, 16}}));
-  EXPECT_EQ(file.missing(ranges, 448), (Ranges{{576, 768}, {9984, 16}}));
+  EXPECT_EQ(file.missing(ranges, 64), (Ranges{{576, 64}, {704, 128}, {1280, 64}, {9984, 16}}));
+  EXPECT_EQ(file.missing(ranges, 448), (Ranges{{576, 64}, {704, 640}, {9984, 16}}));
   EXPECT_EQ(file.missing({}, 0), Ranges{});
+}
+
+// Ranges come from the bytes of the file, which may be anything.
+TEST(SparseBytes, RangesOutsideAreNeitherThereNorMissing) {
+  SparseBytes file(10000);
+  constexpr uint64_t kMost = UINT64_MAX;
+  for (const ByteRange range : {ByteRange{10000, 1},
+                                {9999, 2},
+                                {0, 10001},
+                                {kMost, 2},
+                                {64, kMost},
+                                {uint64_t{1} << 46, 0x7fffffff}}) {
+    EXPECT_FALSE(file.contains(range));
+    EXPECT_FALSE(file.holds(range));
+    EXPECT_TRUE(file.missing({&range, 1}, 0).empty());
+    EXPECT_TRUE(file.room(range).empty());
+    file.set_loaded(range);
+  }
+  EXPECT_EQ(file.held_bytes(), 0u);
+  EXPECT_TRUE(file.contains({10000, 0}));
 }
 
 TEST(SparseBytes, PagesUsedLongestAgoGoFirst) {

@@ -258,6 +258,23 @@ TEST(Driver, FillsTheAreaWithTheModelsKeyImages) {
   }
 }
 
+// Memory of a stream that changes after it was opened.
+TEST(Driver, ReadsNoKeyImageOutsideTheStream) {
+  Bytes file = test::random_stream(4);
+  hmlfc_stream stream;
+  hmlfc_error error;
+  ASSERT_EQ(hmlfc_stream_open(&stream, file.data(), file.size(), nullptr, &error), HMLFC_OK);
+  const auto entry = file.begin() + static_cast<ptrdiff_t>(stream.sections[0].offset);
+  std::fill_n(entry, 6, uint8_t{0xFF});  // of the first codestream's offset
+  Bytes area(stream.area_bytes);
+  std::vector<int16_t> samples(size_t{stream.width} * stream.height);
+  EXPECT_EQ(hmlfc_fill_key_images(&stream, area.data(), hmlfc_openjpeg_decode, nullptr,
+                                  samples.data(), &error),
+            1u);
+  EXPECT_EQ(error.code, HMLFC_BAD_TOP_ENTRY);
+  EXPECT_EQ(error.offset, stream.sections[0].offset);
+}
+
 TEST(Driver, TakesTheHeadsOfCodestreamsThatTheModelTakes) {
   Random random(2);
   std::array<unsigned, 2> seen{};
