@@ -8,6 +8,10 @@
 #include <thread>
 #include <vector>
 #else
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -92,22 +96,42 @@ ThreadLimit::ThreadLimit(int threads) {
 
 #else
 
+namespace {
+
+// Runs `loop`. oneTBB says of a thread for which there is no memory that pthread_create has failed.
+template <class Loop>
+void with_threads(const Loop& loop) {
+  try {
+    loop();
+  } catch (const std::runtime_error& error) {
+    if (std::string_view(error.what()).starts_with("pthread_create")) throw std::bad_alloc();
+    throw;
+  }
+}
+
+}  // namespace
+
 void parallel_for(size_t count, const std::function<void(size_t)>& body) {
-  tbb::this_task_arena::isolate([&] { tbb::parallel_for(size_t{0}, count, body); });
+  with_threads(
+      [&] { tbb::this_task_arena::isolate([&] { tbb::parallel_for(size_t{0}, count, body); }); });
 }
 
 void parallel_for_parts(size_t count, size_t grain,
                         const std::function<void(size_t, size_t)>& body) {
   const tbb::blocked_range<size_t> all(0, count, grain);
-  tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(
-        all, [&](const tbb::blocked_range<size_t>& part) { body(part.begin(), part.end()); });
+  with_threads([&] {
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(
+          all, [&](const tbb::blocked_range<size_t>& part) { body(part.begin(), part.end()); });
+    });
   });
 }
 
 void run_on_threads(int threads, const std::function<void()>& body) {
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute(body);
+  with_threads([&] {
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    arena.execute(body);
+  });
 }
 
 ThreadLimit::ThreadLimit(int threads) {

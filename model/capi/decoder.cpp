@@ -28,6 +28,7 @@ tl::expected<OpenOptions, Refusal> read_open_options(const hmlfc_open_options* o
   OpenOptions read;
   read.check_sections = given->skip_sections == 0;
   if (given->max_plane_samples != 0) read.limits.max_plane_samples = given->max_plane_samples;
+  if (given->max_code_blocks != 0) read.limits.max_code_blocks = given->max_code_blocks;
   return read;
 }
 

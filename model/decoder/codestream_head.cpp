@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "arithmetic/rounding.hpp"
+
 namespace hmlfc {
 namespace {
 
@@ -137,12 +139,13 @@ bool is_only_tile_part(const Segments& segments, size_t sot) {
          segments.marker(end) == kEoc;
 }
 
+constexpr size_t kAtSiz = 2;
+
 }  // namespace
 
 bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uint32_t height,
                         SamplePrecision precision) {
   const Segments segments(codestream);
-  constexpr size_t kAtSiz = 2;
   if (segments.marker(0) != kSoc || !is_one_component(segments, kAtSiz, precision) ||
       !is_one_tile(segments, kAtSiz, width, height)) {
     return false;
@@ -169,6 +172,29 @@ bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uin
         return false;
     }
   }
+}
+
+uint64_t code_blocks_of(std::span<const uint8_t> codestream, uint32_t width, uint32_t height) {
+  const Segments segments(codestream);
+  size_t cod = segments.after(kAtSiz);
+  while (segments.marker(cod) != kCod) cod = segments.after(cod);
+  const unsigned width_log2 = segments.field(cod + kCodBlockWidth, 1) + 2;
+  const unsigned height_log2 = segments.field(cod + kCodBlockHeight, 1) + 2;
+  const auto blocks = [&](uint64_t w, uint64_t h) {
+    return ceil_div(w, uint64_t{1} << width_log2) * ceil_div(h, uint64_t{1} << height_log2);
+  };
+  // Each decomposition halves a band into a low part, rounded up, and a high part (B.5).
+  uint64_t count = 0;
+  uint64_t w = width;
+  uint64_t h = height;
+  for (uint32_t n = segments.field(cod + kCodDecompositions, 1); n > 0; --n) {
+    const uint64_t low_w = w - w / 2;
+    const uint64_t low_h = h - h / 2;
+    count += blocks(w / 2, low_h) + blocks(low_w, h / 2) + blocks(w / 2, h / 2);
+    w = low_w;
+    h = low_h;
+  }
+  return count + blocks(w, h);
 }
 
 }  // namespace hmlfc

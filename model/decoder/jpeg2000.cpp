@@ -1,7 +1,9 @@
 #include "decoder/jpeg2000.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <new>
 
 #include "arithmetic/widths.hpp"
 #include "decoder/openjpeg_sink.hpp"
@@ -101,10 +103,10 @@ std::optional<std::vector<uint8_t>> encode_to_distortion(const SamplePlane& plan
   return std::move(sink.bytes);
 }
 
-}  // namespace
-
-std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
-                                           uint32_t height) {
+// The samples, or nothing, be it for the packets or for want of memory.
+std::optional<SamplePlane> try_decode(std::span<const uint8_t> codestream, uint32_t width,
+                                      uint32_t height) {
+  constexpr int kNoOtherThread = 0;  // whatever OPJ_NUM_THREADS says
   Source source{codestream};
   const Stream stream = open_source(source);
   const Codec codec(opj_create_decompress(OPJ_CODEC_J2K));
@@ -116,6 +118,7 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
   opj_image_t* raw = nullptr;
   const bool has_head = opj_setup_decoder(codec.get(), &parameters) &&
                         opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) &&
+                        opj_codec_set_threads(codec.get(), kNoOtherThread) &&
                         opj_read_header(stream.get(), codec.get(), &raw);
   const Image image(raw);
   if (!has_head || !opj_decode(codec.get(), stream.get(), image.get()) ||
@@ -127,6 +130,18 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
   SamplePlane plane(width, height);
   std::transform(comp.data, comp.data + plane.samples.size(), plane.samples.begin(),
                  [](OPJ_INT32 sample) { return narrow<int16_t>(sample); });
+  return plane;
+}
+
+}  // namespace
+
+// OpenJPEG does not say why it fails. The C library leaves ENOMEM in errno where it could not
+// allocate, and nothing else that OpenJPEG calls does.
+std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
+                                           uint32_t height) {
+  errno = 0;
+  auto plane = try_decode(codestream, width, height);
+  if (!plane && errno == ENOMEM) throw std::bad_alloc();
   return plane;
 }
 

@@ -38,9 +38,13 @@ struct CodestreamOptions {
 bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uint32_t height,
                         SamplePrecision precision);
 
+/// The code-blocks of such a codestream, of 4 x 4 to 64 x 64 samples or as large in another shape:
+/// at most a sixteenth of the samples, and a few more at the edges of subbands.
+uint64_t code_blocks_of(std::span<const uint8_t> codestream, uint32_t width, uint32_t height);
+
 /// The samples of a codestream that has_key_image_head has accepted for this size, clamped to the
 /// interval of its precision (KEY-4); coding passes may be missing (EXT-6). Nothing where its
-/// packets cannot be decoded.
+/// packets cannot be decoded. Throws std::bad_alloc where memory runs out.
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
                                            uint32_t height);
 

@@ -171,6 +171,9 @@ Result<SamplePlane> KeyImages::decode(uint64_t entry) const {
   if (!has_key_image_head(codestream, shape.width, shape.height, precision)) {
     return stream_.error(ErrorCode::kBadTopImage, Section::kTop, place->offset);
   }
+  if (code_blocks_of(codestream, shape.width, shape.height) > stream_.max_code_blocks) {
+    return stream_.error(ErrorCode::kLimitExceeded, Section::kTop, place->offset);
+  }
   const auto bad_crc = [&] {
     return stream_.error(ErrorCode::kBadTopCrc, Section::kTop, entry * kTopEntryBytes);
   };

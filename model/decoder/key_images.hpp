@@ -44,8 +44,9 @@ class KeyImages {
   explicit KeyImages(const StreamView& stream) : stream_(stream) {}
 
   /// Plane `plane` of key image `at` of keyed level `level`. Its table has passed check_top_table.
-  /// Errors: bad_top_image, bad_top_crc, top_sample_range; bus_error; bad_top_entry where a partial
-  /// source gave another entry than at first.
+  /// Errors: bad_top_image, limit_exceeded (DecoderLimits::max_code_blocks), bad_top_crc,
+  /// top_sample_range; bus_error; bad_top_entry where a partial source gave another entry than at
+  /// first.
   Result<std::shared_ptr<const SamplePlane>> plane(int level, ImagePos at, Plane plane) const;
 
   /// The same of a plane that is held. Another is not decoded: it is added to `requests`, and a

@@ -47,8 +47,12 @@ Result<StreamView> open_stream(ByteSource& source, const OpenOptions& options) {
   if (samples > options.limits.max_plane_samples) {
     return fail(ErrorCode::kLimitExceeded, Section::kHeader, 20);
   }
-  StreamView stream{file, *header, Geometry(*header), options.reads,
-                    source.is_partial() ? &source : nullptr};
+  StreamView stream{file,
+                    *header,
+                    Geometry(*header),
+                    options.reads,
+                    source.is_partial() ? &source : nullptr,
+                    options.limits.max_code_blocks};
   if (auto ok = check_index_sizes(stream); !ok) return tl::unexpected(ok.error());
   if (auto ok = check_top_table(stream); !ok) return tl::unexpected(ok.error());
   if (options.check_sections) {

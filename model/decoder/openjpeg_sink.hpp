@@ -1,6 +1,7 @@
 // OpenJPEG's stream that writes to memory.
 #pragma once
 
+#include <new>
 #include <vector>
 
 #include "decoder/openjpeg.hpp"
@@ -12,14 +13,21 @@ struct Sink {
   std::vector<uint8_t> bytes;
   size_t at = 0;
 
-  void reserve_to(size_t end) {
-    if (bytes.size() < end) bytes.resize(end);
+  /// Whether there is memory for it: no exception passes through C.
+  bool reserve_to(size_t end) {
+    if (bytes.size() >= end) return true;
+    try {
+      bytes.resize(end);
+      return true;
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
   }
 };
 
 inline OPJ_SIZE_T write_sink(void* buffer, OPJ_SIZE_T count, void* user) {
   auto& sink = *static_cast<Sink*>(user);
-  sink.reserve_to(sink.at + count);
+  if (!sink.reserve_to(sink.at + count)) return static_cast<OPJ_SIZE_T>(-1);
   std::memcpy(sink.bytes.data() + sink.at, buffer, count);
   sink.at += count;
   return count;
@@ -29,16 +37,14 @@ inline OPJ_OFF_T skip_sink(OPJ_OFF_T count, void* user) {
   auto& sink = *static_cast<Sink*>(user);
   if (count < 0) return -1;
   sink.at += static_cast<size_t>(count);
-  sink.reserve_to(sink.at);
-  return count;
+  return sink.reserve_to(sink.at) ? count : -1;
 }
 
 inline OPJ_BOOL seek_sink(OPJ_OFF_T position, void* user) {
   auto& sink = *static_cast<Sink*>(user);
   if (position < 0) return OPJ_FALSE;
   sink.at = static_cast<size_t>(position);
-  sink.reserve_to(sink.at);
-  return OPJ_TRUE;
+  return sink.reserve_to(sink.at) ? OPJ_TRUE : OPJ_FALSE;
 }
 
 /// A stream that writes to `sink`, which must outlive it; null if memory runs out.

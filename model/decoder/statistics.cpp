@@ -1,7 +1,11 @@
 #include <hmlfc/decoder.hpp>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "arithmetic/bise.hpp"
 #include "decoder/decoder_state.hpp"
@@ -40,37 +44,105 @@ class StatisticsCollector {
     if (auto ok = add_motion_tiles(level, image); !ok) return ok;
     if (stream_.geometry.is_key(level, image)) return {};
     for (const Plane plane : kPlanes) {
-      const PlaneShape& shape = stream_.geometry.plane(plane);
-      for (uint32_t by = 0; by < shape.blocks_y; by += kTileBlocks) {
-        for (uint32_t bx = 0; bx < shape.blocks_x; bx += kTileBlocks) {
-          auto ok = add_tile({level, image.row, image.col, plane, bx, by});
-          if (!ok) return ok;
-        }
-      }
+      if (auto ok = add_plane(level, image, plane); !ok) return ok;
     }
     return {};
   }
 
   // The fields of an image's motion tiles (MOT-3, MOT-6).
   Result<void> add_motion_tiles(int level, ImagePos image) {
-    const bool reference = stream_.geometry.is_reference(level, image);
+    for (std::vector<uint64_t>& tiles : moved_) tiles.clear();
+    const Geometry& geometry = stream_.geometry;
+    const bool reference = geometry.is_reference(level, image);
     if (reference && !stream_.header.has(Feature::kSharedDisparity)) return {};
-    const auto& planes = stream_.geometry.motion_planes();
-    for (size_t m = 0; m < planes.size(); ++m) {
-      for (uint32_t ty = 0; ty < planes[m].tiles_y; ++ty) {
-        for (uint32_t tx = 0; tx < planes[m].tiles_x; ++tx) {
-          const MotionTilePlace place{level, image, m, tx, ty};
-          if (auto ok = add_motion_tile(place, reference); !ok) return ok;
-        }
+    const uint64_t number = geometry.image_number(level, image);
+    for (size_t m = 0; m < geometry.motion_planes().size(); ++m) {
+      const MotionPlaneShape& shape = geometry.motion_planes()[m];
+      const uint64_t first = geometry.motion_tile_number(number, m, 0, 0);
+      for (uint64_t tile = 0;; ++tile) {
+        const auto next = next_tile(stream_, first + tile, first + shape.tiles());
+        if (!next) return tl::unexpected(next.error());
+        tile = *next - first;
+        if (tile == shape.tiles()) break;
+        const MotionTilePlace place{level, image, m, static_cast<uint32_t>(tile % shape.tiles_x),
+                                    static_cast<uint32_t>(tile / shape.tiles_x)};
+        if (auto ok = add_motion_tile(place, reference); !ok) return ok;
+        if (!reference) note_moved(place);
       }
     }
     return {};
+  }
+
+  // The tiles with blocks that take their motion from `place`, which is not empty, and perhaps some
+  // beside them (MOT-4).
+  void note_moved(const MotionTilePlace& place) {
+    const Geometry& geometry = stream_.geometry;
+    const unsigned side_log2 = stream_.header.motion_tile_log2;
+    for (const Plane plane : kPlanes) {
+      if (geometry.motion_plane_of(plane) != place.motion_plane) continue;
+      const bool doubled =
+          plane != Plane::kY && geometry.motion_planes()[place.motion_plane].halves;
+      const PlaneShape& shape = geometry.plane(plane);
+      const auto tile_of = [&](uint64_t sample, uint32_t tiles) {
+        const uint64_t tile =
+            (sample >> (doubled ? 1 : 0) >> stream_.header.block_log2) / kTileBlocks;
+        return std::min<uint64_t>(tile, tiles - 1);
+      };
+      const auto range = [&](uint64_t number, uint32_t tiles) {
+        return std::pair(tile_of(number << side_log2, tiles),
+                         tile_of(((number + 1) << side_log2) - 1, tiles));
+      };
+      const auto [top, bottom] = range(place.ty, shape.tiles_y);
+      const auto [left, right] = range(place.tx, shape.tiles_x);
+      for (uint64_t ty = top; ty <= bottom; ++ty) {
+        for (uint64_t tx = left; tx <= right; ++tx) {
+          moved_[static_cast<size_t>(plane)].push_back(ty * shape.tiles_x + tx);
+        }
+      }
+    }
+  }
+
+  // Blocks of tiles that are empty and whose motion tiles are empty have one state.
+  Result<void> add_plane(int level, ImagePos image, Plane plane) {
+    const Geometry& geometry = stream_.geometry;
+    const PlaneShape& shape = geometry.plane(plane);
+    const uint64_t first = geometry.tile_number(geometry.image_number(level, image), plane, 0, 0);
+    std::vector<uint64_t>& moved = moved_[static_cast<size_t>(plane)];
+    std::ranges::sort(moved);
+    uint64_t rest = uint64_t{shape.blocks_x} * shape.blocks_y;
+    size_t noted = 0;
+    for (uint64_t tile = 0;; ++tile) {
+      while (noted < moved.size() && moved[noted] < tile) ++noted;
+      const uint64_t end = noted < moved.size() ? moved[noted] : shape.tiles();
+      const auto next = next_tile(stream_, first + tile, first + end);
+      if (!next) return tl::unexpected(next.error());
+      tile = *next - first;
+      if (tile == shape.tiles()) break;
+      const auto tx = static_cast<uint32_t>(tile % shape.tiles_x);
+      const auto ty = static_cast<uint32_t>(tile / shape.tiles_x);
+      const auto ok =
+          add_tile({level, image.row, image.col, plane, tx * kTileBlocks, ty * kTileBlocks});
+      if (!ok) return ok;
+      rest -= static_cast<uint64_t>(std::popcount(blocks_inside(shape, tx, ty)));
+    }
+    const bool moves = stream_.header.has(Feature::kMotionTiles) && geometry.level(level).keyed;
+    statistics_.states[static_cast<size_t>(moves ? BlockState::kMotion : BlockState::kZero)] +=
+        rest;
+    return {};
+  }
+
+  // Every record has a byte of its own, unless tiles share records.
+  Result<void> count_record() {
+    constexpr uint64_t kFew = uint64_t{1} << 20;
+    if (++records_ <= kFew + 4 * stream_.entry(Section::kTile).size) return {};
+    return stream_.error(ErrorCode::kLimitExceeded, Section::kGroup, 0);
   }
 
   Result<void> add_motion_tile(const MotionTilePlace& place, bool reference) {
     const auto record = find_motion_record(stream_, place, Probe{});
     if (!record) return tl::unexpected(record.error());
     if (!*record) return {};
+    if (auto ok = count_record(); !ok) return ok;
     FieldCursor cursor((*record)->bits, (*record)->file_bit, Probe{});
     if (reference) {
       const auto head = read_disparity_head(cursor, disparity_context(stream_, place));
@@ -89,6 +161,7 @@ class StatisticsCollector {
     const auto record = find_record(stream_, site, Probe{});
     if (!record) return tl::unexpected(record.error());
     if (*record) {
+      if (auto ok = count_record(); !ok) return ok;
       FieldCursor cursor((*record)->bits, (*record)->file_bit, Probe{});
       const auto read = read_tile_head(cursor, context);
       if (!read) return tl::unexpected(read.error());
@@ -171,17 +244,31 @@ class StatisticsCollector {
 
   const StreamView& stream_;
   StreamStatistics statistics_;
+  std::array<std::vector<uint64_t>, kPlaneCount> moved_;  // of the image; numbers in the plane
+  uint64_t records_ = 0;
   uint64_t motion_bits_ = 0;
   uint64_t residual_bits_ = 0;
   std::unique_ptr<MotionField> field_;  // the motion tile read last
   MotionTilePlace field_place_{-1, {}, 0, 0, 0};
 };
 
+// All of them are read: at once, where the source is partial.
+void load_tiles(const StreamView& stream) {
+  if (stream.source == nullptr) return;
+  std::array<ByteRange, 3> ranges;
+  std::ranges::transform(std::array{Section::kRoot, Section::kGroup, Section::kTile},
+                         ranges.begin(), [&](Section section) {
+                           const SectionEntry& entry = stream.entry(section);
+                           return ByteRange{entry.offset, entry.size};
+                         });
+  stream.source->load(ranges);
+}
+
 }  // namespace
 
 Result<StreamStatistics> Decoder::statistics() const {
   return guard_request(state_->stream.source, [&] {
-    load_images(state_->fast(), 0, false);
+    load_tiles(state_->stream);
     return StatisticsCollector(state_->stream).run();
   });
 }

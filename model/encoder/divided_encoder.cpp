@@ -130,7 +130,7 @@ tl::expected<DividedEncoder, EncodeError> DividedEncoder::create(const ViewProvi
     state->session.emplace(*state->views, *header, state->settled.probe, &storage);
     state->coded = state->session->no_images();
   } catch (const std::bad_alloc&) {
-    return refused(kMemoryIsOut);
+    return memory_is_out();
   }
   return DividedEncoder(std::move(state));
 }
@@ -157,7 +157,7 @@ tl::expected<void, EncodeError> DividedEncoder::encode_part(size_t part, const P
       state.images_done = counter.done();
     });
   } catch (const std::bad_alloc&) {
-    return tl::unexpected(EncodeError{kMemoryIsOut});
+    return memory_is_out();
   }
   return {};
 }

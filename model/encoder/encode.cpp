@@ -47,7 +47,7 @@ Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
     });
     return encoded;
   } catch (const std::bad_alloc&) {
-    return refused(kMemoryIsOut);
+    return memory_is_out();
   }
 }
 

@@ -11,8 +11,11 @@ namespace hmlfc {
 
 inline constexpr const char* kOutsideInterval =
     "an encoding parameter is outside its interval (see hmlfc encode --help)";
-inline constexpr const char* kMemoryIsOut =
-    "out of memory: encode fewer or smaller views, or free some memory";
+
+inline tl::unexpected<EncodeError> memory_is_out() {
+  return tl::unexpected(
+      EncodeError{"out of memory: encode fewer or smaller views, or free some memory", true});
+}
 
 /// What is wrong with `params` for a light field of `shape`; null: nothing.
 const char* problem_of(const LightFieldShape& shape, const EncodeParams& params);

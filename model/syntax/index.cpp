@@ -148,6 +148,32 @@ Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t t
   return *extent;
 }
 
+Result<uint64_t> next_tile(const StreamView& stream, uint64_t begin, uint64_t end) {
+  for (uint64_t tile = begin; tile < end;) {
+    const uint64_t group = tile / kGroupTiles;
+    const uint64_t entry = root_entry_at(group);
+    if (!stream.will_read(Section::kRoot, entry, kRootEntryBytes)) {
+      return stream.unread(Section::kRoot, entry);
+    }
+    const auto root = stream.bytes(Section::kRoot);
+    const uint64_t groups = load_le<uint64_t>(root, static_cast<size_t>(entry)) >> lane_of(group);
+    if (groups == 0) {
+      tile = (group / kGroupTiles + 1) * kGroupTiles * kGroupTiles;
+      continue;
+    }
+    if (const auto empty = static_cast<unsigned>(std::countr_zero(groups)); empty > 0) {
+      tile = (group + empty) * kGroupTiles;
+      continue;
+    }
+    const auto record = load_group(stream, group, *find_group(stream, group, Probe{}), Probe{});
+    if (!record) return tl::unexpected(record.error());
+    const uint64_t tiles = record->tile_mask >> lane_of(tile);
+    if (tiles != 0) return std::min(end, tile + static_cast<unsigned>(std::countr_zero(tiles)));
+    tile = (group + 1) * kGroupTiles;
+  }
+  return end;
+}
+
 // The record of tile number `tile` (IDX-2).
 static Result<std::optional<TileRecord>> load_record(const StreamView& stream, uint64_t tile,
                                                      const Probe& probe) {

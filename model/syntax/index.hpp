@@ -37,6 +37,11 @@ struct TileExtent {
 Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t tile,
                                             const Probe& probe);
 
+/// The number of the first tile in [begin, end), end <= tile_count(), that is not empty, or `end`.
+/// The time follows the bytes of ROOT and GROUP that serve them, not the number of tiles. Errors:
+/// those of find_tile for a tile up to the one found.
+Result<uint64_t> next_tile(const StreamView& stream, uint64_t begin, uint64_t end);
+
 /// The record of one tile.
 struct TileRecord {
   BitString bits;

@@ -24,7 +24,8 @@ struct StreamView {
   StreamHeader header;
   Geometry geometry;
   ReadSink* reads = nullptr;
-  ByteSource* source = nullptr;  ///< of `file`, where it is partial
+  ByteSource* source = nullptr;           ///< of `file`, where it is partial
+  uint64_t max_code_blocks = UINT64_MAX;  ///< DecoderLimits
 
   const SectionEntry& entry(Section section) const {
     if (section == Section::kRig) return header.rig;

@@ -36,6 +36,7 @@ enum {
   HMLFC_BAD_TOP_CRC = 14,
   HMLFC_TOP_SAMPLE_RANGE = 15,
   HMLFC_LIMIT_EXCEEDED = 24,
+  HMLFC_OUT_OF_MEMORY = 26,
   HMLFC_BUS_ERROR = 27,
   /* The driver's own. */
   HMLFC_BAD_ARGUMENT = 64, /* a buffer is too small or its address no multiple of what it must be */
@@ -130,7 +131,8 @@ void hmlfc_reference_image(const struct hmlfc_stream* stream, unsigned level, ui
 
 /* Decodes one JPEG 2000 codestream that hmlfc_has_key_image_head has accepted, of one component of
  * width x height samples of `bits` bits, two's complement if `is_signed`, into `samples`, row by
- * row, each clamped to these bits. Not 0: its packets do not decode. hmlfc_openjpeg.c has one. */
+ * row, each clamped to these bits. Returns 0; HMLFC_OUT_OF_MEMORY; or anything else where its
+ * packets do not decode. hmlfc_openjpeg.c has one. */
 typedef int (*hmlfc_decode_plane)(void* context, const uint8_t* codestream, size_t bytes,
                                   uint32_t width, uint32_t height, unsigned bits, int is_signed,
                                   int16_t* samples);

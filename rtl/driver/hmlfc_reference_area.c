@@ -98,8 +98,8 @@ static uint32_t crc_of_samples(const int16_t* samples, size_t count) {
   return crc;
 }
 
-/* Decodes plane `p` of key image number `key`. hmlfc_stream_open has checked the entry, but the memory
- * of the stream may have changed since. */
+/* Decodes plane `p` of key image number `key`. hmlfc_stream_open has checked the entry, but the
+ * memory of the stream may have changed since. */
 static int decode_key_plane(const struct hmlfc_stream* s, uint64_t key, unsigned p,
                             hmlfc_decode_plane decode, void* context, int16_t* samples,
                             struct hmlfc_error* error) {
@@ -113,15 +113,17 @@ static int decode_key_plane(const struct hmlfc_stream* s, uint64_t key, unsigned
   const int hi = (1 << s->depth) - 1;
   const int lo = p == 0 ? 0 : -hi;
   int outside = 0;
+  int code;
   if (offset > s->sections[0].size || bytes > s->sections[0].size - offset) {
     return hmlfc_fail_in(s, error, HMLFC_BAD_TOP_ENTRY, 1, at);
   }
   if (!hmlfc_has_key_image_head(top + offset, bytes, plane->width, plane->height, bits, p != 0)) {
     return hmlfc_fail_in(s, error, HMLFC_BAD_TOP_IMAGE, 1, offset);
   }
-  if (decode(context, top + offset, bytes, plane->width, plane->height, bits, p != 0, samples) !=
-      0) {
-    return hmlfc_fail_in(s, error, HMLFC_BAD_TOP_CRC, 1, at);
+  code = decode(context, top + offset, bytes, plane->width, plane->height, bits, p != 0, samples);
+  if (code != 0) {
+    if (code != HMLFC_OUT_OF_MEMORY) code = HMLFC_BAD_TOP_CRC;
+    return hmlfc_fail_in(s, error, code, 1, at);
   }
   for (size_t i = 0; i < count; ++i) {
     const int value = samples[i];

@@ -138,8 +138,11 @@ static void check_options(const struct context* context) {
       SET(hmlfc_open_options, skip_sections, 2, BAD),
       SET(hmlfc_open_options, reserved, 1, BAD),
       SET(hmlfc_open_options, max_plane_samples, 1, HMLFC_STATUS_LIMIT_EXCEEDED),
+      SET(hmlfc_open_options, max_code_blocks, 1, OK),
   };
-  const struct kind kind = {open_with, &good, sizeof good, sizeof good, OK, rows, COUNT(rows)};
+  const struct kind kind = {
+      open_with, &good, sizeof good, offsetof(hmlfc_open_options, max_code_blocks),
+      OK,        rows,  COUNT(rows)};
   check_kind(context, &kind);
 }
 

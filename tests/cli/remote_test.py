@@ -28,6 +28,7 @@ FAULTS = {
     "gone": "is the server there?",
     "redirect": "is the server there?",
     "redirect_elsewhere": "is the server there?",
+    "redirect_inside": "redirects to an address of this machine",
     404: "there is no such file (status 404)",
     403: "refuses it",
     416: "shorter",

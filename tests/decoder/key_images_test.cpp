@@ -191,6 +191,27 @@ TEST(KeyImages, BadTopImage) {
   }
 }
 
+// 11 x 6 samples in code-blocks of 4x4: 3 x 2 without decompositions. With one, the bands of 6 x 3,
+// 5 x 3, 6 x 3 and 5 x 3 samples have 2 each; with two, that of 6 x 3 makes four more of one each.
+TEST(KeyImages, CodeBlocksAreLimited) {
+  TopSection top;
+  const uint64_t counts[] = {6, 8, 10};
+  for (int n = 0; n < 3; ++n) {
+    const CodestreamOptions options{.block_width = 4, .block_height = 4, .decompositions = n};
+    top.codestreams[0] = encode_jpeg2000(top.planes[0], precision_of(0), options).value();
+    const uint64_t count = counts[n];
+    EXPECT_EQ(code_blocks_of(top.codestreams[0], kWidth, kHeight), count);
+    with_top(top.bytes(), [&](StreamView stream) {
+      stream.max_code_blocks = count;
+      EXPECT_TRUE(KeyImages(stream).plane(0, {0, 0}, Plane::kY));
+      stream.max_code_blocks = count - 1;
+      const auto plane = KeyImages(stream).plane(0, {0, 0}, Plane::kY);
+      ASSERT_FALSE(plane);
+      EXPECT_EQ(plane.error().code, ErrorCode::kLimitExceeded);
+    });
+  }
+}
+
 // Packets that do not decode, behind markers that are good (KEY-4).
 TEST(KeyImages, BadPackets) {
   for (size_t entry = 0; entry < 9; ++entry) {

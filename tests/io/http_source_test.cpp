@@ -26,6 +26,7 @@ class FileServer {
     for (uint64_t i = 0; i < size; ++i) content_[i] = byte_at(i);
     server_.Get("/a", [this](const httplib::Request&, httplib::Response& answer) {
       wait_for_the_others();
+      if (drips_) return drip(answer);
       answer.set_header(header_.load(), std::string(name_.load()));
       answer.set_content(content_, "application/octet-stream");
     });
@@ -46,6 +47,11 @@ class FileServer {
     name_ = version;
   }
 
+  /// From now on an answer is a byte every 50 ms.
+  void drip() { drips_ = true; }
+
+  std::string address() const { return "http://127.0.0.1:" + std::to_string(port_) + "/a"; }
+
   /// From now on answers wait for a while until as many requests are there.
   void wait_for(int requests) { together_ = requests; }
 
@@ -53,12 +59,20 @@ class FileServer {
   int most() const { return most_; }
 
   std::unique_ptr<HttpSource> open(const SparseSource::Keeping& keeping = {}) const {
-    auto source = HttpSource::open("http://127.0.0.1:" + std::to_string(port_) + "/a", keeping);
+    auto source = HttpSource::open(address(), keeping);
     EXPECT_TRUE(source) << source.error().message;
     return std::move(*source);
   }
 
  private:
+  void drip(httplib::Response& answer) {
+    const auto write = [this](size_t offset, size_t, httplib::DataSink& sink) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      return sink.write(&content_[offset], 1);
+    };
+    answer.set_content_provider(content_.size(), "application/octet-stream", write);
+  }
+
   void wait_for_the_others() {
     most_ = std::max(most_.load(), ++there_);
     for (int tries = 0; most_ < together_ && tries < 5000; ++tries) {
@@ -68,6 +82,7 @@ class FileServer {
   }
 
   std::string content_;
+  std::atomic<bool> drips_ = false;
   std::atomic<int> together_ = 1;
   std::atomic<int> there_ = 0;
   std::atomic<int> most_ = 0;
@@ -109,6 +124,19 @@ TEST(HttpSource, RangesAGapApartAreOneRequest) {
                  1);
   expect_fetched(fetched(*source, {{2 * kPageSize, 700}, {0, kPageSize}}), 0, 0, 0);
   expect_fetched(fetched(*source, {{16 * kPageSize - 1, 1}}), 1, 64, 1);
+}
+
+TEST(HttpSource, ServersMayNotBeSlowWithoutEnd) {
+  using std::chrono::seconds;
+  FileServer server(16 * kPageSize);
+  server.drip();
+  const Patience slow{.slow = seconds(1), .base = seconds(600)};
+  const Patience late{.slow = seconds(600), .base = seconds(1), .least_speed = 8192};
+  for (const Patience& patience : {slow, late}) {
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_FALSE(RangeClient::open(server.address(), kPageSize, patience));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(100)) << "a page drips 200 s";
+  }
 }
 
 TEST(HttpSource, LongRangesAreRequestsSideBySide) {

@@ -9,6 +9,7 @@
 #include "bits/sparse_bytes.hpp"
 #include "remote/answer.hpp"
 #include "remote/http_source.hpp"
+#include "remote/transfer.hpp"
 
 namespace hmlfc::remote {
 namespace {
@@ -148,6 +149,35 @@ TEST(Address, Schemes) {
   for (const char* path :
        {"http:/a", "https:/a/b", "ftp://a", "file:///a", "a.hmlfc", "", "/http://a"}) {
     EXPECT_FALSE(is_address(path)) << path;
+  }
+}
+
+TEST(Redirection, AddressesInside) {
+  for (const char* inside : {"127.0.0.1",
+                             "127.255.0.9",
+                             "10.0.0.1",
+                             "172.16.0.1",
+                             "172.31.255.255",
+                             "192.168.7.7",
+                             "169.254.169.254",
+                             "100.64.0.1",
+                             "100.127.1.1",
+                             "0.0.0.0",
+                             "::",
+                             "::1",
+                             "fe80::1",
+                             "fe80::1%eth0",
+                             "fd00::1",
+                             "fc01::",
+                             "::ffff:127.0.0.1",
+                             "::ffff:10.1.2.3",
+                             "",
+                             "host"}) {
+    EXPECT_TRUE(is_inside(inside)) << inside;
+  }
+  for (const char* outside : {"8.8.8.8", "172.32.0.1", "172.15.0.1", "192.169.0.1", "100.128.0.1",
+                              "126.0.0.1", "128.0.0.1", "2606:4700::1111", "::ffff:8.8.8.8"}) {
+    EXPECT_FALSE(is_inside(outside)) << outside;
   }
 }
 

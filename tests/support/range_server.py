@@ -139,5 +139,11 @@ class RangeServer:
     def fault_redirect(self, handler, first, last, size):
         self.status(handler, 302, Location=self.address)
 
+    def fault_redirect_inside(self, handler, first, last, size):
+        """To another port of this machine, which listens."""
+        self.other = socket.create_server(("127.0.0.1", 0))
+        port = self.other.getsockname()[1]
+        self.status(handler, 302, Location=f"http://127.0.0.1:{port}/stream.hmlfc")
+
     def fault_redirect_elsewhere(self, handler, first, last, size):
         self.status(handler, 302, Location=self.file.as_uri())

@@ -24,7 +24,15 @@ void DisparityRange::add(const DisparityMap& map) {
   }
 }
 
-DisparityRange disparity_range(const StreamFile& file) {
+std::optional<DisparityRange> disparity_range(const StreamFile& file) {
+  constexpr uint64_t kViewCost = 64;  // of a view, in blocks
+  constexpr uint64_t kFew = uint64_t{1} << 25;
+  constexpr uint64_t kBlocksAByte = 256;  // the smallest streams of real views have 50
+  const StreamHeader& header = file.header();
+  const uint64_t side = header.block_size();
+  const uint64_t blocks = ((header.width + side - 1) / side) * ((header.height + side - 1) / side);
+  const uint64_t views = uint64_t{header.rows} * header.cols;
+  if (views * (blocks + kViewCost) > kFew + kBlocksAByte * file.size()) return std::nullopt;
   DisparityRange range;
   std::mutex mutex;
   for_each_view({file.header().rows, file.header().cols}, 0, {}, [&](ViewPos view) {
@@ -36,7 +44,9 @@ DisparityRange disparity_range(const StreamFile& file) {
   return range;
 }
 
-std::string describe(const DisparityRange& range) {
+std::string describe(const std::optional<DisparityRange>& counted) {
+  if (!counted) return "disparity not counted: too many blocks for so few bytes";
+  const DisparityRange& range = *counted;
   if (range.known == 0) return "disparity unknown";
   return fmt::format("disparity {:.2f} to {:.2f} pixels a column, known for {:.1f} % of the blocks",
                      static_cast<double>(range.least) / kDisparityUnits,

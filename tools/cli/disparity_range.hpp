@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <hmlfc/disparity.hpp>
@@ -21,11 +22,12 @@ struct DisparityRange {
   void add(const DisparityRange& other);
 };
 
-/// That of all views of `file`. Failure (kCorrupt) as for decoding.
-DisparityRange disparity_range(const StreamFile& file);
+/// That of all views of `file`; nothing where a header asks for far more views and blocks than the
+/// bytes of the file can fill: the time follows these. Failure (kCorrupt) as for decoding.
+std::optional<DisparityRange> disparity_range(const StreamFile& file);
 
-/// "disparity -1.31 to 2.84 pixels a column, known for 97.5 % of the blocks", or "disparity
-/// unknown".
-std::string describe(const DisparityRange& range);
+/// "disparity -1.31 to 2.84 pixels a column, known for 97.5 % of the blocks", "disparity unknown" or,
+/// of nothing, "disparity not counted".
+std::string describe(const std::optional<DisparityRange>& range);
 
 }  // namespace hmlfc::cli

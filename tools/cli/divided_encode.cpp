@@ -194,9 +194,7 @@ DividedEncoder divided_encoder(const EncodeOptions& options, const DividedInput&
                                const EncodeParams& params, const Division& division,
                                StorageFile& storage) {
   auto encoder = DividedEncoder::create(*input.views, params, division, storage);
-  if (!encoder) {
-    throw Failure(ExitCode::kInput, options.input.string() + ": " + encoder.error().message);
-  }
+  if (!encoder) throw encode_failure(options, encoder.error());
   return std::move(*encoder);
 }
 
@@ -205,8 +203,7 @@ void encode_parts(DividedEncoder& encoder, const EncodeOptions& options, size_t 
   terminal::ProgressBar progress("Encoding", "images");
   for (size_t part = first; part < last; ++part) {
     const auto coded = encoder.encode_part(part, progress.callback());
-    if (coded) continue;
-    throw Failure(ExitCode::kInput, options.input.string() + ": " + coded.error().message);
+    if (!coded) throw encode_failure(options, coded.error());
   }
 }
 

@@ -77,6 +77,11 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
 
 }  // namespace
 
+Failure encode_failure(const EncodeOptions& options, const EncodeError& error) {
+  return Failure(error.out_of_memory ? ExitCode::kOutOfMemory : ExitCode::kInput,
+                 options.input.string() + ": " + error.message);
+}
+
 void check_promise(const ErrorSums& promised, const ErrorSums& measured, const std::string& file) {
   if (promised.rgb_squares == measured.rgb_squares && promised.y_squares == measured.y_squares &&
       promised.max_abs == measured.max_abs) {

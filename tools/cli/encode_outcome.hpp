@@ -54,6 +54,9 @@ struct EncodeOutcome {
   double cpu_seconds = 0;  ///< of all threads of the process
 };
 
+/// The failure to encode the input of `options`.
+Failure encode_failure(const EncodeOptions& options, const EncodeError& error);
+
 /// Fails unless the stream decodes to the encoder's own reconstruction.
 void check_promise(const ErrorSums& promised, const ErrorSums& measured, const std::string& file);
 

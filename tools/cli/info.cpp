@@ -60,7 +60,9 @@ std::string states_text(const StreamStatistics& statistics) {
   return text;
 }
 
-Json range_json(const DisparityRange& range) {
+Json range_json(const std::optional<DisparityRange>& counted) {
+  if (!counted) return nullptr;
+  const DisparityRange& range = *counted;
   Json json{{"known", range.known}, {"blocks", range.blocks}};
   if (range.known == 0) return json;
   json["least"] = static_cast<double>(range.least) / kDisparityUnits;
@@ -68,7 +70,7 @@ Json range_json(const DisparityRange& range) {
   return json;
 }
 
-std::string geometry_text(const DisparityRange& range) {
+std::string geometry_text(const std::optional<DisparityRange>& range) {
   return fmt::format("Geometry      {}\n", describe(range));
 }
 
@@ -108,7 +110,8 @@ JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sectio
 motion, residual, top, other (the rig)}, depth, chroma, block, window, cluster, tree_height, tools
 (feature flags), levels (from the top; keys: rows and columns of key images, of levels of at most 4096
 images), states (block counts), disparity{known, blocks (counts over all views), least, greatest (pixels
-a column; negative is nearer; absent where none is known)}, rig (as --rig prints it, null without one,
+a column; negative is nearer; absent where none is known; null: not counted, as the header asks for far
+more blocks than the file has bytes)}, rig (as --rig prints it, null without one,
 {error} where it cannot be read).
 
 Examples:

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files.hpp"
+#include "terminal/shown.hpp"
 
 namespace hmlfc::cli {
 
@@ -41,16 +42,21 @@ Failure stream_failure(const std::filesystem::path& file, const Error& error) {
 }
 
 void print(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) throw_output_failure();
+  const std::string safe = terminal::shown(text);
+  if (std::fwrite(safe.data(), 1, safe.size(), stdout) != safe.size()) throw_output_failure();
 }
 
-void print_json(const Json& json) { print(json.dump(2) + "\n"); }
+void print_json(const Json& json) {
+  print(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
 
 void flush_output() {
   if (std::fflush(stdout) != 0) throw_output_failure();
 }
 
-void note(const std::string& message) { std::fputs((message + "\n").c_str(), stderr); }
+void note(const std::string& message) {
+  std::fputs((terminal::shown(message) + "\n").c_str(), stderr);
+}
 
 Json psnr_json(double db) {
   if (std::isinf(db)) return "inf";

@@ -44,17 +44,20 @@ class Failure : public std::runtime_error {
 /// The failure for a decoder's error in stream `file`.
 Failure stream_failure(const std::filesystem::path& file, const Error& error);
 
-/// The value of `result`; throws its error as a Failure with `code`.
+/// The value of `result`; throws its error as a Failure with `code`, or kOutOfMemory.
 template <class T>
 T value_or_throw(io::IoResult<T> result, ExitCode code) {
-  if (!result) throw Failure(code, result.error().message);
+  if (!result) {
+    const io::IoError& error = result.error();
+    throw Failure(error.out_of_memory ? ExitCode::kOutOfMemory : code, error.message);
+  }
   if constexpr (!std::is_void_v<T>) return std::move(*result);
 }
 
 /// JSON whose keys keep the order in which they were set.
 using Json = nlohmann::ordered_json;
 
-/// Writes `text` to standard output. Failure (kOutput) where it cannot be written.
+/// Writes `text` to standard output, as terminal::shown() gives it. Failure (kOutput) where it cannot be written.
 void print(std::string_view text);
 
 /// Writes `json` on indented lines.

@@ -13,6 +13,7 @@ namespace hmlfc::io {
 /// Why an operation on a file failed: "FILE: what is wrong; what to do".
 struct IoError {
   std::string message;
+  bool out_of_memory = false;  ///< nothing is wrong with the file
 };
 
 template <class T>
@@ -22,6 +23,12 @@ using IoResult = tl::expected<T, IoError>;
 inline tl::unexpected<IoError> file_error(const std::filesystem::path& file,
                                           std::string_view what) {
   return tl::unexpected(IoError{file.string() + ": " + std::string(what)});
+}
+
+/// The failure "FILE: not enough memory to do `what`".
+inline tl::unexpected<IoError> memory_error(const std::filesystem::path& file,
+                                            std::string_view what) {
+  return tl::unexpected(IoError{file.string() + ": not enough memory " + std::string(what), true});
 }
 
 /// The failure "FILE: what: the system's reason"; `error_number` is a value of errno.

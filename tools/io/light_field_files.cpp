@@ -55,9 +55,8 @@ IoResult<LightField> allocate_field(const ViewList& views, const ViewShape& shap
   try {
     return LightField({views.rows, views.cols, shape.width, shape.height, shape.depth});
   } catch (const std::bad_alloc&) {
-    return file_error(views.files.front(), "not enough memory for " +
-                                               std::to_string(views.files.size()) + " views of " +
-                                               describe(shape));
+    return memory_error(views.files.front(), "for " + std::to_string(views.files.size()) +
+                                                 " views of " + describe(shape));
   }
 }
 

@@ -24,7 +24,7 @@ IoResult<RgbImage> allocate_image(const ImageSource& source, uint64_t width, uin
   try {
     image.samples.resize(samples);
   } catch (const std::bad_alloc&) {
-    return file_error(source.path, "not enough memory for a picture of " + size + " pixels");
+    return memory_error(source.path, "for a picture of " + size + " pixels");
   }
   return image;
 }

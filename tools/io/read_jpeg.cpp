@@ -1,5 +1,6 @@
 // JPEG through libjpeg-turbo. The library reports errors by a function that must not return; ours
 // longjmps back into guarded(), and functions called there have no locals with destructors.
+#include <cerrno>
 #include <cstddef>
 #include <cstdio>  // jpeglib.h uses FILE and size_t without including them
 
@@ -116,7 +117,9 @@ bool is_jpeg(std::span<const uint8_t> bytes) {
 
 IoResult<RgbImage> read_jpeg(const ImageSource& source) {
   JpegReader reader;
+  errno = 0;  // the C library sets it where it cannot allocate
   const auto damaged = [&] {
+    if (errno == ENOMEM) return memory_error(source.path, "to read a JPEG picture");
     return file_error(source.path, "JPEG: " + reader.message() + "; the file is damaged");
   };
   if (!reader.guarded([&] { read_header(reader, source.bytes); })) return damaged();

@@ -1,6 +1,7 @@
 // PNG through libpng. libpng reports errors by longjmp: every call that can fail happens inside
 // guarded(), in functions whose own locals need no destructor.
 #include <png.h>
+#include <cerrno>
 
 #include <algorithm>
 #include <csetjmp>
@@ -139,9 +140,11 @@ bool is_png(std::span<const uint8_t> bytes) {
 }
 
 IoResult<RgbImage> read_png(const ImageSource& source) {
+  errno = 0;  // the C library sets it where it cannot allocate
   PngReader reader(source.bytes);
-  if (!reader.ready()) return file_error(source.path, "not enough memory to read a PNG picture");
+  if (!reader.ready()) return memory_error(source.path, "to read a PNG picture");
   const auto damaged = [&] {
+    if (errno == ENOMEM) return memory_error(source.path, "to read a PNG picture");
     return file_error(source.path, "PNG: " + reader.message() + "; the file is damaged");
   };
   if (!reader.guarded([&] { read_header(reader); })) return damaged();

@@ -202,7 +202,7 @@ std::vector<uint8_t> encode_png(const RgbImage& image) {
 
 IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image) {
   const std::vector<uint8_t> bytes = encode_png(image);
-  if (bytes.empty()) return file_error(path, "not enough memory to write a PNG picture");
+  if (bytes.empty()) return memory_error(path, "to write a PNG picture");
   return write_file(path, bytes);
 }
 
@@ -224,7 +224,7 @@ IoResult<void> write_apng(const std::filesystem::path& path, std::span<const Rgb
   Animation animation(frames.size(), rate);
   for (const RgbImage& image : frames) {
     const std::vector<uint8_t> png = encode_png(image);
-    if (png.empty()) return file_error(path, "not enough memory to write a PNG picture");
+    if (png.empty()) return memory_error(path, "to write a PNG picture");
     animation.add(image, png);
   }
   return write_file(path, animation.finish());

@@ -152,6 +152,7 @@ py::bytes encode_views(const py::array& views, std::optional<int> depth, const s
     return target ? encode_to(field, params, *target, tell) : encode(field, params, tell);
   }();
   told.rethrow();
+  if (!encoded && encoded.error().out_of_memory) throw std::bad_alloc();
   if (!encoded) throw py::value_error(encoded.error().message);
   const auto& bytes = encoded->bytes;
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -168,7 +169,8 @@ py::tuple read_views(const std::string& folder, std::optional<std::pair<uint32_t
     return io::load_light_field(*list, 0);
   }();
   if (!field) {
-    PyErr_SetString(PyExc_OSError, field.error().message.c_str());
+    PyErr_SetString(field.error().out_of_memory ? PyExc_MemoryError : PyExc_OSError,
+                    field.error().message.c_str());
     throw py::error_already_set();
   }
   const LightFieldShape& s = field->shape();

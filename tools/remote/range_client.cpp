@@ -30,6 +30,7 @@ struct Problem {
 
 struct RangeClient::State {
   std::string address;
+  Patience patience;
   Multi multi;
   std::vector<Easy> idle;
   uint64_t size = 0;    // 0 until it is known
@@ -54,9 +55,9 @@ bool RangeClient::State::begin(Transfer& transfer) {
     transfer.easy = std::move(idle.back());
     idle.pop_back();
   }
-  if (!transfer.easy) transfer.easy = make_easy(address);
+  if (!transfer.easy) transfer.easy = make_easy(address, patience);
   if (!transfer.easy) return false;
-  prepare(transfer);
+  prepare(transfer, patience);
   return curl_multi_add_handle(multi.get(), transfer.easy.get()) == CURLM_OK;
 }
 
@@ -84,6 +85,11 @@ Problem RangeClient::State::judge_status(long status) const {
 std::optional<Problem> RangeClient::State::judge(const Transfer& transfer, CURLcode code) const {
   const AnswerHead& head = transfer.head;
   const size_t wanted = transfer.request.room.size();
+  if (transfer.leads_inside) {
+    return Problem{
+        "the server redirects to an address of this machine or its network; "
+        "if that is meant, open that address itself"};
+  }
   if (code != CURLE_OK && code != CURLE_WRITE_ERROR && code != CURLE_PARTIAL_FILE) {
     const char* reason =
         transfer.reason[0] != 0 ? transfer.reason.data() : curl_easy_strerror(code);
@@ -171,9 +177,11 @@ RangeClient::RangeClient(RangeClient&&) noexcept = default;
 RangeClient& RangeClient::operator=(RangeClient&&) noexcept = default;
 RangeClient::~RangeClient() = default;
 
-io::IoResult<RangeClient> RangeClient::open(const std::string& address, size_t first_bytes) {
+io::IoResult<RangeClient> RangeClient::open(const std::string& address, size_t first_bytes,
+                                            const Patience& patience) {
   auto state = std::make_unique<State>();
   state->address = address;
+  state->patience = patience;
   if (auto ok = state->open(first_bytes); !ok) return tl::unexpected(ok.error());
   return RangeClient(std::move(state));
 }

@@ -1,6 +1,7 @@
 // Ranges of a file on a web server.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,6 +19,15 @@ struct RangeRequest {
   std::span<uint8_t> room;
 };
 
+/// How long a server may take. Each range has a deadline: `base`, and a second for each
+/// `least_speed` bytes of it.
+struct Patience {
+  std::chrono::seconds connect{10};  ///< until it is connected
+  std::chrono::seconds slow{20};     ///< slower than least_speed all the time
+  std::chrono::seconds base{30};
+  long least_speed = 1024;  ///< bytes a second
+};
+
 /// A file at an http:// or https:// address, whose server answers range requests. Messages name the
 /// address, what happened, and what to do. One thread at a time.
 class RangeClient {
@@ -27,7 +37,8 @@ class RangeClient {
 
   /// Asks for the first bytes, `first_bytes` of them or all. Errors: the server cannot be reached,
   /// has no such file, does not answer ranges; the file is empty or too long for a stream.
-  static io::IoResult<RangeClient> open(const std::string& address, size_t first_bytes);
+  static io::IoResult<RangeClient> open(const std::string& address, size_t first_bytes,
+                                        const Patience& patience = {});
 
   RangeClient(RangeClient&&) noexcept;
   RangeClient& operator=(RangeClient&&) noexcept;

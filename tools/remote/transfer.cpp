@@ -1,5 +1,10 @@
 #include "remote/transfer.hpp"
 
+#include <arpa/inet.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -10,8 +15,8 @@ namespace hmlfc::remote {
 namespace {
 
 constexpr long kMostRedirections = 5;
-constexpr long kConnectSeconds = 10;
-constexpr long kSilentSeconds = 20;
+
+long seconds(std::chrono::seconds time) { return static_cast<long>(time.count()); }
 
 size_t take_header(char* data, size_t, size_t bytes, void* transfer) {
   static_cast<Transfer*>(transfer)->head.take({data, bytes});
@@ -31,9 +36,53 @@ size_t take_bytes(char* data, size_t, size_t bytes, void* user) {
   return bytes;
 }
 
+// Before a request is sent, the first or one after a redirection: libcurl has connected.
+int check_place(void* user, char* remote, char*, int port, int) {
+  auto& transfer = *static_cast<Transfer*>(user);
+  const std::string place = fmt::format("{} {}", remote, port);
+  long redirections = 0;
+  curl_easy_getinfo(transfer.easy.get(), CURLINFO_REDIRECT_COUNT, &redirections);
+  if (redirections == 0) {
+    transfer.place = place;
+  } else if (place != transfer.place && is_inside(remote)) {
+    transfer.leads_inside = true;
+    return CURL_PREREQFUNC_ABORT;
+  }
+  return CURL_PREREQFUNC_OK;
+}
+
+// Whether the first `bits` bits of an address are those of `prefix`.
+template <size_t N>
+bool begins(const std::array<uint8_t, N>& address, std::array<uint8_t, 2> prefix, unsigned bits) {
+  const unsigned first = static_cast<unsigned>(address[0] << 8 | address[1]);
+  const unsigned wanted = static_cast<unsigned>(prefix[0] << 8 | prefix[1]);
+  return (first ^ wanted) >> (16 - bits) == 0;
+}
+
+// Of this network, private, shared by a carrier, of the machine, of the link (RFC 6890).
+bool is_inside4(const std::array<uint8_t, 4>& a) {
+  return begins(a, {0, 0}, 8) || begins(a, {10, 0}, 8) || begins(a, {100, 64}, 10) ||
+         begins(a, {127, 0}, 8) || begins(a, {169, 254}, 16) || begins(a, {172, 16}, 12) ||
+         begins(a, {192, 168}, 16);
+}
+
 }  // namespace
 
-Easy make_easy(const std::string& address) {
+bool is_inside(const std::string& address) {
+  std::array<uint8_t, 4> four;
+  std::array<uint8_t, 16> six;
+  if (inet_pton(AF_INET, address.c_str(), four.data()) == 1) return is_inside4(four);
+  const std::string bare = address.substr(0, address.find('%'));
+  if (inet_pton(AF_INET6, bare.c_str(), six.data()) != 1) return true;
+  if (std::all_of(six.begin(), six.begin() + 10, [](uint8_t byte) { return byte == 0; })) {
+    // ::, ::1 and addresses of IPv4 inside those of IPv6
+    std::copy(six.begin() + 12, six.end(), four.begin());
+    return is_inside4(four);
+  }
+  return begins(six, {0xFC, 0}, 7) || begins(six, {0xFE, 0x80}, 10);
+}
+
+Easy make_easy(const std::string& address, const Patience& patience) {
   Easy easy(curl_easy_init());
   if (!easy) return easy;
   const char* schemes = address.starts_with("https:") ? "https" : "http,https";
@@ -43,23 +92,28 @@ Easy make_easy(const std::string& address) {
   curl_easy_setopt(easy.get(), CURLOPT_FOLLOWLOCATION, 1L);
   curl_easy_setopt(easy.get(), CURLOPT_MAXREDIRS, kMostRedirections);
   curl_easy_setopt(easy.get(), CURLOPT_NOSIGNAL, 1L);
-  curl_easy_setopt(easy.get(), CURLOPT_CONNECTTIMEOUT, kConnectSeconds);
-  curl_easy_setopt(easy.get(), CURLOPT_LOW_SPEED_LIMIT, 1L);
-  curl_easy_setopt(easy.get(), CURLOPT_LOW_SPEED_TIME, kSilentSeconds);
+  curl_easy_setopt(easy.get(), CURLOPT_CONNECTTIMEOUT, seconds(patience.connect));
+  curl_easy_setopt(easy.get(), CURLOPT_LOW_SPEED_LIMIT, patience.least_speed);
+  curl_easy_setopt(easy.get(), CURLOPT_LOW_SPEED_TIME, seconds(patience.slow));
+  curl_easy_setopt(easy.get(), CURLOPT_PREREQFUNCTION, check_place);
   curl_easy_setopt(easy.get(), CURLOPT_USERAGENT, "hmlfc/" HMLFC_VERSION);
   curl_easy_setopt(easy.get(), CURLOPT_HEADERFUNCTION, take_header);
   curl_easy_setopt(easy.get(), CURLOPT_WRITEFUNCTION, take_bytes);
   return easy;
 }
 
-void prepare(Transfer& transfer) {
+void prepare(Transfer& transfer, const Patience& patience) {
   transfer.head = {};
   transfer.received = 0;
   transfer.reason = {};
+  transfer.leads_inside = false;
   CURL* easy = transfer.easy.get();
   const RangeRequest& request = transfer.request;
   const std::string range =
       fmt::format("{}-{}", request.offset, request.offset + request.room.size() - 1);
+  const auto bytes = static_cast<long>(request.room.size());
+  curl_easy_setopt(easy, CURLOPT_TIMEOUT, seconds(patience.base) + bytes / patience.least_speed);
+  curl_easy_setopt(easy, CURLOPT_PREREQDATA, &transfer);
   curl_easy_setopt(easy, CURLOPT_RANGE, range.c_str());
   curl_easy_setopt(easy, CURLOPT_HEADERDATA, &transfer);
   curl_easy_setopt(easy, CURLOPT_WRITEDATA, &transfer);

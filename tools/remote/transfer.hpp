@@ -30,17 +30,24 @@ struct Transfer {
   bool whole = true;  ///< the range lies in the file; else its beginning may
   AnswerHead head;
   size_t received = 0;
+  std::string place;          ///< host and port that answered first, as numbers
+  bool leads_inside = false;  ///< it was redirected where it must not go
   std::array<char, CURL_ERROR_SIZE> reason{};
 };
 
 /// A handle for requests to `address`: http and https alone, few redirections, no waiting without
-/// end. Certificates are checked as libcurl does by itself. Null: want of memory. CURLOPT_PIPEWAIT
-/// stays off: with it libcurl 7.88 waits without end for a connection that failed before its first
-/// answer.
-Easy make_easy(const std::string& address);
+/// end. A redirection may lead to any public address; to one of this machine or of a private
+/// network only where that is the host and port that answered first. Certificates are checked as
+/// libcurl does by itself. Null: want of memory. CURLOPT_PIPEWAIT stays off: with it libcurl 7.88
+/// waits without end for a connection that failed before its first answer.
+Easy make_easy(const std::string& address, const Patience& patience);
 
 /// Makes the handle of `transfer` ask for its range and report to it.
-void prepare(Transfer& transfer);
+void prepare(Transfer& transfer, const Patience& patience);
+
+/// Whether `address`, of IPv4 or IPv6, is one of this machine, of its link or of a private network;
+/// anything that is no address counts as one.
+bool is_inside(const std::string& address);
 
 /// The transfers that libcurl runs at this time.
 class UnderWay {

@@ -22,6 +22,9 @@ namespace hmlfc {
 /// What this decoder accepts (FIL-7); a stream beyond it is refused with limit_exceeded.
 struct DecoderLimits {
   uint64_t max_plane_samples = uint64_t{1} << 30;  ///< width * height of a view
+  /// Code-blocks of a plane of a key image, for each of which OpenJPEG takes up to 2 KiB. A view of
+  /// max_plane_samples has 2^18 of 64x64.
+  uint64_t max_code_blocks = uint64_t{1} << 19;
 };
 
 /// How to open a stream.
@@ -120,7 +123,9 @@ class HMLFC_EXPORT Decoder {
   /// Bytes of decoded reference images held now.
   size_t reference_bytes() const;
 
-  /// Where the bytes of the stream go; reads every tile.
+  /// Where the bytes of the stream go; reads every tile that is not empty. Errors: those of
+  /// records; limit_exceeded where tiles share records, four or more on average each byte of TILE,
+  /// and are over 2^20.
   Result<StreamStatistics> statistics() const;
 
  private:

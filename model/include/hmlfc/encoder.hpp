@@ -81,7 +81,8 @@ struct EncodedStream {
 
 /// Why nothing was encoded, for people.
 struct EncodeError {
-  std::string message;  ///< one line
+  std::string message;         ///< one line
+  bool out_of_memory = false;  ///< nothing is wrong with what was given
 };
 
 /// Called with the number of finished images `done` in [0, total], from one thread at a time.

@@ -102,6 +102,8 @@ typedef struct hmlfc_open_options {
   uint32_t skip_sections;     /**< 1: do not check the CRC of sections, which reads all of the
                                    stream (FIL-6); else 0 */
   uint32_t reserved;          /**< 0 */
+  uint64_t max_code_blocks;   /**< refuse planes of key images with more code-blocks (KEY-2), which
+                                   take up to 2 KiB each (FIL-7); 0: 2^19 */
 } hmlfc_open_options;
 
 /** Opens the stream of `size` bytes at `bytes`, which must live, unchanged, until its decoder and
