@@ -148,6 +148,13 @@ class Reports(Foreign):
         self.refused(INPUT, "conform", "--merge", "part", "-o", "elsewhere", says="symbolic link")
         self.assert_untouched()
 
+    def test_long_words(self):
+        """A million letters or digits are text like any other."""
+        for word in ("1" * 10**6, "a" * 10**6):
+            self.part(lambda result, run: (result.pop("difference"), result.update(reason=word, stage=f"stage {word}")))
+            result = self.run_hmlfc("conform", "--merge", "part", "-o", "long")
+            self.assertEqual(result.returncode, 1, result.stderr)
+
     def test_names_that_clash(self):
         self.refused(INPUT, "conform", "--merge", "a b", "a-b", "-o", "clash", says="give one another name")
 
