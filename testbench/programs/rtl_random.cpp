@@ -102,7 +102,7 @@ bool run_vector(Bench& bench, const std::vector<UnitMaker>& makers, const Option
   const auto header = parse_header(file->bytes());
   const UnitMaker* maker =
       header ? unit_for(makers, header->block_log2, header->depth) : &makers.front();
-  const Case one{seed, vector.id, {file->bytes().begin(), file->bytes().end()}};
+  const Case one{seed, vector.id.text(), {file->bytes().begin(), file->bytes().end()}};
   return maker == nullptr || run_stream(bench, *maker, o, one, total);
 }
 

@@ -36,7 +36,7 @@ COMMANDS = {
     "picture sheet": ["--max-width", "--output"],
     "picture difference": ["--view", "--gain", "--output"],
     "conform": ["--suite", "--dut", "--timeout", "--memory", "--filter", "--milestone", "--jobs", "--shard",
-                "--merge", "--resume", "--keep", "--claim", "--verify", "--json", "--output"],
+                "--merge", "--resume", "--keep", "--claim", "--verify", "--run-claimed", "--json", "--output"],
     "serve": ["LIBRARY"],
     "minimise": ["--dut", "--timeout", "--memory", "--trials", "--output"],
     "primitives": ["list", "gen", "check"],

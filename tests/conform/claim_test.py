@@ -37,7 +37,7 @@ class Claims(ConformTest):
 
     def verify(self, whole):
         (self.folder / "other.json").write_text(json.dumps(whole))
-        result = self.run_hmlfc("conform", "--suite", self.small, "--verify", "other.json", "-o", "check")
+        result = self.run_hmlfc("conform", "--suite", self.small, "--verify", "other.json", "--run-claimed", "-o", "check")
         return result.returncode, result.stdout.decode() + result.stderr.decode()
 
     def changed(self, change):
@@ -60,6 +60,23 @@ class Claims(ConformTest):
 
     def test_verify(self):
         self.assertEqual(self.verify(self.whole), (DONE, "other.json: verified, 6 results\n"))
+
+    def test_only_a_named_decoder_is_run(self):
+        """The command of a claim is shown, and run where the user says so."""
+        def name(claim):
+            claim["decoder"].update(dut="sh -c 'touch ran; exit 1' \x1b {input} {output}", files=[])
+
+        (self.folder / "foreign.json").write_text(json.dumps(self.changed(name)))
+        command = ("conform", "--suite", self.small, "--verify", "foreign.json", "-o", "foreign")
+        message = self.refused(USAGE, *command, says=("touch ran; exit 1' \\u001b {input}", "--run-claimed", "--dut"))
+        self.assertNotIn("\x1b", message)
+        self.assertFalse((self.folder / "ran").exists() or (self.folder / "foreign").exists())
+        self.refused(USAGE, *command, "--dut", self.dut, "--run-claimed", says="not both")
+        self.refused(USAGE, "conform", "--suite", self.small, "--dut", self.dut, "--run-claimed", "-o", "foreign", says="--verify")
+        named = self.run_hmlfc(*command, "--dut", self.dut)
+        self.assertEqual(named.returncode, 1)
+        self.assertIn("differs: decoder/files", named.stdout.decode())
+        self.assertFalse((self.folder / "ran").exists())
 
     def test_changed_claims_are_refused(self):
         for change in (
@@ -105,7 +122,7 @@ class Claims(ConformTest):
             self.assertEqual(self.claim(self.dut, "none.json", *option).returncode, USAGE, option)
         for text in ("", "{}", '{"claim": 3, "sha256": ""}', "[]"):
             (self.folder / "bad.json").write_text(text)
-            command = ("conform", "--suite", self.small, "--verify", "bad.json", "-o", "check")
+            command = ("conform", "--suite", self.small, "--verify", "bad.json", "--run-claimed", "-o", "check")
             self.refused(INPUT, *command, says="is not a claim")
 
 

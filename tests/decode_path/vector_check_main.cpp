@@ -27,14 +27,15 @@ int main(int argc, char** argv) {
     return 2;
   }
   const auto rank = [&](const Vector& vector) {
-    return std::pair(std::ranges::find(first, vector.id) - first.begin(), vector.input.bytes);
+    return std::pair(std::ranges::find(first, vector.id.text()) - first.begin(),
+                     vector.input.bytes);
   };
   std::ranges::stable_sort(manifest->vectors, {}, rank);
   size_t failed = 0;
   for (const Vector& vector : manifest->vectors) {
     const std::string wrong = hmlfc::vectors::check_vector(suite, vector);
     if (wrong.empty()) continue;
-    std::cout << vector.id << ": " << wrong << '\n';
+    std::cout << vector.id.text() << ": " << wrong << '\n';
     ++failed;
     if (stop) return 1;
   }

@@ -134,6 +134,8 @@ std::string check(Device& device, const std::filesystem::path& suite, const Vect
   return check_errors(*decoder, vector);
 }
 
+const std::string& id_of(const Vector& vector) { return vector.id.text(); }
+
 int run(const Options& options) {
   const auto manifest = hmlfc::vectors::read_manifest(options.suite);
   if (!manifest) throw std::runtime_error(manifest.error().message);
@@ -144,10 +146,10 @@ int run(const Options& options) {
   }
   std::vector<std::string> ids = options.ids;
   if (ids.empty()) {
-    std::ranges::transform(manifest->vectors, std::back_inserter(ids), &Vector::id);
+    std::ranges::transform(manifest->vectors, std::back_inserter(ids), id_of);
   }
   for (const std::string& id : ids) {
-    const auto vector = std::ranges::find(manifest->vectors, id, &Vector::id);
+    const auto vector = std::ranges::find(manifest->vectors, id, id_of);
     if (vector == manifest->vectors.end()) throw std::runtime_error("the suite has no " + id);
     const std::string wrong = check(*device, options.suite, *vector);
     if (!wrong.empty()) {

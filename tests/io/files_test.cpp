@@ -61,12 +61,26 @@ TEST(AtomicFile, KeepsTheOldContentUntilCommit) {
   EXPECT_EQ(folder.names(), Names{"a.bin"});
 }
 
-TEST(AtomicFile, ALeftoverOfADeadProcessIsInNobodysWay) {
+// Not even one with the same number, on a machine that shares the disk.
+TEST(AtomicFile, ThePartialFileOfAnotherProcessStays) {
   const test::TempFolder folder;
-  put_file(folder / ("a.bin.partial-" + std::to_string(::getpid())), std::string("leftover"));
+  const std::string other = "a.bin.partial-" + std::to_string(::getpid());
+  put_file(folder / other, std::string("half"));
   ASSERT_TRUE(write_file(folder / "a.bin", to_bytes("new")).has_value());
-  EXPECT_EQ(folder.names(), Names{"a.bin"});
+  EXPECT_EQ(folder.names(), (Names{"a.bin", other}));
   EXPECT_EQ(get_file(folder / "a.bin"), to_bytes("new"));
+  EXPECT_EQ(get_file(folder / other), to_bytes("half"));
+}
+
+TEST(AtomicFile, WritersOfOneTargetHaveFilesOfTheirOwn) {
+  const test::TempFolder folder;
+  auto first = AtomicFile::create(folder / "a.bin");
+  auto second = AtomicFile::create(folder / "a.bin");
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(folder.names().size(), 2u);
+  ASSERT_TRUE(first->write(to_bytes("one")) && second->write(to_bytes("two")));
+  ASSERT_TRUE(first->commit() && second->commit());
+  EXPECT_EQ(get_file(folder / "a.bin"), to_bytes("two"));
 }
 
 /// Runs in a process of its own, whose files may not grow over 4096 bytes: as on a full disk, a

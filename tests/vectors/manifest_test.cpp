@@ -9,6 +9,7 @@
 #include "io/temp_folder.hpp"
 #include "vectors/digest.hpp"
 #include "vectors/field_rules.hpp"
+#include "vectors/generate.hpp"
 
 namespace hmlfc::vectors {
 namespace {
@@ -18,20 +19,20 @@ std::vector<uint8_t> bytes_of(const std::string& text) { return {text.begin(), t
 Manifest sample_manifest() {
   Manifest manifest{"1.2.3", 1, "hmlfc vectors generate", 7, {}};
   Vector ok;
-  ok.id = "syntax/one";
+  ok.id = VectorId("syntax/one");
   ok.group = "syntax";
   ok.level = 2;
   ok.clauses = {"BISE-3"};
   ok.flags = {"depth8"};
   ok.comment = "hunts";
   ok.milestone = "motion";
-  ok.input = {"syntax/one.hmlfc", 99, std::string(64, 'a')};
+  ok.input = {FileName("syntax/one.hmlfc"), 99, std::string(64, 'a')};
   ok.output = ViewSum{std::string(64, 'b'), 1, 2, 3, 4, 12, ChromaFormat::k444};
-  ok.blocks = SuiteFile{"syntax/one.blocks", 0, std::string(64, 'c')};
-  ok.trace = TraceFiles{{"syntax/one.trace.jsonl", 0, std::string(64, 'd')},
-                        {"syntax/one.trace.hex", 0, std::string(64, 'e')}};
+  ok.blocks = SuiteFile{FileName("syntax/one.blocks"), 0, std::string(64, 'c')};
+  ok.trace = TraceFiles{{FileName("syntax/one.trace.jsonl"), 0, std::string(64, 'd')},
+                        {FileName("syntax/one.trace.hex"), 0, std::string(64, 'e')}};
   Vector bad = ok;
-  bad.id = "error/two";
+  bad.id = VectorId("error/two");
   bad.profile = Profile::kExtended;
   bad.expect = {Outcome::kReject,
                 ErrorCode::kBadLevels,
@@ -81,6 +82,40 @@ TEST(Manifest, SaysWhatIsWrong) {
   EXPECT_NE(message("\"milestone\": \"motion\"", "\"milestone\": \"emotion\"").find("emotion"),
             std::string::npos);
   EXPECT_NE(message("{", "").find("manifest.json"), std::string::npos);
+}
+
+TEST(Manifest, NamesAreNoPaths) {
+  for (const char* text : {"", "a", "/a", "a/", "/a/b", "a/b/c", "a/..", "../a", "a/.", "A/b",
+                           "a/b c", "a//b", "a/b\\c", "a/b\n"}) {
+    EXPECT_THROW(VectorId{text}, TextError) << text;
+    EXPECT_THROW(FileName{text}, TextError) << text;
+  }
+  for (const char* text : {"a/b.", "a/.b", "a/b..c", "a.b/c", "a/b.c/../d"}) {
+    EXPECT_THROW(FileName{text}, TextError) << text;
+  }
+  EXPECT_THROW(VectorId{"syntax/one.hmlfc"}, TextError);
+  const std::filesystem::path suite = "suite";
+  EXPECT_EQ(suite / FileName("syntax/one-2.trace.hex"), "suite/syntax/one-2.trace.hex");
+  EXPECT_EQ(suite / VectorId("syntax/one-2"), "suite/syntax/one-2");
+}
+
+TEST(Suite, RemovesOnlyWhatItHasMade) {
+  const test::TempFolder folder;
+  const std::vector<uint8_t> bytes = bytes_of("x");
+  Manifest manifest = sample_manifest();
+  SuiteFiles files{{"manifest.json", bytes_of(manifest_text(manifest))},
+                   {"syntax/one.hmlfc", bytes},
+                   {"syntax/one.blocks", bytes},
+                   {"syntax/one.trace.hex", bytes},
+                   {"syntax/one.trace.jsonl", bytes}};
+  ASSERT_TRUE(write_suite(files, folder.path()));
+  ASSERT_TRUE(io::write_file(folder.path() / "syntax/mine.txt", bytes));
+  files.erase("syntax/one.blocks");
+  files["manifest.json"] = bytes;
+  ASSERT_TRUE(write_suite(files, folder.path()));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "syntax/one.blocks"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "syntax/one.trace.hex"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "syntax/mine.txt"));
 }
 
 // FIPS 180-4, examples of SHA-256: one block and no message.

@@ -31,6 +31,7 @@ struct ConformOptions {
   std::vector<std::string> merge;
   std::filesystem::path claim;   // to write; empty: none
   std::filesystem::path verify;  // to check; empty: none
+  bool run_claimed = false;      // run the decoder that the claim names
   bool json = false;
 };
 
@@ -63,7 +64,7 @@ ExitCode run_merge(const ConformOptions& options) {
     parts.push_back(
         {folder, value_or_throw(conform::read_report(folder / "report.json"), ExitCode::kInput)});
   }
-  make_output_folder(options.run.folder);
+  const auto lock = take_output_folder(options.run.folder);
   return finish(value_or_throw(conform::merge(parts, options.run.folder), ExitCode::kInput),
                 options);
 }
@@ -90,7 +91,7 @@ std::optional<std::string> verify_again(const conform::Claim& claimed,
   const auto suite = value_or_throw(conform::open_suite(options.suite), ExitCode::kInput);
   auto found = claim_on(suite, dut, claimed.at("decoder").at("dut").get<std::string>());
   if (auto difference = conform::claim_difference(claimed, found)) return difference;
-  make_output_folder(options.run.folder);
+  const auto lock = take_output_folder(options.run.folder);
   terminal::ProgressBar progress(dut.name, "vectors", off_terminal(options));
   const auto run =
       value_or_throw(run_suite(suite, dut, options.run, progress.callback()), ExitCode::kOutput);
@@ -103,15 +104,33 @@ std::optional<std::string> verify_again(const conform::Claim& claimed,
   return conform::claim_difference(claimed, found);
 }
 
+// The decoder that a claim names is run only where the user says so.
+void choose_decoder(const conform::Claim& claimed, ConformOptions& options) {
+  if (!options.dut.names.empty()) {
+    if (!options.run_claimed) return;
+    throw Failure(ExitCode::kUsage, "give --dut or --run-claimed, not both");
+  }
+  const Json named = claimed.at("decoder").at("dut").get<std::string>();
+  if (!options.run_claimed) {
+    const std::string shown = named.dump(-1, ' ', true, Json::error_handler_t::replace);
+    throw Failure(ExitCode::kUsage,
+                  fmt::format("{}: nothing was run: the claim names the decoder {}; give "
+                              "--run-claimed to run it, or your own with --dut",
+                              options.verify.string(), shown));
+  }
+  options.dut.names = {named};
+}
+
 ExitCode run_verify(ConformOptions options) {
   const auto claimed = value_or_throw(conform::read_claim(options.verify), ExitCode::kInput);
-  if (options.dut.names.empty()) options.dut.names = {claimed.at("decoder").at("dut")};
+  choose_decoder(claimed, options);
   check_whole(options, "--verify");
   const auto difference = verify_again(claimed, options);
   if (options.json) {
     print_json({{"verified", !difference}, {"difference", difference.value_or("")}});
   } else if (difference) {
-    print(fmt::format("{}: differs: {}\n", options.verify.string(), *difference));
+    print(
+        conform::printable(fmt::format("{}: differs: {}\n", options.verify.string(), *difference)));
   } else {
     print(fmt::format("{}: verified, {} results\n", options.verify.string(),
                       claimed.at("results").size()));
@@ -127,7 +146,7 @@ ExitCode run_conform(const ConformOptions& given) {
   const auto duts = options.dut.read();
   if (!options.claim.empty()) check_whole(options, "--claim");
   const auto suite = value_or_throw(conform::open_suite(options.suite), ExitCode::kInput);
-  make_output_folder(options.run.folder);
+  const auto lock = take_output_folder(options.run.folder);
   conform::Report report{
       suite.manifest.vectors_version, suite.manifest_sha256, conform::this_system(kProgram), {}};
   for (const conform::Dut& dut : duts) {
@@ -168,6 +187,8 @@ are run with every selection.
 Exit status 0: all required vectors pass, those of --milestone if it is given; 1: a required vector
 fails, or a claim differs; 5: no failures, but required vectors were skipped.
 
+A decoder runs with your rights. A claim's command is shown, and run only with --run-claimed.
+
 Example:
   hmlfc conform --dut '{hmlfc} decode {input} -o {output}' --suite vectors -o report)";
 
@@ -200,9 +221,12 @@ void add_conform(CLI::App& program, Task& task) {
   add_path(app, "--claim", options.claim, "Write what a conforming decoder claims to this file")
       ->required(false)
       ->type_name("FILE");
-  add_path(app, "--verify", options.verify, "Check a claim by running its decoder again")
+  add_path(app, "--verify", options.verify, "Check a claim by running the decoder again, of --dut")
       ->required(false)
       ->type_name("FILE");
+  app.add_flag("--run-claimed", options.run_claimed,
+               "With --verify: run the decoder that the claim names")
+      ->needs("--verify");
   add_json(app, options.json);
   add_output(app, options.run.folder, "DIR", "Folder for the report, created if missing");
 }

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "cli/arguments.hpp"
-#include "conform/runner.hpp"
+#include "conform/report_folder.hpp"
 
 namespace hmlfc::cli {
 

@@ -13,6 +13,7 @@
 #include "cli/arguments.hpp"
 #include "cli/dut_options.hpp"
 #include "conform/minimise.hpp"
+#include "conform/report.hpp"
 #include "conform/runner.hpp"
 #include "io/files.hpp"
 #include "terminal/progress_bar.hpp"
@@ -59,10 +60,11 @@ ExitCode run_minimise(const MinimiseOptions& options) {
       conform::minimise(file.bytes(), still_fails, options.trials), ExitCode::kInput);
   value_or_throw(io::write_file(options.output, minimised.stream), ExitCode::kOutput);
   const conform::VectorResult last = run(minimised.stream);
-  print(fmt::format("from  {}\nto    {}\n      {} reductions kept, {} streams tried\n{}: {}\n",
-                    shape(file.bytes()), shape(minimised.stream), minimised.steps, minimised.trials,
-                    status_name(last.status), last.reason));
-  if (!last.stage.empty()) print(last.stage + "\n");
+  print(conform::printable(
+      fmt::format("from  {}\nto    {}\n      {} reductions kept, {} streams tried\n{}: {}\n",
+                  shape(file.bytes()), shape(minimised.stream), minimised.steps, minimised.trials,
+                  status_name(last.status), last.reason)));
+  if (!last.stage.empty()) print(conform::printable(last.stage + "\n"));
   return ExitCode::kDone;
 }
 
@@ -133,8 +135,9 @@ class Fuzz {
       throw Failure(ExitCode::kCannotRun, result.reason);
     }
     if (!result.bad()) return true;
-    print(fmt::format("seed {}: {}: {}\n", seed, status_name(result.status), result.reason));
-    if (!result.stage.empty()) print("  " + result.stage + "\n");
+    print(conform::printable(
+        fmt::format("seed {}: {}: {}\n", seed, status_name(result.status), result.reason)));
+    if (!result.stage.empty()) print(conform::printable("  " + result.stage + "\n"));
     const auto stem = options_.folder / fmt::format("seed-{}", seed);
     save(stem.string() + ".hmlfc", stream);
     const std::string text = recipe(limits_, seed, result);
@@ -169,7 +172,7 @@ class Fuzz {
 ExitCode run_fuzz(const FuzzOptions& options) {
   using Clock = std::chrono::steady_clock;
   Fuzz fuzz(options, options.dut.read().front());
-  make_output_folder(options.folder);
+  const auto lock = take_output_folder(options.folder);
   const auto begin = Clock::now();
   const auto allowed = std::chrono::minutes(options.minutes);
   terminal::ProgressBar progress("Fuzzing", "seconds", terminal::OffTerminal::kLines);

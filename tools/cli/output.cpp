@@ -90,4 +90,9 @@ void make_output_folder(const std::filesystem::path& folder) {
                 folder.string() + ": cannot create this folder: " + failure.message());
 }
 
+io::FolderLock take_output_folder(const std::filesystem::path& folder) {
+  make_output_folder(folder);
+  return value_or_throw(io::FolderLock::take(folder), ExitCode::kUsage);
+}
+
 }  // namespace hmlfc::cli

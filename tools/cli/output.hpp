@@ -11,6 +11,7 @@
 
 #include <hmlfc/error.hpp>
 
+#include "io/folder_lock.hpp"
 #include "io/io_error.hpp"
 
 namespace hmlfc::cli {
@@ -87,5 +88,8 @@ void check_picture_file(const std::filesystem::path& file);
 
 /// Makes `folder` and its missing parents. Failure (kUsage) where that is impossible.
 void make_output_folder(const std::filesystem::path& folder);
+
+/// The same, and holds it against other processes. Failure (kUsage) where one uses it.
+io::FolderLock take_output_folder(const std::filesystem::path& folder);
 
 }  // namespace hmlfc::cli

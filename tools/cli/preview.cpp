@@ -91,7 +91,7 @@ void Preview::write(const std::filesystem::path& folder) const {
 }
 
 void Preview::write_video(const std::filesystem::path& folder) const {
-  const std::filesystem::path partial = file_.string() + fmt::format(".partial-{}", ::getpid());
+  const std::filesystem::path partial = io::partial_name(file_);
   std::vector<std::string> arguments{"-nostdin",   "-loglevel",           "error", "-y",
                                      "-framerate", std::to_string(kRate), "-f",    "image2"};
   for (const auto& part : {input_of(folder), coding_of(file_, count_)}) {

@@ -43,7 +43,9 @@ vectors::Manifest manifest_of(const std::filesystem::path& suite) {
 
 // The vector that the options name; a usage failure where there is none.
 const vectors::Vector& vector_of(const vectors::Manifest& manifest, const SuiteOptions& options) {
-  const auto found = std::ranges::find(manifest.vectors, options.id, &vectors::Vector::id);
+  const auto found = std::ranges::find_if(manifest.vectors, [&](const vectors::Vector& vector) {
+    return vector.id.text() == options.id;
+  });
   if (found != manifest.vectors.end()) return *found;
   throw Failure(ExitCode::kUsage,
                 "there is no vector " + options.id + "; hmlfc vectors list shows them all");
@@ -69,15 +71,15 @@ ExitCode run_list(const SuiteOptions& options) {
   for (const vectors::Vector& vector : manifest.vectors) {
     if (!is_chosen(vector, options)) continue;
     ++count;
-    rows.push_back({{"id", vector.id},
+    rows.push_back({{"id", vector.id.text()},
                     {"profile", profile_name(vector.profile)},
                     {"level", vector.level},
                     {"bytes", vector.input.bytes},
                     {"milestone", vector.milestone},
                     {"outcome", vectors::outcome_name(vector.expect.outcome)}});
-    text += fmt::format("{:44} {:9} {} {:>9}  {:16} {}\n", vector.id, profile_name(vector.profile),
-                        vector.level, grouped(vector.input.bytes), vector.milestone,
-                        expectation(vector.expect));
+    text += fmt::format("{:44} {:9} {} {:>9}  {:16} {}\n", vector.id.text(),
+                        profile_name(vector.profile), vector.level, grouped(vector.input.bytes),
+                        vector.milestone, expectation(vector.expect));
   }
   if (options.json) {
     print_json(rows);
@@ -112,10 +114,11 @@ ExitCode run_explain(const SuiteOptions& options) {
   const vectors::Expectation& expect = vector.expect;
   std::string text = fmt::format(
       "{}\n  {}\n  clauses  {}\n  flags    {}\n  stream   {}, {} bytes, profile {}, level {}\n",
-      vector.id, vector.comment, fmt::join(vector.clauses, ", "), fmt::join(vector.flags, ", "),
-      vector.input.file, vector.input.bytes, profile_name(vector.profile), vector.level);
+      vector.id.text(), vector.comment, fmt::join(vector.clauses, ", "),
+      fmt::join(vector.flags, ", "), vector.input.file.text(), vector.input.bytes,
+      profile_name(vector.profile), vector.level);
   text += fmt::format("  growth   milestone {}{}\n", vector.milestone,
-                      vector.base ? ", counts only if " + *vector.base + " passes" : "");
+                      vector.base ? ", counts only if " + vector.base->text() + " passes" : "");
   text += "  expected " + expectation(expect);
   if (expect.outcome != vectors::Outcome::kOk) {
     text +=
@@ -134,11 +137,12 @@ ExitCode run_explain(const SuiteOptions& options) {
                         vector.output->height, vector.output->depth, vector.output->sha256);
   }
   if (vector.trace) {
-    text += fmt::format("  trace    {}, {}\n", vector.trace->lines.file, vector.trace->hex.file);
+    text += fmt::format("  trace    {}, {}\n", vector.trace->lines.file.text(),
+                        vector.trace->hex.file.text());
   }
   try {
     const auto recipes = vectors::read_recipes(options.suite / "recipes");
-    text += "  recipe   " + recipes.at(vector.id).stream.dump() + "\n";
+    text += "  recipe   " + recipes.at(vector.id.text()).stream.dump() + "\n";
   } catch (const std::exception& error) {
     throw Failure(ExitCode::kInput, error.what());
   }

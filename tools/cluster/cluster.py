@@ -26,6 +26,7 @@ import shutil
 import subprocess
 import sys
 import time
+import uuid
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -75,7 +76,7 @@ MERGES = {
 
 def write_whole(path, value):
     """`value` as JSON, complete or not at all."""
-    partial = path.with_suffix(".partial")
+    partial = path.with_suffix(f".partial-{uuid.uuid4().hex}")
     partial.write_text(json.dumps(value, indent=2) + "\n")
     partial.replace(path)
 

@@ -16,7 +16,7 @@ std::string stream_of(const Suite& suite, const vectors::Vector& vector) {
 std::string block_options(const vectors::Vector& vector, const VectorResult& result) {
   if (!result.difference) return "";
   const Difference& d = *result.difference;
-  const Plane plane = d.planes.empty() ? Plane::kY : d.planes.front();
+  const Plane plane = d.planes.empty() || !vector.output ? Plane::kY : d.planes.front();
   const bool halved = plane != Plane::kY && vector.output->chroma == ChromaFormat::k420;
   return fmt::format(" --view {},{} --plane {} --block {},{}", d.view.row, d.view.col,
                      plane_name(plane), d.block_x >> (halved ? 1 : 0),
@@ -42,7 +42,8 @@ std::string inspect_command(const Suite& suite, const vectors::Vector& vector,
                             const VectorResult& result) {
   const std::string block = block_options(vector, result);
   if (!block.empty()) return fmt::format("hmlfc inspect {}{}", stream_of(suite, vector), block);
-  return fmt::format("hmlfc vectors inspect {} --suite {}", vector.id, suite.folder.string());
+  return fmt::format("hmlfc vectors inspect {} --suite {}", vector.id.text(),
+                     suite.folder.string());
 }
 
 std::string view_command(const Suite& suite, const vectors::Vector& vector, const Dut& dut,

@@ -102,7 +102,8 @@ void add_results(Claim& claim, const Run& run, const SystemInfo& system) {
   claim["program"] = system.program;
   claim["date"] = system.date;
   Claim& results = claim["results"] = Claim::object();
-  for (const VectorResult& result : run.results) results[result.id] = status_name(result.status);
+  for (const VectorResult& result : run.results)
+    results[result.id.text()] = status_name(result.status);
 }
 
 io::IoResult<void> write_claim(const fs::path& file, const Claim& claim) {

@@ -1,6 +1,9 @@
 #include "conform/judge.hpp"
 
-#include <regex>
+#include <algorithm>
+#include <fstream>
+#include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -22,12 +25,13 @@ void set(VectorResult& result, Status status, std::string reason) {
 
 // The first word of `messages` that is the name of an error; ErrorCode::kOk if there is none. A
 // word has no letter, digit or underscore next to it.
-ErrorCode first_error(const std::string& messages) {
-  static const std::regex word("\\w+");
-  for (std::sregex_iterator at(messages.begin(), messages.end(), word), end; at != end; ++at) {
+ErrorCode first_error(std::string_view messages) {
+  size_t end = 0;
+  for (size_t at = 0; (at = messages.find_first_of(kWordCharacters, end)) != messages.npos;) {
+    end = std::min(messages.find_first_not_of(kWordCharacters, at), messages.size());
     for (int code = 1; code < kErrorCodeCount; ++code) {
       const auto error = static_cast<ErrorCode>(code);
-      if (at->str() == error_name(error)) return error;
+      if (messages.substr(at, end - at) == error_name(error)) return error;
     }
   }
   return ErrorCode::kOk;
@@ -82,7 +86,10 @@ void judge_refusal(const Trial& trial, const ProcessOutcome& outcome,
 // The stages of a block from another run of the decoder.
 Tracer tracer_of(const Trial& trial) {
   if (trial.dut.trace.empty()) return {};
-  return [&trial](const BlockAddress& block, int) {
+  return [&trial](const BlockAddress& block, int) -> tl::expected<std::string, std::string> {
+    if (const auto handed = hand_over(trial); !handed) {
+      return tl::unexpected(handed.error().message);
+    }
     return trace_by_command(trial.dut, trial.input, block, trial.limits);
   };
 }
@@ -93,12 +100,21 @@ void judge_output(const Trial& trial, const vectors::ViewSum* output, VectorResu
   const StreamHeader& header = golden->header();
   const LightFieldShape shape{header.rows, header.cols, header.width, header.height, header.depth};
   const auto actual = read_output_views(trial.output, shape);
-  if (!actual) return set(result, Status::kFail, "wrong output: " + actual.error().message);
+  if (!actual) {
+    std::string reason = "wrong output: " + actual.error().message;
+    const std::string above = trial.output.parent_path().string() + "/";
+    const size_t at = reason.find(above);
+    if (at != reason.npos) reason.erase(at, above.size());
+    return set(result, Status::kFail, std::move(reason));
+  }
   judge_views(trial, *golden, *actual, output, tracer_of(trial), result);
 }
 
 void judge_command(const Trial& trial, const vectors::Expectation& expect,
                    const vectors::ViewSum* output, VectorResult& result) {
+  if (const auto handed = hand_over(trial); !handed) {
+    return set(result, Status::kError, handed.error().message);
+  }
   const Places places{{"input", trial.input.string()}, {"output", trial.output.string()}};
   const ProcessOutcome outcome = run_process(fill_in(trial.dut.command, places), trial.limits);
   result.seconds = outcome.seconds;
@@ -120,6 +136,17 @@ void judge_command(const Trial& trial, const vectors::Expectation& expect,
 }
 
 }  // namespace
+
+io::IoResult<void> hand_over(const Trial& trial) {
+  std::error_code ignored;
+  std::filesystem::remove_all(trial.input, ignored);
+  std::ofstream file(trial.input, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(trial.stream.data()),
+             static_cast<std::streamsize>(trial.stream.size()));
+  file.close();
+  if (!file) return io::file_error(trial.input, "the stream cannot be copied there");
+  return {};
+}
 
 tl::expected<std::string, std::string> trace_by_command(const Dut& dut,
                                                         const std::filesystem::path& input,

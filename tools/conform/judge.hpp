@@ -22,13 +22,17 @@ inline constexpr int kExitSkipped = 77;
 /// One run of a decoder on one stream.
 struct Trial {
   const Dut& dut;
-  std::filesystem::path input;      ///< the stream's file
+  std::filesystem::path input;      ///< where each run gets a copy of the stream
   std::span<const uint8_t> stream;  ///< its bytes
   std::filesystem::path output;     ///< the folder that the decoder was told to write into
   ProcessLimits limits;
   std::filesystem::path pictures;  ///< folder for the pictures of a failure; empty: none
   std::filesystem::path blocks;    ///< the vector's blocks file; empty: none
 };
+
+/// Writes the stream to `trial.input`, where a run before may have left anything. Errors: cannot
+/// write.
+io::IoResult<void> hand_over(const Trial& trial);
 
 /// What the decoder's command `trace`, which it has, prints of a block (stage_trace.hpp), or why it
 /// prints nothing.

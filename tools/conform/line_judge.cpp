@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -12,6 +10,7 @@
 #include "conform/line_decoder.hpp"
 #include "conform/view_assembly.hpp"
 #include "conform/view_judge.hpp"
+#include "io/files.hpp"
 #include "vectors/expected.hpp"
 
 namespace hmlfc::conform {
@@ -104,7 +103,7 @@ class LineJudge {
     const bool at_open =
         expect_.outcome != Outcome::kOk && expect_.operation == vectors::Operation::kOpen;
     const std::string error(error_name(expect_.error));
-    const auto geometry = dut_.open(std::filesystem::absolute(trial_.input));
+    const auto geometry = dut_.open(trial_.input);
     if (!geometry) {
       if (!at_open) return fail_at_open(geometry.error());
       if (geometry.error() == error) return set(Status::kPass, {});
@@ -185,9 +184,9 @@ class LineJudge {
     };
     if (!std::ranges::all_of(expect_.blocks, is_stated)) return false;
     if (trial_.blocks.empty()) return true;
-    std::ifstream file(trial_.blocks, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return text == vectors::expected_views(golden).blocks;
+    const auto file = io::map_file(trial_.blocks);
+    return file && std::ranges::equal(file->bytes(), vectors::expected_views(golden).blocks, {}, {},
+                                      [](char c) { return static_cast<uint8_t>(c); });
   }
 
   Tracer tracer() {
@@ -275,6 +274,9 @@ void judge_lines(const Trial& trial, const vectors::Expectation& expect,
   const auto judge_in = [&](std::unique_ptr<LineDecoder>& process, VectorResult& judged) {
     const auto begin = Clock::now();
     try {
+      if (const auto handed = hand_over(trial); !handed) {
+        throw LineFailure{Status::kError, handed.error().message};
+      }
       if (process == nullptr) {
         process = std::make_unique<LineDecoder>(trial.dut.command, trial.limits);
       } else {

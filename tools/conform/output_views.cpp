@@ -1,5 +1,7 @@
 #include "conform/output_views.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "io/files.hpp"
@@ -8,6 +10,8 @@
 
 namespace hmlfc::conform {
 namespace {
+
+constexpr uint64_t kLeastLimit = uint64_t{3} << 20;  // samples of a picture
 
 size_t sample_bytes(int depth) { return depth > 8 ? 2 : 1; }
 
@@ -53,8 +57,11 @@ io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::pat
                                               list->cols, shape.rows, shape.cols));
   }
   std::vector<RgbImage> images;
+  // A picture of another size is to be named, not to take much memory.
+  const uint64_t samples = uint64_t{shape.width} * shape.height * 3;
+  const io::ImageLimits limits{std::max(4 * samples, kLeastLimit)};
   for (const auto& path : list->files) {
-    auto image = io::read_image(path);
+    auto image = io::read_image(path, limits);
     if (!image) return tl::unexpected(image.error());
     if (image->width != shape.width || image->height != shape.height ||
         image->depth != shape.depth) {

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +15,8 @@
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "conform/reaper.hpp"
 
 // Without C linkage of its own in glibc 2.36.
 extern "C" {
@@ -31,8 +32,6 @@ using io::FileDescriptor;
 constexpr size_t kOutputBytes = size_t{16} << 20;
 constexpr size_t kMessageBytes = 8192;
 constexpr int kBuffersAtATime = 16;  // so that no program keeps the reader from its deadline
-constexpr rlim_t kFileBytes = rlim_t{4} << 30;  // of each file that the program writes
-constexpr int kCannotExec = 127;
 
 struct Pipe {
   FileDescriptor read;
@@ -45,33 +44,6 @@ Pipe make_pipe() {
     throw std::system_error(errno, std::generic_category(), "pipe");
   }
   return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
-}
-
-void limit(__rlimit_resource resource, rlim_t value) {
-  const rlimit both{value, value};
-  ::setrlimit(resource, &both);
-}
-
-// Runs in the child, so it calls only async-signal-safe functions. Writes the errno of a failed
-// exec to `failure`.
-[[noreturn]] void become(char* const* arguments, uint64_t memory_bytes, int input, int output,
-                         int messages, int failure) {
-  ::setpgid(0, 0);
-  std::signal(SIGPIPE, SIG_DFL);
-  std::signal(SIGXFSZ, SIG_DFL);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, kFileBytes);
-  if (memory_bytes != 0) limit(RLIMIT_AS, memory_bytes);
-  ::dup2(input, STDIN_FILENO);
-  ::dup2(output, STDOUT_FILENO);
-  ::dup2(messages, STDERR_FILENO);
-  ::execvp(arguments[0], arguments);
-  const int reason = errno;
-  [[maybe_unused]] const ssize_t written = ::write(failure, &reason, sizeof reason);
-  ::_exit(kCannotExec);
 }
 
 int milliseconds_until(Clock::time_point deadline) {
@@ -118,26 +90,28 @@ Process::Process(const std::vector<std::string>& command, uint64_t memory_bytes,
   Pipe input = make_pipe();
   Pipe output = make_pipe();
   Pipe messages = make_pipe();
-  Pipe failure = make_pipe();
-  child_ = ::fork();
-  if (child_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (child_ == 0) {
-    become(arguments.data(), memory_bytes, input.read.get(), output.write.get(),
-           messages.write.get(), failure.write.get());
+  Pipe control = make_pipe();
+  Pipe report = make_pipe();
+  reaper_ = ::fork();
+  if (reaper_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (reaper_ == 0) {
+    reap(arguments.data(), memory_bytes,
+         {input.read.get(), output.write.get(), messages.write.get(), control.read.get(),
+          report.write.get()});
   }
-  ::setpgid(child_, child_);  // parent and child both do it: either may run first
-  for (const FileDescriptor* end : {&input.write, &output.read, &messages.read}) {
+  for (const FileDescriptor* end : {&input.write, &output.read, &messages.read, &report.read}) {
     ::fcntl(end->get(), F_SETFL, O_NONBLOCK);
   }
   input_ = std::move(input.write);
-  failure_ = std::move(failure.read);
+  control_ = std::move(control.write);
+  report_ = std::move(report.read);
   output_.pipe = std::move(output.read);
   messages_.pipe = std::move(messages.read);
-  handle_ = FileDescriptor(::pidfd_open(child_, 0));
+  handle_ = FileDescriptor(::pidfd_open(reaper_, 0));
 }
 
 Process::~Process() {
-  if (child_ > 0) end(false);
+  if (reaper_ > 0) end(false);
 }
 
 Process::Stop Process::exchange(std::string_view text, Time deadline, const Suffices& suffices) {
@@ -167,11 +141,10 @@ std::string Process::take_messages() {
 }
 
 ProcessOutcome Process::end(bool timed_out) {
-  ::kill(-child_, SIGKILL);
-  int status = 0;
-  while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+  control_ = {};
+  while (::waitpid(reaper_, nullptr, 0) < 0 && errno == EINTR) {
   }
-  child_ = -1;
+  reaper_ = -1;
   output_.read();
   output_.cut();
   ProcessOutcome outcome;
@@ -179,18 +152,20 @@ ProcessOutcome Process::end(bool timed_out) {
   outcome.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   outcome.output = std::move(output_.text);
   outcome.messages = take_messages();
-  int reason = 0;
-  if (::read(failure_.get(), &reason, sizeof reason) == sizeof reason) {
+  ReaperReport report{true, SIGKILL};  // of a program that has killed its reaper
+  const bool told = ::read(report_.get(), &report, sizeof report) == sizeof report;
+  if (!report.started) {
     outcome.end = ProcessEnd::kNotStarted;
-    outcome.value = reason;
-  } else if (timed_out) {
-    outcome.end = ProcessEnd::kTimeout;
-  } else if (WIFSIGNALED(status)) {
+    outcome.value = report.value;
+  } else if (timed_out || !told) {
+    outcome.end = timed_out ? ProcessEnd::kTimeout : ProcessEnd::kSignal;
+    outcome.value = SIGKILL;
+  } else if (WIFSIGNALED(report.value)) {
     outcome.end = ProcessEnd::kSignal;
-    outcome.value = WTERMSIG(status);
+    outcome.value = WTERMSIG(report.value);
   } else {
     outcome.end = ProcessEnd::kExit;
-    outcome.value = WEXITSTATUS(status);
+    outcome.value = WEXITSTATUS(report.value);
   }
   return outcome;
 }

@@ -36,9 +36,9 @@ struct ProcessOutcome {
   std::string program;   ///< of its command
 };
 
-/// A program that runs in a process group of its own, with a pipe to each of its standard streams.
-/// The whole group is killed at the end, so that nothing it started survives. SIGPIPE must be
-/// ignored.
+/// A program below a reaper (reaper.hpp), with a pipe to each of its standard streams. At its end,
+/// and at that of this process, all processes that it has started are killed, also those in a
+/// session of their own. SIGPIPE must be ignored.
 class Process {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -86,11 +86,12 @@ class Process {
   std::string program_;
   Time begin_;
   io::FileDescriptor input_;
-  io::FileDescriptor failure_;  // gives the errno of a program that cannot be started
+  io::FileDescriptor control_;  // closed, it ends the program
+  io::FileDescriptor report_;   // gives a ReaperReport
   Tail output_;
   Tail messages_;
-  pid_t child_ = -1;
-  io::FileDescriptor handle_;
+  pid_t reaper_ = -1;
+  io::FileDescriptor handle_;  // of the reaper, which ends after the program
 };
 
 /// Runs `command` in `limits` with an empty standard input until it ends. Thread-safe.

@@ -40,7 +40,8 @@ struct ReportPart {
 
 /// Merges all parts. Shards of one decoder become one run, in which a vector has the result of the
 /// part that ran it (the worst if several did); each decoder has its own run. Pictures of failures
-/// are copied into `folder`. Errors: parts of different suites, no part, cannot write.
+/// are copied into `folder`. Errors: parts of different suites, two decoders with one folder, no
+/// part, cannot write.
 io::IoResult<Report> merge(const std::vector<ReportPart>& parts,
                            const std::filesystem::path& folder);
 
@@ -50,8 +51,8 @@ using Json = nlohmann::ordered_json;
 /// One result, without keys that have their default.
 Json to_json(const VectorResult& result);
 
-/// Reads one result; nothing if `json` is not one.
-std::optional<VectorResult> result_from_json(const Json& json);
+/// Reads one result of decoder `dut`; nothing if `json` is not one.
+std::optional<VectorResult> result_from_json(const Json& json, const std::string& dut);
 
 /// The whole report with counts and verdicts; docs/conformance.md has its keys.
 Json to_json(const Report& report);
@@ -62,6 +63,10 @@ io::IoResult<Report> read_report(const std::filesystem::path& file);
 /// `text` escaped for XML; characters that XML 1.0 does not allow and bytes that are not UTF-8
 /// become '?'.
 std::string escaped(std::string_view text);
+
+/// `text` for a terminal: control characters but line breaks, also those of two bytes (U+0080 to
+/// U+009F), become '?'.
+std::string printable(std::string text);
 
 /// data:image/png;base64,...
 std::string png_data_uri(const std::vector<uint8_t>& png);

@@ -7,12 +7,14 @@
 #include <ctime>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
 #include <nlohmann/json.hpp>
 
+#include "conform/report_folder.hpp"
 #include "io/files.hpp"
 
 namespace hmlfc::conform {
@@ -37,7 +39,8 @@ std::string details(const VectorResult& result) {
 }
 
 std::string test_case(const VectorResult& result) {
-  const size_t slash = std::min(result.id.find('/'), result.id.size());
+  const std::string& id = result.id.text();
+  const size_t slash = id.find('/');
   std::string inner;
   const std::string reason = escaped(result.reason);
   if (result.waived()) {
@@ -51,9 +54,8 @@ std::string test_case(const VectorResult& result) {
     inner = fmt::format("<skipped message=\"{}: {}\"/>", status_name(result.status), reason);
   }
   return fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">{}</testcase>\n",
-                     escaped(result.id.substr(0, slash)),
-                     escaped(result.id.substr(std::min(slash + 1, result.id.size()))),
-                     result.seconds, inner);
+                     escaped(id.substr(0, slash)), escaped(id.substr(slash + 1)), result.seconds,
+                     inner);
 }
 
 std::string test_suite(const Report& report, const Run& run) {
@@ -93,31 +95,55 @@ int weight(Status status) {
   return kWeights[static_cast<size_t>(status)];
 }
 
-io::IoResult<void> copy_pictures(const Run& run, const fs::path& from, const fs::path& to) {
-  for (const VectorResult& result : run.results) {
-    if (result.pictures.empty() || fs::weakly_canonical(from) == fs::weakly_canonical(to)) continue;
-    std::error_code error;
-    fs::create_directories(to / result.pictures, error);
-    if (!error) {
-      fs::copy(from / result.pictures, to / result.pictures,
-               fs::copy_options::overwrite_existing | fs::copy_options::recursive, error);
-    }
-    if (error) return io::system_error(to / result.pictures, "cannot be copied", error.value());
-  }
-  return {};
-}
+// The run of a decoder, put together, and the folder of the report that each result is from.
+struct Merged {
+  Run run;
+  std::vector<const fs::path*> folders;
+};
 
-void merge_run(Run& into, const Run& run) {
-  if (run.milestone != into.milestone) into.milestone.clear();
-  for (size_t i = 0; i < into.results.size(); ++i) {
-    if (weight(run.results[i].status) > weight(into.results[i].status)) {
-      into.results[i] = run.results[i];
+void merge_run(Merged& into, const Run& run, const fs::path& folder) {
+  if (run.milestone != into.run.milestone) into.run.milestone.clear();
+  for (size_t i = 0; i < into.run.results.size(); ++i) {
+    if (weight(run.results[i].status) > weight(into.run.results[i].status)) {
+      into.run.results[i] = run.results[i];
+      into.folders[i] = &folder;
     }
   }
 }
 
 bool same_vectors(const Run& a, const Run& b) {
   return std::ranges::equal(a.results, b.results, {}, &VectorResult::id, &VectorResult::id);
+}
+
+// Adds the runs of a part. Errors: as for merge().
+io::IoResult<void> add_part(std::vector<Merged>& merged, const ReportPart& part) {
+  for (const Run& run : part.report.runs) {
+    if (!merged.empty() && !same_vectors(merged.front().run, run)) {
+      return io::file_error(part.folder, "has other vectors than the other reports");
+    }
+    const auto name_of = [](const Merged& one) { return folder_name(one.run.dut); };
+    const auto found = std::ranges::find(merged, folder_name(run.dut), name_of);
+    if (found == merged.end()) {
+      merged.push_back({run, std::vector(run.results.size(), &part.folder)});
+    } else if (found->run.dut == run.dut) {
+      merge_run(*found, run, part.folder);
+    } else {
+      return io::file_error(part.folder, "its decoder " + run.dut + " has the folder of " +
+                                             found->run.dut + "; give one another name");
+    }
+  }
+  return {};
+}
+
+// Copies the pictures of all results into `folder`.
+io::IoResult<void> gather_pictures(const Merged& merged, const fs::path& folder) {
+  for (size_t i = 0; i < merged.folders.size(); ++i) {
+    const std::string& pictures = merged.run.results[i].pictures;
+    std::error_code ignored;
+    if (pictures.empty() || fs::equivalent(*merged.folders[i], folder, ignored)) continue;
+    if (auto copied = copy_pictures(*merged.folders[i], folder, pictures); !copied) return copied;
+  }
+  return {};
 }
 
 }  // namespace
@@ -176,25 +202,17 @@ io::IoResult<Report> merge(const std::vector<ReportPart>& parts, const fs::path&
   if (parts.empty()) return tl::unexpected(io::IoError{"no reports to merge"});
   Report merged = parts.front().report;
   merged.runs.clear();
+  std::vector<Merged> runs;
   for (const ReportPart& part : parts) {
     if (part.report.manifest_sha256 != merged.manifest_sha256) {
       return io::file_error(part.folder,
                             "reports on another suite than " + parts.front().folder.string());
     }
-    for (const Run& run : part.report.runs) {
-      if (auto copied = copy_pictures(run, part.folder, folder); !copied) {
-        return tl::unexpected(copied.error());
-      }
-      const auto found = std::ranges::find(merged.runs, run.dut, &Run::dut);
-      if (found == merged.runs.end()) {
-        merged.runs.push_back(run);
-      } else if (same_vectors(*found, run)) {
-        merge_run(*found, run);
-      }
-    }
-    if (!merged.runs.empty() && !same_vectors(merged.runs.front(), merged.runs.back())) {
-      return io::file_error(part.folder, "has other vectors than the other reports");
-    }
+    if (auto added = add_part(runs, part); !added) return tl::unexpected(added.error());
+  }
+  for (Merged& one : runs) {
+    if (auto done = gather_pictures(one, folder); !done) return tl::unexpected(done.error());
+    merged.runs.push_back(std::move(one.run));
   }
   return merged;
 }

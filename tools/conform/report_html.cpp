@@ -6,10 +6,14 @@
 
 #include "conform/difference.hpp"
 #include "conform/report.hpp"
+#include "conform/report_folder.hpp"
 #include "conform/summary.hpp"
 #include "io/files.hpp"
 
 namespace hmlfc::conform {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr size_t kPicturedFailures = 100;  // of each decoder, so that a page stays readable
@@ -91,7 +95,8 @@ std::string pictures(const VectorResult& result, const std::filesystem::path& fo
   constexpr const char* kCaptions[] = {"expected", "actual", "difference times 16, grey if equal",
                                        "wrong blocks, by their largest difference"};
   for (size_t i = 0; i < std::size(kFailurePictures); ++i) {
-    const auto file = io::map_file(folder / result.pictures / kFailurePictures[i]);
+    const auto path = path_inside(folder, fs::path(result.pictures) / kFailurePictures[i]);
+    const auto file = path.and_then([](const fs::path& picture) { return io::map_file(picture); });
     if (!file) continue;
     const auto bytes = file->bytes();
     text +=
@@ -105,7 +110,7 @@ std::string failure(const VectorResult& result, const std::filesystem::path& fol
                     bool with_pictures) {
   std::string text =
       fmt::format("<h3><span class=\"{}\">{}</span> {}</h3><p>{}</p>\n", css_class(result),
-                  status_name(result.status), escaped(result.id), escaped(result.reason));
+                  status_name(result.status), escaped(result.id.text()), escaped(result.reason));
   if (!result.waiver.empty()) text += "<p>Waived: " + escaped(result.waiver) + "</p>\n";
   if (!result.stage.empty()) text += "<p>First wrong stage: " + escaped(result.stage) + "</p>\n";
   text += fmt::format("<p>Clauses: {}. {}</p>\n", list(result.clauses), escaped(result.comment));
@@ -138,7 +143,7 @@ std::string where_to_begin(const Run& run, const Summary& summary) {
     text += fmt::format(
         "<p>The first milestone that is not whole is <b>{}</b>. Look first at <b>{}</b>: {}</p>"
         "<pre>{}\n{}</pre>\n",
-        escaped(summary.first->name), escaped(summary.look_at->id),
+        escaped(summary.first->name), escaped(summary.look_at->id.text()),
         escaped(summary.look_at->reason), escaped(summary.look_at->inspect),
         escaped(summary.look_at->view));
   }
@@ -213,7 +218,7 @@ std::string all_results(const Report& report) {
   text += "<th>what it hunts</th></tr>\n";
   const auto& first = report.runs.front().results;
   for (size_t i = 0; i < first.size(); ++i) {
-    text += "<tr><td>" + escaped(first[i].id) + "</td>";
+    text += "<tr><td>" + escaped(first[i].id.text()) + "</td>";
     for (const Run& run : report.runs) {
       const VectorResult& result = run.results[i];
       text += fmt::format("<td class=\"{}\" title=\"{}\">{}</td>", css_class(result),

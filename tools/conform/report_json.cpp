@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include <fmt/format.h>
+
+#include "conform/report_folder.hpp"
 #include "conform/summary.hpp"
 
 namespace hmlfc::conform {
@@ -65,7 +68,7 @@ Json to_json(const Summary& summary) {
   Json json;
   if (summary.first != nullptr) {
     json["milestone"] = summary.first->name;
-    json["vector"] = summary.look_at->id;
+    json["vector"] = summary.look_at->id.text();
     json["inspect"] = summary.look_at->inspect;
     json["view"] = summary.look_at->view;
     json["clauses"] = summary.clauses;
@@ -81,7 +84,7 @@ Json to_json(const Summary& summary) {
   Json& causes = json["causes"] = Json::array();
   for (const Cause& cause : summary.causes) {
     Json ids = Json::array();
-    for (const VectorResult* result : cause.results) ids.push_back(result->id);
+    for (const VectorResult* result : cause.results) ids.push_back(result->id.text());
     causes.push_back({{"cause", cause.text}, {"vectors", ids}});
   }
   return json;
@@ -111,8 +114,11 @@ Run run_from(const Json& json) {
   Run run{json.at("dut"),   json.at("command"),          json.at("profile"),
           json.at("level"), json.value("milestone", ""), {}};
   for (const Json& entry : json.at("results")) {
-    auto result = result_from_json(entry);
-    if (!result) throw Json::other_error::create(501, "not a result", nullptr);
+    auto result = result_from_json(entry, run.dut);
+    if (!result) {
+      throw vectors::TextError(fmt::format(
+          "result {} of a decoder has a wrong id, status or pictures", run.results.size()));
+    }
     run.results.push_back(std::move(*result));
   }
   return run;
@@ -122,7 +128,7 @@ Run run_from(const Json& json) {
 
 Json to_json(const VectorResult& result) {
   Json json;
-  json["id"] = result.id;
+  json["id"] = result.id.text();
   json["status"] = status_name(result.status);
   set_text(json, "reason", result.reason);
   set_text(json, "kind", result.kind);
@@ -143,10 +149,10 @@ Json to_json(const VectorResult& result) {
   return json;
 }
 
-std::optional<VectorResult> result_from_json(const Json& json) {
+std::optional<VectorResult> result_from_json(const Json& json, const std::string& dut) {
   try {
     VectorResult result;
-    result.id = json.at("id");
+    result.id = vectors::VectorId(json.at("id").get<std::string>());
     const auto status = status_from_name(json.at("status").get<std::string>());
     if (!status) return std::nullopt;
     result.status = *status;
@@ -157,6 +163,9 @@ std::optional<VectorResult> result_from_json(const Json& json) {
     result.messages = json.value("messages", "");
     result.seconds = json.at("seconds");
     result.pictures = json.value("pictures", "");
+    if (!result.pictures.empty() && result.pictures != pictures_of(dut, result.id)) {
+      return std::nullopt;
+    }
     result.waiver = json.value("waiver", "");
     result.clauses = json.at("clauses").get<std::vector<std::string>>();
     result.comment = json.value("comment", "");
@@ -191,7 +200,7 @@ io::IoResult<Report> read_report(const std::filesystem::path& file) {
         json.at("vectors_version"), json.at("manifest_sha256"), system_from(json.at("system")), {}};
     for (const Json& run : json.at("runs")) report.runs.push_back(run_from(run));
     return report;
-  } catch (const Json::exception& error) {
+  } catch (const std::exception& error) {
     return io::file_error(file, std::string("is not a report of hmlfc conform: ") + error.what());
   }
 }

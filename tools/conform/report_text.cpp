@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,7 +54,7 @@ std::string wrapped(const std::string& first, const std::vector<std::string>& wo
 
 std::string line_of(const VectorResult& result, size_t columns) {
   std::string line =
-      fmt::format("  {:<13} {}: {}\n", status_name(result.status), result.id, result.reason);
+      fmt::format("  {:<13} {}: {}\n", status_name(result.status), result.id.text(), result.reason);
   if (!result.stage.empty()) line += fmt::format("                {}\n", result.stage);
   line += wrapped("                clauses", result.clauses, columns);
   if (result.waived()) line += fmt::format("                waived: {}\n", result.waiver);
@@ -67,7 +68,7 @@ std::string where_to_begin(const Summary& summary, size_t columns) {
       "  Look first at {}: {}\n"
       "    {}\n",
       summary.first->name, summary.first->pass, summary.first->claimed,
-      skipped == 0 ? "" : fmt::format(", {} were not run", skipped), summary.look_at->id,
+      skipped == 0 ? "" : fmt::format(", {} were not run", skipped), summary.look_at->id.text(),
       summary.look_at->reason, summary.look_at->inspect);
   if (!summary.clauses.empty()) {
     std::vector<std::string> words = summary.clauses;
@@ -95,6 +96,19 @@ std::string where_to_go_on(const Run& run, const Summary& summary) {
 
 }  // namespace
 
+std::string printable(std::string text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 && byte <= 0x9F && !out.empty() && out.back() == '\xC2') {
+      out.back() = '?';
+    } else {
+      out += (byte < 0x20 && c != '\n') || byte == 0x7F ? '?' : c;
+    }
+  }
+  return out;
+}
+
 std::string terminal_text(const Run& run, size_t columns) {
   const Summary summary = summarise(run);
   std::string text = fmt::format("{}: {}: {}\n", run.dut, verdict_text(run), count_text(run));
@@ -112,7 +126,7 @@ std::string terminal_text(const Run& run, size_t columns) {
   for (const VectorResult& result : run.results) {
     if (result.waived()) text += line_of(result, columns);
   }
-  return text;
+  return printable(std::move(text));
 }
 
 }  // namespace hmlfc::conform

@@ -95,11 +95,11 @@ io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,
     }
     while (std::getline(stream, line)) {
       const Json json = Json::parse(line, nullptr, false);
-      auto result = result_from_json(json);
+      auto result = result_from_json(json, dut.name);
       if (result && result->status != Status::kSkipped) log.earlier_[result->id] = *result;
     }
   }
-  const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (begun ? O_APPEND : O_TRUNC);
+  const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | (begun ? O_APPEND : O_TRUNC);
   log.file_ = io::FileDescriptor(::open(log.path_.c_str(), flags, 0666));
   if (log.file_.get() < 0) return io::system_error(log.path_, "cannot be written", errno);
   // An interrupted run may have left half a line: an empty write ends it.
@@ -108,7 +108,7 @@ io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,
   return log;
 }
 
-const VectorResult* ResultLog::earlier(const std::string& id) const {
+const VectorResult* ResultLog::earlier(const vectors::VectorId& id) const {
   const auto found = earlier_.find(id);
   return found == earlier_.end() ? nullptr : &found->second;
 }

@@ -13,8 +13,13 @@
 #include "conform/dut.hpp"
 #include "io/files.hpp"
 #include "io/io_error.hpp"
+#include "vectors/suite_name.hpp"
 
 namespace hmlfc::conform {
+
+/// Of words in messages.
+inline constexpr std::string_view kWordCharacters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
 
 /// The outcome of one vector.
 enum class Status : uint8_t {
@@ -35,7 +40,7 @@ std::optional<Status> status_from_name(std::string_view name);
 
 /// One vector on one decoder.
 struct VectorResult {
-  std::string id;
+  vectors::VectorId id;
   Status status = Status::kSkipped;
   std::string reason;  ///< one sentence; empty for a pass
   std::string kind;    ///< the reason without places and values, or empty
@@ -43,7 +48,7 @@ struct VectorResult {
   std::string stage;     ///< the first wrong stage where the decoder gives traces, or empty
   std::string messages;  ///< the end of its standard error; not kept for a pass
   double seconds = 0;
-  std::string pictures;  ///< folder of the failure's pictures, relative to the report, or empty
+  std::string pictures;  ///< pictures_of() the failure, or empty
   std::string waiver;    ///< why a failure is accepted, or empty
   std::vector<std::string> clauses;
   std::string comment;       ///< the mistake that the vector hunts
@@ -122,7 +127,7 @@ class ResultLog {
                                       bool resume);
 
   /// The result of an earlier run, or null.
-  const VectorResult* earlier(const std::string& id) const;
+  const VectorResult* earlier(const vectors::VectorId& id) const;
 
   /// Errors: cannot write.
   io::IoResult<void> append(const VectorResult& result);
@@ -132,7 +137,7 @@ class ResultLog {
 
   std::filesystem::path path_;
   io::FileDescriptor file_;
-  std::map<std::string, VectorResult> earlier_;
+  std::map<vectors::VectorId, VectorResult> earlier_;
 };
 
 }  // namespace hmlfc::conform

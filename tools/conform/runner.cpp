@@ -1,8 +1,9 @@
 #include "conform/runner.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <atomic>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -13,6 +14,7 @@
 
 #include "conform/block_commands.hpp"
 #include "conform/judge.hpp"
+#include "conform/report_folder.hpp"
 #include "conform/result.hpp"
 #include "conform/work_folder.hpp"
 #include "io/files.hpp"
@@ -48,7 +50,7 @@ std::string why_left_out(const Selection& selection, const vectors::Vector& vect
 std::vector<std::string> reasons_to_leave_out(const Selection& selection,
                                               const std::vector<vectors::Vector>& all) {
   std::vector<std::string> reasons;
-  std::set<std::string> bases;
+  std::set<vectors::VectorId> bases;
   for (size_t i = 0; i < all.size(); ++i) {
     reasons.push_back(why_left_out(selection, all[i], i));
     if (reasons.back().empty() && all[i].base) bases.insert(*all[i].base);
@@ -72,7 +74,7 @@ void settle_base(const VectorResult& base, const Waiver* waiver, VectorResult& r
   if (result.status != Status::kPass || base.status == Status::kPass) return;
   result.status = base.bad() ? Status::kFail : base.status;
   result.not_counted = base.bad();
-  result.reason = fmt::format("not counted: the result of its base {} is {}", base.id,
+  result.reason = fmt::format("not counted: the result of its base {} is {}", base.id.text(),
                               status_name(base.status));
   result.inspect = base.inspect;
   result.view = base.view;
@@ -80,26 +82,27 @@ void settle_base(const VectorResult& base, const Waiver* waiver, VectorResult& r
 }
 
 void settle_bases(const vectors::Manifest& manifest, const Dut& dut, Run& run) {
-  std::map<std::string, const VectorResult*> by_id;
+  std::map<vectors::VectorId, const VectorResult*> by_id;
   for (VectorResult& result : run.results) {
-    const Waiver* waiver = dut.waiver(result.id);
+    const Waiver* waiver = dut.waiver(result.id.text());
     if (waiver != nullptr && result.bad()) result.waiver = waiver->reason;
     by_id[result.id] = &result;
   }
   for (size_t i = 0; i < run.results.size(); ++i) {
     const auto& base = manifest.vectors[i].base;
-    if (base) settle_base(*by_id.at(*base), dut.waiver(run.results[i].id), run.results[i]);
+    if (base) settle_base(*by_id.at(*base), dut.waiver(run.results[i].id.text()), run.results[i]);
   }
 }
 
-// One decoder on one suite.
+// One decoder on one suite, whose files it never sees: each run gets a copy of the stream.
 class SuiteRun {
  public:
-  SuiteRun(const Suite& suite, const Dut& dut, const RunOptions& options, fs::path folder)
+  // `work`: for the files of runs.
+  SuiteRun(const Suite& suite, const Dut& dut, const RunOptions& options, fs::path work)
       : suite_(suite),
         dut_(dut),
         options_(options),
-        folder_(std::move(folder)),
+        work_(std::move(work)),
         left_out_(reasons_to_leave_out(options.selection, suite.manifest.vectors)) {}
 
   VectorResult result_of(size_t index) const {
@@ -110,14 +113,10 @@ class SuiteRun {
     result.comment = vector.comment;
     result.milestone = vector.milestone;
     result.bytes = vector.input.bytes;
-    const fs::path input = fs::absolute(suite_.folder / vector.input.file);
-    const auto file = io::map_file(input);
-    if (!file) {
-      fail_in_suite(result, file.error().message);
-    } else if (vectors::sha256(file->bytes()) != vector.input.sha256) {
-      fail_in_suite(result, "the stream is not the one of the manifest (SHA-256)");
-    } else {
-      run(vector, index, input, file->bytes(), result);
+    try {
+      run(vector, index, result);
+    } catch (const std::exception& error) {
+      fail_in_suite(result, error.what());
     }
     if (!result.bad()) return result;
     result.inspect = inspect_command(suite_, vector, result);
@@ -125,10 +124,17 @@ class SuiteRun {
     return result;
   }
 
+  // Whether files of failing vectors are left, as options.keep has it.
+  bool kept() const { return kept_; }
+
  private:
-  void run(const vectors::Vector& vector, size_t index, const fs::path& input,
-           std::span<const uint8_t> stream, VectorResult& result) const {
-    const auto header = parse_header(stream);
+  void run(const vectors::Vector& vector, size_t index, VectorResult& result) const {
+    const auto file = io::map_file(suite_.folder / vector.input.file);
+    if (!file) return fail_in_suite(result, file.error().message);
+    if (vectors::sha256(file->bytes()) != vector.input.sha256) {
+      return fail_in_suite(result, "the stream is not the one of the manifest (SHA-256)");
+    }
+    const auto header = parse_header(file->bytes());
     result.telling = header && is_telling(vector, *header);
     if (auto what =
             beyond_claims(dut_, vector.profile, vector.level, header ? &*header : nullptr)) {
@@ -137,33 +143,48 @@ class SuiteRun {
       return;
     }
     result.reason = left_out_[index];
-    if (!result.reason.empty()) return;
-    WorkFolder work(folder_ / "work" / vector.id);
-    if (work.error()) {
-      return fail_in_suite(result, fmt::format("{}: cannot be created: {}", work.path().string(),
-                                               work.error().message()));
-    }
-    const fs::path pictures = fs::path("failures") / vector.id;
-    std::error_code ignored;
-    fs::remove_all(folder_ / pictures, ignored);
+    if (result.reason.empty()) run_decoder(vector, file->bytes(), result);
+  }
+
+  void run_decoder(const vectors::Vector& vector, std::span<const uint8_t> stream,
+                   VectorResult& result) const {
+    const fs::path work = work_ / vector.id;
+    const fs::path pictures = pictures_of(dut_.name, vector.id);
+    const auto shown = path_inside(options_.folder, pictures);
+    if (!shown) return fail_in_suite(result, shown.error().message);
+    remove_pictures(*shown);
+    fs::create_directories(work / "output");
     const Trial trial{dut_,
-                      input,
+                      work / "stream.hmlfc",
                       stream,
-                      work.path(),
+                      work / "output",
                       options_.limits,
-                      folder_ / pictures,
+                      *shown,
                       vector.blocks ? suite_.folder / vector.blocks->file : fs::path()};
     judge(trial, vector.expect, vector.output ? &*vector.output : nullptr, result);
-    if (result.difference) result.pictures = (folder_.filename() / pictures).string();
-    if (result.bad() && options_.keep) work.keep();
+    if (result.difference) result.pictures = pictures.string();
+    std::error_code ignored;
+    if (result.bad() && options_.keep) {
+      kept_ = true;
+    } else {
+      fs::remove_all(work, ignored);
+    }
   }
 
   const Suite& suite_;
   const Dut& dut_;
   const RunOptions& options_;
-  fs::path folder_;
+  fs::path work_;
   std::vector<std::string> left_out_;
+  mutable std::atomic<bool> kept_ = false;
 };
+
+// A folder for the runs of a decoder in the folder of its results. Errors: it cannot be created.
+io::IoResult<std::unique_ptr<WorkFolder>> new_work_folder(const fs::path& prefix) {
+  auto folder = std::make_unique<WorkFolder>(fs::absolute(prefix));
+  if (!folder->error()) return folder;
+  return io::system_error(folder->path(), "cannot be created", folder->error().value());
+}
 
 }  // namespace
 
@@ -175,25 +196,14 @@ io::IoResult<Suite> open_suite(const std::filesystem::path& folder) {
   return Suite{folder, std::move(*manifest), vectors::sha256(file->bytes())};
 }
 
-std::string folder_name(const std::string& dut) {
-  std::string name;
-  for (const char c : dut) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
-    if (plain) {
-      name += c;
-    } else if (!name.empty() && name.back() != '-') {
-      name += '-';
-    }
-  }
-  while (!name.empty() && name.back() == '-') name.pop_back();
-  return name.empty() ? "dut" : name.substr(0, 64);
-}
-
 io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions& options,
                             const io::Progress& progress) {
-  const fs::path folder = fs::absolute(options.folder) / folder_name(dut.name);
-  auto log = ResultLog::open(folder, suite.manifest_sha256, dut, options.resume);
+  const auto folder = path_inside(options.folder, folder_name(dut.name));
+  if (!folder) return tl::unexpected(folder.error());
+  auto log = ResultLog::open(*folder, suite.manifest_sha256, dut, options.resume);
   if (!log) return tl::unexpected(log.error());
+  const auto work = new_work_folder(*folder / "work");
+  if (!work) return tl::unexpected(work.error());
   Run run{dut.name,
           dut.command,
           std::string(profile_name(dut.profile)),
@@ -201,7 +211,7 @@ io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions
           options.selection.milestone,
           {}};
   run.results.resize(suite.manifest.vectors.size());
-  const SuiteRun suite_run(suite, dut, options, folder);
+  const SuiteRun suite_run(suite, dut, options, (*work)->path());
   std::mutex mutex;
   std::optional<io::IoError> first_error;
   io::for_each_index(run.results.size(), options.jobs, progress, [&](size_t index) {
@@ -216,8 +226,7 @@ io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions
       first_error = written.error();
     }
   });
-  std::error_code ignored;
-  if (!options.keep) fs::remove_all(folder / "work", ignored);
+  if (suite_run.kept()) (*work)->keep();
   if (first_error) return tl::unexpected(*first_error);
   settle_bases(suite.manifest, dut, run);
   return run;
@@ -226,14 +235,15 @@ io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions
 VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
                         const std::filesystem::path& work, const ProcessLimits& limits) {
   VectorResult result;
-  const WorkFolder folder(work);
-  const fs::path input = folder.path() / "stream.hmlfc";
-  const fs::path output = folder.path() / "output";
-  std::error_code error = folder.error();
-  if (!error) fs::create_directory(output, error);
-  const auto written = io::write_file(input, stream);
-  if (error || !written) {
-    fail_in_suite(result, error ? error.message() : written.error().message);
+  const auto folder = new_work_folder(work);
+  if (!folder) {
+    fail_in_suite(result, folder.error().message);
+    return result;
+  }
+  const fs::path output = (*folder)->path() / "output";
+  std::error_code failure;
+  if (!fs::create_directory(output, failure)) {
+    fail_in_suite(result, failure.message());
     return result;
   }
   const auto header = parse_header(stream);
@@ -250,7 +260,7 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
     expect.outcome = vectors::Outcome::kReject;
     expect.error = decoded.error().code;
   }
-  const Trial trial{dut, input, stream, output, limits, {}, {}};
+  const Trial trial{dut, (*folder)->path() / "stream.hmlfc", stream, output, limits, {}, {}};
   judge(trial, expect, nullptr, result);
   return result;
 }

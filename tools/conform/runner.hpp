@@ -48,10 +48,7 @@ struct RunOptions {
 io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions& options,
                             const io::Progress& progress);
 
-/// The folder of decoder `dut` in a report: letters, digits, - and _ of its name.
-std::string folder_name(const std::string& dut);
-
-/// Runs `dut` on one stream, in the temporary folder `work`, and compares it with the golden model:
+/// Runs `dut` on one stream, in a new folder `work`-XXXXXX, and compares it with the golden model:
 /// it must decode what the model decodes, and reject what it rejects.
 VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
                         const std::filesystem::path& work, const ProcessLimits& limits);

@@ -14,9 +14,9 @@ using vectors::RecordedStage;
 
 std::optional<RecordedStage> parse_line(std::string_view line) {
   if (line.empty() || line.front() != '{') return std::nullopt;
-  const Json json = Json::parse(line, nullptr, false);
-  if (!json.is_object() || json.value("record", "") != "stage") return std::nullopt;
   try {
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object() || json.value("record", "") != "stage") return std::nullopt;
     const auto plane = std::ranges::find(kPlanes, json.at("plane").get<std::string>(), plane_name);
     if (plane == kPlanes.end()) return std::nullopt;
     const Json& image = json.at("image");

@@ -120,16 +120,33 @@ struct CauseKey {
   auto operator<=>(const CauseKey&) const = default;
 };
 
+// `text` with N in place of each number that is a word: a report may come from anywhere, and
+// std::regex takes stack for each character.
+std::string without_numbers(std::string_view text) {
+  std::string out;
+  for (size_t end = 0; end < text.size();) {
+    const size_t begin = std::min(text.find_first_of(kWordCharacters, end), text.size());
+    out += text.substr(end, begin - end);
+    end = std::min(text.find_first_not_of(kWordCharacters, begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    const bool number = !word.empty() && word.find_first_not_of("0123456789") == word.npos;
+    out += number ? "N" : word;
+  }
+  return out;
+}
+
+constexpr size_t kSearchedBytes = 4096;  // of the stages, more than there are
+
 CauseKey cause_of(const VectorResult& result, const ClauseCounts& counts) {
   static const std::regex stage("stage (\\w+) \\(([A-Z]+-[0-9]+)\\)");
-  static const std::regex number("\\b[0-9]+\\b");
   if (result.not_counted) return {"not counted: the base does not pass", {}, {}};
   CauseKey key{result.difference ? "wrong samples" : result.kind, {}, {}};
-  if (key.what.empty()) key.what = std::regex_replace(result.reason, number, "N");
+  if (key.what.empty()) key.what = without_numbers(result.reason);
+  const std::string stages = result.stage.substr(0, kSearchedBytes);
   std::smatch found;
-  if (std::regex_search(result.stage, found, stage)) {
+  if (std::regex_search(stages, found, stage)) {
     key.why = fmt::format("; first wrong stage {} ({})", found[1].str(), found[2].str());
-  } else if (result.difference) {
+  } else if (result.difference && !result.clauses.empty()) {
     const std::string& clause = most_suspect(result, counts);
     const ClauseCount& count = counts.of.at(clause);
     if (counts.explain(count)) {

@@ -1,25 +1,32 @@
-// A folder for the files of one run of a decoder.
+// A folder for the files of runs of a decoder.
 #pragma once
 
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <string>
 #include <system_error>
-#include <utility>
 
 namespace hmlfc::conform {
 
-/// An empty folder, created if missing, removed at the end unless kept.
+/// A new, empty folder `prefix`-XXXXXX, whose name nobody else has, removed at the end unless kept.
 class WorkFolder {
  public:
-  explicit WorkFolder(std::filesystem::path path) : path_(std::move(path)) {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-    std::filesystem::create_directories(path_, error_);
+  explicit WorkFolder(const std::filesystem::path& prefix) : path_(prefix) {
+    std::filesystem::create_directories(prefix.parent_path(), error_);
+    if (error_) return;
+    std::string name = prefix.string() + "-XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr) {
+      error_ = {errno, std::generic_category()};
+    } else {
+      path_ = name;
+    }
   }
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
   ~WorkFolder() {
     std::error_code ignored;
-    if (!kept_) std::filesystem::remove_all(path_, ignored);
+    if (!error_ && !kept_) std::filesystem::remove_all(path_, ignored);
   }
 
   const std::filesystem::path& path() const { return path_; }

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstddef>
+#include <random>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -19,6 +20,15 @@ std::string lower_case_extension(const fs::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
+}
+
+fs::path partial_name(const fs::path& target) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::random_device random;
+  fs::path name = target;
+  name += ".partial-";
+  for (int i = 0; i < 12; ++i) name += kDigits[random() % 16];
+  return name;
 }
 
 IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
@@ -34,10 +44,7 @@ IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
     if (failure) return system_error(target, "cannot follow the link", failure.value());
   }
 
-  fs::path partial = resolved;
-  partial += ".partial-" + std::to_string(::getpid());
-  // Such a file can only be left over from a dead process with the same number.
-  ::unlink(partial.c_str());
+  fs::path partial = partial_name(resolved);
   FileDescriptor file(::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.get() < 0) {
     return system_error(target, "cannot write here (is the folder there and writable?)", errno);

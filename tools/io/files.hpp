@@ -39,9 +39,12 @@ class FileDescriptor {
   int descriptor_ = -1;
 };
 
-/// Writes to NAME.partial-<process id> next to the target and renames it on commit(). Until then,
-/// and after any failure, the target is unchanged; without a commit() the partial file is removed.
-/// One writer per target within a process.
+/// NAME.partial-XXXXXXXXXXXX next to `target`, with random digits: no other process has the name,
+/// on whatever machine that shares the disk.
+std::filesystem::path partial_name(const std::filesystem::path& target);
+
+/// Writes to partial_name() of the target and renames it on commit(). Until then, and after any
+/// failure, the target is unchanged; without a commit() the partial file is removed.
 ///
 ///   auto file = AtomicFile::create("a.hmlfc");
 ///   if (file && file->write(header) && file->write(body)) return file->commit();

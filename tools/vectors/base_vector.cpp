@@ -17,11 +17,11 @@ auto missing(const std::vector<std::string>& words, const std::vector<std::strin
 
 }  // namespace
 
-std::string base_of(const Vector& refused, const Recipes& recipes, const std::vector<Vector>& all) {
-  const Recipe* recipe = &recipes.at(refused.id);
+VectorId base_of(const Vector& refused, const Recipes& recipes, const std::vector<Vector>& all) {
+  const Recipe* recipe = &recipes.at(refused.id.text());
   while (recipe->stream.value("kind", "") == "edit") {
     recipe = &recipes.at(recipe->stream.at("base").get<std::string>());
-    if (recipe->expect.outcome == Outcome::kOk && recipe->listed) return recipe->id;
+    if (recipe->expect.outcome == Outcome::kOk && recipe->listed) return VectorId(recipe->id);
   }
   const auto distance = [&](const Vector& vector) {
     return std::tuple(missing(refused.flags, vector.flags),
@@ -36,7 +36,7 @@ std::string base_of(const Vector& refused, const Recipes& recipes, const std::ve
     }
     if (best == nullptr || distance(vector) < distance(*best)) best = &vector;
   }
-  if (best == nullptr) throw TextError(refused.id + ": no vector can be its base");
+  if (best == nullptr) throw TextError(refused.id.text() + ": no vector can be its base");
   return best->id;
 }
 

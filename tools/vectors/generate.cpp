@@ -25,7 +25,7 @@ namespace {
 std::vector<uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 
 SuiteFile add_file(SuiteFiles& files, const std::string& name, std::vector<uint8_t> bytes) {
-  SuiteFile file{name, bytes.size(), sha256(bytes)};
+  SuiteFile file{FileName(name), bytes.size(), sha256(bytes)};
   files[name] = std::move(bytes);
   return file;
 }
@@ -122,6 +122,13 @@ void add_expected(const Recipe& recipe, const Decoder& decoder, SuiteFiles& file
                             add_file(files, recipe.id + ".trace.hex", bytes_of(trace.hex))};
 }
 
+std::vector<FileName> files_of(const Vector& vector) {
+  std::vector<FileName> names{vector.input.file};
+  if (vector.blocks) names.push_back(vector.blocks->file);
+  if (vector.trace) names.insert(names.end(), {vector.trace->lines.file, vector.trace->hex.file});
+  return names;
+}
+
 constexpr uint64_t kSeed = 1;
 
 }  // namespace
@@ -132,7 +139,7 @@ Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& fi
   // An edited header, if it can be read, describes the stream.
   const StreamHeader header = parse_header(made.bytes).value_or(made.header);
   Vector vector;
-  vector.id = id;
+  vector.id = VectorId(id);
   vector.group = recipe.group;
   vector.profile = header.profile;
   vector.level = conformance_level(header);
@@ -208,6 +215,7 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
 }
 
 io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::path& folder) {
+  const auto earlier = read_manifest(folder);
   std::set<std::string> groups;
   for (const auto& [name, bytes] : files) {
     const auto group = std::filesystem::path(name).parent_path().string();
@@ -218,13 +226,13 @@ io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::p
     if (error) return io::system_error(folder / group, "cannot be created", error.value());
     if (auto ok = io::write_file(folder / name, bytes); !ok) return ok;
   }
-  for (const std::string& group : groups) {
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / group, error)) {
-      const std::string name = group + "/" + entry.path().filename().string();
-      if (!files.contains(name)) std::filesystem::remove(entry.path(), error);
+  if (!earlier) return {};
+  for (const Vector& vector : earlier->vectors) {
+    for (const FileName& name : files_of(vector)) {
+      std::error_code error;
+      if (!files.contains(name.text())) std::filesystem::remove(folder / name, error);
+      if (error) return io::system_error(folder / name, "cannot be removed", error.value());
     }
-    if (error) return io::system_error(folder / group, "cannot be cleaned up", error.value());
   }
   return {};
 }

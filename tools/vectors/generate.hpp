@@ -30,8 +30,8 @@ Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& fi
 io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& recipes, unsigned threads,
                                         const io::Progress& progress = {});
 
-/// Writes `files` into `folder`, and removes from the folders of vector groups whatever is not in
-/// `files`. Errors: cannot write.
+/// Writes `files` into `folder`, and removes what an earlier manifest there names and `files` does
+/// not have. Errors: cannot write.
 io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::path& folder);
 
 }  // namespace hmlfc::vectors

@@ -58,10 +58,11 @@ class VectorLint {
   }
 
  private:
-  void complain(const std::string& what) { found_.push_back(vector_.id + ": " + what); }
+  void complain(const std::string& what) { found_.push_back(vector_.id.text() + ": " + what); }
 
   void check_names() {
-    if (!vector_.id.starts_with(vector_.group + "/")) complain("is not named after its group");
+    if (!vector_.id.text().starts_with(vector_.group + "/"))
+      complain("is not named after its group");
     if (vector_.clauses.empty()) complain("names no clause");
     if (has_duplicate(vector_.clauses)) complain("names a clause twice");
     if (has_duplicate(vector_.flags)) complain("has a flag twice");
@@ -73,13 +74,14 @@ class VectorLint {
 
   // The file, if its sum is that of the manifest; otherwise nothing, and a complaint.
   std::optional<MappedFile> read(const SuiteFile& file) {
-    named_.insert(file.file);
+    named_.insert(file.file.text());
     auto mapped = io::map_file(folder_ / file.file);
     if (!mapped) {
       complain(mapped.error().message);
       return std::nullopt;
     }
-    if (sha256(mapped->bytes()) != file.sha256) complain(file.file + ": the SHA-256 differs");
+    if (sha256(mapped->bytes()) != file.sha256)
+      complain(file.file.text() + ": the SHA-256 differs");
     return std::move(*mapped);
   }
 
@@ -123,7 +125,7 @@ class VectorLint {
     if (!hex) return;
     const auto bytes = hex->bytes();
     if (!is_whole_hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
-      complain(trace.hex.file + ": count or end marker is wrong");
+      complain(trace.hex.file.text() + ": count or end marker is wrong");
     }
   }
 
@@ -153,10 +155,10 @@ void find_strays(const std::filesystem::path& folder, const Manifest& manifest,
 std::vector<std::string> lint_suite(const std::filesystem::path& folder, const Manifest& manifest) {
   std::vector<std::string> found;
   std::set<std::string> named;
-  const std::string* before = nullptr;
+  const VectorId* before = nullptr;
   for (const Vector& vector : manifest.vectors) {
     if (before != nullptr && *before >= vector.id) {
-      found.push_back(vector.id + ": ids are not sorted, or not unique");
+      found.push_back(vector.id.text() + ": ids are not sorted, or not unique");
     }
     before = &vector.id;
     VectorLint(folder, vector, named, found).run();

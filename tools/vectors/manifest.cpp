@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "vectors/json.hpp"
@@ -54,6 +55,15 @@ struct Fields {
     value = static_cast<T>(found - names.begin());
   }
 };
+
+template <NameOf kOf>
+void visit(const Fields& f, SuiteName<kOf>& name) {
+  if (f.reading) {
+    name = SuiteName<kOf>(f.json.get<std::string>());
+  } else {
+    f.json = name.text();
+  }
+}
 
 void visit(const Fields& f, ErrorCode& code) {
   if (!f.reading) {
@@ -143,16 +153,19 @@ void visit(const Fields& f, Manifest& manifest) {
   f("seed", manifest.seed);
 }
 
-// Throws unless exactly the vectors that need not decode have a base, which decodes.
-void check_bases(const Manifest& manifest) {
+// Throws unless ids are unique, and exactly the vectors that need not decode have a base, which
+// decodes.
+void check_ids(const Manifest& manifest) {
+  std::set<VectorId> ids;
   for (const Vector& vector : manifest.vectors) {
+    if (!ids.insert(vector.id).second) throw TextError("two vectors " + vector.id.text());
     if (vector.base.has_value() != (vector.expect.outcome != Outcome::kOk)) {
-      throw TextError("vector " + vector.id + ": its outcome and its base do not fit");
+      throw TextError("vector " + vector.id.text() + ": its outcome and its base do not fit");
     }
     if (!vector.base) continue;
     const auto base = std::ranges::find(manifest.vectors, *vector.base, &Vector::id);
     if (base == manifest.vectors.end() || base->expect.outcome != Outcome::kOk) {
-      throw TextError("vector " + vector.id + ": its base " + *vector.base +
+      throw TextError("vector " + vector.id.text() + ": its base " + vector.base->text() +
                       " is not a vector of outcome ok");
     }
   }
@@ -172,7 +185,7 @@ Manifest manifest_from(Json json) {
   if (json.at("count") != manifest.vectors.size()) {
     throw TextError("count is not the number of vectors");
   }
-  check_bases(manifest);
+  check_ids(manifest);
   return manifest;
 }
 

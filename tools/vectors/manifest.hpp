@@ -14,6 +14,7 @@
 #include <hmlfc/format.hpp>
 
 #include "io/io_error.hpp"
+#include "vectors/suite_name.hpp"
 
 namespace hmlfc::vectors {
 
@@ -27,9 +28,9 @@ enum class Outcome : uint8_t {
 /// The operation that reports the error of a rejected stream.
 enum class Operation : uint8_t { kOpen, kBlock };
 
-/// A file of the suite; `file` is relative to the folder of the suite.
+/// A file of the suite, in its folder.
 struct SuiteFile {
-  std::string file;
+  FileName file;
   uint64_t bytes = 0;  ///< in the manifest for inputs alone
   std::string sha256;  ///< 64 lower-case hexadecimal digits
 };
@@ -60,7 +61,7 @@ struct TraceFiles {
 };
 
 struct Vector {
-  std::string id;  ///< group/name
+  VectorId id;
   std::string group;
   Profile profile = Profile::kMain;
   int level = 0;  ///< LVL-1
@@ -70,7 +71,7 @@ struct Vector {
   std::string milestone;  ///< milestone.hpp
   SuiteFile input;
   Expectation expect;
-  std::optional<std::string> base;  ///< unless ok: the vector that must pass before this counts
+  std::optional<VectorId> base;     ///< unless ok: the vector that must pass before this counts
   std::optional<ViewSum> output;    ///< where all views decode
   std::optional<SuiteFile> blocks;  ///< where the stream can be opened
   std::optional<TraceFiles> trace;
@@ -90,8 +91,8 @@ std::string_view outcome_name(Outcome outcome);
 /// The error of annex A with this name, or nothing.
 std::optional<ErrorCode> error_from_name(std::string_view name);
 
-/// manifest.json of the suite in `folder`. Errors: missing, not JSON, not a manifest, or a base
-/// that is not a vector of outcome ok, with the place.
+/// manifest.json of the suite in `folder`. Errors: missing, not JSON, not a manifest, two
+/// vectors of one id, or a base that is not a vector of outcome ok, with the place.
 io::IoResult<Manifest> read_manifest(const std::filesystem::path& folder);
 
 /// The text of manifest.json.

@@ -53,7 +53,7 @@ bool matches(const Vector& vector, std::string_view pattern) {
   const auto fits = [&](const std::string& word) {
     return ::fnmatch(text.c_str(), word.c_str(), 0) == 0;
   };
-  return fits(vector.id) || fits(std::string(profile_name(vector.profile))) ||
+  return fits(vector.id.text()) || fits(std::string(profile_name(vector.profile))) ||
          std::ranges::any_of(vector.clauses, fits) || std::ranges::any_of(vector.flags, fits);
 }
 

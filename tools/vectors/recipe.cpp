@@ -23,11 +23,6 @@ Expectation expectation_of(const Json& json) {
   return expect;
 }
 
-bool is_name(const std::string& name) {
-  return !name.empty() &&
-         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
-}
-
 void check_keys(const Json& json) {
   static const std::set<std::string> known{"name",   "clauses", "flags", "comment", "seed",
                                            "stream", "expect",  "trace", "listed"};

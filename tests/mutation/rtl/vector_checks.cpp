@@ -25,7 +25,7 @@ class VectorCheck final : public Check {
     }
   }
 
-  const std::string& id() const override { return entry_.id; }
+  const std::string& id() const override { return entry_.id.text(); }
   uint64_t size() const override { return pixels_; }
 
   Verdict run(uint64_t& clocks) override {
