@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
@@ -85,6 +86,15 @@ T integer_at(const Json& json, Key key) {
     }
   }
   throw Json::other_error::create(501, "an integer is missing or out of range", nullptr);
+}
+
+/// The integers of the array `json[key]`. Throws as integer_at().
+template <class T, class Json, class Key>
+std::vector<T> integers_at(const Json& json, Key key) {
+  const Json& array = json.at(key);
+  std::vector<T> integers;
+  for (size_t i = 0; i < array.size(); ++i) integers.push_back(integer_at<T>(array, i));
+  return integers;
 }
 
 /// `value`, or a text from outside, for a message: as JSON in ASCII without control characters, cut
