@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "io/files.hpp"
+#include "io/json_text.hpp"
 #include "systemc/measurement.hpp"
 #include "unit/stand_in.hpp"
 #include "unit/units.hpp"
@@ -18,6 +19,7 @@ namespace hmlfc::tb {
 namespace {
 
 constexpr size_t kMostUnits = 4;
+constexpr io::JsonLimits kReportLimits{"a report", size_t{1} << 24, 8};
 
 constexpr const char* kDescription =
     R"(Measures how fast the decode unit answers requests for RGB of the STREAMs, whose blocks are of 4
@@ -113,7 +115,7 @@ std::string changes(const Json& before, const Json& now) {
 tl::expected<Json, std::string> report_in(const std::string& path) {
   const auto file = io::map_file(path);
   if (!file) return tl::unexpected(file.error().message);
-  Json report = Json::parse(file->bytes(), nullptr, false);
+  Json report = io::parse_json<Json>(file->bytes(), kReportLimits).value_or(Json());
   try {
     changes(report, report);
     if (report.is_array()) return report;

@@ -240,7 +240,7 @@ class Render(CliTest):
         for text, says in [
             ("{", "not a JSON array"), ("[]", "not a JSON array"), ("[1]", "frame 0: not an object"),
             ('[{}, {"position": [1, 2]}]', "frame 1: position"),
-            ('[{"speed": 1}]', "unknown key speed"), ('[{"fov": "x"}]', "fov is not a number"),
+            ('[{"speed": 1}]', 'unknown key "speed"'), ('[{"fov": "x"}]', "fov is not a number"),
         ]:  # fmt: skip
             (self.folder / "bad.json").write_text(text)
             arguments = ["--path", "bad.json", "-o", "bad"]

@@ -51,7 +51,18 @@ TEST(RigText, WhatIsWrongIsNamed) {
       {R"({"schema": "1", "positions": []})", "schema is \"1\"; this version reads 1"},
       {with(R"(, "model": 1)"), "the member \"model\" is not one of a rig"},
       {with(R"(, "schema": 1)"), "the member \"schema\" is there twice"},
+      {R"({"schema": [1], "positions": []})", "schema is []; this version reads 1"},
+      {R"({"schema": 1, "lens": 1, "positions": [)", "the member \"lens\" is not one of a rig"},
+      {R"({"\u001b[31m": 1})", "the member \"\\u001b[31m\" is not one of a rig"},
+      {with("") + std::string(3, '\0'), "no JSON text: byte 51"},
       {R"({"schema": 1, "positions": 7})", "positions must be an array"},
+      {R"({"schema": 1, "positions": {}})", "positions must be an array"},
+      {R"({"schema": 1, "positions": [7, [0, 0, 0]]})",
+       "positions[0] must be an array of 3 numbers"},
+      {R"({"schema": 1, "positions": [[0, 0, 0, 0], [0, 0, 0]]})",
+       "positions[0] must be an array of 3 numbers"},
+      {R"({"schema": 1, "positions": [[0, [0], 0], [0, 0, 0]]})",
+       "objects and arrays are nested deeper than the 3 of a rig: byte 33"},
       {R"({"schema": 1, "positions": [[0, 0, 0]]})",
        "positions has 1 entries; 2 are needed, one for each view"},
       {R"({"schema": 1, "positions": [[0, 0, 0], [0, 0]]})",
@@ -63,7 +74,7 @@ TEST(RigText, WhatIsWrongIsNamed) {
       {with(R"(, "metres_per_unit": 0)"),
        "metres_per_unit is 0; it must lie in [9.094947017729282e-13, 1099511627776]"},
       {with(R"(, "rotations": [[1, 0, 0, 0], [1, 0, 0, 0], [1, 0, 0, 0]])"),
-       "rotations has 3 entries; 2 are needed, or one for all views"},
+       "rotations has more than 2 entries; 2 are needed, or one for all views"},
       {with(R"(, "rotations": [[0.5, 0, 0, 0]])"), "rotations[0] has the length 0.5; it must be 1"},
       {with(R"(, "intrinsics": [[1, 0, 0, 0]])"),
        "intrinsics[0][1] is 0; it must lie in [0.0625, 1048576]"},
@@ -86,6 +97,48 @@ TEST(RigText, TooLong) {
   EXPECT_EQ(complaint(text), "ok");
   text += ' ';
   EXPECT_EQ(complaint(text), "16777217 bytes are more than the 16777216 of a rig");
+}
+
+// What a name or number is counts, not how it is written, up to 2048 characters of a number.
+TEST(RigText, FormsOfNamesAndNumbers) {
+  EXPECT_EQ(
+      parse(R"({"sch\u0065ma": 0.1e1, "positions": [[0E9, -0, 1e-400], [1.0, 20e-1, 3]]})", 2),
+      (Rig{{}, {{0, 0, 0}, {1, 2, 3}}, {}, {}}));
+  EXPECT_EQ(complaint(with(R"(, "sch\u0065ma": 1)")), "the member \"schema\" is there twice");
+  const auto zeros = [](size_t count) {
+    return R"({"schema": 1, "positions": [[0, 0, 0.)" + std::string(count, '0') + "]]}";
+  };
+  EXPECT_EQ(complaint(zeros(2046), 1), "ok");
+  EXPECT_EQ(complaint(zeros(2047), 1),
+            "a string or number is longer than the 2048 bytes of a rig: byte 2084");
+}
+
+// Refused at once: a rig of any 2^24 bytes takes no time and memory by what else it holds.
+TEST(RigText, LargeTexts) {
+  const auto repeated = [](std::string begin, const std::string& part) {
+    begin.reserve(kMaxRigBytes);
+    while (begin.size() + part.size() <= kMaxRigBytes) begin += part;
+    return begin;
+  };
+  const std::string deeper = "objects and arrays are nested deeper than the 3 of a rig: byte ";
+  EXPECT_EQ(complaint(repeated("", "[")), deeper + "4");
+  EXPECT_EQ(complaint(repeated("", "{\"a\":")), deeper + "16");
+  EXPECT_EQ(complaint(repeated("{\"schema\": ", "[")), deeper + "14");
+  std::string members = R"({"schema": 1)";
+  for (int i = 0; members.size() + 20 < kMaxRigBytes; ++i) {
+    members += ",\"" + std::to_string(i) + "\":1";
+  }
+  EXPECT_EQ(complaint(members + "}"), "the member \"0\" is not one of a rig");
+  EXPECT_EQ(complaint(repeated(R"({"schema": 1, "positions": [)", "[0,0,0],")),
+            "positions has more than 2 entries; 2 are needed, one for each view");
+  EXPECT_EQ(complaint(repeated(R"({"schema": 1, "positions": [[)", "0,")),
+            "positions[0] must be an array of 3 numbers");
+  const std::string longer = "a string or number is longer than the 2048 bytes of a rig: byte ";
+  EXPECT_EQ(complaint(repeated(R"({"schema": ")", "B")), longer + "2060");
+  EXPECT_EQ(complaint(repeated("{\"", "A")), longer + "2050");
+  EXPECT_EQ(complaint(repeated("{\"schema\": ", "1")), longer + "2060");
+  EXPECT_EQ(complaint(R"({"schema": ")" + std::string(2000, 'B') + "\"}"),
+            "schema is \"" + std::string(76, 'B') + "...; this version reads 1");
 }
 
 TEST(RigText, Shortest) {

@@ -14,7 +14,7 @@
 namespace hmlfc::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 using Rows = std::array<std::array<double, 3>, 3>;
 
 const CameraPictures kPictures{{"a", "b"}, 400, 300};

@@ -1,7 +1,12 @@
-"""The rig of a stream, for its readers (RIG-2 to RIG-4)."""
+"""The rig of a stream, for its readers (RIG-2 to RIG-4). The first part of its text that breaks a rule is refused."""
 
 import json
-import math
+import re
+
+NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?")
+NAME = re.compile(r'"(?:[^"\\\x00-\x1f]|\\.){0,90}"')  # the longest of a member has 15 characters, of 6 each as \u0061
+BLANKS = re.compile(r"[ \t\n\r]*")
+MEMBERS = ("schema", "metres_per_unit", "positions", "rotations", "intrinsics")
 
 
 class RigError(Exception):
@@ -23,66 +28,119 @@ def read_rig(section, rows, cols):
     """{member: value}: arrays of 1 are repeated for each view, members that are missing get their meaning or None."""
     demand(len(section) <= 2**24, "too long")
     views = rows * cols
-    rig = parse(section)
-    demand(isinstance(rig, dict), "no object")
-    demand(rig.keys() <= {"schema", "metres_per_unit", "positions", "rotations", "intrinsics"}, "an unknown member")
+    text = JsonText(section)
+    rig = {}
+    text.take("{", "no object")
+    for _ in text.parts("}"):
+        name = text.name()
+        demand(name in MEMBERS, "an unknown member")
+        demand(name not in rig, "a member twice")
+        text.take(":", "no JSON text")
+        rig[name] = read_member(text, name, views)
+    demand(text.next() == "", "no JSON text")
     demand({"schema", "positions"} <= rig.keys(), "schema or positions missing")
-    demand(is_number(rig["schema"]) and rig["schema"] == 1, "another schema")
-    unit = rig.get("metres_per_unit")
-    if "metres_per_unit" in rig:
-        demand(is_number(unit) and 2**-40 <= unit <= 2**40, "metres_per_unit")
-    positions = vectors(rig, "positions", (views,), 3)
-    demand(all(abs(x) <= 2**20 for position in positions for x in position), "a position out of range")
-    rotations = vectors(rig, "rotations", (1, views), 4) or [[1, 0, 0, 0]]
-    for w, x, y, z in rotations:
-        demand(1 - 2**-10 <= w * w + x * x + y * y + z * z <= 1 + 2**-10, "a rotation of another length")
-    intrinsics = vectors(rig, "intrinsics", (1, views), 4)
-    for fx, fy, cx, cy in intrinsics or []:
-        demand(all(2**-4 <= f <= 2**20 for f in (fx, fy)), "a focal length out of range")
-        demand(all(abs(c) <= 2**20 for c in (cx, cy)), "a centre out of range")
     return {
-        "metres_per_unit": unit,
-        "positions": positions,
-        "rotations": for_each_view(rotations, views),
-        "intrinsics": for_each_view(intrinsics, views),
+        "metres_per_unit": rig.get("metres_per_unit"),
+        "positions": rig["positions"],
+        "rotations": for_each_view(rig.get("rotations", [[1, 0, 0, 0]]), views),
+        "intrinsics": for_each_view(rig.get("intrinsics"), views),
     }
 
 
-def parse(section):
-    """The JSON text of the section: strict UTF-8, no byte order mark, no member twice, no NaN or Infinity."""
-    try:
-        text = section.decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise RigError("no UTF-8") from error
-    demand(not text.startswith("\ufeff"), "a byte order mark")
+class JsonText:
+    """Reads a JSON text from front to end: strict UTF-8 without a byte order mark."""
 
-    def members(pairs):
-        demand(len({name for name, _ in pairs}) == len(pairs), "a member twice")
-        return dict(pairs)
+    def __init__(self, section):
+        try:
+            self.text = section.decode("utf-8")
+        except UnicodeDecodeError as error:
+            raise RigError("no UTF-8") from error
+        demand(not self.text.startswith("\ufeff"), "a byte order mark")
+        self.at = 0
 
-    def no_number(name):
-        raise RigError(name)
+    def next(self):
+        """The next character that is no blank, which stays; "" at the end."""
+        self.at = BLANKS.match(self.text, self.at).end()
+        return self.text[self.at : self.at + 1]
 
-    try:
-        return json.loads(text, object_pairs_hook=members, parse_constant=no_number, parse_int=float)
-    except (ValueError, RecursionError) as error:
-        raise RigError("no JSON text") from error
+    def take(self, characters, otherwise):
+        """The next character, which must be one of `characters`."""
+        found = self.next()
+        demand(found, "no JSON text")
+        demand(found in characters, otherwise)
+        self.at += 1
+        return found
+
+    def parts(self, close):
+        """Stops before each part of an array or object, up to `close`."""
+        if self.next() == close:
+            self.at += 1
+            return
+        yield
+        while self.take("," + close, "no JSON text") == ",":
+            yield
+
+    def name(self):
+        self.next()
+        found = NAME.match(self.text, self.at)
+        demand(found, "no JSON text")
+        self.at = found.end()
+        try:
+            return json.loads(found.group())
+        except ValueError as error:
+            raise RigError("no JSON text") from error
+
+    def number(self, member):
+        self.next()
+        found = NUMBER.match(self.text, self.at)
+        demand(found, f"{member}: no number")
+        demand(found.end() - self.at <= 2**11, "a number too long")
+        self.at = found.end()
+        return float(found.group())
 
 
-def is_number(value):
-    return isinstance(value, float) and math.isfinite(value)
+def read_member(text, name, views):
+    if name == "schema":
+        demand(text.number(name) == 1, "another schema")
+        return 1
+    if name == "metres_per_unit":
+        unit = text.number(name)
+        demand(2**-40 <= unit <= 2**40, name)
+        return unit
+    if name == "positions":
+        return vectors(text, name, (views,), 3, check_position)
+    return vectors(text, name, (1, views), 4, check_rotation if name == "rotations" else check_intrinsics)
 
 
-def vectors(rig, member, counts, length):
-    """The member's arrays of `length` numbers, as many as one of `counts`; None without the member."""
-    if member not in rig:
-        return None
-    value = rig[member]
-    demand(isinstance(value, list) and len(value) in counts, f"{member}: a wrong number of entries")
-    for entry in value:
-        demand(isinstance(entry, list) and len(entry) == length, f"{member}: an entry of another length")
-        demand(all(map(is_number, entry)), f"{member}: no number")
-    return value
+def vectors(text, name, counts, length, check):
+    """The member's arrays of `length` numbers, as many as one of `counts`, each with `check`(entry)."""
+    found = []
+    text.take("[", f"{name}: no array")
+    for _ in text.parts("]"):
+        demand(len(found) < max(counts), f"{name}: a wrong number of entries")
+        entry = []
+        text.take("[", f"{name}: an entry that is no array")
+        for _ in text.parts("]"):
+            demand(len(entry) < length, f"{name}: an entry of another length")
+            entry.append(text.number(name))
+        demand(len(entry) == length, f"{name}: an entry of another length")
+        check(*entry)
+        found.append(entry)
+    demand(len(found) in counts, f"{name}: a wrong number of entries")
+    return found
+
+
+def check_position(*place):
+    demand(all(abs(x) <= 2**20 for x in place), "a position out of range")
+
+
+def check_rotation(w, x, y, z):
+    demand(1 - 2**-10 <= w * w + x * x + y * y + z * z <= 1 + 2**-10, "a rotation of another length")
+
+
+def check_intrinsics(fx, fy, cx, cy):
+    demand(all(2**-4 <= f <= 2**20 for f in (fx, fy)), "a focal length out of range")
+    demand(all(abs(c) <= 2**20 for c in (cx, cy)), "a centre out of range")
 
 
 def for_each_view(entries, views):

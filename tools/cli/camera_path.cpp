@@ -1,17 +1,20 @@
 #include "cli/camera_path.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <hmlfc/focus.hpp>
 
+#include "io/files.hpp"
+#include "io/json_text.hpp"
+
 namespace hmlfc::cli {
 namespace {
+
+constexpr io::JsonLimits kPathLimits{"a camera path", size_t{1} << 26, 3};
 
 // x rounded to a multiple of 2^-20.
 double on_grid(double x) { return std::floor(x * 0x1p20 + 0.5) * 0x1p-20; }
@@ -98,10 +101,11 @@ void read_frame(const nlohmann::json& json, PathFrame& frame) {
     } else if (key == "focus_at") {
       frame.focus_at = pixel(key, value);
     } else if (key == "aperture") {
-      if (!value.is_number_integer()) throw BadCamera{"aperture is not an integer"};
+      const bool is_int = value.is_number_integer() && value == value.get<int>();
+      if (!is_int) throw BadCamera{"aperture is not an integer"};
       camera.aperture = value.get<int>();
     } else {
-      throw BadCamera{"unknown key " + key};
+      throw BadCamera{"unknown key " + io::shown_json(key)};
     }
   }
   if (frame.has_focus && frame.focus_at) throw BadCamera{"has both focus and focus_at"};
@@ -109,12 +113,17 @@ void read_frame(const nlohmann::json& json, PathFrame& frame) {
 
 // The frames in `file`; what it leaves out is as in `standard`.
 std::vector<PathFrame> read_path(const std::string& file, const Camera& standard) {
-  std::ifstream stream(file);
   const auto refuse = [&](const std::string& what) {
     return Failure(ExitCode::kInput, file + ": " + what);
   };
-  if (!stream) throw refuse("cannot open for reading; --path takes orbit, line or a JSON file");
-  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  const auto mapped = io::map_file(file);
+  if (!mapped) {
+    throw Failure(ExitCode::kInput,
+                  mapped.error().message + "; --path takes orbit, line or a JSON file");
+  }
+  const auto read = io::parse_json<nlohmann::json>(mapped->bytes(), kPathLimits);
+  if (!read) throw refuse("not a JSON array of cameras: " + read.error());
+  const nlohmann::json& json = *read;
   if (!json.is_array() || json.empty()) throw refuse("not a JSON array of cameras");
   std::vector<PathFrame> path(json.size(), PathFrame{standard});
   for (size_t frame = 0; frame < json.size(); ++frame) {

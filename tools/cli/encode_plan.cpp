@@ -13,6 +13,7 @@
 #include "bits/crc32c.hpp"
 #include "cli/output.hpp"
 #include "io/files.hpp"
+#include "io/json_text.hpp"
 #include "vectors/digest.hpp"
 
 namespace hmlfc::cli {
@@ -21,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFormat = "hmlfc encode plan 1";
+constexpr io::JsonLimits kPlanLimits{"a plan", size_t{1} << 24, 4};
 
 // Names and sizes of all files of views.
 Json inputs_json(const io::ViewList& list) {
@@ -78,7 +80,8 @@ EncodeParams params_of(const Json& json) {
 Json range_json(const io::IndexRange& range) { return {range.first, range.last, range.step}; }
 
 io::IndexRange range_of(const Json& json) {
-  return {json.at(0).get<uint32_t>(), json.at(1).get<uint32_t>(), json.at(2).get<uint32_t>()};
+  return {io::integer_at<uint32_t>(json, 0U), io::integer_at<uint32_t>(json, 1U),
+          io::integer_at<uint32_t>(json, 2U)};
 }
 
 // The folder of views, what is taken of it, and the rig.
@@ -96,7 +99,8 @@ EncodeOptions options_of(const Json& json) {
   EncodeOptions options;
   options.input = json.at("folder").get<std::string>();
   if (const Json& grid = json.at("grid"); !grid.is_null()) {
-    options.grid = io::GridShape{grid.at(0).get<uint32_t>(), grid.at(1).get<uint32_t>()};
+    options.grid =
+        io::GridShape{io::integer_at<uint32_t>(grid, 0U), io::integer_at<uint32_t>(grid, 1U)};
   }
   if (const Json& views = json.at("views"); !views.is_null()) {
     options.part = io::ViewPart{range_of(views.at(0)), range_of(views.at(1))};
@@ -137,15 +141,17 @@ std::string plan_text(const EncodeOptions& options, const EncodeParams& params,
 EncodePlan read_plan(const fs::path& file) {
   const auto mapped = value_or_throw(io::map_file(file), ExitCode::kInput);
   const auto bytes = mapped.bytes();
-  const Json json = Json::parse(bytes.begin(), bytes.end(), nullptr, false);
-  const auto is_plan = [&] { return json.is_object() && json.value("format", "") == kFormat; };
-  if (!is_plan()) refuse(file, "not a plan; `hmlfc encode VIEWS -o FILE --plan` writes one");
+  const Json json = io::parse_json<Json>(bytes, kPlanLimits).value_or(Json());
+  const auto format = json.is_object() ? json.find("format") : json.end();
+  if (format == json.end() || *format != kFormat) {
+    refuse(file, "not a plan; `hmlfc encode VIEWS -o FILE --plan` writes one");
+  }
   EncodePlan plan;
   try {
     const auto version = json.at("version").get<std::string>();
     if (version != library_version()) {
-      refuse(file, fmt::format("a plan of version {}, and this is {}; make a new plan", version,
-                               library_version()));
+      refuse(file, fmt::format("a plan of version {}, and this is {}; make a new plan",
+                               io::shown_json(version), library_version()));
     }
     plan.options = options_of(json.at("input"));
     plan.params = params_of(json.at("params"));

@@ -19,6 +19,7 @@
 #include "cli/divided_encode.hpp"
 #include "cli/encode_plan.hpp"
 #include "io/files.hpp"
+#include "io/json_text.hpp"
 #include "terminal/clock.hpp"
 
 namespace hmlfc::cli {
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 
 // Names its own sections: this, the length of a JSON text and the text come before them.
 constexpr std::string_view kShardMagic = "hmlfc shard 1\n";
+constexpr io::JsonLimits kShardLimits{"a shard", size_t{1} << 26, 4};
 
 // The parts [first, second) of shard `shard`.
 std::pair<size_t, size_t> parts_of(const ShardNumber& shard, size_t parts) {
@@ -61,7 +63,8 @@ Json error_json(const ErrorSums& error) {
 }
 
 ErrorSums error_of(const Json& json) {
-  return {json.at(0).get<uint64_t>(), json.at(1).get<uint64_t>(), json.at(2).get<uint32_t>()};
+  return {io::integer_at<uint64_t>(json, 0U), io::integer_at<uint64_t>(json, 1U),
+          io::integer_at<uint32_t>(json, 2U)};
 }
 
 // The sum of a part's bytes.
@@ -90,26 +93,28 @@ struct Shard {
     }
     const auto text = bytes.subspan(kShardMagic.size());
     const auto end = std::ranges::find(text, uint8_t{'\n'});
-    head = Json::parse(text.begin(), end, nullptr, false);
+    const auto length = static_cast<size_t>(end - text.begin());
+    head = io::parse_json<Json>(text.first(length), kShardLimits).value_or(Json());
     if (!head.is_object()) damaged();
-    data = kShardMagic.size() + static_cast<size_t>(end - text.begin()) + 1;
+    data = kShardMagic.size() + length + 1;
   }
 
   [[noreturn]] void damaged() const { refuse_shard(file, "a damaged shard; run it again"); }
 
   // Fails unless it was made for `plan` by this version.
   void check(const EncodePlan& plan) const {
-    const auto version = head.value("version", "");
+    const Json version = head.value("version", Json(""));
     if (version != library_version()) {
-      refuse_shard(file, fmt::format("a shard of version {}, and this is {}; run it again", version,
-                                     library_version()));
+      refuse_shard(file, fmt::format("a shard of version {}, and this is {}; run it again",
+                                     io::shown_json(version), library_version()));
     }
-    if (head.value("plan", "") != plan.id) refuse_shard(file, "a shard of another plan");
+    if (head.value("plan", Json()) != plan.id) refuse_shard(file, "a shard of another plan");
   }
 
   // I and N of --shard I/N.
   ShardNumber number() const {
-    const ShardNumber number{head.at("shard").get<uint32_t>(), head.at("of").get<uint32_t>()};
+    const ShardNumber number{io::integer_at<uint32_t>(head, "shard"),
+                             io::integer_at<uint32_t>(head, "of")};
     if (number.index < 1 || number.index > number.count || number.count > kMostShards) damaged();
     return number;
   }
@@ -120,14 +125,14 @@ void load_shard(const Shard& shard, DividedEncoder& encoder, std::set<size_t>& t
   size_t at = shard.data;
   const auto bytes = shard.mapped.bytes();
   for (const Json& entry : shard.head.at("parts")) {
-    const auto part = entry.at("part").get<size_t>();
-    const auto size = entry.at("bytes").get<uint64_t>();
+    const auto part = io::integer_at<size_t>(entry, "part");
+    const auto size = io::integer_at<uint64_t>(entry, "bytes");
     if (at > bytes.size() || size > bytes.size() - at || part >= encoder.parts().count()) {
       shard.damaged();
     }
     const auto data = bytes.subspan(at, static_cast<size_t>(size));
     at += data.size();
-    if (crc32c(data) != entry.at("crc").get<uint32_t>()) shard.damaged();
+    if (crc32c(data) != io::integer_at<uint32_t>(entry, "crc")) shard.damaged();
     if (!there.insert(part).second) {
       refuse_shard(shard.file, "its parts are also in a shard before; name each shard once");
     }

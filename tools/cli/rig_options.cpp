@@ -4,7 +4,6 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <hmlfc/stream_info.hpp>
 
@@ -25,25 +24,28 @@ Rig with_rows_upside_down(Rig rig) {
   return rig;
 }
 
-// The section's text and what it says.
+// What section RIG says, and its text.
 struct FoundRig {
+  Rig rig;
   std::string text;
-  tl::expected<Rig, std::string> rig;
 };
 
-// Nothing without a section RIG.
-std::optional<FoundRig> find_rig(const StreamFile& file) {
+// The rig, or what is wrong with it. Nothing without a section RIG.
+std::optional<tl::expected<FoundRig, std::string>> find_rig(const StreamFile& file) {
   const StreamHeader& header = file.header();
   if (!header.has(Feature::kCameraRig)) return std::nullopt;
-  std::string text;
-  file.with_bytes({header.rig.offset, header.rig.size}, [&text](std::span<const uint8_t> bytes) {
-    text.assign(bytes.begin(), bytes.end());
-  });
-  auto rig = io::parse_rig(bytes_of(text), uint64_t{header.rows} * header.cols);
-  if (!rig) {
-    rig = tl::unexpected(fmt::format("section RIG at byte {}: {}", header.rig.offset, rig.error()));
+  tl::expected<FoundRig, std::string> found =
+      tl::unexpected(io::kRigLimits.excess(header.rig.size));
+  if (found.error().empty()) {
+    file.with_bytes({header.rig.offset, header.rig.size}, [&](std::span<const uint8_t> bytes) {
+      found = io::parse_rig(bytes, uint64_t{header.rows} * header.cols).map([&](Rig&& rig) {
+        return FoundRig{std::move(rig), {bytes.begin(), bytes.end()}};
+      });
+    });
   }
-  return FoundRig{std::move(text), std::move(rig)};
+  return std::move(found).map_error([&](const std::string& what) {
+    return fmt::format("section RIG at byte {}: {}", header.rig.offset, what);
+  });
 }
 
 // "x -1.5 to 3".
@@ -122,33 +124,33 @@ std::string rig_line(const StreamFile& file) {
   const auto found = find_rig(file);
   if (!found) return "";
   const std::string text =
-      found->rig ? describe_rig(*found->rig) : "cannot be read: " + found->rig.error();
+      *found ? describe_rig((*found)->rig) : "cannot be read: " + found->error();
   return fmt::format("Rig           {}\n", text);
 }
 
 Json rig_json(const StreamFile& file) {
   const auto found = find_rig(file);
   if (!found) return nullptr;
-  if (!found->rig) return {{"error", found->rig.error()}};
-  return Json::parse(found->text);
+  if (!*found) return {{"error", found->error()}};
+  return io::parse_json<Json>(bytes_of((*found)->text), io::kRigLimits).value();
 }
 
 std::optional<ChosenRig> rig_in(const StreamFile& file) {
   auto found = find_rig(file);
   if (!found) return std::nullopt;
-  if (found->rig) return ChosenRig{std::move(*found->rig)};
-  note(fmt::format("{}: {}; it is left out", file.path().string(), found->rig.error()));
+  if (*found) return ChosenRig{std::move((*found)->rig)};
+  note(fmt::format("{}: {}; it is left out", file.path().string(), found->error()));
   return std::nullopt;
 }
 
 std::string rig_text_of(const StreamFile& file) {
-  const auto found = find_rig(file);
+  auto found = find_rig(file);
   const auto fail = [&](const std::string& what) {
     throw Failure(ExitCode::kInput, file.path().string() + ": " + what);
   };
   if (!found) fail("the stream has no rig; encode it with --rig");
-  if (!found->rig) fail(found->rig.error());
-  return found->text;
+  if (!*found) fail(found->error());
+  return std::move((*found)->text);
 }
 
 }  // namespace hmlfc::cli

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/files.hpp"
+#include "io/json_text.hpp"
 #include "vectors/digest.hpp"
 
 namespace hmlfc::conform {
@@ -57,19 +58,31 @@ Claim limits_of(const DutLimits& limits) {
           {"block_log2", limits.block_log2}};
 }
 
+constexpr io::JsonLimits kClaimLimits{"a claim", size_t{1} << 24, 5};
+
+// Whether the parts are there that are looked at before the claims are compared.
+bool is_claim(const Claim& whole) {
+  try {
+    return whole.contains("sha256") && whole.at("claim").at("results").is_object() &&
+           whole.at("claim").at("decoder").at("dut").is_string();
+  } catch (const Claim::exception&) {
+    return false;
+  }
+}
+
 // The first place at or below `where` at which the two differ.
 std::optional<std::string> difference_at(const std::string& where, const Claim& claimed,
                                          const Claim& found) {
   if (claimed == found) return std::nullopt;
   if (!claimed.is_object() || !found.is_object()) {
-    return fmt::format("{}: {} instead of {}", where, found.dump(), claimed.dump());
+    return fmt::format("{}: {} instead of {}", where, io::shown_json(found),
+                       io::shown_json(claimed));
   }
   for (const auto& [key, value] : claimed.items()) {
-    if (auto place = difference_at(where + "/" + key, value, found.value(key, Claim()))) {
-      return place;
-    }
+    if (!found.contains(key)) return fmt::format("{}: less than {}", where, io::shown_json(key));
+    if (auto place = difference_at(where + "/" + key, value, found.at(key))) return place;
   }
-  return fmt::format("{}: more than {}", where, claimed.dump());
+  return fmt::format("{}: more than {}", where, io::shown_json(claimed));
 }
 
 }  // namespace
@@ -115,11 +128,10 @@ io::IoResult<void> write_claim(const fs::path& file, const Claim& claim) {
 io::IoResult<Claim> read_claim(const fs::path& file) {
   const auto mapped = io::map_file(file);
   if (!mapped) return tl::unexpected(mapped.error());
-  const Claim whole = Claim::parse(mapped->bytes().begin(), mapped->bytes().end(), nullptr, false);
-  const bool good = whole.is_object() && whole.contains("claim") && whole.contains("sha256") &&
-                    whole["claim"].is_object() && whole["claim"].contains("results") &&
-                    whole["claim"].value("/decoder/dut"_json_pointer, Claim()).is_string();
-  if (!good) return io::file_error(file, "is not a claim of hmlfc conform");
+  const auto read = io::parse_json<Claim>(mapped->bytes(), kClaimLimits);
+  if (!read) return io::file_error(file, "is not a claim of hmlfc conform: " + read.error());
+  const Claim& whole = *read;
+  if (!is_claim(whole)) return io::file_error(file, "is not a claim of hmlfc conform");
   if (whole["sha256"] != sum_of_text(whole["claim"].dump())) {
     return io::file_error(file, "has been changed: its SHA-256 is not that of the claim");
   }

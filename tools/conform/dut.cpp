@@ -1,7 +1,6 @@
 #include "conform/dut.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <span>
@@ -12,10 +11,14 @@
 
 #include "conform/line_decoder.hpp"
 #include "conform/report.hpp"
+#include "io/files.hpp"
+#include "io/json_text.hpp"
 
 namespace hmlfc::conform {
 
 namespace {
+
+constexpr io::JsonLimits kDeclarationLimits{"a declaration", size_t{1} << 20, 3};
 
 // Reads words one after the other.
 class WordReader {
@@ -63,7 +66,11 @@ struct WrongValue {
 template <class T>
 T value_of(const Json& json, const std::string& key) {
   try {
-    return json.at(key).get<T>();
+    if constexpr (std::is_same_v<T, std::vector<unsigned>>) {
+      return io::integers_at<unsigned>(json, key);
+    } else {
+      return json.at(key).get<T>();
+    }
   } catch (const Json::exception&) {
     throw WrongValue{fmt::format("\"{}\" is missing or has a value of the wrong kind", key)};
   }
@@ -78,18 +85,19 @@ void read_if_there(const Json& json, const std::string& key, T& target) {
 template <class T>
 void read_number(const Json& json, const std::string& key, T& target, int64_t lo, int64_t hi) {
   if (!json.contains(key)) return;
-  const auto value = value_of<int64_t>(json, key);
-  if (!json.at(key).is_number_integer() || value < lo || value > hi) {
-    throw WrongValue{fmt::format("\"{}\" is not an integer in [{}, {}]", key, lo, hi)};
+  try {
+    const auto value = io::integer_at<int64_t>(json, key);
+    if (value >= lo && value <= hi) return static_cast<void>(target = static_cast<T>(value));
+  } catch (const Json::exception&) {
   }
-  target = static_cast<T>(value);
+  throw WrongValue{fmt::format("\"{}\" is not an integer in [{}, {}]", key, lo, hi)};
 }
 
 void allow_keys(const Json& json, const std::string& where, const std::set<std::string>& keys) {
   if (!json.is_object()) throw WrongValue{where + " is not an object"};
   for (const auto& item : json.items()) {
     if (!keys.contains(item.key())) {
-      throw WrongValue{fmt::format("{} has the unknown key \"{}\"", where, item.key())};
+      throw WrongValue{fmt::format("{} has the unknown key {}", where, io::shown_json(item.key()))};
     }
   }
 }
@@ -113,7 +121,7 @@ Profile read_profile(const Json& json) {
   for (const Profile profile : {Profile::kMain, Profile::kExtended}) {
     if (profile_name(profile) == name) return profile;
   }
-  throw WrongValue{"\"profile\" is \"" + name + "\", neither main nor extended"};
+  throw WrongValue{"\"profile\" is " + io::shown_json(name) + ", neither main nor extended"};
 }
 
 std::vector<Waiver> read_waivers(const Json& json) {
@@ -122,7 +130,7 @@ std::vector<Waiver> read_waivers(const Json& json) {
     allow_keys(entry, "a waiver", {"vector", "reason"});
     Waiver waiver{value_of<std::string>(entry, "vector"), value_of<std::string>(entry, "reason")};
     if (waiver.reason.empty()) {
-      throw WrongValue{"the waiver of " + waiver.vector + " has no reason"};
+      throw WrongValue{"the waiver of " + io::shown_json(waiver.vector) + " has no reason"};
     }
     waivers.push_back(std::move(waiver));
   }
@@ -135,12 +143,12 @@ std::vector<std::string> words_of(std::string_view text, const Places& places,
   std::vector<std::string> words;
   while (auto word = reader.next()) words.push_back(std::move(*word));
   if (reader.unfinished()) {
-    throw WrongValue{std::string(text) + ": unterminated quote in this command line"};
+    throw WrongValue{io::shown_json(text) + ": unterminated quote in this command line"};
   }
   if (words.empty()) throw WrongValue{"the command line is empty"};
   for (const char* place : needed) {
     if (text.find(place) == std::string_view::npos) {
-      throw WrongValue{fmt::format("the command '{}' does not have {}", text, place)};
+      throw WrongValue{fmt::format("the command {} does not have {}", io::shown_json(text), place)};
     }
   }
   return fill_in(words, places);
@@ -184,10 +192,11 @@ void read_program(Dut& dut, const Json& json, const Places& places) {
 }
 
 Dut read_declaration(const std::filesystem::path& file, Places places) {
-  std::ifstream stream(file);
-  const Json json = Json::parse(stream, nullptr, false);
-  if (!stream.is_open()) throw WrongValue{"cannot be read"};
-  if (json.is_discarded()) throw WrongValue{"is not JSON"};
+  const auto mapped = io::map_file(file);
+  if (!mapped) throw WrongValue{"cannot be read"};
+  const auto read = io::parse_json<Json>(mapped->bytes(), kDeclarationLimits);
+  if (!read) throw WrongValue{"is not JSON: " + read.error()};
+  const Json& json = *read;
   allow_keys(json, "the declaration",
              {"name", "command", "lines", "library", "by_block", "trace", "profile", "level",
               "limits", "error_names", "checks_sections", "waivers", "comment"});

@@ -1,15 +1,17 @@
 #include "conform/report.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include "conform/report_folder.hpp"
 #include "conform/summary.hpp"
+#include "io/json_text.hpp"
 
 namespace hmlfc::conform {
 namespace {
+
+constexpr io::JsonLimits kReportLimits{"a report", size_t{1} << 26, 7};
 
 Json to_json(const Difference& d) {
   Json planes = Json::array();
@@ -31,21 +33,21 @@ Json to_json(const Difference& d) {
 
 Difference difference_from(const Json& json) {
   Difference d;
-  d.view = {json.at("view_row"), json.at("view_col")};
-  d.block_x = json.at("block_x");
-  d.block_y = json.at("block_y");
-  d.x = json.at("x");
-  d.y = json.at("y");
+  d.view = {io::integer_at<uint32_t>(json, "view_row"), io::integer_at<uint32_t>(json, "view_col")};
+  d.block_x = io::integer_at<uint32_t>(json, "block_x");
+  d.block_y = io::integer_at<uint32_t>(json, "block_y");
+  d.x = io::integer_at<uint32_t>(json, "x");
+  d.y = io::integer_at<uint32_t>(json, "y");
   d.channel = json.at("channel").get<std::string>().at(0);
-  d.expected = json.at("expected");
-  d.actual = json.at("actual");
+  d.expected = io::integer_at<int>(json, "expected");
+  d.actual = io::integer_at<int>(json, "actual");
   for (const auto& name : json.at("planes").get<std::vector<std::string>>()) {
     const auto plane = std::ranges::find(kPlanes, name, plane_name);
     if (plane != kPlanes.end()) d.planes.push_back(*plane);
   }
-  d.wrong_blocks = json.at("wrong_blocks");
-  d.blocks = json.at("blocks");
-  d.wrong_views = json.at("wrong_views");
+  d.wrong_blocks = io::integer_at<uint64_t>(json, "wrong_blocks");
+  d.blocks = io::integer_at<uint64_t>(json, "blocks");
+  d.wrong_views = io::integer_at<uint64_t>(json, "wrong_views");
   return d;
 }
 
@@ -60,8 +62,12 @@ Json to_json(const SystemInfo& system) {
 }
 
 SystemInfo system_from(const Json& json) {
-  return {json.at("program"),   json.at("date"),    json.at("host"),
-          json.at("processor"), json.at("threads"), json.at("memory_mib")};
+  return {json.at("program"),
+          json.at("date"),
+          json.at("host"),
+          json.at("processor"),
+          io::integer_at<unsigned>(json, "threads"),
+          io::integer_at<uint64_t>(json, "memory_mib")};
 }
 
 Json to_json(const Summary& summary) {
@@ -111,8 +117,12 @@ Json to_json(const Run& run) {
 }
 
 Run run_from(const Json& json) {
-  Run run{json.at("dut"),   json.at("command"),          json.at("profile"),
-          json.at("level"), json.value("milestone", ""), {}};
+  Run run{json.at("dut"),
+          json.at("command"),
+          json.at("profile"),
+          io::integer_at<int>(json, "level"),
+          json.value("milestone", ""),
+          {}};
   for (const Json& entry : json.at("results")) {
     auto result = result_from_json(entry, run.dut);
     if (!result) {
@@ -170,7 +180,7 @@ std::optional<VectorResult> result_from_json(const Json& json, const std::string
     result.clauses = json.at("clauses").get<std::vector<std::string>>();
     result.comment = json.value("comment", "");
     result.milestone = json.at("milestone");
-    result.bytes = json.at("bytes");
+    result.bytes = io::integer_at<uint64_t>(json, "bytes");
     result.inspect = json.value("inspect", "");
     result.view = json.value("view", "");
     result.telling = json.value("telling", false);
@@ -192,10 +202,10 @@ Json to_json(const Report& report) {
 }
 
 io::IoResult<Report> read_report(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) return io::file_error(file, "cannot be read");
+  const auto read = io::read_json_file<Json>(file, kReportLimits);
+  if (!read) return tl::unexpected(read.error());
   try {
-    const Json json = Json::parse(stream);
+    const Json& json = *read;
     Report report{
         json.at("vectors_version"), json.at("manifest_sha256"), system_from(json.at("system")), {}};
     for (const Json& run : json.at("runs")) report.runs.push_back(run_from(run));

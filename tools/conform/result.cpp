@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "conform/report.hpp"
+#include "io/json_text.hpp"
 
 namespace hmlfc::conform {
 
@@ -16,6 +17,15 @@ namespace {
 
 constexpr std::array<std::string_view, kStatusCount> kStatusNames{
     "pass", "fail", "error", "timeout", "not_supported", "skipped"};
+
+constexpr io::JsonLimits kResultLimits{"a result", size_t{1} << 24, 3};
+
+// Null where the line is no JSON text.
+Json read_line(const std::string& line) {
+  return io::parse_json<Json>({reinterpret_cast<const uint8_t*>(line.data()), line.size()},
+                              kResultLimits)
+      .value_or(Json());
+}
 
 io::IoResult<void> write_line(const std::filesystem::path& path, const io::FileDescriptor& file,
                               std::string line) {
@@ -87,15 +97,14 @@ io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,
     std::string line;
     if (std::getline(stream, line)) {
       begun = true;
-      if (Json::parse(line, nullptr, false) != head) {
+      if (read_line(line) != head) {
         return io::file_error(log.path_,
                               "has results of another suite or decoder; leave out --resume to "
                               "start again");
       }
     }
     while (std::getline(stream, line)) {
-      const Json json = Json::parse(line, nullptr, false);
-      auto result = result_from_json(json, dut.name);
+      auto result = result_from_json(read_line(line), dut.name);
       if (result && result->status != Status::kSkipped) log.earlier_[result->id] = *result;
     }
   }

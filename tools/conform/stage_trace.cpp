@@ -6,26 +6,33 @@
 #include <nlohmann/json.hpp>
 
 #include "conform/report.hpp"
+#include "io/json_text.hpp"
 
 namespace hmlfc::conform {
 namespace {
 
 using vectors::RecordedStage;
 
+constexpr io::JsonLimits kStageLimits{"a stage", size_t{1} << 20, 2};
+
 std::optional<RecordedStage> parse_line(std::string_view line) {
   if (line.empty() || line.front() != '{') return std::nullopt;
+  const auto read = io::parse_json<Json>(
+      {reinterpret_cast<const uint8_t*>(line.data()), line.size()}, kStageLimits);
+  if (!read) return std::nullopt;
+  const Json& json = *read;
   try {
-    const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object() || json.value("record", "") != "stage") return std::nullopt;
+    if (json.at("record").get<std::string>() != "stage") return std::nullopt;
     const auto plane = std::ranges::find(kPlanes, json.at("plane").get<std::string>(), plane_name);
     if (plane == kPlanes.end()) return std::nullopt;
     const Json& image = json.at("image");
     const Json& block = json.at("block");
-    return RecordedStage{
-        {json.at("level"), image.at(0), image.at(1), *plane, block.at(0), block.at(1)},
-        json.at("stage"),
-        {},
-        json.at("values")};
+    return RecordedStage{{io::integer_at<int>(json, "level"), io::integer_at<uint32_t>(image, 0U),
+                          io::integer_at<uint32_t>(image, 1U), *plane,
+                          io::integer_at<uint32_t>(block, 0U), io::integer_at<uint32_t>(block, 1U)},
+                         json.at("stage"),
+                         {},
+                         io::integers_at<int32_t>(json, "values")};
   } catch (const Json::exception&) {
     return std::nullopt;
   }

@@ -3,8 +3,6 @@
 #include <string>
 #include <system_error>
 
-#include <nlohmann/json.hpp>
-
 #include "io/files.hpp"
 #include "io/hci_parameters.hpp"
 #include "io/rig_text.hpp"
@@ -13,8 +11,6 @@
 
 namespace hmlfc::io {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::span<const uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
@@ -54,15 +50,16 @@ IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
   }
   const auto mapped = map_file(file);
   if (!mapped) return tl::unexpected(mapped.error());
-  const Json json = Json::parse(mapped->bytes().begin(), mapped->bytes().end(), nullptr, false);
-  if (!is_transforms(json)) {
+  if (!is_transforms(mapped->bytes())) {
     auto rig = parse_rig(mapped->bytes(), views.files.size());
     if (!rig) return file_error(file, rig.error());
     return std::move(*rig);
   }
+  const auto json = parse_json<nlohmann::json>(mapped->bytes(), kTransformsLimits);
+  if (!json) return file_error(file, json.error());
   CameraPictures pictures{{}, shape.width, shape.height};
   for (const auto& view : views.files) pictures.stems.push_back(view.stem().string());
-  const auto rig = rig_of_transforms(json, pictures);
+  const auto rig = rig_of_transforms(*json, pictures);
   if (!rig) return file_error(file, rig.error());
   return checked(file, *rig, views);
 }

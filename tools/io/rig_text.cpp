@@ -1,138 +1,183 @@
 #include "io/rig_text.hpp"
 
 #include <array>
+#include <bitset>
 #include <cmath>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 namespace hmlfc::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
-constexpr double kFar = 1 << 20;  // of positions and picture positions (RIG-2)
-
-// A rule of RIG-2 that does not hold.
-struct Broken {
-  std::string what;
+struct Range {
+  double lo;
+  double hi;
 };
 
-[[noreturn]] void refuse(std::string what) { throw Broken{std::move(what)}; }
+constexpr double kFar = 1 << 20;  // of positions and picture positions (RIG-2)
+constexpr Range kPlace{-kFar, kFar};
+constexpr Range kUnit{-2, 2};  // of a quaternion, whose length has a rule of its own
+constexpr Range kFocal{0x1p-4, kFar};
 
-// The number `json` at `place`, in [lo, hi].
-double number(const Json& json, const std::string& place, double lo, double hi) {
-  if (!json.is_number()) refuse(fmt::format("{} must be a number", place));
-  const auto value = json.get<double>();
-  if (!(value >= lo && value <= hi)) {
-    refuse(fmt::format("{} is {}; it must lie in [{}, {}]", place, value, lo, hi));
-  }
-  return value;
-}
+struct Member {
+  std::string_view name;
+  size_t numbers;    // of an entry of its array; 0: it is a number itself
+  bool one_for_all;  // whether the array may have 1 entry
+  bool needed;
+  Range ranges[4];  // of the numbers
+};
 
-// The text as JSON: UTF-8 without a byte order mark, no member twice.
-Json parse_text(std::span<const uint8_t> text) {
-  if (text.size() > kMaxRigBytes) {
-    refuse(fmt::format("{} bytes are more than the {} of a rig", text.size(), kMaxRigBytes));
+constexpr std::array<Member, 5> kMembers{{
+    {"schema", 0, false, true, {{1, 1}}},
+    {"metres_per_unit", 0, false, false, {{0x1p-40, 0x1p40}}},
+    {"positions", 3, false, true, {kPlace, kPlace, kPlace}},
+    {"rotations", 4, true, false, {kUnit, kUnit, kUnit, kUnit}},
+    {"intrinsics", 4, true, false, {kFocal, kFocal, kPlace, kPlace}},
+}};
+constexpr const Member* kSchema = &kMembers[0];
+constexpr const Member* kPositions = &kMembers[2];
+constexpr const Member* kRotations = &kMembers[3];
+
+// Puts the parts of a text into a rig. The first that breaks a rule of RIG-2 ends the walk.
+class RigReader final : public JsonHandler {
+ public:
+  explicit RigReader(uint64_t views) : views_(views) {}
+
+  Rig rig;
+
+  bool null() override { return other(nullptr); }
+  bool boolean(bool value) override { return other(value); }
+  bool number_integer(number_integer_t value) override {
+    return number(static_cast<double>(value));
   }
-  if (text.size() >= 3 && text[0] == 0xEF && text[1] == 0xBB && text[2] == 0xBF) {
-    refuse("it begins with a byte order mark; save it without one");
+  bool number_unsigned(number_unsigned_t value) override {
+    return number(static_cast<double>(value));
   }
-  std::set<std::string> members;
-  const auto note_members = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::key && depth == 1 &&
-        !members.insert(parsed.get<std::string>()).second) {
-      refuse(fmt::format("the member \"{}\" is there twice", parsed.get<std::string>()));
+  bool number_float(number_float_t value, const string_t& /*text*/) override {
+    return number(value);
+  }
+  bool string(string_t& value) override { return other(value); }
+
+  bool start_object(size_t /*count*/) override {
+    if (depth_ != 0) return other(Json::object());
+    depth_ = 1;
+    return true;
+  }
+
+  bool key(string_t& name) override {
+    const auto* found = std::ranges::find(kMembers, name, &Member::name);
+    if (found == kMembers.end()) {
+      return refuse(fmt::format("the member {} is not one of a rig", shown_json(name)));
+    }
+    const auto number = static_cast<size_t>(found - kMembers.begin());
+    if (seen_[number]) return refuse(fmt::format("the member \"{}\" is there twice", name));
+    seen_.set(number);
+    member_ = found;
+    return true;
+  }
+
+  bool end_object() override {
+    for (size_t i = 0; i < kMembers.size(); ++i) {
+      if (!kMembers[i].needed || seen_[i]) continue;
+      return refuse(fmt::format("the member \"{}\" is missing", kMembers[i].name));
     }
     return true;
-  };
-  try {
-    return Json::parse(text.begin(), text.end(), note_members);
-  } catch (const Json::parse_error& error) {
-    refuse(fmt::format("no JSON text: byte {}", error.byte));
-  } catch (const Json::out_of_range&) {
-    refuse("no JSON text: a number is too large");
   }
-}
 
-// The entries of array `member`: as many as one of `counts`, each of N numbers of which number i
-// has the range ranges[i].
-template <size_t N>
-std::vector<std::array<double, N>> entries(const Json& rig, const char* member, bool one_for_all,
-                                           uint64_t views,
-                                           const std::array<std::pair<double, double>, N>& ranges) {
-  const Json& json = rig.at(member);
-  if (!json.is_array()) refuse(fmt::format("{} must be an array", member));
-  if (json.size() != views && !(one_for_all && json.size() == 1)) {
-    refuse(fmt::format("{} has {} entries; {} are needed{}", member, json.size(), views,
-                       one_for_all ? ", or one for all views" : ", one for each view"));
+  bool start_array(size_t /*count*/) override {
+    if (depth_ == 0 || depth_ == 3 || member_->numbers == 0) return other(Json::array());
+    if (depth_ == 2 && entries_ == views_) return wrong_count("more than ", views_);
+    ++depth_;
+    (depth_ == 2 ? entries_ : filled_) = 0;
+    return true;
   }
-  std::vector<std::array<double, N>> all;
-  for (size_t i = 0; i < json.size(); ++i) {
-    if (!json[i].is_array() || json[i].size() != N) {
-      refuse(fmt::format("{}[{}] must be an array of {} numbers", member, i, N));
-    }
-    std::array<double, N>& entry = all.emplace_back();
-    for (size_t k = 0; k < N; ++k) {
-      entry[k] = number(json[i][k], fmt::format("{}[{}][{}]", member, i, k), ranges[k].first,
-                        ranges[k].second);
-    }
-  }
-  return all;
-}
 
-void check_members(const Json& json) {
-  if (!json.is_object()) refuse("it must be a JSON object");
-  constexpr std::array<std::string_view, 5> kMembers{"schema", "metres_per_unit", "positions",
-                                                     "rotations", "intrinsics"};
-  for (const auto& [name, value] : json.items()) {
-    if (std::ranges::find(kMembers, name) == kMembers.end()) {
-      refuse(fmt::format("the member \"{}\" is not one of a rig", name));
-    }
+  bool end_array() override {
+    --depth_;
+    if (depth_ == 2) return filled_ == member_->numbers ? end_entry() : other(Json::array());
+    if (entries_ == views_ || (entries_ == 1 && member_->one_for_all)) return true;
+    return wrong_count("", entries_);
   }
-  for (const char* name : {"schema", "positions"}) {
-    if (!json.contains(name)) refuse(fmt::format("the member \"{}\" is missing", name));
-  }
-  if (!json["schema"].is_number() || json["schema"].get<double>() != 1) {
-    refuse(fmt::format("schema is {}; this version reads 1", json["schema"].dump()));
-  }
-}
 
-void check_rotations(const Rig& rig) {
-  constexpr double kSlack = 1.0 / 1024;
-  for (size_t i = 0; i < rig.rotations.size(); ++i) {
-    const auto& [w, x, y, z] = rig.rotations[i];
-    const double square = w * w + x * x + y * y + z * z;
-    if (!(square >= 1 - kSlack && square <= 1 + kSlack)) {
-      refuse(fmt::format("rotations[{}] has the length {}; it must be 1", i, std::sqrt(square)));
-    }
+ private:
+  // "positions[3][1]": the value that comes next.
+  std::string place() const {
+    std::string text(member_->name);
+    if (depth_ > 1) text += fmt::format("[{}]", entries_);
+    if (depth_ > 2) text += fmt::format("[{}]", filled_);
+    return text;
   }
-}
 
-Rig rig_from(const Json& json, uint64_t views) {
-  check_members(json);
-  constexpr std::pair kPlace{-kFar, kFar};
-  constexpr std::pair kUnit{-2.0, 2.0};  // of a quaternion; check_rotations has its length
-  constexpr std::pair kFocal{1.0 / 16, kFar};
-  Rig rig;
-  if (json.contains("metres_per_unit")) {
-    rig.metres_per_unit =
-        number(json["metres_per_unit"], "metres_per_unit", std::ldexp(1, -40), std::ldexp(1, 40));
+  // A value that is not what stands at this place.
+  bool other(const Json& value) {
+    if (depth_ == 0) return refuse("it must be a JSON object");
+    if (member_ == kSchema) return wrong_schema(shown_json(value));
+    if (depth_ == 2) {
+      return refuse(fmt::format("{} must be an array of {} numbers", place(), member_->numbers));
+    }
+    const bool is_array = depth_ == 1 && member_->numbers != 0;
+    return refuse(fmt::format("{} must be {}", place(), is_array ? "an array" : "a number"));
   }
-  rig.positions = entries<3>(json, "positions", false, views, {kPlace, kPlace, kPlace});
-  if (json.contains("rotations")) {
-    rig.rotations = entries<4>(json, "rotations", true, views, {kUnit, kUnit, kUnit, kUnit});
+
+  bool wrong_schema(const std::string& value) {
+    return refuse(fmt::format("schema is {}; this version reads 1", value));
   }
-  if (json.contains("intrinsics")) {
-    rig.intrinsics = entries<4>(json, "intrinsics", true, views, {kFocal, kFocal, kPlace, kPlace});
+
+  bool wrong_count(const char* more, uint64_t count) {
+    return refuse(
+        fmt::format("{} has {}{} entries; {} are needed{}", member_->name, more, count, views_,
+                    member_->one_for_all ? ", or one for all views" : ", one for each view"));
   }
-  check_rotations(rig);
-  return rig;
-}
+
+  bool number(double value) {
+    const bool fits = depth_ == 3 || (depth_ == 1 && member_->numbers == 0);
+    if (!fits) return other(value);
+    if (filled_ == member_->numbers && depth_ == 3) {
+      depth_ = 2;
+      return other(value);
+    }
+    const auto [lo, hi] = member_->ranges[depth_ == 3 ? filled_ : 0];
+    if (!(value >= lo && value <= hi)) {
+      if (member_ == kSchema) return wrong_schema(fmt::format("{}", value));
+      return refuse(fmt::format("{} is {}; it must lie in [{}, {}]", place(), value, lo, hi));
+    }
+    if (depth_ == 3) {
+      entry_[filled_++] = value;
+    } else if (member_ != kSchema) {
+      rig.metres_per_unit = value;
+    }
+    return true;
+  }
+
+  bool end_entry() {
+    constexpr double kSlack = 0x1p-10;
+    const auto& [a, b, c, d] = entry_;
+    if (const double square = a * a + b * b + c * c + d * d;
+        member_ == kRotations && !(square >= 1 - kSlack && square <= 1 + kSlack)) {
+      return refuse(fmt::format("{} has the length {}; it must be 1", place(), std::sqrt(square)));
+    }
+    if (member_ == kPositions) {
+      rig.positions.push_back({a, b, c});
+    } else {
+      (member_ == kRotations ? rig.rotations : rig.intrinsics).push_back(entry_);
+    }
+    ++entries_;
+    return true;
+  }
+
+  const uint64_t views_;
+  std::bitset<kMembers.size()> seen_;
+  const Member* member_ = nullptr;  // of which the values come
+  int depth_ = 0;                   // 1: in the rig, 2: in the array of a member, 3: in an entry
+  uint64_t entries_ = 0;            // that are whole
+  size_t filled_ = 0;               // numbers of the entry
+  std::array<double, 4> entry_{};
+};
 
 // Numbers in the shortest decimals that are read as the same; 0 without a sign.
 template <size_t N>
@@ -148,11 +193,14 @@ std::string entries_text(const std::vector<std::array<double, N>>& entries) {
 }  // namespace
 
 tl::expected<Rig, std::string> parse_rig(std::span<const uint8_t> text, uint64_t views) {
-  try {
-    return rig_from(parse_text(text), views);
-  } catch (Broken& broken) {
-    return tl::unexpected(std::move(broken.what));
+  if (text.size() >= 3 && text[0] == 0xEF && text[1] == 0xBB && text[2] == 0xBF) {
+    return tl::unexpected(std::string("it begins with a byte order mark; save it without one"));
   }
+  RigReader reader(views);
+  if (auto walked = walk_json(text, kRigLimits, reader); !walked) {
+    return tl::unexpected(std::move(walked.error()));
+  }
+  return std::move(reader.rig);
 }
 
 std::string rig_text(const Rig& rig) {

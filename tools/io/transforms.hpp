@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
 #include <hmlfc/rig.hpp>
+
+#include "io/json_text.hpp"
 
 namespace hmlfc::io {
 
@@ -20,8 +22,11 @@ struct CameraPictures {
   uint32_t height = 1;
 };
 
-/// Whether `json` is a transforms.json and no rig of its own: it has "frames".
-bool is_transforms(const nlohmann::ordered_json& json);
+/// Five deep, and more in members that are not read.
+inline constexpr JsonLimits kTransformsLimits{"a transforms.json", size_t{1} << 26, 16};
+
+/// Whether `text` is a transforms.json and no rig of its own: an object that has "frames".
+bool is_transforms(std::span<const uint8_t> text);
 
 /// The cameras of `pictures` in the transforms.json `json`. Members read, of the file or of a
 /// frame:
@@ -34,7 +39,7 @@ bool is_transforms(const nlohmann::ordered_json& json);
 /// Intrinsics are scaled from w x h to the size of `pictures`; without fl_x and camera_angle_x they
 /// are not known. Rotations are turned to the axes of RIG-3, the world stays. Error: which member
 /// is wrong and why; also where k1 to k4, p1, p2 or is_fisheye say that pictures are distorted.
-tl::expected<Rig, std::string> rig_of_transforms(const nlohmann::ordered_json& json,
+tl::expected<Rig, std::string> rig_of_transforms(const nlohmann::json& json,
                                                  const CameraPictures& pictures);
 
 }  // namespace hmlfc::io

@@ -109,6 +109,8 @@ py::object Stream::rig() const {
   if (!header().has(Feature::kCameraRig)) return py::none();
   const uint64_t views = uint64_t{header().rows} * header().cols;
   const ByteRange range{header().rig.offset, header().rig.size};
+  const std::string excess = io::kRigLimits.excess(range.bytes);
+  if (!excess.empty()) throw py::value_error("section RIG: " + excess);
   tl::expected<Rig, std::string> read;
   const bool loaded = [&] {
     const py::gil_scoped_release unlocked;

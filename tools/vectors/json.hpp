@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "io/files.hpp"
+#include "io/json_text.hpp"
 
 namespace hmlfc::vectors {
 
@@ -21,15 +22,14 @@ class TextError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A manifest or a file of recipes.
+inline constexpr io::JsonLimits kSuiteLimits{"a suite's file", size_t{1} << 24, 16};
+
 /// The JSON in `file`. Throws TextError naming the file and the place.
 inline Json read_json(const std::filesystem::path& file) {
-  const auto mapped = io::map_file(file);
-  if (!mapped) throw TextError(mapped.error().message);
-  try {
-    return Json::parse(mapped->bytes().begin(), mapped->bytes().end());
-  } catch (const Json::exception& error) {
-    throw TextError(file.string() + ": " + error.what());
-  }
+  auto json = io::read_json_file<Json>(file, kSuiteLimits);
+  if (!json) throw TextError(json.error().message);
+  return std::move(*json);
 }
 
 }  // namespace hmlfc::vectors

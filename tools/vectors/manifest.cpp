@@ -28,10 +28,12 @@ struct Fields {
   void operator()(const char* key, T& value) const {
     if constexpr (requires { visit(*this, value); }) {
       visit(at(key), value);
-    } else if (reading) {
-      json.at(key).get_to(value);
-    } else {
+    } else if (!reading) {
       json[key] = value;
+    } else if constexpr (std::is_integral_v<T>) {
+      value = io::integer_at<T>(json, key);
+    } else {
+      json.at(key).get_to(value);
     }
   }
 
@@ -51,7 +53,7 @@ struct Fields {
     }
     const auto text = json.at(key).template get<std::string>();
     const auto found = std::ranges::find(names, text);
-    if (found == names.end()) throw TextError("\"" + text + "\" is not a value of " + key);
+    if (found == names.end()) throw TextError(io::shown_json(text) + " is not a value of " + key);
     value = static_cast<T>(found - names.begin());
   }
 };
@@ -72,7 +74,7 @@ void visit(const Fields& f, ErrorCode& code) {
   }
   const auto name = f.json.get<std::string>();
   const auto error = error_from_name(name);
-  if (!error) throw TextError("\"" + name + "\" is not an error of annex A");
+  if (!error) throw TextError(io::shown_json(name) + " is not an error of annex A");
   code = *error;
 }
 
@@ -133,7 +135,7 @@ void visit(const Fields& f, Vector& vector) {
   f("comment", vector.comment);
   f("milestone", vector.milestone);
   if (f.reading && !milestone_number(vector.milestone)) {
-    throw TextError("\"" + vector.milestone + "\" is not a milestone");
+    throw TextError(io::shown_json(vector.milestone) + " is not a milestone");
   }
   const Fields input = f.at("input");
   input("file", vector.input.file);
@@ -157,14 +159,17 @@ void visit(const Fields& f, Manifest& manifest) {
 // decodes.
 void check_ids(const Manifest& manifest) {
   std::set<VectorId> ids;
+  std::set<VectorId> decode;
   for (const Vector& vector : manifest.vectors) {
     if (!ids.insert(vector.id).second) throw TextError("two vectors " + vector.id.text());
+    if (vector.expect.outcome == Outcome::kOk) decode.insert(vector.id);
+  }
+  for (const Vector& vector : manifest.vectors) {
     if (vector.base.has_value() != (vector.expect.outcome != Outcome::kOk)) {
       throw TextError("vector " + vector.id.text() + ": its outcome and its base do not fit");
     }
     if (!vector.base) continue;
-    const auto base = std::ranges::find(manifest.vectors, *vector.base, &Vector::id);
-    if (base == manifest.vectors.end() || base->expect.outcome != Outcome::kOk) {
+    if (!decode.contains(*vector.base)) {
       throw TextError("vector " + vector.id.text() + ": its base " + vector.base->text() +
                       " is not a vector of outcome ok");
     }
@@ -179,7 +184,7 @@ Manifest manifest_from(Json json) {
     try {
       visit(Fields{vector, true}, manifest.vectors.emplace_back());
     } catch (const std::exception& error) {
-      throw TextError("vector " + vector.value("id", number) + ": " + error.what());
+      throw TextError("vector " + io::shown_json(vector.value("id", number)) + ": " + error.what());
     }
   }
   if (json.at("count") != manifest.vectors.size()) {

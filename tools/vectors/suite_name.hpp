@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/json_text.hpp"
 #include "vectors/json.hpp"
 
 namespace hmlfc::vectors {
@@ -41,8 +42,7 @@ class SuiteName {
       }
     }
     if (good && is_name(rest)) return;
-    throw TextError(Json(text_).dump(-1, ' ', true, Json::error_handler_t::replace) +
-                    " is no name GROUP/NAME of a-z, 0-9 and -");
+    throw TextError(io::shown_json(Json(text_)) + " is no name GROUP/NAME of a-z, 0-9 and -");
   }
 
   const std::string& text() const { return text_; }

@@ -71,6 +71,25 @@ VALUES = [
 ]  # fmt: skip
 
 
+# Forms of a text that readers may take differently: schema, then what comes between and behind the members.
+FORMS = [
+    ("schema", "1.0", "", ""), ("schema", "10e-1", "", "\n"), ("schema", "01", "", ""), ("schema", "+1", "", ""),
+    ("schema", "1.", "", ""), ("schema", ".1e1", "", ""), ("schema", "1E0", "", ""), ("schema", "0x1", "", ""),
+    ("schema", "\u0661", "", ""), ("schema", "Infinity", "", ""), ("schema", "NaN", "", ""), ("schema", "[1]", "", ""),
+    ("sch\\u0065ma", "1", "", ""), ("sch\\u0065ma", "1", ',"schema":1', ""), ("sch\\x65ma", "1", "", ""),
+    ("schema\\u0000", "1", "", ""), ("sche\nma", "1", "", ""), ("\\ud800", "1", "", ""), ("SCHEMA", "1", "", ""),
+    ("".join(f"\\u{ord(c):04x}" for c in "schema"), "1", "", ""), ("a" * 3000, "1", "", ""),
+    ("schema", "1", ",", ""), ("schema", "1", "", "\0"), ("schema", "1", "", "\0\0\0"), ("schema", "1", "\0", ""),
+    ("schema", "1", "\x0c", ""), ("schema", "1", "\u00a0", ""), ("schema", "1", "/**/", ""), ("schema", "1", "\t\r\n ", " "),
+    ("schema", "1", "", "{}"), ("schema", "1", "", "]"), ("schema", "1." + "0" * 2046, "", ""),
+    ("schema", "1." + "0" * 2047, "", ""), ("schema", "1e999", "", ""), ("schema", "1" * 5000, "", ""),
+    ("schema", "1", ',"metres_per_unit":1e-400', ""), ("schema", "1", ',"metres_per_unit":5e-324', ""),
+    ("schema", "1", ',"metres_per_unit":1099511627776.00006103515625', ""),
+    ("schema", "1", ',"metres_per_unit":1099511627776.00012207031251', ""),
+]  # fmt: skip
+NESTED = [b"[" * 2**20, b'{"schema":' + b"[" * 2**20, b'{"a":' * 2**18, b'{"schema":1,"positions":' + b"[" * 2**20]
+
+
 def damaged_text(rng):
     """A rig of two views, and up to two changes of its members, its numbers or its bytes."""
     rig = {
@@ -99,18 +118,37 @@ def damaged_text(rng):
 
 
 class DamagedRigTest(CliTest):
+    def agreed(self, stream, text, turn):
+        """Why the naive reader refuses the text, as the program must too, or None."""
+        (self.folder / "a.hmlfc").write_bytes(with_rig(stream, text))
+        reason = refusal(text, 1, 2)
+        result = self.run_hmlfc("info", "a.hmlfc", "--rig")
+        self.assertEqual(result.returncode, INPUT if reason else DONE, (turn, text[:4000], reason, result.stderr))
+        if not reason:
+            self.assertEqual(result.stdout, text + b"\n")
+        return reason
+
+    def test_the_program_takes_the_same_forms(self):
+        stream = (FOLDER / "syntax/rig.hmlfc").read_bytes()
+        taken = 0
+        for turn, (name, schema, between, behind) in enumerate(FORMS):
+            text = f'{{"{name}":{schema}{between},"positions":[[0,0,0],[1,0,0]]}}{behind}'
+            taken += self.agreed(stream, text.encode(), turn) is None
+        self.assertEqual(taken, 8)
+
+    def test_nested_texts_are_refused_at_once(self):
+        stream = (FOLDER / "syntax/rig.hmlfc").read_bytes()
+        for turn, text in enumerate(NESTED):
+            reason = self.agreed(stream, text, turn)
+            self.assertIn(reason, ("no object", "schema: no number", "an unknown member", "positions: no number"))
+
     def test_the_program_refuses_the_same(self):
         stream = (FOLDER / "syntax/rig.hmlfc").read_bytes()
         rng = random.Random(1)
         seen = {None: 0}
         for turn in range(400):
             text = damaged_text(rng)
-            (self.folder / "a.hmlfc").write_bytes(with_rig(stream, text))
-            reason = refusal(text, 1, 2)
-            result = self.run_hmlfc("info", "a.hmlfc", "--rig")
-            self.assertEqual(result.returncode, INPUT if reason else DONE, (turn, text, reason, result.stderr))
-            if not reason:
-                self.assertEqual(result.stdout, text + b"\n")
+            reason = self.agreed(stream, text, turn)
             seen[reason] = seen.get(reason, 0) + 1
         self.assertGreater(seen[None], 40)
         self.assertGreater(len(seen), 12, seen)

@@ -1,0 +1,107 @@
+"""JSON of others, nested deeper or with other kinds of values than it may have: an error of the file or the vector."""
+
+import json
+import sys
+
+from conform_case import ROOT, ConformTest, faulty, main
+from program import INPUT, USAGE
+
+DEPTH = 300_000  # enough to end a program that reads by recursion
+NESTED = "[" * DEPTH + "]" * DEPTH
+LONG = "\x1b[31m" + "x" * 1_000_000
+
+
+class HostileJson(ConformTest):
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+        return name
+
+    def complaint(self, status, *arguments):
+        """The one line of a refusal, which is short and holds no control character."""
+        result = self.run_hmlfc(*arguments)
+        self.assertEqual(result.returncode, status, result.stderr[:1000])
+        text = result.stderr.decode().strip()
+        self.assertLess(len(text), 500)
+        self.assertTrue(text.isprintable(), text)
+        return text
+
+    def test_declarations(self):
+        run = ("conform", "--suite", self.small, "-o", "none", "--dut", "dut.json")
+        for text, says in [
+            (NESTED, "nested deeper than the 3"),
+            ('{"name": "a", "limits": ' + NESTED + "}", "nested deeper than the 3"),
+            (json.dumps({LONG: 1}), "the unknown key"),
+            (json.dumps({"name": "a", "command": LONG}), "does not have {input}"),
+            (json.dumps({"name": "a", "command": "a {input} {output}", "profile": LONG}), '"profile" is'),
+            (json.dumps({"name": "a", "command": "a {input} {output}", "level": 1e300}), "not an integer in [0, 3]"),
+            (json.dumps({"name": "a", "command": "a {input} {output}", "limits": {"block_log2": [1e300]}}), "block_log2"),
+            ('{"name": "a", "name": "b"}', '"name" is there twice'),
+        ]:
+            self.write("dut.json", text)
+            self.assertIn(says, self.complaint(USAGE, *run))
+
+    def test_claims(self):
+        claim = {"results": {}, "decoder": {"dut": "a"}}
+        for text in (
+            NESTED,
+            '{"sha256": "", "claim": ' + NESTED + "}",
+            json.dumps({"sha256": LONG, "claim": {**claim, "decoder": ["a"]}}),
+            json.dumps({"sha256": LONG, "claim": {**claim, "results": 7}}),
+        ):
+            self.write("claim.json", text)
+            said = self.complaint(INPUT, "conform", "--suite", self.small, "--verify", "claim.json", "-o", "none")
+            self.assertIn("is not a claim", said)
+
+    def test_reports(self):
+        (self.folder / "other").mkdir(exist_ok=True)
+        self.conform(f"{ROOT / 'vectors/duts/model.json'}", output="good")
+        good = json.loads((self.folder / "good/report.json").read_text())
+        fraction = json.loads(json.dumps(good))
+        fraction["runs"][0]["results"][0]["bytes"] = 1e300
+        for text, says in [
+            (NESTED, "nested deeper than the 7"),
+            ('{"runs": ' + NESTED + "}", "nested deeper than the 7"),
+            (json.dumps(fraction), "is not a report"),
+        ]:
+            self.write("other/report.json", text)
+            self.assertIn(says, self.complaint(INPUT, "conform", "--merge", "good", "other", "-o", "merged"))
+
+    def test_manifests(self):
+        (self.folder / "suite").mkdir(exist_ok=True)
+        vector = self.manifest["vectors"][0]
+        for changes, says in [
+            ({"level": 1e300}, "out of range"),
+            ({"milestone": LONG}, "is not a milestone"),
+            ({"profile": LONG}, "is not a value of profile"),
+            ({"id": LONG, "level": {}}, "out of range"),
+        ]:
+            text = json.dumps({**self.manifest, "vectors": [{**vector, **changes}]})
+            self.write("suite/manifest.json", text)
+            self.assertIn(says, self.complaint(INPUT, "vectors", "list", "--suite", "suite"))
+        self.write("suite/manifest.json", '{"vectors": ' + NESTED + "}")
+        self.assertIn("nested deeper", self.complaint(INPUT, "vectors", "list", "--suite", "suite"))
+
+    def test_traces(self):
+        """A trace that no one can read is none; the vector fails for its samples, and the others are run."""
+        stage = '{"record": "stage", "stage": "parent", "plane": "Y", "image": [0, 0], "block": [0, 0], '
+        for name, line in [
+            ("nested", stage + '"values": [1], "level": ' + NESTED + "}"),
+            ("kind", '{"record": 1}'),
+            ("fraction", stage + '"values": [1e300], "level": 0}'),
+        ]:
+            self.write(f"{name}.txt", line + "\n")
+            trace = self.write(f"{name}.py", f"print(open({str(self.folder / name)!r} + '.txt').read())\n")
+            places = "{input} {view_row} {view_col} {plane} {block_x} {block_y}"
+            dut = {
+                "name": name, "command": faulty("chroma_shifted"),
+                "trace": f"{sys.executable} {self.folder / trace} {places}",
+            }  # fmt: skip
+            self.write(f"{name}.json", json.dumps(dut))
+            _, report = self.conform(self.folder / f"{name}.json", "--filter", "real/*", output=name)
+            results = self.results(report)
+            self.assertEqual(len(results), len(self.manifest["vectors"]))
+            self.assertEqual(results["real/cards-main"]["status"], "fail")
+
+
+if __name__ == "__main__":
+    main()
