@@ -1,10 +1,16 @@
 // hmlfc view: a page in a browser that looks through a light field and into its stream.
+#include <semaphore.h>
+
+#include <array>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -30,24 +36,40 @@ struct ViewOptions {
   bool once = false;
 };
 
-// Keeps Ctrl-C from ending the process, in this thread and those that it starts.
-class HeldSignals {
- public:
-  HeldSignals() {
-    sigemptyset(&signals_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals_, signal);
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-  }
+constexpr std::array kEndSignals{SIGINT, SIGTERM, SIGHUP};
+constexpr std::chrono::milliseconds kGrace{500};
+sem_t end_signal;
 
-  /// Whether one came within a fifth of a second.
-  bool came() const {
-    const timespec wait{0, 200'000'000};
-    return sigtimedwait(&signals_, nullptr, &wait) > 0;
-  }
+// The second signal finds what was there before: it ends the process.
+extern "C" void on_end_signal(int) {
+  for (const int signal : kEndSignals) std::signal(signal, SIG_DFL);
+  sem_post(&end_signal);
+}
 
- private:
-  sigset_t signals_{};
-};
+// From here on Ctrl-C no longer ends the process at once.
+void catch_end_signals() {
+  sem_init(&end_signal, 0, 0);
+  for (const int signal : kEndSignals) std::signal(signal, on_end_signal);
+}
+
+// Whether a signal to end comes within a fifth of a second.
+bool end_is_wanted() {
+  timespec until{};
+  clock_gettime(CLOCK_REALTIME, &until);
+  until.tv_nsec += 200'000'000;
+  until.tv_sec += until.tv_nsec / 1'000'000'000;
+  until.tv_nsec %= 1'000'000'000;
+  return sem_timedwait(&end_signal, &until) == 0;
+}
+
+// Ends the process after kGrace unless it has ended by then: an answer that is still worked out
+// would be for nobody, and leaves nothing behind.
+void end_soon() {
+  std::thread([] {
+    std::this_thread::sleep_for(kGrace);
+    std::_Exit(static_cast<int>(ExitCode::kDone));
+  }).detach();
+}
 
 // What stands behind the address of the page to open the block that the options name, or nothing.
 std::string link_to(const BlockRequest& block, const view::OpenStream& stream, bool with_other) {
@@ -74,26 +96,28 @@ std::unique_ptr<view::OtherDecoder> other_decoder(const DutOptions& options,
 }
 
 ExitCode run_view(const ViewOptions& options) {
-  const HeldSignals signals;
   view::OpenStream stream(options.file, options.original);
   const auto other = other_decoder(options.dut, stream);
   const std::string link = link_to(options.block, stream, other != nullptr);
   if (!stream.error().empty()) note(stream.error());
   if (!stream.warning().empty()) note(stream.warning());
-  view::Server server(options.port);
-  const view::Site site{server.port(), view::random_token()};
+  const view::Port port(options.port);
+  const view::Site site{port.number(), view::random_token()};
   view::Handler handler(site, stream, other.get(), !options.no_ahead);
-  server.start(handler);
+  const view::Server server(port, handler);
+  catch_end_signals();
   const std::string address = site.address() + link;
   print(address + "\n");
   flush_output();
   note("Ctrl-C ends it");
   std::optional<view::Browser> browser;
   if (!options.no_browser) browser.emplace(address);
-  while (!signals.came()) {
+  while (!end_is_wanted()) {
     if (options.once && handler.pages().all_closed(std::chrono::steady_clock::now())) break;
   }
-  server.stop();
+  end_soon();
+  browser.reset();
+  if (other) other->end();
   return ExitCode::kDone;
 }
 
