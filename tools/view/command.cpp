@@ -1,15 +1,20 @@
 // hmlfc view: a page in a browser that looks through a light field and into its stream.
-#include <semaphore.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
 
 #include <array>
+#include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -38,28 +43,30 @@ struct ViewOptions {
 
 constexpr std::array kEndSignals{SIGINT, SIGTERM, SIGHUP};
 constexpr std::chrono::milliseconds kGrace{500};
-sem_t end_signal;
+int end_event = -1;  // an eventfd: a signal to end has come
 
-// The second signal finds what was there before: it ends the process.
-extern "C" void on_end_signal(int) {
-  for (const int signal : kEndSignals) std::signal(signal, SIG_DFL);
-  sem_post(&end_signal);
+extern "C" void on_end_signal(int signal) {
+  static std::atomic_flag came;
+  if (!came.test_and_set()) {
+    const uint64_t one = 1;
+    [[maybe_unused]] const ssize_t written = ::write(end_event, &one, sizeof one);
+  } else {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
-// From here on Ctrl-C no longer ends the process at once.
+// From here on a first signal to end is left to end_is_wanted(); a second one ends the process.
 void catch_end_signals() {
-  sem_init(&end_signal, 0, 0);
+  end_event = ::eventfd(0, EFD_CLOEXEC);
+  if (end_event < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
   for (const int signal : kEndSignals) std::signal(signal, on_end_signal);
 }
 
 // Whether a signal to end comes within a fifth of a second.
 bool end_is_wanted() {
-  timespec until{};
-  clock_gettime(CLOCK_REALTIME, &until);
-  until.tv_nsec += 200'000'000;
-  until.tv_sec += until.tv_nsec / 1'000'000'000;
-  until.tv_nsec %= 1'000'000'000;
-  return sem_timedwait(&end_signal, &until) == 0;
+  pollfd entry{end_event, POLLIN, 0};
+  return ::poll(&entry, 1, 200) > 0;
 }
 
 // Ends the process after kGrace unless it has ended by then: an answer that is still worked out
