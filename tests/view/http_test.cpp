@@ -27,7 +27,7 @@ std::string headers(size_t count) {
 
 TEST(ViewHttp, ReadsWhatABrowserAsks) {
   const std::string sent =
-      "GET /token/fr%61me%2F+?camera=1.5%2C0&size=8x6&a+b=%zz&&none&last=%4 HTTP/1.1\r\n"
+      "GET /token/fr%61me%2F+?camera=1.5%2C0&size=8x6&a+b=%zz&&none&last=%4&end=%4a HTTP/1.1\r\n"
       "HOST: 127.0.0.1:80\r\nOrigin:\thttp://127.0.0.1:80 \r\nAccept: */*\r\n"
       "Sec-Fetch-Site: same-origin\r\nContent-Length: 0\r\n\r\n";
   std::string received;
@@ -44,7 +44,7 @@ TEST(ViewHttp, ReadsWhatABrowserAsks) {
   EXPECT_EQ(request.method, "GET");
   EXPECT_EQ(request.path, "/token/frame/+");
   const Query query{{"camera", "1.5,0"}, {"size", "8x6"}, {"a b", "%zz"}, {"", ""},
-                    {"none", ""},        {"last", "%4"}};
+                    {"none", ""},        {"last", "%4"},  {"end", "J"}};
   EXPECT_EQ(request.query, query);
   EXPECT_EQ(request.host, "127.0.0.1:80");
   EXPECT_EQ(request.origin, "http://127.0.0.1:80");

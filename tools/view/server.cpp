@@ -111,7 +111,7 @@ void Server::serve_once() {
   Time until = Connection::Clock::now() + kLongestWait;
   for (const Connection& connection : connections_) until = std::min(until, connection.deadline());
   const bool is_room =
-      connections_.size() < kConnections || longest_reading() != connections_.end();
+      connections_.size() < kConnections || longest_waiting() != connections_.end();
   std::vector<pollfd> entries{{wakes_.get(), POLLIN, 0},
                               {is_room ? port_.socket() : -1, POLLIN, 0}};
   for (const Connection& connection : connections_) entries.push_back(connection.entry());
@@ -167,19 +167,18 @@ void Server::accept(Time now) {
   }
 }
 
-// The connection that has been without a whole request the longest, or the end.
-std::list<Connection>::iterator Server::longest_reading() {
+// The connection that has waited the longest for the other side, or the end.
+std::list<Connection>::iterator Server::longest_waiting() {
   auto found = connections_.end();
   for (auto at = connections_.begin(); at != connections_.end(); ++at) {
-    const auto phase = at->phase();
-    if (phase != Connection::Phase::kReading && phase != Connection::Phase::kClosing) continue;
+    if (at->phase() == Connection::Phase::kAnswering) continue;
     if (found == connections_.end() || at->since() < found->since()) found = at;
   }
   return found;
 }
 
 void Server::make_room() {
-  const auto found = longest_reading();
+  const auto found = longest_waiting();
   if (found != connections_.end()) connections_.erase(found);
 }
 

@@ -31,8 +31,8 @@ class Port {
 
 /// Answers what comes to a port until it is destroyed. One thread has all connections, so that
 /// those that send or take little keep nobody waiting; others work out the answers. Where
-/// kConnections are open, a new one takes the place of the one that has been without a whole
-/// request the longest.
+/// kConnections are open, a new one takes the place of the one that has waited the longest for its
+/// request, or for its answer to be taken.
 class Server {
  public:
   static constexpr size_t kConnections = 64;  ///< open at a time
@@ -59,7 +59,7 @@ class Server {
   void work(Connection& connection, Time now);
   void take_answers(Time now);
   void accept(Time now);
-  std::list<Connection>::iterator longest_reading();
+  std::list<Connection>::iterator longest_waiting();
   void make_room();
   void work_out();
   std::string answer_to(const HttpRequest& http);
