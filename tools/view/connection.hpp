@@ -20,8 +20,9 @@ class Connection {
   using Clock = std::chrono::steady_clock;
   using Time = Clock::time_point;
 
-  /// In which a request comes whole, counted from the connection or the answer before.
-  static constexpr std::chrono::seconds kRequestTime{10};
+  /// In which a request comes whole, counted from the connection or the answer before. An open page
+  /// asks every 10 s.
+  static constexpr std::chrono::seconds kRequestTime{15};
   /// In which an answer is taken whole.
   static constexpr std::chrono::seconds kAnswerTime{60};
   /// In which the other side closes, too, so that it sees why it was refused.
