@@ -1,6 +1,5 @@
 # cmake -DOUTPUT=FILE.cpp -DFILES=FILE;... -P EmbedFiles.cmake: the files as assets of tools/view/assets.hpp.
 
-# Not text/javascript and text/markdown: cpp-httplib compresses text/ with Brotli, which takes seconds.
 set(types html "text/html" css "text/css" js "application/javascript" md "application/markdown")
 set(arrays "")
 set(rows "")

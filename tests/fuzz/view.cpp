@@ -1,12 +1,13 @@
 // The server of `hmlfc view` behind its socket: one HTTP request of anybody, about any stream.
-#include <httplib.h>
-
 #include <array>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "bits/crc32c.hpp"
 #include "page_input.hpp"
-#include "view/routes.hpp"
+#include "view/handler.hpp"
+#include "view/http.hpp"
 
 namespace hmlfc::fuzz {
 namespace {
@@ -17,51 +18,17 @@ constexpr size_t kMaxSizeText = 7;                  // of a frame: 999x999
 constexpr std::string_view kToken = "token";
 constexpr std::string_view kHost = "127.0.0.1:80";
 
-// A connection that has one request, and keeps the answer.
-class Connection final : public httplib::Stream {
- public:
-  explicit Connection(std::span<const uint8_t> request) : left_(request) {}
-
-  const std::string& answer() const { return answer_; }
-
-  bool is_readable() const override { return !left_.empty(); }
-  bool is_writable() const override { return true; }
-  ssize_t read(char* out, size_t size) override {
-    const size_t count = std::min(size, left_.size());
-    std::copy_n(left_.begin(), count, out);
-    left_ = left_.subspan(count);
-    return static_cast<ssize_t>(count);
+// What the server sends back to `sent`, as far as that is one request.
+std::string answer_to(std::string sent, view::Handler& handler) {
+  auto taken = view::take_request(sent);
+  if (!taken) return view::response_bytes(std::move(taken.error()), false, false);
+  if (!*taken) return "";
+  const view::Request& request = (*taken)->request;
+  for (const auto& [name, value] : request.query) {
+    if (name == "size" && value.size() > kMaxSizeText) return "";
   }
-  ssize_t write(const char* bytes, size_t size) override {
-    answer_.append(bytes, size);
-    return static_cast<ssize_t>(size);
-  }
-  void get_remote_ip_and_port(std::string&, int&) const override {}
-  void get_local_ip_and_port(std::string&, int&) const override {}
-  socket_t socket() const override { return INVALID_SOCKET; }
-
- private:
-  std::span<const uint8_t> left_;
-  std::string answer_;
-};
-
-// The server without its port.
-class Http final : public httplib::Server {
- public:
-  explicit Http(view::Handler& handler) {
-    view::add_routes(*this, handler);
-    set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
-      if (request.get_param_value("size").size() <= kMaxSizeText) return HandlerResponse::Unhandled;
-      response.status = 413;
-      return HandlerResponse::Handled;
-    });
-  }
-
-  void serve(Connection& connection) {
-    bool closed = false;
-    process_request(connection, true, closed, nullptr);
-  }
-};
+  return view::response_bytes(handler.answer(request), request.method == "HEAD", (*taken)->keep);
+}
 
 bool is_small(const view::OpenStream& stream) {
   if (!stream.error().empty()) return true;
@@ -82,13 +49,10 @@ void run(std::span<const uint8_t> input) {
   view::OpenStream stream("a.hmlfc", page.stream);
   if (!is_small(stream)) return;
   view::Handler handler({80, std::string(kToken)}, stream, nullptr, false);
-  Http http(handler);
-  Connection connection(page.request);
-  http.serve(connection);
-  const std::string& answer = connection.answer();
-  demand(!answer.starts_with("HTTP/1.1 5"), "a request has an error inside the server");
   const std::string_view request(reinterpret_cast<const char*>(page.request.data()),
                                  page.request.size());
+  const std::string answer = answer_to(std::string(request), handler);
+  demand(!answer.starts_with("HTTP/1.1 5"), "a request has an error inside the server");
   demand(!answer.starts_with("HTTP/1.1 200") || may_come_from_the_page(request),
          "a request that does not come from the page is answered");
 }

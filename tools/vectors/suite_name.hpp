@@ -42,7 +42,7 @@ class SuiteName {
       }
     }
     if (good && is_name(rest)) return;
-    throw TextError(io::shown_json(Json(text_)) + " is no name GROUP/NAME of a-z, 0-9 and -");
+    throw TextError(io::shown_json(text_) + " is no name GROUP/NAME of a-z, 0-9 and -");
   }
 
   const std::string& text() const { return text_; }

@@ -40,8 +40,12 @@ Browser::Browser(const std::string& address) {
   if (file_.empty()) return;
   std::string program = "xdg-open";
   char* const arguments[] = {program.data(), file_.data(), nullptr};
+  posix_spawnattr_t own_session;  // Ctrl-C does not reach it
+  posix_spawnattr_init(&own_session);
+  posix_spawnattr_setflags(&own_session, POSIX_SPAWN_SETSID);
   pid_t child = 0;
-  posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments, environ);
+  posix_spawnp(&child, program.c_str(), nullptr, &own_session, arguments, environ);
+  posix_spawnattr_destroy(&own_session);
 }
 
 Browser::~Browser() {

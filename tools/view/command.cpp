@@ -1,10 +1,21 @@
 // hmlfc view: a page in a browser that looks through a light field and into its stream.
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
 #include <csignal>
-#include <ctime>
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -30,24 +41,42 @@ struct ViewOptions {
   bool once = false;
 };
 
-// Keeps Ctrl-C from ending the process, in this thread and those that it starts.
-class HeldSignals {
- public:
-  HeldSignals() {
-    sigemptyset(&signals_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals_, signal);
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-  }
+constexpr std::array kEndSignals{SIGINT, SIGTERM, SIGHUP};
+constexpr std::chrono::milliseconds kGrace{500};
+int end_event = -1;  // an eventfd: a signal to end has come
 
-  /// Whether one came within a fifth of a second.
-  bool came() const {
-    const timespec wait{0, 200'000'000};
-    return sigtimedwait(&signals_, nullptr, &wait) > 0;
+extern "C" void on_end_signal(int signal) {
+  static std::atomic_flag came;
+  if (!came.test_and_set()) {
+    const uint64_t one = 1;
+    [[maybe_unused]] const ssize_t written = ::write(end_event, &one, sizeof one);
+  } else {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
   }
+}
 
- private:
-  sigset_t signals_{};
-};
+// From here on a first signal to end is left to end_is_wanted(); a second one ends the process.
+void catch_end_signals() {
+  end_event = ::eventfd(0, EFD_CLOEXEC);
+  if (end_event < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
+  for (const int signal : kEndSignals) std::signal(signal, on_end_signal);
+}
+
+// Whether a signal to end comes within a fifth of a second.
+bool end_is_wanted() {
+  pollfd entry{end_event, POLLIN, 0};
+  return ::poll(&entry, 1, 200) > 0;
+}
+
+// Ends the process after kGrace unless it has ended by then: an answer that is still worked out
+// would be for nobody, and leaves nothing behind.
+void end_soon() {
+  std::thread([] {
+    std::this_thread::sleep_for(kGrace);
+    std::_Exit(static_cast<int>(ExitCode::kDone));
+  }).detach();
+}
 
 // What stands behind the address of the page to open the block that the options name, or nothing.
 std::string link_to(const BlockRequest& block, const view::OpenStream& stream, bool with_other) {
@@ -74,26 +103,28 @@ std::unique_ptr<view::OtherDecoder> other_decoder(const DutOptions& options,
 }
 
 ExitCode run_view(const ViewOptions& options) {
-  const HeldSignals signals;
   view::OpenStream stream(options.file, options.original);
   const auto other = other_decoder(options.dut, stream);
   const std::string link = link_to(options.block, stream, other != nullptr);
   if (!stream.error().empty()) note(stream.error());
   if (!stream.warning().empty()) note(stream.warning());
-  view::Server server(options.port);
-  const view::Site site{server.port(), view::random_token()};
+  const view::Port port(options.port);
+  const view::Site site{port.number(), view::random_token()};
   view::Handler handler(site, stream, other.get(), !options.no_ahead);
-  server.start(handler);
+  const view::Server server(port, handler);
+  catch_end_signals();
   const std::string address = site.address() + link;
   print(address + "\n");
   flush_output();
   note("Ctrl-C ends it");
   std::optional<view::Browser> browser;
   if (!options.no_browser) browser.emplace(address);
-  while (!signals.came()) {
+  while (!end_is_wanted()) {
     if (options.once && handler.pages().all_closed(std::chrono::steady_clock::now())) break;
   }
-  server.stop();
+  end_soon();
+  browser.reset();
+  if (other) other->end();
   return ExitCode::kDone;
 }
 

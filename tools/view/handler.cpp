@@ -23,13 +23,6 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-Response refusal(int status, const std::string& text) {
-  Response response;
-  response.status = status;
-  response.body = dump({{"error", text}});
-  return response;
-}
-
 int status_of(ExitCode code) {
   switch (code) {
     case ExitCode::kUsage:
@@ -51,6 +44,12 @@ Response json_answer(const Json& json) {
 }
 
 }  // namespace
+
+Response refusal(int status, const std::string& text) {
+  Response response = json_answer({{"error", text}});
+  response.status = status;
+  return response;
+}
 
 Handler::Handler(Site site, OpenStream& stream, OtherDecoder* other, bool ahead)
     : site_(std::move(site)), stream_(stream), frames_(stream, ahead), blocks_(stream) {

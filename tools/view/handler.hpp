@@ -14,6 +14,9 @@
 
 namespace hmlfc::view {
 
+/// The answer {"error": `text`}, without the headers of guard.hpp.
+Response refusal(int status, const std::string& text);
+
 /// Answers every request, whatever it holds: what is asked for, or {"error": text} with status 400
 /// (a wrong query), 404 (no such address, or not from the page), 405, 422 (the stream is corrupt
 /// there, or the decoder under test does not answer) or 503 (not enough memory). No part of a

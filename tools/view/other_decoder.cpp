@@ -1,6 +1,10 @@
 #include "view/other_decoder.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
+#include <fstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,8 +32,16 @@ Failure failure_of(const std::string& decoder, const std::string& what, const st
   return {ExitCode::kCorrupt, fmt::format("{}: {}: {}", decoder, what, why)};
 }
 
-std::filesystem::path new_folder() {
-  return std::filesystem::temp_directory_path() / ("hmlfc-view-" + random_token());
+// Kills all processes that this one has started in process groups of their own, as decoders are. A
+// browser has a session of its own.
+void kill_decoders() {
+  std::error_code ignored;
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task", ignored)) {
+    std::ifstream children(thread.path() / "children");
+    for (pid_t child = 0; children >> child;) {
+      if (::getsid(child) == ::getsid(0)) ::kill(-child, SIGKILL);
+    }
+  }
 }
 
 // The site of a block's own stages at its stop level.
@@ -42,18 +54,32 @@ BlockSite site_of(const StreamHeader& header, const BlockAddress& block, int sto
 
 OtherDecoder::OtherDecoder(conform::Dut dut, const conform::ProcessLimits& limits,
                            const cli::StreamFile& stream)
-    : dut_(std::move(dut)), limits_(limits), stream_(stream), golden_(stream.decoder()) {
+    : dut_(std::move(dut)),
+      limits_(limits),
+      stream_(stream),
+      golden_(stream.decoder()),
+      folder_(std::filesystem::temp_directory_path() / ("hmlfc-view-" + random_token())) {
+  if (folder_.error()) {
+    throw Failure(ExitCode::kOutput,
+                  fmt::format("{}: {}", folder_.path().string(), folder_.error().message()));
+  }
   if (!stream.is_remote()) file_ = std::filesystem::absolute(stream.path());
 }
 
 OtherDecoder::~OtherDecoder() = default;
 
+void OtherDecoder::end() {
+  ended_ = true;
+  kill_decoders();
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_.path(), ignored);
+}
+
 // Fetches a stream at an address, unless that is done. Failure: as for StreamFile::with_bytes, or
 // there is no room for it.
 void OtherDecoder::copy_stream() {
   if (!file_.empty()) return;
-  copy_.emplace(new_folder());
-  const std::filesystem::path path = copy_->path() / "stream.hmlfc";
+  const std::filesystem::path path = folder_.path() / "stream.hmlfc";
   auto copy = cli::value_or_throw(io::AtomicFile::create(path), ExitCode::kInput);
   for (uint64_t at = 0; at < stream_.size(); at += kCopiedBytes) {
     const ByteRange range{at, std::min(kCopiedBytes, stream_.size() - at)};
@@ -84,7 +110,7 @@ conform::LineDecoder& OtherDecoder::line() {
 // The views that a command line writes.
 const std::vector<RgbImage>& OtherDecoder::output() {
   if (output_) return *output_;
-  const conform::WorkFolder folder(new_folder());
+  const conform::WorkFolder folder(folder_.path() / "views");
   if (folder.error()) throw Failure(ExitCode::kCorrupt, folder.error().message());
   const conform::Places places{{"input", file_.string()}, {"output", folder.path().string()}};
   const auto outcome = conform::run_process(conform::fill_in(dut_.command, places), limits_);
@@ -100,6 +126,7 @@ const std::vector<RgbImage>& OtherDecoder::output() {
 // The answer to a question; a decoder that does not answer ends, and is named.
 template <class Question>
 auto OtherDecoder::asked(const std::string& what, const Question& question) {
+  if (ended_) throw failure_of(name(), what, "hmlfc view ends");
   copy_stream();
   try {
     return question();

@@ -1,6 +1,7 @@
 // A decoder under test beside the golden model, for --dut.
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -27,7 +28,8 @@ namespace hmlfc::view {
 /// the first question and removed at the end. SIGPIPE must be ignored.
 class OtherDecoder {
  public:
-  /// `stream`, open with the golden model, must outlive it. Starts nothing.
+  /// `stream`, open with the golden model, must outlive it. Starts nothing. Failure (kOutput): no
+  /// folder for its files.
   OtherDecoder(conform::Dut dut, const conform::ProcessLimits& limits,
                const cli::StreamFile& stream);
   ~OtherDecoder();
@@ -35,6 +37,10 @@ class OtherDecoder {
   OtherDecoder& operator=(const OtherDecoder&) = delete;
 
   const std::string& name() const { return dut_.name; }
+
+  /// For the end of the process, at any time: kills what runs of the decoder and removes its files.
+  /// The question under way fails, and those after it.
+  void end();
 
   /// View `view` of the grid, with all levels. Failure (kCorrupt): what the decoder says instead.
   RgbImage view(ViewPos view);
@@ -61,8 +67,9 @@ class OtherDecoder {
   conform::ProcessLimits limits_;
   const cli::StreamFile& stream_;
   const Decoder& golden_;  // of stream_
+  std::atomic<bool> ended_ = false;
   std::mutex mutex_;
-  std::optional<conform::WorkFolder> copy_;
+  conform::WorkFolder folder_;                  // for the copy and what a command line writes
   std::filesystem::path file_;                  // absolute; empty until there is a copy
   std::unique_ptr<conform::LineDecoder> line_;  // with the stream open
   std::optional<std::vector<RgbImage>> output_;
