@@ -2,6 +2,7 @@
 #include <hmlfc/decoder.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <memory>
 #include <span>
 #include <string>
@@ -56,7 +57,8 @@ tl::unexpected<Refusal> no_file(const char* path, const MapFailure& failure) {
   if (failure.system_error != 0) {
     text += ": " + std::generic_category().message(failure.system_error);
   }
-  return refuse(HMLFC_STATUS_NO_FILE, text + ": " + path);
+  const bool no_memory = failure.system_error == ENOMEM;
+  return refuse(no_memory ? HMLFC_STATUS_OUT_OF_MEMORY : HMLFC_STATUS_NO_FILE, text + ": " + path);
 }
 
 Outcome open_file(const char* path, const hmlfc_open_options* options, hmlfc_decoder** decoder) {

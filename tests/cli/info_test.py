@@ -1,10 +1,12 @@
 """info: its JSON against the header that the decoder from the specification reads."""
 
+import resource
 import struct
 
 from program import CliTest, main
 
-from header import read_header
+from crc32c import crc32c
+from header import MAGIC, read_header
 
 KEYS = [
     "bytes", "bpp", "ratio", "rows", "cols", "width", "height", "profile", "method", "sections",
@@ -107,6 +109,40 @@ class Info(CliTest):
         json = self.hmlfc_json("encode", "views", "-o", "b.hmlfc", *options.split())
         for key in KEYS[:10]:
             self.assertEqual(json[key], self.info[key], key)
+
+
+def stream_of(rows, cols, sections):
+    """A stream of rows x cols views of one pixel, with one level and reference groups of 255x255."""
+    head = MAGIC + bytes([1, 0]) + struct.pack("<HIHHII", 148, 0, rows, cols, 1, 1)
+    head += bytes([8, 0, 2, 0, 1, 1, 0, 0, 0, 0, 0, 0]) + bytes(4) + bytes([255, 255, 0, 0])
+    offset = 148
+    for number, section in enumerate(sections, 1):
+        head += struct.pack("<IIQQ", number, crc32c(section), offset, len(section))
+        offset += len(section)
+    return head + struct.pack("<I", crc32c(head)) + b"".join(sections)
+
+
+class LargeGrid(CliTest):
+    """210 KB that say they are 4096 x 4096 views, which takes minutes to walk through."""
+
+    def limited(self, *arguments):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (30, 30))
+        result = self.run_hmlfc(*arguments, preexec_fn=limit)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout.decode()
+
+    def test_time_follows_the_bytes(self):
+        keys, groups = 17 * 17 * 3, 4096 * 4096 * 3 // 64
+        top = struct.pack("<QII", 16 * keys, 0, 0) * keys
+        tables = {
+            "empty.hmlfc": (bytes(groups // 64 * 16), b""),
+            "records.hmlfc": (struct.pack("<QQ", 2**64 - 1, 0) * (groups // 64), struct.pack("<QQ", 0, 1 << 48) * 64),
+        }
+        for name, (root, records) in tables.items():
+            (self.folder / name).write_bytes(stream_of(4096, 4096, [top, root, records, b""]))
+            self.assertIn("disparity not counted", self.limited("info", name))
+            states = self.hmlfc_json("info", name)["states"]
+            self.assertEqual(states, {"zero": (4096 * 4096 - 17 * 17) * 3, "motion": 0, "motion_residual": 0, "residual": 0})
 
 
 if __name__ == "__main__":

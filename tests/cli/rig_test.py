@@ -3,7 +3,7 @@
 import json
 import shutil
 
-from program import INPUT, ROOT, USAGE, CliTest, main
+from program import CORRUPT, INPUT, ROOT, USAGE, CliTest, main
 
 POSITIONS = [[0, 0, 0], [1, 0.5, 0], [0, 1, 0], [1, 1, 0.25]]
 RIG = {"schema": 1, "metres_per_unit": 0.5, "positions": POSITIONS, "intrinsics": [[40, 40, 19.5, 14.5]]}
@@ -169,7 +169,7 @@ class Rig(CliTest):
         what = "section RIG at byte 172: positions has 1 entries; 2 are needed, one for each view"
         self.assertIn(f"Rig           cannot be read: {what}\n", self.hmlfc("info", vector))
         self.assertEqual(self.hmlfc_json("info", vector)["rig"], {"error": what})
-        self.refused(INPUT, "info", vector, "--rig", says=[str(vector), what])
+        self.refused(CORRUPT, "info", vector, "--rig", says=[str(vector), what])
 
 
 if __name__ == "__main__":

@@ -73,7 +73,7 @@ class HostileJson(ConformTest):
             ({"level": 1e300}, "out of range"),
             ({"milestone": LONG}, "is not a milestone"),
             ({"profile": LONG}, "is not a value of profile"),
-            ({"id": LONG, "level": {}}, "out of range"),
+            ({"id": LONG, "level": {}}, "is no name GROUP/NAME"),
         ]:
             text = json.dumps({**self.manifest, "vectors": [{**vector, **changes}]})
             self.write("suite/manifest.json", text)

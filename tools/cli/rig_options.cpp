@@ -145,11 +145,11 @@ std::optional<ChosenRig> rig_in(const StreamFile& file) {
 
 std::string rig_text_of(const StreamFile& file) {
   auto found = find_rig(file);
-  const auto fail = [&](const std::string& what) {
-    throw Failure(ExitCode::kInput, file.path().string() + ": " + what);
+  const auto fail = [&](ExitCode code, const std::string& what) {
+    throw Failure(code, file.path().string() + ": " + what);
   };
-  if (!found) fail("the stream has no rig; encode it with --rig");
-  if (!*found) fail(found->error());
+  if (!found) fail(ExitCode::kInput, "the stream has no rig; encode it with --rig");
+  if (!*found) fail(ExitCode::kCorrupt, found->error());
   return std::move((*found)->text);
 }
 

@@ -1,6 +1,7 @@
 // The error type of the library hmlfc_io: a sentence for people.
 #pragma once
 
+#include <cerrno>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -34,7 +35,9 @@ inline tl::unexpected<IoError> memory_error(const std::filesystem::path& file,
 /// The failure "FILE: what: the system's reason"; `error_number` is a value of errno.
 inline tl::unexpected<IoError> system_error(const std::filesystem::path& file,
                                             std::string_view what, int error_number) {
-  return file_error(file, std::string(what) + ": " + std::generic_category().message(error_number));
+  return tl::unexpected(IoError{file.string() + ": " + std::string(what) + ": " +
+                                    std::generic_category().message(error_number),
+                                error_number == ENOMEM});
 }
 
 }  // namespace hmlfc::io
