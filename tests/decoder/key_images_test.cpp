@@ -9,10 +9,13 @@
 
 #include <gtest/gtest.h>
 
+#include <hmlfc/decoder.hpp>
+
 #include "bits/naive_bits.hpp"
 #include "bits/naive_crc32c.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "encoder/stream_assembly.hpp"
+#include "support/changing_source.hpp"
 #include "support/streams.hpp"
 #include "syntax/header.hpp"
 
@@ -161,6 +164,31 @@ TEST(KeyImages, EntriesMustFollowEachOther) {
 }
 
 // The last entry has no successor: too long is an entry past the section, too short leaves a rest.
+// A partial source that gave one table when the stream was opened gives another afterwards.
+TEST(KeyImages, EntriesThatChangeAreErrors) {
+  const Bytes top = TopSection().bytes();
+  const Bytes file = test::file_of(three_keys(), {top, Bytes(16), {}, {}});
+  const auto begin = std::search(file.begin(), file.end(), top.begin(), top.end()) - file.begin();
+  const uint64_t size = top.size();
+  const std::pair<uint64_t, uint32_t> entries[] = {
+      {size + 1, 0}, {size, 1}, {UINT64_MAX, 2}, {uint64_t{1} << 46, 0x7fffffff}, {0, UINT32_MAX}};
+  for (const auto& [offset, bytes] : entries) {
+    test::ChangingSource source(file, 0, 0);
+    const auto decoder = Decoder::open(source, {.check_sections = false});
+    ASSERT_TRUE(decoder);
+    Bytes changed = file;
+    for (size_t at = static_cast<size_t>(begin), i = 0; i < 9; ++i, at += kTopEntryBytes) {
+      for (size_t k = 0; k < 8; ++k) changed[at + k] = static_cast<uint8_t>(offset >> 8 * k);
+      for (size_t k = 0; k < 4; ++k) changed[at + 8 + k] = static_cast<uint8_t>(bytes >> 8 * k);
+    }
+    source.become(changed);
+    const auto block = decoder->decode_block({{0, 0}, Plane::kY, 0, 0});
+    ASSERT_FALSE(block);
+    EXPECT_EQ(block.error().code, ErrorCode::kBadTopEntry);
+    EXPECT_EQ(decoder->decode_view({0, 0}).error().code, ErrorCode::kBadTopEntry);
+  }
+}
+
 TEST(KeyImages, LastEntryMustEndTheSection) {
   const Bytes intact = TopSection().bytes();
   Bytes top = intact;

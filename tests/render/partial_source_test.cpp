@@ -11,9 +11,7 @@
 #include <hmlfc/focus.hpp>
 #include <hmlfc/renderer.hpp>
 
-#include "decoder/open_stream.hpp"
 #include "render/render_cases.hpp"
-#include "support/changing_source.hpp"
 #include "support/lazy_source.hpp"
 #include "vectors/field_stream.hpp"
 
@@ -265,46 +263,6 @@ TEST(PartialSource, AfterAFailureNoAnswer) {
       }
       EXPECT_TRUE(failing) << "seed " << seed << ", load " << n;
     }
-  }
-}
-
-// A source that gave one TOP table at opening, and gives another afterwards.
-TEST(PartialSource, ChangedEntriesOfTopAreErrors) {
-  const Bytes file = test::random_stream(4);
-  const auto intact = Decoder::open(file);
-  ASSERT_TRUE(intact);
-  const StreamView& view = DecoderAccess::stream(*intact);
-  const auto top = static_cast<size_t>(view.entry(Section::kTop).offset);
-  const uint64_t size = view.entry(Section::kTop).size;
-  const std::pair<uint64_t, uint32_t> entries[] = {
-      {size + 1, 0}, {size, 1}, {UINT64_MAX, 2}, {uint64_t{1} << 46, 0x7fffffff}, {0, UINT32_MAX}};
-  for (const auto& [offset, bytes] : entries) {
-    test::ChangingSource source(file, 0, 0);
-    const auto decoder = Decoder::open(source, kUnchecked);
-    ASSERT_TRUE(decoder);
-    Bytes changed = file;
-    for (uint64_t i = 0; i < view.geometry.key_count() * kPlaneCount; ++i) {
-      for (size_t k = 0; k < 8; ++k) {
-        changed[top + i * 16 + k] = static_cast<uint8_t>(offset >> 8 * k);
-        if (k < 4) changed[top + i * 16 + 8 + k] = static_cast<uint8_t>(bytes >> 8 * k);
-      }
-    }
-    source.become(changed);
-    const auto block = decoder->decode_block({{0, 0}, Plane::kY, 0, 0});
-    ASSERT_FALSE(block);
-    EXPECT_EQ(block.error().code, ErrorCode::kBadTopEntry);
-    EXPECT_EQ(decoder->decode_view({0, 0}).error().code, ErrorCode::kBadTopEntry);
-  }
-}
-
-// Whatever a source gives: an answer or a named error, and no access outside.
-TEST(PartialSource, SourcesMayLie) {
-  for (uint32_t seed = 0; seed < 60; ++seed) {
-    test::ChangingSource source(some_stream(seed), seed, 1u << seed % 6);
-    const auto decoder = Decoder::open(source, kUnchecked);
-    if (!decoder) continue;
-    source.lie();
-    EXPECT_EQ(Questions(*decoder, seed).ask().size(), 11u);
   }
 }
 

@@ -258,50 +258,6 @@ TEST(Driver, FillsTheAreaWithTheModelsKeyImages) {
   }
 }
 
-// Memory of a stream that changes after it was opened.
-TEST(Driver, ReadsNoKeyImageOutsideTheStream) {
-  hmlfc_stream stream;
-  hmlfc_error error;
-  const auto opens = [&](const Bytes& file) {
-    return hmlfc_stream_open(&stream, file.data(), file.size(), nullptr, &error) == HMLFC_OK;
-  };
-  const auto& files = suite();
-  Bytes file = *std::ranges::find_if(files, opens);
-  ASSERT_TRUE(opens(file));
-  const auto entry = file.begin() + static_cast<ptrdiff_t>(stream.sections[0].offset);
-  std::fill_n(entry, 6, uint8_t{0xFF});  // of the first codestream's offset
-  Bytes area(stream.area_bytes);
-  std::vector<int16_t> samples(size_t{stream.width} * stream.height);
-  EXPECT_EQ(hmlfc_fill_key_images(&stream, area.data(), hmlfc_openjpeg_decode, nullptr,
-                                  samples.data(), &error),
-            1u);
-  EXPECT_EQ(error.code, HMLFC_BAD_TOP_ENTRY);
-  EXPECT_EQ(error.offset, stream.sections[0].offset);
-}
-
-TEST(Driver, TellsWantOfMemoryFromDamage) {
-  hmlfc_stream stream;
-  hmlfc_error error;
-  const auto& files = suite();
-  const auto file = std::ranges::find_if(files, [&](const Bytes& bytes) {
-    return hmlfc_stream_open(&stream, bytes.data(), bytes.size(), nullptr, &error) == HMLFC_OK;
-  });
-  ASSERT_NE(file, files.end());
-  Bytes area(stream.area_bytes);
-  std::vector<int16_t> samples(size_t{stream.width} * stream.height);
-  constexpr std::pair<int, int> kCases[] = {{HMLFC_OUT_OF_MEMORY, HMLFC_OUT_OF_MEMORY},
-                                            {HMLFC_BAD_TOP_CRC, HMLFC_BAD_TOP_CRC},
-                                            {1, HMLFC_BAD_TOP_CRC}};
-  for (const auto& [given, expected] : kCases) {
-    const auto decode = [](void* context, const uint8_t*, size_t, uint32_t, uint32_t, unsigned, int,
-                           int16_t*) { return *static_cast<const int*>(context); };
-    int code = given;
-    EXPECT_EQ(hmlfc_fill_key_images(&stream, area.data(), decode, &code, samples.data(), &error),
-              stream.key_images * HMLFC_PLANES);
-    EXPECT_EQ(error.code, expected);
-  }
-}
-
 TEST(Driver, TakesTheHeadsOfCodestreamsThatTheModelTakes) {
   Random random(2);
   std::array<unsigned, 2> seen{};

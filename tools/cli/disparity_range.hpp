@@ -26,8 +26,8 @@ struct DisparityRange {
 /// bytes of the file can fill: the time follows these. Failure (kCorrupt) as for decoding.
 std::optional<DisparityRange> disparity_range(const StreamFile& file);
 
-/// "disparity -1.31 to 2.84 pixels a column, known for 97.5 % of the blocks", "disparity unknown" or,
-/// of nothing, "disparity not counted".
+/// "disparity -1.31 to 2.84 pixels a column, known for 97.5 % of the blocks", "disparity unknown"
+/// or, of nothing, "disparity not counted".
 std::string describe(const std::optional<DisparityRange>& range);
 
 }  // namespace hmlfc::cli

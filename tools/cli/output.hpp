@@ -58,7 +58,8 @@ T value_or_throw(io::IoResult<T> result, ExitCode code) {
 /// JSON whose keys keep the order in which they were set.
 using Json = nlohmann::ordered_json;
 
-/// Writes `text` to standard output, as terminal::shown() gives it. Failure (kOutput) where it cannot be written.
+/// Writes `text` to standard output, as terminal::shown() gives it. Failure (kOutput) where it
+/// cannot be written.
 void print(std::string_view text);
 
 /// Writes `json` on indented lines.

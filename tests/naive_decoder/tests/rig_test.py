@@ -9,7 +9,7 @@ import unittest
 from crc32c import crc32c
 from header import number
 from opening import Stream
-from program import DONE, INPUT, CliTest, main
+from program import CORRUPT, DONE, CliTest, main
 from rig import RigError, read_rig, rig_section
 from stream_error import StreamError
 from vector_check import FOLDER, load_vectors
@@ -123,7 +123,7 @@ class DamagedRigTest(CliTest):
         (self.folder / "a.hmlfc").write_bytes(with_rig(stream, text))
         reason = refusal(text, 1, 2)
         result = self.run_hmlfc("info", "a.hmlfc", "--rig")
-        self.assertEqual(result.returncode, INPUT if reason else DONE, (turn, text[:4000], reason, result.stderr))
+        self.assertEqual(result.returncode, CORRUPT if reason else DONE, (turn, text[:4000], reason, result.stderr))
         if not reason:
             self.assertEqual(result.stdout, text + b"\n")
         return reason
