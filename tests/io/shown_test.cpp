@@ -10,7 +10,7 @@ namespace {
 
 TEST(Shown, TextStays) {
   for (const char* text :
-       {"", "a\tb\n", "Straße 光場 🙂", "\\u001b", "\xC2\xA0\xEF\xBF\xBD"}) {
+       {"", "a\tb\n", "line\r\nline\n", "Straße 光場 🙂", "\\u001b", "\xC2\xA0\xEF\xBF\xBD"}) {
     EXPECT_EQ(shown(text), text);
   }
 }

@@ -150,7 +150,12 @@ std::string rig_text_of(const StreamFile& file) {
   };
   if (!found) fail(ExitCode::kInput, "the stream has no rig; encode it with --rig");
   if (!*found) fail(ExitCode::kCorrupt, found->error());
-  return std::move((*found)->text);
+  // Outside strings, which have none, a carriage return is space; alone it would be shown escaped.
+  std::string text = std::move((*found)->text);
+  for (size_t at = text.find('\r'); at != text.npos; at = text.find('\r', at + 1)) {
+    if (at + 1 == text.size() || text[at + 1] != '\n') text[at] = '\n';
+  }
+  return text;
 }
 
 }  // namespace hmlfc::cli

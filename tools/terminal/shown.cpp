@@ -44,8 +44,9 @@ std::string shown(std::string_view text) {
   while (!text.empty()) {
     const auto front = front_of(text);
     const size_t bytes = front ? front->second : 1;
+    const bool line_end = text.substr(0, 2) == "\r\n";
     const uint32_t point = front ? front->first : static_cast<uint8_t>(text[0]);
-    if (!front || is_control(point)) {
+    if (!front || (is_control(point) && !line_end)) {
       safe += fmt::format("\\u{:04x}", point);
     } else {
       safe += text.substr(0, bytes);

@@ -1,10 +1,6 @@
 #include "view/other_decoder.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <csignal>
-#include <fstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,18 +28,6 @@ Failure failure_of(const std::string& decoder, const std::string& what, const st
   return {ExitCode::kCorrupt, fmt::format("{}: {}: {}", decoder, what, why)};
 }
 
-// Kills all processes that this one has started in process groups of their own, as decoders are. A
-// browser has a session of its own.
-void kill_decoders() {
-  std::error_code ignored;
-  for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task", ignored)) {
-    std::ifstream children(thread.path() / "children");
-    for (pid_t child = 0; children >> child;) {
-      if (::getsid(child) == ::getsid(0)) ::kill(-child, SIGKILL);
-    }
-  }
-}
-
 // The site of a block's own stages at its stop level.
 BlockSite site_of(const StreamHeader& header, const BlockAddress& block, int stop_level) {
   const ImagePos image = Geometry(header).ancestor({block.view.row, block.view.col}, 0, stop_level);
@@ -63,20 +47,18 @@ OtherDecoder::OtherDecoder(conform::Dut dut, const conform::ProcessLimits& limit
     throw Failure(ExitCode::kOutput,
                   fmt::format("{}: {}", folder_.path().string(), folder_.error().message()));
   }
-  if (!stream.is_remote()) file_ = std::filesystem::absolute(stream.path());
 }
 
 OtherDecoder::~OtherDecoder() = default;
 
 void OtherDecoder::end() {
   ended_ = true;
-  kill_decoders();
   std::error_code ignored;
   std::filesystem::remove_all(folder_.path(), ignored);
 }
 
-// Fetches a stream at an address, unless that is done. Failure: as for StreamFile::with_bytes, or
-// there is no room for it.
+// Copies the stream, whose own file no decoder gets, unless that is done. Failure: as for
+// StreamFile::with_bytes, or there is no room for it.
 void OtherDecoder::copy_stream() {
   if (!file_.empty()) return;
   const std::filesystem::path path = folder_.path() / "stream.hmlfc";

@@ -38,8 +38,8 @@ class OtherDecoder {
 
   const std::string& name() const { return dut_.name; }
 
-  /// For the end of the process, at any time: kills what runs of the decoder and removes its files.
-  /// The question under way fails, and those after it.
+  /// For the end of the process, at any time: removes the decoder's files; what runs of it ends
+  /// with the process. The questions after it fail.
   void end();
 
   /// View `view` of the grid, with all levels. Failure (kCorrupt): what the decoder says instead.
