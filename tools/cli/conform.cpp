@@ -129,8 +129,7 @@ ExitCode run_verify(ConformOptions options) {
   if (options.json) {
     print_json({{"verified", !difference}, {"difference", difference.value_or("")}});
   } else if (difference) {
-    print(
-        conform::printable(fmt::format("{}: differs: {}\n", options.verify.string(), *difference)));
+    print(fmt::format("{}: differs: {}\n", options.verify.string(), *difference));
   } else {
     print(fmt::format("{}: verified, {} results\n", options.verify.string(),
                       claimed.at("results").size()));

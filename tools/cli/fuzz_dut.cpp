@@ -13,7 +13,6 @@
 #include "cli/arguments.hpp"
 #include "cli/dut_options.hpp"
 #include "conform/minimise.hpp"
-#include "conform/report.hpp"
 #include "conform/runner.hpp"
 #include "io/files.hpp"
 #include "terminal/progress_bar.hpp"
@@ -60,11 +59,10 @@ ExitCode run_minimise(const MinimiseOptions& options) {
       conform::minimise(file.bytes(), still_fails, options.trials), ExitCode::kInput);
   value_or_throw(io::write_file(options.output, minimised.stream), ExitCode::kOutput);
   const conform::VectorResult last = run(minimised.stream);
-  print(conform::printable(
-      fmt::format("from  {}\nto    {}\n      {} reductions kept, {} streams tried\n{}: {}\n",
-                  shape(file.bytes()), shape(minimised.stream), minimised.steps, minimised.trials,
-                  status_name(last.status), last.reason)));
-  if (!last.stage.empty()) print(conform::printable(last.stage + "\n"));
+  print(fmt::format("from  {}\nto    {}\n      {} reductions kept, {} streams tried\n{}: {}\n",
+                    shape(file.bytes()), shape(minimised.stream), minimised.steps, minimised.trials,
+                    status_name(last.status), last.reason));
+  if (!last.stage.empty()) print(last.stage + "\n");
   return ExitCode::kDone;
 }
 
@@ -135,9 +133,8 @@ class Fuzz {
       throw Failure(ExitCode::kCannotRun, result.reason);
     }
     if (!result.bad()) return true;
-    print(conform::printable(
-        fmt::format("seed {}: {}: {}\n", seed, status_name(result.status), result.reason)));
-    if (!result.stage.empty()) print(conform::printable("  " + result.stage + "\n"));
+    print(fmt::format("seed {}: {}: {}\n", seed, status_name(result.status), result.reason));
+    if (!result.stage.empty()) print("  " + result.stage + "\n");
     const auto stem = options_.folder / fmt::format("seed-{}", seed);
     save(stem.string() + ".hmlfc", stream);
     const std::string text = recipe(limits_, seed, result);

@@ -64,10 +64,6 @@ io::IoResult<Report> read_report(const std::filesystem::path& file);
 /// become '?'.
 std::string escaped(std::string_view text);
 
-/// `text` for a terminal: control characters but line breaks, also those of two bytes (U+0080 to
-/// U+009F), become '?'.
-std::string printable(std::string text);
-
 /// data:image/png;base64,...
 std::string png_data_uri(const std::vector<uint8_t>& png);
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -96,19 +95,6 @@ std::string where_to_go_on(const Run& run, const Summary& summary) {
 
 }  // namespace
 
-std::string printable(std::string text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 && byte <= 0x9F && !out.empty() && out.back() == '\xC2') {
-      out.back() = '?';
-    } else {
-      out += (byte < 0x20 && c != '\n') || byte == 0x7F ? '?' : c;
-    }
-  }
-  return out;
-}
-
 std::string terminal_text(const Run& run, size_t columns) {
   const Summary summary = summarise(run);
   std::string text = fmt::format("{}: {}: {}\n", run.dut, verdict_text(run), count_text(run));
@@ -126,7 +112,7 @@ std::string terminal_text(const Run& run, size_t columns) {
   for (const VectorResult& result : run.results) {
     if (result.waived()) text += line_of(result, columns);
   }
-  return printable(std::move(text));
+  return text;
 }
 
 }  // namespace hmlfc::conform
