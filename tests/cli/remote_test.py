@@ -28,6 +28,8 @@ FAULTS = {
     "gone": "is the server there?",
     "redirect": "is the server there?",
     "redirect_elsewhere": "is the server there?",
+    "endless_headers": "more than 65536 bytes of headers",
+    "endless_trailers": "more than 65536 bytes of headers",
     "redirect_inside": "redirects to an address of this machine",
     404: "there is no such file (status 404)",
     403: "refuses it",

@@ -115,6 +115,24 @@ class RangeServer:
         self.tag = '"second"'
         self.send(handler, first, last, size)
 
+    def fault_endless_headers(self, handler, first, last, size):
+        handler.send_response(206)
+        handler.flush_headers()
+        while True:
+            handler.wfile.write(b"X-Header: " + 1000 * b"a" + b"\r\n")
+
+    def fault_endless_trailers(self, handler, first, last, size):
+        """All bytes of the range, in chunks, then lines without end."""
+        body = self.read(first, last)
+        handler.send_response(206)
+        handler.send_header("Content-Range", f"bytes {first}-{last}/{size}")
+        handler.send_header("ETag", self.tag)
+        handler.send_header("Transfer-Encoding", "chunked")
+        handler.end_headers()
+        handler.wfile.write(b"%x\r\n%b\r\n0\r\n" % (len(body), body))
+        while True:
+            handler.wfile.write(b"X-Trailer: " + 1000 * b"a" + b"\r\n")
+
     def fault_short(self, handler, first, last, size):
         """Fewer bytes than the range has, in a whole answer."""
         self.send(handler, first, last, size, length=(last - first) // 2)

@@ -29,7 +29,7 @@ io::IoResult<std::unique_ptr<HttpSource>> HttpSource::open(const std::string& ad
   if (!client) return tl::unexpected(client.error());
   std::unique_ptr<HttpSource> source(new HttpSource(std::move(*client), keeping));
   if (!source->is_reserved()) {
-    return io::file_error(address, "there is no address space for a file of this length");
+    return io::memory_error(address, "to map a file of this length");
   }
   const auto first = source->client_.first_bytes();
   const ByteRange range{0, first.size()};

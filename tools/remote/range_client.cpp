@@ -24,7 +24,17 @@ constexpr std::array<std::chrono::milliseconds, RangeClient::kTries - 1> kPauses
 struct Problem {
   std::string text;
   bool passing = false;
+  bool out_of_memory = false;
 };
+
+const Problem kNoHandle{"not enough memory for a request", false, true};
+
+// What a server wrote, cut for a message.
+std::string cut(std::string text) {
+  constexpr size_t kMost = 80;
+  if (text.size() > kMost) text.replace(kMost, std::string::npos, "...");
+  return text;
+}
 
 }  // namespace
 
@@ -44,8 +54,8 @@ struct RangeClient::State {
   Problem judge_status(long status) const;
   io::IoResult<void> open(size_t first_bytes);
 
-  tl::unexpected<io::IoError> error(const std::string& text) const {
-    return tl::unexpected(io::IoError{address + ": " + text});
+  tl::unexpected<io::IoError> error(const Problem& problem) const {
+    return tl::unexpected(io::IoError{address + ": " + problem.text, problem.out_of_memory});
   }
 };
 
@@ -90,6 +100,12 @@ std::optional<Problem> RangeClient::State::judge(const Transfer& transfer, CURLc
         "the server redirects to an address of this machine or its network; "
         "if that is meant, open that address itself"};
   }
+  if (transfer.head_bytes > kMostHeadBytes) {
+    return Problem{fmt::format("the server sends more than {} bytes of headers", kMostHeadBytes)};
+  }
+  if (code == CURLE_OUT_OF_MEMORY) {  // also of a line of 100 kB, which libcurl does not take
+    return Problem{"not enough memory for the answer, or a header of it does not end", false, true};
+  }
   if (code != CURLE_OK && code != CURLE_WRITE_ERROR && code != CURLE_PARTIAL_FILE) {
     const char* reason =
         transfer.reason[0] != 0 ? transfer.reason.data() : curl_easy_strerror(code);
@@ -107,7 +123,7 @@ std::optional<Problem> RangeClient::State::judge(const Transfer& transfer, CURLc
   }
   if (size != 0 && head.version() != version) {
     return Problem{fmt::format("the file has changed: its version was {} and is {}; open it again",
-                               version, head.version())};
+                               cut(version), cut(head.version()))};
   }
   const uint64_t sent = transfer.whole ? wanted : std::min<uint64_t>(wanted, head.range->total);
   if (code != CURLE_OK || transfer.received != sent) {
@@ -135,7 +151,7 @@ std::optional<Problem> RangeClient::State::run(std::vector<Transfer*>& transfers
   while (!is_hopeless() && (begun < transfers.size() || under_way.count() > 0)) {
     while (begun < transfers.size() && under_way.count() < kAtOnce) {
       Transfer& next = *transfers[begun++];
-      if (!begin(next)) return Problem{"libcurl cannot begin a request"};
+      if (!begin(next)) return kNoHandle;
       under_way.add(next);
     }
     under_way.wait(end);
@@ -158,14 +174,16 @@ io::IoResult<void> RangeClient::State::open(size_t first_bytes) {
   static std::once_flag once;
   std::call_once(once, [] { curl_global_init(CURL_GLOBAL_DEFAULT); });
   multi.reset(curl_multi_init());
-  if (!multi) return error("libcurl cannot be used");
+  if (!multi) return error(kNoHandle);
   first.resize(first_bytes);
   std::array<Transfer, 1> transfers;
   Transfer& transfer = transfers.front();
   transfer.request = {0, first};
   transfer.whole = false;
-  if (const auto problem = fetch(transfers)) return error(problem->text);
-  if (transfer.head.range->total > kMostBytes) return error("the file is too long for a stream");
+  if (const auto problem = fetch(transfers)) return error(*problem);
+  if (transfer.head.range->total > kMostBytes) {
+    return error({"the file is too long for a stream"});
+  }
   size = transfer.head.range->total;
   version = transfer.head.version();
   first.resize(transfer.received);
@@ -194,7 +212,7 @@ io::IoResult<void> RangeClient::fetch(std::span<const RangeRequest> requests) {
   std::vector<Transfer> transfers(requests.size());
   for (size_t i = 0; i < requests.size(); ++i) transfers[i].request = requests[i];
   const auto problem = state_->fetch(transfers);
-  if (problem) return state_->error(problem->text);
+  if (problem) return state_->error(*problem);
   return {};
 }
 

@@ -1,6 +1,7 @@
 #include "remote/transfer.hpp"
 
 #include <arpa/inet.h>
+#include <strings.h>
 
 #include <algorithm>
 #include <array>
@@ -18,8 +19,11 @@ constexpr long kMostRedirections = 5;
 
 long seconds(std::chrono::seconds time) { return static_cast<long>(time.count()); }
 
-size_t take_header(char* data, size_t, size_t bytes, void* transfer) {
-  static_cast<Transfer*>(transfer)->head.take({data, bytes});
+size_t take_header(char* data, size_t, size_t bytes, void* user) {
+  auto& transfer = *static_cast<Transfer*>(user);
+  transfer.head_bytes += bytes;
+  if (transfer.head_bytes > kMostHeadBytes) return 0;
+  transfer.head.take({data, bytes});
   return bytes;
 }
 
@@ -85,10 +89,10 @@ bool is_inside(const std::string& address) {
 Easy make_easy(const std::string& address, const Patience& patience) {
   Easy easy(curl_easy_init());
   if (!easy) return easy;
-  const char* schemes = address.starts_with("https:") ? "https" : "http,https";
+  const bool is_safe = strncasecmp(address.c_str(), "https:", 6) == 0;
   curl_easy_setopt(easy.get(), CURLOPT_URL, address.c_str());
   curl_easy_setopt(easy.get(), CURLOPT_PROTOCOLS_STR, "http,https");
-  curl_easy_setopt(easy.get(), CURLOPT_REDIR_PROTOCOLS_STR, schemes);
+  curl_easy_setopt(easy.get(), CURLOPT_REDIR_PROTOCOLS_STR, is_safe ? "https" : "http,https");
   curl_easy_setopt(easy.get(), CURLOPT_FOLLOWLOCATION, 1L);
   curl_easy_setopt(easy.get(), CURLOPT_MAXREDIRS, kMostRedirections);
   curl_easy_setopt(easy.get(), CURLOPT_NOSIGNAL, 1L);
@@ -104,6 +108,7 @@ Easy make_easy(const std::string& address, const Patience& patience) {
 
 void prepare(Transfer& transfer, const Patience& patience) {
   transfer.head = {};
+  transfer.head_bytes = 0;
   transfer.received = 0;
   transfer.reason = {};
   transfer.leads_inside = false;

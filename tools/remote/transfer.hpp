@@ -29,11 +29,15 @@ struct Transfer {
   RangeRequest request;
   bool whole = true;  ///< the range lies in the file; else its beginning may
   AnswerHead head;
+  size_t head_bytes = 0;  ///< of all answers, with what follows the last chunk
   size_t received = 0;
   std::string place;          ///< host and port that answered first, as numbers
   bool leads_inside = false;  ///< it was redirected where it must not go
   std::array<char, CURL_ERROR_SIZE> reason{};
 };
+
+/// Bytes of headers and trailers that one request may bring, those of redirections included.
+inline constexpr size_t kMostHeadBytes = size_t{1} << 16;
 
 /// A handle for requests to `address`: http and https alone, few redirections, no waiting without
 /// end. A redirection may lead to any public address; to one of this machine or of a private
