@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <vector>
 
 #include "arithmetic/rounding.hpp"
@@ -47,10 +48,12 @@ struct PackedPlane {
   bool damaged = false;
 };
 
+// A plane that is not there is damaged; want of memory is thrown.
 PackedPlane pack(const Result<std::shared_ptr<const SamplePlane>>& plane, const PlaneShape& shape) {
   const size_t stride = 2 * size_t{ceil_div(shape.width, 2u)};
   PackedPlane packed;
   packed.damaged = !plane;
+  if (!plane && plane.error().code == ErrorCode::kOutOfMemory) throw std::bad_alloc();
   const int32_t fill = plane ? 0 : kErrorSample + static_cast<int32_t>(plane.error().code);
   std::vector<int16_t> samples(stride * shape.height, static_cast<int16_t>(fill));
   for (uint32_t y = 0; plane && y < shape.height; ++y) {

@@ -1,6 +1,8 @@
 #include <hmlfc/camera.hpp>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 
@@ -32,10 +34,9 @@ tl::unexpected<CameraError> bad(const std::string& message) {
 }
 
 std::string text(double value) {
-  std::string digits = std::to_string(value);
-  digits.erase(digits.find_last_not_of('0') + 1);
-  if (digits.back() == '.') digits.pop_back();
-  return digits;
+  std::array<char, 32> digits;
+  const auto [end, error] = std::to_chars(digits.begin(), digits.end(), value);
+  return {digits.begin(), end};
 }
 
 // lo <= value <= hi; false for NaN.

@@ -3,7 +3,7 @@
 import resource
 import shutil
 
-from program import DONE, OUT_OF_MEMORY, CliTest, main
+from program import DONE, INPUT, OUT_OF_MEMORY, ROOT, CliTest, main
 
 MEBIBYTE = 1 << 20
 STEPS = 40
@@ -84,6 +84,32 @@ class Memory(CliTest):
 
     def test_encode(self):
         self.sweep("again.hmlfc", "encode", "views")
+
+    def test_convert(self):
+        """The output is an argument of its own, no option."""
+        least = self.least()
+        seen = set()
+        for i in range(STEPS):
+            seen.add(self.run_hmlfc("convert", "views", "copy.hmlfc", preexec_fn=limited(least + i)).returncode)
+            self.forget("copy.hmlfc")
+        self.assertEqual(seen, {DONE, OUT_OF_MEMORY})
+
+    def test_reference_area(self):
+        self.sweep("area", "reference-area", "extended.hmlfc")
+
+    def test_json(self):
+        """Of a suite, and of a camera path that is refused."""
+        frames = ['{"fov": 40}'] * 100000 + ['{"x": 1}']
+        (self.folder / "path.json").write_text("[" + ",".join(frames) + "]")
+        least = self.least()
+        for expected, *command in (
+            (DONE, "vectors", "list", "--suite", str(ROOT / "vectors")),
+            (INPUT, "render", "extended.hmlfc", "--path", "path.json", "-o", "frames"),
+        ):
+            seen = {
+                self.run_hmlfc(*command, preexec_fn=limited(least + 2 * i)).returncode for i in range(STEPS)
+            }
+            self.assertEqual(seen, {expected, OUT_OF_MEMORY}, command)
 
 
 if __name__ == "__main__":

@@ -8,24 +8,21 @@
 namespace hmlfc::io {
 namespace {
 
-/// Red is 1 + x, green 10 * (row * cols + col), blue y.
-LightField numbered_field(const LightFieldShape& shape) {
-  LightField field(shape);
-  std::vector<uint16_t> line;
-  for (uint32_t row = 0; row < shape.rows; ++row) {
-    for (uint32_t col = 0; col < shape.cols; ++col) {
-      for (uint32_t y = 0; y < shape.height; ++y) {
-        line.clear();
-        for (uint32_t x = 0; x < shape.width; ++x) {
-          line.push_back(static_cast<uint16_t>(1 + x));
-          line.push_back(static_cast<uint16_t>(10 * (row * shape.cols + col)));
-          line.push_back(static_cast<uint16_t>(y));
-        }
-        field.write_row(row, col, y, line);
+// The sheet of views in which red is 1 + x, green 10 * (row * cols + col), blue y.
+RgbImage numbered_sheet(const LightFieldShape& shape, uint32_t max_width) {
+  auto sheet = ContactSheet::make(shape, max_width).value();
+  for (uint32_t number = 0; number < shape.rows * shape.cols; ++number) {
+    RgbImage view{shape.width, shape.height, shape.depth, {}};
+    for (uint32_t y = 0; y < shape.height; ++y) {
+      for (uint32_t x = 0; x < shape.width; ++x) {
+        view.samples.push_back(static_cast<uint16_t>(1 + x));
+        view.samples.push_back(static_cast<uint16_t>(10 * number));
+        view.samples.push_back(static_cast<uint16_t>(y));
       }
     }
+    sheet.draw(number / shape.cols, number % shape.cols, view);
   }
-  return field;
+  return sheet.image();
 }
 
 std::vector<uint16_t> pixel(const RgbImage& image, size_t x, size_t y) {
@@ -36,7 +33,7 @@ std::vector<uint16_t> pixel(const RgbImage& image, size_t x, size_t y) {
 using Pixel = std::vector<uint16_t>;
 
 TEST(ContactSheet, ShowsViewsInFullWhereTheyFit) {
-  const RgbImage sheet = contact_sheet(numbered_field({2, 3, 5, 4, 8}), 19);
+  const RgbImage sheet = numbered_sheet({2, 3, 5, 4, 8}, 19);
   ASSERT_EQ(sheet.width, 19u);   // 3 * 5 + 2 * 2
   ASSERT_EQ(sheet.height, 10u);  // 2 * 4 + 2
   ASSERT_EQ(sheet.samples.size(), 19u * 10 * 3);
@@ -50,7 +47,7 @@ TEST(ContactSheet, ShowsViewsInFullWhereTheyFit) {
 }
 
 TEST(ContactSheet, AveragesBoxesWithHalvesUp) {
-  const RgbImage sheet = contact_sheet(numbered_field({2, 3, 5, 4, 8}), 18);
+  const RgbImage sheet = numbered_sheet({2, 3, 5, 4, 8}, 18);
   ASSERT_EQ(sheet.width, 13u);  // boxes of 2 x 2: three columns a view, the last one narrow
   ASSERT_EQ(sheet.height, 6u);
   EXPECT_EQ(pixel(sheet, 0, 0), (Pixel{2, 0, 1}));           // red (1 + 2) / 2, blue (0 + 1) / 2
@@ -59,11 +56,16 @@ TEST(ContactSheet, AveragesBoxesWithHalvesUp) {
 }
 
 TEST(ContactSheet, StopsAtOnePixelAView) {
-  const RgbImage sheet = contact_sheet(numbered_field({2, 3, 5, 4, 10}), 1);
+  const RgbImage sheet = numbered_sheet({2, 3, 5, 4, 10}, 1);
   EXPECT_EQ(sheet.width, 7u);
   EXPECT_EQ(sheet.height, 4u);
   EXPECT_EQ(sheet.depth, 10);
   EXPECT_EQ(pixel(sheet, 0, 0), (Pixel{3, 0, 2}));  // blue (0 + 1 + 2 + 3) / 4 = 1.5
+}
+
+TEST(ContactSheet, IsRefusedWhereItIsTooLarge) {
+  EXPECT_TRUE(ContactSheet::make({2731, 2731, 8, 8, 8}, 1600).has_value());  // 8191 x 8191
+  EXPECT_FALSE(ContactSheet::make({2732, 2732, 8, 8, 8}, 1600).has_value());
 }
 
 TEST(DifferencePicture, IsGreyPlusGainTimesDifference) {

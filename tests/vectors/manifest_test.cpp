@@ -118,6 +118,27 @@ TEST(Suite, RemovesOnlyWhatItHasMade) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "syntax/mine.txt"));
 }
 
+TEST(Suite, IsNotWrittenThroughLinks) {
+  const test::TempFolder folder;
+  const test::TempFolder other;
+  const std::vector<uint8_t> bytes = bytes_of("x");
+  const SuiteFiles none{{"manifest.json", bytes}};
+  SuiteFiles files{{"manifest.json", bytes_of(manifest_text(sample_manifest()))}};
+  ASSERT_TRUE(write_suite(files, folder.path()));
+  ASSERT_TRUE(io::write_file(other / "one.blocks", bytes));
+  std::filesystem::create_directory_symlink(other.path(), folder / "syntax");
+  EXPECT_FALSE(write_suite(none, folder.path()));
+  files["syntax/two.hmlfc"] = bytes;
+  EXPECT_FALSE(write_suite(files, folder.path()));
+  EXPECT_EQ(other.names(), std::set<std::string>{"one.blocks"});
+
+  std::filesystem::remove(folder / "syntax");
+  std::filesystem::create_directory(folder / "syntax");
+  std::filesystem::create_symlink(other / "one.blocks", folder / "syntax/two.hmlfc");
+  EXPECT_FALSE(write_suite(files, folder.path()));
+  EXPECT_EQ(std::filesystem::file_size(other / "one.blocks"), 1u);
+}
+
 // FIPS 180-4, examples of SHA-256: one block and no message.
 TEST(Sha256, PublishedValues) {
   EXPECT_EQ(sha256(bytes_of("abc")),

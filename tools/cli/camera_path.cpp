@@ -118,7 +118,7 @@ std::vector<PathFrame> read_path(const std::string& file, const Camera& standard
   };
   const auto mapped = io::map_file(file);
   if (!mapped) {
-    throw Failure(ExitCode::kInput,
+    throw Failure(mapped.error().out_of_memory ? ExitCode::kOutOfMemory : ExitCode::kInput,
                   mapped.error().message + "; --path takes orbit, line or a JSON file");
   }
   const auto read = io::parse_json<nlohmann::json>(mapped->bytes(), kPathLimits);
@@ -136,14 +136,17 @@ std::vector<PathFrame> read_path(const std::string& file, const Camera& standard
   return path;
 }
 
+// Whether the frames come from a JSON file.
+bool is_file(const std::string& path) { return !path.empty() && path != "orbit" && path != "line"; }
+
 std::vector<PathFrame> path_of(const CameraOptions& options, const StreamHeader& header) {
   Camera camera = options.camera;
   camera.geometry = options.geometry.value_or(suitable_geometry(header));
   if (options.focus_at_infinity) camera.focus = camera.shear;
-  if (options.path.empty()) return {{camera}};
+  if (is_file(options.path)) return read_path(options.path, camera);
   if (options.path == "orbit") return orbit(camera, header, options.frames);
   if (options.path == "line") return line(camera, header, options.frames);
-  return read_path(options.path, camera);
+  return {{camera}};
 }
 
 // The focus for what pixel `at` of the frame of `camera` shows; `frame` begins messages.
@@ -189,6 +192,10 @@ CameraPath cameras_of(const CameraOptions& options, const StreamFile& file) {
     } else if (options.focus_at && !path[k].has_focus) {
       if (!made.focus) made.focus = focus_of(file, camera, *options.focus_at, frame);
       camera.focus = *made.focus;
+    }
+    const auto record = frame_record(camera, file.header());
+    if (!record && is_file(options.path)) {
+      throw Failure(ExitCode::kInput, options.path + ": " + frame + record.error().message);
     }
     made.cameras.push_back(camera);
   }

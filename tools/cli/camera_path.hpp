@@ -21,7 +21,8 @@ struct CameraPath {
 /// per frame, with the keys position and look_at (arrays: column, row, distance), fov (degrees),
 /// focus or focus_at (array: x, y), and aperture; missing keys take the options' values. focus_at
 /// of the options is looked up in the first frame without a focus of its own, and holds for all
-/// such frames. Failures: the JSON file cannot be read, or its content is not that (kInput);
+/// such frames. Failures: the JSON file cannot be read, its content is not that, or a camera of it
+/// has no frame (CAM-3 to REC-3) (kInput);
 /// focus_at is no pixel of the frame, or sees nothing of the light field (kUsage), or the stream
 /// does not know what it sees (kInput); a corrupt stream (kCorrupt).
 CameraPath cameras_of(const CameraOptions& options, const StreamFile& file);

@@ -10,6 +10,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/convert_forms.hpp"
+#include "cli/encode_outcome.hpp"
 #include "cli/for_each_view.hpp"
 #include "io/files.hpp"
 #include "io/hci_parameters.hpp"
@@ -138,9 +139,7 @@ void write_stream(const ConvertOptions& options, const ConvertInput& input,
   params.lossless = true;
   params.threads = options.threads;
   auto stream = encode(field, params, progress);
-  if (!stream) {
-    throw Failure(ExitCode::kInput, options.input.string() + ": " + stream.error().message);
-  }
+  if (!stream) throw encode_failure(options.input, stream.error());
   if (input.rig) stream->bytes = stream_with_rig(stream->bytes, *input.rig);
   value_or_throw(io::write_file(options.output, stream->bytes), ExitCode::kOutput);
 }

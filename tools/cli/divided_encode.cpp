@@ -194,7 +194,7 @@ DividedEncoder divided_encoder(const EncodeOptions& options, const DividedInput&
                                const EncodeParams& params, const Division& division,
                                StorageFile& storage) {
   auto encoder = DividedEncoder::create(*input.views, params, division, storage);
-  if (!encoder) throw encode_failure(options, encoder.error());
+  if (!encoder) throw encode_failure(options.input, encoder.error());
   return std::move(*encoder);
 }
 
@@ -203,7 +203,7 @@ void encode_parts(DividedEncoder& encoder, const EncodeOptions& options, size_t 
   terminal::ProgressBar progress("Encoding", "images");
   for (size_t part = first; part < last; ++part) {
     const auto coded = encoder.encode_part(part, progress.callback());
-    if (!coded) throw encode_failure(options, coded.error());
+    if (!coded) throw encode_failure(options.input, coded.error());
   }
 }
 

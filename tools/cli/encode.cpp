@@ -62,7 +62,7 @@ EncodedStream encode_input(const Input& input, const EncodeOptions& options) {
   }
   auto stream = target ? encode_to(input.field, params, *target, progress.callback())
                        : encode(input.field, params, progress.callback());
-  if (!stream) throw encode_failure(options, stream.error());
+  if (!stream) throw encode_failure(options.input, stream.error());
   if (input.rig) stream->bytes = stream_with_rig(stream->bytes, *input.rig);
   return std::move(*stream);
 }

@@ -77,9 +77,9 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
 
 }  // namespace
 
-Failure encode_failure(const EncodeOptions& options, const EncodeError& error) {
+Failure encode_failure(const std::filesystem::path& input, const EncodeError& error) {
   return Failure(error.out_of_memory ? ExitCode::kOutOfMemory : ExitCode::kInput,
-                 options.input.string() + ": " + error.message);
+                 input.string() + ": " + error.message);
 }
 
 void check_promise(const ErrorSums& promised, const ErrorSums& measured, const std::string& file) {

@@ -54,8 +54,8 @@ struct EncodeOutcome {
   double cpu_seconds = 0;  ///< of all threads of the process
 };
 
-/// The failure to encode the input of `options`.
-Failure encode_failure(const EncodeOptions& options, const EncodeError& error);
+/// The failure to encode `input`: kInput, or kOutOfMemory.
+Failure encode_failure(const std::filesystem::path& input, const EncodeError& error);
 
 /// Fails unless the stream decodes to the encoder's own reconstruction.
 void check_promise(const ErrorSums& promised, const ErrorSums& measured, const std::string& file);

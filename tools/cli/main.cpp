@@ -1,10 +1,15 @@
 // hmlfc: encodes, decodes, renders and examines light fields.
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -135,6 +140,20 @@ ExitCode run(int count, char** arguments) {
   return task();
 }
 
+// The library of JSON takes memory to free a value: where there is none, its destructor cannot
+// throw.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (const auto reason = std::current_exception()) std::rethrow_exception(reason);
+  } catch (const std::bad_alloc&) {
+    constexpr std::string_view kText = "Not enough memory\n";
+    static_cast<void>(!::write(STDERR_FILENO, kText.data(), kText.size()));
+    std::_Exit(static_cast<int>(ExitCode::kOutOfMemory));
+  } catch (...) {
+  }
+  std::abort();
+}
+
 // Runs the program and turns every failure into one message and an exit code.
 ExitCode guarded_run(int count, char** arguments) {
   try {
@@ -151,6 +170,11 @@ ExitCode guarded_run(int count, char** arguments) {
     note("Not enough memory");
     return ExitCode::kOutOfMemory;
   } catch (const std::exception& error) {
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) {
+      note("Not enough memory for another thread, or too many of them");
+      return ExitCode::kOutOfMemory;
+    }
     note(std::string("Internal error: ") + error.what());
     return ExitCode::kInternal;
   }
@@ -161,6 +185,7 @@ ExitCode guarded_run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   // A closed pipe and a file over the size limit are errors of write(), not the end of the process.
+  std::set_terminate(hmlfc::cli::end_without_memory);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   return static_cast<int>(hmlfc::cli::guarded_run(count, arguments));

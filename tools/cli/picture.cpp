@@ -47,12 +47,12 @@ ExitCode run_sheet(const PictureOptions& options) {
   check_picture_file(options.output);
   const auto source = ViewSource::open(options.a, options.grid);
   const LightFieldShape& shape = source->shape();
-  LightField field(shape);
+  auto sheet = value_or_throw(io::ContactSheet::make(shape, options.max_width), ExitCode::kUsage);
   terminal::ProgressBar progress("Reading", "views");
   for_each_view({shape.rows, shape.cols}, 0, progress.callback(),
-                [&](ViewPos view) { field.set_view(view.row, view.col, source->view(view)); });
+                [&](ViewPos view) { sheet.draw(view.row, view.col, source->view(view)); });
   progress.clear();
-  return write(options, io::contact_sheet(field, options.max_width));
+  return write(options, sheet.image());
 }
 
 ExitCode run_difference(const PictureOptions& options) {

@@ -19,7 +19,11 @@ struct AreaOptions {
 ExitCode run_area(const AreaOptions& options) {
   const StreamFile file(options.file);
   const auto area = gpu::reference_area(file.decoder());
-  if (!area) throw Failure(ExitCode::kInput, file.path().string() + ": " + area.error().message);
+  if (!area) {
+    throw Failure(area.error().kind == gpu::FailureKind::kOutOfMemory ? ExitCode::kOutOfMemory
+                                                                      : ExitCode::kInput,
+                  file.path().string() + ": " + area.error().message);
+  }
   value_or_throw(io::write_file(options.output, *area), ExitCode::kOutput);
   print(fmt::format("{}: {} bytes\n", options.output.string(), area->size()));
   return ExitCode::kDone;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -143,6 +144,8 @@ ExitCode run_explain(const SuiteOptions& options) {
   try {
     const auto recipes = vectors::read_recipes(options.suite / "recipes");
     text += "  recipe   " + recipes.at(vector.id.text()).stream.dump() + "\n";
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw Failure(ExitCode::kInput, error.what());
   }
@@ -157,14 +160,16 @@ ExitCode run_show(const SuiteOptions& options) {
   const vectors::Manifest manifest = manifest_of(options.suite);
   const StreamFile file(options.suite / vector_of(manifest, options).input.file);
   const StreamHeader& header = file.header();
-  LightField views({header.rows, header.cols, header.width, header.height, header.depth});
+  auto sheet = value_or_throw(
+      io::ContactSheet::make({header.rows, header.cols, header.width, header.height, header.depth},
+                             kSheetWidth),
+      ExitCode::kInput);
   for (uint32_t row = 0; row < header.rows; ++row) {
     for (uint32_t col = 0; col < header.cols; ++col) {
-      views.set_view(row, col, file.value(file.decoder().decode_view({row, col})));
+      sheet.draw(row, col, file.value(file.decoder().decode_view({row, col})));
     }
   }
-  const RgbImage sheet = io::contact_sheet(views, kSheetWidth);
-  value_or_throw(io::write_png(options.output, sheet), ExitCode::kOutput);
+  value_or_throw(io::write_png(options.output, sheet.image()), ExitCode::kOutput);
   print(fmt::format("{}: {} x {} views\n", options.output.string(), header.rows, header.cols));
   return ExitCode::kDone;
 }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace hmlfc::io {
 namespace {
@@ -41,45 +44,47 @@ void reduce_line(const std::vector<uint64_t>& sums, uint32_t width, uint32_t fac
   }
 }
 
-/// Reduces view (row, col) into the sheet, its first pixel at `left`, `top`.
-void draw_view(const LightField& field, uint32_t row, uint32_t col, uint32_t factor,
-               RgbImage& sheet, size_t left, size_t top) {
-  const uint32_t width = field.shape().width;
-  const uint32_t height = field.shape().height;
-  std::vector<uint16_t> line(size_t{width} * 3);
-  std::vector<uint64_t> sums(line.size());
-  for (uint32_t y = 0; y < height; y += factor) {
-    std::ranges::fill(sums, 0);
-    const uint32_t end = std::min(height, y + factor);
-    for (uint32_t i = y; i < end; ++i) {
-      field.read_row(row, col, i, line);
-      std::ranges::transform(sums, line, sums.begin(), std::plus<uint64_t>());
-    }
-    uint16_t* out = sheet.samples.data() + ((top + y / factor) * sheet.width + left) * 3;
-    reduce_line(sums, width, factor, end - y, out);
-  }
-}
-
 }  // namespace
 
-RgbImage contact_sheet(const LightField& field, uint32_t max_width) {
-  const LightFieldShape& shape = field.shape();
+IoResult<ContactSheet> ContactSheet::make(const LightFieldShape& shape, uint32_t max_width) {
+  constexpr uint64_t kMostPixels = uint64_t{1} << 26;
   const uint32_t factor = choose_factor(shape, max_width);
-  const uint32_t cell_width = ceil_div(shape.width, factor);
-  const uint32_t cell_height = ceil_div(shape.height, factor);
-  RgbImage sheet;
-  sheet.width = static_cast<uint32_t>(sheet_side(shape.cols, cell_width));
-  sheet.height = static_cast<uint32_t>(sheet_side(shape.rows, cell_height));
-  sheet.depth = shape.depth;
-  const auto dark = static_cast<uint16_t>(24 << (shape.depth - 8));
-  sheet.samples.assign(size_t{sheet.width} * sheet.height * 3, dark);
-  for (uint32_t row = 0; row < shape.rows; ++row) {
-    for (uint32_t col = 0; col < shape.cols; ++col) {
-      draw_view(field, row, col, factor, sheet, size_t{col} * (cell_width + kGap),
-                size_t{row} * (cell_height + kGap));
-    }
+  const uint64_t width = sheet_side(shape.cols, ceil_div(shape.width, factor));
+  const uint64_t height = sheet_side(shape.rows, ceil_div(shape.height, factor));
+  if (width > kMostPixels / height) {
+    return tl::unexpected(IoError{
+        fmt::format("a sheet of {} x {} pixels is too large; choose a smaller width or fewer views",
+                    width, height)});
   }
-  return sheet;
+  return ContactSheet(shape, factor);
+}
+
+ContactSheet::ContactSheet(const LightFieldShape& shape, uint32_t factor)
+    : factor_(factor),
+      cell_width_(ceil_div(shape.width, factor)),
+      cell_height_(ceil_div(shape.height, factor)) {
+  sheet_.width = static_cast<uint32_t>(sheet_side(shape.cols, cell_width_));
+  sheet_.height = static_cast<uint32_t>(sheet_side(shape.rows, cell_height_));
+  sheet_.depth = shape.depth;
+  const auto dark = static_cast<uint16_t>(24 << (shape.depth - 8));
+  sheet_.samples.assign(size_t{sheet_.width} * sheet_.height * 3, dark);
+}
+
+void ContactSheet::draw(uint32_t row, uint32_t col, const RgbImage& view) {
+  const size_t left = size_t{col} * (cell_width_ + kGap);
+  const size_t top = size_t{row} * (cell_height_ + kGap);
+  const size_t line = size_t{view.width} * 3;
+  std::vector<uint64_t> sums(line);
+  for (uint32_t y = 0; y < view.height; y += factor_) {
+    std::ranges::fill(sums, 0);
+    const uint32_t end = std::min(view.height, y + factor_);
+    for (uint32_t i = y; i < end; ++i) {
+      const auto samples = std::span(view.samples).subspan(i * line, line);
+      std::ranges::transform(sums, samples, sums.begin(), std::plus<uint64_t>());
+    }
+    const size_t at = ((top + y / factor_) * sheet_.width + left) * 3;
+    reduce_line(sums, view.width, factor_, end - y, sheet_.samples.data() + at);
+  }
 }
 
 IoResult<RgbImage> difference_picture(const RgbImage& a, const RgbImage& b, int32_t gain) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <set>
 
 #include <fmt/format.h>
@@ -174,6 +175,8 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
   Recipes recipes;
   try {
     recipes = read_recipes(folder);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     return tl::unexpected(io::IoError{error.what()});
   }
@@ -185,6 +188,8 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
   io::for_each_index(ids.size(), threads, progress, [&](size_t i) {
     try {
       vectors[i] = make_vector(recipes, ids[i], parts[i]);
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       failures[i] = error.what();
     }
@@ -206,6 +211,8 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
       if (vector.expect.outcome == Outcome::kOk) continue;
       vector.base = base_of(vector, recipes, manifest.vectors);
     }
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     return tl::unexpected(io::IoError{error.what()});
   }
@@ -214,25 +221,41 @@ io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, uns
   return files;
 }
 
-io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::path& folder) {
-  const auto earlier = read_manifest(folder);
-  std::set<std::string> groups;
-  for (const auto& [name, bytes] : files) {
-    const auto group = std::filesystem::path(name).parent_path().string();
-    std::error_code error;
-    if (!group.empty() && groups.insert(group).second) {
-      std::filesystem::create_directories(folder / group, error);
+// A suite is written and removed in place: no link below its folder leads out of it.
+static io::IoResult<void> refuse_links(const std::filesystem::path& folder,
+                                       const std::filesystem::path& name) {
+  for (auto path = name; !path.empty(); path = path.parent_path()) {
+    if (std::filesystem::is_symlink(folder / path)) {
+      return io::file_error(folder / path, "is a link, which may lead anywhere; remove it first");
     }
-    if (error) return io::system_error(folder / group, "cannot be created", error.value());
+  }
+  return {};
+}
+
+io::IoResult<void> write_suite(const SuiteFiles& files, const std::filesystem::path& folder) {
+  std::set<std::string> removed;
+  const auto earlier = read_manifest(folder);
+  for (size_t i = 0; earlier && i < earlier->vectors.size(); ++i) {
+    for (const FileName& name : files_of(earlier->vectors[i])) {
+      if (!files.contains(name.text())) removed.insert(name.text());
+    }
+  }
+  for (const std::string& name : removed) {
+    if (auto ok = refuse_links(folder, name); !ok) return ok;
+  }
+  for (const auto& [name, bytes] : files) {
+    if (auto ok = refuse_links(folder, name); !ok) return ok;
+  }
+  std::error_code error;
+  for (const auto& [name, bytes] : files) {
+    const auto group = (folder / name).parent_path();
+    std::filesystem::create_directories(group, error);
+    if (error) return io::system_error(group, "cannot be created", error.value());
     if (auto ok = io::write_file(folder / name, bytes); !ok) return ok;
   }
-  if (!earlier) return {};
-  for (const Vector& vector : earlier->vectors) {
-    for (const FileName& name : files_of(vector)) {
-      std::error_code error;
-      if (!files.contains(name.text())) std::filesystem::remove(folder / name, error);
-      if (error) return io::system_error(folder / name, "cannot be removed", error.value());
-    }
+  for (const std::string& name : removed) {
+    std::filesystem::remove(folder / name, error);
+    if (error) return io::system_error(folder / name, "cannot be removed", error.value());
   }
   return {};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,9 +26,10 @@ class TextError : public std::runtime_error {
 /// A manifest or a file of recipes.
 inline constexpr io::JsonLimits kSuiteLimits{"a suite's file", size_t{1} << 24, 16};
 
-/// The JSON in `file`. Throws TextError naming the file and the place.
+/// The JSON in `file`. Throws TextError naming the file and the place, and std::bad_alloc.
 inline Json read_json(const std::filesystem::path& file) {
   auto json = io::read_json_file<Json>(file, kSuiteLimits);
+  if (!json && json.error().out_of_memory) throw std::bad_alloc();
   if (!json) throw TextError(json.error().message);
   return std::move(*json);
 }

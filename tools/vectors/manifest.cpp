@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -183,6 +184,8 @@ Manifest manifest_from(Json json) {
     const std::string number = std::to_string(manifest.vectors.size());
     try {
       visit(Fields{vector, true}, manifest.vectors.emplace_back());
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       throw TextError("vector " + io::shown_json(vector.value("id", number)) + ": " + error.what());
     }
@@ -209,6 +212,8 @@ io::IoResult<Manifest> read_manifest(const std::filesystem::path& folder) {
   const auto file = folder / "manifest.json";
   try {
     return manifest_from(read_json(file));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     const std::string text = error.what();
     if (text.starts_with(file.string())) return tl::unexpected(io::IoError{text});

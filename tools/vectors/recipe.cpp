@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -131,6 +132,8 @@ void read_recipe_file(const std::filesystem::path& file, Recipes& recipes) {
       }
       const std::string id = recipe.id;
       if (!recipes.emplace(id, std::move(recipe)).second) throw TextError("a second " + id);
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       throw TextError(file.string() + ": " + one.value("name", "?") + ": " + error.what());
     }

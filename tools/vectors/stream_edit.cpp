@@ -60,6 +60,7 @@ constexpr uint64_t kSot = 0xFF90;  // its Psot is at byte 6
 
 class Editor {
  public:
+  // Edits of a recipe, which may be anyone's: throws where one leaves the stream.
   explicit Editor(std::vector<uint8_t>& bytes) : bytes_(bytes) {}
 
   void apply(const Json& json) {
@@ -171,9 +172,10 @@ class Editor {
 
   void edit_bytes(const Json& json) {
     const size_t entry = entry_of(json["bytes"]);
-    const uint64_t at = load(entry + 8, 8) + json.at("at").get<uint64_t>();
-    size_t i = 0;
-    for (const Json& value : json.at("value")) bytes_.at(static_cast<size_t>(at) + i++) = value;
+    const uint64_t begin = load(entry + 8, 8);
+    check_range(begin, json.at("at").get<uint64_t>());
+    auto at = static_cast<size_t>(begin + json.at("at").get<uint64_t>());
+    for (const Json& value : json.at("value")) bytes_.at(at++) = value;
   }
 
   // The entry of the TOP table of the codestream that `json` names (KEY-1).
@@ -198,7 +200,7 @@ class Editor {
     const size_t at = marker_of(json, json["splice"]) + json.at("at").get<size_t>();
     const auto removed = json.value("remove", size_t{0});
     const auto inserted = json.at("insert").get<std::vector<uint8_t>>();
-    if (at + removed > bytes_.size()) throw std::out_of_range("splice");
+    check_range(at, removed);
     const auto by = static_cast<int64_t>(inserted.size()) - static_cast<int64_t>(removed);
     const size_t tile_part_bytes = marker_of(json, kSot) + 6;
     if (at > tile_part_bytes && load_big_endian(tile_part_bytes) != 0) {
@@ -230,13 +232,27 @@ class Editor {
   void resize(const Json& json) {
     const size_t entry = entry_of(json["resize"]);
     const auto by = json.at("by").get<int64_t>();
-    const auto end = static_cast<int64_t>(load(entry + 8, 8) + load(entry + 16, 8));
+    const uint64_t end = load(entry + 8, 8) + load(entry + 16, 8);
+    check_range(end, 0);
+    const auto place = bytes_.begin() + static_cast<ptrdiff_t>(end);
     if (by > 0) {
-      bytes_.insert(bytes_.begin() + end, static_cast<size_t>(by), 0);
+      bytes_.insert(place, checked_size(by), 0);
     } else {
-      bytes_.erase(bytes_.begin() + end + by, bytes_.begin() + end);
+      const uint64_t removed = -static_cast<uint64_t>(by);
+      if (removed > end) throw std::out_of_range("resize: more than there is");
+      bytes_.erase(place - static_cast<ptrdiff_t>(removed), place);
     }
     grow(entry, by);
+  }
+
+  void check_range(uint64_t at, uint64_t size) const {
+    if (at > bytes_.size() || size > bytes_.size() - at) throw std::out_of_range("edit: no bytes");
+  }
+
+  static size_t checked_size(int64_t size) {
+    constexpr int64_t kMost = int64_t{1} << 28;
+    if (size < 0 || size > kMost) throw std::out_of_range("edit: a size outside [0, 2^28]");
+    return static_cast<size_t>(size);
   }
 
   // In the header: section entry `entry` is larger `by` bytes, and those after it lie further back.
@@ -250,7 +266,7 @@ class Editor {
 
   void cut(int64_t length) {
     const int64_t kept = length < 0 ? static_cast<int64_t>(bytes_.size()) + length : length;
-    bytes_.resize(static_cast<size_t>(kept));
+    bytes_.resize(checked_size(kept));
   }
 
   void append(const Json& values) {

@@ -47,7 +47,7 @@ uint64_t load_number(std::span<const uint8_t> bytes, uint64_t at, size_t size);
 /// For a named field, "add": n in place of "value" changes it by n.
 /// Afterwards the CRCs of sections and header are corrected; with "mend": "header" that of the
 /// header alone, with "mend": false none. A field that is stored with an offset (min_x) takes the
-/// stored value. Throws TextError.
+/// stored value. Throws TextError or std::out_of_range.
 void edit_stream(std::vector<uint8_t>& bytes, const Json& json);
 
 }  // namespace hmlfc::vectors

@@ -1,6 +1,7 @@
 #include "vectors/recipe.hpp"
 
 #include <map>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -127,6 +128,8 @@ std::vector<uint8_t> encoded_stream(const Json& json, uint64_t seed) {
 MadeStream make_stream(const Recipes& recipes, const std::string& id) {
   try {
     return make(recipes, id, 0);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw TextError(id + ": " + error.what());
   }
