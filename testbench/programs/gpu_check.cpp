@@ -8,7 +8,6 @@
 #include "decoder/open_stream.hpp"
 #include "gpu/frame_check.hpp"
 #include "gpu/gpu_answers.hpp"
-#include "gpu/instruction_report.hpp"
 #include "gpu/stream_check.hpp"
 #include "io/files.hpp"
 #include "oracle/oracle.hpp"
@@ -31,7 +30,6 @@ struct Options {
   bool list = false;
   bool json = false;
   bool answers_only = false;
-  bool instructions = false;
   uint64_t frames = 0;
   uint32_t cache_mib = 256;
   std::string size;
@@ -49,8 +47,6 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--block", o.block,
                  "Print the stages of one block instead: ROW COL PLANE BX BY [STOP]")
       ->expected(5, 6);
-  app.add_flag("--instructions", o.instructions,
-               "Count what --views whole views and three frames of --size execute a pixel instead");
   app.add_option("--frames", o.frames,
                  "Render so many novel views instead, from the first column to the last");
   app.add_option("--size", o.size, "Pixels of a frame, WxH (default: those of a view)");
@@ -153,19 +149,6 @@ int check(const Options& o, const tb::GoldenStream& stream, Device& device, GpuD
   return passed ? 0 : kExitDifferent;
 }
 
-int show_instructions(const Options& o, const StreamView& view) {
-  auto report = InstructionReport::open(o.device);
-  if (!report) return usage_error(report.error().message);
-  const uint64_t grid = uint64_t{view.header.rows} * view.header.cols;
-  for (const auto& table :
-       {report->decode(view, std::min(o.plan.plan.views, grid)),
-        report->frames(view, o.camera, true), report->frames(view, o.camera, false)}) {
-    if (!table) return usage_error(table.error().message);
-    fmt::print("{}", to_text(*table));
-  }
-  return 0;
-}
-
 int show_frames(const Options& o, std::span<const uint8_t> file, const StreamView& view,
                 Device& device) {
   auto renderer = GpuRenderer::open(device, view, uint64_t{o.cache_mib} << 20);
@@ -188,7 +171,6 @@ int run_on_stream(const Options& o) {
   if (!view) return usage_error(o.file + ": " + to_string(view.error()));
   const auto stream = tb::GoldenStream::open(file->bytes(), {view->header.block_log2, 12, 16, 16});
   if (!stream) return usage_error(o.file + ": " + to_string(stream.error()));
-  if (o.instructions) return show_instructions(o, *view);
   auto device = Device::open(o.device);
   if (!device) return usage_error(device.error().message);
   if (o.frames != 0) return show_frames(o, file->bytes(), *view, *device);
