@@ -1,24 +1,24 @@
 // Rows of pixels on every instruction set against COL-2 on each.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <vector>
 
 #include "arithmetic/colour.hpp"
 #include "arithmetic/widths.hpp"
 #include "decoder/colour_row.hpp"
-#include "scenes/test_light_fields.hpp"
 #include "support/instruction_sets.hpp"
 
 namespace hmlfc {
 namespace {
 
-int16_t draw(test::Random& random, Plane plane, int depth) {
+int16_t draw(std::mt19937& random, Plane plane, int depth) {
   const SampleRange range = sample_range(plane, depth);
   const auto size = static_cast<uint32_t>(range.hi - range.lo + 1);
   return static_cast<int16_t>(range.lo + static_cast<int32_t>(random() % size));
 }
 
-void check_row(test::Random& random, size_t pixels, bool halved, int depth) {
+void check_row(std::mt19937& random, size_t pixels, bool halved, int depth) {
   std::vector<int16_t> y(pixels), co(pixels), cg(pixels);
   for (size_t i = 0; i < pixels; ++i) {
     y[i] = draw(random, Plane::kY, depth);
@@ -56,7 +56,7 @@ TEST(ColourRow, EqualsTheInverseTransform) {
   for (const int64_t target : test::instruction_sets()) {
     const test::ChosenInstructionSet chosen(target);
     ASSERT_EQ(colour_instruction_set(), test::instruction_set_name(target));
-    test::Random random(1);
+    std::mt19937 random(1);
     for (int depth = 8; depth <= 12; ++depth) {
       for (size_t pixels = 1; pixels < 70; ++pixels) {
         check_row(random, pixels, false, depth);

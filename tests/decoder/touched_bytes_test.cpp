@@ -1,12 +1,13 @@
 // The count of bytes read, against a plain set of lines.
 
+#include <algorithm>
+#include <cstdint>
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include <hmlfc/read_sink.hpp>
-
-#include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {
 namespace {
@@ -16,7 +17,7 @@ TEST(TouchedBytes, CountsEachLineOnce) {
   TouchedBytes touched(kFile);
   EXPECT_EQ(touched.bytes(), 0u);
   std::set<uint64_t> lines;
-  test::Random random(3);
+  std::mt19937 random(3);
   for (int n = 0; n < 300; ++n) {
     const uint64_t offset = random() % kFile;
     const uint64_t bytes = random() % std::min<uint64_t>(kFile - offset, 500);
