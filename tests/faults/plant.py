@@ -6,6 +6,7 @@
 
 A table has:
 
+    needs   Programs that the commands need.
     make    Commands of the shell that build the copy, run again after each fault.
     status  Exit status of a check that finds nothing (default 0).
     switch  true: `new` and `old` are expressions, of which all are planted at once as
@@ -17,12 +18,11 @@ A table has:
 `old` stands once in its file. In commands {tree} is the copy, {scratch} a folder for what is made of it, {build} is
 BUILD, {root} the repository and {python} this interpreter. Copy and scratch folder stay in out/faults/ for the next run.
 
-Exit status: 0 all are found, 1 not, or a check fails without a fault, 77 a command of the table is missing.
+Exit status: 0 all are found, 1 not, or a check fails without a fault, 77 a program or a device is missing.
 """
 
 import argparse
 import filecmp
-import os
 import shutil
 import subprocess
 import sys
@@ -37,7 +37,11 @@ SKIPPED = 77
 
 
 class TableError(Exception):
-    """What is wrong with a table, or with what it needs."""
+    """What is wrong with a table."""
+
+
+class Missing(Exception):
+    """What a table needs and this machine has not."""
 
 
 def edited(text, edit, new):
@@ -68,6 +72,7 @@ class Table:
         content = tomllib.loads((FOLDER / f"{name}.toml").read_text())
         self.name, self.faults, self.checks = name, content["fault"], content["checks"]
         self.setup, self.make = content.get("setup", []), content["make"]
+        self.needs = content.get("needs", [])
         self.passes, self.switch = content.get("status", 0), content.get("switch", False)
         self.scratch = ROOT / "out/faults" / name
         self.tree = self.scratch / "tree"
@@ -122,13 +127,17 @@ class Table:
             shutil.copy(ROOT / file, self.tree / file)
 
     def check(self, fault, number):
-        """Whether the check that `fault` names notices what is planted, and what it printed."""
+        """Whether the check that `fault` names notices what is planted, and what it printed. Missing: it is skipped."""
         name, it = self.check_of(fault)
         status, text = self.run(self.checks[name], SECONDS, it=it, number=number)
+        if status == SKIPPED:
+            raise Missing(f"{self.name}: {text}")
         return status is not None and status != self.passes, text
 
     def missed(self, chosen):
-        """The faults that are not found. TableError where a check fails without one."""
+        """The faults that are not found. TableError where a check fails without one; Missing."""
+        if absent := [program for program in self.needs if not shutil.which(program)]:
+            raise Missing(f"{self.name}: needs {' '.join(absent)}")
         self.scratch.mkdir(parents=True, exist_ok=True)
         refresh(ROOT, self.tree, LEFT_OUT)
         if not (self.tree / "vectors").is_symlink():
@@ -176,6 +185,9 @@ def main():
     except TableError as error:
         print(error)
         return 1
+    except Missing as reason:
+        print(reason)
+        return SKIPPED
     return 1 if missed else 0
 
 

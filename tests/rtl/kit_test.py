@@ -11,10 +11,8 @@ Exit: 0 so, 1 not; what is wrong is printed.
 """
 
 import re
-import shutil
 import subprocess
 import sys
-import tempfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
