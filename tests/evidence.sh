@@ -1,4 +1,4 @@
-# Commands of ./run that check the tests themselves: clauses, coverage, mutants, fuzzing, stress, soak.
+# Commands of ./run that check more than ./run test: clauses, coverage, fuzzing, stress, soak.
 # Sourced by ./run, whose functions and variables they use.
 
 run_clauses() {
@@ -15,9 +15,7 @@ run_coverage() {
 
 run_fuzz() {
   install_packages build fuzz
-  local programs=tests/fuzz/all
-  if [[ " $* " == *" --self-test "* ]]; then programs=fuzz_faults; fi
-  build_decode_path fuzz tests/fuzz/all "$programs"
+  build_decode_path fuzz tests/fuzz/all
   exec "$(debian_python)" -B "$root/tests/fuzz/fuzz.py" --build "$build" "$@"
 }
 
@@ -37,59 +35,6 @@ run_rtl_coverage() {
   build rtl_random
   exec "$(debian_python)" "$root/testbench/programs/rtl_coverage.py" \
     "$build/testbench/rtl_random" "$@"
-}
-
-# run_mutate WHAT [ARG...]: changes WHAT in one place at a time; the conformance vectors must notice.
-run_mutate() {
-  local what=${1:-}
-  if (($# > 0)); then shift; fi
-  case $what in
-    model) mutate_model "$@" ;;
-    shaders) mutate_shaders "$@" ;;
-    rtl) mutate_rtl "$@" ;;
-    naive) exec "$(debian_python)" -B "$root/tests/mutation/naive/mutate.py" "$@" ;;
-    *)
-      say "mutate: model, shaders, rtl or naive"
-      exit 2
-      ;;
-  esac
-}
-
-mutate_model() {
-  install_packages build
-  build_decode_path mutation vector_check
-  exec "$(debian_python)" -B "$root/tests/mutation/model/mutate.py" --build "$build" "$@"
-}
-
-mutate_shaders() {
-  install_packages build test
-  local program=decode_vectors
-  if [[ " $* " == *" --renderer "* ]]; then program=draw_frames; fi
-  soak=ON build "$program"
-  exec "$(debian_python)" -B "$root/tests/mutation/shaders/campaign.py" \
-    --program "$build/tests/gpu/$program" "$@"
-}
-
-# mutate_rtl [--count N] [--seed S] [--group NAME] [ARG...]: mutants other than those of the tests get their own build.
-mutate_rtl() {
-  local count='' seed='' groups=(datapath loading tiles references memories dma view) rest=()
-  while (($# > 0)); do
-    case $1 in
-      --count) count=${2:?"--count takes a number"} && shift 2 ;;
-      --seed) seed=${2:?"--seed takes a number"} && shift 2 ;;
-      --group) groups=("${2:?"--group takes a name"}") && rest+=(--group "$2") && shift 2 ;;
-      *) rest+=("$1") && shift ;;
-    esac
-  done
-  install_packages build test
-  if [[ -n $count$seed ]]; then
-    use_build rtl-mutants
-    export HMLFC_RTL_MUTANTS=${count:-42} HMLFC_RTL_MUTANT_SEED=${seed:-1}
-    rm -f "$build/settings"  # so that CMake sees them
-  fi
-  soak=ON build "${groups[@]/#/rtl_mutants_}"
-  exec "$(debian_python)" -B "$root/tests/mutation/rtl/mutate.py" "$build/tests/mutation/rtl/" "$root/vectors" \
-    --jobs "$(nproc)" "${rest[@]}"
 }
 
 # run_soak --minutes N [--seed S] [--shard I/N] [CTEST-ARG...]: the tests with label soak, of N shards the I-th, then

@@ -69,7 +69,7 @@ int decode(const Options& o, std::span<const uint8_t> file, const StreamHeader& 
   if (image.golden() == nullptr) return usage_error(status_name(image.load_error()));
   Descriptor d = descriptor_of(o, image.golden()->geometry());
   if (d.width == 0 || d.height == 0) return usage_error("the rectangle is empty");
-  ViewBench bench(maker.make(maker.parameters.with_state(o.seed), image.oracle(), 0), file,
+  ViewBench bench(maker.make(maker.parameters.with_state(o.seed), image.oracle()), file,
                   image.area().bytes, image.oracle());
   ViewHost& host = bench.host();
   if (o.random_conditions) host.set_conditions(random_conditions(o.seed), o.seed);

@@ -4,12 +4,9 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
-#include <iterator>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 #include <verilated.h>
 #include <verilated_cov.h>
@@ -20,6 +17,7 @@
 #include "unit/clock_gate.hpp"
 #include "unit/initial_state.hpp"
 #include "unit/pins.hpp"
+#include "unit/plusargs.hpp"
 
 namespace hmlfc::tb {
 
@@ -95,27 +93,15 @@ inline void write_coverage(VerilatedContext& context) {
   context.coveragep()->write(path.c_str());
 }
 
-/// Plusargs for every unit: the words of the environment variable HMLFC_RTL_PLUSARGS, such as those
-/// of testbench/checker/hmlfc_checker_bind.sv.
-inline std::vector<std::string> environment_plusargs() {
-  const char* text = std::getenv("HMLFC_RTL_PLUSARGS");
-  std::istringstream words(text == nullptr ? "" : text);
-  return {std::istream_iterator<std::string>(words), {}};
-}
-
 /// `Model` is Verilator's class of the top module for `parameters`; open_wave() starts an FST wave.
 template <class Model>
 class VerilatedUnit final : public DecodeUnit {
  public:
-  /// `plusarg` is what $value$plusargs sees.
-  explicit VerilatedUnit(const UnitParameters& parameters, const std::string& plusarg = {})
+  explicit VerilatedUnit(const UnitParameters& parameters)
       : parameters_(parameters),
         context_(std::make_unique<VerilatedContext>()),
         state_(*context_, parameters.state_seed) {
-    const std::vector<std::string> words = environment_plusargs();
-    std::vector<const char*> arguments{"unit", plusarg.c_str()};
-    for (const std::string& word : words) arguments.push_back(word.c_str());
-    context_->commandArgs(static_cast<int>(arguments.size()), arguments.data());
+    take_plusargs(*context_);
     context_->traceEverOn(VM_TRACE);
     model_ = std::make_unique<Model>(context_.get(), state_.setting().c_str());
     set_inputs(UnitInputs{});

@@ -96,7 +96,3 @@ endif()
 target_compile_definitions(hmlfc_rtl PRIVATE
   VM_COVERAGE=$<BOOL:${HMLFC_RTL_COVERAGE}> VM_TRACE=$<BOOL:${waves}>)
 target_link_libraries(hmlfc_rtl PUBLIC hmlfc_bench hmlfc_verilated hmlfc_dpi)
-
-if(HMLFC_SOAK AND NOT HMLFC_RTL_COVERAGE)
-  include(unit/rtl_faults.cmake)
-endif()

@@ -4,7 +4,6 @@
 #include <cstring>
 #include <deque>
 #include <memory>
-#include <string>
 
 #include <verilated.h>
 
@@ -12,6 +11,7 @@
 #include "stimulus/conditions.hpp"
 #include "unit/clock_gate.hpp"
 #include "unit/initial_state.hpp"
+#include "unit/plusargs.hpp"
 #include "view/view_pins.hpp"
 
 namespace hmlfc::tb {
@@ -60,11 +60,9 @@ void get_shared_outputs(const Model& m, ViewOutputs& out) {
 template <class Model>
 class VerilatedView final : public ViewUnit {
  public:
-  /// `plusarg` is what $value$plusargs sees.
-  explicit VerilatedView(const UnitParameters& parameters, const std::string& plusarg = {})
+  explicit VerilatedView(const UnitParameters& parameters)
       : parameters_(parameters), state_(context_, parameters.state_seed) {
-    const char* arguments[]{"unit", plusarg.c_str()};
-    context_.commandArgs(2, arguments);
+    take_plusargs(context_);
     model_ = std::make_unique<Model>(&context_, state_.setting().c_str());
     set_inputs(ViewInputs{});
     model_->clk = 0;
@@ -119,15 +117,13 @@ class VerilatedView final : public ViewUnit {
 template <class Model>
 class VerilatedDma final : public ViewUnit {
  public:
-  /// `plusarg` is what $value$plusargs sees; `oracle` must outlive the unit.
-  VerilatedDma(const UnitParameters& parameters, Oracle& oracle, uint64_t seed,
-               const std::string& plusarg = {})
+  /// `oracle` must outlive the unit.
+  VerilatedDma(const UnitParameters& parameters, Oracle& oracle, uint64_t seed)
       : parameters_(parameters),
         oracle_(oracle),
         random_(seed),
         state_(context_, parameters.state_seed) {
-    const char* arguments[]{"unit", plusarg.c_str()};
-    context_.commandArgs(2, arguments);
+    take_plusargs(context_);
     model_ = std::make_unique<Model>(&context_, state_.setting().c_str());
     set_inputs(ViewInputs{});
     model_->m_request_tready = model_->s_response_tvalid = 0;

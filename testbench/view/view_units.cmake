@@ -1,5 +1,4 @@
-# hmlfc_view_units: with Verilator view units of the product's RTL, the DMA alone for
-# each block size, and a DMA of a copy in which faults wait to be switched on.
+# hmlfc_view_units: with Verilator view units, and the DMA alone for each block size.
 
 # BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING of whole units, and of DMAs, which have no depth and no reads.
 set(view_units "2:12:128:32")
@@ -45,8 +44,6 @@ foreach(kind unit dma)
       ARGUMENTS ${parameters} -Wall)
   endforeach()
 endforeach()
-
-include(view/view_faults.cmake)
 
 configure_file(view/view_units.cpp.in view_units.cpp @ONLY)
 add_library(hmlfc_view_units STATIC "${CMAKE_CURRENT_BINARY_DIR}/view_units.cpp")

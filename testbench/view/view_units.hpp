@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "oracle/oracle.hpp"
-#include "unit/rtl_faults.hpp"
 #include "view/view_pins.hpp"
 
 namespace hmlfc::tb {
@@ -15,8 +14,7 @@ namespace hmlfc::tb {
 /// One way to make a unit.
 struct ViewMaker {
   UnitParameters parameters;
-  std::unique_ptr<ViewUnit> (*make)(const UnitParameters& parameters, Oracle& oracle,
-                                    unsigned fault);
+  std::unique_ptr<ViewUnit> (*make)(const UnitParameters& parameters, Oracle& oracle);
 };
 
 /// Whole view units; none without Verilator.
@@ -24,9 +22,6 @@ std::vector<ViewMaker> view_units();
 
 /// The DMA with the golden model in place of the decode unit, for each block size.
 std::vector<ViewMaker> view_dmas();
-
-/// The DMA in which a fault can be switched on; with 0 none is.
-ViewMaker faulty_view_dma();
 
 /// The first of `makers` that accepts streams with these parameters, or null.
 inline const ViewMaker* view_unit_for(const std::vector<ViewMaker>& makers, unsigned block_log2,
@@ -37,8 +32,5 @@ inline const ViewMaker* view_unit_for(const std::vector<ViewMaker>& makers, unsi
   });
   return found == makers.end() ? nullptr : &*found;
 }
-
-/// Those of view_faults.cmake.
-const std::vector<RtlFault>& view_faults();
 
 }  // namespace hmlfc::tb

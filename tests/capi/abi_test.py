@@ -46,20 +46,6 @@ def differences(recorded, found):
     return told or "the dumps differ\n"
 
 
-def self_test(compiler, header, include, recorded):
-    """Faults that programs would notice are seen."""
-    for old, new in {
-        "uint32_t block_y;": "uint64_t block_y;",
-        "const char* hmlfc_version(void)": "int hmlfc_version(void)",
-        "HMLFC_STATUS_NO_FILE = 65": "HMLFC_STATUS_NO_FILE = 68",
-        "size_t stride; ": "size_t stride, surplus; ",
-        "HMLFC_C_EXPORT void hmlfc_close(hmlfc_decoder* decoder);": "",
-    }.items():
-        faulty = header.replace(old, new)
-        assert faulty != header, old
-        assert differences(recorded, dump(compiler, faulty, include)), f"{new!r} in place of {old!r} is not seen"
-
-
 def main():
     compiler, include, *update = sys.argv[1:]
     if not shutil.which("abidw"):
@@ -73,7 +59,6 @@ def main():
     told = differences(recorded, found)
     if told:
         print(f"{told}\nIf this is meant: {' '.join(sys.argv)} --update")
-    self_test(compiler, header, include, found)
     return 1 if told else 0
 
 

@@ -20,7 +20,6 @@ TARGETS = [
 MAX_BYTES = 32768  # of an input; few vectors are larger
 UNIT_SECONDS = 20  # for one input; more is a finding
 MEMORY_MB = 2048
-FAULT_SECONDS = 300
 
 
 def last_number(pattern, log):
@@ -59,24 +58,21 @@ def write_seeds(build, target, suite, corpus):
 
 
 def fuzz(arguments, root):
-    """Runs the targets; with --self-test, each with its planted fault, which it must find."""
+    """Runs the targets."""
     targets = TARGETS if arguments.target == "all" else [arguments.target]
-    planted = arguments.self_test
-    seconds = FAULT_SECONDS if planted else max(1, round(60 * arguments.minutes / len(targets)))
-    corpora = arguments.build / ("corpus-faults" if planted else "corpus")
-    folder = arguments.build / "found-faults" if planted else root / "out/fuzz"
+    seconds = max(1, round(60 * arguments.minutes / len(targets)))
+    corpora, folder = arguments.build / "corpus", root / "out/fuzz"
     failed = 0
     print(f"{'target':<18}{'executions':>12}{'CPU s':>9}{'edges':>8}  findings")
     for target in targets:
         write_seeds(arguments.build, target, root / "vectors", corpora / target)
-        program = arguments.build / f"tests/fuzz/{'fault' if planted else 'fuzz'}_{target}"
+        program = arguments.build / f"tests/fuzz/fuzz_{target}"
         log, cpu, found = run_target(target, program, corpora / target, folder / target, seconds, arguments.seed)
-        failed += found != planted
+        failed += found
         executions = last_number(r"stat::number_of_executed_units: (\d+)", log) or last_number(r"#(\d+)\t", log)
         edges = last_number(r"cov: (\d+)", log)
-        where = folder / target if found else "MISSED" if planted else "none"
-        print(f"{target:<18}{executions:>12}{cpu:>9.1f}{edges:>8}  {where}", flush=True)
-        if found and not planted:
+        print(f"{target:<18}{executions:>12}{cpu:>9.1f}{edges:>8}  {folder / target if found else 'none'}", flush=True)
+        if found:
             print(log[-4000:], file=sys.stderr)
     print(f"again: ./run fuzz {arguments.target} --minutes {arguments.minutes:g} --seed {arguments.seed}")
     return 1 if failed else 0
@@ -88,7 +84,6 @@ def main():
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--minutes", type=float, default=10, help="for all targets together")
     parser.add_argument("--seed", type=int, default=1, help="of libFuzzer; 0: another each time")
-    parser.add_argument("--self-test", action="store_true", help="find the planted faults instead")
     arguments = parser.parse_args()
     root = Path(__file__).resolve().parents[2]
     return fuzz(arguments, root)

@@ -44,8 +44,8 @@ constexpr int kSkipped = 77;
 struct Options {
   std::filesystem::path suite;
   DeviceOptions device;
-  std::vector<std::string> kernels;  // NAME=FILE
-  std::vector<std::string> ids;      // none: all vectors
+  std::filesystem::path kernels;  // empty: the library's own
+  std::vector<std::string> ids;   // none: all vectors
 };
 
 // Block `number` of the pixels as an image, cropped to width x height.
@@ -168,12 +168,13 @@ int main(int argc, char** argv) {
   if (const char* name = std::getenv("HMLFC_GPU_DEVICE")) options.device.device = name;
   CLI::App app{"Decodes conformance vectors with the GPU decoder, until one comes out wrong"};
   app.add_option("SUITE", options.suite)->required();
-  app.add_option("--kernel", options.kernels, "NAME=FILE.spv, in place of the library's own");
+  app.add_option("--kernels", options.kernels, "Folder of NAME.spv, instead of the library's own");
   app.add_option("--vector", options.ids, "Only these");
-  app.add_option("--chunk-bytes", options.device.chunk_bytes);
   CLI11_PARSE(app, argc, argv);
   try {
-    options.device.kernels = hmlfc::gpu::read_kernels(options.kernels);
+    if (!options.kernels.empty()) {
+      options.device.kernels = hmlfc::gpu::read_kernels(options.kernels);
+    }
     return run(options);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

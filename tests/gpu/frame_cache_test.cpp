@@ -13,14 +13,6 @@
 namespace hmlfc::gpu {
 namespace {
 
-// mark.comp with a fault each in its frame_plan.glsl, as SPIR-V (tests/gpu/CMakeLists.txt).
-constexpr uint32_t kNeverFlushes[] =
-#include "faults/never_flushes.inc"
-    ;
-constexpr uint32_t kPagesFromZero[] =
-#include "faults/pages_from_zero.inc"
-    ;
-
 constexpr uint64_t kPlenty = uint64_t{1} << 24;  // bytes; more than a small stream has
 
 class GpuFrameCache : public GpuTest {};
@@ -163,28 +155,6 @@ TEST_F(GpuFrameCacheOfOneStream, ACameraThatNeedsEverMoreIsSubmittedAgainRarely)
   EXPECT_GT(most, 80000u);
   EXPECT_GE(repeated, 3u);
   EXPECT_LE(repeated, 6u);
-}
-
-/// The first difference of a walk on a device with a kernel of its own.
-std::string difference_with(std::span<const uint32_t> mark, uint64_t cache_bytes) {
-  DeviceOptions options;
-  options.kernels["mark"] = {mark.begin(), mark.end()};
-  auto device = Device::open(options);
-  if (!device) return device.error().message;
-  FrameTally tally;
-  for (uint32_t seed = 0; seed < 6; ++seed) {
-    RenderPair pair(*device, test::random_stream(seed), cache_bytes);
-    const std::string found = difference_of_walk(pair, seed, 10, tally);
-    if (!found.empty()) return found;
-  }
-  return {};
-}
-
-TEST_F(GpuFrameCache, ChecksFindPlantedFaults) {
-  const std::string more = difference_with(kNeverFlushes, 8192);
-  EXPECT_NE(more.find("blocks decoded: expected "), std::string::npos) << more;
-  const std::string others = difference_with(kPagesFromZero, kPlenty);
-  EXPECT_NE(others.find(": sample "), std::string::npos) << others;
 }
 
 }  // namespace

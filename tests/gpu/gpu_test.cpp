@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "decoder/open_stream.hpp"
+#include "gpu/kernel_files.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 DeviceOptions with_environment(DeviceOptions options, bool check_barriers) {
   const char* name = std::getenv("HMLFC_GPU_DEVICE");
   if (name != nullptr) options.device = name;
+  const char* kernels = std::getenv("HMLFC_GPU_KERNELS");
+  if (kernels != nullptr) options.kernels = read_kernels(kernels);
   options.check_barriers = check_barriers;
   options.cache_folder = "";  // tests leave nothing behind
   return options;

@@ -16,7 +16,8 @@
 namespace hmlfc::gpu {
 
 /// A test that needs a device; skipped with the reason where there is none. HMLFC_GPU_DEVICE names
-/// one, as --device does.
+/// one, as --device does; HMLFC_GPU_KERNELS is a folder of kernels to use instead of the library's
+/// own (tests/faults/shaders.toml).
 class GpuTest : public testing::Test {
  protected:
   void SetUp() override;

@@ -5,8 +5,6 @@ SHADERS has the kernels as NAME.inc; SOURCE is gpu_ref/, with the table in kerne
 (arguments.glsl) or the record of the frame (frame.glsl) to every load, store and atomic operation. Each kernel is read in each variant of
 VARIANTS, which are those that the library dispatches.
 
-With --self-test each word of the table is changed, which must be found.
-
 Exit: 0 equal, 1 not (each difference is printed), 77 no SPIR-V tools or no shaders.
 """
 
@@ -36,8 +34,6 @@ VARIANTS = {
 LAYOUTS = [set(), {CHUNKED, POOL_CHUNKED}]
 TABLES = {"stream", "references", "frame.pool"}
 HOW = ("reads", "writes")
-
-LEAST_WORDS = 70  # of the table, fewer than it has
 
 
 def members(text: str, head: str) -> list[str]:
@@ -156,38 +152,16 @@ def differences(spirv: dict, table: dict) -> list[str]:
     return found
 
 
-def self_test(spirv: dict, text: str) -> int:
-    """How many words of the table could be left out or be others unnoticed."""
-    missed = changed = 0
-    begin = text.index("kKernels[]")
-    for word in re.finditer(r"\b[a-z_]+\b", text[begin : text.index("};", begin)]):
-        if any(word.group() == kernel for kernel in VARIANTS):
-            continue
-        faulty = text[: begin + word.start()] + ("frame" if word.group() != "frame" else "") + text[begin + word.end() :]
-        if by_table(faulty) == by_table(text):
-            continue
-        changed += 1
-        if not differences(spirv, by_table(faulty)):
-            print(f"not found: {word.group()}")
-            missed += 1
-    if changed < LEAST_WORDS:
-        print(f"only {changed} words of the table were changed")
-    return missed + (changed < LEAST_WORDS)
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("shaders", type=Path)
     parser.add_argument("source", type=Path)
-    parser.add_argument("--self-test", action="store_true")
     options = parser.parse_args()
     if not shutil.which("spirv-opt") or not (options.shaders / "walk.inc").exists():
         print("missing: spirv-opt, or the shaders were not built")
         return SKIPPED
     spirv = by_spirv(options.shaders, options.source)
     text = (options.source / "kernel_accesses.cpp").read_text()
-    if options.self_test:
-        return 1 if self_test(spirv, text) else 0
     found = differences(spirv, by_table(text))
     for difference in found:
         print(difference)

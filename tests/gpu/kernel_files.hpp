@@ -1,10 +1,9 @@
-// Kernels from files, in place of the library's own.
+// Kernels from files, instead of the library's own.
 #pragma once
 
 #include <cstring>
-#include <span>
+#include <filesystem>
 #include <stdexcept>
-#include <string>
 
 #include <hmlfc/gpu/device.hpp>
 
@@ -12,14 +11,15 @@
 
 namespace hmlfc::gpu {
 
-/// Of arguments NAME=FILE.spv. Throws std::runtime_error where a file cannot be read.
-inline KernelCode read_kernels(std::span<const std::string> arguments) {
+/// The kernels of the files NAME.spv of a folder. Throws std::runtime_error where one cannot be
+/// read, and std::filesystem::filesystem_error for the folder.
+inline KernelCode read_kernels(const std::filesystem::path& folder) {
   KernelCode kernels;
-  for (const std::string& argument : arguments) {
-    const size_t equals = argument.find('=');
-    const auto file = io::map_file(argument.substr(equals + 1));
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".spv") continue;
+    const auto file = io::map_file(entry.path());
     if (!file) throw std::runtime_error(file.error().message);
-    auto& words = kernels[argument.substr(0, equals)];
+    auto& words = kernels[entry.path().stem().string()];
     words.resize(file->bytes().size() / 4);
     std::memcpy(words.data(), file->bytes().data(), 4 * words.size());
   }

@@ -6,7 +6,7 @@ and needs none. Checked are: no spilled register, no scratch memory, and at most
 kernels that take more today, with what they take, so that none gets worse, and the entry goes as soon as it is not needed.
 The table in docs/results/gpu_kernels.md must be that of the kernels, where the driver is the one that it names.
 
-With --update the table is written. With --self-test each limit is planted below what was measured, which must be found.
+With --update the table is written.
 
 Exit: 0 good, 1 not (each reason is printed), 77 no such driver.
 """
@@ -83,29 +83,10 @@ def update(rows: list[dict]) -> None:
     DOCUMENT.write_text(text[:begin] + table(rows) + text[end:])
 
 
-def self_test(rows: list[dict]) -> list[str]:
-    """Planted faults that were not found."""
-    missed = []
-    highest = max(row["statistics"]["VGPRs"] for row in rows if row["kernel"] not in RATCHET)
-    plants = {"a lower limit of all": (rows, highest - 1, RATCHET)}
-    for kernel, limit in RATCHET.items():
-        plants[f"a lower limit of {kernel}"] = (rows, MOST_VGPRS, RATCHET | {kernel: limit - 1})
-        plants[f"a higher limit of {kernel}"] = (rows, MOST_VGPRS, RATCHET | {kernel: limit + 1})
-    for what in NONE_OF:
-        faulty = rows[0] | {"statistics": rows[0]["statistics"] | {what: 1}}
-        plants[what] = ([faulty, *rows[1:]], MOST_VGPRS, RATCHET)
-    plants["kernels that are missing"] = (rows[: LEAST_ROWS - 1], MOST_VGPRS, RATCHET)
-    for plant, arguments in plants.items():
-        if len(problems(*arguments)) <= len(problems(rows, MOST_VGPRS, RATCHET)):
-            missed.append(plant)
-    return missed
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program", type=Path)
     parser.add_argument("--update", action="store_true")
-    parser.add_argument("--self-test", action="store_true")
     options = parser.parse_args()
     rows = measure(options.program)
     if isinstance(rows, str):
@@ -113,10 +94,7 @@ def main() -> int:
         return SKIPPED
     if options.update:
         update(rows)
-    if options.self_test:
-        found = [f"not found: {plant}" for plant in self_test(rows)]
-    else:
-        found = problems(rows, MOST_VGPRS, RATCHET) + document_problem(rows)
+    found = problems(rows, MOST_VGPRS, RATCHET) + document_problem(rows)
     for problem in found:
         print(problem)
     return 1 if found else 0

@@ -3,7 +3,6 @@
 
 OUT/kernels.inc has them all. Workgroup and invocation numbers are exchanged among each other by a permutation
 that the specialisation constant of number 100 chooses; in the code it has the value DEFAULT, and a test puts another in its place.
-OUT/planted.inc has mark.comp with a plan made by the workgroup of the highest number, which need not be the last.
 """
 
 import argparse
@@ -31,8 +30,6 @@ uvec2 shuffled_group() {{
 uint shuffled_lane() {{ return gl_LocalInvocationIndex ^ (kOrder >> 2 & 63u); }}
 """
 )
-LAST = "if (atomicAdd(frame().counters.word[kCountWorkgroups], 1u) + 1u != workgroups) return;"
-HIGHEST = "if (shuffled_group().y * gl_NumWorkGroups.x + shuffled_group().x + 1u != workgroups) return;"
 
 
 def replaced(text: str, old: str, new: str, where: str) -> str:
@@ -69,9 +66,6 @@ def main() -> None:
     shuffle(options.shaders, folder)
     kernels = [compiled(options.glslc, folder / f"{kernel}.comp") for kernel in options.kernels]
     (options.out / "kernels.inc").write_text("".join(kernels))
-    plan = folder / "frame_plan.glsl"
-    plan.write_text(replaced(plan.read_text(), LAST, HIGHEST, plan.name))
-    (options.out / "planted.inc").write_text(compiled(options.glslc, folder / "mark.comp"))
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """The decoder in WGSL, in Chromium on its own software device, against the conformance vectors and the golden model.
 
-usage: wgsl_test.py REFERENCE_AREAS KERNELS SUITE [--self-test]
+usage: wgsl_test.py REFERENCE_AREAS KERNELS SUITE
 
 Every stream of the suite that opens: the pixels of all views have the checksums of the suite, blocks that must fail
 fail with their error, and blocks of three planes, at every stop level, are those of the golden model. The compiler has
-no message for a kernel. With --self-test changed kernels must be found.
+no message for a kernel.
 
 Exit: 0 good, 1 not, 77 skipped: no browser, no WebGPU, or no WGSL was built.
 """
@@ -29,52 +29,20 @@ SKIPPED = 77
 AT_ONCE = 50  # vectors of a call
 EDGES = (0, 1, 2, 3, 0x7FFF, 0x8000, 0xFFFF, 0x10000, 0x10001, 0x7FFFFFFF, 0x80000000, 0x80000001, 0x89ABCDEF,
          0xFFFEFFFF, 0xFFFF0000, 0xFFFF0001, 0xFFFFFFFE, 0xFFFFFFFF)
-# Kernel, text, another: what a translation or the host could get wrong.
-FAULTS = (
-    ("expand", " % ", " / "),
-    ("samples", "16i * (x_0 & 1i)", "16i * (x_0 & 0i)"),
-    ("samples", ".yzwx", ".xyzw"),
-    ("colour", "<< 16u", "<< 15u"),
-    ("residuals", "-32768i", "-32767i"),
-    ("walk", "firstTrailingBit", "firstLeadingBit"),
-    ("walk", "countOneBits", "countLeadingZeros"),
-)
-# Statements that have no translation; `word` is a buffer.
-REFUSED = {
-    "ConvertUToF": "word[0] = uint(float(word[1]) * 0.5);",
-    "OpSwitch": "switch (word[0]) { case 1u: word[1] = 2u; break; case 3u: word[1] = 4u; break; }",
-    "AtomicXor": "atomicXor(word[0], 1u);",
-    "BitReverse": "word[0] = bitfieldReverse(word[1]);",
-    "ControlBarrier": "barrier(); word[0] = 1u;",
-}
-HEAD = """#version 450
-#extension GL_EXT_buffer_reference : require
-layout(buffer_reference, std430) buffer Words { uint word[]; };
-layout(push_constant, std430) uniform Arguments { Words words; uint count; } arguments;
-layout(local_size_x = 64) in;
-"""
-PAIR_FAULTS = (
-    ("a + b < a", "a + b <= a"), ("a < b", "a <= b"),
-    ("+ (left >> 16u)", ""), ("+ (right >> 16u)", ""), ("+ (low >> 16u)", ""),
-)
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
-    """The folders of `roots`, by the first part of the path; `faults` are kernels that are not files."""
+    """The folders of `roots`, by the first part of the path."""
 
-    roots, faults = {}, {}
+    roots = {}
 
     def translate_path(self, path):
         first, _, rest = path.split("?")[0].lstrip("/").partition("/")
         return str(self.roots[first] / rest) if first in self.roots else "/nothing"
 
     def do_GET(self):
-        folder, _, name = self.path.lstrip("/").partition("/")
-        if not folder:
+        if self.path == "/":
             return self.answer(b"<!doctype html>", "text/html")
-        if folder in self.faults:
-            text = self.faults[folder].get(name) or (self.roots["wgsl"] / name).read_text()
-            return self.answer(text.encode(), "text/plain")
         return super().do_GET()
 
     def answer(self, body, kind):
@@ -151,39 +119,6 @@ def check(page, vectors, kernels):
     return found
 
 
-def refusals():
-    """What is not refused, or for another reason."""
-    found = []
-    with tempfile.TemporaryDirectory() as folder:
-        for reason, statement in REFUSED.items():
-            module = Path(folder) / "kernel.spv"
-            text = HEAD + f"void main() {{ {re.sub('word', 'arguments.words.word', statement)} }}"
-            compiled = ["glslc", "--target-env=vulkan1.2", "-fshader-stage=comp", "-", "-o", module]
-            subprocess.run(compiled, input=text, text=True, check=True)
-            translator = ROOT / "gpu_ref/wgsl/wgsl_of_spirv.py"
-            command = [sys.executable, "-B", translator, module, Path(folder) / "kernel.wgsl"]
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
-            if done.returncode != 1 or reason not in done.stderr:
-                found.append(f"{statement} {done.stderr}")
-    return found
-
-
-def self_test(page, vectors, kernels):
-    missed = [f"the pairs with {new}" for old, new in PAIR_FAULTS
-              if not wrong_pairs(page, PAIRS.replace(old, new)) or old not in PAIRS] + refusals()
-    for number, (kernel, old, new) in enumerate(FAULTS):
-        text = (kernels / f"{kernel}.wgsl").read_text()
-        if old not in text:
-            missed.append(f"{kernel}.wgsl has no {old}")
-            continue
-        Handler.faults[f"fault{number}"] = {f"{kernel}.wgsl": text.replace(old, new)}
-        found = page.call("checkAll", f"/fault{number}/", vectors, 1)
-        print(f"{kernel}.wgsl, {old} to {new}: {found[0] if found else 'not found'}")
-        if not found or "Invalid" in found[0]:
-            missed.append(f"{kernel}.wgsl with {new}")
-    return missed
-
-
 def main():
     program, kernels, suite = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
     if missing() or not (kernels / "walk.wgsl").exists():
@@ -205,8 +140,7 @@ def main():
             if why:
                 print(f"skipped: {why}")
                 return SKIPPED
-            run = self_test if "--self-test" in sys.argv else check
-            found = run(page, vectors_that_open(suite, areas), kernels)
+            found = check(page, vectors_that_open(suite, areas), kernels)
             print("\n".join(found))
             return 1 if found else 0
         finally:

@@ -2,7 +2,6 @@
 """Runs clang-tidy with the repository's .clang-tidy; any finding is a failure.
 
 clang_tidy.py BUILD ROOT FOLDER...: every file of the build below ROOT/FOLDER.
-clang_tidy.py BUILD ROOT --self-test: a file with a known fault must be refused, and named.
 
 Exit: 0 clean, 1 findings, 77 no run-clang-tidy-16 (older clang does not read libstdc++ 12 as C++20).
 """
@@ -55,30 +54,16 @@ def check(build, root, folders):
     return 1 if found else 0
 
 
-def self_test(root):
-    with tempfile.TemporaryDirectory() as folder:
-        planted = Path(folder) / "planted.cpp"
-        planted.write_text("int Shout() { return 0; }\nint* nothing() { return 0; }\n")
-        command = f"clang++ -std=c++20 -c {planted}"
-        entry = {"directory": folder, "file": str(planted), "command": command}
-        found = "\n".join(findings(root, [entry], [str(planted)]))
-    print(found)
-    return 0 if all(f"planted.cpp:{place}: " in found for place in ("1:5", "2:25")) else 1
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", type=Path)
     parser.add_argument("root", type=Path)
     parser.add_argument("folders", nargs="*")
-    parser.add_argument("--self-test", action="store_true")
     arguments = parser.parse_args()
     if not shutil.which(RUN):
         print(f"{RUN} is not installed (Debian: clang-tidy-16)")
         return SKIPPED
     root = arguments.root.resolve()
-    if arguments.self_test:
-        return self_test(root)
     return check(arguments.build, root, arguments.folders)
 
 

@@ -47,14 +47,8 @@ expect 0 '/build/testbench/gpu_check FILE' gpu-check FILE
 expect 0 '/build/testbench/rtl_check FILE' rtl-check FILE
 expect 0 '/build/testbench/rtl_view FILE' rtl-view FILE
 expect 0 "*python3 $root/testbench/programs/rtl_coverage.py /build/testbench/rtl_random" rtl-coverage
-expect 0 '*tests/mutation/shaders/campaign.py --program /build/tests/gpu/decode_vectors' \
-  mutate shaders
-expect 0 '*tests/mutation/shaders/campaign.py --program /build/tests/gpu/draw_frames --renderer' \
-  mutate shaders --renderer
-expect 0 '*tests/mutation/rtl/mutate.py /build/tests/mutation/rtl/ *' mutate rtl --count 5
 expect 0 "*python3 -B $root/tools/release/sbom.py $root out.json" sbom out.json
 expect 0 "*python3 -B $root/tools/release/site_pages.py $root $root/out/site" docs
-expect 0 '*tests/mutation/naive/mutate.py --list' mutate naive --list
 expect 0 '*tests/stress/stress.py --build /build --hmlfc /build/tools/hmlfc *' stress --minutes 1
 expect 0 '/build/bench/bench_methods 40' bench methods 40
 expect 0 "*python3 $root/bench/accuracy --quick" bench accuracy --quick
@@ -62,14 +56,6 @@ expect 0 $'Usage: ./run bench NAME *\n  accuracy  *\n  skipping  *' bench
 expect 2 $'No benchmark nosuch; there are\n*\n  methods  *' bench nosuch
 expect 2 'No benchmark bench; *' bench bench
 expect 2 'No benchmark .*; *' bench '.*'
-
-# The second is only used there.
-for lost in /build/tests/decode_vectors /build/tests/mutation/shaders/decode_vectors; do
-  if [[ $(not_built "x /build/testbench/rtl_random $lost /build/x.json") != "$lost" ]]; then
-    printf 'not_built does not find %s\n' "$lost"
-    faults=$((faults + 1))
-  fi
-done
 
 # Usage and main name the same commands.
 named=$(usage | sed -n 's/^\(Usage:\|      \) \.\/run \([a-z][a-z-]*\) .*/\2/p' | sort -u)

@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from primitives_case import ANSWERS, DONE, ROOT, USAGE, PrimitivesTest, answered, main
+from primitives_case import ANSWERS, DIFFERENT, DONE, ROOT, USAGE, PrimitivesTest, answered, main
 from program import PROGRAM
 
 RECORD = Path(__file__).with_name("recorded_sums.json")
@@ -84,6 +84,23 @@ class Primitives(PrimitivesTest):
             result = subprocess.run(["bash", "-o", "pipefail", "-c", pipe], capture_output=True, text=True, check=True)
             self.assertEqual(result.stderr, "")
             self.assertRegex(result.stdout, rf"^{name}: \d+ cases, all right\n$")
+
+    def test_wrong_lines(self):
+        cases = self.cases("block-number")
+        right = [answered("block-number", case) for case in cases]
+        for lines, says in (
+            ([f"{case} 64" for case in cases], "line 1: i 0, j 0: result 1 of 1 is 64 instead of 0: k (TIL-2)"),
+            (right[:-1], "the input ends before line 64"),
+            (right[1:], "line 1 has to begin with"),
+            ([*right, right[-1]], "there are 64 cases, but the input goes on with"),
+            (cases, "0 results instead of 1"),
+            (["\x1b[2J\x7f", *right], "but is '?[2J?'"),
+        ):
+            with self.subTest(says=says):
+                status, printed = self.check("block-number", lines, "--errors", 3)
+                self.assertEqual(status, DIFFERENT)
+                self.assertIn(says, "\n".join(printed))
+                self.assertLessEqual(len(printed), 4)
 
     def test_refused(self):
         for arguments, named in [

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The check of clock rates passes a fast module and fails with a slow one.
+"""A module meets the clock rate that rtl/synth/report.py asks of it.
 
 speed_test.py RTL. Exit: 0 so, 1 not, 77 a tool is not installed.
 """
@@ -8,23 +8,10 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 SKIPPED = 77
 LIBERTY = Path("/usr/share/qflow/tech/osu035/osu035_stdcells.lib")
-FILE = "hmlfc_bise_place.sv"
-FAST = "assign group_bit = kind"
-SLOW = """wire [13:0] product;
-  assign group_bit = product * (product + {8'd0, level_code});
-  assign product = kind"""
-
-
-def check(rtl):
-    command = [sys.executable, "-B", rtl / "synth" / "report.py", "speed", "--cells", "--check", "bise_place"]
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    print(done.stdout)
-    return done.returncode
 
 
 def main(rtl):
@@ -32,15 +19,8 @@ def main(rtl):
     if missing or not LIBERTY.exists():
         print("SKIPPED:", *missing, "or the cells of osu035 are not installed")
         return SKIPPED
-    with tempfile.TemporaryDirectory() as work:
-        copy = Path(work) / "rtl"
-        shutil.copytree(rtl, copy)
-        if check(copy) != 0:
-            return 1
-        text = (copy / FILE).read_text()
-        assert FAST in text
-        (copy / FILE).write_text(text.replace(FAST, SLOW))
-        return 0 if check(copy) == 1 else 1
+    command = [sys.executable, "-B", rtl / "synth" / "report.py", "speed", "--cells", "--check", "bise_place"]
+    return subprocess.run(command, check=False).returncode
 
 
 if __name__ == "__main__":

@@ -143,9 +143,9 @@ std::string wrong_record(const FrameRecord& record, const StreamHeader& header) 
 
 // ERR-1 and SRF-6.
 void compare(const CameraCase& made, const FrameRecord& record, const RgbImage& frame,
-             const RealFrame& real, double scale, CameraOutcome& outcome) {
+             const RealFrame& real, CameraOutcome& outcome) {
   const StreamHeader& header = decoder_of(made.stream).header();
-  const double bound = scale * fixed_point_bound(made.camera, header, real.max_displacement);
+  const double bound = fixed_point_bound(made.camera, header, real.max_displacement);
   outcome.displaced = real.max_displacement > 0;
   for (size_t i = 0; i < real.samples.size(); ++i) {
     const auto pixel = static_cast<int32_t>(i / 3);
@@ -181,7 +181,7 @@ CameraCase view_case(uint64_t stream) {
   return made;
 }
 
-CameraOutcome try_camera(const CameraCase& made, double scale) {
+CameraOutcome try_camera(const CameraCase& made) {
   const Decoder& decoder = decoder_of(made.stream);
   CameraOutcome outcome;
   const auto record = frame_record(made.camera, decoder.header());
@@ -199,7 +199,7 @@ CameraOutcome try_camera(const CameraCase& made, double scale) {
     outcome.failure = "no frame in double precision: " + to_string(real.error());
     return outcome;
   }
-  compare(made, *record, frame.image, *real, scale, outcome);
+  compare(made, *record, frame.image, *real, outcome);
   return outcome;
 }
 

@@ -36,8 +36,8 @@ struct CameraOutcome {
 };
 
 /// Draws the golden frame and, with filter quadrilinear, compares it with the frame in double
-/// precision wherever both are inside (ERR-1, SRF-6); the bound is multiplied by `scale`.
-CameraOutcome try_camera(const CameraCase& made, double scale);
+/// precision wherever both are inside (ERR-1, SRF-6).
+CameraOutcome try_camera(const CameraCase& made);
 
 /// The case as JSON, for readers and to run it alone.
 vectors::Json describe(const CameraCase& made);

@@ -24,7 +24,6 @@ struct Arguments {
   uint64_t seed = 1;
   uint64_t count = 10000;
   double seconds = 1e9;
-  double scale = 1;
 };
 
 struct Totals {
@@ -52,8 +51,8 @@ void add_widths(Totals& totals, const std::string& name, const Json& camera) {
   }
 }
 
-void add_camera(Totals& totals, const std::string& name, const CameraCase& made, double scale) {
-  const CameraOutcome outcome = try_camera(made, scale);
+void add_camera(Totals& totals, const std::string& name, const CameraCase& made) {
+  const CameraOutcome outcome = try_camera(made);
   ++totals.cameras;
   if (!outcome.refused.empty()) ++totals.refused[input_of(outcome.refused)];
   totals.frames += outcome.refused.empty() ? 1u : 0u;
@@ -74,14 +73,14 @@ Json run(const Arguments& arguments) {
   Totals totals;
   run_frame_extremes([&](const std::string& name) { add_widths(totals, name, name); });
   for (uint64_t n = 0; n < kWholeViews; ++n) {
-    add_camera(totals, "view of random stream " + std::to_string(n), view_case(n), arguments.scale);
+    add_camera(totals, "view of random stream " + std::to_string(n), view_case(n));
   }
   for (uint64_t n = 0; n < arguments.count; ++n) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     if (elapsed.count() >= arguments.seconds) break;
     const std::string name =
         "camera " + std::to_string(n) + " of seed " + std::to_string(arguments.seed);
-    add_camera(totals, name, camera_case(arguments.seed, n), arguments.scale);
+    add_camera(totals, name, camera_case(arguments.seed, n));
   }
   return {{"cameras", totals.cameras},
           {"frames", totals.frames},
@@ -104,7 +103,5 @@ int main(int argc, char** argv) {
   app.add_option("--seed", arguments.seed);
   app.add_option("--count", arguments.count, "most random cameras");
   app.add_option("--seconds", arguments.seconds);
-  app.add_option("--scale-bound", arguments.scale, "a fault to find: multiplies the bound of ERR-1")
-      ->check(CLI::Range(0.0, 1.0));
   return hmlfc::stress::run_program(app, argc, argv, [&] { return hmlfc::stress::run(arguments); });
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Short numerical stress, and planted faults that it must find: stress_test.py PROGRAMS_FOLDER."""
+"""Short numerical stress: stress_test.py PROGRAMS_FOLDER."""
 
 import json
 import subprocess
@@ -17,22 +17,21 @@ PROGRAMS = None
 
 
 class Streams(unittest.TestCase):
-    def run_program(self, *arguments, program="stress_streams", status=0):
+    def run_program(self, *arguments, program="stress_streams"):
         with tempfile.TemporaryDirectory() as folder:
             command = [PROGRAMS / program]
             if program == "stress_streams":
                 command += ["--folder", folder]
             result = subprocess.run([*command, *arguments], capture_output=True, text=True)
-            stored = {path.name: path.stat().st_size for path in Path(folder).iterdir()}
-        self.assertEqual(result.returncode, status, result.stdout[-2000:] + result.stderr[-2000:])
-        return json.loads(result.stdout), stored
+        self.assertEqual(result.returncode, 0, result.stdout[-2000:] + result.stderr[-2000:])
+        return json.loads(result.stdout)
 
 
 class ExtremesTest(Streams):
     def test_intervals_are_reached_at_both_ends_and_not_left(self):
         reached = Reached()
         for command in (["files", *WIDTHS], ["geometry"]):
-            report, _ = self.run_program(*command)
+            report = self.run_program(*command)
             self.assertEqual(report["findings"], [])
             reached.add(report["rows"])
         self.assertEqual([row["quantity"] for row in reached.gaps()], [])
@@ -40,12 +39,12 @@ class ExtremesTest(Streams):
     def test_odd_streams_stay_within(self):
         odd = sorted(VECTORS.glob("stress/odd-*.hmlfc"))
         self.assertGreater(len(odd), 10)
-        report, _ = self.run_program("files", *odd)
+        report = self.run_program("files", *odd)
         self.assertEqual(report["streams"], len(odd))
         self.assertEqual(report["findings"], [])
 
     def test_random_streams_stay_within(self):
-        report, _ = self.run_program("random", "--seed", "1", "--count", "40")
+        report = self.run_program("random", "--seed", "1", "--count", "40")
         self.assertEqual(report["streams"], 40)
         self.assertGreater(report["blocks"], 1000)
 
@@ -53,40 +52,14 @@ class ExtremesTest(Streams):
         with tempfile.TemporaryDirectory() as folder:
             found = Path(folder) / "found.json"
             limit = ["--seed", "1", "--count", "300", "--found", str(found)]
-            report, _ = self.run_program("search", *limit)
+            report = self.run_program("search", *limit)
             self.assertGreater(len(json.loads(found.read_text())["vectors"]), 3)
         self.assertEqual(report["streams"], 300)
 
 
-class PlantedFaultTest(Streams):
-    def found(self, plant):
-        report, stored = self.run_program("--plant", plant, "files", *WIDTHS, status=1)
-        finding = report["findings"][0]
-        self.assertGreater(stored[Path(finding["stored"]).name], 100)
-        return finding["what"]
-
-    def test_an_interval_that_is_too_narrow_is_reported(self):
-        for quantity in ("P + sign * ref", "I_first + I_second + 64", "u", "R before its clamp"):
-            what = self.found(quantity)
-            self.assertTrue(what.startswith(quantity + " is "), what)
-            self.assertRegex(what, r"at model/(arithmetic|decoder(/\w+)?)/\w+\.[ch]pp:\d+; (view \d+,\d+|all views)")
-
-    def test_numbers_of_the_largest_tree_are_checked_too(self):
-        report, _ = self.run_program("--plant", "tile number", "geometry", status=1)
-        self.assertTrue(report["findings"][0]["what"].startswith("tile number is 0, outside [1,"))
-
-    def test_a_lost_value_is_reported(self):
-        self.assertIn("a conversion loses its value", self.found("lossy"))
-
-    def test_an_unknown_quantity_is_refused(self):
-        for command in (["stress_streams", "geometry"], ["stress_cameras", "--count", "0"]):
-            planted = [PROGRAMS / command[0], "--plant", "nothing", *command[1:]]
-            self.assertEqual(subprocess.run(planted, capture_output=True).returncode, 2)
-
-
 class CamerasTest(Streams):
     def test_intervals_of_frames_are_reached_except_where_no_frame_can(self):
-        report, _ = self.run_program("--count", "0", program="stress_cameras")
+        report = self.run_program("--count", "0", program="stress_cameras")
         self.assertEqual(report["findings"], [])
         reached = Reached()
         reached.add(report["rows"])
@@ -97,16 +70,8 @@ class CamerasTest(Streams):
         self.assertEqual(gaps["wr, wc"]["reached"], [1, 256])
         self.assertEqual(gaps["weight of a view"]["reached"], [1, 65536])
 
-    def test_an_interval_of_frames_that_is_too_narrow_is_reported(self):
-        for quantity in ("n", "zu, zv", "x(c), y(r)", "wr, wc", "sum over views"):
-            arguments = ["--count", "0", "--plant", quantity]
-            report, _ = self.run_program(*arguments, program="stress_cameras", status=1)
-            what = report["findings"][0]["what"]
-            self.assertTrue(what.startswith(quantity + " is "), what)
-            self.assertRegex(what, r", outside \[.*\].*, at model/render/\w+\.[ch]pp:\d+$")
-
     def test_cameras_give_frames_within_the_bound_or_errors(self):
-        report, _ = self.run_program("--count", "10000", program="stress_cameras")
+        report = self.run_program("--count", "10000", program="stress_cameras")
         self.assertEqual(report["findings"], [])
         self.assertGreater(report["frames"], 5000)
         self.assertGreater(report["displaced"], 100)
@@ -114,11 +79,6 @@ class CamerasTest(Streams):
         self.assertLess(report["worst_part_of_bound"], 1)
         for name in ("position", "look_at", "focal", "tan_half", "frame_width"):
             self.assertIn(name, report["refused"])
-
-    def test_a_bound_that_is_too_small_is_reported(self):
-        arguments = ["--count", "400", "--scale-bound", "0.05"]
-        report, _ = self.run_program(*arguments, program="stress_cameras", status=1)
-        self.assertIn("further than the bound", report["findings"][0]["what"])
 
 
 if __name__ == "__main__":

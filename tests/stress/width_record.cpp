@@ -18,7 +18,6 @@ struct Slot {
 
 struct Record {
   std::array<std::array<std::array<Slot, 2>, kDepths>, kRows> slots;
-  std::array<std::atomic<bool>, kRows> narrow{};
   std::mutex lock;
   std::optional<std::string> violation;
 
@@ -75,15 +74,6 @@ std::vector<Place> places(WidthTable table) {
 
 WidthInterval limits_of(const Place& place) {
   return kWidthRows[place.row].limits[place.depth][place.plane];
-}
-
-bool plant_narrow(const std::string& quantity) {
-  for (size_t row = 0; row < kRows; ++row) {
-    if (kWidthRows[row].quantity != quantity) continue;
-    record().narrow[row] = true;
-    return true;
-  }
-  return false;
 }
 
 Ranges take_ranges() {
@@ -144,14 +134,12 @@ void note_value(const WatchedValue& watched) {
   Slot& slot = record().slots[watched.row][depth][plane];
   lower(slot.min, watched.value);
   raise(slot.max, watched.value);
-  const int64_t margin = record().narrow[watched.row].load(std::memory_order_relaxed) ? 1 : 0;
   const WidthInterval limits = row.limits[depth][plane];
-  if (watched.value >= limits.lo + margin && watched.value <= limits.hi - margin) return;
+  if (watched.value >= limits.lo && watched.value <= limits.hi) return;
   record().report(std::string(row.quantity) + " is " + std::to_string(watched.value) +
-                  ", outside [" + std::to_string(limits.lo + margin) + ", " +
-                  std::to_string(limits.hi - margin) + "]" +
-                  (row.by_depth ? " at depth " + std::to_string(watched.depth) : "") + ", at " +
-                  line_of(watched.where));
+                  ", outside [" + std::to_string(limits.lo) + ", " + std::to_string(limits.hi) +
+                  "]" + (row.by_depth ? " at depth " + std::to_string(watched.depth) : "") +
+                  ", at " + line_of(watched.where));
 }
 
 void note_lossy(const std::source_location& where) {

@@ -48,10 +48,6 @@ std::vector<Place> places(WidthTable table);
 /// The interval of the table.
 WidthInterval limits_of(const Place& place);
 
-/// Narrows the interval of row `quantity` by one at both ends from now on: a planted fault. False
-/// if no row has this name.
-bool plant_narrow(const std::string& quantity);
-
 /// Returns what was reached since the last call. No thread may be watching meanwhile.
 Ranges take_ranges();
 

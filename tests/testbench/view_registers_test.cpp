@@ -149,7 +149,7 @@ class Traffic {
 TEST(ViewUnit, RegistersByIndependentChannels) {
   for (const ViewMaker& maker : view_units()) {
     Oracle oracle(uint8_t{0});  // is not asked
-    const auto unit = maker.make(maker.parameters, oracle, 0);
+    const auto unit = maker.make(maker.parameters, oracle);
     Traffic traffic(*unit, 1);
     traffic.run(20'000);
     EXPECT_GT(traffic.writes(), 500);

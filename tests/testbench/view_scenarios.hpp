@@ -24,11 +24,11 @@ inline constexpr ViewFormat kViewFormats[]{ViewFormat::kY,         ViewFormat::k
 /// One stream and a unit for it. `bytes` must outlive it.
 class ViewRun {
  public:
-  ViewRun(std::span<const uint8_t> bytes, const ViewMaker& maker, uint64_t seed, unsigned fault = 0)
+  ViewRun(std::span<const uint8_t> bytes, const ViewMaker& maker, uint64_t seed)
       : maker_(maker),
         image_(bytes, maker.parameters),
         random_(seed),
-        bench_(maker.make(maker.parameters.with_state(seed), image_.oracle(), fault), bytes,
+        bench_(maker.make(maker.parameters.with_state(seed), image_.oracle()), bytes,
                image_.area().bytes, image_.oracle(), kRing) {}
 
   const std::string& finding() const { return bench_.finding(); }

@@ -2,8 +2,6 @@
 // every block size.
 #include <gtest/gtest.h>
 
-#include <iostream>
-
 #include "driver/hmlfc_registers.h"
 #include "testbench/view_scenarios.hpp"
 
@@ -40,11 +38,7 @@ TEST_P(ViewDma, EqualsTheModel) {
   }
 }
 
-// Mutants meet more seeds.
-#ifndef HMLFC_VIEW_SEEDS
-#define HMLFC_VIEW_SEEDS 8
-#endif
-INSTANTIATE_TEST_SUITE_P(Seed, ViewDma, testing::Range(0U, HMLFC_VIEW_SEEDS + 0U));
+INSTANTIATE_TEST_SUITE_P(Seed, ViewDma, testing::Range(0U, 8U));
 
 TEST(ViewDma, ReachesEveryMacroRow) {
   for (const ViewMaker& maker : view_dmas()) {
@@ -137,35 +131,6 @@ TEST(ViewUnit, FetchesDescriptorsDuringLoad) {
     ASSERT_EQ(run.finding(), "") << "B " << maker.parameters.block_size();
   }
 }
-
-std::vector<std::vector<uint8_t>> streams_for_faults() {
-  return {stream(3, 2), stream(0, 2), white_picture(), large_picture(2)};
-}
-
-TEST(ViewFault, NoneIsFoundWithoutOne) {
-  for (const auto& bytes : streams_for_faults()) {
-    ViewRun run(bytes, faulty_view_dma(), 1);
-    run.everything();
-    EXPECT_EQ(run.finding(), "");
-  }
-}
-
-class ViewFaults : public testing::TestWithParam<RtlFault> {};
-
-TEST_P(ViewFaults, IsFound) {
-  for (const auto& bytes : streams_for_faults()) {
-    ViewRun run(bytes, faulty_view_dma(), 1, GetParam().number);
-    run.everything();
-    if (run.finding().empty()) continue;
-    std::cout << run.finding() << "\n";
-    EXPECT_EQ(run.finding().substr(0, GetParam().rule.size()), GetParam().rule);
-    return;
-  }
-  ADD_FAILURE() << GetParam().name << " in " << GetParam().module << " is not found";
-}
-
-INSTANTIATE_TEST_SUITE_P(Dma, ViewFaults, testing::ValuesIn(view_faults()),
-                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace hmlfc::tb

@@ -3,7 +3,7 @@
 
     key_pairs.py RECIPES
 
-Exit status 1: a pair is missing, or, as a self-test, leaving out a vector is not noticed.
+Exit status 1: a pair is missing.
 """
 
 import itertools
@@ -48,9 +48,6 @@ def main():
     missing = list(missing_pairs(recipes))
     for pair in missing:
         print(pair)
-    if not any(missing_pairs(recipes[1:])):
-        missing.append("unnoticed")
-        print("self-test: without its first vector the design is as good")
     return 1 if missing else 0
 
 

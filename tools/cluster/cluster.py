@@ -11,7 +11,6 @@ which has to be built before:
   conform ARG...    hmlfc conform ARG... --shard I/N, then --merge to FOLDER/report
   fuzz ARG...       hmlfc fuzz-dut ARG... (with --count C), on seeds from S + (I - 1) * C on, S of --seed
   stress ARG...     ./run stress ARG... --seed I --out FOLDER/tasks/I
-  mutants ARG...    ./run mutate ARG... --seed I, where ARG begins with model, shaders or naive
   soak ARG...       ./run soak ARG... --seed I --shard I/N
 
 A task that ends without a status (killed, its node lost), or for want of memory or disk, is lost and runs
@@ -64,7 +63,6 @@ TASKS = {
     "conform": lambda a, i, n, o: [hmlfc(), "conform", *a, "--shard", f"{i}/{n}", "-o", o],
     "fuzz": lambda a, i, n, o: fuzz(a, i, o),
     "stress": lambda a, i, n, o: [*seeded("stress", a, i), "--out", o],
-    "mutants": lambda a, i, n, o: seeded("mutate", a, i),
     "soak": lambda a, i, n, o: [*seeded("soak", a, i), "--shard", f"{i}/{n}"],
 }
 # What makes one result of `outputs`; kinds without it are summed up by their statuses.

@@ -1,4 +1,4 @@
-"""The naive decoder on every vector of the conformance suite, and a test of this check."""
+"""The naive decoder on every vector of the conformance suite."""
 
 import paths  # noqa: F401
 import unittest
@@ -16,14 +16,6 @@ class VectorsTest(unittest.TestCase):
             for vector, wrong in zip(vectors, workers.map(check_vector, [FOLDER] * len(vectors), vectors)):
                 with self.subTest(vector=vector["id"]):
                     self.assertEqual(wrong, [])
-
-    def test_a_wrong_manifest_is_found(self):
-        decoded = [vector for vector in load_vectors() if vector["expect"]["outcome"] == "ok"]
-        vector = decoded[-1]
-        vector["output"]["sha256"] = vector["input"]["sha256"]
-        self.assertEqual(check_vector(FOLDER, vector), ["the samples differ"])
-        vector["expect"] = {"outcome": "reject", "error": "bad_magic", "offset": 0, "operation": "open"}
-        self.assertEqual(check_vector(FOLDER, vector), ["it opens"])
 
 
 if __name__ == "__main__":
