@@ -48,7 +48,7 @@ ALLOWED = {
     "tools/remote": {"model/bits", "tools/io"},
     "tools/scenes": {"tools/io"},
     "tools/vectors": {*CODEC, "tools/io", "tools/scenes"} - {"model/render"},
-    "tools/conform": {*CODEC, "tools/io", "tools/vectors"} - {"model/render"},
+    "tools/conform": {*CODEC, "tools/io", "tools/vectors", "tools/dut"} - {"model/render"},
     "tools/dut": set(),
     "tools/tables": SYNTAX,
     "tools/python": {"tools/io", "tools/remote"},

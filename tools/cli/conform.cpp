@@ -177,8 +177,8 @@ constexpr const char* kConformFooter =
 {hmlfc} stands for this program. docs/conformance.md is a guided tour.
 
 Results: pass, fail, error (did not start, crashed), timeout, not_supported (beyond what the decoder
-claims), skipped (required but not run; never a pass). The output folder gets report.html, report.json
-and junit.xml.
+claims), skipped (required but not run; never a pass). The output folder gets report.html and
+report.json.
 
 A vector of group error counts only if its base, the valid stream that it is made from, passes; bases
 are run with every selection.
