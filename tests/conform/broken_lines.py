@@ -49,12 +49,12 @@ def decodes_at_open(right, *words):
 
 def another_later_error(right, *place):
     """The blocks that fail after the first have another error."""
-    server = right.__self__
+    stream = right.__self__.decoder
     try:
         return right(*place)
     except StreamError as error:
-        server.failed = getattr(server, "failed", place)
-        if server.failed == place:
+        stream.failed = getattr(stream, "failed", place)
+        if stream.failed == place:
             raise
         raise StreamError("tile_overrun" if error.name != "tile_overrun" else "bad_mode") from error
 

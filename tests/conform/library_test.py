@@ -118,13 +118,12 @@ class Library(ConformTest):
             ("unknown_status", {"OPEN_STATUS": "99"}, "fail", "status 99"),
             ("absent", {"OPEN_STATUS": "HMLFC_DUT_CANNOT_RUN"}, "skipped", "cannot run here"),
             ("crashes", {"BODY": "abort();"}, "error", "signal 6"),
-            ("hangs", {"BODY": "for(;;){}"}, "timeout", "timed out after"),
             ("grey", {}, "fail", "128 instead of"),
         )
         for name, settings, status, reason in cases:
             with self.subTest(library=name):
                 _, report = self.conform(
-                    self.library(name, **settings), "--filter", "real/cards-main", "--timeout", "3", output=name
+                    self.library(name, **settings), "--filter", "real/cards-main", output=name
                 )
                 result = self.results(report)["real/cards-main"]
                 self.assertEqual(result["status"], status, result)

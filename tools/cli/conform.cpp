@@ -1,6 +1,4 @@
 // hmlfc conform: runs decoders under test on the conformance suite.
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -45,9 +43,7 @@ ExitCode finish(const conform::Report& report, const ConformOptions& options) {
   if (options.json) {
     print_json(conform::to_json(report));
   } else {
-    for (const conform::Run& run : report.runs) {
-      print(terminal_text(run, std::clamp<size_t>(terminal::columns(STDOUT_FILENO), 80, 120)));
-    }
+    for (const conform::Run& run : report.runs) print(terminal_text(run));
     print(fmt::format("Report: {}\n", (options.run.folder / "report.html").string()));
   }
   auto worst = conform::Verdict::kConforms;

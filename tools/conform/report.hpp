@@ -19,8 +19,7 @@ namespace hmlfc::conform {
 std::string html_text(const Report& report, const std::filesystem::path& folder);
 
 /// What a terminal shows of one decoder: the verdict, where to begin, failures by probable cause.
-/// Lists are wrapped to `columns`.
-std::string terminal_text(const Run& run, size_t columns);
+std::string terminal_text(const Run& run);
 
 /// Writes report.json and report.html into `folder`.
 io::IoResult<void> write_report(const Report& report, const std::filesystem::path& folder);

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <map>
 #include <regex>
-#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -84,20 +83,11 @@ std::vector<std::string> always_failing(const ClauseCounts& counts, size_t miles
   return clauses;
 }
 
-std::string planes_text(const std::set<Plane>& planes) {
+std::string planes_text(const std::vector<Plane>& planes) {
   std::vector<std::string_view> names;
   for (const Plane plane : planes) names.push_back(plane_name(plane));
   return fmt::format("plane{} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", "));
 }
-
-// What failures have in common, and what the title of their group says.
-struct CauseKey {
-  std::string what;
-  std::string why;         // behind the planes that are wrong
-  std::set<Plane> planes;  // only where nothing else tells causes apart
-
-  auto operator<=>(const CauseKey&) const = default;
-};
 
 // `text` with N in place of each number that is a word: a report may come from anywhere, and
 // std::regex takes stack for each character.
@@ -116,41 +106,32 @@ std::string without_numbers(std::string_view text) {
 
 constexpr size_t kSearchedBytes = 4096;  // of the stages, more than there are
 
-CauseKey cause_of(const VectorResult& result) {
+// What failures have in common.
+std::string cause_of(const VectorResult& result) {
   static const std::regex stage("stage (\\w+) \\(([A-Z]+-[0-9]+)\\)");
-  if (result.not_counted) return {"not counted: the base does not pass", {}, {}};
-  CauseKey key{result.difference ? "wrong samples" : result.kind, {}, {}};
-  if (key.what.empty()) key.what = without_numbers(result.reason);
+  if (result.not_counted) return "not counted: the base does not pass";
+  std::string text = result.difference     ? "wrong samples"
+                     : result.kind.empty() ? without_numbers(result.reason)
+                                           : result.kind;
   const std::string stages = result.stage.substr(0, kSearchedBytes);
   std::smatch found;
   if (std::regex_search(stages, found, stage)) {
-    key.why = fmt::format("; first wrong stage {} ({})", found[1].str(), found[2].str());
+    text += fmt::format("; first wrong stage {} ({})", found[1].str(), found[2].str());
   } else if (result.difference) {
-    key.planes = {result.difference->planes.begin(), result.difference->planes.end()};
+    text += " in " + planes_text(result.difference->planes);
   }
-  return key;
-}
-
-std::string title(const CauseKey& key, const std::vector<const VectorResult*>& results) {
-  std::set<Plane> planes;
-  for (const VectorResult* result : results) {
-    if (result->difference && !result->not_counted) {
-      planes.insert(result->difference->planes.begin(), result->difference->planes.end());
-    }
-  }
-  return key.what + (planes.empty() ? "" : " in " + planes_text(planes)) + key.why;
+  return text;
 }
 
 std::vector<Cause> causes_of(const Run& run) {
-  std::map<CauseKey, std::vector<const VectorResult*>> by_key;
+  std::map<std::string, std::vector<const VectorResult*>> by_text;
   for (const VectorResult& result : run.results) {
-    if (counts_as_bad(result)) by_key[cause_of(result)].push_back(&result);
+    if (counts_as_bad(result)) by_text[cause_of(result)].push_back(&result);
   }
   std::vector<Cause> causes;
-  for (auto& [key, results] : by_key) {
+  for (auto& [text, results] : by_text) {
     std::ranges::sort(results, simpler);
-    std::string text = title(key, results);
-    causes.push_back({std::move(text), std::move(results)});
+    causes.push_back({text, std::move(results)});
   }
   std::ranges::sort(causes, [](const Cause& a, const Cause& b) {
     const VectorResult* x = a.results.front();
