@@ -59,6 +59,8 @@ endif()
 # that one of them runs. The folders are those of the repository, so that links lead somewhere.
 install(PROGRAMS examples/line_decoder.py examples/primitives.py
   DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/examples" COMPONENT vectors)
+install(DIRECTORY examples/primitives
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/examples" COMPONENT vectors)
 install(FILES examples/other_decoder.cpp examples/other_decoder.h examples/wrap_decoder.c
   DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/examples" COMPONENT vectors)
 install(FILES

@@ -1,9 +1,10 @@
-"""Answers cases of `hmlfc primitives gen`: a beginning, to which your decoder's functions are added.
+"""Checks cases of examples/primitives: a beginning, to which your decoder's functions are added.
 
-./run primitives gen colour | python3 examples/primitives.py colour | ./run primitives check colour
+python3 examples/primitives.py colour
 """
 
 import sys
+from pathlib import Path
 
 
 def clamp(x, lo, hi):
@@ -22,6 +23,11 @@ def block_number(i, j):  # TIL-2
 
 FUNCTIONS = {"colour": colour, "block-number": block_number}
 
-for line in sys.stdin:
-    results = FUNCTIONS[sys.argv[1]](*map(int, line.split()))
-    print(line.strip(), *results)
+name, *files = sys.argv[1:]
+path = Path(files[0]) if files else Path(__file__).parent / "primitives" / f"{name}.txt"
+cases = [line.partition("->") for line in path.read_text().splitlines() if line[0] != "#"]
+for inputs, _, results in cases:
+    found = FUNCTIONS[name](*map(int, inputs.split()))
+    if found != [int(result) for result in results.split()]:
+        sys.exit(print(f"{name} {inputs}-> {found} instead of{results}") or 1)
+print(f"{name}: {len(cases)} cases, all right")

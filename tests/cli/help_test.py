@@ -7,7 +7,6 @@ import shlex
 import shutil
 import signal
 import subprocess
-import sys
 
 from program import PROGRAM, ROOT, CliTest, main
 
@@ -39,10 +38,6 @@ COMMANDS = {
                 "--merge", "--resume", "--keep", "--claim", "--verify", "--run-claimed", "--json", "--output"],
     "serve": ["LIBRARY"],
     "minimise": ["--dut", "--timeout", "--memory", "--trials", "--output"],
-    "primitives": ["list", "gen", "check"],
-    "primitives list": ["NAME", "--json"],
-    "primitives gen": ["NAME", "--seed", "--count", "--level"],
-    "primitives check": ["NAME", "--seed", "--count", "--level", "--errors"],
     "fuzz-dut": ["--dut", "--timeout", "--memory", "--minutes", "--count", "--seed", "--failures", "--output"],
 }  # fmt: skip
 
@@ -57,10 +52,6 @@ class Help(CliTest):
         cls.hmlfc("encode", "views", "-o", "posed.hmlfc", "--rig", "rig.json")
         cls.make_small_suite()
         (cls.folder / "libhmlfc_dut_model.so").symlink_to(PROGRAM.parent / "libhmlfc_dut_model.so")
-        cases = cls.hmlfc("primitives", "gen", "colour")
-        command = [sys.executable, "-B", ROOT / "examples/primitives.py", "colour"]
-        answered = subprocess.run(command, input=cases.encode(), capture_output=True, check=True)
-        (cls.folder / "results").write_bytes(answered.stdout)
         (cls.folder / "lytro").mkdir()
         for i, name in enumerate(sorted(os.listdir(cls.folder / "views"))):
             shutil.copy(cls.folder / "views" / name, cls.folder / "lytro" / f"IMG{i}.png")

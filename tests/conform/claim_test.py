@@ -104,13 +104,6 @@ class Claims(ConformTest):
             self.assertEqual(status, 1, text)
             self.assertIn(says, text)
 
-    def test_another_decoder_is_found(self):
-        self.decoder.write_text(DECODER.replace("the decoder", "another"))
-        status, text = self.verify(self.whole)
-        self.decoder.write_text(DECODER)
-        self.assertEqual(status, 1)
-        self.assertIn("decoder/files", text)
-
     def test_no_claim_of_a_failing_decoder(self):
         result = self.claim("false {input} {output}", self.folder / "none.json")
         self.assertEqual(result.returncode, 1)

@@ -6,10 +6,9 @@ import shutil
 import subprocess
 import time
 
-from conform_case import PROGRAM, SUITE, ConformTest, main, make_suite
+from conform_case import COARSE, GOLDEN, PROGRAM, SUITE, ConformTest, main, make_suite
 from program import DONE, USAGE
 
-GOLDEN = "{hmlfc} decode {input} -o {output}"
 ONE = "syntax/base-main"
 
 
@@ -85,12 +84,15 @@ class Decoders(ConformTest):
 
     def test_wrong_traces(self):
         """Lines of a trace that are no stages are passed over, whatever they are."""
-        for line in ('{"record": 1}', '{"record": "stage", "plane": 3}', '{"record": "stage", "plane": "Y", "image": 1}', "{" * 1000):
+        stage = '{"record": "stage", "stage": "parent", "plane": "Y", "image": [0, 0], "block": [0, 0], '
+        for line in (
+            '{"record": 1}', '{"record": "stage", "plane": 3}', '{"record": "stage", "plane": "Y", "image": 1}',
+            stage + '"values": [1e300], "level": 0}', stage + '"values": [1], "level": ' + "[" * 20_000,
+        ):  # fmt: skip
             dut = self.folder / "traced.json"
             places = "{input} {view_row} {view_col} {plane} {block_x} {block_y}"
             trace = f"sh -c 'echo \"$0\"' '{line}' {places}"
-            coarse = "{hmlfc} decode {input} --levels 1 -o {output}"
-            dut.write_text(json.dumps({"name": "traced", "command": coarse, "trace": trace}))
+            dut.write_text(json.dumps({"name": "traced", "command": COARSE, "trace": trace}))
             result = self.result_of(dut, vector="syntax/base-reference")
             self.assertEqual(result["status"], "fail", result)
             self.assertIn("no trace", result["stage"])

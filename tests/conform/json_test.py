@@ -1,9 +1,8 @@
 """JSON of others, nested deeper or with other kinds of values than it may have: an error of the file or the vector."""
 
 import json
-import sys
 
-from conform_case import ROOT, ConformTest, faulty, main
+from conform_case import ROOT, ConformTest, main
 from program import INPUT, USAGE
 
 DEPTH = 300_000  # enough to end a program that reads by recursion
@@ -80,27 +79,6 @@ class HostileJson(ConformTest):
             self.assertIn(says, self.complaint(INPUT, "vectors", "list", "--suite", "suite"))
         self.write("suite/manifest.json", '{"vectors": ' + NESTED + "}")
         self.assertIn("nested deeper", self.complaint(INPUT, "vectors", "list", "--suite", "suite"))
-
-    def test_traces(self):
-        """A trace that no one can read is none; the vector fails for its samples, and the others are run."""
-        stage = '{"record": "stage", "stage": "parent", "plane": "Y", "image": [0, 0], "block": [0, 0], '
-        for name, line in [
-            ("nested", stage + '"values": [1], "level": ' + NESTED + "}"),
-            ("kind", '{"record": 1}'),
-            ("fraction", stage + '"values": [1e300], "level": 0}'),
-        ]:
-            self.write(f"{name}.txt", line + "\n")
-            trace = self.write(f"{name}.py", f"print(open({str(self.folder / name)!r} + '.txt').read())\n")
-            places = "{input} {view_row} {view_col} {plane} {block_x} {block_y}"
-            dut = {
-                "name": name, "command": faulty("chroma_shifted"),
-                "trace": f"{sys.executable} {self.folder / trace} {places}",
-            }  # fmt: skip
-            self.write(f"{name}.json", json.dumps(dut))
-            _, report = self.conform(self.folder / f"{name}.json", "--filter", "real/*", output=name)
-            results = self.results(report)
-            self.assertEqual(len(results), len(self.manifest["vectors"]))
-            self.assertEqual(results["real/cards-main"]["status"], "fail")
 
 
 if __name__ == "__main__":

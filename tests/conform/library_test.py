@@ -118,13 +118,12 @@ class Library(ConformTest):
             ("unknown_status", {"OPEN_STATUS": "99"}, "fail", "status 99"),
             ("absent", {"OPEN_STATUS": "HMLFC_DUT_CANNOT_RUN"}, "skipped", "cannot run here"),
             ("crashes", {"BODY": "abort();"}, "error", "signal 6"),
-            ("hangs", {"BODY": "for(;;){}"}, "timeout", "timed out after"),
             ("grey", {}, "fail", "128 instead of"),
         )
         for name, settings, status, reason in cases:
             with self.subTest(library=name):
                 _, report = self.conform(
-                    self.library(name, **settings), "--filter", "real/cards-main", "--timeout", "3", output=name
+                    self.library(name, **settings), "--filter", "real/cards-main", output=name
                 )
                 result = self.results(report)["real/cards-main"]
                 self.assertEqual(result["status"], status, result)
@@ -137,17 +136,6 @@ class Library(ConformTest):
             self.skipTest("no Vulkan device here")
         self.assertEqual(status, 0, report)
         self.assertEqual({result["status"] for result in self.results(report).values()}, {"pass"})
-
-    def test_library_that_cannot_be_loaded(self):
-        """An error for every vector, those that must be refused as well, with the file's name."""
-        library = self.folder / "libtext.so"
-        library.write_text("no library")
-        chosen = ("real/cards-main", "error/magic")
-        _, report = self.conform(library, *(word for name in chosen for word in ("--filter", name)))
-        for name in chosen:
-            result = self.results(report)[name]
-            self.assertEqual(result["status"], "error", result)
-            self.assertIn("libtext.so: cannot be loaded", result["reason"])
 
 
 if __name__ == "__main__":

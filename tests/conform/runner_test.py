@@ -4,10 +4,8 @@ import json
 import shutil
 from pathlib import Path
 
-from conform_case import INCOMPLETE, ROOT, SUITE, ConformTest, faulty, main
+from conform_case import COARSE, GOLDEN, INCOMPLETE, ROOT, SUITE, ConformTest, main
 from program import DONE, INPUT, USAGE
-
-GOLDEN = "{hmlfc} decode {input} -o {output}"
 
 
 class Runner(ConformTest):
@@ -20,21 +18,10 @@ class Runner(ConformTest):
     def statuses(self, report):
         return {name: result["status"] for name, result in self.results(report).items()}
 
-    def test_golden_model_conforms(self):
-        for dut in ("model", "model-library"):
-            with self.subTest(dut=dut):
-                status, report = self.conform(SUITE / "duts" / f"{dut}.json", output=dut)
-                self.assertEqual(set(self.statuses(report).values()), {"pass"})
-                self.assertEqual(status, DONE)
-                self.assertEqual(report["runs"][0]["verdict"], "conforms")
-
-    def test_every_vector_has_a_result(self):
-        _, report = self.conform(GOLDEN, "--filter", "no such vector")
-        self.assertEqual(list(self.results(report)), [v["id"] for v in self.manifest["vectors"]])
-
     def test_skipped_is_no_pass(self):
         status, report = self.conform(GOLDEN, "--filter", "no such vector")
         self.assertEqual(status, INCOMPLETE)
+        self.assertEqual(list(self.results(report)), [v["id"] for v in self.manifest["vectors"]])
         self.assertEqual(set(self.statuses(report).values()), {"skipped"})
         self.assertEqual(report["runs"][0]["counts"]["pass"], 0)
         self.assertEqual(report["runs"][0]["verdict"], "incomplete")
@@ -73,7 +60,7 @@ class Runner(ConformTest):
         self.assertEqual(status, DONE)
 
     def test_waiver(self):
-        failing = {"command": faulty("no_output"), "error_names": False}
+        failing = {"command": "true {input} {output}", "error_names": False}
         reason = "the writer of pictures is not done"
         ids = [v["id"] for v in self.manifest["vectors"] if v["expect"]["outcome"] == "ok"]
         waivers = [{"vector": name, "reason": reason} for name in ids]
@@ -158,12 +145,12 @@ class Runner(ConformTest):
         ):
             with self.subTest(trace=name):
                 dut = self.declaration(
-                    f"traced-{name}", command=faulty("chroma_shifted"), trace=command, error_names=False
+                    f"traced-{name}", command=COARSE, trace=command, error_names=False
                 )
                 _, report = self.conform(dut, "--filter", "real/cards-main")
                 stage = self.results(report)["real/cards-main"]["stage"]
-                self.assertEqual(stage.count(says), 2, stage)  # of both planes that differ
-                self.assertTrue("plane Co" in stage and "plane Cg" in stage, stage)
+                self.assertEqual(stage.count(says), 3, stage)  # of the planes that differ
+                self.assertTrue("plane Y" in stage and "plane Cg" in stage, stage)
 
     def test_progress_off_a_terminal(self):
         """Some lines, and none with --json."""
@@ -204,20 +191,18 @@ class Runner(ConformTest):
                 self.refused(USAGE, *suite, "--dut", self.declaration("bad", **keys), says=says)
 
     def test_program_that_is_none(self):
-        """A program that is not there is named."""
-        for dut in ("missing-decoder {input} {output}", "lines: missing-decoder"):
-            _, report = self.conform(dut, "--filter", "syntax/base-main", output="missing")
-            result = self.results(report)["syntax/base-main"]
-            self.assertEqual(result["status"], "error")
-            self.assertIn("missing-decoder cannot be started: No such file or directory", result["reason"])
-
-    def test_library_that_is_none(self):
+        """A program that is not there, or a file that is no library, is named."""
         path = self.folder / "empty.so"
         path.write_bytes(b"no library")
         _, report = self.conform(path, output="empty")
         for result in self.results(report).values():
             self.assertEqual(result["status"], "error", result)
-            self.assertIn("empty.so", result["reason"])
+            self.assertIn("empty.so: cannot be loaded", result["reason"])
+        for dut in ("missing-decoder {input} {output}", "lines: missing-decoder"):
+            _, report = self.conform(dut, "--filter", "syntax/base-main", output="missing")
+            result = self.results(report)["syntax/base-main"]
+            self.assertEqual(result["status"], "error")
+            self.assertIn("missing-decoder cannot be started: No such file or directory", result["reason"])
 
 
 if __name__ == "__main__":

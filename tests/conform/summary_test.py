@@ -1,11 +1,8 @@
 """What a report begins with, on results that are made up: `conform --merge` reads and reports them."""
 
 import json
-import re
 
 from conform_case import ConformTest, main
-
-COLUMNS = 100  # where standard output is no terminal
 
 
 def passing(name, clauses, milestone="motion", **keys):
@@ -46,26 +43,13 @@ class Summaries(ConformTest):
     def causes(self, *results):
         return [cause["cause"] for cause in self.summary(*results)["causes"]]
 
-    def test_hint_is_specific(self):
-        right = [passing(f"a/{i}", ["CNV-7"] if i == 0 else ["TIL-1"]) for i in range(9)]
-        both = [differing(f"b/{i}", ["CNV-1", "MOT-3", "STR-1"], "Co", "Cg") for i in range(3)]
-        title = "wrong samples in planes Co, Cg; perhaps {}, which fails in 3 of 3 vectors"
-        self.assertEqual(self.causes(*right, *both), [title.format("MOT-3")])
-        general = [{**result, "clauses": ["CNV-1"]} for result in both]
-        self.assertEqual(self.causes(*right, *general), [title.format("CNV-1")])
-        also_right = [passing(f"c/{i}", ["MOT-3"]) for i in range(3)]
-        self.assertEqual(self.causes(*right, *both, *also_right)[0].split(", ")[1], "Cg; perhaps CNV-1")
-
-    def test_no_hint_where_all_fails(self):
-        bad = [differing(f"b/{i}", [f"TIL-{i % 3}"], *("Co", "Cg")[: 1 + i % 2]) for i in range(9)]
-        self.assertEqual(self.causes(*bad), ["wrong samples in plane Co", "wrong samples in planes Co, Cg"])
-
     def test_titles(self):
         stage = "stage residual (DEC-3) at level 0 image 0,0 plane Y block 0,0: value 0 (x 0, y 0) is 1 instead of 2"
         self.assertEqual(
             self.causes(differing("a/a", ["TIL-1"], "Y", stage=stage), differing("a/b", ["TIL-1"], "Co", stage=stage)),
-            ["wrong samples in planes Y, Co; first wrong stage residual (DEC-3)"],
+            ["wrong samples; first wrong stage residual (DEC-3)"],
         )
+        self.assertEqual(self.causes(differing("a/a", ["TIL-1"], "Y", "Co")), ["wrong samples in planes Y, Co"])
         kind = "wrong samples of plane Y at stop level 0"
         self.assertEqual(self.causes(failing("a/a", ["TIL-1"], kind=kind, stage=stage)), [kind + "; first wrong stage residual (DEC-3)"])
         self.assertEqual(self.causes(failing("a/a", ["TIL-1"], reason="exit status 3")), ["exit status N"])
@@ -94,15 +78,9 @@ class Summaries(ConformTest):
         self.assertEqual(begin["clauses"], ["MOT-3", "TIL-1"])
         self.assertEqual(self.summary(failing("a/1", ["CNV-7"]))["clauses"], ["CNV-7"])
 
-    def test_lists_are_wrapped(self):
-        clauses = [f"TIL-{i}" for i in range(60)]
-        text = self.merged(self.report(failing("a/1", clauses)))[2]
-        found = re.findall(r"TIL-\d+", text)
-        self.assertEqual(found[-60:], clauses)
-        self.assertIn("and 52 more", text)
-        lines = [line for line in text.splitlines() if "TIL" in line]
-        self.assertLessEqual(max(map(len, lines)), COLUMNS)
-        self.assertGreater(min(map(len, lines[1:-1])), COLUMNS - 10)
+    def test_long_lists_are_cut(self):
+        text = self.merged(self.report(failing("a/1", [f"TIL-{i}" for i in range(60)])))[2]
+        self.assertRegex(text, "clauses that fail in all vectors: TIL-0 TIL-1 .* TIL-15\\s+and 52 more\n")
 
     def test_milestone_is_whole(self):
         rest = [passing("a/2", ["TIL-1"], milestone="tree", status="skipped")]

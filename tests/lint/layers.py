@@ -21,7 +21,7 @@ MAX_LINES = 320
 SYNTAX = {"model/bits", "model/arithmetic", "model/syntax"}
 DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast"}
 CODEC = {*DECODER, "model/render", "model/encoder"}
-TOOLS = {f"tools/{name}" for name in ("terminal", "io", "remote", "scenes", "vectors", "conform", "primitives", "cli", "view")}
+TOOLS = {f"tools/{name}" for name in ("terminal", "io", "remote", "scenes", "vectors", "conform", "cli", "view")}
 APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
 CHECKS = {*DECODER, "rtl/driver", "tools/io", "testbench/oracle", "testbench/stimulus"}
 TESTBENCH = {"rtl/driver", *(f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu", "view"))}
@@ -48,9 +48,8 @@ ALLOWED = {
     "tools/remote": {"model/bits", "tools/io"},
     "tools/scenes": {"tools/io"},
     "tools/vectors": {*CODEC, "tools/io", "tools/scenes"} - {"model/render"},
-    "tools/conform": {*CODEC, "tools/io", "tools/vectors"} - {"model/render"},
-    "tools/primitives": {*SYNTAX, "model/decoder", "tools/vectors"},
     "tools/dut": set(),
+    "tools/conform": {*CODEC, "tools/io", "tools/vectors", "tools/dut"} - {"model/render"},
     "tools/tables": SYNTAX,
     "tools/python": {"tools/io", "tools/remote"},
     "tools/cli": APPLICATIONS - {"tools/view"},

@@ -1,6 +1,7 @@
-"""Answers the cases of `hmlfc primitives gen` with the naive decoder, which knows nothing of the program.
+"""Answers the cases of examples/primitives with the naive decoder.
 
-usage: hmlfc primitives gen NAME | python3 answers.py NAME | hmlfc primitives check NAME
+python3 tests/primitives/answers.py FILE... records the results of its cases anew, for inputs that were added
+or a clause that has changed.
 """
 
 import sys
@@ -198,13 +199,16 @@ WITH_BYTES = {"field", "rank", "crc", "mask", "sequence", "sequence-value", "key
 
 
 def answered(name, line):
-    """A line of gen with the results behind it."""
-    words = line.split()
+    """A line of the file of primitive `name` with the naive decoder's results; a comment as it is."""
+    if line.startswith("#"):
+        return line
+    words = line.partition(" ->")[0].split()
     inputs = words[:-1] if name in WITH_BYTES else words
     data = [bytes.fromhex(words[-1].replace("-", ""))] if name in WITH_BYTES else []
-    return " ".join([*words, *map(str, ANSWERS[name](*map(int, inputs), *data))])
+    return " ".join([*words, "->", *map(str, ANSWERS[name](*map(int, inputs), *data))])
 
 
 if __name__ == "__main__":
-    for case in sys.stdin:
-        print(answered(sys.argv[1], case))
+    for path in map(Path, sys.argv[1:]):
+        lines = [answered(path.stem, line) for line in path.read_text().splitlines()]
+        path.write_text("".join(line + "\n" for line in lines))

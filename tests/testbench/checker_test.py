@@ -120,19 +120,12 @@ class CheckerTest(unittest.TestCase):
                     self.assertIn(part, text)
                 self.assertIn("FAILED: 1 differences", text)
 
-    def test_values_and_addresses(self):
+    def test_values(self):
         text = self.check("+fault=stage", "+fault_at=85", passes=False)
         level = inspected("1,2", "Co", "0,1")["levels"][-1]
         value = level["stages"]["sample"]["values"][0][0]
         self.assertEqual(self.count(text, r"expected +(-?\d+)\n"), value)
         self.assertEqual(self.count(text, r"actual +(-?\d+)\n"), value ^ 1)
-        ranges = [(section, int(byte, 16) * 8 + int(bit), int(bits))
-                  for section, listed in re.findall(r"(ROOT|GROUP|TILE)((?: 0x\w+\.\d\+\d+)+)", text)
-                  for byte, bit, bits in re.findall(r"0x(\w+)\.(\d)\+(\d+)", listed)]
-        for field in level["fields"]:
-            at = field["byte"] * 8 + field["bit"]
-            self.assertTrue(any(section == field["section"] and begin <= at and at + field["bits"] <= begin + bits
-                                for section, begin, bits in ranges), (field, text))
 
     def test_continue(self):
         text = self.check("+fault=sample", "+fault_at=33", "+hmlfc_checker_continue", passes=False)
@@ -168,12 +161,12 @@ class CheckerTest(unittest.TestCase):
         self.assertEqual(self.count(text, r"compared (\d+)\n"), REQUESTS - 100)
         text = self.check(passes=True, device=self.device("stages none", "stage_records"))
         self.assertIn("20  stage records (stages none)", text)
-        for change, reason in (("max_width 39", "width is 40, the device's greatest 39"), ("block_sizes 4", None)):
+        for change, reason in (("max_width 39", "width 40, above 39"), ("block_sizes 4", None)):
             text = self.check(passes=reason is None, device=self.device(change))
             self.assertIn("nothing was compared" if reason else "passed", text)
             self.assertIn(reason or "", text)
         text = self.check(passes=False, stream=VECTORS / "real" / "knights-extended.hmlfc", device=self.device("profile main"))
-        self.assertIn("the stream's profile is extended, the device's main", text)
+        self.assertIn("is compared: profile extended", text)
 
     def test_bus_errors(self):
         self.assertIn(": answer: status", self.check("+fault=bus", "+fault_at=33", passes=False))
@@ -201,8 +194,6 @@ class CheckerTest(unittest.TestCase):
             "block_sizes 3": "block sizes are 2, 4 and 8",
             "block_sizes 2 8": "block_sizes lacks 4, for which parameter BLOCK_LOG2 = 2",
             "stages samples": "\"samples\" is no stage",
-            "level 0\nmax_width 512": "level 0 ends at 256 (LVL-1): lower this limit, or raise level",
-            "rgb no\nheld_chroma yes": "chroma is held for RGB alone",
             "max_rows 4\nmax_rows 5": "stands in line",
         }
         for change, message in cases.items():

@@ -1,6 +1,4 @@
 // hmlfc conform: runs decoders under test on the conformance suite.
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -45,9 +43,7 @@ ExitCode finish(const conform::Report& report, const ConformOptions& options) {
   if (options.json) {
     print_json(conform::to_json(report));
   } else {
-    for (const conform::Run& run : report.runs) {
-      print(terminal_text(run, std::clamp<size_t>(terminal::columns(STDOUT_FILENO), 80, 120)));
-    }
+    for (const conform::Run& run : report.runs) print(terminal_text(run));
     print(fmt::format("Report: {}\n", (options.run.folder / "report.html").string()));
   }
   auto worst = conform::Verdict::kConforms;
@@ -177,8 +173,8 @@ constexpr const char* kConformFooter =
 {hmlfc} stands for this program. docs/conformance.md is a guided tour.
 
 Results: pass, fail, error (did not start, crashed), timeout, not_supported (beyond what the decoder
-claims), skipped (required but not run; never a pass). The output folder gets report.html, report.json
-and junit.xml.
+claims), skipped (required but not run; never a pass). The output folder gets report.html and
+report.json.
 
 A vector of group error counts only if its base, the valid stream that it is made from, passes; bases
 are run with every selection.

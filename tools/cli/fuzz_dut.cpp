@@ -80,14 +80,17 @@ struct FuzzOptions {
 // Limits of random streams that the decoder claims to support.
 vectors::Limits stream_limits(const conform::Dut& dut) {
   vectors::Limits limits;
-  const conform::DutLimits& own = dut.limits;
-  const ConformanceLimits& level = kConformanceLimits[static_cast<size_t>(dut.level)];
-  limits.grid_side = std::min({limits.grid_side, level.grid_side, own.rows, own.cols});
-  limits.view_side = std::min({limits.view_side, level.view_side, own.width, own.height});
-  limits.depth = std::min({limits.depth, level.depth, own.depth});
+  const Claims& own = dut.claims;
+  const ConformanceLimits& level = kConformanceLimits[static_cast<size_t>(own.level)];
+  const auto least = [](auto a, auto b, int64_t c) {
+    return static_cast<decltype(a)>(std::min(int64_t{std::min(a, b)}, c));
+  };
+  limits.grid_side = least(limits.grid_side, level.grid_side, std::min(own.rows, own.cols));
+  limits.view_side = least(limits.view_side, level.view_side, std::min(own.width, own.height));
+  limits.depth = least(limits.depth, level.depth, own.depth);
   limits.window = std::min(limits.window, level.window);
-  limits.tree_height = std::min({limits.tree_height, level.tree_height, own.tree_height});
-  limits.extended = dut.profile == Profile::kExtended;
+  limits.tree_height = least(limits.tree_height, level.tree_height, own.tree_height);
+  limits.extended = own.profile == Profile::kExtended;
   limits.block_sizes = 0;
   for (const unsigned log2 : own.block_log2) limits.block_sizes |= 1u << (log2 - 1);
   return limits;

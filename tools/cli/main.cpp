@@ -93,7 +93,6 @@ void add_commands(CLI::App& program, Task& task) {
   add_serve(program, task);
   add_minimise(program, task);
   add_fuzz_dut(program, task);
-  add_primitives(program, task);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
 }
 

@@ -48,14 +48,10 @@ std::vector<fs::path> files_of(const std::vector<std::string>& command) {
   return files;
 }
 
-Claim limits_of(const DutLimits& limits) {
-  return {{"rows", limits.rows},
-          {"cols", limits.cols},
-          {"width", limits.width},
-          {"height", limits.height},
-          {"depth", limits.depth},
-          {"tree_height", limits.tree_height},
-          {"block_log2", limits.block_log2}};
+Claim limits_of(const Claims& claims) {
+  Claim limits{{"block_log2", claims.block_log2}};
+  for (const ClaimedLimit& limit : kClaimedLimits) limits[limit.name] = claims.*limit.value;
+  return limits;
 }
 
 constexpr io::JsonLimits kClaimLimits{"a claim", size_t{1} << 24, 5};
@@ -102,9 +98,9 @@ io::IoResult<Claim> claim_of(const Suite& suite, const Dut& dut, const std::stri
        {{"version", suite.manifest.vectors_version}, {"manifest_sha256", suite.manifest_sha256}}},
       {"decoder", {{"name", dut.name}, {"dut", dut_text}, {"files", files}}},
       {"claims",
-       {{"profile", profile_name(dut.profile)},
-        {"level", dut.level},
-        {"limits", limits_of(dut.limits)},
+       {{"profile", profile_name(dut.claims.profile)},
+        {"level", dut.claims.level},
+        {"limits", limits_of(dut.claims)},
         {"error_names", dut.error_names},
         {"checks_sections", dut.checks_sections}}},
       {"waivers", waivers}};

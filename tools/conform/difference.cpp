@@ -1,7 +1,6 @@
 #include "conform/difference.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -58,9 +57,7 @@ void describe_block(const RgbImage& expected, const RgbImage& actual, unsigned b
   }
 }
 
-constexpr uint32_t kMaxSide = 2048;
 constexpr int32_t kGain = 16;
-constexpr uint16_t kGap = 96;
 
 RgbImage to_8_bits(RgbImage image) {
   for (uint16_t& sample : image.samples) {
@@ -68,14 +65,6 @@ RgbImage to_8_bits(RgbImage image) {
   }
   image.depth = 8;
   return image;
-}
-
-// Fills the square of a block whose upper left pixel is (x, y).
-void fill_block(RgbImage& image, uint32_t x, uint32_t y, const std::array<uint8_t, 3>& colour) {
-  for (uint32_t row = y; row < y + kHeatSide; ++row) {
-    uint16_t* pixel = image.samples.data() + (size_t{row} * image.width + x) * 3;
-    for (uint32_t i = 0; i < kHeatSide; ++i) pixel = std::ranges::copy(colour, pixel).out;
-  }
 }
 
 }  // namespace
@@ -101,13 +90,13 @@ BlockMap compare_blocks(const RgbImage& expected, const RgbImage& actual, unsign
 
 std::optional<Difference> first_difference(const std::vector<RgbImage>& expected,
                                            const std::vector<RgbImage>& actual, uint32_t cols,
-                                           unsigned block_size, std::vector<BlockMap>& maps) {
+                                           unsigned block_size) {
   std::optional<Difference> difference;
   uint64_t blocks = 0;
   uint64_t wrong_blocks = 0;
   uint64_t wrong_views = 0;
   for (size_t i = 0; i < expected.size(); ++i) {
-    const BlockMap& map = maps.emplace_back(compare_blocks(expected[i], actual[i], block_size));
+    const BlockMap map = compare_blocks(expected[i], actual[i], block_size);
     const auto is_wrong = [](uint16_t worst) { return worst != 0; };
     const auto wrong = std::ranges::count_if(map.worst, is_wrong);
     blocks += map.worst.size();
@@ -144,48 +133,14 @@ std::string to_string(const Difference& d) {
       d.wrong_views == 1 ? "" : "s");
 }
 
-std::array<uint8_t, 3> heat_colour(uint32_t worst) {
-  if (worst == 0) return {0, 0, 0};
-  constexpr unsigned kSteps = 8;
-  const unsigned step = std::min(static_cast<unsigned>(std::bit_width(worst)), kSteps);
-  const unsigned heat = 255 * step / kSteps;
-  return {static_cast<uint8_t>(128 + heat / 2), static_cast<uint8_t>(heat), 0};
-}
-
-RgbImage heat_map(const std::vector<BlockMap>& maps, uint32_t cols, size_t first) {
-  const uint32_t columns = maps.front().columns;
-  const uint32_t rows = maps.front().rows;
-  const uint32_t width = columns * kHeatSide;
-  const uint32_t height = rows * kHeatSide;
-  auto grid_rows = static_cast<uint32_t>(maps.size()) / cols;
-  uint32_t grid_cols = cols;
-  size_t begin = 0;
-  if (grid_cols * (width + 1) > kMaxSide || grid_rows * (height + 1) > kMaxSide) {
-    grid_rows = grid_cols = 1;
-    begin = first;
-  }
-  RgbImage image{grid_cols * (width + 1) - 1, grid_rows * (height + 1) - 1, 8, {}};
-  image.samples.assign(size_t{image.width} * image.height * 3, kGap);
-  for (uint32_t view = 0; view < grid_rows * grid_cols; ++view) {
-    const uint32_t left = view % grid_cols * (width + 1);
-    const uint32_t top = view / grid_cols * (height + 1);
-    for (uint32_t block = 0; block < rows * columns; ++block) {
-      fill_block(image, left + block % columns * kHeatSide, top + block / columns * kHeatSide,
-                 heat_colour(maps[begin + view].worst[block]));
-    }
-  }
-  return image;
-}
-
 io::IoResult<void> write_failure_pictures(const std::filesystem::path& folder,
-                                          const RgbImage& expected, const RgbImage& actual,
-                                          const RgbImage& heat) {
+                                          const RgbImage& expected, const RgbImage& actual) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return io::system_error(folder, "cannot be created", error.value());
   const auto difference = io::difference_picture(actual, expected, kGain);
   if (!difference) return tl::unexpected(difference.error());
-  const RgbImage pictures[] = {to_8_bits(expected), to_8_bits(actual), *difference, heat};
+  const RgbImage pictures[] = {to_8_bits(expected), to_8_bits(actual), *difference};
   for (size_t i = 0; i < std::size(kFailurePictures); ++i) {
     if (auto done = io::write_png(folder / kFailurePictures[i], pictures[i]); !done) return done;
   }

@@ -1,7 +1,6 @@
 // Where decoded views differ from the golden model's, and pictures of it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -42,32 +41,20 @@ struct BlockMap {
 /// Compares two views of one size block by block of `block_size` pixels.
 BlockMap compare_blocks(const RgbImage& expected, const RgbImage& actual, unsigned block_size);
 
-/// Compares all views; nothing if they are equal. `maps` gets the blocks of each view.
+/// Compares all views block by block; nothing if they are equal.
 std::optional<Difference> first_difference(const std::vector<RgbImage>& expected,
                                            const std::vector<RgbImage>& actual, uint32_t cols,
-                                           unsigned block_size, std::vector<BlockMap>& maps);
+                                           unsigned block_size);
 
 /// "view 0,1 block 3,2 (pixel 13,9 G): 17 instead of 18; planes Y, Cg; 4 of 96 blocks in 2 views".
 std::string to_string(const Difference& difference);
 
 /// Names of the pictures of a failure, in the order in which a report shows them.
-inline constexpr const char* kFailurePictures[] = {"expected.png", "actual.png", "difference.png",
-                                                   "heat.png"};
+inline constexpr const char* kFailurePictures[] = {"expected.png", "actual.png", "difference.png"};
 
-/// The colour of a block in a heat map: black where `worst`, its largest difference, is 0; from
-/// dark red for 1 to yellow for 128 or more, a step for each power of 2.
-std::array<uint8_t, 3> heat_colour(uint32_t worst);
-
-/// kHeatSide x kHeatSide pixels a block, all views in their grid with a grey line of a pixel
-/// between them. If the grid is wider or higher than 2048 pixels, only the view of number `first`
-/// is drawn.
-RgbImage heat_map(const std::vector<BlockMap>& maps, uint32_t cols, size_t first);
-inline constexpr uint32_t kHeatSide = 4;
-
-/// Writes the four pictures into `folder`, which is created if missing: the first wrong view and
-/// the heat map of all. Of samples over 8 bits, the upper 8 bits are shown. Errors: cannot write.
+/// Writes the pictures of the first wrong view into `folder`, which is created if missing. Of
+/// samples over 8 bits, the upper 8 bits are shown. Errors: cannot write.
 io::IoResult<void> write_failure_pictures(const std::filesystem::path& folder,
-                                          const RgbImage& expected, const RgbImage& actual,
-                                          const RgbImage& heat);
+                                          const RgbImage& expected, const RgbImage& actual);
 
 }  // namespace hmlfc::conform

@@ -4,13 +4,12 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <tuple>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "conform/line_decoder.hpp"
 #include "conform/report.hpp"
+#include "conform/running_dut.hpp"
 #include "io/files.hpp"
 #include "io/json_text.hpp"
 
@@ -102,18 +101,14 @@ void allow_keys(const Json& json, const std::string& where, const std::set<std::
   }
 }
 
-DutLimits read_limits(const Json& json) {
-  allow_keys(json, "\"limits\"",
-             {"rows", "cols", "width", "height", "depth", "tree_height", "block_log2"});
-  DutLimits limits;
-  read_number(json, "rows", limits.rows, 1, 4096);
-  read_number(json, "cols", limits.cols, 1, 4096);
-  read_number(json, "width", limits.width, 1, 65536);
-  read_number(json, "height", limits.height, 1, 65536);
-  read_number(json, "depth", limits.depth, 8, 12);
-  read_number(json, "tree_height", limits.tree_height, 0, 15);
-  read_if_there(json, "block_log2", limits.block_log2);
-  return limits;
+void read_limits(const Json& json, Claims& claims) {
+  std::set<std::string> keys{"block_log2"};
+  for (const ClaimedLimit& limit : kClaimedLimits) keys.insert(limit.name);
+  allow_keys(json, "\"limits\"", keys);
+  for (const ClaimedLimit& limit : kClaimedLimits) {
+    read_number(json, limit.name, claims.*limit.value, limit.least, limit.greatest);
+  }
+  read_if_there(json, "block_log2", claims.block_log2);
 }
 
 Profile read_profile(const Json& json) {
@@ -162,7 +157,7 @@ constexpr const char* kTracePlaces[] = {"{input}", "{view_row}", "{view_col}",
 // A program that speaks the line protocol.
 void set_lines(Dut& dut, std::vector<std::string> command) {
   dut.command = std::move(command);
-  dut.lines = std::make_shared<LineDecoders>();
+  dut.waiting = std::make_shared<WaitingDuts>();
   dut.error_names = true;
 }
 
@@ -204,10 +199,10 @@ Dut read_declaration(const std::filesystem::path& file, Places places) {
   Dut dut;
   dut.name = value_of<std::string>(json, "name");
   read_program(dut, json, places);
-  if (json.contains("profile")) dut.profile = read_profile(json);
-  read_number(json, "level", dut.level, 0, 3);
+  if (json.contains("profile")) dut.claims.profile = read_profile(json);
+  read_number(json, "level", dut.claims.level, 0, 3);
   read_if_there(json, "checks_sections", dut.checks_sections);
-  if (json.contains("limits")) dut.limits = read_limits(json.at("limits"));
+  if (json.contains("limits")) read_limits(json.at("limits"), dut.claims);
   if (json.contains("waivers")) dut.waivers = read_waivers(json);
   return dut;
 }
@@ -238,29 +233,6 @@ std::vector<std::string> fill_in(const std::vector<std::string>& words, const Pl
 const Waiver* Dut::waiver(const std::string& id) const {
   const auto found = std::ranges::find(waivers, id, &Waiver::vector);
   return found == waivers.end() ? nullptr : &*found;
-}
-
-std::optional<std::string> beyond_claims(const Dut& dut, Profile profile, int level,
-                                         const StreamHeader* header) {
-  if (profile > dut.profile) return fmt::format("profile {}", profile_name(profile));
-  if (level > dut.level) return fmt::format("level {}, above {}", level, dut.level);
-  if (header == nullptr) return std::nullopt;
-  const DutLimits& limits = dut.limits;
-  const std::tuple<const char*, int64_t, int64_t> fields[] = {
-      {"rows", header->rows, limits.rows},
-      {"cols", header->cols, limits.cols},
-      {"width", header->width, limits.width},
-      {"height", header->height, limits.height},
-      {"depth", header->depth, limits.depth},
-      {"tree_height", header->tree_height, limits.tree_height}};
-  for (const auto& [field, value, limit] : fields) {
-    if (value > limit) return fmt::format("{} {}, above {}", field, value, limit);
-  }
-  const auto& logs = limits.block_log2;
-  if (std::ranges::find(logs, header->block_log2) == logs.end()) {
-    return fmt::format("block_log2 {}", header->block_log2);
-  }
-  return std::nullopt;
 }
 
 io::IoResult<Dut> read_dut(const std::string& text, const std::filesystem::path& hmlfc) {

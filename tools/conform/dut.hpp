@@ -1,17 +1,14 @@
 // A decoder under test (DUT): how it is run and what it claims to decode.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <hmlfc/format.hpp>
-
+#include "dut/claims.hpp"
 #include "io/io_error.hpp"
 
 namespace hmlfc::conform {
@@ -28,34 +25,21 @@ struct Waiver {
   std::string reason;
 };
 
-/// The decoder's own limits (FIL-7): the largest values that it accepts in the header's fields.
-struct DutLimits {
-  uint32_t rows = 4096;
-  uint32_t cols = 4096;
-  uint32_t width = 65536;
-  uint32_t height = 65536;
-  int depth = 12;
-  int tree_height = 15;
-  std::vector<unsigned> block_log2 = {1, 2, 3};
-};
-
-class LineDecoders;
+class WaitingDuts;
 
 /// How a decoder is run, and what it claims to support.
 struct Dut {
   std::string name;
   std::string text;  ///< what read_dut() read it from
-  /// Decodes the stream {input} into the folder {output}, which exists and is empty; with `lines`,
-  /// speaks the line protocol.
+  /// Decodes the stream {input} into the folder {output}, which exists and is empty; with
+  /// `waiting`, speaks the line protocol.
   std::vector<std::string> command;
-  std::shared_ptr<LineDecoders> lines;  ///< its processes; null without the line protocol
-  bool by_block = false;                ///< with `lines`: views are put together from blocks
+  std::shared_ptr<WaitingDuts> waiting;  ///< its processes; null without the line protocol
+  bool by_block = false;                 ///< views are put together from blocks
   /// Prints the stages of one block as JSON lines; empty if the decoder cannot. Placeholders:
   /// {input}, {view_row}, {view_col}, {plane} (0, 1, 2), {block_x}, {block_y}.
   std::vector<std::string> trace;
-  Profile profile = Profile::kExtended;  ///< extended includes main (LVL-2)
-  int level = 3;                         ///< the conformance level that it claims (LVL-1), [0, 3]
-  DutLimits limits;
+  Claims claims;
   bool error_names = false;      ///< it names the error of annex A on standard error
   bool checks_sections = false;  ///< it checks the crc of every section (FIL-6)
   std::vector<Waiver> waivers;
@@ -76,10 +60,5 @@ struct Dut {
 /// Errors: a file that cannot be read, a key that is unknown or has a wrong value, a command with
 /// an unterminated quote, or without {input} or {output}.
 io::IoResult<Dut> read_dut(const std::string& text, const std::filesystem::path& hmlfc);
-
-/// Why `dut` does not claim to decode a stream; nothing if it does. `header` is null if the
-/// stream's header cannot be read.
-std::optional<std::string> beyond_claims(const Dut& dut, Profile profile, int level,
-                                         const StreamHeader* header);
 
 }  // namespace hmlfc::conform

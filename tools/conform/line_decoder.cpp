@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <chrono>
 #include <limits>
@@ -10,8 +9,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "conform/judge.hpp"
 
 namespace hmlfc::conform {
 namespace {
@@ -36,7 +33,7 @@ std::string shown(std::string_view text) {
 }
 
 [[noreturn]] void wrong_answer(const std::string& request, const std::string& why) {
-  throw LineFailure{Status::kFail, fmt::format("wrong answer to '{}': {}", request, why)};
+  throw DutFailure{Status::kFail, fmt::format("wrong answer to '{}': {}", request, why)};
 }
 
 // Removes `word` and a blank, or the end, behind it from the front of `text`; false if they are not
@@ -101,36 +98,33 @@ void LineDecoder::greet() {
     if (!take_word(rest, "ok") || take_number(rest) != kLineProtocol) {
       wrong_answer(request, shown(answer) + ", not '0 ok 1' and what the decoder can do");
     }
-    abilities_ = rest;
-    if (!views() && !blocks()) wrong_answer(request, "neither view nor block");
+    const auto says = [rest](std::string_view ability) {
+      for (std::string_view words = rest; !words.empty();) {
+        const std::string_view word = words.substr(0, words.find(' '));
+        if (word == ability) return true;
+        take_word(words, word);
+      }
+      return false;
+    };
+    abilities_ = {says("view"), says("block"), says("trace"), says("levels"), false};
+    if (!abilities_.views && !abilities_.blocks) wrong_answer(request, "neither view nor block");
     return;
   }
   wrong_answer(request, "none in 64 KiB");
-}
-
-bool LineDecoder::can(std::string_view ability) const {
-  std::string_view rest = abilities_;
-  while (!rest.empty()) {
-    const std::string_view word = rest.substr(0, rest.find(' '));
-    if (word == ability) return true;
-    take_word(rest, word);
-  }
-  return false;
 }
 
 void LineDecoder::fail_to_answer(const std::string& request, bool timed_out) {
   const ProcessOutcome outcome = process_.end(timed_out);
   const bool skipped = outcome.end == ProcessEnd::kExit && outcome.value == kExitSkipped;
   if (skipped) {
-    throw LineFailure{Status::kSkipped,
-                      "the decoder cannot run here" + last_words(outcome.messages),
-                      outcome.messages};
+    throw DutFailure{Status::kSkipped, "the decoder cannot run here" + last_words(outcome.messages),
+                     outcome.messages};
   }
   const char* without = outcome.end == ProcessEnd::kExit ? " without an answer" : "";
-  throw LineFailure{timed_out ? Status::kTimeout : Status::kError,
-                    fmt::format("{}{} at '{}'{}", to_string(outcome), without, request,
-                                last_words(outcome.messages)),
-                    outcome.messages};
+  throw DutFailure{timed_out ? Status::kTimeout : Status::kError,
+                   fmt::format("{}{} at '{}'{}", to_string(outcome), without, request,
+                               last_words(outcome.messages)),
+                   outcome.messages};
 }
 
 // Sends `sent` and returns the next line, without its end and a carriage return, of less than
@@ -154,7 +148,7 @@ std::string LineDecoder::line(const std::string& request, std::string_view sent,
   return text;
 }
 
-LineAnswer<std::string> LineDecoder::ask(const std::string& request, size_t bytes) {
+DutAnswer<std::string> LineDecoder::ask(const std::string& request, size_t bytes) {
   if (!process_.output().empty()) {
     wrong_answer(request, "more than one line to the request before: " + shown(process_.output()));
   }
@@ -169,10 +163,10 @@ LineAnswer<std::string> LineDecoder::ask(const std::string& request, size_t byte
                fmt::format("{}, not '{} ok' or '{} error'", shown(answer), number, number));
 }
 
-LineAnswer<hmlfc_dut_geometry> LineDecoder::open(const std::filesystem::path& file) {
+DutAnswer<hmlfc_dut_geometry> LineDecoder::open(const std::filesystem::path& file) {
   const std::string request = "open " + file.string();
   if (request.find('\n') != std::string::npos) {
-    throw LineFailure{Status::kError, "the stream's path has a line break"};
+    throw DutFailure{Status::kError, "the stream's path has a line break"};
   }
   const auto answer = ask(request);
   if (!answer) return tl::unexpected(answer.error());
@@ -187,7 +181,7 @@ LineAnswer<hmlfc_dut_geometry> LineDecoder::open(const std::filesystem::path& fi
   return geometry_;
 }
 
-LineAnswer<std::vector<int32_t>> LineDecoder::samples(const std::string& request, size_t count) {
+DutAnswer<std::vector<int32_t>> LineDecoder::samples(const std::string& request, size_t count) {
   const auto answer = ask(request, kLineBytes + count * kDigits);
   if (!answer) return tl::unexpected(answer.error());
   if (answer->size() != count * kDigits) {
@@ -208,7 +202,7 @@ LineAnswer<std::vector<int32_t>> LineDecoder::samples(const std::string& request
   return values;
 }
 
-LineAnswer<RgbImage> LineDecoder::view(ViewPos view) {
+DutAnswer<RgbImage> LineDecoder::view(ViewPos view) {
   const std::string request = fmt::format("view {} {}", view.row, view.col);
   RgbImage image{geometry_.width, geometry_.height, static_cast<int>(geometry_.depth), {}};
   const auto values = samples(request, size_t{image.width} * image.height * 3);
@@ -224,11 +218,11 @@ LineAnswer<RgbImage> LineDecoder::view(ViewPos view) {
   return image;
 }
 
-LineAnswer<std::vector<int32_t>> LineDecoder::block(const BlockAddress& block, int stop_level) {
+DutAnswer<std::vector<int32_t>> LineDecoder::block(const BlockAddress& block, int stop_level) {
   return samples("block " + place(block, stop_level), size_t{1} << (2 * geometry_.block_log2));
 }
 
-LineAnswer<std::string> LineDecoder::trace(const BlockAddress& block, int stop_level) {
+DutAnswer<std::string> LineDecoder::trace(const BlockAddress& block, int stop_level) {
   const std::string request = "trace " + place(block, stop_level);
   const auto answer = ask(request);
   if (!answer) return tl::unexpected(answer.error());
@@ -245,29 +239,6 @@ LineAnswer<std::string> LineDecoder::trace(const BlockAddress& block, int stop_l
 void LineDecoder::close() {
   const auto answer = ask("close");
   if (!answer) wrong_answer("close", "error " + answer.error());
-}
-
-std::unique_ptr<LineDecoder> LineDecoders::take() {
-  const std::scoped_lock lock(mutex_);
-  if (waiting_.empty()) return nullptr;
-  auto decoder = std::move(waiting_.back());
-  waiting_.pop_back();
-  return decoder;
-}
-
-void LineDecoders::give_back(std::unique_ptr<LineDecoder> decoder) {
-  const std::scoped_lock lock(mutex_);
-  waiting_.push_back(std::move(decoder));
-}
-
-bool LineDecoders::is_run_again() {
-  const std::scoped_lock lock(mutex_);
-  return failed_again_ < kEnough || std::has_single_bit(++failures_);
-}
-
-void LineDecoders::was_run_again(bool failed) {
-  const std::scoped_lock lock(mutex_);
-  failed_again_ = failed ? failed_again_ + 1 : 0;
 }
 
 }  // namespace hmlfc::conform

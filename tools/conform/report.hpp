@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -15,18 +14,14 @@
 
 namespace hmlfc::conform {
 
-/// JUnit XML: a test suite for each decoder, a test case for each vector.
-std::string junit_text(const Report& report);
-
 /// One page without other files: counts, failures with their pictures (read from `folder`), clauses
 /// by decoder, all results.
 std::string html_text(const Report& report, const std::filesystem::path& folder);
 
 /// What a terminal shows of one decoder: the verdict, where to begin, failures by probable cause.
-/// Lists are wrapped to `columns`.
-std::string terminal_text(const Run& run, size_t columns);
+std::string terminal_text(const Run& run);
 
-/// Writes report.json, junit.xml and report.html into `folder`.
+/// Writes report.json and report.html into `folder`.
 io::IoResult<void> write_report(const Report& report, const std::filesystem::path& folder);
 
 /// This system; `program` is this program's name and version.
@@ -59,12 +54,5 @@ Json to_json(const Report& report);
 
 /// Reads a file of to_json(report). Errors: not readable, not such a file.
 io::IoResult<Report> read_report(const std::filesystem::path& file);
-
-/// `text` escaped for XML; characters that XML 1.0 does not allow and bytes that are not UTF-8
-/// become '?'.
-std::string escaped(std::string_view text);
-
-/// data:image/png;base64,...
-std::string png_data_uri(const std::vector<uint8_t>& png);
 
 }  // namespace hmlfc::conform

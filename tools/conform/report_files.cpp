@@ -11,7 +11,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <openssl/evp.h>
 #include <nlohmann/json.hpp>
 
 #include "conform/report_folder.hpp"
@@ -22,56 +21,6 @@ namespace hmlfc::conform {
 namespace fs = std::filesystem;
 
 namespace {
-
-// The JSON serialiser replaces invalid UTF-8 by U+FFFD.
-std::string valid_utf8(std::string_view text) {
-  const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-  return Json::parse(quoted).get<std::string>();
-}
-
-std::string details(const VectorResult& result) {
-  std::string text = result.reason;
-  if (!result.stage.empty()) text += "\n" + result.stage;
-  if (!result.clauses.empty()) text += fmt::format("\nclauses: {}", fmt::join(result.clauses, " "));
-  if (!result.comment.empty()) text += "\n" + result.comment;
-  if (!result.messages.empty()) text += "\n" + result.messages;
-  return escaped(text);
-}
-
-std::string test_case(const VectorResult& result) {
-  const std::string& id = result.id.text();
-  const size_t slash = id.find('/');
-  std::string inner;
-  const std::string reason = escaped(result.reason);
-  if (result.waived()) {
-    inner = fmt::format("<skipped message=\"waived: {}\"/>", escaped(result.waiver));
-  } else if (result.status == Status::kFail || result.status == Status::kTimeout) {
-    inner = fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>",
-                        status_name(result.status), reason, details(result));
-  } else if (result.status == Status::kError) {
-    inner = fmt::format("<error type=\"error\" message=\"{}\">{}</error>", reason, details(result));
-  } else if (result.status != Status::kPass) {
-    inner = fmt::format("<skipped message=\"{}: {}\"/>", status_name(result.status), reason);
-  }
-  return fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">{}</testcase>\n",
-                     escaped(id.substr(0, slash)), escaped(id.substr(slash + 1)), result.seconds,
-                     inner);
-}
-
-std::string test_suite(const Report& report, const Run& run) {
-  const Tally counts = tally(run);
-  double seconds = 0;
-  for (const VectorResult& result : run.results) seconds += result.seconds;
-  std::string text = fmt::format(
-      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" "
-      "time=\"{:.3f}\" timestamp=\"{}\">\n",
-      escaped(run.dut), run.results.size(), counts.of(Status::kFail) + counts.of(Status::kTimeout),
-      counts.of(Status::kError),
-      counts.of(Status::kSkipped) + counts.of(Status::kNotSupported) + counts.waived, seconds,
-      escaped(report.system.date));
-  for (const VectorResult& result : run.results) text += test_case(result);
-  return text + "  </testsuite>\n";
-}
 
 // The first value of "model name : ..." in /proc/cpuinfo.
 std::string processor_name() {
@@ -148,35 +97,6 @@ io::IoResult<void> gather_pictures(const Merged& merged, const fs::path& folder)
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-  constexpr std::string_view kSpecial = "&<>\"";
-  constexpr const char* kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
-  std::string out;
-  for (const char c : valid_utf8(text)) {
-    const size_t special = kSpecial.find(c);
-    if (special != std::string_view::npos) {
-      out += kEntities[special];
-    } else {
-      out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
-    }
-  }
-  return out;
-}
-
-std::string png_data_uri(const std::vector<uint8_t>& png) {
-  std::string text(4 * ((png.size() + 2) / 3) + 1, '\0');  // EVP_EncodeBlock ends with a zero
-  const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), png.data(),
-                                     static_cast<int>(png.size()));
-  text.resize(static_cast<size_t>(length));
-  return "data:image/png;base64," + text;
-}
-
-std::string junit_text(const Report& report) {
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
-  for (const Run& run : report.runs) text += test_suite(report, run);
-  return text + "</testsuites>\n";
-}
-
 SystemInfo this_system(const std::string& program) {
   utsname name{};
   ::uname(&name);
@@ -194,7 +114,6 @@ io::IoResult<void> write_report(const Report& report, const fs::path& folder) {
   const std::string json =
       to_json(report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   if (auto done = write_text(folder / "report.json", json); !done) return done;
-  if (auto done = write_text(folder / "junit.xml", junit_text(report)); !done) return done;
   return write_text(folder / "report.html", html_text(report, folder));
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <openssl/evp.h>
 
 #include "conform/difference.hpp"
 #include "conform/report.hpp"
@@ -28,10 +29,40 @@ td.n{text-align:right}code,pre{font:13px/1.4 ui-monospace,monospace}pre{backgrou
 .not_supported{background:#e8e8e8;color:#555}.waived{background:#e3d8f3}
 .pictures{display:flex;flex-wrap:wrap;gap:1em}figure{margin:0}figcaption{font-size:.85em;color:#555}
 img{image-rendering:pixelated;min-width:12em;max-width:20em;border:1px solid #999}
-.heat{display:inline-block;width:1em;height:1em;border:1px solid #999;margin-left:.8em}
 .grid{display:block;max-height:40em;overflow:auto}
 </style></head><body>
 )";
+
+// The JSON serialiser replaces invalid UTF-8 by U+FFFD.
+std::string valid_utf8(std::string_view text) {
+  const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json::parse(quoted).get<std::string>();
+}
+
+// `text` escaped for HTML; control characters become '?'.
+std::string escaped(std::string_view text) {
+  constexpr std::string_view kSpecial = "&<>\"";
+  constexpr const char* kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
+  std::string out;
+  for (const char c : valid_utf8(text)) {
+    const size_t special = kSpecial.find(c);
+    if (special != std::string_view::npos) {
+      out += kEntities[special];
+    } else {
+      out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+    }
+  }
+  return out;
+}
+
+// data:image/png;base64,...
+std::string png_data_uri(const std::vector<uint8_t>& png) {
+  std::string text(4 * ((png.size() + 2) / 3) + 1, '\0');  // EVP_EncodeBlock ends with a zero
+  const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), png.data(),
+                                     static_cast<int>(png.size()));
+  text.resize(static_cast<size_t>(length));
+  return "data:image/png;base64," + text;
+}
 
 const char* css_class(const VectorResult& result) {
   return result.waived() ? "waived" : status_name(result.status).data();
@@ -76,24 +107,9 @@ std::string system_table(const Report& report) {
   return text + "</table>\n";
 }
 
-// Which colour of a heat map is which difference.
-std::string heat_legend() {
-  std::string text = "<p>Colours of wrong blocks, by the largest difference of a sample:";
-  for (uint32_t from = 0; from <= 128; from = from == 0 ? 1 : 2 * from) {
-    const auto [r, g, b] = heat_colour(from);
-    const std::string to = from == 128 ? " or more"
-                           : from > 1  ? fmt::format("-{}", 2 * from - 1)
-                                       : "";
-    text += fmt::format(" <span class=heat style=\"background:rgb({},{},{})\"></span>&nbsp;{}{}", r,
-                        g, b, from, to);
-  }
-  return text + "</p>\n";
-}
-
 std::string pictures(const VectorResult& result, const std::filesystem::path& folder) {
   std::string text = "<div class=pictures>";
-  constexpr const char* kCaptions[] = {"expected", "actual", "difference times 16, grey if equal",
-                                       "wrong blocks, by their largest difference"};
+  constexpr const char* kCaptions[] = {"expected", "actual", "difference times 16, grey if equal"};
   for (size_t i = 0; i < std::size(kFailurePictures); ++i) {
     const auto path = path_inside(folder, fs::path(result.pictures) / kFailurePictures[i]);
     const auto file = path.and_then([](const fs::path& picture) { return io::map_file(picture); });
@@ -169,7 +185,7 @@ std::string failures(const Run& run, const Summary& summary, const std::filesyst
     if (result.waived()) waived += failure(result, folder, count++ < kPicturedFailures);
   }
   if (!waived.empty()) text += fmt::format("<h2>{}: waived</h2>\n", escaped(run.dut)) + waived;
-  return text.empty() ? text : heat_legend() + text;
+  return text;
 }
 
 // Clauses in rows, decoders in columns: how many of the vectors that exercise a clause pass.

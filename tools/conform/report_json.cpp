@@ -13,42 +13,55 @@ namespace {
 
 constexpr io::JsonLimits kReportLimits{"a report", size_t{1} << 26, 7};
 
+// Calls field(key, member) for the numbers of a difference, to write or read them.
+template <class D, class Field>
+void for_each_number(D& d, const Field& field) {
+  field("view_row", d.view.row);
+  field("view_col", d.view.col);
+  field("block_x", d.block_x);
+  field("block_y", d.block_y);
+  field("x", d.x);
+  field("y", d.y);
+  field("expected", d.expected);
+  field("actual", d.actual);
+  field("wrong_blocks", d.wrong_blocks);
+  field("blocks", d.blocks);
+  field("wrong_views", d.wrong_views);
+}
+
 Json to_json(const Difference& d) {
-  Json planes = Json::array();
+  Json json;
+  for_each_number(d, [&](const char* key, const auto& value) { json[key] = value; });
+  json["channel"] = std::string(1, d.channel);
+  Json& planes = json["planes"] = Json::array();
   for (const Plane plane : d.planes) planes.push_back(plane_name(plane));
-  return {{"view_row", d.view.row},
-          {"view_col", d.view.col},
-          {"block_x", d.block_x},
-          {"block_y", d.block_y},
-          {"x", d.x},
-          {"y", d.y},
-          {"channel", std::string(1, d.channel)},
-          {"expected", d.expected},
-          {"actual", d.actual},
-          {"planes", planes},
-          {"wrong_blocks", d.wrong_blocks},
-          {"blocks", d.blocks},
-          {"wrong_views", d.wrong_views}};
+  return json;
 }
 
 Difference difference_from(const Json& json) {
   Difference d;
-  d.view = {io::integer_at<uint32_t>(json, "view_row"), io::integer_at<uint32_t>(json, "view_col")};
-  d.block_x = io::integer_at<uint32_t>(json, "block_x");
-  d.block_y = io::integer_at<uint32_t>(json, "block_y");
-  d.x = io::integer_at<uint32_t>(json, "x");
-  d.y = io::integer_at<uint32_t>(json, "y");
+  for_each_number(
+      d, [&]<class T>(const char* key, T& value) { value = io::integer_at<T>(json, key); });
   d.channel = json.at("channel").get<std::string>().at(0);
-  d.expected = io::integer_at<int>(json, "expected");
-  d.actual = io::integer_at<int>(json, "actual");
   for (const auto& name : json.at("planes").get<std::vector<std::string>>()) {
     const auto plane = std::ranges::find(kPlanes, name, plane_name);
     if (plane != kPlanes.end()) d.planes.push_back(*plane);
   }
-  d.wrong_blocks = io::integer_at<uint64_t>(json, "wrong_blocks");
-  d.blocks = io::integer_at<uint64_t>(json, "blocks");
-  d.wrong_views = io::integer_at<uint64_t>(json, "wrong_views");
   return d;
+}
+
+// Calls field(key, member) for the texts of a result that are left out where they are empty.
+template <class R, class Field>
+void for_each_text(R& result, const Field& field) {
+  field("reason", result.reason);
+  field("kind", result.kind);
+  field("stage", result.stage);
+  field("messages", result.messages);
+  field("pictures", result.pictures);
+  field("waiver", result.waiver);
+  field("comment", result.comment);
+  field("inspect", result.inspect);
+  field("view", result.view);
 }
 
 void set_text(Json& json, const char* key, const std::string& text) {
@@ -140,20 +153,13 @@ Json to_json(const VectorResult& result) {
   Json json;
   json["id"] = result.id.text();
   json["status"] = status_name(result.status);
-  set_text(json, "reason", result.reason);
-  set_text(json, "kind", result.kind);
+  for_each_text(result,
+                [&](const char* key, const std::string& text) { set_text(json, key, text); });
   if (result.difference) json["difference"] = to_json(*result.difference);
-  set_text(json, "stage", result.stage);
-  set_text(json, "messages", result.messages);
   json["seconds"] = result.seconds;
-  set_text(json, "pictures", result.pictures);
-  set_text(json, "waiver", result.waiver);
   json["clauses"] = result.clauses;
-  set_text(json, "comment", result.comment);
   json["milestone"] = result.milestone;
   json["bytes"] = result.bytes;
-  set_text(json, "inspect", result.inspect);
-  set_text(json, "view", result.view);
   if (result.telling) json["telling"] = true;
   if (result.not_counted) json["not_counted"] = true;
   return json;
@@ -166,23 +172,15 @@ std::optional<VectorResult> result_from_json(const Json& json, const std::string
     const auto status = status_from_name(json.at("status").get<std::string>());
     if (!status) return std::nullopt;
     result.status = *status;
-    result.reason = json.value("reason", "");
-    result.kind = json.value("kind", "");
-    if (json.contains("difference")) result.difference = difference_from(json.at("difference"));
-    result.stage = json.value("stage", "");
-    result.messages = json.value("messages", "");
-    result.seconds = json.at("seconds");
-    result.pictures = json.value("pictures", "");
+    for_each_text(result, [&](const char* key, std::string& text) { text = json.value(key, ""); });
     if (!result.pictures.empty() && result.pictures != pictures_of(dut, result.id)) {
       return std::nullopt;
     }
-    result.waiver = json.value("waiver", "");
+    if (json.contains("difference")) result.difference = difference_from(json.at("difference"));
+    result.seconds = json.at("seconds");
     result.clauses = json.at("clauses").get<std::vector<std::string>>();
-    result.comment = json.value("comment", "");
     result.milestone = json.at("milestone");
     result.bytes = io::integer_at<uint64_t>(json, "bytes");
-    result.inspect = json.value("inspect", "");
-    result.view = json.value("view", "");
     result.telling = json.value("telling", false);
     result.not_counted = json.value("not_counted", false);
     return result;

@@ -34,33 +34,25 @@ std::string count_text(const Run& run) {
   return text + fmt::format("of {} vectors", run.results.size()) + bases_text(run);
 }
 
-// `first`, then words behind it, in lines of at most `columns`; further ones begin below the first
-// word.
-std::string wrapped(const std::string& first, const std::vector<std::string>& words,
-                    size_t columns) {
-  std::string text = first;
-  size_t used = first.size();
-  for (const std::string& word : words) {
-    if (used != first.size() && used + 1 + word.size() > columns) {
-      text += "\n" + std::string(first.size(), ' ');
-      used = first.size();
-    }
-    text += " " + word;
-    used += 1 + word.size();
+// The words, but for those after the first few.
+std::string shortened(std::vector<std::string> words) {
+  if (words.size() > kShownClauses) {
+    words[kShownClauses] = fmt::format("and {} more", words.size() - kShownClauses);
+    words.resize(kShownClauses + 1);
   }
-  return text + "\n";
+  return fmt::format("{}", fmt::join(words, " "));
 }
 
-std::string line_of(const VectorResult& result, size_t columns) {
+std::string line_of(const VectorResult& result) {
   std::string line =
       fmt::format("  {:<13} {}: {}\n", status_name(result.status), result.id.text(), result.reason);
   if (!result.stage.empty()) line += fmt::format("                {}\n", result.stage);
-  line += wrapped("                clauses", result.clauses, columns);
+  line += fmt::format("                clauses {}\n", shortened(result.clauses));
   if (result.waived()) line += fmt::format("                waived: {}\n", result.waiver);
   return line;
 }
 
-std::string where_to_begin(const Summary& summary, size_t columns) {
+std::string where_to_begin(const Summary& summary) {
   const size_t skipped = summary.first->skipped;
   std::string text = fmt::format(
       "  Begin with milestone {}, the first that is not whole: {} of {} vectors pass{}\n"
@@ -69,14 +61,8 @@ std::string where_to_begin(const Summary& summary, size_t columns) {
       summary.first->name, summary.first->pass, summary.first->claimed,
       skipped == 0 ? "" : fmt::format(", {} were not run", skipped), summary.look_at->id.text(),
       summary.look_at->reason, summary.look_at->inspect);
-  if (!summary.clauses.empty()) {
-    std::vector<std::string> words = summary.clauses;
-    if (words.size() > kShownClauses) {
-      words[kShownClauses] = fmt::format("and {} more", words.size() - kShownClauses);
-      words.resize(kShownClauses + 1);
-    }
-    text += wrapped("  Its clauses that fail in all vectors:", words, columns);
-  }
+  if (summary.clauses.empty()) return text;
+  text += fmt::format("  Its clauses that fail in all vectors: {}\n", shortened(summary.clauses));
   return text;
 }
 
@@ -95,22 +81,22 @@ std::string where_to_go_on(const Run& run, const Summary& summary) {
 
 }  // namespace
 
-std::string terminal_text(const Run& run, size_t columns) {
+std::string terminal_text(const Run& run) {
   const Summary summary = summarise(run);
   std::string text = fmt::format("{}: {}: {}\n", run.dut, verdict_text(run), count_text(run));
-  if (summary.first != nullptr) text += where_to_begin(summary, columns);
+  if (summary.first != nullptr) text += where_to_begin(summary);
   if (verdict(run) == Verdict::kWhole) text += where_to_go_on(run, summary);
   for (const Cause& cause : summary.causes) {
     text += fmt::format("\n  {} x {}\n", cause.results.size(), cause.text);
     for (size_t i = 0; i < std::min(kShown, cause.results.size()); ++i) {
-      text += line_of(*cause.results[i], columns);
+      text += line_of(*cause.results[i]);
     }
     if (cause.results.size() > kShown) {
       text += fmt::format("  and {} more\n", cause.results.size() - kShown);
     }
   }
   for (const VectorResult& result : run.results) {
-    if (result.waived()) text += line_of(result, columns);
+    if (result.waived()) text += line_of(result);
   }
   return text;
 }

@@ -137,7 +137,7 @@ class SuiteRun {
     const auto header = parse_header(file->bytes());
     result.telling = header && is_telling(vector, *header);
     if (auto what =
-            beyond_claims(dut_, vector.profile, vector.level, header ? &*header : nullptr)) {
+            beyond(dut_.claims, vector.profile, vector.level, header ? &*header : nullptr)) {
       result.status = Status::kNotSupported;
       result.reason = *what;
       return;
@@ -206,8 +206,8 @@ io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions
   if (!work) return tl::unexpected(work.error());
   Run run{dut.name,
           dut.command,
-          std::string(profile_name(dut.profile)),
-          dut.level,
+          std::string(profile_name(dut.claims.profile)),
+          dut.claims.level,
           options.selection.milestone,
           {}};
   run.results.resize(suite.manifest.vectors.size());
@@ -247,7 +247,7 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
     return result;
   }
   const auto header = parse_header(stream);
-  if (header && beyond_claims(dut, header->profile, conformance_level(*header), &*header)) {
+  if (header && beyond(dut.claims, header->profile, conformance_level(*header), &*header)) {
     result.status = Status::kNotSupported;
     return result;
   }

@@ -61,10 +61,25 @@ std::vector<RecordedStage> parse_stages(std::string_view text) {
   return stages;
 }
 
+std::optional<std::string> first_wrong_value(const Decoder& decoder, Plane plane, uint32_t bx,
+                                             uint32_t by, std::span<const int32_t> expected,
+                                             std::span<const int32_t> actual) {
+  const uint32_t b = decoder.header().block_size();
+  const PlaneSize size = decoder.plane_size(plane);
+  for (uint32_t i = 0; i < expected.size(); ++i) {
+    const uint32_t x = i % b;
+    const uint32_t y = i / b;
+    if (bx * b + x >= size.width || by * b + y >= size.height) continue;
+    if (i < actual.size() && actual[i] == expected[i]) continue;
+    return fmt::format("value {} (x {}, y {}) is {} instead of {}", i, x, y,
+                       i < actual.size() ? std::to_string(actual[i]) : "missing", expected[i]);
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> first_wrong_stage(const Decoder& decoder, const BlockAddress& block,
                                              int stop_level,
                                              const std::vector<RecordedStage>& actual) {
-  const uint32_t b = decoder.header().block_size();
   vectors::BlockRecorder recorder;
   static_cast<void>(decoder.decode_block(block, {.stop_level = stop_level, .trace = &recorder}));
   for (const auto& record : recorder.records) {
@@ -75,20 +90,12 @@ std::optional<std::string> first_wrong_stage(const Decoder& decoder, const Block
       return other.stage == golden->stage && other.site == golden->site;
     });
     if (found == actual.end()) continue;
-    const PlaneSize size = decoder.plane_size(site.plane);
-    for (uint32_t i = 0; i < values.size(); ++i) {
-      const uint32_t x = i % b;
-      const uint32_t y = i / b;
-      if (site.bx * b + x >= size.width || site.by * b + y >= size.height) continue;
-      if (i < found->values.size() && found->values[i] == values[i]) continue;
-      const std::string is =
-          i < found->values.size() ? std::to_string(found->values[i]) : "missing";
-      return fmt::format(
-          "stage {} ({}) at level {} image {},{} plane {} block {},{}: value {} (x {}, y {}) is {} "
-          "instead of {}",
-          stage, clause, site.level, site.image_row, site.image_col, plane_name(site.plane),
-          site.bx, site.by, i, x, y, is, values[i]);
-    }
+    const auto what =
+        first_wrong_value(decoder, site.plane, site.bx, site.by, values, found->values);
+    if (!what) continue;
+    return fmt::format("stage {} ({}) at level {} image {},{} plane {} block {},{}: {}", stage,
+                       clause, site.level, site.image_row, site.image_col, plane_name(site.plane),
+                       site.bx, site.by, *what);
   }
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,12 @@ std::string stage_line(const hmlfc_dut_stage& stage);
 /// The stages of all lines of `text` that have this form, without their clauses; other lines are
 /// ignored.
 std::vector<vectors::RecordedStage> parse_stages(std::string_view text);
+
+/// The first of the values of a block, row by row, that differs inside the plane: "value 5 (x 1, y
+/// 1) is -3 instead of -2", or "is missing instead of". Nothing if all agree.
+std::optional<std::string> first_wrong_value(const Decoder& decoder, Plane plane, uint32_t bx,
+                                             uint32_t by, std::span<const int32_t> expected,
+                                             std::span<const int32_t> actual);
 
 /// The first stage, in the golden model's order, whose values differ in `actual`:
 /// "stage residual (TIL-10) at level 1 image 0,2 plane Y block 3,1: value 5 (x 1, y 1) is -3

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <map>
 #include <regex>
-#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -22,17 +21,7 @@ struct ClauseCount {
   size_t milestone = 0;  // the first of its vectors
 };
 
-struct ClauseCounts {
-  std::map<std::string, ClauseCount> of;
-  ClauseCount all;  // vectors
-
-  // Whether vectors with the clause fail at least twice as often as those without it.
-  bool explain(const ClauseCount& count) const {
-    const size_t other_bad = all.bad - count.bad;
-    const size_t other_run = all.run - count.run;
-    return count.bad > 1 && count.bad * other_run >= 2 * other_bad * count.run;
-  }
-};
+using ClauseCounts = std::map<std::string, ClauseCount>;
 
 size_t number_of(const VectorResult& result) {
   return vectors::milestone_number(result.milestone).value_or(0);
@@ -66,10 +55,8 @@ ClauseCounts count_clauses(const Run& run) {
   ClauseCounts counts;
   for (const VectorResult& result : run.results) {
     if (result.status != Status::kPass && !result.bad()) continue;
-    ++counts.all.run;
-    counts.all.bad += counts_as_bad(result);
     for (const std::string& clause : result.clauses) {
-      ClauseCount& count = counts.of[clause];
+      ClauseCount& count = counts[clause];
       count.milestone =
           count.run == 0 ? number_of(result) : std::min(count.milestone, number_of(result));
       ++count.run;
@@ -87,38 +74,20 @@ bool is_general(std::string_view clause) {
 // Of the clauses that begin with milestone number `milestone`, those of most vectors first.
 std::vector<std::string> always_failing(const ClauseCounts& counts, size_t milestone) {
   std::vector<std::string> clauses;
-  for (const auto& [clause, count] : counts.of) {
+  for (const auto& [clause, count] : counts) {
     if (count.bad == count.run && count.milestone == milestone) clauses.push_back(clause);
   }
   if (!std::ranges::all_of(clauses, is_general)) std::erase_if(clauses, is_general);
   std::ranges::stable_sort(clauses, std::greater(),
-                           [&](const std::string& clause) { return counts.of.at(clause).run; });
+                           [&](const std::string& clause) { return counts.at(clause).run; });
   return clauses;
 }
 
-const std::string& most_suspect(const VectorResult& result, const ClauseCounts& counts) {
-  return *std::ranges::max_element(result.clauses, [&](const std::string& a, const std::string& b) {
-    const ClauseCount& x = counts.of.at(a);
-    const ClauseCount& y = counts.of.at(b);
-    return std::tuple(x.bad * y.run, !is_general(a), x.bad) <
-           std::tuple(y.bad * x.run, !is_general(b), y.bad);
-  });
-}
-
-std::string planes_text(const std::set<Plane>& planes) {
+std::string planes_text(const std::vector<Plane>& planes) {
   std::vector<std::string_view> names;
   for (const Plane plane : planes) names.push_back(plane_name(plane));
   return fmt::format("plane{} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", "));
 }
-
-// What failures have in common, and what the title of their group says.
-struct CauseKey {
-  std::string what;
-  std::string why;         // behind the planes that are wrong
-  std::set<Plane> planes;  // only where nothing else tells causes apart
-
-  auto operator<=>(const CauseKey&) const = default;
-};
 
 // `text` with N in place of each number that is a word: a report may come from anywhere, and
 // std::regex takes stack for each character.
@@ -137,48 +106,32 @@ std::string without_numbers(std::string_view text) {
 
 constexpr size_t kSearchedBytes = 4096;  // of the stages, more than there are
 
-CauseKey cause_of(const VectorResult& result, const ClauseCounts& counts) {
+// What failures have in common.
+std::string cause_of(const VectorResult& result) {
   static const std::regex stage("stage (\\w+) \\(([A-Z]+-[0-9]+)\\)");
-  if (result.not_counted) return {"not counted: the base does not pass", {}, {}};
-  CauseKey key{result.difference ? "wrong samples" : result.kind, {}, {}};
-  if (key.what.empty()) key.what = without_numbers(result.reason);
+  if (result.not_counted) return "not counted: the base does not pass";
+  std::string text = result.difference     ? "wrong samples"
+                     : result.kind.empty() ? without_numbers(result.reason)
+                                           : result.kind;
   const std::string stages = result.stage.substr(0, kSearchedBytes);
   std::smatch found;
   if (std::regex_search(stages, found, stage)) {
-    key.why = fmt::format("; first wrong stage {} ({})", found[1].str(), found[2].str());
-  } else if (result.difference && !result.clauses.empty()) {
-    const std::string& clause = most_suspect(result, counts);
-    const ClauseCount& count = counts.of.at(clause);
-    if (counts.explain(count)) {
-      key.why = fmt::format("; perhaps {}, which fails in {} of {} vectors", clause, count.bad,
-                            count.run);
-    } else {
-      key.planes = {result.difference->planes.begin(), result.difference->planes.end()};
-    }
+    text += fmt::format("; first wrong stage {} ({})", found[1].str(), found[2].str());
+  } else if (result.difference) {
+    text += " in " + planes_text(result.difference->planes);
   }
-  return key;
+  return text;
 }
 
-std::string title(const CauseKey& key, const std::vector<const VectorResult*>& results) {
-  std::set<Plane> planes;
-  for (const VectorResult* result : results) {
-    if (result->difference && !result->not_counted) {
-      planes.insert(result->difference->planes.begin(), result->difference->planes.end());
-    }
-  }
-  return key.what + (planes.empty() ? "" : " in " + planes_text(planes)) + key.why;
-}
-
-std::vector<Cause> causes_of(const Run& run, const ClauseCounts& counts) {
-  std::map<CauseKey, std::vector<const VectorResult*>> by_key;
+std::vector<Cause> causes_of(const Run& run) {
+  std::map<std::string, std::vector<const VectorResult*>> by_text;
   for (const VectorResult& result : run.results) {
-    if (counts_as_bad(result)) by_key[cause_of(result, counts)].push_back(&result);
+    if (counts_as_bad(result)) by_text[cause_of(result)].push_back(&result);
   }
   std::vector<Cause> causes;
-  for (auto& [key, results] : by_key) {
+  for (auto& [text, results] : by_text) {
     std::ranges::sort(results, simpler);
-    std::string text = title(key, results);
-    causes.push_back({std::move(text), std::move(results)});
+    causes.push_back({text, std::move(results)});
   }
   std::ranges::sort(causes, [](const Cause& a, const Cause& b) {
     const VectorResult* x = a.results.front();
@@ -209,9 +162,9 @@ Summary summarise(const Run& run) {
       std::ranges::find_if(summary.milestones, [](const auto& count) { return count.bad != 0; });
   if (first == summary.milestones.end()) return summary;
   summary.first = &*first;
-  const ClauseCounts counts = count_clauses(run);
-  summary.clauses = always_failing(counts, static_cast<size_t>(first - summary.milestones.begin()));
-  summary.causes = causes_of(run, counts);
+  summary.clauses =
+      always_failing(count_clauses(run), static_cast<size_t>(first - summary.milestones.begin()));
+  summary.causes = causes_of(run);
   for (const VectorResult& result : run.results) {
     if (!counts_as_bad(result)) continue;
     if (summary.look_at == nullptr || simpler(&result, summary.look_at)) summary.look_at = &result;

@@ -44,12 +44,9 @@ struct Summary {
   const MilestoneCount* next = nullptr;
 };
 
-/// Failures have one cause if they have the same first wrong stage and clause; or if samples are
-/// wrong without a stage, and the same clause is the most suspect of those that they exercise (the
-/// one with the greatest share of failures; of these, one that is not general, then the one with
-/// the most failures), provided that vectors without it fail at most half as often; else if the
-/// same planes are wrong; or the same kind; or the same reason but for numbers. General clauses say
-/// what a stream and a decoder are (BND, CNV, LVL, STR), not what is done for a block.
+/// Failures have one cause if they have the same first wrong stage and clause; else if the same
+/// planes are wrong; or the same kind; or the same reason but for numbers. General clauses say what
+/// a stream and a decoder are (BND, CNV, LVL, STR), not what is done for a block.
 Summary summarise(const Run& run);
 
 }  // namespace hmlfc::conform

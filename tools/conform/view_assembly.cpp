@@ -19,15 +19,14 @@ bool in_range(const std::vector<int32_t>& samples, Plane plane, int depth) {
   return std::ranges::all_of(samples, [&](int32_t v) { return v >= lo && v <= hi; });
 }
 
-tl::expected<std::vector<int32_t>, std::string> assemble_plane(const Decoder& golden, ViewPos view,
-                                                               Plane plane,
-                                                               const BlockSource& source) {
+DutAnswer<std::vector<int32_t>> assemble_plane(RunningDut& dut, const Decoder& golden, ViewPos view,
+                                               Plane plane) {
   const auto [width, height] = golden.plane_size(plane);
   const uint32_t b = golden.header().block_size();
   std::vector<int32_t> samples(size_t{width} * height);
   for (uint32_t y = 0; y < height; y += b) {
     for (uint32_t x = 0; x < width; x += b) {
-      const auto block = source({view, plane, x / b, y / b});
+      const auto block = dut.block({view, plane, x / b, y / b}, 0);
       if (!block) return tl::unexpected(block.error());
       for (uint32_t row = 0; row < std::min(b, height - y); ++row) {
         std::copy_n(block->begin() + row * b, std::min(b, width - x),
@@ -65,12 +64,12 @@ std::optional<std::string> wrong_geometry(const StreamHeader& header,
   return std::nullopt;
 }
 
-tl::expected<RgbImage, std::string> assemble_view(const Decoder& golden, ViewPos view,
-                                                  const BlockSource& source) {
+DutAnswer<RgbImage> view_of(RunningDut& dut, bool by_block, const Decoder& golden, ViewPos view) {
+  if (dut.can().views && !by_block) return dut.view(view);
   const StreamHeader& header = golden.header();
   std::array<std::vector<int32_t>, kPlaneCount> planes;
   for (const Plane plane : kPlanes) {
-    auto samples = assemble_plane(golden, view, plane, source);
+    auto samples = assemble_plane(dut, golden, view, plane);
     if (!samples) return tl::unexpected(samples.error());
     planes[static_cast<size_t>(plane)] = std::move(*samples);
   }

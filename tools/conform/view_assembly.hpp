@@ -1,13 +1,13 @@
-// A decoder's geometry and its blocks put together, as the golden model's header has them.
+// Geometry and views of a decoder under test, as the golden model's header has them.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <hmlfc/hmlfc_dut.h>
 #include <hmlfc/decoder.hpp>
+
+#include "conform/running_dut.hpp"
 
 namespace hmlfc::conform {
 
@@ -15,12 +15,9 @@ namespace hmlfc::conform {
 std::optional<std::string> wrong_geometry(const StreamHeader& header,
                                           const hmlfc_dut_geometry& geometry);
 
-/// B * B samples of a block at stop level 0, or the error's name.
-using BlockSource =
-    std::function<tl::expected<std::vector<int32_t>, std::string>(const BlockAddress& block)>;
-
-/// A view from its blocks (COL-2, COL-3), asked for in the order of DEC-7. The first error ends it.
-tl::expected<RgbImage, std::string> assemble_view(const Decoder& golden, ViewPos view,
-                                                  const BlockSource& source);
+/// A view of the stream that `dut` has open. With `by_block`, or where it gives no views, put
+/// together from its blocks (COL-2, COL-3), asked for in the order of DEC-7; the first error ends
+/// it. Throws DutFailure.
+DutAnswer<RgbImage> view_of(RunningDut& dut, bool by_block, const Decoder& golden, ViewPos view);
 
 }  // namespace hmlfc::conform

@@ -60,8 +60,7 @@ void describe_difference(const Trial& trial, const Decoder& golden,
                          const std::vector<RgbImage>& expected, const std::vector<RgbImage>& actual,
                          const Tracer& tracer, VectorResult& result) {
   const StreamHeader& header = golden.header();
-  std::vector<BlockMap> maps;
-  result.difference = first_difference(expected, actual, header.cols, header.block_size(), maps);
+  result.difference = first_difference(expected, actual, header.cols, header.block_size());
   if (!result.difference) return;
   const Difference& difference = *result.difference;
   result.status = Status::kFail;
@@ -76,8 +75,7 @@ void describe_difference(const Trial& trial, const Decoder& golden,
   result.stage = fmt::format("{}", fmt::join(stages, "; "));
   if (trial.pictures.empty()) return;
   const size_t view = size_t{difference.view.row} * header.cols + difference.view.col;
-  const RgbImage heat = heat_map(maps, header.cols, view);
-  const auto written = write_failure_pictures(trial.pictures, expected[view], actual[view], heat);
+  const auto written = write_failure_pictures(trial.pictures, expected[view], actual[view]);
   if (!written) result.messages += "\n" + written.error().message;
 }
 

@@ -8,13 +8,13 @@
 #include <hmlfc/decoder.hpp>
 
 #include "conform/judge.hpp"
+#include "conform/running_dut.hpp"
 
 namespace hmlfc::conform {
 
 /// Asks the decoder under test for the stages of a block: text with a JSON object a line
 /// (stage_trace.hpp), or why there is none. Empty where it gives no traces.
-using Tracer =
-    std::function<tl::expected<std::string, std::string>(const BlockAddress&, int stop_level)>;
+using Tracer = std::function<DutAnswer<std::string>(const BlockAddress&, int stop_level)>;
 
 /// The first wrong stage of a block (first_wrong_stage), or why none is known: there is no trace,
 /// all its stages agree. Empty without a tracer.

@@ -64,7 +64,7 @@ int hmlfc_checker_open(const char* stream, const char* device, int block_log2) {
   }
   auto read = parse_device(text, device);
   if (!read) return fail(read.error());
-  if (!read->block_sizes.contains(1 << block_log2)) {
+  if (std::ranges::count(read->claims.block_log2, static_cast<unsigned>(block_log2)) == 0) {
     return fail(std::string(device) + ": block_sizes lacks " + std::to_string(1 << block_log2) +
                 ", for which parameter BLOCK_LOG2 = " + std::to_string(block_log2) +
                 " of hmlfc_checker stands: mend either\n");

@@ -1,14 +1,13 @@
 #include "dut/device_file.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <functional>
 #include <map>
 #include <sstream>
 #include <utility>
 #include <vector>
-
-#include <hmlfc/stream_info.hpp>
 
 namespace hmlfc::lockstep {
 namespace {
@@ -45,15 +44,15 @@ bool choice(const Words& words, const std::string& yes, const std::string& no) {
   return word == yes;
 }
 
-std::set<int64_t> block_sizes(const Words& words) {
-  std::set<int64_t> sizes;
+std::vector<unsigned> block_sizes(const Words& words) {
+  std::vector<unsigned> logs;
   for (const std::string& word : words) {
-    const int64_t size = number(word, 2, 8);
-    if (size != 2 && size != 4 && size != 8) throw WrongLine{"block sizes are 2, 4 and 8"};
-    sizes.insert(size);
+    const auto size = static_cast<unsigned>(number(word, 2, 8));
+    if (!std::has_single_bit(size)) throw WrongLine{"block sizes are 2, 4 and 8"};
+    logs.push_back(static_cast<unsigned>(std::countr_zero(size)));
   }
-  if (sizes.empty()) throw WrongLine{"name at least one of 2, 4 and 8"};
-  return sizes;
+  if (logs.empty()) throw WrongLine{"name at least one of 2, 4 and 8"};
+  return logs;
 }
 
 std::array<bool, 4> stages(const Words& words) {
@@ -74,32 +73,23 @@ std::array<bool, 4> stages(const Words& words) {
 
 using Reader = std::function<void(Device&, const Words&)>;
 
-Reader limit(int64_t Device::*field, int64_t least, int64_t greatest) {
-  return [=](Device& device, const Words& words) {
-    device.*field = number(one_word(words), least, greatest);
-  };
-}
-
 Reader flag(bool Device::*field, std::string yes = "yes", std::string no = "no") {
   return [=](Device& device, const Words& words) { device.*field = choice(words, yes, no); };
 }
 
-const std::map<std::string, Reader>& readers() {
-  static const std::map<std::string, Reader> kReaders{
+std::map<std::string, Reader> make_readers() {
+  std::map<std::string, Reader> readers{
       {"name", [](Device& d, const Words& words) { d.name = one_word(words); }},
       {"profile",
        [](Device& d, const Words& words) {
-         d.profile = choice(words, "main", "extended") ? Profile::kMain : Profile::kExtended;
+         d.claims.profile = choice(words, "main", "extended") ? Profile::kMain : Profile::kExtended;
        }},
       {"level",
-       [](Device& d, const Words& w) { d.level = static_cast<int>(number(one_word(w), 0, 3)); }},
-      {"block_sizes", [](Device& d, const Words& words) { d.block_sizes = block_sizes(words); }},
-      {"max_rows", limit(&Device::max_rows, 1, 4096)},
-      {"max_cols", limit(&Device::max_cols, 1, 4096)},
-      {"max_width", limit(&Device::max_width, 1, 65536)},
-      {"max_height", limit(&Device::max_height, 1, 65536)},
-      {"max_depth", limit(&Device::max_depth, 8, 12)},
-      {"max_tree_height", limit(&Device::max_tree_height, 0, 15)},
+       [](Device& d, const Words& w) {
+         d.claims.level = static_cast<int>(number(one_word(w), 0, 3));
+       }},
+      {"block_sizes",
+       [](Device& d, const Words& words) { d.claims.block_log2 = block_sizes(words); }},
       {"rgb", flag(&Device::rgb)},
       {"stop_levels", flag(&Device::stop_levels)},
       {"stages", [](Device& d, const Words& words) { d.stages = stages(words); }},
@@ -109,6 +99,16 @@ const std::map<std::string, Reader>& readers() {
       {"bus_errors", flag(&Device::bus_errors)},
       {"section_checks", flag(&Device::section_checks)},
   };
+  for (const ClaimedLimit& limit : kClaimedLimits) {
+    readers["max_" + std::string(limit.name)] = [&limit](Device& d, const Words& words) {
+      d.claims.*limit.value = number(one_word(words), limit.least, limit.greatest);
+    };
+  }
+  return readers;
+}
+
+const std::map<std::string, Reader>& readers() {
+  static const std::map<std::string, Reader> kReaders = make_readers();
   return kReaders;
 }
 
@@ -120,42 +120,6 @@ std::string known_names() {
 
 // The line of each name.
 using Lines = std::map<std::string, int>;
-
-// A line that says what another rules out.
-struct Contradiction {
-  int line;
-  std::string what;
-};
-
-std::vector<Contradiction> contradictions(const Device& device, const Lines& lines) {
-  std::vector<Contradiction> found;
-  const auto check = [&](const char* name, bool wrong, const std::string& what) {
-    const auto line = lines.find(name);
-    if (line != lines.end() && wrong) found.push_back({line->second, what});
-  };
-  const std::string no_stages = "there are no stages: leave this line out, or name them in stages";
-  check("stage_records", !device.shows_stages(), no_stages);
-  check("held_chroma", device.held_chroma && !device.shows_stages(), no_stages);
-  check("held_chroma", device.held_chroma && !device.rgb,
-        "chroma is held for RGB alone: rgb is no");
-  check("held_chroma", device.held_chroma && !device.every_stage,
-        "stage_records some already allows for it: leave this line out");
-  if (!lines.contains("level")) return found;
-  const ConformanceLimits& most = kConformanceLimits[static_cast<size_t>(device.level)];
-  const std::pair<const char*, std::pair<int64_t, int64_t>> limits[] = {
-      {"max_rows", {device.max_rows, most.grid_side}},
-      {"max_cols", {device.max_cols, most.grid_side}},
-      {"max_width", {device.max_width, most.view_side}},
-      {"max_height", {device.max_height, most.view_side}},
-      {"max_depth", {device.max_depth, most.depth}},
-      {"max_tree_height", {device.max_tree_height, most.tree_height}}};
-  for (const auto& [name, values] : limits) {
-    check(name, values.first > values.second,
-          "level " + std::to_string(device.level) + " ends at " + std::to_string(values.second) +
-              " (LVL-1): lower this limit, or raise level");
-  }
-  return found;
-}
 
 std::string at(const std::string& file, int line, const std::string& what) {
   return file + ":" + std::to_string(line) + ": " + what + "\n";
@@ -199,37 +163,7 @@ tl::expected<Device, std::string> parse_device(const std::string& text, const st
                              "profile is missing: add \"profile main\" or \"profile "
                              "extended\""));
   }
-  for (const Contradiction& found : contradictions(device, lines)) {
-    return tl::unexpected(at(file, found.line, found.what));
-  }
   return device;
-}
-
-std::string beyond(const Device& device, const StreamHeader& header) {
-  if (header.profile == Profile::kExtended && device.profile == Profile::kMain) {
-    return "the stream's profile is extended, the device's main";
-  }
-  if (!device.block_sizes.contains(header.block_size())) {
-    return "the device has no blocks of " + std::to_string(header.block_size());
-  }
-  if (const int level = conformance_level(header); level > device.level) {
-    return "the stream's level is " + std::to_string(level) + ", the device's " +
-           std::to_string(device.level);
-  }
-  const std::tuple<const char*, int64_t, int64_t> limits[] = {
-      {"rows", header.rows, device.max_rows},
-      {"cols", header.cols, device.max_cols},
-      {"width", header.width, device.max_width},
-      {"height", header.height, device.max_height},
-      {"depth", header.depth, device.max_depth},
-      {"tree_height", header.tree_height, device.max_tree_height}};
-  for (const auto& [name, value, most] : limits) {
-    if (value > most) {
-      return std::string(name) + " is " + std::to_string(value) + ", the device's greatest " +
-             std::to_string(most);
-    }
-  }
-  return {};
 }
 
 }  // namespace hmlfc::lockstep

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <set>
 #include <string>
 
 #include <tl/expected.hpp>
 
-#include <hmlfc/format.hpp>
+#include "dut/claims.hpp"
 
 namespace hmlfc::lockstep {
 
@@ -19,15 +17,7 @@ inline constexpr std::array<const char*, 4> kStageNames{"residual", "reference",
 /// Defaults are those of a device that decodes everything and shows answers alone.
 struct Device {
   std::string name = "device";
-  Profile profile = Profile::kExtended;
-  int level = 3;  ///< conformance level (LVL-1)
-  std::set<int64_t> block_sizes{2, 4, 8};
-  int64_t max_rows = 4096;
-  int64_t max_cols = 4096;
-  int64_t max_width = 65536;
-  int64_t max_height = 65536;
-  int64_t max_depth = 12;
-  int64_t max_tree_height = 15;
+  Claims claims;
   bool rgb = true;               ///< takes requests for plane 3
   bool stop_levels = true;       ///< takes stop levels other than 0
   std::array<bool, 4> stages{};  ///< shows them
@@ -42,8 +32,5 @@ struct Device {
 
 /// Reads the lines "name value...". An error names file and line, and what to do.
 tl::expected<Device, std::string> parse_device(const std::string& text, const std::string& file);
-
-/// Why streams of this header are beyond the device, for people; empty where they are not.
-std::string beyond(const Device& device, const StreamHeader& header);
 
 }  // namespace hmlfc::lockstep

@@ -1,10 +1,8 @@
 #include "dut/expectation.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -37,87 +35,6 @@ class Records final : public TraceSink {
 
  private:
   ExpectedRecord next_;
-};
-
-constexpr uint64_t kGap = 64;  // bits between fields of one range
-
-// The fields that were read, walk by walk.
-class Reads final : public TraceSink {
- public:
-  explicit Reads(const BlockSite* only) : only_(only) {}
-
-  void on_field(const FieldRecord& field) override {
-    if (!wanted(field.site)) return;
-    if (walks_.empty() || !(walks_.back().site == field.site)) walks_.push_back({field.site, {}});
-    walks_.back().add({field.section, field.bit, field.bit + field.bits});
-  }
-
-  void on_stage(const StageRecord& stage) override {
-    if (stage.clause == "DEC-2" && wanted(stage.site)) walks_.push_back({stage.site, {}});
-  }
-
-  std::string text() const {
-    std::string lines;
-    for (const Walk& walk : walks_) {
-      lines += "    ";
-      lines += to_string(walk.site) + ", ";
-      if (walk.ranges.empty()) {
-        lines += "key image: a JPEG 2000 codestream in TOP";
-      } else {
-        lines += std::string(tile_kind_name(walk.site.tile)) + ":";
-      }
-      std::string_view section;
-      for (const Range& range : walk.ranges) {
-        const std::string_view name = section_name(range.section);
-        if (name != section) (lines += ' ') += name;
-        section = name;
-        lines += range_text(range);
-      }
-      lines += '\n';
-    }
-    return lines;
-  }
-
- private:
-  struct Range {
-    Section section;
-    uint64_t begin;  // bits from the start of the file
-    uint64_t end;
-  };
-  struct Walk {
-    BlockSite site;
-    std::vector<Range> ranges;
-
-    // Joins what is close together.
-    void add(const Range& more) {
-      for (Range& range : ranges) {
-        if (range.section != more.section || more.begin > range.end + kGap ||
-            more.end + kGap < range.begin) {
-          continue;
-        }
-        range.begin = std::min(range.begin, more.begin);
-        range.end = std::max(range.end, more.end);
-        return;
-      }
-      ranges.push_back(more);
-    }
-  };
-
-  bool wanted(const BlockSite& site) const {
-    return only_ == nullptr || site.level == only_->level;
-  }
-
-  static std::string range_text(const Range& range) {
-    char text[64];
-    std::snprintf(text, sizeof(text), " 0x%06llx.%u+%llu",
-                  static_cast<unsigned long long>(range.begin >> 3),
-                  static_cast<unsigned>(range.begin & 7),
-                  static_cast<unsigned long long>(range.end - range.begin));
-    return text;
-  }
-
-  const BlockSite* only_;
-  std::vector<Walk> walks_;
 };
 
 }  // namespace
@@ -220,20 +137,6 @@ void Model::fill_rgb(const Request& r, Expectation& expected) const {
       }
     }
   }
-}
-
-std::string Model::reads(const Request& request, const BlockSite* site) const {
-  if (status_ != 0) return {};
-  std::string text;
-  for (const BlockAddress& block : blocks(request)) {
-    if (site != nullptr && site->plane != block.plane) continue;
-    Reads sink(site);
-    const auto samples =
-        decoder_->decode_block(block, {.stop_level = request.stop_level, .trace = &sink});
-    text += sink.text();
-    if (!samples) text += "    error: " + hmlfc::to_string(samples.error()) + "\n";
-  }
-  return text;
 }
 
 }  // namespace hmlfc::lockstep

@@ -1,4 +1,4 @@
-// What the golden model says of a request: status, samples, stages, and what of the stream it read.
+// What the golden model says of a request: status, samples, stages.
 #pragma once
 
 #include <array>
@@ -78,10 +78,6 @@ class Model {
 
   /// With `records`, those of all stages.
   Expectation expect(const Request& request, bool records) const;
-
-  /// For people, in lines: what is read of the stream for the request; with `site` only for the
-  /// block of its plane at its level.
-  std::string reads(const Request& request, const BlockSite* site) const;
 
  private:
   Expectation plane_block(const Request& request, const BlockAddress& block, bool records) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <hmlfc/stream_info.hpp>
+
 namespace hmlfc::lockstep {
 
 Lockstep::Lockstep(std::unique_ptr<Model> model, Device device, std::string stream,
@@ -16,7 +18,9 @@ Lockstep::Lockstep(std::unique_ptr<Model> model, Device device, std::string stre
             status_text(model_->status()) + "\n";
     return;
   }
-  stream_skipped_ = beyond(device_, model_->header());
+  const StreamHeader& header = model_->header();
+  stream_skipped_ =
+      beyond(device_.claims, header.profile, conformance_level(header), &header).value_or("");
   if (stream_skipped_.empty() && model_->header().block_log2 != block_log2) {
     stream_skipped_ = "the stream has blocks of " + std::to_string(model_->header().block_size()) +
                       ", hmlfc_checker is for " + std::to_string(1 << block_log2);

@@ -10,17 +10,6 @@ namespace {
 
 constexpr std::array<const char*, 4> kPlaneNames{"Y", "Co", "Cg", "RGB"};
 constexpr int64_t kWaveMargin = 16;  // clocks on both sides of request and difference
-constexpr size_t kMostLines = 40;    // of what was read
-
-// The first lines of `text`.
-std::string first_lines(const std::string& text) {
-  size_t end = 0;
-  for (size_t line = 0; line < kMostLines && end != std::string::npos; ++line) {
-    end = text.find('\n', end);
-    if (end != std::string::npos) ++end;
-  }
-  return end >= text.size() ? text : text.substr(0, end) + "    ...\n";
-}
 
 template <class Counts>
 void show(std::ostream& out, const char* title, const Counts& counts) {
@@ -59,20 +48,19 @@ void Lockstep::report(int64_t clock, const Pending* pending, const Difference& d
   text_ += out.str();
 }
 
-// What of the stream the values come from; without `site` for all that the answer needs.
+// The command that shows the block of `site`, or else of the request, with all fields and stages.
 std::string Lockstep::origin(const Pending& pending, const BlockSite* site) const {
   const Request& r = pending.request;
-  if (pending.expected.status == static_cast<int>(ErrorCode::kBadRequest)) return {};
-  const std::string reads = model_->reads(r, site);
-  if (reads.empty()) return {};
+  if (model_->status() != 0 ||
+      pending.expected.status == static_cast<int>(ErrorCode::kBadRequest)) {
+    return {};
+  }
   BlockSite block;
   block.plane = r.plane == kRgb ? Plane::kY : static_cast<Plane>(r.plane);
   block.bx = static_cast<uint32_t>(r.block_x);
   block.by = static_cast<uint32_t>(r.block_y);
   if (site == nullptr) site = &block;
   std::ostringstream out;
-  out << "  read from  (section byte.bit+bits, gaps below 8 bytes included)\n"
-      << first_lines(reads);
   out << "  more       hmlfc inspect " << stream_ << " --view " << r.row << "," << r.col
       << " --plane " << plane_name(site->plane) << " --block " << site->bx << "," << site->by
       << "\n";

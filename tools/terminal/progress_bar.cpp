@@ -22,13 +22,14 @@ std::string clock_time(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-}  // namespace
-
-size_t columns(int file) {
+// Of the terminal at standard error; 100 if it is none.
+size_t columns() {
   winsize size{};
-  const bool known = ::ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return known ? size.ws_col : 100;
 }
+
+}  // namespace
 
 ProgressBar::ProgressBar(std::string label, std::string unit, OffTerminal off_terminal)
     : label_(std::move(label)),
@@ -71,7 +72,7 @@ std::string ProgressBar::line(double seconds, uint64_t done, uint64_t total) con
 }
 
 void ProgressBar::draw(const std::string& text) {
-  std::fputs(("\r\033[K" + text.substr(0, columns(STDERR_FILENO) - 1)).c_str(), stderr);
+  std::fputs(("\r\033[K" + text.substr(0, columns() - 1)).c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -9,9 +9,6 @@
 
 namespace hmlfc::terminal {
 
-/// The width of the terminal behind a file descriptor; 100 if it is none.
-size_t columns(int file);
-
 /// What a ProgressBar does where standard error is no terminal.
 enum class OffTerminal : uint8_t {
   kSilent,

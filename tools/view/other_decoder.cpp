@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 #include "cli/output.hpp"
-#include "conform/judge.hpp"
-#include "conform/output_views.hpp"
 #include "conform/stage_trace.hpp"
 #include "conform/view_assembly.hpp"
 #include "io/files.hpp"
@@ -73,36 +71,22 @@ void OtherDecoder::copy_stream() {
   file_ = path;
 }
 
-// The process, with the stream open. Throws LineFailure, and std::string where it refuses the
-// stream.
-conform::LineDecoder& OtherDecoder::line() {
-  if (line_ == nullptr) {
-    auto started = std::make_unique<conform::LineDecoder>(dut_.command, limits_);
+// The decoder, with the stream open. Throws DutFailure, and Failure where it refuses the stream.
+conform::RunningDut& OtherDecoder::running() {
+  if (running_ == nullptr) {
+    const auto output = folder_.path() / "views";
+    std::filesystem::remove_all(output);
+    std::filesystem::create_directory(output);
+    auto started = conform::start(dut_, limits_, output);
     const auto geometry = started->open(file_);
     if (!geometry) throw Failure(ExitCode::kCorrupt, geometry.error());
     if (const auto wrong = conform::wrong_geometry(golden_.header(), *geometry)) {
       throw Failure(ExitCode::kCorrupt, *wrong);
     }
-    line_ = std::move(started);
+    running_ = std::move(started);
   }
-  line_->allow(limits_.seconds);
-  return *line_;
-}
-
-// The views that a command line writes.
-const std::vector<RgbImage>& OtherDecoder::output() {
-  if (output_) return *output_;
-  const conform::WorkFolder folder(folder_.path() / "views");
-  if (folder.error()) throw Failure(ExitCode::kCorrupt, folder.error().message());
-  const conform::Places places{{"input", file_.string()}, {"output", folder.path().string()}};
-  const auto outcome = conform::run_process(conform::fill_in(dut_.command, places), limits_);
-  if (outcome.end != conform::ProcessEnd::kExit || outcome.value != 0) {
-    throw Failure(ExitCode::kCorrupt, to_string(outcome) + conform::last_words(outcome.messages));
-  }
-  output_ = cli::value_or_throw(
-      conform::read_output_views(folder.path(), cli::shape_of(golden_.header())),
-      ExitCode::kCorrupt);
-  return *output_;
+  running_->allow(limits_.seconds);
+  return *running_;
 }
 
 // The answer to a question; a decoder that does not answer ends, and is named.
@@ -112,11 +96,11 @@ auto OtherDecoder::asked(const std::string& what, const Question& question) {
   copy_stream();
   try {
     return question();
-  } catch (const conform::LineFailure& failed) {
-    line_.reset();
+  } catch (const conform::DutFailure& failed) {
+    running_.reset();
     throw failure_of(name(), what, failed.reason);
   } catch (const std::system_error& error) {
-    line_.reset();
+    running_.reset();
     throw failure_of(name(), what, error.what());
   } catch (const Failure& failure) {
     throw failure_of(name(), what, failure.what());
@@ -124,13 +108,7 @@ auto OtherDecoder::asked(const std::string& what, const Question& question) {
 }
 
 RgbImage OtherDecoder::ask_for_view(ViewPos view) {
-  if (dut_.lines == nullptr) return output()[size_t{view.row} * golden_.header().cols + view.col];
-  conform::LineDecoder& decoder = line();
-  auto image = decoder.views() && !dut_.by_block
-                   ? decoder.view(view)
-                   : conform::assemble_view(golden_, view, [&decoder](const BlockAddress& block) {
-                       return decoder.block(block, 0);
-                     });
+  auto image = conform::view_of(running(), dut_.by_block, golden_, view);
   if (!image) throw Failure(ExitCode::kCorrupt, image.error());
   return std::move(*image);
 }
@@ -154,20 +132,14 @@ std::vector<vectors::RecordedStage> OtherDecoder::stages(const BlockAddress& blo
   const std::string what =
       fmt::format("block {},{} of view {},{}", block.bx, block.by, block.view.row, block.view.col);
   return asked(what, [&]() -> std::vector<vectors::RecordedStage> {
-    if (dut_.lines == nullptr) {
-      if (dut_.trace.empty() || stop_level != 0) return {};
-      const auto text = conform::trace_by_command(dut_, file_, block, limits_);
-      if (!text) throw Failure(ExitCode::kCorrupt, text.error());
-      return conform::parse_stages(*text);
-    }
-    conform::LineDecoder& decoder = line();
-    if (stop_level != 0 && !decoder.levels()) return {};
-    if (decoder.traces()) {
+    conform::RunningDut& decoder = running();
+    if (stop_level != 0 && !decoder.can().levels) return {};
+    if (decoder.can().traces) {
       const auto text = decoder.trace(block, stop_level);
       if (!text) throw Failure(ExitCode::kCorrupt, text.error());
       return conform::parse_stages(*text);
     }
-    if (!decoder.blocks()) return {};
+    if (!decoder.can().blocks) return {};
     auto samples = decoder.block(block, stop_level);
     if (!samples) throw Failure(ExitCode::kCorrupt, samples.error());
     return {{site_of(golden_.header(), block, stop_level), "sample", "", std::move(*samples)}};

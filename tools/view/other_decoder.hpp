@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +13,8 @@
 
 #include "cli/view_source.hpp"
 #include "conform/dut.hpp"
-#include "conform/line_decoder.hpp"
 #include "conform/process.hpp"
+#include "conform/running_dut.hpp"
 #include "conform/work_folder.hpp"
 #include "vectors/expected.hpp"
 
@@ -58,8 +57,7 @@ class OtherDecoder {
 
   void copy_stream();
   RgbImage ask_for_view(ViewPos view);
-  conform::LineDecoder& line();
-  const std::vector<RgbImage>& output();
+  conform::RunningDut& running();
   template <class Question>
   auto asked(const std::string& what, const Question& question);
 
@@ -69,11 +67,10 @@ class OtherDecoder {
   const Decoder& golden_;  // of stream_
   std::atomic<bool> ended_ = false;
   std::mutex mutex_;
-  conform::WorkFolder folder_;                  // for the copy and what a command line writes
-  std::filesystem::path file_;                  // absolute; empty until there is a copy
-  std::unique_ptr<conform::LineDecoder> line_;  // with the stream open
-  std::optional<std::vector<RgbImage>> output_;
-  std::deque<Kept> kept_;  // the views asked for last
+  conform::WorkFolder folder_;                    // for the copy and what a command line writes
+  std::filesystem::path file_;                    // absolute; empty until there is a copy
+  std::unique_ptr<conform::RunningDut> running_;  // with the stream open
+  std::deque<Kept> kept_;                         // the views asked for last
 };
 
 }  // namespace hmlfc::view
