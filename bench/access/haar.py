@@ -113,26 +113,6 @@ class Reader:
         children = [sum((v >> bit & 1) << (3 - axis) for axis, v in enumerate((row, col, y, x))) for bit in (2, 1, 0)]
         return rgb([self._value(3 * cube + channel, children) * STEPS[channel] * self.step for channel in range(3)])
 
-    def coefficients(self):
-        """All coefficients, as quantised() gives them."""
-        count = 3 * int(np.prod(self.counts))
-        means = np.zeros(count, np.int64)
-        details = [np.zeros((count, *[16] * level, 15), np.int64) for level in range(3)]
-
-        def fill(begin, at, place):
-            coded, pointers = self._node(begin, at, len(place) == 3)
-            details[len(place) - 1][place] = coded
-            for child, pointer in pointers.items():
-                fill(begin, pointer, (*place, child))
-
-        for cube in range(count):
-            begin, means[cube] = self._record(cube)
-            fill(begin, 4, (cube,))
-        return [means, *details]
-
-    def views(self):
-        return views_of(self.coefficients(), self.shape, self.step)
-
     def _value(self, cube, children):
         begin, value = self._record(cube)
         at = 4

@@ -1,17 +1,14 @@
 """The methods of the access bench: each encodes a light field at a PSNR and tells what regions of it cost."""
 
-import json
-import subprocess
 import time
-from dataclasses import dataclass, field as member
+from dataclasses import dataclass
 
 import coders
 import haar
 import vq
-from light_field import load, squared_error
-from process import BenchError, run, run_measured
-from regions import Cost, means, pairs, pixels, whole_pictures
-from regions import regions as regions_of
+from light_field import squared_error
+from process import BenchError, bench_json, hmlfc_json
+from regions import Cost, means, pairs, pixels, regions, whole_pictures
 
 NEAR = 0.05  # dB above the target that are near enough
 AS_VQ = "extended-as-vq"  # at the PSNR that vector quantisation reaches
@@ -20,23 +17,22 @@ CRF = [half / 2 for half in range(90, 8, -1)]
 PARAMETERS = {  # in order of rising PSNR
     "jpeg": range(5, 97), "jpeg2000": [2 * 1.05**step for step in range(100, -1, -1)], "x265-intra": CRF, "x265-inter": CRF,
 }
-JPEG_444 = {"format": "JPEG", "optimize": True, "subsampling": 0}
 
 
 @dataclass
 class Result:
     """bytes of the file, its PSNR over RGB in dB, CPU seconds of all threads (decode: None where nothing is timed), and
-    of each region the costs [cold, warm]."""
+    costs, of each region the costs [cold, warm]."""
 
     bytes: int
     psnr: float
     encode: float
     decode: float | None
-    regions: dict = member(default_factory=dict)
+    costs: dict
 
 
 def search(encode, parameters, target):
-    """(encode(p), p) for the first of `parameters`, which are in order of rising PSNR, that reaches `target` dB; the last
+    """(p, encode(p)) for the first of `parameters`, which are in order of rising PSNR, that reaches `target` dB; the last
     one if none does. encode: gives a tuple that begins with the PSNR."""
     low, high = 0, len(parameters) - 1
     found = None
@@ -44,94 +40,74 @@ def search(encode, parameters, target):
         middle = (low + high) // 2
         got = encode(parameters[middle])
         if got[0] >= target:
-            found, high = (got, parameters[middle]), middle - 1
+            found, high = (parameters[middle], *got), middle - 1
             if got[0] < target + NEAR:
                 break
         else:
             low = middle + 1
-    return found or (encode(parameters[-1]), parameters[-1])
+    return found or (parameters[-1], *encode(parameters[-1]))
 
 
-def hmlfc(name, field, target, options, work):
+def hmlfc(name, field, target, work):
     """HMLFC in both profiles, and RLFC and MC, made from the tools of profile main."""
-    stream = work / f"{name}.hmlfc"
     coding = ["--profile", "main", "--method", "hmlfc" if name == "main" else name] if name in MAIN else []
-    best, refusal = None, None
+    found, refusal = [], None
     for chroma in ("420", "444") if name in MAIN else (None,):
-        arguments = [*coding, *(["--chroma", chroma] if chroma else [])]
-        command = [options.hmlfc, "encode", field.folder, "-o", stream, "--no-rig", "--json", *arguments]
+        stream = work / f"{name}-{chroma}.hmlfc"
+        arguments = [*coding, *(["--chroma", chroma] if chroma else []), "--target-psnr", target]
         try:
-            report = json.loads(run([*command, "--target-psnr", target])[0])
+            report = hmlfc_json("encode", field.folder, "-o", stream, "--no-rig", *arguments)
         except BenchError as error:  # chroma of half size limits the PSNR
             refusal = error
-            continue
-        if best is None or report["bytes"] < best[0]["bytes"]:
-            best = report, stream.read_bytes()
-    if best is None:
+        else:
+            found.append((report["bytes"], report, stream))
+    if not found:
         raise refusal
-    report, content = best
-    stream.write_bytes(content)
-    requests = regions_of(field)
+    size, report, stream = min(found, key=lambda made: made[0])
+    asked = regions(field)
     lines = "\n\n".join("\n".join(" ".join(str(n) for rect in request for n in rect) for request in both)
-                        for asked in requests.values() for both in asked)
-    done = subprocess.run([options.bench, stream], input=lines, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise BenchError(done.stderr.strip())
-    told = json.loads(done.stdout)
+                        for places in asked.values() for both in places)
+    told = bench_json("requests", stream, given=lines)
     costs = iter([Cost(**cost) for cost in told["requests"]])
-    return Result(len(content), report["psnr_rgb"], report["cpu_seconds"], told["decode_seconds"],
-                  {region: means([(next(costs), next(costs)) for _ in asked]) for region, asked in requests.items()})
+    return Result(size, float(report["psnr_rgb"]), report["cpu_seconds"], told["decode_seconds"],
+                  {region: means([(next(costs), next(costs)) for _ in places]) for region, places in asked.items()})
 
 
-def pictures(name, field, target, options, work):
-    """The codecs of the rate-distortion bench that code whole pictures: alone, or as a video. JPEG also gets 4:4:4."""
-    parameters, encode = PARAMETERS[name], coders.make(name, field, None, options, work)
+def pictures(name, field, target, work):
+    """Codecs that code whole pictures: alone, or as a video. Of JPEG the better one of 4:2:0 and 4:4:4."""
+    found = []
+    for codec in ("jpeg", "jpeg-444") if name == "jpeg" else (name,):
+        encode = coders.make(codec, field, None, work)
 
-    def one(parameter):
-        _, size, psnr, seconds = encode(parameter)
-        return psnr, size, seconds, encode.picture_bytes
+        def one(value, encode=encode):
+            made = encode(value)
+            return made.psnr, made
 
-    (psnr, size, seconds, picture_bytes), _ = search(one, parameters, target)
-    if name == "jpeg":
-        encode = coders.pictures("quality", lambda quality: {**JPEG_444, "quality": quality}, field)
-        full, _ = search(one, parameters, target)
-        if full[0] >= target and (psnr < target or full[1] < size):
-            psnr, size, seconds, picture_bytes = full
+        _, psnr, made = search(one, PARAMETERS[name], target)
+        found.append((psnr < target, made.bytes, made))
+    made = min(found, key=lambda entry: entry[:2])[2]
     order = field.serpentine() if name.startswith("x265") else list(range(field.rows * field.cols))
-    costs = pairs(field, lambda: whole_pictures(field, picture_bytes, order, name != "x265-inter"))
-    return Result(size, psnr, seconds, None, costs)
+    costs = pairs(field, lambda: whole_pictures(field, made.picture_bytes, order, name != "x265-inter"))
+    return Result(made.bytes, made.psnr, made.encode_seconds, None, costs)
 
 
-def grid_of(field):
-    return field.views.reshape(field.rows, field.cols, *field.views.shape[1:])
-
-
-def measured(field, encode, parameters, target, views):
-    """(file, PSNR, CPU s of the encoding, CPU s of the decoding) of the parameter that search() finds. views(file): uint8
-    views."""
-
-    def one(parameter):
-        began = time.process_time()
-        file = encode(parameter)
-        middle = time.process_time()
-        decoded = views(file)
-        end = time.process_time()
-        return field.psnr(squared_error(grid_of(field), decoded)), file, middle - began, end - middle
-
-    (psnr, file, encoding, decoding), _ = search(one, parameters, target)
-    return file, psnr, encoding, decoding
-
-
-def quantisation(_, field, target, options, __):
+def quantisation(_, field, target, __):
     """Vector quantisation: cold, the whole file is read and its entropy coding undone; warm, the file is not read."""
     words = [2**bits for bits in range(4, 12)]
 
     def coded(tile, parameters):
-        return measured(field, lambda count: vq.encode(grid_of(field), tile, count), parameters, target,
-                        lambda file: vq.Layer(file).views())
+        def one(count):
+            begin = time.process_time()
+            file = vq.encode(field.grid, tile, count)
+            middle = time.process_time()
+            views = vq.Layer(file).views()
+            end = time.process_time()
+            return field.psnr(squared_error(field.grid, views)), file, middle - begin, end - middle
+
+        return search(one, parameters, target)
 
     large = coded(vq.TILES[0], words[-1:])
-    file, psnr, *seconds = coded(vq.TILES[large[1] < target], words)
+    _, psnr, file, encoding, decoding = coded(vq.TILES[large[1] < target], words)
     layer = vq.Layer(file)
 
     def open_client():
@@ -143,20 +119,21 @@ def quantisation(_, field, target, options, __):
 
         return request
 
-    return Result(len(file), psnr, *seconds, pairs(field, open_client))
+    return Result(len(file), psnr, encoding, decoding, pairs(field, open_client))
 
 
-def wavelet(_, field, target, __, ___):
+def wavelet(_, field, target, __):
     """The 4D Haar wavelet. What was read is kept; a node takes 15 details of two bytes in memory."""
     steps = [round(4095 / 1.06**i) for i in range(108) if 4095 / 1.06**i >= haar.LEAST_STEP]
-    views = grid_of(field)
 
     def psnr_of(step):
-        return (field.psnr(squared_error(views, haar.views_of(haar.quantised(views, step), views.shape[:4], step))),)
+        views = haar.views_of(haar.quantised(field.grid, step), field.grid.shape[:4], step)
+        return (field.psnr(squared_error(field.grid, views)),)
 
-    _, step = search(psnr_of, steps, target)
-    file, psnr, *seconds = measured(field, lambda step: haar.encode(views, step), [step], target,
-                                    lambda file: haar.Reader(file).views())
+    step, psnr = search(psnr_of, steps, target)
+    begin = time.process_time()
+    file = haar.encode(field.grid, step)
+    encoding = time.process_time() - begin
 
     def open_client():
         reader = haar.Reader(file)
@@ -169,35 +146,13 @@ def wavelet(_, field, target, __, ___):
 
         return request
 
-    return Result(len(file), psnr, *seconds, pairs(field, open_client))
+    return Result(len(file), psnr, encoding, None, pairs(field, open_client))
 
 
-def pleno(_, field, target, options, work):
-    """A program of the user around the reference software of JPEG Pleno, whose options differ by version. Called as
-    PROGRAM VIEWS STREAM DECODED LAMBDA: encodes the folder VIEWS of 8-bit CCC_RRR.ppm to the file STREAM with this Lagrange
-    multiplier, and decodes it to files of the same names in the folder DECODED."""
-    views, stream, decoded, back = (work / name for name in ("pleno", "views.jpl", "pleno-decoded", "pleno-back"))
-    run([options.hmlfc, "convert", field.folder, views, "--to", "pleno"])
-
-    def one(multiplier):
-        decoded.mkdir(exist_ok=True)
-        _, cost = run_measured([options.pleno, views, stream, decoded, multiplier])
-        if not stream.is_file():
-            raise BenchError(f"{options.pleno} wrote no file {stream.name}")
-        run([options.hmlfc, "convert", decoded, back, "--from", "pleno"])
-        error = sum(map(squared_error, field.views, load("decoded", back).views))
-        for folder in (decoded, back):
-            for path in folder.iterdir():
-                path.unlink()
-        return field.psnr(error), stream.stat().st_size, cost.cpu_seconds
-
-    (psnr, size, seconds), _ = search(one, [2**bits for bits in range(24, -1, -1)], target)
-    return Result(size, psnr, seconds, None, {})
-
-
-METHODS = {
-    "extended": hmlfc, "main": hmlfc, "rlfc": hmlfc, "mc": hmlfc,
-    "vq": quantisation, AS_VQ: hmlfc, "haar": wavelet,
-    "x265-intra": pictures, "x265-inter": pictures, "jpeg": pictures, "jpeg2000": pictures,
-    "pleno": pleno,
+METHODS = {  # name: (what tables call it, the function)
+    "extended": ("HMLFC extended", hmlfc), "main": ("HMLFC main", hmlfc), "rlfc": ("RLFC", hmlfc), "mc": ("MC", hmlfc),
+    "vq": ("vector quantisation", quantisation), AS_VQ: ("HMLFC extended, at that PSNR", hmlfc),
+    "haar": ("4D Haar wavelet", wavelet), "x265-intra": ("x265 all-intra", pictures),
+    "x265-inter": ("x265 inter", pictures), "jpeg": ("JPEG of each view", pictures),
+    "jpeg2000": ("JPEG 2000 of each view", pictures),
 }

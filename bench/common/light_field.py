@@ -1,18 +1,51 @@
-"""Light fields for benchmarks: folders of 8-bit RGB views, PSNR and rates."""
+"""The light fields that benchmarks measure: folders of 8-bit RGB views, PSNR and rates."""
 
 import math
+import os
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from PIL import Image, UnidentifiedImageError
 
-from process import BUILT, BenchError
+from process import BUILD, ROOT, BenchError, hmlfc
 
-sys.path.append(str(BUILT / "tools" / "python"))
 
-import hmlfc  # noqa: E402
+@dataclass
+class Source:
+    """A light field on disk. at: PSNR in dB to compare at; chroma: of profile main."""
+
+    name: str
+    folder: Path
+    at: float = 38.0
+    chroma: str = "444"
+
+
+REAL = (
+    Source("chess", Path("stanford-chess-16x16-700x400"), 39.0, "420"),
+    Source("antinous", Path("hci-antinous-9x9-512x512"), 39.5, "420"),
+    Source("knights", Path("stanford-legoknights-17x17-256x256-jpeg"), 36.5),
+    Source("toylf", Path("toylf-16x16-320x240"), 36.0),
+)
+
+
+def real_sources(skip):
+    """Those of REAL whose folders exist; calls skip(text) for the others."""
+    data = Path(os.environ.get("HMLFC_DATA_DIR") or ROOT.parent / "shared" / "data")
+    for source in REAL:
+        if (data / source.folder).is_dir():
+            yield replace(source, folder=data / source.folder)
+        else:
+            skip(f"skipped: {source.name}: no folder {source.folder} (HMLFC_DATA_DIR names where it is)")
+
+
+def scene(work, name, grid, size, *options):
+    """The folder of the views of a built-in scene, rendered into the folder `work` unless it is there. grid, size:
+    such as "9x9" views of "96x64" pixels; options: of `hmlfc synth`."""
+    folder = work / "-".join([name, grid, size, *(str(option) for option in options if "/" not in str(option))])
+    if not folder.exists():
+        hmlfc("synth", "--scene", name, "--grid", grid, "--size", size, "-o", folder, *options)
+    return folder
 
 
 @dataclass
@@ -38,57 +71,58 @@ class LightField:
         """Pixels of all views."""
         return self.rows * self.cols * self.width * self.height
 
+    @property
+    def grid(self):
+        """The views as [row, col, y, x, RGB]."""
+        return self.views.reshape(self.rows, self.cols, *self.views.shape[1:])
+
     def serpentine(self):
         """View numbers in video order: each second row backwards, so that neighbours follow."""
         grid = np.arange(self.rows * self.cols).reshape(self.rows, self.cols)
         grid[1::2] = grid[1::2, ::-1].copy()
         return [int(view) for view in grid.ravel()]
 
-    def bpp(self, size):
-        """Bits a pixel of `size` bytes."""
-        return 8.0 * size / self.pixels
-
     def psnr(self, squared_error):
         """PSNR in dB of a sum of squared errors over all views and the three channels."""
-        if squared_error == 0:
-            return math.inf
-        return 10.0 * math.log10(255.0**2 * 3 * self.pixels / squared_error)
+        return psnr_of_mse(squared_error / (3 * self.pixels))
+
+
+def package():
+    """The package for Python of the build."""
+    sys.path.append(str(BUILD / "tools" / "python"))
+    import hmlfc as module
+
+    return module
+
+
+def load(name, folder):
+    """The LightField of a folder, whose file names give the positions of its views."""
+    try:
+        views = package().read_views(folder)
+    except OSError as error:
+        raise BenchError(str(error)) from error
+    if views.depth != 8:
+        raise BenchError(f"{folder}: {views.depth} bits a sample; this bench takes 8")
+    rows, cols, *shape = views.pixels.shape
+    return LightField(name, Path(folder), rows, cols, views.pixels.reshape(rows * cols, *shape))
+
+
+def open_stream(path):
+    """The decoder of a stream: [row, col] gives a view as uint8 [y, x, RGB]."""
+    return package().open(str(path))
 
 
 def squared_error(view, decoded):
-    """Sum over pixels and channels of the squared differences of two uint8 views."""
+    """Sum over all samples of the squared differences of uint8 pictures of one shape."""
     if view.shape != decoded.shape:
         raise BenchError(f"a decoded view is {decoded.shape}, the source {view.shape}")
     difference = view.astype(np.int32) - decoded
     return int(np.sum(difference * difference, dtype=np.int64))
 
 
-def read_views(folder):
-    """The views of a folder, whose file names give their positions: uint8 [row, col, y, x, RGB]."""
-    try:
-        views = hmlfc.read_views(folder)
-    except OSError as error:
-        raise BenchError(str(error)) from error
-    if views.depth != 8:
-        raise BenchError(f"{folder}: {views.depth} bits a sample; this bench takes 8")
-    return views.pixels
-
-
-def load(name, folder):
-    views = read_views(folder)
-    rows, cols = views.shape[:2]
-    return LightField(name, Path(folder), rows, cols, views.reshape(rows * cols, *views.shape[2:]))
-
-
-def read_view(path):
-    """One 8-bit RGB picture as uint8 [y, x, RGB]."""
-    try:
-        with Image.open(path) as image:
-            if image.mode != "RGB":
-                raise BenchError(f"{path} is {image.mode}; this bench takes 8-bit RGB views only")
-            return np.asarray(image)
-    except (UnidentifiedImageError, OSError) as error:
-        raise BenchError(f"{path}: {error}") from error
+def psnr_of_mse(mse):
+    """dB of a mean squared error of 8-bit samples."""
+    return math.inf if mse <= 0 else 10 * math.log10(255**2 / mse)
 
 
 def bpp_at(curve, psnr):

@@ -7,42 +7,15 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from sources import ROOT
-
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("HMLFC_BUILD") or ROOT / "build" / "release")
+HMLFC = BUILD / "tools" / "hmlfc"
+BENCH = BUILD / "bench" / "hmlfc_measure"
 LAUNCHER = Path(__file__).with_name("launch.py")
-BUILT = ROOT / "build" / "release"
-HMLFC = BUILT / "tools" / "hmlfc"
 
 
 class BenchError(Exception):
     """Something the caller can put right; the text says what."""
-
-
-def built(name):
-    """The path of a program of bench/ in the build of ./run."""
-    return BUILT / "bench" / name
-
-
-def require(bench, *programs):
-    """Raises BenchError where one of the programs is not there."""
-    for program in programs:
-        if not program.is_file():
-            raise BenchError(f"no program {program}: ./run bench {bench} builds it")
-
-
-def say(text):
-    """A message, in place of the progress on a terminal."""
-    clear = "\r\033[K" if sys.stderr.isatty() else ""
-    print(f"{clear}{text}", file=sys.stderr, flush=True)
-
-
-def run_main(bench, main):
-    """Ends the process with the exit status of main(), or with a message and 2 where it raises BenchError."""
-    try:
-        sys.exit(main())
-    except BenchError as error:
-        say(f"{bench}: {error}")
-        sys.exit(2)
 
 
 @dataclass
@@ -53,20 +26,30 @@ class Cost:
     peak_bytes: int
 
 
-def run(command):
-    """Runs a command to its end. Returns (its stdout, CPU seconds it took on all threads)."""
-    said, cost = run_measured(command)
-    return said, cost.cpu_seconds
+def say(text):
+    """A message on stderr: progress, or what went wrong."""
+    print(text, file=sys.stderr, flush=True)
 
 
-def run_measured(command):
-    """Runs a command to its end. Returns (its stdout, its Cost)."""
+def run_main(name, main):
+    """Ends the process with the exit status of main(), or with a message and 2 where it raises BenchError."""
+    try:
+        sys.exit(main())
+    except BenchError as error:
+        say(f"{name}: {error}")
+        sys.exit(2)
+
+
+def run_measured(command, given=None):
+    """Runs a command to its end. given: text for its stdin. Returns (its stdout, its Cost)."""
     command = [str(part) for part in command]
+    if not Path(command[0]).is_file() and "/" in command[0]:
+        raise BenchError(f"no program {command[0]}: ./run bench builds it")
     reading, writing = os.pipe()
     with open(reading, encoding="utf-8") as report:
         launcher = [sys.executable, "-S", "-E", str(LAUNCHER), str(writing)]
         done = subprocess.run(
-            [*launcher, *command], capture_output=True, text=True, check=False, pass_fds=[writing]
+            [*launcher, *command], input=given, capture_output=True, text=True, check=False, pass_fds=[writing]
         )
         os.close(writing)
         cost = report.read()
@@ -74,6 +57,21 @@ def run_measured(command):
         lines = done.stderr.strip().splitlines() or [f"exit status {done.returncode}"]
         raise BenchError(f"{' '.join(command)}: {lines[-1]}")
     return done.stdout, Cost(**json.loads(cost))
+
+
+def hmlfc(*arguments):
+    """What `hmlfc` says, as a text."""
+    return run_measured([HMLFC, *arguments])[0]
+
+
+def hmlfc_json(*arguments):
+    """What `hmlfc ... --json` says."""
+    return json.loads(hmlfc(*arguments, "--json"))
+
+
+def bench_json(*arguments, given=None):
+    """What a subcommand of hmlfc_measure measures. given: text for its stdin."""
+    return json.loads(run_measured([BENCH, *arguments], given)[0])
 
 
 def machine():

@@ -1,21 +1,11 @@
 """Files of docs/results: tables that a program makes from recorded data."""
 
-import json
 import sys
 from pathlib import Path
 
-from process import BenchError
-from sources import ROOT
+from process import ROOT
 
 RESULTS = ROOT / "docs" / "results"
-
-
-def read(path):
-    """The results that a bench recorded."""
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise BenchError(f"{path}: {error}") from error
 
 
 def table(head, rows):
@@ -41,20 +31,6 @@ def add_arguments(parser):
     add("--results", type=Path, default=RESULTS, metavar="FOLDER", help="default docs/results")
 
 
-def add_bench_arguments(parser, name, quick):
-    """Options of a benchmark with a recorded run, bench/NAME/recorded.json. quick: what --quick does."""
-    add = parser.add_argument
-    add("--quick", action="store_true", help=quick)
-    add("--record", action="store_true",
-        help="take the results into the recorded run, in place of comparing with it")
-    add("--json", action="store_true", help="print the results as JSON")
-    add("-o", "--output", type=Path, default=ROOT / "out" / name, metavar="FOLDER",
-        help=f"default out/{name}")
-    add("--recorded", type=Path, default=ROOT / "bench" / name / "recorded.json", metavar="FILE",
-        help=f"default bench/{name}/recorded.json")
-    add_arguments(parser)
-
-
 def settle(path, text, update):
     """Writes the file, or compares it. Returns the exit status."""
     if update:
@@ -64,9 +40,3 @@ def settle(path, text, update):
         print(f"{path} does not hold the recorded tables; --update writes them", file=sys.stderr)
         return 1
     return 0
-
-
-def settle_bench(options, name, title, tables):
-    """settle() for the recorded tables of bench/NAME."""
-    text = result_text(title, f"./run bench {name} --update", tables)
-    return settle(options.results / f"{name}.md", text, options.update)

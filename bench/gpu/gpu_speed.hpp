@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <hmlfc/gpu/decoder.hpp>
+#include <nlohmann/json.hpp>
 
-#include "gpu/host_cost.hpp"
+#include <hmlfc/gpu/renderer.hpp>
 
 namespace hmlfc::bench {
 
@@ -18,48 +18,24 @@ struct GpuPlan {
   double seconds = 2;                         ///< of each measurement, at least
 };
 
-/// Views decoded to RGB, a call each.
-struct DecodeSpeed {
-  uint64_t views = 0;
-  uint64_t pixels = 0;                   ///< in them
-  double seconds = 0;                    ///< from the calls to the pixels on the host
-  std::vector<gpu::StageTime> stages{};  ///< on the device; empty where it has no timestamps
-};
-
-/// Frames that stay on the device, as many under way as may be.
-struct FrameSpeed {
-  std::string held;                      ///< row of kHeld
-  uint64_t frames = 0;                   ///< measured
-  double frames_a_second = 0;            ///< mean
-  double slow_frames_a_second = 0;       ///< 1 / the time that 99 % of the frames keep to
-  uint64_t needed = 0;                   ///< blocks of all frames
-  uint64_t decoded = 0;                  ///< of them
-  std::vector<gpu::StageTime> stages{};  ///< on the device, of all frames
-};
-
-/// Square frames of one size, with geometry or without.
-struct PathSpeed {
-  uint32_t side = 0;
-  bool geometry = false;
-  double views = 0;                  ///< that have a weight in a pixel, mean
-  std::vector<FrameSpeed> speeds{};  ///< nothing held before each frame ("cold"); moving on from
-                                     ///< frames before ("moving"); every block held ("warm")
-  gpu::HostCost begun{};             ///< frames of GpuRenderer::begin and finish
-  gpu::HostCost recorded{};          ///< frames of record()
-};
-
-struct StreamSpeed {
-  std::string name;
-  DecodeSpeed decode;
-  std::vector<PathSpeed> paths{};
-};
-
+/// The figures of a stream: its name as `stream`; `decode`, views decoded to RGB with a call each
+/// (pixels/s on the device, and to the host from the calls on; ms of a view by stage); `paths`, for
+/// square frames of one size with geometry or without: the views that have a weight in a pixel, CPU
+/// us of the host for a frame of the renderer's begin() and finish(), and of record(); and frames
+/// that stay on the device, as many under way as may be: "cold", nothing held before each frame;
+/// "moving", moving on from frames before; "warm", every block held. stage_ms is empty where the
+/// device has no timestamps. frames_a_second_99 is 1 / the time that 99 % of the frames keep to.
 /// Throws std::runtime_error where the device fails, a frame has an error, is not the golden
 /// renderer's, or reads fewer than kLeastViews views a pixel.
-StreamSpeed measure_stream(gpu::Device& device, std::string name, std::span<const uint8_t> file,
-                           const GpuPlan& plan);
+nlohmann::ordered_json measure_stream(gpu::Device& device, const std::string& name,
+                                      std::span<const uint8_t> file, const GpuPlan& plan);
 
-/// Of all stages together.
-double device_seconds(std::span<const gpu::StageTime> stages);
+/// CPU us of the calling thread that a frame of `records` takes, drawn by begin() and finish() with
+/// as many under way as may be. All are drawn once to begin with.
+double host_microseconds(gpu::GpuRenderer& renderer, std::span<const FrameRecord> records);
+
+/// The same of frames recorded into command buffers of a program: CPU time in record() alone.
+double recording_microseconds(gpu::GpuRenderer& renderer, gpu::Device& device,
+                              std::span<const FrameRecord> records);
 
 }  // namespace hmlfc::bench

@@ -1,186 +1,118 @@
 """What the skipping report measures: frames along paths, the cost of one request, and encoding."""
 
-import json
-
-import sparse
-from process import BenchError, run
+from light_field import scene
+from process import BenchError, bench_json, hmlfc_json
 from ranges import bytes_of, merged, without
+from sparse import sections, write_with_hole
 
-SCENES = ("cards", "knights", "glass", "flat", "noise")
 PROFILES = {"main": ["--profile", "main"], "extended": ["--preset", "fast"]}
 PATHS = ("orbit", "line", "dolly")
 GAPS = (0, 1024, 16384)  # bytes between ranges that one request may span
-GEOMETRY_COUNTS = ("looked_up", "needed", "decoded", "bytes")
-FRAMES = {False: 16, True: 4}
 GRID, SIZE = "9x9", (96, 64)
+SCENES = {False: ("cards", "knights", "glass", "flat", "noise"), True: ("cards", "flat")}  # --quick
+FRAMES = {False: 16, True: 4}
 GRIDS = {False: ("9x9", "17x17", "33x33", "64x64"), True: ("9x9", "17x17")}
 SIDES = {False: (32, 64, 128, 256), True: (32, 64)}
-HOLES = {False: (0, 1 << 26, 1 << 32, 1 << 36), True: (0, 1 << 20, 1 << 32)}
-CHECKED_HOLES = {False: 1 << 32, True: 1 << 20}  # up to here all checksums are checked
+HOLES = {False: (0, 1 << 26, 1 << 32, 1 << 36), True: (0, 1 << 32)}
 BLOCK_RUNS = 20
 VIEW_SIDE = 32  # of the light fields of many views
 
 
-class Measure:
-    """Runs the programs in the folder `work`. programs: hmlfc, bench_skipping and
-    bench_skipping_exhaustive."""
-
-    def __init__(self, programs, work, quick):
-        self.hmlfc, self.bench, self.exhaustive = programs
-        self.work, self.quick = work, quick
-
-    def synth(self, scene, grid, width, height):
-        folder = self.work / f"{scene}-{grid}-{width}x{height}"
-        if not folder.exists():
-            size = f"{width}x{height}"
-            run([self.hmlfc, "synth", "--scene", scene, "--grid", grid, "--size", size, "-o", folder])
-        return folder
-
-    def encode(self, folder, options, program=None):
-        """(Path of the stream, what `hmlfc encode --json` says of it)."""
-        program = program or self.hmlfc
-        stream = self.work / f"{folder.name}.{program.name}.hmlfc"
-        command = [program, "encode", folder, "-o", stream, "--threads", 1, "--json", *options]
-        return stream, json.loads(run(command)[0])
-
-    def frames(self, scene, profile, geometry="plane"):
-        """For each path, cold and warm: what its frames need and what is skipped."""
-        stream, facts = self.encode(self.synth(scene, GRID, *SIZE), PROFILES[profile])
-        rows = []
-        for path in PATHS:
-            for client in ("cold", "warm"):
-                found = self.drawn(stream, path, FRAMES[self.quick], min(SIZE), client, geometry)
-                rows.append({
-                    "scene": scene, "profile": profile, "path": path, "client": client,
-                    "file_bytes": facts["bytes"], "blocks": self.blocks(stream, facts),
-                    "frames": columns(list(traced(found, client))),
-                })
-        return rows
-
-    def geometry(self, scene, profile):
-        """The same frames with geometry."""
-        rows = self.frames(scene, profile, "stream")
-        for row in rows:
-            row["frames"] = {key: row["frames"][key] for key in GEOMETRY_COUNTS}
-        return rows
-
-    def blocks(self, stream, facts):
-        """All blocks of all views."""
-        info = json.loads(run([self.hmlfc, "info", stream, "--json"])[0])
-        side = info["block"]
-        halved = 2 if info["chroma"] == "420" else 1
-        luma = _blocks(facts["width"], facts["height"], side)
-        chroma = _blocks(-(-facts["width"] // halved), -(-facts["height"] // halved), side)
-        return facts["rows"] * facts["cols"] * (luma + 2 * chroma)
-
-    def costs(self):
-        """What one block and one view cost by the number of views, by pixels and by file size."""
-        quick = self.quick
-        for grid in GRIDS[quick]:
-            folder = self.synth("cards", grid, VIEW_SIDE, VIEW_SIDE)
-            stream, facts = self.encode(folder, PROFILES["main"])
-            views = facts["rows"] * facts["cols"]
-            yield {"by": "views", "at": views, **self.cost(stream, VIEW_SIDE)}
-            if grid == GRIDS[quick][1]:
-                for hole in HOLES[quick]:
-                    large = self.work / "large.hmlfc"
-                    sparse.write_with_hole(stream, large, hole)
-                    if 0 < hole <= CHECKED_HOLES[quick]:
-                        self.same_view(stream, large)
-                    cost = self.cost(large, VIEW_SIDE)
-                    if cost["block"]["last_byte"] < hole:
-                        raise BenchError("the block does not lie beyond the hole")
-                    yield {"by": "file size", "at": large.stat().st_size, **cost}
-                    large.unlink()
-        for side in SIDES[quick]:
-            stream, _ = self.encode(self.synth("cards", GRID, side, side), PROFILES["main"])
-            yield {"by": "pixels", "at": side * side, **self.cost(stream, side)}
-
-    def cost(self, stream, side):
-        with open(stream, "rb") as file:
-            entries = sparse.sections(sparse.read_header(file))
-        key_end = entries[0][2] + entries[0][3]
-        block = json.loads(run([self.bench, "block", stream, BLOCK_RUNS])[0])
-        views = self.drawn(stream, "view", 5, side, "cold")
-        return {
-            "file_bytes": stream.stat().st_size,
-            "disk_bytes": stream.stat().st_blocks * 512,
-            "block": {"open_cpu_seconds": block["open_cpu_seconds"], **_request([block], key_end),
-                      "walks": block["walks"], "fields": block["fields"]},
-            "view": {**_request(views, key_end), "decoded": views[0]["decoded"]},
-        }
-
-    def drawn(self, stream, path, frames, side, client, geometry="plane"):
-        command = [self.bench, "frames", stream, path, frames, side, client, geometry]
-        found = json.loads(run(command)[0])
-        check(client, found)
-        return found
-
-    def same_view(self, stream, large):
-        """`hmlfc decode`, which checks all checksums, gives the same view of both."""
-        pictures = []
-        for file in (stream, large):
-            folder = self.work / "view"
-            run([self.hmlfc, "decode", file, "--view", "8,8", "-o", folder])
-            pictures.append((folder / "08_08.png").read_bytes())
-        if pictures[0] != pictures[1]:
-            raise BenchError("the stream with a hole is another light field")
-
-    def effort(self):
-        """CPU time of encoding a pixel, and whether the exhaustive search gives the same stream."""
-        for scene in ("flat", "noise", "cards"):
-            folder = self.synth(scene, "5x5" if self.quick else GRID, *SIZE)
-            for window in (16,) if self.quick else (16, 64):
-                options = ["--profile", "main", "--window", window]
-                fast, facts = self.encode(folder, options)
-                slow, other = self.encode(folder, options, self.exhaustive)
-                if fast.read_bytes() != slow.read_bytes():
-                    raise BenchError(f"{scene}: the exhaustive search gives another stream")
-                pixels = facts["rows"] * facts["cols"] * facts["width"] * facts["height"]
-                yield {"scene": scene, "window": window, "pixels": pixels, "bytes": facts["bytes"],
-                       "cpu_seconds": facts["cpu_seconds"],
-                       "exhaustive_cpu_seconds": other["cpu_seconds"]}
+def encode(work, folder, options):
+    """(Path of the stream, what `hmlfc encode --json` says of it)."""
+    stream = work / f"{folder.name}.hmlfc"
+    return stream, hmlfc_json("encode", folder, "-o", stream, "--threads", 1, *options)
 
 
-def check(client, frames):
-    """A renderer that starts cold decodes what the frame needs and nothing else (NED-1)."""
-    for number, frame in enumerate(frames):
-        if frame["decoded"] + frame["reused"] != frame["needed"]:
-            raise BenchError(f"frame {number}: decoded and reused blocks are not those needed")
-        if client == "cold" and frame["decoded"] != frame["needed"]:
-            raise BenchError(f"frame {number}: a cold renderer decoded {frame['decoded']} blocks, "
-                             f"but {frame['needed']} are needed")
+def paths(work, name, profile, quick):
+    """A row for each path, cold and warm: what its frames need and what is skipped, lists of a number a frame."""
+    stream, facts = encode(work, scene(work, name, GRID, "{}x{}".format(*SIZE)), PROFILES[profile])
+    for path in PATHS:
+        for client in ("cold", "warm"):
+            frames = traced(drawn(stream, path, FRAMES[quick], min(SIZE), client), client)
+            with_geometry = traced(drawn(stream, path, FRAMES[quick], min(SIZE), client, "stream"), client)
+            row = {"scene": name, "profile": profile, "path": path, "client": client,
+                   "file_bytes": facts["bytes"], "blocks": all_blocks(stream, facts)}
+            row |= {key: [frame[key] for frame in frames] for key in frames[0]}
+            yield row | {f"geometry_{key}": [frame[key] for frame in with_geometry]
+                         for key in ("looked_up", "needed", "decoded", "bytes")}
+
+
+def all_blocks(stream, facts):
+    """Blocks of all planes of all views."""
+    info = hmlfc_json("info", stream)
+    side, halved = info["block"], 2 if info["chroma"] == "420" else 1
+    luma = -(-facts["width"] // side) * -(-facts["height"] // side)
+    chroma = -(-facts["width"] // halved // side) * -(-facts["height"] // halved // side)
+    return facts["rows"] * facts["cols"] * (luma + 2 * chroma)
+
+
+def drawn(stream, path, frames, side, client, geometry="plane"):
+    """What hmlfc_measure tells of frames. A cold renderer decodes what the frame needs and nothing else (NED-1)."""
+    found = bench_json("path", stream, path, frames, side, client, geometry)
+    for number, frame in enumerate(found):
+        if frame["decoded"] + frame["reused"] != frame["needed"] or client == "cold" and frame["reused"]:
+            raise BenchError(f"frame {number}, {client}: {frame['decoded']} blocks decoded, {frame['reused']} reused, "
+                             f"{frame['needed']} needed")
+    return found
 
 
 def traced(frames, client):
-    """Frames with the requests and bytes of a client that fetches what is read. A warm client keeps
+    """The frames with the requests and bytes of a client that fetches what is read. A warm client keeps
     what it has fetched."""
     held = []
     for frame in frames:
         ranges = merged(frame.pop("reads"))
         frame["bytes"] = bytes_of(ranges)
-        missing = without(ranges, held) if client == "warm" else ranges
-        asked = [merged(missing, gap) for gap in GAPS]
+        asked = [merged(without(ranges, held) if client == "warm" else ranges, gap) for gap in GAPS]
         frame["requests"] = [len(found) for found in asked]
         frame["fetched"] = [bytes_of(found) for found in asked]
         held = merged([*held, *ranges])
-        yield frame
+    return frames
 
 
-def columns(rows):
-    """From a list of objects to an object of lists."""
-    return {key: [row[key] for row in rows] for key in rows[0]}
+def costs(work, quick):
+    """What one block and one view cost by the number of views, by file size and by pixels."""
+    for grid in GRIDS[quick]:
+        folder = scene(work, "cards", grid, f"{VIEW_SIDE}x{VIEW_SIDE}")
+        stream, facts = encode(work, folder, PROFILES["main"])
+        yield {"by": "views", "at": facts["rows"] * facts["cols"], **cost(stream, VIEW_SIDE)}
+        for hole in HOLES[quick] if grid == GRIDS[quick][1] else ():
+            large = work / "large.hmlfc"
+            write_with_hole(stream, large, hole)
+            yield {"by": "file size", "at": large.stat().st_size, **cost(large, VIEW_SIDE, hole)}
+            large.unlink()
+    for side in SIDES[quick]:
+        stream, _ = encode(work, scene(work, "cards", GRID, f"{side}x{side}"), PROFILES["main"])
+        yield {"by": "pixels", "at": side * side, **cost(stream, side)}
 
 
-def _request(runs, key_end):
-    ranges = merged(runs[0]["reads"])
-    keys = bytes_of(r for r in ranges if r[0] < key_end)
-    return {
-        "cpu_seconds": min(entry["cpu_seconds"] for entry in runs),
-        "bytes": bytes_of(ranges) - keys, "key_bytes": keys, "requests": len(ranges),
-        "last_byte": sum(ranges[-1]), "key_samples": runs[0]["key_samples"],
+def cost(stream, side, beyond=0):
+    """One cold block and one cold view of `side` x `side` pixels. beyond: where the block lies at the least."""
+    with open(stream, "rb") as file:
+        key_end = sum(sections(file.read(1 << 12))[0][2:])
+    block = bench_json("block", stream, BLOCK_RUNS)
+    views = drawn(stream, "view", 5, side, "cold")
+    row = {"file_bytes": stream.stat().st_size, "disk_bytes": stream.stat().st_blocks * 512}
+    for name, request in (("block", block), ("view", views[0])):
+        ranges = merged(request["reads"])
+        keys = bytes_of(r for r in ranges if r[0] < key_end)
+        if sum(ranges[-1]) < beyond:
+            raise BenchError(f"the {name} does not lie beyond the hole")
+        row |= {f"{name}_bytes": bytes_of(ranges) - keys, f"{name}_key_bytes": keys, f"{name}_requests": len(ranges)}
+    return row | {
+        "block_walks": block["walks"], "block_fields": block["fields"], "view_blocks": views[0]["decoded"],
+        "block_cpu_seconds": block["cpu_seconds"], "open_cpu_seconds": block["open_cpu_seconds"],
+        "view_cpu_seconds": min(view["cpu_seconds"] for view in views),
     }
 
 
-def _blocks(width, height, side):
-    return -(-width // side) * -(-height // side)
+def effort(work, quick):
+    """CPU time of encoding by what there is to find."""
+    for name in ("flat", "noise", "cards"):
+        folder = scene(work, name, "5x5" if quick else GRID, "{}x{}".format(*SIZE))
+        for window in (16,) if quick else (16, 64):
+            _, facts = encode(work, folder, ["--profile", "main", "--window", window])
+            pixels = facts["rows"] * facts["cols"] * facts["width"] * facts["height"]
+            yield {"scene": name, "window": window, "pixels": pixels, "bytes": facts["bytes"],
+                   "cpu_seconds": facts["cpu_seconds"]}

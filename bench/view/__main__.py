@@ -18,8 +18,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / name) for name in ("bench/common", "tests/view", "tests/cli")]
 
-from process import HMLFC, BenchError, require, run, run_main, say
-from sources import real_sources
+from light_field import real_sources
+from process import HMLFC, BenchError, hmlfc, run_main, say
 
 RATE, LATENCY = 30, 60  # frames a second; milliseconds, 95th percentile
 INTERVAL = 0.016
@@ -27,45 +27,49 @@ RADIUS = 0.3  # of the frame's height
 
 
 def chess(work):
-    for source in real_sources(lambda name, why: None):
+    for source in real_sources(say):
         if source.name == "chess":
-            say("Encoding Chess")
-            stream = work / "chess.hmlfc"
-            run([HMLFC, "encode", source.folder, "-o", stream, "--preset", "fast", "--quality", "60"])
-            return stream
+            say("encoding Chess")
+            hmlfc("encode", source.folder, "-o", work / "chess.hmlfc", "--preset", "fast", "--quality", "60")
+            return work / "chess.hmlfc"
     raise BenchError("Chess is not in the folder of light fields; name a --stream")
 
 
 def drag(page, seconds):
-    """Real mouse events around the middle of the frame."""
+    """Real mouse events around the middle of the frame. Returns their number."""
     left, top, width, height = page.script(
         "const box = document.getElementById('frame').getBoundingClientRect();"
         "return [box.left, box.top, box.width, box.height]")
-    send = lambda kind, x, y: page.page.execute_cdp_cmd("Input.dispatchMouseEvent", {
-        "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1})
-    place = lambda angle: (left + width / 2 + RADIUS * height * math.cos(angle), top + height / 2 + RADIUS * height * math.sin(angle))
-    send("mousePressed", *place(0))
+
+    def send(kind, angle):
+        place = {"x": left + width / 2 + RADIUS * height * math.cos(angle),
+                 "y": top + height / 2 + RADIUS * height * math.sin(angle)}
+        page.page.execute_cdp_cmd("Input.dispatchMouseEvent", {
+            "type": kind, **place, "button": "left", "buttons": 1, "clickCount": 1})
+
+    send("mousePressed", 0)
     begin = next_at = time.monotonic()
     events = 0
     while time.monotonic() - begin < seconds:
-        send("mouseMoved", *place(2 * math.pi * (time.monotonic() - begin) / 4))
+        send("mouseMoved", 2 * math.pi * (time.monotonic() - begin) / 4)
         events += 1
         next_at += INTERVAL
         time.sleep(max(0, next_at - time.monotonic()))
-    send("mouseReleased", *place(0))
+    send("mouseReleased", 0)
     return events
 
 
 def measure(stream, seconds, *options):
+    """Figures of one page: inputs, frames, how many of these were coarse or waited for key images, times."""
     import program
 
-    program.PROGRAM = Path(HMLFC)
+    program.PROGRAM = HMLFC
     import page_server
     from browser import Browser, missing
 
     if missing():
         raise BenchError(missing())
-    page_server.PROGRAM = Path(HMLFC)
+    page_server.PROGRAM = HMLFC
     with tempfile.TemporaryDirectory() as profile, page_server.PageServer(".", stream.resolve(), *options) as server:
         page = Browser(profile)
         try:
@@ -77,16 +81,15 @@ def measure(stream, seconds, *options):
             begin = time.monotonic()
             events = drag(page, seconds)
             took = time.monotonic() - begin
-            measures = page.script(
-                "return performance.getEntriesByName('input to picture').map((entry) => [entry.duration, entry.detail.half, entry.detail.keySamples])")
-            sizes = page.script("const c = document.getElementById('frame'); return [c.width, c.height]")
+            measures = page.script("return performance.getEntriesByName('input to picture')"
+                                   ".map((entry) => [entry.duration, entry.detail.half, entry.detail.keySamples])")
+            size = page.script("const c = document.getElementById('frame'); return [c.width, c.height]")
         finally:
             page.end()
-    times = sorted(duration for duration, _, _ in measures)
-    coarse = sum(half for _, half, _ in measures)
-    waits = sum(samples > 0 for _, _, samples in measures)
-    return {"events": events, "frames": len(times), "coarse": coarse, "waits": waits, "rate": len(times) / took, "size": sizes,
-            "median": times[len(times) // 2], "p95": times[math.ceil(0.95 * len(times)) - 1]}
+    times, coarse, samples = zip(*sorted(measures))
+    return {"events": events, "frames": len(times), "coarse": sum(coarse), "waits": sum(s > 0 for s in samples),
+            "rate": len(times) / took, "size": size, "median": times[len(times) // 2],
+            "p95": times[math.ceil(0.95 * len(times)) - 1]}
 
 
 def main():
@@ -95,7 +98,6 @@ def main():
     parser.add_argument("--seconds", type=float, default=8, help="of dragging (default 8)")
     parser.add_argument("--check", action="store_true", help=f"fail below {RATE} frames a second or above {LATENCY} ms")
     arguments = parser.parse_args()
-    require("view", HMLFC)
     with tempfile.TemporaryDirectory() as work:
         stream = arguments.stream or chess(Path(work))
         got = measure(stream, arguments.seconds)

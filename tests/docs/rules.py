@@ -50,7 +50,7 @@ COMMANDS = rules(
     (r"(?:\./run test|ctest --test-dir \S+) (.*)", r"ctest --test-dir $BUILD -N \1 | grep 'Total Tests: [1-9]'", "lists the tests"),
     (r"cmake (?:--preset |--build build/)(\w+)(?: -D\S+)?", r"""cmake --list-presets | grep -F '"\1"'""", "a build takes minutes"),
     (r"cmake --install build/release --prefix \S+", "cmake --install $BUILD --prefix installed", "into the sandbox"),
-    (r"(\./run (?:bench (?:access|accuracy|gpu|rate_distortion|remote|skipping|view)|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
+    (r"(\./run (?:bench (?:access|accuracy|geometry|gpu|rate_distortion|remote|skipping|view)|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),
     (r"(\./run view) .*", HELP, "serves until Ctrl-C; viewer.command runs it"),
     (r"(\./run rtl-clocks)", HELP, "tlm.latencies runs it, for 16 seconds"),
@@ -67,9 +67,7 @@ COMMANDS = rules(
     (r"sim/.* \+fault=.*", r"\g<0>; test $? != 0", "a difference ends it"),
     (r"\./run conform .*-o out/planted", r"\g<0>; test $? = 5", "one vector alone is not the suite"),
     (r"(?:\./run|hmlfc) conform --merge .*", r"\g<0>; test $? = 5", "the shards have a part of the suite"),
-    (r"\./run bench methods", r"\g<0> 30 FOLDER", "a small light field"),
     (r"\./run bench render", "./run bench | grep -w render", "measures for minutes; the list of benchmarks has it"),
-    (r"\./run bench motion_search", r"\g<0> --benchmark_list_tests", "measures for minutes"),
 )
 
 

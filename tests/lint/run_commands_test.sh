@@ -18,7 +18,7 @@ not_built() {
   local word
   for word in $1; do
     [[ $word =~ ^/build/(.*)/([a-z_]+)$ ]] || continue
-    local folder=${BASH_REMATCH[1]} name=${BASH_REMATCH[2]#bench_}
+    local folder=${BASH_REMATCH[1]} name=${BASH_REMATCH[2]}
     grep -qsE -- "(^|[( /])$name([) ]|[.]cpp|\$)" "$root/$folder/CMakeLists.txt" || printf '%s\n' "$word"
   done
 }
@@ -50,10 +50,11 @@ expect 0 "*python3 $root/testbench/programs/rtl_coverage.py /build/testbench/rtl
 expect 0 "*python3 -B $root/tools/release/sbom.py $root out.json" sbom out.json
 expect 0 "*python3 -B $root/tools/release/site_pages.py $root $root/out/site" docs
 expect 0 '*tests/stress/stress.py --build /build --hmlfc /build/tools/hmlfc *' stress --minutes 1
-expect 0 '/build/bench/bench_methods 40' bench methods 40
+expect 0 '/build/bench/hmlfc_measure render FILE' bench render FILE
+expect 0 '/build/bench/bench_gpu FILE' bench gpu FILE
 expect 0 "*python3 $root/bench/accuracy --quick" bench accuracy --quick
 expect 0 $'Usage: ./run bench NAME *\n  accuracy  *\n  skipping  *' bench
-expect 2 $'No benchmark nosuch; there are\n*\n  methods  *' bench nosuch
+expect 2 $'No benchmark nosuch; there are\n*\n  render  *' bench nosuch
 expect 2 'No benchmark bench; *' bench bench
 expect 2 'No benchmark .*; *' bench '.*'
 
