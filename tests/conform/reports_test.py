@@ -1,6 +1,7 @@
-"""The reports of `hmlfc conform`: HTML, text."""
+"""The reports of `hmlfc conform`: HTML, JUnit, text."""
 
 import re
+import xml.etree.ElementTree as ElementTree
 
 from conform_case import COARSE, ConformTest, main
 
@@ -29,6 +30,14 @@ class Reports(ConformTest):
             self.assertTrue(address.startswith("data:image/png;base64,"))
         for text in ("real/cards-main", "COL-3", "SHA-256", "Look first at <b>real/cards-main"):
             self.assertIn(text, page)
+
+    def test_junit(self):
+        suite = ElementTree.parse(self.folder / "failing/junit.xml").getroot().find("testsuite")
+        self.assertEqual((suite.get("failures"), suite.get("errors")), ("1", "0"))
+        self.assertEqual(int(suite.get("skipped")), int(suite.get("tests")) - 1)
+        self.assertIn("clauses:", suite.find("testcase/failure").text)
+        refused = ElementTree.parse(self.folder / "refusing/junit.xml").getroot()
+        self.assertIn("not <done> & quoted", refused.find(".//failure").text)
 
     def test_text(self):
         self.assertRegex(self.text, r"fail +real/cards-main: view \d+,\d+ block \d+,\d+ \(pixel ")

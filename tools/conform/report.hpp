@@ -18,10 +18,16 @@ namespace hmlfc::conform {
 /// by decoder, all results.
 std::string html_text(const Report& report, const std::filesystem::path& folder);
 
+/// JUnit XML for CI servers: a test suite for each decoder, a test case for each vector.
+std::string junit_text(const Report& report);
+
+/// `text` escaped for HTML and XML; control characters become '?'.
+std::string escaped(std::string_view text);
+
 /// What a terminal shows of one decoder: the verdict, where to begin, failures by probable cause.
 std::string terminal_text(const Run& run);
 
-/// Writes report.json and report.html into `folder`.
+/// Writes report.json, junit.xml and report.html into `folder`.
 io::IoResult<void> write_report(const Report& report, const std::filesystem::path& folder);
 
 /// This system; `program` is this program's name and version.

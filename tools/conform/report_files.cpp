@@ -114,6 +114,7 @@ io::IoResult<void> write_report(const Report& report, const fs::path& folder) {
   const std::string json =
       to_json(report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   if (auto done = write_text(folder / "report.json", json); !done) return done;
+  if (auto done = write_text(folder / "junit.xml", junit_text(report)); !done) return done;
   return write_text(folder / "report.html", html_text(report, folder));
 }
 

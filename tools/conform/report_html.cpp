@@ -39,22 +39,6 @@ std::string valid_utf8(std::string_view text) {
   return Json::parse(quoted).get<std::string>();
 }
 
-// `text` escaped for HTML; control characters become '?'.
-std::string escaped(std::string_view text) {
-  constexpr std::string_view kSpecial = "&<>\"";
-  constexpr const char* kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
-  std::string out;
-  for (const char c : valid_utf8(text)) {
-    const size_t special = kSpecial.find(c);
-    if (special != std::string_view::npos) {
-      out += kEntities[special];
-    } else {
-      out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
-    }
-  }
-  return out;
-}
-
 // data:image/png;base64,...
 std::string png_data_uri(const std::vector<uint8_t>& png) {
   std::string text(4 * ((png.size() + 2) / 3) + 1, '\0');  // EVP_EncodeBlock ends with a zero
@@ -246,6 +230,21 @@ std::string all_results(const Report& report) {
 }
 
 }  // namespace
+
+std::string escaped(std::string_view text) {
+  constexpr std::string_view kSpecial = "&<>\"";
+  constexpr const char* kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
+  std::string out;
+  for (const char c : valid_utf8(text)) {
+    const size_t special = kSpecial.find(c);
+    if (special != std::string_view::npos) {
+      out += kEntities[special];
+    } else {
+      out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+    }
+  }
+  return out;
+}
 
 std::string html_text(const Report& report, const std::filesystem::path& folder) {
   std::string text = kHead;

@@ -1,6 +1,7 @@
 #include "conform/report.hpp"
 
 #include <algorithm>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -184,6 +185,8 @@ std::optional<VectorResult> result_from_json(const Json& json, const std::string
     result.telling = json.value("telling", false);
     result.not_counted = json.value("not_counted", false);
     return result;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -208,6 +211,8 @@ io::IoResult<Report> read_report(const std::filesystem::path& file) {
         json.at("vectors_version"), json.at("manifest_sha256"), system_from(json.at("system")), {}};
     for (const Json& run : json.at("runs")) report.runs.push_back(run_from(run));
     return report;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     return io::file_error(file, std::string("is not a report of hmlfc conform: ") + error.what());
   }

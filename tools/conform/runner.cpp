@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <set>
 
@@ -115,6 +116,8 @@ class SuiteRun {
     result.bytes = vector.input.bytes;
     try {
       run(vector, index, result);
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       fail_in_suite(result, error.what());
     }
