@@ -1,41 +1,38 @@
 #include "conform/view_assembly.hpp"
 
-#include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include <hmlfc/dut.hpp>
 
-#include "arithmetic/colour.hpp"
+#include "arithmetic/widths.hpp"
+#include "decoder/colour_row.hpp"
 
 namespace hmlfc::conform {
 namespace {
 
-// Whether all samples lie in [lo, hi] (STR-7), those of the colour transform's proof.
-bool in_range(const std::vector<int32_t>& samples, Plane plane, int depth) {
-  const int32_t hi = (int32_t{1} << depth) - 1;
-  const int32_t lo = plane == Plane::kY ? 0 : -hi;
-  return std::ranges::all_of(samples, [&](int32_t v) { return v >= lo && v <= hi; });
-}
-
-DutAnswer<std::vector<int32_t>> assemble_plane(RunningDut& dut, const Decoder& golden, ViewPos view,
-                                               Plane plane) {
+DutAnswer<SamplePlane> assemble_plane(RunningDut& dut, const Decoder& golden, ViewPos view,
+                                      Plane plane) {
   const auto [width, height] = golden.plane_size(plane);
   const uint32_t b = golden.header().block_size();
-  std::vector<int32_t> samples(size_t{width} * height);
+  const SampleRange range = sample_range(plane, golden.header().depth);  // STR-7
+  SamplePlane samples(width, height);
   for (uint32_t y = 0; y < height; y += b) {
     for (uint32_t x = 0; x < width; x += b) {
       const auto block = dut.block({view, plane, x / b, y / b}, 0);
       if (!block) return tl::unexpected(block.error());
-      for (uint32_t row = 0; row < std::min(b, height - y); ++row) {
-        std::copy_n(block->begin() + row * b, std::min(b, width - x),
-                    samples.begin() + static_cast<ptrdiff_t>(size_t{y + row} * width + x));
+      for (uint32_t i = 0; i < b * b; ++i) {
+        if (x + i % b >= width || y + i / b >= height) continue;
+        const int32_t sample = (*block)[i];
+        if (sample < range.lo || sample > range.hi) {
+          return tl::unexpected(
+              fmt::format("a sample of plane {} out of range", plane_name(plane)));
+        }
+        samples.row(y + i / b)[x + i % b] = static_cast<int16_t>(sample);
       }
     }
-  }
-  if (!in_range(samples, plane, golden.header().depth)) {
-    return tl::unexpected(fmt::format("a sample of plane {} out of range", plane_name(plane)));
   }
   return samples;
 }
@@ -67,27 +64,14 @@ std::optional<std::string> wrong_geometry(const StreamHeader& header,
 DutAnswer<RgbImage> view_of(RunningDut& dut, bool by_block, const Decoder& golden, ViewPos view) {
   if (dut.can().views && !by_block) return dut.view(view);
   const StreamHeader& header = golden.header();
-  std::array<std::vector<int32_t>, kPlaneCount> planes;
+  std::array<SamplePlane, kPlaneCount> planes;
   for (const Plane plane : kPlanes) {
     auto samples = assemble_plane(dut, golden, view, plane);
     if (!samples) return tl::unexpected(samples.error());
     planes[static_cast<size_t>(plane)] = std::move(*samples);
   }
-  const unsigned shift = header.chroma_format == ChromaFormat::k420 ? 1 : 0;
-  const uint32_t chroma_width = golden.plane_size(Plane::kCo).width;
-  RgbImage image{header.width, header.height, header.depth, {}};
-  image.samples.reserve(size_t{header.width} * header.height * 3);
-  for (uint32_t y = 0; y < header.height; ++y) {
-    for (uint32_t x = 0; x < header.width; ++x) {
-      const size_t at = size_t{y >> shift} * chroma_width + (x >> shift);
-      const Rgb pixel = inverse_colour(
-          {planes[0][size_t{y} * header.width + x], planes[1][at], planes[2][at]}, header.depth);
-      for (const int32_t value : {pixel.r, pixel.g, pixel.b}) {
-        image.samples.push_back(static_cast<uint16_t>(value));
-      }
-    }
-  }
-  return image;
+  return rgb_picture(planes, {0, 0, header.width, header.height},
+                     header.chroma_format == ChromaFormat::k420, header.depth);
 }
 
 }  // namespace hmlfc::conform
