@@ -6,7 +6,7 @@ there. Each node says where its children are, so that a pixel takes one root and
 nothing is entropy coded.
 
 File: HEAD, uint32 for each cube and channel (where its record lies), records. Record: int32 mean, root node. Node:
-uint16 mask of its details, bit 15: values of 16 bits in place of 8; above the lowest level uint16 mask of children and
+uint16 mask of its details, bit 15: values of 16 bits instead of 8; above the lowest level uint16 mask of children and
 for each the uint16 distance of its node from the record; then the values. All arithmetic is on integers.
 """
 

@@ -8,7 +8,7 @@ PLACES = 4
 
 @dataclass
 class Cost:
-    """bytes: read of the file; samples: computed; held: bytes kept for later requests, beside the file."""
+    """bytes: read of the file; samples: computed; held: bytes kept for later requests, next to the file."""
 
     bytes: int
     samples: int

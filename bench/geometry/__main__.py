@@ -26,7 +26,7 @@ except ImportError as error:
 
 SCENES = ("cards", "knights", "glass", "flat")
 GRID, SIZE = "9x9", {False: "320x240", True: "80x60"}  # --quick
-WIDE, NARROW = ("--baseline", "4"), ("--baseline", "1")  # the second as behind a lens array
+WIDE, NARROW = ("--baseline", "4"), ("--baseline", "1")  # the second as after a lens array
 CODINGS = {
     "extended, quality 60": ["--quality", "60"],
     "extended, quality 90": ["--quality", "90"],
