@@ -7,19 +7,9 @@
 //
 // Clauses: Answers (docs/decode_unit.md), COL-2 for its place in the order, COL-3
 // Engine: induction 1 3
-// Mutants: 2
 // Complete: the block that is followed is bound to the stages' registers, so the induction needs no reachability.
-// Fault: hmlfc_answer.sv / !valid[3] || advance_out / !valid[3] && advance_out
-// Fault: hmlfc_answer.sv / last <= {last[2:1], in_job.tlast} / last <= {last[2:1], last[1]}
-// Fault: hmlfc_answer.sv / rgb_error = y_error != 0 ? y_error : / rgb_error =
-// Fault: hmlfc_answer.sv / cg_1 <= at_pixels(cg, / cg_1 <= at_pixels(held_co,
-// Fault: hmlfc_answer.sv / {in_job.by[0], in_job.bx[0]} : corner / {in_job.bx[0], in_job.by[0]} : corner
-// Fault: hmlfc_answer.sv / full ? py * B + px / 1'b1 ? py * B + px
-// Fault: hmlfc_answer.sv / if (rgb[3]) answer = lanes_3 / if (rgb[2]) answer = lanes_3
-// Fault: hmlfc_answer.sv / && !y_now && in_error == / && in_error ==
-// Fault: hmlfc_answer.sv / in_has_residual ? in_residual / 1'b1 ? in_residual
 `include "hmlfc_tables.svh"
-`include "inside.svh"
+`include "follow.svh"
 module prove_answer #(
   parameter integer BLOCK_LOG2 = 1,
   parameter integer MAX_DEPTH = 8,

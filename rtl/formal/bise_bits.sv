@@ -6,7 +6,6 @@
 // Clauses: BISE-3
 // Engine: bmc 4
 // Complete: nothing but the inputs of two clocks before reaches the length.
-// Fault: hmlfc_bise_bits.sv / 28'd76461 / 28'd76458
 module prove_bise_bits (input logic clk, input logic [10:0] count);
   logic [10:0] count_1, count_2;
   logic [1:0]  started = 2'd0;

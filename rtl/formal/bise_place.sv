@@ -6,7 +6,6 @@
 // Clauses: BISE-5, BISE-6, BISE-11
 // Engine: bmc 1
 // Complete: combinational.
-// Fault: hmlfc_bise_place.sv / 20'd205 / 20'd204
 module prove_bise_place (input logic [9:0] group, input logic [2:0] place);
   generate
     for (genvar code = 0; code < 40; code = code + 1) begin : each

@@ -8,10 +8,6 @@
 // Engine: sat 3
 // Still: hmlfc_colour advance
 // Complete: no register has an initial value and the latency is 2.
-// Fault: hmlfc_colour.sv / SUM_BITS = MAX_DEPTH + 2; / SUM_BITS = MAX_DEPTH + 1;
-// Fault: hmlfc_colour.sv / {t_1, 1'b1} / {t_1, 1'b0}
-// Fault: hmlfc_colour.sv / y[i*SAMPLE_BITS +: SAMPLE_BITS] / y[(i==3?0:i)*SAMPLE_BITS +: SAMPLE_BITS]
-// Fault: hmlfc_colour.sv / always_ff @(posedge clk) if (advance) hi / always_ff @(posedge clk) hi
 module prove_colour (
   input logic clk, input logic [207:0] y, input logic [207:0] co, input logic [207:0] cg, input logic [3:0] depth
 );

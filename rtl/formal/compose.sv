@@ -6,15 +6,9 @@
 //
 // Clauses: DEC-3 for its order, DEC-7, CNV-7, MOT-10
 // Engine: induction 1 6
-// Mutants: 7
 // Cut: interpolate reconstruct
 // Complete: the block that is followed is bound to the stages' registers, so the induction needs no reachability.
-// Fault: hmlfc_compose.sv / assign in_ready = first_there && second_there && advance / assign in_ready = first_there && advance
-// Fault: hmlfc_compose.sv / if (!rst_n || go) kept_valid <= 1'b0 / if (!rst_n) kept_valid <= 1'b0
-// Fault: hmlfc_compose.sv / if (valid[6]) chain_error / if (valid[5]) chain_error
-// Fault: hmlfc_compose.sv / both_from_b ? kept_error : / 1'b0 ? kept_error :
-// Fault: hmlfc_compose.sv / in_pending.two ? b_error / in_pending.two ? a_error
-`include "inside.svh"
+`include "follow.svh"
 module prove_compose #(
   parameter integer BLOCK_LOG2 = 1,
   parameter integer MAX_DEPTH = 8,
@@ -33,7 +27,6 @@ module prove_compose #(
   logic [5:0]   out_error;
   logic [R-1:0] out_residual;
   logic [P-1:0] out_prediction;
-  `PORT(P, out_prediction, \dut.reconstruct.prediction )
   hmlfc_compose #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH)) dut (
     .clk(clk), .rst_n(rst_n), .depth(4'd8), .in_valid(in_valid), .in_ready(in_ready), .in_pending(pending), .in_residual(in_residual),
     .a_valid(a_valid), .a_ready(a_ready), .a_error(a_error), .a_window('0), .b_valid(b_valid), .b_ready(b_ready), .b_error(b_error),
@@ -46,6 +39,8 @@ module prove_compose #(
   (* hierconn *) wire \dut.kept_valid ;
   (* hierconn *) wire [5:0] \dut.kept_error ;
   (* hierconn *) wire [5:0] \dut.chain_error ;
+  (* hierconn *) wire [P-1:0] \dut.reconstruct.prediction ;
+  always @* assert (out_prediction == \dut.reconstruct.prediction );
 
   wire put = in_valid && in_ready;
   wire take = out_valid && out_ready;

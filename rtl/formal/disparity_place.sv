@@ -6,26 +6,20 @@
 // Engine: bmc 5
 // Still: hmlfc_disparity_place advance
 // Complete: four stages without feedback.
-// Fault: hmlfc_disparity_place.sv / choice == 4'd7 || choice == 4'd9 / choice == 4'd7 || choice == 4'd8
-// Fault: hmlfc_disparity_place.sv / if (left && own_x != 0) / if (left)
-// Fault: hmlfc_disparity_place.sv / if (grid_y > last_y) grid_y = last_y / if (grid_y > last_y + 15'd1) grid_y = last_y
-// Fault: hmlfc_disparity_place.sv / {at_3, y, x} <= {at_2, at_3} / {at_3, x, y} <= {at_2, at_3}
 module prove_disparity_place #(
   parameter integer BLOCK_LOG2 = 2
 ) (
   input logic clk, input logic advance, input logic [hmlfc_pkg::FLOW_BITS-1:0] flow_bits, input logic [hmlfc_pkg::TILE_BITS-1:0] first_tile
 );
   localparam integer T = hmlfc_pkg::TILE_BITS;
-  (* anyconst *) logic [750:0] stream_bits;
-  hmlfc_pkg::config_t stream;
+  (* anyconst *) hmlfc_pkg::config_t stream;
   hmlfc_pkg::flow_t flow;
-  assign stream = stream_bits;
   assign flow = flow_bits;
   logic [T-1:0] tile;
   logic [15:0]  info;
   logic [4:0]   x, y;
   hmlfc_disparity_place #(.BLOCK_LOG2(BLOCK_LOG2)) dut (
-    .clk(clk), .advance(advance), .stream(stream_bits), .flow(flow_bits), .first_tile(first_tile), .tile(tile), .info(info), .x(x), .y(y));
+    .clk(clk), .advance(advance), .stream(stream), .flow(flow_bits), .first_tile(first_tile), .tile(tile), .info(info), .x(x), .y(y));
 
   // MOT-4: the block's place in its motion plane, number 4 for chroma with chroma_motion.
   wire        chroma = flow.job.plane != 0;
@@ -80,7 +74,7 @@ module prove_disparity_place #(
   logic [T-1:0] expected_tile;
   logic [15:0]  expected_info;
   hmlfc_motion_tile motion (
-    .clk(clk), .advance(advance), .stream(stream_bits), .second(\dut.second_2 ), .tile_x(\dut.tile_x_2 ), .tile_y(\dut.tile_y_2 ),
+    .clk(clk), .advance(advance), .stream(stream), .second(\dut.second_2 ), .tile_x(\dut.tile_x_2 ), .tile_y(\dut.tile_y_2 ),
     .first_tile(\dut.first_2 ), .tile(expected_tile), .info(expected_info));
   always @(posedge clk) begin
     filled <= {filled[2:0], 1'b1};

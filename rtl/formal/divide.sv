@@ -5,8 +5,6 @@
 // Clauses: CNV-1
 // Engine: bmc 11
 // Complete for one division from idle; a start interrupts nothing, as it comes when idle.
-// Fault: hmlfc_divide.sv / next >= {1'b0, by} / next > {1'b0, by}
-// Fault: hmlfc_divide.sv / DIVISOR_BITS'(dividend >> QUOTIENT_BITS) / '0
 module prove_divide (
   input logic clk, input logic [7:0] dividend, input logic [7:0] divisor, input logic [7:0] other_dividend, input logic [4:0] other_divisor
 );

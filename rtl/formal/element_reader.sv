@@ -5,9 +5,6 @@
 // Clauses: BISE-11
 // Engine: bmc 6
 // Complete: four stages without feedback.
-// Fault: hmlfc_element_reader.sv / left > 14'd64 ? / left > 14'd32 ?
-// Fault: hmlfc_element_reader.sv / slot_3 <= slot_2 / slot_3 <= slot_1
-// Fault: hmlfc_element_reader.sv / position_1 + group_1 / position_1
 module prove_element_reader #(
   parameter integer WORD_BITS = 8,
   parameter integer VALUE_BITS = 10,

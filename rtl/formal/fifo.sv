@@ -5,9 +5,6 @@
 // Clauses: Channels (docs/decode_unit.md)
 // Engine: induction 2 16
 // Complete: the list is bound to the queue's storage, so the induction needs no reachability.
-// Fault: hmlfc_fifo.sv / in_ready = WHOLE ? !count[INDEX_BITS] / in_ready = WHOLE ? 1'b1
-// Fault: hmlfc_fifo.sv / put && written == taken_next / 1'b0
-// Fault: hmlfc_fifo.sv / .read_address(taken_next[ / .read_address(taken[
 module prove_fifo (
   input logic clk, input logic rst_n, input logic in_valid, input logic [7:0] in_data, input logic out_ready
 );

@@ -4,9 +4,6 @@
 // Engine: bmc 3
 // Memories: arrays
 // Complete: what an entry holds is all the state there is.
-// Fault: hmlfc_images.sv / all_tiles[tiles_id] / all_tiles[references_id]
-// Fault: hmlfc_images.sv / places[write_id] <= {write_image.row, write_image.col} / places[write_id] <= {write_image.col, write_image.row}
-// Fault: hmlfc_images.sv / all_references[write_id] <= / all_references[tiles_id] <=
 module prove_images #(
   parameter integer TRACE = 1
 ) (

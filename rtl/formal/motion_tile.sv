@@ -4,9 +4,6 @@
 // Clauses: MOT-1, IDX-2
 // Engine: bmc 6
 // Complete: two stages without feedback.
-// Fault: hmlfc_motion_tile.sv / second ? stream.motion_chroma : stream.motion_luma / stream.motion_luma
-// Fault: hmlfc_motion_tile.sv / info[15:8] <= height_1 > side / info[15:8] <= width_1 > side
-// Fault: hmlfc_motion_tile.sv / .tile_y(11'(tile_y)) / .tile_y(11'(tile_x))
 module prove_motion_tile (
   input logic clk, input logic advance, input logic second, input logic [9:0] tile_x, input logic [9:0] tile_y,
   input logic [hmlfc_pkg::TILE_BITS-1:0] first_tile

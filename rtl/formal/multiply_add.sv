@@ -4,8 +4,6 @@
 // Clauses: CNV-1
 // Engine: bmc 9
 // Complete for one multiplication from idle; a start interrupts nothing, as it comes when idle.
-// Fault: hmlfc_multiply_add.sv / done <= left == 0 / done <= left[B_BITS-1:1] == 0
-// Fault: hmlfc_multiply_add.sv / high_addend + HIGH'(carry) / high_addend
 module prove_multiply_add (input logic clk, input logic [4:0] a, input logic [3:0] b, input logic [7:0] c);
   logic       idle, done;
   logic [7:0] sum;

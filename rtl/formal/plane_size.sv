@@ -4,8 +4,6 @@
 // Clauses: STR-6, MOT-1
 // Engine: bmc 3
 // Complete: one stage.
-// Fault: hmlfc_plane_size.sv / BLOCK_LOG2 + LINES_LOG2 / BLOCK_LOG2 + LINES_LOG2 + 1
-// Fault: hmlfc_plane_size.sv / log2 == 3'd5 ? 10'(ceiling(samples, 5)) / log2 == 3'd4 ? 10'(ceiling(samples, 5))
 module prove_plane_size #(
   parameter integer BLOCK_LOG2 = 2
 ) (

@@ -4,10 +4,7 @@
 // Clauses: Taking it into your chip (docs/decode_unit.md)
 // Engine: bmc 6
 // Memories: arrays
-// Mutants: 4
 // Complete: what a word holds and what was read last are all the state there is.
-// Fault: hmlfc_ram.sv / if (read) read_data <= / read_data <=
-// Fault: hmlfc_ram.sv / words[write_address] <= write_data / words[read_address] <= write_data
 module prove_ram #(
   parameter integer WIDTH = 8,
   parameter integer DEPTH = 16

@@ -4,8 +4,6 @@
 // Clauses: Taking it into your chip (docs/decode_unit.md)
 // Engine: bmc 4
 // Complete: the words are all the state there is, but what was read last: proof ram.
-// Fault: hmlfc_ram.sv / words[write_address] <= write_data / words[write_address] <= ~write_data
-// Fault: hmlfc_ram.sv / if (write) words[write_address] <= / words[write_address] <=
 module prove_ram_clock #(
   parameter integer WIDTH = 8,
   parameter integer DEPTH = 16

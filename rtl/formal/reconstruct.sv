@@ -12,13 +12,6 @@
 // Complete: registers have any values at first, but that the sample before is in [lo, hi], and the register of the parent has that
 // sample unless a block is on its way into it; both are proved to stay so. Blocks of one chain are of one plane, so depth and plane
 // are constant.
-// Fault: hmlfc_reconstruct.sv / SUM_BITS = MAX_DEPTH + 3 / SUM_BITS = MAX_DEPTH + 2
-// Fault: hmlfc_reconstruct.sv / r_carry = {r, minus} / r_carry = {r, 1'b0}
-// Fault: hmlfc_reconstruct.sv / {RESIDUAL_BITS{r[RESIDUAL_BITS-1]}} / {RESIDUAL_BITS{1'b1}}
-// Fault: hmlfc_reconstruct.sv / else if (valid_2) parent / else parent
-// Fault: hmlfc_reconstruct.sv / begins = valid_1 && !chained_1 / begins = !chained_1
-// Fault: hmlfc_reconstruct.sv / r = residual[i*RESIDUAL_BITS +: RESIDUAL_BITS] / r = residual[(i == 3 ? 0 : i)*RESIDUAL_BITS +: RESIDUAL_BITS]
-// Fault: hmlfc_reconstruct.sv / if (advance) begin / begin
 module prove_reconstruct #(parameter integer PART = 0) (
   input logic clk, input logic valid, input logic chained, input logic key, input logic [223:0] references, input logic [223:0] residual,
   input logic motion, input logic negative, input logic keyed, input logic has_residual

@@ -6,9 +6,6 @@
 // Engine: bmc 5
 // Memories: arrays
 // Complete: what a word holds and what a port read last are all the state there is.
-// Fault: hmlfc_record_ram.sv / word[BANK_BITS-1:0] > BANK_BITS'(b) / word[BANK_BITS-1:0] >= BANK_BITS'(b)
-// Fault: hmlfc_record_ram.sv / BANK_BITS'(first+BANK_BITS'(i)) / BANK_BITS'(BANK_BITS'(i))
-// Fault: hmlfc_record_ram.sv / if (read_enable[r]) first / first
 module prove_record_ram #(
   parameter integer DATA_BITS = 64,
   parameter integer BANKS = 2,

@@ -9,12 +9,6 @@
 // Engine: induction 1 3
 // Cover: 12
 // Complete: the place's content is bound to its tag, so the induction needs no reachability.
-// Fault: hmlfc_reference_lookup.sv / && tag == own) / && tag >> 1 == own >> 1)
-// Fault: hmlfc_reference_lookup.sv / enter = valid[6] && !any_missing / enter = valid[6]
-// Fault: hmlfc_reference_lookup.sv / if (enter || !rst_n) asked <= '0 / if (!rst_n) asked <= '0
-// Fault: hmlfc_reference_lookup.sv / if (!rst_n || flush || forget) kept / if (!rst_n || flush) kept
-// Fault: hmlfc_reference_lookup.sv / .read_address(places_5 / .read_address(places_6
-// Fault: hmlfc_reference_lookup.sv / for (int b = 3; b >= 0 / for (int b = 2; b >= 0
 module prove_reference_lookup (
   input logic clk, input logic rst_n, input logic flush, input logic forget, input logic in_valid, input logic [39:0] in_address,
   input logic [1:0] in_plane, input logic [10:0] in_strips_x, input logic [14:0] in_width, input logic [14:0] in_height,

@@ -7,10 +7,6 @@
 // Engine: induction 2 8
 // Complete: the stream's configuration and the error of LOAD are any constants; `flush` comes only while no request is held, and
 // key images are of the tree's levels.
-// Fault: hmlfc_requests.sv / !busy || (emit && ends_request) / !busy || (emit && ends_plane)
-// Fault: hmlfc_requests.sv / job.tlast = last / job.tlast = next_last
-// Fault: hmlfc_requests.sv / busy <= next_valid || !next_ready / busy <= next_valid
-// Fault: hmlfc_requests.sv / view_level = of_residuals ? now_stop[2:0] : / view_level =
 module prove_requests #(
   parameter integer VIEWS = 4  // of the unit's 16: slots differ in number alone, and their pairs make the proof long
 ) (

@@ -8,11 +8,6 @@
 // Engine: sat 5
 // Still: hmlfc_residual advance
 // Complete: no register has an initial value and the latency is 4.
-// Fault: hmlfc_residual.sv / ODD_BITS = MAX_DEPTH + 5 / ODD_BITS = MAX_DEPTH + 4
-// Fault: hmlfc_residual.sv / thrice_2 <= thrice_1 / thrice_2 <= 1'b0
-// Fault: hmlfc_residual.sv / bound_2 >> shift_2 / bound_2
-// Fault: hmlfc_residual.sv / values_1[i*VALUE_BITS +: VALUE_BITS] / values_1[(i==3?0:i)*VALUE_BITS +: VALUE_BITS]
-// Fault: hmlfc_residual.sv / if (advance) begin / begin
 module prove_residual (
   input logic clk, input logic [223:0] values, input logic [5:0] level_code, input logic [13:0] bias, input logic [3:0] step_code,
   input logic chroma, input logic [3:0] depth

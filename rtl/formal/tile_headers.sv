@@ -5,10 +5,6 @@
 // Clauses: TIL-8, STP-1
 // Engine: bmc 4
 // Complete: `start` writes all that the headers' width depends on.
-// Fault: hmlfc_tile_headers.sv / position + P'(13) > bits / position + P'(14) > bits
-// Fault: hmlfc_tile_headers.sv / 5'(depth) + 5'd2 / 5'(depth) + 5'd3
-// Fault: hmlfc_tile_headers.sv / steps ? field[18:17] : 2'd0 / field[18:17]
-// Fault: hmlfc_tile_headers.sv / headers_end > bits / headers_end >= bits
 module prove_tile_headers #(
   parameter integer BLOCK_LOG2 = 2,
   parameter integer SKEW_BITS = 6

@@ -4,9 +4,6 @@
 // Clauses: TIL-2, TIL-3
 // Engine: bmc 1
 // Complete: no state.
-// Fault: hmlfc_tile_mask.sv / base = base + 4'(in_four) / base = base + 4'd1
-// Fault: hmlfc_tile_mask.sv / 2 * ((k >> 2) & 3) + (k & 1) / 2 * ((k >> 2) & 3) + ((k >> 1) & 1)
-// Fault: hmlfc_tile_mask.sv / 7'd16 + / 7'd15 +
 module prove_tile_mask (
   input logic clk, input logic [3:0] columns, input logic [3:0] rows, input logic [1:0] mode, input logic [79:0] field
 );

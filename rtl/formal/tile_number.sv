@@ -3,8 +3,6 @@
 // Clauses: IDX-2
 // Engine: bmc 6
 // Complete: two stages without feedback; a product of 22 bits and a number of TILE_BITS bits.
-// Fault: hmlfc_tile_number.sv / 22'(tiles_x) + plane_first / 22'(tiles_x) + 22'd0
-// Fault: hmlfc_tile_number.sv / first_1 <= first_tile / first_1 <= tile
 module prove_tile_number (
   input logic clk, input logic advance, input logic [hmlfc_pkg::TILE_BITS-1:0] first_tile, input logic [21:0] plane_first,
   input logic [10:0] tiles_x, input logic [10:0] tile_x, input logic [10:0] tile_y

@@ -5,10 +5,6 @@
 // Clauses: Registers (docs/view_unit.md)
 // Engine: induction 2 9
 // Complete: what is held of a write is bound to the module's registers, so the induction needs no reachability.
-// Fault: hmlfc_view_registers.sv / ~mask[3:0]) | written[3:0] / ~mask[3:0]) | write_data[3:0]
-// Fault: hmlfc_view_registers.sv / 4'd0)) | events / 4'd0))
-// Fault: hmlfc_view_registers.sv / & HMLFC_REG_STATUS_BASE_MASK[31:0] / & HMLFC_REG_RING_BASE_MASK[31:0]
-// Fault: hmlfc_view_registers.sv / if (read) begin / if (s_axil_arvalid) begin
 `include "hmlfc_register_map.svh"
 
 module prove_view_registers (

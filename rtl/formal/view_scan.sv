@@ -5,10 +5,6 @@
 // Clauses: none: the order of blocks (docs/decode_unit.md)
 // Engine: bmc 2
 // Complete: a step from any position, and the start; a scan comes to each block, and to what is passed at its begin.
-// Fault: hmlfc_view_scan.sv / !quad ? 10'd4 : 10'd1 / !quad ? 10'd8 : 10'd1
-// Fault: hmlfc_view_scan.sv / last_column ? blocks.first_x[BLOCK_BITS-1:4] : column / column
-// Fault: hmlfc_view_scan.sv / tile && (quad ? &place[5:0] : &place[5:2]) / tile && &place[5:0]
-// Fault: hmlfc_view_scan.sv / macro_row == blocks.last_y[BLOCK_BITS-1:5] / macro_row[6:0] == blocks.last_y[BLOCK_BITS-2:5]
 module prove_view_scan (input logic clk, input logic start, input logic advance);
   localparam integer N = hmlfc_pkg::BLOCK_BITS;
   (* anyconst *) logic [N-1:0] first_x;
