@@ -102,12 +102,7 @@ install(FILES
   ${HMLFC_RTL_ASSERTIONS}
   rtl/kit/hmlfc_decode_unit.rdl
   rtl/kit/hmlfc_decode_unit.sdc
-  rtl/kit/hmlfc_decode_unit.xml
   rtl/kit/hmlfc_view_queue.rdl
-  rtl/kit/hmlfc_view_unit.xml
-  rtl/kit/pin_player.sv
-  rtl/kit/pin_replay.sv
-  rtl/kit/view_pin_replay.sv
   DESTINATION "${rtl_dir}/kit" COMPONENT rtl)
 
 # What the rules above install.

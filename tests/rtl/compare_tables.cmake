@@ -1,8 +1,7 @@
 # cmake -DGENERATOR=program [-DARGUMENT=text] -DTABLES=file -DTARGET=target -DWORK=folder
-#   -DFAULT=text -P compare_tables.cmake
+#   -P compare_tables.cmake
 #
-# Compares TABLES, the file in the repository, with what GENERATOR prints; TARGET writes it anew. Then
-# the last digit of what follows FAULT is changed in a copy of TABLES, which must differ.
+# Compares TABLES, the file in the repository, with what GENERATOR prints; TARGET writes it anew.
 file(MAKE_DIRECTORY "${WORK}")
 execute_process(COMMAND "${GENERATOR}" ${ARGUMENT} OUTPUT_FILE "${WORK}/expected" RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
@@ -14,12 +13,4 @@ file(READ "${TABLES}" content)
 string(COMPARE EQUAL "${content}" "${expected}" equal)
 if(NOT equal)
   message(FATAL_ERROR "${TABLES} is not what ${GENERATOR} says: build the target ${TARGET}")
-endif()
-string(REGEX REPLACE "(${FAULT}[^;]*)[0-9]" "\\1x" changed "${content}")
-if(changed STREQUAL content)
-  message(FATAL_ERROR "nothing to change in ${TABLES}")
-endif()
-string(COMPARE EQUAL "${changed}" "${expected}" equal)
-if(equal)
-  message(FATAL_ERROR "a changed table was not found")
 endif()
