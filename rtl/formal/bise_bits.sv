@@ -1,7 +1,7 @@
 `include "specification.svh"
 
-// The length of a sequence of k values: n * k + d, where d = ceil(8k / 5) or ceil(7k / 3) by the inequalities that define it,
-// for all k in [0, 1024] and all 40 level codes, of two clocks before.
+// The length of a sequence of k values: n * k + d, where d = ceil(8k / 5) or ceil(7k / 3) by the inequalities that
+// define it, for all k in [0, 1024] and all 40 level codes, of two clocks before.
 //
 // Clauses: BISE-3
 // Engine: bmc 4

@@ -1,7 +1,7 @@
 `include "specification.svh"
 
-// One value of a sequence is the value that its digit group's bits stand for, at each level code with VALUE_BITS = 10 (depth 8) and each
-// slot, for all windows and all numbers of bits that are left; bits past the end count as 0.
+// One value of a sequence is the value that its digit group's bits stand for, at each level code with VALUE_BITS = 10
+// (depth 8) and each slot, for all windows and all numbers of bits that are left; bits past the end count as 0.
 //
 // Clauses: BISE-1, BISE-2, BISE-4 to BISE-9
 // Engine: sat 1

@@ -1,7 +1,8 @@
 `include "specification.svh"
 
-// The place of value `index` = digit group * (values in one) + place: the slot is that place, the first bit is the digit group's.
-// For all indices and all 40 level codes, so the multiplications that stand for divisions by 5 and 3 are exact.
+// The place of value `index` = digit group * (values in one) + place: the slot is that place, the first bit is the
+// digit group's. For all indices and all 40 level codes, so the multiplications that stand for divisions by 5 and 3 are
+// exact.
 //
 // Clauses: BISE-5, BISE-6, BISE-11
 // Engine: bmc 1

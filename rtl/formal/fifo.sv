@@ -1,6 +1,6 @@
-// The queue against a list of words: what comes out is what went in, each word once and in order; a word that is offered stays until
-// it is taken; valid does not wait for ready; `count` is the number of words inside; a word fits if and only if it is less than DEPTH.
-// WIDTH = 8, DEPTH = 4.
+// The queue against a list of words: what comes out is what went in, each word once and in order; a word that is
+// offered stays until it is taken; valid does not wait for ready; `count` is the number of words inside; a word fits if
+// and only if it is less than DEPTH. WIDTH = 8, DEPTH = 4.
 //
 // Clauses: Channels (docs/decode_unit.md)
 // Engine: induction 2 16
@@ -37,7 +37,8 @@ module prove_fifo (
   (* hierconn *) wire [7:0] \dut.storage.words[2] ;
   (* hierconn *) wire [7:0] \dut.storage.words[3] ;
   (* hierconn *) wire [2:0] \dut.taken ;
-  wire [31:0] storage = {\dut.storage.words[3] , \dut.storage.words[2] , \dut.storage.words[1] , \dut.storage.words[0] };
+  wire [31:0] storage = {\dut.storage.words[3] , \dut.storage.words[2] , \dut.storage.words[1] ,
+      \dut.storage.words[0] };
   wire [63:0] turned = {storage, storage} >> {\dut.taken [1:0], 3'd0};
 
   logic       waiting;

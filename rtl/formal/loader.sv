@@ -1,6 +1,6 @@
-// A LOAD goes on from `load`, when none does, until it ends with the first error of its two parts; it forgets the stream
-// before when no request is in flight. Requests may be accepted from the end of a LOAD to the next one while the last
-// command is LOAD; of LOAD and DISABLE in one clock LOAD counts. BLOCK_LOG2 = 2, MAX_DEPTH = 12, beats of 64 bits.
+// A LOAD goes on from `load`, when none does, until it ends with the first error of its two parts; it forgets the
+// stream before when no request is in flight. Requests may be accepted from the end of a LOAD to the next one while the
+// last command is LOAD; of LOAD and DISABLE in one clock LOAD counts. BLOCK_LOG2 = 2, MAX_DEPTH = 12, beats of 64 bits.
 //
 // Clauses: FIL-8, LOAD and DISABLE (docs/decode_unit.md)
 // Engine: induction 2 6
@@ -11,10 +11,9 @@ module prove_loader (input logic clk, input logic load, input logic disable_unit
   logic       loading, enable, flush;
   logic [5:0] error;
   hmlfc_loader #(.BLOCK_LOG2(2), .MAX_DEPTH(12), .DATA_BITS(64)) dut (
-    .clk(clk), .rst_n(started), .load(load), .disable_unit(disable_unit), .idle(idle), .loading(loading), .enable(enable),
-    .flush(flush), .error(error), .stream_base(64'd0), .stream_bytes(64'd0), .reference_base(64'd0), .stream(), .levels(),
-    .request_valid(), .request_ready(1'b0), .request_address(), .request_beats(), .data_valid(1'b0), .data(64'd0),
-    .data_last(1'b0), .data_error(1'b0));
+    .clk(clk), .rst_n(started), .load(load), .disable_unit(disable_unit), .idle(idle), .loading(loading),
+    .enable(enable), .flush(flush), .error(error), .stream_base(64'd0), .stream_bytes(64'd0), .reference_base(64'd0),
+    .stream(), .levels(), .request(), .response(4'd0), .data(64'd0));
   (* hierconn *) wire \dut.wanted ;
   (* hierconn *) wire [1:0] \dut.state ;
 

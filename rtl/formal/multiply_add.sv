@@ -1,5 +1,5 @@
-// Multiplication and addition: `done` comes for one clock, at most B_BITS + 2 clocks after `start`, and the sum is a * b + c modulo
-// 2^SUM_BITS; for all a, b and c. Widths 5, 4 and 8; the unit's multiplier differs in nothing but widths.
+// Multiplication and addition: `done` comes for one clock, at most B_BITS + 2 clocks after `start`, and the sum is a *
+// b + c modulo 2^SUM_BITS; for all a, b and c. Widths 5, 4 and 8; the unit's multiplier differs in nothing but widths.
 //
 // Clauses: CNV-1
 // Engine: bmc 9

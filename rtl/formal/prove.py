@@ -28,6 +28,9 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent
+sys.path.insert(0, str(RTL / "kit"))
+import file_list  # noqa: E402
+
 PROVED, REFUTED, FAILED, SKIPPED = 0, 1, 2, 77
 
 
@@ -63,9 +66,10 @@ class Proof:
         cut = [f"*hmlfc_{module}*" for module in self.field(".+", "Cut").split()]
         arrays = self.field("arrays", "Memories")
         return [
-            f"read_verilog -sv -formal -I{RTL} -I{HERE} {RTL}/hmlfc_pkg.sv {RTL}/hmlfc_ram.sv {self.file}",
+            f"verilog_defaults -add -I{RTL} -I{HERE}",
+            f"read_verilog -sv -formal {RTL}/hmlfc_pkg.sv {RTL}/lib/hmlfc_ram.sv {self.file}",
             *([f"chparam {part} prove_{self.name}"] if part else []),
-            f"hierarchy -check -top prove_{self.name} -libdir {RTL}",
+            f"hierarchy -check -top prove_{self.name} {file_list.library(RTL)}",
             "proc", *(["cutpoint " + " ".join(cut), "hierarchy"] if cut else []), "opt_expr", "opt_dff",
             "setattr -set keep 1 t:$*ff*", "opt_clean", "setattr -unset keep t:$*ff*",  # all registers stay
             *(["memory_collect", "memory_nordff"] if arrays else ["memory_dff", "memory_map"]),
@@ -113,14 +117,14 @@ def check(proof: Proof, part: str, smt2: pathlib.Path) -> int:
 
 def still(module: str, signal: str, netlist: pathlib.Path) -> int:
     """With 0 in place of the input each register of the netlist has its own output as its next value."""
-    status, text = run(["yosys", "-q", "-p", f"read_verilog -sv -I{RTL} {RTL}/hmlfc_pkg.sv {RTL}/{module}.sv; "
-                        f"hierarchy -check -top {module} -libdir {RTL}; "
+    status, text = run(["yosys", "-q", "-p", f"verilog_defaults -add -I{RTL}; read_verilog -sv {RTL}/hmlfc_pkg.sv {file_list.module(RTL, module)}; "
+                        f"hierarchy -check -top hmlfc_{module} {file_list.library(RTL)}; "
                         "proc; flatten; opt_expr; opt_clean; memory_dff; memory_map; dffunmap; setattr -set keep 1 t:$*ff*; "
-                        f"select -assert-any {module}/i:{signal}; delete -input {module}/i:{signal}; connect -set {signal} 1'b0; "
+                        f"select -assert-any hmlfc_{module}/i:{signal}; delete -input hmlfc_{module}/i:{signal}; connect -set {signal} 1'b0; "
                         f"opt_expr; opt_clean; write_json {netlist}"])
     if status != 0:
         return fail(f"yosys: {text}")
-    cells = json.loads(netlist.read_text(encoding="utf-8"))["modules"][module]["cells"]
+    cells = json.loads(netlist.read_text(encoding="utf-8"))["modules"][f"hmlfc_{module}"]["cells"]
     registers = [cell["connections"] for cell in cells.values() if "Q" in cell["connections"]]
     moving = sum(register["D"] != register["Q"] for register in registers)
     print(f"{module}: {moving} of {len(registers)} registers may change without {signal}")
@@ -129,7 +133,7 @@ def still(module: str, signal: str, netlist: pathlib.Path) -> int:
 
 def prove(proof: Proof, work: pathlib.Path) -> int:
     """All that a file states."""
-    stills = re.findall(r"^// Still: +(\S+) (\S+)$", proof.text, re.M)
+    stills = re.findall(r"^// Still: +hmlfc_(\S+) (\S+)$", proof.text, re.M)
     steps = [lambda pair=pair: still(*pair, work / "still.json") for pair in stills]
     steps += [lambda part=part: check(proof, part, work / "model.smt2") for part in proof.parts()]
     return next((status for step in steps if (status := step()) != PROVED), PROVED)

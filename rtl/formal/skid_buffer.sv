@@ -1,5 +1,5 @@
-// The register slice against a list of at most two words: what comes out is what went in, each word once and in order; a word that is
-// offered stays until it is taken; neither valid nor ready waits for the other. WIDTH = 8.
+// The register slice against a list of at most two words: what comes out is what went in, each word once and in order;
+// a word that is offered stays until it is taken; neither valid nor ready waits for the other. WIDTH = 8.
 //
 // Clauses: Channels (docs/decode_unit.md)
 // Engine: induction 2 16

@@ -4,7 +4,7 @@
 kit_test.py generated|read_back|file_list ROOT
   generated   the generated files are what rtl/kit/generate.py writes
   read_back   what kit_readers.py finds in each format is what the descriptions of the registers say; the header compiles as C99
-  file_list   rtl/hmlfc_decode_unit.f names every file of the folder, in an order that compiles; the core has its files
+  file_list   rtl/hmlfc_decode_unit.f names every file of its folders, in an order that compiles; the core has its files
 
 Exit: 0 so, 1 not; what is wrong is printed.
 """
@@ -67,8 +67,8 @@ def file_list(root):
     import file_list as files
 
     lines = files.complaints(rtl)
-    named = [path.name for path in [*files.headers(rtl), *files.sources(rtl)]]
-    core = re.findall(r"^      - (\w+\.svh?)\b", (rtl / CORE).read_text(), re.M)
+    named = [path.relative_to(rtl).as_posix() for path in [*files.headers(rtl), *files.sources(rtl)]]
+    core = re.findall(r"^      - ([\w/]+\.svh?)\b", (rtl / CORE).read_text(), re.M)
     if core != named:
         lines.append(f"{CORE}: its files are not those of the list")
     return lines

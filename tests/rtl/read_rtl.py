@@ -26,7 +26,7 @@ PROGRAMS = {"verilator": "verilator", "yosys": "yosys", "icarus": "iverilog"}
 # In the body of a module, where it is indented by 2.
 DECLARATION = re.compile(r"^  (?:logic|wire|\w+::\w+_t|state_t)\b(?: signed)?(?: *\[[^]]*\])* +([^;=]+)", re.M)
 FUNCTION = re.compile(r"^  function .*?^  endfunction", re.M | re.S)
-NOT_A_USE = re.compile(r"//[^\n]*|\.\w+ *\(|(?<=[\w\])])\.\w+")  # comments, names of ports, members
+NOT_A_USE = re.compile(r"//[^\n]*|`default_nettype [^\n]*|\.\w+ *\(|(?<=[\w\])])\.\w+")  # comments, names of ports, members
 
 
 def early_uses(path):
@@ -55,7 +55,7 @@ def commands(tool, rtl, tops):
     if tool == "verilator":
         lint = ["verilator", "--lint-only", "-Wall", "waivers.vlt", "-F", file_list.NAME]
         return [[*lint, "--top-module", path.stem] for path in tops]
-    files = " ".join(path.name for path in file_list.sources(rtl))
+    files = " ".join(str(path.relative_to(rtl)) for path in file_list.sources(rtl))
     return [
         ["yosys", "-q", "-p", f"read_verilog -sv -defer {files}", "-p", f"hierarchy -check -top {path.stem}",
          "-p", f"proc {checked(path)}", "-p", f"check -assert {checked(path)}"]

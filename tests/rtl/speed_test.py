@@ -13,7 +13,7 @@ from pathlib import Path
 
 SKIPPED = 77
 LIBERTY = Path("/usr/share/qflow/tech/osu035/osu035_stdcells.lib")
-FILE = "hmlfc_bise_place.sv"
+FILE = "unit/hmlfc_bise_place.sv"
 FAST = "assign group_bit = kind"
 SLOW = """wire [13:0] product;
   assign group_bit = product * (product + {8'd0, level_code});
