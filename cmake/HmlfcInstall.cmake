@@ -91,25 +91,20 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/hmlfc.pc"
 
 set(rtl_dir "${CMAKE_INSTALL_DATADIR}/hmlfc/rtl")
 install(FILES
-  ${HMLFC_RTL_SOURCES}
   ${HMLFC_RTL_HEADERS}
   rtl/hmlfc_decode_unit.core
   rtl/hmlfc_decode_unit.f
+  rtl/hmlfc_pkg.sv
   rtl/registers.json
   rtl/view_registers.json
   rtl/waivers.vlt
   DESTINATION "${rtl_dir}" COMPONENT rtl)
-install(DIRECTORY rtl/driver rtl/example DESTINATION "${rtl_dir}" COMPONENT rtl)
+install(DIRECTORY rtl/lib rtl/unit rtl/view rtl/driver rtl/example DESTINATION "${rtl_dir}" COMPONENT rtl)
 install(FILES
   ${HMLFC_RTL_ASSERTIONS}
   rtl/kit/hmlfc_decode_unit.rdl
   rtl/kit/hmlfc_decode_unit.sdc
-  rtl/kit/hmlfc_decode_unit.xml
   rtl/kit/hmlfc_view_queue.rdl
-  rtl/kit/hmlfc_view_unit.xml
-  rtl/kit/pin_player.sv
-  rtl/kit/pin_replay.sv
-  rtl/kit/view_pin_replay.sv
   DESTINATION "${rtl_dir}/kit" COMPONENT rtl)
 
 # What the rules above install.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Types that the modules of the decode unit share. Field names are those of the specification.
 package hmlfc_pkg;
 
@@ -20,6 +21,28 @@ package hmlfc_pkg;
   localparam int MOTION_BITS = 33;
   localparam int FLOW_BITS = JOB_BITS + 58;
   localparam int PENDING_BITS = JOB_BITS + 55;
+  localparam int READ_REQUEST_BITS = ADDRESS_BITS + 11;
+  localparam int READ_RESPONSE_BITS = 4;
+
+  // What a store keeps (hmlfc_tile_store).
+  localparam int RESIDUAL_TILES = 0;
+  localparam int MOTION_TILES = 1;     // of predictive images
+  localparam int DISPARITY_TILES = 2;  // motion tiles of reference images
+
+  // What a client asks of hmlfc_read_port: whole beats from a beat-aligned address. It holds until `ready`.
+  typedef struct packed {
+    logic valid;
+    logic [ADDRESS_BITS-1:0] address;
+    logic [9:0] beats;  // [1, 1023]
+  } read_request_t;
+
+  // What the client gets, next to the beat itself, which goes to all clients.
+  typedef struct packed {
+    logic ready;  // the request is taken
+    logic valid;  // the beat is for this client
+    logic last;   // it ends the request
+    logic error;  // SLVERR or DECERR
+  } read_response_t;
 
   // Bits of feature_flags (EXT-1).
   typedef struct packed {

@@ -1,9 +1,15 @@
-// A small system around the view unit, for simulation: memory, interrupt, and a bus master that runs the C driver (soc_main.c).
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
+// A small system around the view unit, for simulation: memory, interrupt, and a bus master that runs the C driver
+// (soc_main.c).
 //
-// There is no processor in it: the program is compiled for the host and called through DPI-C, one step a clock. Its accesses to registers are real
-// ones, through AXI4-Lite. The memory's bytes are the program's, so that both see the same ones; the unit reaches them through AXI4 alone.
+// There is no processor in it: the program is compiled for the host and called through DPI-C, one step a clock. Its
+// accesses to registers are real ones, through AXI4-Lite. The memory's bytes are the program's, so that both see the
+// same ones; the unit reaches them through AXI4 alone.
 //
-// Plusargs: +stream=FILE +row=R +col=C +out=FILE.ppm. Ends with status 1 where the program returns another value than 0.
+// Plusargs: +stream=FILE +row=R +col=C +out=FILE.ppm. Ends with status 1 where the program returns another value than
+// 0.
 module soc #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8
@@ -18,7 +24,8 @@ module soc #(
       input int col,
       input string out
   );
-  // Runs it until it wants something: 0, that a clock passes; a register read or written; or to end with the result write_data.
+  // Runs it until it wants something: 0, that a clock passes; a register read or written; or to end with the result
+  // write_data.
   import "DPI-C" function int soc_step(
       input bit irq,
       input bit [31:0] read_data,
@@ -209,3 +216,5 @@ module soc #(
     soc_start(stream, row, col, out);
   end
 endmodule
+
+`default_nettype wire

@@ -1,4 +1,8 @@
-// AXI4 memory of soc.sv: bursts of full beats in order, at most 16 waiting, writes of one beat or more; a beat a clock each way.
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
+// AXI4 memory of soc.sv: bursts of full beats in order, at most 16 waiting, writes of one beat or more; a beat a clock
+// each way.
 module soc_memory #(
     parameter int BITS = 128,
     parameter int ADDRESS_BITS = 40
@@ -101,3 +105,5 @@ module soc_memory #(
     end
   end
 endmodule
+
+`default_nettype wire

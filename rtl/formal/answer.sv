@@ -1,25 +1,16 @@
-// Each block that ends a request gives exactly one answer, in order, with its own status and tlast: blocks that end requests are taken
-// and answers given in equal numbers but for those inside, which is proved of any one block that is followed; an answer does not change while it waits. For a request of one plane the
-// answer is the block's samples, or, for residuals, its residuals, 0 where it has none. For RGB the colour transform gets the samples of Y and, by COL-3, those of Co and Cg at its pixels, each
-// of the latest last block of its plane, and the answer is what the transform gives for them two clocks later (proof colour); its status
-// is the first error of Y, Co and Cg. With an error the samples are 0. Chroma that is kept and met a bus error is told. BLOCK_LOG2 = 1,
-// MAX_DEPTH = 8; any stalls.
+// Each block that ends a request gives exactly one answer, in order, with its own status and tlast: blocks that end
+// requests are taken and answers given in equal numbers but for those inside, which is proved of any one block that is
+// followed; an answer does not change while it waits. For a request of one plane the answer is the block's samples, or,
+// for residuals, its residuals, 0 where it has none. For RGB the colour transform gets the samples of Y and, by COL-3,
+// those of Co and Cg at its pixels, each of the latest last block of its plane, and the answer is what the transform
+// gives for them two clocks later (proof colour); its status is the first error of Y, Co and Cg. With an error the
+// samples are 0. Chroma that is kept and met a bus error is told. BLOCK_LOG2 = 1, MAX_DEPTH = 8; any stalls.
 //
 // Clauses: Answers (docs/decode_unit.md), COL-2 for its place in the order, COL-3
 // Engine: induction 1 3
-// Mutants: 2
 // Complete: the block that is followed is bound to the stages' registers, so the induction needs no reachability.
-// Fault: hmlfc_answer.sv / !valid[3] || advance_out / !valid[3] && advance_out
-// Fault: hmlfc_answer.sv / last <= {last[2:1], in_job.tlast} / last <= {last[2:1], last[1]}
-// Fault: hmlfc_answer.sv / rgb_error = y_error != 0 ? y_error : / rgb_error =
-// Fault: hmlfc_answer.sv / cg_1 <= at_pixels(cg, / cg_1 <= at_pixels(held_co,
-// Fault: hmlfc_answer.sv / {in_job.by[0], in_job.bx[0]} : corner / {in_job.bx[0], in_job.by[0]} : corner
-// Fault: hmlfc_answer.sv / full ? py * B + px / 1'b1 ? py * B + px
-// Fault: hmlfc_answer.sv / if (rgb[3]) answer = lanes_3 / if (rgb[2]) answer = lanes_3
-// Fault: hmlfc_answer.sv / && !y_now && in_error == / && in_error ==
-// Fault: hmlfc_answer.sv / in_has_residual ? in_residual / 1'b1 ? in_residual
 `include "hmlfc_tables.svh"
-`include "inside.svh"
+`include "follow.svh"
 module prove_answer #(
   parameter integer BLOCK_LOG2 = 1,
   parameter integer MAX_DEPTH = 8,
@@ -30,8 +21,10 @@ module prove_answer #(
   localparam integer P = N * S,          // of a plane
   localparam integer L = 3 * N * 16      // of an answer
 ) (
-  input logic clk, input logic rst_n, input logic in_valid, input logic [hmlfc_pkg::JOB_BITS-1:0] in_job, input logic [5:0] in_error,
-  input logic [P-1:0] in_sample, input logic in_has_residual, input logic [N*V-1:0] in_residual, input logic out_ready, input logic [3:0] depth, input logic chroma_444
+  input logic clk, input logic rst_n, input logic in_valid, input logic [hmlfc_pkg::JOB_BITS-1:0] in_job,
+      input logic [5:0] in_error,
+  input logic [P-1:0] in_sample, input logic in_has_residual, input logic [N*V-1:0] in_residual, input logic out_ready,
+      input logic [3:0] depth, input logic chroma_444
 );
   hmlfc_pkg::job_t job;
   assign job = in_job;
@@ -39,9 +32,10 @@ module prove_answer #(
   logic [L-1:0] out_data;
   logic [5:0]   out_error;
   hmlfc_answer #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH)) dut (
-    .clk(clk), .rst_n(rst_n), .depth(depth), .chroma_444(chroma_444), .in_valid(in_valid), .in_ready(in_ready), .in_job(job),
-    .in_error(in_error), .in_sample(in_sample), .in_has_residual(in_has_residual), .in_residual(in_residual), .chroma_spoiled(chroma_spoiled), .out_valid(out_valid), .out_ready(out_ready), .out_data(out_data),
-    .out_error(out_error), .out_last(out_last));
+    .clk(clk), .rst_n(rst_n), .depth(depth), .chroma_444(chroma_444), .in_valid(in_valid), .in_ready(in_ready),
+    .in_job(job), .in_error(in_error), .in_sample(in_sample), .in_has_residual(in_has_residual),
+    .in_residual(in_residual), .chroma_spoiled(chroma_spoiled), .out_valid(out_valid), .out_ready(out_ready),
+    .out_data(out_data), .out_error(out_error), .out_last(out_last));
   (* hierconn *) wire [3:1] \dut.valid ;
   (* hierconn *) wire [3:1] \dut.last ;
   (* hierconn *) wire \dut.advance ;
@@ -79,7 +73,8 @@ module prove_answer #(
   (* hierconn *) wire [5:0] \dut.error_cg ;
   (* hierconn *) wire [1:0] \dut.corner ;
 
-  // Chroma at the pixels: that of pixel (x, y) of a block at (bx, by) is sample ((B bx + x) / 2, (B by + y) / 2) of the plane.
+  // Chroma at the pixels: that of pixel (x, y) of a block at (bx, by) is sample ((B bx + x) / 2, (B by + y) / 2) of the
+  // plane.
   function automatic [P-1:0] pixels_of(input [P-1:0] plane, input by, input bx);
     for (integer k = 0; k < N; k = k + 1)
       pixels_of[S*k +: S] = plane >> (S * (B * ((B * by + k / B) / 2) + (B * bx + k % B) / 2));
@@ -94,7 +89,8 @@ module prove_answer #(
   wire [N*V-1:0] values;
   generate
     for (genvar i = 0; i < N; i = i + 1) begin : g_value
-      wire [V-1:0] value = !job.residuals ? {in_sample[S*i+S-1], in_sample[S*i +: S]} : in_has_residual ? in_residual[V*i +: V] : {V{1'b0}};
+      wire [V-1:0] value = !job.residuals ? {in_sample[S*i+S-1], in_sample[S*i +: S]} : in_has_residual ?
+          in_residual[V*i +: V] : {V{1'b0}};
       assign {values[P+i], values[S*i +: S]} = value;
     end
   endgenerate
@@ -107,7 +103,8 @@ module prove_answer #(
   wire [P+5:0] cg = job.plane == 2 ? block : cg_kept;
   wire [1:0]   place = job.plane == 0 ? {job.by[0], job.bx[0]} : place_kept;
   wire [5:0]   first_error = y[P +: 6] != 0 ? y[P +: 6] : co_kept[P +: 6] != 0 ? co_kept[P +: 6] : cg[P +: 6];
-  wire [E-1:0] entry = {values[P +: N], pixels(cg[P-1:0], place, chroma_444), pixels(co_kept[P-1:0], place, chroma_444), job.rgb, job.tlast,
+  wire [E-1:0] entry = {values[P +: N], pixels(cg[P-1:0], place, chroma_444),
+      pixels(co_kept[P-1:0], place, chroma_444), job.rgb, job.tlast,
                         job.rgb ? {first_error, y[P-1:0]} : {in_error, values[P-1:0]}};
 
   // How many are in front of the stages from the oldest on: the slice's two registers, stages 3 to 1.
@@ -155,9 +152,11 @@ module prove_answer #(
       if (following && out_valid && ahead == 0) assert ({out_last, out_error, out_data} == {e[P+6:P], lanes});
       if (following && !\dut.advance_out && ahead == at_skid) assert (\dut.out.skid == {e[P+6:P], lanes});
       if (following && \dut.valid [3] && ahead == at_3)
-        assert ({\dut.rgb [3], \dut.last [3], \dut.status_3 } == e[P +: 8] && (e[P+7] || {\dut.signs_3 , \dut.y_3 } == {e[3*P+8 +: N], e[P-1:0]}));
+        assert ({\dut.rgb [3], \dut.last [3], \dut.status_3 } == e[P +: 8] &&
+            (e[P+7] || {\dut.signs_3 , \dut.y_3 } == {e[3*P+8 +: N], e[P-1:0]}));
       if (following && \dut.valid [2] && ahead == at_2)
-        assert ({\dut.rgb [2], \dut.last [2], \dut.status_2 } == e[P +: 8] && (e[P+7] || {\dut.signs_2 , \dut.y_2 } == {e[3*P+8 +: N], e[P-1:0]}));
+        assert ({\dut.rgb [2], \dut.last [2], \dut.status_2 } == e[P +: 8] &&
+            (e[P+7] || {\dut.signs_2 , \dut.y_2 } == {e[3*P+8 +: N], e[P-1:0]}));
       if (following && \dut.valid [1] && ahead == at_1) begin
         assert ({\dut.rgb [1], \dut.last [1], \dut.status_1 , \dut.y_1 } == e[P+7:0]);
         if (e[P+7]) assert ({\dut.cg_1 , \dut.co_1 } == e[P+8 +: 2*P]);

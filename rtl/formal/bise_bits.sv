@@ -1,12 +1,11 @@
 `include "specification.svh"
 
-// The length of a sequence of k values: n * k + d, where d = ceil(8k / 5) or ceil(7k / 3) by the inequalities that define it,
-// for all k in [0, 1024] and all 40 level codes, of two clocks before.
+// The length of a sequence of k values: n * k + d, where d = ceil(8k / 5) or ceil(7k / 3) by the inequalities that
+// define it, for all k in [0, 1024] and all 40 level codes, of two clocks before.
 //
 // Clauses: BISE-3
 // Engine: bmc 4
 // Complete: nothing but the inputs of two clocks before reaches the length.
-// Fault: hmlfc_bise_bits.sv / 28'd76461 / 28'd76458
 module prove_bise_bits (input logic clk, input logic [10:0] count);
   logic [10:0] count_1, count_2;
   logic [1:0]  started = 2'd0;

@@ -1,13 +1,11 @@
 `include "specification.svh"
 
-// One value of a sequence is the value that its digit group's bits stand for, at each level code with VALUE_BITS = 10 (depth 8) and each
-// slot, for all windows and all numbers of bits that are left; bits past the end count as 0.
+// One value of a sequence is the value that its digit group's bits stand for, at each level code with VALUE_BITS = 10
+// (depth 8) and each slot, for all windows and all numbers of bits that are left; bits past the end count as 0.
 //
 // Clauses: BISE-1, BISE-2, BISE-4 to BISE-9
 // Engine: sat 1
 // Complete: combinational; one instance for each level code and slot.
-// Fault: hmlfc_bise_element.sv / 3'd2: digits_before = 3'd4 / 3'd2: digits_before = 3'd5
-// Fault: hmlfc_bise_element.sv / present[3*k+4] / present[3*k+5]
 module prove_bise_element #(
   parameter integer VALUE_BITS = 10
 ) (input logic [63:0] window, input logic [6:0] bits_left);

@@ -1,12 +1,12 @@
 `include "specification.svh"
 
-// The place of value `index` = digit group * (values in one) + place: the slot is that place, the first bit is the digit group's.
-// For all indices and all 40 level codes, so the multiplications that stand for divisions by 5 and 3 are exact.
+// The place of value `index` = digit group * (values in one) + place: the slot is that place, the first bit is the
+// digit group's. For all indices and all 40 level codes, so the multiplications that stand for divisions by 5 and 3 are
+// exact.
 //
 // Clauses: BISE-5, BISE-6, BISE-11
 // Engine: bmc 1
 // Complete: combinational.
-// Fault: hmlfc_bise_place.sv / 20'd205 / 20'd204
 module prove_bise_place (input logic [9:0] group, input logic [2:0] place);
   generate
     for (genvar code = 0; code < 40; code = code + 1) begin : each

@@ -1,26 +1,24 @@
 `include "specification.svh"
 
-// The pixels are those of the formula in integers of 32 bits, so nothing overflows before the clamps: for every depth 8 to 12 and all
-// samples in their intervals, two clocks after their input. MAX_DEPTH = 12; blocks of 4 x 4. This is proved of pixel 0; and where the
-// samples go to the positions below theirs, so do the pixels.
+// The pixels are those of the formula in integers of 32 bits, so nothing overflows before the clamps: for every depth 8
+// to 12 and all samples in their intervals, two clocks after their input. MAX_DEPTH = 12; blocks of 4 x 4. This is
+// proved of pixel 0; and where the samples go to the positions below theirs, so do the pixels.
 //
 // Clauses: COL-2, section 11 (t; R, G, B before their clamps)
 // Engine: sat 3
 // Still: hmlfc_colour advance
 // Complete: no register has an initial value and the latency is 2.
-// Fault: hmlfc_colour.sv / SUM_BITS = MAX_DEPTH + 2; / SUM_BITS = MAX_DEPTH + 1;
-// Fault: hmlfc_colour.sv / {t_1, 1'b1} / {t_1, 1'b0}
-// Fault: hmlfc_colour.sv / y[i*SAMPLE_BITS +: SAMPLE_BITS] / y[(i==3?0:i)*SAMPLE_BITS +: SAMPLE_BITS]
-// Fault: hmlfc_colour.sv / always_ff @(posedge clk) if (advance) hi / always_ff @(posedge clk) hi
 module prove_colour (
   input logic clk, input logic [207:0] y, input logic [207:0] co, input logic [207:0] cg, input logic [3:0] depth
 );
   logic [767:0] lanes, turned;
-  hmlfc_colour #(.BLOCK_LOG2(2), .MAX_DEPTH(12)) dut (.clk(clk), .advance(1'b1), .y(y), .co(co), .cg(cg), .depth(depth), .lanes(lanes));
+  hmlfc_colour #(.BLOCK_LOG2(2), .MAX_DEPTH(12)) dut (.clk(clk), .advance(1'b1), .y(y), .co(co), .cg(cg),
+      .depth(depth), .lanes(lanes));
   hmlfc_colour #(.BLOCK_LOG2(2), .MAX_DEPTH(12)) turned_dut (
-    .clk(clk), .advance(1'b1), .y({y[12:0], y[207:13]}), .co({co[12:0], co[207:13]}), .cg({cg[12:0], cg[207:13]}), .depth(depth),
-    .lanes(turned));
-  always @* assert (turned == {lanes[527:512], lanes[767:528], lanes[271:256], lanes[511:272], lanes[15:0], lanes[255:16]});
+    .clk(clk), .advance(1'b1), .y({y[12:0], y[207:13]}), .co({co[12:0], co[207:13]}), .cg({cg[12:0], cg[207:13]}),
+    .depth(depth), .lanes(turned));
+  always @* assert (turned == {lanes[527:512], lanes[767:528], lanes[271:256], lanes[511:272], lanes[15:0],
+      lanes[255:16]});
 
   wire signed [31:0] hi = (32'd1 << depth) - 1;
   wire signed [31:0] Y = $signed(y[12:0]);

@@ -1,20 +1,15 @@
-// Each block that enters leaves once and in order with its own job, residual and error, whatever is asked of the output and whenever its
-// windows come: this is proved of any one block that is followed; a block that leaves does not change while it waits; each block takes
-// the windows it asked for, each once, those of B in the order first, second; and no window passes without a block. The error is that of
-// the level before, or else the first of the block's own, of its first and of its second window. The trace's prediction is that of the
-// sum. The first block after a reset begins a chain. BLOCK_LOG2 = 1, MAX_DEPTH = 8.
+// Each block that enters leaves once and in order with its own job, residual and error, whatever is asked of the output
+// and whenever its windows come: this is proved of any one block that is followed; a block that leaves does not change
+// while it waits; each block takes the windows it asked for, each once, those of B in the order first, second; and no
+// window passes without a block. The error is that of the level before, or else the first of the block's own, of its
+// first and of its second window. The trace's prediction is that of the sum. The first block after a reset begins a
+// chain. BLOCK_LOG2 = 1, MAX_DEPTH = 8.
 //
 // Clauses: DEC-3 for its order, DEC-7, CNV-7, MOT-10
 // Engine: induction 1 6
-// Mutants: 7
 // Cut: interpolate reconstruct
 // Complete: the block that is followed is bound to the stages' registers, so the induction needs no reachability.
-// Fault: hmlfc_compose.sv / assign in_ready = first_there && second_there && advance / assign in_ready = first_there && advance
-// Fault: hmlfc_compose.sv / if (!rst_n || go) kept_valid <= 1'b0 / if (!rst_n) kept_valid <= 1'b0
-// Fault: hmlfc_compose.sv / if (valid[6]) chain_error / if (valid[5]) chain_error
-// Fault: hmlfc_compose.sv / both_from_b ? kept_error : / 1'b0 ? kept_error :
-// Fault: hmlfc_compose.sv / in_pending.two ? b_error / in_pending.two ? a_error
-`include "inside.svh"
+`include "follow.svh"
 module prove_compose #(
   parameter integer BLOCK_LOG2 = 1,
   parameter integer MAX_DEPTH = 8,
@@ -23,7 +18,8 @@ module prove_compose #(
   localparam integer J = hmlfc_pkg::PENDING_BITS,
   localparam integer E = 6 + R + J  // {error, residual, pending}
 ) (
-  input logic clk, input logic rst_n, input logic in_valid, input logic [J-1:0] in_pending, input logic [R-1:0] in_residual,
+  input logic clk, input logic rst_n, input logic in_valid, input logic [J-1:0] in_pending,
+      input logic [R-1:0] in_residual,
   input logic a_valid, input logic [5:0] a_error, input logic b_valid, input logic [5:0] b_error, input logic out_ready
 );
   hmlfc_pkg::pending_t pending;
@@ -33,12 +29,12 @@ module prove_compose #(
   logic [5:0]   out_error;
   logic [R-1:0] out_residual;
   logic [P-1:0] out_prediction;
-  `PORT(P, out_prediction, \dut.reconstruct.prediction )
   hmlfc_compose #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH)) dut (
-    .clk(clk), .rst_n(rst_n), .depth(4'd8), .in_valid(in_valid), .in_ready(in_ready), .in_pending(pending), .in_residual(in_residual),
-    .a_valid(a_valid), .a_ready(a_ready), .a_error(a_error), .a_window('0), .b_valid(b_valid), .b_ready(b_ready), .b_error(b_error),
-    .b_window('0), .out_valid(out_valid), .out_ready(out_ready), .out_pending(out_pending), .out_error(out_error), .out_sample(),
-    .out_residual(out_residual), .out_reference(), .out_prediction(out_prediction));
+    .clk(clk), .rst_n(rst_n), .depth(4'd8), .in_valid(in_valid), .in_ready(in_ready), .in_pending(pending),
+    .in_residual(in_residual), .a_valid(a_valid), .a_ready(a_ready), .a_error(a_error), .a_window('0),
+    .b_valid(b_valid), .b_ready(b_ready), .b_error(b_error), .b_window('0), .out_valid(out_valid),
+    .out_ready(out_ready), .out_pending(out_pending), .out_error(out_error), .out_sample(), .out_residual(out_residual),
+    .out_reference(), .out_prediction(out_prediction));
   (* hierconn *) wire [7:1] \dut.valid ;
   (* hierconn *) wire [7*J-1:0] \dut.pendings ;
   (* hierconn *) wire [7*R-1:0] \dut.residuals ;
@@ -46,6 +42,8 @@ module prove_compose #(
   (* hierconn *) wire \dut.kept_valid ;
   (* hierconn *) wire [5:0] \dut.kept_error ;
   (* hierconn *) wire [5:0] \dut.chain_error ;
+  (* hierconn *) wire [P-1:0] \dut.reconstruct.prediction ;
+  always @* assert (out_prediction == \dut.reconstruct.prediction );
 
   wire put = in_valid && in_ready;
   wire take = out_valid && out_ready;
@@ -64,7 +62,8 @@ module prove_compose #(
   logic [5:0] b_taken_error;
   always @(posedge clk) if (b_valid && b_ready) b_taken_error <= b_error;
   wire [5:0] first_error = needs_a ? a_error : !needs_first ? 6'd0 : pending.two ? b_taken_error : b_error;
-  wire [5:0] own_error = pending.job.error != 0 ? pending.job.error : first_error != 0 ? first_error : pending.two ? b_error : 6'd0;
+  wire [5:0] own_error = pending.job.error != 0 ? pending.job.error : first_error != 0 ? first_error : pending.two ?
+      b_error : 6'd0;
 
   wire [E-1:0] entry = {own_error, in_residual, in_pending};
   `FOLLOW(E, entry)
@@ -121,10 +120,12 @@ module prove_compose #(
       assert (held == at[0]);
       if (waiting) assert (out_valid && {out_error, out_residual, out_pending} == waiting_block);
       if (following) assert (ahead < held);
-      if (out_valid && following && ahead == 0) assert ({out_error, out_residual, out_pending} == {error, followed[J+R-1:0]});
+      if (out_valid && following && ahead == 0)
+        assert ({out_error, out_residual, out_pending} == {error, followed[J+R-1:0]});
       if (out_valid && !any) assert ((out_pending & first) != 0);
       assert (taken_b == {1'b0, \dut.kept_valid });
-      if (\dut.kept_valid ) assert (in_valid && pending.two && pending.first_from_b && \dut.kept_error == b_taken_error);
+      if (\dut.kept_valid )
+        assert (in_valid && pending.two && pending.first_from_b && \dut.kept_error == b_taken_error);
       if (out_valid || any) assert (\dut.chain_error == (out_valid ? out_error : before));
       if (rst_n && put) begin
         assert ((a_valid && a_ready) == needs_a);

@@ -1,31 +1,27 @@
-// Four clocks after a block with choice 1 to 9, the tile and the place in it of the grid block that the choice names, the block's own or
-// a neighbour of it within the grid; the tile's number and size are those of hmlfc_motion_tile (proof motion_tile). Blocks within their
-// plane. BLOCK_LOG2 = 2. Without stalls, which only delay.
+// Four clocks after a block with choice 1 to 9, the tile and the place in it of the grid block that the choice names,
+// the block's own or a neighbour of it within the grid; the tile's number and size are those of hmlfc_motion_tile
+// (proof motion_tile). Blocks within their plane. BLOCK_LOG2 = 2. Without stalls, which only delay.
 //
 // Clauses: MOT-4, MOT-5, MOT-6
 // Engine: bmc 5
 // Still: hmlfc_disparity_place advance
 // Complete: four stages without feedback.
-// Fault: hmlfc_disparity_place.sv / choice == 4'd7 || choice == 4'd9 / choice == 4'd7 || choice == 4'd8
-// Fault: hmlfc_disparity_place.sv / if (left && own_x != 0) / if (left)
-// Fault: hmlfc_disparity_place.sv / if (grid_y > last_y) grid_y = last_y / if (grid_y > last_y + 15'd1) grid_y = last_y
-// Fault: hmlfc_disparity_place.sv / {at_3, y, x} <= {at_2, at_3} / {at_3, x, y} <= {at_2, at_3}
 module prove_disparity_place #(
   parameter integer BLOCK_LOG2 = 2
 ) (
-  input logic clk, input logic advance, input logic [hmlfc_pkg::FLOW_BITS-1:0] flow_bits, input logic [hmlfc_pkg::TILE_BITS-1:0] first_tile
+  input logic clk, input logic advance, input logic [hmlfc_pkg::FLOW_BITS-1:0] flow_bits,
+      input logic [hmlfc_pkg::TILE_BITS-1:0] first_tile
 );
   localparam integer T = hmlfc_pkg::TILE_BITS;
-  (* anyconst *) logic [750:0] stream_bits;
-  hmlfc_pkg::config_t stream;
+  (* anyconst *) hmlfc_pkg::config_t stream;
   hmlfc_pkg::flow_t flow;
-  assign stream = stream_bits;
   assign flow = flow_bits;
   logic [T-1:0] tile;
   logic [15:0]  info;
   logic [4:0]   x, y;
   hmlfc_disparity_place #(.BLOCK_LOG2(BLOCK_LOG2)) dut (
-    .clk(clk), .advance(advance), .stream(stream_bits), .flow(flow_bits), .first_tile(first_tile), .tile(tile), .info(info), .x(x), .y(y));
+    .clk(clk), .advance(advance), .stream(stream), .flow(flow_bits), .first_tile(first_tile), .tile(tile), .info(info),
+    .x(x), .y(y));
 
   // MOT-4: the block's place in its motion plane, number 4 for chroma with chroma_motion.
   wire        chroma = flow.job.plane != 0;
@@ -39,7 +35,8 @@ module prove_disparity_place #(
   // MOT-5 and MOT-6: the grid block, of sides of 2^grid samples.
   wire [2:0]  grid = stream.disparity_grid_log2;
   wire [3:0]  choice = flow.motion.choice;
-  function automatic signed [17:0] moved(input [15:0] place, input [15:0] size, input [2:0] log2, input signed [17:0] step);
+  function automatic signed [17:0] moved(input [15:0] place, input [15:0] size, input [2:0] log2,
+      input signed [17:0] step);
     integer to, count;
     count = (size + (1 << log2) - 1) >> log2;
     to = place >> log2;
@@ -80,21 +77,24 @@ module prove_disparity_place #(
   logic [T-1:0] expected_tile;
   logic [15:0]  expected_info;
   hmlfc_motion_tile motion (
-    .clk(clk), .advance(advance), .stream(stream_bits), .second(\dut.second_2 ), .tile_x(\dut.tile_x_2 ), .tile_y(\dut.tile_y_2 ),
-    .first_tile(\dut.first_2 ), .tile(expected_tile), .info(expected_info));
+    .clk(clk), .advance(advance), .stream(stream), .second(\dut.second_2 ), .tile_x(\dut.tile_x_2 ),
+    .tile_y(\dut.tile_y_2 ), .first_tile(\dut.first_2 ), .tile(expected_tile), .info(expected_info));
   always @(posedge clk) begin
     filled <= {filled[2:0], 1'b1};
-    which_1 <= {second, tile_y[9:0], tile_x[9:0], 5'(grid_y - (tile_y << tile_log2)), 5'(grid_x - (tile_x << tile_log2))};
+    which_1 <= {second, tile_y[9:0], tile_x[9:0], 5'(grid_y - (tile_y << tile_log2)),
+        5'(grid_x - (tile_x << tile_log2))};
     first_1 <= first_tile;
     {which_2, first_2} <= {which_1, first_1};
     {at_4, at_3} <= {at_3, which_2[9:0]};
   end
   always @* begin
     assume (advance);
-    assume (flow.job.plane != 3 && choice >= 1 && choice <= 9 && width >= 1 && width <= 16384 && height >= 1 && height <= 16384);
+    assume (flow.job.plane != 3 && choice >= 1 && choice <= 9 && width >= 1 && width <= 16384 && height >= 1 &&
+        height <= 16384);
     assume (place_x < width && place_y < height);
     assume (stream.motion_tile_log2 >= 5 && stream.motion_tile_log2 <= 7 && grid >= 2 && grid <= 5);
-    if (filled == 4'b0011) assert ({\dut.second_2 , \dut.tile_y_2 , \dut.tile_x_2 , \dut.first_2 } == {which_2[30:10], first_2});
+    if (filled == 4'b0011)
+      assert ({\dut.second_2 , \dut.tile_y_2 , \dut.tile_x_2 , \dut.first_2 } == {which_2[30:10], first_2});
     if (filled[3]) assert ({tile, info, y, x} == {expected_tile, expected_info, at_4});
   end
 endmodule

@@ -1,14 +1,13 @@
-// Division: `done` comes QUOTIENT_BITS clocks after `start`, for one clock, and the quotient q satisfies q * divisor <= dividend <
-// (q + 1) * divisor; for all dividends and divisors whose quotient fits. With 8 bits throughout, and with 8, 5 and 6 bits of
-// dividend, divisor and quotient; the unit's dividers differ in nothing but widths.
+// Division: `done` comes QUOTIENT_BITS clocks after `start`, for one clock, and the quotient q satisfies q * divisor <=
+// dividend < (q + 1) * divisor; for all dividends and divisors whose quotient fits. With 8 bits throughout, and with 8,
+// 5 and 6 bits of dividend, divisor and quotient; the unit's dividers differ in nothing but widths.
 //
 // Clauses: CNV-1
 // Engine: bmc 11
 // Complete for one division from idle; a start interrupts nothing, as it comes when idle.
-// Fault: hmlfc_divide.sv / next >= {1'b0, by} / next > {1'b0, by}
-// Fault: hmlfc_divide.sv / DIVISOR_BITS'(dividend >> QUOTIENT_BITS) / '0
 module prove_divide (
-  input logic clk, input logic [7:0] dividend, input logic [7:0] divisor, input logic [7:0] other_dividend, input logic [4:0] other_divisor
+  input logic clk, input logic [7:0] dividend, input logic [7:0] divisor, input logic [7:0] other_dividend,
+      input logic [4:0] other_divisor
 );
   logic       idle, done;
   logic [7:0] quotient;

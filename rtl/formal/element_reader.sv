@@ -1,33 +1,33 @@
-// A value of a sequence, with any stalls: the word where its digit group begins is read two clocks after it is asked for, and two clocks later the
-// value is what hmlfc_bise_element makes of the bits of the window from there on (proof bise_element), at the place of
-// hmlfc_bise_place (proof bise_place); for values within the sequence. WORD_BITS = 8, VALUE_BITS = 10, WINDOW_BITS = 128.
+// A value of a sequence, with any stalls: the word where its digit group begins is read two clocks after it is asked
+// for, and two clocks later the value is what hmlfc_bise_element makes of the bits of the window from there on (proof
+// bise_element), at the place of hmlfc_bise_place (proof bise_place); for values within the sequence. WORD_BITS = 8,
+// VALUE_BITS = 10, WINDOW_BITS = 128.
 //
 // Clauses: BISE-11
 // Engine: bmc 6
 // Complete: four stages without feedback.
-// Fault: hmlfc_element_reader.sv / left > 14'd64 ? / left > 14'd32 ?
-// Fault: hmlfc_element_reader.sv / slot_3 <= slot_2 / slot_3 <= slot_1
-// Fault: hmlfc_element_reader.sv / position_1 + group_1 / position_1
 module prove_element_reader #(
   parameter integer WORD_BITS = 8,
   parameter integer VALUE_BITS = 10,
   parameter integer WINDOW_BITS = 128
 ) (
-  input logic clk, input logic advance, input logic [WORD_BITS+5:0] position, input logic [13:0] total, input logic [5:0] level_code,
+  input logic clk, input logic advance, input logic [WORD_BITS+5:0] position, input logic [13:0] total,
+      input logic [5:0] level_code,
   input logic [9:0] index, input logic [WINDOW_BITS-1:0] window
 );
   logic [VALUE_BITS-1:0] value;
   logic                  read_enable;
   logic [WORD_BITS-1:0]  read_word;
   hmlfc_element_reader #(.WORD_BITS(WORD_BITS), .VALUE_BITS(VALUE_BITS), .WINDOW_BITS(WINDOW_BITS)) dut (
-    .clk(clk), .advance(advance), .position(position), .total(total), .level_code(level_code), .index(index), .value(value),
-    .read_enable(read_enable), .read_word(read_word), .window(window));
+    .clk(clk), .advance(advance), .position(position), .total(total), .level_code(level_code), .index(index),
+    .value(value), .read_enable(read_enable), .read_word(read_word), .window(window));
 
   logic [13:0] group_bit;
   logic [2:0]  slot;
   hmlfc_bise_place place (.index(index), .level_code(level_code), .group_bit(group_bit), .slot(slot));
 
-  // What was asked for so many clocks ago: the bit where its group begins, the sequence's bits from there on, its code and slot.
+  // What was asked for so many clocks ago: the bit where its group begins, the sequence's bits from there on, its code
+  // and slot.
   localparam integer ASKED = WORD_BITS + 6 + 14 + 6 + 3;
   logic [3:0]       filled = 4'd0;
   logic [ASKED-1:0] asked_1, asked_2, asked_3;
@@ -56,7 +56,9 @@ module prove_element_reader #(
     assume (level_code <= 3 * VALUE_BITS - 3 && group_bit <= total);
     assert (read_enable == advance);
     if (filled[0]) assert (read_word == begins_1[WORD_BITS+5:6]);
-    if (filled[2]) assert (\dut.bits_3 == bits && \dut.left_3 == (left_3 < 64 ? left_3[6:0] : 7'd64) && {\dut.code_3 , \dut.slot_3 } == asked_3[8:0]);
+    if (filled[2])
+      assert (\dut.bits_3 == bits && \dut.left_3 == (left_3 < 64 ? left_3[6:0] : 7'd64) &&
+          {\dut.code_3 , \dut.slot_3 } == asked_3[8:0]);
     if (filled[3]) assert (value == expected);
   end
 endmodule

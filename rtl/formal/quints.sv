@@ -5,7 +5,6 @@
 // Clauses: BISE-9, BISE-10
 // Engine: bmc 1
 // Complete: combinational.
-// Fault: hmlfc_quints.sv / q0 = c[2:0] == 3'd5 / q0 = c[2:0] == 3'd6
 module prove_quints (input logic [6:0] code);
   logic [8:0] quints;
   hmlfc_quints dut (.code(code), .quints(quints));

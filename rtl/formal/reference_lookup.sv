@@ -1,5 +1,6 @@
 // Of place 5 of any bank, with any order of windows, stalls of both sides and forgetting:
-//   - a window leaves only when the strip that it needs there is the one asked for last there, by itself or since all were forgotten;
+//   - a window leaves only when the strip that it needs there is the one asked for last there, by itself or since all
+//     were forgotten;
 //   - a strip is asked for only by a window that needs it, at its place, once, and not when it is kept;
 //   - a window asks or leaves whenever the other side is ready; out_missed is the number that it asked for.
 // Which strips a window needs, and their addresses and places: proof reference_lookup_step.
@@ -9,16 +10,12 @@
 // Engine: induction 1 3
 // Cover: 12
 // Complete: the place's content is bound to its tag, so the induction needs no reachability.
-// Fault: hmlfc_reference_lookup.sv / && tag == own) / && tag >> 1 == own >> 1)
-// Fault: hmlfc_reference_lookup.sv / enter = valid[6] && !any_missing / enter = valid[6]
-// Fault: hmlfc_reference_lookup.sv / if (enter || !rst_n) asked <= '0 / if (!rst_n) asked <= '0
-// Fault: hmlfc_reference_lookup.sv / if (!rst_n || flush || forget) kept / if (!rst_n || flush) kept
-// Fault: hmlfc_reference_lookup.sv / .read_address(places_5 / .read_address(places_6
-// Fault: hmlfc_reference_lookup.sv / for (int b = 3; b >= 0 / for (int b = 2; b >= 0
 module prove_reference_lookup (
-  input logic clk, input logic rst_n, input logic flush, input logic forget, input logic in_valid, input logic [39:0] in_address,
+  input logic clk, input logic rst_n, input logic flush, input logic forget, input logic in_valid,
+      input logic [39:0] in_address,
   input logic [1:0] in_plane, input logic [10:0] in_strips_x, input logic [14:0] in_width, input logic [14:0] in_height,
-  input logic [16:0] in_x, input logic [16:0] in_y, input logic in_extra_x, input logic in_extra_y, input logic ask_ready,
+  input logic [16:0] in_x, input logic [16:0] in_y, input logic in_extra_x, input logic in_extra_y,
+      input logic ask_ready,
   input logic out_ready
 );
   logic        in_ready, ask, out_valid;
@@ -27,10 +24,11 @@ module prove_reference_lookup (
   logic [2:0]  out_missed;
   logic [15:0] out_places;
   hmlfc_reference_lookup #(.BLOCK_LOG2(2), .STRIPS(64), .SECTIONS(1)) dut (
-    .clk(clk), .rst_n(rst_n), .flush(flush), .forget(forget), .in_valid(in_valid), .in_ready(in_ready), .in_address(in_address),
-    .in_plane(in_plane), .in_section(1'b0), .in_strips_x(in_strips_x), .in_width(in_width), .in_height(in_height), .in_x(in_x),
-    .in_y(in_y), .in_extra_x(in_extra_x), .in_extra_y(in_extra_y), .ask(ask), .ask_ready(ask_ready), .ask_address(ask_address),
-    .ask_place(ask_place), .out_valid(out_valid), .out_ready(out_ready), .out_places(out_places), .out_missed(out_missed));
+    .clk(clk), .rst_n(rst_n), .flush(flush), .forget(forget), .in_valid(in_valid), .in_ready(in_ready),
+    .in_address(in_address), .in_plane(in_plane), .in_section(1'b0), .in_strips_x(in_strips_x), .in_width(in_width),
+    .in_height(in_height), .in_x(in_x), .in_y(in_y), .in_extra_x(in_extra_x), .in_extra_y(in_extra_y), .ask(ask),
+    .ask_ready(ask_ready), .ask_address(ask_address), .ask_place(ask_place), .out_valid(out_valid),
+    .out_ready(out_ready), .out_places(out_places), .out_missed(out_missed));
 
   // The window at its lookup.
   (* hierconn *) wire [6:1] \dut.valid ;
@@ -47,7 +45,8 @@ module prove_reference_lookup (
   (* hierconn *) wire [35:0] \dut.g_tags[2].tags.words[5] ;
   (* hierconn *) wire [35:0] \dut.g_tags[3].tags.words[5] ;
   wire [143:0] read = {\dut.g_tags[3].tag , \dut.g_tags[2].tag , \dut.g_tags[1].tag , \dut.g_tags[0].tag };
-  wire [143:0] tags = {\dut.g_tags[3].tags.words[5] , \dut.g_tags[2].tags.words[5] , \dut.g_tags[1].tags.words[5] , \dut.g_tags[0].tags.words[5] };
+  wire [143:0] tags = {\dut.g_tags[3].tags.words[5] , \dut.g_tags[2].tags.words[5] , \dut.g_tags[1].tags.words[5] ,
+      \dut.g_tags[0].tags.words[5] };
 
   // What was asked for last at the place, and whether it is kept.
   (* anyconst *) logic [1:0] bank;
@@ -73,17 +72,20 @@ module prove_reference_lookup (
     else begin
       assert (full == \dut.kept [16*bank+5]);
       if (full) assert (tags[36*bank +: 36] == content);
-      if (\dut.valid [6] && out_places[4*bank +: 4] == PLACE && !\dut.asked [bank] && full) assert (read[36*bank +: 36] == content);
+      if (\dut.valid [6] && out_places[4*bank +: 4] == PLACE && !\dut.asked [bank] && full)
+        assert (read[36*bank +: 36] == content);
       if (\dut.asked [bank]) assert (\dut.valid [6]);
       if (\dut.asked [bank] && here) assert (content == own);
 
       if (leaves && here) assert (content == own && (full || \dut.asked [bank]));
       if (ask && ask_place[5:4] == bank)
-        assert (\dut.valid [6] && \dut.needed_6 [bank] && ask_place[3:0] == out_places[4*bank +: 4] && ask_address == {own, 4'd0} &&
+        assert (\dut.valid [6] && \dut.needed_6 [bank] && ask_place[3:0] == out_places[4*bank +: 4] &&
+            ask_address == {own, 4'd0} &&
                 !\dut.asked [bank]);
       if (asked_here) assert (!(full && content == own));
       if (\dut.valid [6]) assert (ask != out_valid || !ask_ready);
-      assert (missed == {2'd0, \dut.asked [0]} + {2'd0, \dut.asked [1]} + {2'd0, \dut.asked [2]} + {2'd0, \dut.asked [3]});
+      assert (missed == {2'd0, \dut.asked [0]} + {2'd0, \dut.asked [1]} + {2'd0, \dut.asked [2]} +
+          {2'd0, \dut.asked [3]});
       if (leaves) assert (out_missed == missed);
     end
   end

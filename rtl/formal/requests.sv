@@ -1,21 +1,19 @@
-// Each request becomes jobs of which exactly one, the last, carries `answer`; it carries the request's tlast. At most three requests are
-// inside. A job that is offered does not change until it is taken, but that spoiled chroma may add jobs behind it. The jobs of a plane
-// go down level by level and end at the stop level, so a request ends after at most 3 * 8 jobs once its view is there; one for residuals
-// is one job, of its stop level.
+// Each request becomes jobs of which exactly one, the last, carries `answer`; it carries the request's tlast. At most
+// three requests are inside. A job that is offered does not change until it is taken, but that spoiled chroma may add
+// jobs behind it. The jobs of a plane go down level by level and end at the stop level, so a request ends after at most
+// 3 * 8 jobs once its view is there; one for residuals is one job, of its stop level.
 //
 // Clauses: DEC-1, Requests and Answers (docs/decode_unit.md)
 // Engine: induction 2 8
-// Complete: the stream's configuration and the error of LOAD are any constants; `flush` comes only while no request is held, and
-// key images are of the tree's levels.
-// Fault: hmlfc_requests.sv / !busy || (emit && ends_request) / !busy || (emit && ends_plane)
-// Fault: hmlfc_requests.sv / job.tlast = last / job.tlast = next_last
-// Fault: hmlfc_requests.sv / busy <= next_valid || !next_ready / busy <= next_valid
-// Fault: hmlfc_requests.sv / view_level = of_residuals ? now_stop[2:0] : / view_level =
+// Complete: the stream's configuration and the error of LOAD are any constants; `flush` comes only while no request is
+// held, and key images are of the tree's levels.
 module prove_requests #(
   parameter integer VIEWS = 4  // of the unit's 16: slots differ in number alone, and their pairs make the proof long
 ) (
-  input logic clk, input logic rst_n, input logic enable, input logic flush, input logic s_valid, input logic [63:0] s_data,
-  input logic s_last, input logic view_done, input logic [7:0] view_keys, input logic job_ready, input logic chroma_spoiled,
+  input logic clk, input logic rst_n, input logic enable, input logic flush, input logic s_valid,
+      input logic [63:0] s_data,
+  input logic s_last, input logic view_done, input logic [7:0] view_keys, input logic job_ready,
+      input logic chroma_spoiled,
   input logic finished_valid, input logic [$clog2(VIEWS)-1:0] finished_slot
 );
   (* anyconst *) logic [10:0] rows;
@@ -43,10 +41,11 @@ module prove_requests #(
   hmlfc_pkg::job_t job;
   assign job = job_bits;
   hmlfc_requests #(.VIEWS(VIEWS)) dut (
-    .clk(clk), .rst_n(rst_n), .stream(stream), .enable(enable), .load_error(load_error), .flush(flush), .s_valid(s_valid),
-    .s_ready(s_ready), .s_data(s_data), .s_last(s_last), .view_start(view_start), .view_row(view_row), .view_col(view_col),
-    .view_slot(view_slot), .view_done(view_done), .view_keys(view_keys), .job_valid(job_valid), .job_ready(job_ready), .job(job_bits),
-    .chroma_spoiled(chroma_spoiled), .finished_valid(finished_valid), .finished_slot(finished_slot));
+    .clk(clk), .rst_n(rst_n), .stream(stream), .enable(enable), .load_error(load_error), .flush(flush),
+    .s_valid(s_valid), .s_ready(s_ready), .s_data(s_data), .s_last(s_last), .view_start(view_start),
+    .view_row(view_row), .view_col(view_col), .view_slot(view_slot), .view_done(view_done), .view_keys(view_keys),
+    .job_valid(job_valid), .job_ready(job_ready), .job(job_bits), .chroma_spoiled(chroma_spoiled),
+    .finished_valid(finished_valid), .finished_slot(finished_slot));
   (* hierconn *) wire \dut.busy ;
   (* hierconn *) wire \dut.working ;
   (* hierconn *) wire \dut.begun ;
@@ -72,7 +71,8 @@ module prove_requests #(
   (* hierconn *) wire [10*VIEWS-1:0] \dut.held_cols ;
   wire [19:0] now_view = {view_row, view_col};
   logic [20*VIEWS-1:0] held_views;
-  always @* for (int i = 0; i < VIEWS; i++) held_views[20*i+:20] = {\dut.held_rows [10*i+:10], \dut.held_cols [10*i+:10]};
+  always @* for (int i = 0; i < VIEWS; i++) held_views[20*i+:20] =
+      {\dut.held_rows [10*i+:10], \dut.held_cols [10*i+:10]};
   wire [19:0] working_view = held_views[20*\dut.slot +:20];
   wire [8:0] beyond = 9'h1fe << tree_height;  // levels that the tree has not
   wire [3:0] first_level = {1'b0, \dut.first_level };
@@ -81,8 +81,10 @@ module prove_requests #(
   logic        started = 1'b0;
   logic [1:0]  open;  // requests taken, less jobs with `answer`
   logic [2:0]  lasts;  // tlast of the requests inside, the oldest at bit 0
-  wire         stored_first = \dut.waiting.taken [0] ? \dut.waiting.storage.words[1] [64] : \dut.waiting.storage.words[0] [64];
-  wire         stored_second = \dut.waiting.taken [0] ? \dut.waiting.storage.words[0] [64] : \dut.waiting.storage.words[1] [64];
+  wire         stored_first = \dut.waiting.taken [0] ? \dut.waiting.storage.words[1] [64] :
+      \dut.waiting.storage.words[0] [64];
+  wire         stored_second = \dut.waiting.taken [0] ? \dut.waiting.storage.words[0] [64] :
+      \dut.waiting.storage.words[1] [64];
   wire         emit = job_valid && job_ready;
   wire  [1:0]  left = open - {1'b0, emit && job.answer};
   wire  [3:0]  stop = \dut.now_stop ;
@@ -114,7 +116,8 @@ module prove_requests #(
       if (view_done) assume ((view_keys & beyond[7:0]) == 0);
       for (int i = 0; i < VIEWS; i++) begin
         if (\dut.held [i]) assert ((\dut.held_keys [8*i+:8] & beyond[7:0]) == 0);
-        for (int j = 0; j < i; j++) if (\dut.held [i] && \dut.held [j]) assert (held_views[20*i+:20] != held_views[20*j+:20]);
+        for (int j = 0; j < i; j++) if (\dut.held [i] &&
+            \dut.held [j]) assert (held_views[20*i+:20] != held_views[20*j+:20]);
       end
       if (flush) assume (!\dut.busy && !\dut.next_valid );
       assert (\dut.waiting.count <= 2 && open == {1'b0, \dut.busy } + \dut.waiting.count );
@@ -143,12 +146,15 @@ module prove_requests #(
         assert (job.first == !same_plane || job.error != 0);
         if (same_plane && job.error == 0) assert ({1'b0, job.id[2:0]} == above);
       end
-      if (\dut.busy && same_plane) assert (\dut.begun && level == above && above >= stop && above < {1'b0, tree_height});
+      if (\dut.busy && same_plane)
+        assert (\dut.begun && level == above && above >= stop && above < {1'b0, tree_height});
       if (\dut.busy && !same_plane) assert (!\dut.begun && (\dut.error != 0 || !\dut.hit || level == first_level));
       if (!\dut.busy ) assert (!same_plane);
     end
   end
   always @(posedge clk) begin
-    if (started && $past(started) && waiting) assert (job_valid && (job_bits ^ waiting_job) == (waiting_spoiled && waiting_job[7] && !job.answer ? hmlfc_pkg::JOB_BITS'(1) << 7 : hmlfc_pkg::JOB_BITS'(0)));
+    if (started && $past(started) && waiting)
+      assert (job_valid && (job_bits ^ waiting_job) == (waiting_spoiled && waiting_job[7] && !job.answer ?
+          hmlfc_pkg::JOB_BITS'(1) << 7 : hmlfc_pkg::JOB_BITS'(0)));
   end
 endmodule

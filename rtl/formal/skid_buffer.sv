@@ -1,11 +1,9 @@
-// The register slice against a list of at most two words: what comes out is what went in, each word once and in order; a word that is
-// offered stays until it is taken; neither valid nor ready waits for the other. WIDTH = 8.
+// The register slice against a list of at most two words: what comes out is what went in, each word once and in order;
+// a word that is offered stays until it is taken; neither valid nor ready waits for the other. WIDTH = 8.
 //
 // Clauses: Channels (docs/decode_unit.md)
 // Engine: induction 2 16
 // Complete: the list is bound to the slice's second register, so the induction needs no reachability.
-// Fault: hmlfc_skid_buffer.sv / in_ready ? in_data : skid / in_data
-// Fault: hmlfc_skid_buffer.sv / out_valid <= in_valid || !in_ready / out_valid <= in_valid
 module prove_skid_buffer #(
   parameter integer WIDTH = 8
 ) (

@@ -1,13 +1,10 @@
-// The blocks of a plane in the order of strips, with any stalls, from any block, and at the start: columns of 16 blocks, in a column row by row,
-// in a row left to right; the address is destination + the columns' to the left + by * pitch + the strips' to the left in the row; the first
-// and the last block of a strip are marked. BLOCK_LOG2 = 2.
+// The blocks of a plane in the order of strips, with any stalls, from any block, and at the start: columns of 16
+// blocks, in a column row by row, in a row left to right; the address is destination + the columns' to the left + by *
+// pitch + the strips' to the left in the row; the first and the last block of a strip are marked. BLOCK_LOG2 = 2.
 //
 // Clauses: The reference area (docs/decode_unit.md)
 // Engine: bmc 2
 // Complete: a step from any block, and the start; a scan comes to each block.
-// Fault: hmlfc_strip_scan.sv / row_ends && by == view.blocks.last_y / row_ends && by[3:0] == view.blocks.last_y[3:0]
-// Fault: hmlfc_strip_scan.sv / else if (strip_ends) begin / else if (1'b0) begin
-// Fault: hmlfc_strip_scan.sv / column_address <= column_address + / column_address <= row_address +
 module prove_strip_scan #(
   parameter integer BLOCK_LOG2 = 2
 ) (input logic clk, input logic start, input logic advance);
@@ -29,8 +26,8 @@ module prove_strip_scan #(
   logic [N-1:0] bx, by;
   logic [A-1:0] address;
   hmlfc_strip_scan #(.BLOCK_LOG2(BLOCK_LOG2)) dut (
-    .clk(clk), .rst_n(1'b1), .start(start), .view(view), .valid(valid), .advance(advance), .bx(bx), .by(by), .strip_begins(strip_begins),
-    .strip_ends(strip_ends), .address(address));
+    .clk(clk), .rst_n(1'b1), .start(start), .view(view), .valid(valid), .advance(advance), .bx(bx), .by(by),
+    .strip_begins(strip_begins), .strip_ends(strip_ends), .address(address));
   (* hierconn *) wire [A-1:0] \dut.column_address ;
   (* hierconn *) wire [A-1:0] \dut.row_address ;
 

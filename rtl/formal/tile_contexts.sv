@@ -1,30 +1,25 @@
 // Of any context, with any order of requests, loads and releases:
-//   - it is taken for another tile only when all blocks that got it are done with it; the count of these never overflows;
+//   - it is taken for another tile only when all blocks that got it are done with it; the count of these never
+//   overflows;
 //   - a block gets it only for its own tile; a tile is never kept in two contexts;
-//   - each taking puts it once on the list of loads, with its tile and information; it is ready just when that load has ended;
+//   - each taking puts it once on the list of loads, with its tile and information; it is ready just when that load has
+//   ended;
 //   - after a load without loaded_keep no block gets it for that tile before it is loaded anew.
 // CONTEXTS = 4.
 //
 // Clauses: Prefetching (docs/pipeline.md)
 // Engine: induction 2 5
 // Cover: 11
-// Mutants: 5
-// Complete: the context's state and its entry on the list are bound to the module's registers, so the induction needs no reachability.
-// Fault: hmlfc_tile_contexts.sv / && !(counts && counted == CONTEXT_BITS'(i)) / && 1'b1
-// Fault: hmlfc_tile_contexts.sv / ready[free_context] <= 1'b0 / ready[free_context] <= 1'b1
-// Fault: hmlfc_tile_contexts.sv / if (!loaded_keep) kept[loaded_context] <= 1'b0 / kept[loaded_context] <= 1'b1
-// Fault: hmlfc_tile_contexts.sv / kept[i] && tiles / tiles
-// Fault: hmlfc_tile_contexts.sv / .in_data({free_context / .in_data({hit_context
-// Fault: hmlfc_tile_contexts.sv / load = ask && !hit && found / load = ask && !hit && 1'b1
-// Fault: hmlfc_tile_contexts.sv / counts <= ask && granted; / counts <= 1'b0;
-// Fault: hmlfc_tile_contexts.sv / .out_ready(load_ready) / .out_ready(1'b0)
+// Complete: the context's state and its entry on the list are bound to the module's registers, so the induction needs
+// no reachability.
 module prove_tile_contexts #(
   parameter integer CONTEXTS = 4,
   parameter integer INFO_BITS = 2,
   localparam integer C = $clog2(CONTEXTS)
 ) (
   input logic clk, input logic rst_n, input logic flush, input logic ask, input logic [hmlfc_pkg::TILE_BITS-1:0] tile,
-  input logic [INFO_BITS-1:0] info, input logic load_ready, input logic loaded_valid, input logic [C-1:0] loaded_context, input logic loaded_keep,
+  input logic [INFO_BITS-1:0] info, input logic load_ready, input logic loaded_valid,
+      input logic [C-1:0] loaded_context, input logic loaded_keep,
   input logic release_valid, input logic [C-1:0] release_context
 );
   localparam integer T = hmlfc_pkg::TILE_BITS;
@@ -34,10 +29,10 @@ module prove_tile_contexts #(
   logic [T-1:0] load_tile;
   logic [CONTEXTS-1:0] ready;
   hmlfc_tile_contexts #(.CONTEXTS(CONTEXTS), .INFO_BITS(INFO_BITS)) dut (
-    .clk(clk), .rst_n(rst_n), .flush(flush), .ask(ask), .tile(tile), .info(info), .granted(granted), .context_number(number),
-    .load_valid(load_valid), .load_ready(load_ready), .load_context(load_context), .load_tile(load_tile), .load_info(load_info),
-    .loaded_valid(loaded_valid), .loaded_context(loaded_context), .loaded_keep(loaded_keep), .ready(ready),
-    .release_valid(release_valid), .release_context(release_context));
+    .clk(clk), .rst_n(rst_n), .flush(flush), .ask(ask), .tile(tile), .info(info), .granted(granted),
+    .context_number(number), .load_valid(load_valid), .load_ready(load_ready), .load_context(load_context),
+    .load_tile(load_tile), .load_info(load_info), .loaded_valid(loaded_valid), .loaded_context(loaded_context),
+    .loaded_keep(loaded_keep), .ready(ready), .release_valid(release_valid), .release_context(release_context));
 
   (* hierconn *) wire \dut.hit ;
   (* hierconn *) wire [CONTEXTS-1:0] \dut.kept ;
@@ -83,7 +78,6 @@ module prove_tile_contexts #(
     end
   end
 
-`ifndef HMLFC_BASE_CASE  // the induction needs it
   // The list of loads, the oldest low, of four contexts.
   localparam integer L = C + T + INFO_BITS;
   (* hierconn *) wire [L-1:0] \dut.loads.storage.words[0] ;
@@ -92,7 +86,8 @@ module prove_tile_contexts #(
   (* hierconn *) wire [L-1:0] \dut.loads.storage.words[3] ;
   (* hierconn *) wire [2:0] \dut.loads.taken ;
   (* hierconn *) wire [2:0] \dut.loads.written ;
-  wire [4*L-1:0] storage = {\dut.loads.storage.words[3] , \dut.loads.storage.words[2] , \dut.loads.storage.words[1] , \dut.loads.storage.words[0] };
+  wire [4*L-1:0] storage = {\dut.loads.storage.words[3] , \dut.loads.storage.words[2] , \dut.loads.storage.words[1] ,
+      \dut.loads.storage.words[0] };
   wire [4*L-1:0] turned = {storage, storage} >> (L * \dut.loads.taken [1:0]);
   wire [2:0]     count = \dut.loads.written - \dut.loads.taken ;
   logic [3:0]    is_own;
@@ -101,7 +96,6 @@ module prove_tile_contexts #(
     assert (count <= 4 && is_own == (is_own & -is_own) && (is_own != 0) == (state == LISTED));
     for (integer k = 0; k < 4; k = k + 1) if (is_own[k]) assert (turned[L*k +: T+INFO_BITS] == {own, own_info});
   end
-`endif
 
   always @* begin
     if (!started) assume (!rst_n);

@@ -5,7 +5,6 @@
 // Clauses: BISE-8, BISE-10
 // Engine: bmc 1
 // Complete: combinational.
-// Fault: hmlfc_trits.sv / t3 = {1'b0, code[7]} / t3 = {1'b0, code[6]}
 module prove_trits (input logic [7:0] code);
   logic [9:0] trits;
   hmlfc_trits dut (.code(code), .trits(trits));

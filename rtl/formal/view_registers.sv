@@ -1,19 +1,18 @@
-// The registers of the view queue, of all runs: each read and each write gets exactly one response, which stays until it is taken; each word reads
-// as the register map has it, every other one as 0; a write changes the bytes of wstrb of its own word alone, within its mask, and a 1 in
-// CONTROL acts for one clock; an event sets its bit of INTERRUPT_STATUS, a 1 written clears it, and irq follows a clock later, with irq_changes before.
+// The registers of the view queue, of all runs: each read and each write gets exactly one response, which stays until
+// it is taken; each word reads as the register map has it, every other one as 0; a write changes the bytes of wstrb of
+// its own word alone, within its mask, and a 1 in CONTROL acts for one clock; an event sets its bit of
+// INTERRUPT_STATUS, a 1 written clears it, and irq follows a clock later, with irq_changes before.
 //
 // Clauses: Registers (docs/view_unit.md)
 // Engine: induction 2 9
 // Complete: what is held of a write is bound to the module's registers, so the induction needs no reachability.
-// Fault: hmlfc_view_registers.sv / ~mask[3:0]) | written[3:0] / ~mask[3:0]) | write_data[3:0]
-// Fault: hmlfc_view_registers.sv / 4'd0)) | events / 4'd0))
-// Fault: hmlfc_view_registers.sv / & HMLFC_REG_STATUS_BASE_MASK[31:0] / & HMLFC_REG_RING_BASE_MASK[31:0]
-// Fault: hmlfc_view_registers.sv / if (read) begin / if (s_axil_arvalid) begin
 `include "hmlfc_register_map.svh"
 
 module prove_view_registers (
-  input logic clk, input logic rst_n, input logic [11:0] awaddr, input logic [11:0] araddr, input logic awvalid, input logic [31:0] wdata,
-  input logic [3:0] wstrb, input logic wvalid, input logic bready, input logic arvalid, input logic rready, input logic [15:0] consumer,
+  input logic clk, input logic rst_n, input logic [11:0] awaddr, input logic [11:0] araddr, input logic awvalid,
+      input logic [31:0] wdata,
+  input logic [3:0] wstrb, input logic wvalid, input logic bready, input logic arvalid, input logic rready,
+      input logic [15:0] consumer,
   input logic [5:0] status, input logic [3:0] events
 );
   localparam integer A = hmlfc_pkg::ADDRESS_BITS;
@@ -22,12 +21,13 @@ module prove_view_registers (
   logic [A-1:0] ring_base, status_base;
   logic [15:0] ring_size, producer;
   hmlfc_view_registers dut (
-    .clk(clk), .rst_n(rst_n), .s_axil_awaddr(awaddr), .s_axil_araddr(araddr), .s_axil_awvalid(awvalid), .s_axil_awready(awready),
-    .s_axil_wdata(wdata), .s_axil_wstrb(wstrb), .s_axil_wvalid(wvalid), .s_axil_wready(wready), .s_axil_bvalid(bvalid),
-    .s_axil_bready(bready), .s_axil_arvalid(arvalid), .s_axil_arready(arready), .s_axil_rdata(rdata), .s_axil_rvalid(rvalid),
-    .s_axil_rready(rready), .enable(enable), .disable_queue(disable_queue), .drain(drain), .abort_view(abort_view), .ring_base(ring_base),
-    .status_base(status_base), .ring_size(ring_size), .producer(producer), .consumer(consumer), .status(status), .events(events), .irq(irq),
-    .irq_changes(irq_changes));
+    .clk(clk), .rst_n(rst_n), .s_axil_awaddr(awaddr), .s_axil_araddr(araddr), .s_axil_awvalid(awvalid),
+    .s_axil_awready(awready), .s_axil_wdata(wdata), .s_axil_wstrb(wstrb), .s_axil_wvalid(wvalid),
+    .s_axil_wready(wready), .s_axil_bvalid(bvalid), .s_axil_bready(bready), .s_axil_arvalid(arvalid),
+    .s_axil_arready(arready), .s_axil_rdata(rdata), .s_axil_rvalid(rvalid), .s_axil_rready(rready), .enable(enable),
+    .disable_queue(disable_queue), .drain(drain), .abort_view(abort_view), .ring_base(ring_base),
+    .status_base(status_base), .ring_size(ring_size), .producer(producer), .consumer(consumer), .status(status),
+    .events(events), .irq(irq), .irq_changes(irq_changes));
   (* hierconn *) wire \dut.address_held ;
   (* hierconn *) wire \dut.data_held ;
   (* hierconn *) wire [9:0] \dut.write_word ;
@@ -50,12 +50,14 @@ module prove_view_registers (
     end
   end
 
-  // The write that is answered from this clock on; what the words were in the last clock, and what they must be: enables of
-  // interrupts, size, bases, low word first, producer.
+  // The write that is answered from this clock on; what the words were in the last clock, and what they must be:
+  // enables of interrupts, size, bases, low word first, producer.
   localparam integer WORDS = 7;
-  localparam [69:0] PLACES = {HMLFC_WORD_PRODUCER, HMLFC_WORD_STATUS_BASE + 10'd1, HMLFC_WORD_STATUS_BASE, HMLFC_WORD_RING_BASE + 10'd1,
+  localparam [69:0] PLACES = {HMLFC_WORD_PRODUCER, HMLFC_WORD_STATUS_BASE + 10'd1, HMLFC_WORD_STATUS_BASE,
+      HMLFC_WORD_RING_BASE + 10'd1,
                               HMLFC_WORD_RING_BASE, HMLFC_WORD_RING_SIZE, HMLFC_WORD_INTERRUPT_ENABLE};
-  localparam [223:0] KEPT = {HMLFC_REG_PRODUCER_MASK, HMLFC_REG_STATUS_BASE_MASK, HMLFC_REG_RING_BASE_MASK, HMLFC_REG_RING_SIZE_MASK,
+  localparam [223:0] KEPT = {HMLFC_REG_PRODUCER_MASK, HMLFC_REG_STATUS_BASE_MASK, HMLFC_REG_RING_BASE_MASK,
+      HMLFC_REG_RING_SIZE_MASK,
                              HMLFC_REG_INTERRUPT_ENABLE_MASK};
   logic         was_answered;
   logic [9:0]   word;
@@ -105,7 +107,8 @@ module prove_view_registers (
     if (!started) assume (!rst_n);
     else begin
       assert (reads == {1'b0, rvalid} && answers == rvalid);
-      assert (addresses == {1'b0, \dut.address_held } + {1'b0, bvalid} && datas == {1'b0, \dut.data_held } + {1'b0, bvalid});
+      assert (addresses == {1'b0, \dut.address_held } + {1'b0, bvalid} &&
+          datas == {1'b0, \dut.data_held } + {1'b0, bvalid});
       if (waiting_b) assert (bvalid);
       if (\dut.address_held ) assert (word == \dut.write_word );
       if (\dut.data_held ) assert (value == \dut.write_data && bytes == \dut.mask );

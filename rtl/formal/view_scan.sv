@@ -1,14 +1,11 @@
-// The scan of a rectangle of blocks, with any stalls, from each position that a scan comes to, and at its start: positions rise in scan order, and
-// stay until they are taken; no block of the rectangle is left out; has_block says whether the rectangle has the block; tile_ends, after the
-// last position of any tile of which the rectangle has blocks, and after no other; macro_ends where the next one is of another macro row.
+// The scan of a rectangle of blocks, with any stalls, from each position that a scan comes to, and at its start:
+// positions rise in scan order, and stay until they are taken; no block of the rectangle is left out; has_block says
+// whether the rectangle has the block; tile_ends, after the last position of any tile of which the rectangle has
+// blocks, and after no other; macro_ends where the next one is of another macro row.
 //
 // Clauses: none: the order of blocks (docs/decode_unit.md)
 // Engine: bmc 2
 // Complete: a step from any position, and the start; a scan comes to each block, and to what is passed at its begin.
-// Fault: hmlfc_view_scan.sv / !quad ? 10'd4 : 10'd1 / !quad ? 10'd8 : 10'd1
-// Fault: hmlfc_view_scan.sv / last_column ? blocks.first_x[BLOCK_BITS-1:4] : column / column
-// Fault: hmlfc_view_scan.sv / tile && (quad ? &place[5:0] : &place[5:2]) / tile && &place[5:0]
-// Fault: hmlfc_view_scan.sv / macro_row == blocks.last_y[BLOCK_BITS-1:5] / macro_row[6:0] == blocks.last_y[BLOCK_BITS-2:5]
 module prove_view_scan (input logic clk, input logic start, input logic advance);
   localparam integer N = hmlfc_pkg::BLOCK_BITS;
   (* anyconst *) logic [N-1:0] first_x;
@@ -18,8 +15,8 @@ module prove_view_scan (input logic clk, input logic start, input logic advance)
   logic         valid, has_block, tile_ends, macro_ends;
   logic [N-1:0] bx, by;
   hmlfc_view_scan dut (
-    .clk(clk), .rst_n(1'b1), .start(start), .blocks({first_x, last_x, first_y, last_y}), .valid(valid), .advance(advance),
-    .has_block(has_block), .bx(bx), .by(by), .tile_ends(tile_ends), .macro_ends(macro_ends));
+    .clk(clk), .rst_n(1'b1), .start(start), .blocks({first_x, last_x, first_y, last_y}), .valid(valid),
+    .advance(advance), .has_block(has_block), .bx(bx), .by(by), .tile_ends(tile_ends), .macro_ends(macro_ends));
 
   // What sorts blocks: macro row; column of squares; square, tile, quad and block in it, row by row.
   function automatic [2*N-1:0] order(input [N-1:0] x, input [N-1:0] y);
@@ -30,12 +27,14 @@ module prove_view_scan (input logic clk, input logic start, input logic advance)
   endfunction
   // Whether the rectangle has blocks of the square of this side that a block is in.
   function automatic has(input [N-1:0] x, input [N-1:0] y, input [N-1:0] side);
-    has = (x | (side - 1)) >= first_x && (x & ~(side - 1)) <= last_x && (y | (side - 1)) >= first_y && (y & ~(side - 1)) <= last_y;
+    has = (x | (side - 1)) >= first_x && (x & ~(side - 1)) <= last_x && (y | (side - 1)) >= first_y &&
+        (y & ~(side - 1)) <= last_y;
   endfunction
 
   // Positions that a scan comes to: what has no block is passed at its begin, columns and macro rows without any never.
   wire [2*N-1:0] now = order(bx, by);
-  wire is_legal = bx[N-1:4] >= first_x[N-1:4] && bx[N-1:4] <= last_x[N-1:4] && by[N-1:5] >= first_y[N-1:5] && by[N-1:5] <= last_y[N-1:5] &&
+  wire is_legal = bx[N-1:4] >= first_x[N-1:4] && bx[N-1:4] <= last_x[N-1:4] && by[N-1:5] >= first_y[N-1:5] &&
+      by[N-1:5] <= last_y[N-1:5] &&
       (has(bx, by, 2) || now[1:0] == 0) && (has(bx, by, 8) || now[5:0] == 0) && (has(bx, by, 16) || now[7:0] == 0);
 
   // Any block of the rectangle; the clock before.

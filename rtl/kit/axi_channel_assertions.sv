@@ -1,5 +1,8 @@
-// A channel of AXI4, AXI4-Lite or AXI4-Stream as concurrent assertions, for any simulator: what waits stays and does not change;
-// nothing is offered in the clock after a reset. Instantiate it at a channel's pins, or bind it.
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
+// A channel of AXI4, AXI4-Lite or AXI4-Stream as concurrent assertions, for any simulator: what waits stays and does
+// not change; nothing is offered in the clock after a reset. Instantiate it at a channel's pins, or bind it.
 //
 // That valid does not wait for ready cannot be seen in one run; rtl/formal proves it of the decode unit's ends.
 //
@@ -24,3 +27,5 @@ module axi_channel_assertions #(
   assert property (@(posedge clk) disable iff (!rst_n) !$isunknown({valid, ready}))
   else $error("%s: the handshake is unknown", NAME);
 endmodule
+
+`default_nettype wire

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
 // A subordinate of AXI4-Lite: one answer for each write and for each read, after both parts of it have come.
 module axi_lite_assertions #(
     parameter string NAME = "AXI4-Lite",
@@ -51,3 +54,5 @@ module axi_lite_assertions #(
   assert property (@(posedge clk) disable iff (!rst_n) rvalid |-> rresp != 2'b01)
   else $error("%s: read data of EXOKAY", NAME);
 endmodule
+
+`default_nettype wire

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
 // Reads of AXI4 with one ID: beats come in the order of the bursts.
 //
 // DATA_BITS     width of a beat
@@ -39,7 +42,8 @@ module axi_read_assertions #(
   else $error("%s: not INCR, or not of whole beats", NAME);
   assert property (@(posedge clk) disable iff (!rst_n) arvalid |-> araddr[BEAT_LOG2-1:0] == '0)
   else $error("%s: the address is not that of a beat", NAME);
-  assert property (@(posedge clk) disable iff (!rst_n) arvalid |-> 32'(araddr[11:BEAT_LOG2]) + 32'(arlen) < 4096 / (DATA_BITS / 8))
+  assert property (@(posedge clk) disable iff (!rst_n) arvalid |->
+      32'(araddr[11:BEAT_LOG2]) + 32'(arlen) < 4096 / (DATA_BITS / 8))
   else $error("%s: a burst crosses 4 KiB", NAME);
 
   // Bursts in flight: their lengths, the oldest at the front.
@@ -61,3 +65,5 @@ module axi_read_assertions #(
   assert property (@(posedge clk) disable iff (!rst_n) rvalid && count != 0 |-> rlast == (beat == length))
   else $error("%s: rlast is not at the burst's last beat", NAME);
 endmodule
+
+`default_nettype wire

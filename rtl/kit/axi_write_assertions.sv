@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
 // Writes of AXI4 with one ID. Data may pass before their address.
 //
 // DATA_BITS     width of a beat
@@ -54,7 +57,8 @@ module axi_write_assertions #(
   else $error("%s: not INCR, or not of whole beats", NAME);
   assert property (@(posedge clk) disable iff (!rst_n) awvalid |-> awaddr[BEAT_LOG2-1:0] == '0)
   else $error("%s: the address is not that of a beat", NAME);
-  assert property (@(posedge clk) disable iff (!rst_n) awvalid |-> 32'(awaddr[11:BEAT_LOG2]) + 32'(awlen) < 4096 / (DATA_BITS / 8))
+  assert property (@(posedge clk) disable iff (!rst_n) awvalid |->
+      32'(awaddr[11:BEAT_LOG2]) + 32'(awlen) < 4096 / (DATA_BITS / 8))
   else $error("%s: a burst crosses 4 KiB", NAME);
 
   // Bursts by addresses and by data since the last response to all of them, and those that have their response.
@@ -86,3 +90,5 @@ module axi_write_assertions #(
   assert property (@(posedge clk) disable iff (!rst_n) bvalid |-> bresp != 2'b01)
   else $error("%s: EXOKAY", NAME);
 endmodule
+
+`default_nettype wire

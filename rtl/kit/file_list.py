@@ -4,6 +4,8 @@ import re
 from pathlib import Path
 
 NAME = "hmlfc_decode_unit.f"
+FOLDERS = ("lib", "unit", "view")  # of the modules
+UNITS = ("unit/hmlfc_decode_unit.sv", "view/hmlfc_view_unit.sv")
 PARAMETER = re.compile(r"^    parameter int (\w+) = (\d+), +// ([^;\n]+)", re.M)
 
 
@@ -16,6 +18,16 @@ def sources(rtl: Path) -> list[Path]:
 def modules(rtl: Path) -> list[Path]:
     """Those that hold a module."""
     return [path for path in sources(rtl) if path.name != "hmlfc_pkg.sv"]
+
+
+def module(rtl: Path, name: str) -> Path:
+    """The file of module hmlfc_NAME."""
+    return next(path for path in modules(rtl) if path.stem == f"hmlfc_{name}")
+
+
+def library(rtl: Path) -> str:
+    """The options by which Yosys finds modules where they are met."""
+    return " ".join(f"-libdir {rtl / folder}" for folder in FOLDERS)
 
 
 def headers(rtl: Path) -> list[Path]:
@@ -37,9 +49,10 @@ def used(text: str, names: list[str]) -> set[str]:
 
 def complaints(rtl: Path) -> list[str]:
     """A line for each file of the folder that the list lacks, has twice or has too early, and for each that is not there."""
-    listed = [path.name for path in sources(rtl)]
+    listed = [path.relative_to(rtl).as_posix() for path in sources(rtl)]
     named = [*listed, *(path.name for path in headers(rtl)), *left_out(rtl)]
-    there = {path.name for path in rtl.iterdir() if path.suffix in (".sv", ".svh", ".v", ".vlt")}
+    there = {path.relative_to(rtl).as_posix() for folder in (".", *FOLDERS) for path in (rtl / folder).iterdir()
+             if path.suffix in (".sv", ".svh", ".v", ".vlt")}
     found = [f"{NAME}: {name} is not named" for name in sorted(there - set(named))]
     found += [f"{NAME}: there is no {name}" for name in sorted(set(named) - there)]
     found += [f"{NAME}: {name} is named twice" for name in sorted(set(named)) if named.count(name) > 1]
@@ -49,23 +62,22 @@ def complaints(rtl: Path) -> list[str]:
     for name in listed:
         if name in there:
             text = (rtl / name).read_text(encoding="utf-8")
-            inner = used(text, [other.removesuffix(".sv") for other in listed])
+            inner = used(text, [Path(other).stem for other in listed])
             found += [f"{NAME}: {name} stands before {other}.sv, which is in it" for other in sorted(inner - earlier)]
-        earlier.add(name.removesuffix(".sv"))
-    units = ("hmlfc_decode_unit.sv", "hmlfc_view_unit.sv")
-    decode, view = (re.findall(r"^    parameter int (\w+) = (\d+),", (rtl / unit).read_text(encoding="utf-8"), re.M) for unit in units)
-    return found + ([] if decode == view else [f"{units[1]}: its parameters are not those of {units[0]}"])
+        earlier.add(Path(name).stem)
+    decode, view = (re.findall(r"^    parameter int (\w+) = (\d+),", (rtl / unit).read_text(encoding="utf-8"), re.M) for unit in UNITS)
+    return found + ([] if decode == view else [f"{UNITS[1]}: its parameters are not those of {UNITS[0]}"])
 
 
 def parameters(rtl: Path) -> list[tuple[str, str, str]]:
     """Name, default, and the interval or the values of each parameter of either unit, as the decode unit's source says them."""
-    return PARAMETER.findall((rtl / "hmlfc_decode_unit.sv").read_text(encoding="utf-8"))
+    return PARAMETER.findall((rtl / UNITS[0]).read_text(encoding="utf-8"))
 
 
 def core(rtl: Path, version: str) -> str:
     """The list as a core of FuseSoC (CAPI2)."""
     files = [f"      - {path.name}: {{is_include_file: true}}" for path in headers(rtl)]
-    files += [f"      - {path.name}" for path in sources(rtl)]
+    files += [f"      - {path.relative_to(rtl).as_posix()}" for path in sources(rtl)]
     names = ", ".join(name for name, _, _ in parameters(rtl))
     described = []
     for name, default, values in parameters(rtl):

@@ -11,7 +11,6 @@ import sys
 from pathlib import Path
 
 import file_list
-import ipxact
 import registers
 
 END = "<!-- end of registers -->\n"
@@ -40,8 +39,6 @@ def files(root: Path) -> dict[Path, str]:
         docs / "view_unit.md": with_table(docs / "view_unit.md", queue),
         rtl / "kit/hmlfc_decode_unit.rdl": registers.system_rdl(unit),
         rtl / "kit/hmlfc_view_queue.rdl": registers.system_rdl(queue),
-        rtl / "kit/hmlfc_decode_unit.xml": ipxact.component("hmlfc_decode_unit", [unit], rtl, version),
-        rtl / "kit/hmlfc_view_unit.xml": ipxact.component("hmlfc_view_unit", [unit, queue], rtl, version),
         rtl / "hmlfc_decode_unit.core": file_list.core(rtl, version),
     }
 

@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
 // The rules of axi_*_assertions.sv at all pins of hmlfc_decode_unit, and at its queues, by bind.
 module hmlfc_decode_unit_assertions #(
     parameter int BLOCK_LOG2 = 2,
@@ -53,12 +56,14 @@ module hmlfc_decode_unit_assertions #(
       .NAME("m_axi"), .ADDRESS_BITS(ADDRESS_BITS), .DATA_BITS(AXI_DATA_BITS), .OUTSTANDING(OUTSTANDING + 1)
   ) reads (
       .clk, .rst_n, .arvalid(m_axi_arvalid), .arready(m_axi_arready), .araddr(m_axi_araddr), .arlen(m_axi_arlen),
-      .arsize(m_axi_arsize), .arburst(m_axi_arburst), .rvalid(m_axi_rvalid), .rready(m_axi_rready), .rlast(m_axi_rlast));
+      .arsize(m_axi_arsize), .arburst(m_axi_arburst), .rvalid(m_axi_rvalid), .rready(m_axi_rready),
+      .rlast(m_axi_rlast));
   axi_lite_assertions #(.NAME("s_axil")) registers (
       .clk, .rst_n, .awvalid(s_axil_awvalid), .awready(s_axil_awready), .awaddr(s_axil_awaddr), .wvalid(s_axil_wvalid),
-      .wready(s_axil_wready), .wdata(s_axil_wdata), .wstrb(s_axil_wstrb), .bvalid(s_axil_bvalid), .bready(s_axil_bready),
-      .bresp(s_axil_bresp), .arvalid(s_axil_arvalid), .arready(s_axil_arready), .araddr(s_axil_araddr), .rvalid(s_axil_rvalid),
-      .rready(s_axil_rready), .rdata(s_axil_rdata), .rresp(s_axil_rresp));
+      .wready(s_axil_wready), .wdata(s_axil_wdata), .wstrb(s_axil_wstrb), .bvalid(s_axil_bvalid),
+      .bready(s_axil_bready), .bresp(s_axil_bresp), .arvalid(s_axil_arvalid), .arready(s_axil_arready),
+      .araddr(s_axil_araddr), .rvalid(s_axil_rvalid), .rready(s_axil_rready), .rdata(s_axil_rdata),
+      .rresp(s_axil_rresp));
 endmodule
 
 bind hmlfc_decode_unit hmlfc_decode_unit_assertions #(
@@ -69,3 +74,5 @@ bind hmlfc_fifo axi_channel_assertions #(.NAME("fifo"), .BITS(WIDTH)) waiting (
     .clk, .rst_n, .valid(out_valid), .ready(out_ready), .payload(out_data));
 bind hmlfc_skid_buffer axi_channel_assertions #(.NAME("skid_buffer"), .BITS(WIDTH)) waiting (
     .clk, .rst_n, .valid(out_valid), .ready(out_ready), .payload(out_data));
+
+`default_nettype wire

@@ -69,7 +69,7 @@ def size(target: str, spec: str) -> list[str]:
 
 def speed(spec: str, seeds: int, cells_alone: bool) -> list[str]:
     columns = [] if cells_alone else placed(spec, seeds)
-    if columns[1:2] == ["does not fit"] and "BLOCK_LOG2" not in spec and "BLOCK_LOG2" in (RTL / f"hmlfc_{spec.split(',')[0]}.sv").read_text(encoding="utf-8"):
+    if columns[1:2] == ["does not fit"] and "BLOCK_LOG2" not in spec and "BLOCK_LOG2" in file_list.module(RTL, spec.split(",")[0]).read_text(encoding="utf-8"):
         smaller = placed(f"{spec},BLOCK_LOG2=1", seeds)
         if smaller[1] != "does not fit":
             columns = [f"{column}*" for column in smaller]

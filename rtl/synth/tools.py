@@ -11,7 +11,7 @@ TIMEOUT = int(os.environ.get("HMLFC_SYNTH_TIMEOUT", "600"))
 LIBERTY = os.environ.get("HMLFC_OSU035", "/usr/share/qflow/tech/osu035/osu035_stdcells.lib")
 
 sys.path.insert(0, str(RTL / "kit"))
-import file_list  # noqa: E402, F401
+import file_list  # noqa: E402
 
 
 def read(spec: str) -> tuple[str, str]:
@@ -19,11 +19,11 @@ def read(spec: str) -> tuple[str, str]:
     file list: the order of reading moves the clock rates by a percent."""
     name, *options = spec.split(",")
     module = f"hmlfc_{name}"
-    commands = f"read_verilog -sv -I{RTL} {RTL}/hmlfc_pkg.sv {RTL}/{module}.sv; "
+    commands = f"verilog_defaults -add -I{RTL}; read_verilog -sv {RTL}/hmlfc_pkg.sv {file_list.module(RTL, name)}; "
     for option in options:
         if not option.startswith("-"):
             commands += f"chparam -set {option.replace('=', ' ')} {module}; "
-    commands += f"hierarchy -check -top {module} -libdir {RTL}; rename -top {module}_top; "
+    commands += f"hierarchy -check -top {module} {file_list.library(RTL)}; rename -top {module}_top; "
     for option in options:
         if option.startswith("-"):
             commands += f"select -assert-any {module}_top/o:{option[1:]}; delete -output {module}_top/o:{option[1:]}; "

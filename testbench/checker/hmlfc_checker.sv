@@ -10,7 +10,7 @@
 ///
 /// Everything is sampled at the rising edge of clk. A request may be answered in the clock in which it
 /// is taken. A stage record belongs to a request that was taken and is not answered yet, and comes in
-/// the clock of the answer at the latest. Icarus Verilog, which has no DPI, needs hmlfc_vpi.c.
+/// the clock of the answer at the latest.
 module hmlfc_checker #(
     parameter int BLOCK_LOG2 = 2,  // 1..3: blocks of 2, 4 or 8
     parameter bit OPTIONAL = 0,    // 1: without +hmlfc_checker_stream nothing is checked, nor is that an error

@@ -2,7 +2,6 @@
 // unit with its driver; or single blocks, by the line protocol. A decoder for `hmlfc conform`.
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -13,10 +12,8 @@
 #include "io/files.hpp"
 #include "programs/unit_decoder.hpp"
 #include "syntax/header.hpp"
-#include "unit/pin_record.hpp"
 #include "vectors/digest.hpp"
 #include "view/view_pictures.hpp"
-#include "view/view_pin_record.hpp"
 #include "view/view_units.hpp"
 
 namespace hmlfc::tb {
@@ -27,9 +24,6 @@ constexpr int kExitRefused = 4;
 constexpr int kExitInternal = 70;
 constexpr int kExitOutput = 74;
 constexpr int kExitSkipped = 77;
-// Of the memory, while a view unit's pins are recorded.
-constexpr Conditions kPauses{
-    .latency_jitter = 40, .stall = 250, .address_stall = 250, .backpressure = 250};
 
 constexpr const char* kNoUnit = "this build has no Verilated unit";
 
@@ -42,7 +36,6 @@ struct Stop {
 struct Options {
   std::filesystem::path file;
   std::filesystem::path folder;
-  std::string pins;
   bool views = false;
   bool serve = false;
 };
@@ -73,16 +66,7 @@ void run_views(const Options& options, std::span<const uint8_t> file) {
       header ? view_unit_for(makers, header->block_log2, header->depth) : &makers.front();
   if (maker == nullptr) maker = &makers.front();
   Oracle unused(0);
-  std::ofstream pins;
-  ViewHost::OnClock on_clock;
-  if (!options.pins.empty()) {
-    pins.open(options.pins);
-    on_clock = [&](const ViewInputs& in, const ViewOutputs& out) {
-      write_pins(in, out, maker->parameters.beat_bytes, pins);
-    };
-  }
-  ViewHost host(maker->make(maker->parameters, unused, 0), file, 4, on_clock);
-  if (!options.pins.empty()) host.set_conditions(kPauses, 1);
+  ViewHost host(maker->make(maker->parameters, unused, 0), file, 4);
   hmlfc_error error = host.stream_error();
   if (error.code == HMLFC_OK) hmlfc_stream_check_sections(&host.stream(), &error);
   if (error.code != HMLFC_OK) refuse(static_cast<unsigned>(error.code));
@@ -93,7 +77,6 @@ void run_views(const Options& options, std::span<const uint8_t> file) {
     if (!image) refuse(image.error());
     return std::move(*image);
   });
-  if (!pins.flush()) throw Stop{kExitOutput, "cannot write " + options.pins};
 }
 
 // The unit's answers for the requests of standard input.
@@ -115,16 +98,8 @@ void run(const Options& options) {
   const auto file = io::map_file(options.file);
   if (!file) throw Stop{kExitUsage, file.error().message};
   if (options.views) return run_views(options, file->bytes());
-  const UnitMaker* maker = UnitDecoder::maker_for(file->bytes());
-  if (maker == nullptr) throw Stop{kExitSkipped, kNoUnit};
-  std::ofstream pins;
-  UnitHost::OnClock on_clock;
-  PinRecord record(pins, maker->parameters);
-  if (!options.pins.empty()) {
-    pins.open(options.pins);
-    on_clock = [&](const UnitInputs& in, const UnitOutputs& out) { record.add(in, out); };
-  }
-  const auto decoder = UnitDecoder::open(file->bytes(), on_clock, !options.pins.empty());
+  if (UnitDecoder::maker_for(file->bytes()) == nullptr) throw Stop{kExitSkipped, kNoUnit};
+  const auto decoder = UnitDecoder::open(file->bytes());
   if (!decoder) refuse(static_cast<unsigned>(decoder.error()));
   const StreamHeader& header = (*decoder)->header();
   write_views(header.rows, header.cols, options.folder, [&](ViewPos view) {
@@ -132,7 +107,6 @@ void run(const Options& options) {
     if (!image) refuse(static_cast<unsigned>(image.error()));
     return std::move(*image);
   });
-  if (!pins.flush()) throw Stop{kExitOutput, "cannot write " + options.pins};
 }
 
 int main_of(int argc, char** argv) {
@@ -142,10 +116,6 @@ int main_of(int argc, char** argv) {
   Options options;
   auto* file = app.add_option("FILE", options.file, "An .hmlfc file");
   app.add_option("-o,--output", options.folder, "An existing folder");
-  app.add_option(
-      "--pins", options.pins,
-      "Record the unit's pins for rtl/kit/pin_replay.sv, with --views for view_pin_replay.sv; "
-      "the memory pauses");
   app.add_flag("--views", options.views, "By descriptors of the view unit, in place of requests");
   app.add_flag("--serve", options.serve, "Speak the line protocol (docs/line_protocol.md)")
       ->excludes(file);

@@ -86,13 +86,10 @@ const UnitMaker* UnitDecoder::maker_for(std::span<const uint8_t> stream) {
   return maker != nullptr ? maker : &makers.front();
 }
 
-UnitResult<std::unique_ptr<UnitDecoder>> UnitDecoder::open(std::span<const uint8_t> stream,
-                                                           UnitHost::OnClock on_clock,
-                                                           bool paused) {
+UnitResult<std::unique_ptr<UnitDecoder>> UnitDecoder::open(std::span<const uint8_t> stream) {
   const UnitMaker* maker = maker_for(stream);
   if (maker == nullptr) return tl::unexpected(HMLFC_DUT_CANNOT_RUN);
-  std::unique_ptr<UnitDecoder> decoder(new UnitDecoder(stream, *maker, std::move(on_clock)));
-  if (paused) decoder->unit_.set_pauses(1);
+  std::unique_ptr<UnitDecoder> decoder(new UnitDecoder(stream, *maker));
   if (const uint8_t error = decoder->unit_.load(); error != 0) return tl::unexpected(int{error});
   const auto opened = Decoder::open(stream);
   if (!opened) return tl::unexpected(dut_status(opened.error()));

@@ -29,10 +29,8 @@ class UnitDecoder {
   /// build has no Verilated unit.
   static const UnitMaker* maker_for(std::span<const uint8_t> stream);
 
-  /// `stream` must outlive the decoder. With `paused` the memory pauses (UnitHost::set_pauses).
-  static UnitResult<std::unique_ptr<UnitDecoder>> open(std::span<const uint8_t> stream,
-                                                       UnitHost::OnClock on_clock = {},
-                                                       bool paused = false);
+  /// `stream` must outlive the decoder.
+  static UnitResult<std::unique_ptr<UnitDecoder>> open(std::span<const uint8_t> stream);
 
   const StreamHeader& header() const { return image_.golden()->header(); }
   UnitResult<RgbImage> view(ViewPos view);
@@ -42,9 +40,9 @@ class UnitDecoder {
   int trace(const Request& request, hmlfc_dut_stage_sink sink, void* context);
 
  private:
-  UnitDecoder(std::span<const uint8_t> stream, const UnitMaker& maker, UnitHost::OnClock on_clock)
+  UnitDecoder(std::span<const uint8_t> stream, const UnitMaker& maker)
       : image_(stream, maker.parameters),
-        unit_(maker.make(maker.parameters), stream, image_.area().bytes, std::move(on_clock)) {}
+        unit_(maker.make(maker.parameters), stream, image_.area().bytes) {}
 
   int error_of_view(ViewPos view, int status);
 

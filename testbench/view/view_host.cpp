@@ -25,9 +25,8 @@ ViewHost& host_of(void* context) { return *static_cast<ViewHost*>(context); }
 }  // namespace
 
 ViewHost::ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream,
-                   unsigned ring_size, OnClock on_clock)
+                   unsigned ring_size)
     : unit_(std::move(unit)),
-      on_clock_(std::move(on_clock)),
       ring_size_(ring_size),
       space_(crc32c(stream) ^ unit_->parameters().state_seed) {
   ring_base_ = take_place(PlaceKind::kRings, HMLFC_RINGS_BYTES(ring_size), kRingAlignment, 0);
@@ -78,7 +77,6 @@ void ViewHost::clock() {
   unit_->clock(next_, out_);
   in_ = next_;
   ++clocks_;
-  if (on_clock_) on_clock_(in_, out_);
   if (!memory_.finding.empty()) find(memory_.finding);
 }
 

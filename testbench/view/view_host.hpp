@@ -1,7 +1,6 @@
 // The view unit with a memory, behind the C driver; no SystemC, no golden model.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,15 +20,10 @@ namespace hmlfc::tb {
 /// The first thing that goes wrong becomes the finding; what follows has no meaning.
 class ViewHost {
  public:
-  /// Called after every clock with the inputs from then on and the outputs that follow; null:
-  /// nothing is called.
-  using OnClock = std::function<void(const ViewInputs&, const ViewOutputs&)>;
-
   /// Rings of `ring_size` descriptors, a power of two. A stream that the driver refuses has an
   /// empty area and is not loaded. Of a DMA alone, registers of the decode unit are those of a
   /// stand-in.
-  ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream, unsigned ring_size,
-           OnClock on_clock = {});
+  ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream, unsigned ring_size);
   ViewHost(const ViewHost&) = delete;
   ViewHost& operator=(const ViewHost&) = delete;
 
@@ -103,7 +97,6 @@ class ViewHost {
   void check(int code, const char* what);
 
   std::unique_ptr<ViewUnit> unit_;
-  OnClock on_clock_;
   unsigned ring_size_;
   hmlfc_stream stream_{};
   hmlfc_error stream_error_{};

@@ -12,7 +12,7 @@ A fenced block with the language `text` quotes the output of the last fenced com
 import re
 from dataclasses import dataclass, field
 
-COMMAND = re.compile(r"(?:\./run|hmlfc|cmake|ctest|g\+\+|env|verilator|iverilog(?:-vpi)?|sim/\w+)(?: |$)")
+COMMAND = re.compile(r"(?:\./run|hmlfc|cmake|ctest|g\+\+|env|verilator|iverilog|sim/\w+)(?: |$)")
 FENCE = re.compile(r"^( *)```(.*)$")
 SPAN = re.compile(r"`(\./run [^`]+)`")
 LIMIT = re.compile(r'\b(from|to)="([^"]*)"')

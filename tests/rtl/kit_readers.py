@@ -6,35 +6,8 @@ what its format does not say.
 
 import json
 import re
-import xml.etree.ElementTree as ElementTree
 
-IPXACT = "{http://www.accellera.org/XMLSchema/IPXACT/1685-2014}"
-IPXACT_ACCESS = {"read-only": "ro", "write-only": "wo", "read-write": "rw"}
 RDL_ACCESS = {"r": "ro", "w": "wo", "rw": "rw"}
-
-# The elements that the kit has in others, in the order of the schema of IEEE 1685-2014. An element
-# of another name has parts of one kind alone.
-ORDER = {
-    "component": "vendor library name version busInterfaces addressSpaces memoryMaps model fileSets description parameters",
-    "busInterface": "name busType abstractionTypes master slave",
-    "abstractionType": "abstractionRef portMaps",
-    "portMap": "logicalPort physicalPort",
-    "addressSpace": "name range width addressUnitBits",
-    "memoryMap": "name addressBlock addressUnitBits",
-    "addressBlock": "name baseAddress range width usage register",
-    "register": "name description addressOffset size volatile access field",
-    "field": "name description bitOffset resets bitWidth volatile access modifiedWriteValue",
-    "model": "views instantiations ports",
-    "view": "name envIdentifier componentInstantiationRef",
-    "componentInstantiation": "name language moduleName moduleParameters fileSetRef",
-    "moduleParameter": "name value",
-    "port": "name wire",
-    "wire": "direction vectors",
-    "vector": "left right",
-    "fileSet": "name file",
-    "file": "name fileType isIncludeFile",
-    "parameter": "name description value",
-}
 
 
 def interval(bits):
@@ -68,53 +41,6 @@ def system_rdl(text):
             "fields": {field: interval(f"{high}:{low}") for _, field, high, low, _, _ in fields},
         }
     return found
-
-
-def number(node, name):
-    return int(re.sub("^'h", "0x", node.find(IPXACT + name).text), 0)
-
-
-def ipxact(text):
-    """A register NAME_HIGH is the high word of NAME; its fields go on in it."""
-    found = {}
-    for node in ElementTree.fromstring(text).iter(f"{IPXACT}register"):
-        assert number(node, "size") == 32
-        name, _, high = node.find(f"{IPXACT}name").text.partition("_HIGH")
-        access = {IPXACT_ACCESS[part.find(f"{IPXACT}access").text] for part in [node, *node.iter(f"{IPXACT}field")]}
-        register = {"offset": number(node, "addressOffset"), "bits": 32, "access": " ".join(access), "reset": 0, "fields": {}}
-        effects = {part.findtext(f"{IPXACT}modifiedWriteValue") for part in node.iter(f"{IPXACT}field")}
-        register["one_clears"] = effects == {"oneToClear"}
-        if name in found:
-            assert register["offset"] == found[name]["offset"] + 4 and register["access"] == found[name]["access"], name
-            found[name]["bits"] = 64
-        register = found.setdefault(name, register)
-        for field in node.iter(f"{IPXACT}field"):
-            low, width = number(field, "bitOffset") + (32 if found[name]["bits"] == 64 else 0), number(field, "bitWidth")
-            register["reset"] |= number(field.find(f"{IPXACT}resets/{IPXACT}reset"), "value") << low
-            key = field.find(f"{IPXACT}name").text
-            start, held = register["fields"].get(key, (low, 0))
-            register["fields"][key] = (start, held + width)
-    return found
-
-
-def misplaced(text):
-    """A line for each element of a component that is not where IP-XACT has it, and for each reference to what is not there."""
-    component = ElementTree.fromstring(text)
-    for node in component.iter():
-        kind, parts = node.tag.removeprefix(IPXACT), [part.tag.removeprefix(IPXACT) for part in node]
-        order = ORDER.get(kind, parts[0] if parts else "").split()
-        places = [order.index(part) if part in order else -1 for part in parts]
-        if -1 in places or places != sorted(places):
-            yield f"{kind} has {' '.join(dict.fromkeys(parts))}"
-    for reference, target in {"memoryMapRef": "memoryMap", "addressSpaceRef": "addressSpace"}.items():
-        names = {node.findtext(f"{IPXACT}name") for node in component.iter(f"{IPXACT}{target}")}
-        for node in component.iter(f"{IPXACT}{reference}"):
-            if node.get(reference) not in names:
-                yield f"there is no {target} {node.get(reference)}"
-    sets = {node.findtext(f"{IPXACT}name") for node in component.iter(f"{IPXACT}fileSet")}
-    for node in component.iter(f"{IPXACT}localName"):
-        if node.text not in sets:
-            yield f"there is no fileSet {node.text}"
 
 
 def constants(numbers, offset):

@@ -3,9 +3,8 @@
 
 kit_test.py generated|read_back|file_list ROOT
   generated   the generated files are what rtl/kit/generate.py writes
-  read_back   what kit_readers.py finds in each format is what the descriptions of the registers say; buses have the units'
-              ports; the header compiles as C99; elements of IP-XACT are in the order of the standard
-  file_list   rtl/hmlfc_decode_unit.f names every file of the folder, in an order that compiles; core and IP-XACT have its files
+  read_back   what kit_readers.py finds in each format is what the descriptions of the registers say; the header compiles as C99
+  file_list   rtl/hmlfc_decode_unit.f names every file of its folders, in an order that compiles; the core has its files
 
 Exit: 0 so, 1 not; what is wrong is printed.
 """
@@ -13,18 +12,14 @@ Exit: 0 so, 1 not; what is wrong is printed.
 import re
 import subprocess
 import sys
-import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import kit_readers
-from kit_readers import IPXACT
 
-HEADER, MAP, XML, RDL = "driver/hmlfc_registers.h", "hmlfc_register_map.svh", "kit/hmlfc_decode_unit.xml", "kit/hmlfc_decode_unit.rdl"
-VIEW_XML, VIEW_RDL = "kit/hmlfc_view_unit.xml", "kit/hmlfc_view_queue.rdl"
+HEADER, MAP = "driver/hmlfc_registers.h", "hmlfc_register_map.svh"
+RDL, VIEW_RDL = "kit/hmlfc_decode_unit.rdl", "kit/hmlfc_view_queue.rdl"
 REGISTERS, VIEW_REGISTERS = "registers.json", "view_registers.json"
-UNIT_PAGE, VIEW_PAGE = "docs/decode_unit.md", "docs/view_unit.md"
-CORE, LIST = "hmlfc_decode_unit.core", "hmlfc_decode_unit.f"
-
+CORE = "hmlfc_decode_unit.core"
 
 
 def generated(root):
@@ -42,34 +37,15 @@ def difference(name, found, expected):
     return lines
 
 
-def bus_ports(root, name, text):
-    """Every port but the interrupt, `active` and those of the trace is in a bus, once, and is a port of the model."""
-    component = ElementTree.fromstring(text)
-    source = (root / "rtl" / Path(name).with_suffix(".sv").name).read_text()
-    real = set(re.findall(r"^    (?:input|output) logic (?:\[.+\] )?(\w+)", source, re.M))
-    model = [port.find(f"{IPXACT}name").text for port in component.iter(f"{IPXACT}port")]
-    mapped = [port.find(f"{IPXACT}name").text for port in component.iter(f"{IPXACT}physicalPort")]
-    mapped = sorted(name for name in mapped if name not in ("clk", "rst_n"))
-    expected = sorted(name for name in real if not name.startswith("trace_") and name not in ("clk", "rst_n", "irq", "active"))
-    return ([] if sorted(model) == sorted(real) else [f"{name}: its ports are not those of the unit"]) + (
-        [] if mapped == expected else [f"{name}: not each port is in one bus: {set(mapped) ^ set(expected) or 'one is in two'}"])
-
-
 def read_back(root):
-    names = (HEADER, MAP, XML, RDL, VIEW_XML, VIEW_RDL, REGISTERS, VIEW_REGISTERS)
-    text = {name: (root / "rtl" / name).read_text() for name in names}
+    text = {name: (root / "rtl" / name).read_text() for name in (HEADER, MAP, RDL, VIEW_RDL, REGISTERS, VIEW_REGISTERS)}
     unit, queue = (kit_readers.description(text[name]) for name in (REGISTERS, VIEW_REGISTERS))
     expected = unit | queue
     lines = []
-    for name, (reader, registers) in {
-            RDL: (kit_readers.system_rdl, unit), XML: (kit_readers.ipxact, unit),
-            VIEW_RDL: (kit_readers.system_rdl, queue), VIEW_XML: (kit_readers.ipxact, expected)}.items():
+    for name, registers in {RDL: unit, VIEW_RDL: queue}.items():
         try:
-            lines += difference(name, reader(text[name]), registers)
-            if name.endswith(".xml"):
-                lines += bus_ports(root, name, text[name])
-                lines += [f"{name}: {line}" for line in kit_readers.misplaced(text[name])]
-        except (AssertionError, ElementTree.ParseError) as error:
+            lines += difference(name, kit_readers.system_rdl(text[name]), registers)
+        except AssertionError as error:
             lines.append(f"{name}: {error}")
     if lines:
         return lines
@@ -91,14 +67,10 @@ def file_list(root):
     import file_list as files
 
     lines = files.complaints(rtl)
-    named = [path.name for path in [*files.headers(rtl), *files.sources(rtl)]]
-    core = re.findall(r"^      - (\w+\.svh?)\b", (rtl / CORE).read_text(), re.M)
+    named = [path.relative_to(rtl).as_posix() for path in [*files.headers(rtl), *files.sources(rtl)]]
+    core = re.findall(r"^      - ([\w/]+\.svh?)\b", (rtl / CORE).read_text(), re.M)
     if core != named:
         lines.append(f"{CORE}: its files are not those of the list")
-    for xml in (XML, VIEW_XML):
-        files = [file.find(f"{IPXACT}name").text for file in ElementTree.parse(rtl / xml).iter(f"{IPXACT}file")]
-        if [name.removeprefix("../") for name in files if name.startswith("../")] != named:
-            lines.append(f"{xml}: its files are not those of the list")
     return lines
 
 

@@ -50,7 +50,7 @@ hmlfc_elaboration_test(greatest "" BLOCK_LOG2=3 MAX_DEPTH=12 AXI_DATA_BITS=128 O
 find_program(HMLFC_YOSYS yosys)
 set(trace_values 0 1)
 set(trace_assertions -assert-none -assert-any)
-set(traced_modules hmlfc_compose hmlfc_images)
+set(traced_modules hmlfc_compose hmlfc_images)  # of the folder unit
 set(traced_blocks g_trace g_place)
 
 # What only the trace needs stands in blocks of their own: with TRACE 1 there are some, with 0 none.
@@ -60,8 +60,8 @@ foreach(value assertion IN ZIP_LISTS trace_values trace_assertions)
       -P "${CMAKE_CURRENT_SOURCE_DIR}/skip.cmake")
     if(HMLFC_YOSYS)
       set(command "${HMLFC_YOSYS}" -q
-        -p "read_verilog -sv -I${RTL} ${RTL}/hmlfc_pkg.sv ${RTL}/${module}.sv"
-        -p "chparam -set TRACE ${value} ${module}" -p "hierarchy -top ${module} -libdir ${RTL}"
+        -p "verilog_defaults -add -I${RTL}; read_verilog -sv ${RTL}/hmlfc_pkg.sv ${RTL}/unit/${module}.sv"
+        -p "chparam -set TRACE ${value} ${module}" -p "hierarchy -top ${module} -libdir ${RTL}/lib -libdir ${RTL}/unit"
         -p "proc" -p "select ${assertion} */${blocks}.*")
     endif()
     add_test(NAME rtl.parameters.${module}_trace_${value} COMMAND ${command})

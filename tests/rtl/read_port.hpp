@@ -25,17 +25,20 @@ class ReadPort {
   /// Sets the inputs of `dut` for the next clock.
   template <class Dut>
   void drive(Dut& dut) {
-    dut.request_ready = beats_ == 0 && random_.one_in(2);
-    dut.data_valid = beats_ != 0 && random_.one_in(2);
-    if (!dut.data_valid) return;
-    dut.data_last = beats_ == 1;
-    dut.data_error = corrupt && random_.one_in(6);
-    corrupted |= dut.data_error != 0;
+    const bool ready = beats_ == 0 && random_.one_in(2);
+    const bool valid = beats_ != 0 && random_.one_in(2);
+    const bool error = valid && corrupt && random_.one_in(6);
+    put_bits(dut.response, kReadyBit, 1, ready);
+    put_bits(dut.response, kValidBit, 1, valid);
+    if (!valid) return;
+    put_bits(dut.response, kLastBit, 1, beats_ == 1);
+    put_bits(dut.response, kErrorBit, 1, error);
+    corrupted |= error;
     for (size_t i = 0; i < kBeat; ++i) {
       const uint64_t at = address_ + i - kBase;
       const uint32_t byte = at < file_.size() ? file_[static_cast<size_t>(at)] : 0;
       const auto anything = static_cast<uint32_t>(random_.in(0, 255));
-      put_bits(dut.data, 8 * i, 8, dut.data_error ? anything : byte);
+      put_bits(dut.data, 8 * i, 8, error ? anything : byte);
     }
     address_ += kBeat;
     --beats_;
@@ -44,15 +47,20 @@ class ReadPort {
   /// Takes the request that passes at the next clock, after eval.
   template <class Dut>
   void watch(const Dut& dut) {
-    if (!dut.request_valid || !dut.request_ready) return;
-    EXPECT_EQ(dut.request_address % kBeat, 0u);
-    address_ = dut.request_address;
-    beats_ = dut.request_beats;
+    if (dut.request >> kRequestValidBit == 0 || get_bits(dut.response, kReadyBit, 1) == 0) return;
+    address_ = dut.request >> kBeatsBits & kAddressMask;
+    beats_ = get_bits(dut.request, 0, kBeatsBits);
+    EXPECT_EQ(address_ % kBeat, 0u);
     ++requests;
   }
 
  private:
   static constexpr size_t kBeat = 16;
+  // hmlfc_pkg::read_response_t
+  static constexpr size_t kReadyBit = 3, kValidBit = 2, kLastBit = 1, kErrorBit = 0;
+  // hmlfc_pkg::read_request_t
+  static constexpr unsigned kBeatsBits = 10, kRequestValidBit = 50;
+  static constexpr uint64_t kAddressMask = (uint64_t{1} << 40) - 1;
 
   const std::vector<uint8_t>& file_;
   Random& random_;

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Reads every file of the decode unit with a tool, which must say nothing at all.
 
-read_rtl.py verilator|yosys|icarus|order RTL: the files of the list in the folder RTL, Verilator and Yosys
-each module as a top as well.
+read_rtl.py verilator|yosys|icarus|order RTL: the files of the list in the folder RTL, Verilator and Yosys each module as a
+top as well.
 
 Icarus 11 cannot elaborate the types of the package: it parses all files and elaborates the FIFO. `order` is no program:
 it finds signals used before their declaration, of which Icarus knows only those that are whole ports of an instance.
@@ -26,7 +26,7 @@ PROGRAMS = {"verilator": "verilator", "yosys": "yosys", "icarus": "iverilog"}
 # In the body of a module, where it is indented by 2.
 DECLARATION = re.compile(r"^  (?:logic|wire|\w+::\w+_t|state_t)\b(?: signed)?(?: *\[[^]]*\])* +([^;=]+)", re.M)
 FUNCTION = re.compile(r"^  function .*?^  endfunction", re.M | re.S)
-NOT_A_USE = re.compile(r"//[^\n]*|\.\w+ *\(|(?<=[\w\])])\.\w+")  # comments, names of ports, members
+NOT_A_USE = re.compile(r"//[^\n]*|`default_nettype [^\n]*|\.\w+ *\(|(?<=[\w\])])\.\w+")  # comments, names of ports, members
 
 
 def early_uses(path):
@@ -55,7 +55,7 @@ def commands(tool, rtl, tops):
     if tool == "verilator":
         lint = ["verilator", "--lint-only", "-Wall", "waivers.vlt", "-F", file_list.NAME]
         return [[*lint, "--top-module", path.stem] for path in tops]
-    files = " ".join(path.name for path in file_list.sources(rtl))
+    files = " ".join(str(path.relative_to(rtl)) for path in file_list.sources(rtl))
     return [
         ["yosys", "-q", "-p", f"read_verilog -sv -defer {files}", "-p", f"hierarchy -check -top {path.stem}",
          "-p", f"proc {checked(path)}", "-p", f"check -assert {checked(path)}"]
@@ -69,12 +69,12 @@ def said(command, rtl):
     return run.stdout or (f"{command[-1]}: exit status {run.returncode}\n" if run.returncode else "")
 
 
-def complaints(tool, rtl, tops=None):
-    """What is said of the modules, or of those given."""
+def complaints(tool, rtl):
+    """What is said of the modules."""
     if tool == "order":
         return "".join(line for path in file_list.sources(rtl) for line in early_uses(path))
     with ThreadPoolExecutor() as pool:
-        return "".join(pool.map(lambda command: said(command, rtl), commands(tool, rtl, tops or file_list.modules(rtl))))
+        return "".join(pool.map(lambda command: said(command, rtl), commands(tool, rtl, file_list.modules(rtl))))
 
 
 def main():

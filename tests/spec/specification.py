@@ -9,7 +9,7 @@ RENDERING = Path("docs/rendering.md")
 DEFINITION = re.compile(r"^\*\*\[([A-Z]+-\d+)\]\*\*", re.MULTILINE)
 CLAUSE = re.compile(r"\b[A-Z]{3,4}-\d+\b")
 # Names of other standards that look like clauses.
-NOT_CLAUSES = {"SHA-256", "TLM-2", "UTF-8"}
+NOT_CLAUSES = {"BSD-3", "SHA-256", "TLM-2", "UTF-8"}
 CLAUSE_RANGE = re.compile(r"\b([A-Z]{3,4})-(\d+) to \1-(\d+)\b")
 
 

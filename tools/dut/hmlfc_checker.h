@@ -1,10 +1,9 @@
 /* The golden model in lock-step with a device in a simulation: the C side of hmlfc_checker.sv,
- * which calls it through DPI-C, and of hmlfc_vpi.c, which offers it to Icarus Verilog. Plain C99,
- * without svdpi.h. docs/checker.md leads through its use.
+ * which calls it through DPI-C. Plain C99, without svdpi.h. docs/checker.md leads through its use.
  *
- * Vectors of values have the layout of svLogicVecVal and of s_vpi_vecval: for each 32 bits the word
- * aval, then bval; a bit with bval = 1 is unknown (x or z). Value i has the bits
- * [16 * i, 16 * i + 15] in two's complement. `clock` only names the moment in messages. */
+ * Vectors of values have the layout of svLogicVecVal: for each 32 bits the word aval, then bval; a
+ * bit with bval = 1 is unknown (x or z). Value i has the bits [16 * i, 16 * i + 15] in two's
+ * complement. `clock` only names the moment in messages. */
 #ifndef HMLFC_CHECKER_H
 #define HMLFC_CHECKER_H
 

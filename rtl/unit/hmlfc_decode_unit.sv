@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`include "hmlfc_tables.svh"
+`default_nettype none
+
+// The decode unit (docs/decode_unit.md): answers requests for blocks of an .hmlfc stream that lies in memory.
+//
+//   requests, view -> tiles: motion, disparity, residual -> references: windows of samples -> compose -> answers
+//
+// Everything is in order: a block never overtakes another. Slow reads start as soon as their address is known, and
+// queues in `tiles` and `references` let blocks wait in line while memory answers. Each stage stalls when the next one
+// does. `control` has the registers and LOAD, and gives all stages the geometry of the stream.
+module hmlfc_decode_unit #(
+    parameter int BLOCK_LOG2 = 2,      // 1..3
+    parameter int MAX_DEPTH = 8,       // 8..12
+    parameter int AXI_DATA_BITS = 128,  // 64, 128
+    parameter int OUTSTANDING = 32,    // 4..64
+    parameter int TILE_CONTEXTS = 16,  // 2..32, a power of two
+    parameter int TILE_LOADERS = 4,    // 1..8
+    parameter int CACHE_STRIPS = 512,  // 64..1024, a power of two
+    parameter int TRACE = 1,           // 0..1; 0: nothing is kept for the trace, which is 0
+    localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
+    localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
+    localparam int VALUE_BITS = MAX_DEPTH + 2,
+    localparam int SAMPLE_BITS = MAX_DEPTH + 1
+) (
+    input logic clk,
+    input logic rst_n,
+
+    input logic s_request_tvalid,
+    output logic s_request_tready,
+    input logic [63:0] s_request_tdata,
+    input logic s_request_tlast,
+
+    output logic m_response_tvalid,
+    input logic m_response_tready,
+    output logic [3*SAMPLES*16-1:0] m_response_tdata,
+    output logic [5:0] m_response_tuser,
+    output logic m_response_tlast,
+
+    output logic m_axi_arvalid,
+    input logic m_axi_arready,
+    output logic [ADDRESS_BITS-1:0] m_axi_araddr,
+    output logic [7:0] m_axi_arlen,
+    output logic [2:0] m_axi_arsize,
+    output logic [1:0] m_axi_arburst,
+    output logic [0:0] m_axi_arid,
+    input logic m_axi_rvalid,
+    output logic m_axi_rready,
+    input logic [AXI_DATA_BITS-1:0] m_axi_rdata,
+    input logic [1:0] m_axi_rresp,
+    input logic m_axi_rlast,
+    input logic [0:0] m_axi_rid,
+
+    input logic s_axil_awvalid,
+    output logic s_axil_awready,
+    input logic [11:0] s_axil_awaddr,
+    input logic s_axil_wvalid,
+    output logic s_axil_wready,
+    input logic [31:0] s_axil_wdata,
+    input logic [3:0] s_axil_wstrb,
+    output logic s_axil_bvalid,
+    input logic s_axil_bready,
+    output logic [1:0] s_axil_bresp,
+    input logic s_axil_arvalid,
+    output logic s_axil_arready,
+    input logic [11:0] s_axil_araddr,
+    output logic s_axil_rvalid,
+    input logic s_axil_rready,
+    output logic [31:0] s_axil_rdata,
+    output logic [1:0] s_axil_rresp,
+
+    // The clock is needed.
+    output logic active,
+
+    // Trace of each block of a level, in decoding order; for simulation.
+    output logic trace_valid,
+    output logic [3:0] trace_level,
+    output logic [1:0] trace_plane,
+    output logic [14:0] trace_bx,
+    output logic [14:0] trace_by,
+    output logic [11:0] trace_row,
+    output logic [11:0] trace_col,
+    output logic trace_key,
+    output logic trace_motion,
+    output logic trace_negative,
+    output logic [1:0] trace_references,
+    output logic [8:0] trace_ix_a,
+    output logic [8:0] trace_iy_a,
+    output logic [2:0] trace_fx_a,
+    output logic [2:0] trace_fy_a,
+    output logic [8:0] trace_ix_b,
+    output logic [8:0] trace_iy_b,
+    output logic [2:0] trace_fx_b,
+    output logic [2:0] trace_fy_b,
+    output logic trace_has_residual,
+    output logic [SAMPLES*VALUE_BITS-1:0] trace_residual,
+    output logic [SAMPLES*VALUE_BITS-1:0] trace_reference,
+    output logic [SAMPLES*SAMPLE_BITS-1:0] trace_prediction,
+    output logic [SAMPLES*SAMPLE_BITS-1:0] trace_sample,
+    output logic [5:0] trace_error
+);
+
+`ifndef __ICARUS__  // version 11 has no elaboration tasks
+  if (BLOCK_LOG2 < 1 || BLOCK_LOG2 > 3) $error("BLOCK_LOG2 is 1, 2 or 3");
+  if (MAX_DEPTH < 8 || MAX_DEPTH > 12) $error("MAX_DEPTH is 8 to 12");
+  if (AXI_DATA_BITS != 64 && AXI_DATA_BITS != 128) $error("AXI_DATA_BITS is 64 or 128");
+  if (OUTSTANDING < 4 || OUTSTANDING > 64) $error("OUTSTANDING is 4 to 64");
+  if (TILE_CONTEXTS < 2 || TILE_CONTEXTS > 32 || (TILE_CONTEXTS & (TILE_CONTEXTS - 1)) != 0)
+    $error("TILE_CONTEXTS is a power of two, 2 to 32");
+  if (TILE_LOADERS < 1 || TILE_LOADERS > 8) $error("TILE_LOADERS is 1 to 8");
+  if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0)
+    $error("CACHE_STRIPS is a power of two, 64 to 1024");
+  if (TRACE < 0 || TRACE > 1) $error("TRACE is 0 or 1");
+`endif
+
+  hmlfc_widths widths ();
+
+  localparam int OTHER_LOADERS = (TILE_LOADERS + 1) / 2;  // of motion tiles, and of disparity tiles
+  localparam int TILE_CLIENTS = TILE_LOADERS + 2 * OTHER_LOADERS;
+  localparam int CLIENTS = 1 + TILE_CLIENTS + 2;  // of the read master, the first most urgent
+  localparam int READ_REQUEST_BITS = hmlfc_pkg::READ_REQUEST_BITS;
+  localparam int READ_RESPONSE_BITS = hmlfc_pkg::READ_RESPONSE_BITS;
+  localparam int VIEW_BITS = hmlfc_pkg::VIEW_BITS;
+  localparam int LEVELS = hmlfc_pkg::LEVELS;
+  localparam int LEVEL_BITS = hmlfc_pkg::LEVEL_BITS;
+  localparam int RESIDUAL_BITS = SAMPLES * VALUE_BITS;
+  localparam int WINDOW_BITS = ((1 << BLOCK_LOG2) + 1) * ((1 << BLOCK_LOG2) + 1) * VALUE_BITS;
+  localparam int REQUESTS = 512;  // in flight at once, at most
+
+  // ---- The read master and its clients.
+  logic [CLIENTS*READ_REQUEST_BITS-1:0] read_requests;
+  logic [CLIENTS*READ_RESPONSE_BITS-1:0] read_responses;
+  logic [AXI_DATA_BITS-1:0] data;
+  logic reading, stray;
+  hmlfc_read_port #(.CLIENTS(CLIENTS), .DATA_BITS(AXI_DATA_BITS), .OUTSTANDING(OUTSTANDING)) port (
+      .clk, .rst_n, .requests(read_requests), .responses(read_responses), .data, .reading, .stray, .m_axi_arvalid,
+      .m_axi_arready, .m_axi_araddr, .m_axi_arlen, .m_axi_arsize, .m_axi_arburst, .m_axi_rvalid, .m_axi_rready,
+      .m_axi_rdata, .m_axi_rresp, .m_axi_rlast
+  );
+  assign m_axi_arid = 1'b0;
+
+  // ---- Registers and LOAD.
+  logic loading, enable, flush, idle, block_done;
+  logic [5:0] load_error;
+  logic [63:0] first_request;
+  hmlfc_pkg::config_t stream;
+  logic [LEVELS*LEVEL_BITS-1:0] levels;
+  wire asked = s_request_tvalid && s_request_tready;
+  wire answered = m_response_tvalid && m_response_tready;
+  hmlfc_control #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS)) control (
+      .clk, .rst_n, .s_axil_awvalid, .s_axil_awready, .s_axil_awaddr, .s_axil_wvalid, .s_axil_wready, .s_axil_wdata,
+      .s_axil_wstrb, .s_axil_bvalid, .s_axil_bready, .s_axil_bresp, .s_axil_arvalid, .s_axil_arready, .s_axil_araddr,
+      .s_axil_rvalid, .s_axil_rready, .s_axil_rdata, .s_axil_rresp, .idle, .reading, .stray, .loading, .enable,
+      .load_error, .flush, .stream, .levels, .block_done, .answered, .answer_error(m_response_tuser),
+      .answered_request(first_request), .stalled(m_response_tvalid && !m_response_tready),
+      .beat(m_axi_rvalid && m_axi_rready), .request(read_requests[0+:READ_REQUEST_BITS]),
+      .response(read_responses[0+:READ_RESPONSE_BITS]), .data
+  );
+
+  // ---- Whether the clock is needed.
+  wire accessed = !s_axil_awready || !s_axil_wready || s_axil_bvalid || s_axil_rvalid;
+  hmlfc_activity #(.CHANNELS(5), .PARTS(4)) activity (
+      .clk, .rst_n, .offered({s_request_tvalid, m_axi_rvalid, s_axil_awvalid, s_axil_wvalid, s_axil_arvalid}),
+      .busy({accessed, loading, !idle, reading}), .active
+  );
+
+  // ---- Requests in flight.
+  logic requests_ready, requests_valid, list_ready;
+  logic done_valid, done_ready;
+  hmlfc_pkg::pending_t done_pending;  // the job that leaves
+  hmlfc_fifo #(.WIDTH(64), .DEPTH(REQUESTS)) requested (
+      .clk, .rst_n, .in_valid(asked), .in_ready(list_ready), .in_data(s_request_tdata), .out_valid(requests_valid),
+      .out_ready(answered), .out_data(first_request), .count()
+  );
+  assign idle = !requests_valid;
+  assign s_request_tready = requests_ready && list_ready;
+
+  logic view_start, view_done, image_write;
+  logic [VIEW_BITS-1:0] view_slot;
+  logic [9:0] view_row, view_col;
+  logic [LEVELS-1:0] view_keys;
+  logic [2:0] image_level;
+  hmlfc_pkg::image_t view_image;
+  hmlfc_pkg::image_tiles_t ask_image;
+  logic [hmlfc_pkg::TILE_BITS-1:0] disparity_first_tile;
+  hmlfc_pkg::image_references_t reference_image;
+  logic job_valid, job_ready, chroma_spoiled;
+  hmlfc_pkg::job_t job;
+  hmlfc_requests requests (
+      .clk, .rst_n, .stream, .enable, .load_error, .flush, .s_valid(s_request_tvalid && list_ready),
+      .s_ready(requests_ready), .s_data(s_request_tdata), .s_last(s_request_tlast), .view_start, .view_row, .view_col,
+      .view_slot, .view_done, .view_keys, .job_valid, .job_ready, .job, .chroma_spoiled, .finished_valid(block_done),
+      .finished_slot(done_pending.job.id[3+:VIEW_BITS])
+  );
+  hmlfc_view view (
+      .clk, .rst_n, .stream, .levels, .start(view_start), .view_row, .view_col, .done(view_done), .keys(view_keys),
+      .write(image_write), .write_level(image_level), .write_image(view_image)
+  );
+
+  // ---- The block's records.
+  logic [VIEW_BITS+2:0] disparity_id;
+  logic tiles_valid, tiles_ready, flow_valid, flow_ready, has_residual;
+  hmlfc_pkg::job_t tiles_job;
+  hmlfc_pkg::image_tiles_t tiles_image;
+  hmlfc_pkg::flow_t flow;
+  logic [RESIDUAL_BITS-1:0] residual;
+  // Whether the contexts take a job is known late in a clock; `requests` needs a clock of its own.
+  hmlfc_skid_buffer #(.WIDTH(hmlfc_pkg::JOB_BITS + hmlfc_pkg::IMAGE_TILES_BITS)) jobs (
+      .clk, .rst_n, .in_valid(job_valid), .in_ready(job_ready), .in_data({job, ask_image}), .out_valid(tiles_valid),
+      .out_ready(tiles_ready), .out_data({tiles_job, tiles_image})
+  );
+  hmlfc_tile_stores #(
+      .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS), .TILE_CONTEXTS(TILE_CONTEXTS),
+      .RESIDUAL_LOADERS(TILE_LOADERS), .OTHER_LOADERS(OTHER_LOADERS)
+  ) tiles (
+      .clk, .rst_n, .stream, .flush, .in_valid(tiles_valid), .in_ready(tiles_ready), .in_job(tiles_job),
+      .in_image(tiles_image), .disparity_id, .disparity_first_tile, .out_valid(flow_valid), .out_ready(flow_ready),
+      .out_flow(flow), .out_has_residual(has_residual), .out_residual(residual),
+      .requests(read_requests[READ_REQUEST_BITS+:TILE_CLIENTS*READ_REQUEST_BITS]),
+      .responses(read_responses[READ_RESPONSE_BITS+:TILE_CLIENTS*READ_RESPONSE_BITS]), .data
+  );
+
+  // ---- The block's references.
+  logic pending_valid, pending_ready;
+  hmlfc_pkg::pending_t pending;
+  logic [RESIDUAL_BITS-1:0] pending_residual;
+  logic [1:0] window_valid, window_ready;
+  logic [2*6-1:0] window_error;
+  logic [2*WINDOW_BITS-1:0] window;
+  hmlfc_references #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS),
+      .CACHE_STRIPS(CACHE_STRIPS)) references (
+      .clk, .rst_n, .stream, .flush, .in_valid(flow_valid), .in_ready(flow_ready), .in_flow(flow),
+      .in_image(reference_image), .in_has_residual(has_residual), .in_residual(residual), .out_valid(pending_valid),
+      .out_ready(pending_ready), .out_pending(pending), .out_residual(pending_residual), .window_valid, .window_ready,
+      .window_error, .window, .requests(read_requests[(1+TILE_CLIENTS)*READ_REQUEST_BITS+:2*READ_REQUEST_BITS]),
+      .responses(read_responses[(1+TILE_CLIENTS)*READ_RESPONSE_BITS+:2*READ_RESPONSE_BITS]), .data
+  );
+
+  // ---- Samples and answers.
+  logic [5:0] done_error;
+  logic [SAMPLES*SAMPLE_BITS-1:0] done_sample, done_prediction;
+  logic [SAMPLES*VALUE_BITS-1:0] done_residual, done_reference;
+  hmlfc_compose #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .TRACE(TRACE)) compose (
+      .clk, .rst_n, .depth(stream.depth), .in_valid(pending_valid), .in_ready(pending_ready), .in_pending(pending),
+      .in_residual(pending_residual), .a_valid(window_valid[0]), .a_ready(window_ready[0]),
+      .a_error(window_error[0+:6]), .a_window(window[0+:WINDOW_BITS]), .b_valid(window_valid[1]),
+      .b_ready(window_ready[1]), .b_error(window_error[6+:6]), .b_window(window[WINDOW_BITS+:WINDOW_BITS]),
+      .out_valid(done_valid), .out_ready(done_ready), .out_pending(done_pending), .out_error(done_error),
+      .out_sample(done_sample), .out_residual(done_residual), .out_reference(done_reference),
+      .out_prediction(done_prediction)
+  );
+  assign block_done = done_valid && done_ready;
+  hmlfc_answer #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH)) answers (
+      .clk, .rst_n, .depth(stream.depth), .chroma_444(stream.chroma_444), .in_valid(done_valid), .in_ready(done_ready),
+      .in_job(done_pending.job), .in_error(done_error), .in_sample(done_sample),
+      .in_has_residual(done_pending.has_residual), .in_residual(done_residual), .chroma_spoiled,
+      .out_valid(m_response_tvalid), .out_ready(m_response_tready), .out_data(m_response_tdata),
+      .out_error(m_response_tuser), .out_last(m_response_tlast)
+  );
+
+  logic [hmlfc_pkg::GRID_BITS-1:0] done_row, done_col;
+  hmlfc_images #(.TRACE(TRACE)) images (
+      .clk, .write(image_write), .write_id({view_slot, image_level}), .write_image(view_image), .tiles_id(job.id),
+      .tiles(ask_image), .disparity_id, .disparity_tile(disparity_first_tile), .references_id(flow.job.id),
+      .references(reference_image), .place_id(done_pending.job.id), .place({done_row, done_col})
+  );
+
+  if (TRACE != 0) begin : g_trace
+    assign trace_valid = block_done;
+    assign trace_level = 4'(done_pending.job.id[2:0]);
+    assign trace_plane = done_pending.job.plane;
+    assign trace_bx = 15'(done_pending.job.bx);
+    assign trace_by = 15'(done_pending.job.by);
+    assign trace_row = 12'(done_row);
+    assign trace_col = 12'(done_col);
+    assign trace_key = done_pending.key;
+    assign trace_motion = done_pending.motion;
+    assign trace_negative = done_pending.negative;
+    assign trace_references = !done_pending.motion ? 2'd0 : done_pending.two ? 2'd2 : 2'd1;
+    assign {trace_ix_a, trace_iy_a, trace_fx_a, trace_fy_a} =
+        {done_pending.ix_a, done_pending.iy_a, done_pending.fx_a, done_pending.fy_a};
+    assign {trace_ix_b, trace_iy_b, trace_fx_b, trace_fy_b} =
+        {done_pending.ix_b, done_pending.iy_b, done_pending.fx_b, done_pending.fy_b};
+    assign trace_has_residual = done_pending.has_residual;
+    assign {trace_residual, trace_reference, trace_prediction} = {done_residual, done_reference, done_prediction};
+    assign trace_sample = done_sample;
+    assign trace_error = done_error;
+  end else begin : g_no_trace
+    assign {trace_valid, trace_level, trace_plane, trace_bx, trace_by, trace_row, trace_col, trace_key, trace_motion,
+        trace_negative} = '0;
+    assign {trace_references, trace_ix_a, trace_iy_a, trace_fx_a, trace_fy_a, trace_ix_b, trace_iy_b, trace_fx_b,
+        trace_fy_b} = '0;
+    assign {trace_has_residual, trace_residual, trace_reference, trace_prediction, trace_sample, trace_error} = '0;
+  end
+
+endmodule
+
+`default_nettype wire

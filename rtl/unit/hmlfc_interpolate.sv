@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
+// The prediction reference R of a block from one or two references (MOT-9).
+//
+// BLOCK_LOG2    [1, 3], B = 2^BLOCK_LOG2
+// SAMPLE_BITS   of a sample of ref, in two's complement: MAX_DEPTH + 2
+//
+// window_a, window_b   (B + 1) x (B + 1) samples of the first and the second reference, from
+//                      (ix, iy) on: sample (x, y) at bits SAMPLE_BITS * (y * (B + 1) + x) on.
+//                      A sample whose weight is 0 does not matter.
+// fx_*, fy_*           eighths of a sample, [0, 7]
+// two                  use both; else window_b, fx_b and fy_b do not matter
+// prediction           R(x, y) at bits SAMPLE_BITS * (y * B + x) on
+//
+// Latency 3 clocks with advance, one block a clock: along rows, along columns, rounding.
+// (8 - f) a + f b is a + m0 + 2 m1 + 4 m2, where mk is b if bit k of f is set, else a: no multiplication,
+// and two additions one after the other. Nothing is rounded before the end.
+module hmlfc_interpolate #(
+    parameter int BLOCK_LOG2 = 2,
+    parameter int SAMPLE_BITS = 10
+) (
+    input logic clk,
+    input logic advance,
+    input logic [((1<<BLOCK_LOG2)+1)*((1<<BLOCK_LOG2)+1)*SAMPLE_BITS-1:0] window_a,
+    input logic [((1<<BLOCK_LOG2)+1)*((1<<BLOCK_LOG2)+1)*SAMPLE_BITS-1:0] window_b,
+    input logic [2:0] fx_a,
+    input logic [2:0] fy_a,
+    input logic [2:0] fx_b,
+    input logic [2:0] fy_b,
+    input logic two,
+    output logic [(1<<(2*BLOCK_LOG2))*SAMPLE_BITS-1:0] prediction
+);
+  localparam integer B = 1 << BLOCK_LOG2;
+  localparam integer SIDE = B + 1;
+  localparam integer WINDOW = SIDE * SIDE * SAMPLE_BITS;
+  localparam integer ROW_BITS = SAMPLE_BITS + 3;   // 8 times a sample
+  localparam integer SUM_BITS = SAMPLE_BITS + 6;   // 64 times
+  localparam integer TOTAL_BITS = SAMPLE_BITS + 7; // 128 times
+
+  // Both references one above the other, the first below.
+  logic [2*WINDOW-1:0]            windows;
+  logic [5:0]                     fx, fy;
+  logic [2*SIDE*B*ROW_BITS-1:0]   rows_next, rows;
+  logic [2*B*B*SUM_BITS-1:0]      sums_next, sums;
+  logic [B*B*SAMPLE_BITS-1:0]     prediction_next;
+  logic [5:0]                     fy_rows;
+  logic                           two_rows, two_sums;
+
+  assign windows = {window_b, window_a};
+  assign fx = {fx_b, fx_a};
+  assign fy = {fy_b, fy_a};
+
+  genvar r, x, y;
+  generate
+    for (r = 0; r < 2; r = r + 1) begin : gen_reference
+      for (x = 0; x < B; x = x + 1) begin : gen_column
+        for (y = 0; y < SIDE; y = y + 1) begin : gen_along_row
+          localparam integer AT = r * WINDOW + (y * SIDE + x) * SAMPLE_BITS;
+          logic [SAMPLE_BITS-1:0] left, right, m0, m1, m2;
+          logic [ROW_BITS-1:0]    low, high;
+          assign left = windows[AT +: SAMPLE_BITS];
+          assign right = windows[AT + SAMPLE_BITS +: SAMPLE_BITS];
+          assign m0 = fx[3*r] ? right : left;
+          assign m1 = fx[3*r+1] ? right : left;
+          assign m2 = fx[3*r+2] ? right : left;
+          assign low = {{3{left[SAMPLE_BITS-1]}}, left} + {{3{m0[SAMPLE_BITS-1]}}, m0};
+          assign high = {{2{m1[SAMPLE_BITS-1]}}, m1, 1'b0} + {m2[SAMPLE_BITS-1], m2, 2'd0};
+          assign rows_next[((r*SIDE+y)*B+x)*ROW_BITS +: ROW_BITS] = low + high;
+        end
+        for (y = 0; y < B; y = y + 1) begin : gen_along_column
+          logic [ROW_BITS-1:0] upper, lower, m0, m1, m2;
+          logic [SUM_BITS-1:0] low, high;
+          assign upper = rows[((r*SIDE+y)*B+x)*ROW_BITS +: ROW_BITS];
+          assign lower = rows[((r*SIDE+y+1)*B+x)*ROW_BITS +: ROW_BITS];
+          assign m0 = fy_rows[3*r] ? lower : upper;
+          assign m1 = fy_rows[3*r+1] ? lower : upper;
+          assign m2 = fy_rows[3*r+2] ? lower : upper;
+          assign low = {{3{upper[ROW_BITS-1]}}, upper} + {{3{m0[ROW_BITS-1]}}, m0};
+          assign high = {{2{m1[ROW_BITS-1]}}, m1, 1'b0} + {m2[ROW_BITS-1], m2, 2'd0};
+          assign sums_next[((r*B+y)*B+x)*SUM_BITS +: SUM_BITS] = low + high;
+        end
+      end
+    end
+
+    // (I + 32) >> 6 is (I + I + 64) >> 7.
+    for (x = 0; x < B * B; x = x + 1) begin : gen_round
+      logic [SUM_BITS-1:0]   first, second;
+      // Not all bits are used: the shift drops the low bits.
+      logic [TOTAL_BITS-1:0] total;
+      assign first = sums[x*SUM_BITS +: SUM_BITS];
+      assign second = two_sums ? sums[(B*B+x)*SUM_BITS +: SUM_BITS] : first;
+      assign total = {first[SUM_BITS-1], first} + {second[SUM_BITS-1], second} + TOTAL_BITS'(64);
+      assign prediction_next[x*SAMPLE_BITS +: SAMPLE_BITS] = total[7 +: SAMPLE_BITS];
+    end
+  endgenerate
+
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      rows <= rows_next;
+      fy_rows <= fy;
+      two_rows <= two;
+      sums <= sums_next;
+      two_sums <= two_rows;
+      prediction <= prediction_next;
+    end
+  end
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`include "hmlfc_tables.svh"
+`default_nettype none
+
+// Works out where a block's references are displaced to (MOT-7 to MOT-9) and asks the caches for their windows.
+//
+// K0 comes through cache A, K1 to K3 through cache B; both windows of reference set 5 come through B, the first one
+// first. A block of a key image asks A for its own samples. Blocks with an error ask for none. Latency 7 clocks.
+module hmlfc_reference_ask #(
+    parameter int BLOCK_LOG2 = 2,
+    parameter int RESIDUAL_BITS = 160,
+    localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
+    localparam int SLOT_BITS = 1 + ADDRESS_BITS + 2 + 11 + 15 + 15 + 17 + 17 + 2
+) (
+    input logic clk,
+    input logic rst_n,
+    input hmlfc_pkg::config_t stream,
+    input hmlfc_pkg::image_references_t image,  // of in_flow.job.id
+    input hmlfc_pkg::flow_t in_flow,
+
+    input logic in_valid,
+    output logic in_ready,
+    input logic in_has_residual,
+    input logic [RESIDUAL_BITS-1:0] in_residual,
+
+    // To each cache: {section, address, plane, strips_x, width, height, x, y, extra_x, extra_y}.
+    output logic a_valid,
+    input logic a_ready,
+    output logic [SLOT_BITS-1:0] a_window,
+    output logic b_valid,
+    input logic b_ready,
+    output logic [SLOT_BITS-1:0] b_window,
+
+    output logic out_valid,
+    input logic out_ready,
+    output hmlfc_pkg::pending_t out_pending,
+    output logic [RESIDUAL_BITS-1:0] out_residual
+);
+
+  // MOT-7: numbers of the references of a set.
+  wire [2:0] set = in_flow.motion.reference_set;
+  wire two = set == 3'd1 || set == 3'd2 || set == 3'd5 || set == 3'd6;
+  logic [1:0] k_first, k_second;
+  always_comb begin
+    k_first = 2'd0;
+    k_second = 2'd0;
+    unique case (set)
+      3'd1: k_second = 2'd1;
+      3'd2: k_second = 2'd2;
+      3'd3: k_first = 2'd1;
+      3'd4: k_first = 2'd2;
+      3'd5: {k_first, k_second} = {2'd1, 2'd2};
+      3'd6: k_second = 2'd3;
+      3'd7: k_first = 2'd3;
+      default: ;
+    endcase
+  end
+
+  wire chroma = in_flow.job.plane != 2'd0;
+  wire key = image.keyed && image.is_reference;
+  wire motion = in_flow.motion.used && !key && in_flow.job.error == 0;
+  // The plane's offset in a reference image.
+  wire [ADDRESS_BITS-1:0] offset = in_flow.job.plane == 2'd0 ? ADDRESS_BITS'(0) :
+      in_flow.job.plane == 2'd1 ? ADDRESS_BITS'(stream.luma_bytes) :
+          ADDRESS_BITS'(stream.luma_bytes) + ADDRESS_BITS'(stream.chroma_bytes);
+
+  // Stage 1: what K0 to K3 are.
+  wire [4*ADDRESS_BITS-1:0] addresses = {image.address_3, image.address_2, image.address_1, image.address_0};
+  wire [4*28-1:0] steps = {
+    image.cols_3, image.rows_3, image.cols_2, image.rows_2, image.cols_1, image.rows_1, image.cols_0, image.rows_0
+  };
+  wire [1:0] k_own = motion ? k_first : 2'd0;  // a key image's own samples are those of K0
+
+  localparam int CARRY_BITS = hmlfc_pkg::JOB_BITS + 5 + 1 + RESIDUAL_BITS;
+  localparam int STAGES = 7;
+  logic advance;
+  logic [STAGES:1] valid;
+  logic [27:0] steps_a, steps_b;
+  logic [12:0] disparity;
+  logic explicit_mode, halve;
+  logic [11:0] explicit_x, explicit_y;
+  logic [STAGES*CARRY_BITS-1:0] carries;
+  logic [ADDRESS_BITS-1:0] base_a, base_b, offset_1;
+  logic [(STAGES-1)*2*ADDRESS_BITS-1:0] planes;  // addresses of the planes, from stage 2 on
+
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      steps_a <= steps[32'(k_first)*28+:28];
+      steps_b <= steps[32'(k_second)*28+:28];
+      disparity <= in_flow.motion.choice == 4'd10 ? 13'($signed(in_flow.motion.explicit_x)) : in_flow.disparity;
+      explicit_mode <= in_flow.motion.choice == 4'd11 || !motion;
+      explicit_x <= motion ? in_flow.motion.explicit_x : 12'd0;
+      explicit_y <= motion ? in_flow.motion.explicit_y : 12'd0;
+      halve <= chroma && !stream.chroma_444 && stream.features.motion_tiles && !stream.features.chroma_motion;
+      carries <= {
+        carries[(STAGES-1)*CARRY_BITS-1:0],
+        in_flow.job, key && in_flow.job.error == 0, motion && image.keyed, motion, motion && in_flow.motion.negative,
+        motion && two, in_has_residual, in_residual
+      };
+      base_a <= addresses[32'(k_own)*ADDRESS_BITS+:ADDRESS_BITS];
+      base_b <= addresses[32'(k_second)*ADDRESS_BITS+:ADDRESS_BITS];
+      offset_1 <= offset;
+      planes <= {planes[(STAGES-2)*2*ADDRESS_BITS-1:0], base_a + offset_1, base_b + offset_1};
+      valid <= {valid[STAGES-1:1], in_valid};
+    end
+    if (!rst_n) valid <= '0;
+  end
+  assign in_ready = advance;
+  // Which cache the first reference takes goes with its number; K2 and K3 use the second section of B.
+  logic [STAGES:1] first_from_b, section_a, section_b;
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      first_from_b <= {first_from_b[STAGES-1:1], motion && k_first != 2'd0};
+      section_a <= {section_a[STAGES-1:1], k_first[1]};
+      section_b <= {section_b[STAGES-1:1], k_second[1]};
+    end
+  end
+
+  // Stages 2 to 7: vectors.
+  logic [8:0] ix_a, iy_a, ix_b, iy_b;
+  logic [2:0] fx_a, fy_a, fx_b, fy_b;
+  hmlfc_vector vector_a (
+      .clk,
+      .advance,
+      .disparity,
+      .coefficient_x(steps_a[27:18]),
+      .coefficient_y(steps_a[17:0]),
+      .vector_precision(stream.vector_precision),
+      .disparity_precision(stream.disparity_precision),
+      .window(stream.window),
+      .explicit_mode,
+      .explicit_x,
+      .explicit_y,
+      .halve,
+      .ix(ix_a),
+      .iy(iy_a),
+      .fx(fx_a),
+      .fy(fy_a)
+  );
+  hmlfc_vector vector_b (
+      .clk,
+      .advance,
+      .disparity,
+      .coefficient_x(steps_b[27:18]),
+      .coefficient_y(steps_b[17:0]),
+      .vector_precision(stream.vector_precision),
+      .disparity_precision(stream.disparity_precision),
+      .window(stream.window),
+      .explicit_mode,
+      .explicit_x,
+      .explicit_y,
+      .halve,
+      .ix(ix_b),
+      .iy(iy_b),
+      .fx(fx_b),
+      .fy(fy_b)
+  );
+
+  // What comes out: the block is given on when both caches have taken their windows.
+  hmlfc_pkg::job_t job;
+  logic key_7, base_zero_7, motion_7, negative_7, two_7, has_residual_7;
+  logic [ADDRESS_BITS-1:0] address_a, address_b;
+  assign {job, key_7, base_zero_7, motion_7, negative_7, two_7, has_residual_7, out_residual} =
+      carries[(STAGES-1)*CARRY_BITS+:CARRY_BITS];
+  assign {address_a, address_b} = planes[(STAGES-2)*2*ADDRESS_BITS+:2*ADDRESS_BITS];
+  always_comb begin
+    out_pending.job = job;
+    out_pending.key = key_7;
+    out_pending.base_zero = base_zero_7;
+    out_pending.motion = motion_7;
+    out_pending.negative = negative_7;
+    out_pending.two = two_7;
+    out_pending.first_from_b = first_from_b[STAGES];
+    out_pending.has_residual = has_residual_7;
+    {out_pending.ix_a, out_pending.iy_a, out_pending.fx_a, out_pending.fy_a} = {ix_a, iy_a, fx_a, fy_a};
+    {out_pending.ix_b, out_pending.iy_b, out_pending.fx_b, out_pending.fy_b} = {ix_b, iy_b, fx_b, fy_b};
+  end
+
+  hmlfc_pkg::plane_t plane;
+  assign plane = job.plane == 2'd0 ? stream.luma : stream.chroma;
+  wire signed [16:0] x = $signed(17'(job.bx) << BLOCK_LOG2);
+  wire signed [16:0] y = $signed(17'(job.by) << BLOCK_LOG2);
+  wire [SLOT_BITS-1:0] window_a = {
+    section_a[STAGES], address_a, job.plane, plane.strips_x, plane.width, plane.height,
+    x + 17'($signed(ix_a)), y + 17'($signed(iy_a)), fx_a != 0, fy_a != 0
+  };
+  wire [SLOT_BITS-1:0] window_b = {
+    section_b[STAGES], address_b, job.plane, plane.strips_x, plane.width, plane.height,
+    x + 17'($signed(ix_b)), y + 17'($signed(iy_b)), fx_b != 0, fy_b != 0
+  };
+
+  // Windows to request: first and second, each once.
+  logic first_taken, second_taken;
+  wire first_needed = key_7 || motion_7;
+  wire first_done = !first_needed || first_taken;
+  wire second_done = !two_7 || second_taken;
+  assign a_valid = valid[STAGES] && !first_done && !first_from_b[STAGES];
+  assign a_window = window_a;
+  assign b_valid = valid[STAGES] && (first_from_b[STAGES] && !first_done || !second_done);
+  assign b_window = first_from_b[STAGES] && !first_done ? window_a : window_b;
+  wire a_takes = a_valid && a_ready;
+  wire b_takes = b_valid && b_ready;
+  wire first_now = first_done || a_takes || (b_takes && first_from_b[STAGES]);
+  wire second_now = second_done || (b_takes && !(first_from_b[STAGES] && !first_done));
+  assign out_valid = valid[STAGES] && first_now && second_now;
+  assign advance = !valid[STAGES] || (out_valid && out_ready);
+  always_ff @(posedge clk) begin
+    if (!rst_n || advance) begin
+      first_taken <= 1'b0;
+      second_taken <= 1'b0;
+    end else if (valid[STAGES]) begin
+      if (first_needed) first_taken <= first_now;
+      if (two_7) second_taken <= second_now;
+    end
+  end
+
+endmodule
+
+`default_nettype wire

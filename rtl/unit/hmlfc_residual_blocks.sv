@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`include "hmlfc_tables.svh"
+`default_nettype none
+
+// Takes the residual and, in streams without motion tiles, the vector of each block from its tile
+// (TIL-5 to TIL-10), one block a clock.
+//
+// Waits at its input until the block's tile is loaded, gives the tile back (`release_*`) when its bits
+// have been read, and leaves with the block's residuals, 0 in states without. An error of an earlier
+// stage stays; else the first of the block's entry is set (MOT-10). Latency 12 clocks.
+module hmlfc_residual_blocks #(
+    parameter int BLOCK_LOG2 = 2,
+    parameter int MAX_DEPTH = 8,
+    parameter int CONTEXTS = 8,
+    parameter int CONTEXT_WORDS = 256,
+    parameter int WINDOW_BITS = 256,
+    localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
+    localparam int CONTEXT_BITS = $clog2(CONTEXTS),
+    localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS),
+    localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
+    localparam int VALUE_BITS = MAX_DEPTH + 2,
+    localparam int FLOW_BITS = hmlfc_pkg::FLOW_BITS,
+    localparam int ENTRY_BITS = 6 + 6 + 4 + 14 + POSITION_BITS,
+    localparam int VECTOR_BITS = 18
+) (
+    input logic clk,
+    input logic rst_n,
+    input hmlfc_pkg::config_t stream,
+
+    input logic [CONTEXTS-1:0] ready,
+    output logic release_valid,
+    output logic [CONTEXT_BITS-1:0] release_context,
+
+    input logic head_write,
+    input logic vector_write,
+    input logic entry_write,
+    input logic [CONTEXT_BITS-1:0] parsed_context,
+    input logic [5:0] head_error,
+    input logic [63:0] head_motion,
+    input logic [63:0] head_residual,
+    input logic [5:0] vector_number,
+    input logic [VECTOR_BITS-1:0] vector_data,
+    input logic [5:0] entry_number,
+    input logic [ENTRY_BITS-1:0] entry_data,
+
+    output logic read_enable,
+    output logic [WORD_BITS-1:0] read_word,
+    input logic [WINDOW_BITS-1:0] window,
+
+    input logic in_valid,
+    output logic in_ready,
+    input hmlfc_pkg::flow_t in_flow,
+
+    output logic out_valid,
+    input logic out_ready,
+    output hmlfc_pkg::flow_t out_flow,
+    output logic out_has_residual,
+    output logic [SAMPLES*VALUE_BITS-1:0] out_residual
+);
+
+  localparam int STAGES = 12;
+  localparam int BITS = SAMPLES * VALUE_BITS;  // of a block's values, at most
+
+  function automatic logic [5:0] rank(input logic [63:0] mask, input logic [5:0] number);
+    rank = '0;
+    for (int i = 0; i < 64; i++) rank = rank + 6'(mask[i] && 6'(i) < number);
+  endfunction
+
+  // The flow of blocks: stage i holds what it knows after i clocks.
+  logic [STAGES:1] valid;
+  logic [STAGES*FLOW_BITS-1:0] flows;
+  logic [STAGES:2] has_residual;
+  wire advance = !valid[STAGES] || out_ready;
+  wire [CONTEXT_BITS-1:0] in_context = in_flow.residual_context[CONTEXT_BITS-1:0];
+  assign in_ready = advance && (!in_flow.residual_asked || ready[in_context]);
+
+  // Stage 1: the head of the tile.
+  hmlfc_pkg::flow_t flow_1;
+  logic [5:0] number_1, head_error_1;
+  logic [63:0] motion_mask_1, residual_mask_1;
+  assign flow_1 = flows[0+:FLOW_BITS];
+  wire [2:0] i = in_flow.job.bx[2:0];
+  wire [2:0] j = in_flow.job.by[2:0];
+  hmlfc_ram #(
+      .WIDTH(6 + 128),
+      .DEPTH(CONTEXTS)
+  ) heads (
+      .clk,
+      .write(head_write),
+      .write_address(parsed_context),
+      .write_data({head_error, head_motion, head_residual}),
+      .read(advance),
+      .read_address(in_context),
+      .read_data({head_error_1, motion_mask_1, residual_mask_1})
+  );
+
+  // Stage 2: masks to ranks; stage 3: entry and vector.
+  hmlfc_pkg::flow_t flow_2, flow_3, next_2, next_4;
+  logic has_motion_2;
+  logic [5:0] vector_2, entry_2;
+  logic [VECTOR_BITS-1:0] vector_3;
+  logic [ENTRY_BITS-1:0] entry_3;
+  logic has_motion_3;
+  assign flow_2 = flows[FLOW_BITS+:FLOW_BITS];
+  assign flow_3 = flows[2*FLOW_BITS+:FLOW_BITS];
+  wire [CONTEXT_BITS-1:0] context_2 = flow_2.residual_context[CONTEXT_BITS-1:0];
+  wire [CONTEXT_BITS-1:0] context_3 = flow_3.residual_context[CONTEXT_BITS-1:0];
+  hmlfc_ram #(
+      .WIDTH(VECTOR_BITS),
+      .DEPTH(CONTEXTS * 64)
+  ) vectors (
+      .clk,
+      .write(vector_write),
+      .write_address({parsed_context, vector_number}),
+      .write_data(vector_data),
+      .read(advance),
+      .read_address({context_2, vector_2}),
+      .read_data(vector_3)
+  );
+  hmlfc_ram #(
+      .WIDTH(ENTRY_BITS),
+      .DEPTH(CONTEXTS * 64)
+  ) entries (
+      .clk,
+      .write(entry_write),
+      .write_address({parsed_context, entry_number}),
+      .write_data(entry_data),
+      .read(advance),
+      .read_address({context_2, entry_2}),
+      .read_data(entry_3)
+  );
+
+  always_comb begin
+    next_2 = flow_1;
+    if (flow_1.residual_asked && flow_1.job.error == 0) next_2.job.error = head_error_1;
+  end
+
+  // Stage 4: the record memory is read.
+  wire [5:0] entry_error = entry_3[ENTRY_BITS-1-:6];
+  wire [5:0] entry_code = entry_3[ENTRY_BITS-7-:6];
+  wire [3:0] entry_step = entry_3[ENTRY_BITS-13-:4];
+  wire [13:0] entry_bias = entry_3[POSITION_BITS+:14];
+  wire [POSITION_BITS-1:0] entry_position = entry_3[POSITION_BITS-1:0];
+  always_comb begin
+    next_4 = flow_3;
+    if (has_motion_3) begin
+      next_4.motion.used = 1'b1;
+      next_4.motion.negative = vector_3[16];
+      next_4.motion.choice = 4'd11;
+      next_4.motion.explicit_x = 12'($signed(vector_3[7:0]));
+      next_4.motion.explicit_y = 12'($signed(vector_3[15:8]));
+    end
+    if (flow_3.job.error == 0) begin
+      if (has_motion_3 && vector_3[17]) next_4.job.error = HMLFC_ERROR_VECTOR_RANGE;
+      else if (has_residual[3]) next_4.job.error = entry_error;
+    end
+  end
+  assign read_enable = advance;
+  assign read_word = {context_3, (WORD_BITS - CONTEXT_BITS)'(entry_position >> 6)};
+  assign release_valid = advance && valid[3] && flow_3.residual_asked;
+  assign release_context = context_3;
+
+  // Stages 4 to 12: bits, values, residuals.
+  logic [5:0] shift_4, code_4, code_5, code_6, code_7, code_8;
+  logic [3:0] step_4, step_5, step_6, step_7, step_8;
+  logic [13:0] bias_4, bias_5, bias_6, bias_7, bias_8;
+  logic [BITS-1:0] bits_5;
+  logic [SAMPLES*VALUE_BITS-1:0] values_8, residuals_12;
+  hmlfc_pkg::flow_t flow_8;
+  assign flow_8 = flows[7*FLOW_BITS+:FLOW_BITS];
+  hmlfc_bise_unpack #(
+      .COUNT(SAMPLES),
+      .VALUE_BITS(VALUE_BITS),
+      .WINDOW_BITS(BITS)
+  ) unpack (
+      .clk,
+      .advance,
+      .level_code(code_5),
+      .window(bits_5),
+      .values(values_8)
+  );
+  hmlfc_residual #(
+      .BLOCK_LOG2(BLOCK_LOG2),
+      .MAX_DEPTH(MAX_DEPTH)
+  ) scale (
+      .clk,
+      .advance,
+      .values(values_8),
+      .level_code(code_8),
+      .bias(bias_8[VALUE_BITS-1:0]),
+      .step_code(step_8),
+      .chroma(flow_8.job.plane != 2'd0),
+      .depth(stream.depth),
+      .residuals(residuals_12)
+  );
+
+  always_ff @(posedge clk) begin
+    if (advance) begin
+      valid <= {valid[STAGES-1:1], in_valid && in_ready};
+      flows[0+:FLOW_BITS] <= in_flow;
+      flows[FLOW_BITS+:FLOW_BITS] <= next_2;
+      flows[2*FLOW_BITS+:FLOW_BITS] <= flow_2;
+      flows[3*FLOW_BITS+:FLOW_BITS] <= next_4;
+      flows[4*FLOW_BITS+:(STAGES-4)*FLOW_BITS] <= flows[3*FLOW_BITS+:(STAGES-4)*FLOW_BITS];
+
+      number_1 <= {j[2:1], i[2:1], j[0], i[0]};
+
+      has_motion_2 <= flow_1.residual_asked && motion_mask_1[number_1] && head_error_1 == 0;
+      vector_2 <= rank(motion_mask_1, number_1);
+      entry_2 <= rank(residual_mask_1, number_1);
+
+      has_motion_3 <= has_motion_2;
+
+      shift_4 <= entry_position[5:0];
+      {code_4, step_4, bias_4} <= {entry_code, entry_step, entry_bias};
+      {code_5, step_5, bias_5} <= {code_4, step_4, bias_4};
+      bits_5 <= BITS'(window >> shift_4);
+      {code_6, step_6, bias_6} <= {code_5, step_5, bias_5};
+      {code_7, step_7, bias_7} <= {code_6, step_6, bias_6};
+      {code_8, step_8, bias_8} <= {code_7, step_7, bias_7};
+
+      has_residual <= {
+        has_residual[STAGES-1:2], flow_1.residual_asked && residual_mask_1[number_1] && head_error_1 == 0
+      };
+    end
+    if (!rst_n) valid <= '0;
+  end
+
+  assign out_valid = valid[STAGES];
+  assign out_flow = flows[(STAGES-1)*FLOW_BITS+:FLOW_BITS];
+  assign out_has_residual = has_residual[STAGES];
+  assign out_residual = residuals_12 & {SAMPLES * VALUE_BITS{has_residual[STAGES]}};
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
+// The store of one kind of tiles: finds, loads and parses them, keeps the last few, and gives each block what its tile
+// has for it: its residual and vector, its motion, or the disparity of its grid block.
+//
+// A block asks for its tile first (`ask`) and comes back later, with others in between (`in_*`); the time between hides
+// the walk through the index.
+module hmlfc_tile_store #(
+    parameter int KIND = hmlfc_pkg::RESIDUAL_TILES,  // or MOTION_TILES, DISPARITY_TILES
+    parameter int BLOCK_LOG2 = 2,
+    parameter int MAX_DEPTH = 8,
+    parameter int DATA_BITS = 128,
+    parameter int CONTEXTS = 4,
+    parameter int LOADERS = 1,
+    localparam bit RESIDUALS = KIND == hmlfc_pkg::RESIDUAL_TILES,
+    localparam bit MOTIONS = KIND == hmlfc_pkg::MOTION_TILES,
+    localparam int READ_REQUEST_BITS = hmlfc_pkg::READ_REQUEST_BITS,
+    localparam int READ_RESPONSE_BITS = hmlfc_pkg::READ_RESPONSE_BITS,
+    localparam int TILE_BITS = hmlfc_pkg::TILE_BITS,
+    localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
+    localparam int CONTEXT_BITS = $clog2(CONTEXTS),
+    localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
+    localparam int VALUE_BITS = MAX_DEPTH + 2,
+    localparam int INFO_BITS = RESIDUALS ? 9 : MOTIONS ? 17 : 16
+) (
+    input logic clk,
+    input logic rst_n,
+    input hmlfc_pkg::config_t stream,
+    input logic flush,
+
+    input logic ask,
+    input logic [TILE_BITS-1:0] ask_tile,
+    // Residuals: {predictive, rows, columns} of the blocks in the plane; motion: {keyed, height, width} of the tile in
+    // samples; disparities: {height, width}.
+    input logic [INFO_BITS-1:0] ask_info,
+    output logic granted,
+    output logic [CONTEXT_BITS-1:0] granted_context,
+
+    input logic in_valid,
+    output logic in_ready,
+    input hmlfc_pkg::flow_t in_flow,
+    input logic [4:0] in_x,  // disparities: place of the grid block in the tile
+    input logic [4:0] in_y,
+    output logic out_valid,
+    input logic out_ready,
+    output hmlfc_pkg::flow_t out_flow,
+    output logic out_has_residual,  // 0 but in a store of residuals
+    output logic [SAMPLES*VALUE_BITS-1:0] out_residual,
+
+    output logic [LOADERS*READ_REQUEST_BITS-1:0] requests,
+    input logic [LOADERS*READ_RESPONSE_BITS-1:0] responses,
+    input logic [DATA_BITS-1:0] data
+);
+
+  // The longest record (section 11, bit position in a tile record), with a beat for its skew.
+  localparam int RECORD_BITS = RESIDUALS ? 64 * (SAMPLES * VALUE_BITS + 23) + 4096 :
+      MOTIONS ? 9 + 8 * 32 + 3 * 1024 : 18 + 10 * 1024;
+  localparam int SKEW_BITS = $clog2(DATA_BITS);
+  localparam int CONTEXT_WORDS = 1 << $clog2((RECORD_BITS + DATA_BITS + 63) / 64);
+  localparam int PARSER_READS = RESIDUALS ? 2 : 1;  // read ports of the parser; the next one is that of the blocks
+  localparam int READS = PARSER_READS + 1;
+  localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS);
+  localparam int RESIDUAL_BANKS = (SAMPLES * VALUE_BITS + 63 + 63) / 64;
+  localparam int BANKS = !RESIDUALS ? 2 : RESIDUAL_BANKS <= 4 ? 4 : 1 << $clog2(RESIDUAL_BANKS);
+  localparam int WINDOW_BITS = BANKS * 64;
+  localparam int ENTRY_BITS = 6 + 6 + 4 + 14 + POSITION_BITS;
+
+  logic parse_valid, parse_ready, parse_empty, loaded_valid, loaded_keep, release_valid;
+  logic [CONTEXT_BITS-1:0] parse_context, loaded_context, release_context;
+  logic [INFO_BITS-1:0] parse_info;
+  logic [5:0] parse_error;
+  logic [SKEW_BITS-1:0] parse_skew;
+  logic [POSITION_BITS-1:0] parse_bits;
+  logic [CONTEXTS-1:0] ready;
+  logic [PARSER_READS-1:0] parser_enable;
+  logic [PARSER_READS*WORD_BITS-1:0] parser_word;
+  logic [PARSER_READS*WINDOW_BITS-1:0] parser_window;
+  logic blocks_enable;
+  logic [WORD_BITS-1:0] blocks_word;
+  logic [WINDOW_BITS-1:0] blocks_window;
+  hmlfc_tile_fetch #(
+      .DATA_BITS(DATA_BITS),
+      .CONTEXTS(CONTEXTS),
+      .CONTEXT_WORDS(CONTEXT_WORDS),
+      .LOADERS(LOADERS),
+      .BANKS(BANKS),
+      .READS(READS),
+      .INFO_BITS(INFO_BITS)
+  ) fetch (
+      .clk,
+      .rst_n,
+      .stream,
+      .flush,
+      .ask,
+      .ask_tile,
+      .ask_info,
+      .granted,
+      .granted_context,
+      .parse_valid,
+      .parse_ready,
+      .parse_context,
+      .parse_info,
+      .parse_error,
+      .parse_empty,
+      .parse_skew,
+      .parse_bits,
+      .loaded_valid,
+      .loaded_context,
+      .loaded_keep,
+      .ready,
+      .release_valid,
+      .release_context,
+      .read_enable({blocks_enable, parser_enable}),
+      .read_word({blocks_word, parser_word}),
+      .window({blocks_window, parser_window}),
+      .requests,
+      .responses,
+      .data
+  );
+
+  if (RESIDUALS) begin : g_residuals
+    logic head_write, vector_write, entry_write;
+    logic [5:0] head_error, vector_number, entry_number;
+    logic [63:0] head_motion, head_residual;
+    logic [17:0] vector_data;
+    logic [ENTRY_BITS-1:0] entry_data;
+    hmlfc_residual_parser #(
+        .BLOCK_LOG2(BLOCK_LOG2),
+        .CONTEXTS(CONTEXTS),
+        .CONTEXT_WORDS(CONTEXT_WORDS),
+        .WINDOW_BITS(WINDOW_BITS),
+        .SKEW_BITS(SKEW_BITS)
+    ) parser (
+        .clk,
+        .rst_n,
+        .stream,
+        .parse_valid,
+        .parse_ready,
+        .parse_context,
+        .parse_info,
+        .parse_error,
+        .parse_empty,
+        .parse_skew,
+        .parse_bits,
+        .read_enable(parser_enable),
+        .read_word(parser_word),
+        .window(parser_window),
+        .head_write,
+        .head_error,
+        .head_motion,
+        .head_residual,
+        .vector_write,
+        .vector_number,
+        .vector_data,
+        .entry_write,
+        .entry_number,
+        .entry_data,
+        .loaded_valid,
+        .loaded_context,
+        .loaded_keep
+    );
+
+    hmlfc_residual_blocks #(
+        .BLOCK_LOG2(BLOCK_LOG2),
+        .MAX_DEPTH(MAX_DEPTH),
+        .CONTEXTS(CONTEXTS),
+        .CONTEXT_WORDS(CONTEXT_WORDS),
+        .WINDOW_BITS(WINDOW_BITS)
+    ) blocks (
+        .clk,
+        .rst_n,
+        .stream,
+        .ready,
+        .release_valid,
+        .release_context,
+        .head_write,
+        .vector_write,
+        .entry_write,
+        .parsed_context(loaded_context),
+        .head_error,
+        .head_motion,
+        .head_residual,
+        .vector_number,
+        .vector_data,
+        .entry_number,
+        .entry_data,
+        .read_enable(blocks_enable),
+        .read_word(blocks_word),
+        .window(blocks_window),
+        .in_valid,
+        .in_ready,
+        .in_flow,
+        .out_valid,
+        .out_ready,
+        .out_flow,
+        .out_has_residual,
+        .out_residual
+    );
+  end else begin : g_no_residual
+    assign out_has_residual = 1'b0;
+    assign out_residual = '0;
+  end
+
+  if (MOTIONS) begin : g_motions
+    logic head_write;
+    logic [5:0] head_error;
+    logic [2:0] head_block_log2;
+    logic [5:0] head_columns;
+    logic [2:0] head_palette_size;
+    logic [5:0] head_level_code;
+    logic [13:0] head_total;
+    logic [POSITION_BITS-1:0] head_position;
+    logic palette_write;
+    logic [2:0] palette_number;
+    hmlfc_pkg::motion_t palette_entry;
+    hmlfc_motion_parser #(
+        .BLOCK_LOG2(BLOCK_LOG2),
+        .CONTEXTS(CONTEXTS),
+        .CONTEXT_WORDS(CONTEXT_WORDS),
+        .WINDOW_BITS(WINDOW_BITS),
+        .SKEW_BITS(SKEW_BITS)
+    ) parser (
+        .clk,
+        .rst_n,
+        .stream,
+        .parse_valid,
+        .parse_ready,
+        .parse_context,
+        .parse_info,
+        .parse_error,
+        .parse_empty,
+        .parse_skew,
+        .parse_bits,
+        .read_enable(parser_enable),
+        .read_word(parser_word),
+        .window(parser_window),
+        .head_write,
+        .head_error,
+        .head_block_log2,
+        .head_columns,
+        .head_palette_size,
+        .head_level_code,
+        .head_total,
+        .head_position,
+        .palette_write,
+        .palette_number,
+        .palette_entry,
+        .loaded_valid,
+        .loaded_context,
+        .loaded_keep
+    );
+
+    hmlfc_motion_blocks #(
+        .BLOCK_LOG2(BLOCK_LOG2),
+        .CONTEXTS(CONTEXTS),
+        .CONTEXT_WORDS(CONTEXT_WORDS),
+        .WINDOW_BITS(WINDOW_BITS)
+    ) blocks (
+        .clk,
+        .rst_n,
+        .stream,
+        .ready,
+        .release_valid,
+        .release_context,
+        .parsed_context(loaded_context),
+        .head_write,
+        .head_error,
+        .head_block_log2,
+        .head_columns,
+        .head_palette_size,
+        .head_level_code,
+        .head_total,
+        .head_position,
+        .palette_write,
+        .palette_number,
+        .palette_entry,
+        .read_enable(blocks_enable),
+        .read_word(blocks_word),
+        .window(blocks_window),
+        .in_valid,
+        .in_ready,
+        .in_flow,
+        .out_valid,
+        .out_ready,
+        .out_flow
+    );
+  end
+
+  if (!RESIDUALS && !MOTIONS) begin : g_disparities
+    logic [5:0] head_error;
+    logic [12:0] head_least;
+    logic [5:0] head_columns;
+    logic [5:0] head_level_code;
+    logic [13:0] head_total;
+    logic [POSITION_BITS-1:0] head_position;
+    hmlfc_disparity_parser #(
+        .CONTEXTS(CONTEXTS),
+        .CONTEXT_WORDS(CONTEXT_WORDS),
+        .WINDOW_BITS(WINDOW_BITS),
+        .SKEW_BITS(SKEW_BITS)
+    ) parser (
+        .clk,
+        .rst_n,
+        .stream,
+        .parse_valid,
+        .parse_ready,
+        .parse_context,
+        .parse_info,
+        .parse_error,
+        .parse_empty,
+        .parse_skew,
+        .parse_bits,
+        .read_enable(parser_enable),
+        .read_word(parser_word),
+        .window(parser_window),
+        .head_error,
+        .head_least,
+        .head_columns,
+        .head_level_code,
+        .head_total,
+        .head_position,
+        .loaded_valid,
+        .loaded_context,
+        .loaded_keep
+    );
+
+    hmlfc_disparity_blocks #(
+        .CONTEXTS(CONTEXTS),
+        .CONTEXT_WORDS(CONTEXT_WORDS),
+        .WINDOW_BITS(WINDOW_BITS)
+    ) blocks (
+        .clk,
+        .rst_n,
+        .ready,
+        .release_valid,
+        .release_context,
+        .parsed_context(loaded_context),
+        .head_error,
+        .head_least,
+        .head_columns,
+        .head_level_code,
+        .head_total,
+        .head_position,
+        .head_write(loaded_valid),
+        .read_enable(blocks_enable),
+        .read_word(blocks_word),
+        .window(blocks_window),
+        .in_valid,
+        .in_ready,
+        .in_flow,
+        .in_x,
+        .in_y,
+        .out_valid,
+        .out_ready,
+        .out_flow
+    );
+  end
+
+endmodule
+
+`default_nettype wire

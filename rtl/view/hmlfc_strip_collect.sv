@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+`default_nettype none
+
+// Collects the samples of strips from blocks, four samples a clock, with the least and the greatest of each strip.
+//
+// A block with `in_status` has the samples status - 2^15. After the last block of a strip its first sample is repeated
+// until the strip has 64. A strip comes out whole: sample i in bits 16 * i up.
+module hmlfc_strip_collect #(
+    parameter int BLOCK_LOG2 = 2,
+    localparam int BLOCK_BITS = 16 << (2 * BLOCK_LOG2)
+) (
+    input logic clk,
+    input logic rst_n,
+
+    input logic in_valid,
+    output logic in_ready,
+    input logic [BLOCK_BITS-1:0] in_samples,
+    input logic [5:0] in_status,
+    input logic in_ends,
+
+    output logic out_valid,
+    input logic out_ready,
+    output logic [1023:0] out_samples,
+    output logic signed [15:0] out_least,
+    output logic signed [15:0] out_most,
+    output logic empty
+);
+
+  localparam logic [3:0] LAST_QUARTET = 4'((1 << (2 * BLOCK_LOG2)) / 4 - 1);  // of a block
+
+  // ---- The block, its next four samples in the low bits.
+  logic held, ends, error, filling, put;
+  logic [5:0] status;
+  logic [BLOCK_BITS-1:0] block;
+  logic [15:0] first;  // of the strip
+  logic [3:0] quartet, place;  // of the block, of the strip
+  wire last_of_block = held && quartet == LAST_QUARTET;
+  wire last_of_strip = place == 4'd15;
+  wire [63:0] four = filling ? {4{first}} : error ? {4{10'b1000000000, status}} : block[63:0];
+  assign in_ready = !filling && (!held || (put && last_of_block && !(ends && !last_of_strip)));
+  wire take = in_valid && in_ready;
+  always_ff @(posedge clk) begin
+    if (take) begin
+      block <= in_samples;
+      status <= in_status;
+      error <= in_status != 0;
+      ends <= in_ends;
+      quartet <= '0;
+    end else if (put) begin
+      block <= block >> 64;
+      quartet <= quartet + 4'd1;
+    end
+    if (put) begin
+      place <= place + 4'd1;
+      if (place == 0) first <= four[15:0];
+    end
+    if (!rst_n) begin
+      held <= 1'b0;
+      filling <= 1'b0;
+      place <= '0;
+    end else begin
+      held <= take || (held && !(put && last_of_block));
+      filling <= (filling || (put && last_of_block && ends)) && !(put && last_of_strip);
+    end
+  end
+
+  // ---- Least and greatest of four in two clocks, then of the strip.
+  logic [2:1] valid, begins, finishes;
+  logic signed [15:0] low_0, low_1, high_0, high_1, low_2, high_2;
+  logic [1023:0] samples;
+  logic complete;  // a strip waits to leave
+  wire leaves = !out_valid || out_ready;
+  wire stop = complete && !leaves;
+  wire busy = finishes[1] || finishes[2] || complete;  // the samples are those of a whole strip
+  assign put = (held || filling) && !busy;
+  wire signed [15:0] s0 = four[15:0], s1 = four[31:16], s2 = four[47:32], s3 = four[63:48];
+  always_ff @(posedge clk) begin
+    if (put) samples <= {four, samples[1023:64]};
+    low_0 <= s0 < s1 ? s0 : s1;
+    high_0 <= s0 < s1 ? s1 : s0;
+    low_1 <= s2 < s3 ? s2 : s3;
+    high_1 <= s2 < s3 ? s3 : s2;
+    low_2 <= low_0 < low_1 ? low_0 : low_1;
+    high_2 <= high_0 < high_1 ? high_1 : high_0;
+    begins <= {begins[1], place == 4'd0};
+    if (!rst_n) begin
+      valid <= '0;
+      finishes <= '0;
+      complete <= 1'b0;
+    end else begin
+      valid <= {valid[1], put};
+      finishes <= {finishes[1], put && last_of_strip};
+      complete <= finishes[2] || stop;
+    end
+  end
+  logic signed [15:0] least, most;
+  always_ff @(posedge clk) begin
+    if (valid[2] && (begins[2] || low_2 < least)) least <= low_2;
+    if (valid[2] && (begins[2] || high_2 > most)) most <= high_2;
+    if (complete && leaves) begin
+      out_samples <= samples;
+      out_least <= least;
+      out_most <= most;
+    end
+    if (!rst_n) out_valid <= 1'b0;
+    else out_valid <= complete || (out_valid && !out_ready);
+  end
+  assign empty = !held && !filling && !busy && place == 0 && valid == 0 && !out_valid;
+
+endmodule
+
+`default_nettype wire
