@@ -150,11 +150,11 @@ class Decoders(ConformTest):
         self.assertEqual(self.results(report)["real/cards-main"]["status"], "pass")
 
     def test_two_runs_into_one_folder(self):
-        command = [PROGRAM, "conform", "--suite", self.one, "--dut", "sh -c 'touch begun; sleep 1000' {input} {output}", "-o", "shared"]
+        command = [PROGRAM, "conform", "--suite", self.one, "--dut", "sh -c 'touch held; sleep 1000' {input} {output}", "-o", "shared"]
         first = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(first.wait)
         self.addCleanup(first.kill)
-        while not (self.folder / "begun").exists():
+        while not (self.folder / "held").exists():
             time.sleep(0.05)
         says = f"in use by process {first.pid}"
         self.refused(USAGE, "conform", "--suite", self.one, "--dut", GOLDEN, "-o", "shared", says=says)

@@ -42,8 +42,9 @@ class Minimise(ConformTest):
 class Fuzz(ConformTest):
     def test_golden_model(self):
         right = f"{PROGRAM} decode {{input}} -o {{output}}"
-        text = self.hmlfc("fuzz-dut", "--dut", right, "--count", "5", "--seed", "11", "-o", "clean")
-        self.assertIn("seeds 11 to 15: 5 streams, 0 failures", text)
+        done = self.run_hmlfc("fuzz-dut", "--dut", right, "--count", "5", "--seed", "11", "-o", "clean")
+        self.assertEqual(done.returncode, DONE)
+        self.assertIn("seeds 11 to 15: 5 streams, 0 failures", done.stdout.decode())
 
     def test_finding(self):
         result = self.run_hmlfc(
