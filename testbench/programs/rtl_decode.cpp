@@ -66,7 +66,7 @@ void run_views(const Options& options, std::span<const uint8_t> file) {
       header ? view_unit_for(makers, header->block_log2, header->depth) : &makers.front();
   if (maker == nullptr) maker = &makers.front();
   Oracle unused(0);
-  ViewHost host(maker->make(maker->parameters, unused, 0), file, 4);
+  ViewHost host(maker->make(maker->parameters, unused), file, 4);
   hmlfc_error error = host.stream_error();
   if (error.code == HMLFC_OK) hmlfc_stream_check_sections(&host.stream(), &error);
   if (error.code != HMLFC_OK) refuse(static_cast<unsigned>(error.code));
