@@ -39,7 +39,7 @@ expect() {
 
 expect 0 'Usage: ./run demo *'
 for argument in --help -h help; do
-  expect 0 $'Usage: ./run demo *\nCommands of hmlfc\n\n/build/tools/hmlfc --help' "$argument"
+  expect 0 $'Usage: ./run demo *\n\n./run demo builds hmlfc; *' "$argument"
 done
 expect 0 '/build/tools/hmlfc synth --scene cards' synth --scene cards
 expect 0 "python3 -B $root/rtl/synth/report.py size ice40" synthesis size ice40
