@@ -60,7 +60,7 @@ foreach(value assertion IN ZIP_LISTS trace_values trace_assertions)
       -P "${CMAKE_CURRENT_SOURCE_DIR}/skip.cmake")
     if(HMLFC_YOSYS)
       set(command "${HMLFC_YOSYS}" -q
-        -p "verilog_defaults -add -I${RTL}; read_verilog -sv ${RTL}/hmlfc_pkg.sv ${RTL}/unit/${module}.sv"
+        -p "verilog_defaults -add -I${RTL}" -p "read_verilog -sv ${RTL}/hmlfc_pkg.sv ${RTL}/unit/${module}.sv"
         -p "chparam -set TRACE ${value} ${module}" -p "hierarchy -top ${module} -libdir ${RTL}/lib -libdir ${RTL}/unit"
         -p "proc" -p "select ${assertion} */${blocks}.*")
     endif()
