@@ -3,8 +3,7 @@
 #include <hmlfc/gpu/reference_area.hpp>
 #include <hmlfc/gpu/renderer.hpp>
 
-#include "block_stages.hpp"
-#include "kernel_code.hpp"
+#include "decode/block_stages.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -17,8 +16,6 @@ tl::unexpected<Failure> missing() {
 }
 
 }  // namespace
-
-std::map<std::string, std::span<const uint32_t>> built_kernels() { return {}; }
 
 struct Device::State {
   DeviceInfo info;

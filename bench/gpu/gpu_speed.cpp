@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "common/measuring.hpp"
+#include "decode/stage_times.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu/frame_check.hpp"
 #include "gpu/frame_path.hpp"
-#include "stage_times.hpp"
 #include "terminal/clock.hpp"
 
 namespace hmlfc::bench {

@@ -9,8 +9,8 @@
 
 #include <hmlfc/gpu/recording.hpp>
 
-#include "buffer.hpp"
 #include "common/measuring.hpp"
+#include "device/buffer.hpp"
 #include "gpu/gpu_speed.hpp"
 
 namespace hmlfc::bench {

@@ -1,5 +1,5 @@
-// The GPU decoder behind hmlfc_dut.h. The device is the one that HMLFC_GPU_DEVICE names, else the
-// first that can run it.
+// The GPU decoder with the interface of hmlfc_dut.h. HMLFC_GPU_DEVICE names the device, else it is
+// the first that can run it.
 #include <hmlfc/dut.hpp>
 #include <hmlfc/gpu/decoder.hpp>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "block_stages.hpp"
+#include "decode/block_stages.hpp"
 #include "decoder/open_stream.hpp"
 
 using hmlfc::gpu::BlockArea;

@@ -1,5 +1,5 @@
-// The arguments of every kernel, and the buffers behind them. Device addresses are words of 64 bits
-// that no shader computes with. gpu_ref/arguments.hpp has the same members in the same order.
+// The arguments of every kernel, and the buffers that they point to. Device addresses are words of 64 bits
+// that no shader computes with. gpu_ref/device/arguments.hpp has the same members in the same order.
 
 #include "stream_shape.glsl"
 

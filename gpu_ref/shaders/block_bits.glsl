@@ -22,8 +22,8 @@ BlockBits block_bits() {
                    blocks_of_plane(0u), blocks_of_plane(1u));
 }
 
-/// The bit of block (bx, by) of plane Y, or of plane Co, of the image whose first bit is `first`. That of
-/// Cg is bits.chroma behind that of Co.
+/// The bit of block (bx, by) of plane Y, or of plane Co, of the image whose first bit is `first`. The
+/// Cg bit is at the Co bit + bits.chroma.
 uint luma_bit(BlockBits bits, uint first, uvec2 block) {
   return first + block.y * bits.luma_columns + block.x;
 }

@@ -1,5 +1,5 @@
 // A frame to be rendered (docs/rendering.md, REC-2) and the buffers of its blocks.
-// FrameShape of gpu_ref/frame_shape.hpp has the same members in the same order.
+// FrameArguments of gpu_ref/device/arguments.hpp has the same members in the same order.
 
 struct FrameRecord {
   int frame_width, frame_height;

@@ -1,5 +1,4 @@
-// The frame of a rendering kernel, behind the arguments of the decoding kernels, and the pool of its
-// blocks.
+// The frame of a rendering kernel, which Arguments::frame points to, and the pool of its blocks.
 
 Frame frame() { return Frame(arguments.frame); }
 

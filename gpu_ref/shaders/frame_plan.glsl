@@ -1,7 +1,7 @@
 // What a frame decodes, and the sizes of the dispatches that do it. The workgroups of mark.comp count
 // the blocks that the frame needs; the last of them that is done decides.
 
-/// Of this workgroup: kCountNeeded to kCountMissingPages.
+/// The counters kCountNeeded to kCountMissingPages of this workgroup.
 shared uint marked[4];
 
 void begin_marking() {
@@ -9,7 +9,7 @@ void begin_marking() {
   barrier();
 }
 
-/// Word `at` of the needed bits had the bits `before`, and now those of `mask` as well.
+/// Counts that word `at` of the needed bits had the bits `before` and has those of `mask` as well now.
 void count_marked(uint at, uint before, uint mask) {
   const uint needed = mask & ~before;
   if (needed == 0u) return;

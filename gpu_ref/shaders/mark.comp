@@ -22,7 +22,7 @@
 const uint kWindow = 8u;
 shared uint window_bits[kWindows * kWindow];
 
-/// The bits `bits` of word `word`. Most are set already: an atomic operation only where that is not so.
+/// Sets the bits `bits` of word `word`. Most are set already: only the others cost an atomic operation.
 void mark_word(uint word, uint bits) {
   const uint marked = atomicLoad(frame().needed.word[word], gl_ScopeDevice,
                                  gl_StorageSemanticsBuffer, gl_SemanticsRelaxed);
@@ -31,7 +31,7 @@ void mark_word(uint word, uint bits) {
   }
 }
 
-/// Marks blocks of a row from that of bit `bit` on, as `row`, of up to 8 bits, says.
+/// Sets up to 8 block bits from index `bit` on by the mask `row`.
 void mark_row(uint bit, uint row) {
   const uint at = bit & 31u;
   mark_word(bit >> 5, row << at);
@@ -94,7 +94,7 @@ BlockCol block_col(PixelLine line) {
   return BlockCol(line.weight != 0, line.window * kWindow, (2u << blocks.y) - (1u << blocks.x));
 }
 
-/// And of a row: the words of the first and the last row of blocks.
+/// What a pixel needs of a row of views: the words of the first and the last row of blocks.
 struct BlockRow {
   bool needed;
   uint first, last;

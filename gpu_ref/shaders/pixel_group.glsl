@@ -6,7 +6,7 @@
 const int kWindowsLog2 = 6;
 const uint kWindows = 1u << kWindowsLog2;  // as many as invocations
 
-/// A column or row of views: the first bit of the image shown in the place of its first view, and the
+/// A column or row of views: the first bit of the image shown instead of its first view, and the
 /// first and the last pixel of the windows in it.
 struct Line {
   uint bit;
@@ -25,7 +25,8 @@ ivec2 pixel_of_invocation() {
                uvec2(low_bits(lane, kGroupLog2), lane >> kGroupLog2));
 }
 
-// Of the group's rays inside, which are not displaced: u, v, x, y, and the displacement.
+// Bounds over the rays of the group that are inside, before displacement: u, v, x, y, and the
+// displacement.
 const uint kU = 0u, kV = 1u, kX = 2u, kY = 3u, kE = 4u, kBounds = 5u;
 shared int group_least[kBounds], group_most[kBounds];
 
@@ -114,7 +115,7 @@ struct Passes {
 };
 
 /// Pixels between and below taps that are at most `distance` apart, in units of 2^-12: taps are then at
-/// most distance / 2^4 + 1 of 256ths apart, and the first is up to 255 of these behind its pixel.
+/// most distance / 2^4 + 1 of 256ths apart, and the first is up to 255 of these after its pixel.
 int pixels_of_taps(int distance) { return (((distance >> 4) + 511) >> 8) + 1; }
 
 /// Pixels that the taps along an axis reach at most in any view. Views differ by a shift, and by what

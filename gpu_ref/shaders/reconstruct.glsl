@@ -18,8 +18,8 @@ uvec4 clamped_pairs(ivec4 first, ivec4 second, PlaneShape plane) {
                       clamp(second, ivec4(plane.lo), ivec4(plane.hi)));
 }
 
-/// The residuals at positions `first` to first + 7 of a block, as pairs of samples (TIL-9, TIL-10,
-/// STP-3); anything behind its last. Reads each digit group once.
+/// Returns the residuals at positions `first` to first + 7 of a block, as pairs of samples (TIL-9, TIL-10,
+/// STP-3); values after the last sample of the block are unspecified. Reads each digit group once.
 uvec4 residual_pairs(KeptEntry entry, PlaneShape plane, uint first) {
   const Levels levels = levels_of_code(level_code_of(entry));
   const Grouping grouping = grouping_of(levels);

@@ -129,15 +129,15 @@ TapLine tap_row(WindowSize size, PixelLine line) {
                  line.tap & 255);
 }
 
-/// The sum of four taps of SMP-2 of samples of 8 bits: products with a fraction fit 16 bits, red beside
-/// green.
+/// The sum of four taps of SMP-2 of samples of 8 bits: products with a fraction fit 16 bits, so red and
+/// green share a word.
 uvec3 sum_of_bytes(uvec2 upper[2], uvec2 lower[2], uint x, uint y) {
   const uvec2 above = (256u - x) * upper[0] + x * upper[1];
   const uvec2 below = (256u - x) * lower[0] + x * lower[1];
   return (256u - y) * uvec3(unpacked(above)) + y * uvec3(unpacked(below));
 }
 
-/// The same of samples of up to 12 bits.
+/// The same sum for samples of up to 12 bits.
 uvec3 sum_of_taps(uvec2 upper[2], uvec2 lower[2], int x, int y) {
   const int both = x * y;
   const int right = (x << 8) - both;
@@ -152,7 +152,7 @@ uvec3 view_colour(WindowSize size, bool bytes, TapLine col, TapLine row) {
   if (weight == 0) return uvec3(0u);
   const uint first = row.first + col.first;
   if ((col.fraction | row.fraction) == 0) return uint(weight << 4) * uvec3(unpacked(fetched[first]));
-  const uint next = min(first + 2u * size.columns, 2u * kPairs);  // of weight 0 behind the last window
+  const uint next = min(first + 2u * size.columns, 2u * kPairs);  // after the last window the weight is 0
   const uvec2 upper[2] = uvec2[2](fetched[first], fetched[first + 1u]);
   const uvec2 lower[2] = uvec2[2](fetched[next], fetched[next + 1u]);
   const uvec3 sum = bytes ? sum_of_bytes(upper, lower, uint(col.fraction), uint(row.fraction))
@@ -208,7 +208,7 @@ uvec3 frame_pixel(ivec2 at) {
   return ray.inside ? sum >> 20 : uvec3(0u);
 }
 
-/// Writes pixels of 48 bits, two in three words: rows of an even number of pixels. The invocation of
+/// Writes pixels of 48 bits, two in three words, in rows of an even number of pixels. The invocation of
 /// an even column writes its own and the next one's, which it finds in shared memory.
 void write_pixel(ivec2 at, uvec3 pixel) {
   const uint lane = gl_LocalInvocationIndex;

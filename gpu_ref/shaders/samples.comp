@@ -30,7 +30,7 @@ struct Place {
   ivec2 corner;
 };
 
-/// Leaves the invocation's pairs.
+/// Writes the pairs of the invocation.
 void write_stage(Place place, uint stage, uvec4 pairs) {
   if (!kStages) return;
   const uint at = ((place.number * 4u + stage) << words_of_block_log2()) + (place.first >> 1);
@@ -106,7 +106,7 @@ void main() {
   uint status = ERROR_BAD_REQUEST;
   uvec4 pairs = uvec4(0u);
   if (is_valid(request)) pairs = decode(request, q, lane * SAMPLES_OF_LANE, status);
-  // In the pool a block with an error has that in place of samples: no frame is drawn from it.
+  // In the pool a block with an error holds that error instead of samples: no frame is drawn from it.
   if (kCounted && status != ERROR_OK) pairs = uvec4(status);
   const uint first_word = word_of_request(q, lane << 2);
   const uint words = 1u << words_of_lane_log2();

@@ -1,7 +1,7 @@
-// Numbers that kernels and host share: GLSL and, in namespace hmlfc::gpu of frame_shape.hpp, C++.
+// Numbers that kernels and host share: GLSL and, in namespace hmlfc::gpu of device/arguments.hpp, C++.
 
-/// Samples of a block of the reference area that did not decode are this plus the error's number: below
-/// any sample.
+/// Samples of a block of the reference area that did not decode have this value plus the error's number,
+/// which is below any sample.
 const int kErrorSample = -32768;
 
 /// Pixels of a group of mark.comp and render.comp, each way.
@@ -24,10 +24,10 @@ const uint kCountWorkgroups = 11u;   // of mark.comp that are done
 const uint kCountLookedUp = 12u;     // blocks whose disparity the frame looks up
 const uint kFrameCounters = 13u;
 
-/// In the place of the first error: there is none.
+/// The first error where there is none.
 const uint kNoError = 0xFFFFFFFFu;
 
-/// In the place of the number of used pages: the next frame decodes all that it needs.
+/// The number of used pages where the next frame must decode all that it needs.
 const uint kUsedNothingHeld = 0xFFFFFFFFu;
 
 // Words of the sizes of the dispatches that frame_plan.glsl decides, three each.

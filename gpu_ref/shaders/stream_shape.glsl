@@ -1,4 +1,4 @@
-// What the header says and what follows from it: written by gpu_ref/stream_shape.cpp, whose
+// What the header says and what follows from it: written by gpu_ref/decode/stream_shape.cpp, whose
 // structs have the same members in the same order.
 
 struct LevelShape {

@@ -17,7 +17,7 @@ const int kHalfWeight = 32768;
 const int kEnoughWeight = 40960;
 const int kAgreeing = 1 << 11;  // 8 pixels
 
-/// Of this workgroup.
+/// Blocks looked up by this workgroup.
 shared uint looked_up;
 
 /// Counts block `block` of plane Y of view `image` (row, column), once a frame.
@@ -71,7 +71,7 @@ int chosen(ivec4 proposals, ivec4 weights) {
   return sum(weights * ivec4(agree)) >= kEnoughWeight ? median : 0;
 }
 
-/// E of cell `cell`.
+/// Returns E of cell `cell`.
 int displacement_of_cell(ivec2 cell) {
   const Ray ray = ray_of_cell(cell);
   if (!ray.inside) return 0;

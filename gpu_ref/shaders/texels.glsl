@@ -1,6 +1,6 @@
 // Pixels as textures have them: R, G, B and A side by side, in rows. 8 bits each at depth 8, else 16.
 
-/// colour.comp and render.comp write texels in place of lanes.
+/// colour.comp and render.comp write texels instead of lanes.
 layout(constant_id = 6) const bool kTexels = false;
 
 /// The words of a texel, at depth 8 the first alone. A is the greatest sample; of a pixel that did not

@@ -70,8 +70,8 @@ uvec2 read_mask(inout Cursor cursor, uint mode, uvec2 inside) {
   return mask;
 }
 
-// A field behind the end is 0, which no check below refuses: so each looks at the values alone, and
-// the end, which comes first for every field (TIL-1), is asked for once, at the end.
+// A field after the end of the record reads as 0, which no check below refuses: so each check looks at
+// the values alone, and the end, which comes first for every field (TIL-1), is checked once, last.
 
 /// min_x and codes_x, or min_y and codes_y; an error of annex A, or ok (TIL-6).
 uint read_axis(inout Cursor cursor, out VectorAxis axis) {

@@ -1,5 +1,5 @@
 // The decoder of HMLFC on WebGPU: blocks and pixels of a stream, bit-exact to the golden model. A plain module; the
-// kernels, *.wgsl, lie beside it.
+// kernels, *.wgsl, lie next to it.
 //
 //   const device = await (await navigator.gpu.requestAdapter()).requestDevice();
 //   const decoder = await HmlfcGpu.open(device, streamBytes, areaBytes);  // hmlfc reference-area STREAM -o AREA
@@ -17,7 +17,7 @@ import {kernelsOf} from "./kernels.js";
 /** @typedef {import("./batch.js").BlockArea} BlockArea */
 /** @typedef {import("./batch.js").PixelArea} PixelArea */
 
-// The numbers at the beginning of a file of `hmlfc reference-area` (gpu_ref/reference_area.cpp).
+// The numbers at the beginning of a file of `hmlfc reference-area` (gpu_ref/decode/reference_area.cpp).
 const HEADER = [
   "magic", "version", "headerBytes", "headerCrc", "codedOffset", "codedBytes", "areaWords", "damaged", "shapeWords",
   "batches", "runs", "rows", "cols", "width", "height", "depth", "blockLog2", "levels", "chromaHalved", "blocksX",

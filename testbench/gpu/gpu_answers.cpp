@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "block_stages.hpp"
+#include "decode/block_stages.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -30,10 +30,9 @@ CallersDevice::CallersDevice(const std::string& name, const CallersOptions& opti
 void CallersDevice::make_instance(const CallersOptions& options) {
   const vk::ApplicationInfo application("caller", 1, nullptr, 0, options.version);
   const auto layers = context_.enumerateInstanceLayerProperties();
-  const bool validated =
-      options.validated && std::ranges::any_of(layers, [](const vk::LayerProperties& layer) {
-        return std::string(kValidationLayer) == layer.layerName.data();
-      });
+  const bool validated = std::ranges::any_of(layers, [](const vk::LayerProperties& layer) {
+    return std::string(kValidationLayer) == layer.layerName.data();
+  });
   std::vector<const char*> names;
   std::vector<const char*> extensions;
   const auto synchronisation = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
@@ -60,7 +59,6 @@ void CallersDevice::make_device(const CallersOptions& options) {
   info_ = vk::DeviceCreateInfo({}, queue_info_);
   addresses_.bufferDeviceAddress = options.addresses ? VK_TRUE : VK_FALSE;
   features12_.bufferDeviceAddress = addresses_.bufferDeviceAddress;
-  features12_.timelineSemaphore = VK_TRUE;
   if (options.features12) {
     info_.setPNext(&features12_);
   } else {

@@ -1,24 +1,21 @@
 // A Vulkan device as a program has it that shares it with the decoder.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <hmlfc/gpu/vulkan_device.hpp>
 
-#include "vulkan_hpp.hpp"
+#include "device/vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
 
-/// How it is made.
+/// How a program makes its device.
 struct CallersOptions {
   uint32_t version = VK_API_VERSION_1_2;
-  bool addresses = true;  ///< the feature bufferDeviceAddress is on
-  /// It stands in VkPhysicalDeviceVulkan12Features, beside that of timeline semaphores.
-  bool features12 = false;
-  bool validated = true;  ///< by the validation layer, where it is installed
+  bool addresses = true;    ///< the feature bufferDeviceAddress is on
+  bool features12 = false;  ///< it stands in VkPhysicalDeviceVulkan12Features
 };
 
 /// Instance, device and a queue of the physical device called `name`. Throws vk::Error.
@@ -35,7 +32,6 @@ class CallersDevice {
   const vk::raii::PhysicalDevice& physical() const { return *physical_; }
   const vk::raii::Queue& queue() const { return *queue_; }
   uint32_t family() const { return family_; }
-  bool validated() const { return messenger_.has_value(); }
 
   /// What the validation layer has said.
   const std::vector<std::string>& messages() const { return messages_; }

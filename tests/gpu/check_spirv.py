@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks one shader, the numbers that C++ includes: spirv-val accepts it, and it uses 32-bit integers alone.
+"""Checks shaders, the numbers that C++ includes: spirv-val accepts each, and it uses 32-bit integers alone.
 
 Floating point, 64-bit integers and subgroup operations have no place in a decode path: their
 results or their presence differ between devices.
 
-Exit: 0 good, 1 not (each reason is printed), 77 no SPIR-V tools, or no shader was built.
+Exit: 0 good, 1 not (each reason is printed), 77 no SPIR-V tools, or a shader was not built.
 """
 
 import argparse
@@ -45,18 +45,15 @@ def problems(spirv: bytes):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("included", type=Path)
+    parser.add_argument("included", type=Path, nargs="+")
     arguments = parser.parse_args()
     missing = [tool for tool in ("spirv-val", "spirv-dis") if not shutil.which(tool)]
+    missing += [str(shader) for shader in arguments.included if not shader.exists()]
     if missing:
         print(f"missing: {', '.join(missing)}")
         return SKIPPED
-    if not arguments.included.exists():
-        print(f"{arguments.included} was not built: the Vulkan headers are missing")
-        return SKIPPED
-    found = problems(spirv_of(arguments.included))
-    for problem in found:
-        print(f"{arguments.included.name}: {problem}")
+    found = [f"{shader.name}: {problem}" for shader in arguments.included for problem in problems(spirv_of(shader))]
+    print("\n".join(found) or f"{len(arguments.included)} shaders are good")
     return 1 if found else 0
 
 

@@ -4,7 +4,7 @@
 #include <hmlfc/gpu/renderer.hpp>
 
 #include "decoder/open_stream.hpp"
-#include "device_state.hpp"
+#include "device/device_state.hpp"
 #include "gpu/gpu_test.hpp"
 #include "stimulus/random_stream.hpp"
 
@@ -144,13 +144,8 @@ TEST_F(GpuDevice, WithoutAnAnswerIsLost) {
 }
 
 TEST_F(GpuDevice, IsUsedAsTheValidationLayerWants) {
-  DeviceOptions options;
-  options.validation = true;
-  auto device = Device::open(options);
-  if (!device && device.error().message.find("validation layer") != std::string::npos) {
-    GTEST_SKIP() << device.error().message;
-  }
-  ASSERT_TRUE(device) << device.error().message;
+  auto device = open_validated();
+  ASSERT_TRUE(device);
   for (uint32_t seed = 0; seed < 12; ++seed) {
     auto bytes = tb::suite_stream(seed, 2u << seed % 3);
     if (seed % 2 == 1) tb::corrupt(bytes, tb::Damage::kIndexAndTiles, seed);

@@ -56,20 +56,6 @@ TEST_F(GpuFrameCache, NeverHoldsABlockWithAnError) {
   EXPECT_LT(tally.decoded, tally.needed);
 }
 
-TEST_F(GpuFrameCache, KeepsItsBoundsInSmallChunks) {
-  for (const uint64_t chunk_bytes : {0u, 1024u}) {
-    DeviceOptions options;
-    options.guard_pages = true;
-    options.chunk_bytes = chunk_bytes;
-    auto device = open(options);
-    ASSERT_TRUE(device);
-    for (const uint64_t cache_bytes : {uint64_t{0}, uint64_t{16384}, kPlenty}) {
-      EXPECT_GT(walk_all(*device, cache_bytes, 300, 304, false).lit, 10u);
-      EXPECT_GT(walk_all(*device, cache_bytes, 300, 304, true).frames, 10u);
-    }
-  }
-}
-
 class GpuFrameCacheOfOneStream : public GpuFrameCache {
  protected:
   /// Between the four views, which all have weight.

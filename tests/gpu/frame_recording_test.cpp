@@ -11,13 +11,10 @@
 #include <hmlfc/gpu/recording.hpp>
 #include <hmlfc/renderer.hpp>
 
-#include "buffer.hpp"
 #include "decoder/open_stream.hpp"
 #include "gpu/allocation_count.hpp"
-#include "gpu/callers_frames.hpp"
-#include "gpu/callers_memory.hpp"
-#include "gpu/callers_test.hpp"
 #include "gpu/frame_cases.hpp"
+#include "gpu/program.hpp"
 #include "render/render_cases.hpp"
 #include "stimulus/random_stream.hpp"
 
@@ -27,7 +24,7 @@ namespace {
 constexpr uint64_t kHeldBytes = uint64_t{1} << 24;
 constexpr uint32_t kMostSide = 48;  // no frame of a test is wider or higher
 
-class GpuFrameRecording : public CallersTest {
+class GpuFrameRecording : public ProgramTest {
  protected:
   /// What was compared.
   struct Tally {
@@ -42,10 +39,10 @@ class GpuFrameRecording : public CallersTest {
     const test::OpenedStream stream(bytes, unchecked);
     if (!stream.decoder) return;
     const StreamHeader& header = stream.decoder->header();
-    auto renderer = GpuRenderer::open(shared(), *stream.decoder, kHeldBytes);
+    auto renderer = GpuRenderer::open(program(), *stream.decoder, kHeldBytes);
     ASSERT_TRUE(renderer) << renderer.error().message;
     const auto golden = make_golden_renderer(*stream.decoder);
-    CallersFrames program(callers(), uint64_t{8} * kMostSide * kMostSide);
+    ProgramFrames ring(program(), uint64_t{8} * kMostSide * kMostSide);
     test::Random random(seed);
     std::vector<std::pair<FrameRecord, int>> frames;
     for (uint64_t number = 1; number <= 9; ++number) {
@@ -56,23 +53,23 @@ class GpuFrameRecording : public CallersTest {
       if (!frame) return;
       const auto levels = static_cast<uint32_t>(header.tree_height) + 1;
       frames.emplace_back(*frame, random() % 3 == 0 ? static_cast<int>(random() % levels) : 0);
-      const auto drawn = program.draw(*renderer, frames.back().first, frames.back().second);
+      const auto drawn = ring.draw(*renderer, frames.back().first, frames.back().second);
       ASSERT_TRUE(drawn) << drawn.error().message;
-      if (number % CallersFrames::kUnderWay != 0) continue;
+      if (number % ProgramFrames::kUnderWay != 0) continue;
       for (uint64_t k = number - 2; k <= number; ++k) {
-        expect_golden(program, k, *golden, frames[k - 1], header, tally);
+        expect_golden(ring, k, *golden, frames[k - 1], header, tally);
       }
       if (number == 6) expect_rendered(*renderer, *golden, frames[random() % frames.size()]);
     }
   }
 
  private:
-  static void expect_golden(CallersFrames& program, uint64_t number, FrameRenderer& golden,
+  static void expect_golden(ProgramFrames& ring, uint64_t number, FrameRenderer& golden,
                             const std::pair<FrameRecord, int>& frame, const StreamHeader& header,
                             Tally& tally) {
     Frame expected;
     const auto drawn = golden.render(frame.first, frame.second, expected);
-    const RecordedFrame result = program.result(number);
+    const RecordedFrame result = ring.result(number);
     EXPECT_TRUE(result.had_room);
     EXPECT_EQ(result.status, drawn ? ErrorCode::kOk : drawn.error().code);
     if (drawn) {
@@ -80,7 +77,7 @@ class GpuFrameRecording : public CallersTest {
     }
     const auto texels = texels_of(drawn, expected, frame.first, header);
     const size_t bytes = texels.size() * texel_bytes(header) / 4;
-    EXPECT_EQ(samples_of(program.texels(number).first(bytes), header), texels);
+    EXPECT_EQ(samples_of(ring.texels(number).first(bytes), header), texels);
     ++(drawn ? tally.drawn : tally.failed);
     if (drawn && frame.second > 0) ++tally.coarse;
     if (result.disparities_looked_up > 0) ++tally.displaced;
@@ -144,15 +141,12 @@ class GpuFrameRecordingOfOneStream : public GpuFrameRecording {
 
 // Of the second layer; nothing else changes.
 TEST_F(GpuFrameRecordingOfOneStream, GoesToItsPlaceInAnImage) {
-  auto renderer = open_renderer(shared());
-  const CallersImage image(
-      callers(),
-      texel_bytes(header()) == 8 ? vk::Format::eR16G16B16A16Uint : vk::Format::eR8G8B8A8Unorm, 64,
-      64, 2);
-  const CallersBuffer target(callers(), uint64_t{2} * 64 * 64 * texel_bytes(header()));
+  auto renderer = open_renderer(program());
+  const ProgramImage image(program(), 64, header());
+  const Buffer texels_read = target(uint64_t{2} * 64 * 64 * texel_bytes(header()));
   const TexelPlace place{7, 5, 1};
   FrameRecording recording;
-  CallersCommands(callers(), [&](const vk::raii::CommandBuffer& commands) {
+  ProgramCommands(program(), [&](const vk::raii::CommandBuffer& commands) {
     image.clear(commands);
     ImageTarget to;
     to.image = image.handle();
@@ -162,7 +156,7 @@ TEST_F(GpuFrameRecordingOfOneStream, GoesToItsPlaceInAnImage) {
     to.places = {&place, 1};
     const auto recorded = record(renderer, *commands, records()[0], 0, to, recording);
     ASSERT_TRUE(recorded) << recorded.error().message;
-    image.read(commands, target.handle());
+    image.read(commands, texels_read.handle());
   }).run();
   const auto texels = golden_texels(records()[0], 0);
   std::vector<uint16_t> samples(size_t{2} * 64 * 64 * 4);
@@ -170,20 +164,20 @@ TEST_F(GpuFrameRecordingOfOneStream, GoesToItsPlaceInAnImage) {
     std::copy_n(texels.begin() + static_cast<ptrdiff_t>(y * 160), 160,
                 samples.begin() + static_cast<ptrdiff_t>(4 * ((64 + 5 + y) * 64 + 7)));
   }
-  EXPECT_EQ(samples_of(target.bytes(), header()), samples);
+  EXPECT_EQ(samples_of(texels_read.bytes(), header()), samples);
   EXPECT_EQ(recording.result().status, ErrorCode::kOk);
 }
 
 // The device knows of which level the held blocks are, in whatever order commands run.
 TEST_F(GpuFrameRecordingOfOneStream, RunsInAnotherOrderThanRecordedAndAgain) {
-  auto renderer = open_renderer(shared());
+  auto renderer = open_renderer(program());
   const size_t bytes = size_t{40} * 30 * texel_bytes(header());
   std::array<FrameRecording, 2> recordings;
-  std::vector<CallersBuffer> targets;
-  std::vector<CallersCommands> commands;
+  std::vector<Buffer> targets;
+  std::vector<ProgramCommands> commands;
   for (const size_t level : {0u, 1u}) {
-    targets.emplace_back(callers(), bytes);
-    commands.emplace_back(callers(), [&](const vk::raii::CommandBuffer& buffer) {
+    targets.push_back(target(bytes));
+    commands.emplace_back(program(), [&](const vk::raii::CommandBuffer& buffer) {
       ASSERT_TRUE(record(renderer, *buffer, records()[0], static_cast<int>(level),
                          BufferTarget{targets.back().handle(), 0}, recordings.at(level)));
     });
@@ -198,19 +192,15 @@ TEST_F(GpuFrameRecordingOfOneStream, RunsInAnotherOrderThanRecordedAndAgain) {
 }
 
 TEST_F(GpuFrameRecordingOfOneStream, CostsTheHostNothingInTheSteadyState) {
-  // The layer allocates.
-  const CallersDevice unvalidated(device().info().name, {.features12 = true, .validated = false});
-  DeviceOptions options;
-  options.cache_folder = "";
-  auto device = open_device(unvalidated.handles(), options);
+  auto device = open_unchecked({});
   ASSERT_TRUE(device);
   auto renderer = open_renderer(*device);
-  CallersFrames program(unvalidated, uint64_t{8} * kMostSide * kMostSide);
-  for (const FrameRecord& record : records()) ASSERT_TRUE(program.draw(renderer, record, 0));
+  ProgramFrames ring(*device, uint64_t{8} * kMostSide * kMostSide);
+  for (const FrameRecord& record : records()) ASSERT_TRUE(ring.draw(renderer, record, 0));
   const SubmissionCounts before = device->counts();
   const uint64_t allocated = test::allocation_count();
   for (size_t i = 0; i < 60; ++i) {
-    ASSERT_TRUE(program.draw(renderer, records()[i % records().size()], 0));
+    ASSERT_TRUE(ring.draw(renderer, records()[i % records().size()], 0));
   }
   EXPECT_EQ(test::allocation_count() - allocated, 0u);
   const SubmissionCounts& after = device->counts();
@@ -220,36 +210,15 @@ TEST_F(GpuFrameRecordingOfOneStream, CostsTheHostNothingInTheSteadyState) {
   EXPECT_EQ(after.made - before.made, 0u);
 }
 
-// On a device of the library's own, whose buffers end at guarded pages: frames of odd sizes.
-TEST_F(GpuFrameRecordingOfOneStream, KeepsItsBounds) {
-  DeviceOptions options;
-  options.guard_pages = true;
-  auto own = open(options);
-  ASSERT_TRUE(own);
-  auto renderer = open_renderer(*own);
-  for (FrameRecord frame : records()) {
-    frame.frame_width = 37;
-    frame.frame_height = 19;
-    const Buffer target(own->state(), uint64_t{37} * 19 * texel_bytes(header()), Memory::kReadback);
-    FrameRecording recording;
-    run_alone(*own, [&](VkCommandBuffer commands) {
-      const auto recorded =
-          record(renderer, commands, frame, 0, BufferTarget{target.handle(), 0}, recording);
-      ASSERT_TRUE(recorded) << recorded.error().message;
-    });
-    EXPECT_EQ(samples_of(target.bytes(), header()), golden_texels(frame, 0));
-  }
-}
-
 TEST_F(GpuFrameRecordingOfOneStream, ThatDoesNotFitRecordsNothing) {
-  auto renderer = open_renderer(shared());
-  CallersFrames program(callers(), uint64_t{8} * kMostSide * kMostSide);
+  auto renderer = open_renderer(program());
+  ProgramFrames ring(program(), uint64_t{8} * kMostSide * kMostSide);
   EXPECT_EQ(FrameRecording().result().status, ErrorCode::kBadRequest);
-  program.fill(0xEE);
-  const auto number = program.draw(renderer, records()[0], 99);
+  ring.fill(0xEE);
+  const auto number = ring.draw(renderer, records()[0], 99);
   ASSERT_TRUE(number);
-  EXPECT_EQ(program.result(*number).status, ErrorCode::kBadRequest);
-  EXPECT_TRUE(std::ranges::all_of(program.texels(*number), [](uint8_t b) { return b == 0xEE; }));
+  EXPECT_EQ(ring.result(*number).status, ErrorCode::kBadRequest);
+  EXPECT_TRUE(std::ranges::all_of(ring.texels(*number), [](uint8_t b) { return b == 0xEE; }));
 }
 
 TEST_F(GpuFrameRecording, WithoutRoomDrawsNothingUntilRenderMakesSome) {
@@ -258,24 +227,24 @@ TEST_F(GpuFrameRecording, WithoutRoomDrawsNothingUntilRenderMakesSome) {
   Camera camera;
   camera.position = WorldPoint{0.5, 0.5, 0};
   const FrameRecord frame = *frame_record(camera, header);
-  auto renderer = GpuRenderer::open(shared(), *stream.decoder, kHeldBytes);
+  auto renderer = GpuRenderer::open(program(), *stream.decoder, kHeldBytes);
   ASSERT_TRUE(renderer);
-  CallersFrames program(callers(), uint64_t{4} * 300 * 200);
-  program.fill(0xEE);
-  const auto first = program.draw(*renderer, frame, 0);
+  ProgramFrames ring(program(), uint64_t{4} * 300 * 200);
+  ring.fill(0xEE);
+  const auto first = ring.draw(*renderer, frame, 0);
   ASSERT_TRUE(first);
-  EXPECT_FALSE(program.result(*first).had_room);
-  EXPECT_TRUE(std::ranges::all_of(program.texels(*first), [](uint8_t b) { return b == 0; }));
+  EXPECT_FALSE(ring.result(*first).had_room);
+  EXPECT_TRUE(std::ranges::all_of(ring.texels(*first), [](uint8_t b) { return b == 0; }));
   const auto own = renderer->render(frame, 0);
   ASSERT_TRUE(own);
   EXPECT_EQ(own->submissions, 2u);
-  const auto second = program.draw(*renderer, frame, 0);
+  const auto second = ring.draw(*renderer, frame, 0);
   ASSERT_TRUE(second);
-  EXPECT_TRUE(program.result(*second).had_room);
-  EXPECT_EQ(program.result(*second).blocks_decoded, 0u) << "render() has left them";
+  EXPECT_TRUE(ring.result(*second).had_room);
+  EXPECT_EQ(ring.result(*second).blocks_decoded, 0u) << "render() has left them";
   Frame expected;
   const auto drawn = make_golden_renderer(*stream.decoder)->render(frame, 0, expected);
-  EXPECT_EQ(samples_of(program.texels(*second), header), texels_of(drawn, expected, frame, header));
+  EXPECT_EQ(samples_of(ring.texels(*second), header), texels_of(drawn, expected, frame, header));
 }
 
 }  // namespace

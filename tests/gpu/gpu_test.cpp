@@ -18,15 +18,24 @@ DeviceOptions with_environment(DeviceOptions options, bool check_barriers) {
   return options;
 }
 
-std::optional<Device> opened(const DeviceOptions& options) {
-  auto device = Device::open(options);
+// Every buffer ends at a guarded page, where the device has that: an access past its end ends the
+// process.
+Outcome<Device> open_guarded(const DeviceOptions& asked) {
+  DeviceOptions options = with_environment(asked, true);
+  options.guard_pages = true;
+  if (auto guarded = Device::open(options)) return guarded;
+  options.guard_pages = false;
+  return Device::open(options);
+}
+
+std::optional<Device> opened(Outcome<Device> device) {
   if (device) return std::move(*device);
   ADD_FAILURE() << device.error().message;
   return std::nullopt;
 }
 
 Outcome<Device>& shared_device() {
-  static Outcome<Device> device = Device::open(with_environment({}, true));
+  static Outcome<Device> device = open_guarded({});
   return device;
 }
 
@@ -45,52 +54,54 @@ tb::RequestSource requests_of(const tb::GoldenStream& stream, const CheckPlan& p
   return tb::listed_requests(std::move(requests));
 }
 
+CheckCounts expect_no_mismatch(const Outcome<CheckResult>& result) {
+  if (!result) {
+    ADD_FAILURE() << result.error().message;
+    return {};
+  }
+  if (result->mismatch) ADD_FAILURE() << to_string(*result->mismatch);
+  return result->counts;
+}
+
 }  // namespace
 
 void GpuTest::SetUp() {
   if (!shared_device()) GTEST_SKIP() << shared_device().error().message;
 }
 
-std::optional<Device> GpuTest::open(DeviceOptions options) {
-  return opened(with_environment(std::move(options), true));
+std::optional<Device> GpuTest::open(const DeviceOptions& options) {
+  return opened(open_guarded(options));
 }
 
 std::optional<Device> GpuTest::open_unchecked(DeviceOptions options) {
-  return opened(with_environment(std::move(options), false));
+  return opened(Device::open(with_environment(std::move(options), false)));
+}
+
+std::optional<Device> GpuTest::open_validated() {
+  DeviceOptions options;
+  options.validation = true;
+  auto device = open_guarded(options);
+  const bool missing =
+      !device && device.error().message.find("validation layer") != std::string::npos;
+  return missing ? open({}) : opened(std::move(device));
 }
 
 Device& GpuTest::device() { return *shared_device(); }
 
-std::optional<CheckResult> check_bytes(Device& device, std::span<const uint8_t> device_bytes,
-                                       std::span<const uint8_t> model_bytes,
-                                       const CheckPlan& plan) {
+CheckCounts expect_equal(Device& device, std::span<const uint8_t> bytes, const CheckPlan& plan) {
   OpenOptions options;
   options.check_sections = false;
-  const auto view = open_stream(device_bytes, options);
-  if (!view) return std::nullopt;
-  const auto stream = tb::GoldenStream::open(model_bytes, {view->header.block_log2, 12, 16, 16});
-  if (!stream) return std::nullopt;
+  const auto view = open_stream(bytes, options);
+  if (!view) return {};
+  const auto stream = tb::GoldenStream::open(bytes, {view->header.block_log2, 12, 16, 16});
+  if (!stream) return {};
   auto decoder = GpuDecoder::open(device, *view);
   if (!decoder) {
     ADD_FAILURE() << decoder.error().message;
-    return std::nullopt;
+    return {};
   }
   decoder->limit_submissions(plan.blocks_at_once);
-  CheckOptions check;
-  check.stages = plan.stages;
-  auto result = check_stream(*decoder, **stream, requests_of(**stream, plan), check);
-  if (!result) {
-    ADD_FAILURE() << result.error().message;
-    return std::nullopt;
-  }
-  return *result;
-}
-
-CheckCounts expect_equal(Device& device, std::span<const uint8_t> bytes, const CheckPlan& plan) {
-  const auto result = check_bytes(device, bytes, bytes, plan);
-  if (!result) return {};
-  if (result->mismatch) ADD_FAILURE() << to_string(*result->mismatch);
-  return result->counts;
+  return expect_no_mismatch(check_stream(*decoder, **stream, requests_of(**stream, plan), {}));
 }
 
 CheckCounts expect_scan_equal(GpuDecoder& decoder, std::span<const uint8_t> bytes,
@@ -98,14 +109,9 @@ CheckCounts expect_scan_equal(GpuDecoder& decoder, std::span<const uint8_t> byte
   const unsigned block_log2 = bytes[30];  // FIL-1
   const auto stream = tb::GoldenStream::open(bytes, {block_log2, 12, 16, 16}).value();
   const auto source = tb::scan_requests(stream->geometry(), stream->header(), plan);
-  const auto result = check_stream(decoder, *stream, source, {});
-  if (!result) {
-    ADD_FAILURE() << result.error().message;
-    return {};
-  }
-  EXPECT_FALSE(result->mismatch) << to_string(*result->mismatch);
-  EXPECT_EQ(result->counts.failed(), 0u);
-  return result->counts;
+  const CheckCounts counts = expect_no_mismatch(check_stream(decoder, *stream, source, {}));
+  EXPECT_EQ(counts.failed(), 0u);
+  return counts;
 }
 
 }  // namespace hmlfc::gpu

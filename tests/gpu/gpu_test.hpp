@@ -22,32 +22,30 @@ class GpuTest : public testing::Test {
  protected:
   void SetUp() override;
 
-  /// Opens a device; a failure of the test where there is none with these options.
-  static std::optional<Device> open(DeviceOptions options);
+  /// Opens a device that checks barriers and, where it can, has guarded pages. A failure of the
+  /// test where there is none with these options.
+  static std::optional<Device> open(const DeviceOptions& options);
 
-  /// The same without the check of barriers, for which each frame is recorded anew.
+  /// Opens it under the validation layer, where that is installed.
+  static std::optional<Device> open_validated();
+
+  /// Opens one without these checks: the check of barriers records each frame again.
   static std::optional<Device> open_unchecked(DeviceOptions options);
 
-  /// The device that most tests share.
+  /// The device that most tests share, as open({}) gives it.
   static Device& device();
 };
 
 /// Which requests of a stream to compare.
 struct CheckPlan {
-  uint64_t requests = 400;  ///< of all kinds, beside those at the borders
+  uint64_t requests = 400;  ///< of all kinds, besides those at the borders
   uint64_t seed = 0;
   bool borders = true;
-  bool stages = true;
   uint64_t blocks_at_once = uint64_t{1} << 24;  ///< maximum of blocks in a submission
 };
 
-/// Compares the stream `device_bytes` on `device` with the model's decoding of `model_bytes`, the
-/// same stream but for planted faults. A stream that does not open in the model is not compared:
-/// nothing, as for a failure of the test.
-std::optional<CheckResult> check_bytes(Device& device, std::span<const uint8_t> device_bytes,
-                                       std::span<const uint8_t> model_bytes, const CheckPlan& plan);
-
-/// The same for one stream; fails the test at a difference. The counts of what was compared.
+/// Compares the stream `bytes` on `device` with the model, at all stages; fails the test at a
+/// difference. Returns the counts of what was compared: nothing of a stream that does not open.
 CheckCounts expect_equal(Device& device, std::span<const uint8_t> bytes, const CheckPlan& plan);
 
 /// Compares all blocks of the views that `plan` says, in RGB, at all stages; fails the test at a

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What each kernel reads and writes, by its SPIR-V, against the table that gpu_ref checks barriers with.
 
-SHADERS has the kernels as NAME.inc; SOURCE is gpu_ref/, with the table in kernel_accesses.cpp. An address is followed from the push constants
+SHADERS has the kernels as NAME.inc; SOURCE is gpu_ref/, with the table in device/kernel_accesses.cpp. An address is followed from the push constants
 (arguments.glsl) or the record of the frame (frame.glsl) to every load, store and atomic operation. Each kernel is read in each variant of
 VARIANTS, which are those that the library dispatches.
 
@@ -161,7 +161,7 @@ def main() -> int:
         print("missing: spirv-opt, or the shaders were not built")
         return SKIPPED
     spirv = by_spirv(options.shaders, options.source)
-    text = (options.source / "kernel_accesses.cpp").read_text()
+    text = (options.source / "device/kernel_accesses.cpp").read_text()
     found = differences(spirv, by_table(text))
     for difference in found:
         print(difference)

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "device_state.hpp"
+#include "device/device_state.hpp"
+#include "device/kernel_cache.hpp"
 #include "io/temp_folder.hpp"
-#include "kernel_cache.hpp"
 
 namespace hmlfc::gpu {
 namespace {

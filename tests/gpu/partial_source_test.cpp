@@ -197,30 +197,5 @@ TEST_F(GpuPartialSource, MayLie) {
   }
 }
 
-// load() says no, and failure() nothing.
-class SilentSource final : public ByteSource {
- public:
-  explicit SilentSource(std::span<const uint8_t> file) : file_(file) {}
-  std::span<const uint8_t> bytes() const override { return file_; }
-  bool is_partial() const override { return true; }
-  bool holds(ByteRange) const override { return gives; }
-  bool load(std::span<const ByteRange>) override { return gives; }
-  bool gives = true;
-
- private:
-  std::span<const uint8_t> file_;
-};
-
-TEST_F(GpuPartialSource, MayFailWithoutAWord) {
-  const auto bytes = views_of_knights(Profile::kMain, 3, 1);
-  SilentSource source(bytes);
-  const auto stream = Decoder::open(source, kUnchecked);
-  ASSERT_TRUE(stream && GpuDecoder::open(*small_, *stream));
-  source.gives = false;
-  const auto decoder = GpuDecoder::open(*small_, *stream);
-  ASSERT_FALSE(decoder);
-  EXPECT_EQ(decoder.error().kind, FailureKind::kSource);
-}
-
 }  // namespace
 }  // namespace hmlfc::gpu

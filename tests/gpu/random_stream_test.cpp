@@ -1,9 +1,11 @@
 // Random streams of the encoder and streams with random fields, intact and damaged, at all stages.
+// Buffers end at guarded pages: nothing outside them is touched.
 #include <random>
 
 #include "gpu/gpu_test.hpp"
 #include "stimulus/random_stream.hpp"
 #include "support/streams.hpp"
+#include "syntax/header.hpp"
 #include "vectors/field_stream.hpp"
 
 namespace hmlfc::gpu {
@@ -56,8 +58,8 @@ test::Bytes with_random_records(std::mt19937& random, uint64_t seed) {
   return parts.file();
 }
 
-// Every error that a block can have occurs, and is that of the model; but top_sample_range, which
-// no damage brings about: the samples would need the right CRC.
+// Every error that a block can have occurs, and is that of the model. Only top_sample_range cannot:
+// the samples would need the right CRC.
 TEST_F(GpuStreams, OfRandomRecordsHaveTheErrorsOfTheModel) {
   std::mt19937 random(11);
   CheckCounts total;
@@ -76,6 +78,26 @@ TEST_F(GpuStreams, OfRandomRecordsHaveTheErrorsOfTheModel) {
                              error != ErrorCode::kTopSampleRange);
     EXPECT_EQ(total.statuses[static_cast<size_t>(code)] != 0, of_a_block) << error_name(error);
   }
+}
+
+// Entries, records and offsets that point anywhere: an eighth of the bytes of the index are random.
+TEST_F(GpuStreams, OfARandomIndexHaveTheErrorsOfTheModel) {
+  std::mt19937 random(5);
+  CheckCounts total;
+  for (uint32_t round = 0; round < 40; ++round) {
+    auto bytes = tb::suite_stream(round, 2u << round % 3);
+    const auto header = parse_header(bytes);
+    ASSERT_TRUE(header);
+    const SectionEntry& root = header->sections[1];
+    const SectionEntry& tile = header->sections[3];
+    const uint64_t last = round % 2 == 0 ? tile.offset : bytes.size();
+    for (uint64_t at = root.offset; at < last; ++at) {
+      if (random() % 8 == 0) bytes[static_cast<size_t>(at)] = static_cast<uint8_t>(random());
+    }
+    total += expect_equal(device(), bytes, {.requests = 200, .seed = round});
+    ASSERT_FALSE(HasFailure()) << "round " << round;
+  }
+  EXPECT_GT(total.failed(), 1000u);
 }
 
 }  // namespace

@@ -11,10 +11,8 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "buffer.hpp"
 #include "decoder/open_stream.hpp"
-#include "gpu/callers_memory.hpp"
-#include "gpu/callers_test.hpp"
+#include "gpu/program.hpp"
 #include "stimulus/random_stream.hpp"
 
 namespace hmlfc::gpu {
@@ -66,31 +64,31 @@ std::vector<PixelArea> some_areas(const StreamView& stream) {
           {{0, 0}, 0, 0, 2, plane.blocks_y + 1, stream.header.tree_height}};
 }
 
-class GpuRecording : public CallersTest {
+class GpuRecording : public ProgramTest {
  protected:
-  // Records to a buffer behind 16 other bytes, and runs twice.
+  // Records to a buffer after 16 other bytes, and runs twice.
   void expect_recorded(GpuDecoder& decoder, std::span<const PixelArea> areas,
                        const StreamHeader& header) {
     const auto blocks = decoder.decode_rgb(areas);
     ASSERT_TRUE(blocks) << blocks.error().message;
     const auto samples = expected(areas, *blocks, header);
     const size_t bytes = samples.size() * texel_bytes(header) / 4;
-    const CallersBuffer target(callers(), 16 + bytes + 16);
+    const Buffer to = target(16 + bytes + 16);
     std::optional<Recording> recording;
-    const CallersCommands commands(callers(), [&](const vk::raii::CommandBuffer& buffer) {
-      auto recorded = record(decoder, *buffer, areas, BufferTarget{target.handle(), 16});
+    const ProgramCommands commands(program(), [&](const vk::raii::CommandBuffer& buffer) {
+      auto recorded = record(decoder, *buffer, areas, BufferTarget{to.handle(), 16});
       ASSERT_TRUE(recorded) << recorded.error().message;
       recording.emplace(std::move(*recorded));
     });
     ASSERT_TRUE(recording);
     for (int run = 0; run < 2; ++run) {
-      std::ranges::fill(target.bytes(), uint8_t{0xEE});
+      std::ranges::fill(to.bytes(), uint8_t{0xEE});
       commands.run();
       EXPECT_EQ(recording->statuses(), blocks->statuses);
-      EXPECT_EQ(samples_of(target.bytes().subspan(16, bytes), header), samples);
+      EXPECT_EQ(samples_of(to.bytes().subspan(16, bytes), header), samples);
       for (size_t i = 0; i < 16; ++i) {
-        EXPECT_EQ(target.bytes()[i], 0xEE);
-        EXPECT_EQ(target.bytes()[16 + bytes + i], 0xEE);
+        EXPECT_EQ(to.bytes()[i], 0xEE);
+        EXPECT_EQ(to.bytes()[16 + bytes + i], 0xEE);
       }
     }
   }
@@ -104,20 +102,19 @@ TEST_F(GpuRecording, OfAWholeViewIsTheModels) {
     ASSERT_TRUE(model);
     const StreamHeader& header = model->header();
     kinds.emplace(header.depth == 8 ? 8 : 16, header.chroma_format);
-    auto decoder = GpuDecoder::open(shared(), *model);
+    auto decoder = GpuDecoder::open(program(), *model);
     ASSERT_TRUE(decoder) << decoder.error().message;
     const PixelArea area = whole_view(DecoderAccess::stream(*model), {0, 0});
     const auto view = model->decode_view({0, 0});
     ASSERT_TRUE(view);
-    const CallersBuffer target(callers(),
-                               uint64_t{header.width} * header.height * texel_bytes(header));
+    const Buffer to = target(uint64_t{header.width} * header.height * texel_bytes(header));
     std::optional<Recording> recording;
-    CallersCommands(callers(), [&](const vk::raii::CommandBuffer& buffer) {
-      auto recorded = record(*decoder, *buffer, {&area, 1}, BufferTarget{target.handle(), 0});
+    ProgramCommands(program(), [&](const vk::raii::CommandBuffer& buffer) {
+      auto recorded = record(*decoder, *buffer, {&area, 1}, BufferTarget{to.handle(), 0});
       ASSERT_TRUE(recorded) << recorded.error().message;
       recording.emplace(std::move(*recorded));
     }).run();
-    const auto samples = samples_of(target.bytes(), header);
+    const auto samples = samples_of(to.bytes(), header);
     for (size_t i = 0; i < samples.size(); ++i) {
       const int most = (1 << header.depth) - 1;
       ASSERT_EQ(samples[i], i % 4 == 3 ? most : view->samples[i / 4 * 3 + i % 4]) << i;
@@ -134,7 +131,7 @@ TEST_F(GpuRecording, OfAnyAreasIsTheDecoders) {
     options.check_sections = false;
     const auto view = open_stream(bytes, options);
     if (!view) continue;
-    auto decoder = GpuDecoder::open(shared(), *view);
+    auto decoder = GpuDecoder::open(program(), *view);
     ASSERT_TRUE(decoder) << decoder.error().message;
     expect_recorded(*decoder, some_areas(*view), view->header);
   }
@@ -147,7 +144,7 @@ TEST_F(GpuRecording, ToAnImagePutsEachAreaToItsPlace) {
     const auto view = open_stream(bytes, {});
     ASSERT_TRUE(view);
     const StreamHeader& header = view->header;
-    auto decoder = GpuDecoder::open(shared(), *view);
+    auto decoder = GpuDecoder::open(program(), *view);
     ASSERT_TRUE(decoder) << decoder.error().message;
     const PlaneShape& plane = view->geometry.plane(Plane::kY);
     const std::vector<PixelArea> areas{{{0, 0}, plane.blocks_x - 1, 0, 2, 1, 0},
@@ -155,21 +152,18 @@ TEST_F(GpuRecording, ToAnImagePutsEachAreaToItsPlace) {
                                        {{0, 0}, plane.blocks_x, 0, 1, 1, 0}};
     const std::vector<TexelPlace> places{{0, 0, 1}, {9, 3, 1}, {0, 0, 0}};
     constexpr uint32_t kSide = 32;
-    const bool wide = texel_bytes(header) == 8;
-    const CallersImage image(callers(),
-                             wide ? vk::Format::eR16G16B16A16Uint : vk::Format::eR8G8B8A8Unorm,
-                             kSide, kSide, 2);
-    const CallersBuffer target(callers(), uint64_t{2} * kSide * kSide * texel_bytes(header));
+    const ProgramImage image(program(), kSide, header);
+    const Buffer to = target(uint64_t{2} * kSide * kSide * texel_bytes(header));
     std::optional<Recording> recording;
-    CallersCommands(callers(), [&](const vk::raii::CommandBuffer& buffer) {
+    ProgramCommands(program(), [&](const vk::raii::CommandBuffer& buffer) {
       image.clear(buffer);
-      ImageTarget to;
-      to.image = image.handle();
-      to.places = places;
-      auto recorded = record(*decoder, *buffer, areas, to);
+      ImageTarget target;
+      target.image = image.handle();
+      target.places = places;
+      auto recorded = record(*decoder, *buffer, areas, target);
       ASSERT_TRUE(recorded) << recorded.error().message;
       recording.emplace(std::move(*recorded));
-      image.read(buffer, target.handle());
+      image.read(buffer, to.handle());
     }).run();
     const auto blocks = decoder->decode_rgb(areas);
     ASSERT_TRUE(blocks);
@@ -185,36 +179,7 @@ TEST_F(GpuRecording, ToAnImagePutsEachAreaToItsPlace) {
         from += 4 * extent.width;
       }
     }
-    EXPECT_EQ(samples_of(target.bytes(), header), samples);
-  }
-}
-
-// On a device of the library's own, whose buffers end at guarded pages.
-TEST_F(GpuRecording, KeepsItsBounds) {
-  DeviceOptions options;
-  options.guard_pages = true;
-  auto own = open(options);
-  ASSERT_TRUE(own);
-  for (uint32_t seed = 0; seed < 12; ++seed) {
-    const auto bytes = stream_of(seed);
-    const auto view = open_stream(bytes, {});
-    ASSERT_TRUE(view);
-    auto decoder = GpuDecoder::open(*own, *view);
-    ASSERT_TRUE(decoder);
-    const auto areas = some_areas(*view);
-    const auto blocks = decoder->decode_rgb(areas);
-    ASSERT_TRUE(blocks);
-    const auto samples = expected(areas, *blocks, view->header);
-    const Buffer target(own->state(), samples.size() * texel_bytes(view->header) / 4,
-                        Memory::kReadback);
-    std::optional<Recording> recording;
-    run_alone(*own, [&](VkCommandBuffer commands) {
-      auto recorded = record(*decoder, commands, areas, BufferTarget{target.handle(), 0});
-      ASSERT_TRUE(recorded) << recorded.error().message;
-      recording.emplace(std::move(*recorded));
-    });
-    EXPECT_EQ(recording->statuses(), blocks->statuses);
-    EXPECT_EQ(samples_of(target.bytes(), view->header), samples);
+    EXPECT_EQ(samples_of(to.bytes(), header), samples);
   }
 }
 
@@ -224,21 +189,21 @@ TEST_F(GpuRecording, OfTooManyBlocksOrPlacesIsRefused) {
   ASSERT_TRUE(view);
   DeviceOptions options;
   options.submission_bytes = 1;
-  auto small = open_shared(options);
+  auto small = open(options);
   ASSERT_TRUE(small);
   auto decoder = GpuDecoder::open(*small, *view);
   ASSERT_TRUE(decoder);
   const std::vector<PixelArea> areas{{{0, 0}, 0, 0, 1, 1, 0}, {{0, 0}, 0, 0, 1, 1, 0}};
-  const CallersBuffer target(callers(), 1024);
-  CallersCommands(callers(), [&](const vk::raii::CommandBuffer& buffer) {
-    const auto many = record(*decoder, *buffer, areas, BufferTarget{target.handle(), 0});
+  const Buffer to(small->state(), 1024, Memory::kReadback);
+  ProgramCommands(*small, [&](const vk::raii::CommandBuffer& buffer) {
+    const auto many = record(*decoder, *buffer, areas, BufferTarget{to.handle(), 0});
     ASSERT_FALSE(many);
     EXPECT_EQ(many.error().kind, FailureKind::kLimit);
     EXPECT_NE(many.error().message.find("1 of plane Y"), std::string::npos);
     const auto places = record(*decoder, *buffer, areas, ImageTarget{});
     ASSERT_FALSE(places);
     EXPECT_NE(places.error().message.find("0 places for 2 areas"), std::string::npos);
-    const auto none = record(*decoder, *buffer, {}, BufferTarget{target.handle(), 0});
+    const auto none = record(*decoder, *buffer, {}, BufferTarget{to.handle(), 0});
     ASSERT_TRUE(none);
     EXPECT_TRUE(none->statuses().empty());
   }).run();

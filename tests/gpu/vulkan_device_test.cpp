@@ -102,7 +102,6 @@ TEST_F(GpuCallersDevice, IsNotMadeByOptions) {
       {"DeviceOptions::device", [](DeviceOptions& o) { o.device = "0"; }},
       {"DeviceOptions::validation", [](DeviceOptions& o) { o.validation = true; }},
       {"DeviceOptions::guard_pages", [](DeviceOptions& o) { o.guard_pages = true; }},
-      {"DeviceOptions::kernel_statistics", [](DeviceOptions& o) { o.kernel_statistics = true; }},
   };
   for (const auto& [name, plant] : set) {
     DeviceOptions options;

@@ -22,7 +22,8 @@ SYNTAX = {"model/bits", "model/arithmetic", "model/syntax"}
 DECODER = {*SYNTAX, "model/decoder", "model/decoder/golden", "model/decoder/fast"}
 CODEC = {*DECODER, "model/render", "model/encoder"}
 TOOLS = {f"tools/{name}" for name in ("terminal", "io", "remote", "scenes", "vectors", "conform", "cli", "view")}
-APPLICATIONS = {*CODEC, *TOOLS, "gpu_ref"}
+GPU = {f"gpu_ref/{name}" for name in ("device", "decode", "render")}
+APPLICATIONS = {*CODEC, *TOOLS, *GPU}
 CHECKS = {*DECODER, "rtl/driver", "tools/io", "testbench/oracle", "testbench/stimulus"}
 TESTBENCH = {"rtl/driver", *(f"testbench/{name}" for name in ("oracle", "stimulus", "unit", "systemc", "tlm", "gpu", "view"))}
 
@@ -42,7 +43,11 @@ ALLOWED = {
     "model/encoder": DECODER,
     "model/capi": {"model/bits"},
     "gpu_ref/include": set(),
-    "gpu_ref": CODEC - {"model/encoder"},
+    "gpu_ref/shaders": set(),
+    "gpu_ref/device": {"model/bits", "model/arithmetic", "gpu_ref/shaders"},
+    "gpu_ref/decode": {*DECODER, "gpu_ref/device"},
+    "gpu_ref/render": {*DECODER, "model/render", "gpu_ref/device", "gpu_ref/decode"},
+    "gpu_ref": {*DECODER, *GPU},
     "tools/terminal": set(),
     "tools/io": {"model/bits"},
     "tools/remote": {"model/bits", "tools/io"},
@@ -60,7 +65,7 @@ ALLOWED = {
     "testbench/systemc": {*CHECKS, "tools/scenes", "testbench/unit"},
     "testbench/tlm": {*CHECKS, "testbench/unit", "testbench/systemc"},
     "testbench/view": {*CHECKS, "testbench/unit"},
-    "testbench/gpu": {*CHECKS, "model/render", "gpu_ref"},
+    "testbench/gpu": {*CHECKS, "model/render", *GPU},
     "testbench/dpi": set(),
     "testbench/programs": {*APPLICATIONS, *TESTBENCH},
     "bench": {*APPLICATIONS, "testbench/gpu"},

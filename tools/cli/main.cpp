@@ -17,7 +17,7 @@
 #include <hmlfc/version.hpp>
 
 #include "cli/commands.hpp"
-#include "gpu_ref/frame_renderer.hpp"
+#include "gpu_ref/render/gpu_frame_renderer.hpp"
 
 namespace hmlfc::cli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "cli/camera_options.hpp"
 #include "cli/output.hpp"
-#include "gpu_ref/frame_renderer.hpp"
+#include "gpu_ref/render/gpu_frame_renderer.hpp"
 #include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {

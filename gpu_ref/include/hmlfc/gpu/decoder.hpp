@@ -60,7 +60,7 @@ class GpuDecoder {
  public:
   /// Uploads the stream, decodes its key images on the host and its other reference images on the
   /// device. Blocks of key images that do not decode have the error of their image. Nothing of
-  /// `stream`, nor the bytes behind it, is needed afterwards.
+  /// `stream`, nor its bytes, is needed afterwards.
   ///
   /// A partial ByteSource is asked for parts of DeviceOptions::upload_bytes, and for 16 key images
   /// at a time, and may drop each before the next; Decoder::open asks it for all bytes at once
@@ -73,26 +73,28 @@ class GpuDecoder {
   /// Decodes all blocks of `areas`: one submission, or several where they do not fit in one.
   Outcome<Blocks> decode(std::span<const BlockArea> areas);
 
-  /// The same to pixels. The status is that of Y, Co or Cg, in this order.
+  /// Decodes to pixels in the same way. The status is that of Y, Co or Cg, in this order.
   Outcome<PixelBlocks> decode_rgb(std::span<const PixelArea> areas);
 
-  /// The same with every stage, by the debug variant of the kernels, for this project's own
+  /// Decodes blocks with every stage, by the debug variant of the kernels, for this project's own
   /// programs (block_stages.hpp).
   Outcome<std::vector<BlockStages>> trace(std::span<const BlockArea> areas);
 
-  /// Of the last call; empty where the device has no timestamps.
+  /// Times of the last call; empty where the device has no timestamps.
   const std::vector<StageTime>& stage_times() const;
 
-  /// Bytes of the reference area.
+  /// Returns the bytes of the reference area.
   uint64_t reference_bytes() const;
 
   /// Most blocks of one submission; for tests. [1, 2^24]
   void limit_submissions(uint64_t blocks);
 
- private:
-  friend struct GpuDecoderAccess;
+  /// For this project's own files (decoder_state.hpp).
   struct State;
   explicit GpuDecoder(std::shared_ptr<State> state) : state_(std::move(state)) {}
+  const std::shared_ptr<State>& state() const { return state_; }
+
+ private:
   std::shared_ptr<State> state_;  // of all copies
 };
 

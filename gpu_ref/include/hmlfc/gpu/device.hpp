@@ -60,7 +60,7 @@ struct DeviceOptions {
   uint64_t chunk_bytes = 0;
   /// Bytes of a stream that wait on the host for their copy to the device, in whole words.
   uint64_t upload_bytes = uint64_t{16} << 20;
-  /// Device memory that a submission may take beside the stream, in bytes; larger calls are split.
+  /// Device memory that a submission may take besides the stream, in bytes; larger calls are split.
   uint64_t submission_bytes = uint64_t{512} << 20;
   /// Device memory that the disparity maps of a renderer may take, in bytes: 4 for each block of
   /// plane Y of each view.
@@ -76,10 +76,7 @@ struct DeviceOptions {
   double timeout_seconds = 600;
   /// For tests: each submission is refused where a barrier is missing or idle (hazards.hpp).
   bool check_barriers = false;
-  /// For tests: the driver keeps what it knows of each kernel (Kernels::statistics), with
-  /// VK_KHR_pipeline_executable_properties.
-  bool kernel_statistics = false;
-  /// For tests: kernels that run in place of the library's own. Nothing checks the code.
+  /// For tests: kernels that run instead of the library's own. Nothing checks the code.
   KernelCode kernels;
 };
 

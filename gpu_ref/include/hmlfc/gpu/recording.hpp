@@ -55,7 +55,7 @@ class Recording {
   Recording& operator=(Recording&&) noexcept;
   ~Recording();
 
-  /// Of the last run, once the host has waited for it: errors of annex A, 0 for none, one a block
+  /// Errors of the last run, once the host has waited for it: of annex A, 0 for none, one a block
   /// of the areas, area by area, in each row by row. The status is that of Y, Co or Cg, in this
   /// order.
   std::vector<uint8_t> statuses() const;
@@ -87,7 +87,7 @@ class Recording {
 Outcome<Recording> record(const GpuDecoder& decoder, VkCommandBuffer commands,
                           std::span<const PixelArea> areas, const BufferTarget& target);
 
-/// The same to an image.
+/// Records the same to an image.
 Outcome<Recording> record(const GpuDecoder& decoder, VkCommandBuffer commands,
                           std::span<const PixelArea> areas, const ImageTarget& target);
 
@@ -110,8 +110,8 @@ class FrameRecording {
   FrameRecording& operator=(FrameRecording&&) noexcept;
   ~FrameRecording();
 
-  /// Of the last run, once the host has waited for it. Where it had no room or its status is not
-  /// kOk, all texels are 0.
+  /// What the last run gave, once the host has waited for it. Where it had no room or its status is
+  /// not kOk, all texels are 0.
   RecordedFrame result() const;
 
   /// For this project's own files.
@@ -140,7 +140,7 @@ class FrameRecording {
 Outcome<void> record(GpuRenderer& renderer, VkCommandBuffer commands, const FrameRecord& record,
                      int stop_level, const BufferTarget& target, FrameRecording& recording);
 
-/// The same to an image.
+/// Records the same to an image.
 Outcome<void> record(GpuRenderer& renderer, VkCommandBuffer commands, const FrameRecord& record,
                      int stop_level, const ImageTarget& target, FrameRecording& recording);
 

@@ -1,4 +1,4 @@
-// What the decoder in WGSL needs beside a stream: a browser has no decoder of JPEG 2000.
+// What the decoder in WGSL needs besides a stream: a browser has no decoder of JPEG 2000.
 #pragma once
 
 #include <cstdint>

@@ -71,21 +71,23 @@ class GpuRenderer {
   Outcome<void> finish(GpuFrame& frame);
 
   /// The device address of the picture that finish() finished last: three samples of 16 bits a
-  /// pixel, row by row, with a pixel without meaning behind each row of an odd width. It stays
+  /// pixel, row by row, with an unspecified pixel after each row of an odd width. It stays
   /// there until most_under_way() more frames have begun.
   uint64_t picture_address() const;
 
   /// Nothing is held any more: the next frame decodes all that it needs.
   void forget();
 
-  /// Of the frame finished last; empty where the device has no timestamps, and once another frame
-  /// has begun in its place.
+  /// Times of the frame finished last; empty where the device has no timestamps, and once another
+  /// frame has begun in its place.
   const std::vector<StageTime>& stage_times() const;
 
- private:
-  friend struct GpuRendererAccess;
+  /// For this project's own files (renderer_state.hpp).
   struct State;
   explicit GpuRenderer(std::shared_ptr<State> state) : state_(std::move(state)) {}
+  const std::shared_ptr<State>& state() const { return state_; }
+
+ private:
   std::shared_ptr<State> state_;  // of all copies
 };
 

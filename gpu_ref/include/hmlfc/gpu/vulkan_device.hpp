@@ -17,7 +17,7 @@ struct MemoryPiece {
   void* handle = nullptr;   ///< the program's own, for `free`
 };
 
-/// Device memory from the program, such as VMA's, in place of vkAllocateMemory: one piece for each
+/// Device memory from the program, such as VMA's, instead of vkAllocateMemory: one piece for each
 /// buffer of this library. Called in calls of this library and where its objects go.
 struct MemoryCallbacks {
   void* user = nullptr;
@@ -55,8 +55,8 @@ struct VulkanDevice {
 /// Device, what is opened on it, and recordings. Nobody else may use the queue during a call of
 /// this library, which may submit to it; where the device has not answered in time (kTimeout),
 /// nobody may use the device while the last of these objects goes. Of `options`, those that choose
-/// or make a device must have their defaults: device, validation, guard_pages and
-/// kernel_statistics. kUnusable names what is not as above.
+/// or make a device must have their defaults: device, validation and guard_pages. kUnusable names
+/// what is not as above.
 Outcome<Device> open_device(const VulkanDevice& handles, const DeviceOptions& options = {});
 
 /// The handles of `device`, also where the library has opened it itself; without `created`.
