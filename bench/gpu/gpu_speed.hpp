@@ -34,7 +34,7 @@ nlohmann::ordered_json measure_stream(gpu::Device& device, const std::string& na
 /// as many under way as may be. All are drawn once to begin with.
 double host_microseconds(gpu::GpuRenderer& renderer, std::span<const FrameRecord> records);
 
-/// The same of frames recorded into command buffers of a program: CPU time in record() alone.
+/// The same for frames recorded into command buffers of a program: CPU time in record() alone.
 double recording_microseconds(gpu::GpuRenderer& renderer, gpu::Device& device,
                               std::span<const FrameRecord> records);
 

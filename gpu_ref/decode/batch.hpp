@@ -1,4 +1,4 @@
-// Submissions: which blocks they decode, and their buffers.
+// Batches: which blocks a submission decodes, and its buffers.
 #pragma once
 
 #include <array>
@@ -27,22 +27,22 @@ struct Batch {
   void add(const AreaRecord& area, uint32_t rows);
 };
 
-/// The blocks of `areas` in their order, at most `limit` requests a batch, limit >= 1. Areas are
-/// cut where they do not fit.
+/// Returns the blocks of `areas` in their order, at most `limit` requests a batch, limit >= 1.
+/// Areas that do not fit are cut.
 std::vector<Batch> batches_of(std::span<const BlockArea> areas, uint64_t limit);
 
-/// The same for pixels, with the chroma blocks that they need; limit >= 3.
+/// Returns the blocks of pixels, with the chroma blocks that they need, likewise; limit >= 3.
 std::vector<Batch> batches_of(std::span<const PixelArea> areas, ChromaFormat format,
                               uint64_t limit);
 
-/// The pixels of `area` inside its view: columns, rows.
+/// Returns the pixels of `area` inside its view: columns, rows.
 std::array<uint32_t, 2> pixels_of(const PixelArea& area, const StreamHeader& header);
 
 /// Numbers the texels of `areas`, of which `batch` was made alone and not cut: area by area, each
 /// row by row (texels.glsl).
 void number_texels(std::span<const PixelArea> areas, const StreamHeader& header, Batch& batch);
 
-/// The blocks of all reference images of levels that are not keyed (DEC-4), cut in the same way.
+/// Returns the blocks of all reference images of levels that are not keyed (DEC-4), cut likewise.
 std::vector<Batch> reference_batches(const Geometry& geometry, uint64_t limit);
 
 /// Sizes that follow from the stream.
@@ -59,10 +59,10 @@ struct BlockSizes {
   uint64_t stage_bytes() const { return levels * kStageCount * sample_bytes(); }
 };
 
-/// The sizes of a stream with this header.
+/// Returns the sizes of a stream with this header.
 BlockSizes block_sizes(const StreamHeader& header);
 
-/// Most requests of one submission, with stages or not.
+/// Returns the most requests of one submission, with stages or without.
 uint64_t max_requests(const Device::State& device, const BlockSizes& sizes, bool trace);
 
 /// What one submission reads and writes besides the stream.

@@ -1,4 +1,4 @@
-// What the debug variant of the kernels reports of blocks.
+// What the debug variant of the kernels reports about blocks.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace hmlfc::gpu {
 
-/// What the debug variant reports of one level of one block. Without an error and not `key`,
+/// What the debug variant reports about one level of one block. Without an error and not `key`,
 /// `prediction` is present; `residual` and `reference` are present where the flags say so.
 struct LevelStages {
   int level = 0;

@@ -18,10 +18,10 @@ class DeviceStream {
   /// device. Throws MachineError.
   DeviceStream(Device::State& device, const StreamView& stream);
 
-  /// The part of the arguments that does not change: shape, stream, references, damage.
+  /// Returns the arguments that do not change: shape, stream, references, damage.
   Arguments arguments() const;
 
-  /// Stream or reference area need a table of chunks.
+  /// Returns whether stream or reference area need a table of chunks.
   bool chunked() const { return words_.chunked() || references_.chunked(); }
 
   uint64_t reference_bytes() const { return references_.bytes(); }

@@ -1,4 +1,4 @@
-// Sums of the times of stages.
+// Adds up the times of stages.
 #pragma once
 
 #include <algorithm>

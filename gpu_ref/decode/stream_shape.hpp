@@ -66,21 +66,22 @@ struct StreamShapeRecord {
   std::array<MotionPlaneShapeRecord, 2> motion_planes;
 };
 
-/// The sections ROOT, GROUP and TILE, which follow each other in the file.
+/// Returns where the sections ROOT, GROUP and TILE lie, which follow each other in the file.
 ByteRange coded_range(const StreamView& stream);
 
-/// Whether blocks of level `l` read its reference images: it is keyed, or some of its images are
-/// predictive. Only these levels are in the reference area.
+/// Returns whether blocks of `level` read its reference images: it is keyed, or some of its images
+/// are predictive. Only these levels are in the reference area.
 bool has_references(const LevelShape& level);
 
-/// Reference images in the reference area.
+/// Returns the number of reference images in the reference area.
 uint64_t reference_count(const Geometry& geometry);
 
-/// Words of one reference image in the reference area: its three planes, rows of whole words.
+/// Returns the words of one reference image in the reference area: its three planes, rows of whole
+/// words.
 uint64_t reference_words(const Geometry& geometry);
 
-/// The shape of `stream`, whose chunks have 2^`stream_chunk_log2` words, and those of its reference
-/// area 2^`reference_chunk_log2`. ROOT begins with word 0 of the uploaded stream. Throws
+/// Returns the shape of `stream`, whose chunks have 2^`stream_chunk_log2` words, and those of its
+/// reference area 2^`reference_chunk_log2`. ROOT begins with word 0 of the uploaded stream. Throws
 /// MachineError beyond 2^32 words of either.
 StreamShapeRecord stream_shape(const StreamView& stream, uint32_t stream_chunk_log2,
                                uint32_t reference_chunk_log2);

@@ -1,4 +1,4 @@
-// Memory of the device, addressed by 64 bits: buffers, and words in several of them.
+// Memory of the device, addressed by 64 bits: buffers, and words that several buffers hold.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ enum class Memory : uint8_t {
 /// One buffer with its memory. Throws MachineError where the device has no such memory.
 class Buffer {
  public:
-  /// Of `bytes` bytes, at least 1; a multiple of 4 is made of it.
+  /// Makes a buffer of `bytes` bytes, rounded up to a multiple of 4, at least 4.
   Buffer(Device::State& device, uint64_t bytes, Memory memory);
 
   Buffer(Buffer&&) noexcept = default;
@@ -92,7 +92,7 @@ class GrowingBuffer {
   std::optional<Buffer> buffer_;
 };
 
-/// The bytes of records as they lie in memory.
+/// Returns the bytes of records as they lie in memory.
 template <class Records>
 std::span<const uint8_t> bytes_of(const Records& records) {
   const auto bytes = std::as_bytes(std::span(records));
@@ -115,7 +115,7 @@ class ChunkedWords {
   bool chunked() const { return chunks_.size() > 1; }
   uint64_t bytes() const { return bytes_; }
 
-  /// What a kernel takes: the address of the table of chunks, or of the only chunk.
+  /// Returns what a kernel takes: the address of the table of chunks, or of the only chunk.
   uint64_t address(bool as_table) const {
     return as_table ? table_->address() : chunks_.front().address();
   }

@@ -18,7 +18,7 @@
 
 namespace hmlfc::gpu {
 
-/// Thrown inside this folder with what a Failure says; caught at its public functions.
+/// Thrown inside gpu_ref with what a Failure says; its public functions catch it.
 class MachineError : public std::runtime_error {
  public:
   MachineError(FailureKind kind, const std::string& message)
@@ -30,7 +30,8 @@ class MachineError : public std::runtime_error {
   FailureKind kind_;
 };
 
-/// The number of the device that DeviceOptions::device = `wanted` means; devices.size() for none.
+/// Returns the number of the device that DeviceOptions::device = `wanted` means; devices.size() for
+/// none.
 size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& wanted);
 
 struct Device::State {
@@ -71,17 +72,17 @@ struct Device::State {
   std::vector<SubmissionHandles> abandoned;  ///< without an answer: the device may still use them
   SubmissionCounts counts;
 
-  /// Before memory of a lost device is freed: waits for what the device may still be doing.
+  /// Waits for what a lost device may still be doing. Called before its memory is freed.
   void settle() noexcept;
 };
 
-/// A state in which nothing is open yet.
+/// Returns a state in which nothing is open yet.
 std::shared_ptr<Device::State> make_state();
 
 DeviceInfo info_of(const vk::raii::PhysicalDevice& physical);
 
-/// What follows once instance, physical device, device and queue of `state` are there: the pool of
-/// commands for the queue's `family`, the kernels, the limits, and what `options` say of them.
+/// Completes `state`, which has instance, physical device, device and queue: makes the pool of
+/// commands for the queue's `family` and the kernels, and sets the limits that `options` ask for.
 void complete(Device::State& state, uint32_t family, const DeviceOptions& options);
 
 /// Runs `body() -> T` and turns what it throws into a Failure.

@@ -1,4 +1,4 @@
-// Memory of the host for buffers that must not be left, in tests.
+// Memory of the host for buffers of tests: an access past its end ends the process.
 #pragma once
 
 #include <cstddef>

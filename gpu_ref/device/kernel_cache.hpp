@@ -1,4 +1,4 @@
-// What a driver has compiled, in a file for the next process.
+// Keeps what a driver has compiled in a file for the next process.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,14 @@
 
 namespace hmlfc::gpu {
 
-/// The folder hmlfc in $XDG_CACHE_HOME, else in $HOME/.cache; empty where neither is a full path.
+/// Returns the folder hmlfc in $XDG_CACHE_HOME, else in $HOME/.cache; nothing where neither is a
+/// full path.
 std::filesystem::path default_cache_folder();
 
 /// The file of one device. Processes may use it at once: a file is replaced as a whole.
 class KernelCacheFile {
  public:
-  /// No file for an empty folder.
+  /// An empty folder means that there is no file.
   KernelCacheFile(const std::filesystem::path& folder,
                   const vk::PhysicalDeviceProperties& properties);
 
@@ -24,7 +25,7 @@ class KernelCacheFile {
   /// file, or it is not as it was written.
   std::vector<uint8_t> read() const;
 
-  /// Whether `data` could be written.
+  /// Writes `data` and returns whether that could be done.
   bool write(std::span<const uint8_t> data) const noexcept;
 
   const std::filesystem::path& path() const { return path_; }

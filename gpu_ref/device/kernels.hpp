@@ -43,7 +43,7 @@ enum class KernelUse : uint8_t {
   kGeometryTexels,  ///< the same with geometry, besides kGeometry
 };
 
-/// The variant of every kernel of `use`; `pool_chunked` counts for kernels of frames alone.
+/// Returns the variant of every kernel of `use`. Only kernels of frames depend on `pool_chunked`.
 Variant variant_of(KernelUse use, bool chunked, bool pool_chunked = false);
 
 class Kernels {
@@ -54,7 +54,7 @@ class Kernels {
 
   vk::PipelineLayout layout() const { return *layout_; }
 
-  /// `kernel`: the name of its file in shaders/.
+  /// Returns the pipeline of `kernel`, the name of its file in shaders/.
   vk::Pipeline pipeline(const std::string& kernel, const Variant& variant);
 
   /// Makes the pipelines of `use`, so that no call waits for a compiler, and keeps what was

@@ -1,4 +1,4 @@
-// The decoded blocks that frames leave to the next one.
+// The decoded blocks that a frame keeps for the next ones.
 #pragma once
 
 #include <cstdint>
@@ -29,10 +29,10 @@ class BlockPool {
   /// Sets its part of `frame`, after reserve().
   void describe(FrameArguments& frame) const;
 
-  /// The pool is in more than one buffer.
+  /// Returns whether the pool is in more than one buffer.
   bool chunked() const { return samples_->chunked(); }
 
-  /// What is held is not to be used any more.
+  /// Says that what is held must not be used any more.
   void forget() { forget_ = true; }
 
   /// FrameArguments::forget of the next frame: whether forget() was called since the last one.

@@ -1,4 +1,4 @@
-// What the GPU renderer holds of the frames before, in sets: the rule of docs/gpu.md.
+// Models as sets what the GPU renderer holds of earlier frames: the rule of docs/gpu.md.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class CacheModel {
   /// decodes.
   uint64_t take(const FrameRecord& record, int stop_level, const CellDisplacements& displaced);
 
-  /// Nothing is held any more.
+  /// Drops everything.
   void forget() {
     held_.clear();
     used_pages_ = 0;

@@ -1,4 +1,4 @@
-// Streams and cameras before which frames of the GPU renderer are compared.
+// Streams and cameras for comparisons of frames of the GPU renderer.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,12 @@
 
 namespace hmlfc::gpu {
 
-/// A walk of `frames` frames, now and then down to another level; the first difference, or nothing.
+/// Walks through `frames` frames, now and then at another level; returns the first difference, or
+/// nothing.
 std::string difference_of_walk(RenderPair& pair, uint32_t seed, int frames, FrameTally& tally);
 
-/// Frames with geometry before scenes in depth of `seeds` seeds; the first difference, or nothing.
+/// Draws frames with geometry of scenes in depth of `seeds` seeds; returns the first difference, or
+/// nothing.
 std::string difference_of_scenes(Device& device, uint32_t seeds, tb::Damage damage,
                                  uint64_t cache_bytes, FrameTally& tally);
 

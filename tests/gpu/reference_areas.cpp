@@ -1,4 +1,4 @@
-// For every conformance vector that opens: what the decoder in WGSL needs beside it, and blocks
+// For every conformance vector that opens: what the decoder in WGSL needs besides it, and blocks
 // that it has to give.
 //
 // usage: reference_areas SUITE FOLDER

@@ -1,4 +1,4 @@
-// One stream before the GPU renderer and the golden one.
+// One stream in the GPU renderer and in the golden one.
 #pragma once
 
 #include <cstdint>
@@ -32,16 +32,16 @@ class RenderPair {
  public:
   RenderPair(Device& device, std::vector<uint8_t> bytes, uint64_t cache_bytes);
 
-  /// Nothing to compare: the stream does not open.
+  /// Returns whether there is nothing to compare, because the stream does not open.
   bool closed() const { return !gpu_; }
 
   const StreamHeader& header() const { return view_->header; }
 
-  /// The first difference of a frame: status, size, samples, blocks needed and decoded. Empty where
-  /// there is none.
+  /// Returns the first difference of a frame: status, size, samples, blocks needed and decoded.
+  /// Empty where there is none.
   std::string difference(const FrameRecord& record, int stop_level, FrameTally& tally);
 
-  /// A failure of the test where there is one.
+  /// Fails the test where there is one.
   void compare(const FrameRecord& record, int stop_level, FrameTally& tally);
 
   /// What the device said of the last frame.
