@@ -32,9 +32,8 @@ run_stress() {
 run_rtl_coverage() {
   install_packages build test
   use_build rtl-coverage
-  build rtl_random
-  exec "$(debian_python)" "$root/testbench/programs/rtl_coverage.py" \
-    "$build/testbench/rtl_random" "$@"
+  build testbench
+  exec "$(debian_python)" "$root/testbench/programs/rtl_coverage.py" "$build/testbench/testbench" "$@"
 }
 
 # run_soak --minutes N [--seed S] [--shard I/N] [CTEST-ARG...]: the tests with label soak, of N shards the I-th, then
@@ -69,6 +68,6 @@ run_soak() {
   left=$((60 * minutes - (SECONDS - begin)))
   if ((left <= 0)); then return; fi
   say "Random streams on the decode unit from seed $seed on"
-  exec "$build/testbench/rtl_random" --seed "$seed" \
+  exec "$build/testbench/testbench" random --seed "$seed" \
     --minutes "$((left / 60)).$((left % 60 / 6))"
 }

@@ -20,7 +20,7 @@ struct ByteRange {
 };
 
 /// What the walks of the golden model read for a block, and the strips of its references. A unit
-/// reads the same, in whole beats: of the end table 16 bytes, of a record and of a strip all.
+/// reads the same, in whole beats: 16 bytes of the end table, and whole records and strips.
 class BlockReads {
  public:
   /// `stream` must outlive it.

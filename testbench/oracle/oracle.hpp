@@ -50,14 +50,14 @@ bool request_exists(const GoldenStream& stream, const Request& request);
 /// Evaluates each block once; chroma that several RGB requests share is kept for a while.
 class Oracle {
  public:
-  /// Of a stream that LOAD accepted.
+  /// Answers for a stream that LOAD accepted.
   explicit Oracle(const GoldenStream& stream) : Oracle(stream, &stream.golden_references()) {}
 
   /// The same with reference blocks from `held`, which must give the same result; null: the golden
   /// path reads each when it is needed.
   Oracle(const GoldenStream& stream, const HeldReferences* held) : stream_(&stream), held_(held) {}
 
-  /// Of a unit whose LOAD ended with `load_error`, not 0: every request is answered with it.
+  /// Answers every request with `load_error`, not 0, as a unit whose LOAD ended with it.
   explicit Oracle(uint8_t load_error) : load_error_(load_error) {}
 
   ExpectedAnswer evaluate(const Request& request);

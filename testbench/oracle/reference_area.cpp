@@ -4,7 +4,6 @@
 #include <bit>
 
 #include "arithmetic/rounding.hpp"
-#include "bits/bit_string.hpp"
 #include "decoder/sample_plane.hpp"
 
 namespace hmlfc::tb {
@@ -76,7 +75,7 @@ class AreaBuilder {
     }
   }
 
-  // Strip `s` of row `by`; what is past the plane's last block repeats its first sample.
+  // Strip `s` of row `by`; blocks past the plane's last repeat its first sample.
   StripSamples strip_samples(const PlaneSource& source, const PlaneShape& shape, uint32_t s,
                              uint32_t by) {
     const unsigned in_block = stream_.geometry.block_size() * stream_.geometry.block_size();
@@ -135,19 +134,6 @@ std::array<uint8_t, kStripBytes> pack_strip(const StripSamples& samples) {
     set_field(place, kHeadBits + i * bits, bits, static_cast<uint32_t>(samples[i] - base));
   }
   return place;
-}
-
-StripSamples unpack_strip(std::span<const uint8_t, kStripBytes> place) {
-  const BitString strip(place);
-  const uint32_t width = strip.field(0, kWidthBits);
-  const unsigned bits = width == kRaw ? kRawBits : width;
-  const auto base = static_cast<int16_t>(strip.field(kWidthBits, kHeadBits - kWidthBits));
-  StripSamples samples{};
-  for (size_t i = 0; i < samples.size(); ++i) {
-    const uint32_t field = strip.field(kHeadBits + i * bits, bits);
-    samples[i] = width == kRaw ? static_cast<int16_t>(field) : base + static_cast<int32_t>(field);
-  }
-  return samples;
 }
 
 AreaLayout area_layout(const Geometry& geometry) {

@@ -33,9 +33,6 @@ void set_field(std::span<uint8_t> bytes, uint64_t position, unsigned count, uint
 /// Example: 64 samples of 7 take 4 + 16 bits: width 0, base 7.
 std::array<uint8_t, kStripBytes> pack_strip(const StripSamples& samples);
 
-/// The samples of a packed strip; the inverse of pack_strip.
-StripSamples unpack_strip(std::span<const uint8_t, kStripBytes> place);
-
 /// One plane of one reference image in the area.
 struct AreaPlane {
   int level = 0;

@@ -1,12 +1,11 @@
-// Traces of one block as text.
+// The stages of one block as text.
 #pragma once
 
 #include <cstdio>
 #include <memory>
 #include <string>
 
-#include "oracle/golden_stream.hpp"
-#include "oracle/level_record.hpp"
+#include "oracle/oracle.hpp"
 
 namespace hmlfc::tb {
 
@@ -16,9 +15,8 @@ struct CloseFile {
 };
 using TextFile = std::unique_ptr<std::FILE, CloseFile>;
 
-/// Writes every field and stage that the golden model reports for `request`, reading reference
-/// blocks on demand, plane by plane.
-void write_model_trace(std::FILE* out, const GoldenStream& stream, const Request& request);
+/// Writes the records of all levels up to the first with an error, plane by plane, and the answer.
+void write_expected(std::FILE* out, const ExpectedAnswer& expected, unsigned block_size);
 
 /// Writes one trace record of a unit with blocks of `block_size`.
 void write_record(std::FILE* out, const LevelRecord& record, unsigned block_size);

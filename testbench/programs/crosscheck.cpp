@@ -1,15 +1,11 @@
 // crosscheck: every implementation that this build has, on the same blocks.
 #include <chrono>
-#include <cstdio>
 #include <functional>
-
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "bits/crc32c.hpp"
 #include "gpu/gpu_answers.hpp"
 #include "gpu/stream_check.hpp"
-#include "io/files.hpp"
+#include "programs/commands.hpp"
 #include "stimulus/sequences.hpp"
 #include "systemc/stream_image.hpp"
 #include "tlm/tlm_platform.hpp"
@@ -18,8 +14,6 @@
 namespace hmlfc::tb {
 namespace {
 
-constexpr int kExitDifferent = 1;
-constexpr int kExitUsage = 2;
 constexpr size_t kNameWidth = 28;  // of the table's first column
 
 /// One row of the table.
@@ -69,7 +63,7 @@ std::vector<Answer> run_tlm(TlmPlatform& platform, const Subject& subject) {
 std::string run_unit(Bench& bench, const UnitMaker& maker, const Subject& subject, bool stages,
                      Row& row) {
   row.answers.clear();
-  bench.attach(maker.make(maker.parameters));
+  bench.attach(maker.make(maker.parameters, nullptr));
   if (!stages) bench.compare_answers_only();
   bench.scoreboard().log_answers(&row.answers);
   subject.image.load_into(bench);
@@ -169,39 +163,22 @@ void print_head() {
              kNameWidth, "blocks", "different", "stages", "seconds", "crc");
 }
 
-int run(int argc, char** argv) {
-  CLI::App app{"Runs every implementation on the same blocks"};
-  std::string path;
+struct Options {
+  std::string file;
   uint64_t blocks = 2000;
   uint64_t seed = 0;
-  app.add_option("file", path, "The stream")->required();
-  app.add_option("--blocks", blocks, "How many requests of all kinds")->capture_default_str();
-  app.add_option("--seed", seed, "Of the requests")->capture_default_str();
   std::string device;
-  app.add_option("--device", device, "Number or part of the name of a Vulkan device");
-  CLI11_PARSE(app, argc, argv);
-  const auto file = io::map_file(path);
-  if (!file) {
-    fmt::print(stderr, "crosscheck: {}\n", file.error().message);
-    return kExitUsage;
-  }
-  const auto header = Decoder::open(file->bytes());
-  if (!header) {
-    fmt::print(stderr, "crosscheck: {}: {}\n", path, to_string(header.error()));
-    return kExitUsage;
-  }
-  const std::string replay = fmt::format(
-      "seed {}, replay: ./run crosscheck {} --seed {} --blocks {}\n", seed, path, seed, blocks);
-  fmt::print(stderr, "{}", replay);
+};
+
+int compare(const Options& o, std::span<const uint8_t> file) {
+  const auto header = Decoder::open(file);
+  if (!header) throw Stop{o.file + ": " + to_string(header.error())};
   const UnitParameters any{header->header().block_log2, 12, 16, 16};
-  StreamImage image(file->bytes(), any);
-  if (image.golden() == nullptr) {
-    fmt::print(stderr, "crosscheck: {} is beyond the unit's limits\n", path);
-    return kExitUsage;
-  }
+  StreamImage image(file, any);
+  if (image.golden() == nullptr) throw Stop{o.file + " is beyond the unit's limits"};
   Subject subject{image, {}};
   const auto source =
-      mixed_requests(image.golden()->geometry(), image.golden()->header(), blocks, seed, 20);
+      mixed_requests(image.golden()->geometry(), image.golden()->header(), o.blocks, o.seed, 20);
   while (const auto request = source()) subject.requests.push_back(*request);
 
   Bench bench;
@@ -219,19 +196,33 @@ int run(int argc, char** argv) {
   } else {
     rows.push_back({.name = "RTL, Verilated", .missing = "skipped: not in this build"});
   }
-  rows.push_back(run_gpu(device, subject));
+  rows.push_back(run_gpu(o.device, subject));
   print_head();
   bool equal = true;
   for (Row& row : rows) {
     mask(row, subject);
     equal &= print_row(row, rows.front(), subject);
   }
-  std::fflush(stdout);
-  fmt::print(stderr, "{}", replay);
   return equal ? 0 : kExitDifferent;
 }
 
-}  // namespace
-}  // namespace hmlfc::tb
+int run(const Options& o) {
+  const MappedFile file = read_file(o.file);
+  const std::string replay =
+      fmt::format("./run crosscheck {} --seed {} --blocks {}", o.file, o.seed, o.blocks);
+  return with_replay(o.seed, replay, [&] { return compare(o, file.bytes()); });
+}
 
-int sc_main(int argc, char** argv) { return hmlfc::tb::run(argc, argv); }
+}  // namespace
+
+Command add_crosscheck(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  Options& o = *options;
+  app.add_option("file", o.file, "The stream")->required();
+  app.add_option("--blocks", o.blocks, "How many requests of all kinds")->capture_default_str();
+  app.add_option("--seed", o.seed, "Of the requests")->capture_default_str();
+  app.add_option("--device", o.device, "Number or part of the name of a Vulkan device");
+  return [options] { return run(*options); };
+}
+
+}  // namespace hmlfc::tb

@@ -1,17 +1,12 @@
 // gpu-check: every block of a stream, or a part of them, through the GPU decoder and the golden
 // model.
-#include <cstdio>
-
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
 #include "decoder/open_stream.hpp"
 #include "gpu/frame_check.hpp"
 #include "gpu/gpu_answers.hpp"
 #include "gpu/stream_check.hpp"
-#include "io/files.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/trace_text.hpp"
+#include "programs/commands.hpp"
 #include "programs/plan_options.hpp"
 #include "terminal/numbers.hpp"
 #include "terminal/progress_bar.hpp"
@@ -19,8 +14,7 @@
 namespace hmlfc::gpu {
 namespace {
 
-constexpr int kExitDifferent = 1;
-constexpr int kExitUsage = 2;
+using tb::Stop;
 
 struct Options {
   std::string file;
@@ -35,11 +29,6 @@ struct Options {
   std::string size;
   Camera camera;
 };
-
-int usage_error(const std::string& message) {
-  fmt::print(stderr, "gpu-check: {}\n", message);
-  return kExitUsage;
-}
 
 void add_options(CLI::App& app, Options& o) {
   app.add_option("file", o.file, "The stream");
@@ -72,7 +61,7 @@ std::string replay_command(const Options& o) {
 
 int list() {
   const auto devices = list_devices();
-  if (!devices) return usage_error(devices.error().message);
+  if (!devices) throw Stop{devices.error().message};
   for (size_t i = 0; i < devices->size(); ++i) {
     const DeviceInfo& info = (*devices)[i];
     fmt::print("{}: {} ({}), driver {}{}\n", i, info.name, info.kind, info.driver,
@@ -97,19 +86,14 @@ uint64_t request_count(const Options& o, const tb::GoldenStream& stream) {
 int show_block(const Options& o, const tb::GoldenStream& stream, GpuDecoder& decoder) {
   tb::Request request{o.block[0], o.block[1], o.block[3], o.block[4], o.block[2]};
   if (o.block.size() == 6) request.stop_level = o.block[5];
-  if (request.plane > 2) return usage_error("--block takes plane 0, 1 or 2");
+  if (request.plane > 2) throw Stop{"--block takes plane 0, 1 or 2"};
   const auto traces = gpu_traces(decoder, std::span(&request, 1));
-  if (!traces) return usage_error(traces.error().message);
+  if (!traces) throw Stop{traces.error().message};
   const auto expected = tb::Oracle(stream).evaluate(request);
   const unsigned size = stream.geometry().block_size();
   fmt::print("model: {}\n", tb::status_name(expected.answer.status));
   std::fflush(stdout);
-  if (expected.planes[0]) {
-    for (const tb::LevelRecord& record : expected.planes[0]->levels) {
-      tb::write_record(stdout, record, size);
-      if (record.error != 0) break;
-    }
-  }
+  tb::write_expected(stdout, expected, size);
   const GpuTrace& trace = traces->front();
   fmt::print("device: {}\n", tb::status_name(trace.status));
   std::fflush(stdout);
@@ -118,7 +102,7 @@ int show_block(const Options& o, const tb::GoldenStream& stream, GpuDecoder& dec
     if (expected.planes[0]) record.site = expected.planes[0]->levels[i].site;
     tb::write_record(stdout, record, size);
   }
-  return expected.answer.status == trace.status ? 0 : kExitDifferent;
+  return expected.answer.status == trace.status ? 0 : tb::kExitDifferent;
 }
 
 int check(const Options& o, const tb::GoldenStream& stream, Device& device, GpuDecoder& decoder) {
@@ -130,7 +114,7 @@ int check(const Options& o, const tb::GoldenStream& stream, Device& device, GpuD
   const auto requests = o.plan.requests(stream.geometry(), stream.header());
   const auto result = check_stream(decoder, stream, requests, options);
   bar.clear();
-  if (!result) return usage_error(result.error().message);
+  if (!result) throw Stop{result.error().message};
   const CheckCounts& counts = result->counts;
   const bool passed = !result->mismatch && counts.compared == counts.sent && counts.compared != 0 &&
                       device.validation_messages().empty();
@@ -145,45 +129,51 @@ int check(const Options& o, const tb::GoldenStream& stream, Device& device, GpuD
                                 {"levels_compared", counts.levels},
                                 {"validation_messages", device.validation_messages()}};
   if (result->mismatch) report["mismatch"] = to_string(*result->mismatch);
-  tb::print_report(report, o.json);
-  return passed ? 0 : kExitDifferent;
+  return tb::print_report(report, o.json);
 }
 
 int show_frames(const Options& o, std::span<const uint8_t> file, const StreamView& view,
                 Device& device) {
   auto renderer = GpuRenderer::open(device, view, uint64_t{o.cache_mib} << 20);
-  if (!renderer) return usage_error(renderer.error().message);
+  if (!renderer) throw Stop{renderer.error().message};
   const auto checked = check_frames(*renderer, file, view, o.camera, o.frames);
-  if (!checked) return usage_error(checked.error().message);
+  if (!checked) throw Stop{checked.error().message};
   fmt::print("{}: {} frames, {} blocks needed, {} decoded\n", device.info().name, checked->frames,
              checked->needed, checked->decoded);
   if (checked->mismatch) fmt::print("MISMATCH: {}\n", *checked->mismatch);
   fmt::print("{}\n", checked->mismatch ? "FAILED" : "equal to the golden renderer");
-  return checked->mismatch ? kExitDifferent : 0;
+  return checked->mismatch ? tb::kExitDifferent : 0;
 }
 
 int run_on_stream(const Options& o) {
-  const auto file = io::map_file(o.file);
-  if (!file) return usage_error(file.error().message);
+  const MappedFile file = tb::read_file(o.file);
   OpenOptions open_options;
   open_options.check_sections = false;  // damaged streams are checked too
-  const auto view = open_stream(file->bytes(), open_options);
-  if (!view) return usage_error(o.file + ": " + to_string(view.error()));
-  const auto stream = tb::GoldenStream::open(file->bytes(), {view->header.block_log2, 12, 16, 16});
-  if (!stream) return usage_error(o.file + ": " + to_string(stream.error()));
+  const auto view = open_stream(file.bytes(), open_options);
+  if (!view) throw Stop{o.file + ": " + to_string(view.error())};
+  const auto stream = tb::GoldenStream::open(file.bytes(), {view->header.block_log2, 12, 16, 16});
+  if (!stream) throw Stop{o.file + ": " + to_string(stream.error())};
   auto device = Device::open(o.device);
-  if (!device) return usage_error(device.error().message);
-  if (o.frames != 0) return show_frames(o, file->bytes(), *view, *device);
+  if (!device) throw Stop{device.error().message};
+  if (o.frames != 0) return show_frames(o, file.bytes(), *view, *device);
   auto decoder = GpuDecoder::open(*device, *view);
-  if (!decoder) return usage_error(decoder.error().message);
+  if (!decoder) throw Stop{decoder.error().message};
   if (!o.block.empty()) return show_block(o, **stream, *decoder);
-  const std::string head =
-      fmt::format("seed {}, replay: {}\n", o.plan.plan.seed, replay_command(o));
-  fmt::print(stderr, "{}", head);
-  const int status = check(o, **stream, *device, *decoder);
-  std::fflush(stdout);
-  fmt::print(stderr, "{}", head);
-  return status;
+  return tb::with_replay(o.plan.plan.seed, replay_command(o),
+                         [&] { return check(o, **stream, *device, *decoder); });
+}
+
+int run(Options& o) {
+  if (o.list) return list();
+  if (o.file.empty()) throw Stop{"which stream? See --help"};
+  o.plan.apply();
+  if (!o.size.empty()) {
+    const auto size = terminal::parse_numbers<2>(o.size, 'x');
+    if (!size) throw Stop{"--size is WxH, such as 512x512"};
+    o.camera.frame_width = (*size)[0];
+    o.camera.frame_height = (*size)[1];
+  }
+  return run_on_stream(o);
 }
 
 int run(int argc, char** argv) {
@@ -191,16 +181,12 @@ int run(int argc, char** argv) {
   Options o;
   add_options(app, o);
   CLI11_PARSE(app, argc, argv);
-  if (o.list) return list();
-  if (o.file.empty()) return usage_error("which stream? See --help");
-  if (!o.plan.apply()) return usage_error("--views is a number or all");
-  if (!o.size.empty()) {
-    const auto size = terminal::parse_numbers<2>(o.size, 'x');
-    if (!size) return usage_error("--size is WxH, such as 512x512");
-    o.camera.frame_width = (*size)[0];
-    o.camera.frame_height = (*size)[1];
+  try {
+    return run(o);
+  } catch (const Stop& stop) {
+    fmt::print(stderr, "gpu-check: {}\n", stop.message);
+    return stop.exit_code;
   }
-  return run_on_stream(o);
 }
 
 }  // namespace

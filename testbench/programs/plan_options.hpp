@@ -1,5 +1,4 @@
-// What the commands that check blocks of a stream have in common: which blocks, in which order, and
-// the report.
+// Which blocks of a stream a command checks, and in which order.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +6,8 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
+#include "programs/commands.hpp"
 #include "stimulus/sequences.hpp"
 
 namespace hmlfc::tb {
@@ -34,14 +33,17 @@ struct PlanOptions {
     app.add_option("--fraction", plan.fraction, "Share of the blocks, drawn by the seed")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
-    app.add_option("--mixed", mixed, "Number of random requests of all kinds, in place of views");
+    app.add_option("--mixed", mixed, "Number of random requests of all kinds, instead of views");
   }
 
-  /// Takes views and order into the plan; false where views is neither a number nor all.
-  bool apply() {
+  /// Takes views and order into the plan. Throws Stop where views is neither a number nor all.
+  void apply() {
     plan.random_order = order == "random";
-    if (views == "all") plan.views = ~uint64_t{0};
-    return views == "all" || (CLI::detail::lexical_cast(views, plan.views) && plan.views != 0);
+    if (views == "all") {
+      plan.views = ~uint64_t{0};
+    } else if (!CLI::detail::lexical_cast(views, plan.views) || plan.views == 0) {
+      throw Stop{"--views is a number or all"};
+    }
   }
 
   RequestSource requests(const Geometry& geometry, const StreamHeader& header) const {
@@ -60,18 +62,5 @@ struct PlanOptions {
     return text;
   }
 };
-
-/// Prints a report as JSON, or a line for each value; then the verdict of its member "passed".
-inline void print_report(const nlohmann::ordered_json& report, bool as_json) {
-  if (as_json) return fmt::print("{}\n", report.dump(2));
-  const nlohmann::ordered_json values = report.flatten();
-  for (const auto& [path, value] : values.items()) {
-    const std::string text = value.is_string()         ? value.get<std::string>()
-                             : value.is_number_float() ? fmt::format("{:.4f}", double{value})
-                                                       : value.dump();
-    if (!value.empty()) fmt::print("{:<40} {}\n", path.substr(1), text);
-  }
-  fmt::print("{}\n", report["passed"] ? "equal to the model" : "FAILED");
-}
 
 }  // namespace hmlfc::tb

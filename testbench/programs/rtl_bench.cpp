@@ -1,18 +1,13 @@
-// rtl-bench: throughput and latency of the decode unit on whole streams.
+// bench: throughput and latency of the decode unit on whole streams.
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
-#include "io/files.hpp"
 #include "io/json_text.hpp"
+#include "programs/commands.hpp"
 #include "systemc/measurement.hpp"
-#include "unit/stand_in.hpp"
 #include "unit/units.hpp"
 
 namespace hmlfc::tb {
@@ -41,7 +36,6 @@ struct Options {
   MeasurementSize size;
   std::string before;
   bool json = false;
-  bool fault = false;
 };
 
 std::string traffic_text(const Json& rows) {
@@ -111,43 +105,49 @@ std::string changes(const Json& before, const Json& now) {
   return text.empty() ? "no row changed by half a percent\n" : text;
 }
 
-// The report in file `path`, or what is wrong with it.
-tl::expected<Json, std::string> report_in(const std::string& path) {
-  const auto file = io::map_file(path);
-  if (!file) return tl::unexpected(file.error().message);
-  Json report = io::parse_json<Json>(file->bytes(), kReportLimits).value_or(Json());
+// The report in file `path`. Throws Stop.
+Json report_in(const std::string& path) {
+  Json report = io::parse_json<Json>(read_file(path).bytes(), kReportLimits).value_or(Json());
   try {
     changes(report, report);
     if (report.is_array()) return report;
   } catch (const Json::exception&) {
   }
-  return tl::unexpected(path + ": not a report of rtl-bench --json");
+  throw Stop{path + ": not a report of rtl-bench --json"};
 }
 
-// The Verilated unit, or a stand-in that gives one wrong sample.
-std::optional<UnitMaker> choose_unit(const Options& o) {
-  if (o.fault) {
-    return UnitMaker{
-        "stand-in", {2, 12, 16, 16}, [](const UnitParameters& parameters) {
-          return std::unique_ptr<DecodeUnit>(std::make_unique<StandIn>(parameters, Fault::kSample));
-        }};
-  }
+int run(const Options& o) {
   const auto makers = rtl_units();
   const UnitMaker* maker = unit_for(makers, 2, 8);
-  return maker == nullptr ? std::nullopt : std::optional(*maker);
+  if (maker == nullptr) throw Stop{"this build has no Verilated unit for blocks of 4"};
+  const Json before = o.before.empty() ? Json() : report_in(o.before);
+  std::vector<std::unique_ptr<Bench>> benches;
+  for (size_t i = 0; i < kMostUnits; ++i) {
+    benches.push_back(std::make_unique<Bench>(fmt::format("unit{}_", i)));
+  }
+  Json streams = Json::array();
+  for (const std::string& path : o.files) {
+    const MappedFile file = read_file(path);
+    Measurement measurement(benches, *maker, o.size, file.bytes());
+    Json report = measurement.run();
+    if (const Mismatch* mismatch = measurement.finding()) {
+      throw Stop{path + ": " + to_string(*mismatch), kExitDifferent};
+    }
+    if (report.empty()) throw Stop{path + " is no stream that the unit takes"};
+    report["stream"] = std::filesystem::path(path).stem().string();
+    streams.push_back(std::move(report));
+  }
+  fmt::print("{}", o.json ? streams.dump(2) + "\n" : to_text(streams));
+  if (!o.before.empty()) fmt::print(o.json ? stderr : stdout, "{}", changes(before, streams));
+  return 0;
 }
 
-constexpr int kExitDifferent = 1;
-constexpr int kExitUsage = 2;
+}  // namespace
 
-int usage_error(const std::string& message) {
-  fmt::print(stderr, "rtl-bench: {}\n", message);
-  return kExitUsage;
-}
-
-int run(int argc, char** argv) {
-  CLI::App app{kDescription};
-  Options o;
+Command add_bench(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  Options& o = *options;
+  app.footer(kDescription);
   app.add_option("STREAM", o.files, "Streams with blocks of 4")->required();
   app.add_option("--requests", o.size.requests,
                  "Requests of a row and unit, at most those of a view")
@@ -160,41 +160,7 @@ int run(int argc, char** argv) {
   app.add_flag("--json", o.json, "Print JSON");
   app.add_option("--compare", o.before,
                  "What --json printed before: also print the rows whose clocks changed");
-  app.add_flag("--fault", o.fault,
-               "Measure a stand-in with a wrong sample, which must be an error");
-  CLI11_PARSE(app, argc, argv);
-  const auto maker = choose_unit(o);
-  if (!maker) return usage_error("this build has no Verilated unit for blocks of 4");
-  Json before;
-  if (!o.before.empty()) {
-    auto report = report_in(o.before);
-    if (!report) return usage_error(report.error());
-    before = std::move(*report);
-  }
-  std::vector<std::unique_ptr<Bench>> benches;
-  for (size_t i = 0; i < kMostUnits; ++i) {
-    benches.push_back(std::make_unique<Bench>(fmt::format("unit{}_", i)));
-  }
-  Json streams = Json::array();
-  for (const std::string& path : o.files) {
-    const auto file = io::map_file(path);
-    if (!file) return usage_error(file.error().message);
-    Measurement measurement(benches, *maker, o.size, file->bytes());
-    Json report = measurement.run();
-    if (const Mismatch* mismatch = measurement.finding()) {
-      fmt::print(stderr, "rtl-bench: {}: {}\n", path, to_string(*mismatch));
-      return kExitDifferent;
-    }
-    if (report.empty()) return usage_error(path + " is no stream that the unit takes");
-    report["stream"] = std::filesystem::path(path).stem().string();
-    streams.push_back(std::move(report));
-  }
-  fmt::print("{}", o.json ? streams.dump(2) + "\n" : to_text(streams));
-  if (!o.before.empty()) fmt::print(o.json ? stderr : stdout, "{}", changes(before, streams));
-  return 0;
+  return [options] { return run(*options); };
 }
 
-}  // namespace
 }  // namespace hmlfc::tb
-
-int sc_main(int argc, char** argv) { return hmlfc::tb::run(argc, argv); }

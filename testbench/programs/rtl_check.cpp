@@ -1,19 +1,12 @@
-// rtl-check: every block of a stream, or a part of them, through the unit and the golden model.
+// check: every block of a stream, or a part of them, through the unit and the golden model.
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
-#include "io/files.hpp"
 #include "programs/plan_options.hpp"
-#include "syntax/header.hpp"
 #include "systemc/bench.hpp"
 #include "systemc/failure_folder.hpp"
 #include "systemc/stream_image.hpp"
-#include "unit/stand_in.hpp"
 #include "unit/units.hpp"
 
 namespace hmlfc::tb {
@@ -24,14 +17,11 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, kBlockKinds> kKindNames{
     "zero", "motion only", "motion and residual", "residual only", "key image"};
 
-constexpr int kExitDifferent = 1;
-constexpr int kExitUsage = 2;
 constexpr size_t kHistory = 128;
 
 struct Options {
   std::string file;
   PlanOptions plan;
-  std::string unit = "rtl";
   std::string output = "out";
   Conditions conditions;
   bool random_conditions = false;
@@ -39,11 +29,6 @@ struct Options {
   bool coverage = false;
   bool answers_only = false;
 };
-
-int usage_error(const std::string& message) {
-  fmt::print(stderr, "rtl-check: {}\n", message);
-  return kExitUsage;
-}
 
 void add_options(CLI::App& app, Options& o) {
   app.add_option("file", o.file, "The stream")->required();
@@ -56,9 +41,6 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--backpressure", o.conditions.backpressure, "Permille of clocks without ready")
       ->check(CLI::Range(0, 990));
   app.add_flag("--random-conditions", o.random_conditions, "Draw these by the seed");
-  app.add_option("--unit", o.unit, "rtl or stand-in")
-      ->check(CLI::IsMember({"rtl", "stand-in"}))
-      ->capture_default_str();
   app.add_option("--output", o.output, "Folder in which failure/ID/ is created")
       ->capture_default_str();
   app.add_flag("--answers-only", o.answers_only, "Do not compare the stages of the trace port");
@@ -75,22 +57,7 @@ std::string replay_command(const Options& o) {
                         o.conditions.stall, o.conditions.backpressure);
   }
   if (o.answers_only) text += " --answers-only";
-  if (o.unit != "rtl") text += " --unit " + o.unit;
   return text;
-}
-
-// The unit for the stream, whatever its header says, or one of any parameters.
-std::optional<UnitMaker> choose_unit(const Options& o, std::span<const uint8_t> file) {
-  const auto header = parse_header(file);
-  if (o.unit == "stand-in") {
-    UnitParameters parameters{2, 12, 16, 16};
-    if (header) parameters.block_log2 = header->block_log2;
-    return UnitMaker{"stand-in", parameters, &StandIn::make};
-  }
-  const auto makers = rtl_units();
-  if (makers.empty()) return std::nullopt;
-  const UnitMaker* fitting = header ? unit_for(makers, header->block_log2, header->depth) : nullptr;
-  return fitting != nullptr ? *fitting : makers.front();
 }
 
 RequestSource requests_of(const Options& o, const StreamImage& image) {
@@ -107,14 +74,13 @@ bool counts_agree(const ScoreCounts& counts) {
 }
 
 // What a finished run came to.
-Json report_of(const Options& o, Bench& bench, const UnitMaker& maker) {
+Json report_of(const Options& o, Bench& bench) {
   const ScoreCounts& c = bench.scoreboard().counts();
   const RunStatistics& run = bench.statistics();
   const auto blocks = static_cast<double>(c.received);
   const auto clocks = static_cast<double>(run.clocks);
   const auto& mismatch = bench.findings().first();
   Json report{{"file", o.file},
-              {"unit", maker.name},
               {"seed", o.plan.plan.seed},
               {"replay", replay_command(o)},
               {"passed", !mismatch && counts_agree(c)},
@@ -133,17 +99,14 @@ Json report_of(const Options& o, Bench& bench, const UnitMaker& maker) {
               {"clocks_per_block", ratio(clocks, blocks)},
               {"level_blocks_per_clock", ratio(static_cast<double>(c.records), clocks)},
               {"bytes_read", run.bytes_read},
-              {"bursts", bench.memory().counts().bursts},
+              {"bursts", bench.memory().read_bursts},
               {"bytes_per_block", ratio(static_cast<double>(run.bytes_read), blocks)},
               {"answer_stalls", bench.stream_counts().answer_stalls},
               {"seconds", run.seconds},
               {"blocks_per_second", ratio(blocks, run.seconds)},
               {"clocks_per_second", ratio(clocks, run.seconds)}};
   for (size_t k = 0; k < kBlockKinds; ++k) {
-    const auto count = static_cast<double>(c.kind_records[k]);
-    report["level_blocks"][kKindNames[k]] = {
-        {"count", c.kind_records[k]},
-        {"clocks", ratio(static_cast<double>(c.kind_clocks[k]), count)}};
+    report["level_blocks"][kKindNames[k]] = c.kind_records[k];
   }
   if (mismatch) report["mismatch"] = to_string(*mismatch);
   return report;
@@ -154,7 +117,7 @@ Json check(const Options& o, std::span<const uint8_t> file, const UnitMaker& mak
   StreamImage image(file, maker.parameters);
   RecordedSource recorded(kHistory);
   const uint64_t seed = o.plan.plan.seed;
-  bench.attach(maker.make(maker.parameters.with_state(seed)));
+  bench.attach(maker.make(maker.parameters.with_state(seed), nullptr));
   if (o.answers_only) bench.compare_answers_only();
   if (o.random_conditions) bench.draw_places(seed);
   image.load_into(bench);
@@ -163,7 +126,7 @@ Json check(const Options& o, std::span<const uint8_t> file, const UnitMaker& mak
     bench.run(recorded.record(requests_of(o, image)), image.oracle(), o.conditions, seed);
     if (!bench.findings().first()) bench.check_counters();
   }
-  Json report = report_of(o, bench, maker);
+  Json report = report_of(o, bench);
   if (o.coverage) fmt::print(stderr, "{}", bench.coverage().report());
   if (const auto mismatch = bench.findings().first()) {
     const Failure failure{
@@ -174,28 +137,23 @@ Json check(const Options& o, std::span<const uint8_t> file, const UnitMaker& mak
   return report;
 }
 
-int run(int argc, char** argv) {
-  CLI::App app{"Checks blocks of a stream against the golden model"};
-  Options o;
-  add_options(app, o);
-  CLI11_PARSE(app, argc, argv);
-  if (!o.plan.apply()) return usage_error("--views is a number or all");
+int run(Options& o) {
+  o.plan.apply();
   if (o.random_conditions) o.conditions = random_conditions(o.plan.plan.seed);
-  const auto file = io::map_file(o.file);
-  if (!file) return usage_error(file.error().message);
-  const auto maker = choose_unit(o, file->bytes());
-  if (!maker) return usage_error("this build has no Verilated unit (Verilator is missing)");
-  const std::string head =
-      fmt::format("seed {}, replay: {}\n", o.plan.plan.seed, replay_command(o));
-  fmt::print(stderr, "{}", head);
-  const Json report = check(o, file->bytes(), *maker);
-  print_report(report, o.json);
-  std::fflush(stdout);
-  fmt::print(stderr, "{}", head);
-  return report["passed"] ? 0 : kExitDifferent;
+  const MappedFile file = read_file(o.file);
+  const auto makers = rtl_units();
+  const UnitMaker* maker = unit_for(makers, file.bytes());
+  if (maker == nullptr) throw Stop{"this build has no Verilated unit (Verilator is missing)"};
+  return with_replay(o.plan.plan.seed, replay_command(o),
+                     [&] { return print_report(check(o, file.bytes(), *maker), o.json); });
 }
 
 }  // namespace
-}  // namespace hmlfc::tb
 
-int sc_main(int argc, char** argv) { return hmlfc::tb::run(argc, argv); }
+Command add_check(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  add_options(app, *options);
+  return [options] { return run(*options); };
+}
+
+}  // namespace hmlfc::tb

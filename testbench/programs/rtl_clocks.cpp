@@ -1,19 +1,15 @@
-// rtl-clocks: measures what blocks of each state take.
+// clocks: measures what blocks of each state take.
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
 #include <hmlfc/encoder.hpp>
 
+#include "programs/commands.hpp"
 #include "scenes/test_light_fields.hpp"
 #include "stimulus/sequences.hpp"
 #include "systemc/bench.hpp"
@@ -26,8 +22,8 @@ namespace {
 constexpr LightFieldShape kShape{4, 4, 192, 128, 8};
 constexpr uint64_t kSeed = 1;
 
-// One row to measure. The cost of a block at level `level` is what requests that stop there take
-// more than those that stop one level above.
+// One row to measure. The cost of a block at level `level` is the difference between requests that
+// stop there and requests that stop one level above.
 struct Case {
   const char* name;
   const char* stream;  // what it is measured on
@@ -111,14 +107,14 @@ uint64_t clocks_of(Bench& bench, StreamImage& image, RequestSource source) {
   return bench.statistics().clocks;
 }
 
-class Measurement {
+class ClockMeasurement {
  public:
-  Measurement(Bench& bench, const Case& c, const UnitMaker& maker)
+  ClockMeasurement(Bench& bench, const Case& c, const UnitMaker& maker)
       : bench_(bench),
         case_(c),
         bytes_(encode(light_field(c), c.params)->bytes),
         image_(bytes_, maker.parameters) {
-    bench_.attach(maker.make(maker.parameters));
+    bench_.attach(maker.make(maker.parameters, nullptr));
     const uint64_t begin = bench_.cycle();
     image_.load_into(bench_);
     load_ = bench_.cycle() - begin;
@@ -176,7 +172,7 @@ std::vector<BlockClocks> measure_clocks(Bench& bench, const UnitMaker& maker) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   for (const Case& c : cases()) {
     if (terminal) fmt::print(stderr, "\r\033[K{}", c.name);
-    Measurement measurement(bench, c, maker);
+    ClockMeasurement measurement(bench, c, maker);
     if (!bench.findings().first()) rows.push_back(measurement.run());
     if (bench.findings().first()) break;
   }
@@ -221,44 +217,45 @@ std::string to_header(const std::vector<BlockClocks>& rows) {
     warm = std::max(warm, row.warm);
   }
   return fmt::format(
-      "// Made by rtl_clocks --header from what the unit takes: build the target rtl_latencies.\n"
+      "// Made by testbench clocks --header from what the unit takes: build the target "
+      "rtl_latencies.\n"
       "#pragma once\n\n#include <array>\n#include <cstdint>\n\nnamespace hmlfc::tb {{\n\n"
-      "/// Of a LOAD.\ninline constexpr uint64_t kLoadClocks = {};\n"
-      "/// Of a request, besides its level blocks.\n"
+      "/// Clocks of a LOAD.\ninline constexpr uint64_t kLoadClocks = {};\n"
+      "/// Clocks of a request without its level blocks.\n"
       "inline constexpr uint64_t kRequestClocks = {};\n"
-      "/// Of a level block: zero, motion only, motion and residual, residual only, key image.\n"
+      "/// Clocks of a level block: zero, motion only, motion and residual, residual only, key "
+      "image.\n"
       "inline constexpr std::array<uint64_t, 5> kLevelBlockClocks{{{}}};\n\n"
       "}}  // namespace hmlfc::tb\n",
       load_clocks(rows), warm, fmt::join(kinds, ", "));
 }
 
-constexpr int kExitDifferent = 1;
-constexpr int kExitUsage = 2;
-
-int run(int argc, char** argv) {
-  CLI::App app{"Measures how many clocks the decode unit takes for blocks of each state"};
+struct Options {
   bool json = false;
   bool header = false;
-  app.add_flag("--json", json, "Print JSON");
-  app.add_flag("--header", header, "Print tlm/latency_table.hpp, which the TLM model uses");
-  CLI11_PARSE(app, argc, argv);
+};
+
+int run(const Options& o) {
   const auto makers = rtl_units();
   const UnitMaker* maker = unit_for(makers, 2, 8);
-  if (maker == nullptr) {
-    fmt::print(stderr, "rtl-clocks: this build has no Verilated unit for blocks of 4\n");
-    return kExitUsage;
-  }
+  if (maker == nullptr) throw Stop{"this build has no Verilated unit for blocks of 4"};
   Bench bench;
   const std::vector<BlockClocks> rows = measure_clocks(bench, *maker);
   if (const auto& mismatch = bench.findings().first()) {
-    fmt::print(stderr, "rtl-clocks: {}\n", to_string(*mismatch));
-    return kExitDifferent;
+    throw Stop{to_string(*mismatch), kExitDifferent};
   }
-  fmt::print("{}", header ? to_header(rows) : json ? to_json(rows) : to_text(rows));
+  fmt::print("{}", o.header ? to_header(rows) : o.json ? to_json(rows) : to_text(rows));
   return 0;
 }
 
 }  // namespace
-}  // namespace hmlfc::tb
 
-int sc_main(int argc, char** argv) { return hmlfc::tb::run(argc, argv); }
+Command add_clocks(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_flag("--json", options->json, "Print JSON");
+  app.add_flag("--header", options->header,
+               "Print tlm/latency_table.hpp, which the transaction-level model uses");
+  return [options] { return run(*options); };
+}
+
+}  // namespace hmlfc::tb

@@ -65,12 +65,9 @@ def show(summary, functional):
     for module, row in [*summary.items(), ("all", total)]:
         cells = (f"{covered:>8} /{points:>6} {percent(covered, points):6.1f} %" for covered, points in row.values())
         print(f"{module:<26}" + "".join(cells))
-    for kind, counts in functional.items():
-        met = sum(count > 0 for count in counts.values())
-        print(f"functional {kind}: {met} of {len(counts)}")
-        for name, count in counts.items():
-            if count == 0:
-                print(f"  not met: {name}")
+    print(f"functional points: {sum(count > 0 for count in functional.values())} of {len(functional)}")
+    for name in [name for name, count in functional.items() if count == 0]:
+        print(f"  not met: {name}")
 
 
 def merge(folder, merged):
@@ -91,24 +88,23 @@ def run_seeds(program, seed, count, work, merged, functional):
     """Runs rtl-random on these seeds; adds to merged and functional."""
     points_file = work / "points.json"
     environment = dict(os.environ, HMLFC_RTL_COVERAGE_DIR=str(work))
-    command = [program, "--seed", str(seed), "--count", str(count), "--points", points_file]
+    command = [program, "random", "--seed", str(seed), "--count", str(count), "--points", points_file]
     result = subprocess.run(command, env=environment, capture_output=True, text=True)
     if result.returncode != 0:
         sys.exit(f"rtl-coverage: the decode unit differs from the model:\n{result.stdout}{result.stderr}")
-    for kind, counts in json.loads(points_file.read_text()).items():
-        for name, hits in counts.items():
-            functional[kind][name] = functional[kind].get(name, 0) + hits
+    for name, hits in json.loads(points_file.read_text()).items():
+        functional[name] = functional.get(name, 0) + hits
     merge(work, merged)
 
 
 def main():
     parser = argparse.ArgumentParser(prog="./run rtl-coverage", description=__doc__)
-    parser.add_argument("program", help=argparse.SUPPRESS)  # rtl_random of the build with coverage
+    parser.add_argument("program", help=argparse.SUPPRESS)  # testbench of the build with coverage
     parser.add_argument("--seed", type=int, default=0, help="of the first stream (default 0)")
     parser.add_argument("--count", type=int, default=60, help="how many seeds (default 60)")
     parser.add_argument("--missed", choices=KINDS, help="also list what was not reached")
     options = parser.parse_args()
-    functional = {"points": {}, "crosses": {}}
+    functional = {}
     with tempfile.TemporaryDirectory(prefix="hmlfc-coverage-") as name:
         work = Path(name)
         merged = work / "all.merged"

@@ -1,4 +1,4 @@
-// rtl-random: the regression. Random streams of both profiles, intact and damaged, or the
+// random: the regression. Random streams of both profiles, intact and damaged, or the
 // conformance vectors, with random sequences and conditions, all by seed.
 #include <unistd.h>
 
@@ -6,28 +6,20 @@
 #include <filesystem>
 #include <fstream>
 
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
-#include "io/files.hpp"
+#include "programs/commands.hpp"
 #include "syntax/header.hpp"
 #include "systemc/failure_folder.hpp"
 #include "systemc/suite.hpp"
 #include "terminal/clock.hpp"
-#include "unit/stand_in.hpp"
 #include "vectors/manifest.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
-constexpr int kExitDifferent = 1;
-constexpr int kExitUsage = 2;
-
 struct Options {
   uint32_t seed = 0;
   uint32_t count = 1;
   double minutes = 0;
-  std::string unit = "rtl";
   std::string output = "out";
   bool coverage = false;
   bool all_points = false;
@@ -45,15 +37,7 @@ struct Case {
 std::string replay_command(const Options& o, uint32_t seed, uint32_t count) {
   std::string text = fmt::format("./run rtl-random --seed {} --count {}", seed, count);
   if (!o.suite.empty()) text += " --suite " + o.suite;
-  if (o.unit != "rtl") text += " --unit " + o.unit;
   return text;
-}
-
-std::vector<UnitMaker> makers_of(const Options& o) {
-  if (o.unit == "rtl") return rtl_units();
-  return {{"stand-in", {2, 12, 16, 16}, &StandIn::make},
-          {"stand-in", {1, 12, 8, 16}, &StandIn::make},
-          {"stand-in", {3, 12, 16, 16}, &StandIn::make}};
 }
 
 // One stream on one unit; whether all was equal.
@@ -90,19 +74,18 @@ bool run_seed(Bench& bench, const std::vector<UnitMaker>& makers, const Options&
 std::vector<vectors::Vector> vectors_of(const Options& o) {
   if (o.suite.empty()) return {};
   auto manifest = vectors::read_manifest(o.suite);
-  if (!manifest) throw std::runtime_error(manifest.error().message);
+  if (!manifest) throw Stop{manifest.error().message};
   return std::move(manifest->vectors);
 }
 
 // A vector on the unit for its block size; without a sound header on the first.
 bool run_vector(Bench& bench, const std::vector<UnitMaker>& makers, const Options& o,
                 const vectors::Vector& vector, uint32_t seed, ScoreCounts& total) {
-  const auto file = io::map_file(std::filesystem::path(o.suite) / vector.input.file);
-  if (!file) throw std::runtime_error(file.error().message);
-  const auto header = parse_header(file->bytes());
+  const MappedFile file = read_file(std::filesystem::path(o.suite) / vector.input.file);
+  const auto header = parse_header(file.bytes());
   const UnitMaker* maker =
       header ? unit_for(makers, header->block_log2, header->depth) : &makers.front();
-  const Case one{seed, vector.id.text(), {file->bytes().begin(), file->bytes().end()}};
+  const Case one{seed, vector.id.text(), {file.bytes().begin(), file.bytes().end()}};
   return maker == nullptr || run_stream(bench, *maker, o, one, total);
 }
 
@@ -121,34 +104,27 @@ bool goes_on(const Options& o, uint32_t seed, const Clock& clock) {
   return more;
 }
 
-int run(int argc, char** argv) {
-  CLI::App app{"Checks the decode unit on random streams"};
-  Options o;
+void add_options(CLI::App& app, Options& o) {
   app.add_option("--seed", o.seed, "Seed of the first stream")->capture_default_str();
   app.add_option("--count", o.count, "Number of seeds")->capture_default_str();
-  app.add_option("--minutes", o.minutes, "Run for this time in place of --count seeds")
+  app.add_option("--minutes", o.minutes, "Run for this time instead of --count seeds")
       ->check(CLI::Range(0.0, 100000.0));
-  app.add_option("--unit", o.unit, "rtl or stand-in")
-      ->check(CLI::IsMember({"rtl", "stand-in"}))
-      ->capture_default_str();
   app.add_option("--output", o.output, "Folder in which failure/ID/ is created")
       ->capture_default_str();
   app.add_option(
       "--suite", o.suite,
-      "Run the vectors of this folder in place of random streams; a seed is a vector's number");
+      "Run the vectors of this folder instead of random streams; a seed is a vector's number");
   app.add_flag("--coverage", o.coverage, "Print the functional coverage");
-  app.add_flag("--all-points", o.all_points,
-               "Fail where a functional point is not met; crosses may be");
+  app.add_flag("--all-points", o.all_points, "Fail where a functional point is not met");
   app.add_option("--points", o.points, "Write the functional coverage to this file, as JSON");
-  CLI11_PARSE(app, argc, argv);
-  const auto makers = makers_of(o);
-  if (makers.empty()) {
-    fmt::print(stderr, "rtl-random: this build has no Verilated unit (Verilator is missing)\n");
-    return kExitUsage;
-  }
+}
+
+int run(Options& o) {
+  const auto makers = rtl_units();
+  if (makers.empty()) throw Stop{"this build has no Verilated unit (Verilator is missing)"};
   const std::vector<vectors::Vector> suite = vectors_of(o);
   if (!o.suite.empty()) {
-    if (o.seed >= suite.size()) throw std::runtime_error(o.suite + " has no vector of that number");
+    if (o.seed >= suite.size()) throw Stop{o.suite + " has no vector of that number"};
     o.minutes = 0;
     o.count = std::min(o.count, static_cast<uint32_t>(suite.size()) - o.seed);
   }
@@ -182,13 +158,11 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace hmlfc::tb
 
-int sc_main(int argc, char** argv) {
-  try {
-    return hmlfc::tb::run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "rtl-random: {}\n", error.what());
-    return hmlfc::tb::kExitUsage;
-  }
+Command add_random(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  add_options(app, *options);
+  return [options] { return run(*options); };
 }
+
+}  // namespace hmlfc::tb

@@ -1,28 +1,22 @@
-// rtl-view: a rectangle of a view through descriptor and DMA, every byte compared with the golden
+// view: a rectangle of a view through descriptor and DMA, every byte compared with the golden
 // model.
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
-#include "io/files.hpp"
 #include "io/image_files.hpp"
+#include "programs/commands.hpp"
 #include "stimulus/sequences.hpp"
 #include "syntax/header.hpp"
 #include "systemc/stream_image.hpp"
+#include "unit/units.hpp"
 #include "view/view_bench.hpp"
 #include "view/view_pictures.hpp"
-#include "view/view_units.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
-constexpr int kExitDifferent = 1;
-constexpr int kExitUsage = 2;
 constexpr int kExitOutput = 74;
 constexpr uint32_t kTag = 0x77656976;
 
@@ -36,11 +30,6 @@ struct Options {
   uint64_t seed = 0;
   bool random_conditions = false;
 };
-
-int usage_error(const std::string& message) {
-  fmt::print(stderr, "rtl-view: {}\n", message);
-  return kExitUsage;
-}
 
 ViewFormat format_of(const std::string& name) {
   const auto found = std::ranges::find(kViewFormatNames, name);
@@ -64,15 +53,15 @@ Descriptor descriptor_of(const Options& o, const Geometry& geometry) {
 }
 
 int decode(const Options& o, std::span<const uint8_t> file, const StreamHeader& header,
-           const ViewMaker& maker) {
+           const UnitMaker& maker) {
   StreamImage image(file, maker.parameters);
-  if (image.golden() == nullptr) return usage_error(status_name(image.load_error()));
+  if (image.golden() == nullptr) throw Stop{status_name(image.load_error())};
   Descriptor d = descriptor_of(o, image.golden()->geometry());
-  if (d.width == 0 || d.height == 0) return usage_error("the rectangle is empty");
-  ViewBench bench(maker.make(maker.parameters.with_state(o.seed), image.oracle()), file,
+  if (d.width == 0 || d.height == 0) throw Stop{"the rectangle is empty"};
+  ViewBench bench(maker.make(maker.parameters.with_state(o.seed), nullptr), file,
                   image.area().bytes, image.oracle());
   ViewHost& host = bench.host();
-  if (o.random_conditions) host.set_conditions(random_conditions(o.seed), o.seed);
+  if (o.random_conditions) host.memory().start(random_conditions(o.seed), o.seed);
   bench.fill_area();
   fmt::print("reference area of {} bytes, filled in {} clocks\n", host.area().size(),
              host.clocks());
@@ -94,18 +83,27 @@ int decode(const Options& o, std::span<const uint8_t> file, const StreamHeader& 
              status.block_errors);
   if (!o.output.empty() && d.format >= ViewFormat::kRgb888) {
     const auto saved = io::write_ppm(o.output, read_pixels(d, host.memory().content, header.depth));
-    if (!saved) {
-      fmt::print(stderr, "rtl-view: {}\n", saved.error().message);
-      return kExitOutput;
-    }
+    if (!saved) throw Stop{saved.error().message, kExitOutput};
   }
   fmt::print("{}\n", bench.finding().empty() ? "equal to the model" : "FAILED: " + bench.finding());
   return bench.finding().empty() ? 0 : kExitDifferent;
 }
 
-int run(int argc, char** argv) {
-  CLI::App app{"Decodes a view to memory in the view unit and compares every byte with the model"};
-  Options o;
+int run(const Options& o) {
+  const MappedFile file = read_file(o.file);
+  const auto header = parse_header(file.bytes());
+  if (!header) throw Stop{"the stream's header is damaged"};
+  const auto makers = view_units();
+  const UnitMaker* maker = unit_for(makers, header->block_log2, header->depth);
+  if (maker == nullptr) throw Stop{"this build has no view unit for the stream"};
+  return decode(o, file.bytes(), *header, *maker);
+}
+
+}  // namespace
+
+Command add_view(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  Options& o = *options;
   app.add_option("FILE", o.file, "The stream")->required();
   app.add_option("--view", o.view, "Row and column")->delimiter(',')->expected(2);
   app.add_option("--format", o.format, "Of the pixels, or a plane")
@@ -118,18 +116,7 @@ int run(int argc, char** argv) {
   app.add_option("--out", o.output, "A PPM of what was written, for RGB");
   app.add_flag("--random-conditions", o.random_conditions, "Latencies and stalls by the seed");
   app.add_option("--seed", o.seed)->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  const auto file = io::map_file(o.file);
-  if (!file) return usage_error(file.error().message);
-  const auto header = parse_header(file->bytes());
-  if (!header) return usage_error("the stream's header is damaged");
-  const auto makers = view_units();
-  const ViewMaker* maker = view_unit_for(makers, header->block_log2, header->depth);
-  if (maker == nullptr) return usage_error("this build has no view unit for the stream");
-  return decode(o, file->bytes(), *header, *maker);
+  return [options] { return run(*options); };
 }
 
-}  // namespace
 }  // namespace hmlfc::tb
-
-int sc_main(int argc, char** argv) { return hmlfc::tb::run(argc, argv); }

@@ -7,8 +7,6 @@
 #include <array>
 #include <utility>
 
-#include "syntax/header.hpp"
-
 struct hmlfc_dut {
   std::unique_ptr<hmlfc::tb::UnitDecoder> decoder;
 };
@@ -16,7 +14,7 @@ struct hmlfc_dut {
 namespace hmlfc::tb {
 namespace {
 
-// All blocks of `plane`, or of plane Y for kRgb, of a view, row by row.
+// Requests all blocks of a view in `plane` (for kRgb as many as plane Y has), row by row.
 std::vector<Request> view_requests(const Geometry& geometry, ViewPos view, unsigned plane) {
   const PlaneShape& shape = geometry.plane(plane == kRgb ? Plane::kY : static_cast<Plane>(plane));
   std::vector<Request> requests;
@@ -78,16 +76,9 @@ class StageTeller {
 
 }  // namespace
 
-const UnitMaker* UnitDecoder::maker_for(std::span<const uint8_t> stream) {
-  static const std::vector<UnitMaker> makers = rtl_units();
-  if (makers.empty()) return nullptr;
-  const auto header = parse_header(stream);
-  const UnitMaker* maker = header ? unit_for(makers, header->block_log2, header->depth) : nullptr;
-  return maker != nullptr ? maker : &makers.front();
-}
-
 UnitResult<std::unique_ptr<UnitDecoder>> UnitDecoder::open(std::span<const uint8_t> stream) {
-  const UnitMaker* maker = maker_for(stream);
+  static const std::vector<UnitMaker> makers = rtl_units();
+  const UnitMaker* maker = unit_for(makers, stream);
   if (maker == nullptr) return tl::unexpected(HMLFC_DUT_CANNOT_RUN);
   std::unique_ptr<UnitDecoder> decoder(new UnitDecoder(stream, *maker));
   if (const uint8_t error = decoder->unit_.load(); error != 0) return tl::unexpected(int{error});

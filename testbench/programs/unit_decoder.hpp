@@ -1,4 +1,4 @@
-// One stream in a Verilated decode unit, and the unit behind hmlfc_dut.h.
+// One stream in a Verilated decode unit, and the functions of hmlfc_dut.h for it.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,10 @@ namespace hmlfc::tb {
 template <class T>
 using UnitResult = tl::expected<T, int>;
 
-/// The unit decodes, software does what the unit leaves to it: CRCs of sections (FIL-6), the TOP
-/// table (KEY-1), key images. Functions throw UnitHangs.
+/// The unit decodes; software checks the CRCs of sections (FIL-6) and the TOP table (KEY-1), and
+/// decodes key images. Functions throw UnitHangs.
 class UnitDecoder {
  public:
-  /// The unit that takes the stream. Without a sound header, any: each must refuse it. Null if this
-  /// build has no Verilated unit.
-  static const UnitMaker* maker_for(std::span<const uint8_t> stream);
-
   /// `stream` must outlive the decoder.
   static UnitResult<std::unique_ptr<UnitDecoder>> open(std::span<const uint8_t> stream);
 
@@ -42,7 +38,7 @@ class UnitDecoder {
  private:
   UnitDecoder(std::span<const uint8_t> stream, const UnitMaker& maker)
       : image_(stream, maker.parameters),
-        unit_(maker.make(maker.parameters), stream, image_.area().bytes) {}
+        unit_(maker.make(maker.parameters, nullptr), stream, image_.area().bytes) {}
 
   int error_of_view(ViewPos view, int status);
 
@@ -50,7 +46,7 @@ class UnitDecoder {
   UnitHost unit_;
 };
 
-/// The functions of hmlfc_dut.h for it.
+/// The functions of hmlfc_dut.h for a UnitDecoder.
 conform::DutFunctions unit_functions();
 
 }  // namespace hmlfc::tb

@@ -14,13 +14,13 @@ class AddressSpace {
  public:
   static constexpr uint64_t kEnd = uint64_t{1} << 40;
   static constexpr uint64_t kApart = 64;       ///< bytes between two places, at least
-  static constexpr uint64_t kReadBehind = 31;  ///< that a unit may read behind what it needs
+  static constexpr uint64_t kReadBehind = 31;  ///< that a unit may read after what it needs
 
   explicit AddressSpace(uint64_t seed) : random_(seed) {}
 
   /// A place for `bytes`, in [1, 2^32], at a multiple of `alignment`, apart from those taken: in
-  /// one of eight cases the lowest, in one the highest behind which `behind` bytes are left, in one
-  /// across or beside a multiple of 4 GiB, else anywhere. Takes it.
+  /// one of eight cases the lowest, in one the highest that leaves `behind` bytes after it, in one
+  /// across or next to a multiple of 4 GiB, else anywhere. Takes it.
   uint64_t take(uint64_t bytes, uint64_t alignment, uint64_t behind);
 
   /// How many places are taken.

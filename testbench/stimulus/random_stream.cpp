@@ -22,7 +22,7 @@ namespace {
 constexpr size_t kCrcBytes = 4;
 constexpr size_t kVersionByte = 8;  // FIL-1
 constexpr size_t kProfileByte = 9;
-constexpr uint32_t kOneViewSeeds = 14;  // and the next, of 16
+constexpr uint32_t kOneViewSeeds = 14;  // of 16; so has the next seed
 
 // Changes bytes of [begin, end) of `bytes`, about one in `spacing`, at least one.
 void change_bytes(std::vector<uint8_t>& bytes, uint64_t begin, uint64_t end, uint64_t spacing,

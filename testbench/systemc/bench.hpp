@@ -6,10 +6,10 @@
 
 #include "oracle/block_reads.hpp"
 #include "systemc/driver.hpp"
-#include "systemc/memory.hpp"
 #include "systemc/monitor.hpp"
-#include "systemc/register_master.hpp"
 #include "systemc/scoreboard.hpp"
+#include "unit/axi_memory.hpp"
+#include "unit/register_master.hpp"
 #include "unit/registers.hpp"
 
 namespace hmlfc::tb {
@@ -19,7 +19,7 @@ struct MemoryImage {
   std::span<const uint8_t> stream;
   std::span<const uint8_t> reference_area;
   uint64_t stream_base = 0x10000;  ///< a multiple of 16
-  uint64_t reference_base = 0;     ///< a multiple of 16; 0: behind the stream
+  uint64_t reference_base = 0;     ///< a multiple of 16; 0: after the stream
 };
 
 /// What a run has cost.
@@ -35,9 +35,9 @@ class Bench {
  public:
   explicit Bench(const std::string& prefix = "");
 
-  /// Puts `unit` behind the pins; it is in reset until reset() ends.
-  void attach(std::unique_ptr<DecodeUnit> unit);
-  DecodeUnit& unit() { return *unit_; }
+  /// Connects `unit` to the pins and resets it.
+  void attach(std::unique_ptr<Unit> unit);
+  Unit& unit() { return *unit_; }
 
   /// Until the next attach(): the trace port of the unit is ignored.
   void compare_answers_only();
@@ -104,7 +104,7 @@ class Bench {
   Findings& findings() { return findings_; }
   Coverage& coverage() { return coverage_; }
   Scoreboard& scoreboard() { return scoreboard_; }
-  Memory& memory() { return memory_; }
+  AxiMemory& memory() { return memory_; }
   const StreamCounts& stream_counts() const { return monitor_.counts(); }
   const RunStatistics& statistics() const { return statistics_; }
   uint64_t cycle() const { return wires_.cycle; }
@@ -117,14 +117,14 @@ class Bench {
   // Makes the edges, and lets the unit take them.
   class Clock final : public sc_core::sc_module {
    public:
-    Clock(const sc_core::sc_module_name& name, Wires& wires, std::unique_ptr<DecodeUnit>& unit);
+    Clock(const sc_core::sc_module_name& name, Wires& wires, std::unique_ptr<Unit>& unit);
     Listener listener;
 
    private:
     void tick();
     void settle();
     Wires& wires_;
-    std::unique_ptr<DecodeUnit>& unit_;
+    std::unique_ptr<Unit>& unit_;
     sc_core::sc_event settled_;
     sc_core::sc_time period_;
   };
@@ -134,17 +134,16 @@ class Bench {
   Wires wires_;
   Findings findings_;
   Coverage coverage_;
-  std::unique_ptr<DecodeUnit> unit_;
+  std::unique_ptr<Unit> unit_;
   MemoryImage image_;
   std::optional<Random> places_;  // draws seeds of an AddressSpace
   bool keeps_places_ = false;
   Clock clock_;
   Scoreboard scoreboard_;
   StreamMonitor monitor_;
-  ReadMonitor read_monitor_;
   Driver driver_;
-  Memory memory_;
-  RegisterMaster registers_;
+  EdgePart<AxiMemory> memory_;
+  EdgePart<RegisterMaster> registers_;
   RunStatistics statistics_;
   uint64_t moved_ = 0;     // requests, records, beats and answers of a run when busy() last looked
   uint64_t moved_at_ = 0;  // clock at which they had changed

@@ -1,7 +1,6 @@
 #include "systemc/coverage.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -27,14 +26,6 @@ constexpr std::array kNamedByUnit{
     ErrorCode::kBadTileOffset,  ErrorCode::kTileOverrun,     ErrorCode::kMaskOutside,
     ErrorCode::kBadMode,        ErrorCode::kBadLevels,       ErrorCode::kVectorRange,
     ErrorCode::kLimitExceeded};
-
-std::vector<std::string> missed_of(const std::vector<NamedCount>& all) {
-  std::vector<std::string> names;
-  for (const auto& [name, hits] : all) {
-    if (hits == 0) names.push_back(name);
-  }
-  return names;
-}
 
 }  // namespace
 
@@ -127,21 +118,6 @@ void Coverage::on_stream(const StreamHeader& header) {
   if (header.depth > 8) hit(Point::kDepthAboveEight);
 }
 
-void Coverage::on_places(uint64_t stream_base, uint64_t stream_bytes, uint64_t area_base,
-                         uint64_t area_bytes) {
-  stream_.begin = stream_base;
-  stream_.bytes = stream_bytes;
-  area_.begin = area_base;
-  area_.bytes = area_bytes;
-}
-
-void Coverage::on_burst(uint64_t address, uint64_t bytes) {
-  for (Place* place : {&stream_, &area_}) {
-    if (address < place->begin || address - place->begin >= place->bytes) continue;
-    place->bursts.on_burst(place->begin, address, bytes);
-  }
-}
-
 void Coverage::on_error(uint8_t error) {
   if (error < kErrorCodeCount) ++errors_[error];
 }
@@ -152,27 +128,26 @@ std::vector<NamedCount> Coverage::all() const {
   for (const ErrorCode code : kNamedByUnit) {
     all.push_back({"error " + std::string(error_name(code)), errors_[static_cast<size_t>(code)]});
   }
-  std::ranges::move(stream_.bursts.all("read of the stream"), std::back_inserter(all));
-  std::ranges::move(area_.bursts.all("read of the reference area"), std::back_inserter(all));
   return all;
 }
 
-std::vector<std::string> Coverage::missed() const { return missed_of(all()); }
-
-std::vector<std::string> Coverage::missed_crosses() const { return missed_of(crosses_.all()); }
+std::vector<std::string> Coverage::missed() const {
+  std::vector<std::string> names;
+  for (const auto& [name, hits] : all()) {
+    if (hits == 0) names.push_back(name);
+  }
+  return names;
+}
 
 std::string Coverage::report() const {
   std::string text;
   for (const auto& [name, hits] : all()) text += name + ": " + std::to_string(hits) + "\n";
-  for (const auto& [name, hits] : crosses_.all()) text += name + ": " + std::to_string(hits) + "\n";
   return text;
 }
 
 std::string Coverage::to_json() const {
-  nlohmann::ordered_json json{{"points", nlohmann::ordered_json::object()},
-                              {"crosses", nlohmann::ordered_json::object()}};
-  for (const auto& [name, hits] : all()) json["points"][name] = hits;
-  for (const auto& [name, hits] : crosses_.all()) json["crosses"][name] = hits;
+  nlohmann::ordered_json json;
+  for (const auto& [name, hits] : all()) json[name] = hits;
   return json.dump(2) + "\n";
 }
 

@@ -1,4 +1,4 @@
-// Functional coverage: what a set of runs has exercised, by name.
+// Functional coverage: counts, by name, what a set of runs has exercised.
 #pragma once
 
 #include <array>
@@ -10,7 +10,6 @@
 
 #include "oracle/oracle.hpp"
 #include "stimulus/conditions.hpp"
-#include "systemc/cross_coverage.hpp"
 
 namespace hmlfc::tb {
 
@@ -69,8 +68,13 @@ enum class Point : uint8_t { HMLFC_POINTS(HMLFC_POINT) kCount };
 
 inline constexpr size_t kPointCount = static_cast<size_t>(Point::kCount);
 
-/// Counts how often each point was met. Besides the points above, each error that the unit may
-/// name is a point, and those of AddressCoverage are, for the stream and for the reference area.
+/// A point and how often it was met.
+struct NamedCount {
+  std::string name;
+  uint64_t hits;
+};
+
+/// Counts how often each point was met: the points above, and each error that the unit may name.
 class Coverage {
  public:
   void hit(Point point) { ++hits_[static_cast<size_t>(point)]; }
@@ -81,24 +85,16 @@ class Coverage {
   void on_conditions(const Conditions& conditions);
   void on_stream(const StreamHeader& header);
 
-  /// From now on bursts are of a stream of `stream_bytes` and of a reference area of `area_bytes`.
-  void on_places(uint64_t stream_base, uint64_t stream_bytes, uint64_t area_base,
-                 uint64_t area_bytes);
-  void on_burst(uint64_t address, uint64_t bytes);
-
-  /// The unit named `error`, a status of STATUS or of an answer, and rightly.
+  /// Counts an error that the unit reported correctly, in STATUS or in an answer.
   void on_error(uint8_t error);
 
-  CrossCoverage& crosses() { return crosses_; }
-
-  /// Names of the points, and of the crosses, that were not met.
+  /// Names of the points that were not met.
   std::vector<std::string> missed() const;
-  std::vector<std::string> missed_crosses() const;
 
-  /// One line a point or cross: its name and how often it was met.
+  /// One line a point: its name and how often it was met.
   std::string report() const;
 
-  /// The same as JSON: {"points": {name: times}, "crosses": {name: times}}.
+  /// The same as JSON: {name: times}.
   std::string to_json() const;
 
  private:
@@ -109,13 +105,6 @@ class Coverage {
 
   std::array<uint64_t, kPointCount> hits_{};
   std::array<uint64_t, kErrorCodeCount> errors_{};
-  struct Place {
-    uint64_t begin = 0;
-    uint64_t bytes = 0;
-    AddressCoverage bursts;
-  };
-  Place stream_, area_;
-  CrossCoverage crosses_;
   Request previous_;
   bool has_previous_ = false;
 };

@@ -18,7 +18,7 @@ std::optional<Mismatch> repeat(Bench& bench, const UnitMaker& maker, StreamImage
                                const std::filesystem::path& folder) {
   UnitParameters parameters = maker.parameters;
   parameters.state_seed = state_seed;
-  auto unit = maker.make(parameters);
+  auto unit = maker.make(parameters, nullptr);
   const TextFile trace = create(folder / "unit.txt");
   const unsigned size = maker.parameters.block_size();
   bench.attach(std::move(unit));
@@ -61,8 +61,9 @@ std::filesystem::path keep_failure(Bench& bench, const UnitMaker& maker, StreamI
     which = "the block with the " + std::to_string(failure.history.size()) + " requests around it";
     again = repeat(bench, maker, image, failure.history, state, folder);
   }
-  if (request && image.golden() != nullptr) {
-    write_model_trace(create(folder / "model.txt").get(), *image.golden(), *request);
+  if (request) {
+    write_expected(create(folder / "model.txt").get(), image.oracle().evaluate(*request),
+                   maker.parameters.block_size());
   }
   const TextFile message = create(folder / "message.txt");
   std::fprintf(message.get(), "%s\nrepeating %s: %s\nwhole run: %s\n",

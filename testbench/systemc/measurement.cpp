@@ -93,7 +93,7 @@ RequestSource Measurement::requests(const ScanPlan& plan, uint64_t count) const 
 // A unit that has just been made, so that no row depends on the one before.
 void Measurement::load(size_t unit) {
   Bench& bench = *benches_[unit];
-  bench.attach(maker_.make(maker_.parameters));
+  bench.attach(maker_.make(maker_.parameters, nullptr));
   image_.load_into(bench);
   bench.begin_counting();
 }
@@ -104,7 +104,7 @@ uint64_t Measurement::run_units(const ThroughputRow& row, Dram* dram, ReadTraffi
   const std::span units(benches_.data(), row.units);
   const unsigned beat_bytes = maker_.parameters.beat_bytes;
   for (size_t i = 0; i < units.size(); ++i) {
-    Memory& memory = units[i]->memory();
+    AxiMemory& memory = units[i]->memory();
     memory.set_dram(dram);
     memory.set_burst_listener([&traffic, beat_bytes](uint64_t address, unsigned beats) {
       traffic.add(address, beats, beat_bytes);
@@ -160,7 +160,7 @@ bool Measurement::throughput(const ThroughputRow& row) {
 
 bool Measurement::alone() {
   Bench& bench = *benches_[0];
-  bench.attach(maker_.make(maker_.parameters));
+  bench.attach(maker_.make(maker_.parameters, nullptr));
   const ScanPlan plan{.views = ~uint64_t{0}, .random_order = true, .seed = size_.seed};
   RequestSource source = requests(plan, size_.alone);
   std::vector<uint64_t> cold, warm;

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "stimulus/sequences.hpp"
-#include "systemc/dram.hpp"
 #include "systemc/read_traffic.hpp"
 #include "systemc/stream_image.hpp"
+#include "unit/dram.hpp"
 #include "unit/units.hpp"
 
 namespace hmlfc::tb {
@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 /// How much is measured.
 struct MeasurementSize {
-  uint64_t requests = 4096;  ///< of a row, of each unit
+  uint64_t requests = 4096;  ///< that each unit answers for a row
   uint64_t alone = 64;       ///< requests sent alone
   uint64_t seed = 1;
 };

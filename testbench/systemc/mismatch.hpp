@@ -16,7 +16,7 @@ struct Mismatch {
   std::string place;   ///< the level block, where a stage differs
   std::string detail;  ///< stage, field, expected and actual
   uint64_t cycle = 0;
-  uint32_t state_seed = 0;  ///< of the unit (DecodeUnit::state_seed)
+  uint32_t state_seed = 0;  ///< of the unit (Unit::state_seed)
 };
 
 /// One line for a report.
@@ -43,7 +43,7 @@ class Findings {
 
   const std::optional<Mismatch>& first() const { return first_; }
 
-  /// Forgets what was found before, of a unit with another state.
+  /// Forgets the finding of the run before; the unit's state is drawn by `state_seed`.
   void begin(uint32_t state_seed) {
     first_.reset();
     state_seed_ = state_seed;

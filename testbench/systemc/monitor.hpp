@@ -1,4 +1,4 @@
-// Watches the pins: notifies the scoreboard of each transfer and checks the channel rules.
+// Watches the stream channels and the trace, and tells the scoreboard of each transfer.
 #pragma once
 
 #include "systemc/mismatch.hpp"
@@ -36,42 +36,6 @@ class StreamMonitor final : public EdgeModule {
   StreamCounts counts_;
   bool waits_ = false;  // an answer waited at the edge before
   Answer waiting_;
-};
-
-/// Watches m_axi_*: bursts of full beats, INCR, at most 16, inside 4 KiB, aligned, ID 0, stable
-/// while they wait, and at most UnitParameters::outstanding in flight.
-class ReadMonitor final : public EdgeModule {
- public:
-  ReadMonitor(const sc_core::sc_module_name& name, Wires& wires, Findings& findings,
-              Coverage& coverage)
-      : EdgeModule(name, wires), findings_(findings), coverage_(coverage) {}
-
-  void set_unit(const UnitParameters& unit) { unit_ = unit; }
-
-  /// Beats taken since clear_counts().
-  uint64_t beats() const { return beats_; }
-  void clear_counts() { beats_ = 0; }
-
- protected:
-  void edge() override;
-
- private:
-  struct Address {
-    uint64_t addr;
-    uint8_t len, size, burst, id;
-    friend bool operator==(const Address&, const Address&) = default;
-  };
-
-  void check_address(const Address& address);
-  void broken(const std::string& rule, const std::string& detail);
-
-  Findings& findings_;
-  Coverage& coverage_;
-  UnitParameters unit_;
-  uint64_t beats_ = 0;
-  unsigned outstanding_ = 0;
-  bool waits_ = false;
-  Address waiting_{};
 };
 
 }  // namespace hmlfc::tb

@@ -1,4 +1,4 @@
-// What the unit's reads are of: bytes by part of the stream and of the reference area.
+// Counts the bytes that a unit reads, by part of the stream and of the reference area.
 #pragma once
 
 #include <array>
@@ -22,14 +22,14 @@ inline constexpr std::array<std::string_view, 6> kReadPartNames{"root", "group",
 /// Bytes of the beats of one part, since the beginning.
 struct PartTraffic {
   uint64_t bytes = 0;
-  uint64_t again = 0;  ///< of them those of beats that had been read before
+  uint64_t again = 0;  ///< bytes of beats that had been read before
 };
 
 /// Counts bursts. A unit that read every beat that it needs once would have no byte `again`.
 class ReadTraffic {
  public:
-  /// For memory as `image` says, with `header` and an area of `layout`. Where a beat has bytes of
-  /// two parts, it counts for that of its first byte.
+  /// For memory with `image`, a stream with `header` and an area of `layout`. A beat with bytes of
+  /// two parts counts for the part of its first byte.
   ReadTraffic(const MemoryImage& image, const StreamHeader& header, const AreaLayout& layout);
 
   void add(uint64_t address, unsigned beats, unsigned beat_bytes);

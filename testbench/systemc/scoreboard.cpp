@@ -30,9 +30,7 @@ void Scoreboard::on_request(const Request& request, uint64_t cycle) {
     findings_.add({"protocol: request taken before LOAD", request, {}, {}, cycle});
     return;
   }
-  if (pending_.empty() && records_.empty()) last_record_ = cycle;
   pending_.push_back(oracle_->evaluate(request));
-  shown_.push_back(0);
   coverage_.on_expected(pending_.back(), oracle_->stream());
   const Chroma chroma = chroma_of(pending_.back());
   pending_blocks_.push_back(blocks_of(pending_.back(), chroma));
@@ -85,10 +83,7 @@ void Scoreboard::on_record(const LevelRecord& record, uint64_t cycle) {
     ++counts_.records_unchecked;
     return;
   }
-  const size_t kind = kind_of(record);
-  ++counts_.kind_records[kind];
-  counts_.kind_clocks[kind] += cycle - last_record_;
-  last_record_ = cycle;
+  ++counts_.kind_records[kind_of(record)];
   while (!records_.empty() && !(records_.front().expected().site == record.site)) {
     if (!records_.front().failed) {
       report(comes_later(record.site) ? "trace: record missing" : "trace: order",
@@ -109,8 +104,8 @@ void Scoreboard::on_record(const LevelRecord& record, uint64_t cycle) {
   compare_record(pending, record, cycle);
 }
 
-// Where the record at the front may be missing, one of the same site can belong to a request behind
-// it, for residuals in place of samples: then it has the values of that one.
+// If the record at the front may be missing, a record of the same site can belong to a later
+// request for residuals instead of samples: then it has the values of that request.
 void Scoreboard::skip_to_match(const LevelRecord& record) {
   if (record.error != 0 || oracle_->stream() == nullptr) return;
   const auto reached = std::ranges::find_if_not(records_, &PendingRecord::failed);
@@ -161,16 +156,13 @@ void Scoreboard::compare_record(const PendingRecord& pending, const LevelRecord&
   }
   ++counts_.records_compared;
   const auto difference = difference_of(pending, record);
-  if (!difference) {
-    if (record.error == 0) shown_[pending.request - first_pending_] |= kind_of_block(record);
-    return;
-  }
+  if (!difference) return;
   report("stage: " + difference->stage, request_of(pending.request),
          to_string(pending.expected().site),
          expected_actual(difference->field, difference->expected, difference->actual), cycle);
 }
 
-void Scoreboard::on_answer(const Answer& answer, uint64_t cycle, bool waited) {
+void Scoreboard::on_answer(const Answer& answer, uint64_t cycle) {
   ++counts_.received;
   if (log_ != nullptr) log_->push_back(answer);
   if (pending_.empty()) {
@@ -186,9 +178,8 @@ void Scoreboard::on_answer(const Answer& answer, uint64_t cycle, bool waited) {
     counts_.first_error = answer.status;
     counts_.first_error_request = expected.request.word();
   }
-  compare_answer(expected, answer, cycle, waited);
+  compare_answer(expected, answer, cycle);
   if (traced_) close_records(expected, cycle);
-  shown_.pop_front();
   ++first_pending_;
 }
 
@@ -249,7 +240,7 @@ std::string Scoreboard::order_hint(const Answer& answer) const {
 }
 
 void Scoreboard::compare_answer(const ExpectedAnswer& expected, const Answer& answer,
-                                uint64_t cycle, bool waited) {
+                                uint64_t cycle) {
   coverage_.on_answer(expected, answer);
   ++(is_bus_error(answer.status, expected.request) ? counts_.unchecked : counts_.compared);
   std::string rule;
@@ -257,9 +248,6 @@ void Scoreboard::compare_answer(const ExpectedAnswer& expected, const Answer& an
   if (difference) {
     const std::string hint = order_hint(answer);
     report(hint.empty() ? rule : "answer: order", &expected, {}, *difference + hint, cycle);
-  } else if (oracle_->stream() != nullptr) {
-    coverage_.crosses().on_answer(answer.status, shown_.front(), oracle_->stream()->header(),
-                                  waited);
   }
   answered_ = expected;
 }
@@ -268,7 +256,6 @@ void Scoreboard::on_reset() {
   counts_.dropped += pending_.size();
   first_pending_ += pending_.size();
   pending_.clear();
-  shown_.clear();
   pending_blocks_.clear();
   records_.clear();
   oracle_ = nullptr;
@@ -290,11 +277,9 @@ void Scoreboard::finish(uint64_t cycle) {
 
 void Scoreboard::clear() {
   pending_.clear();
-  shown_.clear();
   pending_blocks_.clear();
   records_.clear();
   first_pending_ = 0;
-  last_record_ = 0;
   counts_ = {};
 }
 

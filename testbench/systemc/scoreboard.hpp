@@ -35,7 +35,6 @@ struct ScoreCounts {
   uint64_t first_error = 0;          ///< status of the first answer with one
   uint64_t first_error_request = 0;  ///< the word of its request
   std::array<uint64_t, kBlockKinds> kind_records{};  ///< trace records by kind of block
-  std::array<uint64_t, kBlockKinds> kind_clocks{};   ///< clocks up to each from the one before
 };
 
 /// Adds the counts of requests, answers and records.
@@ -76,8 +75,7 @@ class Scoreboard final : public sc_core::sc_module {
 
   void on_request(const Request& request, uint64_t cycle);
   void on_record(const LevelRecord& record, uint64_t cycle);
-  /// `waited`: it was not taken in the first clock in which it was valid.
-  void on_answer(const Answer& answer, uint64_t cycle, bool waited);
+  void on_answer(const Answer& answer, uint64_t cycle);
 
   /// A LOAD: no chroma is held any more.
   void forget_chroma() { held_chroma_.reset(); }
@@ -123,8 +121,7 @@ class Scoreboard final : public sc_core::sc_module {
   std::optional<Difference> difference_of(const PendingRecord& pending,
                                           const LevelRecord& record) const;
   void compare_record(const PendingRecord& pending, const LevelRecord& record, uint64_t cycle);
-  void compare_answer(const ExpectedAnswer& expected, const Answer& answer, uint64_t cycle,
-                      bool waited);
+  void compare_answer(const ExpectedAnswer& expected, const Answer& answer, uint64_t cycle);
   std::optional<std::string> compare_values(const ExpectedAnswer& expected, const Answer& answer,
                                             std::string& rule) const;
   std::string order_hint(const Answer& answer) const;
@@ -141,15 +138,13 @@ class Scoreboard final : public sc_core::sc_module {
   std::vector<Answer>* log_ = nullptr;
   MayFail may_fail_;
   std::deque<ExpectedAnswer> pending_;
-  std::deque<BlockKinds> shown_;       // for each of them
   std::deque<Blocks> pending_blocks_;  // of each
   std::deque<PendingRecord> records_;
   uint64_t first_pending_ = 0;           // number of pending_[0]
   ExpectedAnswer answered_;              // the request answered last, for hints
   std::optional<uint64_t> held_chroma_;  // chroma_key of the latest request for RGB
-  bool chroma_uncertain_ =
-      false;                  // it may have met a bus error, and then the unit does not hold it
-  uint64_t last_record_ = 0;  // clock of the last trace record
+  // It may have met a bus error, and then the unit does not hold it.
+  bool chroma_uncertain_ = false;
   ScoreCounts counts_;
 };
 

@@ -30,7 +30,7 @@ class CaseRun {
     total_ += bench_.scoreboard().counts();
   }
 
-  /// Of all steps.
+  /// The counts of all steps.
   const ScoreCounts& total() const { return total_; }
   std::vector<Request> history() const { return recorded_.history(); }
 
@@ -110,8 +110,8 @@ class CaseRun {
     bench_.begin_faults({range}, reads);
     mixed(0);
     bench_.end_faults();
-    // Whether the unit still holds chroma is known after one request for RGB. Were others for the
-    // same block behind it, its records could not be distinguished from theirs.
+    // After one request for RGB it is known whether the unit holds chroma. No other request for the
+    // same block may follow at once: its records could not be told from those of this one.
     if (good()) send(listed_requests({{0, 0, 0, 0, kRgb, 0, true}}), 0);
   }
 
@@ -166,7 +166,7 @@ class CaseRun {
 }  // namespace
 
 SuiteResult run_case(Bench& bench, const UnitMaker& maker, StreamImage& image, uint64_t seed) {
-  bench.attach(maker.make(maker.parameters.with_state(seed)));
+  bench.attach(maker.make(maker.parameters.with_state(seed), nullptr));
   bench.draw_places(seed);
   CaseRun run(bench, image, seed);
   run.run();

@@ -1,5 +1,4 @@
-// The regression: random streams and sequences by seed, the same for every implementation behind
-// the pins.
+// The regression: random streams and sequences by seed.
 #pragma once
 
 #include <vector>
@@ -18,10 +17,9 @@ struct SuiteResult {
   std::vector<Request> history;  ///< the last requests
 };
 
-/// Runs `image` in a fresh unit of `maker`: directed and random requests, conditions and
-/// places in memory by `seed`, a
-/// reset with requests in flight, faulty memory and its recovery, and the counters. Stops at the
-/// first finding.
+/// Runs `image` in a fresh unit of `maker`: directed and random requests, conditions and places in
+/// memory by `seed`, a reset with requests in flight, faulty memory and its recovery, and the
+/// counters. Stops at the first finding.
 SuiteResult run_case(Bench& bench, const UnitMaker& maker, StreamImage& image, uint64_t seed);
 
 }  // namespace hmlfc::tb

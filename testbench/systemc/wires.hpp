@@ -5,7 +5,7 @@
 
 #include <systemc>
 
-#include "stimulus/conditions.hpp"
+#include "systemc/mismatch.hpp"
 #include "unit/pins.hpp"
 
 namespace hmlfc::tb {
@@ -36,6 +36,25 @@ class EdgeModule : public sc_core::sc_module {
   virtual void edge() = 0;
 
   Wires& wires_;
+};
+
+/// `Part`, such as AxiMemory, as a module; its finding is one of the bench.
+template <class Part>
+class EdgePart final : public EdgeModule, public Part {
+ public:
+  EdgePart(const sc_core::sc_module_name& name, Wires& wires, Findings& findings)
+      : EdgeModule(name, wires), findings_(findings) {}
+
+ protected:
+  void edge() override {
+    Part::edge(wires_.in, wires_.out, wires_.next);
+    if (Part::finding.empty()) return;
+    findings_.add({Part::finding, {}, {}, {}, wires_.cycle});
+    Part::finding.clear();
+  }
+
+ private:
+  Findings& findings_;
 };
 
 }  // namespace hmlfc::tb

@@ -15,15 +15,15 @@
 
 #include "oracle/oracle.hpp"
 #include "tlm/latency_table.hpp"
-#include "unit/register_file.hpp"
+#include "tlm/register_file.hpp"
 
 namespace hmlfc::tb {
 
 /// Clocks, by default as rtl-clocks measures them on the unit.
 struct LatencyTable {
   uint64_t load = kLoadClocks;        ///< of a LOAD
-  uint64_t request = kRequestClocks;  ///< of a request, besides its level blocks
-  /// Of a level block: zero, motion only, motion and residual, residual only, key image.
+  uint64_t request = kRequestClocks;  ///< of a request without its level blocks
+  /// Clocks of a level block: zero, motion only, motion and residual, residual only, key image.
   std::array<uint64_t, 5> level_block = kLevelBlockClocks;
 };
 

@@ -96,7 +96,7 @@ void TlmPlatform::take_answer(tlm::tlm_generic_payload& write, sc_core::sc_time&
   std::memcpy(answer.samples.data(), write.get_data_ptr(), samples);
   answer.status = write.get_data_ptr()[samples];
   answer.last = write.get_data_ptr()[samples + 1] != 0;
-  scoreboard_.on_answer(answer, ++answers_taken_, false);
+  scoreboard_.on_answer(answer, ++answers_taken_);
   write.set_response_status(tlm::TLM_OK_RESPONSE);
 }
 

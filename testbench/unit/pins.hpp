@@ -1,4 +1,4 @@
-// The decode unit at its pins, independent of the implementation behind them.
+// A unit at its pins: the decode unit, the view unit, or the DMA of the view unit.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace hmlfc::tb {
 /// A beat of the read master, low word first; with 64-bit data the second word is 0.
 using Beat = std::array<uint64_t, 2>;
 
-/// Every input of the unit but the clock.
+/// Every input of a unit but the clock. A unit ignores those that it does not have.
 struct UnitInputs {
   bool rst_n = false;
   // s_request_*
@@ -29,6 +29,10 @@ struct UnitInputs {
   uint8_t r_resp = 0;
   bool r_last = false;
   uint8_t r_id = 0;
+  bool write_aw_ready = false;
+  bool write_w_ready = false;
+  bool write_b_valid = false;
+  uint8_t write_b_resp = 0;
   // s_axil_*
   bool aw_valid = false;
   uint32_t aw_addr = 0;
@@ -41,7 +45,7 @@ struct UnitInputs {
   bool lite_r_ready = false;
 };
 
-/// Every output of the unit. `answer` has meaning while response_valid, `trace` while trace_valid.
+/// Every output of a unit. `answer` has meaning while response_valid, `trace` while trace_valid.
 struct UnitOutputs {
   // s_request_*
   bool request_ready = false;
@@ -56,6 +60,16 @@ struct UnitOutputs {
   uint8_t ar_burst = 0;
   uint8_t ar_id = 0;
   bool r_ready = false;
+  bool write_aw_valid = false;
+  uint64_t write_aw_addr = 0;
+  uint8_t write_aw_len = 0;
+  uint8_t write_aw_size = 0;
+  uint8_t write_aw_burst = 0;
+  bool write_w_valid = false;
+  Beat write_w_data{};
+  uint16_t write_w_strb = 0;
+  bool write_w_last = false;
+  bool write_b_ready = false;
   // s_axil_*
   bool aw_ready = false;
   bool w_ready = false;
@@ -65,39 +79,32 @@ struct UnitOutputs {
   bool lite_r_valid = false;
   uint32_t lite_r_data = 0;
   uint8_t lite_r_resp = 0;
+  // irq
+  bool interrupt = false;
   // trace_*
   bool trace_valid = false;
   LevelRecord trace;
 };
 
 /// One clocked unit. All handshakes happen at the rising edge between two calls of clock().
-class DecodeUnit {
+class Unit {
  public:
-  virtual ~DecodeUnit() = default;
+  virtual ~Unit() = default;
 
-  /// One rising edge, at which the unit samples `at_edge`; then its inputs become `after`, and
-  /// `outputs` the values that follow from them.
-  virtual void clock(const UnitInputs& at_edge, const UnitInputs& after, UnitOutputs& outputs) = 0;
-
-  /// Whether it has the trace port.
-  virtual bool has_trace() const = 0;
-
-  /// Whether a trace has the blocks of answers with an error, too.
-  virtual bool traces_errors() const { return true; }
+  /// One rising edge, at which the unit samples the inputs of the call before; then its inputs
+  /// become `inputs`, and `outputs` the values that follow from them.
+  virtual void clock(const UnitInputs& inputs, UnitOutputs& outputs) = 0;
 
   virtual UnitParameters parameters() const = 0;
 
-  /// The seed of what it held before its first reset; 0 where that is not random.
-  virtual uint32_t state_seed() const { return 0; }
+  /// The seed of what it held before its first reset.
+  virtual uint32_t state_seed() const = 0;
 
   /// Rising edges that it did not get, because it said that it needs none.
-  virtual uint64_t stopped_clocks() const { return 0; }
+  virtual uint64_t stopped_clocks() const = 0;
 
   /// Writes a wave of everything from now on to `path`; false where the unit has no waves.
-  virtual bool open_wave(const std::string& path) {
-    static_cast<void>(path);
-    return false;
-  }
+  virtual bool open_wave(const std::string& path) = 0;
 };
 
 }  // namespace hmlfc::tb

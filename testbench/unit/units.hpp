@@ -1,24 +1,29 @@
-// The implementations of the unit that this build has.
+// The Verilated units of this build.
 #pragma once
 
 #include <algorithm>
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "oracle/oracle.hpp"
 #include "unit/pins.hpp"
 
 namespace hmlfc::tb {
 
-/// One way to make a unit.
+/// One way to make a unit. Only a DMA needs `oracle`, which must outlive it.
 struct UnitMaker {
-  std::string name;  ///< "rtl" or "stand-in"
   UnitParameters parameters;
-  std::unique_ptr<DecodeUnit> (*make)(const UnitParameters& parameters);
+  std::unique_ptr<Unit> (*make)(const UnitParameters& parameters, Oracle* oracle);
 };
 
-/// The Verilated units of this build, one for each set of parameters; none without Verilator.
+/// Decode units, one for each set of parameters; none without Verilator.
 std::vector<UnitMaker> rtl_units();
+
+/// View units.
+std::vector<UnitMaker> view_units();
+
+/// The DMA of the view unit for each block size, with the golden model as its decode unit.
+std::vector<UnitMaker> view_dmas();
 
 /// The first of `makers` that accepts streams with these parameters, or null.
 inline const UnitMaker* unit_for(const std::vector<UnitMaker>& makers, unsigned block_log2,
@@ -29,5 +34,9 @@ inline const UnitMaker* unit_for(const std::vector<UnitMaker>& makers, unsigned 
   });
   return found == makers.end() ? nullptr : &*found;
 }
+
+/// The first of `makers` that accepts `stream`. Without a sound header, or where none does, the
+/// first of all: each must refuse it. Null where there is none.
+const UnitMaker* unit_for(const std::vector<UnitMaker>& makers, std::span<const uint8_t> stream);
 
 }  // namespace hmlfc::tb

@@ -1,4 +1,4 @@
-// The unit as Verilator made it, behind the pins of the bench.
+// A unit as Verilator made it, connected to the pins of the bench.
 #pragma once
 
 #include <array>
@@ -14,10 +14,8 @@
 #include <verilated_fst_c.h>
 #endif
 
-#include "unit/clock_gate.hpp"
-#include "unit/initial_state.hpp"
 #include "unit/pins.hpp"
-#include "unit/plusargs.hpp"
+#include "unit/simulation.hpp"
 
 namespace hmlfc::tb {
 
@@ -83,8 +81,8 @@ inline void unpack_samples(const uint32_t* words, unsigned bits, size_t count, i
   }
 }
 
-/// Adds what the unit of `context` has covered as a file to the folder that the environment
-/// variable HMLFC_RTL_COVERAGE_DIR names; nothing without it.
+/// Writes what the unit of `context` has covered into a file of the folder that the environment
+/// variable HMLFC_RTL_COVERAGE_DIR names; does nothing without it.
 inline void write_coverage(VerilatedContext& context) {
   static int files = 0;
   const char* folder = std::getenv("HMLFC_RTL_COVERAGE_DIR");
@@ -93,17 +91,14 @@ inline void write_coverage(VerilatedContext& context) {
   context.coveragep()->write(path.c_str());
 }
 
-/// `Model` is Verilator's class of the top module for `parameters`; open_wave() starts an FST wave.
+/// `Model` is Verilator's class of hmlfc_decode_unit or hmlfc_view_unit for `parameters`.
 template <class Model>
-class VerilatedUnit final : public DecodeUnit {
+class VerilatedUnit : public Unit {
  public:
   explicit VerilatedUnit(const UnitParameters& parameters)
-      : parameters_(parameters),
-        context_(std::make_unique<VerilatedContext>()),
-        state_(*context_, parameters.state_seed) {
-    take_plusargs(*context_);
-    context_->traceEverOn(VM_TRACE);
-    model_ = std::make_unique<Model>(context_.get(), state_.setting().c_str());
+      : parameters_(parameters), simulation_(parameters.state_seed) {
+    simulation_.context().traceEverOn(VM_TRACE);
+    model_ = std::make_unique<Model>(&simulation_.context(), simulation_.setting().c_str());
     set_inputs(UnitInputs{});
     model_->clk = 0;
     model_->eval();
@@ -112,50 +107,47 @@ class VerilatedUnit final : public DecodeUnit {
   ~VerilatedUnit() override {
     wave_.close();
     model_->final();
-    if constexpr (VM_COVERAGE) write_coverage(*context_);
+    if constexpr (VM_COVERAGE) write_coverage(simulation_.context());
     // Scopes of the checker are taken out of the context of this thread: that of the latest unit.
-    Verilated::threadContextp(context_.get());
+    Verilated::threadContextp(&simulation_.context());
   }
 
-  void clock(const UnitInputs& at_edge, const UnitInputs& after, UnitOutputs& outputs) override {
-    if (gate_.passes(at_edge.rst_n, model_->active != 0)) model_->clk = 1;
+  void clock(const UnitInputs& inputs, UnitOutputs& outputs) override {
+    if constexpr (requires { model_->active; }) rise(model_->active != 0);
+    set_inputs(inputs);
+    fall(outputs);
+  }
+
+  UnitParameters parameters() const override { return parameters_; }
+  uint32_t state_seed() const override { return simulation_.seed(); }
+  uint64_t stopped_clocks() const override { return simulation_.stopped(); }
+  bool open_wave(const std::string& path) override { return wave_.open(*model_, path); }
+
+ protected:
+  Model& model() { return *model_; }
+
+  /// The rising edge. A unit that is not `active` does not need it.
+  void rise(bool active) {
+    if (simulation_.passes(model_->rst_n != 0, active)) model_->clk = 1;
     model_->eval();
-    state_.after_edge();
+    simulation_.after_edge();
     dump();
-    set_inputs(after);
+  }
+
+  /// The falling edge, after which the outputs follow from the inputs.
+  void fall(UnitOutputs& out) {
     model_->clk = 0;
     model_->eval();
     dump();
-    get_outputs(outputs);
-  }
-
-  bool has_trace() const override { return true; }
-  UnitParameters parameters() const override { return parameters_; }
-
-  uint32_t state_seed() const override { return state_.seed(); }
-  uint64_t stopped_clocks() const override { return gate_.stopped(); }
-
-  bool open_wave(const std::string& path) override { return wave_.open(*model_, path); }
-
- private:
-  void dump() {
-    wave_.dump(time_);
-    time_ += 5;
+    get_registers(out);
+    if constexpr (requires { model_->s_request_tready; }) get_stream(out);
+    if constexpr (requires { model_->m_axi_arready; }) get_reads(out);
+    if constexpr (requires { model_->m_axi_awready; }) get_writes(out);
   }
 
   void set_inputs(const UnitInputs& in) {
     Model& m = *model_;
     m.rst_n = in.rst_n;
-    m.s_request_tvalid = in.request_valid;
-    m.s_request_tdata = in.request_data;
-    m.s_request_tlast = in.request_last;
-    m.m_response_tready = in.response_ready;
-    m.m_axi_arready = in.ar_ready;
-    m.m_axi_rvalid = in.r_valid;
-    std::memcpy(&m.m_axi_rdata, in.r_data.data(), sizeof(m.m_axi_rdata));
-    m.m_axi_rresp = in.r_resp;
-    m.m_axi_rlast = in.r_last;
-    m.m_axi_rid = in.r_id;
     m.s_axil_awvalid = in.aw_valid;
     m.s_axil_awaddr = static_cast<uint16_t>(in.aw_addr);
     m.s_axil_wvalid = in.w_valid;
@@ -165,13 +157,60 @@ class VerilatedUnit final : public DecodeUnit {
     m.s_axil_arvalid = in.lite_ar_valid;
     m.s_axil_araddr = static_cast<uint16_t>(in.lite_ar_addr);
     m.s_axil_rready = in.lite_r_ready;
+    if constexpr (requires { m.s_request_tready; }) {
+      m.s_request_tvalid = in.request_valid;
+      m.s_request_tdata = in.request_data;
+      m.s_request_tlast = in.request_last;
+      m.m_response_tready = in.response_ready;
+    }
+    if constexpr (requires { m.m_axi_arready; }) {
+      m.m_axi_arready = in.ar_ready;
+      m.m_axi_rvalid = in.r_valid;
+      std::memcpy(&m.m_axi_rdata, in.r_data.data(), sizeof(m.m_axi_rdata));
+      m.m_axi_rresp = in.r_resp;
+      m.m_axi_rlast = in.r_last;
+      m.m_axi_rid = in.r_id;
+    }
+    if constexpr (requires { m.m_axi_awready; }) {
+      m.m_axi_awready = in.write_aw_ready;
+      m.m_axi_wready = in.write_w_ready;
+      m.m_axi_bvalid = in.write_b_valid;
+      m.m_axi_bresp = in.write_b_resp;
+    }
   }
 
-  void get_outputs(UnitOutputs& out) {
+ private:
+  void dump() {
+    wave_.dump(time_);
+    time_ += 5;
+  }
+
+  void get_registers(UnitOutputs& out) {
+    const Model& m = *model_;
+    out.aw_ready = m.s_axil_awready != 0;
+    out.w_ready = m.s_axil_wready != 0;
+    out.b_valid = m.s_axil_bvalid != 0;
+    out.lite_ar_ready = m.s_axil_arready != 0;
+    out.lite_r_valid = m.s_axil_rvalid != 0;
+    out.lite_r_data = m.s_axil_rdata;
+    if constexpr (requires { m.s_axil_bresp; }) {
+      out.b_resp = m.s_axil_bresp;
+      out.lite_r_resp = m.s_axil_rresp;
+    }
+    if constexpr (requires { m.irq; }) out.interrupt = m.irq != 0;
+  }
+
+  void get_stream(UnitOutputs& out) {
     const Model& m = *model_;
     out.request_ready = m.s_request_tready != 0;
     out.response_valid = m.m_response_tvalid != 0;
     if (out.response_valid) get_answer(out.answer);
+    out.trace_valid = m.trace_valid != 0;
+    if (out.trace_valid) get_trace(out.trace);
+  }
+
+  void get_reads(UnitOutputs& out) {
+    const Model& m = *model_;
     out.ar_valid = m.m_axi_arvalid != 0;
     out.ar_addr = m.m_axi_araddr;
     out.ar_len = m.m_axi_arlen;
@@ -179,16 +218,20 @@ class VerilatedUnit final : public DecodeUnit {
     out.ar_burst = m.m_axi_arburst;
     out.ar_id = m.m_axi_arid;
     out.r_ready = m.m_axi_rready != 0;
-    out.aw_ready = m.s_axil_awready != 0;
-    out.w_ready = m.s_axil_wready != 0;
-    out.b_valid = m.s_axil_bvalid != 0;
-    out.b_resp = m.s_axil_bresp;
-    out.lite_ar_ready = m.s_axil_arready != 0;
-    out.lite_r_valid = m.s_axil_rvalid != 0;
-    out.lite_r_data = m.s_axil_rdata;
-    out.lite_r_resp = m.s_axil_rresp;
-    out.trace_valid = m.trace_valid != 0;
-    if (out.trace_valid) get_trace(out.trace);
+  }
+
+  void get_writes(UnitOutputs& out) {
+    const Model& m = *model_;
+    out.write_aw_valid = m.m_axi_awvalid != 0;
+    out.write_aw_addr = m.m_axi_awaddr;
+    out.write_aw_len = m.m_axi_awlen;
+    out.write_aw_size = m.m_axi_awsize;
+    out.write_aw_burst = m.m_axi_awburst;
+    out.write_w_valid = m.m_axi_wvalid != 0;
+    std::memcpy(out.write_w_data.data(), &m.m_axi_wdata, sizeof(m.m_axi_wdata));
+    out.write_w_strb = m.m_axi_wstrb;
+    out.write_w_last = m.m_axi_wlast != 0;
+    out.write_b_ready = m.m_axi_bready != 0;
   }
 
   size_t samples() const { return size_t{1} << (2 * parameters_.block_log2); }
@@ -224,10 +267,8 @@ class VerilatedUnit final : public DecodeUnit {
   }
 
   UnitParameters parameters_;
-  std::unique_ptr<VerilatedContext> context_;
-  InitialState state_;
+  Simulation simulation_;
   std::unique_ptr<Model> model_;
-  ClockGate gate_;
   Wave wave_;
   uint64_t time_ = 0;
 };

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "oracle/oracle.hpp"
+#include "unit/sparse_bytes.hpp"
 #include "view/descriptor.hpp"
-#include "view/sparse_bytes.hpp"
 
 namespace hmlfc::tb {
 

@@ -12,7 +12,7 @@ constexpr uint64_t kAbortPatience = 8000;  // clocks; what is in flight takes fe
 
 }  // namespace
 
-ViewBench::ViewBench(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream,
+ViewBench::ViewBench(std::unique_ptr<Unit> unit, std::span<const uint8_t> stream,
                      std::span<const uint8_t> area, Oracle& oracle, unsigned ring_size)
     : host_(std::move(unit), stream, ring_size), oracle_(oracle), area_(area.begin(), area.end()) {
   if (host_.area().size() != area_.size()) host_.find("area: its size");
@@ -184,15 +184,15 @@ void ViewBench::run_reset(const Descriptor& descriptor, uint64_t clocks) {
   host_.reset();
 }
 
-void ViewBench::run_with_fault(const Descriptor& descriptor, ViewMemory::Fault fault) {
-  ViewMemory& memory = host_.memory();
+void ViewBench::run_with_fault(const Descriptor& descriptor, const FaultyRange& fault) {
+  AxiMemory& memory = host_.memory();
   const uint64_t failed = memory.failed_writes;
   hmlfc_unit_resume(host_.driver());
-  memory.fault = fault;
+  memory.set_faults({fault});
   give(std::span(&descriptor, 1));
   const uint16_t place = host_.driver()->taken;
   take();
-  memory.fault.reset();
+  memory.set_faults({});
   ViewStatus status;  // of a descriptor that could not be read
   const auto write_errors = static_cast<uint32_t>(memory.failed_writes - failed);
   if (write_errors != 0) status = write_expected(oracle_, descriptor, block_size(), expected_);

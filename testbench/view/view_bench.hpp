@@ -19,7 +19,7 @@ class ViewBench {
  public:
   /// `area` is the stream's reference area, which memory has from the start; `oracle` must outlive
   /// the bench. Rings of `ring_size` descriptors, a power of two.
-  ViewBench(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream,
+  ViewBench(std::unique_ptr<Unit> unit, std::span<const uint8_t> stream,
             std::span<const uint8_t> area, Oracle& oracle, unsigned ring_size = 4);
 
   ViewHost& host() { return host_; }
@@ -42,7 +42,7 @@ class ViewBench {
 
   /// Lets all writes to, and all reads of, [begin, end) fail while `descriptor` runs; the status
   /// must be kBus.
-  void run_with_fault(const Descriptor& descriptor, ViewMemory::Fault fault);
+  void run_with_fault(const Descriptor& descriptor, const FaultyRange& fault);
 
   /// The first thing that was wrong; empty for nothing.
   const std::string& finding() const { return host_.finding(); }
@@ -50,7 +50,7 @@ class ViewBench {
   /// Descriptors with result kAborted so far.
   uint64_t aborted() const { return aborted_; }
 
-  /// Of the descriptor that was done last, as the driver took it.
+  /// The status of the descriptor that was done last, as the driver took it.
   const ViewStatus& last_status() const { return last_status_; }
 
  private:

@@ -6,143 +6,60 @@
 #include "bits/crc32c.hpp"
 #include "driver/hmlfc_openjpeg.h"
 #include "driver/hmlfc_registers.h"
-#include "unit/registers.hpp"
 #include "view/expected_view.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
 constexpr uint64_t kRingAlignment = 64;
-constexpr uint64_t kAlignment = 16;  // of stream, area and destinations
 constexpr uint64_t kBitmapAlignment = 8;
 constexpr uint64_t kPatience = 400'000;  // clocks without the end of a descriptor
 constexpr uint64_t kPatienceOfByte = 50;
-constexpr uint64_t kAccessPatience = 10'000;
 constexpr uint64_t kTurn = 1024;  // clocks of one wait without an interrupt
 
 ViewHost& host_of(void* context) { return *static_cast<ViewHost*>(context); }
 
 }  // namespace
 
-ViewHost::ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream,
-                   unsigned ring_size)
-    : unit_(std::move(unit)),
-      ring_size_(ring_size),
-      space_(crc32c(stream) ^ unit_->parameters().state_seed) {
-  ring_base_ = take_place(PlaceKind::kRings, HMLFC_RINGS_BYTES(ring_size), kRingAlignment, 0);
-  set_conditions({}, 0);
+ViewHost::ViewHost(std::unique_ptr<Unit> unit, std::span<const uint8_t> stream, unsigned ring_size)
+    : Host(std::move(unit), crc32c(stream)), ring_size_(ring_size) {
+  ring_base_ = take_place(HMLFC_RINGS_BYTES(ring_size), kRingAlignment, 0);
+  memory().start({}, 0);
   open_unit();
   hmlfc_stream_open(&stream_, stream.data(), stream.size(), &driver_.limits, &stream_error_);
   if (stream_error_.code != HMLFC_OK) stream_.area_bytes = 0;
-  stream_base_ =
-      take_place(PlaceKind::kStream, stream.size(), kAlignment, AddressSpace::kReadBehind);
-  if (!stream.empty()) std::ranges::copy(stream, memory_.content.at(stream_base_).begin());
-  area_base_ =
-      take_place(PlaceKind::kArea, stream_.area_bytes, kAlignment, AddressSpace::kReadBehind);
+  stream_base_ = take_place(stream.size(), kAlignment, AddressSpace::kReadBehind);
+  std::ranges::copy(stream, memory().content.at(stream_base_).begin());
+  area_base_ = take_place(stream_.area_bytes, kAlignment, AddressSpace::kReadBehind);
   places_ = space_.size();
-  free_bytes_ = memory_.content.bytes.size();
+  free_bytes_ = memory().content.bytes.size();
   load();
-}
-
-void ViewHost::find(const std::string& what) {
-  if (!finding_.empty()) return;
-  finding_ = what + " (HMLFC_RTL_STATE=" + std::to_string(unit_->state_seed()) + ")";
 }
 
 void ViewHost::check(int code, const char* what) {
   if (code != HMLFC_OK) find(std::string("driver: ") + what + ": " + std::to_string(code));
 }
 
-void ViewHost::set_conditions(const Conditions& conditions, uint64_t seed) {
-  memory_.start(conditions, seed, parameters().beat_bytes);
-}
-
-uint64_t ViewHost::take_place(PlaceKind kind, uint64_t bytes, uint64_t alignment, uint64_t behind) {
-  const uint64_t address = space_.take(std::max<uint64_t>(bytes, 1), alignment, behind);
-  memory_.content.add(kind, address, std::max<uint64_t>(bytes, 1));
-  return address;
-}
-
 hmlfc_buffer ViewHost::buffer(uint64_t address, uint64_t bytes) {
-  return {memory_.content.at(address).data(), address, bytes};
+  return {memory().content.at(address).data(), address, bytes};
 }
 
 std::span<uint8_t> ViewHost::area() {
-  return memory_.content.at(area_base_).first(stream_.area_bytes);
-}
-
-// A rising edge: the unit samples its inputs, then next_ becomes its inputs.
-void ViewHost::clock() {
-  memory_.edge(in_, out_, next_);
-  unit_->clock(next_, out_);
-  in_ = next_;
-  ++clocks_;
-  if (!memory_.finding.empty()) find(memory_.finding);
-}
-
-void ViewHost::idle(uint64_t clocks) {
-  while (clocks-- > 0) clock();
-}
-
-void ViewHost::write(uint32_t address, uint32_t value) {
-  next_.aw_valid = next_.w_valid = next_.b_ready = true;
-  next_.aw_addr = address;
-  next_.w_data = value;
-  next_.w_strb = 15;
-  for (uint64_t clocks = 0; next_.aw_valid || next_.w_valid || next_.b_ready; ++clocks) {
-    if (clocks == kAccessPatience) return find("hang: a register write");
-    clock();
-    // What is shown and taken now passes at the next edge.
-    if (in_.aw_valid && out_.aw_ready) next_.aw_valid = false;
-    if (in_.w_valid && out_.w_ready) next_.w_valid = false;
-    if (in_.b_ready && out_.b_valid) next_.b_ready = false;
-  }
-  clock();
-}
-
-uint32_t ViewHost::read(uint32_t address) {
-  if (!unit_->reads_stream() && address < HMLFC_REG_VIEW_ID) return decode_unit_stand_in(address);
-  next_.lite_ar_valid = next_.lite_r_ready = true;
-  next_.lite_ar_addr = address;
-  uint32_t value = 0;
-  for (uint64_t clocks = 0; next_.lite_ar_valid || next_.lite_r_ready; ++clocks) {
-    if (clocks == kAccessPatience) {
-      find("hang: a register read");
-      return 0;
-    }
-    clock();
-    if (in_.lite_ar_valid && out_.lite_ar_ready) next_.lite_ar_valid = false;
-    if (in_.lite_r_ready && out_.lite_r_valid) {
-      value = out_.lite_r_data;
-      next_.lite_r_ready = false;
-    }
-  }
-  clock();
-  return value;
-}
-
-// A decode unit that is always ready.
-uint32_t ViewHost::decode_unit_stand_in(uint32_t address) const {
-  const UnitParameters p = parameters();
-  if (address == HMLFC_REG_ID) return HMLFC_REG_ID_RESET;
-  if (address == HMLFC_REG_PARAMETERS) {
-    return reg::parameters(p.block_log2, p.max_depth, p.beat_bytes);
-  }
-  return address == HMLFC_REG_STATUS ? HMLFC_REG_STATUS_READY_MASK : 0;
+  return memory().content.at(area_base_).first(stream_.area_bytes);
 }
 
 // What a driver's thread and its interrupt handler do.
 int ViewHost::wait_for_interrupt() {
   for (uint64_t i = 0; i < kTurn && !out_.interrupt; ++i) clock();
   if (out_.interrupt) events_ |= hmlfc_unit_events(&driver_);
-  return clocks_ > deadline_ || !finding_.empty() ? 1 : 0;
+  return clocks() > deadline_ || !finding().empty() ? 1 : 0;
 }
 
 void ViewHost::idle_until_interrupt() {
   driver();  // the deadline
-  while (!out_.interrupt && finding_.empty()) {
+  while (!out_.interrupt && finding().empty()) {
     clock();
-    if (clocks_ > deadline_) find("hang: no interrupt");
+    if (clocks() > deadline_) find("hang: no interrupt");
   }
 }
 
@@ -150,7 +67,7 @@ uint32_t ViewHost::take_events() { return std::exchange(events_, 0); }
 
 hmlfc_unit* ViewHost::driver() {
   driver_.rings = buffer(ring_base_, HMLFC_RINGS_BYTES(ring_size_));
-  deadline_ = clocks_ + kPatience + kPatienceOfByte * memory_.content.bytes.size();
+  deadline_ = clocks() + kPatience + kPatienceOfByte * memory().content.bytes.size();
   return &driver_;
 }
 
@@ -160,10 +77,7 @@ void ViewHost::reset() {
 }
 
 void ViewHost::open_unit() {
-  next_ = {};
-  idle(4);
-  next_.rst_n = true;
-  clock();
+  reset_unit();
   const hmlfc_io io{
       this,
       [](void* host, uint32_t offset) { return host_of(host).read(offset); },
@@ -200,22 +114,22 @@ void ViewHost::allocate(Descriptor& d, uint32_t gap, bool bitmap) {
   const uint32_t blocks_x = ceil_div(d.width, uint32_t{b});
   d.pitch = gap + (strips ? ceil_div(blocks_x, 64u / (b * b)) * HMLFC_STRIP_BYTES
                           : ceil_div(d.width * bytes_of(d.format), 16u) * 16);
-  const uint64_t first = memory_.content.bytes.size();
-  d.destination = take_place(PlaceKind::kPixels, uint64_t{d.pitch} * rows, kAlignment, 0);
+  const uint64_t first = memory().content.bytes.size();
+  d.destination = take_place(uint64_t{d.pitch} * rows, kAlignment, 0);
   if (bitmap && !strips) {
     // Not at address 0, which says that there is none.
     const uint64_t bytes = kBitmapAlignment + bitmap_bytes(d, b);
-    d.bitmap = take_place(PlaceKind::kBitmap, bytes, kBitmapAlignment, 0) + kBitmapAlignment;
+    d.bitmap = take_place(bytes, kBitmapAlignment, 0) + kBitmapAlignment;
   }
   Random random(d.destination);
-  for (uint8_t& byte : std::span(memory_.content.bytes).subspan(first)) {
+  for (uint8_t& byte : std::span(memory().content.bytes).subspan(first)) {
     byte = static_cast<uint8_t>(random.next());
   }
 }
 
 void ViewHost::free_all() {
   space_.resize(places_);
-  memory_.content.cut(free_bytes_);
+  memory().content.cut(free_bytes_);
 }
 
 void ViewHost::give(const Descriptor& d) {

@@ -1,4 +1,4 @@
-// The view unit with a memory, behind the C driver; no SystemC, no golden model.
+// The view unit with a memory and its C driver; no golden model.
 #pragma once
 
 #include <memory>
@@ -7,31 +7,23 @@
 #include <vector>
 
 #include "driver/hmlfc_driver.h"
-#include "stimulus/address_space.hpp"
+#include "unit/host.hpp"
 #include "view/descriptor.hpp"
-#include "view/view_memory.hpp"
 
 namespace hmlfc::tb {
 
 /// One unit and one stream. The rings, the stream, its reference area, and each destination and
 /// bitmap with random bytes lie at places of their own, which the stream's bytes and the state of
 /// the unit draw over the whole width of addresses.
-///
-/// The first thing that goes wrong becomes the finding; what follows has no meaning.
-class ViewHost {
+class ViewHost final : public Host {
  public:
   /// Rings of `ring_size` descriptors, a power of two. A stream that the driver refuses has an
-  /// empty area and is not loaded. Of a DMA alone, registers of the decode unit are those of a
-  /// stand-in.
-  ViewHost(std::unique_ptr<ViewUnit> unit, std::span<const uint8_t> stream, unsigned ring_size);
-  ViewHost(const ViewHost&) = delete;
-  ViewHost& operator=(const ViewHost&) = delete;
+  /// empty area and is not loaded.
+  ViewHost(std::unique_ptr<Unit> unit, std::span<const uint8_t> stream, unsigned ring_size);
 
   /// What the driver says of the stream.
   const hmlfc_error& stream_error() const { return stream_error_; }
   const hmlfc_stream& stream() const { return stream_; }
-
-  void set_conditions(const Conditions& conditions, uint64_t seed);
 
   /// Resets unit and memory channels; then the driver takes the unit and loads the stream.
   void reset();
@@ -64,52 +56,27 @@ class ViewHost {
   /// Events since the last call, which the driver's callback has cleared.
   uint32_t take_events();
 
-  void clock();
-  /// Lets `clocks` pass.
-  void idle(uint64_t clocks);
-  void write(uint32_t address, uint32_t value);
-  uint32_t read(uint32_t address);
-
-  /// Keeps `what` if nothing was wrong before.
-  void find(const std::string& what);
-  const std::string& finding() const { return finding_; }
-
-  ViewMemory& memory() { return memory_; }
-  const ViewMemory& memory() const { return memory_; }
-  UnitParameters parameters() const { return unit_->parameters(); }
-  uint64_t clocks() const { return clocks_; }
-  /// Of the unit: ViewUnit::stopped_clocks().
-  uint64_t stopped_clocks() const { return unit_->stopped_clocks(); }
   unsigned ring_size() const { return ring_size_; }
   std::span<uint8_t> area();
   uint64_t ring_base() const { return driver_.rings.bus; }
   uint64_t status_base() const { return ring_base() + uint64_t{ring_size_} * kDescriptorBytes; }
-  /// Where the places that can be forgotten begin in the bytes of the memory; rings come first.
+  /// Where the places that can be forgotten begin in the bytes of the memory, after the rings.
   uint64_t free_bytes() const { return free_bytes_; }
 
  private:
   void open_unit();
   void load();
-  uint64_t take_place(PlaceKind kind, uint64_t bytes, uint64_t alignment, uint64_t behind);
   hmlfc_buffer buffer(uint64_t address, uint64_t bytes);
   int wait_for_interrupt();
-  uint32_t decode_unit_stand_in(uint32_t address) const;
   void check(int code, const char* what);
 
-  std::unique_ptr<ViewUnit> unit_;
   unsigned ring_size_;
   hmlfc_stream stream_{};
   hmlfc_error stream_error_{};
   hmlfc_unit driver_{};
-  AddressSpace space_;
   uint64_t ring_base_ = 0, stream_base_ = 0, area_base_ = 0;
   size_t places_ = 0;        // of these
-  uint64_t free_bytes_ = 0;  // index of the first byte behind these
-  ViewMemory memory_;
-  ViewInputs in_, next_;
-  ViewOutputs out_;
-  std::string finding_;
-  uint64_t clocks_ = 0;
+  uint64_t free_bytes_ = 0;  // index of the first byte after these
   uint64_t deadline_ = 0;
   uint32_t events_ = 0;
 };

@@ -44,9 +44,9 @@ done
 expect 0 '/build/tools/hmlfc synth --scene cards' synth --scene cards
 expect 0 "python3 -B $root/rtl/synth/report.py size ice40" synthesis size ice40
 expect 0 '/build/testbench/gpu_check FILE' gpu-check FILE
-expect 0 '/build/testbench/rtl_check FILE' rtl-check FILE
-expect 0 '/build/testbench/rtl_view FILE' rtl-view FILE
-expect 0 "*python3 $root/testbench/programs/rtl_coverage.py /build/testbench/rtl_random" rtl-coverage
+expect 0 '/build/testbench/testbench check FILE' rtl-check FILE
+expect 0 '/build/testbench/testbench view FILE' rtl-view FILE
+expect 0 "*python3 $root/testbench/programs/rtl_coverage.py /build/testbench/testbench" rtl-coverage
 expect 0 "*python3 -B $root/tools/release/sbom.py $root out.json" sbom out.json
 expect 0 "*python3 -B $root/tools/release/site_pages.py $root $root/out/site" docs
 expect 0 '*tests/stress/stress.py --build /build --hmlfc /build/tools/hmlfc *' stress --minutes 1

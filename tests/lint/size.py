@@ -18,7 +18,7 @@ SKIPPED = 77
 VERIFICATION = ("tests/", "testbench/", "bench/", "rtl/formal/")
 LIMITS = {
     "tests/": 49500,
-    "testbench/": 11700,
+    "testbench/": 10400,
     "bench/": 4000,
     "rtl/formal/": 3000,
     "tools/": 32800,

@@ -195,7 +195,7 @@ TEST(HeaderModule, RefusesWhatTheModelRefuses) {
   }
 }
 
-/// FIL-4: magic, version and header_bytes come before all that lies behind them, wherever the
+/// FIL-4: magic, version and header_bytes are checked before all that follows them, wherever the
 /// header says that it ends.
 TEST(HeaderModule, RefusesEveryShortHeader) {
   Header dut;

@@ -130,7 +130,7 @@ class Pipeline {
   Pipeline(Dut& dut, size_t latency, Random& random)
       : dut_(dut), latency_(latency), random_(random) {}
 
-  /// Clocks in what the inputs hold; `check(expected)` runs for the input that comes out.
+  /// Gives the inputs a clock; `check(expected)` runs for the input whose result comes out.
   template <class Check>
   void step(Expected expected, Check&& check) {
     while (random_.one_in(8)) clock(false, check);

@@ -9,7 +9,7 @@
 
 namespace hmlfc::test {
 
-/// Memory behind the read port of one client, 16 bytes a beat: beats come one by one, with gaps,
+/// The memory that one client reads, 16 bytes a beat: beats come one by one, with gaps,
 /// and some are corrupted on demand. It holds one file, at kBase, and zeros elsewhere.
 class ReadPort {
  public:

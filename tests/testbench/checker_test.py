@@ -71,7 +71,7 @@ class CheckerTest(unittest.TestCase):
         return text
 
     def device(self, *changes):
-        """The stand-in's capability file, with lines in place of those of the same name; a name alone removes its line."""
+        """The stand-in's capability file, with lines instead of those of the same name; a name alone removes its line."""
         lines = (SHARE / "stand_in.device").read_text().splitlines()
         for change in changes:
             lines = [line for line in lines if line.split()[0] != change.split()[0]]

@@ -1,5 +1,5 @@
 // Dram: clocks at which lines come, by rows, banks and the bus.
-#include "systemc/dram.hpp"
+#include "unit/dram.hpp"
 
 #include <gtest/gtest.h>
 

@@ -156,7 +156,7 @@ TEST(Driver, SaysOfDamagedStreamsWhatTheModelSays) {
   EXPECT_GE(seen[HMLFC_LIMIT_EXCEEDED], 5u);
 }
 
-// Every field of FIL-1 and EXT-2 at and beside the ends of its interval and of the unit's limits.
+// Every field of FIL-1 and EXT-2 at and next to the ends of its interval and of the unit's limits.
 TEST(Driver, SaysOfEveryFieldsEndsWhatTheModelSays) {
   struct Field {
     size_t at;

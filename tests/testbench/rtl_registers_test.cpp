@@ -1,22 +1,16 @@
-// The registers at the pins: of every Verilated unit of this build, and of the stand-in.
+// The registers at the pins of every Verilated decode unit of this build.
 #include <gtest/gtest.h>
 
 #include "stimulus/random_stream.hpp"
 #include "stimulus/sequences.hpp"
 #include "systemc/suite.hpp"
 #include "testbench/test_bench.hpp"
-#include "unit/stand_in.hpp"
+#include "unit/units.hpp"
 
 namespace hmlfc::tb {
 namespace {
 
 constexpr uint32_t kSpace = 0x1000;
-
-std::vector<UnitMaker> all_units() {
-  auto makers = rtl_units();
-  makers.push_back({"stand-in", {2, 12, 16, 16}, &StandIn::make});
-  return makers;
-}
 
 bool is_register(uint32_t offset) {
   const bool gap = offset == 0x28 || offset == 0x2c || offset == 0x34;
@@ -52,8 +46,8 @@ void expect_other_words_are_zero(Bench& bench) {
 
 TEST(Registers, OtherWordsReadZeroAndIgnoreWrites) {
   Bench& bench = test_bench();
-  for (const UnitMaker& maker : all_units()) {
-    bench.attach(maker.make(maker.parameters));
+  for (const UnitMaker& maker : rtl_units()) {
+    bench.attach(maker.make(maker.parameters, nullptr));
     expect_other_words_are_zero(bench);
     EXPECT_FALSE(bench.findings().first());
   }
@@ -70,10 +64,10 @@ uint32_t status_after_load(Bench& bench) {
 // DISABLE in any state of LOAD: the unit is not ready when it has ended, and is after another one.
 TEST(Registers, DisableDuringLoadHolds) {
   Bench& bench = test_bench();
-  for (const UnitMaker& maker : all_units()) {
+  for (const UnitMaker& maker : rtl_units()) {
     const auto bytes = suite_stream(0, maker.parameters.block_size());
     StreamImage image(bytes, maker.parameters);
-    bench.attach(maker.make(maker.parameters));
+    bench.attach(maker.make(maker.parameters, nullptr));
     image.load_into(bench);
     ASSERT_EQ(bench.read(HMLFC_REG_STATUS),
               HMLFC_REG_STATUS_READY_MASK | HMLFC_REG_STATUS_IDLE_MASK);
@@ -97,10 +91,10 @@ TEST(Registers, DisableDuringLoadHolds) {
 // Addresses have 40 bits: the upper ones of a base read 0, and those below are all used.
 TEST(Registers, BasesHaveFortyBits) {
   Bench& bench = test_bench();
-  for (const UnitMaker& maker : all_units()) {
+  for (const UnitMaker& maker : rtl_units()) {
     const auto bytes = suite_stream(0, maker.parameters.block_size());
     StreamImage image(bytes, maker.parameters);
-    bench.attach(maker.make(maker.parameters));
+    bench.attach(maker.make(maker.parameters, nullptr));
     for (uint32_t word = 0; word < 6; ++word) {
       bench.write(HMLFC_REG_STREAM_BASE + 4 * word, ~uint32_t{0});
     }
@@ -122,7 +116,7 @@ TEST(Registers, BasesHaveFortyBits) {
 TEST(Registers, ClockStopsWhileIdle) {
   Bench& bench = test_bench();
   for (const UnitMaker& maker : rtl_units()) {
-    bench.attach(maker.make(maker.parameters));
+    bench.attach(maker.make(maker.parameters, nullptr));
     const auto stopped_in = [&](uint64_t clocks) {
       const uint64_t before = bench.unit().stopped_clocks();
       bench.run_clocks(clocks);
@@ -148,7 +142,7 @@ TEST(Registers, LateBeatsAfterResetAreReported) {
   for (const UnitMaker& maker : rtl_units()) {
     const auto bytes = suite_stream(0, maker.parameters.block_size());
     StreamImage image(bytes, maker.parameters);
-    bench.attach(maker.make(maker.parameters));
+    bench.attach(maker.make(maker.parameters, nullptr));
     image.load_into(bench);
     bench.memory().start({.latency = 60}, 1);
     bench.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
@@ -175,7 +169,7 @@ TEST(Registers, IdleUnitMayBeResetAlone) {
   for (const UnitMaker& maker : rtl_units()) {
     const auto bytes = suite_stream(0, maker.parameters.block_size());
     StreamImage image(bytes, maker.parameters);
-    bench.attach(maker.make(maker.parameters));
+    bench.attach(maker.make(maker.parameters, nullptr));
     const auto requests = [&](uint64_t count, uint64_t seed) {
       return mixed_requests(image.golden()->geometry(), image.golden()->header(), count, seed, 50);
     };

@@ -8,7 +8,7 @@ namespace hmlfc::tb {
 namespace {
 
 // Seeds, every other one with a damaged stream; ./run soak goes on with others. A test each, so
-// that they run beside each other.
+// that they run at the same time.
 #ifndef HMLFC_RTL_SEEDS
 #define HMLFC_RTL_SEEDS 2
 #endif

@@ -16,14 +16,15 @@ inline Bench& test_bench() {
   return bench;
 }
 
-/// A stream of profile main with blocks of 4 in every state; one view gives key images alone.
-inline std::vector<uint8_t> main_stream(uint32_t rows, uint32_t cols) {
+/// A stream of profile main with 5 x 5 views and blocks in every state.
+inline std::vector<uint8_t> main_stream(unsigned block_size) {
   EncodeParams params;
   params.profile = Profile::kMain;
   params.tree_height = 2;
   params.ref_rows = params.ref_cols = 3;
+  params.block_size = block_size;
   params.threads = 1;
-  const LightFieldShape shape{rows, cols, 70, 50, 8};
+  const LightFieldShape shape{5, 5, 70, 50, 8};
   return encode(test::textured_light_field(shape, 1, 8), params)->bytes;
 }
 

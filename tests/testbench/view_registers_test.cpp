@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "driver/hmlfc_registers.h"
-#include "oracle/oracle.hpp"
+#include "unit/units.hpp"
 #include "vectors/random.hpp"
-#include "view/view_units.hpp"
 
 namespace hmlfc::tb {
 namespace {
@@ -39,7 +38,7 @@ constexpr std::array<Kept, 8> kKept{
 // is read is known.
 class Traffic {
  public:
-  Traffic(ViewUnit& unit, uint64_t seed) : unit_(unit), random_(seed) {
+  Traffic(Unit& unit, uint64_t seed) : unit_(unit), random_(seed) {
     for (int i = 0; i < 4; ++i) unit_.clock(in_, out_);
     in_.rst_n = true;
     in_.w_strb = 15;
@@ -101,7 +100,7 @@ class Traffic {
     in_.lite_r_ready = random_.chance(300);
   }
 
-  // What is shown and taken now passes at the next edge.
+  // A handshake seen now completes at the next clock edge.
   void take_write() {
     took_answer_ = out_.b_valid && in_.b_ready;
     if (in_.aw_valid && out_.aw_ready) aw_->addressed = true;
@@ -132,10 +131,10 @@ class Traffic {
     ++read_;
   }
 
-  ViewUnit& unit_;
+  Unit& unit_;
   vectors::Random random_;
-  ViewInputs in_;
-  ViewOutputs out_;
+  UnitInputs in_;
+  UnitOutputs out_;
   std::array<uint32_t, kKept.size()> values_{};
   Accesses writes_;
   Accesses reads_;
@@ -147,9 +146,8 @@ class Traffic {
 };
 
 TEST(ViewUnit, RegistersByIndependentChannels) {
-  for (const ViewMaker& maker : view_units()) {
-    Oracle oracle(uint8_t{0});  // is not asked
-    const auto unit = maker.make(maker.parameters, oracle);
+  for (const UnitMaker& maker : view_units()) {
+    const auto unit = maker.make(maker.parameters, nullptr);
     Traffic traffic(*unit, 1);
     traffic.run(20'000);
     EXPECT_GT(traffic.writes(), 500);

@@ -10,8 +10,8 @@
 #include "stimulus/random_stream.hpp"
 #include "stimulus/sequences.hpp"
 #include "systemc/stream_image.hpp"
+#include "unit/units.hpp"
 #include "view/view_bench.hpp"
-#include "view/view_units.hpp"
 
 namespace hmlfc::tb {
 
@@ -24,11 +24,11 @@ inline constexpr ViewFormat kViewFormats[]{ViewFormat::kY,         ViewFormat::k
 /// One stream and a unit for it. `bytes` must outlive it.
 class ViewRun {
  public:
-  ViewRun(std::span<const uint8_t> bytes, const ViewMaker& maker, uint64_t seed)
+  ViewRun(std::span<const uint8_t> bytes, const UnitMaker& maker, uint64_t seed)
       : maker_(maker),
         image_(bytes, maker.parameters),
         random_(seed),
-        bench_(maker.make(maker.parameters.with_state(seed), image_.oracle()), bytes,
+        bench_(maker.make(maker.parameters.with_state(seed), &image_.oracle()), bytes,
                image_.area().bytes, image_.oracle(), kRing) {}
 
   const std::string& finding() const { return bench_.finding(); }
@@ -93,7 +93,7 @@ class ViewRun {
     in_turns(all, [&](auto turn) { bench_.run(turn); });
   }
 
-  /// Blocks behind the plane's, and a view that does not exist.
+  /// Blocks after the plane's last, and a view that does not exist.
   void outside() {
     const unsigned b = maker_.parameters.block_size();
     Descriptor d = whole(ViewFormat::kRgb161616);
@@ -122,7 +122,7 @@ class ViewRun {
   /// The driver fills the reference area.
   void area() {
     const uint64_t seed = random_.next();
-    bench_.host().set_conditions(random_conditions(seed), seed);
+    bench_.host().memory().start(random_conditions(seed), seed);
     bench_.fill_area();
   }
 
@@ -217,14 +217,14 @@ class ViewRun {
     for (size_t i = 0; i < all.size() && finding().empty();) {
       const size_t count = std::min<size_t>(random_.within(1, kRing), all.size() - i);
       const uint64_t seed = random_.next();
-      bench_.host().set_conditions(random_conditions(seed), seed);
+      bench_.host().memory().start(random_conditions(seed), seed);
       run(std::span(all).subspan(i, count));
       i += count;
       if (finding().empty()) bench_.host().free_all();
     }
   }
 
-  ViewMaker maker_;
+  UnitMaker maker_;
   StreamImage image_;
   Random random_;
   ViewBench bench_;

@@ -30,7 +30,7 @@ std::vector<uint8_t> white_picture() {
 class ViewDma : public testing::TestWithParam<uint32_t> {};
 
 TEST_P(ViewDma, EqualsTheModel) {
-  for (const ViewMaker& maker : view_dmas()) {
+  for (const UnitMaker& maker : view_dmas()) {
     const auto bytes = stream(GetParam(), maker.parameters.block_size());
     ViewRun run(bytes, maker, GetParam());
     run.everything();
@@ -41,7 +41,7 @@ TEST_P(ViewDma, EqualsTheModel) {
 INSTANTIATE_TEST_SUITE_P(Seed, ViewDma, testing::Range(0U, 8U));
 
 TEST(ViewDma, ReachesEveryMacroRow) {
-  for (const ViewMaker& maker : view_dmas()) {
+  for (const UnitMaker& maker : view_dmas()) {
     const auto bytes = large_picture(maker.parameters.block_size());
     ViewRun run(bytes, maker, 1);
     run.whole_views();
@@ -51,7 +51,7 @@ TEST(ViewDma, ReachesEveryMacroRow) {
 }
 
 TEST(ViewDma, CountsBlocksThatDoNotDecodeOrFit) {
-  const ViewMaker maker = view_dmas().front();
+  const UnitMaker maker = view_dmas().front();
   const std::vector<uint8_t> bytes = white_picture();
   const auto errors_of = [&](ViewFormat format) {
     ViewRun run(bytes, maker, 1);
@@ -66,33 +66,8 @@ TEST(ViewDma, CountsBlocksThatDoNotDecodeOrFit) {
   EXPECT_EQ(errors_of(ViewFormat::kRgb161616).first_error, 0);
 }
 
-// What the places of many runs reach: the ends of the addresses, a carry into bit 32, all high
-// bits.
-TEST(ViewDma, MeetsTheWidthOfAddresses) {
-  constexpr std::array<std::string_view, size_t(PlaceKind::kCount)> kNames{
-      "rings", "stream", "reference area", "pixels", "bitmap"};
-  const ViewMaker maker = view_dmas().front();
-  std::array<AddressCoverage, size_t(PlaceKind::kCount)> met;
-  for (uint32_t seed = 0; seed < 96; ++seed) {
-    const auto bytes = stream(seed % 8, maker.parameters.block_size());
-    ViewRun run(bytes, maker, seed);
-    run.rectangles(6);
-    run.area();
-    ASSERT_EQ(run.finding(), "") << "seed " << seed;
-    for (size_t kind = 0; kind < met.size(); ++kind) {
-      met[kind] += run.bench().host().memory().coverage[kind];
-    }
-  }
-  for (size_t kind = 0; kind < met.size(); ++kind) {
-    if (kind == size_t(PlaceKind::kStream)) continue;  // the model reads it, not the DMA
-    for (const NamedCount& point : met[kind].all(std::string(kNames[kind]))) {
-      EXPECT_NE(point.hits, 0u) << point.name;
-    }
-  }
-}
-
 TEST(ViewUnit, EqualsTheModel) {
-  for (const ViewMaker& maker : view_units()) {
+  for (const UnitMaker& maker : view_units()) {
     for (const uint32_t seed : {0u, 1u, 3u}) {
       const auto bytes = stream(seed, maker.parameters.block_size());
       ViewRun run(bytes, maker, seed);
@@ -120,7 +95,7 @@ TEST(ViewUnit, ClockStopsWhileIdle) {
 
 // The DMA reads a descriptor while the decode unit reads the header: each takes its own answers.
 TEST(ViewUnit, FetchesDescriptorsDuringLoad) {
-  for (const ViewMaker& maker : view_units()) {
+  for (const UnitMaker& maker : view_units()) {
     const auto bytes = stream(0, maker.parameters.block_size());
     ViewRun run(bytes, maker, 0);
     for (int i = 0; i < 8; ++i) {

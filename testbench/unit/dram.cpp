@@ -1,4 +1,4 @@
-#include "systemc/dram.hpp"
+#include "unit/dram.hpp"
 
 #include <algorithm>
 

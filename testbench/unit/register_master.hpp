@@ -1,19 +1,16 @@
 // Software's side of the registers.
 #pragma once
 
-#include <optional>
+#include <string>
 
-#include "systemc/mismatch.hpp"
-#include "systemc/wires.hpp"
+#include "stimulus/conditions.hpp"
+#include "unit/pins.hpp"
 
 namespace hmlfc::tb {
 
 /// Master of s_axil_*: one access at a time, address and data of a write in random order.
-class RegisterMaster final : public EdgeModule {
+class RegisterMaster {
  public:
-  RegisterMaster(const sc_core::sc_module_name& name, Wires& wires, Findings& findings)
-      : EdgeModule(name, wires), findings_(findings) {}
-
   void start_write(uint32_t address, uint32_t value);
   void start_read(uint32_t address);
 
@@ -25,17 +22,19 @@ class RegisterMaster final : public EdgeModule {
 
   void set_seed(uint64_t seed) { random_ = Random(seed); }
 
- protected:
-  void edge() override;
+  /// A rising edge: sets the inputs of the register port in `next`, from the pins before it.
+  void edge(const UnitInputs& in, const UnitOutputs& out, UnitInputs& next);
+
+  std::string finding;  ///< the first response that is not OKAY; empty for none
 
  private:
   enum class State : uint8_t { kIdle, kWrite, kRead };
 
-  void write_edge();
-  void read_edge();
-  void check_response(uint8_t response);
+  void write_edge(const UnitInputs& in, const UnitOutputs& out, UnitInputs& next);
+  void read_edge(const UnitInputs& in, const UnitOutputs& out, UnitInputs& next);
+  bool waits();
+  void end(uint8_t response);
 
-  Findings& findings_;
   Random random_{0};
   State state_ = State::kIdle;
   uint32_t address_ = 0;

@@ -8,7 +8,7 @@ namespace hmlfc::tb {
 
 /// When lines come, by banks and rows. Lines are served in the order in which they are asked for; a
 /// line of which a part is read takes the bus as long as a whole one. There is no refresh, and no
-/// other traffic. Times are in clocks of the unit, about those of DDR4 behind an interconnect at
+/// other traffic. Times are in clocks of the unit, about those of DDR4 with an interconnect at
 /// 200 MHz.
 class Dram {
  public:

@@ -1,15 +1,15 @@
-// The registers of the unit as a model: what software wrote, and the counters.
+// The registers of the transaction-level model: what software wrote, and the counters.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "unit/pins.hpp"
+#include "oracle/request.hpp"
 #include "unit/registers.hpp"
 
 namespace hmlfc::tb {
 
-/// Behaviour of the table of registers; the owner of the file acts on what was written to CONTROL.
+/// Behaves as the table of registers says; the owner of the file acts on writes to CONTROL.
 class RegisterFile {
  public:
   explicit RegisterFile(const UnitParameters& unit) : unit_(unit) {}
@@ -29,12 +29,9 @@ class RegisterFile {
 
   // Set by the owner.
   bool ready = false;
-  bool loading = false;
-  bool idle = true;
   uint8_t load_error = 0;
   uint64_t blocks = 0;
   uint64_t cycles = 0;
-  uint64_t stalls = 0;
   uint64_t bytes_read = 0;
 
  private:

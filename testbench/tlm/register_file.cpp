@@ -1,4 +1,4 @@
-#include "unit/register_file.hpp"
+#include "tlm/register_file.hpp"
 
 #include <utility>
 
@@ -11,9 +11,7 @@ uint32_t RegisterFile::read(uint32_t offset) {
     case HMLFC_REG_PARAMETERS:
       return reg::parameters(unit_.block_log2, unit_.max_depth, unit_.beat_bytes);
     case HMLFC_REG_STATUS:
-      return (ready ? HMLFC_REG_STATUS_READY_MASK : 0) |
-             (loading ? HMLFC_REG_STATUS_LOADING_MASK : 0) |
-             (idle ? HMLFC_REG_STATUS_IDLE_MASK : 0) |
+      return HMLFC_REG_STATUS_IDLE_MASK | (ready ? HMLFC_REG_STATUS_READY_MASK : 0) |
              uint32_t{load_error} << HMLFC_REG_STATUS_LOAD_ERROR_SHIFT;
     case HMLFC_REG_ERROR:
       return error_;
@@ -29,7 +27,6 @@ uint32_t RegisterFile::read_pair(uint32_t offset) {
                                                  {HMLFC_REG_ERROR_ADDRESS, error_word_},
                                                  {HMLFC_REG_BLOCKS, blocks},
                                                  {HMLFC_REG_CYCLES, cycles},
-                                                 {HMLFC_REG_STALLS, stalls},
                                                  {HMLFC_REG_BYTES_READ, bytes_read},
                                                  {HMLFC_REG_REQUESTS, requests_}};
   for (const auto& [low, value] : pairs) {
@@ -51,7 +48,7 @@ uint32_t RegisterFile::write(uint32_t offset, uint32_t value) {
   pairs_[2] &= HMLFC_REG_REFERENCE_BASE_MASK;
   if (offset != HMLFC_REG_CONTROL) return 0;
   if ((value & HMLFC_REG_CONTROL_CLEAR_MASK) != 0) {
-    blocks = cycles = stalls = bytes_read = requests_ = 0;
+    blocks = cycles = bytes_read = requests_ = 0;
     error_ = 0;
     error_word_ = 0;
   }
