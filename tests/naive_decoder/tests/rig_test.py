@@ -71,7 +71,7 @@ VALUES = [
 ]  # fmt: skip
 
 
-# Forms of a text that readers may take differently: schema, then what comes between and behind the members.
+# Forms of a text that readers may take differently: schema, then what follows it and what follows the text.
 FORMS = [
     ("schema", "1.0", "", ""), ("schema", "10e-1", "", "\n"), ("schema", "01", "", ""), ("schema", "+1", "", ""),
     ("schema", "1.", "", ""), ("schema", ".1e1", "", ""), ("schema", "1E0", "", ""), ("schema", "0x1", "", ""),
@@ -131,8 +131,8 @@ class DamagedRigTest(CliTest):
     def test_the_program_takes_the_same_forms(self):
         stream = (FOLDER / "syntax/rig.hmlfc").read_bytes()
         taken = 0
-        for turn, (name, schema, between, behind) in enumerate(FORMS):
-            text = f'{{"{name}":{schema}{between},"positions":[[0,0,0],[1,0,0]]}}{behind}'
+        for turn, (name, schema, between, after) in enumerate(FORMS):
+            text = f'{{"{name}":{schema}{between},"positions":[[0,0,0],[1,0,0]]}}{after}'
             taken += self.agreed(stream, text.encode(), turn) is None
         self.assertEqual(taken, 8)
 
