@@ -1,5 +1,5 @@
 // All trit and quint codes: how many stand for each tuple of digits, and which of them is written
-// (BISE-8 to BISE-10). Which digits a code stands for, bise_astc_test says.
+// (BISE-8 to BISE-10). Which digits a code stands for, the vectors and the decoder in Python say.
 #include "arithmetic/bise.hpp"
 
 #include <algorithm>

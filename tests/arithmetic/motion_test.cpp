@@ -75,22 +75,6 @@ TEST(DisparityVector, Extremes) {
   }
 }
 
-TEST(DisparityVector, Random) {
-  std::mt19937 random(1);
-  const auto draw = [&](int lo, int hi) { return std::uniform_int_distribution(lo, hi)(random); };
-  for (int i = 0; i < 500000; ++i) {
-    const VectorRules rules{draw(0, 1016), static_cast<unsigned>(draw(0, 5)), draw(-127, 127)};
-    const int32_t d = draw(kMinDisparity, kMaxDisparity);
-    const int32_t rows = draw(-400, 400);
-    const int32_t cols = draw(-400, 400);
-    ASSERT_EQ(disparity_vector(d, rows, cols, rules), naive_vector(d, rows, cols, rules));
-  }
-}
-
-TEST(DisparityVector, Example) {
-  EXPECT_EQ(disparity_vector(6, -1, 1, {64, 2, 16}), (MotionVector{2, -1}));
-}
-
 TEST(ExplicitVector, EveryComponentIsClamped) {
   for (const int32_t bound : {0, 1, 254, 1016}) {
     for (int32_t x = -2048; x <= 2047; ++x) {
@@ -141,26 +125,6 @@ TEST(SubpelVector, EveryComponent) {
   }
 }
 
-TEST(SubpelVector, Examples) {
-  EXPECT_EQ(subpel_vector({-3, 5}, 2, false), (SubpelVector{-1, 1, 2, 2}));
-  EXPECT_EQ(subpel_vector({-3, 5}, 2, true), (SubpelVector{-1, 0, 5, 5}));
-  EXPECT_EQ(subpel_vector({-7, 7}, 0, false), (SubpelVector{-7, 7, 0, 0}));
-  EXPECT_EQ(subpel_vector({-7, 7}, 0, true), (SubpelVector{-4, 3, 4, 4}));
-}
-
-TEST(TapWeights, AddUpTo64AndFadeWithTheDistance) {
-  for (int32_t fy = 0; fy < 8; ++fy) {
-    for (int32_t fx = 0; fx < 8; ++fx) {
-      const TapWeights w = tap_weights(fx, fy);
-      EXPECT_EQ(w[0] + w[1] + w[2] + w[3], 64);
-      EXPECT_EQ(w[0] + w[2], 8 * (8 - fx)) << "the left column";
-      EXPECT_EQ(w[2] + w[3], 8 * fy) << "the lower row";
-      EXPECT_TRUE(std::ranges::all_of(w, [](int32_t weight) { return weight >= 0; }));
-      EXPECT_EQ(w[3] == 0, fx == 0 || fy == 0);
-    }
-  }
-}
-
 // MOT-9 as it is written: two interpolations along x, one along y.
 int64_t naive_sum(int64_t fx, int64_t fy, const std::array<int32_t, 4>& ref) {
   return (8 - fy) * ((8 - fx) * ref[0] + fx * ref[1]) + fy * ((8 - fx) * ref[2] + fx * ref[3]);
@@ -199,14 +163,6 @@ TEST(Interpolation, ExtremesOfEveryDepth) {
         }
       }
     }
-  }
-}
-
-TEST(Interpolation, RandomSamples) {
-  std::mt19937 random(1);
-  std::uniform_int_distribution<int32_t> draw(-8190, 8190);
-  for (int i = 0; i < 20000; ++i) {
-    check_all_fractions({draw(random), draw(random), draw(random), draw(random)});
   }
 }
 

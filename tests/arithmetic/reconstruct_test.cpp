@@ -88,19 +88,6 @@ TEST(Reconstruct, BoundaryResidualsOfEveryDepth) {
   }
 }
 
-TEST(Reconstruct, ExamplesByHand) {
-  const SampleRange y = sample_range(Plane::kY, 8);
-  EXPECT_EQ(residual_of_value(0, 40, 3, y), -17) << "0 - 20 + 3";
-  EXPECT_EQ(residual_of_value(0, 1, -300, y), -255) << "clamped to -M";
-  EXPECT_EQ(residual_of_value(2, 3, 0, y), 1) << "2 - 1: odd counts have their middle at 0";
-  EXPECT_EQ(motion_prediction(0, true, 7, y), 0) << "0 - 7 is below lo";
-  EXPECT_EQ(motion_prediction(250, false, 7, y), 255);
-  EXPECT_EQ(add_residual(10, -10, y), 0);
-  const SampleRange co = sample_range(Plane::kCo, 8);
-  EXPECT_EQ(motion_prediction(-250, true, 510, co), -255);
-  EXPECT_EQ(add_residual(255, -510, co), -255) << "M reaches from one end to the other";
-}
-
 const std::vector<int32_t> kSteps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
 
 // All numbers 2^i and 3 * 2^i up to 256, ascending, are the list of STP-2.
@@ -115,21 +102,6 @@ TEST(Steps, EveryCode) {
   ASSERT_EQ(kSteps.size(), kMaxStepCode + 1);
   for (unsigned code = 0; code <= kMaxStepCode; ++code) {
     EXPECT_EQ(step_of_code(code), kSteps[code]) << code;
-  }
-}
-
-TEST(Steps, StepOneIsTheResidualOfMain) {
-  for (const Plane plane : {Plane::kY, Plane::kCo}) {
-    const SampleRange range = sample_range(plane, 8);
-    for (unsigned code = 0; code <= max_residual_level_code(8); ++code) {
-      const uint32_t levels = levels_of_code(code).count;
-      for (uint32_t value = 0; value < levels; ++value) {
-        for (const int32_t bias : {-512, -3, 0, 1, 511}) {
-          ASSERT_EQ(stepped_residual(value, levels, bias, 1, range),
-                    residual_of_value(value, levels, bias, range));
-        }
-      }
-    }
   }
 }
 
@@ -156,14 +128,6 @@ void check_depth(int depth, const std::vector<uint32_t>& level_counts) {
 
 TEST(Steps, ResidualsOfEveryDepth) {
   for (int depth = 8; depth <= 12; ++depth) check_depth(depth, {1, 2, 3, 40, 1u << (depth + 2)});
-}
-
-// The greatest product before the outer clamp: 256 * M (section 11).
-TEST(Steps, ExtremesAreClamped) {
-  const SampleRange range = sample_range(Plane::kCo, 12);
-  EXPECT_EQ(stepped_residual(16383, 16384, 8191, 256, range), 8190);
-  EXPECT_EQ(stepped_residual(0, 16384, -8192, 256, range), -8190);
-  EXPECT_EQ(stepped_residual(0, 40, 3, 4, sample_range(Plane::kY, 8)), -68);
 }
 
 }  // namespace

@@ -34,14 +34,6 @@ void check_append(T value) {
   RC_ASSERT(load_le<T>(bytes, 1) == value);
 }
 
-TEST(LittleEndian, ByteOrderSpelledOut) {
-  const std::vector<uint8_t> bytes{0x12, 0x34, 0x56, 0x78, 0x9A, 0xBC, 0xDE, 0xF0};
-  EXPECT_EQ(load_le<uint8_t>(bytes, 7), 0xF0u);
-  EXPECT_EQ(load_le<uint16_t>(bytes, 0), 0x3412u);
-  EXPECT_EQ(load_le<uint32_t>(bytes, 4), 0xF0DEBC9Au);
-  EXPECT_EQ(load_le<uint64_t>(bytes, 0), 0xF0DEBC9A78563412u);
-}
-
 TEST(LittleEndian, EveryOffset) {
   check_every_offset<uint8_t>();
   check_every_offset<uint16_t>();
@@ -70,8 +62,6 @@ TEST(BitMask, EachBitAndEachPrefix) {
     }
   }
 }
-
-TEST(BitMask, ExampleOfTheHeader) { EXPECT_EQ(rank(0b1011, 2), 2u); }
 
 }  // namespace
 }  // namespace hmlfc

@@ -1,4 +1,4 @@
-/* hmlfc.h behind hmlfc_dut.h: `hmlfc conform` runs the suite on the C interface, in strict C99. */
+/* Implements hmlfc_dut.h by hmlfc.h: `hmlfc conform` runs the suite on the C interface, in strict C99. */
 #include <hmlfc/hmlfc.h>
 #include <hmlfc/hmlfc_dut.h>
 #include <stdlib.h>

@@ -59,7 +59,7 @@ class ClauseCells:
         yield from self._unknown_names()
 
     def _lack(self, column, clause):
-        """What the cell lacks, or None."""
+        """Names what the cell lacks, or returns None."""
         if column == VECTORS:
             return None if self.vectors(clause) else "no vector exercises it"
         if not self.files(column, clause):

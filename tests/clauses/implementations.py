@@ -7,7 +7,7 @@ import tempfile
 
 from specification import cited_clauses
 
-# Of each implementation, named as its declaration in vectors/duts: the folders that decode, and what is
+# For each implementation, named as its declaration in vectors/duts: the folders that decode, and what is
 # below them that does not. A folder in both lists is cited where no other file is.
 FOLDERS = {
     "model": (
@@ -47,7 +47,7 @@ def not_decoding(root):
 
 
 def citing_text(path):
-    """What may cite: of Verilog the comments alone, where a range such as [BITS-1:0] is no clause."""
+    """Returns the text that may cite: of Verilog only the comments, since a range such as [BITS-1:0] is no clause."""
     text = path.read_text()
     return "\n".join(re.findall(r"//.*", text)) if path.suffix in {".sv", ".svh"} else text
 

@@ -1,6 +1,5 @@
 """Lost tasks of tools/cluster/cluster.py: run again, counted, named. An sbatch of our own runs each task at once, and
-a program of our own in place of hmlfc fails as told. Arguments: cluster.py, or a copy with a fault in it; the tests,
-else all."""
+a program of our own in place of hmlfc fails as told. Argument: cluster.py."""
 
 import importlib.util
 import json

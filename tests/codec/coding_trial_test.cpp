@@ -1,4 +1,4 @@
-// What trials find: their estimates against whole encodings, the groups they lead to, and the
+// Trials are checked by their estimates against whole encodings, the groups they lead to, and the
 // errors of key images.
 #include "encoder/coding_trial.hpp"
 
@@ -45,57 +45,6 @@ TEST(CodingTrial, IsNearTheWholeEncoding) {
   EXPECT_NEAR(trial.rgb_squares / static_cast<double>(encoded->error.rgb_squares), 1, 0.15);
 }
 
-// A third of the rows has nearly all of the bits: a trial that looked at these rows alone, or at
-// the others, would be far from the whole.
-TEST(CodingTrial, SeesAllRows) {
-  const LightFieldShape shape{6, 6, 96, 192, 8};
-  LightField field = test::textured_light_field(shape, 3, 6);
-  const std::vector<uint16_t> grey(size_t{shape.width} * 3, 90);
-  for (uint32_t view = 0; view < shape.rows * shape.cols; ++view) {
-    for (uint32_t y = 0; y < shape.height; ++y) {
-      if (y / 64 != 1) field.write_row(view / shape.cols, view % shape.cols, y, grey);
-    }
-  }
-  const SettledCoding settled = settle_coding(FieldViews(field), with_defaults({}));
-  const TrialResult trial = trial_of(field, settled, 10);
-  const auto encoded = encode(field, settled.params);
-  ASSERT_TRUE(encoded.has_value());
-  EXPECT_NEAR(trial.bits / (8 * static_cast<double>(encoded->bytes.size())), 1, 0.15);
-  EXPECT_NEAR(trial.rgb_squares / static_cast<double>(encoded->error.rgb_squares), 1, 0.15);
-}
-
-// Views whose blocks reach beyond them: red counts columns and green rows, so that the part's first
-// pixel says where it lies.
-TEST(CodingTrial, ThePartLiesInTheViews) {
-  const LightFieldShape shape{1, 2, 399, 271, 8};
-  LightField field(shape);
-  RgbImage image{shape.width, shape.height, 8, {}};
-  for (uint32_t y = 0; y < shape.height; ++y) {
-    for (uint32_t x = 0; x < shape.width; ++x) {
-      const uint32_t busy = x * 7 + y > 300 ? (x * y) % 50 : 0;
-      for (const uint32_t value : {x % 256, y % 256, busy}) {
-        image.samples.push_back(static_cast<uint16_t>(value));
-      }
-    }
-  }
-  field.set_view(0, 0, image);
-  field.set_view(0, 1, image);
-  EncodeParams params = with_defaults({});
-  params.ref_rows = params.ref_cols = 2;
-  params.chroma = ChromaFormat::k444;
-  const FieldViews views(field);
-  const CachedViews part = part_of(views, params);
-  ASSERT_EQ(part.shape().width, 384u);
-  ASSERT_EQ(part.shape().height, 256u);
-  const RgbImage view = part.view({0, 1});
-  const uint32_t left = view.samples[0];
-  const uint32_t top = view.samples[1];
-  EXPECT_LE(left + 384, shape.width);
-  EXPECT_LE(top + 256, shape.height);
-  EXPECT_EQ(view.samples[383 * 3], (left + 383) % 256);
-  EXPECT_EQ(view.samples[(255 * 384 + 383) * 3 + 1], (top + 255) % 256);
-}
-
 // Waves whose direction and length depend on `seed`: easy to code, hard to predict from others.
 RgbImage waves(uint32_t seed) {
   RgbImage image{kTrialShape.width, kTrialShape.height, 8, {}};
@@ -126,16 +75,6 @@ TEST(CodingTrial, GroupsFollowTheViews) {
   const EncodeParams many = settled_params(unlike);
   EXPECT_EQ(many.ref_rows, 1u);
   EXPECT_EQ(many.ref_cols, 1u);
-}
-
-TEST(CodingTrial, NothingIsOpenAfterwards) {
-  const EncodeParams params = settled_params(test::textured_light_field(kTrialShape, 3, 6));
-  EXPECT_GT(params.ref_rows, 0u);
-  EXPECT_GT(params.ref_cols, 0u);
-  EXPECT_GT(params.extended.disparity_grid, 0u);
-  EXPECT_GT(params.extended.motion_tile, 0u);
-  EXPECT_GT(params.extended.key_weight, 0);
-  EXPECT_TRUE(params.chroma.has_value());
 }
 
 TEST(KeyCurve, ErrorsGrowWithLambdaAndFallWithWeight) {

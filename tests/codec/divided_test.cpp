@@ -128,14 +128,5 @@ TEST(Divided, MemorySetsThePartsAndTheLeastIsNamed) {
   EXPECT_EQ(large->parts().count(), 1u);
 }
 
-TEST(Divided, PartsMustMakeUpTheGrid) {
-  const FieldViews views(field());
-  MemoryStorage storage;
-  for (const PartGrid& parts : {PartGrid{{6}, {5}}, PartGrid{{7}, {}}, PartGrid{{0, 7}, {5}},
-                                PartGrid{{7}, {3, 3, 5}}, PartGrid{{7, 8}, {5}}}) {
-    EXPECT_FALSE(DividedEncoder::create(views, codings()[0], {{}, parts}, storage).has_value());
-  }
-}
-
 }  // namespace
 }  // namespace hmlfc

@@ -48,25 +48,6 @@ EncodeParams full_chroma(Method method) {
   return params;
 }
 
-// Of noise whose residuals are all dropped, only the reference images survive (STR-4): row 1 of
-// rows 0 to 3 and row 5 of rows 4 to 6, column 1 of columns 0 to 2 and column 3 of columns 3 and 4.
-TEST(EncoderDecisions, ReferenceImagesByHand) {
-  EncodeParams params = full_chroma(Method::kMc);
-  params.window = 2;
-  params.ref_rows = 4;
-  params.ref_cols = 3;
-  params.main.threshold_pred = 1u << 30;
-  const LightField field = test::textured_light_field({7, 5, 16, 16, 8}, 1, 255);
-  const Grid views = decoded_views(field, params);
-  std::set<std::pair<uint32_t, uint32_t>> exact;
-  for (uint32_t row = 0; row < 7; ++row) {
-    for (uint32_t col = 0; col < 5; ++col) {
-      if (views[row][col] == field.view(row, col).samples) exact.insert({row, col});
-    }
-  }
-  EXPECT_EQ(exact, (std::set<std::pair<uint32_t, uint32_t>>{{1, 1}, {1, 3}, {5, 1}, {5, 3}}));
-}
-
 // Each block of the second view differs from the first, its prediction, by 16.
 TEST(EncoderDecisions, ThresholdOfPredictiveImagesIsTheLeastEnergyThatIsCoded) {
   EncodeParams params = full_chroma(Method::kMc);
@@ -85,35 +66,6 @@ TEST(EncoderDecisions, ThresholdOfReferenceImagesIsTheLeastEnergyThatIsCoded) {
   EXPECT_EQ(decoded_views(field, params)[0][0], field.view(0, 0).samples);
   params.main.threshold_ref = 17;
   EXPECT_EQ(decoded_views(field, params)[0][0], grey_views({101}).view(0, 0).samples);
-}
-
-// Halving loses nothing where squares of 2 x 2 pixels share their chroma: grey added to a colour
-// moves Y alone.
-TEST(EncoderDecisions, SquaresOfOneChromaSurviveHalving) {
-  EncodeParams params = full_chroma(Method::kHmlfc);
-  params.chroma = ChromaFormat::k420;
-  test::Random random(1);
-  for (const auto& [width, height] : {std::pair{12u, 8u}, {13u, 9u}, {1u, 7u}, {5u, 1u}}) {
-    LightField field({2, 2, width, height, 8});
-    for (uint32_t view = 0; view < 4; ++view) {
-      RgbImage image{width, height, 8, std::vector<uint16_t>(size_t{width} * height * 3)};
-      std::vector<uint32_t> colours((width / 2 + 1) * (height / 2 + 1) * 3);
-      for (uint32_t& channel : colours) channel = random() % 190;
-      for (uint32_t i = 0; i < width * height; ++i) {
-        const uint32_t square = i / width / 2 * (width / 2 + 1) + i % width / 2;
-        const uint32_t grey = random() % 66;
-        for (uint32_t c = 0; c < 3; ++c) {
-          image.samples[i * 3 + c] = static_cast<uint16_t>(colours[square * 3 + c] + grey);
-        }
-      }
-      field.set_view(view / 2, view % 2, image);
-    }
-    const Grid views = decoded_views(field, params);
-    for (uint32_t view = 0; view < 4; ++view) {
-      EXPECT_EQ(views[view / 2][view % 2], field.view(view / 2, view % 2).samples)
-          << width << " x " << height;
-    }
-  }
 }
 
 EncodedStream encoded_noise(const EncodeParams& params) {

@@ -95,19 +95,6 @@ TEST(DecodeAll, OfDamagedStreams) {
   EXPECT_GT(decoded, 20);
 }
 
-TEST(DecodeAll, ReferencesLoadedBeforeChangeNothing) {
-  for (uint64_t seed = 0; seed < 20; ++seed) {
-    const Bytes file = vectors::random_stream(seed, {});
-    const auto fresh = Decoder::open(file);
-    const auto loaded = Decoder::open(file);
-    ASSERT_TRUE(loaded->load_references(2).has_value());
-    const auto a = decode_all(*fresh, 0, 2);
-    const auto b = decode_all(*loaded, 0, 2);
-    ASSERT_TRUE(a.has_value() && b.has_value());
-    for (const auto& [view, image] : *a) ASSERT_EQ(image.samples, b->at(view).samples);
-  }
-}
-
 // Only levels that are not keyed have residuals to hold: the reference images of the others are key
 // images, which have none (EXT-4, EXT-5).
 TEST(DecodeAll, ReferencesOfKeyedLevelsAreNotLoaded) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -10,7 +9,6 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "arithmetic/naive_integers.hpp"
 #include "support/streams.hpp"
 #include "vectors/field_stream.hpp"
 
@@ -20,7 +18,7 @@ namespace {
 using test::Bytes;
 
 /// Counts the walks of each level and kind, and the fields of each: a walk begins with a mask of
-/// ROOT. Collects the vectors of each level.
+/// ROOT.
 class WalkCounter final : public TraceSink {
  public:
   struct Walk {
@@ -36,16 +34,11 @@ class WalkCounter final : public TraceSink {
     ++(index ? walks_.back().index_fields : walks_.back().tile_fields);
   }
   void on_stage(const StageRecord&) override {}
-  void on_vector(const VectorRecord& record) override {
-    vectors_[record.site.level].push_back(record);
-  }
 
   const std::vector<Walk>& walks() const { return walks_; }
-  const std::vector<VectorRecord>& vectors(int level) { return vectors_[level]; }
 
  private:
   std::vector<Walk> walks_;
-  std::map<int, std::vector<VectorRecord>> vectors_;
 };
 
 // BND-1 less the index, and the step fields.
@@ -85,32 +78,6 @@ void count(const Geometry& geometry, const WalkCounter::Walk& walk, LevelWalks& 
   }
 }
 
-/// The coordinates of one axis that ref is asked for, less those of weight 0: `side` from `first`
-/// on, displaced by `eighths` of a sample, in a plane of `size` samples.
-std::set<uint32_t> blocks_touched(uint32_t first, uint32_t side, int64_t eighths, uint32_t size) {
-  const int64_t whole = test::floor_of(eighths, 8);
-  const int64_t count = side + (eighths % 8 != 0 ? 1 : 0);
-  std::set<uint32_t> blocks;
-  for (int64_t i = 0; i < count; ++i) {
-    const int64_t at = test::between(0, int64_t{first} + whole + i, int64_t{size} - 1);
-    blocks.insert(static_cast<uint32_t>(at) / side);
-  }
-  return blocks;
-}
-
-/// Walks to reference blocks that `vectors` need: every block that a sample of a weight stands in.
-uint64_t reference_walks(const std::vector<VectorRecord>& vectors, const Geometry& geometry,
-                         const BlockAddress& at) {
-  const uint32_t side = geometry.block_size();
-  const PlaneShape& plane = geometry.plane(at.plane);
-  uint64_t walks = 0;
-  for (const VectorRecord& vector : vectors) {
-    walks += blocks_touched(at.bx * side, side, vector.x, plane.width).size() *
-             blocks_touched(at.by * side, side, vector.y, plane.height).size();
-  }
-  return walks;
-}
-
 /// Checks one block; returns the most walks of one level that is not keyed.
 uint64_t check_block(const Decoder& decoder, const BlockAddress& at) {
   const StreamHeader& header = decoder.header();
@@ -131,9 +98,6 @@ uint64_t check_block(const Decoder& decoder, const BlockAddress& at) {
       continue;
     }
     EXPECT_LE(walks.references.size(), 2u);
-    EXPECT_EQ(walks.all - walks.own - walks.motion - walks.disparity,
-              reference_walks(counter.vectors(l), geometry, at))
-        << "samples of weight 0 are not read";
     for (const auto& [image, blocks] : walks.references) {
       // Two references may be the same image.
       EXPECT_LE(blocks, walks.references.size() == 1 ? 8u : 4u);
@@ -164,48 +128,6 @@ TEST(ExtendedBounds, RandomBlocksOfRandomStreams) {
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
   EXPECT_GT(found[10], 10) << "blocks displaced between samples in both directions";
-}
-
-// Small vectors between samples, in both directions for both references.
-TEST(ExtendedBounds, TheBoundOfALevelIsReached) {
-  vectors::Random random(3);
-  std::map<uint64_t, int> found;
-  StreamHeader header = test::some_header(1);
-  header.profile = Profile::kExtended;
-  header.feature_flags = 511;
-  header.rows = header.cols = 6;
-  header.cluster_rows = header.cluster_cols = 6;
-  header.levels = {{3, 3, 0}, {1, 1, 0}};
-  header.window = 30;
-  header.motion_tile_log2 = 5;
-  header.disparity_grid_log2 = 3;
-  header.vector_precision = 2;
-  header.disparity_precision = 3;
-  header.row_scale = 16;
-  for (uint64_t seed = 0; seed < 4; ++seed) {
-    check_blocks(random, test::drawn_stream(header, seed), 800, found);
-    ASSERT_FALSE(HasFailure()) << "seed " << seed;
-  }
-  EXPECT_GT(found[11], 5);
-}
-
-// Decoding begins at the lowest level whose ancestor is a key image (EXT-5).
-TEST(ExtendedBounds, NothingAboveAKeyImageIsRead) {
-  StreamHeader header = test::some_header(2);
-  header.profile = Profile::kExtended;
-  header.feature_flags = feature_bit(Feature::kLevelKeys);
-  header.rows = header.cols = 4;
-  header.cluster_rows = header.cluster_cols = 2;
-  header.levels = {{1, 2, 0}, {1, 1, 1}, {1, 1, 0}};
-  const Bytes file = test::drawn_stream(header, 2);
-  const auto decoder = Decoder::open(file);
-  for (uint32_t view = 0; view < 16; ++view) {
-    WalkCounter counter;
-    ASSERT_TRUE(decoder->decode_block({{view / 4, view % 4}, Plane::kY, 0, 0}, {.trace = &counter})
-                    .has_value());
-    ASSERT_FALSE(counter.walks().empty());
-    for (const auto& walk : counter.walks()) EXPECT_EQ(walk.site.level, 0);
-  }
 }
 
 }  // namespace

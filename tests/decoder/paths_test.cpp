@@ -1,7 +1,6 @@
 // All decoding paths give the same samples and the same errors, on random streams, intact and
-// damaged (CNV-7, DEC-1 to DEC-7, FIL-6, COL-2, COL-3). What the samples are, the vectors and the
+// damaged (CNV-7, DEC-1 to DEC-7, FIL-6). What the samples are, the vectors and the
 // decoder in Python say.
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <random>
@@ -11,7 +10,6 @@
 
 #include <hmlfc/decoder.hpp>
 
-#include "arithmetic/colour.hpp"
 #include "support/streams.hpp"
 #include "vectors/field_stream.hpp"
 
@@ -71,47 +69,6 @@ Rect draw_rect(std::mt19937& random, uint32_t width, uint32_t height) {
   return {x, y, 1 + below(width - x), 1 + below(height - y)};
 }
 
-/// The least rectangle of whole blocks that holds `rect`.
-Rect whole_blocks(const Rect& rect, uint32_t side, PlaneSize size) {
-  const uint32_t x = rect.x / side * side;
-  const uint32_t y = rect.y / side * side;
-  const uint32_t right = std::min((rect.x + rect.width + side - 1) / side * side, size.width);
-  const uint32_t bottom = std::min((rect.y + rect.height + side - 1) / side * side, size.height);
-  return {x, y, right - x, bottom - y};
-}
-
-// One level after another from the top: each from the samples of the level above.
-void check_refined(const Decoder& decoder, ViewPos view, Plane plane, const Rect& rect) {
-  const int top = decoder.header().tree_height;
-  auto samples = decoder.decode_rect(view, plane, rect, top).value();
-  for (int level = top - 1; level >= 0; --level) {
-    ASSERT_TRUE(decoder.refine_rect(view, plane, rect, level, samples).has_value());
-    ASSERT_EQ(samples, decoder.decode_rect(view, plane, rect, level).value()) << level;
-  }
-}
-
-// Each pixel from the samples that stand where COL-3 says.
-void check_rgb(std::mt19937& random, const Decoder& decoder, ViewPos view) {
-  const StreamHeader& header = decoder.header();
-  const Rect rect = draw_rect(random, header.width, header.height);
-  const auto picture = decoder.decode_rgb(view, rect).value();
-  const uint32_t half = header.chroma_format == ChromaFormat::k420 ? 2 : 1;
-  std::vector<Samples> planes;
-  for (const Plane plane : kPlanes) planes.push_back(decoder.decode_plane(view, plane).value());
-  const size_t stride = decoder.plane_size(Plane::kCo).width;
-  for (uint32_t i = 0; i < rect.width * rect.height; ++i) {
-    const uint32_t x = rect.x + i % rect.width;
-    const uint32_t y = rect.y + i / rect.width;
-    const size_t chroma = y / half * stride + x / half;
-    const YCoCg colour{planes[0][size_t{y} * header.width + x], planes[1][chroma],
-                       planes[2][chroma]};
-    const Rgb rgb = inverse_colour(colour, header.depth);
-    ASSERT_EQ(picture.samples[3 * i], rgb.r) << x << ", " << y;
-    ASSERT_EQ(picture.samples[3 * i + 1], rgb.g) << x << ", " << y;
-    ASSERT_EQ(picture.samples[3 * i + 2], rgb.b) << x << ", " << y;
-  }
-}
-
 void check_view(std::mt19937& random, const Decoder& decoder, ViewPos view) {
   const Plane plane = kPlanes[random() % 3];
   const int level = test::draw(random, 0, decoder.header().tree_height);
@@ -122,9 +79,6 @@ void check_view(std::mt19937& random, const Decoder& decoder, ViewPos view) {
   const Rect rect = draw_rect(random, size.width, size.height);
   ASSERT_EQ(decoder.decode_rect(view, plane, rect, level).value(),
             part_of(*samples, size.width, rect));
-  const uint32_t side = decoder.header().block_size();
-  check_refined(decoder, view, plane, whole_blocks(rect, side, size));
-  check_rgb(random, decoder, view);
 }
 
 TEST(Paths, AgreeOnRandomStreams) {
@@ -173,34 +127,6 @@ TEST(Paths, AgreeOnDamagedStreams) {
   }
   EXPECT_GT(failed, 90) << "the damage is found";
   EXPECT_GT(decoded, 90) << "and does not spread";
-}
-
-TEST(Paths, RefuseToRefineWhatIsNotWholeBlocksOfALevel) {
-  StreamHeader header;
-  header.rows = header.cols = 2;
-  header.width = 18;
-  header.height = 13;
-  header.tree_height = 1;
-  header.levels = {{1, 1}, {1, 1}};
-  const Bytes file = test::drawn_stream(header, 4);
-  const auto decoder = Decoder::open(file);
-  ASSERT_TRUE(decoder.has_value()) << to_string(decoder.error());
-  ASSERT_EQ(header.block_size(), 4u);
-  const auto outcome = [&](const Rect& rect, int level, ViewPos view, size_t more = 0) {
-    Samples samples(size_t{rect.width} * rect.height + more);
-    const auto done = decoder->refine_rect(view, Plane::kY, rect, level, samples);
-    return done ? ErrorCode::kOk : done.error().code;
-  };
-  EXPECT_EQ(outcome({4, 8, 14, 5}, 0, {1, 1}), ErrorCode::kOk);
-  EXPECT_EQ(outcome({4, 8, 8, 4}, 0, {1, 1}), ErrorCode::kOk);
-  for (const Rect& rect : {Rect{5, 8, 3, 4}, Rect{4, 9, 4, 3}, Rect{4, 8, 3, 4}, Rect{4, 8, 4, 3},
-                           Rect{4, 8, 16, 4}, Rect{4, 8, 4, 8}, Rect{4, 8, 0, 4}}) {
-    EXPECT_EQ(outcome(rect, 0, {0, 0}), ErrorCode::kBadRequest) << rect.x << ", " << rect.y;
-  }
-  EXPECT_EQ(outcome({4, 8, 4, 4}, 1, {0, 0}), ErrorCode::kBadRequest);
-  EXPECT_EQ(outcome({4, 8, 4, 4}, -1, {0, 0}), ErrorCode::kBadRequest);
-  EXPECT_EQ(outcome({4, 8, 4, 4}, 0, {0, 2}), ErrorCode::kBadRequest);
-  EXPECT_EQ(outcome({4, 8, 4, 4}, 0, {0, 0}, 1), ErrorCode::kBadRequest);
 }
 
 }  // namespace

@@ -76,24 +76,5 @@ TEST(DisparitySearch, FindsAMovedPlane) {
   }
 }
 
-TEST(DisparitySearch, TheCoarseErrorTellsTheRowsDirection) {
-  const SamplePlane reference = noise_plane(kWidth, kHeight);
-  const PaddedPlane padded(reference, kWidth, kHeight, 40);
-  const SamplePlane image = moved(reference, 1, 1, 3);
-  DisparitySearch search;
-  search.targets = {{&image, {&padded, 1, 1}, {}}};
-  search.width = kWidth;
-  search.height = kHeight;
-  search.vector_precision = 3;
-  search.disparity_precision = 3;
-  search.rules = {30 * 8, 0, 16};
-  search.lambda = {int64_t{1} << 40};
-  const int64_t along = coarse_disparities(search, 48).error;
-  search.rules.row_scale = -16;
-  const int64_t against = coarse_disparities(search, 48).error;
-  EXPECT_EQ(along, 0);
-  EXPECT_GT(against, 1000);
-}
-
 }  // namespace
 }  // namespace hmlfc

@@ -1,6 +1,6 @@
 // libFuzzer's mutations of streams. CRCs cover most bytes of a stream, and its header has the sizes
 // of the sections: a part is changed, then the header is corrected, so that changes reach the code
-// behind these checks. One change in eight does not correct the header.
+// after these checks. One change in eight does not correct the header.
 #include "stream_mutation.hpp"
 
 #include <algorithm>

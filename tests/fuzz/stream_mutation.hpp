@@ -13,7 +13,7 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max
 
 namespace hmlfc::fuzz {
 
-/// As LLVMFuzzerCustomMutator, of a stream.
+/// Does what LLVMFuzzerCustomMutator does, for a stream.
 size_t mutate_stream(uint8_t* data, size_t size, size_t max_size, unsigned seed);
 
 }  // namespace hmlfc::fuzz

@@ -1,4 +1,5 @@
-// The server of `hmlfc view` behind its socket: one HTTP request of anybody, about any stream.
+// Fuzzes the server of `hmlfc view` without its socket: one HTTP request from anybody, about any
+// stream.
 #include <array>
 #include <string>
 #include <string_view>
@@ -18,7 +19,7 @@ constexpr size_t kMaxSizeText = 7;                  // of a frame: 999x999
 constexpr std::string_view kToken = "token";
 constexpr std::string_view kHost = "127.0.0.1:80";
 
-// What the server sends back to `sent`, as far as that is one request.
+// Returns what the server sends back to `sent`, as far as that is one request.
 std::string answer_to(std::string sent, view::Handler& handler) {
   auto taken = view::take_request(sent);
   if (!taken) return view::response_bytes(std::move(taken.error()), false, false);

@@ -4,7 +4,7 @@ REFLECTED_POLYNOMIAL = int(f"{0x1EDC6F41:032b}"[::-1], 2)
 
 
 def divided(byte):
-    """What a byte leaves in the CRC, bit by bit."""
+    """Returns the CRC of one byte, computed bit by bit."""
     for _ in range(8):
         byte = byte // 2 ^ (REFLECTED_POLYNOMIAL if byte % 2 else 0)
     return byte

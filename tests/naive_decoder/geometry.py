@@ -12,7 +12,7 @@ TILE_BLOCKS = 8  # blocks along the side of a tile (STR-6)
 
 
 class Geometry:
-    """What follows from the header alone."""
+    """Sizes and numbers that follow from the header alone."""
 
     def __init__(self, header):
         self.header = header

@@ -8,7 +8,7 @@ REFERENCE_SETS = [(0,), (0, 1), (0, 2), (1,), (2,), (1, 2), (0, 3), (3,)]
 
 
 def next_group(groups, position):
-    """The group beside the position's own, on its side of the reference image (MOT-7)."""
+    """The group next to the position's own, on its side of the reference image (MOT-7)."""
     own = groups.group_of(position)
     step = 1 if position >= groups.reference(own) else -1
     for group in (own + step, own - step):

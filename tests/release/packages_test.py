@@ -20,7 +20,7 @@ SUPPRESSED = (
 )
 NAMES = {"hmlfc", "hmlfc-rtl", "hmlfc-vectors", "libhmlfc-dev", "libhmlfc0.1", "python3-hmlfc"}
 
-# As the user of the clean system, one after another.
+# Commands that the user of the clean system runs, one after another.
 STEPS = """
 hmlfc synth --scene cards --grid 3x4 --size 48x32 -o views
 hmlfc encode views -o my.hmlfc

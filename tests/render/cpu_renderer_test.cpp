@@ -78,52 +78,6 @@ TEST(CpuRenderer, ColdFramesEqualTheGoldenRenderer) {
   EXPECT_GT(samples, 100000u);
 }
 
-// Frames of one row by a turned camera: no other row needs its blocks.
-TEST(CpuRenderer, RowsNeedTheBlocksOfTheGoldenRenderer) {
-  for (uint32_t seed = 200; seed < 230; ++seed) {
-    const test::OpenedStream stream(test::random_stream(seed));
-    const Decoder& decoder = *stream.decoder;
-    test::Random random(seed);
-    for (int n = 0; n < 40; ++n) {
-      Camera camera = test::random_camera_with_geometry(random, decoder.header());
-      camera.frame_height = 1;
-      camera.frame_width = 64;
-      camera.filter = Filter::kQuadrilinear;
-      camera.aperture = 0;
-      const auto part = [&] { return static_cast<double>(random() % 4001) / 1000 - 2; };
-      camera.look_at = WorldPoint{camera.position->u + part(), camera.position->v + part(),
-                                  camera.position->z + 2};
-      const auto record = frame_record(camera, decoder.header());
-      ASSERT_TRUE(record.has_value()) << record.error().message;
-      expect_same(Golden(decoder, *record, 0), *make_cpu_renderer(decoder), *record, 0,
-                  "seed " + std::to_string(seed) + ", frame " + std::to_string(n));
-    }
-  }
-}
-
-// Rows of a camera that looks along Z have their columns in common; those of no other record have.
-TEST(CpuRenderer, RecordsTurnedInOneComponentEqualTheGoldenRenderer) {
-  const test::OpenedStream stream(test::random_stream(3));
-  const Decoder& decoder = *stream.decoder;
-  Camera camera;
-  camera.frame_width = 40;
-  camera.frame_height = 33;
-  const FrameRecord straight = *frame_record(camera, decoder.header());
-  const auto turned = [&](int32_t IntVector::*component, IntVector FrameRecord::*vector) {
-    FrameRecord record = straight;
-    record.*vector.*component = 1 << 21;
-    return record;
-  };
-  for (const FrameRecord& record :
-       {straight, turned(&IntVector::y, &FrameRecord::na_hi),
-        turned(&IntVector::z, &FrameRecord::na_hi), turned(&IntVector::x, &FrameRecord::nb_hi),
-        turned(&IntVector::z, &FrameRecord::nb_hi)}) {
-    const Golden golden(decoder, record, 0);
-    EXPECT_GT(golden.frame.counts.samples_interpolated, 0u);
-    expect_same(golden, *make_cpu_renderer(decoder), record, 0, "turned");
-  }
-}
-
 // A warm cache, with budgets from nothing to all: its contents never change a frame.
 TEST(CpuRenderer, SequencesOfFramesEqualTheGoldenRenderer) {
   for (uint32_t seed = 100; seed < 130; ++seed) {

@@ -3,8 +3,8 @@
 
 #include <hmlfc/renderer.hpp>
 
+#include "render/ray.hpp"
 #include "render/render_cases.hpp"
-#include "render/taps.hpp"
 
 namespace hmlfc {
 namespace {
@@ -38,30 +38,6 @@ TEST(GoldenRenderer, AtAPlaceOfTheGridItTakesTheView) {
       const auto decoded = decoder.decode_view(view, level);
       EXPECT_EQ(frame.image.depth, decoded->depth);
       EXPECT_EQ(frame.image.samples, decoded->samples) << "seed " << seed;
-    }
-  }
-}
-
-// SMP-4 for the largest views: record and rays alone, without samples.
-TEST(GoldenRenderer, RaysOfAPlaceOfTheGridMeetPixelsExactly) {
-  StreamHeader header;
-  header.rows = 3;
-  header.cols = 4096;
-  for (const uint32_t side : {1u, 2u, 255u, 1023u, 2048u, 4095u, 4096u}) {
-    header.width = side;
-    header.height = (side + 1) / 2;
-    Camera camera;
-    camera.position = {4095, 1, 0};
-    const auto record = frame_record(camera, header);
-    ASSERT_TRUE(record.has_value()) << record.error().message;
-    for (uint32_t i = 0; i < side; ++i) {
-      const auto ray = trace(*record, static_cast<int32_t>(i), 0);
-      ASSERT_TRUE(ray.has_value()) << side << " " << i;
-      ASSERT_EQ(ray->u, 4095 << 16);
-      const AxisTaps taps =
-          axis_taps(*record, x_in_view(*record, ray->xb, 4095), static_cast<int32_t>(side));
-      ASSERT_EQ(taps.first, static_cast<int32_t>(i)) << side;
-      ASSERT_EQ(taps.fraction, 0) << side << " " << i;
     }
   }
 }

@@ -63,7 +63,7 @@ class MovingCamera {
     bytes_ = test::drawn_stream(header, 7);
   }
 
-  // What the last of these frames waits for, of a stream that is opened anew.
+  // Returns the samples that the last of these frames waits for; opens the stream anew.
   uint64_t last_waits(bool ahead, const std::vector<double>& columns, int stop_level = 0) const {
     Waits waits;
     const test::OpenedStream stream(bytes_, {.reads = &waits});

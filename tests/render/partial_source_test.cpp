@@ -266,28 +266,5 @@ TEST(PartialSource, AfterAFailureNoAnswer) {
   }
 }
 
-TEST(PartialSource, ViewsBeforeAFailureAreRight) {
-  const Bytes file = test::random_stream(6);
-  const auto decoder = Decoder::open(file);
-  ASSERT_TRUE(decoder);
-  LazySource counted(file);
-  const auto whole = Decoder::open(counted, kUnchecked);
-  ASSERT_TRUE(whole);
-  const size_t opening = counted.loads();
-  ASSERT_TRUE(whole->decode_all([](ViewPos, RgbImage&&) {}));
-  ASSERT_GT(counted.loads(), opening);
-  for (size_t n = opening; n < counted.loads(); ++n) {
-    LazySource source(file, n);
-    const auto lazy = Decoder::open(source, kUnchecked);
-    ASSERT_TRUE(lazy);
-    const auto compare = [&](ViewPos view, RgbImage&& image) {
-      EXPECT_EQ(image.samples == decoder->decode_view(view)->samples, true);
-    };
-    const auto done = lazy->decode_all(compare, {.threads = 1});
-    ASSERT_FALSE(done);
-    EXPECT_EQ(done.error().code, ErrorCode::kBusError);
-  }
-}
-
 }  // namespace
 }  // namespace hmlfc

@@ -68,7 +68,7 @@ inline Camera random_camera(Random& random, const StreamHeader& header) {
   return camera;
 }
 
-/// The same, every other one with geometry.
+/// A random camera as above; every other one has geometry.
 inline Camera random_camera_with_geometry(Random& random, const StreamHeader& header) {
   Camera camera = random_camera(random, header);
   camera.geometry = static_cast<GeometrySource>(random() % 2);

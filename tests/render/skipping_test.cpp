@@ -126,31 +126,6 @@ TEST(Skipping, BytesStayFlatAsPicturesGrowButForKeyImages) {
   }
 }
 
-// KEY-3: only the CRC of all samples is wrong, so that no part of the image looks damaged; yet no
-// frame of any part is drawn.
-TEST(Skipping, AKeyImageHasOneErrorForAllOfItsSamples) {
-  const LightField field = test::textured_light_field({2, 2, 256, 256, 8}, 4, 10);
-  EncodeParams params = profiles()[1];
-  params.lossless = true;
-  std::vector<uint8_t> file = encode(field, params)->bytes;
-  const uint64_t top = Decoder::open(file)->header().sections[0].offset;
-  file[static_cast<size_t>(top) + 12] ^= 1;  // sample_crc of the first plane
-  OpenOptions options;
-  options.check_sections = false;
-  const test::OpenedStream stream(std::move(file), options);
-  Camera camera;
-  camera.frame_width = camera.frame_height = 2;
-  camera.tan_half = 0.01;
-  const FrameRecord record = *frame_record(camera, stream.decoder->header());
-  for (const auto& renderer :
-       {make_golden_renderer(*stream.decoder), make_cpu_renderer(*stream.decoder)}) {
-    Frame frame;
-    const auto done = renderer->render(record, 0, frame);
-    ASSERT_FALSE(done.has_value());
-    EXPECT_EQ(done.error().code, ErrorCode::kBadTopCrc);
-  }
-}
-
 // Planes of key images are found before they are decoded, all at once: those that blocks need, each
 // once, and no others.
 TEST(Skipping, KeyPlanesAreThoseOfTheGoldenRenderer) {
@@ -221,29 +196,6 @@ TEST(Skipping, FinerFramesReadTheirOwnLevelAlone) {
   EXPECT_GE(refined[1] + refined[2], cold[0]);
   // Lines that hold parts of both levels are counted in both.
   EXPECT_LT(refined[1] + refined[2], cold[0] * 5 / 4) << cold[0];
-}
-
-// A frame at the place of a view needs that view alone: all its blocks, each once.
-TEST(Skipping, OneViewNeedsItsBlocksAlone) {
-  for (const EncodeParams& params : profiles()) {
-    const LightField field = test::textured_light_field({4, 4, 70, 50, 8}, 4, 40);
-    const test::OpenedStream stream(encode(field, params)->bytes);
-    const StreamHeader& header = stream.decoder->header();
-    Camera camera;
-    camera.position = WorldPoint{2, 1, 0};
-    Frame frame;
-    ASSERT_TRUE(make_cpu_renderer(*stream.decoder)
-                    ->render(*frame_record(camera, header), 0, frame)
-                    .has_value());
-    uint64_t blocks = 0;
-    for (const Plane plane : kPlanes) {
-      const PlaneSize size = stream.decoder->plane_size(plane);
-      const uint64_t side = header.block_size();
-      blocks += ((size.width + side - 1) / side) * ((size.height + side - 1) / side);
-    }
-    EXPECT_EQ(frame.counts.blocks_decoded, blocks);
-    EXPECT_EQ(frame.counts.samples_interpolated, uint64_t{70} * 50 * 3);
-  }
 }
 
 // The cache keeps blocks between frames up to its budget: a second orbit decodes nothing; without a

@@ -15,17 +15,6 @@ int32_t chosen(std::initializer_list<std::pair<int32_t, int32_t>> proposals) {
   return all.chosen();
 }
 
-// SRF-1: the ray of a cell leads through its middle, and never past the last pixel.
-TEST(Surface, RaysOfCellsStayInTheFrame) {
-  EXPECT_EQ(ray_of_cell(0, 1), 0);
-  EXPECT_EQ(ray_of_cell(0, 2), 1);
-  EXPECT_EQ(ray_of_cell(0, 3), 1);
-  EXPECT_EQ(ray_of_cell(0, 4), 0);
-  EXPECT_EQ(ray_of_cell(0, 5), -1);
-  EXPECT_EQ(ray_of_cell(1, 5), 4);
-  EXPECT_EQ(ray_of_cell(127, 512), 508);
-}
-
 // SRF-3.
 TEST(Surface, TheMedianIsTheLeastProposalWithHalfOfTheWeight) {
   EXPECT_EQ(chosen({{-700, 65536}}), -700);
@@ -78,18 +67,6 @@ TEST(Surface, RowsAreDisplacedByTheirPitch) {
   EXPECT_EQ(displacement_a_row(300, 512), 600);
   EXPECT_EQ(displacement_a_row(301, -128), -150);  // -150.5, halves up
   EXPECT_EQ(displacement_a_row(-32768, 2032), -260096);
-}
-
-TEST(Surface, FramesHaveGeometryAtAperture0AndStopLevel0) {
-  StreamHeader header;
-  header.rows = header.cols = 3;
-  header.width = header.height = 20;
-  Camera camera;
-  camera.geometry = GeometrySource::kStream;
-  EXPECT_TRUE(has_geometry(*frame_record(camera, header), 0));
-  EXPECT_FALSE(has_geometry(*frame_record(camera, header), 1));
-  camera.aperture = 1;
-  EXPECT_FALSE(has_geometry(*frame_record(camera, header), 0));
 }
 
 }  // namespace

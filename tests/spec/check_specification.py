@@ -4,8 +4,7 @@
 citations     every clause cited exists; every clause that a decoder follows is cited in its layers
 error_table   annex A has the numbers, names and meanings of the model
 records       the tables of records have the fields that the model reads in the conformance vectors
-widths        the numbers of section 11 follow from its formulas, and no value leaves its interval
-frame_widths  the same for section 6 of docs/rendering.md
+widths        the bits of section 11, and of section 6 of docs/rendering.md, follow from their intervals
 width_probes  the model watches every row of both width tables, and nothing else (./run stress)
 
 usage: check_specification.py CHECK REPOSITORY

@@ -8,12 +8,11 @@ import sys
 from functools import cache
 from pathlib import Path
 
-from extremes import bise_bits
 from specification import read, rows_after
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "naive_decoder"))
 
-from bise import least_code, levels_of  # noqa: E402  (its folder is known only now)
+from bise import least_code, levels_of, sequence_bits  # noqa: E402  (its folder is known only now)
 from header import read_header  # noqa: E402
 from integers import least_bits  # noqa: E402
 
@@ -27,11 +26,11 @@ TABLES = {
     "disparity tile": [END_TABLE, "**[MOT-6]**"],
 }
 HEADER_TABLES = ["**[FIL-1]**", "**[FIL-2]**", "**[FIL-3]**", "**[KEY-1]**"]
-# What a cell of bits may call. BISE gives the bits of one value, as traces do.
+# The functions that a cell of bits may call. BISE gives the bits of one value, as traces do.
 FUNCTIONS = {
     "__builtins__": {},
     "least_code": least_code,
-    "BISE": lambda _, code: bise_bits(levels_of(code), 1),
+    "BISE": lambda _, code: sequence_bits(1, levels_of(code)),
 }
 
 
@@ -54,7 +53,7 @@ def element_bits(cell, values):
 
 
 def header_values(header):
-    """What cells may name besides fields of records (TIL-6)."""
+    """Returns the values that cells may name besides fields of records (TIL-6)."""
     count = 2 * header.window + 1
     return {**vars(header), "v": least_bits(count), "c": least_bits(least_code(count) + 1)}
 

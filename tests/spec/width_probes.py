@@ -4,14 +4,13 @@ section 6 of docs/rendering.md. No watch there names anything else."""
 
 import re
 
-import frame_widths
 import widths
 from specification import RENDERING, SPECIFICATION, read, table_after
 
 # Each table: its document, its heading, the folders of the model that compute its quantities.
 TABLES = [
     (SPECIFICATION, widths.HEADING, ("arithmetic", "syntax", "decoder")),
-    (RENDERING, frame_widths.HEADING, ("render",)),
+    (RENDERING, widths.FRAME_HEADING, ("render",)),
 ]
 WATCH = re.compile(r'\bwatch\(\s*"([^"]*)"')
 

@@ -1,14 +1,16 @@
-"""The width table of section 11: its formulas give its numbers, and values reach the ends of its
-intervals but never leave them."""
+"""The width tables, section 11 of the specification and section 6 of docs/rendering.md: their intervals give
+their bits. That values reach both ends of each interval, and never leave it, is tested where they are
+computed (./run stress)."""
 
 import re
 
-from extremes import quantities
-from specification import read, rows_after
+from specification import RENDERING, read, rows_after
 
 HEADING = "## 11"
+FRAME_HEADING = "## 6"
 WIDTHS = {"bits at n = 8": 8, "bits at n = 12": 12}
-DEPTHS = [3, 4, 5, 8, 9, 10, 11, 12]
+DEEPEST = 12
+FRAME_BITS = re.compile(r"(\d+)(?: unsigned)?( \(n = 12\))?")
 
 
 def evaluate(formula, n):
@@ -33,7 +35,7 @@ def needed_bits(lo, hi):
 
 
 def intervals(row, n):
-    """The row's intervals: of Y, and of Co and Cg where the table has them."""
+    """The intervals of a row of section 11: of Y, and of Co and Cg where the table has them."""
     cells = [row["Y"], row["Co, Cg"]]
     if not cells[0]:
         return [interval(row["formula"], n)]
@@ -47,34 +49,20 @@ def row_violations(row):
         found = intervals(row, n)
         bits = max(needed_bits(lo, hi) for lo, hi in found)
         if bits != int(row[column]):
-            yield f"{column} should be {bits}, not {row[column]}: the interval is {found}"
-    for n in DEPTHS:
-        found = list(reach_violations(row, n))
-        yield from found
-        if found:
-            return
+            yield f"{row['quantity']}: {column} should be {bits}, not {row[column]}: the interval is {found}"
 
 
-def reach_violations(row, n):
-    for plane, (lo, hi) in enumerate(intervals(row, n)):
-        least, most = quantities(n, plane)[row["quantity"]]
-        if least < lo or most > hi:
-            yield f"at n = {n} values reach [{least}, {most}], past [{lo}, {hi}]"
-        elif (least, most) != (lo, hi):
-            yield f"at n = {n} values reach [{least}, {most}] only, not [{lo}, {hi}]"
-
-
-def table_violations(name, rows, known, of_row):
-    """Those of each row by of_row(row); a table without a quantity of `known`, or with another, is at fault."""
-    for row in rows:
-        if row["quantity"] not in known:
-            yield f"{name}: {row['quantity']} is not in the quantities of tests/spec"
-        else:
-            yield from (f"{name}: {row['quantity']}: {violation}" for violation in of_row(row))
-    for quantity in known.keys() - {row["quantity"] for row in rows}:
-        yield f"{name}: {quantity} is missing"
+def frame_row_violations(row):
+    found = interval(row["interval"], DEEPEST)
+    bits, at_depth = FRAME_BITS.fullmatch(row["bits"]).groups()
+    if needed_bits(*found) != int(bits):
+        yield f"{row['quantity']}: bits should be {needed_bits(*found)}, not {row['bits']}: the interval is {found}"
+    if ("n" in row["interval"]) != bool(at_depth):
+        yield f"{row['quantity']}: bits name a depth where, and only where, the interval depends on it"
 
 
 def violations(root):
-    rows = rows_after(read(root), HEADING)
-    yield from table_violations("widths", rows, quantities(12, 0), row_violations)
+    for row in rows_after(read(root), HEADING):
+        yield from row_violations(row)
+    for row in rows_after(read(root, RENDERING), FRAME_HEADING):
+        yield from frame_row_violations(row)

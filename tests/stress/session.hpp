@@ -19,10 +19,10 @@ class Session {
       : folder_(std::move(folder)), max_blocks_(max_blocks) {}
 
   /// Opens `file` and decodes up to `max_blocks` blocks one by one, spread over views and planes
-  /// and at all stop levels, with reference images on demand and kept, each compared with its
-  /// plane; then all views. Returns what the stream reached. Findings are values outside their
-  /// interval, conversions that lose their value, and ways of decoding that differ; they are kept
-  /// with the stream. Errors of opening and decoding are defined, and no findings.
+  /// and at all stop levels, with reference images on demand and kept and as a part of its plane;
+  /// then all views. Returns what the stream reached. Findings are values outside their interval
+  /// and conversions that lose their value; they are kept with the stream. Errors of opening and
+  /// decoding are defined, and no findings.
   Ranges run(const std::string& name, std::span<const uint8_t> file);
 
   /// Takes in what `name`, which is no stream, reached. A value that left its interval is a finding

@@ -1,6 +1,6 @@
 // stress_streams COMMAND: decodes streams with every quantity of the width table watched; prints
 // what was reached as JSON. `--help` lists the commands. Exit status: 0 no findings, 1 a value left
-// its interval, a conversion lost its value or ways of decoding differ, 2 wrong arguments.
+// its interval or a conversion lost its value, 2 wrong arguments.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "program.hpp"
-#include "search.hpp"
+#include "session.hpp"
 #include "syntax/geometry.hpp"
 #include "vectors/field_stream.hpp"
 
@@ -26,7 +26,6 @@ struct Arguments {
   uint64_t seed = 1;
   double seconds = 1e9;
   uint64_t count = 1'000'000'000;
-  fs::path found;
 };
 
 std::vector<uint8_t> read_file(const fs::path& file) {
@@ -56,32 +55,6 @@ void run_files(Session& session, const Arguments& arguments) {
   }
 }
 
-// The recipes of recipe files of the suite, as search() takes them.
-std::vector<Json> recipes_of(const std::vector<fs::path>& files) {
-  std::vector<Json> recipes;
-  for (const fs::path& file : files) {
-    const Json suite = vectors::read_json(file);
-    for (const Json& vector : suite.at("vectors")) {
-      Json recipe = vector.at("stream");
-      recipe["seed"] = vector.at("seed");
-      recipes.push_back(std::move(recipe));
-    }
-  }
-  return recipes;
-}
-
-// Writes recipes as vectors of a recipe file; name, clauses and comment are left to the reader.
-void write_recipes(const fs::path& file, const std::vector<Json>& recipes) {
-  Json vectors = Json::array();
-  for (Json stream : recipes) {
-    const Json seed = stream.value("seed", Json(1));
-    stream.erase("seed");
-    vectors.push_back({{"seed", seed}, {"stream", std::move(stream)}});
-  }
-  std::ofstream(file) << Json{{"stream", {{"kind", "fields"}}}, {"vectors", vectors}}.dump(1)
-                      << '\n';
-}
-
 void run_random(Session& session, const Arguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   for (uint64_t n = 0; n < arguments.count; ++n) {
@@ -90,12 +63,6 @@ void run_random(Session& session, const Arguments& arguments) {
     const uint64_t seed = arguments.seed + n;
     session.run("random stream " + std::to_string(seed), vectors::random_stream(seed, {}));
   }
-}
-
-void run_search(Session& session, const Arguments& arguments) {
-  const Archive archive = search(session, arguments.seed, arguments.seconds, arguments.count,
-                                 recipes_of(arguments.paths));
-  if (!arguments.found.empty()) write_recipes(arguments.found, archive.cover());
 }
 
 StreamHeader largest_header() {
@@ -116,8 +83,8 @@ StreamHeader largest_header() {
   return header;
 }
 
-// What the numbers of the last image and its last tile reach (IDX-1, IDX-2) in the largest tree.
-// The index of such a stream would take over 7 * 10^12 bytes, so only the arithmetic runs.
+// Returns what the numbers of the last image and its last tile reach (IDX-1, IDX-2) in the largest
+// tree. The index of such a stream would take over 7 * 10^12 bytes, so only the arithmetic runs.
 Ranges geometry_extremes() {
   const StreamHeader header = largest_header();
   const Geometry geometry(header);
@@ -136,27 +103,19 @@ void add_commands(CLI::App& app, Arguments& arguments) {
       ->check(CLI::ExistingDirectory);
   app.add_option("--blocks", arguments.blocks, "most blocks of a stream to decode one by one");
   app.require_subcommand(1);
-  const auto limit = [&](CLI::App* command) {
-    command->add_option("--seed", arguments.seed);
-    command->add_option("--seconds", arguments.seconds);
-    command->add_option("--count", arguments.count, "most streams");
-  };
   auto* files = app.add_subcommand("files", "streams in files, or in all files below folders");
   files->add_option("PATH", arguments.paths)->required()->check(CLI::ExistingPath);
-  limit(app.add_subcommand("random", "random valid streams"));
-  auto* climb = app.add_subcommand("search", "search for streams that reach the intervals' ends");
-  limit(climb);
-  climb->add_option("--from", arguments.paths, "recipe files of the suite to begin with")
-      ->check(CLI::ExistingFile);
-  climb->add_option("--found", arguments.found, "file to write the closest recipes to");
+  auto* random = app.add_subcommand("random", "random valid streams");
+  random->add_option("--seed", arguments.seed);
+  random->add_option("--seconds", arguments.seconds);
+  random->add_option("--count", arguments.count, "most streams");
   app.add_subcommand("geometry", "image and tile numbers of the largest tree, without a stream");
 }
 
-Json run_command(const std::string& command, const Arguments& arguments) {
+vectors::Json run_command(const std::string& command, const Arguments& arguments) {
   Session session(arguments.folder, arguments.blocks);
   if (command == "files") run_files(session, arguments);
   if (command == "random") run_random(session, arguments);
-  if (command == "search") run_search(session, arguments);
   if (command == "geometry") {
     session.add("the largest tree, without a stream", geometry_extremes());
   }

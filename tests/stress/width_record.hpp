@@ -1,4 +1,5 @@
-// What watched quantities reached (arithmetic/widths.hpp), against the width tables.
+// Records what watched quantities reach (arithmetic/widths.hpp) and compares it with the width
+// tables.
 #pragma once
 
 #include <array>
@@ -34,7 +35,7 @@ struct Place {
   size_t plane = 0;  ///< 0: Y, 1: Co and Cg
 };
 
-/// What all rows reached.
+/// The values that all rows reached.
 struct Ranges {
   std::array<std::array<std::array<Reached, 2>, kDepths>, kRows> rows;
 
@@ -55,7 +56,7 @@ Ranges take_ranges();
 /// line of the model; or the line of a conversion that lost its value.
 std::optional<std::string> take_violation();
 
-/// What the rows of a table reached over a whole run, and by what.
+/// Keeps what the rows of a table reached over a whole run, and by which stream.
 class WidthReport {
  public:
   explicit WidthReport(WidthTable table) : places_(places(table)), records_(places_.size()) {}

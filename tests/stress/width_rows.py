@@ -13,7 +13,6 @@ FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[1]
 sys.path.insert(0, str(FOLDER.parent / "spec"))
 
-import frame_widths  # noqa: E402
 import widths  # noqa: E402
 from specification import RENDERING, read, rows_after  # noqa: E402
 
@@ -63,8 +62,8 @@ def stream_rows(root):
 
 
 def frame_rows(root):
-    """The same of the renderer's table."""
-    for row in rows_after(read(root, RENDERING), frame_widths.HEADING):
+    """Yields the rows of the renderer's table in the same form."""
+    for row in rows_after(read(root, RENDERING), widths.FRAME_HEADING):
         limits = [(widths.interval(row["interval"], n),) * 2 for n in DEPTHS]
         yield "kFrames", row["quantity"], row["clause"], False, limits
 

@@ -111,7 +111,7 @@ class RangeServer:
         self.send(handler, first, last, size, shift=1)
 
     def fault_other_bytes(self, handler, first, last, size):
-        """What a server sends of a file that has changed."""
+        """Sends what a server sends of a file that has changed."""
         self.tag = '"second"'
         self.send(handler, first, last, size)
 

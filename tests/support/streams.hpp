@@ -63,7 +63,7 @@ struct StreamParts {
   /// The record of a tile of an image at `level`.
   Bytes& tile(int level, ImagePos image, Plane plane, uint32_t tx = 0, uint32_t ty = 0);
 
-  /// The same of a motion tile, of motion plane `m`.
+  /// The record of a motion tile of motion plane `m`.
   Bytes& motion_tile(int level, ImagePos image, size_t m = 0, uint32_t tx = 0, uint32_t ty = 0);
 
   Bytes file() const;

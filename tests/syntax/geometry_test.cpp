@@ -1,5 +1,5 @@
-// Geometry against a walk over the tree that counts (STR-2 to STR-6, IDX-1 to IDX-3, DEC-1,
-// EXT-3, EXT-4, MOT-1, MOT-7).
+// Geometry against a walk over the tree that counts (STR-2 to STR-6, IDX-1 to IDX-3, EXT-3, EXT-4,
+// MOT-1, MOT-7).
 #include "syntax/geometry.hpp"
 
 #include <cstdint>
@@ -9,8 +9,6 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include "support/streams.hpp"
 
 namespace hmlfc {
 namespace {
@@ -154,7 +152,8 @@ class Groups {
   /// The reference of the group of `at`: the middle place, the lower of two.
   uint32_t own(uint32_t at) const { return middle(group_of(at)); }
 
-  /// That of the next group on the side of the reference on which `at` stands, else on the other.
+  /// Returns the reference of the next group on the side of the reference on which `at` stands,
+  /// else on the other.
   uint32_t next(uint32_t at) const {
     const auto group = static_cast<int>(group_of(at));
     const int side = at >= own(at) ? 1 : -1;
@@ -186,104 +185,17 @@ RC_GTEST_PROP(Geometry, ReferenceImages, ()) {
     const Groups rows(geometry.level(level).rows, entry.ref_rows, balanced);
     const Groups cols(geometry.level(level).cols, entry.ref_cols, balanced);
     const ImagePos own{rows.own(at.row), cols.own(at.col)};
-    const ImagePos beside{own.row, cols.next(at.col)};
+    const ImagePos across{own.row, cols.next(at.col)};
     const ImagePos above{rows.next(at.row), own.col};
-    const ImagePos across{above.row, beside.col};
+    const ImagePos diagonal{above.row, across.col};
     const int from_row = std::abs(static_cast<int>(at.row) - static_cast<int>(own.row));
     const int from_col = std::abs(static_cast<int>(at.col) - static_cast<int>(own.col));
     RC_ASSERT(geometry.reference_of(level, at) == own);
     RC_ASSERT(geometry.is_reference(level, at) == (own == at));
     RC_ASSERT(reference_images(geometry, level, at) ==
-              (from_col >= from_row ? ReferenceImages{own, beside, above, across}
-                                    : ReferenceImages{own, above, beside, across}));
+              (from_col >= from_row ? ReferenceImages{own, across, above, diagonal}
+                                    : ReferenceImages{own, above, across, diagonal}));
   });
-}
-
-// Every number of rows up to 600 in groups of every size: the boundaries of EXT-3, found by
-// walking over the rows. No group is longer than STR-4 allows, none longer than another by 2.
-TEST(Geometry, BalancedGroupsOfEveryLength) {
-  StreamHeader header;
-  header.profile = Profile::kExtended;
-  header.feature_flags = feature_bit(Feature::kBalancedGroups);
-  for (uint32_t rows = 1; rows <= 600; rows += rows < 40 ? 1 : 23) {
-    header.rows = rows;
-    for (uint32_t length = 1; length <= 255; ++length) {
-      header.levels = {{static_cast<uint8_t>(length), 1}};
-      const Geometry geometry(header);
-      const uint32_t groups = (rows + length - 1) / length;
-      ASSERT_EQ(geometry.level(0).group_rows(), groups);
-      for (uint32_t group = 0; group < groups; ++group) {
-        const uint32_t begin = group * rows / groups;
-        const uint32_t end = (group + 1) * rows / groups;
-        ASSERT_LE(end - begin, length);
-        ASSERT_GE(end - begin, rows / groups);
-        ASSERT_LE(end - begin, rows / groups + 1);
-        for (uint32_t row = begin; row < end; ++row) {
-          ASSERT_EQ(geometry.group_of(0, {row, 0}).row, group) << row << " of " << rows;
-          ASSERT_EQ(geometry.reference_of(0, {row, 0}).row, begin + (end - begin - 1) / 2);
-        }
-      }
-    }
-  }
-}
-
-TEST(Geometry, ReferenceSetsByHand) {
-  StreamHeader header = test::some_header(0);  // 5 x 7 views
-  header.levels = {{2, 3}};
-  const Geometry geometry(header);
-  // Rows of groups 0-1, 2-3, 4 with references in 0, 2, 4; columns 0-2, 3-5, 6 with 1, 4, 6.
-  // View (3, 5): below and right of K0 = (2, 4); as far in both, so that K1 is beside.
-  EXPECT_EQ(reference_images(geometry, 0, {3, 5}),
-            (ReferenceImages{{{2, 4}, {2, 6}, {4, 4}, {4, 6}}}));
-  // View (3, 4): in the column of K0, whose other group is the next; K1 is below.
-  EXPECT_EQ(reference_images(geometry, 0, {3, 4}),
-            (ReferenceImages{{{2, 4}, {4, 4}, {2, 6}, {4, 6}}}));
-  // View (1, 0): the first row of groups, right of no group: the groups on the other side.
-  EXPECT_EQ(reference_images(geometry, 0, {1, 0}),
-            (ReferenceImages{{{0, 1}, {0, 4}, {2, 1}, {2, 4}}}));
-  // One row of groups alone.
-  header.levels = {{5, 3}};
-  EXPECT_EQ(reference_images(Geometry(header), 0, {0, 3}),
-            (ReferenceImages{{{2, 4}, {2, 4}, {2, 1}, {2, 1}}}));
-  const std::vector<std::vector<int>> sets{{0}, {0, 1}, {0, 2}, {1}, {2}, {1, 2}, {0, 3}, {3}};
-  for (unsigned set = 0; set < 8; ++set) {
-    const ReferenceSet found = references_of_set(set);
-    ASSERT_EQ(found.count, sets[set].size());
-    for (size_t i = 0; i < found.count; ++i) EXPECT_EQ(found.reference[i], sets[set][i]);
-  }
-}
-
-// DEC-1: row / cluster_rows^l.
-RC_GTEST_PROP(Geometry, Ancestors, ()) {
-  const StreamHeader header = draw_extended_header();
-  const Geometry geometry(header);
-  for_each_image(header, [&](int level, ImagePos at) {
-    ImagePos expected = at;
-    for (int l = level; l <= header.tree_height; ++l) {
-      RC_ASSERT(geometry.ancestor(at, level, l) == expected);
-      expected = {expected.row / header.cluster_rows, expected.col / header.cluster_cols};
-    }
-  });
-}
-
-TEST(Geometry, BorderClustersAndGroupsByHand) {
-  StreamHeader header = test::some_header(2);  // 5 x 7 views, 2 x 3 clusters
-  header.levels = {{4, 4}, {2, 2}, {1, 1}};
-  const Geometry geometry(header);
-  EXPECT_EQ(geometry.level(1).rows, 3u);
-  EXPECT_EQ(geometry.level(1).cols, 3u);
-  EXPECT_EQ(geometry.level(2).rows, 2u);
-  EXPECT_EQ(geometry.level(2).cols, 1u);
-  EXPECT_EQ(geometry.image_count(), 2u + 9u + 35u);
-  EXPECT_EQ(geometry.image_number(0, {0, 0}), 11u);
-  // View (4, 6) is alone in row 4 of its 4 x 4 group and third of the columns 4, 5, 6.
-  EXPECT_EQ(geometry.reference_of(0, {4, 6}), (ImagePos{4, 5}));
-  // A whole group of 4: the second.
-  EXPECT_EQ(geometry.reference_of(0, {3, 0}), (ImagePos{1, 1}));
-  // Views (4, 6) -> (2, 2) -> (1, 0).
-  EXPECT_EQ(geometry.ancestor({4, 6}, 0, 1), (ImagePos{2, 2}));
-  EXPECT_EQ(geometry.ancestor({4, 6}, 0, 2), (ImagePos{1, 0}));
-  EXPECT_EQ(geometry.key_count(), 2u);
 }
 
 // The largest tree: 1 x 2 clusters halve the columns only. 4096 rows of 4096 + 2048 + ... + 1 and

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 #include <random>
-#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -54,7 +53,7 @@ class Stream {
   StreamView view_;
 };
 
-/// What find_tile should say.
+/// The answer that find_tile should give.
 struct Answer {
   ErrorCode code = ErrorCode::kOk;
   Section section = Section::kHeader;
@@ -197,35 +196,6 @@ TEST(Index, FindsEveryTileOfHandBuiltSections) {
   }
 }
 
-// The linear reading itself finds the tiles that were put there.
-TEST(Index, TheLinearReadingFindsWhatWasBuilt) {
-  std::mt19937_64 random(2);
-  const auto groups = draw_groups(random, 3);
-  const SectionBytes sections = build(groups, 2);
-  const LinearReader linear(sections);
-  for (uint64_t g = 0; g < kGroups; ++g) {
-    size_t j = 0;
-    for (uint64_t lane = 0; lane < 64; ++lane) {
-      const Answer answer = linear.read(64 * g + lane);
-      ASSERT_EQ(answer.code, ErrorCode::kOk);
-      const bool there = (groups[g].tile_mask >> lane) % 2 != 0;
-      ASSERT_EQ(answer.extent.has_value(), there);
-      if (!there) continue;
-      const uint64_t begin = j == 0 ? 0 : groups[g].ends[j - 1];
-      ASSERT_EQ(answer.extent->end - answer.extent->begin, groups[g].ends[j] - begin);
-      ASSERT_EQ(sections[kTile][answer.extent->begin], begin % 256) << "its first byte";
-      ++j;
-    }
-  }
-}
-
-TEST(Index, EmptyIndexHasNoTiles) {
-  const Stream stream(SectionBytes{Bytes{}, Bytes(48), Bytes{}, Bytes{}});
-  for (const uint64_t tile : {0u, 63u, 64u, 4095u, 4096u, 8318u}) {
-    expect_answer(stream.view(), tile, {});
-  }
-}
-
 TEST(Index, DamagedSectionsGiveTheErrorOfTheLinearReading) {
   std::mt19937_64 random(3);
   const SectionBytes intact = build(draw_groups(random, 2), 0);
@@ -238,40 +208,6 @@ TEST(Index, DamagedSectionsGiveTheErrorOfTheLinearReading) {
     if (round % 3 == 0) sections[kTile].resize(random() % sections[kTile].size());
     if (round % 5 == 0) sections[kGroup].resize(random() % (sections[kGroup].size() / 16) * 16);
     ASSERT_NO_FATAL_FAILURE(compare_all(sections));
-  }
-}
-
-TEST(Index, RandomSectionsGiveTheErrorOfTheLinearReading) {
-  std::mt19937_64 random(4);
-  for (int round = 0; round < 30; ++round) {
-    SectionBytes sections{Bytes{}, Bytes(48), Bytes(16 * (random() % 20)), Bytes(random() % 200)};
-    for (Bytes& section : sections) {
-      for (uint8_t& byte : section) byte = static_cast<uint8_t>(random() & random());
-    }
-    ASSERT_NO_FATAL_FAILURE(compare_all(sections));
-  }
-}
-
-TEST(Index, SectionSizesAreChecked) {
-  for (const auto& [root, group, ok] : {std::tuple{48u, 0u, true},
-                                        {48u, 16u, true},
-                                        {48u, 160u, true},
-                                        {47u, 0u, false},
-                                        {32u, 0u, false},
-                                        {64u, 0u, false},
-                                        {0u, 0u, false},
-                                        {48u, 15u, false},
-                                        {48u, 8u, false},
-                                        {48u, 24u, false},
-                                        {48u, 17u, false}}) {
-    const Stream stream(SectionBytes{Bytes{}, Bytes(root), Bytes(group), Bytes(5)});
-    const auto checked = check_index_sizes(stream.view());
-    ASSERT_EQ(checked.has_value(), ok) << root << " " << group;
-    if (ok) continue;
-    const Section section = root != 48 ? Section::kRoot : Section::kGroup;
-    EXPECT_EQ(error_name(checked.error().code), "bad_section_size");
-    EXPECT_EQ(checked.error().section, section);
-    EXPECT_EQ(checked.error().offset, stream.view().entry(section).offset);
   }
 }
 

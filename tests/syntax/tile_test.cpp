@@ -1,19 +1,50 @@
-// Valid tile records read back as they were written (TIL-1 to TIL-10, STP-1).
+// Tile records read back as they were written, and up to where they are cut (TIL-1 to TIL-10,
+// STP-1). The errors of their fields are vectors.
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"
-#include "syntax/tile_cases.hpp"
+#include "syntax/tile_record.hpp"
+#include "vectors/draw.hpp"
 
 namespace hmlfc {
 namespace {
 
-using test::TileCase;
+/// A tile and what its place in the tree says about its record.
+struct TileCase {
+  TileContext context;
+  TileFields tile;
 
-constexpr uint64_t kBehind = ~uint64_t{0};  // bits after the last field have no meaning (TIL-1)
+  std::vector<uint8_t> record() const { return write_tile_fields(tile, context); }
+};
+
+/// A random context with a random set of blocks inside, that of some border tile.
+TileContext draw_tile_context(vectors::Random& random) {
+  TileContext context;
+  context.predictive = random.below(4) != 0;
+  PlaneShape plane;
+  const bool whole = random.below(2) == 0;
+  plane.blocks_x = whole ? 8 : random.within(1, 8);
+  plane.blocks_y = whole ? 8 : random.within(1, 8);
+  context.blocks_inside = blocks_inside(plane, 0, 0);
+  context.window = static_cast<int>(random.below(random.below(2) == 0 ? 128 : 4));
+  context.depth = static_cast<int>(random.within(8, 12));
+  context.block_samples = uint64_t{4} << (2 * random.below(3));
+  context.steps = random.below(2) == 0;
+  return context;
+}
+
+/// A valid tile of random content that is not empty.
+TileCase draw_tile_case(vectors::Random& random, const TileContext& context) {
+  vectors::FieldRules rules;
+  for (;;) {
+    if (auto tile = vectors::draw_tile(rules, context, random)) return {context, *tile};
+  }
+}
 
 void read_vectors(const TileHead& head, VectorFields& vectors) {
   vectors.sign_mode = head.vectors.sign_mode;
@@ -65,7 +96,7 @@ TileFields read_tile(const BitString& bits, const TileContext& context) {
 void check_tile(const TileCase& drawn) {
   const std::vector<uint8_t> record = drawn.record();
   std::vector<uint8_t> longer = record;
-  for (int i = 0; i < 8; ++i) longer.push_back(static_cast<uint8_t>(kBehind >> (8 * i)));
+  longer.insert(longer.end(), 8, 0xFF);  // bits after the last field have no meaning (TIL-1)
   for (const auto& bytes : {record, longer}) {
     const TileFields tile = read_tile(BitString(bytes), drawn.context);
     ASSERT_EQ(tile.motion_mask, drawn.tile.motion_mask);
@@ -81,8 +112,8 @@ void check_tile(const TileCase& drawn) {
 TEST(Tile, RandomTilesReadBack) {
   vectors::Random random(1);
   for (int round = 0; round < 1500; ++round) {
-    const TileContext context = test::draw_context(random);
-    ASSERT_NO_FATAL_FAILURE(check_tile(test::draw_tile_case(random, context))) << round;
+    const TileContext context = draw_tile_context(random);
+    ASSERT_NO_FATAL_FAILURE(check_tile(draw_tile_case(random, context))) << round;
   }
 }
 
@@ -119,6 +150,37 @@ TEST(Tile, ZeroMasksInEveryMode) {
         made.tile.motion_mode = motion_mode;
         made.tile.residual_mode = residual_mode;
         ASSERT_NO_FATAL_FAILURE(check_tile(made));
+      }
+    }
+  }
+}
+
+// At each length, the head is there or not, and each block's values are there or not.
+TEST(Tile, EveryTruncation) {
+  vectors::Random random(1);
+  for (int round = 0; round < 60; ++round) {
+    TileContext context = draw_tile_context(random);
+    context.block_samples = 4;
+    const std::vector<uint8_t> bytes = draw_tile_case(random, context).record();
+    FieldCursor cursor(BitString(bytes), 0, Probe{});
+    const TileHead head = read_tile_head(cursor, context).value();
+    const bool residuals = head.residual_mask != 0;
+    const uint64_t head_end = residuals ? head.residuals.values_at : head.residuals_begin;
+    for (unsigned k = 0; k < 64; ++k) {
+      const BlockEntry entry = read_block_entry(cursor, head, context, k).value();
+      const uint64_t end =
+          entry.has_residual() ? entry.values_at + bise_bits(entry.levels, 4) : head_end;
+      for (size_t length = 0; length <= bytes.size(); ++length) {
+        const BitString part{std::span(bytes).first(length)};
+        FieldCursor cut(part, 0, Probe{});
+        const auto cut_head = read_tile_head(cut, context);
+        const auto found = cut_head ? read_block_entry(cut, *cut_head, context, k)
+                                    : Result<BlockEntry>(tl::unexpected(cut_head.error()));
+        ASSERT_EQ(found.has_value(), length * 8 >= end)
+            << "block " << k << " in " << length << " of " << bytes.size() << " bytes";
+        if (!found) {
+          ASSERT_EQ(found.error().code, ErrorCode::kTileOverrun);
+        }
       }
     }
   }

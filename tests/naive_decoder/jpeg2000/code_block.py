@@ -55,7 +55,7 @@ class CodeBlockDecoder:
         self.magnitude = [[0] * block.width for _ in range(block.height)]
         # 1, -1, or 0 where not significant; coefficient (x, y) is sign[y + 1][x + 1], with a border of 0.
         self.sign = [[0] * (block.width + 2) for _ in range(block.height + 2)]
-        # How many neighbours are significant: beside, above and below, diagonal; with the same border.
+        # Counts the significant neighbours: left and right, above and below, diagonal; has the same border.
         self.near = [[[0, 0, 0] for _ in row] for row in self.sign]
         self.lowest = [[0] * block.width for _ in range(block.height)]  # b of EXT-6
         self.refined = set()
@@ -102,9 +102,9 @@ class CodeBlockDecoder:
             negative = self.mq.decode(self.contexts, context) ^ flip
         self.sign[y + 1][x + 1] = -1 if negative else 1
         self.magnitude[y][x] = 2**self.plane
-        above, beside, below = self.near[y : y + 3]
-        beside[x][0] += 1
-        beside[x + 2][0] += 1
+        above, level, below = self.near[y : y + 3]
+        level[x][0] += 1
+        level[x + 2][0] += 1
         for row in [below] if self.style & CAUSAL and y % STRIPE == 0 else [above, below]:
             row[x][2] += 1
             row[x + 1][1] += 1

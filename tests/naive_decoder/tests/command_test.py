@@ -6,13 +6,12 @@ import subprocess
 import sys
 
 from program import CORRUPT, DONE, INPUT, USAGE, CliTest, main
-from streams import render
 
 
 class CommandTest(CliTest):
     @classmethod
     def prepare(cls):
-        render(cls, "views", "cards", "1x2", "6x5", 9)
+        cls.hmlfc("synth", "--scene", "cards", "--grid", "1x2", "--size", "6x5", "--depth", 9, "-o", "views")
         cls.hmlfc("encode", "views", "-o", "good.hmlfc", "--lossless")
         data = (cls.folder / "good.hmlfc").read_bytes()
         (cls.folder / "bad.hmlfc").write_bytes(data[:-1])

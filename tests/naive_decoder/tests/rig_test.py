@@ -1,7 +1,7 @@
 """The rigs of the conformance vectors: which are refused and why, and what the others say (RIG-2 to RIG-4).
 The program refuses the same of many damaged ones."""
 
-import paths  # noqa: F401
+import paths
 import json
 import random
 import unittest
@@ -12,8 +12,8 @@ from opening import Stream
 from program import CORRUPT, DONE, CliTest, main
 from rig import RigError, read_rig, rig_section
 from stream_error import StreamError
-from vector_check import FOLDER, load_vectors
 
+FOLDER = paths.DECODER.parents[1] / "vectors"
 REFUSED = {
     "boundary/rig-empty": "no JSON text",
     "boundary/rig-no-text": "no JSON text",
@@ -31,7 +31,7 @@ REFUSED = {
 def rigs_of_vectors():
     """{id: (section RIG, rows, cols)} of the vectors that open and have one."""
     found = {}
-    for vector in load_vectors():
+    for vector in json.loads((FOLDER / "manifest.json").read_text())["vectors"]:
         if "camera_rig" in vector["flags"]:
             data = (FOLDER / vector["input"]["file"]).read_bytes()
             try:
@@ -71,7 +71,7 @@ VALUES = [
 ]  # fmt: skip
 
 
-# Forms of a text that readers may take differently: schema, then what comes between and behind the members.
+# Forms of a text that readers may take differently: schema, then what follows it and what follows the text.
 FORMS = [
     ("schema", "1.0", "", ""), ("schema", "10e-1", "", "\n"), ("schema", "01", "", ""), ("schema", "+1", "", ""),
     ("schema", "1.", "", ""), ("schema", ".1e1", "", ""), ("schema", "1E0", "", ""), ("schema", "0x1", "", ""),
@@ -131,8 +131,8 @@ class DamagedRigTest(CliTest):
     def test_the_program_takes_the_same_forms(self):
         stream = (FOLDER / "syntax/rig.hmlfc").read_bytes()
         taken = 0
-        for turn, (name, schema, between, behind) in enumerate(FORMS):
-            text = f'{{"{name}":{schema}{between},"positions":[[0,0,0],[1,0,0]]}}{behind}'
+        for turn, (name, schema, between, after) in enumerate(FORMS):
+            text = f'{{"{name}":{schema}{between},"positions":[[0,0,0],[1,0,0]]}}{after}'
             taken += self.agreed(stream, text.encode(), turn) is None
         self.assertEqual(taken, 8)
 
