@@ -61,7 +61,6 @@ ALLOWED = {
     "testbench/tlm": {*CHECKS, "testbench/unit", "testbench/systemc"},
     "testbench/view": {*CHECKS, "testbench/unit"},
     "testbench/gpu": {*CHECKS, "model/render", "gpu_ref"},
-    "testbench/dpi": set(),
     "testbench/programs": {*APPLICATIONS, *TESTBENCH},
     "bench": {*APPLICATIONS, "testbench/gpu"},
     "tests": {*APPLICATIONS, *TESTBENCH},
