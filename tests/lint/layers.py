@@ -48,7 +48,7 @@ ALLOWED = {
     "tools/remote": {"model/bits", "tools/io"},
     "tools/scenes": {"tools/io"},
     "tools/vectors": {*CODEC, "tools/io", "tools/scenes"} - {"model/render"},
-    "tools/dut": set(),
+    "tools/dut": {"tools/io"},
     "tools/conform": {*CODEC, "tools/io", "tools/vectors", "tools/dut"} - {"model/render"},
     "tools/tables": SYNTAX,
     "tools/python": {"tools/io", "tools/remote"},

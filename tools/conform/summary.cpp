@@ -83,13 +83,7 @@ std::vector<std::string> always_failing(const ClauseCounts& counts, size_t miles
   return clauses;
 }
 
-std::string planes_text(const std::vector<Plane>& planes) {
-  std::vector<std::string_view> names;
-  for (const Plane plane : planes) names.push_back(plane_name(plane));
-  return fmt::format("plane{} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", "));
-}
-
-// `text` with N in place of each number that is a word: a report may come from anywhere, and
+// `text` with N instead of each number that is a word: a report may come from anywhere, and
 // std::regex takes stack for each character.
 std::string without_numbers(std::string_view text) {
   std::string out;
@@ -143,7 +137,7 @@ std::vector<Cause> causes_of(const Run& run) {
   return causes;
 }
 
-// The first milestone behind the one with this name of which the decoder claims vectors, or null.
+// The first milestone after the one with this name of which the decoder claims vectors, or null.
 const MilestoneCount* next_claimed(const std::vector<MilestoneCount>& milestones,
                                    const std::string& name) {
   auto next = std::ranges::find(milestones, name, &MilestoneCount::name);

@@ -2,12 +2,12 @@
 #include "dut/hmlfc_checker.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "dut/lockstep.hpp"
 
@@ -56,26 +56,22 @@ int fail(const std::string& text) {
 
 int hmlfc_checker_open(const char* stream, const char* device, int block_log2) {
   if (block_log2 < 1 || block_log2 > 3) return fail("block_log2 is 1, 2 or 3\n");
-  std::ifstream file(device, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) {
-    return fail("the capability file \"" + std::string(device) +
-                "\" cannot be read: name one with +hmlfc_checker_device=FILE\n");
+  auto read = read_device(device);
+  if (!read) {
+    return fail(read.error().message + "\n+hmlfc_checker_device=FILE names the capability file\n");
   }
-  auto read = parse_device(text, device);
-  if (!read) return fail(read.error());
   if (std::ranges::count(read->claims.block_log2, static_cast<unsigned>(block_log2)) == 0) {
-    return fail(std::string(device) + ": block_sizes lacks " + std::to_string(1 << block_log2) +
-                ", for which parameter BLOCK_LOG2 = " + std::to_string(block_log2) +
-                " of hmlfc_checker stands: mend either\n");
+    return fail(
+        fmt::format("{}: \"block_log2\" lacks {}, which parameter BLOCK_LOG2 of "
+                    "hmlfc_checker names: mend either\n",
+                    device, block_log2));
   }
-  auto model = Model::open(stream, read->section_checks);
-  if (model == nullptr) {
-    return fail("the stream \"" + std::string(stream) +
-                "\" cannot be read: name one with +hmlfc_checker_stream=FILE\n");
+  auto model = Model::open(stream, read->checks_sections);
+  if (!model) {
+    return fail(model.error().message + "\n+hmlfc_checker_stream=FILE names the stream\n");
   }
   auto& all = checkers().all;
-  all.push_back(std::make_unique<Lockstep>(std::move(model), std::move(*read), stream,
+  all.push_back(std::make_unique<Lockstep>(std::move(*model), std::move(*read), stream,
                                            static_cast<unsigned>(block_log2)));
   keep_text(*all.back());
   return static_cast<int>(all.size());
