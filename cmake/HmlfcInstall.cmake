@@ -49,7 +49,7 @@ endif()
 # For simulators (docs/checker.md): the golden model behind DPI-C, the checker and its example.
 if(TARGET hmlfc_dpi_shared)
   install(TARGETS hmlfc_dpi_shared LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT rtl)
-  install(FILES tools/dut/hmlfc_checker.h tools/dut/hmlfc_dpi.h
+  install(FILES tools/dut/hmlfc_checker.h
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/hmlfc" COMPONENT rtl)
   install(DIRECTORY testbench/checker/ DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/checker"
     COMPONENT rtl)

@@ -35,7 +35,7 @@ COMMANDS = {
     "picture sheet": ["--max-width", "--output"],
     "picture difference": ["--view", "--gain", "--output"],
     "conform": ["--suite", "--dut", "--timeout", "--memory", "--filter", "--milestone", "--jobs", "--shard",
-                "--merge", "--resume", "--keep", "--claim", "--verify", "--run-claimed", "--json", "--output"],
+                "--merge", "--resume", "--claim", "--verify", "--run-claimed", "--json", "--output"],
     "serve": ["LIBRARY"],
     "minimise": ["--dut", "--timeout", "--memory", "--trials", "--output"],
     "fuzz-dut": ["--dut", "--timeout", "--memory", "--minutes", "--count", "--seed", "--failures", "--output"],

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A right decoder behind the line protocol, but for one method of its server.
+"""A right decoder that speaks the line protocol, but for one method of its server.
 
     broken_lines.py NAME
 

@@ -11,7 +11,6 @@ sys.path.insert(0, str(ROOT / "tests" / "cli"))
 from program import PROGRAM, CliTest, main  # noqa: E402, F401
 
 SUITE = ROOT / "vectors"
-FAULTY = ROOT / "tests" / "conform" / "faulty_decoder.py"
 INCOMPLETE = 5
 GOLDEN = "{hmlfc} decode {input} -o {output}"
 COARSE = "{hmlfc} decode {input} --levels 1 -o {output}"  # the top of the tree alone: wrong samples
@@ -21,11 +20,6 @@ os.environ["HMLFC"] = str(PROGRAM)
 
 def manifest():
     return json.loads((SUITE / "manifest.json").read_text())
-
-
-def faulty(name):
-    """The command line of the decoder with one fault."""
-    return f"{sys.executable} -B {FAULTY} {name} {{input}} -o {{output}}"
 
 
 # Vectors of the small suite: both profiles, two depths, a refusal when opening and one of a block, and

@@ -120,7 +120,7 @@ class Decoders(ConformTest):
         return True
 
     def test_children_in_sessions_of_their_own(self):
-        """They end with the run, however it ends; those of a run beside it do not."""
+        """They end with the run, however it ends; those of another run do not."""
         mark = f"HMLFC_TEST_MARK={os.getpid()}-{time.monotonic_ns()}"
         nested = "setsid sh -c 'setsid sleep 1000 & setsid sleep 1000' >/dev/null 2>&1 &"
         leave = f"export {mark}; setsid sleep 1000 >/dev/null 2>&1 & {nested} sleep 0.2; "
@@ -143,7 +143,7 @@ class Decoders(ConformTest):
         self.assertFalse(self.left_over(mark))
 
     def test_children_of_another_run_go_on(self):
-        """A run that ends beside it does not end a run's child in a session of its own."""
+        """A run that ends does not end a child, in a session of its own, of another run."""
         child = 'setsid sh -c "sleep 1; touch $2/../child" & while [ ! -e "$2/../child" ]; do sleep 0.1; done'
         dut = self.script(f'case $1 in *cards*) {child};; esac; exec "$HMLFC" decode "$1" -o "$2"')
         _, report = self.conform(dut, "--jobs", "2", "--timeout", "60")

@@ -1,90 +1,87 @@
 """`hmlfc conform` on faulty decoders: what the report says of wrong views, errors, files and processes."""
 
 import json
+import shlex
+import sys
 
-from conform_case import SUITE, ConformTest, faulty, main
-from faulty_decoder import FAULTS
+from conform_case import COARSE, ROOT, SUITE, ConformTest, main
 
-# How samples of more than 8 bits are stored, on a vector of 10 bits.
+DECODE = '"$HMLFC" decode "$1" -o "$2"'
+NAIVE = f"{shlex.quote(sys.executable)} -B {ROOT / 'tests/naive_decoder/decode.py'}"
+
+# What a decoder does with stream $1 and folder $2, and what must come of it on a vector that decodes.
+PROCESSES = {
+    f'{DECODE}; rm "$(ls "$2"/* | tail -1)"': ("fail", "wrong output"),
+    "true": ("fail", "wrong output"),
+    f'{DECODE}; truncate -s -40 "$(ls "$2"/* | tail -1)"': ("fail", "wrong output"),
+    'printf %17s > "$2/views.raw"': ("fail", "17 bytes"),
+    f"{DECODE}; exit 1": ("fail", "exit status 1"),
+    f"{DECODE}; kill -SEGV $$": ("error", "signal 11"),
+    f"{DECODE}; sleep 1000": ("timeout", "timed out after"),
+    f"sleep 1000 & {DECODE}": ("pass", ""),  # the child, which holds the output open, is killed
+    "yes >&2": ("timeout", "timed out after"),
+    "exec python3 -c 'bytearray(1 << 40)'": ("fail", "exit status 1"),
+}
+
+# The same on a vector of 10 bits: raw samples with the high byte first, pictures that do not tell their depth.
 STORED = {
-    "big_endian_raw": ("fail", "more than 10 bits"),
-    "low_bits_of_png": ("fail", "instead of"),
-    "png_without_depth": ("fail", "of 12 bits instead of"),
-    "high_bits_of_png": ("pass", ""),
+    f'{NAIVE} "$1" -o "$2"; mv "$2/views.raw" "$2/raw"; dd if="$2/raw" of="$2/views.raw" conv=swab': ("fail", "more than 10 bits"),
+    f'{DECODE}; sed -i s/sBIT/sBIx/ "$2"/*.png': ("fail", "of 12 bits instead of"),
 }
 
-# Each fault of the process, and what must come of it on any vector that decodes.
-PROCESS_RESULTS = {
-    "missing_output": ("fail", "wrong output"),
-    "no_output": ("fail", "wrong output"),
-    "truncated_picture": ("fail", "wrong output"),
-    "short_raw": ("fail", "17 bytes"),
-    "wrong_exit_code": ("fail", "exit status 1"),
-    "crash": ("error", "signal 11"),
-    "hang": ("timeout", "timed out after"),
-    "hanging_child": ("pass", ""),  # no fault of the views: the child is killed
-    "endless_messages": ("timeout", "timed out after"),
-    "memory_hog": ("fail", "exit status 1"),
-}
+
+def shell(script):
+    """The command line of a decoder in a shell."""
+    return f"sh -c {shlex.quote(script)} sh {{input}} {{output}}"
 
 
 class Faults(ConformTest):
-    def run_on(self, fault, vector, *arguments, dut=None):
-        status, report = self.conform(
-            dut or faulty(fault), "--filter", vector, *arguments, suite=SUITE, output=fault
-        )
+    def run_on(self, dut, vector, *arguments):
+        status, report = self.conform(dut, "--filter", vector, *arguments, suite=SUITE)
         result = self.results(report)[vector]
         self.assertEqual(status, 1 if result["status"] not in ("pass", "skipped") else 5)
         return result
 
-    def test_every_fault_is_run(self):
-        others = {"chroma_shifted", "sections_unchecked", "accepts_everything"}
-        self.assertEqual({*STORED, *PROCESS_RESULTS, *others}, set(FAULTS))
-
     def test_wrong_views(self):
-        result = self.run_on("chroma_shifted", "syntax/blocks-4-420")
+        result = self.run_on(COARSE, "syntax/blocks-4-420")
         self.assertEqual(result["status"], "fail", result)
         difference = result["difference"]
         self.assertGreater(difference["wrong_blocks"], 0)
         self.assertNotEqual(difference["expected"], difference["actual"])
         self.assertTrue(difference["planes"])
-        pictures = self.folder / "chroma_shifted" / result["pictures"]
+        pictures = self.folder / "report" / result["pictures"]
         self.assertEqual(
             sorted(path.name for path in pictures.iterdir()),
             ["actual.png", "difference.png", "expected.png"],
         )
 
-    def declaration(self, fault, **claims):
-        file = self.folder / f"{fault}.json"
-        file.write_text(json.dumps({"name": fault, "command": faulty(fault), "error_names": True, **claims}))
-        return file
-
     def test_sections_are_checked_where_claimed(self):
+        dut = self.folder / "unchecked.json"
+        # The stream differs from its base in a crc alone.
+        command = shell(f'"$HMLFC" decode {SUITE}/syntax/base-main.hmlfc -o "$2"')
         for claim, status in ((True, "fail"), (False, "pass")):
-            dut = self.declaration("sections_unchecked", checks_sections=claim)
-            result = self.run_on("sections_unchecked", "error/section-crc-tile", dut=dut)
+            dut.write_text(json.dumps({"name": "unchecked", "command": command, "checks_sections": claim}))
+            result = self.run_on(dut, "error/section-crc-tile")
             self.assertEqual(result["status"], status, result)
 
-    def test_stored_samples(self):
-        for fault, (status, reason) in STORED.items():
-            with self.subTest(fault=fault):
-                result = self.run_on(fault, "real/glass-depth10")
+    def check(self, cases, vector):
+        for script, (status, reason) in cases.items():
+            with self.subTest(script=script):
+                seconds = "5" if status == "timeout" else "60"
+                result = self.run_on(shell(script), vector, "--timeout", seconds, "--memory", "4096")
                 self.assertEqual(result["status"], status, result)
                 self.assertIn(reason, result.get("reason", ""))
 
     def test_process(self):
-        for fault, (status, reason) in PROCESS_RESULTS.items():
-            with self.subTest(fault=fault):
-                seconds = "5" if status == "timeout" else "60"
-                limits = ("--timeout", seconds, "--memory", "4096")
-                result = self.run_on(fault, "real/cards-main", *limits)
-                self.assertEqual(result["status"], status, result)
-                self.assertIn(reason, result.get("reason", ""))
+        self.check(PROCESSES, "real/cards-main")
+
+    def test_stored_samples(self):
+        self.check(STORED, "real/glass-depth10")
 
     def test_accepting_what_must_be_refused(self):
         for vector in ("error/magic", "error/sign-mode-3", "error/trailing-byte"):
             with self.subTest(vector=vector):
-                result = self.run_on("accepts_everything", vector)
+                result = self.run_on(shell(f"{DECODE}; true"), vector)
                 self.assertEqual(result["status"], "fail")
                 self.assertIn("must be refused with", result["reason"])
 

@@ -83,7 +83,7 @@ class Suites(Foreign):
             self.assertEqual((folder / "file").read_text(), "mine")
 
     def test_output_is_no_link(self):
-        """A link in the place of a decoder's folder, or of its pictures, is not followed."""
+        """A link instead of a decoder's folder, or of its pictures, is not followed."""
         dut = self.folder / "dec.json"
         dut.write_text(json.dumps({"name": "dec", "command": "true {input} {output}"}))
         (self.folder / "linked").mkdir()

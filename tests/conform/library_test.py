@@ -73,7 +73,7 @@ class Library(ConformTest):
         return target
 
     def test_headers_are_c99(self):
-        for header in ("hmlfc/hmlfc_dut.h", "dut/hmlfc_checker.h", "dut/hmlfc_dpi.h"):
+        for header in ("hmlfc/hmlfc_dut.h", "dut/hmlfc_checker.h"):
             source = self.folder / "one.c"
             source.write_text(f"#include <{header}>\nint main(void) {{ return 0; }}\n")
             subprocess.run([COMPILER, *STRICT, "-fsyntax-only", source], check=True)

@@ -97,12 +97,11 @@ class Lines(ConformTest):
         self.assertEqual(done.stdout.splitlines(), session[1::2])
         self.assertGreater(len(session), 8)
 
-    def test_small_suite(self):
-        for dut in ("naive", "model", "model-library"):
-            with self.subTest(dut=dut):
-                status, report = self.conform(SUITE / "duts" / f"{dut}.json")
-                self.assertEqual((status, report["runs"][0]["verdict"]), (0, "conforms"), report)
-                self.assertEqual({result["status"] for result in self.results(report).values()}, {"pass"})
+    def test_naive_decoder(self):
+        """The small suite; conform.model and conform.model-library run the whole one."""
+        status, report = self.conform(SUITE / "duts" / "naive.json")
+        self.assertEqual((status, report["runs"][0]["verdict"]), (0, "conforms"), report)
+        self.assertEqual({result["status"] for result in self.results(report).values()}, {"pass"})
 
     def test_minimise(self):
         stream = SUITE / "boundary" / "view-3x5.hmlfc"

@@ -85,7 +85,7 @@ class Runner(ConformTest):
         one = self.run_hmlfc("conform", "--merge", "part1", "-o", "merged1")
         self.assertEqual(one.returncode, INCOMPLETE)
 
-    def test_merge_sets_decoders_beside_each_other(self):
+    def test_merge_compares_decoders(self):
         self.conform(self.declaration("first"), output="one")
         self.conform(self.declaration("second"), output="two")
         result = self.run_hmlfc("conform", "--merge", "one", "two", "-o", "both", "--json")
@@ -151,15 +151,6 @@ class Runner(ConformTest):
                 stage = self.results(report)["real/cards-main"]["stage"]
                 self.assertEqual(stage.count(says), 3, stage)  # of the planes that differ
                 self.assertTrue("plane Y" in stage and "plane Cg" in stage, stage)
-
-    def test_progress_off_a_terminal(self):
-        """Some lines, and none with --json."""
-        command = ("conform", "--suite", self.small, "--dut", "sh -c 'sleep 0.8; exit 1' {input} {output}", "--jobs", "1", "-o", "slow")
-        lines = self.run_hmlfc(*command).stderr.decode().splitlines()
-        self.assertIn(len(lines), range(1, 6))
-        for line in lines:
-            self.assertRegex(line, rf"  [1-6]/{len(self.manifest['vectors'])} vectors$")
-        self.assertEqual(self.run_hmlfc(*command, "--json").stderr, b"")
 
     def test_first_error_name_counts(self):
         """A decoder that lists all names does not name the error."""

@@ -54,11 +54,6 @@ class Summaries(ConformTest):
         self.assertEqual(self.causes(failing("a/a", ["TIL-1"], kind=kind, stage=stage)), [kind + "; first wrong stage residual (DEC-3)"])
         self.assertEqual(self.causes(failing("a/a", ["TIL-1"], reason="exit status 3")), ["exit status N"])
 
-    def test_not_counted_is_last(self):
-        none = [failing(f"error/{i}", ["FIL-1"], milestone="errors", not_counted=True) for i in range(5)]
-        causes = self.causes(*none, failing("syntax/a", ["TIL-1"]))
-        self.assertEqual(causes, ["wrong", "not counted: the base does not pass"])
-
     def test_vector_to_look_at(self):
         small = failing("boundary/small", ["TIL-1"], bytes=1)
         telling = failing("syntax/telling", ["TIL-1"], bytes=500, telling=True)

@@ -212,7 +212,6 @@ void add_conform(CLI::App& program, Task& task) {
   app.add_option("--merge", options.merge, "Merge the reports in these folders into one")
       ->type_name("DIR");
   app.add_flag("--resume", options.run.resume, "Keep the results of an interrupted run");
-  app.add_flag("--keep", options.run.keep, "Keep the decoder's output for vectors that fail");
   add_path(app, "--claim", options.claim, "Write what a conforming decoder claims to this file")
       ->required(false)
       ->type_name("FILE");

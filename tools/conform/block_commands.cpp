@@ -17,10 +17,9 @@ std::string block_options(const vectors::Vector& vector, const VectorResult& res
   if (!result.difference) return "";
   const Difference& d = *result.difference;
   const Plane plane = d.planes.empty() || !vector.output ? Plane::kY : d.planes.front();
-  const bool halved = plane != Plane::kY && vector.output->chroma == ChromaFormat::k420;
-  return fmt::format(" --view {},{} --plane {} --block {},{}", d.view.row, d.view.col,
-                     plane_name(plane), d.block_x >> (halved ? 1 : 0),
-                     d.block_y >> (halved ? 1 : 0));
+  const auto block = d.block(plane, vector.output ? vector.output->chroma : ChromaFormat::k444);
+  return fmt::format(" --view {},{} --plane {} --block {},{}", block.view.row, block.view.col,
+                     plane_name(plane), block.bx, block.by);
 }
 
 // `word` as a shell reads it again.

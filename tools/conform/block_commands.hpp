@@ -12,8 +12,8 @@ namespace hmlfc::conform {
 std::string inspect_command(const Suite& suite, const vectors::Vector& vector,
                             const VectorResult& result);
 
-/// The command that opens the same block with `dut` beside the golden model, its words quoted for a
-/// shell: "hmlfc view FILE --dut 'NAME' --view 0,1 --plane Co --block 3,2". Without a block the
+/// The command that opens the same block with `dut` next to the golden model, its words quoted for
+/// a shell: "hmlfc view FILE --dut 'NAME' --view 0,1 --plane Co --block 3,2". Without a block the
 /// stream alone.
 std::string view_command(const Suite& suite, const vectors::Vector& vector, const Dut& dut,
                          const VectorResult& result);

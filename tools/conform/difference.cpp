@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ranges>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "arithmetic/colour.hpp"
 #include "io/image_files.hpp"
@@ -48,7 +50,7 @@ void describe_block(const RgbImage& expected, const RgbImage& actual, unsigned b
                    found = true;
                    difference.x = x;
                    difference.y = y;
-                   difference.channel = a.r != b.r ? 'R' : a.g != b.g ? 'G' : 'B';
+                   difference.channel = a.r != b.r ? "R" : a.g != b.g ? "G" : "B";
                    difference.expected = a.r != b.r ? a.r : a.g != b.g ? a.g : a.b;
                    difference.actual = a.r != b.r ? b.r : a.g != b.g ? b.g : b.b;
                  });
@@ -119,17 +121,16 @@ std::optional<Difference> first_difference(const std::vector<RgbImage>& expected
   return difference;
 }
 
+std::string planes_text(const std::vector<Plane>& planes) {
+  const auto names = std::views::transform(planes, plane_name);
+  return fmt::format("plane{} {}", planes.size() == 1 ? "" : "s", fmt::join(names, ", "));
+}
+
 std::string to_string(const Difference& d) {
-  std::string planes;
-  for (const Plane plane : d.planes) {
-    if (!planes.empty()) planes += ", ";
-    planes += plane_name(plane);
-  }
   return fmt::format(
-      "view {},{} block {},{} (pixel {},{} {}): {} instead of {}; plane{} {}; {} of {} blocks in "
-      "{} view{}",
+      "view {},{} block {},{} (pixel {},{} {}): {} instead of {}; {}; {} of {} blocks in {} view{}",
       d.view.row, d.view.col, d.block_x, d.block_y, d.x, d.y, d.channel, d.actual, d.expected,
-      d.planes.size() == 1 ? "" : "s", planes, d.wrong_blocks, d.blocks, d.wrong_views,
+      planes_text(d.planes), d.wrong_blocks, d.blocks, d.wrong_views,
       d.wrong_views == 1 ? "" : "s");
 }
 

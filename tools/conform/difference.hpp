@@ -22,13 +22,19 @@ struct Difference {
   uint32_t block_y = 0;
   uint32_t x = 0;  ///< pixel of the view
   uint32_t y = 0;
-  char channel = 'R';
+  std::string channel;  ///< "R", "G" or "B"
   int expected = 0;
   int actual = 0;
   std::vector<Plane> planes;  ///< planes of YCoCg (COL-1) in which the block's pixels differ
   uint64_t wrong_blocks = 0;  ///< of all views
   uint64_t blocks = 0;
   uint64_t wrong_views = 0;
+
+  /// The block of `plane` at the same place, in a stream of this chroma format.
+  BlockAddress block(Plane plane, ChromaFormat chroma) const {
+    const unsigned shift = plane != Plane::kY && chroma == ChromaFormat::k420 ? 1 : 0;
+    return {view, plane, block_x >> shift, block_y >> shift};
+  }
 };
 
 /// The blocks of one view and how wrong each is.
@@ -45,6 +51,9 @@ BlockMap compare_blocks(const RgbImage& expected, const RgbImage& actual, unsign
 std::optional<Difference> first_difference(const std::vector<RgbImage>& expected,
                                            const std::vector<RgbImage>& actual, uint32_t cols,
                                            unsigned block_size);
+
+/// "plane Y", "planes Co, Cg".
+std::string planes_text(const std::vector<Plane>& planes);
 
 /// "view 0,1 block 3,2 (pixel 13,9 G): 17 instead of 18; planes Y, Cg; 4 of 96 blocks in 2 views".
 std::string to_string(const Difference& difference);

@@ -5,29 +5,6 @@
 #include <fmt/format.h>
 
 namespace hmlfc::conform {
-namespace {
-
-template <class Function>
-bool find(void* library, const char* name, Function& target) {
-  target = reinterpret_cast<Function>(::dlsym(library, name));
-  return target != nullptr;
-}
-
-// The name of a required function that is missing, or null.
-const char* find_all(void* library, DutFunctions& f) {
-  find(library, "hmlfc_dut_trace_block", f.trace_block);
-  find(library, "hmlfc_dut_error_name", f.error_name);
-  if (!find(library, "hmlfc_dut_abi", f.abi)) return "hmlfc_dut_abi";
-  if (!find(library, "hmlfc_dut_name", f.name)) return "hmlfc_dut_name";
-  if (!find(library, "hmlfc_dut_open", f.open)) return "hmlfc_dut_open";
-  if (!find(library, "hmlfc_dut_get_geometry", f.get_geometry)) return "hmlfc_dut_get_geometry";
-  if (!find(library, "hmlfc_dut_decode_view", f.decode_view)) return "hmlfc_dut_decode_view";
-  if (!find(library, "hmlfc_dut_decode_block", f.decode_block)) return "hmlfc_dut_decode_block";
-  if (!find(library, "hmlfc_dut_close", f.close)) return "hmlfc_dut_close";
-  return nullptr;
-}
-
-}  // namespace
 
 io::IoResult<DutFunctions> load_dut_library(const std::filesystem::path& file) {
   // dlopen searches the system's folders for a name without a slash.
@@ -35,16 +12,30 @@ io::IoResult<DutFunctions> load_dut_library(const std::filesystem::path& file) {
   if (library == nullptr) {
     return io::file_error(file, fmt::format("cannot be loaded: {}", ::dlerror()));
   }
-  DutFunctions functions;
-  if (const char* missing = find_all(library, functions)) {
+  const char* missing = nullptr;
+  const auto find = [&]<class Function>(const char* name, Function& target, bool needed = true) {
+    target = reinterpret_cast<Function>(::dlsym(library, name));
+    if (target == nullptr && needed && missing == nullptr) missing = name;
+  };
+  DutFunctions f;
+  find("hmlfc_dut_abi", f.abi);
+  find("hmlfc_dut_name", f.name);
+  find("hmlfc_dut_open", f.open);
+  find("hmlfc_dut_get_geometry", f.get_geometry);
+  find("hmlfc_dut_decode_view", f.decode_view);
+  find("hmlfc_dut_decode_block", f.decode_block);
+  find("hmlfc_dut_trace_block", f.trace_block, false);
+  find("hmlfc_dut_error_name", f.error_name, false);
+  find("hmlfc_dut_close", f.close);
+  if (missing != nullptr) {
     return io::file_error(file, fmt::format("has no function {}; see hmlfc_dut.h", missing));
   }
-  if (functions.abi() != HMLFC_DUT_ABI) {
-    return io::file_error(file,
-                          fmt::format("has version {} of hmlfc_dut.h, not {}; compile it again",
-                                      functions.abi(), HMLFC_DUT_ABI));
+  if (f.abi() != HMLFC_DUT_ABI) {
+    return io::file_error(
+        file, fmt::format("has version {} of hmlfc_dut.h, not {}; compile it again", f.abi(),
+                          HMLFC_DUT_ABI));
   }
-  return functions;
+  return f;
 }
 
 }  // namespace hmlfc::conform

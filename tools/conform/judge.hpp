@@ -1,4 +1,4 @@
-// Runs a decoder on a vector and judges what it does by the manifest.
+// Runs a decoder on a stream and judges what it does by the manifest and the golden model.
 #pragma once
 
 #include <filesystem>
@@ -18,18 +18,18 @@ struct Trial {
   std::span<const uint8_t> stream;  ///< its bytes
   std::filesystem::path output;     ///< the folder that a command line is told to write into
   ProcessLimits limits;
-  std::filesystem::path pictures;  ///< folder for the pictures of a failure; empty: none
-  std::filesystem::path blocks;    ///< the vector's blocks file; empty: none
+  vectors::Expectation expect;       ///< what must come of it
+  const vectors::ViewSum* views;     ///< of a stream that must decode; null: not known
+  std::filesystem::path pictures{};  ///< folder for the pictures of a failure; empty: none
+  std::filesystem::path blocks{};    ///< the vector's blocks file; empty: none
 };
 
-/// Runs the decoder and compares what it does with `expect` and, where the stream must decode, its
-/// views with `output` (null: with the golden model's views alone). A decoder that answers for
-/// blocks is asked for some: of a stream in which blocks fail for every block and, of up to 256
-/// blocks, for every stop level above 0; of other streams for 16 blocks at each stop level. A
-/// vector that fails in a process that had streams before is run again in a new one, and the reason
-/// says if it passes there. Sets status, reason, kind, difference, stage, messages, seconds and
-/// pictures.
-void judge(const Trial& trial, const vectors::Expectation& expect, const vectors::ViewSum* output,
-           VectorResult& result);
+/// Runs the decoder and compares what it does with `trial.expect`, its views with `trial.views` or
+/// else with the golden model's. A decoder that answers for blocks is asked for some: of a stream
+/// in which blocks fail for every block and, of up to 256 blocks, for every stop level above 0; of
+/// other streams for 16 blocks at each stop level. A vector that fails in a process that had
+/// streams before is run again in a new one, and the reason says if it passes there. Sets status,
+/// reason, kind, difference, stage, messages, seconds and pictures.
+void judge(const Trial& trial, VectorResult& result);
 
 }  // namespace hmlfc::conform

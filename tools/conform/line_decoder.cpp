@@ -36,8 +36,8 @@ std::string shown(std::string_view text) {
   throw DutFailure{Status::kFail, fmt::format("wrong answer to '{}': {}", request, why)};
 }
 
-// Removes `word` and a blank, or the end, behind it from the front of `text`; false if they are not
-// there.
+// Removes `word` and the blank after it, or the end, from the front of `text`; false if they are
+// not there.
 bool take_word(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return false;
   const std::string_view rest = text.substr(word.size());
@@ -170,13 +170,11 @@ DutAnswer<hmlfc_dut_geometry> LineDecoder::open(const std::filesystem::path& fil
   }
   const auto answer = ask(request);
   if (!answer) return tl::unexpected(answer.error());
-  hmlfc_dut_geometry& g = geometry_;
   std::string_view rest = *answer;
-  for (uint32_t* field : {&g.rows, &g.cols, &g.width, &g.height, &g.depth, &g.chroma_format,
-                          &g.block_log2, &g.tree_height}) {
+  for (const GeometryField& field : kGeometryFields) {
     const auto value = take_number(rest);
     if (!value) wrong_answer(request, shown(*answer) + " has not eight numbers");
-    *field = *value;
+    geometry_.*field.value = *value;
   }
   return geometry_;
 }

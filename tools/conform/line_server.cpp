@@ -84,10 +84,10 @@ class LineServer {
       stream_.reset();
       return status;
     }
-    hmlfc_dut_geometry& g = geometry_;
-    const int failed = checked(functions_.get_geometry(opened, &g));
-    text = fmt::format(" {} {} {} {} {} {} {} {}", g.rows, g.cols, g.width, g.height, g.depth,
-                       g.chroma_format, g.block_log2, g.tree_height);
+    const int failed = checked(functions_.get_geometry(opened, &geometry_));
+    for (const GeometryField& field : kGeometryFields) {
+      text += fmt::format(" {}", geometry_.*field.value);
+    }
     return failed;
   }
 

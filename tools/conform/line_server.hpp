@@ -1,4 +1,4 @@
-// The other end of the line protocol: a decoder behind hmlfc_dut.h answers requests.
+// The other end of the line protocol: answers requests by the functions of hmlfc_dut.h.
 #pragma once
 
 #include <cstdint>

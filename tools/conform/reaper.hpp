@@ -22,7 +22,7 @@ struct ReaperReport {
 };
 
 /// Runs in a new process, a copy of one with threads, so it calls only async-signal-safe functions.
-/// Starts `arguments` (null behind the last; PATH is searched) in a process group of its own, in
+/// Starts `arguments` (null after the last; PATH is searched) in a process group of its own, in
 /// `memory_bytes` of address space (0: no limit). Waits until that ends or `control` says so, then
 /// kills what is left of its descendants, in whatever session, reports, and exits. Also the end of
 /// the process that holds the other end of `control` ends everything.

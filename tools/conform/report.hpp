@@ -53,7 +53,7 @@ using Json = nlohmann::ordered_json;
 Json to_json(const VectorResult& result);
 
 /// Reads one result of decoder `dut`; nothing if `json` is not one.
-std::optional<VectorResult> result_from_json(const Json& json, const std::string& dut);
+std::optional<VectorResult> result_from_json(Json json, const std::string& dut);
 
 /// The whole report with counts and verdicts; docs/conformance.md has its keys.
 Json to_json(const Report& report);

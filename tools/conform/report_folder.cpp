@@ -2,9 +2,6 @@
 
 #include <cctype>
 #include <system_error>
-
-#include "conform/difference.hpp"
-
 namespace hmlfc::conform {
 
 namespace fs = std::filesystem;
@@ -25,6 +22,10 @@ std::string folder_name(const std::string& dut) {
 
 fs::path pictures_of(const std::string& dut, const vectors::VectorId& id) {
   return fs::path(folder_name(dut)) / "failures" / id;
+}
+
+bool has_own_pictures(const VectorResult& result, const std::string& dut) {
+  return result.pictures.empty() || result.pictures == pictures_of(dut, result.id);
 }
 
 io::IoResult<fs::path> path_inside(const fs::path& folder, const fs::path& name) {

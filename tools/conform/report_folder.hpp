@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "conform/result.hpp"
 #include "io/io_error.hpp"
-#include "vectors/suite_name.hpp"
 
 namespace hmlfc::conform {
 
@@ -14,6 +14,9 @@ std::string folder_name(const std::string& dut);
 
 /// The folder of the pictures of a failure, relative to the report.
 std::filesystem::path pictures_of(const std::string& dut, const vectors::VectorId& id);
+
+/// Whether the pictures of `result`, from wherever it was read, are none or pictures_of() it.
+bool has_own_pictures(const VectorResult& result, const std::string& dut);
 
 /// `folder` / `name`, where no part of `name`, which is relative and has no "..", is a symbolic
 /// link. Error: one is.

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <fstream>
 
@@ -14,9 +13,6 @@
 namespace hmlfc::conform {
 
 namespace {
-
-constexpr std::array<std::string_view, kStatusCount> kStatusNames{
-    "pass", "fail", "error", "timeout", "not_supported", "skipped"};
 
 constexpr io::JsonLimits kResultLimits{"a result", size_t{1} << 24, 3};
 
@@ -38,15 +34,6 @@ io::IoResult<void> write_line(const std::filesystem::path& path, const io::FileD
 }
 
 }  // namespace
-
-std::string_view status_name(Status status) { return kStatusNames[static_cast<size_t>(status)]; }
-
-std::optional<Status> status_from_name(std::string_view name) {
-  for (size_t i = 0; i < kStatusCount; ++i) {
-    if (kStatusNames[i] == name) return static_cast<Status>(i);
-  }
-  return std::nullopt;
-}
 
 Tally tally(const Run& run) {
   Tally tally;

@@ -1,6 +1,7 @@
 // Results of conformance vectors, the verdict on them, and their log.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -32,11 +33,13 @@ enum class Status : uint8_t {
 };
 inline constexpr size_t kStatusCount = 6;
 
-/// "pass", "fail", "error", "timeout", "not_supported" or "skipped".
-std::string_view status_name(Status status);
+inline constexpr std::array<std::string_view, kStatusCount> kStatusNames{
+    "pass", "fail", "error", "timeout", "not_supported", "skipped"};
 
-/// The status with this name, or nothing.
-std::optional<Status> status_from_name(std::string_view name);
+/// One of kStatusNames.
+constexpr std::string_view status_name(Status status) {
+  return kStatusNames[static_cast<size_t>(status)];
+}
 
 /// One vector on one decoder.
 struct VectorResult {
@@ -56,7 +59,7 @@ struct VectorResult {
   uint64_t bytes = 0;        ///< of the stream
   bool telling = false;      ///< several views and blocks show what is wrong (runner.cpp)
   std::string inspect;       ///< the command that shows what the decoder gets wrong, or empty
-  std::string view;          ///< the command that opens the page on it beside the model, or empty
+  std::string view;          ///< the command that opens the page on it next to the model, or empty
   bool not_counted = false;  ///< a refusal whose base does not pass
 
   bool bad() const {

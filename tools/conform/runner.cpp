@@ -1,7 +1,6 @@
 #include "conform/runner.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -127,9 +126,6 @@ class SuiteRun {
     return result;
   }
 
-  // Whether files of failing vectors are left, as options.keep has it.
-  bool kept() const { return kept_; }
-
  private:
   void run(const vectors::Vector& vector, size_t index, VectorResult& result) const {
     const auto file = io::map_file(suite_.folder / vector.input.file);
@@ -157,21 +153,13 @@ class SuiteRun {
     if (!shown) return fail_in_suite(result, shown.error().message);
     remove_pictures(*shown);
     fs::create_directories(work / "output");
-    const Trial trial{dut_,
-                      work / "stream.hmlfc",
-                      stream,
-                      work / "output",
-                      options_.limits,
-                      *shown,
-                      vector.blocks ? suite_.folder / vector.blocks->file : fs::path()};
-    judge(trial, vector.expect, vector.output ? &*vector.output : nullptr, result);
+    judge({dut_, work / "stream.hmlfc", stream, work / "output", options_.limits, vector.expect,
+           vector.output ? &*vector.output : nullptr, *shown,
+           vector.blocks ? suite_.folder / vector.blocks->file : fs::path()},
+          result);
     if (result.difference) result.pictures = pictures.string();
     std::error_code ignored;
-    if (result.bad() && options_.keep) {
-      kept_ = true;
-    } else {
-      fs::remove_all(work, ignored);
-    }
+    fs::remove_all(work, ignored);
   }
 
   const Suite& suite_;
@@ -179,7 +167,6 @@ class SuiteRun {
   const RunOptions& options_;
   fs::path work_;
   std::vector<std::string> left_out_;
-  mutable std::atomic<bool> kept_ = false;
 };
 
 // A folder for the runs of a decoder in the folder of its results. Errors: it cannot be created.
@@ -229,7 +216,6 @@ io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions
       first_error = written.error();
     }
   });
-  if (suite_run.kept()) (*work)->keep();
   if (first_error) return tl::unexpected(*first_error);
   settle_bases(suite.manifest, dut, run);
   return run;
@@ -263,8 +249,8 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
     expect.outcome = vectors::Outcome::kReject;
     expect.error = decoded.error().code;
   }
-  const Trial trial{dut, (*folder)->path() / "stream.hmlfc", stream, output, limits, {}, {}};
-  judge(trial, expect, nullptr, result);
+  const auto input = (*folder)->path() / "stream.hmlfc";
+  judge({dut, input, stream, output, limits, expect, nullptr}, result);
   return result;
 }
 

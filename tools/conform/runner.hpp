@@ -39,7 +39,6 @@ struct RunOptions {
   ProcessLimits limits;
   unsigned jobs = 1;    ///< vectors at the same time
   bool resume = false;  ///< keep the results of an earlier run in the folder
-  bool keep = false;    ///< keep the decoder's output for vectors that fail
 };
 
 /// Runs `dut` on each vector of `suite` that it claims and `options` select, and compares. Each

@@ -32,6 +32,22 @@ struct DutFailure {
 template <class T>
 using DutAnswer = tl::expected<T, std::string>;
 
+/// A field of a header as decoders report it.
+struct GeometryField {
+  const char* name;
+  uint32_t hmlfc_dut_geometry::*value;
+};
+/// All fields, in the order of the answer to `open` (docs/line_protocol.md).
+inline constexpr GeometryField kGeometryFields[] = {
+    {"rows", &hmlfc_dut_geometry::rows},
+    {"cols", &hmlfc_dut_geometry::cols},
+    {"width", &hmlfc_dut_geometry::width},
+    {"height", &hmlfc_dut_geometry::height},
+    {"depth", &hmlfc_dut_geometry::depth},
+    {"chroma_format", &hmlfc_dut_geometry::chroma_format},
+    {"block_log2", &hmlfc_dut_geometry::block_log2},
+    {"tree_height", &hmlfc_dut_geometry::tree_height}};
+
 /// What a decoder can be asked for.
 struct Abilities {
   bool views = false;

@@ -4,7 +4,6 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <regex>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -83,14 +82,7 @@ std::vector<std::string> always_failing(const ClauseCounts& counts, size_t miles
   return clauses;
 }
 
-std::string planes_text(const std::vector<Plane>& planes) {
-  std::vector<std::string_view> names;
-  for (const Plane plane : planes) names.push_back(plane_name(plane));
-  return fmt::format("plane{} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", "));
-}
-
-// `text` with N in place of each number that is a word: a report may come from anywhere, and
-// std::regex takes stack for each character.
+// `text` with N instead of each number that is a word.
 std::string without_numbers(std::string_view text) {
   std::string out;
   for (size_t end = 0; end < text.size();) {
@@ -106,17 +98,28 @@ std::string without_numbers(std::string_view text) {
 
 constexpr size_t kSearchedBytes = 4096;  // of the stages, more than there are
 
+// The name and clause of the first wrong stage, "residual (TIL-10)"; empty if there is none.
+std::string_view first_stage(std::string_view stages) {
+  constexpr std::string_view kBefore = "stage ";
+  stages = stages.substr(0, kSearchedBytes);
+  for (size_t at = 0; (at = stages.find(kBefore)) != stages.npos;) {
+    stages.remove_prefix(at + kBefore.size());
+    const size_t end = stages.find(')');
+    const size_t blank = stages.find_first_not_of(kWordCharacters);
+    if (end == stages.npos || !stages.substr(blank).starts_with(" (")) continue;
+    return stages.substr(0, end + 1);
+  }
+  return {};
+}
+
 // What failures have in common.
 std::string cause_of(const VectorResult& result) {
-  static const std::regex stage("stage (\\w+) \\(([A-Z]+-[0-9]+)\\)");
   if (result.not_counted) return "not counted: the base does not pass";
   std::string text = result.difference     ? "wrong samples"
                      : result.kind.empty() ? without_numbers(result.reason)
                                            : result.kind;
-  const std::string stages = result.stage.substr(0, kSearchedBytes);
-  std::smatch found;
-  if (std::regex_search(stages, found, stage)) {
-    text += fmt::format("; first wrong stage {} ({})", found[1].str(), found[2].str());
+  if (const std::string_view stage = first_stage(result.stage); !stage.empty()) {
+    text += fmt::format("; first wrong stage {}", stage);
   } else if (result.difference) {
     text += " in " + planes_text(result.difference->planes);
   }
@@ -143,7 +146,7 @@ std::vector<Cause> causes_of(const Run& run) {
   return causes;
 }
 
-// The first milestone behind the one with this name of which the decoder claims vectors, or null.
+// The first milestone after the one with this name of which the decoder claims vectors, or null.
 const MilestoneCount* next_claimed(const std::vector<MilestoneCount>& milestones,
                                    const std::string& name) {
   auto next = std::ranges::find(milestones, name, &MilestoneCount::name);

@@ -42,19 +42,7 @@ DutAnswer<SamplePlane> assemble_plane(RunningDut& dut, const Decoder& golden, Vi
 std::optional<std::string> wrong_geometry(const StreamHeader& header,
                                           const hmlfc_dut_geometry& geometry) {
   const hmlfc_dut_geometry right = dut_geometry(header);
-  struct Field {
-    const char* name;
-    uint32_t hmlfc_dut_geometry::*value;
-  };
-  constexpr Field kFields[] = {{"rows", &hmlfc_dut_geometry::rows},
-                               {"cols", &hmlfc_dut_geometry::cols},
-                               {"width", &hmlfc_dut_geometry::width},
-                               {"height", &hmlfc_dut_geometry::height},
-                               {"depth", &hmlfc_dut_geometry::depth},
-                               {"chroma_format", &hmlfc_dut_geometry::chroma_format},
-                               {"block_log2", &hmlfc_dut_geometry::block_log2},
-                               {"tree_height", &hmlfc_dut_geometry::tree_height}};
-  for (const auto& [name, value] : kFields) {
+  for (const auto& [name, value] : kGeometryFields) {
     if (geometry.*value == right.*value) continue;
     return fmt::format("{} {} instead of {}", name, geometry.*value, right.*value);
   }

@@ -9,7 +9,7 @@
 
 namespace hmlfc::conform {
 
-/// A new, empty folder `prefix`-XXXXXX, whose name nobody else has, removed at the end unless kept.
+/// A new, empty folder `prefix`-XXXXXX, whose name nobody else has, removed at the end.
 class WorkFolder {
  public:
   explicit WorkFolder(const std::filesystem::path& prefix) : path_(prefix) {
@@ -26,19 +26,16 @@ class WorkFolder {
   WorkFolder& operator=(const WorkFolder&) = delete;
   ~WorkFolder() {
     std::error_code ignored;
-    if (!error_ && !kept_) std::filesystem::remove_all(path_, ignored);
+    if (!error_) std::filesystem::remove_all(path_, ignored);
   }
 
   const std::filesystem::path& path() const { return path_; }
   /// Why it could not be created; false if it was.
   const std::error_code& error() const { return error_; }
 
-  void keep() { kept_ = true; }
-
  private:
   std::filesystem::path path_;
   std::error_code error_;
-  bool kept_ = false;
 };
 
 }  // namespace hmlfc::conform

@@ -2,12 +2,12 @@
 #include "dut/hmlfc_checker.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "dut/lockstep.hpp"
 
@@ -30,8 +30,16 @@ Checkers& checkers() {
 
 Lockstep& checker_of(int checker) { return *checkers().all.at(static_cast<size_t>(checker) - 1); }
 
-// Ends a call: keeps its text.
-void keep_text(Lockstep& checker) { checkers().text = checker.take_text(); }
+// Tells a checker something by action(Lockstep&), and keeps its text. Returns the number of new
+// differences.
+template <class Action>
+int told(int checker, const Action& action) {
+  Lockstep& lockstep = checker_of(checker);
+  const int64_t before = lockstep.differences();
+  action(lockstep);
+  checkers().text = lockstep.take_text();
+  return static_cast<int>(lockstep.differences() - before);
+}
 
 // Value `index` of a vector of svLogicVecVal.
 PinValue value_at(const unsigned* words, size_t index) {
@@ -56,28 +64,24 @@ int fail(const std::string& text) {
 
 int hmlfc_checker_open(const char* stream, const char* device, int block_log2) {
   if (block_log2 < 1 || block_log2 > 3) return fail("block_log2 is 1, 2 or 3\n");
-  std::ifstream file(device, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) {
-    return fail("the capability file \"" + std::string(device) +
-                "\" cannot be read: name one with +hmlfc_checker_device=FILE\n");
+  auto read = read_device(device);
+  if (!read) {
+    return fail(read.error().message + "\n+hmlfc_checker_device=FILE names the capability file\n");
   }
-  auto read = parse_device(text, device);
-  if (!read) return fail(read.error());
   if (std::ranges::count(read->claims.block_log2, static_cast<unsigned>(block_log2)) == 0) {
-    return fail(std::string(device) + ": block_sizes lacks " + std::to_string(1 << block_log2) +
-                ", for which parameter BLOCK_LOG2 = " + std::to_string(block_log2) +
-                " of hmlfc_checker stands: mend either\n");
+    return fail(
+        fmt::format("{}: \"block_log2\" lacks {}, which parameter BLOCK_LOG2 of "
+                    "hmlfc_checker names: mend either\n",
+                    device, block_log2));
   }
-  auto model = Model::open(stream, read->section_checks);
-  if (model == nullptr) {
-    return fail("the stream \"" + std::string(stream) +
-                "\" cannot be read: name one with +hmlfc_checker_stream=FILE\n");
+  auto model = Model::open(stream, read->checks_sections);
+  if (!model) {
+    return fail(model.error().message + "\n+hmlfc_checker_stream=FILE names the stream\n");
   }
   auto& all = checkers().all;
-  all.push_back(std::make_unique<Lockstep>(std::move(model), std::move(*read), stream,
+  all.push_back(std::make_unique<Lockstep>(std::move(*model), std::move(*read), stream,
                                            static_cast<unsigned>(block_log2)));
-  keep_text(*all.back());
+  checkers().text = all.back()->take_text();
   return static_cast<int>(all.size());
 }
 
@@ -85,25 +89,20 @@ const char* hmlfc_checker_text(int) { return checkers().text.c_str(); }
 
 int hmlfc_checker_request(int checker, long long clock, int row, int col, int plane, int block_x,
                           int block_y, int stop_level, int tag) {
-  Lockstep& lockstep = checker_of(checker);
-  lockstep.request(clock, {row, col, plane, block_x, block_y, stop_level}, tag);
-  keep_text(lockstep);
-  return 0;
+  return told(checker, [&](Lockstep& lockstep) {
+    lockstep.request(clock, {row, col, plane, block_x, block_y, stop_level}, tag);
+  });
 }
 
 int hmlfc_checker_answer(int checker, long long clock, int tag, int status,
                          const unsigned* samples) {
-  Lockstep& lockstep = checker_of(checker);
-  const int64_t before = lockstep.differences();
-  lockstep.answer(clock, {tag, status, values(samples, 0, kLanes * lockstep.lane())});
-  keep_text(lockstep);
-  return static_cast<int>(lockstep.differences() - before);
+  return told(checker, [&](Lockstep& lockstep) {
+    lockstep.answer(clock, {tag, status, values(samples, 0, kLanes * lockstep.lane())});
+  });
 }
 
 int hmlfc_checker_stage(int checker, long long clock, int row, int col, int plane, int block_x,
                         int block_y, int level, int error, int shown, const unsigned* words) {
-  Lockstep& lockstep = checker_of(checker);
-  const int64_t before = lockstep.differences();
   Record record;
   record.site.level = level;
   record.site.image_row = static_cast<uint32_t>(row);
@@ -113,27 +112,24 @@ int hmlfc_checker_stage(int checker, long long clock, int row, int col, int plan
   record.site.by = static_cast<uint32_t>(block_y);
   record.error = error;
   record.shown = static_cast<unsigned>(shown);
-  for (size_t i = 0; i < record.values.size(); ++i) {
-    record.values[i] = values(words, i * kStageValues, lockstep.lane());
-  }
-  lockstep.record(clock, record);
-  keep_text(lockstep);
-  return static_cast<int>(lockstep.differences() - before);
+  return told(checker, [&](Lockstep& lockstep) {
+    for (size_t i = 0; i < record.values.size(); ++i) {
+      record.values[i] = values(words, i * kStageValues, lockstep.lane());
+    }
+    lockstep.record(clock, record);
+  });
 }
 
 int hmlfc_checker_unknown(int checker, long long clock, const char* where) {
-  Lockstep& lockstep = checker_of(checker);
-  lockstep.unknown(clock, where);
-  keep_text(lockstep);
-  return 1;
+  return told(checker, [&](Lockstep& lockstep) { lockstep.unknown(clock, where); });
 }
 
 void hmlfc_checker_reset(int checker, long long) { checker_of(checker).reset(); }
 
 int hmlfc_checker_end(int checker, long long clock, int complete) {
   Lockstep& lockstep = checker_of(checker);
-  const bool first = lockstep.end(clock, complete != 0);
-  keep_text(lockstep);
+  bool first = false;
+  told(checker, [&](Lockstep&) { first = lockstep.end(clock, complete != 0); });
   if (!first) return 0;
   if (lockstep.differences() != 0) return static_cast<int>(lockstep.differences());
   return lockstep.compared_something() ? 0 : -1;

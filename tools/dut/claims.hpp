@@ -9,6 +9,8 @@
 
 #include <hmlfc/format.hpp>
 
+#include "io/format_json.hpp"
+
 namespace hmlfc {
 
 /// Profile, conformance level, and own limits (FIL-7): the largest values of header fields.
@@ -42,6 +44,19 @@ inline constexpr ClaimedLimit kClaimedLimits[] = {
     {"depth", &Claims::depth, 8, 12, [](const StreamHeader& h) { return int64_t{h.depth}; }},
     {"tree_height", &Claims::tree_height, 0, 15,
      [](const StreamHeader& h) { return int64_t{h.tree_height}; }}};
+
+/// Members profile, level and limits of a JSON object; those that are missing keep their values.
+inline void visit(const io::Members& m, Claims& claims) {
+  m.given("profile", claims.profile);
+  m.within("level", claims.level, 0, 3);
+  if (m.reading() && !m.has("limits")) return;
+  const io::Members limits = m.at("limits");
+  for (const ClaimedLimit& limit : kClaimedLimits) {
+    limits.within(limit.name, claims.*limit.value, limit.least, limit.greatest);
+  }
+  limits.given("block_log2", claims.block_log2);
+  limits.refuse_others("\"limits\"");
+}
 
 /// Why a stream is beyond `claims`: "width 40, above 39"; nothing if it is not. `header` is null if
 /// the stream's header cannot be read.

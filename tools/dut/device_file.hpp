@@ -2,17 +2,18 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
-
-#include <tl/expected.hpp>
+#include <string_view>
 
 #include "dut/claims.hpp"
+#include "io/io_error.hpp"
 
 namespace hmlfc::lockstep {
 
 /// The stages that a device may show, in the order of hmlfc_checker.h.
-inline constexpr std::array<const char*, 4> kStageNames{"residual", "reference", "prediction",
-                                                        "sample"};
+inline constexpr std::array<std::string_view, 4> kStageNames{"residual", "reference", "prediction",
+                                                             "sample"};
 
 /// Defaults are those of a device that decodes everything and shows answers alone.
 struct Device {
@@ -25,12 +26,13 @@ struct Device {
   bool held_chroma = false;      ///< but for chroma of the request for RGB before
   bool tagged = false;           ///< answers come in any order, with the request's tag
   bool bus_errors = false;       ///< any answer may be bus_error
-  bool section_checks = true;    ///< FIL-6
+  bool checks_sections = true;   ///< FIL-6
 
   bool shows_stages() const;
 };
 
-/// Reads the lines "name value...". An error names file and line, and what to do.
-tl::expected<Device, std::string> parse_device(const std::string& text, const std::string& file);
+/// Reads a JSON object. Errors, which name the file: not readable, a member that is unknown or has
+/// a wrong value, no member profile.
+io::IoResult<Device> read_device(const std::filesystem::path& file);
 
 }  // namespace hmlfc::lockstep

@@ -1,10 +1,10 @@
 #include "dut/expectation.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "dut/device_file.hpp"
 
@@ -40,18 +40,16 @@ class Records final : public TraceSink {
 }  // namespace
 
 std::string to_string(const BlockSite& site) {
-  std::ostringstream text;
-  text << "level " << site.level << " image " << site.image_row << "," << site.image_col
-       << " plane " << plane_name(site.plane) << " block " << site.bx << "," << site.by;
-  return text.str();
+  return fmt::format("level {} image {},{} plane {} block {},{}", site.level, site.image_row,
+                     site.image_col, plane_name(site.plane), site.bx, site.by);
 }
 
-std::unique_ptr<Model> Model::open(const std::string& path, bool section_checks) {
-  std::ifstream file(path, std::ios::binary);
+io::IoResult<std::unique_ptr<Model>> Model::open(const std::string& path, bool checks_sections) {
+  auto file = io::map_file(path);
+  if (!file) return tl::unexpected(file.error());
+  auto decoder = Decoder::open(file->bytes(), {.check_sections = checks_sections});
   auto model = std::make_unique<Model>();
-  model->bytes_.assign(std::istreambuf_iterator<char>(file), {});
-  if (!file) return nullptr;
-  auto decoder = Decoder::open(model->bytes_, {.check_sections = section_checks});
+  model->file_.emplace(std::move(*file));
   if (decoder) {
     model->decoder_ = std::move(*decoder);
   } else {

@@ -11,9 +11,11 @@
 
 #include <hmlfc/decoder.hpp>
 
+#include "io/files.hpp"
+
 namespace hmlfc::lockstep {
 
-inline constexpr int kRgb = 3;  ///< in place of a plane
+inline constexpr int kRgb = 3;  ///< a request for all planes
 inline constexpr size_t kLanes = 3;
 
 /// As the device took it.
@@ -67,8 +69,8 @@ struct Expectation {
 /// then.
 class Model {
  public:
-  /// Null where the file cannot be read.
-  static std::unique_ptr<Model> open(const std::string& path, bool section_checks);
+  /// Error: the file cannot be read.
+  static io::IoResult<std::unique_ptr<Model>> open(const std::string& path, bool checks_sections);
 
   /// The error of the whole stream, or 0.
   int status() const { return status_; }
@@ -84,7 +86,7 @@ class Model {
   std::vector<BlockAddress> blocks(const Request& request) const;
   void fill_rgb(const Request& request, Expectation& expected) const;
 
-  std::vector<uint8_t> bytes_;
+  std::optional<MappedFile> file_;
   std::optional<Decoder> decoder_;
   int status_ = 0;
 };

@@ -27,7 +27,7 @@ int hmlfc_checker_open(const char* stream, const char* device, int block_log2);
 const char* hmlfc_checker_text(int checker);
 
 /* The device has taken a request: plane 0 Y, 1 Co, 2 Cg or 3 RGB, stop level s of DEC-1. `tag`
- * counts where the capability file says "answers tagged". Returns the number of new differences, as
+ * counts where the capability file says "tagged". Returns the number of new differences, as
  * the next functions do. */
 int hmlfc_checker_request(int checker, long long clock, int row, int col, int plane, int block_x,
                           int block_y, int stop_level, int tag);

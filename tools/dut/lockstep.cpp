@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include <hmlfc/stream_info.hpp>
 
 namespace hmlfc::lockstep {
@@ -14,16 +16,16 @@ Lockstep::Lockstep(std::unique_ptr<Model> model, Device device, std::string stre
       stream_(std::move(stream)),
       block_log2_(block_log2) {
   if (model_->status() != 0) {
-    text_ = stream_ + " is refused: every request must be answered with status " +
-            status_text(model_->status()) + "\n";
+    text_ = fmt::format("{} is refused: every request must be answered with status {}\n", stream_,
+                        status_text(model_->status()));
     return;
   }
   const StreamHeader& header = model_->header();
   stream_skipped_ =
       beyond(device_.claims, header.profile, conformance_level(header), &header).value_or("");
   if (stream_skipped_.empty() && model_->header().block_log2 != block_log2) {
-    stream_skipped_ = "the stream has blocks of " + std::to_string(model_->header().block_size()) +
-                      ", hmlfc_checker is for " + std::to_string(1 << block_log2);
+    stream_skipped_ = fmt::format("the stream has blocks of {}, hmlfc_checker is for {}",
+                                  header.block_size(), 1 << block_log2);
   }
   if (!stream_skipped_.empty()) {
     text_ = "nothing of " + stream_ + " is compared: " + stream_skipped_ + "\n";
@@ -32,8 +34,8 @@ Lockstep::Lockstep(std::unique_ptr<Model> model, Device device, std::string stre
 
 std::string Lockstep::why_skipped(const Request& request) const {
   if (!stream_skipped_.empty()) return stream_skipped_;
-  if (request.plane == kRgb && !device_.rgb) return "requests for RGB (rgb no)";
-  if (request.stop_level != 0 && !device_.stop_levels) return "stop levels (stop_levels no)";
+  if (request.plane == kRgb && !device_.rgb) return "requests for RGB (rgb false)";
+  if (request.stop_level != 0 && !device_.stop_levels) return "stop levels (stop_levels false)";
   return {};
 }
 
@@ -52,12 +54,10 @@ void Lockstep::answer(int64_t clock, const Answer& answer) {
   const auto found =
       !device_.tagged ? pending_.begin() : std::ranges::find(pending_, answer.tag, &Pending::tag);
   if (found == pending_.end()) {
-    const std::string tag = device_.tagged ? " with tag " + std::to_string(answer.tag) : "";
+    const std::string tag = device_.tagged ? fmt::format(" with tag {}", answer.tag) : "";
     report(clock, nullptr,
-           {"answer: extra",
-            expected_actual("no answer: no request" + tag + " is in flight",
-                            "status " + status_text(answer.status)),
-            nullptr});
+           {"answer: extra", expected_actual("no answer: no request" + tag + " is in flight",
+                                             "status " + status_text(answer.status))});
     return;
   }
   Pending pending = std::move(*found);
@@ -67,7 +67,7 @@ void Lockstep::answer(int64_t clock, const Answer& answer) {
     return;
   }
   if (device_.bus_errors && answer.status == kBusError) {
-    ++skipped_["answers of bus_error (bus_errors yes)"];
+    ++skipped_["answers of bus_error (bus_errors true)"];
     return;
   }
   ++compared_;
@@ -87,10 +87,8 @@ std::optional<Lockstep::Difference> Lockstep::compare(const Pending& pending,
                                                       const Answer& answer) const {
   const Expectation& expected = pending.expected;
   if (answer.status != expected.status) {
-    return Difference{"answer: status",
-                      expected_actual("status " + status_text(expected.status),
-                                      "status " + status_text(answer.status)),
-                      nullptr};
+    return Difference{"answer: status", expected_actual("status " + status_text(expected.status),
+                                                        "status " + status_text(answer.status))};
   }
   for (size_t first = 0; first < expected.samples.size(); first += lane()) {
     auto difference = compare_values(expected.samples, answer.samples, first, expected.inside);
@@ -98,10 +96,9 @@ std::optional<Lockstep::Difference> Lockstep::compare(const Pending& pending,
     const size_t number = first / lane();
     const bool rgb = pending.request.plane == kRgb;
     difference->rule = "answer: sample";
-    difference->detail =
-        "  place      lane " + std::to_string(number) +
-        (rgb ? std::string(", ") + "RGB"[number] + " (COL-2, COL-3)" : " (DEC-1)") +
-        difference->detail;
+    difference->detail = fmt::format(
+        "  place      lane {}{}{}", number,
+        rgb ? fmt::format(", {} (COL-2, COL-3)", "RGB"[number]) : " (DEC-1)", difference->detail);
     return difference;
   }
   return std::nullopt;
@@ -116,12 +113,11 @@ std::optional<Lockstep::Difference> Lockstep::compare_values(const std::vector<i
     for (size_t x = 0; x < inside.x; ++x) {
       const size_t i = first + y * side + x;
       if (actual[i] == expected[i]) continue;
-      return Difference{
-          {},
-          ", x " + std::to_string(x) + ", y " + std::to_string(y) + " in the block\n" +
-              expected_actual(std::to_string(expected[i]),
-                              actual[i] ? std::to_string(*actual[i]) : "unknown (a bit is x or z)"),
-          nullptr};
+      const std::string found =
+          actual[i] ? std::to_string(*actual[i]) : "unknown (a bit is x or z)";
+      return Difference{{},
+                        fmt::format(", x {}, y {} in the block\n{}", x, y,
+                                    expected_actual(std::to_string(expected[i]), found))};
     }
   }
   return std::nullopt;
@@ -133,12 +129,12 @@ std::string Lockstep::order_hint(const Pending& pending, const Answer& answer) c
     return !(other.request == pending.request) && !compare(other, answer);
   };
   if (answered_ && fits(*answered_)) {
-    return "it is the answer to request " + std::to_string(answered_->number) + " once more";
+    return fmt::format("it is the answer to request {} once more", answered_->number);
   }
   for (const Pending& other : pending_) {
     if (!other.skipped.empty() || !fits(other)) continue;
-    return "it is the answer to request " + std::to_string(other.number) +
-           ": answers changed places, or one is missing";
+    return fmt::format("it is the answer to request {}: answers changed places, or one is missing",
+                       other.number);
   }
   return {};
 }
@@ -146,8 +142,7 @@ std::string Lockstep::order_hint(const Pending& pending, const Answer& answer) c
 void Lockstep::unknown(int64_t clock, const std::string& where) {
   report(clock, nullptr,
          {where + ": unknown",
-          expected_actual("values of handshake, place and status", "a bit of them is x or z"),
-          nullptr});
+          expected_actual("values of handshake, place and status", "a bit of them is x or z")});
 }
 
 void Lockstep::reset() {
@@ -160,11 +155,10 @@ void Lockstep::reset() {
 bool Lockstep::end(int64_t clock, bool complete) {
   if (std::exchange(ended_, true)) return false;
   if (complete && !pending_.empty()) {
-    report(clock, &pending_.front(),
-           {"answer: missing",
-            expected_actual("an answer to each request",
-                            std::to_string(pending_.size()) + " without an answer"),
-            nullptr});
+    report(
+        clock, &pending_.front(),
+        {"answer: missing", expected_actual("an answer to each request",
+                                            fmt::format("{} without an answer", pending_.size()))});
   }
   text_ += statistics();
   return true;

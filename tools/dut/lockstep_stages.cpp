@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "dut/lockstep.hpp"
 
 namespace hmlfc::lockstep {
@@ -52,13 +54,13 @@ std::pair<Lockstep::Pending*, ExpectedRecord*> Lockstep::find_record(const Block
 void Lockstep::record(int64_t clock, const Record& record) {
   ++records_;
   if (!device_.shows_stages() || !stream_skipped_.empty()) {
-    ++skipped_[device_.shows_stages() ? stream_skipped_ : "stage records (stages none)"];
+    ++skipped_[device_.shows_stages() ? stream_skipped_ : "stage records (no stages)"];
     return;
   }
   if (const auto [pending, expected] = find_record(record.site); expected != nullptr) {
     expected->seen = true;
     if (device_.bus_errors && record.error == kBusError) {
-      ++skipped_["stage records of bus_error (bus_errors yes)"];
+      ++skipped_["stage records of bus_error (bus_errors true)"];
     } else if (const auto difference = compare(*expected, record)) {
       report(clock, pending, *difference);
     }
@@ -74,8 +76,7 @@ void Lockstep::record(int64_t clock, const Record& record) {
          {"stage: extra",
           "  place      " + to_string(record.site) + "\n" +
               expected_actual("no record, or an earlier one: no request in flight needs it",
-                              "error " + status_text(record.error)),
-          nullptr});
+                              "error " + status_text(record.error))});
 }
 
 std::optional<Lockstep::Difference> Lockstep::compare(const ExpectedRecord& expected,
@@ -103,16 +104,16 @@ std::optional<Lockstep::Difference> Lockstep::compare(const ExpectedRecord& expe
   for (size_t i = 0; i < kStageNames.size(); ++i) {
     if (!expected.stages[i]) continue;
     if (!device_.stages[i]) {
-      ++skipped_[std::string("values of stage ") + kStageNames[i] + " (not in stages)"];
+      ++skipped_[fmt::format("values of stage {} (not in stages)", kStageNames[i])];
       continue;
     }
     ++stages_compared_[i];
     const Stage& stage = *expected.stages[i];
     auto difference = compare_values(stage.values, record.values[i], 0, expected.inside);
     if (!difference) continue;
-    difference->rule = std::string("stage: ") + kStageNames[i];
-    difference->detail = place + ", stage " + kStageNames[i] + " (" + std::string(stage.clause) +
-                         ")" + difference->detail;
+    difference->rule = fmt::format("stage: {}", kStageNames[i]);
+    difference->detail =
+        fmt::format("{}, stage {} ({}){}", place, kStageNames[i], stage.clause, difference->detail);
     difference->site = &expected.site;
     return difference;
   }
@@ -137,10 +138,8 @@ bool Lockstep::of_failed_block(int64_t clock, const Record& record) {
     if (!fails && !(device_.bus_errors && record.error == kBusError)) continue;
     if (fails && status != record.error && !(device_.bus_errors && record.error == kBusError)) {
       report(clock, &pending,
-             {"stage: error",
-              "  place      " + to_string(record.site) + "\n" +
-                  expected_actual(status_text(status), status_text(record.error)),
-              nullptr});
+             {"stage: error", "  place      " + to_string(record.site) + "\n" +
+                                  expected_actual(status_text(status), status_text(record.error))});
     } else {
       ++skipped_["stage records of blocks with an error"];
     }

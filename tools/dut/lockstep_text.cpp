@@ -1,7 +1,9 @@
 // What people read of a Lockstep: a difference, and the statistics.
 #include <algorithm>
 #include <array>
-#include <sstream>
+#include <iterator>
+
+#include <fmt/format.h>
 
 #include "dut/lockstep.hpp"
 
@@ -11,41 +13,44 @@ namespace {
 constexpr std::array<const char*, 4> kPlaneNames{"Y", "Co", "Cg", "RGB"};
 constexpr int64_t kWaveMargin = 16;  // clocks on both sides of request and difference
 
-template <class Counts>
-void show(std::ostream& out, const char* title, const Counts& counts) {
-  for (const auto& [name, count] : counts) out << title << count << "  " << name << "\n";
+// The name of a status; empty for one that is not in annex A.
+std::string_view name_of(int status) {
+  const bool known = status >= 0 && status < kErrorCodeCount;
+  return known ? error_name(static_cast<ErrorCode>(status)) : std::string_view();
 }
 
 }  // namespace
 
 std::string status_text(int status) {
-  const bool known = status >= 0 && status < kErrorCodeCount;
-  return std::to_string(status) +
-         (known ? " (" + std::string(error_name(static_cast<ErrorCode>(status))) + ")" : "");
+  const std::string_view name = name_of(status);
+  return name.empty() ? std::to_string(status) : fmt::format("{} ({})", status, name);
 }
 
 std::string expected_actual(const std::string& expected, const std::string& actual) {
-  return "  expected   " + expected + "\n  actual     " + actual + "\n";
+  return fmt::format("  expected   {}\n  actual     {}\n", expected, actual);
 }
 
 void Lockstep::report(int64_t clock, const Pending* pending, const Difference& difference) {
   ++differences_;
   ++rules_[difference.rule];
-  std::ostringstream out;
-  out << "hmlfc_checker: difference " << differences_ << " at clock " << clock << ": "
-      << difference.rule << "\n";
+  auto out = std::back_inserter(text_);
+  fmt::format_to(out, "hmlfc_checker: difference {} at clock {}: {}\n", differences_, clock,
+                 difference.rule);
   if (pending != nullptr) {
     const Request& r = pending->request;
-    out << "  request    " << pending->number << ": view " << r.row << "," << r.col << " plane "
-        << kPlaneNames[static_cast<size_t>(r.plane)] << " block " << r.block_x << "," << r.block_y
-        << " stop level " << r.stop_level << ", taken at clock " << pending->clock << "\n";
+    fmt::format_to(out,
+                   "  request    {}: view {},{} plane {} block {},{} stop level {}, taken at clock "
+                   "{}\n",
+                   pending->number, r.row, r.col, kPlaneNames[static_cast<size_t>(r.plane)],
+                   r.block_x, r.block_y, r.stop_level, pending->clock);
   }
-  out << difference.detail;
-  if (pending != nullptr && pending->skipped.empty()) out << origin(*pending, difference.site);
+  text_ += difference.detail;
+  if (pending != nullptr && pending->skipped.empty()) text_ += origin(*pending, difference.site);
   const int64_t first = (pending != nullptr ? pending->clock : clock) - kWaveMargin;
-  out << "  wave       run again with +hmlfc_checker_wave=hmlfc_checker.vcd +hmlfc_checker_first="
-      << std::max<int64_t>(first, 0) << " +hmlfc_checker_last=" << clock + kWaveMargin << "\n";
-  text_ += out.str();
+  fmt::format_to(out,
+                 "  wave       run again with +hmlfc_checker_wave=hmlfc_checker.vcd "
+                 "+hmlfc_checker_first={} +hmlfc_checker_last={}\n",
+                 std::max<int64_t>(first, 0), clock + kWaveMargin);
 }
 
 // The command that shows the block of `site`, or else of the request, with all fields and stages.
@@ -60,41 +65,40 @@ std::string Lockstep::origin(const Pending& pending, const BlockSite* site) cons
   block.bx = static_cast<uint32_t>(r.block_x);
   block.by = static_cast<uint32_t>(r.block_y);
   if (site == nullptr) site = &block;
-  std::ostringstream out;
-  out << "  more       hmlfc inspect " << stream_ << " --view " << r.row << "," << r.col
-      << " --plane " << plane_name(site->plane) << " --block " << site->bx << "," << site->by
-      << "\n";
-  return out.str();
+  return fmt::format("  more       hmlfc inspect {} --view {},{} --plane {} --block {},{}\n",
+                     stream_, r.row, r.col, plane_name(site->plane), site->bx, site->by);
 }
 
 std::string Lockstep::statistics() const {
-  std::ostringstream out;
-  out << "hmlfc_checker: statistics of " << device_.name << " on " << stream_ << "\n";
-  out << "  requests          " << requests_ << "\n";
-  out << "  answers           " << answers_ << ", compared " << compared_ << "\n";
-  if (dropped_ != 0) out << "  dropped by reset  " << dropped_ << "\n";
-  out << "  stage records     " << records_ << ", compared " << records_compared_ << "\n";
+  std::string text = fmt::format("hmlfc_checker: statistics of {} on {}\n", device_.name, stream_);
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "  requests          {}\n", requests_);
+  fmt::format_to(out, "  answers           {}, compared {}\n", answers_, compared_);
+  if (dropped_ != 0) fmt::format_to(out, "  dropped by reset  {}\n", dropped_);
+  fmt::format_to(out, "  stage records     {}, compared {}\n", records_, records_compared_);
   for (size_t i = 0; i < kStageNames.size(); ++i) {
-    if (device_.stages[i]) {
-      out << "    " << kStageNames[i] << std::string(16 - std::string(kStageNames[i]).size(), ' ')
-          << stages_compared_[i] << "\n";
-    }
+    if (!device_.stages[i]) continue;
+    fmt::format_to(out, "    {:<16}{}\n", kStageNames[i], stages_compared_[i]);
   }
-  if (held_ != 0)
-    out << "  not shown         " << held_ << " records that the device may leave out\n";
+  if (held_ != 0) {
+    fmt::format_to(out, "  not shown         {} records that the device may leave out\n", held_);
+  }
   for (const auto& [status, count] : statuses_) {
-    const bool known = status >= 0 && status < kErrorCodeCount;
-    out << "  status " << status << "  " << count << "  "
-        << (known ? error_name(static_cast<ErrorCode>(status)) : "not in annex A") << "\n";
+    const std::string_view name = name_of(status);
+    fmt::format_to(out, "  status {}  {}  {}\n", status, count,
+                   name.empty() ? "not in annex A" : name);
   }
-  show(out, "  skipped           ", skipped_);
-  show(out, "  difference        ", rules_);
-  out << "hmlfc_checker: "
-      << (differences_ != 0 ? "FAILED: " + std::to_string(differences_) + " differences"
-          : compared_ == 0  ? "FAILED: nothing was compared"
-                            : "passed: " + std::to_string(compared_) + " answers are the model's")
-      << "\n";
-  return out.str();
+  for (const auto& [why, count] : skipped_) {
+    fmt::format_to(out, "  skipped           {}  {}\n", count, why);
+  }
+  for (const auto& [rule, count] : rules_) {
+    fmt::format_to(out, "  difference        {}  {}\n", count, rule);
+  }
+  const std::string verdict =
+      differences_ != 0 ? fmt::format("FAILED: {} differences", differences_)
+      : compared_ == 0  ? "FAILED: nothing was compared"
+                        : fmt::format("passed: {} answers are the model's", compared_);
+  return text + "hmlfc_checker: " + verdict + "\n";
 }
 
 }  // namespace hmlfc::lockstep

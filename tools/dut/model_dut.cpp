@@ -1,4 +1,4 @@
-// The golden model behind hmlfc_dut.h: an example of a library that `hmlfc conform` tests.
+// Implements hmlfc_dut.h with the golden model: an example of a library for `hmlfc conform`.
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/dut.hpp>
 

@@ -71,11 +71,10 @@ IoResult<Json> read_json_file(const std::filesystem::path& file, const JsonLimit
   return std::move(*json);
 }
 
-/// The integer `json[key]`, in the range of T; a fraction is none, even one that ends in .0. Throws
-/// Json::exception if there is no such integer.
-template <class T, class Json, class Key>
-T integer_at(const Json& json, Key key) {
-  const Json& value = json.at(key);
+/// The integer `value`, in the range of T; a fraction is none, even one that ends in .0. Throws
+/// Json::exception if it is no such integer.
+template <class T, class Json>
+T integer_of(const Json& value) {
   if (value.is_number_unsigned()) {
     if (const auto number = value.template get<uint64_t>(); std::in_range<T>(number)) {
       return static_cast<T>(number);
@@ -86,6 +85,12 @@ T integer_at(const Json& json, Key key) {
     }
   }
   throw Json::other_error::create(501, "an integer is missing or out of range", nullptr);
+}
+
+/// The integer `json[key]`. Throws as integer_of(), and where there is no such key.
+template <class T, class Json, class Key>
+T integer_at(const Json& json, Key key) {
+  return integer_of<T>(json.at(key));
 }
 
 /// The integers of the array `json[key]`. Throws as integer_at().

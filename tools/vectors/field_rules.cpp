@@ -25,7 +25,7 @@ const std::set<std::string>& known_fields() {
   return names;
 }
 
-// The rule of a mask with numbers in the place of words.
+// The rule of a mask with numbers instead of words.
 Json mask_numbers(const Json& json) {
   if (json.is_object()) {
     Json numbers = Json::array();

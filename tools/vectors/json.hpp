@@ -3,13 +3,12 @@
 
 #include <filesystem>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "io/json_text.hpp"
+#include "io/json_members.hpp"
 
 namespace hmlfc::vectors {
 
@@ -18,10 +17,9 @@ using Json = nlohmann::ordered_json;
 
 /// An error in a recipe or a manifest. Thrown in this folder; public functions return it as an
 /// IoError.
-class TextError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using io::TextError;
+
+using io::Members;
 
 /// A manifest or a file of recipes.
 inline constexpr io::JsonLimits kSuiteLimits{"a suite's file", size_t{1} << 24, 16};

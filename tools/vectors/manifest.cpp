@@ -6,155 +6,102 @@
 #include <set>
 #include <utility>
 
+#include "io/format_json.hpp"
 #include "vectors/json.hpp"
 #include "vectors/milestone.hpp"
 
-namespace hmlfc::vectors {
+namespace hmlfc {
+
+static void visit(const io::Members& m, ErrorCode& code) {
+  if (!m.reading()) return static_cast<void>(m.json() = error_name(code));
+  const auto name = m.json().get<std::string>();
+  const auto error = vectors::error_from_name(name);
+  if (!error) throw io::TextError(io::shown_json(name) + " is not an error of annex A");
+  code = *error;
+}
+
+static void visit(const io::Members& m, BlockAddress& block) {
+  m("plane", block.plane);
+  m("view_row", block.view.row);
+  m("view_col", block.view.col);
+  m("block_x", block.bx);
+  m("block_y", block.by);
+}
+
+namespace vectors {
 namespace {
 
 constexpr std::array<std::string_view, 3> kOutcomes{"ok", "reject", "acceptable"};
 constexpr std::array<std::string_view, 2> kOperations{"open", "block"};
-constexpr std::array<std::string_view, 2> kProfiles{"main", "extended"};
-constexpr std::array<std::string_view, 2> kChromaFormats{"420", "444"};
-constexpr std::array<std::string_view, 3> kPlaneNames{"Y", "Co", "Cg"};
 
-// The members of a JSON object, read into values or written from them in this order.
-struct Fields {
-  Json& json;
-  bool reading;
+}  // namespace
 
-  Fields at(const char* key) const { return {reading ? json.at(key) : json[key], reading}; }
+static void visit(const Members& m, Outcome& outcome) { m.as_name(outcome, kOutcomes); }
 
-  template <class T>
-  void operator()(const char* key, T& value) const {
-    if constexpr (requires { visit(*this, value); }) {
-      visit(at(key), value);
-    } else if (!reading) {
-      json[key] = value;
-    } else if constexpr (std::is_integral_v<T>) {
-      value = io::integer_at<T>(json, key);
-    } else {
-      json.at(key).get_to(value);
-    }
-  }
+static void visit(const Members& m, Operation& operation) { m.as_name(operation, kOperations); }
 
-  template <class T>
-  void operator()(const char* key, std::optional<T>& value) const {
-    if (reading && json.contains(key)) value.emplace();
-    if (value) (*this)(key, *value);
-  }
-
-  // An enumerator by its name.
-  template <class T, size_t kCount>
-  void operator()(const char* key, T& value,
-                  const std::array<std::string_view, kCount>& names) const {
-    if (!reading) {
-      json[key] = names[static_cast<size_t>(value)];
-      return;
-    }
-    const auto text = json.at(key).template get<std::string>();
-    const auto found = std::ranges::find(names, text);
-    if (found == names.end()) throw TextError(io::shown_json(text) + " is not a value of " + key);
-    value = static_cast<T>(found - names.begin());
-  }
-};
-
-template <NameOf kOf>
-void visit(const Fields& f, SuiteName<kOf>& name) {
-  if (f.reading) {
-    name = SuiteName<kOf>(f.json.get<std::string>());
-  } else {
-    f.json = name.text();
-  }
-}
-
-void visit(const Fields& f, ErrorCode& code) {
-  if (!f.reading) {
-    f.json = error_name(code);
-    return;
-  }
-  const auto name = f.json.get<std::string>();
-  const auto error = error_from_name(name);
-  if (!error) throw TextError(io::shown_json(name) + " is not an error of annex A");
-  code = *error;
-}
-
-void visit(const Fields& f, BlockAddress& block) {
-  f("plane", block.plane, kPlaneNames);
-  f("view_row", block.view.row);
-  f("view_col", block.view.col);
-  f("block_x", block.bx);
-  f("block_y", block.by);
-}
-
-void visit(const Fields& f, Expectation& expect) {
-  f("outcome", expect.outcome, kOutcomes);
+static void visit(const Members& m, Expectation& expect) {
+  m("outcome", expect.outcome);
   if (expect.outcome == Outcome::kOk) return;
-  f("error", expect.error);
-  f("offset", expect.offset);
-  f("operation", expect.operation, kOperations);
-  if (!f.reading && expect.operation == Operation::kOpen) return;
-  Json& blocks = f.json["blocks"];
-  if (f.reading) {
-    expect.blocks.resize(blocks.size());
-  } else {
-    blocks = Json::array();
-  }
-  for (size_t i = 0; i < expect.blocks.size(); ++i) {
-    visit(Fields{blocks[i], f.reading}, expect.blocks[i]);
-  }
+  m("error", expect.error);
+  m("offset", expect.offset);
+  m("operation", expect.operation);
+  if (!m.reading() && expect.operation == Operation::kOpen) return;
+  m.given("blocks", expect.blocks);
 }
 
-void visit(const Fields& f, ViewSum& output) {
-  f("sha256", output.sha256);
-  f("rows", output.rows);
-  f("cols", output.cols);
-  f("width", output.width);
-  f("height", output.height);
-  f("depth", output.depth);
-  f("chroma", output.chroma, kChromaFormats);
+static void visit(const Members& m, ViewSum& output) {
+  m("sha256", output.sha256);
+  m("rows", output.rows);
+  m("cols", output.cols);
+  m("width", output.width);
+  m("height", output.height);
+  m("depth", output.depth);
+  m("chroma", output.chroma);
 }
 
-void visit(const Fields& f, SuiteFile& file) {
-  f("file", file.file);
-  f("sha256", file.sha256);
+static void visit(const Members& m, SuiteFile& file) {
+  m("file", file.file);
+  m("sha256", file.sha256);
 }
 
-void visit(const Fields& f, TraceFiles& trace) {
-  visit(f, trace.lines);
-  f("hex_file", trace.hex.file);
-  f("hex_sha256", trace.hex.sha256);
+static void visit(const Members& m, TraceFiles& trace) {
+  visit(m, trace.lines);
+  m("hex_file", trace.hex.file);
+  m("hex_sha256", trace.hex.sha256);
 }
 
-void visit(const Fields& f, Vector& vector) {
-  f("id", vector.id);
-  f("group", vector.group);
-  f("profile", vector.profile, kProfiles);
-  f("level", vector.level);
-  f("clauses", vector.clauses);
-  f("flags", vector.flags);
-  f("comment", vector.comment);
-  f("milestone", vector.milestone);
-  if (f.reading && !milestone_number(vector.milestone)) {
+static void visit(const Members& m, Vector& vector) {
+  m("id", vector.id);
+  m("group", vector.group);
+  m("profile", vector.profile);
+  m("level", vector.level);
+  m("clauses", vector.clauses);
+  m("flags", vector.flags);
+  m("comment", vector.comment);
+  m("milestone", vector.milestone);
+  if (m.reading() && !milestone_number(vector.milestone)) {
     throw TextError(io::shown_json(vector.milestone) + " is not a milestone");
   }
-  const Fields input = f.at("input");
+  const Members input = m.at("input");
   input("file", vector.input.file);
   input("bytes", vector.input.bytes);
   input("sha256", vector.input.sha256);
-  f("expect", vector.expect);
-  f("base", vector.base);
-  f("output", vector.output);
-  f("blocks", vector.blocks);
-  f("trace", vector.trace);
+  m("expect", vector.expect);
+  m("base", vector.base);
+  m("output", vector.output);
+  m("blocks", vector.blocks);
+  m("trace", vector.trace);
 }
 
-void visit(const Fields& f, Manifest& manifest) {
-  f("vectors_version", manifest.vectors_version);
-  f("stream_version", manifest.stream_version);
-  f("generator", manifest.generator);
-  f("seed", manifest.seed);
+static void visit(const Members& m, Manifest& manifest) {
+  m("vectors_version", manifest.vectors_version);
+  m("stream_version", manifest.stream_version);
+  m("generator", manifest.generator);
+  m("seed", manifest.seed);
 }
+
+namespace {
 
 // Throws unless ids are unique, and exactly the vectors that need not decode have a base, which
 // decodes.
@@ -179,11 +126,11 @@ void check_ids(const Manifest& manifest) {
 
 Manifest manifest_from(Json json) {
   Manifest manifest;
-  visit(Fields{json, true}, manifest);
+  visit(Members(json, true), manifest);
   for (Json& vector : json.at("vectors")) {
     const std::string number = std::to_string(manifest.vectors.size());
     try {
-      visit(Fields{vector, true}, manifest.vectors.emplace_back());
+      visit(Members(vector, true), manifest.vectors.emplace_back());
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
@@ -223,15 +170,16 @@ io::IoResult<Manifest> read_manifest(const std::filesystem::path& folder) {
 
 std::string manifest_text(Manifest manifest) {
   Json json;
-  visit(Fields{json, false}, manifest);
+  visit(Members(json, false), manifest);
   json["count"] = manifest.vectors.size();
   Json& steps = json["milestones"] = Json::array();
   for (const MilestoneRow& row : milestones()) {
     steps.push_back({{"name", row.name}, {"claim", row.claim}});
   }
   Json& vectors = json["vectors"] = Json::array();
-  for (Vector& vector : manifest.vectors) visit(Fields{vectors.emplace_back(), false}, vector);
+  for (Vector& vector : manifest.vectors) visit(Members(vectors.emplace_back(), false), vector);
   return json.dump(2) + "\n";
 }
 
-}  // namespace hmlfc::vectors
+}  // namespace vectors
+}  // namespace hmlfc

@@ -82,7 +82,7 @@ Json edited_recipe(const Json& family, const std::string& name, const Json& firs
 }
 
 // The recipe of a stream with both errors of `family`. The later one is edited in first, so that
-// fields before it are still read when the other is; a wrong checksum, which the mending behind the
+// fields before it are still read when the other is; a wrong checksum, which the mending after the
 // other's edits would correct, after the errors that it names in "after". If other views meet it
 // too, they get the first error before it, so that a decoder of whole views has no other name to
 // give.

@@ -51,7 +51,7 @@ struct MadeStream {
 
 /// The stream of recipe `id`, whose "stream" has "kind"
 ///   "encode"  what the encoder makes of a scene (see below),
-///   "file"    that of "file", by its path beside the recipe: what an earlier encoder made,
+///   "file"    that of "file", by its path relative to the recipe: what an earlier encoder made,
 ///   "fields"  every field by a rule (field_stream.hpp),
 ///   "random"  a random stream within "limits" (field_stream.hpp),
 ///   "edit"    the stream of recipe "base" with "edits" (stream_edit.hpp).

@@ -33,7 +33,7 @@ uint64_t load_number(std::span<const uint8_t> bytes, uint64_t at, size_t size);
 ///   {"bytes": NAME, "at": n, "value": [...]}
 ///       bytes of a section
 ///   {"marker": m, "codestream": n, "at": k, "value": [...]}
-///       bytes of a codestream of TOP, k bytes behind the first byte of its first marker m
+///       bytes of a codestream of TOP, k bytes after the first byte of its first marker m
 ///       (65424: SOT)
 ///   {"splice": m, "codestream": n, "at": k, "remove": r, "insert": [...]}
 ///       r bytes of a codestream, at a place as above, replaced by others; sizes and offsets of TOP
@@ -43,8 +43,8 @@ uint64_t load_number(std::span<const uint8_t> bytes, uint64_t at, size_t size);
 ///   {"cut": n}
 ///       the file's length; below 0, from the end
 ///   {"append": [...]}
-///       bytes behind the file
-/// For a named field, "add": n in place of "value" changes it by n.
+///       bytes after the end of the file
+/// For a named field, "add": n instead of "value" changes it by n.
 /// Afterwards the CRCs of sections and header are corrected; with "mend": "header" that of the
 /// header alone, with "mend": false none. A field that is stored with an offset (min_x) takes the
 /// stored value. Throws TextError or std::out_of_range.

@@ -22,7 +22,7 @@ inline bool is_name(std::string_view text) {
 
 enum class NameOf : uint8_t { kVector, kFile };
 
-/// GROUP/NAME of two words (is_name); a file's name goes on behind dots: "syntax/one.trace.hex".
+/// GROUP/NAME of two words (is_name); a file's name goes on after dots: "syntax/one.trace.hex".
 /// As a path it lies below the folder that it is appended to, whoever wrote the text.
 template <NameOf kOf>
 class SuiteName {
@@ -53,6 +53,13 @@ class SuiteName {
  private:
   std::string text_;
 };
+
+/// A name in JSON is its text.
+template <NameOf kOf>
+void visit(const io::Members& m, SuiteName<kOf>& name) {
+  if (!m.reading()) return static_cast<void>(m.json() = name.text());
+  name = SuiteName<kOf>(m.json().template get<std::string>());
+}
 
 using VectorId = SuiteName<NameOf::kVector>;
 using FileName = SuiteName<NameOf::kFile>;
