@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bits/parallel.hpp"
-#include "render/disparity_rows.hpp"
+#include "render/block_disparity.hpp"
 #include "source_parts.hpp"
 
 namespace hmlfc::gpu {

@@ -1,4 +1,4 @@
-#include "render/cell_displacements.hpp"
+#include "render/displaced_cells.hpp"
 
 #include <algorithm>
 #include <array>

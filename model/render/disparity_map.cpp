@@ -12,7 +12,6 @@
 #include "decoder/open_stream.hpp"
 #include "decoder/request_guard.hpp"
 #include "render/block_disparity.hpp"
-#include "render/disparity_rows.hpp"
 #include "render/told_disparity.hpp"
 
 namespace hmlfc {

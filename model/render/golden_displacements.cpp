@@ -1,4 +1,4 @@
-#include "render/golden_displacements.hpp"
+#include "render/displaced_cells.hpp"
 
 #include <map>
 #include <optional>
@@ -17,7 +17,8 @@ class ToldBlocks {
  public:
   explicit ToldBlocks(const Decoder& decoder) : decoder_(decoder) {}
 
-  // That of the block that holds pixel (x, y) of `view`; of confidence 0 where it has an error.
+  // Returns the disparity of the block that holds pixel (x, y) of `view`; of confidence 0 where it
+  // has an error.
   const BlockDisparity& at(ViewPos view, int32_t x, int32_t y) {
     const unsigned log2 = decoder_.header().block_log2;
     const uint32_t bx = static_cast<uint32_t>(x) >> log2;

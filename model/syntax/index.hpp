@@ -32,8 +32,8 @@ struct TileExtent {
 };
 
 /// The place of the record of tile `tile` in [0, tile_count() - 1]; nothing where the tile is empty
-/// (IDX-7). Three dependent reads at most; that of the record is the fourth. Errors:
-/// bad_root_entry, bad_group_record, bad_tile_offset; bus_error where bytes cannot be read.
+/// (IDX-7). Four dependent reads at most. Errors: bad_root_entry, bad_group_record,
+/// bad_tile_offset; bus_error where bytes cannot be read.
 Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t tile,
                                             const Probe& probe);
 
