@@ -12,7 +12,7 @@
 namespace hmlfc {
 namespace {
 
-// What the blocks of plane Y of views tell, each read once.
+// Reads what the blocks of plane Y of views tell, each once.
 class ToldBlocks {
  public:
   explicit ToldBlocks(const Decoder& decoder) : decoder_(decoder) {}
@@ -37,7 +37,7 @@ class ToldBlocks {
   std::map<std::tuple<uint32_t, uint32_t, uint32_t, uint32_t>, BlockDisparity> told_;
 };
 
-// What `view` proposes to the cell of `ray` (SRF-3).
+// Returns what `view` proposes to the cell of `ray` (SRF-3).
 int32_t proposed(const FrameRecord& f, const Ray& ray, ViewPos view, ToldBlocks& told) {
   int32_t e = 0;
   for (int step = 0; step < kDisplacementSteps; ++step) {
