@@ -5,8 +5,8 @@
 #include <hmlfc/renderer.hpp>
 
 #include "common/measuring.hpp"
+#include "render/displaced_cells.hpp"
 #include "render/frame_stages.hpp"
-#include "render/golden_displacements.hpp"
 #include "render/view_cache.hpp"
 #include "subcommands.hpp"
 #include "terminal/clock.hpp"

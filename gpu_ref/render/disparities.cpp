@@ -6,7 +6,7 @@
 
 #include "bits/parallel.hpp"
 #include "decode/source_parts.hpp"
-#include "render/disparity_rows.hpp"
+#include "render/block_disparity.hpp"
 
 namespace hmlfc::gpu {
 namespace {

@@ -22,7 +22,7 @@ struct MotionVector {
   friend bool operator==(const MotionVector&, const MotionVector&) = default;
 };
 
-/// What the header says about vectors (EXT-2).
+/// Fields of the header about vectors (EXT-2).
 struct VectorRules {
   int32_t bound = 0;      ///< V of MOT-8: largest magnitude of a component; [0, 1016]
   unsigned shift = 0;     ///< s of MOT-8: disparity_precision - vector_precision; [0, 5]

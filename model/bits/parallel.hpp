@@ -14,7 +14,7 @@ namespace hmlfc {
 /// a call throws, calls not yet begun are left out and one of the exceptions is thrown again.
 void parallel_for(size_t count, const std::function<void(size_t)>& body);
 
-/// The same for a body that takes many indices at once: calls body(begin, end) for parts [begin,
+/// Serves a body that takes many indices at once: calls body(begin, end) for parts [begin,
 /// end) that cover [0, count - 1] without overlap. Parts longer than `grain` >= 1 may be split.
 void parallel_for_parts(size_t count, size_t grain,
                         const std::function<void(size_t begin, size_t end)>& body);

@@ -69,7 +69,7 @@ class SparseBytes {
   /// thread reads.
   void drop_to(uint64_t bytes);
 
-  /// What is used from now on is used later than what was before.
+  /// Ranges used from now on count as used later than those used before.
   void tick() { ++now_; }
 
  private:

@@ -1,4 +1,4 @@
-// What is behind the handles of hmlfc.h.
+// Defines what the handles of hmlfc.h point to.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What happens inside a function of hmlfc.h, and how it is told outside.
+// Maps internal results and exceptions to C status codes.
 #pragma once
 
 #include <array>

@@ -37,7 +37,7 @@ tl::expected<T, Refusal> read_struct(const T* from, Member T::*last, const char*
   return copy;
 }
 
-/// The same where null stands for all members 0.
+/// Reads as read_struct() does; null stands for all members 0.
 template <class T, class Member>
 tl::expected<T, Refusal> read_options(const T* from, Member T::*last, const char* name) {
   if (from == nullptr) return T{};

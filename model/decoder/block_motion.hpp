@@ -37,7 +37,7 @@ struct BlockMotion {
 /// Turns palette entries into motion, for one plane of one predictive image (MOT-7 to MOT-9).
 class MotionResolver {
  public:
-  /// Of a stream with motion tiles.
+  /// Serves a stream with motion tiles.
   MotionResolver(const StreamView& stream, int level, ImagePos image, Plane plane);
 
   /// The motion of blocks with `entry`, which they may use. `disparity` in [-4096, 4095] is used

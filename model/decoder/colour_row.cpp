@@ -116,7 +116,6 @@ void write_row(const ColourRow& row, typename Store::Sample* out) {
 void write_rgb_here(const ColourRow& row, uint16_t* out) { write_row<StoreRgb>(row, out); }
 void write_rgbx8_here(const ColourRow& row, uint8_t* out) { write_row<StoreRgbx8>(row, out); }
 void write_rgbx16_here(const ColourRow& row, uint16_t* out) { write_row<StoreRgbx16>(row, out); }
-const char* colour_set_here() { return hwy::TargetName(HWY_TARGET); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace hmlfc
@@ -129,7 +128,6 @@ namespace hmlfc {
 HWY_EXPORT(write_rgb_here);
 HWY_EXPORT(write_rgbx8_here);
 HWY_EXPORT(write_rgbx16_here);
-HWY_EXPORT(colour_set_here);
 
 void write_rgb(const ColourRow& row, uint16_t* out) {
   HWY_DYNAMIC_DISPATCH(write_rgb_here)(row, out);
@@ -142,8 +140,6 @@ void write_rgbx(const ColourRow& row, uint8_t* out) {
 void write_rgbx(const ColourRow& row, uint16_t* out) {
   HWY_DYNAMIC_DISPATCH(write_rgbx16_here)(row, out);
 }
-
-const char* colour_instruction_set() { return HWY_DYNAMIC_DISPATCH(colour_set_here)(); }
 
 Rect chroma_rect(const Rect& rect, bool halved) {
   if (!halved) return rect;

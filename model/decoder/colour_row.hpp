@@ -31,9 +31,6 @@ void write_rgbx(const ColourRow& row, uint8_t* out);
 /// R, G, B and 0 of each pixel.
 void write_rgbx(const ColourRow& row, uint16_t* out);
 
-/// The name of the instruction set chosen, such as "AVX2".
-const char* colour_instruction_set();
-
 /// The samples of Co and Cg that the pixels of `rect` take (COL-3); `rect` itself where they are
 /// not `halved`.
 Rect chroma_rect(const Rect& rect, bool halved);

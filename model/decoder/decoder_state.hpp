@@ -1,4 +1,4 @@
-// What an open decoder holds.
+// State of an open decoder.
 #pragma once
 
 #include <span>

@@ -21,7 +21,7 @@ struct CodestreamOptions {
   unsigned layers = 1;       ///< [1, 20]; each is about 6 dB better than the one before
   unsigned progression = 0;  ///< of COD, [0, 4]
   bool sop = false;          ///< SOP marker segments before packets
-  bool eph = false;          ///< EPH markers behind packet headers
+  bool eph = false;          ///< EPH markers after packet headers
   /// Of code-blocks: powers of two in [4, 1024], whose product is at most 4096.
   unsigned block_width = 64;
   unsigned block_height = 64;
@@ -55,7 +55,7 @@ std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
                                                     SamplePrecision precision,
                                                     const CodestreamOptions& options = {});
 
-/// The same with coding passes cut off (EXT-6) where the mean squared error stays about
+/// Codes `plane` with coding passes cut off (EXT-6) where the mean squared error stays about
 /// `mean_squared_error` > 0.
 std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& plane,
                                                           SamplePrecision precision,

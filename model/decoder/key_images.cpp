@@ -20,32 +20,23 @@ struct TopEntry {
   uint32_t sample_crc;
 };
 
-TopEntry load_entry(std::span<const uint8_t> top, uint64_t entry) {
+// Entry `entry` of `table`, the TOP section or its beginning.
+TopEntry load_entry(std::span<const uint8_t> table, uint64_t entry) {
   const auto at = static_cast<size_t>(entry * kTopEntryBytes);
-  return {load_le<uint64_t>(top, at), load_le<uint32_t>(top, at + 8),
-          load_le<uint32_t>(top, at + 12)};
+  return {load_le<uint64_t>(table, at), load_le<uint32_t>(table, at + 8),
+          load_le<uint32_t>(table, at + 12)};
 }
 
 // The entry, whose codestream lies in TOP. Opening has checked the table, but a partial source may
 // have dropped these bytes since, and fetched others.
 Result<TopEntry> read_entry(const StreamView& stream, uint64_t entry) {
   const uint64_t at = entry * kTopEntryBytes;
-  if (!stream.will_read(Section::kTop, at, kTopEntryBytes)) {
-    return stream.unread(Section::kTop, at);
-  }
-  const auto top = stream.bytes(Section::kTop);
-  const TopEntry place = load_entry(top, entry);
-  if (place.offset > top.size() || place.size > top.size() - place.offset) {
+  const auto bytes = stream.read(Section::kTop, at, kTopEntryBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const TopEntry place = load_entry(*bytes, 0);
+  const uint64_t top = stream.entry(Section::kTop).size;
+  if (place.offset > top || place.size > top - place.offset) {
     return stream.error(ErrorCode::kBadTopEntry, Section::kTop, at);
-  }
-  return place;
-}
-
-// The same, and its codestream can be read.
-Result<TopEntry> read_key(const StreamView& stream, uint64_t entry) {
-  auto place = read_entry(stream, entry);
-  if (place && !stream.will_read(Section::kTop, place->offset, place->size)) {
-    return stream.unread(Section::kTop, entry * kTopEntryBytes);
   }
   return place;
 }
@@ -88,24 +79,22 @@ uint32_t sample_crc(const SamplePlane& plane) {
 }
 
 Result<void> check_top_table(const StreamView& stream) {
-  const auto top = stream.bytes(Section::kTop);
+  const uint64_t top = stream.entry(Section::kTop).size;
   const uint64_t entries = entry_count(stream);
-  if (entries > top.size() / kTopEntryBytes) {
+  if (entries > top / kTopEntryBytes) {
     return stream.error(ErrorCode::kBadSectionSize, Section::kTop, 0);
   }
-  const ByteRange table{stream.entry(Section::kTop).offset, entries * kTopEntryBytes};
-  if (stream.source != nullptr && !is_loaded(*stream.source, table)) {
-    return stream.unread(Section::kTop, 0);
-  }
+  const auto table = stream.read(Section::kTop, 0, entries * kTopEntryBytes);
+  if (!table) return tl::unexpected(table.error());
   uint64_t expected_offset = entries * kTopEntryBytes;
   for (uint64_t i = 0; i < entries; ++i) {
-    const TopEntry entry = load_entry(top, i);
-    if (entry.offset != expected_offset || entry.size > top.size() - expected_offset) {
+    const TopEntry entry = load_entry(*table, i);
+    if (entry.offset != expected_offset || entry.size > top - expected_offset) {
       return stream.error(ErrorCode::kBadTopEntry, Section::kTop, i * kTopEntryBytes);
     }
     expected_offset += entry.size;
   }
-  if (expected_offset != top.size()) {
+  if (expected_offset != top) {
     return stream.error(ErrorCode::kBadSectionSize, Section::kTop, expected_offset);
   }
   return {};
@@ -141,7 +130,10 @@ std::shared_ptr<const SamplePlane> KeyImages::plane_or_request(int level, ImageP
 
 void KeyImages::load(const StreamView& stream, int level, ImagePos at, Plane plane) const {
   const uint64_t entry = entry_of(level, at, plane);
-  if (!planes_.find(entry)) static_cast<void>(read_key(stream, entry));
+  if (planes_.find(entry)) return;
+  if (const auto place = read_entry(stream, entry)) {
+    static_cast<void>(stream.read(Section::kTop, place->offset, place->size));
+  }
 }
 
 void KeyImages::decode(std::span<const KeyRequests> requests) const {
@@ -160,24 +152,24 @@ void KeyImages::decode(std::span<const KeyRequests> requests) const {
 
 Result<SamplePlane> KeyImages::decode(uint64_t entry) const {
   const auto plane = static_cast<Plane>(entry % kPlaneCount);
-  const auto place = read_key(stream_, entry);
+  const auto place = read_entry(stream_, entry);
   if (!place) return tl::unexpected(place.error());
-  const auto codestream =
-      stream_.bytes(Section::kTop).subspan(static_cast<size_t>(place->offset), place->size);
+  const auto codestream = stream_.read(Section::kTop, place->offset, place->size);
+  if (!codestream) return tl::unexpected(codestream.error());
   const PlaneShape& shape = stream_.geometry.plane(plane);
   if (stream_.reads != nullptr) stream_.reads->on_key_plane(shape.samples());
   const bool chroma = plane != Plane::kY;
   const SamplePrecision precision{stream_.header.depth + (chroma ? 1 : 0), chroma};
-  if (!has_key_image_head(codestream, shape.width, shape.height, precision)) {
+  if (!has_key_image_head(*codestream, shape.width, shape.height, precision)) {
     return stream_.error(ErrorCode::kBadTopImage, Section::kTop, place->offset);
   }
-  if (code_blocks_of(codestream, shape.width, shape.height) > stream_.max_code_blocks) {
+  if (code_blocks_of(*codestream, shape.width, shape.height) > stream_.max_code_blocks) {
     return stream_.error(ErrorCode::kLimitExceeded, Section::kTop, place->offset);
   }
   const auto bad_crc = [&] {
     return stream_.error(ErrorCode::kBadTopCrc, Section::kTop, entry * kTopEntryBytes);
   };
-  auto samples = decode_jpeg2000(codestream, shape.width, shape.height);
+  auto samples = decode_jpeg2000(*codestream, shape.width, shape.height);
   if (!samples) return bad_crc();
   const SampleRange range = sample_range(plane, stream_.header.depth);
   if (stream_.header.has(Feature::kLossyKeys)) clamp_samples(*samples, range);

@@ -49,8 +49,8 @@ class KeyImages {
   /// first.
   Result<std::shared_ptr<const SamplePlane>> plane(int level, ImagePos at, Plane plane) const;
 
-  /// The same of a plane that is held. Another is not decoded: it is added to `requests`, and a
-  /// plane of zeros takes its place.
+  /// Returns a plane that is held. Another is not decoded: it is added to `requests`, and a
+  /// plane of zeros is returned.
   std::shared_ptr<const SamplePlane> plane_or_request(int level, ImagePos at, Plane plane,
                                                       KeyRequests& requests) const;
 

@@ -1,4 +1,4 @@
-// What a partial source does not hold of what is about to be read, found by reading on trial.
+// Finds, by reading on trial, what a partial source lacks of what is about to be read.
 #pragma once
 
 #include <mutex>

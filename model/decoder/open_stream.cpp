@@ -24,10 +24,9 @@ bool is_header_loaded(ByteSource& source) {
 Result<void> check_section_crcs(const StreamView& stream) {
   for (const SectionEntry* entry : section_entries(stream.header)) {
     const auto section = static_cast<Section>(entry->type);
-    if (stream.source != nullptr && !is_loaded(*stream.source, {entry->offset, entry->size})) {
-      return stream.unread(section, 0);
-    }
-    if (crc32c(stream.bytes(section)) != entry->crc) {
+    const auto bytes = stream.read(section, 0, entry->size);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (crc32c(*bytes) != entry->crc) {
       return stream.error(ErrorCode::kBadSectionCrc, section, 0);
     }
   }
@@ -50,7 +49,7 @@ Result<StreamView> open_stream(ByteSource& source, const OpenOptions& options) {
   StreamView stream{file,
                     *header,
                     Geometry(*header),
-                    options.reads,
+                    nullptr,  // what is read to open the stream is not reported
                     source.is_partial() ? &source : nullptr,
                     options.limits.max_code_blocks};
   if (auto ok = check_index_sizes(stream); !ok) return tl::unexpected(ok.error());
@@ -58,6 +57,7 @@ Result<StreamView> open_stream(ByteSource& source, const OpenOptions& options) {
   if (options.check_sections) {
     if (auto ok = check_section_crcs(stream); !ok) return tl::unexpected(ok.error());
   }
+  stream.reads = options.reads;
   return stream;
 }
 

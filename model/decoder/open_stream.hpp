@@ -17,13 +17,13 @@ namespace hmlfc {
 /// The stream in `source`, checked; a partial source must outlive it.
 Result<StreamView> open_stream(ByteSource& source, const OpenOptions& options);
 
-/// The same in memory.
+/// Opens a stream in memory.
 inline Result<StreamView> open_stream(std::span<const uint8_t> file, const OpenOptions& options) {
   MemorySource source(file);
   return open_stream(source, options);
 }
 
-/// What a Decoder offers to the other parts of this project alone.
+/// Functions that a Decoder offers to other parts of this project alone.
 struct DecoderAccess {
   /// The stream; it lives as long as the decoder, also when the decoder is moved.
   static const StreamView& stream(const Decoder& decoder);

@@ -1,4 +1,4 @@
-// What every public request does around its work on a partial source.
+// Wraps what every public request does on a partial source.
 #pragma once
 
 #include <hmlfc/byte_source.hpp>

@@ -74,7 +74,7 @@ class StatisticsCollector {
   }
 
   // The tiles with blocks that take their motion from `place`, which is not empty, and perhaps some
-  // beside them (MOT-4).
+  // next to them (MOT-4).
   void note_moved(const MotionTilePlace& place) {
     const Geometry& geometry = stream_.geometry;
     const unsigned side_log2 = stream_.header.motion_tile_log2;

@@ -1,4 +1,4 @@
-// What one grid block ("cell") leaves to the residual under every motion that is tried.
+// Estimates what one grid block ("cell") leaves to the residual under every motion that is tried.
 #pragma once
 
 #include <array>

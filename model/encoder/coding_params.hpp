@@ -11,8 +11,8 @@
 
 namespace hmlfc {
 
-/// `params` with the profile's values in place of what is open, except for what is found by trial:
-/// in profile extended reference groups and chroma format.
+/// Returns `params` with the profile's values instead of what is open, except for what is found by
+/// trial: in profile extended reference groups and chroma format.
 EncodeParams with_defaults(const EncodeParams& params);
 
 /// The header that `params` ask for, without its sections; nothing is open. bad_header_field where

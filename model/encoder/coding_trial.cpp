@@ -19,7 +19,7 @@
 namespace hmlfc {
 namespace {
 
-// What a squared error of Y, Co and Cg is in R, G and B together.
+// Weight of a squared error of Y, Co and Cg in R, G and B together.
 constexpr std::array<double, kPlaneCount> kRgbSquares{3, 0.5, 0.75};
 // Bits of the index for a record, and for a tile with or without one.
 constexpr double kRecordBits = 10;

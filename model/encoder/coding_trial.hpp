@@ -1,4 +1,4 @@
-// What an encoding would cost, from a sample of it.
+// Estimates what an encoding would cost, from a sample of it.
 #pragma once
 
 #include <hmlfc/encoder.hpp>

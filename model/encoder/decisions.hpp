@@ -1,5 +1,5 @@
-// What differs between the profiles' encoders: how the images of a level are coded. The level walk
-// (encode_session.cpp) offers what can be decided on; a strategy gives back records.
+// Interface for what differs between the profiles' encoders: how the images of a level are coded.
+// The level walk (encode_session.cpp) offers what can be decided on; a strategy gives back records.
 #pragma once
 
 #include <array>

@@ -24,7 +24,8 @@ constexpr size_t kCoarseTargets = 3;
 // So many targets make up for what each of them does not see.
 constexpr size_t kManyTargets = 12;
 
-// What disparities leave to the residual, [d - lo][column], of grid blocks beside each other.
+// Holds what disparities leave to the residual, [d - lo][column], of grid blocks next to each
+// other.
 class RowCosts {
  public:
   // Blocks [bx0, bx1) of a row; candidates are `step` apart.

@@ -14,7 +14,7 @@
 
 namespace hmlfc {
 
-/// What an image is predicted from, and where that is seen from the image.
+/// Reference that an image is predicted from, and where it is seen from the image.
 struct SearchReference {
   const PaddedPlane* plane = nullptr;  ///< plane Y; null: there is none
   int32_t row_offset = 0;              ///< row of the reference less row of the image

@@ -17,12 +17,12 @@
 namespace hmlfc {
 namespace {
 
-// Of a memory bound, the share for views that trials have looked at.
+// Views that trials have looked at may take this share of a memory bound.
 constexpr uint64_t kTrialShare = 4;
 // Views kept for each thread: the one being coded, whose error is measured later.
 constexpr uint64_t kViewsPerThread = 2;
 
-// What save_part() writes of an image or of a plane of a key image, before its bytes.
+// Head that save_part() writes before the bytes of an image or of a plane of a key image.
 struct SavedHead {
   static constexpr size_t kBytes = 24;
   uint32_t is_key = 0;

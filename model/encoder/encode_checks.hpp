@@ -1,4 +1,4 @@
-// What all ways to encode refuse, and how they report progress.
+// Checks parameters for all ways to encode, and reports their progress.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline tl::unexpected<EncodeError> memory_is_out() {
       EncodeError{"out of memory: encode fewer or smaller views, or free some memory", true});
 }
 
-/// What is wrong with `params` for a light field of `shape`; null: nothing.
+/// Says what is wrong with `params` for a light field of `shape`; null: nothing.
 const char* problem_of(const LightFieldShape& shape, const EncodeParams& params);
 
 /// Counts finished images and reports them, one thread at a time.

@@ -1,4 +1,4 @@
-// What an encoding is to reach, on one scale for all targets.
+// States what an encoding is to reach, on one scale for all targets.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace hmlfc {
 
-/// What a step of quality is worth, about: 0.1 to 0.23 dB on light fields that were tried.
+/// Approximate gain of a step of quality in dB: 0.1 to 0.23 dB on light fields that were tried.
 constexpr double kDbPerQuality = 0.16;
 
 /// A target and how far an encoding is from it, in dB: a doubling of the bytes counts as
@@ -18,7 +18,8 @@ class EncodeGoal {
  public:
   explicit EncodeGoal(const EncodeTarget& target) : target_(target) {}
 
-  /// What the encoding exceeds the target by: above 0 it has more quality or more bytes.
+  /// Returns by how much the encoding exceeds the target: above 0 it has more quality or more
+  /// bytes.
   double surplus_db(double psnr_db, double bytes) const {
     if (const auto* psnr = std::get_if<TargetPsnr>(&target_)) return psnr_db - psnr->db;
     const auto most = static_cast<double>(std::get<TargetBytes>(target_).bytes);

@@ -42,7 +42,7 @@ class PartFinder {
     EncodePart part;
     part.views = views_;
     for (int level = 0; level <= geometry_.top(); ++level) part.levels.push_back(find(level));
-    // The top level of a tree consists of key images: what is needed of it needs no image beside
+    // The top level of a tree consists of key images: what is needed of it needs no image next to
     // it, and every image that is looked at below has its parent among what is needed.
     Images originals = needed_.back();
     for (int level = geometry_.top(); level > 0; --level) {

@@ -40,11 +40,11 @@ struct EncodePart {
 /// belongs to one of the ranges that make up a grid.
 bool owns(const ViewRange& views, const StreamHeader& header, int level, ImagePos at);
 
-/// Everything.
+/// Returns the part that is the whole.
 EncodePart whole_part(const Geometry& geometry);
 
-/// Of level 0 only the images `sample`, which are predictive, and what they refer to. The tree has
-/// one level.
+/// Takes of level 0 only the images `sample`, which are predictive, and what they refer to. The
+/// tree has one level.
 EncodePart sampled_part(const Geometry& geometry, const std::vector<ImagePos>& sample);
 
 /// The images that belong to `views`, and all that coding them depends on. `known`: whether a key

@@ -25,7 +25,7 @@ std::vector<uint8_t> code_key_plane(const SamplePlane& samples, SamplePrecision 
   return std::move(*coded);
 }
 
-// What a decoder makes of a lossy plane of a key image.
+// Decodes a lossy plane of a key image, as a decoder does.
 void decode_key_plane(const std::vector<uint8_t>& codestream, SampleRange range,
                       SamplePlane& samples) {
   auto decoded = decode_jpeg2000(codestream, samples.width, samples.height);

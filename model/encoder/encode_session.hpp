@@ -17,7 +17,7 @@ namespace hmlfc {
 /// Who watches an encoder at work; both may be empty. Called by several threads at once.
 struct EncodeObserver {
   std::function<void()> image_done;
-  /// What a decoder will make of image `at` of level `level`, key images too.
+  /// Receives what a decoder will make of image `at` of level `level`, key images included.
   std::function<void(int level, ImagePos at, const ImagePlanes&)> reconstructed;
 };
 
@@ -41,7 +41,8 @@ class EncodeSession {
   /// Nothing coded yet.
   CodedImages no_images() const;
 
-  /// Likewise codes the images of `part`, and adds those that it owns to `coded`, with their error.
+  /// Codes the images of `part` in the same way, and adds those that it owns to `coded`, with their
+  /// error.
   void encode_part(const EncodeParams& params, const EncodePart& part,
                    const EncodeObserver& observer, CodedImages& coded) const;
 

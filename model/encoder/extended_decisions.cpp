@@ -24,7 +24,7 @@ struct Settings {
   DisparityRange disparities;  // tried for each group
 };
 
-// What the images of one group, and of its neighbours, are predicted from.
+// Planes from which the images of one group, and of its neighbours, are predicted.
 struct GroupReference {
   std::array<std::optional<PaddedPlane>, kPlaneCount> planes;
   DisparityGrid grid;

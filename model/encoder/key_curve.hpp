@@ -1,4 +1,4 @@
-// What a key image costs at different errors (KEY-2, EXT-6).
+// Measures what a key image costs at different errors (KEY-2, EXT-6).
 #pragma once
 
 #include <vector>

@@ -18,7 +18,7 @@ constexpr int kSteps = 2;
 // A plane is refined if the first step lowers the sum by this share, at least. Noise and blur give
 // more; what is encoded again after decoding has less to gain, and would drift from its original.
 constexpr int64_t kLeastGainDivisor = 20;
-// What a squared error of the key image against its view weighs; one of another image weighs 1.
+// Weight of a squared error of the key image against its view; one of another image weighs 1.
 constexpr int64_t kOwnWeightNumerator = 3;
 constexpr int64_t kOwnWeightDenominator = 2;
 

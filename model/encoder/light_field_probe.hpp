@@ -1,4 +1,4 @@
-// What is measured of a light field before it is coded: it serves every encoding.
+// Measures a light field before it is coded; the result serves every encoding.
 #pragma once
 
 #include <array>

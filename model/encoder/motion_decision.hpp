@@ -10,7 +10,7 @@
 
 namespace hmlfc {
 
-/// What the motion of one image is decided from.
+/// Inputs from which the motion of one image is decided.
 struct MotionTask {
   const MotionSources& sources;
   const SamplePlane& target;   ///< plane Y; at levels that are not keyed less the parent

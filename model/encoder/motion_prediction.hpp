@@ -28,7 +28,7 @@ constexpr int32_t col_offset(ImagePos to, ImagePos from) {
   return static_cast<int32_t>(to.col) - static_cast<int32_t>(from.col);
 }
 
-/// What motion of one predictive image refers to, in all its planes.
+/// References of the motion of one predictive image, in all its planes.
 struct MotionSources {
   const StreamHeader& header;
   const Geometry& geometry;
@@ -79,7 +79,8 @@ struct Area {
   int32_t samples() const { return width * height; }
 };
 
-/// What `reference` holds for position (x, y) and those to the right and below, moved by `vector`.
+/// Returns what `reference` holds for position (x, y) and those to the right and below, moved by
+/// `vector`.
 inline DisplacedReference displaced(const PaddedPlane& reference, int32_t x, int32_t y,
                                     const SubpelVector& vector) {
   return {{reference.at(x + vector.ix, y + vector.iy), static_cast<size_t>(reference.stride())},

@@ -60,7 +60,4 @@ MotionMatch search_motion_brute_force(std::span<const int16_t> block, int block_
                                       uint32_t y, const ReferencePlane& reference, int window,
                                       bool both_signs);
 
-/// What search_motion() runs on here, such as "AVX2"; the name that Highway gives it.
-const char* motion_search_instruction_set();
-
 }  // namespace hmlfc

@@ -1,5 +1,4 @@
-// The definition of the motion search. This file is compiled without automatic vectorisation (see
-// model/CMakeLists.txt), so that the benchmark compares with scalar code and not with the compiler.
+// The definition of the motion search.
 #include <cstdint>
 #include <cstdlib>
 #include <limits>

@@ -1,6 +1,6 @@
-// What the instruction-set dependent part of the motion search works on. Plain values and no
-// templates: code that is compiled for several instruction sets must not instantiate what other
-// files share, or the linker may keep the copy that needs the newest processor.
+// Input of the part of the motion search that depends on the instruction set. It has plain values
+// and no templates: code that is compiled for several instruction sets must not instantiate what
+// other files share, or the linker may keep the copy that needs the newest processor.
 #pragma once
 
 #include <cstddef>

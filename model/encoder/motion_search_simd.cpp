@@ -7,9 +7,8 @@
 
 #include <hwy/highway.h>
 
-#include "encoder/motion_search_narrow-inl.hpp"
+#include "encoder/motion_search_kernel-inl.hpp"
 #include "encoder/motion_search_request.hpp"
-#include "encoder/motion_search_wide-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hmlfc {
@@ -20,8 +19,10 @@ namespace HWY_NAMESPACE {
 constexpr int kGroupsPerPass = 16;
 
 /// One search: the window cut into groups of candidates, as many as a vector has lanes.
-template <class Kernel>
+template <int kSize, bool kBothSigns>
 class MotionSearch {
+  using Kernel = MotionKernel<kSize, kBothSigns>;
+
  public:
   explicit MotionSearch(const MotionRequest& request)
       : kernel_(request), request_(request), side_(2 * request.window + 1) {
@@ -33,22 +34,17 @@ class MotionSearch {
     }
   }
 
-  /// Tries (0, 0) and the hints; returns whether there is a match that the kernel can represent.
-  bool try_hints() {
+  /// Tries (0, 0), the hints, then all candidates. Not found(): each has a sad above kLargestSad.
+  MotionBest run() {
     try_around(0, 0);
     for (size_t k = 0; k < request_.hint_count; ++k) {
       try_around(request_.hints[k].dx, request_.hints[k].dy);
     }
-    return best_.found();
-  }
-
-  /// Tries all candidates.
-  MotionMatch run() {
     search_rows();
     for (int k = 0; k < columns_; ++k) {
       search_column(k);
     }
-    return best_.match();
+    return best_;
   }
 
  private:
@@ -88,7 +84,7 @@ class MotionSearch {
     const int end = request_.window + 1 - columns_;
     for (int k = 0; k < side_; ++k) {
       const int dy = row_from_middle(k);
-      const int64_t limit = best_.limit(dy < 0 ? -dy : dy);
+      const int64_t limit = HWY_MIN(best_.limit(dy < 0 ? -dy : dy), Kernel::kLargestSad);
       if (limit < 0) {
         continue;
       }
@@ -165,26 +161,13 @@ class MotionSearch {
   int16_t transposed_[kTransposedWidth][kTransposedHeight];
 };
 
-/// The wide search is right in any case, the narrow one if it finds anything. That it finds nothing
-/// at the start does not prove that it would not later, but is a good sign.
-template <int kSize, bool kBothSigns>
-MotionMatch search_with(const MotionRequest& request) {
-  MotionSearch<NarrowKernel<kSize, kBothSigns>> narrow(request);
-  if (narrow.try_hints()) {
-    return narrow.run();
-  }
-  MotionSearch<WideKernel<kSize, kBothSigns>> wide(request);
-  wide.try_hints();
-  return wide.run();
-}
-
 template <int kSize>
-MotionMatch search_size(const MotionRequest& request) {
-  return request.both_signs ? search_with<kSize, true>(request)
-                            : search_with<kSize, false>(request);
+MotionBest search_size(const MotionRequest& request) {
+  return request.both_signs ? MotionSearch<kSize, true>(request).run()
+                            : MotionSearch<kSize, false>(request).run();
 }
 
-MotionMatch search_request(const MotionRequest& request) {
+MotionBest search_request(const MotionRequest& request) {
   switch (request.block_size) {
     case 2:
       return search_size<2>(request);
@@ -195,8 +178,6 @@ MotionMatch search_request(const MotionRequest& request) {
   }
 }
 
-const char* instruction_set() { return hwy::TargetName(HWY_TARGET); }
-
 }  // namespace HWY_NAMESPACE
 }  // namespace hmlfc
 HWY_AFTER_NAMESPACE();
@@ -206,7 +187,6 @@ HWY_AFTER_NAMESPACE();
 namespace hmlfc {
 
 HWY_EXPORT(search_request);
-HWY_EXPORT(instruction_set);
 
 MotionMatch search_motion(std::span<const int16_t> block, int block_size, uint32_t x, uint32_t y,
                           const ReferencePlane& reference, int window, bool both_signs,
@@ -215,7 +195,7 @@ MotionMatch search_motion(std::span<const int16_t> block, int block_size, uint32
   assert(block.size() == static_cast<size_t>(block_size * block_size));
   assert(x < reference.width() && y < reference.height());
   assert(window >= 0 && window <= reference.max_window());
-  return HWY_DYNAMIC_DISPATCH(search_request)({
+  const MotionBest best = HWY_DYNAMIC_DISPATCH(search_request)({
       .block = block.data(),
       .reference = reference.sample(x, y),
       .square_sums = reference.square_sum(x, y),
@@ -226,9 +206,10 @@ MotionMatch search_motion(std::span<const int16_t> block, int block_size, uint32
       .hints = hints.data(),
       .hint_count = hints.size(),
   });
+  if (best.found()) return best.match();
+  // Nothing in the window resembles the block, whose samples have more than 8 bits.
+  return search_motion_brute_force(block, block_size, x, y, reference, window, both_signs);
 }
-
-const char* motion_search_instruction_set() { return HWY_DYNAMIC_DISPATCH(instruction_set)(); }
 
 }  // namespace hmlfc
 

@@ -9,7 +9,7 @@
 namespace hmlfc {
 namespace {
 
-// What an encoder holds beside images: buffers of threads and libraries.
+// Bytes that an encoder holds next to images: buffers of threads and libraries.
 constexpr uint64_t kProgramBytes = 24u << 20;
 constexpr uint64_t kThreadBytes = 4u << 20;
 
@@ -37,7 +37,8 @@ ImageBytes image_bytes(const StreamHeader& header, const Geometry& geometry) {
   return bytes;
 }
 
-// What one thread works with: an image being coded, or a key image with the images that refine it.
+// Returns the bytes that one thread works with: an image being coded, or a key image with the
+// images that refine it.
 uint64_t work_bytes(const StreamHeader& header, Preset preset, const ImageBytes& image) {
   const bool refines = header.has(Feature::kMotionTiles);
   const uint64_t targets = refines ? effort_of(preset).disparity_images : 0;

@@ -33,7 +33,7 @@ Lambda plane_lambda(Lambda lambda, Plane plane, ChromaFormat chroma) {
 // average it, and residuals take some of it away. In the key image itself all of it is seen.
 constexpr double kSeenError = 0.45;
 
-// What the error of a key image weighs: in itself, and in the images predicted from it.
+// Returns the weight of a key image's error: in itself, and in the images predicted from it.
 double key_weight(const StreamHeader& header, const EncodeParams& params) {
   const Geometry geometry(header);
   const double images_per_key =

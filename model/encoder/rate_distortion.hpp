@@ -25,10 +25,10 @@ constexpr int64_t log2_in_256ths(int64_t x) {
   return 256 * whole + (whole >= 8 ? beyond >> (whole - 8) : beyond << (8 - whole));
 }
 
-/// What motion leaves of a block of 4x4 samples, as D + lambda R in units of squared error once its
-/// residual is coded where that pays. With a step of sqrt(10 lambda), as steps are chosen, a
-/// residual pays from about 41 lambda on; then each doubling of the energy takes half a bit a
-/// sample.
+/// Estimates what motion leaves of a block of 4x4 samples, as D + lambda R in units of squared
+/// error once its residual is coded where that pays. With a step of sqrt(10 lambda), as steps are
+/// chosen, a residual pays from about 41 lambda on; then each doubling of the energy takes half a
+/// bit a sample.
 class ResidualEstimate {
  public:
   explicit constexpr ResidualEstimate(Lambda lambda)

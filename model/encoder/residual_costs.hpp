@@ -1,4 +1,4 @@
-// What one block costs with each way of coding its residual (TIL-8, STP-1).
+// Weighs what one block costs with each way of coding its residual (TIL-8, STP-1).
 #pragma once
 
 #include <array>

@@ -59,8 +59,8 @@ std::vector<uint32_t> group_sizes(uint32_t count) {
   return sizes;
 }
 
-// The cheapest coding by trial, from a first guess on: a better one is looked for beside the best
-// so far until there is none.
+// The cheapest coding by trial, from a first guess on: a better one is looked for next to the
+// best so far until there is none.
 class CodingSearch {
  public:
   CodingSearch(const LightFieldShape& shape, const ViewProvider& part, const EncodeParams& params,
@@ -98,7 +98,7 @@ class CodingSearch {
     if (asked.motion_tile == 0) attempt(tried);
   }
 
-  // What key images weigh: a factor that goes up or down as long as that is cheaper.
+  // Finds the weight of key images: a factor that goes up or down as long as that is cheaper.
   void find_key_weight(const ExtendedParams& asked) {
     if (!effort_.more || asked.key_weight != 0) return;
     for (const double factor : {kWeightStep, 1 / kWeightStep}) {

@@ -18,7 +18,7 @@ namespace hmlfc {
 std::vector<uint8_t> top_section(std::span<const std::vector<uint8_t>> codestreams,
                                  std::span<const uint32_t> sample_crcs);
 
-/// What the section table says of a section's bytes.
+/// CRC and size of a section's bytes, as the section table states them.
 struct SectionSum {
   uint32_t crc = 0;
   uint64_t size = 0;

@@ -1,4 +1,4 @@
-// What profile main decides for a block, and the tile records that say it (TIL-1 to TIL-10).
+// Writes what profile main decides for blocks as tile records (TIL-1 to TIL-10).
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace hmlfc {
 
-/// What is decided for one block.
+/// Decision for one block.
 struct BlockDecision {
   BlockState state = BlockState::kZero;
   MotionMatch motion{};  ///< with motion

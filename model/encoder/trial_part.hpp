@@ -1,4 +1,4 @@
-// The part of a light field's views that trials code in place of the whole.
+// The part of a light field's views that trials code instead of the whole.
 #pragma once
 
 #include <hmlfc/format.hpp>

@@ -11,7 +11,7 @@ namespace {
 
 using Told = std::optional<BlockDisparity>;
 
-// What the block of a reference image tells: that of its own grid block, if it can be read.
+// Returns the disparity of a reference image's own grid block, if it can be read.
 Told told_by_reference(const StreamView& stream, const ToldDisparity& told, Probe probe) {
   const MotionPlace place = motion_place(stream, probe.site);
   const GridBlock block =
@@ -23,7 +23,7 @@ Told told_by_reference(const StreamView& stream, const ToldDisparity& told, Prob
   return told.shared(*disparity);
 }
 
-// What the block at `probe.site` tells (GEO-3).
+// Returns what the block at `probe.site` tells (GEO-3).
 Result<Told> told_by_block(const StreamView& stream, const Probe& probe) {
   const BlockSite& site = probe.site;
   const ToldDisparity told(stream, site.level, {site.image_row, site.image_col});

@@ -1,4 +1,4 @@
-#include "render/cell_displacements.hpp"
+#include "render/displaced_cells.hpp"
 
 #include <algorithm>
 #include <array>
@@ -68,7 +68,7 @@ class CellRows {
   }
 
  private:
-  // What `view` proposes to the cells of `run`.
+  // Finds what `view` proposes to the cells of `run`.
   void ask(ViewPos view, const RayRun& run, std::vector<int32_t>& told) {
     const auto begin = static_cast<size_t>(run.begin);
     const auto cells = static_cast<size_t>(run.end - run.begin);

@@ -23,7 +23,7 @@ HWY_INLINE int32_t displacement_by(int32_t told, int32_t focus, int32_t fine) {
   return e < kLeast ? kLeast : e > kGreatest ? kGreatest : e;
 }
 
-// What locate_axis takes of an axis: coordinates `base` of RAY-4, with `step` for each view from
+// Input of locate_axis along one axis: coordinates `base` of RAY-4, with `step` for each view from
 // view `origin`, and places among the views, of which `view` is one.
 struct LocatedAxis {
   const int32_t* base;
@@ -74,7 +74,7 @@ inline void locate_here(const FrameRecord& f, const RowRays& rays, const RayRun&
   locate_axis(y, run, f.focus, f.fine, log2, told, blocks.by.data());
 }
 
-// What a view of a run says: as ToldByViews, with the weights of its column and row.
+// Answers of one view of a run: as ToldByViews, with the weights of its column and row.
 struct ViewWords {
   const int32_t* told;
   const int32_t* col_weight;

@@ -24,8 +24,8 @@ struct CellBlocks {
   std::vector<int32_t> by;
 };
 
-/// What the views of a run of cells tell, in the order of their weights: for each view and cell the
-/// disparity of the block that was looked up last, or kNoDisparity.
+/// Answers of the views of a run of cells, in the order of their weights: for each view and cell
+/// the disparity of the block that was looked up last, or kNoDisparity.
 using ToldByViews = std::array<std::vector<int32_t>, Proposals::kMost>;
 
 /// Where the cells of `run`, a run of `rays`, look up view `view` after it has told `told`, with

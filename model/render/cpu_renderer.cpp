@@ -10,8 +10,8 @@
 #include "decoder/missing_ranges.hpp"
 #include "decoder/open_stream.hpp"
 #include "decoder/request_guard.hpp"
-#include "render/cell_displacements.hpp"
 #include "render/disparity_cache.hpp"
+#include "render/displaced_cells.hpp"
 #include "render/frame_stages.hpp"
 #include "render/shown_image.hpp"
 
@@ -32,8 +32,8 @@ class Laps {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// Of RenderOptions::cache_bytes, the part for disparity maps: 4 bytes a block, where pixels take 16
-// to 512.
+// The part of RenderOptions::cache_bytes that disparity maps take: 4 bytes a block, where pixels
+// take 16 to 512.
 constexpr size_t kMapShare = 16;
 
 class CpuRenderer final : public FrameRenderer {

@@ -5,7 +5,7 @@
 
 #include "arithmetic/rounding.hpp"
 #include "decoder/open_stream.hpp"
-#include "render/disparity_rows.hpp"
+#include "render/block_disparity.hpp"
 #include "render/surface.hpp"
 
 namespace hmlfc {

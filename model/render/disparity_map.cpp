@@ -12,13 +12,12 @@
 #include "decoder/open_stream.hpp"
 #include "decoder/request_guard.hpp"
 #include "render/block_disparity.hpp"
-#include "render/disparity_rows.hpp"
 #include "render/told_disparity.hpp"
 
 namespace hmlfc {
 namespace {
 
-// What is read of one ancestor of the view, in a stream with motion tiles.
+// Reads one ancestor of the view, in a stream with motion tiles.
 class AncestorMotion {
  public:
   AncestorMotion(const StreamView& stream, int level, ImagePos image)
@@ -34,7 +33,7 @@ class AncestorMotion {
     std::optional<BlockDisparity> told{};
   };
 
-  // What block (bx, by) of plane Y tells; not readable: what it needs has an error.
+  // Finds what block (bx, by) of plane Y tells; not readable: what it needs has an error.
   Found find(uint32_t bx, uint32_t by) {
     if (told_.source() == DisparitySource::kNone) return {};
     const MotionPlace place =

@@ -1,10 +1,14 @@
-// The displacements of a frame with geometry.
+// The displacements of a frame with geometry (SRF-1, SRF-3).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include <hmlfc/camera.hpp>
+#include <hmlfc/decoder.hpp>
+
+#include "render/disparity_cache.hpp"
 #include "render/surface.hpp"
 
 namespace hmlfc {
@@ -23,5 +27,15 @@ struct CellDisplacements {
     return cells.empty() ? 0 : row(j >> kCellLog2)[i >> kCellLog2];
   }
 };
+
+/// Those of the frame of `record` with `stop_level`, which fit the light field, from single blocks,
+/// as docs/rendering.md, section 9, reads.
+CellDisplacements golden_displacements(const Decoder& decoder, const FrameRecord& record,
+                                       int stop_level);
+
+/// The same from the maps of `cache`, which has begun a frame, in vectors of cells, into `found`,
+/// whose memory is reused. Uses all threads of the caller's run_on_threads().
+void find_displacements(const FrameRecord& record, int stop_level, unsigned block_log2,
+                        DisparityCache& cache, CellDisplacements& found);
 
 }  // namespace hmlfc

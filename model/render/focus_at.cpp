@@ -118,8 +118,8 @@ struct Candidate {
   ViewPos view;
 };
 
-// The view nearest to the ray and those beside it, the nearest first, among equals row by row.
-// Returns how many.
+// Finds the view nearest to the ray and those next to it, the nearest first, among equals row by
+// row. Returns how many.
 size_t views_near(const FrameRecord& f, const Meeting& at, std::array<Candidate, 9>& views) {
   const int32_t row = nearest_view(at.v);
   const int32_t col = nearest_view(at.u);

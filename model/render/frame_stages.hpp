@@ -31,7 +31,7 @@ void add_missing_parts(const StreamView& stream, const ViewShape& shape, int sto
 /// samples of Y: blocks that it holds are decoded from there. Several threads may load different
 /// pages of a view. Errors: a block does not decode; the page then holds no more blocks than
 /// before. With `requests` not null, planes of key images that are needed and not decoded yet are
-/// added to it in place of being decoded; if there are any, the page holds no more blocks either.
+/// added to it instead of being decoded; if there are any, the page holds no more blocks either.
 Result<void> load_page(const Decoder& decoder, const ViewShape& shape, int stop_level,
                        const CachedView* coarser, CachedView& view, uint32_t page,
                        KeyRequests* requests);

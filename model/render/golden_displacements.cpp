@@ -1,4 +1,4 @@
-#include "render/golden_displacements.hpp"
+#include "render/displaced_cells.hpp"
 
 #include <map>
 #include <optional>
@@ -12,12 +12,13 @@
 namespace hmlfc {
 namespace {
 
-// What the blocks of plane Y of views tell, each read once.
+// Reads what the blocks of plane Y of views tell, each once.
 class ToldBlocks {
  public:
   explicit ToldBlocks(const Decoder& decoder) : decoder_(decoder) {}
 
-  // That of the block that holds pixel (x, y) of `view`; of confidence 0 where it has an error.
+  // Returns the disparity of the block that holds pixel (x, y) of `view`; of confidence 0 where it
+  // has an error.
   const BlockDisparity& at(ViewPos view, int32_t x, int32_t y) {
     const unsigned log2 = decoder_.header().block_log2;
     const uint32_t bx = static_cast<uint32_t>(x) >> log2;
@@ -36,7 +37,7 @@ class ToldBlocks {
   std::map<std::tuple<uint32_t, uint32_t, uint32_t, uint32_t>, BlockDisparity> told_;
 };
 
-// What `view` proposes to the cell of `ray` (SRF-3).
+// Returns what `view` proposes to the cell of `ray` (SRF-3).
 int32_t proposed(const FrameRecord& f, const Ray& ray, ViewPos view, ToldBlocks& told) {
   int32_t e = 0;
   for (int step = 0; step < kDisplacementSteps; ++step) {

@@ -9,7 +9,7 @@
 #include "arithmetic/widths.hpp"
 #include "decoder/open_stream.hpp"
 #include "decoder/request_guard.hpp"
-#include "render/golden_displacements.hpp"
+#include "render/displaced_cells.hpp"
 #include "render/shown_image.hpp"
 #include "render/taps.hpp"
 

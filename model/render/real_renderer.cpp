@@ -8,7 +8,7 @@
 
 #include "decoder/open_stream.hpp"
 #include "decoder/request_guard.hpp"
-#include "render/golden_displacements.hpp"
+#include "render/displaced_cells.hpp"
 #include "render/shown_image.hpp"
 
 namespace hmlfc {
@@ -148,7 +148,7 @@ class RealRenderer {
     return taps;
   }
 
-  // That of a pixel's cell, in pixels a column.
+  // Returns the displacement of a pixel's cell, in pixels a column.
   double pixels_displacement(uint32_t i, uint32_t j) const {
     return displaced_.at(static_cast<int32_t>(i), static_cast<int32_t>(j)) /
            double{kDisparityUnits};

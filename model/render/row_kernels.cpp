@@ -10,16 +10,6 @@
 #include "render/run_samples-inl.hpp"
 #include "render/run_taps-inl.hpp"
 
-HWY_BEFORE_NAMESPACE();
-namespace hmlfc {
-namespace HWY_NAMESPACE {
-
-const char* render_set_here() { return hwy::TargetName(HWY_TARGET); }
-
-}  // namespace HWY_NAMESPACE
-}  // namespace hmlfc
-HWY_AFTER_NAMESPACE();
-
 #if HWY_ONCE
 
 #include <algorithm>
@@ -34,7 +24,6 @@ HWY_EXPORT(count_reads_here);
 HWY_EXPORT(is_steady_here);
 HWY_EXPORT(find_steps_here);
 HWY_EXPORT(sample_run_here);
-HWY_EXPORT(render_set_here);
 
 namespace {
 
@@ -93,8 +82,6 @@ void sample_run(const RayRun& run, const RunTaps& taps, const RunViews& views, b
                 uint16_t* out) {
   HWY_DYNAMIC_DISPATCH(sample_run_here)(run, taps, views, interpolated, out);
 }
-
-const char* render_instruction_set() { return HWY_DYNAMIC_DISPATCH(render_set_here)(); }
 
 }  // namespace hmlfc
 

@@ -39,12 +39,12 @@ struct RayRow {
   constexpr int32_t a_of(int32_t i) const { return std::min(a + step * i, last); }
 };
 
-/// Row `j` of the pixels of a frame.
+/// Returns the rays of pixel row `j`.
 constexpr RayRow row_of_pixels(const FrameRecord& f, int32_t j) {
   return {f.frame_width, 1 - f.frame_width, 2, f.frame_width - 1, 2 * j + 1 - f.frame_height};
 }
 
-/// Row `cj` of its cells (SRF-1).
+/// Returns the rays of cell row `cj` (SRF-1).
 constexpr RayRow row_of_cells(const FrameRecord& f, int32_t cj) {
   return {cells_along(f.frame_width), 4 - f.frame_width, 8, f.frame_width - 1,
           ray_of_cell(cj, f.frame_height)};
@@ -108,7 +108,7 @@ struct RowRays {
 struct AxisRun {
   explicit AxisRun(size_t row_pixels) : array_size_(row_pixels + kSpare) {}
 
-  /// What vectors read after the last pixel.
+  /// Elements that vectors read after the last pixel.
   static constexpr size_t kSpare = 4;
 
   /// Pixel weights of a tap whose second pixel is not read.
@@ -195,8 +195,5 @@ struct RunViews {
 void sample_run(const RayRun& run, const RunTaps& taps, const RunViews& views, bool interpolated,
                 uint16_t* out);
 inline constexpr size_t kRowSpare = 16;
-
-/// The name of the instruction set chosen, such as "AVX2".
-const char* render_instruction_set();
 
 }  // namespace hmlfc

@@ -56,7 +56,7 @@ inline void add_weights(const int32_t* HWY_RESTRICT places, int aperture, int32_
   }
 }
 
-/// What one axis of find_taps takes: coordinates `base`, xb or yb, with `step` for each view from
+/// Input of find_taps along one axis: coordinates `base`, xb or yb, with `step` for each view from
 /// view `origin`; Us or Vs, and the pitch of the views, for what is displaced.
 struct TapAxis {
   const int32_t* base;

@@ -41,7 +41,7 @@ constexpr int32_t cells_along(int32_t pixels) {
   return (pixels + (1 << kCellLog2) - 1) >> kCellLog2;
 }
 
-/// What a block without a disparity tells, where disparities are plain integers.
+/// Stands for a block without a disparity, where disparities are plain integers.
 inline constexpr int32_t kNoDisparity = INT32_MIN;
 
 /// The displacement that a block of disparity `told` tells (SRF-3): [-2^15, 2^15 - 1].

@@ -1,4 +1,4 @@
-// What the blocks of one image tell of depth (docs/rendering.md, GEO-3).
+// Derives what the blocks of one image tell of depth (docs/rendering.md, GEO-3).
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ enum class DisparitySource : uint8_t {
 /// Turns what is read of an image's blocks into what they tell.
 class ToldDisparity {
  public:
-  /// Of image `image` of level `level`.
+  /// Serves image `image` of level `level`.
   ToldDisparity(const StreamView& stream, int level, ImagePos image);
 
   DisparitySource source() const { return source_; }

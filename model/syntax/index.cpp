@@ -19,10 +19,11 @@ struct GroupRecord {
   unsigned offset_bits = 0;
 };
 
-// A record number as the stream gives it: first + rank, a sum that may exceed 64 bits.
-struct GroupNumber {
-  uint64_t first = 0;
-  uint64_t rank = 0;
+// The entry of 64 tile groups (IDX-4).
+struct RootEntry {
+  uint64_t at = 0;  // byte in the ROOT section
+  uint64_t mask = 0;
+  uint64_t first = 0;  // record of the first group that has one
 };
 
 // Bit of a tile in its group's mask, or of a tile group in its root entry's.
@@ -32,38 +33,33 @@ uint64_t bit_address(const StreamView& stream, Section section, uint64_t byte) {
   return (stream.entry(section).offset + byte) * 8;
 }
 
-// The root entry of tile group `group`, a byte in the ROOT section.
-uint64_t root_entry_at(uint64_t group) { return group / kGroupTiles * kRootEntryBytes; }
-
-// The record number of tile group `group`; nothing where all its tiles are empty (IDX-4).
-std::optional<GroupNumber> find_group(const StreamView& stream, uint64_t group,
-                                      const Probe& probe) {
-  const auto root = stream.bytes(Section::kRoot);
-  const uint64_t at = root_entry_at(group);
-  const uint64_t mask = load_le<uint64_t>(root, static_cast<size_t>(at));
-  const uint64_t address = bit_address(stream, Section::kRoot, at);
-  probe.field(Section::kRoot, address, 64, "mask", "IDX-4", static_cast<int64_t>(mask));
-  if (!has_bit(mask, lane_of(group))) return std::nullopt;
-  const uint64_t first = load_le<uint64_t>(root, static_cast<size_t>(at) + 8);
-  probe.field(Section::kRoot, address + 64, 64, "first", "IDX-4", static_cast<int64_t>(first));
-  return GroupNumber{first, rank(mask, lane_of(group))};
+// The root entry of tile group `group` (IDX-4).
+Result<RootEntry> load_root_entry(const StreamView& stream, uint64_t group, const Probe& probe) {
+  const uint64_t at = group / kGroupTiles * kRootEntryBytes;
+  const auto bytes = stream.read(Section::kRoot, at, kRootEntryBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const RootEntry entry{at, load_le<uint64_t>(*bytes, 0), load_le<uint64_t>(*bytes, 8)};
+  probe.field(Section::kRoot, bit_address(stream, Section::kRoot, at), 64, "mask", "IDX-4",
+              static_cast<int64_t>(entry.mask));
+  return entry;
 }
 
-// Record `number` of the GROUP section (IDX-5).
-Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNumber number,
+// The record of the tile group at bit `lane` of `root`, which is 1 (IDX-4, IDX-5).
+Result<GroupRecord> load_group(const StreamView& stream, const RootEntry& root, unsigned lane,
                                const Probe& probe) {
-  const auto groups = stream.bytes(Section::kGroup);
-  const uint64_t records = groups.size() / kGroupRecordBytes;
-  if (number.rank >= records || number.first >= records - number.rank) {
-    return stream.error(ErrorCode::kBadRootEntry, Section::kRoot, root_entry_at(group));
+  probe.field(Section::kRoot, bit_address(stream, Section::kRoot, root.at) + 64, 64, "first",
+              "IDX-4", static_cast<int64_t>(root.first));
+  const uint64_t before = rank(root.mask, lane);
+  const uint64_t records = stream.entry(Section::kGroup).size / kGroupRecordBytes;
+  if (before >= records || root.first >= records - before) {
+    return stream.error(ErrorCode::kBadRootEntry, Section::kRoot, root.at);
   }
   GroupRecord record;
-  record.at = (number.first + number.rank) * kGroupRecordBytes;
-  if (!stream.will_read(Section::kGroup, record.at, kGroupRecordBytes)) {
-    return stream.unread(Section::kGroup, record.at);
-  }
-  record.tile_mask = load_le<uint64_t>(groups, static_cast<size_t>(record.at));
-  const uint64_t place = load_le<uint64_t>(groups, static_cast<size_t>(record.at) + 8);
+  record.at = (root.first + before) * kGroupRecordBytes;
+  const auto bytes = stream.read(Section::kGroup, record.at, kGroupRecordBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  record.tile_mask = load_le<uint64_t>(*bytes, 0);
+  const uint64_t place = load_le<uint64_t>(*bytes, 8);
   record.data = place & ((uint64_t{1} << kDataOffsetBits) - 1);
   record.offset_bits = static_cast<unsigned>((place >> kDataOffsetBits) & 0xFF);
 
@@ -77,43 +73,33 @@ Result<GroupRecord> load_group(const StreamView& stream, uint64_t group, GroupNu
   return record;
 }
 
-// StreamView::will_read for entry `entry` of the end table and the one before.
-bool will_read_ends(const StreamView& stream, const GroupRecord& group, unsigned entry) {
-  const uint64_t begin = uint64_t{entry == 0 ? 0 : entry - 1} * group.offset_bits / 8;
-  const uint64_t end = ceil_div(uint64_t{entry + 1} * group.offset_bits, uint64_t{8});
-  return stream.will_read(Section::kTile, group.data + begin, end - begin);
-}
-
 // Reads where the record before ends, and this one, from the end table (IDX-6).
 Result<TileExtent> load_extent(const StreamView& stream, const GroupRecord& group, unsigned lane,
                                const Probe& probe) {
-  const auto tiles = stream.bytes(Section::kTile);
+  const uint64_t tile_bytes = stream.entry(Section::kTile).size;
   const uint64_t entries = static_cast<uint64_t>(std::popcount(group.tile_mask));
   const uint64_t table_bytes = ceil_div(entries * group.offset_bits, uint64_t{8});
-  if (group.data > tiles.size() || table_bytes > tiles.size() - group.data) {
+  if (group.data > tile_bytes || table_bytes > tile_bytes - group.data) {
     return stream.error(ErrorCode::kBadGroupRecord, Section::kGroup, group.at);
   }
-  const BitString table(
-      tiles.subspan(static_cast<size_t>(group.data), static_cast<size_t>(table_bytes)));
-  const uint64_t address = bit_address(stream, Section::kTile, group.data);
-  const auto end_of = [&](unsigned entry) {
-    const uint64_t at = uint64_t{entry} * group.offset_bits;
-    const uint32_t end = table.field(at, group.offset_bits);
-    probe.field(Section::kTile, address + at, group.offset_bits, "end", "IDX-6", end);
+  const unsigned entry = rank(group.tile_mask, lane);
+  const uint64_t from = uint64_t{entry == 0 ? 0 : entry - 1} * group.offset_bits / 8;
+  const uint64_t to = ceil_div(uint64_t{entry + 1} * group.offset_bits, uint64_t{8});
+  const auto bytes = stream.read(Section::kTile, group.data + from, to - from);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const BitString ends(*bytes);
+  const auto end_of = [&](unsigned number) {
+    const uint64_t at = uint64_t{number} * group.offset_bits;
+    const uint32_t end = ends.field(at - from * 8, group.offset_bits);
+    probe.field(Section::kTile, bit_address(stream, Section::kTile, group.data) + at,
+                group.offset_bits, "end", "IDX-6", end);
     return end;
   };
-  const unsigned entry = rank(group.tile_mask, lane);
-  if (stream.is_watched() && !will_read_ends(stream, group, entry)) {
-    return stream.unread(Section::kTile, group.data);
-  }
   const uint64_t records = group.data + table_bytes;
   const uint64_t begin = records + (entry == 0 ? 0 : end_of(entry - 1));
   const uint64_t end = records + end_of(entry);
-  if (end <= begin || end > tiles.size()) {
+  if (end <= begin || end > tile_bytes) {
     return stream.error(ErrorCode::kBadTileOffset, Section::kTile, group.data);
-  }
-  if (!stream.will_read(Section::kTile, begin, end - begin)) {
-    return stream.unread(Section::kTile, begin);
   }
   return TileExtent{begin, end};
 }
@@ -134,13 +120,10 @@ Result<void> check_index_sizes(const StreamView& stream) {
 Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t tile,
                                             const Probe& probe) {
   const uint64_t group = tile / kGroupTiles;
-  const uint64_t entry = root_entry_at(group);
-  if (!stream.will_read(Section::kRoot, entry, kRootEntryBytes)) {
-    return stream.unread(Section::kRoot, entry);
-  }
-  const auto number = find_group(stream, group, probe);
-  if (!number) return std::nullopt;
-  const auto record = load_group(stream, group, *number, probe);
+  const auto root = load_root_entry(stream, group, probe);
+  if (!root) return tl::unexpected(root.error());
+  if (!has_bit(root->mask, lane_of(group))) return std::nullopt;
+  const auto record = load_group(stream, *root, lane_of(group), probe);
   if (!record) return tl::unexpected(record.error());
   if (!has_bit(record->tile_mask, lane_of(tile))) return std::nullopt;
   const auto extent = load_extent(stream, *record, lane_of(tile), probe);
@@ -151,12 +134,9 @@ Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t t
 Result<uint64_t> next_tile(const StreamView& stream, uint64_t begin, uint64_t end) {
   for (uint64_t tile = begin; tile < end;) {
     const uint64_t group = tile / kGroupTiles;
-    const uint64_t entry = root_entry_at(group);
-    if (!stream.will_read(Section::kRoot, entry, kRootEntryBytes)) {
-      return stream.unread(Section::kRoot, entry);
-    }
-    const auto root = stream.bytes(Section::kRoot);
-    const uint64_t groups = load_le<uint64_t>(root, static_cast<size_t>(entry)) >> lane_of(group);
+    const auto root = load_root_entry(stream, group, Probe{});
+    if (!root) return tl::unexpected(root.error());
+    const uint64_t groups = root->mask >> lane_of(group);
     if (groups == 0) {
       tile = (group / kGroupTiles + 1) * kGroupTiles * kGroupTiles;
       continue;
@@ -165,7 +145,7 @@ Result<uint64_t> next_tile(const StreamView& stream, uint64_t begin, uint64_t en
       tile = (group + empty) * kGroupTiles;
       continue;
     }
-    const auto record = load_group(stream, group, *find_group(stream, group, Probe{}), Probe{});
+    const auto record = load_group(stream, *root, lane_of(group), Probe{});
     if (!record) return tl::unexpected(record.error());
     const uint64_t tiles = record->tile_mask >> lane_of(tile);
     if (tiles != 0) return std::min(end, tile + static_cast<unsigned>(std::countr_zero(tiles)));
@@ -180,10 +160,10 @@ static Result<std::optional<TileRecord>> load_record(const StreamView& stream, u
   const auto extent = find_tile(stream, tile, probe);
   if (!extent) return tl::unexpected(extent.error());
   if (!*extent) return std::nullopt;
-  const auto begin = static_cast<size_t>((*extent)->begin);
-  const auto size = static_cast<size_t>((*extent)->end - (*extent)->begin);
-  return TileRecord{BitString(stream.bytes(Section::kTile).subspan(begin, size)),
-                    bit_address(stream, Section::kTile, (*extent)->begin)};
+  const auto [begin, end] = **extent;
+  const auto bytes = stream.read(Section::kTile, begin, end - begin);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return TileRecord{BitString(*bytes), bit_address(stream, Section::kTile, begin)};
 }
 
 Result<std::optional<TileRecord>> find_record(const StreamView& stream, const BlockSite& site,

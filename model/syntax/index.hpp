@@ -32,8 +32,8 @@ struct TileExtent {
 };
 
 /// The place of the record of tile `tile` in [0, tile_count() - 1]; nothing where the tile is empty
-/// (IDX-7). Four dependent reads at most. Errors: bad_root_entry, bad_group_record,
-/// bad_tile_offset; bus_error where bytes cannot be read.
+/// (IDX-7). Three dependent reads at most; that of the record is the fourth. Errors:
+/// bad_root_entry, bad_group_record, bad_tile_offset; bus_error where bytes cannot be read.
 Result<std::optional<TileExtent>> find_tile(const StreamView& stream, uint64_t tile,
                                             const Probe& probe);
 
@@ -59,7 +59,7 @@ Result<std::optional<TileRecord>> find_motion_record(const StreamView& stream,
                                                      const MotionTilePlace& place,
                                                      const Probe& probe);
 
-/// What IDX-4 to IDX-6 leave open; the default takes the fewest bytes.
+/// Choices that IDX-4 to IDX-6 leave open; the default takes the fewest bytes.
 struct IndexLayout {
   unsigned least_offset_bits = 1;  ///< [1, 32]
   unsigned spare_records = 0;      ///< group records before the first in use

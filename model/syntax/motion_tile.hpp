@@ -49,7 +49,7 @@ struct PaletteEntry {
   friend bool operator==(const PaletteEntry&, const PaletteEntry&) = default;
 };
 
-/// What a motion tile's place says about its record.
+/// Facts about a motion tile's record that follow from its place.
 struct MotionContext {
   uint32_t width = 0;   ///< samples of the tile in the plane, [1, S]
   uint32_t height = 0;  ///< [1, S]
@@ -80,7 +80,7 @@ struct MotionHead {
 /// missing, and bad_mode.
 Result<MotionHead> read_motion_head(FieldCursor& cursor, const MotionContext& context);
 
-/// What every block of an empty motion tile has (MOT-4): one motion block of S x S samples.
+/// Returns what every block of an empty motion tile has (MOT-4): one motion block of S x S samples.
 MotionHead empty_motion_head(const MotionContext& context);
 
 /// Whether a block may use `entry` (MOT-3).
@@ -117,7 +117,7 @@ struct MotionTileFields {
 void put_motion_fields(BitWriter& writer, const MotionTileFields& tile,
                        const PaletteFields& fields);
 
-/// What an encoder decides about a motion tile of a predictive image; the default where `empty`.
+/// Decision of an encoder about a motion tile of a predictive image; the default where `empty`.
 struct MotionTileCode {
   bool empty = true;
   unsigned block_log2 = 0;  ///< [2, 5]; the tile's own where empty

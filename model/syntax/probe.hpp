@@ -15,7 +15,7 @@ struct Probe {
   AccessCounts* counts = nullptr;
   BlockSite site{};
 
-  /// The same watchers for another block.
+  /// Returns the same watchers for another block.
   Probe at(const BlockSite& other) const { return {sink, counts, other}; }
 
   void field(Section section, uint64_t bit, unsigned bits, std::string_view name,

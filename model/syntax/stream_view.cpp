@@ -2,7 +2,7 @@
 
 namespace hmlfc {
 
-bool StreamView::announce(ByteRange range) const {
+bool StreamView::fetch(ByteRange range) const {
   if (reads != nullptr) reads->on_read(range.offset, range.bytes);
   return source == nullptr || is_loaded(*source, range);
 }

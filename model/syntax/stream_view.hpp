@@ -38,18 +38,15 @@ struct StreamView {
     return file.subspan(static_cast<size_t>(e.offset), static_cast<size_t>(e.size));
   }
 
-  /// Whether reads have to be announced.
-  bool is_watched() const { return reads != nullptr || source != nullptr; }
-
-  /// Comes before each read of `bytes` bytes from `offset` of `section`: notifies the read sink, if
-  /// any, and loads them. False: they cannot be read, which is unread().
-  bool will_read(Section section, uint64_t offset, uint64_t bytes) const {
-    return !is_watched() || announce({entry(section).offset + offset, bytes});
-  }
-
-  /// The error of bytes of `section` that the source of the stream does not give.
-  tl::unexpected<Error> unread(Section section, uint64_t offset) const {
-    return error(ErrorCode::kBusError, section, offset);
+  /// Reads `bytes` bytes from `offset` of `section`, in which they lie: reports them to `reads`, if
+  /// there is one, and loads what a partial source lacks. Errors: bus_error, at `offset`, where the
+  /// source does not give them.
+  Result<std::span<const uint8_t>> read(Section section, uint64_t offset, uint64_t bytes) const {
+    const ByteRange range{entry(section).offset + offset, bytes};
+    if ((reads != nullptr || source != nullptr) && !fetch(range)) {
+      return error(ErrorCode::kBusError, section, offset);
+    }
+    return file.subspan(static_cast<size_t>(range.offset), static_cast<size_t>(bytes));
   }
 
   /// An error at byte `offset` of `section`.
@@ -58,7 +55,7 @@ struct StreamView {
   }
 
  private:
-  bool announce(ByteRange range) const;
+  bool fetch(ByteRange range) const;
 };
 
 }  // namespace hmlfc

@@ -37,7 +37,7 @@ constexpr VectorWidths vector_widths(int window) {
 /// Values of sign_mode (TIL-6); 3 is reserved.
 enum SignMode : uint32_t { kSignsPlus = 0, kSignsMinus = 1, kSignsMixed = 2 };
 
-/// What a tile's place in the tree says about its record.
+/// Facts about a tile's record that follow from its place in the tree.
 struct TileContext {
   /// Whether the record has motion fields: that of a predictive image, without motion tiles (TIL-1,
   /// MOT-2).
@@ -49,7 +49,7 @@ struct TileContext {
   bool steps = false;           ///< whether the record has step fields (STP-1)
 };
 
-/// What the place of the tile that holds block `site` says about its record.
+/// Returns what the place of the tile that holds block `site` says about its record.
 TileContext tile_context(const StreamView& stream, const BlockSite& site);
 
 /// Vectors of a tile, if motion_mask is not 0. Positions are bits from the start of the record.

@@ -28,10 +28,6 @@ constexpr Plane kPlanes[] = {{1, 1}, {3, 2}, {2, 40}, {50, 5}, {61, 47}};
 /// Each test runs once for each instruction set.
 class MotionSearch : public testing::TestWithParam<int64_t> {
  protected:
-  void SetUp() override {
-    ASSERT_EQ(motion_search_instruction_set(), instruction_set_name(GetParam()));
-  }
-
   const ChosenInstructionSet chosen_{GetParam()};
 
   /// Compares at the four corners, the four borders and inside, for one window and all else.

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "decoder/open_stream.hpp"
-#include "render/golden_displacements.hpp"
+#include "render/displaced_cells.hpp"
 
 namespace hmlfc::gpu {
 namespace {

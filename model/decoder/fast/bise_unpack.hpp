@@ -18,7 +18,7 @@ inline constexpr size_t kBiseUnpackSlack = 8;
 void bise_unpack(const uint8_t* bytes, uint64_t start, const Levels& levels, size_t count,
                  uint16_t* out);
 
-/// A copy of a record with kBiseUnpackSlack readable bytes behind it.
+/// A copy of a record with kBiseUnpackSlack readable bytes after it.
 class PaddedRecord {
  public:
   explicit PaddedRecord(std::span<const uint8_t> record) : size_(record.size()) {

@@ -39,7 +39,8 @@ Result<void> read_motion_field(const StreamView& stream, const MotionTilePlace& 
 /// read when one of its disparities is first asked for. Thread-safe.
 class DisparityPlane {
  public:
-  /// Those of `motion_plane` of reference image `image` of level `level`; `stream` must outlive it.
+  /// Takes the disparities of `motion_plane` of reference image `image` of level `level`; `stream`
+  /// must outlive it.
   DisparityPlane(const StreamView& stream, int level, ImagePos image, size_t motion_plane);
 
   /// The disparity of a grid block of the plane; nothing where it cannot be read.

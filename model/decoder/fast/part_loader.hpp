@@ -1,4 +1,4 @@
-// What a decoder needs of a partial source, loaded in few rounds before it is read.
+// Loads what a decoder needs of a partial source, in few rounds, before it is read.
 #pragma once
 
 #include <span>

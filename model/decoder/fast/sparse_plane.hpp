@@ -80,7 +80,7 @@ class SparseReferences final : public HeldReferences {
   mutable LazyMap<DisparityPlane> disparities_;
 };
 
-/// What the fast path decodes from.
+/// Sources of the fast path.
 struct FastSources {
   const StreamView& stream;
   const KeyImages& keys;

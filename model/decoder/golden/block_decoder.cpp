@@ -11,7 +11,7 @@
 namespace hmlfc {
 namespace {
 
-// What the stream says about one block of one image.
+// One block of one image as the stream describes it.
 struct CodedSite {
   BlockMotion motion;
   CodedBlock block;

@@ -26,7 +26,7 @@ class HeldReferences {
   virtual Result<BlockValues> block(const BlockSite& site) const = 0;
 };
 
-/// What the golden decoder reads.
+/// Sources of the golden decoder.
 struct DecodeSources {
   const StreamView& stream;
   const KeyImages& keys;

@@ -46,7 +46,7 @@ struct CodedMotion {
 /// find_tile, read_motion_head, read_motion_entry, read_disparity_head and read_disparity.
 Result<CodedMotion> walk_to_coded_motion(const StreamView& stream, const Probe& probe);
 
-/// The same with the vectors that follow from it (MOT-7 to MOT-9).
+/// Does the same and returns the vectors that follow (MOT-7 to MOT-9).
 Result<BlockMotion> walk_to_motion(const StreamView& stream, const Probe& probe);
 
 /// Finds and reads the disparity of grid block `block` of a motion plane of the reference image at

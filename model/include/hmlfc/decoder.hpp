@@ -19,7 +19,7 @@
 
 namespace hmlfc {
 
-/// What this decoder accepts (FIL-7); a stream beyond it is refused with limit_exceeded.
+/// Limits of what this decoder accepts (FIL-7); a stream beyond it is refused with limit_exceeded.
 struct DecoderLimits {
   uint64_t max_plane_samples = uint64_t{1} << 30;  ///< width * height of a view
   /// Code-blocks of a plane of a key image, for each of which OpenJPEG takes up to 2 KiB. A view of
@@ -62,7 +62,7 @@ using ViewConsumer = std::function<void(ViewPos, RgbImage&&)>;
 /// Decodes one stream. Several threads may call const functions at the same time.
 ///
 /// Every function takes a `stop_level` s in [0, tree_height]: 0 decodes the views, s > 0 shows the
-/// ancestor of level s in place of each view (DEC-1). All results are exact: the specification
+/// ancestor of level s instead of each view (DEC-1). All results are exact: the specification
 /// leaves nothing open. Errors are those of annex A; arguments out of range give bad_request.
 class HMLFC_EXPORT Decoder {
  public:
@@ -70,7 +70,7 @@ class HMLFC_EXPORT Decoder {
   /// those of FIL-8.
   static Result<Decoder> open(std::span<const uint8_t> file, const OpenOptions& options = {});
 
-  /// The same of the file in `source`, which must outlive the decoder. Whatever a request needs of
+  /// Opens the file in `source`, which must outlive the decoder. Whatever a request needs of
   /// a partial source is loaded first, in few calls of load(). Where it cannot be loaded, this and
   /// every later request give bus_error, and no samples.
   static Result<Decoder> open(ByteSource& source, const OpenOptions& options = {});

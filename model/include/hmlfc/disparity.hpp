@@ -14,7 +14,7 @@ namespace hmlfc {
 /// Units of a disparity in one pixel a column of views (GEO-1).
 inline constexpr int kDisparityUnits = 256;
 
-/// What a stream says of the depth of a block.
+/// Depth of a block as the stream states it.
 struct BlockDisparity {
   int16_t disparity = 0;   ///< units of 2^-8 pixels a column; negative is nearer (CAM-2)
   uint8_t confidence = 0;  ///< [0, 3] (GEO-6); 0: the stream says nothing, and the disparity is 0
@@ -30,7 +30,7 @@ struct DisparityMap {
   uint32_t columns = 0;                ///< of blocks: ceil(width / B)
   std::vector<BlockDisparity> blocks;  ///< row by row
 
-  /// That of sample position (`x`, `y`), which lies in the view.
+  /// Returns the disparity of the block at sample position (`x`, `y`), which lies in the view.
   const BlockDisparity& at(uint32_t x, uint32_t y) const {
     return blocks[size_t{y / block_size} * columns + x / block_size];
   }

@@ -33,8 +33,8 @@ struct PartGrid {
 
 /// How a light field is divided.
 struct Division {
-  /// Bytes that the encoder may hold, beside its own program and about a kilobyte a view; sets the
-  /// parts, and fewer threads where it must. None: all that is needed.
+  /// Bytes that the encoder may hold, in addition to its own program and about a kilobyte a view;
+  /// sets the parts, and fewer threads where it must. None: all that is needed.
   std::optional<uint64_t> memory;
   /// The parts, for a light field that was divided before. None: as `memory` says, or without it
   /// small ones, for machines to share.

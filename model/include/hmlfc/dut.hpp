@@ -1,4 +1,4 @@
-// For a decoder in C++ behind hmlfc_dut.h: this library's types as those of the C interface.
+// For a decoder in C++ that hmlfc_dut.h hides: this library's types as those of the C interface.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace hmlfc {
 
-/// What hmlfc_dut_get_geometry reports for a stream of this header.
+/// Returns what hmlfc_dut_get_geometry reports for a stream of this header.
 inline hmlfc_dut_geometry dut_geometry(const StreamHeader& header) {
   return {header.rows,
           header.cols,
@@ -24,7 +24,7 @@ inline hmlfc_dut_geometry dut_geometry(const StreamHeader& header) {
 /// The status of a function that failed with `error`: its number in annex A, [1, 27].
 inline int dut_status(const Error& error) { return static_cast<int>(error.code); }
 
-/// What hmlfc_dut_error_name returns for `status`; null for a number outside annex A.
+/// Returns what hmlfc_dut_error_name returns for `status`; null for a number outside annex A.
 inline const char* dut_error_name(int status) {
   const bool known = status >= 0 && status < kErrorCodeCount;
   return known ? error_name(static_cast<ErrorCode>(status)).data() : nullptr;

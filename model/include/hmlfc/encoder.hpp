@@ -79,7 +79,7 @@ struct EncodedStream {
   EncodeParams params;         ///< those used: nothing is open
 };
 
-/// Why nothing was encoded, for people.
+/// Human-readable reason why encoding failed.
 struct EncodeError {
   std::string message;         ///< one line
   bool out_of_memory = false;  ///< nothing is wrong with what was given

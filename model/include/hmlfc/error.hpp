@@ -48,7 +48,7 @@ inline constexpr int kErrorCodeCount = 28;
 /// Where in the file an error was found. The values 1 to 5 are the section types of FIL-3.
 enum class Section : uint8_t { kHeader = 0, kTop = 1, kRoot = 2, kGroup = 3, kTile = 4, kRig = 5 };
 
-/// What went wrong and where.
+/// An error and where it was found.
 struct Error {
   ErrorCode code = ErrorCode::kOk;     ///< the rejection
   Section section = Section::kHeader;  ///< where it was found
@@ -67,7 +67,7 @@ HMLFC_EXPORT std::string_view section_name(Section section);
 /// One line for people: "bad_levels in TILE at byte 1234: a level code beyond ...".
 HMLFC_EXPORT std::string to_string(const Error& error);
 
-/// A value, or the error in place of it.
+/// A value, or the error that stands for it.
 template <class T>
 using Result = tl::expected<T, Error>;
 

@@ -11,7 +11,7 @@
 
 namespace hmlfc {
 
-/// What is known of a pixel of a frame.
+/// Knowledge about a pixel of a frame.
 enum class PixelSight : uint8_t {
   kSurface,  ///< where the surface is that it shows
   kOutside,  ///< it lies outside the light field (RAY-6), focused at 0 or at what it shows
@@ -34,7 +34,7 @@ struct FocusPoint {
 /// eight around them have with confidence above 0 (GEO-2), the lower of two in the middle; then the
 /// same at the disparity found, until it stays, at most 8 times. If it does not stay, the ray
 /// passes behind an edge, and the farther of the last two holds. Where no block says anything, the
-/// views beside the nearest one are asked, in the order of their distance from the ray.
+/// views next to the nearest one are asked, in the order of their distance from the ray.
 ///
 /// For user interfaces; no frame needs it. The same on every machine. Errors: bad_request for a
 /// camera that frame_record refuses with focus 0, or a pixel that is not of its frame; those of

@@ -80,7 +80,7 @@ constexpr uint32_t feature_bit(Feature feature) { return 1u << static_cast<unsig
 /// Whether Co and Cg have half the width and height of Y, rounded up, or its size (COL-2).
 enum class ChromaFormat : uint8_t { k420 = 0, k444 = 1 };
 
-/// What is coded of a block (TIL-5).
+/// Parts of a block that are coded (TIL-5).
 enum class BlockState : uint8_t { kZero, kMotion, kMotionResidual, kResidual };
 
 /// "main" or "extended".

@@ -28,7 +28,7 @@ class HMLFC_EXPORT KeyPrefetcher {
   /// The frame of `record` has been rendered from views at `stop_level`, both as FrameRenderer
   /// takes them; nothing happens where they do not fit the light field. If the camera has moved
   /// since the last call, key images of the views up to kReach in that direction are wanted, the
-  /// nearest first, in place of those wanted before.
+  /// nearest first, instead of those wanted before.
   void rendered(const FrameRecord& record, int stop_level);
 
   /// Waits until nothing is wanted any more.

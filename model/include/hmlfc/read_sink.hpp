@@ -1,4 +1,4 @@
-// What a decoder reads of a stream: the interface that it reports to, and a counter behind it.
+// The interface to which a decoder reports what it reads of a stream, and a counter.
 #pragma once
 
 #include <atomic>

@@ -14,7 +14,7 @@
 
 namespace hmlfc {
 
-/// What section RIG says (RIG-2): the members of its JSON text, in the ranges that stand there.
+/// Content of section RIG (RIG-2): the members of its JSON text, in the ranges that stand there.
 /// Entry row * cols + col of an array belongs to view (row, col); the one entry of an array of 1 to
 /// all.
 struct Rig {
@@ -34,7 +34,7 @@ inline constexpr size_t kMaxRigBytes = size_t{1} << 24;
 HMLFC_EXPORT std::span<const uint8_t> rig_of(std::span<const uint8_t> file,
                                              const StreamHeader& header);
 
-/// The stream `file` with `rig` as its section RIG, in place of the one that it may have; whatever
+/// The stream `file` with `rig` as its section RIG, instead of the one that it may have; whatever
 /// `rig` holds. All other sections keep their bytes. Errors: those of FIL-4; bad_feature for a
 /// stream of profile main, which has no flags.
 HMLFC_EXPORT Result<std::vector<uint8_t>> with_rig(std::span<const uint8_t> file,

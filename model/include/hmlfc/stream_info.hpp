@@ -1,4 +1,4 @@
-// What follows from a stream's header alone: its tree of images and its conformance level.
+// Facts that follow from a stream's header alone: its tree of images and its conformance level.
 #pragma once
 
 #include <array>
@@ -16,8 +16,9 @@ namespace hmlfc {
 /// opening it. Sections are checked for their place, not for their content. Errors: those of FIL-4.
 HMLFC_EXPORT Result<StreamHeader> parse_header(std::span<const uint8_t> file);
 
-/// What the parameters of a header amount to, in the paper's terms: "hmlfc" (tree and motion),
-/// "rlfc" (no motion) or "mc" (motion without a tree); "intra" where all views are key images.
+/// Names what the parameters of a header amount to, in the paper's terms: "hmlfc" (tree and
+/// motion), "rlfc" (no motion) or "mc" (motion without a tree); "intra" where all views are key
+/// images.
 HMLFC_EXPORT std::string_view method_name(const StreamHeader& header);
 
 /// The images of one level of the tree (STR-3, STR-4).

@@ -13,7 +13,7 @@ class HMLFC_EXPORT ViewProvider {
  public:
   virtual ~ViewProvider() = default;
 
-  /// Of the whole light field; always the same.
+  /// Returns the shape of the whole light field, which never changes.
   virtual const LightFieldShape& shape() const = 0;
 
   /// View `at` of the grid, always the same picture, of the size and depth of shape(). Called

@@ -1,19 +1,61 @@
-// Candidates in 16-bit lanes. Included once for each instruction set.
-#if defined(HMLFC_MOTION_SEARCH_NARROW_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HMLFC_MOTION_SEARCH_NARROW_INL
-#undef HMLFC_MOTION_SEARCH_NARROW_INL
+// Candidates of the motion search in 16-bit lanes. Included once for each instruction set.
+#if defined(HMLFC_MOTION_SEARCH_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HMLFC_MOTION_SEARCH_KERNEL_INL
+#undef HMLFC_MOTION_SEARCH_KERNEL_INL
 #else
-#define HMLFC_MOTION_SEARCH_NARROW_INL
+#define HMLFC_MOTION_SEARCH_KERNEL_INL
 #endif
 
 #include <hwy/highway.h>
 
-#include "encoder/motion_search_lanes-inl.hpp"
 #include "encoder/motion_search_request.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hmlfc {
 namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The lanes of uint16 values that are <= limit, limit in [0, 65534].
+template <class D>
+HWY_INLINE hn::Mask<D> at_most_u16(D d, hn::Vec<D> values, int64_t limit) {
+  const auto excess = hn::SaturatedSub(values, hn::Set(d, static_cast<uint16_t>(limit)));
+  return hn::Eq(excess, hn::Zero(d));
+}
+
+/// Whether any of the first `count` lanes is set.
+template <class D>
+HWY_INLINE bool any_candidate(D d, hn::Mask<D> mask, int count) {
+  if (count >= static_cast<int>(hn::Lanes(d))) {
+    return !hn::AllFalse(d, mask);
+  }
+  return !hn::AllFalse(d, hn::And(mask, hn::FirstN(d, static_cast<size_t>(count))));
+}
+
+/// Offers the group's candidates with the smallest sad: those with sign + if there is one, as they
+/// precede the others, else those with sign -. No other can be the first of the group. `plus` and
+/// `minus` hold the sads of both signs; `minus` counts if kBothSigns.
+template <bool kBothSigns, class D>
+HWY_INLINE void offer_least(D d, hn::Vec<D> plus, hn::Vec<D> minus, const MotionGroup& group,
+                            MotionBest& best) {
+  const auto inside = hn::FirstN(d, static_cast<size_t>(group.count));
+  const auto none = hn::Set(d, hwy::LimitsMax<hn::TFromD<D>>());
+  plus = hn::IfThenElse(inside, plus, none);
+  minus = kBothSigns ? hn::IfThenElse(inside, minus, none) : none;
+  const auto least = hn::MinOfLanes(d, hn::Min(plus, minus));
+  const bool negative = hn::AllFalse(d, hn::Eq(plus, least));
+  uint8_t bytes[8] = {};  // StoreMaskBits may write that many
+  hn::StoreMaskBits(d, hn::Eq(negative ? minus : plus, least), bytes);
+  uint32_t bits =
+      bytes[0] | uint32_t{bytes[1]} << 8 | uint32_t{bytes[2]} << 16 | uint32_t{bytes[3]} << 24;
+  for (; bits != 0; bits &= bits - 1) {
+    const int lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+    best.offer({.dx = static_cast<int16_t>(group.dx + lane * group.step_x),
+                .dy = static_cast<int16_t>(group.dy + lane * group.step_y),
+                .negative = negative,
+                .sad = static_cast<uint32_t>(hn::GetLane(least))});
+  }
+}
 
 /// Evaluates lanes() candidates at once, one in each lane; finds those with a sad of at most 65534.
 ///
@@ -26,7 +68,7 @@ namespace HWY_NAMESPACE {
 /// may leave int16; what remains of them modulo 2^16 is never larger in magnitude, nor is a sum of
 /// two such magnitudes modulo 2^16, so that the bound stays one.
 template <int kSize, bool kBothSigns>
-class NarrowKernel {
+class MotionKernel {
   using D = hn::CappedTag<int16_t, ReferencePlane::kReadAhead>;
   using DU = hn::CappedTag<uint16_t, ReferencePlane::kReadAhead>;
   using V = hn::Vec<D>;
@@ -36,7 +78,7 @@ class NarrowKernel {
   static constexpr bool kHasBound = kSize > 2;   ///< for a 2x2 block it gains nothing
   static constexpr int64_t kLargestSad = 65534;  ///< candidates with a larger one are not offered
 
-  explicit NarrowKernel(const MotionRequest& request) {
+  explicit MotionKernel(const MotionRequest& request) {
     const int16_t* b = request.block;
     int16_t* sample = samples_;
     int16_t* square = squares_;
@@ -142,4 +184,4 @@ class NarrowKernel {
 }  // namespace hmlfc
 HWY_AFTER_NAMESPACE();
 
-#endif  // HMLFC_MOTION_SEARCH_NARROW_INL
+#endif  // HMLFC_MOTION_SEARCH_KERNEL_INL
