@@ -66,14 +66,6 @@ class Encode(CliTest):
                 self.assertEqual(self.hmlfc_json("info", "a.hmlfc")["chroma"], "444")
                 self.hmlfc("compare", "views", "a.hmlfc")
 
-    def test_methods(self):
-        for profile, method in CODINGS:
-            with self.subTest(profile=profile, method=method):
-                json = self.encode("--profile", profile, "--method", method, "--height",
-                                   0 if method == "mc" else 2)  # fmt: skip
-                self.assertEqual((json["profile"], json["method"]), (profile, method))
-                self.assertEqual(json["sections"]["motion"] > 0, method != "rlfc")
-
     def test_parameters_reach_the_stream(self):
         options = "--cluster 3x2 --height 1 --block 8 --window 5 --references 2x3 --chroma 444"
         main = ["--profile", "main", "--threshold-ref", 11, "--threshold-pred", 222]
@@ -83,16 +75,6 @@ class Encode(CliTest):
         self.assertEqual(got, [[3, 2], 1, 8, 5, "444"])
         level = {"level": 0, "rows": 3, "cols": 4, "ref_rows": 2, "ref_cols": 3, "key_images": 0, "keys": []}
         self.assertEqual(info["levels"][1], level)
-
-    def test_thresholds(self):
-        main = ["--profile", "main"]
-        json = self.encode(*main, "--threshold-ref", 11, "--threshold-pred", 222)
-        self.assertEqual((json["threshold_ref"], json["threshold_pred"]), (11, 222))
-        fine = self.encode(*main, "--threshold-ref", 0, "--threshold-pred", 0)
-        coarse = self.encode(*main, "--threshold-ref", 1000, "--threshold-pred", 1000)
-        self.assertGreater(fine["psnr_rgb"], json["psnr_rgb"])
-        self.assertGreater(json["psnr_rgb"], coarse["psnr_rgb"])
-        self.assertLess(coarse["bytes"], json["bytes"])
 
     def test_target_psnr(self):
         for profile in ("main", "extended"):
@@ -113,11 +95,6 @@ class Encode(CliTest):
         self.assertEqual([json["quality"] for json in results], [20, 60, 90])
         usual = self.encode("--profile", "main", "--quality", 60)
         self.assertEqual((usual["threshold_ref"], usual["threshold_pred"]), (75, 75))
-
-    def test_presets(self):
-        for preset in ("fast", "medium", "slow"):
-            json = self.encode("--preset", preset)
-            self.assertEqual(json["preset"], preset)
 
     def test_a_target_that_is_missed_is_said(self):
         for chroma, hint in (("420", "--chroma 444"), ("444", "--lossless")):
@@ -150,45 +127,6 @@ class Encode(CliTest):
             for part in ("3 x 4 views of 44 x 28", "bpp", "dB", "residual", "top", profile, last):
                 self.assertIn(part, text)
 
-    def test_names_that_need_the_grid(self):
-        folder = self.folder / "list"
-        folder.mkdir()
-        for i, name in enumerate(sorted(os.listdir(self.folder / "views"))):
-            shutil.copy(self.folder / "views" / name, folder / f"photo{i + 1}.png")
-        self.refused(INPUT, "encode", "list", "-o", "b.hmlfc", says="grid")
-        self.refused(INPUT, "encode", "list", "-o", "b.hmlfc", "--grid", "4x4", says="list")
-        self.assertFalse((self.folder / "b.hmlfc").exists())
-        self.encode("--grid", "3x4", views="list", file="b.hmlfc")
-        self.encode(file="a.hmlfc")
-        self.assertEqual(
-            (self.folder / "b.hmlfc").read_bytes(), (self.folder / "a.hmlfc").read_bytes()
-        )
-
-    def test_deep_samples(self):
-        folder = self.folder / "deep"
-        folder.mkdir()
-        for i in range(4):
-            samples = [(x * 173 + i * 31) % 4096 for x in range(12 * 10 * 3)]
-            write_ppm(folder / f"{i // 2}_{i % 2}.ppm", Picture(12, 10, samples), 4095)
-        self.encode("--lossless", views="deep", file="deep.hmlfc")
-        self.assertEqual(self.hmlfc_json("info", "deep.hmlfc")["depth"], 12)
-        self.hmlfc("compare", "deep", "deep.hmlfc")
-
-    def test_a_subset_of_a_grid(self):
-        """--grid takes every second row and the last columns of a larger grid."""
-        (self.folder / "part").mkdir()
-        for row in (0, 2):
-            for col in (1, 2, 3):
-                shutil.copy(self.folder / "views" / f"{row:02}_{col:02}.png", self.folder / "part")
-        self.refused(INPUT, "encode", "part", "-o", "part.hmlfc", says="missing")
-        self.refused(INPUT, "encode", "part", "-o", "part.hmlfc", "--grid", "3x2", says="outside")
-        self.encode("--lossless", "--grid", "2x3", views="part", file="part.hmlfc")
-        self.hmlfc("decode", "part.hmlfc", "-o", "back")
-        for row in range(2):
-            for col in range(3):
-                self.assertEqual(read_png(self.folder / "back" / f"{row:02}_{col:02}.png"),
-                                 read_png(self.folder / "views" / f"{2 * row:02}_{col + 1:02}.png"))  # fmt: skip
-
     def test_views_takes_a_part_of_the_grid(self):
         for part, rows, cols in [
             ("0..2:2,1..3", (0, 2), (1, 2, 3)),
@@ -208,13 +146,6 @@ class Encode(CliTest):
                         self.assertEqual(read_png(folder / f"{i:02}_{j:02}.png"),
                                          read_png(self.folder / "views" / f"{row:02}_{col:02}.png"))  # fmt: skip
 
-    def test_views_of_the_whole_grid_changes_nothing(self):
-        self.encode(file="a.hmlfc")
-        self.encode("--views", "0..2,0..3", file="b.hmlfc")
-        self.assertEqual(
-            (self.folder / "b.hmlfc").read_bytes(), (self.folder / "a.hmlfc").read_bytes()
-        )
-
     def test_views_reads_its_part_alone(self):
         folder = self.folder / "one damaged"
         shutil.copytree(self.folder / "views", folder)
@@ -225,15 +156,6 @@ class Encode(CliTest):
         (folder / "01_02.png").unlink()
         self.refused(INPUT, *command, "0..2:2,0..3", says=["row 1, column 2", "missing"])
         self.assertFalse((self.folder / "c.hmlfc").exists())
-
-    def test_views_beyond_the_grid(self):
-        for part, says in [
-            ("0..3,0", "views: --views asks for row 3, but the grid has 3 rows (0 to 2)"),
-            ("0,4294967295", "column 4294967295, but the grid has 4 columns (0 to 3)"),
-        ]:
-            with self.subTest(part=part):
-                self.refused(INPUT, "encode", "views", "-o", "c.hmlfc", "--views", part, says=says)
-                self.assertFalse((self.folder / "c.hmlfc").exists())
 
     def test_what_a_stream_cannot_hold_is_said(self):
         """Samples over 12 bits and alpha; nothing is said of 12 bits without alpha."""
@@ -263,13 +185,6 @@ class Encode(CliTest):
         write_ppm(self.folder / "pnm" / "0_0.ppm", Picture(6, 4, samples), 65535)
         result = self.run_hmlfc("picture", "sheet", "pnm", "-o", "sheet.png")
         self.assertIn("16 bits", result.stderr.decode())
-
-    def test_one_tiny_view(self):
-        (self.folder / "one").mkdir()
-        write_ppm(self.folder / "one" / "00_00.ppm", Picture(1, 1, [1, 2, 3]))
-        json = self.encode("--lossless", views="one", file="one.hmlfc")
-        self.assertEqual((json["rows"], json["cols"], json["width"]), (1, 1, 1))
-        self.hmlfc("compare", "one", "one.hmlfc")
 
     def test_refused_inputs_are_named(self):
         def copy(name):

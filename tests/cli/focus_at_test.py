@@ -18,7 +18,6 @@ class FocusAt(CliTest):
         cls.sharp = read_png(cls.folder / "views" / "01_01.png").samples
         cls.hmlfc(*"encode views -o a.hmlfc".split())
         cls.hmlfc(*"encode views -o still.hmlfc --profile main --method rlfc".split())
-        cls.hmlfc(*"encode views -o main.hmlfc --profile main --method mc --references 3x3 --quality 60".split())
 
     def truth(self, row, col):
         """Rows from the top of what moves by how many pixels."""
@@ -52,11 +51,6 @@ class FocusAt(CliTest):
         report = self.hmlfc_json("render", file, "-o", "frames", *arguments)
         return [frame["camera"]["focus"] for frame in report["frames"]]
 
-    def blur_at(self, x, y, picture):
-        """Mean difference from the sharp view within 6 pixels."""
-        sharp, blurred = (self.around(s, x, y) for s in (self.sharp, read_png(self.folder / picture).samples))
-        return sum(abs(a - b) for a, b in zip(sharp, blurred)) / len(sharp)
-
     def test_the_focus_is_that_of_the_surface(self):
         for x, y, truth in self.nearest_and_farthest():
             (found,) = self.focuses("--focus-at", f"{x},{y}")
@@ -65,26 +59,6 @@ class FocusAt(CliTest):
             self.assertIn(f"\nfocus {found:g} at {x},{y}\n", text)
             self.hmlfc("render", "a.hmlfc", "--focus", found, "--aperture", 2, "-o", "given.png")
             self.assertEqual(*((self.folder / name).read_bytes() for name in ("found.png", "given.png")))
-
-    def test_what_is_aimed_at_is_sharp_and_the_rest_is_not(self):
-        near, far = self.nearest_and_farthest()
-        for name, (x, y, _) in ("near.png", near), ("far.png", far):
-            self.hmlfc("render", "a.hmlfc", "--focus-at", f"{x},{y}", "--aperture", 1, "-o", name)
-        self.assertLess(self.blur_at(*near[:2], "near.png"), 0.5 * self.blur_at(*near[:2], "far.png"))
-        self.assertLess(self.blur_at(*far[:2], "far.png"), 0.5 * self.blur_at(*far[:2], "near.png"))
-
-    def test_a_path_keeps_what_its_first_frame_found(self):
-        (x, y, _), _ = self.nearest_and_farthest()
-        aimed = ["--focus-at", f"{x},{y}"]
-        (first,) = self.focuses("--camera", "1.75,1", *aimed)
-        self.assertEqual(self.focuses(*"--path orbit --frames 4".split(), *aimed), [first] * 4)
-        # The second camera looks aside: the pixel shows something else.
-        frames = [{"position": [1, 1, 0]}, {"position": [1, 1, 0], "look_at": [1.15, 1, 1]}]
-        (self.folder / "aside.json").write_text(json.dumps(frames))
-        (self.folder / "turned.json").write_text(json.dumps(frames[::-1]))
-        here, there = (self.focuses("--path", name, *aimed) for name in ("aside.json", "turned.json"))
-        self.assertEqual((here[1], there[1]), (here[0], there[0]))
-        self.assertNotEqual(here, there)
 
     def test_a_file_aims_each_frame(self):
         (x, y, near), (far_x, far_y, far) = self.nearest_and_farthest()
@@ -101,12 +75,6 @@ class FocusAt(CliTest):
         # With the option, frames that say nothing have what it finds in the first of them.
         again = self.focuses("--path", "path.json", "--focus-at", f"{x},{y}")
         self.assertEqual(again, [*found[:6], found[2], found[7], found[2]])
-
-    def test_the_views_beside_a_key_image_know(self):
-        (x, y, near), _ = self.nearest_and_farthest()
-        self.assertIn("unknown", self.hmlfc(*"disparity main.hmlfc --view 1,1 -o none.png".split()))
-        (found,) = self.focuses("--focus-at", f"{x},{y}", file="main.hmlfc")
-        self.assertAlmostEqual(found, near, delta=0.6)  # vectors of whole samples
 
     def test_refused(self):
         def refused(status, *arguments, says, file="a.hmlfc"):

@@ -38,11 +38,6 @@ class Output(CliTest):
                 self.refused(OUTPUT, *command, preexec_fn=limit_files(512), says=says)
                 self.assertEqual(os.listdir(self.folder / "small"), [])
 
-    def test_a_picture_that_does_not_fit(self):
-        command = ["picture", "sheet", "views", "-o", "sheet.png"]
-        self.refused(OUTPUT, *command, preexec_fn=limit_files(512), says="sheet.png")
-        self.assertFalse((self.folder / "sheet.png").exists())
-
     def test_places_that_cannot_hold_the_output(self):
         (self.folder / "file").write_text("")
         (self.folder / "folder").mkdir(exist_ok=True)
@@ -87,19 +82,6 @@ class Output(CliTest):
         result = self.run_hmlfc("info", "a.hmlfc", stdout=writing)
         os.close(writing)
         self.assertEqual((result.returncode, result.stderr), (OUTPUT, b""))
-
-    def test_no_standard_output_at_all(self):
-        command = ["sh", "-c", f"'{PROGRAM}' info a.hmlfc >&-"]
-        result = subprocess.run(
-            command, cwd=self.folder, stderr=subprocess.PIPE, timeout=60, check=False
-        )
-        self.assertEqual(result.returncode, OUTPUT)
-
-    def test_an_existing_stream_is_replaced(self):
-        (self.folder / "again.hmlfc").write_text("something else")
-        self.hmlfc("encode", "views", "-o", "again.hmlfc")
-        expected = (self.folder / "a.hmlfc").read_bytes()
-        self.assertEqual((self.folder / "again.hmlfc").read_bytes(), expected)
 
 
 if __name__ == "__main__":
