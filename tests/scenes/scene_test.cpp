@@ -58,31 +58,6 @@ TEST_P(EveryScene, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST_P(EveryScene, FillsItsRangeAtEachDepth) {
-  SceneParams params = params_of(GetParam(), 1, 1, 96, 64);
-  const auto shallow = all_samples(render_scene(params, 2));
-  for (int depth = 9; depth <= 12; ++depth) {
-    params.depth = depth;
-    const auto samples = all_samples(render_scene(params, 2));
-    ASSERT_EQ(samples.size(), shallow.size());
-    for (size_t i = 0; i < samples.size(); ++i) {
-      ASSERT_LT(samples[i], 1 << depth);
-      const double scale =
-          (GetParam() == Scene::kNoise) ? 1 << (depth - 8) : ((1 << depth) - 1) / 255.0;
-      ASSERT_NEAR(samples[i] / scale, shallow[i], 1.0) << "depth " << depth;
-    }
-  }
-}
-
-TEST_P(EveryScene, IsFollowedByItsProgress) {
-  std::vector<size_t> steps;
-  render_scene(params_of(GetParam(), 2, 3, 8, 8), 2, [&](size_t done, size_t total) {
-    EXPECT_EQ(total, 6u);
-    steps.push_back(done);
-  });
-  EXPECT_EQ(steps, (std::vector<size_t>{1, 2, 3, 4, 5, 6}));
-}
-
 TEST_P(EveryScene, BearsExtremeShapesAndBaselines) {
   for (SceneParams params :
        {params_of(GetParam(), 1, 1, 1, 1), params_of(GetParam(), 1, 101, 3, 2),
@@ -102,15 +77,6 @@ TEST_P(EveryScene, VariesWithTheSeedUnlessFlat) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(kScenes), name_of);
-
-TEST(SceneNames, AreThoseOfTheCommandLine) {
-  EXPECT_EQ(scene_from_name("cards"), Scene::kCards);
-  EXPECT_EQ(scene_from_name("knights"), Scene::kKnights);
-  EXPECT_EQ(scene_from_name("glass"), Scene::kGlass);
-  EXPECT_EQ(scene_from_name("flat"), Scene::kFlat);
-  EXPECT_EQ(scene_from_name("noise"), Scene::kNoise);
-  for (const char* name : {"", "Cards", "card", "noise "}) EXPECT_FALSE(scene_from_name(name));
-}
 
 /// A rectangle of whole pixels.
 struct Block {
@@ -181,27 +147,6 @@ TEST(Cards, BlocksMoveByTheirDisparity) {
   }
 }
 
-TEST(Cards, FarPointsMoveTheOtherWay) {
-  const SceneParams params = params_of(Scene::kCards, 1, 9, 512, 512);
-  const LightField field = render_scene(params, 2);
-  const Block marble_panel{375, 80, 28};  // 10.8 to 12.4 units away: depth 2.16 to 2.48
-  const Motion motion = find_motion(field.view(0, 0), field.view(0, 8), marble_panel);
-  EXPECT_GE(motion.dx, 1);  // 8 * 2 * (1 / 2 - 1 / 2.16) = 0.6 to 8 * 2 * (1 / 2 - 1 / 2.48) = 1.5
-  EXPECT_LE(motion.dx, 2);
-  EXPECT_EQ(motion.dy, 0);
-}
-
-TEST(Cards, TheBaselineScalesParallax) {
-  SceneParams params = params_of(Scene::kCards, 1, 2, 512, 512);
-  params.baseline_px = 0.0;
-  const LightField still = render_scene(params, 2);
-  EXPECT_EQ(still.view(0, 0).samples, still.view(0, 1).samples);
-  params.baseline_px = 8.0;
-  const LightField wide = render_scene(params, 2);
-  const Motion motion = find_motion(wide.view(0, 0), wide.view(0, 1), {330, 395, 40});
-  EXPECT_NEAR(motion.dx, -8.0 * (1.0 / 0.992 - 0.5), 0.6);
-}
-
 /// Share of pixels whose samples all equal those of view (0, 0).
 double equal_share(const LightField& field, uint32_t row, uint32_t col) {
   const RgbImage a = field.view(0, 0);
@@ -217,56 +162,12 @@ double equal_share(const LightField& field, uint32_t row, uint32_t col) {
   return 3.0 * static_cast<double>(equal) / static_cast<double>(a.samples.size());
 }
 
-TEST(Knights, OccludersMoveOverTheirBackground) {
-  const LightField field = render_scene(params_of(Scene::kKnights, 1, 5, 256, 256), 2);
-  const RgbImage first = field.view(0, 0);
-  const RgbImage last = field.view(0, 4);
-  const Motion knight = find_motion(first, last, {118, 190, 24});  // in the front ranks
-  const Motion castle = find_motion(first, last, {118, 50, 24});   // over the gate
-  EXPECT_LE(knight.dx, -6);
-  EXPECT_GE(castle.dx, 4);
-  EXPECT_EQ(knight.dy, 0);
-  EXPECT_EQ(castle.dy, 0);
-}
-
-TEST(Glass, NoMotionExplainsWhatIsSeenThroughGlass) {
-  const LightField field = render_scene(params_of(Scene::kGlass, 1, 9, 256, 256), 2);
-  const Motion through = find_motion(field.view(0, 0), field.view(0, 8), {58, 100, 24});
-  const Motion wall = find_motion(field.view(0, 0), field.view(0, 8), {118, 20, 24});
-  EXPECT_GT(through.error, 2.0 * wall.error);
-}
-
 TEST(Flat, AlmostAllPixelsAreEqualInAllViews) {
   const LightField field = render_scene(params_of(Scene::kFlat, 8, 8, 256, 192), 2);
   for (uint32_t row = 0; row < 8; ++row) {
     for (uint32_t col = 0; col < 8; ++col) EXPECT_GE(equal_share(field, row, col), 0.99);
   }
   EXPECT_LT(equal_share(field, 7, 7), 1.0) << "the disc does not move";
-}
-
-TEST(Flat, TheDiscMovesByItsDisparity) {
-  SceneParams params = params_of(Scene::kFlat, 3, 3, 200, 200);
-  params.baseline_px = 16.0;  // 16 * 0.125 = 2 pixels a view
-  const LightField field = render_scene(params, 2);
-  const Motion motion = find_motion(field.view(0, 0), field.view(1, 2), {90, 90, 20});
-  EXPECT_EQ(motion.dx, -4);
-  EXPECT_EQ(motion.dy, -2);
-}
-
-TEST(Noise, IsUniformAndIndependentInEachView) {
-  const LightField field = render_scene(params_of(Scene::kNoise, 2, 2, 128, 128), 2);
-  const auto samples = all_samples(field);
-  std::vector<int> counts(256);
-  for (const uint16_t sample : samples) ++counts[sample];
-  const double expected = static_cast<double>(samples.size()) / 256.0;
-  double chi_squared = 0;
-  for (const int count : counts) chi_squared += (count - expected) * (count - expected) / expected;
-  EXPECT_NEAR(chi_squared, 255.0, 113.0);  // five standard deviations of sqrt(2 * 255)
-  for (uint32_t i = 1; i < 4; ++i) {
-    EXPECT_LT(equal_share(field, i / 2, i % 2), 0.001);
-    const Motion motion = find_motion(field.view(0, 0), field.view(i / 2, i % 2), {50, 50, 24});
-    EXPECT_GT(motion.error, 75.0);  // two independent bytes differ by 85.3 on average
-  }
 }
 
 }  // namespace
