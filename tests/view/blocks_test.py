@@ -14,7 +14,6 @@ STATE_COLOURS = {
 }
 OPACITY = 0.62
 HEAT = (30, 12, 70), (120, 28, 109), (196, 62, 75), (242, 130, 32), (250, 235, 140)
-IMAGES = (0x3F, 0x8F, 0xD6), (0xE0, 0x9A, 0x3E), (0x49, 0xA8, 0x6B), (0xC9, 0x5D, 0x8D), (0x9A, 0x6F, 0xD0), (0xD8, 0xC2, 0x3F), (0x45, 0xB5, 0xB0), (0xB0, 0x66, 0x3C)
 VIEW = 1, 3  # a predictive image
 
 
@@ -32,14 +31,6 @@ class Blocks(IntoCase):
         super().prepare()
         cls.hmlfc(*f"synth --scene cards --grid 3x6 --size {WIDTH}x{HEIGHT} --baseline 3 -o wide".split())
         cls.hmlfc(*"encode wide -o wide.hmlfc --profile main --height 1 --quality 60".split())
-
-    def test_the_picture_is_the_decoded_view(self):
-        self.hmlfc("decode", "a.hmlfc", "--view", "1,3", "-o", "decoded")
-        decoded = read_png(self.folder / "decoded" / "01_03.png").samples
-        self.look()
-        for x, y in (0, 0), (50, 30), (95, 63), (17, 40):
-            at = 3 * (WIDTH * y + x)
-            self.assertEqual(self.at(x, y), tuple(decoded[at : at + 3]))
 
     def test_stages_are_those_of_inspect(self):
         block = 10, 6
@@ -102,22 +93,6 @@ class Blocks(IntoCase):
         for pixels in along:
             greenest = max(pixels[1::3])
             self.assertGreater(greenest, 90, "no arrow there")
-
-    def test_reference_images_have_colours(self):
-        address = self.look(overlay="references")
-        images = {f"image {row},{col}" for _, row, col, *_ in self.blocks(address)["vectors"]}
-        for image in images:
-            self.assertIn(image, self.browser.text("legend"))
-        first = {}
-        for block, row, col, *_ in self.blocks(address)["vectors"]:
-            first.setdefault(block, (row, col))
-        order = list(dict.fromkeys((row, col) for _, row, col, *_ in self.blocks(address)["vectors"]))
-        middles = [(4 * (block % COLUMNS) + 2, 4 * (block // COLUMNS) + 2) for block in first]
-        drawn = self.colours(middles)
-        self.look()
-        for image, colour, below in zip(first.values(), drawn, self.colours(middles)):
-            mixed = [OPACITY * a + (1 - OPACITY) * b for a, b in zip(IMAGES[order.index(image) % 8], below)]
-            self.close_to(colour, mixed, f"image {image}")
 
     def test_hover_shows_the_values(self):
         self.look(stage="sample")
@@ -224,43 +199,6 @@ class Blocks(IntoCase):
             self.browser.actions().move_to_element_with_offset(canvas, 16 * col + 8 - 8 * cols, 16 * row + 8 - 8 * rows).perform()
             title = self.browser.until("the bytes", lambda: canvas.get_attribute("title"))
             self.assertEqual(re.sub(r"\s", " ", title), f"image {row},{col}: {grouped(images[cols * row + col])} bytes")
-
-    def test_lines_between_blocks_and_tiles(self):
-        self.look(stage="sample")
-        scale, left, top = self.placement()
-        column = lambda at: [[int(left + at * scale), int(top + (y + 0.5) * scale)] for y in range(1, HEIGHT, 7)]
-        plain = {at: self.browser.colours("picture", column(at)) for at in (4, 12, 16, 32, 64)}
-        for show, drawn in ("blocks", {4, 12, 16, 32, 64}), ("tiles", {32, 64}):
-            self.look(stage="sample", show=show)
-            changed = {at for at, before in plain.items() if self.browser.colours("picture", column(at)) != before}
-            self.assertEqual(changed, drawn, show)
-
-    def test_stages_are_blended_with_the_picture(self):
-        from selenium.webdriver.common.keys import Keys
-
-        places = [(x, y) for y in range(2, HEIGHT, 9) for x in range(1, WIDTH, 13)]
-        self.look()
-        picture = self.colours(places)
-        self.look(stage="residual")
-        residual = self.colours(places)
-        self.browser.element("blend").send_keys(*[Keys.ARROW_RIGHT] * 5)
-        self.browser.until("a blend", lambda: self.browser.text("blend-value") == "25 %" and self.colours(places) != residual)
-        for mixed, stage, view in zip(self.colours(places), residual, picture):
-            self.close_to(mixed, [0.75 * a + 0.25 * b for a, b in zip(stage, view)], "a blended sample")
-
-    def test_tile_groups_are_those_of_the_tiles_numbers(self):
-        """IDX-1 to IDX-3, for a stream without motion tiles."""
-        info = self.hmlfc_json("info", "tree.hmlfc")
-        half = info["chroma"] == "420"
-        tiles = 6 + 2 * (2 * 1 if half else 6)  # 96 x 64 samples are 3 x 2 tiles of Y
-        above = sum(level["rows"] * level["cols"] for level in info["levels"][:-1])
-        first = (above + 5 * VIEW[0] + VIEW[1]) * tiles
-        self.look("tree.hmlfc", overlay="groups")
-        groups = {(first + tile) // 64 for tile in range(6)}
-        self.assertEqual({int(word) for word in re.findall(r"group (\d+)", self.browser.text("legend"))}, groups)
-        self.look("tree.hmlfc", overlay="groups", plane="Cg", stage="sample")
-        last = first + tiles - 1
-        self.assertIn(f"group {last // 64}", self.browser.text("legend"))
 
     def test_the_original_is_compared(self):
         self.look("a.hmlfc", "--original", "views", stage="difference")

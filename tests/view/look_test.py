@@ -162,10 +162,6 @@ class Look(PageCase):
         self.assertGreater(len(frames), 2)
         self.assertEqual(self.browser.pixels("frame"), bytes(read_png(frames[-1]).samples))
 
-    def test_levels_of_the_tree(self):
-        self.open("#levels=1", "tree.hmlfc")
-        self.assertEqual(self.frame_is_that_of_render("tree.hmlfc")["levels"], "1")
-
     def test_the_png_is_that_of_render(self):
         self.open("#camera=1,1.5,0")
         query = self.browser.frame()
@@ -186,31 +182,6 @@ class Look(PageCase):
         self.browser.element("mode-look").click()
         self.assertEqual(self.place(self.browser.frame()), [3.3, 0.8, 0])
 
-    def test_two_tabs(self):
-        self.open("#camera=1,1,0")
-        first = self.browser.page.current_window_handle
-        self.browser.frame()
-        self.browser.page.switch_to.new_window("tab")
-        self.open("#camera=3,3,0")
-        self.frame_is_that_of_render()
-        second = self.browser.page.current_window_handle
-        self.browser.page.switch_to.window(first)
-        self.drag(-30, 0)
-        query = self.browser.until("a move", lambda: self.place(self.browser.frame())[0] > 1 and self.browser.frame())
-        self.assertEqual(self.place(query)[1], 1)
-        self.frame_is_that_of_render()
-        self.browser.page.switch_to.window(second)
-        self.assertEqual(self.place(self.browser.frame()), [3, 3, 0])
-        self.browser.page.close()
-        self.browser.page.switch_to.window(first)
-
-    def test_numbers_of_the_frame(self):
-        self.open("#camera=1,1,0&geometry=plane&focus=0.25")
-        query = self.browser.frame()
-        options = [word for name, value in query.items() for word in (f"--{name}", value)]
-        frame = self.hmlfc_json("render", "a.hmlfc", *options, "-o", "frame.png")["frames"][0]
-        self.assertEqual(int(re.sub(r"\s", "", self.browser.text("needed"))), frame["blocks_needed"])
-
     def test_the_map_has_the_views_in_use_and_the_key_images(self):
         step = 22  # pixels of a view
         keys = [tuple(key) for key in self.serve("a.hmlfc").json("stream")["levels"][-1]["keys"]]
@@ -225,14 +196,6 @@ class Look(PageCase):
                 self.assertEqual(colour, (0x4F, 0x79, 0xB3) if used else (0x2B, 0x2E, 0x35), (row, col))
             outline = self.browser.colours("look-map", [[step * col + 1, step * row + 11] for row, col in views])
             self.assertEqual([view for view, colour in zip(views, outline) if colour == (0xE0, 0xB4, 0x5C)], keys)
-
-    def test_full_screen(self):
-        self.open()
-        self.browser.frame()
-        self.browser.element("full").click()
-        self.browser.until("it", lambda: self.browser.script("return document.fullscreenElement?.id") == "look")
-        self.frame_is_that_of_render()
-        self.browser.script("return document.exitFullscreen()")
 
     def test_nothing_comes_from_elsewhere(self):
         address = self.open("#mode=into&block=3,4")
@@ -271,33 +234,6 @@ class Window(PageCase):
             stage = self.browser.script(
                 "return document.querySelector('main:not([hidden]) .stage').getBoundingClientRect().width")
             self.assertEqual(stage, 360)
-
-    def test_windows_of_any_width(self):
-        self.addCleanup(self.browser.wide)
-        for width in 360, 480, 760, 761, 1024, 1920:
-            self.browser.narrow(width, 700)
-            for link in "#mode=look", "#mode=into&block=3,4&beside=sample":
-                self.open(link)
-                self.browser.until("the page", lambda: self.browser.script(
-                    "return document.querySelector('main:not([hidden])') !== null"))
-                self.assertLessEqual(self.browser.script("return document.scrollingElement.scrollWidth"), width, link)
-                if "beside" in link:
-                    self.browser.until("two pictures", lambda: self.browser.element("picture-beside").is_displayed())
-                    boxes = [self.browser.element(name).rect for name in ("picture", "picture-beside")]
-                    self.assertLessEqual(boxes[0]["x"] + boxes[0]["width"], boxes[1]["x"])
-                    self.assertLessEqual(boxes[1]["x"] + boxes[1]["width"], width)
-
-    def test_once_ends_when_the_tab_closes(self):
-        with PageServer(self.folder, "a.hmlfc", "--once") as server:
-            first = self.browser.page.current_window_handle
-            self.browser.page.switch_to.new_window("tab")
-            self.browser.open(server.address)
-            self.browser.frame()
-            self.browser.page.refresh()
-            self.browser.frame()
-            self.browser.page.close()
-            self.browser.page.switch_to.window(first)
-            self.assertEqual(server.process.wait(timeout=120), DONE)
 
     def test_once_waits_for_a_page_that_loads_slowly(self):
         """A page that is loaded again over a line that takes 1.5 s for each of several requests."""
