@@ -48,20 +48,6 @@ class ConvertTest(CliTest):
                 read_png(self.folder / f"row/00_0{col}.png"), read_png(self.folder / f"views/01_0{col}.png")
             )
 
-    def test_a_quilt_that_is_read_as_tiles(self):
-        self.hmlfc("convert", "views", "again_qs2x2a1.5.png", "--row", "0")
-        self.hmlfc("convert", "again_qs2x2a1.5.png", "tiles", "--from", "tiles", "--grid", "2x2")
-        self.assertEqual(read_png(self.folder / "tiles/01_00.png"), read_png(self.folder / "views/00_00.png"))
-
-    def test_streams_and_depths(self):
-        self.hmlfc("decode", DEEP, "-o", "decoded")
-        self.hmlfc("convert", DEEP, "deep.png", "--to", "lenslets")
-        views = sorted((self.folder / "decoded").iterdir())
-        rows, cols = (int(part) + 1 for part in views[-1].stem.split("_"))
-        self.hmlfc("convert", "deep.png", "deep", "--from", "lenslets", "--grid", f"{rows}x{cols}")
-        self.same_views("decoded", "deep")
-        self.assertEqual((self.folder / "deep/00_00.png").read_bytes(), views[0].read_bytes())
-
     def test_a_video(self):
         self.hmlfc("decode", DEEP, "-o", "deep-views")
         for source, views, bits in (("views", "views", 10), (DEEP, "deep-views", 12)):
@@ -76,14 +62,6 @@ class ConvertTest(CliTest):
         self.hmlfc("convert", "eight.y4m", "nearly")
         told = self.run_hmlfc("compare", "views", "nearly").stdout.decode()
         self.assertRegex(told, "Largest error +[12]\n")
-
-    def test_a_stream(self):
-        self.hmlfc("decode", DEEP, "-o", "decoded-deep")
-        for views in "views", "decoded-deep":
-            with self.subTest(views=views):
-                self.hmlfc("convert", views, "all.hmlfc")
-                self.hmlfc("convert", "all.hmlfc", f"again-{views}")
-                self.same_views(views, f"again-{views}")
 
     def test_names_of_jpeg_pleno(self):
         self.hmlfc("decode", DEEP, "-o", "ten")

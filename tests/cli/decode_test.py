@@ -71,15 +71,6 @@ class Decode(CliTest):
     def test_more_levels_than_there_are(self):
         self.refused(USAGE, "decode", "a.hmlfc", "-o", "x", "--levels", 9, says=["--levels", "--height"])
 
-    def test_threads_do_not_matter(self):
-        for threads in (1, 2, 7):
-            self.hmlfc("decode", "a.hmlfc", "-o", f"t{threads}", "--threads", threads)
-            self.assertEqual(self.pictures(f"t{threads}"), self.pictures("all"))
-
-    def test_the_folder_is_made_with_its_parents(self):
-        self.hmlfc("decode", "a.hmlfc", "-o", "new/folder", "--view", "0,0")
-        self.assertEqual(self.names("new/folder"), ["00_00.png"])
-
     def test_corrupt_streams_are_named(self):
         stream = (self.folder / "a.hmlfc").read_bytes()
         header = 44 + 4 * 3 + 96 + 4

@@ -66,23 +66,6 @@ class Info(CliTest):
         self.assertAlmostEqual(info["bpp"], 8 * size / (15 * 44 * 28), places=12)
         self.assertAlmostEqual(info["ratio"], 15 * 44 * 28 * 3 / size, places=12)
 
-    def test_states_count_all_blocks(self):
-        # Images but the key image times blocks of 4 x 4 of 44 x 28 and twice 22 x 14 samples.
-        images = sum(level["rows"] * level["cols"] for level in self.info["levels"])
-        keys = self.info["levels"][0]["rows"] * self.info["levels"][0]["cols"]
-        blocks = 11 * 7 + 2 * 6 * 4
-        self.assertEqual(sum(self.info["states"].values()), (images - keys) * blocks)
-        self.assertEqual(
-            list(self.info["states"]), ["zero", "motion", "motion_residual", "residual"]
-        )
-
-    def test_ratio_counts_the_bits_of_deep_samples(self):
-        options = "--scene noise --grid 2x2 --size 16x16 --depth 12"
-        self.hmlfc("synth", *options.split(), "-o", "deep")
-        self.hmlfc("encode", "deep", "-o", "deep.hmlfc")
-        info = self.hmlfc_json("info", "deep.hmlfc")
-        self.assertAlmostEqual(info["ratio"], 4 * 256 * 36 / 8 / info["bytes"], places=12)
-
     def test_text(self):
         text = self.hmlfc("info", "a.hmlfc")
         self.assertIn("3 x 5 views of 44 x 28 pixels, 8 bits", text)

@@ -7,15 +7,13 @@ import subprocess
 from program import PROGRAM, CliTest, main
 
 LONG = "synth --scene knights --grid 4x4 --size 640x480 --threads 1 -o views".split()
-SMALLER = "synth --scene knights --grid 4x4 --size 320x240 -o smaller".split()
 SHORT = "synth --scene flat --grid 1x1 --size 8x8 -o short".split()
 
 
 class Progress(CliTest):
     @classmethod
     def prepare(cls):
-        cls.output = cls.hmlfc(*LONG)
-        cls.hmlfc(*SMALLER)
+        cls.hmlfc(*LONG)  # standard error stays empty
 
     def on_terminal(self, arguments):
         """What standard error, a terminal, receives, and standard output, a pipe."""
@@ -50,21 +48,10 @@ class Progress(CliTest):
         self.assertNotIn("\r", output)
         self.assertIn("4 x 4 views", output)
 
-    def test_tries_are_counted(self):
-        target = "--target-psnr 33 --window 2 --height 2 --threads 1".split()
-        shown, output = self.on_terminal(["encode", "smaller", "-o", "a.hmlfc", *target])
-        self.assertRegex(shown, r"\r\x1b\[KEncoding, try \d+  \[.* \d+/21 images  ")
-        self.assertTrue(shown.endswith("\r\x1b[K"), "the line is wiped at the end")
-        self.assertIn("PSNR", output)
-
     def test_short_work_on_a_terminal(self):
         shown, output = self.on_terminal(SHORT)
         self.assertEqual(shown, "")
         self.assertIn("1 x 1 views", output)
-
-    def test_long_work_elsewhere(self):
-        # hmlfc() has seen that standard error stayed empty.
-        self.assertIn("4 x 4 views", self.output)
 
 
 if __name__ == "__main__":

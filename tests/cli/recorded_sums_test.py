@@ -86,13 +86,6 @@ class RecordedSums(CliTest):
         different = [name for name in recorded if measured[name] != recorded[name]]
         self.assertEqual(different, [])
 
-    def test_another_stream_has_another_sum(self):
-        """The check can fail: one step of quality changes the sum."""
-        self.hmlfc("synth", *SCENES["cards"].split(), "-o", "views")
-        for quality in (60, 61):
-            self.hmlfc("encode", "views", "-o", f"{quality}.hmlfc", "--quality", quality)
-        self.assertNotEqual(*(digest((self.folder / f"{q}.hmlfc").read_bytes()) for q in (60, 61)))
-
 
 def record():
     RecordedSums.setUpClass()

@@ -111,15 +111,6 @@ class Render(CliTest):
             self.assertIn(b"no coarse frames", ran.stderr)
             self.assertIn(b"--height", ran.stderr)
 
-    def test_progressive_down_to_a_level(self):
-        report = self.render(*"--progressive --levels 2 -o down.png".split())
-        self.render("--levels", 1, "-o", "one.png")
-        self.assertEqual(self.picture("down_levels_1.png"), self.picture("one.png"))
-        self.assertFalse((self.folder / "down_levels_2.png").exists())
-        self.assertEqual([p["levels"] for p in report["frames"][0]["coarse"]], [1])
-        self.refused(USAGE, "render", "a.hmlfc", "--progressive", "--quality-vs-time",
-                     says="--progressive")  # fmt: skip
-
     def check_preview(self, frames):
         chunks = list(chunks_of((self.folder / "orbit.png").read_bytes()))
         kinds = [kind for kind, _ in chunks]
@@ -165,10 +156,6 @@ class Render(CliTest):
             self.assertNotIn("bytes_touched", frame)
             self.assertNotIn("key_samples_decoded", frame)
         self.assert_same_frames("gpu", "cpu", 6)
-
-    def test_gpu_without_a_cache_reuses_nothing(self):
-        for frame in self.gpu_frames(3, "--cache", 0)["frames"]:
-            self.assertEqual(frame["blocks_reused"], 0)
 
     def test_cameras_that_see_nothing_are_black(self):
         for camera in (["--camera", "2,1,-3", "--look-at", "2,1,-4"], ["--camera", "40,40"]):

@@ -9,10 +9,6 @@ POSITIONS = [[0, 0, 0], [1, 0.5, 0], [0, 1, 0], [1, 1, 0.25]]
 RIG = {"schema": 1, "metres_per_unit": 0.5, "positions": POSITIONS, "intrinsics": [[40, 40, 19.5, 14.5]]}
 
 
-def camera(path, x, **more):
-    return {"file_path": path, "transform_matrix": [[1, 0, 0, x], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], **more}
-
-
 class Rig(CliTest):
     @classmethod
     def prepare(cls):
@@ -41,16 +37,6 @@ class Rig(CliTest):
         self.hmlfc(*"encode views -o again.hmlfc --rig again.json".split())
         self.assertEqual(self.bytes_of("again.hmlfc"), self.bytes_of("posed.hmlfc"))
 
-    def test_a_rig_is_a_section_and_24_bytes_of_header(self):
-        plain, posed = self.bytes_of("plain.hmlfc"), self.bytes_of("posed.hmlfc")
-        rig = len(self.hmlfc("info", "posed.hmlfc", "--rig")) - 1
-        self.assertEqual(len(posed), len(plain) + 24 + rig)
-        self.assertTrue(posed.endswith(plain[148:]))
-        sections = self.hmlfc_json("info", "posed.hmlfc")["sections"]
-        self.assertEqual((sections["header"], sections["other"]), (172, rig))
-        self.assertIn("camera_rig", self.hmlfc_json("info", "posed.hmlfc")["tools"])
-        self.hmlfc(*"compare plain.hmlfc posed.hmlfc".split())
-
     def test_names_state_positions(self):
         self.hmlfc(*"encode named -o named.hmlfc".split())
         rig = self.hmlfc_json("info", "named.hmlfc")["rig"]
@@ -78,26 +64,6 @@ class Rig(CliTest):
         self.folder_with("old", "rig.json", json.dumps({**RIG, "positions": POSITIONS[:3]}))
         self.refused(INPUT, *"encode old -o x.hmlfc".split(), says=["old/rig.json: positions has 3 entries", "--no-rig"])
 
-    def test_parameters_of_the_hci_benchmark(self):
-        text = (
-            "[intrinsics]\nfocal_length_mm = 100.0\nimage_resolution_x_px = 40\nimage_resolution_y_px = 30\n"
-            "sensor_size_mm = 20.0\n[extrinsics]\nnum_cams_x = 2\nnum_cams_y = 2\nbaseline_mm = 500\n"
-            "focus_distance_m = 50\n"
-        )
-        (self.folder / "hci.cfg").write_text(text)
-        self.hmlfc(*"encode views -o hci.hmlfc --rig hci.cfg".split())
-        # 200 pixels of focal length; 200 * 0.5 / 50 = 2 pixels from view to view.
-        lenses = [[200, 200, x, y] for y in (13.5, 15.5) for x in (18.5, 20.5)]
-        places = [[x, y, 0] for y in (-0.25, 0.25) for x in (-0.25, 0.25)]
-        expected = {"schema": 1, "metres_per_unit": 1, "positions": places, "intrinsics": lenses}
-        self.assertEqual(self.hmlfc_json("info", "hci.hmlfc")["rig"], expected)
-        self.folder_with("benchmark", "parameters.cfg", text)
-        self.hmlfc(*"encode benchmark -o beside.hmlfc".split())
-        self.assertEqual(self.bytes_of("beside.hmlfc"), self.bytes_of("hci.hmlfc"))
-        (self.folder / "hci.cfg").write_text(text.replace("500", "none"))
-        self.refused(INPUT, *"encode views -o x.hmlfc --rig hci.cfg".split(),
-                     says=['hci.cfg: extrinsics.baseline_mm is "none"; it must be a number'])
-
     def test_without_a_rig(self):
         self.hmlfc(*"encode named -o left.hmlfc --no-rig".split())
         self.assertEqual(self.bytes_of("left.hmlfc"), self.bytes_of("plain.hmlfc"))
@@ -109,20 +75,6 @@ class Rig(CliTest):
     def test_a_target_counts_the_rig(self):
         self.hmlfc(*"encode views -o most.hmlfc --max-bytes 4000 --rig rig.json".split())
         self.assertLessEqual(len(self.bytes_of("most.hmlfc")), 4000)
-
-    def test_transforms(self):
-        names = ["00_00", "00_01", "01_00", "01_01"]
-        frames = [camera(f"images/{name}", i) for i, name in enumerate(names)]
-        self.write("transforms.json", {"fl_x": 50, "frames": frames[::-1]})
-        self.hmlfc(*"encode views -o nerf.hmlfc --rig transforms.json".split())
-        expected = {
-            "schema": 1, "positions": [[i, 0, 0] for i in range(4)], "rotations": [[0, 1, 0, 0]],
-            "intrinsics": [[50, 50, 19.5, 14.5]],
-        }  # fmt: skip
-        self.assertEqual(self.hmlfc_json("info", "nerf.hmlfc")["rig"], expected)
-        self.write("transforms.json", {"frames": frames[:3]})
-        self.refused(INPUT, *"encode views -o x.hmlfc --rig transforms.json".split(),
-                     says=["transforms.json", "frames: no file_path names the view 01_01"])
 
     def test_cameras_of_a_scene(self):
         self.hmlfc(*"synth --scene cards --grid 2x2 --size 40x30 -o scene --rig scene.json".split())

@@ -28,11 +28,6 @@ class Synth(CliTest):
                     self.assertEqual((picture.width, picture.height), (32, 20))
                 self.assertIn("2 x 3 views of 32 x 20 pixels, 8 bits", text)
 
-    def test_wide_grids_have_wide_names(self):
-        _, files = self.synth("wide", scene="flat", grid="1x101", size="4x4")
-        self.assertEqual(len(files), 101)
-        self.assertIn("000_100.png", files)
-
     def test_options_matter_and_threads_do_not(self):
         _, first = self.synth("first")
         _, same = self.synth("same", "--seed", "1", "--threads", "3")
@@ -41,10 +36,6 @@ class Synth(CliTest):
         self.assertEqual(first, same)
         self.assertNotEqual(first, seeded)
         self.assertNotEqual(first, wider)
-
-    def test_no_baseline_no_parallax(self):
-        _, files = self.synth("still", "--baseline", "0", scene="knights")
-        self.assertEqual(len(set(files.values())), 1)
 
     def test_deep(self):
         self.synth("deep", "--depth", "10")

@@ -61,13 +61,6 @@ class DamagedImageTest : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(DamagedImageTest, TheUndamagedFilesAreRead) {
-  for (const auto& [name, bytes] : small_files()) {
-    const auto image = read(name, bytes);
-    EXPECT_TRUE(image.has_value()) << image.error().message;
-  }
-}
-
 // The two tests below change one file in place: thousands of new files would take minutes.
 
 TEST_F(DamagedImageTest, EveryTruncationIsAnErrorThatNamesTheFile) {
@@ -99,12 +92,6 @@ TEST_F(DamagedImageTest, EveryFlippedBitGivesAnErrorOrAPictureOfConsistentSize) 
     ASSERT_TRUE(file.good());
     ASSERT_EQ(test::get_file(folder_ / name), bytes) << "the test did not restore the file";
   }
-}
-
-TEST_F(DamagedImageTest, DamageInThePixelsOfAPngIsFound) {
-  Bytes bytes = small_files()["rgb8.png"];
-  bytes[bytes.size() - 20] ^= 1;  // within the IDAT chunk, whose check sum then fails
-  EXPECT_FALSE(read("a.png", bytes).has_value());
 }
 
 TEST_F(DamagedImageTest, OtherFilesAreRefused) {

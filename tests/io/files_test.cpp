@@ -128,14 +128,6 @@ TEST(AtomicFile, WritesThroughALink) {
   EXPECT_EQ(get_file(folder / "real.bin"), to_bytes("new"));
 }
 
-TEST(AtomicFile, NamesAFolderThatIsNotThere) {
-  const test::TempFolder folder;
-  const auto result = write_file(folder / "absent/a.bin", to_bytes("x"));
-  ASSERT_FALSE(result.has_value());
-  EXPECT_NE(result.error().message.find("absent/a.bin"), std::string::npos);
-  EXPECT_FALSE(write_file("", to_bytes("x")).has_value());
-}
-
 TEST(MappedFile, ShowsAllBytes) {
   const test::TempFolder folder;
   test::Bytes content(100000);
@@ -146,14 +138,6 @@ TEST(MappedFile, ShowsAllBytes) {
   EXPECT_TRUE(std::ranges::equal(file->bytes(), content));
   const MappedFile moved = std::move(*file);
   EXPECT_TRUE(std::ranges::equal(moved.bytes(), content));
-  EXPECT_TRUE(file->bytes().empty());
-}
-
-TEST(MappedFile, AnEmptyFileIsAnEmptySpan) {
-  const test::TempFolder folder;
-  test::put_file(folder / "a", std::string());
-  const auto file = map_file(folder / "a");
-  ASSERT_TRUE(file.has_value());
   EXPECT_TRUE(file->bytes().empty());
 }
 

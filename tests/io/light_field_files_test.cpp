@@ -125,56 +125,6 @@ TEST(LightFieldFiles, NamesTheFirstDamagedViewWhateverTheThreads) {
   }
 }
 
-/// Lets one thread wait until another has come to a point, but no longer than five seconds.
-class Signal {
- public:
-  void give() { given_ = true; }
-  void wait() const {
-    for (int i = 0; i < 5000 && !given_; ++i) pause();
-  }
-  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
-
- private:
-  std::atomic<bool> given_ = false;
-};
-
-TEST(LightFieldFiles, AViewBeforeAFailedOneIsStillTried) {
-  const test::TempFolder folder;
-  Signal later_failed;
-  const auto produce = [&](uint32_t, uint32_t col) -> IoResult<RgbImage> {
-    if (col == 0) {
-      later_failed.wait();
-      for (int i = 0; i < 50; ++i) Signal::pause();  // until the failure is noted
-      return RgbImage{1, 1, 8, {0, 0, 0}};
-    }
-    if (col >= 2) later_failed.give();
-    return file_error("view " + std::to_string(col), "broken");
-  };
-  const auto saved = save_views(folder.path(), {1, 4}, produce, 2);
-  ASSERT_FALSE(saved.has_value());
-  EXPECT_EQ(saved.error().message, "view 1: broken");
-}
-
-TEST(LightFieldFiles, AViewBehindAFailedOneDoesNotReplaceItsError) {
-  const test::TempFolder folder;
-  Signal second_begun;
-  Signal first_failed;
-  const auto produce = [&](uint32_t, uint32_t col) -> IoResult<RgbImage> {
-    if (col == 0) {
-      second_begun.wait();
-      first_failed.give();
-    } else {
-      second_begun.give();
-      first_failed.wait();
-      for (int i = 0; i < 50; ++i) Signal::pause();
-    }
-    return file_error("view " + std::to_string(col), "broken");
-  };
-  const auto saved = save_views(folder.path(), {1, 2}, produce, 2);
-  ASSERT_FALSE(saved.has_value());
-  EXPECT_EQ(saved.error().message, "view 0: broken");
-}
-
 TEST(LightFieldFiles, SavesWhatAProducerMakesAndPassesItsErrorOn) {
   const test::TempFolder folder;
   const auto produce = [](uint32_t row, uint32_t col) -> IoResult<RgbImage> {

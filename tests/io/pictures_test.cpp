@@ -32,20 +32,6 @@ std::vector<uint16_t> pixel(const RgbImage& image, size_t x, size_t y) {
 
 using Pixel = std::vector<uint16_t>;
 
-TEST(ContactSheet, ShowsViewsInFullWhereTheyFit) {
-  const RgbImage sheet = numbered_sheet({2, 3, 5, 4, 8}, 19);
-  ASSERT_EQ(sheet.width, 19u);   // 3 * 5 + 2 * 2
-  ASSERT_EQ(sheet.height, 10u);  // 2 * 4 + 2
-  ASSERT_EQ(sheet.samples.size(), 19u * 10 * 3);
-  EXPECT_EQ(pixel(sheet, 0, 0), (Pixel{1, 0, 0}));
-  EXPECT_EQ(pixel(sheet, 7 + 4, 3), (Pixel{5, 10, 3}));
-  EXPECT_EQ(pixel(sheet, 14, 6 + 2), (Pixel{1, 50, 2}));
-  const Pixel gap = pixel(sheet, 5, 0);
-  for (const auto& [x, y] : {std::pair{6, 0}, {12, 9}, {0, 4}, {18, 5}}) {
-    EXPECT_EQ(pixel(sheet, static_cast<size_t>(x), static_cast<size_t>(y)), gap);
-  }
-}
-
 TEST(ContactSheet, AveragesBoxesWithHalvesUp) {
   const RgbImage sheet = numbered_sheet({2, 3, 5, 4, 8}, 18);
   ASSERT_EQ(sheet.width, 13u);  // boxes of 2 x 2: three columns a view, the last one narrow
@@ -66,15 +52,6 @@ TEST(ContactSheet, StopsAtOnePixelAView) {
 TEST(ContactSheet, IsRefusedWhereItIsTooLarge) {
   EXPECT_TRUE(ContactSheet::make({2731, 2731, 8, 8, 8}, 1600).has_value());  // 8191 x 8191
   EXPECT_FALSE(ContactSheet::make({2732, 2732, 8, 8, 8}, 1600).has_value());
-}
-
-TEST(DifferencePicture, IsGreyPlusGainTimesDifference) {
-  const RgbImage a{2, 1, 8, {10, 0, 255, 7, 7, 7}};
-  const RgbImage b{2, 1, 8, {8, 3, 0, 7, 250, 0}};
-  const auto picture = difference_picture(a, b, 4);
-  ASSERT_TRUE(picture.has_value());
-  EXPECT_EQ(picture->depth, 8);
-  EXPECT_EQ(picture->samples, (Pixel{136, 116, 255, 128, 0, 156}));
 }
 
 TEST(DifferencePicture, ScalesDeepSamplesDownwards) {

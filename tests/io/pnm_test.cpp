@@ -34,26 +34,15 @@ class PnmTest : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(PnmTest, ReadsBinaryColour) {
+TEST_F(PnmTest, ReadsEachKindAndSkipsComments) {
   EXPECT_EQ(samples(std::string("P6\n2 1\n255\n\x01\x02\x03\xFD\xFE\xFF", 17)),
             (Samples{1, 2, 3, 253, 254, 255}));
-}
-
-TEST_F(PnmTest, ReadsBinaryGrey) {
   EXPECT_EQ(samples("P5 1 2 255 AB"), (Samples{65, 65, 65, 66, 66, 66}));
-}
-
-TEST_F(PnmTest, ReadsPlainColourAndGrey) {
   EXPECT_EQ(samples("P3 2 1 255  1 2 3\n253\t254 255"), (Samples{1, 2, 3, 253, 254, 255}));
   EXPECT_EQ(samples("P2\n1 2\n255\n7\n9\n"), (Samples{7, 7, 7, 9, 9, 9}));
-}
-
-TEST_F(PnmTest, SkipsComments) {
   EXPECT_EQ(samples("P5# made by hand\n# 9 9 255\n 1#x\n1\n#\n255\nA"), (Samples{65, 65, 65}));
   EXPECT_EQ(samples("P2 1 2 255 7 # seven\n 9"), (Samples{7, 7, 7, 9, 9, 9}));
-}
-
-TEST_F(PnmTest, TheFirstByteOfARasterMayLookLikeSpace) {
+  // The first byte of a raster may look like space.
   EXPECT_EQ(samples("P5 2 1 255\n\n "), (Samples{10, 10, 10, 32, 32, 32}));
 }
 
@@ -75,21 +64,17 @@ TEST_F(PnmTest, CutsMoreThan12BitsTo12) {
   EXPECT_EQ(samples("P2 1 1 8191 8191"), (Samples{4095, 4095, 4095}));
 }
 
-TEST_F(PnmTest, RefusesOtherGreatestValues) {
-  for (const char* maxval :
-       {"0", "1", "127", "254", "256", "1000", "4096", "65536", "99999999999"}) {
-    expect_refused(std::string("P5 1 1 ") + maxval + "\nAA", "2^n - 1");
+TEST_F(PnmTest, SaysWhatIsWrong) {
+  for (const char* most : {"0", "1", "127", "254", "256", "1000", "4096", "65536", "99999999999"}) {
+    expect_refused(std::string("P5 1 1 ") + most + "\nAA", "2^n - 1");
   }
-}
-
-TEST_F(PnmTest, RefusesSamplesOverTheGreatestValue) {
   expect_refused("P2 1 1 255 256", "over the greatest value 255");
   expect_refused(std::string("P5 1 1 1023\n\x04\x00", 14), "over the greatest value 1023");
-}
-
-TEST_F(PnmTest, RefusesBadSizes) {
   for (const char* size : {"0 1", "1 0", "65537 1", "1 65537", "-1 1", "x 1", "1", ""}) {
     expect_refused(std::string("P5 ") + size, "width and height");
+  }
+  for (const char* kind : {"P1", "P4", "P7", "Pf"}) {
+    expect_refused(std::string(kind) + " 1 1 255\n1", "not a PNG, JPEG, PPM or PGM");
   }
 }
 
@@ -100,12 +85,6 @@ TEST_F(PnmTest, ChecksTheLengthBeforeItAllocates) {
     const auto image = read_image(folder_ / "a.ppm", huge);
     ASSERT_FALSE(image.has_value());
     EXPECT_NE(image.error().message.find("ends before"), std::string::npos);
-  }
-}
-
-TEST_F(PnmTest, OtherKindsOfTheFamilyAreRefused) {
-  for (const char* kind : {"P1", "P4", "P7", "Pf"}) {
-    expect_refused(std::string(kind) + " 1 1 255\n1", "not a PNG, JPEG, PPM or PGM");
   }
 }
 

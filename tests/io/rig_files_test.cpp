@@ -35,13 +35,6 @@ TEST(RigFiles, AxesOfNamesFollowTheGrid) {
                  {}}));
 }
 
-TEST(RigFiles, OneRowAndOneColumn) {
-  const auto row = rig_of_names(views_named(1, 2, {"out_00_00_7_2.png", "out_00_01_7_3.png"}));
-  EXPECT_EQ((*row)->positions[1], (std::array<double, 3>{3, 7, 0}));
-  const auto col = rig_of_names(views_named(2, 1, {"out_00_00_7_2.png", "out_01_00_6_2.png"}));
-  EXPECT_EQ((*col)->positions[1], (std::array<double, 3>{2, -6, 0}));
-}
-
 TEST(RigFiles, NamesWithoutPositions) {
   const auto none = rig_of_names(views_named(1, 2, {"out_00_00_7_2.png", "out_00_01.png"}));
   ASSERT_TRUE(none);

@@ -141,12 +141,6 @@ TEST(RigText, LargeTexts) {
             "schema is \"" + std::string(76, 'B') + "...; this version reads 1");
 }
 
-TEST(RigText, Shortest) {
-  EXPECT_EQ(rig_text({0.001, {{0, -0.0, 1e-9}, {-0.25, 3, 1 << 20}}, {{1, 0, 0, 0}}, {}}),
-            R"({"schema":1,"metres_per_unit":0.001,"positions":[[0,0,1e-09],[-0.25,3,1048576]],)"
-            R"("rotations":[[1,0,0,0]]})");
-}
-
 RC_GTEST_PROP(RigText, RoundTrip, ()) {
   const auto number = [](double lo, double hi) {
     return lo + (hi - lo) * static_cast<double>(*rc::gen::arbitrary<uint32_t>()) / 4294967295.0;

@@ -68,13 +68,6 @@ TEST(ViewName, PadsToTheGridsDigits) {
   EXPECT_EQ(view_file_name(4095, 0, 4096, 1), "4095_0000.png");
 }
 
-TEST(ViewName, ReadsItsOwnNamesBack) {
-  for (const uint32_t side : {1u, 10u, 11u, 100u, 101u, 4096u}) {
-    const std::filesystem::path name = view_file_name(side - 1, side / 2, side, side);
-    EXPECT_EQ(parse_grid_name(name.stem().string()), (GridPosition{side - 1, side / 2}));
-  }
-}
-
 TEST(NaturalOrder, OrdersAsPeopleNumber) {
   const std::vector<std::string> ordered = {
       "",

@@ -31,36 +31,24 @@ std::string part_text(uint32_t rows, uint32_t cols, const ViewPart& part) {
   return text;
 }
 
-TEST(ViewPartTest, TakesTheViewsWhereRowsAndColumnsCross) {
+TEST(ViewPart, RowsAndColumnsByTheirSteps) {
   EXPECT_EQ(part_text(3, 4, {{1, 2}, {1, 3}}), "2x3: 1_1 1_2 1_3 2_1 2_2 2_3");
   EXPECT_EQ(part_text(2, 3, {{0, 1}, {0, 2}}), "2x3: 0_0 0_1 0_2 1_0 1_1 1_2");
-}
-
-TEST(ViewPartTest, StepsFromTheFirst) {
   EXPECT_EQ(part_text(4, 8, {{0, 2, 2}, {1, 7, 3}}), "2x3: 0_1 0_4 0_7 2_1 2_4 2_7");
-  EXPECT_EQ(part_text(4, 8, {{1, 3, 2}, {0, 7, 7}}), "2x2: 1_0 1_7 3_0 3_7");
-}
-
-TEST(ViewPartTest, AStepThatPassesTheLastStopsBeforeIt) {
-  EXPECT_EQ(part_text(4, 8, {{0, 3, 2}, {1, 6, 3}}), "2x2: 0_1 0_4 2_1 2_4");
-  EXPECT_EQ(part_text(4, 8, {{1, 3, 3}, {7, 7, kLargest}}), "1x1: 1_7");
+  EXPECT_EQ(part_text(4, 8, {{0, 3, 2}, {1, 6, 3}}), "2x2: 0_1 0_4 2_1 2_4") << "passes the last";
   EXPECT_EQ(part_text(4, 8, {{1, 3, kLargest}, {0, 7, kLargest}}), "1x1: 1_0");
 }
 
-TEST(ViewPartTest, ARangeThatEndsBeyondTheGridIsAnError) {
-  EXPECT_EQ(part_text(3, 4, {{0, 3}, {0, 4}}),
-            "views: --views asks for row 3, but the grid has 3 rows (0 to 2)");
+TEST(ViewPart, RangesThatEndBeyondTheGrid) {
+  const std::string asks = "views: --views asks for ";
+  const std::string row = asks + "row 3, but the grid has 3 rows (0 to 2)";
+  EXPECT_EQ(part_text(3, 4, {{0, 3}, {0, 4}}), row);
+  EXPECT_EQ(part_text(3, 4, {{0, 3, 2}, {0, 3}}), row) << "its steps do not";
   EXPECT_EQ(part_text(3, 4, {{0, 2}, {4, 4}}),
-            "views: --views asks for column 4, but the grid has 4 columns (0 to 3)");
-  EXPECT_EQ(part_text(1, 2, {{0, 1}, {0, 1}}),
-            "views: --views asks for row 1, but the grid has 1 row (number 0)");
+            asks + "column 4, but the grid has 4 columns (0 to 3)");
+  EXPECT_EQ(part_text(1, 2, {{0, 1}, {0, 1}}), asks + "row 1, but the grid has 1 row (number 0)");
   EXPECT_EQ(part_text(3, 4, {{kLargest, kLargest}, {0, 3}}),
-            "views: --views asks for row 4294967295, but the grid has 3 rows (0 to 2)");
-}
-
-TEST(ViewPartTest, ARangeThatEndsBeyondTheGridIsAnErrorWhereItsStepsDoNot) {
-  EXPECT_EQ(part_text(3, 4, {{0, 3, 2}, {0, 3}}),
-            "views: --views asks for row 3, but the grid has 3 rows (0 to 2)");
+            asks + "row 4294967295, but the grid has 3 rows (0 to 2)");
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 // R, G, B to Y', Cb, Cr and back, against real arithmetic and over whole intervals.
 #include "io/ycbcr.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -50,38 +48,6 @@ RC_GTEST_PROP(YCbCrProperty, TwoMoreBitsKeepEveryDepth, ()) {
   const VideoLevels levels{depth + 2, *rc::gen::arbitrary<bool>()};
   const Rgb pixel = pixel_of(depth);
   RC_ASSERT(rgb_of(ycbcr_of(pixel, depth, levels), depth, levels) == pixel);
-}
-
-// Every pixel of 8 bits but for steps of G, which has the most precision.
-TEST(YCbCr, TenBitsKeepEightBits) {
-  for (const bool full_range : {false, true}) {
-    const VideoLevels levels{10, full_range};
-    int wrong = 0;
-    for (int r = 0; r < 256; ++r) {
-      for (int b = 0; b < 256; ++b) {
-        for (int g = (r + b) % 5; g < 256; g += 5) {
-          const Rgb pixel{r, g, b};
-          wrong += rgb_of(ycbcr_of(pixel, 8, levels), 8, levels) != pixel;
-        }
-      }
-    }
-    EXPECT_EQ(wrong, 0) << full_range;
-  }
-}
-
-TEST(YCbCr, EightBitsAreOffByTwoAtMost) {
-  int worst = 0;
-  for (int r = 0; r < 256; r += 3) {
-    for (int g = 0; g < 256; g += 3) {
-      for (int b = 0; b < 256; b += 3) {
-        const Rgb back = rgb_of(ycbcr_of({r, g, b}, 8, {8, false}), 8, {8, false});
-        for (const int off : {back.r - r, back.g - g, back.b - b}) {
-          worst = std::max(worst, std::abs(off));
-        }
-      }
-    }
-  }
-  EXPECT_EQ(worst, 2);
 }
 
 // By the definition in exact fractions.

@@ -13,6 +13,9 @@ from page_server import PageServer
 from pictures import read_png
 from program import DONE, INPUT, USAGE, CliTest, main
 
+import bise
+from residual import step_of
+
 
 class View(CliTest):
     @classmethod
@@ -108,14 +111,14 @@ class View(CliTest):
                 coded = "residual" in level["stages"]
                 self.assertEqual(arrays["level_counts"][at] > 0, coded)
                 if coded:
-                    count = self.levels(own["level_base"]["value"] + own.get("level_delta", {"value": 0})["value"])
+                    count = bise.levels_of(own["level_base"]["value"] + own.get("level_delta", {"value": 0})["value"])
                     self.assertEqual(arrays["level_counts"][at], count)
                     header = [own[name]["bits"] for name in ("level_delta", "step_delta", "bias") if name in own]
-                    bits += sum(header) + self.sequence_bits(count, 16)
+                    bits += sum(header) + bise.sequence_bits(16, count)
                     steps.add(arrays["steps"][at])
                     if "step_base" in own:
                         code = own["step_base"]["value"] + own.get("step_delta", {"value": 0})["value"]
-                        self.assertEqual(arrays["steps"][at], self.step(code))
+                        self.assertEqual(arrays["steps"][at], step_of(code))
                 else:
                     self.assertEqual(arrays["steps"][at], 0)
                 motion = [field for field in level.get("motion_fields", []) if field["name"] == "index"]
@@ -123,35 +126,6 @@ class View(CliTest):
                 read = level["fields"] + level.get("motion_fields", []) + level.get("disparity", {"fields": []})["fields"]
                 self.assertEqual(arrays["read"][at], sum(field["bits"] for field in read))
         self.assertGreater(len(steps), 1)
-
-    @staticmethod
-    def levels(code):
-        """BISE-1."""
-        return [1, 2, 3][code] if code < 3 else [4, 5, 6][(code - 3) % 3] << (code - 3) // 3
-
-    @staticmethod
-    def step(code):
-        """STP-2."""
-        return 1 if code == 0 else 3 << (code - 2) // 2 if code % 2 == 0 else 1 << (code + 1) // 2
-
-    @staticmethod
-    def sequence_bits(levels, count):
-        """Of a bounded integer sequence (BISE-2): whole bits, and trits by five or quints by three."""
-        shift = (levels & -levels).bit_length() - 1
-        digit = {1: 0, 3: -(-8 * count // 5), 5: -(-7 * count // 3)}
-        return count * shift + digit[levels >> shift]
-
-    def test_key_images_are_known(self):
-        server = self.serve("a.hmlfc")
-        keys = server.json("stream")["levels"][-1]["keys"]
-        self.assertTrue(0 < len(keys) < 12)
-        for row in range(3):
-            for col in range(4):
-                place = ["--view", f"{row},{col}", "--plane", "Y", "--block", "0,0"]
-                kind = self.hmlfc_json("inspect", "a.hmlfc", *place)["levels"][-1]["kind"]
-                self.assertEqual(kind == "key", [row, col] in keys)
-                states = set(server.json("blocks", {"view": f"{row},{col}", "plane": "Y"})["states"])
-                self.assertEqual(states == {4}, kind == "key")
 
     def test_disparities_are_those_of_the_command(self):
         shares = set()

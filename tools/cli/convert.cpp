@@ -32,7 +32,7 @@ class RowSource final : public ViewSource {
   LightFieldShape shape_;
 };
 
-// Of `entries`, one for each view or one for all, those of row `row`.
+// Keeps the entries of grid row `row`; a single shared entry is kept as it is.
 template <class Entry>
 void keep_row(std::vector<Entry>& entries, const LightFieldShape& shape, uint32_t row) {
   if (entries.size() != size_t{shape.rows} * shape.cols) return;

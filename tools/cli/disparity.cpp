@@ -36,27 +36,13 @@ Format format_of(const std::filesystem::path& output) {
   return io::lower_case_extension(output.stem()) == ".16" ? Format::kGrey16 : Format::kGrey;
 }
 
-// Grey of each pixel: near is white, far is black.
-RgbImage grey_picture(const DisparityMap& map, const DisparityRange& range) {
-  RgbImage picture{map.width, map.height, 8, {}};
-  const int32_t steps = std::max(1, range.greatest - range.least);
+// A grey picture of `depth` bits: grey(block) for each pixel.
+template <class Grey>
+RgbImage picture_of(const DisparityMap& map, int depth, const Grey& grey) {
+  RgbImage picture{map.width, map.height, depth, {}};
   for (uint32_t y = 0; y < map.height; ++y) {
     for (uint32_t x = 0; x < map.width; ++x) {
-      const BlockDisparity& at = map.at(x, y);
-      const int32_t nearer = range.greatest - at.disparity;
-      const int32_t grey = at.confidence == 0 ? 0 : (510 * nearer + steps) / (2 * steps);
-      picture.samples.insert(picture.samples.end(), 3, static_cast<uint16_t>(grey));
-    }
-  }
-  return picture;
-}
-
-RgbImage numbers_picture(const DisparityMap& map) {
-  RgbImage picture{map.width, map.height, 16, {}};
-  for (uint32_t y = 0; y < map.height; ++y) {
-    for (uint32_t x = 0; x < map.width; ++x) {
-      const int32_t number = 32768 + map.at(x, y).disparity;
-      picture.samples.insert(picture.samples.end(), 3, static_cast<uint16_t>(number));
+      picture.samples.insert(picture.samples.end(), 3, static_cast<uint16_t>(grey(map.at(x, y))));
     }
   }
   return picture;
@@ -74,15 +60,20 @@ std::vector<float> pixels_a_column(const DisparityMap& map) {
 
 io::IoResult<void> write_map(const DisparityOptions& options, const DisparityMap& map,
                              const DisparityRange& range) {
-  switch (format_of(options.output)) {
-    case Format::kGrey:
-      return io::write_png(options.output, grey_picture(map, range));
-    case Format::kGrey16:
-      return io::write_png(options.output, numbers_picture(map));
-    case Format::kPfm:
-      break;
+  const Format format = format_of(options.output);
+  if (format == Format::kPfm) {
+    return io::write_pfm(options.output, map.width, map.height, pixels_a_column(map));
   }
-  return io::write_pfm(options.output, map.width, map.height, pixels_a_column(map));
+  if (format == Format::kGrey16) {
+    const auto number = [](const BlockDisparity& at) { return 32768 + at.disparity; };
+    return io::write_png(options.output, picture_of(map, 16, number));
+  }
+  const int32_t steps = std::max(1, range.greatest - range.least);
+  const auto nearness = [&](const BlockDisparity& at) {
+    const int32_t nearer = range.greatest - at.disparity;
+    return at.confidence == 0 ? 0 : (510 * nearer + steps) / (2 * steps);
+  };
+  return io::write_png(options.output, picture_of(map, 8, nearness));
 }
 
 ExitCode run_disparity(const DisparityOptions& options) {

@@ -180,11 +180,7 @@ DividedInput open_input(const EncodeOptions& options) {
   constexpr int kLargeBlock = 128 << 10;
   ::mallopt(M_MMAP_THRESHOLD, kLargeBlock);
   DividedInput input;
-  input.list = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
-  if (options.part) {
-    input.list =
-        value_or_throw(io::part_of(options.input, input.list, *options.part), ExitCode::kInput);
-  }
+  input.list = listed_views(options);
   input.views = ViewSource::of_files(options.input, input.list);
   input.rig = rig_for(options.rig, options.coding.params.profile, input.list, input.views->shape());
   return input;

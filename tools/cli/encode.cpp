@@ -23,7 +23,6 @@
 #include "cli/view_source.hpp"
 #include "io/files.hpp"
 #include "io/light_field_files.hpp"
-#include "io/view_part.hpp"
 #include "terminal/clock.hpp"
 #include "terminal/progress_bar.hpp"
 
@@ -38,10 +37,7 @@ struct Input {
 
 Input load(const EncodeOptions& options) {
   terminal::ProgressBar progress("Reading", "views");
-  auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
-  if (options.part) {
-    views = value_or_throw(io::part_of(options.input, views, *options.part), ExitCode::kInput);
-  }
+  const io::ViewList views = listed_views(options);
   io::ImageLosses losses;
   LightField field = value_or_throw(
       io::load_light_field(views, static_cast<unsigned>(options.coding.params.threads),

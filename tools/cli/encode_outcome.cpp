@@ -77,6 +77,12 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
 
 }  // namespace
 
+io::ViewList listed_views(const EncodeOptions& options) {
+  auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
+  if (!options.part) return views;
+  return value_or_throw(io::part_of(options.input, views, *options.part), ExitCode::kInput);
+}
+
 Failure encode_failure(const std::filesystem::path& input, const EncodeError& error) {
   return Failure(error.out_of_memory ? ExitCode::kOutOfMemory : ExitCode::kInput,
                  input.string() + ": " + error.message);

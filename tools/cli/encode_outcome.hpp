@@ -54,6 +54,9 @@ struct EncodeOutcome {
   double cpu_seconds = 0;  ///< of all threads of the process
 };
 
+/// The views that `options` name. Failures (kInput): those of io::list_views and io::part_of.
+io::ViewList listed_views(const EncodeOptions& options);
+
 /// The failure to encode `input`: kInput, or kOutOfMemory.
 Failure encode_failure(const std::filesystem::path& input, const EncodeError& error);
 

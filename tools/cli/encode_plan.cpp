@@ -116,11 +116,7 @@ EncodeOptions options_of(const Json& json) {
 
 // Fails unless the views of `plan` are those of `inputs`.
 void check_inputs(const fs::path& file, const EncodeOptions& options, const Json& inputs) {
-  auto list = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
-  if (options.part) {
-    list = value_or_throw(io::part_of(options.input, list, *options.part), ExitCode::kInput);
-  }
-  if (inputs_json(list) == inputs) return;
+  if (inputs_json(listed_views(options)) == inputs) return;
   refuse(file,
          fmt::format("names or sizes of the views in {} are not those of the plan; make a new "
                      "plan",

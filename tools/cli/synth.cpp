@@ -137,17 +137,13 @@ Example:
       ->default_str("grid");
   add_integer(app, "--seed", scene.seed, 0, ~uint64_t{0}, "Varies positions, colours and textures");
   add_integer(app, "--depth", scene.depth, 8, 12, "Bits per sample");
-  add_value(app, "--disparity", "DIR",
-            "Folder for the true disparity of each view, created if missing", "a folder",
-            [&disparity = options.disparity](const std::string& text) {
-              disparity = text;
-              return !text.empty();
-            });
-  add_value(app, "--rig", "FILE.json", "File for the positions and intrinsics of all cameras",
-            "a path", [&rig = options.rig](const std::string& text) {
-              rig = text;
-              return !text.empty();
-            });
+  add_path(app, "--disparity", options.disparity,
+           "Folder for the true disparity of each view, created if missing")
+      ->required(false)
+      ->type_name("DIR");
+  add_path(app, "--rig", options.rig, "File for the positions and intrinsics of all cameras")
+      ->required(false)
+      ->type_name("FILE.json");
   add_threads(app, options.threads);
   add_output(app, options.folder, "DIR", "Folder for the views, created if missing");
 }

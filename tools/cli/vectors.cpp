@@ -242,6 +242,7 @@ Example:
 void add_vectors(CLI::App& program, Task& task) {
   CLI::App* app = program.add_subcommand("vectors", "Make and examine the conformance suite");
   app->require_subcommand(1);
+  app->footer("Example:\n  hmlfc vectors list --clause BISE-10");
 
   const auto [generate, generated] = add_suite_command(
       *app, task, "generate", "Make the suite from its recipes", false, run_generate,
