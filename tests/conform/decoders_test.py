@@ -128,6 +128,7 @@ class Decoders(ConformTest):
             ('exec "$HMLFC" decode "$1" -o "$2"', "pass", ()),
             ("kill -SEGV $$", "error", ()),
             ("sleep 1000", "timeout", ("--timeout", "2")),
+            ("kill -STOP $PPID; sleep 1000", "timeout", ("--timeout", "2")),
         ):
             with self.subTest(end=end):
                 self.assertEqual(self.result_of(self.script(leave + end), *arguments)["status"], status)
@@ -141,6 +142,19 @@ class Decoders(ConformTest):
         run.kill()
         run.wait()
         self.assertFalse(self.left_over(mark))
+
+    def test_a_command_that_is_not_utf8(self):
+        dut = self.script('exec "$HMLFC" decode "$1" -o "$2"') + os.fsdecode(b" \xff")
+        status, _ = self.conform(dut, "--claim", "latin1.json", suite=self.one, output="latin1")
+        self.assertEqual(status, DONE)
+        status, _ = self.conform(dut, "--resume", suite=self.one, output="latin1")
+        self.assertEqual(status, DONE)
+        self.assertIn("\N{REPLACEMENT CHARACTER}", json.loads((self.folder / "latin1.json").read_text())["claim"]["decoder"]["dut"])
+
+    def test_folders_without_end_are_removed(self):
+        deep = "cd $2; i=0; while [ $i -lt 3000 ]; do mkdir d; cd d; i=$((i + 1)); done"
+        self.conform(self.script(deep), suite=self.one, output="deep")
+        self.assertEqual(list((self.folder / "deep").glob("*/work-*")), [])
 
     def test_children_of_another_run_go_on(self):
         """A run that ends does not end a child, in a session of its own, of another run."""

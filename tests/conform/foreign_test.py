@@ -93,6 +93,10 @@ class Suites(Foreign):
         (self.folder / "pictured" / "dec" / "failures").symlink_to(self.mine)
         _, report = self.conform(dut, suite=self.one, output="pictured")
         self.assertIn("symbolic link", self.results(report)[ONE]["reason"])
+        for name in "report.json", "junit.xml", "report.html":
+            (self.folder / f"to-{name}").mkdir()
+            (self.folder / f"to-{name}" / name).symlink_to(self.mine / "file")
+            self.refused(OUTPUT, "conform", "--suite", self.one, "--dut", dut, "-o", f"to-{name}", says="symbolic link")
         self.assert_untouched()
 
 

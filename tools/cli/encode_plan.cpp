@@ -131,7 +131,7 @@ std::string plan_text(const EncodeOptions& options, const EncodeParams& params,
       {"format", kFormat},          {"version", library_version()},  {"input", views_json(options)},
       {"files", inputs_json(list)}, {"params", params_json(params)}, {"row_ends", parts.row_ends},
       {"col_ends", parts.col_ends}};
-  return json.dump(2) + "\n";
+  return io::json_text(json, 2) + "\n";
 }
 
 EncodePlan read_plan(const fs::path& file) {

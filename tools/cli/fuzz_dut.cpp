@@ -15,6 +15,7 @@
 #include "conform/minimise.hpp"
 #include "conform/runner.hpp"
 #include "io/files.hpp"
+#include "io/json_text.hpp"
 #include "terminal/progress_bar.hpp"
 #include "vectors/field_stream.hpp"
 
@@ -115,7 +116,7 @@ std::string recipe(const vectors::Limits& limits, uint64_t seed,
                           {"main", limits.main},
                           {"extended", limits.extended},
                           {"block_sizes", limits.block_sizes}}}}}}};
-  return json.dump(2) + "\n";
+  return io::json_text(json, 2) + "\n";
 }
 
 void save(const std::filesystem::path& file, std::span<const uint8_t> bytes) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files.hpp"
+#include "io/json_text.hpp"
 #include "terminal/shown.hpp"
 
 namespace hmlfc::cli {
@@ -46,9 +47,7 @@ void print(std::string_view text) {
   if (std::fwrite(safe.data(), 1, safe.size(), stdout) != safe.size()) throw_output_failure();
 }
 
-void print_json(const Json& json) {
-  print(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-}
+void print_json(const Json& json) { print(io::json_text(json, 2) + "\n"); }
 
 void flush_output() {
   if (std::fflush(stdout) != 0) throw_output_failure();

@@ -82,8 +82,8 @@ io::IoResult<Claim> claim_of(const Suite& suite, const Dut& dut, const std::stri
   for (const fs::path& file : files_of(dut.command)) {
     const auto mapped = io::map_file(file);
     if (!mapped) return tl::unexpected(mapped.error());
-    files.push_back(
-        {{"name", file.filename().string()}, {"sha256", vectors::sha256(mapped->bytes())}});
+    files.push_back({{"name", io::valid_utf8(file.filename().string())},
+                     {"sha256", vectors::sha256(mapped->bytes())}});
   }
   Claim waivers = Claim::object();
   for (const Waiver& waiver : dut.waivers) waivers[waiver.vector] = waiver.reason;
@@ -93,7 +93,7 @@ io::IoResult<Claim> claim_of(const Suite& suite, const Dut& dut, const std::stri
   return Claim{
       {"suite",
        {{"version", suite.manifest.vectors_version}, {"manifest_sha256", suite.manifest_sha256}}},
-      {"decoder", {{"name", dut.name}, {"dut", dut_text}, {"files", files}}},
+      {"decoder", {{"name", dut.name}, {"dut", io::valid_utf8(dut_text)}, {"files", files}}},
       {"claims", claims},
       {"waivers", waivers}};
 }
@@ -108,8 +108,9 @@ void add_results(Claim& claim, const Run& run, const SystemInfo& system) {
 }
 
 io::IoResult<void> write_claim(const fs::path& file, const Claim& claim) {
-  const nlohmann::ordered_json whole{{"sha256", sum_of_text(claim.dump())}, {"claim", claim}};
-  const std::string text = whole.dump(2) + "\n";
+  const nlohmann::ordered_json whole{{"sha256", sum_of_text(io::json_text(claim))},
+                                     {"claim", claim}};
+  const std::string text = io::json_text(whole, 2) + "\n";
   return io::write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
@@ -120,7 +121,7 @@ io::IoResult<Claim> read_claim(const fs::path& file) {
   if (!read) return io::file_error(file, "is not a claim of hmlfc conform: " + read.error());
   const Claim& whole = *read;
   if (!is_claim(whole)) return io::file_error(file, "is not a claim of hmlfc conform");
-  if (whole["sha256"] != sum_of_text(whole["claim"].dump())) {
+  if (whole["sha256"] != sum_of_text(io::json_text(whole["claim"]))) {
     return io::file_error(file, "has been changed: its SHA-256 is not that of the claim");
   }
   return whole["claim"];

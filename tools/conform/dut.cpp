@@ -8,6 +8,7 @@
 
 #include "conform/running_dut.hpp"
 #include "io/json_members.hpp"
+#include "io/json_text.hpp"
 
 namespace hmlfc::conform {
 
@@ -184,7 +185,8 @@ io::IoResult<Dut> read_dut(const std::string& text, const std::filesystem::path&
       dut.text = text;
       return dut;
     }
-    dut.name = dut.text = text;
+    dut.text = text;
+    dut.name = io::valid_utf8(text);
     if (path.extension() == ".so") {
       std::error_code ignored;
       if (!std::filesystem::is_regular_file(path, ignored)) throw TextError("no such library");

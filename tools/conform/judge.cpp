@@ -4,7 +4,6 @@
 #include <chrono>
 #include <fstream>
 #include <memory>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include "conform/running_dut.hpp"
 #include "conform/stage_trace.hpp"
 #include "conform/view_assembly.hpp"
+#include "conform/work_folder.hpp"
 #include "io/files.hpp"
 #include "vectors/digest.hpp"
 #include "vectors/expected.hpp"
@@ -28,8 +28,7 @@ constexpr uint64_t kBlocksOfValidStream = 16;     // at each stop level
 
 // Writes the stream to `trial.input`, where a run before may have left anything.
 void hand_over(const Trial& trial) {
-  std::error_code ignored;
-  std::filesystem::remove_all(trial.input, ignored);
+  remove_tree(trial.input);
   std::ofstream file(trial.input, std::ios::binary);
   file.write(reinterpret_cast<const char*>(trial.stream.data()),
              static_cast<std::streamsize>(trial.stream.size()));

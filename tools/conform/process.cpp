@@ -31,6 +31,7 @@ using io::FileDescriptor;
 
 constexpr size_t kOutputBytes = size_t{16} << 20;
 constexpr size_t kMessageBytes = 8192;
+constexpr int kReaperRounds = 100;   // of 0.1 s: a reaper takes half of them at most
 constexpr int kBuffersAtATime = 16;  // so that no program keeps the reader from its deadline
 
 struct Pipe {
@@ -140,11 +141,21 @@ std::string Process::take_messages() {
   return std::exchange(messages_.text, {});
 }
 
-ProcessOutcome Process::end(bool timed_out) {
-  control_ = {};
+void Process::wait_for_reaper() {
+  pollfd ended{handle_.get(), POLLIN, 0};
+  for (int round = 0; round < kReaperRounds && ended.revents == 0; ++round) {
+    ::kill(reaper_, SIGCONT);  // a program may have stopped it
+    ::poll(&ended, 1, 100);
+  }
+  ::kill(reaper_, SIGKILL);
   while (::waitpid(reaper_, nullptr, 0) < 0 && errno == EINTR) {
   }
   reaper_ = -1;
+}
+
+ProcessOutcome Process::end(bool timed_out) {
+  control_ = {};
+  wait_for_reaper();
   output_.read();
   output_.cut();
   ProcessOutcome outcome;

@@ -83,6 +83,9 @@ class Process {
     void cut();
   };
 
+  // A reaper ends within 10 s; one that does not is killed, and leaves what it has not killed.
+  void wait_for_reaper();
+
   std::string program_;
   Time begin_;
   io::FileDescriptor input_;

@@ -15,6 +15,7 @@
 
 #include "conform/report_folder.hpp"
 #include "io/files.hpp"
+#include "io/json_text.hpp"
 
 namespace hmlfc::conform {
 
@@ -34,8 +35,10 @@ std::string processor_name() {
   return "unknown";
 }
 
-io::IoResult<void> write_text(const fs::path& file, const std::string& text) {
-  return io::write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+io::IoResult<void> write_text(const fs::path& folder, const char* name, const std::string& text) {
+  const auto file = path_inside(folder, name);
+  if (!file) return tl::unexpected(file.error());
+  return io::write_file(*file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
 // Of two results the worse counts, and any counts more than skipped.
@@ -111,11 +114,10 @@ SystemInfo this_system(const std::string& program) {
 }
 
 io::IoResult<void> write_report(const Report& report, const fs::path& folder) {
-  const std::string json =
-      to_json(report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (auto done = write_text(folder / "report.json", json); !done) return done;
-  if (auto done = write_text(folder / "junit.xml", junit_text(report)); !done) return done;
-  return write_text(folder / "report.html", html_text(report, folder));
+  const std::string json = io::json_text(to_json(report), 2) + "\n";
+  if (auto done = write_text(folder, "report.json", json); !done) return done;
+  if (auto done = write_text(folder, "junit.xml", junit_text(report)); !done) return done;
+  return write_text(folder, "report.html", html_text(report, folder));
 }
 
 io::IoResult<Report> merge(const std::vector<ReportPart>& parts, const fs::path& folder) {

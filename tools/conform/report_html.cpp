@@ -10,6 +10,7 @@
 #include "conform/report_folder.hpp"
 #include "conform/summary.hpp"
 #include "io/files.hpp"
+#include "io/json_text.hpp"
 
 namespace hmlfc::conform {
 
@@ -32,12 +33,6 @@ img{image-rendering:pixelated;min-width:12em;max-width:20em;border:1px solid #99
 .grid{display:block;max-height:40em;overflow:auto}
 </style></head><body>
 )";
-
-// The JSON serialiser replaces invalid UTF-8 by U+FFFD.
-std::string valid_utf8(std::string_view text) {
-  const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-  return Json::parse(quoted).get<std::string>();
-}
 
 // data:image/png;base64,...
 std::string png_data_uri(const std::vector<uint8_t>& png) {
@@ -235,7 +230,7 @@ std::string escaped(std::string_view text) {
   constexpr std::string_view kSpecial = "&<>\"";
   constexpr const char* kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
   std::string out;
-  for (const char c : valid_utf8(text)) {
+  for (const char c : io::valid_utf8(text)) {
     const size_t special = kSpecial.find(c);
     if (special != std::string_view::npos) {
       out += kEntities[special];

@@ -84,7 +84,7 @@ io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,
     std::string line;
     if (std::getline(stream, line)) {
       begun = true;
-      if (read_line(line) != head) {
+      if (line != io::json_text(head)) {
         return io::file_error(log.path_,
                               "has results of another suite or decoder; leave out --resume to "
                               "start again");
@@ -99,7 +99,7 @@ io::IoResult<ResultLog> ResultLog::open(const std::filesystem::path& folder,
   log.file_ = io::FileDescriptor(::open(log.path_.c_str(), flags, 0666));
   if (log.file_.get() < 0) return io::system_error(log.path_, "cannot be written", errno);
   // An interrupted run may have left half a line: an empty write ends it.
-  auto written = write_line(log.path_, log.file_, begun ? std::string() : head.dump());
+  auto written = write_line(log.path_, log.file_, begun ? std::string() : io::json_text(head));
   if (!written) return tl::unexpected(written.error());
   return log;
 }
@@ -110,8 +110,7 @@ const VectorResult* ResultLog::earlier(const vectors::VectorId& id) const {
 }
 
 io::IoResult<void> ResultLog::append(const VectorResult& result) {
-  return write_line(path_, file_,
-                    to_json(result).dump(-1, ' ', false, Json::error_handler_t::replace));
+  return write_line(path_, file_, io::json_text(to_json(result)));
 }
 
 }  // namespace hmlfc::conform

@@ -158,8 +158,7 @@ class SuiteRun {
            vector.blocks ? suite_.folder / vector.blocks->file : fs::path()},
           result);
     if (result.difference) result.pictures = pictures.string();
-    std::error_code ignored;
-    fs::remove_all(work, ignored);
+    remove_tree(work);
   }
 
   const Suite& suite_;

@@ -1,33 +1,22 @@
 // A folder for the files of runs of a decoder.
 #pragma once
 
-#include <cerrno>
-#include <cstdlib>
 #include <filesystem>
-#include <string>
 #include <system_error>
 
 namespace hmlfc::conform {
 
+/// Removes what a decoder left at `path`, however deep: std::filesystem holds a descriptor for each
+/// level and may run out of them, `rm` does not, and says what it cannot remove.
+void remove_tree(const std::filesystem::path& path);
+
 /// A new, empty folder `prefix`-XXXXXX, whose name nobody else has, removed at the end.
 class WorkFolder {
  public:
-  explicit WorkFolder(const std::filesystem::path& prefix) : path_(prefix) {
-    std::filesystem::create_directories(prefix.parent_path(), error_);
-    if (error_) return;
-    std::string name = prefix.string() + "-XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) {
-      error_ = {errno, std::generic_category()};
-    } else {
-      path_ = name;
-    }
-  }
+  explicit WorkFolder(const std::filesystem::path& prefix);
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder() {
-    std::error_code ignored;
-    if (!error_) std::filesystem::remove_all(path_, ignored);
-  }
+  ~WorkFolder();
 
   const std::filesystem::path& path() const { return path_; }
   /// Why it could not be created; false if it was.

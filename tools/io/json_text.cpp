@@ -169,4 +169,8 @@ std::string shown_json(const nlohmann::json& value) {
   return text;
 }
 
+std::string valid_utf8(std::string_view text) {
+  return nlohmann::json::parse(json_text(nlohmann::json(text))).get<std::string>();
+}
+
 }  // namespace hmlfc::io

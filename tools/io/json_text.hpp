@@ -1,4 +1,5 @@
-// JSON from outside: every text is read through walk_json(), which bounds it.
+// JSON from outside: every text is read through walk_json(), which bounds it. JSON for outside is
+// written by json_text().
 #pragma once
 
 #include <cstddef>
@@ -6,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -105,5 +107,15 @@ std::vector<T> integers_at(const Json& json, Key key) {
 /// `value`, or a text from outside, for a message: as JSON in ASCII without control characters, cut
 /// to 80 characters.
 std::string shown_json(const nlohmann::json& value);
+
+/// `text` with U+FFFD for what is not UTF-8.
+std::string valid_utf8(std::string_view text);
+
+/// `value` as JSON text: on one line, or `indent` spaces a level. Strings may hold anything: U+FFFD
+/// stands for what is not UTF-8.
+template <class Json>
+std::string json_text(const Json& value, int indent = -1) {
+  return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace hmlfc::io

@@ -51,8 +51,7 @@ OtherDecoder::~OtherDecoder() = default;
 
 void OtherDecoder::end() {
   ended_ = true;
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_.path(), ignored);
+  conform::remove_tree(folder_.path());
 }
 
 // Copies the stream, whose own file no decoder gets, unless that is done. Failure: as for
@@ -75,7 +74,7 @@ void OtherDecoder::copy_stream() {
 conform::RunningDut& OtherDecoder::running() {
   if (running_ == nullptr) {
     const auto output = folder_.path() / "views";
-    std::filesystem::remove_all(output);
+    conform::remove_tree(output);
     std::filesystem::create_directory(output);
     auto started = conform::start(dut_, limits_, output);
     const auto geometry = started->open(file_);
