@@ -3,6 +3,7 @@
 #
 # Compares TABLES, the file in the repository, with what GENERATOR prints; TARGET writes it anew.
 file(MAKE_DIRECTORY "${WORK}")
+separate_arguments(ARGUMENT)
 execute_process(COMMAND "${GENERATOR}" ${ARGUMENT} OUTPUT_FILE "${WORK}/expected" RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "${GENERATOR} failed: ${status}")
