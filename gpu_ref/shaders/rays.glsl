@@ -56,9 +56,9 @@ Ray trace(FrameRecord f, int a, int b) {
   Ray ray = Ray(false, 0, 0, 0, 0, f.dx, f.dy);
   const ivec3 n = ivec3(direction(f, 0, a, b), direction(f, 1, a, b), direction(f, 2, a, b));
   if (n.z < (1 << 26) || (abs(n.x) >> 2) >= n.z || (abs(n.y) >> 2) >= n.z) return ray;
-  const int r = reciprocal(n.z);
-  const int sx = multiply_shift(n.x, r, 29);
-  const int sy = multiply_shift(n.y, r, 29);
+  const int w = reciprocal(n.z);
+  const int sx = multiply_shift(n.x, w, 29);
+  const int sy = multiply_shift(n.y, w, 29);
   const int u = f.u0 - multiply_shift(f.zu, sx, 28);
   const int v = f.v0 - multiply_shift(f.zv, sy, 28);
   if (!is_among_views(u, f.cols) || !is_among_views(v, f.rows)) return ray;

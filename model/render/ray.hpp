@@ -57,17 +57,17 @@ constexpr bool looks_along_z(const FrameRecord& f) {
          f.nb_lo.x == 0 && f.nb_hi.z == 0 && f.nb_lo.z == 0;
 }
 
-/// r of RAY-2: the reciprocal of n.z in [2^26, 805131608].
+/// w of RAY-2: the reciprocal of n.z in [2^26, 805131608].
 constexpr int32_t reciprocal(int32_t nz) {
-  const auto r = static_cast<int32_t>(((uint64_t{1} << 57) - 1) / static_cast<uint64_t>(nz));
-  watch("r", r);
-  return r;
+  const auto w = static_cast<int32_t>(((uint64_t{1} << 57) - 1) / static_cast<uint64_t>(nz));
+  watch("w", w);
+  return w;
 }
 
-/// sx or sy of RAY-2: the slope of a component n with abs(n) < 4 * n.z, r = reciprocal(n.z).
-constexpr int32_t slope_of(int32_t n, int32_t r) {
-  const int64_t product = int64_t{n} * r;
-  watch("n * r", product);
+/// sx or sy of RAY-2: the slope of a component n with abs(n) < 4 * n.z, w = reciprocal(n.z).
+constexpr int32_t slope_of(int32_t n, int32_t w) {
+  const int64_t product = int64_t{n} * w;
+  watch("n * w", product);
   const auto s = static_cast<int32_t>(product >> 29);
   watch("sx, sy", s);
   return s;
@@ -86,8 +86,8 @@ constexpr std::optional<Slopes> slopes(const IntVector& n) {
   const int32_t x = n.x < 0 ? -n.x : n.x;
   const int32_t y = n.y < 0 ? -n.y : n.y;
   if (n.z < (1 << 26) || (x >> 2) >= n.z || (y >> 2) >= n.z) return std::nullopt;
-  const int32_t r = reciprocal(n.z);
-  return Slopes{slope_of(n.x, r), slope_of(n.y, r)};
+  const int32_t w = reciprocal(n.z);
+  return Slopes{slope_of(n.x, w), slope_of(n.y, w)};
 }
 
 /// U or V on an axis of `views` views (RAY-3).

@@ -153,7 +153,7 @@ inline void trace_row_here(const FrameRecord& f, const RayRow& row, RowRays& ray
   const IntVec least_z = hn::Set(ints, 1 << 26);
   // Cameras that do not turn sideways have one n.z in all pixels of a row.
   const bool one_z = f.na_hi.z == 0 && f.na_lo.z == 0;
-  const IntVec row_r = reciprocals(hn::Max(z.at(hn::Zero(ints)), least_z));
+  const IntVec row_w = reciprocals(hn::Max(z.at(hn::Zero(ints)), least_z));
   // Pixels past the row's end repeat its last.
   const IntVec last_a = hn::Set(ints, row.last);
   const IntVec steps = hn::Mul(hn::Set(ints, row.step), hn::Iota(ints, 0));
@@ -167,10 +167,10 @@ inline void trace_row_here(const FrameRecord& f, const RayRow& row, RowRays& ray
     auto outside = hn::Lt(nz, least_z);
     outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(nx)), nz)));
     outside = hn::Or(outside, hn::Not(hn::Lt(hn::ShiftRight<2>(hn::Abs(ny)), nz)));
-    const IntVec r = one_z ? row_r : reciprocals(hn::Max(nz, least_z));
+    const IntVec w = one_z ? row_w : reciprocals(hn::Max(nz, least_z));
     IntVec at_u, at_v, u, v, xb, yb;
-    cols.trace(multiply_shift_lanes<29>(nx, r), at_u, u, xb, outside);
-    rows.trace(multiply_shift_lanes<29>(ny, r), at_v, v, yb, outside);
+    cols.trace(multiply_shift_lanes<29>(nx, w), at_u, u, xb, outside);
+    rows.trace(multiply_shift_lanes<29>(ny, w), at_v, v, yb, outside);
     if (f.geometry != 0) {
       hn::StoreU(cols.displaced(at_u), ints, rays.us.data() + begin);
       hn::StoreU(rows.displaced(at_v), ints, rays.vs.data() + begin);

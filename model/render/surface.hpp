@@ -116,13 +116,7 @@ class Proposals {
     return agreeing >= kEnough ? median : 0;
   }
 
- private:
-  struct Proposal {
-    int32_t displacement = 0;
-    int32_t weight = 0;
-  };
-
-  // The least proposal such that those up to it have half of the weight.
+  /// The least proposal such that those up to it have half of the weight.
   constexpr int32_t median() const {
     int32_t least = given_[0].displacement;
     for (size_t i = 0; i < count_; ++i) least = std::max(least, given_[i].displacement);
@@ -136,6 +130,12 @@ class Proposals {
     }
     return least;
   }
+
+ private:
+  struct Proposal {
+    int32_t displacement = 0;
+    int32_t weight = 0;
+  };
 
   std::array<Proposal, kMost> given_{};
   size_t count_ = 0;

@@ -56,8 +56,8 @@ class CamerasTest(Streams):
         reached = Reached()
         reached.add(report["rows"])
         gaps = {row["quantity"]: row for row in reached.gaps()}
-        self.assertEqual(list(gaps), ["n * r", "wr, wc", "weight of a view"])
-        for least, proved in zip(gaps["n * r"]["reached"], gaps["n * r"]["proved"]):
+        self.assertEqual(list(gaps), ["n * w", "wr, wc", "weight of a view"])
+        for least, proved in zip(gaps["n * w"]["reached"], gaps["n * w"]["proved"]):
             self.assertLess(abs(proved - least), 715983262)  # one more n would leave the interval
         self.assertEqual(gaps["wr, wc"]["reached"], [1, 256])
         self.assertEqual(gaps["weight of a view"]["reached"], [1, 65536])

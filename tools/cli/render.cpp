@@ -17,6 +17,7 @@
 #include "cli/outside_share.hpp"
 #include "cli/preview.hpp"
 #include "cli/render_backend.hpp"
+#include "cli/render_trace.hpp"
 #include "cli/view_source.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
@@ -36,6 +37,7 @@ struct RenderArguments {
   int threads = 0;
   bool progressive = false;
   bool sweep = false;
+  std::optional<FramePixel> trace;
   bool json = false;
 };
 
@@ -123,6 +125,11 @@ class RenderRun {
 
   ExitCode sweep() {
     print_quality_sweep(file_, cameras_, arguments_.backend, arguments_.json);
+    return ExitCode::kDone;
+  }
+
+  ExitCode trace() {
+    print_trace(file_, record_of(0), stop_level_, *arguments_.trace, arguments_.json);
     return ExitCode::kDone;
   }
 
@@ -247,10 +254,11 @@ ExitCode run_render(const RenderArguments& given) {
   arguments.backend.options.cache_bytes = size_t{arguments.cache_mib} << 20;
   arguments.backend.options.threads = arguments.threads;
   arguments.backend.options.progressive = arguments.progressive;
-  if (!arguments.sweep && arguments.output.empty()) {
+  if (!arguments.sweep && !arguments.trace && arguments.output.empty()) {
     throw Failure(ExitCode::kUsage, "-o is missing: name a folder, or a *.png file for one frame");
   }
   RenderRun run(arguments);
+  if (arguments.trace) return run.trace();
   return arguments.sweep ? run.sweep() : run.frames();
 }
 
@@ -270,6 +278,9 @@ frames need are read; the JSON of one at an address says what was fetched. --bac
 whole stream into the device's memory, and its JSON has no bytes_touched, key_samples_decoded and
 samples_interpolated. The coarse frames of --progressive are named after the frame and its levels:
 frame_0000_levels_1.png. Each is decoded from the one before.
+--trace shows what each clause of docs/rendering.md computes for one pixel of the first frame, down to
+the pixels of the views that it blends; its JSON has pixel, stages[]{stage, view, values[]{name, value,
+clause}} and sample.
 --quality-vs-time compares with frames computed in real numbers, filter quadrilinear and all levels.
 
 Example:
@@ -291,6 +302,10 @@ Example:
            "Also an animation: *.png, or *.gif or *.mp4 by the program ffmpeg")
       ->required(false)
       ->type_name("FILE");
+  add_numbers<2>(app, "--trace", "X,Y", ',', "x,y, such as 120,80",
+                 "Show how this pixel comes about, and write no frame", [&options](const auto& n) {
+                   options.trace = FramePixel{n[0], n[1]};
+                 });
   CLI::Option* progressive =
       app.add_flag("--progressive", options.progressive,
                    "First write each frame with 1, 2, ... levels of the tree");
