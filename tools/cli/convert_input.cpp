@@ -85,8 +85,7 @@ std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options) {
 }  // namespace
 
 bool is_picture(const std::filesystem::path& file) {
-  const std::string extension = io::lower_case_extension(file);
-  return extension == ".png" || extension == ".ppm" || extension == ".jpg" || extension == ".jpeg";
+  return io::is_picture_name("a" + file.extension().string());
 }
 
 bool is_video(const std::filesystem::path& file) {

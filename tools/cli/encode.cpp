@@ -154,7 +154,8 @@ Examples:
   hmlfc encode job.json -o 2.part --shard 2/2
   hmlfc encode job.json -o chess.hmlfc --assemble 1.part 2.part)");
   options.app = &app;
-  add_path(app, "INPUT", options.input, "Folder of PNG, PPM, PGM or JPEG views, or a plan");
+  add_path(app, "INPUT", options.input,
+           "Folder of PNG, JPEG, TIFF, WebP, PPM or PGM views, or a plan");
   add_output(app, options.output, "FILE", "The .hmlfc file, plan or shard to write");
   add_grid(app, options.grid);
   add_views(app, options.part);
