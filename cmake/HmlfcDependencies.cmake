@@ -70,6 +70,8 @@ hmlfc_require(hwy DEBIAN libhwy-dev PURPOSE "SIMD of motion search and rendering
 hmlfc_require(LIBPNG PKGCONFIG libpng DEBIAN libpng-dev PURPOSE "PNG views")
 hmlfc_require(LIBZ PKGCONFIG zlib DEBIAN zlib1g-dev PURPOSE "checksums of animated PNG")
 hmlfc_require(LIBJPEG PKGCONFIG libjpeg DEBIAN libjpeg62-turbo-dev PURPOSE "JPEG views")
+hmlfc_require(LIBTIFF PKGCONFIG libtiff-4 DEBIAN libtiff-dev PURPOSE "TIFF views")
+hmlfc_require(LIBWEBP PKGCONFIG libwebpdemux DEBIAN libwebp-dev PURPOSE "WebP views")
 hmlfc_require(LIBCRYPTO PKGCONFIG libcrypto DEBIAN libssl-dev PURPOSE "SHA-256 of the vectors")
 hmlfc_require(CLI11 DEBIAN libcli11-dev PURPOSE "command line")
 hmlfc_require(LIBCURL PKGCONFIG libcurl DEBIAN libcurl4-openssl-dev PURPOSE "streams at an http:// address")

@@ -43,6 +43,13 @@ std::map<std::string, Bytes> small_files() {
       test::make_jpeg({.width = 19, .height = 9, .pixels = random_rows(19 * 9 * 3)});
   files["progressive.jpg"] = test::make_jpeg(
       {.width = 19, .height = 9, .pixels = random_rows(19 * 9 * 3), .progressive = true});
+  test::TiffContent tiff{.width = 5, .height = 3, .samples = std::vector<uint16_t>(45, 7)};
+  files["strips.tif"] = test::make_tiff(tiff);
+  tiff.tile = 16;
+  tiff.coding = 5;
+  files["tiles.tif"] = test::make_tiff(tiff);
+  files["lossless.webp"] = test::make_webp(5, 3, random_rows(45));
+  files["extended.webp"] = test::make_webp(5, 3, random_rows(45), test::make_exif(1));
   files["binary.ppm"] = test::to_bytes("P6\n# c\n2 2\n255\nABCDEFGHIJKL");
   files["binary.pgm"] = test::to_bytes("P5 2 2 4095 \x01G\x01H\x01I\x01J");
   files["plain.ppm"] = test::to_bytes("P3 2 1 255 10 20 30 40 50 6");

@@ -1,7 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdlib>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "io/image_files.hpp"
 #include "io/sample_images.hpp"
@@ -10,6 +16,7 @@
 namespace hmlfc::io {
 namespace {
 
+using test::Bytes;
 using test::JpegContent;
 
 /// Red rises to the right, green downwards, blue falls to the right.
@@ -50,8 +57,13 @@ TEST_F(JpegTest, ReadsColourCloseToTheSource) {
   expect_close(read(content), content, 4);
   content.progressive = true;
   expect_close(read(content), content, 4);
-  content.full_chroma = false;
-  expect_close(read(content), content, 12);
+  for (const auto& [h, v] : {std::pair{2, 2}, {2, 1}, {1, 2}, {4, 1}}) {
+    content.h = h;
+    content.v = v;
+    content.restart = 3 - content.restart;
+    content.progressive = !content.progressive;
+    expect_close(read(content), content, 12);
+  }
 }
 
 TEST_F(JpegTest, ReplicatesGrey) {
@@ -67,12 +79,63 @@ TEST_F(JpegTest, ReplicatesGrey) {
   }
 }
 
-TEST_F(JpegTest, RefusesCmyk) {
-  JpegContent content{.width = 8, .height = 8, .channels = 4};
-  content.pixels.assign(8 * 8 * 4, 100);
-  const auto image = read(content);
-  ASSERT_FALSE(image.has_value());
-  EXPECT_NE(image.error().message.find("convert it to RGB"), std::string::npos);
+/// The position of marker 0xFF `code` in `file`.
+size_t marker(const Bytes& file, uint8_t code) {
+  const std::array<uint8_t, 2> marker = {0xFF, code};
+  return static_cast<size_t>(std::ranges::search(file, marker).begin() - file.begin());
+}
+
+TEST_F(JpegTest, SaysOnceWhatItIgnores) {
+  JpegContent content = ramp(16, 16);
+  content.adobe = true;
+  content.exif = test::to_bytes(std::string("Exif\0\0", 6));
+  for (const uint8_t byte : test::make_exif(1, "MM")) content.exif.push_back(byte);
+  const Bytes good = test::make_jpeg(content);
+  const RgbImage expected = *read(content);
+  std::map<std::string, Bytes> cases;
+  cases[""] = good;
+  Bytes& transform = cases["Unknown Adobe color transform code 9"] = good;
+  transform[marker(good, 0xEE) + 15] = 9;
+  Bytes& progression = cases["Invalid SOS parameters"] = good;
+  progression[marker(good, 0xDA) + 12] = 0;
+  Bytes& stray = cases["stray bytes before a marker"] = good;
+  stray.insert(stray.begin() + static_cast<ptrdiff_t>(marker(good, 0xDA)), 9, 1);
+  Bytes& phone = cases["what follows the end of the picture"] = good;
+  phone.insert(phone.end(), good.begin(), good.end());
+  for (const auto& [note, bytes] : cases) {
+    test::put_file(folder_ / "a.jpg", bytes);
+    Notes notes;
+    const auto image = read_image(folder_ / "a.jpg", {}, &notes);
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_EQ(image->samples, expected.samples) << note;
+    ASSERT_EQ(notes.lines().size(), note.empty() ? 0u : 1u);
+    for (const std::string& line : notes.lines())
+      EXPECT_NE(line.find(note), std::string::npos) << line;
+  }
+}
+
+TEST_F(JpegTest, TellsUnsupportedFromDamaged) {
+  JpegContent content = ramp(64, 16);
+  content.restart = 2;
+  const Bytes good = test::make_jpeg(content);
+  std::vector<std::pair<std::string, Bytes>> cases(5, {"", good});
+  cases[0].first = "samples of 12 bits; not supported: convert it to a PNG of 16 bits";
+  cases[0].second[marker(good, 0xC0) + 4] = 12;
+  cases[1].first = "SOF type 0xc3; not supported";
+  cases[1].second[marker(good, 0xC0) + 1] = 0xC3;
+  cases[2].first = "the file is damaged";  // a restart marker is missing
+  cases[2].second[marker(good, 0xD1) + 1] = 0xD5;
+  cases[3].first = "the file is damaged";  // stray bytes among the samples
+  cases[3].second.insert(cases[3].second.begin() + static_cast<ptrdiff_t>(marker(good, 0xD1)), 9,
+                         1);
+  cases[4].first = "CMYK, or other colours that are not grey, RGB or YCbCr; not supported";
+  cases[4].second = test::make_jpeg({.width = 8, .height = 8, .channels = 4, .pixels = Bytes(256)});
+  for (const auto& [reason, bytes] : cases) {
+    test::put_file(folder_ / "a.jpg", bytes);
+    const auto image = read_image(folder_ / "a.jpg");
+    ASSERT_FALSE(image.has_value()) << reason;
+    EXPECT_NE(image.error().message.find(reason), std::string::npos) << image.error().message;
+  }
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // PPM and PGM in all flavours.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -42,6 +45,7 @@ TEST_F(PnmTest, ReadsEachKindAndSkipsComments) {
   EXPECT_EQ(samples("P2\n1 2\n255\n7\n9\n"), (Samples{7, 7, 7, 9, 9, 9}));
   EXPECT_EQ(samples("P5# made by hand\n# 9 9 255\n 1#x\n1\n#\n255\nA"), (Samples{65, 65, 65}));
   EXPECT_EQ(samples("P2 1 2 255 7 # seven\n 9"), (Samples{7, 7, 7, 9, 9, 9}));
+  EXPECT_EQ(samples("P5\r\n2 1\r\n255\r\nAB"), (Samples{65, 65, 65, 66, 66, 66}));
   // The first byte of a raster may look like space.
   EXPECT_EQ(samples("P5 2 1 255\n\n "), (Samples{10, 10, 10, 32, 32, 32}));
 }
@@ -64,17 +68,48 @@ TEST_F(PnmTest, CutsMoreThan12BitsTo12) {
   EXPECT_EQ(samples("P2 1 1 8191 8191"), (Samples{4095, 4095, 4095}));
 }
 
-TEST_F(PnmTest, SaysWhatIsWrong) {
-  for (const char* most : {"0", "1", "127", "254", "256", "1000", "4096", "65536", "99999999999"}) {
-    expect_refused(std::string("P5 1 1 ") + most + "\nAA", "2^n - 1");
+TEST_F(PnmTest, ScalesOtherGreatestValues) {
+  for (const int most : {1, 15, 100, 254, 256, 1000, 4096, 65534}) {
+    const int depth = std::clamp(static_cast<int>(std::bit_width(unsigned(most))), 8, 12);
+    std::string content = "P2 1001 1 " + std::to_string(most);
+    Samples expected;
+    for (int i = 0; i <= 1000; ++i) {
+      const int value = most * i / 1000;
+      content += " " + std::to_string(value);
+      const double scaled = static_cast<double>(value) * ((1 << depth) - 1) / most;
+      expected.insert(expected.end(), 3, static_cast<uint16_t>(std::lround(scaled)));
+    }
+    const auto image = read(content);
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_EQ(image->depth, depth);
+    EXPECT_EQ(image->samples, expected) << most;
   }
+}
+
+TEST_F(PnmTest, SaysWhatItChangedOrIgnored) {
+  test::put_file(folder_ / "a.ppm", std::string("P5 1 1 1000 \x03\xE8\nP5 1 1 255 A"));
+  Notes notes;
+  const auto image = read_image(folder_ / "a.ppm", {}, &notes);
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(image->samples, Samples(3, 1023));
+  const std::string file = (folder_ / "a.ppm").string();
+  EXPECT_EQ(notes.lines(),
+            (std::vector{file + ": samples of 0 to 1000 are scaled to 0 to 1023",
+                         file + ": what follows the end of the picture is ignored"}));
+}
+
+TEST_F(PnmTest, SaysWhatIsWrong) {
+  for (const char* most : {"0", "65536", "99999999999"}) {
+    expect_refused(std::string("P5 1 1 ") + most + "\nAA", "a number in [1, 65535]");
+  }
+  expect_refused("P2 1 1 1000 1001", "over the greatest value 1000; the file is damaged");
   expect_refused("P2 1 1 255 256", "over the greatest value 255");
   expect_refused(std::string("P5 1 1 1023\n\x04\x00", 14), "over the greatest value 1023");
   for (const char* size : {"0 1", "1 0", "65537 1", "1 65537", "-1 1", "x 1", "1", ""}) {
     expect_refused(std::string("P5 ") + size, "width and height");
   }
-  for (const char* kind : {"P1", "P4", "P7", "Pf"}) {
-    expect_refused(std::string(kind) + " 1 1 255\n1", "not a PNG, JPEG, PPM or PGM");
+  for (const char* kind : {"P1", "P4", "P7", "Pf", "PF"}) {
+    expect_refused(std::string(kind) + "\n1 1 255\n1", "not supported: convert it");
   }
 }
 

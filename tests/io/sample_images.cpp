@@ -4,6 +4,7 @@
 
 #include <jpeglib.h>
 #include <png.h>
+#include <webp/encode.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,6 +21,14 @@ void append(png_structp png, png_bytep data, size_t count) {
 }
 
 [[noreturn]] void fail(png_structp, png_const_charp message) { throw std::runtime_error(message); }
+
+/// A chunk of RIFF: name, length, content, and a zero after an odd length.
+void append_chunk(Bytes& file, const std::string& name, const Bytes& content) {
+  file.insert(file.end(), name.begin(), name.end());
+  for (int i = 0; i < 4; ++i) file.push_back(static_cast<uint8_t>(content.size() >> (8 * i)));
+  file.insert(file.end(), content.begin(), content.end());
+  if (content.size() % 2 != 0) file.push_back(0);
+}
 
 void set_palette(png_structp png, png_infop info, const PngContent& content) {
   std::vector<png_color> colours;
@@ -59,6 +68,9 @@ Bytes make_png(const PngContent& content) {
   if (!content.significant.empty()) {
     const png_byte name[] = "sBIT";  // written raw: libpng would refuse odd counts
     png_write_chunk(png, name, content.significant.data(), content.significant.size());
+  }
+  for (const auto& [name, data] : content.chunks) {
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>(name.data()), data.data(), data.size());
   }
   const int passes = png_set_interlace_handling(png);
   const size_t row_bytes = content.rows.size() / content.height;
@@ -106,12 +118,19 @@ Bytes make_jpeg(const JpegContent& content) {
       content.channels == 1 ? JCS_GRAYSCALE : (content.channels == 3 ? JCS_RGB : JCS_CMYK);
   jpeg_set_defaults(&encoder);
   jpeg_set_quality(&encoder, 100, TRUE);
-  if (content.full_chroma) {
-    encoder.comp_info[0].h_samp_factor = 1;
-    encoder.comp_info[0].v_samp_factor = 1;
+  encoder.comp_info[0].h_samp_factor = content.h;
+  encoder.comp_info[0].v_samp_factor = content.v;
+  encoder.restart_interval = content.restart;
+  if (content.adobe) {
+    encoder.write_JFIF_header = FALSE;
+    encoder.write_Adobe_marker = TRUE;
   }
   if (content.progressive) jpeg_simple_progression(&encoder);
   jpeg_start_compress(&encoder, TRUE);
+  if (!content.exif.empty()) {
+    jpeg_write_marker(&encoder, JPEG_APP0 + 1, content.exif.data(),
+                      static_cast<unsigned>(content.exif.size()));
+  }
   const size_t row_bytes = size_t{content.width} * static_cast<size_t>(content.channels);
   Bytes pixels = content.pixels;
   while (encoder.next_scanline < encoder.image_height) {
@@ -123,6 +142,35 @@ Bytes make_jpeg(const JpegContent& content) {
   Bytes bytes(data, data + size);
   std::free(data);
   return bytes;
+}
+
+Bytes make_exif(uint8_t orientation, const std::string& order) {
+  if (order == "II") {
+    return {'I', 'I', 42, 0, 8, 0,           0, 0, 1, 0, 0x12, 1, 3,
+            0,   1,   0,  0, 0, orientation, 0, 0, 0, 0, 0,    0, 0};
+  }
+  return {'M', 'M', 0, 42, 0, 0, 0,           8, 0, 1, 1, 0x12, 0,
+          3,   0,   0, 0,  1, 0, orientation, 0, 0, 0, 0, 0,    0};
+}
+
+Bytes make_webp(uint32_t width, uint32_t height, const Bytes& pixels, const Bytes& exif) {
+  uint8_t* data = nullptr;
+  const size_t size =
+      WebPEncodeLosslessRGB(pixels.data(), static_cast<int>(width), static_cast<int>(height),
+                            static_cast<int>(width) * 3, &data);
+  Bytes file(data, data + size);
+  WebPFree(data);
+  if (exif.empty()) return file;
+  // Flags, three bytes of zeros, width - 1 and height - 1 of three bytes each.
+  Bytes chunks = {'W', 'E', 'B', 'P'};
+  append_chunk(
+      chunks, "VP8X",
+      {8, 0, 0, 0, static_cast<uint8_t>(width - 1), 0, 0, static_cast<uint8_t>(height - 1), 0, 0});
+  chunks.insert(chunks.end(), file.begin() + 12, file.end());
+  append_chunk(chunks, "EXIF", exif);
+  Bytes extended;
+  append_chunk(extended, "RIFF", chunks);
+  return extended;
 }
 
 }  // namespace hmlfc::test

@@ -86,9 +86,12 @@ TEST(ViewList, RowsAndColumnsOfNames) {
       {names_of(1, 1, {}, {"LICENSE.txt", "a.png.partial-77", ".hidden.png", "depth.pfm", "none"}),
        {},
        {"1x1: out_00_00.png"}},
-      {{"0_0.png", "0_1.ppm", "0_2.pgm", "0_3.pnm", "0_4.jpg", "0_5.jpeg", "0_6.PNG"},
+      {{"0_0.png", "0_1.ppm", "0_2.pgm", "0_3.pnm", "0_4.jpg", "0_5.jpeg", "0_6.PNG", "0_7.jfif"},
        {},
-       {"1x7: 0_0.png 0_1.ppm 0_2.pgm 0_3.pnm 0_4.jpg 0_5.jpeg 0_6.PNG"}},
+       {"1x8: 0_0.png 0_1.ppm 0_2.pgm 0_3.pnm 0_4.jpg 0_5.jpeg 0_6.PNG 0_7.jfif"}},
+      {{"0_0.jpe", "0_1.tif", "0_2.TIFF", "0_3.webp"},
+       {},
+       {"1x4: 0_0.jpe 0_1.tif 0_2.TIFF 0_3.webp"}},
       // A grid of the right size takes a subset.
       {part, GridShape{2, 3}, {"2x3: v_2_3.png v_2_5.png v_2_9.png v_6_3.png v_6_5.png v_6_9.png"}},
       {part, GridShape{3, 2}, {"extra view v_2_3.png"}},
@@ -166,7 +169,7 @@ TEST(ViewList, OtherNamesInTheirOrder) {
 }
 
 TEST(ViewList, WhatIsNoFolderOfViews) {
-  expect_lists({{{}, {}, {"no PNG, PPM, PGM or JPEG"}},
+  expect_lists({{{}, {}, {"no PNG, JPEG, TIFF, WebP, PPM or PGM"}},
                 {{"0_0.png"}, GridShape{0, 1}, {"1 to 4096"}},
                 {{"0_0.png"}, GridShape{1, 4097}, {"1 to 4096"}}});
   const test::TempFolder folder;

@@ -101,7 +101,7 @@ def check_dependencies(debs):
     """Each library that a file needs comes with a package that is named, and nothing of the build is in the files."""
     for name, needs in {
         "libhmlfc0.1": {"libopenjp2-7", "libtbb12", "libhwy1", "libc6"},
-        "hmlfc": {"libpng16-16", "libjpeg62-turbo", "libssl3", "libfmt9"},
+        "hmlfc": {"libpng16-16", "libjpeg62-turbo", "libtiff6", "libwebp7", "libssl3", "libfmt9"},
         "libhmlfc-dev": {"libhmlfc0.1", "libexpected-dev"},
         "python3-hmlfc": {"python3-numpy", "libopenjp2-7"},
     }.items():

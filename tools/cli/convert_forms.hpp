@@ -35,7 +35,7 @@ struct ConvertOptions {
   int threads = 0;
 };
 
-/// Whether the name is that of a picture: .png, .ppm, .jpg or .jpeg.
+/// Whether the name ends as that of a picture.
 bool is_picture(const std::filesystem::path& file);
 
 /// Whether the name is that of a video: .y4m.

@@ -154,8 +154,9 @@ void check_output(const ConvertOptions& options) {
   const std::filesystem::path& file = options.output;
   const auto usage = [](const std::string& what) { throw Failure(ExitCode::kUsage, what); };
   const std::string extension = io::lower_case_extension(file);
-  if (extension == ".jpg" || extension == ".jpeg") {
-    usage(file.string() + ": JPEG loses samples; write a folder, .png, .ppm, .y4m or .hmlfc");
+  if (is_picture(file) && extension != ".png" && extension != ".ppm") {
+    usage(file.string() +
+          ": pictures are written as .png or .ppm; or write a folder, .y4m or .hmlfc");
   }
   const bool is_folder = !is_picture(file) && !is_video(file) && !is_stream(file);
   const bool for_folder = options.to == Form::kPleno || options.to == Form::kHci;

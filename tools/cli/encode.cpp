@@ -38,13 +38,13 @@ struct Input {
 Input load(const EncodeOptions& options) {
   terminal::ProgressBar progress("Reading", "views");
   const io::ViewList views = listed_views(options);
-  io::ImageLosses losses;
+  io::Notes notes;
   LightField field = value_or_throw(
       io::load_light_field(views, static_cast<unsigned>(options.coding.params.threads),
-                           progress.callback(), &losses),
+                           progress.callback(), &notes),
       ExitCode::kInput);
   progress.clear();
-  note_losses(options.input, losses);
+  tell(notes);
   auto rig = rig_for(options.rig, options.coding.params.profile, views, field.shape());
   return {std::move(field), std::move(rig)};
 }
@@ -154,7 +154,8 @@ Examples:
   hmlfc encode job.json -o 2.part --shard 2/2
   hmlfc encode job.json -o chess.hmlfc --assemble 1.part 2.part)");
   options.app = &app;
-  add_path(app, "INPUT", options.input, "Folder of PNG, PPM, PGM or JPEG views, or a plan");
+  add_path(app, "INPUT", options.input,
+           "Folder of PNG, JPEG, TIFF, WebP, PPM or PGM views, or a plan");
   add_output(app, options.output, "FILE", "The .hmlfc file, plan or shard to write");
   add_grid(app, options.grid);
   add_views(app, options.part);

@@ -1,8 +1,10 @@
-// PGM and PPM, plain and binary (P2, P3, P5, P6); only the first picture of a file is read.
+// PGM and PPM, plain and binary (P2, P3, P5, P6), and what is said of their relatives.
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/image_reader.hpp"
 
@@ -36,6 +38,14 @@ class PnmCursor {
 
   std::span<const uint8_t> rest() const { return bytes_.subspan(position_); }
 
+  void skip(size_t count) { position_ += count; }
+
+  /// Windows ends the header's line with two bytes: skips the second, if `raster_bytes` follow it.
+  void skip_line_feed(uint64_t raster_bytes) {
+    const bool two = bytes_[position_ - 1] == '\r' && !at_end() && bytes_[position_] == '\n';
+    if (two && rest().size() == raster_bytes + 1) ++position_;
+  }
+
   /// The next decimal number of at most `limit` after any white space and comments.
   std::optional<uint32_t> number(uint32_t limit) {
     skip_blanks();
@@ -47,16 +57,6 @@ class PnmCursor {
     }
     return static_cast<uint32_t>(value);
   }
-
-  /// The single white space character between the header and a binary raster.
-  bool one_space() {
-    if (at_end() || !is_space(bytes_[position_])) return false;
-    ++position_;
-    return true;
-  }
-
- private:
-  bool at_end() const { return position_ >= bytes_.size(); }
 
   void skip_blanks() {
     while (!at_end()) {
@@ -70,6 +70,16 @@ class PnmCursor {
     }
   }
 
+  /// The single white space character between the header and a binary raster.
+  bool one_space() {
+    if (at_end() || !is_space(bytes_[position_])) return false;
+    ++position_;
+    return true;
+  }
+
+ private:
+  bool at_end() const { return position_ >= bytes_.size(); }
+
   std::span<const uint8_t> bytes_;
   size_t position_ = 2;  // after the magic number
 };
@@ -82,10 +92,8 @@ IoResult<PnmHeader> read_header(const ImageSource& source, PnmCursor& cursor) {
     return file_error(source.path, "PNM header: width and height must be numbers in [1, 65536]");
   }
   const auto maxval = cursor.number(65535);
-  if (!maxval || *maxval < 255 || !std::has_single_bit(*maxval + 1)) {
-    return file_error(source.path,
-                      "PNM header: the greatest value must be 2^n - 1 with n in [8, 16] (255, 511, "
-                      "1023, 2047, 4095 ... 65535); convert the picture");
+  if (!maxval || *maxval == 0) {
+    return damaged(source, "PNM header: the greatest value must be a number in [1, 65535]");
   }
   return PnmHeader{kind, *width, *height, *maxval};
 }
@@ -108,33 +116,70 @@ bool read_values(const PnmHeader& header, PnmCursor& cursor, const Put& put) {
     if (value > header.maxval) return false;
     put(i, value);
   }
+  if (!header.plain()) cursor.skip(header.min_raster_bytes());
   return true;
 }
+
+/// How values in [0, maxval] become samples: those of 2^n - 1 keep their upper bits, others are
+/// scaled to the smallest depth that holds them, at most 12 bits, so that maxval becomes white.
+class PnmScale {
+ public:
+  explicit PnmScale(uint32_t maxval)
+      : maxval_(maxval),
+        bits_(static_cast<int>(std::bit_width(maxval))),
+        exact_(maxval >= 255 && std::has_single_bit(maxval + 1)) {}
+
+  int depth() const { return std::clamp(bits_, 8, 12); }
+
+  uint16_t sample(uint32_t value) const {
+    if (exact_) return static_cast<uint16_t>(value >> (bits_ - depth()));
+    return static_cast<uint16_t>((value * white() + maxval_ / 2) / maxval_);  // below 2^29
+  }
+
+  void note(const ImageSource& source) const {
+    if (exact_) return source.note_depth(bits_);
+    source.note("samples of 0 to " + std::to_string(maxval_) + " are scaled to 0 to " +
+                std::to_string(white()));
+  }
+
+ private:
+  uint32_t white() const { return (uint32_t{1} << depth()) - 1; }
+
+  uint32_t maxval_;
+  int bits_;
+  bool exact_;
+};
 
 }  // namespace
 
 bool is_pnm(std::span<const uint8_t> bytes) {
-  return bytes.size() >= 2 && bytes[0] == 'P' &&
-         (bytes[1] == '2' || bytes[1] == '3' || bytes[1] == '5' || bytes[1] == '6');
+  constexpr std::string_view kKinds = "1234567fF";
+  return bytes.size() >= 3 && bytes[0] == 'P' && (is_space(bytes[2]) || bytes[2] == '#') &&
+         kKinds.find(static_cast<char>(bytes[1])) != kKinds.npos;
 }
 
 IoResult<RgbImage> read_pnm(const ImageSource& source) {
+  const auto kind = static_cast<char>(source.bytes[1]);
+  if (kind == '1' || kind == '4') return unsupported(source, "PBM: a bitmap of black and white");
+  if (kind == '7') return unsupported(source, "PAM", "convert it to PNG or PPM");
+  if (kind == 'f' || kind == 'F') {
+    return unsupported(source, "PFM: floating-point samples", "convert it to a PNG of 16 bits");
+  }
   PnmCursor cursor(source.bytes);
   const auto header = read_header(source, cursor);
   if (!header) return tl::unexpected(header.error());
   if (!cursor.one_space() || cursor.rest().size() < header->min_raster_bytes()) {
-    return file_error(source.path, "PNM: the file ends before the picture does; copy it again");
+    return damaged(source, "PNM: the file ends before the picture does");
   }
-  const int bits = static_cast<int>(std::bit_width(header->maxval));
-  const int depth = std::min(bits, 12);
-  source.losses.add({bits > 12 ? bits : 0, false});
-  auto image = allocate_image(source, header->width, header->height, depth);
+  cursor.skip_line_feed(header->min_raster_bytes());
+  const PnmScale scale(header->maxval);
+  auto image = allocate_image(source, header->width, header->height, scale.depth());
   if (!image) return image;
 
   uint16_t* samples = image->samples.data();
   const bool grey = header->channels() == 1;
   const bool complete = read_values(*header, cursor, [&](uint64_t index, uint32_t value) {
-    const auto sample = static_cast<uint16_t>(value >> (bits - depth));
+    const uint16_t sample = scale.sample(value);
     if (grey) {
       std::fill_n(samples + 3 * index, 3, sample);
     } else {
@@ -142,9 +187,12 @@ IoResult<RgbImage> read_pnm(const ImageSource& source) {
     }
   });
   if (!complete) {
-    return file_error(source.path, "PNM: a sample is missing or over the greatest value " +
-                                       std::to_string(header->maxval) + "; the file is damaged");
+    return damaged(source, "PNM: a sample is missing or over the greatest value " +
+                               std::to_string(header->maxval));
   }
+  scale.note(source);
+  cursor.skip_blanks();
+  source.note_surplus(cursor.rest().size());
   return image;
 }
 

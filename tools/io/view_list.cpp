@@ -150,7 +150,7 @@ IoResult<std::vector<fs::path>> find_pictures(const fs::path& folder) {
     if (is_picture_name(it->path()) && !it->is_directory(ignored)) files.push_back(it->path());
   }
   if (failure) return system_error(folder, "cannot list the folder", failure.value());
-  if (files.empty()) return file_error(folder, "no PNG, PPM, PGM or JPEG picture in this folder");
+  if (files.empty()) return file_error(folder, "no PNG, JPEG, TIFF, WebP, PPM or PGM picture");
   std::ranges::sort(files, [](const fs::path& a, const fs::path& b) {
     const std::string left = a.stem().string();
     const std::string right = b.stem().string();
@@ -287,8 +287,8 @@ IoResult<ViewList> list_by_camera_name(const fs::path& folder, std::optional<Gri
 }  // namespace
 
 bool is_picture_name(const fs::path& file) {
-  constexpr std::array<std::string_view, 6> kExtensions = {".png", ".ppm", ".pgm",
-                                                           ".pnm", ".jpg", ".jpeg"};
+  constexpr std::array<std::string_view, 11> kExtensions = {
+      ".png", ".ppm", ".pgm", ".pnm", ".jpg", ".jpeg", ".jpe", ".jfif", ".tif", ".tiff", ".webp"};
   return !file.filename().string().starts_with('.') &&
          std::ranges::find(kExtensions, lower_case_extension(file)) != kExtensions.end();
 }

@@ -23,8 +23,8 @@ struct ViewList {
   std::vector<std::filesystem::path> files;  ///< rows * cols paths, row-major
 };
 
-/// Whether `file` is named *.png, .ppm, .pgm, .pnm, .jpg or .jpeg (in any case), without a dot in
-/// front.
+/// Whether `file` is named *.png, .ppm, .pgm, .pnm, .jpg, .jpeg, .jpe, .jfif, .tif, .tiff or .webp
+/// (in any case), without a dot in front.
 bool is_picture_name(const std::filesystem::path& file);
 
 /// Finds the views in `folder`: all files of which is_picture_name() is true; other files are
