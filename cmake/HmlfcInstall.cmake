@@ -4,6 +4,11 @@
 
 include(CMakePackageConfigHelpers)
 
+# ./run builds only what its command needs.
+install(CODE "if(NOT EXISTS \"$<TARGET_FILE:hmlfc_shared>\")
+  message(FATAL_ERROR \"First build what is installed: cmake --build ${PROJECT_BINARY_DIR} --target hmlfc_installed\")
+endif()" COMPONENT dev)
+
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/hmlfc")
 
 # Sets of their own: a user of one needs neither the file nor the dependencies of the other.

@@ -7,7 +7,7 @@ from measure import SECTIONS
 from plots import Curve, Panel, draw
 from report import columns
 from result_file import table
-from studies import FULL, METHODS, extended, label, main, studies
+from studies import CACHES, FILTERS, FULL, METHODS, extended, label, main, studies
 
 MIB = 1 << 20
 SHOWN = ("chess", "antinous", "knights")  # in long tables
@@ -169,12 +169,15 @@ def pictures(results, folder, prefix):
         Panel("", lines, "window", y) for lines, y in zip(pairs, ("bits, window 1 = 1", "PSNR RGB over window 1, dB"))], 2)
     panels = []
     for field in dict.fromkeys(row["light_field"] for row in results["frames"]):
-        lines = []
-        for row in results["frames"]:
-            if row["light_field"] == field and row["mse_total"] > 0:
-                profile = row["coding"].split()[0].replace("hmlfc", "main")
-                lines.append(Curve(f"{profile}, {row['frame'].split(':')[0]}", [1e3 * row["median_cpu_seconds"]],
-                                   [psnr_of_mse(row["mse_total"])], "o"))
-        panels.append(Panel(field, lines, "CPU ms a frame, median", "PSNR RGB, dB"))
+        lines = {}
+        for row in sorted(results["frames"], key=lambda row: row["mse_total"]):
+            name, _, cache = row["frame"].split(":")
+            if row["light_field"] == field and int(cache) == max(CACHES) and row["mse_total"] > 0:
+                profile = row["coding"].split()[0].replace("hmlfc", "main, levels 1 to 4" if name == FILTERS[-1] else "main")
+                line = lines.setdefault(f"{profile}: {name}", ([], []))
+                line[0].append(1e3 * row["median_cpu_seconds"])
+                line[1].append(psnr_of_mse(row["mse_total"]))
+        curves = [Curve(name, *line) for name, line in lines.items()]
+        panels.append(Panel(field, curves, "CPU ms a frame, median", "PSNR RGB, dB", ""))
     if panels:
-        draw(folder / f"{prefix}renderer.png", panels, 4)
+        draw(folder / f"{prefix}renderer.png", [panel for panel in panels if panel.title in SHOWN] or panels, 3)

@@ -31,6 +31,17 @@ class Reports(ConformTest):
         for text in ("real/cards-main", "COL-3", "SHA-256", "Look first at <b>real/cards-main"):
             self.assertIn(text, page)
 
+    def test_page_fits_a_phone_and_folds_what_was_not_run(self):
+        page = self.page("failing")
+        self.assertIn('<meta name="viewport" content="width=device-width', page)
+        self.assertEqual(page.count("<table>"), page.count("<div class=scroll><table>"))
+        shown = re.sub(r"<details>.*?</details>", "", page, flags=re.S)
+        for text in ("error/magic", ">not run<"):
+            self.assertIn(text, page)
+        self.assertNotIn("error/magic", shown)
+        self.assertNotIn('skipped">0 / ', page)
+        self.assertLess(shown.index("real/cards-main"), shown.index("milestones"))
+
     def test_junit(self):
         suite = ElementTree.parse(self.folder / "failing/junit.xml").getroot().find("testsuite")
         self.assertEqual((suite.get("failures"), suite.get("errors")), ("1", "0"))

@@ -47,7 +47,7 @@ COMMANDS = rules(
     (r"\./run (package|docs|sbom)", NAMED_ONLY, "tests of label release run it"),
     (r"\./run test( --require-all)?", NAMED_ONLY, "runs this test"),
     (r"(?:\./run test|ctest --test-dir \S+) (.*)", r"ctest --test-dir $BUILD -N \1 | grep 'Total Tests: [1-9]'", "lists the tests"),
-    (r"cmake (?:--preset |--build build/)(\w+)(?: -D\S+)?", r"""cmake --list-presets | grep -F '"\1"'""", "a build takes minutes"),
+    (r"cmake (?:--preset |--build build/)(\w+)(?: -D\S+| --target \w+)?", r"""cmake --list-presets | grep -F '"\1"'""", "a build takes minutes"),
     (r"cmake --install build/release --prefix \S+", "cmake --install $BUILD --prefix installed", "into the sandbox"),
     (r"(\./run (?:bench (?:access|accuracy|geometry|gpu|rate_distortion|remote|skipping|view)|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),

@@ -49,7 +49,7 @@ def main():
     assert found == wanted, found
     command = [sys.executable, "-B", ROOT / "tools/release/site_pages.py", ROOT]
     subprocess.run([*command, WORK], check=True)
-    for name in ("index.html", "docs/api.html", "docs/images/scenes.png", site.REFERENCE):
+    for name in ("index.html", "docs/api.html", "docs/images/moving.webp", site.REFERENCE):
         assert (WORK / name).is_file(), name
     assert "hmlfc_decode_view" in (WORK / "api/html/hmlfc_8h.html").read_text(), "the C interface is not in the reference"
     # A folder with something else in it is left alone.

@@ -169,8 +169,9 @@ CLI::Option* add_milestone(CLI::App& app, std::string& target) {
     names += (names.empty() ? "one of " : ", ") + std::string(row.name);
   }
   const auto reader = [&target](const std::string& text) {
-    target = text;
-    return vectors::milestone_number(text).has_value();
+    const auto number = vectors::milestone_number(text);
+    if (number) target = vectors::milestones()[*number].name;
+    return number.has_value();
   };
   return add_value(app, "--milestone", "NAME",
                    "Only the vectors of one milestone; hmlfc vectors milestones lists them", names,

@@ -26,23 +26,11 @@ bool decodes(std::span<const uint8_t> stream) {
   return decoder && decoder->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1});
 }
 
-// The first `rows` x `cols` views. Images that become key images get the samples that `decoder`,
-// opened on the stream of `parts`, gives for them. Nothing if one does not decode.
-std::optional<StreamParts> with_grid(const StreamParts& parts, uint32_t rows, uint32_t cols,
-                                     const Decoder& decoder) {
+// The upper left pixels of all views, as many as `header` has; key images are cropped and coded
+// anew. Nothing if a key image does not decode.
+std::optional<StreamParts> with_size(const StreamParts& parts, const StreamHeader& header) {
   StreamParts smaller = parts;
-  smaller.header.rows = rows;
-  smaller.header.cols = cols;
-  if (!add_missing_keys(smaller, decoder)) return std::nullopt;
-  return smaller;
-}
-
-// The upper left `width` x `height` pixels of all views; key images are cropped and coded anew.
-// Nothing if a key image does not decode.
-std::optional<StreamParts> with_size(const StreamParts& parts, uint32_t width, uint32_t height) {
-  StreamParts smaller = parts;
-  smaller.header.width = width;
-  smaller.header.height = height;
+  smaller.header = header;
   if (!check_fields(smaller.header)) return std::nullopt;
   const Geometry before(parts.header);
   const Geometry after(smaller.header);
@@ -62,15 +50,24 @@ std::optional<StreamParts> with_size(const StreamParts& parts, uint32_t width, u
   return smaller;
 }
 
-// Without the top level: the reference images of the level below become key images, as above.
-// Nothing if the tree has one level, or an image does not decode.
-std::optional<StreamParts> without_top_level(const StreamParts& parts, const Decoder& decoder) {
-  if (parts.header.tree_height == 0) return std::nullopt;
+// Of another header: images that become key images get the samples that `decoder`, opened on the
+// stream of `parts`, gives for them. Nothing if one does not decode.
+std::optional<StreamParts> with_keys(const StreamParts& parts, const StreamHeader& header,
+                                     const Decoder& decoder) {
   StreamParts smaller = parts;
-  --smaller.header.tree_height;
-  smaller.header.levels.pop_back();
+  smaller.header = header;
   if (!add_missing_keys(smaller, decoder)) return std::nullopt;
   return smaller;
+}
+
+// Without the top level: the reference images of the level below become key images. Nothing if the
+// tree has one level, or an image does not decode.
+std::optional<StreamParts> without_top_level(const StreamParts& parts, const Decoder& decoder) {
+  StreamHeader header = parts.header;
+  if (header.tree_height == 0) return std::nullopt;
+  --header.tree_height;
+  header.levels.pop_back();
+  return with_keys(parts, header, decoder);
 }
 
 // Without tile records `begin` to `end` - 1.
@@ -158,9 +155,9 @@ class Search {
     if (header.rows != parts_.header.rows || header.cols != parts_.header.cols) {
       const auto decoder = Decoder::open(result_.stream);
       if (!decoder) return std::nullopt;
-      return with_grid(parts_, header.rows, header.cols, *decoder);
+      return with_keys(parts_, header, *decoder);
     }
-    return with_size(parts_, header.width, header.height);
+    return with_size(parts_, header);
   }
 
   // Drops halves, quarters ... down to single tiles.

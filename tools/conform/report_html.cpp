@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
@@ -14,25 +15,30 @@
 
 namespace hmlfc::conform {
 
+extern const char* const kReportStyle;  // tools/CMakeLists.txt
+
 namespace fs = std::filesystem;
 
 namespace {
 
 constexpr size_t kPicturedFailures = 100;  // of each decoder, so that a page stays readable
+constexpr size_t kOpenFailures = 3;        // of each cause; the others are folded
 
 constexpr const char* kHead = R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>HMLFC conformance</title><style>
-body{font:15px/1.45 system-ui,sans-serif;margin:2em auto;max-width:75em;padding:0 1em;color:#222}
-h1{font-size:1.6em}h2{font-size:1.25em;margin-top:2em;border-bottom:1px solid #ccc}h3{font-size:1em}
-table{border-collapse:collapse}td,th{padding:.2em .6em;border:1px solid #ccc;text-align:left;vertical-align:top}
-td.n{text-align:right}code,pre{font:13px/1.4 ui-monospace,monospace}pre{background:#f5f5f5;padding:.6em;overflow-x:auto}
-.pass{background:#d9f2d9}.fail,.error,.timeout{background:#f8d0d0}.skipped{background:#fdf0c4}
-.not_supported{background:#e8e8e8;color:#555}.waived{background:#e3d8f3}
-.pictures{display:flex;flex-wrap:wrap;gap:1em}figure{margin:0}figcaption{font-size:.85em;color:#555}
-img{image-rendering:pixelated;min-width:12em;max-width:20em;border:1px solid #999}
-.grid{display:block;max-height:40em;overflow:auto}
-</style></head><body>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<title>HMLFC conformance</title><style>
 )";
+
+// A table that scrolls in a box of its own.
+std::string table(const std::string& rows) {
+  return "<div class=scroll><table>" + rows + "</table></div>\n";
+}
+
+// What is shown once somebody asks for it; nothing if there is none.
+std::string folded(size_t count, std::string_view what, const std::string& content) {
+  if (count == 0) return {};
+  return fmt::format("<details><summary>{} {}</summary>{}</details>\n", count, what, content);
+}
 
 // data:image/png;base64,...
 std::string png_data_uri(const std::vector<uint8_t>& png) {
@@ -52,8 +58,7 @@ std::string list(const std::vector<std::string>& words) {
 }
 
 std::string summary(const Report& report) {
-  std::string text =
-      "<h2>Decoders</h2><table><tr><th>decoder</th><th>verdict</th><th>profile</th><th>level</th>";
+  std::string text = "<tr><th>decoder</th><th>verdict</th><th>profile</th><th>level</th>";
   for (size_t i = 0; i < kStatusCount; ++i) {
     text += fmt::format("<th>{}</th>", status_name(static_cast<Status>(i)));
   }
@@ -67,13 +72,13 @@ std::string summary(const Report& report) {
     for (const uint64_t count : counts.count) text += fmt::format("<td class=n>{}</td>", count);
     text += fmt::format("<td class=n>{}</td></tr>\n", counts.waived);
   }
-  return text + "</table>\n";
+  return table(text);
 }
 
 std::string system_table(const Report& report) {
   const SystemInfo& s = report.system;
   std::string text = fmt::format(
-      "<h2>System</h2><table><tr><th>suite</th><td>{}, manifest SHA-256 <code>{}</code></td></tr>"
+      "<tr><th>suite</th><td>{}, manifest SHA-256 <code>{}</code></td></tr>"
       "<tr><th>program</th><td>{}</td></tr><tr><th>date</th><td>{}</td></tr>"
       "<tr><th>system</th><td>{}</td></tr><tr><th>processor</th><td>{}, {} threads, {} "
       "MiB</td></tr>",
@@ -83,11 +88,11 @@ std::string system_table(const Report& report) {
     text += fmt::format("<tr><th>{}</th><td><code>{}</code></td></tr>", escaped(run.dut),
                         list(run.command));
   }
-  return text + "</table>\n";
+  return "<h2>System</h2>" + table(text);
 }
 
 std::string pictures(const VectorResult& result, const std::filesystem::path& folder) {
-  std::string text = "<div class=pictures>";
+  std::string text = "<div>";
   constexpr const char* kCaptions[] = {"expected", "actual", "difference times 16, grey if equal"};
   for (size_t i = 0; i < std::size(kFailurePictures); ++i) {
     const auto path = path_inside(folder, fs::path(result.pictures) / kFailurePictures[i]);
@@ -115,37 +120,41 @@ std::string failure(const VectorResult& result, const std::filesystem::path& fol
   return text;
 }
 
-// Milestones of a decoder: what it claims of each, and what passes.
-std::string milestone_table(const Summary& summary) {
-  std::string text = "<table><tr><th>milestone</th><th>a decoder</th><th>vectors</th></tr>\n";
-  for (const MilestoneCount& count : summary.milestones) {
-    const char* kind = count.bad != 0       ? "fail"
-                       : count.claimed == 0 ? "not_supported"
-                       : count.whole()      ? "pass"
-                                            : "skipped";
-    const std::string vectors =
-        count.claimed == 0 ? "not claimed" : fmt::format("{} / {}", count.pass, count.claimed);
-    text += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n {}\">{}</td></tr>\n",
-                        escaped(count.name), escaped(count.claim), kind, vectors);
-  }
-  return text + "</table>\n";
+// How many pass of those that were run, and how many were not.
+std::string cell(const Count& count) {
+  if (count.claimed == 0) return "<td class=\"n not_supported\">not claimed</td>";
+  if (count.skipped == count.claimed) return "<td class=\"n skipped\">not run</td>";
+  const char* kind = count.bad != 0 ? "fail" : count.whole() ? "pass" : "skipped";
+  std::string text =
+      fmt::format("<td class=\"n {}\">{} / {}", kind, count.pass, count.claimed - count.skipped);
+  if (count.skipped != 0) text += fmt::format(", {} not run", count.skipped);
+  return text + "</td>";
 }
 
-// What to look at first.
-std::string where_to_begin(const Run& run, const Summary& summary) {
-  std::string text = fmt::format("<h2>Where {} stands</h2>\n", escaped(run.dut));
-  if (summary.first != nullptr) {
-    text += fmt::format(
-        "<p>The first milestone that is not whole is <b>{}</b>. Look first at <b>{}</b>: {}</p>"
-        "<pre>{}\n{}</pre>\n",
-        escaped(summary.first->name), escaped(summary.look_at->id.text()),
-        escaped(summary.look_at->reason), escaped(summary.look_at->inspect),
-        escaped(summary.look_at->view));
+// What each milestone claims of a decoder, and what passes.
+std::string milestone_table(const Run& run, const Summary& summary) {
+  std::string text = "<tr><th>milestone</th><th>a decoder</th><th>vectors</th></tr>\n";
+  for (const MilestoneCount& count : summary.milestones) {
+    text += fmt::format("<tr><td>{}</td><td>{}</td>{}</tr>\n", escaped(count.name),
+                        escaped(count.claim), cell(count));
   }
+  return fmt::format("<h2>{}: milestones</h2>\n", escaped(run.dut)) + table(text);
+}
+
+// The vector to look at first.
+std::string where_to_begin(const Run& run, const Summary& summary) {
+  if (summary.first == nullptr) return {};
+  std::string text = fmt::format(
+      "<h2>{}: where to begin</h2>\n"
+      "<p>The first milestone that is not whole is <b>{}</b>. Look first at <b>{}</b>: {}</p>"
+      "<pre>{}\n{}</pre>\n",
+      escaped(run.dut), escaped(summary.first->name), escaped(summary.look_at->id.text()),
+      escaped(summary.look_at->reason), escaped(summary.look_at->inspect),
+      escaped(summary.look_at->view));
   if (!summary.clauses.empty()) {
     text += "<p>Its clauses that fail in all vectors: " + list(summary.clauses) + "</p>\n";
   }
-  return text + milestone_table(summary);
+  return text;
 }
 
 // Failures by their probable causes, then those that are waived.
@@ -155,9 +164,13 @@ std::string failures(const Run& run, const Summary& summary, const std::filesyst
   for (const Cause& cause : summary.causes) {
     text += fmt::format("<h2>{}: {} x {}</h2>\n", escaped(run.dut), cause.results.size(),
                         escaped(cause.text));
-    for (const VectorResult* result : cause.results) {
-      text += failure(*result, folder, count++ < kPicturedFailures);
+    std::string more;
+    for (size_t i = 0; i < cause.results.size(); ++i) {
+      (i < kOpenFailures ? text : more) +=
+          failure(*cause.results[i], folder, count++ < kPicturedFailures);
     }
+    text +=
+        folded(cause.results.size() - std::min(kOpenFailures, cause.results.size()), "more", more);
   }
   std::string waived;
   for (const VectorResult& result : run.results) {
@@ -167,61 +180,75 @@ std::string failures(const Run& run, const Summary& summary, const std::filesyst
   return text;
 }
 
+// A table of rows by decoders: where something fails, where all is well, and what was not run.
+class SortedRows {
+ public:
+  void add(const std::vector<Count>& counts, const std::string& row) {
+    const auto bad = [](const Count& count) { return count.bad != 0; };
+    const auto run = [](const Count& count) { return count.claimed != count.skipped; };
+    const size_t place = std::ranges::any_of(counts, bad)   ? 0
+                         : std::ranges::any_of(counts, run) ? 1
+                                                            : 2;
+    rows_[place].second += "<tr>" + row + "</tr>\n";
+    ++rows_[place].first;
+  }
+
+  // first, last: heads of the columns around those of decoders.
+  std::string text(const Report& report, const char* first, const char* last,
+                   const char* what) const {
+    std::string head = fmt::format("<tr><th>{}</th>", first);
+    for (const Run& run : report.runs) head += "<th>" + escaped(run.dut) + "</th>";
+    head += std::string(last) + "</tr>\n";
+    const auto& [bad, well, others] = rows_;
+    return (bad.first == 0 ? "" : table(head + bad.second)) +
+           folded(well.first, fmt::format("{} without a failure", what),
+                  table(head + well.second)) +
+           folded(others.first, fmt::format("{} not run or not claimed", what),
+                  table(head + others.second));
+  }
+
+ private:
+  std::pair<size_t, std::string> rows_[3];
+};
+
 // Clauses in rows, decoders in columns: how many of the vectors that exercise a clause pass.
 std::string clause_grid(const Report& report) {
-  struct Cell {
-    size_t pass = 0;
-    size_t bad = 0;
-    size_t all = 0;
-  };
-  std::map<std::string, std::vector<Cell>> rows;
+  std::map<std::string, std::vector<Count>> clauses;
   for (size_t r = 0; r < report.runs.size(); ++r) {
     for (const VectorResult& result : report.runs[r].results) {
       for (const std::string& clause : result.clauses) {
-        auto& row = rows[clause];
-        row.resize(report.runs.size());
-        if (result.status == Status::kNotSupported) continue;
-        ++row[r].all;
-        row[r].pass += result.status == Status::kPass;
-        row[r].bad += result.bad();
+        auto& counts = clauses[clause];
+        counts.resize(report.runs.size());
+        counts[r].add(result);
       }
     }
   }
-  std::string text =
-      "<h2>Clauses</h2><p>Vectors passed, of those that exercise each clause and are claimed.</p>"
-      "<div class=grid><table><tr><th>clause</th>";
-  for (const Run& run : report.runs) text += "<th>" + escaped(run.dut) + "</th>";
-  text += "</tr>\n";
-  for (const auto& [clause, cells] : rows) {
-    text += "<tr><td>" + escaped(clause) + "</td>";
-    for (const Cell& cell : cells) {
-      if (cell.all == 0) {
-        text += "<td class=\"n not_supported\">not claimed</td>";
-        continue;
-      }
-      const char* kind = cell.bad != 0 ? "fail" : cell.pass == cell.all ? "pass" : "skipped";
-      text += fmt::format("<td class=\"n {}\">{} / {}</td>", kind, cell.pass, cell.all);
-    }
-    text += "</tr>\n";
+  SortedRows rows;
+  for (const auto& [clause, counts] : clauses) {
+    std::string row = "<td>" + escaped(clause) + "</td>";
+    for (const Count& count : counts) row += cell(count);
+    rows.add(counts, row);
   }
-  return text + "</table></div>\n";
+  return "<h2>Clauses</h2><p>Vectors passed, of those that exercise each clause, are claimed and "
+         "were run.</p>" +
+         rows.text(report, "clause", "", "clauses");
 }
 
 std::string all_results(const Report& report) {
-  std::string text = "<h2>Vectors</h2><table><tr><th>vector</th>";
-  for (const Run& run : report.runs) text += "<th>" + escaped(run.dut) + "</th>";
-  text += "<th>what it hunts</th></tr>\n";
+  SortedRows rows;
   const auto& first = report.runs.front().results;
   for (size_t i = 0; i < first.size(); ++i) {
-    text += "<tr><td>" + escaped(first[i].id.text()) + "</td>";
+    std::string row = "<td>" + escaped(first[i].id.text()) + "</td>";
+    std::vector<Count> counts;
     for (const Run& run : report.runs) {
       const VectorResult& result = run.results[i];
-      text += fmt::format("<td class=\"{}\" title=\"{}\">{}</td>", css_class(result),
-                          escaped(result.reason), status_name(result.status));
+      counts.emplace_back().add(result);
+      row += fmt::format("<td class=\"{}\" title=\"{}\">{}</td>", css_class(result),
+                         escaped(result.reason), status_name(result.status));
     }
-    text += "<td>" + escaped(first[i].comment) + "</td></tr>\n";
+    rows.add(counts, row + "<td>" + escaped(first[i].comment) + "</td>");
   }
-  return text + "</table>\n";
+  return "<h2>Vectors</h2>" + rows.text(report, "vector", "<th>what it hunts</th>", "vectors");
 }
 
 }  // namespace
@@ -243,13 +270,17 @@ std::string escaped(std::string_view text) {
 
 std::string html_text(const Report& report, const std::filesystem::path& folder) {
   std::string text = kHead;
-  text += fmt::format("<h1>HMLFC conformance, vectors {}</h1>\n", escaped(report.vectors_version));
+  text += fmt::format("{}</style></head><body>\n<h1>HMLFC conformance, vectors {}</h1>\n",
+                      kReportStyle, escaped(report.vectors_version));
   text += summary(report);
+  std::string milestones;
   for (const Run& run : report.runs) {
     const Summary found = summarise(run);
     text += where_to_begin(run, found);
     text += failures(run, found, folder);
+    milestones += milestone_table(run, found);
   }
+  text += milestones;
   text += clause_grid(report);
   if (!report.runs.empty()) text += all_results(report);
   text += system_table(report);

@@ -62,8 +62,9 @@ std::vector<std::string> reasons_to_leave_out(const Selection& selection,
 }
 
 // Whether its failure shows more than that there is one: in several views and blocks, of a stream
-// that is neither extreme nor damaged.
+// that is neither extreme nor damaged; or in the stream to begin with.
 bool is_telling(const vectors::Vector& vector, const StreamHeader& header) {
+  if (std::ranges::find(vector.flags, "to-begin-with") != vector.flags.end()) return true;
   const uint32_t side = 2 * header.block_size();
   return (vector.group == "syntax" || vector.group == "real") && header.rows * header.cols > 1 &&
          header.width >= side && header.height >= side;

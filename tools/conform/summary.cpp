@@ -38,15 +38,9 @@ bool simpler(const VectorResult* a, const VectorResult* b) {
 std::vector<MilestoneCount> count_milestones(const Run& run) {
   std::vector<MilestoneCount> counts;
   for (const vectors::MilestoneRow& row : vectors::milestones()) {
-    counts.push_back({std::string(row.name), std::string(row.claim)});
+    counts.push_back({{}, std::string(row.name), std::string(row.claim)});
   }
-  for (const VectorResult& result : run.results) {
-    MilestoneCount& count = counts[number_of(result)];
-    count.claimed += result.status != Status::kNotSupported;
-    count.skipped += result.status == Status::kSkipped;
-    count.pass += result.status == Status::kPass;
-    count.bad += counts_as_bad(result);
-  }
+  for (const VectorResult& result : run.results) counts[number_of(result)].add(result);
   return counts;
 }
 
@@ -156,6 +150,13 @@ const MilestoneCount* next_claimed(const std::vector<MilestoneCount>& milestones
 }
 
 }  // namespace
+
+void Count::add(const VectorResult& result) {
+  claimed += result.status != Status::kNotSupported;
+  skipped += result.status == Status::kSkipped;
+  pass += result.status == Status::kPass;
+  bad += counts_as_bad(result);
+}
 
 Summary summarise(const Run& run) {
   Summary summary;

@@ -3,22 +3,28 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "conform/result.hpp"
 
 namespace hmlfc::conform {
 
-/// The vectors of one milestone (tools/vectors/milestone.hpp).
-struct MilestoneCount {
-  std::string name;
-  std::string claim;
-  size_t claimed = 0;  ///< vectors that are required of the decoder
+/// How vectors that belong together stand.
+struct Count {
+  size_t claimed = 0;  ///< that are required of the decoder
   size_t pass = 0;
   size_t skipped = 0;
   size_t bad = 0;  ///< failures that are not waived
 
+  void add(const VectorResult& result);
   bool whole() const { return pass == claimed; }
+};
+
+/// The vectors of one milestone (tools/vectors/milestone.hpp).
+struct MilestoneCount : Count {
+  std::string name{};
+  std::string claim{};
 };
 
 /// Failures that probably have one cause.

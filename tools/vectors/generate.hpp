@@ -15,7 +15,7 @@
 namespace hmlfc::vectors {
 
 /// Version of the suite (vectors/CHANGES.md).
-inline constexpr const char* kVectorsVersion = "3.3.0";
+inline constexpr const char* kVectorsVersion = "3.3.1";
 
 /// Files of a suite by their name in its folder.
 using SuiteFiles = std::map<std::string, std::vector<uint8_t>>;

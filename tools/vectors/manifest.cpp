@@ -80,8 +80,10 @@ static void visit(const Members& m, Vector& vector) {
   m("flags", vector.flags);
   m("comment", vector.comment);
   m("milestone", vector.milestone);
-  if (m.reading() && !milestone_number(vector.milestone)) {
-    throw TextError(io::shown_json(vector.milestone) + " is not a milestone");
+  if (m.reading()) {
+    const auto number = milestone_number(vector.milestone);
+    if (!number) throw TextError(io::shown_json(vector.milestone) + " is not a milestone");
+    vector.milestone = milestones()[*number].name;
   }
   const Members input = m.at("input");
   input("file", vector.input.file);

@@ -23,7 +23,8 @@ struct MilestoneRow {
 /// All milestones in their order. The first needs nothing.
 const std::vector<MilestoneRow>& milestones();
 
-/// The number of the milestone with this name, or nothing.
+/// The number of the milestone with this name, or nothing. Suites before 3.3.1 call the first one
+/// "header".
 std::optional<size_t> milestone_number(std::string_view name);
 
 /// The first milestone at which all that `vector` needs is there: the last one that it needs.
