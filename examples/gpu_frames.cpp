@@ -89,7 +89,7 @@ class Frames {
       wait(slot.submission);
     }
     const hmlfc::ErrorCode status = slot.recording.result().status;
-    if (status != hmlfc::ErrorCode::kOk) throw std::runtime_error(error_name(status).data());
+    if (status != hmlfc::ErrorCode::kOk) throw std::runtime_error(error_meaning(status).data());
     return slot.texels;
   }
 

@@ -102,7 +102,7 @@ void decode(const Vulkan& vulkan, const hmlfc::Decoder& stream, hmlfc::ViewPos v
 
   run(vulkan, commands);
   for (const uint8_t status : recording.statuses()) {
-    if (status != 0) throw std::runtime_error(error_name(hmlfc::ErrorCode{status}).data());
+    if (status != 0) throw std::runtime_error(error_meaning(hmlfc::ErrorCode{status}).data());
   }
   write_ppm(path, {header.width, header.height}, header,
             static_cast<const uint8_t*>(memory.mapMemory(0, bytes)));

@@ -9,14 +9,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <span>
 
-/// The bytes of a file, which nobody may shorten meanwhile. No bytes where it cannot be mapped.
+/// The bytes of a file, which nobody may shorten meanwhile. No bytes where it cannot be mapped, and
+/// a message where it cannot be opened.
 class MappedFile {
  public:
   explicit MappedFile(const char* path) {
     const int file = ::open(path, O_RDONLY);
-    if (file < 0) return;
+    if (file < 0) {
+      std::perror(path);
+      return;
+    }
     struct stat info {};
     if (::fstat(file, &info) == 0 && info.st_size > 0) {
       const auto size = static_cast<size_t>(info.st_size);

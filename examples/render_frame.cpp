@@ -11,14 +11,17 @@
 
 namespace {
 
-// `image` as binary PPM: one byte a sample at depth 8, else two, the higher first.
-void write_ppm(const char* path, const hmlfc::RgbImage& image) {
+// `image` as binary PPM: one byte a sample at depth 8, else two, the higher first. Returns whether
+// all of it is in the file.
+bool write_ppm(const char* path, const hmlfc::RgbImage& image) {
   std::ofstream file(path, std::ios::binary);
   file << "P6\n" << image.width << ' ' << image.height << '\n' << (1 << image.depth) - 1 << '\n';
   for (const uint16_t sample : image.samples) {
     if (image.depth > 8) file.put(static_cast<char>(sample >> 8));
     file.put(static_cast<char>(sample & 255));
   }
+  file.close();
+  return file.good();
 }
 
 }  // namespace
@@ -49,6 +52,9 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "%s\n", to_string(done.error()).c_str());
     return 1;
   }
-  write_ppm(arguments[4], frame.image);
+  if (!write_ppm(arguments[4], frame.image)) {
+    std::fprintf(stderr, "%s: cannot write\n", arguments[4]);
+    return 1;
+  }
   return 0;
 }

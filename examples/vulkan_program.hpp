@@ -75,7 +75,8 @@ struct Vulkan {
   std::optional<gpu::Device> decoder_device;  // the first to go
 };
 
-// Texels as binary PPM: one byte a sample at depth 8, else two, the higher first.
+// Texels as binary PPM: one byte a sample at depth 8, else two, the higher first. Throws where they
+// cannot be written.
 inline void write_ppm(const std::string& path, VkExtent2D size, const hmlfc::StreamHeader& header,
                       const uint8_t* texels) {
   std::ofstream file(path, std::ios::binary);
@@ -85,6 +86,8 @@ inline void write_ppm(const std::string& path, VkExtent2D size, const hmlfc::Str
     if (i % 4 == 3) continue;  // A
     for (size_t k = bytes; k-- > 0;) file.put(static_cast<char>(texels[i * bytes + k]));
   }
+  file.close();
+  if (!file) throw std::runtime_error(path + ": cannot write");
 }
 
 // Calls `work` with the stream in the file `path`. Returns the exit status: 1 an error, 3 no Vulkan

@@ -58,13 +58,12 @@ std::string_view section_name(Section section) {
 
 std::string to_string(const Error& error) {
   std::string text(error_name(error.code));
-  text += " in ";
-  text += section_name(error.section);
-  text += " at byte ";
-  text += std::to_string(error.offset);
-  text += ": ";
-  text += error_meaning(error.code);
-  return text;
+  // A request and the memory have no place in the file.
+  if (error.code != ErrorCode::kBadRequest && error.code != ErrorCode::kOutOfMemory) {
+    text.append(" in ").append(section_name(error.section));
+    text.append(" at byte ").append(std::to_string(error.offset));
+  }
+  return text.append(": ").append(error_meaning(error.code));
 }
 
 }  // namespace hmlfc

@@ -111,6 +111,14 @@ Outcome get_header(const hmlfc_decoder* decoder, hmlfc_header* header) {
   return {};
 }
 
+Outcome check_view(const StreamHeader& header, uint32_t row, uint32_t col) {
+  if (row < header.rows && col < header.cols) return {};
+  return refuse(HMLFC_STATUS_BAD_REQUEST, "bad_request: view " + std::to_string(row) + "," +
+                                              std::to_string(col) + " does not exist: rows 0 to " +
+                                              std::to_string(header.rows - 1) + ", columns 0 to " +
+                                              std::to_string(header.cols - 1));
+}
+
 Outcome decode_block(const hmlfc_decoder* decoder, const hmlfc_block* block, int32_t* samples,
                      size_t count) {
   if (auto ok = check_pointer(decoder, "decoder"); !ok) return ok;
@@ -120,9 +128,8 @@ Outcome decode_block(const hmlfc_decoder* decoder, const hmlfc_block* block, int
   const Decoder& from = decoder->stream->decoder();
   const size_t side = from.header().block_size();
   if (count < side * side) return bad_argument("count", "is less than the samples of a block");
-  if (asked->plane >= kPlaneCount) {
-    return refuse(Error{ErrorCode::kBadRequest, Section::kHeader, 0});
-  }
+  if (auto ok = check_view(from.header(), asked->row, asked->col); !ok) return ok;
+  if (asked->plane >= kPlaneCount) return refuse(Error{ErrorCode::kBadRequest});
   const BlockAddress address{
       {asked->row, asked->col}, static_cast<Plane>(asked->plane), asked->block_x, asked->block_y};
   const auto decoded =
@@ -137,10 +144,11 @@ Outcome decode_rect(const OpenedStream& stream, const hmlfc_rect& asked,
                     const hmlfc_pixels* pixels) {
   const Decoder& from = stream.decoder();
   const StreamHeader& header = from.header();
+  if (auto ok = check_view(header, asked.row, asked.col); !ok) return ok;
   const bool is_inside = asked.width >= 1 && asked.height >= 1 && asked.x < header.width &&
                          asked.y < header.height && asked.width <= header.width - asked.x &&
                          asked.height <= header.height - asked.y;
-  if (!is_inside) return refuse(Error{ErrorCode::kBadRequest, Section::kHeader, 0});
+  if (!is_inside) return refuse(Error{ErrorCode::kBadRequest});
   const auto into = read_pixels(pixels, asked.width, asked.height, header.depth);
   if (!into) return tl::unexpected(into.error());
   const auto decoded =
@@ -164,10 +172,8 @@ Outcome decode_view(const hmlfc_decoder* decoder, uint32_t row, uint32_t col,
   if (auto ok = check_pointer(decoder, "decoder"); !ok) return ok;
   const StreamHeader& header = decoder->stream->decoder().header();
   hmlfc_rect all{};
-  all.row = row;
-  all.col = col;
-  all.width = header.width;
-  all.height = header.height;
+  all.row = row, all.col = col;
+  all.width = header.width, all.height = header.height;
   return decode_rect(*decoder->stream, all, pixels);
 }
 

@@ -147,6 +147,22 @@ class Arguments(CliTest):
         self.refused(USAGE, *inspect, "2,0", says="--block")
         self.refused(USAGE, *inspect, "0,1", says="--block")
 
+    def test_what_is_misspelt_is_suggested(self):
+        for arguments, says in [
+            (["encode", "views", "-o", "b.hmlfc", "--qualty", "5"], "--qualty is not an option; did you mean --quality?"),
+            (["encode", "views", "--outptu=b.hmlfc"], "--outptu is not an option; did you mean --output?"),
+            (["encode", "views", "--thresh", "5"], "did you mean --threshold-ref?"),
+            (["--verison"], "did you mean --version?"),
+            (["encod", "views"], "'encod' is not one of its commands; did you mean encode?"),
+            (["picture", "shete", "views"], "did you mean sheet?"),
+            (["encode", "views", "--grid", "3", "-o", "b.hmlfc"], "'3' is not rows x columns, each in [1, 4096], such as 9x9"),
+            (["decode", "a.hmlfc", "--view", "9,9", "-o", "out"], "view 9,9 does not exist: rows 0 to 1, columns 0 to 1"),
+            (["picture", "view", "views", "--view", "2,0", "-o", "p.png"], "view 2,0 does not exist: rows 0 to 1, columns 0 to 1"),
+        ]:  # fmt: skip
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, *arguments, says=says)
+        self.assertNotIn("did you mean", self.refused(USAGE, "nonsense") + self.refused(USAGE, "info", "--zzz"))
+
     def test_twice_and_unknown(self):
         self.refused(USAGE, *SYNTH, "--seed", "1", "--seed", "2", says="--seed")
         self.refused(USAGE, *SYNTH, "--sed", "1", says="--sed")

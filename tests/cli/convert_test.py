@@ -163,7 +163,7 @@ class ConvertTest(CliTest):
             ((DEEP, "a.y4m", "--bits", "8"), "--bits 8 is less than the 10 bits"),
             (("views", "a", "--to", "tiles"), "--to"),
             (("views", "a", "--from", "tiles"), "--from"),
-            (("views", "a", "--row", "3"), "3,0 is outside"),
+            (("views", "a", "--row", "3"), "3,0 does not exist"),
             (("all.png", "a"), "--from tiles or lenslets and --grid"),
             (("views", "nowhere/a.png", "--to", "tiles"), "nowhere"),
         ]:

@@ -1,9 +1,10 @@
-"""disparity: the same numbers in each format, near those that synth knows; and what info says of them."""
+"""disparity: the same numbers in each format, near those that synth knows; what info says of them; compare of maps."""
 
+import json
 import struct
 
 from pictures import read_png
-from program import CORRUPT, USAGE, CliTest, main
+from program import CORRUPT, DIFFERENT, INPUT, USAGE, CliTest, main
 
 
 def read_pfm(path):
@@ -42,6 +43,38 @@ class Disparity(CliTest):
                 self.assertGreater(max(true) - min(true), 1.5)
                 near = sum(abs(a - b) < 0.3 for a, b in zip(found, true))
                 self.assertGreater(near / len(true), 0.7)
+
+    def test_the_other_sign(self):
+        numbers = self.numbers("a.hmlfc")
+        self.assertEqual(self.numbers("a.hmlfc", "--positive", "near", name="hci.pfm"), [-number for number in numbers])
+        self.hmlfc(*"disparity a.hmlfc --positive near -o hci.16.png".split())
+        wide = read_png(self.folder / "hci.16.png").samples[::3]
+        self.assertEqual(wide, [round(32768 - 256 * number) for number in numbers])
+        result = self.run_hmlfc("compare", "hci.pfm", "truth/01_02.pfm")
+        self.assertIn("opposite signs", result.stderr.decode())
+
+    def write_pfm(self, name, rows, order="<"):
+        head = f"Pf\n{len(rows[0])} {len(rows)}\n{'-1.0' if order == '<' else '1'}\n".encode()
+        numbers = b"".join(struct.pack(f"{order}{len(row)}f", *row) for row in reversed(rows))
+        (self.folder / name).write_bytes(head + numbers)
+
+    def test_maps_are_compared_as_by_hci(self):
+        self.write_pfm("truth.pfm", [[1, 2, 3], [4, 5, float("inf")]])
+        self.write_pfm("found.pfm", [[1, 2.02, 3.05], [4.5, 5, 6]], ">")
+        result = self.run_hmlfc("compare", "found.pfm", "truth.pfm", "--json")
+        self.assertEqual((result.returncode, result.stderr), (DIFFERENT, b""))
+        error = json.loads(result.stdout)
+        self.assertEqual((error["pixels"], error["unknown"], error["identical"]), (5, 1, False))
+        self.assertEqual(error["badpix"], {"0.07": 20, "0.03": 40, "0.01": 60})
+        self.assertAlmostEqual(error["mean_abs_error"], (0.02 + 0.05 + 0.5) / 5, places=6)
+        self.assertAlmostEqual(error["mse_x100"], 100 * (0.02**2 + 0.05**2 + 0.5**2) / 5, places=5)
+        self.assertIn("Identical", self.hmlfc(*"compare found.pfm truth.pfm --rect 0,0,1,1".split()))
+        self.write_pfm("wide.pfm", [[1, 2, 3, 4]])
+        (self.folder / "colour.pfm").write_bytes(b"PF\n1 1\n-1.0\n" + bytes(12))
+        (self.folder / "short.pfm").write_bytes((self.folder / "truth.pfm").read_bytes()[:-1])
+        for other, says in [("wide.pfm", "3 x 2 versus 4 x 1"), ("colour.pfm", "three channels"), ("short.pfm", "23 bytes")]:
+            self.refused(INPUT, "compare", "truth.pfm", other, says=says)
+        self.refused(USAGE, "compare", "truth.pfm", "a.hmlfc", says="hmlfc disparity")
 
     def test_the_middle_view_is_the_default(self):
         self.assertEqual(self.numbers("a.hmlfc"), self.numbers("a.hmlfc", "--view", "1,2"))

@@ -1,4 +1,4 @@
-"""render --focus-at: the disparity of the surface that a pixel shows, in one frame and along a path."""
+"""render --focus-at, the disparity of the surface that a pixel shows, in one frame and along a path; focal stacks."""
 
 import json
 import struct
@@ -107,6 +107,20 @@ class FocusAt(CliTest):
         self.assertIn("unknown", self.hmlfc(*"disparity main.hmlfc --view 1,1 -o none.png".split()))
         (found,) = self.focuses("--focus-at", f"{x},{y}", file="main.hmlfc")
         self.assertAlmostEqual(found, near, delta=0.6)  # vectors of whole samples
+
+    def test_a_focal_stack_goes_from_near_to_far(self):
+        near, far = self.nearest_and_farthest()
+        found = self.focuses("--path", "focus", "--frames", 9)
+        self.assertEqual(found, sorted(found))
+        self.assertTrue(found[0] < near[2] + NEAR and found[-1] > far[2] - NEAR, found)
+        for (x, y, disparity), other in (near, 8), (far, 0):
+            own = min(range(9), key=lambda k: abs(found[k] - disparity))
+            sharp, blurred = (self.blur_at(x, y, f"frames/frame_{k:04}.png") for k in (own, other))
+            self.assertLess(sharp, 0.5 * blurred)
+        self.assertEqual(self.focuses("--path", "focus", "--focus", "2..-1", "--frames", 3, file="still.hmlfc"), [2, 0.5, -1])
+        self.refused(INPUT, *"render still.hmlfc --path focus -o frames".split(), says=["still.hmlfc", "--focus -2..2"])
+        for wrong in ["--focus 1..2", "--path focus --focus 1", "--path focus --focus-at 1,1", "--path orbit --focus 1..2"]:
+            self.refused(USAGE, "render", "a.hmlfc", *wrong.split(), "-o", "frames", says="--path focus")
 
     def test_refused(self):
         def refused(status, *arguments, says, file="a.hmlfc"):

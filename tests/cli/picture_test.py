@@ -1,7 +1,7 @@
-"""picture view, sheet and difference, from folders and from streams."""
+"""picture view, sheet, difference and epipolar, from folders and from streams."""
 
 from pictures import read_png
-from program import INPUT, CliTest, main
+from program import INPUT, USAGE, CliTest, main
 
 
 class Pictures(CliTest):
@@ -51,6 +51,18 @@ class Pictures(CliTest):
             got = self.picture("difference", "views", "a.hmlfc", "--view", "1,0", *extra)
             self.assertEqual(got.samples, expected)
         self.assertTrue(any(sample != 128 for sample in expected))
+
+    def test_epipolar(self):
+        views = {(r, c): read_png(self.folder / f"decoded/{r:02}_{c:02}.png") for r in range(2) for c in range(3)}
+        of_row = self.picture(*"epipolar a.hmlfc --row 1 --y 20 --thickness 1".split())
+        for col in range(3):
+            self.assertEqual(of_row.crop(0, col, 40, 1), views[1, col].crop(0, 20, 40, 1))
+        of_column = self.picture(*"epipolar decoded --col 2 --x 7".split())
+        self.assertEqual((of_row.height, of_column.width, of_column.height), (3, 2 * 8, 24))
+        for x in range(16):
+            self.assertEqual(of_column.crop(x, 0, 1, 24), views[x // 8, 2].crop(7, 0, 1, 24))
+        for place in ["", "--row 1", "--row 2 --y 0", "--row 0 --y 24", "--col 0 --y 0", "--col 0 --x 40"]:
+            self.refused(USAGE, "picture", "epipolar", "views", *place.split(), "-o", "x.png")
 
     def test_refused(self):
         self.hmlfc(*"synth --scene flat --grid 2x3 --size 16x16 -o other".split())

@@ -233,7 +233,7 @@ class Render(CliTest):
             arguments = ["--path", "bad.json", "-o", "bad"]
             self.refused(INPUT, "render", "a.hmlfc", *arguments, says=says)
         self.refused(INPUT, "render", "a.hmlfc", "--path", "spiral", "-o", "bad",
-                     says=["spiral", "orbit, line or a JSON file"])  # fmt: skip
+                     says=["spiral", "orbit, line, focus or a JSON file"])  # fmt: skip
         self.refused(INPUT, "render", "none.hmlfc", "-o", "bad")
         damaged = bytearray((self.folder / "a.hmlfc").read_bytes())
         damaged[len(damaged) // 2 :] = b"\xff" * (len(damaged) - len(damaged) // 2)

@@ -114,6 +114,8 @@ def check_frame(installation, folder):
     assert ours.shape == theirs.shape and ours.max() > 0 and (ours == theirs).all()
     assert (ours[:, :, 0] != ours[:, :, 2]).any(), "a grey frame would not show swapped channels"
     run(folder / "render_frame", STREAM, "9999", "0", folder / "none.ppm", code=1)
+    for place in ("/dev/full", folder / "none" / "frame.ppm"):
+        run(folder / "render_frame", STREAM, "1", "0", place, code=1)
 
 
 def check_c_program(installation, folder):
@@ -129,8 +131,12 @@ def check_c_program(installation, folder):
     for ours, theirs in (("view.ppm", "views/01_02.png"), ("middle.ppm", "middle.png")):
         ours, theirs = (np.asarray(Image.open(folder / name)) for name in (ours, theirs))
         assert ours.shape == theirs.shape and (ours == theirs).all()
-    done = subprocess.run([program, VECTORS / "error/magic.hmlfc", "1", "2", "-", "-"], text=True, capture_output=True)
-    assert done.returncode == 1 and "bad_magic in header at byte 0" in done.stderr, done
+    for arguments, message in (
+        ([VECTORS / "error/magic.hmlfc", "1"], "bad_magic in header at byte 0: "),
+        ([STREAM, "99"], "bad_request: view 99,2 does not exist: rows 0 to "),
+    ):
+        done = subprocess.run([program, *arguments, "2", "-", "-"], text=True, capture_output=True)
+        assert done.returncode == 1 and done.stderr.startswith(message), done
 
 
 def check_line_decoder(installation):

@@ -37,10 +37,13 @@ expect() {
   fi
 }
 
-expect 0 'Usage: ./run demo *'
-for argument in --help -h help; do
-  expect 0 $'Usage: ./run demo *\n\n./run demo builds hmlfc; *' "$argument"
+for argument in '' --help -h help; do
+  expect 0 $'Usage: ./run COMMAND *\nStart\n  demo *\nYour light field\n*\nYour decoder\n*\nMore\n*' $argument
 done
+expect 0 $'Usage: ./run COMMAND *\nMeasurements\n*' help developers
+expect 2 "./run: 'encod' is not a command; did you mean encode[?]*" encod
+expect 2 "./run: 'rtl-chek' is not a command; did you mean rtl-check[?]*" rtl-chek
+expect 2 $'./run: \'nonsense\' is not a command\nRun ./run --help for help' nonsense
 expect 0 '/build/tools/hmlfc synth --scene cards' synth --scene cards
 expect 0 "python3 -B $root/rtl/synth/report.py size ice40" synthesis size ice40
 expect 0 '/build/testbench/gpu_check FILE' gpu-check FILE
@@ -58,9 +61,13 @@ expect 2 $'No benchmark nosuch; there are\n*\n  render  *' bench nosuch
 expect 2 'No benchmark bench; *' bench bench
 expect 2 'No benchmark .*; *' bench '.*'
 
-# Usage and main name the same commands.
-named=$(usage | sed -n 's/^\(Usage:\|      \) \.\/run \([a-z][a-z-]*\) .*/\2/p' | sort -u)
-reached=$(declare -f main | sed -n 's/^ *(\?\([a-z][a-z-]*\))$/\1/p' | sort -u)
+# The two pages name the commands of main and of hmlfc, each once.
+named=$(commands | sort)
+reached=$({
+  declare -f main | sed -n 's/^ *(\?\([a-z][a-z-]*\))$/\1/p'
+  sed -nE 's/.*program(, task, |\.add_subcommand\()"([a-z-]+)".*/\2/p' \
+    "$root"/tools/cli/*.cpp "$root/tools/view/command.cpp"
+} | sort)
 if [[ -z $named || $named != "$reached" ]]; then
   printf 'usage names\n%s\nmain has\n%s\n' "$named" "$reached"
   faults=$((faults + 1))

@@ -125,12 +125,12 @@ class Blocks(IntoCase):
         level = self.inspect(block)["levels"][-1]
         self.move_to(41, 26).perform()
         text = self.browser.until("values", lambda: self.browser.text("hover"))
-        self.assertIn("block 10,6 · sample 41,26", text)
+        self.assertIn("block x 10, y 6 · sample x 41, y 26", text)
         self.assertIn(f"sample {level['stages']['sample']['values'][2][1]}", text)
         self.assertIn(level["state"], text)
         for vector in level["vectors"]:
             image = vector["image"]
-            self.assertIn(f"({vector['x']:g}, {vector['y']:g}) to image {image['row']},{image['col']}", text)
+            self.assertIn(f"({vector['x']:g}, {vector['y']:g}) to image row {image['row']}, column {image['col']}", text)
 
     def test_a_click_pins_the_block_with_all_its_fields(self):
         for file in "a.hmlfc", "tree.hmlfc":
@@ -157,7 +157,7 @@ class Blocks(IntoCase):
         self.look(block="10,6")
         self.browser.element("picture").send_keys(Keys.ARROW_RIGHT)
         self.shown(block="11,6")
-        self.browser.until("its panel", lambda: "Block 11,6" in self.browser.text("block"))
+        self.browser.until("its panel", lambda: "Block x 11, y 6" in self.browser.text("block"))
         vectors = self.inspect((11, 6))["levels"][-1]["vectors"]
         self.assertTrue(vectors)
         image = f"{vectors[0]['image']['row']},{vectors[0]['image']['col']}"

@@ -119,7 +119,7 @@ class Dut(IntoCase):
             self.browser.until("both", lambda: "R,G,B, " in self.browser.text("block"))
             place = failed["difference"]
             block = [place["block_x"], place["block_y"]]
-            self.assertIn(f"view {place['view_row']},{place['view_col']}", self.browser.text("block"))
+            self.assertIn(f"view row {place['view_row']}, column {place['view_col']}", self.browser.text("block"))
             self.assertTrue(self.browser.element("picture-beside").is_displayed())
             (text,) = [text for _, cells in self.wrong_cells() for text, kind in cells if kind == "wrong"]
             self.assertIn(str(place["actual"]), text)
@@ -129,7 +129,7 @@ class Dut(IntoCase):
     def test_options_that_do_not_fit(self):
         self.refused(USAGE, "view", "a.hmlfc", "--no-browser", "--view", "0,1", says="--block")
         place = ["--view", "0,1", "--plane", "Y", "--block", "99,0"]
-        self.refused(USAGE, "view", "a.hmlfc", "--no-browser", *place, says="outside")
+        self.refused(USAGE, "view", "a.hmlfc", "--no-browser", *place, says="does not exist")
         self.refused(USAGE, "view", "a.hmlfc", "--no-browser", "--dut", "decode {input}", says="{output}")
         self.assertEqual(self.serve("a.hmlfc").ask("dut-picture", {"view": "0,1"})[0], 400)
 

@@ -205,11 +205,12 @@ class Look(PageCase):
         self.browser.page.switch_to.window(first)
 
     def test_numbers_of_the_frame(self):
-        self.open("#camera=1,1,0&geometry=plane&focus=0.25")
+        self.open("#camera=1,1,-9&geometry=plane&focus=0.25&fov=60")
         query = self.browser.frame()
         options = [word for name, value in query.items() for word in (f"--{name}", value)]
         frame = self.hmlfc_json("render", "a.hmlfc", *options, "-o", "frame.png")["frames"][0]
         self.assertEqual(int(re.sub(r"\s", "", self.browser.text("needed"))), frame["blocks_needed"])
+        self.assertIn(f"{100 * frame['outside']:.1f} % of the frame sees nothing", self.browser.text("look-outside"))
 
     def test_the_map_has_the_views_in_use_and_the_key_images(self):
         step = 22  # pixels of a view

@@ -67,28 +67,28 @@ CLI::Option* add_decimal(CLI::App& app, const std::string& name, const std::stri
 }
 
 CLI::Option* add_sides(CLI::App& app, const std::string& name, const std::string& type_name,
-                       const std::string& expected, uint32_t max, const std::string& description,
+                       const std::string& expected, uint32_t max, const std::string& example,
+                       const std::string& description,
                        std::function<void(uint32_t a, uint32_t b)> store) {
   const auto checked = [max, store = std::move(store)](const std::array<uint32_t, 2>& sides) {
     const bool good = std::ranges::all_of(sides, [max](uint32_t s) { return s >= 1 && s <= max; });
     if (good) store(sides[0], sides[1]);
     return good;
   };
-  return add_numbers<2>(
-      app, name, type_name, 'x',
-      fmt::format("{} in [1, {}], such as {}", expected, max, max < 1000 ? "4x4" : "512x384"),
-      description, checked);
+  return add_numbers<2>(app, name, type_name, 'x',
+                        fmt::format("{}, each in [1, {}], such as {}", expected, max, example),
+                        description, checked);
 }
 
 CLI::Option* add_rows_by_cols(CLI::App& app, const std::string& name, uint32_t& rows,
                               uint32_t& cols, uint32_t max, const std::string& description) {
-  return add_sides(app, name, "RxC", "rows x columns", max, description,
+  return add_sides(app, name, "RxC", "rows x columns", max, "4x4", description,
                    [&rows, &cols](uint32_t r, uint32_t c) { rows = r, cols = c; })
       ->default_str(fmt::format("{}x{}", rows, cols));
 }
 
 CLI::Option* add_grid(CLI::App& app, std::optional<io::GridShape>& target) {
-  return add_sides(app, "--grid", "RxC", "rows x columns", io::kMaxGridSide,
+  return add_sides(app, "--grid", "RxC", "rows x columns", io::kMaxGridSide, "9x9",
                    "Grid of the views, for names without positions or for a subset",
                    [&target](uint32_t r, uint32_t c) {
                      target = io::GridShape{r, c};
@@ -113,7 +113,7 @@ CLI::Option* add_views(CLI::App& app, std::optional<io::ViewPart>& target) {
 
 CLI::Option* add_view(CLI::App& app, std::optional<ViewPos>& target,
                       const std::string& description) {
-  return add_numbers<2>(app, "--view", "R,C", ',', "row,column, such as 3,5", description,
+  return add_numbers<2>(app, "--view", "ROW,COL", ',', "row,column, such as 3,5", description,
                         [&target](const auto& n) {
                           target = ViewPos{n[0], n[1]};
                         });

@@ -127,9 +127,10 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, const std::stri
   return add_value(app, name, type_name, description, expected, reader);
 }
 
-/// Two integers, each in [1, max], as "AxB"; `expected`: "width x height".
+/// Two integers, each in [1, max], as "AxB"; `expected`: "width x height", `example`: "512x384".
 CLI::Option* add_sides(CLI::App& app, const std::string& name, const std::string& type_name,
-                       const std::string& expected, uint32_t max, const std::string& description,
+                       const std::string& expected, uint32_t max, const std::string& example,
+                       const std::string& description,
                        std::function<void(uint32_t a, uint32_t b)> store);
 
 /// Rows and columns, each in [1, max], as "RxC"; the help shows those that are set now.
@@ -143,7 +144,7 @@ CLI::Option* add_grid(CLI::App& app, std::optional<io::GridShape>& target);
 /// for a range of one.
 CLI::Option* add_views(CLI::App& app, std::optional<io::ViewPart>& target);
 
-/// --view R,C.
+/// --view ROW,COL.
 CLI::Option* add_view(CLI::App& app, std::optional<ViewPos>& target,
                       const std::string& description);
 

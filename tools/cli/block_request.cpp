@@ -33,8 +33,9 @@ void check_place(const StreamFile& file, const BlockRequest& request) {
   if (request.block[0] < columns && request.block[1] < rows) return;
   throw Failure(
       ExitCode::kUsage,
-      fmt::format("--block {},{} is outside the {} columns and {} rows of blocks of plane {}",
-                  request.block[0], request.block[1], columns, rows, plane_name(request.plane)));
+      fmt::format("--block {},{} does not exist: plane {} has columns 0 to {}, rows 0 to {}",
+                  request.block[0], request.block[1], plane_name(request.plane), columns - 1,
+                  rows - 1));
 }
 
 Result<void> report_on_block(const StreamFile& file, const BlockRequest& request,

@@ -18,8 +18,8 @@ void add_point(CLI::App& app, const std::string& name, std::optional<WorldPoint>
     target = WorldPoint{(*numbers)[0], (*numbers)[1], numbers->size() == 3 ? (*numbers)[2] : 0};
     return true;
   };
-  add_value(app, name, "C,R[,Z]", description,
-            "column,row or column,row,distance, such as 7.5,7.5,-2", reader);
+  add_value(app, name, "X,Y[,Z]", description,
+            "x,y or x,y,z: column, row and distance, such as 7.5,3,-2", reader);
 }
 
 // --focus and --focus-at.
@@ -27,15 +27,18 @@ void add_focus(CLI::App& app, CameraOptions& options) {
   const auto reader = [&options](const std::string& text) {
     options.focus_at_infinity = text == "inf";
     if (options.focus_at_infinity) return true;
-    const auto disparity = parse_decimals(text, 1, 1);
-    if (!disparity || std::abs((*disparity)[0]) > 256) return false;
-    options.camera.focus = (*disparity)[0];
-    return true;
+    const size_t dots = text.find("..");
+    const auto first = parse_decimals(text.substr(0, dots), 1, 1);
+    const auto last = dots == text.npos ? first : parse_decimals(text.substr(dots + 2), 1, 1);
+    if (!first || !last) return false;
+    options.focus = {first->front(), last->front()};
+    return std::abs(first->front()) <= 256 && std::abs(last->front()) <= 256;
   };
-  CLI::Option* focus = add_value(app, "--focus", "D|inf",
-                                 "Disparity in focus, pixels per column; negative is nearer",
-                                 "a number in [-256, 256], or inf", reader)
-                           ->default_str("0");
+  CLI::Option* focus =
+      add_value(app, "--focus", "D|inf|D..D",
+                "Disparity in focus, pixels per column; negative is nearer",
+                "a number in [-256, 256], inf, or for --path focus two, such as -1.5..2", reader)
+          ->default_str("0");
   add_numbers<2>(app, "--focus-at", "X,Y", ',', "x,y, such as 120,80",
                  "Focus on what this pixel of the (first) frame shows",
                  [&options](const auto& n) {
@@ -59,13 +62,14 @@ void add_number(CLI::App& app, const std::string& name, T& target, const std::st
 void add_camera_options(CLI::App& app, CameraOptions& options) {
   Camera& camera = options.camera;
   add_point(app, "--camera", camera.position,
-            "Position of the camera (default: middle of the grid)");
-  add_point(app, "--look-at", camera.look_at, "Point that it looks at (default: straight ahead)");
+            "Column, row, distance of the camera (default: middle of the grid)");
+  add_point(app, "--look-at", camera.look_at,
+            "Where it looks: column, row, distance (default: straight ahead)");
   add_decimal(app, "--fov", "DEGREES", 0.2, 126, "Field of view along the longer side",
               "degrees in [0.2, 126]",
               [&camera](double degrees) { camera.tan_half = tan_half_of(degrees); })
       ->default_str("a view fills the frame");
-  add_sides(app, "--size", "WxH", "width x height", kMaxFrameSide, "Pixels of a frame",
+  add_sides(app, "--size", "WxH", "width x height", kMaxFrameSide, "512x384", "Pixels of a frame",
             [&camera](uint32_t width, uint32_t height) {
               camera.frame_width = width;
               camera.frame_height = height;
@@ -82,11 +86,13 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       {{"stream", GeometrySource::kStream}, {"plane", GeometrySource::kPlane}}, "Where things are")
       ->default_str("stream if its disparities are shared");
   add_focus(app, options);
-  add_integer(app, "--aperture", camera.aperture, 0, kMaxAperture,
-              "2^N views on each side are blended");
-  app.add_option("--path", options.path, "orbit, line or a JSON file of cameras")
+  add_integer(app, "--aperture", options.aperture, 0, kMaxAperture,
+              "2^N views on each side are blended")
+      ->default_str("0, with --path focus 2");
+  app.add_option("--path", options.path,
+                 "orbit, line, focus (a focal stack) or a JSON file of cameras")
       ->type_name("PATH");
-  add_integer(app, "--frames", options.frames, 1, 100000, "Frames of orbit and line");
+  add_integer(app, "--frames", options.frames, 1, 100000, "Frames of orbit, line and focus");
   add_number(app, "--focal", camera.focal, "Focal length of the views, pixels",
              "their longer side");
   add_number(app, "--shear", camera.shear, "Disparity at infinity, pixels per column", "0");

@@ -1,6 +1,7 @@
 // The options of cameras.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,14 +23,15 @@ struct CameraOptions {
   Camera camera;
   std::optional<GeometrySource> geometry;  ///< else suitable_geometry()
   bool focus_at_infinity = false;
-  std::optional<FramePixel> focus_at;  ///< instead of a focus
-  std::string path;                    ///< "", "orbit", "line" or a JSON file
+  std::optional<std::array<double, 2>> focus;  ///< the first and the last of a path of focus
+  std::optional<FramePixel> focus_at;          ///< instead of a focus
+  std::optional<int> aperture;
+  std::string path;  ///< "", "orbit", "line", "focus" or a JSON file
   int frames = 60;
 };
 
 /// Adds --camera, --look-at, --fov, --size, --filter, --geometry, --focus, --focus-at, --aperture,
-/// --path,
-/// --frames and those of the light field's own geometry.
+/// --path, --frames and those of the light field's own geometry.
 void add_camera_options(CLI::App& app, CameraOptions& options);
 
 }  // namespace hmlfc::cli

@@ -1,11 +1,14 @@
 #include "cli/camera_path.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include <hmlfc/disparity.hpp>
 #include <hmlfc/focus.hpp>
 
 #include "io/files.hpp"
@@ -53,6 +56,42 @@ std::vector<PathFrame> line(const Camera& camera, const StreamHeader& header, in
     const double part = frames == 1 ? 0.5 : static_cast<double>(k) / (frames - 1);
     path[static_cast<size_t>(k)].camera.position = {(header.cols - 1) * part, middle_of(header).v,
                                                     distance_of(camera)};
+  }
+  return path;
+}
+
+// The disparities of nearly all of what the view nearest to the camera shows: from the nearest to
+// the farthest, without one percent at each end, where a stream may be wrong.
+std::array<double, 2> known_range(const StreamFile& file, const Camera& camera) {
+  const StreamHeader& header = file.header();
+  const WorldPoint at = camera.position.value_or(middle_of(header));
+  const auto nearest = [](double place, uint32_t count) {
+    return static_cast<uint32_t>(std::clamp(std::floor(place + 0.5), 0.0, count - 1.0));
+  };
+  const ViewPos view{nearest(at.v, header.rows), nearest(at.u, header.cols)};
+  std::vector<int16_t> known;
+  for (const BlockDisparity& block : file.value(disparity_map(file.decoder(), view)).blocks) {
+    if (block.confidence > 0) known.push_back(block.disparity);
+  }
+  if (known.empty()) {
+    throw Failure(ExitCode::kInput, file.path().string() +
+                                        " does not say how far away things are; add where the "
+                                        "focus begins and ends, such as --focus -2..2");
+  }
+  std::ranges::sort(known);
+  const size_t few = known.size() / 100;
+  return {known[few] / double{kDisparityUnits},
+          known[known.size() - 1 - few] / double{kDisparityUnits}};
+}
+
+// One camera, whose focus goes from near to far, or as --focus says.
+std::vector<PathFrame> focal_stack(const CameraOptions& options, const Camera& camera,
+                                   const StreamFile& file) {
+  const auto [first, last] = options.focus ? *options.focus : known_range(file, camera);
+  std::vector<PathFrame> path(static_cast<size_t>(options.frames), PathFrame{camera});
+  for (int k = 0; k < options.frames; ++k) {
+    const double part = options.frames == 1 ? 0.5 : static_cast<double>(k) / (options.frames - 1);
+    path[static_cast<size_t>(k)].camera.focus = on_grid(first + (last - first) * part);
   }
   return path;
 }
@@ -119,7 +158,7 @@ std::vector<PathFrame> read_path(const std::string& file, const Camera& standard
   const auto mapped = io::map_file(file);
   if (!mapped) {
     throw Failure(mapped.error().out_of_memory ? ExitCode::kOutOfMemory : ExitCode::kInput,
-                  mapped.error().message + "; --path takes orbit, line or a JSON file");
+                  mapped.error().message + "; --path takes orbit, line, focus or a JSON file");
   }
   const auto read = io::parse_json<nlohmann::json>(mapped->bytes(), kPathLimits);
   if (!read) throw refuse("not a JSON array of cameras: " + read.error());
@@ -137,12 +176,26 @@ std::vector<PathFrame> read_path(const std::string& file, const Camera& standard
 }
 
 // Whether the frames come from a JSON file.
-bool is_file(const std::string& path) { return !path.empty() && path != "orbit" && path != "line"; }
+bool is_file(const std::string& path) {
+  return !path.empty() && path != "orbit" && path != "line" && path != "focus";
+}
 
-std::vector<PathFrame> path_of(const CameraOptions& options, const StreamHeader& header) {
+std::vector<PathFrame> path_of(const CameraOptions& options, const StreamFile& file) {
+  const StreamHeader& header = file.header();
+  const bool stack = options.path == "focus";
+  const bool range = options.focus && options.focus->front() != options.focus->back();
+  if (stack ? options.focus_at || options.focus_at_infinity || (options.focus && !range) : range) {
+    throw Failure(ExitCode::kUsage,
+                  "a focal stack is --path focus, alone or with --focus and two disparities, such "
+                  "as --focus -1.5..2");
+  }
   Camera camera = options.camera;
-  camera.geometry = options.geometry.value_or(suitable_geometry(header));
+  camera.aperture = options.aperture.value_or(stack ? 2 : 0);
+  camera.geometry =
+      options.geometry.value_or(stack ? GeometrySource::kPlane : suitable_geometry(header));
+  if (options.focus) camera.focus = options.focus->front();
   if (options.focus_at_infinity) camera.focus = camera.shear;
+  if (stack) return focal_stack(options, camera, file);
   if (is_file(options.path)) return read_path(options.path, camera);
   if (options.path == "orbit") return orbit(camera, header, options.frames);
   if (options.path == "line") return line(camera, header, options.frames);
@@ -182,7 +235,7 @@ double focus_of(const StreamFile& file, const Camera& camera, FramePixel at,
 double tan_half_of(double degrees) { return on_grid(std::tan(degrees / 360 * std::numbers::pi)); }
 
 CameraPath cameras_of(const CameraOptions& options, const StreamFile& file) {
-  const std::vector<PathFrame> path = path_of(options, file.header());
+  const std::vector<PathFrame> path = path_of(options, file);
   CameraPath made;
   for (size_t k = 0; k < path.size(); ++k) {
     const std::string frame = path.size() == 1 ? "" : fmt::format("frame {}: ", k);

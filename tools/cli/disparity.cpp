@@ -22,6 +22,7 @@ struct DisparityOptions {
   std::filesystem::path file;
   std::filesystem::path output;
   std::optional<ViewPos> view;
+  int sign = 1;  ///< of the numbers written, to those of the stream
 };
 
 enum class Format { kGrey, kGrey16, kPfm };
@@ -48,11 +49,11 @@ RgbImage picture_of(const DisparityMap& map, int depth, const Grey& grey) {
   return picture;
 }
 
-std::vector<float> pixels_a_column(const DisparityMap& map) {
+std::vector<float> pixels_a_column(const DisparityMap& map, int sign) {
   std::vector<float> pixels;
   for (uint32_t y = 0; y < map.height; ++y) {
     for (uint32_t x = 0; x < map.width; ++x) {
-      pixels.push_back(static_cast<float>(map.at(x, y).disparity) / kDisparityUnits);
+      pixels.push_back(static_cast<float>(sign * map.at(x, y).disparity) / kDisparityUnits);
     }
   }
   return pixels;
@@ -62,10 +63,12 @@ io::IoResult<void> write_map(const DisparityOptions& options, const DisparityMap
                              const DisparityRange& range) {
   const Format format = format_of(options.output);
   if (format == Format::kPfm) {
-    return io::write_pfm(options.output, map.width, map.height, pixels_a_column(map));
+    return io::write_pfm(options.output, map.width, map.height, pixels_a_column(map, options.sign));
   }
   if (format == Format::kGrey16) {
-    const auto number = [](const BlockDisparity& at) { return 32768 + at.disparity; };
+    const auto number = [&](const BlockDisparity& at) {
+      return std::min(32768 + options.sign * at.disparity, 65535);
+    };
     return io::write_png(options.output, picture_of(map, 16, number));
   }
   const int32_t steps = std::max(1, range.greatest - range.least);
@@ -87,6 +90,9 @@ ExitCode run_disparity(const DisparityOptions& options) {
   DisparityRange range;
   range.add(map);
   value_or_throw(write_map(options, map, range), ExitCode::kOutput);
+  if (options.sign < 0) {
+    range = {-range.greatest, -range.least, range.known, range.blocks};
+  }
   print(fmt::format("{}: view {},{}, {}\n", options.output.string(), view.row, view.col,
                     describe(range)));
   return ExitCode::kDone;
@@ -100,18 +106,23 @@ void add_disparity(CLI::App& program, Task& task) {
       R"(The disparity of a pixel is by how many pixels what it shows moves from a column of views to the
 next: negative is nearer than what stands still, positive farther, as in render --focus. Streams of
 profile extended hold it for blocks; it is 0 where a stream says nothing, as for key images of profile
-main. The benchmark HCI 4D has the other sign.
+main. The benchmark HCI 4D has the other sign: --positive near writes its numbers, and hmlfc compare
+measures them.
 
 The name of FILE chooses the format:
   *.pfm     32-bit floating point, pixels a column
   *.16.png  16 bits: 32768 + 256 times the disparity
   *.png     8 bits to look at: the nearest is white, the farthest and what is unknown black
 
-Example:
-  hmlfc disparity chess.hmlfc --view 3,5 -o chess.pfm)");
+Examples:
+  hmlfc disparity chess.hmlfc --view 3,5 -o chess.pfm
+  hmlfc disparity chess.hmlfc --positive near -o estimate.pfm)");
   add_stream(app, options.file);
   add_output(app, options.output, "FILE", "The *.png, *.16.png or *.pfm file to write");
   add_view(app, options.view, "The view; counted from 0,0")->default_str("the middle one");
+  add_choice(app, "--positive", options.sign, {{"far", 1}, {"near", -1}},
+             "The sign of the numbers: which things have positive ones")
+      ->default_str("far");
 }
 
 }  // namespace hmlfc::cli

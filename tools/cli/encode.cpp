@@ -16,6 +16,7 @@
 #include "cli/coding_options.hpp"
 #include "cli/comparison.hpp"
 #include "cli/divided_encode.hpp"
+#include "cli/encode_forecast.hpp"
 #include "cli/encode_outcome.hpp"
 #include "cli/encode_shards.hpp"
 #include "cli/rig_options.hpp"
@@ -66,6 +67,9 @@ EncodedStream encode_input(const Input& input, const EncodeOptions& options) {
 EncodeOutcome encode_and_measure(const EncodeOptions& options) {
   const Input input = load(options);
   const LightField& field = input.field;
+  const std::string forecast =
+      encode_forecast(field, options.coding.params, target_of(options.coding, field.shape()));
+  if (!forecast.empty()) note(forecast);
   EncodeOutcome outcome;
   ErrorSums promised;
   {
@@ -110,7 +114,7 @@ void add_encode(CLI::App& program, Task& task) {
 differences from the prediction, is below --threshold-*; --quality Q means 75 * 2^((60 - Q) / 10).
 Profile extended chooses by rate and distortion; without --references it finds the reference groups by
 trial, without --chroma the chroma format. Its default --height is 0: key views and motion only.
---preset trades encoding time for size.
+--preset trades encoding time for size. What takes more than ten seconds begins with a forecast.
 
 View positions are parsed from file names: RR_CC.png, out_RR_CC_Y_X_.png, input_CamNNN.png. Files with
 other names are taken in sorted order, row by row, and need --grid. With --grid a folder may also hold

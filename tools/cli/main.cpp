@@ -1,6 +1,7 @@
 // hmlfc: encodes, decodes, renders and examines light fields.
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -26,22 +28,15 @@ constexpr const char* kFooter =
     R"(Results go to standard output, messages and progress to standard error. The --help of each command
 has an example.
 
-Exit status:
-  0   done
-  1   a comparison found a difference
-  2   wrong arguments, or an output that cannot be created there
-  3   an input is missing, unreadable or unsuitable
-  4   a stream is corrupt; the message has the specification's name of the error and its address
-  5   no failures, but required tests were skipped
-  6   encode missed its target; the nearest stream was written
-  70  a bug in this program; 71 out of memory; 74 writing failed (full disk, closed pipe)
-  77  a decoder under test cannot run on this machine
+Exit status: 0 done; 1 a comparison found a difference; 2 wrong arguments, or an output that cannot be
+created there; 3 an input is missing, unreadable or unsuitable; 4 a stream is corrupt; 5 required tests
+were skipped; 6 encode missed its target, the nearest stream was written; 70 a bug in this program;
+71 out of memory; 74 writing failed; 77 a decoder under test cannot run on this machine
 
 Example:
   hmlfc synth --scene cards --grid 9x9 --size 512x384 -o views
   hmlfc encode views -o cards.hmlfc
-  hmlfc decode cards.hmlfc -o decoded
-  hmlfc compare views decoded)";
+  hmlfc view cards.hmlfc)";
 
 // The look of --help: "  --window N     largest vector component (default 16)": no list of
 // exclusions, no type for flags, the default behind the description.
@@ -66,6 +61,17 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
+using AddCommand = void (*)(CLI::App& program, Task& task);
+
+// The commands by what they are for; --help lists the groups in the order of their names' first
+// use.
+const std::pair<const char*, std::vector<AddCommand>> kGroups[] = {
+    {"Start", {add_synth, add_encode, add_viewer}},
+    {"Your light field",
+     {add_decode, add_render, add_picture, add_compare, add_info, add_disparity, add_convert}},
+    {"Your decoder", {add_conform, add_inspect, add_minimise, add_fuzz_dut, add_vectors}},
+    {"More", {add_bise, add_reference_area, add_serve}}};
+
 void add_commands(CLI::App& program, Task& task) {
   program.description(
       "Random-access light field codec: encode, decode, render and examine light fields");
@@ -75,25 +81,12 @@ void add_commands(CLI::App& program, Task& task) {
   program.require_subcommand(1);
   program.get_formatter()->label("SUBCOMMAND", "COMMAND");
   program.footer(kFooter);
-  add_synth(program, task);
-  add_encode(program, task);
-  add_decode(program, task);
-  add_info(program, task);
-  add_disparity(program, task);
-  add_compare(program, task);
-  add_inspect(program, task);
-  add_bise(program, task);
-  add_reference_area(program, task);
-  add_render(program, task);
-  add_convert(program, task);
-  add_viewer(program, task);
-  add_picture(program, task);
-  add_vectors(program, task);
-  add_conform(program, task);
-  add_serve(program, task);
-  add_minimise(program, task);
-  add_fuzz_dut(program, task);
-  for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
+  for (const auto& [group, commands] : kGroups) {
+    const size_t before = program.get_subcommands({}).size();
+    for (const AddCommand add : commands) add(program, task);
+    const auto all = program.get_subcommands({});
+    for (size_t k = before; k < all.size(); ++k) all[k]->group(group);
+  }
 }
 
 // The chosen command, "hmlfc bise enc", and its parser.
@@ -107,15 +100,61 @@ std::pair<std::string, const CLI::App*> chosen_command(const CLI::App& program) 
   return {name, app};
 }
 
+// Letters left out, added or changed, and neighbours swapped, from `a` to `b`.
+size_t slips(std::string_view a, std::string_view b) {
+  std::vector<std::vector<size_t>> d(a.size() + 1, std::vector<size_t>(b.size() + 1));
+  for (size_t i = 0; i <= a.size(); ++i) {
+    for (size_t j = 0; j <= b.size(); ++j) {
+      d[i][j] = i + j;
+      if (i == 0 || j == 0) continue;
+      d[i][j] = std::min(
+          {d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+// "; did you mean --quality?" with the name that `word` begins or is nearest to; empty where none
+// is near.
+std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
+  const size_t letters =
+      word.find_first_not_of('-') == word.npos ? 0 : word.size() - word.find_first_not_of('-');
+  if (letters < 2 || letters > 40) return "";
+  const auto distance = [&](const std::string& name) {
+    return letters > 2 && name.starts_with(word) ? 0 : slips(word, name);
+  };
+  const auto best = std::ranges::min_element(names, {}, distance);
+  if (best == names.end() || distance(*best) > (letters + 1) / 3) return "";
+  return "; did you mean " + *best + "?";
+}
+
 // Says in one line what is wrong with the arguments.
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
-  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
-  if (commands.empty()) return error.what();
-  std::string names;
-  for (const CLI::App* command : commands) names += " " + command->get_name();
   const auto extra = app.remaining();
-  if (extra.empty()) return "a command is needed:" + names;
-  return "'" + extra.front() + "' is not one of its commands:" + names;
+  const auto option = std::ranges::find_if(extra, [](auto& word) { return word.starts_with('-'); });
+  const auto code = static_cast<CLI::ExitCodes>(error.get_exit_code());
+  const bool lacks_or_has_more =
+      code == CLI::ExitCodes::RequiredError || code == CLI::ExitCodes::ExtrasError;
+  std::vector<std::string> names;
+  if (option != extra.end() && lacks_or_has_more) {
+    for (const CLI::Option* known : app.get_options()) {
+      for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+    }
+    const std::string given = option->substr(0, option->find('='));
+    return given + " is not an option" + suggestion(given, names);
+  }
+  std::string list;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+    list += " " + command->get_name();
+  }
+  if (names.empty()) return error.what();
+  if (extra.empty()) return "a command is needed:" + list;
+  const std::string near = suggestion(extra.front(), names);
+  return "'" + extra.front() + "' is not one of its commands" + (near.empty() ? ":" + list : near);
 }
 
 ExitCode run(int count, char** arguments) {

@@ -27,13 +27,16 @@ double OutsideShare::add(const FrameRecord& record, const RgbImage& image) {
   return share;
 }
 
-std::string OutsideShare::text() const {
+std::string OutsideShare::text(const StreamHeader& header) const {
   if (most_ == 0) return "";
   const auto percent = [](double share) { return fmt::format("{:.2f} %", 100 * share); };
   std::string line = percent(sum_ / static_cast<double>(frames_)) +
                      " of the pixels lie outside the light field and are black";
   if (frames_ > 1) line += fmt::format(", at most {} in frame {}", percent(most_), emptiest_);
-  return line + "\n";
+  return line + fmt::format(
+                    "\nTheir rays miss the views: move the camera towards columns 0 to {} and "
+                    "rows 0 to {}, or narrow --fov\n",
+                    header.cols - 1, header.rows - 1);
 }
 
 }  // namespace hmlfc::cli

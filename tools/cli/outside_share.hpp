@@ -15,8 +15,8 @@ class OutsideShare {
   /// Adds a frame of `record`. Returns its own share, in [0, 1].
   double add(const FrameRecord& record, const RgbImage& image);
 
-  /// A line for people; empty where no pixel lies outside.
-  std::string text() const;
+  /// How many there are in a stream of `header`, and what helps; empty where no pixel lies outside.
+  std::string text(const StreamHeader& header) const;
 
  private:
   size_t frames_ = 0;

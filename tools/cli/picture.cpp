@@ -1,4 +1,5 @@
 // hmlfc picture: an image of a light field to look at.
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,6 +24,8 @@ struct PictureOptions {
   std::optional<ViewPos> view;
   uint32_t max_width = 1600;
   int32_t gain = 8;
+  std::optional<uint32_t> row, col, x, y;
+  uint32_t thickness = 8;
 };
 
 ExitCode write(const PictureOptions& options, const RgbImage& picture) {
@@ -63,6 +66,75 @@ ExitCode run_difference(const PictureOptions& options) {
                value_or_throw(io::difference_picture(a, b, options.gain), ExitCode::kInput));
 }
 
+void check_place(const char* name, uint32_t value, uint32_t count) {
+  if (value < count) return;
+  throw Failure(ExitCode::kUsage,
+                fmt::format("{} {} does not exist: 0 to {}", name, value, count - 1));
+}
+
+// Pixel row y of all views of a row, one below the other; or pixel column x of all of a column,
+// side by side.
+ExitCode run_epipolar(const PictureOptions& options) {
+  check_picture_file(options.output);
+  if (!options.row && !options.col) {
+    throw Failure(ExitCode::kUsage, "--row and --y are missing, or --col and --x");
+  }
+  const auto source = ViewSource::open(options.a, options.grid);
+  const LightFieldShape& shape = source->shape();
+  const bool of_row = options.row.has_value();
+  if (of_row) {
+    check_place("--row", *options.row, shape.rows);
+    check_place("--y", *options.y, shape.height);
+  } else {
+    check_place("--col", *options.col, shape.cols);
+    check_place("--x", *options.x, shape.width);
+  }
+  const uint32_t views = of_row ? shape.cols : shape.rows;
+  const uint32_t length = of_row ? shape.width : shape.height;
+  const uint32_t across = views * options.thickness;
+  RgbImage picture{of_row ? length : across, of_row ? across : length, shape.depth, {}};
+  picture.samples.resize(size_t{3} * length * across);
+  for_each_view({1, views}, 0, {}, [&](ViewPos at) {
+    const RgbImage view =
+        source->view(of_row ? ViewPos{*options.row, at.col} : ViewPos{at.col, *options.col});
+    for (size_t i = 0; i < length; ++i) {
+      const auto from = view.samples.begin() +
+                        static_cast<ptrdiff_t>(3 * (of_row ? *options.y * size_t{view.width} + i
+                                                           : i * view.width + *options.x));
+      for (size_t k = size_t{at.col} * options.thickness; k < (at.col + 1) * options.thickness;
+           ++k) {
+        const size_t to = of_row ? k * picture.width + i : i * picture.width + k;
+        std::copy_n(from, 3, picture.samples.begin() + static_cast<ptrdiff_t>(3 * to));
+      }
+    }
+  });
+  return write(options, picture);
+}
+
+void add_epipolar(CLI::App& picture, Task& task) {
+  const auto [app, options] = add_command(
+      picture, task, "epipolar", "One line of pixels in all views of a row or a column",
+      run_epipolar,
+      R"(With --row R --y Y the picture has pixel row Y of each view of row R, from column 0 down; with --col C
+--x X it has pixel column X of each view of column C, from row 0 to the right. A point of the scene is
+a straight line in it, whose slope is its disparity. --thickness 1 keeps each line once.
+
+Example:
+  hmlfc picture epipolar chess.hmlfc --row 4 --y 30 -o epipolar.png)");
+  add_path(app, "INPUT", options.a, "Folder of views or .hmlfc file");
+  CLI::Option* row = add_integer(app, "--row", options.row, 0, 4095, "Row of views");
+  CLI::Option* y = add_integer(app, "--y", options.y, 0, 65535, "Pixel row in each of them");
+  CLI::Option* col = add_integer(app, "--col", options.col, 0, 4095, "Column of views");
+  CLI::Option* x = add_integer(app, "--x", options.x, 0, 65535, "Pixel column in each of them");
+  row->needs(y)->excludes(col);
+  y->needs(row);
+  col->needs(x);
+  x->needs(col);
+  add_integer(app, "--thickness", options.thickness, 1, 64, "Pixels that each view takes across");
+  add_grid(app, options.grid);
+  add_output(app, options.output, "FILE.png", "The PNG file to write");
+}
+
 void add_common(CLI::App& app, PictureOptions& options) {
   add_grid(app, options.grid);
   add_output(app, options.output, "FILE.png", "The PNG file to write");
@@ -72,7 +144,7 @@ void add_common(CLI::App& app, PictureOptions& options) {
 
 void add_picture(CLI::App& program, Task& task) {
   CLI::App* picture =
-      program.add_subcommand("picture", "Make a PNG: a view, a contact sheet or a difference");
+      program.add_subcommand("picture", "Make a PNG: views, differences, epipolar pictures");
   picture->require_subcommand(1);
   picture->footer("Example:\n  hmlfc picture sheet chess.hmlfc -o sheet.png");
   const char* input = "Folder of views or .hmlfc file";
@@ -102,6 +174,8 @@ Example:
   add_view(difference, two.view, "The view; counted from 0,0")->required();
   add_integer(difference, "--gain", two.gain, 1, 4096, "Amplification of the difference");
   add_common(difference, two);
+
+  add_epipolar(*picture, task);
 }
 
 }  // namespace hmlfc::cli

@@ -215,7 +215,10 @@ class RenderRun {
                         cameras_.size() == 1 ? "" : "s", frame_.image.width, frame_.image.height,
                         seconds_ / count * 1e3));
       if (path_.focus) print(focus_text());
-      print(outside_.text());
+      if (arguments_.cameras.path == "focus") {
+        print(fmt::format("focus {} to {}\n", cameras_.front().focus, cameras_.back().focus));
+      }
+      print(outside_.text(file_.header()));
       return;
     }
     print_json({{"width", frame_.image.width},
@@ -267,9 +270,11 @@ ExitCode run_render(const RenderArguments& given) {
 void add_render(CLI::App& program, Task& task) {
   const auto [app, options] = add_command(
       program, task, "render", "Render novel views of a stream", run_render,
-      R"(Positions are in columns and rows of views; Z is the distance beyond the view plane, in columns
-(docs/aiming.md draws it). Along a path --focus-at looks at the first frame, and what it finds stays in
-focus. A PNG of --preview has the first 240 frames.
+      R"(X and Y of a position are column and row of views, counted from 0; Z is the distance beyond the view
+plane, in columns (docs/aiming.md draws it). Along a path --focus-at looks at the first frame, and what
+it finds stays in focus. --path focus keeps the camera and moves the focus from the nearest to the
+farthest that the stream knows of the view there, or as --focus D..D says. A PNG of --preview has the
+first 240 frames.
 With --geometry stream a surface is drawn where the stream says that it is, with plane only what lies in
 the plane of --focus is sharp; apertures above 0 take the plane.
 Pixels outside the light field are black; their share is printed, and is "outside" in the JSON.
@@ -283,8 +288,9 @@ the pixels of the views that it blends; its JSON has pixel, stages[]{stage, view
 clause}} and sample.
 --quality-vs-time compares with frames computed in real numbers, filter quadrilinear and all levels.
 
-Example:
-  hmlfc render chess.hmlfc --path orbit --frames 4 --size 96x96 -o orbit --json)");
+Examples:
+  hmlfc render chess.hmlfc --path orbit --frames 4 --size 96x96 -o orbit --json
+  hmlfc render chess.hmlfc --path focus --frames 5 -o stack --preview stack.png)");
   add_stream(app, options.file);
   add_output(app, options.output, "DIR|FILE.png", "Folder for the frames, or one PNG file")
       ->required(false);

@@ -119,7 +119,8 @@ Example:
                    "Views as rows x columns")
       ->required()
       ->default_str("");
-  add_sides(app, "--size", "WxH", "width x height", 65536, "Pixels of a view, width x height",
+  add_sides(app, "--size", "WxH", "width x height", 65536, "512x384",
+            "Pixels of a view, width x height",
             [&scene](uint32_t width, uint32_t height) {
               scene.width = width;
               scene.height = height;

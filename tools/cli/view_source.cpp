@@ -69,6 +69,13 @@ class StreamSource final : public ViewSource {
   LightFieldShape shape_;
 };
 
+void check_in_grid(ViewPos view, uint32_t rows, uint32_t cols) {
+  if (view.row < rows && view.col < cols) return;
+  throw Failure(ExitCode::kUsage,
+                fmt::format("--view {},{} does not exist: rows 0 to {}, columns 0 to {}", view.row,
+                            view.col, rows - 1, cols - 1));
+}
+
 }  // namespace
 
 std::shared_ptr<const remote::OpenSource> open_source(const std::filesystem::path& path) {
@@ -119,10 +126,7 @@ Result<void> StreamFile::check_sections() const {
 }
 
 void StreamFile::check_view(ViewPos view) const {
-  if (view.row < header().rows && view.col < header().cols) return;
-  throw Failure(ExitCode::kUsage,
-                fmt::format("--view {},{} is outside the grid of {} x {} views of {}", view.row,
-                            view.col, header().rows, header().cols, path_.string()));
+  check_in_grid(view, header().rows, header().cols);
 }
 
 int StreamFile::stop_level(int levels) const {
@@ -145,11 +149,7 @@ std::unique_ptr<ViewSource> ViewSource::of_files(io::ViewList files) {
   return std::make_unique<FolderSource>(std::move(files));
 }
 
-void ViewSource::check_view(ViewPos view) const {
-  if (view.row < shape().rows && view.col < shape().cols) return;
-  throw Failure(ExitCode::kUsage, fmt::format("--view {},{} is outside the grid of {} x {} views",
-                                              view.row, view.col, shape().rows, shape().cols));
-}
+void ViewSource::check_view(ViewPos view) const { check_in_grid(view, shape().rows, shape().cols); }
 
 void check_rect(const Rect& rect, const LightFieldShape& shape) {
   if (rect.width > 0 && rect.height > 0 && rect.x < shape.width && rect.y < shape.height &&

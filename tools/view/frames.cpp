@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/camera_path.hpp"
+#include "cli/outside_share.hpp"
 #include "io/image_files.hpp"
 #include "view/pixels.hpp"
 #include "view/query.hpp"
@@ -41,7 +42,8 @@ Response Frames::frame(const Query& query) {
                   {"reused", frame_.counts.blocks_reused},
                   {"touched", stream_.touched().bytes()},
                   {"key_samples", stream_.touched().key_samples()},
-                  {"views", views_in_use(record)}};
+                  {"views", views_in_use(record)},
+                  {"outside", cli::OutsideShare().add(record, frame_.image)}};
   Response response = picture_answer(frame_.image);
   response.headers.emplace_back("Frame", cost.dump());
   return response;

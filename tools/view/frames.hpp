@@ -23,7 +23,8 @@ class Frames {
 
   /// The frame's pixels; the header Frame says what it cost, in JSON: width, height, seconds,
   /// needed, decoded, reused (blocks), touched (bytes of the file), key_samples (of key images that
-  /// it had to wait for), views (first and last row and column).
+  /// it had to wait for), views (first and last row and column), outside (the share of pixels that
+  /// see nothing of the light field).
   Response frame(const Query& query);
 
   /// The PNG file that `hmlfc render` writes.

@@ -75,7 +75,7 @@ function codedValues(level) {
  */
 function levelSection(level, page, visit, open) {
   const { row, col } = level.image;
-  const title = make("summary", {}, `Level ${level.level}, image ${row},${col}, ${page.title}`);
+  const title = make("summary", {}, `Level ${level.level}, image row ${row}, column ${col}, ${page.title}`);
   const section = make("details", open ? { open: "" } : {}, title);
   for (const walk of page.walks) section.append(make("h4", {}, walk.title), fieldTable(walk.rows));
   if (page.formulas) section.append(make("pre", {}, page.formulas.replace(/\n$/, "")));
@@ -103,7 +103,7 @@ export function showBlock(answer, visit) {
   panel.replaceChildren();
   if (answer === null) return;
   const { view, plane, block, levels, cost } = answer.report;
-  panel.append(make("h2", {}, `Block ${block.join(",")} of plane ${plane} of view ${view.row},${view.col}`));
+  panel.append(make("h2", {}, `Block x ${block[0]}, y ${block[1]} of plane ${plane} of view row ${view.row}, column ${view.col}`));
   if (answer.error) panel.append(make("p", { class: "error" }, answer.error));
   levels.forEach((/** @type {any} */ level, /** @type {number} */ at) =>
     panel.append(levelSection(level, answer.levels[at], visit, at === levels.length - 1)));

@@ -244,7 +244,7 @@ export class Into {
     const [sampleX, sampleY] = [Math.floor(x / unit), Math.floor(y / unit)];
     const at = block[1] * blocks.columns + block[0];
     const error = blocks.errors.find((/** @type {[number, string]} */ [number]) => number === at);
-    const parts = [`block ${block.join(",")}`, `sample ${sampleX},${sampleY}`];
+    const parts = [`block x ${block[0]}, y ${block[1]}`, `sample x ${sampleX}, y ${sampleY}`];
     const value = this.samples && sampleAt(this.samples, sampleY * blocks.width + sampleX);
     if (this.samples) parts.push(`${this.place.stage} ${value ?? "none"}`);
     parts.push(error ? error[1] : STATES[blocks.states[at]]);
@@ -252,7 +252,7 @@ export class Into {
     if (blocks.level_counts[at] > 0) parts.push(`${blocks.level_counts[at]} levels`);
     if (blocks.steps[at] > 0) parts.push(`step ${blocks.steps[at]}`);
     for (const [number, row, col, dx, dy] of blocks.vectors) {
-      if (number === at) parts.push(`(${dx}, ${dy}) to image ${row},${col}`);
+      if (number === at) parts.push(`(${dx}, ${dy}) to image row ${row}, column ${col}`);
     }
     if (blocks.disparities?.[at] != null) parts.push(`disparity ${blocks.disparities[at]}`);
     if (blocks.worst?.[at] > 0) parts.push(`${this.stream.dut} differs by up to ${blocks.worst[at]}`);

@@ -194,6 +194,8 @@ export class Look {
     }
     this.recorder.add(query);
     this.views = cost.views;
+    any("look-outside").textContent = cost.outside > 0
+      ? `${(100 * cost.outside).toFixed(1)} % of the frame sees nothing of the light field: move the camera nearer to the views, or narrow the field of view` : "";
     this.showNumbers(cost);
     this.map.draw({ used: this.views, camera: this.camera });
     this.canvas.dataset.exact = String(exact);
