@@ -16,6 +16,8 @@
 namespace hmlfc::io {
 namespace {
 
+using test::Bytes;
+
 LightField random_field(const LightFieldShape& shape) {
   LightField field(shape);
   for (uint32_t row = 0; row < shape.rows; ++row) {
@@ -71,6 +73,27 @@ TEST(LightFieldFiles, SavedViewsAreReadBackExactly) {
       expect_equal(*again, field);
     }
   }
+}
+
+TEST(LightFieldFiles, SaysEachKindOfLossOnceInTheOrderOfTheViews) {
+  const test::TempFolder folder;
+  for (uint32_t i = 0; i < 9; ++i) {
+    test::PngContent content{.bit_depth = 16, .rows = {0, 0, 0, 0, 0, 0}};
+    if (i == 2 || i == 7) content = {.bit_depth = 16, .colour_type = 6, .rows = Bytes(8)};
+    if (i == 4) content.significant = {14, 14, 14};
+    test::put_file(folder / view_file_name(i / 3, i % 3, 3, 3), test::make_png(content));
+  }
+  const auto views = list_views(folder.path());
+  ASSERT_TRUE(views.has_value());
+  Notes notes;
+  ASSERT_TRUE(load_light_field(*views, 3, {}, &notes).has_value());
+  const auto line = [&](size_t view, const std::string& what) {
+    return views->files[view].string() + what;
+  };
+  const std::string reduced = " bits are reduced to 12 bits, the most that a stream holds";
+  EXPECT_EQ(notes.lines(), (std::vector{line(0, " and 7 more: samples of 16" + reduced),
+                                        line(2, " and 1 more: the alpha channel is dropped"),
+                                        line(4, ": samples of 14" + reduced)}));
 }
 
 TEST(LightFieldFiles, ReportsProgressInRisingSteps) {

@@ -19,9 +19,9 @@ using io::MosaicLayout;
 class MosaicSource final : public ViewSource {
  public:
   MosaicSource(const std::filesystem::path& file, const Mosaic& mosaic) : mosaic_(mosaic) {
-    io::ImageLosses losses;
-    picture_ = value_or_throw(io::read_image(file, {}, &losses), ExitCode::kInput);
-    note_losses(file, losses);
+    io::Notes notes;
+    picture_ = value_or_throw(io::read_image(file, {}, &notes), ExitCode::kInput);
+    tell(notes);
     shape_ = value_or_throw(io::mosaic_shape(file, picture_, mosaic), ExitCode::kInput);
   }
 
@@ -58,7 +58,7 @@ ConvertInput open_folder(const ConvertOptions& options) {
   if (pleno && grid) std::swap(grid->rows, grid->cols);
   auto files = value_or_throw(io::list_views(options.input, grid), ExitCode::kInput);
   if (pleno) files = io::transposed(files);
-  ConvertInput input{ViewSource::of_files(options.input, files), std::nullopt};
+  ConvertInput input{ViewSource::of_files(files), std::nullopt};
   input.rig = rig_for(options.rig, Profile::kExtended, files, input.views->shape());
   return input;
 }

@@ -181,7 +181,7 @@ DividedInput open_input(const EncodeOptions& options) {
   ::mallopt(M_MMAP_THRESHOLD, kLargeBlock);
   DividedInput input;
   input.list = listed_views(options);
-  input.views = ViewSource::of_files(options.input, input.list);
+  input.views = ViewSource::of_files(input.list);
   input.rig = rig_for(options.rig, options.coding.params.profile, input.list, input.views->shape());
   return input;
 }

@@ -38,13 +38,13 @@ struct Input {
 Input load(const EncodeOptions& options) {
   terminal::ProgressBar progress("Reading", "views");
   const io::ViewList views = listed_views(options);
-  io::ImageLosses losses;
+  io::Notes notes;
   LightField field = value_or_throw(
       io::load_light_field(views, static_cast<unsigned>(options.coding.params.threads),
-                           progress.callback(), &losses),
+                           progress.callback(), &notes),
       ExitCode::kInput);
   progress.clear();
-  note_losses(options.input, losses);
+  tell(notes);
   auto rig = rig_for(options.rig, options.coding.params.profile, views, field.shape());
   return {std::move(field), std::move(rig)};
 }

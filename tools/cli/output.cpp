@@ -1,5 +1,7 @@
 #include "cli/output.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -54,7 +56,12 @@ void flush_output() {
 }
 
 void note(const std::string& message) {
-  std::fputs((terminal::shown(message) + "\n").c_str(), stderr);
+  const std::string clear = ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
+  std::fputs((clear + terminal::shown(message) + "\n").c_str(), stderr);
+}
+
+void tell(const io::Notes& notes) {
+  for (const std::string& line : notes.lines()) note(line);
 }
 
 Json psnr_json(double db) {

@@ -13,6 +13,7 @@
 
 #include "io/folder_lock.hpp"
 #include "io/io_error.hpp"
+#include "io/notes.hpp"
 
 namespace hmlfc::cli {
 
@@ -68,8 +69,11 @@ void print_json(const Json& json);
 /// Flushes standard output. Failure as print().
 void flush_output();
 
-/// One line for the user on standard error.
+/// One line for the user on standard error, in place of a progress bar there.
 void note(const std::string& message);
+
+/// The lines of `notes` as such.
+void tell(const io::Notes& notes);
 
 /// A PSNR for JSON: the number of dB, or the text "inf" for identical pictures, which JSON cannot
 /// hold as a number.

@@ -1,5 +1,6 @@
 #include "cli/view_source.hpp"
 
+#include <mutex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,10 +16,8 @@ namespace {
 
 class FolderSource final : public ViewSource {
  public:
-  FolderSource(const fs::path& folder, io::ViewList views) : views_(std::move(views)) {
-    io::ImageLosses losses;
-    const RgbImage first = read(0, &losses);
-    note_losses(folder, losses);
+  explicit FolderSource(io::ViewList views) : views_(std::move(views)) {
+    const RgbImage first = read(0);
     shape_ = {views_.rows, views_.cols, first.width, first.height, first.depth};
   }
 
@@ -39,11 +38,19 @@ class FolderSource final : public ViewSource {
   }
 
  private:
-  RgbImage read(size_t index, io::ImageLosses* losses = nullptr) const {
-    return value_or_throw(io::read_image(views_.files.at(index), {}, losses), ExitCode::kInput);
+  RgbImage read(size_t index) const {
+    io::Notes notes;
+    auto image = io::read_image(views_.files.at(index), {}, &notes);
+    {
+      const std::lock_guard lock(told_mutex_);
+      tell(told_.add(notes));
+    }
+    return value_or_throw(std::move(image), ExitCode::kInput);
   }
 
   io::ViewList views_;
+  mutable std::mutex told_mutex_;
+  mutable io::Notes told_;
   LightFieldShape shape_;
 };
 
@@ -131,11 +138,11 @@ std::unique_ptr<ViewSource> ViewSource::open(const fs::path& path,
                                              std::optional<io::GridShape> grid) {
   std::error_code failure;
   if (!fs::is_directory(path, failure)) return std::make_unique<StreamSource>(path);
-  return of_files(path, value_or_throw(io::list_views(path, grid), ExitCode::kInput));
+  return of_files(value_or_throw(io::list_views(path, grid), ExitCode::kInput));
 }
 
-std::unique_ptr<ViewSource> ViewSource::of_files(const fs::path& folder, io::ViewList files) {
-  return std::make_unique<FolderSource>(folder, std::move(files));
+std::unique_ptr<ViewSource> ViewSource::of_files(io::ViewList files) {
+  return std::make_unique<FolderSource>(std::move(files));
 }
 
 void ViewSource::check_view(ViewPos view) const {
@@ -152,14 +159,6 @@ void check_rect(const Rect& rect, const LightFieldShape& shape) {
   throw Failure(ExitCode::kUsage,
                 fmt::format("--rect {},{},{},{} does not lie in the {} x {} pixels of a view",
                             rect.x, rect.y, rect.width, rect.height, shape.width, shape.height));
-}
-
-void note_losses(const fs::path& path, const io::ImageLosses& losses) {
-  if (losses.stored_bits > 0) {
-    note(fmt::format("{}: samples of {} bits are reduced to 12 bits, the most that a stream holds",
-                     path.string(), losses.stored_bits));
-  }
-  if (losses.alpha) note(path.string() + ": the alpha channel is dropped");
 }
 
 LightFieldShape shape_of(const StreamHeader& header) {

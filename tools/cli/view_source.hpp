@@ -88,14 +88,14 @@ class ViewSource : public ViewProvider {
   /// depth differs from the first (kInput); a corrupt stream (kCorrupt).
   RgbImage view(ViewPos view) const override = 0;
 
-  /// Opens `path`; `grid` as for io::list_views. Notes what the format cannot hold of a folder's
-  /// images. Failures: nothing there, not a light field (kInput), a corrupt stream (kCorrupt).
+  /// Opens `path`; `grid` as for io::list_views. Tells what reading a folder's images changes or
+  /// leaves out, each kind once. Failures: nothing there, not a light field (kInput), a corrupt
+  /// stream (kCorrupt).
   static std::unique_ptr<ViewSource> open(const std::filesystem::path& path,
                                           std::optional<io::GridShape> grid);
 
-  /// The views in `files` of `folder`. Notes and failures as above.
-  static std::unique_ptr<ViewSource> of_files(const std::filesystem::path& folder,
-                                              io::ViewList files);
+  /// The views in `files`. Notes and failures as above.
+  static std::unique_ptr<ViewSource> of_files(io::ViewList files);
 
   /// Usage failure unless `view` is in the grid.
   void check_view(ViewPos view) const;
@@ -103,9 +103,6 @@ class ViewSource : public ViewProvider {
 
 /// Usage failure unless `rect` lies in a view and is not empty.
 void check_rect(const Rect& rect, const LightFieldShape& shape);
-
-/// Tells the user what reading `path` lost; nothing where it lost nothing.
-void note_losses(const std::filesystem::path& path, const io::ImageLosses& losses);
 
 /// The shape of the light field in a stream.
 LightFieldShape shape_of(const StreamHeader& header);

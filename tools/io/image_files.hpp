@@ -1,7 +1,6 @@
 // Pictures from and to files.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -10,6 +9,7 @@
 #include <hmlfc/image.hpp>
 
 #include "io/io_error.hpp"
+#include "io/notes.hpp"
 
 namespace hmlfc::io {
 
@@ -18,19 +18,8 @@ struct ImageLimits {
   uint64_t max_samples = uint64_t{1} << 31;  ///< width * height * 3; checked before allocation
 };
 
-/// What an RgbImage cannot hold of files that were read.
-struct ImageLosses {
-  int stored_bits = 0;  ///< most bits per sample of a file where they were reduced to 12, else 0
-  bool alpha = false;   ///< a file had an alpha channel
-
-  void add(const ImageLosses& other) {
-    stored_bits = std::max(stored_bits, other.stored_bits);
-    alpha = alpha || other.alpha;
-  }
-};
-
-/// Reads a PNG, PPM/PGM or JPEG file; the content tells the format, not the name. What is lost is
-/// added to `losses`, unless it is null.
+/// Reads a PNG, PPM/PGM or JPEG file; the content tells the format, not the name. What is
+/// changed or left out is added to `notes`, unless it is null.
 ///
 /// Grey is replicated to R, G and B, alpha and transparency are dropped, colour profiles and gamma
 /// are ignored, palettes are looked up. Depth of the result and its samples:
@@ -43,7 +32,7 @@ struct ImageLosses {
 /// Errors: not readable, not one of these kinds, truncated or damaged, a side over 65536, more
 /// samples than `limits` allow or than the file's length can hold. Never crashes on any content.
 IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimits& limits = {},
-                              ImageLosses* losses = nullptr);
+                              Notes* notes = nullptr);
 
 /// Writes an RGB PNG: of 8 bits for depth 8; for depth d in [9, 16] of 16 bits, with sBIT = d and
 /// value = sample << (16 - d) | sample >> (2d - 16), so that black stays 0 and white 65535.

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <utility>
 
 #include <hmlfc/image.hpp>
 
@@ -20,7 +22,16 @@ struct ImageSource {
   const std::filesystem::path& path;  ///< for messages
   std::span<const uint8_t> bytes;     ///< the whole file
   const ImageLimits& limits;
-  ImageLosses& losses;
+  Notes& notes;
+
+  void note(std::string what) const { notes.add(path, std::move(what)); }
+
+  /// Notes that samples of `bits` bits become those of 12, if they are more.
+  void note_depth(int bits) const {
+    if (bits <= 12) return;
+    note("samples of " + std::to_string(bits) +
+         " bits are reduced to 12 bits, the most that a stream holds");
+  }
 };
 
 /// An image of zeros with this size. Errors: a side outside [1, 65536], over the limit of samples,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <mutex>
 #include <new>
 #include <optional>
 #include <string>
@@ -75,10 +74,9 @@ std::string file_name(FileNames names, uint32_t row, uint32_t col, GridShape gri
 }  // namespace
 
 IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
-                                      const Progress& progress, ImageLosses* losses) {
-  ImageLosses all_losses;
-  std::mutex losses_mutex;
-  const auto first = read_image(views.files.at(0), {}, &all_losses);
+                                      const Progress& progress, Notes* notes) {
+  std::vector<Notes> notes_of(views.files.size());
+  const auto first = read_image(views.files.at(0), {}, notes_of.data());
   if (!first) return tl::unexpected(first.error());
   const ViewShape expected = shape_of(*first);
   auto field = allocate_field(views, expected);
@@ -91,19 +89,16 @@ IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
     const auto row = static_cast<uint32_t>(index / views.cols);
     const auto col = static_cast<uint32_t>(index % views.cols);
     if (index == 0) return field->set_view(row, col, *first);
-    ImageLosses image_losses;
-    const auto image = read_image(views.files[index], {}, &image_losses);
+    const auto image = read_image(views.files[index], {}, &notes_of[index]);
     if (!image) return first_error.add(index, image.error());
-    {
-      const std::lock_guard lock(losses_mutex);
-      all_losses.add(image_losses);
-    }
     shapes[index] = shape_of(*image);
     if (shapes[index] == expected) field->set_view(row, col, *image);
   };
   for_each_index(views.files.size(), threads, progress, load_view);
 
-  if (losses != nullptr) losses->add(all_losses);
+  for (const Notes& of_view : notes_of) {
+    if (notes != nullptr) notes->add(of_view);
+  }
   if (first_error.error()) return tl::unexpected(*first_error.error());
   if (const auto odd = find_odd_view(views, shapes)) return tl::unexpected(*odd);
   return field;

@@ -21,7 +21,7 @@ namespace hmlfc::io {
 /// Errors: a file that read_image() refuses (the first in row-major order is named), a view whose
 /// size or depth differs from most others (named with both), not enough memory.
 IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
-                                      const Progress& progress = {}, ImageLosses* losses = nullptr);
+                                      const Progress& progress = {}, Notes* notes = nullptr);
 
 /// The picture of view (row, col); called from several threads at once.
 using ViewProducer = std::function<IoResult<RgbImage>(uint32_t row, uint32_t col)>;

@@ -30,11 +30,11 @@ IoResult<RgbImage> allocate_image(const ImageSource& source, uint64_t width, uin
 }
 
 IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimits& limits,
-                              ImageLosses* losses) {
+                              Notes* notes) {
   const auto file = map_file(path);
   if (!file) return tl::unexpected(file.error());
-  ImageLosses ignored;
-  const ImageSource source{path, file->bytes(), limits, losses != nullptr ? *losses : ignored};
+  Notes ignored;
+  const ImageSource source{path, file->bytes(), limits, notes != nullptr ? *notes : ignored};
   if (source.bytes.empty()) return file_error(path, "the file is empty; give a picture");
   if (is_png(source.bytes)) return read_png(source);
   if (is_jpeg(source.bytes)) return read_jpeg(source);

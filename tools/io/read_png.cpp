@@ -158,8 +158,10 @@ IoResult<RgbImage> read_png(const ImageSource& source) {
                       "PNG: the file is too short for its picture's size; it is damaged");
   }
   const int depth = std::clamp(significant_bits(reader), 8, 12);
-  const bool alpha = (png_get_color_type(reader.png(), reader.info()) & PNG_COLOR_MASK_ALPHA) != 0;
-  source.losses.add({significant_bits(reader) > 12 ? significant_bits(reader) : 0, alpha});
+  source.note_depth(significant_bits(reader));
+  if ((png_get_color_type(reader.png(), reader.info()) & PNG_COLOR_MASK_ALPHA) != 0) {
+    source.note("the alpha channel is dropped");
+  }
   auto image = allocate_image(source, width, height, depth);
   if (!image) return image;
 

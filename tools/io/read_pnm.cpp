@@ -127,7 +127,7 @@ IoResult<RgbImage> read_pnm(const ImageSource& source) {
   }
   const int bits = static_cast<int>(std::bit_width(header->maxval));
   const int depth = std::min(bits, 12);
-  source.losses.add({bits > 12 ? bits : 0, false});
+  source.note_depth(bits);
   auto image = allocate_image(source, header->width, header->height, depth);
   if (!image) return image;
 
