@@ -230,6 +230,8 @@ class LightFieldTest(CliTest):
                 self.lf.render(**wrong)
         with self.assertRaisesRegex(TypeError, r"position cannot be \(1, 2\)"):
             self.lf.render((1, 2))
+        with self.assertWarnsRegex(hmlfc.Note, "black: .*towards columns 0 to 4 and rows 0 to 4"):
+            self.lf.render((40, 2, 0))
 
     def test_bytes_in_memory(self):
         data = STREAM.read_bytes()
@@ -237,6 +239,8 @@ class LightFieldTest(CliTest):
             np.testing.assert_array_equal(hmlfc.open(source)[1, 1], self.views[1, 1])
         with self.assertRaises(TypeError):
             hmlfc.open(memoryview(data)[::2])
+        with self.assertRaisesRegex(TypeError, "a path, an address or bytes, not None"):
+            hmlfc.open(None)
 
     def test_bytes_are_kept(self):
         lf = hmlfc.open(bytes(bytearray(STREAM.read_bytes())))

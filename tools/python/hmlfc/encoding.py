@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import warnings
+from operator import index as as_integer
 from typing import Callable, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
@@ -131,7 +132,7 @@ def field_of(views: Union[np.ndarray, Views, LightField], depth: Optional[int]) 
         raise TypeError(f"views are an array of uint8 or uint16, not {kind}: round and convert them first")
     if kind == np.uint16 and depth is None:
         raise ValueError("views of uint16 need depth, their bits a sample")
-    depth = 8 if depth is None else depth
+    depth = 8 if depth is None else as_integer(depth)
     if not 8 <= depth <= (8 if kind == np.uint8 else 12):
         raise ValueError("views of uint8 have depth 8" if kind == np.uint8 else "depth lies in [8, 12]")
     most = int(pixels.max(initial=0))

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from operator import index as as_integer
 from typing import Any, Iterator, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
 from hmlfc import _core
+from hmlfc.error import Note
 from hmlfc.indices import AXES, Key, all_axes, range_of
 
 AnyPath = Union[str, bytes, os.PathLike]
@@ -49,7 +51,8 @@ class Rig(NamedTuple):
 def open(source: Union[str, os.PathLike, bytes, bytearray, memoryview], *, check_sections: bool = True) -> LightField:
     """The light field in a file, which is mapped, at an http:// address, or in memory.
 
-    source: a path, an address, or the bytes of a stream, which must not change while the light field is in use
+    source: a path, an address, or the bytes of a stream, which must not change while the light field is in use; of a
+        path in bytes os.fsdecode() makes one
     check_sections: check the CRC of every section, which reads the whole file (FIL-6); not at an address
 
     Raises OSError where the file cannot be read, also later at an address, Error where it is no stream (FIL-8).
@@ -78,7 +81,11 @@ class LightField:
             path = os.fsdecode(source)
             self._source: Any = path if self._opened.is_remote else os.path.abspath(path)
         else:
-            self._opened = _core.Stream.from_buffer(memoryview(source), check_sections)
+            try:
+                data = memoryview(source)
+            except TypeError:
+                raise TypeError(f"a stream is a path, an address or bytes, not {source!r}") from None
+            self._opened = _core.Stream.from_buffer(data, check_sections)
             self._source = source
 
     def close(self) -> None:
@@ -157,7 +164,7 @@ class LightField:
 
     @property
     def rig(self) -> Optional[Rig]:
-        """Where the cameras stand; None where the stream does not say. Raises ValueError for a rig that RIG-2 forbids."""
+        """Where the cameras stand; None where the stream does not say. Raises ValueError for one that RIG-2 forbids."""
         text = self._stream.rig()
         if text is None:
             return None
@@ -247,7 +254,8 @@ class LightField:
     ) -> np.ndarray:
         """The frame of a virtual camera, (height, width, 3): the bytes that `hmlfc render` writes.
 
-        position: (u, v, z), in columns and rows of views, z beyond them; default: the middle of the views
+        position: (x, y, z): column and row of views, counted from 0, and distance beyond them, in columns; default: the
+            middle of the views
         look_at: a point in the same units; default: straight ahead
         width, height: of the frame, [1, 4096] pixels; default: those of a view
         focal, row_pitch, shear: of the views (CAM-2)
@@ -257,13 +265,18 @@ class LightField:
         filter: "nearest", "bilinear" or "quadrilinear"
         geometry: "stream", "plane", or None: what suits the stream
 
-        Raises ValueError for a camera that takes no frame (CAM-3).
+        Raises ValueError for a camera that takes no frame (CAM-3). Warns with a Note of a black frame.
         """
-        return self._stream.render(
+        frame = self._stream.render(
             position=position, look_at=look_at, width=width, height=height, focal=focal, tan_half=tan_half,
             row_pitch=row_pitch, shear=shear, focus=focus, aperture=aperture, filter=filter, geometry=geometry,
             stop_level=self._level(stop_level),
         )  # fmt: skip
+        if not frame.any():
+            places = "columns 0 to {1} and rows 0 to {0}".format(*(side - 1 for side in self.shape[:2]))
+            note = f"the frame is black: its rays may miss the views; move the camera towards {places}"
+            warnings.warn(note, Note, stacklevel=2)
+        return frame
 
     def _view(self, row: Any, col: Any) -> Tuple[int, int]:
         rows, cols = self.shape[:2]
@@ -274,12 +287,12 @@ class LightField:
             raise IndexError(f"view {row},{col} does not exist: {places}") from None
 
     def _level(self, stop_level: int) -> int:
-        if 0 <= stop_level <= self.tree_height:
+        if 0 <= as_integer(stop_level) <= self.tree_height:
             return stop_level
         raise ValueError(f"stop_level {stop_level} does not exist: 0 to {self.tree_height}, the tree_height")
 
     def _block(self, row: int, col: int, plane: str, bx: int, by: int, stop_level: int, traced: bool) -> Any:
-        if bx < 0 or by < 0:
+        if as_integer(bx) < 0 or as_integer(by) < 0:
             raise IndexError(f"block {bx},{by} of plane {plane} does not exist")
         return self._stream.block(*self._view(row, col), plane, bx, by, self._level(stop_level), traced)
 
