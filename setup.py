@@ -18,7 +18,8 @@ class CMakeBuild(build_ext):
 
     def build_extension(self, extension):
         build = Path(self.build_temp).resolve()
-        options = ["-DCMAKE_BUILD_TYPE=Release", "-DHMLFC_TESTS=OFF", "-DHMLFC_UNITY=ON"]
+        options = ["-DCMAKE_BUILD_TYPE=Release", "-DHMLFC_TESTS=OFF", "-DHMLFC_UNITY=ON",
+                   "-DCMAKE_REQUIRE_FIND_PACKAGE_pybind11=ON"]
         python = f"-DHMLFC_DEBIAN_PYTHON={sys.executable}"
         subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *options, python], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "hmlfc_python"], check=True)

@@ -28,8 +28,9 @@ struct SettledCoding {
 /// Settles by trial what with_defaults() leaves open: the chroma format, and the reference groups
 /// and the grid of disparities that cost least at params.extended.quality. For `goal`, if there is
 /// one, the quality becomes the one with which trials meet it. Trials keep at most `cache_bytes` of
-/// views.
+/// views; before each, `progress`, if there is one, is told that no view is done.
 SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& params,
-                            const EncodeGoal* goal = nullptr, uint64_t cache_bytes = ~uint64_t{0});
+                            const EncodeGoal* goal = nullptr, uint64_t cache_bytes = ~uint64_t{0},
+                            const Progress& progress = {});
 
 }  // namespace hmlfc

@@ -21,8 +21,7 @@ struct TrialResult {
 };
 
 /// Estimates for views of `whole` an encoding with `params` of profile extended, nothing open, from
-/// about `images` images of `part`: every one with all it refers to. Infinite
-/// where the header does not allow `params`.
+/// about `images` images of `part`, each with all it refers to. Infinite where no header allows it.
 TrialResult try_coding(const LightFieldShape& whole, const ViewProvider& part,
                        const EncodeParams& params, const LightFieldProbe& probe, size_t images);
 

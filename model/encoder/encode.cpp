@@ -25,18 +25,17 @@ EncodedStream encode_once(EncodeSession& session, const EncodeParams& params, bo
   return {session.stream(images), images.error, params};
 }
 
-// Checks and settles `params` for `goal`, null: for their quality, then calls body(session, settled
-// params) on their threads.
+// Checks and settles `params` for `goal`, null: their quality; calls body(session, settled params).
 template <class Body>
 Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
-                    const EncodeGoal* goal, const Body& body) {
+                    const EncodeGoal* goal, const Progress& progress, const Body& body) {
   const EncodeParams complete = with_defaults(params);
   if (const char* problem = problem_of(light_field.shape(), params)) return refused(problem);
   try {
     Encoded encoded;
     run_on_threads(params.threads, [&] {
       const FieldViews views(light_field);
-      const SettledCoding settled = settle_coding(views, complete, goal);
+      const SettledCoding settled = settle_coding(views, complete, goal, ~uint64_t{0}, progress);
       const auto header = header_for(light_field.shape(), settled.params);
       if (!header) {
         encoded = refused(kOutsideInterval);
@@ -55,7 +54,7 @@ Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
 
 Encoded encode(const LightField& light_field, const EncodeParams& params,
                const Progress& progress) {
-  return run_encoder(light_field, params, nullptr,
+  return run_encoder(light_field, params, nullptr, progress,
                      [&](EncodeSession& session, const EncodeParams& settled) {
                        return encode_once(session, settled, true, progress);
                      });
@@ -70,12 +69,12 @@ Encoded encode_to(const LightField& light_field, const EncodeParams& params,
   if (target == EncodeTarget(TargetBytes{0})) return refused("a stream has at least one byte");
   EncodeParams lossy = params;
   lossy.lossless = false;
-  return run_encoder(
-      light_field, lossy, &goal, [&](EncodeSession& session, const EncodeParams& settled) {
-        return search_target(light_field.shape(), settled, goal, [&](const EncodeParams& tried) {
-          return encode_once(session, tried, false, progress);
-        });
-      });
+  const auto search = [&](EncodeSession& session, const EncodeParams& settled) {
+    return search_target(light_field.shape(), settled, goal, [&](const EncodeParams& tried) {
+      return encode_once(session, tried, false, progress);
+    });
+  };
+  return run_encoder(light_field, lossy, &goal, progress, search);
 }
 
 }  // namespace hmlfc

@@ -23,8 +23,7 @@ const char* problem_of(const LightFieldShape& shape, const EncodeParams& params)
 /// Counts finished images and reports them, one thread at a time.
 class ProgressCounter {
  public:
-  /// `progress` may be empty and must outlive the counter.
-  /// `done` of `total` were finished before.
+  /// `progress`, which may be empty, outlives the counter; `done` of `total` are finished before.
   ProgressCounter(const Progress& progress, uint64_t total, uint64_t done = 0)
       : progress_(progress), total_(total), done_(done) {}
 

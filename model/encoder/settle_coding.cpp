@@ -64,10 +64,11 @@ std::vector<uint32_t> group_sizes(uint32_t count) {
 class CodingSearch {
  public:
   CodingSearch(const LightFieldShape& shape, const ViewProvider& part, const EncodeParams& params,
-               const LightFieldProbe& probe)
+               const LightFieldProbe& probe, const Progress& progress)
       : shape_(shape),
         part_(part),
         probe_(probe),
+        progress_(progress),
         effort_(trial_effort(params.extended.preset)),
         lambda_(lambda_of_quality(params.extended.quality)),
         rows_(group_sizes(shape.rows)),
@@ -126,6 +127,7 @@ class CodingSearch {
   }
 
   TrialResult trial(const EncodeParams& params) const {
+    if (progress_) progress_(0, uint64_t{shape_.rows} * shape_.cols);
     return try_coding(shape_, part_, params, probe_, effort_.images);
   }
 
@@ -158,6 +160,7 @@ class CodingSearch {
   const LightFieldShape& shape_;
   const ViewProvider& part_;
   const LightFieldProbe& probe_;
+  const Progress& progress_;
   TrialEffort effort_;
   Lambda lambda_;
   std::vector<uint32_t> rows_;
@@ -202,13 +205,14 @@ ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
 
 // Settles by trial what is open in `asked`; for a target the quality, too.
 void search_coding(const ViewProvider& views, const StreamHeader& header, const EncodeParams& asked,
-                   const EncodeGoal* goal, uint64_t cache_bytes, SettledCoding& settled) {
+                   const EncodeGoal* goal, uint64_t cache_bytes, const Progress& progress,
+                   SettledCoding& settled) {
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
   const CachedViews part(views, trial_part(views, header), cache_bytes);
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
   for (int round = 0; round < kMaxRounds; ++round) {
-    CodingSearch search(views.shape(), part, found, settled.probe);
+    CodingSearch search(views.shape(), part, found, settled.probe, progress);
     const bool far = round == 0 && std::abs(search.quality_off(goal)) > kNearQuality;
     if (!far && std::abs(found.extended.quality - searched) > kNearQuality) {
       if (open_groups) search.find_groups();
@@ -228,7 +232,8 @@ void search_coding(const ViewProvider& views, const StreamHeader& header, const 
 }  // namespace
 
 SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& params,
-                            const EncodeGoal* goal, uint64_t cache_bytes) {
+                            const EncodeGoal* goal, uint64_t cache_bytes,
+                            const Progress& progress) {
   const LightFieldShape& shape = views.shape();
   SettledCoding settled{params, {}};
   EncodeParams& found = settled.params;
@@ -252,12 +257,13 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
       !(open_grid && trial_effort(params.extended.preset).grid)) {
     return settled;
   }
-  search_coding(views, *header, params, goal, cache_bytes, settled);
+  search_coding(views, *header, params, goal, cache_bytes, progress, settled);
   if (goal != nullptr && !params.chroma) {
     // A number of bytes says only now what chroma may cost.
     EncodeParams again = params;
     again.chroma = chroma_for(views, found, goal);
-    if (*again.chroma != *found.chroma) return settle_coding(views, again, goal, cache_bytes);
+    if (again.chroma == found.chroma) return settled;
+    return settle_coding(views, again, goal, cache_bytes, progress);
   }
   return settled;
 }

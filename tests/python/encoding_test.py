@@ -1,6 +1,10 @@
 """hmlfc.encode and hmlfc.read_views, against the program."""
 
+import shutil
+import signal
+
 import numpy as np
+from PIL import Image
 from python_case import DEEP, CliTest, hmlfc, main
 
 
@@ -28,6 +32,9 @@ class EncodingTest(CliTest):
             (["--lossless", "--block", "8"], {"lossless": True, "block_size": 8}),
             (["--target-psnr", "34"], {"target_psnr": 34}),
             (["--max-bytes", "2500", "--chroma", "420"], {"max_bytes": 2500, "chroma": "420"}),
+            (["--target-bpp", "1.5"], {"target_bpp": 1.5}),
+            (["--references", "3x2", "--window", "9"], {"references": (3, 2), "window": 9}),
+            (["--profile", "main", "--quality", "85"], {"profile": "main", "quality": 85}),
         ]:
             with self.subTest(options=options):
                 expected = self.program(*arguments)
@@ -40,6 +47,42 @@ class EncodingTest(CliTest):
         self.assertEqual(hmlfc.encode(np.asfortranarray(self.views.pixels)), expected)
         turned = np.ascontiguousarray(self.views.pixels[::-1, :, ::-1])
         self.assertEqual(hmlfc.encode(turned[::-1, :, ::-1]), expected)
+        self.assertEqual(hmlfc.encode(self.views.pixels.astype(">u2"), depth=8), expected)
+        self.assertEqual(hmlfc.encode([list(row) for row in self.views.pixels]), expected)
+
+    def test_rigs(self):
+        rig = hmlfc.Rig(0.5, np.arange(36).reshape(3, 4, 3) / 8, None, np.full((3, 4, 4), 12.5))
+        found = hmlfc.open(hmlfc.encode(self.views, rig=rig)).rig
+        np.testing.assert_array_equal(found.positions, rig.positions)
+        np.testing.assert_array_equal(found.intrinsics, rig.intrinsics)
+        self.assertEqual((found.metres_per_unit, found.rotations[2, 3].tolist()), (0.5, [1, 0, 0, 0]))
+        self.assertIsNone(hmlfc.open(hmlfc.encode(self.views)).rig)
+
+        posed, file = self.folder / "posed", self.folder / "rig.json"
+        shutil.copytree(self.folder / "views", posed)
+        (self.folder / "posed.hmlfc").write_bytes(hmlfc.encode(self.views, rig=rig))
+        file.write_text(self.hmlfc("info", "posed.hmlfc", "--rig"))
+        shutil.copy(file, posed)
+        expected = self.program("--rig", "rig.json", "--max-bytes", "3000")
+        self.assertEqual(hmlfc.encode(posed, max_bytes=3000), expected)
+        self.assertEqual(hmlfc.encode(self.views, rig=file, max_bytes=3000), expected)
+        self.assertEqual(hmlfc.encode(posed, rig=False), self.program())
+        for wrong, says in [(rig._replace(positions=[0, 1, 2, 3, 4, 5]), "positions"), (rig, "extended")]:
+            with self.assertRaisesRegex(ValueError, says):
+                hmlfc.encode(self.views, rig=wrong, profile="main" if says == "extended" else "extended")
+
+    def test_notes_are_warnings(self):
+        (self.folder / "rgba").mkdir()
+        for col in range(3):
+            Image.new("RGBA", (8, 8), (9, 8, 7, 6)).save(self.folder / f"rgba/00_0{col}.png")
+        for use in [hmlfc.read_views, hmlfc.encode]:
+            with self.assertWarnsRegex(hmlfc.Note, "00_00.png and 2 more: .*alpha") as warned:
+                use(self.folder / "rgba")
+            self.assertEqual(warned.filename, __file__)
+        with self.assertWarnsRegex(hmlfc.Note, r"target_psnr 99 was not reached: the stream has \d+\.\d\d dB"):
+            hmlfc.encode(self.views, target_psnr=99, chroma="420")
+        with self.assertWarnsRegex(hmlfc.Note, r"50 bytes were not enough: the stream has \d+"):
+            hmlfc.encode(self.views, max_bytes=50)
 
     def test_depths_above_8(self):
         lf = hmlfc.open(DEEP)
@@ -52,17 +95,27 @@ class EncodingTest(CliTest):
         self.assertEqual(told, sorted(told))
         self.assertEqual(told[-1][0], told[-1][1])
 
-    def test_what_progress_raises(self):
+    def test_what_progress_raises_and_ctrl_c_end_it(self):
         def stop(done, total):
+            calls.append(done)
             raise KeyError("enough")
 
-        with self.assertRaisesRegex(KeyError, "enough"):
-            hmlfc.encode(self.views, progress=stop)
+        def interrupt(done, total):
+            calls.append(done)
+            signal.raise_signal(signal.SIGINT)
+
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
+        views = np.tile(self.views.pixels, (4, 4, 1, 1, 1))
+        for progress, raised in [(stop, KeyError), (interrupt, KeyboardInterrupt)]:
+            calls = []
+            with self.assertRaises(raised):
+                hmlfc.encode(views, progress=progress)
+            self.assertLess(len(calls), 96)
 
     def test_wrong_arguments(self):
         pixels = self.views.pixels
         for views, options, says in [
-            (pixels[0], {}, "shape"),
+            (pixels[0], {}, r"shape \(rows, cols, height, width, 3\), not \(4, 20, 24, 3\)"),
             (pixels[..., :2], {}, "shape"),
             (pixels[:0], {}, "0 rows"),
             (pixels.astype(np.uint16), {}, "depth"),
@@ -70,15 +123,25 @@ class EncodingTest(CliTest):
             (pixels, {"depth": 10}, "depth 8"),
             (pixels.astype(np.uint16), {"depth": 13}, r"\[8, 12\]"),
             (pixels, {"profile": "best"}, "'main', 'extended'"),
-            (pixels, {"quality": 101}, "quality"),
+            (pixels, {"quality": 101}, r"quality lies in \[0, 100\]"),
             (pixels, {"block_size": 5}, "block_size"),
             (pixels, {"tree_height": 16}, "tree_height"),
             (pixels, {"target_psnr": 30, "max_bytes": 9}, "exclude"),
+            (pixels, {"quality": 30, "lossless": True}, "lossless and quality exclude"),
+            (pixels, {"lossless": True, "chroma": "420"}, "lossless needs"),
+            (pixels, {"references": (0, 2)}, r"references is \(rows, columns\), each in \[1, 255\]"),
+            (self.folder / "views", {"grid": (3, 0)}, "grid is"),
+            (self.folder / "views", {"depth": 10}, "depth 8, not 10"),
         ]:
             with self.subTest(says=says), self.assertRaisesRegex(ValueError, says):
                 hmlfc.encode(views, **options)
-        with self.assertRaisesRegex(TypeError, "uint8 or uint16"):
-            hmlfc.encode(pixels.astype(np.float32))
+        for views, options, says in [
+            (pixels.astype(np.float32), {}, "uint8 or uint16, not float32"),
+            (pixels, {"quality": "high"}, "quality cannot be 'high'"),
+            (pixels, {"progress": 3.5}, "progress"),
+        ]:
+            with self.subTest(says=says), self.assertRaisesRegex((TypeError, ValueError), says):
+                hmlfc.encode(views, **options)
 
 
 if __name__ == "__main__":

@@ -25,6 +25,12 @@ class ExploreTest(CliTest):
         np.testing.assert_array_equal(frames[0], lf.render(focus=nearest, aperture=2, geometry="plane"))
         self.assertFalse(np.array_equal(frames[0], frames[3]))
 
+    def test_what_is_missing_is_said(self):
+        for name, says in [("numpy", "apt-get install python3-numpy"), ("hmlfc._core", "built for another Python")]:
+            code = f"import sys; sys.path.insert(0, sys.argv[1]); sys.modules['{name}'] = None; import hmlfc"
+            done = subprocess.run([sys.executable, "-c", code, sys.argv[2]], capture_output=True, text=True)
+            self.assertRegex(done.stderr, f"ModuleNotFoundError: hmlfc cannot be imported: .*{says}")
+
     def test_the_document(self):
         text = (ROOT / "docs" / "python.md").read_text()
         self.hmlfc("synth", "--scene", "cards", "--grid", "5x5", "--size", "64x48", "-o", "views")

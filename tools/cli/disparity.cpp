@@ -10,9 +10,9 @@
 #include <hmlfc/disparity.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/disparity_range.hpp"
 #include "cli/view_source.hpp"
 #include "io/disparity_files.hpp"
+#include "io/disparity_range.hpp"
 #include "io/image_files.hpp"
 
 namespace hmlfc::cli {
@@ -60,7 +60,7 @@ std::vector<float> pixels_a_column(const DisparityMap& map, int sign) {
 }
 
 io::IoResult<void> write_map(const DisparityOptions& options, const DisparityMap& map,
-                             const DisparityRange& range) {
+                             const io::DisparityRange& range) {
   const Format format = format_of(options.output);
   if (format == Format::kPfm) {
     return io::write_pfm(options.output, map.width, map.height, pixels_a_column(map, options.sign));
@@ -87,7 +87,7 @@ ExitCode run_disparity(const DisparityOptions& options) {
   const ViewPos view = options.view.value_or(ViewPos{(header.rows - 1) / 2, (header.cols - 1) / 2});
   file.check_view(view);
   const DisparityMap map = file.value(disparity_map(file.decoder(), view));
-  DisparityRange range;
+  io::DisparityRange range;
   range.add(map);
   value_or_throw(write_map(options, map, range), ExitCode::kOutput);
   if (options.sign < 0) {

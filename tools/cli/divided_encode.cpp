@@ -95,7 +95,7 @@ ErrorSums measure_in_parts(const std::filesystem::path& stream, const ViewSource
   return sums;
 }
 
-StreamReport report_in_bounds(const std::filesystem::path& stream) {
+io::StreamReport report_in_bounds(const std::filesystem::path& stream) {
   const auto mapped = value_or_throw(io::map_file(stream), ExitCode::kInput);
   PageLimit pages(mapped);
   const auto decoder =

@@ -46,7 +46,7 @@ struct EncodeOptions {
 
 /// The result of encoding, and its cost.
 struct EncodeOutcome {
-  StreamReport stream;
+  io::StreamReport stream;
   Quality quality;
   EncodeParams params;
   std::string rig;  ///< rig_line()

@@ -9,10 +9,10 @@
 #include <hmlfc/stream_info.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/disparity_range.hpp"
 #include "cli/rig_options.hpp"
 #include "cli/stream_report.hpp"
 #include "cli/view_source.hpp"
+#include "io/disparity_range.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -24,7 +24,7 @@ struct InfoOptions {
 };
 
 std::string tools_text(const StreamHeader& header) {
-  const auto tools = tools_of(header);
+  const auto tools = io::tools_of(header);
   return tools.empty() ? "" : fmt::format("Tools         {}\n", fmt::join(tools, ", "));
 }
 
@@ -60,17 +60,8 @@ std::string states_text(const StreamStatistics& statistics) {
   return text;
 }
 
-Json range_json(const std::optional<DisparityRange>& counted) {
-  if (!counted) return nullptr;
-  const DisparityRange& range = *counted;
-  Json json{{"known", range.known}, {"blocks", range.blocks}};
-  if (range.known == 0) return json;
-  json["least"] = static_cast<double>(range.least) / kDisparityUnits;
-  json["greatest"] = static_cast<double>(range.greatest) / kDisparityUnits;
-  return json;
-}
-
-std::string geometry_text(const std::optional<DisparityRange>& range) {
+std::string geometry_text(const StreamFile& file) {
+  const auto range = file.value(io::disparity_range(file.decoder(), file.size()));
   return fmt::format("Geometry      {}\n", describe(range));
 }
 
@@ -80,20 +71,16 @@ ExitCode run_info(const InfoOptions& options) {
     print(rig_text_of(file) + "\n");
     return ExitCode::kDone;
   }
-  const StreamReport report = report_on(file);
   if (options.json) {
-    Json json = report_json(report);
-    add_structure(report, json);
-    json["disparity"] = range_json(disparity_range(file));
-    json["rig"] = rig_json(file);
-    print_json(json);
+    print_json(file.value(io::info_json(file.decoder(), file.source())));
     return ExitCode::kDone;
   }
+  const io::StreamReport report = report_on(file);
   const StreamHeader& header = report.header;
   print(fmt::format("Light field   {}\nCoding        {}\n", describe(shape_of(header)),
                     describe_coding(header)) +
         tools_text(header) + size_text(report) + tree_text(header) +
-        states_text(report.statistics) + geometry_text(disparity_range(file)) + rig_line(file));
+        states_text(report.statistics) + geometry_text(file) + rig_line(file));
   return ExitCode::kDone;
 }
 

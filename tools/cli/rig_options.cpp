@@ -5,47 +5,14 @@
 
 #include <fmt/format.h>
 
-#include <hmlfc/stream_info.hpp>
-
 #include "cli/arguments.hpp"
 #include "io/rig_files.hpp"
-#include "io/rig_text.hpp"
-#include "syntax/header.hpp"
 
 namespace hmlfc::cli {
 namespace {
 
-std::span<const uint8_t> bytes_of(const std::string& text) {
-  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
-}
-
-Rig with_rows_upside_down(Rig rig) {
-  for (auto& position : rig.positions) position[1] = -position[1];
-  return rig;
-}
-
-// What section RIG says, and its text.
-struct FoundRig {
-  Rig rig;
-  std::string text;
-};
-
-// The rig, or what is wrong with it. Nothing without a section RIG.
-std::optional<tl::expected<FoundRig, std::string>> find_rig(const StreamFile& file) {
-  const StreamHeader& header = file.header();
-  if (!header.has(Feature::kCameraRig)) return std::nullopt;
-  tl::expected<FoundRig, std::string> found =
-      tl::unexpected(io::kRigLimits.excess(header.rig.size));
-  if (found.error().empty()) {
-    file.with_bytes({header.rig.offset, header.rig.size}, [&](std::span<const uint8_t> bytes) {
-      found = io::parse_rig(bytes, uint64_t{header.rows} * header.cols).map([&](Rig&& rig) {
-        return FoundRig{std::move(rig), {bytes.begin(), bytes.end()}};
-      });
-    });
-  }
-  return std::move(found).map_error([&](const std::string& what) {
-    return fmt::format("section RIG at byte {}: {}", header.rig.offset, what);
-  });
+io::MaybeRig find_rig(const StreamFile& file) {
+  return file.value(io::rig_in_stream(file.source(), file.header()));
 }
 
 // "x -1.5 to 3".
@@ -96,28 +63,7 @@ std::optional<ChosenRig> rig_for(const RigOptions& options, Profile profile,
     return ChosenRig{value_or_throw(io::read_rig(*options.file, views, shape), ExitCode::kInput)};
   }
   if (options.none || profile == Profile::kMain) return std::nullopt;
-  if (auto beside = value_or_throw(io::rig_beside(views, shape), ExitCode::kInput)) {
-    return ChosenRig{std::move(*beside)};
-  }
-  auto rig = value_or_throw(io::rig_of_names(views), ExitCode::kInput);
-  if (!rig) return std::nullopt;
-  return ChosenRig{std::move(*rig), true};
-}
-
-uint64_t most_rig_bytes(const ChosenRig& rig) {
-  const size_t text = io::rig_text(rig.rig).size();
-  const size_t turned = io::rig_text(with_rows_upside_down(rig.rig)).size();
-  return kSectionEntryBytes + std::max(text, rig.from_names ? turned : 0);
-}
-
-std::string rig_section(const StreamHeader& header, const ChosenRig& rig) {
-  const bool turn = rig.from_names && header.row_scale < 0;
-  return io::rig_text(turn ? with_rows_upside_down(rig.rig) : rig.rig);
-}
-
-std::vector<uint8_t> stream_with_rig(std::span<const uint8_t> bytes, const ChosenRig& rig) {
-  const std::string text = rig_section(parse_header(bytes).value(), rig);
-  return with_rig(bytes, bytes_of(text)).value();
+  return value_or_throw(io::rig_of_views(views, shape), ExitCode::kInput);
 }
 
 std::string rig_line(const StreamFile& file) {
@@ -126,13 +72,6 @@ std::string rig_line(const StreamFile& file) {
   const std::string text =
       *found ? describe_rig((*found)->rig) : "cannot be read: " + found->error();
   return fmt::format("Rig           {}\n", text);
-}
-
-Json rig_json(const StreamFile& file) {
-  const auto found = find_rig(file);
-  if (!found) return nullptr;
-  if (!*found) return {{"error", found->error()}};
-  return io::parse_json<Json>(bytes_of((*found)->text), io::kRigLimits).value();
 }
 
 std::optional<ChosenRig> rig_in(const StreamFile& file) {

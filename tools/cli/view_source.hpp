@@ -38,6 +38,7 @@ class StreamFile {
   const std::filesystem::path& path() const { return path_; }
   const Decoder& decoder() const { return decoder_; }
   const StreamHeader& header() const { return decoder_.header(); }
+  ByteSource& source() const { return *source_->bytes; }
   uint64_t size() const { return source_->bytes->bytes().size(); }
 
   /// Whether it is at an address.

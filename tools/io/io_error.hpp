@@ -15,6 +15,7 @@ namespace hmlfc::io {
 struct IoError {
   std::string message;
   bool out_of_memory = false;  ///< nothing is wrong with the file
+  int error_number = 0;        ///< of the system, a value of errno; 0: it has nothing to say
 };
 
 template <class T>
@@ -37,7 +38,7 @@ inline tl::unexpected<IoError> system_error(const std::filesystem::path& file,
                                             std::string_view what, int error_number) {
   return tl::unexpected(IoError{file.string() + ": " + std::string(what) + ": " +
                                     std::generic_category().message(error_number),
-                                error_number == ENOMEM});
+                                error_number == ENOMEM, error_number});
 }
 
 }  // namespace hmlfc::io

@@ -108,6 +108,11 @@ std::vector<T> integers_at(const Json& json, Key key) {
 /// to 80 characters.
 std::string shown_json(const nlohmann::json& value);
 
+/// The bytes of `text`, which must outlive them.
+inline std::span<const uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
+}
+
 /// `text` with U+FFFD for what is not UTF-8.
 std::string valid_utf8(std::string_view text);
 

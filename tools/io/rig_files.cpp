@@ -12,10 +12,6 @@
 namespace hmlfc::io {
 namespace {
 
-std::span<const uint8_t> bytes_of(const std::string& text) {
-  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
-}
-
 // `rig`, if a stream may hold it.
 IoResult<Rig> checked(const std::filesystem::path& file, const Rig& rig, const ViewList& views) {
   auto read = parse_rig(bytes_of(rig_text(rig)), views.files.size());

@@ -1,4 +1,4 @@
-// Pictures of the library as NumPy arrays.
+// Numbers of the library as NumPy arrays.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +22,12 @@ pybind11::array array_of(std::vector<T> values, std::vector<pybind11::ssize_t> s
   return pybind11::array_t<T>(std::move(shape), data, capsule);
 }
 
-/// The samples of `image` in the type of its arrays: bytes at depth 8. Without the GIL.
-inline std::vector<uint8_t> bytes_of(const RgbImage& image) {
-  return {image.samples.begin(), image.samples.end()};
-}
-
-/// (height, width, 3), uint8 at depth 8, else uint16. `bytes` is bytes_of(image) at depth 8.
-inline pybind11::array array_of(RgbImage image, std::vector<uint8_t> bytes) {
+/// (height, width, 3), uint8 at depth 8, else uint16.
+inline pybind11::array array_of(const RgbImage& image) {
   std::vector<pybind11::ssize_t> shape{image.height, image.width, 3};
-  if (image.depth == 8) return array_of(std::move(bytes), std::move(shape));
-  return array_of(std::move(image.samples), std::move(shape));
+  const auto& samples = image.samples;
+  if (image.depth > 8) return array_of(std::vector<uint16_t>(samples), std::move(shape));
+  return array_of(std::vector<uint8_t>(samples.begin(), samples.end()), std::move(shape));
 }
 
 }  // namespace hmlfc::python

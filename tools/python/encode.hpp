@@ -5,7 +5,7 @@
 
 namespace hmlfc::python {
 
-/// Adds encode and read_views to the module.
+/// Adds class Field to the module: from_folder() and from_array(), pixels(), encode().
 void add_encode(pybind11::module_& module);
 
 }  // namespace hmlfc::python

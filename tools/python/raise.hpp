@@ -1,13 +1,22 @@
-// Errors of the library as Python exceptions.
+// Errors as Python exceptions.
 #pragma once
 
+#include <string>
 #include <utility>
 
 #include <pybind11/pybind11.h>
 
 #include <hmlfc/error.hpp>
 
+#include "io/io_error.hpp"
+
 namespace hmlfc::python {
+
+/// A message as Python has it, whatever bytes the file names in it have.
+inline pybind11::str message_of(const std::string& text) {
+  return pybind11::reinterpret_steal<pybind11::str>(
+      PyUnicode_DecodeFSDefaultAndSize(text.data(), static_cast<Py_ssize_t>(text.size())));
+}
 
 /// Raises hmlfc.Error for `error`; needs the GIL.
 [[noreturn]] inline void raise(const Error& error) {
@@ -17,12 +26,23 @@ namespace hmlfc::python {
   const py::object exception = type(to_string(error), py::str(error_name(error.code).data()),
                                     py::str(section_name(error.section).data()), error.offset);
   PyErr_SetObject(type.ptr(), exception.ptr());
-  throw py::error_already_set();
+  throw pybind11::error_already_set();
+}
+
+/// Raises OSError for `error`, FileNotFoundError and its like where the system gave a number.
+[[noreturn]] inline void raise(const io::IoError& error) {
+  if (error.out_of_memory) throw std::bad_alloc();
+  const pybind11::str message = message_of(error.message);
+  const pybind11::object arguments = error.error_number == 0
+                                         ? pybind11::object(message)
+                                         : pybind11::make_tuple(error.error_number, message);
+  PyErr_SetObject(PyExc_OSError, arguments.ptr());
+  throw pybind11::error_already_set();
 }
 
 /// The value of `result`; raises its error.
-template <class T>
-T value_or_raise(Result<T> result) {
+template <class T, class E>
+T value_or_raise(tl::expected<T, E> result) {
   if (!result) raise(result.error());
   if constexpr (!std::is_void_v<T>) return std::move(*result);
 }

@@ -1,16 +1,19 @@
 #include "python/stream.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include <hmlfc/disparity.hpp>
-#include <hmlfc/rig.hpp>
 
-#include "io/rig_text.hpp"
+#include "io/parallel.hpp"
+#include "io/stream_report.hpp"
+#include "io/stream_rig.hpp"
 #include "python/arrays.hpp"
 #include "python/block_trace.hpp"
+#include "python/interrupt.hpp"
+#include "python/options.hpp"
 
 namespace py = pybind11;
 
@@ -31,21 +34,16 @@ Stream::Stream(std::optional<py::buffer_info> buffer, std::unique_ptr<ByteSource
 void Stream::raise_failure() const {
   const std::string reason = source_->failure();
   if (reason.empty()) return;
-  PyErr_SetString(PyExc_OSError, reason.c_str());
-  throw py::error_already_set();
+  raise(io::IoError{reason});
 }
 
 std::unique_ptr<Stream> Stream::from_file(const std::string& path, bool check_sections) {
-  auto opened = [&] {
+  auto opened = value_or_raise([&] {
     const py::gil_scoped_release unlocked;
     return remote::open_source(path);
-  }();
-  if (!opened) {
-    PyErr_SetString(PyExc_OSError, opened.error().message.c_str());
-    throw py::error_already_set();
-  }
-  const bool check = check_sections && opened->http == nullptr;
-  return std::unique_ptr<Stream>(new Stream(std::nullopt, std::move(opened->bytes), check));
+  }());
+  const bool check = check_sections && opened.http == nullptr;
+  return std::unique_ptr<Stream>(new Stream(std::nullopt, std::move(opened.bytes), check));
 }
 
 std::unique_ptr<Stream> Stream::from_buffer(const py::buffer& buffer, bool check_sections) {
@@ -59,15 +57,66 @@ std::unique_ptr<Stream> Stream::from_buffer(const py::buffer& buffer, bool check
       new Stream(std::move(info), std::make_unique<MemorySource>(bytes), check_sections));
 }
 
-py::array Stream::pixels(ViewPos view, const Rect& rect, int stop_level) const {
-  std::vector<uint8_t> bytes;
-  auto image = [&] {
+namespace {
+
+// Writes the samples of `part`, which is not empty, to `out`. Work that is told to stop leaves some
+// out.
+template <class T>
+Result<void> read_part(const Decoder& decoder, const Part& part, int stop_level, T* out,
+                       const std::atomic<bool>& stop) {
+  const auto [top, bottom] = std::ranges::minmax(part.ys);
+  const auto [left, right] = std::ranges::minmax(part.xs);
+  const Rect rect{left, top, right - left + 1, bottom - top + 1};
+  io::FirstError<Error> first;
+  const auto read_view = [&, top = top, left = left](size_t index) {
+    if (stop || first.makes_pointless(index)) return;
+    const size_t cols = part.cols.size();
+    const auto image =
+        decoder.decode_rgb({part.rows[index / cols], part.cols[index % cols]}, rect, stop_level);
+    if (!image) return first.add(index, image.error());
+    T* to = out + index * part.ys.size() * part.xs.size() * 3;
+    for (const uint32_t y : part.ys) {
+      const size_t row = size_t{y - top} * rect.width;
+      for (const uint32_t x : part.xs) {
+        const uint16_t* from = &image->samples[3 * (row + x - left)];
+        for (int channel = 0; channel < 3; ++channel) *to++ = static_cast<T>(from[channel]);
+      }
+    }
+  };
+  const size_t views = part.rows.size() * part.cols.size();
+  if (views == 1) {
+    read_view(0);
+  } else {
+    io::for_each_index(views, 0, {}, read_view);
+  }
+  if (first.error()) return tl::unexpected(*first.error());
+  return {};
+}
+
+template <class T>
+Result<py::array> array_of_part(const Decoder& decoder, const Part& part, int stop_level) {
+  const std::array sizes{part.rows.size(), part.cols.size(), part.ys.size(), part.xs.size(),
+                         size_t{3}};
+  py::array_t<T> array(std::vector<py::ssize_t>(sizes.begin(), sizes.end()));
+  if (array.size() == 0) return array;
+  T* out = array.mutable_data();
+  const auto read = [&](const std::atomic<bool>& stop) {
+    return read_part(decoder, part, stop_level, out, stop);
+  };
+  const auto done = [&] {
+    if (sizes[0] * sizes[1] > 1) return interruptible(read);
     const py::gil_scoped_release unlocked;
-    auto decoded = decoder_->decode_rgb(view, rect, stop_level);
-    if (decoded && decoded->depth == 8) bytes = bytes_of(*decoded);
-    return decoded;
+    return read(false);
   }();
-  return array_of(value(std::move(image)), std::move(bytes));
+  if (!done) return tl::unexpected(done.error());
+  return array;
+}
+
+}  // namespace
+
+py::array Stream::pixels(const Part& part, int stop_level) const {
+  return value(header().depth == 8 ? array_of_part<uint8_t>(*decoder_, part, stop_level)
+                                   : array_of_part<uint16_t>(*decoder_, part, stop_level));
 }
 
 py::object Stream::block(const BlockAddress& block, int stop_level, bool traced) const {
@@ -79,6 +128,10 @@ py::object Stream::block(const BlockAddress& block, int stop_level, bool traced)
     const py::gil_scoped_release unlocked;
     return decoder_->decode_block(block, options);
   }();
+  if (!decoded && decoded.error().code == ErrorCode::kBadRequest) {
+    throw py::index_error("block " + std::to_string(block.bx) + "," + std::to_string(block.by) +
+                          " of plane " + std::string(plane_name(block.plane)) + " does not exist");
+  }
   const py::ssize_t side = header().block_size();
   py::array samples = array_of(value(std::move(decoded)), {side, side});
   if (!traced) return samples;
@@ -106,97 +159,71 @@ py::tuple Stream::disparity(ViewPos view) const {
 }
 
 py::object Stream::rig() const {
-  if (!header().has(Feature::kCameraRig)) return py::none();
-  const uint64_t views = uint64_t{header().rows} * header().cols;
-  const ByteRange range{header().rig.offset, header().rig.size};
-  const std::string excess = io::kRigLimits.excess(range.bytes);
-  if (!excess.empty()) throw py::value_error("section RIG: " + excess);
-  tl::expected<Rig, std::string> read;
-  const bool loaded = [&] {
+  const io::MaybeRig found = value([&] {
     const py::gil_scoped_release unlocked;
-    source_->begin_request();
-    const bool is_there = !source_->is_partial() || source_->load({&range, 1});
-    if (is_there) read = io::parse_rig(rig_of(source_->bytes(), header()), views);
-    source_->end_request();
-    return is_there;
-  }();
-  if (!loaded) raise_failure();
-  if (!read) throw py::value_error("section RIG: " + read.error());
-  return py::make_tuple(read->metres_per_unit, read->positions, read->rotations, read->intrinsics);
+    return io::rig_in_stream(*source_, header());
+  }());
+  if (!found) return py::none();
+  if (!*found) throw py::value_error(found->error());
+  return py::str((*found)->text);
+}
+
+std::string Stream::info() const {
+  return io::json_text(value([&] {
+    const py::gil_scoped_release unlocked;
+    return io::info_json(*decoder_, *source_);
+  }()));
 }
 
 py::array Stream::render(const Camera& camera, int stop_level) {
   const auto record = frame_record(camera, header());
   if (!record) throw py::value_error(record.error().message);
-  std::vector<uint8_t> bytes;
   RgbImage image;
   auto rendered = [&] {
     const py::gil_scoped_release unlocked;
     const std::lock_guard lock(rendering_);
     if (!renderer_) renderer_ = make_cpu_renderer(*decoder_);
     auto result = renderer_->render(*record, stop_level, frame_);
-    if (!result) return result;
-    image = frame_.image;
-    if (image.depth == 8) bytes = bytes_of(image);
+    if (result) image = frame_.image;
     return result;
   }();
   value(std::move(rendered));
-  return array_of(std::move(image), std::move(bytes));
+  return array_of(image);
 }
 
 namespace {
 
-std::vector<std::string> features_of(const Stream& stream) {
-  std::vector<std::string> names;
-  for (unsigned bit = 0; bit < kFeatureCount; ++bit) {
-    const auto feature = static_cast<Feature>(bit);
-    if (stream.header().has(feature)) names.emplace_back(feature_name(feature));
-  }
-  return names;
-}
-
+using Places = std::vector<uint32_t>;
 using Triple = std::array<double, 3>;
 
-std::optional<WorldPoint> point_of(const std::optional<Triple>& point) {
+std::optional<WorldPoint> point_of(const Options& given, const char* name) {
+  const auto point = given.get<std::optional<Triple>>(name);
   if (!point) return std::nullopt;
   return WorldPoint{(*point)[0], (*point)[1], (*point)[2]};
 }
 
-Filter filter_of(const std::string& name) {
-  for (const Filter filter : {Filter::kNearest, Filter::kBilinear, Filter::kQuadrilinear}) {
-    if (name == filter_name(filter)) return filter;
-  }
-  throw py::value_error("filter is 'nearest', 'bilinear' or 'quadrilinear', not '" + name + "'");
-}
-
-GeometrySource geometry_of(const std::optional<std::string>& name, const StreamHeader& header) {
-  if (!name) return suitable_geometry(header);
-  for (const auto geometry : {GeometrySource::kPlane, GeometrySource::kStream}) {
-    if (*name == geometry_name(geometry)) return geometry;
-  }
-  throw py::value_error("geometry is 'stream', 'plane' or None, not '" + *name + "'");
-}
-
-py::array render(Stream& stream, const std::optional<Triple>& position,
-                 const std::optional<Triple>& look_at, std::optional<uint32_t> width,
-                 std::optional<uint32_t> height, std::optional<double> focal,
-                 std::optional<double> tan_half, std::optional<double> row_pitch, double shear,
-                 double focus, int aperture, const std::string& filter,
-                 const std::optional<std::string>& geometry, int stop_level) {
+py::array render(Stream& stream, const py::kwargs& arguments) {
+  const Options given(arguments);
   Camera camera;
-  camera.position = point_of(position);
-  camera.look_at = point_of(look_at);
-  camera.frame_width = width;
-  camera.frame_height = height;
-  camera.focal = focal;
-  camera.tan_half = tan_half;
-  camera.row_pitch = row_pitch;
-  camera.shear = shear;
-  camera.focus = focus;
-  camera.aperture = aperture;
-  camera.filter = filter_of(filter);
-  camera.geometry = geometry_of(geometry, stream.header());
-  return stream.render(camera, stop_level);
+  camera.position = point_of(given, "position");
+  camera.look_at = point_of(given, "look_at");
+  camera.frame_width = given.get<std::optional<uint32_t>>("width");
+  camera.frame_height = given.get<std::optional<uint32_t>>("height");
+  camera.focal = given.get<std::optional<double>>("focal");
+  camera.tan_half = given.get<std::optional<double>>("tan_half");
+  camera.row_pitch = given.get<std::optional<double>>("row_pitch");
+  camera.shear = given.get<double>("shear");
+  camera.focus = given.get<double>("focus");
+  camera.aperture = given.get<int>("aperture");
+  camera.filter = given.choice<Filter>("filter", {{"nearest", Filter::kNearest},
+                                                  {"bilinear", Filter::kBilinear},
+                                                  {"quadrilinear", Filter::kQuadrilinear}});
+  camera.geometry = suitable_geometry(stream.header());
+  if (given.get<std::optional<std::string>>("geometry")) {
+    camera.geometry = given.choice<GeometrySource>(
+        "geometry", {{"stream", GeometrySource::kStream}, {"plane", GeometrySource::kPlane}});
+  }
+  return stream.render(camera, given.get<int>("stop_level"));
 }
 
 Plane plane_of(const std::string& name) {
@@ -212,21 +239,24 @@ void add_stream(py::module_& module) {
   py::class_<Stream>(module, "Stream")
       .def_static("from_file", &Stream::from_file)
       .def_static("from_buffer", &Stream::from_buffer)
-      .def_property_readonly("rows", [](const Stream& s) { return s.header().rows; })
-      .def_property_readonly("cols", [](const Stream& s) { return s.header().cols; })
-      .def_property_readonly("width", [](const Stream& s) { return s.header().width; })
-      .def_property_readonly("height", [](const Stream& s) { return s.header().height; })
+      .def_property_readonly("shape",
+                             [](const Stream& s) {
+                               const StreamHeader& h = s.header();
+                               return py::make_tuple(h.rows, h.cols, h.height, h.width, 3);
+                             })
       .def_property_readonly("depth", [](const Stream& s) { return s.header().depth; })
       .def_property_readonly("tree_height", [](const Stream& s) { return s.header().tree_height; })
       .def_property_readonly("block_size", [](const Stream& s) { return s.header().block_size(); })
       .def_property_readonly("profile",
                              [](const Stream& s) { return profile_name(s.header().profile); })
-      .def_property_readonly("features", &features_of)
+      .def_property_readonly("features", [](const Stream& s) { return io::tools_of(s.header()); })
+      .def_property_readonly("is_remote", &Stream::is_remote)
       .def("rig", &Stream::rig)
+      .def("info", &Stream::info)
       .def("pixels",
-           [](const Stream& s, uint32_t row, uint32_t col, uint32_t x, uint32_t y, uint32_t width,
-              uint32_t height, int stop_level) {
-             return s.pixels({row, col}, {x, y, width, height}, stop_level);
+           [](const Stream& s, Places rows, Places cols, Places ys, Places xs, int stop_level) {
+             return s.pixels({std::move(rows), std::move(cols), std::move(ys), std::move(xs)},
+                             stop_level);
            })
       .def("block",
            [](const Stream& s, uint32_t row, uint32_t col, const std::string& plane, uint32_t bx,

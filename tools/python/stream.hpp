@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -21,6 +22,15 @@
 
 namespace hmlfc::python {
 
+/// The rows and columns of views, the rows and columns of pixels in each, that are read: in any
+/// order, each in the light field.
+struct Part {
+  std::vector<uint32_t> rows;
+  std::vector<uint32_t> cols;
+  std::vector<uint32_t> ys;
+  std::vector<uint32_t> xs;
+};
+
 /// The bytes of a stream, its decoder and its renderer. Functions release the GIL while they
 /// decode; several threads may call them, and frames are rendered one after another.
 class Stream {
@@ -32,22 +42,26 @@ class Stream {
   static std::unique_ptr<Stream> from_buffer(const pybind11::buffer& buffer, bool check_sections);
 
   const StreamHeader& header() const { return decoder_->header(); }
+  bool is_remote() const { return source_->is_partial(); }
 
-  /// Pixels of `rect`, which lies in the view: (height, width, 3).
-  pybind11::array pixels(ViewPos view, const Rect& rect, int stop_level) const;
+  /// The pixels of `part`: (rows, cols, ys, xs, 3), uint8 at depth 8, else uint16. Views are
+  /// decoded on all cores; Ctrl-C ends that of several.
+  pybind11::array pixels(const Part& part, int stop_level) const;
 
   /// (B, B) int32 samples of a block; with `traced` also what was read and computed: lists of
-  /// fields, vectors and stages, each a dict.
+  /// fields, vectors and stages, each a dict. Raises IndexError where there is no such block.
   pybind11::object block(const BlockAddress& block, int stop_level, bool traced) const;
 
   /// Disparities of the blocks of plane Y in units of 1/256 pixel a column, int16, and their
   /// confidence, uint8: each (rows of blocks, columns of blocks).
   pybind11::tuple disparity(ViewPos view) const;
 
-  /// What section RIG says: metres a unit or None, then positions, rotations and intrinsics as
-  /// lists (RIG-2); None without the section. Raises ValueError that names the member that is
-  /// wrong.
+  /// The text of section RIG (RIG-2); None without the section. Raises ValueError that names the
+  /// member that is wrong.
   pybind11::object rig() const;
+
+  /// What `hmlfc info --json` prints.
+  std::string info() const;
 
   /// The frame of `camera`: (height, width, 3). Raises ValueError for a camera that takes none.
   pybind11::array render(const Camera& camera, int stop_level);

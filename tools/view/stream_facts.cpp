@@ -5,8 +5,8 @@
 #include <hmlfc/camera.hpp>
 #include <hmlfc/version.hpp>
 
-#include "cli/disparity_range.hpp"
 #include "cli/stream_report.hpp"
+#include "io/disparity_range.hpp"
 #include "view/image_bytes.hpp"
 
 namespace hmlfc::view {
@@ -21,7 +21,7 @@ Json disparities(const cli::StreamFile& file) {
   const auto map = disparity_map(file.decoder(), {(header.rows - 1) / 2, (header.cols - 1) / 2});
   file.check_readable();
   if (!map) return nullptr;
-  cli::DisparityRange range;
+  io::DisparityRange range;
   range.add(*map);
   if (range.known == 0) return nullptr;
   return {static_cast<double>(range.least) / kDisparityUnits,
@@ -37,7 +37,7 @@ Json counts_json(const std::map<uint32_t, uint64_t>& counts) {
 Json images_json(const ImageBytes& bytes) {
   Json levels = Json::array();
   for (const LevelBytes& level : bytes.levels) {
-    const bool few = level.images.size() <= cli::kMostListedImages;
+    const bool few = level.images.size() <= io::kMostListedImages;
     levels.push_back({{"level", level.level},
                       {"rows", level.rows},
                       {"cols", level.cols},
@@ -71,10 +71,10 @@ Json stream_facts(const OpenStream& stream) {
   json["depth"] = header.depth;
   json["block"] = header.block_size();
   json["coding"] = cli::describe_coding(header);
-  json["tools"] = cli::tools_of(header);
+  json["tools"] = io::tools_of(header);
   json["tree_height"] = header.tree_height;
   json["cluster"] = {header.cluster_rows, header.cluster_cols};
-  json["levels"] = cli::levels_json(header);
+  json["levels"] = io::levels_json(header);
   json["geometry"] = geometry_name(suitable_geometry(header));
   json["disparity"] = disparities(file);
   return json;
@@ -82,7 +82,7 @@ Json stream_facts(const OpenStream& stream) {
 
 Json stream_totals(const OpenStream& stream) {
   const cli::StreamFile& file = stream.for_blocks();
-  const cli::StreamReport report = report_on(file);
+  const io::StreamReport report = report_on(file);
   Json json = report_json(report);
   add_structure(report, json);
   json["images"] = images_json(file.value(image_bytes(file.decoder())));

@@ -85,7 +85,8 @@ struct EncodeError {
   bool out_of_memory = false;  ///< nothing is wrong with what was given
 };
 
-/// Called with the number of finished images `done` in [0, total], from one thread at a time.
+/// Called with the number of finished images `done` in [0, total], from one thread at a time: 0 as
+/// long as parameters are settled by trial. What it throws ends the encoding, and is thrown again.
 using Progress = std::function<void(uint64_t done, uint64_t total)>;
 
 /// Encodes `light_field`. The result is the same bytes for any number of threads and any

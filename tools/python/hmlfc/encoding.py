@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import os
+import warnings
+from operator import index as as_integer
 from typing import Callable, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
 from hmlfc import _core
+from hmlfc.error import Note
+from hmlfc.light_field import AnyPath, LightField, Rig, name_of
 
 
 class Views(NamedTuple):
@@ -17,55 +22,133 @@ class Views(NamedTuple):
     depth: int
 
 
-def read_views(folder: Union[str, os.PathLike], *, grid: Optional[Tuple[int, int]] = None) -> Views:
+def read_views(folder: AnyPath, *, grid: Optional[Tuple[int, int]] = None) -> Views:
     """The views in a folder of images, as `hmlfc encode` finds them.
 
     grid: rows and columns, where names do not tell
 
-    Raises OSError that names the file that is missing or does not fit.
+    Warns with a Note of what reading changed or left out. Raises OSError that names the file that is missing or does
+    not fit.
     """
-    return Views(*_core.read_views(os.fsdecode(folder), grid))
+    field = read_folder(folder, grid)
+    return Views(field.pixels(), field.depth)
 
 
 def encode(
-    views: Union[np.ndarray, Views, str, os.PathLike],
+    views: Union[np.ndarray, Views, LightField, AnyPath],
     *,
     depth: Optional[int] = None,
+    grid: Optional[Tuple[int, int]] = None,
+    rig: Union[Rig, AnyPath, bool, None] = None,
     profile: str = "extended",
-    quality: float = 60,
+    quality: Optional[float] = None,
     lossless: bool = False,
-    preset: str = "medium",
     target_psnr: Optional[float] = None,
+    target_bpp: Optional[float] = None,
     max_bytes: Optional[int] = None,
+    preset: str = "medium",
     tree_height: Optional[int] = None,
     block_size: int = 4,
+    window: Optional[int] = None,
+    references: Optional[Tuple[int, int]] = None,
     chroma: Optional[str] = None,
     threads: int = 0,
     progress: Optional[Callable[[int, int], None]] = None,
 ) -> bytes:
-    """A stream of `views`: the bytes that `hmlfc encode --no-rig` writes, for any number of threads.
+    """A stream of `views`: the bytes that `hmlfc encode` writes, for any number of threads.
 
     views: array (rows, cols, height, width, 3) of uint8, or of uint16 with `depth`; or a folder of images
     depth: bits a sample, [8, 12]
+    grid: rows and columns of a folder, where names do not tell
+    rig: where the cameras stand: a Rig, or a file as for `hmlfc encode --rig`, which knows the views of an array as
+        00_00.png and so on; None: what files and names in the folder of `views` say; False: nothing
     profile: "main" or "extended"
-    quality: of profile extended, [0, 100]
+    quality: [0, 100]; default: 60
     lossless: keep every sample
+    target_psnr: instead of quality the lowest that reaches this PSNR, [1, 100] dB
+    target_bpp: instead of quality the highest that takes no more bits a pixel of all views
+    max_bytes: instead of quality the highest that takes no more bytes
     preset: of profile extended, "fast", "medium" or "slow"
-    target_psnr: in place of quality the lowest that reaches this PSNR, [1, 100] dB
-    max_bytes: in place of quality the highest that takes no more bytes
     tree_height: [0, 15]; default: main 3, extended 0
     block_size: 2, 4 or 8
+    window: largest component of a vector, [0, 127] samples; default: main 16, extended 64
+    references: rows and columns of views that share a reference, [1, 255]; default: main 8, 8, extended by trial
     chroma: "420" or "444"; default: what costs less
     threads: 0: all cores
-    progress: called with images done and their number; what it raises is raised when the work is done
+    progress: called with images done and their number; what it raises ends the encoding
 
-    Raises ValueError or TypeError that says which argument is wrong.
+    Warns with a Note where a target is missed, and as read_views(). Raises ValueError or TypeError that says which
+    argument is wrong.
     """
-    if isinstance(views, (str, os.PathLike)):
-        views = read_views(views)
-    if isinstance(views, Views):
-        views, depth = views.pixels, views.depth if depth is None else depth
-    return _core.encode(
-        np.asarray(views), depth, profile, quality, lossless, preset, target_psnr, max_bytes, tree_height, block_size,
-        chroma, threads, progress,
+    goals = {
+        "lossless": lossless or None, "quality": quality, "target_psnr": target_psnr, "target_bpp": target_bpp,
+        "max_bytes": max_bytes,
+    }  # fmt: skip
+    first, *others = [name for name, goal in goals.items() if goal is not None] or ["quality"]
+    if others:
+        raise ValueError(f"{first} and {others[0]} exclude each other")
+    if lossless and chroma == "420":
+        raise ValueError("lossless needs chroma '444'")
+    if rig and profile == "main":
+        raise ValueError("a rig needs profile 'extended'")
+    is_folder = isinstance(views, (str, bytes, os.PathLike))
+    field = read_folder(views, grid) if is_folder else field_of(views, depth)
+    if depth not in (None, field.depth):
+        raise ValueError(f"the views have depth {field.depth}, not {depth}")
+    is_file = isinstance(rig, (str, bytes, os.PathLike))
+    stream, psnr, most = field.encode(
+        rig_file=name_of(rig) if is_file else None, rig_text=text_of(rig) if isinstance(rig, Rig) else None,
+        rig_of_views=is_folder and rig is None and profile == "extended", profile=profile,
+        quality=60 if quality is None else quality, lossless=lossless, target_psnr=target_psnr, target_bpp=target_bpp,
+        max_bytes=max_bytes, preset=preset, tree_height=tree_height, block_size=block_size, window=window,
+        references=references, chroma=chroma, threads=threads, progress=progress,
     )  # fmt: skip
+    if target_psnr is not None and psnr < target_psnr:
+        warnings.warn(f"target_psnr {target_psnr} was not reached: the stream has {psnr:.2f} dB", Note, stacklevel=2)
+    if most is not None and len(stream) > most:
+        warnings.warn(f"{most} bytes were not enough: the stream has {len(stream)}", Note, stacklevel=2)
+    return stream
+
+
+def read_folder(folder: AnyPath, grid: Optional[Tuple[int, int]]) -> _core.Field:
+    """The views of a folder; for the functions above, whose callers are warned."""
+    name = name_of(folder)
+    os.stat(name)
+    field = _core.Field.from_folder(folder=name, grid=grid)
+    for note in field.notes:
+        warnings.warn(note, Note, stacklevel=3)
+    return field
+
+
+def field_of(views: Union[np.ndarray, Views, LightField], depth: Optional[int]) -> _core.Field:
+    """The views in an array of any layout and byte order, or in what NumPy makes an array of."""
+    if depth is None:
+        depth = getattr(views, "depth", None)
+    pixels = np.asarray(views.pixels if isinstance(views, Views) else views)
+    kind = pixels.dtype.newbyteorder("=")
+    if pixels.ndim != 5 or pixels.shape[4] != 3:
+        raise ValueError(f"views are an array of shape (rows, cols, height, width, 3), not {pixels.shape}")
+    if kind not in (np.uint8, np.uint16):
+        raise TypeError(f"views are an array of uint8 or uint16, not {kind}: round and convert them first")
+    if kind == np.uint16 and depth is None:
+        raise ValueError("views of uint16 need depth, their bits a sample")
+    depth = 8 if depth is None else as_integer(depth)
+    if not 8 <= depth <= (8 if kind == np.uint8 else 12):
+        raise ValueError("views of uint8 have depth 8" if kind == np.uint8 else "depth lies in [8, 12]")
+    most = int(pixels.max(initial=0))
+    if most >> depth:
+        row, col = np.argwhere(pixels >= 1 << depth)[0][:2]
+        raise ValueError(f"view {row},{col} has samples up to {most}, more than {depth} bits hold")
+    return _core.Field.from_array(np.ascontiguousarray(pixels, kind), depth)
+
+
+def text_of(rig: Rig) -> str:
+    """The JSON text of a rig (RIG-2)."""
+    lists = {"positions": (rig.positions, 3), "rotations": (rig.rotations, 4), "intrinsics": (rig.intrinsics, 4)}
+    told = {
+        name: np.asarray(values, np.float64).reshape(-1, numbers).tolist()
+        for name, (values, numbers) in lists.items()
+        if values is not None
+    }
+    unit = rig.metres_per_unit
+    return json.dumps({"schema": 1, **({} if unit is None else {"metres_per_unit": float(unit)}), **told})

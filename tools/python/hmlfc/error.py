@@ -1,4 +1,4 @@
-"""The exception for streams that are refused."""
+"""What is raised for streams that are refused, and what is warned of."""
 
 
 class Error(ValueError):
@@ -15,3 +15,8 @@ class Error(ValueError):
 
     def __reduce__(self):
         return Error, (str(self), self.name, self.section, self.offset)
+
+
+class Note(UserWarning):
+    """What the program says on standard error, although nothing failed: what reading pictures changed or left out,
+    or a target that was missed."""

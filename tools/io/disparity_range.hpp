@@ -7,9 +7,7 @@
 
 #include <hmlfc/disparity.hpp>
 
-#include "cli/view_source.hpp"
-
-namespace hmlfc::cli {
+namespace hmlfc::io {
 
 /// The disparities of blocks that have one, in their units.
 struct DisparityRange {
@@ -22,12 +20,12 @@ struct DisparityRange {
   void add(const DisparityRange& other);
 };
 
-/// That of all views of `file`; nothing where a header asks for far more views and blocks than the
-/// bytes of the file can fill: the time follows these. Failure (kCorrupt) as for decoding.
-std::optional<DisparityRange> disparity_range(const StreamFile& file);
+/// That of all views of a stream of `bytes` bytes; nothing where a header asks for far more views
+/// and blocks than these can fill: the time follows them. Errors as for decoding.
+Result<std::optional<DisparityRange>> disparity_range(const Decoder& decoder, uint64_t bytes);
 
 /// "disparity -1.31 to 2.84 pixels a column, known for 97.5 % of the blocks", "disparity unknown"
 /// or, of nothing, "disparity not counted".
 std::string describe(const std::optional<DisparityRange>& range);
 
-}  // namespace hmlfc::cli
+}  // namespace hmlfc::io

@@ -1,13 +1,13 @@
-#include "cli/disparity_range.hpp"
+#include "io/disparity_range.hpp"
 
 #include <algorithm>
 #include <mutex>
 
 #include <fmt/format.h>
 
-#include "cli/for_each_view.hpp"
+#include "io/parallel.hpp"
 
-namespace hmlfc::cli {
+namespace hmlfc::io {
 
 void DisparityRange::add(const DisparityRange& other) {
   blocks += other.blocks;
@@ -24,23 +24,29 @@ void DisparityRange::add(const DisparityMap& map) {
   }
 }
 
-std::optional<DisparityRange> disparity_range(const StreamFile& file) {
+Result<std::optional<DisparityRange>> disparity_range(const Decoder& decoder, uint64_t bytes) {
   constexpr uint64_t kViewCost = 64;  // of a view, in blocks
   constexpr uint64_t kFew = uint64_t{1} << 25;
   constexpr uint64_t kBlocksAByte = 256;  // the smallest streams of real views have 50
-  const StreamHeader& header = file.header();
+  const StreamHeader& header = decoder.header();
   const uint64_t side = header.block_size();
   const uint64_t blocks = ((header.width + side - 1) / side) * ((header.height + side - 1) / side);
   const uint64_t views = uint64_t{header.rows} * header.cols;
-  if (views * (blocks + kViewCost) > kFew + kBlocksAByte * file.size()) return std::nullopt;
+  if (views * (blocks + kViewCost) > kFew + kBlocksAByte * bytes) return std::nullopt;
   DisparityRange range;
+  FirstError<Error> first;
   std::mutex mutex;
-  for_each_view({file.header().rows, file.header().cols}, 0, {}, [&](ViewPos view) {
+  for_each_index(views, 0, {}, [&](size_t index) {
+    if (first.makes_pointless(index)) return;
+    const auto row = static_cast<uint32_t>(index / header.cols);
+    const auto map = disparity_map(decoder, {row, static_cast<uint32_t>(index % header.cols)});
+    if (!map) return first.add(index, map.error());
     DisparityRange own;
-    own.add(file.value(disparity_map(file.decoder(), view)));
+    own.add(*map);
     const std::scoped_lock lock(mutex);
     range.add(own);
   });
+  if (first.error()) return tl::unexpected(*first.error());
   return range;
 }
 
@@ -54,4 +60,4 @@ std::string describe(const std::optional<DisparityRange>& counted) {
                      100 * static_cast<double>(range.known) / static_cast<double>(range.blocks));
 }
 
-}  // namespace hmlfc::cli
+}  // namespace hmlfc::io

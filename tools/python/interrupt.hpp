@@ -1,0 +1,39 @@
+// Long work that Ctrl-C stops.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <optional>
+
+#include <pybind11/pybind11.h>
+
+namespace hmlfc::python {
+
+/// Thrown by work that was told to stop.
+struct Stopped {};
+
+/// Returns what work(stop) returns, on a thread of its own without the GIL, or throws what it
+/// throws. Where the handler of a signal raises meanwhile, as Ctrl-C does, `stop` becomes true: the
+/// work should soon end or throw Stopped, and what was raised is thrown. Needs the GIL.
+template <class Work>
+auto interruptible(const Work& work) {
+  std::atomic<bool> stop = false;
+  auto result = std::async(std::launch::async, [&] { return work(stop); });
+  std::optional<pybind11::error_already_set> raised;
+  for (;;) {
+    {
+      const pybind11::gil_scoped_release unlocked;
+      const auto status = result.wait_for(std::chrono::milliseconds(50));
+      if (status == std::future_status::ready) break;
+    }
+    if (!raised && PyErr_CheckSignals() != 0) {
+      raised.emplace();
+      stop = true;
+    }
+  }
+  if (raised) throw *raised;
+  return result.get();
+}
+
+}  // namespace hmlfc::python
