@@ -117,6 +117,12 @@ TEST(Transforms, FilesOfOtherPrograms) {
   const auto rig = rig_of_transforms(json, kPictures);
   ASSERT_TRUE(rig) << rig.error();
   EXPECT_EQ(rig->positions.size(), 2u);
+  json["frames"][0]["file_path"] = "row1\\a.png";
+  json["frames"][1]["file_path"] = "views/row0/a";
+  json["frames"][1]["transform_matrix"][0][3] = -5;
+  const auto folders = rig_of_transforms(json, {{"row0/a", "row1/a"}, 400, 300});
+  ASSERT_TRUE(folders) << folders.error();
+  EXPECT_EQ(folders->positions[0][0], -5);
 }
 
 template <class Change>

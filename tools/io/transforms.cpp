@@ -93,11 +93,17 @@ Quaternion quaternion_of(const Matrix& m) {
   return q;
 }
 
-// The file name in `path`, which may be one of Windows, without the extension of a picture.
-std::string picture_stem(std::string path) {
-  std::ranges::replace(path, '\\', '/');
-  const std::filesystem::path name = std::filesystem::path(path).filename();
-  return (is_picture_name(name) ? name.stem() : name).string();
+// The file name in `path`, which may be one of Windows, without the extension of a picture, after
+// as many folders as `like` has.
+std::string picture_stem(std::string text, const std::string& like) {
+  std::ranges::replace(text, '\\', '/');
+  std::filesystem::path path(text);
+  std::string stem = (is_picture_name(path) ? path.stem() : path.filename()).string();
+  for (auto folders = std::ranges::count(like, '/'); folders > 0; --folders) {
+    path = path.parent_path();
+    stem = path.filename().string() + "/" + stem;
+  }
+  return stem;
 }
 
 // For each picture the number of its frame.
@@ -107,7 +113,8 @@ Read<std::vector<size_t>> frames_of(const Json& frames, const CameraPictures& pi
     const bool named = frames[i].is_object() && frames[i].contains("file_path") &&
                        frames[i]["file_path"].is_string();
     if (!named) return wrong(fmt::format("frames[{}].file_path must be a text", i));
-    const auto stem = picture_stem(frames[i]["file_path"].get<std::string>());
+    const auto stem =
+        picture_stem(frames[i]["file_path"].get<std::string>(), pictures.stems.front());
     const auto [first, is_new] = by_stem.emplace(stem, i);
     if (!is_new && std::ranges::find(pictures.stems, stem) != pictures.stems.end()) {
       return wrong(fmt::format("frames[{}] and frames[{}] both name {}", first->second, i, stem));

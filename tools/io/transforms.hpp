@@ -17,8 +17,10 @@ namespace hmlfc::io {
 
 /// The pictures that cameras are wanted for.
 struct CameraPictures {
-  std::vector<std::string> stems;  ///< file names without extension, row by row
-  uint32_t width = 1;              ///< of each, pixels
+  /// File names without extension, row by row, at least one; where they are not different, each
+  /// with the folder it is in: "row00/col05".
+  std::vector<std::string> stems;
+  uint32_t width = 1;  ///< of each, pixels
   uint32_t height = 1;
 };
 
@@ -31,7 +33,7 @@ bool is_transforms(std::span<const uint8_t> text);
 /// The cameras of `pictures` in the transforms.json `json`. Members read, of the file or of a
 /// frame:
 ///
-///   frames[].file_path         its file name, with or without extension, is that of a picture;
+///   frames[].file_path         its end, with or without extension, is one of `pictures.stems`;
 ///                              / and \ part folders
 ///   frames[].transform_matrix  3 or 4 rows of 4: camera to world; X right, Y up, Z backwards
 ///   fl_x, fl_y, cx, cy         pixels of a picture of w x h, from its upper left corner
