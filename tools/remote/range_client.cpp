@@ -149,6 +149,11 @@ std::optional<Problem> RangeClient::State::judge_part(const Transfer& transfer,
                                cut(version), cut(head.version()))};
   }
   if (transfer.ask == Ask::kEnd) return std::nullopt;
+  if (code == CURLE_WRITE_ERROR) {
+    return Problem{fmt::format("the answer has more than the {} bytes of its Content-Range",
+                               transfer.promised()),
+                   true};
+  }
   if (code != CURLE_OK || transfer.received != transfer.promised()) {
     return Problem{fmt::format("the answer has {} bytes in place of {}", transfer.received,
                                transfer.promised()),
