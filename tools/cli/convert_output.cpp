@@ -1,5 +1,4 @@
 // The forms that hmlfc convert writes.
-#include <cctype>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -168,14 +167,6 @@ void check_output(const ConvertOptions& options) {
   if (options.bits && !is_video(file)) usage("--bits is for an output that is a video");
   if (options.order && !is_video(file) && !is_video(options.input)) {
     usage("--order is for videos");
-  }
-  // An ending such as that of names "v1.5" begins with no letter.
-  if (is_folder && extension.size() > 1 && std::isalpha(static_cast<unsigned char>(extension[1])) &&
-      !std::filesystem::is_directory(file)) {
-    usage(
-        fmt::format("{}: {} is none of .png, .ppm, .y4m and .hmlfc; a name without it is that of a "
-                    "folder of views",
-                    file.string(), extension));
   }
   if (!is_folder) check_output_file(file);
 }

@@ -79,7 +79,7 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
 }  // namespace
 
 bool is_one_file(const EncodeOptions& options) {
-  return (is_picture(options.input) || is_video(options.input)) &&
+  return (io::is_picture_name(options.input) || is_video(options.input)) &&
          !std::filesystem::is_directory(options.input);
 }
 

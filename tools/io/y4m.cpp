@@ -64,6 +64,7 @@ int32_t sample_at(const uint8_t* plane, size_t index, const VideoLevels& levels)
 // Whether each of `samples` has the bits that `levels` say.
 bool is_in_range(const uint8_t* plane, size_t samples, const VideoLevels& levels) {
   int32_t all = 0;
+  if (levels.bits == 8) return true;
   for (size_t i = 0; i < samples; ++i) all |= sample_at(plane, i, levels);
   return all >> levels.bits == 0;
 }
