@@ -48,6 +48,34 @@ class ConvertTest(CliTest):
                 read_png(self.folder / f"row/00_0{col}.png"), read_png(self.folder / f"views/01_0{col}.png")
             )
 
+    def test_quilts_of_other_programs(self):
+        """Their sides are no multiples of the tiles', whose aspect is not that of the name."""
+        self.hmlfc("convert", "views", "row_qs2x2.ppm", "--row", "1")
+        rows = (self.folder / "row_qs2x2.ppm").read_bytes()[-48 * 32 * 3:]
+        rows = b"".join(rows[at:at + 144] + b"xyz" for at in range(0, len(rows), 144))
+        (self.folder / "Cat_QS2x2a0.75 (1).ppm").write_bytes(b"P6 49 33 255\n" + 147 * b"x" + rows)
+        told = self.run_hmlfc("convert", "Cat_QS2x2a0.75 (1).ppm", "cat").stderr.decode()
+        self.assertIn("1 columns of pixels on the right and 1 rows on top are cut off", told)
+        self.assertIn("the aspect of a tile is 1.5, the name says 0.75", told)
+        for col in range(4):
+            self.assertEqual(read_png(self.folder / f"cat/00_0{col}.png"), read_png(self.folder / f"views/01_0{col}.png"))
+
+    def test_encode_reads_quilts_and_videos(self):
+        self.hmlfc("convert", "views", "row_qs4x1.png", "--row", "1")
+        self.hmlfc("convert", "views", "all.y4m")
+        rig = {"schema": 1, "positions": [[col, 0, 0] for col in range(4)]}
+        (self.folder / "line.json").write_text(json.dumps(rig))
+        self.hmlfc(*"encode row_qs4x1.png -o row.hmlfc --lossless --rig line.json".split())
+        self.assertEqual(self.rig_of("row.hmlfc"), rig)
+        self.hmlfc(*"encode all.y4m -o all.hmlfc --lossless".split())
+        self.assertIn("Identical", self.hmlfc("compare", "views", "all.hmlfc"))
+        self.hmlfc("convert", "row_qs4x1.png", "one-row")
+        self.assertIn("Identical", self.hmlfc("compare", "one-row", "row.hmlfc"))
+        self.hmlfc("convert", "views", "all.png", "--to", "tiles")
+        encode = "encode {} -o x.hmlfc".format
+        self.refused(USAGE, *encode("all.png").split(), says="hmlfc convert all.png FOLDER")
+        self.refused(USAGE, *encode("all.y4m").split(), "--memory", "1G", says="--memory and --plan need a folder")
+
     def test_a_video(self):
         self.hmlfc("decode", DEEP, "-o", "deep-views")
         for source, views, bits in (("views", "views", 10), (DEEP, "deep-views", 12)):
@@ -157,14 +185,14 @@ class ConvertTest(CliTest):
             (("views", "a.y4m", "--to", "pleno"), "a picture or a folder"),
             (("views", "a.png", "--to", "pleno"), "--to pleno"),
             (("views", "a.png", "--to", "hci"), "hci are for an output that is a folder"),
-            (("all.png", "a", "--from", "pleno", "--grid", "3x4"), "--from tiles or lenslets"),
+            (("all.png", "a", "--from", "pleno", "--grid", "3x4"), "--from tiles (or lenslets)"),
             (("views", "a", "--bits", "8"), "--bits is for"),
             (("views", "a", "--order", "raster"), "--order is for"),
             ((DEEP, "a.y4m", "--bits", "8"), "--bits 8 is less than the 10 bits"),
             (("views", "a", "--to", "tiles"), "--to"),
             (("views", "a", "--from", "tiles"), "--from"),
             (("views", "a", "--row", "3"), "3,0 does not exist"),
-            (("all.png", "a"), "--from tiles or lenslets and --grid"),
+            (("all.png", "a"), "--from tiles (or lenslets) --grid ROWSxCOLS"),
             (("views", "nowhere/a.png", "--to", "tiles"), "nowhere"),
         ]:
             with self.subTest(arguments=arguments):

@@ -290,7 +290,6 @@ class Encode(CliTest):
             ("damaged", ["01_02.png"]),
             ("empty", ["empty"]),
             ("nowhere", ["nowhere"]),
-            ("views/00_00.png", ["views/00_00.png"]),
         ]:
             with self.subTest(folder=folder):
                 self.refused(INPUT, "encode", folder, "-o", "c.hmlfc", says=named)

@@ -23,6 +23,8 @@ FAULTS = {
     "other_length": "the file has changed",
     "other_range": "other bytes than those asked for",
     "other_bytes": "the file has changed",
+    "compressed": "(Content-Encoding: gzip)",
+    "multipart": "multipart/byteranges",
     "short": "bytes in place of",
     "truncated": "bytes in place of",
     "gone": "is the server there?",
@@ -151,6 +153,14 @@ class Remote(CliTest):
         for fault in ("truncated", "short", 503):
             with self.subTest(fault=fault), RangeServer(self.path("main"), fault=fault, after=1, times=2) as server:
                 self.assertEqual(self.hmlfc("info", server.address, "--json"), expected)
+
+    def test_whatever_rfc_9110_allows(self):
+        for way in (None, "unknown_total", "unknown_end", "in_pieces", "weak_tags"):
+            with self.subTest(way=way), RangeServer(self.path("main"), fault=way) as server:
+                self.hmlfc("decode", server.address, "-o", f"way-{way}", "--view", "1,2")
+                found, expected = (self.folder / f"way-{name}/01_02.png" for name in (way, None))
+                self.assertEqual(found.read_bytes(), expected.read_bytes())
+                self.assertEqual(server.encodings, "identity")
 
     def test_a_server_that_does_not_say_the_version(self):
         with RangeServer(self.path("main")) as server:

@@ -120,9 +120,10 @@ TEST(SparseBytes, LongFilesTakeLittleMemory) {
 
 TEST(Answer, ContentRanges) {
   EXPECT_EQ(parse_content_range("bytes 5-9/20"), (ContentRange{5, 9, 20}));
-  for (const char* text :
-       {"", "bytes", "bytes 5-9", "bytes 5-9/*", "bytes */20", "bytes 9-5/20", "bytes 5-20/20",
-        "bytes 5-9/20 ", "bytes -5/20", "lines 5-9/20", "bytes 5-9/99999999999999999999"}) {
+  EXPECT_EQ(parse_content_range("BYTES 5-9/*"), (ContentRange{5, 9, std::nullopt}));
+  for (const char* text : {"", "bytes", "bytes 5-9", "bytes 9-5/*", "bytes 5-9/*1", "bytes */20",
+                           "bytes 9-5/20", "bytes 5-20/20", "bytes 5-9/20 ", "bytes -5/20",
+                           "lines 5-9/20", "bytes 5-9/99999999999999999999"}) {
     EXPECT_FALSE(parse_content_range(text)) << text;
   }
 }
@@ -130,7 +131,7 @@ TEST(Answer, ContentRanges) {
 TEST(Answer, HeadersOfTheLastAnswer) {
   AnswerHead head;
   for (const char* line : {"HTTP/1.1 302 Found\r\n", "ETag: \"old\"\r\n", "\r\n", "HTTP/2 206 \r\n",
-                           "etag:  \"a b\" \r\n", "CONTENT-RANGE: bytes 0-1/2\r\n",
+                           "etag:  W/\"a b\" \r\n", "CONTENT-RANGE: bytes 0-1/2\r\n",
                            "Last-Modified: today\r\n", "nothing\r\n", "\r\n"}) {
     head.take(line);
   }

@@ -85,21 +85,72 @@ TEST(Transforms, Intrinsics) {
   // Pictures of half the size that the file states.
   EXPECT_EQ(of({{"fl_x", 500}, {"w", 800}, {"h", 600}, {"cx", 420}, {"k1", 0}}),
             (Entries{{250, 250, 209.5, 149.5}}));
-  // 90 degrees: the focal length is half the width.
-  EXPECT_NEAR(of({{"camera_angle_x", std::acos(-1) / 2}})[0][0], 200, 1e-9);
+  // One side tells the other; sides of smaller copies are rounded.
+  EXPECT_EQ(of({{"fl_x", 500}, {"h", 600}}), (Entries{{250, 250, 199.5, 149.5}}));
+  EXPECT_NEAR(of({{"fl_y", 500}, {"w", 1603}, {"h", 1201}})[0][1], 500 * 300.0 / 1201, 1e-9);
+  // 90 degrees: the focal length is half the width, or the height.
+  for (const Json& angle : {Json{{"camera_angle_x", std::acos(-1) / 2}}, {{"x_fov", 90}}}) {
+    EXPECT_NEAR(of(angle)[0][0], 200, 1e-9);
+    EXPECT_NEAR(of(angle)[0][1], 200, 1e-9);
+  }
+  EXPECT_NEAR(of({{"x_fov", 90}, {"y_fov", 90}})[0][1], 150, 1e-9);
   Json json = two_frames();
   json["fl_x"] = 500;
   json["frames"][1]["fl_x"] = 600;  // of the first picture
   EXPECT_EQ(rig_of_transforms(json, kPictures).value().intrinsics,
             (Entries{{600, 600, 199.5, 149.5}, {500, 500, 199.5, 149.5}}));
+  json["frames"][1].erase("fl_x");
+  json["frames"][1]["x_fov"] = 90;  // before the file's fl_x
+  EXPECT_NEAR(rig_of_transforms(json, kPictures).value().intrinsics[0][0], 200, 1e-9);
+}
+
+// Folders of Windows, and rows of float32.
+TEST(Transforms, FilesOfOtherPrograms) {
+  Json json = two_frames();
+  json["frames"][0]["file_path"] = ".\\images\\b.png";
+  for (Json& frame : json["frames"]) {
+    frame["transform_matrix"].push_back({0, 0, 1e-9, 0.99999994});
+  }
+  json.update(
+      Json::parse(R"({"camera_model": "OPENCV", "k1": 0, "is_fisheye": false, "ortho": "false",
+      "distortion_params": [0, 0.0], "is_undistorted": true, "aabb_scale": 16, "fl_x": 500, "K": 1})"));
+  const auto rig = rig_of_transforms(json, kPictures);
+  ASSERT_TRUE(rig) << rig.error();
+  EXPECT_EQ(rig->positions.size(), 2u);
+  json["frames"][0]["file_path"] = "row1\\a.png";
+  json["frames"][1]["file_path"] = "views/row0/a";
+  json["frames"][1]["transform_matrix"][0][3] = -5;
+  const auto folders = rig_of_transforms(json, {{"row0/a", "row1/a"}, 400, 300});
+  ASSERT_TRUE(folders) << folders.error();
+  EXPECT_EQ(folders->positions[0][0], -5);
+}
+
+template <class Change>
+std::string changed(const Change& change) {
+  Json json = two_frames();
+  change(json);
+  return fault_of(json);
+}
+
+// Of the file or of a frame that is used.
+TEST(Transforms, LensesThatAreNoPinholes) {
+  for (const Json& lens :
+       Json::parse(R"([{"k1": 0.25}, {"p2": -1e-3}, {"k6": 1}, {"is_fisheye": true},
+           {"is_fisheye": 1}, {"is_fisheye": "true"}, {"camera_model": "OPENCV_FISHEYE"},
+           {"camera_model": "EQUIRECTANGULAR"}, {"camera_model": "fov"}, {"camera_model": 3},
+           {"camera_type": "orthographic"}, {"ftheta_p1": 1}, {"latlong": true},
+           {"distortion_params": [0, 0.1]}, {"rolling_shutter": [0, 0, 1]}, {"from_mitsuba": true}])")) {
+    const std::string name = lens.begin().key();
+    EXPECT_EQ(changed([&](Json& j) { j.update(lens); }).find(name + " is "), 0u) << name;
+    const auto in_frame = changed([&](Json& j) { j["frames"][1].update(lens); });
+    EXPECT_EQ(in_frame.find("frames[1]." + name + " is "), 0u) << in_frame;
+    EXPECT_EQ(
+        changed([&](Json& j) { j["frames"].push_back(frame("c")), j["frames"][2].update(lens); }),
+        "ok");
+  }
 }
 
 TEST(Transforms, WhatIsWrongIsNamed) {
-  const auto changed = [](const auto& change) {
-    Json json = two_frames();
-    change(json);
-    return fault_of(json);
-  };
   EXPECT_EQ(changed([](Json& j) { j["frames"] = 1; }), "frames must be an array");
   EXPECT_EQ(changed([](Json& j) { j["frames"].erase(0); }),
             "frames: no file_path names the view b");
@@ -122,12 +173,29 @@ TEST(Transforms, WhatIsWrongIsNamed) {
       "angles, without a mirror";
   EXPECT_EQ(changed([](Json& j) { j["frames"][1]["transform_matrix"][0][0] = -1; }), no_rotation);
   EXPECT_EQ(changed([](Json& j) { j["frames"][1]["transform_matrix"][0][0] = 1.01; }), no_rotation);
-  EXPECT_EQ(changed([](Json& j) { j["k1"] = 0.25; }),
-            "k1 is 0.25: a rig has no distortion; undistort the pictures and set it to 0");
-  EXPECT_EQ(changed([](Json& j) { j["is_fisheye"] = true; }),
-            "is_fisheye is true: a rig has no distortion; undistort the pictures");
-  EXPECT_EQ(changed([](Json& j) { j["frames"][1]["cx"] = "x"; }), "frames[1].cx must be a number");
-  EXPECT_EQ(changed([](Json& j) { j["fl_x"] = nullptr; }), "fl_x must be a number");
+  EXPECT_EQ(
+      changed([](Json& j) { j["frames"][1]["is_fisheye"] = true; }),
+      "frames[1].is_fisheye is true: the cameras of a rig are pinholes; undistort the pictures "
+      "and leave it out");
+  EXPECT_EQ(changed([](Json& j) { j["camera_angle_x"] = 50; }),
+            "camera_angle_x is 50, outside (0, pi) radians; if these are degrees, call it x_fov");
+  EXPECT_EQ(changed([](Json& j) { j["frames"][0]["y_fov"] = 180; }),
+            "frames[0].y_fov is 180, outside (0, 180) degrees");
+  EXPECT_EQ(
+      changed([](Json& j) { j["fovX"] = 50; }),
+      "\"fovX\" is not read: say fl_x in pixels, camera_angle_x in radians or x_fov in degrees");
+  EXPECT_EQ(changed([](Json& j) { j["w"] = 300, j["h"] = 400; }),
+            "frames[1]: w and h are 300 x 400, the pictures 400 x 300: another aspect; were they "
+            "turned (EXIF)?");
+  EXPECT_NE(changed([](Json& j) { j["w"] = 800, j["h"] = 610; }).find("were they cut?"),
+            std::string::npos);
+  EXPECT_EQ(
+      changed([](Json& j) { j["frames"][1]["fl_x"] = 500; }),
+      "frames[0] has no focal length, as fl_x, but frames[1] has one; give it to each, to the "
+      "file or to none");
+  EXPECT_EQ(changed([](Json& j) { j["frames"][1]["cx"] = "x"; }),
+            "frames[1].cx is \"x\"; it must be a number");
+  EXPECT_EQ(changed([](Json& j) { j["fl_x"] = nullptr; }), "fl_x is null; it must be a number");
   EXPECT_EQ(changed([](Json& j) { j["fl_x"] = 1, j["w"] = 0; }), "w and h must be at least 1");
 }
 

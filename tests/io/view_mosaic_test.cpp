@@ -46,6 +46,10 @@ std::vector<Example> examples() {
       {{MosaicLayout::kQuilt, 2, 3},
        picture_of({"GHIJKL", "ABCDEF"}),
        {"AB", "CD", "EF", "GH", "IJ", "KL"}},
+      // The rest of a quilt is on top and on the right.
+      {{MosaicLayout::kQuilt, 2, 2},
+       picture_of({"....x", "EFGH.", "ABCD."}),
+       {"AB", "CD", "EF", "GH"}},
       {{MosaicLayout::kTiles, 1, 2}, picture_of({"abcd", "efgh"}), {"ab/ef", "cd/gh"}},
       {{MosaicLayout::kLenslets, 2, 1}, picture_of({"ab", "cd", "ef", "gh"}), {"ab/ef", "cd/gh"}},
   };
@@ -76,6 +80,7 @@ TEST(ViewMosaic, PictureOfViews) {
       put_into_mosaic(*made, example.mosaic, row, col,
                       view_of_mosaic(example.picture, example.mosaic, row, col));
     }
+    if (letters(example.picture).find('x') != std::string::npos) continue;  // rests are not kept
     EXPECT_EQ(letters(*made), letters(example.picture));
   }
 }
@@ -108,10 +113,13 @@ TEST(ViewMosaic, NamesOfQuilts) {
   EXPECT_EQ(quilt->mosaic.rows, 6u);
   EXPECT_EQ(quilt->aspect, 0.75);
   EXPECT_TRUE(parse_quilt_name("_qs64x64a1.png"));
+  EXPECT_EQ(parse_quilt_name("Cat_QS5x9A1.6 (1).PNG")->aspect, 1.6);
+  EXPECT_EQ(parse_quilt_name("cat_qs5x9a1.778_0001.jpg")->mosaic.rows, 9u);
+  EXPECT_EQ(parse_quilt_name("cat_qs8x6.png")->aspect, std::nullopt);
   for (const char* name :
-       {"cat.png", "cat_qs8x6.png", "cat_qs0x6a1.png", "cat_qs8x0a1.png", "cat_qs8x6a0.png",
-        "cat_qs8x6a-1.png", "cat_qs8x6anan.png", "cat_qs64x65a1.png", "cat_qs8x6a1x.png",
-        "cat_qs4294967297x1a1.png", "cat_qs-8x6a1.png", "cat_qsx6a1.png"}) {
+       {"cat.png", "cat_qs8x6b.png", "cat_qs8x6a.png", "cat_qs0x6a1.png", "cat_qs8x0a1.png",
+        "cat_qs8x6a0.png", "cat_qs8x6a-1.png", "cat_qs8x6anan.png", "cat_qs64x65a1.png",
+        "cat_qs8x6a1x.png", "cat_qs4294967297x1a1.png", "cat_qs-8x6a1.png", "cat_qsx6a1.png"}) {
     EXPECT_FALSE(parse_quilt_name(name)) << name;
   }
 }

@@ -37,13 +37,18 @@ std::filesystem::path written(const test::TempFolder& folder, const LightFieldSh
   return file;
 }
 
-std::string error_of(const std::string& content, std::optional<GridShape> grid = GridShape{1, 1}) {
+IoResult<Y4mReader> opened(const std::string& content,
+                           std::optional<GridShape> grid = GridShape{1, 1}) {
   const test::TempFolder folder;
-  const auto file = folder.path() / "wrong.y4m";
+  const auto file = folder.path() / "other.y4m";
   const auto* begin = reinterpret_cast<const uint8_t*>(content.data());
   EXPECT_TRUE(write_file(file, {begin, content.size()}));
-  const auto opened = Y4mReader::open(file, grid, std::nullopt);
-  return opened ? "" : opened.error().message;
+  return Y4mReader::open(file, grid, std::nullopt);
+}
+
+std::string error_of(const std::string& content, std::optional<GridShape> grid = GridShape{1, 1}) {
+  const auto video = opened(content, grid);
+  return video ? "" : video.error().message;
 }
 
 TEST(Y4m, ViewsComeBackAtEveryDepth) {
@@ -93,16 +98,65 @@ TEST(Y4m, BytesOfAFrame) {
                       std::string("\xc2\x02\x42\x02\x5f\x00", 6));
 }
 
+// Samples of the view, and the note, of a video of one frame.
+std::pair<std::vector<uint16_t>, std::string> read(const std::string& words,
+                                                   const std::string& frame) {
+  const auto video = opened("YUV4MPEG2 " + words + "\nFRAME Ip\n" + frame);
+  if (!video) return {{}, video.error().message};
+  return {video->view(0, 0).samples, video->note()};
+}
+
 TEST(Y4m, OtherPrograms) {
-  const test::TempFolder folder;
-  const auto file = folder.path() / "other.y4m";
-  const std::string text = "YUV4MPEG2 W1 H1 C444 XYSCSS=444 XCOLORRANGE=FULL\nFRAME Ip\nabc";
-  const auto* begin = reinterpret_cast<const uint8_t*>(text.data());
-  ASSERT_TRUE(write_file(file, {begin, text.size()}));
-  const auto video = Y4mReader::open(file, GridShape{1, 1}, std::nullopt);
-  ASSERT_TRUE(video) << video.error().message;
-  EXPECT_EQ(video->view(0, 0).samples.size(), 3u);
-  EXPECT_EQ(video->shape().depth, 8);
+  using Samples = std::vector<uint16_t>;
+  const std::string grey = "x\x80\x80";
+  for (const char* words : {"C444", "XYSCSS=444", "C444 XYSCSS=420JPEG", "Cmono", "C422", "C420"}) {
+    const auto frame = grey.substr(0, words == std::string("Cmono") ? 1 : 3);
+    const auto [samples, note] = read(words + std::string(" W1 H1 XCOLORRANGE=FULL"), frame);
+    EXPECT_EQ(samples, (Samples{120, 120, 120})) << words << note;
+    EXPECT_EQ(note.find("interpolated") != note.npos, std::string(words).find("C42") == 0) << note;
+  }
+  EXPECT_EQ(read("W1 H1 Cmono", "\xeb"),
+            (std::pair{Samples{255, 255, 255},
+                       std::string("no XCOLORRANGE word: black is 16, white 235")}));
+  EXPECT_EQ(read("W1 H1", grey).second.find("no C word: 4:2:0"), 0u);
+  const std::string full = "W1 H1 XCOLORRANGE=FULL ";
+  EXPECT_EQ(read(full + "Cmono16", "\xff\xff").first, (Samples{4095, 4095, 4095}));
+  EXPECT_NE(read(full + "Cmono16", "\xff\xff").second.find("reduced to 12 bits"),
+            std::string::npos);
+  EXPECT_EQ(read(full + "Cmono9", "\x01\x01").first, (Samples{257, 257, 257}));
+  EXPECT_NE(read(full + "C444p10", std::string("\xc0\xff", 2) + "\x01\x01\x01\x01")
+                .second.find("frame 0 has samples of more than the 10 bits"),
+            std::string::npos);
+}
+
+// A ramp of Cb along x and of Cr along y, in a frame of 6 x 4, is one of 4:4:4 as well.
+TEST(Y4m, ChromaLiesWhereTheHeaderSays) {
+  struct Case {
+    const char* words;
+    int x, y;  // by how much the ramps begin later
+  };
+  for (const auto& [words, first_x, first_y] : {Case{"C420jpeg", 2, 2},
+                                                {"C420", 2, 2},
+                                                {"", 2, 2},
+                                                {"C420mpeg2", 0, 2},
+                                                {"C420paldv", 0, 0},
+                                                {"XYSCSS=420MPEG2", 0, 2}}) {
+    std::string half(24, 'x');
+    std::string each = half;
+    for (int i = 0; i < 6; ++i) half += static_cast<char>(100 + 8 * (i % 3));
+    for (int i = 0; i < 6; ++i) half += static_cast<char>(100 + 8 * (i / 3));
+    for (int i = 0; i < 24; ++i) each += static_cast<char>(100 + 4 * (i % 6) - first_x);
+    for (int i = 0; i < 24; ++i) each += static_cast<char>(100 + 4 * (i / 6) - first_y);
+    const auto found = read(std::string("W6 H4 ") + words, half);
+    const auto wanted = read("W6 H4 C444", each);
+    ASSERT_EQ(found.first.size(), 72u) << found.second;
+    for (size_t i = 0; i < 72; ++i) {
+      const size_t x = i / 3 % 6;
+      const size_t y = i / 18;
+      if (x == 0 || x == 5 || y == 0 || y == 3) continue;  // no neighbour
+      EXPECT_EQ(found.first[i], wanted.first[i]) << words << " " << i;
+    }
+  }
 }
 
 TEST(Y4m, WhatIsNotRead) {
@@ -111,8 +165,11 @@ TEST(Y4m, WhatIsNotRead) {
            {"", "not a Y4M"},
            {"RIFF\n", "not a Y4M"},
            {std::string(5000, 'x'), "not a Y4M"},
-           {"YUV4MPEG2 W2 H1\n", "C420"},
-           {"YUV4MPEG2 W2 H1 C420jpeg\n", "yuv444p10"},
+           {"YUV4MPEG2 W2 H1\n", "(no C word: 4:2:0)"},
+           {"YUV4MPEG2 W2 H1 C411\n", "yuv444p10"},
+           {"YUV4MPEG2 W2 H1 C444alpha\n", "C444alpha"},
+           {"YUV4MPEG2 W2 H1 C420p17\n", "C420p17"},
+           {"YUV4MPEG2 W2 H1 XYSCSS=410\n", "XYSCSS=410"},
            {"YUV4MPEG2 W2 C444\n", "lacks W or H"},
            {"YUV4MPEG2 W0 H1 C444\n", "W0"},
            {"YUV4MPEG2 W65537 H1 C444\n", "W65537"},

@@ -34,7 +34,7 @@ Rgb pixel_of(int depth) {
 
 RC_GTEST_PROP(YCbCrProperty, IsTheNearestToTheDefinition, ()) {
   const int depth = *rc::gen::inRange(8, 13);
-  const VideoLevels levels{*rc::gen::element(8, 10, 12, 14), *rc::gen::arbitrary<bool>()};
+  const VideoLevels levels{*rc::gen::element(8, 9, 10, 12, 14, 16), *rc::gen::arbitrary<bool>()};
   const Rgb pixel = pixel_of(depth);
   const YCbCr found = ycbcr_of(pixel, depth, levels);
   const auto wanted = defined(pixel, depth, levels);

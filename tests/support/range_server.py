@@ -6,7 +6,7 @@ import threading
 import time
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
-RANGE = re.compile(r"bytes=(\d+)-(\d+)")
+RANGE = re.compile(r"bytes=(\d*)-(\d+)")
 
 
 class _Handler(BaseHTTPRequestHandler):
@@ -18,6 +18,9 @@ class _Handler(BaseHTTPRequestHandler):
             self.server.owner.answer(self)
         except (BrokenPipeError, ConnectionResetError):
             self.close_connection = True
+
+    def do_HEAD(self):
+        self.server.owner.head(self)
 
     def log_message(self, *_):
         pass
@@ -68,7 +71,11 @@ class RangeServer:
     def answer(self, handler):
         size = self.file.stat().st_size
         found = RANGE.fullmatch(handler.headers.get("Range", ""))
-        first, last = (int(found[1]), min(int(found[2]), size - 1)) if found else (0, size - 1)
+        if found and not found[1]:  # the last bytes
+            first, last = size - int(found[2]), size - 1
+        else:
+            first, last = (int(found[1]), min(int(found[2]), size - 1)) if found else (0, size - 1)
+        self.encodings = handler.headers.get("Accept-Encoding")
         with self.lock:
             number = len(self.requests)
             self.requests.append([first, last])
@@ -79,11 +86,16 @@ class RangeServer:
             return self.status(handler, self.fault)
         return getattr(self, "fault_" + self.fault)(handler, first, last, size)
 
-    def send(self, handler, first, last, size, status=206, length=None, total=None, shift=0):
+    def head(self, handler):
+        self.status(handler, 200, **{"Content-Length": str(self.file.stat().st_size), "ETag": self.tag})
+
+    def send(self, handler, first, last, size, status=206, length=None, total=None, shift=0, unit="bytes", **headers):
         body = self.read(first, last)[:length]
         handler.send_response(status)
         if status == 206:
-            handler.send_header("Content-Range", f"bytes {first + shift}-{last + shift}/{total or size}")
+            handler.send_header("Content-Range", f"{unit} {first + shift}-{last + shift}/{total or size}")
+        for name, value in headers.items():
+            handler.send_header(name, value)
         if self.tag:
             handler.send_header("ETag", self.tag)
         handler.send_header("Content-Length", str(len(body)))
@@ -100,6 +112,30 @@ class RangeServer:
         for name, value in {"Content-Length": "0", **headers}.items():
             handler.send_header(name, value)
         handler.end_headers()
+
+    def fault_unknown_total(self, handler, first, last, size):
+        self.send(handler, first, last, size, total="*", unit="Bytes")
+
+    def fault_unknown_end(self, handler, first, last, size):
+        """Nor does it tell the last bytes; the method HEAD tells the length."""
+        if last == first == size - 1:
+            return self.status(handler, 416)
+        self.send(handler, first, last, size, total="*")
+
+    def fault_in_pieces(self, handler, first, last, size):
+        """Less than was asked for, as a server may."""
+        self.send(handler, first, min(last, first + 999), size)
+
+    def fault_weak_tags(self, handler, first, last, size):
+        """Now weak, now strong, of the same version."""
+        self.tag = self.tag[2:] if self.tag.startswith("W/") else "W/" + self.tag
+        self.send(handler, first, last, size)
+
+    def fault_compressed(self, handler, first, last, size):
+        self.send(handler, first, last, size, **{"Content-Encoding": "gzip"})
+
+    def fault_multipart(self, handler, first, last, size):
+        self.send(handler, first, last, size, unit="", **{"Content-Type": "multipart/byteranges; boundary=x"})
 
     def fault_no_ranges(self, handler, first, last, size):
         self.send(handler, 0, size - 1, size, status=200)

@@ -73,7 +73,7 @@ void add_convert(CLI::App& program, Task& task) {
       R"(A form is a folder of views, an .hmlfc file (written without loss), a video, or a picture of
 all views, PNG or PPM:
   quilt     by its name, NAME_qsCxRaA.png: C columns and R rows of tiles, from the bottom left, with
-            the views of one row of cameras; A is the aspect of a view
+            the views of one row of cameras; A, which may be missing, is the aspect of a view
   tiles     view R,C is the tile in row R and column C
   lenslets  pixel X,Y of view R,C is pixel X * COLS + C, Y * ROWS + R
 
@@ -87,6 +87,7 @@ rig.json, as parameters.cfg or in names (hmlfc encode --help).
 A video is a Y4M file of 4:4:4 samples by ITU-R BT.709, in limited range: R, G and B come back exactly
 where it has two bits more than the views. --bits gives its bits (10 for views of 8, 12 up to 10, else
 14). Grid, order and depth stand in its header; of videos by other programs --grid and --order tell.
+Videos of 4:2:2, 4:2:0 and grey, of 8 to 16 bits, are read too.
 
 Examples:
   hmlfc convert chess.hmlfc chess_qs3x3a1.33.png --row 4

@@ -51,6 +51,9 @@ struct ConvertInput {
 /// those of ViewSource::open and rig_for().
 ConvertInput open_input(const ConvertOptions& options);
 
+/// All views of `source`. Failures: those of ViewSource::view.
+LightField all_views(const ViewSource& source, int threads, const io::Progress& progress);
+
 /// Usage failure where options.output is of no form that is written, or options are not its own.
 void check_output(const ConvertOptions& options);
 

@@ -1,6 +1,10 @@
 // The forms that hmlfc convert reads.
+#include <array>
+#include <cmath>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "cli/arguments.hpp"
 #include "cli/convert_forms.hpp"
@@ -27,6 +31,11 @@ class MosaicSource final : public ViewSource {
 
   const LightFieldShape& shape() const override { return shape_; }
 
+  // Columns and rows of pixels of no view.
+  std::array<uint32_t, 2> rest() const {
+    return {picture_.width % mosaic_.cols, picture_.height % mosaic_.rows};
+  }
+
   RgbImage view(ViewPos view) const override {
     return io::view_of_mosaic(picture_, mosaic_, view.row, view.col);
   }
@@ -36,6 +45,27 @@ class MosaicSource final : public ViewSource {
   RgbImage picture_;
   LightFieldShape shape_;
 };
+
+// Tells what of a quilt is left out, and where its name says something else.
+void note_quilt(const std::filesystem::path& file, const io::QuiltName& quilt,
+                const MosaicSource& source) {
+  const LightFieldShape& view = source.shape();
+  const auto [width, height] = source.rest();
+  if (width + height > 0) {
+    note(
+        fmt::format("{}: {} x {} tiles of {} x {} pixels; {} columns of pixels on the right and {} "
+                    "rows on top are cut off",
+                    file.string(), quilt.mosaic.cols, quilt.mosaic.rows, view.width, view.height,
+                    width, height));
+  }
+  const double aspect = static_cast<double>(view.width) / view.height;
+  if (std::abs(quilt.aspect.value_or(aspect) / aspect - 1) > 0.01) {
+    note(
+        fmt::format("{}: the aspect of a tile is {:.4g}, the name says {:.4g}; pixels are kept as "
+                    "they are",
+                    file.string(), aspect, *quilt.aspect));
+  }
+}
 
 // The views in a video.
 class VideoSource final : public ViewSource {
@@ -71,11 +101,18 @@ ConvertInput open_stream(const ConvertOptions& options) {
 
 std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options) {
   const auto quilt = io::parse_quilt_name(options.input);
-  if (quilt && !options.from) return std::make_unique<MosaicSource>(options.input, quilt->mosaic);
+  if (quilt && !options.from) {
+    auto source = std::make_unique<MosaicSource>(options.input, quilt->mosaic);
+    note_quilt(options.input, *quilt, *source);
+    return source;
+  }
   if (!options.from || options.from == Form::kPleno || !options.grid) {
-    throw Failure(ExitCode::kUsage, options.input.string() +
-                                        ": a picture needs --from tiles or lenslets and --grid, or "
-                                        "the name of a quilt (_qsCxRaA)");
+    throw Failure(
+        ExitCode::kUsage,
+        fmt::format("{0}: one picture, whose layout is not known; hmlfc convert {0} FOLDER "
+                    "--from tiles (or lenslets) --grid ROWSxCOLS tells it, or the name of a "
+                    "quilt, NAME_qsCxR.png",
+                    options.input.string()));
   }
   const auto layout = options.from == Form::kTiles ? MosaicLayout::kTiles : MosaicLayout::kLenslets;
   return std::make_unique<MosaicSource>(options.input,
@@ -101,6 +138,7 @@ ConvertInput open_input(const ConvertOptions& options) {
   if (is_video(options.input)) {
     auto video = value_or_throw(io::Y4mReader::open(options.input, options.grid, options.order),
                                 ExitCode::kInput);
+    if (!video.note().empty()) note(options.input.string() + ": " + video.note());
     return {std::make_unique<VideoSource>(std::move(video)), std::nullopt};
   }
   return open_stream(options);

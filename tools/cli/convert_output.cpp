@@ -35,12 +35,13 @@ Mosaic quilt_of(const std::filesystem::path& file, const LightFieldShape& shape)
   }
   const auto quilt = *io::parse_quilt_name(file);
   const double aspect = static_cast<double>(shape.width) / shape.height;
-  if (quilt.mosaic.grid().cols != shape.cols || std::abs(quilt.aspect - aspect) > 0.01) {
+  if (quilt.mosaic.grid().cols != shape.cols ||
+      std::abs(quilt.aspect.value_or(aspect) - aspect) > 0.01) {
     throw Failure(ExitCode::kUsage,
                   fmt::format("{}: the views are {} of aspect {:.4g}; the name says {} x {} of "
                               "aspect {:.4g}",
                               file.string(), shape.cols, aspect, quilt.mosaic.cols,
-                              quilt.mosaic.rows, quilt.aspect));
+                              quilt.mosaic.rows, quilt.aspect.value_or(aspect)));
   }
   return quilt.mosaic;
 }
@@ -130,10 +131,7 @@ void write_video(const ConvertOptions& options, const ViewSource& source,
 // Every sample is kept.
 void write_stream(const ConvertOptions& options, const ConvertInput& input,
                   const io::Progress& progress) {
-  const ViewSource& source = *input.views;
-  LightField field(source.shape());
-  for_each_view({field.shape().rows, field.shape().cols}, options.threads, {},
-                [&](ViewPos view) { field.set_view(view.row, view.col, source.view(view)); });
+  const LightField field = all_views(*input.views, options.threads, {});
   EncodeParams params;
   params.profile = Profile::kExtended;
   params.lossless = true;
@@ -172,6 +170,13 @@ void check_output(const ConvertOptions& options) {
     usage("--order is for videos");
   }
   if (!is_folder) check_output_file(file);
+}
+
+LightField all_views(const ViewSource& source, int threads, const io::Progress& progress) {
+  LightField field(source.shape());
+  for_each_view({field.shape().rows, field.shape().cols}, threads, progress,
+                [&](ViewPos view) { field.set_view(view.row, view.col, source.view(view)); });
+  return field;
 }
 
 void write_output(const ConvertOptions& options, const ConvertInput& input,

@@ -15,6 +15,7 @@
 #include "cli/arguments.hpp"
 #include "cli/coding_options.hpp"
 #include "cli/comparison.hpp"
+#include "cli/convert_forms.hpp"
 #include "cli/divided_encode.hpp"
 #include "cli/encode_forecast.hpp"
 #include "cli/encode_outcome.hpp"
@@ -36,8 +37,29 @@ struct Input {
   std::optional<ChosenRig> rig;
 };
 
+// The views of a quilt or video; a rig names them as hmlfc convert does.
+Input load_file(const EncodeOptions& options, terminal::ProgressBar& progress) {
+  const int threads = options.coding.params.threads;
+  ConvertOptions from;
+  from.input = options.input;
+  from.grid = options.grid;
+  const ConvertInput input = open_input(from);
+  const LightFieldShape& shape = input.views->shape();
+  Input loaded{all_views(*input.views, threads, progress.callback()), std::nullopt};
+  progress.clear();
+  if (!options.rig.file) return loaded;
+  io::ViewList names{shape.rows, shape.cols, {}};
+  for (size_t i = 0; i < size_t{shape.rows} * shape.cols; ++i) {
+    const auto [row, col] = io::view_of_frame(i, {shape.rows, shape.cols}, io::FrameOrder::kRaster);
+    names.files.emplace_back(io::view_file_name(row, col, shape.rows, shape.cols));
+  }
+  loaded.rig = rig_for(options.rig, options.coding.params.profile, names, shape);
+  return loaded;
+}
+
 Input load(const EncodeOptions& options) {
   terminal::ProgressBar progress("Reading", "views");
+  if (!options.part && is_one_file(options)) return load_file(options, progress);
   const io::ViewList views = listed_views(options);
   io::Notes notes;
   LightField field = value_or_throw(
@@ -116,6 +138,8 @@ Profile extended chooses by rate and distortion; without --references it finds t
 trial, without --chroma the chroma format. Its default --height is 0: key views and motion only.
 --preset trades encoding time for size. What takes more than ten seconds begins with a forecast.
 
+INPUT may be a quilt, NAME_qsCxRaA.png, or a .y4m video (hmlfc convert --help).
+
 View positions are parsed from file names: RR_CC.png, out_RR_CC_Y_X_.png, input_CamNNN.png. Files with
 other names are taken in sorted order, row by row, and need --grid. With --grid a folder may also hold
 a subset of a grid, such as every second row. The stream is the same bytes for any number of threads.
@@ -159,7 +183,7 @@ Examples:
   hmlfc encode job.json -o chess.hmlfc --assemble 1.part 2.part)");
   options.app = &app;
   add_path(app, "INPUT", options.input,
-           "Folder of PNG, JPEG, TIFF, WebP, PPM or PGM views, or a plan");
+           "Folder of PNG, JPEG, TIFF, WebP, PPM or PGM views, quilt, .y4m video or plan");
   add_output(app, options.output, "FILE", "The .hmlfc file, plan or shard to write");
   add_grid(app, options.grid);
   add_views(app, options.part);

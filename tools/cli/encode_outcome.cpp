@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/convert_forms.hpp"
 #include "cli/view_source.hpp"
 
 namespace hmlfc::cli {
@@ -77,7 +78,17 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
 
 }  // namespace
 
+bool is_one_file(const EncodeOptions& options) {
+  return (io::is_picture_name(options.input) || is_video(options.input)) &&
+         !std::filesystem::is_directory(options.input);
+}
+
 io::ViewList listed_views(const EncodeOptions& options) {
+  if (is_one_file(options)) {
+    throw Failure(ExitCode::kUsage, fmt::format("{}: --views, --memory and --plan need a folder of "
+                                                "views; hmlfc convert makes one",
+                                                options.input.string()));
+  }
   auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
   if (!options.part) return views;
   return value_or_throw(io::part_of(options.input, views, *options.part), ExitCode::kInput);

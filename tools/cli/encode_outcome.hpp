@@ -54,7 +54,11 @@ struct EncodeOutcome {
   double cpu_seconds = 0;  ///< of all threads of the process
 };
 
-/// The views that `options` name. Failures (kInput): those of io::list_views and io::part_of.
+/// Whether all views are in one file: a quilt or a video.
+bool is_one_file(const EncodeOptions& options);
+
+/// The views that `options` name. Failures (kInput): those of io::list_views and io::part_of;
+/// (kUsage): they are in one file.
 io::ViewList listed_views(const EncodeOptions& options);
 
 /// The failure to encode `input`: kInput, or kOutOfMemory.

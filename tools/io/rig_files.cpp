@@ -1,5 +1,6 @@
 #include "io/rig_files.hpp"
 
+#include <set>
 #include <string>
 #include <system_error>
 
@@ -55,6 +56,11 @@ IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
   if (!json) return file_error(file, json.error());
   CameraPictures pictures{{}, shape.width, shape.height};
   for (const auto& view : views.files) pictures.stems.push_back(view.stem().string());
+  if (std::set(pictures.stems.begin(), pictures.stems.end()).size() < views.files.size()) {
+    for (size_t i = 0; i < views.files.size(); ++i) {
+      pictures.stems[i] = (views.files[i].parent_path().filename() / pictures.stems[i]).string();
+    }
+  }
   const auto rig = rig_of_transforms(*json, pictures);
   if (!rig) return file_error(file, rig.error());
   return checked(file, *rig, views);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "io/transforms_lens.hpp"
 #include "io/view_list.hpp"
 
 namespace hmlfc::io {
@@ -24,23 +25,10 @@ using Read = tl::expected<T, std::string>;
 
 tl::unexpected<std::string> wrong(std::string what) { return tl::unexpected(std::move(what)); }
 
-// One frame, with what the file says for all frames behind it.
-struct Frame {
-  const Json& file;
-  const Json& frame;
-  std::string place;  // "frames[3]"
+// Numbers of float32 are as good as others: 0.99999994 is 1.
+constexpr double kMatrixSlack = 1e-3;
 
-  // The number `member`; its own before the file's.
-  Read<std::optional<double>> number(const char* member) const {
-    const bool own = frame.contains(member);
-    if (!own && !file.contains(member)) return std::nullopt;
-    const Json& json = own ? frame[member] : file[member];
-    if (json.is_number() && std::isfinite(json.get<double>())) return json.get<double>();
-    return wrong(fmt::format("{}{} must be a number", own ? place + "." : "", member));
-  }
-};
-
-Read<Matrix> matrix_of(const Frame& frame) {
+Read<Matrix> matrix_of(const TransformsFrame& frame) {
   const std::string place = frame.place + ".transform_matrix";
   const auto rows = frame.frame.find("transform_matrix");
   const bool right_size =
@@ -52,9 +40,13 @@ Read<Matrix> matrix_of(const Frame& frame) {
     const bool numbers = row.is_array() && row.size() == 4 &&
                          std::ranges::all_of(row, [](const Json& x) { return x.is_number(); });
     if (!numbers) return wrong(fmt::format("{}[{}] must be 4 numbers", place, r));
-    for (size_t c = 0; c < 4 && r < 3; ++c) matrix[r][c] = row[c].get<double>();
-    if (r == 3 && row != Json({0.0, 0.0, 0.0, 1.0})) {
-      return wrong(fmt::format("{}[3] must be 0, 0, 0, 1", place));
+    for (size_t c = 0; c < 4; ++c) {
+      const auto number = row[c].get<double>();
+      if (r < 3) {
+        matrix[r][c] = number;
+      } else if (!(std::abs(number - (c == 3 ? 1 : 0)) <= kMatrixSlack)) {
+        return wrong(fmt::format("{}[3] must be 0, 0, 0, 1", place));
+      }
     }
   }
   return matrix;
@@ -66,13 +58,12 @@ double determinant(const Matrix& m) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-// Columns of length 1, at right angles, right-handed, each to within 1/1000.
+// Columns of length 1, at right angles, right-handed, each to within kMatrixSlack.
 bool is_rotation(const Matrix& m) {
-  constexpr double kSlack = 1e-3;
   for (size_t a = 0; a < 3; ++a) {
     for (size_t b = a; b < 3; ++b) {
       const double dot = m[0][a] * m[0][b] + m[1][a] * m[1][b] + m[2][a] * m[2][b];
-      if (!(std::abs(dot - (a == b ? 1 : 0)) <= kSlack)) return false;
+      if (!(std::abs(dot - (a == b ? 1 : 0)) <= kMatrixSlack)) return false;
     }
   }
   return determinant(m) > 0;
@@ -102,43 +93,17 @@ Quaternion quaternion_of(const Matrix& m) {
   return q;
 }
 
-// Nothing where the file knows no focal length.
-Read<std::optional<Quaternion>> intrinsics_of(const Frame& frame, const CameraPictures& pictures) {
-  std::map<std::string, std::optional<double>> given;
-  for (const char* member : {"fl_x", "fl_y", "cx", "cy", "w", "h", "camera_angle_x",
-                             "camera_angle_y", "k1", "k2", "k3", "k4", "p1", "p2"}) {
-    const auto value = frame.number(member);
-    if (!value) return tl::unexpected(value.error());
-    given[member] = *value;
+// The file name in `path`, which may be one of Windows, without the extension of a picture, after
+// as many folders as `like` has.
+std::string picture_stem(std::string text, const std::string& like) {
+  std::ranges::replace(text, '\\', '/');
+  std::filesystem::path path(text);
+  std::string stem = (is_picture_name(path) ? path.stem() : path.filename()).string();
+  for (auto folders = std::ranges::count(like, '/'); folders > 0; --folders) {
+    path = path.parent_path();
+    stem = path.filename().string() + "/" + stem;
   }
-  for (const char* member : {"k1", "k2", "k3", "k4", "p1", "p2"}) {
-    if (given[member].value_or(0) != 0) {
-      return wrong(
-          fmt::format("{} is {}: a rig has no distortion; undistort the pictures and set "
-                      "it to 0",
-                      member, *given[member]));
-    }
-  }
-  const double w = given["w"].value_or(pictures.width);
-  const double h = given["h"].value_or(pictures.height);
-  if (w < 1 || h < 1) return wrong("w and h must be at least 1");
-  const auto focal = [](std::optional<double> length, std::optional<double> angle, double side) {
-    if (length || !angle) return length;
-    return std::optional(side / 2 / std::tan(*angle / 2));
-  };
-  const auto fl_x = focal(given["fl_x"], given["camera_angle_x"], w);
-  if (!fl_x) return std::nullopt;
-  const double fl_y = focal(given["fl_y"], given["camera_angle_y"], h).value_or(*fl_x);
-  const double to_x = pictures.width / w;
-  const double to_y = pictures.height / h;
-  return Quaternion{*fl_x * to_x, fl_y * to_y, given["cx"].value_or(w / 2) * to_x - 0.5,
-                    given["cy"].value_or(h / 2) * to_y - 0.5};
-}
-
-// The file name in `path` without the extension of a picture.
-std::string picture_stem(const std::string& path) {
-  const std::filesystem::path name = std::filesystem::path(path).filename();
-  return (is_picture_name(name) ? name.stem() : name).string();
+  return stem;
 }
 
 // For each picture the number of its frame.
@@ -148,7 +113,8 @@ Read<std::vector<size_t>> frames_of(const Json& frames, const CameraPictures& pi
     const bool named = frames[i].is_object() && frames[i].contains("file_path") &&
                        frames[i]["file_path"].is_string();
     if (!named) return wrong(fmt::format("frames[{}].file_path must be a text", i));
-    const auto stem = picture_stem(frames[i]["file_path"].get<std::string>());
+    const auto stem =
+        picture_stem(frames[i]["file_path"].get<std::string>(), pictures.stems.front());
     const auto [first, is_new] = by_stem.emplace(stem, i);
     if (!is_new && std::ranges::find(pictures.stems, stem) != pictures.stems.end()) {
       return wrong(fmt::format("frames[{}] and frames[{}] both name {}", first->second, i, stem));
@@ -209,14 +175,15 @@ bool is_transforms(std::span<const uint8_t> text) {
 tl::expected<Rig, std::string> rig_of_transforms(const Json& json, const CameraPictures& pictures) {
   const Json& frames = json.at("frames");
   if (!frames.is_array()) return wrong("frames must be an array");
-  if (json.value("is_fisheye", Json(false)) == Json(true)) {
-    return wrong("is_fisheye is true: a rig has no distortion; undistort the pictures");
-  }
+  if (auto fault = lens_fault(json, ""); !fault.empty()) return wrong(std::move(fault));
   const auto numbers = frames_of(frames, pictures);
   if (!numbers) return tl::unexpected(numbers.error());
   Rig rig;
+  std::array<std::optional<size_t>, 2> example;  // the first without and with a focal length
   for (const size_t number : *numbers) {
-    const Frame frame{json, frames[number], fmt::format("frames[{}]", number)};
+    const TransformsFrame frame{json, frames[number], fmt::format("frames[{}]", number)};
+    auto fault = lens_fault(frame.frame, frame.place + ".");
+    if (!fault.empty()) return wrong(std::move(fault));
     auto matrix = matrix_of(frame);
     if (!matrix) return tl::unexpected(matrix.error());
     if (!is_rotation(*matrix)) {
@@ -227,11 +194,22 @@ tl::expected<Rig, std::string> rig_of_transforms(const Json& json, const CameraP
     // Y up and Z backwards become Y down and Z into the scene.
     for (auto& row : *matrix) row = {row[0], -row[1], -row[2], row[3]};
     rig.rotations.push_back(quaternion_of(*matrix));
-    const auto intrinsics = intrinsics_of(frame, pictures);
+    const auto intrinsics = intrinsics_of(frame, pictures.width, pictures.height);
     if (!intrinsics) return tl::unexpected(intrinsics.error());
     if (*intrinsics) rig.intrinsics.push_back(**intrinsics);
+    auto& first = example[*intrinsics ? 1 : 0];
+    first = first.value_or(number);
   }
-  if (rig.intrinsics.size() != rig.positions.size()) rig.intrinsics.clear();
+  if (example[0]) {
+    auto unread = unread_focal_length(frames[*example[0]]) + unread_focal_length(json);
+    if (!unread.empty()) return wrong(std::move(unread));
+  }
+  if (example[0] && example[1]) {
+    return wrong(
+        fmt::format("frames[{}] has no focal length, as fl_x, but frames[{}] has one; give "
+                    "it to each, to the file or to none",
+                    *example[0], *example[1]));
+  }
   keep_one_of_equals(rig.rotations);
   keep_one_of_equals(rig.intrinsics);
   return rig;

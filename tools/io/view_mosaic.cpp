@@ -1,6 +1,7 @@
 #include "io/view_mosaic.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <string>
 
@@ -20,13 +21,14 @@ struct Place {
   size_t step_y;
 };
 
-Place place_of(const Mosaic& mosaic, uint32_t width, uint32_t height, uint32_t row, uint32_t col) {
+// Of view (row, col) of width x height in `picture`; what a quilt has too much is on top.
+Place place_of(const RgbImage& picture, const Mosaic& mosaic, uint32_t width, uint32_t height,
+               uint32_t row, uint32_t col) {
   if (mosaic.layout == MosaicLayout::kLenslets) return {col, row, mosaic.cols, mosaic.rows};
-  if (mosaic.layout == MosaicLayout::kQuilt) {
-    row = mosaic.rows - 1 - col / mosaic.cols;
-    col %= mosaic.cols;
-  }
-  return {size_t{col} * width, size_t{row} * height, 1, 1};
+  if (mosaic.layout == MosaicLayout::kTiles)
+    return {size_t{col} * width, size_t{row} * height, 1, 1};
+  const size_t rows_below = col / mosaic.cols + 1;
+  return {size_t{col % mosaic.cols} * width, picture.height - rows_below * height, 1, 1};
 }
 
 // Calls body(index of the first sample in the picture, in the view) for each pixel of a view.
@@ -66,25 +68,28 @@ GridShape Mosaic::grid() const {
 }
 
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
+  std::string stem = file.stem().string();
+  for (char& c : stem) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const size_t at = stem.rfind("_qs");
   if (at == stem.npos) return std::nullopt;
   std::string_view text = std::string_view(stem).substr(at + 3);
-  uint32_t cols = 0;
-  uint32_t rows = 0;
-  double aspect = 0;
+  QuiltName quilt{{MosaicLayout::kQuilt, 0, 0}, std::nullopt};
+  auto& [layout, rows, cols] = quilt.mosaic;
   const bool read = take_number(text, cols) && take_letter(text, 'x') && take_number(text, rows) &&
-                    take_letter(text, 'a') && take_number(text, aspect) && text.empty();
-  if (!read || cols < 1 || rows < 1 || cols > kMaxGridSide || rows > kMaxGridSide / cols ||
-      !(aspect > 0 && aspect < kMaxPictureSide)) {
+                    (!take_letter(text, 'a') || take_number(text, quilt.aspect.emplace()));
+  const bool ends = text.empty() || std::string_view(" _-(").find(text.front()) != text.npos;
+  if (!read || !ends || cols < 1 || rows < 1 || cols > kMaxGridSide || rows > kMaxGridSide / cols ||
+      !(quilt.aspect.value_or(1) > 0 && quilt.aspect.value_or(1) < kMaxPictureSide)) {
     return std::nullopt;
   }
-  return QuiltName{{MosaicLayout::kQuilt, rows, cols}, aspect};
+  return quilt;
 }
 
 IoResult<LightFieldShape> mosaic_shape(const std::filesystem::path& file, const RgbImage& picture,
                                        const Mosaic& mosaic) {
-  if (picture.width % mosaic.cols != 0 || picture.height % mosaic.rows != 0) {
+  const bool may_rest = mosaic.layout == MosaicLayout::kQuilt;
+  const bool rests = picture.width % mosaic.cols != 0 || picture.height % mosaic.rows != 0;
+  if ((rests && !may_rest) || picture.width < mosaic.cols || picture.height < mosaic.rows) {
     return file_error(file, sides(picture.width, picture.height) + " cannot be divided into " +
                                 std::to_string(mosaic.cols) + " columns and " +
                                 std::to_string(mosaic.rows) + " rows of views");
@@ -97,7 +102,7 @@ IoResult<LightFieldShape> mosaic_shape(const std::filesystem::path& file, const 
 RgbImage view_of_mosaic(const RgbImage& picture, const Mosaic& mosaic, uint32_t row, uint32_t col) {
   RgbImage view{picture.width / mosaic.cols, picture.height / mosaic.rows, picture.depth, {}};
   view.samples.resize(size_t{3} * view.width * view.height);
-  const Place place = place_of(mosaic, view.width, view.height, row, col);
+  const Place place = place_of(picture, mosaic, view.width, view.height, row, col);
   for_each_pixel(picture, view.width, view.height, place, [&](size_t from, size_t to) {
     std::copy_n(picture.samples.data() + from, 3, view.samples.data() + to);
   });
@@ -120,7 +125,7 @@ IoResult<RgbImage> empty_mosaic(const std::filesystem::path& file, const LightFi
 
 void put_into_mosaic(RgbImage& picture, const Mosaic& mosaic, uint32_t row, uint32_t col,
                      const RgbImage& view) {
-  const Place place = place_of(mosaic, view.width, view.height, row, col);
+  const Place place = place_of(picture, mosaic, view.width, view.height, row, col);
   for_each_pixel(picture, view.width, view.height, place, [&](size_t to, size_t from) {
     std::copy_n(view.samples.data() + from, 3, picture.samples.data() + to);
   });

@@ -30,16 +30,18 @@ struct Mosaic {
   GridShape grid() const;
 };
 
-/// The quilt of a name that ends with _qsCxRaA, C columns and R rows in [1, 4096] with C * R <=
-/// 4096, and its aspect A, the width of what a view shows over its height. Nothing for other names.
+/// The quilt of a name with _qsCxRaA or _qsCxR, in any case, at its end or before a space, (, - or
+/// _: C columns and R rows in [1, 4096] with C * R <= 4096, and its aspect A, the width of what a
+/// view shows over its height. Nothing for other names.
 struct QuiltName {
   Mosaic mosaic;
-  double aspect = 1;  ///< above 0
+  std::optional<double> aspect;  ///< above 0
 };
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& file);
 
-/// The shape of the light field in `picture`. Errors, which name `file`: sides that are no
-/// multiples of those of the mosaic.
+/// The shape of the light field in `picture`. What a quilt has too much, on the right and on top,
+/// belongs to no view. Errors, which name `file`: sides of other layouts that are no multiples of
+/// those of the mosaic, views without pixels.
 IoResult<LightFieldShape> mosaic_shape(const std::filesystem::path& file, const RgbImage& picture,
                                        const Mosaic& mosaic);
 

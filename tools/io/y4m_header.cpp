@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <span>
 #include <vector>
@@ -16,12 +17,27 @@ constexpr std::string_view kNote = "XHMLFC=";
 constexpr std::string_view kRange = "XCOLORRANGE=";
 constexpr uint32_t kMaxSide = 65536;
 
+constexpr std::string_view kNotRead =
+    "is not 4:4:4, 4:2:2, 4:2:0 or mono of 8 to 16 bits; ffmpeg -i IN -pix_fmt yuv444p10 -strict "
+    "-1 "
+    "OUT.y4m converts it";
+constexpr std::string_view kSubsampling = "XYSCSS=";
+
 struct ColourSpace {
-  std::string_view name;
-  int bits;
+  std::string_view name;  // p and bits may follow
+  ChromaPlanes chroma;
 };
-constexpr std::array<ColourSpace, 4> kColourSpaces{
-    {{"444", 8}, {"444p10", 10}, {"444p12", 12}, {"444p14", 14}}};
+using enum ChromaSide;
+constexpr auto kColourSpaces = std::to_array<ColourSpace>({
+    {"444", {}},
+    {"422", {true, kCosited, kEach}},
+    {"420jpeg", {true, kCentred, kCentred}},
+    {"420mpeg2", {true, kCosited, kCentred}},
+    {"420paldv", {true, kCosited, kCosited}},
+    {"420p", {true, kCosited, kCentred}},  // the rule of H.264 and later
+    {"420", {true, kCentred, kCentred}},
+    {"mono", {false}},
+});
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -59,6 +75,23 @@ tl::unexpected<std::string> wrong(std::string_view word, std::string_view what) 
   return tl::unexpected(fmt::format("\"{}\" {}", word, what));
 }
 
+// Reads the value of a word C or XYSCSS, which names planes and bits.
+bool take_colour_space(std::string_view value, Y4mHeader& header) {
+  std::string name(value);
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto* const space = std::ranges::find_if(
+      kColourSpaces, [&](const ColourSpace& each) { return name.starts_with(each.name); });
+  if (space == kColourSpaces.end()) return false;
+  std::string_view rest = std::string_view(name).substr(space->name.size());
+  const bool has_bits = !rest.empty();
+  if (rest.starts_with('p')) rest.remove_prefix(1);
+  const auto bits = has_bits ? number(rest, 16) : 8;
+  if (!bits || *bits < 8) return false;
+  header.chroma = space->chroma;
+  header.levels.bits = static_cast<int>(*bits);
+  return true;
+}
+
 // Takes one word of the header after the first.
 tl::expected<void, std::string> take(std::string_view word, Y4mHeader& header) {
   const std::string_view value = word.substr(1);
@@ -67,13 +100,9 @@ tl::expected<void, std::string> take(std::string_view word, Y4mHeader& header) {
     if (!side) return wrong(word, "is no width or height in [1, 65536]");
     (word[0] == 'W' ? header.width : header.height) = *side;
   } else if (word[0] == 'C') {
-    const auto* const space = std::ranges::find(kColourSpaces, value, &ColourSpace::name);
-    if (space == kColourSpaces.end()) {
-      return wrong(word,
-                   "is not 4:4:4 of 8, 10, 12 or 14 bits; ffmpeg -i IN -pix_fmt yuv444p10 "
-                   "-strict -1 OUT.y4m converts it");
+    if (!take_colour_space(value, header)) {
+      return wrong(word, kNotRead);
     }
-    header.levels.bits = space->bits;
   } else if (word[0] == 'I' && value != "p" && value != "?") {
     return wrong(word, "means interlaced frames, which views are not");
   } else if (word.starts_with(kRange)) {
@@ -88,11 +117,10 @@ tl::expected<void, std::string> take(std::string_view word, Y4mHeader& header) {
 }  // namespace
 
 std::string write_y4m_header(const Y4mHeader& header) {
-  const auto* const space =
-      std::ranges::find(kColourSpaces, header.levels.bits, &ColourSpace::bits);
-  std::string line =
-      fmt::format("{} W{} H{} F30:1 Ip A1:1 C{} {}{}", kMagic, header.width, header.height,
-                  space->name, kRange, header.levels.full_range ? "FULL" : "LIMITED");
+  const int bits = header.levels.bits;
+  std::string line = fmt::format("{} W{} H{} F30:1 Ip A1:1 C444{} {}{}", kMagic, header.width,
+                                 header.height, bits == 8 ? "" : fmt::format("p{}", bits), kRange,
+                                 header.levels.full_range ? "FULL" : "LIMITED");
   if (header.note) {
     const auto& [grid, order, depth] = *header.note;
     line += fmt::format(" {}{}x{},{},{}", kNote, grid.rows, grid.cols,
@@ -105,16 +133,28 @@ tl::expected<Y4mHeader, std::string> parse_y4m_header(std::string_view line) {
   const auto words = split(line, ' ');
   if (words.front() != kMagic) return tl::unexpected(std::string("not a Y4M video"));
   Y4mHeader header;
-  bool has_colour_space = false;
+  const auto find = [&](std::string_view start) {
+    const auto found =
+        std::ranges::find_if(words.begin() + 1, words.end(),
+                             [&](std::string_view word) { return word.starts_with(start); });
+    return found == words.end() ? std::string_view() : *found;
+  };
   for (const std::string_view word : std::span(words).subspan(1)) {
     if (word.empty()) continue;
-    has_colour_space = has_colour_space || word[0] == 'C';
     if (auto ok = take(word, header); !ok) return tl::unexpected(ok.error());
   }
   if (header.width == 0 || header.height == 0) {
     return tl::unexpected(std::string("the header lacks W or H, the size of a frame"));
   }
-  if (!has_colour_space) return take("C420", header).map([&] { return header; });
+  if (find("C").empty()) {
+    const std::string_view older = find(kSubsampling);
+    const auto value = older.empty() ? "420" : older.substr(kSubsampling.size());
+    if (!take_colour_space(value, header)) return wrong(older, kNotRead);
+    if (older.empty()) header.guessed = "no C word: 4:2:0";
+  }
+  if (!header.chroma.there && find(kRange).empty()) {
+    header.guessed = "no XCOLORRANGE word: black is 16, white 235";
+  }
   return header;
 }
 

@@ -20,11 +20,13 @@ struct Y4mNote {
 struct Y4mHeader {
   uint32_t width = 0;   ///< [1, 65536]
   uint32_t height = 0;  ///< [1, 65536]
+  ChromaPlanes chroma;
   VideoLevels levels;
+  std::string guessed;  ///< what the header does not say and is taken for granted, for people
   std::optional<Y4mNote> note;
 };
 
-/// The line without its end.
+/// The line without its end, of a video of 4:4:4.
 std::string write_y4m_header(const Y4mHeader& header);
 
 /// The header that `line`, without its end, states. Error: what is wrong and what to do.

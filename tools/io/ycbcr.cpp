@@ -6,12 +6,12 @@
 namespace hmlfc::io {
 namespace {
 
-// The weights of BT.709 in units of 1/10000: Y' = 0.2126 R' + 0.7152 G' + 0.0722 B',
+// The weights of BT.709 in units of 1/5000: Y' = 0.2126 R' + 0.7152 G' + 0.0722 B',
 // Cb = (B' - Y') / 1.8556, Cr = (R' - Y') / 1.5748.
-constexpr int64_t kOne = 10000;
-constexpr int64_t kRed = 2126;
-constexpr int64_t kGreen = 7152;
-constexpr int64_t kBlue = 722;
+constexpr int64_t kOne = 5000;
+constexpr int64_t kRed = 1063;
+constexpr int64_t kGreen = 3576;
+constexpr int64_t kBlue = 361;
 constexpr int64_t kBlueRange = 2 * (kOne - kBlue);
 constexpr int64_t kRedRange = 2 * (kOne - kRed);
 
@@ -57,7 +57,7 @@ YCbCr ycbcr_of(const Rgb& pixel, int depth, const VideoLevels& levels) {
           chroma(pixel.b, kBlueRange), chroma(pixel.r, kRedRange)};
 }
 
-// All over the least common multiple of both scales, which is below 2^22: numerators stay below
+// All over the least common multiple of both scales, which is below 2^24: numerators stay below
 // 2^61.
 Rgb rgb_of(const YCbCr& pixel, int depth, const VideoLevels& levels) {
   const Scale scale = scale_of(levels);

@@ -25,7 +25,7 @@ struct Rgb {
 
 /// How a video counts.
 struct VideoLevels {
-  int bits = 8;             ///< a sample, [8, 14]
+  int bits = 8;             ///< a sample, [8, 16]
   bool full_range = false;  ///< Y' in [0, 2^bits - 1]; else in [16, 235] * 2^(bits - 8)
 };
 

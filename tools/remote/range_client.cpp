@@ -43,14 +43,18 @@ struct RangeClient::State {
   Patience patience;
   Multi multi;
   std::vector<Easy> idle;
-  uint64_t size = 0;    // 0 until it is known
-  std::string version;  // of the file (AnswerHead)
+  uint64_t size = 0;  // 0 until it is known
+  bool is_open = false;
+  std::string version;  // of the file that is open (AnswerHead)
   std::vector<uint8_t> first;
 
   bool begin(Transfer& transfer);
   std::optional<Problem> run(std::vector<Transfer*>& transfers);
   std::optional<Problem> fetch(std::span<Transfer> transfers);
   std::optional<Problem> judge(const Transfer& transfer, CURLcode code) const;
+  std::optional<Problem> judge_part(const Transfer& transfer, CURLcode code) const;
+  void accept(const AnswerHead& head);
+  std::optional<Problem> find_size();
   Problem judge_status(long status) const;
   io::IoResult<void> open(size_t first_bytes);
 
@@ -84,8 +88,8 @@ Problem RangeClient::State::judge_status(long status) const {
     case 410:
       return Problem{fmt::format("there is no such file (status {}); check the address", status)};
     case 416:
-      return Problem{size == 0 ? "the file is empty"
-                               : "the file has become shorter (status 416); open it again"};
+      return Problem{is_open ? "the file has become shorter (status 416); open it again"
+                             : "the file is empty"};
     default:
       return Problem{fmt::format("the server answers with status {}", status),
                      status == 429 || status >= 500};
@@ -94,7 +98,6 @@ Problem RangeClient::State::judge_status(long status) const {
 
 std::optional<Problem> RangeClient::State::judge(const Transfer& transfer, CURLcode code) const {
   const AnswerHead& head = transfer.head;
-  const size_t wanted = transfer.request.room.size();
   if (transfer.leads_inside) {
     return Problem{
         "the server redirects to an address of this machine or its network; "
@@ -111,39 +114,72 @@ std::optional<Problem> RangeClient::State::judge(const Transfer& transfer, CURLc
         transfer.reason[0] != 0 ? transfer.reason.data() : curl_easy_strerror(code);
     return Problem{fmt::format("{}; is the server there?", reason), true};
   }
+  if (transfer.ask == Ask::kHead) {
+    const bool tells = head.status == 200 && head.encoding.empty() && head.version() == version;
+    if (tells && head.length) return std::nullopt;
+    return Problem{"the server does not tell how long the file is (* in Content-Range)"};
+  }
   if (head.status != 206) return judge_status(head.status);
-  if (!head.range || head.range->first != transfer.request.offset) {
+  if (!head.encoding.empty()) {
     return Problem{
-        "the server sends other bytes than those asked for, or does not say which "
-        "(Content-Range)"};
+        fmt::format("the server sends other bytes than those of the file, compressed "
+                    "(Content-Encoding: {}), although identity was asked for; download "
+                    "the file and open that",
+                    cut(head.encoding))};
   }
-  if (size != 0 && head.range->total != size) {
+  return judge_part(transfer, code);
+}
+
+// An answer of status 206.
+std::optional<Problem> RangeClient::State::judge_part(const Transfer& transfer,
+                                                      CURLcode code) const {
+  const AnswerHead& head = transfer.head;
+  if (!head.range || (transfer.ask == Ask::kRange && transfer.promised() == 0)) {
+    return Problem{
+        fmt::format("the server sends other bytes than those asked for, or does not say "
+                    "which ({})",
+                    head.is_multipart ? "multipart/byteranges" : "Content-Range")};
+  }
+  if (size != 0 && head.range->total.value_or(size) != size) {
     return Problem{fmt::format("the file has changed: it had {} bytes and has {}; open it again",
-                               size, head.range->total)};
+                               size, *head.range->total)};
   }
-  if (size != 0 && head.version() != version) {
+  if (is_open && head.version() != version) {
     return Problem{fmt::format("the file has changed: its version was {} and is {}; open it again",
                                cut(version), cut(head.version()))};
   }
-  const uint64_t sent = transfer.whole ? wanted : std::min<uint64_t>(wanted, head.range->total);
-  if (code != CURLE_OK || transfer.received != sent) {
-    return Problem{fmt::format("the answer has {} bytes in place of {}", transfer.received, sent),
+  if (transfer.ask == Ask::kEnd) return std::nullopt;
+  if (code == CURLE_WRITE_ERROR) {
+    return Problem{fmt::format("the answer has more than the {} bytes of its Content-Range",
+                               transfer.promised()),
+                   true};
+  }
+  if (code != CURLE_OK || transfer.received != transfer.promised()) {
+    return Problem{fmt::format("the answer has {} bytes in place of {}", transfer.received,
+                               transfer.promised()),
                    true};
   }
   return std::nullopt;
 }
 
-// Runs the transfers, kAtOnce at a time. Leaves those that may be tried again; returns the problem
-// of one of them, or the one that made the others pointless.
+// Runs the transfers, kAtOnce at a time; what an answer leaves of a range is asked for again.
+// Leaves those that may be tried again; returns the problem of one of them, or the one that made
+// the others pointless.
 std::optional<Problem> RangeClient::State::run(std::vector<Transfer*>& transfers) {
   std::optional<Problem> problem;
   std::vector<Transfer*> again;
+  for (Transfer* transfer : transfers) transfer->deadline.reset();
   UnderWay under_way(multi.get());
   const auto is_hopeless = [&] { return problem && !problem->passing; };
   const auto end = [&](Transfer& transfer, CURLcode code) {
     auto found = judge(transfer, code);
     idle.push_back(std::move(transfer.easy));
-    if (!found) return;
+    if (!found) {
+      accept(transfer.head);
+      transfer.done += transfer.received;
+      if (transfer.done < transfer.wanted()) transfers.push_back(&transfer);
+      return;
+    }
     if (found->passing) again.push_back(&transfer);
     if (!is_hopeless()) problem = std::move(found);
   };
@@ -170,6 +206,29 @@ std::optional<Problem> RangeClient::State::fetch(std::span<Transfer> transfers) 
   }
 }
 
+// Notes which file it is, by the first good answer.
+void RangeClient::State::accept(const AnswerHead& head) {
+  if (is_open) return;
+  is_open = true;
+  version = head.version();
+  size = head.range->total.value_or(0);
+}
+
+// For a server that sends * as total: the last byte has the number size - 1.
+std::optional<Problem> RangeClient::State::find_size() {
+  std::array<Transfer, 2> asked;
+  asked[0].ask = Ask::kEnd;
+  asked[1].ask = Ask::kHead;
+  if (!fetch({&asked[0], 1})) {
+    const ContentRange& range = *asked[0].head.range;
+    size = range.total.value_or(range.last + 1);
+    return std::nullopt;
+  }
+  auto problem = fetch({&asked[1], 1});
+  if (!problem) size = *asked[1].head.length;
+  return problem;
+}
+
 io::IoResult<void> RangeClient::State::open(size_t first_bytes) {
   static std::once_flag once;
   std::call_once(once, [] { curl_global_init(CURL_GLOBAL_DEFAULT); });
@@ -181,12 +240,18 @@ io::IoResult<void> RangeClient::State::open(size_t first_bytes) {
   transfer.request = {0, first};
   transfer.whole = false;
   if (const auto problem = fetch(transfers)) return error(*problem);
-  if (transfer.head.range->total > kMostBytes) {
-    return error({"the file is too long for a stream"});
+  if (size == 0) {
+    if (const auto problem = find_size()) return error(*problem);
+    first.resize(std::min<uint64_t>(first_bytes, std::max<uint64_t>(size, transfer.done)));
+    transfer.request.room = first;
+    transfer.whole = true;
+    if (first.size() > transfer.done) {
+      if (const auto problem = fetch(transfers)) return error(*problem);
+    }
   }
-  size = transfer.head.range->total;
-  version = transfer.head.version();
-  first.resize(transfer.received);
+  if (size > kMostBytes) return error({"the file is too long for a stream"});
+  if (size < transfer.done) return error({"the server tells two lengths of the file"});
+  first.resize(transfer.done);
   return {};
 }
 

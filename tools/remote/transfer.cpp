@@ -30,12 +30,9 @@ size_t take_header(char* data, size_t, size_t bytes, void* user) {
 // Takes the bytes of a range; ends the transfer at the first byte of anything else.
 size_t take_bytes(char* data, size_t, size_t bytes, void* user) {
   auto& transfer = *static_cast<Transfer*>(user);
-  const AnswerHead& head = transfer.head;
-  if (head.status != 206 || !head.range || head.range->first != transfer.request.offset ||
-      bytes > transfer.request.room.size() - transfer.received) {
-    return 0;
-  }
-  std::memcpy(transfer.request.room.data() + transfer.received, data, bytes);
+  const size_t promised = transfer.promised();
+  if (transfer.received > promised || bytes > promised - transfer.received) return 0;
+  std::memcpy(transfer.request.room.data() + transfer.done + transfer.received, data, bytes);
   transfer.received += bytes;
   return bytes;
 }
@@ -86,9 +83,18 @@ bool is_inside(const std::string& address) {
   return begins(six, {0xFC, 0}, 7) || begins(six, {0xFE, 0x80}, 10);
 }
 
+size_t Transfer::promised() const {
+  const uint64_t left = request.room.size() - done;
+  const bool next = ask == Ask::kRange && head.status == 206 && head.encoding.empty() &&
+                    head.range && head.range->first == request.offset + done &&
+                    head.range->last - head.range->first < left;
+  return next ? static_cast<size_t>(head.range->last - head.range->first + 1) : 0;
+}
+
 Easy make_easy(const std::string& address, const Patience& patience) {
   Easy easy(curl_easy_init());
   if (!easy) return easy;
+  static curl_slist* const headers = curl_slist_append(nullptr, "Accept-Encoding: identity");
   const bool is_safe = strncasecmp(address.c_str(), "https:", 6) == 0;
   curl_easy_setopt(easy.get(), CURLOPT_URL, address.c_str());
   curl_easy_setopt(easy.get(), CURLOPT_PROTOCOLS_STR, "http,https");
@@ -101,6 +107,7 @@ Easy make_easy(const std::string& address, const Patience& patience) {
   curl_easy_setopt(easy.get(), CURLOPT_LOW_SPEED_TIME, seconds(patience.slow));
   curl_easy_setopt(easy.get(), CURLOPT_PREREQFUNCTION, check_place);
   curl_easy_setopt(easy.get(), CURLOPT_USERAGENT, "hmlfc/" HMLFC_VERSION);
+  curl_easy_setopt(easy.get(), CURLOPT_HTTPHEADER, headers);
   curl_easy_setopt(easy.get(), CURLOPT_HEADERFUNCTION, take_header);
   curl_easy_setopt(easy.get(), CURLOPT_WRITEFUNCTION, take_bytes);
   return easy;
@@ -114,12 +121,22 @@ void prepare(Transfer& transfer, const Patience& patience) {
   transfer.leads_inside = false;
   CURL* easy = transfer.easy.get();
   const RangeRequest& request = transfer.request;
-  const std::string range =
-      fmt::format("{}-{}", request.offset, request.offset + request.room.size() - 1);
-  const auto bytes = static_cast<long>(request.room.size());
-  curl_easy_setopt(easy, CURLOPT_TIMEOUT, seconds(patience.base) + bytes / patience.least_speed);
+  const uint64_t end = request.offset + request.room.size();
+  const std::string range = transfer.ask == Ask::kEnd
+                                ? "-1"
+                                : fmt::format("{}-{}", request.offset + transfer.done, end - 1);
+  using Clock = std::chrono::steady_clock;
+  if (!transfer.deadline) {
+    transfer.deadline =
+        Clock::now() + patience.base +
+        std::chrono::seconds(request.room.size() / static_cast<size_t>(patience.least_speed));
+  }
+  const auto left =
+      std::chrono::duration_cast<std::chrono::milliseconds>(*transfer.deadline - Clock::now());
+  curl_easy_setopt(easy, CURLOPT_TIMEOUT_MS, static_cast<long>(std::max(left.count(), int64_t{1})));
+  curl_easy_setopt(easy, CURLOPT_NOBODY, transfer.ask == Ask::kHead ? 1L : 0L);
   curl_easy_setopt(easy, CURLOPT_PREREQDATA, &transfer);
-  curl_easy_setopt(easy, CURLOPT_RANGE, range.c_str());
+  curl_easy_setopt(easy, CURLOPT_RANGE, transfer.ask == Ask::kHead ? nullptr : range.c_str());
   curl_easy_setopt(easy, CURLOPT_HEADERDATA, &transfer);
   curl_easy_setopt(easy, CURLOPT_WRITEDATA, &transfer);
   curl_easy_setopt(easy, CURLOPT_PRIVATE, &transfer);

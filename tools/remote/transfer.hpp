@@ -3,9 +3,12 @@
 
 #include <curl/curl.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,17 +26,38 @@ struct MultiCleaner {
 using Easy = std::unique_ptr<CURL, EasyCleaner>;
 using Multi = std::unique_ptr<CURLM, MultiCleaner>;
 
-/// A range that is asked for. It stays at its place: libcurl has its address.
+/// What a server is asked.
+enum class Ask : uint8_t {
+  kRange,
+  kEnd,   ///< the last byte, for its number: only the headers are read
+  kHead,  ///< the method HEAD, for the length
+};
+
+/// A range that is asked for. It stays at its place: libcurl has its address. An answer may bring
+/// less than was asked for (RFC 9110, section 15.3.7); then the rest is asked for.
 struct Transfer {
   Easy easy;
+  Ask ask = Ask::kRange;
   RangeRequest request;
   bool whole = true;  ///< the range lies in the file; else its beginning may
   AnswerHead head;
   size_t head_bytes = 0;  ///< of all answers, with what follows the last chunk
-  size_t received = 0;
+  size_t done = 0;        ///< bytes of the range that whole answers have brought
+  size_t received = 0;    ///< those of this answer, which come next
+  std::optional<std::chrono::steady_clock::time_point> deadline;  ///< of all answers
   std::string place;          ///< host and port that answered first, as numbers
   bool leads_inside = false;  ///< it was redirected where it must not go
   std::array<char, CURL_ERROR_SIZE> reason{};
+
+  /// The bytes that the answer brings by its headers; 0 where they are not the next of the range,
+  /// as they are in the file.
+  size_t promised() const;
+
+  /// The bytes of the range that are in the file, as far as `head` tells.
+  size_t wanted() const {
+    const uint64_t most = whole || !head.range ? UINT64_MAX : head.range->total.value_or(done);
+    return static_cast<size_t>(std::min<uint64_t>(request.room.size(), most));
+  }
 };
 
 /// Bytes of headers and trailers that one request may bring, those of redirections included.
@@ -46,7 +70,8 @@ inline constexpr size_t kMostHeadBytes = size_t{1} << 16;
 /// waits without end for a connection that failed before its first answer.
 Easy make_easy(const std::string& address, const Patience& patience);
 
-/// Makes the handle of `transfer` ask for its range and report to it.
+/// Makes the handle of `transfer` ask for what is left of its range and report to it. Sets the
+/// deadline if there is none.
 void prepare(Transfer& transfer, const Patience& patience);
 
 /// Whether `address`, of IPv4 or IPv6, is one of this machine, of its link or of a private network;
