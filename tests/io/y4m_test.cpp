@@ -47,7 +47,7 @@ std::string error_of(const std::string& content, std::optional<GridShape> grid =
 }
 
 TEST(Y4m, ViewsComeBackAtEveryDepth) {
-  for (const FrameOrder order : {FrameOrder::kRaster, FrameOrder::kSerpentine}) {
+  for (const auto& [word, order] : kFrameOrders) {
     for (int depth = 8; depth <= 12; ++depth) {
       LightFieldShape shape = kShape;
       shape.depth = depth;

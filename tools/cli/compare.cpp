@@ -17,7 +17,7 @@ namespace {
 struct CompareOptions {
   std::filesystem::path a;
   std::filesystem::path b;
-  std::optional<io::GridShape> grid;
+  io::ViewNaming naming;
   ComparedPart part;
   bool json = false;
 };
@@ -61,8 +61,10 @@ void print_comparison_text(const Comparison& comparison, const LightFieldShape& 
 }
 
 ExitCode run_compare(const CompareOptions& options) {
-  const auto a = ViewSource::open(options.a, options.grid);
-  const auto b = ViewSource::open(options.b, options.grid);
+  io::ViewNaming naming = options.naming;
+  const auto a = ViewSource::open(options.a, naming);
+  naming.pattern_is_for_others = true;
+  const auto b = ViewSource::open(options.b, naming);
   terminal::ProgressBar progress("Comparing", "views");
   const Comparison comparison = compare(*a, *b, options.part, progress.callback());
   progress.clear();
@@ -92,7 +94,7 @@ Example:
   hmlfc compare views chess.hmlfc --json)");
   add_path(app, "A", options.a, "Folder of views or .hmlfc file");
   add_path(app, "B", options.b, "Folder of views or .hmlfc file");
-  add_grid(app, options.grid);
+  add_naming(app, options.naming);
   add_view(app, options.part.view, "Only this view; counted from 0,0");
   add_rect(app, options.part.rect);
   add_json(app, options.json);

@@ -7,7 +7,6 @@
 #include "io/files.hpp"
 #include "io/image_files.hpp"
 #include "io/view_mosaic.hpp"
-#include "io/view_part.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -54,17 +53,17 @@ ConvertInput open_folder(const ConvertOptions& options) {
   if (options.from && !pleno) {
     throw Failure(ExitCode::kUsage, "--from tiles and lenslets are for an input that is a picture");
   }
-  auto grid = options.grid;
-  if (pleno && grid) std::swap(grid->rows, grid->cols);
-  auto files = value_or_throw(io::list_views(options.input, grid), ExitCode::kInput);
-  if (pleno) files = io::transposed(files);
+  io::ViewNaming naming = options.naming;
+  if (pleno && naming.pattern.empty()) naming.pattern = "{col}_{row}";
+  if (is_video(options.output)) naming.order.reset();
+  const auto files = views_in(options.input, naming);
   ConvertInput input{ViewSource::of_files(options.input, files), std::nullopt};
   input.rig = rig_for(options.rig, Profile::kExtended, files, input.views->shape());
   return input;
 }
 
 ConvertInput open_stream(const ConvertOptions& options) {
-  ConvertInput input{ViewSource::open(options.input, std::nullopt), std::nullopt};
+  ConvertInput input{ViewSource::open(options.input), std::nullopt};
   if (!options.rig.none) input.rig = rig_in(StreamFile(options.input, {.check_sections = false}));
   return input;
 }
@@ -72,14 +71,14 @@ ConvertInput open_stream(const ConvertOptions& options) {
 std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options) {
   const auto quilt = io::parse_quilt_name(options.input);
   if (quilt && !options.from) return std::make_unique<MosaicSource>(options.input, quilt->mosaic);
-  if (!options.from || options.from == Form::kPleno || !options.grid) {
+  if (!options.from || options.from == Form::kPleno || !options.naming.grid) {
     throw Failure(ExitCode::kUsage, options.input.string() +
                                         ": a picture needs --from tiles or lenslets and --grid, or "
                                         "the name of a quilt (_qsCxRaA)");
   }
   const auto layout = options.from == Form::kTiles ? MosaicLayout::kTiles : MosaicLayout::kLenslets;
-  return std::make_unique<MosaicSource>(options.input,
-                                        Mosaic{layout, options.grid->rows, options.grid->cols});
+  return std::make_unique<MosaicSource>(
+      options.input, Mosaic{layout, options.naming.grid->rows, options.naming.grid->cols});
 }
 
 }  // namespace
@@ -90,7 +89,11 @@ bool is_picture(const std::filesystem::path& file) {
 }
 
 bool is_video(const std::filesystem::path& file) {
-  return io::lower_case_extension(file) == ".y4m";
+  return file == "-" || io::lower_case_extension(file) == ".y4m";
+}
+
+bool is_stream(const std::filesystem::path& file) {
+  return io::lower_case_extension(file) == ".hmlfc";
 }
 
 ConvertInput open_input(const ConvertOptions& options) {
@@ -100,8 +103,9 @@ ConvertInput open_input(const ConvertOptions& options) {
     throw Failure(ExitCode::kUsage, "--from is for an input that is a picture or a folder");
   }
   if (is_video(options.input)) {
-    auto video = value_or_throw(io::Y4mReader::open(options.input, options.grid, options.order),
-                                ExitCode::kInput);
+    auto video = value_or_throw(
+        io::Y4mReader::open(options.input, options.naming.grid, options.naming.order),
+        ExitCode::kInput);
     return {std::make_unique<VideoSource>(std::move(video)), std::nullopt};
   }
   return open_stream(options);

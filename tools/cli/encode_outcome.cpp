@@ -78,7 +78,7 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
 }  // namespace
 
 io::ViewList listed_views(const EncodeOptions& options) {
-  auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
+  auto views = views_in(options.input, options.naming);
   if (!options.part) return views;
   return value_or_throw(io::part_of(options.input, views, *options.part), ExitCode::kInput);
 }

@@ -32,7 +32,9 @@ struct ShardNumber {
 struct EncodeOptions {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::optional<io::GridShape> grid;
+  std::filesystem::path target;  ///< where it is written: output, or a file for standard output
+  bool force = false;
+  io::ViewNaming naming;
   std::optional<io::ViewPart> part;
   CodingOptions coding;
   RigOptions rig;
@@ -54,7 +56,7 @@ struct EncodeOutcome {
   double cpu_seconds = 0;  ///< of all threads of the process
 };
 
-/// The views that `options` name. Failures (kInput): those of io::list_views and io::part_of.
+/// The views that `options` name. Failures (kInput): those of views_in() and io::part_of.
 io::ViewList listed_views(const EncodeOptions& options);
 
 /// The failure to encode `input`: kInput, or kOutOfMemory.

@@ -160,11 +160,11 @@ py::bytes encode_views(const py::array& views, std::optional<int> depth, const s
 
 // The views as an array and their depth.
 py::tuple read_views(const std::string& folder, std::optional<std::pair<uint32_t, uint32_t>> grid) {
-  std::optional<io::GridShape> shape;
-  if (grid) shape = io::GridShape{grid->first, grid->second};
+  io::ViewNaming naming;
+  if (grid) naming.grid = io::GridShape{grid->first, grid->second};
   auto field = [&]() -> io::IoResult<LightField> {
     const py::gil_scoped_release unlocked;
-    const auto list = io::list_views(folder, shape);
+    const auto list = io::list_views(folder, naming);
     if (!list) return tl::unexpected(list.error());
     return io::load_light_field(*list, 0);
   }();
