@@ -140,7 +140,7 @@ class RenderRun {
       for (const auto& name : coarse_names(output)) coarse.push_back(name);
       return check_replaceable(coarse, replacing);
     }
-    check_extension(output, "a *.png file or a folder", {});
+    check_extension(output, "a PNG file or a folder of them", {});
     std::vector<std::string> names;
     for (size_t k = 0; k < cameras_.size(); ++k) {
       for (const auto& name : coarse_names(frame_name(k))) names.push_back(name.string());
