@@ -72,7 +72,7 @@ def codings(work, name, views, truth):
         say(f"{name}, {coding}")
         stream, out = work / "stream.hmlfc", work / "map.pfm"
         hmlfc("encode", views, "-o", stream, *options)
-        hmlfc("disparity", stream, "-o", out)
+        hmlfc("disparity", stream, "-o", out, "--force")
         info, found = hmlfc_json("info", stream), read_pfm(out)
         yield {
             "light_field": name, "coding": coding, "bytes": info["bytes"],

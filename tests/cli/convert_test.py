@@ -187,7 +187,7 @@ class ConvertTest(CliTest):
             (("views", "a.png", "--to", "hci"), "hci are for an output that is a folder"),
             (("all.png", "a", "--from", "pleno", "--grid", "3x4"), "--from tiles (or lenslets)"),
             (("views", "a", "--bits", "8"), "--bits is for"),
-            (("views", "a", "--order", "raster"), "--order is for"),
+            ((DEEP, "a", "--order", "raster"), "--order is for"),
             ((DEEP, "a.y4m", "--bits", "8"), "--bits 8 is less than the 10 bits"),
             (("views", "a", "--to", "tiles"), "--to"),
             (("views", "a", "--from", "tiles"), "--from"),

@@ -25,7 +25,7 @@ class Disparity(CliTest):
         cls.hmlfc(*"encode views -o main.hmlfc --profile main --method mc --references 3x5 --quality 60".split())
 
     def numbers(self, *arguments, name="map.pfm"):
-        text = self.hmlfc("disparity", *arguments, "-o", name)
+        text = self.hmlfc("disparity", *arguments, "-o", name, "--force")
         self.assertTrue(text.startswith(f"{name}: view "), text)
         width, height, numbers = read_pfm(self.folder / name)
         self.assertEqual((width, height), (96, 64))

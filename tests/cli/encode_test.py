@@ -158,7 +158,8 @@ class Encode(CliTest):
         self.refused(INPUT, "encode", "list", "-o", "b.hmlfc", says="grid")
         self.refused(INPUT, "encode", "list", "-o", "b.hmlfc", "--grid", "4x4", says="list")
         self.assertFalse((self.folder / "b.hmlfc").exists())
-        self.encode("--grid", "3x4", views="list", file="b.hmlfc")
+        order = "3x4 views in the order of number 1 of the names (1 to 12), row by row"
+        self.noted(order, "encode", "list", "-o", "b.hmlfc", "--grid", "3x4")
         self.encode(file="a.hmlfc")
         self.assertEqual(
             (self.folder / "b.hmlfc").read_bytes(), (self.folder / "a.hmlfc").read_bytes()
@@ -180,9 +181,9 @@ class Encode(CliTest):
         for row in (0, 2):
             for col in (1, 2, 3):
                 shutil.copy(self.folder / "views" / f"{row:02}_{col:02}.png", self.folder / "part")
-        self.refused(INPUT, "encode", "part", "-o", "part.hmlfc", says="missing")
-        self.refused(INPUT, "encode", "part", "-o", "part.hmlfc", "--grid", "3x2", says="outside")
-        self.encode("--lossless", "--grid", "2x3", views="part", file="part.hmlfc")
+        self.noted("rows 0 to 2 in steps of 2, columns 1 to 3", "encode", "part", "-o", "part.hmlfc")
+        self.refused(INPUT, "encode", "part", "-o", "part.hmlfc", "--grid", "3x2", says="not 3x2")
+        self.noted("2x3 views", *"encode part -o part.hmlfc --lossless --grid 2x3".split())
         self.hmlfc("decode", "part.hmlfc", "-o", "back")
         for row in range(2):
             for col in range(3):

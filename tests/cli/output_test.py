@@ -19,13 +19,13 @@ class Output(CliTest):
         cls.hmlfc("encode", "views", "-o", "a.hmlfc")
 
     def test_a_stream_that_does_not_fit_leaves_what_was_there(self):
-        (self.folder / "old.hmlfc").write_text("as it was")
+        (self.folder / "old.hmlfc").write_bytes(b"\x89HMLFC\r\nas it was")
         before = sorted(os.listdir(self.folder))
         for name in ("new.hmlfc", "old.hmlfc"):
             command = ["encode", "views", "-o", name]
             self.refused(OUTPUT, *command, preexec_fn=limit_files(4096), says=name)
             self.assertEqual(sorted(os.listdir(self.folder)), before)
-        self.assertEqual((self.folder / "old.hmlfc").read_text(), "as it was")
+        self.assertEqual((self.folder / "old.hmlfc").read_bytes(), b"\x89HMLFC\r\nas it was")
 
     def test_pictures_that_do_not_fit(self):
         for command in [
@@ -95,11 +95,85 @@ class Output(CliTest):
         )
         self.assertEqual(result.returncode, OUTPUT)
 
-    def test_an_existing_stream_is_replaced(self):
-        (self.folder / "again.hmlfc").write_text("something else")
-        self.hmlfc("encode", "views", "-o", "again.hmlfc")
-        expected = (self.folder / "a.hmlfc").read_bytes()
-        self.assertEqual((self.folder / "again.hmlfc").read_bytes(), expected)
+    def contents(self, folder):
+        return {path.name: path.read_bytes() for path in (self.folder / folder).iterdir()}
+
+    def test_what_another_wrote_is_replaced_by_force_alone(self):
+        for command, name in [
+            ("encode views -o other.hmlfc", "other.hmlfc"),
+            ("decode a.hmlfc -o dec", "dec/01_00.png"),
+            ("decode a.hmlfc --view 1,0 -o other.png", "other.png"),
+            ("convert a.hmlfc con", "con/01_00.png"),
+            ("convert a.hmlfc other.y4m", "other.y4m"),
+            ("picture sheet a.hmlfc -o other.png", "other.png"),
+            ("render a.hmlfc --camera 0,0 -o other.png", "other.png"),
+            ("render a.hmlfc --path orbit --frames 2 -o ren", "ren/frame_0001.png"),
+            ("disparity a.hmlfc -o other.pfm", "other.pfm"),
+            ("synth --scene flat --grid 2x1 --size 8x8 -o syn", "syn/01_00.png"),
+        ]:
+            with self.subTest(command=command):
+                path = self.folder / name
+                path.parent.mkdir(exist_ok=True)
+                path.write_text("as it was")
+                self.refused(USAGE, *command.split(), says=(name, "--force"))
+                self.assertEqual(path.read_text(), "as it was")
+                self.hmlfc(*command.split(), "--force")
+                self.assertNotEqual(path.read_bytes(), b"as it was")
+                if not name.endswith(".pfm"):
+                    self.hmlfc(*command.split())
+
+    def test_decoding_over_the_originals(self):
+        before = self.contents("views")
+        self.refused(USAGE, "decode", "a.hmlfc", "-o", "views", says=("views/00_00.png", "3 more"))
+        self.assertEqual(self.contents("views"), before)
+
+    def test_an_input_is_no_output(self):
+        before = self.contents("views")
+        os.symlink("views", self.folder / "same")
+        os.symlink("views/00_00.png", self.folder / "link")
+        os.link(self.folder / "a.hmlfc", self.folder / "hard.hmlfc")
+        for command in [
+            "convert views views",
+            "convert views same",
+            "convert views ./views/../views",
+            "convert a.hmlfc a.hmlfc",
+            "convert a.hmlfc hard.hmlfc",
+            "encode views -o link",
+            "picture view views --view 0,0 -o views/00_00.png",
+        ]:
+            with self.subTest(command=command):
+                self.refused(USAGE, *command.split(), "--force", says="input")
+        self.assertEqual(self.contents("views"), before)
+
+    def test_standard_output(self):
+        self.hmlfc(*"decode a.hmlfc --view 1,0 -o one.png".split())
+        self.hmlfc(*"disparity a.hmlfc -o one.pfm".split())
+        self.hmlfc(*"convert a.hmlfc one.y4m".split())
+        for command, same in [
+            ("encode views -o -", "a.hmlfc"),
+            ("decode a.hmlfc --view 1,0 -o -", "one.png"),
+            ("disparity a.hmlfc -o -", "one.pfm"),
+            ("convert a.hmlfc -", "one.y4m"),
+        ]:
+            with self.subTest(command=command):
+                result = self.run_hmlfc(*command.split())
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual(result.stdout, (self.folder / same).read_bytes())
+                self.assertFalse((self.folder / "-").exists())
+        for command in ("decode a.hmlfc -o -", "synth --scene flat --grid 2x1 --size 8x8 -o -"):
+            self.refused(USAGE, *command.split(), says="standard output takes one file")
+
+    def test_names_of_other_formats(self):
+        for command, says in [
+            ("encode views -o x.mp4", "a stream is written here, not .mp4"),
+            ("encode views -o x.json", "not .json"),
+            ("encode views -o x.hmlfc --plan", "a plan is written here"),
+            ("decode a.hmlfc -o x.png", "a folder of views is written here"),
+            ("convert a.hmlfc x.mp4", "not .mp4"),
+            ("synth --scene flat --grid 2x1 --size 8x8 -o x.png", "a folder of views"),
+        ]:
+            with self.subTest(command=command):
+                self.refused(USAGE, *command.split(), says=says)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ class Preview(CliTest):
 
     def made(self, output, preview, *arguments):
         """The arguments of the stand-in for ffmpeg."""
-        ran = self.run_hmlfc("render", "a.hmlfc", "-o", output, "--preview", preview, *arguments, env=self.stand_in())
+        ran = self.run_hmlfc("render", "a.hmlfc", "-o", output, "--preview", preview, "--force", *arguments, env=self.stand_in())
         self.assertEqual((ran.returncode, ran.stderr), (DONE, b""))
         self.assertEqual([name for name in os.listdir(self.folder) if "partial" in name], [])
         return (self.folder / preview).read_text().splitlines()
@@ -68,7 +68,7 @@ class Preview(CliTest):
             ("exit 0", ["old.gif"]),
         ]:
             with self.subTest(script=script):
-                arguments = ["render", "a.hmlfc", "-o", "one.png", "--preview", "old.gif"]
+                arguments = ["render", "a.hmlfc", "-o", "one.png", "--preview", "old.gif", "--force"]
                 self.refused(OUTPUT, *arguments, says=["old.gif", *says], env=self.fails(script))
                 self.assertEqual((self.folder / "old.gif").read_text(), "old")
                 self.assertEqual([name for name in os.listdir(self.folder) if "partial" in name], [])

@@ -55,6 +55,13 @@ class CliTest(unittest.TestCase):
     def hmlfc_json(cls, *arguments):
         return json.loads(cls.hmlfc(*arguments, "--json"))
 
+    def noted(self, says, *arguments):
+        """Standard output of a run that must succeed and say `says` on standard error."""
+        result = self.run_hmlfc(*arguments)
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        self.assertIn(says, result.stderr.decode())
+        return result.stdout.decode()
+
     def refused(self, status, *arguments, says=(), **options):
         """A run that must end with `status`, print no result, and name each of `says`."""
         result = self.run_hmlfc(*arguments, **options)

@@ -10,35 +10,6 @@
 namespace hmlfc::io {
 namespace {
 
-TEST(ViewName, ReadsRowAndColumnInEachForm) {
-  const std::vector<std::pair<std::string, GridPosition>> names = {
-      {"03_04", {3, 4}},
-      {"0_0", {0, 0}},
-      {"4095_007", {4095, 7}},
-      {"view_12_05", {12, 5}},
-      {"a_b_12_05", {12, 5}},
-      {"_1_2", {1, 2}},
-      {"img2_1_2", {1, 2}},
-      {"out_16_00", {16, 0}},
-      {"out_00_01_-382.679993_1095.175903", {0, 1}},
-      {"out_00_01_-382.679993_1095.175903_", {0, 1}},
-      {"out_05_06_12_34", {5, 6}},
-      {"out_05_06_+1._.5_", {5, 6}},
-      {"pic_05_06_12_34", {12, 34}},
-  };
-  for (const auto& [stem, position] : names) {
-    EXPECT_EQ(parse_grid_name(stem), position) << stem;
-  }
-}
-
-TEST(ViewName, RefusesOtherNames) {
-  for (const char* stem :
-       {"", "_", "12", "a_1", "1_", "1_2_", "1_2x", "x1_2", "1_-2", "1_4096", "4096_1", "00001_1",
-        "out_00_01_a_b", "out_00_01_1_2_x", "out_00_01_1.2.3_4_", "1__2", "1 _2", "input_Cam012"}) {
-    EXPECT_FALSE(parse_grid_name(stem).has_value()) << stem;
-  }
-}
-
 TEST(ViewName, ReadsCameraPlaces) {
   EXPECT_EQ(parse_camera_place("out_00_01_-382.679993_1095.175903"),
             (CameraPlace{-382.679993, 1095.175903}));

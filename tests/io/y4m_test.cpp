@@ -52,7 +52,7 @@ std::string error_of(const std::string& content, std::optional<GridShape> grid =
 }
 
 TEST(Y4m, ViewsComeBackAtEveryDepth) {
-  for (const FrameOrder order : {FrameOrder::kRaster, FrameOrder::kSerpentine}) {
+  for (const auto& [word, order] : kFrameOrders) {
     for (int depth = 8; depth <= 12; ++depth) {
       LightFieldShape shape = kShape;
       shape.depth = depth;
@@ -98,8 +98,10 @@ TEST(Y4m, BytesOfAFrame) {
                       std::string("\xc2\x02\x42\x02\x5f\x00", 6));
 }
 
+using Samples = std::vector<uint16_t>;
+
 // Samples of the view, and the note, of a video of one frame.
-std::pair<std::vector<uint16_t>, std::string> read(const std::string& words,
+std::pair<Samples, std::string> read(const std::string& words,
                                                    const std::string& frame) {
   const auto video = opened("YUV4MPEG2 " + words + "\nFRAME Ip\n" + frame);
   if (!video) return {{}, video.error().message};
@@ -107,7 +109,6 @@ std::pair<std::vector<uint16_t>, std::string> read(const std::string& words,
 }
 
 TEST(Y4m, OtherPrograms) {
-  using Samples = std::vector<uint16_t>;
   const std::string grey = "x\x80\x80";
   for (const char* words : {"C444", "XYSCSS=444", "C444 XYSCSS=420JPEG", "Cmono", "C422", "C420"}) {
     const auto frame = grey.substr(0, words == std::string("Cmono") ? 1 : 3);

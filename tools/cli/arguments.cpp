@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "io/view_name.hpp"
 #include "vectors/milestone.hpp"
 
 namespace hmlfc::cli {
@@ -87,12 +86,24 @@ CLI::Option* add_rows_by_cols(CLI::App& app, const std::string& name, uint32_t& 
       ->default_str(fmt::format("{}x{}", rows, cols));
 }
 
-CLI::Option* add_grid(CLI::App& app, std::optional<io::GridShape>& target) {
-  return add_sides(app, "--grid", "RxC", "rows x columns", io::kMaxGridSide, "9x9",
-                   "Grid of the views, for names without positions or for a subset",
-                   [&target](uint32_t r, uint32_t c) {
-                     target = io::GridShape{r, c};
-                   });
+void add_naming(CLI::App& app, io::ViewNaming& target) {
+  add_sides(app, "--grid", "RxC", "rows x columns", io::kMaxGridSide, "9x9",
+            "Grid of the views, for names that do not say it or for a subset",
+            [&target](uint32_t r, uint32_t c) {
+              target.grid = io::GridShape{r, c};
+            });
+  const auto names = [&target](const std::string& text) {
+    target.pattern = text;
+    return !text.empty() && io::NamePattern::parse(text).has_value();
+  };
+  add_value(app, "--names", "PATTERN", "Where names say row and column, such as '{row}_{col}'",
+            "a pattern of names with {row} and {col}, or {index}, each once, and * for the rest",
+            names);
+  std::vector<std::pair<std::string, std::optional<io::FrameOrder>>> orders(
+      io::kFrameOrders.begin(), io::kFrameOrders.end());
+  orders.emplace_back("rows", io::FrameOrder::kRaster);
+  add_choice(app, "--order", target.order, std::move(orders),
+             "Pictures or frames are a sequence in this order; raster: row by row");
 }
 
 CLI::Option* add_views(CLI::App& app, std::optional<io::ViewPart>& target) {
@@ -140,9 +151,14 @@ CLI::Option* add_json(CLI::App& app, bool& target) {
   return app.add_flag("--json", target, "Print JSON");
 }
 
-CLI::Option* add_output(CLI::App& app, std::filesystem::path& target, const std::string& type_name,
-                        const std::string& description) {
+CLI::Option* add_output(CLI::App& app, std::filesystem::path& target, bool& force,
+                        const std::string& type_name, const std::string& description) {
+  add_force(app, force);
   return add_path(app, "-o,--output", target, description)->type_name(type_name);
+}
+
+void add_force(CLI::App& app, bool& force) {
+  app.add_flag("--force", force, "Also replace files that this command did not write");
 }
 
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::filesystem::path& target,

@@ -18,6 +18,8 @@
 #include <hmlfc/decoder.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/output_files.hpp"
+#include "io/name_numbers.hpp"
 #include "io/view_list.hpp"
 #include "io/view_part.hpp"
 #include "terminal/numbers.hpp"
@@ -137,8 +139,8 @@ CLI::Option* add_sides(CLI::App& app, const std::string& name, const std::string
 CLI::Option* add_rows_by_cols(CLI::App& app, const std::string& name, uint32_t& rows,
                               uint32_t& cols, uint32_t max, const std::string& description);
 
-/// --grid RxC: the grid of a folder of views.
-CLI::Option* add_grid(CLI::App& app, std::optional<io::GridShape>& target);
+/// --grid RxC, --names PATTERN and --order: what names in a folder of views mean.
+void add_naming(CLI::App& app, io::ViewNaming& target);
 
 /// --views R0..R1:STEP,C0..C1:STEP: a part of the grid. ":STEP" may be left out; one number stands
 /// for a range of one.
@@ -160,9 +162,12 @@ CLI::Option* add_threads(CLI::App& app, int& target);
 /// --json.
 CLI::Option* add_json(CLI::App& app, bool& target);
 
-/// -o, --output: a required path.
-CLI::Option* add_output(CLI::App& app, std::filesystem::path& target, const std::string& type_name,
-                        const std::string& description);
+/// -o, --output: a required path; and --force.
+CLI::Option* add_output(CLI::App& app, std::filesystem::path& target, bool& force,
+                        const std::string& type_name, const std::string& description);
+
+/// --force.
+void add_force(CLI::App& app, bool& force);
 
 /// A required path.
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::filesystem::path& target,

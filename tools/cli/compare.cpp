@@ -19,7 +19,7 @@ namespace {
 struct CompareOptions {
   std::filesystem::path a;
   std::filesystem::path b;
-  std::optional<io::GridShape> grid;
+  io::ViewNaming naming;
   ComparedPart part;
   bool json = false;
 };
@@ -69,8 +69,10 @@ ExitCode run_compare(const CompareOptions& options) {
                   "a map is compared with a map; hmlfc disparity writes the *.pfm of a stream");
   }
   if (is_map(options.a)) return compare_maps(options.a, options.b, options.part.rect, options.json);
-  const auto a = ViewSource::open(options.a, options.grid);
-  const auto b = ViewSource::open(options.b, options.grid);
+  io::ViewNaming naming = options.naming;
+  const auto a = ViewSource::open(options.a, naming);
+  naming.pattern_is_for_others = true;
+  const auto b = ViewSource::open(options.b, naming);
   terminal::ProgressBar progress("Comparing", "views");
   const Comparison comparison = compare(*a, *b, options.part, progress.callback());
   progress.clear();
@@ -106,7 +108,7 @@ Examples:
   hmlfc compare chess.pfm gt_disp_lowres.pfm --rect 15,15,482,482)");
   add_path(app, "A", options.a, "Folder of views, .hmlfc file or map *.pfm");
   add_path(app, "B", options.b, "Folder of views, .hmlfc file or map *.pfm");
-  add_grid(app, options.grid);
+  add_naming(app, options.naming);
   add_view(app, options.part.view, "Only this view; counted from 0,0");
   add_rect(app, options.part.rect);
   add_json(app, options.json);

@@ -30,11 +30,24 @@ struct ConformOptions {
   std::filesystem::path claim;   // to write; empty: none
   std::filesystem::path verify;  // to check; empty: none
   bool run_claimed = false;      // run the decoder that the claim names
+  bool force = false;
   bool json = false;
 };
 
 terminal::OffTerminal off_terminal(const ConformOptions& options) {
   return options.json ? terminal::OffTerminal::kSilent : terminal::OffTerminal::kLines;
+}
+
+// The folder of the report, of which an earlier one may be replaced.
+io::FolderLock take_report_folder(const ConformOptions& options) {
+  const std::filesystem::path& folder = options.run.folder;
+  const Replacing replacing{"HMLFC conformance", options.force};
+  const bool reported = std::filesystem::exists(folder / "report.html");
+  make_output_folder(folder,
+                     reported ? std::vector<std::string>{"report.html"}
+                              : std::vector<std::string>{"report.json", "junit.xml"},
+                     replacing);
+  return take_output_folder(folder);
 }
 
 // Writes the reports; the exit status is that of the worst decoder.
@@ -60,7 +73,7 @@ ExitCode run_merge(const ConformOptions& options) {
     parts.push_back(
         {folder, value_or_throw(conform::read_report(folder / "report.json"), ExitCode::kInput)});
   }
-  const auto lock = take_output_folder(options.run.folder);
+  const auto lock = take_report_folder(options);
   return finish(value_or_throw(conform::merge(parts, options.run.folder), ExitCode::kInput),
                 options);
 }
@@ -87,7 +100,7 @@ std::optional<std::string> verify_again(const conform::Claim& claimed,
   const auto suite = value_or_throw(conform::open_suite(options.suite), ExitCode::kInput);
   auto found = claim_on(suite, dut, claimed.at("decoder").at("dut").get<std::string>());
   if (auto difference = conform::claim_difference(claimed, found)) return difference;
-  const auto lock = take_output_folder(options.run.folder);
+  const auto lock = take_report_folder(options);
   terminal::ProgressBar progress(dut.name, "vectors", off_terminal(options));
   const auto run =
       value_or_throw(run_suite(suite, dut, options.run, progress.callback()), ExitCode::kOutput);
@@ -139,9 +152,12 @@ ExitCode run_conform(const ConformOptions& given) {
   options.run.limits = options.dut.limits();
   if (!options.verify.empty()) return run_verify(options);
   const auto duts = options.dut.read();
-  if (!options.claim.empty()) check_whole(options, "--claim");
+  if (!options.claim.empty()) {
+    check_whole(options, "--claim");
+    check_replaceable({options.claim}, {R"("manifest_sha256")", options.force});
+  }
   const auto suite = value_or_throw(conform::open_suite(options.suite), ExitCode::kInput);
-  const auto lock = take_output_folder(options.run.folder);
+  const auto lock = take_report_folder(options);
   conform::Report report{
       suite.manifest.vectors_version, suite.manifest_sha256, conform::this_system(kProgram), {}};
   for (const conform::Dut& dut : duts) {
@@ -222,7 +238,8 @@ void add_conform(CLI::App& program, Task& task) {
                "With --verify: run the decoder that the claim names")
       ->needs("--verify");
   add_json(app, options.json);
-  add_output(app, options.run.folder, "DIR", "Folder for the report, created if missing");
+  add_output(app, options.run.folder, options.force, "DIR",
+             "Folder for the report, created if missing");
 }
 
 }  // namespace hmlfc::cli

@@ -52,15 +52,26 @@ ConvertInput row_of(ConvertInput input, uint32_t row) {
   return input;
 }
 
-ExitCode run_convert(const ConvertOptions& options) {
+ExitCode run_convert(const ConvertOptions& given) {
+  ConvertOptions options = given;
   check_output(options);
+  std::optional<OutputFile> file;
+  const bool is_picture_form = is_picture(options.output);
+  if (is_picture_form || is_video(options.output) || is_stream(options.output)) {
+    const std::string_view sign = is_picture_form             ? kConvertSign
+                                  : is_stream(options.output) ? kStreamSign
+                                                              : kVideoSign;
+    file.emplace(options.output, ".y4m", Replacing{sign, options.force, {options.input}});
+    options.output = file->path();
+  }
   const ThreadLimit limit(options.threads);
   ConvertInput input = open_input(options);
   if (options.row) input = row_of(std::move(input), *options.row);
   terminal::ProgressBar progress("Converting", "views");
   write_output(options, input, progress.callback());
   progress.clear();
-  print(fmt::format("{}: {}\n", options.output.string(), describe(input.views->shape())));
+  if (file) file->finish();
+  print(fmt::format("{}: {}\n", given.output.string(), describe(input.views->shape())));
   return ExitCode::kDone;
 }
 
@@ -87,6 +98,7 @@ rig.json, as parameters.cfg or in names (hmlfc encode --help).
 A video is a Y4M file of 4:4:4 samples by ITU-R BT.709, in limited range: R, G and B come back exactly
 where it has two bits more than the views. --bits gives its bits (10 for views of 8, 12 up to 10, else
 14). Grid, order and depth stand in its header; of videos by other programs --grid and --order tell.
+A video that is written has --order, serpentine by default; what is read for it has an order of its own.
 Videos of 4:2:2, 4:2:0 and grey, of 8 to 16 bits, are read too.
 
 Examples:
@@ -96,7 +108,9 @@ Examples:
   hmlfc convert views chess.y4m --order raster
   hmlfc convert chess.hmlfc benchmark --to hci)");
   add_path(app, "INPUT", options.input, "Folder of views, .hmlfc file, picture or .y4m video");
-  add_path(app, "OUTPUT", options.output, "Folder, .png, .ppm, .y4m or .hmlfc file to write");
+  add_path(app, "OUTPUT", options.output,
+           "Folder, .png, .ppm, .y4m or .hmlfc file to write, - for Y4M");
+  add_force(app, options.force);
   add_choice(app, "--from", options.from,
              {{"tiles", Form::kTiles}, {"lenslets", Form::kLenslets}, {"pleno", Form::kPleno}},
              "Layout of a picture (with --grid) or folder that is read");
@@ -106,11 +120,8 @@ Examples:
               {"pleno", Form::kPleno},
               {"hci", Form::kHci}},
              "Layout of a picture or folder that is written");
-  add_grid(app, options.grid);
+  add_naming(app, options.naming);
   add_integer(app, "--row", options.row, 0, 4095, "Take this row of views alone");
-  add_choice(app, "--order", options.order,
-             {{"raster", io::FrameOrder::kRaster}, {"serpentine", io::FrameOrder::kSerpentine}},
-             "Order of the views in a video; written: serpentine");
   add_choice(app, "--bits", options.bits, {{"8", 8}, {"10", 10}, {"12", 12}, {"14", 14}},
              "Bits of a sample in a video that is written");
   app.add_flag("--no-rig", options.rig.none, "Leave out where the cameras stand");

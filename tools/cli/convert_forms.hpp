@@ -22,24 +22,30 @@ enum class Form : uint8_t {
   kHci,       ///< of a folder: names and parameters.cfg as the HCI benchmark's; written alone
 };
 
+/// What pictures of convert say of their origin.
+inline constexpr const char* kConvertSign = "hmlfc convert";
+
 struct ConvertOptions {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::optional<io::GridShape> grid;
+  bool force = false;
+  io::ViewNaming naming;  ///< the order also of a video
   std::optional<Form> from;
   std::optional<Form> to;
   std::optional<uint32_t> row;
-  std::optional<io::FrameOrder> order;  ///< of a video
-  std::optional<int> bits;              ///< of a video that is written
-  RigOptions rig;                       ///< --no-rig alone
+  std::optional<int> bits;  ///< of a video that is written
+  RigOptions rig;           ///< --no-rig alone
   int threads = 0;
 };
 
 /// Whether the name ends as that of a picture.
 bool is_picture(const std::filesystem::path& file);
 
-/// Whether the name is that of a video: .y4m.
+/// Whether the name is that of a video: .y4m, or - for standard output.
 bool is_video(const std::filesystem::path& file);
+
+/// Whether the name is that of a stream: .hmlfc.
+bool is_stream(const std::filesystem::path& file);
 
 /// A light field in any form, and where its cameras stand, if that is known.
 struct ConvertInput {

@@ -11,7 +11,6 @@
 #include "io/files.hpp"
 #include "io/image_files.hpp"
 #include "io/view_mosaic.hpp"
-#include "io/view_part.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -84,17 +83,17 @@ ConvertInput open_folder(const ConvertOptions& options) {
   if (options.from && !pleno) {
     throw Failure(ExitCode::kUsage, "--from tiles and lenslets are for an input that is a picture");
   }
-  auto grid = options.grid;
-  if (pleno && grid) std::swap(grid->rows, grid->cols);
-  auto files = value_or_throw(io::list_views(options.input, grid), ExitCode::kInput);
-  if (pleno) files = io::transposed(files);
+  io::ViewNaming naming = options.naming;
+  if (pleno && naming.pattern.empty()) naming.pattern = "{col}_{row}";
+  if (is_video(options.output)) naming.order.reset();
+  const auto files = views_in(options.input, naming);
   ConvertInput input{ViewSource::of_files(files), std::nullopt};
   input.rig = rig_for(options.rig, Profile::kExtended, files, input.views->shape());
   return input;
 }
 
 ConvertInput open_stream(const ConvertOptions& options) {
-  ConvertInput input{ViewSource::open(options.input, std::nullopt), std::nullopt};
+  ConvertInput input{ViewSource::open(options.input), std::nullopt};
   if (!options.rig.none) input.rig = rig_in(StreamFile(options.input, {.check_sections = false}));
   return input;
 }
@@ -106,7 +105,7 @@ std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options) {
     note_quilt(options.input, *quilt, *source);
     return source;
   }
-  if (!options.from || options.from == Form::kPleno || !options.grid) {
+  if (!options.from || options.from == Form::kPleno || !options.naming.grid) {
     throw Failure(
         ExitCode::kUsage,
         fmt::format("{0}: one picture, whose layout is not known; hmlfc convert {0} FOLDER "
@@ -115,8 +114,8 @@ std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options) {
                     options.input.string()));
   }
   const auto layout = options.from == Form::kTiles ? MosaicLayout::kTiles : MosaicLayout::kLenslets;
-  return std::make_unique<MosaicSource>(options.input,
-                                        Mosaic{layout, options.grid->rows, options.grid->cols});
+  return std::make_unique<MosaicSource>(
+      options.input, Mosaic{layout, options.naming.grid->rows, options.naming.grid->cols});
 }
 
 }  // namespace
@@ -126,7 +125,11 @@ bool is_picture(const std::filesystem::path& file) {
 }
 
 bool is_video(const std::filesystem::path& file) {
-  return io::lower_case_extension(file) == ".y4m";
+  return file == "-" || io::lower_case_extension(file) == ".y4m";
+}
+
+bool is_stream(const std::filesystem::path& file) {
+  return io::lower_case_extension(file) == ".hmlfc";
 }
 
 ConvertInput open_input(const ConvertOptions& options) {
@@ -136,8 +139,9 @@ ConvertInput open_input(const ConvertOptions& options) {
     throw Failure(ExitCode::kUsage, "--from is for an input that is a picture or a folder");
   }
   if (is_video(options.input)) {
-    auto video = value_or_throw(io::Y4mReader::open(options.input, options.grid, options.order),
-                                ExitCode::kInput);
+    auto video = value_or_throw(
+        io::Y4mReader::open(options.input, options.naming.grid, options.naming.order),
+        ExitCode::kInput);
     if (!video.note().empty()) note(options.input.string() + ": " + video.note());
     return {std::make_unique<VideoSource>(std::move(video)), std::nullopt};
   }

@@ -66,9 +66,9 @@ void write_picture(const ConvertOptions& options, const ViewSource& source,
     io::put_into_mosaic(picture, mosaic, view.row, view.col, source.view(view));
   });
   const bool ppm = io::lower_case_extension(options.output) == ".ppm";
-  value_or_throw(
-      ppm ? io::write_ppm(options.output, picture) : io::write_png(options.output, picture),
-      ExitCode::kOutput);
+  value_or_throw(ppm ? io::write_ppm(options.output, picture)
+                     : io::write_png(options.output, picture, kConvertSign),
+                 ExitCode::kOutput);
 }
 
 io::FileNames names_of(const std::optional<Form>& form) {
@@ -97,10 +97,16 @@ void write_folder(const ConvertOptions& options, const ConvertInput& input,
   const auto produce = [&input](uint32_t row, uint32_t col) -> io::IoResult<RgbImage> {
     return input.views->view({row, col});
   };
-  value_or_throw(
-      io::save_views(options.output, {shape.rows, shape.cols}, produce,
-                     static_cast<unsigned>(options.threads), progress, names_of(options.to)),
-      ExitCode::kOutput);
+  auto files = io::view_file_names({shape.rows, shape.cols}, names_of(options.to));
+  // Where views of an earlier output may be replaced, the file beside them may be, too.
+  if (input.rig && !std::filesystem::exists(options.output / files.front())) {
+    files.emplace_back(beside.first);
+  }
+  make_output_folder(options.output, files, {kConvertSign, options.force, {options.input}});
+  value_or_throw(io::save_views(options.output, {shape.rows, shape.cols}, produce,
+                                static_cast<unsigned>(options.threads), progress,
+                                {names_of(options.to), kConvertSign}),
+                 ExitCode::kOutput);
   const auto& [name, text] = beside;
   if (!input.rig) return;
   value_or_throw(io::write_file(options.output / name,
@@ -116,7 +122,7 @@ void write_video(const ConvertOptions& options, const ViewSource& source,
     throw Failure(ExitCode::kUsage, fmt::format("--bits {} is less than the {} bits of the views",
                                                 bits, shape.depth));
   }
-  const io::FrameOrder order = options.order.value_or(io::FrameOrder::kSerpentine);
+  const io::FrameOrder order = options.naming.order.value_or(io::FrameOrder::kSerpentine);
   auto video =
       value_or_throw(io::Y4mWriter::create(options.output, shape, order, bits), ExitCode::kOutput);
   const size_t count = size_t{shape.rows} * shape.cols;
@@ -142,10 +148,6 @@ void write_stream(const ConvertOptions& options, const ConvertInput& input,
   value_or_throw(io::write_file(options.output, stream->bytes), ExitCode::kOutput);
 }
 
-bool is_stream(const std::filesystem::path& file) {
-  return io::lower_case_extension(file) == ".hmlfc";
-}
-
 }  // namespace
 
 void check_output(const ConvertOptions& options) {
@@ -166,10 +168,11 @@ void check_output(const ConvertOptions& options) {
     usage("--to is for an output that is a picture or a folder");
   }
   if (options.bits && !is_video(file)) usage("--bits is for an output that is a video");
-  if (options.order && !is_video(file) && !is_video(options.input)) {
-    usage("--order is for videos");
+  if (options.naming.order && !is_video(file) && !is_video(options.input) &&
+      !std::filesystem::is_directory(options.input)) {
+    usage("--order is for videos and folders");
   }
-  if (!is_folder) check_output_file(file);
+  if (is_folder) check_extension(file, "a folder, .png, .ppm, .y4m or .hmlfc", {});
 }
 
 LightField all_views(const ViewSource& source, int threads, const io::Progress& progress) {

@@ -3,6 +3,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,35 +12,56 @@
 #include "cli/for_each_view.hpp"
 #include "cli/view_source.hpp"
 #include "io/image_files.hpp"
+#include "io/light_field_files.hpp"
 #include "io/view_name.hpp"
 #include "terminal/progress_bar.hpp"
 
 namespace hmlfc::cli {
 namespace {
 
+constexpr const char* kDecodeSign = "hmlfc decode";
+
 struct DecodeOptions {
   std::filesystem::path file;
-  std::filesystem::path folder;
+  std::filesystem::path output;
+  bool force = false;
   std::optional<ViewPos> view;
   std::optional<Rect> rect;
   std::optional<int> levels;
   int threads = 0;
 };
 
-// Writes views of one stream into one folder.
+// Writes views of one stream into one folder, or one view into a file.
 class ViewWriter {
  public:
-  ViewWriter(const std::filesystem::path& folder, const StreamHeader& header)
-      : folder_(folder), header_(header) {}
+  ViewWriter(const DecodeOptions& options, const StreamHeader& header)
+      : folder_(options.output), header_(header) {
+    const Replacing replacing{kDecodeSign, options.force, {options.file}};
+    if (options.view && extension_of(options.output, ".png") == ".png") {
+      file_.emplace(options.output, ".png", replacing);
+      return;
+    }
+    check_extension(options.output, "a folder of views", {});
+    const io::GridShape grid{header.rows, header.cols};
+    auto names = options.view ? std::vector{name_of(*options.view)}
+                              : io::view_file_names(grid, io::FileNames::kRowCol);
+    make_output_folder(options.output, names, replacing);
+  }
 
   void write(ViewPos view, const RgbImage& image) const {
-    const auto file = folder_ / io::view_file_name(view.row, view.col, header_.rows, header_.cols);
-    value_or_throw(io::write_png(file, image), ExitCode::kOutput);
+    const auto file = file_ ? file_->path() : folder_ / name_of(view);
+    value_or_throw(io::write_png(file, image, kDecodeSign), ExitCode::kOutput);
+    if (file_) file_->finish();
   }
 
  private:
+  std::string name_of(ViewPos view) const {
+    return io::view_file_name(view.row, view.col, header_.rows, header_.cols);
+  }
+
   const std::filesystem::path& folder_;
   const StreamHeader& header_;
+  std::optional<OutputFile> file_;
 };
 
 // All views in full: shared ancestors are decoded once.
@@ -78,8 +100,7 @@ ExitCode run_decode(const DecodeOptions& options) {
   if (options.view) file.check_view(*options.view);
   if (options.rect) check_rect(*options.rect, shape_of(file.header()));
   const int stop_level = options.levels ? file.stop_level(*options.levels) : 0;
-  make_output_folder(options.folder);
-  const ViewWriter writer(options.folder, file.header());
+  const ViewWriter writer(options, file.header());
   terminal::ProgressBar progress("Decoding", "views");
   if (options.view || options.rect) {
     decode_parts(file, writer, stop_level, options, progress.callback());
@@ -89,7 +110,7 @@ ExitCode run_decode(const DecodeOptions& options) {
   progress.clear();
   const StreamHeader& header = file.header();
   const uint64_t count = options.view ? 1 : uint64_t{header.rows} * header.cols;
-  print(fmt::format("{}: {} view{} of {} x {} pixels\n", options.folder.string(), count,
+  print(fmt::format("{}: {} view{} of {} x {} pixels\n", options.output.string(), count,
                     count == 1 ? "" : "s", options.rect ? options.rect->width : header.width,
                     options.rect ? options.rect->height : header.height));
   return ExitCode::kDone;
@@ -107,7 +128,8 @@ by row and column: 00_00.png, 00_01.png ... Their samples have 16 bits if the st
 Example:
   hmlfc decode chess.hmlfc -o decoded --view 3,5 --rect 0,0,128,64)");
   add_stream(app, options.file);
-  add_output(app, options.folder, "DIR", "Folder for the views, created if missing");
+  add_output(app, options.output, options.force, "DIR|FILE.png",
+             "Folder for the views, created if missing, or the file of one view");
   add_view(app, options.view, "Only this view; counted from 0,0");
   add_rect(app, options.rect);
   add_levels(app, options.levels);

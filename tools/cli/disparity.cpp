@@ -18,9 +18,12 @@
 namespace hmlfc::cli {
 namespace {
 
+constexpr const char* kDisparitySign = "hmlfc disparity";
+
 struct DisparityOptions {
   std::filesystem::path file;
   std::filesystem::path output;
+  bool force = false;
   std::optional<ViewPos> view;
   int sign = 1;  ///< of the numbers written, to those of the stream
 };
@@ -28,7 +31,7 @@ struct DisparityOptions {
 enum class Format { kGrey, kGrey16, kPfm };
 
 Format format_of(const std::filesystem::path& output) {
-  const std::string extension = io::lower_case_extension(output);
+  const std::string extension = extension_of(output, ".pfm");
   if (extension == ".pfm") return Format::kPfm;
   if (extension != ".png") {
     throw Failure(ExitCode::kUsage,
@@ -59,29 +62,29 @@ std::vector<float> pixels_a_column(const DisparityMap& map, int sign) {
   return pixels;
 }
 
-io::IoResult<void> write_map(const DisparityOptions& options, const DisparityMap& map,
-                             const io::DisparityRange& range) {
-  const Format format = format_of(options.output);
+io::IoResult<void> write_map(const std::filesystem::path& output, const DisparityMap& map,
+                             const io::DisparityRange& range, int sign) {
+  const Format format = format_of(output);
   if (format == Format::kPfm) {
-    return io::write_pfm(options.output, map.width, map.height, pixels_a_column(map, options.sign));
+    return io::write_pfm(output, map.width, map.height, pixels_a_column(map, sign));
   }
   if (format == Format::kGrey16) {
     const auto number = [&](const BlockDisparity& at) {
-      return std::min(32768 + options.sign * at.disparity, 65535);
+      return std::min(32768 + sign * at.disparity, 65535);
     };
-    return io::write_png(options.output, picture_of(map, 16, number));
+    return io::write_png(output, picture_of(map, 16, number), kDisparitySign);
   }
   const int32_t steps = std::max(1, range.greatest - range.least);
   const auto nearness = [&](const BlockDisparity& at) {
     const int32_t nearer = range.greatest - at.disparity;
     return at.confidence == 0 ? 0 : (510 * nearer + steps) / (2 * steps);
   };
-  return io::write_png(options.output, picture_of(map, 8, nearness));
+  return io::write_png(output, picture_of(map, 8, nearness), kDisparitySign);
 }
 
 ExitCode run_disparity(const DisparityOptions& options) {
   format_of(options.output);
-  check_output_file(options.output);
+  const OutputFile output(options.output, ".pfm", {kDisparitySign, options.force, {options.file}});
   const StreamFile file(options.file);
   const StreamHeader& header = file.header();
   const ViewPos view = options.view.value_or(ViewPos{(header.rows - 1) / 2, (header.cols - 1) / 2});
@@ -89,7 +92,8 @@ ExitCode run_disparity(const DisparityOptions& options) {
   const DisparityMap map = file.value(disparity_map(file.decoder(), view));
   io::DisparityRange range;
   range.add(map);
-  value_or_throw(write_map(options, map, range), ExitCode::kOutput);
+  value_or_throw(write_map(output.path(), map, range, options.sign), ExitCode::kOutput);
+  output.finish();
   if (options.sign < 0) {
     range = {-range.greatest, -range.least, range.known, range.blocks};
   }
@@ -118,7 +122,8 @@ Examples:
   hmlfc disparity chess.hmlfc --view 3,5 -o chess.pfm
   hmlfc disparity chess.hmlfc --positive near -o estimate.pfm)");
   add_stream(app, options.file);
-  add_output(app, options.output, "FILE", "The *.png, *.16.png or *.pfm file to write");
+  add_output(app, options.output, options.force, "FILE",
+             "The *.png, *.16.png or *.pfm file to write, - for a PFM on standard output");
   add_view(app, options.view, "The view; counted from 0,0")->default_str("the middle one");
   add_choice(app, "--positive", options.sign, {{"far", 1}, {"near", -1}},
              "The sign of the numbers: which things have positive ones")

@@ -108,7 +108,7 @@ io::StreamReport report_in_bounds(const std::filesystem::path& stream) {
 
 void write_file(const EncodeOptions& options, const DividedInput& input,
                 const DividedEncoder& encoder) {
-  auto file = value_or_throw(io::AtomicFile::create(options.output), ExitCode::kOutput);
+  auto file = value_or_throw(io::AtomicFile::create(options.target), ExitCode::kOutput);
   const std::string rig = input.rig ? rig_section(encoder.header(), *input.rig) : "";
   encoder.write({reinterpret_cast<const uint8_t*>(rig.data()), rig.size()},
                 [&](std::span<const uint8_t> bytes) {
@@ -210,17 +210,17 @@ EncodeOutcome finish_encoding(const EncodeOptions& options, const DividedInput& 
   write_file(options, input, encoder);
   outcome.wall_seconds = clock.wall_seconds();
   outcome.cpu_seconds = clock.cpu_seconds();
-  const ErrorSums measured = measure_in_parts(options.output, *input.views, encoder);
+  const ErrorSums measured = measure_in_parts(options.target, *input.views, encoder);
   check_promise(encoder.error(), measured, options.output.string());
   outcome.quality = quality_of(measured, input.views->shape());
-  outcome.stream = report_in_bounds(options.output);
-  outcome.rig = rig_line(StreamFile(options.output, {.check_sections = false}));
+  outcome.stream = report_in_bounds(options.target);
+  outcome.rig = rig_line(StreamFile(options.target, {.check_sections = false}));
   return outcome;
 }
 
 EncodeOutcome encode_in_parts(const EncodeOptions& options) {
   const DividedInput input = open_input(options);
-  StorageFile storage(options.output);
+  StorageFile storage(options.target);
   const Clock clock;
   DividedEncoder encoder = divided_encoder(options, input, options.coding.params,
                                            {.memory = options.memory, .parts = {}}, storage);

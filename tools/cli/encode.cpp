@@ -19,6 +19,7 @@
 #include "cli/divided_encode.hpp"
 #include "cli/encode_forecast.hpp"
 #include "cli/encode_outcome.hpp"
+#include "cli/encode_plan.hpp"
 #include "cli/encode_shards.hpp"
 #include "cli/rig_options.hpp"
 #include "cli/stream_report.hpp"
@@ -42,7 +43,7 @@ Input load_file(const EncodeOptions& options, terminal::ProgressBar& progress) {
   const int threads = options.coding.params.threads;
   ConvertOptions from;
   from.input = options.input;
-  from.grid = options.grid;
+  from.naming = options.naming;
   const ConvertInput input = open_input(from);
   const LightFieldShape& shape = input.views->shape();
   Input loaded{all_views(*input.views, threads, progress.callback()), std::nullopt};
@@ -101,9 +102,9 @@ EncodeOutcome encode_and_measure(const EncodeOptions& options) {
     outcome.cpu_seconds = clock.cpu_seconds();
     outcome.params = stream.params;
     promised = stream.error;
-    value_or_throw(io::write_file(options.output, stream.bytes), ExitCode::kOutput);
+    value_or_throw(io::write_file(options.target, stream.bytes), ExitCode::kOutput);
   }
-  const StreamFile file(options.output);
+  const StreamFile file(options.target);
   terminal::ProgressBar progress("Checking", "views");
   const ErrorSums measured =
       measure_stream(file, field, options.coding.params.threads, progress.callback());
@@ -114,17 +115,40 @@ EncodeOutcome encode_and_measure(const EncodeOptions& options) {
   return outcome;
 }
 
-ExitCode run_encode(const EncodeOptions& given) {
-  EncodeOptions options = given;
-  settle_coding_options(*options.app, options.coding);
-  check_division(options);
-  const ThreadLimit limit(options.coding.params.threads);
-  check_output_file(options.output);
+ExitCode encode_as_asked(const EncodeOptions& options) {
   if (options.plan) return write_plan(options);
   if (options.shard) return encode_shard(options);
   if (!options.shards.empty()) return tell_outcome(options, assemble_shards(options));
   return tell_outcome(options,
                       options.memory ? encode_in_parts(options) : encode_and_measure(options));
+}
+
+// What may be replaced, if the name of the output is that of what is written.
+Replacing replacing_of(const EncodeOptions& options) {
+  Replacing replacing{kStreamSign, options.force, options.shards};
+  replacing.inputs.push_back(options.input);
+  if (options.rig.file) replacing.inputs.push_back(*options.rig.file);
+  if (options.plan) {
+    check_extension(options.output, "a plan", {".json", ".txt"});
+    replacing.sign = kPlanSign;
+  } else if (options.shard) {
+    replacing.sign = kShardSign;
+  } else {
+    check_extension(options.output, "a stream", {".hmlfc"});
+  }
+  return replacing;
+}
+
+ExitCode run_encode(const EncodeOptions& given) {
+  EncodeOptions options = given;
+  settle_coding_options(*options.app, options.coding);
+  check_division(options);
+  const ThreadLimit limit(options.coding.params.threads);
+  const OutputFile output(options.output, ".hmlfc", replacing_of(options));
+  options.target = output.path();
+  const ExitCode code = encode_as_asked(options);
+  output.finish();
+  return code;
 }
 
 }  // namespace
@@ -140,9 +164,12 @@ trial, without --chroma the chroma format. Its default --height is 0: key views 
 
 INPUT may be a quilt, NAME_qsCxRaA.png, or a .y4m video (hmlfc convert --help).
 
-View positions are parsed from file names: RR_CC.png, out_RR_CC_Y_X_.png, input_CamNNN.png. Files with
-other names are taken in sorted order, row by row, and need --grid. With --grid a folder may also hold
-a subset of a grid, such as every second row. The stream is the same bytes for any number of threads.
+Row and column of a view are the two numbers in its name that make a full grid: 03_04.png,
+Camera_03_04_400.0_30.jpg, row03/04.png; a note says which, where there are more. --names tells instead:
+{row} and {col} stand for the two, {index} for the number of a sequence, * for any text. Sequences such
+as frame_0001.png, and any other names in sorted order, need --grid, and --order unless they go row by
+row; input_CamNNN.png (HCI) has a square grid or that of parameters.cfg. With --grid a folder may also
+hold a subset of a grid, such as every second row. The stream is the same bytes for any number of threads.
 
 --views R0..R1:STEP,C0..C1:STEP encodes every STEP-th of rows R0 to R1 and of columns C0 to C1, counted
 from 0. :STEP may be left out (1), and one number is one row or column: --views 4,0..16. The folder must
@@ -175,6 +202,8 @@ Examples:
   hmlfc encode views -o paper.hmlfc --profile main --method hmlfc --threshold-pred 50
   hmlfc encode views -o sparse.hmlfc --views 0..8:2,0..8:2
   hmlfc encode lytro -o lytro.hmlfc --grid 9x9 --lossless
+  hmlfc encode shots -o shots.hmlfc --names 'view_{row}_x{col}*'
+  hmlfc encode frames -o gantry.hmlfc --grid 17x17 --order serpentine
   hmlfc encode views -o posed.hmlfc --rig rig.json
   hmlfc encode views -o large.hmlfc --memory 512M
   hmlfc encode views -o job.json --plan
@@ -184,8 +213,9 @@ Examples:
   options.app = &app;
   add_path(app, "INPUT", options.input,
            "Folder of PNG, JPEG, TIFF, WebP, PPM or PGM views, quilt, .y4m video or plan");
-  add_output(app, options.output, "FILE", "The .hmlfc file, plan or shard to write");
-  add_grid(app, options.grid);
+  add_output(app, options.output, options.force, "FILE",
+             "The .hmlfc file, plan or shard to write, - for standard output");
+  add_naming(app, options.naming);
   add_views(app, options.part);
   add_coding_options(app, options.coding);
   add_rig_options(app, options.rig);

@@ -89,7 +89,7 @@ io::ViewList listed_views(const EncodeOptions& options) {
                                                 "views; hmlfc convert makes one",
                                                 options.input.string()));
   }
-  auto views = value_or_throw(io::list_views(options.input, options.grid), ExitCode::kInput);
+  auto views = views_in(options.input, options.naming);
   if (!options.part) return views;
   return value_or_throw(io::part_of(options.input, views, *options.part), ExitCode::kInput);
 }

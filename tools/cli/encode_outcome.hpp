@@ -32,7 +32,9 @@ struct ShardNumber {
 struct EncodeOptions {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::optional<io::GridShape> grid;
+  std::filesystem::path target;  ///< where it is written: output, or a file for standard output
+  bool force = false;
+  io::ViewNaming naming;
   std::optional<io::ViewPart> part;
   CodingOptions coding;
   RigOptions rig;
@@ -57,8 +59,8 @@ struct EncodeOutcome {
 /// Whether all views are in one file: a quilt or a video.
 bool is_one_file(const EncodeOptions& options);
 
-/// The views that `options` name. Failures (kInput): those of io::list_views and io::part_of;
-/// (kUsage): they are in one file.
+/// The views that `options` name. Failures (kInput): those of views_in() and io::part_of; (kUsage):
+/// they are in one file.
 io::ViewList listed_views(const EncodeOptions& options);
 
 /// The failure to encode `input`: kInput, or kOutOfMemory.

@@ -1,5 +1,6 @@
 #include "cli/encode_plan.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <system_error>
@@ -21,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "hmlfc encode plan 1";
 constexpr io::JsonLimits kPlanLimits{"a plan", size_t{1} << 24, 4};
 
 // Names and sizes of all files of views.
@@ -87,7 +87,10 @@ io::IndexRange range_of(const Json& json) {
 // The folder of views, what is taken of it, and the rig.
 Json views_json(const EncodeOptions& options) {
   Json json{{"folder", fs::absolute(options.input).lexically_normal().string()}};
-  json["grid"] = options.grid ? Json{options.grid->rows, options.grid->cols} : Json();
+  const io::ViewNaming& naming = options.naming;
+  json["grid"] = naming.grid ? Json{naming.grid->rows, naming.grid->cols} : Json();
+  json["names"] = naming.pattern;
+  json["order"] = naming.order ? Json(*naming.order) : Json();
   json["views"] =
       options.part ? Json{range_json(options.part->rows), range_json(options.part->cols)} : Json();
   json["rig"] = options.rig.file ? Json(fs::absolute(*options.rig.file).string()) : Json();
@@ -99,8 +102,12 @@ EncodeOptions options_of(const Json& json) {
   EncodeOptions options;
   options.input = json.at("folder").get<std::string>();
   if (const Json& grid = json.at("grid"); !grid.is_null()) {
-    options.grid =
+    options.naming.grid =
         io::GridShape{io::integer_at<uint32_t>(grid, 0U), io::integer_at<uint32_t>(grid, 1U)};
+  }
+  json.at("names").get_to(options.naming.pattern);
+  if (const Json& order = json.at("order"); !order.is_null()) {
+    options.naming.order = std::min(order.get<io::FrameOrder>(), io::kFrameOrders.back().second);
   }
   if (const Json& views = json.at("views"); !views.is_null()) {
     options.part = io::ViewPart{range_of(views.at(0)), range_of(views.at(1))};
@@ -127,10 +134,10 @@ void check_inputs(const fs::path& file, const EncodeOptions& options, const Json
 
 std::string plan_text(const EncodeOptions& options, const EncodeParams& params,
                       const PartGrid& parts, const io::ViewList& list) {
-  const Json json{
-      {"format", kFormat},          {"version", library_version()},  {"input", views_json(options)},
-      {"files", inputs_json(list)}, {"params", params_json(params)}, {"row_ends", parts.row_ends},
-      {"col_ends", parts.col_ends}};
+  const Json json{{"format", kPlanSign},           {"version", library_version()},
+                  {"input", views_json(options)},  {"files", inputs_json(list)},
+                  {"params", params_json(params)}, {"row_ends", parts.row_ends},
+                  {"col_ends", parts.col_ends}};
   return io::json_text(json, 2) + "\n";
 }
 
@@ -139,7 +146,7 @@ EncodePlan read_plan(const fs::path& file) {
   const auto bytes = mapped.bytes();
   const Json json = io::parse_json<Json>(bytes, kPlanLimits).value_or(Json());
   const auto format = json.is_object() ? json.find("format") : json.end();
-  if (format == json.end() || *format != kFormat) {
+  if (format == json.end() || *format != kPlanSign) {
     refuse(file, "not a plan; `hmlfc encode VIEWS -o FILE --plan` writes one");
   }
   EncodePlan plan;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include <hmlfc/divided_encoder.hpp>
 
@@ -10,6 +11,9 @@
 #include "io/view_list.hpp"
 
 namespace hmlfc::cli {
+
+/// What a plan says first.
+inline constexpr std::string_view kPlanSign = "hmlfc encode plan 1";
 
 /// Everything that the bytes of the stream depend on.
 struct EncodePlan {

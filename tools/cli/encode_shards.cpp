@@ -27,8 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names its own sections: this, the length of a JSON text and the text come before them.
-constexpr std::string_view kShardMagic = "hmlfc shard 1\n";
 constexpr io::JsonLimits kShardLimits{"a shard", size_t{1} << 26, 4};
 
 // The parts [first, second) of shard `shard`.
@@ -47,6 +45,7 @@ struct Job {
 
   explicit Job(const EncodeOptions& options) : plan(read_plan(options.input)) {
     plan.options.output = options.output;
+    plan.options.target = options.target;
     plan.options.json = options.json;
     plan.params.threads = options.coding.params.threads;
     input = open_input(plan.options);
@@ -88,15 +87,15 @@ struct Shard {
   explicit Shard(const fs::path& path)
       : file(path), mapped(value_or_throw(io::map_file(path), ExitCode::kInput)) {
     const auto bytes = mapped.bytes();
-    if (!std::ranges::equal(bytes.first(std::min(bytes.size(), kShardMagic.size())), kShardMagic)) {
+    if (!std::ranges::equal(bytes.first(std::min(bytes.size(), kShardSign.size())), kShardSign)) {
       refuse_shard(file, "not a shard; `hmlfc encode PLAN -o FILE --shard I/N` writes one");
     }
-    const auto text = bytes.subspan(kShardMagic.size());
+    const auto text = bytes.subspan(kShardSign.size());
     const auto end = std::ranges::find(text, uint8_t{'\n'});
     const auto length = static_cast<size_t>(end - text.begin());
     head = io::parse_json<Json>(text.first(length), kShardLimits).value_or(Json());
     if (!head.is_object()) damaged();
-    data = kShardMagic.size() + length + 1;
+    data = kShardSign.size() + length + 1;
   }
 
   [[noreturn]] void damaged() const { refuse_shard(file, "a damaged shard; run it again"); }
@@ -159,12 +158,12 @@ std::string missing_shards(const std::set<size_t>& there, size_t parts, uint32_t
 
 ExitCode write_plan(const EncodeOptions& options) {
   const DividedInput input = open_input(options);
-  StorageFile storage(options.output);
+  StorageFile storage(options.target);
   const DividedEncoder encoder = divided_encoder(options, input, options.coding.params,
                                                  {.memory = options.memory, .parts = {}}, storage);
   const std::string text = plan_text(options, encoder.params(), encoder.parts(), input.list);
   value_or_throw(
-      io::write_file(options.output, {reinterpret_cast<const uint8_t*>(text.data()), text.size()}),
+      io::write_file(options.target, {reinterpret_cast<const uint8_t*>(text.data()), text.size()}),
       ExitCode::kOutput);
   const size_t parts = encoder.parts().count();
   if (options.json) {
@@ -178,7 +177,7 @@ ExitCode write_plan(const EncodeOptions& options) {
 
 ExitCode encode_shard(const EncodeOptions& options) {
   const Job job(options);
-  StorageFile storage(options.output);
+  StorageFile storage(options.target);
   const Clock clock;
   DividedEncoder encoder = job.encoder(storage);
   const size_t parts = encoder.parts().count();
@@ -197,11 +196,11 @@ ExitCode encode_shard(const EncodeOptions& options) {
                                  error.y_squares - before.y_squares, error.max_abs});
     head["parts"].push_back(std::move(entry));
   }
-  auto file = value_or_throw(io::AtomicFile::create(options.output), ExitCode::kOutput);
+  auto file = value_or_throw(io::AtomicFile::create(options.target), ExitCode::kOutput);
   const auto write = [&](std::span<const uint8_t> bytes) {
     value_or_throw(file.write(bytes), ExitCode::kOutput);
   };
-  const std::string text = std::string(kShardMagic) + head.dump() + "\n";
+  const std::string text = std::string(kShardSign) + head.dump() + "\n";
   write({reinterpret_cast<const uint8_t*>(text.data()), text.size()});
   for (size_t part = first; part < last; ++part) encoder.save_part(part, write);
   value_or_throw(file.commit(), ExitCode::kOutput);
@@ -216,7 +215,7 @@ ExitCode encode_shard(const EncodeOptions& options) {
 
 EncodeOutcome assemble_shards(const EncodeOptions& options) {
   const Job job(options);
-  StorageFile storage(options.output);
+  StorageFile storage(options.target);
   const Clock clock;
   DividedEncoder encoder = job.encoder(storage);
   std::set<size_t> there;

@@ -1,9 +1,14 @@
 // Encoding on several machines: the plan, its shards, and what they make.
 #pragma once
 
+#include <string_view>
+
 #include "cli/encode_outcome.hpp"
 
 namespace hmlfc::cli {
+
+/// With this a shard begins; a line of JSON and the parts that it lists follow.
+inline constexpr std::string_view kShardSign = "hmlfc shard 1\n";
 
 /// Settles the encoding that `options` ask for and writes its plan.
 ExitCode write_plan(const EncodeOptions& options);

@@ -27,6 +27,7 @@ struct MinimiseOptions {
   std::filesystem::path file;
   DutOptions dut;
   std::filesystem::path output;
+  bool force = false;
   uint32_t trials = 1000;
 };
 
@@ -41,8 +42,8 @@ std::string shape(std::span<const uint8_t> stream) {
 ExitCode run_minimise(const MinimiseOptions& options) {
   const conform::Dut dut = options.dut.read().front();
   const auto file = value_or_throw(io::map_file(options.file), ExitCode::kInput);
-  check_output_file(options.output);
-  auto work = options.output;
+  const OutputFile output(options.output, ".hmlfc", {kStreamSign, options.force, {options.file}});
+  auto work = output.path();
   work += ".work";
   const auto run = [&](std::span<const uint8_t> stream) {
     return conform::run_stream(dut, stream, work, options.dut.limits());
@@ -58,7 +59,8 @@ ExitCode run_minimise(const MinimiseOptions& options) {
   };
   const auto minimised = value_or_throw(
       conform::minimise(file.bytes(), still_fails, options.trials), ExitCode::kInput);
-  value_or_throw(io::write_file(options.output, minimised.stream), ExitCode::kOutput);
+  value_or_throw(io::write_file(output.path(), minimised.stream), ExitCode::kOutput);
+  output.finish();
   const conform::VectorResult last = run(minimised.stream);
   print(fmt::format("from  {}\nto    {}\n      {} reductions kept, {} streams tried\n{}: {}\n",
                     shape(file.bytes()), shape(minimised.stream), minimised.steps, minimised.trials,
@@ -207,7 +209,7 @@ Example:
   add_path(app, "FILE", options.file, "A valid stream on which the decoder fails");
   options.dut.add_to(app, false);
   add_integer(app, "--trials", options.trials, 1, 1u << 20, "Maximum number of streams to try");
-  add_output(app, options.output, "FILE", "The smaller stream");
+  add_output(app, options.output, options.force, "FILE", "The smaller stream");
 }
 
 void add_fuzz_dut(CLI::App& program, Task& task) {
@@ -228,7 +230,8 @@ Example:
   add_integer(app, "--seed", options.seed, 0, UINT64_MAX,
               "The first seed; each stream has the next");
   add_integer(app, "--failures", options.failures, 1, 1u << 20, "Stop after this many failures");
-  add_output(app, options.folder, "DIR", "Folder for the failures, created if missing");
+  add_path(app, "-o,--output", options.folder, "Folder for the failures, created if missing")
+      ->type_name("DIR");
 }
 
 }  // namespace hmlfc::cli

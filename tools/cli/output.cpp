@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "io/files.hpp"
 #include "io/json_text.hpp"
 #include "terminal/shown.hpp"
 
@@ -38,6 +37,12 @@ ExitCode exit_code_of(ErrorCode code) {
                 "standard output: cannot write: " + std::generic_category().message(errno));
 }
 
+// Where print() writes.
+std::FILE*& results() {
+  static std::FILE* file = stdout;
+  return file;
+}
+
 }  // namespace
 
 Failure stream_failure(const std::filesystem::path& file, const Error& error) {
@@ -46,7 +51,13 @@ Failure stream_failure(const std::filesystem::path& file, const Error& error) {
 
 void print(std::string_view text) {
   const std::string safe = terminal::shown(text);
-  if (std::fwrite(safe.data(), 1, safe.size(), stdout) != safe.size()) throw_output_failure();
+  if (std::fwrite(safe.data(), 1, safe.size(), results()) != safe.size()) throw_output_failure();
+}
+
+void print_to_standard_error() { results() = stderr; }
+
+void write_standard_output(std::span<const uint8_t> bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) throw_output_failure();
 }
 
 void print_json(const Json& json) { print(io::json_text(json, 2) + "\n"); }
@@ -75,30 +86,6 @@ std::string grouped(uint64_t number) {
   std::string digits = std::to_string(number);
   for (size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ' ');
   return digits;
-}
-
-void check_output_file(const std::filesystem::path& file) {
-  value_or_throw(io::AtomicFile::create(file), ExitCode::kUsage);
-}
-
-void check_picture_file(const std::filesystem::path& file) {
-  if (io::lower_case_extension(file) != ".png") {
-    throw Failure(ExitCode::kUsage, file.string() + ": pictures are PNG files; name it *.png");
-  }
-  check_output_file(file);
-}
-
-void make_output_folder(const std::filesystem::path& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (!failure) return;
-  throw Failure(ExitCode::kUsage,
-                folder.string() + ": cannot create this folder: " + failure.message());
-}
-
-io::FolderLock take_output_folder(const std::filesystem::path& folder) {
-  make_output_folder(folder);
-  return value_or_throw(io::FolderLock::take(folder), ExitCode::kUsage);
 }
 
 }  // namespace hmlfc::cli

@@ -1,8 +1,9 @@
-// How a command ends, what it prints, and the places it writes to.
+// How a command ends, and what it prints.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -11,7 +12,6 @@
 
 #include <hmlfc/error.hpp>
 
-#include "io/folder_lock.hpp"
 #include "io/io_error.hpp"
 #include "io/notes.hpp"
 
@@ -63,6 +63,12 @@ using Json = nlohmann::ordered_json;
 /// cannot be written.
 void print(std::string_view text);
 
+/// From now on print() writes to standard error, for standard output takes a file.
+void print_to_standard_error();
+
+/// Writes `bytes` to standard output. Failure as print().
+void write_standard_output(std::span<const uint8_t> bytes);
+
 /// Writes `json` on indented lines.
 void print_json(const Json& json);
 
@@ -84,17 +90,5 @@ std::string psnr_text(double db);
 
 /// "1 234 567": thousands separated by spaces.
 std::string grouped(uint64_t number);
-
-/// Throws a usage failure unless a file can be written at `file`; leaves nothing there.
-void check_output_file(const std::filesystem::path& file);
-
-/// The same for a picture, which must be named *.png.
-void check_picture_file(const std::filesystem::path& file);
-
-/// Makes `folder` and its missing parents. Failure (kUsage) where that is impossible.
-void make_output_folder(const std::filesystem::path& folder);
-
-/// The same, and holds it against other processes. Failure (kUsage) where one uses it.
-io::FolderLock take_output_folder(const std::filesystem::path& folder);
 
 }  // namespace hmlfc::cli

@@ -20,7 +20,8 @@ struct PictureOptions {
   std::filesystem::path a;
   std::filesystem::path b;
   std::filesystem::path output;
-  std::optional<io::GridShape> grid;
+  bool force = false;
+  io::ViewNaming naming;
   std::optional<ViewPos> view;
   uint32_t max_width = 1600;
   int32_t gain = 8;
@@ -28,41 +29,48 @@ struct PictureOptions {
   uint32_t thickness = 8;
 };
 
-ExitCode write(const PictureOptions& options, const RgbImage& picture) {
-  value_or_throw(io::write_png(options.output, picture), ExitCode::kOutput);
+constexpr const char* kPictureSign = "hmlfc picture";
+
+OutputFile output_of(const PictureOptions& options) {
+  return picture_file(options.output, {kPictureSign, options.force, {options.a, options.b}});
+}
+
+ExitCode write(const PictureOptions& options, const OutputFile& output, const RgbImage& picture) {
+  value_or_throw(io::write_png(output.path(), picture, kPictureSign), ExitCode::kOutput);
+  output.finish();
   print(
       fmt::format("{}: {} x {} pixels\n", options.output.string(), picture.width, picture.height));
   return ExitCode::kDone;
 }
 
 RgbImage view_of(const std::filesystem::path& path, const PictureOptions& options) {
-  const auto source = ViewSource::open(path, options.grid);
+  const auto source = ViewSource::open(path, options.naming);
   source->check_view(*options.view);
   return source->view(*options.view);
 }
 
 ExitCode run_view(const PictureOptions& options) {
-  check_picture_file(options.output);
-  return write(options, view_of(options.a, options));
+  const OutputFile output = output_of(options);
+  return write(options, output, view_of(options.a, options));
 }
 
 ExitCode run_sheet(const PictureOptions& options) {
-  check_picture_file(options.output);
-  const auto source = ViewSource::open(options.a, options.grid);
+  const OutputFile output = output_of(options);
+  const auto source = ViewSource::open(options.a, options.naming);
   const LightFieldShape& shape = source->shape();
   auto sheet = value_or_throw(io::ContactSheet::make(shape, options.max_width), ExitCode::kUsage);
   terminal::ProgressBar progress("Reading", "views");
   for_each_view({shape.rows, shape.cols}, 0, progress.callback(),
                 [&](ViewPos view) { sheet.draw(view.row, view.col, source->view(view)); });
   progress.clear();
-  return write(options, sheet.image());
+  return write(options, output, sheet.image());
 }
 
 ExitCode run_difference(const PictureOptions& options) {
-  check_picture_file(options.output);
+  const OutputFile output = output_of(options);
   const RgbImage a = view_of(options.a, options);
   const RgbImage b = view_of(options.b, options);
-  return write(options,
+  return write(options, output,
                value_or_throw(io::difference_picture(a, b, options.gain), ExitCode::kInput));
 }
 
@@ -75,11 +83,11 @@ void check_place(const char* name, uint32_t value, uint32_t count) {
 // Pixel row y of all views of a row, one below the other; or pixel column x of all of a column,
 // side by side.
 ExitCode run_epipolar(const PictureOptions& options) {
-  check_picture_file(options.output);
+  const OutputFile output = output_of(options);
   if (!options.row && !options.col) {
     throw Failure(ExitCode::kUsage, "--row and --y are missing, or --col and --x");
   }
-  const auto source = ViewSource::open(options.a, options.grid);
+  const auto source = ViewSource::open(options.a, options.naming);
   const LightFieldShape& shape = source->shape();
   const bool of_row = options.row.has_value();
   if (of_row) {
@@ -108,7 +116,12 @@ ExitCode run_epipolar(const PictureOptions& options) {
       }
     }
   });
-  return write(options, picture);
+  return write(options, output, picture);
+}
+
+void add_common(CLI::App& app, PictureOptions& options) {
+  add_naming(app, options.naming);
+  add_output(app, options.output, options.force, "FILE.png", "The PNG file to write");
 }
 
 void add_epipolar(CLI::App& picture, Task& task) {
@@ -131,13 +144,7 @@ Example:
   col->needs(x);
   x->needs(col);
   add_integer(app, "--thickness", options.thickness, 1, 64, "Pixels that each view takes across");
-  add_grid(app, options.grid);
-  add_output(app, options.output, "FILE.png", "The PNG file to write");
-}
-
-void add_common(CLI::App& app, PictureOptions& options) {
-  add_grid(app, options.grid);
-  add_output(app, options.output, "FILE.png", "The PNG file to write");
+  add_common(app, options);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/output.hpp"
+#include "cli/output_files.hpp"
 #include "conform/process.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
@@ -64,12 +65,13 @@ std::vector<std::string> input_of(const std::filesystem::path& frames) {
 
 }  // namespace
 
-Preview::Preview(std::filesystem::path file) : file_(std::move(file)) {
+Preview::Preview(std::filesystem::path file, std::string sign, bool force)
+    : file_(std::move(file)), sign_(std::move(sign)) {
   if (file_.empty()) return;
   if (!is_video(file_) && io::lower_case_extension(file_) != ".png") {
     throw Failure(ExitCode::kUsage, file_.string() + ": --preview takes *.png, *.gif or *.mp4");
   }
-  check_output_file(file_);
+  const OutputFile checked(file_, "", {sign_, force});
   if (is_video(file_) && run_ffmpeg({"-version"}).end == conform::ProcessEnd::kNotStarted) {
     throw Failure(ExitCode::kUsage,
                   fmt::format("{}: GIF and MP4 need the program {}, which is not installed here; "
@@ -87,7 +89,7 @@ void Preview::add(const RgbImage& frame) {
 void Preview::write(const std::filesystem::path& folder) const {
   if (file_.empty()) return;
   if (is_video(file_)) return write_video(folder);
-  value_or_throw(io::write_apng(file_, frames_, kRate), ExitCode::kOutput);
+  value_or_throw(io::write_apng(file_, frames_, kRate, sign_), ExitCode::kOutput);
 }
 
 void Preview::write_video(const std::filesystem::path& folder) const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <hmlfc/image.hpp>
@@ -13,8 +14,9 @@ namespace hmlfc::cli {
 class Preview {
  public:
   /// Named *.png, *.gif or *.mp4; empty for none. Usage failure for another name, for a place where
-  /// no file can be written, and where there is no ffmpeg for a GIF or MP4.
-  explicit Preview(std::filesystem::path file);
+  /// no file can be written, and where there is no ffmpeg for a GIF or MP4. `sign` and `force` are
+  /// those of Replacing.
+  Preview(std::filesystem::path file, std::string sign, bool force);
 
   /// Adds a frame, in their order.
   void add(const RgbImage& frame);
@@ -28,6 +30,7 @@ class Preview {
   void write_video(const std::filesystem::path& folder) const;
 
   std::filesystem::path file_;
+  std::string sign_;
   std::vector<RgbImage> frames_;  // of an animated PNG
   size_t count_ = 0;
 };

@@ -14,9 +14,11 @@ namespace {
 struct AreaOptions {
   std::filesystem::path file;
   std::filesystem::path output;
+  bool force = false;
 };
 
 ExitCode run_area(const AreaOptions& options) {
+  const OutputFile output(options.output, "", {"HLRA", options.force, {options.file}});
   const StreamFile file(options.file);
   const auto area = gpu::reference_area(file.decoder());
   if (!area) {
@@ -24,7 +26,8 @@ ExitCode run_area(const AreaOptions& options) {
                                                                       : ExitCode::kInput,
                   file.path().string() + ": " + area.error().message);
   }
-  value_or_throw(io::write_file(options.output, *area), ExitCode::kOutput);
+  value_or_throw(io::write_file(output.path(), *area), ExitCode::kOutput);
+  output.finish();
   print(fmt::format("{}: {} bytes\n", options.output.string(), area->size()));
   return ExitCode::kDone;
 }
@@ -41,7 +44,7 @@ stream. hmlfc_gpu.js, installed in share/hmlfc/wgsl, takes both files.
 Example:
   hmlfc reference-area chess.hmlfc -o chess.area)");
   add_stream(app, options.file);
-  add_output(app, options.output, "FILE", "The file to write");
+  add_output(app, options.output, options.force, "FILE", "The file to write");
 }
 
 }  // namespace hmlfc::cli

@@ -26,10 +26,13 @@
 namespace hmlfc::cli {
 namespace {
 
+constexpr const char* kRenderSign = "hmlfc render";
+
 struct RenderArguments {
   std::filesystem::path file;
   std::filesystem::path output;
   std::filesystem::path preview;
+  bool force = false;
   CameraOptions cameras;
   std::optional<int> levels;
   BackendChoice backend;
@@ -79,14 +82,6 @@ Json pass_json(const std::string& name, int levels, const Frame& frame,
   return json;
 }
 
-// Whether the name is that of a file which frames are not written as.
-bool is_other_format(const std::filesystem::path& output) {
-  constexpr std::array<std::string_view, 18> kOthers = {
-      ".apng", ".avi", ".bmp", ".exr", ".gif", ".hmlfc", ".jpeg", ".jpg",  ".json",
-      ".mkv",  ".mov", ".mp4", ".pgm", ".pnm", ".ppm",   ".tif",  ".tiff", ".webp"};
-  return std::ranges::find(kOthers, io::lower_case_extension(output)) != kOthers.end();
-}
-
 // Renders the frames of one stream.
 class RenderRun {
  public:
@@ -102,8 +97,8 @@ class RenderRun {
   }
 
   ExitCode frames() {
-    const bool one_file = prepare_output();
-    Preview preview(arguments_.preview);
+    prepare_output();
+    Preview preview(arguments_.preview, kRenderSign, arguments_.force);
     if (arguments_.progressive && stop_level_ == file_.header().tree_height) {
       note(fmt::format(
           "--progressive writes no coarse frames: the frames use one level of the tree; "
@@ -113,12 +108,13 @@ class RenderRun {
     const auto renderer = make_renderer(arguments_.backend, file_);
     terminal::ProgressBar progress("Rendering", "frames");
     for (size_t k = 0; k < cameras_.size(); ++k) {
-      render_one(*renderer, k, one_file ? arguments_.output : arguments_.output / frame_name(k));
+      render_one(*renderer, k, file_out_ ? file_out_->path() : arguments_.output / frame_name(k));
       preview.add(frame_.image);
       progress.update(k + 1, cameras_.size());
     }
     progress.clear();
-    preview.write(arguments_.output);
+    preview.write(file_out_ ? file_out_->path() : arguments_.output);
+    if (file_out_) file_out_->finish();
     report();
     return ExitCode::kDone;
   }
@@ -134,24 +130,40 @@ class RenderRun {
   }
 
  private:
-  // Makes the folder, or checks that the one PNG file can be written; returns whether it is a file.
-  bool prepare_output() const {
+  // Makes the folder, or checks that the one PNG file can be written.
+  void prepare_output() {
     const std::filesystem::path& output = arguments_.output;
-    const bool one_file = io::lower_case_extension(output) == ".png";
-    if (one_file && cameras_.size() != 1) {
-      throw Failure(ExitCode::kUsage,
-                    "-o names one PNG file, but there are several frames: name a folder");
+    const Replacing replacing{kRenderSign, arguments_.force, {arguments_.file}};
+    if (extension_of(output, ".png") == ".png") {
+      if (cameras_.size() != 1) {
+        throw Failure(ExitCode::kUsage,
+                      "-o names one PNG file, but there are several frames: name a folder");
+      }
+      file_out_.emplace(output, ".png", replacing);
+      if (file_out_->path() != output && arguments_.progressive) {
+        throw Failure(ExitCode::kUsage, "--progressive writes several files: name one for -o");
+      }
+      std::vector<std::filesystem::path> coarse;
+      for (const auto& name : coarse_names(output)) coarse.push_back(name);
+      return check_replaceable(coarse, replacing);
     }
-    if (is_other_format(output)) {
-      throw Failure(ExitCode::kUsage,
-                    output.string() + ": frames are PNG files; name a *.png file or a folder");
+    check_extension(output, "a PNG file or a folder of them", {});
+    std::vector<std::string> names;
+    for (size_t k = 0; k < cameras_.size(); ++k) {
+      for (const auto& name : coarse_names(frame_name(k))) names.push_back(name.string());
+      names.push_back(frame_name(k));
     }
-    if (one_file) {
-      check_output_file(output);
-    } else {
-      make_output_folder(output);
+    make_output_folder(output, names, replacing);
+  }
+
+  // The files of the coarse passes of a frame.
+  std::vector<std::filesystem::path> coarse_names(const std::filesystem::path& frame) const {
+    std::vector<std::filesystem::path> names;
+    const int first = arguments_.progressive ? file_.header().tree_height : stop_level_;
+    for (int stop_level = first; stop_level > stop_level_; --stop_level) {
+      names.push_back(pass_name(frame, levels_of(stop_level)));
     }
-    return one_file;
+    return names;
   }
 
   // Reads only what frames need, so section checksums are not checked.
@@ -184,11 +196,12 @@ class RenderRun {
                    const std::filesystem::path& name) {
     touched_.reset();
     file_.value(renderer.render(record_of(k), stop_level, frame_));
-    value_or_throw(io::write_png(name, frame_.image), ExitCode::kOutput);
+    value_or_throw(io::write_png(name, frame_.image, kRenderSign), ExitCode::kOutput);
     seconds_ += frame_.seconds.total();
     const bool counted = arguments_.backend.backend == Backend::kCpu;
     Json json =
-        pass_json(name.string(), levels_of(stop_level), frame_, counted ? &touched_ : nullptr);
+        pass_json((file_out_ && name == file_out_->path() ? arguments_.output : name).string(),
+                  levels_of(stop_level), frame_, counted ? &touched_ : nullptr);
     if (const auto now = file_.fetched()) json["fetched"] = fetched_since(*now);
     return json;
   }
@@ -248,6 +261,7 @@ class RenderRun {
   double seconds_ = 0;
   remote::FetchCounts fetched_;
   OutsideShare outside_;
+  std::optional<OutputFile> file_out_;  // of the only frame
   Json frames_ = Json::array();
 };
 
@@ -292,7 +306,8 @@ Examples:
   hmlfc render chess.hmlfc --path orbit --frames 4 --size 96x96 -o orbit --json
   hmlfc render chess.hmlfc --path focus --frames 5 -o stack --preview stack.png)");
   add_stream(app, options.file);
-  add_output(app, options.output, "DIR|FILE.png", "Folder for the frames, or one PNG file")
+  add_output(app, options.output, options.force, "DIR|FILE.png",
+             "Folder for the frames, or one PNG file, - on standard output")
       ->required(false);
   add_camera_options(app, options.cameras);
   add_levels(app, options.levels);

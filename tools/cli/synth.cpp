@@ -3,6 +3,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -24,11 +25,14 @@ namespace {
 using scenes::Cameras;
 using scenes::Scene;
 
+constexpr const char* kSynthSign = "hmlfc synth";
+
 struct SynthOptions {
   scenes::SceneParams scene;
   std::optional<double> baseline;
   int threads = 0;
   std::filesystem::path folder;
+  bool force = false;
   std::filesystem::path disparity;
   std::filesystem::path rig;
 };
@@ -61,6 +65,7 @@ void write_rig(const std::filesystem::path& file, const scenes::SceneParams& par
 ExitCode run_synth(const SynthOptions& options) {
   scenes::SceneParams params = options.scene;
   params.baseline_px = options.baseline.value_or(params.baseline_px);
+  const auto views = io::view_file_names({params.rows, params.cols}, io::FileNames::kRowCol);
   if (!options.disparity.empty()) {
     if (params.scene == Scene::kNoise) {
       throw Failure(ExitCode::kUsage, "--disparity: scene noise has none; choose another scene");
@@ -69,21 +74,27 @@ ExitCode run_synth(const SynthOptions& options) {
       throw Failure(ExitCode::kUsage,
                     "--disparity needs --cameras grid: it counts pixels a column");
     }
-    make_output_folder(options.disparity);
+    std::vector<std::string> maps;
+    for (const std::string& view : views)
+      maps.push_back(std::filesystem::path(view).stem().string() + ".pfm");
+    make_output_folder(options.disparity, maps, {"", options.force});
   }
   if (params.cameras != Cameras::kGrid && !scenes::scene_rig(params)) {
     throw Failure(ExitCode::kUsage, "--cameras: no cameras take this scene; choose another");
   }
-  make_output_folder(options.folder);
+  check_extension(options.folder, "a folder of views", {});
+  if (!options.rig.empty()) check_replaceable({options.rig}, {"", options.force});
+  make_output_folder(options.folder, views, {kSynthSign, options.force});
   if (!options.rig.empty()) write_rig(options.rig, params);
   const Clock clock;
   const auto threads = static_cast<unsigned>(options.threads);
   const LightFieldShape shape{params.rows, params.cols, params.width, params.height, params.depth};
 
   terminal::ProgressBar rendering("Rendering", "views");
-  value_or_throw(io::save_views(options.folder, {params.rows, params.cols},
-                                scenes::view_renderer(params), threads, rendering.callback()),
-                 ExitCode::kOutput);
+  value_or_throw(
+      io::save_views(options.folder, {params.rows, params.cols}, scenes::view_renderer(params),
+                     threads, rendering.callback(), {io::FileNames::kRowCol, kSynthSign}),
+      ExitCode::kOutput);
   rendering.clear();
   if (!options.disparity.empty()) write_disparities(options, params);
 
@@ -146,7 +157,7 @@ Example:
       ->required(false)
       ->type_name("FILE.json");
   add_threads(app, options.threads);
-  add_output(app, options.folder, "DIR", "Folder for the views, created if missing");
+  add_output(app, options.folder, options.force, "DIR", "Folder for the views, created if missing");
 }
 
 }  // namespace hmlfc::cli

@@ -33,6 +33,7 @@ struct SuiteOptions {
   std::string milestone;
   std::string clause;
   std::filesystem::path output;
+  bool force = false;
   int threads = 0;
   bool json = false;
 };
@@ -156,7 +157,8 @@ ExitCode run_explain(const SuiteOptions& options) {
 constexpr uint32_t kSheetWidth = 1024;
 
 ExitCode run_show(const SuiteOptions& options) {
-  check_picture_file(options.output);
+  const std::string sign = "hmlfc vectors";
+  const OutputFile output = picture_file(options.output, {sign, options.force});
   const vectors::Manifest manifest = manifest_of(options.suite);
   const StreamFile file(options.suite / vector_of(manifest, options).input.file);
   const StreamHeader& header = file.header();
@@ -169,7 +171,8 @@ ExitCode run_show(const SuiteOptions& options) {
       sheet.draw(row, col, file.value(file.decoder().decode_view({row, col})));
     }
   }
-  value_or_throw(io::write_png(options.output, sheet.image()), ExitCode::kOutput);
+  value_or_throw(io::write_png(output.path(), sheet.image(), sign), ExitCode::kOutput);
+  output.finish();
   print(fmt::format("{}: {} x {} views\n", options.output.string(), header.rows, header.cols));
   return ExitCode::kDone;
 }
@@ -199,7 +202,11 @@ ExitCode run_generate(const SuiteOptions& options) {
       ExitCode::kInput);
   progress.clear();
   const auto folder = options.output.empty() ? options.suite : options.output;
-  make_output_folder(folder);
+  std::vector<std::string> names;
+  if (!std::filesystem::exists(folder / "manifest.json")) {
+    for (const auto& [name, content] : files) names.push_back(name);
+  }
+  make_output_folder(folder, names, {"", options.force});
   value_or_throw(vectors::write_suite(files, folder), ExitCode::kOutput);
   uint64_t bytes = 0;
   for (const auto& [name, content] : files) bytes += content.size();
@@ -252,7 +259,8 @@ model contradicts a recipe, nothing is written.
 
 Example:
   hmlfc vectors generate)");
-  add_output(generate, generated.output, "DIR", "Write to this folder instead")->required(false);
+  add_output(generate, generated.output, generated.force, "DIR", "Write to this folder instead")
+      ->required(false);
   add_threads(generate, generated.threads);
 
   generated.suite = "vectors";  // never the installed suite
@@ -278,7 +286,7 @@ Example:
 
 Example:
   hmlfc vectors show real/cards-main -o cards.png)");
-  add_output(show, shown.output, "FILE.png", "The PNG file to write");
+  add_output(show, shown.output, shown.force, "FILE.png", "The PNG file to write");
   add_suite_command(
       *app, task, "inspect", "Dump one vector, every field with its clause", true, run_inspect,
       R"(Columns: address of the first bit as byte.bit, bits, the bytes that hold them, clause, name and

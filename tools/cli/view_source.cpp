@@ -138,11 +138,16 @@ int StreamFile::stop_level(int levels) const {
                             levels, all, path_.string(), all, all == 1 ? "" : "s"));
 }
 
-std::unique_ptr<ViewSource> ViewSource::open(const fs::path& path,
-                                             std::optional<io::GridShape> grid) {
+io::ViewList views_in(const fs::path& folder, const io::ViewNaming& naming) {
+  auto views = value_or_throw(io::list_views(folder, naming), ExitCode::kInput);
+  for (const std::string& text : views.notes) note(text);
+  return views;
+}
+
+std::unique_ptr<ViewSource> ViewSource::open(const fs::path& path, const io::ViewNaming& naming) {
   std::error_code failure;
   if (!fs::is_directory(path, failure)) return std::make_unique<StreamSource>(path);
-  return of_files(value_or_throw(io::list_views(path, grid), ExitCode::kInput));
+  return of_files(views_in(path, naming));
 }
 
 std::unique_ptr<ViewSource> ViewSource::of_files(io::ViewList files) {

@@ -81,6 +81,10 @@ class StreamFile {
   Decoder decoder_;
 };
 
+/// The views in `folder`; notes how names were understood. Failures (kInput): those of
+/// io::list_views.
+io::ViewList views_in(const std::filesystem::path& folder, const io::ViewNaming& naming);
+
 /// A folder of images or an .hmlfc stream. Const functions may be called concurrently.
 class ViewSource : public ViewProvider {
  public:
@@ -88,11 +92,11 @@ class ViewSource : public ViewProvider {
   /// depth differs from the first (kInput); a corrupt stream (kCorrupt).
   RgbImage view(ViewPos view) const override = 0;
 
-  /// Opens `path`; `grid` as for io::list_views. Tells what reading a folder's images changes or
+  /// Opens `path`; `naming` is that of a folder. Tells what reading a folder's images changes or
   /// leaves out, each kind once. Failures: nothing there, not a light field (kInput), a corrupt
   /// stream (kCorrupt).
   static std::unique_ptr<ViewSource> open(const std::filesystem::path& path,
-                                          std::optional<io::GridShape> grid);
+                                          const io::ViewNaming& naming = {});
 
   /// The views in `files`. Notes and failures as above.
   static std::unique_ptr<ViewSource> of_files(io::ViewList files);

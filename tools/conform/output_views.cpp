@@ -52,6 +52,7 @@ io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::pat
   if (std::filesystem::exists(raw, ignored)) return read_raw(raw, shape);
   const auto list = io::list_views(folder);
   if (!list) return tl::unexpected(list.error());
+  if (!list->notes.empty()) return tl::unexpected(io::IoError{list->notes.front()});
   if (list->rows != shape.rows || list->cols != shape.cols) {
     return io::file_error(folder, fmt::format("has {} x {} views instead of {} x {}", list->rows,
                                               list->cols, shape.rows, shape.cols));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <hmlfc/image.hpp>
@@ -42,9 +43,11 @@ IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimi
 
 /// Writes an RGB PNG: of 8 bits for depth 8; for depth d in [9, 16] of 16 bits, with sBIT = d and
 /// value = sample << (16 - d) | sample >> (2d - 16), so that black stays 0 and white 65535.
-/// read_image() returns exactly `image`, up to depth 12. The bytes depend on `image` and the
-/// version of zlib only. Errors: cannot write.
-IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image);
+/// read_image() returns exactly `image`, up to depth 12. The bytes depend on `image`, the version
+/// of zlib and `software`, which stands near their beginning as the text "Software". Errors: cannot
+/// write.
+IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image,
+                         const std::string& software = {});
 
 /// Writes a binary PPM (P6) of maxval 2^depth - 1, two big-endian bytes per sample above depth 8.
 /// Errors: cannot write.
@@ -53,9 +56,9 @@ IoResult<void> write_ppm(const std::filesystem::path& path, const RgbImage& imag
 /// Writes an animated PNG (APNG) that loops over `frames`, at least one, all of one size and depth,
 /// with `rate` frames per second, in [1, 1000]. PNG readers show the first. Errors: cannot write.
 IoResult<void> write_apng(const std::filesystem::path& path, std::span<const RgbImage> frames,
-                          unsigned rate);
+                          unsigned rate, const std::string& software = {});
 
 /// The bytes that write_png writes; empty if memory runs out.
-std::vector<uint8_t> encode_png(const RgbImage& image);
+std::vector<uint8_t> encode_png(const RgbImage& image, const std::string& software = {});
 
 }  // namespace hmlfc::io

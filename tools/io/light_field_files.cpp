@@ -104,8 +104,17 @@ IoResult<LightField> load_light_field(const ViewList& views, unsigned threads,
   return field;
 }
 
+std::vector<std::string> view_file_names(GridShape grid, FileNames names) {
+  std::vector<std::string> files;
+  for (uint32_t row = 0; row < grid.rows; ++row) {
+    for (uint32_t col = 0; col < grid.cols; ++col)
+      files.push_back(file_name(names, row, col, grid));
+  }
+  return files;
+}
+
 IoResult<void> save_views(const fs::path& folder, GridShape grid, const ViewProducer& produce,
-                          unsigned threads, const Progress& progress, FileNames names) {
+                          unsigned threads, const Progress& progress, const SavedAs& as) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) return system_error(folder, "cannot create this folder", failure.value());
@@ -115,9 +124,10 @@ IoResult<void> save_views(const fs::path& folder, GridShape grid, const ViewProd
     if (first_error.makes_pointless(index)) return;
     const auto row = static_cast<uint32_t>(index / grid.cols);
     const auto col = static_cast<uint32_t>(index % grid.cols);
-    const fs::path file = folder / file_name(names, row, col, grid);
+    const fs::path file = folder / file_name(as.names, row, col, grid);
     const auto saved = produce(row, col).and_then([&](const RgbImage& image) {
-      return names == FileNames::kPleno ? write_ppm(file, image) : write_png(file, image);
+      return as.names == FileNames::kPleno ? write_ppm(file, image)
+                                           : write_png(file, image, as.software);
     });
     if (!saved) first_error.add(index, saved.error());
   };

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include <hmlfc/image.hpp>
 #include <hmlfc/light_field.hpp>
@@ -33,12 +35,20 @@ enum class FileNames : uint8_t {
   kHci,     ///< PNG, camera_file_name()
 };
 
+struct SavedAs {
+  FileNames names = FileNames::kRowCol;
+  std::string software = {};  ///< as write_png() notes it
+};
+
 /// Makes `folder` if it is missing and writes rows x cols views there; each file appears complete
 /// or not at all, other files stay. Errors: cannot write, or what `produce` returned (the first in
 /// row-major order).
 IoResult<void> save_views(const std::filesystem::path& folder, GridShape grid,
                           const ViewProducer& produce, unsigned threads,
-                          const Progress& progress = {}, FileNames names = FileNames::kRowCol);
+                          const Progress& progress = {}, const SavedAs& as = {});
+
+/// The names of the files that save_views() writes, row by row.
+std::vector<std::string> view_file_names(GridShape grid, FileNames names);
 
 /// Writes all views of `field`, as above.
 IoResult<void> save_views(const std::filesystem::path& folder, const LightField& field,

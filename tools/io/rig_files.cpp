@@ -67,13 +67,16 @@ IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
 }
 
 IoResult<std::optional<Rig>> rig_beside(const ViewList& views, const LightFieldShape& shape) {
-  for (const std::string_view name : {kRigName, kHciParametersName}) {
-    const auto file = views.files.front().parent_path() / name;
-    std::error_code failure;
-    if (!std::filesystem::exists(file, failure)) continue;
-    auto rig = read_rig(file, views, shape);
-    if (!rig) return tl::unexpected(IoError{rig.error().message + " (--no-rig leaves it out)"});
-    return std::move(*rig);
+  // Views in folders of rows may have it next to these.
+  for (const auto& folder : {views.files.front().parent_path(), views.folder}) {
+    for (const std::string_view name : {kRigName, kHciParametersName}) {
+      const auto file = folder / name;
+      std::error_code failure;
+      if (folder.empty() || !std::filesystem::exists(file, failure)) continue;
+      auto rig = read_rig(file, views, shape);
+      if (!rig) return tl::unexpected(IoError{rig.error().message + " (--no-rig leaves it out)"});
+      return std::move(*rig);
+    }
   }
   return std::nullopt;
 }

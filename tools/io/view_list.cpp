@@ -3,17 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "io/files.hpp"
 #include "io/hci_parameters.hpp"
+#include "io/name_grid.hpp"
+#include "io/name_numbers.hpp"
+#include "io/view_list_text.hpp"
 #include "io/view_name.hpp"
+#include "io/view_sequence.hpp"
 
 namespace hmlfc::io {
 
@@ -21,267 +26,251 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A file at position `index` = row * columns + column.
-struct PlacedView {
-  uint64_t index = 0;
-  fs::path file;
+// A folder with no more pictures may hold its views in subfolders.
+constexpr size_t kFewPictures = 4;
+constexpr size_t kMostPictures = size_t{kMaxGridSide} * kMaxGridSide;
+
+// Pictures whose names have one form or match a pattern, and the names of all others.
+struct Views {
+  std::vector<NamedPicture> pictures;
+  std::vector<std::string> strangers;
+  std::string rival;  // a picture of another form of which there are as many
 };
 
-// "row 3, column 4".
-std::string describe_place(uint64_t index, uint32_t cols) {
-  return "row " + std::to_string(index / cols) + ", column " + std::to_string(index % cols);
-}
+// Finds out how the pictures of a folder are views; they come in the sorted order of their names.
+class Reading {
+ public:
+  Reading(const fs::path& folder, const ViewNaming& naming, std::vector<NamedPicture> pictures)
+      : folder_(folder), naming_(naming), all_{std::move(pictures), {}, {}} {}
 
-std::string describe_grid(GridShape grid) {
-  return std::to_string(grid.rows) + "x" + std::to_string(grid.cols);
-}
-
-tl::unexpected<IoError> double_view(const fs::path& folder, uint64_t index, uint32_t cols,
-                                    const fs::path& first, const fs::path& second) {
-  return file_error(folder, "the view of " + describe_place(index, cols) + " is there twice, as " +
-                                first.filename().string() + " and " + second.filename().string() +
-                                "; remove one");
-}
-
-/// The last run of digits in a name, without its extension.
-std::optional<uint64_t> last_number(const fs::path& file) {
-  const std::string stem = file.stem().string();
-  constexpr std::string_view kDigits = "0123456789";
-  const size_t end = stem.find_last_of(kDigits);
-  if (end == stem.npos) return std::nullopt;
-  const size_t before = stem.find_last_not_of(kDigits, end);
-  const size_t begin = before == stem.npos ? 0 : before + 1;
-  if (end - begin >= 18) return std::nullopt;
-  return std::stoull(stem.substr(begin, end - begin + 1));
-}
-
-/// ": the numbering jumps between A and B (row, column)" for the first jump, or "".
-std::string describe_jump(const std::vector<fs::path>& files, uint32_t cols) {
-  for (size_t i = 1; i < files.size(); ++i) {
-    const auto before = last_number(files[i - 1]);
-    const auto after = last_number(files[i]);
-    if (before && after && *after > *before + 1) {
-      return ": the numbering jumps between " + files[i - 1].filename().string() + " and " +
-             files[i].filename().string() + " (" + describe_place(i, cols) + ")";
+  IoResult<ViewList> list() {
+    if (all_.pictures.empty()) {
+      return file_error(folder_, "no PNG, JPEG, TIFF, WebP, PPM or PGM picture");
     }
-  }
-  return "";
-}
-
-// Up to three of `names`, then how many more there are: "a, b, c and 2 more".
-std::string name_some(const std::vector<std::string>& names) {
-  constexpr size_t kNamed = 3;
-  std::string text;
-  for (size_t i = 0; i < std::min(names.size(), kNamed); ++i) {
-    text += (i == 0 ? "" : ", ") + names[i];
-  }
-  if (names.size() > kNamed) text += " and " + std::to_string(names.size() - kNamed) + " more";
-  return text;
-}
-
-// The list in which each index in [0, rows * cols - 1] has exactly one of `views`, given in any
-// order, each with an index in that interval. Errors: a missing or duplicate index.
-IoResult<ViewList> place_all(const fs::path& folder, GridShape grid,
-                             std::vector<PlacedView> views) {
-  std::ranges::stable_sort(views, {}, &PlacedView::index);
-  const auto twin = std::ranges::adjacent_find(views, {}, &PlacedView::index);
-  if (twin != views.end()) {
-    return double_view(folder, twin->index, grid.cols, twin->file, std::next(twin)->file);
+    const auto pattern = NamePattern::parse(naming_.pattern);
+    if (!pattern) return refuse("--names has a field twice, or {index} and {row} or {col}");
+    if (!naming_.pattern.empty() && !keep_matches(*pattern)) {
+      return refuse("no name is as --names '" + naming_.pattern + "' says; one is " +
+                    shown_name(all_.pictures.front()));
+    }
+    if (by_pattern_ && pattern->has_position()) return by_position();
+    if (by_pattern_ && pattern->has_index()) return in_sequence(std::move(all_), naming_.grid);
+    for (const bool decimals : {true, false}) {
+      if (naming_.order) break;
+      if (auto found = by_numbers(decimals)) return *found;
+    }
+    return in_order();
   }
 
-  const uint64_t wanted = uint64_t{grid.rows} * grid.cols;
-  if (views.size() < wanted) {
-    std::vector<std::string> missing;
-    auto next = views.begin();
-    for (uint64_t index = 0; index < wanted && missing.size() < 3; ++index) {
-      if (next != views.end() && next->index == index) {
-        ++next;
-      } else {
-        missing.push_back(describe_place(index, grid.cols));
+ private:
+  tl::unexpected<IoError> refuse(const std::string& what) const {
+    return file_error(folder_, what);
+  }
+
+  // Leaves pictures whose names match, with the numbers at the fields; false where there are none.
+  bool keep_matches(const NamePattern& pattern) {
+    const bool with_extension = is_picture_name("x" + naming_.pattern);
+    Views matches;
+    for (const bool whole : {true, false}) {
+      matches = {};
+      for (const NamedPicture& picture : all_.pictures) {
+        auto numbers = pattern.match(with_extension ? shown_name(picture) : picture.name, whole);
+        if (numbers) {
+          matches.pictures.push_back({picture.file, picture.name, std::move(*numbers)});
+        } else {
+          matches.strangers.push_back(shown_name(picture));
+        }
+      }
+      if (!matches.pictures.empty()) break;
+    }
+    by_pattern_ = !matches.pictures.empty();
+    if (by_pattern_) all_ = std::move(matches);
+    return by_pattern_ || naming_.pattern_is_for_others;
+  }
+
+  // The pictures of the form that most names have.
+  Views of_one_form(bool decimals) const {
+    std::map<std::string, std::vector<NamedPicture>> forms;
+    for (const NamedPicture& picture : all_.pictures) {
+      auto numbers = numbers_of(picture.name, decimals);
+      auto& form = forms[form_of(picture.name, numbers)];
+      form.push_back({picture.file, picture.name, std::move(numbers)});
+    }
+    Views views{{}, all_.strangers, {}};
+    for (auto& [form, pictures] : forms) {
+      if (pictures.size() > views.pictures.size()) {
+        std::swap(views.pictures, pictures);
+        views.rival.clear();
+      } else if (pictures.size() == views.pictures.size()) {
+        views.rival = shown_name(pictures.front());
+      }
+      for (const NamedPicture& other : pictures) views.strangers.push_back(shown_name(other));
+    }
+    return views;
+  }
+
+  ViewList empty_list(const Views& views, GridShape grid, const std::string& understood) const {
+    ViewList list{grid.rows, grid.cols, std::vector<fs::path>(views.pictures.size()), folder_, {}};
+    if (!understood.empty()) list.notes.push_back(understood);
+    if (!views.strangers.empty()) {
+      list.notes.push_back(fmt::format("ignored, for not being named like the {} views ({}): {}",
+                                       views.pictures.size(), shown_name(views.pictures.front()),
+                                       name_some(views.strangers)));
+    }
+    for (std::string& note : list.notes) note = folder_.string() + ": " + note;
+    return list;
+  }
+
+  ViewList placed(const Views& views, const GridReading& reading,
+                  const std::string& understood) const {
+    ViewList list = empty_list(
+        views, {static_cast<uint32_t>(reading.rows()), static_cast<uint32_t>(reading.cols())},
+        understood);
+    for (size_t i = 0; i < views.pictures.size(); ++i) {
+      list.files[reading.place(i)] = views.pictures[i].file;
+    }
+    return list;
+  }
+
+  // Rows and columns as the pattern says.
+  IoResult<ViewList> by_position() const {
+    const auto columns = position_columns(all_.pictures);
+    const GridReading reading{&columns[0], &columns[1]};
+    if (is_full(reading, all_.pictures.size(), naming_.grid)) return placed(all_, reading, "");
+    std::map<size_t, const NamedPicture*> places;
+    for (size_t i = 0; i < all_.pictures.size(); ++i) {
+      const auto [there, is_new] = places.emplace(reading.place(i), &all_.pictures[i]);
+      if (!is_new) return twice(*there->second, all_.pictures[i]);
+    }
+    return missing(all_, reading);
+  }
+
+  // Two numbers of the names are row and column; nothing where no two make a full grid.
+  std::optional<IoResult<ViewList>> by_numbers(bool decimals) const {
+    const Views views = of_one_form(decimals);
+    if (!views.rival.empty()) return std::nullopt;
+    const auto columns = number_columns(views.pictures);
+    const auto readings = full_grids(views.pictures, columns, naming_.grid);
+    if (readings.empty()) return std::nullopt;
+    if (readings.size() > 1) return refuse(describe_choice(views.pictures, readings));
+    return placed(views, readings.front(), describe_reading(views.pictures, readings.front()));
+  }
+
+  IoResult<ViewList> twice(const NamedPicture& a, const NamedPicture& b) const {
+    return refuse("the same view is there twice, as " + shown_name(a) + " and " + shown_name(b) +
+                  "; remove one of them, or choose by --names, such as --names '*.png'");
+  }
+
+  IoResult<ViewList> missing(const Views& views, const GridReading& reading) const {
+    const bool shaped = naming_.grid && reading.rows() == naming_.grid->rows &&
+                        reading.cols() == naming_.grid->cols;
+    std::string text = describe_missing(views.pictures, reading, shaped, by_pattern_);
+    if (naming_.grid && !shaped) text += "; --grid says " + describe(*naming_.grid);
+    return refuse(text + others(views));
+  }
+
+  static std::string others(const Views& views) {
+    return views.strangers.empty() ? "" : "; not named so: " + name_some(views.strangers);
+  }
+
+  // Says what is wrong with names that have row and column; nothing where they may have none.
+  std::optional<IoResult<ViewList>> wrong_grid(const Views& views) const {
+    const auto columns = number_columns(views.pictures);
+    if (const auto near = nearest_grid(views.pictures, columns, naming_.grid)) {
+      return missing(views, *near);
+    }
+    if (!naming_.grid) return std::nullopt;
+    for (const GridReading& other : full_grids(views.pictures, columns, std::nullopt)) {
+      if (other.rows() == 1 || other.cols() == 1) continue;
+      return refuse(fmt::format(
+          "the names have row and column (numbers {} and {}) of a grid of {}x{} views, not {}; "
+          "--order raster takes them in sorted order instead",
+          other.row->number + 1, other.col->number + 1, other.rows(), other.cols(),
+          describe(*naming_.grid)));
+    }
+    const auto near = nearest_grid(views.pictures, columns, std::nullopt);
+    if (near) return missing(views, *near);
+    return std::nullopt;
+  }
+
+  // The names are those of a sequence, or what is wrong with them is said.
+  IoResult<ViewList> in_order() const {
+    Views views = of_one_form(true);
+    const auto& pictures = views.pictures;
+    const bool all_wanted =
+        naming_.grid && all_.pictures.size() == size_t{naming_.grid->rows} * naming_.grid->cols;
+    if (pictures.size() == 1 || 4 * pictures.size() < all_.pictures.size()) {
+      return in_sequence(all_, naming_.grid);  // hardly any two names are alike
+    }
+    if (!views.rival.empty() && !all_wanted) {
+      return refuse(fmt::format(
+          "pictures are named like {} and, as many, like {}; choose by --names, such as --names {}",
+          shown_name(pictures.front()), views.rival, open_pattern(pictures.front())));
+    }
+    for (size_t i = 1; i < pictures.size(); ++i) {
+      if (natural_order(pictures[i - 1].name, pictures[i].name) == 0) {
+        return twice(pictures[i - 1], pictures[i]);
       }
     }
-    const uint64_t total = wanted - views.size();
-    return file_error(folder, std::to_string(total) + " of the " + std::to_string(wanted) +
-                                  " views of a " + describe_grid(grid) + " grid " +
-                                  (total == 1 ? "is" : "are") + " missing: " + name_some(missing) +
-                                  (total > missing.size() ? " ..." : "") +
-                                  " (rows and columns count from 0)");
-  }
-  ViewList list{grid.rows, grid.cols, {}};
-  for (PlacedView& view : views) list.files.push_back(std::move(view.file));
-  return list;
-}
-
-// The list of `files`, in natural order, row by row. Errors: two files with the same number, too
-// few (with the first jump in the numbering, if there is one) or too many.
-IoResult<ViewList> place_in_order(const fs::path& folder, GridShape grid,
-                                  std::vector<fs::path> files) {
-  for (size_t i = 1; i < files.size(); ++i) {
-    if (natural_order(files[i - 1].stem().string(), files[i].stem().string()) == 0) {
-      return double_view(folder, i - 1, grid.cols, files[i - 1], files[i]);
+    if (!naming_.order) {
+      if (const auto wrong = wrong_grid(views)) return *wrong;
     }
+    if (all_wanted && pictures.size() < all_.pictures.size()) views = all_;
+    return in_sequence(views, naming_.grid);
   }
-  const uint64_t wanted = uint64_t{grid.rows} * grid.cols;
-  const std::string counts = std::to_string(files.size()) + " pictures for a " +
-                             describe_grid(grid) + " grid of " + std::to_string(wanted) + " views";
-  if (files.size() < wanted) {
-    const std::string jump = describe_jump(files, grid.cols);
-    const std::string end = ": after " + files.back().filename().string() + " the view of " +
-                            describe_place(files.size(), grid.cols) + " is missing";
-    return file_error(folder, counts + (jump.empty() ? end : jump));
-  }
-  if (files.size() > wanted) {
-    return file_error(
-        folder, counts + ": " + files[wanted].filename().string() + " is the first one too many");
-  }
-  return ViewList{grid.rows, grid.cols, std::move(files)};
-}
 
-/// The folder's picture files in natural order.
-IoResult<std::vector<fs::path>> find_pictures(const fs::path& folder) {
-  std::error_code failure;
-  if (!fs::is_directory(folder, failure)) {
-    return file_error(folder, "not a folder; give the folder that holds the views");
+  // As the numbers of the names count, or as the names are sorted.
+  IoResult<ViewList> in_sequence(const Views& views, std::optional<GridShape> grid) const {
+    const bool is_hci = parse_camera_name(views.pictures.front().file.stem().string()).has_value();
+    if (!grid) grid = hci_grid(folder_);
+    if (!naming_.grid && !is_hci && grid &&
+        views.pictures.size() != size_t{grid->rows} * grid->cols) {
+      grid.reset();
+    }
+    if (!grid && is_hci) grid = square_grid(views.pictures);
+    if (!grid) {
+      return refuse(describe_no_grid(views.pictures, number_columns(views.pictures)) +
+                    others(views));
+    }
+    const auto order = naming_.order.value_or(FrameOrder::kRaster);
+    auto sequence = sequence_of(views.pictures, *grid, order, is_hci);
+    if (!sequence) return refuse(sequence.error() + others(views));
+    ViewList list = empty_list(views, *grid, is_hci && hci_grid(folder_) ? "" : sequence->text);
+    list.files = std::move(sequence->files);
+    return list;
   }
-  std::vector<fs::path> files;
+
+  const fs::path& folder_;
+  const ViewNaming& naming_;
+  Views all_;
+  bool by_pattern_ = false;
+};
+
+// Adds the pictures right in `folder`, with names after `prefix`, and its subfolders to lists.
+IoResult<void> list_folder(const fs::path& folder, const std::string& prefix,
+                           std::vector<NamedPicture>& pictures, std::vector<fs::path>& folders) {
+  std::error_code failure;
   for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
        it.increment(failure)) {
     std::error_code ignored;
-    if (is_picture_name(it->path()) && !it->is_directory(ignored)) files.push_back(it->path());
+    const fs::path& path = it->path();
+    const std::string name = path.filename().string();
+    if (it->is_directory(ignored)) {
+      if (!name.starts_with('.') && name != "__MACOSX") folders.push_back(path);
+    } else if (is_picture_name(path)) {
+      pictures.push_back({path, prefix + path.stem().string(), {}});
+      if (pictures.size() > kMostPictures) return file_error(folder, "more pictures than any grid");
+    }
   }
   if (failure) return system_error(folder, "cannot list the folder", failure.value());
-  if (files.empty()) return file_error(folder, "no PNG, JPEG, TIFF, WebP, PPM or PGM picture");
-  std::ranges::sort(files, [](const fs::path& a, const fs::path& b) {
-    const std::string left = a.stem().string();
-    const std::string right = b.stem().string();
-    const auto order = natural_order(left, right);
-    return order != 0 ? order < 0 : a < b;
+  return {};
+}
+
+void sort_by_name(std::vector<NamedPicture>& pictures) {
+  std::ranges::sort(pictures, [](const NamedPicture& a, const NamedPicture& b) {
+    const auto order = natural_order(a.name, b.name);
+    return order != 0 ? order < 0 : a.file < b.file;
   });
-  return files;
-}
-
-/// The image files classified by their names.
-struct Classified {
-  std::vector<PlacedView> views;        ///< the index still to be set from `positions`
-  std::vector<GridPosition> positions;  ///< of each of `views`
-  std::vector<std::string> strangers;   ///< names of another form
-};
-
-Classified by_grid_name(const std::vector<fs::path>& files) {
-  Classified result;
-  for (const fs::path& file : files) {
-    if (const auto position = parse_grid_name(file.stem().string())) {
-      result.views.push_back({0, file});
-      result.positions.push_back(*position);
-    } else {
-      result.strangers.push_back(file.filename().string());
-    }
-  }
-  return result;
-}
-
-Classified by_camera_name(const std::vector<fs::path>& files) {
-  Classified result;
-  for (const fs::path& file : files) {
-    if (const auto index = parse_camera_name(file.stem().string())) {
-      result.views.push_back({*index, file});
-    } else {
-      result.strangers.push_back(file.filename().string());
-    }
-  }
-  return result;
-}
-
-tl::unexpected<IoError> extra_files(const fs::path& folder, const Classified& pictures,
-                                    std::string_view form) {
-  return file_error(folder, "extra picture " + name_some(pictures.strangers) +
-                                " among views named " + std::string(form) + "; move it away");
-}
-
-tl::unexpected<IoError> outside(const fs::path& folder, const fs::path& file, uint64_t row,
-                                uint64_t col, GridShape grid) {
-  return file_error(folder, "extra view " + file.filename().string() + ": row " +
-                                std::to_string(row) + ", column " + std::to_string(col) +
-                                " is outside of the grid of " + std::to_string(grid.rows) +
-                                " rows and " + std::to_string(grid.cols) +
-                                " columns that was asked for (both count from 0)");
-}
-
-// Numbers rows and columns anew, from 0 and without gaps, where that gives a grid of the size asked
-// for: the views are a subset, such as every second column, of a larger grid.
-void take_subset(GridShape asked, std::vector<GridPosition>& positions) {
-  std::set<uint32_t> rows;
-  std::set<uint32_t> cols;
-  for (const GridPosition& position : positions) {
-    rows.insert(position.row);
-    cols.insert(position.col);
-  }
-  if (rows.size() != asked.rows || cols.size() != asked.cols) return;
-  const auto number = [](const std::set<uint32_t>& used, uint32_t value) {
-    return static_cast<uint32_t>(std::distance(used.begin(), used.find(value)));
-  };
-  for (GridPosition& position : positions) {
-    position = {number(rows, position.row), number(cols, position.col)};
-  }
-}
-
-IoResult<ViewList> list_by_grid_name(const fs::path& folder, std::optional<GridShape> asked,
-                                     Classified pictures) {
-  if (!pictures.strangers.empty()) return extra_files(folder, pictures, "by row and column");
-  GridShape grid;
-  for (const GridPosition& position : pictures.positions) {
-    grid.rows = std::max(grid.rows, position.row + 1);
-    grid.cols = std::max(grid.cols, position.col + 1);
-  }
-  if (asked) {
-    take_subset(*asked, pictures.positions);
-    grid = *asked;
-  }
-  for (size_t i = 0; i < pictures.views.size(); ++i) {
-    const GridPosition position = pictures.positions[i];
-    if (position.row >= grid.rows || position.col >= grid.cols) {
-      return outside(folder, pictures.views[i].file, position.row, position.col, grid);
-    }
-    pictures.views[i].index = uint64_t{position.row} * grid.cols + position.col;
-  }
-  return place_all(folder, grid, std::move(pictures.views));
-}
-
-/// The side of the square grid of `count` views, or nothing.
-std::optional<uint32_t> square_side(uint64_t count) {
-  for (uint64_t side = 1; side <= kMaxGridSide && side * side <= count; ++side) {
-    if (side * side == count) return static_cast<uint32_t>(side);
-  }
-  return std::nullopt;
-}
-
-IoResult<ViewList> list_by_camera_name(const fs::path& folder, std::optional<GridShape> asked,
-                                       Classified pictures) {
-  if (!pictures.strangers.empty()) return extra_files(folder, pictures, "input_CamNNN");
-  if (!asked) {
-    const uint64_t count = std::ranges::max(pictures.views, {}, &PlacedView::index).index + 1;
-    const auto side = square_side(count);
-    if (!side) {
-      return file_error(folder, "views are numbered up to input_Cam" + std::to_string(count - 1) +
-                                    ", which is no square grid; give --grid ROWSxCOLS");
-    }
-    asked = GridShape{*side, *side};
-  }
-  const uint64_t wanted = uint64_t{asked->rows} * asked->cols;
-  const auto beyond = [&](const PlacedView& view) { return view.index >= wanted; };
-  if (pictures.views.size() == wanted && std::ranges::any_of(pictures.views, beyond)) {
-    std::ranges::stable_sort(pictures.views, {}, &PlacedView::index);
-    std::vector<fs::path> files;
-    for (PlacedView& view : pictures.views) files.push_back(std::move(view.file));
-    return place_in_order(folder, *asked, std::move(files));
-  }
-  for (const PlacedView& view : pictures.views) {
-    const uint64_t row = view.index / asked->cols;
-    if (row >= asked->rows) {
-      return outside(folder, view.file, row, view.index % asked->cols, *asked);
-    }
-  }
-  return place_all(folder, *asked, std::move(pictures.views));
 }
 
 }  // namespace
@@ -293,28 +282,31 @@ bool is_picture_name(const fs::path& file) {
          std::ranges::find(kExtensions, lower_case_extension(file)) != kExtensions.end();
 }
 
-IoResult<ViewList> list_views(const fs::path& folder, std::optional<GridShape> grid) {
-  if (grid && (grid->rows < 1 || grid->cols < 1 || grid->rows > kMaxGridSide ||
-               grid->cols > kMaxGridSide)) {
+IoResult<ViewList> list_views(const fs::path& folder, const ViewNaming& naming) {
+  const auto side_is_good = [](uint32_t side) { return side >= 1 && side <= kMaxGridSide; };
+  if (naming.grid && !(side_is_good(naming.grid->rows) && side_is_good(naming.grid->cols))) {
     return file_error(folder, "a grid must have 1 to 4096 rows and 1 to 4096 columns");
   }
-  auto files = find_pictures(folder);
-  if (!files) return tl::unexpected(files.error());
+  std::error_code failure;
+  if (!fs::is_directory(folder, failure)) {
+    return file_error(folder, "not a folder; give the folder that holds the views");
+  }
+  std::vector<NamedPicture> pictures;
+  std::vector<fs::path> folders;
+  if (auto ok = list_folder(folder, "", pictures, folders); !ok) return tl::unexpected(ok.error());
+  sort_by_name(pictures);
+  auto list = Reading(folder, naming, pictures).list();
+  if (list || pictures.size() > kFewPictures) return list;
 
-  Classified grid_names = by_grid_name(*files);
-  Classified camera_names = by_camera_name(*files);
-  const size_t others = files->size() - grid_names.views.size() - camera_names.views.size();
-  if (grid_names.views.size() >= std::max(camera_names.views.size(), others)) {
-    return list_by_grid_name(folder, grid, std::move(grid_names));
+  const size_t above = pictures.size();
+  for (const fs::path& row : folders) {
+    std::vector<fs::path> deeper;
+    auto ok = list_folder(row, row.filename().string() + "/", pictures, deeper);
+    if (!ok) return tl::unexpected(ok.error());
   }
-  if (camera_names.views.size() >= others) {
-    return list_by_camera_name(folder, grid ? grid : hci_grid(folder), std::move(camera_names));
-  }
-  if (!grid) {
-    return file_error(folder, "the names of the pictures (" + files->front().filename().string() +
-                                  " ...) do not say row and column; give --grid ROWSxCOLS");
-  }
-  return place_in_order(folder, *grid, std::move(*files));
+  if (pictures.size() == above) return list;
+  sort_by_name(pictures);
+  return Reading(folder, naming, std::move(pictures)).list();
 }
 
 }  // namespace hmlfc::io

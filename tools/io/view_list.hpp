@@ -1,46 +1,51 @@
 // The views of a light field as files of one folder.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "io/grid.hpp"
 #include "io/io_error.hpp"
 
 namespace hmlfc::io {
-
-/// A grid of views.
-struct GridShape {
-  uint32_t rows = 0;  ///< [1, 4096]
-  uint32_t cols = 0;  ///< [1, 4096]
-};
 
 /// One file per view of a complete grid.
 struct ViewList {
   uint32_t rows = 0;
   uint32_t cols = 0;
-  std::vector<std::filesystem::path> files;  ///< rows * cols paths, row-major
+  std::vector<std::filesystem::path> files = {};  ///< rows * cols paths, row-major
+  std::filesystem::path folder = {};              ///< in which they were looked for
+  std::vector<std::string> notes = {};            ///< for the user: how names were understood
+};
+
+/// What the user says of the names of views, instead of what list_views() would find.
+struct ViewNaming {
+  std::optional<GridShape> grid = std::nullopt;
+  std::string pattern = {};                        ///< as NamePattern; empty: none
+  std::optional<FrameOrder> order = std::nullopt;  ///< the names are a sequence in this order
+  bool pattern_is_for_others = false;              ///< where no name matches, there is none
 };
 
 /// Whether `file` is named *.png, .ppm, .pgm, .pnm, .jpg, .jpeg, .jpe, .jfif, .tif, .tiff or .webp
 /// (in any case), without a dot in front.
 bool is_picture_name(const std::filesystem::path& file);
 
-/// Finds the views in `folder`: all files of which is_picture_name() is true; other files are
-/// ignored, subfolders are not searched.
-/// The form of most names decides:
-/// - row and column in the name (see parse_grid_name); without `grid` the grid is their greatest
-///   values + 1; with it the names may be a subset of a larger grid, `grid`.rows of its rows and
-///   `grid`.cols of its columns, which are numbered anew from 0;
-/// - input_CamNNN, NNN = row * columns + column; without `grid` it is that of a parameters.cfg in
-///   the folder, else a square grid; with it
-///   the names may be a subset of as many views as `grid` has, taken in order;
-/// - anything else, in natural order row by row; `grid` is needed.
+/// Finds the views in `folder`: files of which is_picture_name() is true. Where there are none, or
+/// hardly any, those in its subfolders are taken, with names as ROW/COL.
 ///
-/// Errors: no such folder, no images, unknown grid, `grid` contradicts the names, or a view that is
-/// missing, duplicate or extra; the message names its row, column and file.
-IoResult<ViewList> list_views(const std::filesystem::path& folder,
-                              std::optional<GridShape> grid = std::nullopt);
+/// Names of one form, which differ in their numbers alone, are those of views; others are ignored,
+/// with a note, where these make a full grid. The grid is found from
+/// - two numbers of which each pair of values is there once (full_grids());
+/// - the numbers of a sequence, where `naming` has a grid; for input_CamNNN it may be that of a
+///   parameters.cfg in the folder, or a square;
+/// - the sorted order of any other names, where `naming` has a grid.
+/// With a grid, views may be a subset of the rows and columns of a larger one, with gaps. A note
+/// says what was understood, unless names have row and column, counted from 0, and no more numbers.
+///
+/// Errors: no such folder, no pictures, several ways to understand them, no grid, or a view that is
+/// missing or twice there; the message names files, row and column, and the option that helps.
+IoResult<ViewList> list_views(const std::filesystem::path& folder, const ViewNaming& naming = {});
 
 }  // namespace hmlfc::io

@@ -60,15 +60,6 @@ std::vector<std::string_view> split_at_underscores(std::string_view text) {
   return parts;
 }
 
-std::optional<GridPosition> parse_position(std::string_view row, std::string_view col) {
-  const auto row_number = parse_digits(row, 4);
-  const auto col_number = parse_digits(col, 4);
-  if (!row_number || !col_number || std::max(*row_number, *col_number) >= kMaxGridSide) {
-    return std::nullopt;
-  }
-  return GridPosition{*row_number, *col_number};
-}
-
 /// out_RR_CC_Y_X with an optional trailing underscore.
 bool has_camera_position(const std::vector<std::string_view>& parts) {
   const bool right_count = parts.size() == 5 || (parts.size() == 6 && parts[5].empty());
@@ -98,13 +89,6 @@ std::strong_ordering natural_order(std::string_view a, std::string_view b) {
     b.remove_prefix(1);
   }
   return a.size() <=> b.size();
-}
-
-std::optional<GridPosition> parse_grid_name(std::string_view stem) {
-  const auto parts = split_at_underscores(stem);
-  if (has_camera_position(parts)) return parse_position(parts[1], parts[2]);
-  if (parts.size() < 2) return std::nullopt;
-  return parse_position(parts[parts.size() - 2], parts.back());
 }
 
 std::optional<CameraPlace> parse_camera_place(std::string_view stem) {

@@ -13,22 +13,6 @@ namespace hmlfc::io {
 /// Equal for names that differ only in leading zeros: natural_order("a7", "a007") == 0.
 std::strong_ordering natural_order(std::string_view a, std::string_view b);
 
-inline constexpr uint32_t kMaxGridSide = 4096;
-
-/// A position in the grid of views.
-struct GridPosition {
-  uint32_t row = 0;  ///< [0, 4095]
-  uint32_t col = 0;  ///< [0, 4095]
-
-  friend bool operator==(const GridPosition&, const GridPosition&) = default;
-};
-
-/// Row and column from a name without its extension, in one of the forms
-///   RR_CC    NAME_RR_CC    out_RR_CC    out_RR_CC_Y_X    out_RR_CC_Y_X_
-/// RR and CC are 1 to 4 digits, NAME is any text, Y and X are decimals with an optional sign (the
-/// camera positions of the Stanford archive, ignored). Nothing for any other name.
-std::optional<GridPosition> parse_grid_name(std::string_view stem);
-
 /// A camera's place as the Stanford archive states it.
 struct CameraPlace {
   double y = 0;

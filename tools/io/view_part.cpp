@@ -27,22 +27,12 @@ IoResult<ViewList> part_of(const std::filesystem::path& folder, const ViewList& 
   if (!excess) excess = describe_excess(part.cols, views.cols, "column");
   if (excess) return file_error(folder, "--views asks for " + *excess);
 
-  ViewList result{length(part.rows), length(part.cols), {}};
+  ViewList result{length(part.rows), length(part.cols), {}, views.folder, {}};
   for (uint32_t i = 0; i < result.rows; ++i) {
     const size_t row = part.rows.first + size_t{i} * part.rows.step;
     for (uint32_t j = 0; j < result.cols; ++j) {
       const size_t col = part.cols.first + size_t{j} * part.cols.step;
       result.files.push_back(views.files[row * views.cols + col]);
-    }
-  }
-  return result;
-}
-
-ViewList transposed(const ViewList& views) {
-  ViewList result{views.cols, views.rows, {}};
-  for (size_t row = 0; row < result.rows; ++row) {
-    for (size_t col = 0; col < result.cols; ++col) {
-      result.files.push_back(views.files[col * views.cols + row]);
     }
   }
   return result;

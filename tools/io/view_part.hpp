@@ -31,8 +31,4 @@ struct ViewPart {
 IoResult<ViewList> part_of(const std::filesystem::path& folder, const ViewList& views,
                            const ViewPart& part);
 
-/// `views` with rows and columns exchanged: what list_views() finds where names say the column
-/// first.
-ViewList transposed(const ViewList& views);
-
 }  // namespace hmlfc::io

@@ -60,7 +60,7 @@ void pack_row(const RgbImage& image, size_t y, uint8_t* out) {
   }
 }
 
-void write_header(png_structp png, png_infop info, const RgbImage& image) {
+void write_header(png_structp png, png_infop info, const RgbImage& image, const char* software) {
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_set_compression_level(png, kCompressionLevel);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
@@ -71,13 +71,22 @@ void write_header(png_structp png, png_infop info, const RgbImage& image) {
     const png_color_8 significant = {bits, bits, bits, 0, 0};
     png_set_sBIT(png, info, &significant);
   }
+  if (*software != 0) {
+    char keyword[] = "Software";
+    png_text text = {};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = keyword;
+    text.text = const_cast<char*>(software);  // libpng only reads it
+    png_set_text(png, info, &text, 1);
+  }
   png_write_info(png, info);
 }
 
 /// False where libpng reported an error; `row` has room for one packed row.
-bool encode(png_structp png, png_infop info, const RgbImage& image, uint8_t* row) {
+bool encode(png_structp png, png_infop info, const RgbImage& image, const char* software,
+            uint8_t* row) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  write_header(png, info, image);
+  write_header(png, info, image, software);
   for (size_t y = 0; y < image.height; ++y) {
     pack_row(image, y, row);
     png_write_row(png, row);
@@ -184,7 +193,7 @@ class Animation {
 
 }  // namespace
 
-std::vector<uint8_t> encode_png(const RgbImage& image) {
+std::vector<uint8_t> encode_png(const RgbImage& image, const std::string& software) {
   PngOutput output;
   std::vector<uint8_t> row(size_t{image.width} * 3 * (image.depth == 8 ? 1 : 2));
   png_structp png =
@@ -193,15 +202,16 @@ std::vector<uint8_t> encode_png(const RgbImage& image) {
   bool done = false;
   if (info != nullptr) {
     png_set_write_fn(png, &output, append_bytes, nullptr);
-    done = encode(png, info, image, row.data());
+    done = encode(png, info, image, software.c_str(), row.data());
   }
   png_destroy_write_struct(&png, &info);
   if (!done) output.bytes.clear();
   return std::move(output.bytes);
 }
 
-IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image) {
-  const std::vector<uint8_t> bytes = encode_png(image);
+IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image,
+                         const std::string& software) {
+  const std::vector<uint8_t> bytes = encode_png(image, software);
   if (bytes.empty()) return memory_error(path, "to write a PNG picture");
   return write_file(path, bytes);
 }
@@ -220,10 +230,10 @@ IoResult<void> write_ppm(const std::filesystem::path& path, const RgbImage& imag
 }
 
 IoResult<void> write_apng(const std::filesystem::path& path, std::span<const RgbImage> frames,
-                          unsigned rate) {
+                          unsigned rate, const std::string& software) {
   Animation animation(frames.size(), rate);
   for (const RgbImage& image : frames) {
-    const std::vector<uint8_t> png = encode_png(image);
+    const std::vector<uint8_t> png = encode_png(image, software);
     if (png.empty()) return memory_error(path, "to write a PNG picture");
     animation.add(image, png);
   }

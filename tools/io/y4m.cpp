@@ -119,13 +119,6 @@ std::string video_note(const Y4mHeader& header) {
 
 }  // namespace
 
-GridPosition view_of_frame(size_t index, GridShape grid, FrameOrder order) {
-  const auto row = static_cast<uint32_t>(index / grid.cols);
-  const auto col = static_cast<uint32_t>(index % grid.cols);
-  const bool is_reversed = order == FrameOrder::kSerpentine && row % 2 == 1;
-  return {row, is_reversed ? grid.cols - 1 - col : col};
-}
-
 int exact_video_bits(int depth) { return depth <= 8 ? 10 : depth <= 10 ? 12 : 14; }
 
 IoResult<Y4mReader> Y4mReader::open(const std::filesystem::path& file,
@@ -170,9 +163,7 @@ IoResult<Y4mReader> Y4mReader::open(const std::filesystem::path& file,
 
 RgbImage Y4mReader::view(uint32_t row, uint32_t col) const {
   const GridShape grid{shape_.rows, shape_.cols};
-  // An odd row is reversed twice.
-  const GridPosition place = view_of_frame(size_t{row} * grid.cols + col, grid, order_);
-  const uint8_t* y = file_.bytes().data() + frames_[size_t{row} * grid.cols + place.col];
+  const uint8_t* y = file_.bytes().data() + frames_[frame_of_view({row, col}, grid, order_)];
   RgbImage image{shape_.width, shape_.height, shape_.depth, {}};
   const size_t pixels = size_t{image.width} * image.height;
   const uint8_t* cb = y + pixels * sample_bytes(levels_);

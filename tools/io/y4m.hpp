@@ -13,21 +13,11 @@
 #include <hmlfc/light_field.hpp>
 
 #include "io/files.hpp"
+#include "io/grid.hpp"
 #include "io/io_error.hpp"
-#include "io/view_list.hpp"
-#include "io/view_name.hpp"
 #include "io/ycbcr.hpp"
 
 namespace hmlfc::io {
-
-/// In which order views follow each other.
-enum class FrameOrder : uint8_t {
-  kRaster,      ///< row by row, each from the left
-  kSerpentine,  ///< likewise, but odd rows from the right
-};
-
-/// The view that frame `index` in [0, rows * cols - 1] shows.
-GridPosition view_of_frame(size_t index, GridShape grid, FrameOrder order);
 
 /// The least bits of a video that keeps views of `depth` in [8, 12] bits exactly: 10, 12 or 14.
 int exact_video_bits(int depth);

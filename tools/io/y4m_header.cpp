@@ -66,9 +66,10 @@ std::optional<Y4mNote> parse_note(std::string_view text) {
   if (sides.size() != 2 || !depth || *depth < 8) return std::nullopt;
   const auto rows = number(sides[0], kMaxGridSide);
   const auto cols = number(sides[1], kMaxGridSide);
-  if (!rows || !cols || (parts[1] != "raster" && parts[1] != "serpentine")) return std::nullopt;
-  const auto order = parts[1] == "raster" ? FrameOrder::kRaster : FrameOrder::kSerpentine;
-  return Y4mNote{{*rows, *cols}, order, static_cast<int>(*depth)};
+  const auto* const order =
+      std::ranges::find(kFrameOrders, parts[1], &decltype(kFrameOrders)::value_type::first);
+  if (!rows || !cols || order == kFrameOrders.end()) return std::nullopt;
+  return Y4mNote{{*rows, *cols}, order->second, static_cast<int>(*depth)};
 }
 
 tl::unexpected<std::string> wrong(std::string_view word, std::string_view what) {
@@ -109,7 +110,7 @@ tl::expected<void, std::string> take(std::string_view word, Y4mHeader& header) {
     header.levels.full_range = word.substr(kRange.size()) == "FULL";
   } else if (word.starts_with(kNote)) {
     header.note = parse_note(word.substr(kNote.size()));
-    if (!header.note) return wrong(word, "is not ROWSxCOLS,raster,DEPTH or ...,serpentine,DEPTH");
+    if (!header.note) return wrong(word, "is not ROWSxCOLS,ORDER,DEPTH");
   }
   return {};
 }
@@ -123,8 +124,8 @@ std::string write_y4m_header(const Y4mHeader& header) {
                                  header.levels.full_range ? "FULL" : "LIMITED");
   if (header.note) {
     const auto& [grid, order, depth] = *header.note;
-    line += fmt::format(" {}{}x{},{},{}", kNote, grid.rows, grid.cols,
-                        order == FrameOrder::kRaster ? "raster" : "serpentine", depth);
+    line += fmt::format(" {}{},{},{}", kNote, describe(grid),
+                        kFrameOrders[static_cast<size_t>(order)].first, depth);
   }
   return line;
 }

@@ -34,13 +34,23 @@ struct Field {
 Field read_folder(const py::kwargs& arguments) {
   const Options given(arguments);
   const auto folder = given.get<std::string>("folder");
-  std::optional<io::GridShape> shape;
+  io::ViewNaming naming;
   if (const auto grid = given.pair("grid", kMaxGrid)) {
-    shape = io::GridShape{grid->first, grid->second};
+    naming.grid = io::GridShape{grid->first, grid->second};
+  }
+  naming.pattern = given.get<std::optional<std::string>>("names").value_or("");
+  if (const auto order = given.get<std::optional<std::string>>("order")) {
+    const auto* found = std::ranges::find(io::kFrameOrders, *order,
+                                          &std::pair<std::string_view, io::FrameOrder>::first);
+    if (found == io::kFrameOrders.end()) {
+      throw py::value_error("order is raster, serpentine, columns or columns-serpentine, not " +
+                            *order);
+    }
+    naming.order = found->second;
   }
   return value_or_raise(interruptible([&](const auto& stop) -> io::IoResult<Field> {
     Field field;
-    auto files = io::list_views(folder, shape);
+    auto files = io::list_views(folder, naming);
     if (!files) return tl::unexpected(files.error());
     const auto tell = [&](size_t, size_t) {
       if (stop) throw Stopped();
@@ -187,6 +197,7 @@ py::tuple encode_field(const Field& field, const py::kwargs& arguments) {
 
 py::list notes_of(const Field& field) {
   py::list notes;
+  for (const std::string& line : field.files.notes) notes.append(message_of(line));
   for (const std::string& line : field.notes.lines()) notes.append(message_of(line));
   return notes;
 }

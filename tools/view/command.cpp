@@ -33,6 +33,7 @@ namespace {
 struct ViewOptions {
   std::filesystem::path file;
   std::filesystem::path original;
+  io::ViewNaming naming;  // of the original
   DutOptions dut;
   BlockRequest block;
   uint16_t port = 0;
@@ -103,7 +104,7 @@ std::unique_ptr<view::OtherDecoder> other_decoder(const DutOptions& options,
 }
 
 ExitCode run_view(const ViewOptions& options) {
-  view::OpenStream stream(options.file, options.original);
+  view::OpenStream stream(options.file, options.original, options.naming);
   const auto other = other_decoder(options.dut, stream);
   const std::string link = link_to(options.block, stream, other != nullptr);
   if (!stream.error().empty()) note(stream.error());
@@ -147,6 +148,7 @@ Examples:
   add_path(app, "--original", options.original, "The views it was made of, to compare with")
       ->required(false)
       ->type_name("DIR");
+  add_naming(app, options.naming);
   options.dut.add_to(app, false);
   add_block_options(app, options.block, false);
   add_integer(app, "--port", options.port, 0, 65535, "Port of 127.0.0.1, 0 for any that is free");

@@ -8,11 +8,12 @@ using cli::ExitCode;
 using cli::Failure;
 using cli::StreamFile;
 
-OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem::path& original)
+OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem::path& original,
+                       const io::ViewNaming& naming)
     : path_(file) {
   open(cli::open_source(file));
   if (original.empty()) return;
-  original_ = cli::ViewSource::open(original, std::nullopt);
+  original_ = cli::ViewSource::open(original, naming);
   if (for_blocks_ == nullptr) return;
   const LightFieldShape shape = cli::shape_of(for_blocks_->header());
   if (original_->shape() == shape) return;

@@ -15,9 +15,11 @@ namespace hmlfc::view {
 /// A stream opened as far as it can be, and the views that it was made of.
 class OpenStream {
  public:
-  /// `original` is a folder of views or a stream, or empty. Failures: a file that cannot be read,
-  /// or an original of another shape (kInput). A corrupt stream is no failure.
-  OpenStream(const std::filesystem::path& file, const std::filesystem::path& original = {});
+  /// `original` is a folder of views, named as `naming` says, or a stream, or empty. Failures: a
+  /// file that cannot be read, or an original of another shape (kInput). A corrupt stream is no
+  /// failure.
+  OpenStream(const std::filesystem::path& file, const std::filesystem::path& original = {},
+             const io::ViewNaming& naming = {});
 
   /// A stream in memory, which must outlive it, under a name.
   OpenStream(const std::filesystem::path& name, std::span<const uint8_t> bytes);

@@ -6,7 +6,7 @@ import json
 import os
 import warnings
 from operator import index as as_integer
-from typing import Callable, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
@@ -22,15 +22,23 @@ class Views(NamedTuple):
     depth: int
 
 
-def read_views(folder: AnyPath, *, grid: Optional[Tuple[int, int]] = None) -> Views:
+def read_views(
+    folder: AnyPath,
+    *,
+    grid: Optional[Tuple[int, int]] = None,
+    names: Optional[str] = None,
+    order: Optional[str] = None,
+) -> Views:
     """The views in a folder of images, as `hmlfc encode` finds them.
 
     grid: rows and columns, where names do not tell
+    names: where names say row and column, such as "{row}_{col}", as `hmlfc encode --names`
+    order: in which a sequence goes through the grid: "raster", "serpentine", "columns" or "columns-serpentine"
 
     Warns with a Note of what reading changed or left out. Raises OSError that names the file that is missing or does
     not fit.
     """
-    field = read_folder(folder, grid)
+    field = read_folder(folder, grid=grid, names=names, order=order)
     return Views(field.pixels(), field.depth)
 
 
@@ -39,6 +47,8 @@ def encode(
     *,
     depth: Optional[int] = None,
     grid: Optional[Tuple[int, int]] = None,
+    names: Optional[str] = None,
+    order: Optional[str] = None,
     rig: Union[Rig, AnyPath, bool, None] = None,
     profile: str = "extended",
     quality: Optional[float] = None,
@@ -59,7 +69,7 @@ def encode(
 
     views: array (rows, cols, height, width, 3) of uint8, or of uint16 with `depth`; or a folder of images
     depth: bits a sample, [8, 12]
-    grid: rows and columns of a folder, where names do not tell
+    grid, names, order: of a folder, as for read_views()
     rig: where the cameras stand: a Rig, or a file as for `hmlfc encode --rig`, which knows the views of an array as
         00_00.png and so on; None: what files and names in the folder of `views` say; False: nothing
     profile: "main" or "extended"
@@ -92,7 +102,7 @@ def encode(
     if rig and profile == "main":
         raise ValueError("a rig needs profile 'extended'")
     is_folder = isinstance(views, (str, bytes, os.PathLike))
-    field = read_folder(views, grid) if is_folder else field_of(views, depth)
+    field = read_folder(views, grid=grid, names=names, order=order) if is_folder else field_of(views, depth)
     if depth not in (None, field.depth):
         raise ValueError(f"the views have depth {field.depth}, not {depth}")
     is_file = isinstance(rig, (str, bytes, os.PathLike))
@@ -110,11 +120,11 @@ def encode(
     return stream
 
 
-def read_folder(folder: AnyPath, grid: Optional[Tuple[int, int]]) -> _core.Field:
+def read_folder(folder: AnyPath, **naming: Any) -> _core.Field:
     """The views of a folder; for the functions above, whose callers are warned."""
     name = name_of(folder)
     os.stat(name)
-    field = _core.Field.from_folder(folder=name, grid=grid)
+    field = _core.Field.from_folder(folder=name, **naming)
     for note in field.notes:
         warnings.warn(note, Note, stacklevel=3)
     return field
