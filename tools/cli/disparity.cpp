@@ -115,7 +115,7 @@ Example:
   hmlfc disparity chess.hmlfc --view 3,5 -o chess.pfm)");
   add_stream(app, options.file);
   add_output(app, options.output, options.force, "FILE",
-             "The *.png, *.16.png or *.pfm file to write, - for a PFM on standard output");
+             "The file to write; - gives a PFM on standard output");
   add_view(app, options.view, "The view; counted from 0,0")->default_str("the middle one");
 }
 
