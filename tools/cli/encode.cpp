@@ -186,7 +186,7 @@ Examples:
   options.app = &app;
   add_path(app, "INPUT", options.input, "Folder of PNG, PPM, PGM or JPEG views, or a plan");
   add_output(app, options.output, options.force, "FILE",
-             "The .hmlfc file, plan or shard to write, - for standard output");
+             "The stream, plan or shard; - for standard output");
   add_naming(app, options.naming);
   add_views(app, options.part);
   add_coding_options(app, options.coding);
