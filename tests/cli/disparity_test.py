@@ -111,12 +111,12 @@ class Disparity(CliTest):
 
     def test_refused(self):
         self.refused(USAGE, "disparity", "a.hmlfc", "-o", "map.txt", says=["map.txt", "*.pfm"])
-        self.refused(USAGE, "disparity", "a.hmlfc", "-o", "map.pfm", "--view", "3,0", says="3,0")
+        self.refused(USAGE, "disparity", "a.hmlfc", "-o", "unmade.pfm", "--view", "3,0", says="3,0")
         self.refused(USAGE, "disparity", "a.hmlfc", "-o", "nowhere/map.pfm", says="nowhere")
         damaged = bytearray((self.folder / "a.hmlfc").read_bytes())
         damaged[-1] ^= 1
         (self.folder / "bad.hmlfc").write_bytes(damaged)
-        self.refused(CORRUPT, "disparity", "bad.hmlfc", "-o", "map.pfm", says="bad_section_crc")
+        self.refused(CORRUPT, "disparity", "bad.hmlfc", "-o", "unmade.pfm", says="bad_section_crc")
 
 
 if __name__ == "__main__":

@@ -129,7 +129,7 @@ Example:
   hmlfc decode chess.hmlfc -o decoded --view 3,5 --rect 0,0,128,64)");
   add_stream(app, options.file);
   add_output(app, options.output, options.force, "DIR|FILE.png",
-             "Folder for the views, created if missing, or the file of one view");
+             "Folder for the views, or the file of one");
   add_view(app, options.view, "Only this view; counted from 0,0");
   add_rect(app, options.rect);
   add_levels(app, options.levels);

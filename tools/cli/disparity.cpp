@@ -123,7 +123,7 @@ Examples:
   hmlfc disparity chess.hmlfc --positive near -o estimate.pfm)");
   add_stream(app, options.file);
   add_output(app, options.output, options.force, "FILE",
-             "The *.png, *.16.png or *.pfm file to write, - for a PFM on standard output");
+             "The file to write; - gives a PFM on standard output");
   add_view(app, options.view, "The view; counted from 0,0")->default_str("the middle one");
   add_choice(app, "--positive", options.sign, {{"far", 1}, {"near", -1}},
              "The sign of the numbers: which things have positive ones")

@@ -169,7 +169,8 @@ Camera_03_04_400.0_30.jpg, row03/04.png; a note says which, where there are more
 {row} and {col} stand for the two, {index} for the number of a sequence, * for any text. Sequences such
 as frame_0001.png, and any other names in sorted order, need --grid, and --order unless they go row by
 row; input_CamNNN.png (HCI) has a square grid or that of parameters.cfg. With --grid a folder may also
-hold a subset of a grid, such as every second row. The stream is the same bytes for any number of threads.
+hold a subset of a grid, such as every second row. The stream is the same bytes for any number of
+threads.
 
 --views R0..R1:STEP,C0..C1:STEP encodes every STEP-th of rows R0 to R1 and of columns C0 to C1, counted
 from 0. :STEP may be left out (1), and one number is one row or column: --views 4,0..16. The folder must
@@ -202,8 +203,8 @@ Examples:
   hmlfc encode views -o paper.hmlfc --profile main --method hmlfc --threshold-pred 50
   hmlfc encode views -o sparse.hmlfc --views 0..8:2,0..8:2
   hmlfc encode lytro -o lytro.hmlfc --grid 9x9 --lossless
-  hmlfc encode shots -o shots.hmlfc --names 'view_{row}_x{col}*'
-  hmlfc encode frames -o gantry.hmlfc --grid 17x17 --order serpentine
+  hmlfc encode views -o named.hmlfc --names '{row}_{col}'
+  hmlfc encode lytro -o gantry.hmlfc --grid 9x9 --order serpentine
   hmlfc encode views -o posed.hmlfc --rig rig.json
   hmlfc encode views -o large.hmlfc --memory 512M
   hmlfc encode views -o job.json --plan
@@ -214,7 +215,7 @@ Examples:
   add_path(app, "INPUT", options.input,
            "Folder of PNG, JPEG, TIFF, WebP, PPM or PGM views, quilt, .y4m video or plan");
   add_output(app, options.output, options.force, "FILE",
-             "The .hmlfc file, plan or shard to write, - for standard output");
+             "The stream, plan or shard; - for standard output");
   add_naming(app, options.naming);
   add_views(app, options.part);
   add_coding_options(app, options.coding);
