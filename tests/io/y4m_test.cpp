@@ -101,8 +101,7 @@ TEST(Y4m, BytesOfAFrame) {
 using Samples = std::vector<uint16_t>;
 
 // Samples of the view, and the note, of a video of one frame.
-std::pair<Samples, std::string> read(const std::string& words,
-                                                   const std::string& frame) {
+std::pair<Samples, std::string> read(const std::string& words, const std::string& frame) {
   const auto video = opened("YUV4MPEG2 " + words + "\nFRAME Ip\n" + frame);
   if (!video) return {{}, video.error().message};
   return {video->view(0, 0).samples, video->note()};
