@@ -15,7 +15,7 @@ class Help(CliTest):
     def prepare(cls):
         cls.hmlfc(*"synth --scene cards --grid 9x9 --size 136x72 -o views".split())
         cls.hmlfc("encode", "views", "-o", "chess.hmlfc")
-        for name in ("chess.pfm", "gt_disp_lowres.pfm"):
+        for name in ("map.pfm", "gt_disp_lowres.pfm"):
             cls.hmlfc("disparity", "chess.hmlfc", "-o", name)
         rig = {"schema": 1, "positions": [[col, row, 0] for row in range(9) for col in range(9)]}
         (cls.folder / "rig.json").write_text(json.dumps(rig))

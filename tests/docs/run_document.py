@@ -74,7 +74,7 @@ def check(root, sandbox, name, updating=False):
     for command in document.commands(lines, name):
         made, options, _ = rules.substitute(command.text)
         if made is rules.NAMED_ONLY:
-            made = f"(./run; ./run help developers) | grep -q -- '^  {command.text.split()[1]} '"
+            made = f"(./run; ./run help developers) | grep -- '^  {command.text.split()[1]} '"
         result = sandbox.run(made)
         if result.returncode and NO_DEVICE.search(result.stdout + result.stderr):
             skipped.append(command.text)

@@ -105,7 +105,7 @@ is unknown. JSON keys: mean_abs_error, max_abs_error, mse_x100, badpix, pixels, 
 
 Examples:
   hmlfc compare views chess.hmlfc --json
-  hmlfc compare chess.pfm gt_disp_lowres.pfm --rect 15,15,482,482)");
+  hmlfc compare map.pfm gt_disp_lowres.pfm --rect 15,15,482,482)");
   add_path(app, "A", options.a, "Folder of views, .hmlfc file or map *.pfm");
   add_path(app, "B", options.b, "Folder of views, .hmlfc file or map *.pfm");
   add_naming(app, options.naming);

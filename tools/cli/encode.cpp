@@ -213,7 +213,7 @@ Examples:
   hmlfc encode job.json -o chess.hmlfc --assemble 1.part 2.part)");
   options.app = &app;
   add_path(app, "INPUT", options.input,
-           "Folder of PNG, JPEG, TIFF, WebP, PPM or PGM views, quilt, .y4m video or plan");
+           "Folder of PNG, JPEG, TIFF, WebP, PPM or PGM views, quilt, .y4m or plan");
   add_output(app, options.output, options.force, "FILE",
              "The stream, plan or shard; - for standard output");
   add_naming(app, options.naming);
