@@ -57,6 +57,11 @@ def chunks_of(data):
         at += size + 12
 
 
+def without_sign(png):
+    """The chunks of a PNG but for the one which says what command wrote it."""
+    return [chunk for chunk in chunks_of(png) if chunk[0] != "tEXt"]
+
+
 def read_png(path):
     """An RGB PNG of 8 or 16 bits without interlacing; samples as stored."""
     chunks = list(chunks_of(path.read_bytes()))
