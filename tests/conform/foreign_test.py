@@ -96,7 +96,7 @@ class Suites(Foreign):
         for name in "report.json", "junit.xml", "report.html":
             (self.folder / f"to-{name}").mkdir()
             (self.folder / f"to-{name}" / name).symlink_to(self.mine / "file")
-            self.refused(OUTPUT, "conform", "--suite", self.one, "--dut", dut, "-o", f"to-{name}", says="symbolic link")
+            self.refused(OUTPUT, "conform", "--suite", self.one, "--dut", dut, "-o", f"to-{name}", "--force", says="symbolic link")
         self.assert_untouched()
 
 
