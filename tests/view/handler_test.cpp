@@ -83,7 +83,7 @@ TEST(ViewHandler, RefusalsNameWhatIsWrong) {
   EXPECT_NE(refusal("frame", {{"size", "5000x5"}}).find("[1, 4096]"), std::string::npos);
   EXPECT_NE(refusal("frame", {{"path", "/etc/passwd"}}).find("'path'"), std::string::npos);
   EXPECT_NE(refusal("frame", {{"camera", "9999,0"}}).find("position"), std::string::npos);
-  EXPECT_NE(refusal("blocks", {{"view", "9,9"}, {"plane", "Y"}}).find("outside"),
+  EXPECT_NE(refusal("blocks", {{"view", "9,9"}, {"plane", "Y"}}).find("does not exist"),
             std::string::npos);
   EXPECT_NE(refusal("difference", {{"view", "0,0"}}).find("--original"), std::string::npos);
   EXPECT_EQ(fixture.get("nosuch").status, 404);

@@ -154,8 +154,8 @@ void check_division(const EncodeOptions& options) {
                   "find its quality on a part (--views), then give --quality");
   }
   if (!planned) return;
-  static const std::vector<std::string> kOwn{"--shard",   "--assemble", "--output",
-                                             "--threads", "--json",     "--memory"};
+  static const std::vector<std::string> kOwn{"--shard", "--assemble", "--output", "--threads",
+                                             "--json",  "--memory",   "--force"};
   for (const CLI::Option* option : options.app->get_options()) {
     const std::string name = option->get_name();
     if (option->count() == 0 || name == "INPUT" || std::ranges::count(kOwn, name) > 0) continue;

@@ -139,7 +139,9 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const bool lacks_or_has_more =
       code == CLI::ExitCodes::RequiredError || code == CLI::ExitCodes::ExtrasError;
   std::vector<std::string> names;
-  if (option != extra.end() && lacks_or_has_more) {
+  const bool is_command = !app.get_subcommands([](const CLI::App*) { return true; }).empty();
+  const bool is_word = is_command && !extra.empty() && !extra.front().starts_with('-');
+  if (option != extra.end() && lacks_or_has_more && !is_word) {
     for (const CLI::Option* known : app.get_options()) {
       for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
     }

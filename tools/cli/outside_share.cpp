@@ -33,10 +33,11 @@ std::string OutsideShare::text(const StreamHeader& header) const {
   std::string line = percent(sum_ / static_cast<double>(frames_)) +
                      " of the pixels lie outside the light field and are black";
   if (frames_ > 1) line += fmt::format(", at most {} in frame {}", percent(most_), emptiest_);
-  return line + fmt::format(
-                    "\nTheir rays miss the views: move the camera towards columns 0 to {} and "
-                    "rows 0 to {}, or narrow --fov\n",
-                    header.cols - 1, header.rows - 1);
+  return line +
+         fmt::format(
+             "\nTheir rays miss the views: move the camera towards columns 0 to {}, rows 0 to {} "
+             "and distance 0, or narrow --fov\n",
+             header.cols - 1, header.rows - 1);
 }
 
 }  // namespace hmlfc::cli

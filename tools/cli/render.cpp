@@ -17,6 +17,7 @@
 #include "cli/outside_share.hpp"
 #include "cli/preview.hpp"
 #include "cli/render_backend.hpp"
+#include "cli/render_json.hpp"
 #include "cli/render_trace.hpp"
 #include "cli/view_source.hpp"
 #include "io/files.hpp"
@@ -46,40 +47,9 @@ struct RenderArguments {
 
 std::string frame_name(size_t frame) { return fmt::format("frame_{:04}.png", frame); }
 
-Json camera_json(const Camera& camera) {
-  return {
-      {"position", {camera.position->u, camera.position->v, camera.position->z}},
-      {"look_at", {camera.look_at->u, camera.look_at->v, camera.look_at->z}},
-      {"tan_half", *camera.tan_half},
-      {"focus", camera.focus},
-      {"geometry", geometry_name(camera.aperture == 0 ? camera.geometry : GeometrySource::kPlane)}};
-}
-
 // The file of a coarse pass with `levels` levels of the tree, next to the frame's.
 std::filesystem::path pass_name(std::filesystem::path frame, int levels) {
   return frame.replace_filename(fmt::format("{}_levels_{}.png", frame.stem().string(), levels));
-}
-
-// The cost of one pass. `touched` is null for a device, which holds the whole stream in its memory.
-Json pass_json(const std::string& name, int levels, const Frame& frame,
-               const TouchedBytes* touched) {
-  Json json{{"file", name},
-            {"levels", levels},
-            {"seconds", frame.seconds.total()},
-            {"stages",
-             {{"plan", frame.seconds.plan},
-              {"decode", frame.seconds.decode},
-              {"sample", frame.seconds.sample}}},
-            {"blocks_needed", frame.counts.blocks_needed},
-            {"blocks_decoded", frame.counts.blocks_decoded},
-            {"blocks_reused", frame.counts.blocks_reused},
-            {"disparities_looked_up", frame.counts.disparities_looked_up}};
-  if (touched != nullptr) {
-    json["bytes_touched"] = touched->bytes();
-    json["key_samples_decoded"] = touched->key_samples();
-    json["samples_interpolated"] = frame.counts.samples_interpolated;
-  }
-  return json;
 }
 
 // Renders the frames of one stream.

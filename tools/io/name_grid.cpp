@@ -59,10 +59,17 @@ bool say_the_same(const NumberColumn& a, const NumberColumn& b) {
   return true;
 }
 
-// The letters right before a number, in small letters.
+// The letters right before a number, or before the decimal number of which it is the fraction, in
+// small letters.
 std::string label_of(const NamedPicture& picture, size_t number) {
   const auto is_letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
-  const size_t end = picture.numbers[number].begin;
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  size_t end = picture.numbers[number].begin;
+  if (end > 1 && picture.name[end - 1] == '.' && is_digit(picture.name[end - 2])) {
+    for (--end; end > 0 && is_digit(picture.name[end - 1]);) --end;
+    while (end > 0 && (picture.name[end - 1] == '_' || picture.name[end - 1] == '-')) --end;
+  }
+  if (end > 0 && picture.name[end - 1] == '_') --end;
   size_t begin = end;
   while (begin > 0 && is_letter(picture.name[begin - 1])) --begin;
   std::string label = picture.name.substr(begin, end - begin);

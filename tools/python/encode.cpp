@@ -39,7 +39,8 @@ Field read_folder(const py::kwargs& arguments) {
     naming.grid = io::GridShape{grid->first, grid->second};
   }
   naming.pattern = given.get<std::optional<std::string>>("names").value_or("");
-  if (const auto order = given.get<std::optional<std::string>>("order")) {
+  if (auto order = given.get<std::optional<std::string>>("order")) {
+    if (*order == "rows") order = "raster";
     const auto* found = std::ranges::find(io::kFrameOrders, *order,
                                           &std::pair<std::string_view, io::FrameOrder>::first);
     if (found == io::kFrameOrders.end()) {

@@ -102,10 +102,14 @@ def encode(
     if rig and profile == "main":
         raise ValueError("a rig needs profile 'extended'")
     is_folder = isinstance(views, (str, bytes, os.PathLike))
+    if not is_folder and (grid, names, order) != (None, None, None):
+        raise ValueError("grid, names and order are of a folder; an array has its rows and columns")
     field = read_folder(views, grid=grid, names=names, order=order) if is_folder else field_of(views, depth)
     if depth not in (None, field.depth):
         raise ValueError(f"the views have depth {field.depth}, not {depth}")
     is_file = isinstance(rig, (str, bytes, os.PathLike))
+    if not is_file and not isinstance(rig, Rig) and rig not in (None, False):
+        raise TypeError(f"rig is a Rig, a file, None or False, not {type(rig).__name__}")
     stream, psnr, most = field.encode(
         rig_file=name_of(rig) if is_file else None, rig_text=text_of(rig) if isinstance(rig, Rig) else None,
         rig_of_views=is_folder and rig is None and profile == "extended", profile=profile,
