@@ -1,6 +1,7 @@
 """render --focus-at, the disparity of the surface that a pixel shows, in one frame and along a path; focal stacks."""
 
 import json
+import shutil
 import struct
 
 from pictures import read_png
@@ -49,6 +50,7 @@ class FocusAt(CliTest):
         return places[0], places[-1]
 
     def focuses(self, *arguments, file="a.hmlfc"):
+        shutil.rmtree(self.folder / "frames", ignore_errors=True)
         report = self.hmlfc_json("render", file, "-o", "frames", *arguments)
         return [frame["camera"]["focus"] for frame in report["frames"]]
 

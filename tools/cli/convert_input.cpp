@@ -101,6 +101,14 @@ ConvertInput open_stream(const ConvertOptions& options) {
 std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options) {
   const auto quilt = io::parse_quilt_name(options.input);
   if (quilt && !options.from) {
+    const auto& grid = options.naming.grid;
+    const io::GridShape views = quilt->mosaic.grid();
+    if (grid && (grid->rows != views.rows || grid->cols != views.cols)) {
+      throw Failure(
+          ExitCode::kUsage,
+          fmt::format("{}: the quilt's name says {}x{} views, --grid {}x{}", options.input.string(),
+                      views.rows, views.cols, grid->rows, grid->cols));
+    }
     auto source = std::make_unique<MosaicSource>(options.input, quilt->mosaic);
     note_quilt(options.input, *quilt, *source);
     return source;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -41,6 +42,20 @@ bool is_input(const fs::path& file, const fs::path& input) {
   if (!fs::is_directory(input, failure)) return fs::equivalent(file, input, failure);
   const fs::path real = fs::canonical(file, failure);
   return io::is_picture_name(real) && fs::equivalent(real.parent_path(), input, failure);
+}
+
+// Says that pictures in `folder` other than `files` stay, which would count as views of them.
+void note_others(const fs::path& folder, const std::vector<std::string>& files) {
+  const std::set<std::string> own(files.begin(), files.end());
+  size_t count = 0;
+  std::error_code failure;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
+       it.increment(failure)) {
+    if (io::is_picture_name(it->path()) && !own.contains(it->path().filename().string())) ++count;
+  }
+  if (count == 0) return;
+  note(fmt::format("{}: {} other picture{} there, of an earlier result perhaps", folder.string(),
+                   count, count == 1 ? " stays" : "s stay"));
 }
 
 }  // namespace
@@ -128,6 +143,7 @@ void make_output_folder(const fs::path& folder, const std::vector<std::string>& 
   check_replaceable(paths, replacing);
   fs::create_directories(folder, failure);
   if (failure) refuse(folder, "cannot create this folder: " + failure.message());
+  if (files.size() > 1) note_others(folder, files);
 }
 
 io::FolderLock take_output_folder(const fs::path& folder) {

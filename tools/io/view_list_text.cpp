@@ -196,6 +196,7 @@ std::string describe_missing(const std::vector<NamedPicture>& views, const GridR
     there[place_of(*reading.row, i) * cols + place_of(*reading.col, i)] = true;
   }
   const size_t total = there.size() - views.size();
+  if (total == 0) return fmt::format("the names make a {}x{} grid", rows, cols);
   std::string missing;
   size_t named = 0;
   for (size_t i = 0; i < there.size() && named < kNamed; ++i) {
