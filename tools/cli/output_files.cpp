@@ -29,7 +29,8 @@ constexpr size_t kSignedBytes = 256;  // of a file's beginning, where a sign sta
 bool is_standard_output(const fs::path& output) { return output == "-"; }
 
 bool has_sign(const fs::path& file, std::string_view sign) {
-  if (sign.empty()) return false;
+  std::error_code failure;
+  if (sign.empty() || !fs::is_regular_file(file, failure)) return false;  // a pipe has no end
   std::ifstream stream(file, std::ios::binary);
   std::array<char, kSignedBytes> begin{};
   stream.read(begin.data(), begin.size());
