@@ -22,7 +22,11 @@ class Groups:
             return ((image + 1) * self.count - 1) // self.images
         return image // self.size
 
+    def length(self, group):
+        """The number of images of a group."""
+        end = self.first(group + 1) if self.balanced else min(self.first(group) + self.size, self.images)
+        return end - self.first(group)
+
     def reference(self, group):
         """The reference image of a group."""
-        end = self.first(group + 1) if self.balanced else min(self.first(group) + self.size, self.images)
-        return self.first(group) + ((end - self.first(group) - 1) >> 1)
+        return self.first(group) + ((self.length(group) - 1) >> 1)

@@ -3,7 +3,7 @@
 import paths  # noqa: F401
 import json
 
-from naive_map import block_of_map
+from disparity_map import block_of_map
 from opening import Stream
 from pictures import read_png
 from program import ROOT, CliTest, main

@@ -1,13 +1,14 @@
-"""The disparity map of a view by docs/rendering.md, section 8, alone, in exact fractions."""
+"""The disparity and confidence of blocks of a view, in exact fractions (section 8 of docs/rendering.md)."""
 
 import math
 from fractions import Fraction
 
-import paths  # noqa: F401
 from disparity import disparity_of, grid_disparity
 from index import find_record
+from integers import clamp
 from motion import EXPLICIT_DISPARITY, EXPLICIT_VECTOR, NO_MOTION, motion_of, place_of
 from references import references_of, vector_to
+from residual import read_residual
 from stream_error import StreamError
 from tile_head import TileHead
 from tile_mask import block_number
@@ -17,13 +18,16 @@ Y = 0
 
 
 def sixteen_bits(number):
-    """The integer nearest to a fraction, halves away from 0, within 16 bits."""
+    """The integer nearest to a fraction, halves away from 0, within 16 bits (GEO-4)."""
     size = math.floor(abs(number) + Fraction(1, 2))
-    return max(-(2**15), min(2**15 - 1, -size if number < 0 else size))
+    return clamp(-size if number < 0 else size, -(2**15), 2**15 - 1)
 
 
 def block_of_map(stream, row, col, block_x, block_y):
-    """(D, confidence) of a block of plane Y (GEO-2)."""
+    """(D, confidence) of a block of plane Y of view (row, col) (GEO-2); D in 2^-8 pixels a column.
+
+    Raises the StreamError of GEO-7.
+    """
     geometry, level = stream.geometry, 0
     while True:
         image = geometry.ancestor(level, row, col)
@@ -37,22 +41,16 @@ def block_of_map(stream, row, col, block_x, block_y):
 
 
 def told_by(stream, image, block_x, block_y):
-    """(pixels a column, confidence at a keyed level) that a block tells, or None (GEO-3)."""
+    """(pixels a column, confidence at a keyed level) that a block tells, or None (GEO-3, GEO-6)."""
     header, geometry = stream.header, stream.geometry
     level, row, col = image
-    group = geometry.row_groups(level).group_of(row), geometry.col_groups(level).group_of(col)
-    rows, cols = geometry.grids[level]
-    members = [
-        (r, c) for r in range(rows) for c in range(cols)
-        if (geometry.row_groups(level).group_of(r), geometry.col_groups(level).group_of(c)) == group
-    ]  # fmt: skip
-    if len(members) == 1:
+    rows, cols = geometry.row_groups(level), geometry.col_groups(level)
+    if rows.length(rows.group_of(row)) * cols.length(cols.group_of(col)) == 1:
         return None
-    apart = min(header.cluster_cols**level, 4096)
-    unit = 2**header.disparity_precision * apart
     predictive = geometry.reference_of(image) != image
     if not header.motion_tiles:
         return told_by_record(stream, image, block_x, block_y) if predictive else None
+    unit = 2**header.disparity_precision * min(header.cluster_cols**level, 4096)
     motion_plane, x, y, _ = place_of(stream, Y, block_x, block_y)
     if not predictive:
         if not header.shared_disparity:
@@ -74,16 +72,17 @@ def told_by(stream, image, block_x, block_y):
 
 
 def told_by_record(stream, image, block_x, block_y):
-    """By the vector of a residual tile (TIL-7)."""
+    """By the vector of a residual tile (TIL-7). The walk reads the block's residual as well (GEO-7)."""
     tile = block_x // 8, block_y // 8
     record = find_record(stream, stream.geometry.tile_number(image, Y, *tile))
     if record is None:
         return None
     head, block = TileHead(stream, record, True, Y, tile), block_number(block_x % 8, block_y % 8)
-    if not head.motion_mask >> block & 1:
-        return None
-    _, vector = read_vector(head, stream.header.window, block)
-    return along(stream.header, image, stream.geometry.reference_of(image), vector)
+    moved = head.motion_mask >> block & 1
+    vector = read_vector(head, stream.header.window, block)[1] if moved else None
+    if head.residual_mask >> block & 1:
+        read_residual(stream, head, Y, block)
+    return along(stream.header, image, stream.geometry.reference_of(image), vector) if moved else None
 
 
 def along(header, image, reference, vector):
