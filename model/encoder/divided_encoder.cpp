@@ -116,8 +116,8 @@ tl::expected<DividedEncoder, EncodeError> DividedEncoder::create(const ViewProvi
       const auto fitting =
           fitting_parts(*header, params.extended.preset, memory, state->threads, least);
       if (!fitting) {
-        return refused("a memory of " + megabytes(memory) + " is too small for these views: " +
-                       megabytes(least) + " is the least that would do");
+        return refused("the memory is too small for these views: " + megabytes(least) +
+                       " is the least that would do");
       }
       state->grid = fitting->grid;
       state->threads = fitting->threads;

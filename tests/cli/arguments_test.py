@@ -1,6 +1,8 @@
 """Arguments are read strictly, and each that is refused is named: exit status 2."""
 
-from program import USAGE, VERSION, CliTest, main
+import shutil
+
+from program import INPUT, USAGE, VERSION, CliTest, main
 
 SYNTH = ["synth", "--scene", "flat", "--grid", "2x2", "--size", "16x8", "-o", "views"]
 
@@ -162,6 +164,38 @@ class Arguments(CliTest):
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, *arguments, says=says)
         self.assertNotIn("did you mean", self.refused(USAGE, "nonsense") + self.refused(USAGE, "info", "--zzz"))
+
+    def test_options_that_do_not_apply(self):
+        shutil.copy(self.folder / "views/00_00.png", self.folder / "one_qs1x1.png")
+        self.hmlfc("convert", "views", "all.y4m")
+        (self.folder / "one.pfm").write_bytes(b"Pf\n1 1\n-1.0\n" + bytes(4))
+        (self.folder / "wide.json").write_text('[{"aperture": 1}]')
+        for command, says in [
+            ("convert all.y4m out --names {row}_{col}", "--names does not apply: frames of a video"),
+            ("compare a.hmlfc a.hmlfc --grid 2x2", "--grid does not apply: a.hmlfc is a stream"),
+            ("compare one.pfm one.pfm --view 0,0", "--view does not apply: a map"),
+            ("compare one.pfm one.pfm --names *", "--names does not apply: a map"),
+            ("picture sheet a.hmlfc -o p.png --order raster", "--order does not apply: a.hmlfc is a stream"),
+            ("view a.hmlfc --grid 2x2", "--grid does not apply: it is for the folder of --original"),
+            ("view a.hmlfc --timeout 5", "--timeout requires --dut"),
+            ("encode one_qs1x1.png -o b.hmlfc --order raster", "--order does not apply: views in one picture"),
+            ("encode -o b.hmlfc views --names {row}_{col} --order raster", "leave one out"),
+            ("encode -o b.hmlfc views --order serpentine", "row and column of 2x2 views"),
+            ("encode views -o b.hmlfc --cluster 2x2", "--cluster is of a tree"),
+            ("render a.hmlfc -o p.png --frames 3", "--frames does not apply: it is for --path"),
+            ("render a.hmlfc -o out --frames 3 --path wide.json", "wide.json has its own number"),
+            ("render a.hmlfc -o p.png --aperture 1 --geometry stream", "--geometry stream does not apply"),
+            ("render a.hmlfc -o out --path wide.json --geometry stream", "--geometry stream does not apply"),
+            ("info one_qs1x1.png", "not a stream, but one picture; hmlfc encode"),
+            ("compare a.hmlfc all.y4m", "not a stream, but a video; hmlfc encode"),
+            ("render one.pfm -o p.png", "not a stream, but a map; hmlfc compare"),
+            ("info views", "not a stream, but a folder; hmlfc encode"),
+            ("render a.hmlfc -o out --trace 1,1", "--output excludes --trace"),
+        ]:
+            with self.subTest(command=command):
+                is_usage = "views --" not in command and "not a stream" not in says
+                self.refused(USAGE if is_usage else INPUT, *command.split(), says=says)
+        self.assertIn(b"2 x 2 views", self.run_hmlfc(*"compare a.hmlfc views --grid 2x2".split()).stdout)
 
     def test_twice_and_unknown(self):
         self.refused(USAGE, *SYNTH, "--seed", "1", "--seed", "2", says="--seed")

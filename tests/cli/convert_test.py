@@ -55,7 +55,7 @@ class ConvertTest(CliTest):
         rows = b"".join(rows[at:at + 144] + b"xyz" for at in range(0, len(rows), 144))
         (self.folder / "Cat_QS2x2a0.75 (1).ppm").write_bytes(b"P6 49 33 255\n" + 147 * b"x" + rows)
         told = self.run_hmlfc("convert", "Cat_QS2x2a0.75 (1).ppm", "cat").stderr.decode()
-        self.assertIn("1 columns of pixels on the right and 1 rows on top are cut off", told)
+        self.assertIn("1 column of pixels on the right and 1 row of pixels on top are cut off", told)
         self.assertIn("the aspect of a tile is 1.5, the name says 0.75", told)
         for col in range(4):
             self.assertEqual(read_png(self.folder / f"cat/00_0{col}.png"), read_png(self.folder / f"views/01_0{col}.png"))
@@ -84,7 +84,8 @@ class ConvertTest(CliTest):
                     self.hmlfc("convert", source, "all.y4m", "--order", order)
                     video = (self.folder / "all.y4m").read_bytes()
                     self.assertIn(f" C444p{bits} ".encode(), video.split(b"\n")[0])
-                    self.hmlfc("convert", "all.y4m", f"from-{bits}-{order}")
+                    self.hmlfc("convert", "all.y4m", "again.y4m", "--order", "columns")
+                    self.hmlfc("convert", "again.y4m", f"from-{bits}-{order}")
                     self.same_views(views, f"from-{bits}-{order}")
         self.hmlfc("convert", "views", "eight.y4m", "--bits", "8")
         self.hmlfc("convert", "eight.y4m", "nearly")
@@ -166,6 +167,8 @@ class ConvertTest(CliTest):
         self.hmlfc("convert", "hci.hmlfc", "hci-again")
         (self.folder / "hci-again/rig.json").unlink()
         self.same_views("views", "hci-again")
+        (self.folder / "hci/parameters.cfg").write_text("[extrinsics]\nnum_cams_x = 4\nnum_cams_y = 3\n")
+        self.hmlfc("convert", "hci", "no-rig.hmlfc", "--no-rig")
         (self.folder / "hci/parameters.cfg").unlink()
         self.refused(INPUT, "convert", "hci", "x.hmlfc", says="give --grid")
         self.hmlfc(*"synth --scene cards --grid 2x2 --size 24x16 --cameras sphere -o s --rig s/rig.json".split())
@@ -187,7 +190,9 @@ class ConvertTest(CliTest):
             (("views", "a.png", "--to", "hci"), "hci are for an output that is a folder"),
             (("all.png", "a", "--from", "pleno", "--grid", "3x4"), "--from tiles (or lenslets)"),
             (("views", "a", "--bits", "8"), "--bits is for"),
-            ((DEEP, "a", "--order", "raster"), "--order is for"),
+            ((DEEP, "a", "--order", "raster"), "--order does not apply"),
+            ((DEEP, "a", "--grid", "3x3"), "is a stream, which has its grid"),
+            (("views", "a", "--from", "pleno", "--names", "{row}_{col}"), "--from pleno says"),
             ((DEEP, "a.y4m", "--bits", "8"), "--bits 8 is less than the 10 bits"),
             (("views", "a", "--to", "tiles"), "--to"),
             (("views", "a", "--from", "tiles"), "--from"),

@@ -135,7 +135,7 @@ class FocusAt(CliTest):
         refused(USAGE, "--focus-at", f"{WIDTH},0", says=[f"{WIDTH},0", f"{WIDTH} x {HEIGHT}"])
         refused(USAGE, "--focus-at", "9,30", "--size", "40x30", says="40 x 30")
         refused(USAGE, "--focus-at", "0,0", "--camera", "2.6,1", says="sees nothing")
-        refused(USAGE, "--focus-at", "0,0", "--camera", "1e9,1", says="position's column")
+        refused(USAGE, "--focus-at", "0,0", "--camera", "1e9,1", says="--camera's column")
         refused(INPUT, "--focus-at", "9,9", file="still.hmlfc", says=["9,9", "still.hmlfc", "--focus"])
         for camera, says in [
             ({"focus_at": [1]}, "focus_at is not"),

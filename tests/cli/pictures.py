@@ -63,19 +63,20 @@ def without_sign(png):
 
 
 def read_png(path):
-    """An RGB PNG of 8 or 16 bits without interlacing; samples as stored."""
+    """A PNG of 8 or 16 bits without interlacing; samples as stored, those of grey three times."""
     chunks = list(chunks_of(path.read_bytes()))
     width, height, bits, colour, _, _, interlace = struct.unpack(">IIBBBBB", dict(chunks)["IHDR"])
-    assert colour == 2 and interlace == 0 and bits in (8, 16), path
+    assert colour in (0, 2) and interlace == 0 and bits in (8, 16), path
+    channels = 3 if colour == 2 else 1
     raw = zlib.decompress(b"".join(body for kind, body in chunks if kind == "IDAT"))
-    step = 3 * bits // 8
+    step = channels * bits // 8
     stride = width * step
     above, samples = bytes(stride), []
     for y in range(height):
         begin = y * (stride + 1)
         above = _unfilter(raw[begin], raw[begin + 1 : begin + 1 + stride], above, step)
-        samples += above if bits == 8 else struct.unpack(f">{width * 3}H", bytes(above))
-    return Picture(width, height, list(samples))
+        samples += above if bits == 8 else struct.unpack(f">{width * channels}H", bytes(above))
+    return Picture(width, height, [sample for sample in samples for _ in range(3 // channels)])
 
 
 def write_ppm(path, picture, maximum=255):

@@ -204,11 +204,12 @@ class Render(CliTest):
             (["--camera", "nan,1"], "--camera"),
             (["--camera", "1"], "--camera"),
             (["--camera", "1,1,1,1"], "--camera"),
-            (["--camera", "1e9,1"], "position's column"),
+            (["--camera", "1e9,1"], "--camera's column"),
             (["--camera", "1,1,0", "--look-at", "1,1,0"], "camera's place"),
             (["--camera", "1,1,0", "--look-at", "1,9,0"], "straight above or below"),
             (["--focus", "300"], "--focus"),
-            (["--focal", "0"], "focal"),
+            (["--focal", "0"], "--focal is 0"),
+            (["--row-pitch", "99"], "--row-pitch without its sign is 99"),
             (["--size", "0x9"], "--size"),
             (["--size", "4097x9"], "--size"),
             (["--aperture", "4"], "--aperture"),
@@ -228,6 +229,7 @@ class Render(CliTest):
             ("{", "not a JSON array"), ("[]", "not a JSON array"), ("[1]", "frame 0: not an object"),
             ('[{}, {"position": [1, 2]}]', "frame 1: position"),
             ('[{"speed": 1}]', 'unknown key "speed"'), ('[{"fov": "x"}]', "fov is not a number"),
+            ('[{"fov": 130}]', "fov is 130, outside [0.2, 126] degrees"),
         ]:  # fmt: skip
             (self.folder / "bad.json").write_text(text)
             arguments = ["--path", "bad.json", "-o", "bad"]

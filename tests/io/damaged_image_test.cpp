@@ -78,6 +78,7 @@ TEST_F(DamagedImageTest, EveryTruncationIsAnErrorThatNamesTheFile) {
       const auto image = read_image(folder_ / name);
       ASSERT_FALSE(image.has_value()) << name << " cut to " << length << " of " << bytes.size();
       ASSERT_NE(image.error().message.find(name), std::string::npos) << image.error().message;
+      ASSERT_EQ(image.error().message.find("4294967295"), std::string::npos);  // no scanline's
     }
   }
 }

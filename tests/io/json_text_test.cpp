@@ -50,6 +50,8 @@ TEST(JsonText, WhatIsRefused) {
       {"[1] 2", "no JSON text: byte 5"},
       {std::string("[1]\0", 4), "no JSON text: byte 4"},
       {"\"\xFF\"", "no JSON text: byte 2"},
+      {"[1,\nNaN]", "no JSON text: byte 5, line 2, where JSON has no NaN or Infinity"},
+      {"[1] // x", "no JSON text: byte 5, where JSON has no comments"},
       {"[1e999]", "no JSON text: a number is too large"},
       {R"({"a":1,"b":2,"\u0061":3})", R"(the member "a" is there twice)"},
       {"[[[[]]]]", "ok"},

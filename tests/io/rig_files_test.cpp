@@ -61,6 +61,8 @@ TEST(RigFiles, EitherForm) {
   EXPECT_EQ(message(R"({"schema": 1, "positions": [[0, 0, 0]]})"),
             name + "positions has 1 entries; 2 are needed, one for each view");
   EXPECT_EQ(message("x"), name + "no JSON text: byte 1");
+  EXPECT_EQ(message(R"({"frames": [[[[[NaN]]]]]})"),
+            name + "no JSON text: byte 17, where JSON has no NaN or Infinity");
   const std::string a =
       R"({"file_path": "a", "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0]]})";
   const std::string b =

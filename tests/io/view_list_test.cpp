@@ -256,6 +256,7 @@ TEST(ViewList, CameraNumbers) {
       {four, shaped(1, 4), {"1x4:" + files, " | "}},
       {two, {}, {"--grid", "input_Cam0"}},
       {two, shaped(1, 2), {"1x2:", " | "}},
+      {two + Strings{"parameters.cfg"}, {}, {"parameters.cfg: extrinsics.num_cams_x is", "--grid"}},
       {part,
        shaped(2, 2),
        {"2x2: input_Cam9.png input_Cam010.png input_Cam012.png input_Cam030.png", " | "}},

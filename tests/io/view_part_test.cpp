@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "io/view_part.hpp"
+#include "io/view_list.hpp"
 
 namespace hmlfc::io {
 namespace {

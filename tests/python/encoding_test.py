@@ -21,6 +21,7 @@ class EncodingTest(CliTest):
     def test_views_of_a_folder(self):
         self.assertEqual((self.views.pixels.shape, self.views.pixels.dtype), ((3, 4, 20, 24, 3), np.uint8))
         self.assertEqual(self.views.depth, 8)
+        np.testing.assert_array_equal(np.asarray(self.views), self.views.pixels)
         with self.assertRaisesRegex(OSError, "nowhere"):
             hmlfc.read_views("nowhere")
 
@@ -126,6 +127,8 @@ class EncodingTest(CliTest):
             (pixels, {"quality": 101}, r"quality lies in \[0, 100\]"),
             (pixels, {"block_size": 5}, "block_size"),
             (pixels, {"tree_height": 16}, "tree_height"),
+            (pixels, {"threads": 1025}, r"threads lies in \[0, 1024\]"),
+            (np.ma.masked_equal(pixels, pixels[0, 0, 0, 0, 0]), {}, "masked samples"),
             (pixels, {"target_psnr": 30, "max_bytes": 9}, "exclude"),
             (pixels, {"quality": 30, "lossless": True}, "lossless and quality exclude"),
             (pixels, {"lossless": True, "chroma": "420"}, "lossless needs"),

@@ -84,7 +84,7 @@ class LightFieldTest(CliTest):
         ]:
             with self.subTest(key=key), self.assertRaisesRegex(IndexError, says):
                 self.lf[key]
-        for key in [np.s_[0.5, 0], np.s_[[1, 2]], np.s_[True], np.s_[None, 0]]:
+        for key in [np.s_[0.5, 0], np.s_[[1, 2]], np.s_[True], np.s_[None, 0], np.array([0, 1])]:
             with self.subTest(key=key), self.assertRaisesRegex(TypeError, "an integer, a slice or"):
                 self.lf[key]
         for ask in [self.lf.disparity, self.lf.disparity_map, lambda *view: self.lf.block(*view, "Y", 0, 0)]:
@@ -225,10 +225,11 @@ class LightFieldTest(CliTest):
         self.hmlfc("render", STREAM, *"--camera 1.5,2.25,0 --geometry plane --aperture 1 -o wide.png".split())
         frame = self.lf.render((1.5, 2.25, 0), geometry="plane", aperture=1)
         np.testing.assert_array_equal(frame, picture(self.folder / "wide.png"))
+        np.testing.assert_array_equal(self.lf.render(focus=float("inf")), self.lf.render(focus=0))
         for wrong in [{"focus": 999}, {"filter": "sharp"}, {"geometry": "mesh"}, {"width": 0}, {"height": -1}]:
             with self.subTest(wrong=wrong), self.assertRaisesRegex(ValueError, next(iter(wrong))):
                 self.lf.render(**wrong)
-        with self.assertRaisesRegex(TypeError, r"position cannot be \(1, 2\)"):
+        with self.assertRaisesRegex(TypeError, r"position cannot be \(1, 2\); it is \(x, y, z\)"):
             self.lf.render((1, 2))
         with self.assertWarnsRegex(hmlfc.Note, "black: .*towards columns 0 to 4 and rows 0 to 4"):
             self.lf.render((40, 2, 0))

@@ -106,6 +106,20 @@ void add_naming(CLI::App& app, io::ViewNaming& target) {
              "Pictures or frames are a sequence in this order; raster: row by row");
 }
 
+void refuse_given(std::initializer_list<std::pair<const char*, bool>> options,
+                  const std::string& why) {
+  for (const auto& [name, given] : options) {
+    if (given) throw Failure(ExitCode::kUsage, fmt::format("{} does not apply: {}", name, why));
+  }
+}
+
+void refuse_naming(const io::ViewNaming& naming, const std::string& why) {
+  refuse_given({{"--grid", naming.grid.has_value()},
+                {"--names", !naming.pattern.empty()},
+                {"--order", naming.order.has_value()}},
+               why);
+}
+
 CLI::Option* add_views(CLI::App& app, std::optional<io::ViewPart>& target) {
   const auto reader = [&target](const std::string& text) {
     const size_t comma = text.find(',');

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,7 +22,6 @@
 #include "cli/output_files.hpp"
 #include "io/name_numbers.hpp"
 #include "io/view_list.hpp"
-#include "io/view_part.hpp"
 #include "terminal/numbers.hpp"
 
 namespace hmlfc::cli {
@@ -141,6 +141,13 @@ CLI::Option* add_rows_by_cols(CLI::App& app, const std::string& name, uint32_t& 
 
 /// --grid RxC, --names PATTERN and --order: what names in a folder of views mean.
 void add_naming(CLI::App& app, io::ViewNaming& target);
+
+/// Usage failure for the first of these options that is given: "OPTION does not apply: WHY".
+void refuse_given(std::initializer_list<std::pair<const char*, bool>> options,
+                  const std::string& why);
+
+/// The same for what `naming` has of --grid, --names and --order.
+void refuse_naming(const io::ViewNaming& naming, const std::string& why);
 
 /// --views R0..R1:STEP,C0..C1:STEP: a part of the grid. ":STEP" may be left out; one number stands
 /// for a range of one.

@@ -65,8 +65,8 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
             "Column, row, distance of the camera (default: middle of the grid)");
   add_point(app, "--look-at", camera.look_at,
             "Where it looks: column, row, distance (default: straight ahead)");
-  add_decimal(app, "--fov", "DEGREES", 0.2, 126, "Field of view along the longer side",
-              "degrees in [0.2, 126]",
+  add_decimal(app, "--fov", "DEGREES", kLeastFov, kGreatestFov,
+              "Field of view along the longer side", "degrees in [0.2, 126]",
               [&camera](double degrees) { camera.tan_half = tan_half_of(degrees); })
       ->default_str("a view fills the frame");
   add_sides(app, "--size", "WxH", "width x height", kMaxFrameSide, "512x384", "Pixels of a frame",
@@ -92,7 +92,8 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
   app.add_option("--path", options.path,
                  "orbit, line, focus (a focal stack) or a JSON file of cameras")
       ->type_name("PATH");
-  add_integer(app, "--frames", options.frames, 1, 100000, "Frames of orbit, line and focus");
+  add_integer(app, "--frames", options.frames, 1, 100000, "Frames of orbit, line and focus")
+      ->default_str(std::to_string(kPathFrames));
   add_number(app, "--focal", camera.focal, "Focal length of the views, pixels",
              "their longer side");
   add_number(app, "--shear", camera.shear, "Disparity at infinity, pixels per column", "0");

@@ -18,6 +18,13 @@ struct FramePixel {
   uint32_t y = 0;
 };
 
+/// Degrees that --fov may have.
+inline constexpr double kLeastFov = 0.2;
+inline constexpr double kGreatestFov = 126;
+
+/// Of a path of which --frames does not tell.
+inline constexpr int kPathFrames = 60;
+
 /// The camera options of a command.
 struct CameraOptions {
   Camera camera;
@@ -26,8 +33,8 @@ struct CameraOptions {
   std::optional<std::array<double, 2>> focus;  ///< the first and the last of a path of focus
   std::optional<FramePixel> focus_at;          ///< instead of a focus
   std::optional<int> aperture;
-  std::string path;  ///< "", "orbit", "line", "focus" or a JSON file
-  int frames = 60;
+  std::string path;           ///< "", "orbit", "line", "focus" or a JSON file
+  std::optional<int> frames;  ///< else kPathFrames
 };
 
 /// Adds --camera, --look-at, --fov, --size, --filter, --geometry, --focus, --focus-at, --aperture,

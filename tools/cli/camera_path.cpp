@@ -5,12 +5,14 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include <hmlfc/disparity.hpp>
 #include <hmlfc/focus.hpp>
 
+#include "cli/arguments.hpp"
 #include "io/files.hpp"
 #include "io/json_text.hpp"
 
@@ -88,9 +90,10 @@ std::array<double, 2> known_range(const StreamFile& file, const Camera& camera) 
 std::vector<PathFrame> focal_stack(const CameraOptions& options, const Camera& camera,
                                    const StreamFile& file) {
   const auto [first, last] = options.focus ? *options.focus : known_range(file, camera);
-  std::vector<PathFrame> path(static_cast<size_t>(options.frames), PathFrame{camera});
-  for (int k = 0; k < options.frames; ++k) {
-    const double part = options.frames == 1 ? 0.5 : static_cast<double>(k) / (options.frames - 1);
+  const int frames = options.frames.value_or(kPathFrames);
+  std::vector<PathFrame> path(static_cast<size_t>(frames), PathFrame{camera});
+  for (int k = 0; k < frames; ++k) {
+    const double part = frames == 1 ? 0.5 : static_cast<double>(k) / (frames - 1);
     path[static_cast<size_t>(k)].camera.focus = on_grid(first + (last - first) * part);
   }
   return path;
@@ -133,7 +136,12 @@ void read_frame(const nlohmann::json& json, PathFrame& frame) {
     } else if (key == "look_at") {
       camera.look_at = point(key, value);
     } else if (key == "fov") {
-      camera.tan_half = tan_half_of(number(key, value));
+      const double degrees = number(key, value);
+      if (!(degrees >= kLeastFov && degrees <= kGreatestFov)) {
+        throw BadCamera{
+            fmt::format("fov is {}, outside [{}, {}] degrees", degrees, kLeastFov, kGreatestFov)};
+      }
+      camera.tan_half = tan_half_of(degrees);
     } else if (key == "focus") {
       camera.focus = number(key, value);
       frame.has_focus = true;
@@ -189,6 +197,10 @@ std::vector<PathFrame> path_of(const CameraOptions& options, const StreamFile& f
                   "a focal stack is --path focus, alone or with --focus and two disparities, such "
                   "as --focus -1.5..2");
   }
+  const bool is_still = options.path.empty();
+  refuse_given({{"--frames", options.frames && (is_still || is_file(options.path))}},
+               is_still ? "it is for --path orbit, line or focus; without --path there is one frame"
+                        : options.path + " has its own number of frames; leave it out");
   Camera camera = options.camera;
   camera.aperture = options.aperture.value_or(stack ? 2 : 0);
   camera.geometry =
@@ -197,9 +209,29 @@ std::vector<PathFrame> path_of(const CameraOptions& options, const StreamFile& f
   if (options.focus_at_infinity) camera.focus = camera.shear;
   if (stack) return focal_stack(options, camera, file);
   if (is_file(options.path)) return read_path(options.path, camera);
-  if (options.path == "orbit") return orbit(camera, header, options.frames);
-  if (options.path == "line") return line(camera, header, options.frames);
+  const int frames = options.frames.value_or(kPathFrames);
+  if (options.path == "orbit") return orbit(camera, header, frames);
+  if (options.path == "line") return line(camera, header, frames);
   return {{camera}};
+}
+
+// Fails unless `camera`, of `frame`, takes a frame. The message has the names of options, and of
+// members in `path`, a JSON file; "": there is none.
+void check_camera(const Camera& camera, const StreamHeader& header, const std::string& path,
+                  const std::string& frame) {
+  const auto record = frame_record(camera, header);
+  if (record) return;
+  std::string text = record.error().message;
+  constexpr std::array<std::string_view, 18> kNames{
+      "look_at",  "--look-at", "position",    "--camera", "focus",        "--focus",
+      "focal ",   "--focal ",  "shear",       "--shear",  "row_pitch",    "--row-pitch",
+      "tan_half", "--fov",     "frame_width", "--size",   "frame_height", "--size"};
+  for (size_t i = path.empty() ? 0 : 6; i < kNames.size(); i += 2) {
+    const size_t at = text.find(kNames[i]);
+    if (at != text.npos) text.replace(at, kNames[i].size(), kNames[i + 1]);
+  }
+  if (path.empty()) throw Failure(ExitCode::kUsage, frame + text);
+  throw Failure(ExitCode::kInput, path + ": " + frame + text);
 }
 
 // The focus for what pixel `at` of the frame of `camera` shows; `frame` begins messages.
@@ -213,8 +245,7 @@ double focus_of(const StreamFile& file, const Camera& camera, FramePixel at,
     throw refuse(ExitCode::kUsage, fmt::format("not a pixel of the frame, which has {} x {}",
                                                *full.frame_width, *full.frame_height));
   }
-  const auto record = frame_record(full, file.header());
-  if (!record) throw Failure(ExitCode::kUsage, frame + record.error().message);
+  check_camera(full, file.header(), {}, frame);
   const FocusPoint point = file.value(focus_at(file.decoder(), full, at.x, at.y));
   switch (point.sight) {
     case PixelSight::kOutside:
@@ -246,10 +277,12 @@ CameraPath cameras_of(const CameraOptions& options, const StreamFile& file) {
       if (!made.focus) made.focus = focus_of(file, camera, *options.focus_at, frame);
       camera.focus = *made.focus;
     }
-    const auto record = frame_record(camera, file.header());
-    if (!record && is_file(options.path)) {
-      throw Failure(ExitCode::kInput, options.path + ": " + frame + record.error().message);
-    }
+    check_camera(camera, file.header(), is_file(options.path) ? options.path : "", frame);
+    refuse_given(
+        {{"--geometry stream", options.geometry == GeometrySource::kStream && camera.aperture > 0}},
+        frame +
+            "an aperture above 0 blends what lies in the plane of focus; take --geometry plane "
+            "or an aperture of 0");
     made.cameras.push_back(camera);
   }
   return made;

@@ -39,6 +39,9 @@ void check(const CLI::App& app, const CodingOptions& options) {
       {main && given("--preset"), "--preset needs --profile extended"},
       {params.method == Method::kMc && given("--height") && params.tree_height != 0,
        "--method mc has no tree: its height is 0"},
+      {given("--cluster") &&
+           (params.method == Method::kMc || params.tree_height.value_or(main ? 1 : 0) == 0),
+       "--cluster is of a tree: it needs --height 1 or more"},
       {params.method == Method::kRlfc && motion,
        "--method rlfc has no motion: --window and --references do not apply"}};
   for (const auto& [broken, message] : rules) {

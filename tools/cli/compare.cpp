@@ -68,11 +68,16 @@ ExitCode run_compare(const CompareOptions& options) {
     throw Failure(ExitCode::kUsage,
                   "a map is compared with a map; hmlfc disparity writes the *.pfm of a stream");
   }
-  if (is_map(options.a)) return compare_maps(options.a, options.b, options.part.rect, options.json);
+  if (is_map(options.a)) {
+    const std::string why = "a map is of one view; leave it out";
+    refuse_naming(options.naming, why);
+    refuse_given({{"--view", options.part.view.has_value()}}, why);
+    return compare_maps(options.a, options.b, options.part.rect, options.json);
+  }
   io::ViewNaming naming = options.naming;
-  const auto a = ViewSource::open(options.a, naming);
+  const auto a = ViewSource::open(options.a, naming, options.b);
   naming.pattern_is_for_others = true;
-  const auto b = ViewSource::open(options.b, naming);
+  const auto b = ViewSource::open(options.b, naming, options.a);
   terminal::ProgressBar progress("Comparing", "views");
   const Comparison comparison = compare(*a, *b, options.part, progress.callback());
   progress.clear();

@@ -51,11 +51,17 @@ void note_quilt(const std::filesystem::path& file, const io::QuiltName& quilt,
   const LightFieldShape& view = source.shape();
   const auto [width, height] = source.rest();
   if (width + height > 0) {
-    note(
-        fmt::format("{}: {} x {} tiles of {} x {} pixels; {} columns of pixels on the right and {} "
-                    "rows on top are cut off",
-                    file.string(), quilt.mosaic.cols, quilt.mosaic.rows, view.width, view.height,
-                    width, height));
+    std::string cut;
+    const auto add = [&cut](uint32_t count, const char* what, const char* where) {
+      if (count == 0) return;
+      cut += fmt::format("{}{} {}{} of pixels {}", cut.empty() ? "" : " and ", count, what,
+                         count == 1 ? "" : "s", where);
+    };
+    add(width, "column", "on the right");
+    add(height, "row", "on top");
+    note(fmt::format("{}: {} x {} tiles of {} x {} pixels; {} {} cut off", file.string(),
+                     quilt.mosaic.cols, quilt.mosaic.rows, view.width, view.height, cut,
+                     width + height == 1 ? "is" : "are"));
   }
   const double aspect = static_cast<double>(view.width) / view.height;
   if (std::abs(quilt.aspect.value_or(aspect) / aspect - 1) > 0.01) {
@@ -78,30 +84,35 @@ class VideoSource final : public ViewSource {
   io::Y4mReader video_;
 };
 
-ConvertInput open_folder(const ConvertOptions& options) {
+ConvertInput open_folder(const ConvertOptions& options, io::ViewNaming naming) {
   const bool pleno = options.from == Form::kPleno;
   if (options.from && !pleno) {
     throw Failure(ExitCode::kUsage, "--from tiles and lenslets are for an input that is a picture");
   }
-  io::ViewNaming naming = options.naming;
-  if (pleno && naming.pattern.empty()) naming.pattern = "{col}_{row}";
-  if (is_video(options.output)) naming.order.reset();
+  if (pleno) {
+    refuse_naming({.pattern = naming.pattern, .order = naming.order},
+                  "--from pleno says how files are named; leave it out");
+    naming.pattern = "{col}_{row}";
+  }
   const auto files = views_in(options.input, naming);
   ConvertInput input{ViewSource::of_files(files), std::nullopt};
   input.rig = rig_for(options.rig, Profile::kExtended, files, input.views->shape());
   return input;
 }
 
-ConvertInput open_stream(const ConvertOptions& options) {
-  ConvertInput input{ViewSource::open(options.input), std::nullopt};
+ConvertInput open_stream(const ConvertOptions& options, const io::ViewNaming& naming) {
+  ConvertInput input{ViewSource::open(options.input, naming), std::nullopt};
   if (!options.rig.none) input.rig = rig_in(StreamFile(options.input, {.check_sections = false}));
   return input;
 }
 
-std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options) {
+std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options,
+                                         const io::ViewNaming& naming) {
+  refuse_naming({.pattern = naming.pattern, .order = naming.order},
+                "views in one picture have neither names nor an order; leave it out");
   const auto quilt = io::parse_quilt_name(options.input);
   if (quilt && !options.from) {
-    const auto& grid = options.naming.grid;
+    const auto& grid = naming.grid;
     const io::GridShape views = quilt->mosaic.grid();
     if (grid && (grid->rows != views.rows || grid->cols != views.cols)) {
       throw Failure(
@@ -113,17 +124,19 @@ std::unique_ptr<ViewSource> open_picture(const ConvertOptions& options) {
     note_quilt(options.input, *quilt, *source);
     return source;
   }
-  if (!options.from || options.from == Form::kPleno || !options.naming.grid) {
+  if (!options.from || options.from == Form::kPleno || !naming.grid) {
     throw Failure(
         ExitCode::kUsage,
-        fmt::format("{0}: one picture, whose layout is not known; hmlfc convert {0} FOLDER "
-                    "--from tiles (or lenslets) --grid ROWSxCOLS tells it, or the name of a "
-                    "quilt, NAME_qsCxR.png",
-                    options.input.string()));
+        fmt::format(
+            "{0}: one picture, whose layout is not known; name its folder if it is one view, "
+            "else hmlfc convert {0} FOLDER "
+            "--from tiles (or lenslets) --grid ROWSxCOLS tells it, or the name of a "
+            "quilt, NAME_qsCxR.png",
+            options.input.string()));
   }
   const auto layout = options.from == Form::kTiles ? MosaicLayout::kTiles : MosaicLayout::kLenslets;
-  return std::make_unique<MosaicSource>(
-      options.input, Mosaic{layout, options.naming.grid->rows, options.naming.grid->cols});
+  return std::make_unique<MosaicSource>(options.input,
+                                        Mosaic{layout, naming.grid->rows, naming.grid->cols});
 }
 
 }  // namespace
@@ -141,19 +154,21 @@ bool is_stream(const std::filesystem::path& file) {
 }
 
 ConvertInput open_input(const ConvertOptions& options) {
-  if (std::filesystem::is_directory(options.input)) return open_folder(options);
-  if (is_picture(options.input)) return {open_picture(options), std::nullopt};
+  io::ViewNaming naming = options.naming;
+  if (is_video(options.output)) naming.order.reset();  // it is that of the output
+  if (std::filesystem::is_directory(options.input)) return open_folder(options, naming);
+  if (is_picture(options.input)) return {open_picture(options, naming), std::nullopt};
   if (options.from) {
     throw Failure(ExitCode::kUsage, "--from is for an input that is a picture or a folder");
   }
   if (is_video(options.input)) {
-    auto video = value_or_throw(
-        io::Y4mReader::open(options.input, options.naming.grid, options.naming.order),
-        ExitCode::kInput);
+    auto video = value_or_throw(io::Y4mReader::open(options.input, naming.grid, naming.order),
+                                ExitCode::kInput);
+    refuse_naming({.pattern = naming.pattern}, "frames of a video have no names; leave it out");
     if (!video.note().empty()) note(options.input.string() + ": " + video.note());
     return {std::make_unique<VideoSource>(std::move(video)), std::nullopt};
   }
-  return open_stream(options);
+  return open_stream(options, naming);
 }
 
 }  // namespace hmlfc::cli

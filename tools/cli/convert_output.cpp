@@ -168,10 +168,6 @@ void check_output(const ConvertOptions& options) {
     usage("--to is for an output that is a picture or a folder");
   }
   if (options.bits && !is_video(file)) usage("--bits is for an output that is a video");
-  if (options.naming.order && !is_video(file) && !is_video(options.input) &&
-      !std::filesystem::is_directory(options.input)) {
-    usage("--order is for videos and folders");
-  }
   if (is_folder) check_extension(file, "a folder, .png, .ppm, .y4m or .hmlfc", {});
 }
 

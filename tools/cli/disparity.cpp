@@ -72,14 +72,14 @@ io::IoResult<void> write_map(const std::filesystem::path& output, const Disparit
     const auto number = [&](const BlockDisparity& at) {
       return std::min(32768 + sign * at.disparity, 65535);
     };
-    return io::write_png(output, picture_of(map, 16, number), kDisparitySign);
+    return io::write_png(output, picture_of(map, 16, number), kDisparitySign, true);
   }
   const int32_t steps = std::max(1, range.greatest - range.least);
   const auto nearness = [&](const BlockDisparity& at) {
     const int32_t nearer = range.greatest - at.disparity;
     return at.confidence == 0 ? 0 : (510 * nearer + steps) / (2 * steps);
   };
-  return io::write_png(output, picture_of(map, 8, nearness), kDisparitySign);
+  return io::write_png(output, picture_of(map, 8, nearness), kDisparitySign, true);
 }
 
 ExitCode run_disparity(const DisparityOptions& options) {
@@ -115,8 +115,8 @@ measures them.
 
 The name of FILE chooses the format:
   *.pfm     32-bit floating point, pixels a column
-  *.16.png  16 bits: 32768 + 256 times the disparity
-  *.png     8 bits to look at: the nearest is white, the farthest and what is unknown black
+  *.16.png  grey of 16 bits: 32768 + 256 times the disparity
+  *.png     grey of 8 bits to look at: the nearest is white, the farthest and what is unknown black
 
 Examples:
   hmlfc disparity chess.hmlfc --view 3,5 -o chess.pfm

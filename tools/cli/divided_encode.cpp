@@ -14,6 +14,7 @@
 #include <hmlfc/measure.hpp>
 #include <hmlfc/read_sink.hpp>
 
+#include "cli/encode_forecast.hpp"
 #include "cli/for_each_view.hpp"
 #include "io/files.hpp"
 #include "terminal/progress_bar.hpp"
@@ -154,8 +155,8 @@ void check_division(const EncodeOptions& options) {
                   "find its quality on a part (--views), then give --quality");
   }
   if (!planned) return;
-  static const std::vector<std::string> kOwn{"--shard", "--assemble", "--output", "--threads",
-                                             "--json",  "--memory",   "--force"};
+  static const std::vector<std::string> kOwn{"--shard",   "--assemble", "--output",
+                                             "--threads", "--json",     "--force"};
   for (const CLI::Option* option : options.app->get_options()) {
     const std::string name = option->get_name();
     if (option->count() == 0 || name == "INPUT" || std::ranges::count(kOwn, name) > 0) continue;
@@ -197,9 +198,11 @@ DividedEncoder divided_encoder(const EncodeOptions& options, const DividedInput&
 void encode_parts(DividedEncoder& encoder, const EncodeOptions& options, size_t first,
                   size_t last) {
   terminal::ProgressBar progress("Encoding", "images");
+  const Clock clock;
   for (size_t part = first; part < last; ++part) {
     const auto coded = encoder.encode_part(part, progress.callback());
     if (!coded) throw encode_failure(options.input, coded.error());
+    note_forecast(part + 1 - first, last - first, clock.wall_seconds());
   }
 }
 

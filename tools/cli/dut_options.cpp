@@ -15,9 +15,11 @@ void DutOptions::add_to(CLI::App& app, bool several) {
                              : "A decoder: command line, *.so or *.json");
   option->type_name("DUT")->allow_extra_args(false);
   if (!several) option->expected(1);
-  add_integer(app, "--timeout", timeout_seconds, 1, 86400, "Seconds until the decoder is killed");
+  add_integer(app, "--timeout", timeout_seconds, 1, 86400, "Seconds until the decoder is killed")
+      ->needs(option);
   add_integer(app, "--memory", memory_mib, 0, 1u << 24,
-              "Address space of the decoder in MiB; 0: no limit");
+              "Address space of the decoder in MiB; 0: no limit")
+      ->needs(option);
 }
 
 conform::ProcessLimits DutOptions::limits() const {

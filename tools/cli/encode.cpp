@@ -160,7 +160,8 @@ void add_encode(CLI::App& program, Task& task) {
 differences from the prediction, is below --threshold-*; --quality Q means 75 * 2^((60 - Q) / 10).
 Profile extended chooses by rate and distortion; without --references it finds the reference groups by
 trial, without --chroma the chroma format. Its default --height is 0: key views and motion only.
---preset trades encoding time for size. What takes more than ten seconds begins with a forecast.
+--preset trades encoding time for size. What takes more than ten seconds begins with a forecast, with
+--memory and --shard after an eighth of the parts.
 
 INPUT may be a quilt, NAME_qsCxRaA.png, or a .y4m video (hmlfc convert --help).
 

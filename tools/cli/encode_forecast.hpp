@@ -1,6 +1,7 @@
 // How long an encoding will take.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -14,5 +15,9 @@ namespace hmlfc::cli {
 /// views are too small for parts. For a `target`, several encodings are expected.
 std::string encode_forecast(const LightField& field, const EncodeParams& params,
                             const std::optional<EncodeTarget>& target);
+
+/// Notes the same of `parts` parts of a divided encoding, of which `done` took `seconds`, once:
+/// after an eighth of them.
+void note_forecast(size_t done, size_t parts, double seconds);
 
 }  // namespace hmlfc::cli

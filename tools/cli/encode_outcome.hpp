@@ -16,7 +16,6 @@
 #include "cli/rig_options.hpp"
 #include "cli/stream_report.hpp"
 #include "io/view_list.hpp"
-#include "io/view_part.hpp"
 
 namespace hmlfc::cli {
 

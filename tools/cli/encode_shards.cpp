@@ -17,6 +17,7 @@
 
 #include "bits/crc32c.hpp"
 #include "cli/divided_encode.hpp"
+#include "cli/encode_forecast.hpp"
 #include "cli/encode_plan.hpp"
 #include "io/files.hpp"
 #include "io/json_text.hpp"
@@ -187,9 +188,11 @@ ExitCode encode_shard(const EncodeOptions& options) {
             {"shard", options.shard->index},
             {"of", options.shard->count},
             {"parts", Json::array()}};
+  const Clock loop;
   for (size_t part = first; part < last; ++part) {
     const ErrorSums before = encoder.error();
     encode_parts(encoder, options, part, part + 1);
+    note_forecast(part + 1 - first, last - first, loop.wall_seconds());
     const ErrorSums& error = encoder.error();
     Json entry = sum_json(encoder, part);
     entry["error"] = error_json({error.rgb_squares - before.rgb_squares,

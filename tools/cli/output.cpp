@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "io/files.hpp"
 #include "io/json_text.hpp"
+#include "io/view_list.hpp"
 #include "terminal/shown.hpp"
 
 namespace hmlfc::cli {
@@ -30,6 +32,15 @@ ExitCode exit_code_of(ErrorCode code) {
   }
 }
 
+// What a file that is no stream is by its name, and what takes it; null: not known.
+const char* other_kind(const std::filesystem::path& file) {
+  const std::string extension = io::lower_case_extension(file);
+  if (extension == ".y4m") return "a video; hmlfc encode makes a stream of it";
+  if (extension == ".pfm") return "a map; hmlfc compare takes two of them";
+  if (!io::is_picture_name("a" + extension)) return nullptr;
+  return "one picture; hmlfc encode makes a stream of a folder of them, or of a quilt";
+}
+
 // A reader that has seen enough (`hmlfc vectors list | head`) needs no message.
 [[noreturn]] void throw_output_failure() {
   if (errno == EPIPE) throw Failure(ExitCode::kOutput, "");
@@ -46,6 +57,9 @@ std::FILE*& results() {
 }  // namespace
 
 Failure stream_failure(const std::filesystem::path& file, const Error& error) {
+  if (const char* kind = error.code == ErrorCode::kBadMagic ? other_kind(file) : nullptr) {
+    return Failure(ExitCode::kInput, file.string() + ": not a stream, but " + kind);
+  }
   return Failure(exit_code_of(error.code), file.string() + ": " + to_string(error));
 }
 

@@ -43,7 +43,7 @@ class Failure : public std::runtime_error {
   ExitCode code_;
 };
 
-/// The failure for a decoder's error in stream `file`.
+/// The failure for a decoder's error in stream `file`; what its name says of it where it is none.
 Failure stream_failure(const std::filesystem::path& file, const Error& error);
 
 /// The value of `result`; throws its error as a Failure with `code`, or kOutOfMemory.

@@ -43,8 +43,9 @@ ExitCode write(const PictureOptions& options, const OutputFile& output, const Rg
   return ExitCode::kDone;
 }
 
-RgbImage view_of(const std::filesystem::path& path, const PictureOptions& options) {
-  const auto source = ViewSource::open(path, options.naming);
+RgbImage view_of(const std::filesystem::path& path, const PictureOptions& options,
+                 const std::filesystem::path& other = {}) {
+  const auto source = ViewSource::open(path, options.naming, other);
   source->check_view(*options.view);
   return source->view(*options.view);
 }
@@ -68,8 +69,8 @@ ExitCode run_sheet(const PictureOptions& options) {
 
 ExitCode run_difference(const PictureOptions& options) {
   const OutputFile output = output_of(options);
-  const RgbImage a = view_of(options.a, options);
-  const RgbImage b = view_of(options.b, options);
+  const RgbImage a = view_of(options.a, options, options.b);
+  const RgbImage b = view_of(options.b, options, options.a);
   return write(options, output,
                value_or_throw(io::difference_picture(a, b, options.gain), ExitCode::kInput));
 }

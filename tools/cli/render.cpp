@@ -62,9 +62,7 @@ class RenderRun {
         file_(arguments.file, source_, open_options()),
         path_(cameras_of(arguments.cameras, file_)),
         cameras_(path_.cameras),
-        stop_level_(arguments.levels ? file_.stop_level(*arguments.levels) : 0) {
-    for (size_t k = 0; k < cameras_.size(); ++k) record_of(k);
-  }
+        stop_level_(arguments.levels ? file_.stop_level(*arguments.levels) : 0) {}
 
   ExitCode frames() {
     prepare_output();
@@ -144,12 +142,7 @@ class RenderRun {
     return options;
   }
 
-  FrameRecord record_of(size_t k) const {
-    const auto record = frame_record(cameras_[k], file_.header());
-    if (record) return *record;
-    const std::string frame = cameras_.size() == 1 ? "" : fmt::format("frame {}: ", k);
-    throw Failure(ExitCode::kUsage, frame + record.error().message);
-  }
+  FrameRecord record_of(size_t k) const { return *frame_record(cameras_[k], file_.header()); }
 
   // What was fetched since the last pass, with the first one also to open the stream.
   Json fetched_since(const remote::FetchCounts& now) {
@@ -293,16 +286,22 @@ Examples:
            "Also an animation: *.png, or *.gif or *.mp4 by the program ffmpeg")
       ->required(false)
       ->type_name("FILE");
-  add_numbers<2>(app, "--trace", "X,Y", ',', "x,y, such as 120,80",
-                 "Show how this pixel comes about, and write no frame", [&options](const auto& n) {
-                   options.trace = FramePixel{n[0], n[1]};
-                 });
+  CLI::Option* trace = add_numbers<2>(app, "--trace", "X,Y", ',', "x,y, such as 120,80",
+                                      "Show how this pixel comes about, and write no frame",
+                                      [&options](const auto& n) {
+                                        options.trace = FramePixel{n[0], n[1]};
+                                      });
   CLI::Option* progressive =
       app.add_flag("--progressive", options.progressive,
                    "First write each frame with 1, 2, ... levels of the tree");
-  app.add_flag("--quality-vs-time", options.sweep,
-               "Print time and PSNR of each filter, level and cache instead")
-      ->excludes(progressive);
+  CLI::Option* sweep = app.add_flag("--quality-vs-time", options.sweep,
+                                    "Print time and PSNR of each filter, level and cache instead");
+  sweep->excludes(trace);
+  for (CLI::Option* mode : {sweep, trace}) {
+    mode->excludes(progressive, app.get_option("--output"), app.get_option("--preview"));
+  }
+  sweep->excludes(app.get_option("--levels"), app.get_option("--filter"));
+  trace->excludes(app.get_option("--backend"));
   add_threads(app, options.threads);
   add_json(app, options.json);
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/arguments.hpp"
 #include "decoder/request_guard.hpp"
 #include "io/image_files.hpp"
 
@@ -79,6 +80,12 @@ void check_in_grid(ViewPos view, uint32_t rows, uint32_t cols) {
 }  // namespace
 
 std::shared_ptr<const remote::OpenSource> open_source(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    throw Failure(
+        ExitCode::kInput,
+        path.string() + ": not a stream, but a folder; hmlfc encode makes one of its views");
+  }
   return std::make_shared<const remote::OpenSource>(
       value_or_throw(remote::open_source(path), ExitCode::kInput));
 }
@@ -144,10 +151,15 @@ io::ViewList views_in(const fs::path& folder, const io::ViewNaming& naming) {
   return views;
 }
 
-std::unique_ptr<ViewSource> ViewSource::open(const fs::path& path, const io::ViewNaming& naming) {
+std::unique_ptr<ViewSource> ViewSource::open(const fs::path& path, const io::ViewNaming& naming,
+                                             const fs::path& other) {
   std::error_code failure;
-  if (!fs::is_directory(path, failure)) return std::make_unique<StreamSource>(path);
-  return of_files(views_in(path, naming));
+  if (fs::is_directory(path, failure)) return of_files(views_in(path, naming));
+  auto stream = std::make_unique<StreamSource>(path);
+  if (!fs::is_directory(other, failure)) {
+    refuse_naming(naming, path.string() + " is a stream, which has its grid; leave it out");
+  }
+  return stream;
 }
 
 std::unique_ptr<ViewSource> ViewSource::of_files(io::ViewList files) {

@@ -92,11 +92,12 @@ class ViewSource : public ViewProvider {
   /// depth differs from the first (kInput); a corrupt stream (kCorrupt).
   RgbImage view(ViewPos view) const override = 0;
 
-  /// Opens `path`; `naming` is that of a folder. Tells what reading a folder's images changes or
-  /// leaves out, each kind once. Failures: nothing there, not a light field (kInput), a corrupt
-  /// stream (kCorrupt).
+  /// Opens `path`; `naming` is that of a folder, `path` or `other`. Tells what reading a folder's
+  /// images changes or leaves out, each kind once. Failures: nothing there, not a light field
+  /// (kInput), a corrupt stream (kCorrupt), `naming` without a folder (kUsage).
   static std::unique_ptr<ViewSource> open(const std::filesystem::path& path,
-                                          const io::ViewNaming& naming = {});
+                                          const io::ViewNaming& naming = {},
+                                          const std::filesystem::path& other = {});
 
   /// The views in `files`. Notes and failures as above.
   static std::unique_ptr<ViewSource> of_files(io::ViewList files);

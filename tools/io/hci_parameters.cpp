@@ -81,6 +81,11 @@ class Reader {
     return static_cast<uint32_t>(value);
   }
 
+  GridShape grid() {
+    const uint32_t cols = integer("extrinsics.num_cams_x", kMaxGridSide);
+    return {integer("extrinsics.num_cams_y", kMaxGridSide), cols};
+  }
+
   const std::optional<std::string>& failure() const { return failure_; }
 
  private:
@@ -92,6 +97,10 @@ class Reader {
   const Members& members_;
   std::optional<std::string> failure_;
 };
+
+std::string_view text_of(const MappedFile& file) {
+  return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
+}
 
 double middle(uint32_t count) { return (static_cast<double>(count) - 1) / 2; }
 
@@ -180,8 +189,7 @@ tl::expected<HciParameters, std::string> parse_hci_parameters(std::string_view t
   read.width = reader.integer("intrinsics.image_resolution_x_px", 65536);
   read.height = reader.integer("intrinsics.image_resolution_y_px", 65536);
   read.sensor_size_mm = reader.number("intrinsics.sensor_size_mm", kLeast, kMost);
-  read.grid.cols = reader.integer("extrinsics.num_cams_x", kMaxGridSide);
-  read.grid.rows = reader.integer("extrinsics.num_cams_y", kMaxGridSide);
+  read.grid = reader.grid();
   read.baseline_mm = reader.number("extrinsics.baseline_mm", kLeast, kMost);
   read.focus_distance_m = reader.number("extrinsics.focus_distance_m", 0, kMost);
   if (reader.failure()) return no_rig(*reader.failure());
@@ -191,16 +199,23 @@ tl::expected<HciParameters, std::string> parse_hci_parameters(std::string_view t
 IoResult<HciParameters> read_hci_parameters(const std::filesystem::path& file) {
   const auto mapped = map_file(file);
   if (!mapped) return tl::unexpected(mapped.error());
-  const auto* text = reinterpret_cast<const char*>(mapped->bytes().data());
-  const auto read = parse_hci_parameters({text, mapped->bytes().size()});
+  const auto read = parse_hci_parameters(text_of(*mapped));
   if (!read) return file_error(file, read.error());
   return *read;
 }
 
-std::optional<GridShape> hci_grid(const std::filesystem::path& folder) {
-  const auto read = read_hci_parameters(folder / kHciParametersName);
-  if (!read) return std::nullopt;
-  return read->grid;
+IoResult<std::optional<GridShape>> hci_grid(const std::filesystem::path& folder) {
+  const auto file = folder / kHciParametersName;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  const auto mapped = map_file(file);
+  if (!mapped) return tl::unexpected(mapped.error());
+  const auto members = read_members(text_of(*mapped));
+  if (!members) return file_error(file, members.error());
+  Reader reader(*members);
+  const GridShape grid = reader.grid();
+  if (reader.failure()) return file_error(file, *reader.failure());
+  return grid;
 }
 
 tl::expected<Rig, std::string> rig_of_hci(const HciParameters& parameters, const ViewList& views,

@@ -39,8 +39,9 @@ tl::expected<HciParameters, std::string> parse_hci_parameters(std::string_view t
 /// parse_hci_parameters() of a file. Error: also one that cannot be read.
 IoResult<HciParameters> read_hci_parameters(const std::filesystem::path& file);
 
-/// The grid that the parameters.cfg of `folder` states; nothing without one that can be read.
-std::optional<GridShape> hci_grid(const std::filesystem::path& folder);
+/// The grid that the parameters.cfg of `folder` states, whatever else it has; nothing without a
+/// file. Errors as above.
+IoResult<std::optional<GridShape>> hci_grid(const std::filesystem::path& folder);
 
 /// The rig of `views`, of the size in `shape`: in metres, the world's axes and origin are those of
 /// the middle camera. Files input_CamNNN may be a part of the grid; else it has to be that of the

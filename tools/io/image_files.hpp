@@ -44,10 +44,10 @@ IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimi
 /// Writes an RGB PNG: of 8 bits for depth 8; for depth d in [9, 16] of 16 bits, with sBIT = d and
 /// value = sample << (16 - d) | sample >> (2d - 16), so that black stays 0 and white 65535.
 /// read_image() returns exactly `image`, up to depth 12. The bytes depend on `image`, the version
-/// of zlib and `software`, which stands near their beginning as the text "Software". Errors: cannot
-/// write.
+/// of zlib and `software`, which stands near their beginning as the text "Software". `grey`: a grey
+/// PNG, of the samples of R. Errors: cannot write.
 IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image,
-                         const std::string& software = {});
+                         const std::string& software = {}, bool grey = false);
 
 /// Writes a binary PPM (P6) of maxval 2^depth - 1, two big-endian bytes per sample above depth 8.
 /// Errors: cannot write.
@@ -59,6 +59,7 @@ IoResult<void> write_apng(const std::filesystem::path& path, std::span<const Rgb
                           unsigned rate, const std::string& software = {});
 
 /// The bytes that write_png writes; empty if memory runs out.
-std::vector<uint8_t> encode_png(const RgbImage& image, const std::string& software = {});
+std::vector<uint8_t> encode_png(const RgbImage& image, const std::string& software = {},
+                                bool grey = false);
 
 }  // namespace hmlfc::io

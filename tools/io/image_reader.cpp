@@ -34,6 +34,17 @@ bool holds(std::span<const uint8_t> bytes, std::string_view text) {
           }).empty();
 }
 
+IoResult<RgbImage> read_source(const ImageSource& source) {
+  if (source.bytes.empty()) return file_error(source.path, "the file is empty; give a picture");
+  if (is_png(source.bytes)) return read_png(source);
+  if (is_jpeg(source.bytes)) return read_jpeg(source);
+  if (is_tiff(source.bytes)) return read_tiff(source);
+  if (is_webp(source.bytes)) return read_webp(source);
+  if (is_pnm(source.bytes)) return read_pnm(source);
+  return file_error(source.path,
+                    "not a PNG, JPEG, TIFF, WebP, PPM or PGM picture; convert it to one of these");
+}
+
 }  // namespace
 
 void ImageSource::note_depth(int bits) const {
@@ -129,6 +140,16 @@ IoResult<RgbImage> upright(const ImageSource& source, RgbImage image, int orient
     }
   }
   return turned;
+}
+
+IoResult<RgbImage> read_image(const std::filesystem::path& path, const ImageLimits& limits,
+                              Notes* notes) {
+  const auto file = map_file(path);
+  if (!file) return tl::unexpected(file.error());
+  Notes remarks;
+  auto image = read_source({path, file->bytes(), limits, remarks});
+  if (image && notes != nullptr) notes->add(remarks);
+  return image;
 }
 
 }  // namespace hmlfc::io

@@ -124,11 +124,20 @@ std::string JsonLimits::excess(uint64_t text_bytes) const {
   return fmt::format("{} bytes are more than the {} of {}", text_bytes, bytes, kind);
 }
 
-bool JsonHandler::parse_error(size_t position, const std::string& /*token*/,
+bool JsonHandler::parse_error(size_t position, const std::string& token,
                               const nlohmann::detail::exception& error) {
   constexpr int kNumberOverflow = 406;
-  return refuse(error.id == kNumberOverflow ? "no JSON text: a number is too large"
-                                            : fmt::format("no JSON text: byte {}", position));
+  if (error.id == kNumberOverflow) return refuse("no JSON text: a number is too large");
+  std::string text = fmt::format("no JSON text: byte {}", position);
+  const std::string_view what = error.what();
+  const size_t line = what.find(" at line ");
+  if (line != what.npos && !what.substr(line).starts_with(" at line 1,")) {
+    text += "," + std::string(what.substr(line + 3, what.find(',', line) - line - 3));
+  }
+  const char last = token.empty() ? ' ' : token.back();
+  if (last == 'N' || last == 'I') text += ", where JSON has no NaN or Infinity";
+  if (last == '/' || last == '#') text += ", where JSON has no comments";
+  return refuse(std::move(text));
 }
 
 bool JsonHandler::refuse(std::string what) {

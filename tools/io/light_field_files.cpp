@@ -10,6 +10,8 @@
 #include <tuple>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "io/image_files.hpp"
 #include "io/view_name.hpp"
 
@@ -29,8 +31,7 @@ struct ViewShape {
 };
 
 std::string describe(const ViewShape& shape) {
-  return std::to_string(shape.width) + " x " + std::to_string(shape.height) + " pixels of " +
-         std::to_string(shape.depth) + " bits";
+  return fmt::format("{} x {} pixels of {} bits", shape.width, shape.height, shape.depth);
 }
 
 ViewShape shape_of(const RgbImage& image) { return {image.width, image.height, image.depth}; }
@@ -44,10 +45,10 @@ std::optional<IoError> find_odd_view(const ViewList& views, const std::vector<Vi
       std::ranges::max_element(counts, {}, &std::pair<const ViewShape, size_t>::second)->first;
   const auto odd = std::ranges::find_if(shapes, [&](const ViewShape& s) { return s != usual; });
   const auto index = static_cast<size_t>(odd - shapes.begin());
-  return IoError{views.files[index].string() + ": the view of row " +
-                 std::to_string(index / views.cols) + ", column " +
-                 std::to_string(index % views.cols) + " has " + describe(*odd) + ", expected " +
-                 describe(usual) + " like " + std::to_string(counts[usual]) + " other views"};
+  return IoError{
+      fmt::format("{}: the view of row {}, column {} has {}, expected {} like {} other views",
+                  views.files[index].string(), index / views.cols, index % views.cols,
+                  describe(*odd), describe(usual), counts[usual])};
 }
 
 IoResult<LightField> allocate_field(const ViewList& views, const ViewShape& shape) {

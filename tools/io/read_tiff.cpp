@@ -53,6 +53,10 @@ toff_t seek(thandle_t handle, toff_t offset, int from) {
 int keep_message(TIFF*, void* handle, const char*, const char* format, va_list arguments) {
   TiffInput& input = TiffInput::of(handle);
   std::vsnprintf(input.message, sizeof(input.message), format, arguments);
+  constexpr std::string_view kNoLine = " at scanline 4294967295";  // what libtiff says of a strip
+  if (char* at = std::strstr(input.message, kNoLine.data())) {
+    std::memmove(at, at + kNoLine.size(), std::strlen(at + kNoLine.size()) + 1);
+  }
   return 1;
 }
 

@@ -47,13 +47,13 @@ IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
   }
   const auto mapped = map_file(file);
   if (!mapped) return tl::unexpected(mapped.error());
-  if (!is_transforms(mapped->bytes())) {
+  const auto json = parse_json<nlohmann::json>(mapped->bytes(), kTransformsLimits);
+  if (!json) return file_error(file, json.error());
+  if (!json->is_object() || !json->contains("frames")) {
     auto rig = parse_rig(mapped->bytes(), views.files.size());
     if (!rig) return file_error(file, rig.error());
     return std::move(*rig);
   }
-  const auto json = parse_json<nlohmann::json>(mapped->bytes(), kTransformsLimits);
-  if (!json) return file_error(file, json.error());
   CameraPictures pictures{{}, shape.width, shape.height};
   for (const auto& view : views.files) pictures.stems.push_back(view.stem().string());
   if (std::set(pictures.stems.begin(), pictures.stems.end()).size() < views.files.size()) {

@@ -140,37 +140,7 @@ void keep_one_of_equals(std::vector<T>& entries) {
   }
 }
 
-// Looks for the member "frames" of the outermost object.
-class FrameFinder final : public JsonHandler {
- public:
-  bool found = false;
-
-  bool null() override { return true; }
-  bool boolean(bool /*value*/) override { return true; }
-  bool number_integer(number_integer_t /*value*/) override { return true; }
-  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
-  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
-  bool string(string_t& /*value*/) override { return true; }
-  bool start_object(size_t /*count*/) override { return ++depth_ > 0; }
-  bool end_object() override { return --depth_ >= 0; }
-  bool start_array(size_t /*count*/) override { return ++depth_ > 0; }
-  bool end_array() override { return --depth_ >= 0; }
-  bool key(string_t& name) override {
-    found = depth_ == 1 && name == "frames";
-    return !found;
-  }
-
- private:
-  int depth_ = 0;
-};
-
 }  // namespace
-
-bool is_transforms(std::span<const uint8_t> text) {
-  FrameFinder finder;
-  static_cast<void>(walk_json(text, kTransformsLimits, finder));
-  return finder.found;
-}
 
 tl::expected<Rig, std::string> rig_of_transforms(const Json& json, const CameraPictures& pictures) {
   const Json& frames = json.at("frames");

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -24,14 +23,11 @@ struct CameraPictures {
   uint32_t height = 1;
 };
 
-/// Five deep, and more in members that are not read.
-inline constexpr JsonLimits kTransformsLimits{"a transforms.json", size_t{1} << 26, 16};
+/// Five deep, and more in members that are not read; a rig of its own keeps to them, too.
+inline constexpr JsonLimits kTransformsLimits{"a rig or transforms.json", size_t{1} << 26, 16};
 
-/// Whether `text` is a transforms.json and no rig of its own: an object that has "frames".
-bool is_transforms(std::span<const uint8_t> text);
-
-/// The cameras of `pictures` in the transforms.json `json`. Members read, of the file or of a
-/// frame:
+/// The cameras of `pictures` in the transforms.json `json`, which has "frames". Members read, of
+/// the file or of a frame:
 ///
 ///   frames[].file_path         its end, with or without extension, is one of `pictures.stems`;
 ///                              / and \ part folders

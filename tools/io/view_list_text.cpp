@@ -68,6 +68,34 @@ int64_t value_at(const NumberColumn& column, size_t place, bool gaps) {
               : column.values.front() + static_cast<int64_t>(place) * column.step();
 }
 
+// The first of the numbers that `wanted` pictures should have.
+int64_t first_number(const NumberColumn& counter, int64_t wanted, bool from_0) {
+  if (from_0) return 0;
+  return counter.values.back() == wanted ? 1 : counter.values.front();
+}
+
+// ": row 1, column 1 (a04.png)" for numbers that are missing; "" where that is not known.
+std::string describe_gaps(const std::vector<NamedPicture>& pictures, const NumberColumn& counter,
+                          GridShape grid, FrameOrder order, bool from_0) {
+  const int64_t wanted = int64_t{grid.rows} * grid.cols;
+  const int64_t first = first_number(counter, wanted, from_0);
+  if (counter.values.front() < first || counter.values.back() >= first + wanted) return "";
+  std::string text;
+  size_t named = 0;
+  auto next = counter.values.begin();
+  for (int64_t value = first; value < first + wanted; ++value) {
+    if (next != counter.values.end() && *next == value) {
+      ++next;
+      continue;
+    }
+    if (++named > 3) return text + " ...";
+    const auto at = view_of_frame(static_cast<size_t>(value - first), grid, order);
+    text += (named == 1 ? ": " : ", ") + describe_place(at) + " (" +
+            name_with(pictures, {{counter.number, value}}) + ")";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string shown_name(const NamedPicture& picture) {
@@ -217,6 +245,40 @@ std::string describe_missing(const std::vector<NamedPicture>& views, const GridR
         fmt::format("; --grid {}x{} takes those that are there", reading.rows(), reading.cols());
   }
   return text;
+}
+
+std::string describe_count(const std::vector<NamedPicture>& pictures,
+                           const std::optional<NumberColumn>& counter, GridShape grid,
+                           FrameOrder order, bool from_0) {
+  const size_t wanted = size_t{grid.rows} * grid.cols;
+  std::string text = fmt::format("{} picture{} for a {} grid of {} views", pictures.size(),
+                                 pictures.size() == 1 ? "" : "s", describe(grid), wanted);
+  if (pictures.size() > wanted) {
+    return text + ": " + shown_name(pictures[wanted]) + " is the first one too many";
+  }
+  const size_t total = wanted - pictures.size();
+  text += fmt::format("; {} {} missing", total, total == 1 ? "is" : "are");
+  const std::string gaps =
+      counter ? describe_gaps(pictures, *counter, grid, order, from_0) : std::string();
+  if (!gaps.empty()) return text + gaps;
+  return text + ": after " + shown_name(pictures.back()) + " the view of " +
+         describe_place(view_of_frame(pictures.size(), grid, order));
+}
+
+std::string describe_order(const std::vector<NamedPicture>& sorted,
+                           const std::optional<NumberColumn>& counter, GridShape grid,
+                           FrameOrder order) {
+  const std::string_view word = kFrameOrders[static_cast<size_t>(order)].first;
+  std::string text = describe(grid) + " views in the ";
+  if (counter) {
+    text += fmt::format("order of number {} of the names ({})", counter->number + 1,
+                        describe_values(*counter));
+  } else {
+    text += fmt::format("sorted order of the names, {} to {}", shown_name(sorted.front()),
+                        shown_name(sorted.back()));
+  }
+  return text +
+         fmt::format(", {}", order == FrameOrder::kRaster ? std::string_view("row by row") : word);
 }
 
 }  // namespace hmlfc::io

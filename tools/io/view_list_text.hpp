@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,5 +48,17 @@ std::string describe_missing(const std::vector<NamedPicture>& views, const GridR
 /// "cam_03_*.png"; with as many digits as the names have.
 std::string name_with(const std::vector<NamedPicture>& views,
                       const std::vector<std::pair<size_t, int64_t>>& values);
+
+/// What is wrong with the number of `pictures`, which should be the views of `grid`; what is
+/// missing is named, as far as `counter`, the number that is another in each, or their order tells
+/// it. `from_0`: the first number that there should be is 0.
+std::string describe_count(const std::vector<NamedPicture>& pictures,
+                           const std::optional<NumberColumn>& counter, GridShape grid,
+                           FrameOrder order, bool from_0);
+
+/// "3x3 views in the order of number 1 of the names (1 to 9), row by row".
+std::string describe_order(const std::vector<NamedPicture>& sorted,
+                           const std::optional<NumberColumn>& counter, GridShape grid,
+                           FrameOrder order);
 
 }  // namespace hmlfc::io

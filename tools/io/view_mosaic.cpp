@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
+#include <regex>
 #include <string>
 
 #include "io/image_files.hpp"
@@ -42,23 +42,8 @@ void for_each_pixel(const RgbImage& picture, uint32_t width, uint32_t height, co
   }
 }
 
-// Takes a decimal number from the front of `text`.
-template <class T>
-bool take_number(std::string_view& text, T& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc()) return false;
-  text.remove_prefix(static_cast<size_t>(end - text.data()));
-  return true;
-}
-
 std::string sides(uint64_t width, uint64_t height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-}
-
-bool take_letter(std::string_view& text, char letter) {
-  if (!text.starts_with(letter)) return false;
-  text.remove_prefix(1);
-  return true;
 }
 
 }  // namespace
@@ -68,17 +53,21 @@ GridShape Mosaic::grid() const {
 }
 
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& file) {
+  static const std::regex form(
+      R"(_qs(\d{1,4})x(\d{1,4})(?:a(\d{1,5}(?:\.\d{0,16})?))?(?![^ _(-]))");
   std::string stem = file.stem().string();
   for (char& c : stem) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const size_t at = stem.rfind("_qs");
-  if (at == stem.npos) return std::nullopt;
-  std::string_view text = std::string_view(stem).substr(at + 3);
-  QuiltName quilt{{MosaicLayout::kQuilt, 0, 0}, std::nullopt};
-  auto& [layout, rows, cols] = quilt.mosaic;
-  const bool read = take_number(text, cols) && take_letter(text, 'x') && take_number(text, rows) &&
-                    (!take_letter(text, 'a') || take_number(text, quilt.aspect.emplace()));
-  const bool ends = text.empty() || std::string_view(" _-(").find(text.front()) != text.npos;
-  if (!read || !ends || cols < 1 || rows < 1 || cols > kMaxGridSide || rows > kMaxGridSide / cols ||
+  std::smatch parts;
+  if (at == stem.npos || !std::regex_search(stem.cbegin() + static_cast<ptrdiff_t>(at), stem.cend(),
+                                            parts, form, std::regex_constants::match_continuous)) {
+    return std::nullopt;
+  }
+  const auto number = [&](size_t part) { return static_cast<uint32_t>(std::stoul(parts[part])); };
+  QuiltName quilt{{MosaicLayout::kQuilt, number(2), number(1)}, std::nullopt};
+  const auto& [layout, rows, cols] = quilt.mosaic;
+  if (parts[3].matched) quilt.aspect = std::stod(parts[3]);
+  if (cols < 1 || rows < 1 || cols > kMaxGridSide || rows > kMaxGridSide / cols ||
       !(quilt.aspect.value_or(1) > 0 && quilt.aspect.value_or(1) < kMaxPictureSide)) {
     return std::nullopt;
   }

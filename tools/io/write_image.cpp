@@ -44,31 +44,40 @@ void append_bytes(png_structp png, png_bytep data, size_t count) {
 
 void ignore_png_warning(png_structp, png_const_charp) {}
 
+/// A picture to write, and how.
+struct PngInput {
+  const RgbImage& image;
+  const char* software;  ///< "": none
+  bool grey;             ///< R alone
+};
+
 /// The 8 or big-endian 16 bits of each sample of one pixel row.
-void pack_row(const RgbImage& image, size_t y, uint8_t* out) {
-  const size_t count = size_t{image.width} * 3;
-  const uint16_t* row = image.samples.data() + y * count;
-  const int depth = image.depth;
-  for (size_t i = 0; i < count; ++i) {
+void pack_row(const PngInput& input, size_t y, uint8_t* out) {
+  const size_t count = size_t{input.image.width} * 3;
+  const uint16_t* row = input.image.samples.data() + y * count;
+  const int depth = input.image.depth;
+  for (size_t i = 0; i < count; i += input.grey ? 3 : 1) {
     if (depth == 8) {
-      out[i] = static_cast<uint8_t>(row[i]);
+      *out++ = static_cast<uint8_t>(row[i]);
       continue;
     }
     const uint32_t value = uint32_t{row[i]} << (16 - depth) | uint32_t{row[i]} >> (2 * depth - 16);
-    out[2 * i] = static_cast<uint8_t>(value >> 8);
-    out[2 * i + 1] = static_cast<uint8_t>(value);
+    *out++ = static_cast<uint8_t>(value >> 8);
+    *out++ = static_cast<uint8_t>(value);
   }
 }
 
-void write_header(png_structp png, png_infop info, const RgbImage& image, const char* software) {
+void write_header(png_structp png, png_infop info, const PngInput& input) {
+  const auto& [image, software, grey] = input;
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_set_compression_level(png, kCompressionLevel);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-  png_set_IHDR(png, info, image.width, image.height, image.depth == 8 ? 8 : 16, PNG_COLOR_TYPE_RGB,
-               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(png, info, image.width, image.height, image.depth == 8 ? 8 : 16,
+               grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (image.depth > 8) {
     const auto bits = static_cast<png_byte>(image.depth);
-    const png_color_8 significant = {bits, bits, bits, 0, 0};
+    const png_color_8 significant = {bits, bits, bits, bits, 0};
     png_set_sBIT(png, info, &significant);
   }
   if (*software != 0) {
@@ -83,12 +92,11 @@ void write_header(png_structp png, png_infop info, const RgbImage& image, const 
 }
 
 /// False where libpng reported an error; `row` has room for one packed row.
-bool encode(png_structp png, png_infop info, const RgbImage& image, const char* software,
-            uint8_t* row) {
+bool encode(png_structp png, png_infop info, const PngInput& input, uint8_t* row) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  write_header(png, info, image, software);
-  for (size_t y = 0; y < image.height; ++y) {
-    pack_row(image, y, row);
+  write_header(png, info, input);
+  for (size_t y = 0; y < input.image.height; ++y) {
+    pack_row(input, y, row);
     png_write_row(png, row);
   }
   png_write_end(png, nullptr);
@@ -193,7 +201,7 @@ class Animation {
 
 }  // namespace
 
-std::vector<uint8_t> encode_png(const RgbImage& image, const std::string& software) {
+std::vector<uint8_t> encode_png(const RgbImage& image, const std::string& software, bool grey) {
   PngOutput output;
   std::vector<uint8_t> row(size_t{image.width} * 3 * (image.depth == 8 ? 1 : 2));
   png_structp png =
@@ -202,7 +210,7 @@ std::vector<uint8_t> encode_png(const RgbImage& image, const std::string& softwa
   bool done = false;
   if (info != nullptr) {
     png_set_write_fn(png, &output, append_bytes, nullptr);
-    done = encode(png, info, image, software.c_str(), row.data());
+    done = encode(png, info, {image, software.c_str(), grey}, row.data());
   }
   png_destroy_write_struct(&png, &info);
   if (!done) output.bytes.clear();
@@ -210,8 +218,8 @@ std::vector<uint8_t> encode_png(const RgbImage& image, const std::string& softwa
 }
 
 IoResult<void> write_png(const std::filesystem::path& path, const RgbImage& image,
-                         const std::string& software) {
-  const std::vector<uint8_t> bytes = encode_png(image, software);
+                         const std::string& software, bool grey) {
+  const std::vector<uint8_t> bytes = encode_png(image, software, grey);
   if (bytes.empty()) return memory_error(path, "to write a PNG picture");
   return write_file(path, bytes);
 }

@@ -138,7 +138,7 @@ EncodeParams params_of(const Options& given) {
     params.chroma = given.choice<ChromaFormat>(
         "chroma", {{"420", ChromaFormat::k420}, {"444", ChromaFormat::k444}});
   }
-  params.threads = given.get<int>("threads");
+  params.threads = given.get<int>("threads", 0, 1024).value_or(0);
   return params;
 }
 

@@ -18,14 +18,16 @@ class Options {
  public:
   explicit Options(const pybind11::kwargs& given) : given_(given) {}
 
-  /// The argument `name` as a T. Raises TypeError, or ValueError for a number that T cannot hold.
+  /// The argument `name` as a T. Raises TypeError, or ValueError for a number that T cannot hold;
+  /// either says what is `wanted`.
   template <class T>
-  T get(const char* name) const {
+  T get(const char* name, const std::string& wanted = "") const {
     const pybind11::object value = given_[name];
     try {
       return value.cast<T>();
     } catch (const pybind11::cast_error&) {
-      const std::string says = name + (" cannot be " + pybind11::repr(value).cast<std::string>());
+      const std::string says =
+          name + (" cannot be " + pybind11::repr(value).cast<std::string>()) + wanted;
       if (PyNumber_Check(value.ptr()) != 0) throw pybind11::value_error(says);
       throw pybind11::type_error(says);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -177,7 +178,10 @@ std::string Stream::info() const {
 
 py::array Stream::render(const Camera& camera, int stop_level) {
   const auto record = frame_record(camera, header());
-  if (!record) throw py::value_error(record.error().message);
+  if (!record) {
+    const std::string& text = record.error().message;  // frame_width is here width
+    throw py::value_error(text.substr(text.starts_with("frame_") ? 6 : 0));
+  }
   RgbImage image;
   auto rendered = [&] {
     const py::gil_scoped_release unlocked;
@@ -197,7 +201,8 @@ using Places = std::vector<uint32_t>;
 using Triple = std::array<double, 3>;
 
 std::optional<WorldPoint> point_of(const Options& given, const char* name) {
-  const auto point = given.get<std::optional<Triple>>(name);
+  const auto point =
+      given.get<std::optional<Triple>>(name, "; it is (x, y, z): column, row and distance");
   if (!point) return std::nullopt;
   return WorldPoint{(*point)[0], (*point)[1], (*point)[2]};
 }
@@ -214,6 +219,7 @@ py::array render(Stream& stream, const py::kwargs& arguments) {
   camera.row_pitch = given.get<std::optional<double>>("row_pitch");
   camera.shear = given.get<double>("shear");
   camera.focus = given.get<double>("focus");
+  if (camera.focus == std::numeric_limits<double>::infinity()) camera.focus = camera.shear;
   camera.aperture = given.get<int>("aperture");
   camera.filter = given.choice<Filter>("filter", {{"nearest", Filter::kNearest},
                                                   {"bilinear", Filter::kBilinear},

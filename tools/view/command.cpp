@@ -104,6 +104,7 @@ std::unique_ptr<view::OtherDecoder> other_decoder(const DutOptions& options,
 }
 
 ExitCode run_view(const ViewOptions& options) {
+  if (options.original.empty()) refuse_naming(options.naming, "it is for the folder of --original");
   view::OpenStream stream(options.file, options.original, options.naming);
   const auto other = other_decoder(options.dut, stream);
   const std::string link = link_to(options.block, stream, other != nullptr);

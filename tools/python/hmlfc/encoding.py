@@ -21,6 +21,9 @@ class Views(NamedTuple):
     pixels: np.ndarray
     depth: int
 
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
+        return self.pixels.astype(dtype or self.pixels.dtype, copy=bool(copy))
+
 
 def read_views(
     folder: AnyPath,
@@ -84,7 +87,7 @@ def encode(
     window: largest component of a vector, [0, 127] samples; default: main 16, extended 64
     references: rows and columns of views that share a reference, [1, 255]; default: main 8, 8, extended by trial
     chroma: "420" or "444"; default: what costs less
-    threads: 0: all cores
+    threads: [0, 1024]; 0: all cores
     progress: called with images done and their number; what it raises ends the encoding
 
     Warns with a Note where a target is missed, and as read_views(). Raises ValueError or TypeError that says which
@@ -138,7 +141,9 @@ def field_of(views: Union[np.ndarray, Views, LightField], depth: Optional[int]) 
     """The views in an array of any layout and byte order, or in what NumPy makes an array of."""
     if depth is None:
         depth = getattr(views, "depth", None)
-    pixels = np.asarray(views.pixels if isinstance(views, Views) else views)
+    if np.ma.is_masked(getattr(views, "pixels", views)):
+        raise ValueError("views have masked samples, and a stream has none: fill them, as by views.filled(0)")
+    pixels = np.asarray(views)
     kind = pixels.dtype.newbyteorder("=")
     if pixels.ndim != 5 or pixels.shape[4] != 3:
         raise ValueError(f"views are an array of shape (rows, cols, height, width, 3), not {pixels.shape}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import index as as_integer
 from typing import Any, Tuple, Union
 
 Index = Union[int, slice, "ellipsis"]  # noqa: F821
@@ -20,9 +21,17 @@ def all_axes(key: Any, axes: int) -> tuple:
         raise IndexError(f"a light field takes up to {axes} indices and one ...: {', '.join(AXES)}")
     keys = (*before, *(slice(None),) * missing, *after)
     for part in keys:
-        if isinstance(part, bool) or not (isinstance(part, slice) or hasattr(part, "__index__")):
+        if not is_index(part):
             raise TypeError(f"an index is an integer, a slice or ..., not {part!r}; np.asarray(lf) takes others")
     return keys
+
+
+def is_index(part: Any) -> bool:
+    """Whether it is an integer or a slice; an array of several integers is neither."""
+    try:
+        return isinstance(part, slice) or (not isinstance(part, bool) and as_integer(part) is not None)
+    except TypeError:
+        return False
 
 
 def range_of(key: Any, size: int, axis: str) -> range:

@@ -260,7 +260,7 @@ class LightField:
         width, height: of the frame, [1, 4096] pixels; default: those of a view
         focal, row_pitch, shear: of the views (CAM-2)
         tan_half: of half the field of view along the longer side, [2**-10, 2]
-        focus: disparity of the focal plane, pixels a column, [-256, 256]; negative is nearer
+        focus: disparity of the focal plane, pixels a column, [-256, 256]; negative is nearer; math.inf: infinitely far
         aperture: log2 of the steps of views that are blended, [0, 3]
         filter: "nearest", "bilinear" or "quadrilinear"
         geometry: "stream", "plane", or None: what suits the stream
