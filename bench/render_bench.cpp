@@ -38,7 +38,7 @@ constexpr Setting kSettings[] = {{"quadrilinear"},
                                  {"quadrilinear, geometry", Filter::kQuadrilinear, 0, false,
                                   kCacheBytes, GeometrySource::kStream},
                                  {"quadrilinear, aperture 1", Filter::kQuadrilinear, 1},
-                                 {"bilinear", Filter::kBilinear},
+                                 {"views", Filter::kViews},
                                  {"nearest", Filter::kNearest}};
 
 FrameRecord record_of(const Setting& setting, const StreamHeader& header, int frame) {

@@ -25,7 +25,7 @@ struct Setting {
   size_t cache_bytes = 0;
 };
 
-// The setting of FILTER:LEVELS:CACHE, such as "bilinear:4:256".
+// The setting of FILTER:LEVELS:CACHE, such as "views:4:256".
 Setting parse(const std::string& text, const StreamHeader& header) {
   Setting setting;
   setting.text = text;
@@ -35,7 +35,7 @@ Setting parse(const std::string& text, const StreamHeader& header) {
   int levels = 0;
   std::getline(parts, filter, ':');
   parts >> levels >> colon >> setting.cache_bytes;
-  for (const Filter value : {Filter::kNearest, Filter::kBilinear, Filter::kQuadrilinear}) {
+  for (const Filter value : {Filter::kNearest, Filter::kViews, Filter::kQuadrilinear}) {
     if (filter != filter_name(value) || parts.fail()) continue;
     setting.filter = value;
     setting.stop_level = header.tree_height + 1 - levels;

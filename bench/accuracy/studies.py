@@ -17,7 +17,7 @@ QUICK = {
 }
 ENCODING = ("encoder", "block_size", "window", "methods", "reference_memory")
 NAMES = (*ENCODING, "renderer")
-FILTERS = ("nearest", "bilinear", "quadrilinear")
+FILTERS = ("nearest", "views", "quadrilinear")
 CACHES = (0, 1, 256)  # MiB, the last more than all blocks take
 
 

@@ -2,6 +2,7 @@
 // the first that can run it.
 #include <hmlfc/dut.hpp>
 #include <hmlfc/gpu/decoder.hpp>
+#include <hmlfc/gpu/renderer.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -17,11 +18,13 @@
 using hmlfc::gpu::BlockArea;
 using hmlfc::gpu::Device;
 using hmlfc::gpu::GpuDecoder;
+using hmlfc::gpu::GpuRenderer;
 using hmlfc::gpu::LevelStages;
 
 struct hmlfc_dut {
   hmlfc::StreamView stream;
   std::optional<GpuDecoder> decoder;
+  std::optional<GpuRenderer> renderer;  // once a frame is asked for
 };
 
 namespace {
@@ -136,7 +139,7 @@ int hmlfc_dut_open(const uint8_t* bytes, size_t size, hmlfc_dut** dut) {
   if (!stream) return hmlfc::dut_status(stream.error());
   auto& device = the_device();
   if (!device) return machine_failure(device.error());
-  auto opened = std::make_unique<hmlfc_dut>(hmlfc_dut{std::move(*stream), std::nullopt});
+  auto opened = std::make_unique<hmlfc_dut>(hmlfc_dut{std::move(*stream), {}, {}});
   auto decoder = GpuDecoder::open(*device, opened->stream);
   if (!decoder) return machine_failure(decoder.error());
   opened->decoder.emplace(std::move(*decoder));
@@ -173,6 +176,23 @@ int hmlfc_dut_trace_block(hmlfc_dut* dut, uint32_t row, uint32_t col, uint32_t p
   const StageTeller teller(area, dut->stream.header, sink, context);
   for (const LevelStages& level : blocks->front().levels) teller.tell(level);
   return blocks->front().status;
+}
+
+int hmlfc_dut_render_frame(hmlfc_dut* dut, const int32_t record[HMLFC_DUT_RECORD_NUMBERS],
+                           uint32_t stop_level, uint16_t* rgb, hmlfc_dut_counts* counts) {
+  if (!dut->renderer) {
+    auto renderer = GpuRenderer::open(*the_device(), dut->stream, 0);
+    if (!renderer) return machine_failure(renderer.error());
+    dut->renderer.emplace(std::move(*renderer));
+  }
+  const auto frame =
+      dut->renderer->render(hmlfc::frame_record_of(record), static_cast<int>(stop_level));
+  if (!frame) return machine_failure(frame.error());
+  if (frame->status != hmlfc::ErrorCode::kOk) return static_cast<int>(frame->status);
+  std::ranges::copy(frame->image.samples, rgb);
+  counts->blocks_needed = static_cast<int64_t>(frame->blocks_needed);
+  counts->disparities_looked_up = static_cast<int64_t>(frame->disparities_looked_up);
+  return 0;
 }
 
 const char* hmlfc_dut_error_name(int status) { return hmlfc::dut_error_name(status); }

@@ -76,7 +76,7 @@ Ray trace(FrameRecord f, int a, int b) {
 /// G of SRF-2.
 int displacement_a_row(FrameRecord f, int e) { return (e * f.pitch + (1 << 7)) >> 8; }
 
-/// What has displacement `e` on the ray (SRF-2). A view number times 2^12 is a whole number of 2^-8, so
+/// What has displacement `e` on the ray (SRF-2, SRF-4). A view number times 2^12 is a whole number of 2^-8, so
 /// that the shift rounds what is left alone.
 Ray displaced(FrameRecord f, Ray ray, int e) {
   const int g = displacement_a_row(f, e);

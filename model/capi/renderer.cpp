@@ -49,7 +49,7 @@ Outcome open_renderer(const hmlfc_decoder* decoder, const hmlfc_render_options* 
 WorldPoint point_of(const double (&values)[3]) { return {values[0], values[1], values[2]}; }
 
 tl::expected<Camera, Refusal> read_camera(const hmlfc_camera& given, const StreamHeader& header) {
-  constexpr std::array kFilters{Filter::kQuadrilinear, Filter::kBilinear, Filter::kNearest};
+  constexpr std::array kFilters{Filter::kQuadrilinear, Filter::kViews, Filter::kNearest};
   const auto wrong = [](const char* what) { return bad_argument("camera", what); };
   if (given.has_position > 1) return wrong("has has_position above 1");
   if (given.has_look_at > 1) return wrong("has has_look_at above 1");

@@ -29,8 +29,8 @@ struct Pose {
   Vector down;
 };
 
-tl::unexpected<CameraError> bad(const std::string& message) {
-  return tl::unexpected(CameraError{message});
+tl::unexpected<CameraError> bad(const char* input, const std::string& message) {
+  return tl::unexpected(CameraError{message, input});
 }
 
 std::string text(double value) {
@@ -42,40 +42,44 @@ std::string text(double value) {
 // lo <= value <= hi; false for NaN.
 bool is_within(double value, double lo, double hi) { return value >= lo && value <= hi; }
 
-Checked check_input(const char* name, double value, double lo, double hi) {
-  if (is_within(value, lo, hi)) return {};
-  return bad(std::string(name) + " is " + text(value) + ", outside [" + text(lo) + ", " + text(hi) +
-             "]");
+// A number of an input: `part` says which one where it has several.
+struct Number {
+  const char* input;
+  const char* part;
+  double value, lo, hi;
+};
+
+Checked check_number(const Number& n) {
+  if (is_within(n.value, n.lo, n.hi)) return {};
+  return bad(n.input, std::string(n.input) + n.part + " is " + text(n.value) + ", outside [" +
+                          text(n.lo) + ", " + text(n.hi) + "]");
 }
 
 // The inputs in the order of CAM-3.
 Checked check_inputs(const Camera& camera, double row_pitch) {
   const WorldPoint& position = *camera.position;
   const WorldPoint& look_at = *camera.look_at;
-  const struct {
-    const char* name;
-    double value, lo, hi;
-  } inputs[] = {
-      {"frame_width", static_cast<double>(*camera.frame_width), 1, kMaxFrameSide},
-      {"frame_height", static_cast<double>(*camera.frame_height), 1, kMaxFrameSide},
-      {"focal", *camera.focal, 1, 65536},
-      {"shear", camera.shear, -256, 256},
-      {"row_pitch without its sign", std::abs(row_pitch), 1.0 / 16, 127.0 / 16},
-      {"position's column", position.u, -4096, 8192},
-      {"position's row", position.v, -4096, 8192},
-      {"position's distance", position.z, -4096, 4096},
-      {"position's distance / row_pitch", position.z / row_pitch, -4096, 4096},
-      {"look_at's column", look_at.u, -0x1p20, 0x1p20},
-      {"look_at's row", look_at.v, -0x1p20, 0x1p20},
-      {"look_at's distance", look_at.z, -0x1p20, 0x1p20},
-      {"tan_half", *camera.tan_half, 0x1p-10, 2},
-      {"focus", camera.focus, -256, 256},
-      {"aperture", static_cast<double>(camera.aperture), 0, kMaxAperture},
-      {"filter", static_cast<double>(camera.filter), 0, 2},
-      {"geometry", static_cast<double>(camera.geometry), 0, 1},
+  const Number numbers[] = {
+      {"frame_width", "", static_cast<double>(*camera.frame_width), 1, kMaxFrameSide},
+      {"frame_height", "", static_cast<double>(*camera.frame_height), 1, kMaxFrameSide},
+      {"focal", "", *camera.focal, 1, 65536},
+      {"shear", "", camera.shear, -256, 256},
+      {"row_pitch", " without its sign", std::abs(row_pitch), 1.0 / 16, 127.0 / 16},
+      {"position", "'s column", position.u, -4096, 8192},
+      {"position", "'s row", position.v, -4096, 8192},
+      {"position", "'s distance", position.z, -4096, 4096},
+      {"position", "'s distance / row_pitch", position.z / row_pitch, -4096, 4096},
+      {"look_at", "'s column", look_at.u, -0x1p20, 0x1p20},
+      {"look_at", "'s row", look_at.v, -0x1p20, 0x1p20},
+      {"look_at", "'s distance", look_at.z, -0x1p20, 0x1p20},
+      {"tan_half", "", *camera.tan_half, 0x1p-10, 2},
+      {"focus", "", camera.focus, -256, 256},
+      {"aperture", "", static_cast<double>(camera.aperture), 0, kMaxAperture},
+      {"filter", "", static_cast<double>(camera.filter), 0, 2},
+      {"geometry", "", static_cast<double>(camera.geometry), 0, 1},
   };
-  for (const auto& input : inputs) {
-    if (auto ok = check_input(input.name, input.value, input.lo, input.hi); !ok) return ok;
+  for (const Number& number : numbers) {
+    if (auto ok = check_number(number); !ok) return ok;
   }
   return {};
 }
@@ -86,11 +90,12 @@ tl::expected<Pose, CameraError> pose_of(const Camera& camera, double row_pitch) 
   const WorldPoint& to = *camera.look_at;
   const Vector g{to.u - from.u, row_pitch * to.v - row_pitch * from.v, to.z - from.z};
   const double length = std::sqrt((g.x * g.x + g.y * g.y) + g.z * g.z);
-  if (!(length >= kMinLength)) return bad("look_at is the camera's place: give another point");
+  if (!(length >= kMinLength))
+    return bad("look_at", "look_at is the camera's place: give another point");
   const Vector forward{g.x / length, g.y / length, g.z / length};
   const double h = std::sqrt(forward.x * forward.x + forward.z * forward.z);
   if (!(h >= kMinLength)) {
-    return bad("look_at is straight above or below the camera: move it aside");
+    return bad("look_at", "look_at is straight above or below the camera: move it aside");
   }
   const Vector right{forward.z / h, 0, -forward.x / h};
   const Vector down{forward.y * right.z, forward.z * right.x - forward.x * right.z,
@@ -156,14 +161,14 @@ Checked set_pictures(const Camera& camera, double row_pitch, FrameRecord& record
   const int64_t dx = fix(camera.focus, 12);
   const int64_t dy = fix(row_pitch * camera.focus, 12);
   if (std::abs(gain) > kMaxReach) {
-    return bad("position is too far from the views for this shear and focus");
+    return bad("position", "position is too far from the views for this shear and focus");
   }
   if (std::abs(x0) > kMaxReach || std::abs(y0) > kMaxReach) {
-    return bad("position is too far aside of the views for this shear and focus");
+    return bad("position", "position is too far aside of the views for this shear and focus");
   }
   if (std::abs(dx) * (record.cols - 1) > kMaxShift ||
       std::abs(dy) * (record.rows - 1) > kMaxShift) {
-    return bad("focus is too large for this many views");
+    return bad("focus", "focus is too large for this many views");
   }
   record.x0 = static_cast<int32_t>(x0);
   record.y0 = static_cast<int32_t>(y0);

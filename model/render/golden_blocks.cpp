@@ -38,6 +38,12 @@ uint64_t GoldenBlocks::need(const ViewTaps& taps) {
   return pixels;
 }
 
+std::vector<BlockAddress> GoldenBlocks::list() const {
+  std::vector<BlockAddress> list;
+  for (const auto& [block, samples] : blocks_) list.push_back(block);
+  return list;
+}
+
 Result<void> GoldenBlocks::decode() {
   for (auto& [block, samples] : blocks_) {
     auto decoded = decoder_.decode_block(block, {.stop_level = stop_level_});

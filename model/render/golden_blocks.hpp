@@ -33,6 +33,9 @@ class GoldenBlocks {
   /// The blocks noted.
   uint64_t count() const { return blocks_.size(); }
 
+  /// The same in the order of NED-2.
+  std::vector<BlockAddress> list() const;
+
   /// Decodes them in the order of NED-2. Errors: that of the first which has one.
   Result<void> decode();
 

@@ -12,6 +12,25 @@
 namespace hmlfc {
 namespace {
 
+template <class Visit>
+void for_each_pixel(const FrameRecord& record, const Visit& visit) {
+  for (int32_t j = 0; j < record.frame_height; ++j) {
+    for (int32_t i = 0; i < record.frame_width; ++i) visit(i, j);
+  }
+}
+
+// Notes the blocks of all pixels, and counts.
+void note_blocks(const FrameRecord& record, const CellDisplacements& displaced,
+                 GoldenBlocks& blocks, uint64_t& interpolated, uint64_t& outside) {
+  for_each_pixel(record, [&](int32_t i, int32_t j) {
+    const auto ray = trace(record, i, j);
+    outside += !ray;
+    if (!ray) return;
+    for_each_view_taps(record, *ray, displaced.at(i, j),
+                       [&](const ViewTaps& taps) { interpolated += 3 * blocks.need(taps); });
+  });
+}
+
 class GoldenRenderer final : public FrameRenderer {
  public:
   explicit GoldenRenderer(const Decoder& decoder) : decoder_(decoder) {}
@@ -31,25 +50,13 @@ class GoldenRenderer final : public FrameRenderer {
     const CellDisplacements displaced = golden_displacements(decoder_, record, stop_level);
     frame.counts.disparities_looked_up = displaced.blocks_looked_up;
     GoldenBlocks blocks(decoder_, stop_level);
-    for_each_pixel(record, [&](int32_t i, int32_t j) {
-      const auto ray = trace(record, i, j);
-      if (!ray) return;
-      for_each_view_taps(record, *ray, displaced.at(i, j), [&](const ViewTaps& taps) {
-        frame.counts.samples_interpolated += 3 * blocks.need(taps);
-      });
-    });
+    uint64_t outside = 0;
+    note_blocks(record, displaced, blocks, frame.counts.samples_interpolated, outside);
     if (auto ok = blocks.decode(); !ok) return ok;
     frame.counts.blocks_needed = blocks.count();
     frame.counts.blocks_decoded = blocks.count();
     draw(record, displaced, blocks, frame.image);
     return {};
-  }
-
-  template <class Visit>
-  void for_each_pixel(const FrameRecord& record, const Visit& visit) const {
-    for (int32_t j = 0; j < record.frame_height; ++j) {
-      for (int32_t i = 0; i < record.frame_width; ++i) visit(i, j);
-    }
   }
 
   void draw(const FrameRecord& record, const CellDisplacements& displaced,
@@ -85,6 +92,22 @@ class GoldenRenderer final : public FrameRenderer {
 
 std::unique_ptr<FrameRenderer> make_golden_renderer(const Decoder& decoder) {
   return std::make_unique<GoldenRenderer>(decoder);
+}
+
+Result<FrameNeeds> frame_needs(const Decoder& decoder, const FrameRecord& record, int stop_level) {
+  if (!fits(record, decoder.header(), stop_level)) {
+    return fail(ErrorCode::kBadRequest, Section::kHeader, 0);
+  }
+  return guard_request(DecoderAccess::stream(decoder).source, [&]() -> Result<FrameNeeds> {
+    FrameNeeds needs;
+    const CellDisplacements displaced = golden_displacements(decoder, record, stop_level);
+    needs.disparities_looked_up = displaced.blocks_looked_up;
+    GoldenBlocks blocks(decoder, stop_level);
+    uint64_t interpolated = 0;
+    note_blocks(record, displaced, blocks, interpolated, needs.pixels_outside);
+    needs.blocks = blocks.list();
+    return needs;
+  });
 }
 
 }  // namespace hmlfc

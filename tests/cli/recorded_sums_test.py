@@ -40,7 +40,7 @@ CODINGS = [
 # Arguments of render.
 FRAMES = [
     "--path orbit --frames 3 --size 40x30",
-    "--path line --frames 2 --size 33x21 --filter bilinear --focus 1.5",
+    "--path line --frames 2 --size 33x21 --filter views --focus 1.5",
     "--camera 2,1.5,-1 --size 48x40 --aperture 1 --focus 2",
     "--camera 1.3,1.1,0.2 --look-at 1.5,1.5,4 --size 36x36 --filter nearest --fov 50",
 ]

@@ -62,7 +62,7 @@ void run(std::span<const uint8_t> input) {
 std::vector<Bytes> seeds(std::span<const uint8_t> stream) {
   static constexpr std::array<std::string_view, 17> kRequests{
       "GET /token/frame?camera=0.5,0,0&size=8x6&focus=1.5&aperture=1&geometry=plane",
-      "GET /token/frame?size=9x5&look-at=0,0,16&filter=bilinear&fov=40",
+      "GET /token/frame?size=9x5&look-at=0,0,16&filter=views&fov=40",
       "GET /token/frame.png?size=8x6&levels=1",
       "GET /token/focus?focus-at=3,2&camera=0,0",
       "GET /token/picture?view=0,0",

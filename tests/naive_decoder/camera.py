@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import sqrt
 from types import SimpleNamespace
 
-FILTERS = ("nearest", "bilinear", "quadrilinear")
+FILTERS = ("nearest", "views", "quadrilinear")
 GEOMETRIES = ("plane", "stream")
 LEAST_LENGTH = 2**-20
 

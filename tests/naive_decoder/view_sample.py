@@ -7,7 +7,7 @@ from integers import clamp
 class ViewSample:
     """The pixels that a ray reads in a view at the place (x, y), in 2^-12 pixels.
 
-    xi, fx, yi, fy are those of SMP-2, with fx = fy = 0 for the filters nearest and bilinear; taps is a list of
+    xi, fx, yi, fy are those of SMP-2, with fx = fy = 0 for the filters nearest and views; taps is a list of
     (column, row, weight) without weights of 0, which sum to 65536.
     """
 

@@ -69,7 +69,7 @@ class View(CliTest):
         cameras = [
             {"camera": "1.25,0.75", "size": "72x48"},
             {"camera": "1,1,-0.5", "look-at": "1.5,1,16", "focus": "0.5", "aperture": 1, "size": "40x30"},
-            {"geometry": "plane", "filter": "bilinear", "fov": 30},
+            {"geometry": "plane", "filter": "views", "fov": 30},
         ]
         for camera in cameras:
             options = [word for name, value in camera.items() for word in (f"--{name}", value)]

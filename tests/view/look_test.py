@@ -85,7 +85,7 @@ class Look(PageCase):
         self.press("focus", Keys.END)
         self.press("camera-u", Keys.CONTROL + "a", Keys.NULL, "1.5", Keys.TAB)
         self.press("filter", "b")
-        query = self.browser.until("controls", lambda: self.browser.frame()["filter"] == "bilinear" and self.browser.frame())
+        query = self.browser.until("controls", lambda: self.browser.frame()["filter"] == "views" and self.browser.frame())
         self.assertEqual(self.place(query), [1.5, 2, 0])
         self.assertEqual(query["aperture"], "1")
         self.assertEqual(query["focus"], self.browser.element("focus").get_attribute("max"))

@@ -69,7 +69,7 @@ std::vector<SweepPoint> sweep_quality(const StreamFile& file, std::vector<Camera
     progress.update(real.size(), cameras.size() + points);
   }
   std::vector<SweepPoint> sweep;
-  for (const Filter filter : {Filter::kNearest, Filter::kBilinear, Filter::kQuadrilinear}) {
+  for (const Filter filter : {Filter::kNearest, Filter::kViews, Filter::kQuadrilinear}) {
     for (int levels = 1; levels <= all_levels; ++levels) {
       for (const bool cached : {false, true}) {
         BackendChoice setting = choice;

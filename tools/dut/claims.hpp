@@ -25,6 +25,9 @@ struct Claims {
   int64_t depth = 12;
   int64_t tree_height = 15;
   std::vector<unsigned> block_log2 = {1, 2, 3};
+  bool geometry = true;        ///< of frames: profile geometry, else plane
+  int64_t frame_width = 4096;  ///< of the largest frame, pixels
+  int64_t frame_height = 4096;
 };
 
 /// A limit: its name, what it may be, [least, greatest], and the field that it limits.
@@ -56,6 +59,21 @@ inline void visit(const io::Members& m, Claims& claims) {
   }
   limits.given("block_log2", claims.block_log2);
   limits.refuse_others("\"limits\"");
+}
+
+/// Member renderer of the same object: what a renderer claims.
+inline void visit_renderer(const io::Members& m, Claims& claims) {
+  if (m.reading() && !m.has("renderer")) return;
+  const io::Members renderer = m.at("renderer");
+  std::string profile = claims.geometry ? "geometry" : "plane";
+  renderer.given("profile", profile);
+  claims.geometry = profile == "geometry";
+  if (!claims.geometry && profile != "plane") {
+    throw io::TextError("a renderer's \"profile\" is \"plane\" or \"geometry\"");
+  }
+  renderer.within("frame_width", claims.frame_width, 1, 4096);
+  renderer.within("frame_height", claims.frame_height, 1, 4096);
+  renderer.refuse_others("\"renderer\"");
 }
 
 /// Why a stream is beyond `claims`: "width 40, above 39"; nothing if it is not. `header` is null if

@@ -222,7 +222,7 @@ py::array render(Stream& stream, const py::kwargs& arguments) {
   if (camera.focus == std::numeric_limits<double>::infinity()) camera.focus = camera.shear;
   camera.aperture = given.get<int>("aperture");
   camera.filter = given.choice<Filter>("filter", {{"nearest", Filter::kNearest},
-                                                  {"bilinear", Filter::kBilinear},
+                                                  {"views", Filter::kViews},
                                                   {"quadrilinear", Filter::kQuadrilinear}});
   camera.geometry = suitable_geometry(stream.header());
   if (given.get<std::optional<std::string>>("geometry")) {

@@ -19,7 +19,7 @@ namespace hmlfc {
 /// Which pixels of which views a pixel of a frame is the weighted mean of (SMP-1, SMP-2).
 enum class Filter : uint8_t {
   kNearest = 0,       ///< the nearest pixel of the nearest view
-  kBilinear = 1,      ///< the nearest pixels of the views around the ray
+  kViews = 1,         ///< the nearest pixels of the views around the ray
   kQuadrilinear = 2,  ///< four pixels of each of the views around the ray
 };
 
@@ -43,9 +43,9 @@ inline GeometrySource suitable_geometry(const StreamHeader& header) {
 inline constexpr int kMaxAperture = 3;      ///< of Camera::aperture
 inline constexpr int kMaxFrameSide = 4096;  ///< of frame_width and frame_height, pixels
 
-/// "nearest", "bilinear" or "quadrilinear".
+/// "nearest", "views" or "quadrilinear".
 constexpr std::string_view filter_name(Filter filter) {
-  constexpr std::string_view kNames[] = {"nearest", "bilinear", "quadrilinear"};
+  constexpr std::string_view kNames[] = {"nearest", "views", "quadrilinear"};
   return kNames[static_cast<size_t>(filter)];
 }
 
@@ -127,7 +127,8 @@ static_assert(sizeof(FrameRecord) == 164);
 
 /// Why a camera takes no frame.
 struct CameraError {
-  std::string message;  ///< one line for people: the input and its interval
+  std::string message;     ///< one line for people: the input and its interval
+  std::string_view input;  ///< the input's name in CAM-3, such as "look_at"; a literal
 };
 
 /// The record of `camera` in front of a light field of this header (CAM-3, CAM-4, REC-1 to REC-3):

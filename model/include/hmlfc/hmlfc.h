@@ -237,7 +237,7 @@ HMLFC_C_EXPORT void hmlfc_close_renderer(hmlfc_renderer* renderer);
 /** Which pixels of which views a pixel of a frame is the weighted mean of (SMP-1, SMP-2). */
 typedef enum hmlfc_filter {
   HMLFC_FILTER_QUADRILINEAR = 0,
-  HMLFC_FILTER_BILINEAR = 1,
+  HMLFC_FILTER_VIEWS = 1,
   HMLFC_FILTER_NEAREST = 2
 } hmlfc_filter;
 

@@ -64,6 +64,46 @@ typedef struct hmlfc_dut_stage {
   const int32_t* values; /**< row by row */
 } hmlfc_dut_stage;
 
+/** Numbers of a frame record (REC-2). */
+#define HMLFC_DUT_RECORD_NUMBERS 41
+
+/** A camera: the inputs of CAM-3 under their names. NAN stands for the default; pu, pv and pz are
+ * all given or none of them, qu, qv and qz likewise. */
+typedef struct hmlfc_dut_camera {
+  double frame_width;
+  double frame_height;
+  double focal;
+  double shear;
+  double row_pitch;
+  double pu, pv, pz; /**< position */
+  double qu, qv, qz; /**< look_at */
+  double tan_half;
+  double focus;
+  double aperture;
+  double filter;   /**< 0 nearest, 1 views, 2 quadrilinear */
+  double geometry; /**< 0 plane, 1 stream */
+} hmlfc_dut_camera;
+
+/** What a frame took. A renderer that does not count leaves what it gets, -1. */
+typedef struct hmlfc_dut_counts {
+  int64_t pixels_outside;        /**< RAY-6 */
+  int64_t blocks_needed;         /**< NED-1 */
+  int64_t disparities_looked_up; /**< SRF-5 */
+} hmlfc_dut_counts;
+
+/** A number that a renderer computes for a pixel of a frame, with the names of
+ * `hmlfc render --trace`, such as "view" and "fx". */
+typedef struct hmlfc_dut_number {
+  const char* stage; /**< "cell ray", "proposal", "cell", "ray", "view" or "sum" */
+  int32_t view_row;  /**< of a "proposal" or "view", else -1 */
+  int32_t view_col;  /**< the same */
+  const char* name;  /**< in rendering.md */
+  int64_t value;     /**< in the unit of its clause */
+} hmlfc_dut_number;
+
+/** Receives each number; `context` is what the caller of hmlfc_dut_trace_pixel gave. */
+typedef void (*hmlfc_dut_number_sink)(void* context, const hmlfc_dut_number* number);
+
 /** Receives each stage; `context` is what the caller of hmlfc_dut_trace_block gave. */
 typedef void (*hmlfc_dut_stage_sink)(void* context, const hmlfc_dut_stage* stage);
 
@@ -96,6 +136,31 @@ HMLFC_DUT_EXPORT int hmlfc_dut_decode_block(hmlfc_dut* dut, uint32_t row, uint32
 HMLFC_DUT_EXPORT int hmlfc_dut_trace_block(hmlfc_dut* dut, uint32_t row, uint32_t col,
                                            uint32_t plane, uint32_t block_x, uint32_t block_y,
                                            hmlfc_dut_stage_sink sink, void* context);
+
+/** Optional: makes the frame record of a camera (REC-2). Returns 0, or 1 with *input, the name in
+ * CAM-3 of the input that is refused, such as "look_at". */
+HMLFC_DUT_EXPORT int hmlfc_dut_frame_record(const hmlfc_dut* dut, const hmlfc_dut_camera* camera,
+                                            int32_t record[HMLFC_DUT_RECORD_NUMBERS],
+                                            const char** input);
+
+/** Optional: draws the frame of a record from views decoded down to `stop_level`: frame_height rows
+ * of frame_width pixels R, G, B. */
+HMLFC_DUT_EXPORT int hmlfc_dut_render_frame(hmlfc_dut* dut,
+                                            const int32_t record[HMLFC_DUT_RECORD_NUMBERS],
+                                            uint32_t stop_level, uint16_t* rgb,
+                                            hmlfc_dut_counts* counts);
+
+/** Optional: reports what is computed for pixel (x, y) of a frame, as far as it is known, in the
+ * order in which it is computed. With it, reports name the first wrong number. */
+HMLFC_DUT_EXPORT int hmlfc_dut_trace_pixel(hmlfc_dut* dut,
+                                           const int32_t record[HMLFC_DUT_RECORD_NUMBERS],
+                                           uint32_t stop_level, uint32_t x, uint32_t y,
+                                           hmlfc_dut_number_sink sink, void* context);
+
+/** Optional: the disparity map of view (row, col): for each block of plane Y, row by row, its
+ * disparity and confidence (GEO-1). */
+HMLFC_DUT_EXPORT int hmlfc_dut_disparity_map(hmlfc_dut* dut, uint32_t row, uint32_t col,
+                                             int16_t* disparities, uint8_t* confidences);
 
 /** Optional: the name of annex A for a status, such as "bad_levels"; the numbers of annex A are
  * used without it. */

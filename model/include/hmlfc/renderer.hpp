@@ -70,6 +70,19 @@ HMLFC_EXPORT std::unique_ptr<FrameRenderer> make_cpu_renderer(const Decoder& dec
 /// Decoder::decode_block, on one thread. `decoder` must outlive it.
 HMLFC_EXPORT std::unique_ptr<FrameRenderer> make_golden_renderer(const Decoder& decoder);
 
+/// What a frame takes, known before its blocks are decoded.
+struct FrameNeeds {
+  std::vector<BlockAddress> blocks;    ///< those of NED-1 in the order of NED-2; with a stop level
+                                       ///< each by the first view that shows its image
+  uint64_t disparities_looked_up = 0;  ///< SRF-5
+  uint64_t pixels_outside = 0;         ///< RAY-2, RAY-3, RAY-5
+};
+
+/// What the frame of `record` from views decoded down to `stop_level` takes. Errors: bad_request
+/// where record or stop_level do not fit the light field, out_of_memory.
+HMLFC_EXPORT Result<FrameNeeds> frame_needs(const Decoder& decoder, const FrameRecord& record,
+                                            int stop_level);
+
 /// A frame without rounding: the real frame of docs/rendering.md, section 7, in double precision,
 /// which the fixed point is measured against.
 struct RealFrame {

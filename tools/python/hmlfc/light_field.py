@@ -262,7 +262,7 @@ class LightField:
         tan_half: of half the field of view along the longer side, [2**-10, 2]
         focus: disparity of the focal plane, pixels a column, [-256, 256]; negative is nearer; math.inf: infinitely far
         aperture: log2 of the steps of views that are blended, [0, 3]
-        filter: "nearest", "bilinear" or "quadrilinear"
+        filter: "nearest", "views" or "quadrilinear"
         geometry: "stream", "plane", or None: what suits the stream
 
         Raises ValueError for a camera that takes no frame (CAM-3). Warns with a Note of a black frame.
