@@ -3,16 +3,15 @@
 import json
 from pathlib import Path
 
-from implementations import FOLDERS, citations
+from implementations import FOLDERS, RENDERERS, citations
 from specification import RENDERING, defined_clauses, read
 
 REASONS = Path("tests/clauses/reasons.json")
-VECTORS = "vectors"
-COLUMNS = [VECTORS, *FOLDERS]
+VECTORS, FRAMES = "vectors", "frames"
 
 
 class ClauseCells:
-    """The table: `clauses` in the order of the specification; of each clause the cells below.
+    """One table: `clauses` in the order of a document, with `kind` FRAMES those of rendering.md; the cells below.
 
     vectors(clause)        ids of the vectors that exercise it, the most specific first
     files(name, clause)    files of an implementation that cite it
@@ -20,12 +19,17 @@ class ClauseCells:
     reason(column, clause) why the cell is empty, or None
     """
 
-    def __init__(self, root, manifest, taken):
-        self.clauses = defined_clauses(read(root))
-        self.others = defined_clauses(read(root, RENDERING))
-        self.manifest, self._taken = manifest, taken
-        self._files = {name: citations(root, name) for name in FOLDERS}
-        self.reasons = json.loads((root / REASONS).read_text())
+    def __init__(self, root, manifest, taken, kind=VECTORS):
+        documents = [defined_clauses(read(root)), defined_clauses(read(root, RENDERING))]
+        self.kind = kind
+        self.clauses, self.others = documents if kind == VECTORS else documents[::-1]
+        self.implementations = [*FOLDERS] if kind == VECTORS else RENDERERS
+        self.columns = [kind, *self.implementations]
+        self._all, self._taken = manifest[kind], taken
+        self._files = {name: citations(root, name) for name in self.implementations}
+        self.reasons = [
+            entry for entry in json.loads((root / REASONS).read_text()) if not set(entry["clauses"]) & set(self.others)
+        ]
         self._reason = {
             (column, clause): entry["reason"]
             for entry in self.reasons
@@ -34,7 +38,7 @@ class ClauseCells:
         }
 
     def vectors(self, clause):
-        found = [vector for vector in self.manifest["vectors"] if clause in vector["clauses"]]
+        found = [vector for vector in self._all if clause in vector["clauses"]]
         found.sort(key=lambda vector: (len(vector["clauses"]), vector["input"]["bytes"], vector["id"]))
         return [vector["id"] for vector in found]
 
@@ -50,7 +54,7 @@ class ClauseCells:
     def complaints(self):
         """One line for each empty cell without a reason, each reason that fits none, each unknown clause."""
         for clause in self.clauses:
-            for column in COLUMNS:
+            for column in self.columns:
                 lack, reason = self._lack(column, clause), self.reason(column, clause)
                 if lack and not reason:
                     yield f"{clause}, {column}: {lack}"
@@ -60,7 +64,7 @@ class ClauseCells:
 
     def _lack(self, column, clause):
         """Names what the cell lacks, or returns None."""
-        if column == VECTORS:
+        if column == self.kind:
             return None if self.vectors(clause) else "no vector exercises it"
         if not self.files(column, clause):
             return "no file cites it"
@@ -72,7 +76,7 @@ class ClauseCells:
         seen = set()
         for entry in self.reasons:
             for column in entry["columns"]:
-                if column not in COLUMNS:
+                if column not in self.columns:
                     yield f"{REASONS}: there is no column {column}"
                 for clause in entry["clauses"]:
                     if clause not in self.clauses:
@@ -80,9 +84,9 @@ class ClauseCells:
                     if (column, clause) in seen:
                         yield f"{REASONS}: {clause}, {column} has two reasons"
                     seen.add((column, clause))
-        for vector in self.manifest["vectors"]:
+        for vector in self._all:
             for clause in vector["clauses"]:
-                if clause not in self.clauses:
+                if clause not in self.clauses and (self.kind == VECTORS or clause not in self.others):
                     yield f"{vector['id']}: cites {clause}, which the specification does not have"
         for name, cited in self._files.items():
             for clause in sorted(cited.keys() - set(self.clauses) - set(self.others)):

@@ -17,13 +17,15 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests/spec"), str(ROOT / "bench/common")]
 
 import result_file  # noqa: E402  (its modules are found only now)
-from clause_cells import VECTORS, ClauseCells  # noqa: E402
-from implementations import FOLDERS, claimed_vectors  # noqa: E402
+from clause_cells import FRAMES, ClauseCells  # noqa: E402
+from implementations import claimed_vectors  # noqa: E402
 
 INTRODUCTION = """Every clause of the [specification](../specification.md): how many vectors exercise it
 (`hmlfc vectors list --clause` names them), the most specific of them, and in each implementation the file
 that cites it most. A number in brackets says how many of the vectors the implementation takes where it does
 not take all. A letter stands for the reason why a cell is empty."""
+FRAMES_INTRODUCTION = """The clauses of [rendering](../rendering.md) by frames of the suite
+(`hmlfc vectors list --frames --clause`) and renderers."""
 HEADS = {"model": "model", "naive": "naive", "rtl": "RTL", "gpu": "GPU"}
 
 
@@ -33,10 +35,10 @@ def markdown(cells):
     letter = dict(zip(reasons, string.ascii_lowercase, strict=False))
     rows = [
         (clause, *vector_cells(cells, clause, letter),
-         *(implementation_cell(cells, name, clause, letter) for name in FOLDERS))
+         *(implementation_cell(cells, name, clause, letter) for name in cells.implementations))
         for clause in cells.clauses
     ]
-    lines = result_file.table(("clause", "vectors", "for example", *HEADS.values()), rows)
+    lines = result_file.table(("clause", cells.kind, "for example", *(HEADS[name] for name in cells.implementations)), rows)
     return [*lines, "", *(f"- *{letter[reason]}*: {reason}." for reason in reasons)]
 
 
@@ -45,7 +47,7 @@ def vector_cells(cells, clause, letter):
     vectors = cells.vectors(clause)
     if vectors:
         return str(len(vectors)), f"`{vectors[0]}`"
-    return f"*{letter.get(cells.reason(VECTORS, clause), '')}*", ""
+    return f"*{letter.get(cells.reason(cells.kind, clause), '')}*", ""
 
 
 def implementation_cell(cells, name, clause, letter):
@@ -72,15 +74,19 @@ def main():
     arguments = parse_arguments()
     manifest = json.loads((ROOT / "vectors/manifest.json").read_text())
     cells = ClauseCells(ROOT, manifest, claimed_vectors(arguments.program, ROOT))
-    complaints = list(cells.complaints())
+    frames = ClauseCells(ROOT, manifest, claimed_vectors(arguments.program, ROOT, frames=True), FRAMES)
+    complaints = [*cells.complaints(), *frames.complaints()]
     for complaint in complaints:
         print(complaint, file=sys.stderr)
     status = 1 if complaints else 0
     if arguments.check or arguments.update:
-        tables = [("The table", [INTRODUCTION, "", *markdown(cells)])]
+        tables = [
+            ("The table", [INTRODUCTION, "", *markdown(cells)]),
+            ("Rendering", [FRAMES_INTRODUCTION, "", *markdown(frames)]),
+        ]
         text = result_file.result_text("Clauses, vectors and implementations", "./run clauses --update", tables)
         return max(status, result_file.settle(arguments.results / "clauses.md", text, arguments.update))
-    print("\n".join(markdown(cells)))
+    print("\n".join([*markdown(cells), "", *markdown(frames)]))
     return status
 
 

@@ -11,13 +11,14 @@ from specification import cited_clauses
 # below them that does not. A folder in both lists is cited where no other file is.
 FOLDERS = {
     "model": (
-        ["model/bits", "model/arithmetic", "model/syntax", "model/decoder", "model/include"],
+        ["model/bits", "model/arithmetic", "model/syntax", "model/decoder", "model/render", "model/include"],
         [],
     ),
     "naive": (["tests/naive_decoder"], ["tests/naive_decoder/tests"]),
     "rtl": (["rtl", "rtl/driver"], ["rtl/driver", "rtl/formal", "rtl/synth"]),
     "gpu": (["gpu_ref"], ["gpu_ref/dut"]),
 }
+RENDERERS = ["model", "naive", "gpu"]
 SUFFIXES = {".c", ".cpp", ".hpp", ".h", ".py", ".sv", ".svh", ".glsl", ".comp"}
 
 
@@ -52,14 +53,20 @@ def citing_text(path):
     return "\n".join(re.findall(r"//.*", text)) if path.suffix in {".sv", ".svh"} else text
 
 
-def claimed_vectors(program, root):
-    """{implementation: ids of the vectors that its declaration does not exclude}, as the runner selects them."""
+# The declaration of each renderer, where that is not the one of the decoder.
+RENDERER_DUTS = {"model": "model-library"}
+
+
+def claimed_vectors(program, root, frames=False):
+    """{implementation: ids of the vectors, or frames, that its declaration does not exclude}, as the runner selects."""
+    names = {RENDERER_DUTS.get(name, name): name for name in RENDERERS} if frames else {name: name for name in FOLDERS}
     with tempfile.TemporaryDirectory(prefix="hmlfc-clauses-") as folder:
         command = [program, "conform", "--suite", root / "vectors", "--filter", "none", "--json", "-o", folder]
-        for name in FOLDERS:
-            command += ["--dut", root / f"vectors/duts/{name}.json"]
+        command += ["--frames"] if frames else []
+        for dut in names:
+            command += ["--dut", root / f"vectors/duts/{dut}.json"]
         result = subprocess.run(command, stdout=subprocess.PIPE, check=False)
     return {
-        run["dut"]: {vector["id"] for vector in run["results"] if vector["status"] == "skipped"}
+        names[run["dut"]]: {vector["id"] for vector in run["results"] if vector["status"] == "skipped"}
         for run in json.loads(result.stdout)["runs"]
     }

@@ -1,7 +1,7 @@
 """A folder in which the commands of a document run, on the programs of a build that has everything.
 
 It has a small light field FOLDER, streams of the suite (FILE, FILE.hmlfc and my.hmlfc of profile
-extended, bad.hmlfc of profile main), a decoder ./mydec with its declaration mydec.json, links to the
+extended, bad.hmlfc of profile main), a decoder ./mydec with its declaration mydec.json, a renderer ./myrender, links to the
 folders of the repository that commands name, a stand-in for ffmpeg, and a ./run that builds and installs
 nothing.
 """
@@ -25,6 +25,9 @@ main "$@"
 MYDEC = """#!/usr/bin/env bash
 exec hmlfc decode "$1" -o "$3"
 """
+MYRENDER = """#!/usr/bin/env bash
+exec python3 -B tests/naive_decoder/render.py "$1" "{\\"record\\": [$2], \\"stop_level\\": $3}" -o "$4/frame.raw"
+"""
 DECLARATION = '{ "name": "mydec", "command": "{dut}/mydec {input} -o {output}" }\n'
 FIXTURE = (
     "hmlfc synth --scene knights --grid 4x4 --size 64x48 -o FOLDER",
@@ -44,6 +47,7 @@ class Sandbox:
         (folder / "bin" / "hmlfc").symlink_to(program)
         (folder / "bin" / "ffmpeg").symlink_to(root / "tests/support/ffmpeg")
         self._script("mydec", MYDEC)
+        self._script("myrender", MYRENDER)
         (folder / "mydec.json").write_text(DECLARATION, encoding="utf-8")
         self.environment = dict(os.environ, PATH=f"{folder}/bin:{os.environ['PATH']}", BUILD=str(build))
         for command in FIXTURE:

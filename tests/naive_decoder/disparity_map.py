@@ -24,7 +24,7 @@ def sixteen_bits(number):
 
 
 def block_of_map(stream, row, col, block_x, block_y):
-    """(D, confidence) of a block of plane Y of view (row, col) (GEO-2); D in 2^-8 pixels a column.
+    """(D, confidence) of a block of plane Y of view (row, col) (GEO-1, GEO-2); D in 2^-8 pixels a column.
 
     Raises the StreamError of GEO-7.
     """

@@ -29,7 +29,7 @@ class Shot:
     def blend(self, i, j):
         """How pixel (i, j) comes about: its ray, and if that is inside the parts of views and their sum.
 
-        A part has view, weight, x, y, the ViewSample and q; `sum` is that of SMP-3 without 2^19.
+        With geometry the parts lie at displaced places (SRF-4). A part has view, weight, x, y, the ViewSample and q; `sum` is that of SMP-3 without 2^19.
         """
         blend = SimpleNamespace(parts=[], sum=[0, 0, 0], sample=(0, 0, 0))
         blend.ray = ray_of_pixel(self.record, i, j)

@@ -11,7 +11,11 @@ def trace(data, camera_or_record, x, y, stop_level=0):
     A stage is {"stage", "values"}, with "view" where it is one of a view; a value {"name", "value", "clause"}.
     Its errors are those of `render`, of the blocks that the pixel needs. ValueError: the frame has no such pixel.
     """
-    shot = shot_of(data, camera_or_record, stop_level)
+    return trace_shot(shot_of(data, camera_or_record, stop_level), x, y)
+
+
+def trace_shot(shot, x, y):
+    """The same of a Shot."""
     if not (0 <= x < shot.record["frame_width"] and 0 <= y < shot.record["frame_height"]):
         raise ValueError("the frame has no such pixel")
     blend = shot.blend(x, y)

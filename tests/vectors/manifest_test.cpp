@@ -17,7 +17,7 @@ namespace {
 std::vector<uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 
 Manifest sample_manifest() {
-  Manifest manifest{"1.2.3", 1, "hmlfc vectors generate", 7, {}};
+  Manifest manifest{"1.2.3", 1, "hmlfc vectors generate", 7, {}, "1.0.1", {}};
   Vector ok;
   ok.id = VectorId("syntax/one");
   ok.group = "syntax";
@@ -34,15 +34,27 @@ Manifest sample_manifest() {
   Vector bad = ok;
   bad.id = VectorId("error/two");
   bad.profile = Profile::kExtended;
-  bad.expect = {Outcome::kReject,
-                ErrorCode::kBadLevels,
-                1234,
-                Operation::kBlock,
-                {{{1, 2}, Plane::kCg, 3, 4}}};
+  bad.expect = {Outcome::kReject,  ErrorCode::kBadLevels,        1234,
+                Operation::kBlock, {{{1, 2}, Plane::kCg, 3, 4}}, {}};
   bad.base = ok.id;
   bad.output.reset();
   bad.trace.reset();
   manifest.vectors = {bad, ok};
+  Vector frame = ok;
+  frame.id = VectorId("frames/three");
+  frame.milestone = "plane";
+  frame.output.reset();
+  frame.frame.emplace().camera = camera_from_words("focal=20.5,pu=1,pv=0.1,pz=-2");
+  frame.frame->record.emplace(HMLFC_DUT_RECORD_NUMBERS, -3);
+  frame.frame->frame = FrameSum{5, 6, 12, std::string(64, 'f'), 1, 2, 3};
+  Vector refused = frame;
+  refused.id = VectorId("frames/four");
+  refused.expect.outcome = Outcome::kReject;
+  refused.expect.input = "focal";
+  refused.base = frame.id;
+  refused.frame->record.reset();
+  refused.frame->frame.reset();
+  manifest.frames = {refused, frame};
   return manifest;
 }
 

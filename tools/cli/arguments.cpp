@@ -195,12 +195,14 @@ CLI::Option* add_suite(CLI::App& app, std::filesystem::path& target,
 
 CLI::Option* add_milestone(CLI::App& app, std::string& target) {
   std::string names;
-  for (const vectors::MilestoneRow& row : vectors::milestones()) {
-    names += (names.empty() ? "one of " : ", ") + std::string(row.name);
+  for (const auto* list : {&vectors::milestones(), &vectors::frame_milestones()}) {
+    for (const vectors::MilestoneRow& row : *list) {
+      names += (names.empty() ? "one of " : ", ") + std::string(row.name);
+    }
   }
   const auto reader = [&target](const std::string& text) {
     const auto number = vectors::milestone_number(text);
-    if (number) target = vectors::milestones()[*number].name;
+    if (number) target = vectors::milestones_with(text)[*number].name;
     return number.has_value();
   };
   return add_value(app, "--milestone", "NAME",

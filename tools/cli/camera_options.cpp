@@ -5,6 +5,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/camera_path.hpp"
+#include "vectors/frame_case.hpp"
 
 namespace hmlfc::cli {
 
@@ -61,6 +62,7 @@ void add_number(CLI::App& app, const std::string& name, T& target, const std::st
 
 void add_camera_options(CLI::App& app, CameraOptions& options) {
   Camera& camera = options.camera;
+  const size_t before = app.get_options().size();
   add_point(app, "--camera", camera.position,
             "Column, row, distance of the camera (default: middle of the grid)");
   add_point(app, "--look-at", camera.look_at,
@@ -77,7 +79,7 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       ->default_str("the size of a view");
   add_choice(app, "--filter", camera.filter,
              {{"nearest", Filter::kNearest},
-              {"bilinear", Filter::kBilinear},
+              {"views", Filter::kViews},
               {"quadrilinear", Filter::kQuadrilinear}},
              "How views are blended")
       ->default_str("quadrilinear");
@@ -94,11 +96,22 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       ->type_name("PATH");
   add_integer(app, "--frames", options.frames, 1, 100000, "Frames of orbit, line and focus")
       ->default_str(std::to_string(kPathFrames));
+  CLI::Option* inputs = add_value(
+      app, "--inputs", "NAME=X,...",
+      "The camera by its inputs in docs/rendering.md (CAM-3) instead of the other options",
+      "inputs of CAM-3, such as pu=1.5,pv=0,pz=-2,focus=0.5", [&options](const std::string& text) {
+        if (const auto read = vectors::camera_from_words(text)) options.inputs = camera_of(*read);
+        return options.inputs.has_value();
+      });
   add_number(app, "--focal", camera.focal, "Focal length of the views, pixels",
              "their longer side");
   add_number(app, "--shear", camera.shear, "Disparity at infinity, pixels per column", "0");
   add_number(app, "--row-pitch", camera.row_pitch, "Distance between rows of views, columns",
              "the stream's");
+  const auto all = app.get_options();
+  for (size_t i = before; i < all.size(); ++i) {
+    if (all[i] != inputs) inputs->excludes(all[i]);
+  }
 }
 
 }  // namespace hmlfc::cli

@@ -28,6 +28,7 @@ inline constexpr int kPathFrames = 60;
 /// The camera options of a command.
 struct CameraOptions {
   Camera camera;
+  std::optional<Camera> inputs;  ///< instead of all the others, which the command did not get
   std::optional<GeometrySource> geometry;  ///< else suitable_geometry()
   bool focus_at_infinity = false;
   std::optional<std::array<double, 2>> focus;  ///< the first and the last of a path of focus
@@ -38,7 +39,7 @@ struct CameraOptions {
 };
 
 /// Adds --camera, --look-at, --fov, --size, --filter, --geometry, --focus, --focus-at, --aperture,
-/// --path, --frames and those of the light field's own geometry.
+/// --path, --frames, --inputs and those of the light field's own geometry.
 void add_camera_options(CLI::App& app, CameraOptions& options);
 
 }  // namespace hmlfc::cli

@@ -30,6 +30,7 @@ struct ConformOptions {
   std::filesystem::path claim;   // to write; empty: none
   std::filesystem::path verify;  // to check; empty: none
   bool run_claimed = false;      // run the decoder that the claim names
+  bool frames = false;           // the suite's frames, for renderers
   bool force = false;
   bool json = false;
 };
@@ -93,11 +94,15 @@ conform::Claim claim_on(const conform::Suite& suite, const conform::Dut& dut,
   return value_or_throw(conform::claim_of(suite, dut, dut_text), ExitCode::kInput);
 }
 
+conform::Suite suite_of(const ConformOptions& options) {
+  return value_or_throw(conform::open_suite(options.suite, options.frames), ExitCode::kInput);
+}
+
 // What differs from the claim; before the run as far as it is known then.
 std::optional<std::string> verify_again(const conform::Claim& claimed,
                                         const ConformOptions& options) {
   const auto dut = options.dut.read().front();
-  const auto suite = value_or_throw(conform::open_suite(options.suite), ExitCode::kInput);
+  const auto suite = suite_of(options);
   auto found = claim_on(suite, dut, claimed.at("decoder").at("dut").get<std::string>());
   if (auto difference = conform::claim_difference(claimed, found)) return difference;
   const auto lock = take_report_folder(options);
@@ -134,6 +139,7 @@ ExitCode run_verify(ConformOptions options) {
   const auto claimed = value_or_throw(conform::read_claim(options.verify), ExitCode::kInput);
   choose_decoder(claimed, options);
   check_whole(options, "--verify");
+  options.frames = claimed.at("suite").value("part", "") == "frames";
   const auto difference = verify_again(claimed, options);
   if (options.json) {
     print_json({{"verified", !difference}, {"difference", difference.value_or("")}});
@@ -156,7 +162,7 @@ ExitCode run_conform(const ConformOptions& given) {
     check_whole(options, "--claim");
     check_replaceable({options.claim}, {R"("manifest_sha256")", options.force});
   }
-  const auto suite = value_or_throw(conform::open_suite(options.suite), ExitCode::kInput);
+  const auto suite = suite_of(options);
   const auto lock = take_report_folder(options);
   conform::Report report{
       suite.manifest.vectors_version, suite.manifest_sha256, conform::this_system(kProgram), {}};
@@ -187,6 +193,8 @@ constexpr const char* kConformFooter =
   - a shared library *.so with the functions of hmlfc_dut.h;
   - a file *.json that declares one of these with name, profile, level, limits, trace, waivers.
 {hmlfc} stands for this program. docs/conformance.md is a guided tour.
+With --frames it is a renderer: a command line gets {record}, 41 numbers, or {camera}, and writes
+frame.raw, frame.png or frame.ppm.
 
 Results: pass, fail, error (did not start, crashed), timeout, not_supported (beyond what the decoder
 claims), skipped (required but not run; never a pass). The output folder gets report.html and
@@ -212,6 +220,7 @@ void add_conform(CLI::App& program, Task& task) {
   add_suite(app, options.suite, "Folder of the vectors");
   options.run.jobs = std::max(1u, std::thread::hardware_concurrency());
   options.dut.add_to(app, true);
+  app.add_flag("--frames", options.frames, "The suite's frames, for a renderer");
   app.add_option("--filter", options.run.selection.filters,
                  "Only vectors whose id, profile, clause or flag matches, with * and ?")
       ->type_name("PATTERN")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -18,6 +19,8 @@
 #include "io/json_text.hpp"
 #include "terminal/progress_bar.hpp"
 #include "vectors/field_stream.hpp"
+#include "vectors/frame_vector.hpp"
+#include "vectors/random_frame.hpp"
 
 namespace hmlfc::cli {
 
@@ -29,6 +32,15 @@ struct MinimiseOptions {
   std::filesystem::path output;
   bool force = false;
   uint32_t trials = 1000;
+  vectors::FrameCase frame;  // asked for, if it has a camera or a map
+  int stop_level = 0;        // of it
+
+  std::optional<vectors::FrameCase> request() const {
+    if (!frame.camera && !frame.map) return std::nullopt;
+    vectors::FrameCase request = frame;
+    request.stop_level = stop_level;
+    return request;
+  }
 };
 
 std::string shape(std::span<const uint8_t> stream) {
@@ -46,7 +58,7 @@ ExitCode run_minimise(const MinimiseOptions& options) {
   auto work = output.path();
   work += ".work";
   const auto run = [&](std::span<const uint8_t> stream) {
-    return conform::run_stream(dut, stream, work, options.dut.limits());
+    return conform::run_stream(dut, stream, work, options.dut.limits(), options.request());
   };
   const conform::VectorResult first = run(file.bytes());
   if (!first.bad()) {
@@ -78,6 +90,7 @@ struct FuzzOptions {
   uint32_t minutes = 1;
   uint32_t count = 0;
   uint32_t failures = 20;
+  bool frames = false;
 };
 
 // Limits of random streams that the decoder claims to support.
@@ -125,6 +138,10 @@ void save(const std::filesystem::path& file, std::span<const uint8_t> bytes) {
   value_or_throw(io::write_file(file, bytes), ExitCode::kOutput);
 }
 
+void save_text(const std::filesystem::path& file, const std::string& text) {
+  save(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+}
+
 // Runs one decoder on one seed after another.
 class Fuzz {
  public:
@@ -134,6 +151,7 @@ class Fuzz {
   // Returns whether the decoder decoded the stream of `seed` correctly.
   bool run(uint64_t seed) {
     const auto stream = vectors::random_stream(seed, limits_);
+    if (options_.frames) frame_ = vectors::random_frame(seed, *parse_header(stream));
     const conform::VectorResult result = decode(stream);
     if (result.status == conform::Status::kSkipped) {
       throw Failure(ExitCode::kCannotRun, result.reason);
@@ -143,15 +161,23 @@ class Fuzz {
     if (!result.stage.empty()) print("  " + result.stage + "\n");
     const auto stem = options_.folder / fmt::format("seed-{}", seed);
     save(stem.string() + ".hmlfc", stream);
-    const std::string text = recipe(limits_, seed, result);
-    save(stem.string() + ".json", {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+    save_text(stem.string() + ".json", recipe(limits_, seed, result));
+    if (frame_) save_text(stem.string() + ".frame.json", frame_text(stream));
     save_minimised(stem.string() + ".min.hmlfc", stream, result);
     return false;
   }
 
  private:
   conform::VectorResult decode(std::span<const uint8_t> stream) const {
-    return conform::run_stream(dut_, stream, options_.folder / "work", options_.dut.limits());
+    return conform::run_stream(dut_, stream, options_.folder / "work", options_.dut.limits(),
+                               frame_);
+  }
+
+  // What the renderer was asked for, and what must come of it.
+  std::string frame_text(std::span<const uint8_t> stream) const {
+    vectors::FrameCase frame = *frame_;
+    vectors::expect_frame(*Decoder::open(stream), frame);
+    return io::json_text(io::written(frame), 2) + "\n";
   }
 
   void save_minimised(const std::string& file, const std::vector<uint8_t>& stream,
@@ -170,6 +196,7 @@ class Fuzz {
   const FuzzOptions& options_;
   conform::Dut dut_;
   vectors::Limits limits_;
+  std::optional<vectors::FrameCase> frame_;  // of the last seed
 };
 
 ExitCode run_fuzz(const FuzzOptions& options) {
@@ -208,6 +235,19 @@ Example:
   hmlfc minimise chess.hmlfc --dut 'sh -c "exit 1" {input} {output}' --trials 20 -o small.hmlfc)");
   add_path(app, "FILE", options.file, "A valid stream on which the decoder fails");
   options.dut.add_to(app, false);
+  const auto read_camera = [&options](const std::string& text) {
+    options.frame.camera = vectors::camera_from_words(text);
+    return options.frame.camera.has_value();
+  };
+  CLI::Option* inputs = add_value(app, "--inputs", "NAME=X,...",
+                                  "A renderer fails at the frame of this camera (CAM-3)",
+                                  "inputs of CAM-3, such as pu=1.5,pv=0,pz=-2", read_camera);
+  add_integer(app, "--stop-level", options.stop_level, 0, 15, "Stop level of that frame");
+  add_numbers<2>(app, "--map", "R,C", ',', "row,column", "It fails at the disparity map of a view",
+                 [&options](const auto& n) {
+                   options.frame.map.emplace().view = {n[0], n[1]};
+                 })
+      ->excludes(inputs);
   add_integer(app, "--trials", options.trials, 1, 1u << 20, "Maximum number of streams to try");
   add_output(app, options.output, options.force, "FILE", "The smaller stream");
 }
@@ -217,13 +257,14 @@ void add_fuzz_dut(CLI::App& program, Task& task) {
       program, task, "fuzz-dut", "Test a decoder with random valid streams", run_fuzz,
       R"(Compares the decoder with the golden model. For each stream that fails, writes to the folder: the
 stream, a smaller one that fails in the same way (*.min.hmlfc, see `hmlfc minimise`), and the recipe
-that makes it a vector. The streams depend only on the seed and the declared limits.
+that makes it a vector; of a renderer also what it was asked for (*.frame.json). The streams depend only on the seed and the declared limits.
 
 Exit status 1: a stream failed.
 
 Example:
   hmlfc fuzz-dut --dut '{hmlfc} decode {input} -o {output}' --seed 7 --count 3 -o findings)");
   options.dut.add_to(app, false);
+  app.add_flag("--frames", options.frames, "Test a renderer: a random frame or map of each stream");
   add_integer(app, "--minutes", options.minutes, 1, 1u << 20, "Time to run");
   add_integer(app, "--count", options.count, 0, UINT32_MAX,
               "Number of streams; 0: as many as --minutes allows");

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/vector_explanation.hpp"
 #include "cli/view_source.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
@@ -19,7 +18,6 @@
 #include "vectors/examine.hpp"
 #include "vectors/generate.hpp"
 #include "vectors/milestone.hpp"
-#include "vectors/recipe.hpp"
 
 namespace hmlfc::cli {
 
@@ -35,12 +33,16 @@ struct SuiteOptions {
   std::filesystem::path output;
   bool force = false;
   int threads = 0;
+  bool frames = false;
   bool json = false;
 };
 
-// The manifest of `suite`; a failure (kInput) where it cannot be read.
-vectors::Manifest manifest_of(const std::filesystem::path& suite) {
-  return value_or_throw(vectors::read_manifest(suite), ExitCode::kInput);
+// The manifest of the suite, for renderers where the options are about frames; a failure (kInput)
+// where it cannot be read.
+vectors::Manifest manifest_of(const SuiteOptions& options) {
+  auto manifest = value_or_throw(vectors::read_manifest(options.suite), ExitCode::kInput);
+  const bool frames = options.frames || options.id.starts_with("frames/");
+  return frames ? vectors::frames_of(std::move(manifest)) : manifest;
 }
 
 // The vector that the options name; a usage failure where there is none.
@@ -53,11 +55,6 @@ const vectors::Vector& vector_of(const vectors::Manifest& manifest, const SuiteO
                 "there is no vector " + options.id + "; hmlfc vectors list shows them all");
 }
 
-std::string expectation(const vectors::Expectation& expect) {
-  if (expect.outcome == vectors::Outcome::kOk) return "ok";
-  return fmt::format("{} {}", vectors::outcome_name(expect.outcome), error_name(expect.error));
-}
-
 bool is_chosen(const vectors::Vector& vector, const SuiteOptions& options) {
   if (!options.group.empty() && vector.group != options.group) return false;
   if (!options.milestone.empty() && vector.milestone != options.milestone) return false;
@@ -66,7 +63,7 @@ bool is_chosen(const vectors::Vector& vector, const SuiteOptions& options) {
 }
 
 ExitCode run_list(const SuiteOptions& options) {
-  const vectors::Manifest manifest = manifest_of(options.suite);
+  const vectors::Manifest manifest = manifest_of(options);
   Json rows = Json::array();
   std::string text;
   size_t count = 0;
@@ -81,7 +78,7 @@ ExitCode run_list(const SuiteOptions& options) {
                     {"outcome", vectors::outcome_name(vector.expect.outcome)}});
     text += fmt::format("{:44} {:9} {} {:>9}  {:16} {}\n", vector.id.text(),
                         profile_name(vector.profile), vector.level, grouped(vector.input.bytes),
-                        vector.milestone, expectation(vector.expect));
+                        vector.milestone, expectation_text(vector.expect));
   }
   if (options.json) {
     print_json(rows);
@@ -93,10 +90,11 @@ ExitCode run_list(const SuiteOptions& options) {
 }
 
 ExitCode run_milestones(const SuiteOptions& options) {
-  const vectors::Manifest manifest = manifest_of(options.suite);
+  const vectors::Manifest manifest = manifest_of(options);
   Json rows = Json::array();
   std::string text;
-  for (const vectors::MilestoneRow& row : vectors::milestones()) {
+  const auto& shown = options.frames ? vectors::frame_milestones() : vectors::milestones();
+  for (const vectors::MilestoneRow& row : shown) {
     const auto count =
         std::ranges::count(manifest.vectors, std::string(row.name), &vectors::Vector::milestone);
     rows.push_back({{"name", row.name}, {"vectors", count}, {"claim", row.claim}});
@@ -111,46 +109,8 @@ ExitCode run_milestones(const SuiteOptions& options) {
 }
 
 ExitCode run_explain(const SuiteOptions& options) {
-  const vectors::Manifest manifest = manifest_of(options.suite);
-  const vectors::Vector& vector = vector_of(manifest, options);
-  const vectors::Expectation& expect = vector.expect;
-  std::string text = fmt::format(
-      "{}\n  {}\n  clauses  {}\n  flags    {}\n  stream   {}, {} bytes, profile {}, level {}\n",
-      vector.id.text(), vector.comment, fmt::join(vector.clauses, ", "),
-      fmt::join(vector.flags, ", "), vector.input.file.text(), vector.input.bytes,
-      profile_name(vector.profile), vector.level);
-  text += fmt::format("  growth   milestone {}{}\n", vector.milestone,
-                      vector.base ? ", counts only if " + vector.base->text() + " passes" : "");
-  text += "  expected " + expectation(expect);
-  if (expect.outcome != vectors::Outcome::kOk) {
-    text +=
-        fmt::format(" at byte {}, when {}", expect.offset,
-                    expect.operation == vectors::Operation::kOpen ? "the stream is opened"
-                                                                  : "these blocks are decoded:");
-  }
-  text += "\n";
-  for (const BlockAddress& block : expect.blocks) {
-    text += fmt::format("           view {},{} plane {} block {},{}\n", block.view.row,
-                        block.view.col, plane_name(block.plane), block.bx, block.by);
-  }
-  if (vector.output) {
-    text += fmt::format("  output   {} x {} views of {} x {}, depth {}, SHA-256 {}\n",
-                        vector.output->rows, vector.output->cols, vector.output->width,
-                        vector.output->height, vector.output->depth, vector.output->sha256);
-  }
-  if (vector.trace) {
-    text += fmt::format("  trace    {}, {}\n", vector.trace->lines.file.text(),
-                        vector.trace->hex.file.text());
-  }
-  try {
-    const auto recipes = vectors::read_recipes(options.suite / "recipes");
-    text += "  recipe   " + recipes.at(vector.id.text()).stream.dump() + "\n";
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw Failure(ExitCode::kInput, error.what());
-  }
-  print(text);
+  const vectors::Manifest manifest = manifest_of(options);
+  print(explanation(options.suite, vector_of(manifest, options)));
   return ExitCode::kDone;
 }
 
@@ -159,7 +119,7 @@ constexpr uint32_t kSheetWidth = 1024;
 ExitCode run_show(const SuiteOptions& options) {
   const std::string sign = "hmlfc vectors";
   const OutputFile output = picture_file(options.output, {sign, options.force});
-  const vectors::Manifest manifest = manifest_of(options.suite);
+  const vectors::Manifest manifest = manifest_of(options);
   const StreamFile file(options.suite / vector_of(manifest, options).input.file);
   const StreamHeader& header = file.header();
   auto sheet = value_or_throw(
@@ -178,7 +138,7 @@ ExitCode run_show(const SuiteOptions& options) {
 }
 
 ExitCode run_inspect(const SuiteOptions& options) {
-  const vectors::Manifest manifest = manifest_of(options.suite);
+  const vectors::Manifest manifest = manifest_of(options);
   const auto path = options.suite / vector_of(manifest, options).input.file;
   const auto file = value_or_throw(io::map_file(path), ExitCode::kInput);
   print(vectors::annotated_dump(file.bytes()));
@@ -186,7 +146,7 @@ ExitCode run_inspect(const SuiteOptions& options) {
 }
 
 ExitCode run_lint(const SuiteOptions& options) {
-  const vectors::Manifest manifest = manifest_of(options.suite);
+  const vectors::Manifest manifest = manifest_of(options);
   const auto found = vectors::lint_suite(options.suite, manifest);
   for (const std::string& line : found) print(line + "\n");
   if (!found.empty()) return ExitCode::kDifferent;
@@ -229,6 +189,10 @@ Command<SuiteOptions> add_suite_command(CLI::App& vectors, Task& task, const std
   return command;
 }
 
+void add_frames(CLI::App& app, bool& target) {
+  app.add_flag("--frames", target, "Of the frames, for renderers");
+}
+
 void add_list(CLI::App& vectors, Task& task) {
   const auto [app, options] = add_suite_command(
       vectors, task, "list", "List the vectors", false, run_list,
@@ -241,6 +205,7 @@ Example:
   add_milestone(app, options.milestone);
   app.add_option("--clause", options.clause, "Only the vectors that exercise one clause")
       ->type_name("CLAUSE");
+  add_frames(app, options.frames);
   add_json(app, options.json);
 }
 
@@ -273,6 +238,7 @@ JSON: a list of {name, vectors, claim}.
 
 Example:
   hmlfc vectors milestones)");
+  add_frames(steps, stepped.frames);
   add_json(steps, stepped.json);
   add_suite_command(
       *app, task, "explain", "Say what one vector tests", true, run_explain,

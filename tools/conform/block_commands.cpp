@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "conform/command_decoder.hpp"
+
 namespace hmlfc::conform {
 
 namespace {
@@ -35,10 +37,22 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
+// The command that shows how the wrong pixel of a frame comes about.
+std::string frame_command(const Suite& suite, const vectors::Vector& vector,
+                          const VectorResult& result) {
+  if (!result.difference) return fmt::format("hmlfc vectors explain {}", vector.id.text());
+  const std::string stream = stream_of(suite, vector);
+  const auto levels = static_cast<int64_t>(geometry_of(stream).tree_height) + 1;
+  return fmt::format("hmlfc render {} --inputs {} --levels {} --trace {},{}", stream,
+                     vectors::camera_words(*vector.frame->camera),
+                     levels - vector.frame->stop_level, result.difference->x, result.difference->y);
+}
+
 }  // namespace
 
 std::string inspect_command(const Suite& suite, const vectors::Vector& vector,
                             const VectorResult& result) {
+  if (vector.frame) return frame_command(suite, vector, result);
   const std::string block = block_options(vector, result);
   if (!block.empty()) return fmt::format("hmlfc inspect {}{}", stream_of(suite, vector), block);
   return fmt::format("hmlfc vectors inspect {} --suite {}", vector.id.text(),
@@ -47,6 +61,7 @@ std::string inspect_command(const Suite& suite, const vectors::Vector& vector,
 
 std::string view_command(const Suite& suite, const vectors::Vector& vector, const Dut& dut,
                          const VectorResult& result) {
+  if (vector.frame) return {};
   return fmt::format("hmlfc view {} --dut {}{}", quoted(stream_of(suite, vector)), quoted(dut.text),
                      block_options(vector, result));
 }

@@ -88,11 +88,19 @@ io::IoResult<Claim> claim_of(const Suite& suite, const Dut& dut, const std::stri
   Claim waivers = Claim::object();
   for (const Waiver& waiver : dut.waivers) waivers[waiver.vector] = waiver.reason;
   Claim claims = io::written(dut.claims);
+  if (suite.frames) {
+    Claims own = dut.claims;
+    io::Members::Json json;
+    visit_renderer(io::Members(json, false), own);
+    claims.update(Claim(json));
+  }
   claims["error_names"] = dut.error_names;
   claims["checks_sections"] = dut.checks_sections;
   return Claim{
       {"suite",
-       {{"version", suite.manifest.vectors_version}, {"manifest_sha256", suite.manifest_sha256}}},
+       {{"part", suite.frames ? "frames" : "vectors"},
+        {"version", suite.manifest.vectors_version},
+        {"manifest_sha256", suite.manifest_sha256}}},
       {"decoder", {{"name", dut.name}, {"dut", io::valid_utf8(dut_text)}, {"files", files}}},
       {"claims", claims},
       {"waivers", waivers}};

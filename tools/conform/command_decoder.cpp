@@ -17,20 +17,6 @@ namespace {
 constexpr int kNotExecutable = 126;
 constexpr int kNotFound = 127;
 
-// The first word of `messages` that is the name of an error; empty if there is none. A word has no
-// letter, digit or underscore next to it.
-std::string first_error_name(std::string_view messages) {
-  size_t end = 0;
-  for (size_t at = 0; (at = messages.find_first_of(kWordCharacters, end)) != messages.npos;) {
-    end = std::min(messages.find_first_not_of(kWordCharacters, at), messages.size());
-    const std::string_view word = messages.substr(at, end - at);
-    for (int code = 1; code < kErrorCodeCount; ++code) {
-      if (word == error_name(static_cast<ErrorCode>(code))) return std::string(word);
-    }
-  }
-  return {};
-}
-
 // Throws for outcomes that fail any vector: a timeout, a crash, a program that is missing.
 void check_ended(const ProcessOutcome& outcome) {
   const std::string last = last_words(outcome.messages);
@@ -48,30 +34,57 @@ void check_ended(const ProcessOutcome& outcome) {
 
 }  // namespace
 
+std::string first_name(std::string_view messages, std::span<const std::string_view> names) {
+  size_t end = 0;
+  for (size_t at = 0; (at = messages.find_first_of(kWordCharacters, end)) != messages.npos;) {
+    end = std::min(messages.find_first_not_of(kWordCharacters, at), messages.size());
+    const std::string_view word = messages.substr(at, end - at);
+    if (std::ranges::find(names, word) != names.end()) return std::string(word);
+  }
+  return {};
+}
+
+std::vector<std::string_view> all_error_names() {
+  std::vector<std::string_view> names;
+  for (int code = 1; code < kErrorCodeCount; ++code) {
+    names.push_back(error_name(static_cast<ErrorCode>(code)));
+  }
+  return names;
+}
+
+ProcessOutcome run_command(const std::vector<std::string>& command, const ProcessLimits& limits) {
+  ProcessOutcome outcome = run_process(command, limits);
+  check_ended(outcome);
+  return outcome;
+}
+
+hmlfc_dut_geometry geometry_of(const std::filesystem::path& file) {
+  const auto mapped = io::map_file(file);
+  if (!mapped) return {};
+  const auto header = parse_header(mapped->bytes());
+  return header ? dut_geometry(*header) : hmlfc_dut_geometry{};
+}
+
 CommandDecoder::CommandDecoder(const Dut& dut, const ProcessLimits& limits,
                                std::filesystem::path output)
     : dut_(dut), limits_(limits), output_(std::move(output)) {
-  abilities_.views = abilities_.at_once = true;
+  abilities_.at_once = true;
+  abilities_.views = dut.command != dut.frame;
   abilities_.traces = !dut.trace.empty();
 }
 
 DutAnswer<hmlfc_dut_geometry> CommandDecoder::open(const std::filesystem::path& file) {
   file_ = file;
   views_.clear();
-  hmlfc_dut_geometry geometry{};
-  // Before the command has had the file.
-  if (const auto mapped = io::map_file(file)) {
-    if (const auto header = parse_header(mapped->bytes())) {
-      geometry = dut_geometry(*header);
-      shape_ = {header->rows, header->cols, header->width, header->height, header->depth};
-    }
-  }
+  const hmlfc_dut_geometry geometry = geometry_of(file);  // before the command has had it
+  shape_ = {geometry.rows, geometry.cols, geometry.width, geometry.height,
+            static_cast<int>(geometry.depth)};
   const Places places{{"input", file.string()}, {"output", output_.string()}};
-  const ProcessOutcome outcome = run_process(fill_in(dut_.command, places), limits_);
-  check_ended(outcome);
+  const ProcessOutcome outcome = run_command(fill_in(dut_.command, places), limits_);
   messages_ = outcome.messages;
   if (outcome.value == 0) return geometry;
-  std::string name = dut_.error_names ? first_error_name(outcome.messages) : std::string();
+  std::string name =
+      dut_.error_names ? first_name(outcome.messages, all_error_names()) : std::string();
   if (!name.empty()) return tl::unexpected(std::move(name));
   return tl::unexpected(to_string(outcome) + last_words(outcome.messages));
 }
@@ -89,10 +102,6 @@ DutAnswer<RgbImage> CommandDecoder::view(ViewPos view) {
     views_ = std::move(*views);
   }
   return views_[size_t{view.row} * shape_.cols + view.col];
-}
-
-DutAnswer<std::vector<int32_t>> CommandDecoder::block(const BlockAddress&, int) {
-  throw DutFailure{Status::kError, "a command line is not asked for blocks"};
 }
 
 DutAnswer<std::string> CommandDecoder::trace(const BlockAddress& block, int) {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <hmlfc/light_field.hpp>
 
+#include "conform/process.hpp"
 #include "conform/running_dut.hpp"
 
 namespace hmlfc::conform {
@@ -24,7 +27,6 @@ class CommandDecoder final : public RunningDut {
   void allow(double seconds) override { limits_.seconds = seconds; }
   DutAnswer<hmlfc_dut_geometry> open(const std::filesystem::path& file) override;
   DutAnswer<RgbImage> view(ViewPos view) override;
-  DutAnswer<std::vector<int32_t>> block(const BlockAddress& block, int stop_level) override;
   DutAnswer<std::string> trace(const BlockAddress& block, int stop_level) override;
   void close() override {}
   std::string take_messages() override;
@@ -39,5 +41,19 @@ class CommandDecoder final : public RunningDut {
   std::vector<RgbImage> views_;  // empty until one is asked for
   std::string messages_;
 };
+
+/// Runs `command`, whose places are filled in. Throws DutFailure where it times out, crashes, does
+/// not exist or says that it cannot run here.
+ProcessOutcome run_command(const std::vector<std::string>& command, const ProcessLimits& limits);
+
+/// The first word of `messages` that is one of `names`; empty if there is none. A word has no
+/// letter, digit or underscore next to it.
+std::string first_name(std::string_view messages, std::span<const std::string_view> names);
+
+/// The names of all errors of annex A.
+std::vector<std::string_view> all_error_names();
+
+/// The header of `file` as a decoder reports it; zeros where it cannot be read.
+hmlfc_dut_geometry geometry_of(const std::filesystem::path& file);
 
 }  // namespace hmlfc::conform

@@ -76,8 +76,16 @@ std::vector<std::string> words_of(std::string_view text, const Places& places,
 
 constexpr std::string_view kLines = "lines:";
 constexpr const char* kCommandPlaces[] = {"{input}", "{output}"};
+constexpr const char* kMapPlaces[] = {"{input}", "{output}", "{view_row}", "{view_col}"};
 constexpr const char* kTracePlaces[] = {"{input}", "{view_row}", "{view_col}",
                                         "{plane}", "{block_x}",  "{block_y}"};
+
+// A command line that takes a camera draws frames, another one decodes all views.
+void set_command(Dut& dut, const std::string& text, const Places& places) {
+  dut.command = words_of(text, places, kCommandPlaces);
+  const auto has = [&](const char* place) { return text.find(place) != std::string::npos; };
+  if (has("{record}") || has("{camera}")) dut.frame = dut.command;
+}
 
 // A program that speaks the line protocol.
 void set_lines(Dut& dut, std::vector<std::string> command) {
@@ -98,18 +106,24 @@ struct Declaration {
   std::optional<std::string> lines{};
   std::optional<std::string> library{};
   std::optional<std::string> trace{};
+  std::optional<std::string> frame{};
+  std::optional<std::string> disparity{};
   std::string comment{};
 };
 
 void set_program(Dut& dut, const Declaration& declared, const Places& places) {
-  if (declared.command.has_value() + declared.lines.has_value() + declared.library.has_value() !=
-      1) {
-    throw TextError("exactly one of \"command\", \"lines\" and \"library\" is needed");
+  const auto& command = declared.command ? declared.command : declared.frame;
+  if (command.has_value() + declared.lines.has_value() + declared.library.has_value() != 1) {
+    throw TextError(
+        "exactly one of \"command\" (or of a renderer \"frame\"), \"lines\" and \"library\" is "
+        "needed");
   }
   if (declared.library)
     return set_library(dut, fill_in({*declared.library}, places).front(), places);
   if (declared.lines) return set_lines(dut, words_of(*declared.lines, places, {}));
-  dut.command = words_of(*declared.command, places, kCommandPlaces);
+  set_command(dut, *command, places);
+  if (declared.frame) dut.frame = words_of(*declared.frame, places, kCommandPlaces);
+  if (declared.disparity) dut.disparity = words_of(*declared.disparity, places, kMapPlaces);
   if (declared.trace) dut.trace = words_of(*declared.trace, places, kTracePlaces);
 }
 
@@ -130,8 +144,11 @@ static void visit(const Members& m, Declaration& declared) {
   m("lines", declared.lines);
   m("library", declared.library);
   m("trace", declared.trace);
+  m("frame", declared.frame);
+  m("disparity", declared.disparity);
   m.given("by_block", dut.by_block);
   visit(m, dut.claims);
+  visit_renderer(m, dut.claims);
   m.given("error_names", dut.error_names);
   m.given("checks_sections", dut.checks_sections);
   m.given("waivers", dut.waivers);
@@ -194,7 +211,7 @@ io::IoResult<Dut> read_dut(const std::string& text, const std::filesystem::path&
     } else if (text.starts_with(kLines)) {
       set_lines(dut, words_of(std::string_view(text).substr(kLines.size()), names, {}));
     } else {
-      dut.command = words_of(text, names, kCommandPlaces);
+      set_command(dut, text, names);
     }
     return dut;
   } catch (const TextError& error) {

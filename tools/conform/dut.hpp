@@ -39,6 +39,11 @@ struct Dut {
   /// Prints the stages of one block as JSON lines; empty if the decoder cannot. Placeholders:
   /// {input}, {view_row}, {view_col}, {plane} (0, 1, 2), {block_x}, {block_y}.
   std::vector<std::string> trace;
+  /// Draws a frame of {input} into {output}; empty if the command line cannot. Placeholders:
+  /// {record} or {camera}; {stop_level}, {levels}.
+  std::vector<std::string> frame;
+  /// Writes the disparity map of view {view_row}, {view_col} of {input} into {output}; or empty.
+  std::vector<std::string> disparity;
   Claims claims;
   bool error_names = false;      ///< it names the error of annex A on standard error
   bool checks_sections = false;  ///< it checks the crc of every section (FIL-6)
@@ -52,7 +57,8 @@ struct Dut {
 /// - a file *.json: a declaration (docs/conformance.md has its keys);
 /// - a file *.so: a library with the interface of hmlfc_dut.h, which `hmlfc serve` runs;
 /// - "lines: " and a command line: a program that speaks the line protocol (docs/line_protocol.md);
-/// - else a command line with {input} and {output}: words separated by blanks; quotes ("..." or
+/// - else a command line with {input} and {output}, and of a renderer {record} or {camera}: words
+/// separated by blanks; quotes ("..." or
 ///   '...') and a backslash before a character keep blanks in a word, as in a shell. No other shell
 ///   syntax is supported: no variables, no pipes (use sh -c '...').
 ///

@@ -25,6 +25,10 @@ io::IoResult<DutFunctions> load_dut_library(const std::filesystem::path& file) {
   find("hmlfc_dut_decode_view", f.decode_view);
   find("hmlfc_dut_decode_block", f.decode_block);
   find("hmlfc_dut_trace_block", f.trace_block, false);
+  find("hmlfc_dut_frame_record", f.frame_record, false);
+  find("hmlfc_dut_render_frame", f.render_frame, false);
+  find("hmlfc_dut_trace_pixel", f.trace_pixel, false);
+  find("hmlfc_dut_disparity_map", f.disparity_map, false);
   find("hmlfc_dut_error_name", f.error_name, false);
   find("hmlfc_dut_close", f.close);
   if (missing != nullptr) {

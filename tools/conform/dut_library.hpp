@@ -17,8 +17,12 @@ struct DutFunctions {
   decltype(&hmlfc_dut_get_geometry) get_geometry = nullptr;
   decltype(&hmlfc_dut_decode_view) decode_view = nullptr;
   decltype(&hmlfc_dut_decode_block) decode_block = nullptr;
-  decltype(&hmlfc_dut_trace_block) trace_block = nullptr;  ///< null where the library has none
-  decltype(&hmlfc_dut_error_name) error_name = nullptr;    ///< null where the library has none
+  decltype(&hmlfc_dut_trace_block) trace_block = nullptr;      ///< null where the library has none
+  decltype(&hmlfc_dut_frame_record) frame_record = nullptr;    ///< null like the one before
+  decltype(&hmlfc_dut_render_frame) render_frame = nullptr;    ///< the same
+  decltype(&hmlfc_dut_trace_pixel) trace_pixel = nullptr;      ///< the same
+  decltype(&hmlfc_dut_disparity_map) disparity_map = nullptr;  ///< the same
+  decltype(&hmlfc_dut_error_name) error_name = nullptr;        ///< null where the library has none
   decltype(&hmlfc_dut_close) close = nullptr;
 };
 

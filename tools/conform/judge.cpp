@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <memory>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "conform/frame_judge.hpp"
 #include "conform/running_dut.hpp"
 #include "conform/stage_trace.hpp"
 #include "conform/view_assembly.hpp"
@@ -29,11 +29,7 @@ constexpr uint64_t kBlocksOfValidStream = 16;     // at each stop level
 // Writes the stream to `trial.input`, where a run before may have left anything.
 void hand_over(const Trial& trial) {
   remove_tree(trial.input);
-  std::ofstream file(trial.input, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(trial.stream.data()),
-             static_cast<std::streamsize>(trial.stream.size()));
-  file.close();
-  if (file) return;
+  if (io::write_file(trial.input, trial.stream)) return;
   throw DutFailure{Status::kError, trial.input.string() + ": the stream cannot be copied there"};
 }
 
@@ -90,6 +86,9 @@ class StreamJudge {
 
   // Throws DutFailure.
   void run() {
+    if (!dut_.can().views && !dut_.can().blocks) {
+      return set(Status::kNotSupported, "the renderer decodes neither views nor blocks");
+    }
     const auto geometry = dut_.open(trial_.input);
     if (!geometry) return judge_refusal(geometry.error());
     // FIL-6: a decoder that reads whole sections may not leave their crc unchecked, others may.
@@ -281,11 +280,12 @@ void judge_in(std::unique_ptr<RunningDut>& dut, const Trial& trial, VectorResult
   try {
     hand_over(trial);
     if (dut == nullptr) {
-      dut = start(trial.dut, trial.limits, trial.output);
+      dut = start(trial.dut, trial.limits, trial.output, trial.frame != nullptr);
     } else {
       dut->allow(trial.limits.seconds);
     }
-    StreamJudge(trial, *dut, result).run();
+    if (trial.frame != nullptr) judge_frame(trial, *dut, result);
+    if (trial.frame == nullptr) StreamJudge(trial, *dut, result).run();
   } catch (const DutFailure& failure) {
     result.status = failure.status;
     result.reason = failure.reason;

@@ -18,10 +18,11 @@ struct Trial {
   std::span<const uint8_t> stream;  ///< its bytes
   std::filesystem::path output;     ///< the folder that a command line is told to write into
   ProcessLimits limits;
-  vectors::Expectation expect;       ///< what must come of it
-  const vectors::ViewSum* views;     ///< of a stream that must decode; null: not known
-  std::filesystem::path pictures{};  ///< folder for the pictures of a failure; empty: none
-  std::filesystem::path blocks{};    ///< the vector's blocks file; empty: none
+  vectors::Expectation expect;                ///< what must come of it
+  const vectors::ViewSum* views;              ///< of a stream that must decode; null: not known
+  std::filesystem::path pictures{};           ///< folder for the pictures of a failure; empty: none
+  std::filesystem::path blocks{};             ///< the vector's blocks file; empty: none
+  const vectors::FrameCase* frame = nullptr;  ///< asked for instead of views; null: none
 };
 
 /// Runs the decoder and compares what it does with `trial.expect`, its views with `trial.views` or

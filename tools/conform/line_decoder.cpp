@@ -1,67 +1,27 @@
 #include "conform/line_decoder.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <chrono>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "conform/line_words.hpp"
 
 namespace hmlfc::conform {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr size_t kDigits = 4;           // of a sample
 constexpr size_t kBannerBytes = 65536;  // before the answer to hello
-constexpr size_t kShownBytes = 60;      // of a wrong answer
 constexpr double kSecondsToEnd = 2;     // after the end of the input
 
 Process::Time after(double seconds) {
   return Clock::now() +
          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
-
-// The beginning of `text`, without control characters.
-std::string shown(std::string_view text) {
-  std::string beginning(text.substr(0, kShownBytes));
-  for (char& c : beginning) c = c >= ' ' && c <= '~' ? c : '?';
-  return fmt::format("\"{}\"{}", beginning, text.size() > kShownBytes ? "..." : "");
-}
-
-[[noreturn]] void wrong_answer(const std::string& request, const std::string& why) {
-  throw DutFailure{Status::kFail, fmt::format("wrong answer to '{}': {}", request, why)};
-}
-
-// Removes `word` and the blank after it, or the end, from the front of `text`; false if they are
-// not there.
-bool take_word(std::string_view& text, std::string_view word) {
-  if (!text.starts_with(word)) return false;
-  const std::string_view rest = text.substr(word.size());
-  if (!rest.empty() && rest.front() != ' ') return false;
-  text = rest.substr(std::min<size_t>(1, rest.size()));
-  return true;
-}
-
-// The next decimal number of `text`, removed from its front.
-std::optional<uint32_t> take_number(std::string_view& text) {
-  uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || !take_word(text, {text.data(), end})) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-// The value of a hexadecimal digit; above 15 for other characters.
-unsigned digit(char c) {
-  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
-  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a' + 10);
-  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A' + 10);
-  return 16;
 }
 
 std::string place(const BlockAddress& block, int stop_level) {
@@ -106,8 +66,19 @@ void LineDecoder::greet() {
       }
       return false;
     };
-    abilities_ = {says("view"), says("block"), says("trace"), says("levels"), false};
-    if (!abilities_.views && !abilities_.blocks) wrong_answer(request, "neither view nor block");
+    abilities_ = {.views = says("view"),
+                  .blocks = says("block"),
+                  .traces = says("trace"),
+                  .levels = says("levels"),
+                  .records = says("record"),
+                  .frames = says("frame"),
+                  .cameras = says("camera"),
+                  .maps = says("disparity"),
+                  .pixels = says("pixel")};
+    const Abilities& can = abilities_;
+    if (!can.views && !can.blocks && !can.frames && !can.cameras && !can.maps) {
+      wrong_answer(request, "neither view nor block nor frame");
+    }
     return;
   }
   wrong_answer(request, "none in 64 KiB");
@@ -179,59 +150,88 @@ DutAnswer<hmlfc_dut_geometry> LineDecoder::open(const std::filesystem::path& fil
   return geometry_;
 }
 
-DutAnswer<std::vector<int32_t>> LineDecoder::samples(const std::string& request, size_t count) {
-  const auto answer = ask(request, kLineBytes + count * kDigits);
-  if (!answer) return tl::unexpected(answer.error());
-  if (answer->size() != count * kDigits) {
-    wrong_answer(request, fmt::format("{} characters instead of {} samples of {} digits",
-                                      answer->size(), count, kDigits));
-  }
-  std::vector<int32_t> values(count);
-  const char* at = answer->data();
-  for (int32_t& value : values) {
-    unsigned bits = 0;
-    for (size_t i = 0; i < kDigits; ++i, ++at) {
-      const unsigned next = digit(*at);
-      if (next > 15) wrong_answer(request, shown({at, 1}) + " is not a hexadecimal digit");
-      bits = bits << 4 | next;
-    }
-    value = static_cast<int16_t>(bits);
-  }
-  return values;
-}
-
 DutAnswer<RgbImage> LineDecoder::view(ViewPos view) {
   const std::string request = fmt::format("view {} {}", view.row, view.col);
   RgbImage image{geometry_.width, geometry_.height, static_cast<int>(geometry_.depth), {}};
-  const auto values = samples(request, size_t{image.width} * image.height * 3);
-  if (!values) return tl::unexpected(values.error());
-  image.samples.reserve(values->size());
-  for (const int32_t value : *values) {
-    if (value < 0 || value >> image.depth != 0) {
-      wrong_answer(request, fmt::format("sample {} is {}, not of {} bits", image.samples.size(),
-                                        value, image.depth));
-    }
-    image.samples.push_back(static_cast<uint16_t>(value));
-  }
+  const size_t count = size_t{image.width} * image.height * 3;
+  const auto answer = ask(request, kLineBytes + count * kSampleDigits);
+  if (!answer) return tl::unexpected(answer.error());
+  image.samples = pixels_of(request, *answer, count, image.depth);
   return image;
 }
 
 DutAnswer<std::vector<int32_t>> LineDecoder::block(const BlockAddress& block, int stop_level) {
-  return samples("block " + place(block, stop_level), size_t{1} << (2 * geometry_.block_log2));
+  const std::string request = "block " + place(block, stop_level);
+  const auto answer = ask(request);
+  if (!answer) return tl::unexpected(answer.error());
+  return samples_of(request, *answer, size_t{1} << (2 * geometry_.block_log2));
 }
 
-DutAnswer<std::string> LineDecoder::trace(const BlockAddress& block, int stop_level) {
-  const std::string request = "trace " + place(block, stop_level);
+DutAnswer<std::string> LineDecoder::lines(const std::string& request, size_t most) {
   const auto answer = ask(request);
   if (!answer) return tl::unexpected(answer.error());
   std::string_view rest = *answer;
   const auto count = take_number(rest);
-  if (!count || *count > kTraceLines) {
-    wrong_answer(request, fmt::format("{} is not a number up to {}", shown(*answer), kTraceLines));
+  if (!count || *count > most) {
+    wrong_answer(request, fmt::format("{} is not a number up to {}", shown(*answer), most));
   }
-  std::string lines;
-  for (uint32_t i = 0; i < *count; ++i) lines += line(request, {}, kLineBytes) + '\n';
-  return lines;
+  std::string text;
+  for (uint32_t i = 0; i < *count; ++i) text += line(request, {}, kLineBytes) + '\n';
+  return text;
+}
+
+DutAnswer<std::string> LineDecoder::trace(const BlockAddress& block, int stop_level) {
+  return lines("trace " + place(block, stop_level), kTraceLines);
+}
+
+DutAnswer<std::string> LineDecoder::pixel(const vectors::FrameCase& request, uint32_t x,
+                                          uint32_t y) {
+  return lines(
+      fmt::format("pixel {} {} {} {}", x, y, request.stop_level, fmt::join(*request.record, ",")),
+      kPixelLines);
+}
+
+DutAnswer<std::vector<int32_t>> LineDecoder::record(const hmlfc_dut_camera& camera) {
+  const std::string request = "record " + vectors::camera_words(camera);
+  const auto answer = ask(request);
+  if (!answer) return tl::unexpected(answer.error());
+  std::vector<int32_t> numbers(HMLFC_DUT_RECORD_NUMBERS);
+  std::string_view rest = *answer;
+  for (int32_t& number : numbers) {
+    const auto value = take_number<int32_t>(rest);
+    if (!value) wrong_answer(request, shown(*answer) + " has not 41 numbers");
+    number = *value;
+  }
+  return numbers;
+}
+
+DutAnswer<DutFrame> LineDecoder::frame(const vectors::FrameCase& request) {
+  const std::string text = fmt::format("frame {} {}", request.stop_level,
+                                       abilities_.frames && request.record
+                                           ? fmt::format("{}", fmt::join(*request.record, ","))
+                                           : vectors::camera_words(*request.camera));
+  const vectors::FrameSum size = request.frame.value_or(vectors::FrameSum{});
+  const size_t count = size_t{size.width} * size.height * 3;
+  const auto answer = ask(text, kLineBytes + count * kSampleDigits);
+  if (!answer) return tl::unexpected(answer.error());
+  std::string_view rest = *answer;
+  DutFrame frame;
+  for (int64_t* counted : {&frame.counts.pixels_outside, &frame.counts.blocks_needed,
+                           &frame.counts.disparities_looked_up}) {
+    if (take_word(rest, "-")) continue;
+    const auto value = take_number(rest);
+    if (!value) wrong_answer(text, shown(*answer) + " does not begin with three counts");
+    *counted = *value;
+  }
+  frame.image = {size.width, size.height, size.depth, pixels_of(text, rest, count, size.depth)};
+  return frame;
+}
+
+DutAnswer<std::vector<BlockDisparity>> LineDecoder::map(ViewPos view, size_t blocks) {
+  const std::string request = fmt::format("disparity {} {}", view.row, view.col);
+  const auto answer = ask(request, kLineBytes + blocks * kBlockDigits);
+  if (!answer) return tl::unexpected(answer.error());
+  return map_of(request, *answer, blocks);
 }
 
 void LineDecoder::close() {

@@ -12,10 +12,13 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <hmlfc/error.hpp>
 
 #include "conform/line_decoder.hpp"
+#include "conform/line_words.hpp"
+#include "conform/pixel_trace.hpp"
 #include "conform/stage_trace.hpp"
 #include "io/files.hpp"
 
@@ -24,6 +27,7 @@ namespace {
 
 constexpr uint16_t kNotWritten = 0xFFFF;  // no sample has 16 bits
 constexpr int kBadRequest = static_cast<int>(ErrorCode::kBadRequest);
+constexpr int kRefused = -2;  // a camera
 
 // Four hexadecimal digits; a value that needs more becomes the nearest that does not.
 void add_sample(std::string& text, int32_t value) {
@@ -34,6 +38,11 @@ void add_sample(std::string& text, int32_t value) {
 
 void add_stage(void* lines, const hmlfc_dut_stage* stage) {
   static_cast<std::vector<std::string>*>(lines)->push_back(stage_line(*stage));
+}
+
+bool is_frame_size(const std::vector<int32_t>& record) {
+  return record[0] >= 1 && record[0] <= kMaxFrameSide && record[1] >= 1 &&
+         record[1] <= kMaxFrameSide;
 }
 
 class LineServer {
@@ -49,8 +58,12 @@ class LineServer {
     int status = kBadRequest;
     std::string text;
     if (word == "hello") {
-      const char* trace = functions_.trace_block != nullptr ? " trace" : "";
-      return fmt::format("ok {} view block levels{}", kLineProtocol, trace);
+      return fmt::format("ok {} view block levels{}{}{}{}{}", kLineProtocol,
+                         functions_.trace_block != nullptr ? " trace" : "",
+                         functions_.frame_record != nullptr ? " record" : "",
+                         functions_.render_frame != nullptr ? " frame" : "",
+                         functions_.trace_pixel != nullptr ? " pixel" : "",
+                         functions_.disparity_map != nullptr ? " disparity" : "");
     }
     if (word == "open") {
       status = open(request.substr(std::min<size_t>(5, request.size())), text);
@@ -58,6 +71,7 @@ class LineServer {
       status = answer_about_stream(word, words, text);
     }
     if (end != ServeEnd::kInput) return std::nullopt;
+    if (status == kRefused) return "error " + text;
     return status == 0 ? "ok" + text : "error " + name_of(status);
   }
 
@@ -96,9 +110,13 @@ class LineServer {
       stream_.reset();
       return 0;
     }
+    if (word == "record" && functions_.frame_record != nullptr) return record(words, text);
+    if (word == "frame" && functions_.render_frame != nullptr) return frame(words, text);
     uint32_t row = 0;
     uint32_t col = 0;
     if (!(words >> row >> col)) return kBadRequest;
+    if (word == "pixel" && functions_.trace_pixel != nullptr) return pixel(row, col, words, text);
+    if (word == "disparity" && functions_.disparity_map != nullptr) return map(row, col, text);
     if (word == "view") return view(row, col, text);
     uint32_t plane = 0;
     uint32_t x = 0;
@@ -129,6 +147,73 @@ class LineServer {
     if (status == 0) {
       text.reserve(1 + rgb.size() * 4);
       for (const uint16_t sample : rgb) add_sample(text, sample);
+    }
+    return status;
+  }
+
+  // `text` is the input of a camera that is refused.
+  int record(std::istream& words, std::string& text) {
+    std::string word;
+    words >> word;
+    const auto camera = vectors::camera_from_words(word);
+    if (!camera) return kBadRequest;
+    int32_t record[HMLFC_DUT_RECORD_NUMBERS] = {};
+    const char* input = nullptr;
+    const int status = checked(functions_.frame_record(stream_.get(), &*camera, record, &input));
+    if (status == 1 && input != nullptr) {
+      text = input;
+      return kRefused;
+    }
+    text = fmt::format(" {}", fmt::join(record, " "));
+    return status;
+  }
+
+  int frame(std::istream& words, std::string& text) {
+    uint32_t level = 0;
+    std::string word;
+    words >> level >> word;
+    const auto record = record_from_words(word);
+    if (!record || !is_frame_size(*record)) return kBadRequest;
+    const auto side = [&](size_t i) { return static_cast<size_t>((*record)[i]); };
+    std::vector<uint16_t> rgb(side(0) * side(1) * 3, kNotWritten);
+    hmlfc_dut_counts counts{-1, -1, -1};
+    const int status =
+        checked(functions_.render_frame(stream_.get(), record->data(), level, rgb.data(), &counts));
+    if (status != 0) return status;
+    for (const int64_t count :
+         {counts.pixels_outside, counts.blocks_needed, counts.disparities_looked_up}) {
+      text += count < 0 ? " -" : fmt::format(" {}", count);
+    }
+    text += ' ';
+    for (const uint16_t sample : rgb) add_sample(text, sample);
+    return 0;
+  }
+
+  int pixel(uint32_t x, uint32_t y, std::istream& words, std::string& text) {
+    uint32_t level = 0;
+    std::string word;
+    words >> level >> word;
+    const auto record = record_from_words(word);
+    if (!record) return kBadRequest;
+    PixelLines lines;
+    const int status = checked(functions_.trace_pixel(stream_.get(), record->data(), level, x, y,
+                                                      PixelLines::add, &lines));
+    text = lines.text();
+    return status;
+  }
+
+  int map(uint32_t row, uint32_t col, std::string& text) {
+    const uint32_t side = uint32_t{1} << geometry_.block_log2;
+    const auto blocks = [&](uint32_t pixels) { return size_t{(pixels + side - 1) / side}; };
+    const size_t count = blocks(geometry_.width) * blocks(geometry_.height);
+    std::vector<int16_t> disparities(count);
+    std::vector<uint8_t> confidences(count);
+    const int status = checked(
+        functions_.disparity_map(stream_.get(), row, col, disparities.data(), confidences.data()));
+    text = ' ';
+    for (size_t i = 0; i < count; ++i) {
+      add_sample(text, static_cast<uint16_t>(disparities[i]));
+      text += fmt::format("{:x}", std::min<int>(confidences[i], 15));
     }
     return status;
   }

@@ -43,6 +43,22 @@ io::IoResult<std::vector<RgbImage>> read_raw(const std::filesystem::path& path,
   return images;
 }
 
+io::IoResult<RgbImage> read_picture(const std::filesystem::path& path,
+                                    const LightFieldShape& shape) {
+  // A picture of another size is to be named, not to take much memory.
+  const uint64_t samples = uint64_t{shape.width} * shape.height * 3;
+  const io::ImageLimits limits{std::max(4 * samples, kLeastLimit)};
+  auto image = io::read_image(path, limits);
+  if (!image) return image;
+  if (image->width == shape.width && image->height == shape.height && image->depth == shape.depth) {
+    return image;
+  }
+  return io::file_error(
+      path, fmt::format("is a picture of {} x {} pixels of {} bits instead of {} x {} of {}",
+                        image->width, image->height, image->depth, shape.width, shape.height,
+                        shape.depth));
+}
+
 }  // namespace
 
 io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::path& folder,
@@ -58,22 +74,27 @@ io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::pat
                                               list->cols, shape.rows, shape.cols));
   }
   std::vector<RgbImage> images;
-  // A picture of another size is to be named, not to take much memory.
-  const uint64_t samples = uint64_t{shape.width} * shape.height * 3;
-  const io::ImageLimits limits{std::max(4 * samples, kLeastLimit)};
   for (const auto& path : list->files) {
-    auto image = io::read_image(path, limits);
+    auto image = read_picture(path, shape);
     if (!image) return tl::unexpected(image.error());
-    if (image->width != shape.width || image->height != shape.height ||
-        image->depth != shape.depth) {
-      return io::file_error(
-          path, fmt::format("is a picture of {} x {} pixels of {} bits instead of {} x {} of {}",
-                            image->width, image->height, image->depth, shape.width, shape.height,
-                            shape.depth));
-    }
     images.push_back(std::move(*image));
   }
   return images;
+}
+
+io::IoResult<RgbImage> read_output_frame(const std::filesystem::path& folder, uint32_t width,
+                                         uint32_t height, int depth) {
+  const LightFieldShape shape{1, 1, width, height, depth};
+  std::error_code ignored;
+  const auto is_there = [&](const char* name) {
+    return std::filesystem::exists(folder / name, ignored);
+  };
+  if (is_there("frame.raw")) {
+    return read_raw(folder / "frame.raw", shape).map([](auto&& images) {
+      return std::move(images.front());
+    });
+  }
+  return read_picture(folder / (is_there("frame.ppm") ? "frame.ppm" : "frame.png"), shape);
 }
 
 }  // namespace hmlfc::conform

@@ -23,4 +23,8 @@ inline constexpr const char* kRawViewsName = "views.raw";
 io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::path& folder,
                                                       const LightFieldShape& shape);
 
+/// The frame in `folder`: frame.raw (raw form), else frame.png or frame.ppm. Errors: as above.
+io::IoResult<RgbImage> read_output_frame(const std::filesystem::path& folder, uint32_t width,
+                                         uint32_t height, int depth);
+
 }  // namespace hmlfc::conform

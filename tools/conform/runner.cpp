@@ -19,6 +19,7 @@
 #include "conform/work_folder.hpp"
 #include "io/files.hpp"
 #include "vectors/digest.hpp"
+#include "vectors/frame_vector.hpp"
 #include "vectors/milestone.hpp"
 
 namespace hmlfc::conform {
@@ -68,6 +69,20 @@ bool is_telling(const vectors::Vector& vector, const StreamHeader& header) {
   const uint32_t side = 2 * header.block_size();
   return (vector.group == "syntax" || vector.group == "real") && header.rows * header.cols > 1 &&
          header.width >= side && header.height >= side;
+}
+
+// Why a frame or map is beyond what the renderer claims; nothing if it is not, or for a vector.
+std::optional<std::string> beyond_renderer(const Claims& claims,
+                                           const std::optional<vectors::FrameCase>& frame) {
+  if (!frame) return std::nullopt;
+  const bool geometry =
+      frame->map || (frame->record && frame_record_of(frame->record->data()).geometry != 0);
+  if (geometry && !claims.geometry) return "profile geometry";
+  if (!frame->frame) return std::nullopt;
+  if (frame->frame->width > claims.frame_width || frame->frame->height > claims.frame_height) {
+    return fmt::format("frame of {} x {}", frame->frame->width, frame->frame->height);
+  }
+  return std::nullopt;
 }
 
 // A refusal that is right by itself counts only if the stream that it is made from passes.
@@ -142,6 +157,11 @@ class SuiteRun {
       result.reason = *what;
       return;
     }
+    if (auto what = beyond_renderer(dut_.claims, vector.frame)) {
+      result.status = Status::kNotSupported;
+      result.reason = *what;
+      return;
+    }
     result.reason = left_out_[index];
     if (result.reason.empty()) run_decoder(vector, file->bytes(), result);
   }
@@ -156,7 +176,8 @@ class SuiteRun {
     fs::create_directories(work / "output");
     judge({dut_, work / "stream.hmlfc", stream, work / "output", options_.limits, vector.expect,
            vector.output ? &*vector.output : nullptr, *shown,
-           vector.blocks ? suite_.folder / vector.blocks->file : fs::path()},
+           vector.blocks ? suite_.folder / vector.blocks->file : fs::path(),
+           vector.frame ? &*vector.frame : nullptr},
           result);
     if (result.difference) result.pictures = pictures.string();
     remove_tree(work);
@@ -178,12 +199,16 @@ io::IoResult<std::unique_ptr<WorkFolder>> new_work_folder(const fs::path& prefix
 
 }  // namespace
 
-io::IoResult<Suite> open_suite(const std::filesystem::path& folder) {
+io::IoResult<Suite> open_suite(const std::filesystem::path& folder, bool frames) {
   auto manifest = vectors::read_manifest(folder);
   if (!manifest) return tl::unexpected(manifest.error());
   const auto file = io::map_file(folder / "manifest.json");
   if (!file) return tl::unexpected(file.error());
-  return Suite{folder, std::move(*manifest), vectors::sha256(file->bytes())};
+  if (frames && manifest->frames.empty()) {
+    return io::file_error(folder, "has no frames: suites have them since version 3.4.0");
+  }
+  return Suite{folder, frames ? vectors::frames_of(std::move(*manifest)) : std::move(*manifest),
+               frames, vectors::sha256(file->bytes())};
 }
 
 io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions& options,
@@ -221,8 +246,22 @@ io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions
   return run;
 }
 
+// What the golden model says of all views of a stream.
+static vectors::Expectation expect_views(std::span<const uint8_t> stream) {
+  vectors::Expectation expect;
+  const auto golden = Decoder::open(stream);
+  const auto decoded = golden ? golden->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1})
+                              : tl::unexpected(golden.error());
+  if (decoded) return expect;
+  if (golden) expect.operation = vectors::Operation::kBlock;
+  expect.outcome = vectors::Outcome::kReject;
+  expect.error = decoded.error().code;
+  return expect;
+}
+
 VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
-                        const std::filesystem::path& work, const ProcessLimits& limits) {
+                        const std::filesystem::path& work, const ProcessLimits& limits,
+                        const std::optional<vectors::FrameCase>& frame) {
   VectorResult result;
   const auto folder = new_work_folder(work);
   if (!folder) {
@@ -236,21 +275,26 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
     return result;
   }
   const auto header = parse_header(stream);
-  if (header && beyond(dut.claims, header->profile, conformance_level(*header), &*header)) {
+  auto asked = frame;
+  vectors::Expectation expect;
+  if (asked) {
+    const auto golden = Decoder::open(stream);
+    if (!golden || asked->stop_level > golden->header().tree_height) {
+      result.status = Status::kNotSupported;  // no renderer can be asked
+      return result;
+    }
+    expect = vectors::expect_frame(*golden, *asked);
+  } else {
+    expect = expect_views(stream);
+  }
+  if ((header && beyond(dut.claims, header->profile, conformance_level(*header), &*header)) ||
+      beyond_renderer(dut.claims, asked)) {
     result.status = Status::kNotSupported;
     return result;
   }
-  vectors::Expectation expect;
-  const auto golden = Decoder::open(stream);
-  const auto decoded = golden ? golden->decode_all([](ViewPos, RgbImage&&) {}, {.threads = 1})
-                              : tl::unexpected(golden.error());
-  if (!decoded) {
-    if (golden) expect.operation = vectors::Operation::kBlock;
-    expect.outcome = vectors::Outcome::kReject;
-    expect.error = decoded.error().code;
-  }
   const auto input = (*folder)->path() / "stream.hmlfc";
-  judge({dut, input, stream, output, limits, expect, nullptr}, result);
+  judge({dut, input, stream, output, limits, expect, nullptr, {}, {}, asked ? &*asked : nullptr},
+        result);
   return result;
 }
 

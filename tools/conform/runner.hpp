@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,13 @@ namespace hmlfc::conform {
 /// A manifest and where its files are.
 struct Suite {
   std::filesystem::path folder;
-  vectors::Manifest manifest;
+  vectors::Manifest manifest;   ///< with `frames`, frames_of() it
+  bool frames = false;          ///< for renderers
   std::string manifest_sha256;  ///< of manifest.json; identifies the suite
 };
 
 /// Errors: those of vectors::read_manifest().
-io::IoResult<Suite> open_suite(const std::filesystem::path& folder);
+io::IoResult<Suite> open_suite(const std::filesystem::path& folder, bool frames);
 
 /// Which vectors to run, of those that a decoder claims; their bases are run, too. Shard I of N has
 /// the vectors of the manifest whose number is I - 1 modulo N.
@@ -48,8 +50,10 @@ io::IoResult<Run> run_suite(const Suite& suite, const Dut& dut, const RunOptions
                             const io::Progress& progress);
 
 /// Runs `dut` on one stream, in a new folder `work`-XXXXXX, and compares it with the golden model:
-/// it must decode what the model decodes, and reject what it rejects.
+/// it must decode what the model decodes, and reject what it rejects. With `frame` it is asked for
+/// the frame of its camera and stop level instead of the views.
 VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
-                        const std::filesystem::path& work, const ProcessLimits& limits);
+                        const std::filesystem::path& work, const ProcessLimits& limits,
+                        const std::optional<vectors::FrameCase>& frame = std::nullopt);
 
 }  // namespace hmlfc::conform

@@ -11,9 +11,11 @@
 
 #include <hmlfc/hmlfc_dut.h>
 #include <hmlfc/decoder.hpp>
+#include <hmlfc/disparity.hpp>
 
 #include "conform/process.hpp"
 #include "conform/result.hpp"
+#include "vectors/frame_case.hpp"
 
 namespace hmlfc::conform {
 
@@ -55,6 +57,17 @@ struct Abilities {
   bool traces = false;
   bool levels = false;   ///< blocks at stop levels other than 0
   bool at_once = false;  ///< it decodes all views as it opens a stream, and serves no other stream
+  bool records = false;  ///< frame records of cameras
+  bool frames = false;   ///< frames of records
+  bool cameras = false;  ///< frames of cameras
+  bool maps = false;     ///< disparity maps
+  bool pixels = false;   ///< traces of pixels of frames
+};
+
+/// A frame as a renderer gives it.
+struct DutFrame {
+  RgbImage image;
+  hmlfc_dut_counts counts{-1, -1, -1};  ///< -1: not counted
 };
 
 /// A decoder that runs, or a command line that is run for each stream. All functions that ask throw
@@ -73,21 +86,31 @@ class RunningDut {
 
   /// Opens a stream, which answers of the other functions are about; none is open.
   virtual DutAnswer<hmlfc_dut_geometry> open(const std::filesystem::path& file) = 0;
-  virtual DutAnswer<RgbImage> view(ViewPos view) = 0;
+  virtual DutAnswer<RgbImage> view(ViewPos view);
   /// B * B samples.
-  virtual DutAnswer<std::vector<int32_t>> block(const BlockAddress& block, int stop_level) = 0;
+  virtual DutAnswer<std::vector<int32_t>> block(const BlockAddress& block, int stop_level);
   /// The stages of a block, a JSON object a line (stage_trace.hpp).
-  virtual DutAnswer<std::string> trace(const BlockAddress& block, int stop_level) = 0;
+  virtual DutAnswer<std::string> trace(const BlockAddress& block, int stop_level);
   virtual void close() = 0;
+
+  /// The record of a camera; the error is the input that is refused.
+  virtual DutAnswer<std::vector<int32_t>> record(const hmlfc_dut_camera& camera);
+  /// The frame of the request's record, or of its camera where it draws no records. The error may
+  /// be followed by its block: "bad_mode 0 1 2 5 3", view, plane, column and row of blocks.
+  virtual DutAnswer<DutFrame> frame(const vectors::FrameCase& request);
+  /// A map of this many blocks.
+  virtual DutAnswer<std::vector<BlockDisparity>> map(ViewPos view, size_t blocks);
+  /// The stages of a pixel, a JSON object a line (pixel_trace.hpp).
+  virtual DutAnswer<std::string> pixel(const vectors::FrameCase& request, uint32_t x, uint32_t y);
 
   /// The end of what it wrote on standard error since the last call.
   virtual std::string take_messages() = 0;
 };
 
-/// Starts `dut`, which must outlive it. A command line writes its views into the empty folder
-/// `output`. Throws DutFailure.
+/// Starts `dut`, which must outlive it. A command line writes its views, or with `frames` a frame
+/// or map, into the empty folder `output`. Throws DutFailure.
 std::unique_ptr<RunningDut> start(const Dut& dut, const ProcessLimits& limits,
-                                  const std::filesystem::path& output);
+                                  const std::filesystem::path& output, bool frames = false);
 
 /// The processes of one decoder that wait for a stream. Thread-safe.
 class WaitingDuts {

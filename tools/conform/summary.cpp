@@ -37,7 +37,8 @@ bool simpler(const VectorResult* a, const VectorResult* b) {
 
 std::vector<MilestoneCount> count_milestones(const Run& run) {
   std::vector<MilestoneCount> counts;
-  for (const vectors::MilestoneRow& row : vectors::milestones()) {
+  const std::string any = run.results.empty() ? std::string() : run.results.front().milestone;
+  for (const vectors::MilestoneRow& row : vectors::milestones_with(any)) {
     counts.push_back({{}, std::string(row.name), std::string(row.claim)});
   }
   for (const VectorResult& result : run.results) counts[number_of(result)].add(result);

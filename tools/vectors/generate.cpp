@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
+#include <iterator>
 #include <new>
 #include <set>
 
@@ -16,6 +18,7 @@
 #include "vectors/base_vector.hpp"
 #include "vectors/digest.hpp"
 #include "vectors/expected.hpp"
+#include "vectors/frame_vector.hpp"
 #include "vectors/header_recipe.hpp"
 #include "vectors/milestone.hpp"
 
@@ -132,6 +135,58 @@ std::vector<FileName> files_of(const Vector& vector) {
 
 constexpr uint64_t kSeed = 1;
 
+// Calls make(i) for i in [0, count) on `threads` threads. Throws TextError with all that they
+// throw.
+void make_all(size_t count, unsigned threads, const io::Progress& progress,
+              const std::function<void(size_t)>& make) {
+  std::vector<std::string> failures(count);
+  io::for_each_index(count, threads, progress, [&](size_t i) {
+    try {
+      make(i);
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& error) {
+      failures[i] = error.what();
+    }
+  });
+  std::erase(failures, "");
+  if (!failures.empty()) throw TextError(fmt::format("{}", fmt::join(failures, "\n")));
+}
+
+// Throws TextError.
+SuiteFiles make_suite(const std::filesystem::path& folder, unsigned threads,
+                      const io::Progress& progress) {
+  const Recipes recipes = read_recipes(folder);
+  std::vector<std::string> ids;
+  for (const auto& [id, recipe] : recipes) ids.push_back(id);
+  std::vector<Vector> vectors(ids.size());
+  std::vector<SuiteFiles> parts(ids.size());
+  make_all(ids.size(), threads, progress,
+           [&](size_t i) { vectors[i] = make_vector(recipes, ids[i], parts[i]); });
+  SuiteFiles files;
+  Manifest manifest{kVectorsVersion, kVersion, "hmlfc vectors generate", kSeed, {},
+                    kFramesVersion,  {}};
+  for (size_t i = 0; i < ids.size(); ++i) {
+    if (!recipes.at(ids[i]).listed) continue;
+    files.merge(parts[i]);
+    manifest.vectors.push_back(std::move(vectors[i]));
+  }
+  for (Vector& vector : manifest.vectors) {
+    vector.milestone = milestone_of(vector);
+    if (vector.expect.outcome == Outcome::kOk) continue;
+    vector.base = base_of(vector, recipes, manifest.vectors);
+  }
+  const auto frames = read_frame_recipes(folder);
+  manifest.frames.resize(frames.size());
+  make_all(frames.size(), threads, {}, [&](size_t i) {
+    const auto& [id, recipe] = *std::next(frames.begin(), static_cast<std::ptrdiff_t>(i));
+    manifest.frames[i] = make_frame_vector(id, recipe, manifest.vectors, files);
+  });
+  const std::string text = manifest_text(std::move(manifest));
+  files["manifest.json"] = bytes_of(text);
+  return files;
+}
+
 }  // namespace
 
 Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& files) {
@@ -172,53 +227,13 @@ Vector make_vector(const Recipes& recipes, const std::string& id, SuiteFiles& fi
 
 io::IoResult<SuiteFiles> generate_suite(const std::filesystem::path& folder, unsigned threads,
                                         const io::Progress& progress) {
-  Recipes recipes;
   try {
-    recipes = read_recipes(folder);
+    return make_suite(folder, threads, progress);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
     return tl::unexpected(io::IoError{error.what()});
   }
-  std::vector<std::string> ids;
-  for (const auto& [id, recipe] : recipes) ids.push_back(id);
-  std::vector<Vector> vectors(ids.size());
-  std::vector<SuiteFiles> parts(ids.size());
-  std::vector<std::string> failures(ids.size());
-  io::for_each_index(ids.size(), threads, progress, [&](size_t i) {
-    try {
-      vectors[i] = make_vector(recipes, ids[i], parts[i]);
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (const std::exception& error) {
-      failures[i] = error.what();
-    }
-  });
-  std::erase(failures, "");
-  if (!failures.empty()) {
-    return tl::unexpected(io::IoError{fmt::format("{}", fmt::join(failures, "\n"))});
-  }
-  SuiteFiles files;
-  Manifest manifest{kVectorsVersion, kVersion, "hmlfc vectors generate", kSeed, {}};
-  for (size_t i = 0; i < ids.size(); ++i) {
-    if (!recipes.at(ids[i]).listed) continue;
-    files.merge(parts[i]);
-    manifest.vectors.push_back(std::move(vectors[i]));
-  }
-  try {
-    for (Vector& vector : manifest.vectors) {
-      vector.milestone = milestone_of(vector);
-      if (vector.expect.outcome == Outcome::kOk) continue;
-      vector.base = base_of(vector, recipes, manifest.vectors);
-    }
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    return tl::unexpected(io::IoError{error.what()});
-  }
-  const std::string text = manifest_text(manifest);
-  files["manifest.json"] = {text.begin(), text.end()};
-  return files;
 }
 
 // A suite is written and removed in place: no link below its folder leads out of it.

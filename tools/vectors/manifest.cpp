@@ -43,6 +43,8 @@ static void visit(const Members& m, Operation& operation) { m.as_name(operation,
 static void visit(const Members& m, Expectation& expect) {
   m("outcome", expect.outcome);
   if (expect.outcome == Outcome::kOk) return;
+  m.unless_empty("input", expect.input);
+  if (!expect.input.empty()) return;
   m("error", expect.error);
   m("offset", expect.offset);
   m("operation", expect.operation);
@@ -83,7 +85,7 @@ static void visit(const Members& m, Vector& vector) {
   if (m.reading()) {
     const auto number = milestone_number(vector.milestone);
     if (!number) throw TextError(io::shown_json(vector.milestone) + " is not a milestone");
-    vector.milestone = milestones()[*number].name;
+    vector.milestone = milestones_with(vector.milestone)[*number].name;
   }
   const Members input = m.at("input");
   input("file", vector.input.file);
@@ -94,6 +96,8 @@ static void visit(const Members& m, Vector& vector) {
   m("output", vector.output);
   m("blocks", vector.blocks);
   m("trace", vector.trace);
+  if (m.reading() && (m.has("camera") || m.has("map"))) vector.frame.emplace();
+  if (vector.frame) visit(m, *vector.frame);
 }
 
 static void visit(const Members& m, Manifest& manifest) {
@@ -101,20 +105,21 @@ static void visit(const Members& m, Manifest& manifest) {
   m("stream_version", manifest.stream_version);
   m("generator", manifest.generator);
   m("seed", manifest.seed);
+  m.given("frames_version", manifest.frames_version);  // suites before 3.4.0 have no frames
 }
 
 namespace {
 
 // Throws unless ids are unique, and exactly the vectors that need not decode have a base, which
 // decodes.
-void check_ids(const Manifest& manifest) {
+void check_ids(const std::vector<Vector>& vectors) {
   std::set<VectorId> ids;
   std::set<VectorId> decode;
-  for (const Vector& vector : manifest.vectors) {
+  for (const Vector& vector : vectors) {
     if (!ids.insert(vector.id).second) throw TextError("two vectors " + vector.id.text());
     if (vector.expect.outcome == Outcome::kOk) decode.insert(vector.id);
   }
-  for (const Vector& vector : manifest.vectors) {
+  for (const Vector& vector : vectors) {
     if (vector.base.has_value() != (vector.expect.outcome != Outcome::kOk)) {
       throw TextError("vector " + vector.id.text() + ": its outcome and its base do not fit");
     }
@@ -126,27 +131,55 @@ void check_ids(const Manifest& manifest) {
   }
 }
 
-Manifest manifest_from(Json json) {
-  Manifest manifest;
-  visit(Members(json, true), manifest);
-  for (Json& vector : json.at("vectors")) {
-    const std::string number = std::to_string(manifest.vectors.size());
+std::vector<Vector> vectors_from(Json& list, bool frames) {
+  std::vector<Vector> vectors;
+  for (Json& vector : list) {
+    const std::string number = std::to_string(vectors.size());
     try {
-      visit(Members(vector, true), manifest.vectors.emplace_back());
+      visit(Members(vector, true), vectors.emplace_back());
+      if (vectors.back().frame.has_value() != frames) {
+        throw TextError(frames ? "is neither a frame nor a map" : "is for renderers");
+      }
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
       throw TextError("vector " + io::shown_json(vector.value("id", number)) + ": " + error.what());
     }
   }
+  check_ids(vectors);
+  return vectors;
+}
+
+Manifest manifest_from(Json json) {
+  Manifest manifest;
+  visit(Members(json, true), manifest);
+  manifest.vectors = vectors_from(json.at("vectors"), false);
+  if (json.contains("frames")) manifest.frames = vectors_from(json["frames"], true);
   if (json.at("count") != manifest.vectors.size()) {
     throw TextError("count is not the number of vectors");
   }
-  check_ids(manifest);
   return manifest;
 }
 
+Json json_of(const std::vector<MilestoneRow>& rows) {
+  Json list = Json::array();
+  for (const MilestoneRow& row : rows) list.push_back({{"name", row.name}, {"claim", row.claim}});
+  return list;
+}
+
+Json json_of(std::vector<Vector>& vectors) {
+  Json list = Json::array();
+  for (Vector& vector : vectors) visit(Members(list.emplace_back(), false), vector);
+  return list;
+}
+
 }  // namespace
+
+Manifest frames_of(Manifest manifest) {
+  manifest.vectors = std::move(manifest.frames);
+  manifest.vectors_version = manifest.frames_version;
+  return manifest;
+}
 
 std::string_view outcome_name(Outcome outcome) { return kOutcomes[static_cast<size_t>(outcome)]; }
 
@@ -174,12 +207,10 @@ std::string manifest_text(Manifest manifest) {
   Json json;
   visit(Members(json, false), manifest);
   json["count"] = manifest.vectors.size();
-  Json& steps = json["milestones"] = Json::array();
-  for (const MilestoneRow& row : milestones()) {
-    steps.push_back({{"name", row.name}, {"claim", row.claim}});
-  }
-  Json& vectors = json["vectors"] = Json::array();
-  for (Vector& vector : manifest.vectors) visit(Members(vectors.emplace_back(), false), vector);
+  json["milestones"] = json_of(milestones());
+  json["frame_milestones"] = json_of(frame_milestones());
+  json["vectors"] = json_of(manifest.vectors);
+  json["frames"] = json_of(manifest.frames);
   return json.dump(2) + "\n";
 }
 

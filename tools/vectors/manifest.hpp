@@ -14,6 +14,7 @@
 #include <hmlfc/format.hpp>
 
 #include "io/io_error.hpp"
+#include "vectors/frame_case.hpp"
 #include "vectors/suite_name.hpp"
 
 namespace hmlfc::vectors {
@@ -40,7 +41,9 @@ struct Expectation {
   ErrorCode error = ErrorCode::kOk;  ///< kOk where the outcome is kOk
   uint64_t offset = 0;               ///< byte from the start of the file where the error lies
   Operation operation = Operation::kOpen;
-  std::vector<BlockAddress> blocks;  ///< with kBlock: blocks that must fail with the error
+  std::vector<BlockAddress> blocks;  ///< with kBlock: blocks that must fail with the error; of a
+                                     ///< frame or map the one whose error it has (NED-2, GEO-7)
+  std::string input;                 ///< of a refused camera: the input to name; else empty
 };
 
 /// The decoded views (vectors/README.md, raw form).
@@ -75,6 +78,7 @@ struct Vector {
   std::optional<ViewSum> output;    ///< where all views decode
   std::optional<SuiteFile> blocks;  ///< where the stream can be opened
   std::optional<TraceFiles> trace;
+  std::optional<FrameCase> frame;  ///< of Manifest::frames, and of these alone
 };
 
 struct Manifest {
@@ -83,7 +87,12 @@ struct Manifest {
   std::string generator;
   uint64_t seed = 1;
   std::vector<Vector> vectors;  ///< by id
+  std::string frames_version;
+  std::vector<Vector> frames;  ///< for renderers: group "frames", streams of `vectors`; by id
 };
+
+/// The same suite for renderers: its frames stand in place of the vectors.
+Manifest frames_of(Manifest manifest);
 
 /// "ok", "reject" or "acceptable".
 std::string_view outcome_name(Outcome outcome);

@@ -33,11 +33,32 @@ const std::vector<MilestoneRow>& milestones() {
   return all;
 }
 
+const std::vector<MilestoneRow>& frame_milestones() {
+  static const std::vector<MilestoneRow> all{
+      {"records", "makes the frame records of cameras, and refuses cameras", {}},
+      {"rays", "takes the nearest pixel of the nearest view", {}},
+      {"plane", "blends views and pixels around a ray that meets the focal plane", {}},
+      {"apertures", "blends the views of apertures 1 to 3", {}},
+      {"frame-formats", "draws frames of all formats, sizes and stop levels", {}},
+      {"maps", "makes disparity maps", {}},
+      {"geometry", "draws frames with geometry", {}},
+      {"frame-errors", "reports the errors of damaged streams, if a frame needs them", {}},
+  };
+  return all;
+}
+
+const std::vector<MilestoneRow>& milestones_with(std::string_view name) {
+  const bool found =
+      std::ranges::find(frame_milestones(), name, &MilestoneRow::name) != frame_milestones().end();
+  return found ? frame_milestones() : milestones();
+}
+
 std::optional<size_t> milestone_number(std::string_view name) {
   if (name == "header") return 0;
-  const auto found = std::ranges::find(milestones(), name, &MilestoneRow::name);
-  if (found == milestones().end()) return std::nullopt;
-  return static_cast<size_t>(found - milestones().begin());
+  const auto& list = milestones_with(name);
+  const auto found = std::ranges::find(list, name, &MilestoneRow::name);
+  if (found == list.end()) return std::nullopt;
+  return static_cast<size_t>(found - list.begin());
 }
 
 std::string milestone_of(const Vector& vector) {

@@ -1,4 +1,4 @@
-// The order in which a decoder grows: each vector of the suite belongs to one milestone.
+// The order in which a decoder or a renderer grows: each vector belongs to one milestone.
 #pragma once
 
 #include <array>
@@ -20,11 +20,17 @@ struct MilestoneRow {
       needed;  ///< patterns of matches(); any of them: the vector needs it
 };
 
-/// All milestones in their order. The first needs nothing.
+/// All milestones of decoders in their order. The first needs nothing.
 const std::vector<MilestoneRow>& milestones();
 
-/// The number of the milestone with this name, or nothing. Suites before 3.3.1 call the first one
-/// "header".
+/// All milestones of renderers in their order, which recipes of frames name.
+const std::vector<MilestoneRow>& frame_milestones();
+
+/// The list that has the milestone `name`; that of decoders if none has it.
+const std::vector<MilestoneRow>& milestones_with(std::string_view name);
+
+/// The number in its list of the milestone with this name, or nothing. Suites before 3.3.1 call the
+/// first one "header".
 std::optional<size_t> milestone_number(std::string_view name);
 
 /// The first milestone at which all that `vector` needs is there: the last one that it needs.

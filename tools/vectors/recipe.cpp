@@ -140,7 +140,24 @@ void read_recipe_file(const std::filesystem::path& file, Recipes& recipes) {
   }
 }
 
+constexpr const char* kFrames = "frames.json";
+
 }  // namespace
+
+std::map<std::string, Json> read_frame_recipes(const std::filesystem::path& folder) {
+  std::map<std::string, Json> recipes;
+  const Json json = read_json(folder / kFrames);
+  for (const Json& family : json.at("families")) {
+    for (const Json& one : family.at("cases")) {
+      Json recipe = family;
+      recipe.erase("cases");
+      recipe.merge_patch(one);
+      const std::string id = "frames/" + text_of(recipe, "name");
+      if (!recipes.emplace(id, std::move(recipe)).second) throw TextError("a second " + id);
+    }
+  }
+  return recipes;
+}
 
 Plane plane_from(const Json& json) {
   for (const Plane plane : kPlanes) {
@@ -159,7 +176,8 @@ Recipes read_recipes(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
+    if (entry.path().extension() == ".json" && entry.path().filename() != kFrames)
+      files.push_back(entry.path());
   }
   if (files.empty()) throw TextError(folder.string() + ": no recipes (*.json) there");
   std::sort(files.begin(), files.end());

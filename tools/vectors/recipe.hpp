@@ -37,6 +37,10 @@ using Recipes = std::map<std::string, Recipe>;
 /// one that cannot be read, with its file and id.
 Recipes read_recipes(const std::filesystem::path& folder);
 
+/// The recipes of frames in the file frames.json of `folder`, by id: families with their cases
+/// merged into them (vectors/README.md, recipes). Throws TextError.
+std::map<std::string, Json> read_frame_recipes(const std::filesystem::path& folder);
+
 /// The block that a recipe writes as {"view": [r, c], "plane": "Y", "block": [bx, by]}.
 BlockAddress block_of(const Json& json);
 

@@ -1,0 +1,132 @@
+#include "vectors/frame_case.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace hmlfc::vectors {
+namespace {
+
+const DutCameraInput* input_named(std::string_view name) {
+  const auto found = std::ranges::find(kDutCameraInputs, name, &DutCameraInput::name);
+  return found == std::end(kDutCameraInputs) ? nullptr : found;
+}
+
+// Whether all or none of the coordinates of each point are given.
+bool has_whole_points(const hmlfc_dut_camera& c) {
+  const auto alike = [](double x, double y, double z) {
+    return std::isnan(x) == std::isnan(y) && std::isnan(x) == std::isnan(z);
+  };
+  return alike(c.pu, c.pv, c.pz) && alike(c.qu, c.qv, c.qz);
+}
+
+}  // namespace
+
+static void visit(const Members& m, FrameSum& frame) {
+  m("width", frame.width);
+  m("height", frame.height);
+  m("depth", frame.depth);
+  m.unless_empty("sha256", frame.sha256);
+  m("pixels_outside", frame.pixels_outside);
+  m("blocks_needed", frame.blocks_needed);
+  m("disparities_looked_up", frame.disparities_looked_up);
+  if (!m.reading()) return;
+  if (frame.width < 1 || frame.width > kMaxFrameSide || frame.height < 1 ||
+      frame.height > kMaxFrameSide) {
+    throw TextError("a frame has 1 to 4096 pixels a side");
+  }
+}
+
+static void visit(const Members& m, MapSum& map) {
+  m("view_row", map.view.row);
+  m("view_col", map.view.col);
+  m("columns", map.columns);
+  m("rows", map.rows);
+  m.unless_empty("sha256", map.sha256);
+}
+
+void visit(const Members& m, FrameCase& frame) {
+  if (m.reading()) {
+    if (m.has("camera")) frame.camera = camera_from(m.json()["camera"]);
+  } else if (frame.camera) {
+    Json& camera = m.json()["camera"] = Json::object();
+    for (const DutCameraInput& input : kDutCameraInputs) {
+      const double value = *frame.camera.*input.value;
+      if (!std::isnan(value)) camera[input.name] = value;
+    }
+  }
+  m("record", frame.record);
+  m.unless_empty("stop_level", frame.stop_level);
+  m("frame", frame.frame);
+  m("map", frame.map);
+  if (!m.reading()) return;
+  if (frame.map.has_value() == frame.camera.has_value()) {
+    throw TextError("either a camera or a map");
+  }
+  if (frame.record && frame.record->size() != HMLFC_DUT_RECORD_NUMBERS) {
+    throw TextError("a record has 41 numbers");
+  }
+  if (frame.record.has_value() != frame.frame.has_value()) {
+    throw TextError("a record and its frame belong together");
+  }
+}
+
+hmlfc_dut_camera camera_from(const Json& json) {
+  if (!json.is_object()) throw TextError("a camera is an object");
+  hmlfc_dut_camera camera = default_dut_camera();
+  for (const auto& [name, value] : json.items()) {
+    const DutCameraInput* input = input_named(name);
+    if (input == nullptr || !value.is_number()) {
+      throw TextError(io::shown_json(name) + " is no number that CAM-3 names");
+    }
+    camera.*input->value = value.get<double>();
+  }
+  if (!has_whole_points(camera)) throw TextError("a point of a camera has three coordinates");
+  return camera;
+}
+
+std::string camera_words(const hmlfc_dut_camera& camera) {
+  std::string words;
+  for (const DutCameraInput& input : kDutCameraInputs) {
+    const double value = camera.*input.value;
+    if (std::isnan(value)) continue;
+    words += fmt::format("{}{}={}", words.empty() ? "" : ",", input.name, value);
+  }
+  return words.empty() ? "focus=0" : words;
+}
+
+std::optional<hmlfc_dut_camera> camera_from_words(std::string_view words) {
+  hmlfc_dut_camera camera = default_dut_camera();
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find(','));
+    words.remove_prefix(std::min(word.size() + 1, words.size()));
+    const size_t equals = std::min(word.find('='), word.size());
+    const DutCameraInput* input = input_named(word.substr(0, equals));
+    const std::string_view number = word.substr(std::min(equals + 1, word.size()));
+    double value = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (input == nullptr || error != std::errc{} || end != number.data() + number.size() ||
+        !std::isfinite(value)) {
+      return std::nullopt;
+    }
+    camera.*input->value = value;
+  }
+  if (!has_whole_points(camera)) return std::nullopt;
+  return camera;
+}
+
+std::vector<uint8_t> map_bytes(const std::vector<BlockDisparity>& blocks) {
+  std::vector<uint8_t> bytes;
+  bytes.reserve(3 * blocks.size());
+  for (const BlockDisparity& block : blocks) {
+    const auto bits = static_cast<uint16_t>(block.disparity);
+    bytes.insert(bytes.end(), {static_cast<uint8_t>(bits & 255), static_cast<uint8_t>(bits >> 8),
+                               block.confidence});
+  }
+  return bytes;
+}
+
+}  // namespace hmlfc::vectors
