@@ -43,9 +43,15 @@ class Shot:
             part.pixels = [self.pixels.pixel(*view, column, row) for column, row, _ in part.sampled.taps]
             part.q = part.sampled.q(part.pixels)
             blend.parts.append(part)
-        blend.sum = [sum(part.weight * part.q[k] for part in blend.parts) for k in range(3)]
-        blend.sample = tuple((2**19 + total) >> 20 for total in blend.sum)
+        weights, colours = [part.weight for part in blend.parts], zip(*(part.q for part in blend.parts))
+        blend.sum, blend.sample = zip(*(summed(weights, qs) for qs in colours))
         return blend
+
+
+def summed(weights, qs):
+    """The sum over all views of weight * q, and the sample that it makes (SMP-3)."""
+    total = sum(weight * q for weight, q in zip(weights, qs))
+    return total, (2**19 + total) >> 20
 
 
 class Frame:

@@ -38,9 +38,7 @@ class Surface:
         if not ray.outside:
             weights = view_weights(self.record, ray)
             cell.proposals = [self._proposal(ray, view, weight) for view, weight in weights.items()]
-            cell.median = median_of(cell.proposals)
-            near = [p.weight for p in cell.proposals if abs(p.displacement - cell.median) <= REACH]
-            cell.displacement = cell.median if sum(near) >= MOST else 0
+            cell.median, cell.displacement = agreed(cell.proposals)
         return cell
 
     def _proposal(self, ray, view, weight):
@@ -49,9 +47,7 @@ class Surface:
         for _ in range(STEPS):
             x, y = ray.x(view[1], proposal.displacement), ray.y(view[0], proposal.displacement)
             disparity, confidence = self._disparity(view, x, y)
-            counted = 0 if abs(disparity) < self.record["fine"] else disparity
-            moved = clamp(counted - self.record["focus"], -(2**15), 2**15 - 1)
-            proposal.displacement = moved if confidence > 0 else 0
+            proposal.displacement = displacement_of(disparity, confidence, self.record["fine"], self.record["focus"])
             step = SimpleNamespace(x=x, y=y, disparity=disparity, confidence=confidence)
             step.displacement = proposal.displacement
             proposal.steps.append(step)
@@ -69,6 +65,19 @@ class Surface:
             except StreamError:
                 self.looked_up[block] = 0, 0
         return self.looked_up[block]
+
+
+def displacement_of(disparity, confidence, fine, focus):
+    """The displacement to which a block moves a proposal (SRF-3)."""
+    counted = 0 if abs(disparity) < fine else disparity
+    return clamp(counted - focus, -(2**15), 2**15 - 1) if confidence > 0 else 0
+
+
+def agreed(proposals):
+    """(median, E) of proposals with `displacement` and `weight` above 0, whose sum is 65536 (SRF-3)."""
+    median = median_of(proposals)
+    near = sum(p.weight for p in proposals if abs(p.displacement - median) <= REACH)
+    return median, median if near >= MOST else 0
 
 
 def median_of(proposals):

@@ -5,6 +5,7 @@ or a clause that has changed.
 """
 
 import sys
+from fractions import Fraction
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -13,15 +14,22 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "naive_decoder"))
 import bise
 import colour
 import crc32c
+import disparity_map
+import frame
 import geometry
 import groups
 import integers
 import interpolation
 import motion
+import ray
 import references
 import residual
+import surface
 import tile_mask
+import view_sample
+import view_weights
 from bit_string import BitString, Cursor
+from camera import FILTERS
 from jpeg2000 import code_block, decoder as jpeg2000_decoder
 from jpeg2000.markers import Codestream
 
@@ -162,6 +170,67 @@ def key_plane(depth, plane, width, height, data):
     return [integers.clamp(sample, lo, hi) for row in rows for sample in row]
 
 
+def direction(n0_hi, n0_lo, na_hi, na_lo, nb_hi, nb_lo, a, b):
+    return (ray.direction((n0_hi, n0_lo), (na_hi, na_lo), (nb_hi, nb_lo), a, b),)
+
+
+def slope(*n):
+    found = ray.slopes(*n)
+    return (1, 0, 0, 0) if found is None else (0, *found)
+
+
+def place(u0, zu, sx, cols):
+    u = u0 - ray.shift(zu, sx)
+    if ray.misses(u, cols):
+        return u, 1, 0, 0, 0
+    inside = ray.in_grid(u, cols)
+    return u, 0, inside, ray.nearest_view(inside), ray.near_grid(u, cols)
+
+
+def picture_place(x0, gain, sx, dx, steps, width):
+    xb = x0 + ray.shift(gain, sx)
+    x = xb + dx * steps
+    return xb, x, int(not ray.in_picture(x, width))
+
+
+def weights_of_views(u, aperture, cols):
+    weights = view_weights.weights_along(u, cols, aperture)
+    return min(weights), *(weights[column] for column in sorted(weights))
+
+
+def pixel_weights(x, width):
+    nearest, _ = view_sample.part_of(x, width, False)
+    return nearest, *view_sample.part_of(x, width, True)
+
+
+def taps(_depth, fx, fy, *samples):
+    """`samples` are those of (xi, yi), (xi + 1, yi), (xi, yi + 1) and (xi + 1, yi + 1)."""
+    record = {"filter": FILTERS.index("quadrilinear"), "width": 2, "height": 2}
+    sampled = view_sample.ViewSample(record, 16 * fx, 16 * fy)
+    return sampled.q([[samples[2 * row + column]] for column, row, _ in sampled.taps])
+
+
+def scaled_disparity(disparity_precision, apart, d):
+    return (disparity_map.sixteen_bits(256 * Fraction(d, 2**disparity_precision * apart)),)
+
+
+def vector_disparity(row_scale, kc, kr, cols, rows, u, v):
+    header = SimpleNamespace(row_scale=row_scale, cluster_cols=kc, cluster_rows=kr)
+    vector = Fraction(u, 8), Fraction(v, 8)
+    number, confidence = disparity_map.along(header, (1, 0, 0), (1, rows, cols), vector)
+    return disparity_map.sixteen_bits(256 * number), confidence
+
+
+def displaced_place(displacement, pitch, row, place, y):
+    down = ray.down_a_row(displacement, pitch)
+    return down, y + ray.moved(down, row, place)
+
+
+def median(*numbers):
+    proposals = [SimpleNamespace(displacement=e, weight=w) for e, w in zip(numbers[::2], numbers[1::2]) if w > 0]
+    return surface.agreed(proposals)
+
+
 ANSWERS = {
     "field": field,
     "rank": count_bits,
@@ -194,6 +263,19 @@ ANSWERS = {
     "interpolation-two": two_references,
     "coefficient": coefficient,
     "key-plane": key_plane,
+    "direction": direction,
+    "slope": slope,
+    "place": place,
+    "picture-place": picture_place,
+    "view-weights": weights_of_views,
+    "pixel-weights": pixel_weights,
+    "taps": taps,
+    "frame-sample": lambda _depth, *pairs: frame.summed(pairs[::2], pairs[1::2]),
+    "scaled-disparity": scaled_disparity,
+    "vector-disparity": vector_disparity,
+    "displaced-place": displaced_place,
+    "surface-displacement": lambda *numbers: (surface.displacement_of(*numbers),),
+    "median": median,
 }
 WITH_BYTES = {"field", "rank", "crc", "mask", "sequence", "sequence-value", "key-plane"}
 

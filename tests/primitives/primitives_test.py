@@ -33,7 +33,8 @@ class Primitives(unittest.TestCase):
                         self.assertEqual([min(values), max(values)], [int(found[2]), int(found[3])])
 
     def test_clauses(self):
-        clauses = set(re.findall(r"^\*\*\[(\w+-\d+)\]\*\*", (ROOT / "docs/specification.md").read_text(), re.MULTILINE))
+        documents = "".join((ROOT / f"docs/{name}.md").read_text() for name in ("specification", "rendering"))
+        clauses = set(re.findall(r"^\*\*\[(\w+-\d+)\]\*\*", documents, re.MULTILINE))
         for name in ANSWERS:
             title = (CASES / f"{name}.txt").read_text().partition("\n")[0]
             self.assertTrue(title.startswith(f"# {name}: "), title)
