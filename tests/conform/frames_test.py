@@ -79,6 +79,23 @@ class Frames(ConformTest):
         command = ("conform", "--frames", "--suite", "older", "--dut", RENDER, "-o", "none")
         self.refused(3, *command, says="has no frames")
 
+    def test_a_manifest_that_asks_for_what_the_stream_does_not_have(self):
+        """An error of the suite, whatever the renderer does."""
+        whole = manifest()
+        frames = {frame["id"]: frame for frame in whole["frames"]}
+        wide, level, tall, map_ = (json.loads(json.dumps(frames[f"frames/{name}"])) for name in (
+            "ray-straight", "ray-odd-frame", "blend-all", "map-cards-main-1-2"))
+        wide["frame"]["width"], level["stop_level"], map_["map"]["columns"] = 4096, 15, 4294967295
+        tall["record"][1] = 4096
+        folder = self.folder / "lies"
+        folder.mkdir()
+        (folder / "real").symlink_to(SUITE / "real")
+        (folder / "manifest.json").write_text(json.dumps({**whole, "frames": [wide, level, tall, map_]}))
+        _, report = self.conform(MODEL, "--frames", suite=folder, output="lied")
+        results = self.results(report).values()
+        self.assertEqual({(result["status"], result["reason"]) for result in results},
+                         {("error", "the manifest asks for what the stream does not have")})
+
     def test_a_renderer_decodes_no_views(self):
         code, report = self.conform(RENDER, output="views")
         self.assertEqual(code, INCOMPLETE)

@@ -98,7 +98,7 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       ->default_str(std::to_string(kPathFrames));
   CLI::Option* inputs = add_value(
       app, "--inputs", "NAME=X,...",
-      "The camera by its inputs in docs/rendering.md (CAM-3) instead of the other options",
+      "Instead: the camera by its inputs (CAM-3)",
       "inputs of CAM-3, such as pu=1.5,pv=0,pz=-2,focus=0.5", [&options](const std::string& text) {
         if (const auto read = vectors::camera_from_words(text)) options.inputs = camera_of(*read);
         return options.inputs.has_value();

@@ -257,7 +257,8 @@ void add_fuzz_dut(CLI::App& program, Task& task) {
       program, task, "fuzz-dut", "Test a decoder with random valid streams", run_fuzz,
       R"(Compares the decoder with the golden model. For each stream that fails, writes to the folder: the
 stream, a smaller one that fails in the same way (*.min.hmlfc, see `hmlfc minimise`), and the recipe
-that makes it a vector; of a renderer also what it was asked for (*.frame.json). The streams depend only on the seed and the declared limits.
+that makes it a vector; of a renderer also what it was asked for (*.frame.json). The streams depend
+only on the seed and the declared limits.
 
 Exit status 1: a stream failed.
 

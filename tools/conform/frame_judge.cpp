@@ -1,8 +1,8 @@
 #include "conform/frame_judge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -40,6 +40,9 @@ class FrameJudge {
     if (const auto what = wrong_geometry(golden->header(), *geometry)) {
       return fail("wrong answer to 'open': " + *what);
     }
+    if (!is_of_the_stream(golden->header())) {
+      return set(Status::kError, "the manifest asks for what the stream does not have");
+    }
     set(Status::kPass, {});
     if (frame_.map) {
       judge_map(*golden);
@@ -58,6 +61,22 @@ class FrameJudge {
   void fail(std::string reason) { set(Status::kFail, std::move(reason)); }
   void cannot(const char* what) {
     set(Status::kNotSupported, fmt::format("the renderer {}", what));
+  }
+
+  // Whether a manifest, which may be anyone's, asks for a frame or map of this stream.
+  bool is_of_the_stream(const StreamHeader& header) const {
+    if (frame_.map) {
+      const uint32_t side = header.block_size();
+      return frame_.map->view.row < header.rows && frame_.map->view.col < header.cols &&
+             frame_.map->columns == (header.width + side - 1) / side &&
+             frame_.map->rows == (header.height + side - 1) / side;
+    }
+    if (frame_.stop_level < 0 || frame_.stop_level > header.tree_height) return false;
+    if (!frame_.record) return true;
+    const std::vector<int32_t>& record = *frame_.record;
+    return frame_.frame->depth == header.depth &&
+           record[0] == static_cast<int32_t>(frame_.frame->width) &&
+           record[1] == static_cast<int32_t>(frame_.frame->height);
   }
 
   // What must come: an input's name, an error's name, or nothing.
