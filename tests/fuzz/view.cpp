@@ -60,11 +60,12 @@ void run(std::span<const uint8_t> input) {
 
 // Two requests a stream, so that all are asked about many.
 std::vector<Bytes> seeds(std::span<const uint8_t> stream) {
-  static constexpr std::array<std::string_view, 17> kRequests{
+  static constexpr std::array<std::string_view, 18> kRequests{
       "GET /token/frame?camera=0.5,0,0&size=8x6&focus=1.5&aperture=1&geometry=plane",
       "GET /token/frame?size=9x5&look-at=0,0,16&filter=views&fov=40",
       "GET /token/frame.png?size=8x6&levels=1",
       "GET /token/focus?focus-at=3,2&camera=0,0",
+      "GET /token/trace?trace=3,2&camera=0.5,0,0&size=8x6",
       "GET /token/picture?view=0,0",
       "GET /token/difference?view=0,0&gain=4",
       "GET /token/stage?view=0,0&plane=Y&stage=residual",

@@ -84,7 +84,7 @@ class Look(PageCase):
         self.press("aperture", Keys.ARROW_RIGHT)
         self.press("focus", Keys.END)
         self.press("camera-u", Keys.CONTROL + "a", Keys.NULL, "1.5", Keys.TAB)
-        self.press("filter", "b")
+        self.press("filter", "v")
         query = self.browser.until("controls", lambda: self.browser.frame()["filter"] == "views" and self.browser.frame())
         self.assertEqual(self.place(query), [1.5, 2, 0])
         self.assertEqual(query["aperture"], "1")

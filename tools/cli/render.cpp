@@ -286,11 +286,7 @@ Examples:
            "Also an animation: *.png, or *.gif or *.mp4 by the program ffmpeg")
       ->required(false)
       ->type_name("FILE");
-  CLI::Option* trace = add_numbers<2>(app, "--trace", "X,Y", ',', "x,y, such as 120,80",
-                                      "Show how this pixel comes about, and write no frame",
-                                      [&options](const auto& n) {
-                                        options.trace = FramePixel{n[0], n[1]};
-                                      });
+  CLI::Option* trace = add_trace(app, options.trace);
   CLI::Option* progressive =
       app.add_flag("--progressive", options.progressive,
                    "First write each frame with 1, 2, ... levels of the tree");

@@ -8,7 +8,7 @@
 
 #include <hmlfc/frame_trace.hpp>
 
-#include "cli/output.hpp"
+#include "cli/arguments.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -52,14 +52,6 @@ Json stage_json(const FrameStage& stage) {
   return json;
 }
 
-Json trace_json(FramePixel pixel, const FrameRecord& record, const FrameTrace& trace) {
-  Json stages{stage_json(record_stage(record))};
-  for (const FrameStage& stage : trace.stages) stages.push_back(stage_json(stage));
-  return {{"pixel", {{"x", pixel.x}, {"y", pixel.y}}},
-          {"stages", std::move(stages)},
-          {"sample", trace.sample}};
-}
-
 std::string trace_text(FramePixel pixel, const FrameRecord& record, const FrameTrace& trace) {
   std::string text = fmt::format("Pixel x {}, y {} of the frame: R {}, G {}, B {}\n\n", pixel.x,
                                  pixel.y, trace.sample[0], trace.sample[1], trace.sample[2]);
@@ -68,22 +60,43 @@ std::string trace_text(FramePixel pixel, const FrameRecord& record, const FrameT
   return text;
 }
 
-}  // namespace
-
-void print_trace(const StreamFile& file, const FrameRecord& record, int stop_level,
-                 FramePixel pixel, bool json) {
+FrameTrace trace_of(const StreamFile& file, const FrameRecord& record, int stop_level,
+                    FramePixel pixel) {
   if (pixel.x >= static_cast<uint32_t>(record.frame_width) ||
       pixel.y >= static_cast<uint32_t>(record.frame_height)) {
     throw Failure(ExitCode::kUsage,
                   fmt::format("--trace {},{}: the frame has {} x {} pixels", pixel.x, pixel.y,
                               record.frame_width, record.frame_height));
   }
-  const FrameTrace trace =
-      file.value(frame_trace(file.decoder(), record, stop_level, pixel.x, pixel.y));
+  return file.value(frame_trace(file.decoder(), record, stop_level, pixel.x, pixel.y));
+}
+
+}  // namespace
+
+CLI::Option* add_trace(CLI::App& app, std::optional<FramePixel>& pixel) {
+  return add_numbers<2>(app, "--trace", "X,Y", ',', "x,y, such as 120,80",
+                        "Show how this pixel comes about, and write no frame",
+                        [&pixel](const auto& n) {
+                          pixel = FramePixel{n[0], n[1]};
+                        });
+}
+
+Json trace_json(const StreamFile& file, const FrameRecord& record, int stop_level,
+                FramePixel pixel) {
+  const FrameTrace trace = trace_of(file, record, stop_level, pixel);
+  Json stages{stage_json(record_stage(record))};
+  for (const FrameStage& stage : trace.stages) stages.push_back(stage_json(stage));
+  return {{"pixel", {{"x", pixel.x}, {"y", pixel.y}}},
+          {"stages", std::move(stages)},
+          {"sample", trace.sample}};
+}
+
+void print_trace(const StreamFile& file, const FrameRecord& record, int stop_level,
+                 FramePixel pixel, bool json) {
   if (json) {
-    print_json(trace_json(pixel, record, trace));
+    print_json(trace_json(file, record, stop_level, pixel));
   } else {
-    print(trace_text(pixel, record, trace));
+    print(trace_text(pixel, record, trace_of(file, record, stop_level, pixel)));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -96,6 +97,32 @@ std::string camera_words(const hmlfc_dut_camera& camera) {
     words += fmt::format("{}{}={}", words.empty() ? "" : ",", input.name, value);
   }
   return words.empty() ? "focus=0" : words;
+}
+
+std::string camera_words(const Camera& camera) {
+  hmlfc_dut_camera dut = default_dut_camera();
+  const auto set = [](const auto& input, double& target) {
+    if (input) target = *input;
+  };
+  const auto set_point = [](const auto& point, double& u, double& v, double& z) {
+    if (point) std::tie(u, v, z) = std::tie(point->u, point->v, point->z);
+  };
+  const auto set_changed = [](auto input, auto standard, double& target) {
+    if (input != standard) target = static_cast<double>(input);
+  };
+  set(camera.frame_width, dut.frame_width);
+  set(camera.frame_height, dut.frame_height);
+  set(camera.focal, dut.focal);
+  set_changed(camera.shear, 0.0, dut.shear);
+  set(camera.row_pitch, dut.row_pitch);
+  set_point(camera.position, dut.pu, dut.pv, dut.pz);
+  set_point(camera.look_at, dut.qu, dut.qv, dut.qz);
+  set(camera.tan_half, dut.tan_half);
+  set_changed(camera.focus, 0.0, dut.focus);
+  set_changed(camera.aperture, 0, dut.aperture);
+  set_changed(camera.filter, Filter::kQuadrilinear, dut.filter);
+  set_changed(camera.geometry, GeometrySource::kPlane, dut.geometry);
+  return camera_words(dut);
 }
 
 std::optional<hmlfc_dut_camera> camera_from_words(std::string_view words) {

@@ -55,6 +55,9 @@ hmlfc_dut_camera camera_from(const Json& json);
 /// have as many digits as it takes to read the same double again.
 std::string camera_words(const hmlfc_dut_camera& camera);
 
+/// The same of a camera that camera_of() would give: all inputs that are set and no defaults.
+std::string camera_words(const Camera& camera);
+
 /// The camera of such words; nothing for another text.
 std::optional<hmlfc_dut_camera> camera_from_words(std::string_view words);
 

@@ -4,7 +4,9 @@
 
 #include "cli/camera_path.hpp"
 #include "cli/outside_share.hpp"
+#include "cli/render_trace.hpp"
 #include "io/image_files.hpp"
+#include "vectors/frame_case.hpp"
 #include "view/pixels.hpp"
 #include "view/query.hpp"
 
@@ -14,21 +16,33 @@ using cli::ExitCode;
 using cli::Failure;
 using cli::Json;
 
+namespace {
+
+FrameRecord record_of(const Camera& camera, const cli::StreamFile& file) {
+  const auto record = frame_record(camera, file.header());
+  if (!record) throw Failure(ExitCode::kUsage, record.error().message);
+  return *record;
+}
+
+int stop_level_of(const LookQuery& look, const cli::StreamFile& file) {
+  return look.levels ? file.stop_level(*look.levels) : 0;
+}
+
+}  // namespace
+
 FrameRecord Frames::render(const Query& query) {
   const LookQuery look = read_look_query(query);
   const cli::StreamFile& file = stream_.for_frames();
-  const Camera camera = cameras_of(look.cameras, file).cameras.front();
-  const auto record = frame_record(camera, file.header());
-  if (!record) throw Failure(ExitCode::kUsage, record.error().message);
-  const int stop_level = look.levels ? file.stop_level(*look.levels) : 0;
+  const FrameRecord record = record_of(cameras_of(look.cameras, file).cameras.front(), file);
+  const int stop_level = stop_level_of(look, file);
   if (renderer_ == nullptr) {
     renderer_ = make_cpu_renderer(file.decoder());
     if (looks_ahead_) prefetcher_.emplace(file.decoder());
   }
   stream_.touched().reset();
-  file.value(renderer_->render(*record, stop_level, frame_));
-  if (prefetcher_) prefetcher_->rendered(*record, stop_level);
-  return *record;
+  file.value(renderer_->render(record, stop_level, frame_));
+  if (prefetcher_) prefetcher_->rendered(record, stop_level);
+  return record;
 }
 
 Response Frames::frame(const Query& query) {
@@ -67,6 +81,19 @@ Response Frames::focus(const Query& query) const {
   const Camera camera = cameras_of(look.cameras, stream_.for_blocks()).cameras.front();
   Response response;
   response.body = Json{{"focus", camera.focus}}.dump();
+  return response;
+}
+
+Response Frames::trace(const Query& query) const {
+  std::optional<cli::FramePixel> pixel;
+  const LookQuery look =
+      read_look_query(query, [&pixel](CLI::App& app) { cli::add_trace(app, pixel)->required(); });
+  const cli::StreamFile& file = stream_.for_blocks();
+  const Camera camera = cameras_of(look.cameras, file).cameras.front();
+  Json json = trace_json(file, record_of(camera, file), stop_level_of(look, file), *pixel);
+  json["inputs"] = vectors::camera_words(camera);
+  Response response;
+  response.body = json.dump();
   return response;
 }
 

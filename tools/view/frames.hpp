@@ -33,6 +33,10 @@ class Frames {
   /// The focus for what the pixel focus-at shows: {"focus": 1.25}.
   Response focus(const Query& query) const;
 
+  /// How the pixel "trace" comes about: what `hmlfc render --trace --json` prints, and under
+  /// "inputs" the text for --inputs that gives the same frame.
+  Response trace(const Query& query) const;
+
   /// Waits until nothing is decoded ahead any more.
   void finish_ahead();
 

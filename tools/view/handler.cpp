@@ -91,6 +91,7 @@ Response Handler::answer_get(std::string_view path, const Query& query) {
   if (path == "frame") return frames_.frame(query);
   if (path == "frame.png") return frames_.png(query);
   if (path == "focus") return frames_.focus(query);
+  if (path == "trace") return frames_.trace(query);
   if (path == "picture") return blocks_.picture(query);
   if (path == "difference") return blocks_.difference(query);
   if (path == "stage") return blocks_.stage(query);

@@ -35,12 +35,13 @@ void read_query(const Query& query, const std::function<void(CLI::App&)>& add) {
   }
 }
 
-LookQuery read_look_query(const Query& query) {
+LookQuery read_look_query(const Query& query, const std::function<void(CLI::App&)>& add) {
   LookQuery look;
-  read_query(query, [&look](CLI::App& app) {
+  read_query(query, [&](CLI::App& app) {
     add_camera_options(app, look.cameras);
     for (const char* name : {"--path", "--frames"}) app.remove_option(app.get_option(name));
     cli::add_levels(app, look.levels);
+    add(app);
   });
   return look;
 }

@@ -21,7 +21,9 @@ struct LookQuery {
   std::optional<int> levels;
 };
 
-/// The frame that `query` asks for, without --path. Failures: those of read_query.
-LookQuery read_look_query(const Query& query);
+/// The frame that `query` asks for, without --path, next to the options that `add` adds. Failures:
+/// those of read_query.
+LookQuery read_look_query(
+    const Query& query, const std::function<void(CLI::App&)>& add = [](CLI::App&) {});
 
 }  // namespace hmlfc::view

@@ -1,6 +1,6 @@
 // The pinned block: every field and every stage, as `hmlfc inspect` has them.
 import { any, make } from "./dom.js";
-import { showClause } from "./clauses.js";
+import { clauseButton } from "./clauses.js";
 
 /** @typedef {(row: number, col: number) => void} Visit */
 
@@ -11,10 +11,8 @@ function fieldTable(rows) {
   const names = ["section", "byte.bit", "bits", "field", "raw bits", "value", "clause"];
   const head = make("tr", {}, ...names.map((name) => make("th", { scope: "col" }, name)));
   const lines = rows.map((row) => {
-    const clause = make("button", { type: "button", title: `Show ${row.clause}` }, row.clause);
-    clause.addEventListener("click", () => void showClause(row.clause));
     const texts = [row.section, row.address, row.bits, row.name, row.raw, row.value];
-    return make("tr", {}, ...texts.map((text) => make("td", {}, text)), make("td", {}, clause));
+    return make("tr", {}, ...texts.map((text) => make("td", {}, text)), make("td", {}, clauseButton(row.clause)));
   });
   const table = make("table", { class: "fields" }, make("thead", {}, head), make("tbody", {}, ...lines));
   return make("div", { class: "scroll" }, table);

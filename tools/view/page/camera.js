@@ -51,7 +51,7 @@ export function placeQuery(camera) {
   }
   query.focus = rounded(camera.focus);
   query.aperture = camera.aperture;
-  query.geometry = camera.geometry;
+  query.geometry = camera.aperture > 0 ? "plane" : camera.geometry;
   query.filter = camera.filter;
   if (camera.levels > 0) query.levels = camera.levels;
   if (camera.fov !== null) query.fov = rounded(camera.fov);

@@ -5,7 +5,7 @@
  * @property {(dx: number, dy: number) => void} move in parts of the element's width and height
  * @property {(dx: number, dy: number) => void} turn likewise
  * @property {(steps: number) => void} advance > 0: in
- * @property {(x: number, y: number) => void} click in [0, 1)
+ * @property {(x: number, y: number, alt: boolean) => void} click in [0, 1); alt: with the key Alt
  */
 
 const STILL = 4; // pixels that a click may move
@@ -54,7 +54,7 @@ export function listen(target, gestures) {
     if (!was || event.type !== "pointerup" || travelled > STILL || event.button !== 0 || turning) return;
     const box = target.getBoundingClientRect();
     const [x, y] = [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
-    if (x >= 0 && x < 1 && y >= 0 && y < 1) gestures.click(x, y);
+    if (x >= 0 && x < 1 && y >= 0 && y < 1) gestures.click(x, y, event.altKey);
   };
   target.addEventListener("pointerup", lift);
   target.addEventListener("pointercancel", lift);

@@ -6,6 +6,7 @@ import { FrameLoop } from "./frame_loop.js";
 import { listen } from "./gestures.js";
 import { GridMap } from "./grid_map.js";
 import { PathRecorder } from "./path_recorder.js";
+import { PixelPanel } from "./pixel_panel.js";
 
 const WIDEST = 2048; // pixels of a frame
 
@@ -29,6 +30,7 @@ export class Look {
     this.map = new GridMap(canvas("look-map"), stream, (row, col) => this.change({ u: col, v: row }));
     this.loop = new FrameLoop((half) => this.query(half), (frame) => this.draw(frame), (error) => this.fail(error));
     this.recorder = new PathRecorder(stream.file, `${this.width}x${this.height}`);
+    this.panel = new PixelPanel(stream, [this.width, this.height], () => this.query(false), () => this.moved(this.link()));
     this.prepareControls();
     this.listen();
     new ResizeObserver(() => this.fit()).observe(/** @type {HTMLElement} */ (this.canvas.parentElement));
@@ -41,6 +43,7 @@ export class Look {
     const scale = Math.min(stage.clientWidth / this.width, stage.clientHeight / this.height);
     this.canvas.style.width = `${this.width * scale}px`;
     this.canvas.style.height = `${this.height * scale}px`;
+    this.panel.mark();
   }
 
   prepareControls() {
@@ -74,7 +77,11 @@ export class Look {
       move: (dx, dy) => this.move(-dx * (this.stream.cols - 1), -dy * (this.stream.rows - 1)),
       turn: (dx, dy) => this.turn(-dx, -dy),
       advance: (steps) => this.advance(steps / 4),
-      click: (x, y) => void this.focusAt(Math.floor(x * this.width), Math.floor(y * this.height)),
+      click: (x, y, alt) => {
+        const pixel = /** @type {const} */ ([Math.floor(x * this.width), Math.floor(y * this.height)]);
+        if (alt || this.panel.open) this.panel.choose(...pixel);
+        else void this.focusAt(...pixel);
+      },
     });
     this.canvas.addEventListener("keydown", (event) => {
       if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -101,6 +108,7 @@ export class Look {
     else if (key === "a") this.change({ aperture: (camera.aperture + 1) % 4 });
     else if (key === "g") this.change({ geometry: camera.geometry === "plane" ? "stream" : "plane" });
     else if (key === "f") void any("look").requestFullscreen();
+    else if (key === "p") this.panel.toggle();
     else if (key === "0") this.change(middleCamera(this.stream));
     else return false;
     return true;
@@ -156,7 +164,13 @@ export class Look {
   open(query) {
     this.camera = middleCamera(this.stream);
     readCamera(this.camera, query);
+    this.panel.read(query);
     this.change({});
+  }
+
+  /** @returns {import("./ask.js").Query} */
+  link() {
+    return { ...placeQuery(this.camera), ...this.panel.link() };
   }
 
   /** @param {boolean} half */
@@ -200,7 +214,9 @@ export class Look {
     this.map.draw({ used: this.views, camera: this.camera });
     this.canvas.dataset.exact = String(exact);
     this.canvas.dataset.query = address("", query);
-    if (exact && !this.loop.dirty) this.moved(placeQuery(this.camera));
+    if (!exact || this.loop.dirty) return;
+    this.moved(this.link());
+    if (this.panel.open) void this.panel.ask();
   }
 
   /** @param {Error} error */

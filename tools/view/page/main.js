@@ -1,5 +1,5 @@
 // The page: what it shows of which stream, and the link to it in the address.
-import { announcePage, askJson } from "./ask.js";
+import { announcePage, askJson, linkTo } from "./ask.js";
 import { any, say } from "./dom.js";
 import { Into } from "./into.js";
 import { Look } from "./look.js";
@@ -15,13 +15,6 @@ function showMode(shown) {
     any(`mode-${mode}`).setAttribute("aria-pressed", String(mode === shown));
   }
 }
-
-/**
- * The address with a link to what is shown.
- * @param {string} mode @param {import("./ask.js").Query} query
- */
-const linkTo = (mode, query) =>
-  `#${Object.entries({ mode, ...query }).map(([name, value]) => `${name}=${value}`).join("&")}`;
 
 /**
  * @param {any} stream
