@@ -222,10 +222,13 @@ void check_camera(const Camera& camera, const StreamHeader& header, const std::s
   const auto record = frame_record(camera, header);
   if (record) return;
   std::string text = record.error().message;
-  constexpr std::array<std::string_view, 18> kNames{
-      "look_at",  "--look-at", "position",    "--camera", "focus",        "--focus",
-      "focal ",   "--focal ",  "shear",       "--shear",  "row_pitch",    "--row-pitch",
-      "tan_half", "--fov",     "frame_width", "--size",   "frame_height", "--size"};
+  if (record.error().input == "tan_half") {
+    text = "with this focal length and size no view fills the frame: give --fov";
+  }
+  constexpr std::array<std::string_view, 16> kNames{
+      "look_at",     "--look-at", "position",     "--camera", "focus",     "--focus",
+      "focal ",      "--focal ",  "shear",        "--shear",  "row_pitch", "--row-pitch",
+      "frame_width", "--size",    "frame_height", "--size"};
   for (size_t i = path.empty() ? 0 : 6; i < kNames.size(); i += 2) {
     const size_t at = text.find(kNames[i]);
     if (at != text.npos) text.replace(at, kNames[i].size(), kNames[i + 1]);
