@@ -31,6 +31,14 @@ class Frames(ConformTest):
         self.assertEqual(results["frames/ray-odd-frame"]["status"], "pass")
         self.assertEqual(results["frames/refused-focal-below"]["status"], "not_supported")
 
+    def test_a_renderer_s_command_line(self):
+        """It takes a record or a camera; and a milestone of renderers is one of --frames alone."""
+        command = ("conform", "--suite", SUITE, "-o", "none", "--dut")
+        self.refused(USAGE, *command, "true {input} {output}", "--frames", says="{record} or {camera}")
+        self.refused(USAGE, *command, RENDER, "--milestone", "rays", says="add --frames")
+        self.refused(USAGE, *command, RENDER, "--frames", "--milestone", "keys", says="leave out --frames")
+        self.refused(USAGE, "render", SUITE / "real/cards-main.hmlfc", "--inputs", "focal=0", "--trace", "1,1", says="focal is 0")
+
     def test_a_wrong_frame(self):
         """Its first wrong pixel, pictures, and the command that shows how the pixel comes about."""
         wrong = RENDER.replace("{camera}", "{camera},filter=1")

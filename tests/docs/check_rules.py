@@ -12,7 +12,7 @@ import links
 import rules
 
 README_LINES = 120
-WORDS = 27200  # README.md and docs/*.md, without the specification
+WORDS = 27250  # README.md and docs/*.md, without the specification
 
 
 def unused(found):

@@ -97,8 +97,7 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
   add_integer(app, "--frames", options.frames, 1, 100000, "Frames of orbit, line and focus")
       ->default_str(std::to_string(kPathFrames));
   CLI::Option* inputs = add_value(
-      app, "--inputs", "NAME=X,...",
-      "Instead: the camera by its inputs (CAM-3)",
+      app, "--inputs", "NAME=X,...", "Instead: the camera by its inputs (CAM-3)",
       "inputs of CAM-3, such as pu=1.5,pv=0,pz=-2,focus=0.5", [&options](const std::string& text) {
         if (const auto read = vectors::camera_from_words(text)) options.inputs = camera_of(*read);
         return options.inputs.has_value();

@@ -269,7 +269,11 @@ double focus_of(const StreamFile& file, const Camera& camera, FramePixel at,
 double tan_half_of(double degrees) { return on_grid(std::tan(degrees / 360 * std::numbers::pi)); }
 
 CameraPath cameras_of(const CameraOptions& options, const StreamFile& file) {
-  if (options.inputs) return {{*options.inputs}};
+  if (options.inputs) {
+    const auto record = frame_record(*options.inputs, file.header());
+    if (!record) throw Failure(ExitCode::kUsage, "--inputs: " + record.error().message);
+    return {{*options.inputs}};
+  }
   const std::vector<PathFrame> path = path_of(options, file);
   CameraPath made;
   for (size_t k = 0; k < path.size(); ++k) {

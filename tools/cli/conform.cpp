@@ -16,6 +16,7 @@
 #include "conform/report.hpp"
 #include "conform/runner.hpp"
 #include "terminal/progress_bar.hpp"
+#include "vectors/milestone.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -152,12 +153,30 @@ ExitCode run_verify(ConformOptions options) {
   return difference ? ExitCode::kDifferent : ExitCode::kDone;
 }
 
+// Milestones and command lines are either of decoders or of renderers.
+void check_frames(const ConformOptions& options, const std::vector<conform::Dut>& duts) {
+  const std::string& name = options.run.selection.milestone;
+  const bool of_frames = &vectors::milestones_with(name) == &vectors::frame_milestones();
+  if (!name.empty() && of_frames != options.frames) {
+    throw Failure(ExitCode::kUsage, name + (of_frames ? " is a milestone of renderers: add --frames"
+                                                      : " is no milestone of renderers: leave out "
+                                                        "--frames"));
+  }
+  for (const conform::Dut& dut : duts) {
+    if (options.frames && dut.waiting == nullptr && dut.frame.empty() && dut.disparity.empty()) {
+      throw Failure(ExitCode::kUsage,
+                    dut.name + ": a renderer's command line has {record} or {camera}");
+    }
+  }
+}
+
 ExitCode run_conform(const ConformOptions& given) {
   ConformOptions options = given;
   if (!options.merge.empty()) return run_merge(options);
   options.run.limits = options.dut.limits();
   if (!options.verify.empty()) return run_verify(options);
   const auto duts = options.dut.read();
+  check_frames(options, duts);
   if (!options.claim.empty()) {
     check_whole(options, "--claim");
     check_replaceable({options.claim}, {R"("manifest_sha256")", options.force});

@@ -67,7 +67,8 @@ ExitCode run_minimise(const MinimiseOptions& options) {
                               status_name(first.status), first.reason));
   }
   const auto still_fails = [&](std::span<const uint8_t> stream) {
-    return run(stream).status == first.status;
+    const conform::VectorResult smaller = run(stream);
+    return smaller.status == first.status && (!options.request() || smaller.kind == first.kind);
   };
   const auto minimised = value_or_throw(
       conform::minimise(file.bytes(), still_fails, options.trials), ExitCode::kInput);
@@ -185,7 +186,9 @@ class Fuzz {
     const auto minimised = value_or_throw(conform::minimise(
                                               stream,
                                               [&](std::span<const uint8_t> smaller) {
-                                                return decode(smaller).status == result.status;
+                                                const auto found = decode(smaller);
+                                                return found.status == result.status &&
+                                                       (!frame_ || found.kind == result.kind);
                                               },
                                               kMinimiseTrials),
                                           ExitCode::kInternal);

@@ -41,7 +41,8 @@ struct SuiteOptions {
 // where it cannot be read.
 vectors::Manifest manifest_of(const SuiteOptions& options) {
   auto manifest = value_or_throw(vectors::read_manifest(options.suite), ExitCode::kInput);
-  const bool frames = options.frames || options.id.starts_with("frames/");
+  const bool frames = options.frames || options.id.starts_with("frames/") ||
+                      &vectors::milestones_with(options.milestone) == &vectors::frame_milestones();
   return frames ? vectors::frames_of(std::move(manifest)) : manifest;
 }
 

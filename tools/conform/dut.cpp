@@ -80,11 +80,14 @@ constexpr const char* kMapPlaces[] = {"{input}", "{output}", "{view_row}", "{vie
 constexpr const char* kTracePlaces[] = {"{input}", "{view_row}", "{view_col}",
                                         "{plane}", "{block_x}",  "{block_y}"};
 
-// A command line that takes a camera draws frames, another one decodes all views.
+bool takes_cameras(const std::string& command) {
+  return command.find("{record}") != command.npos || command.find("{camera}") != command.npos;
+}
+
+// A command line that takes cameras draws frames, another one decodes all views.
 void set_command(Dut& dut, const std::string& text, const Places& places) {
   dut.command = words_of(text, places, kCommandPlaces);
-  const auto has = [&](const char* place) { return text.find(place) != std::string::npos; };
-  if (has("{record}") || has("{camera}")) dut.frame = dut.command;
+  if (takes_cameras(text)) dut.frame = dut.command;
 }
 
 // A program that speaks the line protocol.
@@ -122,7 +125,13 @@ void set_program(Dut& dut, const Declaration& declared, const Places& places) {
     return set_library(dut, fill_in({*declared.library}, places).front(), places);
   if (declared.lines) return set_lines(dut, words_of(*declared.lines, places, {}));
   set_command(dut, *command, places);
-  if (declared.frame) dut.frame = words_of(*declared.frame, places, kCommandPlaces);
+  if (declared.frame) {
+    dut.frame = words_of(*declared.frame, places, kCommandPlaces);
+    if (!takes_cameras(*declared.frame)) {
+      throw TextError("the command " + io::shown_json(*declared.frame) +
+                      " has neither {record} nor {camera}");
+    }
+  }
   if (declared.disparity) dut.disparity = words_of(*declared.disparity, places, kMapPlaces);
   if (declared.trace) dut.trace = words_of(*declared.trace, places, kTracePlaces);
 }

@@ -202,6 +202,7 @@ DutAnswer<std::vector<int32_t>> LineDecoder::record(const hmlfc_dut_camera& came
     if (!value) wrong_answer(request, shown(*answer) + " has not 41 numbers");
     number = *value;
   }
+  if (!rest.empty()) wrong_answer(request, shown(rest) + " after 41 numbers");
   return numbers;
 }
 

@@ -90,8 +90,9 @@ std::string PixelLines::text() const {
   return text;
 }
 
-std::optional<std::string> first_wrong_number(const FrameTrace& expected, std::string_view actual) {
+std::string first_wrong_number(const FrameTrace& expected, std::string_view actual) {
   const Stages stages = stages_of(actual);
+  size_t compared = 0;
   for (const FrameStage& stage : expected.stages) {
     const auto found = stages.find(key_of(stage));
     if (found == stages.end()) continue;
@@ -100,12 +101,14 @@ std::optional<std::string> first_wrong_number(const FrameTrace& expected, std::s
       const auto values = found->second.find(value.name);
       const size_t number = seen[value.name]++;
       if (values == found->second.end() || number >= values->second.size()) continue;
+      ++compared;
       if (values->second[number] != value.value) {
         return difference(stage, value, values->second[number]);
       }
     }
   }
-  return std::nullopt;
+  return compared == 0 ? "the renderer's trace has no number to compare"
+                       : "all numbers of the pixel agree in the renderer's trace";
 }
 
 }  // namespace hmlfc::conform

@@ -28,8 +28,8 @@ class PixelLines {
 };
 
 /// The first number of `expected` that the lines in `actual` have otherwise, with its stage and
-/// clause; nothing if there is none. Numbers and stages that `actual` leaves out, and lines that
-/// are no stages, are passed over.
-std::optional<std::string> first_wrong_number(const FrameTrace& expected, std::string_view actual);
+/// clause; else that all agree, or that there is none to compare. Numbers and stages that `actual`
+/// leaves out, and lines that are no stages, are passed over.
+std::string first_wrong_number(const FrameTrace& expected, std::string_view actual);
 
 }  // namespace hmlfc::conform

@@ -279,8 +279,12 @@ VectorResult run_stream(const Dut& dut, std::span<const uint8_t> stream,
   vectors::Expectation expect;
   if (asked) {
     const auto golden = Decoder::open(stream);
-    if (!golden || asked->stop_level > golden->header().tree_height) {
-      result.status = Status::kNotSupported;  // no renderer can be asked
+    const StreamHeader* shape = golden ? &golden->header() : nullptr;
+    if (shape == nullptr || asked->stop_level > shape->tree_height ||
+        (asked->map &&
+         (asked->map->view.row >= shape->rows || asked->map->view.col >= shape->cols))) {
+      result.status = Status::kNotSupported;
+      result.reason = "the stream does not open, or has no such view or level";
       return result;
     }
     expect = vectors::expect_frame(*golden, *asked);

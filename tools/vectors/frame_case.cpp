@@ -16,8 +16,11 @@ const DutCameraInput* input_named(std::string_view name) {
   return found == std::end(kDutCameraInputs) ? nullptr : found;
 }
 
-// Whether all or none of the coordinates of each point are given.
-bool has_whole_points(const hmlfc_dut_camera& c) {
+// Whether all or none of the coordinates of each point are given, and integers are integers.
+bool is_well_formed(const hmlfc_dut_camera& c) {
+  for (const double x : {c.frame_width, c.frame_height, c.aperture, c.filter, c.geometry}) {
+    if (!std::isnan(x) && !(x >= 0 && x <= 65536 && x == std::floor(x))) return false;
+  }
   const auto alike = [](double x, double y, double z) {
     return std::isnan(x) == std::isnan(y) && std::isnan(x) == std::isnan(z);
   };
@@ -75,6 +78,23 @@ void visit(const Members& m, FrameCase& frame) {
   }
 }
 
+bool is_of_stream(const FrameCase& frame, const StreamHeader& header) {
+  if (frame.map) {
+    const uint32_t side = header.block_size();
+    return frame.map->view.row < header.rows && frame.map->view.col < header.cols &&
+           frame.map->columns == (header.width + side - 1) / side &&
+           frame.map->rows == (header.height + side - 1) / side;
+  }
+  if (frame.stop_level < 0 || frame.stop_level > header.tree_height) return false;
+  if (!frame.record) return true;
+  const FrameRecord record = frame_record_of(frame.record->data());
+  const auto is = [](int32_t number, uint32_t value) { return int64_t{number} == value; };
+  return frame.frame->depth == header.depth && is(record.frame_width, frame.frame->width) &&
+         is(record.frame_height, frame.frame->height) && is(record.cols, header.cols) &&
+         is(record.rows, header.rows) && is(record.width, header.width) &&
+         is(record.height, header.height);
+}
+
 hmlfc_dut_camera camera_from(const Json& json) {
   if (!json.is_object()) throw TextError("a camera is an object");
   hmlfc_dut_camera camera = default_dut_camera();
@@ -85,7 +105,10 @@ hmlfc_dut_camera camera_from(const Json& json) {
     }
     camera.*input->value = value.get<double>();
   }
-  if (!has_whole_points(camera)) throw TextError("a point of a camera has three coordinates");
+  if (!is_well_formed(camera)) {
+    throw TextError(
+        "a point of a camera has three coordinates, and sizes and choices are integers");
+  }
   return camera;
 }
 
@@ -141,7 +164,7 @@ std::optional<hmlfc_dut_camera> camera_from_words(std::string_view words) {
     }
     camera.*input->value = value;
   }
-  if (!has_whole_points(camera)) return std::nullopt;
+  if (!is_well_formed(camera)) return std::nullopt;
   return camera;
 }
 

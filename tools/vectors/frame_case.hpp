@@ -48,6 +48,9 @@ struct FrameCase {
 /// fit together.
 void visit(const Members& m, FrameCase& frame);
 
+/// Whether a manifest, which may be anyone's, asks for a frame or map of the stream of this header.
+bool is_of_stream(const FrameCase& frame, const StreamHeader& header);
+
 /// Inputs of a camera as a JSON object by their names in CAM-3. Throws TextError.
 hmlfc_dut_camera camera_from(const Json& json);
 

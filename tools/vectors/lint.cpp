@@ -163,6 +163,16 @@ std::vector<std::string> lint_suite(const std::filesystem::path& folder, const M
     before = &vector.id;
     VectorLint(folder, vector, named, found).run();
   }
+  for (const Vector& frame : manifest.frames) {
+    const auto stream = io::map_file(folder / frame.input.file);
+    const auto header =
+        stream ? parse_header(stream->bytes()) : fail(ErrorCode::kTruncated, Section::kHeader, 0);
+    if (header && sha256(stream->bytes()) == frame.input.sha256 &&
+        is_of_stream(*frame.frame, *header)) {
+      continue;
+    }
+    found.push_back(frame.id.text() + ": asks for what its stream does not have");
+  }
   find_strays(folder, manifest, named, found);
   return found;
 }

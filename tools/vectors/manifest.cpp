@@ -131,6 +131,17 @@ void check_ids(const std::vector<Vector>& vectors) {
   }
 }
 
+// Throws unless a frame or map has a sum exactly where it is to come, and else an input or a block.
+void check_frame(const Vector& vector) {
+  const FrameCase& frame = *vector.frame;
+  const bool ok = vector.expect.outcome == Outcome::kOk;
+  const std::string sum = frame.map ? frame.map->sha256 : frame.frame ? frame.frame->sha256 : "";
+  if (sum.size() != (ok ? 64 : 0)) throw TextError("its outcome and its sha256 do not fit");
+  if (!ok && vector.expect.input.empty() == vector.expect.blocks.empty()) {
+    throw TextError("its error has neither an input nor a block");
+  }
+}
+
 std::vector<Vector> vectors_from(Json& list, bool frames) {
   std::vector<Vector> vectors;
   for (Json& vector : list) {
@@ -140,6 +151,7 @@ std::vector<Vector> vectors_from(Json& list, bool frames) {
       if (vectors.back().frame.has_value() != frames) {
         throw TextError(frames ? "is neither a frame nor a map" : "is for renderers");
       }
+      if (frames) check_frame(vectors.back());
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
