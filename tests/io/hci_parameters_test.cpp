@@ -72,12 +72,16 @@ TEST(HciParameters, CamerasInMetresAndPixels) {
 TEST(HciParameters, PartsOfTheGridAndOtherSizes) {
   const auto read = parse_hci_parameters(with(kText, "34.0", "0"));
   ASSERT_TRUE(read) << read.error();
-  const auto part = rig_of_hci(*read, views_of(1, 2, {3, 5}), {1, 2, 100, 160, 8});
+  const auto part = rig_of_hci(*read, views_of(1, 2, {3, 5}), {1, 2, 100, 80, 8});
   ASSERT_TRUE(part) << part.error();
   EXPECT_EQ(part->positions[1], (std::array<double, 3>{0.085, 0.0425, 0}));
-  EXPECT_EQ(part->intrinsics, (std::vector<std::array<double, 4>>{{200, 400, 49.5, 79.5}}));
+  EXPECT_EQ(part->intrinsics, (std::vector<std::array<double, 4>>{{200, 200, 49.5, 39.5}}));
   const auto beyond = rig_of_hci(*read, views_of(1, 1, {6}), {1, 1, 200, 160, 8});
   EXPECT_EQ(beyond.error(), "it has 2 x 3 cameras, and none of the view input_Cam6.png");
+  const auto pressed = rig_of_hci(*read, views_of(1, 2, {3, 4}), {1, 2, 100, 160, 8});
+  EXPECT_EQ(pressed.error(), "image_resolution is 200 x 160, the views 100 x 160: another aspect");
+  const auto torn = rig_of_hci(*read, views_of(2, 2, {0, 1, 2, 3}), {2, 2, 200, 160, 8});
+  EXPECT_EQ(torn.error(), "of its 2 x 3 cameras those of the 2 x 2 views form no grid");
   ViewList named{2, 2, {"a.png", "b.png", "c.png", "d.png"}};
   EXPECT_EQ(rig_of_hci(*read, named, {2, 2, 200, 160, 8}).error(),
             "it has 2 x 3 cameras, but there are 2 x 2 views");

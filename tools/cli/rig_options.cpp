@@ -41,6 +41,18 @@ std::string describe_rig(const Rig& rig) {
                      count_text(rig.intrinsics.size(), "not known"));
 }
 
+// Cameras of a transforms.json in the folder, or beside it, are taken where the user says so.
+void note_transforms(const io::ViewList& views) {
+  if (views.files.empty()) return;
+  const auto folder = std::filesystem::absolute(views.files.front()).parent_path();
+  for (const auto& place : {folder, folder.parent_path()}) {
+    const auto file = place / "transforms.json";
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) continue;
+    return note(fmt::format("{0} is not used: --rig {0} takes the cameras", file.string()));
+  }
+}
+
 }  // namespace
 
 void add_rig_options(CLI::App& app, RigOptions& options) {
@@ -63,7 +75,9 @@ std::optional<ChosenRig> rig_for(const RigOptions& options, Profile profile,
     return ChosenRig{value_or_throw(io::read_rig(*options.file, views, shape), ExitCode::kInput)};
   }
   if (options.none || profile == Profile::kMain) return std::nullopt;
-  return value_or_throw(io::rig_of_views(views, shape), ExitCode::kInput);
+  auto rig = value_or_throw(io::rig_of_views(views, shape), ExitCode::kInput);
+  if (!rig) note_transforms(views);
+  return rig;
 }
 
 std::string rig_line(const StreamFile& file) {

@@ -98,8 +98,11 @@ class Reader {
   std::optional<std::string> failure_;
 };
 
+// Without a byte order mark.
 std::string_view text_of(const MappedFile& file) {
-  return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
+  const std::string_view text(reinterpret_cast<const char*>(file.bytes().data()),
+                              file.bytes().size());
+  return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
 double middle(uint32_t count) { return (static_cast<double>(count) - 1) / 2; }
@@ -121,7 +124,17 @@ tl::expected<std::vector<GridPosition>, std::string> places_of(const GridShape& 
     }
     places.push_back(place);
   }
-  if (places.size() == views.files.size()) return places;
+  if (places.size() == views.files.size()) {
+    for (size_t i = 0; i < places.size(); ++i) {
+      if (places[i].row == places[i / views.cols * views.cols].row &&
+          places[i].col == places[i % views.cols].col) {
+        continue;
+      }
+      return no_rig(fmt::format("of its {} x {} cameras those of the {} x {} views form no grid",
+                                grid.rows, grid.cols, views.rows, views.cols));
+    }
+    return places;
+  }
   if (views.rows != grid.rows || views.cols != grid.cols) {
     return no_rig(fmt::format("it has {} x {} cameras, but there are {} x {} views", grid.rows,
                               grid.cols, views.rows, views.cols));
@@ -222,6 +235,13 @@ tl::expected<Rig, std::string> rig_of_hci(const HciParameters& parameters, const
                                           const LightFieldShape& shape) {
   const auto places = places_of(parameters.grid, views);
   if (!places) return tl::unexpected(places.error());
+  const double width = parameters.width;
+  const double height = parameters.height;
+  // Sides of smaller copies are whole numbers: each is less than a pixel off.
+  if (std::abs(width * shape.height - height * shape.width) > std::max(width, height)) {
+    return no_rig(fmt::format("image_resolution is {} x {}, the views {} x {}: another aspect",
+                              parameters.width, parameters.height, shape.width, shape.height));
+  }
   const double focal = parameters.focal_length_mm / parameters.sensor_size_mm *
                        std::max(parameters.width, parameters.height);
   const double step = parameters.baseline_mm / 1000;
