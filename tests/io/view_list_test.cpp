@@ -191,7 +191,7 @@ TEST(ViewList, PatternsOfNames) {
        {"2x2: 0_0.png 0_1.png", " | : ignored", "0_0.jpg, 0_1.jpg, 1_0.jpg and 1"}},
       {formatted("l_%u_%u.png", 2, 2) + formatted("r_%u_%u.png", 2, 2),
        {},
-       {"like l_0_0.png and, as many, like r_0_0.png", "--names 'l_*_*'"}},
+       {"like l_0_0.png and, as many, like r_0_0.png", "--names 'l_{row}_{col}'"}},
       {pleno,
        names("v{row}_{col}"),
        {"no name is as --names 'v{row}_{col}' says; one is 000_000.ppm"}},

@@ -36,6 +36,9 @@ ExitCode exit_code_of(ErrorCode code) {
 const char* other_kind(const std::filesystem::path& file) {
   const std::string extension = io::lower_case_extension(file);
   if (extension == ".y4m") return "a video; hmlfc encode makes a stream of it";
+  if (io::is_other_video(file)) {
+    return "a video of another kind; ffmpeg -i VIDEO OUT.y4m makes one that hmlfc encode takes";
+  }
   if (extension == ".pfm") return "a map; hmlfc compare takes two of them";
   if (!io::is_picture_name("a" + extension)) return nullptr;
   return "one picture; hmlfc encode makes a stream of a folder of them, or of a quilt";
@@ -57,7 +60,8 @@ std::FILE*& results() {
 }  // namespace
 
 Failure stream_failure(const std::filesystem::path& file, const Error& error) {
-  if (const char* kind = error.code == ErrorCode::kBadMagic ? other_kind(file) : nullptr) {
+  const bool begins = error.code != ErrorCode::kBadMagic && error.code != ErrorCode::kTruncated;
+  if (const char* kind = begins ? nullptr : other_kind(file)) {
     return Failure(ExitCode::kInput, file.string() + ": not a stream, but " + kind);
   }
   return Failure(exit_code_of(error.code), file.string() + ": " + to_string(error));

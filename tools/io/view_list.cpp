@@ -105,12 +105,21 @@ bool is_picture_name(const fs::path& file) {
          std::ranges::find(kExtensions, lower_case_extension(file)) != kExtensions.end();
 }
 
+bool is_other_video(const fs::path& file) {
+  constexpr std::array<std::string_view, 6> kExtensions = {".mp4", ".m4v", ".mov",
+                                                           ".mkv", ".avi", ".webm"};
+  return std::ranges::find(kExtensions, lower_case_extension(file)) != kExtensions.end();
+}
+
 IoResult<ViewList> list_views(const fs::path& folder, const ViewNaming& naming) {
   const auto side_is_good = [](uint32_t side) { return side >= 1 && side <= kMaxGridSide; };
   if (naming.grid && !(side_is_good(naming.grid->rows) && side_is_good(naming.grid->cols))) {
     return file_error(folder, "a grid must have 1 to 4096 rows and 1 to 4096 columns");
   }
   std::error_code failure;
+  if (!fs::is_directory(folder, failure) && is_other_video(folder)) {
+    return file_error(folder, "a video, but not Y4M: ffmpeg -i VIDEO OUT.y4m makes one to read");
+  }
   if (!fs::is_directory(folder, failure)) {
     return file_error(folder, "not a folder; give the folder that holds the views");
   }

@@ -32,6 +32,9 @@ struct ViewNaming {
 /// (in any case), without a dot in front.
 bool is_picture_name(const std::filesystem::path& file);
 
+/// Whether a file's extension is that of a video which hmlfc does not read: *.mp4, *.mov and such.
+bool is_other_video(const std::filesystem::path& file);
+
 /// Finds the views in `folder`: files of which is_picture_name() is true. Where there are none, or
 /// hardly any, those in its subfolders are taken, with names as ROW/COL.
 ///

@@ -103,8 +103,10 @@ std::string shown_name(const NamedPicture& picture) {
 }
 
 std::string open_pattern(const NamedPicture& picture) {
-  const NumberColumn none{picture.numbers.size(), {}, {}};
-  return pattern_of(picture, {&none, &none}, std::vector<bool>(picture.numbers.size(), true));
+  const size_t count = picture.numbers.size();
+  const NumberColumn row{count >= 2 ? count - 2 : count, {}, {}};
+  const NumberColumn col{count >= 2 ? count - 1 : count, {}, {}};
+  return pattern_of(picture, {&row, &col}, std::vector<bool>(count, true));
 }
 
 std::string name_some(const std::vector<std::string>& names) {

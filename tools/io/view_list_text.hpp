@@ -27,7 +27,7 @@ std::string describe_values(const NumberColumn& column);
 /// without saying.
 std::string describe_reading(const std::vector<NamedPicture>& views, const GridReading& reading);
 
-/// A pattern with * for each number of the name of `picture`: 'left_*_*'.
+/// A pattern of the name of `picture`: 'left_{row}_{col}' with its last two numbers, * for others.
 std::string open_pattern(const NamedPicture& picture);
 
 /// "numbers 1 and 2 or 1 and 4 of the names ... choose by --names ...".
