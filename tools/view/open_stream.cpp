@@ -37,7 +37,9 @@ void OpenStream::open(const std::shared_ptr<const remote::OpenSource>& source) {
     options.reads = touched_.get();
     for_frames_ = std::make_unique<StreamFile>(path_, source, options);
   } catch (const Failure& failure) {
-    const bool is_other = failure.code() == ExitCode::kInput && path_.extension() != ".hmlfc";
+    const std::filesystem::path extension = path_.extension();
+    const bool is_other =
+        failure.code() == ExitCode::kInput && !extension.empty() && extension != ".hmlfc";
     if (failure.code() == ExitCode::kOutOfMemory || is_other) throw;
     error_ = failure.what();
     return;
