@@ -132,7 +132,8 @@ TEST(ViewHandler, ShowsEveryVectorAsFarAsItGoes) {
       EXPECT_EQ(blocks.status, 422) << entry.path();
       continue;
     }
-    const bool thin = frame.body.find("give --fov") != std::string::npos;  // no camera fits the view
+    const bool thin =
+        frame.body.find("give --fov") != std::string::npos;  // no camera fits the view
     EXPECT_TRUE(frame.status == 200 || frame.status == 422 || thin) << entry.path() << frame.body;
     ASSERT_EQ(blocks.status, 200) << entry.path() << blocks.body;
     const Decoder& decoder = stream.for_blocks().decoder();
