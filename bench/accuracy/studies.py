@@ -30,8 +30,7 @@ def main(method="hmlfc", **changes):
 
 def extended(**changes):
     """Profile extended as `hmlfc encode` has it, at quality 60."""
-    return {"profile": "extended", "preset": "medium", "quality": 60, "block": 4, "window": 64, "height": 0,
-            "cluster": "2x2", **changes}
+    return {"profile": "extended", "preset": "medium", "quality": 60, "block": 4, "window": 64, "height": 0, **changes}
 
 
 def studies(quick):

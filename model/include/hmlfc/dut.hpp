@@ -38,8 +38,8 @@ inline const char* dut_error_name(int status) {
 
 /// An input of a camera under its name in CAM-3.
 struct DutCameraInput {
-  const char* name;
-  double hmlfc_dut_camera::*value;
+  const char* name;                 ///< as CAM-3 has it
+  double hmlfc_dut_camera::*value;  ///< its member
 };
 
 /// All inputs, in the order in which CAM-3 checks them.

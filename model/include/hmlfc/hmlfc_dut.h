@@ -70,18 +70,22 @@ typedef struct hmlfc_dut_stage {
 /** A camera: the inputs of CAM-3 under their names. NAN stands for the default; pu, pv and pz are
  * all given or none of them, qu, qv and qz likewise. */
 typedef struct hmlfc_dut_camera {
-  double frame_width;
-  double frame_height;
-  double focal;
-  double shear;
-  double row_pitch;
-  double pu, pv, pz; /**< position */
-  double qu, qv, qz; /**< look_at */
-  double tan_half;
-  double focus;
-  double aperture;
-  double filter;   /**< 0 nearest, 1 views, 2 quadrilinear */
-  double geometry; /**< 0 plane, 1 stream */
+  double frame_width;  /**< pixels */
+  double frame_height; /**< pixels */
+  double focal;        /**< focal length of the views, pixels */
+  double shear;        /**< disparity at infinity, pixels a column */
+  double row_pitch;    /**< distance of two rows, in columns */
+  double pu;           /**< position: column */
+  double pv;           /**< position: row */
+  double pz;           /**< position: distance beyond the view plane, in columns */
+  double qu;           /**< look_at: column */
+  double qv;           /**< look_at: row */
+  double qz;           /**< look_at: distance beyond the view plane, in columns */
+  double tan_half;     /**< tangent of half the field of view along the longer side */
+  double focus;        /**< disparity of the focal plane, pixels a column */
+  double aperture;     /**< log2 of the steps over which a view's weight falls to 0 */
+  double filter;       /**< 0 nearest, 1 views, 2 quadrilinear */
+  double geometry;     /**< 0 plane, 1 stream */
 } hmlfc_dut_camera;
 
 /** What a frame took. A renderer that does not count leaves what it gets, -1. */
