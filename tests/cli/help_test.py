@@ -54,6 +54,7 @@ class Help(CliTest):
                 usage = re.search(r"^Usage: (.*)$", text, re.MULTILINE).group(1)
                 self.assertTrue(usage.startswith(f"hmlfc {command}".rstrip()), usage)
                 self.assertEqual(text, self.hmlfc(*command.split(), "-h"))
+                self.assertEqual(text, self.hmlfc("help", *command.split()))
                 self.assertLessEqual(max(map(len, text.splitlines())), 104)
         for code in (0, 1, 2, 3, 4, 5, 77):
             self.assertRegex(self.help_of(""), rf"(?s)Exit status: .*\b{code} [a-z]")

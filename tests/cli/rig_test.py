@@ -119,8 +119,11 @@ class Rig(CliTest):
     def test_a_stream_whose_rig_cannot_be_read(self):
         vector = ROOT / "vectors/boundary/rig-positions-one.hmlfc"
         what = "section RIG at byte 172: positions has 1 entries; 2 are needed, one for each view"
-        self.assertIn(f"Rig           cannot be read: {what}\n", self.hmlfc("info", vector))
-        self.assertEqual(self.hmlfc_json("info", vector)["rig"], {"error": what})
+        for arguments, says in (((), f"Rig           cannot be read: {what}\n"), (("--json",), f'"error": "{what}"')):
+            result = self.run_hmlfc("info", vector, *arguments)
+            self.assertEqual(result.returncode, CORRUPT)
+            self.assertIn(says, result.stdout.decode())
+            self.assertIn(what, result.stderr.decode())
         self.refused(CORRUPT, "info", vector, "--rig", says=[str(vector), what])
 
 

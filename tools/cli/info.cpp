@@ -73,6 +73,7 @@ ExitCode run_info(const InfoOptions& options) {
   }
   if (options.json) {
     print_json(file.value(io::info_json(file.decoder(), file.source())));
+    check_rig(file);
     return ExitCode::kDone;
   }
   const io::StreamReport report = report_on(file);
@@ -81,6 +82,7 @@ ExitCode run_info(const InfoOptions& options) {
                     describe_coding(header)) +
         tools_text(header) + size_text(report) + tree_text(header) +
         states_text(report.statistics) + geometry_text(file) + rig_line(file));
+  check_rig(file);
   return ExitCode::kDone;
 }
 
@@ -99,7 +101,7 @@ motion, residual, top, other (the rig)}, depth, chroma, block, window, cluster, 
 images), states (block counts), disparity{known, blocks (counts over all views), least, greatest (pixels
 a column; negative is nearer; absent where none is known; null: not counted, as the header asks for far
 more blocks than the file has bytes)}, rig (as --rig prints it, null without one,
-{error} where it cannot be read).
+{error} where it cannot be read, with exit status 4).
 
 Examples:
   hmlfc info chess.hmlfc

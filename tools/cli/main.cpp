@@ -164,8 +164,14 @@ ExitCode run(int count, char** arguments) {
   CLI::App program;
   add_commands(program, task);
   program.name("hmlfc");
+  std::vector<std::string> words(arguments + std::min(count, 1), arguments + count);
+  if (!words.empty() && words.front() == "help") {  // hmlfc help encode: hmlfc encode --help
+    std::ranges::rotate(words, words.begin() + 1);
+    words.back() = "--help";
+  }
+  std::ranges::reverse(words);  // as CLI11 takes them
   try {
-    program.parse(count, arguments);
+    program.parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
     print(program.help());
     return ExitCode::kDone;

@@ -88,6 +88,13 @@ std::string rig_line(const StreamFile& file) {
   return fmt::format("Rig           {}\n", text);
 }
 
+void check_rig(const StreamFile& file) {
+  const auto found = find_rig(file);
+  if (found && !*found) {
+    throw Failure(ExitCode::kCorrupt, file.path().string() + ": " + found->error());
+  }
+}
+
 std::optional<ChosenRig> rig_in(const StreamFile& file) {
   auto found = find_rig(file);
   if (!found) return std::nullopt;
@@ -97,12 +104,12 @@ std::optional<ChosenRig> rig_in(const StreamFile& file) {
 }
 
 std::string rig_text_of(const StreamFile& file) {
+  check_rig(file);
   auto found = find_rig(file);
-  const auto fail = [&](ExitCode code, const std::string& what) {
-    throw Failure(code, file.path().string() + ": " + what);
-  };
-  if (!found) fail(ExitCode::kInput, "the stream has no rig; encode it with --rig");
-  if (!*found) fail(ExitCode::kCorrupt, found->error());
+  if (!found) {
+    throw Failure(ExitCode::kInput,
+                  file.path().string() + ": the stream has no rig; encode it with --rig");
+  }
   // Outside strings, which have none, a carriage return is space; alone it would be shown escaped.
   std::string text = std::move((*found)->text);
   for (size_t at = text.find('\r'); at != text.npos; at = text.find('\r', at + 1)) {

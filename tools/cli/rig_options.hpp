@@ -36,6 +36,9 @@ std::optional<ChosenRig> rig_for(const RigOptions& options, Profile profile,
 /// cannot be read; "" without one.
 std::string rig_line(const StreamFile& file);
 
+/// Throws Failure, kCorrupt, where `file` has a rig that cannot be read.
+void check_rig(const StreamFile& file);
+
 /// The rig of `file`, nothing without one; one that cannot be read is noted and left out.
 std::optional<ChosenRig> rig_in(const StreamFile& file);
 

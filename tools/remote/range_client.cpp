@@ -89,7 +89,8 @@ Problem RangeClient::State::judge_status(long status) const {
       return Problem{fmt::format("there is no such file (status {}); check the address", status)};
     case 416:
       return Problem{is_open ? "the file has become shorter (status 416); open it again"
-                             : "the file is empty"};
+                             : "the file is empty, or the server refuses a range that ends after "
+                               "the file (status 416); download the file and open that"};
     default:
       return Problem{fmt::format("the server answers with status {}", status),
                      status == 429 || status >= 500};
