@@ -45,10 +45,13 @@ std::optional<IoError> find_odd_view(const ViewList& views, const std::vector<Vi
       std::ranges::max_element(counts, {}, &std::pair<const ViewShape, size_t>::second)->first;
   const auto odd = std::ranges::find_if(shapes, [&](const ViewShape& s) { return s != usual; });
   const auto index = static_cast<size_t>(odd - shapes.begin());
+  const bool turned =
+      odd->width == usual.height && odd->height == usual.width && odd->width != usual.width;
   return IoError{
-      fmt::format("{}: the view of row {}, column {} has {}, expected {} like {} other views",
+      fmt::format("{}: the view of row {}, column {} has {}, expected {} like {} other views{}",
                   views.files[index].string(), index / views.cols, index % views.cols,
-                  describe(*odd), describe(usual), counts[usual])};
+                  describe(*odd), describe(usual), counts[usual],
+                  turned ? "; has it another EXIF orientation than they?" : "")};
 }
 
 IoResult<LightField> allocate_field(const ViewList& views, const ViewShape& shape) {
