@@ -1,11 +1,22 @@
 # The Debian packages that ./run installs, which sources this file and whose functions and variables it uses.
 
-# packages GROUP...: the names listed for any of these groups, one a line.
+# debian_release: 12 up to Debian 12 and elsewhere, 13 from Debian 13 on.
+debian_release() {
+  local id version
+  id=$(sed -n 's/^ID=//p' /etc/os-release) version=$(sed -nE 's/^VERSION_ID="?([0-9]+).*/\1/p' /etc/os-release)
+  if [[ $id == debian ]] && ((${version:-13} >= 13)); then echo 13; else echo 12; fi
+}
+
+# packages GROUP...: the names listed for any of these groups, in this release, one a line.
 packages() {
   local group
   for group in "$@"; do
-    awk -v group="$group" '!/^#/ && index("," $2 ",", "," group ",") { print $1 }' \
-      "$root/.ci/packages.txt"
+    awk -v group="$group" -v release="$(debian_release)" \
+      '!/^#/ && index("," $2 ",", "," group ",") {
+        names = split($1, name, "|")
+        chosen = release > 12 && names > 1 ? name[2] : name[1]
+        if (chosen != "-") print chosen
+      }' "$root/.ci/packages.txt"
   done | sort -u
 }
 

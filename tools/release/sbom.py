@@ -7,16 +7,18 @@ is not installed; others are left out, by name on standard error.
 """
 
 import json
+import platform
 import re
 import subprocess
 import sys
 from pathlib import Path
 
+DISTRO = "{ID}-{VERSION_ID}".format_map(platform.freedesktop_os_release())
 LINE = re.compile(r"(?P<name>\S+)\s+(?P<groups>\S+)\s+(?P<purpose>.+)")
 
 
 def listed(text):
-    """(name, groups, purpose) of each line of packages.txt; "the same" repeats the purpose above it."""
+    """(name, groups, purpose) of each name in packages.txt, of any release; "the same" repeats the purpose above it."""
     packages = []
     for line in text.splitlines():
         match = LINE.fullmatch(line)
@@ -25,7 +27,7 @@ def listed(text):
         purpose = match["purpose"].strip()
         if purpose.startswith("the same"):
             purpose = packages[-1][2] + purpose.removeprefix("the same")
-        packages.append((match["name"], match["groups"].split(","), purpose))
+        packages += [(name, match["groups"].split(","), purpose) for name in match["name"].split("|") if name != "-"]
     return packages
 
 
@@ -45,7 +47,7 @@ def component(name, groups, purpose, version, machine):
         "version": version,
         "description": purpose,
         "scope": "required" if "build" in groups else "excluded",
-        "purl": f"pkg:deb/debian/{name}@{version.replace(':', '%3A').replace('+', '%2B')}?arch={machine}&distro=debian-12",
+        "purl": f"pkg:deb/debian/{name}@{version.replace(':', '%3A').replace('+', '%2B')}?arch={machine}&distro={DISTRO}",
         "properties": [{"name": "hmlfc:groups", "value": ",".join(groups)}],
     }
 
