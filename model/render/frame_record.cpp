@@ -29,8 +29,15 @@ struct Pose {
   Vector down;
 };
 
-tl::unexpected<CameraError> bad(const char* input, const std::string& message) {
-  return tl::unexpected(CameraError{message, input});
+// One of kCameraInputs; another literal does not compile.
+struct Input {
+  consteval Input(const char* literal) : name(*std::ranges::find(kCameraInputs, literal)) {}
+
+  std::string_view name;
+};
+
+tl::unexpected<CameraError> bad(Input input, const std::string& message) {
+  return tl::unexpected(CameraError{message, input.name});
 }
 
 std::string text(double value) {
@@ -44,14 +51,14 @@ bool is_within(double value, double lo, double hi) { return value >= lo && value
 
 // A number of an input: `part` says which one where it has several.
 struct Number {
-  const char* input;
+  Input input;
   const char* part;
   double value, lo, hi;
 };
 
 Checked check_number(const Number& n) {
   if (is_within(n.value, n.lo, n.hi)) return {};
-  return bad(n.input, std::string(n.input) + n.part + " is " + text(n.value) + ", outside [" +
+  return bad(n.input, std::string(n.input.name) + n.part + " is " + text(n.value) + ", outside [" +
                           text(n.lo) + ", " + text(n.hi) + "]");
 }
 

@@ -70,6 +70,8 @@ class Vectors(CliTest):
     def test_refusals(self):
         self.refused(USAGE, "vectors", says="lint")
         self.refused(USAGE, "vectors", "show", "real/none", "-o", "x.png", "--suite", SUITE, says="real/none")
+        self.refused(USAGE, "vectors", "explain", "frames/none", "--suite", SUITE, says="hmlfc vectors list --frames shows")
+        self.assertIn("see also --frames", self.vectors("list", "--clause", "SMP-2"))
         self.refused(INPUT, "vectors", "list", "--suite", "nowhere", says="manifest.json")
         self.refused(INPUT, "vectors", "generate", "--suite", "nowhere", says="no recipes")
 

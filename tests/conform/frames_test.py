@@ -7,6 +7,7 @@ from program import DONE, USAGE
 
 MODEL = PROGRAM.parent / "libhmlfc_dut_model.so"
 RENDER = "{hmlfc} render {input} --inputs {camera} --levels {levels} -o {output}/frame.png"
+CARDS = SUITE / "real/cards-main.hmlfc"
 FAULTY = f"lines: python3 -B {ROOT}/tests/conform/faulty_renderer.py"
 
 
@@ -37,13 +38,34 @@ class Frames(ConformTest):
         self.refused(USAGE, *command, "true {input} {output}", "--frames", says="{record} or {camera}")
         self.refused(USAGE, *command, RENDER, "--milestone", "rays", says="add --frames")
         self.refused(USAGE, *command, RENDER, "--frames", "--milestone", "keys", says="leave out --frames")
-        self.refused(USAGE, "render", SUITE / "real/cards-main.hmlfc", "--inputs", "focal=0", "--trace", "1,1", says="focal is 0")
+        for words, says in (
+            ("focal=0", "focal is 0, outside [1, 65536]"),
+            ("filter=0,frame_width=1.5", "frame_width is 1.5, no integer up to 4096"),
+            ("pu=1,pv=0", "pu, pv and pz are one point"),
+            ("focs=1", '"focs" is no input of CAM-3: these are frame_width, '),
+        ):
+            self.refused(USAGE, "render", CARDS, "--inputs", words, "--trace", "1,1", says=says)
+
+    def test_what_a_command_line_writes(self):
+        """One file with the frame and nothing after it, unless an error is due."""
+        for after, says in (
+            ("cp $2/frame.png $2/frame.ppm", "output: has frame.png and frame.ppm: one is enough"),
+            ("echo more >>$2/frame.png", "output/frame.png: goes on after the end of the picture"),
+            ("mv $2/frame.png $2/view.png", 'output: has "view.png" instead of frame.raw or frame.png or frame.ppm, 6 x 5 pixels'),
+            ("rm $2/frame.png", "output: is empty instead of frame.raw"),
+        ):
+            dut = f"sh -c '{PROGRAM} render $0 --inputs $1 -o $2/frame.png && {after}' {{input}} {{camera}} {{output}}"
+            _, report = self.frames(dut, "--filter", "frames/start", output="writes")
+            self.assertIn("wrong output: " + says, self.results(report)["frames/start"]["reason"])
+        _, report = self.frames("true {input} {camera} {output}", "--filter", "frames/refused-focal-below", output="writes")
+        self.assertEqual(self.results(report)["frames/refused-focal-below"]["reason"], "the frame: no error instead of focal")
 
     def test_a_wrong_frame(self):
         """Its first wrong pixel, pictures, and the command that shows how the pixel comes about."""
         wrong = RENDER.replace("{camera}", "{camera},filter=1")
         code, report = self.frames(wrong, "--filter", "frames/blend-turned", output="wrong")
         self.assertEqual(code, 1)
+        self.assertEqual(report["runs"][0]["begin"]["causes"][0]["cause"], "wrong pixels in milestone plane")
         result = self.results(report)["frames/blend-turned"]
         self.assertRegex(result["reason"], r"^pixel \d+,\d+ [RGB]: \d+ instead of \d+; \d+ of 80 pixels$")
         for name in ("expected", "actual", "difference"):
@@ -53,10 +75,19 @@ class Frames(ConformTest):
         self.assertIn("SMP-3", self.hmlfc(*words))
 
     def test_the_first_wrong_number(self):
-        code, report = self.frames(FAULTY, "--filter", "frames/blend-focus-near", output="faulty")
-        self.assertEqual(code, 1)
-        result = self.results(report)["frames/blend-focus-near"]
-        self.assertRegex(result["stage"], r"^stage view \(RAY-4\), x of view 1,2: -?\d+ instead of -?\d+$")
+        wrong = r"pixel 0,0 R: \d+ instead of \d+; \d+ of \d+ pixels"
+        for other, reason, stage in (
+            ("", wrong, r"stage view \(RAY-4\), x of view 1,2: -?\d+ instead of -?\d+"),
+            ("silent", wrong, "the renderer's trace has no number to compare"),
+            ("failing", wrong, "no trace: bad_mode"),
+            ("ending", wrong + "; and then its trace: exit status 0 without an answer at .*", ""),
+            ("number-42", r'wrong answer to \'record .*\': "42" after 41 numbers', ""),
+        ):
+            code, report = self.frames(f"{FAULTY} {other}", "--filter", "frames/blend-focus-near", output="faulty")
+            self.assertEqual(code, 1)
+            result = self.results(report)["frames/blend-focus-near"]
+            self.assertRegex(result["reason"], f"^{reason}$")
+            self.assertRegex(result.get("stage", ""), f"^{stage}$")
 
     def test_a_profile_and_a_claim(self):
         """A renderer of profile plane claims no frame with geometry."""
@@ -71,7 +102,8 @@ class Frames(ConformTest):
         self.assertEqual(claim["claims"]["renderer"]["profile"], "plane")
         self.assertEqual(claim["suite"]["part"], "frames")
         self.assertEqual(claim["results"]["frames/blend-all"], "pass")
-        self.hmlfc("conform", "--suite", SUITE, "--verify", "flat-claim.json", "--dut", "flat.json", "-o", "verified")
+        self.assertRegex(claim["milestones"]["geometry"], r"^0 of \d+ pass$")
+        self.hmlfc("conform", "--suite", SUITE, "--verify", "flat-claim.json", "--dut", "flat.json", "-o", "verified", "--json")
 
     def test_a_suite_without_frames(self):
         older = {key: value for key, value in self.manifest.items() if "frame" not in key}
@@ -103,7 +135,8 @@ class Frames(ConformTest):
         self.assertEqual({result["status"] for result in report["runs"][0]["results"]}, {"not_supported"})
 
     def test_fuzz_and_minimise(self):
-        self.hmlfc("fuzz-dut", "--frames", "--dut", MODEL, "--count", "12", "--seed", "3", "-o", "fuzz")
+        right = self.run_hmlfc("fuzz-dut", "--frames", "--dut", MODEL, "--count", "12", "--seed", "3", "-o", "fuzz")
+        self.assertEqual(right.returncode, DONE, right.stderr)
         wrong = RENDER.replace("{camera}", "{camera},focus=9")
         command = ("fuzz-dut", "--frames", "--dut", wrong, "--count", "8", "--failures", "1", "-o", "found")
         self.assertEqual(self.run_hmlfc(*command).returncode, 1)
@@ -113,7 +146,12 @@ class Frames(ConformTest):
         words = ",".join(f"{name}={value}" for name, value in camera.items())
         self.hmlfc("minimise", stream, "--dut", wrong, "--inputs", words, "--trials", "20", "-o", "small.hmlfc")
         self.assertLess((self.folder / "small.hmlfc").stat().st_size, stream.stat().st_size)
-        self.refused(USAGE, "minimise", stream, "--dut", wrong, "--inputs", "nonsense=1", "-o", "x.hmlfc", says="CAM-3")
+
+    def test_minimise_a_map(self):
+        """It keeps the view."""
+        self.hmlfc("minimise", CARDS, "--dut", f"{FAULTY} map", "--map", "1,2", "--trials", "12", "-o", "map.hmlfc")
+        self.assertLess((self.folder / "map.hmlfc").stat().st_size, CARDS.stat().st_size)
+        self.assertGreaterEqual(self.hmlfc_json("info", "map.hmlfc")["cols"], 3)
 
 
 if __name__ == "__main__":

@@ -176,6 +176,7 @@ class Runner(ConformTest):
             ({"profile": "high"}, "high"),
             ({"limits": {"depth": 16}}, "[8, 12]"),
             ({"waivers": [{"vector": "real/x", "reason": ""}]}, "no reason"),
+            ({"waivers": [{"vector": "real/x", "reason": "later"}]}, 'it waives "real/x", which the suite does not have'),
             ({"library": "x.so"}, "exactly one"),
         ):
             with self.subTest(keys=keys):

@@ -60,6 +60,19 @@ void add_number(CLI::App& app, const std::string& name, T& target, const std::st
 
 }  // namespace
 
+CLI::Option* add_inputs(CLI::App& app, const std::string& description,
+                        std::function<void(const hmlfc_dut_camera&)> store) {
+  const auto reader = [store = std::move(store)](const std::string& text) {
+    try {
+      store(vectors::camera_from_words(text));
+    } catch (const io::TextError& error) {
+      throw CLI::ValidationError("--inputs", error.what());
+    }
+    return true;
+  };
+  return add_value(app, "--inputs", "NAME=X,...", description, "", reader);
+}
+
 void add_camera_options(CLI::App& app, CameraOptions& options) {
   Camera& camera = options.camera;
   const size_t before = app.get_options().size();
@@ -96,12 +109,9 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       ->type_name("PATH");
   add_integer(app, "--frames", options.frames, 1, 100000, "Frames of orbit, line and focus")
       ->default_str(std::to_string(kPathFrames));
-  CLI::Option* inputs = add_value(
-      app, "--inputs", "NAME=X,...", "Instead: the camera by its inputs (CAM-3)",
-      "inputs of CAM-3, such as pu=1.5,pv=0,pz=-2,focus=0.5", [&options](const std::string& text) {
-        if (const auto read = vectors::camera_from_words(text)) options.inputs = camera_of(*read);
-        return options.inputs.has_value();
-      });
+  CLI::Option* inputs =
+      add_inputs(app, "Instead: the camera by its inputs (CAM-3)",
+                 [&options](const hmlfc_dut_camera& given) { options.inputs = camera_of(given); });
   add_number(app, "--focal", camera.focal, "Focal length of the views, pixels",
              "their longer side");
   add_number(app, "--shear", camera.shear, "Disparity at infinity, pixels per column", "0");

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
+#include <hmlfc/hmlfc_dut.h>
 #include <hmlfc/camera.hpp>
 
 #include "cli/commands.hpp"
@@ -37,6 +39,10 @@ struct CameraOptions {
   std::string path;           ///< "", "orbit", "line", "focus" or a JSON file
   std::optional<int> frames;  ///< else kPathFrames
 };
+
+/// Adds --inputs: a camera by its inputs of CAM-3, such as pu=1.5,pv=0,pz=-2.
+CLI::Option* add_inputs(CLI::App& app, const std::string& description,
+                        std::function<void(const hmlfc_dut_camera&)> store);
 
 /// Adds --camera, --look-at, --fov, --size, --filter, --geometry, --focus, --focus-at, --aperture,
 /// --path, --frames, --inputs and those of the light field's own geometry.

@@ -95,15 +95,26 @@ conform::Claim claim_on(const conform::Suite& suite, const conform::Dut& dut,
   return value_or_throw(conform::claim_of(suite, dut, dut_text), ExitCode::kInput);
 }
 
-conform::Suite suite_of(const ConformOptions& options) {
-  return value_or_throw(conform::open_suite(options.suite, options.frames), ExitCode::kInput);
+// The suite, which has each vector of the part to be run that the decoders waive.
+conform::Suite suite_for(const std::vector<conform::Dut>& duts, const ConformOptions& options) {
+  auto suite = value_or_throw(conform::open_suite(options.suite, options.frames), ExitCode::kInput);
+  for (const conform::Dut& dut : duts) {
+    for (const auto& [id, reason] : dut.waivers) {
+      if (id.starts_with("frames/") != options.frames || suite.manifest.find(id) != nullptr)
+        continue;
+      throw Failure(ExitCode::kUsage, fmt::format("{}: it waives {}, which the suite does not have",
+                                                  dut.name, io::shown_json(id)));
+    }
+  }
+  return suite;
 }
 
 // What differs from the claim; before the run as far as it is known then.
 std::optional<std::string> verify_again(const conform::Claim& claimed,
                                         const ConformOptions& options) {
-  const auto dut = options.dut.read().front();
-  const auto suite = suite_of(options);
+  const auto duts = options.dut.read();
+  const conform::Dut& dut = duts.front();
+  const auto suite = suite_for(duts, options);
   auto found = claim_on(suite, dut, claimed.at("decoder").at("dut").get<std::string>());
   if (auto difference = conform::claim_difference(claimed, found)) return difference;
   const auto lock = take_report_folder(options);
@@ -181,7 +192,7 @@ ExitCode run_conform(const ConformOptions& given) {
     check_whole(options, "--claim");
     check_replaceable({options.claim}, {R"("manifest_sha256")", options.force});
   }
-  const auto suite = suite_of(options);
+  const auto suite = suite_for(duts, options);
   const auto lock = take_report_folder(options);
   conform::Report report{
       suite.manifest.vectors_version, suite.manifest_sha256, conform::this_system(kProgram), {}};

@@ -12,6 +12,7 @@
 #include <hmlfc/stream_info.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/camera_options.hpp"
 #include "cli/dut_options.hpp"
 #include "conform/minimise.hpp"
 #include "conform/runner.hpp"
@@ -238,13 +239,9 @@ Example:
   hmlfc minimise chess.hmlfc --dut 'sh -c "exit 1" {input} {output}' --trials 20 -o small.hmlfc)");
   add_path(app, "FILE", options.file, "A valid stream on which the decoder fails");
   options.dut.add_to(app, false);
-  const auto read_camera = [&options](const std::string& text) {
-    options.frame.camera = vectors::camera_from_words(text);
-    return options.frame.camera.has_value();
-  };
-  CLI::Option* inputs = add_value(app, "--inputs", "NAME=X,...",
-                                  "A renderer fails at the frame of this camera (CAM-3)",
-                                  "inputs of CAM-3, such as pu=1.5,pv=0,pz=-2", read_camera);
+  CLI::Option* inputs =
+      add_inputs(app, "A renderer fails at the frame of this camera (CAM-3)",
+                 [&options](const hmlfc_dut_camera& camera) { options.frame.camera = camera; });
   add_integer(app, "--stop-level", options.stop_level, 0, 15, "Stop level of that frame");
   add_numbers<2>(app, "--map", "R,C", ',', "row,column", "It fails at the disparity map of a view",
                  [&options](const auto& n) {

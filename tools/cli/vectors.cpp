@@ -42,18 +42,17 @@ struct SuiteOptions {
 vectors::Manifest manifest_of(const SuiteOptions& options) {
   auto manifest = value_or_throw(vectors::read_manifest(options.suite), ExitCode::kInput);
   const bool frames = options.frames || options.id.starts_with("frames/") ||
+                      options.group == "frames" ||
                       &vectors::milestones_with(options.milestone) == &vectors::frame_milestones();
   return frames ? vectors::frames_of(std::move(manifest)) : manifest;
 }
 
 // The vector that the options name; a usage failure where there is none.
 const vectors::Vector& vector_of(const vectors::Manifest& manifest, const SuiteOptions& options) {
-  const auto found = std::ranges::find_if(manifest.vectors, [&](const vectors::Vector& vector) {
-    return vector.id.text() == options.id;
-  });
-  if (found != manifest.vectors.end()) return *found;
+  if (const vectors::Vector* found = manifest.find(options.id)) return *found;
   throw Failure(ExitCode::kUsage,
-                "there is no vector " + options.id + "; hmlfc vectors list shows them all");
+                fmt::format("there is no vector {}; hmlfc vectors list{} shows them all",
+                            options.id, options.id.starts_with("frames/") ? " --frames" : ""));
 }
 
 bool is_chosen(const vectors::Vector& vector, const SuiteOptions& options) {
@@ -84,8 +83,11 @@ ExitCode run_list(const SuiteOptions& options) {
   if (options.json) {
     print_json(rows);
   } else {
-    print(fmt::format("{}{} of {} vectors, version {}\n", text, count, manifest.vectors.size(),
-                      manifest.vectors_version));
+    const char* others = count != 0       ? ""
+                         : options.frames ? ": see also without --frames"
+                                          : ": see also --frames, for renderers";
+    print(fmt::format("{}{} of {} vectors, version {}{}\n", text, count, manifest.vectors.size(),
+                      manifest.vectors_version, others));
   }
   return ExitCode::kDone;
 }

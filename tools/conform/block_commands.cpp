@@ -40,7 +40,10 @@ std::string quoted(const std::string& word) {
 // The command that shows how the wrong pixel of a frame comes about.
 std::string frame_command(const Suite& suite, const vectors::Vector& vector,
                           const VectorResult& result) {
-  if (!result.difference) return fmt::format("hmlfc vectors explain {}", vector.id.text());
+  if (!result.difference) {
+    return fmt::format("hmlfc vectors explain {} --suite {}", vector.id.text(),
+                       suite.folder.string());
+  }
   const std::string stream = stream_of(suite, vector);
   const auto levels = static_cast<int64_t>(geometry_of(stream).tree_height) + 1;
   return fmt::format("hmlfc render {} --inputs {} --levels {} --trace {},{}", stream,

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "conform/summary.hpp"
 #include "io/files.hpp"
 #include "io/json_text.hpp"
 #include "vectors/digest.hpp"
@@ -113,6 +114,11 @@ void add_results(Claim& claim, const Run& run, const SystemInfo& system) {
   Claim& results = claim["results"] = Claim::object();
   for (const VectorResult& result : run.results)
     results[result.id.text()] = status_name(result.status);
+  for (const MilestoneCount& milestone : summarise(run).milestones) {
+    if (milestone.vectors == 0) continue;
+    claim["milestones"][milestone.name] =
+        fmt::format("{} of {} pass", milestone.pass, milestone.vectors);
+  }
 }
 
 io::IoResult<void> write_claim(const fs::path& file, const Claim& claim) {

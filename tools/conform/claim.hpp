@@ -21,7 +21,8 @@ using Claim = nlohmann::json;
 /// a file of the decoder cannot be read.
 io::IoResult<Claim> claim_of(const Suite& suite, const Dut& dut, const std::string& dut_text);
 
-/// Adds the results of a run, the program that ran it and the date.
+/// Adds the results of a run, how many pass of each milestone, the program that ran it and the
+/// date.
 void add_results(Claim& claim, const Run& run, const SystemInfo& system);
 
 /// Writes {"claim": claim, "sha256": SHA-256 of the claim's text without blanks}. Errors: cannot

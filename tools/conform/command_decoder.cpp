@@ -58,6 +58,13 @@ ProcessOutcome run_command(const std::vector<std::string>& command, const Proces
   return outcome;
 }
 
+void wrong_output(const std::filesystem::path& output, std::string what) {
+  const std::string above = output.parent_path().string() + "/";
+  const size_t at = what.find(above);
+  if (at != what.npos) what.erase(at, above.size());
+  throw DutFailure{Status::kFail, "wrong output: " + what};
+}
+
 hmlfc_dut_geometry geometry_of(const std::filesystem::path& file) {
   const auto mapped = io::map_file(file);
   if (!mapped) return {};
@@ -92,13 +99,7 @@ DutAnswer<hmlfc_dut_geometry> CommandDecoder::open(const std::filesystem::path& 
 DutAnswer<RgbImage> CommandDecoder::view(ViewPos view) {
   if (views_.empty()) {
     auto views = read_output_views(output_, shape_);
-    if (!views) {
-      std::string reason = "wrong output: " + views.error().message;
-      const std::string above = output_.parent_path().string() + "/";
-      const size_t at = reason.find(above);
-      if (at != reason.npos) reason.erase(at, above.size());
-      throw DutFailure{Status::kFail, std::move(reason)};
-    }
+    if (!views) wrong_output(output_, views.error().message);
     views_ = std::move(*views);
   }
   return views_[size_t{view.row} * shape_.cols + view.col];

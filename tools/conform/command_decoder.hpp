@@ -53,6 +53,9 @@ std::string first_name(std::string_view messages, std::span<const std::string_vi
 /// The names of all errors of annex A.
 std::vector<std::string_view> all_error_names();
 
+/// Throws DutFailure: what is wrong with the output of a run in the folder `output`.
+[[noreturn]] void wrong_output(const std::filesystem::path& output, std::string what);
+
 /// The header of `file` as a decoder reports it; zeros where it cannot be read.
 hmlfc_dut_geometry geometry_of(const std::filesystem::path& file);
 

@@ -8,7 +8,6 @@
 
 #include "conform/command_decoder.hpp"
 #include "conform/output_views.hpp"
-#include "io/files.hpp"
 
 namespace hmlfc::conform {
 namespace {
@@ -17,11 +16,6 @@ bool has(const std::vector<std::string>& command, std::string_view place) {
   return std::ranges::any_of(
       command, [&](const std::string& word) { return word.find(place) != std::string::npos; });
 }
-
-// The names of the inputs of CAM-3 that a camera can be refused for.
-constexpr std::string_view kInputs[] = {"frame_width", "frame_height", "focal",   "shear",
-                                        "row_pitch",   "position",     "look_at", "tan_half",
-                                        "focus",       "aperture",     "filter",  "geometry"};
 
 }  // namespace
 
@@ -46,8 +40,8 @@ DutAnswer<void> CommandRenderer::run(const std::vector<std::string>& command, co
   if (outcome.value == 0) return {};
   std::string name;
   if (dut_.error_names) {
-    name =
-        refused_camera ? first_name(messages_, kInputs) : first_name(messages_, all_error_names());
+    name = refused_camera ? first_name(messages_, kCameraInputs)
+                          : first_name(messages_, all_error_names());
   }
   if (name.empty()) name = to_string(outcome) + last_words(messages_);
   return tl::unexpected(std::move(name));
@@ -66,9 +60,10 @@ DutAnswer<DutFrame> CommandRenderer::frame(const vectors::FrameCase& request) {
   if (auto done = run(dut_.frame, places, !request.record); !done) {
     return tl::unexpected(done.error());
   }
+  if (size.sha256.empty()) return DutFrame{};  // an error should have come
   auto image = read_output_frame(output_, size.width, size.height, size.depth);
-  if (image) return DutFrame{std::move(*image)};
-  throw DutFailure{Status::kFail, "wrong output: " + image.error().message};
+  if (!image) wrong_output(output_, image.error().message);
+  return DutFrame{std::move(*image)};
 }
 
 DutAnswer<std::vector<BlockDisparity>> CommandRenderer::map(ViewPos view, size_t blocks) {
@@ -77,19 +72,9 @@ DutAnswer<std::vector<BlockDisparity>> CommandRenderer::map(ViewPos view, size_t
                       {"view_row", std::to_string(view.row)},
                       {"view_col", std::to_string(view.col)}};
   if (auto done = run(dut_.disparity, places, false); !done) return tl::unexpected(done.error());
-  const auto file = io::map_file(output_ / "map.raw");
-  const size_t bytes = file ? file->bytes().size() : 0;
-  if (!file || bytes != 3 * blocks) {
-    throw DutFailure{
-        Status::kFail,
-        file ? fmt::format("wrong output: map.raw has {} bytes instead of {}", bytes, 3 * blocks)
-             : "wrong output: " + file.error().message};
-  }
-  std::vector<BlockDisparity> map;
-  for (auto rest = file->bytes(); !rest.empty(); rest = rest.subspan(3)) {
-    map.push_back({static_cast<int16_t>(rest[0] | rest[1] << 8), rest[2]});
-  }
-  return map;
+  auto map = read_output_map(output_, blocks);
+  if (!map) wrong_output(output_, map.error().message);
+  return std::move(*map);
 }
 
 std::string CommandRenderer::take_messages() { return std::exchange(messages_, {}); }

@@ -25,7 +25,8 @@ struct Difference {
   std::string channel;  ///< "R", "G" or "B"
   int expected = 0;
   int actual = 0;
-  std::vector<Plane> planes;  ///< planes of YCoCg (COL-1) in which the block's pixels differ
+  std::vector<Plane>
+      planes;  ///< of YCoCg (COL-1) in which the block's pixels differ; not of frames
   uint64_t wrong_blocks = 0;  ///< of all views
   uint64_t blocks = 0;
   uint64_t wrong_views = 0;

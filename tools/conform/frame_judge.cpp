@@ -20,10 +20,6 @@ namespace {
 using vectors::FrameCase;
 using vectors::Outcome;
 
-constexpr const char* kOtherSuite =
-    "equal to the golden model, which differs from the manifest: the suite is of another version "
-    "or damaged";
-
 class FrameJudge {
  public:
   FrameJudge(const Trial& trial, RunningDut& dut, VectorResult& result)
@@ -152,7 +148,9 @@ class FrameJudge {
     if (!drawn) return set(Status::kError, "the golden model cannot draw the frame");
     result_.difference = first_difference({expected.image}, {actual}, 1, 1);
     if (!result_.difference) return set(Status::kError, kOtherSuite);
-    const Difference& d = *result_.difference;
+    Difference& d = *result_.difference;
+    d.planes.clear();  // a frame has none
+    result_.kind = "wrong pixels";
     fail(fmt::format("pixel {},{} {}: {} instead of {}; {} of {} pixels", d.x, d.y, d.channel,
                      d.actual, d.expected, d.wrong_blocks, d.blocks));
     result_.stage = wrong_stage(golden, record, d);

@@ -188,9 +188,7 @@ class StreamJudge {
     }
     if (passes()) describe_difference(golden, expected, actual);
     if (!passes() || trial_.views == nullptr) return;
-    set(Status::kError,
-        "equal to the golden model, which differs from the manifest: the suite is of another "
-        "version or damaged");
+    set(Status::kError, kOtherSuite);
   }
 
   // Sets difference, reason, stage and pictures where the views differ.

@@ -25,6 +25,11 @@ struct Trial {
   const vectors::FrameCase* frame = nullptr;  ///< asked for instead of views; null: none
 };
 
+/// Why right samples are no pass.
+inline constexpr const char* kOtherSuite =
+    "equal to the golden model, which differs from the manifest: the suite is of another version "
+    "or damaged";
+
 /// Runs the decoder and compares what it does with `trial.expect`, its views with `trial.views` or
 /// else with the golden model's. A decoder that answers for blocks is asked for some: of a stream
 /// in which blocks fail for every block and, of up to 256 blocks, for every stop level above 0; of

@@ -217,6 +217,7 @@ DutAnswer<DutFrame> LineDecoder::frame(const vectors::FrameCase& request) {
   if (!answer) return tl::unexpected(answer.error());
   std::string_view rest = *answer;
   DutFrame frame;
+  if (size.sha256.empty()) return frame;  // an error should have come
   for (int64_t* counted : {&frame.counts.pixels_outside, &frame.counts.blocks_needed,
                            &frame.counts.disparities_looked_up}) {
     if (take_word(rest, "-")) continue;

@@ -155,11 +155,15 @@ class LineServer {
   int record(std::istream& words, std::string& text) {
     std::string word;
     words >> word;
-    const auto camera = vectors::camera_from_words(word);
-    if (!camera) return kBadRequest;
+    hmlfc_dut_camera camera;
+    try {
+      camera = vectors::camera_from_words(word);
+    } catch (const io::TextError&) {
+      return kBadRequest;
+    }
     int32_t record[HMLFC_DUT_RECORD_NUMBERS] = {};
     const char* input = nullptr;
-    const int status = checked(functions_.frame_record(stream_.get(), &*camera, record, &input));
+    const int status = checked(functions_.frame_record(stream_.get(), &camera, record, &input));
     if (status == 1 && input != nullptr) {
       text = input;
       return kRefused;

@@ -1,11 +1,17 @@
 #include "conform/output_views.hpp"
 
 #include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "io/files.hpp"
 #include "io/image_files.hpp"
+#include "io/json_text.hpp"
 #include "io/view_list.hpp"
 
 namespace hmlfc::conform {
@@ -48,8 +54,14 @@ io::IoResult<RgbImage> read_picture(const std::filesystem::path& path,
   // A picture of another size is to be named, not to take much memory.
   const uint64_t samples = uint64_t{shape.width} * shape.height * 3;
   const io::ImageLimits limits{std::max(4 * samples, kLeastLimit)};
-  auto image = io::read_image(path, limits);
+  io::Notes notes;
+  auto image = io::read_image(path, limits, &notes);
   if (!image) return image;
+  for (const std::string& line : notes.lines()) {
+    if (line.ends_with(io::kSurplusNote)) {
+      return io::file_error(path, "goes on after the end of the picture");
+    }
+  }
   if (image->width == shape.width && image->height == shape.height && image->depth == shape.depth) {
     return image;
   }
@@ -57,6 +69,29 @@ io::IoResult<RgbImage> read_picture(const std::filesystem::path& path,
       path, fmt::format("is a picture of {} x {} pixels of {} bits instead of {} x {} of {}",
                         image->width, image->height, image->depth, shape.width, shape.height,
                         shape.depth));
+}
+
+// The only file in the folder with one of these names, whose content is `what`.
+io::IoResult<std::filesystem::path> only_output(const std::filesystem::path& folder,
+                                                std::span<const std::string_view> names,
+                                                const std::string& what) {
+  std::string other;
+  std::vector<std::string> found;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    std::string name = entry.path().filename().string();
+    if (std::ranges::count(names, name) != 0) found.push_back(name);
+    other = std::move(name);
+  }
+  if (found.size() == 1) return folder / found.front();
+  std::ranges::sort(found);
+  if (!found.empty()) {
+    return io::file_error(folder, fmt::format("has {}: one is enough", fmt::join(found, " and ")));
+  }
+  return io::file_error(folder,
+                        fmt::format("{} instead of {}, {}",
+                                    other.empty() ? "is empty" : "has " + io::shown_json(other),
+                                    fmt::join(names, " or "), what));
 }
 
 }  // namespace
@@ -84,17 +119,31 @@ io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::pat
 
 io::IoResult<RgbImage> read_output_frame(const std::filesystem::path& folder, uint32_t width,
                                          uint32_t height, int depth) {
+  constexpr std::string_view kNames[] = {"frame.raw", "frame.png", "frame.ppm"};
+  const auto file =
+      only_output(folder, kNames, fmt::format("{} x {} pixels of {} bits", width, height, depth));
+  if (!file) return tl::unexpected(file.error());
   const LightFieldShape shape{1, 1, width, height, depth};
-  std::error_code ignored;
-  const auto is_there = [&](const char* name) {
-    return std::filesystem::exists(folder / name, ignored);
-  };
-  if (is_there("frame.raw")) {
-    return read_raw(folder / "frame.raw", shape).map([](auto&& images) {
-      return std::move(images.front());
-    });
+  if (file->extension() != ".raw") return read_picture(*file, shape);
+  return read_raw(*file, shape).map([](auto&& images) { return std::move(images.front()); });
+}
+
+io::IoResult<std::vector<BlockDisparity>> read_output_map(const std::filesystem::path& folder,
+                                                          size_t blocks) {
+  constexpr std::string_view kNames[] = {"map.raw"};
+  const std::string size = fmt::format("{} bytes, 3 for each of {} blocks", 3 * blocks, blocks);
+  const auto file = only_output(folder, kNames, size).and_then(io::map_file);
+  if (!file) return tl::unexpected(file.error());
+  auto rest = file->bytes();
+  if (rest.size() != 3 * blocks) {
+    return io::file_error(folder / kNames[0],
+                          fmt::format("has {} bytes instead of {}", rest.size(), size));
   }
-  return read_picture(folder / (is_there("frame.ppm") ? "frame.ppm" : "frame.png"), shape);
+  std::vector<BlockDisparity> map;
+  for (; !rest.empty(); rest = rest.subspan(3)) {
+    map.push_back({static_cast<int16_t>(rest[0] | rest[1] << 8), rest[2]});
+  }
+  return map;
 }
 
 }  // namespace hmlfc::conform

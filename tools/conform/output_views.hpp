@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include <hmlfc/disparity.hpp>
 #include <hmlfc/image.hpp>
 #include <hmlfc/light_field.hpp>
 
@@ -23,8 +24,13 @@ inline constexpr const char* kRawViewsName = "views.raw";
 io::IoResult<std::vector<RgbImage>> read_output_views(const std::filesystem::path& folder,
                                                       const LightFieldShape& shape);
 
-/// The frame in `folder`: frame.raw (raw form), else frame.png or frame.ppm. Errors: as above.
+/// The frame in `folder`: one of frame.raw (raw form), frame.png and frame.ppm. Errors: as above,
+/// or two of them.
 io::IoResult<RgbImage> read_output_frame(const std::filesystem::path& folder, uint32_t width,
                                          uint32_t height, int depth);
+
+/// The map of this many blocks in `folder`: map.raw (vectors/README.md).
+io::IoResult<std::vector<BlockDisparity>> read_output_map(const std::filesystem::path& folder,
+                                                          size_t blocks);
 
 }  // namespace hmlfc::conform

@@ -5,6 +5,7 @@
 
 #include "conform/report.hpp"
 #include "conform/summary.hpp"
+#include "vectors/milestone.hpp"
 
 namespace hmlfc::conform {
 namespace {
@@ -75,8 +76,9 @@ std::string where_to_go_on(const Run& run, const Summary& summary) {
   if (summary.next == nullptr) {
     return text + "  It is the last one: now run all without --milestone.\n";
   }
-  return text + fmt::format("  Next: --milestone {}, a decoder that {}\n", summary.next->name,
-                            summary.next->claim);
+  const bool renders = &vectors::milestones_with(run.milestone) == &vectors::frame_milestones();
+  return text + fmt::format("  Next: --milestone {}, a {} that {}\n", summary.next->name,
+                            renders ? "renderer" : "decoder", summary.next->claim);
 }
 
 }  // namespace

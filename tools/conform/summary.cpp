@@ -110,13 +110,14 @@ std::string_view first_stage(std::string_view stages) {
 // What failures have in common.
 std::string cause_of(const VectorResult& result) {
   if (result.not_counted) return "not counted: the base does not pass";
-  std::string text = result.difference     ? "wrong samples"
-                     : result.kind.empty() ? without_numbers(result.reason)
-                                           : result.kind;
+  std::string text = !result.kind.empty() ? result.kind
+                     : result.difference  ? "wrong samples"
+                                          : without_numbers(result.reason);
   if (const std::string_view stage = first_stage(result.stage); !stage.empty()) {
     text += fmt::format("; first wrong stage {}", stage);
   } else if (result.difference) {
-    text += " in " + planes_text(result.difference->planes);
+    const auto& planes = result.difference->planes;
+    text += " in " + (planes.empty() ? "milestone " + result.milestone : planes_text(planes));
   }
   return text;
 }
@@ -153,6 +154,7 @@ const MilestoneCount* next_claimed(const std::vector<MilestoneCount>& milestones
 }  // namespace
 
 void Count::add(const VectorResult& result) {
+  ++vectors;
   claimed += result.status != Status::kNotSupported;
   skipped += result.status == Status::kSkipped;
   pass += result.status == Status::kPass;

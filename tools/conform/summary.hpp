@@ -12,6 +12,7 @@ namespace hmlfc::conform {
 
 /// How vectors that belong together stand.
 struct Count {
+  size_t vectors = 0;  ///< all of them
   size_t claimed = 0;  ///< that are required of the decoder
   size_t pass = 0;
   size_t skipped = 0;

@@ -19,6 +19,9 @@ struct ImageLimits {
   uint64_t max_samples = uint64_t{1} << 31;  ///< width * height * 3; checked before allocation
 };
 
+/// The note of a file that has bytes after its picture.
+inline constexpr const char* kSurplusNote = "what follows the end of the picture is ignored";
+
 /// Reads a PNG, JPEG, TIFF, WebP, PPM or PGM file; the content tells the format, not the name. What
 /// is changed or left out is added to `notes`, unless it is null.
 ///

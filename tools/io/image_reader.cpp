@@ -54,7 +54,7 @@ void ImageSource::note_depth(int bits) const {
 }
 
 void ImageSource::note_surplus(size_t count) const {
-  if (count > 0) note("what follows the end of the picture is ignored");
+  if (count > 0) note(kSurplusNote);
 }
 
 void ImageSource::note_profile(std::span<const uint8_t> profile) const {

@@ -3,28 +3,45 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <ranges>
 #include <string_view>
 #include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace hmlfc::vectors {
 namespace {
 
-const DutCameraInput* input_named(std::string_view name) {
-  const auto found = std::ranges::find(kDutCameraInputs, name, &DutCameraInput::name);
-  return found == std::end(kDutCameraInputs) ? nullptr : found;
+void set_input(hmlfc_dut_camera& camera, std::string_view name, double value) {
+  const auto input = std::ranges::find(kDutCameraInputs, name, &DutCameraInput::name);
+  if (input == std::end(kDutCameraInputs)) {
+    const auto names = std::views::transform(kDutCameraInputs, &DutCameraInput::name);
+    throw TextError(fmt::format("{} is no input of CAM-3: these are {}", io::shown_json(name),
+                                fmt::join(names, ", ")));
+  }
+  camera.*input->value = value;
 }
 
-// Whether all or none of the coordinates of each point are given, and integers are integers.
-bool is_well_formed(const hmlfc_dut_camera& c) {
-  for (const double x : {c.frame_width, c.frame_height, c.aperture, c.filter, c.geometry}) {
-    if (!std::isnan(x) && !(x >= 0 && x <= 65536 && x == std::floor(x))) return false;
+// All or none of the coordinates of each point are given, and integers are integers.
+void check_form(const hmlfc_dut_camera& c) {
+  const std::tuple<const char*, double, int> integers[] = {
+      {"frame_width", c.frame_width, kMaxFrameSide},
+      {"frame_height", c.frame_height, kMaxFrameSide},
+      {"aperture", c.aperture, kMaxAperture},
+      {"filter", c.filter, 2},
+      {"geometry", c.geometry, 1}};
+  for (const auto& [name, x, greatest] : integers) {
+    const int most = greatest < 256 ? 255 : 65536;  // that camera_of() leaves as it is
+    if (std::isnan(x) || (x >= 0 && x <= most && x == std::floor(x))) continue;
+    throw TextError(fmt::format("{} is {}, no integer up to {}", name, x, greatest));
   }
-  const auto alike = [](double x, double y, double z) {
-    return std::isnan(x) == std::isnan(y) && std::isnan(x) == std::isnan(z);
+  const auto check_point = [](double x, double y, double z, const char* names) {
+    if (std::isnan(x) == std::isnan(y) && std::isnan(x) == std::isnan(z)) return;
+    throw TextError(fmt::format("{} are one point: give all three or none", names));
   };
-  return alike(c.pu, c.pv, c.pz) && alike(c.qu, c.qv, c.qz);
+  check_point(c.pu, c.pv, c.pz, "pu, pv and pz");
+  check_point(c.qu, c.qv, c.qz, "qu, qv and qz");
 }
 
 }  // namespace
@@ -99,16 +116,10 @@ hmlfc_dut_camera camera_from(const Json& json) {
   if (!json.is_object()) throw TextError("a camera is an object");
   hmlfc_dut_camera camera = default_dut_camera();
   for (const auto& [name, value] : json.items()) {
-    const DutCameraInput* input = input_named(name);
-    if (input == nullptr || !value.is_number()) {
-      throw TextError(io::shown_json(name) + " is no number that CAM-3 names");
-    }
-    camera.*input->value = value.get<double>();
+    if (!value.is_number()) throw TextError(io::shown_json(name) + " of a camera is no number");
+    set_input(camera, name, value.get<double>());
   }
-  if (!is_well_formed(camera)) {
-    throw TextError(
-        "a point of a camera has three coordinates, and sizes and choices are integers");
-  }
+  check_form(camera);
   return camera;
 }
 
@@ -148,23 +159,21 @@ std::string camera_words(const Camera& camera) {
   return camera_words(dut);
 }
 
-std::optional<hmlfc_dut_camera> camera_from_words(std::string_view words) {
+hmlfc_dut_camera camera_from_words(std::string_view words) {
   hmlfc_dut_camera camera = default_dut_camera();
   while (!words.empty()) {
     const std::string_view word = words.substr(0, words.find(','));
     words.remove_prefix(std::min(word.size() + 1, words.size()));
     const size_t equals = std::min(word.find('='), word.size());
-    const DutCameraInput* input = input_named(word.substr(0, equals));
     const std::string_view number = word.substr(std::min(equals + 1, word.size()));
     double value = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (input == nullptr || error != std::errc{} || end != number.data() + number.size() ||
-        !std::isfinite(value)) {
-      return std::nullopt;
+    set_input(camera, word.substr(0, equals), value);
+    if (error != std::errc{} || end != number.data() + number.size() || !std::isfinite(value)) {
+      throw TextError(io::shown_json(word) + " is not NAME=NUMBER");
     }
-    camera.*input->value = value;
   }
-  if (!is_well_formed(camera)) return std::nullopt;
+  check_form(camera);
   return camera;
 }
 

@@ -61,8 +61,8 @@ std::string camera_words(const hmlfc_dut_camera& camera);
 /// The same of a camera that camera_of() would give: all inputs that are set and no defaults.
 std::string camera_words(const Camera& camera);
 
-/// The camera of such words; nothing for another text.
-std::optional<hmlfc_dut_camera> camera_from_words(std::string_view words);
+/// The camera of such words. Throws TextError, which names the input that is wrong.
+hmlfc_dut_camera camera_from_words(std::string_view words);
 
 /// The raw form of a map: for each block, row by row, its disparity as two bytes, little-endian,
 /// and its confidence as one.

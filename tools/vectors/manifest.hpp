@@ -2,6 +2,7 @@
 // each (vectors/README.md).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -89,6 +90,12 @@ struct Manifest {
   std::vector<Vector> vectors;  ///< by id
   std::string frames_version;
   std::vector<Vector> frames;  ///< for renderers: group "frames", streams of `vectors`; by id
+
+  /// The one of `vectors` with this id, or null.
+  const Vector* find(const std::string& id) const {
+    const auto at = std::ranges::find(vectors, id, [](const Vector& v) { return v.id.text(); });
+    return at == vectors.end() ? nullptr : &*at;
+  }
 };
 
 /// The same suite for renderers: its frames stand in place of the vectors.

@@ -125,10 +125,15 @@ struct FrameRecord {
 };
 static_assert(sizeof(FrameRecord) == 164);
 
+/// The inputs of CAM-3 in its order, as CameraError names them.
+inline constexpr std::string_view kCameraInputs[] = {
+    "frame_width", "frame_height", "focal", "shear",    "row_pitch", "position",
+    "look_at",     "tan_half",     "focus", "aperture", "filter",    "geometry"};
+
 /// Why a camera takes no frame.
 struct CameraError {
   std::string message;     ///< one line for people: the input and its interval
-  std::string_view input;  ///< the input's name in CAM-3, such as "look_at"; a literal
+  std::string_view input;  ///< one of kCameraInputs; a literal
 };
 
 /// The record of `camera` in front of a light field of this header (CAM-3, CAM-4, REC-1 to REC-3):
