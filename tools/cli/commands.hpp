@@ -8,6 +8,7 @@
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own
 class App;
+class Option;
 }
 
 namespace hmlfc::cli {
