@@ -91,5 +91,6 @@ view/hmlfc_strip_scan.sv
 view/hmlfc_strip_collect.sv
 view/hmlfc_strip_pack.sv
 view/hmlfc_strip_writer.sv
+view/hmlfc_view_guard.sv
 view/hmlfc_view_dma.sv
 view/hmlfc_view_unit.sv

@@ -23,6 +23,7 @@ package hmlfc_pkg;
   localparam int PENDING_BITS = JOB_BITS + 55;
   localparam int READ_REQUEST_BITS = ADDRESS_BITS + 11;
   localparam int READ_RESPONSE_BITS = 4;
+  localparam int DESCRIPTOR_BITS = 2 * ADDRESS_BITS + 4 * BLOCK_BITS + 96;
 
   // What a store keeps (hmlfc_tile_store).
   localparam int RESIDUAL_TILES = 0;
@@ -222,6 +223,9 @@ package hmlfc_pkg;
 
   // What a descriptor of the view queue asks for.
   typedef struct packed {
+    logic [31:0] tag;
+    logic refused;                        // a field is outside its interval
+    logic failed;                         // it could not be read, and its tag is 0
     logic [11:0] row;
     logic [11:0] col;
     logic [3:0] stop_level;

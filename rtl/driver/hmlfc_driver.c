@@ -5,6 +5,7 @@
 #include "hmlfc_registers.h"
 
 enum { DESCRIPTOR_BYTES = 64, STATUS_BYTES = 16, RESIDUAL_FORMAT = 8 };
+#define ADDRESS_END ((uint64_t)1 << 40)
 
 static uint32_t read_register(const struct hmlfc_unit* unit, uint32_t offset) {
   return unit->io.read(unit->io.context, offset);
@@ -23,40 +24,58 @@ static void store(uint8_t* to, uint64_t value, unsigned bytes) {
   for (unsigned i = 0; i < bytes; ++i) to[i] = (uint8_t)(value >> (8 * i) & 0xff);
 }
 
+/* Lets time pass for what a register will say. */
+static int let_pass(const struct hmlfc_unit* unit) {
+  if (unit->io.wait(unit->io.context) != 0) return HMLFC_TIMEOUT;
+  return (read_register(unit, HMLFC_REG_VIEW_STATUS) & HMLFC_REG_VIEW_STATUS_HUNG_MASK) != 0
+             ? HMLFC_TIMEOUT
+             : HMLFC_OK;
+}
+
 /* Waits until a register's bits of `mask` are 0. */
 static int wait_for_zero(const struct hmlfc_unit* unit, uint32_t offset, uint32_t mask) {
   while ((read_register(unit, offset) & mask) != 0) {
-    if (unit->io.wait(unit->io.context) != 0) return HMLFC_TIMEOUT;
+    if (let_pass(unit) != HMLFC_OK) return HMLFC_TIMEOUT;
   }
   return HMLFC_OK;
 }
 
+static void clean(const struct hmlfc_unit* unit, const void* from, size_t bytes) {
+  if (unit->io.clean != NULL) unit->io.clean(unit->io.context, from, bytes);
+}
+
+static void invalidate(const struct hmlfc_unit* unit, const void* from, size_t bytes) {
+  if (unit->io.invalidate != NULL) unit->io.invalidate(unit->io.context, from, bytes);
+}
+
 /* Whether the unit can read these bytes and as many behind them as it may. */
 static int is_place(uint64_t bus, uint64_t bytes) {
-  const uint64_t end = (uint64_t)1 << 40;
-  return bus % 16 == 0 && bus < end && bytes < end && bus + bytes + 31 <= end;
+  return bus % 16 == 0 && bus < ADDRESS_END && bytes < ADDRESS_END &&
+         bus + bytes + 31 <= ADDRESS_END;
 }
 
 /* The status ring lies behind the ring of descriptors. */
 static size_t status_offset(const struct hmlfc_unit* unit, unsigned place) {
-  return (size_t)unit->ring_size * DESCRIPTOR_BYTES + (size_t)place * STATUS_BYTES;
+  return HMLFC_RING_BYTES(unit->ring_size, DESCRIPTOR_BYTES) + (size_t)place * STATUS_BYTES;
 }
 
 int hmlfc_unit_open(struct hmlfc_unit* unit, const struct hmlfc_io* io,
                     const struct hmlfc_buffer* rings, unsigned ring_size) {
   uint32_t parameters;
+  int code;
   if (ring_size == 0 || ring_size > 32768 || (ring_size & (ring_size - 1)) != 0 ||
-      rings->bus % DESCRIPTOR_BYTES != 0 || rings->bytes < HMLFC_RINGS_BYTES(ring_size)) {
+      rings->bus % HMLFC_CACHE_LINE != 0 || rings->bytes < HMLFC_RINGS_BYTES(ring_size) ||
+      rings->bus >= ADDRESS_END || rings->bytes > ADDRESS_END - rings->bus) {
     return HMLFC_BAD_ARGUMENT;
   }
   memset(unit, 0, sizeof *unit);
   unit->io = *io;
   unit->rings = *rings;
   unit->ring_size = (uint16_t)ring_size;
-  if (read_register(unit, HMLFC_REG_ID) != HMLFC_REG_ID_RESET ||
-      read_register(unit, HMLFC_REG_VIEW_ID) != HMLFC_REG_VIEW_ID_RESET) {
-    return HMLFC_NO_UNIT;
-  }
+  if (read_register(unit, HMLFC_REG_VIEW_ID) != HMLFC_REG_VIEW_ID_RESET) return HMLFC_NO_UNIT;
+  code = hmlfc_unit_reset(unit);
+  if (code != HMLFC_OK) return code;
+  if (read_register(unit, HMLFC_REG_ID) != HMLFC_REG_ID_RESET) return HMLFC_NO_UNIT;
   parameters = read_register(unit, HMLFC_REG_PARAMETERS);
   unit->limits.grid_side = 1024;
   unit->limits.view_side = 16384;
@@ -65,11 +84,33 @@ int hmlfc_unit_open(struct hmlfc_unit* unit, const struct hmlfc_io* io,
                                       HMLFC_REG_PARAMETERS_BLOCK_LOG2_SHIFT);
   unit->limits.depth = (uint8_t)((parameters & HMLFC_REG_PARAMETERS_MAX_DEPTH_MASK) >>
                                  HMLFC_REG_PARAMETERS_MAX_DEPTH_SHIFT);
+  return HMLFC_OK;
+}
+
+int hmlfc_unit_reset(struct hmlfc_unit* unit) {
+  const struct hmlfc_buffer* rings = &unit->rings;
+  write_register(unit, HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_RESET_MASK);
+  if (wait_for_zero(unit, HMLFC_REG_VIEW_STATUS, HMLFC_REG_VIEW_STATUS_RESETTING_MASK) !=
+      HMLFC_OK) {
+    return HMLFC_TIMEOUT;
+  }
+  unit->producer = 0;
+  unit->taken = 0;
+  memset(rings->cpu, 0, HMLFC_RINGS_BYTES(unit->ring_size));
+  clean(unit, rings->cpu, HMLFC_RINGS_BYTES(unit->ring_size));
+  invalidate(unit, rings->cpu, HMLFC_RINGS_BYTES(unit->ring_size));
+  HMLFC_BARRIER_OUT();
   write_pair(unit, HMLFC_REG_RING_BASE, rings->bus);
   write_pair(unit, HMLFC_REG_STATUS_BASE, rings->bus + status_offset(unit, 0));
-  write_register(unit, HMLFC_REG_RING_SIZE, ring_size);
+  write_register(unit, HMLFC_REG_RING_SIZE, unit->ring_size);
+  write_register(unit, HMLFC_REG_WATCHDOG, unit->watchdog);
   hmlfc_unit_resume(unit);
   return HMLFC_OK;
+}
+
+void hmlfc_unit_set_watchdog(struct hmlfc_unit* unit, uint32_t clocks) {
+  unit->watchdog = clocks;
+  write_register(unit, HMLFC_REG_WATCHDOG, clocks);
 }
 
 int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, uint64_t stream_bus,
@@ -79,10 +120,9 @@ int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, 
       area->bytes < stream->area_bytes) {
     return HMLFC_BAD_ARGUMENT;
   }
-  if (unit->io.clean != NULL) {
-    unit->io.clean(unit->io.context, stream->file, stream->bytes);
-    unit->io.clean(unit->io.context, area->cpu, area->bytes);
-  }
+  clean(unit, stream->file, stream->bytes);
+  clean(unit, area->cpu, area->bytes);
+  HMLFC_BARRIER_OUT();
   write_pair(unit, HMLFC_REG_STREAM_BASE, stream_bus);
   write_pair(unit, HMLFC_REG_STREAM_BYTES, stream->bytes);
   write_pair(unit, HMLFC_REG_REFERENCE_BASE, area->bus);
@@ -97,6 +137,9 @@ int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, 
 int hmlfc_unit_give(struct hmlfc_unit* unit, const struct hmlfc_descriptor* d) {
   uint8_t* at = unit->rings.cpu + (size_t)(unit->producer % unit->ring_size) * DESCRIPTOR_BYTES;
   if ((uint16_t)(unit->producer - unit->taken) == unit->ring_size) return HMLFC_RING_FULL;
+  if (((d->row | d->col) >> 12) != 0 || ((d->stop_level | d->format) >> 4) != 0) {
+    return HMLFC_BAD_ARGUMENT;
+  }
   memset(at, 0, DESCRIPTOR_BYTES);
   store(at, d->tag, 4);
   store(at + 4,
@@ -110,16 +153,19 @@ int hmlfc_unit_give(struct hmlfc_unit* unit, const struct hmlfc_descriptor* d) {
   store(at + 16, d->destination, 8);
   store(at + 24, d->pitch, 4);
   store(at + 32, d->bitmap, 8);
-  if (unit->io.clean != NULL) unit->io.clean(unit->io.context, at, DESCRIPTOR_BYTES);
+  clean(unit, at, DESCRIPTOR_BYTES);
+  HMLFC_BARRIER_OUT();
   ++unit->producer;
   write_register(unit, HMLFC_REG_PRODUCER, unit->producer);
   return HMLFC_OK;
 }
 
 int hmlfc_unit_take(struct hmlfc_unit* unit, struct hmlfc_status* status) {
-  const uint8_t* at = unit->rings.cpu + status_offset(unit, unit->taken % unit->ring_size);
+  const size_t offset = status_offset(unit, unit->taken % unit->ring_size);
+  const uint8_t* at = unit->rings.cpu + offset;
   if ((uint16_t)read_register(unit, HMLFC_REG_CONSUMER) == unit->taken) return HMLFC_NOTHING_DONE;
-  if (unit->io.invalidate != NULL) unit->io.invalidate(unit->io.context, at, STATUS_BYTES);
+  HMLFC_BARRIER_IN();
+  invalidate(unit, at - offset % HMLFC_CACHE_LINE, HMLFC_CACHE_LINE);
   status->tag = hmlfc_load32(at);
   status->result = at[4];
   status->first_error = at[5];
@@ -133,7 +179,7 @@ int hmlfc_unit_wait(struct hmlfc_unit* unit, struct hmlfc_status* status) {
   int code;
   if (unit->taken == unit->producer) return HMLFC_NOTHING_DONE;
   while ((code = hmlfc_unit_take(unit, status)) == HMLFC_NOTHING_DONE) {
-    if (unit->io.wait(unit->io.context) != 0) return HMLFC_TIMEOUT;
+    if (let_pass(unit) != HMLFC_OK) return HMLFC_TIMEOUT;
   }
   return code;
 }
@@ -149,7 +195,8 @@ uint32_t hmlfc_unit_events(struct hmlfc_unit* unit) {
 }
 
 int hmlfc_unit_drain(struct hmlfc_unit* unit) {
-  write_register(unit, HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_DRAIN_MASK);
+  write_register(unit, HMLFC_REG_VIEW_CONTROL,
+                 HMLFC_REG_VIEW_CONTROL_ENABLE_MASK | HMLFC_REG_VIEW_CONTROL_DRAIN_MASK);
   return wait_for_zero(unit, HMLFC_REG_VIEW_STATUS,
                        HMLFC_REG_VIEW_STATUS_DRAINING_MASK | HMLFC_REG_VIEW_STATUS_ENABLED_MASK);
 }
@@ -166,14 +213,15 @@ void hmlfc_unit_resume(struct hmlfc_unit* unit) {
 
 /* --- Residual references --------------------------------------------------------------------- */
 
-/* What is taken off the ring so that the next descriptor fits, or the last one is done. */
-static int take_residuals(struct hmlfc_unit* unit, uint64_t* failed) {
+/* What is taken off the ring so that the next descriptor fits, or the last one is done. `code` is
+ * what went wrong before. */
+static int take_residuals(struct hmlfc_unit* unit, uint64_t* failed, int code) {
   struct hmlfc_status status;
-  const int code = hmlfc_unit_wait(unit, &status);
-  if (code != HMLFC_OK) return code;
-  if (status.result != HMLFC_DONE && status.result != HMLFC_BLOCK_ERRORS) return HMLFC_BUS_ERROR;
+  const int waited = hmlfc_unit_wait(unit, &status);
+  if (waited != HMLFC_OK) return waited;
   *failed += status.blocks;
-  return HMLFC_OK;
+  if (code != HMLFC_OK || status.result <= HMLFC_BLOCK_ERRORS) return code;
+  return status.result == HMLFC_REFUSED ? HMLFC_WAS_REFUSED : HMLFC_BUS_ERROR;
 }
 
 /* The descriptor of plane `p` of reference image number `group` of a level, in the area's order. */
@@ -206,6 +254,10 @@ int hmlfc_unit_fill_residuals(struct hmlfc_unit* unit, const struct hmlfc_stream
                               const struct hmlfc_buffer* area, uint64_t* failed) {
   int code = HMLFC_OK;
   *failed = 0;
+  if (unit->taken != unit->producer) return HMLFC_BUSY;
+  if (!is_place(area->bus, area->bytes) || area->bytes < stream->area_bytes) {
+    return HMLFC_BAD_ARGUMENT;
+  }
   for (unsigned l = stream->tree_height + 1u; l-- > 0;) {
     const struct hmlfc_level* level = &stream->levels[l];
     const uint64_t planes = (uint64_t)level->group_rows * level->group_cols * HMLFC_PLANES;
@@ -214,11 +266,14 @@ int hmlfc_unit_fill_residuals(struct hmlfc_unit* unit, const struct hmlfc_stream
       const struct hmlfc_descriptor d =
           residuals_of(stream, l, i / HMLFC_PLANES, (unsigned)(i % HMLFC_PLANES), area->bus);
       if ((uint16_t)(unit->producer - unit->taken) == unit->ring_size) {
-        code = take_residuals(unit, failed);
+        code = take_residuals(unit, failed, code);
       }
       if (code == HMLFC_OK) code = hmlfc_unit_give(unit, &d);
     }
   }
-  while (code == HMLFC_OK && unit->taken != unit->producer) code = take_residuals(unit, failed);
+  while (code != HMLFC_TIMEOUT && unit->taken != unit->producer) {
+    code = take_residuals(unit, failed, code);
+  }
+  if (code == HMLFC_TIMEOUT) hmlfc_unit_reset(unit);
   return code;
 }

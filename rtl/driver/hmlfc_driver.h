@@ -1,9 +1,17 @@
 /* The driver of the view unit (docs/view_unit.md, "The driver"): checks a stream, fills the
  * reference area, and decodes views to memory.
  *
- * C99, freestanding but for memset; nothing is allocated, nothing is static, no floating point.
- * Registers, waiting and JPEG 2000 are callbacks. Functions of one unit must not run at the same
- * time; those of a stream only read it.
+ * C99, freestanding but for memset; nothing is allocated, no static data changes, no floating
+ * point. Registers, waiting and JPEG 2000 are callbacks, barriers are macros (hmlfc_platform.h).
+ * Functions of one unit must not run at the same time; those of a stream only read it.
+ *
+ * Memory that the unit reads or writes has cache lines of its own. They belong to
+ *   the rings             the driver
+ *   the stream            the caller until hmlfc_unit_load, then the unit reads them
+ *   the area              the caller until hmlfc_unit_load, then the unit
+ *   destination, bitmap   the unit from hmlfc_unit_give until its status is taken: without coherent
+ *                         memory the caller cleans or invalidates them before, and invalidates
+ *                         them before it reads
  *
  * A function that returns int gives 0 (HMLFC_OK), an error of annex A of the specification, or one
  * of the driver's own. */
@@ -12,6 +20,8 @@
 
 #include <stddef.h>
 #include <stdint.h>
+
+#include "hmlfc_platform.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -39,11 +49,14 @@ enum {
   HMLFC_OUT_OF_MEMORY = 26,
   HMLFC_BUS_ERROR = 27,
   /* The driver's own. */
-  HMLFC_BAD_ARGUMENT = 64, /* a buffer is too small or its address no multiple of what it must be */
+  HMLFC_BAD_ARGUMENT = 64, /* a buffer is too small, its address no multiple of what it must be or
+                              too high, or a field does not fit its bits */
   HMLFC_NO_UNIT = 65,      /* the registers are not those of a view unit */
-  HMLFC_TIMEOUT = 66,      /* the callback `wait` gave up */
+  HMLFC_TIMEOUT = 66,      /* the callback `wait` gave up, or the watchdog did */
   HMLFC_RING_FULL = 67,    /* take a status first */
-  HMLFC_NOTHING_DONE = 68  /* no descriptor is done whose status was not taken */
+  HMLFC_NOTHING_DONE = 68, /* no descriptor is done whose status was not taken */
+  HMLFC_BUSY = 69,         /* descriptors were given whose status was not taken */
+  HMLFC_WAS_REFUSED = 70   /* the unit refused a descriptor of the driver's */
 };
 
 enum { HMLFC_MAX_LEVELS = 16, HMLFC_PLANES = 3, HMLFC_STRIP_BYTES = 144 };
@@ -145,13 +158,20 @@ uint64_t hmlfc_area_offset(const struct hmlfc_stream* stream, unsigned level, ui
 int hmlfc_has_key_image_head(const uint8_t* codestream, size_t bytes, uint32_t width,
                              uint32_t height, unsigned bits, int is_signed);
 
-/* Decodes all key images into `area`, of stream->area_bytes bytes that are 0. `samples` is room
- * for the width * height samples of a view. A plane that does not decode (KEY-2 to KEY-4) is stored
- * as its error, which blocks that read it then have. Returns how many such planes there are; the
- * first is in `error`, whose code else is 0. */
-uint64_t hmlfc_fill_key_images(const struct hmlfc_stream* stream, uint8_t* area,
-                               hmlfc_decode_plane decode, void* context, int16_t* samples,
-                               struct hmlfc_error* error);
+/* Memory that software and the unit see. */
+struct hmlfc_buffer {
+  uint8_t* cpu;
+  uint64_t bus; /* address below 2^40 */
+  size_t bytes;
+};
+
+/* Decodes all key images into `area`, of at least stream->area_bytes bytes that are 0. `samples`
+ * has room for `count` samples, at least the width * height of a view. A plane that does not decode
+ * (KEY-2 to KEY-4) is stored as its error, which blocks that read it then have: `failed` says how
+ * many such planes there are; the first is in `error`, whose code else is 0. */
+int hmlfc_fill_key_images(const struct hmlfc_stream* stream, const struct hmlfc_buffer* area,
+                          hmlfc_decode_plane decode, void* context, int16_t* samples, size_t count,
+                          uint64_t* failed, struct hmlfc_error* error);
 
 /* Packs one plane into strips at `area`; `error` is 0, or the error of all its blocks. */
 void hmlfc_pack_plane(const struct hmlfc_plane* plane, unsigned block_log2, const int16_t* samples,
@@ -166,17 +186,10 @@ struct hmlfc_io {
   void (*write)(void* context, uint32_t offset, uint32_t value);
   /* Returns when `irq` is high, or after any time that suits; not 0 gives up. */
   int (*wait)(void* context);
-  /* Makes bytes that were written visible to the unit, and those of the unit to the caller. Null
-   * where memory is coherent. */
+  /* Makes bytes that were written visible to the unit, and those of the unit to the caller, by the
+   * whole cache lines that they are in. Null where memory is coherent. */
   void (*clean)(void* context, const void* from, size_t bytes);
   void (*invalidate)(void* context, const void* from, size_t bytes);
-};
-
-/* Memory that software and the unit see. */
-struct hmlfc_buffer {
-  uint8_t* cpu;
-  uint64_t bus; /* address below 2^40 */
-  size_t bytes;
 };
 
 /* What is stored (docs/view_unit.md). */
@@ -221,27 +234,41 @@ struct hmlfc_unit {
   struct hmlfc_buffer rings;
   struct hmlfc_limits limits; /* for hmlfc_stream_open; read it after hmlfc_unit_open */
   uint16_t ring_size, producer, taken;
+  uint32_t watchdog;
 };
 
-/* Bytes of the rings for ring_size descriptors. */
-#define HMLFC_RINGS_BYTES(ring_size) (sizeof(uint8_t[64 + 16]) * (ring_size))
+/* Bytes of the rings for ring_size descriptors: each in whole cache lines. */
+#define HMLFC_RING_BYTES(ring_size, bytes)                                            \
+  ((sizeof(uint8_t[bytes]) * (ring_size) + HMLFC_CACHE_LINE - 1) / HMLFC_CACHE_LINE * \
+   HMLFC_CACHE_LINE)
+#define HMLFC_RINGS_BYTES(ring_size) \
+  (HMLFC_RING_BYTES(ring_size, 64) + HMLFC_RING_BYTES(ring_size, 16))
 
-/* Takes a unit after its reset and begins to let it take descriptors. `rings` has
- * HMLFC_RINGS_BYTES(ring_size) bytes at a multiple of 64; ring_size is a power of two in
- * [1, 32768]. */
+/* Takes a unit in any state, resets it, and begins to let it take descriptors. `rings` has
+ * HMLFC_RINGS_BYTES(ring_size) bytes at a multiple of HMLFC_CACHE_LINE; ring_size is a power of two
+ * in [1, 32768]. */
 int hmlfc_unit_open(struct hmlfc_unit* unit, const struct hmlfc_io* io,
                     const struct hmlfc_buffer* rings, unsigned ring_size);
+
+/* Resets the unit, when all that it asked of the memory has come, and begins anew: forgotten are
+ * the stream, descriptors that were given, and which events are enabled. HMLFC_TIMEOUT: the memory
+ * does not answer, and may still be written; then only a reset of the chip helps. */
+int hmlfc_unit_reset(struct hmlfc_unit* unit);
+
+/* Lets functions that wait give up where the memory owes the unit an answer and nothing has moved
+ * for `clocks` of it, less than 2^24; 0, as after open, for ever. */
+void hmlfc_unit_set_watchdog(struct hmlfc_unit* unit, uint32_t clocks);
 
 /* Lets the unit read the stream, whose first byte has the address `stream_bus`, and the area, of at
  * least stream->area_bytes bytes; addresses are multiples of 16. Of each, up to 31 bytes past the
  * end may be read. Returns the unit's error, such as HMLFC_LIMIT_EXCEEDED for a stream that was not
- * opened with unit->limits. Nothing may be under way. */
+ * opened with unit->limits. Nothing may be under way; descriptors that were given wait. */
 int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, uint64_t stream_bus,
                     const struct hmlfc_buffer* area);
 
 /* Lets the unit decode the residual references into the area that was loaded with the stream.
- * `failed` counts blocks that do not decode: they are stored as their error. Nothing may be under
- * way. */
+ * `failed` counts blocks that do not decode: they are stored as their error. It returns when
+ * nothing is under way, also with an error; with HMLFC_TIMEOUT the unit was reset. */
 int hmlfc_unit_fill_residuals(struct hmlfc_unit* unit, const struct hmlfc_stream* stream,
                               const struct hmlfc_buffer* area, uint64_t* failed);
 
@@ -260,7 +287,8 @@ void hmlfc_unit_enable_events(struct hmlfc_unit* unit, uint32_t events);
 /* The events since the last call; clears them. For an interrupt handler. */
 uint32_t hmlfc_unit_events(struct hmlfc_unit* unit);
 
-/* Waits until all given descriptors are done and the queue has stopped. */
+/* Waits until all given descriptors are done, also those that an abort has left, and the queue has
+ * stopped. */
 int hmlfc_unit_drain(struct hmlfc_unit* unit);
 
 /* Ends the descriptor under way, and stops. What follows in the ring stays there. */

@@ -140,24 +140,27 @@ static int decode_key_plane(const struct hmlfc_stream* s, uint64_t key, unsigned
   return HMLFC_OK;
 }
 
-uint64_t hmlfc_fill_key_images(const struct hmlfc_stream* stream, uint8_t* area,
-                               hmlfc_decode_plane decode, void* context, int16_t* samples,
-                               struct hmlfc_error* error) {
-  uint64_t failed = 0;
+int hmlfc_fill_key_images(const struct hmlfc_stream* stream, const struct hmlfc_buffer* area,
+                          hmlfc_decode_plane decode, void* context, int16_t* samples, size_t count,
+                          uint64_t* failed, struct hmlfc_error* error) {
+  *failed = 0;
   memset(error, 0, sizeof *error);
+  if (area->bytes < stream->area_bytes || count < (uint64_t)stream->width * stream->height) {
+    return HMLFC_BAD_ARGUMENT;
+  }
   for (unsigned l = stream->tree_height + 1u; l-- > 0;) {
     const struct hmlfc_level* level = &stream->levels[l];
     const uint64_t groups = (uint64_t)level->group_rows * level->group_cols;
-    uint8_t* at = area + level->area_offset;
+    uint8_t* at = area->cpu + level->area_offset;
     for (uint64_t i = 0; level->keyed && i < groups * HMLFC_PLANES; ++i) {
       const unsigned p = (unsigned)(i % HMLFC_PLANES);
       struct hmlfc_error plane_error;
       const int code = decode_key_plane(stream, level->first_key + i / HMLFC_PLANES, p, decode,
                                         context, samples, &plane_error);
-      if (code != HMLFC_OK && failed++ == 0) *error = plane_error;
+      if (code != HMLFC_OK && (*failed)++ == 0) *error = plane_error;
       hmlfc_pack_plane(&stream->planes[p], stream->block_log2, samples, code, at);
       at += stream->planes[p].area_bytes;
     }
   }
-  return failed;
+  return HMLFC_OK;
 }

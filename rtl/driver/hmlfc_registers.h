@@ -162,28 +162,31 @@
 /* VIEW_CONTROL, write: each 1 written is a command; reads as 0 */
 #define HMLFC_REG_VIEW_CONTROL 0x804u
 #define HMLFC_REG_VIEW_CONTROL_RESET 0x00000000u
-#define HMLFC_REG_VIEW_CONTROL_MASK 0x0000000fu
+#define HMLFC_REG_VIEW_CONTROL_MASK 0x0000001fu
 /* begin descriptors */
 #define HMLFC_REG_VIEW_CONTROL_ENABLE_SHIFT 0
 #define HMLFC_REG_VIEW_CONTROL_ENABLE_MASK 0x00000001u
 /* begin no other descriptor */
 #define HMLFC_REG_VIEW_CONTROL_DISABLE_SHIFT 1
 #define HMLFC_REG_VIEW_CONTROL_DISABLE_MASK 0x00000002u
-/* DISABLE when the ring is empty */
+/* DISABLE when the ring is empty, or the queue is disabled and nothing is under way */
 #define HMLFC_REG_VIEW_CONTROL_DRAIN_SHIFT 2
 #define HMLFC_REG_VIEW_CONTROL_DRAIN_MASK 0x00000004u
 /* end the descriptor under way, and DISABLE */
 #define HMLFC_REG_VIEW_CONTROL_ABORT_SHIFT 3
 #define HMLFC_REG_VIEW_CONTROL_ABORT_MASK 0x00000008u
+/* bring the whole unit, the decode unit in it as well, to its state after reset */
+#define HMLFC_REG_VIEW_CONTROL_RESET_SHIFT 4
+#define HMLFC_REG_VIEW_CONTROL_RESET_MASK 0x00000010u
 
 /* VIEW_STATUS, read: state of the queue */
 #define HMLFC_REG_VIEW_STATUS 0x808u
 #define HMLFC_REG_VIEW_STATUS_RESET 0x00000010u
-#define HMLFC_REG_VIEW_STATUS_MASK 0x0000003fu
+#define HMLFC_REG_VIEW_STATUS_MASK 0x000000ffu
 /* descriptors begin */
 #define HMLFC_REG_VIEW_STATUS_ENABLED_SHIFT 0
 #define HMLFC_REG_VIEW_STATUS_ENABLED_MASK 0x00000001u
-/* a descriptor is under way */
+/* descriptors are read or under way */
 #define HMLFC_REG_VIEW_STATUS_RUNNING_SHIFT 1
 #define HMLFC_REG_VIEW_STATUS_RUNNING_MASK 0x00000002u
 /* DRAIN has not ended */
@@ -198,11 +201,17 @@
 /* a status could not be written, kept until reset */
 #define HMLFC_REG_VIEW_STATUS_STATUS_LOST_SHIFT 5
 #define HMLFC_REG_VIEW_STATUS_STATUS_LOST_MASK 0x00000020u
+/* RESET has not ended */
+#define HMLFC_REG_VIEW_STATUS_RESETTING_SHIFT 6
+#define HMLFC_REG_VIEW_STATUS_RESETTING_MASK 0x00000040u
+/* the memory does not answer: WATCHDOG has run out */
+#define HMLFC_REG_VIEW_STATUS_HUNG_SHIFT 7
+#define HMLFC_REG_VIEW_STATUS_HUNG_MASK 0x00000080u
 
 /* INTERRUPT_STATUS, read, write: events; a 1 written clears its bit */
 #define HMLFC_REG_INTERRUPT_STATUS 0x80cu
 #define HMLFC_REG_INTERRUPT_STATUS_RESET 0x00000000u
-#define HMLFC_REG_INTERRUPT_STATUS_MASK 0x0000000fu
+#define HMLFC_REG_INTERRUPT_STATUS_MASK 0x0000001fu
 /* a descriptor is done */
 #define HMLFC_REG_INTERRUPT_STATUS_DONE_SHIFT 0
 #define HMLFC_REG_INTERRUPT_STATUS_DONE_MASK 0x00000001u
@@ -215,11 +224,14 @@
 /* DRAIN or ABORT has ended */
 #define HMLFC_REG_INTERRUPT_STATUS_STOPPED_SHIFT 3
 #define HMLFC_REG_INTERRUPT_STATUS_STOPPED_MASK 0x00000008u
+/* WATCHDOG has run out */
+#define HMLFC_REG_INTERRUPT_STATUS_HANG_SHIFT 4
+#define HMLFC_REG_INTERRUPT_STATUS_HANG_MASK 0x00000010u
 
 /* INTERRUPT_ENABLE, read, write: `irq` is high while an event with its bit here is not cleared */
 #define HMLFC_REG_INTERRUPT_ENABLE 0x810u
 #define HMLFC_REG_INTERRUPT_ENABLE_RESET 0x00000000u
-#define HMLFC_REG_INTERRUPT_ENABLE_MASK 0x0000000fu
+#define HMLFC_REG_INTERRUPT_ENABLE_MASK 0x0000001fu
 /* as above */
 #define HMLFC_REG_INTERRUPT_ENABLE_DONE_SHIFT 0
 #define HMLFC_REG_INTERRUPT_ENABLE_DONE_MASK 0x00000001u
@@ -232,6 +244,9 @@
 /* as above */
 #define HMLFC_REG_INTERRUPT_ENABLE_STOPPED_SHIFT 3
 #define HMLFC_REG_INTERRUPT_ENABLE_STOPPED_MASK 0x00000008u
+/* as above */
+#define HMLFC_REG_INTERRUPT_ENABLE_HANG_SHIFT 4
+#define HMLFC_REG_INTERRUPT_ENABLE_HANG_MASK 0x00000010u
 
 /* RING_SIZE, read, write: size of both rings */
 #define HMLFC_REG_RING_SIZE 0x814u
@@ -275,5 +290,13 @@
 /* the count */
 #define HMLFC_REG_CONSUMER_COUNT_SHIFT 0
 #define HMLFC_REG_CONSUMER_COUNT_MASK 0x0000ffffu
+
+/* WATCHDOG, read, write: how long the memory may owe an answer while no channel to it moves */
+#define HMLFC_REG_WATCHDOG 0x830u
+#define HMLFC_REG_WATCHDOG_RESET 0x00000000u
+#define HMLFC_REG_WATCHDOG_MASK 0x00ffffffu
+/* 0: for ever */
+#define HMLFC_REG_WATCHDOG_CLOCKS_SHIFT 0
+#define HMLFC_REG_WATCHDOG_CLOCKS_MASK 0x00ffffffu
 
 #endif

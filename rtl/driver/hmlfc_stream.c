@@ -6,11 +6,21 @@
 
 enum { TILE_BLOCKS = 8, LANES = 64, ROOT_ENTRY_BYTES = 16, GROUP_RECORD_BYTES = 16 };
 
+/* The remainders of all bytes: that of a byte is the sum of those of its bits. */
+#define OF_BIT(byte, bit, remainder) ((byte) >> (bit)&1 ? (remainder) : 0u)
+#define OF_BYTE(b)                                                                        \
+  OF_BIT(b, 0, 0xf26b8303u) ^ OF_BIT(b, 1, 0xe13b70f7u) ^ OF_BIT(b, 2, 0xc79a971fu) ^     \
+      OF_BIT(b, 3, 0x8ad958cfu) ^ OF_BIT(b, 4, 0x105ec76fu) ^ OF_BIT(b, 5, 0x20bd8edeu) ^ \
+      OF_BIT(b, 6, 0x417b1dbcu) ^ OF_BIT(b, 7, 0x82f63b78u)
+#define OF_4(b) OF_BYTE(b), OF_BYTE((b) + 1), OF_BYTE((b) + 2), OF_BYTE((b) + 3)
+#define OF_16(b) OF_4(b), OF_4((b) + 4), OF_4((b) + 8), OF_4((b) + 12)
+#define OF_64(b) OF_16(b), OF_16((b) + 16), OF_16((b) + 32), OF_16((b) + 48)
+
 uint32_t hmlfc_crc32c(const uint8_t* bytes, size_t count, uint32_t crc) {
+  static const uint32_t remainders[256] = {OF_64(0), OF_64(64), OF_64(128), OF_64(192)};
   crc = ~crc;
   for (size_t i = 0; i < count; ++i) {
-    crc ^= bytes[i];
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (0x82f63b78u & (0u - (crc & 1)));
+    crc = crc >> 8 ^ remainders[(crc ^ bytes[i]) & 0xff];
   }
   return ~crc;
 }

@@ -79,8 +79,9 @@ static int prepare(const struct hmlfc_stream* stream, const struct hmlfc_buffer*
   uint64_t failed;
   int code;
   if (*free > soc_memory_bytes()) return fail("the memory is too small", 1);
-  hmlfc_fill_key_images(stream, area.cpu, hmlfc_openjpeg_decode, NULL, (int16_t*)(void*)samples.cpu,
-                        &error);
+  code = hmlfc_fill_key_images(stream, &area, hmlfc_openjpeg_decode, NULL,
+                               (int16_t*)(void*)samples.cpu, samples.bytes / 2, &failed, &error);
+  if (code != 0) return fail("key images", code);
   if (error.code != 0) fail("a key image does not decode", error.code);
   if ((code = hmlfc_unit_load(&unit, stream, file->bus, &area)) != 0) return fail("LOAD", code);
   code = hmlfc_unit_fill_residuals(&unit, stream, &area, &failed);

@@ -35,7 +35,8 @@ module prove_view_scan (input logic clk, input logic start, input logic advance)
   wire [2*N-1:0] now = order(bx, by);
   wire is_legal = bx[N-1:4] >= first_x[N-1:4] && bx[N-1:4] <= last_x[N-1:4] && by[N-1:5] >= first_y[N-1:5] &&
       by[N-1:5] <= last_y[N-1:5] &&
-      (has(bx, by, 2) || now[1:0] == 0) && (has(bx, by, 8) || now[5:0] == 0) && (has(bx, by, 16) || now[7:0] == 0);
+      (has(bx, by, 2) || now[1:0] == 0) && (((by | 1) >= first_y && (by & ~1) <= last_y) || now[3:0] == 0) &&
+      (has(bx, by, 8) || now[5:0] == 0) && (has(bx, by, 16) || now[7:0] == 0);
 
   // Any block of the rectangle; the clock before.
   (* anyconst *) logic [N-1:0] watched_x;

@@ -12,11 +12,26 @@ bind hmlfc_view_dma axi_write_assertions #(
 bind hmlfc_view_dma axi_channel_assertions #(
     .NAME("view_dma requests"), .BITS(64)
 ) request_rules (
-    .clk, .rst_n, .valid(m_request_tvalid), .ready(m_request_tready), .payload(m_request_tdata));
+    .clk, .rst_n(unit_rst_n), .valid(m_request_tvalid), .ready(m_request_tready), .payload(m_request_tdata));
 bind hmlfc_view_dma axi_channel_assertions #(
     .NAME("view_dma descriptors"), .BITS(ADDRESS_BITS + 8)
 ) fetch_rules (
-    .clk, .rst_n, .valid(fetch_arvalid), .ready(fetch_arready), .payload({fetch_araddr, fetch_arlen}));
+    .clk, .rst_n(unit_rst_n), .valid(fetch_arvalid), .ready(fetch_arready), .payload({fetch_araddr, fetch_arlen}));
+bind hmlfc_view_unit axi_channel_assertions #(
+    .NAME("view_unit reads"), .BITS(ADDRESS_BITS + 9)
+) read_rules (
+    .clk, .rst_n, .valid(m_axi_arvalid), .ready(m_axi_arready), .payload({m_axi_araddr, m_axi_arlen, m_axi_arid}));
+bind hmlfc_view_rows axi_channel_assertions #(
+    .NAME("view_rows rows"), .BITS(2 * ADDRESS_BITS + BLOCK_LOG2 + 630)
+) row_rules (
+    .clk, .rst_n, .valid(out_valid), .ready(out_ready),
+    .payload({out_entry, out_line, out_line_next, out_data, out_strobe, out_strobe_next, out_wraps}));
+bind hmlfc_view_writer hmlfc_line_assertions #(.NAME("view_writer")) lines_have (
+    .clk, .rst_n, .line_valid, .line_strobe);
+bind hmlfc_strip_writer hmlfc_line_assertions #(.NAME("strip_writer")) lines_have (
+    .clk, .rst_n, .line_valid, .line_strobe);
+bind hmlfc_write_port hmlfc_line_assertions #(.NAME("write_port")) lines_have (
+    .clk, .rst_n, .line_valid, .line_strobe);
 bind hmlfc_view_unit axi_lite_assertions #(
     .NAME("view_unit s_axil")
 ) register_rules (

@@ -142,7 +142,7 @@ def comment(text: str) -> list[str]:
 
 def meaning(register: Register) -> str:
     """Its description and its fields, without the field that is the whole register."""
-    said = [f"{'bit' if field.width == 1 else 'bits'} {bits_of(field)} {field.name}, {field.description}"
+    said = [f"{bits_of(field)} {field.name}" + (f", {field.description}" if field.description != "as above" else "")
             for field in register.fields if field.width < register.bits]
     return ": ".join([register.description, "; ".join(said)] if said else [register.description])
 

@@ -4,8 +4,9 @@
 // An AXI4 write master for lines of 64 bytes: each is one INCR burst of the beats from its first to its last strobe.
 //
 // A line is taken when valid and ready are both high, and needs at least one strobe. Addresses and data do not wait for
-// each other; at most OUTSTANDING bursts await their response. All have ID 0. `idle`: all lines have their response.
-// `failed` is high for one clock for a response of SLVERR or DECERR.
+// each other; at most OUTSTANDING bursts await their response. All have ID 0, so that responses come in the order of
+// the lines: `answered` is high for one clock for each, with the line's kind, and `failed` with it for SLVERR or
+// DECERR. `idle`: all lines have their response.
 module hmlfc_write_port #(
     parameter int DATA_BITS = 128,
     parameter int OUTSTANDING = 16,
@@ -19,7 +20,10 @@ module hmlfc_write_port #(
     input logic [ADDRESS_BITS-7:0] line,
     input logic [511:0] line_data,
     input logic [63:0] line_strobe,
+    input logic [1:0] line_kind,
     output logic idle,
+    output logic answered,
+    output logic [1:0] answered_kind,
     output logic failed,
 
     output logic m_axi_awvalid,
@@ -41,7 +45,6 @@ module hmlfc_write_port #(
   localparam int BYTES = DATA_BITS / 8;
   localparam int BEATS = 64 / BYTES;
   localparam int BEAT_BITS = $clog2(BEATS);
-  localparam int COUNT_BITS = $clog2(OUTSTANDING + 1);
 
   // The first and the last beat with strobes.
   logic [BEAT_BITS-1:0] first, last;
@@ -57,12 +60,16 @@ module hmlfc_write_port #(
   logic [BEAT_BITS-1:0] beat, end_beat;
   logic [511:0] data;
   logic [63:0] strobe;
-  logic [COUNT_BITS-1:0] waiting;  // for their response
+  logic room, waits;  // for another burst, for a response
+  logic [1:0] kind;
   wire [BEAT_BITS-1:0] more = last - first;
   wire take = line_valid && line_ready;
-  wire answered = m_axi_bvalid && waiting != 0;
-  assign line_ready = !m_axi_awvalid && !m_axi_wvalid && waiting != COUNT_BITS'(OUTSTANDING);
-  assign idle = !m_axi_awvalid && !m_axi_wvalid && waiting == 0;
+  assign line_ready = !m_axi_awvalid && !m_axi_wvalid && room;
+  assign idle = !m_axi_awvalid && !m_axi_wvalid && !waits && !answered;
+  hmlfc_fifo #(.WIDTH(2), .DEPTH(OUTSTANDING)) bursts (
+      .clk, .rst_n, .in_valid(take), .in_ready(room), .in_data(line_kind), .out_valid(waits),
+      .out_ready(m_axi_bvalid), .out_data(kind), .count()
+  );
 
   always_ff @(posedge clk) begin
     if (take) begin
@@ -75,15 +82,15 @@ module hmlfc_write_port #(
     end else if (m_axi_wvalid && m_axi_wready) begin
       beat <= beat + 1'b1;
     end
-    failed <= rst_n && answered && m_axi_bresp[1];
+    answered <= rst_n && waits && m_axi_bvalid;
+    answered_kind <= kind;
+    failed <= m_axi_bresp[1];
     if (!rst_n) begin
       m_axi_awvalid <= 1'b0;
       m_axi_wvalid <= 1'b0;
-      waiting <= '0;
     end else begin
       m_axi_awvalid <= take || (m_axi_awvalid && !m_axi_awready);
       m_axi_wvalid <= take || (m_axi_wvalid && !(m_axi_wready && m_axi_wlast));
-      waiting <= waiting + COUNT_BITS'(take) - COUNT_BITS'(answered);
     end
   end
   assign m_axi_awsize = 3'(6 - BEAT_BITS);

@@ -18,6 +18,9 @@ module hmlfc_decode_unit #(
     parameter int TILE_LOADERS = 4,    // 1..8
     parameter int CACHE_STRIPS = 512,  // 64..1024, a power of two
     parameter int TRACE = 1,           // 0..1; 0: nothing is kept for the trace, which is 0
+    parameter logic [2:0] AXI_PROT = 3'b010,   // what AxPROT, AxCACHE and AxQOS are: data, not secure, not privileged;
+    parameter logic [3:0] AXI_CACHE = 4'b0011, // normal memory, not cacheable, bufferable;
+    parameter logic [3:0] AXI_QOS = 4'd0,      // no quality of service
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
     localparam int VALUE_BITS = MAX_DEPTH + 2,
@@ -44,6 +47,9 @@ module hmlfc_decode_unit #(
     output logic [2:0] m_axi_arsize,
     output logic [1:0] m_axi_arburst,
     output logic [0:0] m_axi_arid,
+    output logic [2:0] m_axi_arprot,
+    output logic [3:0] m_axi_arcache,
+    output logic [3:0] m_axi_arqos,
     input logic m_axi_rvalid,
     output logic m_axi_rready,
     input logic [AXI_DATA_BITS-1:0] m_axi_rdata,
@@ -138,6 +144,7 @@ module hmlfc_decode_unit #(
       .m_axi_rdata, .m_axi_rresp, .m_axi_rlast
   );
   assign m_axi_arid = 1'b0;
+  assign {m_axi_arprot, m_axi_arcache, m_axi_arqos} = {AXI_PROT, AXI_CACHE, AXI_QOS};
 
   // ---- Registers and LOAD.
   logic loading, enable, flush, idle, block_done;

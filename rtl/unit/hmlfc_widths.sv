@@ -14,6 +14,7 @@ module hmlfc_widths;
   hmlfc_pkg::pending_t pending;
   hmlfc_pkg::read_request_t read_request;
   hmlfc_pkg::read_response_t read_response;
+  hmlfc_pkg::view_t descriptor;
 
 `ifndef __ICARUS__  // version 11 has no elaboration tasks
   if ($bits(level) != hmlfc_pkg::LEVEL_BITS) $error("hmlfc_pkg: LEVEL_BITS is not the width of level_t");
@@ -31,6 +32,7 @@ module hmlfc_widths;
   if ($bits(read_response) != hmlfc_pkg::READ_RESPONSE_BITS) begin : g_read_response
     $error("hmlfc_pkg: READ_RESPONSE_BITS is not the width of read_response_t");
   end
+  if ($bits(descriptor) != hmlfc_pkg::DESCRIPTOR_BITS) $error("hmlfc_pkg: DESCRIPTOR_BITS is not the width of view_t");
   if ($bits(pending) != hmlfc_pkg::PENDING_BITS) $error("hmlfc_pkg: PENDING_BITS is not the width of pending_t");
 `endif
 

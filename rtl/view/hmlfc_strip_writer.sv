@@ -41,72 +41,30 @@ module hmlfc_strip_writer #(
   assign done = !scan_valid;
   assign answer_ready = wanted && collect_ready;
   assign block_error = take && answer_status != 0;
-  hmlfc_strip_scan #(
-      .BLOCK_LOG2(BLOCK_LOG2)
-  ) scan (
-      .clk,
-      .rst_n,
-      .start,
-      .view,
-      .valid(scan_valid),
-      .advance(take),
-      .bx(),
-      .by(),
-      .strip_begins,
-      .strip_ends,
+  hmlfc_strip_scan #(.BLOCK_LOG2(BLOCK_LOG2)) scan (
+      .clk, .rst_n, .start, .view, .valid(scan_valid), .advance(take), .bx(), .by(), .strip_begins, .strip_ends,
       .address(strip_address)
   );
   logic [ADDRESS_BITS-5:0] address;  // of the oldest strip, in units of 16 bytes
   logic word_valid, word_ready, word_last;
   logic [63:0] word;
-  hmlfc_fifo #(
-      .WIDTH(ADDRESS_BITS - 4),
-      .DEPTH(4)
-  ) addresses (
-      .clk,
-      .rst_n,
-      .in_valid(take && strip_begins),
-      .in_ready(list_ready),
-      .in_data(strip_address[ADDRESS_BITS-1:4]),
-      .out_valid(strip_waits),
-      .out_ready(word_valid && word_ready && word_last),
-      .out_data(address),
-      .count()
+  hmlfc_fifo #(.WIDTH(ADDRESS_BITS - 4), .DEPTH(4)) addresses (
+      .clk, .rst_n, .in_valid(take && strip_begins), .in_ready(list_ready), .in_data(strip_address[ADDRESS_BITS-1:4]),
+      .out_valid(strip_waits), .out_ready(word_valid && word_ready && word_last), .out_data(address), .count()
   );
 
   // ---- Strips, and their words.
   logic collect_empty, strip_valid, strip_ready, pack_empty;
   logic [1023:0] samples;
   logic signed [15:0] least, most;
-  hmlfc_strip_collect #(
-      .BLOCK_LOG2(BLOCK_LOG2)
-  ) collect (
-      .clk,
-      .rst_n,
-      .in_valid(take),
-      .in_ready(collect_ready),
-      .in_samples(answer),
-      .in_status(answer_status),
-      .in_ends(strip_ends),
-      .out_valid(strip_valid),
-      .out_ready(strip_ready),
-      .out_samples(samples),
-      .out_least(least),
-      .out_most(most),
-      .empty(collect_empty)
+  hmlfc_strip_collect #(.BLOCK_LOG2(BLOCK_LOG2)) collect (
+      .clk, .rst_n, .in_valid(take), .in_ready(collect_ready), .in_samples(answer), .in_status(answer_status),
+      .in_ends(strip_ends), .out_valid(strip_valid), .out_ready(strip_ready), .out_samples(samples),
+      .out_least(least), .out_most(most), .empty(collect_empty)
   );
   hmlfc_strip_pack pack (
-      .clk,
-      .rst_n,
-      .in_valid(strip_valid),
-      .in_ready(strip_ready),
-      .in_samples(samples),
-      .in_least(least),
-      .in_most(most),
-      .out_valid(word_valid),
-      .out_ready(word_ready),
-      .out_word(word),
-      .out_last(word_last),
+      .clk, .rst_n, .in_valid(strip_valid), .in_ready(strip_ready), .in_samples(samples), .in_least(least),
+      .in_most(most), .out_valid(word_valid), .out_ready(word_ready), .out_word(word), .out_last(word_last),
       .empty(pack_empty)
   );
 

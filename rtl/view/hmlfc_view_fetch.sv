@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 `default_nettype none
 
-// Reads a descriptor from memory and checks it.
+// Reads descriptors ahead of their begin, and checks them.
 //
-// `start` takes its `address`, a multiple of 64, when nothing is under way; `done` is high for one clock, and what it
-// found holds until the next start: `view`, `tag`; `refused`: a field is outside its interval; `failed`: a beat came
-// with SLVERR or DECERR, and `tag` is 0.
+// Descriptor n lies at place n mod `ring_size`. `view` is the next one while `valid`; `take` removes it. `begun` counts
+// those that have begun: the next one is still `view` while `holds` is high. At most AHEAD more are read, one burst
+// each, in order. `refused`: a field is outside its interval; `failed`: a beat came with SLVERR or DECERR.
+// Without `enable` what has not begun is forgotten, once what is on its way has come: it is read again later, since
+// software may write it anew. `reading`: bursts are on their way; `busy`: the clock is needed.
 module hmlfc_view_fetch #(
     parameter int BLOCK_LOG2 = 2,
     parameter int DATA_BITS = 128,
@@ -13,13 +15,18 @@ module hmlfc_view_fetch #(
 ) (
     input logic clk,
     input logic rst_n,
-    input logic start,
-    input logic [ADDRESS_BITS-1:0] address,
-    output logic done,
+    input logic enable,
+    input logic [ADDRESS_BITS-1:0] ring_base,
+    input logic [15:0] ring_size,
+    input logic [15:0] producer,
+    input logic [15:0] begun,
+    input logic holds,
+    output logic reading,
+    output logic busy,
+
+    output logic valid,
+    input logic take,
     output hmlfc_pkg::view_t view,
-    output logic [31:0] tag,
-    output logic refused,
-    output logic failed,
 
     output logic ar_valid,
     input logic ar_ready,
@@ -31,35 +38,52 @@ module hmlfc_view_fetch #(
     input logic r_last
 );
 
-  // The fields lie in the first 48 bytes.
+  // ---- What is asked for.
+  localparam int AHEAD = 3;
+  logic [15:0] asked;  // descriptors
+  logic [2:0] coming;  // bursts that have not come
+  logic stale, received, checked;
+  wire [15:0] ahead = asked - begun;
+  wire ask = enable && !stale && asked != producer && ahead < 16'(AHEAD) && !ar_valid;
+  wire forget = stale && !reading && !holds;
+  wire [15:0] place = asked & (ring_size - 16'd1);
+  assign reading = coming != 0 || received || checked;
+  assign busy = ask || reading || ((stale || !enable) && asked != begun);
+  always_ff @(posedge clk) begin
+    if (ask) ar_address <= ring_base + {18'd0, place, 6'd0};
+    if (!rst_n) begin
+      asked <= '0;
+      coming <= '0;
+      stale <= 1'b0;
+      ar_valid <= 1'b0;
+    end else begin
+      asked <= forget ? begun : asked + 16'(ask);
+      coming <= coming + 3'(ask) - 3'(r_valid && r_last);
+      stale <= (stale && !forget) || (!enable && asked != begun && !forget);
+      ar_valid <= ask || (ar_valid && !ar_ready);
+    end
+  end
+
+  // ---- The fields lie in the first 48 bytes.
   localparam int WORDS = 12;
-  localparam int WORDS_OF_BEAT = DATA_BITS / 32;
-  localparam int BEATS = WORDS / WORDS_OF_BEAT;
+  localparam int BEATS = WORDS / (DATA_BITS / 32);
   logic [32*WORDS-1:0] words;
   logic [2:0] beat;
-  logic reading, read_error, received;
+  logic failed;
   assign ar_len = 8'(BEATS - 1);
-
   always_ff @(posedge clk) begin
-    if (start) begin
-      ar_address <= address;
-      beat <= '0;
-      read_error <= 1'b0;
-    end else if (reading && r_valid) begin
-      beat <= beat + 3'd1;
-      read_error <= read_error || r_error;
+    if (r_valid) begin
+      failed <= r_error || (failed && beat != 0);
       for (int i = 0; i < BEATS; i++) if (beat == 3'(i)) words[i*DATA_BITS+:DATA_BITS] <= r_data;
     end
     if (!rst_n) begin
-      ar_valid <= 1'b0;
-      reading <= 1'b0;
+      beat <= '0;
       received <= 1'b0;
-      done <= 1'b0;
+      checked <= 1'b0;
     end else begin
-      ar_valid <= start || (ar_valid && !ar_ready);
-      reading <= start || (reading && !(r_valid && r_last));
-      received <= reading && r_valid && r_last;
-      done <= received;
+      if (r_valid) beat <= r_last ? 3'd0 : beat + 3'd1;
+      received <= r_valid && r_last;
+      checked <= received;
     end
   end
 
@@ -78,27 +102,36 @@ module hmlfc_view_fetch #(
   wire in_range = width != 0 && height != 0 && end_x[16:14] == 0 && end_y[16:14] == 0 && words[191:168] == 0 &&
       words[223:216] == 0 &&
       words[319:296] == 0 && !(residuals && (x != 0 || y != 0 || words[295:256] != 0));
+  hmlfc_pkg::view_t found;
   always_ff @(posedge clk) begin
     if (received) begin
-      failed <= read_error;
-      refused <= !(format_known && aligned && in_range);
-      tag <= read_error ? 32'd0 : words[31:0];
-      view.row <= words[43:32];
-      view.col <= words[55:44];
-      view.stop_level <= words[59:56];
-      view.format <= format[2:0];
-      view.residuals <= residuals;
-      view.blocks.first_x <= 13'(x[13:BLOCK_LOG2]);
-      view.blocks.last_x <= 13'(end_x[13:BLOCK_LOG2]);
-      view.blocks.first_y <= 13'(y[13:BLOCK_LOG2]);
-      view.blocks.last_y <= 13'(end_y[13:BLOCK_LOG2]);
-      view.end_column <= 3'(end_x[BLOCK_LOG2-1:0]);
-      view.end_row <= 3'(end_y[BLOCK_LOG2-1:0]);
-      view.destination <= words[167:128];
-      view.pitch <= words[215:192];
-      view.bitmap <= words[295:256];
+      found.failed <= failed;
+      found.refused <= !(format_known && aligned && in_range);
+      found.tag <= failed ? 32'd0 : words[31:0];
+      found.row <= words[43:32];
+      found.col <= words[55:44];
+      found.stop_level <= words[59:56];
+      found.format <= format[2:0];
+      found.residuals <= residuals;
+      found.blocks.first_x <= 13'(x[13:BLOCK_LOG2]);
+      found.blocks.last_x <= 13'(end_x[13:BLOCK_LOG2]);
+      found.blocks.first_y <= 13'(y[13:BLOCK_LOG2]);
+      found.blocks.last_y <= 13'(end_y[13:BLOCK_LOG2]);
+      found.end_column <= 3'(end_x[BLOCK_LOG2-1:0]);
+      found.end_row <= 3'(end_y[BLOCK_LOG2-1:0]);
+      found.destination <= words[167:128];
+      found.pitch <= words[215:192];
+      found.bitmap <= words[295:256];
     end
   end
+
+  // ---- What has come.
+  logic stored;
+  assign valid = stored && !stale;
+  hmlfc_fifo #(.WIDTH(hmlfc_pkg::DESCRIPTOR_BITS), .DEPTH(AHEAD + 1)) descriptors (
+      .clk, .rst_n(rst_n && !forget), .in_valid(checked), .in_ready(), .in_data(found), .out_valid(stored),
+      .out_ready(take), .out_data(view), .count()
+  );
 
 endmodule
 

@@ -36,17 +36,8 @@ module hmlfc_view_place #(
   logic go;
   assign scan_start = starting && step == 3'd5;
   hmlfc_view_scan scan (
-      .clk,
-      .rst_n(rst_n && !start),
-      .start(scan_start),
-      .blocks(view.blocks),
-      .valid(scan_valid),
-      .advance(go),
-      .has_block(scan_block),
-      .bx,
-      .by,
-      .tile_ends(scan_tile_ends),
-      .macro_ends(scan_macro_ends)
+      .clk, .rst_n(rst_n && !start), .start(scan_start), .blocks(view.blocks), .valid(scan_valid), .advance(go),
+      .has_block(scan_block), .bx, .by, .tile_ends(scan_tile_ends), .macro_ends(scan_macro_ends)
   );
 
   // Tiles of the rectangle: tiles_x in a row; the number of the first of the macro row, modulo 2^22.

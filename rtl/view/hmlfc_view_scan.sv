@@ -6,9 +6,9 @@
 // by row.
 //
 // `start` takes `blocks`, which must hold until the scan has ended. From the next clock on `valid` offers a position,
-// one a clock: `has_block` says whether the rectangle has it. Groups of positions of which it has none are passed in
-// one clock. `tile_ends`: it is the last position offered of a tile of which the rectangle has blocks; `macro_ends`:
-// the next one is in the next macro row.
+// one a clock: `has_block` says whether the rectangle has it. Squares, tiles, rows of quads and quads of which it has
+// none are passed in one clock. `tile_ends`: it is the last position offered of a tile of which the rectangle has
+// blocks; `macro_ends`: the next one is in the next macro row.
 module hmlfc_view_scan #(
     localparam int BLOCK_BITS = hmlfc_pkg::BLOCK_BITS
 ) (
@@ -33,21 +33,24 @@ module hmlfc_view_scan #(
   assign bx = {column, place[6], place[3:2], place[0]};
   assign by = {macro_row, place[8:7], place[5:4], place[1]};
 
-  // Whether the rectangle has blocks of the square, the tile, the quad. Columns outside it are not visited.
+  // Whether the rectangle has blocks of the square, the tile, the row of quads, the quad. Columns outside it are not
+  // visited.
   wire square = by[BLOCK_BITS-1:4] >= blocks.first_y[BLOCK_BITS-1:4] &&
       by[BLOCK_BITS-1:4] <= blocks.last_y[BLOCK_BITS-1:4];
   wire tile = by[BLOCK_BITS-1:3] >= blocks.first_y[BLOCK_BITS-1:3] &&
       by[BLOCK_BITS-1:3] <= blocks.last_y[BLOCK_BITS-1:3] &&
       bx[BLOCK_BITS-1:3] >= blocks.first_x[BLOCK_BITS-1:3] && bx[BLOCK_BITS-1:3] <= blocks.last_x[BLOCK_BITS-1:3];
-  wire quad = by[BLOCK_BITS-1:1] >= blocks.first_y[BLOCK_BITS-1:1] &&
-      by[BLOCK_BITS-1:1] <= blocks.last_y[BLOCK_BITS-1:1] &&
-      bx[BLOCK_BITS-1:1] >= blocks.first_x[BLOCK_BITS-1:1] && bx[BLOCK_BITS-1:1] <= blocks.last_x[BLOCK_BITS-1:1];
+  wire quads = by[BLOCK_BITS-1:1] >= blocks.first_y[BLOCK_BITS-1:1] &&
+      by[BLOCK_BITS-1:1] <= blocks.last_y[BLOCK_BITS-1:1];
+  wire quad = quads && bx[BLOCK_BITS-1:1] >= blocks.first_x[BLOCK_BITS-1:1] &&
+      bx[BLOCK_BITS-1:1] <= blocks.last_x[BLOCK_BITS-1:1];
   assign has_block = by >= blocks.first_y && by <= blocks.last_y && bx >= blocks.first_x && bx <= blocks.last_x;
 
   // What is passed begins here: its lower bits are 0.
-  wire [9:0] next = {1'b0, place} + (!square ? 10'd256 : !tile ? 10'd64 : !quad ? 10'd4 : 10'd1);
+  wire [9:0] next = {1'b0, place} + (!square ? 10'd256 : !tile ? 10'd64 : !quads ? 10'd16 : !quad ? 10'd4 :
+      10'd1);
   wire last_column = column == blocks.last_x[BLOCK_BITS-1:4];
-  assign tile_ends = tile && (quad ? &place[5:0] : &place[5:2]);
+  assign tile_ends = tile && (quad ? &place[5:0] : quads ? &place[5:2] : &place[5:4]);
   assign macro_ends = next[9] && last_column;
 
   always_ff @(posedge clk) begin

@@ -50,32 +50,13 @@ module hmlfc_view_writer #(
   logic [ADDRESS_BITS-7:0] row_line, row_line_next;
   logic [511:0] row_data;
   logic [63:0] row_strobe, row_strobe_next;
-  hmlfc_view_rows #(
-      .BLOCK_LOG2(BLOCK_LOG2)
-  ) rows (
-      .clk,
-      .rst_n,
-      .format(view.format),
-      .pitch(view.pitch),
-      .in_valid(usable && place.has_block && answer_valid),
-      .in_ready(rows_ready),
-      .in_samples(answer),
-      .in_status(answer_status),
-      .in_end_column(place.end_column),
-      .in_end_row(place.end_row),
-      .in_lower(place.tile_y[0]),
-      .in_address(place.address),
-      .error,
-      .out_valid(row_valid),
-      .out_ready(row_ready),
-      .out_entry(row_entry),
-      .out_line(row_line),
-      .out_line_next(row_line_next),
-      .out_data(row_data),
-      .out_strobe(row_strobe),
-      .out_strobe_next(row_strobe_next),
-      .out_wraps(row_wraps),
-      .empty(rows_empty)
+  hmlfc_view_rows #(.BLOCK_LOG2(BLOCK_LOG2)) rows (
+      .clk, .rst_n, .format(view.format), .pitch(view.pitch), .in_valid(usable && place.has_block && answer_valid),
+      .in_ready(rows_ready), .in_samples(answer), .in_status(answer_status), .in_end_column(place.end_column),
+      .in_end_row(place.end_row), .in_lower(place.tile_y[0]), .in_address(place.address), .error,
+      .out_valid(row_valid), .out_ready(row_ready), .out_entry(row_entry), .out_line(row_line),
+      .out_line_next(row_line_next), .out_data(row_data), .out_strobe(row_strobe), .out_strobe_next(row_strobe_next),
+      .out_wraps(row_wraps), .empty(rows_empty)
   );
   assign block_error = take_block && error != 0;
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -208,31 +207,8 @@ std::string to_json(const std::vector<BlockClocks>& rows) {
   return json.dump(2) + "\n";
 }
 
-std::string to_header(const std::vector<BlockClocks>& rows) {
-  std::array<uint64_t, kBlockKinds> kinds{};
-  uint64_t warm = 0;
-  for (const BlockClocks& row : rows) {
-    const auto clocks = static_cast<uint64_t>(std::max(1.0, std::round(row.clocks)));
-    kinds[row.of.kind] = std::max(kinds[row.of.kind], clocks);
-    warm = std::max(warm, row.warm);
-  }
-  return fmt::format(
-      "// Made by testbench clocks --header from what the unit takes: build the target "
-      "rtl_latencies.\n"
-      "#pragma once\n\n#include <array>\n#include <cstdint>\n\nnamespace hmlfc::tb {{\n\n"
-      "/// Clocks of a LOAD.\ninline constexpr uint64_t kLoadClocks = {};\n"
-      "/// Clocks of a request without its level blocks.\n"
-      "inline constexpr uint64_t kRequestClocks = {};\n"
-      "/// Clocks of a level block: zero, motion only, motion and residual, residual only, key "
-      "image.\n"
-      "inline constexpr std::array<uint64_t, 5> kLevelBlockClocks{{{}}};\n\n"
-      "}}  // namespace hmlfc::tb\n",
-      load_clocks(rows), warm, fmt::join(kinds, ", "));
-}
-
 struct Options {
   bool json = false;
-  bool header = false;
 };
 
 int run(const Options& o) {
@@ -244,7 +220,7 @@ int run(const Options& o) {
   if (const auto& mismatch = bench.findings().first()) {
     throw Stop{to_string(*mismatch), kExitDifferent};
   }
-  fmt::print("{}", o.header ? to_header(rows) : o.json ? to_json(rows) : to_text(rows));
+  fmt::print("{}", o.json ? to_json(rows) : to_text(rows));
   return 0;
 }
 
@@ -253,8 +229,6 @@ int run(const Options& o) {
 Command add_clocks(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_flag("--json", options->json, "Print JSON");
-  app.add_flag("--header", options->header,
-               "Print tlm/latency_table.hpp, which the transaction-level model uses");
   return [options] { return run(*options); };
 }
 

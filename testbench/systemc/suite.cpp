@@ -25,7 +25,7 @@ class CaseRun {
     const bool steps_passed = load() && !image_.left_to_software() && directed() && mixed(0) &&
                               wrong_headers() && mixed(0) && reset_in_flight() && load() &&
                               mixed(0) && faulty_memory() && mixed(0) && faulty_section() &&
-                              mixed(0) && disabled() && counters();
+                              mixed(0) && disabled() && other_stream() && mixed(0) && counters();
     static_cast<void>(steps_passed);
     total_ += bench_.scoreboard().counts();
   }
@@ -149,6 +149,20 @@ class CaseRun {
     image_.load_into(bench_);
     if (good()) bench_.run(source, image_.oracle(), {}, seed);
     return good();
+  }
+
+  // Another stream in the same life of the unit, then this one again: nothing of either is left.
+  bool other_stream() {
+    const UnitParameters unit = bench_.unit().parameters();
+    const auto bytes = suite_stream(random_.below(1000), unit.block_size());
+    StreamImage other(bytes, unit);
+    if (image_.golden() == nullptr || other.golden() == nullptr) return good();
+    other.load_into(bench_);
+    const auto mixed = mixed_requests(other.golden()->geometry(), other.golden()->header(),
+                                      kRequests, random_.next(), kBadPermille);
+    bench_.run(recorded_.record(mixed), other.oracle(), random_conditions(random_.next()),
+               random_.next());
+    return good() && load();
   }
 
   bool counters() {

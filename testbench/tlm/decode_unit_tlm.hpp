@@ -1,11 +1,10 @@
-// The decode unit as a TLM-2.0 model for virtual platforms: loosely timed, with the model's
-// decoder and its fast references inside.
+// The decode unit as a TLM-2.0 model for the bring-up of software on virtual platforms: loosely
+// timed, with the model's decoder and its fast references inside.
 #pragma once
 
 #include <tlm_utils/simple_initiator_socket.h>
 #include <tlm_utils/simple_target_socket.h>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -14,31 +13,9 @@
 #include <vector>
 
 #include "oracle/oracle.hpp"
-#include "tlm/latency_table.hpp"
 #include "tlm/register_file.hpp"
 
 namespace hmlfc::tb {
-
-/// Clocks, by default as rtl-clocks measures them on the unit.
-struct LatencyTable {
-  uint64_t load = kLoadClocks;        ///< of a LOAD
-  uint64_t request = kRequestClocks;  ///< of a request without its level blocks
-  /// Clocks of a level block: zero, motion only, motion and residual, residual only, key image.
-  std::array<uint64_t, 5> level_block = kLevelBlockClocks;
-};
-
-/// The clocks from a request to its answer.
-inline uint64_t clocks_of(const ExpectedAnswer& answer, const LatencyTable& table) {
-  uint64_t clocks = table.request;
-  for (const auto& plane : answer.planes) {
-    if (!plane) continue;
-    for (const LevelRecord& level : plane->levels) {
-      const size_t kind = level.key ? 4 : static_cast<size_t>(level.state());
-      clocks += table.level_block[kind];
-    }
-  }
-  return clocks;
-}
 
 /// One access through an initiator socket; whether it was good.
 template <class Socket>
@@ -63,7 +40,9 @@ constexpr unsigned answer_bytes(unsigned block_size) { return 3 * block_size * b
 /// Registers, requests and answers as in docs/decode_unit.md. At LOAD the whole stream is read
 /// through `memory` and checked; a failing access there gives bus_error. The reference area is not
 /// read: the model decodes the reference images itself. BYTES_READ counts what LOAD read, CYCLES
-/// what the latency table says, STALLS is 0.
+/// requests, STALLS is 0.
+///
+/// Time says nothing about the unit: an access, a LOAD and a request take a clock each.
 ///
 /// A request is answered before its b_transport returns; the delay is annotated on the answer.
 /// Before LOAD, and after DISABLE, it waits: call from a thread.
@@ -75,7 +54,6 @@ class DecodeUnitTlm final : public sc_core::sc_module {
   tlm_utils::simple_initiator_socket<DecodeUnitTlm> memory;   ///< reads of the stream
 
   DecodeUnitTlm(const sc_core::sc_module_name& name, const UnitParameters& parameters,
-                const LatencyTable& latency = {},
                 const sc_core::sc_time& period = sc_core::sc_time(1, sc_core::SC_NS));
 
   /// Resets, as rst_n does.
@@ -90,7 +68,6 @@ class DecodeUnitTlm final : public sc_core::sc_module {
   void answer(const ExpectedAnswer& expected, sc_core::sc_time& delay);
 
   UnitParameters parameters_;
-  LatencyTable latency_;
   sc_core::sc_time period_;
   RegisterFile file_;
   std::vector<uint8_t> stream_;

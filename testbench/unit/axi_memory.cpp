@@ -67,7 +67,7 @@ void AxiMemory::edge(const UnitInputs& in, const UnitOutputs& out, UnitInputs& n
   write_bursts();
   if (!beat_waits) show_beat(next);
   if (!response_waits) {
-    next.write_b_valid = !responses_.empty() && responses_.front().ready_at <= cycle_;
+    next.write_b_valid = !mute_ && !responses_.empty() && responses_.front().ready_at <= cycle_;
     if (next.write_b_valid) {
       next.write_b_resp = responses_.front().value;
       responses_.pop_front();
@@ -190,7 +190,7 @@ void AxiMemory::write_bursts() {
 void AxiMemory::show_beat(UnitInputs& next) {
   next.r_valid = false;
   if (reads_[0].empty() && reads_[1].empty()) return;
-  if (random_.chance(conditions_.stall)) return;
+  if (mute_ || random_.chance(conditions_.stall)) return;
   const unsigned first = reads_[0].empty() || reads_[1].empty() ? 0 : random_.below(2);
   for (const unsigned id : {first, 1 - first}) {
     auto& reads = reads_[id];

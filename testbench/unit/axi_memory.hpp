@@ -43,6 +43,9 @@ class AxiMemory {
   /// Whether bursts outlive a reset of the unit, as where the memory has a reset of its own.
   void keep_bursts_in_reset(bool keep) { keeps_bursts_ = keep; }
 
+  /// Whether it gives no beats and no responses.
+  void set_mute(bool mute) { mute_ = mute; }
+
   /// Called with the address and the beats of every burst of reads that is taken; null: nothing is
   /// called.
   using BurstListener = std::function<void(uint64_t address, unsigned beats)>;
@@ -99,7 +102,7 @@ class AxiMemory {
   std::set<uint64_t> failed_;  // addresses of beats
   Dram* dram_ = nullptr;
   BurstListener listener_;
-  bool keeps_bursts_ = false;
+  bool keeps_bursts_ = false, mute_ = false;
   uint64_t cycle_ = 0;
   std::deque<Read> reads_[2];     // by ID
   unsigned outstanding_[2] = {};  // bursts by ID, until their last beat is taken

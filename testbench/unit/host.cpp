@@ -27,6 +27,7 @@ void Host::clock() {
   unit_->clock(next_, out_);
   in_ = next_;
   ++clocks_;
+  if (out_.interrupt) ++interrupt_clocks_;
   if (!memory_.finding.empty()) find(memory_.finding);
   if (!registers_.finding.empty()) find(registers_.finding);
 }

@@ -36,6 +36,7 @@ class Host {
   const AxiMemory& memory() const { return memory_; }
   UnitParameters parameters() const { return unit_->parameters(); }
   uint64_t clocks() const { return clocks_; }
+  uint64_t interrupt_clocks() const { return interrupt_clocks_; }      ///< with `irq` high
   uint64_t stopped_clocks() const { return unit_->stopped_clocks(); }  ///< of the unit
 
  protected:
@@ -61,6 +62,7 @@ class Host {
   RegisterMaster registers_;
   std::string finding_;
   uint64_t clocks_ = 0;
+  uint64_t interrupt_clocks_ = 0;
 };
 
 }  // namespace hmlfc::tb

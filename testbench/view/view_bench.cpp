@@ -8,6 +8,7 @@
 namespace hmlfc::tb {
 namespace {
 
+constexpr uint32_t kWatchdog = 1000;       // clocks; latencies here are shorter
 constexpr uint64_t kAbortPatience = 8000;  // clocks; what is in flight takes fewer than 2000 here
 
 }  // namespace
@@ -173,15 +174,83 @@ void ViewBench::run_aborted(const Descriptor& descriptor, uint64_t clocks, const
   }
   compare();
   expected_ = host_.memory().content;
+  if (clocks % 2 == 0) {
+    // Nothing is under way: there is nothing to wait for.
+    host_.write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_DRAIN_MASK);
+    expect_register(HMLFC_REG_VIEW_STATUS, HMLFC_REG_VIEW_STATUS_MASK,
+                    done == 2 ? HMLFC_REG_VIEW_STATUS_EMPTY_MASK : 0, "STATUS after ABORT, DRAIN");
+    if (hmlfc_unit_drain(host_.driver()) != HMLFC_OK) host_.find("hang: DRAIN after ABORT");
+  }
   hmlfc_unit_resume(host_.driver());
   wait_and_compare(std::span(both).subspan(done));
 }
 
-void ViewBench::run_reset(const Descriptor& descriptor, uint64_t clocks) {
+void ViewBench::run_reset(const Descriptor& descriptor, uint64_t clocks, bool hard) {
   hmlfc_unit_resume(host_.driver());
   give(std::span(&descriptor, 1));
   host_.idle(clocks);
-  host_.reset();
+  host_.open(hard);
+  host_.load();
+}
+
+void ViewBench::run_hung(const Descriptor& descriptor, uint64_t clocks) {
+  hmlfc_unit_set_watchdog(host_.driver(), kWatchdog);
+  give(std::span(&descriptor, 1));
+  host_.idle(clocks);
+  host_.memory().set_mute(true);
+  const uint64_t begin = host_.clocks();
+  hmlfc_status status;
+  if (hmlfc_unit_wait(host_.driver(), &status) == HMLFC_TIMEOUT) {
+    if (host_.clocks() - begin > kAbortPatience) host_.find("hang: the watchdog");
+    if ((host_.take_events() & HMLFC_REG_INTERRUPT_STATUS_HANG_MASK) == 0)
+      host_.find("registers: the interrupt HANG is missing");
+    host_.write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_RESET_MASK);
+    host_.idle(kWatchdog);
+    expect_register(HMLFC_REG_VIEW_STATUS, HMLFC_REG_VIEW_STATUS_RESETTING_MASK,
+                    HMLFC_REG_VIEW_STATUS_RESETTING_MASK, "RESETTING before the last answer");
+  } else if (clocks == 0) {
+    host_.find("status: of a descriptor that cannot have been read");
+  }
+  host_.memory().set_mute(false);
+  host_.open(false);
+  host_.load();
+}
+
+void ViewBench::run_before_load(std::span<const Descriptor> descriptors) {
+  host_.open(false);
+  give(descriptors);
+  host_.idle(kWatchdog);
+  const uint64_t begin = host_.clocks();
+  if (hmlfc_unit_abort(host_.driver()) != HMLFC_OK || host_.clocks() - begin > kAbortPatience)
+    return host_.find("hang: ABORT before LOAD");
+  expect_register(HMLFC_REG_CONSUMER, ~0u, 0, "CONSUMER before LOAD");
+  host_.load();
+  hmlfc_unit_resume(host_.driver());
+  wait_and_compare(descriptors);
+}
+
+void ViewBench::run_during_load(std::span<const Descriptor> descriptors) {
+  host_.memory().start({.latency = 5, .address_stall = 930}, descriptors.front().tag);
+  host_.write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_DISABLE_MASK);
+  give(descriptors);
+  host_.write(HMLFC_REG_VIEW_CONTROL, HMLFC_REG_VIEW_CONTROL_ENABLE_MASK);
+  host_.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
+  wait_and_compare(descriptors);
+}
+
+void ViewBench::run_cleared(const Descriptor& descriptor) {
+  hmlfc_unit_resume(host_.driver());
+  hmlfc_unit_enable_events(host_.driver(), HMLFC_REG_INTERRUPT_ENABLE_DONE_MASK);
+  give(std::span(&descriptor, 1));
+  const uint64_t before = host_.interrupt_clocks();
+  const uint16_t next = host_.driver()->producer;
+  do {
+    for (int i = 0; i < 4; ++i)
+      host_.write(HMLFC_REG_INTERRUPT_STATUS, HMLFC_REG_INTERRUPT_STATUS_DONE_MASK);
+  } while (host_.read(HMLFC_REG_CONSUMER) != next && finding().empty());
+  if (host_.interrupt_clocks() == before) host_.find("registers: an interrupt was lost");
+  hmlfc_unit_enable_events(host_.driver(), HMLFC_REG_INTERRUPT_ENABLE_MASK);
+  wait_and_compare(std::span(&descriptor, 1));
 }
 
 void ViewBench::run_with_fault(const Descriptor& descriptor, const FaultyRange& fault) {

@@ -34,17 +34,27 @@ class ViewBench {
   void run_drained(std::span<const Descriptor> descriptors);
 
   /// Aborts `descriptor` after `clocks`, and goes on with `next`, which must be as if nothing had
-  /// been.
+  /// been; every other time by DRAIN.
   void run_aborted(const Descriptor& descriptor, uint64_t clocks, const Descriptor& next);
 
-  /// Resets the unit while it decodes `descriptor`.
-  void run_reset(const Descriptor& descriptor, uint64_t clocks);
+  /// Resets the unit while it decodes `descriptor`: by its pin if `hard`, else by the driver.
+  void run_reset(const Descriptor& descriptor, uint64_t clocks, bool hard);
+
+  /// The memory answers nothing from `clocks` of `descriptor` on: the watchdog must see it.
+  void run_hung(const Descriptor& descriptor, uint64_t clocks);
+
+  /// Gives descriptors before a LOAD, aborts, and goes on after the LOAD.
+  void run_before_load(std::span<const Descriptor> descriptors);
+
+  /// Lets both read masters read at once; clears DONE again and again, but `irq` must have risen.
+  void run_during_load(std::span<const Descriptor> descriptors);
+  void run_cleared(const Descriptor& descriptor);
 
   /// Lets all writes to, and all reads of, [begin, end) fail while `descriptor` runs; the status
   /// must be kBus.
   void run_with_fault(const Descriptor& descriptor, const FaultyRange& fault);
 
-  /// The first thing that was wrong; empty for nothing.
+  /// The first that was wrong; empty for nothing.
   const std::string& finding() const { return host_.finding(); }
 
   /// Descriptors with result kAborted so far.

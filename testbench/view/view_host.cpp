@@ -25,7 +25,7 @@ ViewHost::ViewHost(std::unique_ptr<Unit> unit, std::span<const uint8_t> stream, 
     : Host(std::move(unit), crc32c(stream)), ring_size_(ring_size) {
   ring_base_ = take_place(HMLFC_RINGS_BYTES(ring_size), kRingAlignment, 0);
   memory().start({}, 0);
-  open_unit();
+  open(true);
   hmlfc_stream_open(&stream_, stream.data(), stream.size(), &driver_.limits, &stream_error_);
   if (stream_error_.code != HMLFC_OK) stream_.area_bytes = 0;
   stream_base_ = take_place(stream.size(), kAlignment, AddressSpace::kReadBehind);
@@ -71,13 +71,8 @@ hmlfc_unit* ViewHost::driver() {
   return &driver_;
 }
 
-void ViewHost::reset() {
-  open_unit();
-  load();
-}
-
-void ViewHost::open_unit() {
-  reset_unit();
+void ViewHost::open(bool hard) {
+  if (hard) reset_unit();
   const hmlfc_io io{
       this,
       [](void* host, uint32_t offset) { return host_of(host).read(offset); },
@@ -86,6 +81,7 @@ void ViewHost::open_unit() {
       nullptr,
       nullptr};
   const hmlfc_buffer rings = buffer(ring_base_, HMLFC_RINGS_BYTES(ring_size_));
+  deadline_ = clocks() + kPatience;
   check(hmlfc_unit_open(&driver_, &io, &rings, ring_size_), "opens no unit");
   hmlfc_unit_enable_events(&driver_, HMLFC_REG_INTERRUPT_ENABLE_MASK);
 }
@@ -100,10 +96,11 @@ void ViewHost::fill_area() {
   std::ranges::fill(area(), uint8_t{0});
   std::vector<int16_t> samples(size_t{stream_.width} * stream_.height);
   hmlfc_error error;
-  hmlfc_fill_key_images(&stream_, area().data(), hmlfc_openjpeg_decode, nullptr, samples.data(),
-                        &error);
   const hmlfc_buffer buffer_of_area = buffer(area_base_, stream_.area_bytes);
   uint64_t failed = 0;
+  check(hmlfc_fill_key_images(&stream_, &buffer_of_area, hmlfc_openjpeg_decode, nullptr,
+                              samples.data(), samples.size(), &failed, &error),
+        "key images");
   check(hmlfc_unit_fill_residuals(driver(), &stream_, &buffer_of_area, &failed), "residuals");
 }
 

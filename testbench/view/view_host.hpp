@@ -25,8 +25,11 @@ class ViewHost final : public Host {
   const hmlfc_error& stream_error() const { return stream_error_; }
   const hmlfc_stream& stream() const { return stream_; }
 
-  /// Resets unit and memory channels; then the driver takes the unit and loads the stream.
-  void reset();
+  /// The driver takes the unit, after a reset of unit and memory channels if `hard`.
+  void open(bool hard);
+
+  /// The driver loads the stream.
+  void load();
 
   /// Lets the driver fill the reference area: key images by OpenJPEG, residuals by the unit.
   void fill_area();
@@ -64,8 +67,6 @@ class ViewHost final : public Host {
   uint64_t free_bytes() const { return free_bytes_; }
 
  private:
-  void open_unit();
-  void load();
   hmlfc_buffer buffer(uint64_t address, uint64_t bytes);
   int wait_for_interrupt();
   void check(int code, const char* what);

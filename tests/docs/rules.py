@@ -52,7 +52,7 @@ COMMANDS = rules(
     (r"(\./run (?:bench (?:access|accuracy|geometry|gpu|rate_distortion|remote|skipping|view)|coverage|rtl-coverage|stress|fuzz))( .*)?", HELP,
      "measures for minutes, or needs a build of its own"),
     (r"(\./run view) .*", HELP, "serves until Ctrl-C; viewer.command runs it"),
-    (r"(\./run rtl-clocks)", HELP, "tlm.latencies runs it, for 16 seconds"),
+    (r"(\./run rtl-clocks)", HELP, "testbench.rtl_clocks runs it, for 16 seconds"),
     (r"(\./run rtl-random)( .*)?", HELP, "rtl_unit.Seed/Rtl runs the same on two seeds"),
     (r"(\./run rtl-bench)( .*)?", HELP, "testbench.rtl_bench runs it"),
     (r"(\./run synthesis)( (?:size|speed) .*)?", HELP, "rtl.speed measures a module; a whole run takes hours"),

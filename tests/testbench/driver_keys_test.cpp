@@ -26,7 +26,17 @@ class DriverKeys : public testing::Test {
   }
 
   uint64_t fill(hmlfc_decode_plane decode, void* context) {
-    return hmlfc_fill_key_images(&stream, area.data(), decode, context, samples.data(), &error);
+    const hmlfc_buffer buffer{area.data(), 0, area.size()};
+    uint64_t failed = 0;
+    const size_t count = samples.size();
+    const auto fill = [&](const hmlfc_buffer& to, size_t room) {
+      return hmlfc_fill_key_images(&stream, &to, decode, context, samples.data(), room, &failed,
+                                   &error);
+    };
+    EXPECT_EQ(fill({area.data(), 0, area.size() - 1}, count), HMLFC_BAD_ARGUMENT);
+    EXPECT_EQ(fill(buffer, count - 1), HMLFC_BAD_ARGUMENT);
+    EXPECT_EQ(fill(buffer, count), HMLFC_OK);
+    return failed;
   }
 
   std::vector<uint8_t> file;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <deque>
 #include <map>
@@ -12,8 +11,6 @@
 #include "driver/hmlfc_driver.h"
 #include "driver/hmlfc_registers.h"
 #include "stimulus/random_stream.hpp"
-#include "syntax/geometry.hpp"
-#include "syntax/header.hpp"
 #include "unit/registers.hpp"
 #include "view/descriptor.hpp"
 
@@ -24,7 +21,8 @@ constexpr uint64_t kBus = 0x12'3456'7800;  // of the rings
 
 class PlainUnit {
  public:
-  explicit PlainUnit(unsigned ring_size) : ring_size_(ring_size), rings_(80 * ring_size) {
+  explicit PlainUnit(unsigned ring_size)
+      : ring_size_(ring_size), rings_(HMLFC_RINGS_BYTES(ring_size), 0xab) {
     registers[HMLFC_REG_ID] = HMLFC_REG_ID_RESET;
     registers[HMLFC_REG_VIEW_ID] = HMLFC_REG_VIEW_ID_RESET;
     registers[HMLFC_REG_PARAMETERS] = reg::parameters(2, 12, 16);
@@ -37,7 +35,11 @@ class PlainUnit {
                       [](void* of, uint32_t at, uint32_t value) { self(of).write(at, value); },
                       [](void* of) { return ++self(of).waits > 100 ? 1 : 0; },
                       [](void* of, const void*, size_t bytes) { self(of).cleaned += bytes; },
-                      [](void* of, const void*, size_t bytes) { self(of).invalid += bytes; }};
+                      [](void* of, const void* from, size_t bytes) {
+                        const auto* first = static_cast<const uint8_t*>(from);
+                        EXPECT_EQ((first - self(of).rings_.data()) % HMLFC_CACHE_LINE, 0);
+                        self(of).invalid += bytes;
+                      }};
     return hmlfc_unit_open(&unit, &io, &rings, ring_size_);
   }
   hmlfc_buffer buffer() { return {rings_.data(), kBus, rings_.size()}; }
@@ -56,7 +58,7 @@ class PlainUnit {
   std::deque<hmlfc_status> answers;  ///< to the next descriptors; after them, done without errors
   bool answering = true;
   size_t cleaned = 0, invalid = 0;
-  unsigned waits = 0;
+  unsigned waits = 0, resets = 0;
 
  private:
   static PlainUnit& self(void* unit) { return *static_cast<PlainUnit*>(unit); }
@@ -64,6 +66,10 @@ class PlainUnit {
   void write(uint32_t at, uint32_t value) {
     if (at == HMLFC_REG_INTERRUPT_STATUS) value = registers[at] & ~value;
     registers[at] = value;
+    if (at == HMLFC_REG_VIEW_CONTROL && (value & HMLFC_REG_VIEW_CONTROL_RESET_MASK) != 0) {
+      ++resets;
+      registers[HMLFC_REG_CONSUMER] = 0;
+    }
     if (at != HMLFC_REG_PRODUCER) return;
     given.push_back(words(value - 1));
     if (answering) answer(value - 1);
@@ -94,6 +100,10 @@ TEST(DriverUnit, OpensAUnitAndSaysWhatIsWrong) {
     EXPECT_EQ(unit.pair(HMLFC_REG_STATUS_BASE), kBus + uint64_t{64} * size);
     EXPECT_EQ(unit.registers[HMLFC_REG_RING_SIZE], size);
     EXPECT_EQ(unit.registers[HMLFC_REG_VIEW_CONTROL], HMLFC_REG_VIEW_CONTROL_ENABLE_MASK);
+    EXPECT_EQ(unit.resets, 1u);
+    EXPECT_EQ(unit.cleaned, HMLFC_RINGS_BYTES(size));
+    EXPECT_EQ(unit.invalid, HMLFC_RINGS_BYTES(size));
+    EXPECT_EQ(*(unit.buffer().cpu + HMLFC_RINGS_BYTES(size) - 1), 0);
     const hmlfc_limits& limits = unit.unit.limits;
     EXPECT_EQ(limits.grid_side, 1024u);
     EXPECT_EQ(limits.view_side, 16384u);
@@ -111,6 +121,9 @@ TEST(DriverUnit, OpensAUnitAndSaysWhatIsWrong) {
   hmlfc_buffer odd = unit.buffer();
   odd.bus += 32;
   EXPECT_EQ(unit.open(odd), HMLFC_BAD_ARGUMENT);
+  hmlfc_buffer high = unit.buffer();
+  high.bus = uint64_t{1} << 40;
+  EXPECT_EQ(unit.open(high), HMLFC_BAD_ARGUMENT);
   for (const uint32_t id : {HMLFC_REG_ID, HMLFC_REG_VIEW_ID}) {
     PlainUnit other(4);
     other.registers[id] ^= 1;
@@ -134,7 +147,7 @@ TEST(DriverUnit, LoadsAStream) {
   EXPECT_EQ(unit.pair(HMLFC_REG_STREAM_BYTES), 1001u);
   EXPECT_EQ(unit.pair(HMLFC_REG_REFERENCE_BASE), 0x40u);
   EXPECT_EQ(unit.registers[HMLFC_REG_CONTROL], HMLFC_REG_CONTROL_LOAD_MASK);
-  EXPECT_EQ(unit.cleaned, 1289u);
+  EXPECT_EQ(unit.cleaned - HMLFC_RINGS_BYTES(4), 1289u);
   EXPECT_EQ(load(8, 0x40, 288), HMLFC_BAD_ARGUMENT);
   EXPECT_EQ(load(0, 0x48, 288), HMLFC_BAD_ARGUMENT);
   EXPECT_EQ(load(0, 0x40, 287), HMLFC_BAD_ARGUMENT);
@@ -149,6 +162,19 @@ TEST(DriverUnit, LoadsAStream) {
   EXPECT_EQ(load(0, 0x40, 288), HMLFC_TIMEOUT);
 }
 
+TEST(DriverUnit, OpensAUnitThatIsAtWork) {
+  PlainUnit unit(4);
+  hmlfc_status status{};
+  for (uint32_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(unit.open(), HMLFC_OK);
+    hmlfc_descriptor d{};
+    d.tag = i;
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(hmlfc_unit_give(&unit.unit, &d), HMLFC_OK);
+    EXPECT_EQ(hmlfc_unit_take(&unit.unit, &status), HMLFC_OK);
+    EXPECT_EQ(status.tag, i);
+  }
+}
+
 TEST(DriverUnit, GivesDescriptorsAndTakesTheirStatus) {
   PlainUnit unit(2);
   ASSERT_EQ(unit.open(), HMLFC_OK);
@@ -159,7 +185,15 @@ TEST(DriverUnit, GivesDescriptorsAndTakesTheirStatus) {
   const Descriptor same{d.tag,   d.row,   d.col,   7,        ViewFormat::kRgb161616,
                         d.x,     d.y,     d.width, d.height, d.destination,
                         d.pitch, d.bitmap};
-  EXPECT_EQ(unit.cleaned, 64u);
+  EXPECT_EQ(unit.cleaned - HMLFC_RINGS_BYTES(2), 64u);
+  for (int field = 0; field < 4; ++field) {
+    hmlfc_descriptor wide = d;
+    if (field == 0) wide.row = 0x1000;
+    if (field == 1) wide.col = 0x1000;
+    if (field == 2) wide.stop_level = 16;
+    if (field == 3) wide.format = 16;
+    EXPECT_EQ(hmlfc_unit_give(&unit.unit, &wide), HMLFC_BAD_ARGUMENT) << field;
+  }
   hmlfc_status status{};
   EXPECT_EQ(hmlfc_unit_take(&unit.unit, &status), HMLFC_NOTHING_DONE);
   EXPECT_EQ(hmlfc_unit_wait(&unit.unit, &status), HMLFC_TIMEOUT);
@@ -193,14 +227,15 @@ TEST(DriverUnit, TakesStatusesInOrderAroundTheEndOfTheCount) {
     ASSERT_EQ(got.writes, sent.writes);
     ASSERT_EQ(hmlfc_unit_wait(&unit.unit, &got), HMLFC_NOTHING_DONE);
   }
-  EXPECT_EQ(unit.invalid, 70'000u * 16);
+  EXPECT_EQ(unit.invalid, HMLFC_RINGS_BYTES(4) + size_t{70'000} * HMLFC_CACHE_LINE);
 }
 
 TEST(DriverUnit, StopsAndHandlesEvents) {
   PlainUnit unit(4);
   ASSERT_EQ(unit.open(), HMLFC_OK);
   EXPECT_EQ(hmlfc_unit_drain(&unit.unit), HMLFC_OK);
-  EXPECT_EQ(unit.registers[HMLFC_REG_VIEW_CONTROL], HMLFC_REG_VIEW_CONTROL_DRAIN_MASK);
+  EXPECT_EQ(unit.registers[HMLFC_REG_VIEW_CONTROL],
+            HMLFC_REG_VIEW_CONTROL_ENABLE_MASK | HMLFC_REG_VIEW_CONTROL_DRAIN_MASK);
   EXPECT_EQ(hmlfc_unit_abort(&unit.unit), HMLFC_OK);
   EXPECT_EQ(unit.registers[HMLFC_REG_VIEW_CONTROL], HMLFC_REG_VIEW_CONTROL_ABORT_MASK);
   for (const uint32_t bit :
@@ -213,73 +248,21 @@ TEST(DriverUnit, StopsAndHandlesEvents) {
     unit.registers[HMLFC_REG_VIEW_STATUS] = bit;
     EXPECT_EQ(hmlfc_unit_abort(&unit.unit), HMLFC_TIMEOUT);
   }
+  unit.waits = 0;
+  unit.registers[HMLFC_REG_VIEW_STATUS] |= HMLFC_REG_VIEW_STATUS_HUNG_MASK;
+  EXPECT_EQ(hmlfc_unit_abort(&unit.unit), HMLFC_TIMEOUT);
+  EXPECT_EQ(unit.waits, 1u) << "the watchdog is believed";
+  hmlfc_unit_set_watchdog(&unit.unit, 77);
+  unit.registers[HMLFC_REG_VIEW_STATUS] = unit.registers[HMLFC_REG_WATCHDOG] = 0;
+  EXPECT_EQ(hmlfc_unit_reset(&unit.unit), HMLFC_OK);
+  EXPECT_EQ(unit.registers[HMLFC_REG_WATCHDOG], 77u);
+  unit.registers[HMLFC_REG_VIEW_STATUS] = HMLFC_REG_VIEW_STATUS_RESETTING_MASK;
+  EXPECT_EQ(hmlfc_unit_reset(&unit.unit), HMLFC_TIMEOUT);
   hmlfc_unit_enable_events(&unit.unit, 5);
   EXPECT_EQ(unit.registers[HMLFC_REG_INTERRUPT_ENABLE], 5u);
   unit.registers[HMLFC_REG_INTERRUPT_STATUS] = 9;
   EXPECT_EQ(hmlfc_unit_events(&unit.unit), 9u);
   EXPECT_EQ(unit.registers[HMLFC_REG_INTERRUPT_STATUS], 0u);
-}
-
-// The descriptors that fill the residuals of a stream, by the model's geometry.
-std::vector<Descriptor> residuals_of(const StreamHeader& header, uint64_t area_bus) {
-  const Geometry geometry(header);
-  std::vector<Descriptor> all;
-  uint64_t at = area_bus;
-  for (int l = geometry.top(); l >= 0; --l) {
-    const LevelShape& level = geometry.level(l);
-    const bool read = level.group_rows() != level.rows || level.group_cols() != level.cols;
-    for (uint32_t i = 0; i < level.group_rows() * level.group_cols(); ++i) {
-      const ImagePos image =
-          geometry.reference_of_group(l, {i / level.group_cols(), i % level.group_cols()});
-      for (const Plane p : kPlanes) {
-        const PlaneShape& plane = geometry.plane(p);
-        const unsigned b = geometry.block_size();
-        const uint32_t pitch = (plane.blocks_x + 64 / (b * b) - 1) / (64 / (b * b)) * 144;
-        if (!level.keyed && read) {
-          Descriptor d{.tag = i,
-                       .stop_level = static_cast<unsigned>(l),
-                       .format = static_cast<ViewFormat>(8 + static_cast<unsigned>(p)),
-                       .width = plane.width,
-                       .height = plane.height,
-                       .destination = at,
-                       .pitch = pitch};
-          d.row = image.row * static_cast<uint32_t>(std::pow(header.cluster_rows, l));
-          d.col = image.col * static_cast<uint32_t>(std::pow(header.cluster_cols, l));
-          all.push_back(d);
-        }
-        at += uint64_t{pitch} * plane.blocks_y;
-      }
-    }
-  }
-  return all;
-}
-
-TEST(DriverUnit, AsksForTheResidualsOfEveryReferenceImageThatIsRead) {
-  unsigned streams = 0;
-  for (uint32_t seed = 0; seed < 60; ++seed) {
-    const auto file = suite_stream(seed, 2u << seed % 3);
-    hmlfc_stream stream;
-    hmlfc_error error;
-    ASSERT_EQ(hmlfc_stream_open(&stream, file.data(), file.size(), nullptr, &error), HMLFC_OK);
-    PlainUnit unit(1u << seed % 4);
-    ASSERT_EQ(unit.open(), HMLFC_OK);
-    unit.answers = {{0, HMLFC_DONE, 0, 0, 0}, {0, HMLFC_BLOCK_ERRORS, 17, 3, 0}};
-    const hmlfc_buffer area{nullptr, 0x10'0000'0000, 0};
-    uint64_t failed = 99;
-    ASSERT_EQ(hmlfc_unit_fill_residuals(&unit.unit, &stream, &area, &failed), HMLFC_OK);
-    const auto expected = residuals_of(*parse_header(file), area.bus);
-    EXPECT_EQ(failed, expected.size() > 1 ? 3u : 0u);
-    ASSERT_EQ(unit.given.size(), expected.size());
-    for (size_t i = 0; i < expected.size(); ++i) {
-      std::array<uint32_t, 16> words{};
-      std::ranges::copy(expected[i].words(), words.begin());
-      ASSERT_EQ(unit.given[i], words) << "seed " << seed << ", descriptor " << i;
-    }
-    hmlfc_status left;
-    EXPECT_EQ(hmlfc_unit_take(&unit.unit, &left), HMLFC_NOTHING_DONE);
-    streams += expected.empty() ? 0u : 1u;
-  }
-  EXPECT_GE(streams, 8u);
 }
 
 TEST(DriverUnit, ReportsResidualsThatCouldNotBeWritten) {
@@ -289,18 +272,26 @@ TEST(DriverUnit, ReportsResidualsThatCouldNotBeWritten) {
   ASSERT_EQ(hmlfc_stream_open(&stream, file.data(), file.size(), nullptr, &error), HMLFC_OK);
   stream.levels[0].keyed = 0;
   stream.levels[0].is_read = 1;
-  const hmlfc_buffer area{nullptr, 0, 0};
+  const hmlfc_buffer area{nullptr, 0, stream.area_bytes};
   uint64_t failed = 0;
   for (const uint8_t result : {HMLFC_REFUSED, HMLFC_BUS, HMLFC_ABORTED}) {
     PlainUnit unit(2);
     ASSERT_EQ(unit.open(), HMLFC_OK);
     unit.answers = {{0, HMLFC_DONE, 0, 0, 0}, {0, result, 0, 0, 1}};
-    EXPECT_EQ(hmlfc_unit_fill_residuals(&unit.unit, &stream, &area, &failed), HMLFC_BUS_ERROR);
+    EXPECT_EQ(hmlfc_unit_fill_residuals(&unit.unit, &stream, &area, &failed),
+              result == HMLFC_REFUSED ? HMLFC_WAS_REFUSED : HMLFC_BUS_ERROR);
+    EXPECT_EQ(unit.unit.taken, unit.unit.producer) << "in flight";
+    const hmlfc_buffer small{nullptr, 0, stream.area_bytes - 1};
+    EXPECT_EQ(hmlfc_unit_fill_residuals(&unit.unit, &stream, &small, &failed), HMLFC_BAD_ARGUMENT);
+    hmlfc_descriptor d{};
+    EXPECT_EQ(hmlfc_unit_give(&unit.unit, &d), HMLFC_OK);
+    EXPECT_EQ(hmlfc_unit_fill_residuals(&unit.unit, &stream, &area, &failed), HMLFC_BUSY);
   }
   PlainUnit silent(2);
   ASSERT_EQ(silent.open(), HMLFC_OK);
   silent.answering = false;
   EXPECT_EQ(hmlfc_unit_fill_residuals(&silent.unit, &stream, &area, &failed), HMLFC_TIMEOUT);
+  EXPECT_EQ(silent.resets, 2u) << "nothing is in flight";
 }
 
 }  // namespace

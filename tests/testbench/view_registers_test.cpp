@@ -23,7 +23,7 @@ constexpr uint32_t high(uint64_t mask) { return static_cast<uint32_t>(mask >> 32
 
 // Registers that keep what is written, with the bits they have: of the decode unit, then of the
 // DMA.
-constexpr std::array<Kept, 8> kKept{
+constexpr std::array<Kept, 16> kKept{
     {{HMLFC_REG_STREAM_BASE, low(HMLFC_REG_STREAM_BASE_MASK)},
      {HMLFC_REG_STREAM_BASE_HIGH, high(HMLFC_REG_STREAM_BASE_MASK)},
      {HMLFC_REG_REFERENCE_BASE, low(HMLFC_REG_REFERENCE_BASE_MASK)},
@@ -31,7 +31,15 @@ constexpr std::array<Kept, 8> kKept{
      {HMLFC_REG_RING_BASE, low(HMLFC_REG_RING_BASE_MASK)},
      {HMLFC_REG_RING_BASE_HIGH, high(HMLFC_REG_RING_BASE_MASK)},
      {HMLFC_REG_STATUS_BASE, low(HMLFC_REG_STATUS_BASE_MASK)},
-     {HMLFC_REG_STATUS_BASE_HIGH, high(HMLFC_REG_STATUS_BASE_MASK)}}};
+     {HMLFC_REG_STATUS_BASE_HIGH, high(HMLFC_REG_STATUS_BASE_MASK)},
+     {HMLFC_REG_STREAM_BYTES, ~0u},
+     {HMLFC_REG_STREAM_BYTES_HIGH, ~0u},
+     {HMLFC_REG_RING_SIZE, HMLFC_REG_RING_SIZE_MASK},
+     {HMLFC_REG_PRODUCER, HMLFC_REG_PRODUCER_MASK},
+     {HMLFC_REG_INTERRUPT_ENABLE, HMLFC_REG_INTERRUPT_ENABLE_MASK},
+     {HMLFC_REG_WATCHDOG, HMLFC_REG_WATCHDOG_MASK},
+     {0x028, 0},  // no registers
+     {0x834, 0}}};
 
 // Each channel offers its next access after a wait of its own, whether or not those before it are
 // answered. No read is under way together with a write of the same register, so that the value that
@@ -41,7 +49,6 @@ class Traffic {
   Traffic(Unit& unit, uint64_t seed) : unit_(unit), random_(seed) {
     for (int i = 0; i < 4; ++i) unit_.clock(in_, out_);
     in_.rst_n = true;
-    in_.w_strb = 15;
   }
 
   void run(int clocks) {
@@ -67,6 +74,7 @@ class Traffic {
   struct Access {
     size_t index = 0;  // in kKept
     uint32_t data = 0;
+    uint8_t strobes = 0;
     bool addressed = false;
     bool sent = false;
   };
@@ -78,7 +86,8 @@ class Traffic {
 
   void begin() {
     for (auto [own, other] : {std::pair{&writes_, &reads_}, std::pair{&reads_, &writes_}}) {
-      const Access access{random_.below(kKept.size()), static_cast<uint32_t>(random_.next())};
+      const Access access{random_.below(kKept.size()), static_cast<uint32_t>(random_.next()),
+                          static_cast<uint8_t>(random_.below(16))};
       if (own->size() < kMost && random_.chance(300) && !holds(*other, access.index)) {
         own->push_back(access);
       }
@@ -95,6 +104,7 @@ class Traffic {
     in_.lite_ar_valid = ar_ != reads_.end() && (in_.lite_ar_valid || random_.chance(300));
     if (in_.aw_valid) in_.aw_addr = kKept[aw_->index].offset;
     if (in_.w_valid) in_.w_data = w_->data;
+    if (in_.w_valid) in_.w_strb = w_->strobes;
     if (in_.lite_ar_valid) in_.lite_ar_addr = kKept[ar_->index].offset;
     in_.b_ready = random_.chance(300);
     in_.lite_r_ready = random_.chance(300);
@@ -112,7 +122,10 @@ class Traffic {
     const Access write = writes_.front();
     EXPECT_TRUE(write.addressed && write.sent) << "an answer to no write";
     if (!took_answer_) return;
-    values_[write.index] = write.data & kKept[write.index].mask;
+    uint32_t bytes = 0;
+    for (unsigned k = 0; k < 4; ++k) bytes |= (write.strobes >> k & 1u) * (0xffu << 8 * k);
+    uint32_t& value = values_[write.index];
+    value = ((value & ~bytes) | (write.data & bytes)) & kKept[write.index].mask;
     writes_.pop_front();
     ++answered_;
   }

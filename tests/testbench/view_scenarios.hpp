@@ -41,6 +41,9 @@ class ViewRun {
     run(all);
   }
 
+  /// The whole of the first view in a format.
+  void whole_view(ViewFormat format) { run({whole(format)}); }
+
   /// `count` rectangles of random views, planes and levels.
   void rectangles(unsigned count) {
     std::vector<Descriptor> all;
@@ -93,6 +96,46 @@ class ViewRun {
     in_turns(all, [&](auto turn) { bench_.run(turn); });
   }
 
+  /// Rows of each width, some of which end a byte after a line, at each place in a line; rows so
+  /// far apart that the pitch has more than 16 bits.
+  void edges() {
+    for (uint32_t i = 0; i < 64 && finding().empty(); ++i) {
+      Descriptor d = whole(ViewFormat::kRgb888);
+      d.width = std::min(i / 4 + 1, d.width);
+      d.height = 1;
+      bench_.host().allocate(d, 64, false);
+      d.destination += (i - d.destination / 16) % 4 * 16;
+      bench_.run(std::span(&d, 1));
+      bench_.host().free_all();
+    }
+    Descriptor d = whole(ViewFormat::kRgb161616);
+    d.height = std::min(2 * maker_.parameters.block_size() + 1, d.height);
+    bench_.host().allocate(d, 65536 * random_.within(1, 4) + 16 * random_.below(4096), true);
+    bench_.run(std::span(&d, 1));
+    bench_.host().free_all();
+  }
+
+  /// Events that rise in the clock in which software clears them.
+  void cleared() {
+    for (int i = 0; i < 24 && finding().empty(); ++i) {
+      bench_.run_cleared(prepared(rectangle(ViewFormat::kY)));
+      bench_.host().free_all();
+    }
+  }
+
+  /// What only a whole unit has: LOAD before, and at the time of, descriptors.
+  void loads() {
+    for (int i = 0; i < 3 && finding().empty(); ++i) {
+      std::vector<Descriptor> all;
+      for (unsigned k = 0; k < kRing; ++k) all.push_back(prepared(rectangle(kViewFormats[k])));
+      if (i == 0)
+        bench_.run_before_load(all);
+      else
+        bench_.run_during_load(all);
+      bench_.host().free_all();
+    }
+  }
+
   /// Blocks after the plane's last, and a view that does not exist.
   void outside() {
     const unsigned b = maker_.parameters.block_size();
@@ -138,8 +181,12 @@ class ViewRun {
     bench_.run_drained(std::vector{prepared(rectangle(ViewFormat::kRgb161616)),
                                    prepared(rectangle(ViewFormat::kRgb101010))});
     bench_.host().free_all();
-    for (int i = 0; i < 4; ++i) {
-      bench_.run_reset(prepared(whole(ViewFormat::kRgb161616)), random_.below(500));
+    for (uint32_t i = 0; i < 8; ++i) {
+      const Descriptor d = prepared(whole(ViewFormat::kRgb161616));
+      if (i < 6)
+        bench_.run_reset(d, random_.below(500), i % 2 == 0);
+      else
+        bench_.run_hung(d, (i - 6) * random_.below(500));
       bench_.host().free_all();
       rectangles(2);
     }
@@ -152,6 +199,8 @@ class ViewRun {
     residuals();
     refused();
     outside();
+    edges();
+    cleared();
     bus_errors();
     area();
     interruptions();
@@ -240,6 +289,17 @@ inline std::vector<uint8_t> large_picture(unsigned block_size) {
   params.threads = 1;
   const LightFieldShape shape{1, 2, 75 * block_size - 1, 85 * block_size - 1, 8};
   return encode(test::textured_light_field(shape, 1, 8), params)->bytes;
+}
+
+/// A picture of the greatest width, in 2048 tiles of blocks of 2; a row of RGB161616 has 98,304
+/// bytes.
+inline std::vector<uint8_t> wide_picture() {
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  params.tree_height = 0;
+  params.block_size = 2;
+  params.threads = 1;
+  return encode(test::textured_light_field({1, 1, 16384, 32, 8}, 1, 8), params)->bytes;
 }
 
 }  // namespace hmlfc::tb

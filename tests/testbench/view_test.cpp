@@ -2,7 +2,8 @@
 // every block size.
 #include <gtest/gtest.h>
 
-#include "driver/hmlfc_registers.h"
+#include <iostream>
+
 #include "testbench/view_scenarios.hpp"
 
 namespace hmlfc::tb {
@@ -15,16 +16,25 @@ std::vector<uint8_t> stream(uint32_t seed, unsigned block_size) {
   return bytes;
 }
 
-// 2 x 2 pixels of 12 bits, all 4095.
-std::vector<uint8_t> white_picture() {
-  LightField white({1, 1, 2, 2, 12});
-  white.write_row(0, 0, 0, std::vector<uint16_t>(6, 4095));
-  white.write_row(0, 0, 1, std::vector<uint16_t>(6, 4095));
+// Pixels of 12 bits, of which each block has one component with one bit of 8 to 11, at each place
+// in turn.
+std::vector<uint8_t> pictures_of_one_bit(unsigned b) {
+  constexpr uint32_t kBlocks = 24;  // a row
+  LightField field({1, 1, kBlocks * b, b * b * b, 12});
+  for (uint32_t y = 0; y < b * b * b; ++y) {
+    std::vector<uint16_t> row(size_t{3} * kBlocks * b, 7);
+    for (uint32_t i = 0; i < kBlocks; ++i) {
+      const uint32_t place = y / b;  // as many as a block has
+      const uint32_t x = i * b + place % b;
+      if (place / b == y % b) row[3 * x + i % 3] = static_cast<uint16_t>(1u << (8 + i / 3 % 4));
+    }
+    field.write_row(0, 0, y, row);
+  }
   EncodeParams params;
   params.profile = Profile::kMain;
-  params.block_size = 2;
+  params.block_size = b;
   params.lossless = true;
-  return encode(white, params)->bytes;
+  return encode(field, params)->bytes;
 }
 
 class ViewDma : public testing::TestWithParam<uint32_t> {};
@@ -50,20 +60,30 @@ TEST(ViewDma, ReachesEveryMacroRow) {
   }
 }
 
+TEST(ViewDma, ReachesTheLastColumn) {
+  const auto bytes = wide_picture();
+  ViewRun run(bytes, view_dmas().front(), 1);
+  run.whole_view(ViewFormat::kRgb161616);
+  run.whole_view(ViewFormat::kCg);
+  ASSERT_EQ(run.finding(), "");
+}
+
 TEST(ViewDma, CountsBlocksThatDoNotDecodeOrFit) {
-  const UnitMaker maker = view_dmas().front();
-  const std::vector<uint8_t> bytes = white_picture();
-  const auto errors_of = [&](ViewFormat format) {
+  for (const UnitMaker& maker : view_dmas()) {
+    const unsigned b = maker.parameters.block_size();
+    const auto bytes = pictures_of_one_bit(b);
     ViewRun run(bytes, maker, 1);
-    Descriptor d{.tag = 1, .format = format, .width = 1, .height = 1};
-    run.bench().host().allocate(d, 0, true);
-    run.bench().run(std::span(&d, 1));
-    EXPECT_EQ(run.finding(), "");
-    return run.bench().last_status();
-  };
-  EXPECT_EQ(errors_of(ViewFormat::kRgb888).first_error, 24);  // limit_exceeded
-  EXPECT_EQ(errors_of(ViewFormat::kRgb101010).block_errors, 1u);
-  EXPECT_EQ(errors_of(ViewFormat::kRgb161616).first_error, 0);
+    const auto errors_of = [&](ViewFormat format) {
+      run.whole_view(format);
+      EXPECT_EQ(run.finding(), "");
+      return run.bench().last_status();
+    };
+    EXPECT_EQ(errors_of(ViewFormat::kRgb888).first_error, 24);  // limit_exceeded
+    EXPECT_EQ(errors_of(ViewFormat::kRgb101010).block_errors, 12 * b * b);
+    EXPECT_EQ(errors_of(ViewFormat::kRgb161616).first_error, 0);
+    run.rectangles(40);  // that end within blocks
+    ASSERT_EQ(run.finding(), "") << "B " << b;
+  }
 }
 
 TEST(ViewUnit, EqualsTheModel) {
@@ -72,6 +92,7 @@ TEST(ViewUnit, EqualsTheModel) {
       const auto bytes = stream(seed, maker.parameters.block_size());
       ViewRun run(bytes, maker, seed);
       run.everything();
+      run.loads();
       ASSERT_EQ(run.finding(), "") << "B " << maker.parameters.block_size() << ", seed " << seed;
     }
   }
@@ -85,7 +106,8 @@ TEST(ViewUnit, ClockStopsWhileIdle) {
   const uint64_t before = run.bench().host().stopped_clocks();
   run.bench().host().idle(1000);
   EXPECT_GE(run.bench().host().stopped_clocks() - before, 990u);
-  run.bench().host().reset();
+  run.bench().host().open(true);
+  run.bench().host().load();
   const uint64_t after = run.bench().host().stopped_clocks();
   run.rectangles(2);
   run.bench().host().idle(1000);
@@ -93,18 +115,24 @@ TEST(ViewUnit, ClockStopsWhileIdle) {
   EXPECT_EQ(run.finding(), "");
 }
 
-// The DMA reads a descriptor while the decode unit reads the header: each takes its own answers.
-TEST(ViewUnit, FetchesDescriptorsDuringLoad) {
-  for (const UnitMaker& maker : view_units()) {
-    const auto bytes = stream(0, maker.parameters.block_size());
-    ViewRun run(bytes, maker, 0);
-    for (int i = 0; i < 8; ++i) {
-      run.bench().host().write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
-      run.bench().host().idle(static_cast<uint64_t>(i));
-      run.rectangles(1);
-    }
-    ASSERT_EQ(run.finding(), "") << "B " << maker.parameters.block_size();
-  }
+// The rate of descriptors of one block whose tiles and strips are held.
+TEST(ViewUnit, TakesDescriptorsBackToBack) {
+  constexpr unsigned kCount = 64;
+  const UnitMaker maker = view_units().front();
+  const auto bytes = stream(0, maker.parameters.block_size());
+  StreamImage image(bytes, maker.parameters);
+  ViewBench bench(maker.make(maker.parameters, nullptr), bytes, image.area().bytes, image.oracle(),
+                  kCount);
+  std::vector<Descriptor> all(kCount, Descriptor{.width = 4, .height = 4});
+  for (Descriptor& d : all) bench.host().allocate(d, 0, true);
+  bench.host().memory().start({}, 1);
+  bench.run_drained(all);
+  const uint64_t begin = bench.host().clocks();
+  bench.run_drained(all);
+  const auto clocks = static_cast<double>(bench.host().clocks() - begin);
+  EXPECT_EQ(bench.finding(), "");
+  std::cout << clocks / kCount << " clocks a descriptor\n";
+  EXPECT_LE(clocks / kCount, 60);
 }
 
 }  // namespace
