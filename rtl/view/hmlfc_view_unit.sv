@@ -12,7 +12,6 @@ module hmlfc_view_unit #(
     parameter int AXI_DATA_BITS = 128,
     parameter int OUTSTANDING = 32,
     parameter int TILE_CONTEXTS = 16,
-    parameter int TILE_LOADERS = 4,
     parameter int CACHE_STRIPS = 512,
     parameter int TRACE = 1,
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
@@ -170,7 +169,6 @@ module hmlfc_view_unit #(
       .AXI_DATA_BITS(AXI_DATA_BITS),
       .OUTSTANDING(OUTSTANDING),
       .TILE_CONTEXTS(TILE_CONTEXTS),
-      .TILE_LOADERS(TILE_LOADERS),
       .CACHE_STRIPS(CACHE_STRIPS),
       .TRACE(TRACE)
   ) unit (
