@@ -98,6 +98,7 @@ module hmlfc_index_reads #(
     end
   end
 
+  wire [127:0] bytes_2 = 128'(words_2 >> {shift_2, 3'd0});
   for (genvar s = 0; s < 3; s++) begin : g_step
     hmlfc_fifo #(
         .WIDTH(129),
@@ -107,7 +108,7 @@ module hmlfc_index_reads #(
         .rst_n,
         .in_valid(shifts[2] && step_2 == 2'(s)),
         .in_ready(),
-        .in_data({error_2, 128'(words_2 >> {shift_2, 3'd0})}),
+        .in_data({error_2, bytes_2}),
         .out_valid(valid[s]),
         .out_ready(take[s]),
         .out_data({error[s], bytes[s*128+:128]}),
